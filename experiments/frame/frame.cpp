@@ -1,0 +1,106 @@
+#include "frame/frame.hpp"
+
+#include "frame/provenance.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <unistd.h>
+
+namespace experiment {
+
+avi::Table Frame::table(std::vector<std::string> columns) const {
+  avi::Table table(std::move(columns));
+  table.note("experiment", name);
+  table.note("commit", commit());
+  table.note("compiler", compiler());
+  table.note("flags", flags());
+  table.note("machine", machine());
+  table.note("date", date());
+  table.note("quick", quick);
+  return table;
+}
+
+void Frame::write(const avi::Table& table, std::string_view curve) const {
+  table.write(output / (curve.empty() ? name + ".tsv" : fmt::format("{}_{}.tsv", name, curve)));
+}
+
+void Frame::progress(std::string_view label, double fraction) const {
+  if (!::isatty(STDERR_FILENO)) return;
+  fmt::print(stderr, "\r{}: {:<40} {:3.0f} %{}", name, label, 100.0 * fraction, fraction < 1.0 ? "" : "\n");
+  std::fflush(stderr);
+}
+
+namespace {
+
+/// Makes the folder and proves that a file can be created in it, before any work is done.
+void require_writable(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  const auto probe = folder / fmt::format(".probe.{}", ::getpid());
+  const bool writable = !error && std::ofstream(probe).good();
+  std::filesystem::remove(probe, error);
+  if (!writable)
+    throw std::invalid_argument(fmt::format(
+        "Output folder '{}' cannot be written; name one that can with --output DIR.", folder.string()));
+}
+
+int refuse(std::string_view name, std::string_view sentence) {
+  fmt::print(stderr, "{}: {}\n", name, sentence);
+  return 2;
+}
+
+}  // namespace
+
+int run(int argc, char** argv, std::string name, std::string summary,
+        const std::function<void(CLI::App&)>& options, const std::function<void(Frame&)>& body) {
+  Frame frame{.name = name, .output = "build/data"};
+  CLI::App app(summary, name);
+  app.add_option("--output", frame.output, "Folder of the data files, made where it is missing")
+      ->option_text("DIR")
+      ->default_str("build/data");
+  app.add_flag("--quick", frame.quick, "A shortened run for tests: same columns, fewer or shorter rows");
+  options(app);
+  try {
+    app.parse(argc, argv);
+    require_writable(frame.output);
+    body(frame);
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return refuse(name, fmt::format("{} Run with --help for the options.", error.what()));
+  } catch (const std::invalid_argument& error) {
+    return refuse(name, error.what());
+  } catch (const std::exception& error) {
+    refuse(name, error.what());
+    return 1;
+  }
+  return 0;
+}
+
+int run(int argc, char** argv, std::string name, std::string summary,
+        const std::function<void(Frame&)>& body) {
+  return run(
+      argc, argv, std::move(name), std::move(summary), [](CLI::App&) {}, body);
+}
+
+void add_number(CLI::App& app, const std::string& flag, double& value, Range range,
+                const std::string& description) {
+  const std::string interval = fmt::format("{}{}, {}{}", range.low_open ? "(" : "[", range.low, range.high,
+                                           range.high_open ? ")" : "]");
+  app.add_option(flag, value, description)
+      ->option_text(fmt::format("NUMBER in {}", interval))
+      ->capture_default_str()
+      ->check([=, &app](const std::string& text) -> std::string {
+        double number = std::nan("");
+        const bool parsed = CLI::detail::lexical_cast(text, number);
+        const bool above = range.low_open ? number > range.low : number >= range.low;
+        const bool below = range.high_open ? number < range.high : number <= range.high;
+        if (parsed && std::isfinite(number) && above && below) return {};
+        return fmt::format("value {} is not a finite number in {}.", text, interval);
+      });
+}
+
+}  // namespace experiment

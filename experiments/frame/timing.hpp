@@ -1,0 +1,40 @@
+#pragma once
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <vector>
+
+/// @file
+/// Wall time of runs that are compared with each other.
+
+namespace experiment {
+
+/// Wall time of one call, in seconds.
+template <class Work>
+double seconds(Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Median of a list (the lower one for an even count).
+inline double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Median seconds of each piece of work over `rounds` rounds; a round runs every piece once, so that a drift
+/// of the machine's speed meets them all alike.
+inline std::vector<double> interleaved_seconds(const std::vector<std::function<void()>>& works, int rounds) {
+  std::vector<std::vector<double>> samples(works.size());
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t i = 0; i < works.size(); ++i)
+      samples[i].push_back(seconds(works[i]));
+  std::vector<double> medians;
+  for (auto& sample : samples)
+    medians.push_back(median(std::move(sample)));
+  return medians;
+}
+
+}  // namespace experiment

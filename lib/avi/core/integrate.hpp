@@ -1,0 +1,90 @@
+#pragma once
+#include "avi/core/outcome.hpp"
+#include "avi/core/require.hpp"
+
+#include <concepts>
+#include <limits>
+#include <sstream>
+#include <type_traits>
+
+/// @file
+/// The only time loop of the library.
+
+namespace avi {
+
+/// Where a run ends: at the first step whose physical time reaches `time`, or after `steps` steps.
+struct Until {
+  double time = std::numeric_limits<double>::infinity();
+  long steps = std::numeric_limits<long>::max();
+};
+
+/// A method advances a state by one step of size h (fictive time where the method is adaptive). When the
+/// report is not ok the state is left as it was.
+template <class M, class State>
+concept Method = requires(M& method, State& state, double h) {
+  { method.step(state, h) } -> std::same_as<StepReport>;
+};
+
+/// Observer that looks at nothing and costs nothing.
+struct NoObserver {
+  template <class State>
+  void operator()(const State&, long) const {}
+};
+
+namespace detail {
+template <class State>
+std::string describe_end(Outcome outcome, const State& state, long steps, double residual) {
+  std::ostringstream sentence;
+  sentence.precision(17);
+  sentence << "The run ended as " << name(outcome) << " after " << steps << " steps, at t = " << state.t;
+  if (outcome == Outcome::not_converged) sentence << ", with residual " << residual;
+  sentence << ".";
+  return sentence.str();
+}
+}  // namespace detail
+
+/// Applies `method` with constant step h until `until` is met; the last step passes until.time, it is not
+/// cut.
+///
+/// The observer is called as observer(state, k) after step k = 1, 2, ...; when it returns bool, false stops
+/// the run. The state is always the last good one.
+/// @throws std::invalid_argument for h that is zero or not finite, or an `until` that sets no end.
+template <class State, Method<State> M, class Observer = NoObserver>
+Run integrate(M& method, State& state, double h, Until until, Observer&& observer = {}) {
+  require(std::isfinite(h) && h != 0.0, "Step size h", h, "finite and not zero");
+  require(!std::isnan(until.time), "End time", until.time, "a number");
+  require(until.steps >= 0, "Number of steps", until.steps, "at least 0");
+  require(until.time < std::numeric_limits<double>::infinity() ||
+              until.steps < std::numeric_limits<long>::max(),
+          "End of the run", "not set", "a time or a number of steps");
+  Run run;
+  while (state.t < until.time && run.steps < until.steps) {
+    const State before = state;
+    StepReport report = method.step(state, h);
+    if (report.outcome == Outcome::ok && !state.finite()) report.outcome = Outcome::non_finite;
+    if (report.outcome != Outcome::ok) {
+      state = before;
+      run.outcome = report.outcome;
+      run.message = detail::describe_end(report.outcome, state, run.steps, report.residual);
+      return run;
+    }
+    ++run.steps;
+    run.evaluations += report.evaluations;
+    if constexpr (std::is_same_v<std::invoke_result_t<Observer&, const State&, long>, bool>) {
+      if (!observer(state, run.steps)) {
+        run.outcome = Outcome::stopped;
+        run.message = detail::describe_end(run.outcome, state, run.steps, 0.0);
+        return run;
+      }
+    } else {
+      observer(state, run.steps);
+    }
+  }
+  if (until.time < std::numeric_limits<double>::infinity() && state.t < until.time) {
+    run.outcome = Outcome::step_limit;
+    run.message = detail::describe_end(run.outcome, state, run.steps, 0.0);
+  }
+  return run;
+}
+
+}  // namespace avi

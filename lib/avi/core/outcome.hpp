@@ -1,0 +1,54 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+/// @file
+/// How a step and a run end. Nothing in the library returns a number without saying which of these it is.
+
+namespace avi {
+
+/// End of one step or of a whole run.
+enum class Outcome {
+  ok,             ///< Reached what was asked for.
+  stopped,        ///< An observer asked to stop.
+  step_limit,     ///< The cap on steps was reached first.
+  not_converged,  ///< An implicit equation was not solved; the state is the last good one.
+  non_finite,     ///< A value became infinite or NaN; the state is the last good one.
+  diverged        ///< The iterates left every bound that the caller set.
+};
+
+/// The name used in messages and data files.
+constexpr std::string_view name(Outcome outcome) {
+  switch (outcome) {
+  case Outcome::ok:
+    return "ok";
+  case Outcome::stopped:
+    return "stopped";
+  case Outcome::step_limit:
+    return "step_limit";
+  case Outcome::not_converged:
+    return "not_converged";
+  case Outcome::non_finite:
+    return "non_finite";
+  case Outcome::diverged:
+    return "diverged";
+  }
+  return "unknown";
+}
+
+/// What one step tells the run loop.
+struct StepReport {
+  Outcome outcome = Outcome::ok;
+  int evaluations = 1;    ///< Evaluations of the vector field or of its Taylor expansion.
+  double residual = 0.0;  ///< Of the implicit equation that remains (0 for explicit steps).
+};
+
+/// What a run tells its caller.
+struct Run {
+  Outcome outcome = Outcome::ok;
+  long steps = 0;        ///< Steps that were accepted.
+  long evaluations = 0;  ///< Sum over those steps.
+  std::string message;   ///< Empty for ok; else one sentence with step, time and reason.
+};
+
+}  // namespace avi

@@ -1,0 +1,42 @@
+#pragma once
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+/// @file
+/// Checks of arguments. Each throws std::invalid_argument with one sentence that names the value and the
+/// admissible range.
+
+namespace avi {
+
+namespace detail {
+template <class Value>
+[[noreturn]] void reject(std::string_view what, const Value& value, std::string_view admissible) {
+  std::ostringstream sentence;
+  sentence.precision(17);
+  sentence << what << " is " << value << "; it must be " << admissible << ".";
+  throw std::invalid_argument(sentence.str());
+}
+}  // namespace detail
+
+/// Throws unless `holds`; NaN never holds a comparison and so is always refused.
+template <class Value>
+void require(bool holds, std::string_view what, const Value& value, std::string_view admissible) {
+  if (!holds) detail::reject(what, value, admissible);
+}
+
+/// Throws unless value is finite and > 0; returns it.
+inline double require_positive(std::string_view what, double value) {
+  require(std::isfinite(value) && value > 0.0, what, value, "finite and positive");
+  return value;
+}
+
+/// Throws unless value is finite; returns it.
+inline double require_finite(std::string_view what, double value) {
+  require(std::isfinite(value), what, value, "finite");
+  return value;
+}
+
+}  // namespace avi

@@ -1,0 +1,27 @@
+#pragma once
+#include "avi/core/vector.hpp"
+
+#include <cmath>
+
+/// @file
+/// The point in phase space that every integrator moves.
+
+namespace avi {
+
+/// Position q, momentum p (n entries each) and physical time t. The library uses the sign convention
+/// q' = dH/dp, p' = -dH/dq; units are the problem's own.
+template <int n>
+struct State {
+  static constexpr int dimension = n;
+  Vector<double, n> q;
+  Vector<double, n> p;
+  double t = 0.0;
+
+  /// True when every entry is finite.
+  [[nodiscard]] bool finite() const {
+    // A sum is infinite or NaN as soon as one finite-range entry is; one test instead of 2n + 1.
+    return std::isfinite(q.sum() + p.sum() + t) || (q.allFinite() && p.allFinite() && std::isfinite(t));
+  }
+};
+
+}  // namespace avi

@@ -1,0 +1,44 @@
+#pragma once
+#include "avi/core/outcome.hpp"
+#include "avi/core/state.hpp"
+
+#include <limits>
+#include <utility>
+
+/// @file
+/// Stormer-Verlet for H = |p|^2 / 2 + V(q).
+
+namespace avi {
+
+/// Kick-drift-kick leapfrog: p -= h/2 dV(q), q += h p, p -= h/2 dV(q). Order 2, symmetric, symplectic.
+/// `gradient` is any callable q -> dV/dq. The last kick's gradient is kept for the next step, so that a step
+/// costs one evaluation as long as the state is not changed from outside.
+template <int n, class Gradient>
+class StormerVerlet {
+ public:
+  explicit StormerVerlet(Gradient gradient) : gradient_(std::move(gradient)) {}
+
+  StepReport step(State<n>& z, double h) {
+    if (z.q != at_) force_ = gradient_(z.q);
+    z.p -= (0.5 * h) * force_;
+    z.q += h * z.p;
+    force_ = gradient_(z.q);
+    at_ = z.q;
+    z.p -= (0.5 * h) * force_;
+    z.t += h;
+    return {};
+  }
+
+ private:
+  Gradient gradient_;
+  Vector<double, n> at_ = Vector<double, n>::Constant(std::numeric_limits<double>::quiet_NaN());
+  Vector<double, n> force_;
+};
+
+/// Deduces everything but the dimension: stormer_verlet<2>(gradient).
+template <int n, class Gradient>
+StormerVerlet<n, Gradient> stormer_verlet(Gradient gradient) {
+  return StormerVerlet<n, Gradient>(std::move(gradient));
+}
+
+}  // namespace avi

@@ -1,0 +1,74 @@
+#pragma once
+#include "avi/core/require.hpp"
+#include "avi/core/state.hpp"
+
+#include <cmath>
+
+/// @file
+/// Kepler's planar two-body problem in relative coordinates, unit masses and period 2 pi.
+
+namespace avi {
+
+/// H(q, p) = |p|^2 / 2 - 1 / |q|, with q, p in R^2 (Section 3.3 of the paper).
+struct Kepler {
+  static constexpr int dimension = 2;
+
+  /// Kinetic energy.
+  template <class P>
+  static auto kinetic(const P& p) {
+    return 0.5 * (p[0] * p[0] + p[1] * p[1]);
+  }
+
+  /// Potential V(q) = -1 / |q|.
+  template <class Q>
+  static auto potential(const Q& q) {
+    using std::sqrt;
+    return -1.0 / sqrt(q[0] * q[0] + q[1] * q[1]);
+  }
+
+  /// The Hamiltonian.
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    return kinetic(p) + potential(q);
+  }
+
+  /// dV/dq = q / |q|^3.
+  template <class S>
+  static Vector<S, 2> potential_gradient(const Vector<S, 2>& q) {
+    using std::pow;
+    const S u = pow(q[0] * q[0] + q[1] * q[1], -1.5);
+    return {q[0] * u, q[1] * u};
+  }
+
+  /// q_1 p_2 - q_2 p_1, conserved.
+  static double angular_momentum(const State<2>& z) { return z.q[0] * z.p[1] - z.q[1] * z.p[0]; }
+
+  /// Pericentre of the orbit of semi-major axis 1: q = (1 - e, 0), p = (0, sqrt((1 + e) / (1 - e))).
+  /// @throws std::invalid_argument unless 0 <= e < 1.
+  static State<2> pericentre(double e) {
+    require(e >= 0.0 && e < 1.0, "Eccentricity", e, "in [0, 1)");
+    return {.q = {1.0 - e, 0.0}, .p = {0.0, std::sqrt((1.0 + e) / (1.0 - e))}};
+  }
+
+  /// Exact state at time t of the orbit that starts at pericentre(e), from Kepler's equation
+  /// E - e sin E = t, solved by Newton's method with bisection as its safeguard.
+  static State<2> exact(double e, double t) {
+    require(e >= 0.0 && e < 1.0, "Eccentricity", e, "in [0, 1)");
+    require_finite("Time", t);
+    const double mean = std::remainder(t, 2.0 * M_PI);
+    double low = mean - e, high = mean + e, anomaly = mean;
+    for (int i = 0; i < 200; ++i) {
+      const double defect = anomaly - e * std::sin(anomaly) - mean;
+      (defect > 0.0 ? high : low) = anomaly;
+      double next = anomaly - defect / (1.0 - e * std::cos(anomaly));
+      if (!(next > low && next < high)) next = 0.5 * (low + high);
+      if (std::abs(next - anomaly) <= 1e-16 * std::abs(next)) break;
+      anomaly = next;
+    }
+    const double c = std::cos(anomaly), s = std::sin(anomaly), b = std::sqrt((1.0 - e) * (1.0 + e));
+    const double rate = 1.0 / (1.0 - e * c);
+    return {.q = {c - e, b * s}, .p = {-s * rate, b * c * rate}, .t = t};
+  }
+};
+
+}  // namespace avi

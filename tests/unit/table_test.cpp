@@ -1,0 +1,48 @@
+#include "avi/io/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using avi::Table;
+
+namespace {
+
+std::filesystem::path scratch() {
+  const auto folder = std::filesystem::temp_directory_path() / ("avi_table_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
+TEST(Table, ReadsBackWhatItWroteBitForBit) {
+  const auto folder = scratch();
+  Table table({"name", "value", "count"});
+  table.note("setting", 0.1);
+  const double third = 1.0 / 3.0;
+  table.row("a", third, 42L);
+  table.row("b", std::numeric_limits<double>::quiet_NaN(), -1);
+  table.write(folder / "t.tsv");
+  const Table back = Table::read(folder / "t.tsv");
+  EXPECT_EQ(back.columns, table.columns);
+  EXPECT_EQ(back.rows, table.rows);
+  EXPECT_EQ(back.head, table.head);
+  EXPECT_EQ(back.number(0, "value"), third);
+  EXPECT_TRUE(std::isnan(back.number(1, "value")));
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    files += entry.is_regular_file();
+  EXPECT_EQ(files, 1u) << "a temporary file was left";
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Table, RefusesWhatDoesNotFit) {
+  Table table({"a", "b"});
+  EXPECT_THROW(table.row(1), std::invalid_argument);
+  EXPECT_THROW((void)table.column("c"), std::out_of_range);
+  table.row("word", 1);
+  EXPECT_THROW((void)table.number(0, "a"), std::invalid_argument);
+  EXPECT_THROW(table.write("/dev/null/nowhere/t.tsv"), std::runtime_error);
+  EXPECT_THROW(Table::read("/dev/null/nowhere/t.tsv"), std::runtime_error);
+}
+
+}  // namespace
