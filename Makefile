@@ -1,3 +1,151 @@
-# Stub of the front door; see `make help`.
-check:
-	cmake --preset release && cmake --build build/release && ctest --test-dir build/release --output-on-failure
+# The front door. `make help` lists the targets; each one installs its own Debian packages first, builds what it
+# needs and recomputes nothing that is up to date. CMake and Ninja know how programs are made; this file knows
+# the way from programs to data, figures and verdicts.
+
+PRESET ?= release
+PREFIX ?= /usr/local
+BUILD  := build/$(PRESET)
+BIN    := $(BUILD)/bin
+
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.SUFFIXES:
+MAKEFLAGS += --no-builtin-rules
+SHELL := /bin/sh
+
+# ---- what there is -------------------------------------------------------------------------------------------
+# An experiment is experiments/<stem>.cpp and writes build/data/<stem>.tsv. A figure is figures/<stem>.gp; its line
+# "# data: <stem> ..." names the experiments it draws, and it is drawn once all of them exist.
+experiments := $(filter-out scorecard,$(patsubst experiments/%.cpp,%,$(wildcard experiments/*.cpp)))
+data_of      = $(shell sed -n 's/^\# data: *//p' figures/$(1).gp)
+scripts     := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
+drawable    := $(foreach f,$(scripts),$(if $(filter-out $(experiments),$(call data_of,$f)),,$f))
+with_flag    = $(patsubst experiments/%.cpp,%,$(shell grep -sl '"--$(1)' experiments/*.cpp))
+
+# The verdicts, once there is a program that passes them.
+verdicts    := $(if $(wildcard experiments/scorecard.cpp),build/scorecard.txt)
+
+# Seconds are compared within these, so nothing else of ours runs beside them; they come first.
+timed       := $(filter kepler_e090 kepler_e099 euler_b_cost work_precision,$(experiments))
+DATA        := $(patsubst %,build/data/%.tsv,$(timed) $(filter-out $(timed),$(experiments)))
+FIGURES     := $(foreach f,$(drawable),build/figures/$f.pdf build/figures/$f.png)
+PUBLISHED   := $(wildcard paper/published/*.tsv)
+GALLERY     := kepler_e090 euler_b_errors direct_vs_adaptive work_precision
+
+.PHONY: help deps deps-peers deps-paper deps-docs deps-bench deps-format programs build data figures scorecard \
+        check bench paper docs install long work-precision extremes gallery format clean
+
+help: ## This list
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' $(MAKEFILE_LIST) | while IFS='	' read -r target text; do \
+	  printf '  make %-15s %s\n' "$$target" "$$text"; done
+	@printf '\nVariables: PRESET=%s (release, portable, sanitize, debug), PREFIX=%s; -jN runs experiments side by side.\n' \
+	  '$(PRESET)' '$(PREFIX)'
+
+# ---- packages: a no-op without network or rights when all are there --------------------------------------------
+base_packages  := git g++ cmake ninja-build libeigen3-dev libgsl-dev libcli11-dev libfmt-dev libgtest-dev gnuplot-nox
+peers_packages := libboost-dev libsundials-dev
+paper_packages := latexmk texlive-latex-recommended texlive-latex-extra texlive-science texlive-fonts-recommended \
+                  texlive-bibtex-extra lmodern
+docs_packages  := doxygen
+
+# $(call install,packages): root installs, another user asks sudo where it can answer, else one line says what to run.
+define install
+@command -v dpkg-query >/dev/null || { \
+  echo "No dpkg here; taking for granted what these Debian packages hold: $(1)"; exit 0; }; \
+missing=; for package in $(1); do \
+  [ "$$(dpkg-query -W -f '$${db:Status-Status}' $$package 2>/dev/null)" = installed ] || missing="$$missing $$package"; \
+done; \
+[ -n "$$missing" ] || exit 0; \
+get="apt-get install -y --no-install-recommends$$missing"; \
+if [ "$$(id -u)" = 0 ]; then become=; \
+elif command -v sudo >/dev/null && { sudo -n true 2>/dev/null || [ -t 0 ]; }; then become=sudo; \
+else echo "Packages are missing; as root, run:  apt-get update && $$get" >&2; exit 1; fi; \
+echo "Installing$$missing"; \
+$$become env DEBIAN_FRONTEND=noninteractive sh -c "apt-get -qq update && $$get"
+endef
+
+deps: ## Install what `figures` and `check` need
+	$(call install,$(base_packages))
+deps-peers: deps ## Install the peer integrators that work_precision can measure
+	$(call install,$(peers_packages))
+deps-paper: deps ## Install TeX
+	$(call install,$(paper_packages))
+deps-docs: deps ## Install Doxygen
+	$(call install,$(docs_packages))
+deps-bench: deps
+	$(call install,libbenchmark-dev)
+deps-format:
+	$(call install,git clang-format)
+
+# ---- programs --------------------------------------------------------------------------------------------------
+configure = cmake --preset $(PRESET) >/dev/null
+compile   = cmake --build $(BUILD) --target
+
+programs: deps
+	@$(configure) && $(compile) experiments
+build: programs ## Build everything: experiments, tests and checks
+	@$(compile) all
+# Made by `programs`; the empty command has make look at the file again, so only a relinked program reruns.
+$(patsubst %,$(BIN)/%,$(experiments) scorecard): programs
+	@:
+
+check: build ## Build and run every test
+	ctest --test-dir $(BUILD) --output-on-failure --parallel $(shell nproc)
+bench: deps-bench programs ## Nanoseconds per step of every method (Google Benchmark)
+	@$(configure) && $(compile) benchmarks && for each in $(BIN)/*_bench; do $$each || exit 1; done
+install: deps ## Install the headers and the CMake package under PREFIX
+	@$(configure)
+	cmake --install $(BUILD) --prefix $(PREFIX)
+
+# ---- data ------------------------------------------------------------------------------------------------------
+# A shared lock is held by every experiment, an exclusive one by the timed: they run alone, whatever -j says.
+alone = flock $(if $(filter $(timed),$(1)),--exclusive,--shared) build/data/.alone
+
+data: $(DATA) ## Run every experiment: build/data/<stem>.tsv
+$(DATA): build/data/%.tsv: $(BIN)/% | build/data
+	@echo "running $*"; $(call alone,$*) $(BIN)/$* --output build/data && test -s $@
+
+build/scorecard.txt: $(BIN)/scorecard $(DATA) $(PUBLISHED) | build/data
+	@$(BIN)/scorecard --published paper/published --data build/data --output build/data >$@.part \
+	  || { cat $@.part; exit 1; }; mv $@.part $@
+scorecard: build/scorecard.txt ## Compare every published number with ours
+	@cat $<
+
+# ---- figures ---------------------------------------------------------------------------------------------------
+# $(call draw,stem,data folder,output without extension,terminal,extension)
+draw = gnuplot -e "data='$(2)'; output='$(3).part'; terminal='$(4)'" figures/$(1).gp && mv $(3).part $(3).$(5)
+
+figures: $(DATA) $(FIGURES) $(verdicts) ## Build, run, draw every figure, print the scorecard (the main job)
+	@cat $(verdicts) </dev/null
+build/figures/%.pdf build/figures/%.png: figures/%.gp figures/style.gp | deps build/figures
+	@echo "drawing $*"; $(call draw,$*,build/data,build/figures/$*,pdf,pdf) \
+	  && $(call draw,$*,build/data,build/figures/$*,png,png)
+$(foreach f,$(drawable),$(eval build/figures/$f.pdf build/figures/$f.png: $(patsubst %,build/data/%.tsv,$(call data_of,$f))))
+
+gallery: $(patsubst %,build/data/%.tsv,$(filter $(GALLERY),$(drawable))) | figures/gallery ## Redraw the README's previews
+	@for each in $(filter $(GALLERY),$(drawable)); do $(call draw,$$each,build/data,figures/gallery/$$each,preview,png) \
+	  || exit 1; done
+
+build/data build/figures build/paper figures/gallery:
+	@mkdir -p $@
+
+# ---- longer runs, each into its own folder, with progress on a terminal -------------------------------------------
+long: $(patsubst %,build/long/%.tsv,$(call with_flag,long)) ## Run to their end what `figures` runs under a cap
+build/long/%.tsv: $(BIN)/%
+	$(BIN)/$* --long --output build/long
+work-precision: deps-peers $(patsubst %,build/full/%.tsv,$(call with_flag,full)) ## The whole grid of speed and accuracy
+build/full/%.tsv: $(BIN)/%
+	$(BIN)/$* --full --output build/full
+extremes: $(patsubst %,build/extremes/%.tsv,$(call with_flag,extremes)) ## The long stability runs
+build/extremes/%.tsv: $(BIN)/%
+	$(BIN)/$* --extremes --output build/extremes
+
+# ---- paper, documentation, housekeeping ---------------------------------------------------------------------------
+paper: deps-paper figures | build/paper ## build/paper/paper.pdf
+	latexmk -cd -pdf -interaction=nonstopmode -halt-on-error -outdir=$(CURDIR)/build/paper paper/paper.tex
+docs: deps-docs ## Reference documentation: build/docs/html
+	@mkdir -p build/docs && doxygen lib/Doxyfile && echo "build/docs/html/index.html"
+format: deps-format ## Apply clang-format
+	git ls-files '*.hpp' '*.cpp' | xargs clang-format -i
+clean: ## Remove everything that was generated
+	rm -rf build
