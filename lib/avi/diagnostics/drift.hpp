@@ -1,0 +1,59 @@
+#pragma once
+#include "avi/core/require.hpp"
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+/// @file
+/// Drift of a quantity that should be conserved.
+
+namespace avi {
+
+/// Straight line through a time series and how sure its slope is.
+struct DriftFit {
+  double slope = 0.0;           ///< Change per unit of time.
+  double intercept = 0.0;       ///< Value of the line at time 0.
+  double standard_error = 0.0;  ///< Of the slope.
+  double t_statistic = 0.0;     ///< slope / standard_error; |t| < 2 is no drift that this series can show.
+  int points = 0;               ///< Points fitted (blocks, when blocks were asked for).
+};
+
+/// Least-squares line value = intercept + slope t, with the standard error of its slope.
+///
+/// The error formula supposes independent residuals, while an energy error oscillates with the orbit: with
+/// `blocks` > 0 the series is first averaged over that many equal blocks, each of which should span many
+/// oscillations.
+/// @throws std::invalid_argument when lengths differ, fewer than 3 points (or blocks) are left, or all times
+/// are the same.
+inline DriftFit fit_drift(std::span<const double> times, std::span<const double> values, int blocks = 0) {
+  require(times.size() == values.size(), "Number of values", values.size(), "the number of times");
+  require(blocks >= 0, "Number of blocks", blocks, "at least 0");
+  const std::size_t count = blocks > 0 ? static_cast<std::size_t>(blocks) : times.size();
+  require(count >= 3 && count <= times.size(), "Number of points", count,
+          "at least 3 and at most the length of the series");
+  std::vector<double> t(count, 0.0), x(count, 0.0);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t begin = k * times.size() / count, end = (k + 1) * times.size() / count;
+    for (std::size_t i = begin; i < end; ++i) {
+      t[k] += times[i] / static_cast<double>(end - begin);
+      x[k] += values[i] / static_cast<double>(end - begin);
+    }
+  }
+  const double n = static_cast<double>(count);
+  double mean_t = 0.0, mean_x = 0.0, tt = 0.0, tx = 0.0, rest = 0.0;
+  for (std::size_t k = 0; k < count; ++k)
+    mean_t += t[k] / n, mean_x += x[k] / n;
+  for (std::size_t k = 0; k < count; ++k)
+    tt += (t[k] - mean_t) * (t[k] - mean_t), tx += (t[k] - mean_t) * (x[k] - mean_x);
+  require(tt > 0.0, "Spread of the times", tt, "positive");
+  DriftFit fit{.slope = tx / tt, .points = static_cast<int>(count)};
+  fit.intercept = mean_x - fit.slope * mean_t;
+  for (std::size_t k = 0; k < count; ++k)
+    rest += std::pow(x[k] - fit.intercept - fit.slope * t[k], 2);
+  fit.standard_error = std::sqrt(rest / (n - 2.0) / tt);
+  fit.t_statistic = fit.slope / fit.standard_error;
+  return fit;
+}
+
+}  // namespace avi

@@ -1,0 +1,76 @@
+#pragma once
+#include "avi/core/require.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+/// @file
+/// Measured order of convergence.
+
+namespace avi {
+
+/// Which points of a convergence study count.
+struct OrderOptions {
+  double floor = 0.0;  ///< Errors at or below it are round-off and are dropped.
+  int at_least = 3;    ///< With fewer points left there is no order: the fit says NaN.
+  int at_most = 1000;  ///< Only that many of the smallest step sizes left are fitted.
+};
+
+/// A measured order and what it rests on.
+struct OrderFit {
+  double order = std::numeric_limits<double>::quiet_NaN();  ///< Slope of log(error) over log(h).
+  int points = 0;                                           ///< Points left by the filter and fitted.
+  double scatter = 0.0;  ///< Root mean square of log(error) about the line.
+};
+
+/// Least-squares slope of log(error) over log(|h|), error ~ C |h|^order.
+///
+/// The plateau filter walks from the largest step to the smallest and ends at the first point that is at or
+/// below options.floor, is not finite, or lies on a local slope of less than half the steepest one so far:
+/// there round-off has taken over. Points of larger h that are not finite (the method broke down) are passed
+/// over.
+/// @throws std::invalid_argument when h and error differ in length or a step size is zero or not finite.
+inline OrderFit fit_order(std::span<const double> h, std::span<const double> error,
+                          OrderOptions options = {}) {
+  require(h.size() == error.size(), "Number of errors", error.size(), "the number of step sizes");
+  require(options.at_least >= 2, "Least number of points", options.at_least, "at least 2");
+  std::vector<std::pair<double, double>> all, kept;
+  for (std::size_t i = 0; i < h.size(); ++i) {
+    require(std::isfinite(h[i]) && h[i] != 0.0, "Step size h", h[i], "finite and not zero");
+    all.emplace_back(std::log(std::abs(h[i])), error[i]);
+  }
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  double steepest = 0.0;
+  for (const auto& [x, value] : all) {
+    if (!std::isfinite(value) && kept.empty()) continue;
+    if (!(std::isfinite(value) && value > options.floor && value > 0.0)) break;
+    const double y = std::log(value);
+    if (!kept.empty()) {
+      const double slope = (y - kept.back().second) / (x - kept.back().first);
+      if (slope < 0.5 * steepest || slope <= 0.0) break;
+      steepest = std::max(steepest, slope);
+    }
+    kept.emplace_back(x, y);
+  }
+  if (kept.size() > static_cast<std::size_t>(options.at_most))
+    kept.erase(kept.begin(), kept.end() - options.at_most);
+  OrderFit fit{.points = static_cast<int>(kept.size())};
+  if (fit.points < options.at_least) return fit;
+  const double n = fit.points;
+  double mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0, rest = 0.0;
+  for (const auto& [x, y] : kept)
+    mean_x += x / n, mean_y += y / n;
+  for (const auto& [x, y] : kept)
+    xx += (x - mean_x) * (x - mean_x), xy += (x - mean_x) * (y - mean_y);
+  fit.order = xy / xx;
+  for (const auto& [x, y] : kept)
+    rest += std::pow(y - mean_y - fit.order * (x - mean_x), 2);
+  fit.scatter = std::sqrt(rest / n);
+  return fit;
+}
+
+}  // namespace avi

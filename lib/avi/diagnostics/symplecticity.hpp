@@ -1,0 +1,97 @@
+#pragma once
+#include "avi/core/integrate.hpp"
+#include "avi/core/require.hpp"
+#include "avi/core/state.hpp"
+
+#include <limits>
+
+/// @file
+/// How far one step is from being symplectic.
+
+namespace avi {
+
+/// Range of the spacings that difference_jacobian() tries: powers of two from largest to smallest, in the
+/// units of the point.
+struct Spacings {
+  double largest = 0.0625;
+  double smallest = 1.0 / 8192.0;
+};
+
+/// Jacobian of `map` (Vector<double, dynamic> -> same length) at z by central differences of order 8.
+///
+/// Every column takes, among the spacings, the one at which the formulas of order 6 and 8 agree best: there
+/// truncation and round-off balance, at a relative error of 1e-13 to 1e-12 for a smooth map.
+template <class Map>
+Matrix<double, dynamic> difference_jacobian(Map&& map, const Vector<double, dynamic>& z,
+                                            Spacings spacings = {}) {
+  require_positive("Smallest spacing", spacings.smallest);
+  require(spacings.largest >= spacings.smallest && std::isfinite(spacings.largest), "Largest spacing",
+          spacings.largest, "finite and at least the smallest");
+  static constexpr double eighth[] = {4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0};
+  static constexpr double sixth[] = {3.0 / 4.0, -3.0 / 20.0, 1.0 / 60.0, 0.0};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Matrix<double, dynamic> jacobian = Matrix<double, dynamic>::Constant(z.size(), z.size(), nan);
+  for (Eigen::Index j = 0; j < z.size(); ++j) {
+    double best = std::numeric_limits<double>::infinity();
+    for (double s = spacings.largest; s >= spacings.smallest; s *= 0.5) {
+      Vector<double, dynamic> fine = Vector<double, dynamic>::Zero(z.size()), coarse = fine;
+      for (int k = 0; k < 4; ++k) {
+        Vector<double, dynamic> ahead = z, behind = z;
+        ahead[j] += (k + 1) * s;
+        behind[j] -= (k + 1) * s;
+        // Divided by the distance that rounding left between the two points, not by the one meant.
+        const double width = (ahead[j] - behind[j]) / (2.0 * (k + 1));
+        const Vector<double, dynamic> difference = (map(ahead) - map(behind)) / width;
+        fine += eighth[k] * difference;
+        coarse += sixth[k] * difference;
+      }
+      const double doubt = (fine - coarse).cwiseAbs().maxCoeff();
+      if (doubt < best) {
+        best = doubt;
+        jacobian.col(j) = fine;
+      }
+    }
+  }
+  return jacobian;
+}
+
+/// || J^T Omega J - Omega || (Frobenius norm) of a map of phase space R^2m -> R^2m with z = (q, p),
+/// Omega = [0 I; -I 0], J by difference_jacobian(). Zero for a symplectic map; NaN when the map fails. The
+/// plain callable serves extended phase spaces, (q, t, p, p^t), as well.
+/// @throws std::invalid_argument when z has an odd number of entries.
+template <class Map>
+double symplecticity_defect(Map&& map, const Vector<double, dynamic>& z, Spacings spacings = {}) {
+  require(z.size() > 0 && z.size() % 2 == 0, "Dimension of phase space", z.size(), "even and positive");
+  const Eigen::Index m = z.size() / 2;
+  Matrix<double, dynamic> omega = Matrix<double, dynamic>::Zero(2 * m, 2 * m);
+  omega.topRightCorner(m, m).setIdentity();
+  omega.bottomLeftCorner(m, m) = -Matrix<double, dynamic>::Identity(m, m);
+  const Matrix<double, dynamic> j = difference_jacobian(map, z, spacings);
+  return (j.transpose() * omega * j - omega).norm();
+}
+
+/// The defect of one step h of `method` at z, as a map of (q, p) at fixed start time. Each evaluation steps
+/// a fresh copy of the method, so that nothing carried between steps (a kept gradient, a controller's state)
+/// leaks from one to the next.
+template <int n, Method<State<n>> M>
+double symplecticity_defect(const M& method, const State<n>& z, double h, Spacings spacings = {}) {
+  const Eigen::Index m = z.q.size();
+  Vector<double, dynamic> start(2 * m);
+  for (Eigen::Index i = 0; i < m; ++i)
+    start[i] = z.q[i], start[m + i] = z.p[i];
+  const auto map = [&](const Vector<double, dynamic>& point) -> Vector<double, dynamic> {
+    M fresh = method;
+    State<n> moved = z;
+    for (Eigen::Index i = 0; i < m; ++i)
+      moved.q[i] = point[i], moved.p[i] = point[m + i];
+    if (fresh.step(moved, h).outcome != Outcome::ok)
+      return Vector<double, dynamic>::Constant(2 * m, std::numeric_limits<double>::quiet_NaN());
+    Vector<double, dynamic> image(2 * m);
+    for (Eigen::Index i = 0; i < m; ++i)
+      image[i] = moved.q[i], image[m + i] = moved.p[i];
+    return image;
+  };
+  return symplecticity_defect(map, start, spacings);
+}
+
+}  // namespace avi

@@ -1,0 +1,69 @@
+#pragma once
+#include "avi/core/require.hpp"
+#include "avi/core/state.hpp"
+
+#include <cmath>
+
+/// @file
+/// The mathematical pendulum.
+
+namespace avi {
+
+/// H(q, p) = p^2 / 2 - cos q; q is the angle from the position of rest, time in units of sqrt(length / g).
+struct Pendulum {
+  static constexpr int dimension = 1;
+
+  /// Kinetic energy.
+  template <class P>
+  static auto kinetic(const P& p) {
+    return 0.5 * (p[0] * p[0]);
+  }
+
+  /// Potential V(q) = -cos q.
+  template <class Q>
+  static auto potential(const Q& q) {
+    using std::cos;
+    return -cos(q[0]);
+  }
+
+  /// The Hamiltonian.
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    return kinetic(p) + potential(q);
+  }
+
+  /// dV/dq = sin q.
+  template <class S>
+  static Vector<S, 1> potential_gradient(const Vector<S, 1>& q) {
+    using std::sin;
+    Vector<S, 1> gradient;
+    gradient[0] = sin(q[0]);
+    return gradient;
+  }
+
+  /// At rest at angle `amplitude`.
+  /// @throws std::invalid_argument unless 0 <= amplitude < pi.
+  static State<1> start(double amplitude) {
+    require(amplitude >= 0.0 && amplitude < M_PI, "Amplitude", amplitude, "in [0, pi)");
+    State<1> z;
+    z.q[0] = amplitude;
+    z.p[0] = 0.0;
+    return z;
+  }
+
+  /// Period 4 K(sin(amplitude / 2)) of the swing, K the complete elliptic integral of the first kind.
+  /// @throws std::invalid_argument unless 0 <= amplitude < pi.
+  static double period(double amplitude) {
+    require(amplitude >= 0.0 && amplitude < M_PI, "Amplitude", amplitude, "in [0, pi)");
+    // K(k) = pi / (2 agm(1, sqrt(1 - k^2))); the mean converges quadratically.
+    double a = 1.0, b = std::cos(0.5 * amplitude);
+    for (int i = 0; i < 60 && std::abs(a - b) > 1e-15 * a; ++i) {
+      const double mean = 0.5 * (a + b);
+      b = std::sqrt(a * b);
+      a = mean;
+    }
+    return 2.0 * M_PI / a;
+  }
+};
+
+}  // namespace avi

@@ -1,0 +1,66 @@
+#pragma once
+#include "avi/core/require.hpp"
+#include "avi/core/state.hpp"
+
+#include <cmath>
+
+/// @file
+/// Kepler's problem about an oblate body, in its equatorial plane.
+
+namespace avi {
+
+/// H(q, p) = |p|^2 / 2 - 1 / |q| - epsilon / (2 |q|^3): monopole and quadrupole in the plane of the equator
+/// (epsilon = J2 R^2 in units of the orbit). Energy and angular momentum are conserved, the ellipse turns.
+class PerturbedKepler {
+ public:
+  static constexpr int dimension = 2;
+
+  /// @throws std::invalid_argument unless epsilon is finite and >= 0.
+  explicit PerturbedKepler(double epsilon = 0.0) : epsilon_(epsilon) {
+    require(std::isfinite(epsilon) && epsilon >= 0.0, "Quadrupole epsilon", epsilon,
+            "finite and not negative");
+  }
+
+  [[nodiscard]] double epsilon() const { return epsilon_; }
+
+  /// Kinetic energy.
+  template <class P>
+  static auto kinetic(const P& p) {
+    return 0.5 * (p[0] * p[0] + p[1] * p[1]);
+  }
+
+  /// Potential V(q) = -(1 + epsilon / (2 |q|^2)) / |q|.
+  template <class Q>
+  auto potential(const Q& q) const {
+    using std::sqrt;
+    const auto square = q[0] * q[0] + q[1] * q[1];
+    return -(1.0 + 0.5 * epsilon_ / square) / sqrt(square);
+  }
+
+  /// The Hamiltonian.
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    return kinetic(p) + potential(q);
+  }
+
+  /// dV/dq = q (1 + 3 epsilon / (2 |q|^2)) / |q|^3.
+  template <class S>
+  Vector<S, 2> potential_gradient(const Vector<S, 2>& q) const {
+    using std::sqrt;
+    const S square = q[0] * q[0] + q[1] * q[1];
+    const S u = (1.0 + 1.5 * epsilon_ / square) / (square * sqrt(square));
+    return {q[0] * u, q[1] * u};
+  }
+
+  /// The pericentre of the unperturbed ellipse of eccentricity e and semi-major axis 1.
+  /// @throws std::invalid_argument unless 0 <= e < 1.
+  static State<2> pericentre(double e) {
+    require(e >= 0.0 && e < 1.0, "Eccentricity", e, "in [0, 1)");
+    return {.q = {1.0 - e, 0.0}, .p = {0.0, std::sqrt((1.0 + e) / (1.0 - e))}};
+  }
+
+ private:
+  double epsilon_;
+};
+
+}  // namespace avi

@@ -1,0 +1,44 @@
+#include "avi/diagnostics/drift.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace {
+
+TEST(FitDrift, MatchesAHandComputedLine) {
+  // Residuals of (0, 1, 2, 3) -> (0, 2, 1, 3): slope 0.8, intercept 0.3, residual sum of squares 1.8.
+  const std::vector<double> t{0.0, 1.0, 2.0, 3.0}, x{0.0, 2.0, 1.0, 3.0};
+  const auto fit = avi::fit_drift(t, x);
+  EXPECT_NEAR(fit.slope, 0.8, 1e-14);
+  EXPECT_NEAR(fit.intercept, 0.3, 1e-14);
+  EXPECT_NEAR(fit.standard_error, std::sqrt(1.8 / 2.0 / 5.0), 1e-14);
+  EXPECT_NEAR(fit.t_statistic, 0.8 / std::sqrt(0.18), 1e-13);
+}
+
+TEST(FitDrift, TellsNoiseFromDrift) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> noise(0.0, 1e-6);
+  std::vector<double> t, still, drifting;
+  for (int i = 0; i < 20000; ++i) {
+    t.push_back(i);
+    const double oscillation = 1e-5 * std::sin(0.7 * i) + noise(random);
+    still.push_back(oscillation);
+    drifting.push_back(oscillation + 1e-11 * i);
+  }
+  EXPECT_LT(std::abs(avi::fit_drift(t, still, 50).t_statistic), 3.0);
+  const auto fit = avi::fit_drift(t, drifting, 50);
+  EXPECT_GT(fit.t_statistic, 6.0);
+  EXPECT_NEAR(fit.slope, 1e-11, 3.0 * fit.standard_error);
+  EXPECT_EQ(fit.points, 50);
+}
+
+TEST(FitDrift, RefusesBadInput) {
+  const std::vector<double> two{0.0, 1.0}, same{1.0, 1.0, 1.0}, three{0.0, 1.0, 2.0};
+  EXPECT_THROW(avi::fit_drift(two, two), std::invalid_argument);
+  EXPECT_THROW(avi::fit_drift(three, two), std::invalid_argument);
+  EXPECT_THROW(avi::fit_drift(same, three), std::invalid_argument);
+  EXPECT_THROW(avi::fit_drift(three, three, 4), std::invalid_argument);
+}
+
+}  // namespace

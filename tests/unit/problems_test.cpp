@@ -1,0 +1,141 @@
+#include "avi/core/integrate.hpp"
+#include "avi/integrators/stormer_verlet.hpp"
+#include "avi/problems/henon_heiles.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/problems/n_body.hpp"
+#include "avi/problems/pendulum.hpp"
+#include "avi/problems/perturbed_kepler.hpp"
+
+#include <gtest/gtest.h>
+
+using avi::dynamic;
+using avi::FigureEight;
+using avi::State;
+using avi::Vector;
+
+namespace {
+
+/// Largest difference between the gradient and fourth-order differences of the potential, and between
+/// velocity and momentum derivative of H.
+template <class Problem, int n>
+double gradient_defect(const Problem& problem, const Vector<double, n>& q) {
+  const Vector<double, n> gradient = problem.potential_gradient(q);
+  double worst = 0.0;
+  for (Eigen::Index i = 0; i < q.size(); ++i) {
+    const double d = 1e-3;
+    const auto at = [&](double shift) {
+      Vector<double, n> moved = q;
+      moved[i] += shift;
+      return problem.potential(moved);
+    };
+    const double slope = (8.0 * (at(d) - at(-d)) - (at(2 * d) - at(-2 * d))) / (12.0 * d);
+    worst = std::max(worst, std::abs(slope - gradient[i]));
+  }
+  return worst;
+}
+
+TEST(Problems, GradientsAreThoseOfThePotentials) {
+  EXPECT_LT(gradient_defect(avi::Pendulum{}, avi::Pendulum::start(1.2).q), 1e-12);
+  EXPECT_LT(gradient_defect(avi::HenonHeiles{}, Vector<double, 2>(0.31, -0.22)), 1e-12);
+  EXPECT_LT(gradient_defect(avi::Kepler{}, Vector<double, 2>(0.8, 0.5)), 1e-10);
+  EXPECT_LT(gradient_defect(avi::PerturbedKepler(0.1), Vector<double, 2>(0.8, 0.5)), 1e-10);
+  const avi::NBody<3> three(Vector<double, 3>(1.0, 2.0, 0.5));
+  Vector<double, 6> q;
+  q << 0.1, 0.2, 1.3, -0.4, -0.9, 0.8;
+  EXPECT_LT(gradient_defect(three, q), 1e-10);
+}
+
+TEST(Pendulum, HasTheKnownPeriod) {
+  // K(sin 45 degrees) = Gamma(1/4)^2 / (4 sqrt(pi)).
+  const double gamma = std::tgamma(0.25);
+  EXPECT_NEAR(avi::Pendulum::period(M_PI / 2), gamma * gamma / std::sqrt(M_PI), 1e-13);
+  EXPECT_NEAR(avi::Pendulum::period(0.0), 2.0 * M_PI, 1e-15);
+  EXPECT_NEAR(avi::Pendulum::period(3.0), 4.0 * std::comp_ellint_1(std::sin(1.5)), 1e-13);
+  auto z = avi::Pendulum::start(1.0);
+  auto method = avi::stormer_verlet<1>(&avi::Pendulum::potential_gradient<double>);
+  avi::integrate(method, z, avi::Pendulum::period(1.0) / 4000.0, {.steps = 4000});
+  EXPECT_NEAR(z.q[0], 1.0, 1e-6);
+  EXPECT_THROW(avi::Pendulum::start(3.2), std::invalid_argument);
+}
+
+TEST(HenonHeiles, StartsOnTheSectionAtTheEnergyAskedFor) {
+  const auto z = avi::HenonHeiles::on_section(1.0 / 12.0, 0.1, 0.05);
+  EXPECT_NEAR(avi::HenonHeiles{}(z.q, z.p), 1.0 / 12.0, 1e-16);
+  EXPECT_EQ(z.q[0], 0.0);
+  EXPECT_GT(z.p[0], 0.0);
+  EXPECT_THROW(avi::HenonHeiles::on_section(1.0 / 12.0, 0.9, 0.0), std::invalid_argument);
+}
+
+TEST(HenonHeiles, HasItsSaddlesAtEnergyOneSixth) {
+  for (const Vector<double, 2>& saddle :
+       {Vector<double, 2>(0.0, 1.0), Vector<double, 2>(std::sqrt(0.75), -0.5)}) {
+    EXPECT_NEAR(avi::HenonHeiles::potential(saddle), 1.0 / 6.0, 1e-16);
+    EXPECT_LT(avi::HenonHeiles::potential_gradient(saddle).norm(), 1e-15);
+  }
+}
+
+TEST(PerturbedKepler, IsKeplerWithoutAndTurnsTheEllipseWith) {
+  const Vector<double, 2> q(0.3, -0.7);
+  EXPECT_NEAR((avi::PerturbedKepler(0.0).potential_gradient(q) - avi::Kepler::potential_gradient(q)).norm(),
+              0.0, 1e-15);
+  // First-order advance of the pericentre per revolution: 3 pi epsilon / (a (1 - e^2))^2.
+  const double e = 0.3, epsilon = 1e-4;
+  const auto laplace = [](const State<2>& s) {
+    const double l = avi::Kepler::angular_momentum(s);
+    return std::atan2(-l * s.p[0] - s.q[1] / s.q.norm(), l * s.p[1] - s.q[0] / s.q.norm());
+  };
+  const auto turn = [&](double quadrupole) {
+    const avi::PerturbedKepler other(quadrupole);
+    auto run =
+        avi::stormer_verlet<2>([&](const Vector<double, 2>& at) { return other.potential_gradient(at); });
+    auto state = avi::PerturbedKepler::pericentre(e);
+    avi::integrate(run, state, M_PI / 5000.0, {.steps = 100000});
+    return laplace(state);
+  };
+  const double advance = (turn(epsilon) - turn(0.0)) / 10.0;
+  EXPECT_NEAR(advance / (3.0 * M_PI * epsilon / std::pow(1.0 - e * e, 2)), 1.0, 1e-2);
+  EXPECT_THROW(avi::PerturbedKepler(-1.0), std::invalid_argument);
+}
+
+TEST(NBody, OneCodePathForBothKindsOfDimension) {
+  const avi::NBody<3> fixed(Vector<double, 3>(1.0, 2.0, 0.5));
+  const avi::NBody<dynamic> free(Vector<double, dynamic>(Vector<double, 3>(1.0, 2.0, 0.5)));
+  const auto z = FigureEight::start<6>();
+  const auto w = FigureEight::start<dynamic>();
+  EXPECT_EQ(fixed(z.q, z.p), free(w.q, w.p));
+  EXPECT_EQ((fixed.potential_gradient(z.q) - free.potential_gradient(w.q)).norm(), 0.0);
+  EXPECT_EQ((fixed.velocity(z.p) - free.velocity(w.p)).norm(), 0.0);
+  EXPECT_THROW(avi::NBody<2>(Vector<double, 2>(1.0, -1.0)), std::invalid_argument);
+}
+
+TEST(NBody, TwoBodiesMoveAsKeplersProblem) {
+  // Relative coordinate of masses 0.6 and 0.4 about their centre of mass: mu = 1.
+  const avi::NBody<2> pair(Vector<double, 2>(0.6, 0.4));
+  const auto relative = avi::Kepler::pericentre(0.5);
+  Vector<double, 4> q, p;
+  q << 0.4 * relative.q, -0.6 * relative.q;
+  p << 0.24 * relative.p, -0.24 * relative.p;
+  EXPECT_NEAR(pair(q, p), 0.24 * avi::Kepler{}(relative.q, relative.p), 1e-15);
+  EXPECT_NEAR(
+      (pair.potential_gradient(q).head<2>() - 0.24 * avi::Kepler::potential_gradient(relative.q)).norm(), 0.0,
+      1e-14);
+}
+
+TEST(FigureEight, ClosesAfterOnePeriodAndPermutesAfterAThird) {
+  const auto problem = FigureEight::problem();
+  const auto start = FigureEight::start();
+  auto method =
+      avi::stormer_verlet<6>([&](const Vector<double, 6>& q) { return problem.potential_gradient(q); });
+  auto z = start;
+  avi::integrate(method, z, FigureEight::period / 30000.0, {.steps = 10000});
+  // After a third of the period body 1 is where body 2 or 3 began.
+  const double to_second = (z.q.segment<2>(0) - start.q.segment<2>(2)).norm();
+  const double to_third = (z.q.segment<2>(0) - start.q.segment<2>(4)).norm();
+  EXPECT_LT(std::min(to_second, to_third), 1e-6);
+  avi::integrate(method, z, FigureEight::period / 30000.0, {.steps = 20000});
+  EXPECT_LT((z.q - start.q).norm(), 2e-6);
+  EXPECT_NEAR(avi::NBody<3>::angular_momentum(z), 0.0, 1e-13);
+  EXPECT_NEAR(problem(start.q, start.p), -1.2871419917663, 1e-8);
+}
+
+}  // namespace

@@ -1,0 +1,68 @@
+#include "avi/diagnostics/symplecticity.hpp"
+#include "avi/integrators/stormer_verlet.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/problems/pendulum.hpp"
+
+#include <gtest/gtest.h>
+
+using avi::State;
+using Point = avi::Vector<double, avi::dynamic>;
+
+namespace {
+
+/// Heun's second-order Runge-Kutta method: the control that is not symplectic.
+struct Heun {
+  avi::StepReport step(State<1>& z, double h) const {
+    const double q = z.q[0], p = z.p[0];
+    const double q1 = q + h * p, p1 = p - h * std::sin(q);
+    z.q[0] = q + 0.5 * h * (p + p1);
+    z.p[0] = p - 0.5 * h * (std::sin(q) + std::sin(q1));
+    return {};
+  }
+};
+
+TEST(DifferenceJacobian, MatchesAClosedForm) {
+  const auto map = [](const Point& z) -> Point {
+    return Point{{std::sin(z[0]) * std::exp(z[1]), 1.0 / (1.0 + z[0] * z[0])}};
+  };
+  const auto j = avi::difference_jacobian(map, Point{{0.7, 0.3}});
+  const double square = 1.0 + 0.7 * 0.7;
+  avi::Matrix<double, 2> exact;
+  exact << std::cos(0.7) * std::exp(0.3), std::sin(0.7) * std::exp(0.3), -1.4 / (square * square), 0.0;
+  EXPECT_LT((j - exact).norm(), 4e-13);
+}
+
+TEST(SymplecticityDefect, VanishesForStormerVerlet) {
+  const auto pendulum = avi::stormer_verlet<1>(&avi::Pendulum::potential_gradient<double>);
+  const auto kepler = avi::stormer_verlet<2>(&avi::Kepler::potential_gradient<double>);
+  for (double h : {0.4, 0.1, 0.025}) {
+    EXPECT_LT(avi::symplecticity_defect(pendulum, avi::Pendulum::start(1.5), h), 2e-12);
+    EXPECT_LT(avi::symplecticity_defect(kepler, avi::Kepler::pericentre(0.3), h), 1e-11);
+  }
+}
+
+TEST(SymplecticityDefect, GrowsWithTheStepOfAMethodThatIsNot) {
+  const double coarse = avi::symplecticity_defect(Heun{}, avi::Pendulum::start(1.5), 0.2);
+  const double fine = avi::symplecticity_defect(Heun{}, avi::Pendulum::start(1.5), 0.1);
+  EXPECT_GT(fine, 1e-7);
+  EXPECT_GT(coarse / fine, 6.0);
+}
+
+TEST(SymplecticityDefect, ServesAPlainCallable) {
+  // A stretch by s in q and 1 / s in p is symplectic; by s in both it changes Omega to s^2 Omega.
+  const auto squeeze = [](const Point& z) -> Point {
+    return Point{{1.1 * z[0], 0.9 * z[1], z[2] / 1.1, z[3] / 0.9}};
+  };
+  const auto swell = [](const Point& z) -> Point { return 1.1 * z; };
+  const Point z{{0.2, -0.4, 1.0, 0.3}};
+  EXPECT_LT(avi::symplecticity_defect(squeeze, z), 4e-12);
+  EXPECT_NEAR(avi::symplecticity_defect(swell, z), 2.0 * 0.21, 1e-11);
+  EXPECT_THROW(avi::symplecticity_defect(swell, Point{{1.0, 2.0, 3.0}}), std::invalid_argument);
+}
+
+TEST(SymplecticityDefect, IsNaNWhereTheStepFails) {
+  const auto fails = [](const Point& z) -> Point { return z * std::nan(""); };
+  EXPECT_TRUE(std::isnan(avi::symplecticity_defect(fails, Point{{1.0, 2.0}})));
+}
+
+}  // namespace
