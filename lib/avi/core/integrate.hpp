@@ -58,32 +58,31 @@ Run integrate(M& method, State& state, double h, Until until, Observer&& observe
               until.steps < std::numeric_limits<long>::max(),
           "End of the run", "not set", "a time or a number of steps");
   Run run;
-  while (state.t < until.time && run.steps < until.steps) {
-    const State before = state;
-    StepReport report = method.step(state, h);
-    if (report.outcome == Outcome::ok && !state.finite()) report.outcome = Outcome::non_finite;
-    if (report.outcome != Outcome::ok) {
-      state = before;
-      run.outcome = report.outcome;
-      run.message = detail::describe_end(report.outcome, state, run.steps, report.residual);
-      return run;
-    }
+  // Working copies, so that a short step can keep them in registers.
+  State current = state;
+  const auto end = [&](Outcome outcome, double residual) {
+    state = current;
+    run.outcome = outcome;
+    run.message = detail::describe_end(outcome, state, run.steps, residual);
+    return run;
+  };
+  while (current.t < until.time && run.steps < until.steps) {
+    State next = current;
+    const StepReport report = method.step(next, h);
+    if (report.outcome != Outcome::ok) return end(report.outcome, report.residual);
+    if (!next.finite()) return end(Outcome::non_finite, 0.0);
+    current = next;
     ++run.steps;
     run.evaluations += report.evaluations;
     if constexpr (std::is_same_v<std::invoke_result_t<Observer&, const State&, long>, bool>) {
-      if (!observer(state, run.steps)) {
-        run.outcome = Outcome::stopped;
-        run.message = detail::describe_end(run.outcome, state, run.steps, 0.0);
-        return run;
-      }
+      if (!observer(current, run.steps)) return end(Outcome::stopped, 0.0);
     } else {
-      observer(state, run.steps);
+      observer(current, run.steps);
     }
   }
-  if (until.time < std::numeric_limits<double>::infinity() && state.t < until.time) {
-    run.outcome = Outcome::step_limit;
-    run.message = detail::describe_end(run.outcome, state, run.steps, 0.0);
-  }
+  if (until.time < std::numeric_limits<double>::infinity() && current.t < until.time)
+    return end(Outcome::step_limit, 0.0);
+  state = current;
   return run;
 }
 

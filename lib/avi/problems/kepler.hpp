@@ -1,4 +1,5 @@
 #pragma once
+#include "avi/core/power.hpp"
 #include "avi/core/require.hpp"
 #include "avi/core/state.hpp"
 
@@ -35,9 +36,18 @@ struct Kepler {
   /// dV/dq = q / |q|^3.
   template <class S>
   static Vector<S, 2> potential_gradient(const Vector<S, 2>& q) {
-    using std::pow;
-    const S u = pow(q[0] * q[0] + q[1] * q[1], -1.5);
+    const S u = power(q[0] * q[0] + q[1] * q[1], -1.5);
     return {q[0] * u, q[1] * u};
+  }
+
+  /// dH/dq = q / |q|^3 and dH/dp = p, supplied for speed.
+  template <class S>
+  Vector<S, 2> d_dq(const Vector<S, 2>& q, const Vector<S, 2>&) const {
+    return potential_gradient(q);
+  }
+  template <class S>
+  Vector<S, 2> d_dp(const Vector<S, 2>&, const Vector<S, 2>& p) const {
+    return p;
   }
 
   /// q_1 p_2 - q_2 p_1, conserved.

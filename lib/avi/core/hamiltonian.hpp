@@ -1,0 +1,65 @@
+#pragma once
+#include "avi/core/partials.hpp"
+#include "avi/core/vector.hpp"
+
+#include <utility>
+
+/// @file
+/// Derivatives of a Hamiltonian H(q, p): those that it supplies, else automatic ones.
+
+namespace avi {
+
+/// A Hamiltonian may supply d_dp(q, p) = dH/dp and d_dq(q, p) = dH/dq for speed, both generic in their
+/// scalar.
+template <class H, class S, int n>
+concept SuppliesGradient = requires(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
+  h.d_dp(q, p);
+  h.d_dq(q, p);
+};
+
+/// dH/dp at any scalar.
+template <class H, class S, int n>
+Vector<S, n> d_dp(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
+  if constexpr (SuppliesGradient<H, S, n>) {
+    return h.d_dp(q, p);
+  } else {
+    const auto at_q = q.template cast<Partials<S, n>>().eval();
+    return gradient([&](const auto& x) { return h(at_q, x); }, p);
+  }
+}
+
+/// dH/dq at any scalar.
+template <class H, class S, int n>
+Vector<S, n> d_dq(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
+  if constexpr (SuppliesGradient<H, S, n>) {
+    return h.d_dq(q, p);
+  } else {
+    const auto at_p = p.template cast<Partials<S, n>>().eval();
+    return gradient([&](const auto& x) { return h(x, at_p); }, q);
+  }
+}
+
+/// Derivative of f(p) in the direction of p itself, p . df/dp, together with f(p).
+template <class F, class S, int n>
+Partials<S, 1> along_momentum(const F& f, const Vector<S, n>& p) {
+  Vector<Partials<S, 1>, n> seeded(p.size());
+  for (Eigen::Index i = 0; i < p.size(); ++i) {
+    seeded[i].value = p[i];
+    seeded[i].d[0] = p[i];
+  }
+  return f(seeded);
+}
+
+/// A Hamiltonian stripped of what it supplies: only its value is used and every derivative is automatic.
+template <class H>
+struct Automatic {
+  H hamiltonian;
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    return hamiltonian(q, p);
+  }
+};
+template <class H>
+Automatic(H) -> Automatic<H>;
+
+}  // namespace avi

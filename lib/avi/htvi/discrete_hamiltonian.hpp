@@ -1,0 +1,171 @@
+#pragma once
+#include "avi/adaptive/poincare.hpp"
+#include "avi/htvi/quadrature.hpp"
+#include "avi/taylor/jet.hpp"
+#include "avi/taylor/jet_functions.hpp"
+
+#include <array>
+
+/// @file
+/// The Taylor discrete Hamiltonian with its first derivatives.
+
+namespace avi {
+
+/// To which order the position at the quadrature nodes is expanded; the momentum always has order r.
+enum class NodePosition {
+  r,           ///< Order r at every node, as the construction is printed (Section 2.2 of the paper).
+  end_raised,  ///< Order r + 1 at the node c = 1, where q~_1 is at hand, and r elsewhere.
+  raised       ///< Order r + 1 at every node.
+};
+
+/// The freedom that the text of the paper leaves in an HTVI of given order and quadrature.
+struct Construction {
+  Field field;
+  NodePosition nodes;
+  bool operator==(const Construction&) const = default;
+};
+
+/// The construction as printed.
+inline constexpr Construction printed{Field::full, NodePosition::r};
+/// The construction that gives the errors printed in Tables 1 and 2.
+inline constexpr Construction authors{Field::on_shell, NodePosition::end_raised};
+/// Order r + 1 for the position at all nodes, which makes the error of H_d^+ one order smaller.
+inline constexpr Construction superconvergent{Field::on_shell, NodePosition::raised};
+
+/// Taylor expansion, over one step of a Poincare-transformed problem, of (q, p, t) with first partials with
+/// respect to the initial values, and what the discrete Hamiltonian needs from it. r is the order of the
+/// Taylor method Psi^(r).
+template <class Problem, int r, Construction construction>
+class TaylorAction {
+ public:
+  static constexpr int n = Problem::dimension;
+  /// p^t is a variable of H_d^+ in its own right, unless the expansion does not contain it; then dt is the
+  /// plain integral of g.
+  static constexpr bool energy_lane = !Problem::unit && construction.field == Field::full;
+  static constexpr int lanes = 2 * n + (energy_lane ? 1 : 0);
+  using Lane = Lanes<lanes>;
+
+  TaylorAction(const Problem& problem, Quadrature rule, std::size_t tape_slots)
+      : problem_(problem), rule_(std::move(rule)), tape_(tape_slots) {
+    validate(rule_);
+  }
+
+  /// Results of expand(): increments over the step, partials in the order q_0, p_0, p^t.
+  struct Increments {
+    std::array<Lane, n> q;  ///< to order r + 1
+    std::array<Lane, n> p;  ///< to order r
+    Lane t;                 ///< to order r + 1
+    Lane action;            ///< h sum_i b_i [p . dH-bar/dp + p^t dH-bar/dp^t - H-bar]
+  };
+
+  /// Expands from (q, p) over a step h.
+  /// Flattened: the replays are straight-line code only when every operation of H and g is inlined.
+  [[gnu::flatten]] void expand(const Vector<double, n>& q, const Vector<double, n>& p, double h,
+                               Increments& out) {
+    for (int i = 0; i < n; ++i) {
+      q_[i][0] = Lane::variable(q[i], i);
+      p_[i][0] = Lane::variable(p[i], n + i);
+    }
+    if constexpr (energy_lane) {
+      for (auto& c : pt_)
+        c = Lane(0.0);
+      pt_[0] = Lane::variable(problem_.energy_momentum(), 2 * n);
+    }
+    replay<0>(h);
+    for (int i = 0; i < n; ++i) {
+      out.q[i] = tail<r + 1>(q_[i], 1.0);
+      out.p[i] = tail<r>(p_[i], 1.0);
+    }
+    out.t = tail<r + 1>(t_, 1.0);
+    out.action = h * action();
+  }
+
+  /// dH/dp at the start of the last expansion, from q' = g dH/dp on the energy shell.
+  [[nodiscard]] Vector<double, n> velocity() const {
+    Vector<double, n> v;
+    for (int i = 0; i < n; ++i)
+      v[i] = q_[i][1].value() / t_[1].value();
+    return v;
+  }
+
+  /// Taylor polynomial of the last expansion at the fraction c of the step, position to order r + 1.
+  [[nodiscard]] State<n> polynomial(double c, double t0) const {
+    State<n> z;
+    for (int i = 0; i < n; ++i) {
+      z.q[i] = at<r + 1>(q_[i], c).value();
+      z.p[i] = at<r>(p_[i], c).value();
+    }
+    z.t = t0 + c * tail<r + 1>(t_, c).value();
+    return z;
+  }
+
+  [[nodiscard]] const Problem& problem() const { return problem_; }
+  [[nodiscard]] const Quadrature& rule() const { return rule_; }
+
+ private:
+  using Series =
+      std::array<Lane, r + 2>;  // scaled coefficients: entry k is h^k / k! times the k-th derivative
+
+  template <int k>
+  void replay(double h) {
+    // Beyond order 5 the convolutions are long enough to be loops; unrolling them only costs compile time.
+    using S = Jet<Lane, r, (k <= 5 ? k : -1)>;
+    tape_.rewind(k);
+    Vector<S, n> q, p, dq, dp;
+    for (int i = 0; i < n; ++i) {
+      q[i] = S(q_[i].data(), &tape_);
+      p[i] = S(p_[i].data(), &tape_);
+    }
+    S pt, dt;
+    if constexpr (energy_lane) pt = S(pt_.data(), &tape_);
+    problem_.template field<construction.field, (k < r)>(q, p, pt, dq, dp, dt);
+    const double factor = h / (k + 1);
+    for (int i = 0; i < n; ++i)
+      q_[i][k + 1] = factor * dq[i][k];
+    t_[k + 1] = factor * dt[k];
+    if constexpr (k < r) {
+      for (int i = 0; i < n; ++i)
+        p_[i][k + 1] = -factor * dp[i][k];
+      replay<k + 1>(h);
+    }
+  }
+
+  /// sum over k = 1..order of s_k c^(k-1). The order is a template argument so that the loop unrolls.
+  template <int order>
+  static Lane tail(const Series& s, double c) {
+    if constexpr (order == 0) return Lane(0.0);
+    Lane sum = s[order];
+    for (int k = order - 1; k >= 1; --k)
+      sum = s[k] + c * sum;
+    return sum;
+  }
+  template <int order>
+  static Lane at(const Series& s, double c) {
+    return s[0] + c * tail<order>(s, c);
+  }
+
+  [[nodiscard]] Lane action() const {
+    Lane sum(0.0);
+    const Lane pt = energy_lane ? pt_[0] : Lane(problem_.energy_momentum());
+    for (std::size_t j = 0; j < rule_.nodes.size(); ++j) {
+      const double c = rule_.nodes[j];
+      constexpr NodePosition nodes = construction.nodes;
+      const bool raised = nodes == NodePosition::raised || (nodes == NodePosition::end_raised && c == 1.0);
+      Vector<Lane, n> q, p;
+      for (int i = 0; i < n; ++i) {
+        q[i] = raised ? at<r + 1>(q_[i], c) : at<r>(q_[i], c);
+        p[i] = at<r>(p_[i], c);
+      }
+      sum += rule_.weights[j] * problem_.template action_rate<construction.field>(q, p, pt);
+    }
+    return sum;
+  }
+
+  const Problem problem_;
+  const Quadrature rule_;
+  JetTape<Lane, r> tape_;
+  std::array<Series, n> q_, p_;
+  Series t_, pt_;
+};
+
+}  // namespace avi

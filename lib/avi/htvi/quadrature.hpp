@@ -1,0 +1,130 @@
+#pragma once
+#include "avi/core/require.hpp"
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// @file
+/// Quadrature rules on [0, 1]: nodes c_i, weights b_i and order s.
+
+namespace avi {
+
+/// sum_i b_i f(c_i) is the integral of f over [0, 1], exactly so for polynomials of degree < order.
+struct Quadrature {
+  std::string name;
+  int order;
+  std::vector<double> nodes;
+  std::vector<double> weights;
+};
+
+namespace detail {
+
+/// Legendre polynomial P_m at x in [-1, 1].
+inline double legendre(int m, double x) {
+  double before = 1.0, p = m == 0 ? 1.0 : x;
+  for (int k = 2; k <= m; ++k)
+    before = std::exchange(p, ((2 * k - 1) * x * p - (k - 1) * before) / k);
+  return p;
+}
+
+/// All simple zeros of f inside (-1, 1), by bisection between the sign changes on a grid.
+template <class F>
+std::vector<double> zeros(const F& f) {
+  constexpr int cells = 4001;  // odd, so that zero is no grid point
+  std::vector<double> roots;
+  for (int i = 0; i < cells; ++i) {
+    double low = -1.0 + 2.0 * i / cells, high = -1.0 + 2.0 * (i + 1) / cells;
+    if (i == 0) low += 1e-9;
+    if (i == cells - 1) high -= 1e-9;
+    const bool rising = f(low) < 0.0;
+    if ((f(high) < 0.0) == rising) continue;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = 0.5 * (low + high);
+      ((f(middle) < 0.0) == rising ? low : high) = middle;
+    }
+    roots.push_back(0.5 * (low + high));
+  }
+  return roots;
+}
+
+/// The rule with given nodes in [-1, 1] that is exact for polynomials of degree < number of nodes.
+inline Quadrature interpolatory(std::string name, int order, const std::vector<double>& nodes) {
+  const auto m = static_cast<Eigen::Index>(nodes.size());
+  // Exactness for P_0 .. P_(m-1), whose integrals over [-1, 1] are 2, 0, 0, ...: well conditioned.
+  Eigen::MatrixXd system(m, m);
+  for (Eigen::Index k = 0; k < m; ++k)
+    for (Eigen::Index i = 0; i < m; ++i)
+      system(k, i) = legendre(static_cast<int>(k), nodes[static_cast<std::size_t>(i)]);
+  const Eigen::VectorXd b = system.fullPivLu().solve(Eigen::VectorXd::Unit(m, 0));
+  Quadrature rule{std::move(name), order, {}, {b.data(), b.data() + m}};
+  for (double x : nodes)
+    rule.nodes.push_back(0.5 * (1.0 + x));
+  return rule;
+}
+
+}  // namespace detail
+
+/// @name Rules by name
+/// @{
+inline Quadrature rectangle_left() { return {"rectangle", 1, {0.0}, {1.0}}; }
+inline Quadrature rectangle_right() { return {"rectangle_right", 1, {1.0}, {1.0}}; }
+inline Quadrature midpoint() { return {"midpoint", 2, {0.5}, {1.0}}; }
+inline Quadrature trapezoid() { return {"trapezoid", 2, {0.0, 1.0}, {0.5, 0.5}}; }
+inline Quadrature simpson() { return {"simpson", 4, {0.0, 0.5, 1.0}, {1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0}}; }
+inline Quadrature boole() {
+  return {"boole",
+          6,
+          {0.0, 0.25, 0.5, 0.75, 1.0},
+          {7.0 / 90.0, 16.0 / 45.0, 2.0 / 15.0, 16.0 / 45.0, 7.0 / 90.0}};
+}
+/// m-point Gauss, order 2m. @throws std::invalid_argument unless 1 <= m <= 16.
+inline Quadrature gauss(int m) {
+  require(m >= 1 && m <= 16, "Number of Gauss nodes", m, "in [1, 16]");
+  return detail::interpolatory("gauss" + std::to_string(m), 2 * m,
+                               detail::zeros([=](double x) { return detail::legendre(m, x); }));
+}
+/// m-point Lobatto (both ends are nodes), order 2m - 2. @throws std::invalid_argument unless 2 <= m <= 16.
+inline Quadrature lobatto(int m) {
+  require(m >= 2 && m <= 16, "Number of Lobatto nodes", m, "in [2, 16]");
+  // (1 - x^2) P'_(m-1)(x) = (m - 1) (P_(m-2)(x) - x P_(m-1)(x)) vanishes at the nodes.
+  auto nodes =
+      detail::zeros([=](double x) { return detail::legendre(m - 2, x) - x * detail::legendre(m - 1, x); });
+  nodes.insert(nodes.begin(), -1.0);
+  nodes.push_back(1.0);
+  return detail::interpolatory("lobatto" + std::to_string(m), 2 * m - 2, nodes);
+}
+/// m-point left Radau (0 is a node), order 2m - 1. @throws std::invalid_argument unless 1 <= m <= 16.
+inline Quadrature radau(int m) {
+  require(m >= 1 && m <= 16, "Number of Radau nodes", m, "in [1, 16]");
+  auto nodes = detail::zeros([=](double x) { return detail::legendre(m - 1, x) + detail::legendre(m, x); });
+  nodes.insert(nodes.begin(), -1.0);
+  return detail::interpolatory("radau" + std::to_string(m), 2 * m - 1, nodes);
+}
+/// The rule with nodes 1 - c_i. Its order is the same.
+inline Quadrature mirrored(Quadrature rule) {
+  for (double& c : rule.nodes)
+    c = 1.0 - c;
+  rule.name += "_mirrored";
+  return rule;
+}
+/// @}
+
+/// @throws std::invalid_argument for a rule without nodes, with unequal counts, or with weights that do not
+/// add to 1.
+inline void validate(const Quadrature& rule) {
+  require(!rule.nodes.empty(), "Number of quadrature nodes", rule.nodes.size(), "at least 1");
+  require(rule.nodes.size() == rule.weights.size(), "Number of quadrature weights", rule.weights.size(),
+          "the number of nodes, " + std::to_string(rule.nodes.size()));
+  double sum = 0.0;
+  for (double b : rule.weights)
+    sum += b;
+  require(std::abs(sum - 1.0) < 1e-12, "Sum of the quadrature weights", sum, "1");
+  for (double c : rule.nodes)
+    require_finite("A quadrature node", c);
+}
+
+}  // namespace avi

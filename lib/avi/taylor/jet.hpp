@@ -1,0 +1,169 @@
+#pragma once
+#include "avi/taylor/lanes.hpp"
+
+#include <cstddef>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// @file
+/// Truncated Taylor series in time, computed one order at a time.
+///
+/// The Taylor coefficients of a solution of z' = f(z) follow from z_(k+1) = f_k / (k + 1), where f_k needs
+/// z_0 to z_k only. A formula written with Jet is therefore *replayed* once for each order k: the operations
+/// come in the same sequence each time, so each finds the slot it wrote at lower orders and adds its
+/// coefficient k there. A product costs k + 1 multiplications at order k, hence O(r^2) in all, with no
+/// interpreter in between: the compiler sees straight-line code (recurrences: Jorba and Zou 2005, Proposition
+/// 1).
+
+namespace avi {
+
+/// Slots for the series of every intermediate result of a formula. T is double or Lanes<N>.
+template <class T, int R>
+class JetTape {
+ public:
+  static constexpr int stride = R + 2;  ///< coefficients 0 to R and one auxiliary number
+
+  /// @param slots capacity; more operations than that throw std::length_error.
+  explicit JetTape(std::size_t slots = 256) : slots_(slots) {}
+
+  /// Begins the replay of order k (used where it is not known at compile time).
+  void rewind(int k) {
+    next_ = slots_.data();
+    order = k;
+  }
+
+  /// The next slot. Only order 0 checks the capacity: higher orders repeat its sequence.
+  template <int K>
+  T* next() {
+    if (K <= 0 && order == 0 && next_ == slots_.data() + slots_.size()) overflow();
+    return (next_++)->coefficients;
+  }
+
+  int order = 0;
+
+ private:
+  struct Slot {
+    T coefficients[stride];
+  };
+  [[noreturn, gnu::noinline, gnu::cold]] void overflow() const {
+    throw std::length_error("A Taylor formula has more operations than its tape has slots (" +
+                            std::to_string(slots_.size()) + "); give the method a larger tape.");
+  }
+  std::vector<Slot> slots_;
+  Slot* next_ = nullptr;
+};
+
+/// Handle of a series during the replay of order K (K = -1: the order is tape->order). Coefficients 0 to K of
+/// a handle are valid. A handle without coefficients is a constant, which no operation stores; sums with 0
+/// and products with 0 or 1 cost nothing, so derivatives that vanish identically are never computed.
+template <class T, int R, int K>
+class Jet {
+ public:
+  using Tape = JetTape<T, R>;
+
+  Jet() = default;
+  Jet(double value) : constant(value) {}  // NOLINT: implicit, so that formulas read as written
+  Jet(const T* series, Tape* where) : coefficients(series), tape(where) {}
+
+  const T* coefficients = nullptr;
+  Tape* tape = nullptr;
+  double constant = 0.0;
+
+  [[nodiscard]] bool is_constant() const { return coefficients == nullptr; }
+  [[nodiscard]] bool is(double c) const { return is_constant() && constant == c; }
+  /// The order of this replay.
+  [[nodiscard]] int order() const {
+    if constexpr (K >= 0)
+      return K;
+    else
+      return tape->order;
+  }
+  /// Coefficient k.
+  [[nodiscard]] T operator[](int k) const {
+    if (is_constant()) return T(k == 0 ? constant : 0.0);
+    return coefficients[k];
+  }
+  /// Value at time zero, without derivatives: what comparisons look at.
+  [[nodiscard]] double value() const { return is_constant() ? constant : value_of(coefficients[0]); }
+
+  friend Jet operator-(const Jet& a) { return -1.0 * a; }
+  friend Jet operator+(const Jet& a, const Jet& b) {
+    if (a.is_constant() && b.is_constant()) return Jet(a.constant + b.constant);
+    if (a.is(0.0)) return b;
+    if (b.is(0.0)) return a;
+    const Jet& s = a.is_constant() ? b : a;
+    const int k = s.order();
+    T* c = s.slot();
+    if (a.is_constant() || b.is_constant()) {
+      const double shift = a.is_constant() ? a.constant : b.constant;
+      c[k] = k == 0 ? s.coefficients[0] + shift : s.coefficients[k];
+    } else {
+      c[k] = a.coefficients[k] + b.coefficients[k];
+    }
+    return Jet(c, s.tape);
+  }
+  friend Jet operator-(const Jet& a, const Jet& b) {
+    if (a.is_constant() || b.is_constant()) return a + (-b);
+    const int k = a.order();
+    T* c = a.slot();
+    c[k] = a.coefficients[k] - b.coefficients[k];
+    return Jet(c, a.tape);
+  }
+  friend Jet operator*(const Jet& a, const Jet& b) {
+    if (a.is_constant() && b.is_constant()) return Jet(a.constant * b.constant);
+    if (a.is_constant()) return b.scaled(a.constant);
+    if (b.is_constant()) return a.scaled(b.constant);
+    const int k = a.order();
+    T* c = a.slot();
+    ProductSum<T> sum;
+    if (a.coefficients == b.coefficients) {  // a square: each pair once, doubled
+      for (int j = 0; 2 * j < k; ++j)
+        sum.add(2.0, a.coefficients[j], a.coefficients[k - j]);
+      if (k % 2 == 0) sum.add(a.coefficients[k / 2], a.coefficients[k / 2]);
+    } else {
+      for (int j = 0; j <= k; ++j)
+        sum.add(a.coefficients[j], b.coefficients[k - j]);
+    }
+    c[k] = sum.result();
+    return Jet(c, a.tape);
+  }
+  /// b c = a, solved for c_k.
+  friend Jet operator/(const Jet& a, const Jet& b) {
+    if (b.is_constant()) return a * Jet(1.0 / b.constant);
+    if (a.is(0.0)) return a;
+    const int k = b.order();
+    T* c = b.slot();
+    if (k == 0) c[R + 1] = 1.0 / b.coefficients[0];
+    ProductSum<T> sum;
+    for (int j = 1; j <= k; ++j)
+      sum.add(b.coefficients[j], c[k - j]);
+    c[k] = (a[k] - sum.result()) * c[R + 1];
+    return Jet(c, b.tape);
+  }
+  Jet& operator+=(const Jet& b) { return *this = *this + b; }
+  Jet& operator-=(const Jet& b) { return *this = *this - b; }
+  Jet& operator*=(const Jet& b) { return *this = *this * b; }
+  Jet& operator/=(const Jet& b) { return *this = *this / b; }
+
+  friend bool operator<(const Jet& a, const Jet& b) { return a.value() < b.value(); }
+  friend bool operator>(const Jet& a, const Jet& b) { return a.value() > b.value(); }
+  friend bool operator<=(const Jet& a, const Jet& b) { return a.value() <= b.value(); }
+  friend bool operator>=(const Jet& a, const Jet& b) { return a.value() >= b.value(); }
+
+  /// Takes the next slot of the tape.
+  [[nodiscard]] T* slot() const { return tape->template next<K>(); }
+
+ private:
+  [[nodiscard]] Jet scaled(double factor) const {
+    if (factor == 0.0) return Jet(0.0);
+    if (factor == 1.0) return *this;
+    const int k = order();
+    T* c = slot();
+    c[k] = factor * coefficients[k];
+    return Jet(c, tape);
+  }
+};
+
+}  // namespace avi
