@@ -1,0 +1,53 @@
+#pragma once
+#include "frame/frame.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// @file
+/// Tables 1 and 2 of the paper: one Kepler orbit, HTVI4 with and without monitors against Stormer-Verlet.
+
+namespace experiment {
+
+/// A row of the published table: the monitor of an HTVI4 run with its bounds g_min = a, g_max = b.
+struct KeplerRow {
+  std::string monitor;  ///< gamma, energy, arclength or none
+  double h;
+  double a, b;
+};
+
+/// One table.
+struct KeplerTable {
+  double eccentricity;
+  std::vector<KeplerRow> htvi;
+  double verlet_h;
+  int rounds;  ///< of the interleaved timing
+};
+
+/// What one run of a method gives.
+struct KeplerResult {
+  double min_step = 0.0, max_step = 0.0;
+  double energy_error = 0.0;          ///< max over the steps of |H - H_0|
+  double global_error = 0.0;          ///< |q - exact q| at the end, both at the method's own time
+  double global_error_shifted = 0.0;  ///< state before the last step against the exact one at the end
+  long steps = 0;
+};
+
+/// A row ready to run: `measure` gives the results, `run` is what is timed.
+struct KeplerRun {
+  std::string method, construction;
+  KeplerRow row;
+  std::function<KeplerResult()> measure;
+  std::function<void()> run;
+};
+
+/// The HTVI4 runs of a table, for each construction.
+std::vector<KeplerRun> runs_authors(const KeplerTable& table, double horizon);
+std::vector<KeplerRun> runs_printed(const KeplerTable& table, double horizon);
+std::vector<KeplerRun> runs_superconvergent(const KeplerTable& table, double horizon);
+
+/// main() of kepler_e090 and kepler_e099.
+int kepler_table(int argc, char** argv, const std::string& name, const KeplerTable& table);
+
+}  // namespace experiment

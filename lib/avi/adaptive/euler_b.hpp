@@ -1,0 +1,70 @@
+#pragma once
+#include "avi/adaptive/poincare.hpp"
+#include "avi/core/outcome.hpp"
+
+#include <cmath>
+#include <utility>
+
+/// @file
+/// Symplectic Euler-B for H = p . p / 2 + V(q), with fixed or adaptive steps.
+
+namespace avi {
+
+/// Adaptive symplectic Euler-B (equation (adeulb) of the paper; Hairer 1997; Leimkuhler and Reich 2005, page
+/// 254):
+///   p_1 = p_0 - h g grad V - h grad g (|p_1|^2 / 2 + V + p^t),  q_1 = q_0 + h g p_1,  t_1 = t_0 + h g,
+/// with g, V and their gradients at q_0. It is the Type II HTVI with r = 0. With monitor Unit it is the plain
+/// method.
+///
+/// The implicit equation is solved in closed form. With A = p_0 - h g grad V - h grad g (V + p^t) and
+/// B = 1 + h A . grad g, s = |p_1|^2 is the root of (h^2/4) |grad g|^2 s^2 - B s + |A|^2 = 0 that tends to
+/// |A|^2 as h does to 0; then p_1 = A - (h/2) s grad g. Where no such root exists h is too large for the
+/// monitor, and the step reports not_converged with the discriminant as its residual.
+///
+/// `Problem` provides potential(q) and potential_gradient(q); a monitor that has no member d_dq(q) is
+/// differentiated automatically.
+template <int n, class Problem, class G = Unit>
+class EulerB {
+ public:
+  /// @param energy_momentum p^t = -H(q(0), p(0)).
+  EulerB(Problem problem, G monitor, double energy_momentum)
+      : problem_(std::move(problem)), g_(std::move(monitor)), pt_(require_finite("p^t", energy_momentum)) {}
+
+  StepReport step(State<n>& z, double h) const {
+    const double hg = h * g_(z.q);
+    Vector<double, n> p = z.p - hg * problem_.potential_gradient(z.q);
+    if constexpr (!std::same_as<G, Unit>) {
+      const Vector<double, n> slope = monitor_gradient(z.q);
+      p -= (h * (problem_.potential(z.q) + pt_)) * slope;
+      const double a2 = p.squaredNorm(), b = 1.0 + h * p.dot(slope);
+      const double discriminant = b * b - h * h * slope.squaredNorm() * a2;
+      if (!(discriminant >= 0.0 && b > 0.0)) return {Outcome::not_converged, 1, discriminant};
+      p -= (h * a2 / (b + std::sqrt(discriminant))) * slope;
+    }
+    z.p = p;
+    z.q += hg * p;
+    z.t += hg;
+    return {};
+  }
+
+ private:
+  [[nodiscard]] Vector<double, n> monitor_gradient(const Vector<double, n>& q) const {
+    if constexpr (requires { g_.d_dq(q); })
+      return g_.d_dq(q);
+    else
+      return gradient([this](const auto& x) { return g_(x); }, q);
+  }
+
+  Problem problem_;
+  G g_;
+  double pt_;
+};
+
+/// Adaptive symplectic Euler-B along the orbit through `start`.
+template <int n, class Problem, class G = Unit>
+EulerB<n, Problem, G> euler_b(Problem problem, const State<n>& start, G monitor = {}) {
+  const double pt = -problem(start.q, start.p);
+  return {std::move(problem), std::move(monitor), pt};
+}
+
+}  // namespace avi
