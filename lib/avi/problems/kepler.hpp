@@ -50,6 +50,13 @@ struct Kepler {
     return p;
   }
 
+  /// s grad log(-V) = -s q / |q|^2, which needs no root.
+  template <class S>
+  static Vector<S, 2> log_potential_gradient(const Vector<S, 2>& q, const S& s) {
+    const S u = -s / (q[0] * q[0] + q[1] * q[1]);
+    return {q[0] * u, q[1] * u};
+  }
+
   /// q_1 p_2 - q_2 p_1, conserved.
   static double angular_momentum(const State<2>& z) { return z.q[0] * z.p[1] - z.q[1] * z.p[0]; }
 

@@ -52,6 +52,14 @@ class PerturbedKepler {
     return {q[0] * u, q[1] * u};
   }
 
+  /// s grad log(-V) = -s q (1 / |q|^2) (|q|^2 + 3 epsilon / 2) / (|q|^2 + epsilon / 2), which needs no root.
+  template <class S>
+  Vector<S, 2> log_potential_gradient(const Vector<S, 2>& q, const S& s) const {
+    const S square = q[0] * q[0] + q[1] * q[1];
+    const S u = -s * (square + 1.5 * epsilon_) / (square * (square + 0.5 * epsilon_));
+    return {q[0] * u, q[1] * u};
+  }
+
   /// The pericentre of the unperturbed ellipse of eccentricity e and semi-major axis 1.
   /// @throws std::invalid_argument unless 0 <= e < 1.
   static State<2> pericentre(double e) {

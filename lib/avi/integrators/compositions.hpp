@@ -1,0 +1,83 @@
+#pragma once
+#include "avi/integrators/split_coefficients.hpp"
+
+/// @file
+/// Published coefficient lists. A test verifies the order of each from the order conditions themselves.
+
+namespace avi::compositions {
+
+/// The base step alone.
+inline constexpr CompositionCoefficients<1> strang{.order = 2, .c = {1.0L}};
+
+/// Triple jump of order 4: 1 / (2 - 2^(1/3)) (Forest and Ruth 1990; Suzuki 1990; Yoshida 1990).
+inline constexpr auto yoshida4 = palindrome<3>(4, std::array{1.35120719195965763404768780897146L});
+
+/// Five steps of order 4: 1 / (4 - 4^(1/3)), all but the middle one forwards (Suzuki 1990).
+inline constexpr auto suzuki4 =
+    palindrome<5>(4, std::array{0.414490771794375737142354062860761L, 0.414490771794375737142354062860761L});
+
+/// Seven steps of order 6, solution A (Yoshida 1990).
+inline constexpr auto yoshida6 =
+    palindrome<7>(6, std::array{0.78451361047755726381949763L, 0.23557321335935813368479318L,
+                                -1.17767998417887100694641568L});
+
+/// Nine steps of order 6 (McLachlan 1995).
+inline constexpr auto mclachlan6 = palindrome<9>(
+    6, std::array{0.1867L, 0.55549702371247839916L, 0.12946694891347535806L, -0.84326562338773460855L});
+
+/// Nine steps of order 6 (Kahan and Li 1997).
+inline constexpr auto kahan_li6 =
+    palindrome<9>(6, std::array{0.39216144400731413927925056L, 0.33259913678935943859974864L,
+                                -0.70624617255763935980996482L, 0.08221359629355080023149045L});
+
+/// Fifteen steps of order 8 (Suzuki and Umeno 1993; McLachlan 1995).
+inline constexpr auto mclachlan8 =
+    palindrome<15>(8, std::array{0.74167036435061295344822780L, -0.40910082580003159399730010L,
+                                 0.19075471029623837995387626L, -0.57386247111608226665638773L,
+                                 0.29906418130365592384446354L, 0.33462491824529818378495798L,
+                                 0.31529309239676659663205666L});
+
+/// Seventeen steps of order 8 (Kahan and Li 1997).
+inline constexpr auto kahan_li8 =
+    palindrome<17>(8, std::array{0.13020248308889008087881763L, 0.56116298177510838456196441L,
+                                 -0.38947496264484728640807860L, 0.15884190655515560089621075L,
+                                 -0.39590389413323757733623154L, 0.18453964097831570709183254L,
+                                 0.25837438768632204729397911L, 0.29501172360931029887096624L});
+
+/// Thirty-five steps of order 10 (Sofroniou and Spaletta 2005).
+inline constexpr auto sofroniou_spaletta10 = palindrome<35>(
+    10,
+    std::array{0.07879572252168641926390768L, 0.31309610341510852776481247L, 0.02791838323507806610952027L,
+               -0.22959284159390709415121340L, 0.13096206107716486317465686L, -0.26973340565451071434460973L,
+               0.07497334315589143566613711L, 0.11199342399981020488957508L, 0.36613344954622675119314812L,
+               -0.39910563013603589787862981L, 0.10308739852747107731580277L, 0.41143087395589023782070412L,
+               -0.00486636058313526176219566L, -0.39203335370863990644808194L, 0.05194250296244964703718290L,
+               0.05066509075992449633587434L, 0.04967437063972987905456880L});
+
+}  // namespace avi::compositions
+
+namespace avi::splittings {
+
+/// Six kicks of order 4, S6 (Blanes and Moan, Practical symplectic partitioned Runge-Kutta and
+/// Runge-Kutta-Nystrom methods, 2002).
+inline constexpr auto blanes_moan4 =
+    palindrome<6>(4, std::array{0.0792036964311957L, 0.353172906049774L, -0.0420650803577195L},
+                  std::array{0.209515106613362L, -0.143851773179818L});
+
+/// Ten kicks of order 6, S10 (Blanes and Moan 2002).
+inline constexpr auto blanes_moan6 = palindrome<10>(
+    6,
+    std::array{0.0502627644003922L, 0.413514300428344L, 0.0450798897943977L, -0.188054853819569L,
+               0.541960678450780L},
+    std::array{0.148816447901042L, -0.132385865767784L, 0.067307604692185L, 0.432666402578175L});
+
+/// Fourteen kicks of order 6, SRKN14a (Blanes and Moan 2002): of that order only where the kinetic energy is
+/// quadratic in p (Runge-Kutta-Nystrom), else of order 4 at most.
+inline constexpr auto blanes_moan6_nystrom = palindrome<14>(
+    6,
+    std::array{0.0378593198406116L, 0.102635633102435L, -0.0258678882665587L, 0.314241403071447L,
+               -0.130144459517415L, 0.106417700369543L, -0.00879424312851058L},
+    std::array{0.09171915262446165L, 0.183983170005006L, -0.05653436583288827L, 0.004914688774712854L,
+               0.143761127168358L, 0.328567693746804L});
+
+}  // namespace avi::splittings

@@ -1,0 +1,61 @@
+#pragma once
+#include "avi/integrators/splitting.hpp"
+
+#include <utility>
+
+/// @file
+/// The time-transformed leapfrog of the logarithmic Hamiltonian.
+
+namespace avi {
+
+/// The flows of Gamma = log(T(p) + p^t) - log(U(q)), U = -V > 0 and p^t = -H_0 (Mikkola and Tanikawa 1999;
+/// Preto and Tremaine 1999). In its fictive time dt = d(tau) / (T + p^t),
+///
+///   drift: q += h (dT/dp) / (T + p^t),  t += h / (T + p^t);   kick: p += h grad U / U,
+///
+/// both exact: an explicit adaptive symplectic integrator, with the step in physical time h / U on the orbit.
+/// On Kepler's problem its leapfrog stays on the exact ellipse and errs in time only. `Problem` gives
+/// kinetic(p), potential(q), potential_gradient(q); with log_potential_gradient(q, s) = s grad log U it
+/// saves the root that U needs.
+template <class Problem>
+class LogHamiltonian {
+ public:
+  static constexpr int dimension = Problem::dimension;
+  using Vec = Vector<double, dimension>;
+
+  /// p_t is the conjugate of time, minus the energy of the orbit.
+  LogHamiltonian(Problem problem, double p_t)
+      : problem_(std::move(problem)), p_t_(require_finite("Conjugate of time p^t", p_t)) {}
+
+  /// Takes p^t = -H(q, p) from the start.
+  /// @throws std::invalid_argument unless the potential is negative there.
+  LogHamiltonian(Problem problem, const State<dimension>& start)
+      : LogHamiltonian(problem, -(problem.kinetic(start.p) + problem.potential(start.q))) {
+    const double potential = problem.potential(start.q);
+    require(potential < 0.0, "Potential at the start", potential, "negative for the logarithmic Hamiltonian");
+  }
+
+  [[nodiscard]] Drift<dimension> drift(const Vec& p, double h) const {
+    const double dt = h / (problem_.kinetic(p) + p_t_);
+    if constexpr (requires { problem_.velocity(p); })
+      return {dt * problem_.velocity(p), dt};
+    else
+      return {dt * p, dt};
+  }
+
+  [[nodiscard]] Vec kick(const Vec& q, double h) const {
+    if constexpr (requires { problem_.log_potential_gradient(q, h); })
+      return problem_.log_potential_gradient(q, h);
+    else
+      return (h / problem_.potential(q)) * problem_.potential_gradient(q);
+  }
+
+  /// T + p^t is positive on every orbit; where it is not, h was too large.
+  [[nodiscard]] bool admits(const State<dimension>& z) const { return problem_.kinetic(z.p) + p_t_ > 0.0; }
+
+ private:
+  Problem problem_;
+  double p_t_;
+};
+
+}  // namespace avi

@@ -1,0 +1,131 @@
+#pragma once
+#include "avi/core/outcome.hpp"
+#include "avi/core/state.hpp"
+#include "avi/integrators/split_coefficients.hpp"
+
+#include <array>
+#include <utility>
+
+/// @file
+/// One stepper for every method that alternates two explicit flows.
+
+namespace avi {
+
+/// What a drift adds to position and time.
+template <int n>
+struct Drift {
+  Vector<double, n> position;
+  double time;
+};
+
+/// The flows of H = T(p) + V(q): drift q += h dT/dp, t += h; kick p -= h dV/dq.
+/// `Problem` gives potential_gradient(q), and velocity(p) unless masses are 1.
+template <class Problem>
+class Separable {
+ public:
+  static constexpr int dimension = Problem::dimension;
+  using Vec = Vector<double, dimension>;
+
+  explicit Separable(Problem problem = {}) : problem_(std::move(problem)) {}
+
+  [[nodiscard]] Drift<dimension> drift(const Vec& p, double h) const {
+    if constexpr (requires { problem_.velocity(p); })
+      return {h * problem_.velocity(p), h};
+    else
+      return {h * p, h};
+  }
+  [[nodiscard]] Vec kick(const Vec& q, double h) const { return -h * problem_.potential_gradient(q); }
+  [[nodiscard]] bool admits(const State<dimension>&) const { return true; }
+
+ private:
+  Problem problem_;
+};
+
+/// How increments are added to the state.
+enum class Summation {
+  plain,
+  compensated  ///< What rounding cuts off is kept and added next time (Kahan 1965; Moller 1965).
+};
+
+/// A(a_0 h) B(b_0 h) ... A(a_m h) with the flows of `Flows` (Separable, LogHamiltonian). Explicit, and
+/// symplectic as a product of exact flows.
+///
+/// With Summation::compensated the rounding error of a run grows as the square root of the number of steps
+/// (Brouwer's law) instead of faster; a stage costs about one addition more on its critical path.
+template <class Flows, int m, Summation summation = Summation::plain>
+class Splitting {
+ public:
+  static constexpr int n = Flows::dimension;
+
+  Splitting(Flows flows, const SplitCoefficients<m>& coefficients) : flows_(std::move(flows)) {
+    for (std::size_t i = 0; i < a_.size(); ++i)
+      a_[i] = static_cast<double>(coefficients.a[i]);
+    for (std::size_t i = 0; i < b_.size(); ++i)
+      b_[i] = static_cast<double>(coefficients.b[i]);
+  }
+
+  StepReport step(State<n>& z, double h) {
+    State<n> moved = z;
+    // A state changed from outside has no kept rounding error.
+    if constexpr (compensated)
+      if (moved.t != after_.t || moved.q != after_.q || moved.p != after_.p) forget(moved);
+    State<n> low = low_;
+    for (std::size_t i = 0; i < b_.size(); ++i) {
+      drift(moved, low, a_[i] * h);
+      add(moved.p, low.p, flows_.kick(moved.q, b_[i] * h));
+    }
+    drift(moved, low, a_.back() * h);
+    if (!flows_.admits(moved)) return {.outcome = Outcome::diverged, .evaluations = m};
+    z = moved;
+    if constexpr (compensated) {
+      low_ = low;
+      after_ = moved;
+    }
+    return {.evaluations = m};
+  }
+
+ private:
+  static constexpr bool compensated = summation == Summation::compensated;
+
+  void drift(State<n>& z, State<n>& low, double h) const {
+    const Drift<n> d = flows_.drift(z.p, h);
+    add(z.q, low.q, d.position);
+    add(z.t, low.t, d.time);
+  }
+
+  template <class Value>
+  static void add(Value& sum, Value& low, const Value& increment) {
+    if constexpr (compensated) {
+      const Value corrected = increment + low;
+      const Value next = sum + corrected;
+      low = corrected - (next - sum);
+      sum = next;
+    } else {
+      sum += increment;
+    }
+  }
+
+  void forget(const State<n>& z) {
+    low_ = z;
+    low_.q -= z.q;
+    low_.p -= z.p;
+    low_.t = 0.0;
+  }
+
+  Flows flows_;
+  std::array<double, static_cast<std::size_t>(m) + 1> a_;
+  std::array<double, static_cast<std::size_t>(m)> b_;
+  State<n> low_{}, after_{};
+};
+
+/// Deduces the types: splitting<Summation::compensated>(flows, compositions::kahan_li8).
+template <Summation summation = Summation::plain, class Flows, int m>
+Splitting<Flows, m, summation> splitting(Flows flows, const SplitCoefficients<m>& coefficients) {
+  return {std::move(flows), coefficients};
+}
+template <Summation summation = Summation::plain, class Flows, int m>
+Splitting<Flows, m, summation> splitting(Flows flows, const CompositionCoefficients<m>& coefficients) {
+  return {std::move(flows), split(coefficients)};
+}
+
+}  // namespace avi

@@ -1,0 +1,214 @@
+#include "avi/core/integrate.hpp"
+#include "avi/diagnostics/drift.hpp"
+#include "avi/diagnostics/order.hpp"
+#include "avi/diagnostics/symplecticity.hpp"
+#include "avi/integrators/composition.hpp"
+#include "avi/integrators/compositions.hpp"
+#include "avi/integrators/log_hamiltonian.hpp"
+#include "avi/integrators/splitting.hpp"
+#include "avi/integrators/stormer_verlet.hpp"
+#include "avi/problems/henon_heiles.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/problems/n_body.hpp"
+#include "avi/problems/perturbed_kepler.hpp"
+
+#include <gtest/gtest.h>
+
+namespace c = avi::compositions;
+using avi::HenonHeiles;
+using avi::Kepler;
+using avi::LogHamiltonian;
+using avi::PerturbedKepler;
+using avi::Separable;
+using avi::State;
+using avi::Summation;
+
+namespace {
+
+const State<2> henon_start = HenonHeiles::on_section(1.0 / 12.0, 0.1, 0.0);
+
+/// Order of a method on Henon-Heiles over T = 8, against the same method with an eighth of the finest step.
+template <class M>
+avi::OrderFit order_on_henon_heiles(const M& method, int coarsest) {
+  const auto end = [&](int steps) {
+    M fresh = method;
+    auto z = henon_start;
+    avi::integrate(fresh, z, 8.0 / steps, {.steps = steps});
+    return z;
+  };
+  const auto reference = end(64 * coarsest);
+  std::vector<double> h, error;
+  for (int k = 0; k < 5; ++k) {
+    const auto z = end(coarsest << k);
+    h.push_back(8.0 / (coarsest << k));
+    error.push_back(std::hypot((z.q - reference.q).norm(), (z.p - reference.p).norm()));
+  }
+  return avi::fit_order(h, error, {.floor = 5e-14});
+}
+
+TEST(Splitting, HasTheOrderOfItsCoefficients) {
+  const Separable<HenonHeiles> flows;
+  EXPECT_NEAR(order_on_henon_heiles(avi::splitting(flows, c::strang), 64).order, 2.0, 0.05);
+  EXPECT_NEAR(order_on_henon_heiles(avi::splitting(flows, c::suzuki4), 16).order, 4.0, 0.1);
+  EXPECT_NEAR(order_on_henon_heiles(avi::splitting(flows, avi::splittings::blanes_moan4), 16).order, 4.0,
+              0.1);
+  EXPECT_NEAR(order_on_henon_heiles(avi::splitting(flows, c::kahan_li6), 8).order, 6.0, 0.25);
+  EXPECT_NEAR(order_on_henon_heiles(avi::splitting(flows, avi::splittings::blanes_moan6), 8).order, 6.0,
+              0.25);
+  EXPECT_NEAR(order_on_henon_heiles(avi::splitting(flows, avi::splittings::blanes_moan6_nystrom), 12).order,
+              6.0, 0.25);
+  EXPECT_NEAR(order_on_henon_heiles(avi::splitting(flows, c::kahan_li8), 4).order, 8.0, 0.4);
+}
+
+TEST(Splitting, IsTheCompositionOfItsBaseStep) {
+  auto merged = avi::splitting(Separable<HenonHeiles>{}, c::kahan_li6);
+  auto base = avi::splitting(Separable<HenonHeiles>{}, c::strang);
+  avi::Composition composed(base, c::kahan_li6);
+  auto z = henon_start, w = henon_start;
+  avi::integrate(merged, z, 0.1, {.steps = 50});
+  const auto run = avi::integrate(composed, w, 0.1, {.steps = 50});
+  EXPECT_LT((z.q - w.q).norm() + (z.p - w.p).norm(), 1e-14);
+  EXPECT_NEAR(z.t, 5.0, 3e-14);
+  EXPECT_NEAR(w.t, 5.0, 3e-14);
+  EXPECT_EQ(run.evaluations, 450);
+}
+
+TEST(Composition, RaisesTheOrderOfAnySymmetricMethod) {
+  const auto verlet = avi::stormer_verlet<2>(&HenonHeiles::potential_gradient<double>);
+  EXPECT_NEAR(order_on_henon_heiles(avi::Composition(verlet, c::yoshida4), 32).order, 4.0, 0.1);
+  EXPECT_NEAR(order_on_henon_heiles(avi::Composition(verlet, c::kahan_li8), 4).order, 8.0, 0.4);
+}
+
+TEST(Splitting, IsSymplecticAndReversible) {
+  const auto method = avi::splitting(Separable<HenonHeiles>{}, c::kahan_li8);
+  for (double h : {0.5, 0.1}) {
+    EXPECT_LT(avi::symplecticity_defect(method, henon_start, h), 2e-12);
+    auto z = henon_start;
+    auto there = method, back = method;
+    avi::integrate(there, z, h, {.steps = 100});
+    avi::integrate(back, z, -h, {.steps = 100});
+    EXPECT_LT((z.q - henon_start.q).norm() + (z.p - henon_start.p).norm(), 1e-13);
+  }
+}
+
+/// The leapfrog as a map of extended phase space (q, t, p, p^t).
+avi::Vector<double, avi::dynamic> extended_leapfrog(const avi::Vector<double, avi::dynamic>& x) {
+  State<2> z{.q = x.segment<2>(0), .p = x.segment<2>(3), .t = x[2]};
+  auto method = avi::splitting(LogHamiltonian<PerturbedKepler>(PerturbedKepler(0.05), x[5]), c::yoshida4);
+  method.step(z, 0.2);
+  avi::Vector<double, avi::dynamic> image(6);
+  image << z.q, z.t, z.p, x[5];
+  return image;
+}
+
+TEST(LogHamiltonian, IsSymplecticInExtendedPhaseSpace) {
+  const auto start = PerturbedKepler::pericentre(0.3);
+  avi::Vector<double, avi::dynamic> x(6);
+  x << start.q, 0.0, start.p, -PerturbedKepler(0.05)(start.q, start.p);
+  EXPECT_LT(avi::symplecticity_defect(extended_leapfrog, x), 2e-11);
+}
+
+TEST(LogHamiltonian, KeepsToTheEllipseOfKepler) {
+  const double e = 0.99;
+  auto z = Kepler::pericentre(e);
+  auto method = avi::splitting(LogHamiltonian<Kepler>({}, z), c::strang);
+  double energy = 0.0, shape = 0.0;
+  avi::integrate(method, z, 0.1, {.steps = 1000}, [&](const State<2>& s, long) {
+    energy = std::max(energy, std::abs(Kepler{}(s.q, s.p) + 0.5) * s.q.norm());
+    const double x = s.q[0] + e, y = s.q[1];
+    shape = std::max(shape, std::abs(x * x + y * y / (1.0 - e * e) - 1.0));
+  });
+  EXPECT_LT(energy, 1e-13);
+  EXPECT_LT(shape, 1e-10);
+}
+
+TEST(LogHamiltonian, ConvergesOnKeplerAndItsPerturbation) {
+  // Position against Kepler's equation at the method's own time; order by order.
+  const auto error = [](const auto& coefficients, double h) {
+    auto z = Kepler::pericentre(0.9);
+    auto method = avi::splitting<Summation::compensated>(LogHamiltonian<Kepler>({}, z), coefficients);
+    avi::integrate(method, z, h, {.time = 10.0});
+    return (z.q - Kepler::exact(0.9, z.t).q).norm();
+  };
+  EXPECT_LT(error(c::kahan_li8, 1.0), 1e-4);
+  EXPECT_LT(error(c::kahan_li8, 0.25), 1e-9);
+  std::vector<double> h, defects;
+  const double quadrupole = 0.02;
+  const auto start = PerturbedKepler::pericentre(0.6);
+  for (int k = 0; k < 4; ++k) {
+    auto z = start;
+    h.push_back(0.4 / (1 << k));
+    auto method =
+        avi::splitting(LogHamiltonian<PerturbedKepler>(PerturbedKepler(quadrupole), z), c::kahan_li6);
+    double worst = 0.0;
+    avi::integrate(method, z, h.back(), {.time = 20.0}, [&](const State<2>& s, long) {
+      worst = std::max(worst, std::abs(PerturbedKepler(quadrupole)(s.q, s.p) -
+                                       PerturbedKepler(quadrupole)(start.q, start.p)));
+    });
+    defects.push_back(worst);
+  }
+  EXPECT_NEAR(avi::fit_order(h, defects, {.floor = 1e-13}).order, 6.0, 0.5);
+}
+
+TEST(LogHamiltonian, ShortcutsAgreeWithTheGeneralFormula) {
+  const avi::Vector<double, 2> q(0.3, -0.4);
+  const PerturbedKepler problem(0.1);
+  const avi::Vector<double, 2> general = 0.7 / problem.potential(q) * problem.potential_gradient(q);
+  EXPECT_LT((problem.log_potential_gradient(q, 0.7) - general).norm(), 1e-14);
+  EXPECT_LT(
+      (Kepler::log_potential_gradient(q, 0.7) - 0.7 / Kepler::potential(q) * Kepler::potential_gradient(q))
+          .norm(),
+      1e-14);
+  EXPECT_THROW((LogHamiltonian<HenonHeiles>({}, henon_start)), std::invalid_argument);
+}
+
+TEST(LogHamiltonian, SaysSoOutsideItsDomain) {
+  // T = 9.5 at this pericentre: with p^t = -10 the logarithm of T + p^t does not exist.
+  auto z = Kepler::pericentre(0.9);
+  const auto start = z;
+  auto method = avi::splitting(LogHamiltonian<Kepler>({}, -10.0), c::strang);
+  const auto run = avi::integrate(method, z, 0.01, {.steps = 10});
+  EXPECT_EQ(run.outcome, avi::Outcome::diverged);
+  EXPECT_EQ(z.q, start.q);
+}
+
+TEST(CompensatedSummation, KeepsTheEnergyBetterThanPlainSummation) {
+  const auto worst = [](auto method) {
+    auto z = henon_start;
+    const double start = HenonHeiles{}(z.q, z.p);
+    double energy = 0.0;
+    avi::integrate(method, z, 0.05, {.steps = 200000}, [&](const State<2>& s, long) {
+      energy = std::max(energy, std::abs(HenonHeiles{}(s.q, s.p) - start));
+    });
+    return energy;
+  };
+  const Separable<HenonHeiles> flows;
+  const double plain = worst(avi::splitting(flows, c::kahan_li8));
+  const double compensated = worst(avi::splitting<Summation::compensated>(flows, c::kahan_li8));
+  EXPECT_LT(compensated, 2e-16 * 5);
+  EXPECT_GT(plain, 3.0 * compensated);
+}
+
+TEST(CompensatedSummation, ForgetsWhenTheStateIsChangedFromOutside) {
+  auto used = avi::splitting<Summation::compensated>(Separable<HenonHeiles>{}, c::kahan_li6);
+  auto fresh = used;
+  auto z = henon_start;
+  avi::integrate(used, z, 0.1, {.steps = 20});
+  z = henon_start;
+  auto w = henon_start;
+  used.step(z, 0.1);
+  fresh.step(w, 0.1);
+  EXPECT_EQ((z.q - w.q).norm() + (z.p - w.p).norm(), 0.0);
+}
+
+TEST(Splitting, TakesTheDimensionAtRunTime) {
+  auto z = avi::FigureEight::start();
+  auto w = avi::FigureEight::start<avi::dynamic>();
+  auto fixed = avi::splitting(Separable(avi::FigureEight::problem()), c::kahan_li8);
+  auto free = avi::splitting(Separable(avi::FigureEight::problem<avi::dynamic>()), c::kahan_li8);
+  avi::integrate(fixed, z, 0.1, {.steps = 60});
+  avi::integrate(free, w, 0.1, {.steps = 60});
+  EXPECT_LT((z.q - w.q).norm(), 1e-13);
+}
+
+}  // namespace
