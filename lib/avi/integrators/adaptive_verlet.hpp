@@ -1,0 +1,66 @@
+#pragma once
+#include "avi/core/outcome.hpp"
+#include "avi/core/require.hpp"
+#include "avi/core/state.hpp"
+
+#include <limits>
+#include <utility>
+
+/// @file
+/// The adaptive Verlet method.
+
+namespace avi {
+
+/// Adaptive Verlet of Huang and Leimkuhler (The adaptive Verlet method, 1997) for H = |p|^2 / 2 + V(q), with
+/// a density rho = 1 / g carried as a variable of its own:
+///
+///   p_{1/2} = p_0 - h/(2 rho_0) dV(q_0),       q_{1/2} = q_0 + h/(2 rho_0) p_{1/2},
+///   rho_1 = 2 / g(q_{1/2}, p_{1/2}) - rho_0,
+///   q_1 = q_{1/2} + h/(2 rho_1) p_{1/2},       p_1 = p_{1/2} - h/(2 rho_1) dV(q_1),
+///   t_1 = t_0 + h/2 (1/rho_0 + 1/rho_1).
+///
+/// Explicit, of order 2, symmetric and reversible (hence a base for compositions), not symplectic. `Problem`
+/// gives potential_gradient(q), `Monitor` g(q, p) > 0. The gradient and rho carry over from step to step and
+/// start anew, rho = 1 / g, when the state is changed from outside.
+template <class Problem, class Monitor>
+class AdaptiveVerlet {
+ public:
+  static constexpr int n = Problem::dimension;
+
+  AdaptiveVerlet(Problem problem, Monitor monitor)
+      : problem_(std::move(problem)), monitor_(std::move(monitor)) {
+    after_.t = std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// A density that is not positive ends the step as Outcome::diverged: h is too large for this monitor.
+  StepReport step(State<n>& z, double h) {
+    double rho = rho_;
+    if (z.t != after_.t || z.q != after_.q || z.p != after_.p) {
+      rho = 1.0 / monitor_(z.q, z.p);
+      force_ = problem_.potential_gradient(z.q);
+    }
+    State<n> w = z;
+    const double before = 0.5 * h / rho;
+    w.p -= before * force_;
+    w.q += before * w.p;
+    rho = 2.0 / monitor_(w.q, w.p) - rho;
+    if (!(rho > 0.0)) return {.outcome = Outcome::diverged};
+    const double after = 0.5 * h / rho;
+    w.q += after * w.p;
+    force_ = problem_.potential_gradient(w.q);
+    w.p -= after * force_;
+    w.t += before + after;
+    rho_ = rho;
+    z = after_ = w;
+    return {};
+  }
+
+ private:
+  Problem problem_;
+  Monitor monitor_;
+  double rho_ = 1.0;
+  Vector<double, n> force_{};
+  State<n> after_{};
+};
+
+}  // namespace avi
