@@ -1,0 +1,74 @@
+#include "frame/frame.hpp"
+#include "scorecard/report.hpp"
+#include "scorecard/sheets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+/// @file
+/// Every published number beside ours, with a verdict and a note: build/data/scorecard.tsv.
+
+namespace {
+
+/// Lines of a published table that no sheet judges yet.
+std::vector<scorecard::Line> unjudged(const std::string& stem, const std::filesystem::path& published) {
+  const auto refuse = [](const scorecard::Cell&, const avi::Table&) -> scorecard::Judgement {
+    throw std::logic_error("Nothing judges this table yet.");
+  };
+  return scorecard::judge({stem, stem, refuse}, published, published);
+}
+
+/// Stems of published tables without a sheet.
+std::vector<std::string> left_over(const std::vector<scorecard::Sheet>& sheets,
+                                   const std::filesystem::path& published) {
+  std::vector<std::string> stems;
+  for (const auto& entry : std::filesystem::directory_iterator(published)) {
+    const std::string stem = entry.path().stem();
+    const bool has_sheet = std::ranges::any_of(sheets, [&](const auto& sheet) { return sheet.stem == stem; });
+    if (entry.path().extension() == ".tsv" && !has_sheet) stems.push_back(stem);
+  }
+  std::ranges::sort(stems);
+  return stems;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::filesystem::path published = "paper/published", data = "build/data";
+  const auto options = [&](CLI::App& app) {
+    app.add_option("--published", published, "Folder of the paper's numbers")
+        ->option_text("DIR")
+        ->check(CLI::ExistingDirectory);
+    app.add_option("--data", data, "Folder of the experiments' tables")
+        ->option_text("DIR")
+        ->check(CLI::ExistingDirectory);
+  };
+  return experiment::run(
+      argc, argv, "scorecard", "Compares every number that the paper prints with ours.", options,
+      [&](const experiment::Frame& frame) {
+        avi::Table table =
+            frame.table({"source", "row", "quantity", "published", "reproduced", "verdict", "note"});
+        std::vector<scorecard::Line> all;
+        const auto add = [&](const std::string& title, const std::vector<scorecard::Line>& lines) {
+          for (const auto& [source, row, quantity, printed, judgement] : lines)
+            table.row(source, row, quantity, printed, judgement.reproduced, name(judgement.verdict),
+                      judgement.note);
+          fmt::print("{}", scorecard::report(title, lines));
+          all.insert(all.end(), lines.begin(), lines.end());
+        };
+        const auto sheets = scorecard::sheets();
+        for (const auto& sheet : sheets)
+          add(sheet.title, scorecard::judge(sheet, published, data));
+        const auto missing = std::ranges::count_if(
+            all, [](const auto& line) { return line.judgement.verdict == scorecard::Verdict::missing; });
+        for (const auto& stem : left_over(sheets, published))
+          add(stem, unjudged(stem, published));
+        frame.write(table);
+        fmt::print("\nAll tables - {}\n", scorecard::summary(all));
+        if (missing > 0)
+          throw std::runtime_error(
+              fmt::format("{} published numbers have no data to judge them by; see above.", missing));
+      });
+}

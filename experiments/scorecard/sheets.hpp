@@ -1,0 +1,15 @@
+#pragma once
+#include "scorecard/sheet.hpp"
+
+/// @file
+/// The sheets of the scorecard, in the order of the paper's tables.
+
+namespace scorecard {
+
+/// Tables 1 and 2: HTVI4 and Stormer-Verlet on Kepler's problem (data: kepler_e090, kepler_e099).
+Sheet kepler_sheet(std::string stem, std::string title);
+
+/// Every sheet there is.
+std::vector<Sheet> sheets();
+
+}  // namespace scorecard
