@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path source = AVI_SOURCE_DIR;
+
+/// A folder of lib/avi may include its own files and those of lower floors: nothing sideways, nothing
+/// upwards.
+const std::map<std::string, int> floors{{"core", 0},     {"io", 0},       {"taylor", 1}, {"integrators", 1},
+                                        {"adaptive", 1}, {"problems", 1}, {"optim", 1},  {"diagnostics", 1},
+                                        {"htvi", 2},     {"bregman", 2}};
+
+bool may_include(const std::string& from, const std::string& to) {
+  return from == to || floors.at(from) > floors.at(to);
+}
+
+std::vector<std::string> lines_of(const fs::path& path) {
+  std::ifstream file(path);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);)
+    lines.push_back(line);
+  return lines;
+}
+
+std::vector<fs::path> files_under(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().extension() == ".hpp" || entry.path().extension() == ".cpp")
+      files.push_back(entry.path());
+  return files;
+}
+
+/// Quoted includes of a file.
+std::vector<std::string> includes_of(const fs::path& path) {
+  static const std::regex quoted("^#include \"([^\"]+)\"");
+  std::vector<std::string> includes;
+  std::smatch match;
+  for (const std::string& line : lines_of(path))
+    if (std::regex_search(line, match, quoted)) includes.push_back(match[1]);
+  return includes;
+}
+
+TEST(Layers, AllowOnlyWhatLiesBelow) {
+  EXPECT_TRUE(may_include("htvi", "taylor"));
+  EXPECT_FALSE(may_include("taylor", "htvi"));
+  EXPECT_FALSE(may_include("taylor", "problems"));
+}
+
+TEST(Layers, LibraryIncludesPointDown) {
+  int seen = 0;
+  for (const fs::path& file : files_under(source / "lib/avi")) {
+    const std::string folder = *fs::relative(file, source / "lib/avi").begin();
+    ASSERT_TRUE(floors.contains(folder)) << "lib/avi/" << folder << " has no floor in this test yet";
+    for (const std::string& include : includes_of(file)) {
+      ASSERT_TRUE(include.starts_with("avi/"))
+          << file << " includes " << include << ", which is not the library's";
+      const std::string target = *std::next(fs::path(include).begin());
+      ASSERT_TRUE(floors.contains(target)) << file << " includes " << include;
+      EXPECT_TRUE(may_include(folder, target)) << file << " includes " << include;
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 10);
+}
+
+TEST(Layers, ExperimentsUseNoTests) {
+  for (const fs::path& file : files_under(source / "experiments"))
+    for (const std::string& include : includes_of(file))
+      EXPECT_TRUE(include.starts_with("avi/") || fs::exists(source / "experiments" / include))
+          << file << " includes " << include;
+}
+
+TEST(Layers, FilesStayShort) {
+  for (const char* folder : {"lib", "experiments", "tests"})
+    for (const fs::path& file : files_under(source / folder))
+      EXPECT_LE(lines_of(file).size(), 250u) << file << " is no longer one idea";
+}
+
+TEST(Layers, FiguresNameTheirData) {
+  for (const auto& entry : fs::directory_iterator(source / "figures")) {
+    if (entry.path().extension() != ".gp" || entry.path().stem() == "style") continue;
+    const auto lines = lines_of(entry.path());
+    ASSERT_FALSE(lines.empty()) << entry.path();
+    EXPECT_TRUE(lines[0].starts_with("# data: "))
+        << entry.path() << " does not say which experiments it draws";
+  }
+}
+
+}  // namespace
