@@ -42,16 +42,24 @@ KeplerResult measure_kepler(Method method, double e, double h, avi::Until until)
   return result;
 }
 
-/// The two halves of a KeplerRun from a method that is copied afresh for each run.
+/// The KeplerRun from a method that is copied afresh for each run.
 template <class Method>
 KeplerRun kepler_run(std::string method_name, std::string construction, const KeplerRow& row,
                      const Method& method, double e, avi::Until until) {
-  return {std::move(method_name), std::move(construction), row,
+  return {std::move(method_name),
+          std::move(construction),
+          row,
           [=] { return measure_kepler(method, e, row.h, until); },
           [=] {
             Method fresh = method;
             avi::State<2> z = avi::Kepler::pericentre(e);
             require_ok(avi::integrate(fresh, z, row.h, until));
+          },
+          [=](const std::function<void(const avi::State<2>&)>& observer) {
+            Method fresh = method;
+            avi::State<2> z = avi::Kepler::pericentre(e);
+            require_ok(
+                avi::integrate(fresh, z, row.h, until, [&](const avi::State<2>& s, long) { observer(s); }));
           }};
 }
 

@@ -58,7 +58,7 @@ int kepler_table(int argc, char** argv, const std::string& name, const KeplerTab
         out.note("horizon", horizon);
         out.note("rounds", table.rounds);
         for (std::size_t i = 0; i < runs.size(); ++i) {
-          const auto& [method, construction, row, measure, timed] = runs[i];
+          const auto& [method, construction, row, measure, timed, observe] = runs[i];
           const KeplerResult& r = results[i];
           out.row(method, construction, row.monitor, row.h, row.a, row.b, r.min_step, r.max_step,
                   r.energy_error, r.global_error, method == "stormer_verlet" ? r.global_error_shifted : none,

@@ -1,6 +1,8 @@
 #pragma once
 #include "frame/frame.hpp"
 
+#include "avi/core/state.hpp"
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -34,13 +36,19 @@ struct KeplerResult {
   long steps = 0;
 };
 
-/// A row ready to run: `measure` gives the results, `run` is what is timed.
+/// A row ready to run: `measure` gives the results, `run` is what is timed, `observe` shows every state.
 struct KeplerRun {
   std::string method, construction;
   KeplerRow row;
   std::function<KeplerResult()> measure;
   std::function<void()> run;
+  std::function<void(const std::function<void(const avi::State<2>&)>&)> observe;
 };
+
+/// The settings of Table 1 (e = 0.9) and Table 2 (e = 0.99). Where they differ from the printed ones,
+/// kepler/settings.cpp says why.
+KeplerTable table1();
+KeplerTable table2();
 
 /// The HTVI4 runs of a table, for each construction.
 std::vector<KeplerRun> runs_authors(const KeplerTable& table, double horizon);

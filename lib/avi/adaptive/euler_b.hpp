@@ -21,8 +21,7 @@ namespace avi {
 /// |A|^2 as h does to 0; then p_1 = A - (h/2) s grad g. Where no such root exists h is too large for the
 /// monitor, and the step reports not_converged with the discriminant as its residual.
 ///
-/// `Problem` provides potential(q) and potential_gradient(q); a monitor that has no member d_dq(q) is
-/// differentiated automatically.
+/// `Problem` provides potential(q) and potential_gradient(q); the monitor is differentiated automatically.
 template <int n, class Problem, class G = Unit>
 class EulerB {
  public:
@@ -31,30 +30,28 @@ class EulerB {
       : problem_(std::move(problem)), g_(std::move(monitor)), pt_(require_finite("p^t", energy_momentum)) {}
 
   StepReport step(State<n>& z, double h) const {
-    const double hg = h * g_(z.q);
-    Vector<double, n> p = z.p - hg * problem_.potential_gradient(z.q);
-    if constexpr (!std::same_as<G, Unit>) {
-      const Vector<double, n> slope = monitor_gradient(z.q);
-      p -= (h * (problem_.potential(z.q) + pt_)) * slope;
-      const double a2 = p.squaredNorm(), b = 1.0 + h * p.dot(slope);
+    if constexpr (std::same_as<G, Unit>) {
+      z.p -= h * problem_.potential_gradient(z.q);
+      z.q += h * z.p;
+      z.t += h;
+      return {};
+    } else {
+      const Partials<double, n> g = value_and_gradient([this](const auto& x) { return g_(x); }, z.q);
+      const double hg = h * g.value;
+      const Vector<double, n> slope = Eigen::Map<const Vector<double, n>>(g.d.data());
+      const Vector<double, n> a =
+          z.p - hg * problem_.potential_gradient(z.q) - (h * (problem_.potential(z.q) + pt_)) * slope;
+      const double a2 = a.squaredNorm(), b = 1.0 + h * a.dot(slope);
       const double discriminant = b * b - h * h * slope.squaredNorm() * a2;
       if (!(discriminant >= 0.0 && b > 0.0)) return {Outcome::not_converged, 1, discriminant};
-      p -= (h * a2 / (b + std::sqrt(discriminant))) * slope;
+      z.p = a - (h * a2 / (b + std::sqrt(discriminant))) * slope;
+      z.q += hg * z.p;
+      z.t += hg;
+      return {};
     }
-    z.p = p;
-    z.q += hg * p;
-    z.t += hg;
-    return {};
   }
 
  private:
-  [[nodiscard]] Vector<double, n> monitor_gradient(const Vector<double, n>& q) const {
-    if constexpr (requires { g_.d_dq(q); })
-      return g_.d_dq(q);
-    else
-      return gradient([this](const auto& x) { return g_(x); }, q);
-  }
-
   Problem problem_;
   G g_;
   double pt_;

@@ -88,7 +88,11 @@ Partials<S, N> sqrt(const Partials<S, N>& x) {
 }
 template <class S, int N>
 Partials<S, N> pow(const Partials<S, N>& x, double exponent) {
-  return x.chain(power(x.value, exponent), exponent * power(x.value, exponent - 1.0));
+  const S f = power(x.value, exponent);
+  if constexpr (std::is_same_v<S, double>) {
+    if (x.value != 0.0) return x.chain(f, exponent * f / x.value);  // a division instead of a second power
+  }
+  return x.chain(f, exponent * power(x.value, exponent - 1.0));
 }
 template <class S, int N>
 Partials<S, N> exp(const Partials<S, N>& x) {
@@ -144,16 +148,21 @@ Partials<S, N> abs(const Partials<S, N>& x) {
 }
 /// @}
 
-/// Gradient of f: R^n -> R at x, for any scalar S and compile-time n.
+/// f: R^n -> R at x with its gradient, for any scalar S and compile-time n.
 template <class F, class S, int n>
-Vector<S, n> gradient(const F& f, const Vector<S, n>& x) {
-  using D = Partials<S, n>;
-  Vector<D, n> seeded;
+Partials<S, n> value_and_gradient(const F& f, const Vector<S, n>& x) {
+  Vector<Partials<S, n>, n> seeded;
   for (int i = 0; i < n; ++i) {
     seeded[i].value = x[i];
     seeded[i].d[i] = S(1.0);
   }
-  const D y = f(seeded);
+  return f(seeded);
+}
+
+/// Gradient of f: R^n -> R at x.
+template <class F, class S, int n>
+Vector<S, n> gradient(const F& f, const Vector<S, n>& x) {
+  const Partials<S, n> y = value_and_gradient(f, x);
   Vector<S, n> g;
   for (int i = 0; i < n; ++i)
     g[i] = y.d[i];
