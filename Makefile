@@ -114,7 +114,7 @@ draw = gnuplot -e "data='$(2)'; output='$(3).part'; terminal='$(4)'" figures/$(1
 
 figures: $(DATA) $(FIGURES) build/scorecard.txt ## Build, run, draw every figure, print the scorecard (the main job)
 	@cat build/scorecard.txt
-build/figures/%.pdf build/figures/%.png: figures/%.gp figures/style.gp | deps build/figures
+build/figures/%.pdf build/figures/%.png: figures/%.gp figures/style.gp $(wildcard figures/shared/*.gp) $(PUBLISHED) | deps build/figures
 	@echo "drawing $*"; $(call draw,$*,build/data,build/figures/$*,pdf,pdf) \
 	  && $(call draw,$*,build/data,build/figures/$*,png,png)
 $(foreach f,$(drawable),$(eval build/figures/$f.pdf build/figures/$f.png: $(patsubst %,build/data/%.tsv,$(call data_of,$f))))

@@ -6,7 +6,7 @@
 #   load 'figures/style.gp'
 #
 # and then plots, e.g. `plot data.'/x.tsv' using "t":"error" with linespoints ls method('htvi4') title label('htvi4')`.
-# The Makefile passes `data` (folder), `output` (file) and `terminal` (pdf, png or preview).
+# What several figures share besides stands in figures/shared/. The Makefile passes `data` (folder), `output` (file) and `terminal` (pdf, png or preview).
 
 if (!exists('data')) data = 'build/data'
 if (!exists('output')) output = 'build/figures/untitled.png'
@@ -30,15 +30,20 @@ set output output
 set datafile separator tab
 set datafile commentschars '#'
 set datafile columnheaders
-set datafile missing 'nan'
+set datafile missing NaN
 
-# Value of column x in the rows where column c holds the word v; nothing elsewhere.
+# Value of column x in the rows where column c holds the word v, and the value y there; other rows are skipped, and
+# a line runs on across them. where('monitor', 'gamma', 'steps'), also('monitor', 'gamma', also('method', 'htvi4', y)).
 where(c, v, x) = strcol(c) eq v ? column(x) : NaN
 also(c, v, y) = strcol(c) eq v ? y : NaN
 
+# The paper's numbers, paper/published/<stem>.tsv: one line for each cell, a row's cells in the order of its columns.
+if (!exists('published_in')) published_in = 'paper/published'
+paper(stem) = published_in.'/'.stem.'.tsv'
+
 set border 3 lc rgb '#404040'
 set tics nomirror out scale 0.6 textcolor rgb '#202020'
-set grid back lc rgb '#dcdcdc' lw 0.5 dt 1
+set grid back lc rgb '#cccccc' lw 0.6 dt 1
 set key top right opaque samplen 3 spacing 1.15 height 0.3
 set style fill solid 0.85 noborder
 set pointsize 0.7
@@ -115,3 +120,18 @@ array printed[26] = ['no monitor', 'gamma', 'arclength', 'energy', 'truncation e
   'gradient descent', 'Runge–Kutta 4', 'Dormand–Prince 5(4)', 'Bogacki–Shampine 3(2)', 'Direct', 'Adaptive']
 spaced(s) = strstrt(s, '_') ? s[1:strstrt(s, '_')-1].' '.spaced(s[strstrt(s, '_')+1:*]) : s
 label(name) = position(names, name) ? printed[position(names, name)] : spaced(name)
+
+# Several panels (within `set multiplot`): `eval panel(i, j, columns, rows)` places column i, row j, counted from the
+# top left; below `page_bottom` there is room for `eval legend(height)`,
+# after which a plot shows its key alone.
+page_left = 0.115; page_right = 0.985; page_top = 0.98; page_bottom = 0.12; gap_x = 0.09; gap_y = 0.05
+cell_w(columns) = (page_right - page_left - (columns-1)*gap_x) / columns
+cell_h(rows) = (page_top - page_bottom - (rows-1)*gap_y) / rows
+corner_x(i, columns) = page_left + (i-1)*(cell_w(columns) + gap_x)
+corner_y(j, rows) = page_top - (j-1)*(cell_h(rows) + gap_y)
+at_screen(side, x) = sprintf('set %smargin at screen %.5f;', side, x)
+panel(i, j, columns, rows) = at_screen('l', corner_x(i, columns)).at_screen('r', corner_x(i, columns)+cell_w(columns)) \
+  .at_screen('t', corner_y(j, rows)).at_screen('b', corner_y(j, rows)-cell_h(rows))
+legend(height) = at_screen('l', 0.01).at_screen('r', 0.99).at_screen('b', 0.01).at_screen("t", 0.01 + height) \
+  ."unset border; unset tics; unset xlabel; unset ylabel; unset logscale; unset label; unset arrow; unset title;" \
+  ."set xrange [0:1]; set yrange [0:1]; set key inside center center vertical Left reverse maxrows 4 width 1 spacing 1.1"

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace scorecard {
 namespace {
 
@@ -18,11 +20,14 @@ bool printed_is(const std::string& published, double ours) {
   return !published.empty() && Printed(published).equals(ours);
 }
 
-/// A setting is what the run was made with. Where it is not the printed one, the evidence for a slip is that
-/// the other columns of the row come out with ours in every printed digit.
+/// A setting is what the run was made with, so it is the printed number or it is another one; rounding does
+/// not come in. Where it is not the printed one, the evidence for a slip is that the other columns of the row
+/// come out with ours in every printed digit.
 Judgement setting(const Cell& cell, const avi::Table& data, std::size_t row) {
-  Judgement judgement = compare(cell, data.number(row, cell.quantity()));
-  if (judgement.verdict == Verdict::exact) return judgement;
+  const double ours = data.number(row, cell.quantity()), printed = Printed(cell.published()).value;
+  Judgement judgement{beside(cell.published(), ours), Verdict::exact, ""};
+  if (std::abs(ours - printed) <= 1e-12 * printed) return judgement;
+  judgement.verdict = Verdict::differs;
   const bool rest_agrees = printed_is(cell.sibling("min_step"), data.number(row, "min_step")) &&
                            printed_is(cell.sibling("max_step"), data.number(row, "max_step")) &&
                            printed_is(cell.sibling("steps"), data.number(row, "steps") + 1.0) &&
@@ -32,7 +37,7 @@ Judgement setting(const Cell& cell, const avi::Table& data, std::size_t row) {
   judgement.verdict = Verdict::erratum;
   judgement.note =
       fmt::format("With {} every other measured column of the row comes out in every printed digit",
-                  judgement.reproduced);
+                  avi::rounded(ours));
   const double h = data.number(row, "h");
   if (cell.quantity() == "h")
     judgement.note += "; the printed one gives neither its steps nor its step range.";

@@ -105,6 +105,14 @@ TEST_F(KeplerSheet, SeesAChangedDigit) {
   EXPECT_EQ(inexact(), expected);
 }
 
+TEST_F(KeplerSheet, DoesNotRoundSettings) {
+  at(1, "h") = "0.11";
+  at(2, "h") = "0.05";
+  Found expected = slips;
+  expected["HTVI4 gamma h"] = expected["HTVI4 energy h"] = Verdict::erratum;
+  EXPECT_EQ(inexact(), expected);
+}
+
 TEST_F(KeplerSheet, CallsNothingASlipWithoutEvidence) {
   at(3, "max_step") = "0.1468";
   EXPECT_EQ(inexact(), (Found{{"HTVI4 arclength g_min", Verdict::differs},
