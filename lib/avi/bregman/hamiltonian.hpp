@@ -1,0 +1,45 @@
+#pragma once
+#include "avi/bregman/family.hpp"
+#include "avi/optim/objective.hpp"
+
+/// @file
+/// The Poincare-transformed Bregman Hamiltonian on extended phase space.
+
+namespace avi {
+
+/// A point (q, t, r, r^t) of extended phase space.
+struct ExtendedPoint {
+  VectorX q;
+  double t = 1.0;
+  VectorX r;
+  double r_t = 0.0;
+};
+
+/// H-bar of BregmanFamily for an objective f: kinetic(t) |r|^2 / 2 + potential(t) f(q) + monitor(t) r^t.
+template <Objective F>
+double bregman_energy(const BregmanFamily& family, const F& f, const ExtendedPoint& z) {
+  VectorX unused(z.q.size());
+  return 0.5 * family.kinetic(z.t) * dot(z.r, z.r) + family.potential(z.t) * f(z.q, unused) +
+         family.monitor(z.t) * z.r_t;
+}
+
+/// The r^t that puts a start on the level H-bar = 0, where fictive and physical dynamics agree.
+template <Objective F>
+double bregman_zero_level(const BregmanFamily& family, const F& f, const ExtendedPoint& z) {
+  ExtendedPoint at = z;
+  at.r_t = 0.0;
+  return -bregman_energy(family, f, at) / family.monitor(z.t);
+}
+
+/// The start of the paper's runs at q: r and t of `from`, r^t on the level H-bar = 0.
+template <Objective F>
+ExtendedPoint bregman_start(const BregmanFamily& family, const F& f, const VectorX& q,
+                            const BregmanStart& from = {}) {
+  family.validate();
+  from.validate();
+  ExtendedPoint z{.q = q, .t = from.t, .r = VectorX::Constant(q.size(), from.momentum)};
+  z.r_t = bregman_zero_level(family, f, z);
+  return z;
+}
+
+}  // namespace avi

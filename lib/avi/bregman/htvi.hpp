@@ -1,0 +1,81 @@
+#pragma once
+#include "avi/bregman/family.hpp"
+#include "avi/core/outcome.hpp"
+#include "avi/optim/objective.hpp"
+
+/// @file
+/// The Type II Hamiltonian Taylor variational integrator of order r = 0 for Bregman dynamics.
+
+namespace avi {
+
+/// How physical time advances during one fictive step.
+enum class Clock {
+  euler,  ///< t += h monitor(t): what the integrator's own equation gives, as in the paper.
+  exact   ///< t^s += h: the exact solution of the same equation.
+};
+
+/// The explicit update of Section 4.3 in momentum form. With R = r t^(-p) and eta = P h t^(-s),
+///
+///   R' = R - eta C t^p grad f(q),   q+ = q + eta R',   R+ = R' (t/t+)^p,
+///
+/// where t+ = t (1 + h t^(-s)/s) by Euler's clock. These are the iterates of the printed form
+/// (bregman/htvi_printed.hpp) to round-off with half its range of exponents: a heavy ball of momentum
+/// (t/t+)^p and step eta^2 C t^p. r^t is not evolved, as nothing else depends on it.
+struct BregmanHtvi {
+  BregmanFamily family;
+  double h = 1e-3;  ///< Fictive step, finite and positive.
+  BregmanStart from{};
+  Clock clock = Clock::euler;
+
+  struct State {
+    VectorX momentum;  ///< R.
+    double t = 1.0;    ///< Physical time.
+    double power;      ///< t^p.
+    double eta;        ///< Of the coming step.
+  };
+
+  /// @throws std::invalid_argument for a parameter out of range.
+  State start(const Iterate& first) const {
+    family.validate();
+    from.validate();
+    require_positive("Step size h", h);
+    const double power = std::pow(from.t, family.p);
+    return {.momentum = VectorX::Constant(first.x.size(), from.momentum / power),
+            .t = from.t,
+            .power = power,
+            .eta = eta(from.t)};
+  }
+
+  template <class F>
+  Outcome update(State& state, Iterate& now, F&) const {
+    const double step = state.eta * family.C * state.power;
+    const double t_next =
+        clock == Clock::euler ? state.t + state.t * (state.eta / family.p) : family.exact_clock(state.t, h);
+    const double power_next = std::pow(t_next, family.p);
+    const double damping = state.power / power_next;
+    const Eigen::Index n = now.x.size();
+    double* momentum = state.momentum.data();
+    double* x = now.x.data();
+    const double* gradient = now.gradient.data();
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double kicked = momentum[i] - step * gradient[i];
+      x[i] += state.eta * kicked;
+      momentum[i] = damping * kicked;
+    }
+    // The clock runs ahead of the gradient: these powers depend on nothing that the objective computes, so
+    // that the processor works on both at once.
+    state.t = t_next;
+    state.power = power_next;
+    state.eta = eta(t_next);
+    now.evaluated = false;
+    return Outcome::ok;
+  }
+
+ private:
+  /// P h t^(-s); a division where a general power is not needed.
+  [[nodiscard]] double eta(double t) const {
+    return family.order() * h * (family.is_direct() ? 1.0 / t : std::pow(t, -family.s()));
+  }
+};
+
+}  // namespace avi

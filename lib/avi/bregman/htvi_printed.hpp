@@ -1,0 +1,32 @@
+#pragma once
+#include "avi/bregman/hamiltonian.hpp"
+
+#include <cmath>
+
+/// @file
+/// The HTVI update as the paper prints it, r^t included: what the running form is tested against, and the
+/// form to use when the extended energy is to be seen.
+
+namespace avi {
+
+/// One step of Section 4.3, Type II HTVI with Taylor order 0, on extended phase space:
+///   r_1   = r_0 - h potential(t_0) grad f(q_0),
+///   r^t_1 = [r^t_0 - h (kinetic'(t_0) |r_1|^2 / 2 + potential'(t_0) f(q_0))] / (1 + h monitor'(t_0)),
+///   q_1   = q_0 + h kinetic(t_0) r_1,
+///   t_1   = t_0 + h monitor(t_0).
+///
+/// They are the discrete right Hamilton's equations of H_d^+ = r_1.q_0 + r^t_1 t_0 + h H-bar(q_0, t_0, r_1,
+/// r^t_1). For p_ring = p the denominator is 1 and they are the Direct approach's. The coefficients grow as
+/// t^(2p): bregman/htvi.hpp has the form with half that range.
+template <Objective F>
+void htvi_printed_step(const BregmanFamily& family, const F& f, double h, ExtendedPoint& z) {
+  VectorX gradient(z.q.size());
+  const double value = f(z.q, gradient);
+  z.r -= (h * family.potential(z.t)) * gradient;
+  const double force = 0.5 * family.kinetic_rate(z.t) * dot(z.r, z.r) + family.potential_rate(z.t) * value;
+  z.r_t = (z.r_t - h * force) / (1.0 + h * family.monitor_rate(z.t));
+  z.q += (h * family.kinetic(z.t)) * z.r;
+  z.t += h * family.monitor(z.t);
+}
+
+}  // namespace avi

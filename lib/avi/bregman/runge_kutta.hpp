@@ -1,0 +1,136 @@
+#pragma once
+#include "avi/bregman/family.hpp"
+#include "avi/core/outcome.hpp"
+#include "avi/integrators/embedded_runge_kutta.hpp"
+#include "avi/integrators/tableaus.hpp"
+#include "avi/optim/objective.hpp"
+
+/// @file
+/// Bregman dynamics by explicit Runge-Kutta methods: the paper's non-symplectic baselines (Section 4.4.4).
+/// This folder is where the integrators meet the optimisation loop.
+
+namespace avi {
+
+/// Hamilton's equations of H-bar in fictive time for z = (q, r, t):
+/// q' = kinetic(t) r, r' = -potential(t) grad f(q), t' = monitor(t).
+struct BregmanField {
+  BregmanFamily family;
+  VectorX q, gradient;  ///< Working memory of the objective's calls.
+
+  /// The field where the gradient is known.
+  void operator()(const VectorX& z, const VectorX& gradient_at_q, VectorX& dz) const {
+    const Eigen::Index n = q.size();
+    const double t = z[2 * n];
+    dz.head(n) = family.kinetic(t) * z.segment(n, n);
+    dz.segment(n, n) = -family.potential(t) * gradient_at_q;
+    dz[2 * n] = family.monitor(t);
+  }
+
+  /// The field with a gradient taken from the objective f.
+  template <class F>
+  void evaluate(F& f, const VectorX& z, VectorX& dz) {
+    q = z.head(q.size());
+    f(q, gradient);
+    (*this)(z, gradient, dz);
+  }
+};
+
+/// The initial z at the first iterate.
+inline VectorX bregman_point(const Iterate& first, const BregmanStart& from) {
+  const Eigen::Index n = first.x.size();
+  VectorX z(2 * n + 1);
+  z << first.x, VectorX::Constant(n, from.momentum), from.t;
+  return z;
+}
+
+/// State of a run: z, its stages, and the step to try next.
+template <Tableau T>
+struct BregmanRungeKuttaState {
+  VectorX z;
+  BregmanField field;
+  RungeKuttaStages<T> stages;
+  double h;
+
+  BregmanRungeKuttaState(const Iterate& first, const BregmanFamily& family, const BregmanStart& from,
+                         double step)
+      : z(bregman_point(first, from)), field{.family = family, .q = first.x, .gradient = first.gradient},
+        stages(z.size()), h(step) {}
+
+  /// Makes stages.end the current point.
+  void accept(Iterate& now) {
+    z.swap(stages.end);
+    now.x = z.head(now.x.size());
+    now.evaluated = false;
+  }
+};
+
+/// Fixed fictive step h.
+template <Tableau T>
+struct BregmanRungeKutta {
+  BregmanFamily family;
+  double h = 1e-3;  ///< Finite and positive.
+  BregmanStart from{};
+
+  using State = BregmanRungeKuttaState<T>;
+
+  /// @throws std::invalid_argument for a parameter out of range.
+  State start(const Iterate& first) const {
+    family.validate();
+    from.validate();
+    require_positive("Step size h", h);
+    return {first, family, from, h};
+  }
+
+  template <class F>
+  Outcome update(State& state, Iterate& now, F& f) const {
+    state.field(state.z, now.gradient, state.stages.k[0]);
+    state.stages.advance([&](const VectorX& z, VectorX& dz) { state.field.evaluate(f, z, dz); }, state.z, h);
+    state.accept(now);
+    return Outcome::ok;
+  }
+};
+
+/// Step size under control of the pair's error estimate. An iteration is an accepted step. The gradient of
+/// the last stage, which is taken at the new point, serves the stopping test and the next step.
+template <EmbeddedTableau T>
+struct BregmanEmbedded {
+  BregmanFamily family;
+  StepControl control{};
+  double first_step = 1e-6;  ///< Fictive; finite and positive.
+  BregmanStart from{};
+
+  using State = BregmanRungeKuttaState<T>;
+
+  /// @throws std::invalid_argument for a parameter out of range.
+  State start(const Iterate& first) const {
+    family.validate();
+    from.validate();
+    control.validate();
+    require_positive("First step", first_step);
+    return {first, family, from, first_step};
+  }
+
+  template <class F>
+  Outcome update(State& state, Iterate& now, F& f) const {
+    double last_value = now.value;
+    state.field(state.z, now.gradient, state.stages.k[0]);
+    const bool accepted = controlled_step(
+        state.stages,
+        [&](const VectorX& z, VectorX& dz) {
+          state.field.q = z.head(now.x.size());
+          last_value = f(state.field.q, state.field.gradient);
+          state.field(z, state.field.gradient, dz);
+        },
+        state.z, state.h, control);
+    if (!accepted) return Outcome::not_converged;
+    state.accept(now);
+    if (now.x == state.field.q) {
+      now.value = last_value;
+      now.gradient = state.field.gradient;
+      now.evaluated = true;
+    }
+    return Outcome::ok;
+  }
+};
+
+}  // namespace avi

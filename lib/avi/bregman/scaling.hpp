@@ -1,0 +1,98 @@
+#pragma once
+#include "avi/core/fixed_order.hpp"
+#include "avi/core/require.hpp"
+
+#include <cmath>
+#include <complex>
+
+/// @file
+/// The general Bregman family of Wibisono, Wilson and Jordan (2016): scalings alpha, beta, gamma.
+
+namespace avi {
+
+/// Three functions of time, each a callable generic in its scalar type (double and std::complex<double>).
+template <class Alpha, class Beta, class Gamma>
+struct BregmanScaling {
+  Alpha alpha;
+  Beta beta;
+  Gamma gamma;
+};
+
+/// Derivative of a callable that is analytic, by the complex step Im f(t + i d) / d with d = 1e-30: no
+/// subtraction, so exact to round-off (Squire and Trapp 1998).
+template <class Function>
+double derivative(const Function& f, double t) {
+  constexpr double d = 1e-30;
+  return f(std::complex<double>(t, d)).imag() / d;
+}
+
+/// By how much the ideal scaling conditions of equation (IdealScaling), beta' <= e^alpha and gamma' =
+/// e^alpha, are missed at time t, relative to e^alpha; both entries are 0 up to round-off when they hold.
+struct ScalingDefect {
+  double beta;   ///< max(0, beta' e^-alpha - 1).
+  double gamma;  ///< |gamma' e^-alpha - 1|.
+};
+
+template <class A, class B, class G>
+ScalingDefect ideal_scaling_defect(const BregmanScaling<A, B, G>& scaling, double t) {
+  const double rate = std::exp(scaling.alpha(t));
+  return {.beta = std::max(0.0, derivative(scaling.beta, t) / rate - 1.0),
+          .gamma = std::abs(derivative(scaling.gamma, t) / rate - 1.0)};
+}
+
+/// @throws std::invalid_argument unless the ideal scaling conditions hold at t to the relative tolerance.
+template <class A, class B, class G>
+void require_ideal_scaling(const BregmanScaling<A, B, G>& scaling, double t, double tolerance = 1e-12) {
+  const auto [beta, gamma] = ideal_scaling_defect(scaling, t);
+  require(beta <= tolerance, "Excess of beta' over e^alpha", beta, "0: the ideal scaling conditions");
+  require(gamma <= tolerance, "Defect of gamma' = e^alpha", gamma, "0: the ideal scaling conditions");
+}
+
+/// The polynomial scaling of order p, equation (AlphaBetaGamma): alpha = log p - log t,
+/// beta = p log t + log C, gamma = p log t. @throws std::invalid_argument unless p > 0 and C > 0.
+inline auto polynomial_scaling(double p, double C) {
+  require_positive("Order p", p);
+  require_positive("Weight C", C);
+  return BregmanScaling{.alpha =
+                            [p](auto t) {
+                              using std::log;
+                              return std::log(p) - log(t);
+                            },
+                        .beta =
+                            [p, C](auto t) {
+                              using std::log;
+                              return p * log(t) + std::log(C);
+                            },
+                        .gamma =
+                            [p](auto t) {
+                              using std::log;
+                              return p * log(t);
+                            }};
+}
+
+/// The scaling after the time change y(t) = x(tau(t)), equation (TimeDilationTransformation):
+/// alpha(tau) + log tau', beta(tau), gamma(tau). `tau` and `tau_rate` are generic callables.
+template <class A, class B, class G, class Tau, class Rate>
+auto dilate(const BregmanScaling<A, B, G>& scaling, Tau tau, Rate tau_rate) {
+  return BregmanScaling{.alpha =
+                            [a = scaling.alpha, tau, tau_rate](auto t) {
+                              using std::log;
+                              return a(tau(t)) + log(tau_rate(t));
+                            },
+                        .beta = [b = scaling.beta, tau](auto t) { return b(tau(t)); },
+                        .gamma = [g = scaling.gamma, tau](auto t) { return g(tau(t)); }};
+}
+
+/// The Bregman Hamiltonian (BregmanHGeneral) of the Euclidean norm, h = |x|^2 / 2, where the divergence of
+/// h* is |e^-gamma r|^2 / 2:
+///   H(x, r, t) = e^(alpha + gamma) [ e^(-2 gamma) |r|^2 / 2 + e^beta f(x) ],  `value` = f(x).
+/// (The paper's display for the polynomial family has t^p r inside the divergence; e^-gamma r = t^-p r is
+/// meant, and its next equation agrees with that.)
+template <class A, class B, class G>
+double bregman_hamiltonian(const BregmanScaling<A, B, G>& scaling, double value, const VectorX& r, double t) {
+  const double gamma = scaling.gamma(t);
+  return std::exp(scaling.alpha(t) + gamma) *
+         (0.5 * std::exp(-2.0 * gamma) * dot(r, r) + std::exp(scaling.beta(t)) * value);
+}
+
+}  // namespace avi

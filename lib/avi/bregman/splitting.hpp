@@ -1,0 +1,53 @@
+#pragma once
+#include "avi/bregman/family.hpp"
+#include "avi/core/outcome.hpp"
+#include "avi/optim/objective.hpp"
+
+/// @file
+/// The symmetric Hamiltonian splitting of Betancourt, Jordan and Wilson (2018) for Bregman dynamics.
+
+namespace avi {
+
+/// Half a step of the clock, half a kick, a drift, half a kick, half a step of the clock; t^s advances
+/// exactly. Both kicks and the drift take their coefficients at the middle time. One gradient a step: the
+/// closing kick's is the next opening kick's.
+///
+/// r^t is not evolved. The printed update of r^t does not belong to these steps (it is not symplectic on
+/// extended phase space); three_flow_step in bregman/extended_splitting.hpp has the same q, r, t with the r^t
+/// that does.
+struct BregmanSplitting {
+  BregmanFamily family;
+  double h = 1e-3;  ///< Fictive step, finite and positive.
+  BregmanStart from{};
+
+  struct State {
+    VectorX r;
+    double t = 1.0;
+    double closing_kick = 0.0;  ///< Factor of the gradient that the last step still owes r.
+  };
+
+  /// @throws std::invalid_argument for a parameter out of range.
+  State start(const Iterate& first) const {
+    family.validate();
+    from.validate();
+    require_positive("Step size h", h);
+    return {.r = VectorX::Constant(first.x.size(), from.momentum), .t = from.t};
+  }
+
+  template <class F>
+  Outcome update(State& state, Iterate& now, F&) const {
+    const double middle = family.exact_clock(state.t, 0.5 * h);
+    const double kick = 0.5 * h * family.potential(middle), drift = h * family.kinetic(middle);
+    for (Eigen::Index i = 0; i < now.x.size(); ++i) {
+      state.r[i] -= state.closing_kick * now.gradient[i];
+      state.r[i] -= kick * now.gradient[i];
+      now.x[i] += drift * state.r[i];
+    }
+    state.closing_kick = kick;
+    state.t = family.exact_clock(middle, 0.5 * h);
+    now.evaluated = false;
+    return Outcome::ok;
+  }
+};
+
+}  // namespace avi

@@ -1,0 +1,39 @@
+#pragma once
+#include "avi/core/vector.hpp"
+
+#include <cmath>
+
+/// @file
+/// Sums whose order of addition is fixed in the source.
+///
+/// Eigen's reductions add in the order of the machine's vector width, so that the same program gives another
+/// last bit with and without -march=native. Iteration counts of accelerated methods feel that bit; here the
+/// order is eight partial sums, added as a tree, whatever the compiler does with them. Element-wise Eigen
+/// expressions of +, - and * need no such care; its packet square root does (it is not correctly rounded on
+/// AVX-512), so the library takes roots one by one with std::sqrt.
+
+namespace avi {
+
+/// Vector whose size is known only at run time.
+using VectorX = Vector<double, dynamic>;
+
+/// Inner product of two arrays of n entries, the same to the last bit on every machine.
+inline double dot(const double* a, const double* b, Eigen::Index n) {
+  constexpr Eigen::Index lanes = 8;
+  double sum[lanes] = {};
+  Eigen::Index i = 0;
+  for (; i + lanes <= n; i += lanes)
+    for (Eigen::Index lane = 0; lane < lanes; ++lane)
+      sum[lane] += a[i + lane] * b[i + lane];
+  for (Eigen::Index lane = 0; i < n; ++i, ++lane)
+    sum[lane] += a[i] * b[i];
+  return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+}
+
+/// Inner product of two vectors of equal size.
+inline double dot(const VectorX& a, const VectorX& b) { return dot(a.data(), b.data(), a.size()); }
+
+/// Euclidean norm.
+inline double norm(const VectorX& a) { return std::sqrt(dot(a, a)); }
+
+}  // namespace avi

@@ -1,0 +1,68 @@
+#pragma once
+#include "avi/core/fixed_order.hpp"
+
+#include <concepts>
+
+/// @file
+/// What is minimised, and the counting of its evaluations.
+
+namespace avi {
+
+/// A differentiable function: f(x, gradient) returns the value and fills the gradient, both of the size of x.
+/// A member f.value(x) is used, where there is one, when only the value is asked for.
+template <class F>
+concept Objective = requires(const F& f, const VectorX& x, VectorX& gradient) {
+  { f(x, gradient) } -> std::convertible_to<double>;
+};
+
+/// The objective as methods see it: every value and every gradient that anyone asks for is counted here,
+/// whatever it is asked for.
+template <Objective F>
+class Counted {
+ public:
+  long values = 0;     ///< Function values so far.
+  long gradients = 0;  ///< Gradients so far.
+
+  /// Keeps a reference: the objective must outlive the counter.
+  Counted(const F& f, Eigen::Index size) : f_(f), unused_(size) {}
+
+  /// Value at x; the gradient goes to `gradient`.
+  double operator()(const VectorX& x, VectorX& gradient) {
+    ++values;
+    ++gradients;
+    return f_(x, gradient);
+  }
+
+  /// Value at x alone. It costs a gradient too when the objective has no member value(x).
+  double value(const VectorX& x) {
+    if constexpr (requires { f_.value(x); }) {
+      ++values;
+      return f_.value(x);
+    } else {
+      return (*this)(x, unused_);
+    }
+  }
+
+ private:
+  const F& f_;
+  VectorX unused_;
+};
+
+/// A point with the value and gradient of the objective there.
+struct Iterate {
+  VectorX x;
+  VectorX gradient;
+  double value = 0.0;
+  /// True when value and gradient belong to x. A method that moves x without evaluating there clears it, and
+  /// the loop evaluates.
+  bool evaluated = false;
+
+  /// Makes value and gradient belong to x.
+  template <class F>
+  void evaluate(F& f) {
+    value = f(x, gradient);
+    evaluated = true;
+  }
+};
+
+}  // namespace avi

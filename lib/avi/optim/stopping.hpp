@@ -1,0 +1,47 @@
+#pragma once
+#include "avi/core/outcome.hpp"
+#include "avi/core/require.hpp"
+#include "avi/optim/objective.hpp"
+
+#include <cmath>
+
+/// @file
+/// When a minimisation ends, and what it tells its caller.
+
+namespace avi {
+
+/// End of a run after iteration k: |f(x_k) - f(x_{k-1})| < delta and |grad f(x_k)|_2 < delta (the paper's
+/// termination criterion, Section 4.4), or the cap, or the run has left every bound.
+struct Stopping {
+  double delta = 1e-10;          ///< At least 0; with 0 the test never holds and the run goes on to the cap.
+  long iterations = 10'000'000;  ///< Cap on updates, at least 1.
+  /// The run has diverged when f exceeds growth max(1, |f(x_0)|), or an entry of x exceeds
+  /// growth max(1, |x_0|_inf). At least 1.
+  double growth = 1e30;
+
+  /// @throws std::invalid_argument for values outside the ranges above.
+  void validate() const {
+    require(std::isfinite(delta) && delta >= 0.0, "Tolerance delta", delta, "finite and at least 0");
+    require(iterations >= 1, "Cap on iterations", iterations, "at least 1");
+    require(growth >= 1.0, "Growth that counts as divergence", growth, "at least 1");
+  }
+
+  /// The termination criterion; `change` is f(x_k) - f(x_{k-1}).
+  [[nodiscard]] bool holds(double change, const Iterate& at) const {
+    return std::abs(change) < delta && norm(at.gradient) < delta;
+  }
+};
+
+/// What a minimisation tells its caller. Outcome::ok means converged.
+struct Minimisation {
+  Outcome outcome = Outcome::step_limit;
+  long iterations = 0;            ///< Updates made.
+  long gradient_evaluations = 0;  ///< All of them, those of the stopping test included.
+  long function_evaluations = 0;
+  Iterate last;         ///< The last iterate.
+  std::string message;  ///< Empty when converged; else one sentence with iteration and reason.
+
+  [[nodiscard]] bool converged() const { return outcome == Outcome::ok; }
+};
+
+}  // namespace avi
