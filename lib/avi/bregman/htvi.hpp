@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/bregman/family.hpp"
 #include "avi/core/outcome.hpp"
+#include "avi/core/power.hpp"
 #include "avi/optim/objective.hpp"
 
 /// @file
@@ -51,6 +52,7 @@ struct BregmanHtvi {
     const double step = state.eta * family.C * state.power;
     const double t_next =
         clock == Clock::euler ? state.t + state.t * (state.eta / family.p) : family.exact_clock(state.t, h);
+    // The library's power, not repeated multiplication: its last bit decides some published counts.
     const double power_next = std::pow(t_next, family.p);
     const double damping = state.power / power_next;
     const Eigen::Index n = now.x.size();
@@ -74,7 +76,7 @@ struct BregmanHtvi {
  private:
   /// P h t^(-s); a division where a general power is not needed.
   [[nodiscard]] double eta(double t) const {
-    return family.order() * h * (family.is_direct() ? 1.0 / t : std::pow(t, -family.s()));
+    return family.order() * h * (family.is_direct() ? 1.0 / t : avi::power(t, -family.s()));
   }
 };
 

@@ -114,7 +114,7 @@ struct BregmanEmbedded {
   Outcome update(State& state, Iterate& now, F& f) const {
     double last_value = now.value;
     state.field(state.z, now.gradient, state.stages.k[0]);
-    const bool accepted = controlled_step(
+    const double taken = controlled_step(
         state.stages,
         [&](const VectorX& z, VectorX& dz) {
           state.field.q = z.head(now.x.size());
@@ -122,7 +122,7 @@ struct BregmanEmbedded {
           state.field(z, state.field.gradient, dz);
         },
         state.z, state.h, control);
-    if (!accepted) return Outcome::not_converged;
+    if (taken == 0.0) return Outcome::not_converged;
     state.accept(now);
     if (now.x == state.field.q) {
       now.value = last_value;

@@ -54,23 +54,25 @@ double step_factor(double error, const StepControl& control) {
   return std::clamp(control.safety * std::pow(error, -exponent), control.shrink, control.grow);
 }
 
-/// Takes one accepted step from z, where stages.k[0] = F(z), and leaves the step to try next in h. After
-/// `true`, stages.end is the new point; `false` means that the cap on rejections was met.
+/// Takes one accepted step from z, where stages.k[0] = F(z), beginning with a trial of size h, and leaves in
+/// h the size to try next. stages.end is the new point. Returns the size of the step taken, or 0 when the cap
+/// on rejections was met.
 template <EmbeddedTableau T, class Field>
-bool controlled_step(RungeKuttaStages<T>& stages, Field&& field, const VectorX& z, double& h,
-                     const StepControl& control) {
+double controlled_step(RungeKuttaStages<T>& stages, Field&& field, const VectorX& z, double& h,
+                       const StepControl& control) {
   for (int trial = 0; trial <= control.rejections; ++trial) {
     stages.advance(field, z, h);
     const double error = scaled_error(stages, z, h, control);
     const double factor = step_factor<T>(error, control);
     if (error <= 1.0) {
       // No growth right after a rejection: the estimate there is at its least reliable.
+      const double taken = h;
       h *= trial > 0 ? std::min(factor, 1.0) : factor;
-      return true;
+      return taken;
     }
     h *= std::min(factor, 0.9);
   }
-  return false;
+  return 0.0;
 }
 
 }  // namespace avi

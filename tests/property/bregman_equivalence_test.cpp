@@ -1,0 +1,167 @@
+#include "avi/adaptive/poincare.hpp"
+#include "avi/bregman/cloning.hpp"
+#include "avi/bregman/cloning_printed.hpp"
+#include "avi/bregman/extended_splitting.hpp"
+#include "avi/bregman/htvi.hpp"
+#include "avi/bregman/htvi_printed.hpp"
+#include "avi/bregman/splitting.hpp"
+#include "avi/core/power.hpp"
+#include "avi/htvi/quadrature.hpp"
+#include "avi/htvi/type2.hpp"
+#include "avi/optim/minimise.hpp"
+#include "avi/problems/correlated_quartic.hpp"
+
+#include <gtest/gtest.h>
+
+// Two ways to the same iterates, written from different formulas, must agree to round-off.
+
+using avi::BregmanFamily;
+using avi::CorrelatedQuartic;
+using avi::ExtendedPoint;
+using avi::VectorX;
+
+namespace {
+
+const BregmanFamily families[] = {BregmanFamily::direct(4.0), BregmanFamily::direct(2.5, 0.3),
+                                  BregmanFamily::adaptive(4.0, 1.0), BregmanFamily::adaptive(10.0, 0.5)};
+
+/// Step that keeps the first steps from the paper's start well below the limit of stability.
+double step(const BregmanFamily& family) { return 2e-3 / family.order(); }
+
+/// Largest distance between the iterates of a method and of extended steps, relative to |x|.
+double largest_distance(const auto& method, const auto& extended_step, const BregmanFamily& family, double h,
+                        long steps) {
+  const CorrelatedQuartic f;
+  ExtendedPoint z = avi::bregman_start(family, f, f.start());
+  double worst = 0.0;
+  avi::minimise(f, method, f.start(), {.delta = 0.0, .iterations = steps},
+                [&](const avi::Iterate& at, long k, long) {
+                  if (k > 0) extended_step(family, f, h, z);
+                  worst = std::max(worst, (at.x - z.q).norm() / at.x.norm());
+                });
+  return worst;
+}
+
+TEST(Htvi, MomentumFormIsThePrintedForm) {
+  for (const auto& family : families) {
+    const double h = step(family);
+    const auto printed = [](auto&&... arguments) { avi::htvi_printed_step(arguments...); };
+    // Rounding differs in the last bit, and the dynamics amplifies it.
+    EXPECT_LT(largest_distance(avi::BregmanHtvi{.family = family, .h = h}, printed, family, h, 10), 5e-15);
+    EXPECT_LT(largest_distance(avi::BregmanHtvi{.family = family, .h = h}, printed, family, h, 1000), 1e-11);
+    // The control: another weight C is seen at once.
+    auto other = family;
+    other.C *= 1.001;
+    EXPECT_GT(largest_distance(avi::BregmanHtvi{.family = other, .h = h}, printed, family, h, 1000), 1e-7);
+  }
+}
+
+TEST(Splitting, ThreeFlowsAndPrintedUpdateShareTheirIterates) {
+  for (const auto& family : families) {
+    const double h = step(family);
+    const avi::BregmanSplitting method{.family = family, .h = h};
+    const auto printed = [](auto&&... arguments) { avi::splitting_printed_step(arguments...); };
+    const auto flows = [](auto&&... arguments) { avi::three_flow_step(arguments...); };
+    EXPECT_LT(largest_distance(method, printed, family, h, 500), 1e-13);
+    EXPECT_LT(largest_distance(method, flows, family, h, 500), 1e-13);
+  }
+}
+
+TEST(Cloning, TheCopyThatIsReadNeverSeesTheOther) {
+  const CorrelatedQuartic f;
+  using avi::Composition;
+  const long gradients[] = {3, 7, 19}, useful[] = {1, 3, 9};
+  for (const auto& family : families)
+    for (const auto composition : {Composition::strang, Composition::yoshida4, Composition::yoshida6}) {
+      const avi::Stopping stopping{.delta = 0.0, .iterations = 50};
+      const double h = 0.3 * step(family);
+      const auto decoupled = avi::minimise(
+          f, avi::BregmanCloning{.family = family, .h = h, .composition = composition}, f.start(), stopping);
+      for (double sign : {-1.0, 1.0}) {
+        const avi::BregmanCloningPrinted both{
+            .family = family, .h = h, .composition = composition, .clone_sign = sign};
+        const auto run = avi::minimise(f, both, f.start(), stopping);
+        EXPECT_EQ(run.last.x, decoupled.last.x) << avi::clone_name(composition);
+        const auto which = static_cast<std::size_t>(composition);
+        // One more an iteration is the stopping test's; one at the start.
+        EXPECT_EQ(run.gradient_evaluations, 1 + 50 * (gradients[which] + 1));
+        EXPECT_EQ(decoupled.gradient_evaluations, 1 + 50 * (useful[which] + 1));
+      }
+    }
+}
+
+/// The extended Hamiltonian as a user of the generic machinery would write it: q = (x, t), p = (r, r^t).
+template <int d>
+struct Extended {
+  BregmanFamily family;
+
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    using S = typename Q::Scalar;
+    const S t = q[d];
+    S form(0.0), square(0.0);
+    for (int i = 0; i < d; ++i) {
+      square += p[i] * p[i];
+      for (int j = 0; j < d; ++j)
+        form += std::pow(0.9, std::abs(i - j)) * ((q[i] - 1.0) * (q[j] - 1.0));
+    }
+    const double s = family.s(), P0 = family.order();
+    return (0.5 * P0) * (avi::power(t, -family.p - s) * square) +
+           (family.C * P0) * (avi::power(t, 2.0 * family.p - s) * (form * form)) +
+           (1.0 / s) * (avi::power(t, 1.0 - s) * p[d]);
+  }
+};
+
+TEST(Htvi, GenericMachineryOfOrderZeroGivesTheExplicitUpdate) {
+  constexpr int d = 3;
+  const CorrelatedQuartic f(d, 0.9);
+  for (const auto& family : families) {
+    ExtendedPoint z = avi::bregman_start(family, f, Eigen::Vector3d(1.4, 0.7, 2.0));
+    z.t = 1.1;
+    avi::State<d + 1> start;
+    for (int i = 0; i < d; ++i)
+      start.q[i] = z.q[i], start.p[i] = z.r[i];
+    start.q[d] = z.t;
+    start.p[d] = z.r_t;
+    const auto problem = avi::poincare<d + 1>(Extended<d>{family}, start);
+    const double h = step(family);
+    // Every rule gives the same integrator when the Taylor order is 0.
+    for (const auto& rule : {avi::rectangle_left(), avi::simpson(), avi::gauss(3)}) {
+      auto method = avi::type2<0, avi::printed>(problem, rule);
+      auto generic = start;
+      auto explicit_update = z;
+      for (int k = 0; k < 20; ++k) {
+        const auto report = method.step(generic, h);
+        ASSERT_EQ(report.outcome, avi::Outcome::ok) << rule.name;
+        avi::htvi_printed_step(family, f, h, explicit_update);
+      }
+      const auto expect_equal = [&](double a, double b) {
+        EXPECT_NEAR(a / b, 1.0, 1e-13) << rule.name << family.p << " " << family.p_ring;
+      };
+      for (int i = 0; i < d; ++i) {
+        expect_equal(generic.q[i], explicit_update.q[i]);
+        expect_equal(generic.p[i], explicit_update.r[i]);
+      }
+      expect_equal(generic.q[d], explicit_update.t);
+      expect_equal(generic.p[d], explicit_update.r_t);
+    }
+  }
+}
+
+TEST(Htvi, AdaptiveWithTheExactClockIsDirectOfOrderP) {
+  // The coefficients are those of Direct with P = p^2/p_ring in tau, and with the exact clock tau advances by
+  // h in both, so the iterates agree; Euler's clock is all that tells the two approaches apart.
+  const CorrelatedQuartic f;
+  const auto adaptive = BregmanFamily::adaptive(4.0, 1.0);
+  const auto direct = BregmanFamily::direct(16.0);
+  const double h = 2e-4;
+  const avi::Stopping stopping{.delta = 0.0, .iterations = 2000};
+  const auto exact = avi::minimise(
+      f, avi::BregmanHtvi{.family = adaptive, .h = h, .clock = avi::Clock::exact}, f.start(), stopping);
+  const auto same = avi::minimise(f, avi::BregmanHtvi{.family = direct, .h = h}, f.start(), stopping);
+  const auto euler = avi::minimise(f, avi::BregmanHtvi{.family = adaptive, .h = h}, f.start(), stopping);
+  EXPECT_LT((exact.last.x - same.last.x).norm(), 1e-11);
+  EXPECT_GT((euler.last.x - same.last.x).norm(), 1e-5);
+}
+
+}  // namespace

@@ -1,0 +1,172 @@
+#include "avi/bregman/extended_splitting.hpp"
+#include "avi/bregman/htvi.hpp"
+#include "avi/bregman/runge_kutta.hpp"
+#include "avi/bregman/scaling.hpp"
+#include "avi/optim/minimise.hpp"
+#include "avi/problems/correlated_quartic.hpp"
+
+#include <gtest/gtest.h>
+
+using avi::BregmanFamily;
+using avi::CorrelatedQuartic;
+using avi::ExtendedPoint;
+using avi::VectorX;
+
+namespace {
+
+TEST(BregmanFamily, CoefficientsAreThePrintedOnes) {
+  for (double t : {0.5, 1.0, 3.0}) {
+    const double p = 4.0, q = 0.5, C = 0.3;
+    const auto a = BregmanFamily::adaptive(p, q, C);
+    EXPECT_DOUBLE_EQ(a.kinetic(t), p * p / q * std::pow(t, -p - q / p));
+    EXPECT_DOUBLE_EQ(a.potential(t), C * p * p / q * std::pow(t, 2 * p - q / p));
+    EXPECT_DOUBLE_EQ(a.monitor(t), p / q * std::pow(t, 1 - q / p));
+    const auto d = BregmanFamily::direct(p, C);
+    EXPECT_DOUBLE_EQ(d.kinetic(t), p / std::pow(t, p + 1));
+    EXPECT_DOUBLE_EQ(d.potential(t), C * p * std::pow(t, 2 * p - 1));
+    EXPECT_DOUBLE_EQ(d.monitor(t), 1.0);
+  }
+}
+
+TEST(BregmanFamily, RatesAreDerivatives) {
+  const auto family = BregmanFamily::adaptive(6.0, 1.5, 0.2);
+  const double t = 1.7, d = 1e-4;
+  const auto slope = [&](auto member) {
+    const auto at = [&](double x) { return (family.*member)(t + x); };
+    return (8.0 * (at(d) - at(-d)) - (at(2 * d) - at(-2 * d))) / (12.0 * d);
+  };
+  EXPECT_NEAR(slope(&BregmanFamily::kinetic) / family.kinetic_rate(t), 1.0, 1e-10);
+  EXPECT_NEAR(slope(&BregmanFamily::potential) / family.potential_rate(t), 1.0, 1e-10);
+  EXPECT_NEAR(slope(&BregmanFamily::monitor) / family.monitor_rate(t), 1.0, 1e-10);
+}
+
+TEST(BregmanFamily, ExactClockSolvesTheClockEquation) {
+  const auto family = BregmanFamily::adaptive(4.0, 0.5);
+  double t = 1.3;
+  const double expected = family.exact_clock(t, 0.1);
+  for (int k = 0; k < 1000; ++k) {  // classical Runge-Kutta
+    const double h = 1e-4, a = family.monitor(t), b = family.monitor(t + 0.5 * h * a),
+                 c = family.monitor(t + 0.5 * h * b), e = family.monitor(t + h * c);
+    t += h / 6.0 * (a + 2.0 * b + 2.0 * c + e);
+  }
+  EXPECT_NEAR(t, expected, 1e-12);
+}
+
+TEST(BregmanFamily, AdaptiveIsTheBregmanSystemOfOrderPSquaredOverPRing) {
+  // In tau = t^(p_ring/p) the coefficients are those of the Direct system of order P = p^2/p_ring.
+  const auto adaptive = BregmanFamily::adaptive(4.0, 0.5, 0.3);
+  const auto direct = BregmanFamily::direct(adaptive.order(), 0.3);
+  EXPECT_EQ(adaptive.order(), 32.0);
+  for (double tau : {0.9, 1.0, 1.2}) {
+    const double t = std::pow(tau, 1.0 / adaptive.s());
+    EXPECT_NEAR(adaptive.kinetic(t) / direct.kinetic(tau), 1.0, 1e-13);
+    EXPECT_NEAR(adaptive.potential(t) / direct.potential(tau), 1.0, 1e-13);
+    EXPECT_NEAR(adaptive.monitor(t) * adaptive.s() * std::pow(t, adaptive.s() - 1.0), 1.0, 1e-13);
+  }
+}
+
+TEST(BregmanScaling, PolynomialFamilyIsIdealAndItsHamiltonianTheDirectOne) {
+  const double p = 3.0, C = 0.4;
+  const auto scaling = avi::polynomial_scaling(p, C);
+  const auto family = BregmanFamily::direct(p, C);
+  const VectorX r = Eigen::Vector3d(0.3, -1.0, 2.0);
+  for (double t : {0.3, 1.0, 7.0}) {
+    EXPECT_NO_THROW(avi::require_ideal_scaling(scaling, t));
+    EXPECT_NEAR(avi::bregman_hamiltonian(scaling, 1.7, r, t) /
+                    (0.5 * family.kinetic(t) * avi::dot(r, r) + family.potential(t) * 1.7),
+                1.0, 1e-13);
+  }
+}
+
+TEST(BregmanScaling, RefusesWhatIsNotIdeal) {
+  const auto fast = avi::BregmanScaling{.alpha = [](auto t) { return 0.0 * t; },
+                                        .beta = [](auto t) { return 2.0 * t; },
+                                        .gamma = [](auto t) { return t; }};
+  EXPECT_NEAR(avi::ideal_scaling_defect(fast, 1.0).beta, 1.0, 1e-14);
+  EXPECT_NEAR(avi::ideal_scaling_defect(fast, 1.0).gamma, 0.0, 1e-14);
+  EXPECT_THROW(avi::require_ideal_scaling(fast, 1.0), std::invalid_argument);
+}
+
+TEST(BregmanScaling, TimeDilationMovesWithinTheFamily) {
+  // y(t) = x(t^k) of the order p system obeys the order k p system (theorem TimeDilation).
+  const double k = 0.25;
+  const auto slow = avi::dilate(
+      avi::polynomial_scaling(4.0, 0.4),
+      [k](auto t) {
+        using std::pow;
+        return pow(t, k);
+      },
+      [k](auto t) {
+        using std::pow;
+        return k * pow(t, k - 1.0);
+      });
+  const auto expected = avi::polynomial_scaling(4.0 * k, 0.4);
+  for (double t : {0.4, 1.0, 5.0}) {
+    EXPECT_NEAR(slow.alpha(t), expected.alpha(t), 1e-14);
+    EXPECT_NEAR(slow.beta(t), expected.beta(t), 1e-14);
+    EXPECT_NEAR(slow.gamma(t), expected.gamma(t), 1e-14);
+    EXPECT_NO_THROW(avi::require_ideal_scaling(slow, t));
+  }
+}
+
+TEST(ExtendedPhaseSpace, StartLiesOnTheZeroLevelAndFlowsKeepTheirTerms) {
+  const CorrelatedQuartic f(5, 0.9);
+  const auto family = BregmanFamily::adaptive(4.0, 1.0);
+  auto z = avi::bregman_start(family, f, VectorX::Constant(5, 1.5));
+  EXPECT_NEAR(avi::bregman_energy(family, f, z), 0.0, 1e-14 * std::abs(z.r_t));
+  const auto clock = [&] { return family.monitor(z.t) * z.r_t; };
+  const double before = clock();
+  avi::clock_flow(family, 0.1, z);
+  EXPECT_NEAR(clock() / before, 1.0, 1e-14);
+  EXPECT_NEAR(std::pow(z.t, family.s()), 1.1, 1e-14);
+}
+
+TEST(ExtendedPhaseSpace, ThreeFlowsConvergeToTheDynamicsWithOrderTwo) {
+  // The extended energy vanishes along the exact solution; the error of one integration is O(h^2).
+  const CorrelatedQuartic f(5, 0.9);
+  const auto family = BregmanFamily::adaptive(2.0, 1.0);
+  double error[3];
+  for (int i = 0; i < 3; ++i) {
+    auto z = avi::bregman_start(family, f, VectorX::Constant(5, 1.5));
+    const int steps = 200 << i;
+    for (int k = 0; k < steps; ++k)
+      avi::three_flow_step(family, f, 0.2 / steps, z);
+    error[i] = std::abs(avi::bregman_energy(family, f, z));
+  }
+  EXPECT_NEAR(std::log2(error[0] / error[1]), 2.0, 0.05);
+  EXPECT_NEAR(std::log2(error[1] / error[2]), 2.0, 0.05);
+}
+
+TEST(Bregman, RefusesBadInput) {
+  const CorrelatedQuartic f(2);
+  const VectorX x0 = f.start();
+  EXPECT_THROW(BregmanFamily::direct(0.0), std::invalid_argument);
+  EXPECT_THROW(BregmanFamily::direct(-1.0), std::invalid_argument);
+  EXPECT_THROW(BregmanFamily::direct(std::nan("")), std::invalid_argument);
+  EXPECT_THROW(BregmanFamily::direct(2.0, 0.0), std::invalid_argument);
+  EXPECT_THROW(BregmanFamily::adaptive(2.0, 0.0), std::invalid_argument);
+  EXPECT_THROW(BregmanFamily::adaptive(2.0, -1.0), std::invalid_argument);
+  EXPECT_THROW(BregmanFamily::adaptive(2.0, 2.1), std::invalid_argument);
+  EXPECT_NO_THROW(BregmanFamily::adaptive(2.0, 2.0));
+  try {
+    BregmanFamily::adaptive(2.0, 3.0);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "Parameter p_ring is 3; it must be positive and at most p.");
+  }
+  const auto family = BregmanFamily::direct(2.0);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (double h : {0.0, -1.0, infinity, std::nan("")})
+    EXPECT_THROW(avi::minimise(f, avi::BregmanHtvi{.family = family, .h = h}, x0), std::invalid_argument);
+  for (double t : {0.0, -1.0, infinity, std::nan("")})
+    EXPECT_THROW(avi::minimise(f, avi::BregmanHtvi{.family = family, .from = {.t = t}}, x0),
+                 std::invalid_argument);
+  EXPECT_THROW(avi::minimise(f, avi::BregmanHtvi{.family = {.p = -1.0}}, x0), std::invalid_argument);
+  using Pair = avi::BregmanEmbedded<avi::DormandPrince>;
+  EXPECT_THROW(avi::minimise(f, Pair{.family = family, .control = {.rtol = 0.0}}, x0), std::invalid_argument);
+  EXPECT_THROW(avi::minimise(f, Pair{.family = family, .control = {.atol = -1.0}}, x0),
+               std::invalid_argument);
+  EXPECT_THROW(avi::minimise(f, Pair{.family = family, .first_step = 0.0}, x0), std::invalid_argument);
+}
+
+}  // namespace

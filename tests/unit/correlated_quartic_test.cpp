@@ -1,0 +1,84 @@
+#include "avi/problems/correlated_quartic.hpp"
+
+#include <gtest/gtest.h>
+
+using avi::CorrelatedQuartic;
+using avi::VectorX;
+
+namespace {
+
+VectorX wave(Eigen::Index n) {
+  VectorX x(n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    x[i] = 1.0 + std::sin(1.7 * static_cast<double>(i) + 0.3);
+  return x;
+}
+
+Eigen::MatrixXd correlation(Eigen::Index n, double rho) {
+  Eigen::MatrixXd sigma(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j)
+      sigma(i, j) = std::pow(rho, std::abs(i - j));
+  return sigma;
+}
+
+TEST(FixedOrder, DotIsTheSumOfProductsInEightLanes) {
+  for (Eigen::Index n : {1, 7, 8, 9, 50, 1000}) {
+    const VectorX a = wave(n), b = 2.0 * wave(n).reverse();
+    EXPECT_NEAR(avi::dot(a, b), a.dot(b), 1e-13 * static_cast<double>(n));
+  }
+  // The order is fixed: lane 0 adds entries 0 and 8 before lane 1 is added.
+  VectorX a = VectorX::Zero(9);
+  a[0] = 1e17, a[1] = 1.0, a[8] = -1e17;
+  EXPECT_EQ(avi::dot(a, VectorX::Ones(9)), 1.0);
+}
+
+TEST(CorrelatedQuartic, RecurrencesAreTheDenseProduct) {
+  for (double rho : {0.9, -0.5, 0.0, 0.999}) {
+    for (Eigen::Index n : {1, 2, 50, 301}) {
+      const VectorX y = wave(n);
+      VectorX z(n);
+      avi::multiply_by_correlation(rho, y, z);
+      const VectorX dense = correlation(n, rho) * y;
+      EXPECT_LT((z - dense).cwiseAbs().maxCoeff(),
+                1e-15 * static_cast<double>(n + 10) * (1.0 + dense.norm()));
+    }
+  }
+}
+
+TEST(CorrelatedQuartic, GradientIsThatOfTheValue) {
+  const CorrelatedQuartic f(50, 0.9);
+  const VectorX x = wave(50);
+  VectorX g(50);
+  const double value = f(x, g);
+  EXPECT_EQ(value, f.value(x));
+  const VectorX y = x.array() - 1.0;
+  EXPECT_NEAR(value, std::pow(y.dot(correlation(50, 0.9) * y), 2), 1e-12 * value);
+  for (Eigen::Index i : {0, 1, 24, 49}) {
+    const double d = 1e-3;
+    const auto at = [&](double shift) {
+      VectorX moved = x;
+      moved[i] += shift;
+      return f.value(moved);
+    };
+    const double slope = (8.0 * (at(d) - at(-d)) - (at(2 * d) - at(-2 * d))) / (12.0 * d);
+    EXPECT_NEAR(slope, g[i], 1e-8 * g.norm());
+  }
+}
+
+TEST(CorrelatedQuartic, KnowsItsMinimum) {
+  const CorrelatedQuartic f(50, 0.9);
+  VectorX g(50);
+  EXPECT_EQ(f(f.minimiser(), g), CorrelatedQuartic::minimum);
+  EXPECT_EQ(g.norm(), 0.0);
+  EXPECT_GT(f.value(wave(50)), 0.0);
+}
+
+TEST(CorrelatedQuartic, RefusesBadInput) {
+  EXPECT_THROW(CorrelatedQuartic(0), std::invalid_argument);
+  EXPECT_THROW(CorrelatedQuartic(5, 1.0), std::invalid_argument);
+  EXPECT_THROW(CorrelatedQuartic(5, std::nan("")), std::invalid_argument);
+  EXPECT_THROW((void)CorrelatedQuartic(5).value(VectorX::Ones(4)), std::invalid_argument);
+}
+
+}  // namespace

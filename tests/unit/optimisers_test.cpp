@@ -1,0 +1,114 @@
+#include "avi/optim/adagrad.hpp"
+#include "avi/optim/adam.hpp"
+#include "avi/optim/gradient_descent.hpp"
+#include "avi/optim/minimise.hpp"
+#include "avi/optim/nag.hpp"
+#include "avi/optim/rmsprop.hpp"
+#include "avi/optim/trust_region.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+using avi::minimise;
+using avi::VectorX;
+
+namespace {
+
+/// f = (x^2 + 4 y^2) / 2.
+double ellipse(const VectorX& x, VectorX& g) {
+  g = VectorX(x.cwiseProduct(Eigen::Vector2d(1.0, 4.0)));
+  return 0.5 * avi::dot(x, g);
+}
+
+/// The first n iterates of a method from (3, 1), both coordinates in one list.
+std::vector<double> path(const auto& method, long n) {
+  std::vector<double> points;
+  minimise(ellipse, method, Eigen::Vector2d(3.0, 1.0), {.delta = 0.0, .iterations = n},
+           [&](const avi::Iterate& at, long k, long) {
+             if (k > 0) points.insert(points.end(), {at.x[0], at.x[1]});
+           });
+  return points;
+}
+
+void expect_path(const std::vector<double>& seen, const std::vector<double>& expected) {
+  ASSERT_EQ(seen.size(), expected.size());
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    EXPECT_NEAR(seen[i], expected[i], 1e-12) << "entry " << i;
+}
+
+// Expected values worked out by hand from the definitions.
+
+TEST(GradientDescent, FirstSteps) {
+  expect_path(path(avi::GradientDescent{.h = 0.1}, 2), {2.7, 0.6, 2.43, 0.36});
+}
+
+TEST(Nag, FirstSteps) {
+  // y_1 = x_1 + (x_1 - x_0)/4 = (2.625, 0.5); x_2 = (2.3625, 0.3); y_2 = x_2 + 0.4 (x_2 - x_1).
+  const double y_x = 2.3625 + 0.4 * (2.3625 - 2.7), y_y = 0.3 + 0.4 * (0.3 - 0.6);
+  expect_path(path(avi::Nag{.h = 0.1}, 3), {2.7, 0.6, 2.3625, 0.3, 0.9 * y_x, 0.6 * y_y});
+}
+
+TEST(Adam, FirstSteps) {
+  // After one step the corrected moments are g and g^2: a step of `rate` in each sign.
+  const double x1 = 3.0 - 0.1, y1 = 1.0 - 0.1;
+  const auto next = [](double x, double g1, double g2) {
+    const double m = 0.9 * 0.1 * g1 + 0.1 * g2, v = 0.999 * 0.001 * g1 * g1 + 0.001 * g2 * g2;
+    return x - 0.1 * (m / (1.0 - 0.81)) / std::sqrt(v / (1.0 - 0.998001));
+  };
+  expect_path(path(avi::Adam{.rate = 0.1, .epsilon = 0.0}, 2),
+              {x1, y1, next(x1, 3.0, x1), next(y1, 4.0, 4.0 * y1)});
+}
+
+TEST(AdaGrad, FirstSteps) {
+  const double x1 = 3.0 - 0.5 * 3.0 / 3.25, y1 = 1.0 - 0.5 * 4.0 / 4.25;
+  expect_path(path(avi::AdaGrad{.rate = 0.5, .epsilon = 0.25}, 2),
+              {x1, y1, x1 - 0.5 * x1 / (std::sqrt(9.0 + x1 * x1) + 0.25),
+               y1 - 0.5 * 4.0 * y1 / (std::sqrt(16.0 + 16.0 * y1 * y1) + 0.25)});
+}
+
+TEST(RmsProp, FirstSteps) {
+  const double v = 0.1 * 9.0, w = 0.1 * 16.0;
+  const double x1 = 3.0 - 0.1 * 3.0 / std::sqrt(v + 0.25), y1 = 1.0 - 0.1 * 4.0 / std::sqrt(w + 0.25);
+  expect_path(path(avi::RmsProp{.rate = 0.1, .rho = 0.9, .epsilon = 0.25}, 2),
+              {x1, y1, x1 - 0.1 * x1 / std::sqrt(0.9 * v + 0.1 * x1 * x1 + 0.25),
+               y1 - 0.1 * 4.0 * y1 / std::sqrt(0.9 * w + 1.6 * y1 * y1 + 0.25)});
+}
+
+TEST(TrustRegion, ShrinksRefusedStepsAndGrowsGoodOnes) {
+  // From (3, 1): g = (3, 4), |g| = 5, f = 6.5. Delta = 1 gives f = 2.5 at (2.4, 0.2): 2.5 + 0.4 = 2.96, ratio
+  // (6.5 - 2.96) / 5 = 0.708, accepted, not expanded.
+  expect_path(path(avi::TrustRegion{}, 1), {2.4, 0.2});
+  // A ratio of 0.708 grows the radius once `expand` is below it: the second trial has length 2, is refused
+  // (ratio 0.49), and 1.8 is taken.
+  const auto grown = path(avi::TrustRegion{.expand = 0.7}, 2);
+  EXPECT_NEAR(std::hypot(grown[2] - grown[0], grown[3] - grown[1]), 1.8, 1e-12);
+  // Delta = 2 from (3, 1): f at (1.8, -0.6) = 2.34, ratio 0.416 refused; 1.8: (1.92, -0.44), 2.2304, 0.4744
+  // refused; 1.62: (2.028, -0.296), f = 2.231624, ratio 0.527 accepted.
+  long values = 0;
+  const auto run = minimise(ellipse, avi::TrustRegion{.radius = 2.0}, Eigen::Vector2d(3.0, 1.0),
+                            {.iterations = 1}, [&](const auto& at, long, long) { values += at.x.size(); });
+  expect_path({run.last.x[0], run.last.x[1]}, {2.028, -0.296});
+  EXPECT_EQ(run.function_evaluations, 1 + 3 + 1);
+}
+
+TEST(Optimisers, RefuseBadParameters) {
+  const VectorX x0 = VectorX::Ones(2);
+  EXPECT_THROW(minimise(ellipse, avi::Nag{.h = -1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(minimise(ellipse, avi::Nag{.h = std::nan("")}, x0), std::invalid_argument);
+  EXPECT_THROW(minimise(ellipse, avi::Adam{.rate = 0.0}, x0), std::invalid_argument);
+  EXPECT_THROW(minimise(ellipse, avi::Adam{.beta_1 = 1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(minimise(ellipse, avi::Adam{.beta_2 = -0.1}, x0), std::invalid_argument);
+  EXPECT_THROW(minimise(ellipse, avi::Adam{.epsilon = -1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(minimise(ellipse, avi::AdaGrad{.rate = -1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(minimise(ellipse, avi::AdaGrad{.initial = -1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(minimise(ellipse, avi::RmsProp{.rho = 1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(minimise(ellipse, avi::TrustRegion{.radius = 0.0}, x0), std::invalid_argument);
+  EXPECT_THROW(minimise(ellipse, avi::TrustRegion{.accept = 1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(minimise(ellipse, avi::TrustRegion{.expand = 0.1}, x0), std::invalid_argument);
+  EXPECT_THROW(minimise(ellipse, avi::TrustRegion{.shrink = 1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(minimise(ellipse, avi::TrustRegion{.grow = 0.5}, x0), std::invalid_argument);
+  EXPECT_THROW(minimise(ellipse, avi::TrustRegion{.trials = 0}, x0), std::invalid_argument);
+}
+
+}  // namespace
