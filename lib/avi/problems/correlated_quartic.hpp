@@ -63,8 +63,8 @@ class CorrelatedQuartic {
  private:
   /// (x - 1)^T Sigma (x - 1); the image Sigma (x - 1) is left in z.
   double quadratic_form(const VectorX& x, VectorX& z) const {
-    require(x.size() == size(), "Size of x", x.size(),
-            "the objective's dimension, " + std::to_string(size()));
+    if (x.size() != size())  // the sentence is made only when it is needed
+      require(false, "Size of x", x.size(), "the objective's dimension, " + std::to_string(size()));
     z.resize(size());
     offset_ = x.array() - 1.0;
     multiply_by_correlation(rho_, offset_, z);
