@@ -65,7 +65,7 @@ set style line published lc rgb black dt 1     lw 1.2 pt 6 ps 1.5
 
 position(list, name) = sum [i=1:words(list)] (word(list, i) eq name ? i : 0)
 
-monitors = 'none gamma arclength energy truncation norm_squared'
+monitors = 'none gamma arclength energy truncation norm_squared truncation_root'
 monitor(name) = 10 + position(monitors, name)
 set style line 11 lc rgb black     dt 1          lw 1.8 pt 2   # none
 set style line 12 lc rgb blue      dt 1          lw 1.8 pt 7   # gamma
@@ -73,6 +73,7 @@ set style line 13 lc rgb vermilion dt (9,3)      lw 1.8 pt 5   # arclength
 set style line 14 lc rgb green     dt (3,3)      lw 1.8 pt 9   # energy
 set style line 15 lc rgb orange    dt (9,3,2,3)  lw 1.8 pt 13  # truncation
 set style line 16 lc rgb purple    dt (14,4)     lw 1.8 pt 11  # norm_squared
+set style line 17 lc rgb sky       dt (5,3)      lw 1.8 pt 8   # truncation_root
 
 methods = 'htvi htvi4 stormer_verlet symplectic_euler_b log_hamiltonian splitting clone_strang clone_y4 clone_y6 ' \
   .'nag adam adagrad rmsprop trust_region gradient_descent runge_kutta_4 dormand_prince bogacki_shampine'
@@ -111,10 +112,11 @@ set style line 75 lc rgb '#cab969' dt (14,4)     lw 1.8 pt 11
 set style line 76 lc rgb '#e8cf3e' dt (4,2,1,2)  lw 1.8 pt 4
 
 # Printed names; a name without one is printed as it is, underscores as spaces.
-names = 'none gamma arclength energy truncation norm_squared htvi htvi4 stormer_verlet symplectic_euler_b ' \
+names = 'none gamma arclength energy truncation norm_squared truncation_root htvi htvi4 stormer_verlet symplectic_euler_b ' \
   .'log_hamiltonian splitting clone_strang clone_y4 clone_y6 nag adam adagrad rmsprop trust_region ' \
   .'gradient_descent runge_kutta_4 dormand_prince bogacki_shampine direct adaptive'
-array printed[26] = ['no monitor', 'gamma', 'arclength', 'energy', 'truncation error', 'q^Tq', 'HTVI', 'HTVI4', \
+array printed[27] = ['no monitor', 'gamma', 'arclength', 'energy', 'truncation error', 'q^Tq', \
+  'truncation error, 4th root', 'HTVI', 'HTVI4', \
   'Störmer–Verlet', 'symplectic Euler-B', 'logarithmic Hamiltonian', 'splitting', 'cloning, Strang', \
   'cloning, Yoshida 4', 'cloning, Yoshida 6', 'NAG', 'ADAM', 'AdaGrad', 'RMSprop', 'trust region', \
   'gradient descent', 'Runge–Kutta 4', 'Dormand–Prince 5(4)', 'Bogacki–Shampine 3(2)', 'Direct', 'Adaptive']
@@ -124,7 +126,7 @@ label(name) = position(names, name) ? printed[position(names, name)] : spaced(na
 # Several panels (within `set multiplot`): `eval panel(i, j, columns, rows)` places column i, row j, counted from the
 # top left; below `page_bottom` there is room for `eval legend(height)`,
 # after which a plot shows its key alone.
-page_left = 0.115; page_right = 0.985; page_top = 0.98; page_bottom = 0.12; gap_x = 0.09; gap_y = 0.05
+page_left = 0.115; page_right = 0.985; page_top = 0.965; page_bottom = 0.12; gap_x = 0.09; gap_y = 0.05
 cell_w(columns) = (page_right - page_left - (columns-1)*gap_x) / columns
 cell_h(rows) = (page_top - page_bottom - (rows-1)*gap_y) / rows
 corner_x(i, columns) = page_left + (i-1)*(cell_w(columns) + gap_x)
@@ -134,4 +136,4 @@ panel(i, j, columns, rows) = at_screen('l', corner_x(i, columns)).at_screen('r',
   .at_screen('t', corner_y(j, rows)).at_screen('b', corner_y(j, rows)-cell_h(rows))
 legend(height) = at_screen('l', 0.01).at_screen('r', 0.99).at_screen('b', 0.01).at_screen("t", 0.01 + height) \
   ."unset border; unset tics; unset xlabel; unset ylabel; unset logscale; unset label; unset arrow; unset title;" \
-  ."set xrange [0:1]; set yrange [0:1]; set key inside center center vertical Left reverse maxrows 4 width 1 spacing 1.1"
+  ."set xrange [0:1]; set yrange [0:1]; set key inside center center vertical Left reverse maxrows 4 width 1 spacing 1.05 height 0"
