@@ -55,6 +55,65 @@ class JetTape {
   Slot* next_ = nullptr;
 };
 
+namespace detail {
+
+/// Convolutions of Taylor coefficients. Where the order is a compile-time constant they unroll into the
+/// formula; where it is not (K = -1) they are loops, and a call each keeps the code of long formulas short.
+template <class T, int K>
+struct Convolution {
+  /// Sum over j = from..to of a_j b_(k-j).
+  static T sum(const T* a, const T* b, int k, int from, int to) {
+    if constexpr (K >= 0)
+      return inlined(a, b, k, from, to);
+    else
+      return called(a, b, k, from, to);
+  }
+  /// Coefficient k of a^2: each pair once, doubled.
+  static T square(const T* a, int k) {
+    if constexpr (K >= 0)
+      return inlined_square(a, k);
+    else
+      return called_square(a, k);
+  }
+  /// Sum over j = 1..k of (slope j + shift) a_j b_(k-j) / k.
+  static T weighted(const T* a, const T* b, int k, double slope, double shift) {
+    if constexpr (K >= 0)
+      return inlined_weighted(a, b, k, slope, shift);
+    else
+      return called_weighted(a, b, k, slope, shift);
+  }
+
+ private:
+  static T inlined(const T* a, const T* b, int k, int from, int to) {
+    ProductSum<T> s;
+    for (int j = from; j <= to; ++j)
+      s.add(a[j], b[k - j]);
+    return s.result();
+  }
+  static T inlined_square(const T* a, int k) {
+    ProductSum<T> s;
+    for (int j = 0; 2 * j < k; ++j)
+      s.add(2.0, a[j], a[k - j]);
+    if (k % 2 == 0) s.add(a[k / 2], a[k / 2]);
+    return s.result();
+  }
+  static T inlined_weighted(const T* a, const T* b, int k, double slope, double shift) {
+    ProductSum<T> s;
+    for (int j = 1; j <= k; ++j)
+      s.add((slope * j + shift) / k, a[j], b[k - j]);
+    return s.result();
+  }
+  [[gnu::noinline]] static T called(const T* a, const T* b, int k, int from, int to) {
+    return inlined(a, b, k, from, to);
+  }
+  [[gnu::noinline]] static T called_square(const T* a, int k) { return inlined_square(a, k); }
+  [[gnu::noinline]] static T called_weighted(const T* a, const T* b, int k, double slope, double shift) {
+    return inlined_weighted(a, b, k, slope, shift);
+  }
+};
+
+}  // namespace detail
+
 /// Handle of a series during the replay of order K (K = -1: the order is tape->order). Coefficients 0 to K of
 /// a handle are valid. A handle without coefficients is a constant, which no operation stores; sums with 0
 /// and products with 0 or 1 cost nothing, so derivatives that vanish identically are never computed.
@@ -62,6 +121,7 @@ template <class T, int R, int K>
 class Jet {
  public:
   using Tape = JetTape<T, R>;
+  using Convolution = detail::Convolution<T, K>;
 
   Jet() = default;
   Jet(double value) : constant(value) {}  // NOLINT: implicit, so that formulas read as written
@@ -117,16 +177,10 @@ class Jet {
     if (b.is_constant()) return a.scaled(b.constant);
     const int k = a.order();
     T* c = a.slot();
-    ProductSum<T> sum;
-    if (a.coefficients == b.coefficients) {  // a square: each pair once, doubled
-      for (int j = 0; 2 * j < k; ++j)
-        sum.add(2.0, a.coefficients[j], a.coefficients[k - j]);
-      if (k % 2 == 0) sum.add(a.coefficients[k / 2], a.coefficients[k / 2]);
-    } else {
-      for (int j = 0; j <= k; ++j)
-        sum.add(a.coefficients[j], b.coefficients[k - j]);
-    }
-    c[k] = sum.result();
+    if (a.coefficients == b.coefficients)
+      c[k] = Convolution::square(a.coefficients, k);
+    else
+      c[k] = Convolution::sum(a.coefficients, b.coefficients, k, 0, k);
     return Jet(c, a.tape);
   }
   /// b c = a, solved for c_k.
@@ -136,10 +190,7 @@ class Jet {
     const int k = b.order();
     T* c = b.slot();
     if (k == 0) c[R + 1] = 1.0 / b.coefficients[0];
-    ProductSum<T> sum;
-    for (int j = 1; j <= k; ++j)
-      sum.add(b.coefficients[j], c[k - j]);
-    c[k] = (a[k] - sum.result()) * c[R + 1];
+    c[k] = (a[k] - Convolution::sum(b.coefficients, c, k, 1, k)) * c[R + 1];
     return Jet(c, b.tape);
   }
   Jet& operator+=(const Jet& b) { return *this = *this + b; }

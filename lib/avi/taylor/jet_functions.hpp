@@ -9,17 +9,6 @@
 
 namespace avi {
 
-namespace detail {
-/// Sum over j = 1..k-1 of j a_j b_(k-j).
-template <class T>
-T derivative_convolution(const T* a, const T* b, int k) {
-  ProductSum<T> sum;
-  for (int j = 1; j < k; ++j)
-    sum.add(j, a[j], b[k - j]);
-  return sum.result();
-}
-}  // namespace detail
-
 /// c = sqrt(a): c^2 = a.
 template <class T, int R, int K>
 Jet<T, R, K> sqrt(const Jet<T, R, K>& a) {
@@ -31,10 +20,7 @@ Jet<T, R, K> sqrt(const Jet<T, R, K>& a) {
     c[0] = sqrt(a.coefficients[0]);
     c[R + 1] = 0.5 / c[0];
   } else {
-    ProductSum<T> sum;
-    for (int j = 1; j < k; ++j)
-      sum.add(c[j], c[k - j]);
-    c[k] = (a.coefficients[k] - sum.result()) * c[R + 1];
+    c[k] = (a.coefficients[k] - detail::Convolution<T, K>::sum(c, c, k, 1, k - 1)) * c[R + 1];
   }
   return {c, a.tape};
 }
@@ -52,10 +38,7 @@ Jet<T, R, K> pow(const Jet<T, R, K>& a, double alpha) {
     c[0] = power(a.coefficients[0], alpha);
     c[R + 1] = 1.0 / a.coefficients[0];
   } else {
-    ProductSum<T> sum;
-    for (int j = 1; j <= k; ++j)
-      sum.add((alpha * j - (k - j)) / k, a.coefficients[j], c[k - j]);
-    c[k] = sum.result() * c[R + 1];
+    c[k] = detail::Convolution<T, K>::weighted(a.coefficients, c, k, alpha + 1.0, -k) * c[R + 1];
   }
   return {c, a.tape};
 }
@@ -70,10 +53,7 @@ Jet<T, R, K> exp(const Jet<T, R, K>& a) {
   if (k == 0) {
     c[0] = exp(a.coefficients[0]);
   } else {
-    ProductSum<T> sum;
-    for (int j = 1; j <= k; ++j)
-      sum.add(static_cast<double>(j) / k, a.coefficients[j], c[k - j]);
-    c[k] = sum.result();
+    c[k] = detail::Convolution<T, K>::weighted(a.coefficients, c, k, 1.0, 0.0);
   }
   return {c, a.tape};
 }
@@ -89,7 +69,9 @@ Jet<T, R, K> log(const Jet<T, R, K>& a) {
     c[0] = log(a.coefficients[0]);
     c[R + 1] = 1.0 / a.coefficients[0];
   } else {
-    c[k] = (a.coefficients[k] - detail::derivative_convolution(c, a.coefficients, k) / k) * c[R + 1];
+    c[k] = T(0.0);  // so that the sum ends at j = k - 1
+    c[k] =
+        (a.coefficients[k] - detail::Convolution<T, K>::weighted(c, a.coefficients, k, 1.0, 0.0)) * c[R + 1];
   }
   return {c, a.tape};
 }
@@ -112,13 +94,8 @@ JetPair<Jet<T, R, K>> coupled(const Jet<T, R, K>& a, double sign, First first, S
     s[0] = first(a.coefficients[0]);
     c[0] = second(a.coefficients[0]);
   } else {
-    ProductSum<T> in_s, in_c;
-    for (int j = 1; j <= k; ++j) {
-      in_s.add(static_cast<double>(j) / k, a.coefficients[j], c[k - j]);
-      in_c.add(sign * static_cast<double>(j) / k, a.coefficients[j], s[k - j]);
-    }
-    s[k] = in_s.result();
-    c[k] = in_c.result();
+    s[k] = Convolution<T, K>::weighted(a.coefficients, c, k, 1.0, 0.0);
+    c[k] = Convolution<T, K>::weighted(a.coefficients, s, k, sign, 0.0);
   }
   return {{s, a.tape}, {c, a.tape}};
 }
@@ -189,7 +166,8 @@ Jet<T, R, K> integral_of_quotient(const Jet<T, R, K>& a, const Jet<T, R, K>& w, 
     c[0] = function(a.coefficients[0]);
     c[R + 1] = 1.0 / w.coefficients[0];
   } else {
-    c[k] = (a.coefficients[k] - derivative_convolution(c, w.coefficients, k) / k) * c[R + 1];
+    c[k] = T(0.0);  // so that the sum ends at j = k - 1
+    c[k] = (a.coefficients[k] - Convolution<T, K>::weighted(c, w.coefficients, k, 1.0, 0.0)) * c[R + 1];
   }
   return {c, a.tape};
 }

@@ -1,0 +1,98 @@
+#include "avi/adaptive/euler_b.hpp"
+#include "avi/adaptive/monitors.hpp"
+#include "avi/core/integrate.hpp"
+#include "avi/diagnostics/order.hpp"
+#include "avi/htvi/type2.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/problems/pendulum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+using avi::Kepler;
+using avi::State;
+
+namespace {
+
+const Kepler kepler;
+
+/// Slope of the position error, against the exact orbit at the method's own time, over steps h, h/2, h/4, ...
+template <class MethodFor>
+avi::OrderFit kepler_order(double e, double h, MethodFor method_for, int levels = 5) {
+  std::vector<double> steps, errors;
+  for (int k = 0; k < levels; ++k) {
+    auto z = Kepler::pericentre(e);
+    auto method = method_for(z);
+    const auto run = avi::integrate(method, z, std::ldexp(h, -k), {.time = 2.0});
+    EXPECT_EQ(run.outcome, avi::Outcome::ok) << run.message;
+    steps.push_back(std::ldexp(h, -k));
+    errors.push_back((z.q - Kepler::exact(e, z.t).q).norm());
+  }
+  return avi::fit_order(steps, errors, {.floor = 1e-12, .at_least = 3, .at_most = 3});
+}
+
+template <int r, avi::Construction construction, class G>
+double htvi_order(const avi::Quadrature& rule, const G& monitor, double h) {
+  const auto fit = kepler_order(0.5, h, [&](const State<2>& z) {
+    return avi::type2<r, construction>(avi::poincare<2>(kepler, z, monitor), rule);
+  });
+  EXPECT_GE(fit.points, 3);
+  return fit.order;
+}
+
+// The theorem promises min(r + 1, s) at least. With position of order r + 1 at every node, H_d^+ gains an
+// order.
+TEST(TypeII, PrintedConstructionHasOrderFourWithSimpson) {
+  EXPECT_NEAR((htvi_order<3, avi::printed>(avi::simpson(), avi::NormSquared{}, 0.1)), 4.0, 0.3);
+  EXPECT_NEAR((htvi_order<3, avi::printed>(avi::simpson(), avi::Unit{}, 0.1)), 4.0, 0.3);
+}
+
+TEST(TypeII, AuthorsConstructionHasOrderFour) {
+  EXPECT_NEAR((htvi_order<3, avi::authors>(avi::simpson(), avi::NormSquared{}, 0.1)), 4.0, 0.3);
+  EXPECT_NEAR((htvi_order<3, avi::authors>(avi::simpson(), avi::Unit{}, 0.1)), 4.0, 0.3);
+}
+
+TEST(TypeII, QuadratureLimitsTheOrder) {
+  EXPECT_NEAR((htvi_order<3, avi::printed>(avi::midpoint(), avi::Unit{}, 0.05)), 2.0, 0.3);
+  EXPECT_NEAR((htvi_order<1, avi::printed>(avi::simpson(), avi::Unit{}, 0.05)), 2.0, 0.3);
+}
+
+TEST(TypeII, HighOrderIsReached) {
+  EXPECT_GT((htvi_order<7, avi::superconvergent>(avi::gauss(4), avi::NormSquared{}, 0.4)), 7.7);
+}
+
+TEST(EulerB, HasOrderOne) {
+  const auto fit = kepler_order(
+      0.5, 0.01, [&](const State<2>& z) { return avi::euler_b<2>(kepler, z, avi::NormSquared{}); }, 4);
+  EXPECT_NEAR(fit.order, 1.0, 0.15);
+}
+
+// r = 0: with any rule the discrete Hamiltonian is that of adaptive Euler-B, whose closed form must agree.
+TEST(TypeII, WithRZeroIsClosedFormEulerB) {
+  for (double h : {0.02, 0.005}) {
+    auto a = Kepler::pericentre(0.9), b = a;
+    const auto monitor = avi::bounded(avi::NormSquared{}, 0.01, 8.0);
+    auto generic = avi::type2<0, avi::printed>(avi::poincare<2>(kepler, a, monitor), avi::rectangle_left());
+    auto closed = avi::euler_b<2>(kepler, a, monitor);
+    double worst = 0.0;
+    for (int k = 0; k < 200; ++k) {
+      ASSERT_EQ(generic.step(a, h).outcome, avi::Outcome::ok);
+      ASSERT_EQ(closed.step(b, h).outcome, avi::Outcome::ok);
+      worst = std::max({worst, (a.q - b.q).norm(), (a.p - b.p).norm() / a.p.norm(), std::abs(a.t - b.t)});
+    }
+    EXPECT_LT(worst, 2e-13) << h;
+  }
+}
+
+TEST(EulerB, SaysWhenTheStepIsTooLarge) {
+  auto z = Kepler::pericentre(0.9);
+  const auto before = z;
+  auto method = avi::euler_b<2>(kepler, z, avi::NormSquared{});
+  const auto run = avi::integrate(method, z, 50.0, {.time = 1.0});
+  EXPECT_EQ(run.outcome, avi::Outcome::not_converged);
+  EXPECT_EQ(z.q, before.q);
+  EXPECT_NE(run.message.find("not_converged after 0 steps"), std::string::npos) << run.message;
+}
+
+}  // namespace

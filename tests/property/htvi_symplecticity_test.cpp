@@ -1,0 +1,119 @@
+#include "avi/adaptive/euler_b.hpp"
+#include "avi/adaptive/monitors.hpp"
+#include "avi/core/integrate.hpp"
+#include "avi/diagnostics/symplecticity.hpp"
+#include "avi/htvi/type2.hpp"
+#include "avi/problems/kepler.hpp"
+
+#include <gtest/gtest.h>
+
+using avi::Kepler;
+using avi::State;
+
+namespace {
+
+const Kepler kepler;
+
+/// A point off the axes, e = 0.6, some way past pericentre.
+State<2> somewhere() { return Kepler::exact(0.6, 0.9); }
+
+/// Defect of one step as a map of (q, t, p, p^t): p^t is a variable like the others.
+template <int r, avi::Construction construction, class G>
+double extended_defect(const G& monitor, double h) {
+  const State<2> z = somewhere();
+  avi::Vector<double, avi::dynamic> point(6);
+  point << z.q, 0.3, z.p, -kepler(z.q, z.p) + 0.02;  // off the energy shell: symplecticity must not need it
+  return avi::symplecticity_defect(
+      [&](const avi::Vector<double, avi::dynamic>& x) -> avi::Vector<double, avi::dynamic> {
+        const avi::Poincare<2, Kepler, G> problem(kepler, monitor, x[5]);
+        auto method = avi::type2<r, construction>(problem, avi::simpson());
+        State<2> s{.q = x.head<2>(), .p = x.segment<2>(3), .t = x[2]};
+        EXPECT_EQ(method.step(s, h).outcome, avi::Outcome::ok);
+        avi::Vector<double, avi::dynamic> image(6);
+        image << s.q, s.t, s.p, x[5];
+        return image;
+      },
+      point);
+}
+
+/// Defect of one step as a map of (q, p).
+template <int r, avi::Construction construction, class G>
+double defect(const G& monitor, double h) {
+  const State<2> z = somewhere();
+  return avi::symplecticity_defect(
+      avi::type2<r, construction>(avi::poincare<2>(kepler, z, monitor), avi::simpson()), z, h);
+}
+
+// The differences that measure it are good to about 1e-12; a method of order 4 that is not symplectic shows
+// 1e-7 here.
+constexpr double round_off = 2e-11;
+
+template <avi::Construction construction, class G>
+void expect_symplectic(const G& monitor) {
+  for (double h : {0.1, 0.05}) {
+    EXPECT_LT((defect<3, construction>(monitor, h)), round_off) << h;
+    EXPECT_LT((extended_defect<3, construction>(monitor, h)), round_off) << h;
+  }
+}
+
+const auto gamma_monitor = avi::bounded(avi::NormSquared{}, 0.01, 8.0);
+const auto energy_monitor = avi::bounded(avi::Energy{kepler, 0.5}, 1e-4, 2.0);
+
+TEST(TypeII, PrintedConstructionIsSymplecticInBothForms) {
+  expect_symplectic<avi::printed>(gamma_monitor);
+  expect_symplectic<avi::printed>(energy_monitor);
+}
+TEST(TypeII, AuthorsConstructionIsSymplecticInBothForms) {
+  expect_symplectic<avi::authors>(gamma_monitor);
+  expect_symplectic<avi::authors>(energy_monitor);
+}
+TEST(TypeII, SuperconvergentConstructionIsSymplecticInBothForms) {
+  expect_symplectic<avi::superconvergent>(gamma_monitor);
+  expect_symplectic<avi::superconvergent>(avi::Unit{});
+}
+
+TEST(EulerB, IsSymplectic) {
+  const State<2> z = somewhere();
+  for (double h : {0.02, 0.01}) {
+    EXPECT_LT(avi::symplecticity_defect(avi::euler_b<2>(kepler, z), z, h), round_off);
+    EXPECT_LT(avi::symplecticity_defect(avi::euler_b<2>(kepler, z, avi::NormSquared{}), z, h), round_off);
+  }
+}
+
+/// The Taylor method inside HTVI4 without its symplectic correction: the control that must fail.
+TEST(Control, TaylorMethodIsNotSymplectic) {
+  const State<2> z = somewhere();
+  const auto problem = avi::poincare<2>(kepler, z, avi::bounded(avi::NormSquared{}, 0.01, 8.0));
+  struct Taylor {
+    avi::TaylorAction<std::decay_t<decltype(problem)>, 3, avi::printed> action;
+    avi::StepReport step(State<2>& s, double h) {
+      typename decltype(action)::Increments d;
+      action.expand(s.q, s.p, h, d);
+      for (int i = 0; i < 2; ++i) {
+        s.q[i] += d.q[i].value();
+        s.p[i] += d.p[i].value();
+      }
+      return {};
+    }
+  };
+  const Taylor taylor{{problem, avi::simpson(), 512}};
+  const double coarse = avi::symplecticity_defect(taylor, z, 0.1),
+               fine = avi::symplecticity_defect(taylor, z, 0.05);
+  EXPECT_GT(coarse, 1e-6);
+  EXPECT_GT(coarse / fine, 8.0) << "a defect that does not grow with h is round-off";
+}
+
+TEST(TypeII, ConservesAngularMomentumToRoundOff) {
+  auto z = Kepler::pericentre(0.9);
+  const double momentum = Kepler::angular_momentum(z);
+  auto method = avi::type2<3, avi::authors>(
+      avi::poincare<2>(kepler, z, avi::bounded(avi::NormSquared{}, 0.01, 8.0)), avi::simpson());
+  double worst = 0.0;
+  const auto run = avi::integrate(method, z, 0.1, {.time = 100.0}, [&](const State<2>& s, long) {
+    worst = std::max(worst, std::abs(Kepler::angular_momentum(s) - momentum));
+  });
+  EXPECT_EQ(run.outcome, avi::Outcome::ok);
+  EXPECT_LT(worst, 2e-14);
+}
+
+}  // namespace

@@ -1,0 +1,65 @@
+#include "avi/adaptive/euler_b.hpp"
+#include "avi/adaptive/monitors.hpp"
+#include "avi/htvi/type2.hpp"
+#include "avi/integrators/stormer_verlet.hpp"
+#include "avi/problems/kepler.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* p = std::malloc(size)) return p;
+  throw std::bad_alloc();
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  const auto a = static_cast<std::size_t>(alignment);
+  if (void* p = std::aligned_alloc(a, (size + a - 1) / a * a)) return p;
+  throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+
+namespace {
+
+template <class Method>
+long allocations_in_steps(Method method, double h) {
+  auto z = avi::Kepler::pericentre(0.9);
+  const long before = allocations;
+  for (int k = 0; k < 20; ++k)
+    EXPECT_EQ(method.step(z, h).outcome, avi::Outcome::ok);
+  return allocations - before;
+}
+
+TEST(Step, AllocatesNothing) {
+  const avi::Kepler kepler;
+  const auto z = avi::Kepler::pericentre(0.9);
+  const auto monitor = avi::bounded(avi::NormSquared{}, 0.01, 8.0);
+  EXPECT_EQ(allocations_in_steps(
+                avi::type2<3, avi::authors>(avi::poincare<2>(kepler, z, monitor), avi::simpson()), 0.1),
+            0);
+  EXPECT_EQ(allocations_in_steps(avi::type2<3, avi::printed>(
+                                     avi::poincare<2>(avi::Automatic{kepler}, z, monitor), avi::simpson()),
+                                 0.1),
+            0);
+  EXPECT_EQ(allocations_in_steps(avi::euler_b<2>(kepler, z, monitor), 0.01), 0);
+  EXPECT_EQ(allocations_in_steps(avi::stormer_verlet<2>(&avi::Kepler::potential_gradient<double>), 1e-4), 0);
+}
+
+TEST(Step, CounterCounts) {
+  const long before = allocations;
+  delete new int(1);
+  EXPECT_GT(allocations, before);
+}
+
+}  // namespace

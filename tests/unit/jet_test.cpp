@@ -1,0 +1,179 @@
+#include "avi/core/partials.hpp"
+#include "avi/taylor/jet.hpp"
+#include "avi/taylor/jet_functions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+using avi::Jet;
+using avi::JetTape;
+
+namespace {
+
+constexpr int R = 12;
+using Scalar = Jet<double, R, -1>;
+
+/// Taylor coefficients at t = 0 of f(x(t)), x given by its coefficients.
+std::array<double, R + 1> expand(const std::function<Scalar(Scalar)>& f, const std::array<double, R + 2>& x) {
+  JetTape<double, R> tape;
+  std::array<double, R + 1> c{};
+  for (int k = 0; k <= R; ++k) {
+    tape.rewind(k);
+    c[k] = f(Scalar(x.data(), &tape))[k];
+  }
+  return c;
+}
+
+/// x(t) = a + t.
+std::array<double, R + 2> line(double a) {
+  std::array<double, R + 2> x{};
+  x[0] = a;
+  x[1] = 1.0;
+  return x;
+}
+
+void expect_series(const std::array<double, R + 1>& c, const std::function<double(int)>& exact,
+                   double tolerance) {
+  for (int k = 0; k <= R; ++k)
+    EXPECT_NEAR(c[k], exact(k), tolerance * std::max(1.0, std::abs(exact(k)))) << "coefficient " << k;
+}
+
+double factorial(int k) { return std::tgamma(k + 1.0); }
+
+TEST(Jet, ElementarySeriesAgreeWithTheirClosedForms) {
+  expect_series(
+      expand([](auto x) { return exp(x); }, line(0.0)), [](int k) { return 1.0 / factorial(k); }, 1e-15);
+  expect_series(
+      expand([](auto x) { return sin(x); }, line(0.0)),
+      [](int k) { return std::sin(k * M_PI_2) / factorial(k); }, 1e-15);
+  expect_series(
+      expand([](auto x) { return cos(x); }, line(0.0)),
+      [](int k) { return std::cos(k * M_PI_2) / factorial(k); }, 1e-15);
+  expect_series(
+      expand([](auto x) { return sinh(x); }, line(0.0)),
+      [](int k) { return k % 2 ? 1.0 / factorial(k) : 0.0; }, 1e-15);
+  expect_series(
+      expand([](auto x) { return log(x); }, line(1.0)),
+      [](int k) { return k == 0 ? 0.0 : (k % 2 ? 1.0 : -1.0) / k; }, 1e-15);
+  expect_series(
+      expand([](auto x) { return atan(x); }, line(0.0)),
+      [](int k) { return k % 2 ? (k % 4 == 1 ? 1.0 : -1.0) / k : 0.0; }, 1e-15);
+  expect_series(
+      expand([](auto x) { return 1.0 / x; }, line(1.0)), [](int k) { return k % 2 ? -1.0 : 1.0; }, 1e-15);
+  expect_series(
+      expand([](auto x) { return pow(x, -1.5); }, line(1.0)),
+      [](int k) {
+        double c = 1.0;
+        for (int j = 0; j < k; ++j)
+          c *= (-1.5 - j) / (j + 1);
+        return c;
+      },
+      4e-15);
+  expect_series(
+      expand([](auto x) { return sqrt(x); }, line(1.0)),
+      [](int k) {
+        double c = 1.0;
+        for (int j = 0; j < k; ++j)
+          c *= (0.5 - j) / (j + 1);
+        return c;
+      },
+      4e-15);
+}
+
+TEST(Jet, IdentitiesHoldCoefficientByCoefficient) {
+  const auto x = line(0.3);
+  using S = Scalar;
+  const std::vector<std::pair<std::function<S(S)>, std::function<S(S)>>> pairs = {
+      {[](S a) { return sin(a) * sin(a) + cos(a) * cos(a); }, [](S a) { return 1.0 + 0.0 * a; }},
+      {[](S a) { return tan(a) * cos(a); }, [](S a) { return sin(a); }},
+      {[](S a) { return tanh(a) * cosh(a); }, [](S a) { return sinh(a); }},
+      {[](S a) { return exp(log(a)); }, [](S a) { return a; }},
+      {[](S a) { return (a * a - 1.0) / (a - 1.0); }, [](S a) { return a + 1.0; }},
+      {[](S a) { return pow(a, 0.5) * sqrt(a); }, [](S a) { return a; }},
+      {[](S a) { return abs(-exp(a)); }, [](S a) { return exp(a); }},
+      {[](S a) {
+         S b = a;
+         b += 2.0;
+         b *= a;
+         b -= a * a;
+         b /= 2.0;
+         return b;
+       },
+       [](S a) { return a; }}};
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto left = expand(pairs[i].first, x), right = expand(pairs[i].second, x);
+    for (int k = 0; k <= R; ++k)
+      EXPECT_NEAR(left[k], right[k], 1e-9 * std::pow(4.0, std::max(0, k - 4)) * 1e-4)
+          << "pair " << i << " k " << k;
+  }
+}
+
+TEST(Jet, ConstantsAndVanishingDerivativesCostNothing) {
+  JetTape<double, R> tape(1);
+  tape.rewind(0);
+  const auto x = line(2.0);
+  const Scalar s(x.data(), &tape);
+  EXPECT_TRUE((0.0 * s).is(0.0));
+  EXPECT_EQ((1.0 * s).coefficients, s.coefficients);
+  EXPECT_EQ((s + 0.0).coefficients, s.coefficients);
+  EXPECT_TRUE((Scalar(2.0) * Scalar(3.0)).is(6.0));
+  const auto used = s * s;  // the only slot
+  EXPECT_EQ(used[0], 4.0);
+  EXPECT_THROW((void)(s * s), std::length_error);
+}
+
+/// Kepler's equations by replay: the coefficients that a series of Lanes gives are those of a series of
+/// doubles, and its partials are the derivatives of those coefficients.
+template <class T, int K>
+void replay(std::array<std::array<T, R + 2>, 4>& z, JetTape<T, R>& tape) {
+  using S = Jet<T, R, K>;
+  tape.rewind(K);
+  std::array<S, 4> s;
+  for (int i = 0; i < 4; ++i)
+    s[i] = S(z[i].data(), &tape);
+  const S u = pow(s[0] * s[0] + s[1] * s[1], -1.5);
+  const S force_x = s[0] * u, force_y = s[1] * u;
+  z[0][K + 1] = s[2][K] / (K + 1);
+  z[1][K + 1] = s[3][K] / (K + 1);
+  z[2][K + 1] = -1.0 * force_x[K] / (K + 1);
+  z[3][K + 1] = -1.0 * force_y[K] / (K + 1);
+  if constexpr (K < 8) replay<T, K + 1>(z, tape);
+}
+
+TEST(Jet, LanesDifferentiateTaylorCoefficients) {
+  const std::array<double, 4> start{1.0, 0.2, -0.1, 0.9};
+  const auto coefficients = [&](std::array<double, 4> at) {
+    std::array<std::array<double, R + 2>, 4> z{};
+    for (int i = 0; i < 4; ++i)
+      z[i][0] = at[i];
+    JetTape<double, R> tape;
+    replay<double, 0>(z, tape);
+    return z;
+  };
+  using L = avi::Lanes<4>;
+  std::array<std::array<L, R + 2>, 4> z;
+  for (int i = 0; i < 4; ++i)
+    z[i][0] = L::variable(start[i], i);
+  JetTape<L, R> tape;
+  replay<L, 0>(z, tape);
+  const auto plain = coefficients(start);
+  for (int j = 0; j < 4; ++j) {
+    auto ahead = start, behind = start;
+    const double d = 1e-5;
+    ahead[j] += d;
+    behind[j] -= d;
+    const auto plus = coefficients(ahead), minus = coefficients(behind);
+    for (int i = 0; i < 4; ++i)
+      for (int k = 0; k <= 9; ++k) {
+        EXPECT_NEAR(z[i][k].value(), plain[i][k], 1e-14);
+        EXPECT_NEAR(z[i][k].partial(j), (plus[i][k] - minus[i][k]) / (2.0 * d), 2e-7)
+            << i << ' ' << k << ' ' << j;
+      }
+  }
+}
+
+}  // namespace

@@ -1,0 +1,78 @@
+#include "avi/adaptive/monitors.hpp"
+#include "avi/adaptive/poincare.hpp"
+#include "avi/problems/kepler.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+using avi::Kepler;
+using V = avi::Vector<double, 2>;
+
+namespace {
+
+const Kepler kepler;
+
+/// Calls check(name, g) for every monitor, also in bounded form.
+template <class Check>
+void for_each_monitor(Check check) {
+  const auto both = [&](const std::string& name, auto g) {
+    check(name, g);
+    check("bounded " + name, avi::bounded(g, 0.05, 3.0));
+  };
+  both("gamma", avi::Gamma{0.7});
+  both("norm_squared", avi::NormSquared{});
+  both("arclength", avi::Arclength{kepler, -0.5});
+  both("energy", avi::Energy{kepler, 0.5});
+  both("inverse_lagrangian", avi::InverseLagrangian{kepler});
+  both("inverse_energy_error", avi::InverseEnergyError{kepler, 0.8});
+  both("truncation", avi::Truncation{kepler, 1e-3, 0.1});
+  both("truncation_root", avi::TruncationRoot{kepler, 1e-3, 0.1});
+}
+
+template <class G>
+double at(const G& g, const V& q, const V& p) {
+  if constexpr (std::invocable<const G&, const V&>)
+    return g(q);
+  else
+    return g(q, p);
+}
+
+TEST(Monitors, GradientsAgreeWithCentralDifferences) {
+  for (const auto& [q, p] : {std::pair{V{0.1, 0.02}, V{-0.4, 4.0}}, std::pair{V{-1.7, 0.3}, V{-0.2, -0.3}}})
+    for_each_monitor([&, q = q, p = p](const std::string& name, const auto& g) {
+      const avi::Poincare<2, Kepler, std::decay_t<decltype(g)>> problem(kepler, g, 0.5);
+      const V automatic = problem.monitor_d_dq(q, p);
+      for (int i = 0; i < 2; ++i) {
+        const double d = 1e-6 * q.norm();
+        const V step = d * V::Unit(i);
+        const double difference = (at(g, q + step, p) - at(g, q - step, p)) / (2.0 * d);
+        EXPECT_NEAR(automatic[i], difference, 2e-8 * std::max(1.0, automatic.norm())) << name;
+      }
+      EXPECT_GT(at(g, q, p), 0.0) << name;
+    });
+}
+
+TEST(Monitors, TakeTheirDefinedValues) {
+  const V q{0.3, 0.4}, p{1.0, 2.0};  // |q| = 1/2, V = -2, |grad V| = 4, T = 5/2
+  EXPECT_NEAR(avi::Gamma{0.5}(q), 0.5, 1e-16);
+  EXPECT_NEAR(avi::NormSquared{}(q), 0.25, 1e-16);
+  EXPECT_NEAR((avi::Arclength{kepler, -0.5}(q)), 1.0 / std::sqrt(2.0 * 1.5 + 16.0), 1e-16);
+  EXPECT_NEAR((avi::Energy{kepler, 0.5}(q, p)), 1.0 / 4.0, 1e-16);
+  EXPECT_NEAR((avi::InverseLagrangian{kepler}(q, p)), 1.0 / 4.5, 1e-16);
+  EXPECT_NEAR((avi::InverseEnergyError{kepler, 0.5}(q, p)), 1.0, 1e-15);
+  EXPECT_NEAR((avi::Truncation{kepler, 1e-3, 0.1}(q)), 1e-3 / (0.005 * 4.0), 1e-16);
+  EXPECT_NEAR((avi::TruncationRoot{kepler, 1e-3, 0.1}(q)), std::pow(0.05, 0.25), 1e-15);
+}
+
+TEST(Bounded, StaysWithinItsBoundsAndRefusesBadOnes) {
+  const auto g = avi::bounded(avi::NormSquared{}, 0.01, 8.0);
+  EXPECT_NEAR(g(V{0.0, 0.0}), 0.01, 1e-17);
+  EXPECT_LT(g(V{1e8, 0.0}), 8.0 + 1e-12);
+  EXPECT_GT(g(V{1e8, 0.0}), 7.99);
+  EXPECT_THROW(avi::bounded(avi::NormSquared{}, -0.1, 1.0), std::invalid_argument);
+  EXPECT_THROW(avi::bounded(avi::NormSquared{}, 1.0, 1.0), std::invalid_argument);
+  EXPECT_THROW(avi::bounded(avi::NormSquared{}, 0.0, std::nan("")), std::invalid_argument);
+}
+
+}  // namespace

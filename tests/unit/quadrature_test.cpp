@@ -1,0 +1,63 @@
+#include "avi/htvi/quadrature.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace {
+
+std::vector<avi::Quadrature> rules() {
+  std::vector<avi::Quadrature> all{avi::rectangle_left(), avi::rectangle_right(), avi::midpoint(),
+                                   avi::trapezoid(),      avi::simpson(),         avi::boole()};
+  for (int m = 1; m <= 8; ++m)
+    all.push_back(avi::gauss(m));
+  for (int m = 2; m <= 8; ++m)
+    all.push_back(avi::lobatto(m));
+  for (int m = 1; m <= 8; ++m)
+    all.push_back(avi::radau(m));
+  all.push_back(avi::mirrored(avi::radau(3)));
+  return all;
+}
+
+/// Error of the rule for x^degree.
+double defect(const avi::Quadrature& rule, int degree) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i)
+    sum += rule.weights[i] * std::pow(rule.nodes[i], degree);
+  return std::abs(sum - 1.0 / (degree + 1));
+}
+
+TEST(Quadrature, IsExactToItsOrderAndNoFurther) {
+  for (const auto& rule : rules()) {
+    avi::validate(rule);
+    for (int degree = 0; degree < rule.order; ++degree)
+      EXPECT_LT(defect(rule, degree), 1e-15) << rule.name << degree;
+    EXPECT_GT(defect(rule, rule.order), 1e-11) << rule.name;
+  }
+}
+
+TEST(Quadrature, GaussAgreesWithClosedForms) {
+  const auto rule = avi::gauss(3);
+  EXPECT_NEAR(rule.nodes[0], 0.5 - std::sqrt(0.15), 1e-16);
+  EXPECT_NEAR(rule.nodes[1], 0.5, 1e-16);
+  EXPECT_NEAR(rule.weights[0], 5.0 / 18.0, 2e-16);
+  EXPECT_NEAR(rule.weights[1], 8.0 / 18.0, 2e-16);
+  const auto ends = avi::lobatto(3), simpson = avi::simpson();
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(ends.nodes[i], simpson.nodes[i], 1e-16);
+    EXPECT_NEAR(ends.weights[i], simpson.weights[i], 2e-16);
+  }
+}
+
+TEST(Quadrature, RefusesWhatIsNoRule) {
+  EXPECT_THROW(avi::gauss(0), std::invalid_argument);
+  EXPECT_THROW(avi::lobatto(1), std::invalid_argument);
+  EXPECT_THROW(avi::radau(17), std::invalid_argument);
+  EXPECT_THROW(avi::validate({"empty", 1, {}, {}}), std::invalid_argument);
+  EXPECT_THROW(avi::validate({"odd", 1, {0.0, 1.0}, {1.0}}), std::invalid_argument);
+  EXPECT_THROW(avi::validate({"heavy", 1, {0.5}, {2.0}}), std::invalid_argument);
+  EXPECT_THROW(avi::validate({"nan", 1, {std::nan("")}, {1.0}}), std::invalid_argument);
+}
+
+}  // namespace
