@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
                    "Eccentricity e of the orbit");
         add_number(app, "--horizon", horizon, {.low = 0.0, .high = 1e5, .low_open = true},
                    "Physical time T to reach");
-        app.add_flag("--long", full, "Also the fourth-root monitor at 1e-4 and 1e-5 (some 2e9 steps)");
+        add_flag(app, "--long", full, "Also the fourth-root monitor at 1e-4 and 1e-5 (some 2e9 steps)");
       },
       [&](Frame& frame) {
         if (frame.quick) horizon = 50.0;

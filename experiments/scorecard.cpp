@@ -38,12 +38,8 @@ std::vector<std::string> left_over(const std::vector<scorecard::Sheet>& sheets,
 int main(int argc, char** argv) {
   std::filesystem::path published = "paper/published", data = "build/data";
   const auto options = [&](CLI::App& app) {
-    app.add_option("--published", published, "Folder of the paper's numbers")
-        ->option_text("DIR")
-        ->check(CLI::ExistingDirectory);
-    app.add_option("--data", data, "Folder of the experiments' tables")
-        ->option_text("DIR")
-        ->check(CLI::ExistingDirectory);
+    experiment::add_folder(app, "--published", published, "Folder of the paper's numbers");
+    experiment::add_folder(app, "--data", data, "Folder of the experiments' tables");
   };
   return experiment::run(
       argc, argv, "scorecard", "Compares every number that the paper prints with ours.", options,

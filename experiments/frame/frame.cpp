@@ -2,6 +2,7 @@
 
 #include "frame/provenance.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -100,6 +101,33 @@ void add_number(CLI::App& app, const std::string& flag, double& value, Range ran
         const bool below = range.high_open ? number < range.high : number <= range.high;
         if (parsed && std::isfinite(number) && above && below) return {};
         return fmt::format("value {} is not a finite number in {}.", text, interval);
+      });
+}
+
+void add_count(CLI::App& app, const std::string& flag, long& value, long low, long high,
+               const std::string& description) {
+  app.add_option(flag, value, description)
+      ->option_text(fmt::format("INTEGER in [{}, {}]", low, high))
+      ->capture_default_str()
+      ->check([=](const std::string& text) -> std::string {
+        long number = 0;
+        if (CLI::detail::lexical_cast(text, number) && number >= low && number <= high) return {};
+        return fmt::format("value {} is not an integer in [{}, {}].", text, low, high);
+      });
+}
+
+void add_flag(CLI::App& app, const std::string& flag, bool& value, const std::string& description) {
+  app.add_flag(flag, value, description);
+}
+
+void add_folder(CLI::App& app, const std::string& flag, std::filesystem::path& value,
+                const std::string& description) {
+  app.add_option(flag, value, description)
+      ->option_text("DIR")
+      ->capture_default_str()
+      ->check([](const std::string& text) -> std::string {
+        if (std::filesystem::is_directory(text)) return {};
+        return fmt::format("folder {} does not exist.", text);
       });
 }
 

@@ -1,8 +1,6 @@
 #pragma once
 #include "avi/io/table.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -11,6 +9,10 @@
 /// @file
 /// What every experiment shares: options, output folder, provenance, progress and exit status, so that an
 /// experiment is its settings and its loop.
+
+namespace CLI {
+class App;  // Declared only: with its header, each experiment would compile ten seconds longer.
+}
 
 namespace experiment {
 
@@ -41,12 +43,25 @@ int run(int argc, char** argv, std::string name, std::string summary,
 int run(int argc, char** argv, std::string name, std::string summary,
         const std::function<void(Frame&)>& body);
 
-/// Adds a real-valued option that must be finite and lie in [low, high]; either end may be excluded.
+/// An interval; either end may be excluded.
 struct Range {
   double low, high;
   bool low_open = false, high_open = false;
 };
+
+/// Adds a real-valued option that must be finite and lie in the range.
 void add_number(CLI::App& app, const std::string& flag, double& value, Range range,
+                const std::string& description);
+
+/// Adds an integer option in [low, high].
+void add_count(CLI::App& app, const std::string& flag, long& value, long low, long high,
+               const std::string& description);
+
+/// Adds a switch.
+void add_flag(CLI::App& app, const std::string& flag, bool& value, const std::string& description);
+
+/// Adds the name of a folder that must exist.
+void add_folder(CLI::App& app, const std::string& flag, std::filesystem::path& value,
                 const std::string& description);
 
 }  // namespace experiment
