@@ -2,7 +2,7 @@
 #include "kepler/measure.hpp"
 
 #include "avi/adaptive/monitors.hpp"
-#include "avi/htvi/type2.hpp"
+#include "avi/htvi/htvi.hpp"
 
 /// @file
 /// HTVI4 - Type II, r = 3, Simpson's rule - for every row of a table. Included by one source file per

@@ -6,8 +6,8 @@
 #include "avi/bregman/htvi_printed.hpp"
 #include "avi/bregman/splitting.hpp"
 #include "avi/core/power.hpp"
+#include "avi/htvi/htvi.hpp"
 #include "avi/htvi/quadrature.hpp"
-#include "avi/htvi/type2.hpp"
 #include "avi/optim/minimise.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 

@@ -2,12 +2,13 @@
 #include "avi/adaptive/monitors.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/diagnostics/order.hpp"
-#include "avi/htvi/type2.hpp"
+#include "avi/htvi/htvi.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/pendulum.hpp"
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
 
 using avi::Kepler;
@@ -51,6 +52,32 @@ TEST(TypeII, PrintedConstructionHasOrderFourWithSimpson) {
 TEST(TypeII, AuthorsConstructionHasOrderFour) {
   EXPECT_NEAR((htvi_order<3, avi::authors>(avi::simpson(), avi::NormSquared{}, 0.1)), 4.0, 0.3);
   EXPECT_NEAR((htvi_order<3, avi::authors>(avi::simpson(), avi::Unit{}, 0.1)), 4.0, 0.3);
+}
+
+TEST(TypeIII, HasTheOrderOfTypeII) {
+  const auto order = [](auto method_for, double h) { return kepler_order(0.5, h, method_for).order; };
+  EXPECT_NEAR(order(
+                  [](const State<2>& z) {
+                    return avi::type3<3, avi::authors>(avi::poincare<2>(kepler, z, avi::NormSquared{}),
+                                                       avi::simpson());
+                  },
+                  0.1),
+              4.0, 0.3);
+  EXPECT_NEAR(order(
+                  [](const State<2>& z) {
+                    return avi::type3<1, avi::printed>(avi::poincare<2>(kepler, z), avi::simpson());
+                  },
+                  0.05),
+              2.0, 0.3);
+}
+
+TEST(Htvi, StopsAtAMonitorThatIsNotPositive) {
+  auto z = Kepler::pericentre(0.5);
+  const auto negative = [](const auto& q) { return -1.0 * (q[0] * q[0]); };
+  auto method = avi::type2<2>(avi::poincare<2>(kepler, z, negative), avi::simpson());
+  const auto run = avi::integrate(method, z, 0.1, {.time = 1.0});
+  EXPECT_EQ(run.outcome, avi::Outcome::bad_monitor);
+  EXPECT_NE(run.message.find("bad_monitor"), std::string::npos);
 }
 
 TEST(TypeII, QuadratureLimitsTheOrder) {

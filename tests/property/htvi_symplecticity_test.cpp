@@ -2,7 +2,7 @@
 #include "avi/adaptive/monitors.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/diagnostics/symplecticity.hpp"
-#include "avi/htvi/type2.hpp"
+#include "avi/htvi/htvi.hpp"
 #include "avi/problems/kepler.hpp"
 
 #include <gtest/gtest.h>
@@ -70,6 +70,19 @@ TEST(TypeII, AuthorsConstructionIsSymplecticInBothForms) {
 TEST(TypeII, SuperconvergentConstructionIsSymplecticInBothForms) {
   expect_symplectic<avi::superconvergent>(gamma_monitor);
   expect_symplectic<avi::superconvergent>(avi::Unit{});
+}
+
+TEST(TypeIII, IsSymplectic) {
+  const State<2> z = somewhere();
+  const auto problem = avi::poincare<2>(kepler, z, gamma_monitor);
+  const auto unmonitored = avi::poincare<2>(avi::Automatic{kepler}, z);
+  for (double h : {0.1, 0.05}) {
+    EXPECT_LT((avi::symplecticity_defect(avi::type3<3, avi::authors>(problem, avi::simpson()), z, h)),
+              round_off);
+    EXPECT_LT((avi::symplecticity_defect(avi::type3<2, avi::printed>(problem, avi::simpson()), z, h)),
+              round_off);
+    EXPECT_LT((avi::symplecticity_defect(avi::type3<3>(unmonitored, avi::gauss(2)), z, h)), round_off);
+  }
 }
 
 TEST(EulerB, IsSymplectic) {

@@ -1,6 +1,6 @@
 #include "avi/adaptive/euler_b.hpp"
 #include "avi/adaptive/monitors.hpp"
-#include "avi/htvi/type2.hpp"
+#include "avi/htvi/htvi.hpp"
 #include "avi/integrators/stormer_verlet.hpp"
 #include "avi/problems/kepler.hpp"
 

@@ -14,6 +14,7 @@ enum class Outcome {
   step_limit,     ///< The cap on steps was reached first.
   not_converged,  ///< An implicit equation was not solved; the state is the last good one.
   non_finite,     ///< A value became infinite or NaN; the state is the last good one.
+  bad_monitor,    ///< The monitor g = dt/dtau was not positive; the state is the last good one.
   diverged        ///< The iterates left every bound that the caller set.
 };
 
@@ -30,6 +31,8 @@ constexpr std::string_view name(Outcome outcome) {
     return "not_converged";
   case Outcome::non_finite:
     return "non_finite";
+  case Outcome::bad_monitor:
+    return "bad_monitor";
   case Outcome::diverged:
     return "diverged";
   }

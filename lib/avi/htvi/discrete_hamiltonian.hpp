@@ -89,12 +89,13 @@ class TaylorAction {
     out.action = h * action();
   }
 
-  /// dH/dp at the start of the last expansion, from q' = g dH/dp on the energy shell.
-  [[nodiscard]] Vector<double, n> velocity() const {
-    Vector<double, n> v;
+  /// dH/dp (or dH/dq) at the start of the last expansion, from q' = g dH/dp and p' = -g dH/dq on the energy
+  /// shell.
+  [[nodiscard]] Vector<double, n> energy_slope(bool momentum) const {
+    Vector<double, n> slope;
     for (int i = 0; i < n; ++i)
-      v[i] = q_[i][1].value() / t_[1].value();
-    return v;
+      slope[i] = (momentum ? q_[i][1].value() : -p_[i][1].value()) / t_[1].value();
+    return slope;
   }
 
   /// Taylor polynomial of the last expansion at the fraction c of the step, position to order r + 1.
