@@ -35,9 +35,8 @@ Judgement setting(const Cell& cell, const avi::Table& data, std::size_t row) {
                            printed_is(cell.sibling("global_error"), data.number(row, "global_error"));
   if (!rest_agrees) return judgement;
   judgement.verdict = Verdict::erratum;
-  judgement.note =
-      fmt::format("With {} every other measured column of the row comes out in every printed digit",
-                  avi::rounded(ours));
+  judgement.note = fmt::format(
+      "With {} every other measured column of the row comes out in every printed digit", avi::rounded(ours));
   const double h = data.number(row, "h");
   if (cell.quantity() == "h")
     judgement.note += "; the printed one gives neither its steps nor its step range.";
