@@ -1,0 +1,65 @@
+#pragma once
+#include "avi/io/table.hpp"
+#include "avi/optim/objective.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+/// @file
+/// f along a run, thinned for a figure.
+
+namespace experiment {
+
+/// Witness that gathers f over the iterations in bins of equal width, on a linear or a logarithmic axis: of
+/// each bin its last iterate, and the least and largest f in it, so that oscillations faster than the bins
+/// stay visible.
+class Curve {
+ public:
+  /// Iterations a bin spans: at least `width`, and at least the fraction `growth` of the iterations so far.
+  explicit Curve(double width, double growth = 0.0) : width_(width), growth_(growth) {}
+
+  void operator()(const avi::Iterate& at, long k, long gradients) {
+    if (points_.empty() || static_cast<double>(k) >= next_) {
+      points_.push_back({});
+      next_ = static_cast<double>(k) + std::max(width_, growth_ * static_cast<double>(k));
+    }
+    Point& bin = points_.back();
+    bin.iteration = k;
+    bin.gradients = gradients;
+    bin.value = at.value;
+    bin.least = std::min(bin.least, at.value);
+    bin.most = std::max(bin.most, at.value);
+  }
+
+  /// The columns that append() fills after those of the caller.
+  static std::vector<std::string> columns() {
+    return {"iteration", "gradient_evaluations", "value", "least", "most"};
+  }
+
+  /// Adds one row for each bin, each beginning with the caller's cells.
+  void append(avi::Table& table, const std::vector<std::string>& begin) const {
+    for (const Point& bin : points_) {
+      auto cells = begin;
+      for (const auto& cell : {std::to_string(bin.iteration), std::to_string(bin.gradients),
+                               avi::exact(bin.value), avi::exact(bin.least), avi::exact(bin.most)})
+        cells.push_back(cell);
+      table.add(std::move(cells));
+    }
+  }
+
+ private:
+  struct Point {
+    long iteration = 0, gradients = 0;
+    double value = 0.0;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -std::numeric_limits<double>::infinity();
+  };
+
+  double width_, growth_, next_ = 0.0;
+  std::vector<Point> points_;
+};
+
+}  // namespace experiment

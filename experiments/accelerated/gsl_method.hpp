@@ -1,0 +1,82 @@
+#pragma once
+#include "avi/bregman/runge_kutta.hpp"
+#include "avi/core/outcome.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+
+#include <limits>
+#include <memory>
+
+/// @file
+/// The adaptive drivers of the GNU Scientific Library as optimisation methods: an independent check of our
+/// own Runge-Kutta pairs and of the claims made with them.
+
+namespace experiment {
+
+/// Bregman dynamics by a stepper of GSL under its standard step control; an iteration is an accepted step.
+struct GslMethod {
+  const gsl_odeiv2_step_type* type = gsl_odeiv2_step_rkf45;
+  avi::BregmanFamily family;
+  double rtol = 1e-3, atol = 1e-6, first_step = 1e-6;
+  avi::BregmanStart from{};
+
+  struct Free {
+    void operator()(gsl_odeiv2_step* p) const { gsl_odeiv2_step_free(p); }
+    void operator()(gsl_odeiv2_control* p) const { gsl_odeiv2_control_free(p); }
+    void operator()(gsl_odeiv2_evolve* p) const { gsl_odeiv2_evolve_free(p); }
+  };
+
+  struct State {
+    avi::VectorX z, at, rate;
+    avi::BregmanField field;
+    std::unique_ptr<gsl_odeiv2_step, Free> step;
+    std::unique_ptr<gsl_odeiv2_control, Free> control;
+    std::unique_ptr<gsl_odeiv2_evolve, Free> evolve;
+    double tau = 0.0, h = 0.0;
+  };
+
+  State start(const avi::Iterate& first) const {
+    family.validate();
+    gsl_set_error_handler_off();
+    State s{.z = bregman_point(first, from),
+            .at = {},
+            .rate = {},
+            .field = {.family = family, .q = first.x, .gradient = first.gradient},
+            .step = nullptr,
+            .control = nullptr,
+            .evolve = nullptr,
+            .h = first_step};
+    s.at = s.rate = s.z;
+    const auto size = static_cast<std::size_t>(s.z.size());
+    s.step.reset(gsl_odeiv2_step_alloc(type, size));
+    s.control.reset(gsl_odeiv2_control_y_new(atol, rtol));
+    s.evolve.reset(gsl_odeiv2_evolve_alloc(size));
+    return s;
+  }
+
+  template <class F>
+  avi::Outcome update(State& s, avi::Iterate& now, F& f) const {
+    struct Call {
+      State* state;
+      F* objective;
+    } call{&s, &f};
+    const auto rhs = [](double, const double z[], double dz[], void* data) -> int {
+      auto& [state, objective] = *static_cast<Call*>(data);
+      std::copy(z, z + state->z.size(), state->at.data());
+      state->field.evaluate(*objective, state->at, state->rate);
+      std::copy(state->rate.begin(), state->rate.end(), dz);
+      return GSL_SUCCESS;
+    };
+    const gsl_odeiv2_system system{rhs, nullptr, static_cast<std::size_t>(s.z.size()), &call};
+    const double never = std::numeric_limits<double>::max();
+    const int status = gsl_odeiv2_evolve_apply(s.evolve.get(), s.control.get(), s.step.get(), &system, &s.tau,
+                                               never, &s.h, s.z.data());
+    if (status != GSL_SUCCESS) return avi::Outcome::not_converged;
+    now.x = s.z.head(now.x.size());
+    now.evaluated = false;
+    return avi::Outcome::ok;
+  }
+};
+
+}  // namespace experiment
