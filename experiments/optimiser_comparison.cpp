@@ -101,8 +101,8 @@ int main(int argc, char** argv) {
       argc, argv, "optimiser_comparison",
       "HTVI against NAG, ADAM, AdaGrad, RMSprop and trust region steepest descent over nine tolerances",
       [&](CLI::App& app) {
-        app.add_flag("--long", full,
-                     "No cap below what the paper prints: AdaGrad to 2.5e8, NAG to 1e10 (an hour)");
+        add_flag(app, "--long", full,
+                 "No cap below what the paper prints: AdaGrad to 2.5e8, NAG to 1e10 (an hour)");
         add_number(app, "--cap", cap, {.low = 1.0, .high = 1e11}, "Iterations at which AdaGrad is given up");
       },
       [&](Frame& frame) {

@@ -22,11 +22,11 @@ struct PerturbedCounts {
 };
 
 /// The same starts for every setting.
-inline PerturbedCounts perturbed_counts(const Setting& setting, int starts, double size,
+inline PerturbedCounts perturbed_counts(const Setting& setting, long starts, double size,
                                         const avi::Stopping& stopping) {
   const avi::CorrelatedQuartic f;
   PerturbedCounts result;
-  for (int i = 0; i < starts; ++i) {
+  for (long i = 0; i < starts; ++i) {
     std::mt19937_64 random(static_cast<std::uint64_t>(i) + 1);
     avi::VectorX x0 = f.start();
     for (double& x : x0)  // 53 bits of the generator, mapped to [-1, 1): the same on every platform

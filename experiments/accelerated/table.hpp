@@ -22,14 +22,12 @@ inline std::string label_of(const Setting& s) {
 /// whose range tells counts that mean something from those that the last bit decides.
 inline int iteration_table(int argc, char** argv, const std::string& name, const std::string& summary,
                            const std::vector<Setting>& settings) {
-  int starts = 16;
+  long starts = 16;
   const auto options = [&](CLI::App& app) {
-    app.add_option("--starts", starts, "Starts moved by 1e-14 for each setting")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
+    add_count(app, "--starts", starts, 1, 1000, "Starts moved by 1e-14 for each setting");
   };
   return run(argc, argv, name, summary, options, [&](Frame& frame) {
-    if (frame.quick) starts = std::min(starts, 4);
+    if (frame.quick) starts = std::min(starts, 4L);
     const avi::Stopping stopping{.delta = 1e-10, .iterations = 1'000'000};
     avi::Table table = frame.table({"method", "approach", "p", "p_ring", "h", "C", "iterations",
                                     "gradient_evaluations", "converged", "perturbed_least",
