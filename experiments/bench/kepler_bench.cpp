@@ -1,7 +1,7 @@
 #include "avi/adaptive/euler_b.hpp"
 #include "avi/adaptive/monitors.hpp"
 #include "avi/core/integrate.hpp"
-#include "avi/htvi/type2.hpp"
+#include "avi/htvi/htvi.hpp"
 #include "avi/integrators/stormer_verlet.hpp"
 #include "avi/problems/kepler.hpp"
 

@@ -24,17 +24,32 @@ inline double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Median seconds of each piece of work over `rounds` rounds; a round runs every piece once, so that a drift
+/// Seconds of each piece of work in each of `rounds` rounds; a round runs every piece once, so that a drift
 /// of the machine's speed meets them all alike.
-inline std::vector<double> interleaved_seconds(const std::vector<std::function<void()>>& works, int rounds) {
+inline std::vector<std::vector<double>> interleaved_samples(const std::vector<std::function<void()>>& works,
+                                                            int rounds) {
   std::vector<std::vector<double>> samples(works.size());
   for (int round = 0; round < rounds; ++round)
     for (std::size_t i = 0; i < works.size(); ++i)
       samples[i].push_back(seconds(works[i]));
+  return samples;
+}
+
+/// Median seconds of each piece of work.
+inline std::vector<double> interleaved_seconds(const std::vector<std::function<void()>>& works, int rounds) {
   std::vector<double> medians;
-  for (auto& sample : samples)
+  for (auto& sample : interleaved_samples(works, rounds))
     medians.push_back(median(std::move(sample)));
   return medians;
+}
+
+/// Least seconds of each piece of work: the run that nothing else on the machine disturbed.
+inline std::vector<double> interleaved_least_seconds(const std::vector<std::function<void()>>& works,
+                                                     int rounds) {
+  std::vector<double> least;
+  for (const auto& sample : interleaved_samples(works, rounds))
+    least.push_back(*std::min_element(sample.begin(), sample.end()));
+  return least;
 }
 
 }  // namespace experiment
