@@ -61,13 +61,11 @@ TEST(Lanes, PartialsAgreeWithCentralDifferences) {
     EXPECT_NEAR(v.value(), f(x, y), 4e-16 * std::abs(f(x, y))) << plain[i].first;
     EXPECT_NEAR(v.partial(0), f_x, 2e-9) << plain[i].first;
     EXPECT_NEAR(v.partial(1), f_y, 2e-9) << plain[i].first;
-    Partials<double, 2> px(x), py(y);
-    px.d[0] = 1.0;
-    py.d[1] = 1.0;
-    const auto p = partials[i].second(px, py);
+    using P = Partials<double, 2>;
+    const P p = partials[i].second(P::variable(x, 0), P::variable(y, 1));
     EXPECT_NEAR(p.value, v.value(), 4e-16 * std::abs(v.value())) << plain[i].first;
-    EXPECT_NEAR(p.d[0], v.partial(0), 1e-14) << plain[i].first;
-    EXPECT_NEAR(p.d[1], v.partial(1), 1e-14) << plain[i].first;
+    EXPECT_NEAR(p.partial(0), v.partial(0), 1e-14) << plain[i].first;
+    EXPECT_NEAR(p.partial(1), v.partial(1), 1e-14) << plain[i].first;
   }
 }
 

@@ -38,7 +38,9 @@ class EulerB {
     } else {
       const Partials<double, n> g = value_and_gradient([this](const auto& x) { return g_(x); }, z.q);
       const double hg = h * g.value;
-      const Vector<double, n> slope = Eigen::Map<const Vector<double, n>>(g.d.data());
+      Vector<double, n> slope;
+      for (int i = 0; i < n; ++i)
+        slope[i] = g.partial(i);
       const Vector<double, n> a =
           z.p - hg * problem_.potential_gradient(z.q) - (h * (problem_.potential(z.q) + pt_)) * slope;
       const double a2 = a.squaredNorm(), b = 1.0 + h * a.dot(slope);

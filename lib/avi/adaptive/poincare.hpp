@@ -108,14 +108,14 @@ class Poincare {
       const auto at_q = q.template cast<Partials<S, 1>>().eval();
       const auto both = along_momentum([&](const auto& x) { return h_(at_q, x); }, p);
       energy = both.value;
-      work = both.d[0];
+      work = both.partial(0);
     }
     if constexpr (position_monitor || form == Field::on_shell) {
       return rate(q, p) * (work - energy);
     } else {
       const auto at_q = q.template cast<Partials<S, 1>>().eval();
       const auto g = along_momentum([&](const auto& x) { return g_(at_q, x); }, p);
-      return g.value * (work - energy) + (energy + pt) * g.d[0];
+      return g.value * (work - energy) + (energy + pt) * g.partial(0);
     }
   }
 

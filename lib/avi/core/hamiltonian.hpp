@@ -43,10 +43,8 @@ Vector<S, n> d_dq(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
 template <class F, class S, int n>
 Partials<S, 1> along_momentum(const F& f, const Vector<S, n>& p) {
   Vector<Partials<S, 1>, n> seeded(p.size());
-  for (Eigen::Index i = 0; i < p.size(); ++i) {
-    seeded[i].value = p[i];
-    seeded[i].d[0] = p[i];
-  }
+  for (Eigen::Index i = 0; i < p.size(); ++i)
+    seeded[i] = Partials<S, 1>::variable(p[i], 0, p[i]);
   return f(seeded);
 }
 
