@@ -12,10 +12,10 @@
 
 namespace {
 
-/// Lines of a published table that no sheet judges yet.
+/// Lines of a published table that no sheet judges: missing, every one.
 std::vector<scorecard::Line> unjudged(const std::string& stem, const std::filesystem::path& published) {
   const auto refuse = [](const scorecard::Cell&, const avi::Table&) -> scorecard::Judgement {
-    throw std::logic_error("Nothing judges this table yet.");
+    throw std::logic_error("No sheet judges this table.");
   };
   return scorecard::judge({stem, stem, refuse}, published, published);
 }
@@ -57,10 +57,10 @@ int main(int argc, char** argv) {
         const auto sheets = scorecard::sheets();
         for (const auto& sheet : sheets)
           add(sheet.title, scorecard::judge(sheet, published, data));
-        const auto missing = std::ranges::count_if(
-            all, [](const auto& line) { return line.judgement.verdict == scorecard::Verdict::missing; });
         for (const auto& stem : left_over(sheets, published))
           add(stem, unjudged(stem, published));
+        const auto missing = std::ranges::count_if(
+            all, [](const auto& line) { return line.judgement.verdict == scorecard::Verdict::missing; });
         frame.write(table);
         fmt::print("\nAll tables - {}\n", scorecard::summary(all));
         if (missing > 0)

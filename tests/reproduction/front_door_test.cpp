@@ -1,3 +1,5 @@
+#include "avi/io/table.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -101,6 +103,23 @@ TEST_P(FrontDoor, RefusesNonsenseValues) {
     if (!high.empty() && high != "inf")
       expect_refused(quick() + flag + "=" + std::to_string(std::stod(high) + 1.0));
   }
+}
+
+/// A published number without data is a row of the scorecard and a status, never silence.
+TEST(Scorecard, FailsWhereDataAreMissing) {
+  const fs::path scratch = fs::temp_directory_path() / ("avi_scorecard_run_" + std::to_string(::getpid()));
+  fs::create_directories(scratch / "empty");
+  const std::string command = "'" AVI_BIN_DIR "/scorecard' --published '" AVI_PUBLISHED_DIR "' --data '" +
+                              (scratch / "empty").string() + "' --output '" + scratch.string() + "' >'" +
+                              (scratch / "out").string() + "' 2>&1";
+  const int status = std::system(command.c_str());
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1);
+  const avi::Table card = avi::Table::read(scratch / "scorecard.tsv");
+  EXPECT_GT(card.rows.size(), 200u);
+  for (std::size_t i = 0; i < card.rows.size(); ++i)
+    EXPECT_EQ(card.text(i, "verdict"), "missing");
+  EXPECT_NE(slurp(scratch / "out").find("kepler_e090.tsv"), std::string::npos);
+  fs::remove_all(scratch);
 }
 
 std::vector<std::string> experiments() {
