@@ -78,7 +78,8 @@ deps-format:
 configure = cmake --preset $(PRESET) >/dev/null
 compile   = cmake --build $(BUILD) --target
 
-programs: deps
+# Peers are found when CMake configures, so they have to be there by then.
+programs: deps $(if $(filter work-precision,$(MAKECMDGOALS)),deps-peers)
 	@$(configure) && $(compile) experiments
 build: programs ## Build everything: experiments, tests and checks
 	@$(compile) all
@@ -130,7 +131,11 @@ build/data build/figures build/paper figures/gallery:
 long: $(patsubst %,build/long/%.tsv,$(call with_flag,long)) ## Run to their end what `figures` runs under a cap
 build/long/%.tsv: $(BIN)/%
 	$(BIN)/$* --long --output build/long
-work-precision: deps-peers $(patsubst %,build/full/%.tsv,$(call with_flag,full)) ## The whole grid of speed and accuracy
+whole := $(call with_flag,full)
+work-precision: deps-peers $(patsubst %,build/full/%.tsv,$(whole)) | build/figures ## The whole grid of speed and accuracy
+	@for each in $(filter $(drawable),$(whole)); do \
+	  $(call draw,$$each,build/full,build/figures/$${each}_full,pdf,pdf) && \
+	  $(call draw,$$each,build/full,build/figures/$${each}_full,png,png) || exit 1; done
 build/full/%.tsv: $(BIN)/%
 	$(BIN)/$* --full --output build/full
 extremes: $(patsubst %,build/extremes/%.tsv,$(call with_flag,extremes)) ## The long stability runs
