@@ -94,7 +94,7 @@ void add_number(CLI::App& app, const std::string& flag, double& value, Range ran
   app.add_option(flag, value, description)
       ->option_text(fmt::format("NUMBER in {}", interval))
       ->capture_default_str()
-      ->check([=, &app](const std::string& text) -> std::string {
+      ->check([=](const std::string& text) -> std::string {
         double number = std::nan("");
         const bool parsed = CLI::detail::lexical_cast(text, number);
         const bool above = range.low_open ? number > range.low : number >= range.low;
