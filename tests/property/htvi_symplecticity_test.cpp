@@ -109,7 +109,7 @@ TEST(Control, TaylorMethodIsNotSymplectic) {
       return {};
     }
   };
-  const Taylor taylor{{problem, avi::simpson(), 512}};
+  const Taylor taylor{{problem, avi::simpson(), 3, 512}};
   const double coarse = avi::symplecticity_defect(taylor, z, 0.1),
                fine = avi::symplecticity_defect(taylor, z, 0.05);
   EXPECT_GT(coarse, 1e-6);

@@ -5,6 +5,7 @@
 #include "avi/taylor/jet_functions.hpp"
 
 #include <array>
+#include <string>
 #include <utility>
 
 /// @file
@@ -35,7 +36,7 @@ inline constexpr Construction superconvergent{Field::on_shell, NodePosition::rai
 
 /// Taylor expansion, over one step of a Poincare-transformed problem, of (q, p, t) with first partials with
 /// respect to the initial values, and what the discrete Hamiltonian needs from it. r is the order of the
-/// Taylor method Psi^(r).
+/// Taylor method Psi^(r); with r = avi::dynamic it is given at run time, at most `capacity`.
 template <class Problem, int r, Construction construction>
 class TaylorAction {
  public:
@@ -45,10 +46,22 @@ class TaylorAction {
   static constexpr bool energy_lane = !Problem::unit && construction.field == Field::full;
   static constexpr int lanes = 2 * n + (energy_lane ? 1 : 0);
   using Lane = Lanes<lanes>;
+  static constexpr int capacity = r == dynamic ? 15 : r;
 
-  TaylorAction(const Problem& problem, Quadrature rule, std::size_t tape_slots)
-      : problem_(problem), rule_(std::move(rule)), tape_(tape_slots) {
+  /// @throws std::invalid_argument for an improper rule or an order out of range.
+  TaylorAction(const Problem& problem, Quadrature rule, int run_time_order, std::size_t tape_slots)
+      : problem_(problem), rule_(std::move(rule)), tape_(tape_slots), order_(run_time_order) {
     validate(rule_);
+    require(order_ >= 0 && order_ <= capacity, "Taylor order r", order_,
+            "in [0, " + std::to_string(capacity) + "]");
+  }
+
+  /// r.
+  [[nodiscard]] int order() const {
+    if constexpr (r == dynamic)
+      return order_;
+    else
+      return r;
   }
 
   /// Results of expand(): increments over the step, partials in the order q_0, p_0, p^t.
@@ -75,17 +88,21 @@ class TaylorAction {
     if constexpr (unrolled) {
       [&]<int... k>(std::integer_sequence<int, k...>) { (replay<k, true>(k, h), ...); }
       (std::make_integer_sequence<int, r>{});
-      replay<r, false>(r, h);
+      replay<r, r == 0>(r, h);
     } else {
-      for (int k = 0; k < r; ++k)
+      for (int k = 0; k < order(); ++k)
         replay<-1, true>(k, h);
-      replay<-1, false>(r, h);
+      // The step of order 0 still needs p' once, for energy_slope().
+      if (order() == 0)
+        replay<-1, true>(0, h);
+      else
+        replay<-1, false>(order(), h);
     }
     for (int i = 0; i < n; ++i) {
-      out.q[i] = tail<r + 1>(q_[i], 1.0);
-      out.p[i] = tail<r>(p_[i], 1.0);
+      out.q[i] = tail<1>(q_[i], 1.0);
+      out.p[i] = tail<0>(p_[i], 1.0);
     }
-    out.t = tail<r + 1>(t_, 1.0);
+    out.t = tail<1>(t_, 1.0);
     out.action = h * action();
   }
 
@@ -102,10 +119,10 @@ class TaylorAction {
   [[nodiscard]] State<n> polynomial(double c, double t0) const {
     State<n> z;
     for (int i = 0; i < n; ++i) {
-      z.q[i] = at<r + 1>(q_[i], c).value();
-      z.p[i] = at<r>(p_[i], c).value();
+      z.q[i] = at<1>(q_[i], c).value();
+      z.p[i] = at<0>(p_[i], c).value();
     }
-    z.t = t0 + c * tail<r + 1>(t_, c).value();
+    z.t = t0 + c * tail<1>(t_, c).value();
     return z;
   }
 
@@ -115,14 +132,14 @@ class TaylorAction {
  private:
   /// One copy of the formulas per order is a fifth faster where they are short; long ones fit the instruction
   /// cache, and the compiler's patience, only once.
-  static constexpr bool unrolled = construction.field == Field::on_shell && r <= 4;
+  static constexpr bool unrolled = construction.field == Field::on_shell && r != dynamic && r <= 4;
   using Series =
-      std::array<Lane, r + 2>;  // scaled coefficients: entry k is h^k / k! times the k-th derivative
+      std::array<Lane, capacity + 2>;  // scaled coefficients: entry k is h^k / k! times the k-th derivative
 
   /// Coefficients k + 1 from coefficients 0 to k; forces are not needed at the last order, k = r.
   template <int K, bool forces>
   void replay(int k, double h) {
-    using S = Jet<Lane, r, K>;
+    using S = Jet<Lane, capacity, K>;
     tape_.rewind(k);
     Vector<S, n> q, p, dq, dp;
     for (int i = 0; i < n; ++i) {
@@ -141,18 +158,19 @@ class TaylorAction {
         p_[i][k + 1] = -factor * dp[i][k];
   }
 
-  /// sum over k = 1..order of s_k c^(k-1). The order is a template argument so that the loop unrolls.
-  template <int order>
-  static Lane tail(const Series& s, double c) {
-    if constexpr (order == 0) return Lane(0.0);
-    Lane sum = s[order];
-    for (int k = order - 1; k >= 1; --k)
+  /// Sum over k = 1..r + extra of s_k c^(k-1).
+  template <int extra>
+  [[nodiscard]] Lane tail(const Series& s, double c) const {
+    const int last = order() + extra;
+    if (last == 0) return Lane(0.0);
+    Lane sum = s[last];
+    for (int k = last - 1; k >= 1; --k)
       sum = s[k] + c * sum;
     return sum;
   }
-  template <int order>
-  static Lane at(const Series& s, double c) {
-    return s[0] + c * tail<order>(s, c);
+  template <int extra>
+  [[nodiscard]] Lane at(const Series& s, double c) const {
+    return s[0] + c * tail<extra>(s, c);
   }
 
   [[nodiscard]] Lane action() const {
@@ -164,8 +182,8 @@ class TaylorAction {
       const bool raised = nodes == NodePosition::raised || (nodes == NodePosition::end_raised && c == 1.0);
       Vector<Lane, n> q, p;
       for (int i = 0; i < n; ++i) {
-        q[i] = raised ? at<r + 1>(q_[i], c) : at<r>(q_[i], c);
-        p[i] = at<r>(p_[i], c);
+        q[i] = raised ? at<1>(q_[i], c) : at<0>(q_[i], c);
+        p[i] = at<0>(p_[i], c);
       }
       sum += rule_.weights[j] * problem_.template action_rate<construction.field>(q, p, pt);
     }
@@ -174,7 +192,8 @@ class TaylorAction {
 
   const Problem problem_;
   const Quadrature rule_;
-  JetTape<Lane, r> tape_;
+  JetTape<Lane, capacity> tape_;
+  const int order_;
   std::array<Series, n> q_, p_;
   Series t_, pt_;
 };
