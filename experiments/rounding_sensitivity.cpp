@@ -13,22 +13,24 @@ int main(int argc, char** argv) {
       [&](Frame& frame) {
         if (frame.quick) starts = std::min(starts, 4L);
         avi::Table table =
-            frame.table({"method", "approach", "p", "p_ring", "h", "iterations", "moved_by", "starts",
-                         "least", "median", "most", "unchanged", "failed", "chaotic"});
+            frame.table({"setting", "method", "approach", "p", "p_ring", "h", "iterations", "moved_by",
+                         "starts", "least", "median", "most", "unchanged", "failed", "chaotic"});
         table.note("chaotic", "the counts of the moved starts differ, or some runs fail");
         const avi::CorrelatedQuartic f;
         const avi::Stopping stopping{.delta = 1e-10, .iterations = 1'000'000};
         const auto settings = all_settings();
+        long row = 0;
         for (std::size_t i = 0; i < settings.size(); ++i) {
           const Setting& s = settings[i];
           frame.progress(label_of(s), static_cast<double>(i) / static_cast<double>(settings.size()));
           const bool slow = s.is_direct() && s.p < 5;
           if (slow && (frame.quick || s.method == "clone_y4" || s.method == "clone_y6")) continue;
+          ++row;
           const long nominal = run_setting(s, f, f.start(), stopping).iterations;
           for (double size : {1e-15, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6}) {
             if (slow && (s.method != "htvi" || size < 1e-9) && size != 1e-14) continue;
             const auto moved = perturbed_counts(s, starts, size, stopping);
-            table.row(s.method, s.approach(), s.p, s.is_direct() ? std::nan("") : s.p_ring, s.h, nominal,
+            table.row(row, s.method, s.approach(), s.p, s.is_direct() ? std::nan("") : s.p_ring, s.h, nominal,
                       size, starts, moved.least(), moved.median(), moved.most(), moved.equal_to(nominal),
                       moved.failed, moved.failed > 0 || moved.least() != moved.most());
           }

@@ -23,8 +23,8 @@ class Baselines {
       : frame_(frame), table_(frame.table(columns)), curves_(curve_table()) {
     table_.note("delta", stopping_.delta);
     table_.note("rtol, atol", "nan where the step is fixed; then h is the step");
-    curves_.note("rows",
-                 "f at the end of each bin of iterations, its least and its largest value in the bin");
+    curves_.note("rows", "f at the end of each bin of iterations, its least and largest value in the bin, "
+                         "its largest from there on");
   }
 
   /// Runs a method; the curve is kept when it has a label.

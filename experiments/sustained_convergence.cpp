@@ -9,11 +9,12 @@ namespace {
 using namespace experiment;
 
 /// f around and after the first passage, for the figure.
-void add_curve(avi::Table& curves, const Setting& s, long length) {
+void add_curve(avi::Table& curves, const Setting& s, long first_passage) {
+  const long length = 4 * first_passage;
   const avi::CorrelatedQuartic f;
   Curve curve(static_cast<double>(length) / 600.0);
   run_setting(s, f, f.start(), {.delta = 0.0, .iterations = length}, curve);
-  curve.append(curves, {label_of(s), s.method, s.approach()});
+  curve.append(curves, {label_of(s), s.approach(), std::to_string(first_passage)});
 }
 
 }  // namespace
@@ -28,7 +29,7 @@ int main(int argc, char** argv) {
         table.note("delta", 1e-10);
         table.note("sustained", "first iteration from which the test holds until the run is twice as long");
         table.note("rebound", "largest f within the 5 % of iterations after the first passage");
-        std::vector<std::string> columns{"curve", "method", "approach"};
+        std::vector<std::string> columns{"curve", "approach", "first_passage"};
         for (auto& column : Curve::columns())
           columns.push_back(column);
         avi::Table curves = frame.table(columns);
@@ -44,7 +45,8 @@ int main(int argc, char** argv) {
           table.row(s.method, s.approach(), s.p, s.is_direct() ? std::nan("") : s.p_ring, s.h, seen.first,
                     seen.sustained(), static_cast<double>(seen.sustained()) / static_cast<double>(seen.first),
                     seen.at_first, seen.rebound, seen.confirmed, avi::name(result.outcome));
-          if (s.method == "htvi" && (s.h == 8e-4 || s.h == 2.4e-4)) add_curve(curves, s, 4 * seen.first);
+          if (s.method == "htvi" && s.p == 4 && (s.h == 8e-4 || s.h == 2.4e-4))
+            add_curve(curves, s, seen.first);
         }
         frame.progress("done", 1.0);
         frame.write(curves, "curves");

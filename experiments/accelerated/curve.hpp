@@ -14,8 +14,8 @@
 namespace experiment {
 
 /// Witness that gathers f over the iterations in bins of equal width, on a linear or a logarithmic axis: of
-/// each bin its last iterate, and the least and largest f in it, so that oscillations faster than the bins
-/// stay visible.
+/// each bin its last iterate, the least and largest f in it, so that oscillations faster than the bins stay
+/// visible, and the largest f from the bin to the end of the run, their upper envelope.
 class Curve {
  public:
   /// Iterations a bin spans: at least `width`, and at least the fraction `growth` of the iterations so far.
@@ -36,15 +36,21 @@ class Curve {
 
   /// The columns that append() fills after those of the caller.
   static std::vector<std::string> columns() {
-    return {"iteration", "gradient_evaluations", "value", "least", "most"};
+    return {"iteration", "gradient_evaluations", "value", "least", "most", "ahead"};
   }
 
   /// Adds one row for each bin, each beginning with the caller's cells.
   void append(avi::Table& table, const std::vector<std::string>& begin) const {
-    for (const Point& bin : points_) {
+    std::vector<double> ahead(points_.size());
+    double largest = 0.0;
+    for (std::size_t i = points_.size(); i-- > 0;)
+      ahead[i] = largest = std::max(largest, points_[i].most);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const Point& bin = points_[i];
       auto cells = begin;
-      for (const auto& cell : {std::to_string(bin.iteration), std::to_string(bin.gradients),
-                               avi::exact(bin.value), avi::exact(bin.least), avi::exact(bin.most)})
+      for (const auto& cell :
+           {std::to_string(bin.iteration), std::to_string(bin.gradients), avi::exact(bin.value),
+            avi::exact(bin.least), avi::exact(bin.most), avi::exact(ahead[i])})
         cells.push_back(cell);
       table.add(std::move(cells));
     }

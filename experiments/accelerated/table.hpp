@@ -38,7 +38,8 @@ inline int iteration_table(int argc, char** argv, const std::string& name, const
     for (auto& column : Curve::columns())
       columns.push_back(column);
     avi::Table curves = frame.table(columns);
-    curves.note("rows", "f at the end of each bin of iterations, its least and its largest value in the bin");
+    curves.note("rows", "f at the end of each bin of iterations, its least and largest value in the bin, its "
+                        "largest from there on");
     const avi::CorrelatedQuartic f;
     for (std::size_t i = 0; i < settings.size(); ++i) {
       const Setting& s = settings[i];
@@ -53,7 +54,7 @@ inline int iteration_table(int argc, char** argv, const std::string& name, const
                 result.converged(), counts.least(), counts.median(), counts.most(), counts.failed,
                 avi::rounded(time));
       if (!result.converged()) continue;
-      Curve curve(static_cast<double>(result.iterations) / 500.0);
+      Curve curve(1.0, 0.01);
       run_setting(s, f, f.start(), stopping, curve);
       curve.append(curves, {label_of(s), s.method, s.approach(), avi::exact(s.p), avi::exact(p_ring)});
     }
