@@ -22,7 +22,7 @@ plot curves using (where('curve', 'direct', 'iteration')):'ahead' with lines ls 
 eval logx
 set xrange [3:200]; set yrange [1e-15:1]
 set xlabel 'order P = p^2/p̊'; set ylabel 'distance from Direct, 100 steps'
-set key at graph 0.98, 0.55 right
+set key at graph 0.98, 0.48 right center
 eval panel(2, 1, 2, 1)
 unset title
 plot table using (where('clock', 'euler', 'order')):'distance_100' with points ls approach('adaptive') ps 1 title "Euler's clock", \

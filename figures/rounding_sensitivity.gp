@@ -4,7 +4,7 @@
 width = 16; height = 10
 load 'figures/style.gp'
 table = data.'/rounding_sensitivity.tsv'
-set lmargin at screen 0.33; set rmargin at screen 0.97; set tmargin at screen 0.92; set bmargin at screen 0.13
+set lmargin at screen 0.4; set rmargin at screen 0.97; set tmargin at screen 0.92; set bmargin at screen 0.16
 at(y) = column('moved_by') > 5e-15 && column('moved_by') < 5e-14 ? y : NaN
 row_name(m) = label(m).', '.label(strcol('approach')).' '.sprintf('%g', column('p')).(strcol('p_ring') eq 'nan' ? '' : sprintf(', %g', column('p_ring')))
 failures(n) = n > 0 ? sprintf('%g of %g fail', n, column('starts')) : ''

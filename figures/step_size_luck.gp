@@ -9,7 +9,7 @@ array runs[8] = ['htvi direct 4', 'htvi direct 10', 'htvi adaptive 2 1', 'htvi a
   'htvi adaptive 6 1', 'htvi adaptive 8 1', 'htvi adaptive 4 0.1']
 unset key
 set multiplot
-page_left = 0.09; page_right = 0.985; page_bottom = 0.13; page_top = 0.93; gap_x = 0.03; gap_y = 0.12
+page_left = 0.09; page_right = 0.985; page_bottom = 0.16; page_top = 0.93; gap_x = 0.03; gap_y = 0.12
 set xrange [0.58:1.32]; set xtics 0.2
 $here << EOD
 x
@@ -26,9 +26,9 @@ do for [i = 1:8] {
   set format x i > 4 ? '%g' : ''
   eval panel((i-1)%4+1, (i-1)/4+1, 4, 2)
   set title label(word(runs[i], 2)).', '.word(runs[i], 3).(words(runs[i]) > 3 ? ', '.word(runs[i], 4) : '') offset 0, -0.8
-  published = i == 1 ? 77877 : i == 2 ? 13871 : i == 3 ? 77854 : i == 4 ? 22127 : i == 5 ? 9360 : i == 6 ? 7784 : i == 7 ? 6132 : 5688
+  counted = i == 1 ? 77877 : i == 2 ? 13871 : i == 3 ? 77854 : i == 4 ? 22127 : i == 5 ? 9360 : i == 6 ? 7784 : i == 7 ? 6132 : 5688
   plot 1 with lines ls guide, \
-    grid using (shown(also('row', runs[i], column('relative_h')))):(column('iterations')/published) with linespoints ls approach(word(runs[i], 2)) dt 1 lw 0.8 ps 0.5, \
+    grid using (shown(also('row', runs[i], column('relative_h')))):(column('iterations')/counted) with linespoints ls approach(word(runs[i], 2)) dt 1 lw 0.8 ps 0.5, \
     $here using 'x':'x' with points ls published
 }
 unset multiplot

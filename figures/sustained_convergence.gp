@@ -25,7 +25,7 @@ do for [i = 1:2] {
   set ylabel ''
 }
 unset arrow 1; unset title
-page_left = 0.37; page_top = 0.52; page_bottom = 0.09
+page_left = 0.41; page_top = 0.52; page_bottom = 0.09
 eval panel(1, 1, 1, 1)
 unset logscale y; eval logx
 set format y '%s'; set ytics font ',7'
