@@ -12,6 +12,8 @@ BIN    := $(BUILD)/bin
 .SUFFIXES:
 MAKEFLAGS += --no-builtin-rules
 SHELL := /bin/sh
+# Decimal points and UTF-8 whatever the user's language.
+export LC_ALL := C.UTF-8
 
 # ---- what there is -------------------------------------------------------------------------------------------
 # An experiment is experiments/<stem>.cpp and writes build/data/<stem>.tsv. A figure is figures/<stem>.gp; its line
