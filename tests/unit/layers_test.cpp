@@ -78,9 +78,10 @@ TEST(Layers, OneHeaderBringsTheWholeLibrary) {
   const auto included = includes_of(source / "lib/avi/avi.hpp");
   const std::set<std::string> roof(included.begin(), included.end());
   for (const fs::path& file : files_under(source / "lib/avi"))
-    if (file.filename() != "avi.hpp")
+    if (file.filename() != "avi.hpp") {
       EXPECT_TRUE(roof.contains(fs::relative(file, source / "lib").string()))
           << file << " is not in avi/avi.hpp";
+    }
 }
 
 TEST(Layers, ExperimentsUseNoTests) {
