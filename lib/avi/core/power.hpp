@@ -22,6 +22,7 @@ inline double power(double x, double exponent) {
 /// The same at any other scalar, through its own pow.
 template <class S>
 auto power(const S& x, double exponent) {
+  using std::pow;  // without it, a long double would silently go through double
   return pow(x, exponent);
 }
 

@@ -28,9 +28,7 @@ class AdaptiveVerlet {
   static constexpr int n = Problem::dimension;
 
   AdaptiveVerlet(Problem problem, Monitor monitor)
-      : problem_(std::move(problem)), monitor_(std::move(monitor)) {
-    after_.t = std::numeric_limits<double>::quiet_NaN();
-  }
+      : problem_(std::move(problem)), monitor_(std::move(monitor)) {}
 
   /// A density that is not positive ends the step as Outcome::diverged: h is too large for this monitor.
   StepReport step(State<n>& z, double h) {
@@ -59,8 +57,8 @@ class AdaptiveVerlet {
   Problem problem_;
   Monitor monitor_;
   double rho_ = 1.0;
-  Vector<double, n> force_{};
-  State<n> after_{};
+  Vector<double, n> force_ = Vector<double, n>::Zero();
+  State<n> after_{.q = force_, .p = force_, .t = std::numeric_limits<double>::quiet_NaN()};
 };
 
 }  // namespace avi

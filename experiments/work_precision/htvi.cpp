@@ -1,0 +1,41 @@
+#include "work_precision/scenes.hpp"
+
+#include "avi/adaptive/monitors.hpp"
+#include "avi/htvi/type2.hpp"
+
+// Compiled once for each Taylor order r = AVI_TAYLOR_ORDER: order r + 1 with the Gauss rule of that order.
+
+namespace experiment::work_precision {
+namespace {
+
+constexpr int r = AVI_TAYLOR_ORDER;
+
+template <class P, class G>
+void add(Scene& scene, const Arena<P>& arena, const std::string& knob, double coarse, G monitor) {
+  scene.families.push_back(ours(arena, "htvi", r + 1, Origin::htvi, knob, geometric(coarse, 0.8, 40),
+                                [=](const P& problem, const auto& start) {
+                                  return avi::type2<r>(avi::poincare<P::dimension>(problem, start, monitor),
+                                                       avi::gauss((r + 1) / 2));
+                                }));
+}
+
+}  // namespace
+
+template <>
+void add_htvi<r>(Scene& scene, const KeplerArena& arena) {
+  add(scene, arena, "g=r^2/(1+r^2/8) h", 1.0, avi::bounded(avi::NormSquared{}, 0.0, 8.0));
+  add(scene, arena, "g=r^1.5 h", 1.0, avi::Gamma{0.75});
+}
+template <>
+void add_htvi<r>(Scene& scene, const PerturbedArena& arena) {
+  if constexpr (r == 7 || r == 11) add(scene, arena, "g=r^1.5 h", 1.0, avi::Gamma{0.75});
+}
+template <>
+void add_htvi<r>(Scene& scene, const HenonArena& arena) {
+  if constexpr (r == 7 || r == 11) add(scene, arena, "g=1 h", 2.0, avi::Unit{});
+}
+/// Not instantiated: with 12 differentiated lanes the step takes minutes to compile.
+template <>
+void add_htvi<r>(Scene&, const EightArena&) {}
+
+}  // namespace experiment::work_precision

@@ -1,0 +1,45 @@
+# data: work_precision
+# What accuracy costs: error at the end against time, the Pareto front of all methods drawn through.
+width = 17; height = 14
+load 'figures/style.gp'
+file = data.'/work_precision.tsv'
+front = data.'/work_precision_front.tsv'
+
+# Every method as dots in the colour of its kind, the front as a line.
+kind(m) = strstrt(m, 'log_hamiltonian') ? 1 : m eq 'htvi' ? 2 : \
+          (strstrt(m, 'gsl') || strstrt(m, 'odeint') || strstrt(m, 'sundials')) ? 3 : 4
+at(p, e, h, k) = strcol('problem') eq p && strcol('horizon') eq h && kind(strcol('method')) == k && \
+                 (e < 0 || abs(column('eccentricity') - e) < 1e-6) ? column('position_error') : NaN
+edge(p, e, h) = strcol('problem') eq p && strcol('horizon') eq h && \
+                (e < 0 || abs(column('eccentricity') - e) < 1e-6) ? column('position_error') : NaN
+
+eval logx
+eval logy
+set grid
+unset key
+set xrange [1e-4:1e2]
+set yrange [1e-14:1e-1]
+set xtics 100
+set ytics 1e3
+set multiplot layout 3,2 margins 0.09,0.98,0.13,0.95 spacing 0.10,0.09
+array problem[6] = ['kepler', 'kepler', 'kepler', 'kepler', 'perturbed_kepler', 'figure_eight']
+array ecc[6] = [0.9, 0.99, 0.999, 0.9, 0.9, -1]
+# The horizon that the data hold: the reduced grid is shorter than the full one.
+has(p, h) = int(system("awk -F'\\t' '$1==\"".p."\" && $3==\"".h."\"' '".file."' | wc -l")) > 0
+orbits = has('kepler', '1000 periods') ? '1000 periods' : '100 periods'
+loops = has('figure_eight', '100 periods') ? '100 periods' : '10 periods'
+array horizon[6] = ['10', '10', '10', orbits, '10', loops]
+array title[6] = ['Kepler, e = 0.9, T = 10', 'Kepler, e = 0.99, T = 10', 'Kepler, e = 0.999, T = 10', \
+  'Kepler, e = 0.9, '.orbits, 'Kepler with quadrupole, e = 0.9, T = 10', 'figure-eight orbit, '.loops]
+do for [i=1:6] {
+  set title title[i] offset 0,-0.6
+  set ylabel i % 2 ? 'position error at the end' : ''
+  set xlabel i > 4 ? 'time / time of the Störmer–Verlet run of Table 1' : ''
+  if (i == 5) { set key at screen 0.5,0.012 bottom center horizontal maxrows 1 samplen 2; } else { unset key }
+  plot file using "cost":(at(problem[i], ecc[i], horizon[i], 4)) with points pt 1 ps 0.5 lc rgb grey title 'fixed-step and reversible', \
+    '' using "cost":(at(problem[i], ecc[i], horizon[i], 3)) with points pt 4 ps 0.6 lc rgb vermilion title 'other libraries', \
+    '' using "cost":(at(problem[i], ecc[i], horizon[i], 2)) with points pt 7 ps 0.5 lc rgb blue title 'HTVI', \
+    '' using "cost":(at(problem[i], ecc[i], horizon[i], 1)) with points pt 9 ps 0.6 lc rgb green title 'logarithmic Hamiltonian', \
+    front using "cost":(edge(problem[i], ecc[i], horizon[i])) with lines lc rgb black lw 1.2 title 'Pareto front'
+}
+unset multiplot

@@ -1,0 +1,57 @@
+#include "work_precision/reference.hpp"
+
+#include "avi/problems/kepler.hpp"
+#include "avi/problems/perturbed_kepler.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace experiment::work_precision;
+using avi::Kepler;
+
+namespace {
+
+TEST(SinVersin, MatchesTheLibraryInLongDouble) {
+  for (double x : {-3.9, -1.0, 0.0, 1e-6, 0.5, 3.0}) {
+    Quad s = 0, v = 0;
+    sin_versin(x, s, v);
+    EXPECT_NEAR(static_cast<double>(static_cast<long double>(s) - std::sin(static_cast<long double>(x))), 0.0,
+                2e-19);
+    EXPECT_NEAR(static_cast<double>(1 - static_cast<long double>(v) - std::cos(static_cast<long double>(x))),
+                0.0, 2e-19);
+  }
+}
+
+TEST(ExactKepler, AgreesWithTheOrbitOfTheUnroundedStartWhereThatIsHarmless) {
+  for (double t : {0.0, 0.3, 3.0, 10.0}) {
+    EXPECT_LT((exact_kepler(Kepler::pericentre(0.9), t) - Kepler::exact(0.9, t).q).norm(), 1e-13) << t;
+    EXPECT_LT((exact_kepler(Kepler::exact(0.5, 1.3), t) - Kepler::exact(0.5, 1.3 + t).q).norm(), 1e-14) << t;
+  }
+}
+
+TEST(ExactKepler, KnowsWhatRoundingTheStartDoesOverAThousandPeriods) {
+  // The position moves by this much when the start is rounded: no method could be measured below it
+  // otherwise.
+  const double t = 2000.0 * M_PI;
+  EXPECT_GT((exact_kepler(Kepler::pericentre(0.9), t) - Kepler::exact(0.9, t).q).norm(), 3e-12);
+}
+
+TEST(ExtendedRun, AgreesWithKeplersEquationOverThousandPeriods) {
+  const auto start = Kepler::pericentre(0.9);
+  const double horizon = 2000.0 * M_PI;
+  ExtendedRun<Kepler> run({}, start, true, 0.15L);
+  run.run_to(horizon);
+  for (double t : {horizon, horizon + 0.05, horizon + 2.0})
+    EXPECT_LT((run.position(t) - exact_kepler(start, t)).norm(), 6e-14) << t - horizon;
+}
+
+TEST(ExtendedRun, TheTwoTimesAgreeOnAPerturbedOrbit) {
+  const auto start = avi::PerturbedKepler::pericentre(0.5);
+  const avi::PerturbedKepler problem(1e-2);
+  ExtendedRun<avi::PerturbedKepler> logarithmic(problem, start, true, 0.1L),
+      physical(problem, start, false, 0.01L);
+  logarithmic.run_to(20.0);
+  physical.run_to(20.0);
+  EXPECT_LT((logarithmic.position(20.0) - physical.position(20.0)).norm(), 2e-14);
+}
+
+}  // namespace
