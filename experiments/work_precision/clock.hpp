@@ -9,12 +9,12 @@ namespace experiment::work_precision {
 
 /// Seconds of one call of `work`, from a block of `repeats` calls. A block whose wall time exceeds the time
 /// the process had on the core by more than 2 % (and 20 microseconds) was descheduled: it is run again, at
-/// most five times.
+/// most twice.
 template <class Work>
 double block_seconds(const Work& work, int repeats) {
   using Clock = std::chrono::steady_clock;
   double best = 0.0;
-  for (int attempt = 0; attempt < 6; ++attempt) {
+  for (int attempt = 0; attempt < 3; ++attempt) {
     const std::clock_t cpu = std::clock();
     const auto wall = Clock::now();
     for (int i = 0; i < repeats; ++i)

@@ -31,13 +31,10 @@ void add_fixed(Scene& scene, const Arena<P>& arena, double stage) {
                                         return problem.potential_gradient(q);
                                       });
                                 }));
-  add("verlet_yoshida4", c::yoshida4, 0.6);
   add("verlet_suzuki4", c::suzuki4, 0.6);
   add("blanes_moan4", avi::splittings::blanes_moan4, 0.6);
-  add("verlet_mclachlan6", c::mclachlan6, 0.7);
   add("verlet_kahan_li6", c::kahan_li6, 0.7);
   add("blanes_moan6_nystrom", avi::splittings::blanes_moan6_nystrom, 0.7);
-  add("verlet_mclachlan8", c::mclachlan8, 0.75);
   add("verlet_kahan_li8", c::kahan_li8, 0.75);
   add("verlet_sofroniou_spaletta10", c::sofroniou_spaletta10, 0.8);
 }
@@ -53,13 +50,8 @@ void add_logarithmic(Scene& scene, const Arena<P>& arena, double stage) {
              }));
   };
   add("log_hamiltonian", c::strang, 0.6);
-  add("log_hamiltonian_yoshida4", c::yoshida4, 0.7);
   add("log_hamiltonian_suzuki4", c::suzuki4, 0.7);
-  add("log_hamiltonian_blanes_moan4", avi::splittings::blanes_moan4, 0.7);
   add("log_hamiltonian_kahan_li6", c::kahan_li6, 0.8);
-  add("log_hamiltonian_mclachlan6", c::mclachlan6, 0.8);
-  add("log_hamiltonian_blanes_moan6", avi::splittings::blanes_moan6, 0.8);
-  add("log_hamiltonian_mclachlan8", c::mclachlan8, 0.85);
   add("log_hamiltonian_kahan_li8", c::kahan_li8, 0.85);
   add("log_hamiltonian_sofroniou_spaletta10", c::sofroniou_spaletta10, 0.87);
   scene.families.push_back(ours(arena, "log_hamiltonian_kahan_li8_plain", 8, Origin::ours_explicit, "h",

@@ -25,7 +25,7 @@ struct Point {
 };
 
 struct Budget {
-  double longest_run = 0.002;   ///< Seconds; a family ends with the first setting that takes longer.
+  double longest_run = 0.0015;  ///< Seconds; a family ends with the first setting that takes longer.
   double least_block = 0.0002;  ///< Seconds of the timed block; shorter runs are repeated within it.
   std::size_t stride = 2;       ///< Every that many of a family's settings is tried.
 

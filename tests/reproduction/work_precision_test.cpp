@@ -1,0 +1,60 @@
+// quick: work_precision
+#include "avi/io/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+using avi::Table;
+
+namespace {
+
+Table data(const std::string& stem) {
+  return Table::read(std::string(AVI_CHECK_DIR) + "/quick/" + stem + ".tsv");
+}
+
+TEST(WorkPrecision, HoldsTheReferenceRun) {
+  const Table table = data("work_precision");
+  ASSERT_FALSE(table.rows.empty());
+  EXPECT_EQ(table.text(0, "method"), "stormer_verlet");
+  EXPECT_NEAR(table.number(0, "steps"), 200000, 1);
+  EXPECT_NEAR(table.number(0, "energy_error"), 3.118e-6, 1e-9);
+  EXPECT_NEAR(table.number(0, "position_error"), 3.330e-5, 2e-8);
+  EXPECT_NEAR(table.number(0, "cost"), 1.0, 1e-12);
+}
+
+TEST(WorkPrecision, ErrorsFallWithTheStepUntilRoundOff) {
+  const Table table = data("work_precision");
+  std::map<std::string, double> last;
+  for (std::size_t i = 1; i < table.rows.size(); ++i) {
+    const std::string& method = table.text(i, "method");
+    if (!method.starts_with("log_hamiltonian")) continue;
+    const double error = table.number(i, "position_error");
+    if (last.contains(method) && last[method] > 1e-12) {
+      EXPECT_LT(error, last[method]) << method << ' ' << table.text(i, "setting");
+    }
+    last[method] = error;
+  }
+  EXPECT_GE(last.size(), 6u);
+}
+
+TEST(WorkPrecision, TheFrontIsAFront) {
+  const Table front = data("work_precision_front");
+  ASSERT_GE(front.rows.size(), 3u);
+  for (std::size_t i = 1; i < front.rows.size(); ++i) {
+    EXPECT_GE(front.number(i, "cost"), front.number(i - 1, "cost"));
+    EXPECT_LT(front.number(i, "position_error"), front.number(i - 1, "position_error"));
+  }
+}
+
+TEST(WorkPrecision, ItsAdviceReachesTheTargetsAheadOfEveryPeer) {
+  const Table advice = data("work_precision_advice");
+  ASSERT_EQ(advice.rows.size(), 5u);
+  for (std::size_t i = 0; i < advice.rows.size(); ++i) {
+    EXPECT_EQ(advice.text(i, "verdict"), "ahead") << advice.text(i, "target");
+    EXPECT_LT(advice.number(i, "ratio"), 1.0);
+  }
+}
+
+}  // namespace
