@@ -1,6 +1,6 @@
 # data: work_precision
 # What accuracy costs: error at the end against time, the Pareto front of all methods drawn through.
-width = 17; height = 14
+width = 17; height = 19
 load 'figures/style.gp'
 file = data.'/work_precision.tsv'
 front = data.'/work_precision_front.tsv'
@@ -19,9 +19,11 @@ set grid
 unset key
 set xrange [1e-4:1e2]
 set yrange [1e-14:1e-1]
-set xtics 100
-set ytics 1e3
-set multiplot layout 3,2 margins 0.09,0.98,0.13,0.95 spacing 0.10,0.09
+set xtics 100 font ',7'
+set ytics 1e3 font ',7'
+set xlabel font ',8'
+set ylabel font ',8'
+set multiplot layout 3,2 margins 0.13,0.97,0.13,0.96 spacing 0.12,0.07
 array problem[6] = ['kepler', 'kepler', 'kepler', 'kepler', 'perturbed_kepler', 'figure_eight']
 array ecc[6] = [0.9, 0.99, 0.999, 0.9, 0.9, -1]
 # The horizon that the data hold: the reduced grid is shorter than the full one.
@@ -32,10 +34,10 @@ array horizon[6] = ['10', '10', '10', orbits, '10', loops]
 array title[6] = ['Kepler, e = 0.9, T = 10', 'Kepler, e = 0.99, T = 10', 'Kepler, e = 0.999, T = 10', \
   'Kepler, e = 0.9, '.orbits, 'Kepler with quadrupole, e = 0.9, T = 10', 'figure-eight orbit, '.loops]
 do for [i=1:6] {
-  set title title[i] offset 0,-0.6
-  set ylabel i % 2 ? 'position error at the end' : ''
-  set xlabel i > 4 ? 'time / time of the Störmer–Verlet run of Table 1' : ''
-  if (i == 5) { set key at screen 0.5,0.012 bottom center horizontal maxrows 1 samplen 2; } else { unset key }
+  set title title[i] font ',8' offset 0,-0.6
+  set ylabel i % 2 ? 'position error' : ''
+  set xlabel i > 4 ? 'time / time of the Verlet run of Table 1' : ''
+  if (i == 6) { set key at screen 0.97,0.004 bottom right vertical maxrows 3 samplen 2 font ',7' noopaque } else { unset key }
   plot file using "cost":(at(problem[i], ecc[i], horizon[i], 4)) with points pt 1 ps 0.5 lc rgb grey title 'fixed-step and reversible', \
     '' using "cost":(at(problem[i], ecc[i], horizon[i], 3)) with points pt 4 ps 0.6 lc rgb vermilion title 'other libraries', \
     '' using "cost":(at(problem[i], ecc[i], horizon[i], 2)) with points pt 7 ps 0.5 lc rgb blue title 'HTVI', \
