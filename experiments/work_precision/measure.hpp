@@ -25,9 +25,9 @@ struct Point {
 };
 
 struct Budget {
-  double longest_run = 0.0015;  ///< Seconds; a family ends with the first setting that takes longer.
-  double least_block = 0.0002;  ///< Seconds of the timed block; shorter runs are repeated within it.
-  std::size_t stride = 2;       ///< Every that many of a family's settings is tried.
+  double longest_run = 0.0008;  ///< Seconds; a family ends with the first setting that takes longer.
+  double least_block = 0.0001;  ///< Seconds of the timed block; shorter runs are repeated within it.
+  std::size_t stride = 3;       ///< Every that many of a family's settings is tried.
 
   /// No step of any method takes less than 5 ns.
   [[nodiscard]] long step_cap() const { return static_cast<long>(longest_run / 5e-9); }
