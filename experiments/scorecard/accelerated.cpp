@@ -138,7 +138,28 @@ Judgement judge_optimisers(const Cell& cell, const avi::Table& data) {
   return judgement;
 }
 
+/// Whether a fixed-step method converges at any of the steps that were tried.
+Judgement judge_runge_kutta(const Cell& cell, const avi::Table& data) {
+  const auto row = find(data, {{"method", cell.text("method")},
+                               {"approach", cell.text("approach")},
+                               {"converged", cell.published() == "0" ? "1" : "0"}});
+  Judgement judgement = compare(cell, data.number(row, "converged"));
+  std::string steps;
+  for (std::size_t i = 0; i < data.rows.size(); ++i)
+    if (data.text(i, "method") == cell.text("method") && data.text(i, "approach") == cell.text("approach"))
+      steps += fmt::format("{}h = {} {}", steps.empty() ? "" : ", ", avi::rounded(data.number(i, "h")),
+                           data.text(i, "converged") == "1"
+                               ? "converges in " + data.text(i, "iterations") + " steps"
+                               : "ends as " + data.text(i, "outcome"));
+  judgement.note = "The text says that it fails to converge; to delta = 1e-10, " + steps + ".";
+  return judgement;
+}
+
 }  // namespace
+
+Sheet runge_kutta_sheet() {
+  return {"runge_kutta_baselines", "Text: fixed-step Runge-Kutta on Bregman dynamics", judge_runge_kutta};
+}
 
 Sheet symplectic_sheet(std::string stem, std::string title) {
   return {std::move(stem), std::move(title), judge_symplectic};

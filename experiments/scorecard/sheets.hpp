@@ -16,6 +16,9 @@ Sheet symplectic_sheet(std::string stem, std::string title);
 /// Table 6: iterations of several optimisers (data: optimiser_comparison).
 Sheet optimiser_sheet();
 
+/// The statement that fixed-step Runge-Kutta methods fail (data: runge_kutta_baselines).
+Sheet runge_kutta_sheet();
+
 /// Every sheet there is.
 std::vector<Sheet> sheets();
 

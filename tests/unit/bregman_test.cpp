@@ -79,9 +79,8 @@ TEST(BregmanScaling, PolynomialFamilyIsIdealAndItsHamiltonianTheDirectOne) {
 }
 
 TEST(BregmanScaling, RefusesWhatIsNotIdeal) {
-  const auto fast = avi::BregmanScaling{.alpha = [](auto t) { return 0.0 * t; },
-                                        .beta = [](auto t) { return 2.0 * t; },
-                                        .gamma = [](auto t) { return t; }};
+  const auto fast = avi::bregman_scaling([](auto t) { return 0.0 * t; }, [](auto t) { return 2.0 * t; },
+                                         [](auto t) { return t; });
   EXPECT_NEAR(avi::ideal_scaling_defect(fast, 1.0).beta, 1.0, 1e-14);
   EXPECT_NEAR(avi::ideal_scaling_defect(fast, 1.0).gamma, 0.0, 1e-14);
   EXPECT_THROW(avi::require_ideal_scaling(fast, 1.0), std::invalid_argument);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <complex>
+#include <utility>
 
 /// @file
 /// The general Bregman family of Wibisono, Wilson and Jordan (2016): scalings alpha, beta, gamma.
@@ -17,6 +18,12 @@ struct BregmanScaling {
   Beta beta;
   Gamma gamma;
 };
+
+/// Deduces the types of the three callables.
+template <class Alpha, class Beta, class Gamma>
+BregmanScaling<Alpha, Beta, Gamma> bregman_scaling(Alpha alpha, Beta beta, Gamma gamma) {
+  return {std::move(alpha), std::move(beta), std::move(gamma)};
+}
 
 /// Derivative of a callable that is analytic, by the complex step Im f(t + i d) / d with d = 1e-30: no
 /// subtraction, so exact to round-off (Squire and Trapp 1998).
@@ -53,34 +60,32 @@ void require_ideal_scaling(const BregmanScaling<A, B, G>& scaling, double t, dou
 inline auto polynomial_scaling(double p, double C) {
   require_positive("Order p", p);
   require_positive("Weight C", C);
-  return BregmanScaling{.alpha =
-                            [p](auto t) {
-                              using std::log;
-                              return std::log(p) - log(t);
-                            },
-                        .beta =
-                            [p, C](auto t) {
-                              using std::log;
-                              return p * log(t) + std::log(C);
-                            },
-                        .gamma =
-                            [p](auto t) {
-                              using std::log;
-                              return p * log(t);
-                            }};
+  return bregman_scaling(
+      [p](auto t) {
+        using std::log;
+        return std::log(p) - log(t);
+      },
+      [p, C](auto t) {
+        using std::log;
+        return p * log(t) + std::log(C);
+      },
+      [p](auto t) {
+        using std::log;
+        return p * log(t);
+      });
 }
 
 /// The scaling after the time change y(t) = x(tau(t)), equation (TimeDilationTransformation):
 /// alpha(tau) + log tau', beta(tau), gamma(tau). `tau` and `tau_rate` are generic callables.
 template <class A, class B, class G, class Tau, class Rate>
 auto dilate(const BregmanScaling<A, B, G>& scaling, Tau tau, Rate tau_rate) {
-  return BregmanScaling{.alpha =
-                            [a = scaling.alpha, tau, tau_rate](auto t) {
-                              using std::log;
-                              return a(tau(t)) + log(tau_rate(t));
-                            },
-                        .beta = [b = scaling.beta, tau](auto t) { return b(tau(t)); },
-                        .gamma = [g = scaling.gamma, tau](auto t) { return g(tau(t)); }};
+  return bregman_scaling(
+      [a = scaling.alpha, tau, tau_rate](auto t) {
+        using std::log;
+        return a(tau(t)) + log(tau_rate(t));
+      },
+      [b = scaling.beta, tau](auto t) { return b(tau(t)); },
+      [g = scaling.gamma, tau](auto t) { return g(tau(t)); });
 }
 
 /// The Bregman Hamiltonian (BregmanHGeneral) of the Euclidean norm, h = |x|^2 / 2, where the divergence of
