@@ -29,9 +29,16 @@ inline double median(std::vector<double> values) {
 inline std::vector<std::vector<double>> interleaved_samples(const std::vector<std::function<void()>>& works,
                                                             int rounds) {
   std::vector<std::vector<double>> samples(works.size());
+  std::vector<int> repeats;
+  for (const auto& work : works)
+    repeats.push_back(static_cast<int>(std::clamp(2e-3 / std::max(seconds(work), 1e-9), 1.0, 64.0)));
   for (int round = 0; round < rounds; ++round)
     for (std::size_t i = 0; i < works.size(); ++i)
-      samples[i].push_back(seconds(works[i]));
+      samples[i].push_back(seconds([&] {
+                             for (int k = 0; k < repeats[i]; ++k)
+                               works[i]();
+                           }) /
+                           repeats[i]);
   return samples;
 }
 

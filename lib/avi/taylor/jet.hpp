@@ -2,10 +2,10 @@
 #include "avi/taylor/lanes.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 /// @file
 /// Truncated Taylor series in time, computed one order at a time.
@@ -25,33 +25,39 @@ class JetTape {
  public:
   static constexpr int stride = R + 2;  ///< coefficients 0 to R and one auxiliary number
 
+  struct Slot {
+    T coefficients[stride];
+  };
+
   /// @param slots capacity; more operations than that throw std::length_error.
-  explicit JetTape(std::size_t slots = 256) : slots_(slots) {}
+  explicit JetTape(std::size_t slots = 256)
+      : capacity_(slots), slots_(std::make_unique_for_overwrite<Slot[]>(slots)) {}
+  /// A copy has room of its own; what is on the tape is scratch and stays behind.
+  JetTape(const JetTape& other) : JetTape(other.capacity_) {}
+  JetTape& operator=(const JetTape&) = delete;
 
   /// Begins the replay of order k (used where it is not known at compile time).
   void rewind(int k) {
-    next_ = slots_.data();
+    next_ = slots_.get();
     order = k;
   }
 
   /// The next slot. Only order 0 checks the capacity: higher orders repeat its sequence.
   template <int K>
   T* next() {
-    if (K <= 0 && order == 0 && next_ == slots_.data() + slots_.size()) overflow();
+    if (K <= 0 && order == 0 && next_ == slots_.get() + capacity_) overflow();
     return (next_++)->coefficients;
   }
 
   int order = 0;
 
  private:
-  struct Slot {
-    T coefficients[stride];
-  };
   [[noreturn, gnu::noinline, gnu::cold]] void overflow() const {
     throw std::length_error("A Taylor formula has more operations than its tape has slots (" +
-                            std::to_string(slots_.size()) + "); give the method a larger tape.");
+                            std::to_string(capacity_) + "); give the method a larger tape.");
   }
-  std::vector<Slot> slots_;
+  std::size_t capacity_;
+  std::unique_ptr<Slot[]> slots_;
   Slot* next_ = nullptr;
 };
 
