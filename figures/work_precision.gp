@@ -23,7 +23,7 @@ set xtics 100 font ',7'
 set ytics 1e3 font ',7'
 set xlabel font ',8'
 set ylabel font ',8'
-set multiplot layout 3,2 margins 0.13,0.97,0.13,0.96 spacing 0.12,0.07
+set multiplot layout 3,2 margins 0.13,0.97,0.17,0.96 spacing 0.12,0.07
 array problem[6] = ['kepler', 'kepler', 'kepler', 'kepler', 'perturbed_kepler', 'figure_eight']
 array ecc[6] = [0.9, 0.99, 0.999, 0.9, 0.9, -1]
 # The horizon that the data hold: the reduced grid is shorter than the full one.
@@ -37,10 +37,11 @@ do for [i=1:6] {
   set title title[i] font ',8' offset 0,-0.6
   set ylabel i % 2 ? 'position error' : ''
   set xlabel i > 4 ? 'time / time of the Verlet run of Table 1' : ''
-  if (i == 6) { set key at screen 0.97,0.004 bottom right vertical maxrows 3 samplen 2 font ',7' noopaque } else { unset key }
+  if (i == 6) { set key at screen 0.97,0.006 bottom right vertical maxrows 3 samplen 2 font ',7' noopaque } else { unset key }
   plot file using "cost":(at(problem[i], ecc[i], horizon[i], 4)) with points pt 1 ps 0.5 lc rgb grey title 'fixed-step and reversible', \
     '' using "cost":(at(problem[i], ecc[i], horizon[i], 3)) with points pt 4 ps 0.6 lc rgb vermilion title 'other libraries', \
-    '' using "cost":(at(problem[i], ecc[i], horizon[i], 2)) with points pt 7 ps 0.5 lc rgb blue title 'HTVI', \
+    '' using "cost":(at(problem[i], ecc[i], horizon[i], 2)) with points pt 7 ps 0.5 lc rgb blue notitle, \
+    keyentry with points pt 7 ps 0.5 lc rgb blue title 'HTVI', \
     '' using "cost":(at(problem[i], ecc[i], horizon[i], 1)) with points pt 9 ps 0.6 lc rgb green title 'logarithmic Hamiltonian', \
     front using "cost":(edge(problem[i], ecc[i], horizon[i])) with lines lc rgb black lw 1.2 title 'Pareto front'
 }
