@@ -1,3 +1,4 @@
+// alone: compares times
 #include "avi/bregman/htvi.hpp"
 #include "avi/optim/minimise.hpp"
 #include "avi/problems/correlated_quartic.hpp"
@@ -14,8 +15,8 @@ namespace {
 
 TEST(Htvi, AnIterationCostsLittleMoreThanItsGradient) {
   // Both loops are chains: the next point depends on what the evaluation returned. Ratio of minima over
-  // interleaved rounds, which the load of other programs only raises; measured 1.04 to 1.16 with the vector
-  // units of the machine and up to 1.33 with SSE2 alone.
+  // interleaved rounds, as many as it takes to meet ten seconds undisturbed by other programs; measured 1.04
+  // to 1.23 with the vector units of the machine and up to 1.33 with SSE2 alone.
   constexpr long n = 20'000;
   double evaluation = 1.0, iteration = 1.0, sink = 0.0;
   const avi::CorrelatedQuartic f;
@@ -26,7 +27,7 @@ TEST(Htvi, AnIterationCostsLittleMoreThanItsGradient) {
 #else
   const double bound = 1.5;
 #endif
-  for (int round = 0; round < 60 && (round < 15 || iteration > bound * evaluation); ++round) {
+  for (int round = 0; round < 1000 && (round < 15 || iteration > bound * evaluation); ++round) {
     VectorX x = f.start();
     evaluation = std::min(evaluation, experiment::seconds([&] {
                             for (long k = 0; k < n; ++k) {

@@ -1,31 +1,43 @@
 // data: kepler_e090 kepler_e099
+// alone: compares times
 #include "frame/timing.hpp"
 
 #include "avi/adaptive/monitors.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/htvi/htvi.hpp"
+#include "avi/integrators/stormer_verlet.hpp"
 #include "avi/io/table.hpp"
 #include "avi/problems/kepler.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
 #include <string>
 
 // Ratios of times measured in turns within one run. They hold for optimised code only.
 
 namespace {
 
-struct Cost {
-  double seconds, steps;
-};
-
-Cost cost(const std::string& stem, const std::string& method, const std::string& monitor) {
+double steps(const std::string& stem, const std::string& method, const std::string& monitor) {
   const auto table = avi::Table::read(std::string(AVI_CHECK_DIR) + "/data/" + stem + ".tsv");
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     if (table.text(i, "method") == method && table.text(i, "monitor") == monitor &&
         (method != "htvi4" || table.text(i, "construction") == "authors"))
-      return {table.number(i, "seconds"), table.number(i, "steps")};
+      return table.number(i, "steps");
   throw std::runtime_error("no row " + method + " " + monitor);
+}
+
+/// Least time of `subject` over that of `control`, measured in turns until it is below `bound` or half a
+/// minute's patience with other programs is over.
+double time_ratio(const std::function<void()>& subject, const std::function<void()>& control, double bound) {
+  double least[2] = {1.0, 1.0};
+  for (int turn = 0; turn < 100 && (turn < 3 || least[0] > bound * least[1]); ++turn) {
+    const auto times = experiment::interleaved_least_seconds({subject, control}, 21);
+    for (int i : {0, 1})
+      least[i] = std::min(least[i], times[static_cast<std::size_t>(i)]);
+  }
+  return least[0] / least[1];
 }
 
 bool optimised() {
@@ -36,15 +48,29 @@ bool optimised() {
 #endif
 }
 
+/// HTVI4 with the gamma monitor, as in Tables 1 and 2, against Stormer-Verlet at its published step.
+void expect_faster(const std::string& stem, double eccentricity, double a, double verlet_h, double factor) {
+  constexpr long n = 1000;
+  const auto start = avi::Kepler::pericentre(eccentricity);
+  auto htvi = avi::type2<3, avi::authors>(
+      avi::poincare<2>(avi::Kepler{}, start, avi::bounded(avi::NormSquared{}, a, 8.0)), avi::simpson());
+  auto verlet = avi::stormer_verlet<2>(
+      [](const avi::Vector<double, 2>& q) { return avi::Kepler::potential_gradient(q); });
+  const double fewer = steps(stem, "stormer_verlet", "none") / steps(stem, "htvi4", "gamma");
+  auto x = start, y = start;
+  const double step = time_ratio([&] { (void)avi::integrate(htvi, x, 0.1, {.steps = n}); },
+                                 [&] { (void)avi::integrate(verlet, y, verlet_h, {.steps = n}); },
+                                 std::min(60.0, fewer / factor));
+  EXPECT_LT(step, 60.0) << "measured 30 to 36";
+  EXPECT_GT(fewer / step, factor) << stem;
+  std::printf("%s: an HTVI4 step costs %.1f Stormer-Verlet steps, the run 1/%.0f of its time\n", stem.c_str(),
+              step, fewer / step);
+}
+
 TEST(Speed, AdaptiveHtvi4BeatsStormerVerletAtItsPublishedStep) {
   if (!optimised()) GTEST_SKIP() << "not optimised";
-  const auto e090 = cost("kepler_e090", "htvi4", "gamma"), e099 = cost("kepler_e099", "htvi4", "gamma");
-  const auto verlet_090 = cost("kepler_e090", "stormer_verlet", "none"),
-             verlet_099 = cost("kepler_e099", "stormer_verlet", "none");
-  EXPECT_LT(e090.seconds, verlet_090.seconds / 20.0) << "measured 1/28 to 1/33";
-  EXPECT_LT(e099.seconds, verlet_099.seconds / 1000.0) << "measured 1/1250 to 1/2300";
-  const double step = e090.seconds / e090.steps, verlet_step = verlet_090.seconds / verlet_090.steps;
-  EXPECT_LT(step, 60.0 * verlet_step) << "measured 31 to 36";
+  expect_faster("kepler_e090", 0.9, 0.01, 5e-5, 20.0);     // measured 28 to 33
+  expect_faster("kepler_e099", 0.99, 5e-4, 5e-7, 1000.0);  // measured 1250 to 2300
 }
 
 TEST(Speed, AutomaticGradientCostsAtMostFourTimesTheSuppliedOne) {
@@ -56,17 +82,17 @@ TEST(Speed, AutomaticGradientCostsAtMostFourTimesTheSuppliedOne) {
   auto automatic = avi::type2<3, avi::authors>(
       avi::poincare<2>(avi::Automatic{avi::Kepler{}}, start, monitor), avi::simpson());
   auto a = start, b = start;
-  const auto times =
-      experiment::interleaved_least_seconds({[&] {
-                                               a = start;
-                                               (void)avi::integrate(supplied, a, 0.1, {.steps = 500});
-                                             },
-                                             [&] {
-                                               b = start;
-                                               (void)avi::integrate(automatic, b, 0.1, {.steps = 500});
-                                             }},
-                                            41);
-  EXPECT_LT(times[1], 4.0 * times[0]);
+  const double ratio = time_ratio(
+      [&] {
+        b = start;
+        (void)avi::integrate(automatic, b, 0.1, {.steps = 500});
+      },
+      [&] {
+        a = start;
+        (void)avi::integrate(supplied, a, 0.1, {.steps = 500});
+      },
+      4.0);
+  EXPECT_LT(ratio, 4.0) << "measured 3.0 to 3.2";
   EXPECT_NEAR((a.q - b.q).norm(), 0.0, 1e-9) << "and gives the same orbit";
 }
 
