@@ -36,7 +36,7 @@ auto with_method(const Setting& s, Visit&& visit) {
   if (s.method == "htvi") return visit(avi::BregmanHtvi{.family = s.family(), .h = s.h, .clock = s.clock});
   if (s.method == "splitting") return visit(avi::BregmanSplitting{.family = s.family(), .h = s.h});
   for (const auto composition :
-       {avi::Composition::strang, avi::Composition::yoshida4, avi::Composition::yoshida6})
+       {avi::CloneComposition::strang, avi::CloneComposition::yoshida4, avi::CloneComposition::yoshida6})
     if (s.method == avi::clone_name(composition))
       return visit(avi::BregmanCloning{.family = s.family(), .h = s.h, .composition = composition});
   throw std::invalid_argument("Method '" + s.method + "' is none of the symplectic ones.");

@@ -69,10 +69,11 @@ TEST(Splitting, ThreeFlowsAndPrintedUpdateShareTheirIterates) {
 
 TEST(Cloning, TheCopyThatIsReadNeverSeesTheOther) {
   const CorrelatedQuartic f;
-  using avi::Composition;
+  using avi::CloneComposition;
   const long gradients[] = {3, 7, 19}, useful[] = {1, 3, 9};
   for (const auto& family : families)
-    for (const auto composition : {Composition::strang, Composition::yoshida4, Composition::yoshida6}) {
+    for (const auto composition :
+         {CloneComposition::strang, CloneComposition::yoshida4, CloneComposition::yoshida6}) {
       const avi::Stopping stopping{.delta = 0.0, .iterations = 50};
       const double h = 0.3 * step(family);
       const auto decoupled = avi::minimise(

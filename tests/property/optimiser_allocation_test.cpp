@@ -59,8 +59,9 @@ TEST(Optimisers, AllocateNothingInTheLoop) {
   const double h = 1e-4;
   EXPECT_EQ(allocated(avi::BregmanHtvi{.family = family, .h = h}), 0);
   EXPECT_EQ(allocated(avi::BregmanSplitting{.family = family, .h = h}), 0);
-  EXPECT_EQ(
-      allocated(avi::BregmanCloning{.family = family, .h = h, .composition = avi::Composition::yoshida6}), 0);
+  EXPECT_EQ(allocated(avi::BregmanCloning{
+                .family = family, .h = h, .composition = avi::CloneComposition::yoshida6}),
+            0);
   EXPECT_EQ(allocated(avi::BregmanRungeKutta<avi::ClassicalRungeKutta>{.family = family, .h = h}), 0);
   EXPECT_EQ(allocated(avi::BregmanEmbedded<avi::DormandPrince>{.family = family}), 0);
   EXPECT_EQ(allocated(avi::Nag{.h = 2e-6}), 0);

@@ -77,7 +77,7 @@ class Poincare {
     S defect(0.0);
     if constexpr (shell_terms) defect = h_(q, p) + pt;
     if constexpr (shell_terms && !position_monitor) {
-      const auto at_q = q.template cast<Partials<S, n>>().eval();
+      const Vector<Partials<S, n>, n> at_q = q.template cast<Partials<S, n>>();
       const Vector<S, n> slope = gradient([&](const auto& x) { return g_(at_q, x); }, p);
       for (int i = 0; i < n; ++i)
         dq[i] += defect * slope[i];
@@ -105,7 +105,7 @@ class Poincare {
       for (int i = 0; i < n; ++i)
         work += p[i] * velocity[i];
     } else {
-      const auto at_q = q.template cast<Partials<S, 1>>().eval();
+      const Vector<Partials<S, 1>, n> at_q = q.template cast<Partials<S, 1>>();
       const auto both = along_momentum([&](const auto& x) { return h_(at_q, x); }, p);
       energy = both.value;
       work = both.partial(0);
@@ -113,7 +113,7 @@ class Poincare {
     if constexpr (position_monitor || form == Field::on_shell) {
       return rate(q, p) * (work - energy);
     } else {
-      const auto at_q = q.template cast<Partials<S, 1>>().eval();
+      const Vector<Partials<S, 1>, n> at_q = q.template cast<Partials<S, 1>>();
       const auto g = along_momentum([&](const auto& x) { return g_(at_q, x); }, p);
       return g.value * (work - energy) + (energy + pt) * g.partial(0);
     }
@@ -125,7 +125,7 @@ class Poincare {
     if constexpr (position_monitor) {
       return gradient([&](const auto& x) { return g_(x); }, q);
     } else {
-      const auto at_p = p.template cast<Partials<S, n>>().eval();
+      const Vector<Partials<S, n>, n> at_p = p.template cast<Partials<S, n>>();
       return gradient([&](const auto& x) { return g_(x, at_p); }, q);
     }
   }

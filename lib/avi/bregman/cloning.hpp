@@ -20,7 +20,7 @@ namespace avi {
 struct BregmanCloning {
   BregmanFamily family;
   double h = 1e-3;  ///< Fictive step, finite and positive.
-  Composition composition = Composition::strang;
+  CloneComposition composition = CloneComposition::strang;
   BregmanStart from{};
 
   struct State {

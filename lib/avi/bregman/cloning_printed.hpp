@@ -15,7 +15,7 @@ namespace avi {
 struct BregmanCloningPrinted {
   BregmanFamily family;
   double h = 1e-3;  ///< Fictive step, finite and positive.
-  Composition composition = Composition::strang;
+  CloneComposition composition = CloneComposition::strang;
   BregmanStart from{};
   double clone_sign = -1.0;
 

@@ -9,16 +9,16 @@
 namespace avi {
 
 /// Strang's splitting (order 2) and Yoshida's triple jumps of it (orders 4 and 6).
-enum class Composition { strang, yoshida4, yoshida6 };
+enum class CloneComposition { strang, yoshida4, yoshida6 };
 
 /// The name in data files: clone_strang, clone_y4, clone_y6.
-constexpr std::string_view clone_name(Composition composition) {
+constexpr std::string_view clone_name(CloneComposition composition) {
   switch (composition) {
-  case Composition::strang:
+  case CloneComposition::strang:
     return "clone_strang";
-  case Composition::yoshida4:
+  case CloneComposition::yoshida4:
     return "clone_y4";
-  case Composition::yoshida6:
+  case CloneComposition::yoshida6:
     return "clone_y6";
   }
   return "unknown";
@@ -32,7 +32,7 @@ struct MergedStages {
 
 /// The triple jump raises the order 2k of a symmetric step to 2k + 2 by the lengths w, 1 - 2w, w with
 /// w = 1 / (2 - 2^(1/(2k+1))) (Yoshida 1990).
-inline MergedStages merged_stages(Composition composition) {
+inline MergedStages merged_stages(CloneComposition composition) {
   std::vector<double> lengths{1.0};
   const auto triple_jump = [&](double order) {
     const double w = 1.0 / (2.0 - std::pow(2.0, 1.0 / (order + 1.0)));
@@ -42,8 +42,8 @@ inline MergedStages merged_stages(Composition composition) {
         jumped.push_back(outer * inner);
     lengths = std::move(jumped);
   };
-  if (composition != Composition::strang) triple_jump(2.0);
-  if (composition == Composition::yoshida6) triple_jump(4.0);
+  if (composition != CloneComposition::strang) triple_jump(2.0);
+  if (composition == CloneComposition::yoshida6) triple_jump(4.0);
   MergedStages stages{.a = lengths, .b = {0.5 * lengths.front()}};
   for (std::size_t i = 0; i + 1 < lengths.size(); ++i)
     stages.b.push_back(0.5 * (lengths[i] + lengths[i + 1]));

@@ -23,7 +23,7 @@ Vector<S, n> d_dp(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
   if constexpr (SuppliesGradient<H, S, n>) {
     return h.d_dp(q, p);
   } else {
-    const auto at_q = q.template cast<Partials<S, n>>().eval();
+    const Vector<Partials<S, n>, n> at_q = q.template cast<Partials<S, n>>();
     return gradient([&](const auto& x) { return h(at_q, x); }, p);
   }
 }
@@ -34,7 +34,7 @@ Vector<S, n> d_dq(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
   if constexpr (SuppliesGradient<H, S, n>) {
     return h.d_dq(q, p);
   } else {
-    const auto at_p = p.template cast<Partials<S, n>>().eval();
+    const Vector<Partials<S, n>, n> at_p = p.template cast<Partials<S, n>>();
     return gradient([&](const auto& x) { return h(x, at_p); }, q);
   }
 }

@@ -1,6 +1,8 @@
 #pragma once
 #include <Eigen/Core>
 
+#include <type_traits>
+
 /// @file
 /// Vectors and matrices of any scalar: the only linear-algebra names the rest of the library uses.
 
@@ -9,12 +11,19 @@ namespace avi {
 /// Dimension known only at run time.
 inline constexpr int dynamic = Eigen::Dynamic;
 
+namespace detail {
+// A scalar that is a SIMD register brings its own alignment, wider than the one Eigen would ask for; without
+// vector units to match, the two would contradict each other.
+template <class S>
+inline constexpr int storage = std::is_arithmetic_v<S> ? Eigen::ColMajor : Eigen::ColMajor | Eigen::DontAlign;
+}  // namespace detail
+
 /// Column vector of n entries of scalar S (n may be avi::dynamic).
 template <class S, int n>
-using Vector = Eigen::Matrix<S, n, 1>;
+using Vector = Eigen::Matrix<S, n, 1, detail::storage<S>>;
 
 /// Matrix of m x n entries of scalar S.
 template <class S, int m, int n = m>
-using Matrix = Eigen::Matrix<S, m, n>;
+using Matrix = Eigen::Matrix<S, m, n, m == 1 && n != 1 ? Eigen::RowMajor : detail::storage<S>>;
 
 }  // namespace avi
