@@ -21,6 +21,7 @@
 #include "avi/core/fixed_order.hpp"
 #include "avi/core/hamiltonian.hpp"
 #include "avi/core/integrate.hpp"
+#include "avi/core/inverse.hpp"
 #include "avi/core/outcome.hpp"
 #include "avi/core/partials.hpp"
 #include "avi/core/power.hpp"

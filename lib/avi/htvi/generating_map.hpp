@@ -1,4 +1,5 @@
 #pragma once
+#include "avi/core/inverse.hpp"
 #include "avi/core/outcome.hpp"
 #include "avi/htvi/discrete_hamiltonian.hpp"
 
@@ -201,7 +202,7 @@ class Htvi {
     if constexpr (n <= 4)
       x_u = x_u.inverse().eval();
     else
-      x_u = x_u.partialPivLu().inverse();
+      x_u = inverse(x_u);
     auto& other = right ? change.q : change.p;
     other = x_u * (sigma * rest_u);
     const Vector<double, n> image = x_k * other - sigma * rest_k;

@@ -1,8 +1,6 @@
 #pragma once
 #include "avi/core/require.hpp"
 
-#include <Eigen/LU>
-
 #include <cmath>
 #include <string>
 #include <utility>
@@ -51,18 +49,14 @@ std::vector<double> zeros(const F& f) {
   return roots;
 }
 
-/// The rule with given nodes in [-1, 1] that is exact for polynomials of degree < number of nodes.
-inline Quadrature interpolatory(std::string name, int order, const std::vector<double>& nodes) {
-  const auto m = static_cast<Eigen::Index>(nodes.size());
-  // Exactness for P_0 .. P_(m-1), whose integrals over [-1, 1] are 2, 0, 0, ...: well conditioned.
-  Eigen::MatrixXd system(m, m);
-  for (Eigen::Index k = 0; k < m; ++k)
-    for (Eigen::Index i = 0; i < m; ++i)
-      system(k, i) = legendre(static_cast<int>(k), nodes[static_cast<std::size_t>(i)]);
-  const Eigen::VectorXd b = system.fullPivLu().solve(Eigen::VectorXd::Unit(m, 0));
-  Quadrature rule{std::move(name), order, {}, {b.data(), b.data() + m}};
-  for (double x : nodes)
+/// The rule with given nodes in [-1, 1] and weights on [0, 1].
+template <class Weight>
+Quadrature from_nodes(std::string name, int order, const std::vector<double>& nodes, const Weight& weight) {
+  Quadrature rule{std::move(name), order, {}, {}};
+  for (double x : nodes) {
     rule.nodes.push_back(0.5 * (1.0 + x));
+    rule.weights.push_back(weight(x));
+  }
   return rule;
 }
 
@@ -84,8 +78,14 @@ inline Quadrature boole() {
 /// m-point Gauss, order 2m. @throws std::invalid_argument unless 1 <= m <= 16.
 inline Quadrature gauss(int m) {
   require(m >= 1 && m <= 16, "Number of Gauss nodes", m, "in [1, 16]");
-  return detail::interpolatory("gauss" + std::to_string(m), 2 * m,
-                               detail::zeros([=](double x) { return detail::legendre(m, x); }));
+  const auto weight = [=](double x) {
+    double sum = 0.0;  // Christoffel's number is one over the sum of the squared orthonormal polynomials
+    for (int k = 0; k < m; ++k)
+      sum += (2 * k + 1) * std::pow(detail::legendre(k, x), 2);
+    return 1.0 / sum;
+  };
+  return detail::from_nodes("gauss" + std::to_string(m), 2 * m,
+                            detail::zeros([=](double x) { return detail::legendre(m, x); }), weight);
 }
 /// m-point Lobatto (both ends are nodes), order 2m - 2. @throws std::invalid_argument unless 2 <= m <= 16.
 inline Quadrature lobatto(int m) {
@@ -95,14 +95,18 @@ inline Quadrature lobatto(int m) {
       detail::zeros([=](double x) { return detail::legendre(m - 2, x) - x * detail::legendre(m - 1, x); });
   nodes.insert(nodes.begin(), -1.0);
   nodes.push_back(1.0);
-  return detail::interpolatory("lobatto" + std::to_string(m), 2 * m - 2, nodes);
+  const auto weight = [=](double x) { return 1.0 / (m * (m - 1) * std::pow(detail::legendre(m - 1, x), 2)); };
+  return detail::from_nodes("lobatto" + std::to_string(m), 2 * m - 2, nodes, weight);
 }
 /// m-point left Radau (0 is a node), order 2m - 1. @throws std::invalid_argument unless 1 <= m <= 16.
 inline Quadrature radau(int m) {
   require(m >= 1 && m <= 16, "Number of Radau nodes", m, "in [1, 16]");
   auto nodes = detail::zeros([=](double x) { return detail::legendre(m - 1, x) + detail::legendre(m, x); });
   nodes.insert(nodes.begin(), -1.0);
-  return detail::interpolatory("radau" + std::to_string(m), 2 * m - 1, nodes);
+  const auto weight = [=](double x) {
+    return (1.0 - x) / (2 * m * m * std::pow(detail::legendre(m - 1, x), 2));
+  };
+  return detail::from_nodes("radau" + std::to_string(m), 2 * m - 1, nodes, weight);
 }
 /// The rule with nodes 1 - c_i. Its order is the same.
 inline Quadrature mirrored(Quadrature rule) {

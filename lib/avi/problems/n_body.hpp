@@ -80,6 +80,16 @@ class NBody {
     return gradient;
   }
 
+  /// dH/dq and dH/dp, supplied for speed.
+  template <class S>
+  Vector<S, dimension> d_dq(const Vector<S, dimension>& q, const Vector<S, dimension>&) const {
+    return potential_gradient(q);
+  }
+  template <class S>
+  Vector<S, dimension> d_dp(const Vector<S, dimension>&, const Vector<S, dimension>& p) const {
+    return velocity(p);
+  }
+
   /// |q_i - q_j|^2.
   template <class Q>
   static auto distance_squared(const Q& q, Eigen::Index i, Eigen::Index j) {

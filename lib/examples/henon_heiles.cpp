@@ -1,0 +1,40 @@
+#include <avi/core/root.hpp>
+#include <avi/htvi/htvi.hpp>
+#include <avi/htvi/landing.hpp>
+#include <avi/problems/henon_heiles.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+// The model of Henon and Heiles at the energies 1/12 and 1/8: where do orbits cross x = 0 with p_x > 0? On a
+// regular orbit the points (y, p_y) of this Poincare section lie on a curve, on a chaotic one they fill an
+// area: the number of cells of a 40 x 40 grid that they visit tells the two apart.
+
+int main() {
+  std::printf("energy   y(0)    the points   energy error\n");
+  for (const auto& [energy, y] : {std::pair{1.0 / 12.0, 0.2}, {1.0 / 8.0, 0.45}, {1.0 / 8.0, -0.2}}) {
+    const avi::HenonHeiles galaxy;
+    avi::State<2> z = avi::HenonHeiles::on_section(energy, y, 0.0), before = z;
+    auto method = avi::type2<5>(avi::poincare<2>(galaxy, z), avi::gauss(3));
+
+    int cells = 0;
+    double worst = 0.0;
+    bool visited[40][40] = {};
+    avi::integrate(method, z, 0.1, {.steps = 50000}, [&](const avi::State<2>& now, long) {
+      worst = std::max(worst, std::abs(galaxy(now.q, now.p) - energy));
+      if (before.q[0] < 0.0 && now.q[0] >= 0.0) {
+        // The step's own Taylor polynomial tells where inside the step: no extra evaluation.
+        const double c = avi::bracketed_root([&](double x) { return method.polynomial(x, before.t).q[0]; },
+                                             0.0, before.q[0], 1.0, now.q[0], 1e-14);
+        const avi::State<2> point = method.polynomial(c, before.t);
+        bool& cell =
+            visited[static_cast<int>(20.0 * (point.q[1] + 1.0))][static_cast<int>(20.0 * (point.p[1] + 1.0))];
+        cells += !cell;
+        cell = true;
+      }
+      before = now;
+    });
+    std::printf("%.4f   %5.2f   %-10s   %s\n", energy, y, cells > 100 ? "fill areas" : "on curves",
+                worst < 1e-10 ? "below 1e-10" : "above 1e-10");
+  }
+}
