@@ -12,7 +12,8 @@
 
 int main() {
   std::printf("energy   y(0)    the points   energy error\n");
-  for (const auto& [energy, y] : {std::pair{1.0 / 12.0, 0.2}, {1.0 / 8.0, 0.45}, {1.0 / 8.0, -0.2}}) {
+  for (const auto& orbit : {std::pair{1.0 / 12.0, 0.2}, {1.0 / 8.0, 0.45}, {1.0 / 8.0, -0.2}}) {
+    const double energy = orbit.first, y = orbit.second;
     const avi::HenonHeiles galaxy;
     avi::State<2> z = avi::HenonHeiles::on_section(energy, y, 0.0), before = z;
     auto method = avi::type2<5>(avi::poincare<2>(galaxy, z), avi::gauss(3));

@@ -52,6 +52,8 @@ struct Arclength {
                  -0.5);
   }
 };
+template <class Problem>
+Arclength(Problem, double) -> Arclength<Problem>;
 
 /// g(q, p) = 1 / |p^t - L(q, p)| with the Lagrangian L = T(p) - V(q) and the number p^t = -H_0 (equation
 /// (energy)).
@@ -65,6 +67,8 @@ struct Energy {
     return 1.0 / abs(energy_momentum - (problem.kinetic(p) - problem.potential(q)));
   }
 };
+template <class Problem>
+Energy(Problem, double) -> Energy<Problem>;
 
 /// g(q, p) = 1 / |L(q, p)| (Section 3.3 of the paper).
 template <class Problem>
@@ -76,6 +80,8 @@ struct InverseLagrangian {
     return 1.0 / abs(problem.kinetic(p) - problem.potential(q));
   }
 };
+template <class Problem>
+InverseLagrangian(Problem) -> InverseLagrangian<Problem>;
 
 /// g(q, p) = 1 / |p^t + H(q, p)| (Section 3.3), infinite on the solution itself, where the paper finds it
 /// fails; only its bounded form can be used.
@@ -89,6 +95,8 @@ struct InverseEnergyError {
     return 1.0 / abs(energy_momentum + problem(q, p));
   }
 };
+template <class Problem>
+InverseEnergyError(Problem, double) -> InverseEnergyError<Problem>;
 
 /// g(q) = tol / |h^2 / 2 grad V(q)| (equation (trunerror)): the truncation error of a step of size h.
 template <class Problem>
@@ -101,6 +109,8 @@ struct Truncation {
     return (2.0 * tolerance / (h * h)) * power(detail::squared_norm(problem.potential_gradient(q)), -0.5);
   }
 };
+template <class Problem>
+Truncation(Problem, double, double) -> Truncation<Problem>;
 
 /// g(q) = (tol / |h^2 / 2 grad V(q)|)^(1/4), the form from which Truncation was simplified.
 template <class Problem>
@@ -114,6 +124,8 @@ struct TruncationRoot {
            power(detail::squared_norm(problem.potential_gradient(q)), -0.125);
   }
 };
+template <class Problem>
+TruncationRoot(Problem, double, double) -> TruncationRoot<Problem>;
 
 /// g^ = b (g + a) / (g + b), which lies between a and b (Leimkuhler and Reich 2005, page 248; Section 3.3).
 /// It bounds dt/dtau; for a Taylor method it bounds the step only nearly.

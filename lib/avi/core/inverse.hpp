@@ -16,8 +16,8 @@ template <int n>
 Matrix<double, n> inverse(Matrix<double, n> a) {
   const Eigen::Index size = a.rows();
   Matrix<double, n> b = Matrix<double, n>::Identity(size, size);
-  const auto swap_rows = [size](Matrix<double, n>& m, Eigen::Index i, Eigen::Index j) {
-    for (Eigen::Index l = 0; l < size; ++l)
+  const auto swap_rows = [](Matrix<double, n>& m, Eigen::Index i, Eigen::Index j) {
+    for (Eigen::Index l = 0; l < m.cols(); ++l)
       std::swap(m(i, l), m(j, l));
   };
   for (Eigen::Index k = 0; k < size; ++k) {
