@@ -1,0 +1,85 @@
+#include "avi/adaptive/monitors.hpp"
+#include "avi/core/inverse.hpp"
+#include "avi/diagnostics/symplecticity.hpp"
+#include "avi/htvi/htvi.hpp"
+#include "avi/problems/kepler.hpp"
+
+#include <gtest/gtest.h>
+
+using avi::Generating;
+using avi::Kepler;
+using avi::State;
+
+namespace {
+
+using Point = avi::Vector<double, avi::dynamic>;
+constexpr double h = 0.1;
+
+/// H_d^+(q_0, p_1) - p_1 . q_0, or H_d^-(q_1, p_0) + p_0 . q_1, by its definition alone: the expansion point
+/// is found by Newton's method, the Taylor polynomials and the quadrature are summed, nothing is
+/// differentiated. Up to that the discrete Hamiltonian is a plain function of four numbers.
+template <Generating type, class Action>
+double discrete_hamiltonian(Action& action, const Point& x) {
+  constexpr bool right = type == Generating::type2;
+  typename Action::Increments d;
+  avi::Vector<double, 2> q = x.head<2>(), p = x.tail<2>();
+  for (int k = 0; k < 30; ++k) {
+    action.expand(q, p, h, d);
+    avi::Vector<double, 2> miss;
+    avi::Matrix<double, 2> slope;
+    for (int i = 0; i < 2; ++i) {
+      miss[i] = right ? x[2 + i] - p[i] - d.p[i].value() : x[i] - q[i] - d.q[i].value();
+      for (int j = 0; j < 2; ++j)
+        slope(i, j) = (i == j) + (right ? d.p[i].partial(2 + j) : d.q[i].partial(j));
+    }
+    (right ? p : q) += avi::inverse<2>(slope) * miss;
+  }
+  double value = action.problem().energy_momentum() * d.t.value() - d.action.value();
+  for (int i = 0; i < 2; ++i)
+    value += x[2 + i] * d.q[i].value();
+  return value;
+}
+
+/// Type II: p_0 = p_1 + dS/dq_0, q_1 = q_0 + dS/dp_1; Type III: p_1 = p_0 - dS/dq_1, q_0 = q_1 - dS/dp_0.
+template <Generating type, avi::Construction construction, class Problem>
+double gap_to_the_definition(const Problem& problem, int r) {
+  constexpr bool right = type == Generating::type2;
+  const State<2> z = Kepler::exact(0.6, 0.9);
+  State<2> next = z;
+  auto method = avi::htvi_of_order<type, construction>(r, problem, avi::simpson());
+  EXPECT_EQ(method.step(next, h).outcome, avi::Outcome::ok);
+  Point x(4);
+  if (right)
+    x << z.q, next.p;
+  else
+    x << next.q, z.p;
+  avi::TaylorAction<Problem, avi::dynamic, construction> action(problem, avi::simpson(), r, 512);
+  const auto jacobian = avi::difference_jacobian(
+      [&](const Point& y) -> Point { return Point::Constant(4, discrete_hamiltonian<type>(action, y)); }, x);
+  const Point slope = jacobian.row(0).transpose();
+  return std::max((z.p - next.p - slope.head<2>()).norm(), (next.q - z.q - slope.tail<2>()).norm());
+}
+
+template <avi::Construction construction, class G>
+void expect_definition(const G& monitor) {
+  // Off the energy shell, so that no term of H + p^t hides.
+  const State<2> z = Kepler::exact(0.6, 0.9);
+  const avi::Poincare<2, Kepler, G> problem(Kepler{}, monitor, 0.02 - Kepler{}(z.q, z.p));
+  for (int r : {0, 1, 2, 4}) {
+    EXPECT_LT((gap_to_the_definition<Generating::type2, construction>(problem, r)), 1e-11) << r;
+    EXPECT_LT((gap_to_the_definition<Generating::type3, construction>(problem, r)), 1e-11) << r;
+  }
+}
+
+TEST(DiscreteHamiltonian, GeneratesTheStepInEveryConstruction) {
+  const auto gamma = avi::bounded(avi::NormSquared{}, 0.01, 8.0);
+  expect_definition<avi::printed>(gamma);
+  expect_definition<avi::authors>(gamma);
+  expect_definition<avi::superconvergent>(gamma);
+}
+
+TEST(DiscreteHamiltonian, GeneratesTheStepWithAMonitorOfTheMomentum) {
+  expect_definition<avi::printed>(avi::bounded(avi::Energy{Kepler{}, 0.5}, 1e-4, 2.0));
+}
+
+}  // namespace
