@@ -155,7 +155,26 @@ Judgement judge_runge_kutta(const Cell& cell, const avi::Table& data) {
   return judgement;
 }
 
+/// The printed sign of a force against the one with which both copies of a clone stay together.
+Judgement judge_sign(const Cell& cell, const avi::Table& data) {
+  const std::size_t printed = data.rows.size() / 2 - 1, meant = data.rows.size() - 1;
+  Judgement judgement = compare(cell, data.number(meant, "sign"));
+  judgement.note =
+      fmt::format("From h to h/2 the distance of the two copies falls with the power {:.2f} for the sign -1 "
+                  "and {:.2f} for the printed one, to {:.1e} and {:.1e}; the copy that is read does not "
+                  "feel it.",
+                  data.number(meant, "order"), data.number(printed, "order"), data.number(meant, "distance"),
+                  data.number(printed, "distance"));
+  if (data.number(meant, "order") > 1.9 && data.number(printed, "order") < 0.1)
+    judgement.verdict = Verdict::erratum;
+  return judgement;
+}
+
 }  // namespace
+
+Sheet cloning_sign_sheet() {
+  return {"cloning_sign", "Text: the last equation of phase-space cloning", judge_sign};
+}
 
 Sheet runge_kutta_sheet() {
   return {"runge_kutta_baselines", "Text: fixed-step Runge-Kutta on Bregman dynamics", judge_runge_kutta};

@@ -9,7 +9,8 @@ std::vector<Sheet> sheets() {
           symplectic_sheet("method_comparison", "Table 4: symplectic integrators"),
           symplectic_sheet("p_dependence", "Table 5: dependence on p and p_ring"),
           optimiser_sheet(),
-          runge_kutta_sheet()};
+          runge_kutta_sheet(),
+          cloning_sign_sheet()};
 }
 
 }  // namespace scorecard
