@@ -12,7 +12,7 @@ namespace {
 
 using namespace experiment;
 
-constexpr double period = 2.0 * M_PI, energy_bound = 1e-2, phase_bound = 0.1;
+constexpr double period = 2.0 * M_PI;
 
 struct Subject {
   std::string method, monitor;
@@ -76,8 +76,8 @@ void survey(Frame& frame, avi::Table& table, const Subject& subject) {
   for (int k = 0; k <= 8; k += frame.quick && k > 0 ? 3 : 1) {
     const double gap = std::pow(10.0, -k), nan = std::nan("");
     const State2 start = avi::Kepler::pericentre(1.0 - gap);
-    const Runner runner = with_phase(subject.make(1.0 - gap), phase_bound);
-    const Limits limits{.time = 3.0 * period, .steps = subject.cap, .energy_error = energy_bound};
+    const Runner runner = subject.make(1.0 - gap);
+    const Limits limits{.time = 3.0 * period, .steps = subject.cap, .energy_error = 1e-2, .phase_error = 0.1};
     const Largest found = largest_step(runner, start, 16.0, limits);
     const bool ok = found.h > 0.0;
     const double steps = static_cast<double>(found.at.run.steps);

@@ -6,6 +6,7 @@
 #include "avi/problems/kepler.hpp"
 
 #include <complex>
+#include <optional>
 
 // The largest step of every integrator before it breaks, beside the limit of linear theory, and how the run
 // one notch beyond ends.
@@ -47,7 +48,8 @@ LinearLimit linear_limit(const Runner& run) {
 
 struct Case {
   std::string method, monitor;
-  Runner on_kepler, on_henon_heiles;  ///< The second may be empty.
+  Runner on_kepler;
+  std::optional<Runner> on_henon_heiles;
 };
 
 std::vector<Case> cases(bool quick) {
@@ -106,9 +108,9 @@ int main(int argc, char** argv) {
           frame.progress(c.method + " " + c.monitor,
                          static_cast<double>(i) / static_cast<double>(all.size()));
           if (c.on_henon_heiles) {
-            const LinearLimit limit = linear_limit(c.on_henon_heiles);
-            measure("oscillator", c, c.on_henon_heiles, oscillator, 1e3, limit);
-            measure("henon_heiles", c, c.on_henon_heiles, galaxy, 0.1, limit);
+            const LinearLimit limit = linear_limit(*c.on_henon_heiles);
+            measure("oscillator", c, *c.on_henon_heiles, oscillator, 1e3, limit);
+            measure("henon_heiles", c, *c.on_henon_heiles, galaxy, 0.1, limit);
           }
           measure("kepler", c, c.on_kepler, kepler, 0.1,
                   {c.monitor == "none" ? 2.0 * std::pow(1.0 - e, 1.5) : 2.0, true});

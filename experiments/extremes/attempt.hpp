@@ -1,13 +1,14 @@
 #pragma once
-#include "avi/core/integrate.hpp"
-#include "avi/core/state.hpp"
+#include "extremes/phase.hpp"
 
-#include <cmath>
+#include "avi/core/integrate.hpp"
+
+#include <algorithm>
 #include <functional>
 #include <string>
 
 /// @file
-/// A run that may fail, of a method whose type nobody needs to know.
+/// Runs that may fail, of methods whose types nobody needs to know.
 
 namespace experiment {
 
@@ -17,20 +18,20 @@ using State2 = avi::State<2>;
 struct Limits {
   double time;
   long steps;
-  double energy_error;  ///< |H - H_0| / |H_0| beyond which the run is given up.
+  double energy_error;            ///< |H - H_0| / |H_0| beyond which the run is given up.
+  double phase_error = HUGE_VAL;  ///< Of the end, on Kepler's problem, in radians.
 };
 
 /// How a run ended.
 struct Attempt {
   avi::Run run;
-  State2 end;                                ///< The last good state.
-  double energy_error = 0.0;                 ///< Largest |H - H_0| / |H_0| after any step.
-  double least_step = 0.0, most_step = 0.0;  ///< In physical time, the last step left out.
+  State2 end;                    ///< The last good state.
+  double energy_error = 0.0;     ///< Largest |H - H_0| / |H_0| after any step.
+  double least_step = HUGE_VAL;  ///< In physical time, the last step left out.
+  bool late = false;             ///< Reached the end, but elsewhere on its orbit.
 
   /// Reached the end within every bound.
   [[nodiscard]] bool good() const { return run.outcome == avi::Outcome::ok && !late; }
-  bool late = false;  ///< Reached it, but elsewhere on its orbit; set by who knows the orbit.
-
   /// `ok`, `energy` or `phase` where that bound was exceeded, else the outcome's name.
   [[nodiscard]] std::string ending() const {
     if (run.outcome == avi::Outcome::stopped) return "energy";
@@ -38,31 +39,43 @@ struct Attempt {
   }
 };
 
-/// A whole run from `start` with step h.
-using Runner = std::function<Attempt(const State2& start, double h, const Limits&)>;
+/// A method together with the Hamiltonian whose value is watched.
+class Runner {
+ public:
+  /// Called after every step; false stops the run.
+  using Observer = std::function<bool(const State2&)>;
 
-/// Runner of make(start), a Method, watching H.
-template <class H, class Make>
-Runner runner(const H& hamiltonian, Make make) {
-  return [=](const State2& start, double h, const Limits& limits) {
-    auto method = make(start);
-    Attempt attempt{.run = {}, .end = start, .least_step = HUGE_VAL};
-    const double energy = hamiltonian(start.q, start.p);
-    double before = start.t, step = 0.0;
-    attempt.run = avi::integrate(method, attempt.end, h, {.time = limits.time, .steps = limits.steps},
-                                 [&](const State2& z, long k) {
-                                   const double error = std::abs((hamiltonian(z.q, z.p) - energy) / energy);
-                                   if (k > 1) {
-                                     attempt.least_step = std::min(attempt.least_step, step);
-                                     attempt.most_step = std::max(attempt.most_step, step);
-                                   }
-                                   step = z.t - before;
-                                   before = z.t;
-                                   if (!(error <= attempt.energy_error)) attempt.energy_error = error;
-                                   return error <= limits.energy_error;
-                                 });
+  /// `make(start)` makes the Method for the orbit through `start`.
+  template <class H, class Make>
+  Runner(const H& hamiltonian, Make make)
+      : energy([=](const State2& z) { return hamiltonian(z.q, z.p); }),
+        advance([=](const State2& start, State2& z, double h, avi::Until until, const Observer& observer) {
+          auto method = make(start);
+          return avi::integrate(method, z, h, until, [&](const State2& now, long) { return observer(now); });
+        }) {}
+
+  std::function<double(const State2&)> energy;  ///< H.
+  /// Advances z, a point of the orbit through `start`, with a method made anew.
+  std::function<avi::Run(const State2& start, State2& z, double h, avi::Until, const Observer&)> advance;
+
+  /// A whole run with step h.
+  Attempt operator()(const State2& start, double h, const Limits& limits) const {
+    Attempt attempt{.run = {}, .end = start};
+    const double first = energy(start);
+    double before = start.t, step = HUGE_VAL;
+    attempt.run =
+        advance(start, attempt.end, h, {.time = limits.time, .steps = limits.steps}, [&](const State2& z) {
+          attempt.least_step = std::min(attempt.least_step, step);
+          step = z.t - before;
+          before = z.t;
+          const double error = std::abs((energy(z) - first) / first);
+          if (!(error <= attempt.energy_error)) attempt.energy_error = error;
+          return error <= limits.energy_error;
+        });
+    attempt.late = std::isfinite(limits.phase_error) &&
+                   !(std::abs(phase_error(start, attempt.end)) <= limits.phase_error);
     return attempt;
-  };
-}
+  }
+};
 
 }  // namespace experiment

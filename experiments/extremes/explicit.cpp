@@ -1,6 +1,5 @@
 #include "extremes/methods.hpp"
 
-#include "avi/core/require.hpp"
 #include "avi/integrators/adaptive_verlet.hpp"
 #include "avi/integrators/compositions.hpp"
 #include "avi/integrators/hairer_soderlind.hpp"
@@ -11,6 +10,8 @@
 #include "avi/integrators/tableaus.hpp"
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"
+
+#include <stdexcept>
 
 namespace experiment {
 namespace {
@@ -44,16 +45,15 @@ template <class Problem>
 Runner fixed_step(const std::string& name) {
   const Problem problem;
   const auto composed = [&](const auto& coefficients) {
-    return runner(problem, [=](const State2&) {
+    return Runner(problem, [=](const State2&) {
       return avi::splitting(avi::Separable<Problem>(problem), coefficients);
     });
   };
   if (name == "stormer_verlet") return composed(c::strang);
   if (name == "yoshida4") return composed(c::yoshida4);
   if (name == "kahan_li8") return composed(c::kahan_li8);
-  if (name == "runge_kutta_4") return runner(problem, [](const State2&) { return RungeKutta4<Problem>(); });
-  avi::require(false, "Method", name, "one of those that methods.hpp names");
-  return {};
+  if (name == "runge_kutta_4") return Runner(problem, [](const State2&) { return RungeKutta4<Problem>(); });
+  throw std::invalid_argument("Method '" + name + "' is none of those that methods.hpp names.");
 }
 
 }  // namespace
@@ -62,27 +62,19 @@ Runner explicit_on_kepler(const std::string& name) {
   const avi::Kepler kepler;
   const avi::PowerOfRadius monitor{1.5};
   const auto logarithmic = [&](const auto& coefficients) {
-    return runner(kepler, [=](const State2& start) {
+    return Runner(kepler, [=](const State2& start) {
       return avi::splitting(avi::LogHamiltonian<avi::Kepler>(kepler, start), coefficients);
     });
   };
   if (name == "log_hamiltonian") return logarithmic(c::strang);
   if (name == "log_hamiltonian_yoshida4") return logarithmic(c::yoshida4);
   if (name == "adaptive_verlet")
-    return runner(kepler, [=](const State2&) { return avi::AdaptiveVerlet(kepler, monitor); });
+    return Runner(kepler, [=](const State2&) { return avi::AdaptiveVerlet(kepler, monitor); });
   if (name == "hairer_soderlind")
-    return runner(kepler, [=](const State2&) {
+    return Runner(kepler, [=](const State2&) {
       return avi::HairerSoderlind(avi::splitting(avi::Separable<avi::Kepler>(kepler), c::strang), monitor);
     });
   return fixed_step<avi::Kepler>(name);
-}
-
-Runner with_phase(Runner run, double bound) {
-  return [run = std::move(run), bound](const State2& start, double h, const Limits& limits) {
-    Attempt attempt = run(start, h, limits);
-    attempt.late = !(std::abs(phase_error(start, attempt.end)) <= bound);
-    return attempt;
-  };
 }
 
 Runner explicit_on_henon_heiles(const std::string& name) { return fixed_step<avi::HenonHeiles>(name); }

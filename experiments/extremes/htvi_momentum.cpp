@@ -6,7 +6,7 @@
 namespace experiment {
 
 Runner htvi(int r, MomentumMonitor monitor) {
-  return runner(avi::Kepler{}, [=](const State2& start) {
+  return Runner(avi::Kepler{}, [=](const State2& start) {
     MomentumMonitor own = monitor;
     own.energy_momentum = -avi::Kepler{}(start.q, start.p);
     return avi::htvi_of_order<avi::Generating::type2>(r, avi::poincare<2>(avi::Kepler{}, start, own),

@@ -1,7 +1,6 @@
 #pragma once
 #include "extremes/any_monitor.hpp"
 #include "extremes/attempt.hpp"
-#include "extremes/phase.hpp"
 
 /// @file
 /// The methods that are driven to their limits. Those on Kepler's problem take p^t from the start.
@@ -21,9 +20,5 @@ Runner htvi_henon_heiles(int r);
 Runner explicit_on_kepler(const std::string& name);
 /// Same, for stormer_verlet, yoshida4, kahan_li8, runge_kutta_4.
 Runner explicit_on_henon_heiles(const std::string& name);
-
-/// The same run, judged by the phase of Kepler's problem too: late when it ends more than `bound` radians
-/// off.
-Runner with_phase(Runner run, double bound);
 
 }  // namespace experiment
