@@ -1,4 +1,5 @@
 #include "frame/frame.hpp"
+#include "scorecard/claims.hpp"
 #include "scorecard/report.hpp"
 #include "scorecard/sheets.hpp"
 
@@ -8,7 +9,8 @@
 #include <stdexcept>
 
 /// @file
-/// Every published number beside ours, with a verdict and a note: build/data/scorecard.tsv.
+/// Every published number beside ours, with a verdict and a note: build/data/scorecard.tsv; every claim of
+/// the text with a ruling and the numbers it rests on: build/data/scorecard_claims.tsv.
 
 namespace {
 
@@ -26,7 +28,8 @@ std::vector<std::string> left_over(const std::vector<scorecard::Sheet>& sheets,
   std::vector<std::string> stems;
   for (const auto& entry : std::filesystem::directory_iterator(published)) {
     const std::string stem = entry.path().stem();
-    const bool has_sheet = std::ranges::any_of(sheets, [&](const auto& sheet) { return sheet.stem == stem; });
+    const bool has_sheet = stem == "claims" ||
+                           std::ranges::any_of(sheets, [&](const auto& sheet) { return sheet.stem == stem; });
     if (entry.path().extension() == ".tsv" && !has_sheet) stems.push_back(stem);
   }
   std::ranges::sort(stems);
@@ -61,10 +64,22 @@ int main(int argc, char** argv) {
           add(stem, unjudged(stem, published));
         const auto missing = std::ranges::count_if(
             all, [](const auto& line) { return line.judgement.verdict == scorecard::Verdict::missing; });
+        avi::Table ledger =
+            frame.table({"source", "key", "claim", "experiment", "test", "ruling", "evidence"});
+        const auto claims = scorecard::judge_claims(published, scorecard::Results({data}));
+        for (const auto& c : claims)
+          ledger.row(c.source, c.key, c.claim, c.experiment, c.test, name(c.finding.ruling),
+                     c.finding.evidence);
+        fmt::print("{}", scorecard::report(claims));
+        const auto unruled = std::ranges::count_if(
+            claims, [](const auto& claim) { return claim.finding.ruling == scorecard::Ruling::missing; });
+        frame.write(ledger, "claims");
         frame.write(table);
-        fmt::print("\nAll tables - {}\n", scorecard::summary(all));
-        if (missing > 0)
+        fmt::print("\nAll tables - {}\nAll claims - {}\n", scorecard::summary(all),
+                   scorecard::summary(claims));
+        if (missing + unruled > 0)
           throw std::runtime_error(
-              fmt::format("{} published numbers have no data to judge them by; see above.", missing));
+              fmt::format("{} published numbers and {} claims have no data to judge them by; see above.",
+                          missing, unruled));
       });
 }

@@ -138,47 +138,7 @@ Judgement judge_optimisers(const Cell& cell, const avi::Table& data) {
   return judgement;
 }
 
-/// Whether a fixed-step method converges at any of the steps that were tried.
-Judgement judge_runge_kutta(const Cell& cell, const avi::Table& data) {
-  const auto row = find(data, {{"method", cell.text("method")},
-                               {"approach", cell.text("approach")},
-                               {"converged", cell.published() == "0" ? "1" : "0"}});
-  Judgement judgement = compare(cell, data.number(row, "converged"));
-  std::string steps;
-  for (std::size_t i = 0; i < data.rows.size(); ++i)
-    if (data.text(i, "method") == cell.text("method") && data.text(i, "approach") == cell.text("approach"))
-      steps += fmt::format("{}h = {} {}", steps.empty() ? "" : ", ", avi::rounded(data.number(i, "h")),
-                           data.text(i, "converged") == "1"
-                               ? "converges in " + data.text(i, "iterations") + " steps"
-                               : "ends as " + data.text(i, "outcome"));
-  judgement.note = "The text says that it fails to converge; to delta = 1e-10, " + steps + ".";
-  return judgement;
-}
-
-/// The printed sign of a force against the one with which both copies of a clone stay together.
-Judgement judge_sign(const Cell& cell, const avi::Table& data) {
-  const std::size_t printed = data.rows.size() / 2 - 1, meant = data.rows.size() - 1;
-  Judgement judgement = compare(cell, data.number(meant, "sign"));
-  judgement.note =
-      fmt::format("From h to h/2 the distance of the two copies falls with the power {:.2f} for the sign -1 "
-                  "and {:.2f} for the printed one, to {:.1e} and {:.1e}; the copy that is read does not "
-                  "feel it.",
-                  data.number(meant, "order"), data.number(printed, "order"), data.number(meant, "distance"),
-                  data.number(printed, "distance"));
-  if (data.number(meant, "order") > 1.9 && data.number(printed, "order") < 0.1)
-    judgement.verdict = Verdict::erratum;
-  return judgement;
-}
-
 }  // namespace
-
-Sheet cloning_sign_sheet() {
-  return {"cloning_sign", "Text: the last equation of phase-space cloning", judge_sign};
-}
-
-Sheet runge_kutta_sheet() {
-  return {"runge_kutta_baselines", "Text: fixed-step Runge-Kutta on Bregman dynamics", judge_runge_kutta};
-}
 
 Sheet symplectic_sheet(std::string stem, std::string title) {
   return {std::move(stem), std::move(title), judge_symplectic};

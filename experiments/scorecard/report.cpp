@@ -1,5 +1,7 @@
 #include "scorecard/report.hpp"
 
+#include "scorecard/wrapped.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,23 +10,7 @@
 namespace scorecard {
 namespace {
 
-constexpr std::size_t text_width = 110;
 constexpr std::ptrdiff_t listed_singly = 9;  ///< Longer groups with one verdict and note are counted.
-
-/// Breaks `text` into lines of at most `text_width` columns, each indented.
-std::string wrapped(const std::string& text, std::size_t indent) {
-  std::string out, line;
-  const auto flush = [&] { out += std::string(indent, ' ') + line + '\n', line.clear(); };
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    if (!line.empty() && indent + line.size() + 1 + word.size() > text_width) flush();
-    line += (line.empty() ? "" : " ") + word;
-    begin = end + 1;
-  }
-  if (!line.empty()) flush();
-  return out;
-}
 
 }  // namespace
 

@@ -8,9 +8,7 @@ std::vector<Sheet> sheets() {
           symplectic_sheet("direct_vs_adaptive", "Table 3: Direct against Adaptive approach"),
           symplectic_sheet("method_comparison", "Table 4: symplectic integrators"),
           symplectic_sheet("p_dependence", "Table 5: dependence on p and p_ring"),
-          optimiser_sheet(),
-          runge_kutta_sheet(),
-          cloning_sign_sheet()};
+          optimiser_sheet()};
 }
 
 }  // namespace scorecard

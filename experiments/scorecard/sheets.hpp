@@ -16,12 +16,6 @@ Sheet symplectic_sheet(std::string stem, std::string title);
 /// Table 6: iterations of several optimisers (data: optimiser_comparison).
 Sheet optimiser_sheet();
 
-/// The statement that fixed-step Runge-Kutta methods fail (data: runge_kutta_baselines).
-Sheet runge_kutta_sheet();
-
-/// The sign of a force in the equations of phase-space cloning (data: cloning_sign).
-Sheet cloning_sign_sheet();
-
 /// Every sheet there is.
 std::vector<Sheet> sheets();
 

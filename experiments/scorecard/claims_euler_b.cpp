@@ -1,0 +1,190 @@
+#include "scorecard/claims.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+// Claims of Section 3.3 on symplectic Euler-B and its monitors.
+
+namespace scorecard {
+namespace {
+
+/// Steps (or seconds) of a monitor at a target of energy error, NaN where it did not run.
+double euler_b(const Results& data, const char* target, const char* monitor, const char* column = "steps") {
+  try {
+    return data.number("euler_b_cost", {{"monitor", monitor}, {"target", target}}, column);
+  } catch (const std::out_of_range&) {
+    return std::nan("");
+  }
+}
+constexpr std::array targets{"0.01", "0.001", "0.0001", "1e-05"};
+
+/// Calls visit(target) for those at which every listed monitor ran; returns how often.
+template <std::size_t n, class Visit>
+std::size_t at_common_targets(const Results& data, const std::array<const char*, n>& monitors, Visit visit) {
+  std::size_t cases = 0;
+  for (const char* target : targets) {
+    bool all = true;
+    for (const char* monitor : monitors)
+      all = all && std::isfinite(euler_b(data, target, monitor));
+    if (!all) continue;
+    ++cases;
+    visit(target);
+  }
+  return cases;
+}
+
+Finding euler_b_costs_most(const Results& data) {
+  std::size_t holding = 0;
+  std::string ratios;
+  const std::array monitors{"none", "truncation", "arclength", "norm_squared"};
+  const auto cases = at_common_targets(data, monitors, [&](const char* target) {
+    bool most = true;
+    for (std::size_t m = 1; m < monitors.size(); ++m)
+      for (const char* column : {"steps", "seconds"})
+        most = most && euler_b(data, target, "none", column) > euler_b(data, target, monitors[m], column);
+    holding += most;
+    ratios += fmt::format("{}{:.1f} times the steps of q.q at {}", ratios.empty() ? "" : ", ",
+                          euler_b(data, target, "none") / euler_b(data, target, "norm_squared"), target);
+  });
+  return {in_cases(holding, cases), ratios + ", and more time."};
+}
+
+Finding truncation_fewest_steps(const Results& data) {
+  double over_others = 0.0, over_same = 0.0;
+  const auto cases =
+      at_common_targets(data, std::array{"truncation", "arclength", "norm_squared"}, [&](const char* target) {
+        const double steps = euler_b(data, target, "truncation");
+        over_others = std::max(over_others, steps / euler_b(data, target, "arclength"));
+        over_same = std::max(over_same, std::abs(steps / euler_b(data, target, "norm_squared") - 1.0));
+      });
+  const bool fewest = over_others < 1.0;
+  return {cases == 0 || !fewest ? in_cases(0, cases)
+          : over_same < 1e-3    ? Ruling::in_part
+                                : Ruling::holds,
+          fmt::format("{:.3f} of arclength's steps, but exactly as many as q.q: on Kepler's problem |grad V| "
+                      "= 1/|q|^2 and the two monitors are one.",
+                      over_others)};
+}
+
+Finding norm_squared_more_steps(const Results& data) {
+  double most = 0.0;
+  const auto cases =
+      at_common_targets(data, std::array{"truncation", "norm_squared"}, [&](const char* target) {
+        most = std::max(most, euler_b(data, target, "norm_squared") / euler_b(data, target, "truncation"));
+      });
+  return {most > 1.05 ? Ruling::holds : in_cases(0, cases),
+          fmt::format("At equal energy error the ratio of their steps is at most {:.6f}; the monitors are "
+                      "proportional.",
+                      most)};
+}
+
+Finding norm_squared_fastest(const Results& data) {
+  std::size_t first = 0, second = 0;
+  std::string ratios;
+  const auto cases =
+      at_common_targets(data, std::array{"truncation", "arclength", "norm_squared"}, [&](const char* target) {
+        const double q = euler_b(data, target, "norm_squared", "seconds"),
+                     t = euler_b(data, target, "truncation", "seconds"),
+                     a = euler_b(data, target, "arclength", "seconds");
+        first += 1.1 * q < t && q < a;
+        second += t < a;
+        ratios = fmt::format("At {} truncation error takes {:.2f} and arclength {:.2f} times as long as q.q",
+                             target, t / q, a / q);
+      });
+  const Ruling ruling = in_cases(first + second, 2 * cases);
+  return {ruling == Ruling::in_part ? Ruling::undecided : ruling,
+          ratios + ", for the formula of the monitor only: the steps are the same."};
+}
+
+Finding arclength_costs_most(const Results& data) {
+  std::size_t holding = 0;
+  std::string ratios;
+  const auto cases =
+      at_common_targets(data, std::array{"truncation", "arclength", "norm_squared"}, [&](const char* target) {
+        const double ratio = euler_b(data, target, "arclength") / euler_b(data, target, "norm_squared");
+        holding += ratio > 1.02;
+        ratios = fmt::format("{:.3f} times the steps of the other two at {}.", ratio, target);
+      });
+  return {in_cases(holding, cases), ratios};
+}
+
+Finding fourth_root(const Results& data) {
+  double most = 0.0;
+  const auto cases =
+      at_common_targets(data, std::array{"truncation", "truncation_root"}, [&](const char* target) {
+        most = std::max(most, euler_b(data, target, "truncation_root") / euler_b(data, target, "truncation"));
+      });
+  return {in_cases(most < 1.1 ? cases : 0, cases),
+          fmt::format("With the root {:.1f} times the steps at equal energy error.", most)};
+}
+
+/// The step is h g = (2 tol / h) |q|^2, so the error is proportional to tol / h.
+Finding error_comparable_to_tol(const Results& data) {
+  double least = 1e9, most = 0.0;
+  const auto cases = at_common_targets(data, std::array{"truncation"}, [&](const char* target) {
+    const double scaled = euler_b(data, target, "truncation", "energy_error") *
+                          euler_b(data, target, "truncation", "h") /
+                          euler_b(data, target, "truncation", "tol");
+    least = std::min(least, scaled);
+    most = std::max(most, scaled);
+  });
+  if (cases == 0) return {Ruling::missing, "No run with this monitor."};
+  return {
+      Ruling::undecided,
+      fmt::format("The error is {:.2f} to {:.2f} tol / h, h the fictive step: comparable to tol for h near "
+                  "{:.0f}; the paper does not give its h.",
+                  least, most, most)};
+}
+
+/// Times of the largest and least steps, within the resolution of the thinned curve.
+Finding steps_change_together(const Results& data) {
+  const avi::Table& curve = data("euler_b_step_sizes_curve");
+  std::map<std::string, std::pair<double, double>>
+      extreme;  // smallest step, its time after the first quarter
+  for (std::size_t i = 0; i < curve.rows.size(); ++i) {
+    const double t = curve.number(i, "t"), step = curve.number(i, "step");
+    if (t < 1.0) continue;  // the start is a pericentre too
+    auto& [smallest, at] = extreme.try_emplace(curve.text(i, "monitor"), 1e9, 0.0).first->second;
+    if (step < smallest) smallest = step, at = t;
+  }
+  double first = 1e9, last = 0.0;
+  for (const auto& [monitor, found] : extreme)
+    first = std::min(first, std::fmod(found.second, 2.0 * M_PI)),
+    last = std::max(last, std::fmod(found.second, 2.0 * M_PI));
+  const double apart = std::min(last - first, 2.0 * M_PI - (last - first));
+  return {in_cases(apart < 0.05 ? extreme.size() : 0, extreme.size()),
+          fmt::format("Smallest steps of all {} monitors within {:.3f} of a period of each other, at the "
+                      "pericentre.",
+                      extreme.size(), apart / (2.0 * M_PI))};
+}
+
+Finding truncation_largest_steps(const Results& data) {
+  const auto largest = [&](const char* monitor) {
+    return data.number("euler_b_step_sizes", {{"monitor", monitor}}, "max_step");
+  };
+  const double t = largest("truncation"), q = largest("norm_squared"), a = largest("arclength");
+  const bool equal = std::abs(t / q - 1.0) < 1e-3;
+  return {t < a * 1.02 ? Ruling::fails
+          : equal      ? Ruling::in_part
+                       : Ruling::holds,
+          fmt::format("At equal energy error {:.2f} times arclength's largest step; the same as that of q.q.",
+                      t / a)};
+}
+
+}  // namespace
+
+const Decisions& euler_b_decisions() {
+  static const Decisions decisions{{"euler_b_costs_most", euler_b_costs_most},
+                                   {"truncation_fewest_steps", truncation_fewest_steps},
+                                   {"norm_squared_fastest", norm_squared_fastest},
+                                   {"norm_squared_more_steps", norm_squared_more_steps},
+                                   {"arclength_costs_most", arclength_costs_most},
+                                   {"fourth_root_changes_little", fourth_root},
+                                   {"error_comparable_to_tol", error_comparable_to_tol},
+                                   {"steps_change_together", steps_change_together},
+                                   {"truncation_largest_steps", truncation_largest_steps}};
+  return decisions;
+}
+
+}  // namespace scorecard

@@ -1,0 +1,214 @@
+#include "scorecard/claims.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+// Claims of Sections 4.5.4 and 4.5.5: against Runge-Kutta methods and other optimisers.
+
+namespace scorecard {
+namespace {
+
+constexpr std::array approaches{"direct", "adaptive"};
+/// MATLAB's two solvers are these pairs.
+constexpr std::array pairs{"dormand_prince", "bogacki_shampine"};
+
+Finding rk4_fails(const Results& data) {
+  const avi::Table& table = data("runge_kutta_baselines");
+  std::size_t failing = 0;
+  std::string seen;
+  for (const char* approach : approaches) {
+    std::string converged;
+    for (std::size_t i = 0; i < table.rows.size(); ++i)
+      if (table.text(i, "method") == "runge_kutta_4" && table.text(i, "approach") == approach &&
+          table.text(i, "converged") == "1")
+        converged = fmt::format("h = {} in {} steps", avi::rounded(table.number(i, "h"), 3),
+                                table.text(i, "iterations"));
+    failing += converged.empty();
+    if (!converged.empty()) seen += fmt::format("{}{} at {}", seen.empty() ? "" : ", ", approach, converged);
+  }
+  return {in_cases(failing, approaches.size()),
+          seen.empty() ? "At no step that was tried." : "It reaches delta = 1e-10: " + seen + "."};
+}
+
+/// Calls visit(pair's row, HTVI's row, pair, rtol) for every converged run of an embedded pair.
+template <class Visit>
+std::size_t against_pairs(const avi::Table& table, Visit visit) {
+  std::size_t cases = 0;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto& method = table.text(i, "method");
+    if (table.text(i, "converged") != "1" || std::ranges::find(pairs, method) == pairs.end()) continue;
+    ++cases;
+    visit(i, find(table, {{"method", "htvi"}, {"approach", table.text(i, "approach")}}));
+  }
+  return cases;
+}
+
+Finding fewer_iterations(const Results& data) {
+  const avi::Table& table = data("runge_kutta_baselines");
+  std::size_t holding = 0;
+  const auto cases = against_pairs(table, [&](std::size_t i, std::size_t htvi) {
+    holding += table.number(htvi, "iterations") < table.number(i, "iterations");
+  });
+  const double at_default =
+      data.number("runge_kutta_baselines",
+                  {{"method", "dormand_prince"}, {"approach", "direct"}, {"rtol", "0.001"}}, "iterations");
+  return {
+      in_cases(holding, cases),
+      fmt::format(
+          "In {} of {} runs of the pairs over tolerances. At ode45's default, 1e-3, Dormand-Prince "
+          "takes {:.0f} steps where HTVI takes {:.0f}; the paper names no tolerance.",
+          holding, cases, at_default,
+          data.number("runge_kutta_baselines", {{"method", "htvi"}, {"approach", "direct"}}, "iterations"))};
+}
+
+Finding fewer_gradients(const Results& data) {
+  const avi::Table& table = data("runge_kutta_baselines");
+  std::size_t holding = 0;
+  double least = 1e99;
+  const auto cases = against_pairs(table, [&](std::size_t i, std::size_t htvi) {
+    const double ratio = table.number(i, "gradient_evaluations") / table.number(htvi, "gradient_evaluations");
+    holding += ratio > 1.0;
+    if (table.number(i, "rtol") < 5e-3) least = std::min(least, ratio);
+  });
+  return {
+      in_cases(holding, cases),
+      fmt::format("In {} of {} runs; at relative tolerances of 1e-3 and less at least {:.1f} times HTVI's.",
+                  holding, cases, least)};
+}
+
+Finding pairs_gain_nothing(const Results& data) {
+  const avi::Table& table = data("runge_kutta_baselines");
+  std::size_t holding = 0, cases = 0;
+  double least = 1e99, most = 0.0;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    if (std::ranges::find(pairs, table.text(i, "method")) == pairs.end() ||
+        table.text(i, "approach") != "direct" || table.number(i, "rtol") > 5e-3)
+      continue;
+    const double ratio = table.number(i, "iterations") / data.number("runge_kutta_baselines",
+                                                                     {{"method", table.text(i, "method")},
+                                                                      {"approach", "adaptive"},
+                                                                      {"rtol", table.text(i, "rtol")}},
+                                                                     "iterations");
+    ++cases;
+    holding += ratio < 1.2;
+    least = std::min(least, ratio);
+    most = std::max(most, ratio);
+  }
+  const auto htvi = [&](const char* approach) {
+    return data.number("runge_kutta_baselines", {{"method", "htvi"}, {"approach", approach}}, "iterations");
+  };
+  const double gain = htvi("direct") / htvi("adaptive");
+  return {gain > 1.5 ? in_cases(holding, cases) : Ruling::fails,
+          fmt::format("Direct takes {:.2f} to {:.2f} times the steps of Adaptive for the pairs at relative "
+                      "tolerances of 1e-3 and less, {:.2f} times for HTVI.",
+                      least, most, gain)};
+}
+
+/// Where an envelope falls like a power of time from the start, a tenth of the run brings a tenth of its
+/// decades.
+Finding slow_start(const Results& data) {
+  const avi::Table& curves = data("runge_kutta_baselines_curves");
+  std::size_t slow = 0, cases = 0;
+  std::string seen;
+  for (const char* method : {"htvi", "dormand_prince"}) {
+    double first = 0.0, last = 0.0, end = 0.0, tenth = 0.0;
+    for (const bool second_pass : {false, true})
+      for (std::size_t i = 0; i < curves.rows.size(); ++i) {
+        if (curves.text(i, "method") != method || curves.text(i, "approach") != "adaptive") continue;
+        const double ahead = curves.number(i, "ahead"), k = curves.number(i, "iteration");
+        if (!second_pass) {
+          if (first == 0.0) first = ahead;
+          last = ahead, end = k;
+        } else if (tenth == 0.0 && k >= 0.1 * end) {
+          tenth = ahead;
+        }
+      }
+    const double share = std::log(first / tenth) / std::log(first / last);
+    ++cases;
+    slow += share < 0.05;
+    seen += fmt::format("{}{:.0f} % of its decades for {}", seen.empty() ? "" : ", ", 100.0 * share, method);
+  }
+  return {in_cases(slow, cases), "In the first tenth of the iterations the envelope of f falls through " +
+                                     seen + ": a power law from the start, no plateau."};
+}
+
+// ---- Table 6 ----
+
+double count(const Results& data, const char* method, const char* delta) {
+  const avi::Table& table = data("optimiser_comparison");
+  const std::size_t row = find(table, {{"method", method}, {"delta", delta}});
+  return table.text(row, "converged") == "1" ? table.number(row, "iterations") : 1e99;
+}
+constexpr std::array deltas{"0.01", "1e-4", "1e-6", "1e-8", "1e-10"};
+
+Finding beats(const Results& data) {
+  std::size_t holding = 0, cases = 0;
+  for (const char* method : {"nag", "adam", "adagrad"})
+    for (const char* delta : deltas) {
+      ++cases;
+      holding += count(data, method, delta) > 1.5 * count(data, "htvi", delta);
+    }
+  return {in_cases(holding, cases),
+          fmt::format(
+              "NAG, ADAM and AdaGrad take {:.1f}, {:.0f} and {:.0f} times as many iterations at 1e-2, and "
+              "the gap grows for NAG and AdaGrad.",
+              count(data, "nag", "0.01") / count(data, "htvi", "0.01"),
+              count(data, "adam", "0.01") / count(data, "htvi", "0.01"),
+              count(data, "adagrad", "0.01") / count(data, "htvi", "0.01"))};
+}
+
+Finding not_the_best(const Results& data) {
+  std::size_t holding = 0;
+  for (const char* delta : deltas)
+    holding += std::min(count(data, "rmsprop", delta), count(data, "trust_region", delta)) <
+               count(data, "htvi", delta);
+  return {in_cases(holding, deltas.size()),
+          fmt::format("RMSprop takes {:.0f} and TRUST {:.0f} iterations to 1e-10 where HTVI takes {:.0f}.",
+                      count(data, "rmsprop", "1e-10"), count(data, "trust_region", "1e-10"),
+                      count(data, "htvi", "1e-10"))};
+}
+
+Finding gradients_equal_iterations(const Results& data) {
+  const avi::Table& table = data("optimiser_comparison");
+  std::size_t holding = 0, cases = 0;
+  std::string others;
+  for (const char* method : {"htvi", "nag", "adam", "adagrad", "rmsprop", "trust_region"}) {
+    const std::size_t row = find(table, {{"method", method}, {"delta", "0.01"}});
+    const double n = table.number(row, "iterations"), gradients = table.number(row, "gradient_evaluations");
+    ++cases;
+    if (gradients <= n + 1.0)
+      ++holding;
+    else
+      others += fmt::format("{}{} {:.0f} for {:.0f}", others.empty() ? "" : ", ", method, gradients, n);
+  }
+  return {in_cases(holding, cases),
+          "But for " + others + ": the stopping test needs a gradient at x, the step one at y."};
+}
+
+Finding nag_never(const Results& data) {
+  const double plain = count(data, "nag", "1e-10"), shifted = count(data, "nag_shifted", "1e-10");
+  if (plain < 1e98) return {Ruling::fails, fmt::format("It takes {:.0f} iterations.", plain)};
+  return {
+      shifted < 1e98 ? Ruling::in_part : Ruling::holds,
+      fmt::format("As printed, by rounding: written in the variable x - 1 the same method stops after {:.0f} "
+                  "iterations.",
+                  shifted)};
+}
+
+}  // namespace
+
+const Decisions& optimiser_decisions() {
+  static const Decisions decisions{{"rk4_fails", rk4_fails},
+                                   {"fewer_iterations_than_pairs", fewer_iterations},
+                                   {"fewer_gradients_than_pairs", fewer_gradients},
+                                   {"pairs_gain_nothing", pairs_gain_nothing},
+                                   {"slow_start", slow_start},
+                                   {"beats_popular_methods", beats},
+                                   {"not_the_most_efficient", not_the_best},
+                                   {"gradients_equal_iterations", gradients_equal_iterations},
+                                   {"nag_never_reaches", nag_never}};
+  return decisions;
+}
+
+}  // namespace scorecard
