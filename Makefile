@@ -14,6 +14,8 @@ MAKEFLAGS += --no-builtin-rules
 SHELL := /bin/sh
 # Decimal points and UTF-8 whatever the user's language.
 export LC_ALL := C.UTF-8
+# Dates inside PDF files are the commit's: the same data make the same file.
+export SOURCE_DATE_EPOCH := $(shell git log -1 --format=%ct 2>/dev/null || echo 0)
 
 # ---- what there is -------------------------------------------------------------------------------------------
 # An experiment is experiments/<stem>.cpp and writes build/data/<stem>.tsv. A figure is figures/<stem>.gp; its line
@@ -31,7 +33,7 @@ FIGURES     := $(foreach f,$(drawable),build/figures/$f.pdf build/figures/$f.png
 PUBLISHED   := $(wildcard paper/published/*.tsv)
 GALLERY     := kepler_e090 euler_b_errors direct_vs_adaptive work_precision
 
-.PHONY: help deps deps-peers deps-paper deps-docs deps-bench deps-format programs build data figures scorecard \
+.PHONY: help deps deps-peers deps-paper deps-docs deps-bench deps-format programs build data figures scorecard verdicts \
         check bench paper docs install long work-precision extremes gallery format clean
 
 help: ## This list
@@ -101,22 +103,28 @@ install: deps ## Install the headers and the CMake package under PREFIX
 # A shared lock is held by every experiment, an exclusive one by the timed: they run alone, whatever -j says.
 alone = flock $(if $(filter $(timed),$(1)),--exclusive,--shared) build/data/.alone
 
-data: $(DATA) ## Run every experiment: build/data/<stem>.tsv
+data: $(DATA) build/data/manifest.tsv ## Run every experiment: build/data/<stem>.tsv
 $(DATA): build/data/%.tsv: $(BIN)/% | build/data
 	@echo "running $*"; $(call alone,$*) $(BIN)/$* --output build/data && test -s $@
+
+build/data/manifest.tsv: experiments/manifest.sh $(DATA)
+	@experiments/manifest.sh build/data >$@.part && mv $@.part $@
 
 build/scorecard.txt: $(BIN)/scorecard $(DATA) $(PUBLISHED) | build/data
 	@$(BIN)/scorecard --published paper/published --data build/data --output build/data >$@.part \
 	  || { cat $@.part; exit 1; }; mv $@.part $@
-scorecard: build/scorecard.txt ## Compare every published number with ours
+scorecard: build/scorecard.txt ## Compare every published number and claim with ours
 	@cat $<
+	@cmp -s build/data/scorecard_verdicts.tsv paper/verdicts.tsv || \
+	  echo "Some verdicts are not those of paper/verdicts.tsv, which README states: make verdicts takes these over."
+verdicts: build/scorecard.txt ## Take over today's verdicts as those that README states and the tests compare
+	@cp build/data/scorecard_verdicts.tsv paper/verdicts.tsv
 
 # ---- figures ---------------------------------------------------------------------------------------------------
 # $(call draw,stem,data folder,output without extension,terminal,extension)
 draw = gnuplot -e "data='$(2)'; output='$(3).part'; terminal='$(4)'" figures/$(1).gp && mv $(3).part $(3).$(5)
 
-figures: $(DATA) $(FIGURES) build/scorecard.txt ## Build, run, draw every figure, print the scorecard (the main job)
-	@cat build/scorecard.txt
+figures: $(DATA) build/data/manifest.tsv $(FIGURES) scorecard ## Build, run, draw every figure, print the scorecard (the main job)
 build/figures/%.pdf build/figures/%.png: figures/%.gp figures/style.gp $(wildcard figures/shared/*.gp) $(PUBLISHED) | deps build/figures
 	@echo "drawing $*"; $(call draw,$*,build/data,build/figures/$*,pdf,pdf) \
 	  && $(call draw,$*,build/data,build/figures/$*,png,png)
@@ -145,8 +153,12 @@ build/extremes/%.tsv: $(BIN)/%
 	$(BIN)/$* --extremes --output build/extremes
 
 # ---- paper, documentation, housekeeping ---------------------------------------------------------------------------
-paper: deps-paper figures | build/paper ## build/paper/paper.pdf
-	latexmk -cd -pdf -interaction=nonstopmode -halt-on-error -outdir=$(CURDIR)/build/paper paper/paper.tex
+# Its log is read for what TeX only warns of: references, glyphs, and boxes that stand out by more than 5 pt.
+paper: deps-paper $(DATA) build/data/manifest.tsv $(FIGURES) build/scorecard.txt | build/paper ## build/paper/paper.pdf
+	@$(compile) paper_numbers && $(BIN)/paper_numbers --paper paper --data build/data --output build/paper
+	@latexmk -cd -pdf -quiet -interaction=nonstopmode -halt-on-error -outdir=$(CURDIR)/build/paper paper/paper.tex \
+	  >build/paper/latexmk.txt 2>&1 || { tail -n 40 build/paper/latexmk.txt; exit 1; }
+	@paper/check_log.sh build/paper/paper.log && echo "build/paper/paper.pdf"
 docs: deps-docs ## Reference documentation: build/docs/html
 	@mkdir -p build/docs && doxygen lib/Doxyfile && echo "build/docs/html/index.html"
 format: deps-format ## Apply clang-format

@@ -1,6 +1,7 @@
 #include "frame/frame.hpp"
 #include "scorecard/claims.hpp"
 #include "scorecard/report.hpp"
+#include "scorecard/shares.hpp"
 #include "scorecard/sheets.hpp"
 
 #include <fmt/format.h>
@@ -73,10 +74,17 @@ int main(int argc, char** argv) {
         fmt::print("{}", scorecard::report(claims));
         const auto unruled = std::ranges::count_if(
             claims, [](const auto& claim) { return claim.finding.ruling == scorecard::Ruling::missing; });
+        avi::Table verdicts({"source", "row", "quantity", "verdict"});
+        for (const auto& line : all)
+          verdicts.row(line.source, line.row, line.quantity, name(line.judgement.verdict));
+        for (const auto& c : claims)
+          verdicts.row("text", c.key, "claim", name(c.finding.ruling));
+        verdicts.write(frame.output / "scorecard_verdicts.tsv");
         frame.write(ledger, "claims");
         frame.write(table);
-        fmt::print("\nAll tables - {}\nAll claims - {}\n", scorecard::summary(all),
-                   scorecard::summary(claims));
+        fmt::print("\nAll tables - {}\nAll claims - {}\n",
+                   scorecard::summary("published numbers", scorecard::shares(table, "verdict")),
+                   scorecard::summary("claims of the text", scorecard::shares(ledger, "ruling")));
         if (missing + unruled > 0)
           throw std::runtime_error(
               fmt::format("{} published numbers and {} claims have no data to judge them by; see above.",

@@ -31,8 +31,6 @@ Judgement compare(const Cell& cell, double ours, std::string note, double tolera
   return {beside(cell.published(), ours), verdict, std::move(note)};
 }
 
-namespace {
-
 bool same(std::string_view a, std::string_view b) {
   if (a == b) return true;
   double x = 0.0, y = 0.0;
@@ -42,8 +40,6 @@ bool same(std::string_view a, std::string_view b) {
                        in_b.ptr == b.data() + b.size();
   return numbers && x == y;
 }
-
-}  // namespace
 
 std::size_t find(const avi::Table& data,
                  std::initializer_list<std::pair<std::string_view, std::string_view>> wanted) {

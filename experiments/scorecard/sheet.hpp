@@ -72,6 +72,9 @@ struct Sheet {
 /// last printed digit away, else `differs`; the note is kept.
 Judgement compare(const Cell& cell, double ours, std::string note = "", double tolerance = 0.0);
 
+/// The same text, or the same number.
+bool same(std::string_view a, std::string_view b);
+
 /// The line of `data` in which every named column holds the wanted text, or the same number.
 /// @throws std::out_of_range saying what was looked for when there is none.
 std::size_t find(const avi::Table& data,

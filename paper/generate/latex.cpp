@@ -1,0 +1,157 @@
+#include "generate/latex.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <regex>
+#include <stdexcept>
+#include <utility>
+
+namespace paper {
+namespace {
+
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+/// Mantissa and exponent as siunitx reads them.
+std::string power(const std::string& mantissa, int exponent) {
+  return exponent == 0 ? fmt::format("\\num{{{}}}", mantissa)
+                       : fmt::format("\\num{{{}e{}}}", mantissa == "1" ? "" : mantissa, exponent);
+}
+
+std::string scientific(double value, int digits) {
+  const std::string text = fmt::format("{:.{}e}", value, digits - 1);
+  const auto e = text.find('e');
+  return power(text.substr(0, e), std::stoi(text.substr(e + 1)));
+}
+
+}  // namespace
+
+std::string latex(std::string_view text) {
+  static const std::regex number(R"((>?)(\d+(?:\.\d+)?)[eE]([-+]?\d+))");
+  std::string out, rest(text);
+  for (std::smatch match; std::regex_search(rest, match, number); rest = match.suffix()) {
+    out += match.prefix();
+    out += "\x01" + std::string(match[1].length() ? ">" : "") + std::string(match[2]) + "\x02" +
+           std::to_string(std::stoi(match[3])) + "\x03";
+  }
+  out += rest;
+  out = replaced(out, "\\", "\\textbackslash{}");
+  for (const char* special : {"_", "%", "&", "#", "$", "{", "}"})
+    out = replaced(out, special, std::string("\\") + special);
+  for (const auto& [from, to] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"p\\_ring", "$\\mathring p$"},
+           {"q.q", "$q^\\top q$"},
+           {"|grad V|", "$|\\nabla V|$"},
+           {"|q|^2", "$|q|^2$"},
+           {"Stormer", "St\\\"ormer"},
+           {"Kutta ", "Kutta "},
+           {"O(t^-p)", "$O(t^{-p})$"},
+           {"p^2/$\\mathring p$", "$p^2/\\mathring p$"},
+           {"10^(2/3)", "$10^{2/3}$"},
+           {"f*", "$f^*$"},
+           {"^", "\\textasciicircum{}"},
+           {"<", "$<$"},
+           {">", "$>$"},
+           {"|", "$|$"}}) {
+    if (std::string_view(from) == "^" || std::string_view(from).size() == 1) {
+      // Only outside of the mathematics just made.
+      std::string kept;
+      bool mathematics = false;
+      for (const char c : out) {
+        if (c == '$') mathematics = !mathematics;
+        kept += !mathematics && c == from[0] ? std::string(to) : std::string(1, c);
+      }
+      out = kept;
+    } else {
+      out = replaced(out, from, to);
+    }
+  }
+  static const std::regex made("\x01((?:\\$>\\$)?)([^\x02]*)\x02([^\x03]*)\x03");
+  std::string done;
+  for (std::smatch match; std::regex_search(out, match, made); out = match.suffix())
+    done += std::string(match.prefix()) + std::string(match[1]) + power(match[2], std::stoi(match[3]));
+  return done + out;
+}
+
+std::string latex_number(double value, std::string_view format) {
+  if (std::isnan(value)) return "--";
+  if (format == "int") return fmt::format("\\num{{{:.0f}}}", value);
+  if (format == "pct") return fmt::format("\\SI{{{:.1f}}}{{\\percent}}", 100.0 * value);
+  int digits = -1;
+  const auto parsed = std::from_chars(format.data() + 1, format.data() + format.size(), digits);
+  if (parsed.ptr != format.data() + format.size() || digits < 0 || (format[0] != 'f' && format[0] != 'g'))
+    throw std::invalid_argument(fmt::format("Number format '{}' is none of int, pct, f<n>, g<n>.", format));
+  if (format[0] == 'f') return fmt::format("\\num{{{:.{}f}}}", value, digits);
+  if (value != 0.0 && (std::abs(value) < 1e-3 || std::abs(value) >= 1e7)) return scientific(value, digits);
+  const int before = value == 0.0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+  return fmt::format("\\num{{{:.{}f}}}", value, std::max(0, digits - before));
+}
+
+std::string latex_printed(std::string_view printed) {
+  const bool bound = printed.starts_with('>');
+  if (bound) printed.remove_prefix(1);
+  const auto e = printed.find_first_of("eE");
+  const std::string mantissa(printed.substr(0, e));
+  const int exponent = e == std::string_view::npos ? 0 : std::stoi(std::string(printed.substr(e + 1)));
+  return (bound ? "${>}$" : "") + power(mantissa, exponent);
+}
+
+std::string display_name(std::string_view name) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 36> names{
+      {{"none", "none"},
+       {"htvi", "HTVI"},
+       {"htvi4", "HTVI4"},
+       {"HTVI4 none", "HTVI4, none"},
+       {"SV", "St\\\"ormer--Verlet"},
+       {"stormer_verlet", "St\\\"ormer--Verlet"},
+       {"symplectic_euler_b", "Euler-B"},
+       {"norm_squared", "$q^\\top q$"},
+       {"truncation", "truncation error"},
+       {"truncation_root", "truncation error, 4th root"},
+       {"clone_strang", "cloning, Strang"},
+       {"clone_y4", "cloning, Yoshida 4"},
+       {"clone_y6", "cloning, Yoshida 6"},
+       {"direct", "Direct"},
+       {"adaptive", "Adaptive"},
+       {"runge_kutta_4", "Runge--Kutta 4"},
+       {"dormand_prince", "Dormand--Prince 5(4)"},
+       {"bogacki_shampine", "Bogacki--Shampine 3(2)"},
+       {"gsl_rkf45", "GSL rkf45"},
+       {"gsl_rk8pd", "GSL rk8pd"},
+       {"ok", "converges"},
+       {"kepler", "Kepler"},
+       {"perturbed_kepler", "perturbed Kepler"},
+       {"henon_heiles", "H\\'enon--Heiles"},
+       {"figure_eight", "figure eight"},
+       {"log_hamiltonian_suzuki4", "log.\\ Ham., Suzuki 4"},
+       {"log_hamiltonian_kahan_li6", "log.\\ Ham., Kahan--Li 6"},
+       {"log_hamiltonian_kahan_li8", "log.\\ Ham., Kahan--Li 8"},
+       {"log_hamiltonian_kahan_li8_plain", "log.\\ Ham., Kahan--Li 8"},
+       {"log_hamiltonian_sofroniou_spaletta10", "log.\\ Ham., S.--Spaletta 10"},
+       {"verlet_sofroniou_spaletta10", "Verlet, S.--Spaletta 10"},
+       {"blanes_moan6_nystrom", "Blanes--Moan 6"},
+       {"odeint_fehlberg78", "odeint RKF 7(8)"},
+       {"odeint_bulirsch_stoer", "odeint Bulirsch--Stoer"},
+       {"odeint_dopri5", "odeint Dormand--Prince"},
+       {"nan", "--"}}};
+  for (const auto& [key, text] : names)
+    if (key == name) return std::string(text);
+  return latex(replaced(std::string(name), "_", " "));
+}
+
+std::string latex_cell(const std::string& cell, std::string_view format) {
+  if (format == "text") return display_name(cell);
+  if (format == "raw") return latex(cell);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc{} || end != cell.data() + cell.size()) return display_name(cell);
+  return latex_number(value, format);
+}
+
+}  // namespace paper

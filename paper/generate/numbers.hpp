@@ -1,0 +1,26 @@
+#pragma once
+#include "scorecard/claims.hpp"
+
+#include <string>
+
+/// @file
+/// Numbers of the text: each has a name and a formula over the cells of data files, in paper/numbers.tsv.
+
+namespace paper {
+
+/// The value of a formula: terms separated by spaces and one of / * + -, taken from left to right. A term is
+/// a number, or
+///
+///   stem[column=cell,...].wanted      the cell of the first row of stem.tsv that satisfies all conditions,
+///   max:, min: or sum: before it      over all rows that do (cells that are nan are left out),
+///   count:stem[column=cell,...]       how many rows do;
+///
+/// `wanted` is a column, or two with a colon between them for their ratio.
+/// @throws std::invalid_argument for a formula that cannot be read, std::out_of_range where no row is found.
+double evaluate(const scorecard::Results& data, std::string_view formula);
+
+/// numbers.tex: one \defval{name}{text} for each row of `list` (columns name, formula, format); a formula
+/// `head:stem:key` with format `raw` is a line of a file's head.
+std::string numbers_tex(const scorecard::Results& data, const avi::Table& list);
+
+}  // namespace paper

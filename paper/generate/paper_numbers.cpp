@@ -1,0 +1,57 @@
+#include "frame/frame.hpp"
+#include "generate/numbers.hpp"
+#include "generate/tables.hpp"
+
+#include <fstream>
+#include <set>
+#include <stdexcept>
+
+/// @file
+/// Every number and table of the paper from the data: numbers.tex and tables/<name>.tex.
+
+namespace {
+
+void write(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) throw std::runtime_error("Cannot write '" + path.string() + "'.");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::filesystem::path source = "paper", data = "build/data";
+  const auto options = [&](CLI::App& app) {
+    experiment::add_folder(app, "--paper", source, "Folder of numbers.tsv, tables.tsv and published/");
+    experiment::add_folder(app, "--data", data, "Folder of the experiments' tables");
+  };
+  return experiment::run(
+      argc, argv, "paper_numbers", "Makes the paper's numbers and tables.", options,
+      [&](const experiment::Frame& frame) {
+        const auto tables = frame.output / "tables";
+        std::filesystem::create_directories(tables);
+        const scorecard::Results results({data});
+        const avi::Table &card = results("scorecard"), &claims = results("scorecard_claims");
+        const auto published = [&](const char* stem) {
+          return avi::Table::read(source / "published" / (std::string(stem) + ".tsv"));
+        };
+        for (const char* stem :
+             {"kepler_e090", "kepler_e099", "direct_vs_adaptive", "method_comparison", "p_dependence"})
+          write(tables / (std::string(stem) + ".tex"), paper::published_table(published(stem), card));
+        write(tables / "optimiser_comparison.tex",
+              paper::optimiser_table(published("optimiser_comparison"), card));
+        write(tables / "notes.tex", paper::notes_table(card));
+        write(tables / "claims.tex", paper::claims_table(claims));
+        write(tables / "shares.tex", paper::shares_table(card, claims));
+        write(tables / "provenance.tex", paper::provenance_table(results("manifest")));
+        const avi::Table list = avi::Table::read(source / "tables.tsv");
+        std::set<std::string> names;
+        for (std::size_t i = 0; i < list.rows.size(); ++i)
+          names.insert(list.text(i, "table"));
+        for (const auto& name : names)
+          write(tables / (name + ".tex"), paper::declared_table(results, list, name));
+        write(frame.output / "numbers.tex",
+              paper::numbers_tex(results, avi::Table::read(source / "numbers.tsv")));
+      });
+}

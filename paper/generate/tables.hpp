@@ -1,0 +1,34 @@
+#pragma once
+#include "scorecard/claims.hpp"
+
+#include <string>
+
+/// @file
+/// Tables of the paper; each function returns a LaTeX tabular.
+
+namespace paper {
+
+/// A published table, two lines for each of its rows: as printed, and ours with the mark of its verdict.
+/// Seconds become multiples of the Stormer-Verlet row's, printed and ours. `card` is
+/// build/data/scorecard.tsv.
+std::string published_table(const avi::Table& published, const avi::Table& card);
+
+/// Table 6: methods against tolerances.
+std::string optimiser_table(const avi::Table& published, const avi::Table& card);
+
+/// Every cell that is not exact, seconds left out, with the note that says why.
+std::string notes_table(const avi::Table& card);
+
+/// The ledger of claims.
+std::string claims_table(const avi::Table& claims);
+
+/// Verdicts and rulings with their shares.
+std::string shares_table(const avi::Table& card, const avi::Table& claims);
+
+/// The files of build/data/manifest.tsv with date, commit and checksum.
+std::string provenance_table(const avi::Table& manifest);
+
+/// A table that paper/tables.tsv declares: rows of a data file that satisfy its conditions, some columns.
+std::string declared_table(const scorecard::Results& data, const avi::Table& list, const std::string& name);
+
+}  // namespace paper
