@@ -127,7 +127,8 @@ Finding slow_start(const Results& data) {
     const double share = std::log(first / tenth) / std::log(first / last);
     ++cases;
     slow += share < 0.05;
-    seen += fmt::format("{}{:.0f} % of its decades for {}", seen.empty() ? "" : ", ", 100.0 * share, method);
+    seen += fmt::format("{}{:.0f} % of its decades for {}", seen.empty() ? "" : ", ", 100.0 * share,
+                        std::string_view(method) == "htvi" ? "HTVI" : "Dormand-Prince");
   }
   return {in_cases(slow, cases), "In the first tenth of the iterations the envelope of f falls through " +
                                      seen + ": a power law from the start, no plateau."};

@@ -1,5 +1,7 @@
 #include "generate/latex.hpp"
 
+#include "avi/io/table.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -81,12 +83,14 @@ std::string latex(std::string_view text) {
 
 std::string latex_number(double value, std::string_view format) {
   if (std::isnan(value)) return "--";
+  if (format == "plain") return fmt::format("\\num{{{}}}", avi::rounded(value));
   if (format == "int") return fmt::format("\\num{{{:.0f}}}", value);
   if (format == "pct") return fmt::format("\\SI{{{:.1f}}}{{\\percent}}", 100.0 * value);
   int digits = -1;
   const auto parsed = std::from_chars(format.data() + 1, format.data() + format.size(), digits);
   if (parsed.ptr != format.data() + format.size() || digits < 0 || (format[0] != 'f' && format[0] != 'g'))
-    throw std::invalid_argument(fmt::format("Number format '{}' is none of int, pct, f<n>, g<n>.", format));
+    throw std::invalid_argument(
+        fmt::format("Number format '{}' is none of int, plain, pct, f<n>, g<n>.", format));
   if (format[0] == 'f') return fmt::format("\\num{{{:.{}f}}}", value, digits);
   if (value != 0.0 && (std::abs(value) < 1e-3 || std::abs(value) >= 1e7)) return scientific(value, digits);
   const int before = value == 0.0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
@@ -133,8 +137,8 @@ std::string display_name(std::string_view name) {
        {"log_hamiltonian_kahan_li6", "log.\\ Ham., Kahan--Li 6"},
        {"log_hamiltonian_kahan_li8", "log.\\ Ham., Kahan--Li 8"},
        {"log_hamiltonian_kahan_li8_plain", "log.\\ Ham., Kahan--Li 8"},
-       {"log_hamiltonian_sofroniou_spaletta10", "log.\\ Ham., S.--Spaletta 10"},
-       {"verlet_sofroniou_spaletta10", "Verlet, S.--Spaletta 10"},
+       {"log_hamiltonian_sofroniou_spaletta10", "log.\\ Ham., Sofroniou--Spaletta 10"},
+       {"verlet_sofroniou_spaletta10", "Verlet, Sofroniou--Spaletta 10"},
        {"blanes_moan6_nystrom", "Blanes--Moan 6"},
        {"odeint_fehlberg78", "odeint RKF 7(8)"},
        {"odeint_bulirsch_stoer", "odeint Bulirsch--Stoer"},
@@ -142,6 +146,7 @@ std::string display_name(std::string_view name) {
        {"nan", "--"}}};
   for (const auto& [key, text] : names)
     if (key == name) return std::string(text);
+  if (name.starts_with("htvi")) return "HTVI" + std::string(name.substr(4));
   return latex(replaced(std::string(name), "_", " "));
 }
 

@@ -11,12 +11,12 @@ namespace {
 
 std::string mark(const std::string& verdict) {
   static const std::map<std::string, std::string> marks{{"exact", ""},
-                                                        {"within", "$^{\\approx}$"},
-                                                        {"erratum", "$^{\\dagger}$"},
-                                                        {"unstated", "$^{\\S}$"},
-                                                        {"chaotic", "$^{\\ddagger}$"},
-                                                        {"differs", "$^{\\times}$"},
-                                                        {"missing", "$^{?}$"}};
+                                                        {"within", "$\\,^{\\approx}$"},
+                                                        {"erratum", "$\\,^{\\dagger}$"},
+                                                        {"unstated", "$\\,^{\\S}$"},
+                                                        {"chaotic", "$\\,^{\\ddagger}$"},
+                                                        {"differs", "$\\,^{\\times}$"},
+                                                        {"missing", "$\\,^{?}$"}};
   return marks.at(verdict);
 }
 
@@ -57,6 +57,18 @@ std::vector<std::string> quantities(const avi::Table& published) {
   return ordered;
 }
 
+/// A row's name without the settings that have columns of their own.
+std::string row_name(const std::string& row) {
+  if (row.starts_with("p sweep")) return "$p$ grows";
+  if (row.starts_with("p_ring sweep")) return "$\\mathring p$ falls";
+  return display_name(row.substr(0, row.find(" p=")));
+}
+
+bool is_setting(const std::string& quantity) {
+  return quantity == "p" || quantity == "p_ring" || quantity == "h" || quantity == "g_min" ||
+         quantity == "g_max";
+}
+
 }  // namespace
 
 std::string published_table(const avi::Table& published, const avi::Table& card) {
@@ -71,7 +83,7 @@ std::string published_table(const avi::Table& published, const avi::Table& card)
     out += " & " + headers.at(q);
   out += " \\\\\n";
   for (const auto& row : distinct(published, "row")) {
-    std::string printed = display_name(row) + " & printed", ours = " & ours";
+    std::string printed = row_name(row) + " & printed", ours = " & ours";
     for (const auto& q : columns) {
       printed += " & ", ours += " & ";
       std::size_t line = 0;
@@ -86,7 +98,8 @@ std::string published_table(const avi::Table& published, const avi::Table& card)
         ours += latex_number(card.number(line, "reproduced") / unit("reproduced"), "g3");
       } else {
         printed += latex_printed(card.text(line, "published"));
-        ours += latex_printed(card.text(line, "reproduced")) + mark(verdict);
+        const bool same_setting = is_setting(q) && verdict == "exact";
+        ours += latex_printed(card.text(line, same_setting ? "published" : "reproduced")) + mark(verdict);
       }
     }
     out += "\\midrule\n" + printed + " \\\\\n" + ours + " \\\\\n";

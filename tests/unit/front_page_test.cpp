@@ -1,0 +1,86 @@
+#include "scorecard/claims.hpp"
+#include "scorecard/shares.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+// What README says about the reproduction is what the scorecard found (paper/verdicts.tsv, made by `make
+// verdicts`).
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path source = AVI_SOURCE_DIR;
+
+std::string readme() {
+  std::ostringstream text;
+  text << std::ifstream(source / "README.md").rdbuf();
+  return text.str();
+}
+
+/// Verdicts on numbers, and rulings on claims.
+avi::Table verdicts(bool claims) {
+  avi::Table all = avi::Table::read(source / "paper/verdicts.tsv");
+  std::erase_if(all.rows, [&](const auto& row) { return (row[0] == "text") != claims; });
+  return all;
+}
+
+TEST(Verdicts, CoverEveryPublishedNumberAndClaim) {
+  std::size_t cells = 0;
+  const avi::Table numbers = verdicts(false), rulings = verdicts(true);
+  for (const auto& entry : fs::directory_iterator(source / "paper/published")) {
+    const avi::Table table = avi::Table::read(entry.path());
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      if (entry.path().stem() == "claims") {
+        EXPECT_NO_THROW(scorecard::find(rulings, {{"row", table.text(i, "key")}})) << table.text(i, "key");
+        continue;
+      }
+      ++cells;
+      EXPECT_NO_THROW(scorecard::find(numbers, {{"source", table.text(i, "source")},
+                                                {"row", table.text(i, "row")},
+                                                {"quantity", table.text(i, "quantity")}}));
+    }
+  }
+  EXPECT_EQ(numbers.rows.size(), cells);
+  for (const auto* table : {&numbers, &rulings})
+    for (std::size_t i = 0; i < table->rows.size(); ++i)
+      EXPECT_NE(table->text(i, "verdict"), "missing") << table->text(i, "row");
+}
+
+TEST(Readme, StatesTheSharesOfTheScorecard) {
+  const std::string text = readme();
+  std::size_t stated = 0;
+  for (const bool claims : {false, true})
+    for (const auto& share : scorecard::shares(verdicts(claims), "verdict")) {
+      const std::string line =
+          fmt::format("| `{}` | {} | {:.1f} % |", share.name, share.count, 100.0 * share.part);
+      EXPECT_NE(text.find(line), std::string::npos) << "README lacks " << line;
+      ++stated;
+    }
+  std::size_t lines = 0;
+  for (std::size_t at = 0; (at = text.find(" % |", at)) != std::string::npos; ++at)
+    ++lines;
+  EXPECT_EQ(lines, stated) << "README states shares that the scorecard does not have";
+}
+
+/// Pictures, files and folders that README points to are there; previews are small.
+TEST(Readme, PointsToWhatExists) {
+  const std::string text = readme();
+  int pictures = 0;
+  for (std::size_t at = 0; (at = text.find("](", at)) != std::string::npos;) {
+    at += 2;
+    const std::string target = text.substr(at, text.find(')', at) - at);
+    if (target.starts_with("http")) continue;
+    EXPECT_TRUE(fs::exists(source / target)) << target;
+    if (fs::path(target).extension() != ".png") continue;
+    ++pictures;
+    EXPECT_LT(fs::file_size(source / target), 150'000u) << target;
+  }
+  EXPECT_GE(pictures, 4);
+}
+
+}  // namespace

@@ -1,0 +1,170 @@
+#include "generate/latex.hpp"
+#include "generate/numbers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <unistd.h>
+
+// The paper's text holds together without TeX and without data.
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path paper_folder = fs::path(AVI_SOURCE_DIR) / "paper";
+
+std::string slurp(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+/// paper.tex's sections, without comments.
+std::string sections() {
+  std::string text;
+  for (const auto& entry : fs::directory_iterator(paper_folder / "sections"))
+    text += slurp(entry.path()) + "\n";
+  return std::regex_replace(text, std::regex("(^|[^\\\\])%.*"), "$1");
+}
+
+/// First groups of all matches.
+std::vector<std::string> found(const std::string& text, const char* pattern) {
+  const std::regex expression(pattern);
+  std::vector<std::string> groups;
+  for (auto match = std::sregex_iterator(text.begin(), text.end(), expression);
+       match != std::sregex_iterator(); ++match)
+    groups.push_back((*match)[1]);
+  return groups;
+}
+std::set<std::string> set_of(const std::vector<std::string>& list) { return {list.begin(), list.end()}; }
+
+std::set<std::string> column(const fs::path& file, const char* name) {
+  const auto table = avi::Table::read(file);
+  std::set<std::string> cells;
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    cells.insert(table.text(i, name));
+  return cells;
+}
+
+/// Numbers that a text types: three digits or more, or a decimal fraction. What names things (labels,
+/// commands, lengths) is not text; 0.9 and 0.99 name the two problems.
+std::vector<std::string> typed_numbers(std::string text) {
+  for (
+      const char* command :
+      {R"(\\(label|ref|[cC]ref|cite|includegraphics|generated|fitted|val|made|code|texttt|input)(\[[^\]]*\])?\{[^}]*\})",
+       R"([0-9.]+\\textwidth)", R"(delta=10\^\{-10\}|10\^\{-[0-9]+\})"})
+    text = std::regex_replace(text, std::regex(command), " ");
+  std::vector<std::string> typed;
+  for (const auto& number : found(text, R"(([0-9]+(?:\.[0-9]+)?(?:[eE][-+]?[0-9]+)?))"))
+    if ((number.size() > 2 || number.find('.') != std::string::npos) && number != "0.9" && number != "0.99")
+      typed.push_back(number);
+  return typed;
+}
+
+TEST(Paper, TypesNoNumberByHand) {
+  EXPECT_EQ(typed_numbers("takes 77878 steps, 12.6 times, at 1.43e-5").size(), 3u);
+  EXPECT_TRUE(typed_numbers("\\val{a.1234} at $e=0.9$ in 50 dimensions \\cite{x2021}").empty());
+  // Settings that define an experiment and are no result: the grid of step_size_luck, pring of Tables 3 and
+  // 5, 100 iterations of order_equivalence.
+  const std::set<std::string> settings{"0.6", "1.3", "0.5", "100"};
+  for (const auto& number : typed_numbers(sections()))
+    EXPECT_TRUE(settings.contains(number))
+        << number << " is typed by hand; paper/numbers.tsv gives numbers names";
+}
+
+TEST(Paper, EveryNumberHasItsFormulaAndEveryFormulaItsUse) {
+  const auto named = column(paper_folder / "numbers.tsv", "name");
+  EXPECT_EQ(named.size(), avi::Table::read(paper_folder / "numbers.tsv").rows.size())
+      << "a name occurs twice";
+  const auto used = set_of(found(sections() + slurp(paper_folder / "paper.tex"), R"(\\val\{([^}#]+)\})"));
+  for (const auto& name : used)
+    EXPECT_TRUE(named.contains(name) || name == "name") << name << " has no formula";
+  for (const auto& name : named)
+    EXPECT_TRUE(used.contains(name)) << name << " is not used";
+}
+
+TEST(Paper, EveryFigureHasItsScriptAndEveryTableItsMaker) {
+  const std::string text = sections();
+  for (const auto& stem : found(text, R"(\\includegraphics\[[^\]]*\]\{([^}]+)\})"))
+    EXPECT_TRUE(fs::exists(fs::path(AVI_SOURCE_DIR) / "figures" / (stem + ".gp"))) << stem;
+  auto made = column(paper_folder / "tables.tsv", "table");
+  made.merge(set_of({"kepler_e090", "kepler_e099", "direct_vs_adaptive", "method_comparison", "p_dependence",
+                     "optimiser_comparison", "notes", "claims", "shares", "provenance"}));
+  const auto shown = set_of(found(text, R"(\\(?:generated|fitted)\{([^}]+)\})"));
+  EXPECT_EQ(shown, made);
+}
+
+/// A reader with only the PDF can name the command for each table and figure.
+TEST(Paper, EveryCaptionNamesItsCommand) {
+  const std::string makefile = slurp(fs::path(AVI_SOURCE_DIR) / "Makefile");
+  const auto captions = found(sections(), R"((\\caption(?:of\{table\})?\{))");
+  const auto commands = found(sections(), R"(\\made\{([^}]+)\})");
+  EXPECT_EQ(commands.size(), captions.size());
+  EXPECT_GT(commands.size(), 25u);
+  for (auto command : commands) {
+    command = std::regex_replace(command, std::regex(R"(\\_)"), "_");
+    std::istringstream targets(command);
+    for (std::string target; targets >> target;) {
+      const fs::path path(target);
+      if (path.extension() == ".pdf")
+        EXPECT_TRUE(fs::exists(fs::path(AVI_SOURCE_DIR) / "figures" / (path.stem().string() + ".gp")))
+            << target;
+      else if (path.extension() == ".tsv")
+        EXPECT_TRUE(fs::exists(fs::path(AVI_SOURCE_DIR) / "experiments" / (path.stem().string() + ".cpp")))
+            << target;
+      else
+        EXPECT_NE(makefile.find("\n" + target + ":"), std::string::npos) << target;
+    }
+  }
+}
+
+TEST(Paper, EveryReferenceIsCitedAndHasItsDoi) {
+  const std::string bib = slurp(paper_folder / "references.bib");
+  const auto keys = set_of(found(bib, R"(@[a-z]+\{([a-z0-9]+),)"));
+  std::set<std::string> cited;
+  for (const auto& list : found(sections(), R"(\\cite\{([^}]+)\})"))
+    for (const auto& key : found(list, "([^, ]+)"))
+      cited.insert(key);
+  EXPECT_EQ(cited, keys);
+  EXPECT_EQ(found(bib, R"((doi = \{10\.))").size(), keys.size());
+}
+
+TEST(Latex, EscapesTextAndWritesPowers) {
+  EXPECT_EQ(paper::latex("50 % of a_b"), "50 \\% of a\\_b");
+  EXPECT_EQ(paper::latex("delta = 1e-10, p_ring"), "delta = \\num{e-10}, $\\mathring p$");
+  EXPECT_EQ(paper::latex("|grad V| = 1/|q|^2"), "$|\\nabla V|$ = 1/$|q|^2$");
+  EXPECT_EQ(paper::latex_printed("1.43E-05"), "\\num{1.43e-5}");
+  EXPECT_EQ(paper::latex_printed(">1E10"), "${>}$\\num{e10}");
+  EXPECT_EQ(paper::latex_number(77877.0, "int"), "\\num{77877}");
+  EXPECT_EQ(paper::latex_number(1.4286e-5, "g3"), "\\num{1.43e-5}");
+  EXPECT_EQ(paper::latex_number(0.0516, "g2"), "\\num{0.052}");
+  EXPECT_THROW(paper::latex_number(1.0, "x3"), std::invalid_argument);
+}
+
+TEST(Numbers, FormulasReadCells) {
+  const fs::path folder = fs::temp_directory_path() / ("avi_paper_" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  avi::Table table({"method", "h", "steps"});
+  table.row("a", 0.1, 180);
+  table.row("a", 0.2, 90);
+  table.row("b", 0.1, std::nan(""));
+  table.write(folder / "runs.tsv");
+  const scorecard::Results data({folder});
+  EXPECT_EQ(paper::evaluate(data, "runs[method=a,h=1e-1].steps"), 180.0);
+  EXPECT_EQ(paper::evaluate(data, "runs[method=a].steps / runs[h=0.2].steps + 1"), 3.0);
+  EXPECT_EQ(paper::evaluate(data, "max:runs[].steps"), 180.0);
+  EXPECT_EQ(paper::evaluate(data, "sum:runs[method=a].steps"), 270.0);
+  EXPECT_EQ(paper::evaluate(data, "count:runs[h=0.1] * 5"), 10.0);
+  EXPECT_EQ(paper::evaluate(data, "min:runs[].steps:h"), 450.0);
+  EXPECT_THROW(paper::evaluate(data, "runs[method=c].steps"), std::out_of_range);
+  EXPECT_THROW(paper::evaluate(data, "runs.steps"), std::invalid_argument);
+  EXPECT_THROW(paper::evaluate(data, "runs[].steps %"), std::invalid_argument);
+  EXPECT_THROW(paper::evaluate(data, "walks[].steps"), std::runtime_error);
+  fs::remove_all(folder);
+}
+
+}  // namespace
