@@ -19,7 +19,8 @@ enum class Ruling {
   holds,      ///< In every case that the data contain.
   in_part,    ///< In some cases, or for one of the things it says.
   fails,      ///< The data say the opposite.
-  undecided,  ///< Rests on a setting that the paper does not give, or on seconds too close to call.
+  undecided,  ///< Rests on a setting or a measure that the paper does not give, or on seconds too close to
+              ///< call.
   missing     ///< No data to decide it by.
 };
 inline constexpr int rulings = 5;

@@ -107,6 +107,31 @@ std::string published_table(const avi::Table& published, const avi::Table& card)
   return out + "\\bottomrule\n\\end{tabular}\n";
 }
 
+std::string iteration_table(const avi::Table& published, const avi::Table& card) {
+  const std::string source = published.text(0, "source");
+  std::string out = "\\begin{tabular}{@{}lrrrrrl@{}}\n\\toprule\n & $p$ & $\\mathring p$ & $h$ & printed & "
+                    "ours & verdict \\\\\n"
+                    "\\midrule\n";
+  for (const auto& row : distinct(published, "row")) {
+    out += row_name(row);
+    for (const char* q : {"p", "p_ring", "h"}) {
+      out += " & ";
+      if (std::string(q) == "p_ring" && row.find("Direct") != std::string::npos) {
+        out += "--";
+        continue;
+      }
+      const auto line = line_of(card, source, row, q);
+      out += latex_printed(card.text(line, "published"));
+      if (const auto verdict = card.text(line, "verdict"); verdict != "exact")
+        out += mark(verdict) + " (" + latex_number(card.number(line, "reproduced"), "g2") + ")";
+    }
+    const auto line = line_of(card, source, row, "iterations");
+    out += fmt::format(" & {} & {} & \\textit{{{}}} \\\\\n", latex_printed(card.text(line, "published")),
+                       latex_printed(card.text(line, "reproduced")), card.text(line, "verdict"));
+  }
+  return out + "\\bottomrule\n\\end{tabular}\n";
+}
+
 std::string optimiser_table(const avi::Table& published, const avi::Table& card) {
   const auto deltas = distinct(published, "delta");
   std::string out =

@@ -13,6 +13,10 @@ namespace paper {
 /// build/data/scorecard.tsv.
 std::string published_table(const avi::Table& published, const avi::Table& card);
 
+/// Tables 3 to 5, one line for each row: settings, printed count and ours, verdict of the count; a setting
+/// that is a slip has ours in parentheses.
+std::string iteration_table(const avi::Table& published, const avi::Table& card);
+
 /// Table 6: methods against tolerances.
 std::string optimiser_table(const avi::Table& published, const avi::Table& card);
 

@@ -51,7 +51,7 @@ TEST(Verdicts, CoverEveryPublishedNumberAndClaim) {
       EXPECT_NE(table->text(i, "verdict"), "missing") << table->text(i, "row");
 }
 
-TEST(Readme, StatesTheSharesOfTheScorecard) {
+TEST(FrontPage, StatesTheSharesOfTheScorecard) {
   const std::string text = readme();
   std::size_t stated = 0;
   for (const bool claims : {false, true})
@@ -67,14 +67,30 @@ TEST(Readme, StatesTheSharesOfTheScorecard) {
   EXPECT_EQ(lines, stated) << "README states shares that the scorecard does not have";
 }
 
+/// The map from the paper's tables to files has each table's verdicts.
+TEST(FrontPage, StatesTheVerdictsOfEachTable) {
+  const std::string text = readme();
+  for (const char* source_table : {"table1", "table2", "table3", "table4", "table5", "table6"}) {
+    avi::Table cells = verdicts(false);
+    std::erase_if(cells.rows, [&](const auto& row) { return row[0] != source_table; });
+    std::string line = fmt::format("| {}:", cells.rows.size());
+    const char* separator = " ";
+    for (const auto& share : scorecard::shares(cells, "verdict")) {
+      line += fmt::format("{}{} {}", separator, share.count, share.name);
+      separator = ", ";
+    }
+    EXPECT_NE(text.find(line + " |"), std::string::npos) << source_table << ": README lacks " << line;
+  }
+}
+
 /// Pictures, files and folders that README points to are there; previews are small.
-TEST(Readme, PointsToWhatExists) {
+TEST(FrontPage, PointsToWhatExists) {
   const std::string text = readme();
   int pictures = 0;
   for (std::size_t at = 0; (at = text.find("](", at)) != std::string::npos;) {
     at += 2;
     const std::string target = text.substr(at, text.find(')', at) - at);
-    if (target.starts_with("http")) continue;
+    if (target.starts_with("http") || target.find(' ') != std::string::npos) continue;
     EXPECT_TRUE(fs::exists(source / target)) << target;
     if (fs::path(target).extension() != ".png") continue;
     ++pictures;
