@@ -82,6 +82,21 @@ Finding adaptive_has_lower_order(const Results& data) {
                   same, cases, most)};
 }
 
+/// The last equation is printed as r~' = +grad_q~ H_2. Copies that start at one point and solve the same
+/// equations stay together but for the error of the splitting, O(h^2).
+Finding cloning_equations(const Results& data) {
+  const avi::Table& table = data("cloning_sign");
+  const std::size_t printed = table.rows.size() / 2 - 1, meant = table.rows.size() - 1;
+  const bool slip = table.number(meant, "order") > 1.9 && table.number(printed, "order") < 0.1;
+  return {slip ? Ruling::fails : Ruling::holds,
+          fmt::format(
+              "The last has a wrong sign: from h to h/2 the distance of the two copies falls with the power "
+              "{:.2f} for the printed sign and {:.2f} for the other, to {:.1e} and {:.1e}. The copy that is "
+              "read does not feel it.",
+              table.number(printed, "order"), table.number(meant, "order"), table.number(printed, "distance"),
+              table.number(meant, "distance"))};
+}
+
 Finding adaptive_beats_direct(const Results& data) {
   std::size_t holding = 0;
   std::string seen;
@@ -210,6 +225,7 @@ Finding physical_steps_stay(const Results& data) {
 const Decisions& dynamics_decisions() {
   static const Decisions decisions{{"rate_bound", rate_bound},
                                    {"adaptive_has_lower_order", adaptive_has_lower_order},
+                                   {"cloning_equations", cloning_equations},
                                    {"adaptive_beats_direct", adaptive_beats_direct},
                                    {"adaptive_steps_outgrow", adaptive_steps_outgrow},
                                    {"same_order_of_magnitude", same_order_of_magnitude},

@@ -1,4 +1,5 @@
-// data: kepler_e090 kepler_e099 convergence_rate order_equivalence
+// data: kepler_e090 kepler_e099 convergence_rate order_equivalence cloning_sign
+// data: symplecticity eccentricity_gain
 // quick: euler_b_cost euler_b_step_sizes order_verification direct_vs_adaptive method_comparison p_dependence
 // quick: runge_kutta_baselines optimiser_comparison
 #include "scorecard/claims.hpp"
