@@ -5,7 +5,7 @@ width = 16; height = 9
 load 'figures/style.gp'
 file = data.'/symplecticity.tsv'
 set multiplot
-page_bottom = 0.36; gap_x = 0.04; page_top = 0.92
+page_left = 0.15; page_bottom = 0.36; gap_x = 0.04; page_top = 0.92
 eval logx; eval logy
 unset key
 set xlabel 'fictive step h' offset 0, 0.3

@@ -48,7 +48,7 @@ int kepler_table(int argc, char** argv, const std::string& name, const KeplerTab
         std::vector<std::function<void()>> works;
         for (const auto& run : runs)
           works.push_back(run.run);
-        const auto times = interleaved_seconds(works, frame.quick ? 1 : table.rounds);
+        const auto times = interleaved_least_seconds(works, frame.quick ? 1 : table.rounds);
         frame.progress("done", 1.0);
 
         avi::Table out =
