@@ -13,6 +13,7 @@
 #include "avi/bregman/extended_splitting.hpp"
 #include "avi/bregman/family.hpp"
 #include "avi/bregman/hamiltonian.hpp"
+#include "avi/bregman/heavy_ball.hpp"
 #include "avi/bregman/htvi.hpp"
 #include "avi/bregman/htvi_printed.hpp"
 #include "avi/bregman/runge_kutta.hpp"

@@ -124,9 +124,15 @@ Minimisation minimise(const F& f, const M& method, const VectorX& x0, const Stop
     more = go_on();
     if (stopping.holds(now.value - before, now)) {
       run.outcome = Outcome::ok;
-      return end();
+      break;
     }
   }
+  // An objective may answer with numbers where it is asked about what is none.
+  if (!std::isfinite(detail::largest(now.x))) {
+    detail::describe_failure(run, x_bound);
+    return end();
+  }
+  if (run.outcome == Outcome::ok) return end();
   return more ? end_as(Outcome::step_limit, "the cap on iterations was reached")
               : end_as(Outcome::stopped, "the witness asked to stop");
 }
