@@ -10,7 +10,7 @@ limits = data.'/bregman_extremes_limits.tsv'
 table = data.'/bregman_extremes.tsv'
 verdicts = data.'/bregman_extremes_verdicts.tsv'
 set multiplot
-page_left = 0.1; page_right = 0.97; page_bottom = 0.08; page_top = 0.965; gap_x = 0.13; gap_y = 0.11
+page_left = 0.11; page_right = 0.97; page_bottom = 0.08; page_top = 0.965; gap_x = 0.13; gap_y = 0.11
 set key font ',7' samplen 2 spacing 1.05 noopaque
 
 # Direct family only: p_ring = p.
@@ -22,7 +22,7 @@ eval panel(1, 1, 2, 3)
 eval logx
 set format x '%g'
 set xrange [1.7:60]; set xtics (2, 4, 10, 20, 50)
-set yrange [2:300]; eval logy; set format y '%g'
+set yrange [2:900]; eval logy; set format y '%g'
 set xlabel 'p' offset 0, 0.5
 set ylabel 'log_{10} t at overflow' offset 1, 0
 set title 'Overflow, Direct' offset 0, -0.7
@@ -78,13 +78,13 @@ set format x '%g'; set format y '%g'
 kinds = 'order conditioning dimension start start_scaled clock step beyond fault'
 row(s) = position(kinds, s)
 set yrange [words(kinds)+0.6:0.4]
-set xrange [0.7:1000]; set logscale x 10; set xtics (1, 10, 100, 1000); unset mytics
+set xrange [0.1:1000]; set logscale x 10; set xtics (1, 10, 100, 1000); unset mytics
 set ytics scale 0 ('order' 1, 'conditioning' 2, 'dimension' 3, 'start' 4, 'start, scaled' 5, 'clock' 6, 'step' 7, 'beyond' 8, 'fault' 9) font ',7'
 set ylabel ''
 set xlabel 'runs' offset 0, 0.5
 set title 'How runs ended' offset 0, -0.7
 verdict(v, y) = strcol('verdict') eq v ? y : NaN
 set lmargin at screen 0.68
-set key at graph 0.03, 0.7 left top Left reverse
+set key at graph 0.03, 0.75 left top Left reverse
 plot for [v in 'correct named told'] verdicts using (verdict(v, column('runs'))):(row(strcol('scene'))) with points pt (v eq 'correct' ? 7 : v eq 'named' ? 5 : v eq 'told' ? 9 : 2) ps 0.9 lc rgb (v eq 'correct' ? blue : v eq 'named' ? orange : v eq 'told' ? green : vermilion) title v
 unset multiplot
