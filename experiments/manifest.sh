@@ -13,7 +13,7 @@ for file in "$1"/*.tsv; do
     content=timed
   else
     content=$(grep -v '^#' "$file" | awk -F'\t' '
-      NR == 1 { for (i = 1; i <= NF; ++i) skip[i] = $i == "seconds" }
+      NR == 1 { for (i = 1; i <= NF; ++i) skip[i] = $i ~ /seconds/ }
       { line = ""; for (i = 1; i <= NF; ++i) if (!skip[i]) line = line "\t" $i; print line }' | sha256sum | cut -c1-64)
   fi
   printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$stem" "$(($(grep -vc '^#' "$file") - 1))" "$(head_of commit)" "$(head_of date)" \

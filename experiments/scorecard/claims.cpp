@@ -37,8 +37,8 @@ std::vector<ClaimLine> judge_claims(const std::filesystem::path& published, cons
                    .experiment = ledger.text(i, "experiment"),
                    .test = ledger.text(i, "test"),
                    .finding = {Ruling::missing, "Nothing decides this claim."}};
-    for (const auto* decisions :
-         {&euler_b_decisions(), &htvi_decisions(), &dynamics_decisions(), &optimiser_decisions()})
+    for (const auto* decisions : {&euler_b_decisions(), &htvi_decisions(), &structure_decisions(),
+                                  &dynamics_decisions(), &optimiser_decisions()})
       if (const auto found = decisions->find(line.key); found != decisions->end()) try {
           line.finding = found->second(results);
         } catch (const std::exception& error) {

@@ -65,6 +65,7 @@ using Decision = Finding (*)(const Results&);
 using Decisions = std::map<std::string_view, Decision>;
 const Decisions& euler_b_decisions();    ///< Section 3.3, symplectic Euler-B.
 const Decisions& htvi_decisions();       ///< Sections 2.2 and 3.3, HTVI.
+const Decisions& structure_decisions();  ///< Sections 3.1, 3.3 and 4.4, what adaptivity keeps and gains.
 const Decisions& dynamics_decisions();   ///< Sections 4.2 to 4.5.3, Bregman dynamics by symplectic methods.
 const Decisions& optimiser_decisions();  ///< Sections 4.5.4 and 4.5.5, against other methods.
 

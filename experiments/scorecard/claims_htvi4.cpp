@@ -152,64 +152,6 @@ Finding adaptivity_pays(const Results& data) {
   return {in_cases(holding, cases), seen + ". (The paper's own seconds say so only of Table 2.)"};
 }
 
-/// Ratio of the steps of fixed HTVI4 to adaptive HTVI4 at one position error.
-Finding low_eccentricity(const Results& data) {
-  const avi::Table& table = data("eccentricity_gain");
-  double low = 0.0, high = 0.0, least = 1.0, most = 0.0;
-  for (std::size_t i = 0; i + 1 < table.rows.size(); i += 2) {
-    const double e = table.number(i, "eccentricity");
-    const double gain = table.number(i, "steps") / table.number(i + 1, "steps");
-    if (e < 0.25) low = std::max(low, gain);
-    if (e < 0.25) most = e;
-    if (e > 0.85) high = gain, least = e;
-  }
-  return {
-      low < 1.2 && high > 3.0 ? Ruling::holds
-      : high > low            ? Ruling::in_part
-                              : Ruling::fails,
-      fmt::format(
-          "At one position error fixed HTVI4 takes at most {:.2f} times the steps of adaptive HTVI4 up to "
-          "e = {:.1f}, and {:.1f} times at e = {:.1f}.",
-          low, most, high, least)};
-}
-
-/// Defects of one step are round-off where they are below this; differences are good to about 1e-12.
-constexpr double round_off = 2e-11;
-
-Finding symplectic_adaptivity(const Results& data) {
-  const avi::Table& table = data("symplecticity");
-  std::size_t cases = 0, holding = 0;
-  double most = 0.0;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    if (table.text(i, "problem") != "kepler") continue;
-    ++cases;
-    holding += table.number(i, "defect") < round_off;
-    most = std::max(most, table.number(i, "defect"));
-  }
-  return {
-      in_cases(holding, cases),
-      fmt::format("One step of HTVI4 and of Euler-B misses a symplectic map by at most {:.0e}, whatever h: "
-                  "round-off.",
-                  most)};
-}
-
-Finding splitting_is_symplectic(const Results& data) {
-  const auto defect = [&](const char* method, const char* variables, const char* h) {
-    return data.number("symplecticity", {{"method", method}, {"variables", variables}, {"h", h}}, "defect");
-  };
-  const double coarse = defect("splitting", "q t r r^t", "0.01"),
-               fine = defect("splitting", "q t r r^t", "0.005"), block = defect("splitting", "q r", "0.01"),
-               flows = defect("three_flows", "q t r r^t", "0.01");
-  return {
-      coarse < round_off  ? Ruling::holds
-      : block < round_off ? Ruling::in_part
-                          : Ruling::fails,
-      fmt::format(
-          "With r^t it misses by {:.1e} at h = 0.01 and {:.1e} at half of it, a defect of order {:.1f}; its "
-          "(q, r) block and the composition of the three flows miss by round-off ({:.0e}, {:.0e}).",
-          coarse, fine, std::log2(coarse / fine), block, flows)};
-}
-
 }  // namespace
 
 const Decisions& htvi_decisions() {
@@ -220,10 +162,7 @@ const Decisions& htvi_decisions() {
                                    {"gamma_most_efficient", gamma_most_efficient},
                                    {"gradient_free_is_cheaper", gradient_free_is_cheaper},
                                    {"bound_holds_for_steps", bound_holds},
-                                   {"adaptivity_pays", adaptivity_pays},
-                                   {"low_eccentricity", low_eccentricity},
-                                   {"symplectic_adaptivity", symplectic_adaptivity},
-                                   {"splitting_is_symplectic", splitting_is_symplectic}};
+                                   {"adaptivity_pays", adaptivity_pays}};
   return decisions;
 }
 

@@ -1,5 +1,6 @@
 // data: kepler_e090 kepler_e099 convergence_rate order_equivalence cloning_sign
 // data: symplecticity eccentricity_gain
+// quick: extreme_eccentricity
 // quick: euler_b_cost euler_b_step_sizes order_verification direct_vs_adaptive method_comparison p_dependence
 // quick: runge_kutta_baselines optimiser_comparison
 #include "scorecard/claims.hpp"
@@ -31,7 +32,7 @@ TEST(Claims, EachNamesItsExperimentAndATest) {
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     keys.insert(table.text(i, "key"));
     bool found = false;
-    for (const char* folder : {"unit", "property", "reproduction"})
+    for (const char* folder : {"unit", "property", "reproduction", "stability"})
       found =
           found || fs::exists(fs::path(AVI_SOURCE_DIR) / "tests" / folder / (table.text(i, "test") + ".cpp"));
     EXPECT_TRUE(found) << table.text(i, "test");
@@ -41,8 +42,9 @@ TEST(Claims, EachNamesItsExperimentAndATest) {
   }
   EXPECT_EQ(keys.size(), table.rows.size()) << "a key occurs twice";
   std::size_t decided = 0;
-  for (const auto* decisions : {&scorecard::euler_b_decisions(), &scorecard::htvi_decisions(),
-                                &scorecard::dynamics_decisions(), &scorecard::optimiser_decisions()})
+  for (const auto* decisions :
+       {&scorecard::euler_b_decisions(), &scorecard::htvi_decisions(), &scorecard::structure_decisions(),
+        &scorecard::dynamics_decisions(), &scorecard::optimiser_decisions()})
     for (const auto& [key, decision] : *decisions) {
       EXPECT_TRUE(keys.contains(std::string(key))) << key << " is no claim of the ledger";
       ++decided;
