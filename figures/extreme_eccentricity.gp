@@ -15,26 +15,27 @@ set xlabel "distance 1 - e from a parabola"
 set ylabel "steps per orbit" offset 1, 0
 unset key
 set xtics (1, 1e-2, 1e-4, 1e-6, 1e-8)
+double(x) = strcol('precision') eq 'double' ? x : NaN
 K(x) = log(4/sqrt(x/2))
 eval panel(1, 1, 2, 1)
 set title 'HTVI4, by monitor' offset 0, -0.7
 plot 400*(x/0.1)**-1.75 ls guide, 25*(x/0.1)**-0.25*K(x)/K(0.1) ls guide, 43*(x/0.1)**-0.5 ls guide, 72*(x/0.1)**-0.75 ls guide, \
-  table using (strcol('method') eq 'htvi4' && strcol('monitor') eq 'none' ? column('closeness') : NaN):'steps_per_orbit' with linespoints ls monitor('none'), \
-  table using (strcol('monitor') eq 'r' ? column('closeness') : NaN):'steps_per_orbit' with linespoints ls monitor('norm_squared'), \
-  table using (strcol('method') eq 'htvi4' && strcol('monitor') eq 'r^1.5' ? column('closeness') : NaN):'steps_per_orbit' with linespoints ls method('htvi'), \
-  table using (strcol('monitor') eq 'r^2' && strcol('bounded') eq '0' ? column('closeness') : NaN):'steps_per_orbit' with linespoints ls monitor('truncation'), \
-  table using (strcol('monitor') eq 'arclength' ? column('closeness') : NaN):'steps_per_orbit' with linespoints ls family(2), \
-  table using (strcol('monitor') eq 'energy' && strcol('bounded') eq '1' ? column('closeness') : NaN):'steps_per_orbit' with linespoints ls monitor('energy'), \
-  table using (strcol('monitor') eq 'inverse_lagrangian' ? column('closeness') : NaN):'steps_per_orbit' with linespoints ls monitor('truncation_root')
+  table using (strcol('method') eq 'htvi4' && strcol('monitor') eq 'none' ? double(column('closeness')) : NaN):'steps_per_orbit' with linespoints ls monitor('none'), \
+  table using (strcol('monitor') eq 'r' ? double(column('closeness')) : NaN):'steps_per_orbit' with linespoints ls monitor('norm_squared'), \
+  table using (strcol('method') eq 'htvi4' && strcol('monitor') eq 'r^1.5' ? double(column('closeness')) : NaN):'steps_per_orbit' with linespoints ls method('htvi'), \
+  table using (strcol('monitor') eq 'r^2' && strcol('bounded') eq '0' ? double(column('closeness')) : NaN):'steps_per_orbit' with linespoints ls monitor('truncation'), \
+  table using (strcol('monitor') eq 'arclength' ? double(column('closeness')) : NaN):'steps_per_orbit' with linespoints ls family(2), \
+  table using (strcol('monitor') eq 'energy' && strcol('bounded') eq '1' ? double(column('closeness')) : NaN):'steps_per_orbit' with linespoints ls monitor('energy'), \
+  table using (strcol('monitor') eq 'inverse_lagrangian' ? double(column('closeness')) : NaN):'steps_per_orbit' with linespoints ls monitor('truncation_root')
 unset ylabel
 set title 'methods' offset 0, -0.7
 eval panel(2, 1, 2, 1)
 plot 1.15e3*(x/0.1)**-2 ls guide, 350*(x/0.1)**-0.5*K(x)/K(0.1) ls guide, 24 ls guide, \
-  table using (strcol('method') eq 'stormer_verlet' ? column('closeness') : NaN):'steps_per_orbit' with linespoints ls method('stormer_verlet'), \
-  table using (strcol('method') eq 'adaptive_verlet' ? column('closeness') : NaN):'steps_per_orbit' with linespoints ls family(4), \
-  table using (strcol('method') eq 'hairer_soderlind' ? column('closeness') : NaN):'steps_per_orbit' with linespoints ls method('splitting'), \
-  table using (strcol('method') eq 'htvi4' && strcol('monitor') eq 'r^1.5' ? column('closeness') : NaN):'steps_per_orbit' with linespoints ls method('htvi'), \
-  table using (strcol('method') eq 'log_hamiltonian' ? column('closeness') : NaN):'steps_per_orbit' with linespoints ls method('log_hamiltonian')
+  table using (strcol('method') eq 'stormer_verlet' ? double(column('closeness')) : NaN):'steps_per_orbit' with linespoints ls method('stormer_verlet'), \
+  table using (strcol('method') eq 'adaptive_verlet' ? double(column('closeness')) : NaN):'steps_per_orbit' with linespoints ls family(4), \
+  table using (strcol('method') eq 'hairer_soderlind' ? double(column('closeness')) : NaN):'steps_per_orbit' with linespoints ls method('splitting'), \
+  table using (strcol('method') eq 'htvi4' && strcol('monitor') eq 'r^1.5' ? double(column('closeness')) : NaN):'steps_per_orbit' with linespoints ls method('htvi'), \
+  table using (strcol('method') eq 'log_hamiltonian' ? double(column('closeness')) : NaN):'steps_per_orbit' with linespoints ls method('log_hamiltonian')
 eval legend(0.19)
 set key maxrows 4 samplen 2.5 width -3 font ',7'
 plot 2 with linespoints ls monitor('none') title 'HTVI4, fixed step', \

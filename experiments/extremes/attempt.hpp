@@ -39,6 +39,29 @@ struct Attempt {
   }
 };
 
+/// A method whose state is kept in single precision between steps; the arithmetic within a step stays double.
+template <class M>
+class SingleState {
+ public:
+  explicit SingleState(M method) : method_(std::move(method)) {}
+  avi::StepReport step(State2& z, double h) {
+    const avi::StepReport report = method_.step(z, h);
+    for (int i = 0; i < 2; ++i) {
+      z.q[i] = rounded(z.q[i]);
+      z.p[i] = rounded(z.p[i]);
+    }
+    return report;
+  }
+
+ private:
+  /// Volatile: GCC 12 drops the pair of conversions where it vectorises them for AVX-512.
+  static double rounded(double x) {
+    volatile float single = static_cast<float>(x);
+    return single;
+  }
+  M method_;
+};
+
 /// A method together with the Hamiltonian whose value is watched.
 class Runner {
  public:
@@ -52,11 +75,24 @@ class Runner {
         advance([=](const State2& start, State2& z, double h, avi::Until until, const Observer& observer) {
           auto method = make(start);
           return avi::integrate(method, z, h, until, [&](const State2& now, long) { return observer(now); });
+        }),
+        advance_single([=](const State2& start, State2& z, double h, avi::Until until,
+                           const Observer& observer) {
+          SingleState method(make(start));
+          return avi::integrate(method, z, h, until, [&](const State2& now, long) { return observer(now); });
         }) {}
 
   std::function<double(const State2&)> energy;  ///< H.
   /// Advances z, a point of the orbit through `start`, with a method made anew.
   std::function<avi::Run(const State2& start, State2& z, double h, avi::Until, const Observer&)> advance;
+  /// Same with its state in single precision.
+  decltype(advance) advance_single;
+
+  [[nodiscard]] Runner in_single_precision() const {
+    Runner other = *this;
+    other.advance = advance_single;
+    return other;
+  }
 
   /// A whole run with step h.
   Attempt operator()(const State2& start, double h, const Limits& limits) const {
