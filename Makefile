@@ -154,7 +154,7 @@ build/extremes/%.tsv: $(BIN)/%
 
 # ---- paper, documentation, housekeeping ---------------------------------------------------------------------------
 # Its log is read for what TeX only warns of: references, glyphs, and boxes that stand out by more than 5 pt.
-paper: deps-paper $(DATA) build/data/manifest.tsv $(FIGURES) build/scorecard.txt | build/paper ## build/paper/paper.pdf
+paper: deps-paper $(DATA) build/data/manifest.tsv $(FIGURES) build/scorecard.txt | build/paper ## Write the report from the data: build/paper/paper.pdf
 	@$(compile) paper_numbers && $(BIN)/paper_numbers --paper paper --data build/data --output build/paper
 	@latexmk -cd -pdf -quiet -interaction=nonstopmode -halt-on-error -outdir=$(CURDIR)/build/paper paper/paper.tex \
 	  >build/paper/latexmk.txt 2>&1 || { tail -n 40 build/paper/latexmk.txt; exit 1; }
