@@ -93,8 +93,8 @@ Finding cloning_equations(const Results& data) {
               "The last has a wrong sign: from h to h/2 the distance of the two copies falls with the power "
               "{:.2f} for the printed sign and {:.2f} for the other, to {:.1e} and {:.1e}. The copy that is "
               "read does not feel it.",
-              table.number(printed, "order"), table.number(meant, "order"), table.number(printed, "distance"),
-              table.number(meant, "distance"))};
+              std::abs(table.number(printed, "order")), table.number(meant, "order"),
+              table.number(printed, "distance"), table.number(meant, "distance"))};
 }
 
 Finding adaptive_beats_direct(const Results& data) {

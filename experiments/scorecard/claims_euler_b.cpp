@@ -94,7 +94,7 @@ Finding norm_squared_fastest(const Results& data) {
                              target, t / q, a / q);
       });
   return {cases > 0 && first + second == 2 * cases ? Ruling::holds : Ruling::undecided,
-          ratios + ": too close to call. The steps of the first two are the same."};
+          ratios + "; at some target they are less than half apart, too close for single runs."};
 }
 
 Finding arclength_costs_most(const Results& data) {

@@ -185,7 +185,8 @@ Finding gradients_equal_iterations(const Results& data) {
     if (gradients <= n + 1.0)
       ++holding;
     else
-      others += fmt::format("{}{} {:.0f} for {:.0f}", others.empty() ? "" : ", ", method, gradients, n);
+      others += fmt::format("{}{} {:.0f} for {:.0f}", others.empty() ? "" : ", ",
+                            std::string_view(method) == "nag" ? "NAG" : method, gradients, n);
   }
   return {in_cases(holding, cases),
           "But for " + others + ": the stopping test needs a gradient at x, the step one at y."};

@@ -34,6 +34,13 @@ std::string scientific(double value, int digits) {
 
 }  // namespace
 
+std::string escaped(std::string_view text) {
+  std::string out = replaced(std::string(text), "\\", "\\textbackslash{}");
+  for (const char* special : {"_", "%", "&", "#", "$", "{", "}"})
+    out = replaced(out, special, std::string("\\") + special);
+  return out;
+}
+
 std::string latex(std::string_view text) {
   static const std::regex number(R"((>?)(\d+(?:\.\d+)?)[eE]([-+]?\d+))");
   std::string out, rest(text);
@@ -43,16 +50,17 @@ std::string latex(std::string_view text) {
            std::to_string(std::stoi(match[3])) + "\x03";
   }
   out += rest;
-  out = replaced(out, "\\", "\\textbackslash{}");
-  for (const char* special : {"_", "%", "&", "#", "$", "{", "}"})
-    out = replaced(out, special, std::string("\\") + special);
+  out = escaped(out);
   for (const auto& [from, to] : std::initializer_list<std::pair<const char*, const char*>>{
            {"p\\_ring", "$\\mathring p$"},
+           {"|p^t + H|^-1", "$|p^{t}+H|^{-1}$"},
+           {"|L|^-1", "$|L|^{-1}$"},
+           {"p^t", "$p^t$"},
+           {"r^t", "$r^t$"},
            {"q.q", "$q^\\top q$"},
            {"|grad V|", "$|\\nabla V|$"},
            {"|q|^2", "$|q|^2$"},
            {"Stormer", "St\\\"ormer"},
-           {"Kutta ", "Kutta "},
            {"O(t^-p)", "$O(t^{-p})$"},
            {"p^2/$\\mathring p$", "$p^2/\\mathring p$"},
            {"10^(2/3)", "$10^{2/3}$"},

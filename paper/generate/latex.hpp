@@ -7,7 +7,10 @@
 
 namespace paper {
 
-/// Plain text with LaTeX's special characters escaped, p_ring as a symbol and numbers such as 1e-10 as powers
+/// Plain text with LaTeX's special characters escaped.
+std::string escaped(std::string_view text);
+
+/// The same for prose: also p_ring as a symbol and numbers such as 1e-10 as powers
 /// of ten.
 std::string latex(std::string_view text);
 

@@ -38,8 +38,8 @@ std::string provenance_table(const avi::Table& manifest) {
                     "\\\\\n\\midrule\n\\endhead\n\\bottomrule\n\\endfoot\n";
   for (std::size_t i = 0; i < manifest.rows.size(); ++i)
     out += fmt::format("\\texttt{{{}}} & {} & \\texttt{{{}}} & {} & \\texttt{{{}}} \\\\\n",
-                       latex(manifest.text(i, "file")), latex_cell(manifest.text(i, "rows"), "int"),
-                       latex(manifest.text(i, "commit")), latex(manifest.text(i, "date")),
+                       escaped(manifest.text(i, "file")), latex_cell(manifest.text(i, "rows"), "int"),
+                       escaped(manifest.text(i, "commit")), escaped(manifest.text(i, "date")),
                        manifest.text(i, "content").substr(0, 12));
   return out + "\\end{longtable}\n";
 }

@@ -129,7 +129,7 @@ std::string numbers_tex(const scorecard::Results& data, const avi::Table& list) 
     if (formula.starts_with("head:")) {
       const auto colon = formula.find(':', 5);
       for (const auto& [key, value] : data(formula.substr(5, colon - 5)).head)
-        if (key == formula.substr(colon + 1)) text = latex(value);
+        if (key == formula.substr(colon + 1)) text = escaped(value);
       if (text.empty()) throw std::out_of_range(fmt::format("The data have no head for '{}'.", formula));
     } else {
       text = latex_number(evaluate(data, formula), list.text(i, "format"));
