@@ -3,5 +3,5 @@
 # glyph, a box that stands out by more than 5 pt.
 set -eu
 bad=$(grep -aE 'undefined|multiply.defined|Missing character|Font Warning.*(undefined|not available)|Rerun to get' "$1" || true
-  grep -aoE 'Overfull \\hbox \([0-9.]+pt too wide\).*' "$1" | awk -F'[(p]' '$2 + 0 > 5' || true)
+  grep -aoE 'Overfull \\[hv]box \([0-9.]+pt too (wide|high)\).*' "$1" | awk -F'[(p]' '$2 + 0 > 5' || true)
 [ -z "$bad" ] || { echo "$bad"; exit 1; }

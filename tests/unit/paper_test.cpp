@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <regex>
 #include <set>
@@ -131,6 +132,25 @@ TEST(Paper, EveryReferenceIsCitedAndHasItsDoi) {
       cited.insert(key);
   EXPECT_EQ(cited, keys);
   EXPECT_EQ(found(bib, R"((doi = \{10\.))").size(), keys.size());
+}
+
+/// What `make paper` refuses in TeX's log.
+TEST(Log, IsReadForWhatARefereeWouldSee) {
+  const fs::path log = fs::temp_directory_path() / ("avi_log_" + std::to_string(::getpid()));
+  const auto accepted = [&](const std::string& line) {
+    std::ofstream(log) << "This is pdfTeX\n" << line << "\n";
+    const std::string command =
+        "'" + (paper_folder / "check_log.sh").string() + "' '" + log.string() + "' >/dev/null";
+    return std::system(command.c_str()) == 0;
+  };
+  EXPECT_TRUE(accepted("Overfull \\hbox (4.9pt too wide) in paragraph at lines 1--2"));
+  for (const char* line :
+       {"Overfull \\hbox (5.1pt too wide) in paragraph at lines 1--2",
+        "Overfull \\vbox (12.0pt too high) detected",
+        "LaTeX Warning: Reference `a' on page 1 undefined on input line 2.",
+        "LaTeX Warning: Label `a' multiply defined.", "Missing character: There is no x in font y!"})
+    EXPECT_FALSE(accepted(line)) << line;
+  fs::remove(log);
 }
 
 TEST(Latex, EscapesTextAndWritesPowers) {
