@@ -4,6 +4,7 @@
 
 PRESET ?= release
 PREFIX ?= /usr/local
+FUZZ_SECONDS ?= 60
 BUILD  := build/$(PRESET)
 BIN    := $(BUILD)/bin
 
@@ -33,8 +34,8 @@ FIGURES     := $(foreach f,$(drawable),build/figures/$f.pdf build/figures/$f.png
 PUBLISHED   := $(wildcard paper/published/*.tsv)
 GALLERY     := kepler_e090 euler_b_errors direct_vs_adaptive work_precision
 
-.PHONY: help deps deps-peers deps-paper deps-docs deps-bench deps-format programs build data figures scorecard verdicts \
-        check bench paper docs install long work-precision extremes gallery format clean
+.PHONY: help deps deps-peers deps-paper deps-docs deps-bench deps-fuzz deps-format programs build data figures scorecard verdicts \
+        check bench fuzz paper docs install long work-precision extremes gallery format clean
 
 help: ## This list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' $(MAKEFILE_LIST) | while IFS='	' read -r target text; do \
@@ -75,6 +76,8 @@ deps-docs: deps ## Install Doxygen
 	$(call install,$(docs_packages))
 deps-bench: deps
 	$(call install,libbenchmark-dev)
+deps-fuzz: deps
+	$(call install,clang-14 libclang-rt-14-dev)
 deps-format:
 	$(call install,git clang-format)
 
@@ -95,6 +98,11 @@ check: build ## Build and run every test
 	ctest --test-dir $(BUILD) --output-on-failure --parallel $(shell nproc)
 bench: deps-bench programs ## Nanoseconds per step of every method (Google Benchmark)
 	@$(configure) && $(compile) benchmarks && for each in $(BIN)/*_bench; do $$each || exit 1; done
+fuzz: deps-fuzz ## Search for bad input with libFuzzer, FUZZ_SECONDS (60) for each target
+	@cmake --preset fuzz >/dev/null && cmake --build build/fuzz --target fuzzers
+	@for each in table options step; do mkdir -p build/fuzz/corpus/$$each; echo "fuzzing $$each"; \
+	  build/fuzz/bin/$${each}_fuzz -max_total_time=$(FUZZ_SECONDS) -close_fd_mask=3 -print_final_stats=1 \
+	  -artifact_prefix=build/fuzz/$$each- build/fuzz/corpus/$$each tests/fuzz/corpus/$$each || exit 1; done
 install: deps ## Install the headers and the CMake package under PREFIX
 	@$(configure)
 	cmake --install $(BUILD) --prefix $(PREFIX)

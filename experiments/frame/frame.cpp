@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <stdexcept>
 #include <unistd.h>
@@ -24,7 +25,30 @@ avi::Table Frame::table(std::vector<std::string> columns) const {
   return table;
 }
 
+namespace {
+
+/// Keeps an interrupt waiting for as long as it lives, so that no temporary file is left behind.
+class Uninterrupted {
+ public:
+  Uninterrupted() {
+    sigset_t interrupts;
+    sigemptyset(&interrupts);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+      sigaddset(&interrupts, signal);
+    sigprocmask(SIG_BLOCK, &interrupts, &before_);
+  }
+  ~Uninterrupted() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  Uninterrupted(const Uninterrupted&) = delete;
+  Uninterrupted& operator=(const Uninterrupted&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+}  // namespace
+
 void Frame::write(const avi::Table& table, std::string_view curve) const {
+  const Uninterrupted here;
   table.write(output / (curve.empty() ? name + ".tsv" : fmt::format("{}_{}.tsv", name, curve)));
 }
 
@@ -36,12 +60,16 @@ void Frame::progress(std::string_view label, double fraction) const {
 
 namespace {
 
-/// Makes the folder and proves that a file can be created in it, before any work is done.
+/// Makes the folder and proves that a page can be written in it, before any work is done: a full disk still
+/// creates files.
 void require_writable(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
+  const Uninterrupted here;
   const auto probe = folder / fmt::format(".probe.{}", ::getpid());
-  const bool writable = !error && std::ofstream(probe).good();
+  std::ofstream file(probe);
+  file << std::string(4096, ' ') << std::flush;
+  const bool writable = !error && file.good();
   std::filesystem::remove(probe, error);
   if (!writable)
     throw std::invalid_argument(fmt::format(
@@ -64,6 +92,7 @@ int run(int argc, char** argv, std::string name, std::string summary,
       ->default_str("build/data");
   app.add_flag("--quick", frame.quick, "A shortened run for tests: same columns, fewer or shorter rows");
   options(app);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of the write, not the end
   try {
     app.parse(argc, argv);
     require_writable(frame.output);
@@ -73,6 +102,8 @@ int run(int argc, char** argv, std::string name, std::string summary,
   } catch (const CLI::ParseError& error) {
     return refuse(name, fmt::format("{} Run with --help for the options.", error.what()));
   } catch (const std::invalid_argument& error) {
+    return refuse(name, error.what());
+  } catch (const avi::FileError& error) {
     return refuse(name, error.what());
   } catch (const std::exception& error) {
     refuse(name, error.what());
@@ -126,7 +157,8 @@ void add_folder(CLI::App& app, const std::string& flag, std::filesystem::path& v
       ->option_text("DIR")
       ->capture_default_str()
       ->check([](const std::string& text) -> std::string {
-        if (std::filesystem::is_directory(text)) return {};
+        std::error_code unreachable;
+        if (std::filesystem::is_directory(text, unreachable)) return {};
         return fmt::format("folder {} does not exist.", text);
       });
 }

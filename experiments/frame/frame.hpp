@@ -34,8 +34,8 @@ class Frame {
 };
 
 /// main() of an experiment. `options` adds the experiment's own command-line options; `body` computes, then
-/// writes its tables last. Returns the exit status: 0; 2 for bad options or an unwritable folder, with one
-/// sentence on stderr and no file left; 1 for a run that failed.
+/// writes its tables last. Returns the exit status: 0; 2 for bad options or a file or folder that cannot be
+/// read or written, with one sentence on stderr and no half-written file; 1 for a run that failed.
 int run(int argc, char** argv, std::string name, std::string summary,
         const std::function<void(CLI::App&)>& options, const std::function<void(Frame&)>& body);
 

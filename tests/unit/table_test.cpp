@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <sstream>
 
 using avi::Table;
 
@@ -42,7 +43,46 @@ TEST(Table, RefusesWhatDoesNotFit) {
   table.row("word", 1);
   EXPECT_THROW((void)table.number(0, "a"), std::invalid_argument);
   EXPECT_THROW(table.write("/dev/null/nowhere/t.tsv"), std::runtime_error);
-  EXPECT_THROW(Table::read("/dev/null/nowhere/t.tsv"), std::runtime_error);
+  EXPECT_THROW(Table::read("/dev/null/nowhere/t.tsv"), avi::FileError);
+  EXPECT_THROW(Table::read(std::filesystem::temp_directory_path()), avi::FileError) << "a folder is no table";
+}
+
+std::string refusal(const std::string& text) {
+  std::istringstream file(text);
+  try {
+    Table::parse(file, "t.tsv");
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "taken";
+}
+
+TEST(Table, RefusesFilesThatAreNotWhole) {
+  EXPECT_EQ(refusal("# note: x\na\tb\n1\t2\n"), "taken");
+  EXPECT_EQ(refusal("a\tb\n1\t2"), "Line 2 of 't.tsv' does not end; the file is cut off.");
+  EXPECT_EQ(refusal("a\tb\n1\n"), "Line 2 of 't.tsv' has 1 cells; it must have 2, one for each column.");
+  EXPECT_EQ(refusal(""), "Line 1 of 't.tsv' should be the header row; the file has none.");
+  EXPECT_EQ(refusal("# note: x\n"), "Line 2 of 't.tsv' should be the header row; the file has none.");
+  EXPECT_EQ(refusal("a\tb\ta\n"), "Line 1 of 't.tsv' names two columns 'a'.");
+}
+
+TEST(Table, WritesNothingThatWouldReadBackAsSomethingElse) {
+  const auto folder = scratch();
+  const auto refuses = [&](const Table& table) {
+    EXPECT_THROW(table.write(folder / "t.tsv"), std::invalid_argument);
+    EXPECT_TRUE(std::filesystem::is_empty(folder)) << "a file was left";
+  };
+  for (const char* cell : {"a\tb", "a\nb", "#a", ""}) {
+    Table table({"x"});
+    table.row(cell);
+    refuses(table);
+    refuses(Table({cell}));
+  }
+  refuses(Table());
+  Table noted({"x"});
+  noted.note("key", "two\nlines");
+  refuses(noted);
+  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ class EulerB {
       return {};
     } else {
       const Partials<double, n> g = value_and_gradient([this](const auto& x) { return g_(x); }, z.q);
+      if (!(g.value > 0.0)) return {Outcome::bad_monitor, 1, g.value};
       const double hg = h * g.value;
       Vector<double, n> slope;
       for (int i = 0; i < n; ++i)

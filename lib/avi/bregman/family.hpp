@@ -39,6 +39,7 @@ struct BregmanFamily {
     require_positive("Order p", p);
     require(p_ring > 0.0 && p_ring <= p, "Parameter p_ring", p_ring, "positive and at most p");
     require_positive("Weight C", C);
+    require_positive("Order p^2 / p_ring in fictive time", order());
   }
 
   [[nodiscard]] bool is_direct() const { return p_ring == p; }

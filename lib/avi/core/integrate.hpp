@@ -48,7 +48,11 @@ std::string describe_end(Outcome outcome, const State& state, long steps, double
 ///
 /// The observer is called as observer(state, k) after step k = 1, 2, ...; when it returns bool, false stops
 /// the run. The state is always the last good one.
-/// @throws std::invalid_argument for h that is zero or not finite, or an `until` that sets no end.
+/// A run to a time whose clock has not advanced over a million steps (h is below the rounding of t, or a
+/// method without a check of its own has a monitor that is not positive) ends as bad_monitor: nothing loops
+/// for ever.
+/// @throws std::invalid_argument for h that is zero or not finite, or negative with an end time, or an
+/// `until` that sets no end.
 template <class State, Method<State> M, class Observer = NoObserver>
 Run integrate(M& method, State& state, double h, Until until, Observer&& observer = {}) {
   require(std::isfinite(h) && h != 0.0, "Step size h", h, "finite and not zero");
@@ -57,7 +61,11 @@ Run integrate(M& method, State& state, double h, Until until, Observer&& observe
   require(until.time < std::numeric_limits<double>::infinity() ||
               until.steps < std::numeric_limits<long>::max(),
           "End of the run", "not set", "a time or a number of steps");
+  const bool timed = until.time < std::numeric_limits<double>::infinity();
+  require(h > 0.0 || !timed, "Step size h", h, "positive where the run ends at a time");
   Run run;
+  constexpr long patience = 1 << 20;
+  double clock = state.t;
   // Working copies, so that a short step can keep them in registers.
   State current = state;
   const auto end = [&](Outcome outcome, double residual) {
@@ -74,14 +82,17 @@ Run integrate(M& method, State& state, double h, Until until, Observer&& observe
     current = next;
     ++run.steps;
     run.evaluations += report.evaluations;
+    if (run.steps % patience == 0 && timed) {
+      if (!(current.t > clock)) return end(Outcome::bad_monitor, 0.0);
+      clock = current.t;
+    }
     if constexpr (std::is_same_v<std::invoke_result_t<Observer&, const State&, long>, bool>) {
       if (!observer(current, run.steps)) return end(Outcome::stopped, 0.0);
     } else {
       observer(current, run.steps);
     }
   }
-  if (until.time < std::numeric_limits<double>::infinity() && current.t < until.time)
-    return end(Outcome::step_limit, 0.0);
+  if (timed && current.t < until.time) return end(Outcome::step_limit, 0.0);
   state = current;
   return run;
 }

@@ -40,7 +40,8 @@ class Htvi {
   explicit Htvi(const Problem& problem, Quadrature rule, SolverSettings solver = {}, int order = r,
                 std::size_t tape_slots = 512)
       : action_(problem, std::move(rule), order, tape_slots), solver_(solver) {
-    require(solver.tolerance >= 1.0, "Solver tolerance", solver.tolerance, "at least 1 epsilon");
+    require(std::isfinite(solver.tolerance) && solver.tolerance >= 1.0, "Solver tolerance", solver.tolerance,
+            "finite and at least 1 epsilon");
     require(solver.max_iterations >= 1, "Iteration cap", solver.max_iterations, "at least 1");
   }
 

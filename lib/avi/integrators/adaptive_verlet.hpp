@@ -35,6 +35,7 @@ class AdaptiveVerlet {
     double rho = rho_;
     if (z.t != after_.t || z.q != after_.q || z.p != after_.p) {
       rho = 1.0 / monitor_(z.q, z.p);
+      if (!(rho > 0.0)) return {.outcome = Outcome::bad_monitor};
       force_ = problem_.potential_gradient(z.q);
     }
     State<n> w = z;

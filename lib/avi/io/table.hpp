@@ -1,7 +1,10 @@
 #pragma once
+#include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <concepts>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -41,6 +44,11 @@ inline std::string cell(bool value) { return value ? "1" : "0"; }
 inline std::string cell(std::floating_point auto value) { return exact(static_cast<double>(value)); }
 inline std::string cell(std::integral auto value) { return std::to_string(value); }
 }  // namespace detail
+
+/// A file that cannot be read or written.
+struct FileError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// A table in memory. Rows are kept until write(), which renames a finished file into place: an interrupted
 /// run leaves no half-written table.
@@ -96,49 +104,103 @@ class Table {
     return value;
   }
 
-  /// Writes to a temporary name beside `path` and renames it. @throws std::runtime_error when that fails;
-  /// then neither file is left.
+  /// Writes to a temporary name beside `path` and renames it. @throws FileError when that fails; then neither
+  /// file is left. @throws std::invalid_argument for cells that would not read back.
   void write(const std::filesystem::path& path) const {
+    validate();
     const auto temporary =
         path.parent_path() / ("." + path.filename().string() + "." + std::to_string(::getpid()));
+    errno = 0;
     std::ofstream file(temporary, std::ios::binary);
-    for (const auto& [key, value] : head)
-      file << "# " << key << ": " << value << '\n';
-    write_line(file, columns);
-    for (const auto& cells : rows)
-      write_line(file, cells);
+    print(file);
     file.close();
     std::error_code error;
     if (file) std::filesystem::rename(temporary, path, error);
-    if (!file || error) {
-      std::error_code ignored;
-      std::filesystem::remove(temporary, ignored);
-      throw std::runtime_error("Cannot write '" + path.string() + "'.");
-    }
+    if (file && !error) return;
+    const std::string reason = error ? error.message() : std::strerror(errno);
+    std::filesystem::remove(temporary, error);
+    throw FileError("Cannot write '" + path.string() + "': " + reason + ".");
   }
 
-  /// Reads what write() wrote. @throws std::runtime_error for a file that cannot be read,
-  /// std::invalid_argument for a row of the wrong length.
+  /// Writes the lines of the file.
+  void print(std::ostream& out) const {
+    for (const auto& [key, value] : head)
+      out << "# " << key << ": " << value << '\n';
+    write_line(out, columns);
+    for (const auto& cells : rows)
+      write_line(out, cells);
+  }
+
+  /// Reads what write() wrote. @throws FileError for a file that cannot be read, std::invalid_argument as
+  /// parse().
   static Table read(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw std::runtime_error("Cannot read '" + path.string() + "'.");
+    if (file) {
+      Table table = parse(file, path.string());
+      if (!file.bad()) return table;
+    }
+    throw FileError("Cannot read '" + path.string() + "'.");
+  }
+
+  /// Reads the lines of a file. @throws std::invalid_argument, naming the file and the line, where there is
+  /// no header row, a row has the wrong length, a name stands for two columns, or the file ends within a
+  /// line.
+  static Table parse(std::istream& in, const std::string& name) {
     Table table;
-    for (std::string line; std::getline(file, line);) {
+    std::size_t number = 0;
+    const auto refuse = [&](const std::string& what) {
+      throw std::invalid_argument("Line " + std::to_string(number) + " of '" + name + "' " + what + ".");
+    };
+    for (std::string line; std::getline(in, line);) {
+      ++number;
+      if (in.eof()) refuse("does not end; the file is cut off");
       if (line.starts_with("# ") && table.columns.empty()) {
         const auto colon = line.find(": ");
         if (colon == std::string::npos) continue;
         table.head.emplace_back(line.substr(2, colon - 2), line.substr(colon + 2));
       } else if (!line.empty() && line.front() != '#') {
-        if (table.columns.empty())
-          table.columns = split(line);
-        else
-          table.add(split(line));
+        std::vector<std::string> cells = split(line);
+        if (!table.columns.empty() && cells.size() != table.columns.size())
+          refuse("has " + std::to_string(cells.size()) + " cells; it must have " +
+                 std::to_string(table.columns.size()) + ", one for each column");
+        if (!table.columns.empty()) {
+          table.rows.push_back(std::move(cells));
+          continue;
+        }
+        std::vector<std::string> sorted = cells;
+        std::sort(sorted.begin(), sorted.end());
+        if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+          refuse("names two columns '" + *std::adjacent_find(sorted.begin(), sorted.end()) + "'");
+        table.columns = std::move(cells);
       }
+    }
+    if (table.columns.empty() && !in.bad()) {
+      ++number;
+      refuse("should be the header row; the file has none");
     }
     return table;
   }
 
  private:
+  /// Refuses what would read back as something else.
+  void validate() const {
+    const auto one_line = [](const std::string& text) { return text.find('\n') == std::string::npos; };
+    for (const auto& [key, value] : head)
+      if (!one_line(key) || !one_line(value) || key.find(": ") != std::string::npos)
+        throw std::invalid_argument("Note '" + key + ": " + value +
+                                    "' does not fit in a line '# key: value'.");
+    const auto check = [&](const std::vector<std::string>& cells) {
+      if (cells.empty() || (cells.size() == 1 && cells[0].empty()) || cells[0].starts_with('#'))
+        throw std::invalid_argument("A line of a table must not be empty or begin with '#'.");
+      for (const std::string& cell : cells)
+        if (!one_line(cell) || cell.find('\t') != std::string::npos)
+          throw std::invalid_argument("Cell '" + cell + "' holds a tab or the end of a line.");
+    };
+    check(columns);
+    for (const auto& cells : rows)
+      check(cells);
+  }
+
   static void write_line(std::ostream& out, const std::vector<std::string>& cells) {
     for (std::size_t i = 0; i < cells.size(); ++i)
       out << (i ? "\t" : "") << cells[i];

@@ -35,8 +35,8 @@ inline void multiply_by_correlation(double rho, const VectorX& y, VectorX& z) {
 class CorrelatedQuartic {
  public:
   /// @throws std::invalid_argument unless n >= 1 and |rho| < 1.
-  explicit CorrelatedQuartic(Eigen::Index n = 50, double rho = 0.9) : rho_(rho), offset_(n), image_(n) {
-    require(n >= 1, "Dimension", n, "at least 1");
+  explicit CorrelatedQuartic(Eigen::Index n = 50, double rho = 0.9)
+      : rho_(rho), offset_(positive(n)), image_(n) {
     require(rho > -1.0 && rho < 1.0, "Correlation rho", rho, "in (-1, 1)");
   }
 
@@ -61,6 +61,12 @@ class CorrelatedQuartic {
   }
 
  private:
+  /// Checked before any memory is asked for.
+  static Eigen::Index positive(Eigen::Index n) {
+    require(n >= 1, "Dimension", n, "at least 1");
+    return n;
+  }
+
   /// (x - 1)^T Sigma (x - 1); the image Sigma (x - 1) is left in z.
   double quadratic_form(const VectorX& x, VectorX& z) const {
     if (x.size() != size())  // the sentence is made only when it is needed

@@ -1,0 +1,51 @@
+#pragma once
+#include "frame/frame.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// @file
+/// Any lines as the arguments of an experiment: status 0 with values in their ranges, or status 2.
+
+namespace fuzz {
+
+/// The caller's working directory gets the folder build/data.
+inline void options(const std::uint8_t* data, std::size_t size) {
+  std::vector<std::string> arguments{"fuzz", ""};
+  for (std::size_t i = 0; i < size && arguments.size() < 32; ++i) {
+    if (data[i] == '\n')
+      arguments.emplace_back();
+    else if (data[i] != '\0')
+      arguments.back() += static_cast<char>(data[i]);
+  }
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) {
+    if (argument.find("output") != std::string::npos) return;  // it would make folders anywhere
+    argv.push_back(argument.data());
+  }
+  double number = 0.5;
+  long count = 3;
+  bool flag = false, sound = true;
+  std::filesystem::path folder = ".";
+  const int status = experiment::run(
+      static_cast<int>(argv.size()), argv.data(), "fuzz", "A summary",
+      [&](CLI::App& app) {
+        experiment::add_number(app, "--number", number, {0.0, 1.0, true, true}, "A number");
+        experiment::add_count(app, "--count", count, -2, 1000, "A count");
+        experiment::add_flag(app, "--flag", flag, "A flag");
+        experiment::add_folder(app, "--folder", folder, "A folder");
+      },
+      [&](experiment::Frame&) {
+        sound = number > 0.0 && number < 1.0 && count >= -2 && count <= 1000 &&
+                std::filesystem::is_directory(folder);
+      });
+  if (status != 0 && status != 2) throw std::logic_error("Status " + std::to_string(status) + ".");
+  if (!sound) throw std::logic_error("A value out of its range was taken.");
+}
+
+}  // namespace fuzz

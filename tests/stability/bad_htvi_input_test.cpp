@@ -1,0 +1,129 @@
+#include "avi/htvi/htvi.hpp"
+#include "avi/htvi/landing.hpp"
+#include "avi/problems/kepler.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+// HTVI against arguments, monitors and steps that it cannot use.
+
+namespace {
+
+using namespace avi;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+/// c |q|^2: positive, or not.
+struct Scaled {
+  double c = 1.0;
+  template <class Q>
+  auto operator()(const Q& q) const {
+    return c * (q[0] * q[0] + q[1] * q[1]);
+  }
+};
+
+const auto start = Kepler::pericentre(0.5);
+
+auto method(int order = 3, Quadrature rule = gauss(2), SolverSettings solver = {}, double c = 1.0) {
+  return htvi_of_order<Generating::type2>(order, poincare<2>(Kepler{}, start, Scaled{c}), std::move(rule),
+                                          solver);
+}
+
+std::string refusal(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "taken";
+}
+
+TEST(BadHtvi, Arguments) {
+  EXPECT_EQ(refusal([] { method(-1); }), "Taylor order r is -1; it must be in [0, 15].");
+  EXPECT_EQ(refusal([] { method(16); }), "Taylor order r is 16; it must be in [0, 15].");
+  EXPECT_EQ(refusal([] {
+              method(3, {"empty", 1, {}, {}});
+            }),
+            "Number of quadrature nodes is 0; it must be at least 1.");
+  EXPECT_EQ(refusal([] {
+              method(3, {"unequal", 1, {0.0, 1.0}, {1.0}});
+            }),
+            "Number of quadrature weights is 1; it must be the number of nodes, 2.");
+  EXPECT_EQ(refusal([] {
+              method(3, {"light", 1, {0.0}, {0.5}});
+            }),
+            "Sum of the quadrature weights is 0.5; it must be 1.");
+  EXPECT_EQ(refusal([] {
+              method(3, {"none", 1, {0.0}, {nan}});
+            }),
+            "Sum of the quadrature weights is nan; it must be 1.");
+  EXPECT_EQ(refusal([] {
+              method(3, {"nowhere", 1, {inf}, {1.0}});
+            }),
+            "A quadrature node is inf; it must be finite.");
+  for (const auto& [call, least] :
+       std::vector<std::pair<Quadrature (*)(int), int>>{{gauss, 1}, {lobatto, 2}, {radau, 1}})
+    for (const int m : {least - 1, -5, 17})
+      EXPECT_NE(refusal([&, call = call] { call(m); }).find(" is " + std::to_string(m) + "; it must be in ["),
+                std::string::npos);
+  for (const double tolerance : {0.0, 0.5, -1.0, nan, inf})
+    EXPECT_NE(refusal([&] { method(3, gauss(2), {.tolerance = tolerance}); }).find("Solver tolerance is "),
+              std::string::npos)
+        << tolerance;
+  EXPECT_EQ(refusal([] { method(3, gauss(2), {.max_iterations = 0}); }),
+            "Iteration cap is 0; it must be at least 1.");
+  State<2> broken = start;
+  broken.q[0] = nan;
+  EXPECT_NE(refusal([&] { (void)poincare<2>(Kepler{}, broken); }).find("nan; it must be finite."),
+            std::string::npos);
+  broken.q = {0.0, 0.0};
+  EXPECT_EQ(refusal([&] { (void)poincare<2>(Kepler{}, broken); }), "p^t is inf; it must be finite.");
+}
+
+TEST(BadHtvi, MonitorsThatAreNotPositive) {
+  for (const double c : {0.0, -1.0, nan}) {
+    auto bad = method(3, gauss(2), {}, c);
+    State<2> z = start;
+    const avi::Run run = integrate(bad, z, 0.01, {.steps = 5});
+    EXPECT_TRUE(run.outcome == Outcome::bad_monitor || run.outcome == Outcome::non_finite) << c;
+    EXPECT_EQ(run.steps, 0);
+    EXPECT_TRUE(z.q == start.q && z.p == start.p && z.t == start.t) << "not the last good state";
+    EXPECT_NE(run.message, "");
+  }
+}
+
+TEST(BadHtvi, StepsTooLargeKeepTheLastGoodState) {
+  for (const int order : {0, 3, 7, 15})
+    for (const double h : {1.0, 10.0, 1e10, 1e100, 1e300}) {
+      auto bold = method(order, gauss(4));
+      State<2> z = start, last = start;
+      const avi::Run run =
+          integrate(bold, z, h, {.steps = 100}, [&](const State<2>& now, long) { last = now; });
+      if (run.outcome == Outcome::ok) continue;  // a number, if no good one
+      EXPECT_TRUE(z.finite());
+      EXPECT_TRUE(z.q == last.q && z.p == last.p && z.t == last.t) << order << ' ' << h;
+      EXPECT_NE(run.message.find("The run ended as "), std::string::npos);
+    }
+  auto bold = method(3, gauss(2));
+  State<2> z = start;
+  EXPECT_NE(integrate(bold, z, 1e100, {.steps = 1}).outcome, Outcome::ok);
+}
+
+TEST(BadHtvi, LandingAndDenseOutput) {
+  auto good = method();
+  State<2> z = start;
+  for (const double t : {nan, inf, -1.0})
+    EXPECT_NE(refusal([&] { integrate_to(good, z, 0.1, t); }).find("End time is "), std::string::npos);
+  for (const double h : {0.0, -0.1, nan, inf})
+    EXPECT_NE(refusal([&] { integrate_to(good, z, h, 1.0); }).find("Step size h is "), std::string::npos);
+  good.step(z, 0.1);
+  for (const double t : {-1.0, z.t + 1.0, nan})
+    EXPECT_NE(refusal([&] { (void)dense_output(good, 0.0, t); }).find("Time of dense output is "),
+              std::string::npos);
+}
+
+}  // namespace

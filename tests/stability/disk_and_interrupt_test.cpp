@@ -1,0 +1,138 @@
+#include "avi/io/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+// Experiments on a disk that is full, interrupted while they run, and two in one folder: whatever happens,
+// each file that is there is whole.
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr rlim_t no_limit = RLIM_INFINITY;
+
+/// A running experiment, its stderr in a pipe.
+class Process {
+ public:
+  Process(const std::string& stem, const std::vector<std::string>& arguments,
+          rlim_t largest_file = no_limit) {
+    std::array<int, 2> ends{};
+    if (::pipe(ends.data()) != 0) ADD_FAILURE() << "no pipe";
+    id_ = ::fork();
+    if (id_ == 0) {
+      ::dup2(ends[1], STDERR_FILENO);
+      ::close(ends[0]);
+      ::close(ends[1]);
+      const rlimit limit{largest_file, largest_file};
+      if (largest_file != no_limit) ::setrlimit(RLIMIT_FSIZE, &limit);
+      const std::string program = std::string(AVI_BIN_DIR "/") + stem;
+      std::vector<char*> argv{const_cast<char*>(program.c_str())};
+      for (const std::string& argument : arguments)
+        argv.push_back(const_cast<char*>(argument.c_str()));
+      argv.push_back(nullptr);
+      ::execv(program.c_str(), argv.data());
+      ::_exit(127);
+    }
+    ::close(ends[1]);
+    pipe_ = ends[0];
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+  ~Process() { ::close(pipe_); }
+
+  void interrupt() const { ::kill(id_, SIGINT); }
+
+  /// Waits for its end: the exit status, or minus the signal that ended it.
+  int wait() {
+    for (char letter; ::read(pipe_, &letter, 1) == 1;)
+      err += letter;
+    int status = 0;
+    ::waitpid(id_, &status, 0);
+    return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
+  }
+
+  std::string err;
+
+ private:
+  pid_t id_ = 0;
+  int pipe_ = 0;
+};
+
+class Disk : public testing::Test {
+ protected:
+  const fs::path output = fs::temp_directory_path() / ("avi_disk_" + std::to_string(::getpid()));
+
+  void SetUp() override { fs::create_directories(output); }
+  void TearDown() override { fs::remove_all(output); }
+
+  [[nodiscard]] std::vector<std::string> quick() const { return {"--quick", "--output", output.string()}; }
+
+  /// Number of files; each must be a whole table.
+  [[nodiscard]] int whole_files() const {
+    int files = 0;
+    for (const auto& entry : fs::directory_iterator(output)) {
+      ++files;
+      EXPECT_EQ(entry.path().extension(), ".tsv") << entry.path() << " was left behind";
+      EXPECT_NO_THROW((void)avi::Table::read(entry.path())) << entry.path() << " is no whole table";
+    }
+    return files;
+  }
+};
+
+TEST_F(Disk, FullFromTheStartIsRefusedByEveryExperiment) {
+  int tried = 0;
+  for (const auto& entry : fs::directory_iterator(AVI_SOURCE_DIR "/experiments")) {
+    if (entry.path().extension() != ".cpp") continue;
+    const std::string stem = entry.path().stem();
+    Process process(stem, quick(), 0);
+    EXPECT_EQ(process.wait(), 2) << stem;
+    EXPECT_EQ(process.err, stem + ": Output folder '" + output.string() +
+                               "' cannot be written; name one that can with --output DIR.\n");
+    EXPECT_EQ(whole_files(), 0) << stem;
+    ++tried;
+  }
+  EXPECT_GE(tried, 18);
+}
+
+TEST_F(Disk, FullAtTheEndLeavesNoHalfTable) {
+  Process process("bregman_extremes", quick(),
+                  12'000);  // the table of overflows fits, the main table does not
+  EXPECT_EQ(process.wait(), 2);
+  EXPECT_EQ(process.err, "bregman_extremes: Cannot write '" + (output / "bregman_extremes.tsv").string() +
+                             "': File too large.\n");
+  EXPECT_EQ(whole_files(), 3);
+}
+
+TEST_F(Disk, AnInterruptLeavesNoHalfTable) {
+  for (const int milliseconds : {5, 50, 200, 800}) {
+    Process process("bregman_extremes", {"--output", output.string()});
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    process.interrupt();
+    EXPECT_EQ(process.wait(), -SIGINT);
+    EXPECT_LE(whole_files(), 3);
+    EXPECT_FALSE(fs::exists(output / "bregman_extremes.tsv"));
+  }
+}
+
+TEST_F(Disk, TwoRunsInOneFolderLeaveWholeTables) {
+  Process first("euler_b_errors", quick()), second("euler_b_errors", quick());
+  EXPECT_EQ(first.wait(), 0) << first.err;
+  EXPECT_EQ(second.wait(), 0) << second.err;
+  const int files = whole_files();
+  Process alone("euler_b_errors", quick());
+  EXPECT_EQ(alone.wait(), 0);
+  EXPECT_EQ(whole_files(), files);
+  EXPECT_GE(files, 1);
+}
+
+}  // namespace
