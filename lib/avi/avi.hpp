@@ -40,6 +40,8 @@
 #include "avi/htvi/landing.hpp"
 #include "avi/htvi/quadrature.hpp"
 #include "avi/htvi/solver.hpp"
+#include "avi/htvi/taylor_values.hpp"
+#include "avi/htvi/value_first.hpp"
 #include "avi/integrators/adaptive_verlet.hpp"
 #include "avi/integrators/composition.hpp"
 #include "avi/integrators/compositions.hpp"

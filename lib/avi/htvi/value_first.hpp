@@ -1,0 +1,93 @@
+#pragma once
+#include "avi/htvi/generating_map.hpp"
+#include "avi/htvi/taylor_values.hpp"
+
+#include <algorithm>
+#include <utility>
+
+/// @file
+/// HTVI at the accuracy of the number format.
+
+namespace avi {
+
+/// An HTVI that does not compute what rounding would drop. The step differs from the Taylor method of its
+/// order by less than the error of that method; where the Taylor expansion has converged to round-off within
+/// the step (TaylorValues::converged()), the symplectic correction, its derivatives and the quadrature are
+/// below round-off, and the step is the Taylor polynomial alone, at a fraction of the cost. Any other step is
+/// the HTVI's. Increments are accumulated with compensated summation (Kahan 1965), so that the errors of a
+/// long run are those of the increments.
+///
+/// Only on the energy shell: there H is kept by the Taylor flow itself, not by the implicit equations, and
+/// the rounding of g (H + p^t), which a monitor amplifies from apocentre to pericentre, does not arise.
+template <class HtviMethod>
+class ValueFirst;
+
+template <Generating type, class Problem, int r, Construction construction>
+class ValueFirst<Htvi<type, Problem, r, construction>> {
+ public:
+  using Method = Htvi<type, Problem, r, construction>;
+  static constexpr int n = Problem::dimension;
+  static_assert(r != dynamic,
+                "ValueFirst needs a Taylor order that is known at compile time: type2<r>(...).");
+  static_assert(construction.field == Field::on_shell,
+                "ValueFirst needs a construction on the energy shell.");
+
+  explicit ValueFirst(Method method) : method_(std::move(method)), values_(method_.problem()) {}
+
+  /// Advances z by the fictive step h.
+  StepReport step(State<n>& z, double h) {
+    if (z.t != after_.t || z.q != after_.q || z.p != after_.p)  // changed from outside: nothing is left over
+      low_ = State<n>{.q = Vector<double, n>::Zero(), .p = Vector<double, n>::Zero()};
+    typename Method::Change change;
+    StepReport report{.evaluations = 0};
+    bool by_value = false;
+    if (pause_ > 0) {
+      --pause_;
+    } else {
+      values_.expand(z.q, z.p, h);
+      ++report.evaluations;
+      values_.increments(change.q, change.p, change.t);
+      by_value = values_.converged() && change.t * h > 0.0;
+      // A run that does not converge should not pay for many tries.
+      last_pause_ = by_value ? 0 : std::min(2 * last_pause_ + 1, 63);
+      pause_ = last_pause_;
+    }
+    if (!by_value) {
+      const int tried = report.evaluations;
+      report = method_.increment(z, h, change);
+      report.evaluations += tried;
+      if (report.outcome != Outcome::ok) return report;
+    }
+    ++(by_value ? value_steps_ : full_steps_);
+    add(z.q, low_.q, change.q);
+    add(z.p, low_.p, change.p);
+    add(z.t, low_.t, change.t);
+    after_ = z;
+    return report;
+  }
+
+  /// Steps that were Taylor polynomials alone.
+  [[nodiscard]] long value_steps() const { return value_steps_; }
+  /// Steps of the HTVI proper.
+  [[nodiscard]] long full_steps() const { return full_steps_; }
+
+ private:
+  template <class Value>
+  static void add(Value& sum, Value& low, const Value& change) {
+    const Value corrected = change + low;
+    const Value next = sum + corrected;
+    low = corrected - (next - sum);
+    sum = next;
+  }
+
+  Method method_;
+  TaylorValues<Problem, r> values_;
+  State<n> low_{}, after_{};
+  int pause_ = 0, last_pause_ = 0;
+  long value_steps_ = 0, full_steps_ = 0;
+};
+
+template <Generating type, class Problem, int r, Construction construction>
+ValueFirst(Htvi<type, Problem, r, construction>) -> ValueFirst<Htvi<type, Problem, r, construction>>;
+
+}  // namespace avi
