@@ -12,6 +12,8 @@ BIN    := $(BUILD)/bin
 .DELETE_ON_ERROR:
 .SUFFIXES:
 MAKEFLAGS += --no-builtin-rules
+# As many experiments at a time as there are processors, unless the command line says otherwise.
+MAKEFLAGS += -j$(shell nproc)
 SHELL := /bin/sh
 # Decimal points and UTF-8 whatever the user's language.
 export LC_ALL := C.UTF-8
@@ -40,7 +42,7 @@ GALLERY     := kepler_e090 euler_b_errors direct_vs_adaptive work_precision
 help: ## This list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' $(MAKEFILE_LIST) | while IFS='	' read -r target text; do \
 	  printf '  make %-15s %s\n' "$$target" "$$text"; done
-	@printf '\nVariables: PRESET=%s (release, portable, sanitize, debug), PREFIX=%s; -jN runs experiments side by side.\n' \
+	@printf '\nVariables: PRESET=%s (release, portable, sanitize, debug), PREFIX=%s; -jN runs N experiments side by side.\n' \
 	  '$(PRESET)' '$(PREFIX)'
 
 # ---- packages: a no-op without network or rights when all are there --------------------------------------------
@@ -58,7 +60,7 @@ missing=; for package in $(1); do \
   [ "$$(dpkg-query -W -f '$${db:Status-Status}' $$package 2>/dev/null)" = installed ] || missing="$$missing $$package"; \
 done; \
 [ -n "$$missing" ] || exit 0; \
-get="apt-get install -y --no-install-recommends$$missing"; \
+get="apt-get install -y -o DPkg::Lock::Timeout=600 --no-install-recommends$$missing"; \
 if [ "$$(id -u)" = 0 ]; then become=; \
 elif command -v sudo >/dev/null && { sudo -n true 2>/dev/null || [ -t 0 ]; }; then become=sudo; \
 else echo "Packages are missing; as root, run:  apt-get update && $$get" >&2; exit 1; fi; \
