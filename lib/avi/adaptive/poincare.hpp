@@ -1,9 +1,10 @@
 #pragma once
-#include "avi/core/hamiltonian.hpp"
 #include "avi/core/require.hpp"
+#include "avi/core/slopes.hpp"
 #include "avi/core/state.hpp"
 
 #include <concepts>
+#include <string>
 #include <utility>
 
 /// @file
@@ -26,6 +27,15 @@ enum class Field {
             ///< left out.
 };
 
+namespace detail {
+/// A Hamiltonian may say its dimension.
+template <class H, int n>
+inline constexpr bool dimension_fits = true;
+template <class H, int n>
+requires requires { H::dimension; }
+inline constexpr bool dimension_fits<H, n> = H::dimension == n || H::dimension == dynamic || n == dynamic;
+}  // namespace detail
+
 /// H-bar(q-bar, p-bar) = g(q, p) (H(q, p) + p^t), the Poincare transformation of an autonomous Hamiltonian H
 /// with monitor g = dt/dtau > 0 (equation (TransformedH) of the paper).
 ///
@@ -35,6 +45,13 @@ enum class Field {
 /// dg/dp.
 template <int n, class H, class G = Unit>
 class Poincare {
+  static_assert(std::invocable<const H&, const Vector<double, n>&, const Vector<double, n>&>,
+                "The Hamiltonian must be callable as H(q, p) with vectors of n entries.");
+  static_assert(std::invocable<const G&, const Vector<double, n>&> ||
+                    std::invocable<const G&, const Vector<double, n>&, const Vector<double, n>&>,
+                "The monitor must be callable as g(q) or g(q, p) with vectors of n entries.");
+  static_assert(detail::dimension_fits<H, n>, "The Hamiltonian is of another dimension than the state.");
+
  public:
   static constexpr int dimension = n;
   /// g(q) alone.
@@ -42,10 +59,22 @@ class Poincare {
   /// g = 1.
   static constexpr bool unit = std::same_as<G, Unit>;
 
-  /// @param energy_momentum p^t, minus the energy of the orbit.
-  Poincare(H hamiltonian, G monitor, double energy_momentum)
-      : h_(std::move(hamiltonian)), g_(std::move(monitor)), pt_(require_finite("p^t", energy_momentum)) {}
+  /// @param energy_momentum p^t, minus the energy of the orbit @param size n, where it is avi::dynamic
+  /// @throws std::invalid_argument unless p^t is finite and the size agrees with n.
+  Poincare(H hamiltonian, G monitor, double energy_momentum, Eigen::Index size = n)
+      : h_(std::move(hamiltonian)), g_(std::move(monitor)), pt_(require_finite("p^t", energy_momentum)),
+        size_(size) {
+    require(n == dynamic ? size >= 1 : size == n, "Dimension of the problem", size,
+            n == dynamic ? std::string("at least 1") : std::to_string(n));
+  }
 
+  /// n.
+  [[nodiscard]] Eigen::Index size() const {
+    if constexpr (n == dynamic)
+      return size_;
+    else
+      return n;
+  }
   [[nodiscard]] double energy_momentum() const { return pt_; }
   [[nodiscard]] const H& hamiltonian() const { return h_; }
   [[nodiscard]] const G& monitor() const { return g_; }
@@ -67,29 +96,28 @@ class Poincare {
   /// others.
   template <Field form, bool forces, class S>
   void field(const Vector<S, n>& q, const Vector<S, n>& p, const S& pt, Vector<S, n>& dq, Vector<S, n>& dp,
-             S& dt) const {
+             S& dt, Room<S, n>& room) const {
     const auto g = rate(q, p);
     dt = g;
-    const Vector<S, n> velocity = d_dp(h_, q, p);
-    for (int i = 0; i < n; ++i)
-      dq[i] = g * velocity[i];
+    energy_slope<Argument::momentum>(h_, q, p, room.slope, room);
+    for (Eigen::Index i = 0; i < size(); ++i)
+      dq[i] = g * room.slope[i];
     constexpr bool shell_terms = form == Field::full && !unit;
     S defect(0.0);
     if constexpr (shell_terms) defect = h_(q, p) + pt;
     if constexpr (shell_terms && !position_monitor) {
-      const Vector<Partials<S, n>, n> at_q = q.template cast<Partials<S, n>>();
-      const Vector<S, n> slope = gradient([&](const auto& x) { return g_(at_q, x); }, p);
-      for (int i = 0; i < n; ++i)
-        dq[i] += defect * slope[i];
+      slope<Argument::momentum>(g_, q, p, room.slope, room);
+      for (Eigen::Index i = 0; i < size(); ++i)
+        dq[i] += defect * room.slope[i];
     }
     if constexpr (forces) {
-      const Vector<S, n> force = d_dq(h_, q, p);
-      for (int i = 0; i < n; ++i)
-        dp[i] = g * force[i];
+      energy_slope<Argument::position>(h_, q, p, room.slope, room);
+      for (Eigen::Index i = 0; i < size(); ++i)
+        dp[i] = g * room.slope[i];
       if constexpr (shell_terms) {
-        const Vector<S, n> slope = monitor_d_dq(q, p);
-        for (int i = 0; i < n; ++i)
-          dp[i] += defect * slope[i];
+        monitor_slope(q, p, room);
+        for (Eigen::Index i = 0; i < size(); ++i)
+          dp[i] += defect * room.slope[i];
       }
     }
   }
@@ -97,50 +125,46 @@ class Poincare {
   /// Integrand of the action, p . q' + p^t t' - H-bar with q', t' from the same field: g (p . dH/dp - H), and
   /// in the full field (H + p^t) p . dg/dp more.
   template <Field form, class S>
-  [[nodiscard]] S action_rate(const Vector<S, n>& q, const Vector<S, n>& p, const S& pt) const {
-    S energy, work(0.0);
-    if constexpr (SuppliesGradient<H, S, n>) {
-      energy = h_(q, p);
-      const Vector<S, n> velocity = h_.d_dp(q, p);
-      for (int i = 0; i < n; ++i)
-        work += p[i] * velocity[i];
-    } else {
-      const Vector<Partials<S, 1>, n> at_q = q.template cast<Partials<S, 1>>();
-      const auto both = along_momentum([&](const auto& x) { return h_(at_q, x); }, p);
-      energy = both.value;
-      work = both.partial(0);
-    }
+  [[nodiscard]] S action_rate(const Vector<S, n>& q, const Vector<S, n>& p, const S& pt,
+                              Room<S, n>& room) const {
+    const auto [energy, work] = value_and_work(h_, q, p, room);
     if constexpr (position_monitor || form == Field::on_shell) {
       return rate(q, p) * (work - energy);
     } else {
-      const Vector<Partials<S, 1>, n> at_q = q.template cast<Partials<S, 1>>();
-      const auto g = along_momentum([&](const auto& x) { return g_(at_q, x); }, p);
-      return g.value * (work - energy) + (energy + pt) * g.partial(0);
+      const auto [g, g_work] = value_and_work(g_, q, p, room);
+      return g * (work - energy) + (energy + pt) * g_work;
     }
   }
 
   /// dg/dq at any scalar.
   template <class S>
   [[nodiscard]] Vector<S, n> monitor_d_dq(const Vector<S, n>& q, const Vector<S, n>& p) const {
-    if constexpr (position_monitor) {
-      return gradient([&](const auto& x) { return g_(x); }, q);
-    } else {
-      const Vector<Partials<S, n>, n> at_p = p.template cast<Partials<S, n>>();
-      return gradient([&](const auto& x) { return g_(x, at_p); }, q);
-    }
+    Room<S, n> room(size());
+    monitor_slope(q, p, room);
+    return room.slope;
   }
 
  private:
+  /// room.slope = dg/dq.
+  template <class S>
+  void monitor_slope(const Vector<S, n>& q, const Vector<S, n>& p, Room<S, n>& room) const {
+    if constexpr (position_monitor)
+      slope<Argument::position>([this](const auto& x, const auto&) { return g_(x); }, q, p, room.slope, room);
+    else
+      slope<Argument::position>(g_, q, p, room.slope, room);
+  }
+
   H h_;
   G g_;
   double pt_;
+  Eigen::Index size_;
 };
 
 /// The transformed problem of an orbit through `start`: p^t = -H(q(0), p(0)), the paper's common choice.
 template <int n, class H, class G = Unit>
 Poincare<n, H, G> poincare(H hamiltonian, const State<n>& start, G monitor = {}) {
   const double pt = -static_cast<double>(hamiltonian(start.q, start.p));
-  return {std::move(hamiltonian), std::move(monitor), pt};
+  return {std::move(hamiltonian), std::move(monitor), pt, start.q.size()};
 }
 
 }  // namespace avi

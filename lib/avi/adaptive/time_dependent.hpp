@@ -35,6 +35,7 @@ struct UnitInTime {
 template <int n, class H, class G>
 class TimeDependent : public Poincare<n + 1, ExtendedHamiltonian<n, H, G>> {
  public:
+  static_assert(n != dynamic, "A time-dependent problem needs its dimension at compile time.");
   /// The coordinate that is physical time: states of this problem carry it in q and in t alike.
   static constexpr int clock = n;
 

@@ -1,6 +1,7 @@
 #pragma once
-#include "avi/adaptive/poincare.hpp"
+#include "avi/htvi/construction.hpp"
 #include "avi/htvi/quadrature.hpp"
+#include "avi/htvi/workspace.hpp"
 #include "avi/taylor/jet.hpp"
 #include "avi/taylor/jet_functions.hpp"
 
@@ -13,33 +14,10 @@
 
 namespace avi {
 
-/// To which order the position at the quadrature nodes is expanded; the momentum always has order r.
-enum class NodePosition {
-  r,           ///< Order r at every node, as the construction is printed (Section 2.2 of the paper).
-  end_raised,  ///< Order r + 1 at the node c = 1, where q~_1 is at hand, and r elsewhere.
-  raised       ///< Order r + 1 at every node.
-};
-
-/// The freedom that the text of the paper leaves in an HTVI of given order and quadrature.
-struct Construction {
-  Field field;
-  NodePosition nodes;
-  bool operator==(const Construction&) const = default;
-};
-
-/// The construction as printed.
-inline constexpr Construction printed{Field::full, NodePosition::r};
-/// The construction that gives the errors printed in Tables 1 and 2.
-inline constexpr Construction authors{Field::on_shell, NodePosition::end_raised};
-/// Order r + 1 for the position at all nodes. Without monitor, for H = T(p) + V(q), q' = dH/dp then holds
-/// exactly along the trial curve, the action is stationary on it, and the order becomes min(2 (r + 1), s)
-/// (measured by the experiment order_verification); a monitor breaks that identity and the order is the
-/// theorem's.
-inline constexpr Construction superconvergent{Field::on_shell, NodePosition::raised};
-
 /// Taylor expansion, over one step of a Poincare-transformed problem, of (q, p, t) with first partials with
 /// respect to the initial values, and what the discrete Hamiltonian needs from it. r is the order of the
-/// Taylor method Psi^(r); with r = avi::dynamic it is given at run time, at most `capacity`.
+/// Taylor method Psi^(r); with r = avi::dynamic it is given at run time, at most `capacity`. With n =
+/// avi::dynamic the partials are computed lane_chunk at a time, one expansion for each chunk.
 template <class Problem, int r, Construction construction>
 class TaylorAction {
  public:
@@ -47,13 +25,15 @@ class TaylorAction {
   /// p^t is a variable of H_d^+ in its own right, unless the expansion does not contain it; then dt is the
   /// plain integral of g.
   static constexpr bool energy_lane = !Problem::unit && construction.field == Field::full;
-  static constexpr int lanes = 2 * n + (energy_lane ? 1 : 0);
+  static constexpr bool fixed = n != dynamic;
+  static constexpr int lanes = fixed ? 2 * n + (energy_lane ? 1 : 0) : lane_chunk;
   using Lane = Lanes<lanes>;
   static constexpr int capacity = r == dynamic ? 15 : r;
 
   /// @throws std::invalid_argument for an improper rule or an order out of range.
   TaylorAction(const Problem& problem, Quadrature rule, int run_time_order, std::size_t tape_slots)
-      : problem_(problem), rule_(std::move(rule)), tape_(tape_slots), order_(run_time_order) {
+      : problem_(problem), rule_(std::move(rule)), tape_(tape_slots), order_(run_time_order),
+        q_(many<Series, n>(size())), p_(q_), jets_(size()), nodes_(size()) {
     validate(rule_);
     require(order_ >= 0 && order_ <= capacity, "Taylor order r", order_,
             "in [0, " + std::to_string(capacity) + "]");
@@ -67,26 +47,87 @@ class TaylorAction {
       return r;
   }
 
-  /// Results of expand(): increments over the step, partials in the order q_0, p_0, p^t.
+  /// n.
+  [[nodiscard]] int size() const { return static_cast<int>(problem_.size()); }
+  /// Number of variables that partials are taken with respect to: q_0, p_0, p^t, in this order.
+  [[nodiscard]] int variables() const { return 2 * size() + (energy_lane ? 1 : 0); }
+  /// Number of expansions for all of them; chunk c holds those from c * lanes on.
+  [[nodiscard]] int chunks() const { return fixed ? 1 : (variables() + lanes - 1) / lanes; }
+  /// Variable number i at `value`, as chunk c sees it: a constant when it belongs to another.
+  static Lane seeded(double value, int i, int c) {
+    if constexpr (!fixed) {
+      i -= c * lanes;
+      if (i < 0 || i >= lanes) return Lane(value);
+    }
+    return Lane::variable(value, i);
+  }
+
+  /// Results of expand(): increments over the step with the partials of one chunk.
   struct Increments {
-    std::array<Lane, n> q;  ///< to order r + 1
-    std::array<Lane, n> p;  ///< to order r
-    Lane t;                 ///< to order r + 1
-    Lane action;            ///< h sum_i b_i [p . dH-bar/dp + p^t dH-bar/dp^t - H-bar]
+    Many<Lane, n> q;  ///< to order r + 1
+    Many<Lane, n> p;  ///< to order r
+    Lane t;           ///< to order r + 1
+    Lane action;      ///< h sum_i b_i [p . dH-bar/dp + p^t dH-bar/dp^t - H-bar]
   };
 
-  /// Expands from (q, p) over a step h.
-  /// Flattened: the replays are straight-line code only when every operation of H and g is inlined.
-  [[gnu::flatten]] void expand(const Vector<double, n>& q, const Vector<double, n>& p, double h,
-                               Increments& out) {
-    for (int i = 0; i < n; ++i) {
-      q_[i][0] = Lane::variable(q[i], i);
-      p_[i][0] = Lane::variable(p[i], n + i);
+  /// Expands from (q, p) over a step h, with the partials of chunk c. At run-time dimension the tape grows to
+  /// the length that the formulas turn out to have.
+  void expand(const Vector<double, n>& q, const Vector<double, n>& p, double h, Increments& out, int c = 0) {
+    if constexpr (fixed) {
+      expand_flattened(q, p, h, out);
+    } else {
+      for (;;)
+        try {
+          return expand_once(q, p, h, out, c);
+        } catch (const TapeOverflow&) {
+          tape_.grow();
+        }
+    }
+  }
+
+  /// dH/dp (or dH/dq) at the start of the last expansion, from q' = g dH/dp and p' = -g dH/dq on the energy
+  /// shell.
+  [[nodiscard]] Vector<double, n> energy_slope(bool momentum) const {
+    Vector<double, n> slope(size());
+    for (int i = 0; i < size(); ++i)
+      slope[i] = (momentum ? q_[i][1].value() : -p_[i][1].value()) / t_[1].value();
+    return slope;
+  }
+
+  /// Taylor polynomial of the last expansion at the fraction c of the step, position to order r + 1.
+  [[nodiscard]] State<n> polynomial(double c, double t0) const {
+    State<n> z{.q = Vector<double, n>(size()), .p = Vector<double, n>(size())};
+    for (int i = 0; i < size(); ++i) {
+      z.q[i] = at<1>(q_[i], c).value();
+      z.p[i] = at<0>(p_[i], c).value();
+    }
+    z.t = t0 + c * tail<1>(t_, c).value();
+    return z;
+  }
+
+  [[nodiscard]] const Problem& problem() const { return problem_; }
+  [[nodiscard]] const Quadrature& rule() const { return rule_; }
+
+ private:
+  /// One copy of the formulas per order is a fifth faster where they are short; long ones fit the instruction
+  /// cache, and the compiler's patience, only once.
+  static constexpr bool unrolled = fixed && construction.field == Field::on_shell && r != dynamic && r <= 4;
+  /// Scaled coefficients: entry k is h^k / k! times the k-th derivative.
+  using Series = std::array<Lane, capacity + 2>;
+
+  /// The replays are straight-line code only when every operation of H and g is inlined.
+  [[gnu::flatten]] void expand_flattened(const Vector<double, n>& q, const Vector<double, n>& p, double h,
+                                         Increments& out) {
+    expand_once(q, p, h, out, 0);
+  }
+  void expand_once(const Vector<double, n>& q, const Vector<double, n>& p, double h, Increments& out, int c) {
+    for (int i = 0; i < size(); ++i) {
+      q_[i][0] = seeded(q[i], i, c);
+      p_[i][0] = seeded(p[i], size() + i, c);
     }
     if constexpr (energy_lane) {
-      for (auto& c : pt_)
-        c = Lane(0.0);
-      pt_[0] = Lane::variable(problem_.energy_momentum(), 2 * n);
+      pt_.fill(Lane(0.0));
+      pt_[0] = seeded(problem_.energy_momentum(), 2 * size(), c);
     }
     if constexpr (unrolled) {
       [&]<int... k>(std::integer_sequence<int, k...>) { (replay<k, true>(k, h), ...); }
@@ -101,7 +142,11 @@ class TaylorAction {
       else
         replay<-1, false>(order(), h);
     }
-    for (int i = 0; i < n; ++i) {
+    if constexpr (!fixed) {
+      out.q.resize(q_.size());
+      out.p.resize(p_.size());
+    }
+    for (int i = 0; i < size(); ++i) {
       out.q[i] = tail<1>(q_[i], 1.0);
       out.p[i] = tail<0>(p_[i], 1.0);
     }
@@ -109,55 +154,25 @@ class TaylorAction {
     out.action = h * action();
   }
 
-  /// dH/dp (or dH/dq) at the start of the last expansion, from q' = g dH/dp and p' = -g dH/dq on the energy
-  /// shell.
-  [[nodiscard]] Vector<double, n> energy_slope(bool momentum) const {
-    Vector<double, n> slope;
-    for (int i = 0; i < n; ++i)
-      slope[i] = (momentum ? q_[i][1].value() : -p_[i][1].value()) / t_[1].value();
-    return slope;
-  }
-
-  /// Taylor polynomial of the last expansion at the fraction c of the step, position to order r + 1.
-  [[nodiscard]] State<n> polynomial(double c, double t0) const {
-    State<n> z;
-    for (int i = 0; i < n; ++i) {
-      z.q[i] = at<1>(q_[i], c).value();
-      z.p[i] = at<0>(p_[i], c).value();
-    }
-    z.t = t0 + c * tail<1>(t_, c).value();
-    return z;
-  }
-
-  [[nodiscard]] const Problem& problem() const { return problem_; }
-  [[nodiscard]] const Quadrature& rule() const { return rule_; }
-
- private:
-  /// One copy of the formulas per order is a fifth faster where they are short; long ones fit the instruction
-  /// cache, and the compiler's patience, only once.
-  static constexpr bool unrolled = construction.field == Field::on_shell && r != dynamic && r <= 4;
-  using Series =
-      std::array<Lane, capacity + 2>;  // scaled coefficients: entry k is h^k / k! times the k-th derivative
-
   /// Coefficients k + 1 from coefficients 0 to k; forces are not needed at the last order, k = r.
   template <int K, bool forces>
-  void replay(int k, double h) {
+  [[gnu::flatten]] void replay(int k, double h) {
     using S = Jet<Lane, capacity, K>;
     tape_.rewind(k);
-    Vector<S, n> q, p, dq, dp;
-    for (int i = 0; i < n; ++i) {
+    auto&& [q, p, dq, dp, room] = jets_.template at<S>();
+    for (int i = 0; i < size(); ++i) {
       q[i] = S(q_[i].data(), &tape_);
       p[i] = S(p_[i].data(), &tape_);
     }
     S pt, dt;
     if constexpr (energy_lane) pt = S(pt_.data(), &tape_);
-    problem_.template field<construction.field, forces>(q, p, pt, dq, dp, dt);
+    problem_.template field<construction.field, forces>(q, p, pt, dq, dp, dt, room);
     const double factor = h / (k + 1);
-    for (int i = 0; i < n; ++i)
+    for (int i = 0; i < size(); ++i)
       q_[i][k + 1] = factor * dq[i][k];
     t_[k + 1] = factor * dt[k];
     if constexpr (forces)
-      for (int i = 0; i < n; ++i)
+      for (int i = 0; i < size(); ++i)
         p_[i][k + 1] = -factor * dp[i][k];
   }
 
@@ -176,19 +191,19 @@ class TaylorAction {
     return s[0] + c * tail<extra>(s, c);
   }
 
-  [[nodiscard]] Lane action() const {
+  [[nodiscard, gnu::flatten]] Lane action() {
     Lane sum(0.0);
     const Lane pt = energy_lane ? pt_[0] : Lane(problem_.energy_momentum());
     for (std::size_t j = 0; j < rule_.nodes.size(); ++j) {
       const double c = rule_.nodes[j];
       constexpr NodePosition nodes = construction.nodes;
       const bool raised = nodes == NodePosition::raised || (nodes == NodePosition::end_raised && c == 1.0);
-      Vector<Lane, n> q, p;
-      for (int i = 0; i < n; ++i) {
+      auto&& [q, p, dq, dp, room] = nodes_.template at<Lane>();
+      for (int i = 0; i < size(); ++i) {
         q[i] = raised ? at<1>(q_[i], c) : at<0>(q_[i], c);
         p[i] = at<0>(p_[i], c);
       }
-      sum += rule_.weights[j] * problem_.template action_rate<construction.field>(q, p, pt);
+      sum += rule_.weights[j] * problem_.template action_rate<construction.field>(q, p, pt, room);
     }
     return sum;
   }
@@ -197,8 +212,10 @@ class TaylorAction {
   const Quadrature rule_;
   JetTape<Lane, capacity> tape_;
   const int order_;
-  std::array<Series, n> q_, p_;
+  Many<Series, n> q_, p_;
   Series t_, pt_;
+  Workspace<Jet<Lane, capacity, -1>, n> jets_;
+  Workspace<Lane, n> nodes_;
 };
 
 }  // namespace avi

@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -24,14 +25,15 @@ namespace avi {
 /// The unknown u is p~_0 (Type II) or q~_0 (Type III); the known half k of the expansion point is q_0 or p_0.
 /// With X = p_1 or q_1 as a function of (u, k), sigma = +1 or -1, and y the other half of the new state, the
 /// chain rule turns the discrete equations into y = sigma X_u^-T (.)_u and the residual of k's conjugate; the
-/// latter is solved for u by an iteration that contracts like O(h^(r+1)): in the full field the derivative of
-/// u_0 with respect to u is I + O(h^(r+1)), and on the energy shell it is I + v w^T + O(h^(r+1)), w = dH/du,
-/// v = sigma T_k - X_k^T s, s = sigma X_u^-T T_u, T = t~_1 - t_0, because off the shell dK = (terms of the
-/// exact flow) + (H + p^t) dT. All quantities are increments over the step.
+/// latter is solved for u by an iteration that contracts like O(h^(r+1)): du_0/du is I + O(h^(r+1)) in the
+/// full field, and I + v w^T + O(h^(r+1)) on the energy shell, w = dH/du, v = sigma T_k - X_k^T s,
+/// s = sigma X_u^-T T_u, T = t~_1 - t_0, because off the shell dK = (terms of the exact flow) +
+/// (H + p^t) dT. All quantities are increments over the step.
 template <Generating type, class Problem, int r, Construction construction>
 class Htvi {
  public:
   static constexpr int n = Problem::dimension;
+  static constexpr int both = n == dynamic ? dynamic : 2 * n;
   /// Physical time is one of the coordinates.
   static constexpr bool has_clock = requires { Problem::clock; };
 
@@ -39,17 +41,15 @@ class Htvi {
   /// @param order r, where it is avi::dynamic at compile time
   explicit Htvi(const Problem& problem, Quadrature rule, SolverSettings solver = {}, int order = r,
                 std::size_t tape_slots = 512)
-      : action_(problem, std::move(rule), order, tape_slots), solver_(solver) {
+      : action_(problem, std::move(rule), order, tape_slots), solver_(solver), predictor_(size()),
+        x_(2 * size(), size()), other_(2 * size(), size()), drift_(size()), s_(size()), v_(size()),
+        x_pt_(size()), rest_(2 * size()), t_(2 * size()) {
     require(std::isfinite(solver.tolerance) && solver.tolerance >= 1.0, "Solver tolerance", solver.tolerance,
             "finite and at least 1 epsilon");
     require(solver.max_iterations >= 1, "Iteration cap", solver.max_iterations, "at least 1");
   }
 
-  /// What a step adds to the state.
-  struct Change {
-    Vector<double, n> q, p;
-    double t;
-  };
+  using Change = StepChange<n>;
 
   /// Advances z by the fictive step h.
   StepReport step(State<n>& z, double h) {
@@ -67,21 +67,52 @@ class Htvi {
   }
 
   /// Computes the change over a step of size h from z.
-  [[gnu::flatten]] StepReport increment(const State<n>& z, double h, Change& change) {
+  StepReport increment(const State<n>& z, double h, Change& change) {
+    if constexpr (n == dynamic)
+      return solve(z, h, change);
+    else
+      return flattened(z, h, change);
+  }
+
+  [[nodiscard]] const Problem& problem() const { return action_.problem(); }
+
+  /// Taylor polynomial of the last step at the fraction c in [0, 1] of it, from its expansion point.
+  [[nodiscard]] State<n> polynomial(double c, double t0) const { return action_.polynomial(c, t0); }
+
+  /// d(q_1, p_1)/d(q_0, p_0) of the last Taylor expansion; on the energy shell not that of the map.
+  [[nodiscard]] Matrix<double, both> tangent() const {
+    Matrix<double, both> slope(2 * size(), 2 * size());
+    for (int i = 0; i < size(); ++i)
+      for (int j = 0; j < 2 * size(); ++j) {
+        const double other = other_(j, i) + (j == at_k() + i ? 1.0 : 0.0);
+        slope(i, j) = right ? other : x_(j, i);
+        slope(size() + i, j) = right ? x_(j, i) : other;
+      }
+    return slope;
+  }
+
+ private:
+  [[gnu::flatten]] StepReport flattened(const State<n>& z, double h, Change& change) {
+    return solve(z, h, change);
+  }
+  StepReport solve(const State<n>& z, double h, Change& change) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    if constexpr (n == dynamic)
+      require(z.q.size() == size() && z.p.size() == size(), "Dimension of the state", z.q.size(),
+              "that of the problem, " + std::to_string(size()) + ", for q and p alike");
     const Vector<double, n>& start = right ? z.p : z.q;
-    Vector<double, n> correction = predicted(h);  // u - u_0
+    Vector<double, n> correction = predictor_.guess(h);  // u - u_0
     StepReport report{.evaluations = 0};
     double previous = 0.0;  // no estimate of the contraction yet
     for (int k = 1; k <= solver_.max_iterations; ++k) {
       const Vector<double, n> unknown = start + correction;
       correction = unknown - start;  // what was really added, after rounding
-      if constexpr (right)
-        action_.expand(z.q, unknown, h, d_);
-      else
-        action_.expand(unknown, z.p, h, d_);
+      for (int c = 0; c < action_.chunks(); ++c) {
+        action_.expand(right ? z.q : unknown, right ? unknown : z.p, h, d_, c);
+        gather(right ? unknown : z.p, c);
+      }
       ++report.evaluations;
-      const Vector<double, n> residual = discrete_equations(right ? unknown : z.p, change) - correction;
+      const Vector<double, n> residual = discrete_equations(change) - correction;
       report.residual = residual.template lpNorm<Eigen::Infinity>();
       if (!std::isfinite(report.residual))
         report.outcome = Outcome::non_finite;
@@ -91,10 +122,7 @@ class Htvi {
       const double accepted =
           solver_.tolerance * epsilon *
           (start.template lpNorm<Eigen::Infinity>() + drift_.template lpNorm<Eigen::Infinity>());
-      if (report.residual <= accepted) {
-        remember(correction, h);
-        return report;
-      }
+      if (report.residual <= accepted) return predictor_.remember(correction, h), report;
       const Vector<double, n> shift = newton(residual);
       // Rounding may hold the residual above the tolerance; it then stops falling far below what matters.
       const bool stagnates =
@@ -104,8 +132,7 @@ class Htvi {
       // evaluation.
       if (stagnates || report.residual * report.residual <= 0.1 * accepted * previous) {
         correct(residual, shift, change);
-        remember(correction + shift, h);
-        return report;
+        return predictor_.remember(correction + shift, h), report;
       }
       previous = report.residual;
       correction += shift;
@@ -114,41 +141,15 @@ class Htvi {
     return report;
   }
 
-  [[nodiscard]] const Problem& problem() const { return action_.problem(); }
-
-  /// Taylor polynomial of the last step at the fraction c in [0, 1] of it, from its expansion point.
-  [[nodiscard]] State<n> polynomial(double c, double t0) const { return action_.polynomial(c, t0); }
-
-  /// d(q_1, p_1)/d(q_0, p_0) of the Taylor method of the last expansion, the derivative of the map up to
-  /// O(h^(r+1)) (on the energy shell, up to O(h) where there is a monitor).
-  [[nodiscard]] Matrix<double, 2 * n> tangent() const {
-    Matrix<double, 2 * n> slope = Matrix<double, 2 * n>::Identity();
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < 2 * n; ++j) {
-        slope(i, j) += d_.q[i].partial(j);
-        slope(n + i, j) += d_.p[i].partial(j);
-      }
-    return slope;
-  }
-
- private:
   using Action = TaylorAction<Problem, r, construction>;
   using Lane = typename Action::Lane;
   static constexpr bool right = type == Generating::type2;
   static constexpr double sigma = right ? 1.0 : -1.0;
-  static constexpr int at_u = right ? n : 0,
-                       at_k = right ? 0 : n;  // lanes of the unknown and of the known half
+  [[nodiscard]] int size() const { return action_.size(); }
+  // Where the variables of the unknown and of the known half begin.
+  [[nodiscard]] int at_u() const { return right ? size() : 0; }
+  [[nodiscard]] int at_k() const { return right ? 0 : size(); }
   static constexpr bool shell_terms = !Problem::unit && construction.field == Field::on_shell;
-
-  /// First guess of u - u_0: the line through its values at the last two steps, where they had the same size.
-  [[nodiscard]] Vector<double, n> predicted(double h) const {
-    if (h == last_h_ && h == last_but_one_h_) return 2.0 * last_ - last_but_one_;
-    return Vector<double, n>::Zero();
-  }
-  void remember(const Vector<double, n>& correction, double h) {
-    last_but_one_ = std::exchange(last_, correction);
-    last_but_one_h_ = std::exchange(last_h_, h);
-  }
 
   /// Solves (du_0/du) x = residual, up to O(h^(r+1)).
   [[nodiscard]] Vector<double, n> newton(const Vector<double, n>& residual) const {
@@ -165,66 +166,70 @@ class Htvi {
   void correct(const Vector<double, n>& residual, const Vector<double, n>& shift, Change& change) const {
     auto& other = right ? change.q : change.p;
     auto& same = right ? change.p : change.q;
-    const auto& d_other = right ? d_.q : d_.p;
-    const auto& d_same = right ? d_.p : d_.q;
     if constexpr (shell_terms) other += action_.energy_slope(right).dot(shift) * s_;
-    same += shift - residual;
-    for (int i = 0; i < n; ++i) {
-      for (int j = 0; j < n; ++j) {
-        other[i] += d_other[i].partial(at_u + j) * shift[j];
-        same[i] += d_same[i].partial(at_u + j) * shift[j];
+    same -= residual;
+    for (int j = 0; j < size(); ++j) {
+      for (int i = 0; i < size(); ++i) {
+        other[i] += other_(at_u() + j, i) * shift[j];
+        same[i] += x_(at_u() + j, i) * shift[j];
       }
-      change.t += d_.t.partial(at_u + i) * shift[i];
+      change.t += t_[at_u() + j] * shift[j];
     }
   }
 
-  /// Solves the discrete Hamilton's equations for the change at the present expansion, whose momentum is p;
-  /// returns the u - u_0 that they ask for and keeps the Taylor method's increment of u's own variable in
-  /// drift_.
-  Vector<double, n> discrete_equations(const Vector<double, n>& p, Change& change) {
+  /// Keeps the partials of chunk c of the expansion, whose momentum is p, and the Taylor method's increment
+  /// of u's own variable in drift_.
+  void gather(const Vector<double, n>& p, int c) {
     const double energy_momentum = action_.problem().energy_momentum();
-    const Lane pt = Action::energy_lane ? Lane::variable(energy_momentum, 2 * n) : Lane(energy_momentum);
+    const Lane pt =
+        Action::energy_lane ? Action::seeded(energy_momentum, 2 * size(), c) : Lane(energy_momentum);
     // The generating function less P . q_0 (Type II) or less -p_0 . q_1 (Type III): free of cancellation.
     Lane rest = pt * d_.t - d_.action;
-    Matrix<double, n> x_k, x_u;  // transposes of dX/dk and dX/du
-    Vector<double, n> rest_k, rest_u, x_pt;
-    for (int i = 0; i < n; ++i) {
-      const Lane x =
-          right ? Lane::variable(p[i], at_u + i) + d_.p[i] : Lane::variable(0.0, at_u + i) + d_.q[i];
+    const int first = c * Action::lanes, last = std::min(first + Action::lanes, 2 * size());
+    for (int i = 0; i < size(); ++i) {
+      const Lane x = Action::seeded(right ? p[i] : 0.0, at_u() + i, c) + (right ? d_.p[i] : d_.q[i]);
+      const Lane& other = right ? d_.q[i] : d_.p[i];
       rest += right ? x * d_.q[i] : p[i] * d_.q[i];
       drift_[i] = right ? d_.p[i].value() : d_.q[i].value();
-      for (int j = 0; j < n; ++j) {
-        x_k(j, i) = x.partial(at_k + j);
-        x_u(j, i) = x.partial(at_u + j);
+      for (int j = first; j < last; ++j) {
+        x_(j, i) = x.partial(j - first);
+        other_(j, i) = other.partial(j - first);
       }
-      if constexpr (Action::energy_lane) x_pt[i] = x.partial(2 * n);
+      if constexpr (Action::energy_lane)
+        if (2 * size() - first < Action::lanes) x_pt_(i) = x.partial(2 * size() - first);
     }
-    for (int j = 0; j < n; ++j) {
-      rest_k[j] = rest.partial(at_k + j);
-      rest_u[j] = rest.partial(at_u + j);
+    for (int j = first; j < last; ++j) {
+      rest_[j] = rest.partial(j - first);
+      t_[j] = d_.t.partial(j - first);
     }
-    if constexpr (n <= 4)
+    if constexpr (Action::energy_lane)
+      if (2 * size() - first < Action::lanes) rest_pt_ = rest.partial(2 * size() - first);
+  }
+
+  /// Solves the discrete Hamilton's equations for the change at the present expansion; returns the u - u_0
+  /// that they ask for.
+  Vector<double, n> discrete_equations(Change& change) {
+    Matrix<double, n> x_u = x_.template middleRows<n>(at_u(), size());  // transpose of dX/du
+    if constexpr (n != dynamic && n <= 4)
       x_u = x_u.inverse().eval();
     else
       x_u = inverse(x_u);
+    const auto x_k = x_.template middleRows<n>(at_k(), size());
     auto& other = right ? change.q : change.p;
-    other = x_u * (sigma * rest_u);
-    const Vector<double, n> image = x_k * other - sigma * rest_k;
+    // Coefficient by coefficient: no temporaries at run-time dimension.
+    other = x_u.lazyProduct(sigma * rest_.template segment<n>(at_u(), size()));
+    const Vector<double, n> image =
+        x_k.lazyProduct(other) - sigma * rest_.template segment<n>(at_k(), size());
     if constexpr (right)
       change.p = image;
     else
       change.q = image + drift_;
     if constexpr (shell_terms) {
-      Vector<double, n> t_k, t_u;
-      for (int j = 0; j < n; ++j) {
-        t_k[j] = sigma * d_.t.partial(at_k + j);
-        t_u[j] = sigma * d_.t.partial(at_u + j);
-      }
-      s_ = x_u * t_u;
-      v_ = t_k - x_k * s_;
+      s_ = x_u.lazyProduct(sigma * t_.template segment<n>(at_u(), size()));
+      v_ = sigma * t_.template segment<n>(at_k(), size()) - x_k.lazyProduct(s_);
     }
     if constexpr (Action::energy_lane)
-      change.t = rest.partial(2 * n) - sigma * x_pt.dot(other);
+      change.t = rest_pt_ - sigma * x_pt_.dot(other);
     else
       change.t = d_.t.value();
     if constexpr (right)
@@ -235,9 +240,11 @@ class Htvi {
 
   Action action_;
   SolverSettings solver_;
-  Vector<double, n> drift_, s_, v_;
-  Vector<double, n> last_, last_but_one_;
-  double last_h_ = 0.0, last_but_one_h_ = 0.0;
+  Predictor<n> predictor_;
+  Matrix<double, both, n> x_, other_;  // transposed derivatives of X and of the change of the other half
+  Vector<double, n> drift_, s_, v_, x_pt_;
+  Vector<double, both> rest_, t_;
+  double rest_pt_ = 0.0;
   typename Action::Increments d_;
 };
 

@@ -19,22 +19,33 @@
 
 namespace avi {
 
+/// A formula has more operations than its tape has slots.
+struct TapeOverflow : std::length_error {
+  using std::length_error::length_error;
+};
+
 /// Slots for the series of every intermediate result of a formula. T is double or Lanes<N>.
 template <class T, int R>
 class JetTape {
  public:
   static constexpr int stride = R + 2;  ///< coefficients 0 to R and one auxiliary number
 
-  struct Slot {
+  struct alignas(sizeof(T) >= 64 ? 64 : alignof(T)) Slot {
     T coefficients[stride];
   };
 
-  /// @param slots capacity; more operations than that throw std::length_error.
+  /// @param slots capacity; more operations than that throw TapeOverflow, a std::length_error.
   explicit JetTape(std::size_t slots = 256)
       : capacity_(slots), slots_(std::make_unique_for_overwrite<Slot[]>(slots)) {}
   /// A copy has room of its own; what is on the tape is scratch and stays behind.
   JetTape(const JetTape& other) : JetTape(other.capacity_) {}
   JetTape& operator=(const JetTape&) = delete;
+
+  /// Doubles the capacity, for a formula whose length is known only at run time.
+  void grow() {
+    slots_ = std::make_unique_for_overwrite<Slot[]>(2 * capacity_);
+    capacity_ *= 2;
+  }
 
   /// Begins the replay of order k (used where it is not known at compile time).
   void rewind(int k) {
@@ -53,8 +64,8 @@ class JetTape {
 
  private:
   [[noreturn, gnu::noinline, gnu::cold]] void overflow() const {
-    throw std::length_error("A Taylor formula has more operations than its tape has slots (" +
-                            std::to_string(capacity_) + "); give the method a larger tape.");
+    throw TapeOverflow("A Taylor formula has more operations than its tape has slots (" +
+                       std::to_string(capacity_) + "); give the method a larger tape.");
   }
   std::size_t capacity_;
   std::unique_ptr<Slot[]> slots_;

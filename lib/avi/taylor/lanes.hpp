@@ -26,6 +26,10 @@ template <>
 struct Simd<8> {
   typedef double type __attribute__((vector_size(64)));
 };
+/// Of weaker alignment, so that memory from anywhere may hold it.
+struct LooseSimd8 {
+  typedef double type __attribute__((vector_size(64), aligned(16)));
+};
 template <>
 struct Simd<16> {
   typedef double type __attribute__((vector_size(128)));
@@ -36,13 +40,18 @@ struct Simd<32> {
 };
 }  // namespace detail
 
+/// Partials carried at a time where their number is known only at run time; such Lanes live in containers
+/// whose memory has no more than the usual alignment.
+inline constexpr int lane_chunk = 7;
+
 /// Value (lane 0) and N first partials (lanes 1 to N) of a function of N variables; the chain rule is applied
 /// by every operation (forward-mode automatic differentiation; Griewank and Walther 2008, chapter 3).
 template <int N>
 class Lanes {
  public:
   static constexpr int width = static_cast<int>(std::bit_ceil(static_cast<unsigned>(N) + 1u));
-  using Register = typename detail::Simd<width>::type;
+  using Register =
+      typename std::conditional_t<N == lane_chunk, detail::LooseSimd8, detail::Simd<width>>::type;
 
   Register lanes;
 

@@ -1,0 +1,63 @@
+#pragma once
+#include "avi/core/slopes.hpp"
+
+#include <array>
+#include <type_traits>
+#include <vector>
+
+/// @file
+/// Storage of an expansion: on the stack where the dimension is known to the compiler, else allocated once.
+
+namespace avi {
+
+/// n objects.
+template <class T, int n>
+using Many = std::conditional_t<n == dynamic, std::vector<T>, std::array<T, n == dynamic ? 0 : n>>;
+
+/// n = `size` objects.
+template <class T, int n>
+Many<T, n> many(int size) {
+  if constexpr (n == dynamic)
+    return Many<T, n>(static_cast<std::size_t>(size));
+  else
+    return {};
+}
+
+/// What the field of a problem is evaluated with, at scalar S.
+template <class S, int n>
+struct FieldArguments {
+  Vector<S, n> q, p, dq, dp;
+  Room<S, n> room;
+  explicit FieldArguments(int size)
+      : q(Vector<S, n>(size)), p(Vector<S, n>(size)), dq(Vector<S, n>(size)), dp(Vector<S, n>(size)),
+        room(size) {}
+};
+
+/// Hands out FieldArguments: new ones where n is known to the compiler, which then keeps them in registers.
+template <class S, int n>
+class Workspace {
+ public:
+  explicit Workspace(int) {}
+  /// @tparam T the scalar, S or another
+  template <class T>
+  FieldArguments<T, n> at() {
+    return FieldArguments<T, n>(n);
+  }
+};
+
+/// Hands out the same FieldArguments each time.
+template <class S>
+class Workspace<S, dynamic> {
+ public:
+  explicit Workspace(int size) : kept_(size) {}
+  template <class T>
+  FieldArguments<S, dynamic>& at() {
+    static_assert(std::is_same_v<T, S>);
+    return kept_;
+  }
+
+ private:
+  FieldArguments<S, dynamic> kept_;
+};
+
+}  // namespace avi
