@@ -37,6 +37,9 @@ std::string describe_end(Outcome outcome, const State& state, long steps, double
   std::ostringstream sentence;
   sentence.precision(17);
   sentence << "The run ended as " << name(outcome) << " after " << steps << " steps, at t = " << state.t;
+  if constexpr (requires { state.q.transpose(), state.p.transpose(); })
+    if (outcome == Outcome::not_converged)
+      sentence << ", q = (" << state.q.transpose() << "), p = (" << state.p.transpose() << ")";
   if (outcome == Outcome::not_converged) sentence << ", with residual " << residual;
   sentence << ".";
   return sentence.str();

@@ -104,6 +104,7 @@ class Htvi {
     Vector<double, n> correction = predictor_.guess(h);  // u - u_0
     StepReport report{.evaluations = 0};
     double previous = 0.0;  // no estimate of the contraction yet
+    Broyden<n> broyden;
     for (int k = 1; k <= solver_.max_iterations; ++k) {
       const Vector<double, n> unknown = start + correction;
       correction = unknown - start;  // what was really added, after rounding
@@ -123,13 +124,14 @@ class Htvi {
           solver_.tolerance * epsilon *
           (start.template lpNorm<Eigen::Infinity>() + drift_.template lpNorm<Eigen::Infinity>());
       if (report.residual <= accepted) return predictor_.remember(correction, h), report;
-      const Vector<double, n> shift = newton(residual);
       // Rounding may hold the residual above the tolerance; it then stops falling far below what matters.
       const bool stagnates =
           k > 1 && report.residual >= 0.5 * previous && report.residual <= 100.0 * accepted;
-      // The residual falls by the factor residual / previous, and more, at each evaluation. Once the next one
-      // would be well below round-off, so is the error of a first-order correction, which saves that
-      // evaluation.
+      const bool slow = solver_.quasi_newton && k > 1 && report.residual > 0.1 * previous;
+      const Vector<double, n> plain = newton(residual),
+                              shift = stagnates ? plain : broyden.shift(residual, plain, slow);
+      // The residual falls by residual / previous, and more, each time; once the next one would be well below
+      // round-off, so is the error of a first-order correction.
       if (stagnates || report.residual * report.residual <= 0.1 * accepted * previous) {
         correct(residual, shift, change);
         return predictor_.remember(correction + shift, h), report;
@@ -146,9 +148,8 @@ class Htvi {
   static constexpr bool right = type == Generating::type2;
   static constexpr double sigma = right ? 1.0 : -1.0;
   [[nodiscard]] int size() const { return action_.size(); }
-  // Where the variables of the unknown and of the known half begin.
-  [[nodiscard]] int at_u() const { return right ? size() : 0; }
-  [[nodiscard]] int at_k() const { return right ? 0 : size(); }
+  [[nodiscard]] int at_u() const { return right ? size() : 0; }  // where the variables of the unknown begin
+  [[nodiscard]] int at_k() const { return right ? 0 : size(); }  // and those of the known half
   static constexpr bool shell_terms = !Problem::unit && construction.field == Field::on_shell;
 
   /// Solves (du_0/du) x = residual, up to O(h^(r+1)).
@@ -232,10 +233,7 @@ class Htvi {
       change.t = rest_pt_ - sigma * x_pt_.dot(other);
     else
       change.t = d_.t.value();
-    if constexpr (right)
-      return image - drift_;
-    else
-      return image;
+    return right ? Vector<double, n>(image - drift_) : image;
   }
 
   Action action_;

@@ -18,6 +18,7 @@ enum class Generating {
 struct SolverSettings {
   double tolerance = 8.0;  ///< Residual accepted, in units of machine epsilon times the size of the unknown.
   int max_iterations = 50;
+  bool quasi_newton = true;  ///< Where the iteration contracts slowly, let Broyden's method take over.
 };
 
 /// What a step adds to the state.
@@ -47,6 +48,39 @@ class Predictor {
   Vector<double, n> last_, last_but_one_;
   double last_h_ = 0.0, last_but_one_h_ = 0.0;
   Eigen::Index size_;
+};
+
+/// Broyden's quasi-Newton method for F(u) = 0 where the plain iteration u += F(u) contracts slowly, or not at
+/// all: at large h and for stiff problems. It takes over at the first residual that has not fallen to a
+/// tenth of the one before, and starts from the identity, which the plain iteration stands for.
+template <int n>
+class Broyden {
+ public:
+  /// The shift of u that a residual asks for. @param plain that of the plain iteration
+  Vector<double, n> shift(const Vector<double, n>& residual, const Vector<double, n>& plain, bool slow) {
+    if (slow && !at_work_) {
+      inverse_ = Matrix<double, n>::Identity(residual.size(), residual.size());
+      at_work_ = true;
+    }
+    if (at_work_) {
+      // The inverse that maps the last fall of the residual to the last shift.
+      const Vector<double, n> image = inverse_ * (last_residual_ - residual);
+      const double scale = last_shift_.dot(image);
+      if (scale != 0.0)
+        inverse_ += ((last_shift_ - image) / scale) * (last_shift_.transpose() * inverse_).eval();
+    }
+    last_residual_ = residual;
+    if (at_work_)
+      last_shift_ = inverse_ * residual;
+    else
+      last_shift_ = plain;
+    return last_shift_;
+  }
+
+ private:
+  Matrix<double, n> inverse_;
+  Vector<double, n> last_residual_, last_shift_;
+  bool at_work_ = false;
 };
 
 }  // namespace avi

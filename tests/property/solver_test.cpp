@@ -1,0 +1,88 @@
+#include "avi/adaptive/monitors.hpp"
+#include "avi/core/integrate.hpp"
+#include "avi/diagnostics/symplecticity.hpp"
+#include "avi/htvi/htvi.hpp"
+#include "avi/problems/kepler.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+// The implicit equation of a step: how fast it is solved, and what is said when it is not.
+
+using avi::State;
+
+namespace {
+
+/// A stiff spring with a quartic term, H = p^2 / 2 + w^2 q^2 / 2 + q^4 / 4.
+struct Stiff {
+  double w;
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    const auto square = q[0] * q[0];
+    return 0.5 * (p[0] * p[0]) + (0.5 * w * w) * square + 0.25 * (square * square);
+  }
+};
+
+const State<1> start{.q = avi::Vector<double, 1>(0.3), .p = avi::Vector<double, 1>(0.1)};
+constexpr double h = 0.1;
+
+auto method_for(double w, int r, avi::SolverSettings solver) {
+  return avi::htvi_of_order<avi::Generating::type2>(r, avi::poincare<1>(Stiff{w}, start), avi::gauss(3),
+                                                    solver);
+}
+avi::Run hundred_steps(double w, int r, avi::SolverSettings solver) {
+  auto z = start;
+  auto method = method_for(w, r, solver);
+  return avi::integrate(method, z, h, {.steps = 100});
+}
+double per_step(const avi::Run& run) {
+  return static_cast<double>(run.evaluations) / static_cast<double>(run.steps);
+}
+
+// At h w = 1 and above the plain iteration no longer contracts; Broyden's method takes over.
+TEST(Solver, ConvergesWhereThePlainIterationDoesNot) {
+  for (const auto& [w, r] : {std::pair{10.0, 1}, {14.0, 1}, {20.0, 2}, {25.0, 1}}) {
+    EXPECT_NE(hundred_steps(w, r, {.quasi_newton = false}).outcome, avi::Outcome::ok) << w;
+    const auto run = hundred_steps(w, r, {});
+    ASSERT_EQ(run.outcome, avi::Outcome::ok) << w << ": " << run.message;
+    EXPECT_LT(per_step(run), 10.0) << w;  // 4.8 to 6.6
+    EXPECT_LT(avi::symplecticity_defect(method_for(w, r, {}), start, h), 1e-10) << w;
+  }
+}
+
+TEST(Solver, IsFasterWhereThePlainIterationIsSlow) {
+  const auto plain = hundred_steps(5.0, 1, {.quasi_newton = false}), quick = hundred_steps(5.0, 1, {});
+  ASSERT_EQ(plain.outcome, avi::Outcome::ok);
+  ASSERT_EQ(quick.outcome, avi::Outcome::ok);
+  EXPECT_GT(per_step(plain), 2.0 * per_step(quick)) << per_step(plain) << " and " << per_step(quick);
+}
+
+TEST(Solver, TakesTwoEvaluationsAStepWhereStepsAreAccurate) {
+  auto z = avi::Kepler::pericentre(0.9);
+  auto method = avi::type2<3, avi::authors>(
+      avi::poincare<2>(avi::Kepler{}, z, avi::bounded(avi::NormSquared{}, 0.01, 8.0)), avi::simpson());
+  const auto run = avi::integrate(method, z, 0.1, {.time = 10.0});
+  EXPECT_EQ(run.outcome, avi::Outcome::ok);
+  EXPECT_LT(per_step(run), 2.5);
+}
+
+TEST(Solver, SaysWithStateAndResidualWhenNothingConverges) {
+  auto z = start;
+  auto method = method_for(10.0, 1, {.max_iterations = 2, .quasi_newton = false});
+  const auto run = avi::integrate(method, z, h, {.steps = 100});
+  EXPECT_EQ(run.outcome, avi::Outcome::not_converged);
+  EXPECT_EQ(run.steps, 0);
+  EXPECT_EQ(z.q, start.q) << "the last good state";
+  const std::string expected = "The run ended as not_converged after 0 steps, at t = 0, q = "
+                               "(0.29999999999999999), p = (0.10000000000000001), with residual ";
+  EXPECT_TRUE(run.message.starts_with(expected)) << run.message;
+  EXPECT_GT(std::stod(run.message.substr(expected.size())), 1e-12) << run.message;
+}
+
+TEST(Solver, RefusesSettingsOutOfRange) {
+  EXPECT_THROW(method_for(1.0, 1, {.tolerance = 0.5}), std::invalid_argument);
+  EXPECT_THROW(method_for(1.0, 1, {.max_iterations = 0}), std::invalid_argument);
+}
+
+}  // namespace
