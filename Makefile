@@ -50,7 +50,7 @@ base_packages  := git g++ cmake ninja-build libeigen3-dev libgsl-dev libcli11-de
 peers_packages := libboost-dev libsundials-dev
 paper_packages := latexmk texlive-latex-recommended texlive-latex-extra texlive-science texlive-fonts-recommended \
                   texlive-bibtex-extra lmodern
-docs_packages  := doxygen
+docs_packages  := doxygen libjs-mathjax
 
 # $(call install,packages): root installs, another user asks sudo where it can answer, else one line says what to run.
 define install

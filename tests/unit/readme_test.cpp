@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -41,6 +43,26 @@ TEST(Readme, NamesEveryExample) {
     EXPECT_NE(readme.find("`" + entry.path().stem().string() + "`"), std::string::npos) << entry.path();
   }
   EXPECT_GE(programs, 5);
+}
+
+// What the pages of the reference documentation name exists in the library.
+TEST(Docs, NameWhatExists) {
+  const fs::path source = AVI_SOURCE_DIR;
+  std::set<std::string> words;
+  const std::regex word("[A-Za-z_][A-Za-z_0-9]*"), name("avi::([A-Za-z_][A-Za-z_0-9]*)");
+  for (const auto& entry : fs::recursive_directory_iterator(source / "lib/avi")) {
+    if (!entry.is_regular_file()) continue;
+    const std::string text = text_of(entry.path());
+    for (std::sregex_iterator i(text.begin(), text.end(), word), end; i != end; ++i)
+      words.insert(i->str());
+  }
+  int names = 0;
+  for (const char* page : {"mainpage.md", "monitors.md"}) {
+    const std::string text = text_of(source / "lib/docs" / page);
+    for (std::sregex_iterator i(text.begin(), text.end(), name), end; i != end; ++i, ++names)
+      EXPECT_TRUE(words.contains((*i)[1])) << page << " names " << i->str();
+  }
+  EXPECT_GT(names, 30);
 }
 
 }  // namespace
