@@ -1,0 +1,47 @@
+// quick: long_runs
+#include "avi/io/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+// The shortened runs: fifty thousand steps of Henon-Heiles, fifty periods of the figure eight.
+
+namespace {
+
+const auto& table() {
+  static const auto read = avi::Table::read(std::string(AVI_CHECK_DIR) + "/quick/long_runs.tsv");
+  return read;
+}
+double value(const std::string& problem, const std::string& method, const std::string& column) {
+  for (std::size_t i = 0; i < table().rows.size(); ++i)
+    if (table().text(i, "problem") == problem && table().text(i, "method") == method)
+      return table().number(i, column);
+  ADD_FAILURE() << "no row " << problem << " " << method;
+  return std::nan("");
+}
+
+TEST(LongRuns, ShowNoDriftOfASymplecticMethodOnHenonHeiles) {
+  for (const char* problem : {"henon_heiles_regular", "henon_heiles_chaotic"}) {
+    EXPECT_LT(std::abs(value(problem, "htvi", "t_statistic")), 3.0) << problem;
+    EXPECT_LT(value(problem, "htvi", "largest_error"), 1e-4) << problem;
+  }
+}
+
+// Rounding alone: the line through period means rises by 1e-12 over a thousand periods.
+TEST(LongRuns, KeepTheEnergyOfTheFigureEightToRounding) {
+  EXPECT_LT(std::abs(value("figure_eight", "htvi", "drift_over_run")), 1e-12);
+  EXPECT_LT(value("figure_eight", "htvi", "largest_error"), 2e-9);
+}
+
+TEST(LongRuns, ShowTheDriftOfTheControl) {
+  for (const char* problem : {"henon_heiles_regular", "henon_heiles_chaotic", "figure_eight"}) {
+    EXPECT_LT(value(problem, "runge_kutta_4", "t_statistic"), -10.0) << problem;
+    EXPECT_GT(std::abs(value(problem, "runge_kutta_4", "drift_over_run")),
+              1e3 * std::abs(value(problem, "htvi", "drift_over_run")))
+        << problem;
+  }
+}
+
+}  // namespace
