@@ -1,13 +1,13 @@
 # data: monitor_costs
 # Kepler's problem with HTVI4, the fictive step adapted to one energy error: steps per orbit and time per orbit of
 # every monitor.
-width = 17; height = 9.5
+width = 17; height = 10.5
 load 'figures/style.gp'
 table = data.'/monitor_costs.tsv'
 list = 'none gamma gamma_three_quarters arclength energy truncation_root inverse_lagrangian'
 array shown[7] = ['no monitor', 'gamma = 1', 'gamma = 3/4', 'arclength', 'energy', 'truncation, root', 'inverse Lagr.']
 set multiplot
-page_left = 0.085; page_bottom = 0.37; gap_x = 0.09; page_top = 0.93
+page_left = 0.085; page_bottom = 0.42; gap_x = 0.09; page_top = 0.93
 unset key
 eval logy
 set xrange [0.4:7.6]
