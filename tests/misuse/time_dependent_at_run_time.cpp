@@ -8,6 +8,4 @@ struct Driven {
   }
 };
 
-int main() {
-  return static_cast<int>(avi::time_dependent<avi::dynamic>(Driven{}).size());
-}
+int main() { return static_cast<int>(avi::time_dependent<avi::dynamic>(Driven{}).size()); }

@@ -30,7 +30,7 @@ class JetTape {
  public:
   static constexpr int stride = R + 2;  ///< coefficients 0 to R and one auxiliary number
 
-  struct alignas(sizeof(T) >= 64 ? 64 : alignof(T)) Slot {
+  struct alignas(sizeof(T) < 64 || alignof(T) > 64 ? alignof(T) : 64) Slot {
     T coefficients[stride];
   };
 
