@@ -23,6 +23,7 @@ class TaylorValues {
   static_assert(r >= 2,
                 "The test of convergence looks at the coefficients r and r - 2: r must be at least 2.");
   static constexpr int n = Problem::dimension;
+  static_assert(n != dynamic, "Expansions without derivatives need a dimension known at compile time.");
 
   explicit TaylorValues(const Problem& problem, std::size_t tape_slots = 512)
       : problem_(problem), tape_(tape_slots) {}
@@ -66,7 +67,8 @@ class TaylorValues {
       p[i] = S(p_[i].data(), &tape_);
     }
     S pt, dt;
-    problem_.template field<Field::on_shell, true>(q, p, pt, dq, dp, dt);
+    Room<S, n> room(n);
+    problem_.template field<Field::on_shell, true>(q, p, pt, dq, dp, dt, room);
     const double factor = h / (k + 1);
     t_[k + 1] = factor * dt[k];
     for (int i = 0; i < n; ++i) {
