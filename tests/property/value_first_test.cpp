@@ -12,12 +12,12 @@
 using avi::Kepler;
 using avi::State;
 
-// HTVI16 (r = 15) that leaves out what rounding would drop, on Kepler's problem with g = r^1.5.
+// HTVI12 (r = 11) that leaves out what rounding would drop, on Kepler's problem with g = r^1.5.
 
 namespace {
 
-auto htvi16(const State<2>& start) {
-  return avi::type2<15>(avi::poincare<2>(Kepler{}, start, avi::Gamma{0.75}), avi::gauss(8));
+auto htvi12(const State<2>& start) {
+  return avi::type2<11>(avi::poincare<2>(Kepler{}, start, avi::Gamma{0.75}), avi::gauss(6));
 }
 
 struct Orbit {
@@ -39,37 +39,37 @@ Orbit run(M& method, State<2> z, double h, double periods) {
 
 TEST(ValueFirst, ShortStepsAreTaylorPolynomialsAndTheOrbitIsTheSame) {
   const auto start = Kepler::pericentre(0.9);
-  auto full = htvi16(start);
-  avi::ValueFirst quick(htvi16(start));
-  const Orbit a = run(full, start, 0.1, 1.0), b = run(quick, start, 0.1, 1.0);
+  auto full = htvi12(start);
+  avi::ValueFirst quick(htvi12(start));
+  const Orbit a = run(full, start, 0.04, 1.0), b = run(quick, start, 0.04, 1.0);
   EXPECT_EQ(quick.full_steps(), 0);
-  // Measured 2e-16 and 3e-15.
+  // Measured 2e-16 or less, and 6e-14.
   EXPECT_LT((a.end.q - b.end.q).norm(), 2e-15);
-  EXPECT_LT((b.end.q - Kepler::exact(0.9, b.end.t).q).norm(), 1e-14);
+  EXPECT_LT((b.end.q - Kepler::exact(0.9, b.end.t).q).norm(), 1.3e-13);
 }
 
 TEST(ValueFirst, LongStepsAreTheHtvisOwn) {
   const auto start = Kepler::pericentre(0.9);
-  auto full = htvi16(start);
-  avi::ValueFirst quick(htvi16(start));
+  auto full = htvi12(start);
+  avi::ValueFirst quick(htvi12(start));
   const Orbit a = run(full, start, 0.45, 5.0), b = run(quick, start, 0.45, 5.0);
   EXPECT_EQ(quick.value_steps(), 0);
   EXPECT_LT((a.end.q - b.end.q).norm(), 1e-14) << "rounding of the sums is all that differs";
 }
 
 TEST(ValueFirst, EnergyStaysAtRoundOff) {
-  // Over 100 periods; measured 1.8e-14 and 1.7e-13 (1000 periods: 3.6e-14 and 3.1e-13).
+  // Over 100 periods. HTVI16 with h = 0.05 over 1000: 3.6e-14 and 3.1e-13.
   const auto start = Kepler::pericentre(0.9);
-  avi::ValueFirst quick(htvi16(start));
-  EXPECT_LT(run(quick, start, 0.05, 100.0).energy_error, 4e-14);
+  avi::ValueFirst quick(htvi12(start));
+  EXPECT_LT(run(quick, start, 0.04, 100.0).energy_error, 4e-14);
   const auto closer = Kepler::pericentre(0.99);
-  avi::ValueFirst near(htvi16(closer));
-  EXPECT_LT(run(near, closer, 0.05, 100.0).energy_error, 4e-13);
+  avi::ValueFirst near(htvi12(closer));
+  EXPECT_LT(run(near, closer, 0.04, 100.0).energy_error, 4e-13);
 }
 
 TEST(ValueFirst, WhatIsNotFiniteIsNotTakenForConverged) {
   const auto start = Kepler::pericentre(0.9);
-  avi::ValueFirst quick(htvi16(start));
+  avi::ValueFirst quick(htvi12(start));
   State<2> centre{.q = {0.0, 0.0}, .p = {0.0, 1.0}};
   EXPECT_NE(quick.step(centre, 0.1).outcome, avi::Outcome::ok);
 }
