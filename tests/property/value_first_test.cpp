@@ -43,7 +43,7 @@ TEST(ValueFirst, ShortStepsAreTaylorPolynomialsAndTheOrbitIsTheSame) {
   avi::ValueFirst quick(htvi12(start));
   const Orbit a = run(full, start, 0.04, 1.0), b = run(quick, start, 0.04, 1.0);
   EXPECT_EQ(quick.full_steps(), 0);
-  // Measured 2e-16 or less, and 6e-14.
+  // Measured 7e-16 and 6e-14.
   EXPECT_LT((a.end.q - b.end.q).norm(), 2e-15);
   EXPECT_LT((b.end.q - Kepler::exact(0.9, b.end.t).q).norm(), 1.3e-13);
 }
@@ -54,17 +54,17 @@ TEST(ValueFirst, LongStepsAreTheHtvisOwn) {
   avi::ValueFirst quick(htvi12(start));
   const Orbit a = run(full, start, 0.45, 5.0), b = run(quick, start, 0.45, 5.0);
   EXPECT_EQ(quick.value_steps(), 0);
-  EXPECT_LT((a.end.q - b.end.q).norm(), 1e-14) << "rounding of the sums is all that differs";
+  EXPECT_LT((a.end.q - b.end.q).norm(), 2e-14) << "rounding of the sums is all that differs";
 }
 
 TEST(ValueFirst, EnergyStaysAtRoundOff) {
-  // Over 100 periods. HTVI16 with h = 0.05 over 1000: 3.6e-14 and 3.1e-13.
+  // Over 100 periods; measured 1.8e-14 and 1.4e-13.
   const auto start = Kepler::pericentre(0.9);
   avi::ValueFirst quick(htvi12(start));
   EXPECT_LT(run(quick, start, 0.04, 100.0).energy_error, 4e-14);
   const auto closer = Kepler::pericentre(0.99);
   avi::ValueFirst near(htvi12(closer));
-  EXPECT_LT(run(near, closer, 0.04, 100.0).energy_error, 4e-13);
+  EXPECT_LT(run(near, closer, 0.04, 100.0).energy_error, 3e-13);
 }
 
 TEST(ValueFirst, WhatIsNotFiniteIsNotTakenForConverged) {
