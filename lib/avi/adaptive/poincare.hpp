@@ -14,6 +14,7 @@ namespace avi {
 
 /// Monitor of a method without adaptivity: g = 1, so that fictive and physical time agree.
 struct Unit {
+  /// 1, whatever the position.
   template <class Q>
   double operator()(const Q&) const {
     return 1.0;
@@ -36,10 +37,11 @@ requires requires { H::dimension; }
 inline constexpr bool dimension_fits<H, n> = H::dimension == n || H::dimension == dynamic || n == dynamic;
 }  // namespace detail
 
-/// H-bar(q-bar, p-bar) = g(q, p) (H(q, p) + p^t), the Poincare transformation of an autonomous Hamiltonian H
-/// with monitor g = dt/dtau > 0 (equation (TransformedH) of the paper).
-///
-/// Its equations are q' = (H + p^t) dg/dp + g dH/dp, p' = -(H + p^t) dg/dq - g dH/dq, t' = g, and p^t is
+/// The Poincare transformation of an autonomous Hamiltonian H with monitor g = dt/dtau > 0 (equation (3.2) of
+/// the paper), \f[ \bar H(\bar q, \bar p) = g(q, p)\, (H(q, p) + p^t), \quad \bar q = (q, t), \quad
+/// \bar p = (p, p^t). \f] Its equations, with a prime for the derivative in fictive time, are (Section 3.2)
+/// \f[ q' = (H + p^t)\, \partial g/\partial p + g\, \partial H/\partial p, \quad
+/// p' = -(H + p^t)\, \partial g/\partial q - g\, \partial H/\partial q, \quad t' = g, \f] and p^t is
 /// constant; only q and p are unknowns, t follows by summation. A monitor is called as g(q) or as g(q, p),
 /// with vectors of any scalar; the first kind is known not to depend on p, and then nothing is spent on
 /// dg/dp.
@@ -53,7 +55,7 @@ class Poincare {
   static_assert(detail::dimension_fits<H, n>, "The Hamiltonian is of another dimension than the state.");
 
  public:
-  static constexpr int dimension = n;
+  static constexpr int dimension = n;  ///< Degrees of freedom, or avi::dynamic.
   /// g(q) alone.
   static constexpr bool position_monitor = std::invocable<const G&, const Vector<double, n>&>;
   /// g = 1.
@@ -75,9 +77,9 @@ class Poincare {
     else
       return n;
   }
-  [[nodiscard]] double energy_momentum() const { return pt_; }
-  [[nodiscard]] const H& hamiltonian() const { return h_; }
-  [[nodiscard]] const G& monitor() const { return g_; }
+  [[nodiscard]] double energy_momentum() const { return pt_; }  ///< p^t, constant along an orbit.
+  [[nodiscard]] const H& hamiltonian() const { return h_; }     ///< H.
+  [[nodiscard]] const G& monitor() const { return g_; }         ///< g.
 
   /// g at any scalar.
   template <class S>

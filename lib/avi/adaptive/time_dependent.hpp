@@ -8,14 +8,15 @@
 
 namespace avi {
 
-/// H-bar(q-bar, p-bar) = g(q, t, p) (H(q, t, p) + p^t) with q-bar = (q, t), p-bar = (p, p^t): an autonomous
-/// Hamiltonian of dimension n + 1 (end of Section 3.1 of the paper). H and g are called with vectors of n
-/// entries and the scalar t.
+/// \f$\bar H(\bar q, \bar p) = g(q, t, p)\, (H(q, t, p) + p^t)\f$ with \f$\bar q = (q, t)\f$,
+/// \f$\bar p = (p, p^t)\f$: an autonomous Hamiltonian of dimension n + 1 (equation (3.9) of the paper). H and
+/// g are called with vectors of n entries and the scalar t.
 template <int n, class H, class G>
 struct ExtendedHamiltonian {
-  H hamiltonian;
-  G monitor;
+  H hamiltonian;  ///< H(q, t, p).
+  G monitor;      ///< g(q, t, p) > 0.
 
+  /// H-bar at (q, t), (p, p^t), n + 1 entries each.
   template <class S>
   S operator()(const Vector<S, n + 1>& q, const Vector<S, n + 1>& p) const {
     const Vector<S, n> x = q.template head<n>(), y = p.template head<n>();
@@ -25,6 +26,7 @@ struct ExtendedHamiltonian {
 
 /// g(q, t, p) = 1: no adaptivity, time is only made a coordinate.
 struct UnitInTime {
+  /// 1, whatever the arguments.
   template <class Q, class S, class P>
   S operator()(const Q&, const S&, const P&) const {
     return S(1.0);
@@ -39,6 +41,7 @@ class TimeDependent : public Poincare<n + 1, ExtendedHamiltonian<n, H, G>> {
   /// The coordinate that is physical time: states of this problem carry it in q and in t alike.
   static constexpr int clock = n;
 
+  /// The problem of H(q, t, p) with monitor g(q, t, p); time_dependent() finds the types.
   TimeDependent(H hamiltonian, G monitor)
       : Poincare<n + 1, ExtendedHamiltonian<n, H, G>>({std::move(hamiltonian), std::move(monitor)}, Unit{},
                                                       0.0) {}

@@ -9,13 +9,13 @@
 namespace avi {
 
 /// Position q, momentum p (n entries each) and physical time t. The library uses the sign convention
-/// q' = dH/dp, p' = -dH/dq; units are the problem's own.
+/// \f$\dot q = \partial H/\partial p\f$, \f$\dot p = -\partial H/\partial q\f$; units are the problem's own.
 template <int n>
 struct State {
-  static constexpr int dimension = n;
-  Vector<double, n> q;
-  Vector<double, n> p;
-  double t = 0.0;
+  static constexpr int dimension = n;  ///< n, or avi::dynamic.
+  Vector<double, n> q;                 ///< Position.
+  Vector<double, n> p;                 ///< Momentum, conjugate to q.
+  double t = 0.0;                      ///< Physical time.
 
   /// True when every entry is finite.
   [[nodiscard]] bool finite() const {

@@ -13,24 +13,28 @@
 
 namespace avi {
 
-/// The adjoint Phi*_h = (Phi_(-h))^(-1) of an HTVI Phi, by Hairer, Lubich and Wanner (2006), Section II.3.
+/// The adjoint \f$\Phi^*_h = (\Phi_{-h})^{-1}\f$ of an HTVI \f$\Phi\f$ (Hairer, Lubich and Wanner 2006,
+/// Section II.3).
 ///
-/// With H_d^+(q_0, p_1; h) the discrete right Hamiltonian of Phi, Phi* is the Type III map of
-///   H_d^-(q_1, p_0; h) = -H_d^+(q_1, p_0; -h),
-/// that is, the same Taylor data read from the other end: the trial curve is expanded backwards from
-/// (q_1, p~_1) and its quadrature nodes are mirrored, c -> 1 - c. (For Phi of Type III, exchange the types.)
-/// Type III as type3() makes it expands forwards from (q~_0, p_0), so it is this adjoint only up to
-/// O(h^(r+2)); the two agree exactly for r = 0, separable H and no monitor: symplectic Euler-A and -B.
+/// With \f$H_d^+(q_0, p_1; h)\f$ the discrete right Hamiltonian of \f$\Phi\f$, \f$\Phi^*\f$ is the Type III
+/// map of \f[ H_d^-(q_1, p_0; h) = -H_d^+(q_1, p_0; -h), \f] that is, the same Taylor data read from the
+/// other end: the trial curve is expanded backwards from \f$(q_1, \tilde p_1)\f$ and its quadrature nodes are
+/// mirrored, \f$c \to 1 - c\f$. (For \f$\Phi\f$ of Type III, exchange the types.) Type III as type3() makes
+/// it expands forwards from \f$(\tilde q_0, p_0)\f$, so it is this adjoint only up to \f$O(h^{r+2})\f$; the
+/// two agree exactly for r = 0, separable H and no monitor: symplectic Euler-A and -B.
 ///
-/// The step solves Phi_(-h)(z_1) = z_0 for z_1 - z_0 by Broyden's method, started from Phi_h(z_0), which is
-/// off by O(h^(order + 1)), with the derivative of the Taylor method.
+/// The step solves \f$\Phi_{-h}(z_1) = z_0\f$ for \f$z_1 - z_0\f$ by Broyden's method, started from
+/// \f$\Phi_h(z_0)\f$, which is off by O(h^(order + 1)), with the derivative of the Taylor method.
 template <class M>
 class Adjoint {
  public:
-  static constexpr int n = M::n;
+  static constexpr int n = M::n;  ///< Dimension of the problem, or avi::dynamic.
 
+  /// The adjoint of this method, with its settings.
   explicit Adjoint(M method) : forward_(method), backward_(std::move(method)) {}
 
+  /// Advances z by the fictive step h. Evaluations of both maps are counted; a failure of either is the
+  /// step's, and so is Outcome::not_converged after 50 iterations.
   StepReport step(State<n>& z, double h) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     const Eigen::Index m = z.q.size();
@@ -107,15 +111,17 @@ class Adjoint {
   M forward_, backward_;
 };
 
-/// Phi*_(h/2) o Phi_(h/2): symmetric (its own adjoint), so time-reversible and of even order, at least that
-/// of Phi, and one more where that is odd. It is symplectic as both halves are.
+/// \f$\Phi^*_{h/2} \circ \Phi_{h/2}\f$: symmetric (its own adjoint), so time-reversible and of even order, at
+/// least that of \f$\Phi\f$, and one more where that is odd. It is symplectic as both halves are.
 template <class M>
 class Symmetric {
  public:
-  static constexpr int n = M::n;
+  static constexpr int n = M::n;  ///< Dimension of the problem, or avi::dynamic.
 
+  /// The composition of this method with its adjoint.
   explicit Symmetric(M method) : first_(method), second_(std::move(method)) {}
 
+  /// Advances z by the fictive step h; z stays as it was unless both halves succeed.
   StepReport step(State<n>& z, double h) {
     State<n> half = z;
     StepReport report = first_.step(half, 0.5 * h);

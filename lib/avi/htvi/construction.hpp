@@ -15,9 +15,9 @@ enum class NodePosition {
 
 /// The freedom that the text of the paper leaves in an HTVI of given order and quadrature.
 struct Construction {
-  Field field;
-  NodePosition nodes;
-  bool operator==(const Construction&) const = default;
+  Field field;                                           ///< What is expanded.
+  NodePosition nodes;                                    ///< Position at the quadrature nodes.
+  bool operator==(const Construction&) const = default;  ///< Equal in both.
 };
 
 /// The construction as printed.

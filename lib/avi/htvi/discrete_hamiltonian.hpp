@@ -21,14 +21,14 @@ namespace avi {
 template <class Problem, int r, Construction construction>
 class TaylorAction {
  public:
-  static constexpr int n = Problem::dimension;
+  static constexpr int n = Problem::dimension;  ///< Dimension of the problem, or avi::dynamic.
   /// p^t is a variable of H_d^+ in its own right, unless the expansion does not contain it; then dt is the
   /// plain integral of g.
   static constexpr bool energy_lane = !Problem::unit && construction.field == Field::full;
-  static constexpr bool fixed = n != dynamic;
-  static constexpr int lanes = fixed ? 2 * n + (energy_lane ? 1 : 0) : lane_chunk;
-  using Lane = Lanes<lanes>;
-  static constexpr int capacity = r == dynamic ? 15 : r;
+  static constexpr bool fixed = n != dynamic;  ///< The dimension is known at compile time.
+  static constexpr int lanes = fixed ? 2 * n + (energy_lane ? 1 : 0) : lane_chunk;  ///< Partials in a chunk.
+  using Lane = Lanes<lanes>;                              ///< A number with the partials of one chunk.
+  static constexpr int capacity = r == dynamic ? 15 : r;  ///< The largest Taylor order there is room for.
 
   /// @throws std::invalid_argument for an improper rule or an order out of range.
   TaylorAction(const Problem& problem, Quadrature rule, int run_time_order, std::size_t tape_slots)
@@ -67,7 +67,9 @@ class TaylorAction {
     Many<Lane, n> q;  ///< to order r + 1
     Many<Lane, n> p;  ///< to order r
     Lane t;           ///< to order r + 1
-    Lane action;      ///< h sum_i b_i [p . dH-bar/dp + p^t dH-bar/dp^t - H-bar]
+    /// \f$h \sum_i b_i [p \cdot \partial\bar H/\partial p + p^t \partial\bar H/\partial p^t - \bar H](c_i
+    /// h)\f$
+    Lane action;
   };
 
   /// Expands from (q, p) over a step h, with the partials of chunk c. At run-time dimension the tape grows to
@@ -105,8 +107,8 @@ class TaylorAction {
     return z;
   }
 
-  [[nodiscard]] const Problem& problem() const { return problem_; }
-  [[nodiscard]] const Quadrature& rule() const { return rule_; }
+  [[nodiscard]] const Problem& problem() const { return problem_; }  ///< What is expanded.
+  [[nodiscard]] const Quadrature& rule() const { return rule_; }     ///< b_i and c_i.
 
  private:
   /// One copy of the formulas per order is a fifth faster where they are short; long ones fit the instruction

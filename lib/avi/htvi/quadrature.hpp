@@ -11,12 +11,12 @@
 
 namespace avi {
 
-/// sum_i b_i f(c_i) is the integral of f over [0, 1], exactly so for polynomials of degree < order.
+/// \f$\sum_i b_i f(c_i)\f$ is the integral of f over [0, 1], exactly so for polynomials of degree < order.
 struct Quadrature {
-  std::string name;
-  int order;
-  std::vector<double> nodes;
-  std::vector<double> weights;
+  std::string name;             ///< The column `quadrature` of data files.
+  int order;                    ///< s.
+  std::vector<double> nodes;    ///< c_i.
+  std::vector<double> weights;  ///< b_i, as many as nodes, with sum 1.
 };
 
 namespace detail {
@@ -64,11 +64,18 @@ Quadrature from_nodes(std::string name, int order, const std::vector<double>& no
 
 /// @name Rules by name
 /// @{
+
+/// f(0), order 1: the rule of the paper's symplectic Euler-B (Section 3.3).
 inline Quadrature rectangle_left() { return {"rectangle", 1, {0.0}, {1.0}}; }
+/// f(1), order 1.
 inline Quadrature rectangle_right() { return {"rectangle_right", 1, {1.0}, {1.0}}; }
+/// f(1/2), order 2.
 inline Quadrature midpoint() { return {"midpoint", 2, {0.5}, {1.0}}; }
+/// Both ends, order 2.
 inline Quadrature trapezoid() { return {"trapezoid", 2, {0.0, 1.0}, {0.5, 0.5}}; }
+/// Both ends and the middle, order 4: the rule of HTVI4 in Tables 1 and 2.
 inline Quadrature simpson() { return {"simpson", 4, {0.0, 0.5, 1.0}, {1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0}}; }
+/// Five equidistant nodes, order 6.
 inline Quadrature boole() {
   return {"boole",
           6,

@@ -16,16 +16,17 @@ enum class Generating {
 
 /// How far the implicit equation of a step is solved.
 struct SolverSettings {
-  double tolerance = 8.0;  ///< Residual accepted, in units of machine epsilon times the size of the unknown.
-  int max_iterations = 50;
+  double tolerance = 8.0;   ///< Residual accepted, in units of machine epsilon times the size of the unknown.
+  int max_iterations = 50;  ///< Expansions in one step before it ends as Outcome::not_converged.
   bool quasi_newton = true;  ///< Where the iteration contracts slowly, let Broyden's method take over.
 };
 
 /// What a step adds to the state.
 template <int n>
 struct StepChange {
-  Vector<double, n> q, p;
-  double t;
+  Vector<double, n> q;  ///< q_1 - q_0.
+  Vector<double, n> p;  ///< p_1 - p_0.
+  double t;             ///< t_1 - t_0.
 };
 
 /// First guess of an unknown that changes smoothly from step to step: the line through its values at the last
@@ -33,12 +34,14 @@ struct StepChange {
 template <int n>
 class Predictor {
  public:
-  explicit Predictor(Eigen::Index size) : size_(size) {}
+  explicit Predictor(Eigen::Index size) : size_(size) {}  ///< For unknowns of `size` entries.
 
+  /// The guess for a step h: zero unless the last two steps were of this size.
   [[nodiscard]] Vector<double, n> guess(double h) const {
     if (h == last_h_ && h == last_but_one_h_) return 2.0 * last_ - last_but_one_;
     return Vector<double, n>::Zero(size_);
   }
+  /// Takes in what the step h has found.
   void remember(const Vector<double, n>& value, double h) {
     last_but_one_ = std::exchange(last_, value);
     last_but_one_h_ = std::exchange(last_h_, h);

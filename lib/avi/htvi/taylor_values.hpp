@@ -22,9 +22,10 @@ class TaylorValues {
  public:
   static_assert(r >= 2,
                 "The test of convergence looks at the coefficients r and r - 2: r must be at least 2.");
-  static constexpr int n = Problem::dimension;
+  static constexpr int n = Problem::dimension;  ///< Dimension of the problem.
   static_assert(n != dynamic, "Expansions without derivatives need a dimension known at compile time.");
 
+  /// @param problem copied @param tape_slots room for the intermediate results of H and g
   explicit TaylorValues(const Problem& problem, std::size_t tape_slots = 512)
       : problem_(problem), tape_(tape_slots) {}
 

@@ -22,16 +22,18 @@ namespace avi {
 template <class HtviMethod>
 class ValueFirst;
 
+/// The one for an HTVI of Taylor order r, 2 or more, on the energy shell.
 template <Generating type, class Problem, int r, Construction construction>
 class ValueFirst<Htvi<type, Problem, r, construction>> {
  public:
-  using Method = Htvi<type, Problem, r, construction>;
-  static constexpr int n = Problem::dimension;
+  using Method = Htvi<type, Problem, r, construction>;  ///< What makes the steps that need it.
+  static constexpr int n = Problem::dimension;          ///< Dimension of the problem.
   static_assert(r != dynamic,
                 "ValueFirst needs a Taylor order that is known at compile time: type2<r>(...).");
   static_assert(construction.field == Field::on_shell,
                 "ValueFirst needs a construction on the energy shell.");
 
+  /// Around this method, with its settings.
   explicit ValueFirst(Method method) : method_(std::move(method)), values_(method_.problem()) {}
 
   /// Advances z by the fictive step h.
@@ -87,6 +89,7 @@ class ValueFirst<Htvi<type, Problem, r, construction>> {
   long value_steps_ = 0, full_steps_ = 0;
 };
 
+/// ValueFirst(type2<r>(...)) knows its type.
 template <Generating type, class Problem, int r, Construction construction>
 ValueFirst(Htvi<type, Problem, r, construction>) -> ValueFirst<Htvi<type, Problem, r, construction>>;
 

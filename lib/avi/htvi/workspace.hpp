@@ -26,8 +26,12 @@ Many<T, n> many(int size) {
 /// What the field of a problem is evaluated with, at scalar S.
 template <class S, int n>
 struct FieldArguments {
-  Vector<S, n> q, p, dq, dp;
-  Room<S, n> room;
+  Vector<S, n> q;   ///< Position.
+  Vector<S, n> p;   ///< Momentum.
+  Vector<S, n> dq;  ///< q'.
+  Vector<S, n> dp;  ///< -p', as Poincare::field() gives it.
+  Room<S, n> room;  ///< For the gradients of H and g.
+  /// Vectors of `size` entries each.
   explicit FieldArguments(int size)
       : q(Vector<S, n>(size)), p(Vector<S, n>(size)), dq(Vector<S, n>(size)), dp(Vector<S, n>(size)),
         room(size) {}
@@ -37,7 +41,8 @@ struct FieldArguments {
 template <class S, int n>
 class Workspace {
  public:
-  explicit Workspace(int) {}
+  explicit Workspace(int) {}  ///< Keeps nothing.
+  /// New arguments of n entries.
   /// @tparam T the scalar, S or another
   template <class T>
   FieldArguments<T, n> at() {
@@ -49,7 +54,8 @@ class Workspace {
 template <class S>
 class Workspace<S, dynamic> {
  public:
-  explicit Workspace(int size) : kept_(size) {}
+  explicit Workspace(int size) : kept_(size) {}  ///< Allocates vectors of `size` entries.
+  /// The arguments kept; the scalar asked for can only be S.
   template <class T>
   FieldArguments<S, dynamic>& at() {
     static_assert(std::is_same_v<T, S>);
