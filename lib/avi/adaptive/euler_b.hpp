@@ -10,16 +10,17 @@
 
 namespace avi {
 
-/// Adaptive symplectic Euler-B (equation (adeulb) of the paper; Hairer 1997; Leimkuhler and Reich 2005, page
-/// 254):
-///   p_1 = p_0 - h g grad V - h grad g (|p_1|^2 / 2 + V + p^t),  q_1 = q_0 + h g p_1,  t_1 = t_0 + h g,
-/// with g, V and their gradients at q_0. It is the Type II HTVI with r = 0. With monitor Unit it is the plain
-/// method.
+/// Adaptive symplectic Euler-B (equation (3.26) of the paper; Hairer 1997; Leimkuhler and Reich 2005, page
+/// 254): \f[ p_1 = p_0 - h\,g\,\nabla V - h\,\nabla g\,(\tfrac12 |p_1|^2 + V + p^t), \quad
+/// q_1 = q_0 + h\,g\,p_1, \quad t_1 = t_0 + h\,g, \f]
+/// with g, V and their gradients at \f$q_0\f$. It is the Type II HTVI with r = 0. With monitor Unit it is the
+/// plain method.
 ///
-/// The implicit equation is solved in closed form. With A = p_0 - h g grad V - h grad g (V + p^t) and
-/// B = 1 + h A . grad g, s = |p_1|^2 is the root of (h^2/4) |grad g|^2 s^2 - B s + |A|^2 = 0 that tends to
-/// |A|^2 as h does to 0; then p_1 = A - (h/2) s grad g. Where no such root exists h is too large for the
-/// monitor, and the step reports not_converged with the discriminant as its residual.
+/// The implicit equation is solved in closed form. With \f$A = p_0 - h g \nabla V - h \nabla g\,(V + p^t)\f$
+/// and \f$B = 1 + h A\cdot\nabla g\f$, \f$s = |p_1|^2\f$ is the root of \f[ \tfrac14 h^2 |\nabla g|^2 s^2 - B
+/// s + |A|^2 = 0 \f] that tends to \f$|A|^2\f$ as h does to 0; then \f$p_1 = A - \tfrac12 h s \nabla g\f$.
+/// Where no such root exists h is too large for the monitor, and the step reports not_converged with the
+/// discriminant as its residual.
 ///
 /// `Problem` provides potential(q) and potential_gradient(q); the monitor is differentiated automatically.
 template <int n, class Problem, class G = Unit>
@@ -29,6 +30,8 @@ class EulerB {
   EulerB(Problem problem, G monitor, double energy_momentum)
       : problem_(std::move(problem)), g_(std::move(monitor)), pt_(require_finite("p^t", energy_momentum)) {}
 
+  /// Advances z by the fictive step h. Ends as bad_monitor where g is not positive and as not_converged where
+  /// h is too large, with z as it was.
   StepReport step(State<n>& z, double h) const {
     if constexpr (std::same_as<G, Unit>) {
       z.p -= h * problem_.potential_gradient(z.q);

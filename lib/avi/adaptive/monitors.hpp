@@ -7,9 +7,10 @@
 #include <utility>
 
 /// @file
-/// Monitor functions g = dt/dtau. Each is generic in its scalar and positive wherever it is finite.
-/// Mechanical ones take a problem with kinetic(p), potential(q) and potential_gradient(q), H = p . p / 2 +
-/// V(q), unit masses.
+/// Monitor functions g = dt/dtau. Each is generic in its scalar and positive wherever it is finite; where it
+/// is not finite, a step ends as avi::Outcome::non_finite. Mechanical ones take a problem with kinetic(p),
+/// potential(q) and potential_gradient(q), \f$H = T(p) + V(q)\f$, \f$T = \tfrac12 p\cdot p\f$ (unit masses).
+/// The page \ref monitors says which pays where.
 
 namespace avi {
 
@@ -23,112 +24,132 @@ auto squared_norm(const V& v) {
 }
 }  // namespace detail
 
-/// g(q) = (q . q)^gamma (equation (gamma) of the paper; gamma = 1 is (qnorm)).
+/// \f$g(q) = (q\cdot q)^\gamma\f$ (equation (3.33) of the paper; \f$\gamma = 1\f$ is (3.32)). Positive except
+/// at the origin.
 struct Gamma {
-  double gamma = 1.0;
+  double gamma = 1.0;  ///< The paper takes 1/2 and 1.
+  /// g at a position of any scalar.
   template <class Q>
   auto operator()(const Q& q) const {
     return power(detail::squared_norm(q), gamma);
   }
 };
 
-/// g(q) = q . q, the case gamma = 1 known at compile time.
+/// \f$g(q) = q\cdot q\f$ (equation (3.32)), the case \f$\gamma = 1\f$ known at compile time.
 struct NormSquared {
+  /// g at a position of any scalar.
   template <class Q>
   auto operator()(const Q& q) const {
     return detail::squared_norm(q);
   }
 };
 
-/// g(q) = (2 (H_0 - V(q)) + |grad V(q)|^2)^(-1/2): equal steps in arc length of phase space (equation
-/// (arclength); Hairer 1997).
+/// \f$g(q) = \left(2\,(H_0 - V(q)) + |\nabla V(q)|^2\right)^{-1/2}\f$: equal steps in arc length of phase
+/// space (equations (3.31) and (3.34); Hairer 1997). Finite wherever not both gradient and kinetic energy
+/// vanish.
 template <class Problem>
 struct Arclength {
-  Problem problem;
-  double energy;  ///< H_0
+  Problem problem;  ///< V and its gradient.
+  double energy;    ///< H_0.
+  /// g at a position of any scalar.
   template <class Q>
   auto operator()(const Q& q) const {
     return power(2.0 * (energy - problem.potential(q)) + detail::squared_norm(problem.potential_gradient(q)),
                  -0.5);
   }
 };
+/// Arclength{problem, H_0}.
 template <class Problem>
 Arclength(Problem, double) -> Arclength<Problem>;
 
-/// g(q, p) = 1 / |p^t - L(q, p)| with the Lagrangian L = T(p) - V(q) and the number p^t = -H_0 (equation
-/// (energy)).
+/// \f$g(q, p) = 1/|p^t - L(q, p)|\f$ with the Lagrangian \f$L = T(p) - V(q)\f$ and the number
+/// \f$p^t = -H_0\f$ (equation (3.35)). Along the solution it is \f$1/(2T)\f$: infinite where the motion
+/// stops.
 template <class Problem>
 struct Energy {
-  Problem problem;
-  double energy_momentum;  ///< p^t
+  Problem problem;         ///< T and V.
+  double energy_momentum;  ///< p^t.
+  /// g at a point of phase space, of any scalar.
   template <class Q, class P>
   auto operator()(const Q& q, const P& p) const {
     using std::abs;
     return 1.0 / abs(energy_momentum - (problem.kinetic(p) - problem.potential(q)));
   }
 };
+/// Energy{problem, p^t}.
 template <class Problem>
 Energy(Problem, double) -> Energy<Problem>;
 
-/// g(q, p) = 1 / |L(q, p)| (Section 3.3 of the paper).
+/// \f$g(q, p) = 1/|L(q, p)|\f$ (Section 3.3 of the paper), infinite where T = V.
 template <class Problem>
 struct InverseLagrangian {
-  Problem problem;
+  Problem problem;  ///< T and V.
+  /// g at a point of phase space, of any scalar.
   template <class Q, class P>
   auto operator()(const Q& q, const P& p) const {
     using std::abs;
     return 1.0 / abs(problem.kinetic(p) - problem.potential(q));
   }
 };
+/// InverseLagrangian{problem}.
 template <class Problem>
 InverseLagrangian(Problem) -> InverseLagrangian<Problem>;
 
-/// g(q, p) = 1 / |p^t + H(q, p)| (Section 3.3), infinite on the solution itself, where the paper finds it
-/// fails; only its bounded form can be used.
+/// \f$g(q, p) = 1/|p^t + H(q, p)|\f$, the paper's first thought (Section 3.3). It is infinite on the solution
+/// itself: a run that starts there ends at once as avi::Outcome::non_finite, in the bounded form too.
 template <class Problem>
 struct InverseEnergyError {
-  Problem problem;
-  double energy_momentum;
+  Problem problem;         ///< H.
+  double energy_momentum;  ///< p^t.
+  /// g at a point of phase space, of any scalar.
   template <class Q, class P>
   auto operator()(const Q& q, const P& p) const {
     using std::abs;
     return 1.0 / abs(energy_momentum + problem(q, p));
   }
 };
+/// InverseEnergyError{problem, p^t}.
 template <class Problem>
 InverseEnergyError(Problem, double) -> InverseEnergyError<Problem>;
 
-/// g(q) = tol / |h^2 / 2 grad V(q)| (equation (trunerror)): the truncation error of a step of size h.
+/// \f$g(q) = tol\,/\,|\tfrac12 h^2 \nabla V(q)|\f$ (equation (3.30)): the tolerance over the truncation error
+/// of a step of size h by a method of order 1. On Kepler's problem it is \f$q\cdot q\f$ but for a factor.
 template <class Problem>
 struct Truncation {
-  Problem problem;
-  double tolerance;
-  double h;
+  Problem problem;   ///< The gradient of V.
+  double tolerance;  ///< tol > 0.
+  double h;          ///< The fictive step that the method will take.
+  /// g at a position of any scalar.
   template <class Q>
   auto operator()(const Q& q) const {
     return (2.0 * tolerance / (h * h)) * power(detail::squared_norm(problem.potential_gradient(q)), -0.5);
   }
 };
+/// Truncation{problem, tol, h}.
 template <class Problem>
 Truncation(Problem, double, double) -> Truncation<Problem>;
 
-/// g(q) = (tol / |h^2 / 2 grad V(q)|)^(1/4), the form from which Truncation was simplified.
+/// \f$g(q) = (tol\,/\,|\tfrac12 h^2 \nabla V(q)|)^{1/4}\f$ (equation (3.29)), the form from which Truncation
+/// was simplified.
 template <class Problem>
 struct TruncationRoot {
-  Problem problem;
-  double tolerance;
-  double h;
+  Problem problem;   ///< The gradient of V.
+  double tolerance;  ///< tol > 0.
+  double h;          ///< The fictive step that the method will take.
+  /// g at a position of any scalar.
   template <class Q>
   auto operator()(const Q& q) const {
     return std::pow(2.0 * tolerance / (h * h), 0.25) *
            power(detail::squared_norm(problem.potential_gradient(q)), -0.125);
   }
 };
+/// TruncationRoot{problem, tol, h}.
 template <class Problem>
 TruncationRoot(Problem, double, double) -> TruncationRoot<Problem>;
 
-/// g^ = b (g + a) / (g + b), which lies between a and b (Leimkuhler and Reich 2005, page 248; Section 3.3).
-/// It bounds dt/dtau; for a Taylor method it bounds the step only nearly.
+/// \f$\hat g = b\,(g + a)/(g + b)\f$, which lies in [a, b) for \f$g \ge 0\f$ (Leimkuhler and Reich 2005, page
+/// 248; Section 3.3). It bounds dt/dtau; for a Taylor method it bounds the step only nearly. Where g is
+/// infinite the quotient is NaN.
 template <class G>
 class Bounded {
  public:
@@ -137,10 +158,12 @@ class Bounded {
     require(std::isfinite(a) && a >= 0.0, "Lower bound a of the monitor", a, "finite and at least 0");
     require(std::isfinite(b) && b > a, "Upper bound b of the monitor", b, "finite and above a");
   }
+  /// The bounded form of g(q).
   template <class Q>
   auto operator()(const Q& q) const requires std::invocable<const G&, const Q&> {
     return bound(g_(q));
   }
+  /// The bounded form of g(q, p).
   template <class Q, class P>
   auto operator()(const Q& q, const P& p) const requires std::invocable<const G&, const Q&, const P&> {
     return bound(g_(q, p));
@@ -155,7 +178,7 @@ class Bounded {
   double a_, b_;
 };
 
-/// bounded(g, a, b).
+/// The bounded form of a monitor. @throws std::invalid_argument unless 0 <= a < b, both finite.
 template <class G>
 Bounded<G> bounded(G monitor, double a, double b) {
   return {std::move(monitor), a, b};

@@ -51,12 +51,14 @@ Partials<S, 1> along_momentum(const F& f, const Vector<S, n>& p) {
 /// A Hamiltonian stripped of what it supplies: only its value is used and every derivative is automatic.
 template <class H>
 struct Automatic {
-  H hamiltonian;
+  H hamiltonian;  ///< Called as H(q, p), never for its gradient.
+  /// H(q, p).
   template <class Q, class P>
   auto operator()(const Q& q, const P& p) const {
     return hamiltonian(q, p);
   }
 };
+/// Automatic{hamiltonian}.
 template <class H>
 Automatic(H) -> Automatic<H>;
 

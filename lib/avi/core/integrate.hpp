@@ -14,8 +14,8 @@ namespace avi {
 
 /// Where a run ends: at the first step whose physical time reaches `time`, or after `steps` steps.
 struct Until {
-  double time = std::numeric_limits<double>::infinity();
-  long steps = std::numeric_limits<long>::max();
+  double time = std::numeric_limits<double>::infinity();  ///< Physical time; infinity sets no end.
+  long steps = std::numeric_limits<long>::max();          ///< Number of steps; the largest long sets no end.
 };
 
 /// A method advances a state by one step of size h (fictive time where the method is adaptive). When the
@@ -27,6 +27,7 @@ concept Method = requires(M& method, State& state, double h) {
 
 /// Observer that looks at nothing and costs nothing.
 struct NoObserver {
+  /// Does nothing.
   template <class State>
   void operator()(const State&, long) const {}
 };

@@ -41,17 +41,17 @@ constexpr std::string_view name(Outcome outcome) {
 
 /// What one step tells the run loop.
 struct StepReport {
-  Outcome outcome = Outcome::ok;
-  int evaluations = 1;    ///< Evaluations of the vector field or of its Taylor expansion.
-  double residual = 0.0;  ///< Of the implicit equation that remains (0 for explicit steps).
+  Outcome outcome = Outcome::ok;  ///< Unless ok, the state is as it was.
+  int evaluations = 1;            ///< Evaluations of the vector field or of its Taylor expansion.
+  double residual = 0.0;          ///< Of the implicit equation that remains (0 for explicit steps).
 };
 
 /// What a run tells its caller.
 struct Run {
-  Outcome outcome = Outcome::ok;
-  long steps = 0;        ///< Steps that were accepted.
-  long evaluations = 0;  ///< Sum over those steps.
-  std::string message;   ///< Empty for ok; else one sentence with step, time and reason.
+  Outcome outcome = Outcome::ok;  ///< ok when the end asked for was reached.
+  long steps = 0;                 ///< Steps that were accepted.
+  long evaluations = 0;           ///< Sum over those steps.
+  std::string message;            ///< Empty for ok; else one sentence with step, time and reason.
 };
 
 }  // namespace avi

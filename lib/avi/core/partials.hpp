@@ -15,12 +15,14 @@ namespace avi {
 template <class S, int N>
 class Partials {
  public:
-  S value{0.0};
-  std::array<S, N> d{};
+  S value{0.0};          ///< The number itself.
+  std::array<S, N> d{};  ///< Derivatives along the N directions, unless `constant`; partial() reads both.
   bool constant = true;  ///< All of d vanish identically; what follows from that is never computed.
 
   Partials() = default;
+  /// A constant.
   Partials(double c) : value(c) {}  // NOLINT: implicit, so that formulas read as written
+  /// A constant.
   Partials(const S& v) requires(!std::is_same_v<S, double>) : value(v) {}  // NOLINT
 
   /// A value with derivative `slope` along direction i and none along the others.
@@ -46,6 +48,9 @@ class Partials {
     return y;
   }
 
+  ///@{
+
+  /// By the rules for sums, products and quotients; derivatives that vanish identically are not computed.
   friend Partials operator-(const Partials& a) {
     Partials c(-a.value);
     if (!a.constant) c.assign([&](int i) { return -a.d[i]; });
@@ -100,11 +105,16 @@ class Partials {
   Partials& operator-=(const Partials& b) { return *this = *this - b; }
   Partials& operator*=(const Partials& b) { return *this = *this * b; }
   Partials& operator/=(const Partials& b) { return *this = *this / b; }
+  ///@}
 
+  ///@{
+
+  /// Of the values alone: a formula with derivatives branches as it does without.
   friend bool operator<(const Partials& a, const Partials& b) { return a.value < b.value; }
   friend bool operator>(const Partials& a, const Partials& b) { return a.value > b.value; }
   friend bool operator<=(const Partials& a, const Partials& b) { return a.value <= b.value; }
   friend bool operator>=(const Partials& a, const Partials& b) { return a.value >= b.value; }
+  ///@}
 
  private:
   template <class Entry>
@@ -117,6 +127,8 @@ class Partials {
 
 /// @name Elementary functions by the chain rule
 /// @{
+
+/// \f$f(x)\f$ with the derivatives \f$f'(x)\,\partial_i x\f$.
 template <class S, int N>
 Partials<S, N> sqrt(const Partials<S, N>& x) {
   using std::sqrt;

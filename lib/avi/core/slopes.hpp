@@ -12,21 +12,24 @@ namespace avi {
 /// Which argument of f(q, p) is differentiated.
 enum class Argument { position, momentum };
 
-/// Work space of slope() and work().
+/// Work space of slope() and value_and_work().
 template <class S, int n>
 struct Room {
-  explicit Room(Eigen::Index) {}
-  Vector<S, n> slope;
+  explicit Room(Eigen::Index) {}  ///< n is in the type.
+  Vector<S, n> slope;             ///< A gradient.
 };
 
 /// Work space at run-time dimension, allocated once, so that derivatives allocate nothing.
 template <class S>
 struct Room<S, dynamic> {
   static constexpr int width = 2;  ///< Partials that are carried at a time.
+  /// Vectors of `size` entries.
   explicit Room(Eigen::Index size) : moving(size), still(size), along(size), beside(size), slope(size) {}
-  Vector<Partials<S, width>, dynamic> moving, still;
-  Vector<Partials<S, 1>, dynamic> along, beside;
-  Vector<S, dynamic> slope;
+  Vector<Partials<S, width>, dynamic> moving;  ///< The argument that slope() differentiates.
+  Vector<Partials<S, width>, dynamic> still;   ///< The other one.
+  Vector<Partials<S, 1>, dynamic> along;       ///< p, as it moves along itself.
+  Vector<Partials<S, 1>, dynamic> beside;      ///< q meanwhile.
+  Vector<S, dynamic> slope;                    ///< A gradient.
 };
 
 /// out = df/dq or df/dp at any scalar.

@@ -10,12 +10,12 @@
 /// @file
 /// Truncated Taylor series in time, computed one order at a time.
 ///
-/// The Taylor coefficients of a solution of z' = f(z) follow from z_(k+1) = f_k / (k + 1), where f_k needs
-/// z_0 to z_k only. A formula written with Jet is therefore *replayed* once for each order k: the operations
-/// come in the same sequence each time, so each finds the slot it wrote at lower orders and adds its
-/// coefficient k there. A product costs k + 1 multiplications at order k, hence O(r^2) in all, with no
-/// interpreter in between: the compiler sees straight-line code (recurrences: Jorba and Zou 2005, Proposition
-/// 1).
+/// The Taylor coefficients of a solution of \f$z' = f(z)\f$ follow from \f$z_{k+1} = f_k/(k + 1)\f$, where
+/// \f$f_k\f$ needs \f$z_0\f$ to \f$z_k\f$ only. A formula written with Jet is therefore *replayed* once for
+/// each order k: the operations come in the same sequence each time, so each finds the slot it wrote at lower
+/// orders and adds its coefficient k there. A product costs k + 1 multiplications at order k, hence O(r^2) in
+/// all, with no interpreter in between: the compiler sees straight-line code (recurrences: Jorba and Zou
+/// 2005, Proposition 1).
 
 namespace avi {
 
@@ -29,10 +29,6 @@ template <class T, int R>
 class JetTape {
  public:
   static constexpr int stride = R + 2;  ///< coefficients 0 to R and one auxiliary number
-
-  struct alignas(sizeof(T) < 64 || alignof(T) > 64 ? alignof(T) : 64) Slot {
-    T coefficients[stride];
-  };
 
   /// @param slots capacity; more operations than that throw TapeOverflow, a std::length_error.
   explicit JetTape(std::size_t slots = 256)
@@ -60,9 +56,13 @@ class JetTape {
     return (next_++)->coefficients;
   }
 
-  int order = 0;
+  int order = 0;  ///< Of the present replay.
 
  private:
+  struct alignas(sizeof(T) < 64 || alignof(T) > 64 ? alignof(T) : 64) Slot {
+    T coefficients[stride];
+  };
+
   [[noreturn, gnu::noinline, gnu::cold]] void overflow() const {
     throw TapeOverflow("A Taylor formula has more operations than its tape has slots (" +
                        std::to_string(capacity_) + "); give the method a larger tape.");
@@ -137,19 +137,20 @@ struct Convolution {
 template <class T, int R, int K>
 class Jet {
  public:
-  using Tape = JetTape<T, R>;
-  using Convolution = detail::Convolution<T, K>;
+  using Tape = JetTape<T, R>;  ///< Where its coefficients live.
 
   Jet() = default;
+  /// A constant.
   Jet(double value) : constant(value) {}  // NOLINT: implicit, so that formulas read as written
+  /// The series of these coefficients, which stay where they are; results go to the tape.
   Jet(const T* series, Tape* where) : coefficients(series), tape(where) {}
 
-  const T* coefficients = nullptr;
-  Tape* tape = nullptr;
-  double constant = 0.0;
+  const T* coefficients = nullptr;  ///< 0 to K, or none for a constant.
+  Tape* tape = nullptr;             ///< For results.
+  double constant = 0.0;            ///< The value of a constant.
 
-  [[nodiscard]] bool is_constant() const { return coefficients == nullptr; }
-  [[nodiscard]] bool is(double c) const { return is_constant() && constant == c; }
+  [[nodiscard]] bool is_constant() const { return coefficients == nullptr; }  ///< The same at all times.
+  [[nodiscard]] bool is(double c) const { return is_constant() && constant == c; }  ///< The constant c.
   /// The order of this replay.
   [[nodiscard]] int order() const {
     if constexpr (K >= 0)
@@ -165,6 +166,9 @@ class Jet {
   /// Value at time zero, without derivatives: what comparisons look at.
   [[nodiscard]] double value() const { return is_constant() ? constant : value_of(coefficients[0]); }
 
+  ///@{
+
+  /// Coefficient k of the result, by Cauchy's product where there is one.
   friend Jet operator-(const Jet& a) { return -1.0 * a; }
   friend Jet operator+(const Jet& a, const Jet& b) {
     if (a.is_constant() && b.is_constant()) return Jet(a.constant + b.constant);
@@ -214,16 +218,23 @@ class Jet {
   Jet& operator-=(const Jet& b) { return *this = *this - b; }
   Jet& operator*=(const Jet& b) { return *this = *this * b; }
   Jet& operator/=(const Jet& b) { return *this = *this / b; }
+  ///@}
 
+  ///@{
+
+  /// Of the values at time zero.
   friend bool operator<(const Jet& a, const Jet& b) { return a.value() < b.value(); }
   friend bool operator>(const Jet& a, const Jet& b) { return a.value() > b.value(); }
   friend bool operator<=(const Jet& a, const Jet& b) { return a.value() <= b.value(); }
   friend bool operator>=(const Jet& a, const Jet& b) { return a.value() >= b.value(); }
+  ///@}
 
   /// Takes the next slot of the tape.
   [[nodiscard]] T* slot() const { return tape->template next<K>(); }
 
  private:
+  using Convolution = detail::Convolution<T, K>;
+
   [[nodiscard]] Jet scaled(double factor) const {
     if (factor == 0.0) return Jet(0.0);
     if (factor == 1.0) return *this;

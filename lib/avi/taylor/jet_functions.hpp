@@ -79,7 +79,8 @@ Jet<T, R, K> log(const Jet<T, R, K>& a) {
 /// A function and its partner, of which each is, up to sign, the other's derivative.
 template <class Series>
 struct JetPair {
-  Series first, second;
+  Series first;   ///< sin or sinh
+  Series second;  ///< cos or cosh
 };
 
 namespace detail {
@@ -133,6 +134,8 @@ JetPair<Jet<T, R, K>> sinh_cosh(const Jet<T, R, K>& a) {
 
 /// @name Functions built from the pairs
 /// @{
+
+/// One of the pair, or their quotient.
 template <class T, int R, int K>
 Jet<T, R, K> sin(const Jet<T, R, K>& a) {
   return sin_cos(a).first;

@@ -49,23 +49,25 @@ inline constexpr int lane_chunk = 7;
 template <int N>
 class Lanes {
  public:
+  /// Numbers in a register: N + 1, rounded up to a power of 2.
   static constexpr int width = static_cast<int>(std::bit_ceil(static_cast<unsigned>(N) + 1u));
+  /// GCC's vector of that width, which the compiler splits where the machine's registers are shorter.
   using Register =
       typename std::conditional_t<N == lane_chunk, detail::LooseSimd8, detail::Simd<width>>::type;
 
-  Register lanes;
+  Register lanes;  ///< Value, partials, padding.
 
   Lanes() = default;
   // Written out so that a copy is one register move; as a struct it may be copied in pieces, on whose reload
   // the processor stalls.
-  Lanes(const Lanes& other) : lanes(other.lanes) {}
-  Lanes& operator=(const Lanes& other) {
+  Lanes(const Lanes& other) : lanes(other.lanes) {}  ///< One register move.
+  Lanes& operator=(const Lanes& other) {             ///< One register move.
     lanes = other.lanes;
     return *this;
   }
   /// A constant: all partials are zero.
   Lanes(double value) : lanes{} { lanes[0] = value; }  // NOLINT: implicit, so that formulas read as written
-  explicit Lanes(Register r) : lanes(r) {}
+  explicit Lanes(Register r) : lanes(r) {}             ///< From its register.
 
   /// The variable number i (0-based) of the N, at `value`.
   static Lanes variable(double value, int i) {
@@ -74,8 +76,8 @@ class Lanes {
     return x;
   }
 
-  [[nodiscard]] double value() const { return lanes[0]; }
-  [[nodiscard]] double partial(int i) const { return lanes[i + 1]; }
+  [[nodiscard]] double value() const { return lanes[0]; }             ///< The number itself.
+  [[nodiscard]] double partial(int i) const { return lanes[i + 1]; }  ///< By variable i (0-based).
 
   /// f(x) with derivative df at the value of x.
   [[nodiscard]] Lanes chain(double f, double df) const {
@@ -84,6 +86,9 @@ class Lanes {
     return y;
   }
 
+  ///@{
+
+  /// By the rules for sums, products and quotients.
   Lanes& operator+=(const Lanes& b) {
     lanes += b.lanes;
     return *this;
@@ -119,15 +124,21 @@ class Lanes {
   }
   Lanes& operator*=(const Lanes& b) { return *this = *this * b; }
   Lanes& operator/=(const Lanes& b) { return *this = *this / b; }
+  ///@}
 
+  ///@{
+
+  /// Of the values alone: a formula with derivatives branches as it does without.
   friend bool operator<(const Lanes& a, const Lanes& b) { return a.lanes[0] < b.lanes[0]; }
   friend bool operator>(const Lanes& a, const Lanes& b) { return a.lanes[0] > b.lanes[0]; }
   friend bool operator<=(const Lanes& a, const Lanes& b) { return a.lanes[0] <= b.lanes[0]; }
   friend bool operator>=(const Lanes& a, const Lanes& b) { return a.lanes[0] >= b.lanes[0]; }
+  ///@}
 };
 
 /// The number itself, without derivatives.
 inline double value_of(double x) { return x; }
+/// The number itself, without derivatives.
 template <int N>
 double value_of(const Lanes<N>& x) {
   return x.value();
@@ -135,6 +146,8 @@ double value_of(const Lanes<N>& x) {
 
 /// @name Elementary functions by the chain rule
 /// @{
+
+/// \f$f(x)\f$ with the partials \f$f'(x)\,\partial_i x\f$.
 template <int N>
 Lanes<N> sqrt(const Lanes<N>& x) {
   const double s = std::sqrt(x.value());
@@ -197,28 +210,29 @@ Lanes<N> abs(const Lanes<N>& x) {
 template <class T>
 class ProductSum {
  public:
-  void add(const T& a, const T& b) { sum_ += a * b; }
-  void add(double weight, const T& a, const T& b) { sum_ += weight * a * b; }
-  [[nodiscard]] T result() const { return sum_; }
+  void add(const T& a, const T& b) { sum_ += a * b; }                          ///< Adds a b.
+  void add(double weight, const T& a, const T& b) { sum_ += weight * a * b; }  ///< Adds weight a b.
+  [[nodiscard]] T result() const { return sum_; }                              ///< The sum.
 
  private:
   T sum_{0.0};
 };
 
+/// For Lanes, the halves a_j db_j and b_j da_j are summed apart.
 template <int N>
 class ProductSum<Lanes<N>> {
   using Register = typename Lanes<N>::Register;
 
  public:
-  void add(const Lanes<N>& a, const Lanes<N>& b) {
+  void add(const Lanes<N>& a, const Lanes<N>& b) {  ///< Adds a b.
     left_ += a.lanes[0] * b.lanes;
     right_ += b.lanes[0] * a.lanes;
   }
-  void add(double weight, const Lanes<N>& a, const Lanes<N>& b) {
+  void add(double weight, const Lanes<N>& a, const Lanes<N>& b) {  ///< Adds weight a b.
     left_ += (weight * a.lanes[0]) * b.lanes;
     right_ += (weight * b.lanes[0]) * a.lanes;
   }
-  [[nodiscard]] Lanes<N> result() const {
+  [[nodiscard]] Lanes<N> result() const {  ///< The sum.
     Lanes<N> sum(left_ + right_);
     sum.lanes[0] = left_[0];  // both halves hold the value itself
     return sum;
