@@ -13,8 +13,8 @@ namespace avi {
 /// Range of the spacings that difference_jacobian() tries: powers of two from largest to smallest, in the
 /// units of the point.
 struct Spacings {
-  double largest = 0.0625;
-  double smallest = 1.0 / 8192.0;
+  double largest = 0.0625;         ///< Tried first.
+  double smallest = 1.0 / 8192.0;  ///< Tried last; positive.
 };
 
 /// Jacobian of `map` (Vector<double, dynamic> -> same length) at z by central differences of order 8.
@@ -55,8 +55,9 @@ Matrix<double, dynamic> difference_jacobian(Map&& map, const Vector<double, dyna
   return jacobian;
 }
 
-/// || J^T Omega J - Omega || (Frobenius norm) of a map of phase space R^2m -> R^2m with z = (q, p),
-/// Omega = [0 I; -I 0], J by difference_jacobian(). Zero for a symplectic map; NaN when the map fails. The
+/// \f$\|J^T \Omega J - \Omega\|_F\f$ of a map of phase space \f$R^{2m} \to R^{2m}\f$ with z = (q, p),
+/// \f$\Omega = \left(\begin{smallmatrix} 0 & I \\ -I & 0 \end{smallmatrix}\right)\f$, J by
+/// difference_jacobian(). Zero for a symplectic map; NaN when the map fails. The
 /// plain callable serves extended phase spaces, (q, t, p, p^t), as well.
 /// @throws std::invalid_argument when z has an odd number of entries.
 template <class Map>

@@ -13,11 +13,11 @@ namespace avi {
 
 /// Adaptive Verlet of Huang and Leimkuhler (The adaptive Verlet method, 1997) for H = |p|^2 / 2 + V(q), with
 /// a density rho = 1 / g carried as a variable of its own:
-///
-///   p_{1/2} = p_0 - h/(2 rho_0) dV(q_0),       q_{1/2} = q_0 + h/(2 rho_0) p_{1/2},
-///   rho_1 = 2 / g(q_{1/2}, p_{1/2}) - rho_0,
-///   q_1 = q_{1/2} + h/(2 rho_1) p_{1/2},       p_1 = p_{1/2} - h/(2 rho_1) dV(q_1),
-///   t_1 = t_0 + h/2 (1/rho_0 + 1/rho_1).
+/// \f{align*}{
+/// p_{1/2} &= p_0 - \tfrac{h}{2\rho_0} \nabla V(q_0), & q_{1/2} &= q_0 + \tfrac{h}{2\rho_0}\, p_{1/2},
+/// \\ \rho_1 &= 2/g(q_{1/2}, p_{1/2}) - \rho_0, & t_1 &= t_0 + \tfrac{h}{2} (1/\rho_0 + 1/\rho_1),
+/// \\ q_1 &= q_{1/2} + \tfrac{h}{2\rho_1}\, p_{1/2}, & p_1 &= p_{1/2} - \tfrac{h}{2\rho_1} \nabla V(q_1).
+/// \f}
 ///
 /// Explicit, of order 2, symmetric and reversible (hence a base for compositions), not symplectic. `Problem`
 /// gives potential_gradient(q), `Monitor` g(q, p) > 0. The gradient and rho carry over from step to step and
@@ -25,8 +25,9 @@ namespace avi {
 template <class Problem, class Monitor>
 class AdaptiveVerlet {
  public:
-  static constexpr int n = Problem::dimension;
+  static constexpr int n = Problem::dimension;  ///< Dimension of the problem.
 
+  /// Along dt/dtau = g of this monitor.
   AdaptiveVerlet(Problem problem, Monitor monitor)
       : problem_(std::move(problem)), monitor_(std::move(monitor)) {}
 

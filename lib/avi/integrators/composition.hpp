@@ -10,17 +10,20 @@
 
 namespace avi {
 
-/// S(c_1 h) S(c_2 h) ... S(c_m h): a symmetric method of order 2 becomes one of coefficients.order, and
-/// keeps being symmetric, symplectic, reversible where S is. The base may carry variables of its own (an
-/// adaptive one does).
+/// \f$S(c_1 h)\, S(c_2 h) \cdots S(c_m h)\f$: a symmetric method of order 2 becomes one of
+/// coefficients.order, and keeps being symmetric, symplectic, reversible where S is. The base may carry
+/// variables of its own (an adaptive one does).
 template <class Base, int m>
 class Composition {
  public:
+  /// Of this base with one of avi::compositions.
   Composition(Base base, const CompositionCoefficients<m>& coefficients) : base_(std::move(base)) {
     for (std::size_t i = 0; i < c_.size(); ++i)
       c_[i] = static_cast<double>(coefficients.c[i]);
   }
 
+  /// m steps of the base; their evaluations are added, the largest residual is kept. Where one of them fails
+  /// the state is that before the first.
   template <class State>
   requires Method<Base, State> StepReport step(State& z, double h) {
     const State start = z;
@@ -38,7 +41,7 @@ class Composition {
     return total;
   }
 
-  [[nodiscard]] const Base& base() const { return base_; }
+  [[nodiscard]] const Base& base() const { return base_; }  ///< S, as the last step left it.
 
  private:
   Base base_;

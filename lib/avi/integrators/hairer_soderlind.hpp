@@ -13,7 +13,7 @@ namespace avi {
 
 /// Monitor g = |q|^alpha of one body with unit mass, in the form that the control below needs.
 struct PowerOfRadius {
-  double alpha = 1.5;
+  double alpha = 1.5;  ///< Power; 3/2 follows Kepler's third law.
 
   /// g(q, p).
   template <class Q, class P>
@@ -21,7 +21,7 @@ struct PowerOfRadius {
     return std::pow(q.squaredNorm(), 0.5 * alpha);
   }
 
-  /// d(1/g)/d(tau) along the flow dt = g d(tau): -(grad g . f) / g = -alpha q . p / |q|^2.
+  /// \f$d(1/g)/d\tau = -(\nabla g\cdot f)/g = -\alpha\, q\cdot p/|q|^2\f$ along the flow \f$dt = g\,d\tau\f$.
   template <class Q, class P>
   double density_rate(const Q& q, const P& p) const {
     return -alpha * q.dot(p) / q.squaredNorm();
@@ -30,9 +30,9 @@ struct PowerOfRadius {
 
 /// A symmetric method whose step size h / rho follows 1 / g by integrating it instead of evaluating it
 /// (Hairer and Soderlind, Explicit, time reversible, adaptive step size control, 2005):
-///
-///   rho_{1/2} = rho_0 + h/2 G(q_0, p_0),   (q_1, p_1) = Phi_{h / rho_{1/2}}(q_0, p_0),
-///   rho_1 = rho_{1/2} + h/2 G(q_1, p_1),   G = -(grad g . f) / g.
+/// \f[ \rho_{1/2} = \rho_0 + \tfrac{h}{2} G(q_0, p_0), \quad
+/// (q_1, p_1) = \Phi_{h/\rho_{1/2}}(q_0, p_0), \quad
+/// \rho_1 = \rho_{1/2} + \tfrac{h}{2} G(q_1, p_1), \quad G = -(\nabla g\cdot f)/g. \f]
 ///
 /// Explicit when Phi is, symmetric and reversible, of the order of Phi; not symplectic. `Base` is Phi, any
 /// symmetric Method; `Monitor` gives g(q, p) for the start and density_rate(q, p) = G. rho starts anew as 1 /
@@ -40,6 +40,7 @@ struct PowerOfRadius {
 template <class Base, class Monitor>
 class HairerSoderlind {
  public:
+  /// Around a symmetric method, along the monitor.
   HairerSoderlind(Base base, Monitor monitor) : base_(std::move(base)), monitor_(std::move(monitor)) {}
 
   /// A density that is not positive ends the step as Outcome::diverged: h is too large for this monitor.

@@ -8,20 +8,18 @@
 
 namespace avi {
 
-/// The flows of Gamma = log(T(p) + p^t) - log(U(q)), U = -V > 0 and p^t = -H_0 (Mikkola and Tanikawa 1999;
-/// Preto and Tremaine 1999). In its fictive time dt = d(tau) / (T + p^t),
-///
-///   drift: q += h (dT/dp) / (T + p^t),  t += h / (T + p^t);   kick: p += h grad U / U,
-///
-/// both exact: an explicit adaptive symplectic integrator, with the step in physical time h / U on the orbit.
-/// On Kepler's problem its leapfrog stays on the exact ellipse and errs in time only. `Problem` gives
-/// kinetic(p), potential(q), potential_gradient(q); with log_potential_gradient(q, s) = s grad log U it
-/// saves the root that U needs.
+/// The flows of \f$\Gamma = \log(T(p) + p^t) - \log U(q)\f$, \f$U = -V > 0\f$ and \f$p^t = -H_0\f$ (Mikkola
+/// and Tanikawa 1999; Preto and Tremaine 1999). In its fictive time \f$dt = d\tau/(T + p^t)\f$, \f[
+/// \text{drift: } q \mathrel{+}= \frac{h}{T + p^t} \frac{\partial T}{\partial p}, \quad t \mathrel{+}=
+/// \frac{h}{T + p^t}; \qquad \text{kick: } p \mathrel{+}= h \nabla U/U, \f] both exact: an explicit adaptive
+/// symplectic integrator, with the step in physical time h / U on the orbit. On Kepler's problem its leapfrog
+/// stays on the exact ellipse and errs in time only. `Problem` gives kinetic(p), potential(q),
+/// potential_gradient(q); with log_potential_gradient(q, s) = s grad log U it saves the root that U needs.
 template <class Problem>
 class LogHamiltonian {
  public:
-  static constexpr int dimension = Problem::dimension;
-  using Vec = Vector<double, dimension>;
+  static constexpr int dimension = Problem::dimension;  ///< Of q and of p.
+  using Vec = Vector<double, dimension>;                ///< A position or a momentum.
 
   /// p_t is the conjugate of time, minus the energy of the orbit.
   LogHamiltonian(Problem problem, double p_t)
@@ -35,6 +33,7 @@ class LogHamiltonian {
     require(potential < 0.0, "Potential at the start", potential, "negative for the logarithmic Hamiltonian");
   }
 
+  /// What the drift over h adds to q and t.
   [[nodiscard]] Drift<dimension> drift(const Vec& p, double h) const {
     const double dt = h / (problem_.kinetic(p) + p_t_);
     if constexpr (requires { problem_.velocity(p); })
@@ -43,6 +42,7 @@ class LogHamiltonian {
       return {dt * p, dt};
   }
 
+  /// What the kick over h adds to p.
   [[nodiscard]] Vec kick(const Vec& q, double h) const {
     if constexpr (requires { problem_.log_potential_gradient(q, h); })
       return problem_.log_potential_gradient(q, h);

@@ -29,6 +29,7 @@ concept EmbeddedTableau = Tableau<T> && requires {
 template <Tableau T>
 class RungeKuttaStages {
  public:
+  /// For systems of `size` equations.
   explicit RungeKuttaStages(Eigen::Index size) : end(size) {
     for (VectorX& stage : k)
       stage.resize(size);

@@ -7,23 +7,23 @@
 
 namespace avi {
 
-/// One step  A(a_0 h) B(b_0 h) A(a_1 h) ... B(b_{m-1} h) A(a_m h), applied from left to right; A is the
-/// drift, B the kick, `m` the number of kicks. Kept in extended precision so that a test can tell a wrong
-/// digit from rounding.
+/// One step \f$A(a_0 h)\, B(b_0 h)\, A(a_1 h) \cdots B(b_{m-1} h)\, A(a_m h)\f$, applied from left to right;
+/// A is the drift, B the kick, `m` the number of kicks. Kept in extended precision so that a test can tell a
+/// wrong digit from rounding.
 template <int m>
 struct SplitCoefficients {
-  static constexpr int stages = m;
-  int order = 0;
-  std::array<long double, static_cast<std::size_t>(m) + 1> a{};
-  std::array<long double, static_cast<std::size_t>(m)> b{};
+  static constexpr int stages = m;                               ///< Kicks in a step.
+  int order = 0;                                                 ///< Of the method.
+  std::array<long double, static_cast<std::size_t>(m) + 1> a{};  ///< Lengths of the drifts, with sum 1.
+  std::array<long double, static_cast<std::size_t>(m)> b{};      ///< Lengths of the kicks, with sum 1.
 };
 
-/// Symmetric composition S(c_1 h) S(c_2 h) ... S(c_m h) of a symmetric step S of order 2.
+/// Symmetric composition \f$S(c_1 h)\, S(c_2 h) \cdots S(c_m h)\f$ of a symmetric step S of order 2.
 template <int m>
 struct CompositionCoefficients {
-  static constexpr int stages = m;
-  int order = 0;
-  std::array<long double, static_cast<std::size_t>(m)> c{};
+  static constexpr int stages = m;                           ///< Steps of S in one of the composition.
+  int order = 0;                                             ///< Of the composition.
+  std::array<long double, static_cast<std::size_t>(m)> c{};  ///< Lengths, with sum 1.
 };
 
 /// The composition of S(h) = A(h/2) B(h) A(h/2), neighbouring drifts merged.

@@ -14,28 +14,32 @@ namespace avi {
 /// What a drift adds to position and time.
 template <int n>
 struct Drift {
-  Vector<double, n> position;
-  double time;
+  Vector<double, n> position;  ///< Added to q.
+  double time;                 ///< Added to t.
 };
 
-/// The flows of H = T(p) + V(q): drift q += h dT/dp, t += h; kick p -= h dV/dq.
+/// The flows of \f$H = T(p) + V(q)\f$: drift \f$q \mathrel{+}= h\,\partial T/\partial p\f$,
+/// \f$t \mathrel{+}= h\f$; kick \f$p \mathrel{-}= h\,\partial V/\partial q\f$.
 /// `Problem` gives potential_gradient(q), and velocity(p) unless masses are 1.
 template <class Problem>
 class Separable {
  public:
-  static constexpr int dimension = Problem::dimension;
-  using Vec = Vector<double, dimension>;
+  static constexpr int dimension = Problem::dimension;  ///< Of q and of p.
+  using Vec = Vector<double, dimension>;                ///< A position or a momentum.
 
+  /// The flows of this problem.
   explicit Separable(Problem problem = {}) : problem_(std::move(problem)) {}
 
+  /// What the drift over h adds to q and t.
   [[nodiscard]] Drift<dimension> drift(const Vec& p, double h) const {
     if constexpr (requires { problem_.velocity(p); })
       return {h * problem_.velocity(p), h};
     else
       return {h * p, h};
   }
+  /// What the kick over h adds to p.
   [[nodiscard]] Vec kick(const Vec& q, double h) const { return -h * problem_.potential_gradient(q); }
-  [[nodiscard]] bool admits(const State<dimension>&) const { return true; }
+  [[nodiscard]] bool admits(const State<dimension>&) const { return true; }  ///< Every state is.
 
  private:
   Problem problem_;
@@ -43,20 +47,21 @@ class Separable {
 
 /// How increments are added to the state.
 enum class Summation {
-  plain,
+  plain,       ///< As the processor adds.
   compensated  ///< What rounding cuts off is kept and added next time (Kahan 1965; Moller 1965).
 };
 
-/// A(a_0 h) B(b_0 h) ... A(a_m h) with the flows of `Flows` (Separable, LogHamiltonian). Explicit, and
-/// symplectic as a product of exact flows.
+/// \f$A(a_0 h)\, B(b_0 h) \cdots A(a_m h)\f$ with the flows of `Flows` (Separable, LogHamiltonian). Explicit,
+/// and symplectic as a product of exact flows.
 ///
 /// With Summation::compensated the rounding error of a run grows as the square root of the number of steps
 /// (Brouwer's law) instead of faster; a stage costs about one addition more on its critical path.
 template <class Flows, int m, Summation summation = Summation::plain>
 class Splitting {
  public:
-  static constexpr int n = Flows::dimension;
+  static constexpr int n = Flows::dimension;  ///< Dimension of the problem.
 
+  /// @param flows drift(p, h), kick(q, h) and admits(state) @param coefficients one of avi::splittings
   Splitting(Flows flows, const SplitCoefficients<m>& coefficients) : flows_(std::move(flows)) {
     for (std::size_t i = 0; i < a_.size(); ++i)
       a_[i] = static_cast<double>(coefficients.a[i]);
@@ -64,6 +69,8 @@ class Splitting {
       b_[i] = static_cast<double>(coefficients.b[i]);
   }
 
+  /// Advances z by h, with one evaluation of the gradient for each kick. Ends as Outcome::diverged, with z as
+  /// it was, in a state that the flows do not admit.
   StepReport step(State<n>& z, double h) {
     State<n> moved = z;
     // A state changed from outside has no kept rounding error.
@@ -123,6 +130,7 @@ template <Summation summation = Summation::plain, class Flows, int m>
 Splitting<Flows, m, summation> splitting(Flows flows, const SplitCoefficients<m>& coefficients) {
   return {std::move(flows), coefficients};
 }
+/// The same with a composition of the leapfrog A(h/2) B(h) A(h/2).
 template <Summation summation = Summation::plain, class Flows, int m>
 Splitting<Flows, m, summation> splitting(Flows flows, const CompositionCoefficients<m>& coefficients) {
   return {std::move(flows), split(coefficients)};

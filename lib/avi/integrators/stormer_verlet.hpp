@@ -10,14 +10,18 @@
 
 namespace avi {
 
-/// Kick-drift-kick leapfrog: p -= h/2 dV(q), q += h p, p -= h/2 dV(q). Order 2, symmetric, symplectic.
-/// `gradient` is any callable q -> dV/dq. The last kick's gradient is kept for the next step, so that a step
-/// costs one evaluation as long as the state is not changed from outside.
+/// Kick-drift-kick leapfrog, \f[ p_{1/2} = p_0 - \tfrac{h}{2} \nabla V(q_0), \quad q_1 = q_0 + h\, p_{1/2},
+/// \quad p_1 = p_{1/2} - \tfrac{h}{2} \nabla V(q_1). \f] Order 2, symmetric, symplectic: the method SV of the
+/// paper's Tables 1 and 2 (drift-kick-drift does not give their errors). `gradient` is any callable q ->
+/// dV/dq. The last kick's gradient is kept for the next step, so that a step costs one evaluation as long as
+/// the state is not changed from outside.
 template <int n, class Gradient>
 class StormerVerlet {
  public:
+  /// @param gradient q -> dV/dq
   explicit StormerVerlet(Gradient gradient) : gradient_(std::move(gradient)) {}
 
+  /// Advances z by h.
   StepReport step(State<n>& z, double h) {
     if (z.q != at_) force_ = gradient_(z.q);
     z.p -= (0.5 * h) * force_;

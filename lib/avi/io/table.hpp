@@ -56,9 +56,10 @@ class Table {
  public:
   std::vector<std::pair<std::string, std::string>> head;  ///< `# key: value` lines, in order.
   std::vector<std::string> columns;                       ///< snake_case names.
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<std::string>> rows;             ///< Cells as they stand in the file.
 
   Table() = default;
+  /// A table without rows.
   explicit Table(std::vector<std::string> column_names) : columns(std::move(column_names)) {}
 
   /// Adds a `# key: value` line.

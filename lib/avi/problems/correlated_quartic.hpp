@@ -27,9 +27,9 @@ inline void multiply_by_correlation(double rho, const VectorX& y, VectorX& z) {
   }
 }
 
-/// f(x) = [(x - 1)^T Sigma (x - 1)]^2, Sigma_ij = rho^|i-j|: equation (Quartic) of the paper, where n = 50
-/// and rho = 0.9. Convex, minimum 0 at x = 1; the Hessian vanishes there, so that nothing converges
-/// geometrically. grad f = 4 (y^T Sigma y) Sigma y with y = x - 1.
+/// \f$f(x) = \left[(x - 1)^T \Sigma\, (x - 1)\right]^2\f$, \f$\Sigma_{ij} = \rho^{|i-j|}\f$: equation (4.21)
+/// of the paper, where n = 50 and \f$\rho = 0.9\f$. Convex, minimum 0 at x = 1; the Hessian vanishes there,
+/// so that nothing converges geometrically. \f$\nabla f = 4\, (y^T \Sigma y)\, \Sigma y\f$ with y = x - 1.
 ///
 /// Works in memory that it owns: one object serves one thread.
 class CorrelatedQuartic {
@@ -40,9 +40,9 @@ class CorrelatedQuartic {
     require(rho > -1.0 && rho < 1.0, "Correlation rho", rho, "in (-1, 1)");
   }
 
-  [[nodiscard]] Eigen::Index size() const { return offset_.size(); }
-  [[nodiscard]] VectorX minimiser() const { return VectorX::Ones(size()); }
-  static constexpr double minimum = 0.0;
+  [[nodiscard]] Eigen::Index size() const { return offset_.size(); }         ///< n.
+  [[nodiscard]] VectorX minimiser() const { return VectorX::Ones(size()); }  ///< x = 1, the only one.
+  static constexpr double minimum = 0.0;                                     ///< f there.
 
   /// The start of the paper's runs, every entry 5: not stated there; recovered from its iteration counts.
   [[nodiscard]] VectorX start() const { return VectorX::Constant(size(), 5.0); }

@@ -9,10 +9,10 @@
 
 namespace avi {
 
-/// H(q, p) = (|p|^2 + x^2 + y^2) / 2 + x^2 y - y^3 / 3 with q = (x, y). Bounded below the energy 1/6; mostly
-/// regular at 1/12, mostly chaotic at 1/6.
+/// \f$H(q, p) = \tfrac12 (|p|^2 + x^2 + y^2) + x^2 y - \tfrac13 y^3\f$ with q = (x, y). Bounded below the
+/// energy 1/6; mostly regular at 1/12, mostly chaotic at 1/6.
 struct HenonHeiles {
-  static constexpr int dimension = 2;
+  static constexpr int dimension = 2;  ///< Of q and of p.
 
   /// Kinetic energy.
   template <class P>

@@ -10,9 +10,9 @@
 
 namespace avi {
 
-/// H(q, p) = |p|^2 / 2 - 1 / |q|, with q, p in R^2 (Section 3.3 of the paper).
+/// \f$H(q, p) = \tfrac12 |p|^2 - 1/|q|\f$, with q, p in \f$R^2\f$ (Section 3.3 of the paper).
 struct Kepler {
-  static constexpr int dimension = 2;
+  static constexpr int dimension = 2;  ///< Of q and of p.
 
   /// Kinetic energy.
   template <class P>
@@ -40,11 +40,12 @@ struct Kepler {
     return {q[0] * u, q[1] * u};
   }
 
-  /// dH/dq = q / |q|^3 and dH/dp = p, supplied for speed.
+  /// dH/dq = q / |q|^3, supplied for speed.
   template <class S>
   Vector<S, 2> d_dq(const Vector<S, 2>& q, const Vector<S, 2>&) const {
     return potential_gradient(q);
   }
+  /// dH/dp = p, supplied for speed.
   template <class S>
   Vector<S, 2> d_dp(const Vector<S, 2>&, const Vector<S, 2>& p) const {
     return p;
@@ -68,7 +69,8 @@ struct Kepler {
   }
 
   /// Exact state at time t of the orbit that starts at pericentre(e), from Kepler's equation
-  /// E - e sin E = t, solved by Newton's method with bisection as its safeguard.
+  /// \f$E - e \sin E = t\f$, solved by Newton's method with bisection as its safeguard.
+  /// @throws std::invalid_argument unless 0 <= e < 1 and t is finite.
   static State<2> exact(double e, double t) {
     require(e >= 0.0 && e < 1.0, "Eccentricity", e, "in [0, 1)");
     require_finite("Time", t);

@@ -10,13 +10,14 @@
 
 namespace avi {
 
-/// H(q, p) = sum_i |p_i|^2 / (2 m_i) - sum_{i<j} m_i m_j / |q_i - q_j| with q = (x_1, y_1, x_2, y_2, ...) in
-/// R^2N and unit gravitational constant. `bodies` may be avi::dynamic: one code path for both.
+/// \f[ H(q, p) = \sum_i \frac{|p_i|^2}{2 m_i} - \sum_{i<j} \frac{m_i m_j}{|q_i - q_j|} \f] with
+/// \f$q = (x_1, y_1, x_2, y_2, \ldots)\f$ in \f$R^{2N}\f$ and unit gravitational constant. `bodies` N may be
+/// avi::dynamic: one code path for both.
 template <int bodies>
 class NBody {
  public:
-  static constexpr int dimension = bodies == dynamic ? dynamic : 2 * bodies;
-  using Masses = Vector<double, bodies>;
+  static constexpr int dimension = bodies == dynamic ? dynamic : 2 * bodies;  ///< 2N, or avi::dynamic.
+  using Masses = Vector<double, bodies>;                                      ///< One for each body.
 
   /// @throws std::invalid_argument for fewer than two bodies or a mass that is not finite and positive.
   explicit NBody(Masses masses) : masses_(std::move(masses)) {
@@ -25,7 +26,7 @@ class NBody {
       require_positive("Mass of a body", masses_[i]);
   }
 
-  [[nodiscard]] const Masses& masses() const { return masses_; }
+  [[nodiscard]] const Masses& masses() const { return masses_; }  ///< m_i.
 
   /// Kinetic energy.
   template <class P>
@@ -80,11 +81,12 @@ class NBody {
     return gradient;
   }
 
-  /// dH/dq and dH/dp, supplied for speed.
+  /// dH/dq, 2N entries, supplied for speed.
   template <class S>
   Vector<S, dimension> d_dq(const Vector<S, dimension>& q, const Vector<S, dimension>&) const {
     return potential_gradient(q);
   }
+  /// dH/dp, 2N entries, supplied for speed.
   template <class S>
   Vector<S, dimension> d_dp(const Vector<S, dimension>&, const Vector<S, dimension>& p) const {
     return velocity(p);
@@ -115,7 +117,7 @@ class NBody {
 /// Existence: Chenciner and Montgomery (A remarkable periodic solution of the three-body problem in the case
 /// of equal masses, 2000); digits of the start and of the period computed by Carles Simo, printed there.
 struct FigureEight {
-  static constexpr double period = 6.32591398;
+  static constexpr double period = 6.32591398;  ///< To nine digits, as printed.
 
   /// The problem; `bodies` is 3 or avi::dynamic.
   template <int bodies = 3>

@@ -9,9 +9,10 @@
 
 namespace avi {
 
-/// H(q, p) = p^2 / 2 - cos q; q is the angle from the position of rest, time in units of sqrt(length / g).
+/// \f$H(q, p) = \tfrac12 p^2 - \cos q\f$; q is the angle from the position of rest, time in units of
+/// sqrt(length / g).
 struct Pendulum {
-  static constexpr int dimension = 1;
+  static constexpr int dimension = 1;  ///< Of q and of p.
 
   /// Kinetic energy.
   template <class P>

@@ -9,11 +9,12 @@
 
 namespace avi {
 
-/// H(q, p) = |p|^2 / 2 - 1 / |q| - epsilon / (2 |q|^3): monopole and quadrupole in the plane of the equator
-/// (epsilon = J2 R^2 in units of the orbit). Energy and angular momentum are conserved, the ellipse turns.
+/// \f$H(q, p) = \tfrac12 |p|^2 - 1/|q| - \varepsilon/(2 |q|^3)\f$: monopole and quadrupole in the plane of
+/// the equator (\f$\varepsilon = J_2 R^2\f$ in units of the orbit). Energy and angular momentum are
+/// conserved, the ellipse turns.
 class PerturbedKepler {
  public:
-  static constexpr int dimension = 2;
+  static constexpr int dimension = 2;  ///< Of q and of p.
 
   /// @throws std::invalid_argument unless epsilon is finite and >= 0.
   explicit PerturbedKepler(double epsilon = 0.0) : epsilon_(epsilon) {
@@ -21,7 +22,7 @@ class PerturbedKepler {
             "finite and not negative");
   }
 
-  [[nodiscard]] double epsilon() const { return epsilon_; }
+  [[nodiscard]] double epsilon() const { return epsilon_; }  ///< The quadrupole.
 
   /// Kinetic energy.
   template <class P>
