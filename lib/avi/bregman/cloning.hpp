@@ -9,24 +9,29 @@
 
 namespace avi {
 
-/// Two copies (q, t, r) and (q~, t~, r~) with H-bar_1(q, t, r~) + H-bar_2(q~, t~, r), split into the two
-/// terms: H_2 for half a step, H_1, H_2 for half a step, and compositions of that (Section 4.3).
+/// Two copies \f$(q, t, r)\f$ and \f$(\tilde q, \tilde t, \tilde r)\f$ with the Hamiltonian
+/// \f$\bar H_1(q, t, \tilde r) + \bar H_2(\tilde q, \tilde t, r)\f$, split into the two terms: \f$\bar H_2\f$
+/// for half a step, \f$\bar H_1\f$, \f$\bar H_2\f$ for half a step, and compositions of that (equation (4.19)
+/// of the paper).
 ///
-/// As H-bar is separable in q and r once t is given, q meets r only: q' = kinetic(t~) r under H_2 and
-/// r' = -potential(t) grad f(q) under H_1. The copy that is read, (q, r), never sees (q~, r~), only the other
-/// clock. So q and r and two clocks are evolved here, a leapfrog with 1, 3 or 9 gradients a step, where the
-/// printed form (bregman/cloning_printed.hpp) spends 3, 7 or 19 on the same iterates; the stopping test at
-/// the new q costs one more.
+/// As \f$\bar H\f$ is separable in q and r once t is given, q meets r only: \f$q' = kinetic(\tilde t)\, r\f$
+/// under \f$\bar H_2\f$ and \f$r' = -potential(t)\, \nabla f(q)\f$ under \f$\bar H_1\f$. The copy that is
+/// read, (q, r), never sees \f$(\tilde q, \tilde r)\f$, only the other clock. So q and r and two clocks are
+/// evolved here, a leapfrog with 1, 3 or 9 gradients a step, where the printed form
+/// (bregman/cloning_printed.hpp) spends 3, 7 or 19 on the same iterates; the stopping test at the new q costs
+/// one more.
 struct BregmanCloning {
-  BregmanFamily family;
-  double h = 1e-3;  ///< Fictive step, finite and positive.
-  CloneComposition composition = CloneComposition::strang;
-  BregmanStart from{};
+  BregmanFamily family;                                     ///< p, p_ring and C.
+  double h = 1e-3;                                          ///< Fictive step, finite and positive.
+  CloneComposition composition = CloneComposition::strang;  ///< Of the two flows.
+  BregmanStart from{};                                      ///< Time and momentum of the first iterate.
 
+  /// What a run carries from step to step.
   struct State {
-    VectorX r;
-    double t = 1.0, t_clone = 1.0;
-    MergedStages stages;
+    VectorX r;             ///< Momentum of the copy that is read.
+    double t = 1.0;        ///< Its physical time.
+    double t_clone = 1.0;  ///< That of the other copy.
+    MergedStages stages;   ///< The composition's lengths.
   };
 
   /// @throws std::invalid_argument for a parameter out of range.
@@ -40,6 +45,7 @@ struct BregmanCloning {
             .stages = merged_stages(composition)};
   }
 
+  /// Advances by the fictive step, with 1, 3 or 9 gradients.
   template <class F>
   Outcome update(State& state, Iterate& now, F& f) const {
     drift(state, now, state.stages.b[0]);

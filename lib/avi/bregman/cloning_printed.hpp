@@ -9,20 +9,26 @@
 
 namespace avi {
 
-/// Strang splitting and its triple jumps of H-bar_1(q, t, r~) + H-bar_2(q~, t~, r); q is read. The last of
-/// the printed equations has a sign slip: r~' = -grad_q~ H_2 is meant, and `clone_sign` = -1 is that;
-/// +1 is the printed sign. The copy that is read does not feel the difference.
+/// Strang splitting and its triple jumps of \f$\bar H_1(q, t, \tilde r) + \bar H_2(\tilde q, \tilde t, r)\f$
+/// (equation (4.19)); q is read. The last of the printed equations (4.20) has a sign slip:
+/// \f$\tilde r' = -\nabla_{\tilde q} \bar H_2\f$ is meant, and `clone_sign` = -1 is that; +1 is the printed
+/// sign. The copy that is read does not feel the difference.
 struct BregmanCloningPrinted {
-  BregmanFamily family;
-  double h = 1e-3;  ///< Fictive step, finite and positive.
-  CloneComposition composition = CloneComposition::strang;
-  BregmanStart from{};
-  double clone_sign = -1.0;
+  BregmanFamily family;                                     ///< p, p_ring and C.
+  double h = 1e-3;                                          ///< Fictive step, finite and positive.
+  CloneComposition composition = CloneComposition::strang;  ///< Of the two flows.
+  BregmanStart from{};                                      ///< Time and momentum of the first iterate.
+  double clone_sign = -1.0;  ///< Of the clone's force: -1 as meant, +1 as printed.
 
+  /// What a run carries from step to step.
   struct State {
-    VectorX r, clone_q, clone_r, clone_gradient;
-    double t = 1.0, t_clone = 1.0;
-    MergedStages stages;
+    VectorX r;               ///< Momentum of the copy that is read.
+    VectorX clone_q;         ///< Position of the other copy.
+    VectorX clone_r;         ///< Its momentum.
+    VectorX clone_gradient;  ///< Gradient of the objective at clone_q.
+    double t = 1.0;          ///< Physical time of the copy that is read.
+    double t_clone = 1.0;    ///< That of the other copy.
+    MergedStages stages;     ///< The composition's lengths.
   };
 
   /// @throws std::invalid_argument for a parameter out of range.
@@ -40,6 +46,7 @@ struct BregmanCloningPrinted {
             .stages = merged_stages(composition)};
   }
 
+  /// Advances both copies by the fictive step, with 3, 7 or 19 gradients.
   template <class F>
   Outcome update(State& state, Iterate& now, F& f) const {
     second_flow(state, now, f, state.stages.b[0]);

@@ -8,7 +8,8 @@
 
 namespace avi {
 
-/// One step as the paper prints it (table "Updates for Direct and Adaptive Approaches with Splitting").
+/// One step as the paper prints it (Section 4.4, table "Updates for Direct and Adaptive Approaches with
+/// Splitting of the Hamiltonian").
 ///
 /// Its half steps of r^t use r at one time and t at another, so that the map is no composition of flows: its
 /// (q, r) block is symplectic, the whole is not (the defect is O(h^3)). Kept as the control of the tests.

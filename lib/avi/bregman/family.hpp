@@ -8,17 +8,19 @@
 
 namespace avi {
 
-/// The Poincare-transformed Bregman Hamiltonian of the paper's equation (ADHamiltonian),
+/// The Poincare-transformed Bregman Hamiltonian of the paper's equation (4.18),
+/// \f{gather*}{
+/// \bar H(q, t, r, r^t) = \tfrac12\, kinetic(t)\, |r|^2 + potential(t)\, f(q) + monitor(t)\, r^t,
+/// \\ kinetic(t) = P\, t^{-p-s}, \quad potential(t) = C P\, t^{2p-s}, \quad
+/// monitor(t) = (p/\mathring p)\, t^{1-s}
+/// \f} with \f$P = p^2/\mathring p\f$ and \f$s = \mathring p/p\f$. The Direct approach, equation (4.16), is
+/// the case \f$\mathring p = p\f$: then P = p, s = 1 and the monitor is 1. So one set of formulas serves
+/// both.
 ///
-///   H-bar(q, t, r, r^t) = kinetic(t) |r|^2 / 2 + potential(t) f(q) + monitor(t) r^t,
-///   kinetic(t) = P t^(-p-s),  potential(t) = C P t^(2p-s),  monitor(t) = (p/p_ring) t^(1-s),
-///
-/// with P = p^2/p_ring and s = p_ring/p. The Direct approach, equation (pHamiltonian), is the case
-/// p_ring = p: then P = p, s = 1 and the monitor is 1. So one set of formulas serves both.
-///
-/// In the fictive time tau = t^s the coefficients are P tau^(-P-1) and C P tau^(2P-1): the adapted system is
-/// the Bregman system of the *higher* order P = p^2/p_ring, not of the lower order p_ring that the paper's
-/// text names; its monitor is the inverse of the one that time dilation by tau = t^s asks for.
+/// In the fictive time \f$\tau = t^s\f$ the coefficients are \f$P \tau^{-P-1}\f$ and \f$C P \tau^{2P-1}\f$:
+/// the adapted system is the Bregman system of the *higher* order \f$P = p^2/\mathring p\f$, not of the lower
+/// order \f$\mathring p\f$ that the paper's text names; its monitor is the inverse of the one that time
+/// dilation by \f$\tau = t^s\f$ asks for.
 struct BregmanFamily {
   double p = 2.0;       ///< Order of the Bregman dynamics, positive.
   double p_ring = 2.0;  ///< Parameter of the monitor, in (0, p].
@@ -42,16 +44,25 @@ struct BregmanFamily {
     require_positive("Order p^2 / p_ring in fictive time", order());
   }
 
-  [[nodiscard]] bool is_direct() const { return p_ring == p; }
+  [[nodiscard]] bool is_direct() const { return p_ring == p; }   ///< Without adaptivity.
   [[nodiscard]] double order() const { return p * p / p_ring; }  ///< P, the order in fictive time.
   [[nodiscard]] double s() const { return p_ring / p; }          ///< tau = t^s.
 
+  /// @name Coefficients at physical time t > 0
+  /// @{
+
+  /// Of |r|^2 / 2.
   [[nodiscard]] double kinetic(double t) const { return order() * std::pow(t, -p - s()); }
+  /// Of f(q).
   [[nodiscard]] double potential(double t) const { return C * order() * std::pow(t, 2.0 * p - s()); }
+  /// Of r^t: dt/dtau (equation (4.17)).
   [[nodiscard]] double monitor(double t) const { return std::pow(t, 1.0 - s()) / s(); }
+  /// @}
 
   /// @name Derivatives with respect to t
   /// @{
+
+  /// Of the coefficient of that name.
   [[nodiscard]] double kinetic_rate(double t) const { return -(p + s()) * kinetic(t) / t; }
   [[nodiscard]] double potential_rate(double t) const { return (2.0 * p - s()) * potential(t) / t; }
   [[nodiscard]] double monitor_rate(double t) const { return (1.0 - s()) * monitor(t) / t; }

@@ -9,13 +9,14 @@ namespace avi {
 
 /// A point (q, t, r, r^t) of extended phase space.
 struct ExtendedPoint {
-  VectorX q;
-  double t = 1.0;
-  VectorX r;
-  double r_t = 0.0;
+  VectorX q;         ///< Position: the argument of the objective.
+  double t = 1.0;    ///< Physical time, the position q^t of the paper.
+  VectorX r;         ///< Momentum.
+  double r_t = 0.0;  ///< Momentum conjugate to time.
 };
 
-/// H-bar of BregmanFamily for an objective f: kinetic(t) |r|^2 / 2 + potential(t) f(q) + monitor(t) r^t.
+/// \f$\bar H\f$ of BregmanFamily for an objective f, equations (4.16) and (4.18):
+/// \f$\tfrac12\, kinetic(t)\, |r|^2 + potential(t)\, f(q) + monitor(t)\, r^t\f$.
 template <Objective F>
 double bregman_energy(const BregmanFamily& family, const F& f, const ExtendedPoint& z) {
   VectorX unused(z.q.size());

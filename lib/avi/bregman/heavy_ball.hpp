@@ -11,25 +11,24 @@
 
 namespace avi {
 
-/// The update of bregman/htvi.hpp in the displacement v = eta R, with L = log t, A = log(t+/t) and
-/// a = P h sqrt(C) t^(p/2 - s):
-///
-///   v' = v - a^2 grad f(q),   q+ = q + v',   v+ = v' (t/t+)^(p+s),   L+ = L + A,
-///
+/// The update of bregman/htvi.hpp in the displacement \f$v = \eta R\f$, with \f$L = \log t\f$,
+/// \f$A = \log(t_+/t)\f$ and \f$a = P h \sqrt{C}\, t^{p/2-s}\f$: \f[ v' = v - a^2 \nabla f(q), \quad
+/// q_+ = q + v', \quad v_+ = v' (t/t_+)^{p+s}, \quad L_+ = L + A, \f]
 /// A = log1p(h t^(-s) / s) by Euler's clock, log1p(h t^(-s)) / s by the exact one. A heavy ball whose two
-/// coefficients are all that is computed from t, so that a run goes on as long as the step a^2 = eta^2 C t^p
-/// itself is a number: t^(p-2s) below 1.8e308, where bregman/htvi.hpp needs t^p and the printed form
-/// t^(2p-s). For p <= 2s (Direct with p <= 2) it never ends. Beyond, the outcome is non_finite and the
-/// iterate is the last good one.
+/// coefficients are all that is computed from t, so that a run goes on as long as the step
+/// \f$a^2 = \eta^2 C t^p\f$ itself is a number: \f$t^{p-2s}\f$ below 1.8e308, where bregman/htvi.hpp needs
+/// \f$t^p\f$ and the printed form \f$t^{2p-s}\f$. For p <= 2s (Direct with p <= 2) it never ends. Beyond, the
+/// outcome is non_finite and the iterate is the last good one.
 ///
 /// The iterates are those of the other two forms to round-off, not to the last bit: published counts are made
 /// with bregman/htvi.hpp.
 struct BregmanHeavyBall {
-  BregmanFamily family;
-  double h = 1e-3;  ///< Fictive step, finite and positive.
-  BregmanStart from{};
-  Clock clock = Clock::euler;
+  BregmanFamily family;        ///< p, p_ring and C.
+  double h = 1e-3;             ///< Fictive step, finite and positive.
+  BregmanStart from{};         ///< Time and momentum of the first iterate.
+  Clock clock = Clock::euler;  ///< The paper's is Euler's.
 
+  /// What a run carries from step to step.
   struct State {
     VectorX displacement;  ///< v.
     double log_t = 0.0;    ///< L.
@@ -59,6 +58,7 @@ struct BregmanHeavyBall {
     return clock == Clock::euler ? std::log1p(fictive / s) : std::log1p(fictive) / s;
   }
 
+  /// Advances by the fictive step with the gradient at hand; Outcome::non_finite where the step overflows.
   template <class F>
   Outcome update(State& state, Iterate& now, F&) const {
     const double length = step(state.log_t), ahead = advance(state.log_t);

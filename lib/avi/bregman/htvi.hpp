@@ -15,19 +15,19 @@ enum class Clock {
   exact   ///< t^s += h: the exact solution of the same equation.
 };
 
-/// The explicit update of Section 4.3 in momentum form. With R = r t^(-p) and eta = P h t^(-s),
-///
-///   R' = R - eta C t^p grad f(q),   q+ = q + eta R',   R+ = R' (t/t+)^p,
-///
-/// where t+ = t (1 + h t^(-s)/s) by Euler's clock. These are the iterates of the printed form
-/// (bregman/htvi_printed.hpp) to round-off with half its range of exponents: a heavy ball of momentum
-/// (t/t+)^p and step eta^2 C t^p. r^t is not evolved, as nothing else depends on it.
+/// The explicit update of Section 4.4 of the paper in momentum form. With \f$R = r\, t^{-p}\f$ and
+/// \f$\eta = P h\, t^{-s}\f$, \f[ R' = R - \eta\, C t^p\, \nabla f(q), \quad q_+ = q + \eta R', \quad
+/// R_+ = R' (t/t_+)^p, \f] where \f$t_+ = t\,(1 + h\, t^{-s}/s)\f$ by Euler's clock. These are the iterates
+/// of the printed form (bregman/htvi_printed.hpp) to round-off with half its range of exponents: a heavy ball
+/// of momentum \f$(t/t_+)^p\f$ and step \f$\eta^2 C t^p\f$. \f$r^t\f$ is not evolved, as nothing else depends
+/// on it.
 struct BregmanHtvi {
-  BregmanFamily family;
-  double h = 1e-3;  ///< Fictive step, finite and positive.
-  BregmanStart from{};
-  Clock clock = Clock::euler;
+  BregmanFamily family;        ///< p, p_ring and C.
+  double h = 1e-3;             ///< Fictive step, finite and positive.
+  BregmanStart from{};         ///< Time and momentum of the first iterate.
+  Clock clock = Clock::euler;  ///< The paper's is Euler's.
 
+  /// What a run carries from step to step.
   struct State {
     VectorX momentum;  ///< R.
     double t = 1.0;    ///< Physical time.
@@ -47,6 +47,7 @@ struct BregmanHtvi {
             .eta = eta(from.t)};
   }
 
+  /// Advances by the fictive step with the gradient at hand.
   template <class F>
   Outcome update(State& state, Iterate& now, F&) const {
     const double step = state.eta * family.C * state.power;

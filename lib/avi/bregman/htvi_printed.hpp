@@ -9,15 +9,16 @@
 
 namespace avi {
 
-/// One step of Section 4.3, Type II HTVI with Taylor order 0, on extended phase space:
-///   r_1   = r_0 - h potential(t_0) grad f(q_0),
-///   r^t_1 = [r^t_0 - h (kinetic'(t_0) |r_1|^2 / 2 + potential'(t_0) f(q_0))] / (1 + h monitor'(t_0)),
-///   q_1   = q_0 + h kinetic(t_0) r_1,
-///   t_1   = t_0 + h monitor(t_0).
-///
-/// They are the discrete right Hamilton's equations of H_d^+ = r_1.q_0 + r^t_1 t_0 + h H-bar(q_0, t_0, r_1,
-/// r^t_1). For p_ring = p the denominator is 1 and they are the Direct approach's. The coefficients grow as
-/// t^(2p): bregman/htvi.hpp has the form with half that range.
+/// One step of Section 4.4, Type II HTVI with Taylor order 0, on extended phase space:
+/// \f{align*}{
+/// r_1 &= r_0 - h\, potential(t_0)\, \nabla f(q_0), & q_1 &= q_0 + h\, kinetic(t_0)\, r_1,
+/// \\ r^t_1 &= \frac{r^t_0 - h\,(\tfrac12\, kinetic'(t_0)\, |r_1|^2 + potential'(t_0)\, f(q_0))}
+/// {1 + h\, monitor'(t_0)}, & t_1 &= t_0 + h\, monitor(t_0).
+/// \f}
+/// They are the discrete right Hamilton's equations (2.5) of
+/// \f$H_d^+ = r_1\cdot q_0 + r^t_1 t_0 + h \bar H(q_0, t_0, r_1, r^t_1)\f$. For \f$\mathring p = p\f$ the
+/// denominator is 1 and they are the Direct approach's. The coefficients grow as \f$t^{2p}\f$:
+/// bregman/htvi.hpp has the form with half that range.
 template <Objective F>
 void htvi_printed_step(const BregmanFamily& family, const F& f, double h, ExtendedPoint& z) {
   VectorX gradient(z.q.size());

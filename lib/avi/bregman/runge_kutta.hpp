@@ -6,16 +6,17 @@
 #include "avi/optim/objective.hpp"
 
 /// @file
-/// Bregman dynamics by explicit Runge-Kutta methods: the paper's non-symplectic baselines (Section 4.4.4).
+/// Bregman dynamics by explicit Runge-Kutta methods: the paper's non-symplectic baselines (Section 4.5.4).
 /// This folder is where the integrators meet the optimisation loop.
 
 namespace avi {
 
-/// Hamilton's equations of H-bar in fictive time for z = (q, r, t):
-/// q' = kinetic(t) r, r' = -potential(t) grad f(q), t' = monitor(t).
+/// Hamilton's equations of \f$\bar H\f$ in fictive time for z = (q, r, t): \f$q' = kinetic(t)\, r\f$,
+/// \f$r' = -potential(t)\, \nabla f(q)\f$, \f$t' = monitor(t)\f$.
 struct BregmanField {
-  BregmanFamily family;
-  VectorX q, gradient;  ///< Working memory of the objective's calls.
+  BregmanFamily family;  ///< p, p_ring and C.
+  VectorX q;             ///< Working memory of the objective's calls: where,
+  VectorX gradient;      ///< and what.
 
   /// The field where the gradient is known.
   void operator()(const VectorX& z, const VectorX& gradient_at_q, VectorX& dz) const {
@@ -46,11 +47,12 @@ inline VectorX bregman_point(const Iterate& first, const BregmanStart& from) {
 /// State of a run: z, its stages, and the step to try next.
 template <Tableau T>
 struct BregmanRungeKuttaState {
-  VectorX z;
-  BregmanField field;
-  RungeKuttaStages<T> stages;
-  double h;
+  VectorX z;                   ///< The current point (q, r, t).
+  BregmanField field;          ///< z'.
+  RungeKuttaStages<T> stages;  ///< Of the step being taken.
+  double h;                    ///< Fictive step to try next.
 
+  /// At the first iterate.
   BregmanRungeKuttaState(const Iterate& first, const BregmanFamily& family, const BregmanStart& from,
                          double step)
       : z(bregman_point(first, from)), field{.family = family, .q = first.x, .gradient = first.gradient},
@@ -67,11 +69,11 @@ struct BregmanRungeKuttaState {
 /// Fixed fictive step h.
 template <Tableau T>
 struct BregmanRungeKutta {
-  BregmanFamily family;
-  double h = 1e-3;  ///< Finite and positive.
-  BregmanStart from{};
+  BregmanFamily family;  ///< p, p_ring and C.
+  double h = 1e-3;       ///< Finite and positive.
+  BregmanStart from{};   ///< Time and momentum of the first iterate.
 
-  using State = BregmanRungeKuttaState<T>;
+  using State = BregmanRungeKuttaState<T>;  ///< What a run carries from step to step.
 
   /// @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
@@ -81,6 +83,7 @@ struct BregmanRungeKutta {
     return {first, family, from, h};
   }
 
+  /// Advances by the fictive step, with a gradient for every stage but the first.
   template <class F>
   Outcome update(State& state, Iterate& now, F& f) const {
     state.field(state.z, now.gradient, state.stages.k[0]);
@@ -94,12 +97,12 @@ struct BregmanRungeKutta {
 /// the last stage, which is taken at the new point, serves the stopping test and the next step.
 template <EmbeddedTableau T>
 struct BregmanEmbedded {
-  BregmanFamily family;
-  StepControl control{};
+  BregmanFamily family;      ///< p, p_ring and C.
+  StepControl control{};     ///< Tolerances and factors.
   double first_step = 1e-6;  ///< Fictive; finite and positive.
-  BregmanStart from{};
+  BregmanStart from{};       ///< Time and momentum of the first iterate.
 
-  using State = BregmanRungeKuttaState<T>;
+  using State = BregmanRungeKuttaState<T>;  ///< What a run carries from step to step.
 
   /// @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
@@ -110,6 +113,7 @@ struct BregmanEmbedded {
     return {first, family, from, first_step};
   }
 
+  /// Advances by one accepted step; Outcome::not_converged where the cap on rejections is met.
   template <class F>
   Outcome update(State& state, Iterate& now, F& f) const {
     double last_value = now.value;

@@ -14,9 +14,9 @@ namespace avi {
 /// Three functions of time, each a callable generic in its scalar type (double and std::complex<double>).
 template <class Alpha, class Beta, class Gamma>
 struct BregmanScaling {
-  Alpha alpha;
-  Beta beta;
-  Gamma gamma;
+  Alpha alpha;  ///< Logarithm of the rate.
+  Beta beta;    ///< Logarithm of the weight of the objective; f falls like e^-beta (equation (4.7)).
+  Gamma gamma;  ///< Logarithm of the damping.
 };
 
 /// Deduces the types of the three callables.
@@ -33,13 +33,15 @@ double derivative(const Function& f, double t) {
   return f(std::complex<double>(t, d)).imag() / d;
 }
 
-/// By how much the ideal scaling conditions of equation (IdealScaling), beta' <= e^alpha and gamma' =
-/// e^alpha, are missed at time t, relative to e^alpha; both entries are 0 up to round-off when they hold.
+/// By how much the ideal scaling conditions of equation (4.6), \f$\dot\beta \le e^\alpha\f$ and
+/// \f$\dot\gamma = e^\alpha\f$, are missed at time t, relative to \f$e^\alpha\f$; both entries are 0 up to
+/// round-off when they hold.
 struct ScalingDefect {
   double beta;   ///< max(0, beta' e^-alpha - 1).
   double gamma;  ///< |gamma' e^-alpha - 1|.
 };
 
+/// The defect of a scaling at time t.
 template <class A, class B, class G>
 ScalingDefect ideal_scaling_defect(const BregmanScaling<A, B, G>& scaling, double t) {
   const double rate = std::exp(scaling.alpha(t));
@@ -55,8 +57,9 @@ void require_ideal_scaling(const BregmanScaling<A, B, G>& scaling, double t, dou
   require(gamma <= tolerance, "Defect of gamma' = e^alpha", gamma, "0: the ideal scaling conditions");
 }
 
-/// The polynomial scaling of order p, equation (AlphaBetaGamma): alpha = log p - log t,
-/// beta = p log t + log C, gamma = p log t. @throws std::invalid_argument unless p > 0 and C > 0.
+/// The polynomial scaling of order p, equation (4.10): \f$\alpha = \log p - \log t\f$,
+/// \f$\beta = p \log t + \log C\f$, \f$\gamma = p \log t\f$. @throws std::invalid_argument unless p > 0 and C
+/// > 0.
 inline auto polynomial_scaling(double p, double C) {
   require_positive("Order p", p);
   require_positive("Weight C", C);
@@ -75,8 +78,9 @@ inline auto polynomial_scaling(double p, double C) {
       });
 }
 
-/// The scaling after the time change y(t) = x(tau(t)), equation (TimeDilationTransformation):
-/// alpha(tau) + log tau', beta(tau), gamma(tau). `tau` and `tau_rate` are generic callables.
+/// The scaling after the time change \f$y(t) = x(\tau(t))\f$, equation (4.8):
+/// \f$\alpha(\tau) + \log\dot\tau\f$, \f$\beta(\tau)\f$, \f$\gamma(\tau)\f$. `tau` and `tau_rate` are generic
+/// callables.
 template <class A, class B, class G, class Tau, class Rate>
 auto dilate(const BregmanScaling<A, B, G>& scaling, Tau tau, Rate tau_rate) {
   return bregman_scaling(
@@ -88,11 +92,11 @@ auto dilate(const BregmanScaling<A, B, G>& scaling, Tau tau, Rate tau_rate) {
       [g = scaling.gamma, tau](auto t) { return g(tau(t)); });
 }
 
-/// The Bregman Hamiltonian (BregmanHGeneral) of the Euclidean norm, h = |x|^2 / 2, where the divergence of
-/// h* is |e^-gamma r|^2 / 2:
-///   H(x, r, t) = e^(alpha + gamma) [ e^(-2 gamma) |r|^2 / 2 + e^beta f(x) ],  `value` = f(x).
-/// (The paper's display for the polynomial family has t^p r inside the divergence; e^-gamma r = t^-p r is
-/// meant, and its next equation agrees with that.)
+/// The Bregman Hamiltonian (equation (4.5)) of the Euclidean norm, \f$h(x) = \tfrac12 |x|^2\f$, where the
+/// divergence of \f$h^*\f$ is \f$\tfrac12 |e^{-\gamma} r|^2\f$: \f[ H(x, r, t) = e^{\alpha + \gamma}
+/// \left[ \tfrac12 e^{-2\gamma} |r|^2 + e^\beta f(x) \right], \f] `value` = f(x). (The paper's display for
+/// the polynomial family, (4.12), has \f$t^p r\f$ inside the divergence; \f$e^{-\gamma} r = t^{-p} r\f$ is
+/// meant, and (4.14) agrees with that.)
 template <class A, class B, class G>
 double bregman_hamiltonian(const BregmanScaling<A, B, G>& scaling, double value, const VectorX& r, double t) {
   const double gamma = scaling.gamma(t);

@@ -8,21 +8,22 @@
 
 namespace avi {
 
-/// Half a step of the clock, half a kick, a drift, half a kick, half a step of the clock; t^s advances
-/// exactly. Both kicks and the drift take their coefficients at the middle time. One gradient a step: the
-/// closing kick's is the next opening kick's.
+/// The Direct and Adaptive Splitting of Section 4.4 of the paper. Half a step of the clock, half a kick, a
+/// drift, half a kick, half a step of the clock; t^s advances exactly. Both kicks and the drift take their
+/// coefficients at the middle time. One gradient a step: the closing kick's is the next opening kick's.
 ///
 /// r^t is not evolved. The printed update of r^t does not belong to these steps (it is not symplectic on
 /// extended phase space); three_flow_step in bregman/extended_splitting.hpp has the same q, r, t with the r^t
 /// that does.
 struct BregmanSplitting {
-  BregmanFamily family;
-  double h = 1e-3;  ///< Fictive step, finite and positive.
-  BregmanStart from{};
+  BregmanFamily family;  ///< p, p_ring and C.
+  double h = 1e-3;       ///< Fictive step, finite and positive.
+  BregmanStart from{};   ///< Time and momentum of the first iterate.
 
+  /// What a run carries from step to step.
   struct State {
-    VectorX r;
-    double t = 1.0;
+    VectorX r;                  ///< Momentum, but for the closing kick.
+    double t = 1.0;             ///< Physical time.
     double closing_kick = 0.0;  ///< Factor of the gradient that the last step still owes r.
   };
 
@@ -34,6 +35,7 @@ struct BregmanSplitting {
     return {.r = VectorX::Constant(first.x.size(), from.momentum), .t = from.t};
   }
 
+  /// Advances by the fictive step with the gradient at hand.
   template <class F>
   Outcome update(State& state, Iterate& now, F&) const {
     const double middle = family.exact_clock(state.t, 0.5 * h);

@@ -10,14 +10,16 @@
 
 namespace avi {
 
-/// v += g^2,  x -= rate g / (sqrt(v) + epsilon), element by element, with v = initial at the start.
+/// \f$v \mathrel{+}= g^2\f$, \f$x \mathrel{-}= rate\; g/(\sqrt v + \epsilon)\f$, element by element, with v =
+/// initial at the start.
 struct AdaGrad {
   double rate = 1.0;      ///< Step size, positive.
   double epsilon = 1e-8;  ///< Added outside the root, at least 0.
   double initial = 0.0;   ///< Of the accumulator, at least 0.
 
+  /// What a run carries from step to step.
   struct State {
-    VectorX square;
+    VectorX square;  ///< v.
   };
 
   /// @throws std::invalid_argument for a parameter out of range.
@@ -29,6 +31,7 @@ struct AdaGrad {
     return {.square = VectorX::Constant(first.x.size(), initial)};
   }
 
+  /// Moves x once, with the gradient at hand; the loop evaluates at the new x.
   template <class F>
   Outcome update(State& state, Iterate& now, F&) const {
     for (Eigen::Index i = 0; i < now.x.size(); ++i) {

@@ -10,17 +10,21 @@
 
 namespace avi {
 
-/// m = beta_1 m + (1 - beta_1) g,  v = beta_2 v + (1 - beta_2) g^2 (element by element),
-/// x -= rate (m / (1 - beta_1^k)) / (sqrt(v / (1 - beta_2^k)) + epsilon).
+/// Element by element, \f[ m \leftarrow \beta_1 m + (1 - \beta_1)\, g, \quad
+/// v \leftarrow \beta_2 v + (1 - \beta_2)\, g^2, \quad
+/// x \mathrel{-}= rate\; \frac{m/(1 - \beta_1^k)}{\sqrt{v/(1 - \beta_2^k)} + \epsilon}. \f]
 struct Adam {
   double rate = 1e-3;     ///< Step size, positive.
   double beta_1 = 0.9;    ///< Decay of the mean gradient, in [0, 1).
   double beta_2 = 0.999;  ///< Decay of the mean squared gradient, in [0, 1).
   double epsilon = 1e-8;  ///< Added outside the root, at least 0.
 
+  /// What a run carries from step to step.
   struct State {
-    VectorX mean, square;
-    double power_1 = 1.0, power_2 = 1.0;  ///< beta_1^k and beta_2^k.
+    VectorX mean;          ///< m.
+    VectorX square;        ///< v.
+    double power_1 = 1.0;  ///< beta_1^k.
+    double power_2 = 1.0;  ///< beta_2^k.
   };
 
   /// @throws std::invalid_argument for a parameter out of range.
@@ -33,6 +37,7 @@ struct Adam {
     return {.mean = zero, .square = zero};
   }
 
+  /// Moves x once, with the gradient at hand; the loop evaluates at the new x.
   template <class F>
   Outcome update(State& state, Iterate& now, F&) const {
     state.power_1 *= beta_1;

@@ -8,11 +8,11 @@
 
 namespace avi {
 
-/// x_k = x_{k-1} - h grad f(x_{k-1}).
+/// \f$x_k = x_{k-1} - h\, \nabla f(x_{k-1})\f$.
 struct GradientDescent {
   double h = 1e-3;  ///< Step size, finite and positive.
 
-  struct State {};
+  struct State {};  ///< Nothing is carried.
 
   /// @throws std::invalid_argument for h out of range.
   State start(const Iterate&) const {
@@ -20,6 +20,7 @@ struct GradientDescent {
     return {};
   }
 
+  /// Moves x once, with the gradient at hand; the loop evaluates at the new x.
   template <class F>
   Outcome update(State&, Iterate& now, F&) const {
     now.x -= h * now.gradient;

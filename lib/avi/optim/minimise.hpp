@@ -25,6 +25,7 @@ concept OptimisationMethod = requires(const M& method, typename M::State& state,
 
 /// Observer that looks at nothing and costs nothing.
 struct NoWitness {
+  /// Does nothing.
   void operator()(const Iterate&, long, long) const {}
 };
 

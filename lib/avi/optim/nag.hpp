@@ -8,19 +8,20 @@
 
 namespace avi {
 
-/// x_k = y_{k-1} - h grad f(y_{k-1}),  y_k = x_k + k/(k+3) (x_k - x_{k-1}),  y_0 = x_0.
-///
-/// The paper's equation (NesterovUpdate) has (k-1)/(k+2): the same sequence counted from k = 1 instead of
-/// from 0. It is k/(k+3) that gives the published counts. The gradient is taken at y, the stopping test at x:
+/// \f[ x_k = y_{k-1} - h\, \nabla f(y_{k-1}), \quad y_k = x_k + \frac{k}{k+3}\, (x_k - x_{k-1}), \quad
+/// y_0 = x_0. \f]
+/// The paper's equation (4.1) has (k-1)/(k+2): the same sequence counted from k = 1 instead of from 0. It is
+/// k/(k+3) that gives the published counts. The gradient is taken at y, the stopping test at x:
 /// two gradients an iteration, of which the method itself needs one.
 struct Nag {
   double h = 1e-3;  ///< Step size, finite and positive.
 
+  /// What a run carries from step to step.
   struct State {
-    VectorX y;
-    VectorX gradient;
-    VectorX previous;
-    long k = 0;
+    VectorX y;         ///< y_k.
+    VectorX gradient;  ///< Gradient at y_k.
+    VectorX previous;  ///< x_{k-1}.
+    long k = 0;        ///< Iterations made.
   };
 
   /// @throws std::invalid_argument for h out of range.
@@ -29,6 +30,7 @@ struct Nag {
     return {.y = first.x, .gradient = first.gradient, .previous = first.x};
   }
 
+  /// Moves x once, with a gradient at y from the second iteration on.
   template <class F>
   Outcome update(State& state, Iterate& now, F& f) const {
     if (state.k > 0) f(state.y, state.gradient);

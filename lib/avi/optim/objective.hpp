@@ -50,9 +50,9 @@ class Counted {
 
 /// A point with the value and gradient of the objective there.
 struct Iterate {
-  VectorX x;
-  VectorX gradient;
-  double value = 0.0;
+  VectorX x;           ///< n entries.
+  VectorX gradient;    ///< n entries.
+  double value = 0.0;  ///< f.
   /// True when value and gradient belong to x. A method that moves x without evaluating there clears it, and
   /// the loop evaluates.
   bool evaluated = false;

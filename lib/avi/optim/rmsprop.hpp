@@ -10,16 +10,19 @@
 
 namespace avi {
 
-/// v = rho v + (1 - rho) g^2,  x -= rate g / sqrt(v + epsilon), element by element.
+/// \f$v \leftarrow \rho v + (1 - \rho)\, g^2\f$, \f$x \mathrel{-}= rate\; g/\sqrt{v + \epsilon}\f$, element
+/// by element.
 ///
-/// epsilon stands inside the root. Many programs add it outside; only inside gives the published counts.
+/// \f$\epsilon\f$ stands inside the root. Many programs add it outside; only inside gives the published
+/// counts.
 struct RmsProp {
   double rate = 1e-2;     ///< Step size, positive.
   double rho = 0.9;       ///< Decay of the mean squared gradient, in [0, 1).
   double epsilon = 1e-8;  ///< Added inside the root, at least 0.
 
+  /// What a run carries from step to step.
   struct State {
-    VectorX square;
+    VectorX square;  ///< v.
   };
 
   /// @throws std::invalid_argument for a parameter out of range.
@@ -30,6 +33,7 @@ struct RmsProp {
     return {.square = VectorX::Zero(first.x.size())};
   }
 
+  /// Moves x once, with the gradient at hand; the loop evaluates at the new x.
   template <class F>
   Outcome update(State& state, Iterate& now, F&) const {
     for (Eigen::Index i = 0; i < now.x.size(); ++i) {

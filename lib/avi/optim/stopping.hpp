@@ -10,8 +10,9 @@
 
 namespace avi {
 
-/// End of a run after iteration k: |f(x_k) - f(x_{k-1})| < delta and |grad f(x_k)|_2 < delta (the paper's
-/// termination criterion, Section 4.4), or the cap, or the run has left every bound.
+/// End of a run after iteration k: \f$|f(x_k) - f(x_{k-1})| < \delta\f$ and \f$\|\nabla f(x_k)\|_2 <
+/// \delta\f$ (the paper's termination criterion, equation (4.22)), or the cap, or the run has left every
+/// bound.
 struct Stopping {
   double delta = 1e-10;          ///< At least 0; with 0 the test never holds and the run goes on to the cap.
   long iterations = 10'000'000;  ///< Cap on updates, at least 1.
@@ -34,14 +35,14 @@ struct Stopping {
 
 /// What a minimisation tells its caller. Outcome::ok means converged.
 struct Minimisation {
-  Outcome outcome = Outcome::step_limit;
-  long iterations = 0;            ///< Updates made.
-  long gradient_evaluations = 0;  ///< All of them, those of the stopping test included.
-  long function_evaluations = 0;
-  Iterate last;         ///< The last iterate.
+  Outcome outcome = Outcome::step_limit;  ///< How the run ended.
+  long iterations = 0;                    ///< Updates made.
+  long gradient_evaluations = 0;          ///< All of them, those of the stopping test included.
+  long function_evaluations = 0;          ///< Likewise.
+  Iterate last;                           ///< The last iterate.
   std::string message;  ///< Empty when converged; else one sentence with iteration and reason.
 
-  [[nodiscard]] bool converged() const { return outcome == Outcome::ok; }
+  [[nodiscard]] bool converged() const { return outcome == Outcome::ok; }  ///< The criterion held.
 };
 
 }  // namespace avi

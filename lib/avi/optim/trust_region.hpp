@@ -10,9 +10,10 @@
 
 namespace avi {
 
-/// Step s = -Delta g / |g|, the minimiser of the linear model f + g.s in the ball |s| <= Delta, and
-/// ratio = (f(x) - f(x + s)) / (Delta |g|). The step is taken when ratio > accept, and Delta grows by `grow`
-/// when ratio > expand; otherwise Delta shrinks by `shrink` and the step is tried again.
+/// Step \f$s = -\Delta\, g/|g|\f$, the minimiser of the linear model \f$f + g\cdot s\f$ in the ball
+/// \f$|s| \le \Delta\f$, and ratio = \f$(f(x) - f(x + s))/(\Delta |g|)\f$. The step is taken when ratio >
+/// accept, and Delta grows by `grow` when ratio > expand; otherwise Delta shrinks by `shrink` and the step is
+/// tried again.
 ///
 /// An iteration is a step that was taken; each trial costs a function value, each iteration a gradient.
 struct TrustRegion {
@@ -23,9 +24,10 @@ struct TrustRegion {
   double grow = 2.0;     ///< At least 1.
   int trials = 1000;     ///< Cap on trials in one iteration, at least 1; beyond it: not_converged.
 
+  /// What a run carries from step to step.
   struct State {
-    VectorX trial;
-    double radius;
+    VectorX trial;  ///< x + s.
+    double radius;  ///< Delta.
   };
 
   /// @throws std::invalid_argument for a parameter out of range.
@@ -40,6 +42,7 @@ struct TrustRegion {
     return {.trial = VectorX::Zero(first.x.size()), .radius = radius};
   }
 
+  /// Moves x to the first trial that is accepted; Outcome::not_converged after `trials` of them.
   template <class F>
   Outcome update(State& state, Iterate& now, F& f) const {
     const double slope = norm(now.gradient);
