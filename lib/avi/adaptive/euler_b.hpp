@@ -6,12 +6,12 @@
 #include <utility>
 
 /// @file
-/// Symplectic Euler-B for H = p . p / 2 + V(q), with fixed or adaptive steps.
+/// Symplectic Euler-B for \f$H = \tfrac12 p\cdot p + V(q)\f$, with fixed or adaptive steps.
 
 namespace avi {
 
 /// Adaptive symplectic Euler-B (equation (3.26) of the paper; Hairer 1997; Leimkuhler and Reich 2005, page
-/// 254): \f[ p_1 = p_0 - h\,g\,\nabla V - h\,\nabla g\,(\tfrac12 |p_1|^2 + V + p^t), \quad
+/// 254). \f[ p_1 = p_0 - h\,g\,\nabla V - h\,\nabla g\,(\tfrac12 |p_1|^2 + V + p^t), \quad
 /// q_1 = q_0 + h\,g\,p_1, \quad t_1 = t_0 + h\,g, \f]
 /// with g, V and their gradients at \f$q_0\f$. It is the Type II HTVI with r = 0. With monitor Unit it is the
 /// plain method.
@@ -26,7 +26,8 @@ namespace avi {
 template <int n, class Problem, class G = Unit>
 class EulerB {
  public:
-  /// @param energy_momentum p^t = -H(q(0), p(0)).
+  /// Along the orbit of energy -p^t; euler_b() finds the types and p^t.
+  /// @param energy_momentum p^t = -H(q(0), p(0)) @throws std::invalid_argument unless it is finite.
   EulerB(Problem problem, G monitor, double energy_momentum)
       : problem_(std::move(problem)), g_(std::move(monitor)), pt_(require_finite("p^t", energy_momentum)) {}
 

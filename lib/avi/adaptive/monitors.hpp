@@ -153,7 +153,7 @@ TruncationRoot(Problem, double, double) -> TruncationRoot<Problem>;
 template <class G>
 class Bounded {
  public:
-  /// @throws std::invalid_argument unless 0 <= a < b, both finite.
+  /// Between a and b. @throws std::invalid_argument unless 0 <= a < b, both finite.
   Bounded(G monitor, double a, double b) : g_(std::move(monitor)), a_(a), b_(b) {
     require(std::isfinite(a) && a >= 0.0, "Lower bound a of the monitor", a, "finite and at least 0");
     require(std::isfinite(b) && b > a, "Upper bound b of the monitor", b, "finite and above a");

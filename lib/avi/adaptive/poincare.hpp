@@ -38,7 +38,7 @@ inline constexpr bool dimension_fits<H, n> = H::dimension == n || H::dimension =
 }  // namespace detail
 
 /// The Poincare transformation of an autonomous Hamiltonian H with monitor g = dt/dtau > 0 (equation (3.2) of
-/// the paper), \f[ \bar H(\bar q, \bar p) = g(q, p)\, (H(q, p) + p^t), \quad \bar q = (q, t), \quad
+/// the paper). \f[ \bar H(\bar q, \bar p) = g(q, p)\, (H(q, p) + p^t), \quad \bar q = (q, t), \quad
 /// \bar p = (p, p^t). \f] Its equations, with a prime for the derivative in fictive time, are (Section 3.2)
 /// \f[ q' = (H + p^t)\, \partial g/\partial p + g\, \partial H/\partial p, \quad
 /// p' = -(H + p^t)\, \partial g/\partial q - g\, \partial H/\partial q, \quad t' = g, \f] and p^t is
@@ -56,11 +56,12 @@ class Poincare {
 
  public:
   static constexpr int dimension = n;  ///< Degrees of freedom, or avi::dynamic.
-  /// g(q) alone.
+  /// The monitor is called as g(q).
   static constexpr bool position_monitor = std::invocable<const G&, const Vector<double, n>&>;
-  /// g = 1.
+  /// The monitor is avi::Unit, g = 1.
   static constexpr bool unit = std::same_as<G, Unit>;
 
+  /// The problem of H with monitor g; poincare() finds the types and p^t.
   /// @param energy_momentum p^t, minus the energy of the orbit @param size n, where it is avi::dynamic
   /// @throws std::invalid_argument unless p^t is finite and the size agrees with n.
   Poincare(H hamiltonian, G monitor, double energy_momentum, Eigen::Index size = n)
@@ -81,7 +82,7 @@ class Poincare {
   [[nodiscard]] const H& hamiltonian() const { return h_; }     ///< H.
   [[nodiscard]] const G& monitor() const { return g_; }         ///< g.
 
-  /// g at any scalar.
+  /// g(q, p) at any scalar.
   template <class S>
   [[nodiscard]] auto rate(const Vector<S, n>& q, const Vector<S, n>& p) const {
     if constexpr (position_monitor)
@@ -124,8 +125,9 @@ class Poincare {
     }
   }
 
-  /// Integrand of the action, p . q' + p^t t' - H-bar with q', t' from the same field: g (p . dH/dp - H), and
-  /// in the full field (H + p^t) p . dg/dp more.
+  /// Integrand of the action, \f$p\cdot q' + p^t t' - \bar H\f$ with q', t' from the same field:
+  /// \f$g\,(p\cdot\partial H/\partial p - H)\f$, and in the full field
+  /// \f$(H + p^t)\, p\cdot\partial g/\partial p\f$ more.
   template <Field form, class S>
   [[nodiscard]] S action_rate(const Vector<S, n>& q, const Vector<S, n>& p, const S& pt,
                               Room<S, n>& room) const {

@@ -34,6 +34,7 @@ struct BregmanCloning {
     MergedStages stages;   ///< The composition's lengths.
   };
 
+  /// Checks the parameters and makes the state of one run.
   /// @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     family.validate();

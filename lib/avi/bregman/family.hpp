@@ -8,7 +8,7 @@
 
 namespace avi {
 
-/// The Poincare-transformed Bregman Hamiltonian of the paper's equation (4.18),
+/// The Poincare-transformed Bregman Hamiltonian of the paper's equation (4.18).
 /// \f{gather*}{
 /// \bar H(q, t, r, r^t) = \tfrac12\, kinetic(t)\, |r|^2 + potential(t)\, f(q) + monitor(t)\, r^t,
 /// \\ kinetic(t) = P\, t^{-p-s}, \quad potential(t) = C P\, t^{2p-s}, \quad
@@ -36,7 +36,7 @@ struct BregmanFamily {
     return family;
   }
 
-  /// @throws std::invalid_argument for a parameter out of range.
+  /// Checks the ranges. @throws std::invalid_argument for a parameter out of range.
   void validate() const {
     require_positive("Order p", p);
     require(p_ring > 0.0 && p_ring <= p, "Parameter p_ring", p_ring, "positive and at most p");
@@ -80,7 +80,7 @@ struct BregmanStart {
   double t = 1.0;         ///< Positive.
   double momentum = 1.0;  ///< Of every entry, finite.
 
-  /// @throws std::invalid_argument for a value out of range.
+  /// Checks the ranges. @throws std::invalid_argument for a value out of range.
   void validate() const {
     require_positive("Start time t0", t);
     require_finite("Start momentum r0", momentum);

@@ -12,7 +12,7 @@
 namespace avi {
 
 /// The update of bregman/htvi.hpp in the displacement \f$v = \eta R\f$, with \f$L = \log t\f$,
-/// \f$A = \log(t_+/t)\f$ and \f$a = P h \sqrt{C}\, t^{p/2-s}\f$: \f[ v' = v - a^2 \nabla f(q), \quad
+/// \f$A = \log(t_+/t)\f$ and \f$a = P h \sqrt{C}\, t^{p/2-s}\f$. \f[ v' = v - a^2 \nabla f(q), \quad
 /// q_+ = q + v', \quad v_+ = v' (t/t_+)^{p+s}, \quad L_+ = L + A, \f]
 /// A = log1p(h t^(-s) / s) by Euler's clock, log1p(h t^(-s)) / s by the exact one. A heavy ball whose two
 /// coefficients are all that is computed from t, so that a run goes on as long as the step
@@ -34,6 +34,7 @@ struct BregmanHeavyBall {
     double log_t = 0.0;    ///< L.
   };
 
+  /// Checks the parameters and makes the state of one run.
   /// @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     family.validate();

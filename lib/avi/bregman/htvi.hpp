@@ -35,6 +35,7 @@ struct BregmanHtvi {
     double eta;        ///< Of the coming step.
   };
 
+  /// Checks the parameters and makes the state of one run.
   /// @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     family.validate();

@@ -9,7 +9,7 @@
 
 namespace avi {
 
-/// One step of Section 4.4, Type II HTVI with Taylor order 0, on extended phase space:
+/// One step of Section 4.4, Type II HTVI with Taylor order 0, on extended phase space.
 /// \f{align*}{
 /// r_1 &= r_0 - h\, potential(t_0)\, \nabla f(q_0), & q_1 &= q_0 + h\, kinetic(t_0)\, r_1,
 /// \\ r^t_1 &= \frac{r^t_0 - h\,(\tfrac12\, kinetic'(t_0)\, |r_1|^2 + potential'(t_0)\, f(q_0))}

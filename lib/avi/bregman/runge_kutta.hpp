@@ -15,8 +15,8 @@ namespace avi {
 /// \f$r' = -potential(t)\, \nabla f(q)\f$, \f$t' = monitor(t)\f$.
 struct BregmanField {
   BregmanFamily family;  ///< p, p_ring and C.
-  VectorX q;             ///< Working memory of the objective's calls: where,
-  VectorX gradient;      ///< and what.
+  VectorX q;             ///< Working memory: where the objective is asked.
+  VectorX gradient;      ///< Working memory: its answer.
 
   /// The field where the gradient is known.
   void operator()(const VectorX& z, const VectorX& gradient_at_q, VectorX& dz) const {
@@ -75,6 +75,7 @@ struct BregmanRungeKutta {
 
   using State = BregmanRungeKuttaState<T>;  ///< What a run carries from step to step.
 
+  /// Checks the parameters and makes the state of one run.
   /// @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     family.validate();
@@ -104,6 +105,7 @@ struct BregmanEmbedded {
 
   using State = BregmanRungeKuttaState<T>;  ///< What a run carries from step to step.
 
+  /// Checks the parameters and makes the state of one run.
   /// @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     family.validate();

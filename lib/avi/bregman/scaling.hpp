@@ -16,7 +16,7 @@ template <class Alpha, class Beta, class Gamma>
 struct BregmanScaling {
   Alpha alpha;  ///< Logarithm of the rate.
   Beta beta;    ///< Logarithm of the weight of the objective; f falls like e^-beta (equation (4.7)).
-  Gamma gamma;  ///< Logarithm of the damping.
+  Gamma gamma;  ///< Logarithm of the damping factor.
 };
 
 /// Deduces the types of the three callables.
@@ -49,7 +49,8 @@ ScalingDefect ideal_scaling_defect(const BregmanScaling<A, B, G>& scaling, doubl
           .gamma = std::abs(derivative(scaling.gamma, t) / rate - 1.0)};
 }
 
-/// @throws std::invalid_argument unless the ideal scaling conditions hold at t to the relative tolerance.
+/// Checks a scaling. @throws std::invalid_argument unless the ideal scaling conditions hold at t to the
+/// relative tolerance.
 template <class A, class B, class G>
 void require_ideal_scaling(const BregmanScaling<A, B, G>& scaling, double t, double tolerance = 1e-12) {
   const auto [beta, gamma] = ideal_scaling_defect(scaling, t);
@@ -93,7 +94,7 @@ auto dilate(const BregmanScaling<A, B, G>& scaling, Tau tau, Rate tau_rate) {
 }
 
 /// The Bregman Hamiltonian (equation (4.5)) of the Euclidean norm, \f$h(x) = \tfrac12 |x|^2\f$, where the
-/// divergence of \f$h^*\f$ is \f$\tfrac12 |e^{-\gamma} r|^2\f$: \f[ H(x, r, t) = e^{\alpha + \gamma}
+/// divergence of \f$h^*\f$ is \f$\tfrac12 |e^{-\gamma} r|^2\f$. \f[ H(x, r, t) = e^{\alpha + \gamma}
 /// \left[ \tfrac12 e^{-2\gamma} |r|^2 + e^\beta f(x) \right], \f] `value` = f(x). (The paper's display for
 /// the polynomial family, (4.12), has \f$t^p r\f$ inside the divergence; \f$e^{-\gamma} r = t^{-p} r\f$ is
 /// meant, and (4.14) agrees with that.)

@@ -39,7 +39,7 @@ Vector<S, n> d_dq(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
   }
 }
 
-/// Derivative of f(p) in the direction of p itself, p . df/dp, together with f(p).
+/// Derivative of f(p) in the direction of p itself, \f$p\cdot\partial f/\partial p\f$, together with f(p).
 template <class F, class S, int n>
 Partials<S, 1> along_momentum(const F& f, const Vector<S, n>& p) {
   Vector<Partials<S, 1>, n> seeded(p.size());

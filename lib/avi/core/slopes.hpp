@@ -82,7 +82,7 @@ void energy_slope(const H& h, const Vector<S, n>& q, const Vector<S, n>& p, Vect
   }
 }
 
-/// f(q, p) and p . df/dp at any scalar.
+/// f(q, p) and \f$p\cdot\partial f/\partial p\f$ at any scalar.
 template <class F, class S, int n>
 std::pair<S, S> value_and_work(const F& f, const Vector<S, n>& q, const Vector<S, n>& p, Room<S, n>& room) {
   if constexpr (SuppliesGradient<F, S, n>) {

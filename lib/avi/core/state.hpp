@@ -17,7 +17,7 @@ struct State {
   Vector<double, n> p;                 ///< Momentum, conjugate to q.
   double t = 0.0;                      ///< Physical time.
 
-  /// True when every entry is finite.
+  /// True when every entry of q, p and t is finite.
   [[nodiscard]] bool finite() const {
     // A sum is infinite or NaN as soon as one finite-range entry is; one test instead of 2n + 1.
     return std::isfinite(q.sum() + p.sum() + t) || (q.allFinite() && p.allFinite() && std::isfinite(t));

@@ -30,7 +30,7 @@ class TaylorAction {
   using Lane = Lanes<lanes>;                              ///< A number with the partials of one chunk.
   static constexpr int capacity = r == dynamic ? 15 : r;  ///< The largest Taylor order there is room for.
 
-  /// @throws std::invalid_argument for an improper rule or an order out of range.
+  /// For a problem and a rule. @throws std::invalid_argument for an improper rule or an order out of range.
   TaylorAction(const Problem& problem, Quadrature rule, int run_time_order, std::size_t tape_slots)
       : problem_(problem), rule_(std::move(rule)), tape_(tape_slots), order_(run_time_order),
         q_(many<Series, n>(size())), p_(q_), jets_(size()), nodes_(size()) {

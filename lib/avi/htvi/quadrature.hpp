@@ -124,8 +124,8 @@ inline Quadrature mirrored(Quadrature rule) {
 }
 /// @}
 
-/// @throws std::invalid_argument for a rule without nodes, with unequal counts, or with weights that do not
-/// add to 1.
+/// Checks a rule. @throws std::invalid_argument for one without nodes, with unequal counts, or with weights
+/// that do not add to 1.
 inline void validate(const Quadrature& rule) {
   require(!rule.nodes.empty(), "Number of quadrature nodes", rule.nodes.size(), "at least 1");
   require(rule.nodes.size() == rule.weights.size(), "Number of quadrature weights", rule.weights.size(),

@@ -25,7 +25,7 @@ class TaylorValues {
   static constexpr int n = Problem::dimension;  ///< Dimension of the problem.
   static_assert(n != dynamic, "Expansions without derivatives need a dimension known at compile time.");
 
-  /// @param problem copied @param tape_slots room for the intermediate results of H and g
+  /// For a problem. @param problem copied @param tape_slots room for the intermediate results of H and g
   explicit TaylorValues(const Problem& problem, std::size_t tape_slots = 512)
       : problem_(problem), tape_(tape_slots) {}
 
@@ -39,7 +39,7 @@ class TaylorValues {
     (std::make_integer_sequence<int, r>{});
   }
 
-  /// Adds the increments over the step to q, p and t.
+  /// Sets q, p and t to their increments over the step.
   void increments(Vector<double, n>& q, Vector<double, n>& p, double& t) const {
     for (int i = 0; i < n; ++i) {
       q[i] = sum(q_[i]);

@@ -12,7 +12,7 @@
 namespace avi {
 
 /// Adaptive Verlet of Huang and Leimkuhler (The adaptive Verlet method, 1997) for H = |p|^2 / 2 + V(q), with
-/// a density rho = 1 / g carried as a variable of its own:
+/// a density rho = 1 / g carried as a variable of its own.
 /// \f{align*}{
 /// p_{1/2} &= p_0 - \tfrac{h}{2\rho_0} \nabla V(q_0), & q_{1/2} &= q_0 + \tfrac{h}{2\rho_0}\, p_{1/2},
 /// \\ \rho_1 &= 2/g(q_{1/2}, p_{1/2}) - \rho_0, & t_1 &= t_0 + \tfrac{h}{2} (1/\rho_0 + 1/\rho_1),

@@ -19,7 +19,7 @@ struct StepControl {
   double grow = 5.0;     ///< Largest factor, above 1.
   int rejections = 100;  ///< Cap on rejected trials of one step, at least 1.
 
-  /// @throws std::invalid_argument for a value out of range.
+  /// Checks the ranges. @throws std::invalid_argument for a value out of range.
   void validate() const {
     require_positive("Relative tolerance", rtol);
     require_positive("Absolute tolerance", atol);

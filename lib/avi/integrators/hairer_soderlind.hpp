@@ -29,7 +29,7 @@ struct PowerOfRadius {
 };
 
 /// A symmetric method whose step size h / rho follows 1 / g by integrating it instead of evaluating it
-/// (Hairer and Soderlind, Explicit, time reversible, adaptive step size control, 2005):
+/// (Hairer and Soderlind, Explicit, time reversible, adaptive step size control, 2005).
 /// \f[ \rho_{1/2} = \rho_0 + \tfrac{h}{2} G(q_0, p_0), \quad
 /// (q_1, p_1) = \Phi_{h/\rho_{1/2}}(q_0, p_0), \quad
 /// \rho_1 = \rho_{1/2} + \tfrac{h}{2} G(q_1, p_1), \quad G = -(\nabla g\cdot f)/g. \f]

@@ -36,7 +36,7 @@ class RungeKuttaStages {
   }
 
   std::array<VectorX, T::stages> k;  ///< k[0] = F(z) is the caller's to set.
-  VectorX end;                       ///< z + h sum b_i k_i.
+  VectorX end;                       ///< \f$z + h \sum_i b_i k_i\f$.
 
   /// Takes a step of size h from z, where k[0] = F(z). `field(z, dz)` is called stages - 1 times.
   template <class Field>

@@ -61,7 +61,8 @@ class Splitting {
  public:
   static constexpr int n = Flows::dimension;  ///< Dimension of the problem.
 
-  /// @param flows drift(p, h), kick(q, h) and admits(state) @param coefficients one of avi::splittings
+  /// Of these flows with these lengths. @param flows drift(p, h), kick(q, h) and admits(state) @param
+  /// coefficients one of avi::splittings
   Splitting(Flows flows, const SplitCoefficients<m>& coefficients) : flows_(std::move(flows)) {
     for (std::size_t i = 0; i < a_.size(); ++i)
       a_[i] = static_cast<double>(coefficients.a[i]);

@@ -10,7 +10,7 @@
 
 namespace avi {
 
-/// Kick-drift-kick leapfrog, \f[ p_{1/2} = p_0 - \tfrac{h}{2} \nabla V(q_0), \quad q_1 = q_0 + h\, p_{1/2},
+/// Kick-drift-kick leapfrog. \f[ p_{1/2} = p_0 - \tfrac{h}{2} \nabla V(q_0), \quad q_1 = q_0 + h\, p_{1/2},
 /// \quad p_1 = p_{1/2} - \tfrac{h}{2} \nabla V(q_1). \f] Order 2, symmetric, symplectic: the method SV of the
 /// paper's Tables 1 and 2 (drift-kick-drift does not give their errors). `gradient` is any callable q ->
 /// dV/dq. The last kick's gradient is kept for the next step, so that a step costs one evaluation as long as
@@ -18,7 +18,7 @@ namespace avi {
 template <int n, class Gradient>
 class StormerVerlet {
  public:
-  /// @param gradient q -> dV/dq
+  /// For one potential. @param gradient q -> dV/dq
   explicit StormerVerlet(Gradient gradient) : gradient_(std::move(gradient)) {}
 
   /// Advances z by h.

@@ -22,6 +22,7 @@ struct AdaGrad {
     VectorX square;  ///< v.
   };
 
+  /// Checks the parameters and makes the state of one run.
   /// @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     require_positive("AdaGrad's rate", rate);

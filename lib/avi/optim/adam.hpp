@@ -10,9 +10,9 @@
 
 namespace avi {
 
-/// Element by element, \f[ m \leftarrow \beta_1 m + (1 - \beta_1)\, g, \quad
-/// v \leftarrow \beta_2 v + (1 - \beta_2)\, g^2, \quad
-/// x \mathrel{-}= rate\; \frac{m/(1 - \beta_1^k)}{\sqrt{v/(1 - \beta_2^k)} + \epsilon}. \f]
+/// Steps scaled by decaying means of gradient and squared gradient. Element by element, \f[ m \leftarrow
+/// \beta_1 m + (1 - \beta_1)\, g, \quad v \leftarrow \beta_2 v + (1 - \beta_2)\, g^2, \quad x \mathrel{-}=
+/// rate\; \frac{m/(1 - \beta_1^k)}{\sqrt{v/(1 - \beta_2^k)} + \epsilon}. \f]
 struct Adam {
   double rate = 1e-3;     ///< Step size, positive.
   double beta_1 = 0.9;    ///< Decay of the mean gradient, in [0, 1).
@@ -27,6 +27,7 @@ struct Adam {
     double power_2 = 1.0;  ///< beta_2^k.
   };
 
+  /// Checks the parameters and makes the state of one run.
   /// @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     require_positive("ADAM's rate", rate);

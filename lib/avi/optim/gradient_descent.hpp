@@ -14,6 +14,7 @@ struct GradientDescent {
 
   struct State {};  ///< Nothing is carried.
 
+  /// Checks the parameters and makes the state of one run.
   /// @throws std::invalid_argument for h out of range.
   State start(const Iterate&) const {
     require_positive("Step size h", h);

@@ -25,6 +25,7 @@ struct RmsProp {
     VectorX square;  ///< v.
   };
 
+  /// Checks the parameters and makes the state of one run.
   /// @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     require_positive("RMSprop's rate", rate);

@@ -20,7 +20,7 @@ struct Stopping {
   /// growth max(1, |x_0|_inf). At least 1.
   double growth = 1e30;
 
-  /// @throws std::invalid_argument for values outside the ranges above.
+  /// Checks the ranges. @throws std::invalid_argument for values outside the ranges above.
   void validate() const {
     require(std::isfinite(delta) && delta >= 0.0, "Tolerance delta", delta, "finite and at least 0");
     require(iterations >= 1, "Cap on iterations", iterations, "at least 1");

@@ -30,6 +30,7 @@ struct TrustRegion {
     double radius;  ///< Delta.
   };
 
+  /// Checks the parameters and makes the state of one run.
   /// @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     require_positive("Trust region radius", radius);

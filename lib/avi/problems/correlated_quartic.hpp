@@ -34,7 +34,7 @@ inline void multiply_by_correlation(double rho, const VectorX& y, VectorX& z) {
 /// Works in memory that it owns: one object serves one thread.
 class CorrelatedQuartic {
  public:
-  /// @throws std::invalid_argument unless n >= 1 and |rho| < 1.
+  /// In dimension n. @throws std::invalid_argument unless n >= 1 and |rho| < 1.
   explicit CorrelatedQuartic(Eigen::Index n = 50, double rho = 0.9)
       : rho_(rho), offset_(positive(n)), image_(n) {
     require(rho > -1.0 && rho < 1.0, "Correlation rho", rho, "in (-1, 1)");

@@ -10,15 +10,16 @@
 
 namespace avi {
 
-/// \f[ H(q, p) = \sum_i \frac{|p_i|^2}{2 m_i} - \sum_{i<j} \frac{m_i m_j}{|q_i - q_j|} \f] with
-/// \f$q = (x_1, y_1, x_2, y_2, \ldots)\f$ in \f$R^{2N}\f$ and unit gravitational constant. `bodies` N may be
-/// avi::dynamic: one code path for both.
+/// N bodies that attract each other. \f[ H(q, p) = \sum_i \frac{|p_i|^2}{2 m_i} - \sum_{i<j} \frac{m_i
+/// m_j}{|q_i - q_j|} \f] with \f$q = (x_1, y_1, x_2, y_2, \ldots)\f$ in \f$R^{2N}\f$ and unit gravitational
+/// constant. `bodies` N may be avi::dynamic: one code path for both.
 template <int bodies>
 class NBody {
  public:
   static constexpr int dimension = bodies == dynamic ? dynamic : 2 * bodies;  ///< 2N, or avi::dynamic.
   using Masses = Vector<double, bodies>;                                      ///< One for each body.
 
+  /// Bodies of these masses.
   /// @throws std::invalid_argument for fewer than two bodies or a mass that is not finite and positive.
   explicit NBody(Masses masses) : masses_(std::move(masses)) {
     require(masses_.size() >= 2, "Number of bodies", masses_.size(), "at least 2");

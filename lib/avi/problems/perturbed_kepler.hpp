@@ -16,7 +16,7 @@ class PerturbedKepler {
  public:
   static constexpr int dimension = 2;  ///< Of q and of p.
 
-  /// @throws std::invalid_argument unless epsilon is finite and >= 0.
+  /// With this quadrupole. @throws std::invalid_argument unless epsilon is finite and >= 0.
   explicit PerturbedKepler(double epsilon = 0.0) : epsilon_(epsilon) {
     require(std::isfinite(epsilon) && epsilon >= 0.0, "Quadrupole epsilon", epsilon,
             "finite and not negative");

@@ -14,8 +14,7 @@
 /// \f$f_k\f$ needs \f$z_0\f$ to \f$z_k\f$ only. A formula written with Jet is therefore *replayed* once for
 /// each order k: the operations come in the same sequence each time, so each finds the slot it wrote at lower
 /// orders and adds its coefficient k there. A product costs k + 1 multiplications at order k, hence O(r^2) in
-/// all, with no interpreter in between: the compiler sees straight-line code (recurrences: Jorba and Zou
-/// 2005, Proposition 1).
+/// all, and the compiler sees straight-line code (recurrences: Jorba and Zou 2005, Proposition 1).
 
 namespace avi {
 
@@ -30,7 +29,8 @@ class JetTape {
  public:
   static constexpr int stride = R + 2;  ///< coefficients 0 to R and one auxiliary number
 
-  /// @param slots capacity; more operations than that throw TapeOverflow, a std::length_error.
+  /// Allocates the slots. @param slots capacity; more operations than that throw TapeOverflow, a
+  /// std::length_error.
   explicit JetTape(std::size_t slots = 256)
       : capacity_(slots), slots_(std::make_unique_for_overwrite<Slot[]>(slots)) {}
   /// A copy has room of its own; what is on the tape is scratch and stays behind.
@@ -59,9 +59,11 @@ class JetTape {
   int order = 0;  ///< Of the present replay.
 
  private:
+  /// @cond
   struct alignas(sizeof(T) < 64 || alignof(T) > 64 ? alignof(T) : 64) Slot {
     T coefficients[stride];
   };
+  /// @endcond
 
   [[noreturn, gnu::noinline, gnu::cold]] void overflow() const {
     throw TapeOverflow("A Taylor formula has more operations than its tape has slots (" +
@@ -229,8 +231,7 @@ class Jet {
   friend bool operator>=(const Jet& a, const Jet& b) { return a.value() >= b.value(); }
   ///@}
 
-  /// Takes the next slot of the tape.
-  [[nodiscard]] T* slot() const { return tape->template next<K>(); }
+  [[nodiscard]] T* slot() const { return tape->template next<K>(); }  ///< The tape's next slot.
 
  private:
   using Convolution = detail::Convolution<T, K>;

@@ -61,7 +61,8 @@ class Lanes {
   // Written out so that a copy is one register move; as a struct it may be copied in pieces, on whose reload
   // the processor stalls.
   Lanes(const Lanes& other) : lanes(other.lanes) {}  ///< One register move.
-  Lanes& operator=(const Lanes& other) {             ///< One register move.
+  /// One register move.
+  Lanes& operator=(const Lanes& other) {
     lanes = other.lanes;
     return *this;
   }
@@ -224,15 +225,18 @@ class ProductSum<Lanes<N>> {
   using Register = typename Lanes<N>::Register;
 
  public:
-  void add(const Lanes<N>& a, const Lanes<N>& b) {  ///< Adds a b.
+  /// Adds a b.
+  void add(const Lanes<N>& a, const Lanes<N>& b) {
     left_ += a.lanes[0] * b.lanes;
     right_ += b.lanes[0] * a.lanes;
   }
-  void add(double weight, const Lanes<N>& a, const Lanes<N>& b) {  ///< Adds weight a b.
+  /// Adds weight a b.
+  void add(double weight, const Lanes<N>& a, const Lanes<N>& b) {
     left_ += (weight * a.lanes[0]) * b.lanes;
     right_ += (weight * b.lanes[0]) * a.lanes;
   }
-  [[nodiscard]] Lanes<N> result() const {  ///< The sum.
+  /// The sum.
+  [[nodiscard]] Lanes<N> result() const {
     Lanes<N> sum(left_ + right_);
     sum.lanes[0] = left_[0];  // both halves hold the value itself
     return sum;
