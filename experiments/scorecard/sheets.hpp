@@ -2,7 +2,8 @@
 #include "scorecard/sheet.hpp"
 
 /// @file
-/// The sheets of the scorecard, in the order of the paper's tables.
+/// The sheets of the scorecard, in the order of the paper's tables, which are counted without the one of
+/// formulas between the second and the third.
 
 namespace scorecard {
 

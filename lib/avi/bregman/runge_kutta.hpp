@@ -44,7 +44,7 @@ inline VectorX bregman_point(const Iterate& first, const BregmanStart& from) {
   return z;
 }
 
-/// State of a run: z, its stages, and the step to try next.
+/// What a run carries from step to step: z, its stages, and the step to try next.
 template <Tableau T>
 struct BregmanRungeKuttaState {
   VectorX z;                   ///< The current point (q, r, t).

@@ -8,9 +8,10 @@
 
 namespace avi {
 
-/// The Direct and Adaptive Splitting of Section 4.4 of the paper. Half a step of the clock, half a kick, a
-/// drift, half a kick, half a step of the clock; t^s advances exactly. Both kicks and the drift take their
-/// coefficients at the middle time. One gradient a step: the closing kick's is the next opening kick's.
+/// The splitting integrators of Section 4.4 of the paper, Direct and Adaptive. Half a step of the clock, half
+/// a kick, a drift, half a kick, half a step of the clock; t^s advances exactly. Both kicks and the drift
+/// take their coefficients at the middle time. One gradient a step: the closing kick's is the next opening
+/// kick's.
 ///
 /// r^t is not evolved. The printed update of r^t does not belong to these steps (it is not symplectic on
 /// extended phase space); three_flow_step in bregman/extended_splitting.hpp has the same q, r, t with the r^t

@@ -18,7 +18,7 @@ struct SplitCoefficients {
   std::array<long double, static_cast<std::size_t>(m)> b{};      ///< Lengths of the kicks, with sum 1.
 };
 
-/// Symmetric composition \f$S(c_1 h)\, S(c_2 h) \cdots S(c_m h)\f$ of a symmetric step S of order 2.
+/// A symmetric composition \f$S(c_1 h)\, S(c_2 h) \cdots S(c_m h)\f$ of a symmetric step S of order 2.
 template <int m>
 struct CompositionCoefficients {
   static constexpr int stages = m;                           ///< Steps of S in one of the composition.

@@ -9,8 +9,8 @@
 
 namespace avi {
 
-/// \f$H(q, p) = \tfrac12 (|p|^2 + x^2 + y^2) + x^2 y - \tfrac13 y^3\f$ with q = (x, y). Bounded below the
-/// energy 1/6; mostly regular at 1/12, mostly chaotic at 1/6.
+/// \f$H(q, p) = \tfrac12 (|p|^2 + x^2 + y^2) + x^2 y - \tfrac13 y^3\f$ with q = (x, y). Orbits are
+/// bounded below the energy 1/6, mostly regular at 1/12, mostly chaotic at 1/6.
 struct HenonHeiles {
   static constexpr int dimension = 2;  ///< Of q and of p.
 
@@ -38,7 +38,7 @@ struct HenonHeiles {
     return {q[0] + 2.0 * q[0] * q[1], q[1] + q[0] * q[0] - q[1] * q[1]};
   }
 
-  /// Point (y, p_y) of the Poincare section x = 0, p_x > 0 at the given energy.
+  /// Point (y, p_y) of the surface of section x = 0, p_x > 0 at the given energy.
   /// @throws std::invalid_argument when no such point has a real p_x > 0.
   static State<2> on_section(double energy, double y, double p_y) {
     require_finite("Coordinate y", y);

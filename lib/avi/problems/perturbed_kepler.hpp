@@ -10,8 +10,8 @@
 namespace avi {
 
 /// \f$H(q, p) = \tfrac12 |p|^2 - 1/|q| - \varepsilon/(2 |q|^3)\f$: monopole and quadrupole in the plane of
-/// the equator (\f$\varepsilon = J_2 R^2\f$ in units of the orbit). Energy and angular momentum are
-/// conserved, the ellipse turns.
+/// the equator (\f$\varepsilon = J_2 R^2\f$ in units of the orbit). It conserves energy and angular
+/// momentum; the ellipse turns.
 class PerturbedKepler {
  public:
   static constexpr int dimension = 2;  ///< Of q and of p.
