@@ -147,15 +147,21 @@ TEST(BadInput, TheTimeLoop) {
   refuses("steps", -1, [&] { (void)run(0.1, {.steps = -1}); });
 }
 
-// The step is below the rounding of t: it would never arrive.
 TEST(BadInput, AStepTooSmallForTheClockEndsTheRun) {
   auto method = stormer_verlet<2>([](const auto& q) { return Kepler::potential_gradient(q); });
-  auto z = Kepler::pericentre(0.5);
-  z.t = 1.0;
-  const avi::Run run = integrate(method, z, 1e-20, {.time = 2.0});
-  EXPECT_EQ(run.outcome, Outcome::bad_monitor);
-  EXPECT_EQ(run.steps, 1 << 20);
-  EXPECT_TRUE(z.finite());
+  const auto run = [&](double t, double h) {
+    auto z = Kepler::pericentre(0.5);
+    z.t = t;
+    const avi::Run end = integrate(method, z, h, {.time = 2.0, .steps = 3 << 20});
+    EXPECT_TRUE(z.finite());
+    return std::pair(end.outcome, end.steps);
+  };
+  // Below the rounding of t; and above it at first, where t = 0, but never to arrive.
+  EXPECT_EQ(run(1.0, 1e-20), std::pair(Outcome::stalled, 1L << 20));
+  EXPECT_EQ(run(0.0, 1e-300), std::pair(Outcome::stalled, 1L << 20));
+  EXPECT_EQ(run(0.0, 1.5e-16), std::pair(Outcome::stalled, 1L << 20));
+  // 2e15 steps: nobody will wait for them, but they are that many.
+  EXPECT_EQ(run(0.0, 1e-15), std::pair(Outcome::step_limit, 3L << 20));
 }
 
 TEST(BadInput, MonitorsThatAreNotPositive) {

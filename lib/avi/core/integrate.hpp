@@ -52,9 +52,9 @@ std::string describe_end(Outcome outcome, const State& state, long steps, double
 ///
 /// The observer is called as observer(state, k) after step k = 1, 2, ...; when it returns bool, false stops
 /// the run. The state is always the last good one.
-/// A run to a time whose clock has not advanced over a million steps (h is below the rounding of t, or a
-/// method without a check of its own has a monitor that is not positive) ends as bad_monitor: nothing loops
-/// for ever.
+/// A run to a time that is over 2^53 steps away at the pace of the last million ends as stalled: h is below
+/// the rounding of that time, or a method without a check of its own has a monitor that is not positive.
+/// Nothing loops for ever.
 /// @throws std::invalid_argument for h that is zero or not finite, or negative with an end time, or an
 /// `until` that sets no end.
 template <class State, Method<State> M, class Observer = NoObserver>
@@ -87,7 +87,8 @@ Run integrate(M& method, State& state, double h, Until until, Observer&& observe
     ++run.steps;
     run.evaluations += report.evaluations;
     if (run.steps % patience == 0 && timed) {
-      if (!(current.t > clock)) return end(Outcome::bad_monitor, 0.0);
+      if (!((current.t - clock) * (0x1p53 / patience) > until.time - current.t))
+        return end(Outcome::stalled, 0.0);
       clock = current.t;
     }
     if constexpr (std::is_same_v<std::invoke_result_t<Observer&, const State&, long>, bool>) {

@@ -15,7 +15,8 @@ enum class Outcome {
   not_converged,  ///< An implicit equation was not solved; the state is the last good one.
   non_finite,     ///< A value became infinite or NaN; the state is the last good one.
   bad_monitor,    ///< The monitor g = dt/dtau was not positive; the state is the last good one.
-  diverged        ///< The iterates left every bound that the caller set.
+  stalled,        ///< Physical time stands still, or so nearly that the run would never arrive.
+  diverged        ///< The iterates left every bound that the caller set; the last good one is kept.
 };
 
 /// The name used in messages and data files.
@@ -33,6 +34,8 @@ constexpr std::string_view name(Outcome outcome) {
     return "non_finite";
   case Outcome::bad_monitor:
     return "bad_monitor";
+  case Outcome::stalled:
+    return "stalled";
   case Outcome::diverged:
     return "diverged";
   }
