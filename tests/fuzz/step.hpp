@@ -66,8 +66,8 @@ template <class M>
 void descent(const M& method, const avi::VectorX& x0) {
   const avi::CorrelatedQuartic f(x0.size());
   const avi::Minimisation run = avi::minimise(f, method, x0, {.iterations = 50});
-  if (run.outcome == avi::Outcome::ok && !(run.last.x.allFinite() && std::isfinite(run.last.value)))
-    throw std::logic_error("A minimisation converged to what is not a number.");
+  if (!(run.last.x.allFinite() && std::isfinite(run.last.value)))
+    throw std::logic_error("A minimisation ended at what is not a number.");
   if ((run.outcome == avi::Outcome::ok) != run.message.empty())
     throw std::logic_error("An end without its name.");
 }

@@ -101,6 +101,7 @@ TEST(Runs, AnObjectiveThatSwallowsNanConvergesNowhere) {
   const auto run = avi::minimise(
       f, avi::BregmanHeavyBall{.family = avi::BregmanFamily::direct(2.0), .h = 0.1}, VectorX::Ones(3));
   EXPECT_EQ(run.outcome, Outcome::non_finite) << run.message;
+  EXPECT_TRUE(run.last.x.allFinite());
 }
 
 TEST(HeavyBall, GivesThePublishedCounts) {

@@ -66,6 +66,11 @@ TEST(Minimise, NamesIterationAndValueOfWhatIsNotANumber) {
   const auto gradient = minimise(Bowl{.fault = Bowl::Fault::gradient, .at = 5}, method, VectorX::Ones(3));
   EXPECT_EQ(gradient.outcome, Outcome::non_finite);
   EXPECT_EQ(gradient.iterations, 5);
+  // The last good iterates are x_3 and x_4, of 2^-k in every entry.
+  EXPECT_EQ(value.last.x, VectorX::Constant(3, 0.125));
+  EXPECT_EQ(gradient.last.x, VectorX::Constant(3, 0.0625));
+  EXPECT_EQ(gradient.last.gradient, VectorX::Constant(3, 0.0625));
+  EXPECT_EQ(gradient.last.value, 1.5 * 0.0625 * 0.0625);
   const auto start =
       refusal([&] { minimise(Bowl{.fault = Bowl::Fault::value, .at = 1}, method, VectorX::Ones(3)); });
   EXPECT_EQ(start, "Value of the objective at x0 is nan; it must be finite.");
@@ -76,10 +81,21 @@ TEST(Minimise, ReportsDivergenceAtOnce) {
   const auto run = minimise(Bowl{}, GradientDescent{.h = 10.0}, VectorX::Ones(2));
   EXPECT_EQ(run.outcome, Outcome::diverged);
   EXPECT_EQ(run.iterations, 16);
+  EXPECT_EQ(run.last.x, VectorX::Constant(2, std::pow(-9.0, 15))) << "the last good one";
+  EXPECT_EQ(run.last.value, std::pow(81.0, 15));
   const auto quartic =
       minimise(avi::CorrelatedQuartic{}, GradientDescent{.h = 1.0}, VectorX::Constant(50, 5.0));
   EXPECT_EQ(quartic.outcome, Outcome::diverged);
   EXPECT_LT(quartic.iterations, 100);
+}
+
+TEST(Minimise, AnInfiniteValueIsOutOfEveryBound) {
+  // A thousandth of the largest number at the start: the bound of growth 1e30 is no number.
+  const auto steep = [](const VectorX& x, VectorX& g) { return g = x, 0.5e305 * avi::dot(x, x); };
+  const auto run = minimise(steep, GradientDescent{.h = 10.0}, VectorX::Ones(1));
+  EXPECT_EQ(run.outcome, Outcome::diverged);
+  EXPECT_EQ(run.iterations, 2);  // f = 0.5e305 81^k
+  EXPECT_EQ(run.last.x[0], -9.0);
 }
 
 TEST(Minimise, ShowsEveryIterateAndMayBeStopped) {

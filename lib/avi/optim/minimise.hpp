@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <concepts>
+#include <limits>
 #include <sstream>
 #include <type_traits>
 #include <utility>
@@ -91,8 +92,10 @@ Minimisation minimise(const F& f, const M& method, const VectorX& x0, const Stop
   require_finite("Norm of the gradient at x0", norm(now.gradient));
   typename M::State state = method.start(now);
 
-  const double value_bound = stopping.growth * std::max(1.0, std::abs(now.value));
-  const double x_bound = stopping.growth * std::max(1.0, detail::largest(x0));
+  const auto bound = [&](double size) {
+    return std::min(stopping.growth * std::max(1.0, size), std::numeric_limits<double>::max());
+  };
+  const double value_bound = bound(std::abs(now.value)), x_bound = bound(detail::largest(x0));
   const auto go_on = [&] {
     if constexpr (std::is_same_v<std::invoke_result_t<Witness&, const Iterate&, long, long>, bool>)
       return witness(std::as_const(now), run.iterations, objective.gradients);
@@ -104,6 +107,15 @@ Minimisation minimise(const F& f, const M& method, const VectorX& x0, const Stop
     run.function_evaluations = objective.values;
     return run;
   };
+  // One step back from the failure. An objective that answers with numbers where it is asked about what is
+  // none hides a failure for longer; then only x0 is known to be good.
+  VectorX good = now.x;
+  const auto fail = [&]() -> Minimisation& {
+    detail::describe_failure(run, x_bound);
+    now.x = std::isfinite(detail::largest(good)) ? good : x0;
+    now.evaluate(objective);
+    return end();
+  };
   const auto end_as = [&](Outcome outcome, std::string_view reason) -> Minimisation& {
     run.outcome = outcome;
     run.message = detail::describe_end(outcome, run.iterations, now, reason);
@@ -113,26 +125,20 @@ Minimisation minimise(const F& f, const M& method, const VectorX& x0, const Stop
   bool more = go_on();
   while (more && run.iterations < stopping.iterations) {
     const double before = now.value;
+    good = now.x;
     const Outcome outcome = method.update(state, now, objective);
     ++run.iterations;
     if (outcome != Outcome::ok) return end_as(outcome, "the method cannot continue");
     if (!now.evaluated) now.evaluate(objective);
     // One comparison per iteration finds every failure: NaN and infinity fail it too.
-    if (!(std::abs(now.value) <= value_bound)) {
-      detail::describe_failure(run, x_bound);
-      return end();
-    }
+    if (!(std::abs(now.value) <= value_bound)) return fail();
     more = go_on();
     if (stopping.holds(now.value - before, now)) {
       run.outcome = Outcome::ok;
       break;
     }
   }
-  // An objective may answer with numbers where it is asked about what is none.
-  if (!std::isfinite(detail::largest(now.x))) {
-    detail::describe_failure(run, x_bound);
-    return end();
-  }
+  if (!std::isfinite(detail::largest(now.x))) return fail();
   if (run.outcome == Outcome::ok) return end();
   return more ? end_as(Outcome::step_limit, "the cap on iterations was reached")
               : end_as(Outcome::stopped, "the witness asked to stop");

@@ -39,7 +39,8 @@ struct Minimisation {
   long iterations = 0;                    ///< Updates made.
   long gradient_evaluations = 0;          ///< All of them, those of the stopping test included.
   long function_evaluations = 0;          ///< Likewise.
-  Iterate last;                           ///< The last iterate.
+  /// The last iterate; where a run ended as diverged or non_finite, the last good one, evaluated once more.
+  Iterate last;
   std::string message;  ///< Empty when converged; else one sentence with iteration and reason.
 
   [[nodiscard]] bool converged() const { return outcome == Outcome::ok; }  ///< The criterion held.
