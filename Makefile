@@ -151,14 +151,18 @@ build/data build/figures build/paper figures/gallery:
 long: $(patsubst %,build/long/%.tsv,$(call with_flag,long)) ## Run to their end what `figures` runs under a cap
 build/long/%.tsv: $(BIN)/%
 	$(BIN)/$* --long --output build/long
+# $(call draw_all,stems,kind): those figures from build/<kind>, as build/figures/<stem>_<kind>
+draw_all = for each in $(filter $(drawable),$(1)); do \
+	  $(call draw,$$each,build/$(2),build/figures/$${each}_$(2),pdf,pdf) && \
+	  $(call draw,$$each,build/$(2),build/figures/$${each}_$(2),png,png) || exit 1; done
 whole := $(call with_flag,full)
 work-precision: deps-peers $(patsubst %,build/full/%.tsv,$(whole)) | build/figures ## The whole grid of speed and accuracy
-	@for each in $(filter $(drawable),$(whole)); do \
-	  $(call draw,$$each,build/full,build/figures/$${each}_full,pdf,pdf) && \
-	  $(call draw,$$each,build/full,build/figures/$${each}_full,png,png) || exit 1; done
+	@$(call draw_all,$(whole),full)
 build/full/%.tsv: $(BIN)/%
 	$(BIN)/$* --full --output build/full
-extremes: $(patsubst %,build/extremes/%.tsv,$(call with_flag,extremes)) ## The long stability runs
+extreme := $(call with_flag,extremes)
+extremes: $(patsubst %,build/extremes/%.tsv,$(extreme)) | build/figures ## The long stability runs
+	@$(call draw_all,$(extreme),extremes)
 build/extremes/%.tsv: $(BIN)/%
 	$(BIN)/$* --extremes --output build/extremes
 

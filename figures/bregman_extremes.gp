@@ -54,7 +54,7 @@ name_of(p_) = p_ == 4 ? 'Adaptive 4, 1' : 'Adaptive 10, 0.5'
 plot for [p_ in '4 10'] table using (held('correct', 'conditioning', p_+0, column('one_less_rho'))):'iterations' with linespoints ls (p_+0 == 4 ? method('adam') : method('htvi')) title name_of(p_+0)
 
 eval panel(2, 2, 2, 3)
-set xrange [0.7:2e6]; set xtics 1, 100, 1e6
+set xrange [0.7:2e7]; set xtics 1, 100, 1e6
 set yrange [5:1e8]
 set ytics auto
 set xlabel 'dimension' offset 0, 0.5
