@@ -44,7 +44,7 @@ class Htvi {
 
   using Change = StepChange<n>;  ///< What a step adds.
 
-  /// Advances z by the fictive step h.
+  /// Advances z by the fictive step h; leaves it as it was where the step ends otherwise than ok.
   StepReport step(State<n>& z, double h) {
     Change change;
     const StepReport report = increment(z, h, change);
@@ -59,7 +59,7 @@ class Htvi {
     return report;
   }
 
-  /// Computes the change over a step of size h from z.
+  /// The change over a step h. @throws std::invalid_argument where n is avi::dynamic and z of another size.
   StepReport increment(const State<n>& z, double h, Change& change) {
     if constexpr (n == dynamic)
       return solve(z, h, change);
