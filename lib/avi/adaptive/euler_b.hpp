@@ -64,7 +64,8 @@ class EulerB {
   double pt_;
 };
 
-/// Adaptive symplectic Euler-B along the orbit through `start`.
+/// Adaptive symplectic Euler-B along the orbit through `start`, \f$p^t = -H(q(0), p(0))\f$.
+/// @throws std::invalid_argument where H is not finite there.
 template <int n, class Problem, class G = Unit>
 EulerB<n, Problem, G> euler_b(Problem problem, const State<n>& start, G monitor = {}) {
   const double pt = -problem(start.q, start.p);

@@ -164,7 +164,8 @@ class Poincare {
   Eigen::Index size_;
 };
 
-/// The transformed problem of an orbit through `start`: p^t = -H(q(0), p(0)), the paper's common choice.
+/// The transformed problem of an orbit through `start`: \f$p^t = -H(q(0), p(0))\f$, the paper's common choice
+/// (Section 3.1). @throws std::invalid_argument where H is not finite there.
 template <int n, class H, class G = Unit>
 Poincare<n, H, G> poincare(H hamiltonian, const State<n>& start, G monitor = {}) {
   const double pt = -static_cast<double>(hamiltonian(start.q, start.p));
