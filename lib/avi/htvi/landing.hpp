@@ -14,7 +14,7 @@ namespace avi {
 /// Ends a run exactly at t_end: advances with step h while t < t_end, then repeats the last step with the
 /// smaller fictive step whose physical one ends at t_end, found by the secant method with bisection as its
 /// safeguard. Every step, the last one included, is a step of the method and so symplectic. `observer` as in
-/// integrate().
+/// integrate(), but what it returns is not looked at: it cannot stop the run.
 /// @throws std::invalid_argument as integrate(), or unless h > 0 and t_end >= state.t.
 template <class State, Method<State> M, class Observer = NoObserver>
 Run integrate_to(M& method, State& state, double h, double t_end, Observer&& observer = {}) {
