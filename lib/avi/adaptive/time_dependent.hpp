@@ -8,9 +8,13 @@
 
 namespace avi {
 
+/// Dimension of the extended phase space: n + 1.
+constexpr int extended_dimension(int n) { return n == dynamic ? dynamic : n + 1; }
+
 /// \f$\bar H(\bar q, \bar p) = g(q, t, p)\, (H(q, t, p) + p^t)\f$ with \f$\bar q = (q, t)\f$,
 /// \f$\bar p = (p, p^t)\f$: an autonomous Hamiltonian of dimension n + 1 (equation (3.9) of the paper). H and
-/// g are called with vectors of n entries and the scalar t.
+/// g are called with vectors of n entries and the scalar t. Where n is known at run time only, each call
+/// copies q and p to vectors of its own.
 template <int n, class H, class G>
 struct ExtendedHamiltonian {
   H hamiltonian;  ///< H(q, t, p).
@@ -18,9 +22,10 @@ struct ExtendedHamiltonian {
 
   /// H-bar at (q, t), (p, p^t), n + 1 entries each.
   template <class S>
-  S operator()(const Vector<S, n + 1>& q, const Vector<S, n + 1>& p) const {
-    const Vector<S, n> x = q.template head<n>(), y = p.template head<n>();
-    return monitor(x, q[n], y) * (hamiltonian(x, q[n], y) + p[n]);
+  S operator()(const Vector<S, extended_dimension(n)>& q, const Vector<S, extended_dimension(n)>& p) const {
+    const Eigen::Index last = q.size() - 1;
+    const Vector<S, n> x = q.template head<n>(last), y = p.template head<n>(last);
+    return monitor(x, q[last], y) * (hamiltonian(x, q[last], y) + p[last]);
   }
 };
 
@@ -35,28 +40,30 @@ struct UnitInTime {
 
 /// The extended problem, of dimension n + 1; all of its n + 1 momenta evolve, p^t too.
 template <int n, class H, class G>
-class TimeDependent : public Poincare<n + 1, ExtendedHamiltonian<n, H, G>> {
+class TimeDependent : public Poincare<extended_dimension(n), ExtendedHamiltonian<n, H, G>> {
  public:
-  static_assert(n != dynamic, "A time-dependent problem needs its dimension at compile time.");
-  /// The coordinate that is physical time: states of this problem carry it in q and in t alike.
-  static constexpr int clock = n;
+  /// Physical time is the last coordinate: states of this problem carry it in q and in t alike.
+  static constexpr bool clock = true;
 
   /// The problem of H(q, t, p) with monitor g(q, t, p); time_dependent() finds the types.
-  TimeDependent(H hamiltonian, G monitor)
-      : Poincare<n + 1, ExtendedHamiltonian<n, H, G>>({std::move(hamiltonian), std::move(monitor)}, Unit{},
-                                                      0.0) {}
+  /// @param size n, where it is avi::dynamic
+  /// @throws std::invalid_argument unless the size agrees with n.
+  TimeDependent(H hamiltonian, G monitor, Eigen::Index size = n)
+      : Poincare<extended_dimension(n), ExtendedHamiltonian<n, H, G>>(
+            {std::move(hamiltonian), std::move(monitor)}, Unit{}, 0.0, size + 1) {}
 };
 
-/// The extended problem of H(q, t, p) with monitor g(q, t, p).
+/// The extended problem of H(q, t, p) with monitor g(q, t, p). @param size n, where it is avi::dynamic
 template <int n, class H, class G = UnitInTime>
-TimeDependent<n, H, G> time_dependent(H hamiltonian, G monitor = {}) {
-  return {std::move(hamiltonian), std::move(monitor)};
+TimeDependent<n, H, G> time_dependent(H hamiltonian, G monitor = {}, Eigen::Index size = n) {
+  return {std::move(hamiltonian), std::move(monitor), size};
 }
 
 /// The state (q, t), (p, p^t) of the extended problem at time z.t, with p^t = -H(q, t, p).
 template <int n, class H, class G>
-State<n + 1> extended(const TimeDependent<n, H, G>& problem, const State<n>& z) {
-  State<n + 1> bar;
+State<extended_dimension(n)> extended(const TimeDependent<n, H, G>& problem, const State<n>& z) {
+  State<extended_dimension(n)> bar{.q = Vector<double, extended_dimension(n)>(z.q.size() + 1),
+                                   .p = Vector<double, extended_dimension(n)>(z.q.size() + 1)};
   bar.q << z.q, z.t;
   bar.p << z.p, -problem.hamiltonian().hamiltonian(z.q, z.t, z.p);
   bar.t = z.t;
@@ -65,8 +72,11 @@ State<n + 1> extended(const TimeDependent<n, H, G>& problem, const State<n>& z) 
 
 /// The state (q, p) at time t of an extended one.
 template <int m>
-State<m - 1> reduced(const State<m>& bar) {
-  return {.q = bar.q.template head<m - 1>(), .p = bar.p.template head<m - 1>(), .t = bar.q[m - 1]};
+auto reduced(const State<m>& bar) {
+  constexpr int n = m == dynamic ? dynamic : m - 1;
+  const Eigen::Index last = bar.q.size() - 1;
+  return State<n>{
+      .q = bar.q.template head<n>(last), .p = bar.p.template head<n>(last), .t = bar.q[last]};
 }
 
 }  // namespace avi

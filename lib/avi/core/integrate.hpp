@@ -57,8 +57,10 @@ std::string describe_end(Outcome outcome, const State& state, long steps, double
 /// Nothing loops for ever.
 /// @throws std::invalid_argument for h that is zero or not finite, or negative with an end time, or an
 /// `until` that sets no end.
-template <class State, Method<State> M, class Observer = NoObserver>
+template <class State, class M, class Observer = NoObserver>
 Run integrate(M& method, State& state, double h, Until until, Observer&& observer = {}) {
+  static_assert(Method<M, State>,
+                "The method has no step(state, h) for this state: is the state of another dimension?");
   require(std::isfinite(h) && h != 0.0, "Step size h", h, "finite and not zero");
   require(!std::isnan(until.time), "End time", until.time, "a number");
   require(until.steps >= 0, "Number of steps", until.steps, "at least 0");

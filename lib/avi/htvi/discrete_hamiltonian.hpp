@@ -7,6 +7,7 @@
 
 #include <array>
 #include <string>
+#include <tuple>
 #include <utility>
 
 /// @file
@@ -33,7 +34,7 @@ class TaylorAction {
   /// For a problem and a rule. @throws std::invalid_argument for an improper rule or an order out of range.
   TaylorAction(const Problem& problem, Quadrature rule, int run_time_order, std::size_t tape_slots)
       : problem_(problem), rule_(std::move(rule)), tape_(tape_slots), order_(run_time_order),
-        q_(many<Series, n>(size())), p_(q_), jets_(size()), nodes_(size()) {
+        q_(many<Series, n>(size())), p_(q_), jets_(workspaces(size())), nodes_(size()) {
     validate(rule_);
     require(order_ >= 0 && order_ <= capacity, "Taylor order r", order_,
             "in [0, " + std::to_string(capacity) + "]");
@@ -87,13 +88,11 @@ class TaylorAction {
     }
   }
 
-  /// dH/dp (or dH/dq) at the start of the last expansion, from q' = g dH/dp and p' = -g dH/dq on the energy
-  /// shell.
-  [[nodiscard]] Vector<double, n> energy_slope(bool momentum) const {
-    Vector<double, n> slope(size());
+  /// slope = dH/dp (or dH/dq) at the start of the last expansion, from q' = g dH/dp and p' = -g dH/dq on the
+  /// energy shell.
+  void energy_slope(bool momentum, Vector<double, n>& slope) const {
     for (int i = 0; i < size(); ++i)
       slope[i] = (momentum ? q_[i][1].value() : -p_[i][1].value()) / t_[1].value();
-    return slope;
   }
 
   /// Taylor polynomial of the last expansion at the fraction c of the step, position to order r + 1.
@@ -113,7 +112,19 @@ class TaylorAction {
  private:
   /// One copy of the formulas per order is a fifth faster where they are short; long ones fit the instruction
   /// cache, and the compiler's patience, only once.
-  static constexpr bool unrolled = fixed && construction.field == Field::on_shell && r != dynamic && r <= 4;
+  static constexpr bool unrolled = construction.field == Field::on_shell && r != dynamic && r <= 4;
+  /// A workspace for the handles of each order that has its own copy of the formulas.
+  template <int... k>
+  using Workspaces = std::tuple<Workspace<Jet<Lane, capacity, k>, n>...>;
+  static auto workspaces(int size) {
+    if constexpr (unrolled)
+      return [&]<int... k>(std::integer_sequence<int, k...>) {
+        return Workspaces<k...>(Workspace<Jet<Lane, capacity, k>, n>(size)...);
+      }
+    (std::make_integer_sequence<int, r + 1>{});
+    else
+      return Workspaces<-1>(size);
+  }
   /// Scaled coefficients: entry k is h^k / k! times the k-th derivative.
   using Series = std::array<Lane, capacity + 2>;
 
@@ -161,7 +172,7 @@ class TaylorAction {
   [[gnu::flatten]] void replay(int k, double h) {
     using S = Jet<Lane, capacity, K>;
     tape_.rewind(k);
-    auto&& [q, p, dq, dp, room] = jets_.template at<S>();
+    auto&& [q, p, dq, dp, room] = std::get<Workspace<S, n>>(jets_).at();
     for (int i = 0; i < size(); ++i) {
       q[i] = S(q_[i].data(), &tape_);
       p[i] = S(p_[i].data(), &tape_);
@@ -200,7 +211,7 @@ class TaylorAction {
       const double c = rule_.nodes[j];
       constexpr NodePosition nodes = construction.nodes;
       const bool raised = nodes == NodePosition::raised || (nodes == NodePosition::end_raised && c == 1.0);
-      auto&& [q, p, dq, dp, room] = nodes_.template at<Lane>();
+      auto&& [q, p, dq, dp, room] = nodes_.at();
       for (int i = 0; i < size(); ++i) {
         q[i] = raised ? at<1>(q_[i], c) : at<0>(q_[i], c);
         p[i] = at<0>(p_[i], c);
@@ -216,7 +227,7 @@ class TaylorAction {
   const int order_;
   Many<Series, n> q_, p_;
   Series t_, pt_;
-  Workspace<Jet<Lane, capacity, -1>, n> jets_;
+  decltype(workspaces(0)) jets_;
   Workspace<Lane, n> nodes_;
 };
 

@@ -28,13 +28,13 @@ class Htvi {
  public:
   static constexpr int n = Problem::dimension;                 ///< Dimension of the problem, or avi::dynamic.
   static constexpr int both = n == dynamic ? dynamic : 2 * n;  ///< That of phase space.
-  static constexpr bool has_clock = requires { Problem::clock; };  ///< Time is one of the coordinates.
+  static constexpr bool has_clock = requires { Problem::clock; };  ///< Time is the last coordinate.
 
   /// What type2(), type3() and htvi_of_order() make. @param order r, where it is avi::dynamic at compile time
   /// @throws std::invalid_argument for an improper rule or solver setting.
   explicit Htvi(const Problem& problem, Quadrature rule, SolverSettings solver = {}, int order = r,
                 std::size_t tape_slots = 512)
-      : action_(problem, std::move(rule), order, tape_slots), solver_(solver), predictor_(size()),
+      : action_(problem, std::move(rule), order, tape_slots), solver_(solver), predictor_(size()), room_(size()),
         x_(2 * size(), size()), other_(2 * size(), size()), drift_(size()), s_(size()), v_(size()),
         x_pt_(size()), rest_(2 * size()), t_(2 * size()) {
     require(std::isfinite(solver.tolerance) && solver.tolerance >= 1.0, "Solver tolerance", solver.tolerance,
@@ -46,17 +46,23 @@ class Htvi {
 
   /// Advances z by the fictive step h; leaves it as it was where the step ends otherwise than ok.
   StepReport step(State<n>& z, double h) {
-    Change change;
-    const StepReport report = increment(z, h, change);
+    const StepReport report = increment(z, h, change_);
     if (report.outcome == Outcome::ok) {
-      z.q += change.q;
-      z.p += change.p;
+      z.q += change_.q;
+      z.p += change_.p;
       if constexpr (has_clock)
-        z.t = z.q[Problem::clock];
+        z.t = z.q[size() - 1];
       else
-        z.t += change.t;
+        z.t += change_.t;
     }
     return report;
+  }
+
+  /// Refuses a state of another dimension.
+  template <int m>
+  StepReport step(State<m>&, double) {
+    static_assert(m == n, "The state is of another dimension than the method's problem.");
+    return {};
   }
 
   /// The change over a step h. @throws std::invalid_argument where n is avi::dynamic and z of another size.
@@ -98,22 +104,25 @@ class Htvi {
   StepReport solve(const State<n>& z, double h, Change& change) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     if constexpr (n == dynamic)
-      require(z.q.size() == size() && z.p.size() == size(), "Dimension of the state", z.q.size(),
-              "that of the problem, " + std::to_string(size()) + ", for q and p alike");
+      if (z.q.size() != size() || z.p.size() != size())  // before the message, which costs an allocation
+        require(false, "Dimension of the state", z.q.size(),
+                "that of the problem, " + std::to_string(size()) + ", for q and p alike");
     const Vector<double, n>& start = right ? z.p : z.q;
-    Vector<double, n> correction = predictor_.guess(h);  // u - u_0
+    auto& [unknown, correction, residual, plain, wanted, slope, factor, inverse] = room_;
+    predictor_.guess(h, correction);  // u - u_0
     StepReport report{.evaluations = 0};
     double previous = 0.0;  // no estimate of the contraction yet
-    Broyden<n> broyden;
+    broyden_.restart();
     for (int k = 1; k <= solver_.max_iterations; ++k) {
-      const Vector<double, n> unknown = start + correction;
+      unknown = start + correction;
       correction = unknown - start;  // what was really added, after rounding
       for (int c = 0; c < action_.chunks(); ++c) {
         action_.expand(right ? z.q : unknown, right ? unknown : z.p, h, d_, c);
         gather(right ? unknown : z.p, c);
       }
       ++report.evaluations;
-      const Vector<double, n> residual = discrete_equations(change) - correction;
+      discrete_equations(change);
+      residual = wanted - correction;
       report.residual = residual.template lpNorm<Eigen::Infinity>();
       if (!std::isfinite(report.residual))
         report.outcome = Outcome::non_finite;
@@ -128,13 +137,14 @@ class Htvi {
       const bool stagnates =
           k > 1 && report.residual >= 0.5 * previous && report.residual <= 100.0 * accepted;
       const bool slow = solver_.quasi_newton && k > 1 && report.residual > 0.1 * previous;
-      const Vector<double, n> plain = newton(residual),
-                              shift = stagnates ? plain : broyden.shift(residual, plain, slow);
+      newton();
+      const Vector<double, n>& shift = stagnates ? plain : broyden_.shift(residual, plain, slow);
       // The residual falls by residual / previous, and more, each time; once the next one would be well below
       // round-off, so is the error of a first-order correction.
       if (stagnates || report.residual * report.residual <= 0.1 * accepted * previous) {
         correct(residual, shift, change);
-        return predictor_.remember(correction + shift, h), report;
+        correction += shift;
+        return predictor_.remember(correction, h), report;
       }
       previous = report.residual;
       correction += shift;
@@ -152,13 +162,12 @@ class Htvi {
   [[nodiscard]] int at_k() const { return right ? 0 : size(); }  // and those of the known half
   static constexpr bool shell_terms = !Problem::unit && construction.field == Field::on_shell;
 
-  /// Solves (du_0/du) x = residual, up to O(h^(r+1)).
-  [[nodiscard]] Vector<double, n> newton(const Vector<double, n>& residual) const {
+  /// Solves (du_0/du) plain = residual, up to O(h^(r+1)).
+  void newton() {
+    room_.plain = room_.residual;
     if constexpr (shell_terms) {
-      const Vector<double, n> w = action_.energy_slope(right);
-      return residual - v_ * (w.dot(residual) / (1.0 + w.dot(v_)));
-    } else {
-      return residual;
+      action_.energy_slope(right, room_.slope);
+      room_.plain -= v_ * (room_.slope.dot(room_.residual) / (1.0 + room_.slope.dot(v_)));
     }
   }
 
@@ -167,7 +176,7 @@ class Htvi {
   void correct(const Vector<double, n>& residual, const Vector<double, n>& shift, Change& change) const {
     auto& other = right ? change.q : change.p;
     auto& same = right ? change.p : change.q;
-    if constexpr (shell_terms) other += action_.energy_slope(right).dot(shift) * s_;
+    if constexpr (shell_terms) other += room_.slope.dot(shift) * s_;
     same -= residual;
     for (int j = 0; j < size(); ++j) {
       for (int i = 0; i < size(); ++i) {
@@ -207,38 +216,45 @@ class Htvi {
       if (2 * size() - first < Action::lanes) rest_pt_ = rest.partial(2 * size() - first);
   }
 
-  /// Solves the discrete Hamilton's equations for the change at the present expansion; returns the u - u_0
-  /// that they ask for.
-  Vector<double, n> discrete_equations(Change& change) {
-    Matrix<double, n> x_u = x_.template middleRows<n>(at_u(), size());  // transpose of dX/du
+  /// Solves the discrete Hamilton's equations for the change at the present expansion; `wanted` is then the
+  /// u - u_0 that they ask for.
+  void discrete_equations(Change& change) {
+    Matrix<double, n>& x_u = room_.inverse;  // of the transpose of dX/du
+    room_.factor = x_.template middleRows<n>(at_u(), size());
     if constexpr (n != dynamic && n <= 4)
-      x_u = x_u.inverse().eval();
+      x_u = room_.factor.inverse();
     else
-      x_u = inverse(x_u);
+      invert(room_.factor, x_u);
     const auto x_k = x_.template middleRows<n>(at_k(), size());
     auto& other = right ? change.q : change.p;
+    auto& same = right ? change.p : change.q;
     // Coefficient by coefficient: no temporaries at run-time dimension.
     other = x_u.lazyProduct(sigma * rest_.template segment<n>(at_u(), size()));
-    const Vector<double, n> image =
-        x_k.lazyProduct(other) - sigma * rest_.template segment<n>(at_k(), size());
-    if constexpr (right)
-      change.p = image;
-    else
-      change.q = image + drift_;
+    room_.wanted = x_k.lazyProduct(other);
+    room_.wanted -= sigma * rest_.template segment<n>(at_k(), size());
+    if constexpr (right) {
+      same = room_.wanted;
+      room_.wanted -= drift_;
+    } else {
+      same = room_.wanted + drift_;
+    }
     if constexpr (shell_terms) {
       s_ = x_u.lazyProduct(sigma * t_.template segment<n>(at_u(), size()));
-      v_ = sigma * t_.template segment<n>(at_k(), size()) - x_k.lazyProduct(s_);
+      v_ = x_k.lazyProduct(s_);
+      v_ = sigma * t_.template segment<n>(at_k(), size()) - v_;
     }
     if constexpr (Action::energy_lane)
       change.t = rest_pt_ - sigma * x_pt_.dot(other);
     else
       change.t = d_.t.value();
-    return right ? Vector<double, n>(image - drift_) : image;
   }
 
   Action action_;
   SolverSettings solver_;
   Predictor<n> predictor_;
+  Broyden<n> broyden_;
+  IterationRoom<n> room_;
+  Change change_{Vector<double, n>(size()), Vector<double, n>(size()), 0.0};
   Matrix<double, both, n> x_, other_;  // transposed derivatives of X and of the change of the other half
   Vector<double, n> drift_, s_, v_, x_pt_;
   Vector<double, both> rest_, t_;

@@ -34,23 +34,25 @@ struct StepChange {
 template <int n>
 class Predictor {
  public:
-  explicit Predictor(Eigen::Index size) : size_(size) {}  ///< For unknowns of `size` entries.
+  explicit Predictor(Eigen::Index size) : last_(size), last_but_one_(size) {}  ///< For `size` entries.
 
-  /// The guess for a step h: zero unless the last two steps were of this size.
-  [[nodiscard]] Vector<double, n> guess(double h) const {
-    if (h == last_h_ && h == last_but_one_h_) return 2.0 * last_ - last_but_one_;
-    return Vector<double, n>::Zero(size_);
+  /// value = the guess for a step h: zero unless the last two steps were of this size.
+  void guess(double h, Vector<double, n>& value) const {
+    if (h == last_h_ && h == last_but_one_h_)
+      value = 2.0 * last_ - last_but_one_;
+    else
+      value.setZero();
   }
   /// Takes in what the step h has found.
   void remember(const Vector<double, n>& value, double h) {
-    last_but_one_ = std::exchange(last_, value);
+    last_but_one_.swap(last_);
+    last_ = value;
     last_but_one_h_ = std::exchange(last_h_, h);
   }
 
  private:
   Vector<double, n> last_, last_but_one_;
   double last_h_ = 0.0, last_but_one_h_ = 0.0;
-  Eigen::Index size_;
 };
 
 /// Broyden's quasi-Newton method for F(u) = 0 where the plain iteration u += F(u) contracts slowly, or not at
@@ -59,8 +61,10 @@ class Predictor {
 template <int n>
 class Broyden {
  public:
+  /// Forgets the last equation.
+  void restart() { at_work_ = false; }
   /// The shift of u that a residual asks for. @param plain that of the plain iteration
-  Vector<double, n> shift(const Vector<double, n>& residual, const Vector<double, n>& plain, bool slow) {
+  const Vector<double, n>& shift(const Vector<double, n>& residual, const Vector<double, n>& plain, bool slow) {
     if (slow && !at_work_) {
       inverse_ = Matrix<double, n>::Identity(residual.size(), residual.size());
       at_work_ = true;
@@ -84,6 +88,16 @@ class Broyden {
   Matrix<double, n> inverse_;
   Vector<double, n> last_residual_, last_shift_;
   bool at_work_ = false;
+};
+
+/// Vectors and matrices of one iteration, allocated once where n is known at run time only.
+template <int n>
+struct IterationRoom {
+  explicit IterationRoom(Eigen::Index size)
+      : unknown(size), correction(size), residual(size), plain(size), wanted(size), slope(size),
+        factor(size, size), inverse(size, size) {}
+  Vector<double, n> unknown, correction, residual, plain, wanted, slope;
+  Matrix<double, n> factor, inverse;
 };
 
 }  // namespace avi

@@ -48,11 +48,16 @@ class TaylorValues {
     t = sum(t_);
   }
 
-  /// Whether the expansion has converged to round-off: for q and for p, the remainder c_r rho / (1 - rho) of
-  /// a geometric series of ratio rho = (c_r / c_(r-2))^(1/2) is at most half a unit in the last place of the
-  /// largest entry, where c_k is the largest entry of coefficient k (Jorba and Zou 2005, Section 3.2, choose
-  /// steps by such a ratio). An estimate, not a bound: a function with gaps in its series can deceive it.
-  [[nodiscard]] bool converged() const { return converged(q_) && converged(p_); }
+  /// Whether the expansion has converged to a relative tolerance: for q and for p, the remainder
+  /// c_r rho / (1 - rho) of a geometric series of ratio rho = (c_r / c_(r-2))^(1/2) is at most that part of
+  /// the largest entry, where c_k is the largest entry of coefficient k (Jorba and Zou 2005, Section 3.2,
+  /// choose steps by such a ratio). An estimate, not a bound: a function with gaps in its series can deceive
+  /// it.
+  [[nodiscard]] bool converged(double tolerance = half_ulp) const {
+    return converged(q_, tolerance) && converged(p_, tolerance);
+  }
+  /// Half a unit in the last place of 1: convergence to round-off.
+  static constexpr double half_ulp = 0.5 * std::numeric_limits<double>::epsilon();
 
  private:
   using Series =
@@ -85,7 +90,7 @@ class TaylorValues {
     return x;
   }
 
-  static bool converged(const std::array<Series, n>& series) {
+  static bool converged(const std::array<Series, n>& series, double tolerance) {
     const auto largest = [&](int k) {
       double most = 0.0;
       for (const Series& s : series)
@@ -94,8 +99,7 @@ class TaylorValues {
     };
     const double last = largest(r), ratio = std::sqrt(last / largest(r - 2));
     // NaN, and a ratio of 1 and more, fail.
-    return ratio < 1.0 &&
-           last * ratio <= 0.5 * std::numeric_limits<double>::epsilon() * (1.0 - ratio) * largest(0);
+    return ratio < 1.0 && last * ratio <= tolerance * (1.0 - ratio) * largest(0);
   }
 
   const Problem problem_;

@@ -14,7 +14,9 @@ namespace avi {
 /// order by less than the error of that method; where the Taylor expansion has converged to round-off within
 /// the step (TaylorValues::converged()), the symplectic correction, its derivatives and the quadrature are
 /// below round-off, and the step is the Taylor polynomial alone, at a fraction of the cost. Any other step is
-/// the HTVI's. Increments are accumulated with compensated summation (Kahan 1965), so that the errors of a
+/// the HTVI's. A larger `tolerance` takes the Taylor polynomial, too, where its remainder is that small a part
+/// of q and of p: what a step then lacks in symplecticity is of that size, and errors of up to so much may add
+/// up over the steps. Increments are accumulated with compensated summation (Kahan 1965), so that the errors of a
 /// long run are those of the increments.
 ///
 /// Only on the energy shell: there H is kept by the Taylor flow itself, not by the implicit equations, and
@@ -27,6 +29,7 @@ template <Generating type, class Problem, int r, Construction construction>
 class ValueFirst<Htvi<type, Problem, r, construction>> {
  public:
   using Method = Htvi<type, Problem, r, construction>;  ///< What makes the steps that need it.
+  using Values = TaylorValues<Problem, r>;              ///< What makes the others.
   static constexpr int n = Problem::dimension;          ///< Dimension of the problem.
   static_assert(r != dynamic,
                 "ValueFirst needs a Taylor order that is known at compile time: type2<r>(...).");
@@ -34,7 +37,13 @@ class ValueFirst<Htvi<type, Problem, r, construction>> {
                 "ValueFirst needs a construction on the energy shell.");
 
   /// Around this method, with its settings.
-  explicit ValueFirst(Method method) : method_(std::move(method)), values_(method_.problem()) {}
+  /// @param tolerance relative remainder of the Taylor expansion at which a step is the polynomial alone
+  /// @throws std::invalid_argument unless half an ulp <= tolerance < 1.
+  explicit ValueFirst(Method method, double tolerance = Values::half_ulp)
+      : method_(std::move(method)), values_(method_.problem()), tolerance_(tolerance) {
+    require(tolerance >= Values::half_ulp && tolerance < 1.0, "Tolerance of ValueFirst", tolerance,
+            "in [1.2e-16, 1)");
+  }
 
   /// Advances z by the fictive step h.
   StepReport step(State<n>& z, double h) {
@@ -49,7 +58,7 @@ class ValueFirst<Htvi<type, Problem, r, construction>> {
       values_.expand(z.q, z.p, h);
       ++report.evaluations;
       values_.increments(change.q, change.p, change.t);
-      by_value = values_.converged() && change.t * h > 0.0;
+      by_value = values_.converged(tolerance_) && change.t * h > 0.0;
       // A run that does not converge should not pay for many tries.
       last_pause_ = by_value ? 0 : std::min(2 * last_pause_ + 1, 63);
       pause_ = last_pause_;
@@ -83,7 +92,8 @@ class ValueFirst<Htvi<type, Problem, r, construction>> {
   }
 
   Method method_;
-  TaylorValues<Problem, r> values_;
+  Values values_;
+  double tolerance_;
   State<n> low_{}, after_{};
   int pause_ = 0, last_pause_ = 0;
   long value_steps_ = 0, full_steps_ = 0;
@@ -91,6 +101,6 @@ class ValueFirst<Htvi<type, Problem, r, construction>> {
 
 /// ValueFirst(type2<r>(...)) knows its type.
 template <Generating type, class Problem, int r, Construction construction>
-ValueFirst(Htvi<type, Problem, r, construction>) -> ValueFirst<Htvi<type, Problem, r, construction>>;
+ValueFirst(Htvi<type, Problem, r, construction>, double = 0.0) -> ValueFirst<Htvi<type, Problem, r, construction>>;
 
 }  // namespace avi

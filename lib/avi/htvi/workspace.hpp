@@ -43,11 +43,7 @@ class Workspace {
  public:
   explicit Workspace(int) {}  ///< Keeps nothing.
   /// New arguments of n entries.
-  /// @tparam T the scalar, S or another
-  template <class T>
-  FieldArguments<T, n> at() {
-    return FieldArguments<T, n>(n);
-  }
+  FieldArguments<S, n> at() { return FieldArguments<S, n>(n); }
 };
 
 /// Hands out the same FieldArguments each time.
@@ -55,12 +51,8 @@ template <class S>
 class Workspace<S, dynamic> {
  public:
   explicit Workspace(int size) : kept_(size) {}  ///< Allocates vectors of `size` entries.
-  /// The arguments kept; the scalar asked for can only be S.
-  template <class T>
-  FieldArguments<S, dynamic>& at() {
-    static_assert(std::is_same_v<T, S>);
-    return kept_;
-  }
+  /// The arguments kept.
+  FieldArguments<S, dynamic>& at() { return kept_; }
 
  private:
   FieldArguments<S, dynamic> kept_;

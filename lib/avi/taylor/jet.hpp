@@ -1,11 +1,13 @@
 #pragma once
 #include "avi/taylor/lanes.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 /// @file
 /// Truncated Taylor series in time, computed one order at a time.
@@ -103,24 +105,49 @@ struct Convolution {
   }
 
  private:
+  /// Numbers alone wait for each other's additions; four sums at a time do not. Lanes keep the processor busy.
+  static constexpr int sums = K >= 0 && std::is_same_v<T, double> ? 4 : 1;
+
+  /// term(j, s) adds term j of first..last to s.
+  template <class Term>
+  static T spread(int first, int last, Term term) {
+    ProductSum<T> s[sums];
+    for (int j = first; j <= last; ++j)
+      term(j, s[j % sums]);
+    if constexpr (sums == 4)
+      return (s[0].result() + s[1].result()) + (s[2].result() + s[3].result());
+    else
+      return s[0].result();
+  }
   static T inlined(const T* a, const T* b, int k, int from, int to) {
-    ProductSum<T> s;
-    for (int j = from; j <= to; ++j)
-      s.add(a[j], b[k - j]);
-    return s.result();
+    if constexpr (sums == 1) {
+      return spread(from, to, [=](int j, auto& s) { s.add(a[j], b[k - j]); });
+    } else {
+      // Coefficient k has only just been computed: what needs it comes last.
+      T sum = spread(std::max(from, 1), std::min(to, k - 1), [=](int j, auto& s) { s.add(a[j], b[k - j]); });
+      if (from == 0) sum += a[0] * b[k];
+      if (to == k && k > 0) sum += a[k] * b[0];
+      return sum;
+    }
   }
   static T inlined_square(const T* a, int k) {
-    ProductSum<T> s;
-    for (int j = 0; 2 * j < k; ++j)
-      s.add(2.0, a[j], a[k - j]);
-    if (k % 2 == 0) s.add(a[k / 2], a[k / 2]);
-    return s.result();
+    if constexpr (sums == 1) {
+      ProductSum<T> s;
+      for (int j = 0; 2 * j < k; ++j)
+        s.add(2.0, a[j], a[k - j]);
+      if (k % 2 == 0) s.add(a[k / 2], a[k / 2]);
+      return s.result();
+    } else {
+      if (k == 0) return a[0] * a[0];
+      T sum = spread(1, (k - 1) / 2, [=](int j, auto& s) { s.add(a[j], a[k - j]); });
+      sum += sum;
+      if (k % 2 == 0) sum += a[k / 2] * a[k / 2];
+      return sum + 2.0 * a[0] * a[k];
+    }
   }
   static T inlined_weighted(const T* a, const T* b, int k, double slope, double shift) {
-    ProductSum<T> s;
-    for (int j = 1; j <= k; ++j)
-      s.add((slope * j + shift) / k, a[j], b[k - j]);
-    return s.result();
+    return (1.0 / k) *
+           spread(1, k, [=](int j, auto& s) { s.add(slope * j + shift, a[j], b[k - j]); });
   }
   [[gnu::noinline]] static T called(const T* a, const T* b, int k, int from, int to) {
     return inlined(a, b, k, from, to);

@@ -211,12 +211,18 @@ Lanes<N> abs(const Lanes<N>& x) {
 template <class T>
 class ProductSum {
  public:
-  void add(const T& a, const T& b) { sum_ += a * b; }                          ///< Adds a b.
-  void add(double weight, const T& a, const T& b) { sum_ += weight * a * b; }  ///< Adds weight a b.
-  [[nodiscard]] T result() const { return sum_; }                              ///< The sum.
+  void add(const T& a, const T& b) { add(a * b); }                          ///< Adds a b.
+  void add(double weight, const T& a, const T& b) { add(weight * a * b); }  ///< Adds weight a b.
+  [[nodiscard]] T result() const { return sum_; }                           ///< The sum.
 
  private:
+  // Where the loop is unrolled, the first product costs no addition.
+  void add(const T& product) {
+    sum_ = empty_ ? product : sum_ + product;
+    empty_ = false;
+  }
   T sum_{0.0};
+  bool empty_ = true;
 };
 
 /// For Lanes, the halves a_j db_j and b_j da_j are summed apart.

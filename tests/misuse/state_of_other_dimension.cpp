@@ -1,0 +1,10 @@
+// error: The state is of another dimension than the method's problem.
+#include <avi/core/integrate.hpp>
+#include <avi/htvi/htvi.hpp>
+#include <avi/problems/kepler.hpp>
+
+int main() {
+  auto method = avi::type2<0>(avi::poincare<2>(avi::Kepler{}, avi::Kepler::pericentre(0.5)), avi::gauss(1));
+  avi::State<3> z{.q = {1.0, 0.0, 0.0}, .p = {0.0, 1.0, 0.0}};
+  return static_cast<int>(avi::integrate(method, z, 0.1, {.steps = 1}).steps);
+}
