@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 using avi::Kepler;
 using avi::State;
@@ -65,6 +66,27 @@ TEST(ValueFirst, EnergyStaysAtRoundOff) {
   const auto closer = Kepler::pericentre(0.99);
   avi::ValueFirst near(htvi12(closer));
   EXPECT_LT(run(near, closer, 0.04, 100.0).energy_error, 3e-13);
+}
+
+TEST(ValueFirst, ToleranceTakesLongerStepsByThePolynomial) {
+  const auto start = Kepler::pericentre(0.9);
+  for (double tolerance : {1e-6, 1e-10}) {
+    avi::ValueFirst exact(htvi12(start)), quick(htvi12(start), tolerance);
+    const double h = tolerance == 1e-6 ? 0.3 : 0.15;
+    const Orbit a = run(exact, start, h, 3.0), b = run(quick, start, h, 3.0);
+    EXPECT_EQ(exact.value_steps(), 0);
+    EXPECT_EQ(quick.full_steps(), 0);
+    // The energy error is of the size of the tolerance at most, times the steps at the pericentre.
+    EXPECT_LT(b.energy_error, 10.0 * tolerance);
+    EXPECT_GT(b.energy_error, a.energy_error) << "symplectic steps keep it better";
+  }
+}
+
+TEST(ValueFirst, RefusesATolerance) {
+  const auto start = Kepler::pericentre(0.9);
+  EXPECT_THROW(avi::ValueFirst(htvi12(start), 1e-17), std::invalid_argument);
+  EXPECT_THROW(avi::ValueFirst(htvi12(start), 1.0), std::invalid_argument);
+  EXPECT_THROW(avi::ValueFirst(htvi12(start), std::nan("")), std::invalid_argument);
 }
 
 TEST(ValueFirst, WhatIsNotFiniteIsNotTakenForConverged) {

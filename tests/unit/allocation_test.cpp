@@ -56,6 +56,18 @@ TEST(Step, AllocatesNothing) {
   EXPECT_EQ(allocations_in_steps(avi::stormer_verlet<2>(&avi::Kepler::potential_gradient<double>), 1e-4), 0);
 }
 
+TEST(Step, AllocatesNothingAtRunTimeDimension) {
+  const auto start = avi::Kepler::pericentre(0.9);
+  avi::State<avi::dynamic> z{.q = start.q, .p = start.p};
+  auto method = avi::type2<3>(
+      avi::poincare<avi::dynamic>(avi::Automatic{avi::Kepler{}}, z, avi::NormSquared{}), avi::simpson());
+  ASSERT_EQ(method.step(z, 0.05).outcome, avi::Outcome::ok);  // vectors take their size, and the tape
+  const long before = allocations;
+  for (int k = 0; k < 20; ++k)
+    ASSERT_EQ(method.step(z, 0.05).outcome, avi::Outcome::ok);
+  EXPECT_EQ(allocations - before, 0);
+}
+
 TEST(Step, CounterCounts) {
   const long before = allocations;
   int* volatile one = new int(1);  // volatile: a pair of new and delete may otherwise be left out

@@ -75,8 +75,7 @@ template <int m>
 auto reduced(const State<m>& bar) {
   constexpr int n = m == dynamic ? dynamic : m - 1;
   const Eigen::Index last = bar.q.size() - 1;
-  return State<n>{
-      .q = bar.q.template head<n>(last), .p = bar.p.template head<n>(last), .t = bar.q[last]};
+  return State<n>{.q = bar.q.template head<n>(last), .p = bar.p.template head<n>(last), .t = bar.q[last]};
 }
 
 }  // namespace avi

@@ -117,13 +117,11 @@ class TaylorAction {
   template <int... k>
   using Workspaces = std::tuple<Workspace<Jet<Lane, capacity, k>, n>...>;
   static auto workspaces(int size) {
-    if constexpr (unrolled)
-      return [&]<int... k>(std::integer_sequence<int, k...>) {
+    if constexpr (unrolled) return [&]<int... k>(std::integer_sequence<int, k...>) {
         return Workspaces<k...>(Workspace<Jet<Lane, capacity, k>, n>(size)...);
       }
     (std::make_integer_sequence<int, r + 1>{});
-    else
-      return Workspaces<-1>(size);
+    else return Workspaces<-1>(size);
   }
   /// Scaled coefficients: entry k is h^k / k! times the k-th derivative.
   using Series = std::array<Lane, capacity + 2>;

@@ -1,12 +1,8 @@
 #pragma once
-#include "avi/core/inverse.hpp"
 #include "avi/core/outcome.hpp"
-#include "avi/htvi/discrete_hamiltonian.hpp"
+#include "avi/htvi/discrete_equations.hpp"
 #include "avi/htvi/solver.hpp"
 
-#include <Eigen/LU>
-
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -34,9 +30,8 @@ class Htvi {
   /// @throws std::invalid_argument for an improper rule or solver setting.
   explicit Htvi(const Problem& problem, Quadrature rule, SolverSettings solver = {}, int order = r,
                 std::size_t tape_slots = 512)
-      : action_(problem, std::move(rule), order, tape_slots), solver_(solver), predictor_(size()), room_(size()),
-        x_(2 * size(), size()), other_(2 * size(), size()), drift_(size()), s_(size()), v_(size()),
-        x_pt_(size()), rest_(2 * size()), t_(2 * size()) {
+      : equations_(problem, std::move(rule), order, tape_slots), solver_(solver), predictor_(size()),
+        room_(size()) {
     require(std::isfinite(solver.tolerance) && solver.tolerance >= 1.0, "Solver tolerance", solver.tolerance,
             "finite and at least 1 epsilon");
     require(solver.max_iterations >= 1, "Iteration cap", solver.max_iterations, "at least 1");
@@ -73,31 +68,19 @@ class Htvi {
       return flattened(z, h, change);
   }
 
-  [[nodiscard]] const Problem& problem() const { return action_.problem(); }  ///< What is integrated.
+  [[nodiscard]] const Problem& problem() const {
+    return equations_.action().problem();
+  }  ///< What is integrated.
 
   /// Taylor polynomial of the last step at the fraction c in [0, 1] of it, from its expansion point.
-  [[nodiscard]] State<n> polynomial(double c, double t0) const { return action_.polynomial(c, t0); }
-
-  /// d(q_1, p_1)/d(q_0, p_0) of the last Taylor expansion; on the energy shell not that of the map.
-  [[nodiscard]] Matrix<double, both> tangent() const {
-    Matrix<double, both> slope(2 * size(), 2 * size());
-    for (int i = 0; i < size(); ++i)
-      for (int j = 0; j < 2 * size(); ++j) {
-        const double other = other_(j, i) + (j == at_k() + i ? 1.0 : 0.0);
-        slope(i, j) = right ? other : x_(j, i);
-        slope(size() + i, j) = right ? x_(j, i) : other;
-      }
-    return slope;
+  [[nodiscard]] State<n> polynomial(double c, double t0) const {
+    return equations_.action().polynomial(c, t0);
   }
 
+  /// d(q_1, p_1)/d(q_0, p_0) of the last Taylor expansion; on the energy shell not that of the map.
+  [[nodiscard]] Matrix<double, both> tangent() const { return equations_.tangent(); }
+
  private:
-  // The unknown u is p~_0 (Type II) or q~_0 (Type III); the known half k of the expansion point is q_0 or
-  // p_0. With X = p_1 or q_1 as a function of (u, k), sigma = +1 or -1, and y the other half of the new
-  // state, the chain rule turns the discrete equations into y = sigma X_u^-T (.)_u and the residual of k's
-  // conjugate; the latter is solved for u by an iteration that contracts like O(h^(r+1)): du_0/du is I +
-  // O(h^(r+1)) in the full field, and I + v w^T + O(h^(r+1)) on the energy shell, w = dH/du, v = sigma T_k -
-  // X_k^T s, s = sigma X_u^-T T_u, T = t~_1 - t_0, because off the shell dK = (terms of the exact flow) + (H
-  // + p^t) dT. All quantities are increments over the step.
   [[gnu::flatten]] StepReport flattened(const State<n>& z, double h, Change& change) {
     return solve(z, h, change);
   }
@@ -107,8 +90,8 @@ class Htvi {
       if (z.q.size() != size() || z.p.size() != size())  // before the message, which costs an allocation
         require(false, "Dimension of the state", z.q.size(),
                 "that of the problem, " + std::to_string(size()) + ", for q and p alike");
-    const Vector<double, n>& start = right ? z.p : z.q;
-    auto& [unknown, correction, residual, plain, wanted, slope, factor, inverse] = room_;
+    const Vector<double, n>& start = Equations::right ? z.p : z.q;
+    auto& [unknown, correction, residual, plain, wanted] = room_;
     predictor_.guess(h, correction);  // u - u_0
     StepReport report{.evaluations = 0};
     double previous = 0.0;  // no estimate of the contraction yet
@@ -116,33 +99,30 @@ class Htvi {
     for (int k = 1; k <= solver_.max_iterations; ++k) {
       unknown = start + correction;
       correction = unknown - start;  // what was really added, after rounding
-      for (int c = 0; c < action_.chunks(); ++c) {
-        action_.expand(right ? z.q : unknown, right ? unknown : z.p, h, d_, c);
-        gather(right ? unknown : z.p, c);
-      }
+      equations_.expand(z, unknown, h);
       ++report.evaluations;
-      discrete_equations(change);
+      equations_.solve(change, wanted);
       residual = wanted - correction;
       report.residual = residual.template lpNorm<Eigen::Infinity>();
       if (!std::isfinite(report.residual))
         report.outcome = Outcome::non_finite;
-      else if (!(d_.t.value() * h > 0.0))
+      else if (!equations_.advances(h))
         report.outcome = Outcome::bad_monitor;
       if (report.outcome != Outcome::ok) return report;
       const double accepted =
           solver_.tolerance * epsilon *
-          (start.template lpNorm<Eigen::Infinity>() + drift_.template lpNorm<Eigen::Infinity>());
+          (start.template lpNorm<Eigen::Infinity>() + equations_.drift().template lpNorm<Eigen::Infinity>());
       if (report.residual <= accepted) return predictor_.remember(correction, h), report;
       // Rounding may hold the residual above the tolerance; it then stops falling far below what matters.
       const bool stagnates =
           k > 1 && report.residual >= 0.5 * previous && report.residual <= 100.0 * accepted;
       const bool slow = solver_.quasi_newton && k > 1 && report.residual > 0.1 * previous;
-      newton();
+      equations_.newton(residual, plain);
       const Vector<double, n>& shift = stagnates ? plain : broyden_.shift(residual, plain, slow);
       // The residual falls by residual / previous, and more, each time; once the next one would be well below
       // round-off, so is the error of a first-order correction.
       if (stagnates || report.residual * report.residual <= 0.1 * accepted * previous) {
-        correct(residual, shift, change);
+        equations_.correct(residual, shift, change);
         correction += shift;
         return predictor_.remember(correction, h), report;
       }
@@ -153,113 +133,15 @@ class Htvi {
     return report;
   }
 
-  using Action = TaylorAction<Problem, r, construction>;
-  using Lane = typename Action::Lane;
-  static constexpr bool right = type == Generating::type2;
-  static constexpr double sigma = right ? 1.0 : -1.0;
-  [[nodiscard]] int size() const { return action_.size(); }
-  [[nodiscard]] int at_u() const { return right ? size() : 0; }  // where the variables of the unknown begin
-  [[nodiscard]] int at_k() const { return right ? 0 : size(); }  // and those of the known half
-  static constexpr bool shell_terms = !Problem::unit && construction.field == Field::on_shell;
+  using Equations = DiscreteEquations<type, Problem, r, construction>;
+  [[nodiscard]] int size() const { return equations_.size(); }
 
-  /// Solves (du_0/du) plain = residual, up to O(h^(r+1)).
-  void newton() {
-    room_.plain = room_.residual;
-    if constexpr (shell_terms) {
-      action_.energy_slope(right, room_.slope);
-      room_.plain -= v_ * (room_.slope.dot(room_.residual) / (1.0 + room_.slope.dot(v_)));
-    }
-  }
-
-  /// Moves the change to u + shift by its derivative: y and t_1 differ from the Taylor method's by O(h^(r+1))
-  /// only, apart from the term (H + p^t) s off the energy shell.
-  void correct(const Vector<double, n>& residual, const Vector<double, n>& shift, Change& change) const {
-    auto& other = right ? change.q : change.p;
-    auto& same = right ? change.p : change.q;
-    if constexpr (shell_terms) other += room_.slope.dot(shift) * s_;
-    same -= residual;
-    for (int j = 0; j < size(); ++j) {
-      for (int i = 0; i < size(); ++i) {
-        other[i] += other_(at_u() + j, i) * shift[j];
-        same[i] += x_(at_u() + j, i) * shift[j];
-      }
-      change.t += t_[at_u() + j] * shift[j];
-    }
-  }
-
-  /// Keeps the partials of chunk c of the expansion, whose momentum is p, and the Taylor method's increment
-  /// of u's own variable in drift_.
-  void gather(const Vector<double, n>& p, int c) {
-    const double energy_momentum = action_.problem().energy_momentum();
-    const Lane pt =
-        Action::energy_lane ? Action::seeded(energy_momentum, 2 * size(), c) : Lane(energy_momentum);
-    // The generating function less P . q_0 (Type II) or less -p_0 . q_1 (Type III): free of cancellation.
-    Lane rest = pt * d_.t - d_.action;
-    const int first = c * Action::lanes, last = std::min(first + Action::lanes, 2 * size());
-    for (int i = 0; i < size(); ++i) {
-      const Lane x = Action::seeded(right ? p[i] : 0.0, at_u() + i, c) + (right ? d_.p[i] : d_.q[i]);
-      const Lane& other = right ? d_.q[i] : d_.p[i];
-      rest += right ? x * d_.q[i] : p[i] * d_.q[i];
-      drift_[i] = right ? d_.p[i].value() : d_.q[i].value();
-      for (int j = first; j < last; ++j) {
-        x_(j, i) = x.partial(j - first);
-        other_(j, i) = other.partial(j - first);
-      }
-      if constexpr (Action::energy_lane)
-        if (2 * size() - first < Action::lanes) x_pt_(i) = x.partial(2 * size() - first);
-    }
-    for (int j = first; j < last; ++j) {
-      rest_[j] = rest.partial(j - first);
-      t_[j] = d_.t.partial(j - first);
-    }
-    if constexpr (Action::energy_lane)
-      if (2 * size() - first < Action::lanes) rest_pt_ = rest.partial(2 * size() - first);
-  }
-
-  /// Solves the discrete Hamilton's equations for the change at the present expansion; `wanted` is then the
-  /// u - u_0 that they ask for.
-  void discrete_equations(Change& change) {
-    Matrix<double, n>& x_u = room_.inverse;  // of the transpose of dX/du
-    room_.factor = x_.template middleRows<n>(at_u(), size());
-    if constexpr (n != dynamic && n <= 4)
-      x_u = room_.factor.inverse();
-    else
-      invert(room_.factor, x_u);
-    const auto x_k = x_.template middleRows<n>(at_k(), size());
-    auto& other = right ? change.q : change.p;
-    auto& same = right ? change.p : change.q;
-    // Coefficient by coefficient: no temporaries at run-time dimension.
-    other = x_u.lazyProduct(sigma * rest_.template segment<n>(at_u(), size()));
-    room_.wanted = x_k.lazyProduct(other);
-    room_.wanted -= sigma * rest_.template segment<n>(at_k(), size());
-    if constexpr (right) {
-      same = room_.wanted;
-      room_.wanted -= drift_;
-    } else {
-      same = room_.wanted + drift_;
-    }
-    if constexpr (shell_terms) {
-      s_ = x_u.lazyProduct(sigma * t_.template segment<n>(at_u(), size()));
-      v_ = x_k.lazyProduct(s_);
-      v_ = sigma * t_.template segment<n>(at_k(), size()) - v_;
-    }
-    if constexpr (Action::energy_lane)
-      change.t = rest_pt_ - sigma * x_pt_.dot(other);
-    else
-      change.t = d_.t.value();
-  }
-
-  Action action_;
+  Equations equations_;
   SolverSettings solver_;
   Predictor<n> predictor_;
   Broyden<n> broyden_;
   IterationRoom<n> room_;
   Change change_{Vector<double, n>(size()), Vector<double, n>(size()), 0.0};
-  Matrix<double, both, n> x_, other_;  // transposed derivatives of X and of the change of the other half
-  Vector<double, n> drift_, s_, v_, x_pt_;
-  Vector<double, both> rest_, t_;
-  double rest_pt_ = 0.0;
-  typename Action::Increments d_;
 };
 
 }  // namespace avi

@@ -64,7 +64,8 @@ class Broyden {
   /// Forgets the last equation.
   void restart() { at_work_ = false; }
   /// The shift of u that a residual asks for. @param plain that of the plain iteration
-  const Vector<double, n>& shift(const Vector<double, n>& residual, const Vector<double, n>& plain, bool slow) {
+  const Vector<double, n>& shift(const Vector<double, n>& residual, const Vector<double, n>& plain,
+                                 bool slow) {
     if (slow && !at_work_) {
       inverse_ = Matrix<double, n>::Identity(residual.size(), residual.size());
       at_work_ = true;
@@ -90,14 +91,17 @@ class Broyden {
   bool at_work_ = false;
 };
 
-/// Vectors and matrices of one iteration, allocated once where n is known at run time only.
+/// Vectors of one iteration, allocated once where n is known at run time only.
 template <int n>
 struct IterationRoom {
+  /// Vectors of `size` entries.
   explicit IterationRoom(Eigen::Index size)
-      : unknown(size), correction(size), residual(size), plain(size), wanted(size), slope(size),
-        factor(size, size), inverse(size, size) {}
-  Vector<double, n> unknown, correction, residual, plain, wanted, slope;
-  Matrix<double, n> factor, inverse;
+      : unknown(size), correction(size), residual(size), plain(size), wanted(size) {}
+  Vector<double, n> unknown;     ///< u, where the expansion begins.
+  Vector<double, n> correction;  ///< u - u_0.
+  Vector<double, n> residual;    ///< wanted - correction.
+  Vector<double, n> plain;       ///< Shift of u by the plain iteration.
+  Vector<double, n> wanted;      ///< u - u_0 that the discrete equations ask for.
 };
 
 }  // namespace avi

@@ -14,10 +14,10 @@ namespace avi {
 /// order by less than the error of that method; where the Taylor expansion has converged to round-off within
 /// the step (TaylorValues::converged()), the symplectic correction, its derivatives and the quadrature are
 /// below round-off, and the step is the Taylor polynomial alone, at a fraction of the cost. Any other step is
-/// the HTVI's. A larger `tolerance` takes the Taylor polynomial, too, where its remainder is that small a part
-/// of q and of p: what a step then lacks in symplecticity is of that size, and errors of up to so much may add
-/// up over the steps. Increments are accumulated with compensated summation (Kahan 1965), so that the errors of a
-/// long run are those of the increments.
+/// the HTVI's. A larger `tolerance` takes the Taylor polynomial, too, where its remainder is that small a
+/// part of q and of p: what a step then lacks in symplecticity is of that size, and errors of up to so much
+/// may add up over the steps. Increments are accumulated with compensated summation (Kahan 1965), so that the
+/// errors of a long run are those of the increments.
 ///
 /// Only on the energy shell: there H is kept by the Taylor flow itself, not by the implicit equations, and
 /// the rounding of g (H + p^t), which a monitor amplifies from apocentre to pericentre, does not arise.
@@ -99,8 +99,9 @@ class ValueFirst<Htvi<type, Problem, r, construction>> {
   long value_steps_ = 0, full_steps_ = 0;
 };
 
-/// ValueFirst(type2<r>(...)) knows its type.
-template <Generating type, class Problem, int r, Construction construction>
-ValueFirst(Htvi<type, Problem, r, construction>, double = 0.0) -> ValueFirst<Htvi<type, Problem, r, construction>>;
+/// ValueFirst(type2<r>(...)) and ValueFirst(type2<r>(...), tolerance) know their type.
+template <Generating type, class Problem, int r, Construction construction, class... Tolerance>
+ValueFirst(Htvi<type, Problem, r, construction>, Tolerance...)
+    -> ValueFirst<Htvi<type, Problem, r, construction>>;
 
 }  // namespace avi
