@@ -6,7 +6,7 @@ load 'figures/style.gp'
 curves = data.'/long_runs_curves.tsv'
 problems = 'henon_heiles_regular henon_heiles_chaotic figure_eight'
 array titles[3] = ['Hénon–Heiles, regular', 'Hénon–Heiles, chaotic', 'figure eight']
-array ends[3] = [2e5, 2e5, 6326]
+array ends[3] = [2e5, 2e5, 6516]
 set multiplot
 page_left = 0.125; page_right = 0.975; page_bottom = 0.35; gap_x = 0.095; page_top = 0.91
 unset key
