@@ -37,7 +37,7 @@ PUBLISHED   := $(wildcard paper/published/*.tsv)
 GALLERY     := kepler_e090 euler_b_errors direct_vs_adaptive work_precision
 
 .PHONY: help deps deps-peers deps-paper deps-docs deps-bench deps-fuzz deps-format programs build data figures scorecard verdicts \
-        check bench fuzz paper docs install long work-precision extremes gallery format clean
+        check bench fuzz levels paper docs install long work-precision extremes gallery format clean
 
 help: ## This list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' $(MAKEFILE_LIST) | while IFS='	' read -r target text; do \
@@ -105,6 +105,8 @@ fuzz: deps-fuzz ## Search for bad input with libFuzzer, FUZZ_SECONDS (60) for ea
 	@for each in table options step; do mkdir -p build/fuzz/corpus/$$each; echo "fuzzing $$each"; \
 	  build/fuzz/bin/$${each}_fuzz -max_total_time=$(FUZZ_SECONDS) -close_fd_mask=3 -print_final_stats=1 \
 	  -artifact_prefix=build/fuzz/$$each- build/fuzz/corpus/$$each tests/fuzz/corpus/$$each || exit 1; done
+levels: deps-fuzz ## Compare the numbers of g++ and clang++ at -O0, -O2 and -O3, native and portable, digit by digit
+	@tests/levels.sh $(LEVELS)
 install: deps ## Install the headers and the CMake package under PREFIX
 	@$(configure)
 	cmake --install $(BUILD) --prefix $(PREFIX)

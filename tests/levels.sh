@@ -1,0 +1,45 @@
+#!/bin/sh
+# levels.sh [CONFIGURATION...]: the same numbers whatever the compiler, its level of optimisation and the instruction set?
+# A configuration is <compiler>-<O0|O1|O2|O3>-<native|portable>; without any: g++ and clang++-14, O3, O2 and O0, both sets.
+# Each is built into build/levels/<configuration> and runs four experiments of the paper's tables, shortened. Every cell
+# but seconds must be that of the first, in all 17 digits: counts and errors alike.
+set -eu
+export LC_ALL=C
+cd "$(dirname "$0")/.."
+stems='kepler_e090 direct_vs_adaptive method_comparison p_dependence'
+if [ $# = 0 ]; then
+  for compiler in g++ clang++-14; do
+    for level in O3 O2 O0; do set -- "$@" "$compiler-$level-native" "$compiler-$level-portable"; done
+  done
+fi
+
+# tables CONFIGURATION: builds, runs, prints what was found, each line under the name of its table
+tables() {
+  machine=${1##*-} rest=${1%-*}
+  case ${rest##*-}-$machine in
+  O[0-3]-native) preset=release ;;
+  O[0-3]-portable) preset=portable ;;
+  *) echo "levels.sh: configuration is '$1'; it must be like g++-O2-native or clang++-14-O0-portable." >&2; exit 2 ;;
+  esac
+  build=build/levels/$1
+  cmake --preset $preset -B "$build" -DCMAKE_CXX_COMPILER="${rest%-*}" -DAVI_TESTS=OFF -DAVI_BENCHMARKS=OFF \
+    -DCMAKE_CXX_FLAGS_RELEASE="-${rest##*-} -DNDEBUG" >&2
+  cmake --build "$build" --target $stems >&2
+  for stem in $stems; do
+    "$build/bin/$stem" --quick --output "$build/data"
+    awk -F'\t' -v stem="$stem" '/^#/ { next } !columns { columns = NF; for (i = 1; i <= NF; ++i) skip[i] = $i ~ /seconds/; next }
+      { line = stem; for (i = 1; i <= NF; ++i) if (!skip[i]) line = line "\t" $i; print line }' "$build/data/$stem.tsv"
+  done
+}
+
+mkdir -p build/levels
+first=
+for each in "$@"; do
+  tables "$each" >"build/levels/$each.tables" 2>"build/levels/$each.log" || { tail -n 20 "build/levels/$each.log" >&2; exit 1; }
+  first=${first:-$each}
+  if ! diff "build/levels/$first.tables" "build/levels/$each.tables"; then
+    echo "levels.sh: $each differs from $first" >&2
+    exit 1
+  fi
+  echo "$each: $(tr -dc '\t' <"build/levels/$each.tables" | wc -c) cells, as $first"
+done
