@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -46,6 +47,21 @@ TEST(LongHorizon, SymplecticRunsKeepEnergyAndAngularMomentum) {
     EXPECT_LT(table.number(i, "energy_error"), bound->second) << bound->first;
     EXPECT_LT(table.number(i, "momentum_error"), 1e-13) << bound->first;
   }
+}
+
+TEST(LongHorizon, PhasesEndWhereTheyDid) {
+  const auto table = avi::Table::read(quick + "/long_horizon.tsv");
+  // Radians, at the end: 100 periods, 10 for the control.
+  std::map<std::string, double> phase;
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    phase[table.text(i, "method")] = table.number(i, "phase_error");
+  for (const auto& [method, measured] :
+       std::map<std::string, double>{{"htvi4", 4.0356e-5},
+                                     {"stormer_verlet", -1.0214},
+                                     {"log_hamiltonian_yoshida4", -4.1006e-3},
+                                     {"runge_kutta_4", 2.3755e-4}})
+    EXPECT_NEAR(phase[method] / measured, 1.0, 1e-3) << method;
+  EXPECT_LT(std::abs(phase["htvi12"]), 5e-12);  // rounding; seen: 1.4e-12, 2.4e-12 on the way
 }
 
 TEST(LongHorizon, AnInterruptedRunIsTakenUpBitForBit) {
