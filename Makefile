@@ -36,8 +36,8 @@ FIGURES     := $(foreach f,$(drawable),build/figures/$f.pdf build/figures/$f.png
 PUBLISHED   := $(wildcard paper/published/*.tsv)
 GALLERY     := kepler_e090 euler_b_errors direct_vs_adaptive work_precision
 
-.PHONY: help deps deps-peers deps-paper deps-docs deps-bench deps-fuzz deps-format programs build data figures scorecard verdicts \
-        check bench fuzz levels paper docs install long work-precision extremes gallery format clean
+.PHONY: help deps deps-peers deps-paper deps-docs deps-bench deps-instructions deps-fuzz deps-format programs build data figures scorecard verdicts \
+        check bench instructions fuzz levels paper docs install long work-precision extremes gallery format clean
 
 help: ## This list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' $(MAKEFILE_LIST) | while IFS='	' read -r target text; do \
@@ -78,6 +78,8 @@ deps-docs: deps ## Install Doxygen
 	$(call install,$(docs_packages))
 deps-bench: deps
 	$(call install,libbenchmark-dev)
+deps-instructions: deps
+	$(call install,valgrind)
 deps-fuzz: deps
 	$(call install,clang-14 libclang-rt-14-dev)
 deps-format:
@@ -100,6 +102,9 @@ check: build ## Build and run every test
 	ctest --test-dir $(BUILD) --output-on-failure --parallel $(shell nproc)
 bench: deps-bench programs ## Nanoseconds per step of every method (Google Benchmark)
 	@$(configure) && $(compile) benchmarks && for each in $(BIN)/*_bench; do $$each || exit 1; done
+instructions: deps-instructions ## Count the instructions of fixed work, warn where they grew by over 10 % (ACCEPT=1 takes the counts over)
+	@cmake --preset portable >/dev/null && cmake --build build/portable --target instructions_workload
+	@tests/instructions/compare.sh build/portable/bin/instructions_workload tests/instructions/counts.tsv $(if $(ACCEPT),accept)
 fuzz: deps-fuzz ## Search for bad input with libFuzzer, FUZZ_SECONDS (60) for each target
 	@cmake --preset fuzz >/dev/null && cmake --build build/fuzz --target fuzzers
 	@for each in table options step; do mkdir -p build/fuzz/corpus/$$each; echo "fuzzing $$each"; \

@@ -1,0 +1,54 @@
+#include "avi/adaptive/monitors.hpp"
+#include "avi/core/integrate.hpp"
+#include "avi/htvi/htvi.hpp"
+#include "avi/problems/kepler.hpp"
+
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <string>
+
+// Fixed work whose instructions are counted (make instructions). Two ways through the library: short formulas
+// with the order known to the compiler, and long ones with the order known at run time.
+
+namespace {
+
+constexpr double eccentricity = 0.9;
+
+template <class Method>
+bool run(Method method, double h, double time) {
+  auto z = avi::Kepler::pericentre(eccentricity);
+  return avi::integrate(method, z, h, {.time = time}).outcome == avi::Outcome::ok;
+}
+
+auto problem() {
+  return avi::poincare<2>(avi::Kepler{}, avi::Kepler::pericentre(eccentricity),
+                          avi::bounded(avi::NormSquared{}, 0.01, 8.0));
+}
+
+/// The row HTVI4, gamma, of Table 1 over ten times its horizon.
+bool htvi4() { return run(avi::type2<3, avi::authors>(problem(), avi::simpson()), 0.1, 100.0); }
+
+/// Order 16 over five periods, to round-off.
+bool htvi16() {
+  return run(avi::htvi_of_order<avi::Generating::type2>(15, problem(), avi::gauss(8)), 0.2, 10.0 * M_PI);
+}
+
+}  // namespace
+
+/// By its C name callgrind finds what to count, without the program's start.
+extern "C" [[gnu::noinline]] bool measured(bool (*work)()) { return work(); }
+
+int main(int argc, char** argv) {
+  const std::map<std::string, bool (*)()> works{{"htvi4", &htvi4}, {"htvi16", &htvi16}};
+  const std::string name = argc == 2 ? argv[1] : "";
+  if (name == "--compiler") return std::puts(AVI_COMPILER) < 0;
+  if (name == "--list") {
+    for (const auto& work : works)
+      std::puts(work.first.c_str());
+    return 0;
+  }
+  const auto work = works.find(name);
+  if (work == works.end()) return std::fputs("One of --compiler, --list or a name of the list.\n", stderr), 2;
+  return measured(work->second) ? 0 : 1;
+}

@@ -1,0 +1,81 @@
+#include "avi/io/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <unistd.h>
+
+// tests/instructions/compare.sh, with programs that stand for valgrind and the workload.
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path folder = fs::temp_directory_path() / ("avi_instructions_" + std::to_string(::getpid()));
+
+void script(const char* name, const std::string& body) {
+  std::ofstream(folder / name) << "#!/bin/sh\n" << body << '\n';
+  fs::permissions(folder / name, fs::perms::owner_all);
+}
+
+struct Ran {
+  int status;
+  std::string said;
+};
+
+/// Compares with a stored count of 1000 when valgrind says `collected`.
+Ran compare(const std::string& collected, const std::string& accept = "") {
+  fs::create_directories(folder);
+  script("valgrind", "echo '==1== Collected : " + collected + "' >&2");
+  script("workload",
+         "case $1 in --compiler) echo 'GNU 1' ;; --list) echo orbit ;; *) echo must not run; exit 1 ;; esac");
+  std::ofstream(folder / "counts.tsv") << "workload\tcompiler\tinstructions\norbit\tOther 2\t7\n"
+                                       << "orbit\tGNU 1\t1000\n";
+  const std::string at = folder.string() + "/", said = at + "said";
+  const int status =
+      std::system(("VALGRIND='" + at + "valgrind' '" AVI_SOURCE_DIR "/tests/instructions/compare.sh' '" + at +
+                   "workload' '" + at + "counts.tsv' " + accept + " >'" + said + "' 2>&1")
+                      .c_str());
+  std::ostringstream text;
+  text << std::ifstream(said).rdbuf();
+  return {status, text.str()};
+}
+
+TEST(Instructions, WarnAboveTenPerCent) {
+  EXPECT_EQ(compare("1100").said, "orbit: 1100 instructions, +10.0 %\n");
+  EXPECT_EQ(compare("1111").said, "WARNING: orbit: 1111 instructions, +11.1 %\n");
+  EXPECT_EQ(compare("800").said, "orbit: 800 instructions, -20.0 %\n");
+  EXPECT_EQ(compare("1111").status, 0);
+}
+
+TEST(Instructions, ThatCannotBeCountedAreAnError) {
+  const Ran ran = compare("none");
+  EXPECT_NE(ran.status, 0);
+  EXPECT_EQ(ran.said, "The instructions of 'orbit' cannot be counted.\n");
+}
+
+TEST(Instructions, AreTakenOverForTheirCompilerOnly) {
+  compare("2000");
+  EXPECT_EQ(avi::Table::read(folder / "counts.tsv").text(1, "instructions"), "1000");
+  compare("2000", "accept");
+  const avi::Table counts = avi::Table::read(folder / "counts.tsv");
+  ASSERT_EQ(counts.rows.size(), 2u);
+  EXPECT_EQ(counts.text(0, "instructions"), "7");
+  EXPECT_EQ(counts.text(1, "instructions"), "2000");
+  fs::remove_all(folder);
+}
+
+TEST(Instructions, OfEveryWorkloadAreKept) {
+  const avi::Table counts = avi::Table::read(fs::path(AVI_SOURCE_DIR) / "tests/instructions/counts.tsv");
+  ASSERT_GE(counts.rows.size(), 2u);
+  for (std::size_t i = 0; i < counts.rows.size(); ++i) {
+    EXPECT_GE(counts.number(i, "instructions"), 1e7) << counts.text(i, "workload");
+    EXPECT_LE(counts.number(i, "instructions"), 1e8) << counts.text(i, "workload");
+  }
+}
+
+}  // namespace
