@@ -38,14 +38,15 @@ TEST(LongHorizon, ErrorsGrowAsTheory) {
 
 TEST(LongHorizon, SymplecticRunsKeepEnergyAndAngularMomentum) {
   const auto table = avi::Table::read(quick + "/long_horizon.tsv");
-  // Twice what was measured after 100 periods.
+  // Twice what was measured after 100 periods; rounding is another with and without vector units (HTVI12:
+  // 3e-13 and 9e-13).
   const std::map<std::string, double> energy{
-      {"htvi4", 1e-5}, {"htvi12", 7e-13}, {"stormer_verlet", 7e-3}, {"log_hamiltonian_yoshida4", 5e-13}};
+      {"htvi4", 1e-5}, {"htvi12", 2e-12}, {"stormer_verlet", 7e-3}, {"log_hamiltonian_yoshida4", 5e-13}};
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const auto bound = energy.find(table.text(i, "method"));
     if (bound == energy.end()) continue;
     EXPECT_LT(table.number(i, "energy_error"), bound->second) << bound->first;
-    EXPECT_LT(table.number(i, "momentum_error"), 1e-13) << bound->first;
+    EXPECT_LT(table.number(i, "momentum_error"), 1.5e-13) << bound->first;
   }
 }
 
