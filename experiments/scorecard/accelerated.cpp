@@ -64,6 +64,14 @@ Judgement step(const Cell& cell, const avi::Table& data) {
   return judgement;
 }
 
+/// How many moved starts the data come from: the head says "counts from 16 starts moved by up to 1e-14".
+std::string moved_starts(const avi::Table& data) {
+  for (const auto& [key, text] : data.head)
+    if (key == "perturbed" && text.starts_with("counts from "))
+      return text.substr(12, text.find(" starts") - 12) + " starts";
+  return "Starts";
+}
+
 /// A count is exact, or its row is chaotic: starts moved by 1e-14 give different ones.
 Judgement iterations(const Cell& cell, const avi::Table& data) {
   const std::size_t row = row_of(cell, data, "1");
@@ -76,7 +84,7 @@ Judgement iterations(const Cell& cell, const avi::Table& data) {
   const double failed = data.number(row, "perturbed_failed");
   if (least == most && failed == 0.0) return judgement;
   const double printed = Printed(cell.published()).value;
-  std::string range = fmt::format("Starts moved by 1e-14 give {:.0f} to {:.0f}", least, most);
+  std::string range = fmt::format("{} moved by 1e-14 give {:.0f} to {:.0f}", moved_starts(data), least, most);
   if (failed > 0.0) range += fmt::format(", and {:.0f} of them diverge", failed);
   range += fmt::format("; the printed count lies {} that range.",
                        printed >= least && printed <= most ? "inside" : "outside");
