@@ -110,7 +110,7 @@ fuzz: deps-fuzz ## Search for bad input with libFuzzer, FUZZ_SECONDS (60) for ea
 	@for each in table options step; do mkdir -p build/fuzz/corpus/$$each; echo "fuzzing $$each"; \
 	  build/fuzz/bin/$${each}_fuzz -max_total_time=$(FUZZ_SECONDS) -close_fd_mask=3 -print_final_stats=1 \
 	  -artifact_prefix=build/fuzz/$$each- build/fuzz/corpus/$$each tests/fuzz/corpus/$$each || exit 1; done
-levels: deps-fuzz ## Compare the numbers of g++ and clang++ at -O0, -O2 and -O3, native and portable, digit by digit
+levels: deps-fuzz ## Compare the numbers of g++ and clang++ at -O0, -O2 and -O3, native and portable
 	@tests/levels.sh $(LEVELS)
 install: deps ## Install the headers and the CMake package under PREFIX
 	@$(configure)
