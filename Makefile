@@ -30,7 +30,7 @@ drawable    := $(foreach f,$(scripts),$(if $(filter-out $(experiments),$(call da
 with_flag    = $(patsubst experiments/%.cpp,%,$(shell grep -sl '"--$(1)' experiments/*.cpp))
 
 # Seconds are compared within these, so nothing else of ours runs beside them; they come first.
-timed       := $(filter kepler_e090 kepler_e099 monitor_costs cost_growth optional_parts work_precision,$(experiments))
+timed       := $(filter kepler_e090 kepler_e099 monitor_costs precision_study cost_growth optional_parts work_precision,$(experiments))
 DATA        := $(patsubst %,build/data/%.tsv,$(timed) $(filter-out $(timed),$(experiments)))
 FIGURES     := $(foreach f,$(drawable),build/figures/$f.pdf build/figures/$f.png)
 PUBLISHED   := $(wildcard paper/published/*.tsv)

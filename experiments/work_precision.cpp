@@ -31,7 +31,7 @@ void add_rows(avi::Table& table, const Scene& scene, const std::vector<Point>& p
   for (const Point& p : points)
     table.row(scene.problem, scene.eccentricity, scene.horizon_name, p.family->method, p.family->order,
               p.label(), p.steps, p.evaluations, avi::rounded(p.seconds), p.position_error, p.energy_error,
-              avi::rounded(p.seconds / unit), p.front);
+              avi::rounded(p.seconds / unit), avi::rounded(p.polynomial, 3), p.front);
 }
 
 /// The front in its order along the curve, one index block per scene.
@@ -59,13 +59,14 @@ int main(int argc, char** argv) {
         const Budget base = frame.quick ? Budget{0.0005, 0.00005, 4}
                             : full      ? Budget{0.02, 0.001, 1}
                                         : Budget{};
-        auto table =
-            frame.table({"problem", "eccentricity", "horizon", "method", "order", "setting", "steps",
-                         "evaluations", "seconds", "position_error", "energy_error", "cost", "front"});
+        auto table = frame.table({"problem", "eccentricity", "horizon", "method", "order", "setting", "steps",
+                                  "evaluations", "seconds", "position_error", "energy_error", "cost",
+                                  "polynomial", "front"});
         auto front = frame.table(
             {"problem", "eccentricity", "horizon", "method", "order", "setting", "cost", "position_error"});
         auto advice = frame.table(advice_columns());
         table.note("peers", peers_present());
+        table.note("polynomial", "share of the steps that were a Taylor polynomial alone (htvi_value_first)");
         advice.note("peers", peers_present());
         const Scene unit_scene = reference_scene();
         const auto list = scenes(grid);
@@ -77,7 +78,8 @@ int main(int argc, char** argv) {
             table.note("reference error of " + label, avi::rounded(scene.reference_error, 2));
           auto unit_point = measure(unit_scene, {.longest_run = 10.0, .least_block = 0.0}, [](double) {});
           Budget budget = base;
-          budget.longest_run *= std::clamp(scene.horizon / 10.0, 1.0, full ? 8.0 : 4.0);
+          budget.longest_run *= std::clamp(scene.horizon / 10.0, 1.0, 8.0);
+          if (full && scene.horizon > 1000.0) budget.stride = 2;
           auto points = measure(scene, budget, [&](double fraction) {
             frame.progress(label, (static_cast<double>(i) + fraction) / static_cast<double>(list.size()));
           });

@@ -6,7 +6,7 @@ file = data.'/work_precision.tsv'
 front = data.'/work_precision_front.tsv'
 
 # Every method as dots in the colour of its kind, the front as a line.
-kind(m) = strstrt(m, 'log_hamiltonian') ? 1 : m eq 'htvi' ? 2 : \
+kind(m) = strstrt(m, 'log_hamiltonian') ? 1 : m eq 'htvi' ? 2 : m eq 'htvi_value_first' ? 5 : \
           (strstrt(m, 'gsl') || strstrt(m, 'odeint') || strstrt(m, 'sundials')) ? 3 : 4
 at(p, e, h, k) = strcol('problem') eq p && strcol('horizon') eq h && kind(strcol('method')) == k && \
                  (e < 0 || abs(column('eccentricity') - e) < 1e-6) ? column('position_error') : NaN
@@ -42,6 +42,8 @@ do for [i=1:6] {
     '' using "cost":(at(problem[i], ecc[i], horizon[i], 3)) with points pt 4 ps 0.6 lc rgb vermilion title 'other libraries', \
     '' using "cost":(at(problem[i], ecc[i], horizon[i], 2)) with points pt 7 ps 0.5 lc rgb blue notitle, \
     keyentry with points pt 7 ps 0.5 lc rgb blue title 'HTVI', \
+    '' using "cost":(at(problem[i], ecc[i], horizon[i], 5)) with points pt 6 ps 0.5 lc rgb sky notitle, \
+    keyentry with points pt 6 ps 0.5 lc rgb sky title 'HTVI, value first', \
     '' using "cost":(at(problem[i], ecc[i], horizon[i], 1)) with points pt 9 ps 0.6 lc rgb green title 'logarithmic Hamiltonian', \
     front using "cost":(edge(problem[i], ecc[i], horizon[i])) with lines lc rgb black lw 1.2 title 'Pareto front'
 }

@@ -49,16 +49,20 @@ const Point* cheapest(const std::vector<Point>& points, Origin origin, double ta
 double cost(const Point* p, double unit) { return p ? p->seconds / unit : nan; }
 std::string method(const Point* p) {
   if (!p) return "none";
-  return p->family->origin == Origin::htvi ? "htvi" + std::to_string(p->family->order) : p->family->method;
+  if (p->family->method == "htvi") return "htvi" + std::to_string(p->family->order);
+  if (p->family->method == "htvi_value_first")
+    return "htvi" + std::to_string(p->family->order) + "_value_first";
+  return p->family->method;
 }
 std::string setting(const Point* p) { return p ? p->label() : "none"; }
 
 }  // namespace
 
 std::vector<std::string> advice_columns() {
-  return {"problem",      "eccentricity", "horizon",   "target",         "method",    "setting",
-          "cost",         "energy_error", "htvi",      "htvi_setting",   "htvi_cost", "peer",
-          "peer_setting", "peer_cost",    "elsewhere", "elsewhere_cost", "ratio",     "verdict"};
+  return {"problem",        "eccentricity", "horizon",      "target",     "method",
+          "setting",        "cost",         "energy_error", "htvi",       "htvi_setting",
+          "htvi_cost",      "peer",         "peer_setting", "peer_cost",  "elsewhere",
+          "elsewhere_cost", "ratio",        "verdict",      "htvi_ratio", "htvi_polynomial"};
 }
 
 void advise(avi::Table& table, const Scene& scene, const std::vector<Point>& points, double unit) {
@@ -86,7 +90,8 @@ void advise(avi::Table& table, const Scene& scene, const std::vector<Point>& poi
               avi::rounded(cost(best, unit), 3), avi::rounded(best ? best->energy_error : nan, 3),
               method(htvi), setting(htvi), avi::rounded(cost(htvi, unit), 3), method(peer), setting(peer),
               avi::rounded(cost(peer, unit), 3), other, avi::rounded(other_cost, 3), avi::rounded(ratio, 3),
-              verdict);
+              verdict, avi::rounded(cost(htvi, unit) / rival, 3),
+              avi::rounded(htvi ? htvi->polynomial : nan, 3));
   }
 }
 

@@ -67,6 +67,9 @@ Family ours(const Arena<P>& arena, std::string method, int order, Origin origin,
     result.t = z.t;
     result.steps = run.steps;
     result.evaluations = run.evaluations;
+    if constexpr (requires { stepper.value_steps(); })
+      result.polynomial = static_cast<double>(stepper.value_steps()) /
+                          static_cast<double>(stepper.value_steps() + stepper.full_steps());
     return result;
   };
   return family;

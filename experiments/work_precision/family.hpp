@@ -24,7 +24,8 @@ struct Result {
   long steps = 0;
   long evaluations = 0;  ///< Of the force, or of the Taylor expansion.
   double energy_error = 0.0;
-  double seconds = 0.0;  ///< Of one integration, set-up left out.
+  double polynomial = 0.0;  ///< Share of the steps that were a Taylor polynomial alone.
+  double seconds = 0.0;     ///< Of one integration, set-up left out.
 };
 
 /// How a run is to be made.

@@ -65,8 +65,8 @@ std::vector<Point> measure(const Scene& scene, const Budget& budget,
       if (k == 0) {
         const Result watched = trial.family->run(
             {.setting = trial.setting, .watch_energy = true, .step_cap = budget.step_cap()});
-        points[i] = {trial.family, trial.setting, result.steps,        result.evaluations,
-                     0.0,          0.0,           watched.energy_error};
+        points[i] = {trial.family, trial.setting, result.steps,         result.evaluations,
+                     0.0,          0.0,           watched.energy_error, result.polynomial};
       }
     }
     progress((k + 1.0) / starts);

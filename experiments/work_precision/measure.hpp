@@ -19,6 +19,7 @@ struct Point {
   double seconds = 0.0;
   double position_error = 0.0;
   double energy_error = 0.0;  ///< Largest over the steps, from start 0.
+  double polynomial = 0.0;    ///< Share of the steps that were a Taylor polynomial alone.
   bool front = false;         ///< No other point is both faster and at least as accurate.
 
   [[nodiscard]] std::string label() const;  ///< `g=r^1.5 h=0.2`.

@@ -1,5 +1,6 @@
 #pragma once
 #include "avi/core/state.hpp"
+#include "avi/core/summation.hpp"
 #include "avi/integrators/compositions.hpp"
 
 #include <cmath>
@@ -72,18 +73,19 @@ inline avi::Vector<double, 2> exact_kepler(const avi::State<2>& start, double t)
   return {static_cast<double>(f * x + g * px), static_cast<double>(f * y + g * py)};
 }
 
-/// A run in extended precision with the composition of order 10, in physical time or (log_form) in that of
-/// the logarithmic Hamiltonian; it can stop at any time asked for.
-template <class Problem>
+/// A run in a number format of one's choice (extended precision) with the composition of order 10, in
+/// physical time or (log_form) in that of the logarithmic Hamiltonian; it can stop at any time asked for.
+template <class Problem, class Number = long double, avi::Summation sum = avi::Summation::compensated>
 class ExtendedRun {
  public:
-  using Real = long double;
+  using Real = Number;
   static constexpr int n = Problem::dimension;
   using Vec = avi::Vector<Real, n>;
 
   ExtendedRun(const Problem& problem, const avi::State<n>& start, bool log_form, Real h)
       : problem_(problem), log_form_(log_form),
-        h_(h), now_{start.q.template cast<Real>(), start.p.template cast<Real>(), start.t} {
+        h_(h), now_{start.q.template cast<Real>(), start.p.template cast<Real>(),
+                    static_cast<Real>(start.t)} {
     pt_ = -problem_(now_.q, now_.p);
   }
 
@@ -119,6 +121,10 @@ class ExtendedRun {
     return z.q.template cast<double>();
   }
 
+  /// Where and when the last step has ended.
+  [[nodiscard]] avi::Vector<double, n> position() const { return now_.q.template cast<double>(); }
+  [[nodiscard]] double time() const { return static_cast<double>(now_.t); }
+
  private:
   /// With what rounding cut off: over 1000 orbits it matters in extended precision, too.
   struct Point {
@@ -127,24 +133,16 @@ class ExtendedRun {
     Vec q_low = Vec::Zero(), p_low = Vec::Zero();
     Real t_low = 0;
   };
-  template <class Value>
-  static void add(Value& sum, Value& low, const Value& increment) {
-    const Value corrected = increment + low;
-    const Value next = sum + corrected;
-    low = corrected - (next - sum);
-    sum = next;
-  }
-
   [[nodiscard]] Real rate(const Point& z) const {
     return log_form_ ? 1 / (problem_.kinetic(z.p) + pt_) : Real(1);
   }
   void drift(Point& z, Real h) const {
     const Real dt = h * rate(z);
     if constexpr (requires { problem_.velocity(z.p); })
-      add<Vec>(z.q, z.q_low, dt * problem_.velocity(z.p));
+      avi::add<sum, Vec>(z.q, z.q_low, dt * problem_.velocity(z.p));
     else
-      add<Vec>(z.q, z.q_low, dt * z.p);
-    add(z.t, z.t_low, dt);
+      avi::add<sum, Vec>(z.q, z.q_low, dt * z.p);
+    avi::add<sum>(z.t, z.t_low, dt);
   }
   void step(Point& z, Real h) const {
     static constexpr auto list = split(avi::compositions::sofroniou_spaletta10);
@@ -152,7 +150,7 @@ class ExtendedRun {
       drift(z, list.a[i] * h);
       const Real kick = list.b[i] * h;
       const Real factor = log_form_ ? kick / problem_.potential(z.q) : -kick;
-      add<Vec>(z.p, z.p_low, factor * problem_.potential_gradient(z.q));
+      avi::add<sum, Vec>(z.p, z.p_low, factor * problem_.potential_gradient(z.q));
     }
     drift(z, list.a.back() * h);
   }

@@ -94,7 +94,7 @@ Scene thinned(Scene scene) {
   std::erase_if(scene.families, [](const Family& f) {
     const bool fixed = f.method.starts_with("verlet_") || f.method.starts_with("stormer_");
     return (f.order < 6 && f.origin != Origin::peer) || (fixed && f.method != "verlet_kahan_li8") ||
-           (f.origin == Origin::htvi && f.order < 8) || f.method == "odeint_dopri5" ||
+           (f.origin == Origin::htvi && f.order < 8 && f.method == "htvi") || f.method == "odeint_dopri5" ||
            f.method == "gsl_rkf45";
   });
   return scene;

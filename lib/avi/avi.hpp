@@ -30,6 +30,7 @@
 #include "avi/core/root.hpp"
 #include "avi/core/slopes.hpp"
 #include "avi/core/state.hpp"
+#include "avi/core/summation.hpp"
 #include "avi/core/vector.hpp"
 #include "avi/diagnostics/drift.hpp"
 #include "avi/diagnostics/order.hpp"

@@ -30,7 +30,7 @@ class TaylorValues {
       : problem_(problem), tape_(tape_slots) {}
 
   /// Expands from (q, p) over the fictive step h.
-  [[gnu::flatten]] void expand(const Vector<double, n>& q, const Vector<double, n>& p, double h) {
+  void expand(const Vector<double, n>& q, const Vector<double, n>& p, double h) {
     for (int i = 0; i < n; ++i) {
       q_[i][0] = q[i];
       p_[i][0] = p[i];
@@ -64,7 +64,7 @@ class TaylorValues {
       std::array<double, r + 2>;  // scaled coefficients: entry k is h^k / k! times the k-th derivative
 
   template <int k>
-  void replay(double h) {
+  [[gnu::noinline, gnu::flatten]] void replay(double h) {
     using S = Jet<double, r, k>;
     tape_.rewind(k);
     Vector<S, n> q, p, dq, dp;

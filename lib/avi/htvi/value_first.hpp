@@ -1,4 +1,5 @@
 #pragma once
+#include "avi/core/summation.hpp"
 #include "avi/htvi/generating_map.hpp"
 #include "avi/htvi/taylor_values.hpp"
 
@@ -21,12 +22,13 @@ namespace avi {
 ///
 /// Only on the energy shell: there H is kept by the Taylor flow itself, not by the implicit equations, and
 /// the rounding of g (H + p^t), which a monitor amplifies from apocentre to pericentre, does not arise.
-template <class HtviMethod>
+/// @tparam summation Summation::plain is a control, to see what compensation is worth
+template <class HtviMethod, Summation summation = Summation::compensated>
 class ValueFirst;
 
 /// The one for an HTVI of Taylor order r, 2 or more, on the energy shell.
-template <Generating type, class Problem, int r, Construction construction>
-class ValueFirst<Htvi<type, Problem, r, construction>> {
+template <Generating type, class Problem, int r, Construction construction, Summation summation>
+class ValueFirst<Htvi<type, Problem, r, construction>, summation> {
  public:
   using Method = Htvi<type, Problem, r, construction>;  ///< What makes the steps that need it.
   using Values = TaylorValues<Problem, r>;              ///< What makes the others.
@@ -70,9 +72,9 @@ class ValueFirst<Htvi<type, Problem, r, construction>> {
       if (report.outcome != Outcome::ok) return report;
     }
     ++(by_value ? value_steps_ : full_steps_);
-    add(z.q, low_.q, change.q);
-    add(z.p, low_.p, change.p);
-    add(z.t, low_.t, change.t);
+    add<summation>(z.q, low_.q, change.q);
+    add<summation>(z.p, low_.p, change.p);
+    add<summation>(z.t, low_.t, change.t);
     after_ = z;
     return report;
   }
@@ -83,14 +85,6 @@ class ValueFirst<Htvi<type, Problem, r, construction>> {
   [[nodiscard]] long full_steps() const { return full_steps_; }
 
  private:
-  template <class Value>
-  static void add(Value& sum, Value& low, const Value& change) {
-    const Value corrected = change + low;
-    const Value next = sum + corrected;
-    low = corrected - (next - sum);
-    sum = next;
-  }
-
   Method method_;
   Values values_;
   double tolerance_;

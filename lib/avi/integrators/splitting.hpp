@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/core/outcome.hpp"
 #include "avi/core/state.hpp"
+#include "avi/core/summation.hpp"
 #include "avi/integrators/split_coefficients.hpp"
 
 #include <array>
@@ -45,12 +46,6 @@ class Separable {
   Problem problem_;
 };
 
-/// How increments are added to the state.
-enum class Summation {
-  plain,       ///< As the processor adds.
-  compensated  ///< What rounding cuts off is kept and added next time (Kahan 1965; Moller 1965).
-};
-
 /// \f$A(a_0 h)\, B(b_0 h) \cdots A(a_m h)\f$ with the flows of `Flows` (Separable, LogHamiltonian). Explicit,
 /// and symplectic as a product of exact flows.
 ///
@@ -80,7 +75,7 @@ class Splitting {
     State<n> low = low_;
     for (std::size_t i = 0; i < b_.size(); ++i) {
       drift(moved, low, a_[i] * h);
-      add(moved.p, low.p, flows_.kick(moved.q, b_[i] * h));
+      add<summation>(moved.p, low.p, flows_.kick(moved.q, b_[i] * h));
     }
     drift(moved, low, a_.back() * h);
     if (!flows_.admits(moved)) return {.outcome = Outcome::diverged, .evaluations = m};
@@ -97,20 +92,8 @@ class Splitting {
 
   void drift(State<n>& z, State<n>& low, double h) const {
     const Drift<n> d = flows_.drift(z.p, h);
-    add(z.q, low.q, d.position);
-    add(z.t, low.t, d.time);
-  }
-
-  template <class Value>
-  static void add(Value& sum, Value& low, const Value& increment) {
-    if constexpr (compensated) {
-      const Value corrected = increment + low;
-      const Value next = sum + corrected;
-      low = corrected - (next - sum);
-      sum = next;
-    } else {
-      sum += increment;
-    }
+    add<summation>(z.q, low.q, d.position);
+    add<summation>(z.t, low.t, d.time);
   }
 
   void forget(const State<n>& z) {

@@ -1,0 +1,27 @@
+#pragma once
+
+/// @file
+/// How increments are added to a state over many steps.
+
+namespace avi {
+
+/// How increments are added to the state.
+enum class Summation {
+  plain,       ///< As the processor adds.
+  compensated  ///< What rounding cuts off is kept and added next time (Kahan 1965; Moller 1965).
+};
+
+/// sum += increment. @param low what earlier additions have cut off; used by Summation::compensated alone
+template <Summation summation = Summation::compensated, class Value>
+void add(Value& sum, Value& low, const Value& increment) {
+  if constexpr (summation == Summation::compensated) {
+    const Value corrected = increment + low;
+    const Value next = sum + corrected;
+    low = corrected - (next - sum);
+    sum = next;
+  } else {
+    sum += increment;
+  }
+}
+
+}  // namespace avi
