@@ -80,7 +80,7 @@ struct RunTime {
 // Templates, so that an order compiles what it adds and no more.
 template <int order>
 void add_to(Scene& scene, const KeplerArena& arena) {
-  add(scene, arena, "g=r^1.5 h", order <= 3 ? 0.3 : 1.0, avi::Gamma{0.75});
+  add(scene, arena, "g=r^1.5 h", order < 3 ? 0.3 : 1.0, avi::Gamma{0.75});
   if constexpr (order == 7 || order == 11 || order == 15)
     for (double tolerance : tolerances())
       add_value_first(scene, arena, "g=r^1.5", tolerance, avi::Gamma{0.75});
