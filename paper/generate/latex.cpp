@@ -115,7 +115,7 @@ std::string latex_printed(std::string_view printed) {
 }
 
 std::string display_name(std::string_view name) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 36> names{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 39> names{
       {{"none", "none"},
        {"htvi", "HTVI"},
        {"htvi4", "HTVI4"},
