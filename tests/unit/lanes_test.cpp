@@ -1,4 +1,5 @@
 #include "avi/core/partials.hpp"
+#include "avi/taylor/convolution.hpp"
 #include "avi/taylor/lanes.hpp"
 
 #include <gtest/gtest.h>
