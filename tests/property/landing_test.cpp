@@ -40,6 +40,26 @@ TEST(IntegrateTo, LandsOnTheRequestedTime) {
   EXPECT_THROW(avi::integrate_to(method, z, -0.05, 1.0), std::invalid_argument);
 }
 
+TEST(IntegrateTo, StopsWhenItsObserverSaysSo) {
+  const auto start = Kepler::pericentre(0.5);
+  auto method = avi::type2<3>(avi::poincare<2>(Kepler{}, start, avi::NormSquared{}), avi::simpson());
+  auto z = start;
+  long shown = 0;
+  const auto early = avi::integrate_to(method, z, 0.05, 3.0, [&](const State<2>&, long k) {
+    shown = k;
+    return k < 4;
+  });
+  EXPECT_EQ(early.outcome, avi::Outcome::stopped);
+  EXPECT_EQ(early.steps, 4);
+  EXPECT_EQ(shown, 4);
+  EXPECT_LT(z.t, 3.0);
+  z = start;
+  const auto last =
+      avi::integrate_to(method, z, 0.05, 3.0, [](const State<2>& now, long) { return now.t < 3.0; });
+  EXPECT_EQ(last.outcome, avi::Outcome::stopped) << "at the end itself";
+  EXPECT_NEAR(z.t, 3.0, 1e-14);
+}
+
 TEST(DenseOutput, HasLocalOrderRPlusOne) {
   std::vector<double> steps, errors;
   for (double h = 0.2; h > 0.01; h *= 0.5) {

@@ -5,16 +5,30 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <type_traits>
 
 /// @file
 /// States at requested physical times.
 
 namespace avi {
 
+namespace detail {
+/// What the observer says: true where it says nothing.
+template <class Observer, class State>
+bool goes_on(Observer& observer, const State& state, long k) {
+  if constexpr (std::is_same_v<std::invoke_result_t<Observer&, const State&, long>, bool>) {
+    return observer(state, k);
+  } else {
+    observer(state, k);
+    return true;
+  }
+}
+}  // namespace detail
+
 /// Ends a run exactly at t_end: advances with step h while t < t_end, then repeats the last step with the
 /// smaller fictive step whose physical one ends at t_end, found by the secant method with bisection as its
 /// safeguard. Every step, the last one included, is a step of the method and so symplectic. `observer` as in
-/// integrate(), but what it returns is not looked at: it cannot stop the run.
+/// integrate(): where it returns bool, false stops the run.
 /// @throws std::invalid_argument as integrate(), or unless h > 0 and t_end >= state.t.
 template <class State, Method<State> M, class Observer = NoObserver>
 Run integrate_to(M& method, State& state, double h, double t_end, Observer&& observer = {}) {
@@ -23,10 +37,10 @@ Run integrate_to(M& method, State& state, double h, double t_end, Observer&& obs
   State before = state;
   long steps = 0;
   Run run = integrate(method, state, h, {.time = t_end}, [&](const State& z, long k) {
-    if (z.t >= t_end) return;  // not shown: it will be repeated
+    if (z.t >= t_end) return true;  // not shown: it will be repeated
     before = z;
     steps = k;
-    observer(z, k);
+    return detail::goes_on(observer, z, k);
   });
   if (run.outcome != Outcome::ok || run.steps == 0) return run;
   const double miss = state.t - t_end;
@@ -50,7 +64,10 @@ Run integrate_to(M& method, State& state, double h, double t_end, Observer&& obs
     }
     state = landed;
   }
-  observer(state, run.steps);
+  if (!detail::goes_on(observer, state, run.steps)) {
+    run.outcome = Outcome::stopped;
+    run.message = detail::describe_end(run.outcome, state, run.steps, 0.0);
+  }
   return run;
 }
 
