@@ -4,6 +4,7 @@
 #include "avi/htvi/taylor_values.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 /// @file
@@ -45,6 +46,7 @@ class ValueFirst<Htvi<type, Problem, r, construction>, summation> {
       : method_(std::move(method)), values_(method_.problem()), tolerance_(tolerance) {
     require(tolerance >= Values::half_ulp && tolerance < 1.0, "Tolerance of ValueFirst", tolerance,
             "in [1.2e-16, 1)");
+    after_.t = std::numeric_limits<double>::quiet_NaN();  // No state is this one: nothing is left over yet.
   }
 
   /// Advances z by the fictive step h.

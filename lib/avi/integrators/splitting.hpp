@@ -5,6 +5,7 @@
 #include "avi/integrators/split_coefficients.hpp"
 
 #include <array>
+#include <limits>
 #include <utility>
 
 /// @file
@@ -63,6 +64,7 @@ class Splitting {
       a_[i] = static_cast<double>(coefficients.a[i]);
     for (std::size_t i = 0; i < b_.size(); ++i)
       b_[i] = static_cast<double>(coefficients.b[i]);
+    after_.t = std::numeric_limits<double>::quiet_NaN();  // No state is this one: nothing is kept yet.
   }
 
   /// Advances z by h, with one evaluation of the gradient for each kick. Ends as Outcome::diverged, with z as
