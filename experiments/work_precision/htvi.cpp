@@ -46,7 +46,7 @@ void add_value_first(Scene& scene, const Arena<P>& arena, const std::string& kno
                      G monitor) {
   scene.families.push_back(ours(
       arena, "htvi_value_first", r + 1, Origin::htvi, fmt::format("{} tolerance={:.0e} h", knob, tolerance),
-      geometric(tolerance > 1e-15 ? 0.4 : 0.18, 0.85, 20), [=](const P& problem, const auto& start) {
+      geometric(tolerance > 1e-15 ? 0.4 : 0.18, 0.95, 45), [=](const P& problem, const auto& start) {
         return avi::ValueFirst(
             avi::type2<r>(avi::poincare<P::dimension>(Supplied<P>{problem}, start, monitor),
                           avi::gauss((r + 1) / 2)),
