@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
             table.note("reference error of " + label, avi::rounded(scene.reference_error, 2));
           auto unit_point = measure(unit_scene, {.longest_run = 10.0, .least_block = 0.0}, [](double) {});
           Budget budget = base;
-          budget.longest_run *= std::clamp(scene.horizon / 10.0, 1.0, full ? 20.0 : 8.0);
+          budget.longest_run *= std::clamp(scene.horizon / 10.0, 1.0, 8.0);
           if (full && scene.horizon > 1000.0) budget.stride = 3;
           auto points = measure(scene, budget, [&](double fraction) {
             frame.progress(label, (static_cast<double>(i) + fraction) / static_cast<double>(list.size()));
