@@ -28,8 +28,9 @@ std::vector<Trial> scout(const Scene& scene, const Family& family, const Budget&
   int stale = 0;
   for (std::size_t i = 0; i < family.settings.size(); i += budget.stride) {
     const double setting = family.settings[i];
-    const Result result = family.run({.setting = setting, .step_cap = budget.step_cap()});
+    const Result result = family.run({.setting = setting, .step_cap = budget.step_cap(family.origin)});
     const double error = result.ok ? scene.position_error(0, result.t, result.q) : std::nan("");
+    if (i > 0 && result.seconds > 4.0 * budget.longest_run) break;  // each trial is made ten times
     if (error < 0.1) kept.push_back({&family, setting, result.seconds});
     if (error < 0.7 * best) {
       best = error;
@@ -57,14 +58,17 @@ std::vector<Point> measure(const Scene& scene, const Budget& budget,
     for (std::size_t i = 0; i < trials.size(); ++i) {
       const Trial& trial = trials[i];
       const int repeats = static_cast<int>(std::clamp(budget.least_block / trial.seconds, 1.0, 1e5));
-      const Result result = trial.family->run(
-          {.setting = trial.setting, .start = k, .repeats = repeats, .step_cap = budget.step_cap()});
+      const Result result = trial.family->run({.setting = trial.setting,
+                                               .start = k,
+                                               .repeats = repeats,
+                                               .step_cap = budget.step_cap(trial.family->origin)});
       seconds[i].push_back(result.seconds);
       errors[i].push_back(result.ok ? scene.position_error(k, result.t, result.q)
                                     : std::numeric_limits<double>::infinity());
       if (k == 0) {
-        const Result watched = trial.family->run(
-            {.setting = trial.setting, .watch_energy = true, .step_cap = budget.step_cap()});
+        const Result watched = trial.family->run({.setting = trial.setting,
+                                                  .watch_energy = true,
+                                                  .step_cap = budget.step_cap(trial.family->origin)});
         points[i] = {trial.family, trial.setting, result.steps,         result.evaluations,
                      0.0,          0.0,           watched.energy_error, result.polynomial};
       }
