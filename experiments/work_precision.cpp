@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
       [&](experiment::Frame& frame) {
         const Grid grid = frame.quick ? Grid::quick : full ? Grid::full : Grid::reduced;
         const Budget base = frame.quick ? Budget{0.0005, 0.00005, 4}
-                            : full      ? Budget{0.008, 0.0005, 1}
+                            : full      ? Budget{0.02, 0.0005, 1}
                                         : Budget{};
         auto table = frame.table({"problem", "eccentricity", "horizon", "method", "order", "setting", "steps",
                                   "evaluations", "seconds", "position_error", "energy_error", "cost",

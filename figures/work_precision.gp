@@ -5,7 +5,11 @@ load 'figures/style.gp'
 file = data.'/work_precision.tsv'
 front = data.'/work_precision_front.tsv'
 
-# Every method as dots in the colour of its kind, the front as a line.
+# Every method as dots in the mark of its kind, the front as a line.
+array mark[5] = [9, 7, 4, 1, 6]
+array colour[5] = [green, blue, vermilion, grey, sky]
+array name[5] = ['logarithmic Hamiltonian', 'HTVI', 'other libraries', 'fixed-step and reversible', 'HTVI, value first']
+kinds = '4 3 2 5 1'
 kind(m) = strstrt(m, 'log_hamiltonian') ? 1 : m eq 'htvi' ? 2 : m eq 'htvi_value_first' ? 5 : \
           (strstrt(m, 'gsl') || strstrt(m, 'odeint') || strstrt(m, 'sundials')) ? 3 : 4
 at(p, e, h, k) = strcol('problem') eq p && strcol('horizon') eq h && kind(strcol('method')) == k && \
@@ -27,9 +31,9 @@ set multiplot layout 3,2 margins 0.13,0.97,0.17,0.96 spacing 0.12,0.07
 array problem[6] = ['kepler', 'kepler', 'kepler', 'kepler', 'perturbed_kepler', 'figure_eight']
 array ecc[6] = [0.9, 0.99, 0.999, 0.9, 0.9, -1]
 # The horizon that the data hold: the reduced grid is shorter than the full one.
-has(p, h) = int(system("awk -F'\\t' '$1==\"".p."\" && $3==\"".h."\"' '".file."' | wc -l")) > 0
-orbits = has('kepler', '1000 periods') ? '1000 periods' : '100 periods'
-loops = has('figure_eight', '100 periods') ? '100 periods' : '10 periods'
+has(p, h, m) = int(system("awk -F'\\t' '$1==\"".p."\" && $3==\"".h."\" && $4 ~ /^".m."/' '".file."' | wc -l")) > 0
+orbits = has('kepler', '1000 periods', '') ? '1000 periods' : '100 periods'
+loops = has('figure_eight', '100 periods', '') ? '100 periods' : '10 periods'
 array horizon[6] = ['10', '10', '10', orbits, '10', loops]
 array title[6] = ['Kepler, e = 0.9, T = 10', 'Kepler, e = 0.99, T = 10', 'Kepler, e = 0.999, T = 10', \
   'Kepler, e = 0.9, '.orbits, 'Kepler with quadrupole, e = 0.9, T = 10', 'figure-eight orbit, '.loops]
@@ -38,13 +42,10 @@ do for [i=1:6] {
   set ylabel i % 2 ? 'position error' : ''
   set xlabel i > 4 ? 'time / time of the Verlet run of Table 1' : ''
   if (i == 6) { set key at screen 0.97,0.006 bottom right vertical maxrows 3 samplen 2 font ',7' noopaque } else { unset key }
-  plot file using "cost":(at(problem[i], ecc[i], horizon[i], 4)) with points pt 1 ps 0.5 lc rgb grey title 'fixed-step and reversible', \
-    '' using "cost":(at(problem[i], ecc[i], horizon[i], 3)) with points pt 4 ps 0.6 lc rgb vermilion title 'other libraries', \
-    '' using "cost":(at(problem[i], ecc[i], horizon[i], 2)) with points pt 7 ps 0.5 lc rgb blue notitle, \
-    keyentry with points pt 7 ps 0.5 lc rgb blue title 'HTVI', \
-    '' using "cost":(at(problem[i], ecc[i], horizon[i], 5)) with points pt 6 ps 0.5 lc rgb sky notitle, \
-    keyentry with points pt 6 ps 0.5 lc rgb sky title 'HTVI, value first', \
-    '' using "cost":(at(problem[i], ecc[i], horizon[i], 1)) with points pt 9 ps 0.6 lc rgb green title 'logarithmic Hamiltonian', \
+  drawn = '4 3'.(has(problem[i], horizon[i], 'htvi$') ? ' 2' : '').(has(problem[i], horizon[i], 'htvi_value') ? ' 5' : '').' 1'
+  plot for [k in drawn] file using "cost":(at(problem[i], ecc[i], horizon[i], k+0)) \
+      with points pt mark[k+0] ps 0.5 lc rgb colour[k+0] notitle, \
+    for [k in kinds] keyentry with points pt mark[k+0] ps 0.5 lc rgb colour[k+0] title name[k+0], \
     front using "cost":(edge(problem[i], ecc[i], horizon[i])) with lines lc rgb black lw 1.2 title 'Pareto front'
 }
 unset multiplot

@@ -29,12 +29,6 @@ struct Budget {
   double longest_run = 0.0008;  ///< Seconds; a family ends with the first setting that takes longer.
   double least_block = 0.0001;  ///< Seconds of the timed block; shorter runs are repeated within it.
   std::size_t stride = 3;       ///< Every that many of a family's settings is tried.
-
-  /// More steps than fit: ours take at least 5 ns, those of other libraries 20, HTVI's 100.
-  [[nodiscard]] long step_cap(Origin origin) const {
-    const double least = origin == Origin::htvi ? 1e-7 : origin == Origin::peer ? 2e-8 : 5e-9;
-    return static_cast<long>(4.0 * longest_run / least);
-  }
 };
 
 /// Measures every family of a scene. First each is tried from coarse to fine, once, to find the settings

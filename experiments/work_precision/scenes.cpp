@@ -120,8 +120,8 @@ std::vector<Scene> scenes(Grid grid) {
   list.push_back(perturbed_kepler(0.9, 10.0, "10"));
   if (grid == Grid::full) list.push_back(thinned(perturbed_kepler(0.9, 1000 * period, "1000 periods")));
   list.push_back(henon_heiles(grid == Grid::full ? 1000.0 : 100.0, grid == Grid::full ? "1000" : "100"));
-  const int periods = grid == Grid::full ? 100 : 10;
-  list.push_back(figure_eight(periods * avi::FigureEight::period, std::to_string(periods) + " periods"));
+  for (int periods : grid == Grid::full ? std::vector{10, 100} : std::vector{10})
+    list.push_back(figure_eight(periods * avi::FigureEight::period, std::to_string(periods) + " periods"));
   return list;
 }
 

@@ -68,6 +68,7 @@
 #include "avi/optim/rmsprop.hpp"
 #include "avi/optim/stopping.hpp"
 #include "avi/optim/trust_region.hpp"
+#include "avi/problems/chain.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"

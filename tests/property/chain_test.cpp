@@ -3,7 +3,9 @@
 #include "avi/diagnostics/symplecticity.hpp"
 #include "avi/htvi/adjoint.hpp"
 #include "avi/htvi/htvi.hpp"
+#include "avi/problems/chain.hpp"
 #include "avi/problems/n_body.hpp"
+#include "property/run_time.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,49 +13,24 @@
 
 // Many bodies, their number known only at run time.
 
+using avi::Chain;
+using avi::dynamic;
 using avi::Generating;
 using avi::State;
 
 namespace {
 
-constexpr int dynamic = avi::dynamic;
-
-template <int n>
-State<dynamic> run_time(const State<n>& z) {
-  return {.q = z.q, .p = z.p, .t = z.t};
-}
-
-template <int n>
-double gap(const State<n>& a, const State<dynamic>& b) {
-  return std::max({(a.q - b.q).norm(), (a.p - b.p).norm() / a.p.norm(), std::abs(a.t - b.t)});
-}
-
-/// Masses on a line between walls, coupled by springs with a quadratic term in their force (Fermi, Pasta,
-/// Ulam and Tsingou).
-struct Chain {
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
-    const auto spring = [](const auto& x) { return 0.5 * (x * x) + 0.25 * (x * x * x); };
-    auto sum = spring(q[0]) + spring(-q[q.size() - 1]);
-    for (Eigen::Index i = 0; i < q.size(); ++i) {
-      sum += 0.5 * (p[i] * p[i]);
-      if (i + 1 < q.size()) sum += spring(q[i + 1] - q[i]);
-    }
-    return sum;
-  }
-};
-
+/// In motion, too.
 State<dynamic> plucked(int masses) {
-  State<dynamic> z{.q = avi::Vector<double, dynamic>(masses), .p = avi::Vector<double, dynamic>(masses)};
-  for (int i = 0; i < masses; ++i) {
-    z.q[i] = 0.3 * std::sin(M_PI * (i + 1) / (masses + 1));
+  auto z = Chain::plucked(masses);
+  for (int i = 0; i < masses; ++i)
     z.p[i] = 0.1 * std::cos(3.0 * i);
-  }
   return z;
 }
 
 auto method_for(const State<dynamic>& start) {
-  return avi::htvi_of_order<Generating::type2>(2, avi::poincare<dynamic>(Chain{}, start), avi::gauss(2));
+  return avi::htvi_of_order<Generating::type2>(2, avi::poincare<dynamic>(avi::Automatic<Chain>{}, start),
+                                               avi::gauss(2));
 }
 
 TEST(Chain, IsFollowedSymplecticallyAtItsOrder) {
@@ -108,6 +85,13 @@ TEST(FigureEight, IsTheSameAtBothKindsOfDimension) {
     ASSERT_EQ(b.step(free, 0.1).outcome, avi::Outcome::ok);
   }
   EXPECT_LT(gap(fixed, free), 1e-12);
+}
+
+TEST(Chain, SuppliesTheGradientOfItsEnergy) {
+  const avi::Vector<double, 5> q = plucked(5).q, p = plucked(5).p;
+  const Chain chain;
+  EXPECT_LT((chain.d_dq(q, p) - avi::d_dq(avi::Automatic<Chain>{}, q, p)).norm(), 1e-15);
+  EXPECT_LT((chain.d_dp(q, p) - avi::d_dp(avi::Automatic<Chain>{}, q, p)).norm(), 1e-15);
 }
 
 TEST(Chain, RefusesAStateOfAnotherSize) {

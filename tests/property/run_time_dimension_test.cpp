@@ -1,6 +1,7 @@
 #include "avi/adaptive/monitors.hpp"
 #include "avi/htvi/htvi.hpp"
 #include "avi/problems/kepler.hpp"
+#include "property/run_time.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,22 +9,10 @@
 
 // The dimension known only at run time: the same formulas, partials a few at a time.
 
+using avi::dynamic;
 using avi::Generating;
-using avi::State;
 
 namespace {
-
-constexpr int dynamic = avi::dynamic;
-
-template <int n>
-State<dynamic> run_time(const State<n>& z) {
-  return {.q = z.q, .p = z.p, .t = z.t};
-}
-
-template <int n>
-double gap(const State<n>& a, const State<dynamic>& b) {
-  return std::max({(a.q - b.q).norm(), (a.p - b.p).norm() / a.p.norm(), std::abs(a.t - b.t)});
-}
 
 /// Largest difference between the two over some steps of Kepler's problem through pericentre.
 template <Generating type, avi::Construction construction, class G>

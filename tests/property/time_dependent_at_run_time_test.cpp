@@ -1,10 +1,10 @@
 #include "avi/adaptive/time_dependent.hpp"
 #include "avi/htvi/htvi.hpp"
+#include "property/run_time.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 // A Hamiltonian that depends on time, its dimension known to the compiler and only at run time.
 
@@ -29,7 +29,7 @@ struct Monitor {
 
 TEST(TimeDependent, GivesTheSameStepsAtRunTimeDimension) {
   const avi::State<2> start{.q = {1.0, -0.5}, .p = {0.2, 0.4}, .t = 0.3};
-  const avi::State<avi::dynamic> same{.q = start.q, .p = start.p, .t = start.t};
+  const auto same = run_time(start);
   const auto problem = avi::time_dependent<2>(Driven{}, Monitor{});
   const auto free_problem = avi::time_dependent<avi::dynamic>(Driven{}, Monitor{}, 2);
   auto fixed = extended(problem, start);
@@ -41,8 +41,7 @@ TEST(TimeDependent, GivesTheSameStepsAtRunTimeDimension) {
   for (int k = 0; k < 50; ++k) {
     ASSERT_EQ(a.step(fixed, 0.1).outcome, avi::Outcome::ok);
     ASSERT_EQ(b.step(free, 0.1).outcome, avi::Outcome::ok);
-    worst =
-        std::max({worst, (fixed.q - free.q).norm(), (fixed.p - free.p).norm(), std::abs(fixed.t - free.t)});
+    worst = std::max(worst, gap(fixed, free));
   }
   EXPECT_LT(worst, 1e-14);
   const auto end = avi::reduced(free);

@@ -1,4 +1,5 @@
 #include "avi/io/table.hpp"
+#include "frame/frame.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +7,7 @@
 #include <csignal>
 #include <filesystem>
 #include <string>
+#include <sys/inotify.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
@@ -30,6 +32,7 @@ class Process {
     if (::pipe(ends.data()) != 0) ADD_FAILURE() << "no pipe";
     id_ = ::fork();
     if (id_ == 0) {
+      std::signal(SIGINT, SIG_DFL);  // a shell's background job ignores it
       ::dup2(ends[1], STDERR_FILENO);
       ::close(ends[0]);
       ::close(ends[1]);
@@ -122,6 +125,31 @@ TEST_F(Disk, AnInterruptLeavesNoHalfTable) {
     EXPECT_LE(whole_files(), 3);
     EXPECT_FALSE(fs::exists(output / "bregman_extremes.tsv"));
   }
+}
+
+TEST_F(Disk, AnInterruptDuringTheWritingOfATableWaitsForItsEnd) {
+  constexpr std::size_t rows = 300'000;
+  avi::Table table({"row", "third"});
+  for (std::size_t i = 0; i < rows; ++i)
+    table.row(i, 1.0 / 3.0);
+  const int watch = ::inotify_init();
+  ASSERT_GE(::inotify_add_watch(watch, output.c_str(), IN_CREATE), 0);
+  const pid_t writer = ::fork();
+  if (writer == 0) {
+    std::signal(SIGINT, SIG_DFL);
+    experiment::Frame{.name = "large", .output = output}.write(table);
+    for (;;)
+      ::pause();
+  }
+  std::array<char, 4096> event{};
+  EXPECT_GT(::read(watch, event.data(), event.size()), 0);  // the temporary file is there, and not yet full
+  ::kill(writer, SIGINT);
+  int status = 0;
+  ::waitpid(writer, &status, 0);
+  ::close(watch);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT);
+  EXPECT_EQ(whole_files(), 1);
+  EXPECT_EQ(avi::Table::read(output / "large.tsv").rows.size(), rows);
 }
 
 TEST_F(Disk, TwoRunsInOneFolderLeaveWholeTables) {

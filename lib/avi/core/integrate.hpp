@@ -45,6 +45,17 @@ std::string describe_end(Outcome outcome, const State& state, long steps, double
   sentence << ".";
   return sentence.str();
 }
+
+/// What the observer says: true where it says nothing.
+template <class Observer, class State>
+bool goes_on(Observer& observer, const State& state, long k) {
+  if constexpr (std::is_same_v<std::invoke_result_t<Observer&, const State&, long>, bool>) {
+    return observer(state, k);
+  } else {
+    observer(state, k);
+    return true;
+  }
+}
 }  // namespace detail
 
 /// Applies `method` with constant step h until `until` is met; the last step passes until.time, it is not
@@ -93,11 +104,7 @@ Run integrate(M& method, State& state, double h, Until until, Observer&& observe
         return end(Outcome::stalled, 0.0);
       clock = current.t;
     }
-    if constexpr (std::is_same_v<std::invoke_result_t<Observer&, const State&, long>, bool>) {
-      if (!observer(current, run.steps)) return end(Outcome::stopped, 0.0);
-    } else {
-      observer(current, run.steps);
-    }
+    if (!detail::goes_on(observer, current, run.steps)) return end(Outcome::stopped, 0.0);
   }
   if (timed && current.t < until.time) return end(Outcome::step_limit, 0.0);
   state = current;

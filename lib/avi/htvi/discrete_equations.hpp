@@ -17,7 +17,6 @@ namespace avi {
 /// \f$\tilde q_0\f$ (Type III), k the known half of the expansion point. See \ref solving.
 template <Generating type, class Problem, int r, Construction construction>
 class DiscreteEquations {
- public:
   // The unknown u is p~_0 (Type II) or q~_0 (Type III); the known half k of the expansion point is q_0 or
   // p_0. With X = p_1 or q_1 as a function of (u, k), sigma = +1 or -1, and y the other half of the new
   // state, the chain rule turns the discrete equations into y = sigma X_u^-T (.)_u and the residual of k's
@@ -25,6 +24,8 @@ class DiscreteEquations {
   // O(h^(r+1)) in the full field, and I + v w^T + O(h^(r+1)) on the energy shell, w = dH/du, v = sigma T_k -
   // X_k^T s, s = sigma X_u^-T T_u, T = t~_1 - t_0, because off the shell dK = (terms of the exact flow) + (H
   // + p^t) dT. All quantities are increments over the step.
+
+ public:
   using Action = TaylorAction<Problem, r, construction>;       ///< The Taylor discrete Hamiltonian.
   using Change = StepChange<Problem::dimension>;               ///< What a step adds.
   static constexpr int n = Problem::dimension;                 ///< Dimension of the problem, or avi::dynamic.

@@ -5,32 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <type_traits>
 
 /// @file
 /// States at requested physical times.
 
 namespace avi {
 
-namespace detail {
-/// What the observer says: true where it says nothing.
-template <class Observer, class State>
-bool goes_on(Observer& observer, const State& state, long k) {
-  if constexpr (std::is_same_v<std::invoke_result_t<Observer&, const State&, long>, bool>) {
-    return observer(state, k);
-  } else {
-    observer(state, k);
-    return true;
-  }
-}
-}  // namespace detail
-
 /// Ends a run exactly at t_end: advances with step h while t < t_end, then repeats the last step with the
 /// smaller fictive step whose physical one ends at t_end, found by the secant method with bisection as its
 /// safeguard. Every step, the last one included, is a step of the method and so symplectic. `observer` as in
 /// integrate(): where it returns bool, false stops the run.
 /// @throws std::invalid_argument as integrate(), or unless h > 0 and t_end >= state.t.
-template <class State, Method<State> M, class Observer = NoObserver>
+template <class State, class M, class Observer = NoObserver>
 Run integrate_to(M& method, State& state, double h, double t_end, Observer&& observer = {}) {
   require_positive("Step size h", h);
   require(std::isfinite(t_end) && t_end >= state.t, "End time", t_end, "finite and not before the start");
