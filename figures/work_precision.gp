@@ -33,10 +33,9 @@ array ecc[6] = [0.9, 0.99, 0.999, 0.9, 0.9, -1]
 # The horizon that the data hold: the reduced grid is shorter than the full one.
 has(p, h, m) = int(system("awk -F'\\t' '$1==\"".p."\" && $3==\"".h."\" && $4 ~ /^".m."/' '".file."' | wc -l")) > 0
 orbits = has('kepler', '1000 periods', '') ? '1000 periods' : '100 periods'
-loops = has('figure_eight', '100 periods', '') ? '100 periods' : '10 periods'
-array horizon[6] = ['10', '10', '10', orbits, '10', loops]
+array horizon[6] = ['10', '10', '10', orbits, '10', '10 periods']
 array title[6] = ['Kepler, e = 0.9, T = 10', 'Kepler, e = 0.99, T = 10', 'Kepler, e = 0.999, T = 10', \
-  'Kepler, e = 0.9, '.orbits, 'Kepler with quadrupole, e = 0.9, T = 10', 'figure-eight orbit, '.loops]
+  'Kepler, e = 0.9, '.orbits, 'Kepler with quadrupole, e = 0.9, T = 10', 'figure-eight orbit, 10 periods']
 do for [i=1:6] {
   set title title[i] font ',8' offset 0,-0.6
   set ylabel i % 2 ? 'position error' : ''
