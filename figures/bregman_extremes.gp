@@ -69,7 +69,7 @@ set yrange [0.5:1e6]
 set xlabel '|x_0 − x^*|_∞' offset 0, 0.5
 set title 'Start, C |x_0 − x^*|^2 kept' offset 0, -0.7
 unset key
-plot for [p_ in '4 10'] table using (held('correct', 'start_scaled', p_+0, column('away'))):'iterations' with linespoints ls (p_+0 == 4 ? method('adam') : method('htvi')), \
+plot for [p_ in '4 10'] table using (held('correct', 'start_scaled', p_+0, column('away'))):'iterations' with points ls (p_+0 == 4 ? method('adam') : method('htvi')), \
   for [p_ in '4 10'] table using (held('named', 'start_scaled', p_+0, column('away'))):'iterations' with points lc rgb grey pt 6 ps 0.9
 
 eval panel(2, 3, 2, 3)
