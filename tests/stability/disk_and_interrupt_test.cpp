@@ -127,11 +127,18 @@ TEST_F(Disk, AnInterruptLeavesNoHalfTable) {
   }
 }
 
-TEST_F(Disk, AnInterruptDuringTheWritingOfATableWaitsForItsEnd) {
-  constexpr std::size_t rows = 300'000;
+constexpr std::size_t rows = 300'000;
+
+/// A table that takes a while to write.
+avi::Table large_table() {
   avi::Table table({"row", "third"});
   for (std::size_t i = 0; i < rows; ++i)
     table.row(i, 1.0 / 3.0);
+  return table;
+}
+
+TEST_F(Disk, AnInterruptDuringTheWritingOfATableWaitsForItsEnd) {
+  const avi::Table table = large_table();
   const int watch = ::inotify_init();
   ASSERT_GE(::inotify_add_watch(watch, output.c_str(), IN_CREATE), 0);
   const pid_t writer = ::fork();
@@ -148,6 +155,28 @@ TEST_F(Disk, AnInterruptDuringTheWritingOfATableWaitsForItsEnd) {
   ::waitpid(writer, &status, 0);
   ::close(watch);
   EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT);
+  EXPECT_EQ(whole_files(), 1);
+  EXPECT_EQ(avi::Table::read(output / "large.tsv").rows.size(), rows);
+}
+
+TEST_F(Disk, TwoThatWriteOneTableAtATimeLeaveItWhole) {
+  const avi::Table table = large_table();
+  std::array<pid_t, 2> writers{};
+  for (pid_t& writer : writers) {
+    writer = ::fork();
+    if (writer != 0) continue;
+    try {
+      experiment::Frame{.name = "large", .output = output}.write(table);
+      ::_exit(0);
+    } catch (const std::exception&) {
+      ::_exit(1);
+    }
+  }
+  for (const pid_t writer : writers) {
+    int status = 0;
+    ::waitpid(writer, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  }
   EXPECT_EQ(whole_files(), 1);
   EXPECT_EQ(avi::Table::read(output / "large.tsv").rows.size(), rows);
 }
