@@ -1,9 +1,10 @@
 #!/bin/sh
 # levels.sh [CONFIGURATION...]: the same numbers whatever the compiler, its level of optimisation and the instruction set?
-# A configuration is <compiler>-<O0|O1|O2|O3>-<native|portable>; without any: g++ and clang++-14, O3, O2 and O0, both sets.
+# A configuration is <compiler>-<O0|O1|O2|O3>-<native|portable|nofma>, the last of them native without fused instructions;
+# without any: g++ and clang++-14, O3, O2 and O0, native and portable.
 # Each is built into build/levels/<configuration> and runs four experiments of the paper's tables, shortened. Every cell
 # but seconds must be that of the first: counts exactly, other numbers to 2e-8 relative (seen: equal in every digit
-# between compilers and levels; up to 6e-9 in an error between native and portable, where Eigen's products are fused).
+# between compilers, levels, portable and nofma; up to 6e-9 in an error where Eigen's products are fused).
 set -eu
 export LC_ALL=C
 cd "$(dirname "$0")/.."
@@ -16,15 +17,16 @@ fi
 
 # tables CONFIGURATION: builds, runs, prints what was found, each line under the name of its table
 tables() {
-  machine=${1##*-} rest=${1%-*}
+  machine=${1##*-} rest=${1%-*} flags=
   case ${rest##*-}-$machine in
   O[0-3]-native) preset=release ;;
   O[0-3]-portable) preset=portable ;;
+  O[0-3]-nofma) preset=release flags='-mno-fma -mno-avx512f' ;;
   *) echo "levels.sh: configuration is '$1'; it must be like g++-O2-native or clang++-14-O0-portable." >&2; exit 2 ;;
   esac
   build=build/levels/$1
   cmake --preset $preset -B "$build" -DCMAKE_CXX_COMPILER="${rest%-*}" -DAVI_TESTS=OFF -DAVI_BENCHMARKS=OFF \
-    -DCMAKE_CXX_FLAGS_RELEASE="-${rest##*-} -DNDEBUG" >&2
+    -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_CXX_FLAGS_RELEASE="-${rest##*-} -DNDEBUG" >&2
   cmake --build "$build" --target $stems >&2
   for stem in $stems; do
     "$build/bin/$stem" --quick --output "$build/data"
