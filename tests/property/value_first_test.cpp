@@ -76,8 +76,7 @@ TEST(ValueFirst, ToleranceTakesLongerStepsByThePolynomial) {
     const Orbit a = run(exact, start, h, 3.0), b = run(quick, start, h, 3.0);
     EXPECT_EQ(exact.value_steps(), 0);
     EXPECT_EQ(quick.full_steps(), 0);
-    // The energy error is of the size of the tolerance at most, times the steps at the pericentre.
-    EXPECT_LT(b.energy_error, 10.0 * tolerance);
+    EXPECT_LT(b.energy_error, 0.1 * tolerance) << "measured 0.011 and 0.044 of it";
     EXPECT_GT(b.energy_error, a.energy_error) << "symplectic steps keep it better";
   }
 }
