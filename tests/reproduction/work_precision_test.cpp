@@ -27,16 +27,22 @@ TEST(WorkPrecision, HoldsTheReferenceRun) {
 TEST(WorkPrecision, ErrorsFallWithTheStepUntilRoundOff) {
   const Table table = data("work_precision");
   std::map<std::string, double> last;
+  int pairs = 0;
   for (std::size_t i = 1; i < table.rows.size(); ++i) {
-    const std::string& method = table.text(i, "method");
-    if (!method.starts_with("log_hamiltonian")) continue;
+    const std::string &method = table.text(i, "method"), &setting = table.text(i, "setting");
+    // Tolerances of other libraries promise no such thing.
+    if (method.starts_with("gsl_") || method.starts_with("odeint_") || method.starts_with("sundials_"))
+      continue;
+    const std::string curve = method + table.text(i, "order") + setting.substr(0, setting.rfind('='));
     const double error = table.number(i, "position_error");
-    if (last.contains(method) && last[method] > 1e-12) {
-      EXPECT_LT(error, last[method]) << method << ' ' << table.text(i, "setting");
+    if (last.contains(curve) && last[curve] > 1e-12) {
+      EXPECT_LT(error, last[curve]) << method << ' ' << setting;
+      ++pairs;
     }
-    last[method] = error;
+    last[curve] = error;
   }
-  EXPECT_GE(last.size(), 6u);
+  EXPECT_GE(last.size(), 6u);  // 27 where nothing else runs; on a slow machine fewer fit
+  EXPECT_GE(pairs, 5);
 }
 
 TEST(WorkPrecision, TheFrontIsAFront) {
