@@ -24,9 +24,14 @@ double value(const std::string& problem, const std::string& method, const std::s
 
 TEST(LongRuns, ShowNoDriftOfASymplecticMethodOnHenonHeiles) {
   for (const char* problem : {"henon_heiles_regular", "henon_heiles_chaotic"}) {
-    EXPECT_LT(std::abs(value(problem, "htvi", "t_statistic")), 3.0) << problem;
     EXPECT_LT(value(problem, "htvi", "largest_error"), 1e-4) << problem;
+    EXPECT_LT(std::abs(value(problem, "htvi", "drift_over_run")),
+              0.01 * value(problem, "htvi", "largest_error"))
+        << problem;
   }
+  // Not of the chaotic orbit: in so short a run it visits regions of other scatter, which ones is a matter of
+  // rounding (seen: 5e-5 and 0.004 of the largest error, t = -0.06 and -6.3, with and without vector units).
+  EXPECT_LT(std::abs(value("henon_heiles_regular", "htvi", "t_statistic")), 3.0);
 }
 
 TEST(LongRuns, ShowNoDriftOnTheFigureEight) {
