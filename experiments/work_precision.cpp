@@ -51,9 +51,7 @@ int main(int argc, char** argv) {
   return experiment::run(
       argc, argv, "work_precision",
       "What accuracy costs: error against time for our methods and for those of other libraries.",
-      [&](CLI::App& app) {
-        experiment::add_flag(app, "--full", full, "The whole grid, about a quarter of an hour");
-      },
+      [&](CLI::App& app) { experiment::add_flag(app, "--full", full, "The whole grid, about ten minutes"); },
       [&](experiment::Frame& frame) {
         const Grid grid = frame.quick ? Grid::quick : full ? Grid::full : Grid::reduced;
         const Budget base = frame.quick ? Budget{0.0005, 0.00005, 4}

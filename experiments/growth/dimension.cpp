@@ -15,6 +15,7 @@ namespace experiment {
 namespace {
 
 constexpr int any = avi::dynamic;
+
 template <class H>
 void survey(Axis& axis, const std::string& name, const H& hamiltonian, double power,
             const std::vector<int>& sizes) {

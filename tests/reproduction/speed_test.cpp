@@ -114,8 +114,8 @@ void expect_far_faster(const std::string& stem, double eccentricity, double verl
 
 TEST(Speed, ThePolynomialOfHtvi12KeepsTheErrorsOfBothTables) {
   if (!optimised()) GTEST_SKIP() << "not optimised";
-  expect_far_faster("kepler_e090", 0.9, 5e-5, 80.0);
-  expect_far_faster("kepler_e099", 0.99, 5e-7, 6000.0);
+  expect_far_faster("kepler_e090", 0.9, 5e-5, 80.0);     // measured 195 to 205
+  expect_far_faster("kepler_e099", 0.99, 5e-7, 6000.0);  // measured 10 400 to 14 700
 }
 
 TEST(Speed, AutomaticGradientCostsAtMostFourTimesTheSuppliedOne) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <csignal>
 #include <filesystem>
+#include <poll.h>
 #include <string>
 #include <sys/inotify.h>
 #include <sys/resource.h>
@@ -137,47 +138,44 @@ avi::Table large_table() {
   return table;
 }
 
+/// A child that writes it as large.tsv and ends with status 0, or waits for a signal where it is to stay.
+pid_t writer(const avi::Table& table, const fs::path& output, bool stays) {
+  const pid_t id = ::fork();
+  if (id != 0) return id;
+  std::signal(SIGINT, SIG_DFL);
+  try {
+    experiment::Frame{.name = "large", .output = output}.write(table);
+  } catch (const std::exception&) {
+    ::_exit(1);
+  }
+  if (stays) ::pause();
+  ::_exit(0);
+}
+
 TEST_F(Disk, AnInterruptDuringTheWritingOfATableWaitsForItsEnd) {
   const avi::Table table = large_table();
   const int watch = ::inotify_init();
   ASSERT_GE(::inotify_add_watch(watch, output.c_str(), IN_CREATE), 0);
-  const pid_t writer = ::fork();
-  if (writer == 0) {
-    std::signal(SIGINT, SIG_DFL);
-    experiment::Frame{.name = "large", .output = output}.write(table);
-    for (;;)
-      ::pause();
-  }
-  std::array<char, 4096> event{};
-  EXPECT_GT(::read(watch, event.data(), event.size()), 0);  // the temporary file is there, and not yet full
-  ::kill(writer, SIGINT);
+  const pid_t child = writer(table, output, true);
+  pollfd created{.fd = watch, .events = POLLIN, .revents = 0};
+  EXPECT_EQ(::poll(&created, 1, 60'000), 1);  // the temporary file is there, and not yet full
+  ::kill(child, SIGINT);
   int status = 0;
-  ::waitpid(writer, &status, 0);
+  ::waitpid(child, &status, 0);
   ::close(watch);
   EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT);
-  EXPECT_EQ(whole_files(), 1);
+  ASSERT_EQ(whole_files(), 1);
   EXPECT_EQ(avi::Table::read(output / "large.tsv").rows.size(), rows);
 }
 
 TEST_F(Disk, TwoThatWriteOneTableAtATimeLeaveItWhole) {
   const avi::Table table = large_table();
-  std::array<pid_t, 2> writers{};
-  for (pid_t& writer : writers) {
-    writer = ::fork();
-    if (writer != 0) continue;
-    try {
-      experiment::Frame{.name = "large", .output = output}.write(table);
-      ::_exit(0);
-    } catch (const std::exception&) {
-      ::_exit(1);
-    }
-  }
-  for (const pid_t writer : writers) {
+  for (const pid_t child : {writer(table, output, false), writer(table, output, false)}) {
     int status = 0;
-    ::waitpid(writer, &status, 0);
+    ::waitpid(child, &status, 0);
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
   }
-  EXPECT_EQ(whole_files(), 1);
+  ASSERT_EQ(whole_files(), 1);
   EXPECT_EQ(avi::Table::read(output / "large.tsv").rows.size(), rows);
 }
 
