@@ -21,23 +21,23 @@ export LC_ALL := C.UTF-8
 export SOURCE_DATE_EPOCH := $(shell git log -1 --format=%ct 2>/dev/null || echo 0)
 
 # ---- what there is -------------------------------------------------------------------------------------------
-# An experiment is experiments/<stem>.cpp and writes build/data/<stem>.tsv. A figure is figures/<stem>.gp; its line
-# "# data: <stem> ..." names the experiments it draws, and it is drawn once all of them exist.
-experiments := $(filter-out scorecard,$(patsubst experiments/%.cpp,%,$(wildcard experiments/*.cpp)))
-data_of      = $(shell sed -n 's/^\# data: *//p' figures/$(1).gp)
-scripts     := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
-drawable    := $(foreach f,$(scripts),$(if $(filter-out $(experiments),$(call data_of,$f)),,$f))
-with_flag    = $(patsubst experiments/%.cpp,%,$(shell grep -sl '"--$(1)' experiments/*.cpp))
+# CMake writes down what the calls of experiment() declare (experiments/CMakeLists.txt): the names of all experiments;
+# `timed`, whose seconds are compared; `drawn`, with script_of_<name>; with_<mode>, those that know a longer run. Goals
+# that need no experiment do without it. To make it, packages have to be there.
+without_list := help deps deps-peers deps-paper deps-docs deps-bench deps-instructions deps-fuzz deps-format deps-mutants \
+                programs build check bench instructions mutants fuzz levels docs install format clean
+ifneq ($(filter-out $(without_list),$(or $(MAKECMDGOALS),help)),)
+include $(BUILD)/experiments.mk
+endif
 
-# Seconds are compared within these, so nothing else of ours runs beside them; they come first.
-timed       := $(filter kepler_e090 kepler_e099 monitor_costs precision_study cost_growth optional_parts work_precision,$(experiments))
+# Timed experiments come first: nothing else of ours runs beside them.
 DATA        := $(patsubst %,build/data/%.tsv,$(timed) $(filter-out $(timed),$(experiments)))
-FIGURES     := $(foreach f,$(drawable),build/figures/$f.pdf build/figures/$f.png)
+FIGURES     := $(foreach f,$(drawn),build/figures/$f.pdf build/figures/$f.png)
 PUBLISHED   := $(wildcard paper/published/*.tsv)
 GALLERY     := kepler_e090 euler_b_errors direct_vs_adaptive work_precision
 
-.PHONY: help deps deps-peers deps-paper deps-docs deps-bench deps-instructions deps-fuzz deps-format programs build data figures scorecard verdicts \
-        check bench instructions fuzz levels paper docs install long work-precision extremes gallery format clean
+.PHONY: help deps deps-peers deps-paper deps-docs deps-bench deps-instructions deps-fuzz deps-format deps-mutants programs build data figures scorecard verdicts \
+        check bench instructions mutants fuzz levels paper docs install long work-precision extremes gallery format clean
 
 help: ## This list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' $(MAKEFILE_LIST) | while IFS='	' read -r target text; do \
@@ -46,7 +46,7 @@ help: ## This list
 	  '$(PRESET)' '$(PREFIX)'
 
 # ---- packages: a no-op without network or rights when all are there --------------------------------------------
-base_packages  := git g++ cmake ninja-build libeigen3-dev libgsl-dev libcli11-dev libfmt-dev libgtest-dev gnuplot-nox
+base_packages  := git g++ cmake ninja-build libeigen3-dev libgsl-dev libcli11-dev libfmt-dev libgtest-dev liblbfgs-dev gnuplot-nox
 peers_packages := libboost-dev libsundials-dev
 paper_packages := latexmk texlive-latex-recommended texlive-latex-extra texlive-science texlive-fonts-recommended \
                   texlive-bibtex-extra lmodern
@@ -80,6 +80,8 @@ deps-bench: deps
 	$(call install,libbenchmark-dev)
 deps-instructions: deps
 	$(call install,valgrind)
+deps-mutants: deps
+	$(call install,python3)
 deps-fuzz: deps
 	$(call install,clang-14 libclang-rt-14-dev)
 deps-format:
@@ -92,6 +94,9 @@ compile   = cmake --build $(BUILD) --target
 # Peers are found when CMake configures, so they have to be there by then.
 programs: deps $(if $(filter work-precision,$(MAKECMDGOALS)),deps-peers)
 	@$(configure) && $(compile) experiments
+# Goals that need the list have it made before anything else.
+$(BUILD)/experiments.mk: CMakeLists.txt CMakePresets.json $(shell find experiments -name CMakeLists.txt) | deps
+	@$(configure)
 build: programs ## Build everything: experiments, tests and checks
 	@$(compile) all
 # Made by `programs`; the empty command has make look at the file again, so only a relinked program reruns.
@@ -105,6 +110,8 @@ bench: deps-bench programs ## Nanoseconds per step of every method (Google Bench
 instructions: deps-instructions ## Count the instructions of fixed work, warn where they grew by over 10 % (ACCEPT=1 takes the counts over)
 	@cmake --preset portable >/dev/null && cmake --build build/portable --target instructions_workload
 	@tests/instructions/compare.sh build/portable/bin/instructions_workload tests/instructions/counts.tsv $(if $(ACCEPT),accept)
+mutants: deps-mutants ## Do the tests notice a wrong token? N=60 random ones of lib/, drawn by SEED=1 (an hour or so)
+	@python3 tests/mutants.py -n $(or $(N),60) --seed $(or $(SEED),1)
 fuzz: deps-fuzz ## Search for bad input with libFuzzer, FUZZ_SECONDS (60) for each target
 	@cmake --preset fuzz >/dev/null && cmake --build build/fuzz --target fuzzers
 	@for each in table options step; do mkdir -p build/fuzz/corpus/$$each; echo "fuzzing $$each"; \
@@ -124,8 +131,8 @@ data: $(DATA) build/data/manifest.tsv ## Run every experiment: build/data/<stem>
 $(DATA): build/data/%.tsv: $(BIN)/% | build/data
 	@echo "running $*"; $(call alone,$*) $(BIN)/$* --output build/data && test -s $@
 
-build/data/manifest.tsv: experiments/manifest.sh $(DATA)
-	@experiments/manifest.sh build/data >$@.part && mv $@.part $@
+build/data/manifest.tsv: experiments/common/manifest.sh $(DATA)
+	@experiments/common/manifest.sh build/data >$@.part && mv $@.part $@
 
 build/scorecard.txt: $(BIN)/scorecard $(DATA) $(PUBLISHED) | build/data
 	@$(BIN)/scorecard --published paper/published --data build/data --output build/data >$@.part \
@@ -139,49 +146,49 @@ verdicts: build/scorecard.txt ## Take over today's verdicts as those that README
 
 # ---- figures ---------------------------------------------------------------------------------------------------
 # $(call draw,stem,data folder,output without extension,terminal,extension)
-draw = gnuplot -e "data='$(2)'; output='$(3).part'; terminal='$(4)'" figures/$(1).gp && mv $(3).part $(3).$(5)
+draw = gnuplot -e "data='$(2)'; output='$(3).part'; terminal='$(4)'" $(script_of_$(1)) && mv $(3).part $(3).$(5)
 
 figures: $(DATA) build/data/manifest.tsv $(FIGURES) scorecard ## Build, run, draw every figure, print the scorecard (the main job)
-build/figures/%.pdf build/figures/%.png: figures/%.gp figures/style.gp $(wildcard figures/shared/*.gp) $(PUBLISHED) | deps build/figures
-	@echo "drawing $*"; $(call draw,$*,build/data,build/figures/$*,pdf,pdf) \
-	  && $(call draw,$*,build/data,build/figures/$*,png,png)
-$(foreach f,$(drawable),$(eval build/figures/$f.pdf build/figures/$f.png: $(patsubst %,build/data/%.tsv,$(call data_of,$f))))
+# A figure depends on its script and on what else its chapter's folder holds for several scripts.
+define figure_rule
+build/figures/$(1).pdf build/figures/$(1).png &: $(2) figures/style.gp $(filter-out $(foreach f,$(drawn),$(script_of_$f)),$(wildcard $(dir $(2))*.gp)) \
+  build/data/$(1).tsv $(PUBLISHED) | deps build/figures
+	@echo "drawing $(1)"; $(call draw,$(1),build/data,build/figures/$(1),pdf,pdf) \
+	  && $(call draw,$(1),build/data,build/figures/$(1),png,png)
+endef
+$(foreach f,$(drawn),$(eval $(call figure_rule,$f,$(script_of_$f))))
 
-gallery: $(patsubst %,build/data/%.tsv,$(filter $(GALLERY),$(drawable))) | figures/gallery ## Redraw the README's previews
-	@for each in $(filter $(GALLERY),$(drawable)); do $(call draw,$$each,build/data,figures/gallery/$$each,preview,png) \
-	  || exit 1; done
+gallery: $(patsubst %,build/data/%.tsv,$(GALLERY)) | figures/gallery ## Redraw the README's previews
+	@$(foreach f,$(GALLERY),$(call draw,$f,build/data,figures/gallery/$f,preview,png) &&) true
 
 build/data build/figures build/paper figures/gallery:
 	@mkdir -p $@
 
 # ---- longer runs, each into its own folder, with progress on a terminal -------------------------------------------
-long: $(patsubst %,build/long/%.tsv,$(call with_flag,long)) ## Run to their end what `figures` runs under a cap
+long: $(patsubst %,build/long/%.tsv,$(with_long)) ## Run to their end what `figures` runs under a cap
 build/long/%.tsv: $(BIN)/%
 	$(BIN)/$* --long --output build/long
 # $(call draw_all,stems,kind): those figures from build/<kind>, as build/figures/<stem>_<kind>
-draw_all = for each in $(filter $(drawable),$(1)); do \
-	  $(call draw,$$each,build/$(2),build/figures/$${each}_$(2),pdf,pdf) && \
-	  $(call draw,$$each,build/$(2),build/figures/$${each}_$(2),png,png) || exit 1; done
-whole := $(call with_flag,full)
-work-precision: deps-peers $(patsubst %,build/full/%.tsv,$(whole)) | build/figures ## The whole grid of speed and accuracy
-	@$(call draw_all,$(whole),full)
+draw_all = $(foreach f,$(1),$(call draw,$f,build/$(2),build/figures/$(f)_$(2),pdf,pdf) && \
+  $(call draw,$f,build/$(2),build/figures/$(f)_$(2),png,png) &&) true
+work-precision: deps-peers $(patsubst %,build/full/%.tsv,$(with_full)) | build/figures ## The whole grid of speed and accuracy
+	@$(call draw_all,$(with_full),full)
 build/full/%.tsv: $(BIN)/%
 	$(BIN)/$* --full --output build/full
-extreme := $(call with_flag,extremes)
-extremes: $(patsubst %,build/extremes/%.tsv,$(extreme)) | build/figures ## The long stability runs
-	@$(call draw_all,$(extreme),extremes)
+extremes: $(patsubst %,build/extremes/%.tsv,$(with_extremes)) | build/figures ## The long stability runs
+	@$(call draw_all,$(with_extremes),extremes)
 build/extremes/%.tsv: $(BIN)/%
 	$(BIN)/$* --extremes --output build/extremes
 
 # ---- paper, documentation, housekeeping ---------------------------------------------------------------------------
-# Its log is read for what TeX only warns of: references, glyphs, and boxes that stand out by more than 5 pt.
+# What TeX only warns of (references, glyphs, boxes that stand out) is shown; only the tests fail for it.
 paper: deps-paper $(DATA) build/data/manifest.tsv $(FIGURES) build/scorecard.txt | build/paper ## Write the report from the data: build/paper/paper.pdf
 	@$(compile) paper_numbers && $(BIN)/paper_numbers --paper paper --data build/data --output build/paper
 	@latexmk -cd -pdf -quiet -interaction=nonstopmode -halt-on-error -outdir=$(CURDIR)/build/paper paper/paper.tex \
 	  >build/paper/latexmk.txt 2>&1 || { tail -n 40 build/paper/latexmk.txt; exit 1; }
-	@paper/check_log.sh build/paper/paper.log && echo "build/paper/paper.pdf"
-docs: deps-docs ## Reference documentation: build/docs/html
-	@mkdir -p build/docs && doxygen lib/Doxyfile && echo "build/docs/html/index.html"
+	@paper/check_log.sh build/paper/paper.log || true; echo "build/paper/paper.pdf"
+docs: deps-docs $(BUILD)/experiments.mk ## Reference, a page for each chapter, gallery of figures (those that are drawn): build/docs/html
+	@mkdir -p build/docs build/figures && lib/docs/gallery.sh $(BUILD)/experiments.tsv build/docs/pages && doxygen lib/Doxyfile && echo "build/docs/html/index.html"
 format: deps-format ## Apply clang-format
 	git ls-files '*.hpp' '*.cpp' | xargs clang-format -i
 clean: ## Remove everything that was generated

@@ -47,10 +47,11 @@ set grid back lc rgb '#cccccc' lw 0.6 dt 1
 set key top right opaque samplen 3 spacing 1.15 height 0.3
 set style fill solid 0.85 noborder
 set pointsize 0.7
+set ylabel offset 1, 0
 
-# Logarithmic axes with powers of ten: `eval logx`, `eval logy`.
+# Logarithmic axes with powers of ten, whose width gnuplot overestimates: `eval logx`, `eval logy`.
 logx = "set logscale x 10; set format x '10^{%L}'; set mxtics 10"
-logy = "set logscale y 10; set format y '10^{%L}'; set mytics 10"
+logy = "set logscale y 10; set format y '10^{%L}'; set mytics 10; set ylabel offset 1.4, 0"
 
 # Palette of M. Okabe and K. Ito, Color Universal Design (2008), also in B. Wong, Nature Methods 8, 441 (2011):
 # told apart with every common colour vision; yellow is left out, too pale for lines. Dash and marker differ too,

@@ -1,12 +1,13 @@
 #pragma once
-#include "kepler/measure.hpp"
+#include "kepler/table.hpp"
 
-#include "avi/adaptive/monitors.hpp"
 #include "avi/htvi/htvi.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/transform/monitors.hpp"
 
 /// @file
-/// HTVI4 - Type II, r = 3, Simpson's rule - for every row of a table. Included by one source file per
-/// construction, so that they compile side by side.
+/// HTVI4 - Type II, r = 3, Simpson's rule; stationary, r = 1 and two Gauss nodes - for every row of a table.
+/// Included by one source file per construction, so that they compile side by side.
 
 namespace experiment {
 
@@ -18,10 +19,15 @@ std::vector<KeplerRun> htvi4_runs(const std::string& construction_name, const Ke
   const double energy = kepler(start.q, start.p);
   std::vector<KeplerRun> runs;
   const auto add = [&](const KeplerRow& row, auto monitor) {
-    const auto problem = avi::poincare<2>(kepler, start, monitor);
-    runs.push_back(kepler_run("htvi4", construction_name, row,
-                              avi::type2<3, construction>(problem, avi::simpson()), table.eccentricity,
-                              {.time = horizon}));
+    const auto make = [=](const State2& from) {
+      const auto problem = avi::poincare<2>(kepler, from, monitor);
+      if constexpr (construction == avi::stationary)
+        return avi::htvi<4>(problem);
+      else
+        return avi::type2<3, construction>(problem, avi::simpson());
+    };
+    runs.push_back({"htvi4", construction_name, row, Runner(kepler, make), table.eccentricity, start,
+                    avi::Until{.time = horizon}});
   };
   for (const KeplerRow& row : table.htvi) {
     if (row.monitor == "gamma")

@@ -1,9 +1,9 @@
 #include "kepler/table.hpp"
 
-#include "frame/timing.hpp"
-#include "kepler/measure.hpp"
+#include "common/timing.hpp"
 
 #include "avi/integrators/stormer_verlet.hpp"
+#include "avi/problems/kepler.hpp"
 
 #include <cmath>
 
@@ -14,12 +14,20 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 KeplerRun verlet_run(const KeplerTable& table, double horizon) {
-  const auto method = avi::stormer_verlet<2>(
-      [](const avi::Vector<double, 2>& q) { return avi::Kepler::potential_gradient(q); });
+  const Runner verlet(avi::Kepler{}, [](const State2&) {
+    return avi::stormer_verlet<2>(
+        [](const avi::Vector<double, 2>& q) { return avi::Kepler::potential_gradient(q); });
+  });
   const KeplerRow row{.monitor = "none", .h = table.verlet_h, .a = none, .b = none};
   // A fixed step is counted, not summed: the sum of 2e7 rounded steps need not end where N h does.
-  return kepler_run("stormer_verlet", "nan", row, method, table.eccentricity,
-                    {.steps = std::lround(horizon / table.verlet_h)});
+  const avi::Until until{.steps = std::lround(horizon / table.verlet_h)};
+  return {"stormer_verlet",
+          "nan",
+          row,
+          verlet,
+          table.eccentricity,
+          avi::Kepler::pericentre(table.eccentricity),
+          until};
 }
 
 }  // namespace
@@ -34,7 +42,7 @@ int kepler_table(int argc, char** argv, const std::string& name, const KeplerTab
       },
       [&](Frame& frame) {
         std::vector<KeplerRun> runs = runs_authors(table, horizon);
-        for (auto* more : {&runs_printed, &runs_superconvergent})
+        for (auto* more : {&runs_printed, &runs_stationary})
           for (auto& run : (*more)(table, horizon))
             runs.push_back(std::move(run));
         runs.push_back(verlet_run(table, horizon));
@@ -47,22 +55,23 @@ int kepler_table(int argc, char** argv, const std::string& name, const KeplerTab
         frame.progress("timing", 0.95);
         std::vector<std::function<void()>> works;
         for (const auto& run : runs)
-          works.push_back(run.run);
+          works.push_back([&run] { run.run(); });
         const auto times = interleaved_least_seconds(works, frame.quick ? 1 : table.rounds);
         frame.progress("done", 1.0);
 
-        avi::Table out =
+        experiment::Table out =
             frame.table({"method", "construction", "monitor", "h", "g_min", "g_max", "min_step", "max_step",
                          "energy_error", "global_error", "global_error_shifted", "steps", "seconds"});
         out.note("eccentricity", table.eccentricity);
         out.note("horizon", horizon);
         out.note("rounds", table.rounds);
         for (std::size_t i = 0; i < runs.size(); ++i) {
-          const auto& [method, construction, row, measure, timed, observe] = runs[i];
+          const KeplerRow& row = runs[i].row;
           const KeplerResult& r = results[i];
-          out.row(method, construction, row.monitor, row.h, row.a, row.b, r.min_step, r.max_step,
-                  r.energy_error, r.global_error, method == "stormer_verlet" ? r.global_error_shifted : none,
-                  r.steps, avi::rounded(times[i]));
+          out.row(runs[i].method, runs[i].construction, row.monitor, row.h, row.a, row.b, r.min_step,
+                  r.max_step, r.energy_error, r.global_error,
+                  runs[i].method == "stormer_verlet" ? r.global_error_shifted : none, r.steps,
+                  experiment::rounded(times[i]));
         }
         frame.write(out);
       });

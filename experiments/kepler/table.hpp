@@ -1,7 +1,6 @@
 #pragma once
-#include "frame/frame.hpp"
-
-#include "avi/core/state.hpp"
+#include "common/frame.hpp"
+#include "common/methods/runner.hpp"
 
 #include <functional>
 #include <string>
@@ -36,13 +35,21 @@ struct KeplerResult {
   long steps = 0;
 };
 
-/// A row ready to run: `measure` gives the results, `run` is what is timed, `observe` shows every state.
+/// A row ready to run.
 struct KeplerRun {
   std::string method, construction;
   KeplerRow row;
-  std::function<KeplerResult()> measure;
-  std::function<void()> run;
-  std::function<void(const std::function<void(const avi::State<2>&)>&)> observe;
+  Runner runner;
+  double eccentricity;
+  State2 start;
+  avi::Until until;
+
+  /// The results. @throws std::runtime_error when the run does not reach its end.
+  [[nodiscard]] KeplerResult measure() const;
+  /// What is timed; the same error.
+  void run() const;
+  /// Shows every state; the same error.
+  void observe(const std::function<void(const State2&)>& observer) const;
 };
 
 /// The settings of Table 1 (e = 0.9) and Table 2 (e = 0.99). Where they differ from the printed ones,
@@ -53,7 +60,7 @@ KeplerTable table2();
 /// The HTVI4 runs of a table, for each construction.
 std::vector<KeplerRun> runs_authors(const KeplerTable& table, double horizon);
 std::vector<KeplerRun> runs_printed(const KeplerTable& table, double horizon);
-std::vector<KeplerRun> runs_superconvergent(const KeplerTable& table, double horizon);
+std::vector<KeplerRun> runs_stationary(const KeplerTable& table, double horizon);
 
 /// main() of kepler_e090 and kepler_e099.
 int kepler_table(int argc, char** argv, const std::string& name, const KeplerTable& table);

@@ -1,5 +1,5 @@
 #pragma once
-#include "scorecard/sheet.hpp"
+#include "scorecard/numbers/sheet.hpp"
 
 /// @file
 /// The scorecard as people read it on a terminal.

@@ -1,7 +1,7 @@
 #include "scorecard/shares.hpp"
 
-#include "scorecard/claims.hpp"
-#include "scorecard/sheet.hpp"
+#include "scorecard/claims/claims.hpp"
+#include "scorecard/numbers/sheet.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,26 @@
 
 namespace scorecard {
 
-std::vector<Share> shares(const avi::Table& table, std::string_view column) {
+std::string_view name(Kind kind) {
+  return kind == Kind::outcome ? "outcome" : kind == Kind::input ? "input" : "seconds";
+}
+
+Kind kind_of(std::string_view row, std::string_view quantity) {
+  if (quantity == "seconds") return Kind::seconds;
+  for (const char* setting : {"h", "p", "p_ring", "g_min", "g_max"})
+    if (quantity == setting) return Kind::input;
+  const bool fixed_steps = row == "SV" || row == "HTVI4 none";
+  return fixed_steps && (quantity == "min_step" || quantity == "max_step") ? Kind::input : Kind::outcome;
+}
+
+experiment::Table of_kind(const experiment::Table& cells, Kind kind) {
+  experiment::Table found = cells;
+  const auto row_column = cells.column("row"), quantity = cells.column("quantity");
+  std::erase_if(found.rows, [&](const auto& row) { return kind_of(row[row_column], row[quantity]) != kind; });
+  return found;
+}
+
+std::vector<Share> shares(const experiment::Table& table, std::string_view column) {
   std::vector<std::string> names;
   for (int v = 0; v < verdicts; ++v)
     names.emplace_back(name(static_cast<Verdict>(v)));

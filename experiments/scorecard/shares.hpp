@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/io/table.hpp"
+#include "common/table.hpp"
 
 #include <string>
 #include <string_view>
@@ -18,8 +18,21 @@ struct Share {
   double part;  ///< of all
 };
 
+/// What a published number is: a setting that the run is given, a result, or seconds of another machine.
+enum class Kind { outcome, input, seconds };
+
+/// The name used in data files.
+std::string_view name(Kind kind);
+
+/// An input is h, p, p_ring, a bound of a monitor, or the smallest and largest step of a row with fixed
+/// steps.
+Kind kind_of(std::string_view row, std::string_view quantity);
+
+/// The rows of a table with columns `row` and `quantity` whose numbers are of one kind.
+experiment::Table of_kind(const experiment::Table& cells, Kind kind);
+
 /// The values of a table's column in the order of Verdict and Ruling, those that do not occur left out.
-std::vector<Share> shares(const avi::Table& table, std::string_view column);
+std::vector<Share> shares(const experiment::Table& table, std::string_view column);
 
 /// "227 published numbers: 196 exact (86.3 %), ...".
 std::string summary(std::string_view what, const std::vector<Share>& shares);

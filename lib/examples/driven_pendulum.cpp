@@ -1,6 +1,6 @@
-#include <avi/adaptive/time_dependent.hpp>
+#include <avi/core/integrate_to.hpp>
 #include <avi/htvi/htvi.hpp>
-#include <avi/htvi/landing.hpp>
+#include <avi/transform/time_dependent.hpp>
 
 #include <cstdio>
 
@@ -20,10 +20,10 @@ struct DrivenPendulum {
 
 int main() {
   const DrivenPendulum hamiltonian;
-  const auto problem = avi::time_dependent<1>(hamiltonian);
-  auto method = avi::type2<5>(problem, avi::gauss(3));  // order 6 and more
-
   const avi::State<1> start{.q = avi::Vector<double, 1>(0.5), .p = avi::Vector<double, 1>(0.0)};
+  const auto problem = avi::time_dependent(hamiltonian, start);
+  auto method = avi::htvi<6>(problem);
+
   avi::State<2> bar = avi::extended(problem, start);  // (q, t), (p, p^t)
 
   const double period = 2.0 * M_PI / omega;

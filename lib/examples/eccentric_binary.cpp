@@ -1,5 +1,5 @@
+#include <avi/core/integrate_to.hpp>
 #include <avi/htvi/htvi.hpp>
-#include <avi/htvi/landing.hpp>
 #include <avi/problems/n_body.hpp>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ void follow(const char* name, double h, const Monitor& monitor) {
   z.p << 0.0, 0.25 * v, 0.0, -0.25 * v, -0.01 * w, 0.0;
   const double energy = bodies(z.q, z.p);
 
-  auto method = avi::type2<7>(avi::poincare<6>(bodies, z, monitor), avi::gauss(4));
+  auto method = avi::htvi<8>(avi::poincare<6>(bodies, z, monitor));
   double shortest = 1e9, worst = 0.0, t = 0.0;
   const avi::Run run = avi::integrate(method, z, h, {.time = 40.0 * M_PI}, [&](const auto& now, long) {
     shortest = std::min(shortest, now.t - t);

@@ -7,7 +7,7 @@ namespace paper {
 namespace {
 
 /// `column=a|b;column=c`: every column holds one of its cells.
-bool satisfies(const avi::Table& table, std::size_t row, std::string_view conditions) {
+bool satisfies(const experiment::Table& table, std::size_t row, std::string_view conditions) {
   while (!conditions.empty()) {
     const auto semicolon = std::min(conditions.find(';'), conditions.size());
     std::string_view condition = conditions.substr(0, semicolon);
@@ -29,7 +29,8 @@ bool satisfies(const avi::Table& table, std::size_t row, std::string_view condit
 
 }  // namespace
 
-std::string declared_table(const scorecard::Results& data, const avi::Table& list, const std::string& name) {
+std::string declared_table(const scorecard::Results& data, const experiment::Table& list,
+                           const std::string& name) {
   std::string stem, where, alignment, header;
   std::vector<std::pair<std::string, std::string>> columns;
   for (std::size_t i = 0; i < list.rows.size(); ++i) {
@@ -41,7 +42,7 @@ std::string declared_table(const scorecard::Results& data, const avi::Table& lis
     alignment += format == "text" || format == "raw" ? 'l' : 'r';
     header += (columns.size() > 1 ? " & " : "") + list.text(i, "header");
   }
-  const avi::Table& table = data(stem);
+  const experiment::Table& table = data(stem);
   std::string out =
       fmt::format("\\begin{{tabular}}{{@{{}}{}@{{}}}}\n\\toprule\n{} \\\\\n\\midrule\n", alignment, header);
   std::size_t count = 0;

@@ -1,6 +1,6 @@
 #include "generate/latex.hpp"
 
-#include "avi/io/table.hpp"
+#include "common/table.hpp"
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
 /// Mantissa and exponent as siunitx reads them.
 std::string power(const std::string& mantissa, int exponent) {
   return exponent == 0 ? fmt::format("\\num{{{}}}", mantissa)
-                       : fmt::format("\\num{{{}e{}}}", mantissa == "1" ? "" : mantissa, exponent);
+                       : fmt::format("\\num{{{}e{}}}", mantissa, exponent);
 }
 
 std::string scientific(double value, int digits) {
@@ -55,6 +55,9 @@ std::string latex(std::string_view text) {
            {"p\\_ring", "$\\mathring p$"},
            {"|p^t + H|^-1", "$|p^{t}+H|^{-1}$"},
            {"|L|^-1", "$|L|^{-1}$"},
+           {"p~0 - p0", "$\\tilde p_0-p_0$"},
+           {"q~0 - q0", "$\\tilde q_0-q_0$"},
+           {"q~1 - q1", "$\\tilde q_1-q_1$"},
            {"p^t", "$p^t$"},
            {"r^t", "$r^t$"},
            {"q.q", "$q^\\top q$"},
@@ -91,7 +94,7 @@ std::string latex(std::string_view text) {
 
 std::string latex_number(double value, std::string_view format) {
   if (std::isnan(value)) return "--";
-  if (format == "plain") return fmt::format("\\num{{{}}}", avi::rounded(value));
+  if (format == "plain") return fmt::format("\\num{{{}}}", experiment::rounded(value));
   if (format == "int") return fmt::format("\\num{{{:.0f}}}", value);
   if (format == "pct") return fmt::format("\\SI{{{:.1f}}}{{\\percent}}", 100.0 * value);
   int digits = -1;
@@ -115,7 +118,7 @@ std::string latex_printed(std::string_view printed) {
 }
 
 std::string display_name(std::string_view name) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 39> names{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 64> names{
       {{"none", "none"},
        {"htvi", "HTVI"},
        {"htvi4", "HTVI4"},
@@ -141,9 +144,9 @@ std::string display_name(std::string_view name) {
        {"perturbed_kepler", "perturbed Kepler"},
        {"henon_heiles", "H\\'enon--Heiles"},
        {"figure_eight", "figure eight"},
-       {"htvi8_value_first", "HTVI8, polynomial"},
-       {"htvi12_value_first", "HTVI12, polynomial"},
-       {"htvi16_value_first", "HTVI16, polynomial"},
+       {"collocation4", "collocation 4"},
+       {"collocation8", "collocation 8"},
+       {"collocation16", "collocation 16"},
        {"log_hamiltonian_suzuki4", "LogH Suzuki 4"},
        {"log_hamiltonian_kahan_li6", "LogH KL 6"},
        {"log_hamiltonian_kahan_li8", "LogH KL 8"},
@@ -152,8 +155,33 @@ std::string display_name(std::string_view name) {
        {"verlet_sofroniou_spaletta10", "Verlet SS 10"},
        {"blanes_moan6_nystrom", "RKN BM 6"},
        {"odeint_fehlberg78", "odeint RKF 7(8)"},
-       {"odeint_bulirsch_stoer", "odeint Bulirsch--Stoer"},
-       {"odeint_dopri5", "odeint Dormand--Prince"},
+       {"odeint_bulirsch_stoer", "odeint BS"},
+       {"odeint_dopri5", "odeint DP 5(4)"},
+       {"type_2", "Type II"},
+       {"type_3", "Type III, proximal"},
+       {"binding", "bound copies"},
+       {"nag_limit", "NAG, distance to its limit"},
+       {"mirror", "mirror map"},
+       {"minimise_m0", "minimise, $m=0$"},
+       {"minimise_m7", "minimise, $m=7$"},
+       {"lbfgs", "L-BFGS(10), liblbfgs"},
+       {"cg_hz", "CG, Hager--Zhang"},
+       {"gsl_bfgs2", "GSL bfgs2"},
+       {"barzilai_borwein", "Barzilai--Borwein"},
+       {"nag_restart", "NAG with restart"},
+       {"bregman_restarted", "$p/t$ clock with restart"},
+       {"bregman_htvi", "HTVI $(4,1)$, best of 6 steps"},
+       {"rmsprop_best", "RMSprop, best of 6 rates"},
+       {"gamma_three_quarters", "$\\gamma=3/4$"},
+       {"inverse_lagrangian", "inverse Lagrangian"},
+       {"kepler_gamma", "Kepler, $g=|q|^2$"},
+       {"kepler_gamma_075", "Kepler, $g=|q|^{3/2}$"},
+       {"kepler_energy", "Kepler, energy monitor"},
+       {"driven_pendulum", "driven pendulum, $g(p)$"},
+       {"relativistic", "$\\sqrt{1+p^2}-\\cos q$"},
+       {"non_separable", "bead of varying inertia"},
+       {"star_cluster", "seven bodies"},
+       {"chain64", "chain of 64"},
        {"nan", "--"}}};
   for (const auto& [key, text] : names)
     if (key == name) return std::string(text);

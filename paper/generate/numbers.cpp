@@ -23,9 +23,19 @@ std::optional<double> plain_number(std::string_view text) {
   return value;
 }
 
+/// column=cell, or column<number.
+struct Condition {
+  std::string column, cell;
+  bool below = false;
+  [[nodiscard]] bool holds(const experiment::Table& table, std::size_t row) const {
+    if (!below) return scorecard::same(table.text(row, column), cell);
+    return table.number(row, column) < plain_number(cell).value_or(std::nan(""));
+  }
+};
+
 struct Reference {
   std::string aggregate, stem, column;
-  std::vector<std::pair<std::string, std::string>> where;
+  std::vector<Condition> where;
 };
 
 Reference parse(std::string_view term) {
@@ -44,9 +54,10 @@ Reference parse(std::string_view term) {
   while (!conditions.empty()) {
     const auto comma = std::min(conditions.find(','), conditions.size());
     const std::string_view condition = conditions.substr(0, comma);
-    const auto equals = condition.find('=');
-    if (equals == std::string_view::npos) refuse("A condition has no =", term);
-    ref.where.emplace_back(condition.substr(0, equals), condition.substr(equals + 1));
+    const auto sign = condition.find_first_of("=<");
+    if (sign == std::string_view::npos) refuse("A condition has neither = nor <", term);
+    ref.where.push_back({std::string(condition.substr(0, sign)), std::string(condition.substr(sign + 1)),
+                         condition[sign] == '<'});
     conditions.remove_prefix(std::min(comma + 1, conditions.size()));
   }
   rest.remove_prefix(close + 1);
@@ -63,18 +74,18 @@ Reference parse(std::string_view term) {
 double value_of(const scorecard::Results& data, std::string_view term) {
   if (const auto number = plain_number(term)) return *number;
   const Reference ref = parse(term);
-  const avi::Table& table = data(ref.stem);
+  const experiment::Table& table = data(ref.stem);
   double least = std::numeric_limits<double>::infinity(), most = -least, sum = 0.0, count = 0.0;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    if (!std::ranges::all_of(ref.where, [&](const auto& condition) {
-          return scorecard::same(table.text(i, condition.first), condition.second);
-        }))
-      continue;
+    if (!std::ranges::all_of(ref.where, [&](const Condition& c) { return c.holds(table, i); })) continue;
     ++count;
     if (ref.column.empty()) continue;
-    const auto colon = ref.column.find(':');
-    double value = table.number(i, ref.column.substr(0, colon));
-    if (colon != std::string::npos) value /= table.number(i, ref.column.substr(colon + 1));
+    const auto sign = ref.column.find_first_of(":-");
+    double value = table.number(i, ref.column.substr(0, sign));
+    if (sign != std::string::npos) {
+      const double second = table.number(i, ref.column.substr(sign + 1));
+      value = ref.column[sign] == ':' ? value / second : value - second;
+    }
     if (ref.aggregate.empty()) return value;
     if (std::isnan(value)) continue;
     least = std::min(least, value), most = std::max(most, value), sum += value;
@@ -121,7 +132,7 @@ double evaluate(const scorecard::Results& data, std::string_view formula) {
   return result;
 }
 
-std::string numbers_tex(const scorecard::Results& data, const avi::Table& list) {
+std::string numbers_tex(const scorecard::Results& data, const experiment::Table& list) {
   std::string out = "% Made by paper_numbers from build/data and paper/numbers.tsv.\n";
   for (std::size_t i = 0; i < list.rows.size(); ++i) {
     const std::string &name = list.text(i, "name"), &formula = list.text(i, "formula");

@@ -1,5 +1,5 @@
 #pragma once
-#include "scorecard/claims.hpp"
+#include "scorecard/claims/claims.hpp"
 
 #include <string>
 
@@ -13,14 +13,14 @@ namespace paper {
 ///
 ///   stem[column=cell,...].wanted      the cell of the first row of stem.tsv that satisfies all conditions,
 ///   max:, min: or sum: before it      over all rows that do (cells that are nan are left out),
-///   count:stem[column=cell,...]       how many rows do;
+///   count:stem[column=cell,...]       how many rows do; a condition may also be column<number;
 ///
-/// `wanted` is a column, or two with a colon between them for their ratio.
+/// `wanted` is a column, or two with a colon between them for their ratio, or a minus for their difference.
 /// @throws std::invalid_argument for a formula that cannot be read, std::out_of_range where no row is found.
 double evaluate(const scorecard::Results& data, std::string_view formula);
 
 /// numbers.tex: one \defval{name}{text} for each row of `list` (columns name, formula, format); a formula
 /// `head:stem:key` with format `raw` is a line of a file's head.
-std::string numbers_tex(const scorecard::Results& data, const avi::Table& list);
+std::string numbers_tex(const scorecard::Results& data, const experiment::Table& list);
 
 }  // namespace paper

@@ -1,4 +1,4 @@
-#include "frame/frame.hpp"
+#include "common/frame.hpp"
 #include "generate/numbers.hpp"
 #include "generate/tables.hpp"
 
@@ -32,9 +32,9 @@ int main(int argc, char** argv) {
         const auto tables = frame.output / "tables";
         std::filesystem::create_directories(tables);
         const scorecard::Results results({data});
-        const avi::Table &card = results("scorecard"), &claims = results("scorecard_claims");
+        const experiment::Table &card = results("scorecard"), &claims = results("scorecard_claims");
         const auto published = [&](const char* stem) {
-          return avi::Table::read(source / "published" / (std::string(stem) + ".tsv"));
+          return experiment::Table::read(source / "published" / (std::string(stem) + ".tsv"));
         };
         for (const char* stem : {"kepler_e090", "kepler_e099"})
           write(tables / (std::string(stem) + ".tex"), paper::published_table(published(stem), card));
@@ -46,13 +46,13 @@ int main(int argc, char** argv) {
         write(tables / "claims.tex", paper::claims_table(claims));
         write(tables / "shares.tex", paper::shares_table(card, claims));
         write(tables / "provenance.tex", paper::provenance_table(results("manifest")));
-        const avi::Table list = avi::Table::read(source / "tables.tsv");
+        const experiment::Table list = experiment::Table::read(source / "tables.tsv");
         std::set<std::string> names;
         for (std::size_t i = 0; i < list.rows.size(); ++i)
           names.insert(list.text(i, "table"));
         for (const auto& name : names)
           write(tables / (name + ".tex"), paper::declared_table(results, list, name));
         write(frame.output / "numbers.tex",
-              paper::numbers_tex(results, avi::Table::read(source / "numbers.tsv")));
+              paper::numbers_tex(results, experiment::Table::read(source / "numbers.tsv")));
       });
 }

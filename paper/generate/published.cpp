@@ -1,7 +1,8 @@
 #include "generate/latex.hpp"
 #include "generate/tables.hpp"
 
-#include "scorecard/printed.hpp"
+#include "scorecard/numbers/printed.hpp"
+#include "scorecard/shares.hpp"
 
 #include <algorithm>
 #include <map>
@@ -34,12 +35,12 @@ const std::map<std::string, std::string> headers{{"h", "$h$"},
                                                  {"iterations", "iterations"}};
 
 /// Line of the scorecard for a cell.
-std::size_t line_of(const avi::Table& card, const std::string& source, const std::string& row,
+std::size_t line_of(const experiment::Table& card, const std::string& source, const std::string& row,
                     const std::string& quantity) {
   return scorecard::find(card, {{"source", source}, {"row", row}, {"quantity", quantity}});
 }
 
-std::vector<std::string> distinct(const avi::Table& table, std::string_view column) {
+std::vector<std::string> distinct(const experiment::Table& table, std::string_view column) {
   std::vector<std::string> found;
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     if (std::ranges::find(found, table.text(i, column)) == found.end())
@@ -48,7 +49,7 @@ std::vector<std::string> distinct(const avi::Table& table, std::string_view colu
 }
 
 /// Columns in the order of the paper's tables.
-std::vector<std::string> quantities(const avi::Table& published) {
+std::vector<std::string> quantities(const experiment::Table& published) {
   const auto present = distinct(published, "quantity");
   std::vector<std::string> ordered;
   for (const char* q : {"p", "p_ring", "h", "g_min", "g_max", "min_step", "max_step", "energy_error",
@@ -64,14 +65,9 @@ std::string row_name(const std::string& row) {
   return display_name(row.substr(0, row.find(" p=")));
 }
 
-bool is_setting(const std::string& quantity) {
-  return quantity == "p" || quantity == "p_ring" || quantity == "h" || quantity == "g_min" ||
-         quantity == "g_max";
-}
-
 }  // namespace
 
-std::string published_table(const avi::Table& published, const avi::Table& card) {
+std::string published_table(const experiment::Table& published, const experiment::Table& card) {
   const std::string source = published.text(0, "source");
   const auto columns = quantities(published);
   const bool timed = std::ranges::find(columns, "seconds") != columns.end();
@@ -97,9 +93,13 @@ std::string published_table(const avi::Table& published, const avi::Table& card)
         printed += latex_number(card.number(line, "published") / unit("published"), "g3");
         ours += latex_number(card.number(line, "reproduced") / unit("reproduced"), "g3");
       } else {
-        printed += latex_printed(card.text(line, "published"));
-        const bool same_setting = is_setting(q) && verdict == "exact";
-        ours += latex_printed(card.text(line, same_setting ? "published" : "reproduced")) + mark(verdict);
+        const bool input = scorecard::kind_of(row, q) == scorecard::Kind::input;
+        const auto shown = [&](const std::string& number) {
+          return input ? "\\textcolor{grey}{" + latex_printed(number) + "}" : latex_printed(number);
+        };
+        printed += shown(card.text(line, "published"));
+        ours +=
+            shown(card.text(line, input && verdict == "exact" ? "published" : "reproduced")) + mark(verdict);
       }
     }
     out += "\\midrule\n" + printed + " \\\\\n" + ours + " \\\\\n";
@@ -107,11 +107,10 @@ std::string published_table(const avi::Table& published, const avi::Table& card)
   return out + "\\bottomrule\n\\end{tabular}\n";
 }
 
-std::string iteration_table(const avi::Table& published, const avi::Table& card) {
+std::string iteration_table(const experiment::Table& published, const experiment::Table& card) {
   const std::string source = published.text(0, "source");
-  std::string out = "\\begin{tabular}{@{}lrrrrrl@{}}\n\\toprule\n & $p$ & $\\mathring p$ & $h$ & printed & "
-                    "ours & verdict \\\\\n"
-                    "\\midrule\n";
+  std::string out = "\\begin{tabular}{@{}lrrrrr@{}}\n\\toprule\n & $p$ & $\\mathring p$ & $h$ & printed & "
+                    "ours \\\\\n\\midrule\n";
   for (const auto& row : distinct(published, "row")) {
     out += row_name(row);
     for (const char* q : {"p", "p_ring", "h"}) {
@@ -121,18 +120,18 @@ std::string iteration_table(const avi::Table& published, const avi::Table& card)
         continue;
       }
       const auto line = line_of(card, source, row, q);
-      out += latex_printed(card.text(line, "published"));
+      out += "\\textcolor{grey}{" + latex_printed(card.text(line, "published")) + "}";
       if (const auto verdict = card.text(line, "verdict"); verdict != "exact")
         out += mark(verdict) + " (" + latex_number(card.number(line, "reproduced"), "g2") + ")";
     }
     const auto line = line_of(card, source, row, "iterations");
-    out += fmt::format(" & {} & {} & \\textit{{{}}} \\\\\n", latex_printed(card.text(line, "published")),
-                       latex_printed(card.text(line, "reproduced")), card.text(line, "verdict"));
+    out += fmt::format(" & {} & {}{} \\\\\n", latex_printed(card.text(line, "published")),
+                       latex_printed(card.text(line, "reproduced")), mark(card.text(line, "verdict")));
   }
   return out + "\\bottomrule\n\\end{tabular}\n";
 }
 
-std::string optimiser_table(const avi::Table& published, const avi::Table& card) {
+std::string optimiser_table(const experiment::Table& published, const experiment::Table& card) {
   const auto deltas = distinct(published, "delta");
   std::string out =
       "\\begin{tabular}{@{}ll" + std::string(deltas.size(), 'r') + "@{}}\n\\toprule\n & $\\delta=$";
@@ -157,7 +156,7 @@ std::string optimiser_table(const avi::Table& published, const avi::Table& card)
   return out + "\\bottomrule\n\\end{tabular}\n";
 }
 
-std::string notes_table(const avi::Table& card) {
+std::string notes_table(const experiment::Table& card) {
   std::string out, group;
   for (std::size_t i = 0; i < card.rows.size(); ++i) {
     const std::string &verdict = card.text(i, "verdict"), &note = card.text(i, "note");

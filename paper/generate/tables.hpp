@@ -1,5 +1,5 @@
 #pragma once
-#include "scorecard/claims.hpp"
+#include "scorecard/claims/claims.hpp"
 
 #include <string>
 
@@ -11,28 +11,29 @@ namespace paper {
 /// A published table, two lines for each of its rows: as printed, and ours with the mark of its verdict.
 /// Seconds become multiples of the Stormer-Verlet row's, printed and ours. `card` is
 /// build/data/scorecard.tsv.
-std::string published_table(const avi::Table& published, const avi::Table& card);
+std::string published_table(const experiment::Table& published, const experiment::Table& card);
 
 /// Tables 3 to 5, one line for each row: settings, printed count and ours, verdict of the count; a setting
 /// that is a slip has ours in parentheses.
-std::string iteration_table(const avi::Table& published, const avi::Table& card);
+std::string iteration_table(const experiment::Table& published, const experiment::Table& card);
 
 /// Table 6: methods against tolerances.
-std::string optimiser_table(const avi::Table& published, const avi::Table& card);
+std::string optimiser_table(const experiment::Table& published, const experiment::Table& card);
 
 /// Every cell that is not exact, seconds left out, with the note that says why.
-std::string notes_table(const avi::Table& card);
+std::string notes_table(const experiment::Table& card);
 
 /// The ledger of claims.
-std::string claims_table(const avi::Table& claims);
+std::string claims_table(const experiment::Table& claims);
 
-/// Verdicts and rulings with their shares.
-std::string shares_table(const avi::Table& card, const avi::Table& claims);
+/// Verdicts on outcomes and on inputs, and rulings on claims, with their shares.
+std::string shares_table(const experiment::Table& card, const experiment::Table& claims);
 
 /// The files of build/data/manifest.tsv with date, commit and checksum.
-std::string provenance_table(const avi::Table& manifest);
+std::string provenance_table(const experiment::Table& manifest);
 
 /// A table that paper/tables.tsv declares: rows of a data file that satisfy its conditions, some columns.
-std::string declared_table(const scorecard::Results& data, const avi::Table& list, const std::string& name);
+std::string declared_table(const scorecard::Results& data, const experiment::Table& list,
+                           const std::string& name);
 
 }  // namespace paper

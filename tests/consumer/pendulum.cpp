@@ -1,6 +1,6 @@
-#include <avi/adaptive/poincare.hpp>
 #include <avi/core/integrate.hpp>
 #include <avi/htvi/htvi.hpp>
+#include <avi/transform/poincare.hpp>
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "frame/frame.hpp"
+#include "common/frame.hpp"
 
 #include <CLI/CLI.hpp>
 

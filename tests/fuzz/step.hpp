@@ -1,6 +1,4 @@
 #pragma once
-#include "avi/adaptive/euler_b.hpp"
-#include "avi/adaptive/monitors.hpp"
 #include "avi/bregman/heavy_ball.hpp"
 #include "avi/bregman/splitting.hpp"
 #include "avi/core/integrate.hpp"
@@ -9,9 +7,11 @@
 #include "avi/integrators/compositions.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/integrators/stormer_verlet.hpp"
-#include "avi/optim/minimise.hpp"
+#include "avi/optim/update_loop.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 #include "avi/problems/kepler.hpp"
+#include "avi/transform/euler_b.hpp"
+#include "avi/transform/monitors.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/io/table.hpp"
+#include "common/table.hpp"
 
 #include <cstdint>
 #include <sstream>
@@ -13,9 +13,9 @@ namespace fuzz {
 
 inline void table(const std::uint8_t* data, std::size_t size) {
   std::istringstream file(std::string(reinterpret_cast<const char*>(data), size));
-  avi::Table read;
+  experiment::Table read;
   try {
-    read = avi::Table::parse(file, "input");
+    read = experiment::Table::parse(file, "input");
   } catch (const std::invalid_argument&) {
     return;
   }
@@ -25,7 +25,7 @@ inline void table(const std::uint8_t* data, std::size_t size) {
     for (const std::string& column : read.columns) {
       try {
         const double value = read.number(i, column);
-        avi::Table one({"x"});
+        experiment::Table one({"x"});
         one.row(value);
         if (!std::isnan(value) && one.number(0, "x") != value) throw std::logic_error("A number changed.");
       } catch (const std::invalid_argument&) {
@@ -33,7 +33,7 @@ inline void table(const std::uint8_t* data, std::size_t size) {
     }
   std::stringstream again;
   read.print(again);
-  const avi::Table back = avi::Table::parse(again, "again");
+  const experiment::Table back = experiment::Table::parse(again, "again");
   if (back.head != read.head || back.columns != read.columns || back.rows != read.rows)
     throw std::logic_error("A table does not read back as it was.");
 }

@@ -1,7 +1,7 @@
-#include "avi/adaptive/monitors.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/htvi/htvi.hpp"
 #include "avi/problems/kepler.hpp"
+#include "avi/transform/monitors.hpp"
 
 #include <cstdio>
 #include <functional>
@@ -31,7 +31,7 @@ bool htvi4() { return run(avi::type2<3, avi::authors>(problem(), avi::simpson())
 
 /// Order 16 over five periods, to round-off.
 bool htvi16() {
-  return run(avi::htvi_of_order<avi::Generating::type2>(15, problem(), avi::gauss(8)), 0.2, 10.0 * M_PI);
+  return run(avi::htvi_of_order<avi::Generating::type2>(7, problem(), avi::gauss(8)), 0.2, 10.0 * M_PI);
 }
 
 }  // namespace

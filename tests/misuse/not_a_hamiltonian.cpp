@@ -1,5 +1,5 @@
 // error: The Hamiltonian must be callable as H(q, p) with vectors of n entries.
-#include <avi/adaptive/poincare.hpp>
+#include <avi/transform/poincare.hpp>
 
 struct Potential {
   template <class Q>

@@ -2,6 +2,7 @@
 # cmake -DCOMPILER=<c++> -DSOURCE=<file> "-DINCLUDES=<folder>;<folder>" -P refused.cmake
 file(STRINGS ${SOURCE} first LIMIT_COUNT 1)
 string(REGEX REPLACE "^// error: " "" sentence "${first}")
+string(REPLACE "\\;" ";" sentence "${sentence}")  # file(STRINGS) escapes them
 set(folders)
 foreach(folder IN LISTS INCLUDES)
   list(APPEND folders -isystem ${folder})

@@ -1,6 +1,6 @@
 // error: The Hamiltonian is of another dimension than the state.
-#include <avi/adaptive/poincare.hpp>
 #include <avi/problems/kepler.hpp>
+#include <avi/transform/poincare.hpp>
 
 int main() {
   const avi::State<3> z{.q = {1.0, 0.0, 0.0}, .p = {0.0, 1.0, 0.0}};

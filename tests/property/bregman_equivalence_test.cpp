@@ -1,15 +1,15 @@
-#include "avi/adaptive/poincare.hpp"
 #include "avi/bregman/cloning.hpp"
-#include "avi/bregman/cloning_printed.hpp"
-#include "avi/bregman/extended_splitting.hpp"
 #include "avi/bregman/htvi.hpp"
-#include "avi/bregman/htvi_printed.hpp"
 #include "avi/bregman/splitting.hpp"
 #include "avi/core/power.hpp"
 #include "avi/htvi/htvi.hpp"
 #include "avi/htvi/quadrature.hpp"
-#include "avi/optim/minimise.hpp"
+#include "avi/optim/update_loop.hpp"
 #include "avi/problems/correlated_quartic.hpp"
+#include "avi/transform/poincare.hpp"
+#include "bregman/printed/cloning_printed.hpp"
+#include "bregman/printed/extended_splitting.hpp"
+#include "bregman/printed/htvi_printed.hpp"
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ double largest_distance(const auto& method, const auto& extended_step, const Bre
 TEST(Htvi, MomentumFormIsThePrintedForm) {
   for (const auto& family : families) {
     const double h = step(family);
-    const auto printed = [](auto&&... arguments) { avi::htvi_printed_step(arguments...); };
+    const auto printed = [](auto&&... arguments) { experiment::htvi_printed_step(arguments...); };
     // Rounding differs in the last bit, and the dynamics amplifies it.
     EXPECT_LT(largest_distance(avi::BregmanHtvi{.family = family, .h = h}, printed, family, h, 10), 5e-14);
     EXPECT_LT(largest_distance(avi::BregmanHtvi{.family = family, .h = h}, printed, family, h, 1000), 1e-11);
@@ -60,8 +60,8 @@ TEST(Splitting, ThreeFlowsAndPrintedUpdateShareTheirIterates) {
   for (const auto& family : families) {
     const double h = step(family);
     const avi::BregmanSplitting method{.family = family, .h = h};
-    const auto printed = [](auto&&... arguments) { avi::splitting_printed_step(arguments...); };
-    const auto flows = [](auto&&... arguments) { avi::three_flow_step(arguments...); };
+    const auto printed = [](auto&&... arguments) { experiment::splitting_printed_step(arguments...); };
+    const auto flows = [](auto&&... arguments) { experiment::three_flow_step(arguments...); };
     EXPECT_LT(largest_distance(method, printed, family, h, 500), 1e-13);
     EXPECT_LT(largest_distance(method, flows, family, h, 500), 1e-13);
   }
@@ -79,7 +79,7 @@ TEST(Cloning, TheCopyThatIsReadNeverSeesTheOther) {
       const auto decoupled = avi::minimise(
           f, avi::BregmanCloning{.family = family, .h = h, .composition = composition}, f.start(), stopping);
       for (double sign : {-1.0, 1.0}) {
-        const avi::BregmanCloningPrinted both{
+        const experiment::BregmanCloningPrinted both{
             .family = family, .h = h, .composition = composition, .clone_sign = sign};
         const auto run = avi::minimise(f, both, f.start(), stopping);
         EXPECT_EQ(run.last.x, decoupled.last.x) << avi::clone_name(composition);
@@ -134,7 +134,7 @@ TEST(Htvi, GenericMachineryOfOrderZeroGivesTheExplicitUpdate) {
       for (int k = 0; k < 20; ++k) {
         const auto report = method.step(generic, h);
         ASSERT_EQ(report.outcome, avi::Outcome::ok) << rule.name;
-        avi::htvi_printed_step(family, f, h, explicit_update);
+        experiment::htvi_printed_step(family, f, h, explicit_update);
       }
       const auto expect_equal = [&](double a, double b) {
         EXPECT_NEAR(a / b, 1.0, 1e-13) << rule.name << family.p << " " << family.p_ring;

@@ -1,7 +1,7 @@
-#include "avi/bregman/extended_splitting.hpp"
-#include "avi/bregman/htvi_printed.hpp"
 #include "avi/diagnostics/symplecticity.hpp"
 #include "avi/problems/correlated_quartic.hpp"
+#include "bregman/printed/extended_splitting.hpp"
+#include "bregman/printed/htvi_printed.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,9 +44,9 @@ double defect(const auto& step, const BregmanFamily& family, double h) {
   return avi::symplecticity_defect(map, flat(start()));
 }
 
-const auto htvi = [](auto&&... arguments) { avi::htvi_printed_step(arguments...); };
-const auto three_flow = [](auto&&... arguments) { avi::three_flow_step(arguments...); };
-const auto printed = [](auto&&... arguments) { avi::splitting_printed_step(arguments...); };
+const auto htvi = [](auto&&... arguments) { experiment::htvi_printed_step(arguments...); };
+const auto three_flow = [](auto&&... arguments) { experiment::three_flow_step(arguments...); };
+const auto printed = [](auto&&... arguments) { experiment::splitting_printed_step(arguments...); };
 
 TEST(Symplecticity, HtviAndThreeFlowsAtRoundOffWhateverTheStep) {
   for (const auto& family : families)
@@ -70,7 +70,7 @@ TEST(Symplecticity, PrintedSplittingIsSymplecticInPositionAndMomentum) {
     ExtendedPoint z = start();
     z.q = v.head(d);
     z.r = v.tail(d);
-    avi::splitting_printed_step(family, f, 0.02, z);
+    experiment::splitting_printed_step(family, f, 0.02, z);
     VectorX image(2 * d);
     image << z.q, z.r;
     return image;

@@ -15,10 +15,10 @@ long allocations = 0;
 #include "avi/optim/adagrad.hpp"
 #include "avi/optim/adam.hpp"
 #include "avi/optim/gradient_descent.hpp"
-#include "avi/optim/minimise.hpp"
 #include "avi/optim/nag.hpp"
 #include "avi/optim/rmsprop.hpp"
 #include "avi/optim/trust_region.hpp"
+#include "avi/optim/update_loop.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,7 @@
-// alone: compares times
 #include "avi/bregman/htvi.hpp"
-#include "avi/optim/minimise.hpp"
+#include "avi/optim/update_loop.hpp"
 #include "avi/problems/correlated_quartic.hpp"
-#include "frame/timing.hpp"
+#include "common/timing.hpp"
 
 #include <gtest/gtest.h>
 

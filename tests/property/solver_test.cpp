@@ -1,8 +1,8 @@
-#include "avi/adaptive/monitors.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/diagnostics/symplecticity.hpp"
 #include "avi/htvi/htvi.hpp"
 #include "avi/problems/kepler.hpp"
+#include "avi/transform/monitors.hpp"
 
 #include <gtest/gtest.h>
 

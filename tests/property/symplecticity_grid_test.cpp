@@ -1,9 +1,9 @@
-#include "avi/adaptive/monitors.hpp"
 #include "avi/diagnostics/symplecticity.hpp"
 #include "avi/htvi/htvi.hpp"
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/pendulum.hpp"
+#include "avi/transform/monitors.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,16 +15,15 @@ using avi::State;
 
 namespace {
 
-constexpr auto construction = avi::superconvergent;
+constexpr auto construction = avi::stationary;
 const avi::Quadrature rule = avi::lobatto(4);
 
 /// The Taylor method of order r alone: the control that must fail.
 template <class Problem>
 struct Taylor {
-  avi::TaylorAction<Problem, avi::dynamic, construction> action;
+  avi::TaylorExpansion<Problem, avi::dynamic, avi::Field::full> expansion;
   avi::StepReport step(State<Problem::dimension>& z, double h) {
-    typename decltype(action)::Increments d;
-    action.expand(z.q, z.p, h, d);
+    const auto d = expansion.expand(z.q, z.p, h);
     for (int i = 0; i < Problem::dimension; ++i) {
       z.q[i] += d.q[static_cast<std::size_t>(i)].value();
       z.p[i] += d.p[static_cast<std::size_t>(i)].value();
@@ -43,7 +42,7 @@ void expect_symplectic(const Problem& problem, const State<Problem::dimension>& 
     EXPECT_LT(avi::symplecticity_defect(left, z, h), 1e-11) << "Type III, r = " << r;
   }
   for (int r : {1, 2, 3}) {
-    const Taylor<Problem> taylor{{problem, rule, r, 512}};
+    const Taylor<Problem> taylor{{problem, r}};
     const double coarse = avi::symplecticity_defect(taylor, z, h),
                  fine = avi::symplecticity_defect(taylor, z, 0.5 * h);
     EXPECT_GT(coarse, 1e-8) << r;

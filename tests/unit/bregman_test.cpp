@@ -1,9 +1,9 @@
-#include "avi/bregman/extended_splitting.hpp"
 #include "avi/bregman/htvi.hpp"
 #include "avi/bregman/runge_kutta.hpp"
 #include "avi/bregman/scaling.hpp"
-#include "avi/optim/minimise.hpp"
+#include "avi/optim/update_loop.hpp"
 #include "avi/problems/correlated_quartic.hpp"
+#include "bregman/printed/extended_splitting.hpp"
 
 #include <gtest/gtest.h>
 
@@ -115,7 +115,7 @@ TEST(ExtendedPhaseSpace, StartLiesOnTheZeroLevelAndFlowsKeepTheirTerms) {
   EXPECT_NEAR(avi::bregman_energy(family, f, z), 0.0, 1e-14 * std::abs(z.r_t));
   const auto clock = [&] { return family.monitor(z.t) * z.r_t; };
   const double before = clock();
-  avi::clock_flow(family, 0.1, z);
+  experiment::clock_flow(family, 0.1, z);
   EXPECT_NEAR(clock() / before, 1.0, 1e-14);
   EXPECT_NEAR(std::pow(z.t, family.s()), 1.1, 1e-14);
 }
@@ -129,7 +129,7 @@ TEST(ExtendedPhaseSpace, ThreeFlowsConvergeToTheDynamicsWithOrderTwo) {
     auto z = avi::bregman_start(family, f, VectorX::Constant(5, 1.5));
     const int steps = 200 << i;
     for (int k = 0; k < steps; ++k)
-      avi::three_flow_step(family, f, 0.2 / steps, z);
+      experiment::three_flow_step(family, f, 0.2 / steps, z);
     error[i] = std::abs(avi::bregman_energy(family, f, z));
   }
   EXPECT_NEAR(std::log2(error[0] / error[1]), 2.0, 0.05);

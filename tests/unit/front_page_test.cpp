@@ -1,9 +1,10 @@
-#include "scorecard/claims.hpp"
+#include "scorecard/claims/claims.hpp"
 #include "scorecard/shares.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -16,24 +17,26 @@ namespace {
 
 const fs::path source = AVI_SOURCE_DIR;
 
-std::string readme() {
+std::string slurp(const fs::path& path) {
   std::ostringstream text;
-  text << std::ifstream(source / "README.md").rdbuf();
+  text << std::ifstream(path).rdbuf();
   return text.str();
 }
 
+std::string readme() { return slurp(source / "README.md"); }
+
 /// Verdicts on numbers, and rulings on claims.
-avi::Table verdicts(bool claims) {
-  avi::Table all = avi::Table::read(source / "paper/verdicts.tsv");
+experiment::Table verdicts(bool claims) {
+  experiment::Table all = experiment::Table::read(source / "paper/verdicts.tsv");
   std::erase_if(all.rows, [&](const auto& row) { return (row[0] == "text") != claims; });
   return all;
 }
 
 TEST(Verdicts, CoverEveryPublishedNumberAndClaim) {
   std::size_t cells = 0;
-  const avi::Table numbers = verdicts(false), rulings = verdicts(true);
+  const experiment::Table numbers = verdicts(false), rulings = verdicts(true);
   for (const auto& entry : fs::directory_iterator(source / "paper/published")) {
-    const avi::Table table = avi::Table::read(entry.path());
+    const experiment::Table table = experiment::Table::read(entry.path());
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
       if (entry.path().stem() == "claims") {
         EXPECT_NO_THROW(scorecard::find(rulings, {{"row", table.text(i, "key")}})) << table.text(i, "key");
@@ -54,8 +57,10 @@ TEST(Verdicts, CoverEveryPublishedNumberAndClaim) {
 TEST(FrontPage, StatesTheSharesOfTheScorecard) {
   const std::string text = readme();
   std::size_t stated = 0;
-  for (const bool claims : {false, true})
-    for (const auto& share : scorecard::shares(verdicts(claims), "verdict")) {
+  using scorecard::Kind, scorecard::of_kind;
+  for (const auto& cells :
+       {of_kind(verdicts(false), Kind::outcome), of_kind(verdicts(false), Kind::input), verdicts(true)})
+    for (const auto& share : scorecard::shares(cells, "verdict")) {
       const std::string line =
           fmt::format("| `{}` | {} | {:.1f} % |", share.name, share.count, 100.0 * share.part);
       EXPECT_NE(text.find(line), std::string::npos) << "README lacks " << line;
@@ -67,13 +72,23 @@ TEST(FrontPage, StatesTheSharesOfTheScorecard) {
   EXPECT_EQ(lines, stated) << "README states shares that the scorecard does not have";
 }
 
-/// The map from the paper's tables to files has each table's verdicts.
+TEST(Kinds, OfThePublishedNumbers) {
+  using scorecard::Kind, scorecard::kind_of;
+  EXPECT_EQ(kind_of("HTVI4 gamma", "g_min"), Kind::input);
+  EXPECT_EQ(kind_of("HTVI4 gamma", "min_step"), Kind::outcome);
+  EXPECT_EQ(kind_of("HTVI4 none", "min_step"), Kind::input);
+  EXPECT_EQ(kind_of("SV", "max_step"), Kind::input);
+  EXPECT_EQ(kind_of("SV", "seconds"), Kind::seconds);
+  EXPECT_EQ(kind_of("Direct HTVI p=4", "iterations"), Kind::outcome);
+}
+
+/// The map from the paper's tables to files has the verdicts on each table's outcomes.
 TEST(FrontPage, StatesTheVerdictsOfEachTable) {
   const std::string text = readme();
   for (const char* source_table : {"table1", "table2", "table3", "table4", "table5", "table6"}) {
-    avi::Table cells = verdicts(false);
+    auto cells = scorecard::of_kind(verdicts(false), scorecard::Kind::outcome);
     std::erase_if(cells.rows, [&](const auto& row) { return row[0] != source_table; });
-    std::string line = fmt::format("| {}:", cells.rows.size());
+    std::string line = fmt::format("| {} outcomes:", cells.rows.size());
     const char* separator = " ";
     for (const auto& share : scorecard::shares(cells, "verdict")) {
       line += fmt::format("{}{} {}", separator, share.count, share.name);
@@ -83,10 +98,15 @@ TEST(FrontPage, StatesTheVerdictsOfEachTable) {
   }
 }
 
+TEST(FrontPage, IsShort) {
+  const std::string text = readme();
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 150);
+}
+
 /// Pictures, files and folders that README points to are there; previews are small.
 TEST(FrontPage, PointsToWhatExists) {
-  const std::string text = readme();
   int pictures = 0;
+  const std::string text = readme();
   for (std::size_t at = 0; (at = text.find("](", at)) != std::string::npos;) {
     at += 2;
     const std::string target = text.substr(at, text.find(')', at) - at);
@@ -96,7 +116,7 @@ TEST(FrontPage, PointsToWhatExists) {
     ++pictures;
     EXPECT_LT(fs::file_size(source / target), 150'000u) << target;
   }
-  EXPECT_GE(pictures, 4);
+  EXPECT_GE(pictures, 1);
 }
 
 }  // namespace

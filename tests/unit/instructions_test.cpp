@@ -1,4 +1,4 @@
-#include "avi/io/table.hpp"
+#include "common/table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -60,9 +60,9 @@ TEST(Instructions, ThatCannotBeCountedAreAnError) {
 
 TEST(Instructions, AreTakenOverForTheirCompilerOnly) {
   compare("2000");
-  EXPECT_EQ(avi::Table::read(folder / "counts.tsv").text(1, "instructions"), "1000");
+  EXPECT_EQ(experiment::Table::read(folder / "counts.tsv").text(1, "instructions"), "1000");
   compare("2000", "accept");
-  const avi::Table counts = avi::Table::read(folder / "counts.tsv");
+  const experiment::Table counts = experiment::Table::read(folder / "counts.tsv");
   ASSERT_EQ(counts.rows.size(), 2u);
   EXPECT_EQ(counts.text(0, "instructions"), "7");
   EXPECT_EQ(counts.text(1, "instructions"), "2000");
@@ -70,7 +70,8 @@ TEST(Instructions, AreTakenOverForTheirCompilerOnly) {
 }
 
 TEST(Instructions, OfEveryWorkloadAreKept) {
-  const avi::Table counts = avi::Table::read(fs::path(AVI_SOURCE_DIR) / "tests/instructions/counts.tsv");
+  const experiment::Table counts =
+      experiment::Table::read(fs::path(AVI_SOURCE_DIR) / "tests/instructions/counts.tsv");
   ASSERT_GE(counts.rows.size(), 2u);
   for (std::size_t i = 0; i < counts.rows.size(); ++i) {
     EXPECT_GE(counts.number(i, "instructions"), 1e7) << counts.text(i, "workload");

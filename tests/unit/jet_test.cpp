@@ -1,6 +1,6 @@
-#include "avi/core/partials.hpp"
-#include "avi/taylor/jet.hpp"
-#include "avi/taylor/jet_functions.hpp"
+#include "avi/autodiff/jet.hpp"
+#include "avi/autodiff/jet_functions.hpp"
+#include "avi/autodiff/partials.hpp"
 
 #include <gtest/gtest.h>
 
@@ -113,7 +113,7 @@ TEST(Jet, IdentitiesHoldCoefficientByCoefficient) {
 }
 
 TEST(Jet, ConstantsAndVanishingDerivativesCostNothing) {
-  JetTape<double, R> tape(1);
+  JetTape<double, R> tape;
   tape.rewind(0);
   const auto x = line(2.0);
   const Scalar s(x.data(), &tape);
@@ -121,9 +121,38 @@ TEST(Jet, ConstantsAndVanishingDerivativesCostNothing) {
   EXPECT_EQ((1.0 * s).coefficients, s.coefficients);
   EXPECT_EQ((s + 0.0).coefficients, s.coefficients);
   EXPECT_TRUE((Scalar(2.0) * Scalar(3.0)).is(6.0));
-  const auto used = s * s;  // the only slot
-  EXPECT_EQ(used[0], 4.0);
-  EXPECT_THROW((void)(s * s), std::length_error);
+  tape.rewind(0);
+  const auto again = s * s;  // in the slot that the first product takes: nothing before has taken any
+  tape.rewind(0);
+  EXPECT_EQ(again.coefficients, s.slot());
+}
+
+TEST(JetTape, GrowsToTheLongestFormulaOnce) {
+  JetTape<double, R> tape;
+  const auto x = line(1.001);
+  const auto power =
+      [&](int factors) {  // x^(factors + 1), a slot for each product, replayed as an expansion does
+        std::array<double, 2> c{};
+        int growths = 0;
+        for (int k = 0; k < 2;) {
+          tape.rewind(k);
+          const Scalar s(x.data(), &tape);
+          Scalar y = s;
+          for (int i = 0; i < factors; ++i)
+            y *= s;
+          c[static_cast<std::size_t>(k)] = y[k];
+          if (tape.outgrown())
+            ++growths;
+          else
+            ++k;
+        }
+        EXPECT_NEAR(c[0], std::pow(1.001, factors + 1), 1e-12 * c[0]);
+        EXPECT_NEAR(c[1], (factors + 1) * std::pow(1.001, factors), 1e-12 * c[1]);
+        return growths;
+      };
+  EXPECT_EQ(power(10), 0);
+  EXPECT_EQ(power(5000), 1) << "whatever its length";
+  EXPECT_EQ(power(5000), 0) << "once";
 }
 
 /// Kepler's equations by replay: the coefficients that a series of Lanes gives are those of a series of

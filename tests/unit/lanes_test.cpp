@@ -1,6 +1,6 @@
-#include "avi/core/partials.hpp"
-#include "avi/taylor/convolution.hpp"
-#include "avi/taylor/lanes.hpp"
+#include "avi/autodiff/convolution.hpp"
+#include "avi/autodiff/lanes.hpp"
+#include "avi/autodiff/partials.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "avi/adaptive/monitors.hpp"
-#include "avi/adaptive/poincare.hpp"
 #include "avi/problems/kepler.hpp"
+#include "avi/transform/monitors.hpp"
+#include "avi/transform/poincare.hpp"
 
 #include <gtest/gtest.h>
 

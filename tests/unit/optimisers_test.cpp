@@ -1,10 +1,10 @@
 #include "avi/optim/adagrad.hpp"
 #include "avi/optim/adam.hpp"
 #include "avi/optim/gradient_descent.hpp"
-#include "avi/optim/minimise.hpp"
 #include "avi/optim/nag.hpp"
 #include "avi/optim/rmsprop.hpp"
 #include "avi/optim/trust_region.hpp"
+#include "avi/optim/update_loop.hpp"
 
 #include <gtest/gtest.h>
 
@@ -92,6 +92,37 @@ TEST(TrustRegion, ShrinksRefusedStepsAndGrowsGoodOnes) {
   EXPECT_EQ(run.function_evaluations, 1 + 3 + 1);
 }
 
+TEST(Optimisers, HaveThePublishedDefaults) {
+  const avi::Adam adam;
+  EXPECT_EQ((std::vector{adam.rate, adam.beta_1, adam.beta_2, adam.epsilon}),
+            (std::vector{1e-3, 0.9, 0.999, 1e-8}));
+  const avi::RmsProp rms;
+  EXPECT_EQ((std::vector{rms.rate, rms.rho, rms.epsilon}), (std::vector{1e-2, 0.9, 1e-8}));
+  const avi::TrustRegion region;
+  EXPECT_EQ((std::vector{region.radius, region.accept, region.expand, region.shrink, region.grow}),
+            (std::vector{1.0, 0.5, 0.75, 0.9, 2.0}));
+  EXPECT_EQ(region.trials, 1000);
+}
+
+TEST(TrustRegion, ThresholdsAreTheirOwnLimits) {
+  // On a line f falls by as much as the model says: ratio = 1 for every step, up to rounding that (0.5, 0.25)
+  // does not have. A ratio that equals the threshold is not above it.
+  const auto line = [](const VectorX& x, VectorX& g) {
+    g = VectorX::Ones(1);
+    return x[0];
+  };
+  const auto length_of_second = [&](double expand) {
+    std::vector<double> seen{0.5};
+    minimise(line, avi::TrustRegion{.radius = 0.25, .expand = expand}, VectorX::Constant(1, 0.5),
+             {.delta = 0.0, .iterations = 2}, [&](const avi::Iterate& at, long k, long) {
+               if (k > 0) seen.push_back(at.x[0]);
+             });
+    return seen.at(1) - seen.at(2);
+  };
+  EXPECT_EQ(length_of_second(1.0), 0.25) << "1 is not above 1";
+  EXPECT_EQ(length_of_second(0.99), 0.5);
+}
+
 TEST(Optimisers, RefuseBadParameters) {
   const VectorX x0 = VectorX::Ones(2);
   EXPECT_THROW(minimise(ellipse, avi::Nag{.h = -1.0}, x0), std::invalid_argument);
@@ -103,6 +134,9 @@ TEST(Optimisers, RefuseBadParameters) {
   EXPECT_THROW(minimise(ellipse, avi::AdaGrad{.rate = -1.0}, x0), std::invalid_argument);
   EXPECT_THROW(minimise(ellipse, avi::AdaGrad{.initial = -1.0}, x0), std::invalid_argument);
   EXPECT_THROW(minimise(ellipse, avi::RmsProp{.rho = 1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(minimise(ellipse, avi::RmsProp{.rho = -0.1}, x0), std::invalid_argument);
+  EXPECT_THROW(minimise(ellipse, avi::RmsProp{.rate = 0.0}, x0), std::invalid_argument);
+  EXPECT_THROW(minimise(ellipse, avi::RmsProp{.epsilon = -1e-9}, x0), std::invalid_argument);
   EXPECT_THROW(minimise(ellipse, avi::TrustRegion{.radius = 0.0}, x0), std::invalid_argument);
   EXPECT_THROW(minimise(ellipse, avi::TrustRegion{.accept = 1.0}, x0), std::invalid_argument);
   EXPECT_THROW(minimise(ellipse, avi::TrustRegion{.expand = 0.1}, x0), std::invalid_argument);

@@ -20,17 +20,17 @@ std::string text_of(const fs::path& path) {
 }
 
 // The README shows a program whole, with what it prints: the very file that is compiled, and the output that
-// the test example/kepler compares.
-TEST(Readme, ShowsTheKeplerExampleAsItIs) {
+// the test example/orbit compares.
+TEST(Readme, ShowsTheOrbitExampleAsItIs) {
   const fs::path source = AVI_SOURCE_DIR;
   const std::string readme = text_of(source / "README.md");
-  const std::string program = text_of(source / "lib/examples/kepler.cpp");
-  const std::string output = text_of(source / "lib/examples/kepler.out");
+  const std::string program = text_of(source / "lib/examples/orbit.cpp");
+  const std::string output = text_of(source / "lib/examples/orbit.out");
   ASSERT_FALSE(program.empty() || output.empty());
   EXPECT_NE(readme.find("```cpp\n" + program + "```\n"), std::string::npos)
-      << "the README shows another program than lib/examples/kepler.cpp";
+      << "the README shows another program than lib/examples/orbit.cpp";
   EXPECT_NE(readme.find("```\n" + output + "```\n"), std::string::npos)
-      << "the README shows another output than lib/examples/kepler.out";
+      << "the README shows another output than lib/examples/orbit.out";
 }
 
 TEST(Readme, NamesEveryExample) {
@@ -57,7 +57,7 @@ TEST(Docs, NameWhatExists) {
       words.insert(i->str());
   }
   int names = 0;
-  for (const char* page : {"mainpage.md", "monitors.md"}) {
+  for (const char* page : {"mainpage.md", "monitors.md", "methods.md", "problems.md", "errors.md"}) {
     const std::string text = text_of(source / "lib/docs" / page);
     for (std::sregex_iterator i(text.begin(), text.end(), name), end; i != end; ++i, ++names)
       EXPECT_TRUE(words.contains((*i)[1])) << page << " names " << i->str();

@@ -1,4 +1,4 @@
-#include "work_precision/reference.hpp"
+#include "common/reference.hpp"
 
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/perturbed_kepler.hpp"

@@ -1,12 +1,12 @@
-#include "scorecard/printed.hpp"
-#include "scorecard/sheets.hpp"
+#include "scorecard/numbers/printed.hpp"
+#include "scorecard/numbers/sheets.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <set>
 
-using avi::Table;
+using experiment::Table;
 using scorecard::Line;
 using scorecard::Printed;
 using scorecard::Verdict;

@@ -1,11 +1,11 @@
-#include "avi/io/table.hpp"
+#include "common/table.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <sstream>
 
-using avi::Table;
+using experiment::Table;
 
 namespace {
 
@@ -43,8 +43,9 @@ TEST(Table, RefusesWhatDoesNotFit) {
   table.row("word", 1);
   EXPECT_THROW((void)table.number(0, "a"), std::invalid_argument);
   EXPECT_THROW(table.write("/dev/null/nowhere/t.tsv"), std::runtime_error);
-  EXPECT_THROW(Table::read("/dev/null/nowhere/t.tsv"), avi::FileError);
-  EXPECT_THROW(Table::read(std::filesystem::temp_directory_path()), avi::FileError) << "a folder is no table";
+  EXPECT_THROW(Table::read("/dev/null/nowhere/t.tsv"), experiment::FileError);
+  EXPECT_THROW(Table::read(std::filesystem::temp_directory_path()), experiment::FileError)
+      << "a folder is no table";
 }
 
 std::string refusal(const std::string& text) {

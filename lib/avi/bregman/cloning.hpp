@@ -18,7 +18,7 @@ namespace avi {
 /// under \f$\bar H_2\f$ and \f$r' = -potential(t)\, \nabla f(q)\f$ under \f$\bar H_1\f$. The copy that is
 /// read, (q, r), never sees \f$(\tilde q, \tilde r)\f$, only the other clock. So q and r and two clocks are
 /// evolved here, a leapfrog with 1, 3 or 9 gradients a step, where the printed form
-/// (bregman/cloning_printed.hpp) spends 3, 7 or 19 on the same iterates; the stopping test at the new q costs
+/// spends 3, 7 or 19 on the same iterates; the stopping test at the new q costs
 /// one more.
 struct BregmanCloning {
   BregmanFamily family;                                     ///< p, p_ring and C.

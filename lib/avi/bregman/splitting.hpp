@@ -14,8 +14,8 @@ namespace avi {
 /// kick's.
 ///
 /// r^t is not evolved. The printed update of r^t does not belong to these steps (it is not symplectic on
-/// extended phase space); three_flow_step in bregman/extended_splitting.hpp has the same q, r, t with the r^t
-/// that does.
+/// extended phase space). With the flows of the three terms in their place r^t does, and q, r, t are the
+/// same.
 struct BregmanSplitting {
   BregmanFamily family;  ///< p, p_ring and C.
   double h = 1e-3;       ///< Fictive step, finite and positive.

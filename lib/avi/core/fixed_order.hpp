@@ -6,11 +6,11 @@
 /// @file
 /// Sums whose order of addition is fixed in the source.
 ///
-/// Eigen's reductions add in the order of the machine's vector width, so that the same program gives another
-/// last bit with and without -march=native. Iteration counts of accelerated methods feel that bit; here the
-/// order is eight partial sums, added as a tree, whatever the compiler does with them. Element-wise Eigen
-/// expressions of +, - and * need no such care; its packet square root does (it is not correctly rounded on
-/// AVX-512), so the library takes roots one by one with std::sqrt.
+/// Eigen's reductions add in an order that depends on the machine's vector width, so the last bit of a sum
+/// changes with -march=native, and with it the iteration counts of accelerated methods. The sums here add
+/// eight partial sums as a tree on every machine. Element-wise Eigen expressions of +, - and * are the same
+/// everywhere. Eigen's vectorised square root is not (on AVX-512 it is not correctly rounded), so the library
+/// uses std::sqrt.
 
 namespace avi {
 

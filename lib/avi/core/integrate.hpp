@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/core/outcome.hpp"
 #include "avi/core/require.hpp"
+#include "avi/core/step.hpp"
 
 #include <concepts>
 #include <limits>
@@ -12,7 +13,8 @@
 
 namespace avi {
 
-/// Where a run ends: at the first step whose physical time reaches `time`, or after `steps` steps.
+/// Where a run ends: at the first step whose physical time reaches `time` (from above where h < 0), or after
+/// `steps` steps.
 struct Until {
   double time = std::numeric_limits<double>::infinity();  ///< Physical time; infinity sets no end.
   long steps = std::numeric_limits<long>::max();          ///< Number of steps; the largest long sets no end.
@@ -23,13 +25,6 @@ struct Until {
 template <class M, class State>
 concept Method = requires(M& method, State& state, double h) {
   { method.step(state, h) } -> std::same_as<StepReport>;
-};
-
-/// Observer that looks at nothing and costs nothing.
-struct NoObserver {
-  /// Does nothing.
-  template <class State>
-  void operator()(const State&, long) const {}
 };
 
 namespace detail {
@@ -46,40 +41,60 @@ std::string describe_end(Outcome outcome, const State& state, long steps, double
   return sentence.str();
 }
 
-/// What the observer says: true where it says nothing.
-template <class Observer, class State>
-bool goes_on(Observer& observer, const State& state, long k) {
-  if constexpr (std::is_same_v<std::invoke_result_t<Observer&, const State&, long>, bool>) {
-    return observer(state, k);
+/// Shows a step to an observer. @return ok unless the observer says otherwise
+template <class Observer, class Seen>
+Outcome show(Observer& observer, const Seen& seen, long k) {
+  using Answer = std::invoke_result_t<Observer&, const Seen&, long>;
+  if constexpr (std::same_as<Answer, Outcome>) {
+    return observer(seen, k);
+  } else if constexpr (std::same_as<Answer, bool>) {
+    return observer(seen, k) ? Outcome::ok : Outcome::stopped;
   } else {
-    observer(state, k);
-    return true;
+    observer(seen, k);
+    return Outcome::ok;
   }
 }
-}  // namespace detail
 
-/// Applies `method` with constant step h until `until` is met; the last step passes until.time, it is not
-/// cut.
-///
-/// The observer is called as observer(state, k) after step k = 1, 2, ...; when it returns bool, false stops
-/// the run. The state is always the last good one.
-/// A run to a time that is over 2^53 steps away at the pace of the last million ends as stalled: h is below
-/// the rounding of that time, or a method without a check of its own has a monitor that is not positive.
-/// Nothing loops for ever.
-/// @throws std::invalid_argument for h that is zero or not finite, or negative with an end time, or an
-/// `until` that sets no end.
-template <class State, class M, class Observer = NoObserver>
-Run integrate(M& method, State& state, double h, Until until, Observer&& observer = {}) {
+template <class Observer, class State>
+inline constexpr bool of_states = std::invocable<Observer&, const State&, long>;
+
+/// A run without a goal ends by its `until` alone.
+struct NoGoal {};
+
+/// Keeps the method as it was before a step, where a step depends on it and somebody may look inside.
+template <class M, bool needed>
+struct Before {
+  const M& now;
+  [[nodiscard]] const M& method() const { return now; }
+};
+template <class M>
+struct Before<M, true> {
+  const M kept;
+  [[nodiscard]] const M& method() const { return kept; }
+};
+
+/// The loop of integrate() and integrate_to(). Where the step crosses the goal, it is replaced by the shorter
+/// one that ends there, and the run is over.
+template <class Goal, class State, class M, class... Observers>
+Run run(M& method, State& state, double h, const Until& until, const Goal& goal, Observers&... observers) {
   static_assert(Method<M, State>,
                 "The method has no step(state, h) for this state: is the state of another dimension?");
+  static_assert(
+      ((of_states<Observers, State> || std::invocable<Observers&, const Step<M, State>&, long>)&&...),
+      "An observer must be callable as observer(state, k) or as observer(step, k).");
   require(std::isfinite(h) && h != 0.0, "Step size h", h, "finite and not zero");
   require(!std::isnan(until.time), "End time", until.time, "a number");
   require(until.steps >= 0, "Number of steps", until.steps, "at least 0");
-  require(until.time < std::numeric_limits<double>::infinity() ||
-              until.steps < std::numeric_limits<long>::max(),
-          "End of the run", "not set", "a time or a number of steps");
-  const bool timed = until.time < std::numeric_limits<double>::infinity();
-  require(h > 0.0 || !timed, "Step size h", h, "positive where the run ends at a time");
+  constexpr bool aims = !std::same_as<Goal, NoGoal>;
+  constexpr bool looks_inside = aims || !(of_states<Observers, State> && ...);
+  const bool timed = std::isfinite(until.time);
+  require(timed || until.steps < std::numeric_limits<long>::max(), "End of the run", "not set",
+          "a time or a number of steps");
+  const double sense = h > 0.0 ? 1.0 : -1.0;  // of time
+  require(!timed || !(sense * until.time < sense * state.t), "Step size h", h,
+          h > 0.0 ? "negative where the run ends at a time behind"
+                  : "positive where the run ends at a time ahead");
+  const double end_time = timed ? sense * until.time : std::numeric_limits<double>::infinity();
   Run run;
   constexpr long patience = 1 << 20;
   double clock = state.t;
@@ -88,27 +103,72 @@ Run integrate(M& method, State& state, double h, Until until, Observer&& observe
   const auto end = [&](Outcome outcome, double residual) {
     state = current;
     run.outcome = outcome;
-    run.message = detail::describe_end(outcome, state, run.steps, residual);
+    run.message = describe_end(outcome, state, run.steps, residual);
     return run;
   };
-  while (current.t < until.time && run.steps < until.steps) {
+  while (sense * current.t < end_time && run.steps < until.steps) {
     State next = current;
+    const Before<M, looks_inside && !one_step<M>> before{method};
     const StepReport report = method.step(next, h);
     if (report.outcome != Outcome::ok) return end(report.outcome, report.residual);
     if (!next.finite()) return end(Outcome::non_finite, 0.0);
-    current = next;
-    ++run.steps;
     run.evaluations += report.evaluations;
+    double size = h;
+    bool arrived = false;
+    if constexpr (aims) {
+      arrived = goal.crossed(current, next);
+      if (arrived) {
+        const Located<State> there =
+            Step<M, State>{before.method(), current, next, h}.locate(goal.g, goal.tolerance);
+        run.evaluations += there.evaluations;
+        if (there.report.outcome != Outcome::ok) return end(there.report.outcome, there.report.residual);
+        next = there.state;
+        size = there.h;
+      }
+    }
+    ++run.steps;
+    Outcome outcome = Outcome::ok;  // the first answer that is not ok
+    [[maybe_unused]] const auto look = [&](auto& observer) {
+      Outcome answer;
+      if constexpr (of_states<decltype(observer), State>)
+        answer = show(observer, next, run.steps);
+      else
+        answer = show(observer, Step<M, State>{before.method(), current, next, size}, run.steps);
+      if (outcome == Outcome::ok) outcome = answer;
+    };
+    (look(observers), ...);
+    current = next;
+    if (outcome != Outcome::ok) return end(outcome, 0.0);
+    if (arrived) {
+      state = current;
+      return run;
+    }
     if (run.steps % patience == 0 && timed) {
-      if (!((current.t - clock) * (0x1p53 / patience) > until.time - current.t))
+      if (!(sense * (current.t - clock) * (0x1p53 / patience) > sense * (until.time - current.t)))
         return end(Outcome::stalled, 0.0);
       clock = current.t;
     }
-    if (!detail::goes_on(observer, current, run.steps)) return end(Outcome::stopped, 0.0);
   }
-  if (timed && current.t < until.time) return end(Outcome::step_limit, 0.0);
+  if (aims || (timed && sense * current.t < end_time)) return end(Outcome::step_limit, 0.0);
   state = current;
   return run;
+}
+}  // namespace detail
+
+/// Applies `method` with constant step h until `until` is met; the last step passes until.time, it is not
+/// cut (integrate_to() ends exactly there). With h < 0 time runs backwards.
+///
+/// Each observer is called after step k = 1, 2, ..., as observer(state, k), or as observer(step, k) with the
+/// Step, inside which it can look. It returns nothing, or false to end the run as stopped, or the Outcome
+/// that is to end it unless ok. The state is always the last good one.
+/// A run to a time that is over 2^53 steps away at the pace of the last million ends as stalled: h is below
+/// the rounding of that time, or a method without a check of its own has a monitor that is not positive.
+/// Nothing loops for ever.
+/// @throws std::invalid_argument for h that is zero, not finite or leads away from until.time, or an `until`
+/// that sets no end.
+template <class State, class M, class... Observers>
+[[nodiscard]] Run integrate(M& method, State& state, double h, Until until, Observers&&... observers) {
+  return detail::run(method, state, h, until, detail::NoGoal{}, observers...);
 }
 
 }  // namespace avi

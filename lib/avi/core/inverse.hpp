@@ -45,11 +45,21 @@ void invert(Matrix<double, n>& a, Matrix<double, n>& b) {
   }
 }
 
-/// The inverse of a.
+/// The inverse of a; in closed form up to n = 2.
 template <int n>
 Matrix<double, n> inverse(Matrix<double, n> a) {
   Matrix<double, n> b;
-  invert(a, b);
+  if constexpr (n == 1) {
+    b(0, 0) = 1.0 / a(0, 0);
+  } else if constexpr (n == 2) {
+    const double scale = 1.0 / (a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0));
+    b(0, 0) = scale * a(1, 1);
+    b(0, 1) = -scale * a(0, 1);
+    b(1, 0) = -scale * a(1, 0);
+    b(1, 1) = scale * a(0, 0);
+  } else {
+    invert(a, b);
+  }
   return b;
 }
 

@@ -15,8 +15,11 @@ enum class Outcome {
   not_converged,  ///< An implicit equation was not solved; the state is the last good one.
   non_finite,     ///< A value became infinite or NaN; the state is the last good one.
   bad_monitor,    ///< The monitor g = dt/dtau was not positive; the state is the last good one.
-  stalled,        ///< Physical time stands still, or so nearly that the run would never arrive.
-  diverged        ///< The iterates left every bound that the caller set; the last good one is kept.
+  stalled,     ///< Physical time stands still, or so nearly that the run would never arrive; rounding of the
+               ///< objective hides what a minimisation could still gain.
+  diverged,    ///< The iterates left every bound that the caller set; the last good one is kept.
+  no_descent,  ///< The objective does not fall where its gradient says so; the last good iterate is kept.
+  wrong_gradient  ///< The gradient contradicts differences of values, or has another size than x.
 };
 
 /// The name used in messages and data files.
@@ -38,19 +41,23 @@ constexpr std::string_view name(Outcome outcome) {
     return "stalled";
   case Outcome::diverged:
     return "diverged";
+  case Outcome::no_descent:
+    return "no_descent";
+  case Outcome::wrong_gradient:
+    return "wrong_gradient";
   }
   return "unknown";
 }
 
 /// What one step tells the run loop.
-struct StepReport {
+struct [[nodiscard]] StepReport {
   Outcome outcome = Outcome::ok;  ///< Unless ok, the state is as it was.
   int evaluations = 1;            ///< Evaluations of the vector field or of its Taylor expansion.
   double residual = 0.0;          ///< Of the implicit equation that remains (0 for explicit steps).
 };
 
 /// What a run tells its caller.
-struct Run {
+struct [[nodiscard]] Run {
   Outcome outcome = Outcome::ok;  ///< ok when the end asked for was reached.
   long steps = 0;                 ///< Steps that were accepted.
   long evaluations = 0;           ///< Sum over those steps.

@@ -19,7 +19,7 @@ struct State {
 
   /// True when every entry of q, p and t is finite.
   [[nodiscard]] bool finite() const {
-    // A sum is infinite or NaN as soon as one finite-range entry is; one test instead of 2n + 1.
+    // If an entry is infinite or NaN, so is the sum: usually one test is enough.
     return std::isfinite(q.sum() + p.sum() + t) || (q.allFinite() && p.allFinite() && std::isfinite(t));
   }
 };

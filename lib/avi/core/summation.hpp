@@ -7,11 +7,11 @@ namespace avi {
 
 /// How increments are added to the state.
 enum class Summation {
-  plain,       ///< As the processor adds.
-  compensated  ///< What rounding cuts off is kept and added next time (Kahan 1965; Moller 1965).
+  plain,       ///< Ordinary addition.
+  compensated  ///< The rounding error is kept and added next time (Kahan 1965; Moller 1965).
 };
 
-/// sum += increment. @param low what earlier additions have cut off; used by Summation::compensated alone
+/// sum += increment. @param low rounding error kept so far; unused by Summation::plain
 template <Summation summation = Summation::compensated, class Value>
 void add(Value& sum, Value& low, const Value& increment) {
   if constexpr (summation == Summation::compensated) {

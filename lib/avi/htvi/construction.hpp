@@ -1,33 +1,31 @@
 #pragma once
-#include "avi/adaptive/poincare.hpp"
 
 /// @file
 /// The freedom in the construction of an HTVI.
 
 namespace avi {
 
-/// To which order the position at the quadrature nodes is expanded; the momentum always has order r.
-enum class NodePosition {
-  r,           ///< Order r at every node, as the construction is printed (Section 2.2 of the paper).
-  end_raised,  ///< Order r + 1 at the node c = 1, where q~_1 is at hand, and r elsewhere.
-  raised       ///< Order r + 1 at every node.
+/// Which generating function a step comes from.
+enum class Generating {
+  type2,  ///< H_d^+(q_0, p_1), the discrete right Hamiltonian.
+  type3   ///< H_d^-(q_1, p_0), the discrete left Hamiltonian.
 };
 
-/// The freedom that the text of the paper leaves in an HTVI of given order and quadrature.
-struct Construction {
-  Field field;                                           ///< What is expanded.
-  NodePosition nodes;                                    ///< Position at the quadrature nodes.
-  bool operator==(const Construction&) const = default;  ///< Equal in both.
+/// What the action of the discrete Hamiltonian is made of. Every choice gives a symplectic map; they differ
+/// in order and cost.
+enum class Construction {
+  /// The velocity in the action is the derivative of the trial curve: order 2r + 2 (StationaryAction).
+  stationary,
+  /// As the paper prints it (Section 2.2): the velocity is that of the field, the position has order r at the
+  /// nodes of the quadrature. Order r + 1 (PrintedAction).
+  printed,
+  /// What gives the errors printed in Tables 1 and 2: as printed, but the trial curve follows the field with
+  /// H + p^t = 0 inserted, and at the node c = 1 the position has order r + 1.
+  authors
 };
 
-/// The construction as printed.
-inline constexpr Construction printed{Field::full, NodePosition::r};
-/// The construction that gives the errors printed in Tables 1 and 2.
-inline constexpr Construction authors{Field::on_shell, NodePosition::end_raised};
-/// Order r + 1 for the position at all nodes. Without monitor, for H = T(p) + V(q), q' = dH/dp then holds
-/// exactly along the trial curve, the action is stationary on it, and the order becomes min(2 (r + 1), s)
-/// (measured by the experiment order_verification); a monitor breaks that identity and the order is the
-/// theorem's.
-inline constexpr Construction superconvergent{Field::on_shell, NodePosition::raised};
+inline constexpr Construction stationary = Construction::stationary;  ///< The default.
+inline constexpr Construction printed = Construction::printed;        ///< The paper's text.
+inline constexpr Construction authors = Construction::authors;        ///< The paper's tables.
 
 }  // namespace avi

@@ -19,13 +19,19 @@ namespace avi {
 /// \\ q_1 &= q_{1/2} + \tfrac{h}{2\rho_1}\, p_{1/2}, & p_1 &= p_{1/2} - \tfrac{h}{2\rho_1} \nabla V(q_1).
 /// \f}
 ///
-/// Explicit, of order 2, symmetric and reversible (hence a base for compositions), not symplectic. `Problem`
+/// Explicit, of order 2, symmetric and reversible, so a base for compositions; not symplectic. `Problem`
 /// gives potential_gradient(q), `Monitor` g(q, p) > 0. The gradient and rho carry over from step to step and
 /// start anew, rho = 1 / g, when the state is changed from outside.
 template <class Problem, class Monitor>
 class AdaptiveVerlet {
  public:
   static constexpr int n = Problem::dimension;  ///< Dimension of the problem.
+  static constexpr int order() { return 2; }    ///< In the step size.
+  static constexpr bool symplectic = false;     ///< Because of the density.
+  static constexpr bool symmetric = true;       ///< With the density as part of the state.
+  static constexpr bool one_step = false;       ///< A step depends on the density, not on the state alone.
+
+  static_assert(n != dynamic, "Adaptive Verlet needs a dimension known at compile time.");
 
   /// Along dt/dtau = g of this monitor.
   AdaptiveVerlet(Problem problem, Monitor monitor)

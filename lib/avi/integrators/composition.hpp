@@ -2,6 +2,7 @@
 #include "avi/core/integrate.hpp"
 #include "avi/integrators/split_coefficients.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -17,10 +18,19 @@ template <class Base, int m>
 class Composition {
  public:
   /// Of this base with one of avi::compositions.
-  Composition(Base base, const CompositionCoefficients<m>& coefficients) : base_(std::move(base)) {
+  /// @throws std::invalid_argument unless the coefficients are the same read backwards.
+  Composition(Base base, const CompositionCoefficients<m>& coefficients)
+      : base_(std::move(base)), order_(coefficients.order) {
+    require(std::equal(coefficients.c.begin(), coefficients.c.end(), coefficients.c.rbegin()),
+            "List of composition coefficients", "not symmetric", "the same read backwards");
     for (std::size_t i = 0; i < c_.size(); ++i)
       c_[i] = static_cast<double>(coefficients.c[i]);
   }
+
+  [[nodiscard]] int order() const { return order_; }        ///< That of the coefficients.
+  static constexpr bool symplectic = Base::symplectic;      ///< As the base is.
+  static constexpr bool symmetric = Base::symmetric;        ///< As the base is.
+  static constexpr bool one_step = detail::one_step<Base>;  ///< As the base is.
 
   /// m steps of the base; their evaluations are added, the largest residual is kept. Where one of them fails
   /// the state is that before the first.
@@ -45,6 +55,7 @@ class Composition {
 
  private:
   Base base_;
+  int order_;
   std::array<double, static_cast<std::size_t>(m)> c_;
 };
 

@@ -43,11 +43,17 @@ class HairerSoderlind {
   /// Around a symmetric method, along the monitor.
   HairerSoderlind(Base base, Monitor monitor) : base_(std::move(base)), monitor_(std::move(monitor)) {}
 
+  /// The order of the base.
+  [[nodiscard]] int order() const { return base_.order(); }
+  static constexpr bool symplectic = false;  ///< Because of the density.
+  static constexpr bool symmetric = true;    ///< With the density as part of the state.
+  static constexpr bool one_step = false;    ///< A step depends on the density, not on the state alone.
+
   /// A density that is not positive ends the step as Outcome::diverged: h is too large for this monitor.
   template <int n>
   StepReport step(State<n>& z, double h) {
     static_assert(Method<Base, State<n>>, "The base must be a method for states of this dimension.");
-    // The rate at the end is that of the next start: it tells whether the state is still ours.
+    // If the rate or the time is not what the last step left, the state was changed from outside.
     const double start_rate = monitor_.density_rate(z.q, z.p);
     if (start_rate != rate_ || z.t != time_) rho_ = 1.0 / monitor_(z.q, z.p);
     const double rho = rho_ + 0.5 * h * start_rate;

@@ -1,9 +1,11 @@
 #pragma once
 #include "avi/core/outcome.hpp"
+#include "avi/core/require.hpp"
 #include "avi/core/state.hpp"
 #include "avi/core/summation.hpp"
 #include "avi/integrators/split_coefficients.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <utility>
@@ -25,6 +27,12 @@ struct Drift {
 /// `Problem` gives potential_gradient(q), and velocity(p) unless masses are 1.
 template <class Problem>
 class Separable {
+  static_assert(
+      requires(const Problem& problem, const Vector<double, Problem::dimension>& q) {
+        problem.potential_gradient(q);
+      },
+      "A problem to split must have potential_gradient(q): H = T(p) + V(q), and no time in it.");
+
  public:
   static constexpr int dimension = Problem::dimension;  ///< Of q and of p.
   using Vec = Vector<double, dimension>;                ///< A position or a momentum.
@@ -41,7 +49,7 @@ class Separable {
   }
   /// What the kick over h adds to p.
   [[nodiscard]] Vec kick(const Vec& q, double h) const { return -h * problem_.potential_gradient(q); }
-  [[nodiscard]] bool admits(const State<dimension>&) const { return true; }  ///< Every state is.
+  [[nodiscard]] bool admits(const State<dimension>&) const { return true; }  ///< Admits every state.
 
  private:
   Problem problem_;
@@ -50,22 +58,32 @@ class Separable {
 /// \f$A(a_0 h)\, B(b_0 h) \cdots A(a_m h)\f$ with the flows of `Flows` (Separable, LogHamiltonian). Explicit,
 /// and symplectic as a product of exact flows.
 ///
-/// With Summation::compensated the rounding error of a run grows as the square root of the number of steps
-/// (Brouwer's law) instead of faster; a stage costs about one addition more on its critical path.
+/// With Summation::compensated the rounding error of the energy grows only as the square root of the number
+/// of steps (Brouwer's law); it makes the chain of dependent operations of a stage about one addition longer.
 template <class Flows, int m, Summation summation = Summation::plain>
 class Splitting {
  public:
   static constexpr int n = Flows::dimension;  ///< Dimension of the problem.
 
-  /// Of these flows with these lengths. @param flows drift(p, h), kick(q, h) and admits(state) @param
-  /// coefficients one of avi::splittings
-  Splitting(Flows flows, const SplitCoefficients<m>& coefficients) : flows_(std::move(flows)) {
+  /// Of these flows with these lengths.
+  /// @throws std::invalid_argument unless the coefficients are the same read backwards. @param flows drift(p,
+  /// h), kick(q, h) and admits(state) @param coefficients one of avi::splittings
+  Splitting(Flows flows, const SplitCoefficients<m>& coefficients)
+      : flows_(std::move(flows)), order_(coefficients.order) {
+    const auto &a = coefficients.a, &b = coefficients.b;
+    require(std::equal(a.begin(), a.end(), a.rbegin()) && std::equal(b.begin(), b.end(), b.rbegin()),
+            "List of splitting coefficients", "not symmetric", "the same read backwards");
     for (std::size_t i = 0; i < a_.size(); ++i)
       a_[i] = static_cast<double>(coefficients.a[i]);
     for (std::size_t i = 0; i < b_.size(); ++i)
       b_[i] = static_cast<double>(coefficients.b[i]);
-    after_.t = std::numeric_limits<double>::quiet_NaN();  // No state is this one: nothing is kept yet.
+    after_.t = std::numeric_limits<double>::quiet_NaN();  // Equal to no state: no rounding error is kept yet.
   }
+
+  /// The order of the coefficients. A Nystrom list has it only where the kinetic energy is quadratic in p.
+  [[nodiscard]] int order() const { return order_; }
+  static constexpr bool symplectic = true;  ///< A product of exact flows.
+  static constexpr bool symmetric = true;   ///< The coefficients are the same read backwards.
 
   /// Advances z by h, with one evaluation of the gradient for each kick. Ends as Outcome::diverged, with z as
   /// it was, in a state that the flows do not admit.
@@ -106,6 +124,7 @@ class Splitting {
   }
 
   Flows flows_;
+  int order_;
   std::array<double, static_cast<std::size_t>(m) + 1> a_;
   std::array<double, static_cast<std::size_t>(m)> b_;
   State<n> low_{}, after_{};

@@ -19,11 +19,17 @@ template <int n, class Gradient>
 class StormerVerlet {
  public:
   /// For one potential. @param gradient q -> dV/dq
-  explicit StormerVerlet(Gradient gradient) : gradient_(std::move(gradient)) {}
+  explicit StormerVerlet(Gradient gradient) : gradient_(std::move(gradient)) {
+    at_.fill(std::numeric_limits<double>::quiet_NaN());  // Equal to no position: no gradient is kept yet.
+  }
+
+  static constexpr int order() { return 2; }  ///< In the step size.
+  static constexpr bool symplectic = true;    ///< A product of exact flows.
+  static constexpr bool symmetric = true;     ///< The same read backwards.
 
   /// Advances z by h.
   StepReport step(State<n>& z, double h) {
-    if (z.q != at_) force_ = gradient_(z.q);
+    if (at_.size() != z.q.size() || z.q != at_) force_ = gradient_(z.q);
     z.p -= (0.5 * h) * force_;
     z.q += h * z.p;
     force_ = gradient_(z.q);
@@ -35,7 +41,7 @@ class StormerVerlet {
 
  private:
   Gradient gradient_;
-  Vector<double, n> at_ = Vector<double, n>::Constant(std::numeric_limits<double>::quiet_NaN());
+  Vector<double, n> at_;
   Vector<double, n> force_;
 };
 

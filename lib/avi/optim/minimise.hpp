@@ -1,147 +1,40 @@
 #pragma once
-#include "avi/optim/stopping.hpp"
-
-#include <algorithm>
-#include <concepts>
-#include <limits>
-#include <sstream>
-#include <type_traits>
-#include <utility>
+#include "avi/optim/recorded_objective.hpp"
+#include "avi/optim/state_clock.hpp"
 
 /// @file
-/// The only optimisation loop of the library: stopping, counting, observation and the exits of a failing run
-/// are here; a method is an update rule.
+/// The front door of the optimisers.
 
 namespace avi {
 
-/// A method is its hyper-parameters. start() checks them and makes the state of one run; update() moves
-/// iterate.x once, may evaluate the objective where it likes, and clears iterate.evaluated unless value and
-/// gradient are those of the new x.
-template <class M, class F>
-concept OptimisationMethod = requires(const M& method, typename M::State& state, Iterate& iterate,
-                                      Counted<F>& objective) {
-  { method.start(iterate) } -> std::same_as<typename M::State>;
-  { method.update(state, iterate, objective) } -> std::same_as<Outcome>;
-};
-
-/// Observer that looks at nothing and costs nothing.
-struct NoWitness {
-  /// Does nothing.
-  void operator()(const Iterate&, long, long) const {}
-};
-
-namespace detail {
-
-inline std::string describe_end(Outcome outcome, long k, const Iterate& at, std::string_view reason) {
-  std::ostringstream sentence;
-  sentence.precision(17);
-  sentence << "The run ended as " << name(outcome) << " at iteration " << k << ", where f = " << at.value
-           << ": " << reason << ".";
-  return sentence.str();
-}
-
-/// Largest magnitude of an entry; NaN when one is NaN.
-inline double largest(const VectorX& x) {
-  double most = 0.0;
-  for (const double entry : x) {
-    if (std::isnan(entry)) return entry;
-    most = std::max(most, std::abs(entry));
-  }
-  return most;
-}
-
-/// Tells a run that left its bounds from one that met something that is not a number on the way.
-inline void describe_failure(Minimisation& run, double x_bound) {
-  const double size = largest(run.last.x);
-  std::string_view reason = "the iterates left every bound";
-  run.outcome = Outcome::diverged;
-  if (std::isnan(size)) {
-    run.outcome = Outcome::non_finite;
-    reason = "the iterate is not a number, because a gradient or a coefficient was not";
-  } else if (std::isnan(run.last.value) && size <= x_bound) {
-    run.outcome = Outcome::non_finite;
-    reason = "the objective's value is not a number";
-  }
-  run.message = describe_end(run.outcome, run.iterations, run.last, reason);
-}
-
-}  // namespace detail
-
-/// Minimises f from x0 with `method` until `stopping` says so.
+/// Minimises f from x0 with the defaults, or with what `options` chooses: the heavy ball of StateClock.
 ///
-/// The objective is evaluated once at x0 and then wherever the method or the stopping test needs it.
-/// `witness(iterate, k, gradient_evaluations)` is called for k = 0 at the start and after every update; when
-/// it returns bool, false ends the run as Outcome::stopped.
-/// @throws std::invalid_argument for a stopping rule or hyper-parameters out of range, an empty or non-finite
-/// x0, or an objective that is not finite at x0 or whose gradient has another size.
-template <Objective F, OptimisationMethod<F> M, class Witness = NoWitness>
-Minimisation minimise(const F& f, const M& method, const VectorX& x0, const Stopping& stopping = {},
-                      Witness&& witness = {}) {
-  stopping.validate();
+/// f(x, gradient) returns the value and fills the gradient. Local minima, saddles and flat ends are all
+/// stationary points: the run stops at the first one it meets, and each iteration lowers f. @code const auto
+/// run = avi::minimise([](const avi::VectorX& x, avi::VectorX& g) { g = x; return 0.5 * x.dot(x); },
+///                                avi::VectorX::Ones(10));
+/// if (run.converged()) use(run.last.x); @endcode
+/// Outcome::ok: converged; stalled: rounding hides what could still be gained; no_descent: values and
+/// gradient contradict each other; wrong_gradient: seen by the check on request, or a gradient of another
+/// size; diverged: f has no lower bound; non_finite; step_limit; stopped. Whichever it is, `last` is the last
+/// good point that was evaluated.
+/// @throws std::invalid_argument for options out of range or an empty or non-finite x0.
+template <Objective F>
+[[nodiscard]] Minimisation minimise(const F& f, const VectorX& x0, const MinimiseOptions& options = {}) {
+  return StateClock<F>(f, x0, options).run();
+}
+
+/// The same for a formula f(x) that is generic in its scalar: the gradient is found by automatic
+/// differentiation.
+/// @code
+/// const auto run = avi::minimise([](const auto& x) { return (x[0] - 1.0) * (x[0] - 1.0) + x[1] * x[1]; },
+/// x0);
+/// @endcode
+template <Formula F>
+requires(!Objective<F>) [[nodiscard]] Minimisation
+    minimise(const F& f, const VectorX& x0, const MinimiseOptions& options = {}) {
   require(x0.size() > 0, "Size of x0", x0.size(), "at least 1");
-  require(std::isfinite(detail::largest(x0)), "Largest entry of x0", detail::largest(x0), "finite");
-  Counted<F> objective(f, x0.size());
-  Minimisation run;
-  Iterate& now = run.last;
-  now.x = x0;
-  now.gradient = VectorX::Zero(x0.size());
-  now.evaluate(objective);
-  require(now.gradient.size() == x0.size(), "Size of the gradient", now.gradient.size(),
-          "the size of x0, " + std::to_string(x0.size()));
-  require_finite("Value of the objective at x0", now.value);
-  require_finite("Norm of the gradient at x0", norm(now.gradient));
-  typename M::State state = method.start(now);
-
-  const auto bound = [&](double size) {
-    return std::min(stopping.growth * std::max(1.0, size), std::numeric_limits<double>::max());
-  };
-  const double value_bound = bound(std::abs(now.value)), x_bound = bound(detail::largest(x0));
-  const auto go_on = [&] {
-    if constexpr (std::is_same_v<std::invoke_result_t<Witness&, const Iterate&, long, long>, bool>)
-      return witness(std::as_const(now), run.iterations, objective.gradients);
-    else
-      return witness(std::as_const(now), run.iterations, objective.gradients), true;
-  };
-  const auto end = [&]() -> Minimisation& {
-    run.gradient_evaluations = objective.gradients;
-    run.function_evaluations = objective.values;
-    return run;
-  };
-  // One step back from the failure. An objective that answers with numbers where it is asked about what is
-  // none hides a failure for longer; then only x0 is known to be good.
-  VectorX good = now.x;
-  const auto fail = [&]() -> Minimisation& {
-    detail::describe_failure(run, x_bound);
-    now.x = std::isfinite(detail::largest(good)) ? good : x0;
-    now.evaluate(objective);
-    return end();
-  };
-  const auto end_as = [&](Outcome outcome, std::string_view reason) -> Minimisation& {
-    run.outcome = outcome;
-    run.message = detail::describe_end(outcome, run.iterations, now, reason);
-    return end();
-  };
-
-  bool more = go_on();
-  while (more && run.iterations < stopping.iterations) {
-    const double before = now.value;
-    good = now.x;
-    const Outcome outcome = method.update(state, now, objective);
-    ++run.iterations;
-    if (outcome != Outcome::ok) return end_as(outcome, "the method cannot continue");
-    if (!now.evaluated) now.evaluate(objective);
-    // One comparison per iteration finds every failure: NaN and infinity fail it too.
-    if (!(std::abs(now.value) <= value_bound)) return fail();
-    more = go_on();
-    if (stopping.holds(now.value - before, now)) {
-      run.outcome = Outcome::ok;
-      break;
-    }
-  }
-  if (!std::isfinite(detail::largest(now.x))) return fail();
-  if (run.outcome == Outcome::ok) return end();
-  return more ? end_as(Outcome::step_limit, "the cap on iterations was reached")
-              : end_as(Outcome::stopped, "the witness asked to stop");
+  return minimise(RecordedObjective(f, x0.size()), x0, options);
 }
 
 }  // namespace avi

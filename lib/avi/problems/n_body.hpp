@@ -6,18 +6,22 @@
 #include <utility>
 
 /// @file
-/// Newtonian point masses in the plane.
+/// Newtonian point masses in the plane and in space.
 
 namespace avi {
 
-/// N bodies that attract each other. \f[ H(q, p) = \sum_i \frac{|p_i|^2}{2 m_i} - \sum_{i<j} \frac{m_i
-/// m_j}{|q_i - q_j|} \f] with \f$q = (x_1, y_1, x_2, y_2, \ldots)\f$ in \f$R^{2N}\f$ and unit gravitational
-/// constant. `bodies` N may be avi::dynamic: one code path for both.
-template <int bodies>
+/// N bodies that attract each other in the plane or in space. \f[ H(q, p) = \sum_i \frac{|p_i|^2}{2 m_i} -
+/// \sum_{i<j} \frac{m_i m_j}{|q_i - q_j|} \f] with \f$q = (x_1, y_1, x_2, y_2, \ldots)\f$ in \f$R^{dN}\f$,
+/// d = `space` = 2 or 3, and unit gravitational constant: for another one, G, give masses \f$G m_i\f$ and
+/// momenta \f$G m_i v_i\f$; H then is G times the energy. `bodies` N may be avi::dynamic: one code path for
+/// both.
+template <int bodies, int space = 2>
 class NBody {
+  static_assert(space == 2 || space == 3, "Bodies move in the plane or in space.");
+
  public:
-  static constexpr int dimension = bodies == dynamic ? dynamic : 2 * bodies;  ///< 2N, or avi::dynamic.
-  using Masses = Vector<double, bodies>;                                      ///< One for each body.
+  static constexpr int dimension = bodies == dynamic ? dynamic : space * bodies;  ///< dN, or avi::dynamic.
+  using Masses = Vector<double, bodies>;                                          ///< One for each body.
 
   /// Bodies of these masses.
   /// @throws std::invalid_argument for fewer than two bodies or a mass that is not finite and positive.
@@ -32,9 +36,15 @@ class NBody {
   /// Kinetic energy.
   template <class P>
   auto kinetic(const P& p) const {
-    auto sum = p[0] * p[0] * (0.5 / masses_[0]) + p[1] * p[1] * (0.5 / masses_[0]);
+    const auto square = [&](Eigen::Index i) {
+      auto sum = p[space * i] * p[space * i];
+      for (int k = 1; k < space; ++k)
+        sum += p[space * i + k] * p[space * i + k];
+      return sum;
+    };
+    auto sum = square(0) * (0.5 / masses_[0]);
     for (Eigen::Index i = 1; i < masses_.size(); ++i)
-      sum += (p[2 * i] * p[2 * i] + p[2 * i + 1] * p[2 * i + 1]) * (0.5 / masses_[i]);
+      sum += square(i) * (0.5 / masses_[i]);
     return sum;
   }
 
@@ -43,7 +53,7 @@ class NBody {
   Vector<S, dimension> velocity(const Vector<S, dimension>& p) const {
     Vector<S, dimension> v = p;
     for (Eigen::Index i = 0; i < p.size(); ++i)
-      v[i] = p[i] / masses_[i / 2];
+      v[i] = p[i] / masses_[i / space];
     return v;
   }
 
@@ -64,30 +74,33 @@ class NBody {
     return kinetic(p) + potential(q);
   }
 
-  /// dV/dq, 2N entries.
+  /// dV/dq, dN entries.
   template <class S>
   Vector<S, dimension> potential_gradient(const Vector<S, dimension>& q) const {
     using std::sqrt;
     Vector<S, dimension> gradient = q - q;
     for (Eigen::Index j = 1; j < masses_.size(); ++j)
       for (Eigen::Index i = 0; i < j; ++i) {
-        const S x = q[2 * i] - q[2 * j], y = q[2 * i + 1] - q[2 * j + 1];
-        const S square = x * x + y * y;
+        S x[space];
+        for (int k = 0; k < space; ++k)
+          x[k] = q[space * i + k] - q[space * j + k];
+        S square = x[0] * x[0] + x[1] * x[1];
+        if constexpr (space == 3) square += x[2] * x[2];
         const S u = (masses_[i] * masses_[j]) / (square * sqrt(square));
-        gradient[2 * i] += x * u;
-        gradient[2 * i + 1] += y * u;
-        gradient[2 * j] -= x * u;
-        gradient[2 * j + 1] -= y * u;
+        for (int k = 0; k < space; ++k) {
+          gradient[space * i + k] += x[k] * u;
+          gradient[space * j + k] -= x[k] * u;
+        }
       }
     return gradient;
   }
 
-  /// dH/dq, 2N entries, supplied for speed.
+  /// dH/dq, dN entries, supplied for speed.
   template <class S>
   Vector<S, dimension> d_dq(const Vector<S, dimension>& q, const Vector<S, dimension>&) const {
     return potential_gradient(q);
   }
-  /// dH/dp, 2N entries, supplied for speed.
+  /// dH/dp, dN entries, supplied for speed.
   template <class S>
   Vector<S, dimension> d_dp(const Vector<S, dimension>&, const Vector<S, dimension>& p) const {
     return velocity(p);
@@ -96,16 +109,29 @@ class NBody {
   /// |q_i - q_j|^2.
   template <class Q>
   static auto distance_squared(const Q& q, Eigen::Index i, Eigen::Index j) {
-    const auto x = q[2 * i] - q[2 * j];
-    const auto y = q[2 * i + 1] - q[2 * j + 1];
-    return x * x + y * y;
+    const auto square = [&](int k) {
+      const auto x = q[space * i + k] - q[space * j + k];
+      return x * x;
+    };
+    auto sum = square(0) + square(1);
+    if constexpr (space == 3) sum += square(2);
+    return sum;
   }
 
-  /// Angular momentum sum_i x_i p_{y,i} - y_i p_{x,i}, conserved.
-  static double angular_momentum(const State<dimension>& z) {
+  /// Total momentum, d entries, conserved.
+  static Vector<double, space> momentum(const State<dimension>& z) {
+    Vector<double, space> sum = Vector<double, space>::Zero();
+    for (Eigen::Index i = 0; i < z.p.size(); ++i)
+      sum[i % space] += z.p[i];
+    return sum;
+  }
+
+  /// Angular momentum about the axis at right angles to coordinates k and l, in the plane the only one:
+  /// \f$\sum_i x_{i,k} p_{i,l} - x_{i,l} p_{i,k}\f$, conserved.
+  static double angular_momentum(const State<dimension>& z, int k = 0, int l = 1) {
     double sum = 0.0;
-    for (Eigen::Index i = 0; i + 1 < z.q.size(); i += 2)
-      sum += z.q[i] * z.p[i + 1] - z.q[i + 1] * z.p[i];
+    for (Eigen::Index i = 0; i + space <= z.q.size(); i += space)
+      sum += z.q[i + k] * z.p[i + l] - z.q[i + l] * z.p[i + k];
     return sum;
   }
 

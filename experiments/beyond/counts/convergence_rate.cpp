@@ -1,0 +1,99 @@
+#include "common/frame.hpp"
+
+#include "avi/bregman/runge_kutta.hpp"
+#include "avi/problems/correlated_quartic.hpp"
+
+// f along the exact Bregman dynamics against the bound that its Lyapunov function gives: with
+//   E(t) = |x* - x - t^-p r|^2 / 2 + C t^p (f(x) - f*),
+// which falls along solutions of a convex problem (Wibisono, Wilson and Jordan 2016, Theorem 1.1),
+//   f(x(t)) - f* <= E(t_0) / (C t^p).
+// The reference is Dormand-Prince 5(4) at tolerance 1e-11 in fictive time, Direct approach.
+//
+// The bound is not what sets the pace here. For f homogeneous of degree k about x*, x - x* = t^(-a) xi(log t)
+// with a = p / (k - 2) makes the system autonomous,
+//   xi'' + (p (k - 4) / (k - 2)) xi' - a (p - a) xi + C p^2 grad f(xi) = 0:
+// damped for k > 4, so that f falls as t^(-p k / (k - 2)); conservative at k = 4, so that f falls as t^(-2p),
+// which is this quartic; driven below, where the oscillation's energy gives t^(-3 p k / (k + 2)).
+
+namespace {
+
+using namespace experiment;
+
+double lyapunov(const avi::BregmanFamily& family, const avi::CorrelatedQuartic& f, const avi::VectorX& q,
+                const avi::VectorX& r, double t) {
+  const avi::VectorX distance = f.minimiser() - q - std::pow(t, -family.p) * r;
+  return 0.5 * avi::dot(distance, distance) + family.C * std::pow(t, family.p) * f.value(q);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run(
+      argc, argv, "convergence_rate", "f along Bregman dynamics against the O(t^-p) bound", [](Frame& frame) {
+        experiment::Table table =
+            frame.table({"p", "t_end", "value", "bound", "largest_ratio", "largest_rise_of_E", "fitted_rate",
+                         "gradient_evaluations", "outcome"});
+        table.note("largest_ratio", "of f - f* to its bound E(t_0) / (C t^p), over the run");
+        table.note("fitted_rate",
+                   "exponent of t of the upper envelope of f, over the last decade of f's fall");
+        experiment::Table curves = frame.table({"p", "t", "value", "most", "bound", "E"});
+        const avi::CorrelatedQuartic f;
+        for (double p : {2.0, 4.0, 6.0, 10.0}) {
+          const auto family = avi::BregmanFamily::direct(p);
+          const avi::BregmanStart from;
+          avi::Iterate first{.x = f.start(), .gradient = avi::VectorX::Zero(f.size())};
+          avi::Counted<avi::CorrelatedQuartic> objective(f, f.size());
+          first.evaluate(objective);
+          avi::BregmanRungeKuttaState<avi::DormandPrince> state(first, family, from, 1e-6);
+          const avi::StepControl control{.rtol = 1e-11, .atol = 1e-11};
+          const Eigen::Index n = f.size();
+          const double start_energy = lyapunov(family, f, state.z.head(n), state.z.segment(n, n), from.t);
+          const double floor = frame.quick ? 1e-2 : 1e-8;
+          double energy = start_energy, rise = 0.0, ratio = 0.0, next = 1.0, most = 0.0, most_at = 1.0;
+          std::vector<double> log_t, log_f;
+          const auto field = [&](const avi::VectorX& z, avi::VectorX& dz) {
+            state.field.evaluate(objective, z, dz);
+          };
+          avi::Outcome outcome = avi::Outcome::step_limit;
+          double value = first.value, envelope = value;
+          for (long k = 0; k < 400'000 && outcome == avi::Outcome::step_limit; ++k) {
+            field(state.z, state.stages.k[0]);
+            if (avi::controlled_step(state.stages, field, state.z, state.h, control) == 0.0) {
+              outcome = avi::Outcome::not_converged;
+              break;
+            }
+            state.z.swap(state.stages.end);
+            const double t = state.z[2 * n];
+            value = f.value(state.z.head(n));
+            const double now = lyapunov(family, f, state.z.head(n), state.z.segment(n, n), t);
+            rise = std::max(rise, (now - energy) / start_energy);
+            energy = now;
+            const double bound = start_energy / (family.C * std::pow(t, p));
+            ratio = std::max(ratio, value / bound);
+            if (value > most) most = value, most_at = t;
+            if (t >= next) {
+              curves.row(p, t, value, most, bound, now);
+              log_t.push_back(std::log(most_at));
+              log_f.push_back(std::log(most));
+              envelope = most;
+              next = t * 1.01;
+              most = 0.0;
+              if (envelope < floor) outcome = avi::Outcome::ok;
+            }
+          }
+          // Least squares over the part of the envelope that fell by the last factor of 1e4.
+          double sx = 0, sy = 0, sxx = 0, sxy = 0, count = 0;
+          for (std::size_t i = 0; i < log_t.size(); ++i)
+            if (log_f[i] < std::log(envelope) + std::log(1e4)) {
+              sx += log_t[i], sy += log_f[i], sxx += log_t[i] * log_t[i], sxy += log_t[i] * log_f[i];
+              count += 1.0;
+            }
+          const double slope = (count * sxy - sx * sy) / (count * sxx - sx * sx);
+          const double t = state.z[2 * n];
+          table.row(p, t, value, start_energy / (family.C * std::pow(t, p)), ratio, rise, slope,
+                    objective.gradients, avi::name(outcome));
+        }
+        frame.write(curves, "curves");
+        frame.write(table);
+      });
+}

@@ -1,0 +1,103 @@
+#pragma once
+#include "avi/automatic/phase_function.hpp"
+#include "avi/core/state.hpp"
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// @file
+/// Hamiltonians of many kinds, each with monitors that one would make for it by hand.
+
+namespace experiment {
+
+using V = avi::Vector<avi::Recorded, avi::dynamic>;  ///< What a formula is recorded with.
+using avi::Recorded;
+
+/// A monitor made by hand: a length (or the like) of the problem to a power.
+struct HandMade {
+  std::string name;
+  avi::PhaseFunction monitor;
+};
+
+/// A problem with its orbit. The held-out ones were fixed before any formula was tuned, and not looked at
+/// until it was final.
+struct Scene {
+  std::string name;
+  bool held_out;
+  avi::PhaseFunction energy;
+  avi::State<avi::dynamic> start;
+  double time;
+  std::vector<HandMade> hand_made;
+};
+
+/// A formula as one writes it.
+using Function = std::function<Recorded(const V&, const V&)>;
+/// A scale of a problem.
+struct Scale {
+  std::string name;
+  Function scale;
+};
+
+/// The scene of H(q, p); each scale is tried as a monitor to each of the powers.
+inline Scene scene(std::string name, bool held_out, const Function& energy, std::vector<double> q,
+                   std::vector<double> p, double time, const std::vector<Scale>& scales = {},
+                   const std::vector<double>& powers = {}) {
+  const auto n = static_cast<Eigen::Index>(q.size());
+  Scene made{std::move(name),
+             held_out,
+             avi::phase_function(energy, n),
+             {.q = Eigen::Map<Eigen::VectorXd>(q.data(), n), .p = Eigen::Map<Eigen::VectorXd>(p.data(), n)},
+             time,
+             {}};
+  for (const Scale& scale : scales)
+    for (const double power : powers) {
+      std::string label = scale.name + "^" + std::to_string(power);
+      label.resize(label.find('.') + 3);
+      made.hand_made.push_back(
+          {label,
+           avi::phase_function([&](const V& x, const V& y) { return pow(scale.scale(x, y), power); }, n)});
+    }
+  return made;
+}
+
+/// @name Pieces of formulas
+/// @{
+inline Recorded square(const Recorded& x) { return x * x; }
+inline Recorded radius_squared(const V& q) { return square(q[0]) + square(q[1]); }
+/// sum p_i^2 / (2 m_i), two coordinates for each mass; all are 1 where none are given.
+inline Recorded kinetic(const V& p, const std::vector<double>& masses = {}) {
+  Recorded sum = 0.0;
+  for (Eigen::Index i = 0; i < p.size(); ++i)
+    sum += square(p[i]) * (0.5 / (masses.empty() ? 1.0 : masses[static_cast<std::size_t>(i / 2)]));
+  return sum;
+}
+/// sum over pairs in the plane of m_i m_j / r_ij^k.
+inline Recorded pairs(const V& q, const std::vector<double>& masses, double k) {
+  Recorded sum = 0.0;
+  for (std::size_t j = 1; j < masses.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i) {
+      const auto a = static_cast<Eigen::Index>(2 * i), b = static_cast<Eigen::Index>(2 * j);
+      sum += (masses[i] * masses[j]) * pow(square(q[a] - q[b]) + square(q[a + 1] - q[b + 1]), -0.5 * k);
+    }
+  return sum;
+}
+/// (sum over pairs of m_i m_j / r_ij^k)^(-1/k), a length.
+inline std::vector<Scale> pair_lengths(const std::vector<double>& masses) {
+  std::vector<Scale> scales;
+  for (const double k : {1.0, 2.0, 3.0})
+    scales.push_back({"pairs" + std::to_string(static_cast<int>(k)),
+                      [=](const V& q, const V&) { return pow(pairs(q, masses, k), -1.0 / k); }});
+  return scales;
+}
+/// |q| in the plane.
+inline const Scale radius{"r", [](const V& q, const V&) { return sqrt(radius_squared(q)); }};
+inline const std::vector<double> powers_of_length{0.5, 1.0, 1.5, 2.0};
+/// @}
+
+std::vector<Scene> celestial_scenes();  ///< Attraction by inverse squares, and a charge in a dipole's field.
+std::vector<Scene> other_scenes();      ///< Oscillators, springs, walls, molecules.
+std::vector<Scene> held_out_scenes();   ///< Not looked at before the formula was final.
+
+}  // namespace experiment

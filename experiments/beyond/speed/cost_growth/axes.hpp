@@ -1,0 +1,45 @@
+#pragma once
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// @file
+/// Along what the cost of a run grows.
+
+namespace experiment {
+
+/// One run: what it is, how it went, and how to time it.
+struct Measurement {
+  std::string axis;     ///< closeness (1 - e), periods, order (r) or dimension (n).
+  std::string subject;  ///< Method, and monitor where it has one.
+  double value;         ///< Along the axis.
+  long steps = 0, evaluations = 0;
+  double energy_error = 0.0;  ///< Largest |H - H_0| / |H_0| on the way; NaN where nobody looked.
+  std::function<void()> run;  ///< The run, without a look on the way.
+  double units = 1.0;         ///< Seconds are divided by it.
+};
+
+/// What is expected of the value as it goes to its limit; NaN where there is nothing to expect.
+struct Expected {
+  std::string axis, subject;
+  double steps, seconds;  ///< Powers of the value in the limit.
+  double from, to;        ///< Range of the value that is fitted.
+  /// Steps at a value that is not at its limit yet, but for a factor.
+  std::function<double(double)> steps_at = [power = steps](double value) { return std::pow(value, power); };
+};
+
+/// An axis: its runs and what is expected of them.
+struct Axis {
+  std::vector<Measurement> runs;
+  std::vector<Expected> expected;
+};
+
+/// Steps that keep the energy to 1e-6 over one Kepler orbit, with g = r^(2 gamma) and with none.
+Axis along_eccentricity(bool quick);
+/// Fixed steps over more and more periods at e = 0.9.
+Axis along_horizon(bool quick);
+/// One Taylor expansion of order r, with partials and the Gauss rule of the method.
+Axis along_order();
+
+}  // namespace experiment

@@ -1,0 +1,124 @@
+#include "beyond/speed/cost_growth/axes.hpp"
+#include "common/methods/methods.hpp"
+#include "common/methods/search.hpp"
+
+#include "avi/problems/kepler.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+// Kepler's problem: eccentricity and horizon.
+
+namespace experiment {
+
+namespace {
+
+constexpr double period = 2.0 * M_PI;
+// So small that the power of h limits the step. With g = r^2 a fall from rest is r = 2 / (1 + tau^2) about
+// its apocentre; the poles +-i leave an error as exp(-2 pi / h) there, an energy (2 / (1 - e))^2 times as
+// large at the pericentre, which at 1e-4 would be what limits h.
+constexpr double target = 1e-6, tolerance = 0.03;
+
+Measurement measured(std::string axis, std::string subject, double value, const Runner& runner,
+                     const State2& start, double h, double time) {
+  const Attempt made =
+      attempt(runner, start, h, {.time = time, .steps = 10'000'000, .energy_error = HUGE_VAL});
+  return {std::move(axis),
+          std::move(subject),
+          value,
+          made.run.steps,
+          made.run.evaluations,
+          made.energy_error,
+          [=] {
+            State2 z = start;
+            (void)runner.prepare(start)(z, h, {.time = time});
+          }};
+}
+
+/// The step whose largest energy error over one orbit is the target, within `tolerance` where there is one:
+/// halved from `h` until the run comes near, then corrected on logarithms by order 4. NaN where that takes
+/// more than `cap` steps.
+double calibrated(const Runner& runner, const State2& start, double h, long cap) {
+  const Limits limits{.time = period, .steps = cap, .energy_error = 100.0 * target};
+  const auto error = [&](double tried) {
+    const Attempt made = attempt(runner, start, tried, limits);
+    if (made.run.outcome == avi::Outcome::step_limit) return std::nan("");
+    return made.good() ? made.energy_error : HUGE_VAL;
+  };
+  return matched_step(error, target, h,
+                      {.order = 4.0, .within = tolerance, .longest = 2.0, .too_coarse = 1e3});
+}
+
+/// Integral of r^-m dt over an orbit with e = 1 - gap, by the eccentric anomaly E with r = 1 - e cos E and
+/// dt = r dE; E = sqrt(2 gap) sinh u resolves the pericentre.
+double orbit_integral(double m, double gap) {
+  constexpr int cells = 4000;
+  const double scale = std::sqrt(2.0 * gap), end = std::asinh(M_PI / scale);
+  double sum = 0.0;
+  for (int i = 0; i < cells; ++i) {
+    const double u = end * (i + 0.5) / cells, half = std::sin(0.5 * scale * std::sinh(u));
+    const double r = gap + 2.0 * (1.0 - gap) * half * half;
+    sum += std::pow(r, 1.0 - m) * scale * std::cosh(u) * end / cells;
+  }
+  return 2.0 * sum;
+}
+
+std::string text(double x) {
+  std::ostringstream out;
+  out << x;
+  return out.str();
+}
+
+}  // namespace
+
+Axis along_eccentricity(bool quick) {
+  Axis axis;
+  // Near the pericentre time and energy scale as r^1.5 and 1/r, so that order 4 with g = r^m needs
+  // h r^m <= r^1.5 r^(1/4) there, and h <= 1 at the apocentre; an orbit then takes the integral of r^-m dt /
+  // h steps, which grows as r^(1.5 - m) for m > 1.5, and as a logarithm for m = 1.5.
+  const auto survey = [&](const std::string& name, const PositionMonitor& monitor, double m, double first) {
+    const Runner runner = htvi(3, monitor);
+    const double limited = std::max(0.0, 1.75 - m), power = -limited - std::max(0.0, m - 1.5);
+    double h = first;
+    // A fixed step soon needs more steps than the cap: its points are closer together.
+    const double spacing = m > 0.0 ? 0.5 : 0.125;
+    for (double power_of_ten = 1.0; power_of_ten < 6.01; power_of_ten += spacing) {
+      const double gap = std::pow(10.0, -power_of_ten);
+      const State2 start = avi::Kepler::pericentre(1.0 - gap);
+      h = calibrated(runner, start, h, quick ? 20'000 : 40'000);
+      if (std::isnan(h)) break;
+      Measurement made = measured("closeness", name, gap, runner, start, h, period);
+      // Closer to the parabola rounding is as large as the target, and no step has that error.
+      if (std::abs(std::log(made.energy_error / target)) > tolerance) break;
+      axis.runs.push_back(std::move(made));
+      h *= std::pow(0.1, spacing * limited);
+    }
+    // Rounding of g (H + p^t) at the apocentre is an energy (2 / (1 - e))^m times as large at the pericentre.
+    const double rounding = m > 0.0 ? 2.0 * std::pow(1e-3 * target / 2e-16, -1.0 / m) : 0.0;
+    axis.expected.push_back({"closeness", name, power, power, rounding, 0.2,
+                             [=](double gap) { return std::pow(gap, -limited) * orbit_integral(m, gap); }});
+  };
+  survey("none", {.kind = PositionMonitor::none}, 0.0, 0.01);
+  for (double gamma : {0.5, 0.625, 0.75, 0.875, 1.0})
+    survey("gamma = " + text(gamma), {.kind = PositionMonitor::power_of_radius, .exponent = 2.0 * gamma},
+           2.0 * gamma, 0.2);
+  return axis;
+}
+
+Axis along_horizon(bool quick) {
+  Axis axis;
+  const State2 start = avi::Kepler::pericentre(0.9);
+  const auto survey = [&](const std::string& name, const Runner& runner, double h) {
+    for (double periods : {1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0})
+      if (!quick || periods < 50.0)
+        axis.runs.push_back(measured("periods", name, periods, runner, start, h, periods * period));
+    axis.expected.push_back({"periods", name, 1.0, 1.0, 1.0, 1e3});
+  };
+  survey("htvi4", htvi(3, {.kind = PositionMonitor::power_of_radius, .exponent = 1.5}), 0.1);
+  survey("stormer_verlet", explicit_on_kepler("stormer_verlet"), 1e-3);
+  survey("log_hamiltonian", explicit_on_kepler("log_hamiltonian"), 0.05);
+  return axis;
+}
+
+}  // namespace experiment

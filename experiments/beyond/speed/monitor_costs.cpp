@@ -1,0 +1,112 @@
+#include "common/frame.hpp"
+#include "common/methods/search.hpp"
+#include "common/timing.hpp"
+
+#include "avi/htvi/htvi.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/transform/monitors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+// What each monitor costs on Kepler's problem at matched energy error: steps per orbit and time per step of
+// HTVI4, with the fictive step adapted until the largest energy error over three orbits is the one wanted.
+
+namespace {
+
+using namespace experiment;
+using avi::Kepler;
+
+constexpr double orbits = 3.0;
+constexpr double horizon = 2.0 * M_PI * orbits;
+
+struct Measured {
+  bool ok = false;
+  double energy_error = 0.0, position_error = 0.0, shortest = horizon, longest = 0.0;
+  long steps = 0, evaluations = 0;
+};
+
+/// HTVI4 with that monitor.
+template <class G>
+Runner runner_with(const G& monitor) {
+  return Runner(Kepler{}, [=](const State2& start) {
+    return avi::type2<3, avi::authors>(avi::poincare<2>(Kepler{}, start, monitor), avi::simpson());
+  });
+}
+
+Measured measure(const Runner& runner, double e, double h) {
+  const State2 start = Kepler::pericentre(e);
+  const double energy = runner.energy(start);
+  State2 z = start;
+  Measured m;
+  double t = 0.0;
+  const avi::Run run =
+      runner.advance(start, z, h, {.time = horizon, .steps = 3'000'000}, [&](const State2& s) {
+        m.energy_error = std::max(m.energy_error, std::abs(runner.energy(s) - energy));
+        m.shortest = std::min(m.shortest, s.t - t);
+        m.longest = std::max(m.longest, s.t - t);
+        t = s.t;
+        return true;
+      });
+  m.ok = run.outcome == avi::Outcome::ok;
+  m.steps = run.steps;
+  m.evaluations = run.evaluations;
+  m.position_error = (z.q - Kepler::exact(e, z.t).q).norm();
+  return m;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run(
+      argc, argv, "monitor_costs", "Cost per step and steps per orbit of each monitor at matched accuracy",
+      [](Frame& frame) {
+        experiment::Table out =
+            frame.table({"eccentricity", "monitor", "target", "h", "energy_error", "position_error",
+                         "steps_per_orbit", "evaluations_per_step", "longest_over_shortest", "seconds"});
+        out.note("method", "HTVI4, Type II, r = 3, Simpson's rule, as in Tables 1 and 2");
+        out.note("seconds", "per orbit, the least of several runs");
+        const std::vector<double> eccentricities =
+            frame.quick ? std::vector<double>{0.9} : std::vector<double>{0.9, 0.99};
+        const std::vector<double> targets =
+            frame.quick ? std::vector<double>{1e-5} : std::vector<double>{1e-5, 1e-7};
+        double done = 0.0;
+        for (double e : eccentricities)
+          for (double target : targets) {
+            const auto row = [&](const char* name, const auto& monitor, double first) {
+              frame.progress(name, done);
+              const Runner runner = runner_with(monitor);
+              const auto error = [&](double tried) {
+                const Measured at = measure(runner, e, tried);
+                return at.ok ? at.energy_error : HUGE_VAL;
+              };
+              // From a step that is far too long.
+              const double h =
+                  matched_step(error, target, first, {.order = 4.0, .tries = 70, .too_coarse = 100.0});
+              const Measured m = measure(runner, e, h);
+              const long n = m.steps;
+              const auto timed = runner.prepare(Kepler::pericentre(e));
+              const auto least = interleaved_least_seconds({[&] {
+                                                             State2 z = Kepler::pericentre(e);
+                                                             (void)timed(z, h, {.steps = n});
+                                                           }},
+                                                           frame.quick ? 1 : 5);
+              out.row(e, name, target, h, m.energy_error, m.position_error, static_cast<double>(n) / orbits,
+                      static_cast<double>(m.evaluations) / static_cast<double>(n), m.longest / m.shortest,
+                      experiment::rounded(least[0] / orbits));
+              done += 1.0 / static_cast<double>(7 * eccentricities.size() * targets.size());
+            };
+            const Kepler kepler;
+            row("none", avi::Unit{}, 0.01);
+            row("gamma", avi::NormSquared{}, 0.5);
+            row("gamma_three_quarters", avi::Gamma{0.75}, 0.5);
+            row("arclength", avi::Arclength<Kepler>{kepler, -0.5}, 0.5);
+            row("energy", avi::bounded(avi::Energy<Kepler>{kepler, 0.5}, 1e-4, 2.0), 0.5);
+            row("truncation_root", avi::TruncationRoot<Kepler>{kepler, 0.5, 1.0}, 0.5);
+            row("inverse_lagrangian", avi::bounded(avi::InverseLagrangian<Kepler>{kepler}, 1e-3, 3.0), 0.5);
+          }
+        frame.progress("done", 1.0);
+        frame.write(out);
+      });
+}

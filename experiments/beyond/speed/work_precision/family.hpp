@@ -1,0 +1,71 @@
+#pragma once
+#include "avi/core/outcome.hpp"
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// @file
+/// What the comparison knows of a method and of a problem, whatever library they come from.
+
+namespace experiment::work_precision {
+
+/// Number of starts over which errors and times are medians: the start itself and its neighbours, moved by
+/// multiples of 1e-14. Near the round-off floor the error of one run is a random draw.
+inline constexpr int starts = 9;
+
+/// End of one run.
+struct Result {
+  bool ok = false;
+  Eigen::VectorXd q;  ///< Position at the end.
+  double t = 0.0;     ///< The method's own time there, at or after the horizon.
+  long steps = 0;
+  long evaluations = 0;  ///< Of the force, or of the Taylor expansion.
+  double energy_error = 0.0;
+  double seconds = 0.0;  ///< Of one integration, set-up left out.
+};
+
+/// How a run is to be made.
+struct Request {
+  double setting = 0.0;  ///< Step size or tolerance.
+  int start = 0;
+  bool watch_energy = false;   ///< Look at the energy after every step (and do not believe the seconds).
+  int repeats = 1;             ///< Integrations in the timed block.
+  long step_cap = 10'000'000;  ///< A run that needs more ends as not ok.
+};
+
+enum class Origin { ours_explicit, collocation, htvi, peer };
+
+/// A method with the list of its settings, from coarse to fine.
+struct Family {
+  std::string method;
+  int order = 0;
+  Origin origin = Origin::ours_explicit;
+  std::string knob;              ///< What the setting is: `h`, `tolerance`; monitors are named here, too.
+  std::vector<double> settings;  ///< Coarse to fine.
+  std::function<Result(const Request&)> run;
+};
+
+/// A problem over a horizon.
+struct Scene {
+  std::string problem;
+  double eccentricity;  ///< NaN where there is none.
+  double horizon;
+  std::string horizon_name;  ///< As it reads in a table: `10`, `1000 periods`.
+  /// |q - exact position at t| for a run from start k.
+  std::function<double(int k, double t, const Eigen::VectorXd& q)> position_error;
+  double reference_error = 0.0;  ///< Estimate of the error of that reference itself.
+  std::vector<Family> families;
+};
+
+/// first, first ratio, ..., count entries.
+inline std::vector<double> geometric(double first, double ratio, int count) {
+  std::vector<double> list;
+  for (int i = 0; i < count; ++i, first *= ratio)
+    list.push_back(first);
+  return list;
+}
+
+}  // namespace experiment::work_precision

@@ -1,0 +1,111 @@
+#include "beyond/speed/work_precision/measure.hpp"
+
+#include "common/timing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace experiment::work_precision {
+
+std::string Point::label() const { return fmt::format("{}={:.4g}", family->knob, setting); }
+
+namespace {
+
+struct Trial {
+  const Family* family;
+  double setting;
+  double seconds;
+  long step_cap;
+};
+
+/// As many steps as fit into `seconds`, told from the first thousand. (An orbit that a coarse setting throws
+/// out may take any number of them.)
+long steps_within(double seconds, const Family& family, double setting) {
+  double step = std::numeric_limits<double>::infinity();
+  for (int probe = 0; probe < 3; ++probe) {
+    const Result result = family.run({.setting = setting, .step_cap = 1000});
+    step = std::min(step, result.seconds / static_cast<double>(std::max(result.steps, 1L)));
+  }
+  return static_cast<long>(seconds / std::max(step, 1e-9));
+}
+
+/// The settings of one family that are worth measuring.
+std::vector<Trial> scout(const Scene& scene, const Family& family, const Budget& budget) {
+  std::vector<Trial> kept;
+  double best = std::numeric_limits<double>::infinity();
+  std::size_t stale = 0;
+  for (std::size_t i = 0; i < family.settings.size(); i += budget.stride) {
+    const double setting = family.settings[i];
+    const long step_cap = steps_within(4.0 * budget.longest_run, family, setting);
+    const Result result = family.run({.setting = setting, .step_cap = step_cap});
+    const double error = result.ok ? scene.position_error(0, result.t, result.q) : std::nan("");
+    const bool far_too_long = result.seconds > 4.0 * budget.longest_run;  // each trial is made ten times
+    if (i > 0 && far_too_long) break;
+    if (error < 0.1 && !far_too_long) kept.push_back({&family, setting, result.seconds, 2 * step_cap});
+    if (error < 0.7 * best) {
+      best = error;
+      stale = 0;
+    } else if (best < 1e-2) {
+      ++stale;
+    }
+    if (stale * budget.stride >= 6 || error < 2e-14) break;
+    if (result.seconds > budget.longest_run) break;
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::vector<Point> measure(const Scene& scene, const Budget& budget,
+                           const std::function<void(double)>& progress) {
+  std::vector<Trial> trials;
+  for (const Family& family : scene.families) {
+    const auto kept = scout(scene, family, budget);
+    trials.insert(trials.end(), kept.begin(), kept.end());
+  }
+  std::vector<std::vector<double>> seconds(trials.size()), errors(trials.size());
+  std::vector<Point> points(trials.size());
+  for (int k = 0; k < starts; ++k) {
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+      const Trial& trial = trials[i];
+      const int repeats = static_cast<int>(std::clamp(budget.least_block / trial.seconds, 1.0, 1e5));
+      const Result result = trial.family->run(
+          {.setting = trial.setting, .start = k, .repeats = repeats, .step_cap = trial.step_cap});
+      seconds[i].push_back(result.seconds);
+      errors[i].push_back(result.ok ? scene.position_error(k, result.t, result.q)
+                                    : std::numeric_limits<double>::infinity());
+      if (k == 0) {
+        const Result watched =
+            trial.family->run({.setting = trial.setting, .watch_energy = true, .step_cap = trial.step_cap});
+        points[i] = {trial.family, trial.setting, result.steps,        result.evaluations,
+                     0.0,          0.0,           watched.energy_error};
+      }
+    }
+    progress((k + 1.0) / starts);
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i].seconds = median(seconds[i]);
+    points[i].position_error = median(errors[i]);
+  }
+  std::erase_if(points, [](const Point& p) { return !std::isfinite(p.position_error); });
+  return points;
+}
+
+void mark_front(std::vector<Point>& points) {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return points[a].seconds < points[b].seconds; });
+  double best = std::numeric_limits<double>::infinity();
+  for (std::size_t i : order)
+    if (points[i].position_error < best) {
+      points[i].front = true;
+      best = points[i].position_error;
+    }
+}
+
+}  // namespace experiment::work_precision

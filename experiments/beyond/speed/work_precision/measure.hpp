@@ -1,0 +1,43 @@
+#pragma once
+#include "beyond/speed/work_precision/family.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// @file
+/// From families of methods to points in the plane of cost and error.
+
+namespace experiment::work_precision {
+
+/// One method at one setting: medians over the nine starts.
+struct Point {
+  const Family* family = nullptr;
+  double setting = 0.0;
+  long steps = 0;
+  long evaluations = 0;
+  double seconds = 0.0;
+  double position_error = 0.0;
+  double energy_error = 0.0;  ///< Largest over the steps, from start 0.
+  bool front = false;         ///< No other point is both faster and at least as accurate.
+
+  [[nodiscard]] std::string label() const;  ///< `g=r^1.5 h=0.2`.
+};
+
+struct Budget {
+  double longest_run = 0.0008;  ///< Seconds; a family ends with the first setting that takes longer.
+  double least_block = 0.0001;  ///< Seconds of the timed block; shorter runs are repeated within it.
+  std::size_t stride = 3;       ///< Every that many of a family's settings is tried.
+};
+
+/// Measures every family of a scene. First each is tried from coarse to fine, once, to find the settings
+/// that are worth measuring: an error below 0.1 and not yet at the floor, a time below the cap. Then round
+/// k = 0 ... 8 runs all of them from start k, one after the other, so that a drift of the machine's speed
+/// meets all alike. `progress` is told the fraction done.
+std::vector<Point> measure(const Scene& scene, const Budget& budget,
+                           const std::function<void(double)>& progress);
+
+/// Marks the Pareto front.
+void mark_front(std::vector<Point>& points);
+
+}  // namespace experiment::work_precision

@@ -1,0 +1,95 @@
+#include "beyond/speed/work_precision/advice.hpp"
+#include "beyond/speed/work_precision/measure.hpp"
+#include "beyond/speed/work_precision/scenes.hpp"
+
+#include "common/frame.hpp"
+#include "common/timing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+// Position error at the end and largest energy error against wall time, for every explicit method of the
+// library, HTVI of many orders and the integrators of other libraries. The unit V of cost is the
+// Stormer-Verlet run of Table 1 (e = 0.9, T = 10, h = 5e-5), measured once per scene in the same minutes.
+
+namespace {
+
+using namespace experiment::work_precision;
+
+/// The Stormer-Verlet family of Kepler's problem at the one setting of the reference run.
+Scene reference_scene() {
+  Scene scene = std::move(scenes(Grid::quick).front());
+  std::erase_if(scene.families, [](const Family& f) { return f.method != "stormer_verlet"; });
+  scene.families.front().settings = {5e-5};
+  return scene;
+}
+
+void add_rows(experiment::Table& table, const Scene& scene, const std::vector<Point>& points, double unit) {
+  for (const Point& p : points)
+    table.row(scene.problem, scene.eccentricity, scene.horizon_name, p.family->method, p.family->order,
+              p.label(), p.steps, p.evaluations, experiment::rounded(p.seconds), p.position_error,
+              p.energy_error, experiment::rounded(p.seconds / unit), p.front);
+}
+
+/// The front in its order along the curve, one index block per scene.
+void add_front(experiment::Table& table, const Scene& scene, std::vector<Point> points, double unit) {
+  std::erase_if(points, [](const Point& p) { return !p.front; });
+  std::sort(points.begin(), points.end(),
+            [](const Point& a, const Point& b) { return a.seconds < b.seconds; });
+  for (const Point& p : points)
+    table.row(scene.problem, scene.eccentricity, scene.horizon_name, p.family->method, p.family->order,
+              p.label(), experiment::rounded(p.seconds / unit), p.position_error);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  bool full = false;
+  return experiment::run(
+      argc, argv, "work_precision",
+      "What accuracy costs: error against time for our methods and for those of other libraries.",
+      [&](CLI::App& app) { experiment::add_flag(app, "--full", full, "The whole grid, about ten minutes"); },
+      [&](experiment::Frame& frame) {
+        const Grid grid = frame.quick ? Grid::quick : full ? Grid::full : Grid::reduced;
+        const Budget base = frame.quick ? Budget{0.0005, 0.00005, 4}
+                            : full      ? Budget{0.02, 0.0005, 1}
+                                        : Budget{};
+        auto table =
+            frame.table({"problem", "eccentricity", "horizon", "method", "order", "setting", "steps",
+                         "evaluations", "seconds", "position_error", "energy_error", "cost", "front"});
+        auto front = frame.table(
+            {"problem", "eccentricity", "horizon", "method", "order", "setting", "cost", "position_error"});
+        auto advice = frame.table(advice_columns());
+        table.note("peers", peers_present());
+        advice.note("peers", peers_present());
+        const Scene unit_scene = reference_scene();
+        const auto list = scenes(grid);
+        for (std::size_t i = 0; i < list.size(); ++i) {
+          const Scene& scene = list[i];
+          const std::string label =
+              fmt::format("{} {} {}", scene.problem, scene.eccentricity, scene.horizon_name);
+          if (scene.reference_error > 0.0)
+            table.note("reference error of " + label, experiment::rounded(scene.reference_error, 2));
+          auto unit_point = measure(unit_scene, {.longest_run = 10.0, .least_block = 0.0}, [](double) {});
+          Budget budget = base;
+          budget.longest_run *= std::clamp(scene.horizon / 10.0, 1.0, 8.0);
+          if (scene.problem == "star_cluster") budget.longest_run *= 6.0;  // every step is dear
+          if (full && scene.horizon > 1000.0) budget.stride = 3;
+          auto points = measure(scene, budget, [&](double fraction) {
+            frame.progress(label, (static_cast<double>(i) + fraction) / static_cast<double>(list.size()));
+          });
+          mark_front(points);
+          const double unit = unit_point.front().seconds;
+          if (i == 0) add_rows(table, unit_scene, unit_point, unit);
+          add_rows(table, scene, points, unit);
+          add_front(front, scene, points, unit);
+          advise(advice, scene, points, unit);
+        }
+        frame.write(front, "front");
+        frame.write(advice, "advice");
+        frame.write(table);
+      });
+}

@@ -1,0 +1,91 @@
+#include "beyond/stability/bad_input/tries.hpp"
+
+#include "avi/bregman/cloning.hpp"
+#include "avi/bregman/heavy_ball.hpp"
+#include "avi/bregman/runge_kutta.hpp"
+#include "avi/bregman/splitting.hpp"
+#include "avi/optim/adagrad.hpp"
+#include "avi/optim/adam.hpp"
+#include "avi/optim/nag.hpp"
+#include "avi/optim/rmsprop.hpp"
+#include "avi/optim/trust_region.hpp"
+#include "avi/optim/update_loop.hpp"
+#include "avi/problems/correlated_quartic.hpp"
+
+#include <vector>
+
+namespace experiment {
+
+using namespace avi;
+
+namespace {
+
+const CorrelatedQuartic f(3);
+const VectorX x0 = f.start();
+
+void try_rules(Tries& tries) {
+  tries.part = "optimisers";
+  const auto run = [](const auto& method) { (void)minimise(f, method, x0, {.iterations = 1}); };
+  const auto family = BregmanFamily::direct(2.0);
+  tries.all("h of htvi", not_positive, [&](double h) { run(BregmanHtvi{.family = family, .h = h}); });
+  tries.all("h of heavy ball", not_positive,
+            [&](double h) { run(BregmanHeavyBall{.family = family, .h = h}); });
+  tries.all("h of splitting", not_positive,
+            [&](double h) { run(BregmanSplitting{.family = family, .h = h}); });
+  tries.all("h of cloning", not_positive, [&](double h) { run(BregmanCloning{.family = family, .h = h}); });
+  tries.all("h of Runge-Kutta", not_positive,
+            [&](double h) { run(BregmanRungeKutta<ClassicalRungeKutta>{.family = family, .h = h}); });
+  tries.all("t0", not_positive, [&](double t) { run(BregmanHeavyBall{.family = family, .from = {.t = t}}); });
+  tries.all("r0", not_finite,
+            [&](double r) { run(BregmanHeavyBall{.family = family, .from = {.momentum = r}}); });
+  tries.all("p", not_positive, [&](double p) { BregmanFamily::direct(p); });
+  tries.all("C", not_positive, [&](double C) { BregmanFamily::direct(2.0, C); });
+  tries.all("p_ring", std::vector{0.0, -1.0, nan, inf, 2.1},
+            [&](double p) { BregmanFamily::adaptive(2.0, p); });
+  tries.one("P", inf, [] { BregmanFamily::adaptive(50.0, 1e-320); });
+  tries.one("P", 0.0, [] { BregmanFamily::adaptive(1e-200, 1e-200); });
+  tries.all("h of NAG", not_positive, [&](double h) { run(Nag{.h = h}); });
+  tries.all("rate of ADAM", not_positive, [&](double rate) { run(Adam{.rate = rate}); });
+  tries.all("beta_1", std::vector{-0.1, 1.0, nan}, [&](double b) { run(Adam{.beta_1 = b}); });
+  tries.all("beta_2", std::vector{-0.1, 1.0, nan}, [&](double b) { run(Adam{.beta_2 = b}); });
+  tries.all("epsilon", std::vector{-1.0, nan, inf}, [&](double e) { run(Adam{.epsilon = e}); });
+  tries.all("rate of AdaGrad", not_positive, [&](double rate) { run(AdaGrad{.rate = rate}); });
+  tries.all("rate of RMSprop", not_positive, [&](double rate) { run(RmsProp{.rate = rate}); });
+  tries.all("radius", not_positive, [&](double r) { run(TrustRegion{.radius = r}); });
+  tries.all("shrink", std::vector{0.0, 1.0, nan}, [&](double s) { run(TrustRegion{.shrink = s}); });
+  tries.all("trials", std::vector{0, -1}, [&](int n) { run(TrustRegion{.trials = n}); });
+  using Pair = BregmanEmbedded<DormandPrince>;
+  tries.all("rtol", not_positive, [&](double r) { run(Pair{.family = family, .control = {.rtol = r}}); });
+  tries.all("atol", not_positive, [&](double a) { run(Pair{.family = family, .control = {.atol = a}}); });
+  tries.all("first step", not_positive, [&](double h) { run(Pair{.family = family, .first_step = h}); });
+}
+
+void try_loop(Tries& tries) {
+  tries.part = "minimise";
+  const Nag method{.h = 1e-6};
+  tries.all("delta", std::vector{-1.0, nan, inf},
+            [&](double d) { (void)minimise(f, method, x0, {.delta = d}); });
+  tries.all("cap", std::vector{0L, -1L}, [&](long n) { (void)minimise(f, method, x0, {.iterations = n}); });
+  tries.all("growth", std::vector{0.0, nan}, [&](double g) { (void)minimise(f, method, x0, {.growth = g}); });
+  tries.all("x0", std::vector{nan, inf},
+            [&](double x) { (void)minimise(f, method, VectorX::Constant(3, x)); });
+  tries.all("sizes", std::vector{1, 2, 4, 100}, [&](int n) { (void)minimise(f, method, VectorX::Ones(n)); });
+  tries.one("size", 0, [&] { (void)minimise(f, method, VectorX()); });
+  tries.all("f(x0)", not_finite, [&](double v) {
+    (void)minimise([v](const VectorX& x, VectorX& g) { return g = x, v; }, method, x0);
+  });
+  tries.all("gradient at x0", std::vector{nan, inf}, [&](double v) {
+    (void)minimise([v](const VectorX&, VectorX& g) { return g.setConstant(v), 1.0; }, method, x0);
+  });
+  tries.all("dimension", std::vector{0, -1}, [](int n) { CorrelatedQuartic{n}; });
+  tries.all("rho", std::vector{1.0, -1.0, nan, 1.5}, [](double rho) { CorrelatedQuartic(3, rho); });
+}
+
+}  // namespace
+
+void try_optimisation(Tries& tries) {
+  try_rules(tries);
+  try_loop(tries);
+}
+
+}  // namespace experiment

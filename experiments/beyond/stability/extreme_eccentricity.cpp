@@ -1,0 +1,179 @@
+#include "common/frame.hpp"
+#include "common/methods/methods.hpp"
+#include "common/methods/search.hpp"
+#include "common/timing.hpp"
+
+#include "avi/problems/kepler.hpp"
+
+// Every monitor and rival from a circle to e = 1 - 1e-8: the largest step that keeps the energy over three
+// periods, what it costs, and how the next larger one fails.
+
+namespace {
+
+using namespace experiment;
+
+constexpr double period = 2.0 * M_PI;
+
+struct Subject {
+  std::string method, monitor;
+  bool bounded;
+  /// Power of 1 - e in the number of steps per orbit as e -> 1; NaN where none is known. Near the pericentre
+  /// time and energy scale as r^1.5 and 1/r: a method of order s with g = r^m, m <= 1.5, needs h g <= r^1.5
+  /// r^(1/s) there; with m = 2 it is the apocentre that limits h, and the orbit takes 2 pi / (h sqrt(1 -
+  /// e^2)) steps.
+  double predicted;
+  long cap;  ///< On steps of one run.
+  std::function<Runner(double e)> make;
+  std::string precision = "double";  ///< Of the state between steps.
+};
+
+std::vector<Subject> subjects() {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  constexpr long implicit_cap = 200'000, explicit_cap = 2'000'000;
+  std::vector<Subject> all;
+  const auto position = [&](const std::string& name, PositionMonitor monitor, double predicted,
+                            bool bounded = false) {
+    all.push_back({"htvi4", name, bounded, predicted, implicit_cap, [=](double e) {
+                     PositionMonitor own = monitor;
+                     // The least value that pays: g at the pericentre.
+                     if (bounded && own.a == 0.0) own.a = (1.0 - e) * (1.0 - e);
+                     return htvi(3, own);
+                   }});
+  };
+  const auto momentum = [&](const std::string& name, MomentumMonitor monitor, bool bounded = false) {
+    all.push_back({"htvi4", name, bounded, unknown, implicit_cap, [=](double e) {
+                     MomentumMonitor own = monitor;
+                     if (bounded) own.a = 0.25 * (1.0 - e);
+                     return htvi(3, own);
+                   }});
+  };
+  using P = PositionMonitor;
+  using M = MomentumMonitor;
+  position("none", {P::none}, -1.75);
+  position("r", {P::power_of_radius, 1.0}, -0.75);
+  position("r^1.5", {P::power_of_radius, 1.5}, -0.25);
+  position("r^2", {P::power_of_radius, 2.0}, -0.5);
+  position("arclength", {P::arclength}, unknown);
+  position("r^2", {.kind = P::power_of_radius, .exponent = 2.0, .b = 8.0}, unknown, true);
+  position("r^2, a = 0.01", {.kind = P::power_of_radius, .exponent = 2.0, .a = 0.01, .b = 8.0}, unknown,
+           true);
+  momentum("energy", {M::energy});
+  momentum("energy", {.kind = M::energy, .b = 2.0}, true);
+  momentum("inverse_lagrangian", {M::inverse_lagrangian});
+  momentum("inverse_energy_error", {.kind = M::inverse_energy_error, .b = 2.0}, true);
+  const auto rival = [&](const std::string& name, const std::string& monitor, double predicted) {
+    all.push_back(
+        {name, monitor, false, predicted, explicit_cap, [=](double) { return explicit_on_kepler(name); }});
+  };
+  rival("stormer_verlet", "none", -2.0);
+  rival("log_hamiltonian", "1/V", 0.0);
+  rival("adaptive_verlet", "r^1.5", -0.5);
+  rival("hairer_soderlind", "r^1.5", -0.5);
+  // The same in single precision. Rounding moves the conserved g (H + p^t), hence the energy at the
+  // pericentre by (2 / (1 - e))^1.5 times what it is at the apocentre.
+  for (const char* wanted : {"none", "r^1.5", "1/V"})
+    for (std::size_t i = 0, size = all.size(); i < size; ++i)
+      if (all[i].monitor == wanted && all[i].precision == "double" && all[i].method != "adaptive_verlet" &&
+          all[i].method != "hairer_soderlind") {
+        Subject single = all[i];
+        single.precision = "single";
+        single.make = [make = all[i].make](double e) { return make(e).in_single_precision(); };
+        all.push_back(single);
+      }
+  return all;
+}
+
+/// One row for each eccentricity until a run meets its cap on steps.
+void survey(Frame& frame, experiment::Table& table, const Subject& subject) {
+  for (const int k : frame.quick ? std::vector{0, 1, 3, 4, 7} : std::vector{0, 1, 2, 3, 4, 5, 6, 7, 8}) {
+    const double gap = std::pow(10.0, -k), nan = std::nan("");
+    const State2 start = avi::Kepler::pericentre(1.0 - gap);
+    const Runner runner = subject.make(1.0 - gap);
+    const Limits limits{.time = 3.0 * period, .steps = subject.cap, .energy_error = 1e-2, .phase_error = 0.1};
+    const Largest found = largest_step(runner, start, 16.0, limits);
+    const bool ok = found.h > 0.0;
+    const double steps = static_cast<double>(found.at.run.steps);
+    const double time = ok ? seconds([&] { attempt(runner, start, found.h, limits); }) : nan;
+    table.row(subject.method, subject.monitor, subject.precision, subject.bounded, 1.0 - gap, gap, found.h,
+              ok ? steps / 3.0 : nan, ok ? found.at.energy_error : nan,
+              ok ? phase_error(start, found.at.end) : nan, ok ? found.at.least_step : nan,
+              ok ? static_cast<double>(found.at.run.evaluations) / steps : nan,
+              experiment::rounded(1e6 * time / 3.0), subject.predicted, found.h_beyond,
+              std::isnan(found.h_beyond) ? "nan" : found.beyond.ending());
+    if (!ok && found.beyond.run.outcome == avi::Outcome::step_limit) return;
+  }
+}
+
+/// Where and which way round an orbit starts must not matter; a fall into the centre must end with a name.
+void starts(experiment::Table& table) {
+  const PositionMonitor none{PositionMonitor::none}, adaptive{PositionMonitor::power_of_radius, 1.5};
+  struct Case {
+    std::string method, monitor;
+    Runner run;
+    double h;
+  };
+  const std::vector<Case> cases{{"htvi4", "none", htvi(3, none), 1e-3},
+                                {"htvi4", "r^1.5", htvi(3, adaptive), 0.02},
+                                {"stormer_verlet", "none", explicit_on_kepler("stormer_verlet"), 1e-4},
+                                {"log_hamiltonian", "1/V", explicit_on_kepler("log_hamiltonian"), 0.02},
+                                {"adaptive_verlet", "r^1.5", explicit_on_kepler("adaptive_verlet"), 2e-3},
+                                {"hairer_soderlind", "r^1.5", explicit_on_kepler("hairer_soderlind"), 2e-3}};
+  const double e = 0.9;
+  State2 apocentre = avi::Kepler::exact(e, M_PI), between = avi::Kepler::exact(e, 1.0);
+  apocentre.t = between.t = 0.0;
+  State2 retrograde = avi::Kepler::pericentre(e);
+  retrograde.p = -retrograde.p;
+  const std::vector<std::pair<std::string, State2>> from{{"pericentre", avi::Kepler::pericentre(e)},
+                                                         {"apocentre", apocentre},
+                                                         {"t = 1", between},
+                                                         {"retrograde", retrograde},
+                                                         {"circle", avi::Kepler::pericentre(0.0)},
+                                                         {"falling", {.q = {1.0, 0.0}, .p = {0.0, 0.0}}},
+                                                         {"collision", {.q = {0.0, 0.0}, .p = {0.0, 1.0}}}};
+  for (const auto& [method, monitor, run, h] : cases)
+    for (const auto& [name, start] : from) {
+      std::string ending;
+      Attempt made;
+      try {
+        made = attempt(run, start, h, {.time = 10.0 * period, .steps = 1'000'000, .energy_error = 1e3});
+        ending = made.ending();
+      } catch (const std::invalid_argument&) {
+        ending = "refused";
+      }
+      const bool ok = ending == "ok";
+      table.row(method, monitor, name, h, ending, made.run.steps, ok ? made.energy_error : std::nan(""),
+                ok ? phase_error(start, made.end) : std::nan(""));
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run(
+      argc, argv, "extreme_eccentricity",
+      "Kepler orbits up to e = 1 - 1e-8: what still works, and at which cost", [&](Frame& frame) {
+        experiment::Table table = frame.table(
+            {"method", "monitor", "precision", "bounded", "eccentricity", "closeness", "h", "steps_per_orbit",
+             "energy_error", "phase_error", "least_step", "evaluations_per_step", "microseconds_per_orbit",
+             "predicted_exponent", "h_beyond", "beyond"});
+        table.note(
+            "h",
+            "largest step that holds |H - H_0| / |H_0| below 1e-2 for three periods and ends within 0.1 rad "
+            "of the exact mean longitude, known to 2 %");
+        table.note("closeness", "1 - eccentricity");
+        table.note("beyond", "how the run with the next larger step h_beyond ends; nan: none failed");
+        const auto all = subjects();
+        for (std::size_t i = 0; i < all.size(); ++i) {
+          frame.progress(all[i].method + " " + all[i].monitor,
+                         static_cast<double>(i) / static_cast<double>(all.size()));
+          survey(frame, table, all[i]);
+        }
+        experiment::Table from = frame.table(
+            {"method", "monitor", "start", "h", "ending", "steps", "energy_error", "phase_error"});
+        from.note("start", "on the orbit with e = 0.9, ten periods; falling: at rest; collision: at q = 0");
+        starts(from);
+        frame.progress("done", 1.0);
+        frame.write(from, "starts");
+        frame.write(table);
+      });
+}

@@ -1,0 +1,164 @@
+#include "common/frame.hpp"
+#include "common/methods/methods.hpp"
+#include "common/methods/phase.hpp"
+
+#include "avi/problems/kepler.hpp"
+
+#include <filesystem>
+
+// Kepler's orbit of eccentricity 0.9 for up to a million periods: energy, angular momentum and phase at every
+// milestone. A row holds all that its run needs to go on, so that an interrupted run is taken up where it
+// was.
+
+namespace {
+
+using namespace experiment;
+
+constexpr double eccentricity = 0.9, period = 2.0 * M_PI;
+const std::vector<std::string> columns{
+    "method",      "monitor", "h",          "periods", "energy_error", "momentum_error",
+    "phase_error", "steps",   "energy_now", "q_1",     "q_2",          "p_1",
+    "p_2",         "t"};
+
+struct Subject {
+  std::string method, monitor;
+  double h;
+  Runner run;
+  double phase_growth;  ///< Predicted power of time in the phase error.
+  long share;           ///< It goes through the whole horizon divided by this: the control is slow.
+};
+
+/// Where a run stands.
+struct Progress {
+  State2 z = avi::Kepler::pericentre(eccentricity);
+  long periods = 0, steps = 0;
+  double energy_error = 0.0, momentum_error = 0.0, phase_error = 0.0, energy_now = 0.0;
+
+  Progress() = default;
+  Progress(const experiment::Table& table, std::size_t row) {
+    const auto number = [&](const char* column) { return table.number(row, column); };
+    z = {.q = {number("q_1"), number("q_2")}, .p = {number("p_1"), number("p_2")}, .t = number("t")};
+    periods = std::lround(number("periods"));
+    steps = std::lround(number("steps"));
+    energy_error = number("energy_error");
+    momentum_error = number("momentum_error");
+    phase_error = number("phase_error");
+    energy_now = number("energy_now");
+  }
+};
+
+/// Advances to the apocentre that ends a given number of periods (less one half), looking at every step. Its
+/// phase may fall behind by one in a hundred (Stormer-Verlet's: one in six hundred).
+avi::Run advance(const Subject& subject, Progress& at, long periods) {
+  const State2 start = avi::Kepler::pericentre(eccentricity);
+  const double energy = subject.run.energy(start), momentum = avi::Kepler::angular_momentum(start);
+  bool outwards = at.z.q.dot(at.z.p) >= 0.0;
+  const avi::Run run = subject.run.advance(
+      start, at.z, subject.h, {.time = (1.01 * static_cast<double>(periods) + 10.0) * period},
+      [&](const State2& z) {
+        at.energy_now = (subject.run.energy(z) - energy) / energy;
+        at.energy_error = std::max(at.energy_error, std::abs(at.energy_now));
+        at.momentum_error =
+            std::max(at.momentum_error, std::abs(avi::Kepler::angular_momentum(z) / momentum - 1.0));
+        const bool was_outwards = std::exchange(outwards, z.q.dot(z.p) >= 0.0);
+        if (outwards || !was_outwards) return true;
+        // Within half a turn of the last one: whole turns are not lost.
+        at.phase_error += std::remainder(phase_error(start, z) - at.phase_error, 2.0 * M_PI);
+        return ++at.periods < periods;
+      });
+  at.steps += run.steps;
+  return run;
+}
+
+void add_row(experiment::Table& table, const Subject& s, const Progress& at) {
+  table.row(s.method, s.monitor, s.h, at.periods, at.energy_error, at.momentum_error, at.phase_error,
+            at.steps, at.energy_now, at.z.q[0], at.z.q[1], at.z.p[0], at.z.p[1], at.z.t);
+}
+
+/// Least-squares slope of log10 |column| over log10 periods, in the last 1.5 decades of a method.
+double growth(const experiment::Table& table, const std::string& method, const std::string& column) {
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0, last = 0;
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    if (table.text(i, "method") == method) last = table.number(i, "periods");
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    if (table.text(i, "method") != method || table.number(i, "periods") < last / 32.0) continue;
+    if (table.number(i, column) == 0.0) continue;  // below round-off
+    const double u = std::log10(table.number(i, "periods")),
+                 v = std::log10(std::abs(table.number(i, column)));
+    n += 1, x += u, y += v, xx += u * u, xy += u * v;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+std::vector<Subject> subjects() {
+  const PositionMonitor monitor{PositionMonitor::power_of_radius, 1.5};
+  return {{"htvi4", "r^1.5", 0.05, htvi(3, monitor), 1.0, 1},
+          {"htvi12", "r^1.5", 0.12, htvi(11, monitor), 1.0, 1},
+          {"stormer_verlet", "none", period / 2000, explicit_on_kepler("stormer_verlet"), 1.0, 1},
+          {"log_hamiltonian_yoshida4", "1/V", 0.1, explicit_on_kepler("log_hamiltonian_yoshida4"), 1.0, 1},
+          {"runge_kutta_4", "none", period / 4000, explicit_on_kepler("runge_kutta_4"), 2.0, 10}};
+}
+
+/// The rows that an earlier run of the same settings left behind; none where it left none.
+experiment::Table earlier(const std::filesystem::path& file) {
+  return std::filesystem::exists(file) ? experiment::Table::read(file.string()) : experiment::Table(columns);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  long periods = 1000;
+  bool extremes = false, resume = false;
+  return run(
+      argc, argv, "long_horizon", "Kepler, e = 0.9, over very many periods: energy, angular momentum, phase",
+      [&](CLI::App& app) {
+        add_count(app, "--periods", periods, 10, 10'000'000, "Periods to run");
+        add_flag(app, "--extremes", extremes,
+                 "A million periods, resumed where an earlier run was interrupted");
+        add_flag(app, "--resume", resume, "Take up an interrupted run in the output folder");
+      },
+      [&](Frame& frame) {
+        if (frame.quick) periods = std::min(periods, 100L);
+        if (extremes) periods = 1'000'000, resume = true;
+        const experiment::Table before =
+            resume ? earlier(frame.output / "long_horizon_partial.tsv") : experiment::Table(columns);
+        experiment::Table table = frame.table(columns),
+                          laws = frame.table({"method", "energy", "momentum", "phase", "phase_predicted"});
+        table.note("eccentricity", eccentricity);
+        table.note(
+            "errors",
+            "largest relative ones of energy and angular momentum up to then; mean longitude in radians");
+        table.note(
+            "energy_now",
+            "at the row's apocentre; rounding moves g (H + p^t), so that H moves by it over g and most "
+            "at the pericentre");
+        laws.note("laws", "power of time with which an error grows in the last 1.5 decades");
+        for (const Subject& s : subjects()) {
+          const long end = std::max(periods / s.share, 10L);
+          Progress at;
+          for (std::size_t i = 0; i < before.rows.size(); ++i)
+            if (before.text(i, "method") == s.method && before.number(i, "h") == s.h &&
+                before.number(i, "periods") <= end) {
+              at = Progress(before, i);
+              add_row(table, s, at);
+            }
+          for (double mark = 1.0; at.periods < end; mark *= std::pow(10.0, 0.125)) {
+            const long next = std::min(std::lround(mark), end);
+            if (next <= at.periods) continue;
+            frame.progress(s.method, static_cast<double>(at.periods) / static_cast<double>(end));
+            const avi::Run run = advance(s, at, next);
+            if (run.outcome != avi::Outcome::stopped)
+              throw std::runtime_error(s.method + ": " +
+                                       (run.message.empty() ? "too few turns in that time" : run.message));
+            add_row(table, s, at);
+            if (resume) frame.write(table, "partial");
+          }
+          laws.row(s.method, growth(table, s.method, "energy_error"),
+                   growth(table, s.method, "momentum_error"), growth(table, s.method, "phase_error"),
+                   s.phase_growth);
+        }
+        frame.progress("done", 1.0);
+        frame.write(laws, "laws");
+        frame.write(table);
+      });
+}

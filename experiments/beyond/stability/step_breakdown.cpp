@@ -1,0 +1,122 @@
+#include "common/frame.hpp"
+#include "common/methods/methods.hpp"
+#include "common/methods/search.hpp"
+
+#include "avi/problems/henon_heiles.hpp"
+#include "avi/problems/kepler.hpp"
+
+#include <complex>
+#include <optional>
+
+// The largest step of every integrator before it breaks, beside the limit of linear theory, and how the run
+// one notch beyond ends.
+
+namespace {
+
+using namespace experiment;
+
+/// Largest eigenvalue of the map of one step at the fixed point q = p = 0 of Henon and Heiles' problem, in
+/// the plane (x, p_x), where it is a linear oscillator of frequency 1. NaN where the step fails.
+double spectral_radius(const Runner& run, double h) {
+  constexpr double small = 1e-9;  // nonlinear terms are as small beside the linear ones
+  const Limits one{.time = HUGE_VAL, .steps = 1, .energy_error = HUGE_VAL};
+  State2 position{.q = {small, 0.0}, .p = {0.0, 0.0}}, momentum{.q = {0.0, 0.0}, .p = {small, 0.0}};
+  const Attempt a = attempt(run, position, h, one), b = attempt(run, momentum, h, one);
+  if (a.run.steps != 1 || b.run.steps != 1) return std::nan("");
+  const double trace = (a.end.q[0] + b.end.p[0]) / small;
+  const double determinant = (a.end.q[0] * b.end.p[0] - b.end.q[0] * a.end.p[0]) / (small * small);
+  return std::abs(0.5 * std::abs(trace) +
+                  std::sqrt(std::complex<double>(0.25 * trace * trace - determinant)));
+}
+
+/// The step at which the oscillator first becomes unstable, h omega of linear theory, or the implicit
+/// equations of a step are no longer solved.
+struct LinearLimit {
+  double h;
+  bool solved;
+};
+
+LinearLimit linear_limit(const Runner& run) {
+  const auto stable = [&](double h) { return spectral_radius(run, h) <= 1.0 + 1e-6; };
+  double low = 0.05, high = low;
+  while (high < 20.0 && stable(high))
+    low = high, high *= 1.005;
+  for (int k = 0; k < 30; ++k)
+    (stable(0.5 * (low + high)) ? low : high) = 0.5 * (low + high);
+  return {low, !std::isnan(spectral_radius(run, 1.001 * low))};
+}
+
+struct Case {
+  std::string method, monitor;
+  Runner on_kepler;
+  std::optional<Runner> on_henon_heiles;
+};
+
+std::vector<Case> cases(bool quick) {
+  std::vector<Case> all;
+  for (const char* name : {"stormer_verlet", "yoshida4", "kahan_li8", "runge_kutta_4"})
+    all.push_back({name, "none", explicit_on_kepler(name), explicit_on_henon_heiles(name)});
+  for (const char* name : {"log_hamiltonian", "adaptive_verlet", "hairer_soderlind"})
+    all.push_back(
+        {name, name == std::string("log_hamiltonian") ? "1/V" : "r^1.5", explicit_on_kepler(name), {}});
+  for (const int r : quick ? std::vector{1, 3} : std::vector{1, 3, 5, 7, 11}) {
+    const std::string name = "htvi" + std::to_string(r + 1);
+    all.push_back({name, "none", htvi(r, PositionMonitor{PositionMonitor::none}), htvi_henon_heiles(r)});
+    all.push_back({name, "r^1.5", htvi(r, PositionMonitor{PositionMonitor::power_of_radius, 1.5}), {}});
+  }
+  return all;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run(
+      argc, argv, "step_breakdown", "The largest step of every integrator, and how the next larger one fails",
+      [](Frame& frame) {
+        experiment::Table table =
+            frame.table({"problem", "method", "monitor", "h", "energy_error", "h_linear", "linear_reason",
+                         "h_beyond", "beyond", "time_reached", "steps_made"});
+        table.note(
+            "h",
+            "largest step whose energy error stays below the bound: oscillator 1000, others 0.1; T = 300");
+        table.note("h_linear",
+                   "limit of linear theory: oscillator, and Henon-Heiles in units of its frequency 1; "
+                   "Kepler 2 r^1.5 / g at the pericentre, Stormer-Verlet's limit for the frequency r^-1.5");
+        table.note("linear_reason",
+                   "unstable: an eigenvalue leaves the unit circle; not_converged: the step is not solved");
+        table.note("beyond",
+                   "how the run with h_beyond ends, with the time and the steps of its last good state");
+        const double e = 0.9;
+        const State2 kepler = avi::Kepler::pericentre(e);
+        const State2 galaxy = avi::HenonHeiles::on_section(1.0 / 12.0, 0.2, 0.0);
+        const State2 oscillator{.q = {1e-6, 0.0}, .p = {0.0, 0.0}};
+        const auto all = cases(frame.quick);
+        const auto measure = [&](const std::string& problem, const Case& c, const Runner& run,
+                                 const State2& start, double bound, LinearLimit linear) {
+          const Limits limits{.time = 300.0, .steps = 2'000'000, .energy_error = bound};
+          const Largest found = largest_step(run, start, 8.0, limits, 0.002);
+          const bool broke = found.h_beyond > 0.0;
+          const std::string reason = linear.solved ? "unstable" : "not_converged";
+          if (broke)
+            table.row(problem, c.method, c.monitor, found.h, found.at.energy_error, linear.h, reason,
+                      found.h_beyond, found.beyond.ending(), found.beyond.end.t, found.beyond.run.steps);
+          else
+            table.row(problem, c.method, c.monitor, found.h, found.at.energy_error, linear.h, reason,
+                      std::nan(""), "none", std::nan(""), std::nan(""));
+        };
+        for (std::size_t i = 0; i < all.size(); ++i) {
+          const Case& c = all[i];
+          frame.progress(c.method + " " + c.monitor,
+                         static_cast<double>(i) / static_cast<double>(all.size()));
+          if (c.on_henon_heiles) {
+            const LinearLimit limit = linear_limit(*c.on_henon_heiles);
+            measure("oscillator", c, *c.on_henon_heiles, oscillator, 1e3, limit);
+            measure("henon_heiles", c, *c.on_henon_heiles, galaxy, 0.1, limit);
+          }
+          measure("kepler", c, c.on_kepler, kepler, 0.1,
+                  {c.monitor == "none" ? 2.0 * std::pow(1.0 - e, 1.5) : 2.0, true});
+        }
+        frame.progress("done", 1.0);
+        frame.write(table);
+      });
+}

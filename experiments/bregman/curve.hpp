@@ -1,0 +1,77 @@
+#pragma once
+#include "avi/optim/objective.hpp"
+#include "common/table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+/// @file
+/// f along a run, thinned for a figure.
+
+namespace experiment {
+
+/// Witness that gathers f over the iterations in bins of equal width, on a linear or a logarithmic axis: of
+/// each bin its last iterate, the least and largest f in it, so that oscillations faster than the bins stay
+/// visible, and the largest f from the bin to the end of the run, their upper envelope.
+class Curve {
+ public:
+  /// Iterations a bin spans: at least `width`, and at least the fraction `growth` of the iterations so far.
+  explicit Curve(double width, double growth = 0.0) : width_(width), growth_(growth) {}
+
+  void operator()(const avi::Iterate& at, long k, long gradients) {
+    if (points_.empty() || static_cast<double>(k) >= next_) {
+      points_.push_back({});
+      next_ = static_cast<double>(k) + std::max(width_, growth_ * static_cast<double>(k));
+    }
+    Point& bin = points_.back();
+    bin.iteration = k;
+    bin.gradients = gradients;
+    bin.value = at.value;
+    bin.least = std::min(bin.least, at.value);
+    bin.most = std::max(bin.most, at.value);
+  }
+
+  /// What a row is, for the table's head.
+  static constexpr const char* rows =
+      "f at the end of each bin of iterations, its least and largest value in the bin, its largest from "
+      "there on";
+
+  /// The caller's columns and those that append() fills.
+  static std::vector<std::string> columns_after(std::vector<std::string> columns) {
+    columns.insert(columns.end(), {"iteration", "gradient_evaluations", "value", "least", "most", "ahead"});
+    return columns;
+  }
+
+  /// Adds one row for each bin, each beginning with the caller's cells.
+  void append(experiment::Table& table, const std::vector<std::string>& begin) const {
+    std::vector<double> ahead(points_.size());
+    double largest = 0.0;
+    for (std::size_t i = points_.size(); i-- > 0;)
+      ahead[i] = largest = std::max(largest, points_[i].most);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const Point& bin = points_[i];
+      auto cells = begin;
+      for (const auto& cell :
+           {std::to_string(bin.iteration), std::to_string(bin.gradients), experiment::exact(bin.value),
+            experiment::exact(bin.least), experiment::exact(bin.most), experiment::exact(ahead[i])})
+        cells.push_back(cell);
+      table.add(std::move(cells));
+    }
+  }
+
+ private:
+  struct Point {
+    long iteration = 0, gradients = 0;
+    double value = 0.0;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -std::numeric_limits<double>::infinity();
+  };
+
+  double width_, growth_, next_ = 0.0;
+  std::vector<Point> points_;
+};
+
+}  // namespace experiment

@@ -1,0 +1,62 @@
+#include "bregman/table.hpp"
+
+#include "common/timing.hpp"
+
+namespace experiment {
+
+std::string label_of(const Setting& s) {
+  const std::string label = s.method + " " + s.approach() + " " + rounded(s.p);
+  return s.is_direct() ? label : label + " " + rounded(s.p_ring);
+}
+
+int iteration_table(int argc, char** argv, const std::string& name, const std::string& summary,
+                    const std::vector<Setting>& settings) {
+  long starts = 16;
+  const auto options = [&](CLI::App& app) {
+    add_count(app, "--starts", starts, 1, 1000, "Starts moved by 1e-14 for each setting");
+  };
+  return run(argc, argv, name, summary, options, [&](Frame& frame) {
+    if (frame.quick) starts = std::min(starts, 4L);
+    const avi::Stopping stopping{.delta = 1e-10, .iterations = 1'000'000};
+    Table table = frame.table({"method", "approach", "p", "p_ring", "h", "C", "iterations",
+                               "gradient_evaluations", "converged", "perturbed_least", "perturbed_median",
+                               "perturbed_most", "perturbed_failed", "seconds"});
+    table.note("delta", stopping.delta);
+    table.note("perturbed", "counts from " + std::to_string(starts) + " starts moved by up to 1e-14");
+    Table curves = frame.table(Curve::columns_after({"curve", "method", "approach", "p", "p_ring"}));
+    curves.note("rows", Curve::rows);
+    const avi::CorrelatedQuartic f;
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+      const Setting& s = settings[i];
+      frame.progress(label_of(s), static_cast<double>(i) / static_cast<double>(settings.size()));
+      if (frame.quick && s.is_direct() && s.p < 5) continue;
+      avi::Minimisation result;
+      const double time = seconds([&] { result = run_setting(s, f, f.start(), stopping); });
+      PerturbedCounts counts;
+      if (result.converged()) counts = perturbed_counts(s, starts, 1e-14, stopping);
+      table.row(s.method, s.approach(), s.p, s.p_ring_or_nan(), s.h, s.C, result.iterations,
+                result.gradient_evaluations, result.converged(), counts.least(), counts.median(),
+                counts.most(), counts.failed, rounded(time));
+      if (!result.converged()) continue;
+      Curve curve(1.0, 0.01);
+      run_setting(s, f, f.start(), stopping, curve);
+      curve.append(curves, {label_of(s), s.method, s.approach(), exact(s.p), exact(s.p_ring_or_nan())});
+    }
+    frame.progress("done", 1.0);
+    frame.write(curves, "curves");
+    frame.write(table);
+  });
+}
+
+void each_setting(const Frame& frame, const std::function<void(const Setting&, bool slow)>& visit) {
+  const auto settings = all_settings();
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    const Setting& s = settings[i];
+    frame.progress(label_of(s), static_cast<double>(i) / static_cast<double>(settings.size()));
+    const bool slow = s.is_direct() && s.p < 5, composed = s.method == "clone_y4" || s.method == "clone_y6";
+    if (!slow || !(frame.quick || composed)) visit(s, slow);
+  }
+  frame.progress("done", 1.0);
+}
+
+}  // namespace experiment

@@ -1,0 +1,28 @@
+#pragma once
+#include "bregman/curve.hpp"
+#include "bregman/perturbed.hpp"
+#include "common/frame.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// @file
+/// The experiments direct_vs_adaptive, method_comparison and p_dependence: one table of the paper each; and
+/// the loop of those that look at all their settings again.
+
+namespace experiment {
+
+/// A label that gnuplot can select a curve by, such as "htvi adaptive 4 0.5".
+std::string label_of(const Setting& s);
+
+/// main() of such an experiment: every setting run to the stopping test, then from 16 starts moved by 1e-14,
+/// whose range tells counts that mean something from those that the last bit decides.
+int iteration_table(int argc, char** argv, const std::string& name, const std::string& summary,
+                    const std::vector<Setting>& settings);
+
+/// Calls visit(setting, slow) for the settings of the three tables, with progress; `slow` are Direct ones of
+/// low order. Those take long with a composition, or where `quick` is wanted, and are left out then.
+void each_setting(const Frame& frame, const std::function<void(const Setting&, bool slow)>& visit);
+
+}  // namespace experiment

@@ -1,0 +1,223 @@
+#include "beyond/counts/sustained.hpp"
+#include "common/frame.hpp"
+
+#include "avi/problems/correlated_quartic.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+// Variants that the paper mentions without numbers: the limit equation of Nesterov's method, Type III of
+// order zero (a proximal step), Tao's binding of the two copies, and a mirror map on the simplex.
+
+namespace {
+
+using avi::VectorX;
+
+/// The quartic in the eigenvectors of Sigma, where its proximal map is one scalar equation.
+class DiagonalQuartic {
+ public:
+  explicit DiagonalQuartic(Eigen::Index n = 50, double rho = 0.9) {
+    Eigen::MatrixXd sigma(n, n);
+    for (Eigen::Index i = 0; i < n; ++i)
+      for (Eigen::Index j = 0; j < n; ++j)
+        sigma(i, j) = std::pow(rho, std::abs(static_cast<double>(i - j)));
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(sigma);
+    sigma_ = solver.eigenvalues();
+    turn_ = solver.eigenvectors().transpose();
+  }
+  /// A vector in the coordinates of the eigenvectors.
+  [[nodiscard]] VectorX turned(double every_entry) const {
+    return turn_ * VectorX::Constant(sigma_.size(), every_entry);
+  }
+
+  double operator()(const VectorX& u, VectorX& gradient) const {
+    const double form = (sigma_.array() * u.array().square()).sum();
+    gradient = 4.0 * form * (sigma_.array() * u.array()).matrix();
+    return form * form;
+  }
+  /// prox of lambda f: y + lambda grad f(y) = u, that is y_i = u_i / (1 + 4 lambda k sigma_i), k = y^T Sigma
+  /// y.
+  [[nodiscard]] VectorX prox(double lambda, const VectorX& u) const {
+    const auto point = [&](double k) -> VectorX {
+      return u.array() / (1.0 + 4.0 * lambda * k * sigma_.array());
+    };
+    const auto form = [&](const VectorX& y) { return (sigma_.array() * y.array().square()).sum(); };
+    double low = 0.0, high = form(u);  // form(point(k)) - k falls from positive to negative
+    for (int i = 0; i < 200 && high - low > 1e-16 * high; ++i) {
+      const double middle = 0.5 * (low + high);
+      (form(point(middle)) > middle ? low : high) = middle;
+    }
+    return point(0.5 * (low + high));
+  }
+
+ private:
+  VectorX sigma_;
+  Eigen::MatrixXd turn_;
+};
+
+/// A run of iterates, followed until the stopping test has held for good, f is no number, or a cap is
+/// reached.
+template <class Step>
+experiment::Sustained followed(const DiagonalQuartic& f, VectorX q, long cap, Step step) {
+  experiment::Sustained seen;
+  avi::Iterate at;
+  for (long k = 1; k <= cap; ++k) {
+    step(q);
+    at.value = f(q, at.gradient);
+    if (!std::isfinite(at.value) || at.value > 1e30) break;
+    if (!seen(at, k, k)) break;
+  }
+  return seen;
+}
+
+struct Row {
+  experiment::Table& table;
+  void operator()(const std::string& variant, const char* parameter, double setting,
+                  const experiment::Sustained& s, double gradients_per_step) const {
+    const bool done = s.first > 0;
+    table.row(variant, parameter, setting, done ? static_cast<double>(s.first) : std::nan(""),
+              s.confirmed ? static_cast<double>(s.sustained()) : std::nan(""), gradients_per_step,
+              std::nan(""));
+  }
+  void operator()(const std::string& variant, const char* parameter, double setting, double value) const {
+    table.row(variant, parameter, setting, std::nan(""), std::nan(""), std::nan(""), value);
+  }
+};
+
+/// Adaptive (4, 1) at the published start, by Type II or Type III.
+experiment::Sustained proximal(const DiagonalQuartic& f, bool third, double h, long cap) {
+  constexpr double p = 4.0, s = 0.25, big_p = 16.0, c = 0.0625;
+  VectorX r = f.turned(1.0), gradient;
+  double t = 1.0;
+  return followed(f, f.turned(4.0), cap, [&](VectorX& q) {
+    const double eta = big_p * h * std::pow(t, -s), force = eta * c * std::pow(t, p);
+    f(third ? f.prox(eta * force, q) : q, gradient);
+    r -= force * gradient;
+    q += eta * r;
+    const double next = t + h / s * std::pow(t, 1.0 - s);
+    r *= std::pow(t / next, p);
+    t = next;
+  });
+}
+
+/// Direct p = 4 by two copies that omega binds (Strang); gradient of the read copy is the stopping test's,
+/// too.
+experiment::Sustained bound(const DiagonalQuartic& f, double omega, double h, long cap) {
+  constexpr double p = 4.0, c = 0.0625;
+  VectorX x = f.turned(4.0), r = f.turned(1.0), y = r, g;  // (q, r) and (x, y)
+  double t = 1.0;
+  return followed(f, x, cap, [&](VectorX& q) {
+    const double middle = t + 0.5 * h, a = p * std::pow(middle, -p - 1.0),
+                 b = c * p * std::pow(middle, 2.0 * p - 1.0);
+    const auto first = [&](double k) { f(q, g), r -= k * b * g, x += k * a * y; };
+    const auto second = [&](double k) { f(x, g), y -= k * b * g, q += k * a * r; };
+    first(0.5 * h), second(0.5 * h);
+    const double cosine = std::cos(2.0 * omega * h), sine = std::sin(2.0 * omega * h);
+    const VectorX dq = q - x, dr = r - y, mean_q = q + x, mean_r = r + y;
+    const VectorX turned_q = cosine * dq + sine * dr, turned_r = cosine * dr - sine * dq;
+    q = 0.5 * (mean_q + turned_q), x = 0.5 * (mean_q - turned_q);
+    r = 0.5 * (mean_r + turned_r), y = 0.5 * (mean_r - turned_r);
+    second(0.5 * h), first(0.5 * h);
+    t += h;
+  });
+}
+
+/// Largest distance over t <= 4 of Nesterov's iterates from x'' + (3/t) x' + grad f = 0 at t = k sqrt(h).
+double distance_to_limit(double h) {
+  const avi::CorrelatedQuartic f(3, 0.5);
+  const VectorX start = VectorX::Constant(3, 1.6);
+  const double root = std::sqrt(h);
+  VectorX x = start, y = start, before = start, g(3), position = start, velocity = VectorX::Zero(3);
+  const auto force = [&](const VectorX& at, const VectorX& speed, double t) -> VectorX {
+    f(at, g);
+    return t > 0.0 ? VectorX(-3.0 / t * speed - g) : VectorX(-0.25 * g);  // the limit of both terms at t = 0
+  };
+  double worst = 0.0;
+  for (int k = 1; k * root <= 4.0; ++k) {
+    f(y, g);
+    before = x;
+    x = y - h * g;
+    y = x + (k - 1.0) / (k + 2.0) * (x - before);
+    constexpr int parts = 8;
+    for (int i = 0; i < parts; ++i) {
+      const double step = root / parts, t = (k - 1) * root + i * step;
+      const VectorX v1 = velocity, a1 = force(position, v1, t), v2 = velocity + 0.5 * step * a1,
+                    a2 = force(position + 0.5 * step * v1, v2, t + 0.5 * step),
+                    v3 = velocity + 0.5 * step * a2,
+                    a3 = force(position + 0.5 * step * v2, v3, t + 0.5 * step), v4 = velocity + step * a3,
+                    a4 = force(position + step * v3, v4, t + step);
+      position += step / 6.0 * (v1 + 2.0 * v2 + 2.0 * v3 + v4);
+      velocity += step / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+    }
+    worst = std::max(worst, (x - position).norm());
+  }
+  return worst;
+}
+
+/// Largest f C t^p over the Lyapunov function at the start, f = |A x - b|^2 / 2 with least value 0 on the
+/// simplex, by w <- w - h C p t^(p-1) grad f(x), x <- x + (p h / t) (softmax(w) - x); NaN if an iterate
+/// leaves the simplex.
+double mirror(double h) {
+  constexpr Eigen::Index n = 10;
+  constexpr double p = 2.0, c = 0.25, t0 = 1.0;
+  Eigen::MatrixXd a(n, n);
+  VectorX solution(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    solution[i] = 1.0 + static_cast<double>(i);
+    for (Eigen::Index j = 0; j < n; ++j)
+      a(i, j) = std::sin(1.7 * static_cast<double>(i * n + j) + 0.3);
+  }
+  solution /= solution.sum();
+  const auto softmax = [](const VectorX& w) -> VectorX {
+    const double most = w.maxCoeff();
+    const VectorX e = w.unaryExpr([most](double v) { return std::exp(v - most); });
+    return e / e.sum();
+  };
+  VectorX w = VectorX::Zero(n), x = softmax(w);
+  const auto value = [&] { return 0.5 * (a * (x - solution)).squaredNorm(); };
+  double energy = c * std::pow(t0, p) * value();
+  for (Eigen::Index i = 0; i < n; ++i)
+    energy += solution[i] * std::log(solution[i] / x[i]);
+  double worst = 0.0;
+  for (double t = t0; t < 200.0; t += h) {
+    w -= h * c * p * std::pow(t, p - 1.0) * (a.transpose() * (a * (x - solution)));
+    x += p * h / t * (softmax(w) - x);
+    if (x.minCoeff() < 0.0 || std::abs(x.sum() - 1.0) > 1e-12) return std::nan("");
+    worst = std::max(worst, value() * c * std::pow(t + h, p) / energy);
+  }
+  return worst;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return experiment::run(
+      argc, argv, "variants", "Variants of Bregman methods that the paper mentions",
+      [](experiment::Frame& frame) {
+        experiment::Table table = frame.table(
+            {"variant", "parameter", "setting", "first_passage", "sustained", "gradients_per_step", "value"});
+        table.note(
+            "type_2, type_3",
+            "Adaptive (4, 1), h in units of the published 2.4e-4; a proximal step counts as one gradient");
+        table.note("binding", "Direct p = 4, h = 9.7e-4, two copies bound by omega");
+        table.note("nag_limit", "largest distance to the limit equation up to t = 4");
+        table.note("mirror", "largest ratio of f - f* to its bound on the simplex, entropy");
+        const DiagonalQuartic f;
+        const Row row{table};
+        const long cap = frame.quick ? 40'000 : 400'000;
+        for (double factor : {1.0, 10.0, 100.0, 1000.0}) {
+          row("type_2", "h", factor, proximal(f, false, factor * 2.4e-4, cap), 1.0);
+          row("type_3", "h", factor, proximal(f, true, factor * 2.4e-4, cap), 1.0);
+        }
+        for (double omega : {0.0, 1e-4, 1e-2, 1.0, 100.0})
+          row("binding", "omega", omega, bound(f, omega, 9.7e-4, 4 * cap), omega == 0.0 ? 1.0 : 3.0);
+        for (double h : {1e-2, 2.5e-3, 6.25e-4, 1.5625e-4})
+          row("nag_limit", "h", h, distance_to_limit(h));
+        for (double h : {0.1, 0.01, 0.001})
+          row("mirror", "h", h, mirror(h));
+        frame.write(table);
+      });
+}

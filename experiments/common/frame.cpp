@@ -1,0 +1,166 @@
+#include "common/frame.hpp"
+
+#include "common/provenance.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <stdexcept>
+#include <unistd.h>
+
+namespace experiment {
+
+experiment::Table Frame::table(std::vector<std::string> columns) const {
+  experiment::Table table(std::move(columns));
+  table.note("experiment", name);
+  table.note("commit", commit());
+  table.note("compiler", compiler());
+  table.note("flags", flags());
+  table.note("machine", machine());
+  table.note("date", date());
+  table.note("quick", quick);
+  return table;
+}
+
+namespace {
+
+/// Blocks SIGINT, SIGTERM and SIGHUP for as long as it lives, so that no temporary file is left behind.
+class Uninterrupted {
+ public:
+  Uninterrupted() {
+    sigset_t interrupts;
+    sigemptyset(&interrupts);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+      sigaddset(&interrupts, signal);
+    sigprocmask(SIG_BLOCK, &interrupts, &before_);
+  }
+  ~Uninterrupted() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  Uninterrupted(const Uninterrupted&) = delete;
+  Uninterrupted& operator=(const Uninterrupted&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+}  // namespace
+
+void Frame::write(const experiment::Table& table, std::string_view curve) const {
+  const Uninterrupted here;
+  table.write(output / (curve.empty() ? name + ".tsv" : fmt::format("{}_{}.tsv", name, curve)));
+}
+
+void Frame::progress(std::string_view label, double fraction) const {
+  if (!::isatty(STDERR_FILENO)) return;
+  fmt::print(stderr, "\r{}: {:<40} {:3.0f} %{}", name, label, 100.0 * fraction, fraction < 1.0 ? "" : "\n");
+  std::fflush(stderr);
+}
+
+namespace {
+
+/// Makes the folder and proves that a page can be written in it, before any work is done: a full disk still
+/// creates files.
+void require_writable(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  const Uninterrupted here;
+  const auto probe = folder / fmt::format(".probe.{}", ::getpid());
+  std::ofstream file(probe);
+  file << std::string(4096, ' ') << std::flush;
+  const bool writable = !error && file.good();
+  std::filesystem::remove(probe, error);
+  if (!writable)
+    throw std::invalid_argument(fmt::format(
+        "Output folder '{}' cannot be written; name one that can with --output DIR.", folder.string()));
+}
+
+int refuse(std::string_view name, std::string_view sentence) {
+  fmt::print(stderr, "{}: {}\n", name, sentence);
+  return 2;
+}
+
+}  // namespace
+
+int run(int argc, char** argv, std::string name, std::string summary,
+        const std::function<void(CLI::App&)>& options, const std::function<void(Frame&)>& body) {
+  Frame frame{.name = name, .output = "build/data"};
+  CLI::App app(summary, name);
+  app.add_option("--output", frame.output, "Folder of the data files, made where it is missing")
+      ->option_text("DIR")
+      ->default_str("build/data");
+  app.add_flag("--quick", frame.quick, "A shortened run for tests: same columns, fewer or shorter rows");
+  options(app);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of the write, not the end
+  try {
+    app.parse(argc, argv);
+    require_writable(frame.output);
+    body(frame);
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return refuse(name, fmt::format("{} Run with --help for the options.", error.what()));
+  } catch (const std::invalid_argument& error) {
+    return refuse(name, error.what());
+  } catch (const experiment::FileError& error) {
+    return refuse(name, error.what());
+  } catch (const std::exception& error) {
+    refuse(name, error.what());
+    return 1;
+  }
+  return 0;
+}
+
+int run(int argc, char** argv, std::string name, std::string summary,
+        const std::function<void(Frame&)>& body) {
+  return run(
+      argc, argv, std::move(name), std::move(summary), [](CLI::App&) {}, body);
+}
+
+void add_number(CLI::App& app, const std::string& flag, double& value, Range range,
+                const std::string& description) {
+  const std::string interval = fmt::format("{}{}, {}{}", range.low_open ? "(" : "[", range.low, range.high,
+                                           range.high_open ? ")" : "]");
+  app.add_option(flag, value, description)
+      ->option_text(fmt::format("NUMBER in {}", interval))
+      ->capture_default_str()
+      ->check([=](const std::string& text) -> std::string {
+        double number = std::nan("");
+        const bool parsed = CLI::detail::lexical_cast(text, number);
+        const bool above = range.low_open ? number > range.low : number >= range.low;
+        const bool below = range.high_open ? number < range.high : number <= range.high;
+        if (parsed && std::isfinite(number) && above && below) return {};
+        return fmt::format("value {} is not a finite number in {}.", text, interval);
+      });
+}
+
+void add_count(CLI::App& app, const std::string& flag, long& value, long low, long high,
+               const std::string& description) {
+  app.add_option(flag, value, description)
+      ->option_text(fmt::format("INTEGER in [{}, {}]", low, high))
+      ->capture_default_str()
+      ->check([=](const std::string& text) -> std::string {
+        long number = 0;
+        if (CLI::detail::lexical_cast(text, number) && number >= low && number <= high) return {};
+        return fmt::format("value {} is not an integer in [{}, {}].", text, low, high);
+      });
+}
+
+void add_flag(CLI::App& app, const std::string& flag, bool& value, const std::string& description) {
+  app.add_flag(flag, value, description);
+}
+
+void add_folder(CLI::App& app, const std::string& flag, std::filesystem::path& value,
+                const std::string& description) {
+  app.add_option(flag, value, description)
+      ->option_text("DIR")
+      ->capture_default_str()
+      ->check([](const std::string& text) -> std::string {
+        std::error_code unreachable;
+        if (std::filesystem::is_directory(text, unreachable)) return {};
+        return fmt::format("folder {} does not exist.", text);
+      });
+}
+
+}  // namespace experiment

@@ -1,0 +1,67 @@
+#pragma once
+#include "common/table.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+/// @file
+/// What every experiment shares: options, output folder, provenance, progress and exit status, so that an
+/// experiment is its settings and its loop.
+
+namespace CLI {
+class App;  // Declared only: with its header, each experiment would compile ten seconds longer.
+}
+
+namespace experiment {
+
+/// The running experiment: what its options say and where its tables go.
+class Frame {
+ public:
+  std::string name;              ///< Stem of the executable, of its data file and of its figure.
+  std::filesystem::path output;  ///< Folder of the data files.
+  bool quick = false;            ///< A shortened run for tests: same columns, fewer or shorter rows.
+
+  /// A table that begins with the provenance lines (experiment, commit, compiler, flags, machine, date).
+  [[nodiscard]] experiment::Table table(std::vector<std::string> columns) const;
+
+  /// Writes a table as <name>.tsv, or <name>_<curve>.tsv.
+  void write(const experiment::Table& table, std::string_view curve = "") const;
+
+  /// Shows `label` and a fraction in [0, 1] on a terminal; prints nothing in a pipe.
+  void progress(std::string_view label, double fraction) const;
+};
+
+/// main() of an experiment. `options` adds the experiment's own command-line options; `body` computes, then
+/// writes its tables last. Returns the exit status: 0; 2 for bad options or a file or folder that cannot be
+/// read or written, with one sentence on stderr and no half-written file; 1 for a run that failed.
+int run(int argc, char** argv, std::string name, std::string summary,
+        const std::function<void(CLI::App&)>& options, const std::function<void(Frame&)>& body);
+
+/// Same for an experiment without options of its own.
+int run(int argc, char** argv, std::string name, std::string summary,
+        const std::function<void(Frame&)>& body);
+
+/// An interval; either end may be excluded.
+struct Range {
+  double low, high;
+  bool low_open = false, high_open = false;
+};
+
+/// Adds a real-valued option that must be finite and lie in the range.
+void add_number(CLI::App& app, const std::string& flag, double& value, Range range,
+                const std::string& description);
+
+/// Adds an integer option in [low, high].
+void add_count(CLI::App& app, const std::string& flag, long& value, long low, long high,
+               const std::string& description);
+
+/// Adds a switch.
+void add_flag(CLI::App& app, const std::string& flag, bool& value, const std::string& description);
+
+/// Adds the name of a folder that must exist.
+void add_folder(CLI::App& app, const std::string& flag, std::filesystem::path& value,
+                const std::string& description);
+
+}  // namespace experiment

@@ -1,0 +1,53 @@
+#include "common/rules/rules.hpp"
+
+#include "common/rules/gsl_method.hpp"
+
+#include "avi/bregman/cloning.hpp"
+#include "avi/bregman/heavy_ball.hpp"
+#include "avi/bregman/splitting.hpp"
+#include "avi/optim/adagrad.hpp"
+#include "avi/optim/adam.hpp"
+#include "avi/optim/gradient_descent.hpp"
+#include "avi/optim/nag.hpp"
+#include "avi/optim/rmsprop.hpp"
+#include "avi/optim/trust_region.hpp"
+
+#include <stdexcept>
+
+namespace experiment {
+
+avi::Minimisation minimise(const Rule& rule, const AnyObjective& f, const avi::VectorX& x0,
+                           const avi::Stopping& stopping, const AnyWitness& witness) {
+  const auto run = [&](const auto& method) { return avi::minimise(f, method, x0, stopping, witness); };
+  const auto& [name, family, h, from, clock, control] = rule;
+  const auto or_default = [&](double otherwise) { return std::isnan(h) ? otherwise : h; };
+
+  if (name == "htvi") return run(avi::BregmanHtvi{.family = family, .h = h, .from = from, .clock = clock});
+  if (name == "heavy_ball") return run(avi::BregmanHeavyBall{.family = family, .h = h, .from = from});
+  if (name == "splitting") return run(avi::BregmanSplitting{.family = family, .h = h, .from = from});
+  for (const auto composition :
+       {avi::CloneComposition::strang, avi::CloneComposition::yoshida4, avi::CloneComposition::yoshida6})
+    if (name == avi::clone_name(composition))
+      return run(avi::BregmanCloning{.family = family, .h = h, .composition = composition, .from = from});
+  if (name == "runge_kutta_4")
+    return run(avi::BregmanRungeKutta<avi::ClassicalRungeKutta>{.family = family, .h = h, .from = from});
+  if (name == "dormand_prince")
+    return run(avi::BregmanEmbedded<avi::DormandPrince>{.family = family, .control = control, .from = from});
+  if (name == "bogacki_shampine")
+    return run(
+        avi::BregmanEmbedded<avi::BogackiShampine>{.family = family, .control = control, .from = from});
+  for (const auto* type : {gsl_odeiv2_step_rkf45, gsl_odeiv2_step_rk8pd})
+    if (name == std::string("gsl_") + type->name)
+      return run(GslMethod{
+          .type = type, .family = family, .rtol = control.rtol, .atol = control.atol, .from = from});
+
+  if (name == "nag") return run(avi::Nag{.h = or_default(avi::Nag{}.h)});
+  if (name == "gradient_descent") return run(avi::GradientDescent{.h = or_default(avi::GradientDescent{}.h)});
+  if (name == "adam") return run(avi::Adam{.rate = or_default(avi::Adam{}.rate)});
+  if (name == "adagrad") return run(avi::AdaGrad{.rate = or_default(avi::AdaGrad{}.rate)});
+  if (name == "rmsprop") return run(avi::RmsProp{.rate = or_default(avi::RmsProp{}.rate)});
+  if (name == "trust_region") return run(avi::TrustRegion{});
+  throw std::invalid_argument("Method '" + name + "' is none of those that common/rules/rules.hpp names.");
+}
+
+}  // namespace experiment

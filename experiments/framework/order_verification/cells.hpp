@@ -1,0 +1,98 @@
+#pragma once
+#include "framework/order_verification/order.hpp"
+#include "framework/order_verification/reference.hpp"
+
+#include "avi/core/integrate.hpp"
+#include "avi/diagnostics/order.hpp"
+#include "avi/htvi/htvi.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+/// @file
+/// The grid for one problem. The Taylor order is chosen at run time, so each problem and type compiles once.
+
+namespace experiment {
+
+inline std::vector<avi::Quadrature> order_rules() {
+  return {avi::rectangle_left(), avi::midpoint(), avi::trapezoid(), avi::radau(2),
+          avi::simpson(),        avi::gauss(2),   avi::radau(3),    avi::boole(),
+          avi::gauss(3),         avi::lobatto(4), avi::gauss(4),    avi::lobatto(5),
+          avi::radau(5),         avi::gauss(5),   avi::gauss(6),    avi::lobatto(7)};
+}
+
+/// Slope of the error at the end of [0, horizon] in fictive time, over steps horizon / N: through the finest
+/// four that rounding does not touch. Slopes of longer steps are not yet the order.
+template <class MakeMethod, class State, class Error>
+avi::OrderFit order_of(const MakeMethod& make, const State& start, double horizon, const Error& error) {
+  std::vector<double> h, errors;
+  for (int n = 2; n <= 2000; n = std::max(n + 1, n * 6 / 5)) {
+    auto method = make();
+    State z = start;
+    const double step = horizon / n;
+    const auto run = avi::integrate(method, z, step, {.steps = n});
+    h.push_back(step);
+    errors.push_back(run.outcome == avi::Outcome::ok ? error(z) : std::nan(""));
+    if (errors.back() < 2e-14) break;
+  }
+  // Rounding adds up over the steps; NaN is not usable.
+  const auto usable = [&](std::size_t i) { return errors[i] > 2e-15 * (20.0 + horizon / h[i]); };
+  std::size_t last = errors.size();
+  while (last > 0 && !usable(last - 1))
+    --last;
+  std::size_t first = last;
+  while (first > 0 && last - first < 4 && usable(first - 1))
+    --first;
+  return avi::fit_order(std::span(h).subspan(first, last - first),
+                        std::span(errors).subspan(first, last - first), {.at_least = 3});
+}
+
+template <avi::Generating type, avi::Construction construction, class Problem, class State, class Error>
+void add_cells(std::vector<OrderCell>& cells, const std::string& name, const Problem& problem,
+               const State& start, double horizon, const Error& error, bool quick) {
+  constexpr bool stationary = construction == avi::stationary;
+  const char* label = stationary ? "stationary" : construction == avi::printed ? "printed" : "authors";
+  const auto rules = order_rules();
+  for (int r = 0; r <= (quick ? 2 : 4); ++r)
+    for (const auto& rule : rules) {
+      // Between these the rule limits the order to s, but with a factor so small (5e-7 for three Gauss nodes)
+      // that the term of order 2r + 2 covers it down to rounding.
+      if (stationary && rule.order > r + 1 && rule.order < 2 * r + 2) continue;
+      const auto fit = order_of([&] { return avi::htvi_of_order<type, construction>(r, problem, rule); },
+                                start, horizon, error);
+      cells.push_back(
+          {name, type == avi::Generating::type2 ? "II" : "III", label, r, rule.name,
+           stationary ? std::min(2 * r + 2, std::max(rule.order, r + 1)) : std::min(r + 1, rule.order),
+           fit.order, fit.points});
+    }
+}
+
+/// Both types, stationary and as printed; where `authors`, that construction too. The error is that of
+/// (q, p, t).
+template <bool authors = false, class Problem>
+void add_problem(std::vector<OrderCell>& cells, const std::string& name, const Problem& problem,
+                 const avi::State<Problem::dimension>& start, double horizon, bool quick) {
+  constexpr int n = Problem::dimension;
+  ExtendedPoint<n> exact = extended_reference(problem, start, horizon);
+  // Where time is a coordinate, q holds it.
+  const long double exact_time = problem.clock(start.q, -1.0) != -1.0 ? exact[n - 1] : exact[2 * n];
+  exact[2 * n] = 0.0L;
+  const auto error = [exact, exact_time](const avi::State<n>& z) {
+    ExtendedPoint<n> point;
+    point << z.q.template cast<long double>(), z.p.template cast<long double>(),
+        static_cast<long double>(z.t) - exact_time;
+    return static_cast<double>((point - exact).norm());
+  };
+  using avi::Generating;
+  add_cells<Generating::type2, avi::stationary>(cells, name, problem, start, horizon, error, quick);
+  add_cells<Generating::type3, avi::stationary>(cells, name, problem, start, horizon, error, quick);
+  add_cells<Generating::type2, avi::printed>(cells, name, problem, start, horizon, error, quick);
+  add_cells<Generating::type3, avi::printed>(cells, name, problem, start, horizon, error, quick);
+  if constexpr (authors) {
+    add_cells<Generating::type2, avi::authors>(cells, name, problem, start, horizon, error, quick);
+    add_cells<Generating::type3, avi::authors>(cells, name, problem, start, horizon, error, quick);
+  }
+}
+
+}  // namespace experiment

@@ -1,0 +1,160 @@
+#include "optimisers/optimiser_arena/problem.hpp"
+
+#include "avi/problems/correlated_quartic.hpp"
+
+#include <memory>
+
+namespace arena {
+
+namespace {
+
+/// Walsh and Hadamard's transform of 2^k entries, symmetric and orthogonal.
+void mix(VectorX& x) {
+  const Eigen::Index n = x.size();
+  for (Eigen::Index width = 1; width < n; width *= 2)
+    for (Eigen::Index i = 0; i < n; ++i)
+      if ((i & width) == 0) {
+        const double a = x[i], b = x[i + width];
+        x[i] = a + b, x[i + width] = a - b;
+      }
+  x /= std::sqrt(static_cast<double>(n));
+}
+
+/// y . C y / 2 with y = W x, W orthogonal and dense (n a power of 2), C diagonal from 1 to kappa, equally
+/// spaced in the logarithm. Without W, methods with a learning rate for each entry would know the
+/// eigenvectors.
+Problem quadratic(const std::string& name, double kappa, Eigen::Index n) {
+  VectorX c(n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    c[i] = std::pow(kappa, static_cast<double>(i) / static_cast<double>(n - 1));
+  return {
+      .name = name, .kind = "convex", .x0 = Numbers(7).normals(n), .f = [c](const VectorX& x, VectorX& g) {
+        VectorX y = x;
+        mix(y);
+        g = c.cwiseProduct(y);
+        const double f = 0.5 * avi::dot(y, g);
+        mix(g);
+        return f;
+      }};
+}
+
+Problem quartic(const std::string& name, Eigen::Index n) {
+  const auto f = std::make_shared<avi::CorrelatedQuartic>(n);
+  return {.name = name, .kind = "convex", .x0 = f->start(), .f = [f](const VectorX& x, VectorX& g) {
+            return (*f)(x, g);
+          }};
+}
+
+/// Nesterov's worst case for methods of first order (2004, Section 2.1.2) with L = 4.
+Problem worst_case(Eigen::Index n) {
+  return {
+      .name = "worst_case", .kind = "convex", .x0 = VectorX::Zero(n), .f = [n](const VectorX& x, VectorX& g) {
+        g.setZero();
+        double f = 0.5 * (x[0] * x[0] + x[n - 1] * x[n - 1]) - x[0];
+        g[0] += x[0] - 1.0;
+        g[n - 1] += x[n - 1];
+        for (Eigen::Index i = 0; i + 1 < n; ++i) {
+          const double d = x[i] - x[i + 1];
+          f += 0.5 * d * d;
+          g[i] += d;
+          g[i + 1] -= d;
+        }
+        return f;
+      }};
+}
+
+/// rho log sum_i exp((a_i . x - b_i) / rho).
+Problem log_sum_exp(Eigen::Index n, Eigen::Index m, double rho) {
+  Numbers numbers(11);
+  const Eigen::MatrixXd a = numbers.matrix(m, n);
+  const VectorX b = numbers.normals(m);
+  return {.name = "log_sum_exp",
+          .kind = "convex",
+          .x0 = numbers.normals(n),
+          .f = [=](const VectorX& x, VectorX& g) {
+            VectorX z = (a * x - b) / rho;
+            const double top = z.maxCoeff();
+            for (double& entry : z)
+              entry = std::exp(entry - top);
+            const double sum = z.sum();
+            g.noalias() = a.transpose() * (z / sum);
+            return rho * (top + std::log(sum));
+          }};
+}
+
+/// Dirichlet energy of a membrane on the unit square, side x side inner points, under a smooth load.
+Problem poisson(const std::string& name, Eigen::Index side) {
+  return {.name = name,
+          .kind = "convex",
+          .x0 = VectorX::Zero(side * side),
+          .f = [side](const VectorX& x, VectorX& g) {
+            const double h = 1.0 / static_cast<double>(side + 1);
+            double f = 0.0;
+            for (Eigen::Index i = 0; i < side; ++i)
+              for (Eigen::Index j = 0; j < side; ++j) {
+                const Eigen::Index k = i * side + j;
+                const double u = x[k], up = i > 0 ? x[k - side] : 0.0,
+                             down = i + 1 < side ? x[k + side] : 0.0;
+                const double left = j > 0 ? x[k - 1] : 0.0, right = j + 1 < side ? x[k + 1] : 0.0;
+                const double load = h * h * std::exp(static_cast<double>(i + 1) * h);
+                const double image = 4.0 * u - up - down - left - right;
+                g[k] = image - load;
+                f += u * (0.5 * image - load);
+              }
+            return f;
+          }};
+}
+
+/// Area of a surface over the unit square with boundary values x (1 - y) + y^2, by triangles.
+Problem minimal_surface(Eigen::Index side) {
+  const double h = 1.0 / static_cast<double>(side + 1);
+  const auto edge = [h](Eigen::Index i, Eigen::Index j) {
+    const double x = static_cast<double>(i) * h, y = static_cast<double>(j) * h;
+    return std::sin(3.0 * x) * (1.0 - y) + y * y;
+  };
+  return {.name = "minimal_surface",
+          .kind = "convex",
+          .x0 = VectorX::Zero(side * side),
+          .f = [=](const VectorX& x, VectorX& g) {
+            const auto inner = [&](Eigen::Index i, Eigen::Index j) {
+              return i > 0 && j > 0 && i <= side && j <= side;
+            };
+            const auto at = [&](Eigen::Index i, Eigen::Index j) {
+              return inner(i, j) ? x[(i - 1) * side + j - 1] : edge(i, j);
+            };
+            const auto add = [&](Eigen::Index i, Eigen::Index j, double v) {
+              if (inner(i, j)) g[(i - 1) * side + j - 1] += v;
+            };
+            g.setZero();
+            double f = 0.0;
+            for (Eigen::Index i = 0; i <= side; ++i)
+              for (Eigen::Index j = 0; j <= side; ++j)
+                for (int half = 0; half < 2; ++half) {
+                  const Eigen::Index a = i + half, b = j + half, s = half == 0 ? 1 : -1;
+                  const double u = (at(a + s, b) - at(a, b)) / h, v = (at(a, b + s) - at(a, b)) / h;
+                  const double area = std::sqrt(1.0 + u * u + v * v);
+                  f += 0.5 * h * h * area;
+                  const double c = 0.5 * h / area;
+                  add(a + s, b, c * u), add(a, b + s, c * v), add(a, b, -c * (u + v));
+                }
+            return f;
+          }};
+}
+
+}  // namespace
+
+std::vector<Problem> convex_problems(bool large) {
+  std::vector<Problem> all{quartic("quartic", 50),
+                           quadratic("quadratic_1e2", 1e2, 1024),
+                           quadratic("quadratic_1e4", 1e4, 1024),
+                           quadratic("quadratic_1e6", 1e6, 512),
+                           worst_case(200),
+                           log_sum_exp(50, 200, 1.0),
+                           poisson("membrane", 60),
+                           minimal_surface(30),
+                           quartic("quartic_large", large ? 1'000'000 : 100'000)};
+  if (large) all.push_back(poisson("membrane_large", 400));
+  return all;
+}
+
+}  // namespace arena

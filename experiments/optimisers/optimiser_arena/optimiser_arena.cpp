@@ -1,0 +1,136 @@
+#include "common/frame.hpp"
+#include "optimisers/optimiser_arena/all.hpp"
+#include "optimisers/optimiser_arena/meter.hpp"
+#include "optimisers/optimiser_arena/standing.hpp"
+
+#include "avi/optim/update_loop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+// Every method on every problem, from the same starts and with the same stopping test: gradients until |g| <=
+// delta |g_0|. Medians over three starts: the usual one and two that are moved by a thousandth of its size.
+
+namespace {
+
+using namespace experiment;
+using arena::Method;
+using arena::Passage;
+using arena::Problem;
+using avi::VectorX;
+using Passages = std::array<Passage, arena::tolerances.size()>;
+
+VectorX moved(const Problem& problem, int start) {
+  if (start == 0) return problem.x0;
+  const double size = avi::detail::largest(problem.x0);
+  arena::Numbers numbers(1000 + static_cast<unsigned long>(start));
+  return problem.x0 + 1e-3 * (size > 0.0 ? size : 1.0) * numbers.normals(problem.x0.size());
+}
+
+Passages once(const Problem& problem, const VectorX& start, long cap,
+              const std::function<void(arena::Meter&)>& run) {
+  arena::Meter meter(problem, start, cap);
+  try {
+    run(meter);
+  } catch (const arena::Over&) {
+  }
+  Passages passages = meter.passages;
+  for (Passage& passage : passages)
+    if (!passage.converged) {
+      passage = meter.spent();
+      passage.iterations = meter.iterations;
+    }
+  return passages;
+}
+
+/// At each tolerance the choice that took fewest gradients.
+Passages best_of(const Problem& problem, const VectorX& start, long cap, const Method& method) {
+  if (method.choices.empty()) return once(problem, start, cap, method.run);
+  Passages best{};
+  for (const auto& run : method.choices) {
+    const Passages now = once(problem, start, cap, run);
+    for (std::size_t k = 0; k < now.size(); ++k)
+      if (best[k].gradients == 0 || now[k].converged > best[k].converged ||
+          (now[k].converged == best[k].converged && now[k].gradients < best[k].gradients))
+        best[k] = now[k];
+  }
+  return best;
+}
+
+template <class T>
+T middle(std::vector<T> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                   values.end());
+  return values[values.size() / 2];
+}
+
+/// Entry by entry; converged only where every run is.
+Passage median_of(const std::vector<Passages>& runs, std::size_t k) {
+  const auto of = [&](auto member) {
+    std::vector<std::decay_t<decltype(Passage{}.*member)>> values;
+    for (const Passages& run : runs)
+      values.push_back(run[k].*member);
+    return middle(values);
+  };
+  Passage median{of(&Passage::iterations), of(&Passage::gradients), of(&Passage::values),
+                 of(&Passage::seconds), true};
+  for (const Passages& run : runs)
+    median.converged = median.converged && run[k].converged;
+  return median;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  bool full = false;
+  return run(
+      argc, argv, "optimiser_arena", "Gradients that each optimiser needs on every problem of the arena",
+      [&](CLI::App& app) { add_flag(app, "--full", full, "dimensions up to 1e6 and higher caps"); },
+      [&](Frame& frame) {
+        std::vector<Method> methods;
+        for (const auto& group : {arena::own_methods(), arena::first_order_methods(),
+                                  arena::conjugate_gradients(), arena::library_methods()})
+          methods.insert(methods.end(), group.begin(), group.end());
+        const std::vector<Problem> problems = arena::all_problems(full);
+        const long cap = full ? 200'000 : 20'000, slow_cap = full ? 10'000 : 1000;
+        Table table =
+            frame.table({"problem", "dimension", "held_out", "method", "delta", "iterations",
+                         "gradient_evaluations", "function_evaluations", "converged", "seconds", "kind"});
+        table.note("held_out", "1: not looked at until the defaults of avi::minimise() were final");
+        table.note("function_evaluations",
+                   "calls that ask for the value alone; gradient evaluations give it too");
+        table.note("cap",
+                   fmt::format("{} evaluations, {} for methods of fixed or adapted learning rates, {} for "
+                               "dimensions above 5000",
+                               cap, slow_cap, cap / 10));
+        table.note("starts",
+                   "medians over the usual start and two moved by 1e-3; one for the slow and the large");
+        arena::Standing standing;
+        double done = 0.0;
+        for (const Problem& problem : problems) {
+          frame.progress(problem.name, done++ / static_cast<double>(problems.size()));
+          const long n = static_cast<long>(problem.x0.size());
+          if (frame.quick && n > 60) continue;
+          for (const Method& method : methods) {
+            if (method.slow && (frame.quick || n > 5000)) continue;
+            std::vector<Passages> runs;
+            const int starts = method.slow || n > 5000 || frame.quick ? 1 : 3;
+            for (int start = 0; start < starts; ++start)
+              runs.push_back(best_of(problem, moved(problem, start),
+                                     method.slow ? slow_cap
+                                     : n > 5000  ? cap / 10
+                                                 : cap,
+                                     method));
+            for (std::size_t k = 0; k < arena::tolerances.size(); ++k) {
+              const Passage p = median_of(runs, k);
+              table.row(problem.name, n, problem.held_out ? 1 : 0, method.name, arena::tolerances[k],
+                        p.iterations, p.gradients, p.values, p.converged ? 1 : 0, p.seconds, problem.kind);
+              standing.add({problem.name, n, problem.held_out, arena::tolerances[k]}, method.name, p);
+            }
+          }
+        }
+        standing.write(frame);
+        frame.write(table);
+      });
+}

@@ -1,0 +1,59 @@
+#include "optimisers/optimiser_arena/meter.hpp"
+
+#include "avi/bregman/htvi.hpp"
+#include "avi/bregman/restarted.hpp"
+#include "avi/optim/minimise.hpp"
+
+namespace arena {
+
+namespace {
+
+/// What avi::minimise() sees: a callable that is const, as an objective is.
+struct Watched {
+  Meter& meter;
+  double operator()(const VectorX& x, VectorX& g) const { return meter(x, g); }
+};
+
+std::function<void(Meter&)> minimise_with(int memory) {
+  return [memory](Meter& meter) {
+    (void)avi::minimise(
+        Watched{meter}, meter.x0,
+        {.relative = tolerances.back(), .memory = memory, .callback = [&](const avi::Progress& at) {
+           meter.iterations = at.iterations;
+           return true;
+         }});
+  };
+}
+
+/// The paper's Adaptive method at p = 4, p_ring = 1, its fictive step such that the first update is a given
+/// part of the start's size: the paper tunes h for its one problem.
+std::function<void(Meter&)> bregman_with(double part) {
+  return [part](Meter& meter) {
+    VectorX g(meter.x0.size());
+    const double value = meter(meter.x0, g);
+    const auto family = avi::BregmanFamily::adaptive(4.0, 1.0);
+    const double h = std::sqrt(100.0 * part * first_length(meter.x0, g, value) / family.C) / family.order();
+    (void)avi::minimise(Watched{meter}, avi::BregmanHtvi{.family = family, .h = h, .from = {.momentum = 0.0}},
+                        meter.x0, {.delta = 0.0},
+                        [&](const avi::Iterate&, long k, long) { meter.iterations = k; });
+  };
+}
+
+}  // namespace
+
+std::vector<Method> own_methods() {
+  Method paper{.name = "bregman_htvi", .run = {}, .slow = true};
+  for (double part : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1})
+    paper.choices.push_back(bregman_with(part));
+  return {{.name = "minimise_m0", .run = minimise_with(0)},
+          {.name = "minimise_m7", .run = minimise_with(7)},
+          {.name = "bregman_restarted",
+           .run =
+               [](Meter& meter) {
+                 (void)avi::minimise(Watched{meter}, avi::BregmanRestarted{}, meter.x0, {.delta = 0.0},
+                                     [&](const avi::Iterate&, long k, long) { meter.iterations = k; });
+               }},
+          paper};
+}
+
+}  // namespace arena

@@ -1,0 +1,20 @@
+# Range of the counts of starts moved by 1e-14, in units of the unmoved count, and how many of them fail: rows without a bar
+# mean what they say. Rows: method, p and p_ring (Direct has p alone), h.
+width = 16; height = 8.2
+load 'figures/style.gp'
+table = data.'/rounding_sensitivity.tsv'
+set lmargin at screen 0.45; set rmargin at screen 0.97; set tmargin at screen 0.97; set bmargin at screen 0.195
+at(y) = column('moved_by') > 5e-15 && column('moved_by') < 5e-14 ? y : NaN
+row_name(m) = label(m).', '.sprintf('%g', column('p')).(strcol('p_ring') eq 'nan' ? '' : sprintf(', %g', column('p_ring'))).sprintf(', h = %g', column('h'))
+failures(n) = n > 0 ? sprintf('%g of %g fail', n, column('starts')) : ''
+set xlabel 'count from a start moved by 10^{-14} / count without'
+set xrange [0.72:1.32]
+stats table using 'setting' nooutput
+set yrange [STATS_max+1:0]
+set format y ''; unset ytics
+unset key
+plot table using (at(column('least')/column('iterations'))):'setting':(at((column('most')-column('least'))/column('iterations'))):(0) \
+    with vectors nohead lw 4 lc rgb vermilion, \
+  table using (at(1)):'setting' with points pt 7 ps 0.6 lc rgb black, \
+  table using (at(0.72)):'setting':(row_name(strcol('method'))) with labels right offset -1, 0 font ',7', \
+  table using (at(1.2)):'setting':(failures(column('failed'))) with labels left font ',7'

@@ -1,0 +1,25 @@
+# Steps with monitors that H alone gives, over those of the best monitor made by hand, for each problem and order;
+# a star before the name: held out. What is not shown took more than six times as many.
+width = 17; height = 16
+load 'figures/style.gp'
+file = data.'/automatic_monitors_choices.tsv'
+set multiplot layout 3, 1 margins 0.09, 0.955, 0.23, 0.985 spacing 0.02
+eval logy
+set yrange [0.3:40]
+set ylabel 'steps / best by hand' offset 0.5
+set xrange [-0.7:*]
+set grid xtics
+unset xlabel
+set xtics rotate by 60 right noenhanced
+set key top left horizontal maxrows 1 width -2
+do for [order in '4 8 16'] {
+  at(y) = strcol('order') eq order ? column(y) : NaN
+  set format x (order eq '16' ? '%s' : '')
+  set label 1 'order '.order at graph 0.985, 0.9 right
+  if (order ne '4') { unset key }
+  plot file using (int($0/3)):(strcol('order') eq order ? 1.5 : NaN):xtic(order eq '16' ? (strcol('held_out') eq '1' ? '*' : '').strcol('problem') : '') with lines ls guide title '1.5', \
+    file using (int($0/3)):(at('automatic_ratio')) with points pt 6 ps 1.1 lc rgb sky title 'automatic', \
+    file using (int($0/3)):(at('chosen_ratio')) with points pt 7 ps 0.9 lc rgb vermilion title 'chosen by the pilot'
+  unset label 1
+}
+unset multiplot

@@ -1,0 +1,58 @@
+# How the cost of a run grows: steps and time of one orbit with 1 - e for g = r^(2 gamma); time with the horizon and the
+# Taylor order. Grey: the expected powers of 1 - e, and the power of the order fitted to the data (cost_growth_fit), drawn
+# through the last point.
+width = 17; height = 12.5
+load 'figures/style.gp'
+table = data.'/cost_growth.tsv'
+fit = data.'/cost_growth_fit.tsv'
+# Exponent fitted to a curve's seconds; and its last value and microseconds.
+fitted(axis, name) = sprintf("stats fit using (strcol('axis') eq '%s' && strcol('subject') eq '%s' ? column('seconds_exponent') : NaN) nooutput", axis, name)
+set multiplot
+page_left = 0.075; page_bottom = 0.185; page_top = 0.949; gap_x = 0.085; gap_y = 0.18
+along(axis, name) = strcol('axis') eq axis && strcol('subject') eq name ? column('value') : NaN
+gammas = '0.5 0.625 0.75 0.875 1'
+eval logx
+eval logy
+unset key
+eval panel(1, 1, 2, 2)
+set title 'steps of one orbit with energy error 10^{-6}' offset 0, -0.7
+set xrange [0.15:6e-7]
+set yrange [40:6e4]
+set xlabel 'distance 1 - e from a parabola' offset 0, 0.5
+plot 4100*(x/1e-2)**-0.75 ls guide, 4700*(x/1e-3)**-0.5 ls guide, 350*(x/1e-5)**-0.25 ls guide, \
+  2800*(x/0.1)**-1.75 ls guide, \
+  table using (along('closeness', 'none')):'steps' with linespoints ls monitor('none'), \
+  for [i=1:5] table using (along('closeness', 'gamma = '.word(gammas, i))):'steps' with linespoints ls family(i)
+eval panel(2, 1, 2, 2)
+set title 'microseconds of that orbit' offset 0, -0.7
+set yrange [200:1.5e5]
+plot table using (along('closeness', 'none')):(1e6*column('seconds')) with linespoints ls monitor('none'), \
+  for [i=1:5] table using (along('closeness', 'gamma = '.word(gammas, i))):(1e6*column('seconds')) with linespoints ls family(i)
+
+set yrange [*:*]
+set key top left Left reverse font ',7' spacing 1.05 samplen 2 noopaque
+eval panel(1, 2, 2, 2)
+set title 'seconds of a run, e = 0.9' offset 0, -0.7
+set xlabel 'periods'
+set xrange [0.8:1300]
+set yrange [1e-6:30]
+plot table using (along('periods', 'htvi4')):'seconds' with linespoints ls method('htvi') title 'HTVI4', \
+  table using (along('periods', 'stormer_verlet')):'seconds' with linespoints ls method('stormer_verlet') title label('stormer_verlet'), \
+  table using (along('periods', 'log_hamiltonian')):'seconds' with linespoints ls method('log_hamiltonian') title 'log. Hamiltonian'
+set format x '%g'
+eval panel(2, 2, 2, 2)
+set title 'µs per expansion' offset 0, -0.7
+set xlabel 'Taylor order r'
+set xrange [0.9:18]
+set yrange [0.08:60]
+set xtics (1, 2, 4, 8, 16)
+set mxtics 1
+eval fitted('order', 'htvi_of_order'); power = STATS_max
+stats table using (along('order', 'htvi_of_order')):(1e6*column('seconds')) nooutput
+plot STATS_max_y*(x/STATS_max_x)**power ls guide title sprintf('r^{%.1f}', power), \
+  table using (along('order', 'htvi_of_order')):(1e6*column('seconds')) with linespoints ls method('htvi') title 'with partials'
+eval legend(0.0896)
+set key maxrows 2 samplen 2 width -3
+plot 2 with linespoints ls monitor('none') title 'fixed step', \
+  for [i=1:5] 2 with linespoints ls family(i) title 'γ = '.word(gammas, i), 2 with lines ls guide title 'expected, fitted'
+unset multiplot

@@ -1,0 +1,33 @@
+# Kepler's problem with HTVI4, the fictive step adapted to one energy error: steps per orbit and time per orbit of
+# every monitor.
+width = 17; height = 9
+load 'figures/style.gp'
+table = data.'/monitor_costs.tsv'
+list = 'none gamma gamma_three_quarters arclength energy truncation_root inverse_lagrangian'
+array shown[7] = ['no monitor', 'gamma = 1', 'gamma = 3/4', 'arclength', 'energy', 'truncation, root', 'inverse Lagr.']
+set multiplot
+page_left = 0.085; page_bottom = 0.5; gap_x = 0.09; page_top = 0.908
+unset key
+eval logy
+set xrange [0.4:7.6]
+set xtics scale 0 rotate by 60 right
+unset xtics; set xtics scale 0 rotate by 60 right; do for [i=1:7] { set xtics add (shown[i] i) }
+cell(c, e, t) = column('eccentricity') == e && column('target') == t ? column(c) : NaN
+at(k) = position(list, strcol('monitor')) + 0.11 * k
+set title 'steps per orbit' offset 0, -0.6
+eval panel(1, 1, 2, 1)
+plot table using (at(-1)):(cell('steps_per_orbit', 0.9, 1e-5)) with points pt 7 lc rgb sky, \
+     table using (at(0)):(cell('steps_per_orbit', 0.9, 1e-7)) with points pt 7 lc rgb blue, \
+     table using (at(1)):(cell('steps_per_orbit', 0.99, 1e-5)) with points pt 5 lc rgb orange, \
+     table using (at(2)):(cell('steps_per_orbit', 0.99, 1e-7)) with points pt 5 lc rgb vermilion
+set title 'seconds per orbit' offset 0, -0.6
+eval panel(2, 1, 2, 1)
+plot table using (at(-1)):(cell('seconds', 0.9, 1e-5)) with points pt 7 lc rgb sky, \
+     table using (at(0)):(cell('seconds', 0.9, 1e-7)) with points pt 7 lc rgb blue, \
+     table using (at(1)):(cell('seconds', 0.99, 1e-5)) with points pt 5 lc rgb orange, \
+     table using (at(2)):(cell('seconds', 0.99, 1e-7)) with points pt 5 lc rgb vermilion
+eval legend(0.131)
+set key maxrows 2
+plot 2 with points pt 7 lc rgb sky title 'e = 0.9, energy error 10^{-5}', 2 with points pt 7 lc rgb blue title 'e = 0.9, 10^{-7}', \
+     2 with points pt 5 lc rgb orange title 'e = 0.99, 10^{-5}', 2 with points pt 5 lc rgb vermilion title 'e = 0.99, 10^{-7}'
+unset multiplot

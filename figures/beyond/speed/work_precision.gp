@@ -1,0 +1,50 @@
+# What accuracy costs: error at the end against time. One joined curve for each kind of method: the least time, over its
+# members, orders, monitors and steps, at which an error is reached.
+width = 17; height = 15
+load 'figures/style.gp'
+file = data.'/work_precision.tsv'
+
+kinds = 7
+array members[kinds] = ['^log_hamiltonian', '^collocation', '^htvi$', '^gsl_', '^odeint_', '^sundials_', \
+  '^(stormer_verlet|verlet_|adaptive_verlet|hairer_soderlind|blanes_moan)']
+array shown[kinds] = ['logarithmic Hamiltonian', 'Gauss collocation', 'HTVI', 'GSL', 'Boost.odeint', 'SUNDIALS', \
+  'fixed-step and reversible']
+array colour[kinds] = [green, black, blue, vermilion, orange, purple, grey]
+array mark[kinds] = [9, 7, 7, 5, 4, 2, 1]
+
+# Points of a kind in a scene, dearer ones only where they are more accurate; the first line stands for column names.
+scene(p, e, h) = sprintf('$1 == "%s" && $3 == "%s"', p, h).(e < 0 ? '' : sprintf(' && $2 > %g && $2 < %g', e - 1e-6, e + 1e-6))
+front(p, e, h, k) = "< awk -F'\\t' '!/^#/ && ".scene(p, e, h)." && $4 ~ /".members[k]."/ && $10 == $10 + 0 {print $12 \"\\t\" $10}' '".file."' | sort -g " \
+  ."| awk -F'\\t' 'BEGIN {print \"cost\\terror\"; best = 1} $2 < best {print; best = $2}'"
+count(p, e, h, k) = int(system("awk -F'\\t' '!/^#/ && ".scene(p, e, h)." && $4 ~ /".members[k]."/' '".file."' | wc -l"))
+
+eval logx
+eval logy
+set grid
+unset key
+set xrange [1e-4:1e2]; set yrange [1e-14:1e-1]
+set xtics 100 font ',7'; set ytics 1e3 font ',7'
+array problem[9] = ['kepler', 'kepler', 'kepler', 'kepler', 'perturbed_kepler', 'figure_eight', 'henon_heiles', 'star_cluster', 'chain64']
+array ecc[9] = [0.9, 0.99, 0.999, 0.9, 0.9, -1, -1, -1, -1]
+# The horizon that the data hold: the reduced grid is shorter than the full one.
+orbits = count('kepler', 0.9, '1000 periods', 1) ? '1000 periods' : '100 periods'
+array horizon[9] = ['10', '10', '10', orbits, '10', '10 periods', '100', '1', '100']
+array title[9] = ['Kepler, e = 0.9, T = 10', 'Kepler, e = 0.99, T = 10', 'Kepler, e = 0.999, T = 10', \
+  'Kepler, e = 0.9, '.orbits, 'quadrupole, e = 0.9, T = 10', 'figure eight, 10 periods', 'Hénon–Heiles, T = 100', '7 bodies, T = 1', 'chain of 64, T = 100']
+set multiplot
+page_left = 0.1; page_right = 0.985; page_top = 0.955; page_bottom = 0.19; gap_x = 0.07; gap_y = 0.115
+do for [i=1:9] {
+  eval panel((i - 1) % 3 + 1, (i - 1) / 3 + 1, 3, 3)
+  set title title[i] font ',7.5' offset 0, -0.6
+  set ylabel i % 3 == 1 ? 'position error' : '' font ',8' offset 2.2, 0
+  set xlabel i > 6 ? 'time / V' : '' font ',8' offset 0, 0.4
+  drawn = ''
+  do for [k=1:kinds] { if (count(problem[i], ecc[i], horizon[i], k)) { drawn = drawn.' '.k } }
+  if (strlen(drawn)) { plot for [k in drawn] front(problem[i], ecc[i], horizon[i], k+0) using 1:2 with linespoints lc rgb colour[k+0] lw 1.3 pt mark[k+0] ps 0.45 }
+}
+eval at_screen('l', 0.05).at_screen('r', 0.99).at_screen('t', 0.075).at_screen('b', 0.005)
+unset border; unset tics; unset xlabel; unset ylabel; unset title; unset grid; unset logscale
+set xrange [0:1]; set yrange [0:1]
+set key inside center center horizontal Left reverse maxcols 4 samplen 2 spacing 1.1 width -3 font ',7' noopaque
+plot 2 notitle, for [k=1:kinds] keyentry with linespoints lc rgb colour[k] lw 1.3 pt mark[k] ps 0.7 title shown[k]
+unset multiplot

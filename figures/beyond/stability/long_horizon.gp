@@ -1,0 +1,31 @@
+# Kepler, e = 0.9: largest relative errors so far of energy and angular momentum, and error of the mean longitude, against
+# the number of periods.
+width = 16; height = 6
+load 'figures/style.gp'
+table = data.'/long_horizon.tsv'
+set multiplot
+page_left = 0.09; page_right = 0.97; page_bottom = 0.43; page_top = 0.867; gap_x = 0.085
+eval logx; eval logy
+set xlabel 'periods'
+unset key
+names_here = 'htvi4 htvi12 stormer_verlet log_hamiltonian_yoshida4 runge_kutta_4'
+style(i) = i == 1 ? method('htvi') : i == 2 ? monitor('none') : i == 3 ? method('stormer_verlet') : i == 4 ? method('log_hamiltonian') : family(4)
+title(i) = word("HTVI4 HTVI12 Störmer–Verlet 'log. Hamiltonian, Yoshida 4' 'Runge–Kutta 4'", i)
+set xtics 100; set ytics 1e4
+curve(c) = sprintf("plot for [i=1:5] table using (where('method', word(names_here, i), 'periods')):(abs(column('%s'))) with linespoints ls style(i) pointinterval 4", c)
+set title 'energy error'
+set yrange [1e-16:1]
+eval panel(1, 1, 3, 1)
+eval curve('energy_error')
+set title 'angular momentum error'
+eval panel(2, 1, 3, 1)
+eval curve('momentum_error')
+set title 'phase error (rad)'
+set yrange [1e-14:1e5]
+eval panel(3, 1, 3, 1)
+eval curve('phase_error')
+unset title
+eval legend(0.16)
+set key maxrows 2 spacing 1.1 samplen 2.5 width -9 font ',7'
+plot for [i=1:5] 2 with linespoints ls style(i) title title(i)
+unset multiplot

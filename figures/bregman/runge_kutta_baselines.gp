@@ -1,0 +1,42 @@
+# Runge-Kutta methods on Bregman dynamics, p = 10, p_ring = 0.5. Above: the largest f from there on against accepted steps,
+# pairs at MATLAB's default tolerances; below: gradient evaluations until the stopping test, over the tolerance.
+width = 16; height = 12.5
+load 'figures/style.gp'
+curves = data.'/runge_kutta_baselines_curves.tsv'
+table = data.'/runge_kutta_baselines.tsv'
+shown = 'htvi runge_kutta_4 dormand_prince bogacki_shampine'
+pairs = 'dormand_prince bogacki_shampine gsl_rkf45 gsl_rk8pd'
+look(m) = m eq 'gsl_rkf45' ? family(3) : m eq 'gsl_rk8pd' ? family(4) : method(m)
+named(m) = m eq 'gsl_rkf45' ? 'GSL, Fehlberg 4(5)' : m eq 'gsl_rk8pd' ? 'GSL, Prince–Dormand 8' : label(m)
+
+set multiplot
+page_left = 0.115; page_bottom = 0.24; page_top = 0.94; gap_x = 0.04; gap_y = 0.144
+eval logx; eval logy
+is(m, a, y) = also('method', m, also('approach', a, y))
+reached(m, a, y) = also('converged', '1', is(m, a, y))
+unset key
+do for [a in 'direct adaptive'] {
+  i = a eq 'direct' ? 1 : 2
+  set title label(a).(i == 2 ? ', p = 10, p̊ = 0.5' : ', p = 10') offset 0, -0.7
+  set format y i == 1 ? '10^{%L}' : ''
+  set xlabel 'iterations (accepted steps)' offset 0, 0.4
+  set ylabel i == 1 ? 'f − f*' : ''
+  set xrange [1:9e4]; set yrange [1e-13:1e10]
+  eval panel(i, 1, 2, 2)
+  plot for [m in shown] curves using (is(m, a, column('iteration'))):'ahead' with lines ls method(m) lw 1.5
+  unset title
+  set xlabel 'relative tolerance' offset 0, 0.4
+  set ylabel i == 1 ? 'gradient evaluations' : ''
+  set autoscale
+  stats table using (reached('htvi', a, column('gradient_evaluations'))) nooutput; least_htvi = STATS_min
+  stats table using (reached('runge_kutta_4', a, column('gradient_evaluations'))) nooutput; least_rk4 = STATS_min
+  set xrange [5e-7:2e-2]; set yrange [3e3:1e6]
+  eval panel(i, 2, 2, 2)
+  plot for [m in pairs] table using (reached(m, a, column('rtol'))):'gradient_evaluations' with linespoints ls look(m) lw 1.2, \
+    least_htvi with lines ls method('htvi') lw 1.5, least_rk4 with lines ls method('runge_kutta_4') lw 1.5
+}
+eval legend(0.144)
+set key maxrows 3
+plot 2 notitle, for [m in shown] keyentry with linespoints ls method(m) title named(m), \
+  for [m in 'gsl_rkf45 gsl_rk8pd'] keyentry with linespoints ls look(m) title named(m)
+unset multiplot

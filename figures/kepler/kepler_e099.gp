@@ -1,0 +1,3 @@
+# Table 2 as a picture: errors against steps and against time, ours and the paper's.
+stem = 'kepler_e099'
+load 'figures/kepler/kepler_table.gp'

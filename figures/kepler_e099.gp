@@ -1,4 +1,0 @@
-# data: kepler_e099
-# Table 2 as a picture: errors against steps and against time, ours and the paper's.
-stem = 'kepler_e099'
-load 'figures/shared/kepler_table.gp'

@@ -1,0 +1,119 @@
+#pragma once
+#include "avi/autodiff/operation.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <map>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+/// @file
+/// A formula as a list of operations, each found once.
+
+namespace avi {
+
+/// The operations of a formula in the order of their first use. Equal operations on equal operands are one
+/// node, operations on numbers are done at once, and sums with 0 and products with 0 and 1 are no
+/// operations: 0 times a value that is infinite is 0 here.
+class ExpressionGraph {
+ public:
+  /// One operation; operands are numbers of earlier nodes, -1 where there is none.
+  struct Node {
+    Operation operation;  ///< What is done.
+    int a = -1;           ///< First operand; the number of the argument of an input.
+    int b = -1;           ///< Second operand.
+    double number = 0.0;  ///< Of a constant.
+  };
+
+  /// A formula of that many arguments, its first nodes.
+  explicit ExpressionGraph(int inputs) : inputs_(inputs) {
+    for (int i = 0; i < inputs; ++i)
+      find({.operation = Operation::input, .a = i});
+  }
+
+  [[nodiscard]] int inputs() const { return inputs_; }                           ///< Number of arguments.
+  [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }     ///< Number of nodes.
+  [[nodiscard]] const Node& operator[](int node) const { return nodes_[node]; }  ///< That node.
+  /// It is a number.
+  [[nodiscard]] bool is_constant(int node) const { return nodes_[node].operation == Operation::constant; }
+  /// It is this number.
+  [[nodiscard]] bool is(int node, double number) const {
+    return is_constant(node) && nodes_[node].number == number;
+  }
+
+  /// The node of a number.
+  int constant(double number) { return find({.operation = Operation::constant, .number = number}); }
+
+  /// The node of an operation on one node.
+  int unary(Operation operation, int a) {
+    if (is_constant(a)) return constant(detail::evaluate(operation, nodes_[a].number, 0.0));
+    return find({.operation = operation, .a = a});
+  }
+
+  /// The node of an operation on two nodes.
+  int binary(Operation operation, int a, int b) {
+    if (is_constant(a) && is_constant(b))
+      return constant(detail::evaluate(operation, nodes_[a].number, nodes_[b].number));
+    switch (operation) {
+    case Operation::add:
+      if (is(a, 0.0)) return b;
+      if (is(b, 0.0)) return a;
+      if (b < a) std::swap(a, b);
+      break;
+    case Operation::subtract:
+      if (is(b, 0.0)) return a;
+      if (a == b) return constant(0.0);
+      if (is(a, 0.0)) return binary(Operation::multiply, constant(-1.0), b);
+      break;
+    case Operation::multiply:
+      if (is(a, 0.0) || is(b, 0.0)) return constant(0.0);
+      if (is(a, 1.0)) return b;
+      if (is(b, 1.0)) return a;
+      if (b < a) std::swap(a, b);
+      break;
+    case Operation::divide:
+      if (is(a, 0.0)) return a;
+      if (is(b, 1.0)) return a;
+      break;
+    default:
+      break;
+    }
+    const int node = find({.operation = operation, .a = a, .b = b});
+    if (operation == Operation::divide && is_constant(a)) quotients_.emplace(b, node);
+    return node;
+  }
+
+  /// a to a constant power: the same roots, products and quotients as power() of a double where they are one.
+  int power(int a, double exponent) {
+    if (exponent == 0.0) return constant(1.0);
+    if (exponent == 1.0) return a;
+    if (exponent == 2.0) return binary(Operation::multiply, a, a);
+    if (exponent == 0.5) return unary(Operation::sqrt, a);
+    if (exponent == -1.0 || exponent == -0.5)
+      return binary(Operation::divide, constant(1.0), power(a, -exponent));
+    return binary(Operation::power, a, constant(exponent));
+  }
+
+  /// A quotient (number / b) that the formula has, or -1.
+  [[nodiscard]] int quotient(int b) const {
+    const auto found = quotients_.find(b);
+    return found == quotients_.end() ? -1 : found->second;
+  }
+
+ private:
+  int find(const Node& node) {
+    const auto key =
+        std::make_tuple(node.operation, node.a, node.b, std::bit_cast<std::uint64_t>(node.number));
+    const auto [place, fresh] = known_.try_emplace(key, size());
+    if (fresh) nodes_.push_back(node);
+    return place->second;
+  }
+
+  int inputs_;
+  std::vector<Node> nodes_;
+  std::map<std::tuple<Operation, int, int, std::uint64_t>, int> known_;
+  std::map<int, int> quotients_;
+};
+
+}  // namespace avi

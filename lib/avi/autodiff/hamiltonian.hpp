@@ -1,0 +1,97 @@
+#pragma once
+#include "avi/autodiff/partials.hpp"
+#include "avi/core/vector.hpp"
+
+#include <utility>
+
+/// @file
+/// Derivatives of a Hamiltonian H(q, p): those that it supplies, else automatic ones.
+
+namespace avi {
+
+/// A Hamiltonian may supply d_dp(q, p) = dH/dp and d_dq(q, p) = dH/dq for speed, both generic in their
+/// scalar.
+template <class H, class S, int n>
+concept SuppliesGradient = requires(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
+  h.d_dp(q, p);
+  h.d_dq(q, p);
+};
+
+/// H and dH/dp at any scalar.
+template <class H, class S, int n>
+Partials<S, n> value_and_d_dp(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
+  if constexpr (SuppliesGradient<H, S, n>) {
+    Partials<S, n> y(h(q, p));
+    const Vector<S, n> slope = h.d_dp(q, p);
+    for (int i = 0; i < n; ++i)
+      y.d[i] = slope[i];
+    y.constant = false;
+    return y;
+  } else {
+    const Vector<Partials<S, n>, n> at_q = q.template cast<Partials<S, n>>();
+    return value_and_gradient([&](const auto& x) { return h(at_q, x); }, p);
+  }
+}
+
+/// dH/dp at any scalar.
+template <class H, class S, int n>
+Vector<S, n> d_dp(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
+  if constexpr (SuppliesGradient<H, S, n>) {
+    return h.d_dp(q, p);
+  } else {
+    const Vector<Partials<S, n>, n> at_q = q.template cast<Partials<S, n>>();
+    return gradient([&](const auto& x) { return h(at_q, x); }, p);
+  }
+}
+
+/// dH/dq at any scalar.
+template <class H, class S, int n>
+Vector<S, n> d_dq(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
+  if constexpr (SuppliesGradient<H, S, n>) {
+    return h.d_dq(q, p);
+  } else {
+    const Vector<Partials<S, n>, n> at_p = p.template cast<Partials<S, n>>();
+    return gradient([&](const auto& x) { return h(x, at_p); }, q);
+  }
+}
+
+/// Derivative of f(p) in the direction of p itself, \f$p\cdot\partial f/\partial p\f$, together with f(p).
+template <class F, class S, int n>
+Partials<S, 1> along_momentum(const F& f, const Vector<S, n>& p) {
+  Vector<Partials<S, 1>, n> seeded(p.size());
+  for (Eigen::Index i = 0; i < p.size(); ++i)
+    seeded[i] = Partials<S, 1>::variable(p[i], 0, p[i]);
+  return f(seeded);
+}
+
+/// f(q, p) and \f$p\cdot\partial f/\partial p\f$ at any scalar.
+template <class F, class S, int n>
+std::pair<S, S> value_and_work(const F& f, const Vector<S, n>& q, const Vector<S, n>& p) {
+  if constexpr (SuppliesGradient<F, S, n>) {
+    const Vector<S, n> slope = f.d_dp(q, p);
+    S sum(0.0);
+    for (int i = 0; i < n; ++i)
+      sum += p[i] * slope[i];
+    return {f(q, p), sum};
+  } else {
+    const Vector<Partials<S, 1>, n> at_q = q.template cast<Partials<S, 1>>();
+    const auto both = along_momentum([&](const auto& x) { return f(at_q, x); }, p);
+    return {both.value, both.partial(0)};
+  }
+}
+
+/// A Hamiltonian stripped of what it supplies: only its value is used and every derivative is automatic.
+template <class H>
+struct Automatic {
+  H hamiltonian;  ///< Called as H(q, p), never for its gradient.
+  /// H(q, p).
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    return hamiltonian(q, p);
+  }
+};
+/// Automatic{hamiltonian}.
+template <class H>
+Automatic(H) -> Automatic<H>;
+
+}  // namespace avi

@@ -1,0 +1,236 @@
+#pragma once
+#include "avi/autodiff/partials.hpp"
+
+#include <cmath>
+#include <limits>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+/// @file
+/// Several numbers that go through the same formula side by side.
+
+namespace avi {
+
+namespace detail {
+// Written out: GCC ignores vector_size when it depends on a template parameter. The weak alignment lets
+// memory from anywhere hold them, Eigen's vectors included; where it is better aligned than that nothing is
+// lost.
+template <int w>
+struct PackRegister {
+  typedef double type __attribute__((vector_size(64), aligned(16)));
+};
+template <>
+struct PackRegister<2> {
+  typedef double type __attribute__((vector_size(16), aligned(16)));
+};
+template <>
+struct PackRegister<4> {
+  typedef double type __attribute__((vector_size(32), aligned(16)));
+};
+}  // namespace detail
+
+/// w doubles, w = 2, 4, 8, 16 or 32, as one scalar: every operation is done to each of them, by the vector
+/// units of the machine where it has them, with the same results bit for bit where it has not. A formula that
+/// is generic in its scalar so is evaluated at w points for little more than the price of one. It cannot
+/// branch on a value, for w values would want to go separate ways: there are no comparisons, and a formula
+/// that compares does not compile. Partials<Pack<w>, n> are w values with their gradients.
+template <int w>
+class Pack {
+ public:
+  static constexpr int width = w;                                  ///< Numbers in the pack.
+  using Register = typename detail::PackRegister<w>::type;         ///< GCC's vector of at most 8 of them.
+  static constexpr int lanes = sizeof(Register) / sizeof(double);  ///< Numbers in a register.
+  static constexpr int parts = w / lanes;                          ///< Registers in the pack.
+
+  Register part[parts];  ///< The numbers.
+
+  Pack() = default;
+  // Written out so that a copy is register moves; see Lanes.
+  /// Register by register.
+  Pack(const Pack& other) {
+    for (int k = 0; k < parts; ++k)
+      part[k] = other.part[k];
+  }
+  /// Register by register.
+  Pack& operator=(const Pack& other) {
+    for (int k = 0; k < parts; ++k)
+      part[k] = other.part[k];
+    return *this;
+  }
+  /// The same number w times.
+  Pack(double value) {  // NOLINT: implicit, so that formulas read as written
+    for (int k = 0; k < parts; ++k)
+      part[k] = value - Register{};
+  }
+
+  [[nodiscard]] double operator[](int i) const {
+    return part[i / lanes][i % lanes];
+  }                                                                      ///< Number i (0-based).
+  void set(int i, double value) { part[i / lanes][i % lanes] = value; }  ///< Replaces number i (0-based).
+
+  /// f of each number.
+  template <class F>
+  [[nodiscard]] Pack each(F f) const {
+    Pack y;
+    for (int i = 0; i < w; ++i)
+      y.set(i, f((*this)[i]));
+    return y;
+  }
+  /// The pack whose register k is f(k), for every k.
+  template <class F>
+  [[nodiscard]] static Pack by_part(F f) {
+    Pack y;
+    for (int k = 0; k < parts; ++k)
+      y.part[k] = f(k);
+    return y;
+  }
+
+  ///@{
+
+  /// Number by number.
+  friend Pack operator-(const Pack& a) {
+    return by_part([&](int k) -> Register { return -a.part[k]; });
+  }
+  friend Pack operator+(const Pack& a, const Pack& b) {
+    return by_part([&](int k) -> Register { return a.part[k] + b.part[k]; });
+  }
+  friend Pack operator-(const Pack& a, const Pack& b) {
+    return by_part([&](int k) -> Register { return a.part[k] - b.part[k]; });
+  }
+  friend Pack operator*(const Pack& a, const Pack& b) {
+    return by_part([&](int k) -> Register { return a.part[k] * b.part[k]; });
+  }
+  friend Pack operator/(const Pack& a, const Pack& b) {
+    return by_part([&](int k) -> Register { return a.part[k] / b.part[k]; });
+  }
+  Pack& operator+=(const Pack& b) { return *this = *this + b; }
+  Pack& operator-=(const Pack& b) { return *this = *this - b; }
+  Pack& operator*=(const Pack& b) { return *this = *this * b; }
+  Pack& operator/=(const Pack& b) { return *this = *this / b; }
+  ///@}
+};
+
+/// @name Elementary functions of a pack
+/// @{
+
+/// Number by number; the square root by the vector unit, the others by the functions of the standard library.
+template <int w>
+Pack<w> sqrt(const Pack<w>& x) {
+#if defined(__AVX512F__)
+  if constexpr (Pack<w>::lanes == 8)
+    return Pack<w>::by_part(
+        [&](int k) -> typename Pack<w>::Register { return _mm512_maskz_sqrt_pd(0xff, __m512d(x.part[k])); });
+#endif
+#if defined(__AVX__)
+  if constexpr (Pack<w>::lanes == 4)
+    return Pack<w>::by_part([&](int k) ->
+                            typename Pack<w>::Register { return _mm256_sqrt_pd(__m256d(x.part[k])); });
+#endif
+#if defined(__SSE2__)
+  Pack<w> y;
+  for (int i = 0; i < w; i += 2) {
+    const __m128d root = _mm_sqrt_pd(_mm_setr_pd(x[i], x[i + 1]));
+    y.set(i, root[0]);
+    y.set(i + 1, root[1]);
+  }
+  return y;
+#else
+  return x.each([](double v) { return std::sqrt(v); });
+#endif
+}
+/// As power() of a double, and for quarters of an integer too by roots and products.
+template <int w>
+Pack<w> pow(const Pack<w>& x, double exponent) {
+  const double four = 4.0 * exponent;
+  if (!(std::abs(four) <= 32.0) || four != static_cast<double>(static_cast<int>(four)))
+    return x.each([&](double v) { return std::pow(v, exponent); });
+  const int m = static_cast<int>(std::abs(four));
+  Pack<w> y(1.0);
+  if (m % 4) {
+    const Pack<w> root = sqrt(x);
+    y = m % 4 == 1 ? sqrt(root) : m % 4 == 2 ? root : root * sqrt(root);
+  }
+  Pack<w> square = x;
+  for (int k = m / 4; k > 0; k /= 2, square *= square)
+    if (k % 2) y *= square;
+  return four < 0.0 ? 1.0 / y : y;
+}
+template <int w>
+Pack<w> exp(const Pack<w>& x) {
+  return x.each([](double v) { return std::exp(v); });
+}
+template <int w>
+Pack<w> log(const Pack<w>& x) {
+  return x.each([](double v) { return std::log(v); });
+}
+template <int w>
+Pack<w> sin(const Pack<w>& x) {
+  return x.each([](double v) { return std::sin(v); });
+}
+template <int w>
+Pack<w> cos(const Pack<w>& x) {
+  return x.each([](double v) { return std::cos(v); });
+}
+template <int w>
+Pack<w> tan(const Pack<w>& x) {
+  return x.each([](double v) { return std::tan(v); });
+}
+template <int w>
+Pack<w> sinh(const Pack<w>& x) {
+  return x.each([](double v) { return std::sinh(v); });
+}
+template <int w>
+Pack<w> cosh(const Pack<w>& x) {
+  return x.each([](double v) { return std::cosh(v); });
+}
+template <int w>
+Pack<w> tanh(const Pack<w>& x) {
+  return x.each([](double v) { return std::tanh(v); });
+}
+template <int w>
+Pack<w> atan(const Pack<w>& x) {
+  return x.each([](double v) { return std::atan(v); });
+}
+template <int w>
+Pack<w> abs(const Pack<w>& x) {
+  return Pack<w>::by_part([&](int k) ->
+                          typename Pack<w>::Register { return x.part[k] < 0.0 ? -x.part[k] : x.part[k]; });
+}
+/// With the derivative 1 or -1 of each number.
+template <int w, int N>
+Partials<Pack<w>, N> abs(const Partials<Pack<w>, N>& x) {
+  return x.chain(abs(x.value), [&] { return x.value.each([](double v) { return std::copysign(1.0, v); }); });
+}
+/// The larger of each pair of numbers; NaN where one of them is.
+template <int w>
+Pack<w> max(const Pack<w>& a, const Pack<w>& b) {
+  return Pack<w>::by_part([&](int k) -> typename Pack<w>::Register {
+    const typename Pack<w>::Register first = a.part[k] != a.part[k] ? a.part[k] : b.part[k];
+    return a.part[k] >= b.part[k] ? a.part[k] : first;
+  });
+}
+/// @}
+
+/// Sum of the numbers of a pack, in an order that no machine changes: halves onto each other.
+template <int w>
+double sum(const Pack<w>& x) {
+  double half[w];
+  for (int i = 0; i < w; ++i)
+    half[i] = x[i];
+  for (int step = w / 2; step > 0; step /= 2)
+    for (int i = 0; i < step; ++i)
+      half[i] += half[i + step];
+  return half[0];
+}
+
+/// Largest of the numbers; NaN where one of them is.
+template <int w>
+double largest(const Pack<w>& x) {
+  double most = x[0];
+  for (int i = 1; i < w; ++i)
+    most = x[i] <= most || most != most ? most : x[i];
+  return most;
+}
+
+}  // namespace avi

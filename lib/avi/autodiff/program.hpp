@@ -1,0 +1,133 @@
+#pragma once
+#include "avi/autodiff/operation.hpp"
+#include "avi/core/vector.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+/// @file
+/// A recorded formula, ready to be evaluated at any scalar.
+
+namespace avi {
+
+/// A straight line of operations that computes f(x) and chosen derivatives of f; made by Recording. One
+/// program serves every scalar: double, Pack<w>, Partials of them. Operations of one kind stand together and
+/// share one decision of what to do; results live in slots that are used again when nobody needs them any
+/// more. An evaluation allocates nothing.
+class Program {
+ public:
+  /// Arguments, intermediate results and results of a program at scalar S: one number for each slot.
+  template <class S>
+  class Room {
+   public:
+    /// For `program`.
+    explicit Room(const Program& program) : slots_(program.slots_, S(0.0)) {
+      for (std::size_t i = 0; i < program.numbers_.size(); ++i)
+        slots_[program.inputs_ + i] = S(program.numbers_[i]);
+    }
+    [[nodiscard]] S* arguments() { return slots_.data(); }  ///< x, inputs() entries, read by run().
+
+   private:
+    friend class Program;
+    // A number of many lanes is read fastest from where the machine would align it.
+    std::vector<S, Eigen::aligned_allocator<S>> slots_;
+  };
+
+  [[nodiscard]] int inputs() const { return inputs_; }  ///< Entries of x.
+  /// Number of derivatives that are computed.
+  [[nodiscard]] int slopes() const { return static_cast<int>(slopes_.size()); }
+  [[nodiscard]] bool has_value() const { return has_value_; }  ///< f(x) itself is computed.
+  [[nodiscard]] std::size_t slots() const { return slots_; }   ///< Numbers in a Room.
+  /// Operations of one run; a product and its addition in a long sum are one.
+  [[nodiscard]] std::size_t operations() const { return operations_; }
+
+  /// Computes the results at room.arguments(), which stay as they are. @param room made for this program
+  template <class S>
+  void run(Room<S>& room) const {
+    static_assert(sizeof(S) % 8 == 0, "A scalar is one or several numbers of eight bytes.");
+    S* const slots = room.slots_.data();
+    const Instruction* next = instructions_.data();
+    for (const Group& group : groups_) {
+      const Instruction* const end = next + group.count;
+      if (group.first == Operation::sum_of_products)
+        sum_products(slots, next, end);
+      else
+        detail::with_operation(
+            group.first, [&]<Operation first>() __attribute__((always_inline)) {
+              if constexpr (detail::pairs(first))
+                detail::with_second(
+                    group.second, [&]<Operation second>() __attribute__((always_inline)) {
+                      compute<first, second>(slots, next, end);
+                    });
+              else
+                compute<first, Operation::nothing>(slots, next, end);
+            });
+      next = end;
+    }
+  }
+  /// f(x) of the last run; there must be one, has_value().
+  template <class S>
+  [[nodiscard]] const S& value(const Room<S>& room) const {
+    return at(room.slots_.data(), value_);
+  }
+  /// Derivative i = 0, 1, ... slopes() - 1 of the last run.
+  template <class S>
+  [[nodiscard]] const S& slope(const Room<S>& room, int i) const {
+    return at(room.slots_.data(), slopes_[i]);
+  }
+
+ private:
+  friend class Schedule;
+
+  /// Eight times the number of a slot: an address the processor computes by itself for up to eight numbers
+  /// in a scalar.
+  using Place = std::uint32_t;
+  struct Instruction {
+    Place to, a, b, c;  // (a first b) second c; of a sum of products: a is its first one, b their number
+  };
+  struct Group {
+    Operation first, second;
+    std::uint32_t count;
+  };
+  struct Product {
+    Place a, b;
+  };
+
+  template <class S>
+  static S& at(S* slots, Place place) {
+    using Byte = std::conditional_t<std::is_const_v<S>, const char, char>;
+    return *reinterpret_cast<S*>(reinterpret_cast<Byte*>(slots) + std::size_t{place} * (sizeof(S) / 8));
+  }
+
+  template <Operation first, Operation second, class S>
+  static void compute(S* slots, const Instruction* i, const Instruction* end) {
+    for (; i != end; ++i)
+      at(slots, i->to) =
+          detail::apply<second>(detail::apply<first>(at(slots, i->a), at(slots, i->b)), at(slots, i->c));
+  }
+  template <class S>
+  void sum_products(S* slots, const Instruction* i, const Instruction* end) const {
+    for (; i != end; ++i) {
+      const Product* product = products_.data() + i->a;
+      const Product* const last = product + i->b;
+      S sum = at(slots, product->a) * at(slots, product->b);
+      while (++product != last)
+        sum = sum + at(slots, product->a) * at(slots, product->b);
+      at(slots, i->to) = sum;
+    }
+  }
+
+  int inputs_ = 0;
+  std::size_t slots_ = 0, operations_ = 0;
+  std::vector<double> numbers_;  // in the slots behind the inputs
+  std::vector<Instruction> instructions_;
+  std::vector<Group> groups_;
+  std::vector<Product> products_;
+  Place value_ = 0;
+  bool has_value_ = false;
+  std::vector<Place> slopes_;
+};
+
+}  // namespace avi

@@ -1,0 +1,89 @@
+#pragma once
+#include "avi/autodiff/recorded.hpp"
+#include "avi/autodiff/reverse.hpp"
+#include "avi/autodiff/schedule.hpp"
+#include "avi/core/require.hpp"
+
+#include <vector>
+
+/// @file
+/// Gradients in any dimension: a function is called once and becomes a program with its derivatives.
+
+namespace avi {
+
+/// A function f of N numbers, called once with a scalar that writes down what is done to it. The straight
+/// line of operations found so, with its gradient by reverse accumulation, costs a small multiple of f
+/// whatever N is, at any scalar and without one call of f more.
+///
+/// f must do the same operations wherever it is called: loops over its entries are well, branches on their
+/// values are not; the compiler refuses comparisons of entries and their conversion to numbers. f may use
+/// + - * /, sqrt, pow with a constant exponent, exp, log, sin, cos, tan, sinh, cosh, tanh, atan and abs.
+///
+/// The value is that of f at doubles to the last bit, as long as f adds in the order in which it is written
+/// (Eigen's own reductions of doubles do not); where f multiplies an infinite or NaN entry by 0 it is finite.
+/// The slope of |x| at 0 is 1, that of a power other than a half integer at 0 is NaN.
+class Recording {
+ public:
+  /// Records f. @param f called as f(x) with a Vector<Recorded, dynamic> of `inputs` entries; what it
+  /// returns is the value
+  /// @throws std::invalid_argument for fewer than one input.
+  template <class F>
+  Recording(const F& f, Eigen::Index inputs) : graph_(checked(inputs)) {
+    Vector<Recorded, dynamic> x(inputs);
+    for (int i = 0; i < graph_.inputs(); ++i)
+      x[i] = Recorded(graph_, i);
+    const Recorded result = f(x);
+    value_ = result.node_in(graph_);
+    recorded_ = graph_.size();
+    slopes_ = Reverse(graph_).gradient(value_);
+  }
+
+  [[nodiscard]] int inputs() const { return graph_.inputs(); }  ///< N.
+
+  /// The program of the derivatives along `count` entries of x from `first` on.
+  /// @throws std::invalid_argument for entries that x has not.
+  [[nodiscard]] Program gradient(int first, int count) const { return program(-1, first, count); }
+  /// The program of the gradient.
+  [[nodiscard]] Program gradient() const { return gradient(0, inputs()); }
+  /// The program of f(x) and of its derivatives along `count` entries of x from `first` on.
+  /// @throws std::invalid_argument for entries that x has not.
+  [[nodiscard]] Program value_and_gradient(int first, int count) const {
+    return program(value_, first, count);
+  }
+  /// The program of f(x) and its gradient.
+  [[nodiscard]] Program value_and_gradient() const { return value_and_gradient(0, inputs()); }
+  /// The program of f(x) alone.
+  [[nodiscard]] Program value() const { return value_and_gradient(0, 0); }
+
+ private:
+  [[nodiscard]] Program program(int value, int first, int count) const {
+    require(first >= 0 && first <= inputs(), "First entry to differentiate by", first, "an entry of x");
+    require(count >= 0 && count <= inputs() - first, "Number of derivatives", count,
+            "at most that of the entries left");
+    ExpressionGraph graph = graph_;
+    return Schedule::program(graph, value, {slopes_.begin() + first, slopes_.begin() + first + count},
+                             recorded_);
+  }
+  static int checked(Eigen::Index inputs) {
+    require(inputs >= 1, "Number of arguments to record", inputs, "at least 1");
+    return static_cast<int>(inputs);
+  }
+  ExpressionGraph graph_;
+  int value_ = -1;
+  int recorded_ = 0;
+  std::vector<int> slopes_;
+};
+
+/// The recording of a Hamiltonian or monitor f(q, p) with vectors of n entries, whose arguments are (q, p):
+/// 2n entries. @param size n, where it is avi::dynamic
+template <int n = dynamic, class F>
+Recording record(const F& f, Eigen::Index size = n) {
+  return Recording(
+      [&](const Vector<Recorded, dynamic>& z) -> Recorded {
+        const Vector<Recorded, n> q = z.head(size), p = z.tail(size);
+        return f(q, p);
+      },
+      2 * size);
+}
+
+}  // namespace avi

@@ -1,0 +1,85 @@
+#pragma once
+#include "avi/automatic/tour.hpp"
+#include "avi/core/require.hpp"
+
+#include <stdexcept>
+
+/// @file
+/// A monitor found from H alone.
+
+namespace avi {
+
+namespace detail {
+
+/// The monitors that H and a tour along its orbit offer, as formulas of (q, p).
+class Monitors {
+ public:
+  /// Of H along the orbit through `start`.
+  template <class H, int n>
+  Monitors(const H& hamiltonian, const State<n>& start)
+      : curvature_(hamiltonian, start), tour_(checked(curvature_, hamiltonian, start)) {}
+
+  /// \f$g = \big(\sqrt{n_0 + (\bar\omega/16)^4} + (\bar\omega/8)^2\big)^{-1/2}\f$.
+  PhaseFunction curvature() {
+    const double low = tour_.frequency / 8.0;
+    return {curvature_.graph, power(plus(power(smooth(0.0625), 0.5), low * low), -0.5)};
+  }
+  /// \f$g = \big((n_0 + (\bar\omega/4)^4)^{1/4} + \bar\omega\big)^{-1}\f$: below one over the mean frequency.
+  PhaseFunction gentle() {
+    return {curvature_.graph, power(plus(power(smooth(0.25), 0.25), tour_.frequency), -1.0)};
+  }
+  /// \f$g = (S + \varepsilon \bar S)^{-\alpha}\f$ with the squared speed S in phase space and its mean.
+  PhaseFunction speed(double exponent, double floor) {
+    return {curvature_.graph, power(plus(squared_speed(), floor * tour_.squared_speed), -exponent)};
+  }
+  [[nodiscard]] const Tour& tour() const { return tour_; }  ///< The scales.
+
+ private:
+  template <class H, int n>
+  static Tour checked(Curvature& curvature, const H& hamiltonian, const State<n>& start) {
+    if (!start.finite() || !std::isfinite(static_cast<double>(hamiltonian(start.q, start.p))))
+      throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
+    if (!curvature.has_metric())
+      throw std::invalid_argument(
+          "The second derivatives of H by p are not positive definite at the start, so "
+          "that speeds have no measure; give a monitor of your own, or none.");
+    Tour tour(hamiltonian, curvature, start);
+    if (!(tour.frequency > 0.0))
+      throw std::invalid_argument(
+          "The second derivatives of H by q are zero or not finite along the orbit, so "
+          "that it has no time scale; give a monitor of your own, or none.");
+    return tour;
+  }
+
+  int plus(int a, double b) { return curvature_.plus(a, curvature_.graph.constant(b)); }
+  int power(int a, double exponent) { return curvature_.power(a, exponent); }
+  int smooth(double share) { return plus(tour_.n0, std::pow(share * tour_.frequency, 4)); }
+  int squared_speed() {
+    const auto [positions, momenta] = tour_.speeds;
+    return curvature_.plus(positions, curvature_.scaled(1.0 / (tour_.frequency * tour_.frequency), momenta));
+  }
+
+  Curvature curvature_;
+  Tour tour_;
+};
+
+}  // namespace detail
+
+/// A monitor of H for orbits like the one through `start`, with nothing to choose. With \f$n_0\f$ the sum
+/// over the terms of H of their squared second derivatives (of each pair of bodies; frequency to the power 4,
+/// see detail::Curvature) and \f$\bar\omega\f$ the mean of \f$n_0^{1/4}\f$ in time along the first part of
+/// the orbit, \f[ g(q, p) = \Big(\sqrt{n_0 + (\bar\omega/16)^4} + (\bar\omega/8)^2\Big)^{-1/2}. \f] On
+/// Kepler's problem it is \f$|q|^{3/2}\f$ but for a factor and the bound. \f$0 < g < 8/\bar\omega\f$ wherever
+/// H has finite derivatives. It is invariant under rotations, translations, units and masses, and linear
+/// changes of coordinates, as far as they leave the terms of H together. One step of a method with h = 1 is
+/// about one radian of the fastest motion.
+///
+/// H is called once, with a scalar that records what is done to it; a branch on values does not compile.
+/// @throws std::invalid_argument where H is not finite at the start, \f$H_{pp}\f$ not positive definite
+/// there, or \f$n_0\f$ zero or not finite all along the orbit.
+template <class H, int n>
+PhaseFunction automatic_monitor(const H& hamiltonian, const State<n>& start) {
+  return detail::Monitors(hamiltonian, start).curvature();
+}
+
+}  // namespace avi

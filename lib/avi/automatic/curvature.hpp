@@ -1,0 +1,238 @@
+#pragma once
+#include "avi/autodiff/recorded.hpp"
+#include "avi/autodiff/reverse.hpp"
+#include "avi/core/inverse.hpp"
+#include "avi/core/state.hpp"
+
+#include <map>
+#include <utility>
+#include <vector>
+
+/// @file
+/// The square of the frequency scale of a Hamiltonian, term by term, from its second derivatives.
+
+namespace avi::detail {
+
+/// A Hamiltonian as a graph, with what of it a monitor needs.
+///
+/// H is a sum of terms \f$H_k\f$ as it is written (a pair of bodies is one). With the metric
+/// \f$K = \partial^2 H/\partial p^2\f$ of the start, in whose units all masses are 1,
+/// \f[ n_0 = \tfrac1n |H_{pp}|^2 \sum_k |H_{k,qq}|^2 + \Big(\sum_k |H_{k,qp}|^2\Big)^2, \f]
+/// norms of Frobenius in that metric: \f$|A_{qq}|^2 = tr(A K A K)\f$, \f$|A_{qp}|^2 = tr(A K^{-1} A^T K)\f$,
+/// \f$|A_{pp}|^2 = tr(A K^{-1} A K^{-1})\f$. It is a frequency to the power 4; linear changes of coordinates
+/// (with their momenta) leave it as it is. Squares are summed, not terms: where attraction and repulsion
+/// cancel, nothing vanishes.
+class Curvature {
+ public:
+  /// Records H. @param start where the metric is taken
+  template <class H, int n>
+  Curvature(const H& hamiltonian, const State<n>& start)
+      : graph(2 * static_cast<int>(start.q.size())), n_(static_cast<int>(start.q.size())) {
+    Vector<Recorded, n> q(start.q.size()), p(start.q.size());
+    for (int i = 0; i < n_; ++i) {
+      q[i] = Recorded(graph, i);
+      p[i] = Recorded(graph, n_ + i);
+    }
+    const Recorded value = hamiltonian(q, p);
+    energy = value.node_in(graph);
+    start_.resize(2 * n_);
+    start_ << start.q, start.p;
+    find_terms(energy, 1.0);
+    find_metric();
+  }
+
+  ExpressionGraph graph;  ///< Of (q, p).
+  int energy = -1;        ///< H.
+  /// H_pp at the start is symmetric and positive definite, so that there is a metric.
+  [[nodiscard]] bool has_metric() const { return has_metric_; }
+  [[nodiscard]] std::size_t terms() const { return terms_.size(); }  ///< Of H.
+
+  /// n_0. @pre has_metric()
+  int squared_frequency_squared() {
+    Norms sum{graph.constant(0.0), graph.constant(0.0)};
+    for (const Part& term : terms_)
+      add(sum, term);
+    return plus(times(spread(), sum.qq), times(sum.qp, sum.qp));
+  }
+
+  /// \f$\dot q^T K^{-1}\dot q\f$ and \f$\dot p^T K\,\dot p\f$, squares of the speed in the two halves of
+  /// phase space. @pre has_metric()
+  std::pair<int, int> squared_speeds() {
+    const std::vector<int> slope = Reverse(graph).gradient(energy);
+    int positions = graph.constant(0.0), momenta = positions;
+    for (int i = 0; i < n_; ++i)
+      for (int j = 0; j < n_; ++j) {
+        positions = plus(positions, scaled(inverse_(i, j), times(slope[n_ + i], slope[n_ + j])));
+        momenta = plus(momenta, scaled(metric_(i, j), times(slope[i], slope[j])));
+      }
+    return {positions, momenta};
+  }
+
+  ///@{
+
+  /// Nodes of sums, products and powers.
+  int plus(int a, int b) { return graph.binary(Operation::add, a, b); }
+  int times(int a, int b) { return graph.binary(Operation::multiply, a, b); }
+  int scaled(double a, int b) { return times(graph.constant(a), b); }
+  int power(int a, double exponent) { return graph.power(a, exponent); }
+  ///@}
+
+ private:
+  using Square = Matrix<double, dynamic>;
+  struct Part {
+    double factor;
+    int node;
+  };
+  struct Norms {
+    int qq, qp;
+  };
+  using Sparse = std::map<std::pair<int, int>, int>;  // entries of a Hessian that are not the constant 0
+
+  void find_terms(int node, double factor) {
+    const ExpressionGraph::Node what = graph[node];
+    if (what.operation == Operation::add || what.operation == Operation::subtract) {
+      find_terms(what.a, factor);
+      find_terms(what.b, what.operation == Operation::add ? factor : -factor);
+    } else if (what.operation == Operation::multiply && graph.is_constant(what.a)) {
+      find_terms(what.b, factor * graph[what.a].number);
+    } else if (what.operation == Operation::multiply && graph.is_constant(what.b)) {
+      find_terms(what.a, factor * graph[what.b].number);
+    } else if (what.operation == Operation::divide && graph.is_constant(what.b)) {
+      find_terms(what.a, factor / graph[what.b].number);
+    } else if (!graph.is_constant(node)) {
+      terms_.push_back({factor, node});
+    }
+  }
+
+  /// Second derivatives of a term, found in a graph of its own: the work grows with the term, not with H.
+  Sparse hessian(const Part& term) {
+    std::vector<int> inputs;
+    ExpressionGraph own = extract(term.node, inputs);
+    const int count = static_cast<int>(inputs.size()), value = own.size() - 1;
+    const std::vector<int> slope = Reverse(own).gradient(value);
+    Sparse entries;
+    std::map<int, int> copies;
+    for (int i = 0; i < count; ++i) {
+      if (own.is_constant(slope[i])) continue;
+      const std::vector<int> row = Reverse(own).gradient(slope[i]);
+      for (int j = 0; j < count; ++j)
+        if (!own.is(row[j], 0.0))
+          entries[{inputs[i], inputs[j]}] = scaled(term.factor, copy(own, row[j], inputs, copies));
+    }
+    return entries;
+  }
+
+  ExpressionGraph extract(int node, std::vector<int>& inputs) const {
+    std::map<int, int> place;
+    collect(node, place);
+    for (const auto& [old, unused] : place)
+      if (graph[old].operation == Operation::input) inputs.push_back(graph[old].a);
+    ExpressionGraph own(static_cast<int>(inputs.size()));
+    int next = 0;
+    for (auto& [old, fresh] : place)
+      fresh = graph[old].operation == Operation::input ? next++ : again(graph[old], own, place);
+    return own;
+  }
+  void collect(int node, std::map<int, int>& place) const {
+    if (!place.try_emplace(node, -1).second) return;
+    const ExpressionGraph::Node& what = graph[node];
+    if (what.operation == Operation::input || what.operation == Operation::constant) return;
+    collect(what.a, place);
+    if (what.b >= 0) collect(what.b, place);
+  }
+  static int again(const ExpressionGraph::Node& what, ExpressionGraph& to, const std::map<int, int>& place) {
+    if (what.operation == Operation::constant) return to.constant(what.number);
+    const int a = place.at(what.a);
+    if (what.b < 0) return to.unary(what.operation, a);
+    const int b = place.at(what.b);
+    return what.operation == Operation::power ? to.power(a, to[b].number) : to.binary(what.operation, a, b);
+  }
+  int copy(const ExpressionGraph& from, int node, const std::vector<int>& inputs,
+           std::map<int, int>& copies) {
+    if (const auto known = copies.find(node); known != copies.end()) return known->second;
+    const ExpressionGraph::Node what = from[node];
+    int fresh = -1;
+    if (what.operation == Operation::input) {
+      fresh = inputs[what.a];
+    } else {
+      if (what.operation != Operation::constant) {
+        copy(from, what.a, inputs, copies);
+        if (what.b >= 0) copy(from, what.b, inputs, copies);
+      }
+      fresh = again(what, graph, copies);
+    }
+    return copies[node] = fresh;
+  }
+
+  void add(Norms& sum, const Part& term) {
+    const Sparse entries = hessian(term);
+    for (const auto& [ij, a] : entries)
+      for (const auto& [lk, b] : entries) {
+        const auto [i, j] = ij;
+        const auto [l, k] = lk;
+        if (i < n_ && j < n_ && l < n_ && k < n_)  // A_ij K_jl A_lk K_ki
+          sum.qq = plus(sum.qq, scaled(metric_(j, l) * metric_(k, i), times(a, b)));
+        if (i < n_ && j >= n_ && l < n_ && k >= n_)  // A_ij K^-1_jk A_lk K_li
+          sum.qp = plus(sum.qp, scaled(inverse_(j - n_, k - n_) * metric_(l, i), times(a, b)));
+      }
+  }
+
+  /// |H_pp|^2 / n: 1 where the kinetic energy has a constant metric.
+  int spread() {
+    std::map<std::pair<int, int>, int> total;
+    for (const Part& term : terms_)
+      for (const auto& [ij, a] : hessian(term))
+        if (ij.first >= n_ && ij.second >= n_) {
+          const auto [place, fresh] = total.try_emplace(ij, a);
+          if (!fresh) place->second = plus(place->second, a);
+        }
+    int sum = graph.constant(0.0);
+    for (const auto& [ij, a] : total)
+      for (const auto& [lk, b] : total)
+        sum = plus(sum, scaled(inverse_(ij.second - n_, lk.first - n_) *
+                                   inverse_(lk.second - n_, ij.first - n_) / n_,
+                               times(a, b)));
+    return sum;
+  }
+
+  /// K, if H_pp is symmetric and positive definite at the start.
+  void find_metric() {
+    metric_ = Square::Zero(n_, n_);
+    for (const Part& term : terms_)
+      for (const auto& [ij, node] : hessian(term))
+        if (ij.first >= n_ && ij.second >= n_) metric_(ij.first - n_, ij.second - n_) += at_start(node);
+    has_metric_ = metric_.allFinite() && positive(metric_);
+    if (has_metric_) inverse_ = inverse(metric_);
+  }
+  /// All pivots of a symmetric matrix are positive.
+  static bool positive(Square a) {
+    for (Eigen::Index k = 0; k < a.rows(); ++k) {
+      if (!(a(k, k) > 0.0)) return false;
+      for (Eigen::Index i = k + 1; i < a.rows(); ++i)
+        for (Eigen::Index j = k + 1; j < a.rows(); ++j)
+          a(i, j) -= a(i, k) * a(k, j) / a(k, k);
+    }
+    return true;
+  }
+  double at_start(int node) {
+    for (int i = static_cast<int>(values_.size()); i <= node; ++i) {
+      const ExpressionGraph::Node& what = graph[i];
+      if (what.operation == Operation::input)
+        values_.push_back(start_[what.a]);
+      else if (what.operation == Operation::constant)
+        values_.push_back(what.number);
+      else
+        values_.push_back(evaluate(what.operation, values_[what.a], what.b < 0 ? 0.0 : values_[what.b]));
+    }
+    return values_[node];
+  }
+
+  int n_;
+  Vector<double, dynamic> start_;
+  std::vector<Part> terms_;
+  std::vector<double> values_;  // of the first nodes, at the start
+  Square metric_, inverse_;
+  bool has_metric_ = false;
+};
+
+}  // namespace avi::detail

@@ -1,0 +1,116 @@
+#pragma once
+#include "avi/autodiff/recorded.hpp"
+#include "avi/core/power.hpp"
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+/// @file
+/// A recorded function of (q, p) that is called like any other.
+
+namespace avi {
+
+/// A function f(q, p) that was found by automatic means: one type for all of them, so that what uses it is
+/// compiled once. It is called with vectors of n entries of any scalar: double, Pack, Partials, Jet,
+/// Recorded. Copies share the list of operations. A call works in memory of its thread that is kept from call
+/// to call.
+class PhaseFunction {
+ public:
+  /// The value of `node` in a graph whose inputs are (q, p).
+  PhaseFunction(const ExpressionGraph& graph, int node)
+      : steps_(compact(graph, node)), n_(graph.inputs() / 2) {}
+
+  [[nodiscard]] Eigen::Index size() const { return n_; }                               ///< n.
+  [[nodiscard]] long operations() const { return static_cast<long>(steps_->size()); }  ///< Lines of the list.
+
+  /// f at a point of phase space.
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    using S = typename Q::Scalar;
+    thread_local std::vector<S> values;
+    const std::vector<Step>& steps = *steps_;
+    if (values.size() < steps.size()) values.resize(steps.size());
+    for (std::size_t i = 0; i < steps.size(); ++i)
+      evaluate(steps[i], q, p, values.data(), values[i]);
+    return S(values[steps.size() - 1]);
+  }
+
+ private:
+  using Step = ExpressionGraph::Node;
+
+  static std::shared_ptr<const std::vector<Step>> compact(const ExpressionGraph& graph, int node) {
+    std::vector<int> place(static_cast<std::size_t>(node) + 1, 0);  // 0: not needed
+    place[node] = 1;
+    for (int i = node; i >= 0; --i)
+      if (place[i] && has_operands(graph[i]))
+        for (const int operand : {graph[i].a, graph[i].b})
+          if (operand >= 0) place[operand] = 1;
+    auto steps = std::make_shared<std::vector<Step>>();
+    for (int i = 0; i <= node; ++i) {
+      if (!place[i]) continue;
+      Step step = graph[i];
+      if (step.operation == Operation::power) {
+        step.number = graph[step.b].number;
+        step.b = -1;
+      }
+      if (has_operands(step)) {
+        step.a = place[step.a];
+        if (step.b >= 0) step.b = place[step.b];
+      }
+      place[i] = static_cast<int>(steps->size());
+      steps->push_back(step);
+    }
+    return steps;
+  }
+
+  static bool has_operands(const Step& step) {
+    return step.operation != Operation::input && step.operation != Operation::constant;
+  }
+
+  template <class Q, class P, class S>
+  void evaluate(const Step& step, const Q& q, const P& p, const S* values, S& out) const {
+    switch (step.operation) {
+    case Operation::input:
+      out = step.a < n_ ? q[step.a] : p[step.a - n_];
+      break;
+    case Operation::constant:
+      out = S(step.number);
+      break;
+    case Operation::power:
+      out = power(values[step.a], step.number);
+      break;
+    case Operation::sign: {
+      using std::abs;
+      out = values[step.a] / abs(values[step.a]);
+      break;
+    }
+    default: {
+      const S& a = values[step.a];
+      const S& b = step.b < 0 ? a : values[step.b];
+      detail::with_operation(step.operation, [&]<Operation known>() {
+        if constexpr (known != Operation::power && known != Operation::sign) out = detail::apply<known>(a, b);
+      });
+    }
+    }
+  }
+
+  std::shared_ptr<const std::vector<Step>> steps_;
+  Eigen::Index n_;
+};
+
+/// The formula of a callable f(q, p), called once with recording vectors of n entries.
+/// @param size n, where it is avi::dynamic
+template <int n = dynamic, class F>
+PhaseFunction phase_function(const F& f, Eigen::Index size = n) {
+  ExpressionGraph graph(2 * static_cast<int>(size));
+  Vector<Recorded, n> q(size), p(size);
+  for (int i = 0; i < size; ++i) {
+    q[i] = Recorded(graph, i);
+    p[i] = Recorded(graph, static_cast<int>(size) + i);
+  }
+  const Recorded value = f(q, p);
+  return {graph, value.node_in(graph)};
+}
+
+}  // namespace avi

@@ -1,0 +1,129 @@
+#pragma once
+#include "avi/autodiff/recording.hpp"
+#include "avi/automatic/curvature.hpp"
+#include "avi/automatic/phase_function.hpp"
+#include "avi/integrators/runge_kutta.hpp"
+#include "avi/integrators/tableaus.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+/// @file
+/// A short, rough run along an orbit that finds its scales.
+
+namespace avi::detail {
+
+/// Means in time along the first part of an orbit: 1000 Runge-Kutta steps of a tenth of the local time scale.
+/// The constants of a monitor come from here; it then is a fixed function.
+class Tour {
+ public:
+  /// @param curvature of this H, with a metric @param start where the orbit begins
+  template <class H, int n>
+  Tour(const H& hamiltonian, Curvature& curvature, const State<n>& start)
+      : n0(curvature.squared_frequency_squared()), speeds(curvature.squared_speeds()), size_(start.q.size()),
+        curved_(curvature.graph, n0), fast_(curvature.graph, speeds.first),
+        pushed_(curvature.graph, speeds.second), slopes_(record<n>(hamiltonian, size_).value_and_gradient()),
+        room_(slopes_) {
+    VectorX z(2 * size_);
+    z << start.q, start.p;
+    run(z);
+  }
+
+  int n0;                      ///< Node of \f$n_0\f$, see Curvature.
+  std::pair<int, int> speeds;  ///< Nodes of the squared speeds.
+  double frequency = 0.0;      ///< Mean of \f$n_0^{1/4}\f$.
+  double squared_speed = 0.0;  ///< Mean of the first squared speed plus the second over frequency squared.
+  double kinetic = 0.0;        ///< Half the mean of the first one.
+  double time = 0.0;           ///< Length of the tour.
+  long evaluations = 0;        ///< Of the vector field.
+
+  /// The fictive time \f$\int dt/g\f$ of the first `span` of the orbit, or of the tour carried on to it.
+  [[nodiscard]] double fictive_time(const PhaseFunction& monitor, double span) const {
+    double sum = 0.0, passed = 0.0;
+    for (const Sample& sample : samples_) {
+      if (passed >= span) break;
+      sum += sample.h / value(monitor, sample.z);
+      passed += sample.h;
+    }
+    return sum * (span / passed);
+  }
+
+ private:
+  [[nodiscard]] double value(const PhaseFunction& f, const VectorX& z) const {
+    const VectorX q = z.head(size_), p = z.tail(size_);
+    return f(q, p);
+  }
+  /// dz = the field at z; returns H.
+  double field(const VectorX& z, VectorX& dz) {
+    std::copy(z.begin(), z.end(), room_.arguments());
+    slopes_.run(room_);
+    const int n = static_cast<int>(size_);
+    for (int i = 0; i < n; ++i) {
+      dz[i] = slopes_.slope(room_, n + i);
+      dz[n + i] = -slopes_.slope(room_, i);
+    }
+    ++evaluations;
+    return slopes_.value(room_);
+  }
+
+  void run(VectorX z) {
+    RungeKuttaStages<ClassicalRungeKutta> step(2 * size_);
+    VectorX next(2 * size_);
+    double energy = field(z, step.k[0]), positions = 0.0, momenta = 0.0, angle = 0.0, longest = 1e300,
+           liveliest = 0.0;
+    double scale = first_frequency(z, step.k[0]);
+    if (!(scale > 0.0)) return;
+    for (int i = 0; i < 1000; ++i) {
+      const double local = std::pow(value(curved_, z), 0.25), a = value(fast_, z), b = value(pushed_, z);
+      const double h = std::min(longest, 0.1 / std::max(local, scale / 8.0));
+      step.advance([this](const VectorX& x, VectorX& dx) { field(x, dx); }, z, h);
+      const double energy_there = field(step.end, next);
+      liveliest = std::max(liveliest, 0.5 * a);
+      if (!(std::abs(energy_there - energy) <= 1e-4 * std::max(liveliest, 0.5 * value(fast_, step.end)))) {
+        longest = 0.5 * h;  // into a wall
+        if (h < 1e-9 * time || h == 0.0) break;
+        continue;
+      }
+      if (!std::isfinite(local + a + b)) break;
+      longest = 2.0 * h;
+      samples_.push_back({z, h});
+      time += h;
+      angle += h * local;
+      positions += h * a;
+      momenta += h * b;
+      scale = std::max(angle / time, 1e-3 * scale);
+      z = step.end;
+      step.k[0] = next;
+      energy = energy_there;
+    }
+    if (!(angle > 0.0)) return;
+    frequency = angle / time;
+    kinetic = 0.5 * positions / time;
+    squared_speed = (positions + momenta / (frequency * frequency)) / time;
+  }
+
+  /// n_0^(1/4) at the start; where it vanishes there, one over the time in which the straight line of the
+  /// first velocity meets a curvature of that scale.
+  [[nodiscard]] double first_frequency(const VectorX& z, const VectorX& dz) const {
+    const double here = std::pow(value(curved_, z), 0.25);
+    if (here > 0.0 || !std::isfinite(here)) return std::isfinite(here) ? here : 0.0;
+    for (double s = 0x1p-30; s < 0x1p30; s *= 2.0) {
+      const double there = std::pow(value(curved_, z + s * dz), 0.25);
+      if (std::isfinite(there) && there * s > 0.1) return there;
+    }
+    return 0.0;
+  }
+
+  struct Sample {
+    VectorX z;
+    double h;
+  };
+
+  Eigen::Index size_;
+  std::vector<Sample> samples_;
+  PhaseFunction curved_, fast_, pushed_;
+  Program slopes_;
+  Program::Room<double> room_;
+};
+
+}  // namespace avi::detail

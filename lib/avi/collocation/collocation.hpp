@@ -1,0 +1,91 @@
+#pragma once
+#include "avi/collocation/stages.hpp"
+#include "avi/core/require.hpp"
+
+#include <string>
+#include <utility>
+#include <variant>
+
+/// @file
+/// Gauss collocation of a Poincare-transformed Hamiltonian.
+
+namespace avi {
+
+/// s-stage Gauss collocation of Hamilton's equations of \f$\bar H\f$ in fictive time, of order 2s, symplectic
+/// and symmetric, for any H and any monitor: see \ref collocation_page. With \f$z = (q, p)\f$, \f[ z_i = z_0
+/// + h \sum_j a_{ij} f(z_j), \qquad z(h) = z_0 + h \sum_j b_j f(z_j), \qquad t(h) = t_0 + h \sum_j b_j\,
+/// g(z_j). \f] It is the Galerkin Hamiltonian variational integrator (Leok and Zhang 2011) of the action of
+/// which HTVI takes the Taylor curve: the curve here is the polynomial that makes that action stationary. The
+/// stages are the lanes of packs and go through H together. They are found by fixed-point sweeps that put in
+/// new momenta before the new positions (as IRKGaussLegendre does; Antonana, Makazaga and Murua 2017), from
+/// the polynomial of the last step on, down to round-off; what rounding cuts off the state is kept
+/// (Summation::compensated) as long as each step begins where the last one ended.
+template <class Problem>
+class Collocation {
+ public:
+  static constexpr int n = Problem::dimension;  ///< Dimension of the problem, or avi::dynamic.
+  static constexpr bool symplectic = true;      ///< For every h.
+  static constexpr bool symmetric = true;       ///< A step -h leads back.
+
+  /// What collocation() makes.
+  /// @throws std::invalid_argument for an order that is odd or out of [2, 32], or an improper setting.
+  Collocation(const Problem& problem, int order, SweepSettings settings = {})
+      : problem_(problem), order_(order), stages_(make(problem, order, settings)) {}
+
+  /// Advances z by the fictive step h, of either sign; leaves it as it was where the step ends otherwise than
+  /// ok. The report counts sweeps.
+  /// @throws std::invalid_argument where n is avi::dynamic and z of another size.
+  StepReport step(State<n>& z, double h) {
+    if constexpr (n == dynamic)
+      if (z.q.size() != problem_.size() ||
+          z.p.size() != problem_.size())  // before the message, which allocates
+        require(false, "Dimension of the state", z.q.size(),
+                "that of the problem, " + std::to_string(problem_.size()) + ", for q and p alike");
+    if (auto* stages = std::get_if<Stages<Problem, 8>>(&stages_)) return stages->step(problem_, z, h);
+    if (auto* stages = std::get_if<Stages<Problem, 4>>(&stages_)) return stages->step(problem_, z, h);
+    return std::get<Stages<Problem, 16>>(stages_).step(problem_, z, h);
+  }
+
+  /// Refuses a state of another dimension.
+  template <int m>
+  StepReport step(State<m>&, double) {
+    static_assert(m == n, "The state is of another dimension than the method's problem.");
+    return {};
+  }
+
+  [[nodiscard]] int order() const { return order_; }                 ///< 2s.
+  [[nodiscard]] const Problem& problem() const { return problem_; }  ///< What is integrated.
+
+  /// The collocation polynomial of the last step at its fraction c in [0, 1], for dense_output(): of degree s
+  /// and error O(h^(s+1)) inside the step, O(h^(2s+1)) at its ends.
+  [[nodiscard]] State<n> polynomial(double c, double) const {
+    return std::visit([&](const auto& stages) { return stages.polynomial(problem_, c); }, stages_);
+  }
+
+ private:
+  using AnyStages = std::variant<Stages<Problem, 8>, Stages<Problem, 4>, Stages<Problem, 16>>;
+  static AnyStages make(const Problem& problem, int order, SweepSettings settings) {
+    require(order >= 2 && order <= 2 * GaussRule::most && order % 2 == 0, "Order of collocation", order,
+            "even and in [2, 32]");
+    require(std::isfinite(settings.tolerance) && settings.tolerance > 0.0, "Tolerance of the sweeps",
+            settings.tolerance, "finite and positive");
+    require(settings.max_sweeps >= 1, "Number of sweeps", settings.max_sweeps, "at least 1");
+    const GaussRule rule(order / 2);
+    if (rule.stages() <= 4) return Stages<Problem, 4>(problem, rule, settings);
+    if (rule.stages() <= 8) return Stages<Problem, 8>(problem, rule, settings);
+    return Stages<Problem, 16>(problem, rule, settings);
+  }
+
+  Problem problem_;
+  int order_;
+  AnyStages stages_;
+};
+
+/// Gauss collocation of the given order, 2, 4, ... 32, for a problem from poincare() or time_dependent().
+/// @throws std::invalid_argument for an order that is odd or out of [2, 32], or an improper setting.
+template <class Problem>
+Collocation<Problem> collocation(const Problem& problem, int order, SweepSettings settings = {}) {
+  return {problem, order, settings};
+}
+
+}  // namespace avi

@@ -1,0 +1,101 @@
+#pragma once
+#include "avi/core/require.hpp"
+
+#include <array>
+#include <cmath>
+
+/// @file
+/// Coefficients of Gauss collocation.
+
+namespace avi {
+
+/// Gauss-Legendre nodes \f$c_i\f$ and weights \f$b_i\f$ on [0, 1] for s = 1 ... 16 stages, and the integrals
+/// \f$a_{ij} = \int_0^{c_i} \ell_j\f$ of their Lagrange polynomials as \f$\mu_{ij} = a_{ij}/b_j\f$ (Antonana,
+/// Makazaga and Murua 2017). The condition of symplecticity, \f$b_i a_{ij} + b_j a_{ji} = b_i b_j\f$, is
+/// \f$\mu_{ij} + \mu_{ji} = 1\f$ and holds without any rounding error.
+class GaussRule {
+ public:
+  static constexpr int most = 16;        ///< Largest number of stages.
+  using Row = std::array<double, most>;  ///< One number for each stage; zero beyond the last.
+
+  /// The rule of s stages. @throws std::invalid_argument unless 1 <= s <= 16.
+  explicit GaussRule(int s) : stages_(s) {
+    require(s >= 1 && s <= most, "Number of stages", s, "in [1, 16]");
+    for (int i = 0; i < s; ++i)
+      find_node(i);
+    for (int i = 0; i < s; ++i) {
+      const Row row = integrals(exact_node_[i]);
+      for (int j = 0; j < s; ++j)
+        mu_[i][j] = row[j];
+    }
+    // Of each pair the larger number, which is at least 1/2, is rounded; one minus it then is exact.
+    for (int i = 0; i < s; ++i) {
+      mu_[i][i] = 0.5;
+      for (int j = 0; j < i; ++j)
+        if (mu_[i][j] >= mu_[j][i])
+          mu_[j][i] = 1.0 - mu_[i][j];
+        else
+          mu_[i][j] = 1.0 - mu_[j][i];
+    }
+  }
+
+  [[nodiscard]] int stages() const { return stages_; }               ///< s.
+  [[nodiscard]] double node(int i) const { return node_[i]; }        ///< c_i, rising.
+  [[nodiscard]] double weight(int i) const { return weight_[i]; }    ///< b_i.
+  [[nodiscard]] double mu(int i, int j) const { return mu_[i][j]; }  ///< a_ij / b_j.
+
+  /// \f$b_j^{-1} \int_0^c \ell_j\f$ for every j, at any real c: the collocation polynomial at the fraction c
+  /// of a step is \f$y_0 + \sum_j (h b_j y'_j) \cdot\f$ this.
+  [[nodiscard]] Row integrals(long double c) const {
+    // l_j / b_j = sum_k (2 k + 1) P_k(c_j) P_k, with shifted Legendre polynomials P_k, since the rule is
+    // exact.
+    std::array<long double, most> integral{};
+    long double before = 1, p = 2 * c - 1;
+    integral[0] = c;
+    for (int k = 1; k < stages_; ++k) {
+      const long double next = ((2 * k + 1) * (2 * c - 1) * p - k * before) / (k + 1);
+      integral[k] = (next - before) / (2 * (2 * k + 1));
+      before = p;
+      p = next;
+    }
+    Row row{};
+    for (int j = 0; j < stages_; ++j) {
+      long double sum = 0;
+      for (int k = 0; k < stages_; ++k)
+        sum += (2 * k + 1) * legendre_[j][k] * integral[k];
+      row[j] = static_cast<double>(sum);
+    }
+    return row;
+  }
+
+ private:
+  /// Node, weight and P_k(c_i) of stage i, by Newton's method on P_s.
+  void find_node(int i) {
+    long double x = -std::cos(M_PI * (i + 0.75) / (stages_ + 0.5)), slope = 1;
+    for (int iteration = 0; iteration < 10; ++iteration) {
+      long double before = 1, p = x;
+      for (int k = 1; k < stages_; ++k) {
+        const long double next = ((2 * k + 1) * x * p - k * before) / (k + 1);
+        before = p;
+        p = next;
+      }
+      slope = stages_ * (x * p - before) / (x * x - 1);
+      x -= p / slope;
+    }
+    exact_node_[i] = (1 + x) / 2;
+    node_[i] = static_cast<double>(exact_node_[i]);
+    weight_[i] = static_cast<double>(1 / ((1 - x * x) * slope * slope));
+    legendre_[i][0] = 1;
+    legendre_[i][1] = x;
+    for (int k = 1; k + 1 < stages_; ++k)
+      legendre_[i][k + 1] = ((2 * k + 1) * x * legendre_[i][k] - k * legendre_[i][k - 1]) / (k + 1);
+  }
+
+  int stages_;
+  std::array<long double, most> exact_node_{};
+  std::array<std::array<long double, most>, most> legendre_{};
+  Row node_{}, weight_{};
+  std::array<Row, most> mu_{};
+};
+
+}  // namespace avi

@@ -1,0 +1,36 @@
+#pragma once
+#include "avi/autodiff/pack.hpp"
+
+#include <array>
+#include <utility>
+
+/// @file
+/// A small matrix that acts on the numbers of a pack.
+
+namespace avi {
+
+/// w x w numbers, stored by columns, each a pack.
+template <int w>
+class alignas(64) LaneMatrix {
+ public:
+  LaneMatrix() { columns_.fill(Pack<w>(0.0)); }                        ///< Zero.
+  void set(int i, int j, double value) { columns_[j].set(i, value); }  ///< Entry in row i and column j.
+
+  /// Matrix times vector: the sums over columns are added as a tree, in the same order on every machine.
+  [[gnu::always_inline]] Pack<w> operator*(const Pack<w>& x) const {
+    return times(x, std::make_integer_sequence<int, w>{});
+  }
+
+ private:
+  template <int... j>
+  [[gnu::always_inline]] Pack<w> times(const Pack<w>& x, std::integer_sequence<int, j...>) const {
+    Pack<w> term[] = {columns_[j] * Pack<w>(x[j])...};
+    for (int half = w / 2; half > 0; half /= 2)
+      for (int i = 0; i < half; ++i)
+        term[i] += term[i + half];
+    return term[0];
+  }
+  std::array<Pack<w>, w> columns_;
+};
+
+}  // namespace avi

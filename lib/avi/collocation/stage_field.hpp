@@ -1,0 +1,162 @@
+#pragma once
+#include "avi/autodiff/hamiltonian.hpp"
+#include "avi/autodiff/pack.hpp"
+#include "avi/autodiff/recording.hpp"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+/// @file
+/// Hamilton's equations of a transformed problem at several stages side by side.
+
+namespace avi {
+
+namespace detail {
+/// Beyond this dimension automatic gradients come from a recording: its cost does not grow with n.
+inline constexpr int most_partials = 8;
+}  // namespace detail
+
+/// The field of \f$\bar H = g\,(H + p^t)\f$ at w stages, in two halves of which each computes only what it
+/// needs: a sweep puts in new momenta between them. Gradients are those that H supplies, or automatic ones by
+/// forward accumulation.
+template <class Problem, int w>
+class StageField {
+ public:
+  static constexpr int n = Problem::dimension;  ///< Degrees of freedom.
+  using Scalar = Pack<w>;                       ///< One number for each stage.
+  using Vec = Vector<Scalar, n>;                ///< One vector for each stage.
+
+  /// Of this problem.
+  explicit StageField(const Problem&) {}
+
+  /// force = \f$-\partial \bar H/\partial q\f$.
+  void force(const Problem& problem, const Vec& q, const Vec& p, Vec& force) {
+    const auto at_q = [&](const auto& f) {
+      return [&](const auto& x) { return f(x, constants<std::decay_t<decltype(x)>>(p)); };
+    };
+    const H& h = problem.hamiltonian();
+    Scalar energy;
+    if constexpr (SuppliesGradient<H, Scalar, n>) {
+      force = h.d_dq(q, p);
+      if constexpr (!Problem::unit) energy = h(q, p);
+    } else {
+      const Partials<Scalar, n> value = value_and_gradient(at_q(h), q);
+      energy = value.value;
+      for (int i = 0; i < n; ++i)
+        force[i] = value.partial(i);
+    }
+    if constexpr (Problem::unit) {
+      for (int i = 0; i < n; ++i)
+        force[i] = -force[i];
+    } else {
+      Partials<Scalar, n> g;
+      if constexpr (Problem::position_monitor)
+        g = value_and_gradient(problem.monitor(), q);
+      else
+        g = value_and_gradient(at_q(problem.monitor()), q);
+      const Scalar defect = energy + Scalar(problem.energy_momentum());
+      for (int i = 0; i < n; ++i)
+        force[i] = -(g.value * force[i] + defect * g.partial(i));
+      rate_ = g.value;
+    }
+  }
+
+  /// velocity = \f$\partial \bar H/\partial p\f$, at the positions of the last call of force().
+  void velocity(const Problem& problem, const Vec& q, const Vec& p, Vec& velocity) {
+    const auto at_p = [&](const auto& f) {
+      return [&](const auto& x) { return f(constants<std::decay_t<decltype(x)>>(q), x); };
+    };
+    const H& h = problem.hamiltonian();
+    Scalar energy;
+    if constexpr (SuppliesGradient<H, Scalar, n>) {
+      velocity = h.d_dp(q, p);
+      if constexpr (!Problem::position_monitor) energy = h(q, p);
+    } else {
+      const Partials<Scalar, n> value = value_and_gradient(at_p(h), p);
+      energy = value.value;
+      for (int i = 0; i < n; ++i)
+        velocity[i] = value.partial(i);
+    }
+    if constexpr (!Problem::position_monitor) {
+      const Partials<Scalar, n> g = value_and_gradient(at_p(problem.monitor()), p);
+      const Scalar defect = energy + Scalar(problem.energy_momentum());
+      for (int i = 0; i < n; ++i)
+        velocity[i] = g.value * velocity[i] + defect * g.partial(i);
+      rate_ = g.value;
+    } else if constexpr (!Problem::unit) {
+      for (int i = 0; i < n; ++i)
+        velocity[i] = rate_ * velocity[i];
+    }
+  }
+
+  /// g of the last call of velocity().
+  [[nodiscard]] const Scalar& rate() const { return rate_; }
+
+ private:
+  using H = std::decay_t<decltype(std::declval<const Problem&>().hamiltonian())>;
+  /// Numbers in a formula whose other argument is differentiated.
+  template <class Differentiated>
+  static auto constants(const Vec& x) {
+    return x.template cast<typename Differentiated::Scalar>().eval();
+  }
+  Scalar rate_{1.0};
+};
+
+/// The same where n is known at run time only, or large: the gradients are those of a recording of
+/// \f$\bar H\f$, by reverse accumulation, at a cost that does not grow with n.
+template <class Problem, int w>
+requires(Problem::dimension == dynamic ||
+         Problem::dimension > detail::most_partials) class StageField<Problem, w> {
+ public:
+  static constexpr int n = Problem::dimension;  ///< Degrees of freedom, or avi::dynamic.
+  using Scalar = Pack<w>;                       ///< One number for each stage.
+  using Vec = Vector<Scalar, n>;                ///< One vector for each stage.
+
+  /// Records this problem.
+  explicit StageField(const Problem& problem)
+      : StageField(problem.size(),
+                   record<n>(
+                       [&](const auto& q, const auto& p) {
+                         return problem.rate(q, p) *
+                                (problem.hamiltonian()(q, p) + problem.energy_momentum());
+                       },
+                       problem.size()),
+                   record<n>([&](const auto& q, const auto& p) { return Recorded(problem.rate(q, p)); },
+                             problem.size())) {}
+
+  /// force = \f$-\partial \bar H/\partial q\f$.
+  void force(const Problem&, const Vec& q, const Vec& p, Vec& force) {
+    evaluate(forces_, force_room_, q, p);
+    for (int i = 0; i < forces_.slopes(); ++i)
+      force[i] = -forces_.slope(force_room_, i);
+  }
+  /// velocity = \f$\partial \bar H/\partial p\f$.
+  void velocity(const Problem&, const Vec& q, const Vec& p, Vec& velocity) {
+    evaluate(velocities_, velocity_room_, q, p);
+    for (int i = 0; i < velocities_.slopes(); ++i)
+      velocity[i] = velocities_.slope(velocity_room_, i);
+  }
+  /// g of the last call of velocity().
+  [[nodiscard]] const Scalar& rate() {
+    const Scalar* last = velocity_room_.arguments();
+    std::copy(last, last + rates_.inputs(), rate_room_.arguments());
+    rates_.run(rate_room_);
+    return rates_.value(rate_room_);
+  }
+
+ private:
+  StageField(Eigen::Index size, const Recording& transformed, const Recording& rate)
+      : forces_(transformed.gradient(0, static_cast<int>(size))),
+        velocities_(transformed.gradient(static_cast<int>(size), static_cast<int>(size))),
+        rates_(rate.value()), force_room_(forces_), velocity_room_(velocities_), rate_room_(rates_) {}
+  static void evaluate(const Program& program, Program::Room<Scalar>& room, const Vec& q, const Vec& p) {
+    std::copy(q.data(), q.data() + q.size(), room.arguments());
+    std::copy(p.data(), p.data() + p.size(), room.arguments() + q.size());
+    program.run(room);
+  }
+  Program forces_, velocities_, rates_;
+  Program::Room<Scalar> force_room_, velocity_room_, rate_room_;
+};
+
+}  // namespace avi

@@ -1,0 +1,56 @@
+#pragma once
+#include "avi/core/require.hpp"
+#include "avi/core/root.hpp"
+#include "avi/core/step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+/// @file
+/// States inside a step from the polynomial of the method, without an evaluation.
+
+namespace avi {
+
+/// The state at physical time t inside the last step of a method that has a polynomial (HTVI), without any
+/// further evaluation. The polynomial is shifted linearly so that it begins at `before` and ends at `after`:
+/// over a run the output is continuous. Its error is O(h^(r+1)) for a Taylor polynomial of order r; Step::
+/// locate() costs some steps and is as accurate as the run.
+/// @param method one that has just stepped from `before` to `after`
+/// @param t between the two ends of that step
+/// @throws std::invalid_argument when t lies outside the step.
+template <class M, class State>
+[[nodiscard]] State dense_output(const M& method, const State& before, const State& after, double t) {
+  static_assert(
+      requires { method.polynomial(0.0, 0.0); },
+      "Dense output needs a method with a polynomial; at_times() serves every method.");
+  const auto [first, last] = std::minmax(before.t, after.t);
+  require(t >= first && t <= last, "Time of dense output", t,
+          "in the last step, [" + std::to_string(first) + ", " + std::to_string(last) + "]");
+  const State begin = method.polynomial(0.0, before.t), end = method.polynomial(1.0, before.t);
+  const auto at = [&](double c) {
+    State z = method.polynomial(c, before.t);
+    z.q += (1.0 - c) * (before.q - begin.q) + c * (after.q - end.q);
+    z.p += (1.0 - c) * (before.p - begin.p) + c * (after.p - end.p);
+    z.t += (1.0 - c) * (before.t - begin.t) + c * (after.t - end.t);
+    return z;
+  };
+  if (t == before.t) return before;
+  if (t == after.t) return after;
+  const double sense = after.t > before.t ? 1.0 : -1.0;
+  const double c =
+      bracketed_root([&](double x) { return sense * (at(x).t - t); }, 0.0, sense * (before.t - t), 1.0,
+                     sense * (after.t - t), std::numeric_limits<double>::epsilon() * std::abs(t));
+  State z = at(c);
+  z.t = t;  // the clock of the polynomial is off by rounding
+  return z;
+}
+
+/// The same inside a step that an observer is shown.
+template <class M, class State>
+[[nodiscard]] State dense_output(const Step<M, State>& step, double t) {
+  return dense_output(step.method, step.before, step.after, t);
+}
+
+}  // namespace avi

@@ -1,0 +1,117 @@
+#pragma once
+#include "avi/htvi/action_remainder.hpp"
+#include "avi/htvi/quadrature.hpp"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+/// @file
+/// The action whose velocity is the derivative of the trial curve itself.
+
+namespace avi {
+
+/// The stationary action \f$A = \int_0^h \tilde p\cdot d\tilde q - h\sum_i b_i\,\bar H(\tilde z(c_i h))\f$ of
+/// the Taylor curve \f$\tilde z\f$ of the full field, \f$\tilde q\f$ of degree r + 1 and \f$\tilde p\f$ of
+/// degree r. The one-form of a polynomial curve is integrated exactly; A is \f$h\sum_i b_i[\tilde p\cdot
+/// \tilde q' - \bar H](c_i h)\f$ wherever the rule is exact up to degree 2r, as Gauss with r + 1 nodes is.
+///
+/// With the defects \f$d_q = \tilde q' - \partial\bar H/\partial p\f$ and \f$d_p = \tilde p' + \partial\bar
+/// H/\partial q\f$ its variation is \f[ \delta A = [\tilde p\cdot\delta\tilde q]_0^h + R, \quad R = \int_0^h
+/// (d_q\cdot\delta\tilde p - d_p\cdot\delta\tilde q), \f] the terms in H-bar by the rule. Everything in R is
+/// small, so nothing cancels: the curve alone needs derivatives, H-bar at the nodes needs none of its
+/// gradient. Only the moments of the defects against the powers of \f$\tau\f$ enter, since the curve is a
+/// polynomial. See \ref stationary_action for the order, 2r + 2.
+template <class Expansion>
+class StationaryAction {
+ public:
+  using Lane = typename Expansion::Lane;       ///< A number with its partials.
+  static constexpr int n = Expansion::n;       ///< Dimension of the problem.
+  static constexpr Field field = Field::full;  ///< What the trial curve follows.
+
+  /// With this rule for H-bar. @throws std::invalid_argument for an improper rule.
+  explicit StationaryAction(Quadrature rule) : rule_(std::move(rule)) {
+    validate(rule_);
+    for (std::size_t i = 0; i < rule_.nodes.size(); ++i) {
+      std::array<double, powers> weights;
+      weights[0] = rule_.weights[i];
+      for (std::size_t k = 1; k < powers; ++k)
+        weights[k] = weights[k - 1] * rule_.nodes[i];
+      weights_.push_back(weights);
+    }
+    for (int k = 0; k < static_cast<int>(powers); ++k)
+      for (int j = 0; j < static_cast<int>(powers); ++j)
+        integrals_[k][j] = j == 0 ? 0.0 : static_cast<double>(j) / (j + k);
+  }
+
+  [[nodiscard]] const Quadrature& rule() const { return rule_; }  ///< b_i and c_i.
+
+  /// R of the last expansion, of step h, and the time it takes.
+  [[nodiscard, gnu::noinline]] ActionRemainder<Lane>
+  remainder(const Expansion& e, const typename Expansion::Increments&, double h) const {
+    const int degree = e.order() + 1;
+    const auto moments = defect_moments(e, h);
+    Lane sum(0.0);
+    for (int i = 0; i < n; ++i) {
+      for (int k = 0; k < degree; ++k)
+        sum += moments.of[k][i] * e.p()[i][k] - moments.of[k][n + i] * e.q()[i][k];
+      sum -= moments.of[degree][n + i] * e.q()[i][degree];
+    }
+    return {sum, moments.time};
+  }
+
+ private:
+  static constexpr std::size_t powers = Expansion::capacity + 2;
+  using Point = std::array<double, 2 * static_cast<std::size_t>(n)>;  // (q, p)
+  struct Moments {
+    std::array<Point, powers> of;  // of d_q, d_p with the powers of c
+    double time;                   // h sum b_i g
+  };
+
+  [[gnu::flatten]] Moments defect_moments(const Expansion& e, double h) const {
+    const int degree = e.order() + 1;
+    std::array<Point, powers> curve;
+    for (int k = 0; k <= degree; ++k)
+      for (int i = 0; i < n; ++i) {
+        curve[k][i] = e.q()[i][k].value();
+        curve[k][n + i] = k < degree ? e.p()[i][k].value() : 0.0;
+      }
+    Moments moments;
+    moments.time = 0.0;
+    for (int k = 0; k <= degree; ++k) {
+      moments.of[k].fill(0.0);
+      for (int j = 1; j <= degree; ++j)
+        for (int i = 0; i < 2 * n; ++i)
+          moments.of[k][i] += integrals_[k][j] * curve[j][i];
+    }
+    for (std::size_t node = 0; node < weights_.size(); ++node) {
+      const double c = rule_.nodes[node];
+      Point z = curve[degree];
+      for (int k = degree - 1; k >= 0; --k)
+        for (int i = 0; i < 2 * n; ++i)
+          z[i] = curve[k][i] + c * z[i];
+      Vector<double, n> q, p, dq, dp;
+      for (int i = 0; i < n; ++i) {
+        q[i] = z[i];
+        p[i] = z[n + i];
+      }
+      double dt;
+      e.problem().template field<Field::full>(q, p, e.problem().energy_momentum(), dq, dp, dt);
+      for (int i = 0; i < n; ++i) {
+        z[i] = h * dq[i];
+        z[n + i] = -h * dp[i];
+      }
+      moments.time += h * weights_[node][0] * dt;
+      for (int k = 0; k <= degree; ++k)
+        for (int i = 0; i < 2 * n; ++i)
+          moments.of[k][i] -= weights_[node][k] * z[i];
+    }
+    return moments;
+  }
+
+  Quadrature rule_;
+  std::vector<std::array<double, powers>> weights_;           // b_i c_i^k
+  std::array<std::array<double, powers>, powers> integrals_;  // of j c^(j-1) c^k over [0, 1]
+};
+
+}  // namespace avi

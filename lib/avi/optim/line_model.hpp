@@ -1,0 +1,61 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+/// @file
+/// What values and slopes at two points of a line say about the minimum between or beyond them.
+
+namespace avi {
+
+/// Value and slope of \f$\phi(\alpha) = f(x + \alpha d)\f$ at one point.
+struct LinePoint {
+  double value = 0.0;  ///< phi.
+  double slope = 0.0;  ///< phi' = d . grad f.
+};
+
+/// The base of a line (alpha = 0) and one trial at alpha = h > 0.
+///
+/// Between two points where phi is quadratic its slope is linear: it vanishes at alpha = r h with
+/// \f$ r = -\phi_0'/(\kappa h), \; \kappa = (\phi_1' - \phi_0')/h \f$. A cubic term a alpha^3 shows in the
+/// values: the trapezium rule misses phi_1 - phi_0 by e = -a h^3 / 2, and the slope at r h is wrong by
+/// 6 (e/h) r (r - 1). So e tells whether the linear interpolation may be trusted.
+struct LineModel {
+  LinePoint base;    ///< At alpha = 0.
+  LinePoint trial;   ///< At alpha = h.
+  double h;          ///< Distance of the trial, positive.
+  double curvature;  ///< kappa.
+  double r;          ///< Where the slope vanishes, in units of h; meant for curvature > 0.
+  double defect;     ///< nu = |e| / (h max |phi'|), less what rounding of the values explains.
+
+  /// `noise` is the relative rounding error of values.
+  LineModel(const LinePoint& from, const LinePoint& to, double distance, double noise)
+      : base(from), trial(to), h(distance), curvature((to.slope - from.slope) / distance),
+        r(-from.slope / (to.slope - from.slope)) {
+    const double e = to.value - from.value - 0.5 * h * (from.slope + to.slope);
+    const double rounding = noise * (std::abs(to.value) + std::abs(from.value));
+    defect = std::max(0.0, std::abs(e) - rounding) / (h * std::max(std::abs(from.slope), std::abs(to.slope)));
+  }
+
+  /// True where the minimum of the line and the gradient there may be taken from the interpolation.
+  [[nodiscard]] bool trusted() const {
+    return curvature > 0.0 && defect <= 0.3 && r >= 0.02 && r <= 50.0 &&
+           6.0 * defect * std::max(1.0, r) * std::abs(r - 1.0) <= 0.05;
+  }
+
+  /// Minimum of the cubic through both points, in units of h; for a trial beyond the minimum. In [0.05,
+  /// 0.95], one half where the cubic has none.
+  [[nodiscard]] double cubic() const {
+    const double secant = 3.0 * (base.value - trial.value) / h + base.slope + trial.slope;
+    const double square = secant * secant - base.slope * trial.slope;
+    if (!(square >= 0.0)) return 0.5;
+    const double root = std::sqrt(square);
+    const double at = 1.0 - (trial.slope + root - secant) / (trial.slope - base.slope + 2.0 * root);
+    return std::isfinite(at) ? std::clamp(at, 0.05, 0.95) : 0.5;
+  }
+
+  /// Next trial beyond one that still goes downhill, in units of h.
+  [[nodiscard]] double beyond() const { return curvature > 0.0 ? std::clamp(r, 1.5, 10.0) : 5.0; }
+};
+
+}  // namespace avi

@@ -1,0 +1,214 @@
+#pragma once
+#include "avi/optim/line_model.hpp"
+#include "avi/optim/line_state.hpp"
+#include "avi/optim/slope_check.hpp"
+
+/// @file
+/// The symplectic heavy ball whose clock is driven by the state: the method of avi::minimise().
+
+namespace avi {
+
+/// One run of the heavy ball \f[ x_+ = x + \alpha d, \qquad d_+ = \beta d - \nabla f(x_+) \f] with alpha and
+/// beta from the state at the step's start; with d = R it is the order-0 HTVI of the Bregman Hamiltonian
+/// (bregman/heavy_ball.hpp) with a clock that is frozen over a step. With a memory of m > 0 pairs,
+/// \f$d = -H \nabla f\f$: a variable mass matrix \f$H^{-1}\f$ takes the place of the momentum.
+///
+/// **Gradient recovery.** One trial along d gives value and slope at two points of the line. Where the values
+/// confirm that f is quadratic in between (LineModel), the minimiser of the line and the gradient there
+/// follow by interpolation, so an iteration costs one evaluation. Otherwise the trial is taken as it is when
+/// it satisfies Wolfe's conditions, or the line is searched. An interpolated point that fails later is
+/// evaluated; if f rose, the run goes back to the best point that was evaluated.
+///
+/// Theory, choices of alpha and beta, and measurements: @ref optimisation.
+template <Objective F>
+class StateClock : LineState<F> {
+ public:
+  using LineState<F>::LineState;  // f, x0, options
+
+  /// Minimises. To be called once.
+  Minimisation run() {
+    if (!evaluate(base_)) return end(failure_);
+    norm_ = std::sqrt(square_);
+    if (!std::isfinite(norm_)) return end(fail(Outcome::non_finite, "the gradient at x0 is not finite"));
+    if (!std::isfinite(base_.f)) return end(fail(Outcome::non_finite, "f(x0) is not finite"));
+    target_ = std::max(options_.relative * norm_, options_.absolute);
+    floor_ =
+        -std::min(options_.growth * std::max(1.0, std::abs(base_.f)), std::numeric_limits<double>::max());
+    if (options_.check_gradient && !gradient_agrees()) return end(failure_);
+    steepest();
+    alpha_ = first_step();
+    if (!report()) return end(fail(Outcome::stopped, "the callback asked to stop"));
+    if (norm_ <= target_) return end(Outcome::ok);
+    while (run_.iterations < options_.iterations) {
+      const double before = base_.f;
+      if (!line()) return end(failure_);
+      ++run_.iterations;
+      bool done = norm_ <= target_ && std::abs(base_.f - before) < options_.change;
+      if (done && !exact_) {
+        settle();
+        done = norm_ <= target_;
+      }
+      if (!report()) return end(fail(Outcome::stopped, "the callback asked to stop"));
+      if (done) return end(Outcome::ok);
+    }
+    return end(fail(Outcome::step_limit, "the cap on iterations was reached"));
+  }
+
+ private:
+  using Base = LineState<F>;
+  using Base::advance;
+  using Base::alpha_;
+  using Base::base_;
+  using Base::best_;
+  using Base::d_;
+  using Base::down_;
+  using Base::evaluate;
+  using Base::exact_;
+  using Base::f_;
+  using Base::fail;
+  using Base::failure_;
+  using Base::first_step;
+  using Base::floor_;
+  using Base::length2_;
+  using Base::measure_direction;
+  using Base::n_;
+  using Base::noise_;
+  using Base::norm_;
+  using Base::options_;
+  using Base::place_trial;
+  using Base::reason_;
+  using Base::settle;
+  using Base::slope_;
+  using Base::square_;
+  using Base::steepest;
+  using Base::target_;
+  using Base::trial_;
+
+  /// One iteration: trials along d until one of them gives the next point. False sets failure_.
+  bool line() {
+    LinePoint start{base_.f, down_};
+    double moved = 0.0, high = std::numeric_limits<double>::infinity();
+    const double sigma = options_.memory == 0 ? 0.5 : 0.8;
+    bool restarted = false;
+    for (int trials = 1, since_start = 1;; ++trials, ++since_start) {
+      if (f_.gradients >= options_.evaluations) {
+        fail(Outcome::step_limit, "the cap on evaluations was reached");
+        return false;
+      }
+      if (trials > 40 || !(alpha_ > 0.0)) {  // nothing on this line: steepest descent, once
+        if (restarted) return judge();
+        restarted = true;
+        if (!exact_) settle();
+        steepest();
+        alpha_ = first_step();
+        start = {base_.f, down_};
+        moved = 0.0, high = std::numeric_limits<double>::infinity();
+        trials = since_start = 1;
+      }
+      place_trial(alpha_);
+      if (!evaluate(trial_)) return false;
+      if (trial_.f < floor_) {
+        fail(Outcome::diverged, "f has no lower bound along a line");
+        return false;
+      }
+      if (!std::isfinite(trial_.f) || !std::isfinite(square_)) {
+        high = alpha_;
+        alpha_ *= 0.1;
+        continue;
+      }
+      const LineModel model({base_.f, down_}, {trial_.f, slope_}, alpha_, noise_);
+      const double noise = noise_ * (std::abs(start.value) + std::abs(trial_.f));
+      const bool falls = trial_.f <= start.value + 1e-4 * (moved + alpha_) * start.slope;
+      const bool level = trial_.f <= start.value + noise;
+      const bool flat = std::abs(slope_) <= sigma * std::abs(start.slope);
+      if (level && std::sqrt(square_) <= target_) return advance(1.0, moved), true;
+      if (model.trusted() && !(falls && std::abs(model.r - 1.0) < 1e-6))
+        return advance(model.r, moved, base_.f + 0.5 * model.r * alpha_ * down_), true;
+      if ((falls || level) && flat) return advance(1.0, moved), true;
+      if (!exact_ && since_start == 1 && model.defect > 0.3) {  // the interpolated base may be to blame
+        const double length = alpha_ * std::sqrt(length2_);
+        settle();
+        if (options_.memory == 0) alpha_ = length / std::sqrt(length2_);
+        start = {base_.f, down_};
+        continue;
+      }
+      if (slope_ < 0.0 && (falls || level)) {  // go on from here
+        std::swap(base_, trial_);
+        norm_ = std::sqrt(square_);
+        exact_ = true;
+        down_ = slope_;
+        moved += alpha_;
+        high -= alpha_;
+        alpha_ *= model.beyond() - 1.0;
+        if (std::isinf(high)) trials = 0;
+        if (alpha_ >= high) alpha_ = 0.5 * high;
+      } else {
+        high = alpha_;
+        alpha_ *= model.cubic();
+      }
+      if (trials >= 8) noise_ = std::min(noise_ * 10.0, 1e-8);
+    }
+  }
+
+  /// Why steepest descent found nothing: rounding hides the fall, or the gradient is not that of f. Always
+  /// false.
+  bool judge() {
+    if (!std::isfinite(trial_.f) || !std::isfinite(square_)) {
+      fail(Outcome::non_finite, "f or its gradient is not finite wherever the run turns");
+      return false;
+    }
+    const SlopeByValues by = slope_by_values([this](double h) { return value_along(h); }, difference_step());
+    if (by.agrees_with(down_, 0.1))
+      fail(Outcome::stalled, "rounding of f hides what could still be gained");
+    else
+      fail(Outcome::no_descent, by.against(down_));
+    return false;
+  }
+
+  /// The check on request, at the start.
+  bool gradient_agrees() {
+    mixed_direction(base_.x, detail::largest(base_.x), d_);
+    measure_direction();
+    const SlopeByValues by = slope_by_values([this](double h) { return value_along(h); }, difference_step());
+    const double terms = base_.g.cwiseProduct(d_).template lpNorm<1>();
+    if (by.agrees_with(down_, 0.0) || by.agrees_with(down_, 1e-7 * terms / std::abs(down_))) return true;
+    fail(Outcome::wrong_gradient, by.against(down_));
+    return false;
+  }
+
+  [[nodiscard]] double difference_step() const {
+    const double length = std::sqrt(length2_), size = std::max(norm(base_.x), alpha_ * length);
+    return 1e-4 * (size > 0.0 ? size / length : 1.0);
+  }
+
+  double value_along(double h) {
+    place_trial(h);
+    return f_(trial_.x, trial_.g);
+  }
+
+  /// Tells the history and the callback; false where the callback asks to stop.
+  bool report() {
+    if (options_.history) run_.history.push_back({run_.iterations, f_.gradients, base_.f, norm_, exact_});
+    return !options_.callback ||
+           options_.callback({base_.x, base_.g, base_.f, norm_, run_.iterations, f_.gradients, exact_});
+  }
+
+  /// Hands out the base, or the best evaluated point where the base is interpolated.
+  Minimisation end(Outcome outcome) {
+    auto& last = exact_ ? base_ : best_;
+    run_.last.x.swap(last.x);
+    run_.last.gradient.swap(last.g);
+    run_.last.value = last.f;
+    run_.last.evaluated = true;
+    run_.outcome = outcome;
+    run_.gradient_evaluations = f_.gradients;
+    run_.function_evaluations = f_.values;
+    if (outcome != Outcome::ok)
+      run_.message = detail::describe_end(outcome, run_.iterations, run_.last, reason_);
+    return std::move(run_);
+  }
+
+  Minimisation run_;
+};
+
+}  // namespace avi

@@ -1,0 +1,67 @@
+#pragma once
+#include "avi/core/fixed_order.hpp"
+
+#include <array>
+#include <cstring>
+
+/// @file
+/// One pass over several long vectors that changes some of them and sums over others on the way.
+
+namespace avi {
+
+namespace detail {
+
+/// Eight neighbouring numbers, in whatever registers the machine has.
+typedef double Eight __attribute__((vector_size(64)));
+
+/// Eight entries at index i of every vector of a pass.
+struct EightEntries {
+  Eigen::Index i;  ///< Of the first of them.
+  /// Entries i to i + 7 of a.
+  [[nodiscard]] Eight operator()(const double* a) const {
+    Eight v;
+    std::memcpy(&v, a + i, sizeof v);
+    return v;
+  }
+  /// Stores them.
+  void set(double* a, const Eight& v) const { std::memcpy(a + i, &v, sizeof v); }
+};
+
+/// The same for one entry: the end of a vector whose size is no multiple of eight.
+struct OneEntry {
+  Eigen::Index i;                                            ///< Its index.
+  double operator()(const double* a) const { return a[i]; }  ///< Entry i of a.
+  void set(double* a, double v) const { a[i] = v; }          ///< Stores it.
+};
+
+}  // namespace detail
+
+/// For every i: body(at, sum), where at(a) is entry i of the array a, at.set(a, v) stores one, and sum[k] is
+/// to be increased by a term of the k-th sum. Returns the sums.
+///
+/// `body` is generic: it is called for eight entries at a time, and one by one at the end. The order of
+/// addition is that of avi::dot() (core/fixed_order.hpp): eight partial sums, added as a tree, so that sums
+/// are the same to the last bit on every machine. A pass that did the same one operation at a time would read
+/// long vectors from memory several times.
+template <int sums, class Body>
+std::array<double, sums> sweep(Eigen::Index n, Body body) {
+  constexpr Eigen::Index lanes = 8;
+  std::array<detail::Eight, sums> packs{};
+  Eigen::Index i = 0;
+  for (; i + lanes <= n; i += lanes)
+    body(detail::EightEntries{i}, packs);
+  for (Eigen::Index lane = 0; i < n; ++i, ++lane) {
+    std::array<double, sums> one{};
+    body(detail::OneEntry{i}, one);
+    for (int k = 0; k < sums; ++k)
+      packs[k][lane] += one[k];
+  }
+  std::array<double, sums> total;
+  for (int k = 0; k < sums; ++k) {
+    const detail::Eight& p = packs[k];
+    total[k] = ((p[0] + p[1]) + (p[2] + p[3])) + ((p[4] + p[5]) + (p[6] + p[7]));
+  }
+  return total;
+}
+
+}  // namespace avi

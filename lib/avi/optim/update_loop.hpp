@@ -1,0 +1,147 @@
+#pragma once
+#include "avi/optim/stopping.hpp"
+
+#include <algorithm>
+#include <concepts>
+#include <limits>
+#include <sstream>
+#include <type_traits>
+#include <utility>
+
+/// @file
+/// The only optimisation loop of the library: stopping, counting, observation and the exits of a failing run
+/// are here; a method is an update rule.
+
+namespace avi {
+
+/// A method is its hyper-parameters. start() checks them and makes the state of one run; update() moves
+/// iterate.x once, may evaluate the objective where it likes, and clears iterate.evaluated unless value and
+/// gradient are those of the new x.
+template <class M, class F>
+concept OptimisationMethod = requires(const M& method, typename M::State& state, Iterate& iterate,
+                                      Counted<F>& objective) {
+  { method.start(iterate) } -> std::same_as<typename M::State>;
+  { method.update(state, iterate, objective) } -> std::same_as<Outcome>;
+};
+
+/// Observer that looks at nothing and costs nothing.
+struct NoWitness {
+  /// Does nothing.
+  void operator()(const Iterate&, long, long) const {}
+};
+
+namespace detail {
+
+inline std::string describe_end(Outcome outcome, long k, const Iterate& at, std::string_view reason) {
+  std::ostringstream sentence;
+  sentence.precision(17);
+  sentence << "The run ended as " << name(outcome) << " at iteration " << k << ", where f = " << at.value
+           << ": " << reason << ".";
+  return sentence.str();
+}
+
+/// Largest magnitude of an entry; NaN when one is NaN.
+inline double largest(const VectorX& x) {
+  double most = 0.0;
+  for (const double entry : x) {
+    if (std::isnan(entry)) return entry;
+    most = std::max(most, std::abs(entry));
+  }
+  return most;
+}
+
+/// Tells a run that left its bounds from one that met something that is not a number on the way.
+inline void describe_failure(Minimisation& run, double x_bound) {
+  const double size = largest(run.last.x);
+  std::string_view reason = "the iterates left every bound";
+  run.outcome = Outcome::diverged;
+  if (std::isnan(size)) {
+    run.outcome = Outcome::non_finite;
+    reason = "the iterate is not a number, because a gradient or a coefficient was not";
+  } else if (std::isnan(run.last.value) && size <= x_bound) {
+    run.outcome = Outcome::non_finite;
+    reason = "the objective's value is not a number";
+  }
+  run.message = describe_end(run.outcome, run.iterations, run.last, reason);
+}
+
+}  // namespace detail
+
+/// Minimises f from x0 with `method` until `stopping` says so.
+///
+/// The objective is evaluated once at x0 and then wherever the method or the stopping test needs it.
+/// `witness(iterate, k, gradient_evaluations)` is called for k = 0 at the start and after every update; when
+/// it returns bool, false ends the run as Outcome::stopped.
+/// @throws std::invalid_argument for a stopping rule or hyper-parameters out of range, an empty or non-finite
+/// x0, or an objective that is not finite at x0 or whose gradient has another size.
+template <Objective F, OptimisationMethod<F> M, class Witness = NoWitness>
+Minimisation minimise(const F& f, const M& method, const VectorX& x0, const Stopping& stopping = {},
+                      Witness&& witness = {}) {
+  stopping.validate();
+  require(x0.size() > 0, "Size of x0", x0.size(), "at least 1");
+  require(std::isfinite(detail::largest(x0)), "Largest entry of x0", detail::largest(x0), "finite");
+  Counted<F> objective(f, x0.size());
+  Minimisation run;
+  Iterate& now = run.last;
+  now.x = x0;
+  now.gradient = VectorX::Zero(x0.size());
+  now.evaluate(objective);
+  require(now.gradient.size() == x0.size(), "Size of the gradient", now.gradient.size(),
+          "the size of x0, " + std::to_string(x0.size()));
+  require_finite("Value of the objective at x0", now.value);
+  require_finite("Norm of the gradient at x0", norm(now.gradient));
+  typename M::State state = method.start(now);
+
+  const auto bound = [&](double size) {
+    return std::min(stopping.growth * std::max(1.0, size), std::numeric_limits<double>::max());
+  };
+  const double value_bound = bound(std::abs(now.value)), x_bound = bound(detail::largest(x0));
+  const auto go_on = [&] {
+    if constexpr (std::is_same_v<std::invoke_result_t<Witness&, const Iterate&, long, long>, bool>)
+      return witness(std::as_const(now), run.iterations, objective.gradients);
+    else
+      return witness(std::as_const(now), run.iterations, objective.gradients), true;
+  };
+  const auto end = [&]() -> Minimisation& {
+    run.gradient_evaluations = objective.gradients;
+    run.function_evaluations = objective.values;
+    return run;
+  };
+  // One step back from the failure. An objective that answers with numbers where it is asked about what is
+  // none hides a failure for longer; then only x0 is known to be good.
+  VectorX good = now.x;
+  const auto fail = [&]() -> Minimisation& {
+    detail::describe_failure(run, x_bound);
+    now.x = std::isfinite(detail::largest(good)) ? good : x0;
+    now.evaluate(objective);
+    return end();
+  };
+  const auto end_as = [&](Outcome outcome, std::string_view reason) -> Minimisation& {
+    run.outcome = outcome;
+    run.message = detail::describe_end(outcome, run.iterations, now, reason);
+    return end();
+  };
+
+  bool more = go_on();
+  while (more && run.iterations < stopping.iterations) {
+    const double before = now.value;
+    good = now.x;
+    const Outcome outcome = method.update(state, now, objective);
+    ++run.iterations;
+    if (outcome != Outcome::ok) return end_as(outcome, "the method cannot continue");
+    if (!now.evaluated) now.evaluate(objective);
+    // One comparison per iteration finds every failure: NaN and infinity fail it too.
+    if (!(std::abs(now.value) <= value_bound)) return fail();
+    more = go_on();
+    if (stopping.holds(now.value - before, now)) {
+      run.outcome = Outcome::ok;
+      break;
+    }
+  }
+  if (!std::isfinite(detail::largest(now.x))) return fail();
+  if (run.outcome == Outcome::ok) return end();
+  return more ? end_as(Outcome::step_limit, "the cap on iterations was reached")
+              : end_as(Outcome::stopped, "the witness asked to stop");
+}
+
+}  // namespace avi

@@ -1,0 +1,84 @@
+#pragma once
+#include "avi/core/outcome.hpp"
+#include "avi/transform/poincare.hpp"
+
+#include <cmath>
+#include <utility>
+
+/// @file
+/// Symplectic Euler-B for \f$H = \tfrac12 p\cdot p + V(q)\f$, with fixed or adaptive steps.
+
+namespace avi {
+
+/// Adaptive symplectic Euler-B (equation (3.26) of the paper; Hairer 1997; Leimkuhler and Reich 2005, page
+/// 254). \f[ p_1 = p_0 - h\,g\,\nabla V - h\,\nabla g\,(\tfrac12 |p_1|^2 + V + p^t), \quad
+/// q_1 = q_0 + h\,g\,p_1, \quad t_1 = t_0 + h\,g, \f]
+/// with g, V and their gradients at \f$q_0\f$. It is the Type II HTVI with r = 0. With monitor Unit it is the
+/// plain method.
+///
+/// The implicit equation is solved in closed form. With \f$A = p_0 - h g \nabla V - h \nabla g\,(V + p^t)\f$
+/// and \f$B = 1 + h A\cdot\nabla g\f$, \f$s = |p_1|^2\f$ is the root of \f[ \tfrac14 h^2 |\nabla g|^2 s^2 - B
+/// s + |A|^2 = 0 \f] that tends to \f$|A|^2\f$ as h does to 0; then \f$p_1 = A - \tfrac12 h s \nabla g\f$.
+/// Where no such root exists h is too large for the monitor, and the step reports not_converged with the
+/// discriminant as its residual.
+///
+/// `Problem` provides potential(q) and potential_gradient(q); the monitor is differentiated automatically.
+template <int n, class Problem, class G = Unit>
+class EulerB {
+  static_assert(n != dynamic, "Euler-B needs a dimension known at compile time.");
+  static_assert(std::invocable<const G&, const Vector<double, n>&>,
+                "The monitor of Euler-B must be callable as g(q): its equation is solved in closed form.");
+
+ public:
+  /// Along the orbit of energy -p^t; euler_b() finds the types and p^t.
+  /// @param energy_momentum p^t = -H(q(0), p(0)) @throws std::invalid_argument unless it is finite.
+  EulerB(Problem problem, G monitor, double energy_momentum)
+      : problem_(std::move(problem)), g_(std::move(monitor)), pt_(require_finite("p^t", energy_momentum)) {}
+
+  static constexpr int order() { return 1; }  ///< In the step size.
+  static constexpr bool symplectic = true;    ///< As a map of (q, p) at this p^t.
+  static constexpr bool symmetric = false;    ///< Its adjoint is Euler-A.
+
+  /// Advances z by the fictive step h. Ends as bad_monitor where g is not positive and as not_converged where
+  /// h is too large, with z as it was.
+  StepReport step(State<n>& z, double h) const {
+    if constexpr (std::same_as<G, Unit>) {
+      z.p -= h * problem_.potential_gradient(z.q);
+      z.q += h * z.p;
+      z.t += h;
+      return {};
+    } else {
+      const Partials<double, n> g = value_and_gradient([this](const auto& x) { return g_(x); }, z.q);
+      if (!(g.value > 0.0)) return {Outcome::bad_monitor, 1, g.value};
+      const double hg = h * g.value;
+      Vector<double, n> slope;
+      for (int i = 0; i < n; ++i)
+        slope[i] = g.partial(i);
+      const Vector<double, n> a =
+          z.p - hg * problem_.potential_gradient(z.q) - (h * (problem_.potential(z.q) + pt_)) * slope;
+      const double a2 = a.squaredNorm(), b = 1.0 + h * a.dot(slope);
+      const double discriminant = b * b - h * h * slope.squaredNorm() * a2;
+      // B > 0 need not be asked: where h A . grad g <= -1 the discriminant is below zero (Cauchy-Schwarz).
+      if (!(discriminant >= 0.0)) return {Outcome::not_converged, 1, discriminant};
+      z.p = a - (h * a2 / (b + std::sqrt(discriminant))) * slope;
+      z.q += hg * z.p;
+      z.t += hg;
+      return {};
+    }
+  }
+
+ private:
+  Problem problem_;
+  G g_;
+  double pt_;
+};
+
+/// Adaptive symplectic Euler-B along the orbit through `start`, \f$p^t = -H(q(0), p(0))\f$.
+/// @throws std::invalid_argument where H is not finite there.
+template <int n, class Problem, class G = Unit>
+EulerB<n, Problem, G> euler_b(Problem problem, const State<n>& start, G monitor = {}) {
+  const double pt = -problem(start.q, start.p);
+  return {std::move(problem), std::move(monitor), pt};
+}
+
+}  // namespace avi

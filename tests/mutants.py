@@ -1,0 +1,167 @@
+#!/usr/bin/env python3
+"""Do the tests notice a wrong token? (make mutants N=60)
+
+Changes one token of lib/avi at random - an operator, a comparison, a constant - and compiles and runs the unit
+and property tests that include the file, the most specific ones first, until one fails. A mutant that no test
+notices is printed as SURVIVED. One that does not compile is replaced by another. The library is not touched:
+the changed header lies in a folder of its own that the compiler searches first.
+"""
+import argparse
+import os
+import random
+import re
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+LIB, BUILD = ROOT / "lib", ROOT / "build" / "mutants"
+OVERLAY = BUILD / "changed"
+EIGEN = "/usr/include/eigen3"
+FLAGS = ["-std=c++20", "-O1", "-ffp-contract=off", "-w", "-Wno-psabi", f"-I{OVERLAY}", f"-I{LIB}", f"-I{ROOT / 'tests'}",
+         "-isystem", EIGEN] + [f'-DAVI_{name}="{value}"' for name, value in
+                               {"SOURCE_DIR": ROOT, "CHECK_DIR": BUILD, "BUILD_DIR": BUILD, "BIN_DIR": BUILD,
+                                "PUBLISHED_DIR": ROOT / "paper" / "published"}.items()]
+
+# A compiler cache does not notice that a header now lies earlier in the search path.
+ENVIRONMENT = {**os.environ, "CCACHE_DISABLE": "1"}
+COMMON = ["Eigen/Core", "Eigen/LU", "gtest/gtest.h", "algorithm", "cmath", "functional", "string", "vector"]
+
+# Binary operators stand between blanks (clang-format sees to that); template brackets do not.
+OPERATORS = {"+": "-", "-": "+", "*": "/", "/": "*", "<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==",
+             "&&": "||", "||": "&&", "+=": "-=", "-=": "+=", "*=": "/=", "/=": "*="}
+TOKEN = re.compile(r"(?<= )(?P<operator>[-+*/<>=!]=|&&|\|\||[-+*/<>])(?= )"
+                   r"|(?<![\w.<])(?P<number>\d+(?:\.\d*)?(?:e[-+]?\d+)?L?)(?![\w.>])"
+                   r"|\b(?P<truth>true|false)\b")
+
+
+def changed_number(text, rng):
+    if re.fullmatch(r"\d+", text):
+        return str(int(text) + rng.choice([1, -1] if int(text) > 0 else [1]))
+    suffix = "L" if text.endswith("L") else ""
+    value = float(text.rstrip("L"))
+    return repr(value * rng.choice([0.5, 2.0]) if value else 1.0) + suffix
+
+
+def tokens_of(path):
+    """Every token that may be changed: (line, first column, last column, kind)."""
+    found = []
+    for number, line in enumerate(path.read_text().splitlines()):
+        code = line.split("//")[0]
+        if code.lstrip().startswith(("#", "template", "requires", "static_assert", "/*", "*", "[[")) or "operator" in code:
+            continue
+        code = re.sub(r'"(\\.|[^"\\])*"', lambda m: " " * len(m.group()), code)
+        for match in TOKEN.finditer(code):
+            found.append((number, match.start(), match.end(), match.lastgroup))
+    return found
+
+
+def run(command, patience):
+    try:
+        return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=patience,
+                              cwd=BUILD, env=ENVIRONMENT).returncode
+    except subprocess.TimeoutExpired:
+        return "timeout"
+
+
+class Tests:
+    """The unit and property tests that need nothing but the library, and what each includes."""
+
+    def __init__(self, compiler):
+        self.compiler, self.headers, self.good = compiler, {}, {}
+        BUILD.mkdir(parents=True, exist_ok=True)
+        shutil.rmtree(OVERLAY, ignore_errors=True)
+        common = BUILD / "common.hpp"  # precompiled: half of the time of a small test
+        common.write_text("".join(f"#include <{name}>\n" for name in COMMON))
+        subprocess.run(compiler[-1:] + FLAGS + ["-x", "c++-header", str(common), "-o", f"{common}.gch"], check=True)
+        for source in sorted(ROOT.glob("tests/unit/*_test.cpp")) + sorted(ROOT.glob("tests/property/*_test.cpp")):
+            if source.stem in ("optimiser_cost_test", "run_time_dimension_speed_test"):
+                continue  # they compare times
+            listing = subprocess.run(compiler[-1:] + FLAGS + ["-MM", str(source)], capture_output=True, text=True)
+            if listing.returncode == 0:
+                headers = {Path(word).resolve() for word in listing.stdout.replace("\\\n", " ").split()}
+                if not any(ROOT / "experiments" in h.parents or ROOT / "paper" in h.parents for h in headers):
+                    self.headers[source] = headers
+
+    def of(self, header):
+        """Those that include the header: its own first, then those that name it, then those that include little."""
+        mine = [test for test, headers in self.headers.items() if header in headers]
+        name = str(header.relative_to(LIB))
+        return sorted(mine, key=lambda test: (test.stem != header.stem + "_test", name not in test.read_text(),
+                                              len(self.headers[test])))
+
+    def fails(self, test):
+        """Compiles and runs a test. None where it does not compile."""
+        program = BUILD / test.stem
+        command = self.compiler + FLAGS + ["-include", str(BUILD / "common.hpp"), str(test), "-o", str(program), "-lgtest_main", "-lgtest", "-lgsl", "-lgslcblas"]
+        if run(command, 600) != 0:
+            return None
+        return run([str(program)], 120) != 0
+
+    def passes_unchanged(self, test):
+        """Whether the test passes with the library as it is; found out once."""
+        if test not in self.good:
+            (changed, *_) = list(OVERLAY.rglob("*.hpp")) or [None]
+            text = changed.read_text()
+            changed.unlink()
+            self.good[test] = self.fails(test) is False
+            changed.write_text(text)
+        return self.good[test]
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    options.add_argument("-n", type=int, default=60, help="number of mutants")
+    options.add_argument("--seed", type=int, default=1)
+    options.add_argument("--only", default="", help="files whose path contains this")
+    options = options.parse_args()
+    rng = random.Random(options.seed)
+    launcher = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER")
+    compiler = ([launcher] if launcher else []) + [os.environ.get("CXX", "g++")]
+    tests = Tests(compiler)
+    places = [(path, *token) for path in sorted(LIB.rglob("*.hpp")) if options.only in str(path) and path.name != "avi.hpp"
+              for token in tokens_of(path)]
+    rng.shuffle(places)
+    done, survivors = 0, []
+    for path, number, first, last, kind in places:
+        if done == options.n:
+            break
+        lines = path.read_text().splitlines(keepends=True)
+        old = lines[number][first:last]
+        new = {"operator": lambda: OPERATORS[old], "truth": lambda: {"true": "false", "false": "true"}[old],
+               "number": lambda: changed_number(old, rng)}[kind]()
+        lines[number] = lines[number][:first] + new + lines[number][last:]
+        changed = OVERLAY / path.relative_to(LIB)
+        changed.parent.mkdir(parents=True, exist_ok=True)
+        changed.write_text("".join(lines))
+        begin, verdict, tried = time.time(), None, 0
+        for test in tests.of(path):
+            failed = tests.fails(test)
+            if failed is None:
+                if not tests.passes_unchanged(test):
+                    continue
+                if tried > 0:
+                    verdict = f"noticed by {test.stem}, which does not compile"
+                break  # a token that does not compile where it is used first is no mutant
+            tried += 1
+            if failed and tests.passes_unchanged(test):
+                verdict = f"noticed by {test.stem}"
+                break
+        changed.unlink()
+        if tried == 0:
+            continue
+        done += 1
+        place = f"{path.relative_to(ROOT)}:{number + 1}: {old} -> {new}"
+        if verdict is None:
+            survivors.append(place)
+            verdict = f"SURVIVED {tried} tests: {''.join(lines[number]).strip()}"
+        print(f"{done:3} {time.time() - begin:4.0f} s  {place:60}  {verdict}", flush=True)
+    print(f"{done - len(survivors)} of {done} changes are noticed (seed {options.seed}).")
+    for place in survivors:
+        print("  survived:", place)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,182 @@
+#include "avi/collocation/collocation.hpp"
+
+#include "avi/core/dense_output.hpp"
+#include "avi/core/integrate_to.hpp"
+#include "avi/problems/chain.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/problems/n_body.hpp"
+#include "avi/transform/poincare.hpp"
+#include "avi/transform/time_dependent.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+using avi::Kepler;
+using avi::Outcome;
+using avi::State;
+using avi::Vector;
+
+namespace {
+
+/// g = |q|^(3/2).
+struct ThreeHalves {
+  template <class Q>
+  auto operator()(const Q& q) const {
+    using std::pow;
+    return pow(q[0] * q[0] + q[1] * q[1], 0.75);
+  }
+};
+
+double distance(const State<2>& a, const State<2>& b) {
+  return std::sqrt((a.q - b.q).squaredNorm() + (a.p - b.p).squaredNorm() + (a.t - b.t) * (a.t - b.t));
+}
+
+TEST(CollocationSteps, IsOneMethodForEveryKindOfDimension) {
+  // The same masses, with the dimension known to the compiler or not, gradients supplied or recorded.
+  const auto fixed = avi::FigureEight::problem();
+  const auto free = avi::FigureEight::problem<avi::dynamic>();
+  State<6> a = avi::FigureEight::start();
+  State<avi::dynamic> b = avi::FigureEight::start<avi::dynamic>();
+  auto one = avi::collocation(avi::poincare(fixed, a), 12);
+  auto other = avi::collocation(avi::poincare(free, b), 12);
+  auto automatic = avi::collocation(avi::poincare(avi::Automatic{fixed}, a), 12);
+  State<6> c = a;
+  ASSERT_EQ(avi::integrate(one, a, 0.1, {.steps = 50}).outcome, Outcome::ok);
+  ASSERT_EQ(avi::integrate(other, b, 0.1, {.steps = 50}).outcome, Outcome::ok);
+  ASSERT_EQ(avi::integrate(automatic, c, 0.1, {.steps = 50}).outcome, Outcome::ok);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_NEAR(a.q[i], b.q[i], 2e-13);
+    EXPECT_NEAR(a.q[i], c.q[i], 2e-13);
+    EXPECT_NEAR(a.p[i], b.p[i], 2e-13);
+  }
+  EXPECT_NEAR(a.t, b.t, 1e-14);
+}
+
+TEST(CollocationSteps, TakesManyDegreesOfFreedom) {
+  for (const int masses : {1, 9, 64}) {
+    auto z = avi::Chain::plucked(masses);
+    auto method = avi::collocation(avi::poincare(avi::Chain{}, z), 8);
+    const double energy = avi::Chain{}(z.q, z.p);
+    ASSERT_EQ(avi::integrate(method, z, 0.2, {.time = 20.0}).outcome, Outcome::ok);
+    EXPECT_NEAR(avi::Chain{}(z.q, z.p), energy, 2e-9 * (1.0 + energy)) << masses;
+  }
+}
+
+/// H = p^2/2 + (1 + t)^2 q^2/2.
+struct Stiffening {
+  template <class Q, class S, class P>
+  auto operator()(const Q& q, const S& t, const P& p) const {
+    return 0.5 * p[0] * p[0] + 0.5 * (1.0 + t) * (1.0 + t) * q[0] * q[0];
+  }
+};
+/// g = 1/(1 + t).
+struct Slower {
+  template <class Q, class S, class P>
+  auto operator()(const Q&, const S& t, const P&) const {
+    return 1.0 / (1.0 + t);
+  }
+};
+
+TEST(CollocationSteps, TakesTimeAsACoordinate) {
+  const State<1> start{.q = Vector<double, 1>(1.0), .p = Vector<double, 1>(0.3), .t = 0.25};
+  const auto run = [&](const auto& problem, int order, double h) {
+    auto method = avi::collocation(problem, order);
+    auto z = avi::extended(problem, start);
+    EXPECT_EQ(avi::integrate_to(method, z, h, 3.0).outcome, Outcome::ok);
+    EXPECT_EQ(z.t, z.q[1]);
+    EXPECT_NEAR(z.t, 3.0, 2e-15);
+    return z;
+  };
+  const auto plain = run(avi::time_dependent(Stiffening{}, start), 16, 0.2);
+  const auto slowed = run(avi::time_dependent(Stiffening{}, start, Slower{}), 12, 0.3);
+  EXPECT_NEAR(plain.q[0], slowed.q[0], 1e-13);
+  EXPECT_NEAR(plain.p[0], slowed.p[0], 1e-13);
+}
+
+TEST(CollocationSteps, RunsBackwards) {
+  const auto start = Kepler::pericentre(0.6);
+  auto method = avi::collocation(avi::poincare(Kepler{}, start, ThreeHalves{}), 12);
+  State<2> z = start;
+  ASSERT_EQ(avi::integrate_to(method, z, 0.5, 7.0).outcome, Outcome::ok);
+  const auto exact = Kepler::exact(0.6, 7.0);
+  EXPECT_LT((z.q - exact.q).norm(), 4e-11);
+  ASSERT_EQ(avi::integrate_to(method, z, -0.5, 0.0).outcome, Outcome::ok);
+  EXPECT_LT((z.q - start.q).norm(), 4e-11);
+}
+
+TEST(CollocationSteps, HasAPolynomialInsideTheStep) {
+  const double e = 0.5;
+  auto method = avi::collocation(avi::poincare(Kepler{}, Kepler::pericentre(e), ThreeHalves{}), 16);
+  State<2> before = Kepler::pericentre(e), after = before;
+  for (int k = 0; k < 12; ++k) {
+    ASSERT_EQ(method.step(after, 0.4).outcome, Outcome::ok);
+    EXPECT_EQ(method.polynomial(0.0, before.t).q, before.q);
+    for (const double c : {0.1, 0.5, 0.93}) {
+      const double t = before.t + c * (after.t - before.t);
+      const auto inside = avi::dense_output(method, before, after, t);
+      EXPECT_EQ(inside.t, t);
+      EXPECT_LT((inside.q - Kepler::exact(e, t).q).norm(), 2e-8);
+    }
+    before = after;
+  }
+}
+
+TEST(CollocationSteps, NamesWhatEndsAStep) {
+  const auto start = Kepler::pericentre(0.5);
+  const auto problem = avi::poincare(Kepler{}, start);
+  for (const int order : {-2, 0, 3, 7, 34})
+    EXPECT_THROW((void)avi::collocation(problem, order), std::invalid_argument) << order;
+  EXPECT_THROW((void)avi::collocation(problem, 4, {.tolerance = 0.0}), std::invalid_argument);
+  EXPECT_THROW((void)avi::collocation(problem, 4, {.max_sweeps = 0}), std::invalid_argument);
+
+  const auto unchanged = [](auto method, State<2> z, double h, Outcome outcome) {
+    const State<2> before = z;
+    EXPECT_EQ(method.step(z, h).outcome, outcome) << avi::name(method.step(z, h).outcome);
+    if (before.finite()) {
+      EXPECT_EQ(distance(z, before), 0.0);
+    }
+  };
+  unchanged(avi::collocation(problem, 8, {.max_sweeps = 2}), start, 0.3, Outcome::not_converged);
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, infinity}) {
+    State<2> z = start;
+    z.q[0] = bad;
+    unchanged(avi::collocation(problem, 8), z, 0.1, Outcome::non_finite);
+    z = start;
+    z.p[1] = bad;
+    unchanged(avi::collocation(problem, 8), z, 0.1, Outcome::non_finite);
+    unchanged(avi::collocation(problem, 8), start, bad, Outcome::non_finite);
+  }
+  State<2> centre = start;
+  centre.q.setZero();
+  unchanged(avi::collocation(problem, 8), centre, 0.1, Outcome::non_finite);
+  const auto negative =
+      avi::poincare(Kepler{}, start, [](const auto& q) { return 0.5 - q[0] * q[0] - q[1] * q[1] - 0.4; });
+  unchanged(avi::collocation(negative, 8), start, 0.01, Outcome::bad_monitor);
+  const auto infinite = avi::poincare(Kepler{}, start, [](const auto& q) { return 1.0 / (q[1] - q[1]); });
+  unchanged(avi::collocation(infinite, 8), start, 0.01, Outcome::non_finite);
+  State<avi::dynamic> short_state{.q = Vector<double, avi::dynamic>::Ones(2),
+                                  .p = Vector<double, avi::dynamic>::Ones(2)};
+  auto chain = avi::collocation(avi::poincare(avi::Chain{}, avi::Chain::plucked(3)), 4);
+  EXPECT_THROW((void)chain.step(short_state, 0.1), std::invalid_argument);
+}
+
+TEST(CollocationSteps, GoesOnAfterAFailedStep) {
+  const auto start = Kepler::pericentre(0.9);
+  auto method = avi::collocation(avi::poincare(Kepler{}, start, ThreeHalves{}), 16);
+  State<2> z = start, fresh = start;
+  ASSERT_EQ(method.step(z, 0.5).outcome, Outcome::ok);
+  const State<2> kept = z;
+  ASSERT_NE(method.step(z, 50.0).outcome, Outcome::ok);
+  EXPECT_EQ(distance(z, kept), 0.0);
+  ASSERT_EQ(method.step(z, 0.5).outcome, Outcome::ok);
+  auto another = avi::collocation(method.problem(), 16);
+  ASSERT_EQ(avi::integrate(another, fresh, 0.5, {.steps = 2}).outcome, Outcome::ok);
+  EXPECT_LT(distance(z, fresh), 1e-14);
+}
+
+}  // namespace

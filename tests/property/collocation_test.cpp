@@ -1,0 +1,194 @@
+#include "avi/collocation/collocation.hpp"
+
+#include "avi/core/integrate_to.hpp"
+#include "avi/diagnostics/symplecticity.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/transform/poincare.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+using avi::Kepler;
+using avi::Outcome;
+using avi::State;
+
+namespace {
+
+/// g = |q|^(3/2).
+struct ThreeHalves {
+  template <class Q>
+  auto operator()(const Q& q) const {
+    using std::pow;
+    return pow(q[0] * q[0] + q[1] * q[1], 0.75);
+  }
+};
+
+/// Not separable, and no gradient supplied: a charge in an uneven magnetic field and a well.
+struct Charge {
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    using std::sin;
+    const auto x = p[0] + 0.5 * q[1] * (1.0 + 0.3 * q[0]), y = p[1] - 0.5 * q[0] + 0.2 * sin(q[1]);
+    return 0.5 * (x * x + y * y) + 0.5 * (q[0] * q[0] + 1.5 * q[1] * q[1]) + 0.1 * q[0] * q[0] * q[1];
+  }
+};
+/// A monitor that depends on both.
+struct Both {
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    using std::pow;
+    return pow(1.0 + q[0] * q[0] + q[1] * q[1] + 0.5 * (p[0] * p[0] + p[1] * p[1]), -0.5);
+  }
+};
+const State<2> charge_start{.q = {0.9, -0.2}, .p = {0.3, 0.7}};
+
+template <class Problem>
+State<Problem::dimension> after(const Problem& problem, int order, State<Problem::dimension> z, double h,
+                                long steps) {
+  auto method = avi::collocation(problem, order);
+  const avi::Run run = avi::integrate(method, z, h, {.steps = steps});
+  EXPECT_EQ(run.outcome, Outcome::ok) << run.message;
+  return z;
+}
+
+double distance(const State<2>& a, const State<2>& b) {
+  return std::sqrt((a.q - b.q).squaredNorm() + (a.p - b.p).squaredNorm() + (a.t - b.t) * (a.t - b.t));
+}
+
+TEST(Collocation, HasOrderTwiceTheStages) {
+  // The error, root mean square over several orbits, so that none of them has a say by passing zero.
+  std::vector<std::pair<State<2>, State<2>>> orbits;  // start and end
+  for (int k = 0; k < 8; ++k) {
+    State<2> z = charge_start;
+    z.q[0] -= 0.1 * k;
+    orbits.emplace_back(z, after(avi::poincare(Charge{}, z, Both{}), 32, z, 0.125, 192));
+  }
+  const auto error_of = [&](int order, long steps) {
+    double sum = 0.0;
+    for (const auto& [z, end] : orbits) {
+      const auto problem = avi::poincare(Charge{}, z, Both{});
+      const double error = distance(after(problem, order, z, 24.0 / static_cast<double>(steps), steps), end);
+      sum += error * error;
+    }
+    return std::sqrt(sum / static_cast<double>(orbits.size()));
+  };
+  for (int s = 1; s <= 6; ++s) {
+    // Least squares through the logarithms of h and of the error, where it is small and above round-off.
+    double points = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+    for (long steps :
+         {40, 41, 42, 43, 44, 45, 46, 48, 50, 52, 56, 64, 80, 96, 112, 128, 256, 512, 1024, 2048}) {
+      const double h = 24.0 / static_cast<double>(steps);
+      const double error = error_of(2 * s, steps);
+      if (error < 2e-14 || (s > 2 && steps > 128)) break;
+      if (error > 3e-3) continue;
+      const double u = std::log(h), v = std::log(error);
+      points += 1.0, x += u, y += v, xx += u * u, xy += u * v;
+    }
+    ASSERT_GE(points, 3.0) << s;
+    EXPECT_NEAR((points * xy - x * y) / (points * xx - x * x), 2.0 * s, 0.15) << "stages " << s;
+  }
+}
+
+TEST(Collocation, AgreesWithAnotherLibrary) {
+  // GSL's Prince-Dormand pair in physical time, on the equations written by hand.
+  const auto field = [](double, const double* z, double* f, void*) {
+    const double x = z[2] + 0.5 * z[1] * (1.0 + 0.3 * z[0]), y = z[3] - 0.5 * z[0] + 0.2 * std::sin(z[1]);
+    f[0] = x;
+    f[1] = y;
+    f[2] = -(x * 0.15 * z[1] - 0.5 * y + z[0] + 0.2 * z[0] * z[1]);
+    f[3] = -(x * 0.5 * (1.0 + 0.3 * z[0]) + y * 0.2 * std::cos(z[1]) + 1.5 * z[1] + 0.1 * z[0] * z[0]);
+    return int{GSL_SUCCESS};
+  };
+  gsl_odeiv2_system system{field, nullptr, 4, nullptr};
+  gsl_odeiv2_driver* driver =
+      gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-3, 1e-14, 1e-14);
+  double t = 0.0, y[4] = {0.9, -0.2, 0.3, 0.7};
+  ASSERT_EQ(gsl_odeiv2_driver_apply(driver, &t, 5.0, y), GSL_SUCCESS);
+  gsl_odeiv2_driver_free(driver);
+  auto method = avi::collocation(avi::poincare(Charge{}, charge_start, Both{}), 16);
+  State<2> z = charge_start;
+  ASSERT_EQ(avi::integrate_to(method, z, 0.4, 5.0).outcome, Outcome::ok);
+  EXPECT_EQ(z.t, 5.0);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_NEAR(z.q[i], y[i], 4e-13);
+    EXPECT_NEAR(z.p[i], y[2 + i], 4e-13);
+  }
+}
+
+TEST(Collocation, IsSymplecticForEveryStep) {
+  for (const int order : {2, 4, 8, 12, 16, 20}) {
+    const auto method = avi::collocation(avi::poincare(Charge{}, charge_start, Both{}), order);
+    for (const double h : {0.2, 0.7, -0.4})
+      EXPECT_LT(avi::symplecticity_defect(method, charge_start, h), 1e-12) << order << " " << h;
+  }
+}
+
+TEST(Collocation, CoefficientsAreSymplecticToTheLastBit) {
+  for (int s = 1; s <= avi::GaussRule::most; ++s) {
+    const avi::GaussRule rule(s);
+    double weights = 0.0;
+    for (int i = 0; i < s; ++i) {
+      weights += rule.weight(i);
+      double row = 0.0;
+      for (int j = 0; j < s; ++j) {
+        EXPECT_EQ(rule.mu(i, j) + rule.mu(j, i), 1.0);
+        row += rule.weight(j) * rule.mu(i, j);
+      }
+      EXPECT_NEAR(row, rule.node(i), 4e-16) << s;  // integral of 1
+      if (i > 0) {
+        EXPECT_GT(rule.node(i), rule.node(i - 1));
+      }
+    }
+    EXPECT_NEAR(weights, 1.0, 4e-16) << s;
+    // exact for the highest power, c^(2 s - 1)
+    double power = 0.0;
+    for (int i = 0; i < s; ++i)
+      power += rule.weight(i) * std::pow(rule.node(i), 2 * s - 1);
+    EXPECT_NEAR(power, 1.0 / (2 * s), 1e-15) << s;
+  }
+  EXPECT_THROW(avi::GaussRule(0), std::invalid_argument);
+  EXPECT_THROW(avi::GaussRule(17), std::invalid_argument);
+}
+
+TEST(Collocation, LeadsBack) {
+  const auto start = Kepler::pericentre(0.9);
+  auto method = avi::collocation(avi::poincare(Kepler{}, start, ThreeHalves{}), 16);
+  for (const double h : {0.3, 0.9}) {
+    State<2> z = start;
+    for (int k = 0; k < 20; ++k) {
+      const State<2> before = z;
+      ASSERT_EQ(method.step(z, h).outcome, Outcome::ok);
+      State<2> back = z;
+      ASSERT_EQ(method.step(back, -h).outcome, Outcome::ok);
+      EXPECT_LT(distance(back, before), 1e-14 * (1.0 + before.p.norm())) << h << " " << k;
+      const State<2> ahead = z;
+      z = before;
+      ASSERT_EQ(method.step(z, h).outcome, Outcome::ok);
+      EXPECT_LT(distance(ahead, z), 1e-14 * (1.0 + z.p.norm()));
+    }
+  }
+}
+
+TEST(Collocation, KeepsTheEnergyOverAThousandPeriods) {
+  for (const auto& [e, h, bound] : {std::tuple{0.9, 0.9, 3e-14}, std::tuple{0.99, 0.8, 2.5e-13}}) {
+    const auto start = Kepler::pericentre(e);
+    auto method = avi::collocation(avi::poincare(Kepler{}, start, ThreeHalves{}), 16);
+    State<2> z = start;
+    double most = 0.0;
+    const avi::Run run =
+        avi::integrate(method, z, h, {.time = 2000.0 * M_PI}, [&](const State<2>& now, long) {
+          if (now.q.norm() > 1.0) most = std::max(most, std::abs(Kepler{}(now.q, now.p) + 0.5));
+        });
+    ASSERT_EQ(run.outcome, Outcome::ok) << run.message;
+    EXPECT_LT(most, bound) << e;
+  }
+}
+
+}  // namespace

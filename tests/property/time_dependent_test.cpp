@@ -1,0 +1,134 @@
+#include "avi/transform/time_dependent.hpp"
+
+#include "avi/core/integrate_to.hpp"
+#include "avi/diagnostics/order.hpp"
+#include "avi/htvi/htvi.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+// Physical time of a problem that depends on time: it is a coordinate, and fictive time is another thing.
+
+namespace {
+
+/// H = p^2 / 2 + (1 + t)^2 q^2 / 2.
+struct Stiffening {
+  template <class Q, class S, class P>
+  S operator()(const Q& q, const S& t, const P& p) const {
+    const S frequency = 1.0 + t;
+    return 0.5 * (p[0] * p[0]) + 0.5 * (frequency * frequency) * (q[0] * q[0]);
+  }
+};
+
+/// g = c / (1 + t).
+struct Slower {
+  double c = 1.0;
+  template <class Q, class S, class P>
+  S operator()(const Q&, const S& t, const P&) const {
+    return c / (1.0 + t);
+  }
+};
+
+const avi::State<1> start{.q = avi::Vector<double, 1>(1.0), .p = avi::Vector<double, 1>(0.3), .t = 0.25};
+
+auto method(auto monitor) {
+  return avi::type2<3>(avi::time_dependent(Stiffening{}, start, monitor), avi::gauss(2));
+}
+
+TEST(TimeDependent, TimeIsPhysicalInTheStateAndInsideTheStep) {
+  auto m = method(Slower{});
+  avi::State<2> z = extended(m.problem(), start);
+  ASSERT_EQ(m.step(z, 0.1).outcome, avi::Outcome::ok);
+  const double exact = std::sqrt(1.25 * 1.25 + 0.2) - 1.0;  // dt/dtau = 1 / (1 + t)
+  EXPECT_NEAR(z.t, exact, 2e-6) << "measured 1.1e-6";
+  EXPECT_EQ(z.t, z.q[1]);
+  for (const double c : {0.0, 0.5, 1.0}) {
+    const avi::State<2> inside = m.polynomial(c, start.t);
+    EXPECT_EQ(inside.t, inside.q[1]);
+    EXPECT_NEAR(inside.t, std::sqrt(1.25 * 1.25 + 0.2 * c) - 1.0, 2e-6) << "measured 1.1e-6";
+  }
+}
+
+TEST(TimeDependent, AMonitorThatIsNotPositiveEndsTheRun) {
+  for (const double c : {0.0, -1.0}) {
+    auto m = method(Slower{c});
+    avi::State<2> z = extended(m.problem(), start);
+    const avi::Run run = avi::integrate(m, z, 0.1, {.time = 1.0, .steps = 100});
+    EXPECT_EQ(run.outcome, avi::Outcome::bad_monitor) << c;
+    EXPECT_EQ(run.steps, 0);
+    EXPECT_EQ(z.t, start.t);
+  }
+}
+
+TEST(TimeDependent, TakesTheMonitorsOfAutonomousProblems) {
+  const auto of_q = [](const auto& q) { return 1.0 / (1.0 + q[0] * q[0]); };
+  const auto of_qp = [](const auto& q, const auto&) { return 1.0 / (1.0 + q[0] * q[0]); };
+  const auto of_qtp = [](const auto& q, const auto&, const auto&) { return 1.0 / (1.0 + q[0] * q[0]); };
+  auto a = method(of_q);
+  auto b = method(of_qp);
+  auto c = method(of_qtp);
+  avi::State<2> x = extended(a.problem(), start), y = extended(b.problem(), start),
+                z = extended(c.problem(), start);
+  for (int k = 0; k < 10; ++k) {
+    ASSERT_EQ(a.step(x, 0.1).outcome, avi::Outcome::ok);
+    ASSERT_EQ(b.step(y, 0.1).outcome, avi::Outcome::ok);
+    ASSERT_EQ(c.step(z, 0.1).outcome, avi::Outcome::ok);
+  }
+  EXPECT_TRUE(x.q == z.q && x.p == z.p && x.t == z.t);
+  EXPECT_TRUE(y.q == z.q && y.p == z.p && y.t == z.t);
+  EXPECT_LT(z.t, 0.25 + 0.9) << "the monitor slows time down";
+}
+
+/// An oscillator whose frequency varies, H = p^2 / 2 + (1 + t) q^2 / 2: q = Ai(-(1 + t)) solves q'' = -(1 +
+/// t) q. Its reference is a run with small steps of another method, so that the two routes share nothing.
+struct AiryOscillator {
+  template <class Q, class S, class P>
+  S operator()(const Q& q, const S& t, const P& p) const {
+    return 0.5 * (p[0] * p[0]) + 0.5 * (1.0 + t) * (q[0] * q[0]);
+  }
+};
+
+avi::State<1> runge_kutta(avi::State<1> z, double t_end, int steps) {
+  const double h = (t_end - z.t) / steps;
+  const auto force = [](double t, double q) { return -(1.0 + t) * q; };
+  for (int k = 0; k < steps; ++k) {
+    const double q = z.q[0], p = z.p[0], t = z.t;
+    const double a1 = p, b1 = force(t, q);
+    const double a2 = p + 0.5 * h * b1, b2 = force(t + 0.5 * h, q + 0.5 * h * a1);
+    const double a3 = p + 0.5 * h * b2, b3 = force(t + 0.5 * h, q + 0.5 * h * a2);
+    const double a4 = p + h * b3, b4 = force(t + h, q + h * a3);
+    z.q[0] += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+    z.p[0] += h / 6.0 * (b1 + 2.0 * b2 + 2.0 * b3 + b4);
+    z.t += h;
+  }
+  return z;
+}
+
+TEST(TimeDependent, FollowsAnOscillatorOfVaryingFrequency) {
+  const avi::State<1> origin{.q = avi::Vector<double, 1>(1.0), .p = avi::Vector<double, 1>(0.0), .t = 0.0};
+  const auto exact = runge_kutta(origin, 3.0, 20000);
+  const auto monitor = [](const auto&, const auto& t, const auto&) {
+    using std::sqrt;
+    return 1.0 / sqrt(1.0 + t);
+  };
+  const auto problem = avi::time_dependent(AiryOscillator{}, origin, monitor);
+  std::vector<double> steps, errors;
+  for (double h : {0.2, 0.1, 0.05}) {
+    auto z = avi::extended(problem, origin);
+    auto method = avi::type2<3, avi::printed>(problem, avi::gauss(2));
+    const auto run = avi::integrate_to(method, z, h, 3.0);
+    ASSERT_EQ(run.outcome, avi::Outcome::ok) << run.message;
+    const auto end = avi::reduced(z);
+    EXPECT_NEAR(end.t, 3.0, 1e-14);
+    EXPECT_NEAR(z.p[1], -AiryOscillator{}(end.q, end.t, end.p), 20.0 * std::pow(h, 4))
+        << "p^t is minus the energy";
+    steps.push_back(h);
+    errors.push_back(std::hypot(end.q[0] - exact.q[0], end.p[0] - exact.p[0]));
+  }
+  EXPECT_LT(errors.back(), 1e-5);
+  EXPECT_NEAR(avi::fit_order(steps, errors).order, 4.0, 0.5);
+}
+
+}  // namespace

@@ -1,0 +1,72 @@
+#include "common/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+using experiment::Table;
+
+namespace {
+
+Table data(const std::string& stem) {
+  return Table::read(std::string(AVI_CHECK_DIR) + "/quick/" + stem + ".tsv");
+}
+
+TEST(WorkPrecision, HoldsTheReferenceRun) {
+  const Table table = data("work_precision");
+  ASSERT_FALSE(table.rows.empty());
+  EXPECT_EQ(table.text(0, "method"), "stormer_verlet");
+  EXPECT_NEAR(table.number(0, "steps"), 200000, 1);
+  EXPECT_NEAR(table.number(0, "energy_error"), 3.118e-6, 1e-9);
+  EXPECT_NEAR(table.number(0, "position_error"), 3.330e-5, 2e-8);
+  EXPECT_NEAR(table.number(0, "cost"), 1.0, 1e-12);
+}
+
+TEST(WorkPrecision, ErrorsFallWithTheStepUntilRoundOff) {
+  const Table table = data("work_precision");
+  std::map<std::string, double> last;
+  int pairs = 0;
+  for (std::size_t i = 1; i < table.rows.size(); ++i) {
+    const std::string &method = table.text(i, "method"), &setting = table.text(i, "setting");
+    // Tolerances of other libraries promise no such thing.
+    if (method.starts_with("gsl_") || method.starts_with("odeint_") || method.starts_with("sundials_"))
+      continue;
+    const std::string curve = method + table.text(i, "order") + setting.substr(0, setting.rfind('='));
+    const double error = table.number(i, "position_error");
+    // Where steps are solved to a tolerance only, errors of some times its size come and go.
+    const auto tolerance = setting.find("tolerance=");
+    const double floor =
+        tolerance == std::string::npos ? 1e-12 : 10.0 * std::stod(setting.substr(tolerance + 10));
+    if (last.contains(curve) && last[curve] > floor) {
+      EXPECT_LT(error, last[curve]) << method << ' ' << setting;
+      ++pairs;
+    }
+    last[curve] = error;
+  }
+  EXPECT_GE(last.size(), 6u);  // 27 where nothing else runs; on a slow machine fewer fit
+  EXPECT_GE(pairs, 5);
+}
+
+TEST(WorkPrecision, TheFrontIsAFront) {
+  const Table front = data("work_precision_front");
+  ASSERT_GE(front.rows.size(), 3u);
+  for (std::size_t i = 1; i < front.rows.size(); ++i) {
+    EXPECT_GE(front.number(i, "cost"), front.number(i - 1, "cost"));
+    EXPECT_LT(front.number(i, "position_error"), front.number(i - 1, "position_error"));
+  }
+}
+
+TEST(WorkPrecision, ItsAdviceReachesTheTargetsAheadOfEveryPeer) {
+#if !defined(__OPTIMIZE__) || defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "not optimised, as the other libraries are";
+#endif
+  const Table advice = data("work_precision_advice");
+  ASSERT_EQ(advice.rows.size(), 5u);
+  for (std::size_t i = 0; i < advice.rows.size(); ++i) {
+    EXPECT_EQ(advice.text(i, "verdict"), "ahead") << advice.text(i, "target");
+    EXPECT_LT(advice.number(i, "ratio"), 1.0);
+  }
+}
+
+}  // namespace

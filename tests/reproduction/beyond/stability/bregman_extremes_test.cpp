@@ -1,0 +1,148 @@
+#include "avi/bregman/heavy_ball.hpp"
+#include "avi/optim/update_loop.hpp"
+#include "avi/problems/correlated_quartic.hpp"
+#include "common/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+// The measured limits of Bregman dynamics, within about twice the deviations that were seen.
+
+using avi::Outcome;
+using avi::VectorX;
+using experiment::Table;
+
+namespace {
+
+Table data(const std::string& curve) {
+  return Table::read(std::string(AVI_CHECK_DIR) + "/quick/bregman_extremes" + curve + ".tsv");
+}
+
+TEST(Overflow, EachFormEndsWhereItsLargestCoefficientDoes) {
+  const Table ends = data("_overflow");
+  std::map<std::pair<double, double>, std::map<std::string, double>> end;
+  for (std::size_t i = 0; i < ends.rows.size(); ++i) {
+    const double measured = ends.number(i, "log10_t_end"), expected = ends.number(i, "log10_t_expected");
+    if (std::isfinite(expected)) {
+      EXPECT_NEAR(measured / expected, 1.0, 1e-3) << ends.text(i, "form") << ' ' << ends.text(i, "p");
+    } else {
+      EXPECT_GT(measured, 300.0) << "p <= 2s has no end";
+    }
+    end[{ends.number(i, "p"), ends.number(i, "p_ring")}][ends.text(i, "form")] = measured;
+  }
+  EXPECT_GE(end.size(), 15u);
+  for (auto& [orders, of] : end) {
+    // Half the exponent, twice the logarithm of time; the clock in log t adds what t^(2s) and the step leave.
+    EXPECT_NEAR(of["momentum"] / of["printed"], 2.0, 0.06) << orders.first;
+    EXPECT_GT(of["heavy_ball"], of["momentum"]) << orders.first;
+  }
+}
+
+TEST(Overflow, TheFormsAgreeWhereverBothAreFinite) {
+  const Table ends = data("_overflow");
+  double momentum = 0.0, heavy_ball = 0.0;
+  for (std::size_t i = 0; i < ends.rows.size(); ++i) {
+    EXPECT_GT(ends.number(i, "steps_compared"), 1900.0) << "the whole way to the printed form's end";
+    double& worst = ends.text(i, "form") == "momentum" ? momentum : heavy_ball;
+    worst = std::max(worst, ends.number(i, "distance_from_printed"));
+  }
+  EXPECT_LT(momentum, 2e-12);    // seen: 7e-13
+  EXPECT_LT(heavy_ball, 2e-12);  // seen: 8e-13
+}
+
+TEST(Limit, LinearTheoryHoldsForEveryMethod) {
+  const Table limits = data("_limits");
+  std::set<std::string> methods;
+  for (std::size_t i = 0; i < limits.rows.size(); ++i) {
+    const std::string method = limits.text(i, "method");
+    methods.insert(method);
+    // Runge-Kutta 4 damps below its limit, so that a growing end of a run starts from less.
+    const double above = method == "runge_kutta_4" ? 0.05 : 0.004;
+    EXPECT_GT(limits.number(i, "ratio"), 0.998) << method << ' ' << limits.text(i, "p");
+    EXPECT_LT(limits.number(i, "ratio"), 1.0 + above) << method << ' ' << limits.text(i, "p");
+    // One notch beyond: a name and a reason.
+    EXPECT_EQ(limits.text(i, "beyond_outcome"), "diverged") << method << ' ' << limits.text(i, "p");
+    EXPECT_NE(limits.text(i, "beyond_message").find("the iterates left every bound"), std::string::npos);
+  }
+  EXPECT_EQ(methods.size(), 7u);
+}
+
+TEST(Runs, NoneIsSilentlyWrong) {
+  const Table table = data("");
+  std::map<std::string, int> verdicts;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    ++verdicts[table.text(i, "verdict")];
+    EXPECT_NE(table.text(i, "verdict"), "silent")
+        << table.text(i, "scene") << ' ' << table.text(i, "method") << ' ' << table.text(i, "fault");
+  }
+  EXPECT_EQ(verdicts.size(), 3u);
+  EXPECT_GT(verdicts["correct"], 40);
+  EXPECT_GT(verdicts["named"], 500);
+  EXPECT_GT(verdicts["told"], 20);
+}
+
+TEST(Runs, AnObjectiveThatSwallowsNanConvergesNowhere) {
+  // Asked about what is no number it answers 0 with gradient 0, on which the stopping test would hold.
+  const auto swallowing = [calls = 0](const VectorX& x, VectorX& g) mutable {
+    g = x;
+    if (++calls == 3) g.setConstant(std::nan(""));
+    if (!x.allFinite()) return g.setZero(x.size()), 0.0;
+    return 0.5 * avi::dot(x, x);
+  };
+  const auto f = [&](const VectorX& x, VectorX& g) {
+    static auto once = swallowing;
+    return once(x, g);
+  };
+  const auto run = avi::minimise(
+      f, avi::BregmanHeavyBall{.family = avi::BregmanFamily::direct(2.0), .h = 0.1}, VectorX::Ones(3));
+  EXPECT_EQ(run.outcome, Outcome::non_finite) << run.message;
+  EXPECT_TRUE(run.last.x.allFinite());
+}
+
+TEST(HeavyBall, GivesThePublishedCounts) {
+  // They are made with the momentum form; these three do not hang on the last bit.
+  const avi::CorrelatedQuartic f;
+  const auto count = [&](double p, double p_ring, double h) {
+    return avi::minimise(f, avi::BregmanHeavyBall{.family = avi::BregmanFamily::adaptive(p, p_ring), .h = h},
+                         f.start())
+        .iterations;
+  };
+  EXPECT_EQ(count(10.0, 10.0, 4e-4), 13872 - 1);
+  EXPECT_EQ(count(4.0, 1.0, 2.4e-4), 9361 - 1);
+}
+
+TEST(HeavyBall, StopsWithANameAtItsEndAndKeepsTheLastGoodPoint) {
+  // Flat enough for its step to reach 1e308; t^50 overflows long before.
+  const auto f = [](const VectorX& x, VectorX& g) {
+    g = 1e-307 * x;
+    return 0.5e-307 * avi::dot(x, x);
+  };
+  const avi::BregmanHeavyBall method{.family = avi::BregmanFamily::direct(50.0), .h = 900.0};
+  const auto run = avi::minimise(f, method, VectorX::Ones(2), {.delta = 0.0, .iterations = 10'000});
+  EXPECT_EQ(run.outcome, Outcome::non_finite);
+  EXPECT_TRUE(run.last.x.allFinite());
+  EXPECT_GT(run.iterations, 1900);
+  EXPECT_LT(run.iterations, 2100);
+}
+
+TEST(HeavyBall, StartsAtAnyTime) {
+  // At t = 1e100 the momentum form's t^4 has overflowed; the log clock runs, and slowly descends.
+  const avi::CorrelatedQuartic f;
+  const avi::BregmanFamily family = avi::BregmanFamily::adaptive(4.0, 1.0);
+  const avi::BregmanStart from{.t = 1e100, .momentum = 0.0};
+  const double h = 9e-180;
+  const avi::Stopping stopping{.delta = 0.0, .iterations = 200};
+  const auto light =
+      avi::minimise(f, avi::BregmanHeavyBall{.family = family, .h = h, .from = from}, f.start(), stopping);
+  EXPECT_EQ(light.outcome, Outcome::step_limit) << light.message;
+  EXPECT_LT(light.last.value, 1.52e8);
+  const auto momentum =
+      avi::minimise(f, avi::BregmanHtvi{.family = family, .h = h, .from = from}, f.start(), stopping);
+  EXPECT_TRUE(momentum.outcome == Outcome::diverged || momentum.outcome == Outcome::non_finite);
+}
+
+}  // namespace

@@ -1,0 +1,82 @@
+#include "common/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+// Every integrator breaks and says how: on the oscillator where linear theory says, unless further windows of
+// stability follow the first limit, and before it on nonlinear problems.
+
+namespace {
+
+class StepBreakdown : public testing::Test {
+ protected:
+  const experiment::Table table = experiment::Table::read(AVI_CHECK_DIR "/quick/step_breakdown.tsv");
+
+  [[nodiscard]] std::size_t row(const std::string& problem, const std::string& method,
+                                const std::string& monitor = "none") const {
+    for (std::size_t i = 0; i < table.rows.size(); ++i)
+      if (table.text(i, "problem") == problem && table.text(i, "method") == method &&
+          table.text(i, "monitor") == monitor)
+        return i;
+    throw std::runtime_error("no row " + problem + " " + method);
+  }
+};
+
+TEST_F(StepBreakdown, LinearTheoryIsMetOnTheOscillator) {
+  // Stormer-Verlet: 2; the classical Runge-Kutta method: sqrt(8); the triple jump: 1.573 (Yoshida 1990);
+  // HTVI2 has to break where the eigenvalues of its step say, wherever that is.
+  EXPECT_NEAR(table.number(row("oscillator", "stormer_verlet"), "h_linear"), 2.0, 1e-3);
+  EXPECT_NEAR(table.number(row("oscillator", "runge_kutta_4"), "h_linear"), std::sqrt(8.0), 1e-3);
+  EXPECT_NEAR(table.number(row("oscillator", "yoshida4"), "h_linear"), 1.573, 1e-3);
+  for (const char* method : {"stormer_verlet", "yoshida4", "runge_kutta_4", "htvi2"})
+    EXPECT_NEAR(table.number(row("oscillator", method), "h") /
+                    table.number(row("oscillator", method), "h_linear"),
+                1.0, 0.01)
+        << method;
+}
+
+TEST_F(StepBreakdown, LargestStepsAreThoseMeasured) {
+  struct Limit {
+    const char *problem, *method, *monitor;
+    double h;
+  };
+  // The start that breaks first may change with the last bit: three in a hundred.
+  for (const auto& [problem, method, monitor, h] : {Limit{"henon_heiles", "stormer_verlet", "none", 0.649},
+                                                    {"henon_heiles", "yoshida4", "none", 0.754},
+                                                    {"henon_heiles", "kahan_li8", "none", 2.53},
+                                                    {"henon_heiles", "runge_kutta_4", "none", 0.402},
+                                                    {"henon_heiles", "htvi2", "none", 0.793},
+                                                    {"henon_heiles", "htvi4", "none", 0.876},
+                                                    {"kepler", "stormer_verlet", "none", 0.01627},
+                                                    {"kepler", "yoshida4", "none", 0.02249},
+                                                    {"kepler", "kahan_li8", "none", 0.05136},
+                                                    {"kepler", "runge_kutta_4", "none", 0.0089},
+                                                    {"kepler", "htvi2", "none", 0.007624},
+                                                    {"kepler", "htvi4", "none", 0.01732},
+                                                    {"kepler", "adaptive_verlet", "r^1.5", 0.1108},
+                                                    {"kepler", "hairer_soderlind", "r^1.5", 0.1332},
+                                                    {"kepler", "htvi2", "r^1.5", 0.4291},
+                                                    {"kepler", "htvi4", "r^1.5", 0.6035}})
+    EXPECT_NEAR(table.number(row(problem, method, monitor), "h") / h, 1.0, 0.03) << problem << ' ' << method;
+}
+
+TEST_F(StepBreakdown, OneNotchBeyondEveryRunEndsWithItsReason) {
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const std::string where =
+        table.text(i, "problem") + " " + table.text(i, "method") + " " + table.text(i, "monitor");
+    const std::string& beyond = table.text(i, "beyond");
+    if (table.text(i, "method") == "log_hamiltonian") {
+      EXPECT_EQ(beyond, "none") << "its leapfrog stays on the ellipse whatever the step";
+      continue;
+    }
+    EXPECT_TRUE(beyond == "energy" || beyond == "not_converged" || beyond == "non_finite" ||
+                beyond == "bad_monitor" || beyond == "diverged")
+        << where << " " << beyond;
+    EXPECT_LT(table.number(i, "h_beyond"), 1.003 * table.number(i, "h")) << where;
+    EXPECT_LT(table.number(i, "time_reached"), 310.0) << where;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,136 @@
+#include "common/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+/// Every experiment meets a user who mistypes: status 2, one sentence on stderr, no file left.
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Answer {
+  int status = -1;
+  std::string out, err;
+};
+
+std::string slurp(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+class FrontDoor : public testing::TestWithParam<std::string> {
+ protected:
+  const fs::path scratch =
+      fs::temp_directory_path() / ("avi_front_door_" + GetParam() + std::to_string(::getpid()));
+  const fs::path output = scratch / "output";
+
+  void SetUp() override { fs::create_directories(output); }
+  void TearDown() override { fs::remove_all(scratch); }
+
+  /// Runs the experiment; a bad option is refused long before the time limit of 20 s.
+  [[nodiscard]] Answer run(const std::string& arguments) const {
+    const std::string command = "timeout 20 '" AVI_BIN_DIR "/" + GetParam() + "' " + arguments + " >'" +
+                                (scratch / "out").string() + "' 2>'" + (scratch / "err").string() + "'";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(scratch / "out"), slurp(scratch / "err")};
+  }
+
+  void expect_refused(const std::string& arguments) const {
+    const Answer answer = run(arguments);
+    EXPECT_EQ(answer.status, 2) << GetParam() << ' ' << arguments << '\n' << answer.err;
+    EXPECT_TRUE(answer.err.starts_with(GetParam() + ": ")) << answer.err;
+    EXPECT_TRUE(answer.err.ends_with(".\n")) << answer.err;
+    EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+    EXPECT_EQ(answer.out, "") << GetParam() << ' ' << arguments;
+    EXPECT_TRUE(fs::is_empty(output)) << GetParam() << ' ' << arguments << " left a file";
+  }
+
+  [[nodiscard]] std::string quick() const { return "--quick --output '" + output.string() + "' "; }
+};
+
+TEST_P(FrontDoor, Helps) {
+  const Answer answer = run("--help");
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_EQ(answer.err, "");
+  for (const char* text : {"Usage:", "--output", "--quick"})
+    EXPECT_NE(answer.out.find(text), std::string::npos) << text;
+}
+
+TEST_P(FrontDoor, RefusesUnknownOptionsAndArguments) {
+  for (const char* arguments : {"--nonsense", "stray", "--quick=maybe", "-z"})
+    expect_refused(quick() + arguments);
+  expect_refused("--output");
+}
+
+TEST_P(FrontDoor, RefusesAFolderItCannotWrite) {
+  expect_refused("--quick --output /dev/null/nowhere");
+  std::ofstream(scratch / "file") << "no folder";
+  expect_refused("--quick --output '" + (scratch / "file").string() + "'");
+  if (::geteuid() == 0) return;  // Root may write anywhere.
+  fs::permissions(output, fs::perms::owner_read | fs::perms::owner_exec);
+  expect_refused(quick());
+  fs::permissions(output, fs::perms::owner_all);
+}
+
+/// --help names every option with the kind of its value; each kind has its nonsense.
+TEST_P(FrontDoor, RefusesNonsenseValues) {
+  static const std::regex option(R"((--[a-z0-9-]+) ([A-Z]+)(?: in ([\[(])([^,]+), ([^\])]+)[\])])?)");
+  const std::string help = run("--help").out;
+  for (auto match = std::sregex_iterator(help.begin(), help.end(), option); match != std::sregex_iterator();
+       ++match) {
+    const std::string flag = (*match)[1], kind = (*match)[2], low = (*match)[4], high = (*match)[5];
+    if (kind == "DIR") {
+      expect_refused(quick() + flag + " /dev/null/nowhere");
+      continue;
+    }
+    if (kind == "TEXT") continue;
+    for (const char* value : {"word", "nan", "inf", "-inf", "1e999", "''", "1,2"})
+      expect_refused(quick() + flag + "=" + value);
+    if (!low.empty()) expect_refused(quick() + flag + "=" + std::to_string(std::stod(low) - 1.0));
+    if (!high.empty() && high != "inf")
+      expect_refused(quick() + flag + "=" + std::to_string(std::stod(high) + 1.0));
+  }
+}
+
+/// A published number without data is a row of the scorecard and a status, never silence.
+TEST(Scorecard, FailsWhereDataAreMissing) {
+  const fs::path scratch = fs::temp_directory_path() / ("avi_scorecard_run_" + std::to_string(::getpid()));
+  fs::create_directories(scratch / "empty");
+  const std::string command = "'" AVI_BIN_DIR "/scorecard' --published '" AVI_PUBLISHED_DIR "' --data '" +
+                              (scratch / "empty").string() + "' --output '" + scratch.string() + "' >'" +
+                              (scratch / "out").string() + "' 2>&1";
+  const int status = std::system(command.c_str());
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1);
+  const experiment::Table card = experiment::Table::read(scratch / "scorecard.tsv");
+  EXPECT_GT(card.rows.size(), 200u);
+  for (std::size_t i = 0; i < card.rows.size(); ++i)
+    EXPECT_EQ(card.text(i, "verdict"), "missing");
+  EXPECT_NE(slurp(scratch / "out").find("kepler_e090.tsv"), std::string::npos);
+  fs::remove_all(scratch);
+}
+
+std::vector<std::string> experiments() {
+  const auto table = experiment::Table::read(AVI_BUILD_DIR "/experiments.tsv");
+  std::vector<std::string> stems{"scorecard"};
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    stems.push_back(table.text(i, "name"));
+  return stems;
+}
+
+INSTANTIATE_TEST_SUITE_P(Experiments, FrontDoor, testing::ValuesIn(experiments()),
+                         [](const auto& instance) { return instance.param; });
+
+}  // namespace

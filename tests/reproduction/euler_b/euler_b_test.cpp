@@ -1,0 +1,60 @@
+#include "euler_b/euler_b_runs.hpp"
+
+#include "common/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+using experiment::EulerBSetting;
+using experiment::run_euler_b;
+
+namespace {
+
+// On Kepler's problem |grad V| = 1 / |q|^2, so the truncation-error monitor is (2 tol / h^2) |q|^2: at
+// matched scale it is g = q . q, the same steps and the same orbit. The paper finds that the one "used
+// significantly more steps".
+TEST(EulerB, TruncationMonitorIsTheNormSquaredMonitor) {
+  const double h = 1e-3;
+  const auto truncation = run_euler_b({"truncation", h, 0.5 * h * h}, 0.9, 1000.0);
+  const auto norm_squared = run_euler_b({"norm_squared", h}, 0.9, 1000.0);
+  EXPECT_EQ(truncation.steps, 2298342);
+  EXPECT_EQ(norm_squared.steps, 2298342);
+  EXPECT_NEAR(truncation.energy_error, 1.03e-3, 0.005e-3);
+  EXPECT_NEAR(truncation.energy_error / norm_squared.energy_error, 1.0, 3e-9);
+}
+
+TEST(EulerB, ArclengthTakesATenthMoreAndPlainStepsTheMost) {
+  EXPECT_EQ(run_euler_b({"arclength", 1e-3}, 0.9, 1000.0).steps, 2542859);
+  EXPECT_NEAR(run_euler_b({"none", 1e-3}, 0.9, 1000.0).energy_error, 5.75e-2, 0.005e-2);
+}
+
+TEST(EulerB, AngularMomentumIsKeptToRoundOff) {
+  for (const char* monitor : {"none", "arclength", "norm_squared"})
+    EXPECT_LT(run_euler_b({monitor, 1e-3}, 0.9, 100.0).angular_momentum_error, 1e-13) << monitor;
+}
+
+TEST(EulerB, CostAtMatchedErrorRanksTheMonitors) {
+  const auto cost = experiment::Table::read(std::string(AVI_CHECK_DIR) + "/quick/euler_b_cost.tsv");
+  std::map<std::string, double> steps;
+  for (std::size_t i = 0; i < cost.rows.size(); ++i) {
+    EXPECT_NEAR(cost.number(i, "energy_error") / cost.number(i, "target"), 1.0, 0.02);
+    if (cost.number(i, "target") == 1e-3) steps[cost.text(i, "monitor")] = cost.number(i, "steps");
+  }
+  EXPECT_NEAR(steps.at("truncation") / steps.at("norm_squared"), 1.0, 1e-3);
+  EXPECT_NEAR(steps.at("arclength") / steps.at("norm_squared"), 1.10, 0.02);
+  EXPECT_GT(steps.at("truncation_root") / steps.at("norm_squared"), 5.0);  // measured 7.5
+  EXPECT_GT(steps.at("none") / steps.at("norm_squared"), 20.0);            // measured 23
+}
+
+TEST(EulerB, LargestStepsAtEqualErrorAreThoseOfBothFirstMonitors) {
+  const auto sizes = experiment::Table::read(std::string(AVI_CHECK_DIR) + "/quick/euler_b_step_sizes.tsv");
+  std::map<std::string, double> largest;
+  for (std::size_t i = 0; i < sizes.rows.size(); ++i)
+    largest[sizes.text(i, "monitor")] = sizes.number(i, "max_step");
+  EXPECT_NEAR(largest.at("truncation") / largest.at("norm_squared"), 1.0, 1e-5);
+  EXPECT_GT(largest.at("norm_squared"), largest.at("arclength"));
+}
+
+}  // namespace

@@ -1,0 +1,93 @@
+#include "scorecard/numbers/printed.hpp"
+
+#include "common/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+using experiment::Table;
+
+namespace {
+
+Table data(const std::string& stem) {
+  return Table::read(std::string(AVI_CHECK_DIR) + "/data/" + stem + ".tsv");
+}
+
+/// Row of the authors' construction (or of Stormer-Verlet, for monitor "verlet").
+std::size_t row_of(const Table& table, const std::string& monitor) {
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const bool verlet = table.text(i, "method") == "stormer_verlet";
+    if (monitor == "verlet"
+            ? verlet
+            : table.text(i, "construction") == "authors" && table.text(i, "monitor") == monitor)
+      return i;
+  }
+  throw std::runtime_error("no row " + monitor);
+}
+
+/// The published cells: source, row, quantity -> text as printed.
+std::map<std::string, std::string> published(const std::string& stem) {
+  const Table table = Table::read(std::string(AVI_PUBLISHED_DIR) + "/" + stem + ".tsv");
+  std::map<std::string, std::string> cells;
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    cells[table.text(i, "row") + " " + table.text(i, "quantity")] = table.text(i, "published");
+  return cells;
+}
+
+/// Equal in every digit that `printed` has.
+::testing::AssertionResult prints_as(double value, const std::string& printed) {
+  if (scorecard::Printed(printed).equals(value)) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << value << " is not printed as " << printed;
+}
+
+class Tables : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Tables, AdaptiveRowsAgreeInEveryPrintedDigit) {
+  const std::string stem = GetParam();
+  const Table ours = data(stem);
+  const auto paper = published(stem);
+  for (const std::string monitor : {"gamma", "energy", "arclength"}) {
+    const std::size_t i = row_of(ours, monitor);
+    for (const std::string quantity : {"min_step", "max_step", "energy_error", "global_error"})
+      EXPECT_TRUE(prints_as(ours.number(i, quantity), paper.at("HTVI4 " + monitor + " " + quantity)))
+          << monitor << ' ' << quantity;
+    EXPECT_EQ(ours.number(i, "steps") + 1, std::stod(paper.at("HTVI4 " + monitor + " steps")))
+        << "the paper counts points";
+  }
+}
+
+TEST_P(Tables, FixedStepRowsAgree) {
+  const std::string stem = GetParam();
+  const Table ours = data(stem);
+  const auto paper = published(stem);
+  const std::size_t none = row_of(ours, "none"), verlet = row_of(ours, "verlet");
+  EXPECT_TRUE(prints_as(ours.number(none, "energy_error"), paper.at("HTVI4 none energy_error")));
+  if (stem == "kepler_e090")
+    EXPECT_TRUE(prints_as(ours.number(none, "global_error"), paper.at("HTVI4 none global_error")));
+  else
+    EXPECT_NEAR(ours.number(none, "global_error"), 0.7823, 0.0002)
+        << "0.783 is printed; pericentre is unresolved";
+  EXPECT_TRUE(prints_as(ours.number(verlet, "energy_error"), paper.at("SV energy_error")));
+  // The printed global error compares the state after N - 1 steps with the exact one at N h.
+  EXPECT_TRUE(prints_as(ours.number(verlet, "global_error_shifted"), paper.at("SV global_error")));
+  EXPECT_FALSE(stem == "kepler_e090" &&
+               prints_as(ours.number(verlet, "global_error"), paper.at("SV global_error")));
+}
+
+TEST_P(Tables, OnShellFieldImprovesTheEnergyMonitor) {
+  const Table ours = data(GetParam());
+  double error[2] = {0.0, 0.0};
+  for (std::size_t i = 0; i < ours.rows.size(); ++i)
+    if (ours.text(i, "monitor") == "energy") {
+      if (ours.text(i, "construction") == "authors") error[0] = ours.number(i, "energy_error");
+      if (ours.text(i, "construction") == "printed") error[1] = ours.number(i, "energy_error");
+    }
+  EXPECT_GT(error[1] / error[0], 250.0);  // measured: 301 and 568
+}
+
+INSTANTIATE_TEST_SUITE_P(Paper, Tables, ::testing::Values("kepler_e090", "kepler_e099"),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace

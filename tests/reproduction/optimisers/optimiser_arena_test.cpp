@@ -1,0 +1,42 @@
+#include "common/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+// What docs/optimisation.md says of the arena, on its whole default grid.
+
+namespace {
+
+const experiment::Table& summary() {
+  static const experiment::Table table =
+      experiment::Table::read(AVI_CHECK_DIR "/data/optimiser_arena_summary.tsv");
+  return table;
+}
+
+double of(const std::string& group, const std::string& method, const std::string& column) {
+  for (std::size_t i = 0; i < summary().rows.size(); ++i)
+    if (summary().text(i, "group") == group && summary().text(i, "method") == method)
+      return summary().number(i, column);
+  ADD_FAILURE() << "no row " << group << " " << method;
+  return 0.0;
+}
+
+TEST(OptimiserArena, TheDefaultNeverFails) {
+  EXPECT_EQ(of("all", "minimise_m7", "failures"), 0.0);
+  EXPECT_LE(of("all", "minimise_m0", "failures"), 1.0);
+}
+
+TEST(OptimiserArena, ItIsSeldomFarFromTheBest) { EXPECT_GE(of("all", "minimise_m7", "within_2"), 0.9); }
+
+TEST(OptimiserArena, MeansAgainstOthers) {
+  EXPECT_LE(of("all", "minimise_m7", "ratio_to_best_cg"), 0.6);         // measured 0.45
+  EXPECT_LE(of("all", "minimise_m0", "evaluations_to_best_cg"), 0.75);  // measured 0.60
+  EXPECT_LE(of("all", "minimise_m7", "per_iteration"), 1.3);            // measured 1.19
+  if (std::isnan(of("all", "minimise_m7", "ratio_to_lbfgs"))) GTEST_SKIP() << "liblbfgs is not installed";
+  EXPECT_LE(of("all", "minimise_m7", "ratio_to_lbfgs"), 1.0);       // measured 0.93
+  EXPECT_LE(of("held_out", "minimise_m7", "ratio_to_lbfgs"), 1.1);  // measured 1.01
+}
+
+}  // namespace

@@ -1,0 +1,132 @@
+#include "scorecard/claims/claims.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <unistd.h>
+
+// The ledger of claims, ruled upon from what the tests' experiments wrote (some of them shortened).
+
+namespace fs = std::filesystem;
+using scorecard::Ruling;
+
+namespace {
+
+const fs::path check = AVI_CHECK_DIR;
+
+std::map<std::string, scorecard::ClaimLine> ledger(const std::vector<fs::path>& folders) {
+  std::map<std::string, scorecard::ClaimLine> lines;
+  for (auto& line : scorecard::judge_claims(AVI_PUBLISHED_DIR, scorecard::Results(folders)))
+    lines.emplace(line.key, line);
+  return lines;
+}
+
+/// True where a chapter of the folder has a file of that name.
+bool lies_in(const char* folder, const std::string& name) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(AVI_SOURCE_DIR) / folder))
+    if (entry.path().filename() == name) return true;
+  return false;
+}
+
+TEST(Claims, EachNamesItsExperimentAndATest) {
+  const experiment::Table table = experiment::Table::read(fs::path(AVI_PUBLISHED_DIR) / "claims.tsv");
+  std::set<std::string> keys;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    keys.insert(table.text(i, "key"));
+    EXPECT_TRUE(lies_in("tests", table.text(i, "test") + ".cpp")) << table.text(i, "test");
+    std::istringstream stems(table.text(i, "experiment"));
+    for (std::string stem; stems >> stem;)
+      EXPECT_TRUE(lies_in("experiments", stem + ".cpp")) << stem;
+  }
+  EXPECT_EQ(keys.size(), table.rows.size()) << "a key occurs twice";
+  std::size_t decided = 0;
+  for (const auto* decisions :
+       {&scorecard::euler_b_decisions(), &scorecard::htvi_decisions(), &scorecard::structure_decisions(),
+        &scorecard::dynamics_decisions(), &scorecard::optimiser_decisions()})
+    for (const auto& [key, decision] : *decisions) {
+      EXPECT_TRUE(keys.contains(std::string(key))) << key << " is no claim of the ledger";
+      ++decided;
+    }
+  EXPECT_EQ(decided, keys.size());
+}
+
+/// Rulings do not hang on the length of a run, but for these: some rest on seconds, and the shortened runs
+/// stop before NAG converges in shifted variables and before Taylor order 3, and leave out most tolerances of
+/// the Runge-Kutta pairs.
+TEST(Claims, RulingsAreThoseOfTheWholeData) {
+  const std::set<std::string> timed{"euler_b_costs_most", "norm_squared_fastest", "gradient_free_is_cheaper",
+                                    "adaptivity_pays"};
+  const std::set<std::string> shortened{"nag_never_reaches", "htvi4_is_fourth_order"};
+  const auto lines = ledger({check / "data", check / "quick"});
+  const experiment::Table stated =
+      experiment::Table::read(fs::path(AVI_PUBLISHED_DIR).parent_path() / "verdicts.tsv");
+  for (const auto& [key, line] : lines) {
+    if (shortened.contains(key)) continue;
+    EXPECT_NE(line.finding.ruling, Ruling::missing) << key << ": " << line.finding.evidence;
+    if (timed.contains(key)) continue;
+    const std::size_t row = scorecard::find(stated, {{"source", "text"}, {"row", key}});
+    EXPECT_EQ(stated.text(row, "verdict"), name(line.finding.ruling)) << key << ": " << line.finding.evidence;
+  }
+}
+
+/// Other data, other rulings.
+class ChangedData : public testing::Test {
+ protected:
+  const fs::path folder = fs::temp_directory_path() / ("avi_claims_" + std::to_string(::getpid()));
+  void SetUp() override { fs::create_directories(folder); }
+  void TearDown() override { fs::remove_all(folder); }
+
+  /// The ruling on `key` after `change` of one table.
+  template <class Change>
+  Ruling ruling(const std::string& key, const std::string& stem, Change change) {
+    const fs::path quick = check / "quick" / (stem + ".tsv");
+    experiment::Table table =
+        experiment::Table::read(fs::exists(quick) ? quick : check / "data" / (stem + ".tsv"));
+    for (auto& row : table.rows)
+      change(table, row);
+    table.write(folder / (stem + ".tsv"));
+    return ledger({folder, check / "data", check / "quick"}).at(key).finding.ruling;
+  }
+};
+
+TEST_F(ChangedData, ChangesTheRuling) {
+  EXPECT_EQ(ruling("rk4_fails", "runge_kutta_baselines",
+                   [](const auto& table, auto& row) { row[table.column("sustained")] = "nan"; }),
+            Ruling::holds);
+  EXPECT_EQ(
+      ruling("adaptive_has_lower_order", "order_equivalence",
+             [](const experiment::Table& table, auto& row) { row[table.column("distance_100")] = "0.1"; }),
+      Ruling::holds);
+  EXPECT_EQ(
+      ruling("rate_bound", "convergence_rate",
+             [](const experiment::Table& table, auto& row) { row[table.column("largest_ratio")] = "1.5"; }),
+      Ruling::fails);
+  EXPECT_EQ(ruling("truncation_fewest_steps", "euler_b_cost",
+                   [](const experiment::Table& table, auto& row) {
+                     if (row[table.column("monitor")] == "norm_squared")
+                       row[table.column("steps")] = "99999999";
+                   }),
+            Ruling::holds);
+  EXPECT_EQ(
+      ruling("order_theorem", "order_verification",
+             [](const experiment::Table& table, auto& row) { row[table.column("measured_order")] = "0.5"; }),
+      Ruling::fails);
+  EXPECT_EQ(ruling("energy_not_extreme", "kepler_e090",
+                   [](const experiment::Table& table, auto& row) {
+                     if (row[table.column("monitor")] == "energy") row[table.column("max_step")] = "1.0";
+                   }),
+            Ruling::in_part);
+  EXPECT_EQ(ruling("cloning_needs_3_7_19", "method_comparison",
+                   [](const experiment::Table& table, auto& row) {
+                     row[table.column("gradient_evaluations")] =
+                         std::to_string(20 * std::stol(row[table.column("iterations")]));
+                   }),
+            Ruling::holds);
+}
+
+TEST(Claims, AreMissingWithoutData) {
+  for (const auto& [key, line] : ledger({}))
+    EXPECT_EQ(line.finding.ruling, Ruling::missing) << key;
+}
+
+}  // namespace

@@ -1,0 +1,144 @@
+#include "avi/optim/minimise.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using avi::minimise;
+using avi::Outcome;
+using avi::VectorX;
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+double bowl(const VectorX& x, VectorX& g) {
+  for (Eigen::Index i = 0; i < x.size(); ++i)
+    g[i] = (1.0 + static_cast<double>(i)) * x[i];
+  return 0.5 * avi::dot(x, g);
+}
+
+double rosenbrock(const VectorX& x, VectorX& g) {
+  const double a = x[1] - x[0] * x[0], b = 1.0 - x[0];
+  g[0] = -400.0 * a * x[0] - 2.0 * b;
+  g[1] = 200.0 * a;
+  return 100.0 * a * a + b * b;
+}
+
+TEST(BadObjective, NamesWhatIsNotANumber) {
+  for (int at : {1, 2, 5})
+    for (bool in_gradient : {false, true}) {
+      long calls = 0;
+      const auto once = [&](const VectorX& x, VectorX& g) {
+        const double value = rosenbrock(x, g);
+        if (++calls < at) return value;
+        if (in_gradient) g[1] = nan;
+        return in_gradient ? value : nan;
+      };
+      const auto run = minimise(once, Eigen::Vector2d(-1.2, 1.0));
+      EXPECT_EQ(run.outcome, Outcome::non_finite) << at << run.message;
+      EXPECT_TRUE(run.last.x.allFinite());
+      if (at > 1) {
+        EXPECT_TRUE(std::isfinite(run.last.value));
+      }
+    }
+}
+
+TEST(BadObjective, GoesRoundAWallOfInfinity) {
+  // log barrier: infinite for x <= 0, where the first steps of a far start may land
+  const auto barrier = [](const VectorX& x, VectorX& g) {
+    g[0] = 1.0 - 1e-3 / x[0];
+    return x[0] > 0.0 ? x[0] - 1e-3 * std::log(x[0]) : std::numeric_limits<double>::infinity();
+  };
+  const auto run = minimise(barrier, VectorX::Constant(1, 10.0), {.relative = 1e-8});
+  EXPECT_TRUE(run.converged()) << run.message;
+  EXPECT_NEAR(run.last.x[0], 1e-3, 1e-8);
+}
+
+TEST(BadObjective, NamesAGradientThatIsWrong) {
+  const auto flipped = [](const VectorX& x, VectorX& g) {
+    const double value = bowl(x, g);
+    g = -g;
+    return value;
+  };
+  const auto run = minimise(flipped, VectorX::Ones(3));
+  EXPECT_EQ(run.outcome, Outcome::no_descent) << run.message;
+  EXPECT_NE(run.message.find("by its gradient"), std::string::npos) << run.message;
+  EXPECT_LT((run.last.x - VectorX::Ones(3)).norm(),
+            1e-7);  // level to 1e-8, what rounding may be; measured 1.6e-8
+  for (int entry : {0, 7}) {
+    const auto one_entry = [&](const VectorX& x, VectorX& g) {
+      const double value = bowl(x, g);
+      g[entry] *= 1.001;
+      return value;
+    };
+    for (double start : {0.0, 1.0}) {
+      const VectorX x0 = VectorX::Constant(8, start + 0.5 * (entry == 0 ? 1.0 : 0.0));
+      const auto checked = minimise(one_entry, x0, {.check_gradient = true});
+      EXPECT_EQ(checked.outcome, x0.norm() > 0.0 ? Outcome::wrong_gradient : Outcome::ok) << checked.message;
+    }
+  }
+  EXPECT_TRUE(minimise(rosenbrock, Eigen::Vector2d(-1.2, 1.0), {.check_gradient = true}).converged());
+  const auto cosine = [](const VectorX& x, VectorX& g) {
+    g[0] = std::sin(x[0] - 1.0);
+    return -std::cos(x[0] - 1.0);
+  };
+  EXPECT_TRUE(minimise(cosine, VectorX::Zero(1), {.check_gradient = true}).converged());
+}
+
+TEST(BadObjective, NamesAGradientOfAnotherSize) {
+  const auto short_one = [](const VectorX& x, VectorX& g) {
+    g.resize(2);
+    g.setOnes();
+    return x[0];
+  };
+  const auto run = minimise(short_one, VectorX::Ones(3));
+  EXPECT_EQ(run.outcome, Outcome::wrong_gradient);
+  EXPECT_NE(run.message.find("the gradient has 2 entries where x has 3"), std::string::npos) << run.message;
+}
+
+TEST(BadObjective, NamesWhatHasNoLowerBound) {
+  const auto slope = [](const VectorX& x, VectorX& g) {
+    g.setOnes();
+    return x.sum();
+  };
+  EXPECT_EQ(minimise(slope, VectorX::Ones(3)).outcome, Outcome::diverged);
+  EXPECT_EQ(minimise(slope, VectorX::Zero(3), {.memory = 0}).outcome, Outcome::diverged);
+}
+
+TEST(BadObjective, StopsWhereRoundingHidesTheRest) {
+  // |g| cannot reach 1e-14 of its start where f is of size 1 and x off zero.
+  const auto rounded = [](const VectorX& x, VectorX& g) {
+    g = (x.array() - 1.0).sin();
+    g.array() += 1e-9 * (1e9 * x.array()).sin();
+    return -(x.array() - 1.0).cos().sum();
+  };
+  for (int m : {0, 7}) {
+    const auto run =
+        minimise(rounded, VectorX::Constant(4, 2.0), {.relative = 1e-14, .memory = m, .evaluations = 5000});
+    EXPECT_TRUE(run.outcome == Outcome::stalled || run.outcome == Outcome::ok) << run.message;
+    EXPECT_NEAR(run.last.x[0], 1.0, 1e-6);
+  }
+}
+
+TEST(BadObjective, CapsAndCallbackEndIt) {
+  const auto capped = minimise(rosenbrock, Eigen::Vector2d(-1.2, 1.0), {.evaluations = 11});
+  EXPECT_EQ(capped.outcome, Outcome::step_limit);
+  EXPECT_LE(capped.gradient_evaluations, 11);
+  EXPECT_LT(capped.last.value, 24.2);
+  const auto iterations = minimise(rosenbrock, Eigen::Vector2d(-1.2, 1.0), {.iterations = 3});
+  EXPECT_EQ(iterations.outcome, Outcome::step_limit);
+  EXPECT_EQ(iterations.iterations, 3);
+  long seen = 0;
+  const auto stopped =
+      minimise(rosenbrock, Eigen::Vector2d(-1.2, 1.0), {.callback = [&](const avi::Progress& at) {
+                 EXPECT_EQ(at.iterations, seen);
+                 return ++seen < 5;
+               }});
+  EXPECT_EQ(stopped.outcome, Outcome::stopped);
+  EXPECT_EQ(seen, 5);
+  VectorX g(2);
+  EXPECT_EQ(stopped.last.value, rosenbrock(stopped.last.x, g));
+}
+
+}  // namespace

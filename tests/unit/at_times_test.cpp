@@ -1,0 +1,61 @@
+#include "avi/core/at_times.hpp"
+
+#include "avi/core/integrate_to.hpp"
+#include "avi/integrators/compositions.hpp"
+#include "avi/integrators/log_hamiltonian.hpp"
+#include "avi/problems/kepler.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+using avi::Kepler;
+using avi::State;
+
+namespace {
+
+std::vector<State<2>> output(double h, double t_end, const std::vector<double>& times) {
+  auto z = Kepler::pericentre(0.7);
+  auto method = avi::splitting(avi::LogHamiltonian(Kepler{}, z), avi::compositions::kahan_li8);
+  auto plain_method = method;
+  auto plain = z;
+  std::vector<State<2>> seen;
+  auto keep = avi::at_times(times, [&](const State<2>& s) { seen.push_back(s); });
+  EXPECT_EQ(avi::integrate_to(method, z, h, t_end, keep).outcome, avi::Outcome::ok);
+  EXPECT_EQ(avi::integrate_to(plain_method, plain, h, t_end).outcome, avi::Outcome::ok);
+  EXPECT_TRUE(z.q == plain.q && z.t == plain.t) << "the run is not touched";
+  return seen;
+}
+
+TEST(AtTimes, ShowsEachTimeOnce) {
+  // Several in a step, one in a step, none in a step; the start and the end among them.
+  for (const double sense : {1.0, -1.0}) {
+    std::vector<double> times;
+    for (const double t : {0.0, 1e-3, 2e-3, 0.5, 0.51, 3.0, 8.0, 9.0})
+      times.push_back(sense * t);
+    const auto seen = output(sense * 0.3, sense * 9.0, times);
+    ASSERT_EQ(seen.size(), times.size());
+    for (std::size_t k = 0; k < times.size(); ++k) {
+      EXPECT_NEAR(seen[k].t, times[k], 3e-15);
+      const auto exact = Kepler::exact(0.7, times[k]);
+      EXPECT_LT((seen[k].q - exact.q).norm(), 1e-6) << times[k];
+      EXPECT_LT((seen[k].p - exact.p).norm(), 1e-6) << times[k];
+    }
+  }
+}
+
+TEST(AtTimes, LeavesOutWhatLiesBeyondTheEnd) { EXPECT_EQ(output(0.3, 2.0, {1.0, 2.5}).size(), 1u); }
+
+TEST(AtTimes, RefusesTimesOutOfOrder) {
+  const auto make = [](std::vector<double> times) { (void)avi::at_times(times, [](const State<2>&) {}); };
+  EXPECT_THROW(make({1.0, 0.5, 2.0}), std::invalid_argument);
+  EXPECT_THROW(make({1.0, 1.0}), std::invalid_argument);
+  EXPECT_THROW(make({3.0, 2.0, 2.5}), std::invalid_argument);
+  EXPECT_THROW(make({0.0, NAN}), std::invalid_argument);
+  EXPECT_THROW(make({INFINITY}), std::invalid_argument);
+  EXPECT_THROW(output(0.3, 2.0, {-1.0, 1.0}), std::invalid_argument);
+}
+
+}  // namespace

@@ -1,0 +1,84 @@
+#include "avi/automatic/choose_monitor.hpp"
+#include "avi/core/integrate.hpp"
+#include "avi/diagnostics/symplecticity.hpp"
+#include "avi/problems/henon_heiles.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/problems/pendulum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace {
+
+using avi::Kepler;
+
+struct Light {
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    using std::sqrt;
+    return sqrt(p[0] * p[0] + p[1] * p[1]) + 0.5 * (q[0] * q[0] + q[1] * q[1]);
+  }
+};
+
+TEST(ChooseMonitor, TakesCurvatureOnAnEccentricOrbit) {
+  for (const auto& [order, error] : {std::pair{4, 1e-5}, {8, 1e-8}, {16, 1e-11}}) {
+    const auto choice =
+        choose_monitor(Kepler(), Kepler::pericentre(0.9), {.energy_error = error, .order = order});
+    EXPECT_TRUE(choice.reached);
+    EXPECT_EQ(choice.name, "curvature");
+    EXPECT_NE(choice.report().find("Chosen: curvature"), std::string::npos);
+    // What it cost: below 15 % of a hundred periods (measured 4 to 8 %), of which it sees less than one.
+    const auto problem = poincare(Kepler(), Kepler::pericentre(0.9), choice.monitor);
+    auto method = avi::collocation(problem, order);
+    auto z = Kepler::pericentre(0.9);
+    const avi::Run run = integrate(method, z, choice.h, avi::Until{.time = 200.0 * M_PI});
+    EXPECT_LT(static_cast<double>(choice.sweeps), 0.15 * static_cast<double>(run.evaluations)) << order;
+  }
+}
+
+TEST(ChooseMonitor, LeavesStepsAloneWhereNothingIsGained) {
+  const avi::State<2> start{.q = {0.0, 0.3}, .p = {0.45, 0.0}};
+  const auto choice = choose_monitor(avi::HenonHeiles(), start, {.energy_error = 1e-11, .order = 16});
+  EXPECT_EQ(choice.name, "fixed");
+}
+
+TEST(ChooseMonitor, ChoosesTheSameAgain) {
+  const auto first = choose_monitor(avi::Pendulum(), avi::Pendulum::start(3.1));
+  const auto second = choose_monitor(avi::Pendulum(), avi::Pendulum::start(3.1));
+  EXPECT_EQ(first.report(), second.report());
+  EXPECT_EQ(first.h, second.h);
+  EXPECT_EQ(first.name, "slow_speed");
+}
+
+TEST(ChooseMonitor, LeavesASymplecticMap) {
+  const auto start = Kepler::pericentre(0.9);
+  const auto choice = choose_monitor(Kepler(), start);
+  const auto method = avi::collocation(poincare(Kepler(), start, choice.monitor), 8);
+  avi::State<2> z = start;
+  z.q << 0.3, 0.7;
+  z.p << -0.4, 0.9;
+  const double step = choice.h;
+  EXPECT_LT(avi::symplecticity_defect(method, z, step), 1e-8);  // that of the difference quotients
+}
+
+TEST(ChooseMonitor, SaysWhyOnlyFixedStepsAreLeft) {
+  const auto choice =
+      choose_monitor(Light(), Kepler::pericentre(0.5), {.energy_error = 1e-6, .order = 4, .time = 3.0});
+  EXPECT_EQ(choice.name, "fixed");
+  EXPECT_NE(choice.report().find("not positive definite"), std::string::npos);
+}
+
+TEST(ChooseMonitor, RefusesWhatCannotBe) {
+  const auto start = Kepler::pericentre(0.5);
+  EXPECT_THROW(choose_monitor(Kepler(), start, {.energy_error = 0.0}), std::invalid_argument);
+  EXPECT_THROW(choose_monitor(Kepler(), start, {.order = 7}), std::invalid_argument);
+  EXPECT_THROW(choose_monitor(Kepler(), start, {.time = -1.0}), std::invalid_argument);
+  auto centre = start;
+  centre.q.setZero();
+  EXPECT_THROW(choose_monitor(Kepler(), centre), std::invalid_argument);
+}
+
+}  // namespace

@@ -1,0 +1,139 @@
+#include "avi/core/event.hpp"
+
+#include "avi/core/integrate_to.hpp"
+#include "avi/integrators/adaptive_verlet.hpp"
+#include "avi/integrators/compositions.hpp"
+#include "avi/integrators/hairer_soderlind.hpp"
+#include "avi/integrators/log_hamiltonian.hpp"
+#include "avi/problems/kepler.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+using avi::Crossing;
+using avi::Event;
+using avi::Kepler;
+using avi::State;
+
+namespace {
+
+/// q . p is zero at pericentre, where it rises, and at apocentre.
+const auto radial = [](const State<2>& z) { return z.q.dot(z.p); };
+
+auto method_for(const State<2>& z) {
+  return avi::splitting(avi::LogHamiltonian(Kepler{}, z), avi::compositions::kahan_li8);
+}
+
+std::vector<State<2>> events(Crossing crossing, double h, double t_end) {
+  auto z = Kepler::exact(0.5, 1.0);
+  auto method = method_for(z), plain_method = method_for(z);
+  auto plain = z;
+  std::vector<State<2>> found;
+  const auto run = avi::integrate(
+      method, z, h, {.time = t_end},
+      avi::on_event(Event{radial, crossing}, [&](const State<2>& point) { found.push_back(point); }));
+  EXPECT_EQ(run.outcome, avi::Outcome::ok) << run.message;
+  EXPECT_EQ(avi::integrate(plain_method, plain, h, {.time = t_end}).outcome, avi::Outcome::ok);
+  EXPECT_TRUE(z.q == plain.q && z.p == plain.p && z.t == plain.t) << "the run is not touched";
+  return found;
+}
+
+TEST(Event, IsFoundToRoundOffInEachDirection) {
+  for (const auto& [crossing, first, period] : {std::tuple{Crossing::rising, 2.0 * M_PI, 2.0 * M_PI},
+                                                {Crossing::falling, M_PI, 2.0 * M_PI},
+                                                {Crossing::either, M_PI, M_PI}}) {
+    const auto found = events(crossing, 0.2, 26.0);
+    ASSERT_EQ(found.size(), crossing == Crossing::either ? 8u : 4u);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      EXPECT_LT(std::abs(radial(found[k])), 1e-15);
+      EXPECT_NEAR(found[k].t, first + static_cast<double>(k) * period, 2e-9);  // of the run: measured 7e-10
+    }
+  }
+}
+
+TEST(Event, RunsBackwardsInTheSenseOfTheRun) {
+  const auto found = events(Crossing::rising, -0.2, -16.0);
+  ASSERT_EQ(found.size(), 3u) << "against time, q . p rises at apocentre";
+  for (std::size_t k = 0; k < found.size(); ++k)
+    EXPECT_NEAR(found[k].t, -M_PI - 2.0 * M_PI * static_cast<double>(k), 2e-9);
+}
+
+TEST(Event, OnAStartDoesNotCount) {
+  auto z = Kepler::pericentre(0.5);
+  z.p[0] = 0.0;
+  auto method = method_for(z);
+  int count = 0;
+  const auto run = avi::integrate(method, z, 0.2, {.time = 6.0},
+                                  avi::on_event(Event{radial}, [&](const State<2>&) { ++count; }));
+  EXPECT_EQ(run.outcome, avi::Outcome::ok);
+  EXPECT_EQ(count, 1) << "apocentre";
+}
+
+TEST(Event, ActionMayEndTheRun) {
+  auto z = Kepler::exact(0.5, 1.0);
+  auto method = method_for(z);
+  int count = 0;
+  const auto run = avi::integrate(method, z, 0.2, {.time = 100.0},
+                                  avi::on_event(Event{radial}, [&](const State<2>&) { return ++count < 3; }));
+  EXPECT_EQ(run.outcome, avi::Outcome::stopped);
+  EXPECT_EQ(count, 3);
+  EXPECT_GE(z.t, 3.0 * M_PI);
+  EXPECT_LT(z.t, 3.0 * M_PI + 0.5);
+}
+
+TEST(Event, EndsARunExactly) {
+  const auto start = Kepler::exact(0.5, 1.0);
+  auto z = start;
+  auto method = method_for(z);
+  long last = 0;
+  const auto run = avi::integrate_to(method, z, 0.2, Event{radial, Crossing::rising}, {.time = 10.0},
+                                     [&](const State<2>& now, long k) {
+                                       last = k;
+                                       EXPECT_LE(now.t, 2.0 * M_PI + 1e-8);
+                                     });
+  EXPECT_EQ(run.outcome, avi::Outcome::ok) << run.message;
+  EXPECT_EQ(run.steps, last);
+  EXPECT_LT(std::abs(radial(z)), 1e-15);
+  EXPECT_NEAR(z.t, 2.0 * M_PI, 2e-9);
+  EXPECT_NEAR(z.q.norm(), 0.5, 2e-9);
+  z = start;
+  EXPECT_EQ(avi::integrate_to(method, z, 0.2, Event{radial, Crossing::rising}, {.time = 5.0}).outcome,
+            avi::Outcome::step_limit)
+      << "no event on the way";
+  EXPECT_GE(z.t, 5.0);
+}
+
+TEST(Event, ToleranceEndsTheSearchEarly) {
+  const auto tries = [](double tolerance) {
+    auto z = Kepler::exact(0.5, 1.0);
+    auto method = method_for(z);
+    const auto run =
+        avi::integrate_to(method, z, 0.2, Event{radial, Crossing::either, tolerance}, {.time = 10.0});
+    EXPECT_LE(std::abs(radial(z)), std::max(tolerance, 1e-15));
+    return run.evaluations;
+  };
+  EXPECT_LT(tries(1e-3), tries(0.0));
+}
+
+TEST(Event, IsFoundInStepsThatDependOnMoreThanTheState) {
+  const avi::PowerOfRadius monitor{1.5};
+  const auto check = [](auto method) {
+    auto z = Kepler::exact(0.5, 1.0);
+    std::vector<double> found;
+    const auto run =
+        avi::integrate(method, z, 0.01, {.time = 26.0}, avi::on_event(Event{radial}, [&](const State<2>& s) {
+                         EXPECT_LT(std::abs(radial(s)), 1e-15);
+                         found.push_back(s.t);
+                       }));
+    EXPECT_EQ(run.outcome, avi::Outcome::ok);
+    ASSERT_EQ(found.size(), 8u);
+    for (std::size_t k = 0; k < found.size(); ++k)
+      EXPECT_NEAR(found[k], M_PI * static_cast<double>(k + 1), 1e-3 * static_cast<double>(k + 1));
+  };
+  check(avi::AdaptiveVerlet(Kepler{}, monitor));
+  check(avi::HairerSoderlind(avi::splitting(avi::Separable(Kepler{}), avi::compositions::strang), monitor));
+}
+
+}  // namespace

@@ -1,0 +1,140 @@
+#include "avi/core/integrate.hpp"
+
+#include "avi/core/state.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using avi::Outcome;
+using avi::State;
+
+namespace {
+
+/// Time goes on by `pace` times h in each step, q counts the steps; step number `bad` ends as `end`.
+struct Counter {
+  double pace = 1.0;
+  long bad = -1;
+  Outcome end = Outcome::ok;
+  avi::StepReport step(State<1>& z, double h) const {
+    z.q[0] += 1.0;
+    z.t += pace * h;
+    if (std::lround(z.q[0]) == bad) {
+      if (end == Outcome::ok) z.p[0] = NAN;
+      return {end, 3, 0.125};
+    }
+    return {.evaluations = 3};
+  }
+};
+
+State<1> zero(double t = 0.0) {
+  return {.q = avi::Vector<double, 1>(0.0), .p = avi::Vector<double, 1>(0.0), .t = t};
+}
+
+TEST(Integrate, EndsAfterStepsOrWhenATimeIsReached) {
+  for (const double sense : {1.0, -1.0}) {
+    Counter method;
+    State<1> z = zero();
+    avi::Run run = avi::integrate(method, z, sense * 0.25, {.steps = 7});
+    EXPECT_EQ(run.outcome, Outcome::ok);
+    EXPECT_EQ(run.steps, 7);
+    EXPECT_EQ(run.evaluations, 21);
+    EXPECT_EQ(z.q[0], 7.0);
+    EXPECT_EQ(run.message, "");
+    run = avi::integrate(method, z, sense * 0.25, {.time = sense * 2.0});
+    EXPECT_EQ(run.outcome, Outcome::ok);
+    EXPECT_EQ(run.steps, 1) << "2 is reached, not passed";
+    EXPECT_EQ(z.t, sense * 2.0);
+    run = avi::integrate(method, z, sense * 0.25, {.time = sense * 2.1, .steps = 100});
+    EXPECT_EQ(run.steps, 1);
+    EXPECT_EQ(z.t, sense * 2.25) << "the last step is not cut";
+    run = avi::integrate(method, z, sense * 0.25, {.time = sense * 2.25});
+    EXPECT_EQ(run.steps, 0) << "it is there already";
+    run = avi::integrate(method, z, sense * 0.25, {.time = sense * 10.0, .steps = 3});
+    EXPECT_EQ(run.outcome, Outcome::step_limit);
+    EXPECT_EQ(run.steps, 3);
+    EXPECT_EQ(run.message, std::string("The run ended as step_limit after 3 steps, at t = ") +
+                               (sense > 0.0 ? "3." : "-3."));
+    run = avi::integrate(method, z, sense * 0.25, {.steps = 0});
+    EXPECT_EQ(run.outcome, Outcome::ok);
+    EXPECT_EQ(z.q[0], 12.0);
+  }
+}
+
+TEST(Integrate, RefusesWhatSetsNoStepOrNoEnd) {
+  Counter method;
+  State<1> z = zero();
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  for (const double h : {0.0, std::nan(""), inf, -inf})
+    EXPECT_THROW((void)avi::integrate(method, z, h, {.steps = 1}), std::invalid_argument) << h;
+  EXPECT_THROW((void)avi::integrate(method, z, 0.1, {}), std::invalid_argument);
+  EXPECT_THROW((void)avi::integrate(method, z, -0.1, {.time = -inf}), std::invalid_argument);
+  EXPECT_THROW((void)avi::integrate(method, z, 0.1, {.time = NAN}), std::invalid_argument);
+  EXPECT_THROW((void)avi::integrate(method, z, -0.1, {.time = 1.0}), std::invalid_argument);
+  EXPECT_THROW((void)avi::integrate(method, z, 0.1, {.time = -1.0}), std::invalid_argument);
+  EXPECT_THROW((void)avi::integrate(method, z, 0.1, {.steps = -1}), std::invalid_argument);
+}
+
+TEST(Integrate, KeepsTheLastGoodState) {
+  for (const Outcome outcome : {Outcome::not_converged, Outcome::bad_monitor, Outcome::ok}) {
+    Counter method{.bad = 4, .end = outcome};
+    State<1> z = zero();
+    std::vector<long> shown;
+    const avi::Run run =
+        avi::integrate(method, z, 0.5, {.steps = 10}, [&](const State<1>&, long k) { shown.push_back(k); });
+    EXPECT_EQ(run.outcome, outcome == Outcome::ok ? Outcome::non_finite : outcome);
+    EXPECT_EQ(run.steps, 3);
+    EXPECT_EQ(run.evaluations, 9);
+    EXPECT_EQ(shown, (std::vector<long>{1, 2, 3}));
+    EXPECT_EQ(z.q[0], 3.0);
+    EXPECT_EQ(z.t, 1.5);
+    if (outcome == Outcome::not_converged) {
+      EXPECT_EQ(run.message,
+                "The run ended as not_converged after 3 steps, at t = 1.5, q = (3), p = (0), with "
+                "residual 0.125.");
+    }
+  }
+}
+
+TEST(Integrate, AsksEveryObserver) {
+  Counter method;
+  State<1> z = zero();
+  long states = 0, steps = 0;
+  const avi::Run run = avi::integrate(
+      method, z, 0.5, {.steps = 10}, [&](const State<1>& now, long k) { states += now.q[0] == k; },
+      [&](const avi::Step<Counter, State<1>>& step, long k) {
+        steps += step.before.q[0] == k - 1 && step.after.q[0] == k && step.h == 0.5;
+        return k < 4;
+      },
+      [](const State<1>&, long k) { return k < 4 ? Outcome::ok : Outcome::diverged; });
+  EXPECT_EQ(run.outcome, Outcome::stopped) << "the first answer that is not ok";
+  EXPECT_EQ(run.steps, 4);
+  EXPECT_EQ(states, 4);
+  EXPECT_EQ(steps, 4);
+  EXPECT_EQ(avi::integrate(method, z, 0.5, {.steps = 9},
+                           [](const State<1>&, long k) { return k < 2 ? Outcome::ok : Outcome::diverged; })
+                .outcome,
+            Outcome::diverged);
+}
+
+TEST(Integrate, EndsARunThatWouldNeverArrive) {
+  // After a million steps the rest is over 2^53 steps away; at half of that distance it is not.
+  const auto run = [](double pace, double h, double end) {
+    Counter method{.pace = pace};
+    State<1> z = zero();
+    return avi::integrate(method, z, h, {.time = end, .steps = (1L << 20) + 1});
+  };
+  const double steps = std::ldexp(1.0, 53);
+  for (const double sense : {1.0, -1.0}) {
+    EXPECT_EQ(run(1.0, sense, sense * steps * 2.0).outcome, Outcome::stalled);
+    EXPECT_EQ(run(1.0, sense, sense * steps * 2.0).steps, 1L << 20);
+    EXPECT_EQ(run(1.0, sense, sense * steps * 0.5).outcome, Outcome::step_limit);
+    EXPECT_EQ(run(-1.0, sense, sense).outcome, Outcome::stalled) << "it goes the other way";
+  }
+}
+
+}  // namespace

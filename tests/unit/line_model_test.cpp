@@ -1,0 +1,59 @@
+#include "avi/optim/line_model.hpp"
+
+#include <gtest/gtest.h>
+
+using avi::LineModel;
+using avi::LinePoint;
+
+namespace {
+
+/// a + b t + c t^2 + d t^3.
+struct Cubic {
+  double a, b, c, d;
+  LinePoint operator()(double t) const {
+    return {a + t * (b + t * (c + t * d)), b + t * (2.0 * c + 3.0 * t * d)};
+  }
+};
+
+TEST(LineModel, FindsTheMinimumOfAParabola) {
+  const Cubic phi{3.0, -4.0, 2.0, 0.0};  // minimum at 1
+  for (double h : {0.1, 0.5, 1.0, 2.0, 20.0}) {
+    const LineModel model(phi(0.0), phi(h), h, 1e-14);
+    EXPECT_NEAR(model.r * h, 1.0, 1e-12);
+    EXPECT_TRUE(model.trusted()) << h;
+    EXPECT_EQ(model.defect, 0.0);
+  }
+  EXPECT_FALSE(LineModel(phi(0.0), phi(60.0), 60.0, 1e-14).trusted());  // r < 0.02
+}
+
+TEST(LineModel, ItsDefectIsTheCubicTerm) {
+  const double h = 0.5, d = 0.3;
+  const Cubic phi{1.0, -2.0, 1.0, d};
+  const LineModel model(phi(0.0), phi(h), h, 0.0);
+  // e = -d h^3 / 2; the slope at r h is then wrong by 6 (e/h) r (r - 1).
+  EXPECT_NEAR(model.defect, 0.5 * d * h * h / 2.0, 1e-15);
+  EXPECT_NEAR(phi(model.r * h).slope, -3.0 * d * h * h * model.r * (1.0 - model.r), 1e-14);
+  EXPECT_FALSE(model.trusted());
+}
+
+TEST(LineModel, RoundingIsNoDefect) {
+  const Cubic phi{1e8, -2.0, 1.0, 0.0};
+  LinePoint end = phi(0.5);
+  end.value += 1e-7;
+  EXPECT_EQ(LineModel(phi(0.0), end, 0.5, 1e-14).defect, 0.0);
+  EXPECT_GT(LineModel(phi(0.0), end, 0.5, 0.0).defect, 0.0);
+}
+
+TEST(LineModel, TheCubicHasTheMinimumBetween) {
+  const Cubic phi{0.0, -1.0, 0.0, 1.0 / 3.0};  // slope t^2 - 1, minimum at 1
+  EXPECT_NEAR(LineModel(phi(0.0), phi(1.7), 1.7, 0.0).cubic() * 1.7, 1.0, 1e-12);
+  EXPECT_EQ(LineModel({0.0, -1.0}, {-1.0, -1.0}, 1.0, 0.0).cubic(), 0.5);  // a straight line
+}
+
+TEST(LineModel, GoesFurtherWhereItStillFalls) {
+  EXPECT_EQ(LineModel({0.0, -1.0}, {-1.0, -1.0}, 1.0, 0.0).beyond(), 5.0);
+  EXPECT_EQ(LineModel({0.0, -1.0}, {-0.5, -0.5}, 1.0, 0.0).beyond(), 2.0);
+  EXPECT_EQ(LineModel({0.0, -1.0}, {-1.0, -0.999}, 1.0, 0.0).beyond(), 10.0);
+}
+
+}  // namespace

@@ -1,0 +1,145 @@
+#include "avi/autodiff/recording.hpp"
+#include "avi/core/integrate.hpp"
+#include "avi/integrators/compositions.hpp"
+#include "avi/integrators/splitting.hpp"
+#include "avi/problems/double_pendulum.hpp"
+#include "avi/problems/outer_solar_system.hpp"
+#include "avi/problems/pleiades.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using avi::dynamic;
+using avi::OuterSolarSystem;
+using avi::Pleiades;
+using avi::State;
+using avi::Vector;
+
+namespace {
+
+/// Largest difference between what H supplies and differences of fourth order, over the largest derivative.
+template <class H, int n>
+double gradient_defect(const H& h, const State<n>& z, const Vector<double, n>& d_dq,
+                       const Vector<double, n>& d_dp) {
+  double worst = 0.0;
+  const auto along = [&](Vector<double, n> State<n>::*part, Eigen::Index i) {
+    const double d = 1e-3 * ((z.*part).cwiseAbs().maxCoeff());
+    const auto at = [&](double shift) {
+      State<n> moved = z;
+      (moved.*part)[i] += shift;
+      return h(moved.q, moved.p);
+    };
+    return (8.0 * (at(d) - at(-d)) - (at(2.0 * d) - at(-2.0 * d))) / (12.0 * d);
+  };
+  for (Eigen::Index i = 0; i < z.q.size(); ++i) {
+    worst = std::max(worst, std::abs(along(&State<n>::q, i) - d_dq[i]) / d_dq.cwiseAbs().maxCoeff());
+    worst = std::max(worst, std::abs(along(&State<n>::p, i) - d_dp[i]) / d_dp.cwiseAbs().maxCoeff());
+  }
+  return worst;
+}
+
+template <class H, int n>
+State<n> after(const H& h, State<n> z, double step, long steps) {
+  auto method =
+      avi::splitting<avi::Summation::compensated>(avi::Separable<H>{h}, avi::compositions::kahan_li8);
+  EXPECT_EQ(avi::integrate(method, z, step, {.steps = steps}).outcome, avi::Outcome::ok);
+  return z;
+}
+
+TEST(OuterSolarSystem, SuppliesTheGradientOfItsEnergy) {
+  const auto problem = OuterSolarSystem::problem();
+  const auto z = OuterSolarSystem::start();
+  EXPECT_LT(gradient_defect(problem, z, problem.d_dq(z.q, z.p), problem.d_dp(z.q, z.p)), 1e-6);
+  EXPECT_EQ(problem.d_dq(z.q, z.p), OuterSolarSystem::problem<dynamic>().d_dq(
+                                        OuterSolarSystem::start<dynamic>().q, Vector<double, dynamic>()));
+}
+
+TEST(OuterSolarSystem, KeepsEnergyMomentumAndAngularMomentum) {
+  const auto problem = OuterSolarSystem::problem();
+  const auto start = OuterSolarSystem::start(), z = after(problem, start, 100.0, 1000);  // 270 years
+  EXPECT_NEAR(problem(z.q, z.p) / problem(start.q, start.p), 1.0, 1e-10);
+  using Bodies = avi::NBody<6, 3>;
+  EXPECT_LT((Bodies::momentum(z) - Bodies::momentum(start)).norm(), 4e-15 * start.p.norm());
+  for (const auto& [k, l] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{2, 0}})
+    EXPECT_NEAR(Bodies::angular_momentum(z, k, l) / Bodies::angular_momentum(start, 0, 1),
+                Bodies::angular_momentum(start, k, l) / Bodies::angular_momentum(start, 0, 1), 1e-13);
+  EXPECT_GT((z.q - start.q).norm(), 1.0);
+}
+
+// Sidereal periods of textbooks, from position and velocity about the Sun by Kepler's third law.
+TEST(OuterSolarSystem, HasTheYearsOfThePlanets) {
+  const auto masses = OuterSolarSystem::problem().masses();
+  const auto z = OuterSolarSystem::start();
+  const double years[] = {11.86, 29.46, 84.01, 164.8, 247.9};
+  for (int planet = 1; planet <= 5; ++planet) {
+    const double r = z.q.segment<3>(3 * planet).norm(),
+                 v = z.p.segment<3>(3 * planet).norm() / masses[planet];
+    const double pull = masses[0] + masses[planet], axis = 1.0 / (2.0 / r - v * v / pull);
+    EXPECT_NEAR(2.0 * M_PI * std::sqrt(axis * axis * axis / pull) / 365.25 / years[planet - 1], 1.0, 0.015);
+  }
+}
+
+TEST(Pleiades, SupplyTheGradientOfTheirEnergy) {
+  const auto problem = Pleiades::problem();
+  auto z = Pleiades::start();
+  z.p.array() += 0.3;
+  EXPECT_LT(gradient_defect(problem, z, problem.d_dq(z.q, z.p), problem.d_dp(z.q, z.p)), 1e-9);
+}
+
+// The positions at t = 3 of the Bari test set for initial value solvers (problem PLEI), all of whose digits
+// but the last ones agree.
+TEST(Pleiades, EndWhereOthersFoundThem) {
+  const double x[] = {0.3706139143970502, 3.237284092057233, -3.222559032418324, 0.6597091455775310,
+                      0.3425581707156584, 1.562172101400631, -0.7003092922212495};
+  const double y[] = {-3.943437585517392, -3.271380973972550,  5.225081843456543, -2.590612434977470,
+                      1.198213693392275,  -0.2429682344935824, 1.091449240428980};
+  const auto problem = Pleiades::problem();
+  const auto start = Pleiades::start();
+  const long steps = 40000;
+  double nearest = std::numeric_limits<double>::infinity();
+  auto z = start;
+  auto method = avi::splitting<avi::Summation::compensated>(avi::Separable<avi::NBody<7>>{problem},
+                                                            avi::compositions::kahan_li8);
+  const auto look = [&](const State<14>& now, long) {
+    for (int j = 1; j < 7; ++j)
+      for (int i = 0; i < j; ++i)
+        nearest = std::min(nearest, problem.distance_squared(now.q, i, j));
+  };
+  ASSERT_EQ(avi::integrate(method, z, Pleiades::horizon / steps, {.steps = steps}, look).outcome,
+            avi::Outcome::ok);
+  for (int i = 0; i < 7; ++i) {
+    EXPECT_NEAR(z.q[2 * i], x[i], 1e-9) << i;
+    EXPECT_NEAR(z.q[2 * i + 1], y[i], 1e-9) << i;
+  }
+  EXPECT_NEAR(problem(z.q, z.p) / problem(start.q, start.p), 1.0, 1e-12);
+  EXPECT_LT((avi::NBody<7>::momentum(z) - avi::NBody<7>::momentum(start)).norm(), 1e-12);
+  EXPECT_NEAR(std::sqrt(nearest), 0.0336, 1e-4);
+}
+
+TEST(DoublePendulum, HasTheEquationsOfMotionOfTheTextbook) {
+  // q' from p = M(q) q' with the mass matrix ((2, cos), (cos, 1)) of the angles.
+  const State<2> z{.q = {0.9, -0.4}, .p = {0.7, 1.1}};
+  const avi::Program program = avi::record<2>(avi::DoublePendulum{}).gradient();
+  avi::Program::Room<double> room(program);
+  for (int i = 0; i < 2; ++i) {
+    room.arguments()[i] = z.q[i];
+    room.arguments()[2 + i] = z.p[i];
+  }
+  program.run(room);
+  const double c = std::cos(z.q[0] - z.q[1]), s = std::sin(z.q[0] - z.q[1]);
+  const double first = program.slope(room, 2), second = program.slope(room, 3);
+  EXPECT_NEAR(2.0 * first + c * second, z.p[0], 1e-15);
+  EXPECT_NEAR(c * first + second, z.p[1], 1e-15);
+  // Lagrange's form of p' = dL/dq
+  EXPECT_NEAR(program.slope(room, 0), first * second * s + 2.0 * std::sin(z.q[0]), 1e-15);
+  EXPECT_NEAR(program.slope(room, 1), -first * second * s + std::sin(z.q[1]), 1e-15);
+  const Vector<double, 2> d_dq(program.slope(room, 0), program.slope(room, 1)), d_dp(first, second);
+  EXPECT_LT(gradient_defect(avi::DoublePendulum{}, z, d_dq, d_dp), 1e-11);
+  const auto rest = avi::DoublePendulum::released(1.0, 2.0);
+  EXPECT_EQ(avi::DoublePendulum{}(rest.q, rest.p), -2.0 * std::cos(1.0) - std::cos(2.0));
+}
+
+}  // namespace

@@ -1,0 +1,74 @@
+#include "avi/transform/poincare.hpp"
+
+#include "avi/problems/kepler.hpp"
+#include "avi/transform/monitors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+using avi::Kepler;
+using avi::State;
+using Vec = avi::Vector<double, 2>;
+
+namespace {
+
+const auto of_qp = [](const auto& q, const auto& p) {
+  return 1.0 + 0.5 * (q[0] * q[0]) + 0.1 * (p[1] * q[1]);
+};
+
+/// The central difference of f along coordinate i.
+double slope(const auto& f, Vec x, int i) {
+  const double h = 1e-5;
+  Vec ahead = x, behind = x;
+  ahead[i] += h;
+  behind[i] -= h;
+  return (f(ahead) - f(behind)) / (2.0 * h);
+}
+
+template <class Problem>
+void expect_field_of_transformed(const Problem& problem, const State<2>& z) {
+  Vec dq, dp;
+  double dt = 0.0;
+  problem.template field<avi::Field::full>(z.q, z.p, problem.energy_momentum(), dq, dp, dt);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_NEAR(dq[i], slope([&](const Vec& p) { return problem.transformed({z.q, p, 0.0}); }, z.p, i), 1e-8);
+    EXPECT_NEAR(dp[i], slope([&](const Vec& q) { return problem.transformed({q, z.p, 0.0}); }, z.q, i), 1e-8);
+  }
+  EXPECT_EQ(dt, problem.rate(z.q, z.p));
+  // The action's integrand is p . q' + p^t t' - H-bar.
+  EXPECT_NEAR((problem.template action_rate<avi::Field::full>(z.q, z.p, problem.energy_momentum())),
+              z.p.dot(dq) + problem.energy_momentum() * dt - problem.transformed(z), 1e-13);
+}
+
+TEST(Poincare, FieldIsThatOfTheTransformedHamiltonian) {
+  // Off the energy shell, where every term counts.
+  const State<2> start = Kepler::pericentre(0.4), z{.q = {0.7, -0.4}, .p = {0.3, 0.9}};
+  expect_field_of_transformed(avi::poincare(Kepler{}, start), z);
+  expect_field_of_transformed(avi::poincare(Kepler{}, start, avi::NormSquared{}), z);
+  expect_field_of_transformed(avi::poincare(Kepler{}, start, of_qp), z);
+}
+
+TEST(Poincare, TakesTheDimensionAndTheEnergyFromTheStart) {
+  const State<2> start = Kepler::pericentre(0.4);
+  const auto problem = avi::poincare(Kepler{}, start, avi::NormSquared{});
+  static_assert(decltype(problem)::dimension == 2);
+  EXPECT_DOUBLE_EQ(problem.energy_momentum(), 0.5);
+  EXPECT_NEAR(problem.transformed(start), 0.0, 1e-15);
+  EXPECT_EQ(problem.clock(start.q, 7.0), 7.0);
+  const State<avi::dynamic> same{.q = start.q, .p = start.p};
+  EXPECT_EQ(avi::poincare(avi::Automatic{Kepler{}}, same).size(), 2);
+}
+
+TEST(Poincare, RefusesWhatIsNotFinite) {
+  State<2> start = Kepler::pericentre(0.4);
+  start.q.setZero();
+  EXPECT_THROW((void)avi::poincare(Kepler{}, start), std::invalid_argument);
+  using Free = avi::Poincare<avi::dynamic, avi::Automatic<Kepler>>;
+  EXPECT_THROW(Free({}, {}, 0.0, 0), std::invalid_argument);
+  EXPECT_EQ(Free({}, {}, 0.0, 1).size(), 1);
+}
+
+}  // namespace

@@ -1,0 +1,168 @@
+#include "avi/autodiff/recording.hpp"
+#include "avi/problems/chain.hpp"
+#include "avi/problems/n_body.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+using avi::dynamic;
+using avi::Program;
+using avi::Recorded;
+using avi::Recording;
+using avi::Vector;
+using VectorX = Vector<double, dynamic>;
+
+namespace {
+
+/// Largest difference between recorded and supplied derivatives, over the largest of them; the recorded value
+/// must be that of a call.
+template <class H>
+double gap(const H& h, const VectorX& q, const VectorX& p) {
+  const int n = static_cast<int>(q.size());
+  const Recording recording = avi::record(h, n);
+  const Program all = recording.value_and_gradient(), forces = recording.gradient(0, n),
+                velocities = recording.gradient(n, n);
+  const VectorX d_dq = h.d_dq(q, p), d_dp = h.d_dp(q, p);
+  double most = 0.0;
+  const auto compare = [&](const Program& program, int first) {
+    Program::Room<double> room(program);
+    for (int i = 0; i < n; ++i) {
+      room.arguments()[i] = q[i];
+      room.arguments()[n + i] = p[i];
+    }
+    program.run(room);
+    for (int i = 0; i < program.slopes(); ++i) {
+      const int k = first + i;
+      most = std::max(most, std::abs(program.slope(room, i) - (k < n ? d_dq[k] : d_dp[k - n])));
+    }
+    if (program.has_value()) {
+      EXPECT_EQ(program.value(room), h(q, p));
+    }
+  };
+  compare(all, 0);
+  compare(forces, 0);
+  compare(velocities, n);
+  return most / std::max(d_dq.cwiseAbs().maxCoeff(), d_dp.cwiseAbs().maxCoeff());
+}
+
+TEST(Recording, HasTheGradientThatIsSupplied) {
+  for (int n : {1, 2, 3, 33, 200}) {
+    auto z = avi::Chain::plucked(n);
+    for (int i = 0; i < n; ++i)
+      z.p[i] = 0.1 * std::cos(3.0 * i);
+    EXPECT_LT(gap(avi::Chain{}, z.q, z.p), 6.4e-16) << n;
+  }
+  for (int bodies : {2, 3, 9, 20}) {
+    VectorX q(2 * bodies), p(2 * bodies);
+    for (int i = 0; i < q.size(); ++i) {
+      q[i] = std::sin(1.0 + i * i);
+      p[i] = std::cos(2.0 * i);
+    }
+    EXPECT_LT(gap(avi::NBody<dynamic>(VectorX::LinSpaced(bodies, 1.0, 2.0)), q, p), 2e-15) << bodies;
+  }
+}
+
+// A program grows with the function, not with its square, and gradients cost a small multiple of it.
+TEST(Recording, IsAsLongAsTheFunction) {
+  for (int n : {64, 512}) {
+    const Recording recording = avi::record(avi::Chain{}, n);
+    EXPECT_LE(recording.gradient().operations(), 8u * n + 8u);
+    EXPECT_LE(recording.value_and_gradient().operations(), 16u * n);
+    EXPECT_LE(recording.value_and_gradient().slots(), 5u * n);
+  }
+}
+
+TEST(Recording, TakesEigensReductions) {
+  const int n = 7;
+  const auto f = [](const auto& q, const auto& p) {
+    using S = typename std::decay_t<decltype(q)>::Scalar;
+    const avi::Matrix<double, dynamic> springs = avi::Matrix<double, dynamic>::Identity(7, 7) * 2.0;
+    const Vector<S, dynamic> forces = springs * q;
+    S sum = q.dot(p) * q.squaredNorm() + p.head(3).sum() / p.segment(2, 3).norm() + forces.dot(q);
+    sum += (2.0 * q - p / 3.0).cwiseProduct(q).sum() + q.tail(2).prod();
+    return sum;
+  };
+  const VectorX q = VectorX::LinSpaced(n, 0.5, 2.0), p = VectorX::LinSpaced(n, 3.0, 1.0);
+  const Program program = avi::record(f, n).value_and_gradient();
+  Program::Room<double> room(program);
+  const auto at = [&](const VectorX& x, const VectorX& y) {
+    for (int i = 0; i < n; ++i) {
+      room.arguments()[i] = x[i];
+      room.arguments()[n + i] = y[i];
+    }
+    program.run(room);
+    return program.value(room);
+  };
+  for (int i = 0; i < n; ++i) {
+    const double h = 1e-5;
+    VectorX step = VectorX::Zero(n);
+    step[i] = h;
+    const double along_q = (f(VectorX(q + step), p) - f(VectorX(q - step), p)) / (2.0 * h);
+    const double along_p = (f(q, VectorX(p + step)) - f(q, VectorX(p - step))) / (2.0 * h);
+    EXPECT_NEAR(at(q, p), f(q, p), 1e-13 * std::abs(f(q, p)));
+    EXPECT_NEAR(program.slope(room, i), along_q, 1e-7);
+    EXPECT_NEAR(program.slope(room, n + i), along_p, 1e-7);
+  }
+}
+
+TEST(Recording, FindsEqualOperationsOnceAndDropsTheRest) {
+  const auto distance = [](const auto& x) {
+    using std::sqrt;
+    return sqrt(x[0] * x[0] + x[1] * x[1]);
+  };
+  const Recording once([&](const auto& x) { return distance(x); }, 2);
+  const Recording twice([&](const auto& x) { return 0.5 * distance(x) + 0.5 * distance(x); }, 2);
+  EXPECT_LE(twice.value().operations(), once.value().operations() + 2);
+  const Recording wasteful(
+      [&](const auto& x) {
+        const auto unused = exp(x[1]) / x[0];
+        (void)unused;
+        return 1.0 * x[0] + 0.0 * x[1] + (2.0 - 2.0);
+      },
+      2);
+  EXPECT_EQ(wasteful.value_and_gradient().operations(), 0u);
+}
+
+TEST(Recording, OfAConstantHasNoSlope) {
+  const Recording recording([](const auto&) { return 3.0; }, 2);
+  const Program program = recording.value_and_gradient();
+  Program::Room<double> room(program);
+  program.run(room);
+  EXPECT_EQ(program.value(room), 3.0);
+  EXPECT_EQ(program.slope(room, 0), 0.0);
+  EXPECT_EQ(program.slope(room, 1), 0.0);
+}
+
+TEST(Recording, RefusesWhatItCannotServe) {
+  const auto sentence = [](auto act) -> std::string {
+    try {
+      act();
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  const auto first = [](const auto& x) -> Recorded { return x[0]; };
+  EXPECT_EQ(sentence([&] { Recording(first, 0); }),
+            "Number of arguments to record is 0; it must be at least 1.");
+  const Recording recording(first, 2);
+  EXPECT_EQ(sentence([&] { (void)recording.gradient(3, 1); }),
+            "First entry to differentiate by is 3; it must be an entry of x.");
+  EXPECT_EQ(sentence([&] { (void)recording.gradient(1, 2); }),
+            "Number of derivatives is 2; it must be at most that of the entries left.");
+  EXPECT_EQ(sentence([&] { Recording([](const auto& x) { return x[0] == 0.0 ? x[0] : x[1]; }, 2); }),
+            "A function that asks whether its arguments are equal cannot be recorded; supply d_dq(q, p) and "
+            "d_dp(q, p).");
+  Recorded kept;
+  const Recording keeps([&](const auto& x) -> Recorded { return kept = x[0]; }, 1);
+  EXPECT_EQ(
+      sentence([&] { Recording([&](const auto& x) { return x[0] + kept; }, 1); }),
+      "A recorded function mixes the arguments of two recordings; it must not keep numbers from one call "
+      "to the next.");
+}
+
+}  // namespace

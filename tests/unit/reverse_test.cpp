@@ -1,0 +1,150 @@
+#include "avi/autodiff/pack.hpp"
+#include "avi/autodiff/recording.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <tuple>
+
+using avi::Pack;
+using avi::Program;
+using avi::Recorded;
+using avi::Recording;
+
+namespace {
+
+/// Every operation that can be recorded, at x, y > 0.
+const auto formulas = std::tuple{
+    [](const auto& x, const auto& y) { return 2.0 + x - y + 0.5 * x - (1.0 - y) * x + x * (x * y - y); },
+    [](const auto& x, const auto& y) { return x / y - 3.0 / x + x * y * x / 7.0 - (-y) / (x + y); },
+    [](const auto& x, const auto& y) {
+      using std::sqrt;
+      return sqrt(x * y) + 2.0 / sqrt(x) - x / sqrt(y);
+    },
+    [](const auto& x, const auto& y) {
+      using avi::power;
+      return power(x, 1.5) - power(y, -2.5) * power(x, 3.0) + power(x, -1.0) + power(y, -0.5) * power(x, 2.0);
+    },
+    [](const auto& x, const auto& y) {
+      using avi::power;
+      return power(x, 0.3) * power(y, -1.7) + power(y, 1.0) - power(x, 0.0);
+    },
+    [](const auto& x, const auto& y) {
+      using std::exp, std::log;
+      return exp(x) * log(y);
+    },
+    [](const auto& x, const auto& y) {
+      using std::sin, std::cos, std::tan;
+      return sin(x) * cos(y) + tan(x);
+    },
+    [](const auto& x, const auto& y) {
+      using std::sinh, std::cosh, std::tanh;
+      return sinh(x) * cosh(y) + tanh(y);
+    },
+    [](const auto& x, const auto& y) {
+      using std::atan, std::abs;
+      return atan(x) * abs(y - 3.0 * x);
+    },
+    [](const auto& x, const auto& y) {
+      auto sum = x * y;  // long enough for more than one line
+      for (int i = 0; i < 80; ++i)
+        sum = i % 3 ? sum + (0.1 * i) * (x * (y + 1.0 * i)) : sum - (x + 0.3 * i) * y - 2.0 * (x * (0.1 * i));
+      return sum + sum * x;
+    }};
+
+/// use(formula) for each of them.
+template <class Use>
+void for_each_formula(Use use) {
+  std::apply([&](const auto&... formula) { (use(formula), ...); }, formulas);
+}
+
+template <class F>
+Recording recorded(const F& f) {
+  return Recording([&](const auto& x) -> Recorded { return f(x[0], x[1]); }, 2);
+}
+
+TEST(Reverse, GivesTheValueToTheLastBit) {
+  int i = 0;
+  for_each_formula([&](const auto& f) {
+    const Recording recording = recorded(f);
+    for (const Program& program : {recording.value(), recording.value_and_gradient()}) {
+      Program::Room<double> room(program);
+      Program::Room<Pack<4>> rooms(program);
+      for (double x : {0.7, 1.3, 2.9})
+        for (double y : {0.4, 1.1, 5.7}) {
+          room.arguments()[0] = x, rooms.arguments()[0] = x;
+          room.arguments()[1] = y, rooms.arguments()[1] = y;
+          program.run(room);
+          program.run(rooms);
+          EXPECT_EQ(program.value(room), f(x, y)) << "formula " << i;
+          EXPECT_EQ(program.value(rooms)[3], f(Pack<4>(x), Pack<4>(y))[3]) << "formula " << i;
+        }
+    }
+    ++i;
+  });
+}
+
+TEST(Reverse, HasTheGradientOfForwardDifferentiation) {
+  int i = 0;
+  for_each_formula([&](const auto& f) {
+    const Recording recording = recorded(f);
+    for (const Program& program : {recording.gradient(), recording.value_and_gradient()}) {
+      Program::Room<double> room(program);
+      for (double x : {0.7, 1.3, 2.9})
+        for (double y : {0.4, 1.1, 5.7}) {
+          room.arguments()[0] = x;
+          room.arguments()[1] = y;
+          program.run(room);
+          using P = avi::Partials<double, 2>;
+          const P forward = f(P::variable(x, 0), P::variable(y, 1));
+          const double scale = std::abs(forward.value) + std::abs(forward.d[0]) + std::abs(forward.d[1]);
+          for (int k : {0, 1})
+            EXPECT_NEAR(program.slope(room, k), forward.d[k], 2e-15 * scale) << "formula " << i;
+        }
+    }
+    ++i;
+  });
+}
+
+TEST(Reverse, HasTheGradientOfFiniteDifferences) {
+  int i = 0;
+  for_each_formula([&](const auto& f) {
+    const Program program = recorded(f).gradient();
+    Program::Room<double> room(program);
+    const double x = 1.3, y = 1.1, h = 1e-5;
+    room.arguments()[0] = x;
+    room.arguments()[1] = y;
+    program.run(room);
+    EXPECT_NEAR(program.slope(room, 0), (f(x + h, y) - f(x - h, y)) / (2.0 * h),
+                1e-7 * std::abs(f(x, y)) + 1e-9)
+        << "formula " << i;
+    EXPECT_NEAR(program.slope(room, 1), (f(x, y + h) - f(x, y - h)) / (2.0 * h),
+                1e-7 * std::abs(f(x, y)) + 1e-9)
+        << "formula " << i;
+    ++i;
+  });
+}
+
+TEST(Reverse, TreatsEachNumberOfAPackAlike) {
+  for_each_formula([&](const auto& f) {
+    const Program program = recorded(f).value_and_gradient();
+    Program::Room<Pack<8>> rooms(program);
+    Program::Room<double> room(program);
+    for (int i = 0; i < 8; ++i) {
+      rooms.arguments()[0].set(i, 0.5 + 0.3 * i);
+      rooms.arguments()[1].set(i, 3.0 - 0.2 * i);
+    }
+    program.run(rooms);
+    for (int i = 0; i < 8; ++i) {
+      room.arguments()[0] = 0.5 + 0.3 * i;
+      room.arguments()[1] = 3.0 - 0.2 * i;
+      program.run(room);
+      // pow of a pack takes roots where that of a double does not
+      EXPECT_NEAR(program.value(rooms)[i], program.value(room), 1e-14 * std::abs(program.value(room)));
+      EXPECT_NEAR(program.slope(rooms, 1)[i], program.slope(room, 1),
+                  1e-13 * std::abs(program.slope(room, 1)));
+    }
+  });
+}
+
+}  // namespace

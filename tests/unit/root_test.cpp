@@ -1,0 +1,56 @@
+#include "avi/core/root.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+TEST(BracketedRoot, FindsZerosToRoundOffInFewEvaluations) {
+  const auto check = [](auto f, double low, double high, double root, int most) {
+    int count = 0;
+    const double x = avi::bracketed_root(
+        [&](double at) {
+          EXPECT_TRUE(at > low && at < high) << "outside the bracket";
+          ++count;
+          return f(at);
+        },
+        low, f(low), high, f(high), 0.0);
+    EXPECT_NEAR(x, root, 4e-16 * std::max(1.0, std::abs(root)));
+    EXPECT_LE(count, most);
+  };
+  check([](double x) { return std::exp(x) - 3.0; }, 0.0, 2.0, std::log(3.0), 12);  // measured 10
+  check([](double x) { return x * x * x - 2.0; }, 0.0, 10.0, std::cbrt(2.0), 22);
+  check([](double x) { return std::atan(50.0 * (x - 0.1)); }, -3.0, 4.0, 0.1, 30);
+  check([](double x) { return 2.0 * x - 1.0; }, 0.0, 1.0, 0.5, 2);
+}
+
+TEST(BracketedRoot, EndsAtItsTolerance) {
+  for (const double tolerance : {1e-2, 1e-6}) {
+    int count = 0;
+    const double x = avi::bracketed_root(
+        [&](double at) {
+          ++count;
+          return at * at - 2.0;
+        },
+        0.0, -2.0, 2.0, 2.0, tolerance);
+    EXPECT_LE(std::abs(x * x - 2.0), tolerance);
+    EXPECT_LE(count, tolerance == 1e-2 ? 4 : 7);
+  }
+}
+
+TEST(BracketedRoot, EndsWhereFIsNoNumberAndAtAJump) {
+  int count = 0;
+  avi::bracketed_root(
+      [&](double) {
+        ++count;
+        return std::nan("");
+      },
+      0.0, -1.0, 1.0, 1.0, 0.0);
+  EXPECT_EQ(count, 1);
+  const double jump =
+      avi::bracketed_root([](double x) { return x < 0.3 ? -1.0 : 1.0; }, 0.0, -1.0, 1.0, 1.0, 0.0);
+  EXPECT_NEAR(jump, 0.3, 1e-6);
+}
+
+}  // namespace

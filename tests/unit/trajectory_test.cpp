@@ -1,0 +1,100 @@
+#include "avi/core/trajectory.hpp"
+
+#include "avi/core/integrate_to.hpp"
+#include "avi/diagnostics/order.hpp"
+#include "avi/integrators/compositions.hpp"
+#include "avi/integrators/log_hamiltonian.hpp"
+#include "avi/problems/kepler.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using avi::Kepler;
+using avi::State;
+
+namespace {
+
+avi::Trajectory<2> path(double h, double t_end, double e = 0.6) {
+  auto z = Kepler::pericentre(e);
+  auto method = avi::splitting(avi::LogHamiltonian(Kepler{}, z), avi::compositions::sofroniou_spaletta10);
+  avi::Trajectory<2> kept;
+  const auto run = avi::integrate_to(method, z, h, t_end, kept);
+  EXPECT_EQ(run.outcome, avi::Outcome::ok);
+  EXPECT_EQ(kept.states().size(), static_cast<std::size_t>(run.steps) + 1) << "the start is there, too";
+  EXPECT_EQ(kept.states().back().q, z.q);
+  return kept;
+}
+
+double worst_between(const avi::Trajectory<2>& kept, double e = 0.6) {
+  double worst = 0.0;
+  const double end = kept.states().back().t;
+  for (int k = 0; k <= 1000; ++k) {
+    const double t = end * k / 1000.0;
+    const auto s = kept.at(t), exact = Kepler::exact(e, t);
+    EXPECT_EQ(s.t, t);
+    worst = std::max({worst, (s.q - exact.q).norm(), (s.p - exact.p).norm()});
+  }
+  return worst;
+}
+
+TEST(Trajectory, IsEvaluatedBetweenTheSteps) {
+  std::vector<double> steps, errors;
+  for (const double h : {0.1, 0.07, 0.05}) {
+    steps.push_back(h);
+    errors.push_back(worst_between(path(h, 10.0)));
+  }
+  EXPECT_NEAR(avi::fit_order(steps, errors).order, 8.0, 0.6);
+  EXPECT_LT(errors.back(), 1e-6);
+  EXPECT_LT(worst_between(path(-0.05, -10.0)), 1e-6) << "backwards";
+}
+
+TEST(Trajectory, GoesThroughItsStatesAndTakesFewOfThem) {
+  const auto kept = path(0.3, 5.0);
+  for (const auto& z : kept.states())
+    EXPECT_LT((kept.at(z.t).q - z.q).norm(), 1e-15);
+  const auto two = path(0.3, 0.01);
+  ASSERT_EQ(two.states().size(), 2u);
+  EXPECT_LT((two.at(0.005).q - Kepler::exact(0.6, 0.005).q).norm(), 2e-4) << "the line through them";
+}
+
+TEST(Trajectory, RefusesTimesOutside) {
+  const auto kept = path(0.3, 5.0);
+  for (const double t : {-1e-9, 5.0 + 1e-9, std::nan("")})
+    EXPECT_THROW((void)kept.at(t), std::invalid_argument) << t;
+  EXPECT_THROW((void)avi::Trajectory<2>{}.at(0.0), std::invalid_argument);
+}
+
+TEST(Trajectory, ContinuesARunAndNoOther) {
+  auto z = Kepler::pericentre(0.6);
+  auto method = avi::splitting(avi::LogHamiltonian(Kepler{}, z), avi::compositions::kahan_li8);
+  avi::Trajectory<2> kept;
+  EXPECT_EQ(avi::integrate_to(method, z, 0.1, 1.0, kept).outcome, avi::Outcome::ok);
+  EXPECT_EQ(avi::integrate_to(method, z, 0.1, 2.0, kept).outcome, avi::Outcome::ok);
+  EXPECT_LT((kept.at(1.5).q - Kepler::exact(0.6, 1.5).q).norm(), 1e-7);
+  z = Kepler::pericentre(0.6);
+  EXPECT_THROW((void)avi::integrate_to(method, z, 0.1, 1.0, kept), std::invalid_argument);
+}
+
+TEST(Trajectory, IsWrittenWithEveryDigit) {
+  const auto kept = path(0.3, 1.0);
+  std::stringstream table;
+  kept.write(table);
+  std::string names;
+  std::getline(table, names);
+  EXPECT_EQ(names, "t\tq_1\tq_2\tp_1\tp_2");
+  for (const auto& z : kept.states())
+    for (const double x : {z.t, z.q[0], z.q[1], z.p[0], z.p[1]}) {
+      double read = 0.0;
+      table >> read;
+      EXPECT_EQ(read, x);
+    }
+  std::string rest;
+  EXPECT_FALSE(table >> rest);
+}
+
+}  // namespace
