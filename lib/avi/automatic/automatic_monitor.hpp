@@ -11,10 +11,10 @@ namespace avi {
 
 namespace detail {
 
-/// The monitors that H and a tour along its orbit offer, as formulas of (q, p).
+/// The candidate monitors of H as formulas of (q, p); their constants come from a tour along the orbit.
 class Monitors {
  public:
-  /// Of H along the orbit through `start`.
+  /// For the orbit of H through `start`.
   template <class H, int n>
   Monitors(const H& hamiltonian, const State<n>& start)
       : curvature_(hamiltonian, start), tour_(checked(curvature_, hamiltonian, start)) {}
@@ -41,12 +41,12 @@ class Monitors {
       throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
     if (!curvature.has_metric())
       throw std::invalid_argument(
-          "The second derivatives of H by p are not positive definite at the start, so "
+          "The second derivatives of H with respect to p are not positive definite at the start, so "
           "that speeds have no measure; give a monitor of your own, or none.");
     Tour tour(hamiltonian, curvature, start);
     if (!(tour.frequency > 0.0))
       throw std::invalid_argument(
-          "The second derivatives of H by q are zero or not finite along the orbit, so "
+          "The second derivatives of H with respect to q are zero or not finite along the orbit, so "
           "that it has no time scale; give a monitor of your own, or none.");
     return tour;
   }

@@ -29,7 +29,7 @@ class Menu {
     PhaseFunction monitor;
   };
 
-  /// Of H along the orbit through `start`.
+  /// For the orbit of H through `start`.
   template <class H, int n>
   Menu(const H& hamiltonian, const State<n>& start)
       : start_{.q = start.q, .p = start.p, .t = start.t},
@@ -72,8 +72,8 @@ class Menu {
   std::string note_;
 };
 
-/// The choice from a menu: each monitor once with the same number of steps, then, from the one of whom that
-/// promises most, each that may still win is searched for its step.
+/// The choice from a menu: each monitor is tried once with the same number of steps; then, beginning with the
+/// most promising one, the step of each that may still win is searched for.
 inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
   const Tour* tour = menu.tour();
   const double start_energy = menu.energy()(menu.start().q, menu.start().p);
@@ -110,7 +110,7 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
                    [](const Candidate& a, const Candidate& b) { return a.promise < b.promise; });
   double fewest = std::numeric_limits<double>::infinity();
   const double least =
-      0.4 * radians;  // fewer steps than that do not see the motion, whatever its energy does
+      0.4 * radians;  // fewer steps do not resolve the motion, even where the energy error is small
   for (Candidate& it : candidates) {
     if (choice.reached && it.promise > 1.6 * fewest) continue;
     const double guess = choice.reached ? 0.9 * fewest : std::min(it.promise, 100.0 * first);
@@ -132,7 +132,7 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
 }  // namespace detail
 
 /// The monitor of a menu that takes the fewest steps of collocation for the energy error asked for, with the
-/// step that has it, in short runs from `start`. The menu is frozen:
+/// step that reaches it, found in short runs from `start`. The menu is fixed:
 ///
 /// | name | g |
 /// | --- | --- |
@@ -147,8 +147,8 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
 /// is the mean of \f$\frac12\dot q^T K^{-1}\dot q\f$, the kinetic energy. The same input gives the same
 /// choice.
 ///
-/// A Hamiltonian with a reason against these monitors is left with fixed steps, and the choice says why.
-/// @throws std::invalid_argument where H is not finite at the start, or for a target that cannot be.
+/// Where these monitors cannot be made for H, fixed steps are chosen, and MonitorChoice::note says why.
+/// @throws std::invalid_argument where H is not finite at the start, or for a target out of range.
 template <class H, int n>
 MonitorChoice choose_monitor(const H& hamiltonian, const State<n>& start, const MonitorTarget& target = {}) {
   require_positive("Energy error", target.energy_error);

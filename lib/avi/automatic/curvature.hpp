@@ -13,15 +13,15 @@
 
 namespace avi::detail {
 
-/// A Hamiltonian as a graph, with what of it a monitor needs.
+/// A Hamiltonian as a graph, and the quantities that monitors are made of.
 ///
 /// H is a sum of terms \f$H_k\f$ as it is written (a pair of bodies is one). With the metric
 /// \f$K = \partial^2 H/\partial p^2\f$ of the start, in whose units all masses are 1,
 /// \f[ n_0 = \tfrac1n |H_{pp}|^2 \sum_k |H_{k,qq}|^2 + \Big(\sum_k |H_{k,qp}|^2\Big)^2, \f]
 /// norms of Frobenius in that metric: \f$|A_{qq}|^2 = tr(A K A K)\f$, \f$|A_{qp}|^2 = tr(A K^{-1} A^T K)\f$,
 /// \f$|A_{pp}|^2 = tr(A K^{-1} A K^{-1})\f$. It is a frequency to the power 4; linear changes of coordinates
-/// (with their momenta) leave it as it is. Squares are summed, not terms: where attraction and repulsion
-/// cancel, nothing vanishes.
+/// (with their momenta) leave it as it is. Since the squares of the terms are summed, n_0 does not vanish
+/// where attraction and repulsion cancel.
 class Curvature {
  public:
   /// Records H. @param start where the metric is taken
@@ -43,7 +43,7 @@ class Curvature {
 
   ExpressionGraph graph;  ///< Of (q, p).
   int energy = -1;        ///< H.
-  /// H_pp at the start is symmetric and positive definite, so that there is a metric.
+  /// Whether H_pp is symmetric and positive definite at the start, as a metric must be.
   [[nodiscard]] bool has_metric() const { return has_metric_; }
   [[nodiscard]] std::size_t terms() const { return terms_.size(); }  ///< Of H.
 

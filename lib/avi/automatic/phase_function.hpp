@@ -11,10 +11,9 @@
 
 namespace avi {
 
-/// A function f(q, p) that was found by automatic means: one type for all of them, so that what uses it is
-/// compiled once. It is called with vectors of n entries of any scalar: double, Pack, Partials, Jet,
-/// Recorded. Copies share the list of operations. A call works in memory of its thread that is kept from call
-/// to call.
+/// A recorded function f(q, p). All of them have this one type, so that code which uses them is compiled
+/// once. It is called with vectors of n entries of any scalar: double, Pack, Partials, Jet, Recorded. Copies
+/// share the list of operations. Each thread keeps its working memory from call to call.
 class PhaseFunction {
  public:
   /// The value of `node` in a graph whose inputs are (q, p).

@@ -14,7 +14,7 @@
 
 namespace avi::detail {
 
-/// One monitor on one orbit: from an energy error to the step that has it.
+/// A method with one monitor on one orbit: finds the step that gives a wanted energy error.
 class Pilot {
  public:
   using Problem =
@@ -30,18 +30,18 @@ class Pilot {
   /// What a search found.
   struct Found {
     double h = 0.0;      ///< Step.
-    double steps = 0.0;  ///< That it takes, were the error exactly what is aimed at.
+    double steps = 0.0;  ///< Number of steps if the error were exactly the wanted one.
     bool reached = false;
   };
 
-  /// A run until `time` with step h. @param choice where the trial is written down
+  /// A run until `time` with step h. @param choice where the trial is recorded
   Trial trial(double h, double time, long cap, MonitorChoice& choice) {
     Point z = start_;
     const double h0 = energy_(start_.q, start_.p);
     double worst = 0.0;
     const Run run = integrate(method_, z, h, Until{.time = time, .steps = cap}, [&](const Point& at, long) {
       worst = std::max(worst, std::abs(energy_(at.q, at.p) - h0) / scale_);
-      return worst < 1.0;  // else all is lost
+      return worst < 1.0;  // beyond that the run is useless
     });
     if (run.outcome != Outcome::ok) worst = std::numeric_limits<double>::infinity();
     const Trial result{name_, h, run.steps, worst, run.outcome};

@@ -42,10 +42,11 @@ namespace detail {
 /// The order that takes the least work at an energy error: 4, 8 or 16.
 inline int order_for(double tolerance) { return tolerance > 3e-6 ? 4 : tolerance > 3e-10 ? 8 : 16; }
 
-/// So often a run is taken again with a shorter step.
+/// How often a run may be repeated with a shorter step.
 inline constexpr int most_restarts = 6;
 
-/// Everything of integrate(H, start, t_end, tolerance) that knows neither the type of H nor its dimension.
+/// The part of integrate(H, start, t_end, tolerance) that depends neither on the type of H nor on its
+/// dimension.
 inline Solution<dynamic> solve(const Menu& menu, double t_end, double tolerance) {
   Solution<dynamic> solution{
       .state = menu.start(),
@@ -79,7 +80,7 @@ inline Solution<dynamic> solve(const Menu& menu, double t_end, double tolerance)
         solution.run.outcome != Outcome::not_converged && solution.run.outcome != Outcome::non_finite;
     if (restarts == most_restarts || (converged && solution.energy_error <= 3.0 * tolerance)) break;
     // The orbit is harder here than where the pilot was. A step that changes on the way would not be
-    // symplectic, so the whole run is taken again with a shorter one.
+    // symplectic, so the whole run is repeated with a shorter one.
     choice.trials.push_back(
         {choice.name, choice.h, solution.run.steps, solution.energy_error, solution.run.outcome});
     choice.sweeps += solution.run.evaluations;
@@ -96,8 +97,7 @@ inline Solution<dynamic> solve(const Menu& menu, double t_end, double tolerance)
 /// choose_monitor(); then they are frozen, and the run is Gauss collocation with constant steps in fictive
 /// time, symplectic but for the last, shorter step that ends at t_end. Failures are outcomes; report() says
 /// everything in words.
-/// @throws std::invalid_argument where H is not finite at the start, or for a time or tolerance that cannot
-/// be.
+/// @throws std::invalid_argument where H is not finite at the start, or for a time or tolerance out of range.
 template <class H, int n>
 [[nodiscard]] Solution<n> integrate(const H& hamiltonian, const State<n>& start, double t_end,
                                     double tolerance) {

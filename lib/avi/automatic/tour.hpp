@@ -80,7 +80,7 @@ class Tour {
       const double energy_there = field(step.end, next);
       liveliest = std::max(liveliest, 0.5 * a);
       if (!(std::abs(energy_there - energy) <= 1e-4 * std::max(liveliest, 0.5 * value(fast_, step.end)))) {
-        longest = 0.5 * h;  // into a wall
+        longest = 0.5 * h;  // too long: H changes steeply here
         if (h < 1e-9 * time || h == 0.0) break;
         continue;
       }

@@ -8,7 +8,7 @@
 #include <cmath>
 
 /// @file
-/// Bregman dynamics with the polynomial clock p/t and defaults: restart, and curvature for free.
+/// Restarted Bregman dynamics with the clock p/t, whose step comes from curvatures that cost no evaluation.
 
 namespace avi {
 
@@ -17,11 +17,12 @@ namespace avi {
 /// \qquad g_k = \nabla f(y_k), \f] k counted from the last restart. It restarts, t back to t_0, where \f$g_k
 /// \cdot (x_{k+1} - x_k) > 0\f$ (O'Donoghue and Candes 2015).
 ///
-/// L = max(0.7 L, L_s, L_g) costs no evaluation: \f$L_s = |\Delta g_k| / |\Delta y_k|\f$ is the secant's
-/// curvature, of the momentum mostly, and \f[ L_g = \frac{|\Delta g_k - c\, \Delta g_{k-1}|}{|\Delta y_k -
-/// c\, \Delta y_{k-1}|} \f] that of the newest gradient: with c the regression of \f$\Delta y_k +
-/// g_{k-1}/L\f$ on \f$\Delta y_{k-1}\f$, what is left of the displacement is the gradient's part. Where f
-/// rises above its last restart's value, L is doubled and the run goes back there.
+/// L = max(0.7 L, L_s, L_g) costs no evaluation: \f$L_s = |\Delta g_k| / |\Delta y_k|\f$ is the curvature
+/// along the last displacement, which is mostly momentum, and \f[ L_g = \frac{|\Delta g_k - c\, \Delta
+/// g_{k-1}|}{|\Delta y_k - c\, \Delta y_{k-1}|} \f] that along the newest gradient: with c the regression
+/// coefficient of \f$\Delta y_k + g_{k-1}/L\f$ on \f$\Delta y_{k-1}\f$, the difference in the denominator is
+/// the part of the displacement that the gradient caused. Where f rises above its last restart's value, L is
+/// doubled and the run goes back there.
 ///
 /// The iterate is y, where the gradient is taken: one evaluation an iteration.
 struct BregmanRestarted {

@@ -7,7 +7,6 @@
 
 /// @file
 /// Bregman dynamics by explicit Runge-Kutta methods: the paper's non-symplectic baselines (Section 4.5.4).
-/// This folder is where the integrators meet the optimisation loop.
 
 namespace avi {
 
@@ -15,8 +14,8 @@ namespace avi {
 /// \f$r' = -potential(t)\, \nabla f(q)\f$, \f$t' = monitor(t)\f$.
 struct BregmanField {
   BregmanFamily family;  ///< p, p_ring and C.
-  VectorX q;             ///< Working memory: where the objective is asked.
-  VectorX gradient;      ///< Working memory: its answer.
+  VectorX q;             ///< Working memory: where the objective is evaluated.
+  VectorX gradient;      ///< Working memory: the gradient there.
 
   /// The field where the gradient is known.
   void operator()(const VectorX& z, const VectorX& gradient_at_q, VectorX& dz) const {

@@ -14,11 +14,11 @@ namespace avi {
 /// s-stage Gauss collocation of Hamilton's equations of \f$\bar H\f$ in fictive time, of order 2s, symplectic
 /// and symmetric, for any H and any monitor: see \ref collocation_page. With \f$z = (q, p)\f$, \f[ z_i = z_0
 /// + h \sum_j a_{ij} f(z_j), \qquad z(h) = z_0 + h \sum_j b_j f(z_j), \qquad t(h) = t_0 + h \sum_j b_j\,
-/// g(z_j). \f] It is the Galerkin Hamiltonian variational integrator (Leok and Zhang 2011) of the action of
-/// which HTVI takes the Taylor curve: the curve here is the polynomial that makes that action stationary. The
-/// stages are the lanes of packs and go through H together. They are found by fixed-point sweeps that put in
-/// new momenta before the new positions (as IRKGaussLegendre does; Antonana, Makazaga and Murua 2017), from
-/// the polynomial of the last step on, down to round-off; what rounding cuts off the state is kept
+/// g(z_j). \f] It is the Galerkin Hamiltonian variational integrator (Leok and Zhang 2011): HTVI evaluates
+/// the action on a Taylor curve, collocation on the polynomial that makes the action stationary. All stages
+/// are evaluated at once, one in each lane of a Pack. They are found by fixed-point sweeps down to round-off,
+/// which start from the polynomial of the last step; a sweep computes new momenta first and uses them for the
+/// positions (as IRKGaussLegendre does; Antonana, Makazaga and Murua 2017). Summation is compensated
 /// (Summation::compensated) as long as each step begins where the last one ended.
 template <class Problem>
 class Collocation {
@@ -27,13 +27,13 @@ class Collocation {
   static constexpr bool symplectic = true;      ///< For every h.
   static constexpr bool symmetric = true;       ///< A step -h leads back.
 
-  /// What collocation() makes.
+  /// See collocation().
   /// @throws std::invalid_argument for an order that is odd or out of [2, 32], or an improper setting.
   Collocation(const Problem& problem, int order, SweepSettings settings = {})
       : problem_(problem), order_(order), stages_(make(problem, order, settings)) {}
 
-  /// Advances z by the fictive step h, of either sign; leaves it as it was where the step ends otherwise than
-  /// ok. The report counts sweeps.
+  /// Advances z by the fictive step h, of either sign; leaves z unchanged unless the step ends as ok. The
+  /// report counts sweeps.
   /// @throws std::invalid_argument where n is avi::dynamic and z of another size.
   StepReport step(State<n>& z, double h) {
     if constexpr (n == dynamic)

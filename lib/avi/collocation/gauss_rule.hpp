@@ -28,7 +28,7 @@ class GaussRule {
       for (int j = 0; j < s; ++j)
         mu_[i][j] = row[j];
     }
-    // Of each pair the larger number, which is at least 1/2, is rounded; one minus it then is exact.
+    // The larger number of each pair is at least 1/2, so one minus it is exact.
     for (int i = 0; i < s; ++i) {
       mu_[i][i] = 0.5;
       for (int j = 0; j < i; ++j)

@@ -5,11 +5,11 @@
 #include <utility>
 
 /// @file
-/// A small matrix that acts on the numbers of a pack.
+/// A small matrix times the numbers of a pack.
 
 namespace avi {
 
-/// w x w numbers, stored by columns, each a pack.
+/// A w x w matrix, stored by columns, each of which is a Pack.
 template <int w>
 class alignas(64) LaneMatrix {
  public:

@@ -13,13 +13,14 @@
 namespace avi {
 
 namespace detail {
-/// Beyond this dimension automatic gradients come from a recording: its cost does not grow with n.
+/// In larger dimensions automatic gradients come from a recording: their cost relative to H does not grow
+/// with n.
 inline constexpr int most_partials = 8;
 }  // namespace detail
 
-/// The field of \f$\bar H = g\,(H + p^t)\f$ at w stages, in two halves of which each computes only what it
-/// needs: a sweep puts in new momenta between them. Gradients are those that H supplies, or automatic ones by
-/// forward accumulation.
+/// The field of \f$\bar H = g\,(H + p^t)\f$ at w stages, as two functions, of which each computes only what
+/// it needs: a sweep updates the momenta between them. Gradients are those that H supplies, or automatic ones
+/// by forward accumulation.
 template <class Problem, int w>
 class StageField {
  public:
@@ -27,7 +28,7 @@ class StageField {
   using Scalar = Pack<w>;                       ///< One number for each stage.
   using Vec = Vector<Scalar, n>;                ///< One vector for each stage.
 
-  /// Of this problem.
+  /// For this problem.
   explicit StageField(const Problem&) {}
 
   /// force = \f$-\partial \bar H/\partial q\f$.
@@ -95,7 +96,7 @@ class StageField {
 
  private:
   using H = std::decay_t<decltype(std::declval<const Problem&>().hamiltonian())>;
-  /// Numbers in a formula whose other argument is differentiated.
+  /// The argument that is held constant while the other is differentiated.
   template <class Differentiated>
   static auto constants(const Vec& x) {
     return x.template cast<typename Differentiated::Scalar>().eval();

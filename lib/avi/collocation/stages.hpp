@@ -24,8 +24,7 @@ struct SweepSettings {
 };
 
 /// A Gauss collocation step with at most w stages, held in the lanes of packs. Lanes beyond the last stage
-/// repeat it with weight zero: they compute what is computed anyway and no stray number ever meets the
-/// formula.
+/// repeat that stage with weight zero, so the formula is never evaluated at an arbitrary point.
 ///
 /// With \f$L_j = h b_j f(z_j)\f$ the stages are \f$z_i = z_0 + \sum_j \mu_{ij} L_j\f$ and the step ends at
 /// \f$z_0 + \sum_j L_j\f$. A sweep computes all forces and with them new momenta, then with these all
@@ -50,12 +49,12 @@ class alignas(64) Stages {
     }
   }
 
-  /// Advances z by h; leaves it as it was where the step ends otherwise than ok.
+  /// Advances z by h; leaves z unchanged unless the step ends as ok.
   StepReport step(const Problem& problem, State<n>& z, double h) {
     start_at(z);
     StepReport report = attempt(problem, z, h);
     if (report.outcome != Outcome::ok && place_ != Place::elsewhere) {
-      // The polynomial of the last step may have been no good guess.
+      // The polynomial of the last step may have been a bad guess.
       const int sweeps = report.evaluations;
       place_ = Place::elsewhere;
       report = attempt(problem, z, h);
@@ -86,7 +85,7 @@ class alignas(64) Stages {
   static State<n> zero(Eigen::Index size) {
     return {.q = Vector<double, n>::Zero(size), .p = Vector<double, n>::Zero(size)};
   }
-  /// A state with what rounding has cut off.
+  /// A state and the rounding error that is to be added to it.
   struct Point {
     State<n> state, low;
     explicit Point(Eigen::Index size) : state(zero(size)), low(zero(size)) {}
@@ -101,7 +100,7 @@ class alignas(64) Stages {
 
   static bool same(const State<n>& a, const State<n>& b) { return a.t == b.t && a.q == b.q && a.p == b.p; }
 
-  /// The start of a step at z: with what rounding cut off, if the last step led here.
+  /// The start of a step at z, with the rounding error of the last step if that led to z.
   void start_at(const State<n>& z) {
     place_ = h_ == 0.0               ? Place::elsewhere
              : same(z, end_.state)   ? Place::end
@@ -117,7 +116,7 @@ class alignas(64) Stages {
     start_.state = z;
   }
 
-  /// Starting values: the polynomial of the last step, continued or shortened.
+  /// Starting values: the polynomial of the last step, extrapolated or on a part of the step.
   [[gnu::always_inline]] void guess(Work& work, double h) {
     const State<n>& z = start_.state;
     const double offset = place_ == Place::end ? 1.0 : 0.0, ratio = h / h_;

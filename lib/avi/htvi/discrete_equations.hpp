@@ -21,8 +21,8 @@ struct StepChange {
 /// \f$\tilde p_0\f$ (Type II) or \f$\tilde q_0\f$ (Type III), k the known half. With X the end of u's own
 /// variable along the curve, which is p_1 or q_1 by definition, and \f$\sigma\f$ = 1 or -1, both types read
 /// \f[ D_u\cdot\delta k + D_y\cdot\delta X = -\sigma R \f] for all variations, where R is the remainder of
-/// the action (ActionRemainder), D_u the true start u_0 less u, and D_y the true end of the other variable
-/// less that of the curve. See \ref solving.
+/// the action (ActionRemainder), D_u the true start u_0 minus u, and D_y the true end of the other variable
+/// minus that of the curve. See \ref solving.
 template <Generating type, class Expansion>
 class DiscreteEquations {
   static constexpr bool right = type == Generating::type2;
@@ -35,9 +35,9 @@ class DiscreteEquations {
   static constexpr int n = Expansion::n;                        ///< Dimension of the problem.
   using Increments = typename Expansion::Increments;            ///< Of the Taylor method.
   using Remainder = ActionRemainder<typename Expansion::Lane>;  ///< R.
-  using Vec = Vector<double, n>;                                ///< n numbers.
+  using Vec = Vector<double, n>;                                ///< A vector of n entries.
 
-  /// Solves them at the last expansion, whose increments are d.
+  /// Solves the equations at the last expansion of e, whose increments are d.
   DiscreteEquations(const Expansion& e, const Increments& d, const Remainder& remainder) : d_(d) {
     const auto& r = remainder.variation;
     Matrix<double, n> x_u;  // transposed

@@ -22,7 +22,8 @@ namespace avi {
 /// \\ H_d^-(q_1, p_0) &= -p_0 \cdot \tilde q_0 - p^t \tilde t_0 - A, & p_1 &= -D_1 H_d^-, & q_0 &= -D_2 H_d^-
 /// \f} (Type II, Type III), where A is the action of the Taylor curve from \f$(q_0, \tilde p_0)\f$ with
 /// \f$p_1 = \pi_p \Psi^{(r)}(q_0, \tilde p_0)\f$, or from \f$(\tilde q_0, p_0)\f$ with
-/// \f$q_1 = \pi_q \Psi^{(r+1)}(\tilde q_0, p_0)\f$: see \ref solving. Of which action, says the construction.
+/// \f$q_1 = \pi_q \Psi^{(r+1)}(\tilde q_0, p_0)\f$: see \ref solving. The construction says which action A
+/// is.
 template <Generating type, class Problem, int r, Construction construction>
 class Htvi {
  public:
@@ -30,8 +31,7 @@ class Htvi {
   static constexpr bool symplectic = true;      ///< On the phase space of (q, p), to round-off.
   static constexpr bool symmetric = false;      ///< The curve begins at one end of the step.
 
-  /// What type2(), type3(), htvi() and htvi_of_order() make. @param taylor_order r, where that is
-  /// avi::dynamic
+  /// See type2(), type3(), htvi() and htvi_of_order(). @param taylor_order r, where that is avi::dynamic
   /// @throws std::invalid_argument for an improper rule, order or solver setting.
   explicit Htvi(const Problem& problem, Quadrature rule, SolverSettings solver = {}, int taylor_order = r)
       : expansion_(problem, taylor_order), action_(std::move(rule)), solver_(solver) {
@@ -48,7 +48,7 @@ class Htvi {
     return std::min(taylor, rule);
   }
 
-  /// Advances z by the fictive step h; leaves it as it was where the step ends otherwise than ok.
+  /// Advances z by the fictive step h; leaves z unchanged unless the step ends as ok.
   [[gnu::noinline]] StepReport step(State<n>& z, double h) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     const Vector<double, n> start = right ? z.p : z.q;
@@ -58,7 +58,7 @@ class Htvi {
     double previous = 0.0;  // no estimate of the contraction yet
     for (int k = 1; k <= solver_.max_iterations; ++k) {
       const Vector<double, n> unknown = start + correction;
-      correction = unknown - start;  // what was really added, after rounding
+      correction = unknown - start;  // the correction after rounding
       const Increments increments =
           right ? expansion_.expand(z.q, unknown, h) : expansion_.expand(unknown, z.p, h);
       const DiscreteEquations<type, Expansion> equations(expansion_, increments,

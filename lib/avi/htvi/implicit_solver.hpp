@@ -12,7 +12,7 @@ namespace avi {
 struct SolverSettings {
   double tolerance = 8.0;   ///< Residual accepted, in units of machine epsilon times the size of the unknown.
   int max_iterations = 50;  ///< Expansions in one step before it ends as Outcome::not_converged.
-  bool quasi_newton = true;  ///< Where the iteration contracts slowly, let Broyden's method take over.
+  bool quasi_newton = true;  ///< Switch to Broyden's method where the iteration contracts slowly.
 };
 
 /// First guess of an unknown that changes smoothly from step to step: the line through its values at the last
@@ -25,7 +25,7 @@ class Predictor {
     if (h == last_h_ && h == last_but_one_h_ && start == end_) return 2.0 * last_ - last_but_one_;
     return Vector<double, n>::Zero();
   }
-  /// Takes in what the step h has found, and where it ends.
+  /// Stores the value that a step h found, and the point where the step ended.
   void remember(const Vector<double, n>& value, double h, const Vector<double, n>& end) {
     last_but_one_ = std::exchange(last_, value);
     last_but_one_h_ = std::exchange(last_h_, h);
@@ -43,14 +43,14 @@ class Predictor {
 template <int n>
 class Broyden {
  public:
-  /// The shift of u that a residual asks for. @param plain that of the plain iteration
+  /// The shift of u for this residual. @param plain that of the plain iteration
   Vector<double, n> shift(const Vector<double, n>& residual, const Vector<double, n>& plain, bool slow) {
     if (slow && !at_work_) {
       inverse_ = Matrix<double, n>::Identity();
       at_work_ = true;
     }
     if (at_work_) {
-      // The inverse that maps the last fall of the residual to the last shift.
+      // The update makes the inverse map the last decrease of the residual to the last shift.
       const Vector<double, n> image = inverse_ * (last_residual_ - residual);
       const double scale = last_shift_.dot(image);
       if (scale != 0.0)

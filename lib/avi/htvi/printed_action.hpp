@@ -23,7 +23,7 @@ class PrintedAction {
   /// What the trial curve follows.
   static constexpr Field field = construction == Construction::printed ? Field::full : Field::on_shell;
 
-  /// With this rule. @throws std::invalid_argument for an improper rule.
+  /// For this quadrature rule. @throws std::invalid_argument for an improper rule.
   explicit PrintedAction(Quadrature rule) : rule_(std::move(rule)) { validate(rule_); }
 
   [[nodiscard]] const Quadrature& rule() const { return rule_; }  ///< b_i and c_i.

@@ -18,10 +18,10 @@ namespace avi {
 ///
 /// With the defects \f$d_q = \tilde q' - \partial\bar H/\partial p\f$ and \f$d_p = \tilde p' + \partial\bar
 /// H/\partial q\f$ its variation is \f[ \delta A = [\tilde p\cdot\delta\tilde q]_0^h + R, \quad R = \int_0^h
-/// (d_q\cdot\delta\tilde p - d_p\cdot\delta\tilde q), \f] the terms in H-bar by the rule. Everything in R is
-/// small, so nothing cancels: the curve alone needs derivatives, H-bar at the nodes needs none of its
-/// gradient. Only the moments of the defects against the powers of \f$\tau\f$ enter, since the curve is a
-/// polynomial. See \ref stationary_action for the order, 2r + 2.
+/// (d_q\cdot\delta\tilde p - d_p\cdot\delta\tilde q), \f] the terms in H-bar by the rule. All terms of R are
+/// small, so nothing cancels. Only the curve has to be differentiated; at the nodes the field is evaluated at
+/// plain numbers. Only the moments of the defects against the powers of \f$\tau\f$ enter, since the curve is
+/// a polynomial. See \ref stationary_action for the order, 2r + 2.
 template <class Expansion>
 class StationaryAction {
  public:
@@ -29,7 +29,7 @@ class StationaryAction {
   static constexpr int n = Expansion::n;       ///< Dimension of the problem.
   static constexpr Field field = Field::full;  ///< What the trial curve follows.
 
-  /// With this rule for H-bar. @throws std::invalid_argument for an improper rule.
+  /// For this quadrature rule. @throws std::invalid_argument for an improper rule.
   explicit StationaryAction(Quadrature rule) : rule_(std::move(rule)) {
     validate(rule_);
     for (std::size_t i = 0; i < rule_.nodes.size(); ++i) {

@@ -13,8 +13,8 @@
 namespace avi {
 
 /// Taylor expansion of (q, p, t) over one step of a Poincare-transformed problem, with first partials with
-/// respect to the initial values (q, p), and to p^t where the field contains it. It is compiled once for a
-/// problem, an order and a field, whatever is built on it.
+/// respect to the initial values (q, p), and to p^t where the field contains it. It is compiled once for each
+/// problem, order and field, and shared by all that is built on it.
 /// @tparam r order of the Taylor method Psi^(r); avi::dynamic: given at run time, at most `capacity`
 template <class Problem, int r, Field form>
 class TaylorExpansion {
@@ -128,8 +128,8 @@ class TaylorExpansion {
   }
 
  private:
-  /// One copy of the formulas per order is a fifth faster where they are short; long ones fit the instruction
-  /// cache, and the compiler's patience, only once.
+  /// One copy of the formulas for each order is a fifth faster where they are short; several copies of long
+  /// ones would not fit the instruction cache and would take long to compile.
   static constexpr bool unrolled = form == Field::on_shell && r != dynamic && r <= 4;
 
   /// Coefficients k + 1 from coefficients 0 to k. Straight-line code only when every operation of H and g is

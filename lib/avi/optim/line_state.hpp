@@ -6,12 +6,12 @@
 #include <utility>
 
 /// @file
-/// The vectors of avi::minimise() and what is done to them, a pass over memory each.
+/// The vectors of avi::minimise() and the operations on them, each one pass over memory.
 
 namespace avi {
 
 /// Base of the line that is searched, trial on it, best evaluated point, and direction d: seven vectors, and
-/// the pairs of the mass matrix. StateClock decides; this moves.
+/// the pairs of the mass matrix. StateClock takes the decisions; this class does the arithmetic.
 template <Objective F>
 class LineState {
  public:

@@ -11,8 +11,8 @@ namespace avi {
 /// Gradient steps from a point extrapolated along the last displacement. \f[ x_k = y_{k-1} - h\, \nabla
 /// f(y_{k-1}), \quad y_k = x_k + \frac{k}{k+3}\, (x_k - x_{k-1}), \quad y_0 = x_0. \f] The paper's equation
 /// (4.1) has (k-1)/(k+2): the same sequence counted from k = 1 instead of from 0. It is k/(k+3) that gives
-/// the published counts. The gradient is taken at y, the stopping test at x: two gradients an iteration, of
-/// which the method itself needs one.
+/// the published counts. The gradient is taken at y, the stopping test at x: two gradients an iteration; the
+/// method alone needs one.
 struct Nag {
   double h = 1e-3;  ///< Step size, finite and positive.
 

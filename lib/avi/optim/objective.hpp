@@ -15,8 +15,8 @@ concept Objective = requires(const F& f, const VectorX& x, VectorX& gradient) {
   { f(x, gradient) } -> std::convertible_to<double>;
 };
 
-/// The objective as methods see it: every value and every gradient that anyone asks for is counted here,
-/// whatever it is asked for.
+/// The objective as methods see it: counts every evaluation of the value and of the gradient, whatever it
+/// serves.
 template <Objective F>
 class Counted {
  public:

@@ -9,9 +9,10 @@
 
 namespace avi {
 
-/// The last m pairs of displacement s and change of gradient y, and the inverse Hessian H that they make of
-/// \f$\gamma I\f$, \f$\gamma = s\cdot y/|y|^2\f$ of the newest pair, by the BFGS formula. H is never formed:
-/// H g takes two loops over the pairs (Nocedal 1980), 8 m numbers read or written for each entry.
+/// The last m pairs of displacement s and change of gradient y, and the inverse Hessian H that the BFGS
+/// formula builds from them, starting with \f$\gamma I\f$, \f$\gamma = s\cdot y/|y|^2\f$ of the newest pair.
+/// H is never formed: H g takes two loops over the pairs (Nocedal 1980), 8 m numbers read or written for each
+/// entry.
 class SecantPairs {
  public:
   /// Room for m pairs of size n.
@@ -53,7 +54,7 @@ class SecantPairs {
       const Pair& pair = newest(k);
       const double a = weights_[k] = pair.rho * product;
       const double* y = pair.y.data();
-      // after the last pair the loop turns round: its y is due, of q as it then is
+      // after the last pair the second loop begins, which needs y . q of the new q
       const double* due = k + 1 < stored_ ? newest(k + 1).s.data() : y;
       const double scale = k + 1 < stored_ ? 1.0 : gamma_;
       product = sweep<1>(n, [=](auto at, auto& sum) {

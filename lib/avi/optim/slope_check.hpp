@@ -16,7 +16,7 @@ struct SlopeByValues {
 
   /// True where `by_gradient` cannot be told from it.
   [[nodiscard]] bool agrees_with(double by_gradient, double relative) const {
-    // A slope that is not a number says nothing about the gradient: the run itself meets that again.
+    // A slope that is NaN says nothing about the gradient; the run itself will report it.
     return !(std::abs(slope - by_gradient) > relative * std::abs(by_gradient) + uncertainty);
   }
   /// One clause with both numbers.

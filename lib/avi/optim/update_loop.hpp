@@ -24,7 +24,7 @@ concept OptimisationMethod = requires(const M& method, typename M::State& state,
   { method.update(state, iterate, objective) } -> std::same_as<Outcome>;
 };
 
-/// Observer that looks at nothing and costs nothing.
+/// Observer that does nothing.
 struct NoWitness {
   /// Does nothing.
   void operator()(const Iterate&, long, long) const {}
@@ -107,8 +107,8 @@ Minimisation minimise(const F& f, const M& method, const VectorX& x0, const Stop
     run.function_evaluations = objective.values;
     return run;
   };
-  // One step back from the failure. An objective that answers with numbers where it is asked about what is
-  // none hides a failure for longer; then only x0 is known to be good.
+  // One step back from the failure. An objective that returns finite values for NaN input hides a failure for
+  // longer; then only x0 is known to be good.
   VectorX good = now.x;
   const auto fail = [&]() -> Minimisation& {
     detail::describe_failure(run, x_bound);
