@@ -5,7 +5,7 @@
 #include <type_traits>
 
 /// @file
-/// Convolutions of Taylor coefficients: where the time of an expansion goes.
+/// Convolutions of Taylor coefficients: most of the time of an expansion is spent here.
 
 namespace avi {
 
@@ -58,7 +58,8 @@ class ProductSum<Lanes<N>> {
 namespace detail {
 
 /// Convolutions of Taylor coefficients. Where the order is a compile-time constant they unroll into the
-/// formula; where it is not (K = -1) they are loops, and a call each keeps the code of long formulas short.
+/// formula; where it is not (K = -1) they are loops, called rather than inlined, which keeps the code of long
+/// formulas short.
 template <class T, int K>
 struct Convolution {
   /// Sum over j = from..to of a_j b_(k-j).
@@ -84,8 +85,8 @@ struct Convolution {
   }
 
  private:
-  /// Numbers alone wait for each other's additions; four sums at a time do not. Lanes keep the processor
-  /// busy.
+  /// Plain doubles use four partial sums, because each addition would otherwise wait for the one before it.
+  /// Lanes have enough independent work.
   static constexpr int sums = K >= 0 && std::is_same_v<T, double> ? 4 : 1;
 
   /// term(j, s) adds term j of first..last to s.

@@ -14,8 +14,8 @@
 namespace avi {
 
 /// The operations of a formula in the order of their first use. Equal operations on equal operands are one
-/// node, operations on numbers are done at once, and sums with 0 and products with 0 and 1 are no
-/// operations: 0 times a value that is infinite is 0 here.
+/// node, operations on constants are evaluated at once, and sums with 0 and products with 0 and 1 are left
+/// out; so 0 times an infinite value is 0 here.
 class ExpressionGraph {
  public:
   /// One operation; operands are numbers of earlier nodes, -1 where there is none.
@@ -95,7 +95,7 @@ class ExpressionGraph {
     return binary(Operation::power, a, constant(exponent));
   }
 
-  /// A quotient (number / b) that the formula has, or -1.
+  /// The node of a quotient number / b in the formula, or -1.
   [[nodiscard]] int quotient(int b) const {
     const auto found = quotients_.find(b);
     return found == quotients_.end() ? -1 : found->second;

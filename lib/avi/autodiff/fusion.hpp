@@ -8,7 +8,8 @@
 #include <vector>
 
 /// @file
-/// From nodes of a graph to lines of a program: unneeded nodes go, products join the sums they feed.
+/// From nodes of a graph to lines of a program: drops nodes that are not needed, and joins products with the
+/// sums that use them.
 
 namespace avi {
 

@@ -36,16 +36,16 @@ class JetTape {
     order = k;
   }
 
-  /// The next slot. Only order 0 may find none: it goes on in another block, and is to be repeated, see
-  /// outgrown(). Higher orders repeat its sequence.
+  /// The next slot. If the tape is full, which can happen at order 0 only, it continues in another block and
+  /// order 0 has to be repeated: see outgrown().
   template <int K>
   T* next() {
     if (K <= 0 && order == 0 && next_ == end_) extend();
     return (next_++)->coefficients;
   }
 
-  /// Whether the formula turned out longer than the tape; the tape has then grown to twice what was needed,
-  /// and order 0 is to be replayed. Nothing is allocated once the longest formula has been seen.
+  /// Whether the formula was longer than the tape; if so, the tape has been enlarged and order 0 has to be
+  /// replayed. Nothing is allocated once the longest formula has been seen.
   bool outgrown() {
     if (blocks_.empty()) return false;
     blocks_.clear();

@@ -26,7 +26,7 @@ template <>
 struct Simd<8> {
   typedef double type __attribute__((vector_size(64)));
 };
-/// Of weaker alignment, so that memory from anywhere may hold it.
+/// With weaker alignment, so that any memory may hold it.
 struct LooseSimd8 {
   typedef double type __attribute__((vector_size(64), aligned(16)));
 };
@@ -40,8 +40,8 @@ struct Simd<32> {
 };
 }  // namespace detail
 
-/// Partials carried at a time where their number is known only at run time; such Lanes live in containers
-/// whose memory has no more than the usual alignment.
+/// Number of partials computed at a time where their total is known only at run time; such Lanes live in
+/// containers with the usual alignment only.
 inline constexpr int lane_chunk = 7;
 
 /// Value (lane 0) and N first partials (lanes 1 to N) of a function of N variables; the chain rule is applied
@@ -58,8 +58,8 @@ class Lanes {
   Register lanes;  ///< Value, partials, padding.
 
   Lanes() = default;
-  // Written out so that a copy is one register move; as a struct it may be copied in pieces, on whose reload
-  // the processor stalls.
+  // Written out so that a copy is one register move: the compiler may copy a struct in pieces, and reloading
+  // them as one register stalls the processor.
   Lanes(const Lanes& other) : lanes(other.lanes) {}  ///< One register move.
   /// One register move.
   Lanes& operator=(const Lanes& other) {

@@ -19,16 +19,16 @@ enum class Operation : std::uint8_t {
   multiply,        ///< a b
   divide,          ///< a / b
   power,           ///< a to the constant power b
-  sqrt,            ///< Of a, as all that follow.
+  sqrt,            ///< Square root of a; those below too are functions of a.
   exp,             ///< e to the a
   log,             ///< Natural logarithm.
-  sin,             ///< Of a in radians.
-  cos,             ///< Of a in radians.
-  tan,             ///< Of a in radians.
+  sin,             ///< Sine of a in radians.
+  cos,             ///< Cosine of a in radians.
+  tan,             ///< Tangent of a in radians.
   sinh,            ///< Hyperbolic sine.
   cosh,            ///< Hyperbolic cosine.
   tanh,            ///< Hyperbolic tangent.
-  atan,            ///< In radians.
+  atan,            ///< Arc tangent, in radians.
   abs,             ///< |a|
   sign,            ///< 1 or -1, the slope of |a|.
   nothing,         ///< a itself.

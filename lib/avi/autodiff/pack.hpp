@@ -13,9 +13,8 @@
 namespace avi {
 
 namespace detail {
-// Written out: GCC ignores vector_size when it depends on a template parameter. The weak alignment lets
-// memory from anywhere hold them, Eigen's vectors included; where it is better aligned than that nothing is
-// lost.
+// Written out: GCC ignores vector_size when it depends on a template parameter. The weak alignment lets any
+// memory hold them, Eigen's vectors included, and costs nothing where the memory is aligned better.
 template <int w>
 struct PackRegister {
   typedef double type __attribute__((vector_size(64), aligned(16)));
@@ -30,11 +29,11 @@ struct PackRegister<4> {
 };
 }  // namespace detail
 
-/// w doubles, w = 2, 4, 8, 16 or 32, as one scalar: every operation is done to each of them, by the vector
-/// units of the machine where it has them, with the same results bit for bit where it has not. A formula that
-/// is generic in its scalar so is evaluated at w points for little more than the price of one. It cannot
-/// branch on a value, for w values would want to go separate ways: there are no comparisons, and a formula
-/// that compares does not compile. Partials<Pack<w>, n> are w values with their gradients.
+/// w doubles, w = 2, 4, 8, 16 or 32, as one scalar: every operation is applied to each of them, by the vector
+/// units where the machine has them, with the same bits where it has not. So a formula that is generic in its
+/// scalar is evaluated at w points for little more than the price of one. It cannot branch on a value,
+/// because the w values might need different branches: there are no comparisons, and a formula that compares
+/// does not compile. Partials<Pack<w>, n> are w values with their gradients.
 template <int w>
 class Pack {
  public:
@@ -212,7 +211,7 @@ Pack<w> max(const Pack<w>& a, const Pack<w>& b) {
 }
 /// @}
 
-/// Sum of the numbers of a pack, in an order that no machine changes: halves onto each other.
+/// Sum of the numbers of a pack, halves added onto each other: the same order on every machine.
 template <int w>
 double sum(const Pack<w>& x) {
   double half[w];

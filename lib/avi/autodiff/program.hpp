@@ -13,9 +13,9 @@
 namespace avi {
 
 /// A straight line of operations that computes f(x) and chosen derivatives of f; made by Recording. One
-/// program serves every scalar: double, Pack<w>, Partials of them. Operations of one kind stand together and
-/// share one decision of what to do; results live in slots that are used again when nobody needs them any
-/// more. An evaluation allocates nothing.
+/// program serves every scalar: double, Pack<w>, Partials of them. Operations of one kind are grouped, so
+/// that the dispatch is made once for each group; the slots of results are reused as soon as nothing needs
+/// them. An evaluation allocates nothing.
 class Program {
  public:
   /// Arguments, intermediate results and results of a program at scalar S: one number for each slot.
@@ -81,8 +81,8 @@ class Program {
  private:
   friend class Schedule;
 
-  /// Eight times the number of a slot: an address the processor computes by itself for up to eight numbers
-  /// in a scalar.
+  /// Eight times the number of a slot, so that an addressing mode of the processor finds slots of up to eight
+  /// numbers.
   using Place = std::uint32_t;
   struct Instruction {
     Place to, a, b, c;  // (a first b) second c; of a sum of products: a is its first one, b their number

@@ -50,7 +50,7 @@ class Recorded {
 
   ///@{
 
-  /// Recorded.
+  /// Written into the graph; of two constants, computed.
   friend Recorded operator-(const Recorded& a) { return combine(Operation::multiply, -1.0, a); }
   friend Recorded operator+(const Recorded& a, const Recorded& b) { return combine(Operation::add, a, b); }
   friend Recorded operator-(const Recorded& a, const Recorded& b) {
@@ -64,7 +64,8 @@ class Recorded {
   Recorded& operator-=(const Recorded& b) { return *this = *this - b; }
   Recorded& operator*=(const Recorded& b) { return *this = *this * b; }
   Recorded& operator/=(const Recorded& b) { return *this = *this / b; }
-  /// Of numbers; Eigen looks at its own factors so. @throws std::invalid_argument for what has no value yet
+  /// Compares constants, as Eigen does with its own factors. @throws std::invalid_argument for recorded
+  /// values
   friend bool operator==(const Recorded& a, const Recorded& b) {
     if (a.graph_ || b.graph_)
       throw std::invalid_argument("A function that asks whether its arguments are equal cannot be recorded; "

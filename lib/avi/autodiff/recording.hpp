@@ -13,11 +13,12 @@ namespace avi {
 
 /// A function f of N numbers, called once with a scalar that writes down what is done to it. The straight
 /// line of operations found so, with its gradient by reverse accumulation, costs a small multiple of f
-/// whatever N is, at any scalar and without one call of f more.
+/// whatever N is, at any scalar and without calling f again.
 ///
-/// f must do the same operations wherever it is called: loops over its entries are well, branches on their
+/// f must do the same operations wherever it is called: loops over its entries are allowed, branches on their
 /// values are not; the compiler refuses comparisons of entries and their conversion to numbers. f may use
-/// + - * /, sqrt, pow with a constant exponent, exp, log, sin, cos, tan, sinh, cosh, tanh, atan and abs.
+/// sums, products and quotients, sqrt, pow with a constant exponent, exp, log, sin, cos, tan, sinh, cosh,
+/// tanh, atan and abs.
 ///
 /// The value is that of f at doubles to the last bit, as long as f adds in the order in which it is written
 /// (Eigen's own reductions of doubles do not); where f multiplies an infinite or NaN entry by 0 it is finite.

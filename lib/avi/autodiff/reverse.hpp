@@ -13,9 +13,9 @@ namespace avi {
 
 /// Writes the gradient of a node into its graph. With \f$\bar z = \partial f/\partial z\f$ for each
 /// intermediate result z, \f$\bar z = \sum_u \bar u\,\partial u/\partial z\f$ over the operations u that use
-/// z (Griewank and Walther 2008, Section 3.2): one sum for each z, pulled from its uses, so all derivatives
-/// together cost a small multiple of f. Factors that are numbers are carried beside the nodes and multiplied
-/// in where it saves operations.
+/// z (Griewank and Walther 2008, Section 3.2): one sum for each z over its uses, so all derivatives together
+/// cost a small multiple of f. Constant factors are kept apart from the nodes and multiplied in where that
+/// saves operations.
 class Reverse {
  public:
   /// Of `graph`, which grows.
@@ -96,7 +96,7 @@ class Reverse {
     parts = {};
     if (sum < 0) return {numbers, -1};
     if (numbers != 0.0) sum = graph_.binary(Operation::add, sum, graph_.constant(numbers / scale));
-    // What goes on to two operands is multiplied once, unless its factor will cancel or stay exact.
+    // What is passed on to two operands is multiplied by its factor once, here, unless that is a power of 2.
     const Operation use = graph_[node].operation;
     int exponent = 0;
     if ((use == Operation::add || use == Operation::subtract) &&

@@ -15,9 +15,10 @@
 
 namespace avi {
 
-/// Makes a Program of the nodes that chosen results need. Operations come as soon as their operands are
-/// there, so that derivatives follow what they are derivatives of; within a window of some hundred of them
-/// equal ones are brought together, which keeps both the decisions few and the results near.
+/// Makes a Program of the nodes that chosen results need. Each operation comes as soon as its operands are
+/// known, so that derivatives follow what they are derivatives of. Within a window of lines, operations of
+/// one kind are brought together: there are few changes of kind, and results are used soon after they are
+/// computed.
 class Schedule {
  public:
   /// @param value node of the value, or -1 @param slopes nodes of the derivatives @param recorded nodes
@@ -63,7 +64,7 @@ class Schedule {
         const auto most = std::max_element(ready.begin(), ready.end(),
                                            [](const auto& a, const auto& b) { return a.size() < b.size(); });
         if (most->empty()) break;
-        // The list may grow while it is worked off: what becomes ready and is of the same kind joins.
+        // The list may grow during this loop: lines of the same kind that become ready join it.
         for (std::size_t k = 0; k < most->size(); ++k) {
           const std::size_t i = (*most)[k];
           sorted.push_back(lines_[i]);

@@ -55,7 +55,7 @@ class AtTimes {
 
 /// Observer for integrate(): action(state) is called at each of the times that the run passes, with a state
 /// as accurate as the run; the run itself is not touched. Times decrease where h < 0; one that equals the
-/// start is shown with the first step.
+/// start is reported with the first step.
 /// @throws std::invalid_argument unless the times are finite and strictly monotonic.
 template <class Action>
 AtTimes<Action> at_times(std::vector<double> times, Action action) {

@@ -13,10 +13,10 @@
 
 namespace avi {
 
-/// The state at physical time t inside the last step of a method that has a polynomial (HTVI), without any
-/// further evaluation. The polynomial is shifted linearly so that it begins at `before` and ends at `after`:
-/// over a run the output is continuous. Its error is O(h^(r+1)) for a Taylor polynomial of order r; Step::
-/// locate() costs some steps and is as accurate as the run.
+/// The state at physical time t inside the last step of a method that has a polynomial (HTVI, collocation),
+/// without any further evaluation. The polynomial is shifted linearly so that it begins at `before` and ends
+/// at `after`: over a run the output is continuous. Its error is O(h^(r+1)) for a Taylor polynomial of order
+/// r; Step::locate() costs some steps and is as accurate as the run.
 /// @param method one that has just stepped from `before` to `after`
 /// @param t between the two ends of that step
 /// @throws std::invalid_argument when t lies outside the step.

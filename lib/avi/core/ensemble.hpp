@@ -22,7 +22,7 @@ struct Member {
   Run run;      ///< How. Outcome::stopped after 0 steps, with the sentence, where its start was refused.
 };
 
-/// What an observer of an ensemble looks like when nobody looks.
+/// Observer of an ensemble that does nothing.
 struct NoEnsembleObserver {
   /// Does nothing.
   template <class State>
@@ -35,8 +35,9 @@ struct NoEnsembleObserver {
 /// @param make called as make(start), returns the method for that start, such as
 ///   collocation(poincare(H, start, g), 16); where it throws std::invalid_argument, the member ends at once
 /// @param observer called as observer(i, state, k) after step k of member i (and returns what an observer of
-///   integrate() may return); calls for different members come at the same time, those for one in order
-/// @param threads 0 for as many as the machine runs at a time
+/// integrate() may return); calls for different members may come at the same time, those for one member come
+/// in order
+/// @param threads 0 for one thread per core
 /// @throws std::invalid_argument for a negative number of threads and for what integrate() refuses; whatever
 ///   an observer throws.
 template <class State, class Make, class Observer = NoEnsembleObserver>

@@ -22,7 +22,7 @@ template <class G>
 struct Event {
   G g;                                   ///< Continuous function of the state.
   Crossing crossing = Crossing::either;  ///< Which events count.
-  double tolerance = 0.0;                ///< |g| that is small enough; 0: as small as rounding lets it be.
+  double tolerance = 0.0;                ///< |g| that is small enough; 0 for round-off.
 
   /// Whether the event lies in (before, after].
   template <class State>

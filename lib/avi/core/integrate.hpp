@@ -61,7 +61,7 @@ inline constexpr bool of_states = std::invocable<Observer&, const State&, long>;
 /// A run without a goal ends by its `until` alone.
 struct NoGoal {};
 
-/// Keeps the method as it was before a step, where a step depends on it and somebody may look inside.
+/// A copy of the method before a step; made only where the step depends on it and may have to be repeated.
 template <class M, bool needed>
 struct Before {
   const M& now;

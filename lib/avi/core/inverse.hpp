@@ -9,9 +9,9 @@
 
 namespace avi {
 
-/// b = the inverse of a square matrix a of any size, which is used up, by Gauss-Jordan elimination with row
-/// pivoting; infinite or NaN entries where there is none. In plain loops: for the sizes of mechanics as fast
-/// as Eigen's blocked factorisation, several seconds faster to compile, and the same to the last bit on every
+/// b = the inverse of a square matrix a of any size, by Gauss-Jordan elimination with row pivoting; a is
+/// overwritten. A singular matrix gives infinite or NaN entries. Plain loops are as fast as Eigen's blocked
+/// factorisation at the sizes of mechanics, compile several seconds faster, and give the same bits on every
 /// machine.
 template <int n>
 void invert(Matrix<double, n>& a, Matrix<double, n>& b) {

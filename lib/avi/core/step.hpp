@@ -11,7 +11,7 @@
 namespace avi {
 
 namespace detail {
-/// A method whose step depends on more than the state says so by `one_step = false`.
+/// A method whose step depends on more than the state declares `one_step = false`.
 template <class M>
 inline constexpr bool one_step = true;
 template <class M>
@@ -38,8 +38,8 @@ struct Step {
 
   /// The state inside the step where f(state) = 0. A copy of the method repeats the step with smaller sizes
   /// until f vanishes to round-off, so the point is as accurate as the ends of the step and the run is not
-  /// touched. It takes some 5 to 10 steps. f(before) and f(after) must have different signs, or f(after) be
-  /// zero; of several zeros one is found.
+  /// touched. It takes 5 to 10 steps. f(before) and f(after) must have different signs, or f(after) be zero;
+  /// of several zeros one is found.
   /// @param f continuous function of the state @param tolerance |f| that is small enough
   template <class F>
   [[nodiscard]] Located<State> locate(F&& f, double tolerance = 0.0) const {

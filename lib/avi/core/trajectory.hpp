@@ -11,7 +11,7 @@
 #include <vector>
 
 /// @file
-/// A run that is kept.
+/// A run whose states are stored.
 
 namespace avi {
 

@@ -31,8 +31,8 @@ struct OrderFit {
 ///
 /// The plateau filter walks from the largest step to the smallest and ends at the first point that is at or
 /// below options.floor, is not finite, or lies on a local slope of less than half the steepest one so far:
-/// there round-off has taken over. Points of larger h that are not finite (the method broke down) are passed
-/// over.
+/// there round-off has taken over. Errors at larger h that are not finite (the method broke down) are
+/// skipped.
 /// @throws std::invalid_argument when h and error differ in length or a step size is zero or not finite.
 inline OrderFit fit_order(std::span<const double> h, std::span<const double> error,
                           OrderOptions options = {}) {

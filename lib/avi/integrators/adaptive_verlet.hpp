@@ -20,8 +20,8 @@ namespace avi {
 /// \f}
 ///
 /// Explicit, of order 2, symmetric and reversible, so a base for compositions; not symplectic. `Problem`
-/// gives potential_gradient(q), `Monitor` g(q, p) > 0. The gradient and rho carry over from step to step and
-/// start anew, rho = 1 / g, when the state is changed from outside.
+/// gives potential_gradient(q), `Monitor` g(q, p) > 0. The gradient and rho carry over from step to step;
+/// they are computed anew, rho = 1 / g, when the state has been changed from outside.
 template <class Problem, class Monitor>
 class AdaptiveVerlet {
  public:

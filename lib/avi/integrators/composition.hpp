@@ -11,9 +11,9 @@
 
 namespace avi {
 
-/// \f$S(c_1 h)\, S(c_2 h) \cdots S(c_m h)\f$: a symmetric method of order 2 becomes one of
-/// coefficients.order, and keeps being symmetric, symplectic, reversible where S is. The base may carry
-/// variables of its own (an adaptive one does).
+/// \f$S(c_1 h)\, S(c_2 h) \cdots S(c_m h)\f$: makes of a symmetric method S of order 2 one of
+/// coefficients.order, which is symmetric, symplectic and reversible where S is. The base may carry variables
+/// of its own (an adaptive one does).
 template <class Base, int m>
 class Composition {
  public:

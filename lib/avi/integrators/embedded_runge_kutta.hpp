@@ -10,7 +10,7 @@
 
 namespace avi {
 
-/// What is asked of a step, and how far the next one may differ from it.
+/// Tolerances of a step, and limits on the ratio of successive steps.
 struct StepControl {
   double rtol = 1e-3;    ///< Relative tolerance, positive.
   double atol = 1e-6;    ///< Absolute tolerance, positive.

@@ -8,7 +8,7 @@
 namespace avi {
 
 /// One step \f$A(a_0 h)\, B(b_0 h)\, A(a_1 h) \cdots B(b_{m-1} h)\, A(a_m h)\f$, applied from left to right;
-/// A is the drift, B the kick, `m` the number of kicks. Kept in extended precision so that a test can tell a
+/// A is the drift, B the kick, `m` the number of kicks. In extended precision, so that a test can tell a
 /// wrong digit from rounding.
 template <int m>
 struct SplitCoefficients {

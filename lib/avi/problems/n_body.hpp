@@ -13,8 +13,7 @@ namespace avi {
 /// N bodies that attract each other in the plane or in space. \f[ H(q, p) = \sum_i \frac{|p_i|^2}{2 m_i} -
 /// \sum_{i<j} \frac{m_i m_j}{|q_i - q_j|} \f] with \f$q = (x_1, y_1, x_2, y_2, \ldots)\f$ in \f$R^{dN}\f$,
 /// d = `space` = 2 or 3, and unit gravitational constant: for another one, G, give masses \f$G m_i\f$ and
-/// momenta \f$G m_i v_i\f$; H then is G times the energy. `bodies` N may be avi::dynamic: one code path for
-/// both.
+/// momenta \f$G m_i v_i\f$; H then is G times the energy. `bodies`, N, may be avi::dynamic.
 template <int bodies, int space = 2>
 class NBody {
   static_assert(space == 2 || space == 3, "Bodies move in the plane or in space.");

@@ -58,7 +58,7 @@ class EulerB {
           z.p - hg * problem_.potential_gradient(z.q) - (h * (problem_.potential(z.q) + pt_)) * slope;
       const double a2 = a.squaredNorm(), b = 1.0 + h * a.dot(slope);
       const double discriminant = b * b - h * h * slope.squaredNorm() * a2;
-      // B > 0 need not be asked: where h A . grad g <= -1 the discriminant is below zero (Cauchy-Schwarz).
+      // B > 0 need not be checked: where h A . grad g <= -1 the discriminant is below zero (Cauchy-Schwarz).
       if (!(discriminant >= 0.0)) return {Outcome::not_converged, 1, discriminant};
       z.p = a - (h * a2 / (b + std::sqrt(discriminant))) * slope;
       z.q += hg * z.p;

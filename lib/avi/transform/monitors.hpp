@@ -95,8 +95,9 @@ struct InverseLagrangian {
 template <class Problem>
 InverseLagrangian(Problem) -> InverseLagrangian<Problem>;
 
-/// \f$g(q, p) = 1/|p^t + H(q, p)|\f$, the paper's first thought (Section 3.3). It is infinite on the solution
-/// itself: a run that starts there ends at once as avi::Outcome::non_finite, in the bounded form too.
+/// \f$g(q, p) = 1/|p^t + H(q, p)|\f$, the first that the paper tries (Section 3.3). It is infinite on the
+/// solution itself: a run that starts there ends at once as avi::Outcome::non_finite, in the bounded form
+/// too.
 template <class Problem>
 struct InverseEnergyError {
   Problem problem;         ///< H.

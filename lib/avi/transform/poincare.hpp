@@ -91,8 +91,8 @@ class Poincare {
       return g_(q, p);
   }
 
-  /// Which of the coordinates (q, t) of a state, or of a step's change, is physical time: t, the integral of
-  /// g. Every method sets the time of a state by it.
+  /// Physical time from the coordinates (q, t) of a state, or of the change in a step: here t itself, the
+  /// integral of g. Every method sets the time of a state through this function.
   [[nodiscard]] double clock(const Vector<double, n>&, double t) const { return t; }
 
   /// g(q, p) (H(q, p) + p^t), zero along the exact solution.
