@@ -34,7 +34,6 @@
 #include "avi/bregman/htvi.hpp"
 #include "avi/bregman/restarted.hpp"
 #include "avi/bregman/runge_kutta.hpp"
-#include "avi/bregman/scaling.hpp"
 #include "avi/bregman/splitting.hpp"
 #include "avi/collocation/collocation.hpp"
 #include "avi/collocation/gauss_rule.hpp"

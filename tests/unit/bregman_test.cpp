@@ -1,6 +1,5 @@
 #include "avi/bregman/htvi.hpp"
 #include "avi/bregman/runge_kutta.hpp"
-#include "avi/bregman/scaling.hpp"
 #include "avi/optim/update_loop.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 #include "bregman/printed/extended_splitting.hpp"
@@ -62,49 +61,6 @@ TEST(BregmanFamily, AdaptiveIsTheBregmanSystemOfOrderPSquaredOverPRing) {
     EXPECT_NEAR(adaptive.kinetic(t) / direct.kinetic(tau), 1.0, 1e-13);
     EXPECT_NEAR(adaptive.potential(t) / direct.potential(tau), 1.0, 1e-13);
     EXPECT_NEAR(adaptive.monitor(t) * adaptive.s() * std::pow(t, adaptive.s() - 1.0), 1.0, 1e-13);
-  }
-}
-
-TEST(BregmanScaling, PolynomialFamilyIsIdealAndItsHamiltonianTheDirectOne) {
-  const double p = 3.0, C = 0.4;
-  const auto scaling = avi::polynomial_scaling(p, C);
-  const auto family = BregmanFamily::direct(p, C);
-  const VectorX r = Eigen::Vector3d(0.3, -1.0, 2.0);
-  for (double t : {0.3, 1.0, 7.0}) {
-    EXPECT_NO_THROW(avi::require_ideal_scaling(scaling, t));
-    EXPECT_NEAR(avi::bregman_hamiltonian(scaling, 1.7, r, t) /
-                    (0.5 * family.kinetic(t) * avi::dot(r, r) + family.potential(t) * 1.7),
-                1.0, 1e-13);
-  }
-}
-
-TEST(BregmanScaling, RefusesWhatIsNotIdeal) {
-  const auto fast = avi::bregman_scaling([](auto t) { return 0.0 * t; }, [](auto t) { return 2.0 * t; },
-                                         [](auto t) { return t; });
-  EXPECT_NEAR(avi::ideal_scaling_defect(fast, 1.0).beta, 1.0, 1e-14);
-  EXPECT_NEAR(avi::ideal_scaling_defect(fast, 1.0).gamma, 0.0, 1e-14);
-  EXPECT_THROW(avi::require_ideal_scaling(fast, 1.0), std::invalid_argument);
-}
-
-TEST(BregmanScaling, TimeDilationMovesWithinTheFamily) {
-  // y(t) = x(t^k) of the order p system obeys the order k p system (theorem TimeDilation).
-  const double k = 0.25;
-  const auto slow = avi::dilate(
-      avi::polynomial_scaling(4.0, 0.4),
-      [k](auto t) {
-        using std::pow;
-        return pow(t, k);
-      },
-      [k](auto t) {
-        using std::pow;
-        return k * pow(t, k - 1.0);
-      });
-  const auto expected = avi::polynomial_scaling(4.0 * k, 0.4);
-  for (double t : {0.4, 1.0, 5.0}) {
-    EXPECT_NEAR(slow.alpha(t), expected.alpha(t), 1e-14);
-    EXPECT_NEAR(slow.beta(t), expected.beta(t), 1e-14);
-    EXPECT_NEAR(slow.gamma(t), expected.gamma(t), 1e-14);
-    EXPECT_NO_THROW(avi::require_ideal_scaling(slow, t));
   }
 }
 
