@@ -1,5 +1,5 @@
-# Energy errors of one method with 60 steps an orbit: variable steps put in by hand and by error control drift, the
-# transformed problem does not.
+# Energy errors of one method with 60 steps an orbit: variable steps, prescribed or from error control, make the energy
+# drift; constant steps of the transformed problem do not.
 width = 13; height = 6.6
 load 'figures/style.gp'
 file = data.'/naive_steps.tsv'

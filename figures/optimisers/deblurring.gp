@@ -1,4 +1,5 @@
-# A picture, blurred and noisy, and restored by minimise(); below, how |gradient| falls with the number of gradients.
+# A blurred and noisy picture and its restoration by minimise(); below, how |gradient| falls with the number of
+# gradients.
 width = 16; height = 11
 load 'figures/style.gp'
 pixels = data.'/deblurring_pixels.tsv'; curves = data.'/deblurring_curves.tsv'

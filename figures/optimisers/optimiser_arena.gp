@@ -1,4 +1,4 @@
-# Who needs how many evaluations over all instances of the arena: left, share solved with at most so many times the
+# Evaluations that each method needs over all instances of the arena: left, share solved with at most a multiple of the
 # evaluations of the best method (performance profile); right, share solved within a budget (data profile).
 width = 16; height = 9
 load 'figures/style.gp'

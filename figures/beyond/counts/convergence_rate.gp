@@ -1,5 +1,5 @@
-# f along the exact Bregman dynamics (Direct), upper end of its oscillation, beside the bound E(t_0) / (C t^p) of its Lyapunov function and the
-# rate t^(-2p) of an adiabatic invariant.
+# f along the exact Bregman dynamics (Direct), at the upper ends of its oscillation, beside the bound E(t_0) / (C t^p)
+# from its Lyapunov function and the rate t^(-2p) of a quartic.
 width = 16; height = 7.2
 load 'figures/style.gp'
 curves = data.'/convergence_rate_curves.tsv'

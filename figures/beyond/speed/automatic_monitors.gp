@@ -1,5 +1,5 @@
-# Steps with monitors that H alone gives, over those of the best monitor made by hand, for each problem and order;
-# a star before the name: held out. What is not shown took more than six times as many.
+# Steps with monitors found from H alone, over those of the best monitor made by hand, for each problem and order; a
+# star before the name: held out. A missing point: more than six times as many.
 width = 17; height = 16
 load 'figures/style.gp'
 file = data.'/automatic_monitors_choices.tsv'

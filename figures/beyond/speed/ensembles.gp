@@ -1,4 +1,4 @@
-# A cloud of starts of a pendulum with shaken gravity, seen once in each turn of the shaking: where the separatrix of the
+# Many starts of a pendulum with shaken gravity, seen once in each period of the shaking: where the separatrix of the
 # unshaken pendulum (line) was, a layer of chaos lies between swinging and turning over.
 width = 12; height = 8
 load 'figures/style.gp'

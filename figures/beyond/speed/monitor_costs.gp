@@ -1,5 +1,5 @@
-# Kepler's problem with HTVI4, the fictive step adapted to one energy error: steps per orbit and time per orbit of
-# every monitor.
+# Kepler's problem with HTVI4: steps per orbit and time per orbit of every monitor at equal energy error, for which the
+# fictive step is adapted.
 width = 17; height = 9
 load 'figures/style.gp'
 table = data.'/monitor_costs.tsv'

@@ -1,4 +1,4 @@
-# What every optional part of an HTVI step costs: time per step over that of the same run without it, for two orders.
+# What each optional part of an HTVI step costs: time per step over that of the same run without it, for two orders.
 width = 16; height = 8
 load 'figures/style.gp'
 table = data.'/optional_parts.tsv'

@@ -1,4 +1,4 @@
-# Arguments that no entry point of the library can use: how many were refused, and how many (none) were taken.
+# Invalid arguments to every entry point of the library: how many were refused, and how many (none) were accepted.
 width = 16; height = 6
 load 'figures/style.gp'
 counts = data.'/bad_input_counts.tsv'
