@@ -108,6 +108,7 @@
 #include "avi/problems/pendulum.hpp"
 #include "avi/problems/perturbed_kepler.hpp"
 #include "avi/problems/pleiades.hpp"
+#include "avi/problems/unit_mass.hpp"
 #include "avi/transform/euler_b.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"

@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/core/require.hpp"
 #include "avi/core/state.hpp"
+#include "avi/problems/unit_mass.hpp"
 
 #include <cmath>
 
@@ -11,25 +12,11 @@ namespace avi {
 
 /// \f$H(q, p) = \tfrac12 (|p|^2 + x^2 + y^2) + x^2 y - \tfrac13 y^3\f$ with q = (x, y). Orbits are
 /// bounded below the energy 1/6, mostly regular at 1/12, mostly chaotic at 1/6.
-struct HenonHeiles {
-  static constexpr int dimension = 2;  ///< Of q and of p.
-
-  /// Kinetic energy.
-  template <class P>
-  static auto kinetic(const P& p) {
-    return 0.5 * (p[0] * p[0] + p[1] * p[1]);
-  }
-
+struct HenonHeiles : UnitMass<HenonHeiles, 2> {
   /// Potential V(q) = (x^2 + y^2) / 2 + x^2 y - y^3 / 3.
   template <class Q>
   static auto potential(const Q& q) {
     return 0.5 * (q[0] * q[0] + q[1] * q[1]) + q[0] * q[0] * q[1] - q[1] * q[1] * q[1] / 3.0;
-  }
-
-  /// The Hamiltonian.
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
-    return kinetic(p) + potential(q);
   }
 
   /// dV/dq = (x + 2 x y, y + x^2 - y^2).

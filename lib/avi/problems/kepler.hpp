@@ -2,6 +2,7 @@
 #include "avi/core/power.hpp"
 #include "avi/core/require.hpp"
 #include "avi/core/state.hpp"
+#include "avi/problems/unit_mass.hpp"
 
 #include <cmath>
 
@@ -11,26 +12,12 @@
 namespace avi {
 
 /// \f$H(q, p) = \tfrac12 |p|^2 - 1/|q|\f$, with q, p in \f$R^2\f$ (Section 3.3 of the paper).
-struct Kepler {
-  static constexpr int dimension = 2;  ///< Of q and of p.
-
-  /// Kinetic energy.
-  template <class P>
-  static auto kinetic(const P& p) {
-    return 0.5 * (p[0] * p[0] + p[1] * p[1]);
-  }
-
+struct Kepler : UnitMass<Kepler, 2> {
   /// Potential V(q) = -1 / |q|.
   template <class Q>
   static auto potential(const Q& q) {
     using std::sqrt;
     return -1.0 / sqrt(q[0] * q[0] + q[1] * q[1]);
-  }
-
-  /// The Hamiltonian.
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
-    return kinetic(p) + potential(q);
   }
 
   /// dV/dq = q / |q|^3.

@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/core/require.hpp"
 #include "avi/core/state.hpp"
+#include "avi/problems/unit_mass.hpp"
 
 #include <cmath>
 
@@ -11,26 +12,12 @@ namespace avi {
 
 /// \f$H(q, p) = \tfrac12 p^2 - \cos q\f$; q is the angle from the position of rest, time in units of
 /// sqrt(length / g).
-struct Pendulum {
-  static constexpr int dimension = 1;  ///< Of q and of p.
-
-  /// Kinetic energy.
-  template <class P>
-  static auto kinetic(const P& p) {
-    return 0.5 * (p[0] * p[0]);
-  }
-
+struct Pendulum : UnitMass<Pendulum, 1> {
   /// Potential V(q) = -cos q.
   template <class Q>
   static auto potential(const Q& q) {
     using std::cos;
     return -cos(q[0]);
-  }
-
-  /// The Hamiltonian.
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
-    return kinetic(p) + potential(q);
   }
 
   /// dV/dq = sin q.

@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/core/require.hpp"
 #include "avi/core/state.hpp"
+#include "avi/problems/unit_mass.hpp"
 
 #include <cmath>
 
@@ -12,10 +13,8 @@ namespace avi {
 /// \f$H(q, p) = \tfrac12 |p|^2 - 1/|q| - \varepsilon/(2 |q|^3)\f$: monopole and quadrupole in the plane of
 /// the equator (\f$\varepsilon = J_2 R^2\f$ in units of the orbit). It conserves energy and angular
 /// momentum; the ellipse turns.
-class PerturbedKepler {
+class PerturbedKepler : public UnitMass<PerturbedKepler, 2> {
  public:
-  static constexpr int dimension = 2;  ///< Of q and of p.
-
   /// With this quadrupole. @throws std::invalid_argument unless epsilon is finite and >= 0.
   explicit PerturbedKepler(double epsilon = 0.0) : epsilon_(epsilon) {
     require(std::isfinite(epsilon) && epsilon >= 0.0, "Quadrupole epsilon", epsilon,
@@ -24,24 +23,12 @@ class PerturbedKepler {
 
   [[nodiscard]] double epsilon() const { return epsilon_; }  ///< The quadrupole.
 
-  /// Kinetic energy.
-  template <class P>
-  static auto kinetic(const P& p) {
-    return 0.5 * (p[0] * p[0] + p[1] * p[1]);
-  }
-
   /// Potential V(q) = -(1 + epsilon / (2 |q|^2)) / |q|.
   template <class Q>
   auto potential(const Q& q) const {
     using std::sqrt;
     const auto square = q[0] * q[0] + q[1] * q[1];
     return -(1.0 + 0.5 * epsilon_ / square) / sqrt(square);
-  }
-
-  /// The Hamiltonian.
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
-    return kinetic(p) + potential(q);
   }
 
   /// dV/dq = q (1 + 3 epsilon / (2 |q|^2)) / |q|^3.

@@ -1,0 +1,29 @@
+#pragma once
+
+/// @file
+/// What problems with unit masses have in common.
+
+namespace avi {
+
+/// Base of a problem \f$H(q, p) = \tfrac12 p\cdot p + V(q)\f$ in n dimensions, which gives potential(q).
+template <class Problem, int n>
+struct UnitMass {
+  static constexpr int dimension = n;  ///< Of q and of p.
+
+  /// Kinetic energy.
+  template <class P>
+  static auto kinetic(const P& p) {
+    auto square = p[0] * p[0];
+    for (int i = 1; i < n; ++i)
+      square += p[i] * p[i];
+    return 0.5 * square;
+  }
+
+  /// The Hamiltonian.
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    return kinetic(p) + static_cast<const Problem&>(*this).potential(q);
+  }
+};
+
+}  // namespace avi
