@@ -1,7 +1,7 @@
 #pragma once
 #include "avi/core/state.hpp"
 #include "avi/core/summation.hpp"
-#include "avi/integrators/compositions.hpp"
+#include "avi/integrators/coefficient_lists.hpp"
 
 #include <cmath>
 

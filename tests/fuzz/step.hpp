@@ -1,10 +1,10 @@
 #pragma once
-#include "avi/bregman/heavy_ball.hpp"
-#include "avi/bregman/splitting.hpp"
+#include "avi/bregman/bregman_heavy_ball.hpp"
+#include "avi/bregman/bregman_splitting.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/htvi/htvi.hpp"
 #include "avi/integrators/adaptive_verlet.hpp"
-#include "avi/integrators/compositions.hpp"
+#include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/integrators/stormer_verlet.hpp"
 #include "avi/optim/update_loop.hpp"

@@ -1,5 +1,5 @@
 // error: A problem to split must have potential_gradient(q): H = T(p) + V(q), and no time in it.
-#include <avi/integrators/compositions.hpp>
+#include <avi/integrators/coefficient_lists.hpp>
 #include <avi/integrators/splitting.hpp>
 #include <avi/transform/time_dependent.hpp>
 

@@ -1,4 +1,4 @@
-#include "avi/bregman/heavy_ball.hpp"
+#include "avi/bregman/bregman_heavy_ball.hpp"
 #include "avi/optim/minimise.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 

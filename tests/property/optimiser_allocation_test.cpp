@@ -8,10 +8,10 @@ long allocations = 0;
     if (!(condition)) ++allocations;                                                                         \
   } while (false)
 
-#include "avi/bregman/cloning.hpp"
-#include "avi/bregman/htvi.hpp"
-#include "avi/bregman/runge_kutta.hpp"
-#include "avi/bregman/splitting.hpp"
+#include "avi/bregman/bregman_cloning.hpp"
+#include "avi/bregman/bregman_htvi.hpp"
+#include "avi/bregman/bregman_runge_kutta.hpp"
+#include "avi/bregman/bregman_splitting.hpp"
 #include "avi/optim/adagrad.hpp"
 #include "avi/optim/adam.hpp"
 #include "avi/optim/gradient_descent.hpp"

@@ -1,4 +1,4 @@
-#include "avi/bregman/htvi.hpp"
+#include "avi/bregman/bregman_htvi.hpp"
 #include "avi/optim/update_loop.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 #include "common/timing.hpp"

@@ -1,4 +1,4 @@
-#include "avi/bregman/restarted.hpp"
+#include "avi/bregman/bregman_restarted.hpp"
 #include "avi/optim/gradient_descent.hpp"
 
 #include <gtest/gtest.h>

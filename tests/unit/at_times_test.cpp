@@ -1,7 +1,7 @@
 #include "avi/core/at_times.hpp"
 
 #include "avi/core/integrate_to.hpp"
-#include "avi/integrators/compositions.hpp"
+#include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/problems/kepler.hpp"
 

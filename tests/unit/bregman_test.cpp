@@ -1,5 +1,5 @@
-#include "avi/bregman/htvi.hpp"
-#include "avi/bregman/runge_kutta.hpp"
+#include "avi/bregman/bregman_htvi.hpp"
+#include "avi/bregman/bregman_runge_kutta.hpp"
 #include "avi/optim/update_loop.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 #include "bregman/printed/extended_splitting.hpp"

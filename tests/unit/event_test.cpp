@@ -2,7 +2,7 @@
 
 #include "avi/core/integrate_to.hpp"
 #include "avi/integrators/adaptive_verlet.hpp"
-#include "avi/integrators/compositions.hpp"
+#include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/hairer_soderlind.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/problems/kepler.hpp"

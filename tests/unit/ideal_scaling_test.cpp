@@ -1,4 +1,4 @@
-#include "avi/bregman/family.hpp"
+#include "avi/bregman/bregman_family.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "avi/autodiff/recording.hpp"
 #include "avi/core/integrate.hpp"
-#include "avi/integrators/compositions.hpp"
+#include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/splitting.hpp"
 #include "avi/problems/double_pendulum.hpp"
 #include "avi/problems/outer_solar_system.hpp"

@@ -2,7 +2,7 @@
 
 #include "avi/core/integrate_to.hpp"
 #include "avi/diagnostics/order.hpp"
-#include "avi/integrators/compositions.hpp"
+#include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/problems/kepler.hpp"
 

@@ -1,6 +1,6 @@
 #include "common/frame.hpp"
 
-#include "avi/bregman/runge_kutta.hpp"
+#include "avi/bregman/bregman_runge_kutta.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 
 // f along the exact Bregman dynamics against the bound that its Lyapunov function gives: with

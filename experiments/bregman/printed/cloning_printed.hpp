@@ -1,11 +1,11 @@
 #pragma once
-#include "avi/bregman/composition.hpp"
-#include "avi/bregman/hamiltonian.hpp"
+#include "avi/bregman/bregman_hamiltonian.hpp"
+#include "avi/bregman/clone_composition.hpp"
 #include "avi/core/outcome.hpp"
 
 /// @file
 /// Phase-space cloning with both copies, as the paper prints it: 3, 7 or 19 gradients a step. Kept to test
-/// bregman/cloning.hpp and to show what the clone costs.
+/// bregman/bregman_cloning.hpp and to show what the clone costs.
 
 namespace experiment {
 

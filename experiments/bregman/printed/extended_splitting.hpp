@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/bregman/hamiltonian.hpp"
+#include "avi/bregman/bregman_hamiltonian.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/bregman/hamiltonian.hpp"
+#include "avi/bregman/bregman_hamiltonian.hpp"
 
 #include <cmath>
 
@@ -18,7 +18,7 @@ namespace experiment {
 /// They are the discrete right Hamilton's equations (2.5) of
 /// \f$H_d^+ = r_1\cdot q_0 + r^t_1 t_0 + h \bar H(q_0, t_0, r_1, r^t_1)\f$. For \f$\mathring p = p\f$ the
 /// denominator is 1 and they are the Direct approach's. The coefficients grow as \f$t^{2p}\f$:
-/// bregman/htvi.hpp has the form with half that range.
+/// bregman/bregman_htvi.hpp has the form with half that range.
 template <avi::Objective F>
 void htvi_printed_step(const avi::BregmanFamily& family, const F& f, double h, avi::ExtendedPoint& z) {
   avi::VectorX gradient(z.q.size());

@@ -2,7 +2,7 @@
 #include "common/methods/runge_kutta_4.hpp"
 
 #include "avi/integrators/adaptive_verlet.hpp"
-#include "avi/integrators/compositions.hpp"
+#include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/hairer_soderlind.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/integrators/splitting.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/bregman/runge_kutta.hpp"
+#include "avi/bregman/bregman_runge_kutta.hpp"
 #include "avi/core/outcome.hpp"
 
 #include <gsl/gsl_errno.h>

@@ -2,9 +2,9 @@
 
 #include "common/rules/gsl_method.hpp"
 
-#include "avi/bregman/cloning.hpp"
-#include "avi/bregman/heavy_ball.hpp"
-#include "avi/bregman/splitting.hpp"
+#include "avi/bregman/bregman_cloning.hpp"
+#include "avi/bregman/bregman_heavy_ball.hpp"
+#include "avi/bregman/bregman_splitting.hpp"
 #include "avi/optim/adagrad.hpp"
 #include "avi/optim/adam.hpp"
 #include "avi/optim/gradient_descent.hpp"

@@ -1,7 +1,7 @@
 #pragma once
-#include "avi/bregman/family.hpp"
-#include "avi/bregman/htvi.hpp"
-#include "avi/bregman/runge_kutta.hpp"
+#include "avi/bregman/bregman_family.hpp"
+#include "avi/bregman/bregman_htvi.hpp"
+#include "avi/bregman/bregman_runge_kutta.hpp"
 #include "avi/optim/update_loop.hpp"
 
 #include <cmath>

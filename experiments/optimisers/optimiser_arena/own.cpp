@@ -1,7 +1,7 @@
 #include "optimisers/optimiser_arena/meter.hpp"
 
-#include "avi/bregman/htvi.hpp"
-#include "avi/bregman/restarted.hpp"
+#include "avi/bregman/bregman_htvi.hpp"
+#include "avi/bregman/bregman_restarted.hpp"
 #include "avi/optim/minimise.hpp"
 
 namespace arena {

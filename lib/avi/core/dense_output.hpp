@@ -1,6 +1,6 @@
 #pragma once
+#include "avi/core/bracketed_root.hpp"
 #include "avi/core/require.hpp"
-#include "avi/core/root.hpp"
 #include "avi/core/step.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
+#include "avi/core/bracketed_root.hpp"
 #include "avi/core/outcome.hpp"
-#include "avi/core/root.hpp"
 
 #include <cmath>
 #include <limits>

@@ -22,6 +22,9 @@ inline constexpr int storage = std::is_arithmetic_v<S> ? Eigen::ColMajor : Eigen
 template <class S, int n>
 using Vector = Eigen::Matrix<S, n, 1, detail::storage<S>>;
 
+/// Vector of numbers whose size is known only at run time.
+using VectorX = Vector<double, dynamic>;
+
 /// Matrix of m x n entries of scalar S.
 template <class S, int m, int n = m>
 using Matrix = Eigen::Matrix<S, m, n, m == 1 && n != 1 ? Eigen::RowMajor : detail::storage<S>>;

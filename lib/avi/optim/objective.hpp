@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/core/fixed_order.hpp"
+#include "avi/core/dot.hpp"
 
 #include <concepts>
 

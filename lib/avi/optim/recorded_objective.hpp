@@ -1,6 +1,6 @@
 #pragma once
 #include "avi/autodiff/recording.hpp"
-#include "avi/core/fixed_order.hpp"
+#include "avi/core/dot.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #include "beyond/speed/bench/run.hpp"
 
 #include "avi/integrators/adaptive_verlet.hpp"
+#include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/composition.hpp"
-#include "avi/integrators/compositions.hpp"
 #include "avi/integrators/embedded_runge_kutta.hpp"
 #include "avi/integrators/hairer_soderlind.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"

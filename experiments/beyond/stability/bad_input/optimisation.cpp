@@ -1,9 +1,9 @@
 #include "beyond/stability/bad_input/tries.hpp"
 
-#include "avi/bregman/cloning.hpp"
-#include "avi/bregman/heavy_ball.hpp"
-#include "avi/bregman/runge_kutta.hpp"
-#include "avi/bregman/splitting.hpp"
+#include "avi/bregman/bregman_cloning.hpp"
+#include "avi/bregman/bregman_heavy_ball.hpp"
+#include "avi/bregman/bregman_runge_kutta.hpp"
+#include "avi/bregman/bregman_splitting.hpp"
 #include "avi/optim/adagrad.hpp"
 #include "avi/optim/adam.hpp"
 #include "avi/optim/nag.hpp"

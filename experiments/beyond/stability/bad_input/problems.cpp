@@ -1,6 +1,6 @@
 #include "beyond/stability/bad_input/tries.hpp"
 
-#include "avi/core/fixed_order.hpp"
+#include "avi/core/dot.hpp"
 #include "avi/diagnostics/drift.hpp"
 #include "avi/diagnostics/order.hpp"
 #include "avi/diagnostics/symplecticity.hpp"

@@ -2,7 +2,7 @@
 #include "beyond/stability/bregman_extremes/overflow.hpp"
 #include "common/rules/rules.hpp"
 
-#include "avi/bregman/cloning.hpp"
+#include "avi/bregman/bregman_cloning.hpp"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "avi/bregman/heavy_ball.hpp"
-#include "avi/bregman/htvi.hpp"
+#include "avi/bregman/bregman_heavy_ball.hpp"
+#include "avi/bregman/bregman_htvi.hpp"
 #include "bregman/printed/htvi_printed.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "avi/core/fixed_order.hpp"
+#include "avi/core/dot.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/diagnostics/order.hpp"
 #include "avi/diagnostics/symplecticity.hpp"

@@ -1,4 +1,4 @@
-#include "avi/bregman/heavy_ball.hpp"
+#include "avi/bregman/bregman_heavy_ball.hpp"
 #include "avi/optim/update_loop.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 #include "common/table.hpp"

@@ -1,4 +1,4 @@
-#include "avi/core/fixed_order.hpp"
+#include "avi/core/dot.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 namespace {
 
-TEST(FixedOrder, AddsEightPartialSumsAsATree) {
+TEST(Dot, AddsEightPartialSumsAsATree) {
   for (const int n : {0, 1, 7, 8, 9, 16, 27}) {
     avi::VectorX a(n), b(n);
     double lanes[8] = {};

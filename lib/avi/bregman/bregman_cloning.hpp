@@ -1,6 +1,6 @@
 #pragma once
-#include "avi/bregman/composition.hpp"
-#include "avi/bregman/family.hpp"
+#include "avi/bregman/bregman_family.hpp"
+#include "avi/bregman/clone_composition.hpp"
 #include "avi/core/outcome.hpp"
 #include "avi/optim/objective.hpp"
 

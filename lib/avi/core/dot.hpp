@@ -14,9 +14,6 @@
 
 namespace avi {
 
-/// Vector whose size is known only at run time.
-using VectorX = Vector<double, dynamic>;
-
 /// Inner product of two arrays of n entries, the same to the last bit on every machine.
 inline double dot(const double* a, const double* b, Eigen::Index n) {
   constexpr Eigen::Index lanes = 8;

@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/bregman/family.hpp"
+#include "avi/bregman/bregman_family.hpp"
 #include "avi/core/outcome.hpp"
 #include "avi/optim/objective.hpp"
 

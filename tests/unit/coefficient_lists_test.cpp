@@ -1,4 +1,4 @@
-#include "avi/integrators/compositions.hpp"
+#include "avi/integrators/coefficient_lists.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/bregman/family.hpp"
+#include "avi/bregman/bregman_family.hpp"
 #include "avi/core/outcome.hpp"
 #include "avi/integrators/embedded_runge_kutta.hpp"
 #include "avi/integrators/tableaus.hpp"

@@ -1,4 +1,4 @@
-#include "avi/core/root.hpp"
+#include "avi/core/bracketed_root.hpp"
 
 #include <gtest/gtest.h>
 

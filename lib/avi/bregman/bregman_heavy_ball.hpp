@@ -1,6 +1,6 @@
 #pragma once
-#include "avi/bregman/family.hpp"
-#include "avi/bregman/htvi.hpp"
+#include "avi/bregman/bregman_family.hpp"
+#include "avi/bregman/bregman_htvi.hpp"
 #include "avi/core/outcome.hpp"
 #include "avi/optim/objective.hpp"
 
@@ -11,17 +11,17 @@
 
 namespace avi {
 
-/// The update of bregman/htvi.hpp in the displacement \f$v = \eta R\f$, with \f$L = \log t\f$,
+/// The update of bregman/bregman_htvi.hpp in the displacement \f$v = \eta R\f$, with \f$L = \log t\f$,
 /// \f$A = \log(t_+/t)\f$ and \f$a = P h \sqrt{C}\, t^{p/2-s}\f$. \f[ v' = v - a^2 \nabla f(q), \quad
 /// q_+ = q + v', \quad v_+ = v' (t/t_+)^{p+s}, \quad L_+ = L + A, \f]
 /// A = log1p(h t^(-s) / s) by Euler's clock, log1p(h t^(-s)) / s by the exact one. A heavy ball whose two
 /// coefficients are all that is computed from t, so that a run goes on as long as the step
-/// \f$a^2 = \eta^2 C t^p\f$ itself is a number: \f$t^{p-2s}\f$ below 1.8e308, where bregman/htvi.hpp needs
-/// \f$t^p\f$ and the printed form \f$t^{2p-s}\f$. For p <= 2s (Direct with p <= 2) it never ends. Beyond, the
-/// outcome is non_finite and the iterate is the last good one.
+/// \f$a^2 = \eta^2 C t^p\f$ itself is a number: \f$t^{p-2s}\f$ below 1.8e308, where bregman/bregman_htvi.hpp
+/// needs \f$t^p\f$ and the printed form \f$t^{2p-s}\f$. For p <= 2s (Direct with p <= 2) it never ends.
+/// Beyond, the outcome is non_finite and the iterate is the last good one.
 ///
 /// The iterates are those of the other two forms to round-off, not to the last bit: published counts are made
-/// with bregman/htvi.hpp.
+/// with bregman/bregman_htvi.hpp.
 struct BregmanHeavyBall {
   BregmanFamily family;        ///< p, p_ring and C.
   double h = 1e-3;             ///< Fictive step, finite and positive.
