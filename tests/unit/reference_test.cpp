@@ -1,5 +1,6 @@
 #include "common/reference.hpp"
 
+#include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/perturbed_kepler.hpp"
 
@@ -52,6 +53,19 @@ TEST(ExtendedRun, TheTwoTimesAgreeOnAPerturbedOrbit) {
   logarithmic.run_to(20.0);
   physical.run_to(20.0);
   EXPECT_LT((logarithmic.position(20.0) - physical.position(20.0)).norm(), 2e-14);
+}
+
+TEST(ExtendedRun, IsTheLibrarysMethodInAnotherFormat) {
+  const auto start = Kepler::pericentre(0.9);
+  ExtendedRun<Kepler, double, avi::Summation::plain> run({}, start, true, 0.2);
+  auto method = avi::splitting(avi::LogHamiltonian(Kepler{}, start), avi::compositions::sofroniou_spaletta10);
+  avi::State<2> z = start;
+  for (int k = 0; k < 20; ++k) {
+    ASSERT_EQ(method.step(z, 0.2).outcome, avi::Outcome::ok);
+    run.run_to(1e-9 + z.t);
+    EXPECT_NEAR(run.time(), z.t, 1.1e-14) << k << ", measured 5.3e-15";
+    EXPECT_LT((run.position() - z.q).norm(), 2.4e-15) << k << ", measured 1.2e-15";
+  }
 }
 
 }  // namespace
