@@ -17,4 +17,19 @@ TEST(Power, IsPow) {
   EXPECT_EQ(avi::power(2.0L, 0.5), std::sqrt(2.0L)) << "other scalars by their own pow";
 }
 
+TEST(AccuratePower, IsTheNearestNumber) {
+  // long double has eleven bits more: a half and its own error of an ulp.
+  double x = 0.7;
+  for (int k = 0; k < 20'000; ++k, x += 1.37e-4)
+    for (const int n : {1, 2, 3, 7, 10, 64}) {
+      const long double exact = std::pow(static_cast<long double>(x), static_cast<long double>(n));
+      const double ours = avi::accurate_power(x, n), ulp = std::nextafter(ours, 1e300) - ours;
+      ASSERT_LE(std::abs(static_cast<double>(ours - exact)), 0.51 * ulp) << x << '^' << n;
+    }
+  for (const double exponent : {0.0, -3.0, 0.25, 65.0, 2.5})
+    EXPECT_EQ(avi::accurate_power(1.7, exponent), std::pow(1.7, exponent));
+  EXPECT_EQ(avi::accurate_power(1e100, 4.0), HUGE_VAL);
+  EXPECT_TRUE(std::isnan(avi::accurate_power(NAN, 4.0)));
+}
+
 }  // namespace

@@ -42,7 +42,7 @@ struct BregmanHtvi {
     family.validate();
     from.validate();
     require_positive("Step size h", h);
-    const double power = std::pow(from.t, family.p);
+    const double power = accurate_power(from.t, family.p);
     return {.momentum = VectorX::Constant(first.x.size(), from.momentum / power),
             .t = from.t,
             .power = power,
@@ -55,8 +55,8 @@ struct BregmanHtvi {
     const double step = state.eta * family.C * state.power;
     const double t_next =
         clock == Clock::euler ? state.t + state.t * (state.eta / family.p) : family.exact_clock(state.t, h);
-    // The library's power, not repeated multiplication: its last bit decides some published counts.
-    const double power_next = std::pow(t_next, family.p);
+    // Not by plain repeated multiplication: the last bit decides some published counts.
+    const double power_next = accurate_power(t_next, family.p);
     const double damping = state.power / power_next;
     const Eigen::Index n = now.x.size();
     double* momentum = state.momentum.data();

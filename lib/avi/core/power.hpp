@@ -19,7 +19,27 @@ inline double power(double x, double exponent) {
   return twice < 0.0 ? 1.0 / y : y;
 }
 
-/// The same at any other scalar, through its own pow.
+/// x^exponent to the last bit or nearly so. For whole exponents from 1 to 64 by products that keep their
+/// rounding errors (Dekker 1971): as accurate as std::pow, but the processor works on it beside the
+/// evaluation of an objective, where it has to wait for std::pow.
+inline double accurate_power(double x, double exponent) {
+  if (!(exponent >= 1.0 && exponent <= 64.0) || exponent != static_cast<int>(exponent))
+    return std::pow(x, exponent);
+  double high = 1.0, low = 0.0, square = x, rest = 0.0;  // the power so far and x^(2^k), as unevaluated sums
+  for (int n = static_cast<int>(exponent);;) {
+    if (n % 2) {
+      const double product = high * square;
+      low = std::fma(high, square, -product) + (high * rest + low * square);
+      high = product;
+    }
+    if ((n /= 2) == 0) return std::isnan(low) ? high : high + low;  // an overflow has no error to add
+    const double product = square * square;
+    rest = std::fma(square, square, -product) + 2.0 * square * rest;
+    square = product;
+  }
+}
+
+/// power() at any other scalar, through its own pow.
 template <class S>
 auto power(const S& x, double exponent) {
   using std::pow;  // without it, a long double would silently go through double
