@@ -9,6 +9,7 @@
 #include "avi/autodiff/hamiltonian.hpp"
 #include "avi/autodiff/jet.hpp"
 #include "avi/autodiff/jet_functions.hpp"
+#include "avi/autodiff/jet_tape.hpp"
 #include "avi/autodiff/lanes.hpp"
 #include "avi/autodiff/operation.hpp"
 #include "avi/autodiff/pack.hpp"

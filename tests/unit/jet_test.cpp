@@ -15,15 +15,16 @@ using avi::JetTape;
 namespace {
 
 constexpr int R = 12;
-using Scalar = Jet<double, R, -1>;
+using Scalar = Jet<double, R>;
 
 /// Taylor coefficients at t = 0 of f(x(t)), x given by its coefficients.
 std::array<double, R + 1> expand(const std::function<Scalar(Scalar)>& f, const std::array<double, R + 2>& x) {
   JetTape<double, R> tape;
+  const Scalar y = f(Scalar(x.data(), &tape));
   std::array<double, R + 1> c{};
   for (int k = 0; k <= R; ++k) {
-    tape.rewind(k);
-    c[k] = f(Scalar(x.data(), &tape))[k];
+    if (k > 0) tape.run(k, tape.size());
+    c[k] = y[k];
   }
   return c;
 }
@@ -114,63 +115,70 @@ TEST(Jet, IdentitiesHoldCoefficientByCoefficient) {
 
 TEST(Jet, ConstantsAndVanishingDerivativesCostNothing) {
   JetTape<double, R> tape;
-  tape.rewind(0);
   const auto x = line(2.0);
   const Scalar s(x.data(), &tape);
   EXPECT_TRUE((0.0 * s).is(0.0));
   EXPECT_EQ((1.0 * s).coefficients, s.coefficients);
   EXPECT_EQ((s + 0.0).coefficients, s.coefficients);
   EXPECT_TRUE((Scalar(2.0) * Scalar(3.0)).is(6.0));
-  tape.rewind(0);
-  const auto again = s * s;  // in the slot that the first product takes: nothing before has taken any
-  tape.rewind(0);
-  EXPECT_EQ(again.coefficients, s.slot());
+  EXPECT_EQ(tape.size(), 0);
+  (void)(s * s);
+  EXPECT_EQ(tape.size(), 1);
 }
 
-TEST(JetTape, GrowsToTheLongestFormulaOnce) {
+TEST(JetTape, RunsAFormulaOfAnyLengthAnewAtOtherPoints) {
+  for (int factors : {10, 5000}) {  // a slot for each product
+    JetTape<double, R> tape;
+    auto x = line(1.001);
+    Scalar y(x.data(), &tape);
+    for (int i = 0; i < factors; ++i)
+      y *= Scalar(x.data(), &tape);
+    EXPECT_EQ(tape.size(), factors);
+    for (double at : {1.001, 0.999}) {
+      x[0] = at;
+      tape.run(0, tape.size());
+      tape.run(1, tape.size());
+      EXPECT_NEAR(y[0], std::pow(at, factors + 1), 1e-12 * y[0]);
+      EXPECT_NEAR(y[1], (factors + 1) * std::pow(at, factors), 1e-12 * y[1]);
+    }
+  }
+}
+
+TEST(JetTape, KnowsFormulasThatLookAtValues) {
   JetTape<double, R> tape;
-  const auto x = line(1.001);
-  const auto power =
-      [&](int factors) {  // x^(factors + 1), a slot for each product, replayed as an expansion does
-        std::array<double, 2> c{};
-        int growths = 0;
-        for (int k = 0; k < 2;) {
-          tape.rewind(k);
-          const Scalar s(x.data(), &tape);
-          Scalar y = s;
-          for (int i = 0; i < factors; ++i)
-            y *= s;
-          c[static_cast<std::size_t>(k)] = y[k];
-          if (tape.outgrown())
-            ++growths;
-          else
-            ++k;
-        }
-        EXPECT_NEAR(c[0], std::pow(1.001, factors + 1), 1e-12 * c[0]);
-        EXPECT_NEAR(c[1], (factors + 1) * std::pow(1.001, factors), 1e-12 * c[1]);
-        return growths;
-      };
-  EXPECT_EQ(power(10), 0);
-  EXPECT_EQ(power(5000), 1) << "whatever its length";
-  EXPECT_EQ(power(5000), 0) << "once";
+  auto x = line(-0.5);
+  const Scalar s(x.data(), &tape);
+  const auto y = abs(s) + pow(s * s, 1.5);
+  EXPECT_FALSE(tape.branched);
+  x[0] = 0.25;
+  tape.run(0, tape.size());
+  EXPECT_EQ(y[0], 0.25 + 0.015625) << "the sign is that of the new point";
+  EXPECT_FALSE(s < 0.0);
+  EXPECT_TRUE(tape.branched);
+  tape.clear();
+  EXPECT_FALSE(tape.branched);
+  (void)tanh(s);
+  EXPECT_TRUE(tape.branched);
 }
 
-/// Kepler's equations by replay: the coefficients that a series of Lanes gives are those of a series of
-/// doubles, and its partials are the derivatives of those coefficients.
-template <class T, int K>
-void replay(std::array<std::array<T, R + 2>, 4>& z, JetTape<T, R>& tape) {
-  using S = Jet<T, R, K>;
-  tape.rewind(K);
+/// Kepler's equations: the coefficients that a series of Lanes gives are those of a series of doubles, and
+/// its partials are the derivatives of those coefficients.
+template <class T>
+void expand(std::array<std::array<T, R + 2>, 4>& z) {
+  using S = Jet<T, R>;
+  JetTape<T, R> tape;
   std::array<S, 4> s;
   for (int i = 0; i < 4; ++i)
     s[i] = S(z[i].data(), &tape);
   const S u = pow(s[0] * s[0] + s[1] * s[1], -1.5);
   const S force_x = s[0] * u, force_y = s[1] * u;
-  z[0][K + 1] = s[2][K] / (K + 1);
-  z[1][K + 1] = s[3][K] / (K + 1);
-  z[2][K + 1] = -1.0 * force_x[K] / (K + 1);
-  z[3][K + 1] = -1.0 * force_y[K] / (K + 1);
-  if constexpr (K < 8) replay<T, K + 1>(z, tape);
+  for (int k = 0; k <= 8; ++k) {
+    if (k > 0) tape.run(k, tape.size());
+    z[0][k + 1] = s[2][k] / (k + 1);
+    z[1][k + 1] = s[3][k] / (k + 1);
+    z[2][k + 1] = -1.0 * force_x[k] / (k + 1);
+    z[3][k + 1] = -1.0 * force_y[k] / (k + 1);
+  }
 }
 
 TEST(Jet, LanesDifferentiateTaylorCoefficients) {
@@ -179,16 +187,14 @@ TEST(Jet, LanesDifferentiateTaylorCoefficients) {
     std::array<std::array<double, R + 2>, 4> z{};
     for (int i = 0; i < 4; ++i)
       z[i][0] = at[i];
-    JetTape<double, R> tape;
-    replay<double, 0>(z, tape);
+    expand(z);
     return z;
   };
   using L = avi::Lanes<4>;
   std::array<std::array<L, R + 2>, 4> z;
   for (int i = 0; i < 4; ++i)
     z[i][0] = L::variable(start[i], i);
-  JetTape<L, R> tape;
-  replay<L, 0>(z, tape);
+  expand(z);
   const auto plain = coefficients(start);
   for (int j = 0; j < 4; ++j) {
     auto ahead = start, behind = start;

@@ -106,7 +106,9 @@ class Htvi {
 
  private:
   static constexpr bool right = type == Generating::type2;
-  static constexpr Field field = construction == Construction::authors ? Field::on_shell : Field::full;
+  static constexpr Field field = construction == Construction::authors   ? Field::on_shell
+                                 : construction == Construction::printed ? Field::full
+                                                                         : Field::on_level;
   using Expansion = TaylorExpansion<Problem, r, field>;
   using Increments = typename Expansion::Increments;
   static auto action_type() {

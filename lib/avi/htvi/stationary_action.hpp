@@ -25,9 +25,8 @@ namespace avi {
 template <class Expansion>
 class StationaryAction {
  public:
-  using Lane = typename Expansion::Lane;       ///< A number with its partials.
-  static constexpr int n = Expansion::n;       ///< Dimension of the problem.
-  static constexpr Field field = Field::full;  ///< What the trial curve follows.
+  using Lane = typename Expansion::Lane;  ///< A number with its partials.
+  static constexpr int n = Expansion::n;  ///< Dimension of the problem.
 
   /// For this quadrature rule. @throws std::invalid_argument for an improper rule.
   explicit StationaryAction(Quadrature rule) : rule_(std::move(rule)) {

@@ -1,11 +1,10 @@
 #pragma once
-#include "avi/autodiff/jet.hpp"
 #include "avi/autodiff/jet_functions.hpp"
 #include "avi/transform/poincare.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
-#include <utility>
 
 /// @file
 /// The Taylor method with its first derivatives.
@@ -13,8 +12,9 @@
 namespace avi {
 
 /// Taylor expansion of (q, p, t) over one step of a Poincare-transformed problem, with first partials with
-/// respect to the initial values (q, p), and to p^t where the field contains it. It is compiled once for each
-/// problem, order and field, and shared by all that is built on it.
+/// respect to the initial values (q, p), and to p^t where the field contains it. The field is called once and
+/// written on a JetTape, which every expansion runs anew; a formula that looks at values is called at every
+/// expansion.
 /// @tparam r order of the Taylor method Psi^(r); avi::dynamic: given at run time, at most `capacity`
 template <class Problem, int r, Field form>
 class TaylorExpansion {
@@ -26,7 +26,7 @@ class TaylorExpansion {
  public:
   static constexpr int n = Problem::dimension <= 15 ? Problem::dimension : 15;  ///< Dimension of the problem.
   /// p^t is a variable in its own right.
-  static constexpr bool energy_lane = !Problem::unit && form == Field::full;
+  static constexpr bool energy_lane = !Problem::unit && form != Field::on_shell;
   static constexpr int variables = 2 * n + (energy_lane ? 1 : 0);  ///< Of the partials: q, p, p^t.
   static constexpr bool unit = Problem::unit;                      ///< Without a monitor.
   using Lane = Lanes<variables>;                                   ///< A number with its partials.
@@ -66,28 +66,26 @@ class TaylorExpansion {
   }
 
   /// Expands from (q, p) over a fictive step h.
-  [[gnu::noinline, gnu::flatten]] Increments expand(const Vector<double, n>& q, const Vector<double, n>& p,
-                                                    double h) {
+  [[gnu::noinline]] Increments expand(const Vector<double, n>& q, const Vector<double, n>& p, double h) {
     for (int i = 0; i < n; ++i) {
       q_[i][0] = Lane::variable(q[i], i);
       p_[i][0] = Lane::variable(p[i], n + i);
     }
-    if constexpr (energy_lane) {
-      pt_.fill(Lane(0.0));
-      pt_[0] = energy_momentum();
-    }
-    // The forces are not needed at the last order, but once at least, for energy_slope().
-    if constexpr (unrolled) {
-      do
-        replay<0>(h, true, 0);
-      while (tape_.outgrown());
-      [&]<int... k>(std::integer_sequence<int, k...>) { (replay<k + 1>(h, k + 1 < r, k + 1), ...); }
-      (std::make_integer_sequence<int, r>{});
-    } else {
-      for (int k = 0; k <= order();) {
-        replay<-1>(h, k < order() || k == 0, k);
-        if (!tape_.outgrown()) ++k;
-      }
+    if constexpr (energy_lane) pt_[0] = form == Field::on_level ? level() : energy_momentum();
+    for (int k = 0; k <= order(); ++k) {
+      // The forces are not needed at the last order, but once at least, for energy_slope().
+      const bool forces = k < order() || k == 0;
+      if (k == 0 && (tape_.size() == 0 || tape_.branched))
+        write();
+      else
+        tape_.run(k, forces ? tape_.size() : velocities_);
+      const double factor = h / (k + 1);
+      for (int i = 0; i < n; ++i)
+        q_[i][k + 1] = factor * dq_[i][k];
+      t_[k + 1] = factor * dt_[k];
+      if (forces)
+        for (int i = 0; i < n; ++i)
+          p_[i][k + 1] = -factor * dp_[i][k];
     }
     Increments out;
     for (int i = 0; i < n; ++i) {
@@ -128,39 +126,44 @@ class TaylorExpansion {
   }
 
  private:
-  /// One copy of the formulas for each order is a fifth faster where they are short; several copies of long
-  /// ones would not fit the instruction cache and would take long to compile.
-  static constexpr bool unrolled = form == Field::on_shell && r != dynamic && r <= 4;
+  using Written = Jet<Lane, capacity>;
 
-  /// Coefficients k + 1 from coefficients 0 to k. Straight-line code only when every operation of H and g is
-  /// inlined; once for each K.
-  template <int K>
-  void replay(double h, bool forces, int order) {
-    using S = Jet<Lane, capacity, K>;
-    const int k = K < 0 ? order : K;
-    tape_.rewind(k);
-    Vector<S, n> q, p, dq, dp;
+  /// H-bar at the start.
+  [[nodiscard]] Lane level() const {
+    Vector<Lane, n> q, p;
     for (int i = 0; i < n; ++i) {
-      q[i] = S(q_[i].data(), &tape_);
-      p[i] = S(p_[i].data(), &tape_);
+      q[i] = q_[i][0];
+      p[i] = p_[i][0];
     }
-    S pt, dt;
-    if constexpr (energy_lane) pt = S(pt_.data(), &tape_);
-    problem_.template field<form>(q, p, pt, dq, dp, dt, forces);
-    const double factor = h / (k + 1);
-    for (int i = 0; i < n; ++i)
-      q_[i][k + 1] = factor * dq[i][k];
-    t_[k + 1] = factor * dt[k];
-    if (forces)
-      for (int i = 0; i < n; ++i)
-        p_[i][k + 1] = -factor * dp[i][k];
+    return problem_.transformed(q, p, energy_momentum());
+  }
+  /// Writes the field on the tape, with coefficients 0: first without the forces, to see where they begin.
+  [[gnu::noinline]] void write() {
+    for (const bool forces : {false, true}) {
+      tape_.clear();
+      Vector<Written, n> q, p;
+      for (int i = 0; i < n; ++i) {
+        q[i] = Written(q_[i].data(), &tape_);
+        p[i] = Written(p_[i].data(), &tape_);
+      }
+      Written pt;
+      if constexpr (energy_lane) {
+        std::fill(pt_.begin() + 1, pt_.end(), Lane(0.0));
+        pt = Written(pt_.data(), &tape_);
+      }
+      problem_.template field<form>(q, p, pt, dq_, dp_, dt_, forces);
+      if (!forces) velocities_ = tape_.size();
+    }
   }
 
   const Problem problem_;
   const int order_;
   JetTape<Lane, capacity> tape_;
+  int velocities_ = 0;  // slots of the tape before the forces
+  Vector<Written, n> dq_, dp_;
+  Written dt_;
   std::array<Series, n> q_, p_;
-  Series t_, pt_;
+  Series t_, pt_;  // pt_: p^t, or H-bar
 };
 
 }  // namespace avi

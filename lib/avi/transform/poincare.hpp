@@ -3,6 +3,7 @@
 #include "avi/core/require.hpp"
 #include "avi/core/state.hpp"
 
+#include <algorithm>
 #include <concepts>
 #include <string>
 #include <utility>
@@ -23,9 +24,11 @@ struct Unit {
 
 /// Which terms of Hamilton's equations of H-bar make the Taylor expansion.
 enum class Field {
-  full,     ///< All of them.
-  on_shell  ///< With H + p^t = 0 inserted, which holds along the solution: the terms (H + p^t) grad g are
-            ///< left out.
+  full,      ///< All of them.
+  on_level,  ///< With H + p^t = H-bar / g, where H-bar is the constant that it is along the flow: the same
+             ///< flow without the work of evaluating H on it.
+  on_shell   ///< With H + p^t = 0 inserted, which holds along the solution: the terms (H + p^t) grad g are
+             ///< left out.
 };
 
 namespace detail {
@@ -95,15 +98,21 @@ class Poincare {
   /// integral of g. Every method sets the time of a state through this function.
   [[nodiscard]] double clock(const Vector<double, n>&, double t) const { return t; }
 
-  /// g(q, p) (H(q, p) + p^t), zero along the exact solution.
-  [[nodiscard]] double transformed(const State<n>& z) const { return rate(z.q, z.p) * (h_(z.q, z.p) + pt_); }
+  /// g(q, p) (H(q, p) + p^t) at any scalar.
+  template <class S>
+  [[nodiscard]] S transformed(const Vector<S, n>& q, const Vector<S, n>& p, const S& pt) const {
+    return rate(q, p) * (h_(q, p) + pt);
+  }
+  /// The same at a state, zero along the exact solution.
+  [[nodiscard]] double transformed(const State<n>& z) const { return transformed(z.q, z.p, pt_); }
 
   /// Hamilton's equations at any scalar: dq = q', dp = -p', dt = t'. Without `forces`, dp is neither needed
   /// nor computed; its operations come last, so that leaving them out keeps the sequence of the others.
+  /// @param pt p^t, or the constant H-bar of Field::on_level
   template <Field form, class S>
   void field(const Vector<S, n>& q, const Vector<S, n>& p, const S& pt, Vector<S, n>& dq, Vector<S, n>& dp,
              S& dt, bool forces = true) const {
-    constexpr bool shell_terms = form == Field::full && !unit;
+    constexpr bool shell_terms = form != Field::on_shell && !unit;
     if constexpr (!shell_terms) {
       const auto g = rate(q, p);
       dt = g;
@@ -117,19 +126,19 @@ class Poincare {
     } else if constexpr (position_monitor) {
       const auto g = value_and_gradient(g_, q);
       dt = g.value;
-      const auto energy = value_and_d_dp(h_, q, p);
+      const auto energy = value_if_needed_and_d_dp<form>(q, p);
       for (int i = 0; i < n; ++i)
         dq[i] = g.value * energy.partial(i);
       if (!forces) return;
-      const S defect = energy.value + pt;
+      const S defect = form == Field::on_level ? pt / g.value : energy.value + pt;
       const Vector<S, n> force = d_dq(h_, q, p);
       for (int i = 0; i < n; ++i)
         dp[i] = g.value * force[i] + defect * g.partial(i);
     } else {
       const auto g = value_and_d_dp(g_, q, p);
       dt = g.value;
-      const auto energy = value_and_d_dp(h_, q, p);
-      const S defect = energy.value + pt;
+      const auto energy = value_if_needed_and_d_dp<form>(q, p);
+      const S defect = form == Field::on_level ? pt / g.value : energy.value + pt;
       for (int i = 0; i < n; ++i)
         dq[i] = g.value * energy.partial(i) + defect * g.partial(i);
       if (!forces) return;
@@ -163,6 +172,19 @@ class Poincare {
   }
 
  private:
+  template <Field form, class S>
+  Partials<S, n> value_if_needed_and_d_dp(const Vector<S, n>& q, const Vector<S, n>& p) const {
+    if constexpr (form != Field::on_level) {
+      return value_and_d_dp(h_, q, p);
+    } else {
+      Partials<S, n> y;
+      const Vector<S, n> slope = d_dp(h_, q, p);
+      std::copy(slope.begin(), slope.end(), y.d.begin());
+      y.constant = false;
+      return y;
+    }
+  }
+
   H h_;
   G g_;
   double pt_;

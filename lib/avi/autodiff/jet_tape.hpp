@@ -1,0 +1,197 @@
+#pragma once
+#include "avi/autodiff/convolution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+/// @file
+/// The operations of a formula on truncated Taylor series, one coefficient at a time.
+
+namespace avi {
+
+/// What a slot of a JetTape holds, as a series c of its operands a and b.
+enum class SeriesOperation {
+  add,       ///< a + b
+  subtract,  ///< a - b
+  shift,     ///< a + number
+  scale,     ///< number a
+  multiply,  ///< a b
+  square,    ///< a^2
+  divide,    ///< a / b, or number / b
+  sqrt,      ///< c^2 = a
+  power,     ///< a^number: a c' = number c a'
+  exp,       ///< c' = c a'
+  sin,       ///< c' = b a', with b = cos a
+  cos,       ///< c' = -b a', with b = sin a
+  sinh,      ///< c' = b a', with b = cosh a
+  cosh,      ///< c' = b a', with b = sinh a
+  log,       ///< b c' = a', with b = a
+  atan,      ///< b c' = a', with b = 1 + a^2
+  absolute   ///< a or -a, by the sign of its value
+};
+
+/// A formula on truncated Taylor series, written down as it is first evaluated.
+///
+/// The Taylor coefficients of a solution of \f$z' = f(z)\f$ follow from \f$z_{k+1} = f_k/(k + 1)\f$, where
+/// \f$f_k\f$ needs \f$z_0\f$ to \f$z_k\f$ only. A formula called with Jet computes the coefficients 0 of its
+/// intermediate results, each in a slot of the tape, together with the operation that it came from; run()
+/// then adds coefficient k to every slot, for k = 1, 2, ... in turn, without calling the formula again. A
+/// product costs k + 1 multiplications at order k, hence O(r^2) in all (recurrences: Jorba and Zou 2005,
+/// Proposition 1; Neidinger 2013). T is double or Lanes<N>.
+template <class T, int R>
+class JetTape {
+ public:
+  JetTape() { extend(); }
+  /// A copy has room of its own; what is written on the tape stays behind, since it refers to other memory.
+  JetTape(const JetTape&) : JetTape() {}
+  JetTape& operator=(const JetTape&) = delete;
+
+  /// Forgets the formula: the next one is written from the first slot on.
+  void clear() { size_ = 0, branched = false; }
+  [[nodiscard]] int size() const { return size_; }  ///< Slots written.
+
+  /// Writes an operation, unless it is on the tape, and computes its coefficient 0. Series must stay where
+  /// they are. @param a first operand, null for the constant `number` of a quotient
+  const T* write(SeriesOperation operation, const T* a, const T* b, double number) {
+    for (int i = 0; i < size_; ++i)
+      if (const Slot& known = at(i);
+          known.operation == operation && known.a == a && known.b == b && known.number == number)
+        return known.c;
+    if (size_ == static_cast<int>(blocks_.size()) * block) extend();
+    Slot& slot = at(size_++);
+    slot.a = a;
+    slot.b = b;
+    slot.number = number;
+    slot.operation = operation;
+    compute<0>(slot, 0);
+    return slot.c;
+  }
+  /// The second operand of the last slot but one is the last slot: a pair of functions of which each is, up
+  /// to its sign, the other's derivative.
+  void pair() {
+    Slot &first = at(size_ - 2), &second = at(size_ - 1);
+    first.b = second.c;
+    second.b = first.c;
+  }
+
+  /// Coefficient k of the first `count` slots, whose coefficients 0 to k - 1 are known, as are those up to k
+  /// of the series that the formula was called with.
+  void run(int k, int count) {
+    [&]<int... known>(std::integer_sequence<int, known...>) {
+      if (!((k == known && (run_order<known>(k, count), true)) || ...)) run_order<-1>(k, count);
+    }
+    (std::make_integer_sequence<int, std::min(R, 7) + 1>{});
+  }
+
+  bool branched = false;  ///< The formula looked at a value: at other points it may be another one.
+
+ private:
+  static constexpr int block = 64;
+  /// @cond
+  struct alignas(sizeof(T) < 64 || alignof(T) > 64 ? alignof(T) : 64) Slot {
+    T c[R + 1];
+    T auxiliary;  // what every coefficient is multiplied with
+    const T *a, *b;
+    double number;
+    SeriesOperation operation;
+  };
+  /// @endcond
+  [[gnu::noinline, gnu::cold]] void extend() {
+    blocks_.push_back(std::make_unique_for_overwrite<Slot[]>(block));
+  }
+
+  Slot& at(int i) { return blocks_[i / block][i % block]; }
+  /// Compiled once for each low order: its sums are straight lines. @tparam known the order, or -1
+  template <int known>
+  [[gnu::noinline]] void run_order(int k, int count) {
+    for (auto it = blocks_.begin(); count > 0; ++it, count -= block)
+      for (Slot *slot = it->get(), *end = slot + std::min(count, block); slot != end; ++slot)
+        compute<known>(*slot, k);
+  }
+  template <int known>
+  [[gnu::always_inline]] static void compute(Slot& slot, int order) {
+    const int k = known >= 0 ? known : order;
+    using detail::convolution, detail::convolution_weighted;
+    using std::atan, std::cos, std::cosh, std::exp, std::log, std::sin, std::sinh, std::sqrt;
+    using Op = SeriesOperation;
+    T* const c = slot.c;
+    const T *const a = slot.a, *const b = slot.b;
+    switch (slot.operation) {
+    case Op::add:
+      c[k] = a[k] + b[k];
+      break;
+    case Op::subtract:
+      c[k] = a[k] - b[k];
+      break;
+    case Op::shift:
+      c[k] = k == 0 ? a[0] + slot.number : a[k];
+      break;
+    case Op::scale:
+      c[k] = slot.number * a[k];
+      break;
+    case Op::multiply:
+      c[k] = convolution(a, b, k, 0, k);
+      break;
+    case Op::square:
+      c[k] = detail::convolution_square(a, k);
+      break;
+    case Op::divide:
+      if (k == 0) slot.auxiliary = 1.0 / b[0];
+      c[k] = ((a ? a[k] : T(k == 0 ? slot.number : 0.0)) - convolution(b, c, k, 1, k)) * slot.auxiliary;
+      break;
+    case Op::sqrt:
+      if (k == 0) {
+        c[0] = sqrt(a[0]);
+        slot.auxiliary = 0.5 / c[0];
+      } else {
+        c[k] = (a[k] - convolution(c, c, k, 1, k - 1)) * slot.auxiliary;
+      }
+      break;
+    case Op::power:
+      if (k == 0) {
+        c[0] = avi::power(a[0], slot.number);
+        slot.auxiliary = 1.0 / a[0];
+      } else {
+        c[k] = convolution_weighted(a, c, k, slot.number + 1.0, -k) * slot.auxiliary;
+      }
+      break;
+    case Op::exp:
+      c[k] = k == 0 ? exp(a[0]) : convolution_weighted(a, c, k, 1.0, 0.0);
+      break;
+    case Op::sin:
+      c[k] = k == 0 ? sin(a[0]) : convolution_weighted(a, b, k, 1.0, 0.0);
+      break;
+    case Op::cos:
+      c[k] = k == 0 ? cos(a[0]) : convolution_weighted(a, b, k, -1.0, 0.0);
+      break;
+    case Op::sinh:
+      c[k] = k == 0 ? sinh(a[0]) : convolution_weighted(a, b, k, 1.0, 0.0);
+      break;
+    case Op::cosh:
+      c[k] = k == 0 ? cosh(a[0]) : convolution_weighted(a, b, k, 1.0, 0.0);
+      break;
+    case Op::log:
+    case Op::atan:
+      if (k == 0) {
+        c[0] = slot.operation == Op::log ? log(a[0]) : atan(a[0]);
+        slot.auxiliary = 1.0 / b[0];
+      } else {
+        c[k] = T(0.0);  // so that the sum ends at j = k - 1
+        c[k] = (a[k] - convolution_weighted(c, b, k, 1.0, 0.0)) * slot.auxiliary;
+      }
+      break;
+    case Op::absolute:
+      if (k == 0) slot.number = value_of(a[0]) < 0.0 ? -1.0 : 1.0;
+      c[k] = slot.number < 0.0 ? -1.0 * a[k] : a[k];
+      break;
+    }
+  }
+
+  std::vector<std::unique_ptr<Slot[]>> blocks_;
+  int size_ = 0;
+};
+
+}  // namespace avi
