@@ -22,10 +22,17 @@ inline std::vector<avi::Quadrature> order_rules() {
           avi::radau(5),         avi::gauss(5),   avi::gauss(6),    avi::lobatto(7)};
 }
 
-/// Slope of the error at the end of [0, horizon] in fictive time, over steps horizon / N: through the finest
-/// four that rounding does not touch. Slopes of longer steps are not yet the order.
+/// Slopes of the error over the step.
+struct Slopes {
+  avi::OrderFit finest;  ///< Through the finest four steps that rounding does not touch.
+  double limit;          ///< Extrapolated to h = 0 from that and the slope of the four steps before it.
+};
+
+/// Slopes of the error at the end of [0, horizon] in fictive time, over steps horizon / N. Slopes of longer
+/// steps are not yet the order. Where the leading two terms of the error cancel at some step, slopes of finer
+/// ones come to the order from below, s(h) = p + c h + O(h^2): Richardson's extrapolation gives p.
 template <class MakeMethod, class State, class Error>
-avi::OrderFit order_of(const MakeMethod& make, const State& start, double horizon, const Error& error) {
+Slopes slopes_of(const MakeMethod& make, const State& start, double horizon, const Error& error) {
   std::vector<double> h, errors;
   for (int n = 2; n <= 2000; n = std::max(n + 1, n * 6 / 5)) {
     auto method = make();
@@ -41,11 +48,25 @@ avi::OrderFit order_of(const MakeMethod& make, const State& start, double horizo
   std::size_t last = errors.size();
   while (last > 0 && !usable(last - 1))
     --last;
-  std::size_t first = last;
-  while (first > 0 && last - first < 4 && usable(first - 1))
-    --first;
-  return avi::fit_order(std::span(h).subspan(first, last - first),
-                        std::span(errors).subspan(first, last - first), {.at_least = 3});
+  // Up to four points that end before `end`.
+  const auto begin_of = [&](std::size_t end) {
+    std::size_t first = end;
+    while (first > 0 && end - first < 4 && usable(first - 1))
+      --first;
+    return first;
+  };
+  const auto fit = [&](std::size_t first, std::size_t end) {
+    return avi::fit_order(std::span(h).subspan(first, end - first),
+                          std::span(errors).subspan(first, end - first), {.at_least = 3});
+  };
+  const std::size_t first = begin_of(last), before = begin_of(first);
+  const auto finest = fit(first, last);
+  double limit = std::nan("");
+  if (last - first == 4 && first - before == 4) {
+    const double fine = std::sqrt(h[first] * h[last - 1]), coarse = std::sqrt(h[before] * h[first - 1]);
+    limit = finest.order + (finest.order - fit(before, first).order) * fine / (coarse - fine);
+  }
+  return {finest, limit};
 }
 
 template <avi::Generating type, avi::Construction construction, class Problem, class State, class Error>
@@ -59,12 +80,12 @@ void add_cells(std::vector<OrderCell>& cells, const std::string& name, const Pro
       // Between these the rule limits the order to s, but with a factor so small (5e-7 for three Gauss nodes)
       // that the term of order 2r + 2 covers it down to rounding.
       if (stationary && rule.order > r + 1 && rule.order < 2 * r + 2) continue;
-      const auto fit = order_of([&] { return avi::htvi_of_order<type, construction>(r, problem, rule); },
-                                start, horizon, error);
+      const auto [finest, limit] = slopes_of(
+          [&] { return avi::htvi_of_order<type, construction>(r, problem, rule); }, start, horizon, error);
       cells.push_back(
           {name, type == avi::Generating::type2 ? "II" : "III", label, r, rule.name,
            stationary ? std::min(2 * r + 2, std::max(rule.order, r + 1)) : std::min(r + 1, rule.order),
-           fit.order, fit.points});
+           finest.order, limit, finest.points});
     }
 }
 

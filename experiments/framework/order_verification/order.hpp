@@ -15,6 +15,7 @@ struct OrderCell {
   std::string quadrature;
   int expected;     ///< Stationary: min(2r + 2, max(r + 1, s)); others: min(r + 1, s) at least.
   double measured;  ///< NaN when too few points lie between breakdown and round-off
+  double limit;     ///< Slope extrapolated to h = 0, NaN with fewer than eight points
   int points;
 };
 

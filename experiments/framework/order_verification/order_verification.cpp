@@ -9,15 +9,18 @@ int main(int argc, char** argv) {
       argc, argv, "order_verification",
       "Measured order of HTVI for every Taylor order, rule, type and class of problem", [](Frame& frame) {
         experiment::Table out = frame.table({"problem", "type", "r", "quadrature", "expected_order",
-                                             "measured_order", "construction", "points"});
+                                             "measured_order", "construction", "points", "limit_order"});
         out.note("measured_order",
                  "slope of the final error in (q, p, t) over the step, nan with fewer than 3 usable points");
+        out.note("limit_order",
+                 "slope at h = 0, extrapolated from measured_order and the slope of the four steps before");
         double begin = 0.0;
         for (auto* part :
              {&order_cells_without_monitor, &order_cells_of_monitors, &order_cells_of_general_problems}) {
           for (const auto& c :
                part(frame.quick, [&](double f) { frame.progress("cells", (begin + f) / 3.0); }))
-            out.row(c.problem, c.type, c.r, c.quadrature, c.expected, c.measured, c.construction, c.points);
+            out.row(c.problem, c.type, c.r, c.quadrature, c.expected, c.measured, c.construction, c.points,
+                    c.limit);
           begin += 1.0;
         }
         frame.write(out);

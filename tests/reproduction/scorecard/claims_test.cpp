@@ -107,10 +107,12 @@ TEST_F(ChangedData, ChangesTheRuling) {
                        row[table.column("steps")] = "99999999";
                    }),
             Ruling::holds);
-  EXPECT_EQ(
-      ruling("order_theorem", "order_verification",
-             [](const experiment::Table& table, auto& row) { row[table.column("measured_order")] = "0.5"; }),
-      Ruling::fails);
+  EXPECT_EQ(ruling("order_theorem", "order_verification",
+                   [](const experiment::Table& table, auto& row) {
+                     for (const char* column : {"measured_order", "limit_order"})
+                       row[table.column(column)] = "0.5";
+                   }),
+            Ruling::fails);
   EXPECT_EQ(ruling("energy_not_extreme", "kepler_e090",
                    [](const experiment::Table& table, auto& row) {
                      if (row[table.column("monitor")] == "energy") row[table.column("max_step")] = "1.0";
@@ -122,6 +124,24 @@ TEST_F(ChangedData, ChangesTheRuling) {
                          std::to_string(20 * std::stol(row[table.column("iterations")]));
                    }),
             Ruling::holds);
+}
+
+/// Seconds decide only where the rounds agree.
+TEST_F(ChangedData, RoundsThatDisagreeDecideNothing) {
+  const auto slower_truncation = [&](int every) {
+    return ruling("norm_squared_fastest", "euler_b_cost_rounds",
+                  [every](const experiment::Table& table, auto& row) {
+                    const std::string& monitor = row[table.column("monitor")];
+                    const int round = std::stoi(row[table.column("round")]);
+                    row[table.column("nanoseconds")] = monitor == "norm_squared" ? "40"
+                                                       : monitor == "arclength"  ? "100"
+                                                       : round % every == 0      ? "90"
+                                                                                 : "120";
+                  });
+  };
+  EXPECT_EQ(slower_truncation(1), Ruling::holds);
+  EXPECT_EQ(slower_truncation(2), Ruling::undecided);
+  EXPECT_EQ(slower_truncation(22), Ruling::in_part);
 }
 
 TEST(Claims, AreMissingWithoutData) {
