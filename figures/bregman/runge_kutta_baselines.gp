@@ -10,7 +10,7 @@ look(m) = m eq 'gsl_rkf45' ? family(3) : m eq 'gsl_rk8pd' ? family(4) : method(m
 named(m) = m eq 'gsl_rkf45' ? 'GSL, Fehlberg 4(5)' : m eq 'gsl_rk8pd' ? 'GSL, Prince–Dormand 8' : label(m)
 
 set multiplot
-page_left = 0.115; page_bottom = 0.24; page_top = 0.94; gap_x = 0.04; gap_y = 0.144
+page_left = 0.125; page_bottom = 0.24; page_top = 0.94; gap_x = 0.04; gap_y = 0.144
 eval logx; eval logy
 is(m, a, y) = also('method', m, also('approach', a, y))
 reached(m, a, y) = also('converged', '1', is(m, a, y))
@@ -26,7 +26,7 @@ do for [a in 'direct adaptive'] {
   plot for [m in shown] curves using (is(m, a, column('iteration'))):'ahead' with lines ls method(m) lw 1.5
   unset title
   set xlabel 'relative tolerance' offset 0, 0.4
-  set ylabel i == 1 ? 'gradient evaluations' : ''
+  set ylabel i == 1 ? 'gradients' : ''
   set autoscale
   stats table using (reached('htvi', a, column('gradient_evaluations'))) nooutput; least_htvi = STATS_min
   stats table using (reached('runge_kutta_4', a, column('gradient_evaluations'))) nooutput; least_rk4 = STATS_min

@@ -19,7 +19,7 @@ plot for [i = 1:4] curves using (where('p', word(shown, i), 't')):'bound' with l
   for [i = 1:4] curves using (where('p', word(shown, i), 't')):'most' with lines lc rgb hue(i) dt 1 lw 1.8, \
   for [i = 1:4] [t=1:1.5e4] (t > last(word(shown, i))/30 && t < last(word(shown, i)) ? 3e-8*(t/last(word(shown, i)))**(-2*real(word(shown, i))) : NaN) with lines lc rgb black dt (10,3) lw 1
 eval legend(0.169)
-set key maxrows 2
+set key maxrows 2 width -3
 plot 2 notitle, for [i = 1:4] keyentry with lines lc rgb hue(i) lw 1.8 title 'p = '.word(shown, i), \
   keyentry with lines lc rgb grey dt (2,3) lw 1.2 title 'bound E(t_0)/(C t^p)', keyentry with lines lc rgb black dt (10,3) title 'slope t^{−2p}'
 unset multiplot

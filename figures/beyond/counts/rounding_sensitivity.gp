@@ -1,13 +1,13 @@
 # Range of the counts from starts moved by 1e-14, in units of the unmoved count, and how many of these runs fail: in
 # rows without a bar the count does not depend on rounding. Rows: method, p and p_ring (Direct has p alone), h.
-width = 16; height = 8.2
+width = 16; height = 10
 load 'figures/style.gp'
 table = data.'/rounding_sensitivity.tsv'
-set lmargin at screen 0.45; set rmargin at screen 0.97; set tmargin at screen 0.97; set bmargin at screen 0.195
+set lmargin at screen 0.43; set rmargin at screen 0.97; set tmargin at screen 0.98; set bmargin at screen 0.155
 at(y) = column('moved_by') > 5e-15 && column('moved_by') < 5e-14 ? y : NaN
 row_name(m) = label(m).', '.sprintf('%g', column('p')).(strcol('p_ring') eq 'nan' ? '' : sprintf(', %g', column('p_ring'))).sprintf(', h = %g', column('h'))
 failures(n) = n > 0 ? sprintf('%g of %g fail', n, column('starts')) : ''
-set xlabel 'count from a start moved by 10^{-14} / count without'
+set xlabel 'count from a moved start over that from the start'
 set xrange [0.72:1.32]
 stats table using 'setting' nooutput
 set yrange [STATS_max+1:0]
@@ -16,5 +16,5 @@ unset key
 plot table using (at(column('least')/column('iterations'))):'setting':(at((column('most')-column('least'))/column('iterations'))):(0) \
     with vectors nohead lw 4 lc rgb vermilion, \
   table using (at(1)):'setting' with points pt 7 ps 0.6 lc rgb black, \
-  table using (at(0.72)):'setting':(row_name(strcol('method'))) with labels right offset -1, 0 font ',7', \
+  table using (at(0.72)):'setting':(row_name(strcol('method'))) with labels right offset -1, 0 font ',6.5', \
   table using (at(1.2)):'setting':(failures(column('failed'))) with labels left font ',7'

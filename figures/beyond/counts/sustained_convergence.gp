@@ -1,13 +1,13 @@
 # Above: f around the first passage of the stopping test. Below: iterations until the test first holds (open) and until it
 # holds for good (filled), for every run of the paper's tables: method, p and p_ring (Direct has p alone), h.
-width = 16; height = 13.5
+width = 16; height = 15.5
 load 'figures/style.gp'
 curves = data.'/sustained_convergence_curves.tsv'
 table = data.'/sustained_convergence.tsv'
 
 set multiplot
 eval logy
-page_left = 0.115; page_top = 0.955; page_bottom = 0.66; gap_x = 0.11
+page_left = 0.115; page_top = 0.96; page_bottom = 0.70; gap_x = 0.11
 unset key
 set yrange [1e-18:1e0]
 set xlabel 'iterations / first passage'
@@ -16,7 +16,7 @@ do for [i = 1:2] {
   c = word('direct adaptive', i)
   eval panel(i, 1, 2, 1)
   set xrange [0.5:4]
-  set title label(c).(i == 1 ? ', p = 4, h = 8·10^{-4}' : ', p = 4, p̊ = 1, h = 2.4·10^{-4}') offset 0, -0.7
+  set title label(c).(i == 1 ? ', p = 4' : ', p = 4, p̊ = 1') offset 0, -0.7
   set arrow 1 from 1, graph 0 to 1, graph 1 nohead ls guide
   plot curves using (also('approach', c, column('iteration')/column('first_passage'))):'least':'most' with filledcurves fc rgb (i == 1 ? vermilion : blue) \
     fs transparent solid 0.3 noborder, \
@@ -24,10 +24,10 @@ do for [i = 1:2] {
   set ylabel ''
 }
 unset arrow 1; unset title
-page_left = 0.46; page_top = 0.55; page_bottom = 0.115
+page_left = 0.43; page_top = 0.61; page_bottom = 0.10
 eval panel(1, 1, 1, 1)
 unset logscale y; eval logx
-set format y '%s'; set ytics font ',7'
+set format y '%s'; set ytics font ',6.5'
 set xrange [4e3:2e6]
 set yrange [*:*] reverse
 set xlabel 'iterations until the stopping test holds'

@@ -2,11 +2,11 @@
 width = 16; height = 8
 load 'figures/style.gp'
 table = data.'/optional_parts.tsv'
-set lmargin at screen 0.43; set rmargin at screen 0.975; set tmargin at screen 0.97; set bmargin at screen 0.188
-set key at 18, -11.5
+set lmargin at screen 0.47; set rmargin at screen 0.975; set tmargin at screen 0.97; set bmargin at screen 0.188
+set key at 5.6, -7.4
 set logscale x 10
-set xtics (0.1, 0.2, 0.5, 1, 2, 5, 10, 20)
-set xrange [0.1:20]
+set xtics (0.1, 0.2, 0.5, 1, 2, 5)
+set xrange [0.1:6]
 set xlabel "time per step over that of the run without it"
 set grid x noy
 set border 1

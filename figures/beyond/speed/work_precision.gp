@@ -7,8 +7,8 @@ file = data.'/work_precision.tsv'
 kinds = 7
 array members[kinds] = ['^log_hamiltonian', '^collocation', '^htvi$', '^gsl_', '^odeint_', '^sundials_', \
   '^(stormer_verlet|verlet_|adaptive_verlet|hairer_soderlind|blanes_moan)']
-array shown[kinds] = ['logarithmic Hamiltonian', 'Gauss collocation', 'HTVI', 'GSL', 'Boost.odeint', 'SUNDIALS', \
-  'fixed-step and reversible']
+array shown[kinds] = ['log. Hamiltonian', 'Gauss collocation', 'HTVI', 'GSL', 'Boost.odeint', 'SUNDIALS', \
+  'other of ours']
 array colour[kinds] = [green, black, blue, vermilion, orange, purple, grey]
 array mark[kinds] = [9, 7, 7, 5, 4, 2, 1]
 
@@ -32,11 +32,11 @@ array horizon[9] = ['10', '10', '10', orbits, '10', '10 periods', '100', '1', '1
 array title[9] = ['Kepler, e = 0.9, T = 10', 'Kepler, e = 0.99, T = 10', 'Kepler, e = 0.999, T = 10', \
   'Kepler, e = 0.9, '.orbits, 'quadrupole, e = 0.9, T = 10', 'figure eight, 10 periods', 'Hénon–Heiles, T = 100', '7 bodies, T = 1', 'chain of 64, T = 100']
 set multiplot
-page_left = 0.1; page_right = 0.985; page_top = 0.955; page_bottom = 0.19; gap_x = 0.07; gap_y = 0.115
+page_left = 0.11; page_right = 0.985; page_top = 0.955; page_bottom = 0.175; gap_x = 0.07; gap_y = 0.115
 do for [i=1:9] {
   eval panel((i - 1) % 3 + 1, (i - 1) / 3 + 1, 3, 3)
   set title title[i] font ',7.5' offset 0, -0.6
-  set ylabel i % 3 == 1 ? 'position error' : '' font ',8' offset 2.2, 0
+  set ylabel i % 3 == 1 ? 'position error' : '' font ',8' offset 1.4, 0
   set xlabel i > 6 ? 'time / V' : '' font ',8' offset 0, 0.4
   drawn = ''
   do for [k=1:kinds] { if (count(problem[i], ecc[i], horizon[i], k)) { drawn = drawn.' '.k } }
@@ -45,6 +45,6 @@ do for [i=1:9] {
 eval at_screen('l', 0.05).at_screen('r', 0.99).at_screen('t', 0.075).at_screen('b', 0.005)
 unset border; unset tics; unset xlabel; unset ylabel; unset title; unset grid; unset logscale
 set xrange [0:1]; set yrange [0:1]
-set key inside center center horizontal Left reverse maxcols 4 samplen 2 spacing 1.1 width -3 font ',7' noopaque
+set key inside center center vertical Left reverse maxrows 2 samplen 2 spacing 1.1 width -2 font ',7' noopaque
 plot 2 notitle, for [k=1:kinds] keyentry with linespoints lc rgb colour[k] lw 1.3 pt mark[k] ps 0.7 title shown[k]
 unset multiplot

@@ -36,7 +36,7 @@ plot 1.15e3*(x/0.1)**-2 ls guide, 350*(x/0.1)**-0.5*K(x)/K(0.1) ls guide, 24 ls 
   table using (strcol('method') eq 'htvi4' && strcol('monitor') eq 'r^1.5' ? double(column('closeness')) : NaN):'steps_per_orbit' with linespoints ls method('htvi'), \
   table using (strcol('method') eq 'log_hamiltonian' ? double(column('closeness')) : NaN):'steps_per_orbit' with linespoints ls method('log_hamiltonian')
 eval legend(0.25)
-set key maxrows 4 samplen 2.5 width -3 font ',7'
+set key maxrows 4 samplen 2 width -1.5 font ',7'
 plot 2 with linespoints ls monitor('none') title 'HTVI4, fixed step', \
   2 with linespoints ls monitor('norm_squared') title 'HTVI4, g = r', \
   2 with linespoints ls method('htvi') title 'HTVI4, g = r^{1.5}', \

@@ -1,18 +1,18 @@
 # The largest step before the energy runs off (Kepler: e = 0.9; Henon-Heiles: H = 1/12), in units of the limit of linear
 # theory, for each method.
-width = 16; height = 6.6
+width = 16; height = 8
 load 'figures/style.gp'
 table = data.'/step_breakdown.tsv'
 methods = 'stormer_verlet yoshida4 kahan_li8 runge_kutta_4 htvi2 htvi4 htvi6 htvi8 htvi12'
 shown = "'Störmer–Verlet' 'Yoshida 4' 'Kahan–Li 8' 'Runge–Kutta 4' HTVI2 HTVI4 HTVI6 HTVI8 HTVI12"
 set logscale y 10
-set yrange [0.01:5]
+set yrange [0.05:8]
 set xrange [0.5:9.5]
 set ylabel 'largest step / linear limit'
 set xtics rotate by 25 right
 do for [i=1:9] { set xtics add (word(shown, i) i) }
 set bmargin 4.6
-set key bottom left Left reverse maxrows 3 width -4
+set key tmargin center horizontal Left reverse maxrows 2 width -3
 row(problem, monitor, x) = strcol('problem') eq problem && strcol('monitor') eq monitor && position(methods, strcol('method')) \
   ? position(methods, strcol('method')) + x : NaN
 plot 1 ls guide title 'linear theory', \
