@@ -31,8 +31,8 @@ class StageField {
   /// For this problem.
   explicit StageField(const Problem&) {}
 
-  /// force = \f$-\partial \bar H/\partial q\f$.
-  void force(const Problem& problem, const Vec& q, const Vec& p, Vec& force) {
+  /// force = -weight \f$\partial \bar H/\partial q\f$.
+  void force(const Problem& problem, const Vec& q, const Vec& p, const Scalar& weight, Vec& force) {
     const auto at_q = [&](const auto& f) {
       return [&](const auto& x) { return f(x, constants<std::decay_t<decltype(x)>>(p)); };
     };
@@ -47,24 +47,25 @@ class StageField {
       for (int i = 0; i < n; ++i)
         force[i] = value.partial(i);
     }
+    const Scalar minus = -weight;
     if constexpr (Problem::unit) {
       for (int i = 0; i < n; ++i)
-        force[i] = -force[i];
+        force[i] = minus * force[i];
     } else {
       Partials<Scalar, n> g;
       if constexpr (Problem::position_monitor)
         g = value_and_gradient(problem.monitor(), q);
       else
         g = value_and_gradient(at_q(problem.monitor()), q);
-      const Scalar defect = energy + Scalar(problem.energy_momentum());
+      const Scalar along = minus * g.value, across = minus * (energy + Scalar(problem.energy_momentum()));
       for (int i = 0; i < n; ++i)
-        force[i] = -(g.value * force[i] + defect * g.partial(i));
+        force[i] = along * force[i] + across * g.partial(i);
       rate_ = g.value;
     }
   }
 
-  /// velocity = \f$\partial \bar H/\partial p\f$, at the positions of the last call of force().
-  void velocity(const Problem& problem, const Vec& q, const Vec& p, Vec& velocity) {
+  /// velocity = weight \f$\partial \bar H/\partial p\f$, at the positions of the last call of force().
+  void velocity(const Problem& problem, const Vec& q, const Vec& p, const Scalar& weight, Vec& velocity) {
     const auto at_p = [&](const auto& f) {
       return [&](const auto& x) { return f(constants<std::decay_t<decltype(x)>>(q), x); };
     };
@@ -81,13 +82,14 @@ class StageField {
     }
     if constexpr (!Problem::position_monitor) {
       const Partials<Scalar, n> g = value_and_gradient(at_p(problem.monitor()), p);
-      const Scalar defect = energy + Scalar(problem.energy_momentum());
+      const Scalar along = weight * g.value, across = weight * (energy + Scalar(problem.energy_momentum()));
       for (int i = 0; i < n; ++i)
-        velocity[i] = g.value * velocity[i] + defect * g.partial(i);
+        velocity[i] = along * velocity[i] + across * g.partial(i);
       rate_ = g.value;
-    } else if constexpr (!Problem::unit) {
+    } else {
+      const Scalar along = weight * rate_;  // 1 where the monitor is Unit
       for (int i = 0; i < n; ++i)
-        velocity[i] = rate_ * velocity[i];
+        velocity[i] = along * velocity[i];
     }
   }
 
@@ -126,17 +128,18 @@ requires(Problem::dimension == dynamic ||
                    record<n>([&](const auto& q, const auto& p) { return Recorded(problem.rate(q, p)); },
                              problem.size())) {}
 
-  /// force = \f$-\partial \bar H/\partial q\f$.
-  void force(const Problem&, const Vec& q, const Vec& p, Vec& force) {
+  /// force = -weight \f$\partial \bar H/\partial q\f$.
+  void force(const Problem&, const Vec& q, const Vec& p, const Scalar& weight, Vec& force) {
     evaluate(forces_, force_room_, q, p);
+    const Scalar minus = -weight;
     for (int i = 0; i < forces_.slopes(); ++i)
-      force[i] = -forces_.slope(force_room_, i);
+      force[i] = minus * forces_.slope(force_room_, i);
   }
-  /// velocity = \f$\partial \bar H/\partial p\f$.
-  void velocity(const Problem&, const Vec& q, const Vec& p, Vec& velocity) {
+  /// velocity = weight \f$\partial \bar H/\partial p\f$.
+  void velocity(const Problem&, const Vec& q, const Vec& p, const Scalar& weight, Vec& velocity) {
     evaluate(velocities_, velocity_room_, q, p);
     for (int i = 0; i < velocities_.slopes(); ++i)
-      velocity[i] = velocities_.slope(velocity_room_, i);
+      velocity[i] = weight * velocities_.slope(velocity_room_, i);
   }
   /// g of the last call of velocity().
   [[nodiscard]] const Scalar& rate() {

@@ -38,9 +38,9 @@ class alignas(64) Stages {
 
   /// For this problem and rule of at most w stages.
   Stages(const Problem& problem, const GaussRule& rule, SweepSettings settings)
-      : dq_(problem.size()), dp_(problem.size()), rule_(rule), settings_(settings), field_(problem),
-        begin_(problem.size()), end_(problem.size()), start_(problem.size()), change_(problem.size()),
-        work_(problem.size()) {
+      : dq_(problem.size()), dp_(problem.size()), old_q_(problem.size()), old_p_(problem.size()), rule_(rule),
+        settings_(settings), field_(problem), begin_(problem.size()), end_(problem.size()),
+        start_(problem.size()), change_(problem.size()), work_(problem.size()) {
     dq_.setConstant(Scalar(0.0)), dp_.setConstant(Scalar(0.0)), change_.setZero();
     for (int j = 0; j < rule.stages(); ++j) {
       weight_.set(j, rule.weight(j));
@@ -155,9 +155,7 @@ class alignas(64) Stages {
   }
 
   [[gnu::always_inline]] StepReport solve(const Problem& problem, State<n>& z, double h, Work& work) {
-    constexpr double tiny = std::numeric_limits<double>::min(),
-                     epsilon = std::numeric_limits<double>::epsilon();
-    const Eigen::Index size = z.q.size();
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
     StepReport report{.evaluations = 0};
     guess(work, h);
     const Scalar weight = Scalar(h) * weight_;
@@ -166,24 +164,11 @@ class alignas(64) Stages {
     const int first_look = place_ == Place::elsewhere ? 1 : first_look_;
     for (int k = 1; k <= settings_.max_sweeps; ++k) {
       ++report.evaluations;
-      Scalar change_p(0.0), size_p(tiny), change_q(0.0), size_q(tiny);
-      const auto replace = [&](Scalar& old, const Scalar& value, Scalar& change, Scalar& most) {
-        change = max(change, abs(value - old));
-        most = max(most, abs(value));
-        old = value;
-      };
-      field_.force(problem, work.q, work.p, work.dp);
-      for (Eigen::Index i = 0; i < size; ++i) {
-        work.dp[i] *= weight;
-        replace(work.p[i], Scalar(z.p[i]) + (Scalar(start_.low.p[i]) + mu_ * work.dp[i]), change_p, size_p);
-      }
-      field_.velocity(problem, work.q, work.p, work.dq);
-      for (Eigen::Index i = 0; i < size; ++i) {
-        work.dq[i] *= weight;
-        replace(work.q[i], Scalar(z.q[i]) + (Scalar(start_.low.q[i]) + mu_ * work.dq[i]), change_q, size_q);
-      }
-      if (k < first_look) continue;
-      const double change = largest(max(change_q / size_q, change_p / size_p));
+      const bool look = k >= first_look;
+      if (look) old_q_ = work.q, old_p_ = work.p;
+      sweep(problem, z, weight, work);
+      if (!look) continue;
+      const double change = largest(max(change_of(work.q, old_q_), change_of(work.p, old_p_)));
       report.residual = change;
       if (!std::isfinite(change)) {
         report.outcome = Outcome::non_finite;
@@ -200,6 +185,29 @@ class alignas(64) Stages {
     }
     report.outcome = Outcome::not_converged;
     return report;
+  }
+
+  /// One sweep. Flattened, so that a formula is worked off in registers, whatever it is made of and whatever
+  /// else the program holds.
+  [[gnu::flatten, gnu::noinline]] void sweep(const Problem& problem, const State<n>& z, const Scalar& weight,
+                                             Work& work) {
+    const Eigen::Index size = z.q.size();
+    field_.force(problem, work.q, work.p, weight, work.dp);
+    for (Eigen::Index i = 0; i < size; ++i)
+      work.p[i] = Scalar(z.p[i]) + mu_.times(work.dp[i], Scalar(start_.low.p[i]));
+    field_.velocity(problem, work.q, work.p, weight, work.dq);
+    for (Eigen::Index i = 0; i < size; ++i)
+      work.q[i] = Scalar(z.q[i]) + mu_.times(work.dq[i], Scalar(start_.low.q[i]));
+  }
+
+  /// Largest change of a vector at each stage, relative to its largest entry there.
+  static Scalar change_of(const Vec& now, const Vec& before) {
+    Scalar change(0.0), most(std::numeric_limits<double>::min());
+    for (Eigen::Index i = 0; i < now.size(); ++i) {
+      change = max(change, abs(now[i] - before[i]));
+      most = max(most, abs(now[i]));
+    }
+    return change / most;
   }
 
   [[gnu::always_inline]] StepReport finish(const Problem& problem, State<n>& z, double h, Work& work,
@@ -233,7 +241,8 @@ class alignas(64) Stages {
 
   LaneMatrix<w> mu_, guess_;
   alignas(64) Scalar weight_{0.0};
-  alignas(64) Vec dq_, dp_;  // of the last step
+  alignas(64) Vec dq_, dp_;        // of the last step
+  alignas(64) Vec old_q_, old_p_;  // before the last sweep
   Scalar dt_{0.0};
   GaussRule rule_;
   SweepSettings settings_;
