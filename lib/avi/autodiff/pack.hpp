@@ -138,29 +138,27 @@ Pack<w> sqrt(const Pack<w>& x) {
   return x.each([](double v) { return std::sqrt(v); });
 #endif
 }
-/// As power() of a double, and for quarters of an integer too by roots and products. Negative ones that are
-/// no integers share one reciprocal root: a distance, its powers and their slopes then cost one division.
+/// As power() of a double, and for quarters of an integer too by roots and products. From -7/4 on, negative
+/// ones share the reciprocal root: a distance, its usual powers and their slopes then cost one division.
 template <int w>
 Pack<w> pow(const Pack<w>& x, double exponent) {
   const double four = 4.0 * exponent;
   if (!(std::abs(four) <= 32.0) || four != static_cast<double>(static_cast<int>(four)))
     return x.each([&](double v) { return std::pow(v, exponent); });
   const int m = static_cast<int>(std::abs(four));
+  const bool shares = four < 0.0 && four > -8.0 && m % 4;
   Pack<w> y(1.0), factor = x;
-  int times = m / 4;
   if (m % 4) {
     const Pack<w> root = sqrt(x);
-    if (four < 0.0) {
+    if (shares)
       factor = 1.0 / root;
-      times = (m + 1) / 2;
-    } else if (m % 4 > 1) {
+    else if (m % 4 > 1)
       y = root;
-    }
     if (m % 2) y *= sqrt(root);
   }
-  for (int k = times; k > 0; k /= 2, factor *= factor)
+  for (int k = shares ? (m + 1) / 2 : m / 4; k > 0; k /= 2, factor *= factor)
     if (k % 2) y *= factor;
-  return four < 0.0 && m % 4 == 0 ? 1.0 / y : y;
+  return four < 0.0 && !shares ? 1.0 / y : y;
 }
 template <int w>
 Pack<w> exp(const Pack<w>& x) {

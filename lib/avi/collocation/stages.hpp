@@ -94,7 +94,7 @@ class alignas(64) Stages {
     explicit Nothing(Eigen::Index) {}
   };
   struct Work {  // unknowns of a step and their increments L
-    Vec q, p, dq, dp;
+    alignas(64) Vec q, p, dq, dp;
     explicit Work(Eigen::Index size) : q(size), p(size), dq(size), dp(size) {}
   };
 
