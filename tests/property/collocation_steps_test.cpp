@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -163,6 +164,30 @@ TEST(CollocationSteps, NamesWhatEndsAStep) {
                                   .p = Vector<double, avi::dynamic>::Ones(2)};
   auto chain = avi::collocation(avi::poincare(avi::Chain{}, avi::Chain::plucked(3)), 4);
   EXPECT_THROW((void)chain.step(short_state, 0.1), std::invalid_argument);
+}
+
+// How soon a step counts as solved decides cost and accuracy, which other tests bound loosely.
+TEST(CollocationSteps, EndsItsSweepsAtRoundOff) {
+  const auto start = Kepler::pericentre(0.6);
+  const double energy = Kepler{}(start.q, start.p);
+  const struct {  // measured
+    int order;
+    double h;
+    long sweeps;
+    double error;
+  } runs[] = {
+      {4, 0.02, 950, 3.2e-10}, {8, 0.2, 1519, 2.4e-13}, {16, 0.4, 1527, 8.9e-16}, {16, 0.1, 657, 2.3e-15}};
+  for (const auto& [order, h, sweeps, error] : runs) {
+    auto method = avi::collocation(avi::poincare(Kepler{}, start, ThreeHalves{}), order);
+    State<2> z = start;
+    double worst = 0.0;
+    const avi::Run run = avi::integrate(method, z, h, {.steps = 200}, [&](const State<2>& now, long) {
+      worst = std::max(worst, std::abs(Kepler{}(now.q, now.p) - energy));
+    });
+    ASSERT_EQ(run.outcome, Outcome::ok);
+    EXPECT_LE(run.evaluations, 1.01 * sweeps) << "order " << order << ", h = " << h;
+    EXPECT_LE(worst, 2.0 * error) << "order " << order << ", h = " << h;
+  }
 }
 
 TEST(CollocationSteps, GoesOnAfterAFailedStep) {

@@ -12,14 +12,16 @@ std::vector<double> halvings(double first, int count) {
 }
 
 TEST(FitOrder, FindsThePowerOfAPowerLaw) {
-  const auto h = halvings(0.1, 6);
-  std::vector<double> error;
-  for (double step : h)
-    error.push_back(3.0 * std::pow(step, 4));
-  const auto fit = avi::fit_order(h, error);
-  EXPECT_NEAR(fit.order, 4.0, 1e-12);
-  EXPECT_EQ(fit.points, 6);
-  EXPECT_NEAR(fit.scatter, 0.0, 1e-12);
+  for (const double order : {0.4, 1.0, 4.0, 12.0}) {
+    const auto h = halvings(0.1, 6);
+    std::vector<double> error;
+    for (double step : h)
+      error.push_back(3.0 * std::pow(step, order));
+    const auto fit = avi::fit_order(h, error);
+    EXPECT_NEAR(fit.order, order, 1e-12);
+    EXPECT_EQ(fit.points, 6);
+    EXPECT_NEAR(fit.scatter, 0.0, 1e-12);
+  }
 }
 
 TEST(FitOrder, DropsThePlateauWithAndWithoutAFloor) {

@@ -76,6 +76,16 @@ TEST(Recording, IsAsLongAsTheFunction) {
   }
 }
 
+TEST(Recording, CountsOperations) {
+  const auto count = [](auto f) { return Recording(f, 4).value().operations(); };
+  EXPECT_EQ(count([](const auto& x) { return sin(x[0]); }), 1u);
+  EXPECT_EQ(count([](const auto& x) { return exp(sin(x[0]) / x[1]); }), 3u);
+  EXPECT_EQ(count([](const auto& x) { return x[0] - x[1] * x[2]; }), 2u);
+  EXPECT_EQ(count([](const auto& x) { return (x[0] + x[1]) * x[2] - sqrt(x[3]); }), 4u);
+  // In a long sum a product and its addition are one.
+  EXPECT_EQ(count([](const auto& x) { return x[0] * x[1] + x[1] * x[2] + x[2] * x[3] + x[0] * x[3]; }), 4u);
+}
+
 TEST(Recording, TakesEigensReductions) {
   const int n = 7;
   const auto f = [](const auto& q, const auto& p) {
