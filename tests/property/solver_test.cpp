@@ -67,6 +67,23 @@ TEST(Solver, TakesTwoEvaluationsAStepWhereStepsAreAccurate) {
   EXPECT_LT(per_step(run), 2.5);
 }
 
+// When the residual counts as round-off: with the least tolerance the iteration has to notice that it
+// stagnates.
+TEST(Solver, EndsAtRoundOff) {
+  const struct {
+    double tolerance, step;
+    long expansions;  // measured
+  } runs[] = {{8.0, 0.05, 400}, {8.0, 0.2, 598}, {1.0, 0.05, 400}, {1.0, 0.2, 602}};
+  for (const auto& [tolerance, step, expansions] : runs) {
+    auto z = avi::Kepler::pericentre(0.6);
+    auto method = avi::htvi_of_order<avi::Generating::type2>(
+        3, avi::poincare<2>(avi::Kepler{}, z, avi::NormSquared{}), avi::gauss(4), {.tolerance = tolerance});
+    const auto run = avi::integrate(method, z, step, {.steps = 200});
+    ASSERT_EQ(run.outcome, avi::Outcome::ok);
+    EXPECT_LE(run.evaluations, 1.01 * expansions) << "tolerance " << tolerance << ", h = " << step;
+  }
+}
+
 TEST(Solver, SaysWithStateAndResidualWhenNothingConverges) {
   auto z = start;
   auto method = method_for(10.0, 1, {.max_iterations = 2, .quasi_newton = false});

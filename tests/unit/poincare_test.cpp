@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 using avi::Kepler;
 using avi::State;
@@ -69,6 +70,24 @@ TEST(Poincare, RefusesWhatIsNotFinite) {
   using Free = avi::Poincare<avi::dynamic, avi::Automatic<Kepler>>;
   EXPECT_THROW(Free({}, {}, 0.0, 0), std::invalid_argument);
   EXPECT_EQ(Free({}, {}, 0.0, 1).size(), 1);
+}
+
+TEST(Poincare, RefusesASizeThatIsNotTheDimension) {
+  const auto refusal = [](auto make) -> std::string {
+    try {
+      make();
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  const auto free = [](const auto&, const auto& p) { return 0.5 * (p[0] * p[0]); };
+  using H = decltype(free);
+  EXPECT_EQ(refusal([&] { avi::Poincare<2, H>(free, {}, 0.0, 3); }),
+            "Dimension of the problem is 3; it must be 2.");
+  EXPECT_EQ(refusal([&] { avi::Poincare<avi::dynamic, H>(free, {}, 0.0, 0); }),
+            "Dimension of the problem is 0; it must be at least 1.");
+  EXPECT_EQ(refusal([&] { avi::Poincare<avi::dynamic, H>(free, {}, 0.0, 1); }), "accepted");
 }
 
 }  // namespace
