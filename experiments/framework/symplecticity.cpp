@@ -9,13 +9,14 @@
 #include "bregman/printed/extended_splitting.hpp"
 #include "bregman/printed/htvi_printed.hpp"
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
 
 // How far one step is from being symplectic, as the step shrinks: the adaptive integrators on Kepler's
-// problem, as maps of (q, p), and the printed updates for Bregman dynamics on extended phase space, r^t
-// included.
+// problem, as maps of (q, p) and of (q, t, p, p^t), and the printed updates for Bregman dynamics on extended
+// phase space, r^t included.
 
 namespace {
 
@@ -50,6 +51,26 @@ double bregman_defect(const std::function<void(double, avi::ExtendedPoint&)>& st
       at);
 }
 
+/// Defect of a step of HTVI4 on (q, t, p, p^t), off the energy shell: symplecticity must not need it.
+template <class Monitor>
+double kepler_defect(const Monitor& monitor, double h) {
+  const avi::Kepler kepler;
+  const avi::State<2> z = avi::Kepler::exact(0.6, 0.9);
+  avi::VectorX at(6);
+  at << z.q, 0.3, z.p, -kepler(z.q, z.p) + 0.02;
+  return avi::symplecticity_defect(
+      [&](const avi::VectorX& x) -> avi::VectorX {
+        const avi::Poincare<2, avi::Kepler, Monitor> problem(kepler, monitor, x[5]);
+        avi::State<2> s{.q = x.head<2>(), .p = x.segment<2>(3), .t = x[2]};
+        if (avi::type2<3, avi::authors>(problem, avi::simpson()).step(s, h).outcome != avi::Outcome::ok)
+          s.t = std::nan("");
+        avi::VectorX image(6);
+        image << s.q, s.t, s.p, x[5];
+        return image;
+      },
+      at);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -65,6 +86,7 @@ int main(int argc, char** argv) {
             avi::type2<3, avi::authors>(avi::poincare<2>(kepler, somewhere, monitor), avi::simpson());
         for (double h : {0.16, 0.08, 0.04, 0.02, 0.01}) {
           table.row("kepler", "htvi4", "q p", h, avi::symplecticity_defect(htvi4, somewhere, h));
+          table.row("kepler", "htvi4", "q t p p^t", h, kepler_defect(monitor, h));
           table.row("kepler", "symplectic_euler_b", "q p", h,
                     avi::symplecticity_defect(avi::euler_b<2>(kepler, somewhere, avi::NormSquared{}),
                                               somewhere, 0.25 * h));

@@ -26,7 +26,7 @@ do for [a in 'direct adaptive'] {
   plot for [m in shown] curves using (is(m, a, column('iteration'))):'ahead' with lines ls method(m) lw 1.5
   unset title
   set xlabel 'relative tolerance' offset 0, 0.4
-  set ylabel i == 1 ? 'gradients' : ''
+  set ylabel i == 1 ? 'gradients' : '' offset 0.3, 0
   set autoscale
   stats table using (reached('htvi', a, column('gradient_evaluations'))) nooutput; least_htvi = STATS_min
   stats table using (reached('runge_kutta_4', a, column('gradient_evaluations'))) nooutput; least_rk4 = STATS_min

@@ -1,5 +1,5 @@
-# How far one step is from a symplectic map: round-off for the adaptive integrators and the three flows, h^3 for the
-# printed splitting with its r^t.
+# How far one step is from a symplectic map: round-off for the adaptive integrators, on extended phase space too, and
+# the three flows, h^3 for the printed splitting with its r^t.
 width = 16; height = 7.6
 load 'figures/style.gp'
 file = data.'/symplecticity.tsv'
@@ -10,11 +10,12 @@ unset key
 set xlabel 'fictive step h' offset 0, 0.3
 set yrange [1e-16:1]; set ytics 1e4
 is(p, m, v) = also('problem', p, also('method', m, also('variables', v, column('defect'))))
-set title "Kepler's problem, (q, p)" offset 0, -0.6
+set title "Kepler's problem" offset 0, -0.6
 set ylabel 'defect of one step'
 set xrange [0.007:0.25]
 eval panel(1, 1, 2, 1)
 plot file using 'h':(is('kepler', 'htvi4', 'q p')) with linespoints ls method('htvi4'), \
+  file using 'h':(is('kepler', 'htvi4', 'q t p p^t')) with linespoints ls monitor('none'), \
   file using 'h':(is('kepler', 'symplectic_euler_b', 'q p')) with linespoints ls monitor('norm_squared')
 set title 'Bregman dynamics, (q, t, r, r^t)'
 unset ylabel; set format y ''
@@ -26,8 +27,9 @@ plot file using 'h':(is('bregman', 'htvi', 'q t r r^t')) with linespoints ls met
   file using 'h':(is('bregman', 'three_flows', 'q t r r^t')) with linespoints ls method('clone_y4'), \
   3e2*x**3 with lines ls guide
 eval legend(0.249)
-set key maxrows 3 samplen 2
+set key maxrows 4 samplen 2
 plot 2 notitle, keyentry with linespoints ls method('htvi4') title 'HTVI4, gamma; HTVI', \
+  keyentry with linespoints ls monitor('none') title 'in (q, t, p, p^t)', \
   keyentry with linespoints ls monitor('norm_squared') title 'Euler-B, q^Tq, step h/4', \
   keyentry with linespoints ls method('splitting') title 'printed splitting', \
   keyentry with linespoints ls method('clone_strang') title 'its (q, r) block', \

@@ -16,8 +16,8 @@ do for [k=1:3] {
 }
 unset title
 set size noratio
-set border 3; set tics; set grid; set key top right
-set lmargin at screen page_left; set rmargin at screen page_right; set tmargin at screen 0.5; set bmargin at screen page_bottom
+set border 3; set tics nomirror; set grid; set key top right
+set lmargin at screen page_left; set rmargin at screen page_right - 0.015; set tmargin at screen 0.5; set bmargin at screen page_bottom
 set xrange [0:*]; set yrange [1e-11:2]
 eval logy
 set xlabel 'gradients'

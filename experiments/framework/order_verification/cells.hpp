@@ -77,8 +77,9 @@ void add_cells(std::vector<OrderCell>& cells, const std::string& name, const Pro
   const auto rules = order_rules();
   for (int r = 0; r <= (quick ? 2 : 4); ++r)
     for (const auto& rule : rules) {
-      // Between these the rule limits the order to s, but with a factor so small (5e-7 for three Gauss nodes)
-      // that the term of order 2r + 2 covers it down to rounding.
+      // Between these the rule limits the order to s, but with a small factor (5e-7 for three Gauss nodes):
+      // at the steps that rounding leaves, that term and the one of order 2r + 2 compete, and a slope tells
+      // neither.
       if (stationary && rule.order > r + 1 && rule.order < 2 * r + 2) continue;
       const auto [finest, limit] = slopes_of(
           [&] { return avi::htvi_of_order<type, construction>(r, problem, rule); }, start, horizon, error);

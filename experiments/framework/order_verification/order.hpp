@@ -13,7 +13,7 @@ struct OrderCell {
   std::string problem, type, construction;
   int r;
   std::string quadrature;
-  int expected;     ///< Stationary: min(2r + 2, max(r + 1, s)); others: min(r + 1, s) at least.
+  int expected;     ///< At least: stationary min(2r + 2, max(r + 1, s)), others min(r + 1, s).
   double measured;  ///< NaN when too few points lie between breakdown and round-off
   double limit;     ///< Slope extrapolated to h = 0, NaN with fewer than eight points
   int points;

@@ -109,8 +109,12 @@ Finding norm_squared_fastest(const Results& data) {
     }
     holding += chance_of(wins, all) < 0.01;
     decided = decided && std::min(chance_of(wins, all), chance_of(all - wins, all)) < 0.01;
+    const auto shown = [](std::string_view monitor) {
+      return monitor == "norm_squared" ? "q.q" : monitor == "truncation" ? "truncation error" : "arclength";
+    };
     seen += fmt::format("{}{} takes {:.2f} times as long as {} (longer in {} of {} rounds)",
-                        seen.empty() ? "" : ", ", slower, least_slow / least_fast, faster, wins, all);
+                        seen.empty() ? "" : ", ", shown(slower), least_slow / least_fast, shown(faster), wins,
+                        all);
   }
   return {decided ? in_cases(holding, 3) : Ruling::undecided,
           "At an energy error of 1e-3 " + seen + "; a sign test at 1 % decides."};
