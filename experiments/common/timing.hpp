@@ -42,14 +42,6 @@ inline std::vector<std::vector<double>> interleaved_samples(const std::vector<st
   return samples;
 }
 
-/// Median seconds of each piece of work.
-inline std::vector<double> interleaved_seconds(const std::vector<std::function<void()>>& works, int rounds) {
-  std::vector<double> medians;
-  for (auto& sample : interleaved_samples(works, rounds))
-    medians.push_back(median(std::move(sample)));
-  return medians;
-}
-
 /// Least seconds of each piece of work: the run that nothing else on the machine disturbed.
 inline std::vector<double> interleaved_least_seconds(const std::vector<std::function<void()>>& works,
                                                      int rounds) {

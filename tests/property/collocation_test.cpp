@@ -63,7 +63,7 @@ double distance(const State<2>& a, const State<2>& b) {
 }
 
 TEST(Collocation, HasOrderTwiceTheStages) {
-  // The error, root mean square over several orbits, so that none of them has a say by passing zero.
+  // The error, root mean square over several orbits, so that none decides by happening to pass through zero.
   std::vector<std::pair<State<2>, State<2>>> orbits;  // start and end
   for (int k = 0; k < 8; ++k) {
     State<2> z = charge_start;

@@ -6,16 +6,29 @@
 
 namespace {
 
-TEST(Inverse, GivesTheIdentityWhenMultiplied) {
+/// Of random matrices of n rows, with the size known to the compiler or not.
+template <int n>
+void expect_inverses() {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> entry(-1.0, 1.0);
-  avi::Matrix<double, 6> a;
-  avi::Matrix<double, avi::dynamic> b(6, 6);
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      b(i, j) = a(i, j) = entry(random);
-  EXPECT_LT((a * avi::inverse(a) - avi::Matrix<double, 6>::Identity()).norm(), 1e-13);
-  EXPECT_EQ((avi::inverse(a) - avi::inverse(b)).norm(), 0.0) << "one code path for both kinds of size";
+  for (int k = 0; k < 20; ++k) {
+    avi::Matrix<double, n> a;
+    avi::Matrix<double, avi::dynamic> b(n, n);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        b(i, j) = a(i, j) = entry(random) + (i == j ? 2.0 : 0.0);
+    const avi::Matrix<double, n> inverse = avi::inverse(a);
+    EXPECT_LT((a * inverse - avi::Matrix<double, n>::Identity()).norm(), 1e-13) << n;
+    EXPECT_LT((inverse - avi::inverse(b)).norm(), n <= 2 ? 1e-14 : 1e-99) << n;
+  }
+}
+
+TEST(Inverse, GivesTheIdentityWhenMultiplied) {
+  expect_inverses<1>();
+  expect_inverses<2>();
+  expect_inverses<3>();
+  expect_inverses<4>();
+  expect_inverses<7>();
 }
 
 TEST(Inverse, PivotsWhereTheDiagonalVanishes) {

@@ -61,8 +61,7 @@ TEST(Layers, AllowOnlyWhatLiesBelow) {
 TEST(Layers, LibraryIncludesPointDown) {
   int seen = 0;
   for (const fs::path& file : files_under(source / "lib/avi")) {
-    if (file.filename() == "avi.hpp" || file.filename() == "version.hpp")
-      continue;  // the roof, the door plate
+    if (file.filename() == "avi.hpp" || file.filename() == "version.hpp") continue;  // they are in no folder
     const std::string folder = *fs::relative(file, source / "lib/avi").begin();
     ASSERT_TRUE(floors.contains(folder)) << "lib/avi/" << folder << " has no floor in this test yet";
     for (const std::string& include : includes_of(file)) {

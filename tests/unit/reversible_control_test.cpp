@@ -91,7 +91,7 @@ TEST(ReversibleControl, KeepsTheEnergyWithoutDriftAndTheStepNearItsMonitor) {
 }
 
 TEST(ReversibleControl, IsNotSymplectic) {
-  // Said in the documentation; the test would notice if the defect's size were misjudged.
+  // As the documentation says; this test checks the size of the defect.
   const double defect = avi::symplecticity_defect(adaptive_verlet, Kepler::pericentre(0.5), 0.1);
   EXPECT_GT(defect, 1e-4);
 }

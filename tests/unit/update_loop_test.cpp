@@ -90,7 +90,7 @@ TEST(UpdateLoop, ReportsDivergenceAtOnce) {
 }
 
 TEST(UpdateLoop, AnInfiniteValueIsOutOfEveryBound) {
-  // A thousandth of the largest number at the start: the bound of growth 1e30 is no number.
+  // f starts at a thousandth of the largest double, so that 1e30 times it, the bound, overflows.
   const auto steep = [](const VectorX& x, VectorX& g) { return g = x, 0.5e305 * avi::dot(x, x); };
   const auto run = minimise(steep, GradientDescent{.h = 10.0}, VectorX::Ones(1));
   EXPECT_EQ(run.outcome, Outcome::diverged);

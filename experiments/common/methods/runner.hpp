@@ -6,7 +6,7 @@
 #include <memory>
 
 /// @file
-/// A method together with its problem, whose types nobody needs to know.
+/// A method together with its problem, their types erased.
 
 namespace experiment {
 
@@ -64,7 +64,7 @@ class RunnerOf {
   }
 
  private:
-  /// A method whose type is forgotten.
+  /// A method with its type erased.
   struct Made {
     std::function<avi::Run(State&, double, avi::Until)> run;
     std::function<avi::StepReport(State&, double)> take_step;

@@ -14,7 +14,7 @@
 
 namespace experiment {
 
-/// An objective whose type is forgotten; it must outlive this.
+/// An objective with its type erased; it must outlive this.
 class AnyObjective {
  public:
   template <class F>

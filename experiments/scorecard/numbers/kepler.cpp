@@ -79,7 +79,7 @@ Judgement global_error(const Cell& cell, const experiment::Table& data, std::siz
   return judgement;
 }
 
-/// Another machine and language: never the same number. What can be compared is the ratio to Stormer-Verlet.
+/// Seconds of another machine and language cannot agree; what can be compared is the ratio to Stormer-Verlet.
 Judgement seconds(const Cell& cell, const experiment::Table& data, std::size_t row) {
   const double ours = data.number(row, "seconds");
   Judgement judgement{experiment::rounded(ours, 3), Verdict::differs,

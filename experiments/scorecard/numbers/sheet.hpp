@@ -21,7 +21,7 @@ enum class Verdict {
   within,    ///< Inside a tolerance that the note declares.
   differs,   ///< Neither.
   erratum,   ///< Evidence that the printed value or setting is a slip.
-  unstated,  ///< Depends on a setting that the source does not give and nobody recovered.
+  unstated,  ///< Depends on a setting that the source does not give and that was not recovered.
   chaotic,  ///< Moves with the last bit; the note says whether the printed value lies in the perturbed range.
   missing   ///< No data to judge it by.
 };

@@ -51,8 +51,6 @@ class Composition {
     return total;
   }
 
-  [[nodiscard]] const Base& base() const { return base_; }  ///< S, as the last step left it.
-
  private:
   Base base_;
   int order_;

@@ -21,8 +21,6 @@ class PerturbedKepler : public UnitMass<PerturbedKepler, 2> {
             "finite and not negative");
   }
 
-  [[nodiscard]] double epsilon() const { return epsilon_; }  ///< The quadrupole.
-
   /// Potential V(q) = -(1 + epsilon / (2 |q|^2)) / |q|.
   template <class Q>
   auto potential(const Q& q) const {

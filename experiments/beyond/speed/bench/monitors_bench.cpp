@@ -3,8 +3,8 @@
 #include "avi/htvi/htvi.hpp"
 #include "avi/transform/monitors.hpp"
 
-// HTVI4 with every monitor, and what its gradient costs when nobody supplies it. InverseEnergyError is
-// infinite on the solution, so that no step can be timed.
+// HTVI4 with every monitor, and what automatic gradients cost. InverseEnergyError is infinite on the
+// solution, so that no step can be timed.
 
 namespace {
 

@@ -15,8 +15,8 @@ struct Measurement {
   std::string subject;  ///< Method, and monitor where it has one.
   double value;         ///< Along the axis.
   long steps = 0, evaluations = 0;
-  double energy_error = 0.0;  ///< Largest |H - H_0| / |H_0| on the way; NaN where nobody looked.
-  std::function<void()> run;  ///< The run, without a look on the way.
+  double energy_error = 0.0;  ///< Largest |H - H_0| / |H_0| during the run; NaN where it was not observed.
+  std::function<void()> run;  ///< The run alone, not observed.
   double units = 1.0;         ///< Seconds are divided by it.
 };
 

@@ -41,7 +41,7 @@ struct PrintedForm {
   }
 };
 
-/// An update rule as a thing that steps.
+/// An update rule with a step function.
 template <class Method>
 struct RunningForm {
   Method method;

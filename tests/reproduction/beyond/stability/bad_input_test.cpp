@@ -56,7 +56,7 @@ TEST(BadInput, AStepTooSmallForTheClockEndsTheRun) {
     EXPECT_TRUE(z.finite());
     return std::pair(end.outcome, end.steps);
   };
-  // Below the rounding of t; and above it at first, where t = 0, but never to arrive.
+  // A step below the rounding of t; and one that is above it at first, at t = 0, but would never arrive.
   EXPECT_EQ(run(1.0, 1e-20), std::pair(Outcome::stalled, 1L << 20));
   EXPECT_EQ(run(0.0, 1e-300), std::pair(Outcome::stalled, 1L << 20));
   EXPECT_EQ(run(0.0, 1.5e-16), std::pair(Outcome::stalled, 1L << 20));

@@ -86,7 +86,7 @@ TEST(Runs, NoneIsSilentlyWrong) {
 }
 
 TEST(Runs, AnObjectiveThatSwallowsNanConvergesNowhere) {
-  // Asked about what is no number it answers 0 with gradient 0, on which the stopping test would hold.
+  // Returns 0 with gradient 0 for NaN input, where the stopping test would hold.
   const auto swallowing = [calls = 0](const VectorX& x, VectorX& g) mutable {
     g = x;
     if (++calls == 3) g.setConstant(std::nan(""));
