@@ -118,7 +118,7 @@ std::string latex_printed(std::string_view printed) {
 }
 
 std::string display_name(std::string_view name) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 64> names{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 66> names{
       {{"none", "none"},
        {"htvi", "HTVI"},
        {"htvi4", "HTVI4"},
@@ -162,6 +162,8 @@ std::string display_name(std::string_view name) {
        {"binding", "bound copies"},
        {"nag_limit", "NAG, distance to its limit"},
        {"mirror", "mirror map"},
+       {"omega", "$\\omega$"},
+       {"h", "$h$"},
        {"minimise_m0", "minimise, $m=0$"},
        {"minimise_m7", "minimise, $m=7$"},
        {"lbfgs", "L-BFGS(10), liblbfgs"},
