@@ -1,5 +1,6 @@
 #include "avi/autodiff/pack.hpp"
 #include "avi/core/vector.hpp"
+#include "unit/elementary.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ using avi::Vector;
 namespace {
 
 /// One formula per operation, generic in its scalar.
-const auto formulas =
+const auto formulas = std::tuple_cat(
     std::tuple{[](const auto& x, const auto& y) { return 2.0 + x - y + 0.5 * x - (1.0 - y); },
                [](const auto& x, const auto& y) { return x / y - 3.0 / x + x * y * x / 7.0 - (-y); },
                [](const auto& x, const auto& y) {
@@ -24,23 +25,8 @@ const auto formulas =
                [](const auto& x, const auto& y) {
                  using std::pow;
                  return pow(x, 0.3) * pow(y, -1.7);
-               },
-               [](const auto& x, const auto& y) {
-                 using std::exp, std::log;
-                 return exp(x) * log(y);
-               },
-               [](const auto& x, const auto& y) {
-                 using std::sin, std::cos, std::tan;
-                 return sin(x) * cos(y) + tan(x);
-               },
-               [](const auto& x, const auto& y) {
-                 using std::sinh, std::cosh, std::tanh;
-                 return sinh(x) * cosh(y) + tanh(y);
-               },
-               [](const auto& x, const auto& y) {
-                 using std::atan, std::abs;
-                 return atan(x) * abs(x - y);
-               }};
+               }},
+    elementary);
 
 template <int w>
 Pack<w> ramp(double first, double step) {
