@@ -58,6 +58,37 @@ TEST(Solver, IsFasterWhereThePlainIterationIsSlow) {
   EXPECT_GT(per_step(plain), 2.0 * per_step(quick)) << per_step(plain) << " and " << per_step(quick);
 }
 
+TEST(Solver, LearnsFromEarlierEvaluationsAndSteps) {
+  const auto evaluations = [](bool quasi_newton) {
+    auto z = avi::Kepler::pericentre(0.9);
+    auto method =
+        avi::htvi<8>(avi::poincare<2>(avi::Kepler{}, z, avi::bounded(avi::NormSquared{}, 0.01, 8.0)),
+                     {.quasi_newton = quasi_newton});
+    const auto run = avi::integrate(method, z, 0.64, {.time = 10.0});
+    EXPECT_EQ(run.outcome, avi::Outcome::ok);
+    return per_step(run);
+  };
+  EXPECT_GT(evaluations(false), 7.0);  // 8.1
+  EXPECT_LT(evaluations(true), 6.0);   // 5.2
+}
+
+TEST(SecantModel, KnowsALinearFunctionFromAsManyShiftsAsItHasVariables) {
+  // w(u) = A u + b with three results of two variables: u = w is at (I - A_top) u = b_top.
+  avi::Matrix<double, 3, 2> a;
+  a << 0.2, -0.1, 0.05, 0.3, 1.0, -2.0;
+  const auto w = [&](const avi::Vector<double, 2>& u) -> avi::Vector<double, 3> {
+    return a * u + avi::Vector<double, 3>(0.7, -0.4, 0.1);
+  };
+  avi::SecantModel<2, 3> model;
+  const avi::Vector<double, 2> x(1.0, 0.0), y(0.0, 1.0);
+  EXPECT_NEAR(model.learn(x, w(x) - w(0.0 * x), true), a.col(0).norm(), 1e-15) << "it knew nothing";
+  EXPECT_NEAR(model.learn(y, w(y) - w(0.0 * y), true), a.col(1).norm(), 1e-15);
+  EXPECT_NEAR(model.learn(x + y, w(x + y) - w(0.0 * x), true), 0.0, 1e-15);
+  const avi::Vector<double, 2> u(0.3, 0.8), shift = model.shift(w(u).head<2>() - u);
+  EXPECT_NEAR((w(u + shift).head<2>() - u - shift).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((w(u + shift) - w(u) - model.change(shift)).norm(), 0.0, 1e-15);
+}
+
 TEST(Solver, TakesTwoEvaluationsAStepWhereStepsAreAccurate) {
   auto z = avi::Kepler::pericentre(0.9);
   auto method = avi::type2<3, avi::authors>(

@@ -49,6 +49,7 @@ class DiscreteEquations {
     for (int j = 0; j < n; ++j)
       y[j] = -sigma * r.partial(at_u + j);
     const Vec d_y = inverse.lazyProduct(y);
+    wanted.template segment<n>(n) = d_y;
     for (int j = 0; j < n; ++j) {
       double d_u = -sigma * r.partial(at_k + j);
       for (int i = 0; i < n; ++i)
@@ -64,6 +65,7 @@ class DiscreteEquations {
       for (int i = 0; i < n; ++i)
         change.t -= sigma * own(i).partial(2 * n) * d_y[i];
     }
+    wanted[2 * n] = change.t - d.t.value();
     if constexpr (shell_terms) {
       // d_u changes with u by v w^T, w = dH/du, beside O(h^(r+1)): off the shell, dR has the terms of the
       // exact flow and (H + p^t) dt.
@@ -80,8 +82,9 @@ class DiscreteEquations {
   }
 
   StepChange<n> change;  ///< The step, if u is right.
-  Vec wanted;            ///< u - u_0 that the equations ask for.
-  Vec drift;             ///< Increment of u's own variable along the curve.
+  /// What the equations ask for beside the curve: u - u_0, then D_y, then that of time.
+  Vector<double, 2 * n + 1> wanted;
+  Vec drift;  ///< Increment of u's own variable along the curve.
 
   /// The shift of u that a residual wanted - (u - u_0) calls for, up to O(h^(r+1)) of it.
   [[nodiscard]] Vec newton(const Vec& residual) const {
@@ -89,6 +92,15 @@ class DiscreteEquations {
       return residual - v_ * (w_.dot(residual) / (1.0 + w_.dot(v_)));
     else
       return residual;
+  }
+
+  /// The step at u + shift, where what is wanted there differs from what is wanted at u by `more`.
+  [[nodiscard]] StepChange<n> shifted(const Vec& residual, const Vec& shift,
+                                      const Vector<double, 2 * n + 1>& more) const {
+    StepChange<n> moved = shifted(residual, shift);
+    (right ? moved.q : moved.p) += more.template segment<n>(n);
+    moved.t += more[2 * n];
+    return moved;
   }
 
   /// The step at u + shift, by the derivative of the curve: the true one differs from it by O(h^(r+1)) of the

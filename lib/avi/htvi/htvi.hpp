@@ -53,9 +53,21 @@ class Htvi {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     const Vector<double, n> start = right ? z.p : z.q;
     Vector<double, n> correction = predictor_.guess(h, start);  // u - u_0
+    SecantModel<n, 2 * n + 1> secant;
+    if (predictor_.goes_on(h, start)) secant = secant_;
     StepReport report{.evaluations = 0};
+    const auto accept = [&](const StepChange<n>& change) {
+      z.q += change.q;
+      z.p += change.p;
+      z.t = problem().clock(z.q, z.t + change.t);
+      predictor_.remember(correction, h, right ? z.p : z.q);
+      secant_ = secant;
+      return report;
+    };
     Broyden<n> broyden;
     double previous = 0.0;  // no estimate of the contraction yet
+    Vector<double, n> shift;
+    Vector<double, 2 * n + 1> wanted;  // before that shift
     for (int k = 1; k <= solver_.max_iterations; ++k) {
       const Vector<double, n> unknown = start + correction;
       correction = unknown - start;  // the correction after rounding
@@ -64,7 +76,7 @@ class Htvi {
       const DiscreteEquations<type, Expansion> equations(expansion_, increments,
                                                          action_.remainder(expansion_, increments, h));
       ++report.evaluations;
-      const Vector<double, n> residual = equations.wanted - correction;
+      const Vector<double, n> residual = equations.wanted.template head<n>() - correction;
       report.residual = residual.template lpNorm<Eigen::Infinity>();
       if (!std::isfinite(report.residual))
         report.outcome = Outcome::non_finite;
@@ -74,18 +86,28 @@ class Htvi {
       const double accepted =
           solver_.tolerance * epsilon *
           (start.template lpNorm<Eigen::Infinity>() + equations.drift.template lpNorm<Eigen::Infinity>());
-      if (report.residual <= accepted) return advance(z, h, equations.change, correction), report;
+      if (report.residual <= accepted) return accept(equations.change);
       // Rounding may hold the residual above the tolerance; it then stops falling far below what matters.
       const bool stagnates =
           k > 1 && report.residual >= 0.5 * previous && report.residual <= 100.0 * accepted;
-      const bool slow = solver_.quasi_newton && k > 1 && report.residual > 0.1 * previous;
-      const Vector<double, n> plain = equations.newton(residual);
-      const Vector<double, n> shift = stagnates ? plain : broyden.shift(residual, plain, slow);
-      correction += shift;
-      // The residual falls by residual / previous, and more, each time; once the next one would be well below
-      // round-off, so is the error of a first-order correction.
-      if (stagnates || report.residual * report.residual <= 0.1 * accepted * previous)
-        return advance(z, h, equations.shifted(residual, shift), correction), report;
+      if constexpr (construction == Construction::stationary) {
+        const double error = k == 1 ? std::numeric_limits<double>::infinity()
+                                    : secant.learn(shift, equations.wanted - wanted, solver_.quasi_newton);
+        shift = secant.shift(residual);
+        correction += shift;
+        if (stagnates || error * shift.norm() <= 0.1 * accepted)
+          return accept(equations.shifted(residual, shift, secant.change(shift)));
+        wanted = equations.wanted;
+      } else {
+        const bool slow = solver_.quasi_newton && k > 1 && report.residual > 0.1 * previous;
+        const Vector<double, n> plain = equations.newton(residual);
+        shift = stagnates ? plain : broyden.shift(residual, plain, slow);
+        correction += shift;
+        // The residual falls by residual / previous, and more, each time; once the next one would be well
+        // below round-off, so is the error of a first-order correction.
+        if (stagnates || report.residual * report.residual <= 0.1 * accepted * previous)
+          return accept(equations.shifted(residual, shift));
+      }
       previous = report.residual;
     }
     report.outcome = Outcome::not_converged;
@@ -119,17 +141,11 @@ class Htvi {
   }
   using Action = typename decltype(action_type())::type;
 
-  void advance(State<n>& z, double h, const StepChange<n>& change, const Vector<double, n>& correction) {
-    z.q += change.q;
-    z.p += change.p;
-    z.t = problem().clock(z.q, z.t + change.t);
-    predictor_.remember(correction, h, right ? z.p : z.q);
-  }
-
   Expansion expansion_;
   Action action_;
   SolverSettings solver_;
   Predictor<n> predictor_;
+  SecantModel<n, 2 * n + 1> secant_;
 };
 
 /// Type II HTVI of Taylor order r; its order is 2r + 2 with a rule of that order, such as Gauss with r + 1

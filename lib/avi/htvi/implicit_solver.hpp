@@ -1,4 +1,5 @@
 #pragma once
+#include "avi/core/inverse.hpp"
 #include "avi/core/vector.hpp"
 
 #include <utility>
@@ -12,7 +13,8 @@ namespace avi {
 struct SolverSettings {
   double tolerance = 8.0;   ///< Residual accepted, in units of machine epsilon times the size of the unknown.
   int max_iterations = 50;  ///< Expansions in one step before it ends as Outcome::not_converged.
-  bool quasi_newton = true;  ///< Switch to Broyden's method where the iteration contracts slowly.
+  bool quasi_newton = true;  ///< Learn from earlier evaluations by Broyden's method; for the paper's
+                             ///< constructions, where the iteration contracts slowly.
 };
 
 /// First guess of an unknown that changes smoothly from step to step: the line through its values at the last
@@ -20,9 +22,13 @@ struct SolverSettings {
 template <int n>
 class Predictor {
  public:
+  /// Whether the last step had this size and led to this point.
+  [[nodiscard]] bool goes_on(double h, const Vector<double, n>& start) const {
+    return h == last_h_ && start == end_;
+  }
   /// The guess for a step h from `start`: zero unless the last two steps had this size and led to this point.
   [[nodiscard]] Vector<double, n> guess(double h, const Vector<double, n>& start) const {
-    if (h == last_h_ && h == last_but_one_h_ && start == end_) return 2.0 * last_ - last_but_one_;
+    if (goes_on(h, start) && h == last_but_one_h_) return 2.0 * last_ - last_but_one_;
     return Vector<double, n>::Zero();
   }
   /// Stores the value that a step h found, and the point where the step ended.
@@ -66,6 +72,34 @@ class Broyden {
   Matrix<double, n> inverse_;
   Vector<double, n> last_residual_, last_shift_;
   bool at_work_ = false;
+};
+
+/// The derivative J of what the equations ask for, w(u), by the unknown u: learnt from pairs of evaluations
+/// by Broyden's update, and a good guess for the next step of the same size. It gives the shift of u for
+/// \f$w(u) = u - u_0\f$ as well as the change of w that goes with it.
+/// @tparam m size of w, whose first n entries ask for u - u_0
+template <int n, int m>
+class SecantModel {
+ public:
+  /// Learns from a shift of u that changed w by `change`, unless J is to stay as it is.
+  /// @return the error that J had along that shift, relative to its size
+  double learn(const Vector<double, n>& shift, const Vector<double, m>& change, bool update) {
+    const Vector<double, m> miss = change - slope_ * shift;
+    if (update) slope_ += (miss / shift.squaredNorm()) * shift.transpose();
+    return miss.norm() / shift.norm();
+  }
+  /// The shift of u for this residual.
+  [[nodiscard]] Vector<double, n> shift(const Vector<double, n>& residual) const {
+    Matrix<double, n> factor = -slope_.template topRows<n>();
+    for (int i = 0; i < n; ++i)
+      factor(i, i) += 1.0;
+    return inverse<n>(factor) * residual;
+  }
+  /// The change of w that a shift of u brings.
+  [[nodiscard]] Vector<double, m> change(const Vector<double, n>& shift) const { return slope_ * shift; }
+
+ private:
+  Matrix<double, m, n> slope_ = Matrix<double, m, n>::Zero();
 };
 
 }  // namespace avi
