@@ -206,4 +206,24 @@ TEST(CollocationSteps, GoesOnAfterAFailedStep) {
   EXPECT_LT(distance(z, fresh), 1e-14);
 }
 
+TEST(CollocationSteps, ThrowsAwayWhatItBeganInVain) {
+  // A step is begun while the one before is solved. Where the next step is another one, nothing of it stays.
+  auto method = avi::collocation(avi::poincare(Kepler{}, Kepler::pericentre(0.7), ThreeHalves{}), 16);
+  State<2> z = Kepler::pericentre(0.7);
+  int k = 0;
+  for (const double h :
+       {0.9, 0.9, 0.9, 0.4, 0.4, -0.9, -0.9, -0.9, 0.9, 0.05, 0.9, 0.9, 1.0, 1.0, -0.1, 1.0}) {
+    State<2> alone = z;
+    auto fresh = avi::collocation(method.problem(), 16);
+    ASSERT_EQ(fresh.step(alone, h).outcome, Outcome::ok) << k;
+    if (++k % 5 == 0) {  // another state in between
+      State<2> other = z;
+      other.q[0] += 0.125;
+      ASSERT_EQ(method.step(other, h).outcome, Outcome::ok) << k;
+    }
+    ASSERT_EQ(method.step(z, h).outcome, Outcome::ok) << k;
+    EXPECT_LT(distance(z, alone), 8e-15) << k;
+  }
+}
+
 }  // namespace

@@ -1,5 +1,7 @@
+#include "avi/collocation/collocation.hpp"
 #include "avi/htvi/htvi.hpp"
 #include "avi/integrators/stormer_verlet.hpp"
+#include "avi/problems/chain.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/euler_b.hpp"
 #include "avi/transform/monitors.hpp"
@@ -32,9 +34,8 @@ void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::fre
 
 namespace {
 
-template <class Method>
-long allocations_in_steps(Method method, double h) {
-  auto z = avi::Kepler::pericentre(0.9);
+template <class Method, class State = avi::State<2>>
+long allocations_in_steps(Method method, double h, State z = avi::Kepler::pericentre(0.9)) {
   const long before = allocations;
   for (int k = 0; k < 20; ++k)
     EXPECT_EQ(method.step(z, h).outcome, avi::Outcome::ok);
@@ -55,6 +56,30 @@ TEST(Step, AllocatesNothing) {
   EXPECT_EQ(allocations_in_steps(avi::htvi<8>(avi::poincare<2>(avi::Automatic{kepler}, z, monitor)), 0.1), 0);
   EXPECT_EQ(allocations_in_steps(avi::euler_b<2>(kepler, z, monitor), 0.01), 0);
   EXPECT_EQ(allocations_in_steps(avi::stormer_verlet<2>(&avi::Kepler::potential_gradient<double>), 1e-4), 0);
+}
+
+/// 1/g = 1 + |q|^2.
+struct Rate {
+  template <class Q>
+  auto operator()(const Q& q) const {
+    auto sum = 1.0 + q[0] * q[0];
+    for (Eigen::Index i = 1; i < q.size(); ++i)
+      sum += q[i] * q[i];
+    return 1.0 / sum;
+  }
+};
+
+TEST(Step, AllocatesNothingInCollocationEither) {
+  const auto z = avi::Kepler::pericentre(0.9);
+  const auto chain = avi::Chain::plucked(12);  // its dimension is known at run time only
+  for (const int order : {4, 16, 20}) {
+    EXPECT_EQ(allocations_in_steps(
+                  avi::collocation(avi::poincare(avi::Kepler{}, z, avi::NormSquared{}), order), 0.1),
+              0);
+    EXPECT_EQ(
+        allocations_in_steps(avi::collocation(avi::poincare(avi::Chain{}, chain, Rate{}), order), 0.2, chain),
+        0);
+  }
 }
 
 TEST(Step, CounterCounts) {

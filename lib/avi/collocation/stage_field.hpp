@@ -32,7 +32,8 @@ class StageField {
   explicit StageField(const Problem&) {}
 
   /// force = -weight \f$\partial \bar H/\partial q\f$.
-  void force(const Problem& problem, const Vec& q, const Vec& p, const Scalar& weight, Vec& force) {
+  void force(const Problem& problem, const Vec& q, const Vec& p, const Scalar& weight, Scalar& rate,
+             Vec& force) {
     const auto at_q = [&](const auto& f) {
       return [&](const auto& x) { return f(x, constants<std::decay_t<decltype(x)>>(p)); };
     };
@@ -60,12 +61,13 @@ class StageField {
       const Scalar along = minus * g.value, across = minus * (energy + Scalar(problem.energy_momentum()));
       for (int i = 0; i < n; ++i)
         force[i] = along * force[i] + across * g.partial(i);
-      rate_ = g.value;
+      rate = g.value;
     }
   }
 
   /// velocity = weight \f$\partial \bar H/\partial p\f$, at the positions of the last call of force().
-  void velocity(const Problem& problem, const Vec& q, const Vec& p, const Scalar& weight, Vec& velocity) {
+  void velocity(const Problem& problem, const Vec& q, const Vec& p, const Scalar& weight, Scalar& rate,
+                Vec& velocity) {
     const auto at_p = [&](const auto& f) {
       return [&](const auto& x) { return f(constants<std::decay_t<decltype(x)>>(q), x); };
     };
@@ -85,16 +87,16 @@ class StageField {
       const Scalar along = weight * g.value, across = weight * (energy + Scalar(problem.energy_momentum()));
       for (int i = 0; i < n; ++i)
         velocity[i] = along * velocity[i] + across * g.partial(i);
-      rate_ = g.value;
+      rate = g.value;
     } else {
-      const Scalar along = weight * rate_;  // 1 where the monitor is Unit
+      const Scalar along = weight * rate;  // 1 where the monitor is Unit
       for (int i = 0; i < n; ++i)
         velocity[i] = along * velocity[i];
     }
   }
 
-  /// g of the last call of velocity().
-  [[nodiscard]] const Scalar& rate() const { return rate_; }
+  /// g, which a sweep leaves in `rate`.
+  [[nodiscard]] static const Scalar& rate(const Scalar& rate) { return rate; }
 
  private:
   using H = std::decay_t<decltype(std::declval<const Problem&>().hamiltonian())>;
@@ -103,7 +105,6 @@ class StageField {
   static auto constants(const Vec& x) {
     return x.template cast<typename Differentiated::Scalar>().eval();
   }
-  Scalar rate_{1.0};
 };
 
 /// The same where n is known at run time only, or large: the gradients are those of a recording of
@@ -129,20 +130,20 @@ requires(Problem::dimension == dynamic ||
                              problem.size())) {}
 
   /// force = -weight \f$\partial \bar H/\partial q\f$.
-  void force(const Problem&, const Vec& q, const Vec& p, const Scalar& weight, Vec& force) {
+  void force(const Problem&, const Vec& q, const Vec& p, const Scalar& weight, Scalar&, Vec& force) {
     evaluate(forces_, force_room_, q, p);
     const Scalar minus = -weight;
     for (int i = 0; i < forces_.slopes(); ++i)
       force[i] = minus * forces_.slope(force_room_, i);
   }
   /// velocity = weight \f$\partial \bar H/\partial p\f$.
-  void velocity(const Problem&, const Vec& q, const Vec& p, const Scalar& weight, Vec& velocity) {
+  void velocity(const Problem&, const Vec& q, const Vec& p, const Scalar& weight, Scalar&, Vec& velocity) {
     evaluate(velocities_, velocity_room_, q, p);
     for (int i = 0; i < velocities_.slopes(); ++i)
       velocity[i] = weight * velocities_.slope(velocity_room_, i);
   }
   /// g of the last call of velocity().
-  [[nodiscard]] const Scalar& rate() {
+  [[nodiscard]] const Scalar& rate(const Scalar&) {
     const Scalar* last = velocity_room_.arguments();
     std::copy(last, last + rates_.inputs(), rate_room_.arguments());
     rates_.run(rate_room_);

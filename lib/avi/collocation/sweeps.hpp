@@ -1,0 +1,162 @@
+#pragma once
+#include "avi/autodiff/pack.hpp"
+#include "avi/collocation/gauss_rule.hpp"
+#include "avi/collocation/lane_matrix.hpp"
+#include "avi/collocation/stage_field.hpp"
+#include "avi/core/state.hpp"
+
+#include <algorithm>
+
+/// @file
+/// The unknowns of a collocation step, and the sweeps that solve for them.
+
+namespace avi {
+
+/// A state and the rounding error that is to be added to it.
+template <int n>
+struct PreciseState {
+  State<n> state;  ///< As a caller sees it.
+  State<n> low;    ///< What rounding cut off.
+
+  /// Zero.
+  explicit PreciseState(Eigen::Index size) : state(zero(size)), low(zero(size)) {}
+
+ private:
+  static State<n> zero(Eigen::Index size) {
+    return {.q = Vector<double, n>::Zero(size), .p = Vector<double, n>::Zero(size)};
+  }
+};
+
+/// The unknowns of a step, one number for each stage.
+template <int n, int w>
+struct Unknowns {
+  using Vec = Vector<Pack<w>, n>;  ///< One vector for each stage.
+  alignas(64) Vec q;               ///< Positions.
+  alignas(64) Vec p;               ///< Momenta.
+  alignas(64) Vec dq;              ///< \f$h b_j \dot q_j\f$.
+  alignas(64) Vec dp;              ///< \f$h b_j \dot p_j\f$.
+  Pack<w> rate{1.0};               ///< The monitor, where StageField keeps it.
+  PreciseState<n> start;           ///< Where the step begins.
+
+  /// For n = `size`.
+  explicit Unknowns(Eigen::Index size) : q(size), p(size), dq(size), dp(size), start(size) {}
+};
+
+/// The sweeps of a rule of at most w stages. Lanes beyond the last stage repeat that stage with weight zero,
+/// so the formula is never evaluated at an arbitrary point.
+///
+/// With \f$L_j = h b_j f(z_j)\f$ the stages are \f$z_i = z_0 + \sum_j \mu_{ij} L_j\f$ and the step ends at
+/// \f$z_0 + \sum_j L_j\f$. A sweep computes all forces and with them new momenta, then with these all
+/// velocities and new positions. It is a chain of operations of which each waits for the one before; the
+/// processor has room for a second chain. So a step can be swept together with the next one, which begins
+/// where the sweeps have the end of this one so far.
+///
+/// The functions are flattened: a formula then is worked off in registers, whatever it is made of and
+/// whatever else the program holds.
+template <class Problem, int w>
+class alignas(64) Sweeps {
+ public:
+  static constexpr int n = Problem::dimension;  ///< Dimension of the problem, or avi::dynamic.
+  using Scalar = Pack<w>;                       ///< One number for each stage.
+  using Vec = Vector<Scalar, n>;                ///< One vector for each stage.
+  using Step = Unknowns<n, w>;                  ///< What is solved for.
+
+  /// For this problem and rule.
+  Sweeps(const Problem& problem, const GaussRule& rule) : rule_(rule), field_(problem) {
+    for (int j = 0; j < rule.stages(); ++j)
+      for (int i = 0; i < w; ++i)
+        mu_.set(i, j, rule.mu(std::min(i, rule.stages() - 1), j));
+  }
+
+  /// From now on for steps of size h.
+  void set_step(double h) {
+    for (int j = 0; j < rule_.stages(); ++j)
+      weight_.set(j, h * rule_.weight(j));
+  }
+
+  /// Starting values without a step before: the start itself.
+  static void begin(Step& step) {
+    for (Eigen::Index i = 0; i < step.q.size(); ++i) {
+      step.q[i] = Scalar(step.start.state.q[i]);
+      step.p[i] = Scalar(step.start.state.p[i]);
+    }
+  }
+  /// Starting values from the polynomial of another step with these increments. @param offset fraction of
+  /// that step where this one starts @param ratio of this step's size to that one's
+  void begin(Step& step, const Vec& dq, const Vec& dp, double offset, double ratio) {
+    if (offset != offset_ || ratio != ratio_) continue_at(offset, ratio);
+    for (Eigen::Index i = 0; i < step.q.size(); ++i) {
+      step.q[i] = Scalar(step.start.state.q[i]) + continued_ * dq[i];
+      step.p[i] = Scalar(step.start.state.p[i]) + continued_ * dp[i];
+    }
+  }
+
+  /// One sweep.
+  [[gnu::flatten, gnu::noinline]] void sweep(const Problem& problem, Step& step) {
+    forces(problem, step);
+    stages(problem, step);
+  }
+
+  /// The first half of a sweep of the step that follows, from the polynomial of this one so far.
+  [[gnu::flatten, gnu::noinline]] void begin_next(const Problem& problem, const Step& step, Step& next) {
+    put_behind(step, next);
+    begin(next, step.dq, step.dp, 1.0, 1.0);
+    forces(problem, next);
+  }
+  /// One sweep of a step and one of the next, half a sweep apart: while the one waits for divisions and
+  /// roots, the other one multiplies and adds.
+  [[gnu::flatten, gnu::noinline]] void sweep_both(const Problem& problem, Step& step, Step& next) {
+    forces(problem, step);
+    put_behind(step, next);
+    stages(problem, next);
+    forces(problem, next);
+    stages(problem, step);
+  }
+  /// The second half of the sweep in which begin_next() and sweep_both() leave the next step.
+  [[gnu::flatten, gnu::noinline]] void end_sweep(const Problem& problem, Step& step) {
+    stages(problem, step);
+  }
+
+  /// g at each stage, as the last sweep saw it.
+  [[nodiscard]] const Scalar& rate(const Step& step) { return field_.rate(step.rate); }
+  /// \f$h b_j\f$.
+  [[nodiscard]] const Scalar& weight() const { return weight_; }
+
+ private:
+  void forces(const Problem& problem, Step& step) {
+    field_.force(problem, step.q, step.p, weight_, step.rate, step.dp);
+  }
+  void stages(const Problem& problem, Step& step) {
+    const State<n>&z = step.start.state, &low = step.start.low;
+    for (Eigen::Index i = 0; i < step.q.size(); ++i)
+      step.p[i] = Scalar(z.p[i]) + mu_.times(step.dp[i], Scalar(low.p[i]));
+    field_.velocity(problem, step.q, step.p, weight_, step.rate, step.dq);
+    for (Eigen::Index i = 0; i < step.q.size(); ++i)
+      step.q[i] = Scalar(z.q[i]) + mu_.times(step.dq[i], Scalar(low.q[i]));
+  }
+  static void put_behind(const Step& step, Step& next) {
+    for (Eigen::Index i = 0; i < step.q.size(); ++i) {
+      next.start.state.q[i] = step.start.state.q[i] + sum(step.dq[i]);
+      next.start.state.p[i] = step.start.state.p[i] + sum(step.dp[i]);
+    }
+  }
+  [[gnu::noinline]] void continue_at(double offset, double ratio) {
+    offset_ = offset;
+    ratio_ = ratio;
+    const GaussRule::Row start = rule_.integrals(offset);
+    for (int i = 0; i < w; ++i) {
+      const GaussRule::Row row =
+          rule_.integrals(offset + ratio * rule_.node(std::min(i, rule_.stages() - 1)));
+      for (int j = 0; j < w; ++j)
+        continued_.set(i, j, row[j] - start[j]);
+    }
+  }
+
+  LaneMatrix<w> mu_, continued_;
+  alignas(64) Scalar weight_{0.0};
+  GaussRule rule_;
+  StageField<Problem, w> field_;
+  double offset_ = -1.0, ratio_ = 0.0;
+};
+
+}  // namespace avi
