@@ -56,6 +56,44 @@ TEST(CollocationSteps, IsOneMethodForEveryKindOfDimension) {
   EXPECT_NEAR(a.t, b.t, 1e-14);
 }
 
+/// 1/g = 1 + |q|^2, and 1/g = 1 + |q|^2 + |p|^2.
+struct Rate {
+  template <class Q>
+  auto operator()(const Q& q) const {
+    auto sum = 1.0 + q[0] * q[0];
+    for (Eigen::Index i = 1; i < q.size(); ++i)
+      sum += q[i] * q[i];
+    return 1.0 / sum;
+  }
+};
+struct BothRate {
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    auto sum = 1.0 + q[0] * q[0] + p[0] * p[0];
+    for (Eigen::Index i = 1; i < q.size(); ++i)
+      sum += q[i] * q[i] + p[i] * p[i];
+    return 1.0 / sum;
+  }
+};
+
+TEST(CollocationSteps, TakesSuppliedGradientsOfManyDegreesOfFreedom) {
+  const auto plucked = avi::Chain::plucked(9);
+  const State<9> start{.q = plucked.q, .p = 0.5 * plucked.q.reverse()};
+  const auto compare = [&](const auto& monitor) {
+    State<9> a = start, b = start;
+    auto supplied = avi::collocation(avi::poincare(avi::Chain{}, start, monitor), 12);
+    auto automatic = avi::collocation(avi::poincare(avi::Automatic{avi::Chain{}}, start, monitor), 12);
+    ASSERT_EQ(avi::integrate(supplied, a, 0.3, {.steps = 40}).outcome, Outcome::ok);
+    ASSERT_EQ(avi::integrate(automatic, b, 0.3, {.steps = 40}).outcome, Outcome::ok);
+    EXPECT_LT((a.q - b.q).norm() + (a.p - b.p).norm(), 5e-15);
+    EXPECT_NEAR(a.t, b.t, 4e-15);
+    EXPECT_GT((a.q - start.q).norm(), 0.1);
+  };
+  compare(avi::Unit{});
+  compare(Rate{});
+  compare(BothRate{});
+}
+
 TEST(CollocationSteps, TakesManyDegreesOfFreedom) {
   for (const int masses : {1, 9, 64}) {
     auto z = avi::Chain::plucked(masses);

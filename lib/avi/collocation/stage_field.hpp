@@ -16,6 +16,12 @@ namespace detail {
 /// In larger dimensions automatic gradients come from a recording: their cost relative to H does not grow
 /// with n.
 inline constexpr int most_partials = 8;
+/// A supplied gradient is used beyond it too, if only n is known to the compiler: it then is no allocation.
+template <class Problem, int w>
+inline constexpr bool
+    takes_supplied = (Problem::dimension > most_partials) &&
+                     SuppliesGradient<std::decay_t<decltype(std::declval<const Problem&>().hamiltonian())>,
+                                      Pack<w>, Problem::dimension>;
 }  // namespace detail
 
 /// The field of \f$\bar H = g\,(H + p^t)\f$ at w stages, as two functions, of which each computes only what
@@ -110,8 +116,8 @@ class StageField {
 /// The same where n is known at run time only, or large: the gradients are those of a recording of
 /// \f$\bar H\f$, by reverse accumulation, at a cost that does not grow with n.
 template <class Problem, int w>
-requires(Problem::dimension == dynamic ||
-         Problem::dimension > detail::most_partials) class StageField<Problem, w> {
+requires((Problem::dimension == dynamic || Problem::dimension > detail::most_partials) &&
+         !detail::takes_supplied<Problem, w>) class StageField<Problem, w> {
  public:
   static constexpr int n = Problem::dimension;  ///< Degrees of freedom, or avi::dynamic.
   using Scalar = Pack<w>;                       ///< One number for each stage.

@@ -3,6 +3,7 @@
 #include "avi/collocation/gauss_rule.hpp"
 #include "avi/collocation/lane_matrix.hpp"
 #include "avi/collocation/stage_field.hpp"
+#include "avi/collocation/supplied_field.hpp"
 #include "avi/core/state.hpp"
 
 #include <algorithm>
