@@ -93,20 +93,20 @@ class alignas(64) Sweeps {
   }
 
   /// One sweep.
-  [[gnu::flatten, gnu::noinline]] void sweep(const Problem& problem, Step& step) {
+  void sweep(const Problem& problem, Step& step) {
     forces(problem, step);
     stages(problem, step);
   }
 
   /// The first half of a sweep of the step that follows, from the polynomial of this one so far.
-  [[gnu::flatten, gnu::noinline]] void begin_next(const Problem& problem, const Step& step, Step& next) {
+  void begin_next(const Problem& problem, const Step& step, Step& next) {
     put_behind(step, next);
     begin(next, step.dq, step.dp, 1.0, 1.0);
     forces(problem, next);
   }
   /// One sweep of a step and one of the next, half a sweep apart: while the one waits for divisions and
   /// roots, the other one multiplies and adds.
-  [[gnu::flatten, gnu::noinline]] void sweep_both(const Problem& problem, Step& step, Step& next) {
+  void sweep_both(const Problem& problem, Step& step, Step& next) {
     forces(problem, step);
     put_behind(step, next);
     stages(problem, next);
@@ -114,9 +114,7 @@ class alignas(64) Sweeps {
     stages(problem, step);
   }
   /// The second half of the sweep in which begin_next() and sweep_both() leave the next step.
-  [[gnu::flatten, gnu::noinline]] void end_sweep(const Problem& problem, Step& step) {
-    stages(problem, step);
-  }
+  void end_sweep(const Problem& problem, Step& step) { stages(problem, step); }
 
   /// g at each stage, as the last sweep saw it.
   [[nodiscard]] const Scalar& rate(const Step& step) { return field_.rate(step.rate); }
@@ -124,10 +122,10 @@ class alignas(64) Sweeps {
   [[nodiscard]] const Scalar& weight() const { return weight_; }
 
  private:
-  void forces(const Problem& problem, Step& step) {
+  [[gnu::flatten, gnu::noinline]] void forces(const Problem& problem, Step& step) {
     field_.force(problem, step.q, step.p, weight_, step.rate, step.dp);
   }
-  void stages(const Problem& problem, Step& step) {
+  [[gnu::flatten, gnu::noinline]] void stages(const Problem& problem, Step& step) {
     const State<n>&z = step.start.state, &low = step.start.low;
     for (Eigen::Index i = 0; i < step.q.size(); ++i)
       step.p[i] = Scalar(z.p[i]) + mu_.times(step.dp[i], Scalar(low.p[i]));
