@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 using avi::Kepler;
 using avi::Outcome;
@@ -79,10 +80,13 @@ struct BothRate {
 TEST(CollocationSteps, TakesSuppliedGradientsOfManyDegreesOfFreedom) {
   const auto plucked = avi::Chain::plucked(9);
   const State<9> start{.q = plucked.q, .p = 0.5 * plucked.q.reverse()};
+  const double away = 0.125 - avi::Chain{}(start.q, start.p);  // p^t off the shell, where all terms count
   const auto compare = [&](const auto& monitor) {
+    using G = std::decay_t<decltype(monitor)>;
+    using H = avi::Automatic<avi::Chain>;
     State<9> a = start, b = start;
-    auto supplied = avi::collocation(avi::poincare(avi::Chain{}, start, monitor), 12);
-    auto automatic = avi::collocation(avi::poincare(avi::Automatic{avi::Chain{}}, start, monitor), 12);
+    auto supplied = avi::collocation(avi::Poincare<9, avi::Chain, G>({}, monitor, away), 12);
+    auto automatic = avi::collocation(avi::Poincare<9, H, G>({}, monitor, away), 12);
     ASSERT_EQ(avi::integrate(supplied, a, 0.3, {.steps = 40}).outcome, Outcome::ok);
     ASSERT_EQ(avi::integrate(automatic, b, 0.3, {.steps = 40}).outcome, Outcome::ok);
     EXPECT_LT((a.q - b.q).norm() + (a.p - b.p).norm(), 5e-15);
