@@ -41,6 +41,8 @@
 #include "avi/collocation/lane_matrix.hpp"
 #include "avi/collocation/stage_field.hpp"
 #include "avi/collocation/stages.hpp"
+#include "avi/collocation/supplied_field.hpp"
+#include "avi/collocation/sweeps.hpp"
 #include "avi/core/at_times.hpp"
 #include "avi/core/bracketed_root.hpp"
 #include "avi/core/dense_output.hpp"
