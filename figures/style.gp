@@ -77,7 +77,7 @@ set style line 16 lc rgb purple    dt (14,4)     lw 1.8 pt 11  # norm_squared
 set style line 17 lc rgb sky       dt (5,3)      lw 1.8 pt 8   # truncation_root
 
 methods = 'htvi htvi4 stormer_verlet symplectic_euler_b log_hamiltonian splitting clone_strang clone_y4 clone_y6 ' \
-  .'nag adam adagrad rmsprop trust_region gradient_descent runge_kutta_4 dormand_prince bogacki_shampine'
+  .'nag adam adagrad rmsprop trust_region gradient_descent runge_kutta_4 dormand_prince bogacki_shampine collocation'
 method(name) = 30 + position(methods, name)
 set style line 31 lc rgb blue      dt 1          lw 1.8 pt 7   # htvi
 set style line 32 lc rgb blue      dt 1          lw 1.8 pt 7   # htvi4
@@ -97,6 +97,7 @@ set style line 45 lc rgb grey      dt (5,3)      lw 1.8 pt 1   # gradient_descen
 set style line 46 lc rgb black     dt (9,3)      lw 1.8 pt 4   # runge_kutta_4
 set style line 47 lc rgb vermilion dt 1          lw 1.8 pt 5   # dormand_prince
 set style line 48 lc rgb orange    dt (3,3)      lw 1.8 pt 9   # bogacki_shampine
+set style line 49 lc rgb black     dt 1          lw 1.8 pt 7   # collocation
 
 # direct, adaptive
 approach(name) = name eq 'adaptive' ? 60 : 61
@@ -115,12 +116,12 @@ set style line 76 lc rgb '#e8cf3e' dt (4,2,1,2)  lw 1.8 pt 4
 # Printed names; a name without one is printed as it is, underscores as spaces.
 names = 'none gamma arclength energy truncation norm_squared truncation_root htvi htvi4 stormer_verlet symplectic_euler_b ' \
   .'log_hamiltonian splitting clone_strang clone_y4 clone_y6 nag adam adagrad rmsprop trust_region ' \
-  .'gradient_descent runge_kutta_4 dormand_prince bogacki_shampine direct adaptive'
-array printed[27] = ['no monitor', 'gamma', 'arclength', 'energy', 'truncation error', 'q^Tq', \
+  .'gradient_descent runge_kutta_4 dormand_prince bogacki_shampine direct adaptive collocation'
+array printed[28] = ['no monitor', 'gamma', 'arclength', 'energy', 'truncation error', 'q^Tq', \
   'truncation error, 4th root', 'HTVI', 'HTVI4', \
   'Störmer–Verlet', 'symplectic Euler-B', 'logarithmic Hamiltonian', 'splitting', 'cloning, Strang', \
   'cloning, Yoshida 4', 'cloning, Yoshida 6', 'NAG', 'ADAM', 'AdaGrad', 'RMSprop', 'trust region', \
-  'gradient descent', 'Runge–Kutta 4', 'Dormand–Prince 5(4)', 'Bogacki–Shampine 3(2)', 'Direct', 'Adaptive']
+  'gradient descent', 'Runge–Kutta 4', 'Dormand–Prince 5(4)', 'Bogacki–Shampine 3(2)', 'Direct', 'Adaptive', 'Gauss collocation']
 spaced(s) = strstrt(s, '_') ? s[1:strstrt(s, '_')-1].' '.spaced(s[strstrt(s, '_')+1:*]) : s
 label(name) = position(names, name) ? printed[position(names, name)] : spaced(name)
 

@@ -126,7 +126,7 @@ TEST(Collocation, IsSymplecticForEveryStep) {
   for (const int order : {2, 4, 8, 12, 16, 20}) {
     const auto method = avi::collocation(avi::poincare(Charge{}, charge_start, Both{}), order);
     for (const double h : {0.2, 0.7, -0.4})
-      EXPECT_LT(avi::symplecticity_defect(method, charge_start, h), 1e-12) << order << " " << h;
+      EXPECT_LT(avi::symplecticity_defect(method, charge_start, h), 1e-13) << order << " " << h;
   }
 }
 

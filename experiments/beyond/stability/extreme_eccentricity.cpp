@@ -61,6 +61,14 @@ std::vector<Subject> subjects() {
   momentum("energy", {.kind = M::energy, .b = 2.0}, true);
   momentum("inverse_lagrangian", {M::inverse_lagrangian});
   momentum("inverse_energy_error", {.kind = M::inverse_energy_error, .b = 2.0}, true);
+  const auto curve = [&](const std::string& name, PositionMonitor monitor, double predicted) {
+    all.push_back({"collocation16", name, false, predicted, implicit_cap,
+                   [=](double) { return collocation(16, monitor); }});
+  };
+  curve("none", {P::none}, -1.5 - 1.0 / 16.0);
+  curve("r", {P::power_of_radius, 1.0}, -0.5 - 1.0 / 16.0);
+  curve("r^1.5", {P::power_of_radius, 1.5}, -1.0 / 16.0);
+  curve("r^2", {P::power_of_radius, 2.0}, unknown);
   const auto rival = [&](const std::string& name, const std::string& monitor, double predicted) {
     all.push_back(
         {name, monitor, false, predicted, explicit_cap, [=](double) { return explicit_on_kepler(name); }});
@@ -114,6 +122,8 @@ void starts(experiment::Table& table) {
   };
   const std::vector<Case> cases{{"htvi4", "none", htvi(3, none), 1e-3},
                                 {"htvi4", "r^1.5", htvi(3, adaptive), 0.02},
+                                {"collocation16", "none", collocation(16, none), 0.01},
+                                {"collocation16", "r^1.5", collocation(16, adaptive), 0.9},
                                 {"stormer_verlet", "none", explicit_on_kepler("stormer_verlet"), 1e-4},
                                 {"log_hamiltonian", "1/V", explicit_on_kepler("log_hamiltonian"), 0.02},
                                 {"adaptive_verlet", "r^1.5", explicit_on_kepler("adaptive_verlet"), 2e-3},

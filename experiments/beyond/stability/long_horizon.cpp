@@ -1,6 +1,7 @@
 #include "common/frame.hpp"
 #include "common/methods/methods.hpp"
 #include "common/methods/phase.hpp"
+#include "common/power_law.hpp"
 
 #include "avi/problems/kepler.hpp"
 
@@ -25,7 +26,7 @@ struct Subject {
   double h;
   Runner run;
   double phase_growth;  ///< Predicted power of time in the phase error.
-  long share;           ///< It goes through the whole horizon divided by this: the control is slow.
+  double reach;         ///< It goes through this times the horizon: the control is slow, another is fast.
 };
 
 /// Where a run stands.
@@ -75,28 +76,29 @@ void add_row(experiment::Table& table, const Subject& s, const Progress& at) {
             at.steps, at.energy_now, at.z.q[0], at.z.q[1], at.z.p[0], at.z.p[1], at.z.t);
 }
 
-/// Least-squares slope of log10 |column| over log10 periods, in the last 1.5 decades of a method.
+/// Power of the number of periods with which a column grows in the last 1.5 decades of a method.
 double growth(const experiment::Table& table, const std::string& method, const std::string& column) {
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0, last = 0;
+  double last = 0;
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     if (table.text(i, "method") == method) last = table.number(i, "periods");
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    if (table.text(i, "method") != method || table.number(i, "periods") < last / 32.0) continue;
-    if (table.number(i, column) == 0.0) continue;  // below round-off
-    const double u = std::log10(table.number(i, "periods")),
-                 v = std::log10(std::abs(table.number(i, column)));
-    n += 1, x += u, y += v, xx += u * u, xy += u * v;
-  }
-  return (n * xy - x * y) / (n * xx - x * x);
+  std::vector<double> periods, values;
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    if (table.text(i, "method") == method && table.number(i, "periods") >= last / 32.0 &&
+        table.number(i, column) != 0.0) {  // below round-off
+      periods.push_back(table.number(i, "periods"));
+      values.push_back(std::abs(table.number(i, column)));
+    }
+  return power_law(periods, values).slope;
 }
 
 std::vector<Subject> subjects() {
   const PositionMonitor monitor{PositionMonitor::power_of_radius, 1.5};
-  return {{"htvi4", "r^1.5", 0.05, htvi(3, monitor), 1.0, 1},
-          {"htvi12", "r^1.5", 0.12, htvi(11, monitor), 1.0, 1},
-          {"stormer_verlet", "none", period / 2000, explicit_on_kepler("stormer_verlet"), 1.0, 1},
-          {"log_hamiltonian_yoshida4", "1/V", 0.1, explicit_on_kepler("log_hamiltonian_yoshida4"), 1.0, 1},
-          {"runge_kutta_4", "none", period / 4000, explicit_on_kepler("runge_kutta_4"), 2.0, 10}};
+  return {{"htvi4", "r^1.5", 0.05, htvi(3, monitor), 1.0, 1.0},
+          {"htvi12", "r^1.5", 0.12, htvi(11, monitor), 1.0, 1.0},
+          {"collocation16", "r^1.5", 0.9, collocation(16, monitor), 1.5, 100.0},
+          {"stormer_verlet", "none", period / 2000, explicit_on_kepler("stormer_verlet"), 1.0, 1.0},
+          {"log_hamiltonian_yoshida4", "1/V", 0.1, explicit_on_kepler("log_hamiltonian_yoshida4"), 1.0, 1.0},
+          {"runge_kutta_4", "none", period / 4000, explicit_on_kepler("runge_kutta_4"), 2.0, 0.1}};
 }
 
 /// The rows that an earlier run of the same settings left behind; none where it left none.
@@ -134,7 +136,8 @@ int main(int argc, char** argv) {
             "at the pericentre");
         laws.note("laws", "power of time with which an error grows in the last 1.5 decades");
         for (const Subject& s : subjects()) {
-          const long end = std::max(periods / s.share, 10L);
+          const long end = std::clamp(std::lround(s.reach * static_cast<double>(periods)), 10L,
+                                      std::max(periods, 1'000'000L));
           Progress at;
           for (std::size_t i = 0; i < before.rows.size(); ++i)
             if (before.text(i, "method") == s.method && before.number(i, "h") == s.h &&

@@ -53,6 +53,7 @@ struct Case {
 };
 
 std::vector<Case> cases(bool quick) {
+  const PositionMonitor none{PositionMonitor::none}, adaptive{PositionMonitor::power_of_radius, 1.5};
   std::vector<Case> all;
   for (const char* name : {"stormer_verlet", "yoshida4", "kahan_li8", "runge_kutta_4"})
     all.push_back({name, "none", explicit_on_kepler(name), explicit_on_henon_heiles(name)});
@@ -61,8 +62,13 @@ std::vector<Case> cases(bool quick) {
         {name, name == std::string("log_hamiltonian") ? "1/V" : "r^1.5", explicit_on_kepler(name), {}});
   for (const int r : quick ? std::vector{1, 3} : std::vector{1, 3, 5, 7, 11}) {
     const std::string name = "htvi" + std::to_string(r + 1);
-    all.push_back({name, "none", htvi(r, PositionMonitor{PositionMonitor::none}), htvi_henon_heiles(r)});
-    all.push_back({name, "r^1.5", htvi(r, PositionMonitor{PositionMonitor::power_of_radius, 1.5}), {}});
+    all.push_back({name, "none", htvi(r, none), htvi_henon_heiles(r)});
+    all.push_back({name, "r^1.5", htvi(r, adaptive), {}});
+  }
+  for (const int order : quick ? std::vector{4, 16} : std::vector{4, 8, 12, 16}) {
+    const std::string name = "collocation" + std::to_string(order);
+    all.push_back({name, "none", collocation(order, none), collocation_henon_heiles(order)});
+    all.push_back({name, "r^1.5", collocation(order, adaptive), {}});
   }
   return all;
 }
@@ -94,7 +100,7 @@ int main(int argc, char** argv) {
         const auto measure = [&](const std::string& problem, const Case& c, const Runner& run,
                                  const State2& start, double bound, LinearLimit linear) {
           const Limits limits{.time = 300.0, .steps = 2'000'000, .energy_error = bound};
-          const Largest found = largest_step(run, start, 8.0, limits, 0.002);
+          const Largest found = largest_step(run, start, problem == "oscillator" ? 16.0 : 8.0, limits, 0.002);
           const bool broke = found.h_beyond > 0.0;
           const std::string reason = linear.solved ? "unstable" : "not_converged";
           if (broke)

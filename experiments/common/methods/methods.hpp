@@ -13,6 +13,10 @@ Runner htvi(int r, MomentumMonitor monitor);
 /// The same on Henon and Heiles' problem, without a monitor.
 Runner htvi_henon_heiles(int r);
 
+/// Gauss collocation of this order, and the same on Henon and Heiles' problem.
+Runner collocation(int order, PositionMonitor monitor);
+Runner collocation_henon_heiles(int order);
+
 /// Explicit methods, by name: stormer_verlet, yoshida4, kahan_li8, runge_kutta_4, and with a step that
 /// follows r^1.5 (the first three) or 1/V: log_hamiltonian, log_hamiltonian_yoshida4, adaptive_verlet,
 /// hairer_soderlind.

@@ -1,16 +1,23 @@
 # How the cost of a run grows: steps and time of one orbit with 1 - e for g = r^(2 gamma); time with the horizon and the
-# Taylor order. Grey: the expected powers of 1 - e, and the power of the order fitted to the data (cost_growth_fit), drawn
-# through the last point.
+# Taylor order. Grey, drawn through the last point: the expected powers of 1 - e, and the power of the order fitted to the
+# data (both in cost_growth_fit).
 width = 17; height = 12.5
 load 'figures/style.gp'
 table = data.'/cost_growth.tsv'
 fit = data.'/cost_growth_fit.tsv'
-# Exponent fitted to a curve's seconds; and its last value and microseconds.
-fitted(axis, name) = sprintf("stats fit using (strcol('axis') eq '%s' && strcol('subject') eq '%s' ? column('seconds_exponent') : NaN) nooutput", axis, name)
+# A column of the fits for a curve: `eval fitted(...)`, then STATS_max.
+fitted(axis, name, c) = sprintf("stats fit using (strcol('axis') eq '%s' && strcol('subject') eq '%s' ? column('%s') : NaN) nooutput", axis, name, c)
 set multiplot
 page_left = 0.075; page_bottom = 0.185; page_top = 0.949; gap_x = 0.085; gap_y = 0.18
 along(axis, name) = strcol('axis') eq axis && strcol('subject') eq name ? column('value') : NaN
 gammas = '0.5 0.625 0.75 0.875 1'
+array guided = ['none', 'gamma = 0.5', 'gamma = 0.75', 'gamma = 1']
+array last[4]; array steps[4]; array power[4]
+do for [i=1:4] {
+  eval fitted('closeness', guided[i], 'steps_limit'); power[i] = STATS_max
+  stats table using (along('closeness', guided[i])):'steps' nooutput
+  last[i] = STATS_min_x; steps[i] = STATS_max_y
+}
 eval logx
 eval logy
 unset key
@@ -19,8 +26,7 @@ set title 'steps of one orbit with energy error 10^{-6}' offset 0, -0.7
 set xrange [0.15:6e-7]
 set yrange [40:6e4]
 set xlabel 'distance 1 - e from a parabola' offset 0, 0.5
-plot 4100*(x/1e-2)**-0.75 ls guide, 4700*(x/1e-3)**-0.5 ls guide, 350*(x/1e-5)**-0.25 ls guide, \
-  2800*(x/0.1)**-1.75 ls guide, \
+plot for [i=1:4] steps[i]*(x/last[i])**power[i] ls guide, \
   table using (along('closeness', 'none')):'steps' with linespoints ls monitor('none'), \
   for [i=1:5] table using (along('closeness', 'gamma = '.word(gammas, i))):'steps' with linespoints ls family(i)
 eval panel(2, 1, 2, 2)
@@ -47,9 +53,9 @@ set xrange [0.9:18]
 set yrange [0.08:60]
 set xtics (1, 2, 4, 8, 16)
 set mxtics 1
-eval fitted('order', 'htvi_of_order'); power = STATS_max
+eval fitted('order', 'htvi_of_order', 'seconds_exponent'); growth = STATS_max
 stats table using (along('order', 'htvi_of_order')):(1e6*column('seconds')) nooutput
-plot STATS_max_y*(x/STATS_max_x)**power ls guide title sprintf('r^{%.1f}', power), \
+plot STATS_max_y*(x/STATS_max_x)**growth ls guide title sprintf('r^{%.1f}', growth), \
   table using (along('order', 'htvi_of_order')):(1e6*column('seconds')) with linespoints ls method('htvi') title 'with partials'
 eval legend(0.0896)
 set key maxrows 2 samplen 2 width -3

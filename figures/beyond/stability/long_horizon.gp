@@ -8,11 +8,12 @@ page_left = 0.09; page_right = 0.97; page_bottom = 0.43; page_top = 0.867; gap_x
 eval logx; eval logy
 set xlabel 'periods'
 unset key
-names_here = 'htvi4 htvi12 stormer_verlet log_hamiltonian_yoshida4 runge_kutta_4'
-style(i) = i == 1 ? method('htvi') : i == 2 ? monitor('none') : i == 3 ? method('stormer_verlet') : i == 4 ? method('log_hamiltonian') : family(4)
-title(i) = word("HTVI4 HTVI12 Störmer–Verlet 'log. Hamiltonian, Yoshida 4' 'Runge–Kutta 4'", i)
+names_here = 'htvi4 htvi12 collocation16 stormer_verlet log_hamiltonian_yoshida4 runge_kutta_4'
+style(i) = i == 1 ? method('htvi') : i == 2 ? monitor('norm_squared') : i == 3 ? method('collocation') : i == 4 ? method('stormer_verlet') \
+  : i == 5 ? method('log_hamiltonian') : family(4)
+title(i) = word("HTVI4 HTVI12 'collocation 16' Störmer–Verlet 'log. Hamiltonian, Yoshida 4' 'Runge–Kutta 4'", i)
 set xtics 100; set ytics 1e4
-curve(c) = sprintf("plot for [i=1:5] table using (where('method', word(names_here, i), 'periods')):(abs(column('%s'))) with linespoints ls style(i) pointinterval 4", c)
+curve(c) = sprintf("plot for [i=1:6] table using (where('method', word(names_here, i), 'periods')):(abs(column('%s'))) with linespoints ls style(i) pointinterval 4", c)
 set title 'energy error'
 set yrange [1e-16:1]
 eval panel(1, 1, 3, 1)
@@ -27,5 +28,5 @@ eval curve('phase_error')
 unset title
 eval legend(0.16)
 set key maxrows 2 spacing 1.1 samplen 2.5 width -9 font ',7'
-plot for [i=1:5] 2 with linespoints ls style(i) title title(i)
+plot for [i=1:6] 2 with linespoints ls style(i) title title(i)
 unset multiplot

@@ -3,15 +3,15 @@
 width = 16; height = 8
 load 'figures/style.gp'
 table = data.'/step_breakdown.tsv'
-methods = 'stormer_verlet yoshida4 kahan_li8 runge_kutta_4 htvi2 htvi4 htvi6 htvi8 htvi12'
-shown = "'Störmer–Verlet' 'Yoshida 4' 'Kahan–Li 8' 'Runge–Kutta 4' HTVI2 HTVI4 HTVI6 HTVI8 HTVI12"
+methods = 'stormer_verlet yoshida4 kahan_li8 runge_kutta_4 htvi2 htvi4 htvi6 htvi8 htvi12 collocation4 collocation8 collocation12 collocation16'
+shown = "'Störmer–Verlet' 'Yoshida 4' 'Kahan–Li 8' 'Runge–Kutta 4' HTVI2 HTVI4 HTVI6 HTVI8 HTVI12 'collocation 4' 'collocation 8' 'collocation 12' 'collocation 16'"
 set logscale y 10
 set yrange [0.05:8]
-set xrange [0.5:9.5]
+set xrange [0.5:13.5]
 set ylabel 'largest step / linear limit'
 set xtics rotate by 25 right
-do for [i=1:9] { set xtics add (word(shown, i) i) }
-set bmargin 4.6
+do for [i=1:13] { set xtics add (word(shown, i) i) }
+set bmargin 4.6; set lmargin at screen 0.15; set rmargin at screen 0.98
 set key tmargin center horizontal Left reverse maxrows 2 width -3
 row(problem, monitor, x) = strcol('problem') eq problem && strcol('monitor') eq monitor && position(methods, strcol('method')) \
   ? position(methods, strcol('method')) + x : NaN

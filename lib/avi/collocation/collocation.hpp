@@ -39,7 +39,7 @@ class Collocation {
     if constexpr (n == dynamic)
       if (z.q.size() != problem_.size() ||
           z.p.size() != problem_.size())  // before the message, which allocates
-        require(false, "Dimension of the state", z.q.size(),
+        require(false, "Dimension of the state", z.q.size() != problem_.size() ? z.q.size() : z.p.size(),
                 "that of the problem, " + std::to_string(problem_.size()) + ", for q and p alike");
     if (auto* stages = std::get_if<Stages<Problem, 8>>(&stages_)) return stages->step(problem_, z, h);
     if (auto* stages = std::get_if<Stages<Problem, 4>>(&stages_)) return stages->step(problem_, z, h);

@@ -18,8 +18,10 @@ namespace avi {
 
 /// When a step counts as solved.
 struct SweepSettings {
-  double tolerance = 1e-16;  ///< Relative change that one more sweep would make; the default is round-off.
-  int max_sweeps = 100;      ///< After so many a step ends as Outcome::not_converged.
+  /// Relative change that one more sweep would make. At 1e-16 what is left undone favours a sign: the energy
+  /// of an orbit drifts in proportion to time, 1e-12 in 10 000 periods.
+  double tolerance = 1e-17;
+  int max_sweeps = 100;  ///< After so many a step ends as Outcome::not_converged.
 };
 
 /// Gauss collocation steps with at most w stages, solved by Sweeps. For few degrees of freedom, where a sweep

@@ -192,9 +192,13 @@ class Poincare {
 };
 
 /// The transformed problem of an orbit through `start`: \f$p^t = -H(q(0), p(0))\f$, the paper's common choice
-/// (Section 3.1). @throws std::invalid_argument where H is not finite there.
+/// (Section 3.1). @throws std::invalid_argument where H is not finite there, or q and p are of different
+/// size.
 template <int n, class H, class G = Unit>
 Poincare<n, H, G> poincare(H hamiltonian, const State<n>& start, G monitor = {}) {
+  if constexpr (n == dynamic)
+    require(start.p.size() == start.q.size(), "Dimension of p at the start", start.p.size(),
+            "that of q, " + std::to_string(start.q.size()));
   const double pt = -static_cast<double>(hamiltonian(start.q, start.p));
   return {std::move(hamiltonian), std::move(monitor), pt, start.q.size()};
 }

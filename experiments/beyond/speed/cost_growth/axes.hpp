@@ -9,11 +9,12 @@
 
 namespace experiment {
 
-/// One run: what it is, how it went, and how to time it.
+/// One piece of work to be timed: what it is and how it went. (RunnerOf is a method with its run; here the
+/// piece may be an expansion, a sweep or a gradient as well.)
 struct Measurement {
-  std::string axis;     ///< closeness (1 - e), periods, order (r) or dimension (n).
-  std::string subject;  ///< Method, and monitor where it has one.
-  double value;         ///< Along the axis.
+  std::string axis{};     ///< closeness (1 - e), periods, order (r) or dimension (n).
+  std::string subject{};  ///< Method, and monitor where it has one.
+  double value = 0.0;     ///< Along the axis.
   long steps = 0, evaluations = 0;
   double energy_error = 0.0;  ///< Largest |H - H_0| / |H_0| during the run; NaN where it was not observed.
   std::function<void()> run;  ///< The run alone, not observed.
@@ -41,5 +42,8 @@ Axis along_eccentricity(bool quick);
 Axis along_horizon(bool quick);
 /// One Taylor expansion of order r, with partials and the Gauss rule of the method.
 Axis along_order();
+/// Chains of n masses: H, its automatic gradient, and a sweep of collocation, each at eight stages side by
+/// side.
+Axis along_dimension(bool quick);
 
 }  // namespace experiment

@@ -16,15 +16,21 @@ int main(int argc, char** argv) {
                try_optimisation(tries);
                try_dynamics(tries);
                try_problems(tries);
-               std::map<std::string, std::pair<long, long>> tally;
+               struct Tally {
+                 long inputs = 0, refused = 0, taken = 0;
+               };
+               std::map<std::string, Tally> tally;
                for (std::size_t i = 0; i < table.rows.size(); ++i) {
-                 auto& [inputs, refused] = tally[table.text(i, "part")];
-                 ++inputs;
-                 refused += table.text(i, "ending") == "refused";
+                 Tally& n = tally[table.text(i, "part")];
+                 ++n.inputs;
+                 n.refused += table.text(i, "ending") == "refused";
+                 n.taken += table.text(i, "ending") == "taken";
                }
-               experiment::Table counts = frame.table({"part", "inputs", "refused", "taken"});
+               experiment::Table counts = frame.table({"part", "inputs", "refused", "taken", "named"});
                for (const auto& [part, n] : tally)
-                 counts.row(part, n.first, n.second, n.first - n.second);
+                 counts.row(part, n.inputs, n.refused, n.taken, n.inputs - n.refused - n.taken);
+               table.note("ending",
+                          "refused with that sentence; or, where only the run can find it out, its outcome");
                frame.write(counts, "counts");
                table.note("inputs", table.rows.size());
                frame.write(table);

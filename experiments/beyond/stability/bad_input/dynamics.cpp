@@ -1,9 +1,11 @@
 #include "beyond/stability/bad_input/tries.hpp"
 
+#include "avi/collocation/collocation.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/htvi/quadrature.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/integrators/stormer_verlet.hpp"
+#include "avi/problems/chain.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/euler_b.hpp"
 #include "avi/transform/monitors.hpp"
@@ -48,10 +50,55 @@ void try_quadrature(Tries& tries) {
   tries.all("Radau nodes", std::vector{0, -5, 17}, [](int m) { (void)radau(m); });
 }
 
+void try_collocation(Tries& tries) {
+  tries.part = "collocation";
+  const auto start = Kepler::pericentre(0.5);
+  const auto steps = [](const auto& problem, auto z, double h) {
+    auto method = collocation(problem, 8);
+    return integrate(method, z, h, {.steps = 100});
+  };
+  const auto problem = poincare(Kepler{}, start);
+  tries.all("order", std::vector{-2, 0, 1, 3, 7, 33, 34}, [&](int order) { collocation(problem, order); });
+  tries.all("tolerance", not_positive, [&](double t) { collocation(problem, 8, {.tolerance = t}); });
+  tries.all("sweeps", std::vector{0, -1}, [&](int n) { collocation(problem, 8, {.max_sweeps = n}); });
+  tries.all("h", std::vector{0.0, nan, inf, -inf}, [&](double h) { (void)steps(problem, start, h); });
+  for (const double x : not_finite) {
+    auto from = start;
+    from.q[0] = x;
+    tries.run("q at the start", x, [&] { return steps(problem, from, 0.1); });
+    from = start;
+    from.p[1] = x;
+    tries.run("p at the start", x, [&] { return steps(problem, from, 0.1); });
+  }
+  for (const double g : {0.0, -1.0, nan, inf})
+    tries.run("g", g, [&] {
+      return steps(poincare(Kepler{}, start, [g](const auto& q) { return g + 0.0 * q[0]; }), start, 0.1);
+    });
+  // Good at the start; zero, and infinite, farther on.
+  tries.run("g on the way", "q_1",
+            [&] { return steps(poincare(Kepler{}, start, [](const auto& q) { return q[0]; }), start, 3.0); });
+  tries.run("g on the way", "1/(1 + q_1)", [&] {
+    return steps(poincare(Kepler{}, start, [](const auto& q) { return 1.0 / (1.0 + q[0]); }), start, 0.1);
+  });
+  tries.one("size", 2, [&] {
+    auto method = collocation(poincare(Chain{}, Chain::plucked(3)), 8);
+    auto z = Chain::plucked(2);
+    (void)method.step(z, 0.1);
+  });
+  auto uneven = Chain::plucked(3);
+  uneven.p = Chain::plucked(2).p;
+  tries.one("size", 2, [&] {
+    auto method = collocation(poincare(Chain{}, Chain::plucked(3)), 8);
+    (void)method.step(uneven, 0.1);
+  });
+  tries.one("size", 2, [&] { (void)poincare(Chain{}, uneven); });
+}
+
 }  // namespace
 
 void try_dynamics(Tries& tries) {
   try_loop(tries);
+  try_collocation(tries);
   try_monitors(tries);
   try_quadrature(tries);
 }

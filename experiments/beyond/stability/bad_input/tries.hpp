@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/core/outcome.hpp"
+#include "avi/core/integrate.hpp"
 #include "common/table.hpp"
 
 #include <functional>
@@ -18,7 +18,8 @@ inline constexpr double inf = std::numeric_limits<double>::infinity();
 inline constexpr double not_positive[] = {0.0, -0.0, -1.0, nan, inf, -inf};
 inline constexpr double not_finite[] = {nan, inf, -inf};
 
-/// Tries arguments and writes down the answers: `refused` with its sentence, or `taken`.
+/// Tries arguments and writes down the answers: `refused` with its sentence, the name of the outcome with
+/// which a run ended, or `taken`.
 class Tries {
  public:
   /// @param table with the columns part, argument, value, ending, sentence
@@ -29,12 +30,18 @@ class Tries {
   /// Makes one call that has to be refused.
   template <class Value>
   void one(const std::string& argument, const Value& value, const std::function<void()>& call) {
+    run(argument, value, [&] { return call(), avi::Run{}; });
+  }
+  /// Makes one run that has to be refused or to end with the name of what was found out on the way.
+  template <class Value>
+  void run(const std::string& argument, const Value& value, const std::function<avi::Run()>& call) {
     std::ostringstream written;
     written.precision(17);
     written << value;
     try {
-      call();
-      table_.row(part, argument, written.str(), "taken", "");
+      const avi::Run done = call();
+      table_.row(part, argument, written.str(),
+                 done.outcome == avi::Outcome::ok ? "taken" : avi::name(done.outcome), done.message);
     } catch (const std::invalid_argument& error) {
       table_.row(part, argument, written.str(), "refused", error.what());
     }

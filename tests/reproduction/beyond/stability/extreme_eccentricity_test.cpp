@@ -60,6 +60,10 @@ TEST(ExtremeEccentricity, CostGrowsAsPredicted) {
   EXPECT_NEAR(growth("hairer_soderlind", "r^1.5", 1e-1, 1e-4) - std::log(K(1e-4) / K(1e-1)) / std::log(1e-3),
               -0.5, 0.02);
   EXPECT_NEAR(growth("log_hamiltonian", "1/V", 1e-1, 1e-7), 0.0, 0.01);
+  // Collocation of order 16: -0.561; -0.049, which the convergence of the sweeps, not the order, begins.
+  EXPECT_NEAR(growth("collocation16", "r", 1e-4, 1e-7), -0.5 - 1.0 / 16.0, 0.02);
+  EXPECT_NEAR(growth("collocation16", "r^1.5", 1e-4, 1e-7) - std::log(K(1e-7) / K(1e-4)) / std::log(1e-3),
+              -1.0 / 16.0, 0.03);
 }
 
 TEST(ExtremeEccentricity, RoundingAtTheApocentreIsAmplifiedAtThePericentre) {

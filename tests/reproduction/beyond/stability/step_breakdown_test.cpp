@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 
 // Every integrator breaks and says how: on the oscillator where linear theory says, unless further windows of
@@ -35,6 +36,20 @@ TEST_F(StepBreakdown, LinearTheoryIsMetOnTheOscillator) {
                     table.number(row("oscillator", method), "h_linear"),
                 1.0, 0.01)
         << method;
+}
+
+TEST_F(StepBreakdown, CollocationIsStableAsLongAsItsSweepsConverge) {
+  // Measured: oscillator 2.87 and 9.3 (linear theory of the sweeps 3.03 and 9.4), Henon-Heiles 4.7, Kepler
+  // 1.9.
+  for (const auto& [method, least] :
+       std::map<std::string, double>{{"collocation4", 2.5}, {"collocation16", 8.0}}) {
+    const auto i = row("oscillator", method);
+    EXPECT_EQ(table.text(i, "linear_reason"), "not_converged") << method;
+    EXPECT_GT(table.number(i, "h"), least) << method;
+    EXPECT_LT(table.number(i, "energy_error"), 1e-9) << method;
+  }
+  EXPECT_GT(table.number(row("henon_heiles", "collocation16"), "h"), 4.0);
+  EXPECT_GT(table.number(row("kepler", "collocation16", "r^1.5"), "h"), 1.6);
 }
 
 TEST_F(StepBreakdown, LargestStepsAreThoseMeasured) {

@@ -1,0 +1,90 @@
+#include "beyond/speed/cost_growth/axes.hpp"
+
+#include "avi/collocation/collocation.hpp"
+#include "avi/core/integrate.hpp"
+#include "avi/problems/chain.hpp"
+#include "avi/transform/poincare.hpp"
+
+#include <limits>
+#include <memory>
+
+// The dimension: a chain of more and more masses, by collocation of order 16. Everything is done to the eight
+// stages of a step at once.
+
+namespace experiment {
+
+namespace {
+
+using avi::dynamic;
+constexpr int stages = 8;
+constexpr double h = 0.5, nan = std::numeric_limits<double>::quiet_NaN();
+using Stage = avi::Pack<stages>;
+using Vec = avi::Vector<Stage, dynamic>;
+
+/// H itself: the unit of cost.
+Measurement energy(const avi::State<dynamic>& z, long repeats) {
+  const Vec q = z.q.cast<Stage>(), p = z.p.cast<Stage>();
+  const auto sum = std::make_shared<Stage>(0.0);
+  return {.run =
+              [=] {
+                for (long k = 0; k < repeats; ++k)
+                  *sum += avi::Chain{}(q, p);
+              },
+          .units = static_cast<double>(repeats)};
+}
+
+/// The gradient of H by automatic differentiation, both halves.
+Measurement gradient(const avi::State<dynamic>& z, long repeats) {
+  const auto program = std::make_shared<avi::Program>(avi::record(avi::Chain{}, z.q.size()).gradient());
+  const auto room = std::make_shared<avi::Program::Room<Stage>>(*program);
+  for (Eigen::Index i = 0; i < z.q.size(); ++i) {
+    room->arguments()[i] = z.q[i];
+    room->arguments()[z.q.size() + i] = z.p[i];
+  }
+  return {.run =
+              [=] {
+                for (long k = 0; k < repeats; ++k)
+                  program->run(*room);
+              },
+          .units = static_cast<double>(repeats)};
+}
+
+/// A sweep: a run over its number of sweeps.
+Measurement sweep(const avi::State<dynamic>& z, long steps) {
+  const auto method = std::make_shared<avi::Collocation<avi::Poincare<dynamic, avi::Chain>>>(
+      avi::collocation(avi::poincare(avi::Chain{}, z), 2 * stages));
+  const auto run = [=] {
+    avi::State<dynamic> moved = z;
+    return avi::integrate(*method, moved, h, {.steps = steps});
+  };
+  const avi::Run done = run();
+  return {.steps = done.steps,
+          .evaluations = done.evaluations,
+          .run = [=] { (void)run(); },
+          .units = static_cast<double>(done.evaluations)};
+}
+
+}  // namespace
+
+Axis along_dimension(bool quick) {
+  Axis axis;
+  const auto add = [&](const char* subject, int n, Measurement made) {
+    made.axis = "dimension";
+    made.subject = subject;
+    made.value = n;
+    made.energy_error = nan;
+    axis.runs.push_back(std::move(made));
+  };
+  for (int n = 2; n <= 512; n *= quick ? 16 : 2) {
+    const auto z = avi::Chain::plucked(n);
+    const long repeats = 40'000 / n;
+    add("energy", n, energy(z, repeats));
+    add("gradient", n, gradient(z, repeats));
+    add("sweep", n, sweep(z, std::max(repeats / 200, 10L)));
+  }
+  for (const char* subject : {"energy", "gradient", "sweep"})
+    axis.expected.push_back({"dimension", subject, nan, 1.0, 1.0, 1e3});
+  return axis;
+}
+
+}  // namespace experiment
