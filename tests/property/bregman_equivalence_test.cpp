@@ -1,4 +1,5 @@
 #include "avi/bregman/bregman_cloning.hpp"
+#include "avi/bregman/bregman_heavy_ball.hpp"
 #include "avi/bregman/bregman_htvi.hpp"
 #include "avi/bregman/bregman_splitting.hpp"
 #include "avi/core/power.hpp"
@@ -54,6 +55,24 @@ TEST(Htvi, MomentumFormIsThePrintedForm) {
     other.C *= 1.001;
     EXPECT_GT(largest_distance(avi::BregmanHtvi{.family = other, .h = h}, printed, family, h, 1000), 1e-7);
   }
+}
+
+TEST(HeavyBall, HasTheIteratesOfTheMomentumForm) {
+  const CorrelatedQuartic f;
+  const avi::Stopping stopping{.delta = 0.0, .iterations = 1000};
+  for (const auto& family : families)
+    for (const auto clock : {avi::Clock::euler, avi::Clock::exact}) {
+      const double h = step(family);
+      const avi::BregmanStart from{.t = 1.3, .momentum = 0.7};
+      const auto ball =
+          avi::minimise(f, avi::BregmanHeavyBall{.family = family, .h = h, .from = from, .clock = clock},
+                        f.start(), stopping);
+      const auto momentum = avi::minimise(
+          f, avi::BregmanHtvi{.family = family, .h = h, .from = from, .clock = clock}, f.start(), stopping);
+      EXPECT_LT((ball.last.x - momentum.last.x).norm() / momentum.last.x.norm(), 4.5e-10)
+          << "measured 2.3e-10: the dynamics amplifies rounding";
+      EXPECT_GT((momentum.last.x - f.start()).norm(), 1.0) << "it has moved";
+    }
 }
 
 TEST(Splitting, ThreeFlowsAndPrintedUpdateShareTheirIterates) {
