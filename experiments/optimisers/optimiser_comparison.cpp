@@ -2,6 +2,8 @@
 #include "common/frame.hpp"
 #include "common/timing.hpp"
 
+#include "avi/optim/minimise.hpp"
+
 // Iterations of several optimisers until the stopping test with delta = 1e-2 ... 1e-10 first holds, at the
 // settings that were recovered from the published counts.
 
@@ -76,6 +78,20 @@ class Comparison {
     }
   }
 
+  /// avi::minimise() with its defaults and m pairs, which stops by the same test. A run for each tolerance:
+  /// before it stops it evaluates where it has interpolated.
+  void add_own(const std::string& name, int memory, const avi::CorrelatedQuartic& f) {
+    for (int k = 2; k <= 10; ++k) {
+      const double delta = std::pow(10.0, -k);
+      const auto begin = std::chrono::steady_clock::now();
+      const auto run =
+          avi::minimise(f, f.start(), {.relative = 0.0, .absolute = delta, .change = delta, .memory = memory});
+      const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      table_.row(name, delta, run.iterations, run.gradient_evaluations, run.converged(),
+                 avi::name(run.outcome), run.function_evaluations, experiment::rounded(spent));
+    }
+  }
+
   void write() const {
     frame_.progress("done", 1.0);
     frame_.write(table_);
@@ -94,7 +110,8 @@ int main(int argc, char** argv) {
   double cap = 6e7;
   return run(
       argc, argv, "optimiser_comparison",
-      "HTVI against NAG, ADAM, AdaGrad, RMSprop and trust region steepest descent over nine tolerances",
+      "HTVI against NAG, ADAM, AdaGrad, RMSprop, trust region steepest descent and minimise() over nine "
+        "tolerances",
       [&](CLI::App& app) {
         add_flag(app, "--long", full,
                  "No cap below what the paper prints: AdaGrad to 2.5e8, NAG to 1e10 (an hour)");
@@ -116,6 +133,8 @@ int main(int argc, char** argv) {
         all.add("adagrad", f, x0, {.method = "adagrad", .h = 7.0}, full ? 2.5e8 : cap);
         all.add("rmsprop", f, x0, {.method = "rmsprop", .h = 0.1}, cap);
         all.add("trust_region", f, x0, {.method = "trust_region"}, cap);
+        all.add_own("minimise_m7", 7, f);
+        all.add_own("minimise_m0", 0, f);
         all.write();
       });
 }

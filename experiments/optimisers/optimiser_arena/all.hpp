@@ -3,7 +3,10 @@
 
 namespace arena {
 
-/// Every problem of the arena; `large` adds and enlarges those of dimension up to 1e6.
-std::vector<Problem> all_problems(bool large);
+/// Problems on which defaults may be chosen; `large` adds and enlarges those of dimension up to 1e6.
+std::vector<Problem> tuned_problems(bool large);
+
+/// Problems that are run once the defaults are final.
+std::vector<Problem> held_out_problems();
 
 }  // namespace arena

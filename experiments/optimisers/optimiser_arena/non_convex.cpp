@@ -17,8 +17,8 @@ Problem separable(std::string name, VectorX x0, const auto& term) {
 }
 
 /// A start beside a saddle of (x_i^2 - 1)^2 c_i / 4, coupled by differences of neighbours.
-Problem saddle(Eigen::Index n) {
-  Numbers numbers(81);
+Problem saddle(Eigen::Index n, unsigned long seed) {
+  Numbers numbers(81 + seed);
   return {.name = "saddle",
           .kind = "non_convex",
           .x0 = 1e-3 * numbers.normals(n),
@@ -41,8 +41,8 @@ Problem saddle(Eigen::Index n) {
 }
 
 /// |M - U V^T|^2 / 4 for a matrix of rank k with a little noise.
-Problem factorisation(Eigen::Index rows, Eigen::Index k) {
-  Numbers numbers(91);
+Problem factorisation(Eigen::Index rows, Eigen::Index k, unsigned long seed) {
+  Numbers numbers(91 + seed);
   const Eigen::MatrixXd m =
       numbers.matrix(rows, k) * numbers.matrix(k, rows) + 0.1 * numbers.matrix(rows, rows);
   const VectorX x0 = 0.1 * numbers.normals(2 * rows * k);
@@ -56,8 +56,8 @@ Problem factorisation(Eigen::Index rows, Eigen::Index k) {
 }
 
 /// Intensities (a_i . x)^2 of an unknown x.
-Problem phase_retrieval(Eigen::Index n, Eigen::Index m) {
-  Numbers numbers(101);
+Problem phase_retrieval(Eigen::Index n, Eigen::Index m, unsigned long seed) {
+  Numbers numbers(101 + seed);
   const Eigen::MatrixXd a = numbers.matrix(m, n);
   const VectorX b = (a * numbers.normals(n)).array().square();
   const VectorX x0 = numbers.normals(n);
@@ -70,8 +70,8 @@ Problem phase_retrieval(Eigen::Index n, Eigen::Index m) {
 }
 
 /// Two inputs, one hidden layer of tanh, one output: a regression of sin(3 u) cos(2 v), weight decay 1e-4.
-Problem perceptron(Eigen::Index hidden, Eigen::Index m) {
-  Numbers numbers(111);
+Problem perceptron(Eigen::Index hidden, Eigen::Index m, unsigned long seed) {
+  Numbers numbers(111 + seed);
   const Eigen::MatrixXd in = numbers.matrix(m, 2);
   VectorX target(m);
   for (Eigen::Index i = 0; i < m; ++i)
@@ -150,27 +150,32 @@ Problem chained_rosenbrock(Eigen::Index n) {
 
 }  // namespace
 
+std::vector<Problem> drawn_non_convex_problems(const Draw& draw) {
+  const Eigen::Index k = draw.times;
+  const unsigned long seed = draw.seed;
+  const VectorX spread = 2.0 * Numbers(131 + seed).normals(50 * k);
+  return named(draw, {saddle(200 * k, seed),
+                      separable("styblinski_tang", spread,
+                                [](double x, double& g, Eigen::Index i) {
+                                  const double c = 1.0 + 0.1 * static_cast<double>(i);
+                                  g = 0.5 * c * (4.0 * x * x * x - 32.0 * x + 5.0);
+                                  return 0.5 * c * (x * x * x * x - 16.0 * x * x + 5.0 * x);
+                                }),
+                      separable("rastrigin", spread,
+                                [](double x, double& g, Eigen::Index i) {
+                                  const double c = 1.0 + 0.2 * static_cast<double>(i);
+                                  g = 2.0 * c * x + 3.0 * std::sin(3.0 * x);
+                                  return c * x * x + 1.0 - std::cos(3.0 * x);
+                                }),
+                      factorisation(30 * k, 3, seed), phase_retrieval(40 * k, 250 * k, seed),
+                      perceptron(8 * k, 100 * k, seed)});
+}
+
 std::vector<Problem> non_convex_problems() {
-  Numbers numbers(131);
-  const VectorX spread = 2.0 * numbers.normals(50);
-  return {saddle(200),
-          separable("styblinski_tang", spread,
-                    [](double x, double& g, Eigen::Index i) {
-                      const double c = 1.0 + 0.1 * static_cast<double>(i);
-                      g = 0.5 * c * (4.0 * x * x * x - 32.0 * x + 5.0);
-                      return 0.5 * c * (x * x * x * x - 16.0 * x * x + 5.0 * x);
-                    }),
-          separable("rastrigin", spread,
-                    [](double x, double& g, Eigen::Index i) {
-                      const double c = 1.0 + 0.2 * static_cast<double>(i);
-                      g = 2.0 * c * x + 3.0 * std::sin(3.0 * x);
-                      return c * x * x + 1.0 - std::cos(3.0 * x);
-                    }),
-          factorisation(30, 3),
-          phase_retrieval(40, 250),
-          perceptron(8, 100),
-          lennard_jones(),
-          chained_rosenbrock(30)};
+  std::vector<Problem> all = drawn_non_convex_problems({});
+  all.push_back(lennard_jones());
+  all.push_back(chained_rosenbrock(30));
+  return all;
 }
 
 }  // namespace arena

@@ -92,7 +92,9 @@ int main(int argc, char** argv) {
         for (const auto& group : {arena::own_methods(), arena::first_order_methods(),
                                   arena::conjugate_gradients(), arena::library_methods()})
           methods.insert(methods.end(), group.begin(), group.end());
-        const std::vector<Problem> problems = arena::all_problems(full);
+        std::vector<Problem> problems = arena::tuned_problems(full);
+        for (const Problem& problem : arena::held_out_problems())
+          problems.push_back(problem);
         const long cap = full ? 200'000 : 20'000, slow_cap = full ? 10'000 : 1000;
         Table table =
             frame.table({"problem", "dimension", "held_out", "method", "delta", "iterations",

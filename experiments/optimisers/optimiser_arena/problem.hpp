@@ -51,6 +51,20 @@ class Numbers {
   std::mt19937_64 bits_;
 };
 
+/// Which instances of the classes whose data or start is drawn at random.
+struct Draw {
+  std::string suffix;      ///< Of their names.
+  Eigen::Index times = 1;  ///< Dimension and number of data, in units of the usual.
+  unsigned long seed = 0;  ///< Added to each class's own.
+};
+
+/// The problems with the suffix of their draw.
+inline std::vector<Problem> named(const Draw& draw, std::vector<Problem> problems) {
+  for (Problem& problem : problems)
+    problem.name += draw.suffix;
+  return problems;
+}
+
 /// log(1 + e^z) without overflow.
 inline double softplus(double z) { return z > 0.0 ? z + std::log1p(std::exp(-z)) : std::log1p(std::exp(z)); }
 /// Its derivative.
@@ -69,8 +83,10 @@ inline double first_length(const VectorX& x, const VectorX& g, double value) {
 /// @name One kind each
 /// @{
 std::vector<Problem> convex_problems(bool large);
-std::vector<Problem> statistics_problems();
+std::vector<Problem> statistics_problems(const Draw& draw = {});
 std::vector<Problem> classic_problems();
+std::vector<Problem> remaining_classic_problems();
+std::vector<Problem> drawn_non_convex_problems(const Draw& draw);
 std::vector<Problem> non_convex_problems();
 std::vector<Problem> degenerate_problems(bool large);
 /// @}

@@ -5,8 +5,9 @@ namespace arena {
 namespace {
 
 /// Mean logistic loss of labels +-1 plus (ridge / 2) |x|^2. `noise` 0: the classes are separable.
-Problem logistic(const std::string& name, Eigen::Index n, Eigen::Index m, double noise, double ridge) {
-  Numbers numbers(21);
+Problem logistic(const std::string& name, Eigen::Index n, Eigen::Index m, double noise, double ridge,
+                 unsigned long seed) {
+  Numbers numbers(21 + seed);
   Eigen::MatrixXd a = numbers.matrix(m, n);
   for (Eigen::Index j = 0; j < n; ++j)  // columns of different sizes, as in raw data
     a.col(j) *= std::pow(10.0, 1.0 - 2.0 * static_cast<double>(j) / static_cast<double>(n));
@@ -32,8 +33,8 @@ Problem logistic(const std::string& name, Eigen::Index n, Eigen::Index m, double
 
 /// A robust or smoothed loss of residuals A x - b: rho(residual) with its slope.
 template <class Loss>
-Problem regression(const std::string& name, Eigen::Index n, Eigen::Index m, double ridge, Loss loss) {
-  Numbers numbers(31);
+Problem regression(const std::string& name, Eigen::Index n, Eigen::Index m, unsigned long seed, Loss loss) {
+  Numbers numbers(31 + seed);
   Eigen::MatrixXd a = numbers.matrix(m, n);
   for (Eigen::Index j = 0; j < n; ++j)
     a.col(j) *= std::pow(10.0, -1.5 * static_cast<double>(j) / static_cast<double>(n));
@@ -50,8 +51,7 @@ Problem regression(const std::string& name, Eigen::Index n, Eigen::Index m, doub
             }
             const double mean = 1.0 / static_cast<double>(m);
             g.noalias() = a.transpose() * z * mean;
-            g += ridge * x;
-            return f * mean + 0.5 * ridge * avi::dot(x, x);
+            return f * mean;
           }};
 }
 
@@ -67,8 +67,8 @@ double student(double r, double& slope) {
 }
 
 /// Least squares with the smoothed 1-norm sum_i sqrt(x_i^2 + 1e-6).
-Problem lasso(Eigen::Index n, Eigen::Index m, double weight) {
-  Numbers numbers(41);
+Problem lasso(Eigen::Index n, Eigen::Index m, double weight, unsigned long seed) {
+  Numbers numbers(41 + seed);
   const Eigen::MatrixXd a = numbers.matrix(m, n);
   VectorX truth = VectorX::Zero(n);
   for (Eigen::Index i = 0; i < n; i += 10)
@@ -90,8 +90,8 @@ Problem lasso(Eigen::Index n, Eigen::Index m, double weight) {
 }
 
 /// A noisy step function, |x - b|^2 / 2 + weight sum sqrt((x_{i+1} - x_i)^2 + 1e-4).
-Problem total_variation(Eigen::Index n, double weight) {
-  Numbers numbers(51);
+Problem total_variation(Eigen::Index n, double weight, unsigned long seed) {
+  Numbers numbers(51 + seed);
   VectorX b = 0.1 * numbers.normals(n);
   for (Eigen::Index i = 0; i < n; ++i)
     b[i] += (i * 5 / n) % 2 == 0 ? 1.0 : -1.0;
@@ -109,8 +109,8 @@ Problem total_variation(Eigen::Index n, double weight) {
 }
 
 /// Counts of mean exp(a.x): the negative log-likelihood of Poisson's law, mean over the data.
-Problem poisson_regression(Eigen::Index n, Eigen::Index m) {
-  Numbers numbers(61);
+Problem poisson_regression(Eigen::Index n, Eigen::Index m, unsigned long seed) {
+  Numbers numbers(61 + seed);
   const Eigen::MatrixXd a = numbers.matrix(m, n) / std::sqrt(static_cast<double>(n));
   const VectorX mean = (a * (2.0 * numbers.normals(n))).array().exp();
   VectorX count(m);
@@ -136,8 +136,8 @@ Problem poisson_regression(Eigen::Index n, Eigen::Index m) {
 }
 
 /// Softmax regression with `classes` classes, ridge 1e-3.
-Problem softmax(Eigen::Index features, Eigen::Index classes, Eigen::Index m) {
-  Numbers numbers(71);
+Problem softmax(Eigen::Index features, Eigen::Index classes, Eigen::Index m, unsigned long seed) {
+  Numbers numbers(71 + seed);
   const Eigen::MatrixXd a = numbers.matrix(m, features), truth = numbers.matrix(features, classes);
   const Eigen::MatrixXd score = a * truth + 2.0 * numbers.matrix(m, classes);
   std::vector<Eigen::Index> label(static_cast<std::size_t>(m));
@@ -169,15 +169,17 @@ Problem softmax(Eigen::Index features, Eigen::Index classes, Eigen::Index m) {
 
 }  // namespace
 
-std::vector<Problem> statistics_problems() {
-  return {logistic("logistic", 50, 400, 3.0, 0.0),
-          logistic("logistic_separable", 50, 200, 0.0, 1e-4),
-          regression("huber", 50, 300, 0.0, huber),
-          regression("student", 50, 300, 0.0, student),
-          lasso(100, 60, 0.02),
-          total_variation(300, 0.5),
-          poisson_regression(40, 300),
-          softmax(20, 6, 300)};
+std::vector<Problem> statistics_problems(const Draw& draw) {
+  const Eigen::Index k = draw.times;
+  const unsigned long seed = draw.seed;
+  return named(draw, {logistic("logistic", 50 * k, 400 * k, 3.0, 0.0, seed),
+                      logistic("logistic_separable", 50 * k, 200 * k, 0.0, 1e-4, seed),
+                      regression("huber", 50 * k, 300 * k, seed, huber),
+                      regression("student", 50 * k, 300 * k, seed, student),
+                      lasso(100 * k, 60 * k, 0.02, seed),
+                      total_variation(300 * k, 0.5, seed),
+                      poisson_regression(40 * k, 300 * k, seed),
+                      softmax(20 * k, 6, 300 * k, seed)});
 }
 
 }  // namespace arena
