@@ -84,8 +84,8 @@ class Comparison {
     for (int k = 2; k <= 10; ++k) {
       const double delta = std::pow(10.0, -k);
       const auto begin = std::chrono::steady_clock::now();
-      const auto run =
-          avi::minimise(f, f.start(), {.relative = 0.0, .absolute = delta, .change = delta, .memory = memory});
+      const auto run = avi::minimise(f, f.start(),
+                                     {.relative = 0.0, .absolute = delta, .change = delta, .memory = memory});
       const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       table_.row(name, delta, run.iterations, run.gradient_evaluations, run.converged(),
                  avi::name(run.outcome), run.function_evaluations, experiment::rounded(spent));
@@ -111,7 +111,7 @@ int main(int argc, char** argv) {
   return run(
       argc, argv, "optimiser_comparison",
       "HTVI against NAG, ADAM, AdaGrad, RMSprop, trust region steepest descent and minimise() over nine "
-        "tolerances",
+      "tolerances",
       [&](CLI::App& app) {
         add_flag(app, "--long", full,
                  "No cap below what the paper prints: AdaGrad to 2.5e8, NAG to 1e10 (an hour)");

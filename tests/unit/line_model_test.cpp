@@ -17,12 +17,14 @@ struct Cubic {
 
 TEST(LineModel, FindsTheMinimumOfAParabola) {
   const Cubic phi{3.0, -4.0, 2.0, 0.0};  // minimum at 1
-  for (double h : {0.1, 0.5, 1.0, 2.0, 20.0}) {
-    const LineModel model(phi(0.0), phi(h), h, 1e-14);
+  for (double h : {0.11, 0.5, 1.0, 2.0, 20.0}) {
+    const LineModel model(phi(0.0), phi(h), h, 1e-13);
     EXPECT_NEAR(model.r * h, 1.0, 1e-12);
     EXPECT_TRUE(model.trusted()) << h;
     EXPECT_EQ(model.defect, 0.0);
+    EXPECT_FALSE(model.blind());
   }
+  EXPECT_FALSE(LineModel(phi(0.0), phi(0.09), 0.09, 1e-14).trusted());  // r > 10
   EXPECT_FALSE(LineModel(phi(0.0), phi(60.0), 60.0, 1e-14).trusted());  // r < 0.02
 }
 
@@ -40,8 +42,17 @@ TEST(LineModel, RoundingIsNoDefect) {
   const Cubic phi{1e8, -2.0, 1.0, 0.0};
   LinePoint end = phi(0.5);
   end.value += 1e-7;
-  EXPECT_EQ(LineModel(phi(0.0), end, 0.5, 1e-14).defect, 0.0);
+  EXPECT_EQ(LineModel(phi(0.0), end, 0.5, 2e-7).defect, 0.0);
+  EXPECT_NEAR(LineModel(phi(0.0), end, 0.5, 0.0).trapezium(), 1e-7, 2e-8);
   EXPECT_GT(LineModel(phi(0.0), end, 0.5, 0.0).defect, 0.0);
+}
+
+TEST(LineModel, SaysWhereRoundingWouldHideADefect) {
+  // h max |phi'| = 0.5: the slope at r h = 2 h may be wrong by 6 (noise / 0.5) 2 (2 - 1), which is 0.05 at
+  // noise 1 / 480.
+  const Cubic phi{3.0, -1.0, 0.5, 0.0};
+  EXPECT_TRUE(LineModel(phi(0.0), phi(0.5), 0.5, 1.01 / 480.0).blind());
+  EXPECT_FALSE(LineModel(phi(0.0), phi(0.5), 0.5, 0.99 / 480.0).blind());
 }
 
 TEST(LineModel, TheCubicHasTheMinimumBetween) {

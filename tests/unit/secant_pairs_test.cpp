@@ -17,8 +17,15 @@ TEST(SecantPairs, GiveTheDirectionOfTheFormedMatrix) {
     for (Eigen::Index j = 0; j < n; ++j)
       a(i, j) += 1.0 / static_cast<double>(i + j + 1);
   avi::SecantPairs pairs(m, n);
-  VectorX g = VectorX::LinSpaced(n, -1.0, 2.0), d(n);
-  pairs.direction(g, d);
+  const VectorX g = VectorX::LinSpaced(n, -1.0, 2.0);
+  VectorX d(n), with_pairs(pairs.products()), change(pairs.products());
+  const auto direction_of = [&](const VectorX& gradient) {
+    pairs.multiply(gradient.data(), with_pairs.data());
+    const auto [slope, square] = pairs.direction(gradient.data(), with_pairs.data(), d.data());
+    EXPECT_NEAR(slope, d.dot(gradient), 1e-12 * d.norm() * gradient.norm());
+    EXPECT_NEAR(square, d.squaredNorm(), 1e-12 * square);
+  };
+  direction_of(g);
   EXPECT_EQ(d, VectorX(-g));
   std::vector<std::pair<VectorX, VectorX>> stored;
   for (int k = 0; k < 7; ++k) {  // more than there is room for
@@ -28,7 +35,9 @@ TEST(SecantPairs, GiveTheDirectionOfTheFormedMatrix) {
     const VectorX y = a * s;
     Eigen::Map<VectorX>(pairs.next_s(), n) = s;
     Eigen::Map<VectorX>(pairs.next_y(), n) = y;
-    pairs.commit(s.dot(y), y.squaredNorm());
+    pairs.multiply(y.data(), change.data());
+    with_pairs.setZero();
+    pairs.commit(s.dot(y), y.squaredNorm(), change.data(), with_pairs.data(), 0.0, 0.0);
     stored.emplace_back(s, y);
     if (stored.size() > m) stored.erase(stored.begin());
     Eigen::MatrixXd h = Eigen::MatrixXd::Identity(n, n) * (s.dot(y) / y.squaredNorm());
@@ -37,15 +46,50 @@ TEST(SecantPairs, GiveTheDirectionOfTheFormedMatrix) {
       const Eigen::MatrixXd left = Eigen::MatrixXd::Identity(n, n) - rho * si * yi.transpose();
       h = left * h * left.transpose() + rho * si * si.transpose();
     }
-    pairs.direction(g, d);
+    direction_of(g);
     EXPECT_EQ(pairs.size(), std::min(k + 1, m));
     EXPECT_LT((d + h * g).norm(), 1e-12 * d.norm()) << k;
-    pairs.direction(y, d);
+    direction_of(y);
     EXPECT_LT((d + s).norm(), 1e-12 * s.norm()) << "secant equation, pair " << k;
   }
   pairs.clear();
-  pairs.direction(g, d);
+  direction_of(g);
   EXPECT_EQ(d, VectorX(-g));
+}
+
+/// diag(1, 2, ...) as the Hessian, pairs along the axes.
+struct Axes {
+  static constexpr Eigen::Index n = 5;
+  avi::SecantPairs pairs{3, n};
+  VectorX with_pairs = VectorX::Zero(6 + 10), d = VectorX::Zero(n);
+  void write(Eigen::Index axis) {
+    Eigen::Map<VectorX>(pairs.next_s(), n) = VectorX::Unit(n, axis);
+    Eigen::Map<VectorX>(pairs.next_y(), n) = VectorX::Unit(n, axis) * static_cast<double>(axis + 1);
+  }
+  void store(Eigen::Index axis) {
+    write(axis);
+    const double c = static_cast<double>(axis + 1);
+    VectorX change(pairs.products());
+    pairs.multiply(pairs.next_y(), change.data());
+    pairs.commit(c, c * c, change.data(), with_pairs.data(), 0.0, 0.0);
+  }
+  VectorX direction(const VectorX& g) {
+    pairs.multiply(g.data(), with_pairs.data());
+    pairs.direction(g.data(), with_pairs.data(), d.data());
+    return d;
+  }
+};
+
+TEST(SecantPairs, ADiscardedPairTakesItsPlaceAndHasNoEffect) {
+  Axes axes;
+  for (Eigen::Index axis : {3, 1, 0})
+    axes.store(axis);
+  EXPECT_EQ(axes.direction(VectorX::Unit(5, 3)), VectorX(-0.25 * VectorX::Unit(5, 3)));
+  axes.write(4);  // over the oldest, of axis 3
+  axes.pairs.discard();
+  EXPECT_EQ(axes.direction(VectorX::Unit(5, 1)), VectorX(-0.5 * VectorX::Unit(5, 1)));
+  EXPECT_EQ(axes.direction(VectorX::Unit(5, 3)), VectorX(-VectorX::Unit(5, 3)));  // gamma = 1, of axis 0
+  EXPECT_EQ(axes.direction(VectorX::Unit(5, 4)), VectorX(-VectorX::Unit(5, 4)));
 }
 
 }  // namespace

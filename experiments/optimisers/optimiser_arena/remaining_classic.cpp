@@ -122,7 +122,9 @@ Problem brown_almost_linear(Eigen::Index n) {
   });
 }
 
-double node(Eigen::Index i, Eigen::Index n) { return static_cast<double>(i + 1) / static_cast<double>(n + 1); }
+double node(Eigen::Index i, Eigen::Index n) {
+  return static_cast<double>(i + 1) / static_cast<double>(n + 1);
+}
 
 Problem integral_equation(Eigen::Index n) {
   VectorX x0(n);
@@ -162,9 +164,17 @@ Problem broyden_banded(Eigen::Index n) {
 }  // namespace
 
 std::vector<Problem> remaining_classic_problems() {
-  return {freudenstein_roth(),   powell_badly_scaled(),   jennrich_sampson(), gulf(), box(), brown_dennis(),
-          watson(6),             penalty_2(10),           brown_almost_linear(10),
-          integral_equation(10), broyden_banded(10)};
+  return {freudenstein_roth(),
+          powell_badly_scaled(),
+          jennrich_sampson(),
+          gulf(),
+          box(),
+          brown_dennis(),
+          watson(6),
+          penalty_2(10),
+          brown_almost_linear(10),
+          integral_equation(10),
+          broyden_banded(10)};
 }
 
 }  // namespace arena

@@ -176,10 +176,8 @@ std::vector<Problem> statistics_problems(const Draw& draw) {
                       logistic("logistic_separable", 50 * k, 200 * k, 0.0, 1e-4, seed),
                       regression("huber", 50 * k, 300 * k, seed, huber),
                       regression("student", 50 * k, 300 * k, seed, student),
-                      lasso(100 * k, 60 * k, 0.02, seed),
-                      total_variation(300 * k, 0.5, seed),
-                      poisson_regression(40 * k, 300 * k, seed),
-                      softmax(20 * k, 6, 300 * k, seed)});
+                      lasso(100 * k, 60 * k, 0.02, seed), total_variation(300 * k, 0.5, seed),
+                      poisson_regression(40 * k, 300 * k, seed), softmax(20 * k, 6, 300 * k, seed)});
 }
 
 }  // namespace arena

@@ -27,21 +27,29 @@ struct LineModel {
   double curvature;  ///< kappa.
   double r;          ///< Where the slope vanishes, in units of h; meant for curvature > 0.
   double defect;     ///< nu = |e| / (h max |phi'|), less what rounding of the values explains.
+  double rounding;   ///< What it explains, likewise in units of h max |phi'|.
 
-  /// `noise` is the relative rounding error of values.
+  /// `noise` is what rounding may make of the difference of the values.
   LineModel(const LinePoint& from, const LinePoint& to, double distance, double noise)
       : base(from), trial(to), h(distance), curvature((to.slope - from.slope) / distance),
         r(-from.slope / (to.slope - from.slope)) {
-    const double e = to.value - from.value - 0.5 * h * (from.slope + to.slope);
-    const double rounding = noise * (std::abs(to.value) + std::abs(from.value));
-    defect = std::max(0.0, std::abs(e) - rounding) / (h * std::max(std::abs(from.slope), std::abs(to.slope)));
+    const double unit = h * std::max(std::abs(from.slope), std::abs(to.slope));
+    rounding = noise / unit;
+    defect = std::max(0.0, std::abs(trapezium()) / unit - rounding);
+  }
+
+  /// e.
+  [[nodiscard]] double trapezium() const {
+    return trial.value - base.value - 0.5 * h * (base.slope + trial.slope);
   }
 
   /// True where the minimum of the line and the gradient there may be taken from the interpolation.
   [[nodiscard]] bool trusted() const {
-    return curvature > 0.0 && defect <= 0.3 && r >= 0.02 && r <= 50.0 &&
-           6.0 * defect * std::max(1.0, r) * std::abs(r - 1.0) <= 0.05;
+    return curvature > 0.0 && defect <= 0.3 && r >= 0.02 && r <= 10.0 && wrong_by(defect) <= 0.05;
   }
+
+  /// True where that rests on slopes alone, because rounding would hide a defect.
+  [[nodiscard]] bool blind() const { return wrong_by(defect + rounding) > 0.05; }
 
   /// Minimum of the cubic through both points, in units of h; for a trial beyond the minimum. In [0.05,
   /// 0.95], one half where the cubic has none.
@@ -56,6 +64,10 @@ struct LineModel {
 
   /// Next trial beyond one that still goes downhill, in units of h.
   [[nodiscard]] double beyond() const { return curvature > 0.0 ? std::clamp(r, 1.5, 10.0) : 5.0; }
+
+ private:
+  /// Error of the slope at r h, in units of the larger slope, that a defect of nu stands for.
+  [[nodiscard]] double wrong_by(double nu) const { return 6.0 * nu * std::max(1.0, r) * std::abs(r - 1.0); }
 };
 
 }  // namespace avi

@@ -22,14 +22,17 @@ class LineState {
     base_.x = x0;
     for (VectorX* v : {&base_.g, &trial_.x, &trial_.g, &best_.x, &best_.g, &d_})
       v->setZero(n_);
+    for (VectorX* v : {&base_.with_pairs, &trial_.with_pairs, &best_.with_pairs, &change_})
+      v->setZero(pairs_.products());
   }
 
  protected:
   /// A point with the value and gradient of f, evaluated or interpolated.
   struct Point {
-    VectorX x;       ///< Position.
-    VectorX g;       ///< Gradient.
-    double f = 0.0;  ///< Value.
+    VectorX x;           ///< Position.
+    VectorX g;           ///< Gradient.
+    VectorX with_pairs;  ///< Its products with the pairs of the mass matrix.
+    double f = 0.0;      ///< Value.
   };
 
   /// Options and start after their check.
@@ -61,20 +64,22 @@ class LineState {
       sum[1] += entry * entry;
     });
     slope_ = sums[0], square_ = sums[1];
+    pairs_.multiply(at.g.data(), at.with_pairs.data());
     return true;
   }
 
   /// d = -grad f, and the pairs are forgotten.
   void steepest() {
     pairs_.clear();
-    pairs_.direction(base_.g, d_);
-    measure_direction();
+    quasi_newton();
   }
 
-  /// d = -H grad f, or steepest descent where that is not downhill.
+  /// d = -H grad f, or steepest descent where that is not downhill, and the length of its first trial.
   void quasi_newton() {
-    pairs_.direction(base_.g, d_);
-    if (!measure_direction()) steepest();
+    const auto sums = pairs_.direction(base_.g.data(), base_.with_pairs.data(), d_.data());
+    down_ = sums[0], length2_ = sums[1];
+    if (pairs_.size() > 0 && !(down_ < 0.0)) return steepest();
+    alpha_ = pairs_.size() > 0 ? 1.0 : first_step();
   }
 
   /// Slope and square of d; true where d goes downhill.
@@ -101,8 +106,7 @@ class LineState {
     const bool sized = evaluate(trial_);
     trial_.x.swap(base_.x);
     exact_ = true;
-    const double noise = noise_ * (std::abs(trial_.f) + std::abs(best_.f));
-    if (sized && std::isfinite(square_) && trial_.f <= best_.f + noise) {
+    if (sized && std::isfinite(square_) && trial_.f <= best_.f + rounding(trial_.f, best_.f)) {
       if (options_.memory == 0) d_ += base_.g - trial_.g;  // d is -gradient + beta (old d)
       base_.g.swap(trial_.g);
       base_.f = trial_.f;
@@ -111,10 +115,17 @@ class LineState {
       if (options_.memory == 0) d_ = -base_.g;
     }
     norm_ = norm(base_.g);
-    if (options_.memory > 0)
+    if (options_.memory > 0) {
+      pairs_.multiply(base_.g.data(), base_.with_pairs.data());
       quasi_newton();
-    else if (!measure_direction())
+    } else if (!measure_direction()) {
       steepest();
+    }
+  }
+
+  /// What rounding may make of the difference of two values.
+  [[nodiscard]] double rounding(double one, double other) const {
+    return noise_ + 1e-14 * (std::abs(one) + std::abs(other));
   }
 
   /// trial = base + alpha d.
@@ -135,6 +146,10 @@ class LineState {
     Point& into = !recovers || keeps_base ? trial_ : keeps_trial ? best_ : base_;
     const double step = r * alpha_, value = recovers ? interpolated : trial_.f;
     const bool pairs = options_.memory > 0;
+    if (pairs) {  // before the points change places
+      change_ = r * (trial_.with_pairs - base_.with_pairs);
+      into.with_pairs = base_.with_pairs + change_;
+    }
     double* s_out = pairs ? pairs_.next_s() : nullptr;
     double* y_out = pairs ? pairs_.next_y() : nullptr;
     const auto sums =
@@ -167,10 +182,11 @@ class LineState {
     norm_ = std::sqrt(gg);
     exact_ = !recovers;
     if (pairs) {
-      if (step * dy > 1e-12 * step * std::sqrt(length2_ * yy)) pairs_.commit(step * dy, yy);
-      quasi_newton();
-      alpha_ = pairs_.size() > 0 ? 1.0 : first_step();
-      return;
+      if (step * dy > 1e-12 * step * std::sqrt(length2_ * yy))
+        pairs_.commit(step * dy, yy, change_.data(), base_.with_pairs.data(), step * gd, gy);
+      else
+        pairs_.discard();
+      return quasi_newton();
     }
     double beta = 0.0;
     alpha_ = moved + step;
@@ -186,7 +202,11 @@ class LineState {
       sum[1] += entry * entry;
     });
     down_ = now[0], length2_ = now[1];
-    if (!(down_ < 0.0)) steepest();
+    if (!(down_ < 0.0)) {
+      const double length = dy > 0.0 ? step * dy / yy : alpha_;
+      steepest();
+      alpha_ = length;
+    }
   }
 
   MinimiseOptions options_;        ///< As given.
@@ -197,6 +217,7 @@ class LineState {
   Point trial_;                    ///< The last evaluated point on it.
   Point best_;                     ///< The best evaluated point, while the base is interpolated.
   VectorX d_;                      ///< Direction of the line.
+  VectorX change_;                 ///< Products of the newest y with the pairs.
   double down_ = 0.0;              ///< d . gradient at the base.
   double length2_ = 0.0;           ///< Square of d.
   double slope_ = 0.0;             ///< d . gradient at the last evaluation.
@@ -205,7 +226,7 @@ class LineState {
   double target_ = 0.0;            ///< Norm of the gradient that ends the run.
   double alpha_ = 0.0;             ///< Where the next trial is.
   double floor_ = 0.0;             ///< What f must not fall below.
-  double noise_ = 1e-14;           ///< Relative rounding error of values, raised where a line is stuck.
+  double noise_ = 0.0;             ///< Error of values as seen where a line was stuck.
   bool exact_ = true;              ///< Whether value and gradient at the base were evaluated.
   Outcome failure_ = Outcome::ok;  ///< Why the run ends.
   std::string reason_;             ///< The same in words.

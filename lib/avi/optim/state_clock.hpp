@@ -31,12 +31,12 @@ class StateClock : LineState<F> {
     norm_ = std::sqrt(square_);
     if (!std::isfinite(norm_)) return end(fail(Outcome::non_finite, "the gradient at x0 is not finite"));
     if (!std::isfinite(base_.f)) return end(fail(Outcome::non_finite, "f(x0) is not finite"));
+    scale_ = std::abs(base_.f);
     target_ = std::max(options_.relative * norm_, options_.absolute);
     floor_ =
         -std::min(options_.growth * std::max(1.0, std::abs(base_.f)), std::numeric_limits<double>::max());
     if (options_.check_gradient && !gradient_agrees()) return end(failure_);
     steepest();
-    alpha_ = first_step();
     if (!report()) return end(fail(Outcome::stopped, "the callback asked to stop"));
     if (norm_ <= target_) return end(Outcome::ok);
     while (run_.iterations < options_.iterations) {
@@ -77,6 +77,7 @@ class StateClock : LineState<F> {
   using Base::options_;
   using Base::place_trial;
   using Base::reason_;
+  using Base::rounding;
   using Base::settle;
   using Base::slope_;
   using Base::square_;
@@ -88,7 +89,7 @@ class StateClock : LineState<F> {
   bool line() {
     LinePoint start{base_.f, down_};
     double moved = 0.0, high = std::numeric_limits<double>::infinity();
-    const double sigma = options_.memory == 0 ? 0.5 : 0.8;
+    const double sigma = options_.memory == 0 ? 0.7 : 0.8;
     bool restarted = false;
     for (int trials = 1, since_start = 1;; ++trials, ++since_start) {
       if (f_.gradients >= options_.evaluations) {
@@ -100,7 +101,6 @@ class StateClock : LineState<F> {
         restarted = true;
         if (!exact_) settle();
         steepest();
-        alpha_ = first_step();
         start = {base_.f, down_};
         moved = 0.0, high = std::numeric_limits<double>::infinity();
         trials = since_start = 1;
@@ -116,16 +116,24 @@ class StateClock : LineState<F> {
         alpha_ *= 0.1;
         continue;
       }
-      const LineModel model({base_.f, down_}, {trial_.f, slope_}, alpha_, noise_);
-      const double noise = noise_ * (std::abs(start.value) + std::abs(trial_.f));
+      const LineModel model({base_.f, down_}, {trial_.f, slope_}, alpha_, rounding(base_.f, trial_.f));
       const bool falls = trial_.f <= start.value + 1e-4 * (moved + alpha_) * start.slope;
-      const bool level = trial_.f <= start.value + noise;
+      const bool level = trial_.f <= start.value + rounding(start.value, trial_.f);
       const bool flat = std::abs(slope_) <= sigma * std::abs(start.slope);
       if (level && std::sqrt(square_) <= target_) return advance(1.0, moved), true;
-      if (model.trusted() && !(falls && std::abs(model.r - 1.0) < 1e-6))
+      // an error of an interpolated base is carried on with the factor 1 - r; where the values cannot show
+      // one, it must not be carried too far
+      const double off = std::abs(model.r - 1.0);
+      const double unseen =
+          (exact_ ? 0.0 : off * unseen_) + (model.blind() ? off * std::max(1.0, model.r) : 0.0);
+      const bool recovers = model.trusted() && (exact_ || unseen <= 10.0);
+      if (recovers && !(falls && off < 1e-6)) {
+        unseen_ = unseen;
         return advance(model.r, moved, base_.f + 0.5 * model.r * alpha_ * down_), true;
+      }
       if ((falls || level) && flat) return advance(1.0, moved), true;
-      if (!exact_ && since_start == 1 && model.defect > 0.3) {  // the interpolated base may be to blame
+      const bool doubtful = model.defect > 0.3 || (model.trusted() && !recovers);
+      if (!exact_ && since_start == 1 && doubtful) {  // the interpolated base may be to blame
         const double length = alpha_ * std::sqrt(length2_);
         settle();
         if (options_.memory == 0) alpha_ = length / std::sqrt(length2_);
@@ -146,7 +154,11 @@ class StateClock : LineState<F> {
         high = alpha_;
         alpha_ *= model.cubic();
       }
-      if (trials >= 8) noise_ = std::min(noise_ * 10.0, 1e-8);
+      // so near to each other the points differ by what the slopes say; what else the values do is noise
+      if (trials >= 5) {
+        scale_ = std::max(scale_, std::abs(start.value));
+        noise_ = std::max(noise_, std::min(4.0 * std::abs(model.trapezium()), 1e-8 * scale_));
+      }
     }
   }
 
@@ -209,6 +221,8 @@ class StateClock : LineState<F> {
   }
 
   Minimisation run_;
+  double scale_ = 0.0;   ///< Largest |f| of the start and of where lines were stuck.
+  double unseen_ = 0.0;  ///< Errors of the recovered gradient that values did not show, in units of one.
 };
 
 }  // namespace avi
