@@ -48,11 +48,11 @@ TEST(LineModel, RoundingIsNoDefect) {
 }
 
 TEST(LineModel, SaysWhereRoundingWouldHideADefect) {
-  // h max |phi'| = 0.5: the slope at r h = 2 h may be wrong by 6 (noise / 0.5) 2 (2 - 1), which is 0.05 at
-  // noise 1 / 480.
+  // h max |phi'| = 0.5: the slope at r h = 2 h may be wrong by 6 (noise / 0.5) 2 (2 - 1), which is 0.04 at
+  // noise 1 / 600.
   const Cubic phi{3.0, -1.0, 0.5, 0.0};
-  EXPECT_TRUE(LineModel(phi(0.0), phi(0.5), 0.5, 1.01 / 480.0).blind());
-  EXPECT_FALSE(LineModel(phi(0.0), phi(0.5), 0.5, 0.99 / 480.0).blind());
+  EXPECT_TRUE(LineModel(phi(0.0), phi(0.5), 0.5, 1.01 / 600.0).blind());
+  EXPECT_FALSE(LineModel(phi(0.0), phi(0.5), 0.5, 0.99 / 600.0).blind());
 }
 
 TEST(LineModel, TheCubicHasTheMinimumBetween) {

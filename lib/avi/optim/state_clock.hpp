@@ -126,7 +126,7 @@ class StateClock : LineState<F> {
       const double off = std::abs(model.r - 1.0);
       const double unseen =
           (exact_ ? 0.0 : off * unseen_) + (model.blind() ? off * std::max(1.0, model.r) : 0.0);
-      const bool recovers = model.trusted() && (exact_ || unseen <= 10.0);
+      const bool recovers = model.trusted() && (exact_ || unseen <= 30.0);
       if (recovers && !(falls && off < 1e-6)) {
         unseen_ = unseen;
         return advance(model.r, moved, base_.f + 0.5 * model.r * alpha_ * down_), true;
