@@ -1,0 +1,177 @@
+#include "common/frame.hpp"
+#include "common/timing.hpp"
+
+#include "avi/optim/minimise.hpp"
+#include "avi/problems/correlated_quartic.hpp"
+
+#include <malloc.h>
+
+#include <thread>
+
+// What an iteration of avi::minimise() costs beside the objective: at d = 50 against an evaluation of the
+// paper's quartic, at large d against the vectors that it has to read and to write, at the speed at which
+// loops of the same program do nothing else.
+
+namespace {
+
+using namespace experiment;
+using avi::VectorX;
+
+/// sum_i c_i x_i^2 / 2 with a thousand eigenvalues between 1 and 100; its own time is kept apart.
+struct Quadratic {
+  mutable double spent = 0.0;
+  double operator()(const VectorX& x, VectorX& g) const {
+    double f = 0.0;
+    spent += seconds([&] {
+      double ramp = 1.0;
+      for (Eigen::Index i = 0; i < x.size(); ++i) {
+        g[i] = ramp * x[i];
+        f += 0.5 * g[i] * x[i];
+        ramp = ramp < 100.0 ? ramp + 0.1 : 1.0;
+      }
+    });
+    return f;
+  }
+};
+
+/// Seconds to read and to write one vector of n entries, each over eight vectors that the next use finds
+/// outside the cache, as an iteration does; and how much faster two threads read.
+struct Stream {
+  double read = 1e9, write = 1e9, two_threads = 0.0;
+
+  explicit Stream(Eigen::Index n) {
+    std::vector<VectorX> v(8, VectorX::Ones(n));
+    double sink = 0.0, threaded = 1e9;
+    const auto sum = [&](Eigen::Index from, Eigen::Index count) {
+      double all = 0.0;
+      for (std::size_t k = 0; k < 8; k += 4)
+        all +=
+            avi::sweep<1>(count, [a = v[k].data() + from, b = v[k + 1].data() + from,
+                                  c = v[k + 2].data() + from, d = v[k + 3].data() + from](
+                                     auto at, auto& total) { total[0] += at(a) * at(b) + at(c) * at(d); })[0];
+      return all;
+    };
+    for (int round = 0; round < 5; ++round) {
+      read = std::min(read, seconds([&] { sink += sum(0, n); }) / 8.0);
+      write = std::min(
+          write, seconds([&] {
+                   for (VectorX& x : v)
+                     avi::sweep<0>(n, [out = x.data()](auto at, auto&) { at.set(out, at(out) * 0.0 + 1.0); });
+                 }) / 8.0);
+      double half = 0.0;
+      threaded = std::min(threaded, seconds([&] {
+                                      std::thread other([&] { half = sum(0, n / 2); });
+                                      sink += sum(n / 2, n - n / 2);
+                                      other.join();
+                                    }) / 8.0);
+      sink += half;
+    }
+    write -= read;  // the loop reads what it writes
+    two_threads = read / threaded;
+    if (sink == 0.0) read = 0.0;  // never; the sums are used
+  }
+};
+
+struct Cost {
+  double iteration = 0.0;    ///< Seconds of one, the objective left out.
+  double evaluation = 0.0;   ///< Seconds of one.
+  double evaluations = 0.0;  ///< Of an iteration.
+  double vectors = 0.0;      ///< Memory in units of x, without the caller's x0.
+};
+
+double mapped() { return static_cast<double>(mallinfo2().hblkhd); }
+
+/// Between the tenth and the last of `iterations`: all pairs are there.
+Cost at_scale(Eigen::Index n, int memory, long iterations) {
+  const Quadratic f;
+  VectorX x0(n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    x0[i] = 1.0 + static_cast<double>(i % 7);
+  const double before = mapped();
+  double began = 0.0, spent = 0.0, vectors = 0.0;
+  long evaluations = 0;
+  const auto clock = [start = std::chrono::steady_clock::now()] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  const auto run = avi::minimise(
+      f, x0,
+      {.relative = 0.0, .memory = memory, .iterations = iterations, .callback = [&](const avi::Progress& at) {
+         if (at.iterations == 10) {
+           began = clock(), spent = f.spent, evaluations = at.gradient_evaluations;
+           vectors = (mapped() - before) / (8.0 * static_cast<double>(n));
+         }
+         return true;
+       }});
+  const double count = static_cast<double>(run.iterations - 10);
+  const double made = static_cast<double>(run.gradient_evaluations - evaluations);
+  return {(clock() - began - (f.spent - spent)) / count, (f.spent - spent) / made, made / count, vectors};
+}
+
+/// The paper's quartic to 1e-10, again and again.
+Cost small(int memory) {
+  const avi::CorrelatedQuartic f;
+  VectorX g(f.size());
+  double sink = 0.0, evaluation = 1e9, all = 1e9;
+  avi::Minimisation run;
+  for (int round = 0; round < 40; ++round) {
+    VectorX x = f.start();
+    evaluation = std::min(evaluation, seconds([&] {
+                                        for (int k = 0; k < 2000; ++k) {
+                                          const double value = f(x, g);
+                                          x[0] += 1e-30 * value;
+                                          sink += value;
+                                        }
+                                      }) / 2000.0);
+    all = std::min(all, seconds([&] {
+                          for (int k = 0; k < 20; ++k)
+                            run = avi::minimise(
+                                f, f.start(),
+                                {.relative = 0.0, .absolute = 1e-10, .change = 1e-10, .memory = memory});
+                        }) / 20.0);
+  }
+  const double count = static_cast<double>(run.iterations),
+               made = static_cast<double>(run.gradient_evaluations);
+  return {(all - made * evaluation) / count, sink > 0.0 ? evaluation : 0.0, made / count, 0.0};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run(
+      argc, argv, "optimiser_scale", "Time and memory of one iteration of minimise()", [&](Frame& frame) {
+        Table table = frame.table({"objective", "dimension", "memory", "evaluation_seconds", "own_seconds",
+                                   "evaluations_per_iteration", "own_in_evaluations", "vectors_read",
+                                   "vectors_written", "read_seconds", "write_seconds", "own_over_needed",
+                                   "peak_vectors", "two_threads_speedup"});
+        table.note("own_seconds", "of one iteration, the objective left out");
+        table.note("own_over_needed",
+                   "own_seconds over the time to read and write the vectors that an iteration needs, "
+                   "by loops that do nothing else");
+        table.note("peak_vectors", "memory of a run in units of x, the caller's x0 left out");
+        table.note("two_threads_speedup", "of the reading loop");
+        const double none = std::nan("");
+        for (int memory : {0, 7}) {
+          frame.progress("d = 50", 0.0);
+          const Cost cost = small(memory);
+          table.row("quartic", 50, memory, cost.evaluation, cost.iteration, cost.evaluations,
+                    cost.iteration / cost.evaluation, none, none, none, none, none, none, none);
+        }
+        for (double n : {1e5, 1e7}) {
+          if (frame.quick && n > 1e6) continue;
+          const auto size = static_cast<Eigen::Index>(n);
+          const Stream stream(size);
+          for (int memory : {0, 7}) {
+            frame.progress("large d", 0.5);
+            const Cost cost = at_scale(size, memory, n > 1e6 ? 25 : 40);
+            // trial: x, d, out; products with d: g, d; next point: x, g, g_t, d, out: x, g and a pair; next
+            // d: g, d, out; or twice the pairs and g, out: d
+            const double read = memory == 0 ? 10.0 : 9.0 + 4.0 * memory, written = memory == 0 ? 4.0 : 6.0;
+            const double needed = read * stream.read + written * stream.write;
+            table.row("quadratic", n, memory, cost.evaluation, cost.iteration, cost.evaluations,
+                      cost.iteration / cost.evaluation, read, written, stream.read, stream.write,
+                      cost.iteration / needed, n > 1e6 ? cost.vectors : none, stream.two_threads);
+          }
+        }
+        frame.write(table);
+      });
+}
