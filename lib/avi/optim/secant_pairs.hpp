@@ -152,7 +152,7 @@ class SecantPairs {
     double rho = 0.0;
   };
   /// Entries that pass from memory to the nearest cache at a time: several loops over them read memory once.
-  static constexpr Eigen::Index block = 4096;
+  static constexpr Eigen::Index block = 1024;
 
   static std::vector<double> zero(Eigen::Index size) {
     return std::vector<double>(static_cast<std::size_t>(size));

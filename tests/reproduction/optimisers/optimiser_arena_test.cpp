@@ -23,20 +23,25 @@ double of(const std::string& group, const std::string& method, const std::string
   return 0.0;
 }
 
-TEST(OptimiserArena, TheDefaultNeverFails) {
+TEST(OptimiserArena, TheDefaultsNeverFail) {
   EXPECT_EQ(of("all", "minimise_m7", "failures"), 0.0);
-  EXPECT_LE(of("all", "minimise_m0", "failures"), 1.0);
+  EXPECT_EQ(of("all", "minimise_m0", "failures"), 0.0);
 }
 
-TEST(OptimiserArena, ItIsSeldomFarFromTheBest) { EXPECT_GE(of("all", "minimise_m7", "within_2"), 0.9); }
+TEST(OptimiserArena, ItIsSeldomFarFromTheBest) {
+  EXPECT_GE(of("tuned", "minimise_m7", "within_2"), 0.9);     // measured 0.97
+  EXPECT_GE(of("held_out", "minimise_m7", "within_2"), 0.9);  // measured 0.94
+}
 
 TEST(OptimiserArena, MeansAgainstOthers) {
-  EXPECT_LE(of("all", "minimise_m7", "ratio_to_best_cg"), 0.6);         // measured 0.45
-  EXPECT_LE(of("all", "minimise_m0", "evaluations_to_best_cg"), 0.75);  // measured 0.60
-  EXPECT_LE(of("all", "minimise_m7", "per_iteration"), 1.3);            // measured 1.19
+  EXPECT_LE(of("all", "minimise_m7", "ratio_to_best_cg"), 0.6);         // measured 0.44
+  EXPECT_LE(of("all", "minimise_m0", "ratio_to_best_cg"), 0.8);         // measured 0.62
+  EXPECT_LE(of("all", "minimise_m0", "evaluations_to_best_cg"), 0.75);  // measured 0.61
+  EXPECT_LE(of("tuned", "minimise_m7", "per_iteration"), 1.3);          // measured 1.20
+  EXPECT_LE(of("held_out", "minimise_m7", "per_iteration"), 1.5);       // measured 1.35
   if (std::isnan(of("all", "minimise_m7", "ratio_to_lbfgs"))) GTEST_SKIP() << "liblbfgs is not installed";
-  EXPECT_LE(of("all", "minimise_m7", "ratio_to_lbfgs"), 1.0);       // measured 0.93
-  EXPECT_LE(of("held_out", "minimise_m7", "ratio_to_lbfgs"), 1.1);  // measured 1.01
+  EXPECT_LE(of("tuned", "minimise_m7", "ratio_to_lbfgs"), 1.0);      // measured 0.92
+  EXPECT_LE(of("held_out", "minimise_m7", "ratio_to_lbfgs"), 1.05);  // measured 0.95
 }
 
 }  // namespace

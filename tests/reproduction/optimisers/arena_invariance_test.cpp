@@ -1,0 +1,107 @@
+#include "optimisers/optimiser_arena/all.hpp"
+
+#include "avi/optim/minimise.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+// What avi::minimise() does when the problems of the arena are scaled, shifted or made noisy.
+
+using arena::Problem;
+using avi::VectorX;
+
+namespace {
+
+std::vector<Problem> problems() {
+  auto all = arena::tuned_problems(false);
+  for (auto& problem : arena::held_out_problems())
+    all.push_back(problem);
+  std::erase_if(all, [](const Problem& problem) { return problem.x0.size() > 1024; });
+  return all;
+}
+
+avi::Minimisation run(const Problem& problem, int memory) {
+  return avi::minimise(problem.f, problem.x0, {.memory = memory, .evaluations = 20'000});
+}
+
+/// `values` times f of `lengths` times x, from the start that is the same point.
+Problem scaled(const Problem& problem, double values, double lengths) {
+  Problem other = problem;
+  other.x0 /= lengths;
+  other.f = [f = problem.f, values, lengths](const VectorX& x, VectorX& g) {
+    const double value = f(lengths * x, g);
+    g *= values * lengths;
+    return values * value;
+  };
+  return other;
+}
+
+TEST(ArenaInvariance, PowersOfTwoChangeNoBit) {
+  // With powers of two nothing is rounded differently, so any difference would be a constant of the method
+  // that has a unit. Only where x0 and f(x0) are both 0 nothing says how long the first trial should be.
+  for (int memory : {0, 7})
+    for (const Problem& problem : problems()) {
+      const auto plain = run(problem, memory);
+      VectorX g(problem.x0.size());
+      const bool unitless = problem.x0.isZero() && problem.f(problem.x0, g) == 0.0;
+      for (const auto& [values, lengths] :
+           {std::pair{0x1p27, 1.0}, {0x1p-27, 1.0}, {1.0, 0x1p20}, {1.0, 0x1p-20}}) {
+        const auto other = run(scaled(problem, values, lengths), memory);
+        EXPECT_TRUE(other.converged()) << problem.name << ": " << other.message;
+        if (unitless && lengths != 1.0) {
+          EXPECT_NEAR(static_cast<double>(other.gradient_evaluations),
+                      static_cast<double>(plain.gradient_evaluations),
+                      0.05 * static_cast<double>(plain.gradient_evaluations))
+              << problem.name;  // measured 3 %
+        } else {
+          EXPECT_EQ(other.gradient_evaluations, plain.gradient_evaluations) << problem.name;
+          EXPECT_EQ(VectorX(lengths * other.last.x), plain.last.x) << problem.name;
+        }
+      }
+    }
+}
+
+TEST(ArenaInvariance, NeitherOffsetNorNoiseNorAnotherStartMakesItFail) {
+  for (int memory : {0, 7})
+    for (const Problem& problem : problems()) {
+      VectorX unused(problem.x0.size());
+      const double size = std::abs(problem.f(problem.x0, unused));
+      const auto random = [state = std::make_shared<unsigned>(1u)] {
+        return static_cast<double>(*state = *state * 1664525u + 1013904223u) * 0x1p-31 - 1.0;
+      };
+      const auto with = [&](const auto& change) {
+        Problem other = problem;
+        other.f = [f = problem.f, change](const VectorX& x, VectorX& g) {
+          const double value = f(x, g);
+          return change(value, g);
+        };
+        return other;
+      };
+      const auto start = [&](double factor) {
+        Problem other = problem;
+        other.x0 *= factor;
+        return other;
+      };
+      const auto expect = [&](const std::string& what, const Problem& other) {
+        // ten times gulf's start is its minimiser: there is nothing to do
+        if (what == "ten times the start" && other.f(other.x0, unused) < 1e-20 * size) return;
+        const auto result = run(other, memory);
+        EXPECT_TRUE(result.converged())
+            << problem.name << ", m = " << memory << ", " << what << ": " << result.message;
+      };
+      expect("offset 1e4 |f_0|", with([=](double value, VectorX&) { return value + 1e4 * size; }));
+      expect("noise 1e-12 in f", with([=](double value, VectorX&) {
+               return value * (1.0 + 1e-12 * random()) + 1e-12 * size * random();
+             }));
+      expect("noise 1e-4 in the gradient", with([=](double value, VectorX& g) {
+               for (double& entry : g)
+                 entry *= 1.0 + 1e-4 * random();
+               return value;
+             }));
+      expect("ten times the start", start(10.0));
+      expect("a tenth of the start", start(0.1));
+    }
+}
+
+}  // namespace

@@ -1,0 +1,33 @@
+#include "common/table.hpp"
+
+#include <gtest/gtest.h>
+
+// Time and memory of an iteration of minimise(), from one run of the experiment.
+
+namespace {
+
+double of(double dimension, double memory, const std::string& column) {
+  static const experiment::Table table = experiment::Table::read(AVI_CHECK_DIR "/data/optimiser_scale.tsv");
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    if (table.number(i, "dimension") == dimension && table.number(i, "memory") == memory)
+      return table.number(i, column);
+  ADD_FAILURE() << "no row " << dimension << " " << memory;
+  return 0.0;
+}
+
+TEST(OptimiserScale, AtTenMillionAnIterationIsBoundByMemory) {
+  for (double memory : {0.0, 7.0})
+    EXPECT_LT(of(1e7, memory, "own_over_needed"), 1.5) << memory;
+}
+
+TEST(OptimiserScale, MemoryIsTwoVectorsForAPairAndSeven) {
+  for (double memory : {0.0, 7.0})
+    EXPECT_NEAR(of(1e7, memory, "peak_vectors"), 2.0 * memory + 7.0, 0.1);
+}
+
+TEST(OptimiserScale, AtFiftyTheBookkeepingCostsLessThanThis) {
+  EXPECT_LT(of(50, 0, "own_in_evaluations"), 2.5);
+  EXPECT_LT(of(50, 7, "own_in_evaluations"), 6.5);
+}
+
+}  // namespace
