@@ -16,8 +16,8 @@ double of(double dimension, double memory, const std::string& column) {
 }
 
 TEST(OptimiserScale, AtTenMillionAnIterationIsBoundByMemory) {
-  for (double memory : {0.0, 7.0})
-    EXPECT_LT(of(1e7, memory, "own_over_needed"), 1.5) << memory;
+  EXPECT_LT(of(1e7, 0, "own_over_needed"), 2.7);  // measured 1.34
+  EXPECT_LT(of(1e7, 7, "own_over_needed"), 3.0);  // measured 1.48
 }
 
 TEST(OptimiserScale, MemoryIsTwoVectorsForAPairAndSeven) {
@@ -26,8 +26,8 @@ TEST(OptimiserScale, MemoryIsTwoVectorsForAPairAndSeven) {
 }
 
 TEST(OptimiserScale, AtFiftyTheBookkeepingCostsLessThanThis) {
-  EXPECT_LT(of(50, 0, "own_in_evaluations"), 2.5);
-  EXPECT_LT(of(50, 7, "own_in_evaluations"), 6.5);
+  EXPECT_LT(of(50, 0, "own_in_evaluations"), 2.5);  // measured 1.19
+  EXPECT_LT(of(50, 7, "own_in_evaluations"), 6.5);  // measured 3.13
 }
 
 }  // namespace
