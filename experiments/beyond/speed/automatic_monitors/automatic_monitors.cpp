@@ -186,7 +186,7 @@ int main(int argc, char** argv) {
         Table choices = frame.table({"problem", "held_out", "order", "choice", "pilot_sweeps", "pilot_time",
                                      "automatic_ratio", "chosen_ratio", "best"});
         std::vector<Scene> scenes = celestial_scenes();
-        for (auto* more : {&other_scenes, &held_out_scenes})
+        for (auto* more : {&other_scenes, &further_scenes, &held_out_scenes})
           for (Scene& scene : more())
             scenes.push_back(std::move(scene));
         if (frame.quick)
