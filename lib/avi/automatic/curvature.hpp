@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/autodiff/recorded.hpp"
 #include "avi/autodiff/reverse.hpp"
+#include "avi/automatic/terms.hpp"
 #include "avi/core/inverse.hpp"
 #include "avi/core/state.hpp"
 
@@ -37,7 +38,7 @@ class Curvature {
     energy = value.node_in(graph);
     start_.resize(2 * n_);
     start_ << start.q, start.p;
-    find_terms(energy, 1.0);
+    terms_ = Terms::of(graph, energy);
     find_metric();
   }
 
@@ -50,7 +51,7 @@ class Curvature {
   /// n_0. @pre has_metric()
   int squared_frequency_squared() {
     Norms sum{graph.constant(0.0), graph.constant(0.0)};
-    for (const Part& term : terms_)
+    for (const Terms::Term& term : terms_)
       add(sum, term);
     return plus(times(spread(), sum.qq), times(sum.qp, sum.qp));
   }
@@ -79,33 +80,13 @@ class Curvature {
 
  private:
   using Square = Matrix<double, dynamic>;
-  struct Part {
-    double factor;
-    int node;
-  };
   struct Norms {
     int qq, qp;
   };
   using Sparse = std::map<std::pair<int, int>, int>;  // entries of a Hessian that are not the constant 0
 
-  void find_terms(int node, double factor) {
-    const ExpressionGraph::Node what = graph[node];
-    if (what.operation == Operation::add || what.operation == Operation::subtract) {
-      find_terms(what.a, factor);
-      find_terms(what.b, what.operation == Operation::add ? factor : -factor);
-    } else if (what.operation == Operation::multiply && graph.is_constant(what.a)) {
-      find_terms(what.b, factor * graph[what.a].number);
-    } else if (what.operation == Operation::multiply && graph.is_constant(what.b)) {
-      find_terms(what.a, factor * graph[what.b].number);
-    } else if (what.operation == Operation::divide && graph.is_constant(what.b)) {
-      find_terms(what.a, factor / graph[what.b].number);
-    } else if (!graph.is_constant(node)) {
-      terms_.push_back({factor, node});
-    }
-  }
-
   /// Second derivatives of a term, found in a graph of its own: the work grows with the term, not with H.
-  Sparse hessian(const Part& term) {
+  Sparse hessian(const Terms::Term& term) {
     std::vector<int> inputs;
     ExpressionGraph own = extract(term.node, inputs);
     const int count = static_cast<int>(inputs.size()), value = own.size() - 1;
@@ -164,7 +145,7 @@ class Curvature {
     return copies[node] = fresh;
   }
 
-  void add(Norms& sum, const Part& term) {
+  void add(Norms& sum, const Terms::Term& term) {
     const Sparse entries = hessian(term);
     for (const auto& [ij, a] : entries)
       for (const auto& [lk, b] : entries) {
@@ -180,7 +161,7 @@ class Curvature {
   /// |H_pp|^2 / n: 1 where the kinetic energy has a constant metric.
   int spread() {
     std::map<std::pair<int, int>, int> total;
-    for (const Part& term : terms_)
+    for (const Terms::Term& term : terms_)
       for (const auto& [ij, a] : hessian(term))
         if (ij.first >= n_ && ij.second >= n_) {
           const auto [place, fresh] = total.try_emplace(ij, a);
@@ -198,7 +179,7 @@ class Curvature {
   /// K, if H_pp is symmetric and positive definite at the start.
   void find_metric() {
     metric_ = Square::Zero(n_, n_);
-    for (const Part& term : terms_)
+    for (const Terms::Term& term : terms_)
       for (const auto& [ij, node] : hessian(term))
         if (ij.first >= n_ && ij.second >= n_) metric_(ij.first - n_, ij.second - n_) += at_start(node);
     has_metric_ = metric_.allFinite() && positive(metric_);
@@ -229,7 +210,7 @@ class Curvature {
 
   int n_;
   Vector<double, dynamic> start_;
-  std::vector<Part> terms_;
+  std::vector<Terms::Term> terms_;
   std::vector<double> values_;  // of the first nodes, at the start
   Square metric_, inverse_;
   bool has_metric_ = false;
