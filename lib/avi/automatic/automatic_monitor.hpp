@@ -3,6 +3,7 @@
 #include "avi/core/require.hpp"
 
 #include <stdexcept>
+#include <string>
 
 /// @file
 /// A monitor found from H alone.
@@ -19,19 +20,32 @@ class Monitors {
   Monitors(const H& hamiltonian, const State<n>& start)
       : curvature_(hamiltonian, start), tour_(checked(curvature_, hamiltonian, start)) {}
 
+  /// A monitor with its name, and H times it: what a method has to work through.
+  struct Entry {
+    std::string name;
+    PhaseFunction monitor, transformed;
+  };
+
   /// \f$g = \big(\sqrt{n_0 + (\bar\omega/16)^4} + (\bar\omega/8)^2\big)^{-1/2}\f$.
-  PhaseFunction curvature() {
+  Entry curvature() {
     const double low = tour_.frequency / 8.0;
-    return {curvature_.graph, power(plus(power(smooth(0.0625), 0.5), low * low), -0.5)};
+    return entry("curvature", power(plus(power(smooth(0.0625), 0.5), low * low), -0.5));
   }
   /// \f$g = \big((n_0 + (\bar\omega/4)^4)^{1/4} + \bar\omega\big)^{-1}\f$: below one over the mean frequency.
-  PhaseFunction gentle() {
-    return {curvature_.graph, power(plus(power(smooth(0.25), 0.25), tour_.frequency), -1.0)};
+  Entry gentle() { return entry("gentle", power(plus(power(smooth(0.25), 0.25), tour_.frequency), -1.0)); }
+  /// \f$g = (1 + S/\bar S)^{-1/2}\f$ with the squared speed S in phase space and its mean.
+  Entry speed() {
+    const int speed = curvature_.scaled(1.0 / tour_.squared_speed, curvature_.squared_speed(tour_.frequency));
+    return entry("speed", power(plus(speed, 1.0), -0.5));
   }
-  /// \f$g = (S + \varepsilon \bar S)^{-\alpha}\f$ with the squared speed S in phase space and its mean.
-  PhaseFunction speed(double exponent, double floor) {
-    return {curvature_.graph, power(plus(squared_speed(), floor * tour_.squared_speed), -exponent)};
+  /// \f$g = \big(1 + (H_0 - H(q, 0))/\bar T\big)^{-\alpha}\f$ with the mean kinetic energy.
+  Entry energy(const std::string& name, double exponent) {
+    const double scale = 1.0 / tour_.kinetic;
+    const int rest = curvature_.scaled(-scale, curvature_.energy_at_rest());
+    return entry(name, power(plus(rest, 1.0 + scale * curvature_.energy_at_start()), -exponent));
   }
+  /// 1, no monitor.
+  Entry fixed() { return entry("fixed", curvature_.graph.constant(1.0)); }
   [[nodiscard]] const Tour& tour() const { return tour_; }  ///< The scales.
 
  private:
@@ -53,11 +67,12 @@ class Monitors {
 
   int plus(int a, double b) { return curvature_.plus(a, curvature_.graph.constant(b)); }
   int power(int a, double exponent) { return curvature_.power(a, exponent); }
-  int smooth(double share) { return plus(tour_.n0, std::pow(share * tour_.frequency, 4)); }
-  int squared_speed() {
-    const auto [positions, momenta] = tour_.speeds;
-    return curvature_.plus(positions, curvature_.scaled(1.0 / (tour_.frequency * tour_.frequency), momenta));
+  Entry entry(const std::string& name, int g) {
+    return {name,
+            {curvature_.graph, g},
+            {curvature_.graph, curvature_.times(g, plus(curvature_.energy, -curvature_.energy_at_start()))}};
   }
+  int smooth(double share) { return plus(tour_.n0, std::pow(share * tour_.frequency, 4)); }
 
   Curvature curvature_;
   Tour tour_;
@@ -79,7 +94,7 @@ class Monitors {
 /// there, or \f$n_0\f$ zero or not finite all along the orbit.
 template <class H, int n>
 PhaseFunction automatic_monitor(const H& hamiltonian, const State<n>& start) {
-  return detail::Monitors(hamiltonian, start).curvature();
+  return detail::Monitors(hamiltonian, start).curvature().monitor;
 }
 
 }  // namespace avi

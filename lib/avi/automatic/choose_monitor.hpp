@@ -22,12 +22,8 @@ namespace detail {
 /// H as a formula, its scales, and the menu.
 class Menu {
  public:
-  using Point = State<dynamic>;  ///< Of any dimension.
-  /// A monitor of the menu.
-  struct Entry {
-    std::string name;
-    PhaseFunction monitor;
-  };
+  using Point = State<dynamic>;   ///< Of any dimension.
+  using Entry = Monitors::Entry;  ///< A monitor of the menu.
 
   /// For the orbit of H through `start`.
   template <class H, int n>
@@ -40,31 +36,26 @@ class Menu {
       monitors_.emplace(hamiltonian, start);
     } catch (const std::invalid_argument& reason) {
       note_ = reason.what();
-    }
-    if (!monitors_) {
-      entries_ = {{"fixed", constant()}};
+      ExpressionGraph graph(2 * static_cast<int>(start_.q.size()));
+      entries_.push_back({"fixed", {graph, graph.constant(1.0)}, energy_});
       return;
     }
-    entries_ = {{"curvature", monitors_->curvature()},
-                {"fixed", constant()},
-                {"gentle", monitors_->gentle()},
-                {"speed", monitors_->speed(0.25, 0.0)},
-                {"slow_speed", monitors_->speed(0.5, 1.0)}};
+    Monitors& make = *monitors_;
+    entries_ = {
+        make.fixed(),     make.energy("energy", 1.0),     make.speed(), make.energy("energy^1.5", 1.5),
+        make.curvature(), make.energy("energy^0.5", 0.5), make.gentle()};
   }
 
-  [[nodiscard]] const Point& start() const { return start_; }                   ///< Of the orbit.
-  [[nodiscard]] const PhaseFunction& energy() const { return energy_; }         ///< H.
-  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }  ///< The monitors.
+  [[nodiscard]] const Point& start() const { return start_; }            ///< Of the orbit.
+  [[nodiscard]] const PhaseFunction& energy() const { return energy_; }  ///< H.
+  [[nodiscard]] const std::vector<Entry>& entries() const {
+    return entries_;
+  }                                                                ///< The monitors, fixed first.
   [[nodiscard]] const std::string& note() const { return note_; }  ///< Why there is only one, or empty.
   /// The scales of the orbit, where there are any.
   [[nodiscard]] const Tour* tour() const { return monitors_ ? &monitors_->tour() : nullptr; }
 
  private:
-  [[nodiscard]] PhaseFunction constant() const {
-    ExpressionGraph graph(2 * static_cast<int>(start_.q.size()));
-    return {graph, graph.constant(1.0)};
-  }
-
   Point start_;
   PhaseFunction energy_;
   std::optional<Monitors> monitors_;
@@ -72,8 +63,15 @@ class Menu {
   std::string note_;
 };
 
-/// The choice from a menu: each monitor is tried once with the same number of steps; then, beginning with the
-/// most promising one, the step of each that may still win is searched for.
+/// What a sweep costs, in additions of all its stages: the gradient of the transformed H, and the sums over
+/// the stages (fitted to measured times).
+inline double sweep_work(const PhaseFunction& transformed, int order) {
+  const int lanes = order <= 8 ? 4 : 8;
+  return 3.0 + 0.85 * static_cast<double>(transformed.size()) * lanes + transformed.work(lanes);
+}
+
+/// The choice from a menu: each monitor is tried once with the same number of steps; then always the one that
+/// promises the least work, until the step of that one is found.
 inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
   const Tour* tour = menu.tour();
   const double start_energy = menu.energy()(menu.start().q, menu.start().p);
@@ -86,45 +84,53 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
                                                  : 1.0,
                        .trials = {},
                        .note = menu.note()};
-  const double radians = tour ? tour->frequency * choice.time : 20.0, end = menu.start().t + choice.time;
+  const double radians = tour ? tour->frequency * choice.time : 20.0;
   const double first = radians * std::max(0.4, 0.15 * std::pow(target.energy_error, -1.0 / target.order));
-  struct Candidate {
-    const Menu::Entry* entry;
-    double fictive, promise;
-    std::unique_ptr<Pilot> pilot;  // Pilots do not move: their packs are aligned
-  };
-  std::vector<Candidate> candidates;
-  for (const Menu::Entry& entry : menu.entries()) {
-    const double fictive = tour ? tour->fictive_time(entry.monitor, choice.time) : choice.time;
-    if (!(fictive > 0.0) || !std::isfinite(fictive)) continue;
-    candidates.push_back({&entry, fictive, 0.0,
-                          std::make_unique<Pilot>(entry.name, menu.energy(), entry.monitor, menu.start(),
-                                                  target.order, choice.energy_scale)});
-    Candidate& it = candidates.back();
-    const Trial trial = it.pilot->trial(fictive / first, end, static_cast<long>(4.0 * first) + 10, choice);
-    it.promise = std::isfinite(trial.energy_error)
-                     ? first * std::pow(trial.energy_error / target.energy_error + 1e-16, 1.0 / target.order)
-                     : 1e300;
-  }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.promise < b.promise; });
-  double fewest = std::numeric_limits<double>::infinity();
   const double least =
       0.4 * radians;  // fewer steps do not resolve the motion, even where the energy error is small
-  for (Candidate& it : candidates) {
-    if (choice.reached && it.promise > 1.6 * fewest) continue;
-    const double guess = choice.reached ? 0.9 * fewest : std::min(it.promise, 100.0 * first);
-    const Pilot::Found found =
-        it.pilot->search(it.fictive / std::max(least, guess), end, target.energy_error,
-                         choice.reached ? fewest : 30.0 * first, it.fictive / least, choice);
-    // A step without a monitor costs less.
-    const double steps = std::max(least, found.steps) * (it.entry->name == "fixed" ? 0.85 : 1.0);
-    if (!found.reached || !(steps < fewest)) continue;
-    fewest = steps;
-    choice.name = it.entry->name;
-    choice.monitor = it.entry->monitor;
-    choice.h = found.h;
-    choice.reached = true;
+  const long most = static_cast<long>(100.0 * first) + 1000;
+  if (tour) choice.work = static_cast<double>(tour->evaluations) * menu.entries().front().transformed.work(1);
+  const Pilot::Setting setting{menu.energy(),       menu.start(),        target.order,
+                               target.energy_error, choice.energy_scale, menu.start().t + choice.time};
+  const double none = sweep_work(menu.entries().front().transformed, target.order);
+  struct Candidate {
+    const Menu::Entry* entry;
+    std::unique_ptr<Pilot> pilot;  // pilots do not move: their packs are aligned
+  };
+  std::vector<Candidate> candidates;
+  double best = std::numeric_limits<double>::infinity();
+  for (const Menu::Entry& entry : menu.entries()) {
+    const double sweep = sweep_work(entry.transformed, target.order);
+    if (tour && !candidates.empty()) {
+      // A monitor that is not positive on the way or hardly changes is no better than none; one that is dear
+      // must save more than the best conceivable steps do (measured: at least five sweeps for each of the
+      // first ones).
+      const auto [low, high] = tour->range(entry.monitor);
+      if (!(low > 0.0) || !(high > 1.15 * low)) continue;
+      if (sweep > 1.2 * tour->gain() * none || 5.0 * sweep * first > best) continue;
+    }
+    const double fictive = tour ? tour->fictive_time(entry.monitor, choice.time) : choice.time;
+    if (!(fictive > 0.0) || !std::isfinite(fictive)) continue;
+    candidates.push_back({&entry, std::make_unique<Pilot>(setting, entry.name, entry.monitor, sweep, fictive,
+                                                          fictive / least)});
+    Pilot& pilot = *candidates.back().pilot;
+    pilot.trial(fictive / first, most, 3.0 * best, choice);
+    if (pilot.passed()) best = std::min(best, pilot.cost());
+  }
+  for (int trials = 0; trials < 40; ++trials) {
+    const Candidate& lead =
+        *std::min_element(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+          return a.pilot->cost() < b.pilot->cost();
+        });
+    if (lead.pilot->done()) {
+      choice.name = lead.entry->name;
+      choice.monitor = lead.entry->monitor;
+      choice.h = lead.pilot->good();
+      choice.reached = true;
+      break;
+    }
+    if (!std::isfinite(lead.pilot->cost())) break;
+    lead.pilot->trial(lead.pilot->next(), most, std::numeric_limits<double>::infinity(), choice);
   }
   return choice;
 }
@@ -136,11 +142,10 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
 ///
 /// | name | g |
 /// | --- | --- |
-/// | curvature | automatic_monitor() |
 /// | fixed | 1 |
-/// | gentle | \f$\big((n_0 + (\bar\omega/4)^4)^{1/4} + \bar\omega\big)^{-1}\f$ |
-/// | speed | \f$S^{-1/4}\f$ |
-/// | slow_speed | \f$(S + \bar S)^{-1/2}\f$ |
+/// | energy, energy^0.5, energy^1.5 | \f$\big(1 + (H_0 - H(q, 0))/\bar T\big)^{-\alpha}\f$, \f$\alpha\f$ = 1,
+/// 1/2, 3/2 | | speed | \f$(1 + S/\bar S)^{-1/2}\f$ | | curvature | automatic_monitor() | | gentle |
+/// \f$\big((n_0 + (\bar\omega/4)^4)^{1/4} + \bar\omega\big)^{-1}\f$ |
 ///
 /// with \f$n_0\f$ and \f$\bar\omega\f$ of automatic_monitor() and the squared speed in phase space
 /// \f$S = \dot q^T K^{-1}\dot q + \dot p^T K\,\dot p/\bar\omega^2\f$, \f$\bar S\f$ its mean. The energy scale

@@ -56,18 +56,41 @@ class Curvature {
     return plus(times(spread(), sum.qq), times(sum.qp, sum.qp));
   }
 
-  /// \f$\dot q^T K^{-1}\dot q\f$ and \f$\dot p^T K\,\dot p\f$, squares of the speed in the two halves of
-  /// phase space. @pre has_metric()
-  std::pair<int, int> squared_speeds() {
+  /// \f$\dot q^T K^{-1}\dot q + \dot p^T K\,\dot p/\omega^2\f$, the square of the speed in phase space.
+  /// @pre has_metric()
+  int squared_speed(double frequency) {
     const std::vector<int> slope = Reverse(graph).gradient(energy);
-    int positions = graph.constant(0.0), momenta = positions;
+    int sum = graph.constant(0.0);
     for (int i = 0; i < n_; ++i)
       for (int j = 0; j < n_; ++j) {
-        positions = plus(positions, scaled(inverse_(i, j), times(slope[n_ + i], slope[n_ + j])));
-        momenta = plus(momenta, scaled(metric_(i, j), times(slope[i], slope[j])));
+        sum = plus(sum, scaled(inverse_(i, j), times(slope[n_ + i], slope[n_ + j])));
+        sum = plus(sum, scaled(metric_(i, j) / (frequency * frequency), times(slope[i], slope[j])));
+      }
+    return sum;
+  }
+  /// Its two parts for a given velocity in phase space, without the factor of the second.
+  [[nodiscard]] std::pair<double, double> squared_speeds(const Vector<double, dynamic>& velocity) const {
+    const auto dq = velocity.head(n_), dp = velocity.tail(n_);
+    double positions = 0.0, momenta = 0.0;
+    for (int i = 0; i < n_; ++i)
+      for (int j = 0; j < n_; ++j) {
+        positions += inverse_(i, j) * dq[i] * dq[j];
+        momenta += metric_(i, j) * dp[i] * dp[j];
       }
     return {positions, momenta};
   }
+
+  /// H(q, 0), the energy of a body at rest.
+  int energy_at_rest() {
+    std::map<int, int> place;
+    for (int i = 0; i <= energy; ++i)
+      place[i] = graph[i].operation != Operation::input ? again(graph[i], graph, place)
+                 : i < n_                               ? i
+                                                        : graph.constant(0.0);
+    return place[energy];
+  }
+  /// The energy of the orbit.
+  [[nodiscard]] double energy_at_start() { return at_start(energy); }
 
   ///@{
 
@@ -96,9 +119,10 @@ class Curvature {
     for (int i = 0; i < count; ++i) {
       if (own.is_constant(slope[i])) continue;
       const std::vector<int> row = Reverse(own).gradient(slope[i]);
-      for (int j = 0; j < count; ++j)
+      for (int j = 0; j <= i; ++j)
         if (!own.is(row[j], 0.0))
-          entries[{inputs[i], inputs[j]}] = scaled(term.factor, copy(own, row[j], inputs, copies));
+          entries[{inputs[i], inputs[j]}] = entries[{inputs[j], inputs[i]}] =
+              scaled(term.factor, copy(own, row[j], inputs, copies));
     }
     return entries;
   }

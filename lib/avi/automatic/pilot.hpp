@@ -7,90 +7,120 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
+#include <string>
+#include <utility>
 
 /// @file
 /// Short runs that find a step size.
 
 namespace avi::detail {
 
-/// A method with one monitor on one orbit: finds the step that gives a wanted energy error.
+/// A method with one monitor on one orbit: finds the step that gives a wanted energy error, one trial at a
+/// time, and says after each what that step will cost.
 class Pilot {
  public:
   using Problem =
       Poincare<dynamic, PhaseFunction, PhaseFunction>;  ///< One type for every H and g: compiled once.
   using Point = State<dynamic>;                         ///< Of any dimension.
 
-  /// @param name of the monitor @param order of the method @param energy_scale of energy errors
-  Pilot(std::string name, const PhaseFunction& energy, const PhaseFunction& monitor, const Point& start,
-        int order, double energy_scale)
-      : name_(std::move(name)), energy_(energy), monitor_(monitor), start_(start), order_(order),
-        scale_(energy_scale), method_(collocation(poincare(energy, start, monitor), order)) {}
-
-  /// What a search found.
-  struct Found {
-    double h = 0.0;      ///< Step.
-    double steps = 0.0;  ///< Number of steps if the error were exactly the wanted one.
-    bool reached = false;
+  /// What all trials of a choice share.
+  struct Setting {
+    const PhaseFunction& energy;  ///< H.
+    const Point& start;           ///< Of the orbit.
+    int order;                    ///< Of the method.
+    double tolerance;             ///< Energy error asked for.
+    double scale;                 ///< Of energy errors.
+    double end;                   ///< Of the trials.
   };
 
-  /// A run until `time` with step h. @param choice where the trial is recorded
-  Trial trial(double h, double time, long cap, MonitorChoice& choice) {
-    Point z = start_;
-    const double h0 = energy_(start_.q, start_.p);
+  /// @param name of the monitor @param sweep what a sweep costs @param fictive time of a trial @param longest
+  /// no step above it is tried
+  Pilot(const Setting& setting, std::string name, const PhaseFunction& monitor, double sweep, double fictive,
+        double longest)
+      : setting_(setting), name_(std::move(name)), sweep_(sweep), fictive_(fictive), longest_(longest),
+        method_(collocation(poincare(setting.energy, setting.start, monitor), setting.order)) {}
+
+  /// A run with step h, given up for good after `most` steps, or when its error shows that the cost() will
+  /// exceed `dearest`.
+  void trial(double h, long most, double dearest, MonitorChoice& choice) {
+    Point z = setting_.start;
+    const double h0 = setting_.energy(z.q, z.p);
+    const double hopeless =
+        setting_.tolerance * std::pow(std::min(dearest / usual_cost(h), 1e3), setting_.order);
     double worst = 0.0;
-    const Run run = integrate(method_, z, h, Until{.time = time, .steps = cap}, [&](const Point& at, long) {
-      worst = std::max(worst, std::abs(energy_(at.q, at.p) - h0) / scale_);
-      return worst < 1.0;  // beyond that the run is useless
-    });
-    if (run.outcome != Outcome::ok) worst = std::numeric_limits<double>::infinity();
-    const Trial result{name_, h, run.steps, worst, run.outcome};
+    const Run run =
+        integrate(method_, z, h, Until{.time = setting_.end, .steps = most}, [&](const Point& at, long) {
+          worst = std::max(worst, std::abs(setting_.energy(at.q, at.p) - h0) / setting_.scale);
+          return worst < std::min(1.0, hopeless);  // beyond 1 the run is useless
+        });
+    lost_ = run.outcome == Outcome::step_limit || worst >= hopeless;
+    if (run.outcome != Outcome::ok) worst = infinity;
+    choice.trials.push_back({name_, h, run.steps, run.evaluations, worst, run.outcome});
     choice.sweeps += run.evaluations;
-    choice.trials.push_back(result);
-    return result;
+    choice.work += static_cast<double>(run.evaluations) * sweep_;
+    note({h, worst, static_cast<double>(run.evaluations)});
   }
 
-  /// The step whose largest energy error until `time` is between a third of `tolerance` and all of it, or as
-  /// near as few trials come. @param h where to begin @param fewest gives up when more steps than that are
-  /// needed @param longest no step above it is tried
-  Found search(double h, double time, double tolerance, double fewest, double longest, MonitorChoice& choice,
-               int most_trials = 14) {
-    const double aim = tolerance / 1.7;
-    double good = 0.0, bad = std::numeric_limits<double>::infinity();
-    Found found;
-    for (int i = 0; i < most_trials; ++i) {
-      const long cap = static_cast<long>(std::min(3.0 * fewest + 100.0, 1e6));
-      const Trial t = trial(h, time, cap, choice);
-      const double ratio = t.energy_error > 0.0 ? aim / t.energy_error : 1e30;
-      const double factor = std::pow(ratio, 1.0 / order_), needed = static_cast<double>(t.steps) / factor;
-      if (t.energy_error <= tolerance) {
-        good = h;
-        found = {h, needed, true};
-        if (3.0 * t.energy_error >= tolerance || bad < 1.12 * h || h >= longest) break;
-        h = std::min({h * std::clamp(factor, 1.06, 1.8), bad < 1e300 ? 0.5 * (h + bad) : 1e300, longest});
-      } else {
-        bad = h;
-        if (t.outcome == Outcome::step_limit || (std::isfinite(t.energy_error) && needed > 1.3 * fewest))
-          break;
-        const double down = h * (std::isfinite(t.energy_error) ? std::clamp(factor, 0.3, 0.95) : 0.6);
-        if (good > 0.0 && bad < 1.12 * good) break;
-        h = std::max(down, good > 0.0 ? 0.5 * (good + bad) : 0.0);
-      }
-    }
-    return found;
+  /// The step to try next.
+  [[nodiscard]] double next() const {
+    const double h = wanted();
+    if (good_.h > 0.0) return std::min({h, 2.5 * good_.h, longest_});
+    return std::max(h, 0.3 * bad_.h);
   }
-
-  [[nodiscard]] const std::string& name() const { return name_; }          ///< Of the monitor.
-  [[nodiscard]] const PhaseFunction& monitor() const { return monitor_; }  ///< g.
-  [[nodiscard]] Collocation<Problem>& method() { return method_; }         ///< The method itself.
+  /// What a run with the step aimed at would cost; infinity after a run that was given up.
+  [[nodiscard]] double cost() const {
+    if (lost_) return infinity;
+    const Seen& near = good_.h > 0.0 ? good_ : bad_;
+    if (!std::isfinite(near.error)) return 3.0 * usual_cost(near.h);
+    return sweep_ * near.sweeps * near.h / std::min(wanted(), longest_);
+  }
+  /// A run went through, so that cost() is more than a guess.
+  [[nodiscard]] bool passed() const { return good_.h > 0.0 || std::isfinite(bad_.error); }
+  /// No better step is to be found: the error is between a third of the tolerance and all of it, or a step
+  /// that is hardly longer fails, or is not allowed.
+  [[nodiscard]] bool done() const {
+    return good_.h > 0.0 &&
+           (3.0 * good_.error >= setting_.tolerance || bad_.h < 1.12 * good_.h || good_.h >= longest_);
+  }
+  [[nodiscard]] double good() const { return good_.h; }  ///< The longest step that met the tolerance, or 0.
+  [[nodiscard]] const std::string& name() const { return name_; }  ///< Of the monitor.
 
  private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  struct Seen {
+    double h, error, sweeps;
+  };
+
+  /// Good steps are shorter than all bad ones: a longer one that meets the tolerance does so by chance.
+  void note(const Seen& seen) {
+    if (seen.error > setting_.tolerance) {
+      if (seen.h < bad_.h) bad_ = seen;
+      if (seen.h <= good_.h) good_ = {};
+    } else if (seen.h > good_.h && seen.h < bad_.h) {
+      good_ = seen;
+    }
+  }
+  /// The step for the energy error aimed at: errors go with the power of the order, or of what was seen.
+  [[nodiscard]] double wanted() const {
+    const double aim = setting_.tolerance / 1.7;
+    const auto from = [&](const Seen& seen, double order) {
+      return seen.h * std::pow(aim / std::max(seen.error, 1e-300), 1.0 / order);
+    };
+    if (good_.h == 0.0) return std::isfinite(bad_.error) ? from(bad_, setting_.order) : 0.6 * bad_.h;
+    if (bad_.h == infinity) return from(good_, setting_.order);
+    if (!std::isfinite(bad_.error) || good_.error == 0.0) return std::sqrt(good_.h * bad_.h);
+    const double h = from(good_, std::log(bad_.error / good_.error) / std::log(bad_.h / good_.h));
+    return std::clamp(h, 1.02 * good_.h, std::max(1.02 * good_.h, 0.98 * bad_.h));
+  }
+  /// Of a run with step h, at eight sweeps a step.
+  [[nodiscard]] double usual_cost(double h) const { return 8.0 * sweep_ * fictive_ / h; }
+
+  Setting setting_;
   std::string name_;
-  PhaseFunction energy_, monitor_;
-  Point start_;
-  int order_;
-  double scale_;
+  double sweep_, fictive_, longest_;
   Collocation<Problem> method_;
+  Seen good_{0.0, 0.0, 1.0}, bad_{infinity, infinity, 1.0};
+  bool lost_ = false;
 };
 
 }  // namespace avi::detail

@@ -65,24 +65,23 @@ inline Solution<dynamic> solve(const Menu& menu, double t_end, double tolerance)
         "of H, or the tolerance may be below rounding.";
     return solution;
   }
-  Pilot whole(choice.name, menu.energy(), choice.monitor, menu.start(), choice.order, choice.energy_scale);
+  Collocation<Pilot::Problem> whole(poincare(menu.energy(), menu.start(), choice.monitor), choice.order);
   const double energy = menu.energy()(menu.start().q, menu.start().p);
   for (int restarts = 0;; ++restarts) {
     solution.state = menu.start();
     solution.energy_error = 0.0;
-    solution.run =
-        integrate_to(whole.method(), solution.state, choice.h, t_end, [&](const State<dynamic>& z, long) {
-          const double error = std::abs(menu.energy()(z.q, z.p) - energy) / choice.energy_scale;
-          solution.energy_error = std::max(solution.energy_error, error);
-          return restarts == most_restarts || error <= 3.0 * tolerance;
-        });
+    solution.run = integrate_to(whole, solution.state, choice.h, t_end, [&](const State<dynamic>& z, long) {
+      const double error = std::abs(menu.energy()(z.q, z.p) - energy) / choice.energy_scale;
+      solution.energy_error = std::max(solution.energy_error, error);
+      return restarts == most_restarts || error <= 3.0 * tolerance;
+    });
     const bool converged =
         solution.run.outcome != Outcome::not_converged && solution.run.outcome != Outcome::non_finite;
     if (restarts == most_restarts || (converged && solution.energy_error <= 3.0 * tolerance)) break;
     // The orbit is harder here than where the pilot was. A step that changes on the way would not be
     // symplectic, so the whole run is repeated with a shorter one.
-    choice.trials.push_back(
-        {choice.name, choice.h, solution.run.steps, solution.energy_error, solution.run.outcome});
+    choice.trials.push_back({choice.name, choice.h, solution.run.steps, solution.run.evaluations,
+                             solution.energy_error, solution.run.outcome});
     choice.sweeps += solution.run.evaluations;
     choice.h *= converged ? std::clamp(std::pow(0.6 * tolerance / solution.energy_error, 1.0 / choice.order),
                                        0.5, 0.96)
