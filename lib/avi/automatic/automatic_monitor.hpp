@@ -38,11 +38,11 @@ class Monitors {
     const int speed = curvature_.scaled(1.0 / tour_.squared_speed, curvature_.squared_speed(tour_.frequency));
     return entry("speed", power(plus(speed, 1.0), -0.5));
   }
-  /// \f$g = \big(1 + (H_0 - H(q, 0))/\bar T\big)^{-\alpha}\f$ with the mean kinetic energy.
+  /// \f$g = (\bar T + H_0 - H(q, 0))^{-\alpha}\f$ with the mean kinetic energy.
   Entry energy(const std::string& name, double exponent) {
-    const double scale = 1.0 / tour_.kinetic;
-    const int rest = curvature_.scaled(-scale, curvature_.energy_at_rest());
-    return entry(name, power(plus(rest, 1.0 + scale * curvature_.energy_at_start()), -exponent));
+    const int most = curvature_.graph.constant(curvature_.energy_at_start() + tour_.kinetic);
+    const int lively = curvature_.graph.binary(Operation::subtract, most, curvature_.energy_at_rest());
+    return entry(name, power(lively, -exponent));
   }
   /// 1, no monitor.
   Entry fixed() { return entry("fixed", curvature_.graph.constant(1.0)); }

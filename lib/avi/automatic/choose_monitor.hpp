@@ -118,10 +118,15 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
     if (pilot.passed()) best = std::min(best, pilot.cost());
   }
   for (int trials = 0; trials < 40; ++trials) {
+    // The least product of work and steps, but no more than a tenth above the work of fixed steps.
+    const double limit = 1.1 * candidates.front().pilot->cost();
+    const auto price = [&](const Candidate& it) {
+      const double work = it.pilot->cost();
+      return work > limit ? std::numeric_limits<double>::infinity() : work * it.pilot->steps();
+    };
     const Candidate& lead =
-        *std::min_element(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-          return a.pilot->cost() < b.pilot->cost();
-        });
+        *std::min_element(candidates.begin(), candidates.end(),
+                          [&](const Candidate& a, const Candidate& b) { return price(a) < price(b); });
     if (lead.pilot->done()) {
       choice.name = lead.entry->name;
       choice.monitor = lead.entry->monitor;
@@ -143,7 +148,7 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
 /// | name | g |
 /// | --- | --- |
 /// | fixed | 1 |
-/// | energy, energy^0.5, energy^1.5 | \f$\big(1 + (H_0 - H(q, 0))/\bar T\big)^{-\alpha}\f$, \f$\alpha\f$ = 1,
+/// | energy, energy^0.5, energy^1.5 | \f$(\bar T + H_0 - H(q, 0))^{-\alpha}\f$, \f$\alpha\f$ = 1,
 /// 1/2, 3/2 | | speed | \f$(1 + S/\bar S)^{-1/2}\f$ | | curvature | automatic_monitor() | | gentle |
 /// \f$\big((n_0 + (\bar\omega/4)^4)^{1/4} + \bar\omega\big)^{-1}\f$ |
 ///

@@ -74,6 +74,8 @@ class Pilot {
     if (!std::isfinite(near.error)) return 3.0 * usual_cost(near.h);
     return sweep_ * near.sweeps * near.h / std::min(wanted(), longest_);
   }
+  /// The number of steps of such a run.
+  [[nodiscard]] double steps() const { return fictive_ / std::min(wanted(), longest_); }
   /// A run went through, so that cost() is more than a guess.
   [[nodiscard]] bool passed() const { return good_.h > 0.0 || std::isfinite(bad_.error); }
   /// No better step is to be found: the error is between a third of the tolerance and all of it, or a step

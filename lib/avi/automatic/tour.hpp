@@ -86,10 +86,10 @@ class Tour {
            liveliest = 0.0;
     double scale = first_frequency(z, step.k[0]);
     if (!(scale > 0.0)) return;
-    for (int i = 0; i < 160; ++i) {
+    for (int i = 0; i < 64; ++i) {
       const double local = std::pow(value(curved_, z), 0.25);
       const auto [fast, pushed] = curvature.squared_speeds(step.k[0]);
-      const double h = std::min(longest, 0.25 / std::max(local, scale / 8.0));
+      const double h = std::min(longest, 0.3 / std::max(local, scale / 8.0));
       step.advance([this](const VectorX& x, VectorX& dx) { field(x, dx); }, z, h);
       const double energy_there = field(step.end, next);
       liveliest = std::max(liveliest, 0.5 * fast);

@@ -1,0 +1,134 @@
+#pragma once
+#include "beyond/speed/automatic_monitors/scenes.hpp"
+#include "common/timing.hpp"
+
+#include "avi/automatic/solution.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+/// @file
+/// What a monitor takes to meet a target.
+
+namespace experiment {
+
+using Point = avi::State<avi::dynamic>;
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity(),
+                        unknown = std::numeric_limits<double>::quiet_NaN();
+
+struct Targets {
+  int order;
+  double position, energy;
+};
+inline constexpr double most_steps = 40000.0;
+
+/// What a run takes that just reaches a target, and its errors.
+struct Reached {
+  double steps = unknown, sweeps = unknown, seconds = unknown, position_error = unknown,
+         energy_error = unknown;
+};
+struct Cost {
+  Reached position, energy;
+  double sweep = 1.0;  ///< What a sweep costs, in additions.
+  /// Geometric mean over both targets; infinite where one was not reached.
+  [[nodiscard]] double steps() const { return mean(position.steps * energy.steps); }
+  [[nodiscard]] double work() const { return sweep * mean(position.sweeps * energy.sweeps); }
+
+ private:
+  static double mean(double product) { return std::isnan(product) ? infinity : std::sqrt(product); }
+};
+
+/// A scene with what all its runs share.
+struct Arena {
+  const Scene& scene;
+  const avi::detail::Menu menu;
+  const avi::VectorX end;  ///< Position at the end.
+  double scale;            ///< Of energy errors.
+};
+
+/// The position at the end by order 16 with steps of six tenths of those for an energy error of 1e-12.
+inline avi::VectorX end_of(const Scene& scene, const avi::MonitorChoice& choice) {
+  auto method = avi::collocation(poincare(scene.energy, scene.start, choice.monitor), 16);
+  Point z = scene.start;
+  (void)integrate_to(method, z, 0.6 * choice.h, scene.time);
+  return z.q;
+}
+
+/// What a sweep costs with a monitor: by count, for counts do not depend on what else the machine does.
+inline double sweep_of(const Arena& arena, const avi::PhaseFunction& monitor, int order) {
+  const avi::PhaseFunction& energy = arena.scene.energy;
+  const double h0 = energy(arena.scene.start.q, arena.scene.start.p);
+  return avi::detail::sweep_work(
+      avi::phase_function([&](const V& q, const V& p) { return monitor(q, p) * (energy(q, p) - h0); },
+                          arena.scene.start.q.size()),
+      order);
+}
+
+/// One run.
+struct Measured {
+  double steps, sweeps, seconds, position_error, energy_error;
+  bool ok;
+};
+inline Measured measure(const Arena& arena, avi::Collocation<avi::detail::Pilot::Problem>& method, double h,
+                        long cap) {
+  const avi::PhaseFunction& energy = arena.scene.energy;
+  const double h0 = energy(arena.scene.start.q, arena.scene.start.p);
+  Point z = arena.scene.start;
+  double worst = 0.0;
+  avi::Run run;
+  const double time = seconds([&] {
+    run = integrate_to(method, z, h, arena.scene.time, [&](const Point& at, long k) {
+      worst = std::max(worst, std::abs(energy(at.q, at.p) - h0) / arena.scale);
+      return k < cap && worst < 1e3;
+    });
+  });
+  return {static_cast<double>(run.steps),
+          static_cast<double>(run.evaluations),
+          time,
+          (z.q - arena.end).norm(),
+          worst,
+          run.outcome == avi::Outcome::ok};
+}
+
+/// More and more steps until both targets are met, or both more than `most` steps and more than `dearest`
+/// work were spent; between two runs what a target takes is interpolated.
+inline Cost cost(const Arena& arena, const avi::PhaseFunction& monitor, const Targets& targets, double most,
+                 double dearest, double factor) {
+  Cost found;
+  const avi::detail::Tour& tour = *arena.menu.tour();
+  const double fictive = tour.fictive_time(monitor, arena.scene.time);
+  if (!(fictive > 0.0) || !std::isfinite(fictive)) return found;
+  found.sweep = sweep_of(arena, monitor, targets.order);
+  auto method = avi::collocation(poincare(arena.scene.energy, arena.scene.start, monitor), targets.order);
+  std::optional<Measured> before;
+  const double radians = tour.frequency * arena.scene.time;
+  for (double steps = 0.06 * radians * std::pow(targets.energy, -1.0 / targets.order); steps < most_steps;
+       steps *= factor) {
+    const Measured now = measure(arena, method, fictive / steps, static_cast<long>(2.0 * most_steps));
+    if (now.steps > most && found.sweep * now.sweeps > dearest) break;
+    if (!now.ok) {
+      before.reset();
+      continue;
+    }
+    const auto look = [&](Reached& reached, double target, double error, double error_before) {
+      if (!std::isnan(reached.steps) || !(error <= target)) return;
+      double at = 1.0, sweeps_at = 1.0;  // over those of this run
+      if (before && error_before > target && error > 0.0) {
+        const double share = std::log(error_before / target) / std::log(error_before / error);
+        at = std::pow(now.steps / before->steps, share - 1.0);
+        sweeps_at = std::pow(now.sweeps / before->sweeps, share - 1.0);
+      }
+      reached = {now.steps * at, now.sweeps * sweeps_at, now.seconds * sweeps_at, now.position_error,
+                 now.energy_error};
+    };
+    look(found.position, targets.position, now.position_error, before ? before->position_error : unknown);
+    look(found.energy, targets.energy, now.energy_error, before ? before->energy_error : unknown);
+    before = now;
+    if (std::isfinite(found.steps())) break;
+  }
+  return found;
+}
+
+}  // namespace experiment
