@@ -98,21 +98,24 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
     std::unique_ptr<Pilot> pilot;  // pilots do not move: their packs are aligned
   };
   std::vector<Candidate> candidates;
-  double best = std::numeric_limits<double>::infinity();
+  double best = std::numeric_limits<double>::infinity(), gain = 1.0;
   for (const Menu::Entry& entry : menu.entries()) {
     const double sweep = sweep_work(entry.transformed, target.order);
-    if (tour && !candidates.empty()) {
-      // A monitor that is not positive on the way or hardly changes is no better than none; one that is dear
-      // must save more than the best conceivable steps do (measured: at least five sweeps for each of the
-      // first ones).
-      const auto [low, high] = tour->range(entry.monitor);
-      if (!(low > 0.0) || !(high > 1.15 * low)) continue;
-      if (sweep > 1.2 * tour->gain() * none || 5.0 * sweep * first > best) continue;
+    const Tour::Look look = tour ? tour->look(entry.monitor) : Tour::Look{.low = 1.0, .high = 1.0};
+    if (candidates.empty()) {
+      gain = look.unevenness;
+    } else if (!(look.low > 0.0 && look.high > 1.15 * look.low) || sweep > 0.6 * gain * none ||
+               5.0 * sweep * first > best) {
+      // Not positive on the way, or hardly different from none; or so dear that no steps can make up for it
+      // (measured: steps save at most some six tenths of what they could, and at best take five sweeps for
+      // each of the first ones).
+      continue;
     }
     const double fictive = tour ? tour->fictive_time(entry.monitor, choice.time) : choice.time;
     if (!(fictive > 0.0) || !std::isfinite(fictive)) continue;
-    candidates.push_back({&entry, std::make_unique<Pilot>(setting, entry.name, entry.monitor, sweep, fictive,
-                                                          fictive / least)});
+    candidates.push_back(
+        {&entry, std::make_unique<Pilot>(setting, entry.name, entry.monitor, sweep, fictive, fictive / least,
+                                         fictive / first / look.unevenness)});
     Pilot& pilot = *candidates.back().pilot;
     pilot.trial(fictive / first, most, 3.0 * best, choice);
     if (pilot.passed()) best = std::min(best, pilot.cost());

@@ -34,10 +34,11 @@ class Pilot {
   };
 
   /// @param name of the monitor @param sweep what a sweep costs @param fictive time of a trial @param longest
-  /// no step above it is tried
+  /// no step above it is tried @param supposed step that will do, as long as no run went through
   Pilot(const Setting& setting, std::string name, const PhaseFunction& monitor, double sweep, double fictive,
-        double longest)
+        double longest, double supposed)
       : setting_(setting), name_(std::move(name)), sweep_(sweep), fictive_(fictive), longest_(longest),
+        supposed_(supposed),
         method_(collocation(poincare(setting.energy, setting.start, monitor), setting.order)) {}
 
   /// A run with step h, given up for good after `most` steps, or when its error shows that the cost() will
@@ -71,7 +72,7 @@ class Pilot {
   [[nodiscard]] double cost() const {
     if (lost_) return infinity;
     const Seen& near = good_.h > 0.0 ? good_ : bad_;
-    if (!std::isfinite(near.error)) return 3.0 * usual_cost(near.h);
+    if (!std::isfinite(near.error)) return std::max(3.0 * usual_cost(near.h), 0.25 * usual_cost(supposed_));
     return sweep_ * near.sweeps * near.h / std::min(wanted(), longest_);
   }
   /// The number of steps of such a run.
@@ -119,7 +120,7 @@ class Pilot {
 
   Setting setting_;
   std::string name_;
-  double sweep_, fictive_, longest_;
+  double sweep_, fictive_, longest_, supposed_;
   Collocation<Problem> method_;
   Seen good_{0.0, 0.0, 1.0}, bad_{infinity, infinity, 1.0};
   bool lost_ = false;

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
 
 /// @file
@@ -47,18 +46,27 @@ class Tour {
     }
     return sum * (span / passed);
   }
-  /// How many times fewer steps the best monitor can take than fixed ones: the largest frequency over the
-  /// mean.
-  [[nodiscard]] double gain() const { return highest_ / frequency; }
-  /// The smallest and the largest value of a monitor on the way; not numbers where it is not finite.
-  [[nodiscard]] std::pair<double, double> range(const PhaseFunction& monitor) const {
-    std::pair<double, double> range{std::numeric_limits<double>::infinity(), 0.0};
+  /// A monitor as this orbit sees it.
+  struct Look {
+    double low = std::numeric_limits<double>::infinity();  ///< Smallest value on the way.
+    double high = 0.0;                                     ///< Largest; not a number where one is not finite.
+    /// \f$\int dt/g \cdot \max(g\omega) / \int\omega\,dt\f$ with \f$\omega = n_0^{1/4}\f$: how many times
+    /// the steps of the best monitor it takes if the longest step in \f$\omega\f$ decides. At least 1.
+    double unevenness = 1.0;
+  };
+  /// Looks at a monitor along the way.
+  [[nodiscard]] Look look(const PhaseFunction& monitor) const {
+    Look look;
+    double fictive = 0.0, longest = 0.0;
     for (const Sample& sample : samples_) {
       const double g = value(monitor, sample.z);
-      if (!std::isfinite(g)) return {g, g};
-      range = {std::min(range.first, g), std::max(range.second, g)};
+      look.low = std::min(look.low, g);
+      look.high = std::isfinite(g) ? std::max(look.high, g) : std::numeric_limits<double>::quiet_NaN();
+      fictive += sample.h / g;
+      longest = std::max(longest, g * sample.frequency);
     }
-    return range;
+    look.unevenness = fictive * longest / (frequency * time);
+    return look;
   }
 
  private:
@@ -101,10 +109,9 @@ class Tour {
       }
       if (!std::isfinite(local + fast + pushed)) break;
       longest = 2.0 * h;
-      samples_.push_back({z, h});
+      samples_.push_back({z, h, local});
       time += h;
       angle += h * local;
-      highest_ = std::max(highest_, local);
       positions += h * fast;
       momenta += h * pushed;
       scale = std::max(angle / time, 1e-3 * scale);
@@ -132,12 +139,11 @@ class Tour {
 
   struct Sample {
     VectorX z;
-    double h;
+    double h, frequency;
   };
 
   Eigen::Index size_;
   std::vector<Sample> samples_;
-  double highest_ = 0.0;  // n_0^(1/4)
   PhaseFunction curved_;
   Program slopes_;
   Program::Room<double> room_;
