@@ -65,6 +65,23 @@ TEST(ChooseMonitor, LeavesASymplecticMap) {
   EXPECT_LT(avi::symplecticity_defect(method, z, step), 1e-8);  // that of the difference quotients
 }
 
+TEST(ChooseMonitor, SaysThatAPilotMetACollision) {
+  auto falling = Kepler::pericentre(0.0);
+  falling.p.setZero();  // is in the centre at t = pi / sqrt(8) = 1.11
+  const auto choice = choose_monitor(Kepler(), falling, {.energy_error = 1e-8, .order = 8, .time = 2.0});
+  EXPECT_FALSE(choice.reached);
+  EXPECT_NE(choice.report().find("No monitor of the menu reached"), std::string::npos) << choice.report();
+  EXPECT_LT(choice.trials.size(), 60u);
+}
+
+TEST(ChooseMonitor, CountsWorkAndNotStepsAlone) {
+  // On a circle nothing is gained, and a monitor that hardly changes is not even tried.
+  const auto circle = choose_monitor(Kepler(), Kepler::pericentre(0.0), {.energy_error = 1e-8, .order = 8});
+  EXPECT_EQ(circle.name, "fixed");
+  for (const avi::Trial& trial : circle.trials)
+    EXPECT_EQ(trial.monitor, "fixed");
+}
+
 TEST(ChooseMonitor, SaysWhyOnlyFixedStepsAreLeft) {
   const auto choice =
       choose_monitor(Light(), Kepler::pericentre(0.5), {.energy_error = 1e-6, .order = 4, .time = 3.0});

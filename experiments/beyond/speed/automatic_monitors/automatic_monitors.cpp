@@ -74,14 +74,13 @@ Verdict compare(Table& table, Table& choices, const Arena& arena, const Targets&
   const avi::MonitorChoice& choice = *chosen_by;
   const Cost chosen = reach(choice.monitor, most, dearest);
   rows("chosen", chosen);
-  // A hundred periods, of a motion at the mean frequency.
+  // The pilot against ten horizons of about ten periods each.
   auto method = avi::collocation(poincare(scene.energy, scene.start, choice.monitor), targets.order);
   Point z = scene.start;
   avi::Run run;
-  const double run_seconds = seconds([&] {
-    run = integrate(method, z, choice.h, avi::Until{.time = 200.0 * M_PI / arena.menu.tour()->frequency});
-  });
-  const double run_work = chosen.sweep * static_cast<double>(run.evaluations);
+  const double run_seconds =
+      10.0 * seconds([&] { run = integrate(method, z, choice.h, avi::Until{.time = scene.time}); });
+  const double run_work = 10.0 * chosen.sweep * static_cast<double>(run.evaluations);
   const Verdict verdict{chosen.steps() / best.steps(), chosen.work() / cheapest.work(),
                         chosen.work() / none.work(), choice.work / run_work,
                         cheapest.work() > 0.9 * none.work()};
