@@ -14,6 +14,29 @@ TEST(FitDrift, MatchesAHandComputedLine) {
   EXPECT_NEAR(fit.intercept, 0.3, 1e-14);
   EXPECT_NEAR(fit.standard_error, std::sqrt(1.8 / 2.0 / 5.0), 1e-14);
   EXPECT_NEAR(fit.t_statistic, 0.8 / std::sqrt(0.18), 1e-13);
+  EXPECT_NEAR(fit.correlation, -0.75, 1e-14);  // residuals -0.3, 0.9, -0.9, 0.3
+  EXPECT_EQ(avi::corrected_t(fit), fit.t_statistic);
+}
+
+TEST(FitDrift, CountsCorrelatedPointsForLess) {
+  // Series without a drift of which each point keeps 0.7 of the last one.
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  int plain = 0, corrected = 0;
+  for (int series = 0; series < 400; ++series) {
+    std::vector<double> t, x;
+    double value = noise(random);
+    for (int i = 0; i < 40; ++i) {
+      value = 0.7 * value + noise(random);
+      t.push_back(i);
+      x.push_back(value);
+    }
+    const auto fit = avi::fit_drift(t, x);
+    plain += std::abs(fit.t_statistic) > 3.0;
+    corrected += std::abs(avi::corrected_t(fit)) > 3.0;
+  }
+  EXPECT_GT(plain, 40);
+  EXPECT_LT(corrected, 0.3 * plain);
 }
 
 TEST(FitDrift, TellsNoiseFromDrift) {

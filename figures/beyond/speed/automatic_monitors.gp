@@ -6,7 +6,7 @@ file = data.'/automatic_monitors_choices.tsv'
 set multiplot layout 3, 1 margins 0.09, 0.955, 0.23, 0.985 spacing 0.02
 eval logy
 set yrange [0.3:40]
-set ylabel 'steps / best by hand' offset 0.5
+set ylabel 'cost / best by hand' offset 0.5
 set xrange [-0.7:*]
 set grid xtics
 unset xlabel
@@ -18,8 +18,9 @@ do for [order in '4 8 16'] {
   set label 1 'order '.order at graph 0.985, 0.9 right
   if (order ne '4') { unset key }
   plot file using (int($0/3)):(strcol('order') eq order ? 1.5 : NaN):xtic(order eq '16' ? (strcol('held_out') eq '1' ? '*' : '').strcol('problem') : '') with lines ls guide title '1.5', \
-    file using (int($0/3)):(at('automatic_ratio')) with points pt 6 ps 1.1 lc rgb sky title 'automatic', \
-    file using (int($0/3)):(at('chosen_ratio')) with points pt 7 ps 0.9 lc rgb vermilion title 'chosen by the pilot'
+    file using (int($0/3)):(at('none_work_ratio')) with points pt 2 ps 0.8 lc rgb grey title 'no monitor: work', \
+    file using (int($0/3)):(at('chosen_ratio')) with points pt 6 ps 1.1 lc rgb sky title 'chosen: steps', \
+    file using (int($0/3)):(at('chosen_work_ratio')) with points pt 7 ps 0.9 lc rgb vermilion title 'chosen: work'
   unset label 1
 }
 unset multiplot

@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/core/require.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -16,14 +17,24 @@ struct DriftFit {
   double intercept = 0.0;       ///< Value of the line at time 0.
   double standard_error = 0.0;  ///< Of the slope.
   double t_statistic = 0.0;     ///< slope / standard_error; |t| < 2 is no drift that this series can show.
+  double correlation = 0.0;     ///< Of each residual with the next one, in [-1, 1].
   int points = 0;               ///< Points fitted (blocks, when blocks were asked for).
 };
+
+/// slope / standard_error where neighbouring residuals are correlated: n of them say as much as
+/// \f$n (1 - r)/(1 + r)\f$ independent ones, r the correlation where it is positive (von Storch and Zwiers
+/// 1999, Section 6.6).
+inline double corrected_t(const DriftFit& fit) {
+  const double r = std::max(0.0, fit.correlation);
+  return fit.t_statistic * std::sqrt((1.0 - r) / (1.0 + r));
+}
 
 /// Least-squares line value = intercept + slope t, with the standard error of its slope.
 ///
 /// The error formula supposes independent residuals, while an energy error oscillates with the orbit: with
 /// `blocks` > 0 the series is first averaged over that many equal blocks, each of which should span many
-/// oscillations.
+/// oscillations. Where blocks still hang together (an orbit that comes back to the same phases of its steps
+/// after many blocks), corrected_t() takes it into account.
 /// @throws std::invalid_argument when lengths differ, fewer than 3 points (or blocks) are left, or all times
 /// are the same.
 inline DriftFit fit_drift(std::span<const double> times, std::span<const double> values, int blocks = 0) {
@@ -49,8 +60,14 @@ inline DriftFit fit_drift(std::span<const double> times, std::span<const double>
   require(tt > 0.0, "Spread of the times", tt, "positive");
   DriftFit fit{.slope = tx / tt, .points = static_cast<int>(count)};
   fit.intercept = mean_x - fit.slope * mean_t;
-  for (std::size_t k = 0; k < count; ++k)
-    rest += std::pow(x[k] - fit.intercept - fit.slope * t[k], 2);
+  double before = 0.0, together = 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double residual = x[k] - fit.intercept - fit.slope * t[k];
+    together += residual * before;
+    before = residual;
+    rest += residual * residual;
+  }
+  if (rest > 0.0) fit.correlation = together / rest;
   fit.standard_error = std::sqrt(rest / (n - 2.0) / tt);
   fit.t_statistic = fit.slope / fit.standard_error;
   return fit;

@@ -48,7 +48,18 @@ struct Arena {
   double scale;            ///< Of energy errors.
 };
 
-/// The position at the end by order 16 with steps of six tenths of those for an energy error of 1e-12.
+/// The choice of order 16 for an energy error of 1e-12, or the least above it that rounding allows.
+inline avi::MonitorChoice finest(const Scene& scene) {
+  double tolerance = 1e-12;
+  for (;;) {
+    avi::MonitorChoice choice =
+        choose_monitor(scene.energy, scene.start, {.energy_error = tolerance, .order = 16});
+    tolerance *= 3.0;
+    if (choice.reached || tolerance > 1e-9) return choice;
+  }
+}
+
+/// The position at the end by order 16 with steps of six tenths of those that it was chosen with.
 inline avi::VectorX end_of(const Scene& scene, const avi::MonitorChoice& choice) {
   auto method = avi::collocation(poincare(scene.energy, scene.start, choice.monitor), 16);
   Point z = scene.start;

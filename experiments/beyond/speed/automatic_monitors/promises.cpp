@@ -33,7 +33,7 @@ void measure_tolerances(const Frame& frame, const std::vector<Scene>& scenes) {
 
 void measure_drift(const Frame& frame, const std::vector<Scene>& scenes, int repeats) {
   Table table = frame.table({"problem", "held_out", "horizons", "monitor", "outcome", "energy_error",
-                             "slope_times_horizon", "t_statistic"});
+                             "slope_times_horizon", "t_statistic", "correlation", "corrected_t"});
   int still = 0;
   for (const Scene& scene : scenes) {
     const avi::MonitorChoice choice =
@@ -43,21 +43,24 @@ void measure_drift(const Frame& frame, const std::vector<Scene>& scenes, int rep
     std::vector<double> times, errors;
     const double h0 = scene.energy(z.q, z.p), end = repeats * scene.time;
     double worst = 0.0;
-    const avi::Run run = integrate(method, z, choice.h, avi::Until{.time = end, .steps = 100'000'000},
-                                   [&](const avi::State<avi::dynamic>& at, long) {
-                                     const double error =
-                                         (scene.energy(at.q, at.p) - h0) / choice.energy_scale;
-                                     worst = std::max(worst, std::abs(error));
-                                     times.push_back(at.t);
-                                     errors.push_back(error);
-                                   });
+    avi::Run run;
+    run.outcome = avi::Outcome::not_converged;
+    if (choice.reached)
+      run = integrate(method, z, choice.h, avi::Until{.time = end, .steps = 100'000'000},
+                      [&](const avi::State<avi::dynamic>& at, long) {
+                        const double error = (scene.energy(at.q, at.p) - h0) / choice.energy_scale;
+                        worst = std::max(worst, std::abs(error));
+                        times.push_back(at.t);
+                        errors.push_back(error);
+                      });
     const avi::DriftFit fit = times.size() > 100 ? avi::fit_drift(times, errors, 20) : avi::DriftFit{};
-    still += std::abs(fit.t_statistic) < 3.0;
+    still += run.outcome == avi::Outcome::ok && std::abs(avi::corrected_t(fit)) < 3.0;
     table.row(scene.name, scene.held_out ? 1 : 0, repeats, choice.name, std::string(avi::name(run.outcome)),
-              worst, fit.slope * end, fit.t_statistic);
+              worst, fit.slope * end, fit.t_statistic, fit.correlation, avi::corrected_t(fit));
   }
-  fmt::print("no drift (slope within three of its standard errors) on {} of {} problems\n", still,
-             scenes.size());
+  fmt::print(
+      "no drift (slope within three of its standard errors, correlation counted) on {} of {} problems\n",
+      still, scenes.size());
   frame.write(table, "drift");
 }
 
