@@ -31,7 +31,7 @@ TEST(ChooseMonitor, TakesThePowerOfTheRadiusOnAnEccentricOrbit) {
     // H_0 - V is 1/r - 1/2: with the mean added and to the power -3/2 nearly r^(3/2).
     EXPECT_EQ(choice.name, "energy^1.5");
     EXPECT_NE(choice.report().find("Chosen: energy^1.5"), std::string::npos);
-    // What it cost: below 15 % of a hundred periods (measured MEASURED), of which it sees less than one.
+    // What it cost: below 15 % of a hundred periods (measured 2 to 5 %), of which it sees less than one.
     const auto problem = poincare(Kepler(), Kepler::pericentre(0.9), choice.monitor);
     auto method = avi::collocation(problem, order);
     auto z = Kepler::pericentre(0.9);

@@ -71,7 +71,7 @@ inline double sweep_work(const PhaseFunction& transformed, int order) {
 }
 
 /// The choice from a menu: each monitor is tried once with the same number of steps; then always the one that
-/// promises the least work, until the step of that one is found.
+/// promises the least product of work and steps, until the step of that one is found.
 inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
   const Tour* tour = menu.tour();
   const double start_energy = menu.energy()(menu.start().q, menu.start().p);
@@ -145,7 +145,7 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
 
 }  // namespace detail
 
-/// The monitor of a menu that takes the fewest steps of collocation for the energy error asked for, with the
+/// The monitor of a menu that takes the least work of collocation for the energy error asked for, with the
 /// step that reaches it, found in short runs from `start`. The menu is fixed:
 ///
 /// | name | g |

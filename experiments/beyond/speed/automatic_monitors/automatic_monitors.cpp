@@ -161,7 +161,7 @@ int main(int argc, char** argv) {
               share.dear);
         }
         measure_tolerances(frame, scenes);
-        measure_drift(frame, scenes, frame.quick ? 10 : full ? 1000 : 30);
+        measure_drift(frame, scenes, frame.quick ? 10 : full ? 1000 : 20);
         frame.write(table);
         frame.write(choices, "choices");
         frame.write(summary, "summary");

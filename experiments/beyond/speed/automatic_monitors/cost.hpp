@@ -48,14 +48,16 @@ struct Arena {
   double scale;            ///< Of energy errors.
 };
 
-/// The choice of order 16 for an energy error of 1e-12, or the least above it that rounding allows.
+/// The choice with which a whole run of order 16 keeps its energy to 1e-12, or the least above it that
+/// rounding allows.
 inline avi::MonitorChoice finest(const Scene& scene) {
   double tolerance = 1e-12;
   for (;;) {
-    avi::MonitorChoice choice =
-        choose_monitor(scene.energy, scene.start, {.energy_error = tolerance, .order = 16});
+    auto solution = integrate(scene.energy, scene.start, scene.time, tolerance);
     tolerance *= 3.0;
-    if (choice.reached || tolerance > 1e-9) return choice;
+    const bool kept = solution.run.outcome == avi::Outcome::ok && solution.kept();
+    solution.choice.reached = kept;
+    if (kept || tolerance > 1e-9) return solution.choice;
   }
 }
 
