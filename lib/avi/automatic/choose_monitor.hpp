@@ -151,9 +151,11 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
 /// | name | g |
 /// | --- | --- |
 /// | fixed | 1 |
-/// | energy, energy^0.5, energy^1.5 | \f$(\bar T + H_0 - H(q, 0))^{-\alpha}\f$, \f$\alpha\f$ = 1,
-/// 1/2, 3/2 | | speed | \f$(1 + S/\bar S)^{-1/2}\f$ | | curvature | automatic_monitor() | | gentle |
-/// \f$\big((n_0 + (\bar\omega/4)^4)^{1/4} + \bar\omega\big)^{-1}\f$ |
+/// | energy | \f$(\bar T + H_0 - H(q, 0))^{-1}\f$ |
+/// | energy^0.5, energy^1.5 | the same to the powers -1/2 and -3/2 |
+/// | speed | \f$(1 + S/\bar S)^{-1/2}\f$ |
+/// | curvature | automatic_monitor() |
+/// | gentle | \f$\big((n_0 + (\bar\omega/4)^4)^{1/4} + \bar\omega\big)^{-1}\f$ |
 ///
 /// with \f$n_0\f$ and \f$\bar\omega\f$ of automatic_monitor() and the squared speed in phase space
 /// \f$S = \dot q^T K^{-1}\dot q + \dot p^T K\,\dot p/\bar\omega^2\f$, \f$\bar S\f$ its mean. The energy scale
