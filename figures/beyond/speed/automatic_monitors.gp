@@ -3,9 +3,9 @@
 width = 17; height = 16
 load 'figures/style.gp'
 file = data.'/automatic_monitors_choices.tsv'
-set multiplot layout 3, 1 margins 0.09, 0.955, 0.23, 0.985 spacing 0.02
+set multiplot layout 3, 1 margins 0.09, 0.955, 0.28, 0.985 spacing 0.02
 eval logy
-set yrange [0.3:40]
+set yrange [0.3:200]
 set ylabel 'cost / best by hand' offset 0.5
 set xrange [-0.7:*]
 set grid xtics
