@@ -26,6 +26,7 @@
 #include "avi/automatic/phase_function.hpp"
 #include "avi/automatic/pilot.hpp"
 #include "avi/automatic/solution.hpp"
+#include "avi/automatic/terms.hpp"
 #include "avi/automatic/tour.hpp"
 #include "avi/bregman/bregman_cloning.hpp"
 #include "avi/bregman/bregman_family.hpp"
