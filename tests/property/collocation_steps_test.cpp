@@ -14,7 +14,6 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <type_traits>
 
 using avi::Kepler;
 using avi::Outcome;
@@ -55,47 +54,6 @@ TEST(CollocationSteps, IsOneMethodForEveryKindOfDimension) {
     EXPECT_NEAR(a.p[i], b.p[i], 2e-13);
   }
   EXPECT_NEAR(a.t, b.t, 1e-14);
-}
-
-/// 1/g = 1 + |q|^2, and 1/g = 1 + |q|^2 + |p|^2.
-struct Rate {
-  template <class Q>
-  auto operator()(const Q& q) const {
-    auto sum = 1.0 + q[0] * q[0];
-    for (Eigen::Index i = 1; i < q.size(); ++i)
-      sum += q[i] * q[i];
-    return 1.0 / sum;
-  }
-};
-struct BothRate {
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
-    auto sum = 1.0 + q[0] * q[0] + p[0] * p[0];
-    for (Eigen::Index i = 1; i < q.size(); ++i)
-      sum += q[i] * q[i] + p[i] * p[i];
-    return 1.0 / sum;
-  }
-};
-
-TEST(CollocationSteps, TakesSuppliedGradientsOfManyDegreesOfFreedom) {
-  const auto plucked = avi::Chain::plucked(9);
-  const State<9> start{.q = plucked.q, .p = 0.5 * plucked.q.reverse()};
-  const double away = 0.125 - avi::Chain{}(start.q, start.p);  // p^t off the shell, where all terms count
-  const auto compare = [&](const auto& monitor) {
-    using G = std::decay_t<decltype(monitor)>;
-    using H = avi::Automatic<avi::Chain>;
-    State<9> a = start, b = start;
-    auto supplied = avi::collocation(avi::Poincare<9, avi::Chain, G>({}, monitor, away), 12);
-    auto automatic = avi::collocation(avi::Poincare<9, H, G>({}, monitor, away), 12);
-    ASSERT_EQ(avi::integrate(supplied, a, 0.3, {.steps = 40}).outcome, Outcome::ok);
-    ASSERT_EQ(avi::integrate(automatic, b, 0.3, {.steps = 40}).outcome, Outcome::ok);
-    EXPECT_LT((a.q - b.q).norm() + (a.p - b.p).norm(), 5e-15);
-    EXPECT_NEAR(a.t, b.t, 4e-15);
-    EXPECT_GT((a.q - start.q).norm(), 0.1);
-  };
-  compare(avi::Unit{});
-  compare(Rate{});
-  compare(BothRate{});
 }
 
 TEST(CollocationSteps, TakesManyDegreesOfFreedom) {
@@ -246,26 +204,6 @@ TEST(CollocationSteps, GoesOnAfterAFailedStep) {
   auto another = avi::collocation(method.problem(), 16);
   ASSERT_EQ(avi::integrate(another, fresh, 0.5, {.steps = 2}).outcome, Outcome::ok);
   EXPECT_LT(distance(z, fresh), 1e-14);
-}
-
-TEST(CollocationSteps, ThrowsAwayWhatItBeganInVain) {
-  // A step is begun while the one before is solved. Where the next step is another one, nothing of it stays.
-  auto method = avi::collocation(avi::poincare(Kepler{}, Kepler::pericentre(0.7), ThreeHalves{}), 16);
-  State<2> z = Kepler::pericentre(0.7);
-  int k = 0;
-  for (const double h :
-       {0.9, 0.9, 0.9, 0.4, 0.4, -0.9, -0.9, -0.9, 0.9, 0.05, 0.9, 0.9, 1.0, 1.0, -0.1, 1.0}) {
-    State<2> alone = z;
-    auto fresh = avi::collocation(method.problem(), 16);
-    ASSERT_EQ(fresh.step(alone, h).outcome, Outcome::ok) << k;
-    if (++k % 5 == 0) {  // another state in between
-      State<2> other = z;
-      other.q[0] += 0.125;
-      ASSERT_EQ(method.step(other, h).outcome, Outcome::ok) << k;
-    }
-    ASSERT_EQ(method.step(z, h).outcome, Outcome::ok) << k;
-    EXPECT_LT(distance(z, alone), 8e-15) << k;
-  }
 }
 
 }  // namespace

@@ -77,6 +77,7 @@ class alignas(64) Stages {
 
  private:
   enum class Place { elsewhere, begin, end };
+  static constexpr int worth_it = 6;  // sweeps from which on a step is begun ahead
 
   static bool same(const State<n>& a, const State<n>& b) { return a.t == b.t && a.q == b.q && a.p == b.p; }
 
@@ -128,7 +129,7 @@ class alignas(64) Stages {
       const bool look = k >= first_look;
       if (look) old_q_ = step.q, old_p_ = step.p;
       if constexpr (ahead) {
-        if (!begun_ && k > 1 && k > usual_ / 2) {
+        if (!begun_ && usual_ >= worth_it && k > usual_ / 2) {
           sweeps_.begin_next(problem, step, next);
           begun_ = true;
           ahead_ = 1;
