@@ -1,33 +1,35 @@
 # What number format and summation are worth, for the leapfrog of the logarithmic Hamiltonian composed to order 10.
-# Left: largest relative energy error up to each number of periods, with compensated and plain sums, beside Brouwer's
-# law (square root of the number of steps). Right: position error after 30 periods in four formats.
+# Left: largest relative energy error up to each number of periods, with compensated and plain sums and by collocation,
+# beside Brouwer's law (square root of the number of steps). Right: position error after 30 periods in four formats.
 width = 17; height = 7.2
 load 'figures/style.gp'
 growth = data.'/precision_study_growth.tsv'
 formats = data.'/precision_study.tsv'
 set multiplot
-page_left = 0.1; page_right = 0.975; page_bottom = 0.201; gap_x = 0.12; page_top = 0.882
+page_left = 0.11; page_right = 0.975; page_bottom = 0.201; gap_x = 0.12; page_top = 0.882
 unset key
 eval logx
 eval logy
-at(e, s) = abs(column('eccentricity') - e) < 1e-6 && strcol('summation') eq s ? column('energy_error') : NaN
+at(m, e, s) = strcol('method')[1:3] eq m && abs(column('eccentricity') - e) < 1e-6 && strcol('summation') eq s ? column('energy_error') : NaN
 kind(f, s) = strcol('format') eq f && strcol('summation') eq s ? column('position_error') : NaN
 eval panel(1, 1, 2, 1)
-set title 'energy, order 10' offset 0, -0.6
+set title 'energy' offset 0, -0.6
 set xlabel 'periods'
-set ylabel 'largest relative energy error'
-set yrange [1e-18:1e-11]
-set key inside bottom right samplen 1 spacing 1.0 font ',7'
-plot growth using 'periods':(at(0.9, 'compensated')) with points pt 7 lc rgb blue title 'e = 0.9, compensated', \
-  '' using 'periods':(at(0.9, 'plain')) with points pt 6 lc rgb blue title 'e = 0.9, plain', \
-  '' using 'periods':(at(0.99, 'compensated')) with points pt 9 lc rgb vermilion title 'e = 0.99, compensated', \
-  '' using 'periods':(at(0.99, 'plain')) with points pt 8 lc rgb vermilion title 'e = 0.99, plain', \
+set ylabel 'relative energy error' offset 1.6, 0
+set yrange [1e-24:1e-9]; set ytics 1e3
+set key inside bottom right samplen 1 spacing 0.95 font ',6.5' noopaque
+plot growth using 'periods':(at('log', 0.9, 'compensated')) with points pt 7 lc rgb blue title 'e = 0.9, compensated', \
+  '' using 'periods':(at('log', 0.9, 'plain')) with points pt 6 lc rgb blue title 'e = 0.9, plain', \
+  '' using 'periods':(at('log', 0.99, 'compensated')) with points pt 9 lc rgb vermilion title 'e = 0.99, compensated', \
+  '' using 'periods':(at('log', 0.99, 'plain')) with points pt 8 lc rgb vermilion title 'e = 0.99, plain', \
+  '' using 'periods':(at('col', 0.9, 'compensated')) with points pt 5 ps 0.5 lc rgb black title 'collocation, 0.9', \
+  '' using 'periods':(at('col', 0.99, 'compensated')) with points pt 4 ps 0.5 lc rgb black title 'collocation, 0.99', \
   1e-15 * sqrt(x) with lines lc rgb black title 'square root'
 eval panel(2, 1, 2, 1)
 set title 'order 10, 30 periods, e = 0.9' offset 0, -0.6
 set xlabel 'seconds'
 set ylabel 'position error' offset 1, 0
-set yrange [1e-15:1e6]
+set yrange [1e-15:1e6]; set ytics 1e5
 set key inside top right
 plot formats using 'seconds':(kind('float', 'plain')) with points pt 4 lc rgb grey title 'float, plain', \
   '' using 'seconds':(kind('float', 'compensated')) with points pt 5 lc rgb grey title 'float, compensated', \
