@@ -1,5 +1,6 @@
 #include "avi/optim/minimise.hpp"
 #include "avi/problems/correlated_quartic.hpp"
+#include "unit/objectives.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,23 +10,12 @@ using avi::minimise;
 using avi::MinimiseOptions;
 using avi::Outcome;
 using avi::VectorX;
+using objectives::bowl;
+using objectives::rosenbrock;
 
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-double bowl(const VectorX& x, VectorX& g) {
-  for (Eigen::Index i = 0; i < x.size(); ++i)
-    g[i] = (1.0 + static_cast<double>(i)) * x[i];
-  return 0.5 * avi::dot(x, g);
-}
-
-double rosenbrock(const VectorX& x, VectorX& g) {
-  const double a = x[1] - x[0] * x[0], b = 1.0 - x[0];
-  g[0] = -400.0 * a * x[0] - 2.0 * b;
-  g[1] = 200.0 * a;
-  return 100.0 * a * a + b * b;
-}
 
 TEST(Minimise, FindsMinimaWithItsDefaults) {
   const auto quadratic = minimise(bowl, VectorX::Ones(20));
