@@ -1,4 +1,4 @@
-# Steps and time that symplectic Euler-B needs for a given energy error over T = 1000, by monitor.
+# Steps and time that symplectic Euler-B needs for a given energy error over T = 100, by monitor.
 width = 16; height = 8
 load 'figures/style.gp'
 cost = data.'/euler_b_cost.tsv'
