@@ -3,7 +3,8 @@
 # A configuration is <compiler>-<O0|O1|O2|O3>-<native|portable|nofma>, the last of them native without fused instructions;
 # without any: g++ and clang++-14, O3, O2 and O0, native and portable.
 # Each is built into build/levels/<configuration> and runs four experiments of the paper's tables, shortened. Every cell
-# but seconds must be that of the first: counts exactly, other numbers to 2e-8 relative (seen: equal in every digit
+# but seconds must be that of the first: counts exactly, other numbers to 2e-8 relative, and runs of collocation
+# (tests/levels/collocation_bits.cpp) in every bit (seen: equal in every digit
 # between compilers, levels, portable and nofma; up to 6e-9 in an error where Eigen's products are fused).
 set -eu
 export LC_ALL=C
@@ -17,10 +18,10 @@ fi
 
 # tables CONFIGURATION: builds, runs, prints what was found, each line under the name of its table
 tables() {
-  machine=${1##*-} rest=${1%-*} flags=
+  machine=${1##*-} rest=${1%-*} flags= march=-march=native
   case ${rest##*-}-$machine in
   O[0-3]-native) preset=release ;;
-  O[0-3]-portable) preset=portable ;;
+  O[0-3]-portable) preset=portable march= ;;
   O[0-3]-nofma) preset=release flags='-mno-fma -mno-avx512f' ;;
   *) echo "levels.sh: configuration is '$1'; it must be like g++-O2-native or clang++-14-O0-portable." >&2; exit 2 ;;
   esac
@@ -33,6 +34,11 @@ tables() {
     awk -F'\t' -v stem="$stem" '/^#/ { next } !columns { columns = NF; for (i = 1; i <= NF; ++i) skip[i] = $i ~ /seconds/; next }
       { line = stem; for (i = 1; i <= NF; ++i) if (!skip[i]) line = line "\t" $i; print line }' "$build/data/$stem.tsv"
   done
+  # Written in hexadecimal: equal or not.
+  "${rest%-*}" -std=c++20 -w "-${rest##*-}" $march $flags \
+    -ffp-contract=off -fno-math-errno -Ilib -isystem /usr/include/eigen3 tests/levels/collocation_bits.cpp \
+    -o "$build/bin/collocation_bits" >&2
+  "$build/bin/collocation_bits"
 }
 
 # compare FIRST OTHER: files of tables() of the same shape
