@@ -68,8 +68,8 @@ TEST(Curvature, IsWhatItsDefinitionSaysTermByTerm) {
   avi::detail::Curvature curvature(Everything(), start);
   ASSERT_TRUE(curvature.has_metric());
   const avi::PhaseFunction n0(curvature.graph, curvature.squared_frequency_squared());
-  const auto [fast, pushed] = curvature.squared_speeds();
-  const avi::PhaseFunction positions(curvature.graph, fast), momenta(curvature.graph, pushed);
+  constexpr double frequency = 1.7;
+  const avi::PhaseFunction speed(curvature.graph, curvature.squared_speed(frequency));
 
   const auto total = [](const Eigen::Vector4d& z) {
     return [&]<int... k>(std::integer_sequence<int, k...>)->Eigen::Matrix4d { return (hessian<k>(z) + ...); }
@@ -95,8 +95,12 @@ TEST(Curvature, IsWhatItsDefinitionSaysTermByTerm) {
     const S energy = Everything()(x, y);
     const Eigen::Vector2d force(energy.partial(0), energy.partial(1)),
         velocity(energy.partial(2), energy.partial(3));
-    EXPECT_NEAR(positions(q, p) / velocity.dot(inverse * velocity), 1.0, 1e-14);
-    EXPECT_NEAR(momenta(q, p) / force.dot(metric * force), 1.0, 1e-14);
+    const double positions = velocity.dot(inverse * velocity), momenta = force.dot(metric * force);
+    EXPECT_NEAR(speed(q, p) / (positions + momenta / (frequency * frequency)), 1.0, 1e-14);
+    const auto [fast, pushed] =
+        curvature.squared_speeds(Eigen::Vector4d(velocity[0], velocity[1], -force[0], -force[1]));
+    EXPECT_NEAR(fast / positions, 1.0, 1e-14);
+    EXPECT_NEAR(pushed / momenta, 1.0, 1e-14);
   }
 }
 
