@@ -1,6 +1,6 @@
 #include "common/frame.hpp"
-#include "optimisers/optimiser_arena/all.hpp"
 #include "optimisers/optimiser_arena/meter.hpp"
+#include "optimisers/optimiser_arena/problems/all.hpp"
 #include "optimisers/optimiser_arena/standing.hpp"
 
 #include "avi/optim/update_loop.hpp"

@@ -1,4 +1,4 @@
-#include "optimisers/optimiser_arena/all.hpp"
+#include "optimisers/optimiser_arena/problems/all.hpp"
 
 namespace arena {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "optimisers/optimiser_arena/problem.hpp"
+#include "optimisers/optimiser_arena/problems/problem.hpp"
 
 namespace arena {
 

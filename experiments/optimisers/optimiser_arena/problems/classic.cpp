@@ -1,4 +1,4 @@
-#include "optimisers/optimiser_arena/problem.hpp"
+#include "optimisers/optimiser_arena/problems/problem.hpp"
 
 // Unconstrained test problems of More, Garbow and Hillstrom (1981), written as sums of squares: each gives
 // its residuals and, for the gradient, adds residual times row of the Jacobian.

@@ -1,4 +1,4 @@
-#include "optimisers/optimiser_arena/problem.hpp"
+#include "optimisers/optimiser_arena/problems/problem.hpp"
 
 #include "avi/optim/recorded_objective.hpp"
 
