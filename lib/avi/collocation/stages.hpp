@@ -42,7 +42,9 @@ class alignas(64) Stages {
         dq_(problem.size()), dp_(problem.size()), old_q_(problem.size()), old_p_(problem.size()), rule_(rule),
         settings_(settings), begin_(problem.size()), end_(problem.size()), start_(problem.size()),
         change_(problem.size()) {
-    dq_.setConstant(Scalar(0.0)), dp_.setConstant(Scalar(0.0)), change_.setZero();
+    for (Vec* each : {&dq_, &dp_, &old_q_, &old_p_})
+      each->setConstant(Scalar(0.0));
+    change_.setZero();
   }
 
   /// Advances z by h; leaves z unchanged unless the step ends as ok.

@@ -39,8 +39,11 @@ struct Unknowns {
   Pack<w> rate{1.0};               ///< The monitor, where StageField keeps it.
   PreciseState<n> start;           ///< Where the step begins.
 
-  /// For n = `size`.
-  explicit Unknowns(Eigen::Index size) : q(size), p(size), dq(size), dp(size), start(size) {}
+  /// Zero, for n = `size`.
+  explicit Unknowns(Eigen::Index size) : q(size), p(size), dq(size), dp(size), start(size) {
+    for (Vec* each : {&q, &p, &dq, &dp})
+      each->setConstant(Pack<w>(0.0));
+  }
 };
 
 /// The sweeps of a rule of at most w stages. Lanes beyond the last stage repeat that stage with weight zero,
