@@ -62,10 +62,11 @@ TEST(SustainedConvergence, TheStoppingTestFirstHoldsByChance) {
 }
 
 TEST(RoundingSensitivity, ThePublishedBestRowDivergesFromSomeMovedStarts) {
-  // p = 10, p_ring = 0.5, h = 1.95e-5 stands at the edge of stability.
-  const auto moved = experiment::perturbed_counts({"htvi", 10, 0.5, 1.95e-5}, 16, 1e-14, {});
-  EXPECT_GE(moved.failed, 1);
-  EXPECT_GE(moved.counts.size(), 8u);
+  // p = 10, p_ring = 0.5, h = 1.95e-5 stands at the edge of stability: 56 of 1000 moved starts fail, 12 of
+  // the first 256.
+  const auto moved = experiment::perturbed_counts({"htvi", 10, 0.5, 1.95e-5}, 256, 1e-14, {});
+  EXPECT_GE(moved.failed, 4);
+  EXPECT_GE(moved.counts.size(), 200u);
 }
 
 }  // namespace
