@@ -37,7 +37,7 @@ PUBLISHED   := $(wildcard paper/published/*.tsv)
 GALLERY     := kepler_e090 euler_b_errors direct_vs_adaptive work_precision
 
 .PHONY: help deps deps-peers deps-paper deps-docs deps-bench deps-instructions deps-fuzz deps-format deps-mutants programs build data figures scorecard verdicts \
-        check bench instructions mutants fuzz levels paper docs install long work-precision extremes gallery format clean
+        check bench instructions mutants fuzz levels paper docs install long work-precision arena extremes gallery format clean
 
 help: ## This list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' $(MAKEFILE_LIST) | while IFS='	' read -r target text; do \
@@ -171,10 +171,12 @@ build/long/%.tsv: $(BIN)/%
 # $(call draw_all,stems,kind): those figures from build/<kind>, as build/figures/<stem>_<kind>
 draw_all = $(foreach f,$(1),$(call draw,$f,build/$(2),build/figures/$(f)_$(2),pdf,pdf) && \
   $(call draw,$f,build/$(2),build/figures/$(f)_$(2),png,png) &&) true
-work-precision: deps-peers $(patsubst %,build/full/%.tsv,$(with_full)) | build/figures ## The whole grid of speed and accuracy
-	@$(call draw_all,$(with_full),full)
-build/full/%.tsv: $(BIN)/%
-	$(BIN)/$* --full --output build/full
+work-precision: deps-peers build/full/work_precision.tsv | build/figures ## The whole grid of speed and accuracy
+	@$(call draw_all,work_precision,full)
+arena: build/full/optimiser_arena.tsv | build/figures ## The arena of optimisers with every problem and start
+	@$(call draw_all,optimiser_arena,full)
+build/full/%.tsv: $(BIN)/% | build/data
+	$(call alone,$*) $(BIN)/$* --full --output build/full
 extremes: $(patsubst %,build/extremes/%.tsv,$(with_extremes)) | build/figures ## The long stability runs
 	@$(call draw_all,$(with_extremes),extremes)
 build/extremes/%.tsv: $(BIN)/%
