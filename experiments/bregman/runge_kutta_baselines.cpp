@@ -35,10 +35,10 @@ class Baselines {
     frame_.progress(name, done_ += 1.0 / 52.0);
     avi::Minimisation result;
     Curve curve(1.0, 0.01);
-    const double time = seconds([&] { result = minimise(rule, f_, f_.start(), stopping_, curve); });
+    const double time = seconds([&] { result = run_updates(rule, f_, f_.start(), stopping_, curve); });
     const double nan = std::nan("");
     Sustained seen{.cap = 50 * result.iterations};
-    if (result.converged()) minimise(rule, f_, f_.start(), {.delta = 0.0, .iterations = seen.cap}, seen);
+    if (result.converged()) run_updates(rule, f_, f_.start(), {.delta = 0.0, .iterations = seen.cap}, seen);
     table_.row(name, direct ? "direct" : "adaptive", family.p, direct ? nan : family.p_ring, rtol,
                std::isnan(rtol) ? nan : atol, h, result.iterations, result.gradient_evaluations,
                result.converged(), avi::name(result.outcome), experiment::rounded(time),

@@ -32,8 +32,8 @@ inline Setting direct(std::string method, double p, double h) { return {std::mov
 /// Minimises f from x0 with a setting's method.
 inline avi::Minimisation run_setting(const Setting& s, const AnyObjective& f, const avi::VectorX& x0,
                                      const avi::Stopping& stopping = {}, const AnyWitness& witness = {}) {
-  return minimise({.method = s.method, .family = s.family(), .h = s.h, .clock = s.clock}, f, x0, stopping,
-                  witness);
+  return run_updates({.method = s.method, .family = s.family(), .h = s.h, .clock = s.clock}, f, x0, stopping,
+                     witness);
 }
 
 /// Table "Comparison of the Direct and Adaptive approach".

@@ -66,7 +66,7 @@ class Comparison {
     for (int k = 2; k <= 10; ++k)
       seen.deltas.push_back(std::pow(10.0, -k));
     const avi::Stopping stopping{.delta = seen.deltas.back(), .iterations = static_cast<long>(cap)};
-    const auto run = minimise(rule, f, x0, stopping, seen);
+    const auto run = run_updates(rule, f, x0, stopping, seen);
     for (std::size_t i = 0; i < seen.deltas.size(); ++i) {
       const bool reached = i < seen.passages.size();
       const auto at =

@@ -5,7 +5,7 @@
 #include "avi/core/power.hpp"
 #include "avi/htvi/htvi.hpp"
 #include "avi/htvi/quadrature.hpp"
-#include "avi/optim/update_loop.hpp"
+#include "avi/optim/run_updates.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 #include "avi/transform/poincare.hpp"
 #include "bregman/printed/cloning_printed.hpp"
@@ -35,11 +35,11 @@ double largest_distance(const auto& method, const auto& extended_step, const Bre
   const CorrelatedQuartic f;
   ExtendedPoint z = avi::bregman_start(family, f, f.start());
   double worst = 0.0;
-  avi::minimise(f, method, f.start(), {.delta = 0.0, .iterations = steps},
-                [&](const avi::Iterate& at, long k, long) {
-                  if (k > 0) extended_step(family, f, h, z);
-                  worst = std::max(worst, (at.x - z.q).norm() / at.x.norm());
-                });
+  avi::run_updates(f, method, f.start(), {.delta = 0.0, .iterations = steps},
+                   [&](const avi::Iterate& at, long k, long) {
+                     if (k > 0) extended_step(family, f, h, z);
+                     worst = std::max(worst, (at.x - z.q).norm() / at.x.norm());
+                   });
   return worst;
 }
 
@@ -65,9 +65,9 @@ TEST(HeavyBall, HasTheIteratesOfTheMomentumForm) {
       const double h = step(family);
       const avi::BregmanStart from{.t = 1.3, .momentum = 0.7};
       const auto ball =
-          avi::minimise(f, avi::BregmanHeavyBall{.family = family, .h = h, .from = from, .clock = clock},
-                        f.start(), stopping);
-      const auto momentum = avi::minimise(
+          avi::run_updates(f, avi::BregmanHeavyBall{.family = family, .h = h, .from = from, .clock = clock},
+                           f.start(), stopping);
+      const auto momentum = avi::run_updates(
           f, avi::BregmanHtvi{.family = family, .h = h, .from = from, .clock = clock}, f.start(), stopping);
       EXPECT_LT((ball.last.x - momentum.last.x).norm() / momentum.last.x.norm(), 4.5e-10)
           << "measured 2.3e-10: the dynamics amplifies rounding";
@@ -95,12 +95,12 @@ TEST(Cloning, TheCopyThatIsReadNeverSeesTheOther) {
          {CloneComposition::strang, CloneComposition::yoshida4, CloneComposition::yoshida6}) {
       const avi::Stopping stopping{.delta = 0.0, .iterations = 50};
       const double h = 0.3 * step(family);
-      const auto decoupled = avi::minimise(
+      const auto decoupled = avi::run_updates(
           f, avi::BregmanCloning{.family = family, .h = h, .composition = composition}, f.start(), stopping);
       for (double sign : {-1.0, 1.0}) {
         const experiment::BregmanCloningPrinted both{
             .family = family, .h = h, .composition = composition, .clone_sign = sign};
-        const auto run = avi::minimise(f, both, f.start(), stopping);
+        const auto run = avi::run_updates(f, both, f.start(), stopping);
         EXPECT_EQ(run.last.x, decoupled.last.x) << avi::clone_name(composition);
         const auto which = static_cast<std::size_t>(composition);
         // One more an iteration is the stopping test's; one at the start.
@@ -176,10 +176,10 @@ TEST(Htvi, AdaptiveWithTheExactClockIsDirectOfOrderP) {
   const auto direct = BregmanFamily::direct(16.0);
   const double h = 2e-4;
   const avi::Stopping stopping{.delta = 0.0, .iterations = 2000};
-  const auto exact = avi::minimise(
+  const auto exact = avi::run_updates(
       f, avi::BregmanHtvi{.family = adaptive, .h = h, .clock = avi::Clock::exact}, f.start(), stopping);
-  const auto same = avi::minimise(f, avi::BregmanHtvi{.family = direct, .h = h}, f.start(), stopping);
-  const auto euler = avi::minimise(f, avi::BregmanHtvi{.family = adaptive, .h = h}, f.start(), stopping);
+  const auto same = avi::run_updates(f, avi::BregmanHtvi{.family = direct, .h = h}, f.start(), stopping);
+  const auto euler = avi::run_updates(f, avi::BregmanHtvi{.family = adaptive, .h = h}, f.start(), stopping);
   EXPECT_LT((exact.last.x - same.last.x).norm(), 1e-11);
   EXPECT_GT((euler.last.x - same.last.x).norm(), 1e-5);
 }

@@ -17,8 +17,8 @@ long allocations = 0;
 #include "avi/optim/gradient_descent.hpp"
 #include "avi/optim/nag.hpp"
 #include "avi/optim/rmsprop.hpp"
+#include "avi/optim/run_updates.hpp"
 #include "avi/optim/trust_region.hpp"
-#include "avi/optim/update_loop.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 
 #include <gtest/gtest.h>
@@ -45,12 +45,12 @@ const CorrelatedQuartic f;
 /// Allocations between iterations 2 and 100.
 long allocated(const auto& method) {
   long before = 0, after = 0;
-  avi::minimise(f, method, f.start(), {.delta = 0.0, .iterations = 101},
-                [&](const avi::Iterate&, long k, long) {
-                  Eigen::internal::set_is_malloc_allowed(k < 2 || k >= 100);
-                  if (k == 2) before = allocations;
-                  if (k == 100) after = allocations;
-                });
+  avi::run_updates(f, method, f.start(), {.delta = 0.0, .iterations = 101},
+                   [&](const avi::Iterate&, long k, long) {
+                     Eigen::internal::set_is_malloc_allowed(k < 2 || k >= 100);
+                     if (k == 2) before = allocations;
+                     if (k == 100) after = allocations;
+                   });
   return after - before;
 }
 

@@ -1,5 +1,5 @@
 #include "avi/bregman/bregman_htvi.hpp"
-#include "avi/optim/update_loop.hpp"
+#include "avi/optim/run_updates.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 #include "common/timing.hpp"
 
@@ -38,7 +38,7 @@ TEST(Htvi, AnIterationCostsLittleMoreThanItsGradient) {
                           }));
     iteration =
         std::min(iteration, experiment::seconds([&] {
-                   sink += avi::minimise(f, method, f.start(), {.delta = 0.0, .iterations = n}).last.value;
+                   sink += avi::run_updates(f, method, f.start(), {.delta = 0.0, .iterations = n}).last.value;
                  }));
   }
   EXPECT_GT(sink, 0.0);

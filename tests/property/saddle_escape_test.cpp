@@ -29,13 +29,13 @@ long escape(const Rule& rule, double away) {
     start[i] = away * (1.0 + 0.1 * static_cast<double>(i));
     start[i + 1] = 1.0 + 0.05 * static_cast<double>(i);
   }
-  return avi::minimise(wells, rule, start, {.delta = 0.0, .iterations = 3000},
-                       [](const avi::Iterate& at, long, long) {
-                         bool left = true;
-                         for (Eigen::Index i = 0; i < 20; i += 2)
-                           left = left && std::abs(at.x[i]) > 0.5;
-                         return !left;
-                       })
+  return avi::run_updates(wells, rule, start, {.delta = 0.0, .iterations = 3000},
+                          [](const avi::Iterate& at, long, long) {
+                            bool left = true;
+                            for (Eigen::Index i = 0; i < 20; i += 2)
+                              left = left && std::abs(at.x[i]) > 0.5;
+                            return !left;
+                          })
       .iterations;
 }
 

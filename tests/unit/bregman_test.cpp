@@ -1,6 +1,6 @@
 #include "avi/bregman/bregman_htvi.hpp"
 #include "avi/bregman/bregman_runge_kutta.hpp"
-#include "avi/optim/update_loop.hpp"
+#include "avi/optim/run_updates.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 #include "bregman/printed/extended_splitting.hpp"
 
@@ -112,16 +112,17 @@ TEST(Bregman, RefusesBadInput) {
   const auto family = BregmanFamily::direct(2.0);
   const double infinity = std::numeric_limits<double>::infinity();
   for (double h : {0.0, -1.0, infinity, std::nan("")})
-    EXPECT_THROW(avi::minimise(f, avi::BregmanHtvi{.family = family, .h = h}, x0), std::invalid_argument);
+    EXPECT_THROW(avi::run_updates(f, avi::BregmanHtvi{.family = family, .h = h}, x0), std::invalid_argument);
   for (double t : {0.0, -1.0, infinity, std::nan("")})
-    EXPECT_THROW(avi::minimise(f, avi::BregmanHtvi{.family = family, .from = {.t = t}}, x0),
+    EXPECT_THROW(avi::run_updates(f, avi::BregmanHtvi{.family = family, .from = {.t = t}}, x0),
                  std::invalid_argument);
-  EXPECT_THROW(avi::minimise(f, avi::BregmanHtvi{.family = {.p = -1.0}}, x0), std::invalid_argument);
+  EXPECT_THROW(avi::run_updates(f, avi::BregmanHtvi{.family = {.p = -1.0}}, x0), std::invalid_argument);
   using Pair = avi::BregmanEmbedded<avi::DormandPrince>;
-  EXPECT_THROW(avi::minimise(f, Pair{.family = family, .control = {.rtol = 0.0}}, x0), std::invalid_argument);
-  EXPECT_THROW(avi::minimise(f, Pair{.family = family, .control = {.atol = -1.0}}, x0),
+  EXPECT_THROW(avi::run_updates(f, Pair{.family = family, .control = {.rtol = 0.0}}, x0),
                std::invalid_argument);
-  EXPECT_THROW(avi::minimise(f, Pair{.family = family, .first_step = 0.0}, x0), std::invalid_argument);
+  EXPECT_THROW(avi::run_updates(f, Pair{.family = family, .control = {.atol = -1.0}}, x0),
+               std::invalid_argument);
+  EXPECT_THROW(avi::run_updates(f, Pair{.family = family, .first_step = 0.0}, x0), std::invalid_argument);
 }
 
 }  // namespace

@@ -3,14 +3,14 @@
 #include "avi/optim/gradient_descent.hpp"
 #include "avi/optim/nag.hpp"
 #include "avi/optim/rmsprop.hpp"
+#include "avi/optim/run_updates.hpp"
 #include "avi/optim/trust_region.hpp"
-#include "avi/optim/update_loop.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-using avi::minimise;
+using avi::run_updates;
 using avi::VectorX;
 
 namespace {
@@ -24,10 +24,10 @@ double ellipse(const VectorX& x, VectorX& g) {
 /// The first n iterates of a method from (3, 1), both coordinates in one list.
 std::vector<double> path(const auto& method, long n) {
   std::vector<double> points;
-  minimise(ellipse, method, Eigen::Vector2d(3.0, 1.0), {.delta = 0.0, .iterations = n},
-           [&](const avi::Iterate& at, long k, long) {
-             if (k > 0) points.insert(points.end(), {at.x[0], at.x[1]});
-           });
+  run_updates(ellipse, method, Eigen::Vector2d(3.0, 1.0), {.delta = 0.0, .iterations = n},
+              [&](const avi::Iterate& at, long k, long) {
+                if (k > 0) points.insert(points.end(), {at.x[0], at.x[1]});
+              });
   return points;
 }
 
@@ -86,8 +86,8 @@ TEST(TrustRegion, ShrinksRefusedStepsAndGrowsGoodOnes) {
   // Delta = 2 from (3, 1): f at (1.8, -0.6) = 2.34, ratio 0.416 refused; 1.8: (1.92, -0.44), 2.2304, 0.4744
   // refused; 1.62: (2.028, -0.296), f = 2.231624, ratio 0.527 accepted.
   long values = 0;
-  const auto run = minimise(ellipse, avi::TrustRegion{.radius = 2.0}, Eigen::Vector2d(3.0, 1.0),
-                            {.iterations = 1}, [&](const auto& at, long, long) { values += at.x.size(); });
+  const auto run = run_updates(ellipse, avi::TrustRegion{.radius = 2.0}, Eigen::Vector2d(3.0, 1.0),
+                               {.iterations = 1}, [&](const auto& at, long, long) { values += at.x.size(); });
   expect_path({run.last.x[0], run.last.x[1]}, {2.028, -0.296});
   EXPECT_EQ(run.function_evaluations, 1 + 3 + 1);
 }
@@ -113,10 +113,10 @@ TEST(TrustRegion, ThresholdsAreTheirOwnLimits) {
   };
   const auto length_of_second = [&](double expand) {
     std::vector<double> seen{0.5};
-    minimise(line, avi::TrustRegion{.radius = 0.25, .expand = expand}, VectorX::Constant(1, 0.5),
-             {.delta = 0.0, .iterations = 2}, [&](const avi::Iterate& at, long k, long) {
-               if (k > 0) seen.push_back(at.x[0]);
-             });
+    run_updates(line, avi::TrustRegion{.radius = 0.25, .expand = expand}, VectorX::Constant(1, 0.5),
+                {.delta = 0.0, .iterations = 2}, [&](const avi::Iterate& at, long k, long) {
+                  if (k > 0) seen.push_back(at.x[0]);
+                });
     return seen.at(1) - seen.at(2);
   };
   EXPECT_EQ(length_of_second(1.0), 0.25) << "1 is not above 1";
@@ -125,24 +125,24 @@ TEST(TrustRegion, ThresholdsAreTheirOwnLimits) {
 
 TEST(Optimisers, RefuseBadParameters) {
   const VectorX x0 = VectorX::Ones(2);
-  EXPECT_THROW(minimise(ellipse, avi::Nag{.h = -1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(minimise(ellipse, avi::Nag{.h = std::nan("")}, x0), std::invalid_argument);
-  EXPECT_THROW(minimise(ellipse, avi::Adam{.rate = 0.0}, x0), std::invalid_argument);
-  EXPECT_THROW(minimise(ellipse, avi::Adam{.beta_1 = 1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(minimise(ellipse, avi::Adam{.beta_2 = -0.1}, x0), std::invalid_argument);
-  EXPECT_THROW(minimise(ellipse, avi::Adam{.epsilon = -1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(minimise(ellipse, avi::AdaGrad{.rate = -1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(minimise(ellipse, avi::AdaGrad{.initial = -1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(minimise(ellipse, avi::RmsProp{.rho = 1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(minimise(ellipse, avi::RmsProp{.rho = -0.1}, x0), std::invalid_argument);
-  EXPECT_THROW(minimise(ellipse, avi::RmsProp{.rate = 0.0}, x0), std::invalid_argument);
-  EXPECT_THROW(minimise(ellipse, avi::RmsProp{.epsilon = -1e-9}, x0), std::invalid_argument);
-  EXPECT_THROW(minimise(ellipse, avi::TrustRegion{.radius = 0.0}, x0), std::invalid_argument);
-  EXPECT_THROW(minimise(ellipse, avi::TrustRegion{.accept = 1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(minimise(ellipse, avi::TrustRegion{.expand = 0.1}, x0), std::invalid_argument);
-  EXPECT_THROW(minimise(ellipse, avi::TrustRegion{.shrink = 1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(minimise(ellipse, avi::TrustRegion{.grow = 0.5}, x0), std::invalid_argument);
-  EXPECT_THROW(minimise(ellipse, avi::TrustRegion{.trials = 0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::Nag{.h = -1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::Nag{.h = std::nan("")}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::Adam{.rate = 0.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::Adam{.beta_1 = 1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::Adam{.beta_2 = -0.1}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::Adam{.epsilon = -1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::AdaGrad{.rate = -1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::AdaGrad{.initial = -1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::RmsProp{.rho = 1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::RmsProp{.rho = -0.1}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::RmsProp{.rate = 0.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::RmsProp{.epsilon = -1e-9}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::TrustRegion{.radius = 0.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::TrustRegion{.accept = 1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::TrustRegion{.expand = 0.1}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::TrustRegion{.shrink = 1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::TrustRegion{.grow = 0.5}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::TrustRegion{.trials = 0}, x0), std::invalid_argument);
 }
 
 }  // namespace

@@ -16,9 +16,9 @@
 
 namespace experiment {
 
-avi::Minimisation minimise(const Rule& rule, const AnyObjective& f, const avi::VectorX& x0,
-                           const avi::Stopping& stopping, const AnyWitness& witness) {
-  const auto run = [&](const auto& method) { return avi::minimise(f, method, x0, stopping, witness); };
+avi::Minimisation run_updates(const Rule& rule, const AnyObjective& f, const avi::VectorX& x0,
+                              const avi::Stopping& stopping, const AnyWitness& witness) {
+  const auto run = [&](const auto& method) { return avi::run_updates(f, method, x0, stopping, witness); };
   const auto& [name, family, h, from, clock, control] = rule;
   const auto or_default = [&](double otherwise) { return std::isnan(h) ? otherwise : h; };
 

@@ -2,7 +2,7 @@
 #include "avi/bregman/bregman_family.hpp"
 #include "avi/bregman/bregman_htvi.hpp"
 #include "avi/bregman/bregman_runge_kutta.hpp"
-#include "avi/optim/update_loop.hpp"
+#include "avi/optim/run_updates.hpp"
 
 #include <cmath>
 #include <functional>
@@ -71,8 +71,8 @@ struct Rule {
 };
 
 /// Minimises f from x0. @throws std::invalid_argument for a method that Rule does not name, and as
-/// avi::minimise().
-avi::Minimisation minimise(const Rule& rule, const AnyObjective& f, const avi::VectorX& x0,
-                           const avi::Stopping& stopping = {}, const AnyWitness& witness = {});
+/// avi::run_updates().
+avi::Minimisation run_updates(const Rule& rule, const AnyObjective& f, const avi::VectorX& x0,
+                              const avi::Stopping& stopping = {}, const AnyWitness& witness = {});
 
 }  // namespace experiment

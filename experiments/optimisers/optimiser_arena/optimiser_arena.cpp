@@ -3,7 +3,7 @@
 #include "optimisers/optimiser_arena/problems/all.hpp"
 #include "optimisers/optimiser_arena/standing.hpp"
 
-#include "avi/optim/update_loop.hpp"
+#include "avi/optim/run_updates.hpp"
 
 #include <fmt/format.h>
 

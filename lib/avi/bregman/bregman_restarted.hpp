@@ -1,8 +1,8 @@
 #pragma once
 #include "avi/core/outcome.hpp"
 #include "avi/core/require.hpp"
+#include "avi/optim/run_updates.hpp"
 #include "avi/optim/sweep.hpp"
-#include "avi/optim/update_loop.hpp"
 
 #include <algorithm>
 #include <cmath>

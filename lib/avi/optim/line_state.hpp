@@ -1,7 +1,7 @@
 #pragma once
 #include "avi/optim/minimise_options.hpp"
+#include "avi/optim/run_updates.hpp"
 #include "avi/optim/secant_pairs.hpp"
-#include "avi/optim/update_loop.hpp"
 
 #include <utility>
 

@@ -98,7 +98,7 @@ std::vector<long> passages_of(const auto& run, int count) {
 
 std::vector<long> passages(const experiment::Rule& rule, int count) {
   return passages_of([&](const avi::Stopping& stopping,
-                         auto&& witness) { return minimise(rule, f, f.start(), stopping, witness); },
+                         auto&& witness) { return run_updates(rule, f, f.start(), stopping, witness); },
                      count);
 }
 
@@ -126,7 +126,7 @@ TEST(Optimisers, RmsPropCountsAreThePrintedOnesLessTwo) {
             (Counts{276 - 2, 305 - 2, 334 - 2, 363 - 2, 393 - 2, 422 - 2, 452 - 2, 498 - 2, 682 - 2}));
   // The control: epsilon outside the root, as ADAM has it, gives other counts.
   const auto outside = [](const avi::Stopping& stopping, auto&& witness) {
-    return avi::minimise(f, avi::RmsProp{.rate = 0.1, .epsilon = 1e-16}, f.start(), stopping, witness);
+    return avi::run_updates(f, avi::RmsProp{.rate = 0.1, .epsilon = 1e-16}, f.start(), stopping, witness);
   };
   EXPECT_NE(passages_of(outside, 9).back(), 680);
 }
@@ -138,7 +138,7 @@ TEST(Optimisers, TrustRegionCountsAreThePrintedOnesLessTwo) {
 
 TEST(RungeKutta4, ConvergesAgainstTheText) {
   const auto run = [&](const avi::BregmanFamily& family, double h) {
-    return minimise(experiment::Rule{.method = "runge_kutta_4", .family = family, .h = h}, f, f.start());
+    return run_updates(experiment::Rule{.method = "runge_kutta_4", .family = family, .h = h}, f, f.start());
   };
   const auto direct = avi::BregmanFamily::direct(10), adaptive = avi::BregmanFamily::adaptive(10, 0.5);
   EXPECT_TRUE(run(direct, 8e-4).converged());

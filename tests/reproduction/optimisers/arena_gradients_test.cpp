@@ -1,7 +1,7 @@
 #include "optimisers/optimiser_arena/problems/all.hpp"
 
+#include "avi/optim/run_updates.hpp"
 #include "avi/optim/slope_check.hpp"
-#include "avi/optim/update_loop.hpp"
 
 #include <gtest/gtest.h>
 

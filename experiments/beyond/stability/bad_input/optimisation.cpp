@@ -8,8 +8,8 @@
 #include "avi/optim/adam.hpp"
 #include "avi/optim/nag.hpp"
 #include "avi/optim/rmsprop.hpp"
+#include "avi/optim/run_updates.hpp"
 #include "avi/optim/trust_region.hpp"
-#include "avi/optim/update_loop.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 
 #include <vector>
@@ -25,7 +25,7 @@ const VectorX x0 = f.start();
 
 void try_rules(Tries& tries) {
   tries.part = "optimisers";
-  const auto run = [](const auto& method) { (void)minimise(f, method, x0, {.iterations = 1}); };
+  const auto run = [](const auto& method) { (void)run_updates(f, method, x0, {.iterations = 1}); };
   const auto family = BregmanFamily::direct(2.0);
   tries.all("h of htvi", not_positive, [&](double h) { run(BregmanHtvi{.family = family, .h = h}); });
   tries.all("h of heavy ball", not_positive,
@@ -64,18 +64,21 @@ void try_loop(Tries& tries) {
   tries.part = "minimise";
   const Nag method{.h = 1e-6};
   tries.all("delta", std::vector{-1.0, nan, inf},
-            [&](double d) { (void)minimise(f, method, x0, {.delta = d}); });
-  tries.all("cap", std::vector{0L, -1L}, [&](long n) { (void)minimise(f, method, x0, {.iterations = n}); });
-  tries.all("growth", std::vector{0.0, nan}, [&](double g) { (void)minimise(f, method, x0, {.growth = g}); });
+            [&](double d) { (void)run_updates(f, method, x0, {.delta = d}); });
+  tries.all("cap", std::vector{0L, -1L},
+            [&](long n) { (void)run_updates(f, method, x0, {.iterations = n}); });
+  tries.all("growth", std::vector{0.0, nan},
+            [&](double g) { (void)run_updates(f, method, x0, {.growth = g}); });
   tries.all("x0", std::vector{nan, inf},
-            [&](double x) { (void)minimise(f, method, VectorX::Constant(3, x)); });
-  tries.all("sizes", std::vector{1, 2, 4, 100}, [&](int n) { (void)minimise(f, method, VectorX::Ones(n)); });
-  tries.one("size", 0, [&] { (void)minimise(f, method, VectorX()); });
+            [&](double x) { (void)run_updates(f, method, VectorX::Constant(3, x)); });
+  tries.all("sizes", std::vector{1, 2, 4, 100},
+            [&](int n) { (void)run_updates(f, method, VectorX::Ones(n)); });
+  tries.one("size", 0, [&] { (void)run_updates(f, method, VectorX()); });
   tries.all("f(x0)", not_finite, [&](double v) {
-    (void)minimise([v](const VectorX& x, VectorX& g) { return g = x, v; }, method, x0);
+    (void)run_updates([v](const VectorX& x, VectorX& g) { return g = x, v; }, method, x0);
   });
   tries.all("gradient at x0", std::vector{nan, inf}, [&](double v) {
-    (void)minimise([v](const VectorX&, VectorX& g) { return g.setConstant(v), 1.0; }, method, x0);
+    (void)run_updates([v](const VectorX&, VectorX& g) { return g.setConstant(v), 1.0; }, method, x0);
   });
   tries.all("dimension", std::vector{0, -1}, [](int n) { CorrelatedQuartic{n}; });
   tries.all("rho", std::vector{1.0, -1.0, nan, 1.5}, [](double rho) { CorrelatedQuartic(3, rho); });

@@ -63,7 +63,7 @@ inline Judged meet(const std::string& method, std::string_view kind, long at, lo
   const avi::Stopping stopping{.delta = 1e-10, .iterations = cap};
   const FaultyQuartic f{.kind = kind, .at = at};
   Judged result = judge(f, stopping.delta, [&] {
-    return minimise(rule_that_meets_faults(method), f, f.quartic.start(), stopping);
+    return run_updates(rule_that_meets_faults(method), f, f.quartic.start(), stopping);
   });
   // The objective itself said that the point is stationary; no method can know better.
   if (result.outcome == "ok" && kind.starts_with("gradient_zero")) result.verdict = "told";

@@ -58,7 +58,7 @@ inline Limit largest_stable_step(const std::string& method, double p, double p_r
   limit.expected = linear_limit(method) / (family.order() * std::sqrt(family.C) * steepest);
   const auto run = [&](double h, const avi::Stopping& stopping) {
     const Rule rule{.method = method, .family = family, .h = h, .from = {.t = 1.0, .momentum = 0.0}};
-    return minimise(rule, Bowl{1.0}, avi::VectorX::Ones(1), stopping);
+    return run_updates(rule, Bowl{1.0}, avi::VectorX::Ones(1), stopping);
   };
   const double span = std::expm1(family.s() * std::log(T));
   const auto stable = [&](double h) {

@@ -94,8 +94,8 @@ inline Judged play(const Scene& s) {
   const avi::CorrelatedQuartic f(s.dimension, s.rho);
   const double h = step_of(s);
   Judged result = judge(f, stopping.delta, [&] {
-    return minimise({.method = s.method, .family = s.family(), .h = h, .from = s.from}, f,
-                    f.minimiser().array() + s.away, stopping);
+    return run_updates({.method = s.method, .family = s.family(), .h = h, .from = s.from}, f,
+                       f.minimiser().array() + s.away, stopping);
   });
   result.h = h;
   return result;

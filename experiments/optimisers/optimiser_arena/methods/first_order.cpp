@@ -3,7 +3,7 @@
 #include "avi/optim/adagrad.hpp"
 #include "avi/optim/adam.hpp"
 #include "avi/optim/rmsprop.hpp"
-#include "avi/optim/update_loop.hpp"
+#include "avi/optim/run_updates.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -81,8 +81,8 @@ struct Watched {
 template <class Rule>
 std::function<void(Meter&)> with_rate(double rate) {
   return [rate](Meter& meter) {
-    (void)avi::minimise(Watched{meter}, Rule{.rate = rate}, meter.x0, {.delta = 0.0},
-                        [&](const avi::Iterate&, long k, long) { meter.iterations = k; });
+    (void)avi::run_updates(Watched{meter}, Rule{.rate = rate}, meter.x0, {.delta = 0.0},
+                           [&](const avi::Iterate&, long k, long) { meter.iterations = k; });
   };
 }
 

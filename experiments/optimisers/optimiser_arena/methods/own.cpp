@@ -33,9 +33,9 @@ std::function<void(Meter&)> bregman_with(double part) {
     const double value = meter(meter.x0, g);
     const auto family = avi::BregmanFamily::adaptive(4.0, 1.0);
     const double h = std::sqrt(100.0 * part * first_length(meter.x0, g, value) / family.C) / family.order();
-    (void)avi::minimise(Watched{meter}, avi::BregmanHtvi{.family = family, .h = h, .from = {.momentum = 0.0}},
-                        meter.x0, {.delta = 0.0},
-                        [&](const avi::Iterate&, long k, long) { meter.iterations = k; });
+    (void)avi::run_updates(Watched{meter},
+                           avi::BregmanHtvi{.family = family, .h = h, .from = {.momentum = 0.0}}, meter.x0,
+                           {.delta = 0.0}, [&](const avi::Iterate&, long k, long) { meter.iterations = k; });
   };
 }
 
@@ -50,8 +50,8 @@ std::vector<Method> own_methods() {
           {.name = "bregman_restarted",
            .run =
                [](Meter& meter) {
-                 (void)avi::minimise(Watched{meter}, avi::BregmanRestarted{}, meter.x0, {.delta = 0.0},
-                                     [&](const avi::Iterate&, long k, long) { meter.iterations = k; });
+                 (void)avi::run_updates(Watched{meter}, avi::BregmanRestarted{}, meter.x0, {.delta = 0.0},
+                                        [&](const avi::Iterate&, long k, long) { meter.iterations = k; });
                }},
           paper};
 }

@@ -1,5 +1,5 @@
 #include "avi/bregman/bregman_heavy_ball.hpp"
-#include "avi/optim/update_loop.hpp"
+#include "avi/optim/run_updates.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 #include "common/table.hpp"
 
@@ -97,7 +97,7 @@ TEST(Runs, AnObjectiveThatSwallowsNanConvergesNowhere) {
     static auto once = swallowing;
     return once(x, g);
   };
-  const auto run = avi::minimise(
+  const auto run = avi::run_updates(
       f, avi::BregmanHeavyBall{.family = avi::BregmanFamily::direct(2.0), .h = 0.1}, VectorX::Ones(3));
   EXPECT_EQ(run.outcome, Outcome::non_finite) << run.message;
   EXPECT_TRUE(run.last.x.allFinite());
@@ -107,8 +107,8 @@ TEST(HeavyBall, GivesThePublishedCounts) {
   // They are made with the momentum form; these three do not hang on the last bit.
   const avi::CorrelatedQuartic f;
   const auto count = [&](double p, double p_ring, double h) {
-    return avi::minimise(f, avi::BregmanHeavyBall{.family = avi::BregmanFamily::adaptive(p, p_ring), .h = h},
-                         f.start())
+    return avi::run_updates(
+               f, avi::BregmanHeavyBall{.family = avi::BregmanFamily::adaptive(p, p_ring), .h = h}, f.start())
         .iterations;
   };
   EXPECT_EQ(count(10.0, 10.0, 4e-4), 13872 - 1);
@@ -122,7 +122,7 @@ TEST(HeavyBall, StopsWithANameAtItsEndAndKeepsTheLastGoodPoint) {
     return 0.5e-307 * avi::dot(x, x);
   };
   const avi::BregmanHeavyBall method{.family = avi::BregmanFamily::direct(50.0), .h = 900.0};
-  const auto run = avi::minimise(f, method, VectorX::Ones(2), {.delta = 0.0, .iterations = 10'000});
+  const auto run = avi::run_updates(f, method, VectorX::Ones(2), {.delta = 0.0, .iterations = 10'000});
   EXPECT_EQ(run.outcome, Outcome::non_finite);
   EXPECT_TRUE(run.last.x.allFinite());
   EXPECT_GT(run.iterations, 1900);
@@ -137,11 +137,11 @@ TEST(HeavyBall, StartsAtAnyTime) {
   const double h = 9e-180;
   const avi::Stopping stopping{.delta = 0.0, .iterations = 200};
   const auto light =
-      avi::minimise(f, avi::BregmanHeavyBall{.family = family, .h = h, .from = from}, f.start(), stopping);
+      avi::run_updates(f, avi::BregmanHeavyBall{.family = family, .h = h, .from = from}, f.start(), stopping);
   EXPECT_EQ(light.outcome, Outcome::step_limit) << light.message;
   EXPECT_LT(light.last.value, 1.52e8);
   const auto momentum =
-      avi::minimise(f, avi::BregmanHtvi{.family = family, .h = h, .from = from}, f.start(), stopping);
+      avi::run_updates(f, avi::BregmanHtvi{.family = family, .h = h, .from = from}, f.start(), stopping);
   EXPECT_TRUE(momentum.outcome == Outcome::diverged || momentum.outcome == Outcome::non_finite);
 }
 

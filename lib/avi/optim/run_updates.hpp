@@ -9,7 +9,7 @@
 #include <utility>
 
 /// @file
-/// The only optimisation loop of the library: stopping, counting, observation and the exits of a failing run
+/// The only loop of update rules: stopping, counting, observation and the exits of a failing run
 /// are here; a method is an update rule.
 
 namespace avi {
@@ -75,8 +75,8 @@ inline void describe_failure(Minimisation& run, double x_bound) {
 /// @throws std::invalid_argument for a stopping rule or hyper-parameters out of range, an empty or non-finite
 /// x0, or an objective that is not finite at x0 or whose gradient has another size.
 template <Objective F, OptimisationMethod<F> M, class Witness = NoWitness>
-Minimisation minimise(const F& f, const M& method, const VectorX& x0, const Stopping& stopping = {},
-                      Witness&& witness = {}) {
+Minimisation run_updates(const F& f, const M& method, const VectorX& x0, const Stopping& stopping = {},
+                         Witness&& witness = {}) {
   stopping.validate();
   require(x0.size() > 0, "Size of x0", x0.size(), "at least 1");
   require(std::isfinite(detail::largest(x0)), "Largest entry of x0", detail::largest(x0), "finite");

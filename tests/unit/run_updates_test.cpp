@@ -1,6 +1,6 @@
 #include "avi/optim/gradient_descent.hpp"
+#include "avi/optim/run_updates.hpp"
 #include "avi/optim/trust_region.hpp"
-#include "avi/optim/update_loop.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <limits>
 
 using avi::GradientDescent;
-using avi::minimise;
 using avi::Outcome;
+using avi::run_updates;
 using avi::VectorX;
 
 namespace {
@@ -38,9 +38,9 @@ std::string refusal(const auto& call) {
   return "";
 }
 
-TEST(UpdateLoop, StopsAtTheFirstPassageAndCounts) {
+TEST(RunUpdates, StopsAtTheFirstPassageAndCounts) {
   // x halves every time: f = 2^-(2k+1), |g| = 2^-k; |f_k - f_(k-1)| = 3 f_k.
-  const auto run = minimise(Bowl{}, GradientDescent{.h = 0.5}, VectorX::Ones(1), {.delta = 1e-3});
+  const auto run = run_updates(Bowl{}, GradientDescent{.h = 0.5}, VectorX::Ones(1), {.delta = 1e-3});
   EXPECT_TRUE(run.converged());
   EXPECT_EQ(run.iterations, 10);  // 2^-10 < 1e-3 <= 2^-9
   EXPECT_EQ(run.gradient_evaluations, 11);
@@ -49,21 +49,21 @@ TEST(UpdateLoop, StopsAtTheFirstPassageAndCounts) {
   EXPECT_EQ(run.message, "");
 }
 
-TEST(UpdateLoop, SaysWhenTheCapEndsIt) {
+TEST(RunUpdates, SaysWhenTheCapEndsIt) {
   const auto run =
-      minimise(Bowl{}, GradientDescent{.h = 0.5}, VectorX::Ones(1), {.delta = 0.0, .iterations = 7});
+      run_updates(Bowl{}, GradientDescent{.h = 0.5}, VectorX::Ones(1), {.delta = 0.0, .iterations = 7});
   EXPECT_EQ(run.outcome, Outcome::step_limit);
   EXPECT_EQ(run.iterations, 7);
   EXPECT_NE(run.message.find("step_limit at iteration 7"), std::string::npos) << run.message;
 }
 
-TEST(UpdateLoop, NamesIterationAndValueOfWhatIsNotANumber) {
+TEST(RunUpdates, NamesIterationAndValueOfWhatIsNotANumber) {
   const GradientDescent method{.h = 0.5};
-  const auto value = minimise(Bowl{.fault = Bowl::Fault::value, .at = 5}, method, VectorX::Ones(3));
+  const auto value = run_updates(Bowl{.fault = Bowl::Fault::value, .at = 5}, method, VectorX::Ones(3));
   EXPECT_EQ(value.outcome, Outcome::non_finite);
   EXPECT_EQ(value.message, "The run ended as non_finite at iteration 4, where f = nan: the objective's value "
                            "is not a number.");
-  const auto gradient = minimise(Bowl{.fault = Bowl::Fault::gradient, .at = 5}, method, VectorX::Ones(3));
+  const auto gradient = run_updates(Bowl{.fault = Bowl::Fault::gradient, .at = 5}, method, VectorX::Ones(3));
   EXPECT_EQ(gradient.outcome, Outcome::non_finite);
   EXPECT_EQ(gradient.iterations, 5);
   // The last good iterates are x_3 and x_4, of 2^-k in every entry.
@@ -72,70 +72,71 @@ TEST(UpdateLoop, NamesIterationAndValueOfWhatIsNotANumber) {
   EXPECT_EQ(gradient.last.gradient, VectorX::Constant(3, 0.0625));
   EXPECT_EQ(gradient.last.value, 1.5 * 0.0625 * 0.0625);
   const auto start =
-      refusal([&] { minimise(Bowl{.fault = Bowl::Fault::value, .at = 1}, method, VectorX::Ones(3)); });
+      refusal([&] { run_updates(Bowl{.fault = Bowl::Fault::value, .at = 1}, method, VectorX::Ones(3)); });
   EXPECT_EQ(start, "Value of the objective at x0 is nan; it must be finite.");
 }
 
-TEST(UpdateLoop, ReportsDivergenceAtOnce) {
+TEST(RunUpdates, ReportsDivergenceAtOnce) {
   // x_k = (-9)^k: 9^k > 1e30 first at k = 32; the values, 81^k / 2, already at k = 16.
-  const auto run = minimise(Bowl{}, GradientDescent{.h = 10.0}, VectorX::Ones(2));
+  const auto run = run_updates(Bowl{}, GradientDescent{.h = 10.0}, VectorX::Ones(2));
   EXPECT_EQ(run.outcome, Outcome::diverged);
   EXPECT_EQ(run.iterations, 16);
   EXPECT_EQ(run.last.x, VectorX::Constant(2, std::pow(-9.0, 15))) << "the last good one";
   EXPECT_EQ(run.last.value, std::pow(81.0, 15));
   const auto quartic =
-      minimise(avi::CorrelatedQuartic{}, GradientDescent{.h = 1.0}, VectorX::Constant(50, 5.0));
+      run_updates(avi::CorrelatedQuartic{}, GradientDescent{.h = 1.0}, VectorX::Constant(50, 5.0));
   EXPECT_EQ(quartic.outcome, Outcome::diverged);
   EXPECT_LT(quartic.iterations, 100);
 }
 
-TEST(UpdateLoop, AnInfiniteValueIsOutOfEveryBound) {
+TEST(RunUpdates, AnInfiniteValueIsOutOfEveryBound) {
   // f starts at a thousandth of the largest double, so that 1e30 times it, the bound, overflows.
   const auto steep = [](const VectorX& x, VectorX& g) { return g = x, 0.5e305 * avi::dot(x, x); };
-  const auto run = minimise(steep, GradientDescent{.h = 10.0}, VectorX::Ones(1));
+  const auto run = run_updates(steep, GradientDescent{.h = 10.0}, VectorX::Ones(1));
   EXPECT_EQ(run.outcome, Outcome::diverged);
   EXPECT_EQ(run.iterations, 2);  // f = 0.5e305 81^k
   EXPECT_EQ(run.last.x[0], -9.0);
 }
 
-TEST(UpdateLoop, ShowsEveryIterateAndMayBeStopped) {
+TEST(RunUpdates, ShowsEveryIterateAndMayBeStopped) {
   long seen = 0;
-  const auto run = minimise(Bowl{}, GradientDescent{.h = 0.5}, VectorX::Ones(1), {},
-                            [&](const avi::Iterate& at, long k, long gradients) {
-                              EXPECT_EQ(k, seen++);
-                              EXPECT_EQ(gradients, k + 1);
-                              EXPECT_EQ(at.x[0], std::pow(2.0, -static_cast<double>(k)));
-                              return k < 3;
-                            });
+  const auto run = run_updates(Bowl{}, GradientDescent{.h = 0.5}, VectorX::Ones(1), {},
+                               [&](const avi::Iterate& at, long k, long gradients) {
+                                 EXPECT_EQ(k, seen++);
+                                 EXPECT_EQ(gradients, k + 1);
+                                 EXPECT_EQ(at.x[0], std::pow(2.0, -static_cast<double>(k)));
+                                 return k < 3;
+                               });
   EXPECT_EQ(run.outcome, Outcome::stopped);
   EXPECT_EQ(run.iterations, 3);
 }
 
-TEST(UpdateLoop, RefusesBadInput) {
+TEST(RunUpdates, RefusesBadInput) {
   const GradientDescent method{.h = 0.5};
   const VectorX one = VectorX::Ones(1);
-  EXPECT_EQ(refusal([&] { minimise(Bowl{}, method, VectorX()); }), "Size of x0 is 0; it must be at least 1.");
-  EXPECT_EQ(refusal([&] { minimise(Bowl{}, method, VectorX::Constant(1, nan)); }),
+  EXPECT_EQ(refusal([&] { run_updates(Bowl{}, method, VectorX()); }),
+            "Size of x0 is 0; it must be at least 1.");
+  EXPECT_EQ(refusal([&] { run_updates(Bowl{}, method, VectorX::Constant(1, nan)); }),
             "Largest entry of x0 is nan; it must be finite.");
-  EXPECT_EQ(refusal([&] { minimise(Bowl{}, method, one, {.delta = -1.0}); }),
+  EXPECT_EQ(refusal([&] { run_updates(Bowl{}, method, one, {.delta = -1.0}); }),
             "Tolerance delta is -1; it must be finite and at least 0.");
-  EXPECT_EQ(refusal([&] { minimise(Bowl{}, method, one, {.delta = nan}); }),
+  EXPECT_EQ(refusal([&] { run_updates(Bowl{}, method, one, {.delta = nan}); }),
             "Tolerance delta is nan; it must be finite and at least 0.");
-  EXPECT_EQ(refusal([&] { minimise(Bowl{}, method, one, {.iterations = 0}); }),
+  EXPECT_EQ(refusal([&] { run_updates(Bowl{}, method, one, {.iterations = 0}); }),
             "Cap on iterations is 0; it must be at least 1.");
-  EXPECT_EQ(refusal([&] { minimise(Bowl{}, GradientDescent{.h = 0.0}, one); }),
+  EXPECT_EQ(refusal([&] { run_updates(Bowl{}, GradientDescent{.h = 0.0}, one); }),
             "Step size h is 0; it must be finite and positive.");
-  EXPECT_EQ(refusal([&] { minimise(avi::CorrelatedQuartic{7}, method, one); }),
+  EXPECT_EQ(refusal([&] { run_updates(avi::CorrelatedQuartic{7}, method, one); }),
             "Size of x is 1; it must be the objective's dimension, 7.");
   const auto wrong = [](const VectorX&, VectorX& g) { return g.setZero(2), 1.0; };
-  EXPECT_EQ(refusal([&] { minimise(wrong, method, one); }),
+  EXPECT_EQ(refusal([&] { run_updates(wrong, method, one); }),
             "Size of the gradient is 2; it must be the size of x0, 1.");
 }
 
-TEST(UpdateLoop, GivesUpWhereNoStepIsAccepted) {
+TEST(RunUpdates, GivesUpWhereNoStepIsAccepted) {
   // The gradient points uphill, so no radius helps.
   const auto wrong = [](const VectorX& x, VectorX& g) { return g = -x, 0.5 * avi::dot(x, x); };
-  const auto run = minimise(wrong, avi::TrustRegion{}, VectorX::Ones(2));
+  const auto run = run_updates(wrong, avi::TrustRegion{}, VectorX::Ones(2));
   EXPECT_EQ(run.outcome, Outcome::not_converged);
   EXPECT_EQ(run.iterations, 1);
 }
