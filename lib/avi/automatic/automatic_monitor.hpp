@@ -38,10 +38,12 @@ class Monitors {
     const int speed = curvature_.scaled(1.0 / tour_.squared_speed, curvature_.squared_speed(tour_.frequency));
     return entry("speed", power(plus(speed, 1.0), -0.5));
   }
-  /// \f$g = (\bar T + H_0 - H(q, 0))^{-\alpha}\f$ with the mean kinetic energy.
+  /// \f$g = (\bar T + \frac12(H + H_0) - H(q, 0))^{-\alpha}\f$ with the mean kinetic energy. On the orbit
+  /// H(q, p) - H(q, 0) could stand there as well; the half makes \f$\bar H_{qp}\f$ zero, see \ref monitors.
   Entry energy(const std::string& name, double exponent) {
-    const int most = curvature_.graph.constant(curvature_.energy_at_start() + tour_.kinetic);
-    const int lively = curvature_.graph.binary(Operation::subtract, most, curvature_.energy_at_rest());
+    const int half = curvature_.scaled(0.5, curvature_.energy);
+    const int moving = curvature_.graph.binary(Operation::subtract, half, curvature_.energy_at_rest());
+    const int lively = plus(moving, 0.5 * curvature_.energy_at_start() + tour_.kinetic);
     return entry(name, power(lively, -exponent));
   }
   /// 1, no monitor.

@@ -151,7 +151,7 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
 /// | name | g |
 /// | --- | --- |
 /// | fixed | 1 |
-/// | energy | \f$(\bar T + H_0 - H(q, 0))^{-1}\f$ |
+/// | energy | \f$(\bar T + \frac12(H + H_0) - H(q, 0))^{-1}\f$ |
 /// | energy^0.5, energy^1.5 | the same to the powers -1/2 and -3/2 |
 /// | speed | \f$(1 + S/\bar S)^{-1/2}\f$ |
 /// | curvature | automatic_monitor() |

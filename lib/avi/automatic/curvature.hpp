@@ -1,11 +1,13 @@
 #pragma once
 #include "avi/autodiff/recorded.hpp"
 #include "avi/autodiff/reverse.hpp"
+#include "avi/automatic/monomial.hpp"
 #include "avi/automatic/terms.hpp"
 #include "avi/core/inverse.hpp"
 #include "avi/core/state.hpp"
 
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -36,8 +38,9 @@ class Curvature {
     }
     const Recorded value = hamiltonian(q, p);
     energy = value.node_in(graph);
-    start_.resize(2 * n_);
-    start_ << start.q, start.p;
+    start_.assign(start.q.begin(), start.q.end());
+    start_.insert(start_.end(), start.p.begin(), start.p.end());
+    at_start_.emplace(start_);
     terms_ = Terms::of(graph, energy);
     find_metric();
   }
@@ -51,8 +54,12 @@ class Curvature {
   /// n_0. @pre has_metric()
   int squared_frequency_squared() {
     Norms sum{graph.constant(0.0), graph.constant(0.0)};
-    for (const Terms::Term& term : terms_)
-      add(sum, term);
+    Monomial monomial(graph, start_);
+    for (const Terms::Term& term : terms_) {
+      const Norms own = norms(term);
+      sum.qq = plus(sum.qq, monomial.simplified(own.qq, term.node));
+      sum.qp = plus(sum.qp, monomial.simplified(own.qp, term.node));
+    }
     return plus(times(spread(), sum.qq), times(sum.qp, sum.qp));
   }
 
@@ -90,7 +97,7 @@ class Curvature {
     return place[energy];
   }
   /// The energy of the orbit.
-  [[nodiscard]] double energy_at_start() { return at_start(energy); }
+  [[nodiscard]] double energy_at_start() { return (*at_start_)(graph, energy); }
 
   ///@{
 
@@ -169,7 +176,8 @@ class Curvature {
     return copies[node] = fresh;
   }
 
-  void add(Norms& sum, const Terms::Term& term) {
+  Norms norms(const Terms::Term& term) {
+    Norms sum{graph.constant(0.0), graph.constant(0.0)};
     const Sparse entries = hessian(term);
     for (const auto& [ij, a] : entries)
       for (const auto& [lk, b] : entries) {
@@ -180,6 +188,7 @@ class Curvature {
         if (i < n_ && j >= n_ && l < n_ && k >= n_)  // A_ij K^-1_jk A_lk K_li
           sum.qp = plus(sum.qp, scaled(inverse_(j - n_, k - n_) * metric_(l, i), times(a, b)));
       }
+    return sum;
   }
 
   /// |H_pp|^2 / n: 1 where the kinetic energy has a constant metric.
@@ -205,7 +214,8 @@ class Curvature {
     metric_ = Square::Zero(n_, n_);
     for (const Terms::Term& term : terms_)
       for (const auto& [ij, node] : hessian(term))
-        if (ij.first >= n_ && ij.second >= n_) metric_(ij.first - n_, ij.second - n_) += at_start(node);
+        if (ij.first >= n_ && ij.second >= n_)
+          metric_(ij.first - n_, ij.second - n_) += (*at_start_)(graph, node);
     has_metric_ = metric_.allFinite() && positive(metric_);
     if (has_metric_) inverse_ = inverse(metric_);
   }
@@ -219,23 +229,10 @@ class Curvature {
     }
     return true;
   }
-  double at_start(int node) {
-    for (int i = static_cast<int>(values_.size()); i <= node; ++i) {
-      const ExpressionGraph::Node& what = graph[i];
-      if (what.operation == Operation::input)
-        values_.push_back(start_[what.a]);
-      else if (what.operation == Operation::constant)
-        values_.push_back(what.number);
-      else
-        values_.push_back(evaluate(what.operation, values_[what.a], what.b < 0 ? 0.0 : values_[what.b]));
-    }
-    return values_[node];
-  }
-
   int n_;
-  Vector<double, dynamic> start_;
+  std::vector<double> start_;
   std::vector<Terms::Term> terms_;
-  std::vector<double> values_;  // of the first nodes, at the start
+  std::optional<NodeValues> at_start_;
   Square metric_, inverse_;
   bool has_metric_ = false;
 };

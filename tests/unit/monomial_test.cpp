@@ -1,0 +1,62 @@
+#include "avi/automatic/monomial.hpp"
+
+#include "avi/automatic/phase_function.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using avi::PhaseFunction;
+using avi::Recorded;
+using avi::detail::Monomial;
+
+/// Two formulas of (q, p) in one graph, and what the first becomes as a power of parts of the second.
+template <class Formula, class Whole>
+std::pair<PhaseFunction, PhaseFunction> simplified(const Formula& formula, const Whole& whole) {
+  avi::ExpressionGraph graph(4);
+  avi::Vector<Recorded, 2> q, p;
+  for (int i = 0; i < 2; ++i)
+    q[i] = Recorded(graph, i), p[i] = Recorded(graph, 2 + i);
+  const int last = whole(q, p).node_in(graph), before = formula(q, p).node_in(graph);
+  const int after = Monomial(graph, {0.3, -0.8, 0.4, 1.1}).simplified(before, last);
+  return {{graph, before}, {graph, after}};
+}
+
+const auto distance = [](const auto& q) { return sqrt(q[0] * q[0] + q[1] * q[1]); };
+const avi::Vector<double, 2> there{1.7, 0.4}, moving{-0.6, 0.9};
+
+TEST(Monomial, FindsThePowerOfADistanceInSquaredSecondDerivatives) {
+  const auto [before, after] = simplified(
+      [](const auto& q, const auto&) {
+        const auto r2 = q[0] * q[0] + q[1] * q[1], r5 = r2 * r2 * sqrt(r2);  // of 1/r
+        const auto xx = (3.0 * q[0] * q[0] - r2) / r5, yy = (3.0 * q[1] * q[1] - r2) / r5,
+                   xy = 3.0 * q[0] * q[1] / r5;
+        return xx * xx + yy * yy + 2.0 * xy * xy;
+      },
+      [](const auto& q, const auto&) { return 1.0 / distance(q); });
+  EXPECT_NEAR(after(there, moving) / before(there, moving), 1.0, 1e-13);
+  EXPECT_LT(after.work(4), 0.5 * before.work(4));
+}
+
+TEST(Monomial, FindsLargePowersBesideTheSquareOfTheWhole) {
+  // p^2 / q^20, of which the second derivative squared is 420^2 (p^2 / q^20)^2 q^-4.
+  const auto [before, after] = simplified(
+      [](const auto& q, const auto& p) {
+        const auto bend = 420.0 * p[1] * p[1] * pow(q[0], -22.0);
+        return bend * bend + 0.0 * q[1];
+      },
+      [](const auto& q, const auto& p) { return p[1] * p[1] * pow(q[0], -20.0); });
+  EXPECT_NEAR(after(there, moving) / before(there, moving), 1.0, 1e-13);
+  // The base is negative on one side, where odd powers would be.
+  EXPECT_NEAR(after(-there, moving) / before(-there, moving), 1.0, 1e-13);
+}
+
+TEST(Monomial, LeavesOtherFormulasAsTheyAre) {
+  const auto [before, after] =
+      simplified([](const auto& q, const auto&) { return exp(q[0]) + pow(distance(q), -6.0); },
+                 [](const auto& q, const auto&) { return 1.0 / distance(q); });
+  EXPECT_EQ(after(there, moving), before(there, moving));
+  EXPECT_EQ(after.work(4), before.work(4));
+}
+
+}  // namespace
