@@ -70,13 +70,14 @@ class Splitting {
   /// h), kick(q, h) and admits(state) @param coefficients one of avi::splittings
   Splitting(Flows flows, const SplitCoefficients<m>& coefficients)
       : flows_(std::move(flows)), order_(coefficients.order) {
-    const auto &a = coefficients.a, &b = coefficients.b;
+    const auto& a = coefficients.a;
+    const auto& b = coefficients.b;
     require(std::equal(a.begin(), a.end(), a.rbegin()) && std::equal(b.begin(), b.end(), b.rbegin()),
             "List of splitting coefficients", "not symmetric", "the same read backwards");
     for (std::size_t i = 0; i < a_.size(); ++i)
-      a_[i] = static_cast<double>(coefficients.a[i]);
+      a_[i] = static_cast<double>(a[i]);
     for (std::size_t i = 0; i < b_.size(); ++i)
-      b_[i] = static_cast<double>(coefficients.b[i]);
+      b_[i] = static_cast<double>(b[i]);
     after_.t = std::numeric_limits<double>::quiet_NaN();  // Equal to no state: no rounding error is kept yet.
   }
 
