@@ -16,7 +16,7 @@ namespace {
 template <class Problem>
 void run(const char* name, const Problem& problem, const avi::State<Problem::dimension>& start, double h) {
   for (const int order : {4, 8, 12, 16, 24}) {
-    auto method = avi::collocation(problem, order);
+    auto method = avi::collocation<32>(problem, order);
     auto z = start;
     const avi::Run done = avi::integrate(method, z, h, {.steps = 100});
     std::printf("%s\t%d\t%ld\t%a", name, order, done.evaluations, z.t);

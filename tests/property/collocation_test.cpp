@@ -52,7 +52,7 @@ const State<2> charge_start{.q = {0.9, -0.2}, .p = {0.3, 0.7}};
 template <class Problem>
 State<Problem::dimension> after(const Problem& problem, int order, State<Problem::dimension> z, double h,
                                 long steps) {
-  auto method = avi::collocation(problem, order);
+  auto method = avi::collocation<32>(problem, order);
   const avi::Run run = avi::integrate(method, z, h, {.steps = steps});
   EXPECT_EQ(run.outcome, Outcome::ok) << run.message;
   return z;
@@ -123,8 +123,8 @@ TEST(Collocation, AgreesWithAnotherLibrary) {
 }
 
 TEST(Collocation, IsSymplecticForEveryStep) {
-  for (const int order : {2, 4, 8, 12, 16, 20}) {
-    const auto method = avi::collocation(avi::poincare(Charge{}, charge_start, Both{}), order);
+  for (const int order : {2, 4, 8, 12, 16, 20, 32}) {
+    const auto method = avi::collocation<32>(avi::poincare(Charge{}, charge_start, Both{}), order);
     for (const double h : {0.2, 0.7, -0.4})
       EXPECT_LT(avi::symplecticity_defect(method, charge_start, h), 1e-13) << order << " " << h;
   }

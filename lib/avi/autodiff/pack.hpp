@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/autodiff/partials.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #if defined(__SSE2__)
@@ -13,9 +14,16 @@
 namespace avi {
 
 namespace detail {
+#if defined(__AVX512F__)
+inline constexpr int machine_lanes = 8;
+#elif defined(__AVX__)
+inline constexpr int machine_lanes = 4;
+#else
+inline constexpr int machine_lanes = 2;
+#endif
 // Written out: GCC ignores vector_size when it depends on a template parameter. The weak alignment lets any
 // memory hold them, Eigen's vectors included, and costs nothing where the memory is aligned better.
-template <int w>
+template <int lanes>
 struct PackRegister {
   typedef double type __attribute__((vector_size(64), aligned(16)));
 };
@@ -37,8 +45,9 @@ struct PackRegister<4> {
 template <int w>
 class Pack {
  public:
-  static constexpr int width = w;                                  ///< Numbers in the pack.
-  using Register = typename detail::PackRegister<w>::type;         ///< GCC's vector of at most 8 of them.
+  static constexpr int width = w;  ///< Numbers in the pack.
+  /// As many of them as a register of the machine holds.
+  using Register = typename detail::PackRegister<std::min(w, detail::machine_lanes)>::type;
   static constexpr int lanes = sizeof(Register) / sizeof(double);  ///< Numbers in a register.
   static constexpr int parts = w / lanes;                          ///< Registers in the pack.
 
