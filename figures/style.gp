@@ -14,14 +14,15 @@ if (!exists('terminal')) terminal = 'png'
 if (!exists('width')) width = 15
 if (!exists('height')) height = 9
 
-# Same layout in every terminal: centimetres and 8-point type; rasters scale both by their resolution.
+# Same layout in every terminal: centimetres and 8-point type, as the paper prints figures without scaling them; rasters
+# scale both by their resolution. The terminals take type for pixels, 96 to an inch: hence three quarters.
 set encoding utf8
 face = 'DejaVu Sans,8'
 if (terminal eq 'pdf') {
-  set terminal pdfcairo size width cm, height cm font face fontscale 1 linewidth 1 pointscale 0.8 butt enhanced
+  set terminal pdfcairo size width cm, height cm font face fontscale 0.75 linewidth 1 pointscale 0.8 butt enhanced
 } else {
   dpi = terminal eq 'preview' ? 110 : 200
-  set terminal pngcairo size int(width*dpi/2.54), int(height*dpi/2.54) font face fontscale dpi/72.0 \
+  set terminal pngcairo size int(width*dpi/2.54), int(height*dpi/2.54) font face fontscale dpi/96.0 \
     linewidth dpi/115.0 pointscale dpi/88.0 butt enhanced background '#ffffff'
 }
 set output output
@@ -77,7 +78,8 @@ set style line 16 lc rgb purple    dt (14,4)     lw 1.8 pt 11  # norm_squared
 set style line 17 lc rgb sky       dt (5,3)      lw 1.8 pt 8   # truncation_root
 
 methods = 'htvi htvi4 stormer_verlet symplectic_euler_b log_hamiltonian splitting clone_strang clone_y4 clone_y6 ' \
-  .'nag adam adagrad rmsprop trust_region gradient_descent runge_kutta_4 dormand_prince bogacki_shampine collocation'
+  .'nag adam adagrad rmsprop trust_region gradient_descent runge_kutta_4 dormand_prince bogacki_shampine collocation ' \
+  .'minimise_m7 minimise_m0 lbfgs'
 method(name) = 30 + position(methods, name)
 set style line 31 lc rgb blue      dt 1          lw 1.8 pt 7   # htvi
 set style line 32 lc rgb blue      dt 1          lw 1.8 pt 7   # htvi4
@@ -98,6 +100,9 @@ set style line 46 lc rgb black     dt (9,3)      lw 1.8 pt 4   # runge_kutta_4
 set style line 47 lc rgb vermilion dt 1          lw 1.8 pt 5   # dormand_prince
 set style line 48 lc rgb orange    dt (3,3)      lw 1.8 pt 9   # bogacki_shampine
 set style line 49 lc rgb black     dt 1          lw 1.8 pt 7   # collocation
+set style line 50 lc rgb vermilion dt 1          lw 2.6 pt 7   # minimise_m7
+set style line 51 lc rgb orange    dt 1          lw 2.2 pt 6   # minimise_m0
+set style line 52 lc rgb purple    dt 1          lw 1.6 pt 5   # lbfgs
 
 # direct, adaptive
 approach(name) = name eq 'adaptive' ? 60 : 61
@@ -116,26 +121,26 @@ set style line 76 lc rgb '#e8cf3e' dt (4,2,1,2)  lw 1.8 pt 4
 # Printed names; a name without one is printed as it is, underscores as spaces.
 names = 'none gamma arclength energy truncation norm_squared truncation_root htvi htvi4 stormer_verlet symplectic_euler_b ' \
   .'log_hamiltonian splitting clone_strang clone_y4 clone_y6 nag adam adagrad rmsprop trust_region ' \
-  .'gradient_descent runge_kutta_4 dormand_prince bogacki_shampine direct adaptive collocation'
-array printed[28] = ['no monitor', 'gamma', 'arclength', 'energy', 'truncation error', 'q^Tq', \
+  .'gradient_descent runge_kutta_4 dormand_prince bogacki_shampine direct adaptive collocation minimise_m7 minimise_m0 lbfgs'
+array printed[31] = ['no monitor', 'gamma', 'arclength', 'energy', 'truncation error', 'q^Tq', \
   'truncation error, 4th root', 'HTVI', 'HTVI4', \
   'Störmer–Verlet', 'symplectic Euler-B', 'logarithmic Hamiltonian', 'splitting', 'cloning, Strang', \
   'cloning, Yoshida 4', 'cloning, Yoshida 6', 'NAG', 'ADAM', 'AdaGrad', 'RMSprop', 'trust region', \
-  'gradient descent', 'Runge–Kutta 4', 'Dormand–Prince 5(4)', 'Bogacki–Shampine 3(2)', 'Direct', 'Adaptive', 'Gauss collocation']
+  'gradient descent', 'Runge–Kutta 4', 'Dormand–Prince 5(4)', 'Bogacki–Shampine 3(2)', 'Direct', 'Adaptive', 'Gauss collocation', \
+  'minimise, m = 7', 'minimise, m = 0', 'L-BFGS(10)']
 spaced(s) = strstrt(s, '_') ? s[1:strstrt(s, '_')-1].' '.spaced(s[strstrt(s, '_')+1:*]) : s
 label(name) = position(names, name) ? printed[position(names, name)] : spaced(name)
 
-# Several panels (within `set multiplot`): `eval panel(i, j, columns, rows)` places column i, row j, counted from the
-# top left; below `page_bottom` there is room for `eval legend(height)`,
-# after which a plot shows its key alone.
-page_left = 0.115; page_right = 0.985; page_top = 0.965; page_bottom = 0.12; gap_x = 0.09; gap_y = 0.05
-cell_w(columns) = (page_right - page_left - (columns-1)*gap_x) / columns
-cell_h(rows) = (page_top - page_bottom - (rows-1)*gap_y) / rows
-corner_x(i, columns) = page_left + (i-1)*(cell_w(columns) + gap_x)
-corner_y(j, rows) = page_top - (j-1)*(cell_h(rows) + gap_y)
-at_screen(side, x) = sprintf('set %smargin at screen %.5f;', side, x)
-panel(i, j, columns, rows) = at_screen('l', corner_x(i, columns)).at_screen('r', corner_x(i, columns)+cell_w(columns)) \
-  .at_screen('t', corner_y(j, rows)).at_screen('b', corner_y(j, rows)-cell_h(rows))
-legend(height) = at_screen('l', 0.01).at_screen('r', 0.99).at_screen('b', 0.01).at_screen("t", 0.01 + height) \
+# Several panels (within `set multiplot`): `eval panel(i, j, columns, rows)` places column i, row j, counted from the top
+# left. Margins and gaps are in centimetres; below, in page_bottom, there may be room for `eval legend(height)`, after
+# which a plot shows its key alone.
+page_left = 1.7; page_right = 0.3; page_top = 0.3; page_bottom = 1.1; gap_x = 1.4; gap_y = 0.5
+cell_w(columns) = (width - page_left - page_right - (columns-1)*gap_x) / columns
+cell_h(rows) = (height - page_top - page_bottom - (rows-1)*gap_y) / rows
+side(name, length, all) = sprintf('set %smargin at screen %.5f;', name, length/all)
+box(left, bottom, w, h) = side('l', left, width).side('r', left + w, width).side('b', bottom, height).side('t', bottom + h, height)
+panel(i, j, columns, rows) = box(page_left + (i-1)*(cell_w(columns) + gap_x), \
+  height - page_top - j*cell_h(rows) - (j-1)*gap_y, cell_w(columns), cell_h(rows))
+legend(h) = box(0.1, 0.1, width - 0.2, h) \
   ."unset border; unset tics; unset xlabel; unset ylabel; unset logscale; unset label; unset arrow; unset title;" \
   ."set xrange [0:1]; set yrange [0:1]; set key inside center center vertical Left reverse maxrows 4 width 1 spacing 1.05 height 0"

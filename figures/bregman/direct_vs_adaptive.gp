@@ -1,12 +1,12 @@
 # f along the runs of the paper's first optimisation table: lines are the largest f from there on, bands hold the
 # oscillations below; markers show where the stopping test first holds.
-width = 16; height = 7.8
+width = 16; height = 5.6
 load 'figures/style.gp'
 curves = data.'/direct_vs_adaptive_curves.tsv'
 table = data.'/direct_vs_adaptive.tsv'
 
 set multiplot
-page_left = 0.115; page_bottom = 0.356; page_top = 0.899; gap_x = 0.04
+page_left = 1.85; page_bottom = 2.05; page_top = 0.65; gap_x = 0.65
 eval logx; eval logy
 set xrange [1:2e5]; set yrange [1e-16:1e10]
 set xlabel 'iterations'
@@ -26,7 +26,7 @@ do for [m in 'htvi clone_y4'] {
       with lines ls approach(a) dt dash(p) lw 1.5, \
     for [a in 'direct adaptive'] table using (is(m, a, column('iterations'))):(1e-15) with points ls approach(a) ps 1
 }
-eval legend(0.161)
+eval legend(0.9)
 set key maxrows 2 samplen 2 width -3
 plot 2 notitle, for [a in 'direct adaptive'] for [p in '4 10'] keyentry with lines ls approach(a) dt dash(p) lw 1.5 \
   title label(a).', p = '.p.(a eq 'adaptive' ? ', p̊ = 0.5' : '')

@@ -1,13 +1,13 @@
 # f against gradient evaluations for the symplectic integrators at p = 4: the largest f from there on; markers show where
 # the stopping test first holds. Gradients that only the stopping test needs are counted.
-width = 16; height = 7.8
+width = 16; height = 5.6
 load 'figures/style.gp'
 curves = data.'/method_comparison_curves.tsv'
 table = data.'/method_comparison.tsv'
 shown = 'htvi splitting clone_strang clone_y4 clone_y6'
 
 set multiplot
-page_left = 0.115; page_bottom = 0.356; page_top = 0.899; gap_x = 0.04
+page_left = 1.85; page_bottom = 2.05; page_top = 0.65; gap_x = 0.65
 eval logx; eval logy
 set xlabel 'gradient evaluations'
 unset key
@@ -23,7 +23,7 @@ do for [a in 'direct adaptive'] {
     for [m in shown] table using (also('converged', '1', is(m, a, column('gradient_evaluations')))):(1e-13) \
       with points ls method(m) ps 1.1
 }
-eval legend(0.161)
+eval legend(0.9)
 set key maxrows 2 samplen 2 width -4
 plot 2 notitle, for [m in shown] keyentry with linespoints ls method(m) lw 1.5 title label(m)
 unset multiplot

@@ -1,10 +1,10 @@
 # The largest f from there on along HTVI runs as p grows and as p_ring falls; the order P = p^2/p_ring sorts both.
-width = 16; height = 6.8
+width = 16; height = 5
 load 'figures/style.gp'
 curves = data.'/p_dependence_curves.tsv'
 
 set multiplot
-page_left = 0.115; page_bottom = 0.237; page_top = 0.9; gap_x = 0.04
+page_left = 1.85; page_bottom = 1.15; page_top = 0.65; gap_x = 0.65
 eval logx; eval logy
 set xrange [1:2e5]; set yrange [1e-18:1e10]
 set xlabel 'iterations'

@@ -1,6 +1,6 @@
 # Runge-Kutta methods on Bregman dynamics, p = 10, p_ring = 0.5. Above: the largest f from there on against accepted steps,
 # pairs at MATLAB's default tolerances; below: gradient evaluations until the stopping test, over the tolerance.
-width = 16; height = 12.5
+width = 16; height = 8.8
 load 'figures/style.gp'
 curves = data.'/runge_kutta_baselines_curves.tsv'
 table = data.'/runge_kutta_baselines.tsv'
@@ -10,7 +10,7 @@ look(m) = m eq 'gsl_rkf45' ? family(3) : m eq 'gsl_rk8pd' ? family(4) : method(m
 named(m) = m eq 'gsl_rkf45' ? 'GSL, Fehlberg 4(5)' : m eq 'gsl_rk8pd' ? 'GSL, Prince–Dormand 8' : label(m)
 
 set multiplot
-page_left = 0.125; page_bottom = 0.24; page_top = 0.94; gap_x = 0.04; gap_y = 0.144
+page_left = 2; page_bottom = 2.05; page_top = 0.65; gap_x = 0.65; gap_y = 1.3
 eval logx; eval logy
 is(m, a, y) = also('method', m, also('approach', a, y))
 reached(m, a, y) = also('converged', '1', is(m, a, y))
@@ -35,8 +35,8 @@ do for [a in 'direct adaptive'] {
   plot for [m in pairs] table using (reached(m, a, column('rtol'))):'gradient_evaluations' with linespoints ls look(m) lw 1.2, \
     least_htvi with lines ls method('htvi') lw 1.5, least_rk4 with lines ls method('runge_kutta_4') lw 1.5
 }
-eval legend(0.144)
-set key maxrows 3
+eval legend(0.9)
+set key maxrows 2
 plot 2 notitle, for [m in shown] keyentry with linespoints ls method(m) title named(m), \
   for [m in 'gsl_rkf45 gsl_rk8pd'] keyentry with linespoints ls look(m) title named(m)
 unset multiplot

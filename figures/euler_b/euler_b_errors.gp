@@ -1,25 +1,25 @@
 # Symplectic Euler-B with fixed and with adaptive steps, equally many of them: errors in time.
-width = 16; height = 8.6
+width = 16; height = 5.6
 load 'figures/style.gp'
 curve = data.'/euler_b_errors_curve.tsv'
 shown = 'none truncation'
 named(m) = m eq 'none' ? 'fixed steps' : 'adaptive, monitor: truncation error'
 
 set multiplot
-page_left = 0.13; page_right = 0.97; page_bottom = 0.166; gap_y = 0.0512
+page_left = 1.9; page_bottom = 1.15; gap_y = 0.35
 eval logy
 set xrange [0:100]
 eval panel(1, 1, 1, 2)
 set ylabel 'energy error' offset 1, 0
 set format x ''
 set key top right vertical
-set yrange [1e-6:10]
+set yrange [1e-6:1e4]; set ytics 100
 plot for [m in shown] curve using (where('monitor', m, 't')):'energy_error' with lines ls monitor(m) dt 1 lw 1.2 title named(m)
 eval panel(1, 2, 1, 2)
 set ylabel 'ang. momentum' offset 1, 0
 set xlabel 'time (one period is 2π)'
 set format x '%g'
 unset key
-set yrange [1e-17:1e-12]
+set yrange [1e-17:1e-12]; set ytics 100
 plot for [m in shown] curve using (where('monitor', m, 't')):'angular_momentum_error' with lines ls monitor(m) dt 1 lw 1.2
 unset multiplot

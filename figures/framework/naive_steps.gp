@@ -1,6 +1,6 @@
 # Energy errors of one method with 60 steps an orbit: variable steps, prescribed or from error control, make the energy
 # drift; constant steps of the transformed problem do not.
-width = 13; height = 6.6
+width = 11; height = 5.4
 load 'figures/style.gp'
 file = data.'/naive_steps.tsv'
 eval logx

@@ -1,10 +1,10 @@
 # How far one step is from a symplectic map: round-off for the adaptive integrators, on extended phase space too, and
 # the three flows, h^3 for the printed splitting with its r^t.
-width = 16; height = 7.6
+width = 16; height = 6
 load 'figures/style.gp'
 file = data.'/symplecticity.tsv'
 set multiplot
-page_left = 0.15; page_bottom = 0.427; gap_x = 0.04; page_top = 0.905
+page_bottom = 2.05; gap_x = 0.65; page_top = 0.7
 eval logx; eval logy
 unset key
 set xlabel 'fictive step h' offset 0, 0.3
@@ -26,8 +26,8 @@ plot file using 'h':(is('bregman', 'htvi', 'q t r r^t')) with linespoints ls met
   file using 'h':(is('bregman', 'splitting', 'q r')) with linespoints ls method('clone_strang'), \
   file using 'h':(is('bregman', 'three_flows', 'q t r r^t')) with linespoints ls method('clone_y4'), \
   3e2*x**3 with lines ls guide
-eval legend(0.249)
-set key maxrows 4 samplen 2
+eval legend(0.9)
+set key maxrows 2 samplen 2
 plot 2 notitle, keyentry with linespoints ls method('htvi4') title 'HTVI4, gamma; HTVI', \
   keyentry with linespoints ls monitor('none') title 'in (q, t, p, p^t)', \
   keyentry with linespoints ls monitor('norm_squared') title 'Euler-B, q^Tq, step h/4', \

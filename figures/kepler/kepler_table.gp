@@ -1,7 +1,7 @@
 # A table of HTVI4 and Stormer-Verlet runs (columns of the data contract) beside the paper's cells: energy error above,
 # global error below; steps on the left, time in units of the same source's Stormer-Verlet on the right.
 # Needs `stem`.
-width = 16; height = 11.5
+width = 16; height = 7.6
 load 'figures/style.gp'
 ours = data.'/'.stem.'.tsv'
 
@@ -33,7 +33,7 @@ x
 EOD
 
 set multiplot
-page_bottom = 0.335; gap_y = 0.0366; gap_x = 0.04
+page_bottom = 2.3; gap_y = 0.35; gap_x = 0.65
 unset key
 eval logx; eval logy
 set offsets graph 0.07, graph 0.07, graph 0.09, graph 0.09
@@ -60,11 +60,11 @@ do for [error in 'energy_error global_error'] {
     for [i = 1:rows] ours using (of(i, 'authors', column('seconds')/unit)):error with points ls look(i) pt filled(i) ps 0.9, \
     for [i = 1:rows] $here using (seconds[i]/seconds[rows]):(published_error(i)) with points ls published
 }
-eval legend(0.195)
-set key samplen 1.5
+eval legend(1.25)
+set key samplen 1.5 maxrows 3
 plot for [i = 1:rows] $here using (2):(2) with points ls look(i) pt filled(i) title \
     i == rows ? 'Störmer–Verlet' : 'HTVI4, '.label(word(tried, i)), \
   $here using (2):(2) with points ls published title 'in the paper', \
-  $here using (2):(2) with points ls published lc rgb grey pt 4 ps 0.8 title 'construction as printed', \
-  $here using (2):(2) with points ls published lc rgb grey pt 1 ps 0.8 title 'q of order r + 1 at all nodes'
+  $here using (2):(2) with points ls published lc rgb grey pt 4 ps 0.8 title 'as printed', \
+  $here using (2):(2) with points ls published lc rgb grey pt 1 ps 0.8 title 'stationary'
 unset multiplot

@@ -1,10 +1,10 @@
 # f along the exact Bregman dynamics (Direct), at the upper ends of its oscillation, beside the bound E(t_0) / (C t^p)
 # from its Lyapunov function and the rate t^(-2p) of a quartic.
-width = 16; height = 7.2
+width = 16; height = 5.8
 load 'figures/style.gp'
 curves = data.'/convergence_rate_curves.tsv'
 set multiplot
-page_left = 0.105; page_bottom = 0.356; page_top = 0.931
+page_bottom = 2.05
 eval logx; eval logy
 set xrange [1:1.5e4]; set yrange [1e-9:1e11]
 set xlabel 'time t'
@@ -18,7 +18,7 @@ last(p) = p eq '2' ? 11267.0 : p eq '4' ? 107.06 : p eq '6' ? 22.589 : 6.5644
 plot for [i = 1:4] curves using (where('p', word(shown, i), 't')):'bound' with lines lc rgb hue(i) dt (2,3) lw 1.2, \
   for [i = 1:4] curves using (where('p', word(shown, i), 't')):'most' with lines lc rgb hue(i) dt 1 lw 1.8, \
   for [i = 1:4] [t=1:1.5e4] (t > last(word(shown, i))/30 && t < last(word(shown, i)) ? 3e-8*(t/last(word(shown, i)))**(-2*real(word(shown, i))) : NaN) with lines lc rgb black dt (10,3) lw 1
-eval legend(0.169)
+eval legend(0.9)
 set key maxrows 2 width -3
 plot 2 notitle, for [i = 1:4] keyentry with lines lc rgb hue(i) lw 1.8 title 'p = '.word(shown, i), \
   keyentry with lines lc rgb grey dt (2,3) lw 1.2 title 'bound E(t_0)/(C t^p)', keyentry with lines lc rgb black dt (10,3) title 'slope t^{−2p}'

@@ -1,17 +1,17 @@
 # Left: f for Adaptive (4, 1), with Euler's clock as in the paper and with the exact one, beside Direct of order 16. Right:
 # distance of the iterates from those of the Direct method after 100 steps.
-width = 16; height = 6.8
+width = 16; height = 5.4
 load 'figures/style.gp'
 curves = data.'/order_equivalence_curves.tsv'
 table = data.'/order_equivalence.tsv'
 set multiplot
-page_left = 0.115; page_bottom = 0.237; page_top = 0.9; gap_x = 0.15
+page_left = 1.85; page_bottom = 1.15; page_top = 0.65; gap_x = 2.2
 eval logy
 set xlabel 'iterations'
 set ylabel 'f − f*'
 set format x '%g'
 set xrange [0:10000]; set xtics 3000
-set yrange [1e-16:1e10]
+set yrange [1e-30:1e10]
 set key bottom left Left reverse samplen 3
 eval panel(1, 1, 2, 1)
 set title 'p = 4, p̊ = 1, h = 2.4·10^{-4}' offset 0, -0.7

@@ -1,6 +1,6 @@
 # Iterations over the step, as multiples of the published count and step, for the HTVI runs: the published step (a ring at
 # 1, 1) is often the best of its neighbourhood.
-width = 16; height = 8.2
+width = 16; height = 6.6
 load 'figures/style.gp'
 grid = data.'/step_size_luck_grid.tsv'
 table = data.'/step_size_luck.tsv'
@@ -8,7 +8,7 @@ array runs[8] = ['htvi direct 4', 'htvi direct 10', 'htvi adaptive 2 1', 'htvi a
   'htvi adaptive 6 1', 'htvi adaptive 8 1', 'htvi adaptive 4 0.1']
 unset key
 set multiplot
-page_left = 0.09; page_right = 0.985; page_bottom = 0.216; page_top = 0.905; gap_x = 0.03; gap_y = 0.162
+page_left = 1.45; page_top = 0.65; gap_x = 0.35; gap_y = 0.75
 set xrange [0.58:1.32]; set xtics 0.2
 $here << EOD
 x
@@ -24,7 +24,7 @@ do for [i = 1:8] {
   set xlabel i > 4 ? 'h / published' : ''
   set format x i > 4 ? '%g' : ''
   eval panel((i-1)%4+1, (i-1)/4+1, 4, 2)
-  set title label(word(runs[i], 2)).', '.word(runs[i], 3).(words(runs[i]) > 3 ? ', '.word(runs[i], 4) : '') offset 0, -0.8
+  set title (words(runs[i]) > 3 ? '' : 'Direct, ').'p = '.word(runs[i], 3).(words(runs[i]) > 3 ? ', p̊ = '.word(runs[i], 4) : '') offset 0, -0.8
   counted = i == 1 ? 77877 : i == 2 ? 13871 : i == 3 ? 77854 : i == 4 ? 22127 : i == 5 ? 9360 : i == 6 ? 7784 : i == 7 ? 6132 : 5688
   plot 1 with lines ls guide, \
     grid using (shown(also('row', runs[i], column('relative_h')))):(column('iterations')/counted) with linespoints ls approach(word(runs[i], 2)) dt 1 lw 0.8 ps 0.5, \

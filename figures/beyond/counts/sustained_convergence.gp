@@ -1,15 +1,15 @@
 # Above: f around the first passage of the stopping test. Below: iterations until the test first holds (open) and until it
 # holds for good (filled), for every run of the paper's tables: method, p and p_ring (Direct has p alone), h.
-width = 16; height = 15.5
+width = 16; height = 12.4
 load 'figures/style.gp'
 curves = data.'/sustained_convergence_curves.tsv'
 table = data.'/sustained_convergence.tsv'
 
 set multiplot
 eval logy
-page_left = 0.115; page_top = 0.96; page_bottom = 0.70; gap_x = 0.11
+page_left = 1.85; page_top = 0.65; page_bottom = 9.1; gap_x = 1.75
 unset key
-set yrange [1e-18:1e0]
+set yrange [1e-18:1e0]; set ytics 1e4
 set xlabel 'iterations / first passage'
 set ylabel 'f − f*'
 do for [i = 1:2] {
@@ -24,16 +24,16 @@ do for [i = 1:2] {
   set ylabel ''
 }
 unset arrow 1; unset title
-page_left = 0.43; page_top = 0.61; page_bottom = 0.10
+page_left = 6.9; page_top = 4.6; page_bottom = 1.1
 eval panel(1, 1, 1, 1)
 unset logscale y; eval logx
-set format y '%s'; set ytics font ',6.5'
+set format y '%s'; set ytics autofreq font ',7'
 set xrange [4e3:2e6]
 set yrange [*:*] reverse
 set xlabel 'iterations until the stopping test holds'
 set offsets 0, 0, 0.7, 0.7
 set key bottom right Left reverse
-row_name(m) = label(m).', '.sprintf('%g', column('p')).(strcol('p_ring') eq 'nan' ? '' : sprintf(', %g', column('p_ring'))).sprintf(', h = %g', column('h'))
+row_name(m) = label(m).sprintf(', p = %g', column('p')).(strcol('p_ring') eq 'nan' ? '' : sprintf(', p̊ = %g', column('p_ring'))).sprintf(', h = %g', column('h'))
 plot table using 'first_passage':0:(column('sustained')-column('first_passage')):(0):ytic(row_name(strcol('method'))) with vectors nohead ls guide dt 1 notitle, \
   table using 'first_passage':0 with points ls published lc rgb blue ps 0.8 title 'first', \
   table using 'sustained':0 with points ls approach('adaptive') ps 0.8 title 'for good'

@@ -1,14 +1,14 @@
 # How the cost of a run grows: steps and time of one orbit with 1 - e for g = r^(2 gamma); time with the horizon and the
 # Taylor order. Grey, drawn through the last point: the expected powers of 1 - e, and the power of the order fitted to the
 # data (both in cost_growth_fit).
-width = 17; height = 12.5
+width = 16; height = 9.6
 load 'figures/style.gp'
 table = data.'/cost_growth.tsv'
 fit = data.'/cost_growth_fit.tsv'
 # A column of the fits for a curve: `eval fitted(...)`, then STATS_max.
 fitted(axis, name, c) = sprintf("stats fit using (strcol('axis') eq '%s' && strcol('subject') eq '%s' ? column('%s') : NaN) nooutput", axis, name, c)
 set multiplot
-page_left = 0.075; page_bottom = 0.185; page_top = 0.949; gap_x = 0.085; gap_y = 0.18
+page_left = 1.25; page_bottom = 2.05; page_top = 0.65; gap_x = 1.45; gap_y = 1.7
 along(axis, name) = strcol('axis') eq axis && strcol('subject') eq name ? column('value') : NaN
 gammas = '0.5 0.625 0.75 0.875 1'
 array guided = ['none', 'gamma = 0.5', 'gamma = 0.75', 'gamma = 1']
@@ -41,11 +41,11 @@ eval panel(1, 2, 2, 2)
 set title 'seconds of a run, e = 0.9' offset 0, -0.7
 set xlabel 'periods'
 set xrange [0.8:1300]
-set yrange [1e-6:30]
+set yrange [1e-6:30]; set ytics 100
 plot table using (along('periods', 'htvi4')):'seconds' with linespoints ls method('htvi') title 'HTVI4', \
   table using (along('periods', 'stormer_verlet')):'seconds' with linespoints ls method('stormer_verlet') title label('stormer_verlet'), \
   table using (along('periods', 'log_hamiltonian')):'seconds' with linespoints ls method('log_hamiltonian') title 'log. Hamiltonian'
-set format x '%g'
+set format x '%g'; set ytics autofreq
 eval panel(2, 2, 2, 2)
 set title 'µs per expansion' offset 0, -0.7
 set xlabel 'Taylor order r'
@@ -57,7 +57,7 @@ eval fitted('order', 'htvi_of_order', 'seconds_exponent'); growth = STATS_max
 stats table using (along('order', 'htvi_of_order')):(1e6*column('seconds')) nooutput
 plot STATS_max_y*(x/STATS_max_x)**growth ls guide title sprintf('r^{%.1f}', growth), \
   table using (along('order', 'htvi_of_order')):(1e6*column('seconds')) with linespoints ls method('htvi') title 'with partials'
-eval legend(0.0896)
+eval legend(0.9)
 set key maxrows 2 samplen 2 width -3
 plot 2 with linespoints ls monitor('none') title 'fixed step', \
   for [i=1:5] 2 with linespoints ls family(i) title 'γ = '.word(gammas, i), 2 with lines ls guide title 'expected, fitted'

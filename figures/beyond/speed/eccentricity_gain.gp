@@ -1,5 +1,5 @@
 # Steps of HTVI4 at one position error, without monitor and with gamma, against the eccentricity.
-width = 8; height = 5.4
+width = 8; height = 4.4
 load 'figures/style.gp'
 file = data.'/eccentricity_gain.tsv'
 eval logy

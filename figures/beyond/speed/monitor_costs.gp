@@ -1,12 +1,12 @@
 # Kepler's problem with HTVI4: steps per orbit and time per orbit of every monitor at equal energy error, for which the
 # fictive step is adapted.
-width = 17; height = 9
+width = 16; height = 6.4
 load 'figures/style.gp'
 table = data.'/monitor_costs.tsv'
 list = 'none gamma gamma_three_quarters arclength energy truncation_root inverse_lagrangian'
 array shown[7] = ['no monitor', 'gamma = 1', 'gamma = 3/4', 'arclength', 'energy', 'truncation, root', 'inverse Lagr.']
 set multiplot
-page_left = 0.085; page_bottom = 0.5; gap_x = 0.09; page_top = 0.908
+page_left = 1.45; page_bottom = 2.9; gap_x = 1.55; page_top = 0.65
 unset key
 eval logy
 set xrange [0.4:7.6]
@@ -26,8 +26,8 @@ plot table using (at(-1)):(cell('seconds', 0.9, 1e-5)) with points pt 7 lc rgb s
      table using (at(0)):(cell('seconds', 0.9, 1e-7)) with points pt 7 lc rgb blue, \
      table using (at(1)):(cell('seconds', 0.99, 1e-5)) with points pt 5 lc rgb orange, \
      table using (at(2)):(cell('seconds', 0.99, 1e-7)) with points pt 5 lc rgb vermilion
-eval legend(0.131)
-set key maxrows 2
-plot 2 with points pt 7 lc rgb sky title 'e = 0.9, energy error 10^{-5}', 2 with points pt 7 lc rgb blue title 'e = 0.9, 10^{-7}', \
+eval legend(0.5)
+set key maxrows 1
+plot 2 with points pt 7 lc rgb sky title 'e = 0.9, 10^{-5}', 2 with points pt 7 lc rgb blue title 'e = 0.9, 10^{-7}', \
      2 with points pt 5 lc rgb orange title 'e = 0.99, 10^{-5}', 2 with points pt 5 lc rgb vermilion title 'e = 0.99, 10^{-7}'
 unset multiplot

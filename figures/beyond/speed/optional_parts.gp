@@ -1,12 +1,13 @@
 # What each optional part of an HTVI step costs: time per step over that of the same run without it, for two orders.
-width = 16; height = 8
+width = 16; height = 6.2
 load 'figures/style.gp'
 table = data.'/optional_parts.tsv'
-set lmargin at screen 0.47; set rmargin at screen 0.975; set tmargin at screen 0.97; set bmargin at screen 0.188
-set key at 5.6, -7.4
+page_left = 7.4; page_top = 0.15
+eval panel(1, 1, 1, 1)
+set key at 38, -9
 set logscale x 10
-set xtics (0.1, 0.2, 0.5, 1, 2, 5)
-set xrange [0.1:6]
+set xtics (0.2, 0.5, 1, 2, 5, 10, 20)
+set xrange [0.2:40]
 set xlabel "time per step over that of the run without it"
 set grid x noy
 set border 1

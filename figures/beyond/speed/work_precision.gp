@@ -1,6 +1,6 @@
 # What accuracy costs: error at the end against time. One joined curve for each kind of method: the least time, over its
 # members, orders, monitors and steps, at which an error is reached.
-width = 17; height = 15
+width = 16; height = 12.8
 load 'figures/style.gp'
 file = data.'/work_precision.tsv'
 
@@ -32,7 +32,7 @@ array horizon[9] = ['10', '10', '10', orbits, '10', '10 periods', '100', '1', '1
 array title[9] = ['Kepler, e = 0.9, T = 10', 'Kepler, e = 0.99, T = 10', 'Kepler, e = 0.999, T = 10', \
   'Kepler, e = 0.9, '.orbits, 'quadrupole, e = 0.9, T = 10', 'figure eight, 10 periods', 'Hénon–Heiles, T = 100', '7 bodies, T = 1', 'chain of 64, T = 100']
 set multiplot
-page_left = 0.11; page_right = 0.985; page_top = 0.955; page_bottom = 0.175; gap_x = 0.07; gap_y = 0.115
+page_left = 1.75; page_top = 0.65; page_bottom = 2.05; gap_x = 1.1; gap_y = 1.15
 do for [i=1:9] {
   eval panel((i - 1) % 3 + 1, (i - 1) / 3 + 1, 3, 3)
   set title title[i] font ',7.5' offset 0, -0.6
@@ -42,9 +42,8 @@ do for [i=1:9] {
   do for [k=1:kinds] { if (count(problem[i], ecc[i], horizon[i], k)) { drawn = drawn.' '.k } }
   if (strlen(drawn)) { plot for [k in drawn] front(problem[i], ecc[i], horizon[i], k+0) using 1:2 with linespoints lc rgb colour[k+0] lw 1.3 pt mark[k+0] ps 0.45 }
 }
-eval at_screen('l', 0.05).at_screen('r', 0.99).at_screen('t', 0.075).at_screen('b', 0.005)
-unset border; unset tics; unset xlabel; unset ylabel; unset title; unset grid; unset logscale
-set xrange [0:1]; set yrange [0:1]
-set key inside center center vertical Left reverse maxrows 2 samplen 2 spacing 1.1 width -2 font ',7' noopaque
+eval legend(0.9)
+unset grid
+set key maxrows 2 samplen 2
 plot 2 notitle, for [k=1:kinds] keyentry with linespoints lc rgb colour[k] lw 1.3 pt mark[k] ps 0.7 title shown[k]
 unset multiplot

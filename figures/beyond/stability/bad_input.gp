@@ -1,9 +1,10 @@
 # Invalid arguments to every entry point of the library: how many were refused, how many ended the run with a name, and
 # how many (none) were accepted.
-width = 16; height = 6
+width = 16; height = 5.4
 load 'figures/style.gp'
 counts = data.'/bad_input_counts.tsv'
-set lmargin at screen 0.2; set rmargin at screen 0.96; set tmargin at screen 0.95; set bmargin at screen 0.27
+page_left = 3.2; page_right = 0.6
+eval panel(1, 1, 1, 1)
 parts = 'optimisers minimise integrate collocation monitors quadrature problems diagnostics'
 row(s) = position(parts, s)
 set xlabel 'inputs tried'

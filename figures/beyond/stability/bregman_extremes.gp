@@ -2,14 +2,14 @@
 # formula says (lines); the largest stable step over linear theory, sqrt(C lambda) P h t^(p/2-s) < 2 for HTVI (Runge-
 # Kutta 4 is higher: below its limit it damps). Middle: iterations as Sigma becomes singular, and over the dimension
 # (open: the cap came first). Below: iterations over the distance of the start, and how the runs of each kind ended.
-width = 16; height = 15.5
+width = 16; height = 12.6
 load 'figures/style.gp'
 ends = data.'/bregman_extremes_overflow.tsv'
 limits = data.'/bregman_extremes_limits.tsv'
 table = data.'/bregman_extremes.tsv'
 verdicts = data.'/bregman_extremes_verdicts.tsv'
 set multiplot
-page_left = 0.11; page_right = 0.97; page_bottom = 0.088; page_top = 0.962; gap_x = 0.13; gap_y = 0.121
+page_left = 1.75; page_bottom = 1.1; page_top = 0.6; gap_x = 2.1; gap_y = 1.6
 set key font ',7' samplen 2 spacing 1.05 noopaque
 
 # Direct family only: p_ring = p.
@@ -23,7 +23,7 @@ set format x '%g'
 set xrange [1.7:60]; set xtics (2, 4, 10, 20, 50)
 set yrange [2:900]; eval logy; set format y '%g'
 set xlabel 'p' offset 0, 0.5
-set ylabel 'log_{10} t at overflow' offset 1, 0
+set ylabel 'log_{10} t at overflow' offset 0.5, 0
 set title 'Overflow, Direct' offset 0, -0.7
 set key top right
 plot for [i = 1:3] ends using (form(word(forms, i), direct(column('p')))):'log10_t_expected' with lines ls family(i*2-1) lw 1 notitle, \
@@ -33,7 +33,7 @@ eval panel(2, 1, 2, 3)
 set xrange [0.8:60]; set xtics (1, 2, 4, 10, 20, 50)
 unset logscale y; unset mytics; set yrange [0.99:1.2]
 set format y '%.2f'
-set ylabel 'largest h / linear theory' offset 1, 0
+set ylabel 'h / linear theory' offset 0.5, 0
 set title 'Largest stable step' offset 0, -0.7
 set key top left Left reverse
 by(m, y) = strcol('method') eq m ? y : NaN
@@ -44,7 +44,7 @@ eval panel(1, 2, 2, 3)
 set xrange [3e-9:0.3]; eval logx; set xtics 1e-8, 100; set mxtics 1
 set yrange [1e4:1e5]; eval logy; set ytics auto
 set xlabel '1 − ρ' offset 0, 0.5
-set ylabel 'iterations' offset 1, 0
+set ylabel 'iterations' offset 0.5, 0
 set title 'Ill-conditioned Σ' offset 0, -0.7
 set key bottom left
 run_of(s, p_, y) = strcol('scene') eq s && strcol('method') eq 'htvi' && column('p') == p_ ? y : NaN
@@ -54,8 +54,8 @@ plot for [p_ in '4 10'] table using (held('correct', 'conditioning', p_+0, colum
 
 eval panel(2, 2, 2, 3)
 set xrange [0.7:2e7]; set xtics 1, 100, 1e6
-set yrange [5:1e8]
-set ytics auto
+set yrange [5:1e8]; set ytics 100
+set ylabel offset 0.5, 0
 set xlabel 'dimension' offset 0, 0.5
 set title 'Dimension' offset 0, -0.7
 set key at graph 0.03, 0.98 left top Left reverse
@@ -64,7 +64,7 @@ plot for [p_ in '4 10'] table using (held('correct', 'dimension', p_+0, column('
 
 eval panel(1, 3, 2, 3)
 set xrange [3e-7:3e6]; set xtics 1e-6, 1000, 1e6
-set yrange [0.5:1e6]
+set yrange [0.5:1e6]; set ytics 100
 set xlabel '|x_0 − x^*|_∞' offset 0, 0.5
 set title 'Start, C |x_0 − x^*|^2 kept' offset 0, -0.7
 unset key
@@ -83,7 +83,7 @@ set ylabel ''
 set xlabel 'runs' offset 0, 0.5
 set title 'How runs ended' offset 0, -0.7
 verdict(v, y) = strcol('verdict') eq v ? y : NaN
-set lmargin at screen 0.68
+set lmargin at screen 11.3/width
 set key at graph 0.03, 0.75 left top Left reverse
 plot for [v in 'correct named told'] verdicts using (verdict(v, column('runs'))):(row(strcol('scene'))) with points pt (v eq 'correct' ? 7 : v eq 'named' ? 5 : v eq 'told' ? 9 : 2) ps 0.9 lc rgb (v eq 'correct' ? blue : v eq 'named' ? orange : v eq 'told' ? green : vermilion) title v
 unset multiplot

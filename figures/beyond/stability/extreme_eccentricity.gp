@@ -1,7 +1,7 @@
 # Steps per orbit of the largest usable step against the distance from e = 1. Left: monitors of HTVI4; right: fixed and
 # variable steps of all methods (collocation is of order 16). Grey, drawn through the last point: the predicted powers of
 # 1 - e, for g = r^1.5 times the elliptic integral that counts equal steps in the integral of r^-1.5 dt.
-width = 16; height = 9
+width = 16; height = 7
 load 'figures/style.gp'
 table = data.'/extreme_eccentricity.tsv'
 double(x) = strcol('precision') eq 'double' ? x : NaN
@@ -22,7 +22,7 @@ eval prediction('hairer_soderlind', 'r^1.5')
 eval prediction('log_hamiltonian', '1/V')
 eval prediction('collocation16', 'r^1.5')
 set multiplot
-page_bottom = 0.5; page_top = 0.91; gap_x = 0.1
+page_bottom = 3.05; page_top = 0.65; gap_x = 1.3
 eval logx
 eval logy
 set xrange [2:5e-9]
@@ -44,8 +44,8 @@ eval 'plot '.guides.curve('stormer_verlet', 'none', 0, method('stormer_verlet'))
   .curve('hairer_soderlind', 'r^1.5', 0, method('splitting')).', '.curve('htvi4', 'r^1.5', 0, method('htvi')).', ' \
   .curve('log_hamiltonian', '1/V', 0, method('log_hamiltonian')).', '.curve('collocation16', 'r^1.5', 0, method('collocation')).', ' \
   .curve('collocation16', 'none', 0, family(1))
-eval legend(0.32)
-set key maxrows 5 samplen 1.8 width -6 font ',7'
+eval legend(1.95)
+set key maxrows 5 samplen 1.8
 plot 2 with linespoints ls monitor('none') title 'HTVI4, fixed step', \
   2 with linespoints ls monitor('norm_squared') title 'HTVI4, g = r', \
   2 with linespoints ls method('htvi') title 'HTVI4, g = r^{1.5}', \

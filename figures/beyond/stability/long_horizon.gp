@@ -1,10 +1,10 @@
 # Kepler, e = 0.9: largest relative errors so far of energy and angular momentum, and error of the mean longitude, against
 # the number of periods.
-width = 16; height = 6
+width = 16; height = 5.2
 load 'figures/style.gp'
 table = data.'/long_horizon.tsv'
 set multiplot
-page_left = 0.09; page_right = 0.97; page_bottom = 0.43; page_top = 0.867; gap_x = 0.085
+page_left = 1.45; page_right = 0.5; page_bottom = 2.05; page_top = 0.65; gap_x = 1.35
 eval logx; eval logy
 set xlabel 'periods'
 unset key
@@ -14,19 +14,19 @@ style(i) = i == 1 ? method('htvi') : i == 2 ? monitor('norm_squared') : i == 3 ?
 title(i) = word("HTVI4 HTVI12 'collocation 16' Störmer–Verlet 'log. Hamiltonian, Yoshida 4' 'Runge–Kutta 4'", i)
 set xtics 100; set ytics 1e4
 curve(c) = sprintf("plot for [i=1:6] table using (where('method', word(names_here, i), 'periods')):(abs(column('%s'))) with linespoints ls style(i) pointinterval 4", c)
-set title 'energy error'
+set title 'energy error' offset 0, -0.7
 set yrange [1e-16:1]
 eval panel(1, 1, 3, 1)
 eval curve('energy_error')
-set title 'angular momentum error'
+set title 'angular momentum error' offset 0, -0.7
 eval panel(2, 1, 3, 1)
 eval curve('momentum_error')
-set title 'phase error (rad)'
+set title 'phase error (rad)' offset 0, -0.7
 set yrange [1e-14:1e5]
 eval panel(3, 1, 3, 1)
 eval curve('phase_error')
 unset title
-eval legend(0.16)
-set key maxrows 2 spacing 1.1 samplen 2.5 width -9 font ',7'
+eval legend(0.9)
+set key maxrows 2 samplen 2.5 width -3
 plot for [i=1:6] 2 with linespoints ls style(i) title title(i)
 unset multiplot

@@ -1,12 +1,12 @@
 # What number format and summation are worth, for the leapfrog of the logarithmic Hamiltonian composed to order 10.
 # Left: largest relative energy error up to each number of periods, with compensated and plain sums and by collocation,
 # beside Brouwer's law (square root of the number of steps). Right: position error after 30 periods in four formats.
-width = 17; height = 7.2
+width = 16; height = 5.6
 load 'figures/style.gp'
 growth = data.'/precision_study_growth.tsv'
 formats = data.'/precision_study.tsv'
 set multiplot
-page_left = 0.11; page_right = 0.975; page_bottom = 0.201; gap_x = 0.12; page_top = 0.882
+page_left = 1.85; page_bottom = 1.15; gap_x = 1.9; page_top = 0.65
 unset key
 eval logx
 eval logy
@@ -17,7 +17,7 @@ set title 'energy' offset 0, -0.6
 set xlabel 'periods'
 set ylabel 'relative energy error' offset 1.6, 0
 set yrange [1e-24:1e-9]; set ytics 1e3
-set key inside bottom right samplen 1 spacing 0.95 font ',6.5' noopaque
+set key inside bottom right samplen 1 spacing 0.95 font ',7' noopaque
 plot growth using 'periods':(at('log', 0.9, 'compensated')) with points pt 7 lc rgb blue title 'e = 0.9, compensated', \
   '' using 'periods':(at('log', 0.9, 'plain')) with points pt 6 lc rgb blue title 'e = 0.9, plain', \
   '' using 'periods':(at('log', 0.99, 'compensated')) with points pt 9 lc rgb vermilion title 'e = 0.99, compensated', \

@@ -1,6 +1,6 @@
 # The largest step before the energy runs off (Kepler: e = 0.9; Henon-Heiles: H = 1/12), in units of the limit of linear
 # theory, for each method.
-width = 16; height = 8
+width = 16; height = 6
 load 'figures/style.gp'
 table = data.'/step_breakdown.tsv'
 methods = 'stormer_verlet yoshida4 kahan_li8 runge_kutta_4 htvi2 htvi4 htvi6 htvi8 htvi12 collocation4 collocation8 collocation12 collocation16'
@@ -11,7 +11,8 @@ set xrange [0.5:13.5]
 set ylabel 'largest step / linear limit'
 set xtics rotate by 25 right
 do for [i=1:13] { set xtics add (word(shown, i) i) }
-set bmargin 4.6; set lmargin at screen 0.15; set rmargin at screen 0.98
+page_bottom = 1.5; page_top = 1.0
+eval panel(1, 1, 1, 1)
 set key tmargin center horizontal Left reverse maxrows 2 width -3
 row(problem, monitor, x) = strcol('problem') eq problem && strcol('monitor') eq monitor && position(methods, strcol('method')) \
   ? position(methods, strcol('method')) + x : NaN
