@@ -1,6 +1,6 @@
 # f along the runs of the paper's first optimisation table: lines are the largest f from there on, bands hold the
 # oscillations below; markers show where the stopping test first holds.
-width = 16; height = 5.6
+width = 16; height = 5.2
 load 'figures/style.gp'
 curves = data.'/direct_vs_adaptive_curves.tsv'
 table = data.'/direct_vs_adaptive.tsv'

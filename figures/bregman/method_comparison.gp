@@ -1,6 +1,6 @@
 # f against gradient evaluations for the symplectic integrators at p = 4: the largest f from there on; markers show where
 # the stopping test first holds. Gradients that only the stopping test needs are counted.
-width = 16; height = 5.6
+width = 16; height = 5.2
 load 'figures/style.gp'
 curves = data.'/method_comparison_curves.tsv'
 table = data.'/method_comparison.tsv'

@@ -1,6 +1,6 @@
 # Iterations until the stopping test over its tolerance: ours as lines, the paper's as open circles. Runs that end at their
 # cap are not drawn.
-width = 16; height = 4.8
+width = 16; height = 4.6
 load 'figures/style.gp'
 table = data.'/optimiser_comparison.tsv'
 shown = 'trust_region rmsprop htvi adam nag adagrad'

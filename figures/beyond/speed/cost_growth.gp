@@ -1,7 +1,7 @@
 # How the cost of a run grows: steps and time of one orbit with 1 - e for g = r^(2 gamma); time with the horizon and the
 # Taylor order. Grey, drawn through the last point: the expected powers of 1 - e, and the power of the order fitted to the
 # data (both in cost_growth_fit).
-width = 16; height = 9.6
+width = 16; height = 9
 load 'figures/style.gp'
 table = data.'/cost_growth.tsv'
 fit = data.'/cost_growth_fit.tsv'

@@ -1,10 +1,10 @@
 # What each optional part of an HTVI step costs: time per step over that of the same run without it, for two orders.
-width = 16; height = 6.2
+width = 16; height = 5.4
 load 'figures/style.gp'
 table = data.'/optional_parts.tsv'
 page_left = 7.4; page_top = 0.15
 eval panel(1, 1, 1, 1)
-set key at 38, -9
+set key at 38, -8.6
 set logscale x 10
 set xtics (0.2, 0.5, 1, 2, 5, 10, 20)
 set xrange [0.2:40]

@@ -1,6 +1,6 @@
 # Kepler, e = 0.9: largest relative errors so far of energy and angular momentum, and error of the mean longitude, against
 # the number of periods.
-width = 16; height = 5.2
+width = 16; height = 5
 load 'figures/style.gp'
 table = data.'/long_horizon.tsv'
 set multiplot

@@ -1,6 +1,6 @@
 # Energy error, in means over a thousandth of the run, for a million steps of the Henon-Heiles model and a thousand
 # periods of the figure-eight orbit: HTVI, and the Runge-Kutta method of order 4 at the same step.
-width = 16; height = 5.2
+width = 16; height = 4.8
 load 'figures/style.gp'
 curves = data.'/long_runs_curves.tsv'
 problems = 'henon_heiles_regular henon_heiles_chaotic figure_eight'

@@ -1,7 +1,7 @@
 # What number format and summation are worth, for the leapfrog of the logarithmic Hamiltonian composed to order 10.
 # Left: largest relative energy error up to each number of periods, with compensated and plain sums and by collocation,
 # beside Brouwer's law (square root of the number of steps). Right: position error after 30 periods in four formats.
-width = 16; height = 5.6
+width = 16; height = 5.2
 load 'figures/style.gp'
 growth = data.'/precision_study_growth.tsv'
 formats = data.'/precision_study.tsv'

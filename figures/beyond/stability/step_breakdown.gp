@@ -1,6 +1,6 @@
 # The largest step before the energy runs off (Kepler: e = 0.9; Henon-Heiles: H = 1/12), in units of the limit of linear
 # theory, for each method.
-width = 16; height = 6
+width = 16; height = 5.6
 load 'figures/style.gp'
 table = data.'/step_breakdown.tsv'
 methods = 'stormer_verlet yoshida4 kahan_li8 runge_kutta_4 htvi2 htvi4 htvi6 htvi8 htvi12 collocation4 collocation8 collocation12 collocation16'
