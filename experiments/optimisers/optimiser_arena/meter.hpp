@@ -30,13 +30,17 @@ struct Over {};
 /// than the start.
 class Meter {
  public:
-  Meter(const Problem& problem, const VectorX& start, long cap)
-      : problem_(problem), x0(start), cap_(cap), unused_(start.size()) {}
+  /// The run is over at the last of the tolerances that are `wanted`, or at the cap.
+  Meter(const Problem& problem, const VectorX& start, long cap, std::size_t wanted)
+      : problem_(problem), x0(start), cap_(cap), wanted_(wanted),
+        asked_(VectorX::Constant(start.size(), std::nan(""))), gradient_(start.size()) {}
 
   /// Value and gradient. Throws Over when the run is over and `throws`.
   double operator()(const VectorX& x, VectorX& gradient) {
     gradient.resize(x.size());
-    const double value = problem_.f(x, gradient);
+    const bool known = x == asked_;
+    if (known) gradient = gradient_;
+    const double value = known ? value_ : problem_.f(x, gradient);
     const double size = avi::norm(gradient);
     ++now_.gradients;
     if (now_.gradients == 1) first_ = size, level_ = value;
@@ -48,16 +52,18 @@ class Meter {
         passages[k] = now_;
         passages[k].converged = true;
       }
-    over = passages.back().converged || now_.gradients + now_.values >= cap_;
+    over = passages[wanted_ - 1].converged || now_.gradients + now_.values >= cap_;
     if (over && throws) throw Over{};
     return value;
   }
-  /// The value alone.
+  /// The value alone. Some methods ask for the gradient at the same point next: that is counted, but not
+  /// computed twice.
   double value(const VectorX& x) {
     ++now_.values;
     over = over || now_.gradients + now_.values >= cap_;
     if (over && throws) throw Over{};
-    return problem_.f(x, unused_);
+    if (x != asked_) asked_ = x, value_ = problem_.f(x, gradient_);
+    return value_;
   }
 
   std::array<Passage, tolerances.size()> passages;  ///< By tolerance.
@@ -74,7 +80,9 @@ class Meter {
 
  private:
   long cap_;
-  VectorX unused_;
+  std::size_t wanted_;
+  VectorX asked_, gradient_;  ///< Where the value alone was last asked for, and what else is known there.
+  double value_ = 0.0;
   double first_ = 0.0, level_ = 0.0;
   Passage now_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();

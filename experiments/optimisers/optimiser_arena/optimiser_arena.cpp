@@ -28,9 +28,16 @@ VectorX moved(const Problem& problem, int start) {
   return problem.x0 + 1e-3 * (size > 0.0 ? size : 1.0) * numbers.normals(problem.x0.size());
 }
 
-Passages once(const Problem& problem, const VectorX& start, long cap,
-              const std::function<void(arena::Meter&)>& run) {
-  arena::Meter meter(problem, start, cap);
+/// One start, under one cap, until the last of the tolerances that are wanted.
+struct Trial {
+  const Problem& problem;
+  VectorX start;
+  long cap;
+  std::size_t wanted;
+};
+
+Passages once(const Trial& trial, const std::function<void(arena::Meter&)>& run) {
+  arena::Meter meter(trial.problem, trial.start, trial.cap, trial.wanted);
   try {
     run(meter);
   } catch (const arena::Over&) {
@@ -45,11 +52,11 @@ Passages once(const Problem& problem, const VectorX& start, long cap,
 }
 
 /// At each tolerance the choice that took fewest gradients.
-Passages best_of(const Problem& problem, const VectorX& start, long cap, const Method& method) {
-  if (method.choices.empty()) return once(problem, start, cap, method.run);
+Passages best_of(const Trial& trial, const Method& method) {
+  if (method.choices.empty()) return once(trial, method.run);
   Passages best{};
   for (const auto& run : method.choices) {
-    const Passages now = once(problem, start, cap, run);
+    const Passages now = once(trial, run);
     for (std::size_t k = 0; k < now.size(); ++k)
       if (best[k].gradients == 0 || now[k].converged > best[k].converged ||
           (now[k].converged == best[k].converged && now[k].gradients < best[k].gradients))
@@ -65,19 +72,18 @@ T middle(std::vector<T> values) {
   return values[values.size() / 2];
 }
 
-/// Entry by entry; converged only where every run is.
+/// Entry by entry, where every run has converged; else the first that has not.
 Passage median_of(const std::vector<Passages>& runs, std::size_t k) {
+  for (const Passages& run : runs)
+    if (!run[k].converged) return run[k];
   const auto of = [&](auto member) {
     std::vector<std::decay_t<decltype(Passage{}.*member)>> values;
     for (const Passages& run : runs)
       values.push_back(run[k].*member);
     return middle(values);
   };
-  Passage median{of(&Passage::iterations), of(&Passage::gradients), of(&Passage::values),
-                 of(&Passage::seconds), true};
-  for (const Passages& run : runs)
-    median.converged = median.converged && run[k].converged;
-  return median;
+  return {of(&Passage::iterations), of(&Passage::gradients), of(&Passage::values), of(&Passage::seconds),
+          true};
 }
 
 }  // namespace
@@ -118,12 +124,14 @@ int main(int argc, char** argv) {
             if (method.slow && (frame.quick || n > 5000)) continue;
             std::vector<Passages> runs;
             const int starts = method.slow || n > 5000 || frame.quick ? 1 : 3;
-            for (int start = 0; start < starts; ++start)
-              runs.push_back(best_of(problem, moved(problem, start),
-                                     method.slow ? slow_cap
-                                     : n > 5000  ? cap / 10
-                                                 : cap,
-                                     method));
+            std::size_t wanted =
+                arena::tolerances.size();  // a tolerance that one start missed is not asked again
+            for (int start = 0; start < starts && wanted > 0; ++start) {
+              const long most = method.slow ? slow_cap : n > 5000 ? cap / 10 : cap;
+              runs.push_back(best_of({problem, moved(problem, start), most, wanted}, method));
+              while (wanted > 0 && !runs.back()[wanted - 1].converged)
+                --wanted;
+            }
             for (std::size_t k = 0; k < arena::tolerances.size(); ++k) {
               const Passage p = median_of(runs, k);
               table.row(problem.name, n, problem.held_out ? 1 : 0, method.name, arena::tolerances[k],

@@ -108,35 +108,30 @@ Problem poisson(const std::string& name, Eigen::Index side) {
 /// Area of a surface over the unit square with boundary values x (1 - y) + y^2, by triangles.
 Problem minimal_surface(Eigen::Index side) {
   const double h = 1.0 / static_cast<double>(side + 1);
-  const auto edge = [h](Eigen::Index i, Eigen::Index j) {
-    const double x = static_cast<double>(i) * h, y = static_cast<double>(j) * h;
-    return std::sin(3.0 * x) * (1.0 - y) + y * y;
-  };
+  Eigen::MatrixXd frame = Eigen::MatrixXd::Zero(side + 2, side + 2);  // (j, i): what is inside is free
+  for (Eigen::Index i = 0; i < side + 2; ++i)
+    for (Eigen::Index j = 0; j < side + 2; ++j) {
+      const double x = static_cast<double>(i) * h, y = static_cast<double>(j) * h;
+      frame(j, i) = std::sin(3.0 * x) * (1.0 - y) + y * y;
+    }
   return {.name = "minimal_surface",
           .kind = "convex",
           .x0 = VectorX::Zero(side * side),
           .f = [=](const VectorX& x, VectorX& g) {
-            const auto inner = [&](Eigen::Index i, Eigen::Index j) {
-              return i > 0 && j > 0 && i <= side && j <= side;
-            };
-            const auto at = [&](Eigen::Index i, Eigen::Index j) {
-              return inner(i, j) ? x[(i - 1) * side + j - 1] : edge(i, j);
-            };
-            const auto add = [&](Eigen::Index i, Eigen::Index j, double v) {
-              if (inner(i, j)) g[(i - 1) * side + j - 1] += v;
-            };
-            g.setZero();
+            Eigen::MatrixXd z = frame, slope = Eigen::MatrixXd::Zero(side + 2, side + 2);
+            z.block(1, 1, side, side) = Eigen::Map<const Eigen::MatrixXd>(x.data(), side, side);
             double f = 0.0;
             for (Eigen::Index i = 0; i <= side; ++i)
               for (Eigen::Index j = 0; j <= side; ++j)
                 for (int half = 0; half < 2; ++half) {
                   const Eigen::Index a = i + half, b = j + half, s = half == 0 ? 1 : -1;
-                  const double u = (at(a + s, b) - at(a, b)) / h, v = (at(a, b + s) - at(a, b)) / h;
+                  const double u = (z(b, a + s) - z(b, a)) / h, v = (z(b + s, a) - z(b, a)) / h;
                   const double area = std::sqrt(1.0 + u * u + v * v);
                   f += 0.5 * h * h * area;
                   const double c = 0.5 * h / area;
-                  add(a + s, b, c * u), add(a, b + s, c * v), add(a, b, -c * (u + v));
+                  slope(b, a + s) += c * u, slope(b + s, a) += c * v, slope(b, a) += -c * (u + v);
                 }
+            Eigen::Map<Eigen::MatrixXd>(g.data(), side, side) = slope.block(1, 1, side, side);
             return f;
           }};
 }

@@ -73,11 +73,7 @@ Problem at_infinity(Eigen::Index n, Eigen::Index m) {
           .x0 = VectorX::Zero(n),
           .f = [=](const VectorX& x, VectorX& g) {
             VectorX z = a * x;
-            double f = 0.0;
-            for (double& entry : z) {
-              f += softplus(-entry);
-              entry = -sigmoid(-entry);
-            }
+            const double f = logistic_loss(z);
             g.noalias() = a.transpose() * z / static_cast<double>(m);
             return f / static_cast<double>(m);
           }};

@@ -65,11 +65,19 @@ inline std::vector<Problem> named(const Draw& draw, std::vector<Problem> problem
   return problems;
 }
 
-/// log(1 + e^z) without overflow.
-inline double softplus(double z) { return z > 0.0 ? z + std::log1p(std::exp(-z)) : std::log1p(std::exp(z)); }
-/// Its derivative.
+/// 1 / (1 + e^-z) without overflow.
 inline double sigmoid(double z) {
   return z >= 0.0 ? 1.0 / (1.0 + std::exp(-z)) : std::exp(z) / (1.0 + std::exp(z));
+}
+/// Sum of log(1 + e^-z) over the entries of z, each of which becomes its slope.
+inline double logistic_loss(VectorX& z) {
+  double f = 0.0;
+  for (double& entry : z) {
+    const double decay = std::exp(-std::abs(entry));
+    f += (entry < 0.0 ? -entry : 0.0) + std::log1p(decay);
+    entry = -(entry <= 0.0 ? 1.0 : decay) / (1.0 + decay);
+  }
+  return f;
 }
 
 /// A first step along -g for methods that have none of their own: a hundredth of x, or of the way to where a

@@ -19,11 +19,7 @@ Problem logistic(const std::string& name, Eigen::Index n, Eigen::Index m, double
   }
   return {.name = name, .kind = "statistics", .x0 = VectorX::Zero(n), .f = [=](const VectorX& x, VectorX& g) {
             VectorX z = a * x;
-            double f = 0.0;
-            for (double& entry : z) {
-              f += softplus(-entry);
-              entry = -sigmoid(-entry);
-            }
+            const double f = logistic_loss(z);
             const double mean = 1.0 / static_cast<double>(m);
             g.noalias() = a.transpose() * z * mean;
             g += ridge * x;
