@@ -12,8 +12,8 @@ namespace {
 void mix(VectorX& x) {
   const Eigen::Index n = x.size();
   for (Eigen::Index width = 1; width < n; width *= 2)
-    for (Eigen::Index i = 0; i < n; ++i)
-      if ((i & width) == 0) {
+    for (Eigen::Index from = 0; from < n; from += 2 * width)
+      for (Eigen::Index i = from; i < from + width; ++i) {
         const double a = x[i], b = x[i + width];
         x[i] = a + b, x[i + width] = a - b;
       }
