@@ -61,12 +61,25 @@ TEST(SustainedConvergence, TheStoppingTestFirstHoldsByChance) {
   EXPECT_EQ(adaptive.sustained(), 18008);
 }
 
+/// P(X <= k) of the binomial distribution.
+double binomial(long k, long n, double p) {
+  double sum = 0.0;
+  for (long i = 0; i <= k; ++i) {
+    const double a = static_cast<double>(i), b = static_cast<double>(n - i);
+    sum += std::exp(std::lgamma(a + b + 1.0) - std::lgamma(a + 1.0) - std::lgamma(b + 1.0) + a * std::log(p) +
+                    b * std::log1p(-p));
+  }
+  return sum;
+}
+
 TEST(RoundingSensitivity, ThePublishedBestRowDivergesFromSomeMovedStarts) {
-  // p = 10, p_ring = 0.5, h = 1.95e-5 stands at the edge of stability: 56 of 1000 moved starts fail, 12 of
-  // the first 256.
-  const auto moved = experiment::perturbed_counts({"htvi", 10, 0.5, 1.95e-5}, 256, 1e-14, {});
-  EXPECT_GE(moved.failed, 4);
-  EXPECT_GE(moved.counts.size(), 200u);
+  // p = 10, p_ring = 0.5, h = 1.95e-5 stands at the edge of stability. Which of the moved starts fail changes
+  // with the last bit of the arithmetic, so the number is a sample: that of 1024 refutes, each at a level of
+  // 1 %, that fewer than one start in a hundred fails and that more than one in ten does.
+  constexpr long n = 1024;
+  const long failed = experiment::perturbed_counts({"htvi", 10, 0.5, 1.95e-5}, n, 1e-14, {}).failed;
+  EXPECT_LT(1.0 - binomial(failed - 1, n, 0.01), 0.01) << failed;  // measured 56; holds from 19 on
+  EXPECT_LT(binomial(failed, n, 0.1), 0.01) << failed;             // holds up to 80
 }
 
 }  // namespace
