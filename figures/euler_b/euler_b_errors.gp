@@ -1,5 +1,5 @@
 # Symplectic Euler-B with fixed and with adaptive steps, equally many of them: errors in time.
-width = 16; height = 5.6
+width = 16; height = 6.2
 load 'figures/style.gp'
 curve = data.'/euler_b_errors_curve.tsv'
 shown = 'none truncation'

@@ -27,7 +27,7 @@ plot file using 'h':(is('bregman', 'htvi', 'q t r r^t')) with linespoints ls met
   file using 'h':(is('bregman', 'three_flows', 'q t r r^t')) with linespoints ls method('clone_y4'), \
   3e2*x**3 with lines ls guide
 eval legend(0.9)
-set key maxrows 2 samplen 2
+set key maxrows 2 samplen 2 width -5
 plot 2 notitle, keyentry with linespoints ls method('htvi4') title 'HTVI4, gamma; HTVI', \
   keyentry with linespoints ls monitor('none') title 'in (q, t, p, p^t)', \
   keyentry with linespoints ls monitor('norm_squared') title 'Euler-B, q^Tq, step h/4', \

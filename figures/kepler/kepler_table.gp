@@ -44,7 +44,7 @@ do for [error in 'energy_error global_error'] {
   set ylabel bottom ? 'position error' : 'energy error' offset 1, 0
   set format x bottom ? power : ''
   set xlabel bottom ? 'steps' : ''
-  set format y power; set yrange [*:*]
+  set format y power; set ytics 100; set yrange [*:*]
   eval panel(1, bottom ? 2 : 1, 2, 2)
   plot for [i = 1:rows-1] ours using (htvi(i, column('steps'))):error with lines ls look(i) dt 1 lw 0.8, \
     for [i = 1:rows-1] ours using (of(i, 'printed', column('steps'))):error with points ls look(i) pt filled(i)-1 ps 0.8, \

@@ -53,6 +53,7 @@ std::string latex(std::string_view text) {
   out = escaped(out);
   for (const auto& [from, to] : std::initializer_list<std::pair<const char*, const char*>>{
            {"p\\_ring", "$\\mathring p$"},
+           {"delta", "$\\delta$"},
            {"|p^t + H|^-1", "$|p^{t}+H|^{-1}$"},
            {"|L|^-1", "$|L|^{-1}$"},
            {"p~0 - p0", "$\\tilde p_0-p_0$"},

@@ -31,7 +31,7 @@ plot for [i=1:4] steps[i]*(x/last[i])**power[i] ls guide, \
   for [i=1:5] table using (along('closeness', 'gamma = '.word(gammas, i))):'steps' with linespoints ls family(i)
 eval panel(2, 1, 2, 2)
 set title 'microseconds of that orbit' offset 0, -0.7
-set yrange [200:1.5e5]
+set yrange [50:1.5e5]
 plot table using (along('closeness', 'none')):(1e6*column('seconds')) with linespoints ls monitor('none'), \
   for [i=1:5] table using (along('closeness', 'gamma = '.word(gammas, i))):(1e6*column('seconds')) with linespoints ls family(i)
 

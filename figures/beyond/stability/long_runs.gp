@@ -7,7 +7,7 @@ problems = 'henon_heiles_regular henon_heiles_chaotic figure_eight'
 array titles[3] = ['Hénon–Heiles, regular', 'Hénon–Heiles, chaotic', 'figure eight']
 array ends[3] = [2e5, 2e5, 6516]
 set multiplot
-page_left = 1.85; page_right = 0.5; page_bottom = 1.65; page_top = 0.65
+page_left = 2.1; page_right = 0.5; page_bottom = 1.65; page_top = 0.65
 unset key
 eval logy; set ytics 100
 set xlabel 'time / end of the run'
@@ -16,7 +16,7 @@ energy(p, m) = strcol('problem') eq p && strcol('method') eq m ? abs(column('ene
 do for [i=1:3] {
   p = word(problems, i)
   set title titles[i] offset 0, -0.6
-  if (i == 1) { set ylabel 'relative energy error' } else { unset ylabel }
+  if (i == 1) { set ylabel 'relative energy error' offset 0.4, 0 } else { unset ylabel }
   eval panel(i, 1, 3, 1)
   plot for [m in 'htvi runge_kutta_4'] curves using (column('t') / ends[i]):(energy(p, m)) with points pt 7 ps 0.35 lc rgb (m eq 'htvi' ? blue : black)
 }

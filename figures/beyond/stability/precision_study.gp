@@ -29,7 +29,7 @@ eval panel(2, 1, 2, 1)
 set title 'order 10, 30 periods, e = 0.9' offset 0, -0.6
 set xlabel 'seconds'
 set ylabel 'position error' offset 1, 0
-set yrange [1e-15:1e6]; set ytics 1e5
+set yrange [1e-15:1e12]; set ytics 1e5
 set key inside top right
 plot formats using 'seconds':(kind('float', 'plain')) with points pt 4 lc rgb grey title 'float, plain', \
   '' using 'seconds':(kind('float', 'compensated')) with points pt 5 lc rgb grey title 'float, compensated', \
