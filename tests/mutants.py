@@ -4,7 +4,8 @@
 Changes one token of lib/avi at random - an operator, a comparison, a constant - and compiles and runs the unit
 and property tests that include the file until one fails: the nearest first, at most MOST_TESTS of them. A mutant
 that none of them notices is printed as SURVIVED. One that does not compile is replaced by another. The library
-is not touched: the changed header lies in a folder of its own that the compiler searches first.
+is not touched: the changed header lies in a folder of its own that the compiler searches first. As many changes
+are tried at a time as there are processors.
 """
 import argparse
 import os
@@ -13,19 +14,20 @@ import re
 import shutil
 import subprocess
 import sys
+import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 LIB, BUILD = ROOT / "lib", ROOT / "build" / "mutants"
-OVERLAY = BUILD / "changed"
 EIGEN = "/usr/include/eigen3"
-FLAGS = ["-std=c++20", "-O1", "-ffp-contract=off", "-w", "-Wno-psabi", f"-I{OVERLAY}", f"-I{LIB}", f"-I{ROOT / 'tests'}",
+FLAGS = ["-std=c++20", "-O1", "-ffp-contract=off", "-w", "-Wno-psabi", f"-I{LIB}", f"-I{ROOT / 'tests'}",
          f"-I{ROOT / 'experiments'}", "-isystem", EIGEN] + [f'-DAVI_{name}="{value}"' for name, value in
                                {"SOURCE_DIR": ROOT, "CHECK_DIR": BUILD, "BUILD_DIR": BUILD, "BIN_DIR": BUILD,
                                 "PUBLISHED_DIR": ROOT / "paper" / "published"}.items()]
 
-MOST_TESTS = 4  # what the nearest ones let pass, the others let pass as a rule
+MOST_TESTS = 8  # what the nearest ones let pass, the others let pass as a rule
 
 # A compiler cache does not notice that a header now lies earlier in the search path.
 ENVIRONMENT = {**os.environ, "CCACHE_DISABLE": "1"}
@@ -86,9 +88,8 @@ class Tests:
     """The unit and property tests, and what each includes. Those that link more than the library are left out."""
 
     def __init__(self, compiler):
-        self.compiler, self.headers, self.good = compiler, {}, {}
+        self.compiler, self.headers, self.turn = compiler, {}, threading.Lock()
         BUILD.mkdir(parents=True, exist_ok=True)
-        shutil.rmtree(OVERLAY, ignore_errors=True)
         common = BUILD / "common.hpp"  # precompiled: half of the time of a small test
         common.write_text("".join(f"#include <{name}>\n" for name in COMMON))
         subprocess.run(compiler[-1:] + FLAGS + ["-x", "c++-header", str(common), "-o", f"{common}.gch"], check=True)
@@ -97,7 +98,7 @@ class Tests:
                 continue  # it compares times
             listing = subprocess.run(compiler[-1:] + FLAGS + ["-MM", str(source)], capture_output=True, text=True)
             if listing.returncode == 0:
-                headers = {Path(word).resolve() for word in listing.stdout.replace("\\\n", " ").split()}
+                headers = {Path(word).resolve() for word in listing.stdout.replace("\\\n", " ").split()[1:]}
                 self.headers[source] = headers
 
     def distance(self, test, header):
@@ -117,23 +118,56 @@ class Tests:
                                               name is None or not re.search(rf"\b{name}\b", test.read_text()),
                                               self.distance(test, header), len(self.headers[test])))
 
-    def fails(self, test):
-        """Compiles and runs a test. None where it does not compile."""
-        program = BUILD / test.stem
-        command = self.compiler + FLAGS + ["-include", str(BUILD / "common.hpp"), str(test), "-o", str(program), "-lgtest_main", "-lgtest", "-lgsl", "-lgslcblas"]
+    def fails(self, test, folder, overlay=()):
+        """Compiles a test in `folder`, with what the overlay changes, and runs it. None where it does not compile."""
+        program = folder / test.stem
+        command = self.compiler + [*overlay, *FLAGS, "-include", str(BUILD / "common.hpp"), str(test), "-o", str(program),
+                                   "-lgtest_main", "-lgtest", "-lgsl", "-lgslcblas"]
         if run(command, 1800) != 0:
             return None
         return run([str(program), "--gtest_fail_fast"], 120) != 0
 
     def passes_unchanged(self, test):
-        """Whether the test passes with the library as it is; found out once."""
-        if test not in self.good:
-            (changed, *_) = list(OVERLAY.rglob("*.hpp")) or [None]
-            text = changed.read_text()
-            changed.unlink()
-            self.good[test] = self.fails(test) is False
-            changed.write_text(text)
-        return self.good[test]
+        """Whether the test passes with the library as it is; found out once for each state of its headers."""
+        passed, newest = BUILD / f"{test.stem}.passed", max(file.stat().st_mtime for file in self.headers[test])
+        with self.turn:
+            if not passed.exists() or passed.stat().st_mtime < newest:
+                passed.unlink(missing_ok=True)
+                if self.fails(test, BUILD) is False:
+                    passed.touch()
+            return passed.exists()
+
+
+def judged(tests, rng_state, place):
+    """What becomes of a mutant: None where it is none, else (where, seconds, who noticed it or None, what was tried)."""
+    drawn, (path, number, first, last, kind) = place
+    rng = random.Random(rng_state)
+    lines = path.read_text().splitlines(keepends=True)
+    old = lines[number][first:last]
+    new = {"operator": lambda: OPERATORS[old], "truth": lambda: {"true": "false", "false": "true"}[old],
+           "number": lambda: changed_number(old, rng)}[kind]()
+    lines[number] = lines[number][:first] + new + lines[number][last:]
+    folder = BUILD / f"changed_{drawn}"
+    changed = folder / path.relative_to(LIB)
+    changed.parent.mkdir(parents=True, exist_ok=True)
+    changed.write_text("".join(lines))
+    begin, noticed, tried = time.time(), None, 0
+    for test in tests.of(path, enclosing_name(lines, number)):
+        failed = tests.fails(test, folder, [f"-I{folder}"])
+        if failed is None:
+            if not tests.passes_unchanged(test):
+                continue
+            if tried > 0:
+                noticed = f"{test.stem}, which does not compile"
+            break  # a token that does not compile where it is used first is no mutant
+        tried += 1
+        if failed and tests.passes_unchanged(test):
+            noticed = test.stem
+        if noticed or tried == MOST_TESTS:
+            break
+    shutil.rmtree(folder)
+    where = f"{path.relative_to(ROOT)}:{number + 1}: {old} -> {new}"
+    return (where, time.time() - begin, noticed, f"{tried} tests: {''.join(lines[number]).strip()}") if tried else None
 
 
 def main():
@@ -142,52 +176,31 @@ def main():
     options.add_argument("--seed", type=int, default=1)
     options.add_argument("--after", type=int, default=0, help="go on after so many of the draw, as an earlier run printed")
     options.add_argument("--only", default="", help="files whose path contains this")
+    options.add_argument("--jobs", type=int, default=os.cpu_count(), help="changes tried at a time")
     options = options.parse_args()
     rng = random.Random(options.seed)
     launcher = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER")
-    compiler = ([launcher] if launcher else []) + [os.environ.get("CXX", "g++")]
-    tests = Tests(compiler)
+    tests = Tests(([launcher] if launcher else []) + [os.environ.get("CXX", "g++")])
     places = [(path, *token) for path in sorted(LIB.rglob("*.hpp")) if options.only in str(path) and path.name != "avi.hpp"
               for token in tokens_of(path)]
     rng.shuffle(places)
+    drawn = list(enumerate(places, 1))[options.after:]
     done, survivors = 0, []
-    for drawn, (path, number, first, last, kind) in enumerate(places, 1):
-        if done == options.n:
-            break
-        lines = path.read_text().splitlines(keepends=True)
-        old = lines[number][first:last]
-        new = {"operator": lambda: OPERATORS[old], "truth": lambda: {"true": "false", "false": "true"}[old],
-               "number": lambda: changed_number(old, rng)}[kind]()
-        if drawn <= options.after:
-            continue
-        lines[number] = lines[number][:first] + new + lines[number][last:]
-        changed = OVERLAY / path.relative_to(LIB)
-        changed.parent.mkdir(parents=True, exist_ok=True)
-        changed.write_text("".join(lines))
-        begin, verdict, tried, failed = time.time(), None, 0, False
-        for test in tests.of(path, enclosing_name(lines, number)):
-            if tried == MOST_TESTS:
-                break
-            failed = tests.fails(test)
-            if failed is None:
-                if not tests.passes_unchanged(test):
-                    continue
-                if tried > 0:
-                    verdict = f"noticed by {test.stem}, which does not compile"
-                break  # a token that does not compile where it is used first is no mutant
-            tried += 1
-            if failed and tests.passes_unchanged(test):
-                verdict = f"noticed by {test.stem}"
-                break
-        changed.unlink()
-        if tried == 0 and failed is None:
-            continue
-        done += 1
-        place = f"{path.relative_to(ROOT)}:{number + 1}: {old} -> {new}"
-        if verdict is None:
-            survivors.append(place)
-            verdict = f"SURVIVED {tried} tests: {''.join(lines[number]).strip()}"
-        print(f"{done:3} ({drawn}) {time.time() - begin:4.0f} s  {place:60}  {verdict}", flush=True)
+    with ThreadPoolExecutor(options.jobs) as pool:
+        running = []
+        while done < options.n and (drawn or running):
+            while drawn and len(running) < min(2 * options.jobs, options.n - done):
+                running.append((drawn[0][0], pool.submit(judged, tests, f"{options.seed} {drawn[0][0]}", drawn[0])))
+                drawn.pop(0)
+            number, result = running.pop(0)
+            if (verdict := result.result()) is None:
+                continue
+            where, seconds, noticed, tried = verdict
+            done += 1
+            if not noticed:
+                survivors.append(where)
+            print(f"{done:3} ({number}) {seconds:4.0f} s  {where:60}  "
+                  f"{f'noticed by {noticed}' if noticed else f'SURVIVED {tried}'}", flush=True)
     print(f"{done - len(survivors)} of {done} changes are noticed (seed {options.seed}).")
     for place in survivors:
         print("  survived:", place)

@@ -30,6 +30,18 @@ TEST(Chain, OfManyOperationsKeepsItsEnergy) {
   EXPECT_NEAR(Chain{}(z.q, z.p), energy, 6e-10) << "measured 2.8e-10";
 }
 
+TEST(Chain, IsPluckedInItsLowestMode) {
+  constexpr int n = 7;
+  const auto z = Chain::plucked(n);
+  EXPECT_EQ(z.p.norm(), 0.0);
+  EXPECT_NEAR(z.q[n / 2], 0.3, 1e-16);
+  // A mode of equal springs: the second difference is -omega^2 q, and omega^2 is least in the lowest one.
+  const double omega = 2.0 * std::sin(M_PI / 2.0 / (n + 1));
+  for (int i = 0; i < n; ++i)
+    EXPECT_NEAR(2.0 * z.q[i] - (i > 0 ? z.q[i - 1] : 0.0) - (i + 1 < n ? z.q[i + 1] : 0.0),
+                omega * omega * z.q[i], 2e-16);
+}
+
 TEST(Chain, SuppliesTheGradientOfItsEnergy) {
   const avi::Vector<double, 5> q = plucked().q, p = plucked().p;
   const Chain chain;

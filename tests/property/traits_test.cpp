@@ -106,6 +106,21 @@ TEST(Traits, OfAdaptiveMethods) {
         avi::HairerSoderlind(avi::splitting(separable, avi::splittings::blanes_moan4), radius), 4);
 }
 
+// One gradient a step: the closing kick's is the next opening kick's.
+TEST(Traits, AnExplicitStepIsOneEvaluation) {
+  const auto evaluations = [](auto method) {
+    State<2> z = start;
+    const avi::Run run = avi::integrate(method, z, 0.1, {.steps = 7});
+    EXPECT_EQ(run.outcome, avi::Outcome::ok);
+    return run.evaluations;
+  };
+  EXPECT_EQ(evaluations(verlet), 7);
+  EXPECT_EQ(evaluations(avi::AdaptiveVerlet(Kepler{}, radius)), 7);
+  EXPECT_EQ(evaluations(avi::euler_b(Kepler{}, start)), 7);
+  EXPECT_EQ(evaluations(avi::euler_b(Kepler{}, start, avi::NormSquared{})), 7);
+  EXPECT_EQ(evaluations(avi::Composition(verlet, avi::compositions::suzuki4)), 5 * 7);
+}
+
 TEST(Traits, UnsymmetricCoefficientsAreRefused) {
   auto list = avi::compositions::suzuki4;
   std::swap(list.c[0], list.c[2]);

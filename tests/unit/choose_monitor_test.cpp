@@ -82,6 +82,17 @@ TEST(ChooseMonitor, CountsWorkAndNotStepsAlone) {
     EXPECT_EQ(trial.monitor, "fixed");
 }
 
+// Gauss collocation keeps the energy of a harmonic oscillator whatever the step: that alone would let one
+// step pass over several turns.
+TEST(ChooseMonitor, ResolvesTheMotionEvenWhereTheEnergyDoesNotAskForIt) {
+  const auto oscillator = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
+  const avi::State<1> start{.q = avi::Vector<double, 1>(1.0), .p = avi::Vector<double, 1>(0.0)};
+  const auto choice = choose_monitor(oscillator, start, {.energy_error = 1e-3, .order = 16, .time = 40.0});
+  EXPECT_EQ(choice.name, "fixed");
+  EXPECT_TRUE(choice.reached);
+  EXPECT_LE(choice.h, 2.5) << "in radians";
+}
+
 TEST(ChooseMonitor, SaysWhyOnlyFixedStepsAreLeft) {
   const auto choice =
       choose_monitor(Light(), Kepler::pericentre(0.5), {.energy_error = 1e-6, .order = 4, .time = 3.0});

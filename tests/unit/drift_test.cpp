@@ -61,7 +61,8 @@ TEST(FitDrift, RefusesBadInput) {
   EXPECT_THROW(avi::fit_drift(two, two), std::invalid_argument);
   EXPECT_THROW(avi::fit_drift(three, two), std::invalid_argument);
   EXPECT_THROW(avi::fit_drift(same, three), std::invalid_argument);
-  EXPECT_THROW(avi::fit_drift(three, three, 4), std::invalid_argument);
+  for (const int blocks : {-1, 1, 2, 4})
+    EXPECT_THROW(avi::fit_drift(three, three, blocks), std::invalid_argument) << blocks;
 }
 
 }  // namespace

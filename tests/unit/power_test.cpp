@@ -14,6 +14,14 @@ TEST(Power, IsPow) {
   EXPECT_EQ(avi::power(4.0, 1.5), 8.0);
   EXPECT_EQ(avi::power(2.0, 8.0), 256.0);
   EXPECT_EQ(avi::power(2.0, -8.0), 1.0 / 256.0);
+  int otherwise = 0;  // how often std::pow rounds otherwise than products
+  for (double x = 1.01; x < 2.0; x += 0.01) {
+    const double square = x * x, fourth = square * square;
+    EXPECT_EQ(avi::power(x, 8.0), fourth * fourth) << "by multiplication up to 8";
+    EXPECT_EQ(avi::power(x, 8.5), std::pow(x, 8.5)) << "and no further";
+    otherwise += avi::power(x, 8.0) != std::pow(x, 8.0);
+  }
+  EXPECT_GT(otherwise, 20);
   EXPECT_EQ(avi::power(2.0L, 0.5), std::sqrt(2.0L)) << "other scalars by their own pow";
 }
 

@@ -24,7 +24,7 @@ struct BregmanSplitting {
   /// What a run carries from step to step.
   struct State {
     VectorX r;                  ///< Momentum, but for the closing kick.
-    double t = 1.0;             ///< Physical time.
+    double t;                   ///< Physical time.
     double closing_kick = 0.0;  ///< Factor of the gradient that the last step still owes r.
   };
 

@@ -65,7 +65,7 @@ class Htvi {
       return report;
     };
     Broyden<n> broyden;
-    double previous = 0.0;  // no estimate of the contraction yet
+    double previous = std::numeric_limits<double>::quiet_NaN();  // compared with it, nothing holds
     Vector<double, n> shift;
     Vector<double, 2 * n + 1> wanted;  // before that shift
     for (int k = 1; k <= solver_.max_iterations; ++k) {
@@ -88,8 +88,7 @@ class Htvi {
           (start.template lpNorm<Eigen::Infinity>() + equations.drift.template lpNorm<Eigen::Infinity>());
       if (report.residual <= accepted) return accept(equations.change);
       // Rounding may hold the residual above the tolerance; it then stops falling far below what matters.
-      const bool stagnates =
-          k > 1 && report.residual >= 0.5 * previous && report.residual <= 100.0 * accepted;
+      const bool stagnates = report.residual >= 0.5 * previous && report.residual <= 100.0 * accepted;
       if constexpr (construction == Construction::stationary) {
         const double error = k == 1 ? std::numeric_limits<double>::infinity()
                                     : secant.learn(shift, equations.wanted - wanted, solver_.quasi_newton);
@@ -99,7 +98,7 @@ class Htvi {
           return accept(equations.shifted(residual, shift, secant.change(shift)));
         wanted = equations.wanted;
       } else {
-        const bool slow = solver_.quasi_newton && k > 1 && report.residual > 0.1 * previous;
+        const bool slow = solver_.quasi_newton && report.residual > 0.1 * previous;
         const Vector<double, n> plain = equations.newton(residual);
         shift = stagnates ? plain : broyden.shift(residual, plain, slow);
         correction += shift;

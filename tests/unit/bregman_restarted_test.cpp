@@ -1,0 +1,85 @@
+#include "avi/bregman/bregman_restarted.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using avi::VectorX;
+
+/// sum c_i (cosh(x_i - 200) - 1) with c = 1, 4, 9, ...: a valley that is narrow beside the size of x, so that
+/// the first step leaves it.
+double valley(const VectorX& x, VectorX& gradient) {
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const double c = static_cast<double>((i + 1) * (i + 1));
+    gradient[i] = c * std::sinh(x[i] - 200.0);
+    sum += c * (std::cosh(x[i] - 200.0) - 1.0);
+  }
+  return sum;
+}
+
+// The iteration of the class's docstring, written down vector by vector.
+TEST(BregmanRestarted, IsTheIterationThatItsDocumentationStates) {
+  constexpr double P = 3.0;
+  const avi::BregmanRestarted method{.P = P};
+  VectorX y = VectorX::LinSpaced(6, 200.5, 199.0), x = y, g(6), g0, y0, dy0, dg0, anchor = y;
+  avi::Counted objective(valley, 6);
+  avi::Iterate now{.x = y, .gradient = VectorX::Zero(6)};
+  now.evaluate(objective);
+  auto state = method.start(now);
+  double L = state.L, best = now.value, last_L = L, k = 0.0;
+  EXPECT_GT(L, 0.0);
+  int measured = 0, restarts = 0, doublings = 0;
+  for (int iteration = 0, since = 0; iteration < 200 && now.gradient.norm() > 1e-6; ++iteration) {
+    double f = valley(y, g);
+    if (!(f <= best + 1e-10 * std::abs(best))) {  // back to the last restart with twice the curvature
+      ++doublings;
+      L *= 2.0, k = 0.0, since = 0;
+      x = y = anchor;
+      f = valley(y, g);
+    }
+    if (since > 0) {
+      const VectorX dy = y - y0, dg = g - g0;
+      const double previous = L;
+      L = std::max(0.7 * L, dg.norm() / dy.norm());
+      if (since > 1) {
+        const double c = (dy + g0 / last_L).dot(dy0) / dy0.squaredNorm();
+        L = std::max(L, (dg - c * dg0).norm() / (dy - c * dy0).norm());
+      }
+      measured += L > 0.7 * previous;
+      dy0 = dy, dg0 = dg;
+    }
+    last_L = L, y0 = y, g0 = g;
+    const VectorX next = y - g / L;
+    if (g.dot(next - x) > 0.0) {
+      ++restarts;
+      k = 0.0;
+      if (f < best) best = f, anchor = y;
+    } else {
+      k += 1.0;
+    }
+    y = next + k / (k + P + 1.0) * (next - x);
+    x = next;
+    ++since;
+    ASSERT_EQ(method.update(state, now, objective), avi::Outcome::ok);
+    if (!now.evaluated) now.evaluate(objective);
+    // Both lose digits where gradients nearly cancel; the same formula keeps them together.
+    ASSERT_NEAR((now.x - y).norm(), 0.0, 1e-9) << "iteration " << iteration;
+    ASSERT_NEAR(state.L / L, 1.0, 1e-6) << "iteration " << iteration;
+  }
+  EXPECT_LE(now.gradient.norm(), 1e-6);
+  EXPECT_GT(measured, 5);
+  EXPECT_GT(restarts, 2);
+  EXPECT_GT(doublings, 0);
+}
+
+TEST(BregmanRestarted, RefusesAnOrderThatIsNotPositive) {
+  const avi::Iterate now{.x = VectorX::Ones(2), .gradient = VectorX::Ones(2), .value = 1.0};
+  for (const double P : {0.0, -1.0, std::nan("")})
+    EXPECT_THROW((void)avi::BregmanRestarted{.P = P}.start(now), std::invalid_argument);
+}
+
+}  // namespace
