@@ -72,6 +72,14 @@ TEST(Solver, LearnsFromEarlierEvaluationsAndSteps) {
   EXPECT_LT(evaluations(true), 6.0);   // 5.2
 }
 
+TEST(Broyden, LearnsNothingFromAShiftThatChangedNothing) {
+  const avi::Vector<double, 2> residual(0.3, -0.2);
+  avi::Broyden<2> broyden;
+  EXPECT_EQ(broyden.shift(residual, residual, false), residual) << "not yet at work";
+  for (int k = 0; k < 3; ++k)
+    EXPECT_EQ(broyden.shift(residual, residual, true), residual);
+}
+
 TEST(SecantModel, KnowsALinearFunctionFromAsManyShiftsAsItHasVariables) {
   // w(u) = A u + b with three results of two variables: u = w is at (I - A_top) u = b_top.
   avi::Matrix<double, 3, 2> a;

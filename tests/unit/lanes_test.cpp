@@ -70,6 +70,23 @@ TEST(Lanes, PartialsAgreeWithCentralDifferences) {
   }
 }
 
+/// Where the function has a derivative at zero, or one from the right.
+template <class S>
+void check_at_zero(S x) {
+  using std::abs, avi::power;
+  const auto slope = [](const S& f) { return f.partial(0); };
+  EXPECT_EQ(slope(pow(x, 1.0)), 1.0);
+  EXPECT_EQ(slope(pow(x, 1.5)), 0.0);
+  EXPECT_EQ(slope(pow(x, 2.0)), 0.0);
+  EXPECT_EQ(slope(power(x, 3.0)), 0.0);
+  EXPECT_EQ(slope(abs(x)), 1.0) << "to the right of the kink";
+}
+
+TEST(Lanes, DerivativesAtZero) {
+  check_at_zero(Lanes<2>::variable(0.0, 0));
+  check_at_zero(Partials<double, 2>::variable(0.0, 0));
+}
+
 TEST(Lanes, ProductSumIsTheSumOfProducts) {
   const auto x = Lanes<3>::variable(1.5, 0), y = Lanes<3>::variable(-0.25, 2);
   avi::ProductSum<Lanes<3>> sum;

@@ -57,6 +57,28 @@ TEST(SecantPairs, GiveTheDirectionOfTheFormedMatrix) {
   EXPECT_EQ(d, VectorX(-g));
 }
 
+// Vectors are worked on in blocks that stay in the cache, pairs two at a time.
+TEST(SecantPairs, SatisfyTheSecantEquationInEveryBlock) {
+  constexpr Eigen::Index n = 2500;
+  avi::SecantPairs pairs(3, n);
+  VectorX d(n), with_pairs(pairs.products()), change(pairs.products());
+  const VectorX curvatures = VectorX::LinSpaced(n, 1.0, 3.0);
+  for (int k = 1; k <= 3; ++k) {
+    VectorX s(n);
+    for (Eigen::Index i = 0; i < n; ++i)
+      s[i] = std::sin(1.0 + static_cast<double>(i * k));
+    const VectorX y = curvatures.cwiseProduct(s);
+    Eigen::Map<VectorX>(pairs.next_s(), n) = s;
+    Eigen::Map<VectorX>(pairs.next_y(), n) = y;
+    pairs.multiply(y.data(), change.data());
+    with_pairs.setZero();
+    pairs.commit(s.dot(y), y.squaredNorm(), change.data(), with_pairs.data(), 0.0, 0.0);
+    pairs.multiply(y.data(), with_pairs.data());
+    pairs.direction(y.data(), with_pairs.data(), d.data());
+    EXPECT_LT((d + s).norm(), 1e-12 * s.norm()) << k;
+  }
+}
+
 /// diag(1, 2, ...) as the Hessian, pairs along the axes.
 struct Axes {
   static constexpr Eigen::Index n = 5;
