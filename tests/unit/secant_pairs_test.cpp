@@ -73,9 +73,15 @@ TEST(SecantPairs, SatisfyTheSecantEquationInEveryBlock) {
     pairs.multiply(y.data(), change.data());
     with_pairs.setZero();
     pairs.commit(s.dot(y), y.squaredNorm(), change.data(), with_pairs.data(), 0.0, 0.0);
-    pairs.multiply(y.data(), with_pairs.data());
-    pairs.direction(y.data(), with_pairs.data(), d.data());
-    EXPECT_LT((d + s).norm(), 1e-12 * s.norm()) << k;
+    const auto direction_of = [&](const VectorX& g) {
+      pairs.multiply(g.data(), with_pairs.data());
+      pairs.direction(g.data(), with_pairs.data(), d.data());
+      return d;
+    };
+    EXPECT_LT((direction_of(y) + s).norm(), 1e-12 * s.norm()) << k;
+    // H is symmetric: y.H g = g.H y = g.s, and older pairs take part in H g.
+    const VectorX g = VectorX::LinSpaced(n, -1.0, 2.0);
+    EXPECT_NEAR(direction_of(g).dot(y), -g.dot(s), 1e-12 * g.norm() * s.norm()) << k;
   }
 }
 
