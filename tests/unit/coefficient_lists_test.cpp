@@ -12,8 +12,7 @@ namespace {
 /// A product of exp(a_i A) exp(b_i B) with non-commuting A, B is a series over words in A and B; it agrees
 /// with exp(A + B) up to h^k when every word of length l <= k has the coefficient 1 / l!. Word w of length l
 /// has index 2^l - 1 + (its letters as bits, the last letter lowest).
-template <int m>
-std::vector<long double> defects(const avi::SplitCoefficients<m>& s, int degree) {
+std::vector<long double> defects(const avi::SplitCoefficients& s, int degree) {
   std::vector<long double> series((2u << degree) - 1u, 0.0L);
   series[0] = 1.0L;
   const auto multiply = [&](long double x, unsigned letter) {
@@ -47,8 +46,7 @@ std::vector<long double> defects(const avi::SplitCoefficients<m>& s, int degree)
 }
 
 /// Every condition up to the stated order holds to `digits`; the next degree does not.
-template <int m>
-void expect_order(const avi::SplitCoefficients<m>& s, int order, long double digits, const char* name) {
+void expect_order(const avi::SplitCoefficients& s, int order, long double digits, const char* name) {
   EXPECT_EQ(s.order, order) << name;
   const auto worst = defects(s, order + 1);
   for (int l = 1; l <= order; ++l)

@@ -3,7 +3,6 @@
 #include "avi/integrators/split_coefficients.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 /// @file
@@ -14,17 +13,14 @@ namespace avi {
 /// \f$S(c_1 h)\, S(c_2 h) \cdots S(c_m h)\f$: makes of a symmetric method S of order 2 one of
 /// coefficients.order, which is symmetric, symplectic and reversible where S is. The base may carry variables
 /// of its own (an adaptive one does).
-template <class Base, int m>
+template <class Base>
 class Composition {
  public:
   /// Of this base with one of avi::compositions.
   /// @throws std::invalid_argument unless the coefficients are the same read backwards.
-  Composition(Base base, const CompositionCoefficients<m>& coefficients)
-      : base_(std::move(base)), order_(coefficients.order) {
-    require(std::equal(coefficients.c.begin(), coefficients.c.end(), coefficients.c.rbegin()),
-            "List of composition coefficients", "not symmetric", "the same read backwards");
-    for (std::size_t i = 0; i < c_.size(); ++i)
-      c_[i] = static_cast<double>(coefficients.c[i]);
+  Composition(Base base, const CompositionCoefficients& coefficients)
+      : base_(std::move(base)), order_(coefficients.order), c_(coefficients.c) {
+    require(c_.symmetric(), "List of composition coefficients", "not symmetric", "the same read backwards");
   }
 
   [[nodiscard]] int order() const { return order_; }        ///< That of the coefficients.
@@ -54,7 +50,7 @@ class Composition {
  private:
   Base base_;
   int order_;
-  std::array<double, static_cast<std::size_t>(m)> c_;
+  Lengths<double> c_;
 };
 
 }  // namespace avi

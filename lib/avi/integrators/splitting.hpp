@@ -5,8 +5,6 @@
 #include "avi/core/summation.hpp"
 #include "avi/integrators/split_coefficients.hpp"
 
-#include <algorithm>
-#include <array>
 #include <limits>
 #include <utility>
 
@@ -60,7 +58,7 @@ class Separable {
 ///
 /// With Summation::compensated the rounding error of the energy grows only as the square root of the number
 /// of steps (Brouwer's law); it makes the chain of dependent operations of a stage about one addition longer.
-template <class Flows, int m, Summation summation = Summation::plain>
+template <class Flows, Summation summation = Summation::plain>
 class Splitting {
  public:
   static constexpr int n = Flows::dimension;  ///< Dimension of the problem.
@@ -68,16 +66,10 @@ class Splitting {
   /// Of these flows with these lengths.
   /// @throws std::invalid_argument unless the coefficients are the same read backwards. @param flows drift(p,
   /// h), kick(q, h) and admits(state) @param coefficients one of avi::splittings
-  Splitting(Flows flows, const SplitCoefficients<m>& coefficients)
-      : flows_(std::move(flows)), order_(coefficients.order) {
-    const auto& a = coefficients.a;
-    const auto& b = coefficients.b;
-    require(std::equal(a.begin(), a.end(), a.rbegin()) && std::equal(b.begin(), b.end(), b.rbegin()),
-            "List of splitting coefficients", "not symmetric", "the same read backwards");
-    for (std::size_t i = 0; i < a_.size(); ++i)
-      a_[i] = static_cast<double>(a[i]);
-    for (std::size_t i = 0; i < b_.size(); ++i)
-      b_[i] = static_cast<double>(b[i]);
+  Splitting(Flows flows, const SplitCoefficients& coefficients)
+      : flows_(std::move(flows)), order_(coefficients.order), a_(coefficients.a), b_(coefficients.b) {
+    require(a_.symmetric() && b_.symmetric() && a_.size() == b_.size() + 1, "List of splitting coefficients",
+            "not symmetric", "the same read backwards");
     after_.t = std::numeric_limits<double>::quiet_NaN();  // Equal to no state: no rounding error is kept yet.
   }
 
@@ -99,13 +91,14 @@ class Splitting {
       add<summation>(moved.p, low.p, flows_.kick(moved.q, b_[i] * h));
     }
     drift(moved, low, a_.back() * h);
-    if (!flows_.admits(moved)) return {.outcome = Outcome::diverged, .evaluations = m};
+    if (!flows_.admits(moved))
+      return {.outcome = Outcome::diverged, .evaluations = static_cast<int>(b_.size())};
     z = moved;
     if constexpr (compensated) {
       low_ = low;
       after_ = moved;
     }
-    return {.evaluations = m};
+    return {.evaluations = static_cast<int>(b_.size())};
   }
 
  private:
@@ -126,19 +119,18 @@ class Splitting {
 
   Flows flows_;
   int order_;
-  std::array<double, static_cast<std::size_t>(m) + 1> a_;
-  std::array<double, static_cast<std::size_t>(m)> b_;
+  Lengths<double> a_, b_;
   State<n> low_{}, after_{};
 };
 
 /// Deduces the types: splitting<Summation::compensated>(flows, compositions::kahan_li8).
-template <Summation summation = Summation::plain, class Flows, int m>
-Splitting<Flows, m, summation> splitting(Flows flows, const SplitCoefficients<m>& coefficients) {
+template <Summation summation = Summation::plain, class Flows>
+Splitting<Flows, summation> splitting(Flows flows, const SplitCoefficients& coefficients) {
   return {std::move(flows), coefficients};
 }
 /// The same with a composition of the leapfrog A(h/2) B(h) A(h/2).
-template <Summation summation = Summation::plain, class Flows, int m>
-Splitting<Flows, m, summation> splitting(Flows flows, const CompositionCoefficients<m>& coefficients) {
+template <Summation summation = Summation::plain, class Flows>
+Splitting<Flows, summation> splitting(Flows flows, const CompositionCoefficients& coefficients) {
   return {std::move(flows), split(coefficients)};
 }
 

@@ -20,16 +20,14 @@ using Verlet = decltype(avi::stormer_verlet<2>(&Kepler::potential_gradient<doubl
 Verlet verlet() { return avi::stormer_verlet<2>(&Kepler::potential_gradient<double>); }
 
 /// Coefficients with the exact flows of T and V, and with those of the logarithmic Hamiltonian.
-template <int m>
-void both(const std::string& name, const avi::SplitCoefficients<m>& c, double h, double h_log) {
+void both(const std::string& name, const avi::SplitCoefficients& c, double h, double h_log) {
   bench::add(
       name, [=] { return avi::splitting(avi::Separable<Kepler>{}, c); }, h);
   bench::add(
       "log_hamiltonian_" + name,
       [=] { return avi::splitting(avi::LogHamiltonian<Kepler>(Kepler{}, bench::start()), c); }, h_log);
 }
-template <int m>
-void both(const std::string& name, const avi::CompositionCoefficients<m>& c, double h, double h_log) {
+void both(const std::string& name, const avi::CompositionCoefficients& c, double h, double h_log) {
   both(name, avi::split(c), h, h_log);
 }
 
@@ -118,7 +116,7 @@ void register_all() {
   both("blanes_moan4", s::blanes_moan4, 5e-3, 0.05);
   both("blanes_moan6", s::blanes_moan6, 5e-3, 0.05);
   bench::add(
-      "composition_kahan_li8", [] { return avi::Composition<Verlet, 17>(verlet(), c::kahan_li8); }, 5e-3);
+      "composition_kahan_li8", [] { return avi::Composition<Verlet>(verlet(), c::kahan_li8); }, 5e-3);
   bench::add(
       "blanes_moan6_nystrom",
       [] { return avi::splitting(avi::Separable<Kepler>{}, s::blanes_moan6_nystrom); }, 1e-2);
