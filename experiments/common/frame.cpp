@@ -151,6 +151,10 @@ void add_flag(CLI::App& app, const std::string& flag, bool& value, const std::st
   app.add_flag(flag, value, description);
 }
 
+void add_text(CLI::App& app, const std::string& flag, std::string& value, const std::string& description) {
+  app.add_option(flag, value, description);
+}
+
 void add_folder(CLI::App& app, const std::string& flag, std::filesystem::path& value,
                 const std::string& description) {
   app.add_option(flag, value, description)

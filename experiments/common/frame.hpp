@@ -60,6 +60,9 @@ void add_count(CLI::App& app, const std::string& flag, long& value, long low, lo
 /// Adds a switch.
 void add_flag(CLI::App& app, const std::string& flag, bool& value, const std::string& description);
 
+/// Adds a word or sentence.
+void add_text(CLI::App& app, const std::string& flag, std::string& value, const std::string& description);
+
 /// Adds the name of a folder that must exist.
 void add_folder(CLI::App& app, const std::string& flag, std::filesystem::path& value,
                 const std::string& description);

@@ -140,7 +140,9 @@ class ExtendedRun {
     Real t_low = 0;
   };
   [[nodiscard]] Real rate(const Point& z) const {
-    return log_form_ ? 1 / (problem_.kinetic(z.p) + pt_) : Real(1);
+    if constexpr (requires { problem_.kinetic(z.p); })
+      if (log_form_) return 1 / (problem_.kinetic(z.p) + pt_);
+    return 1;
   }
   void drift(Point& z, Real h) const {
     const Real dt = h * rate(z);
@@ -155,7 +157,9 @@ class ExtendedRun {
     for (std::size_t i = 0; i < list.b.size(); ++i) {
       drift(z, list.a[i] * h);
       const Real kick = list.b[i] * h;
-      const Real factor = log_form_ ? kick / problem_.potential(z.q) : -kick;
+      Real factor = -kick;
+      if constexpr (requires { problem_.potential(z.q); })
+        if (log_form_) factor = kick / problem_.potential(z.q);
       avi::add<sum, Vec>(z.p, z.p_low, factor * problem_.potential_gradient(z.q));
     }
     drift(z, list.a.back() * h);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace {
@@ -83,6 +84,12 @@ TEST(Compositions, ADigitThatIsWrongShows) {
   auto swapped = c::kahan_li8;  // Sums to 1 still; only the higher conditions see it.
   std::swap(swapped.c[0], swapped.c[1]);
   EXPECT_GT(defects(split(swapped), 8)[8], 1e-6L);
+}
+
+TEST(Lengths, AreAtMostThirtySix) {
+  EXPECT_EQ(avi::Lengths<double>(c::sofroniou_spaletta10.c).size(), 35u);
+  EXPECT_NO_THROW(avi::Lengths<double>(36));
+  EXPECT_THROW(avi::Lengths<double>(37), std::invalid_argument);
 }
 
 }  // namespace

@@ -24,20 +24,24 @@ set grid
 unset key
 set xrange [1e-4:1e2]; set yrange [1e-14:1e-1]
 set xtics 100 font ',7'; set ytics 1e3 font ',7'
-array problem[9] = ['kepler', 'kepler', 'kepler', 'kepler', 'perturbed_kepler', 'figure_eight', 'henon_heiles', 'star_cluster', 'chain64']
-array ecc[9] = [0.9, 0.99, 0.999, 0.9, 0.9, -1, -1, -1, -1]
+panels = 11
+array problem[panels] = ['kepler', 'kepler', 'kepler', 'kepler', 'perturbed_kepler', 'figure_eight', 'henon_heiles', \
+  'double_pendulum', 'star_cluster', 'solar_system', 'chain64']
+array ecc[panels] = [0.9, 0.99, 0.999, 0.9, 0.9, -1, -1, -1, -1, -1, -1]
 # The horizon that the data hold: the reduced grid is shorter than the full one.
 orbits = count('kepler', 0.9, '1000 periods', 1) ? '1000 periods' : '100 periods'
-array horizon[9] = ['10', '10', '10', orbits, '10', '10 periods', '100', '1', '100']
-array title[9] = ['Kepler, e = 0.9, T = 10', 'Kepler, e = 0.99, T = 10', 'Kepler, e = 0.999, T = 10', \
-  'Kepler, e = 0.9, '.orbits, 'quadrupole, e = 0.9, T = 10', 'figure eight, 10 periods', 'Hénon–Heiles, T = 100', '7 bodies, T = 1', 'chain of 64, T = 100']
+sections = count('henon_heiles', -1, '1000', 2) ? '1000' : '100'
+array horizon[panels] = ['10', '10', '10', orbits, '10', '10 periods', sections, '100', '1', '200000 days', '100']
+array title[panels] = ['Kepler, e = 0.9, T = 10', 'Kepler, e = 0.99, T = 10', 'Kepler, e = 0.999, T = 10', \
+  'Kepler, e = 0.9, '.orbits, 'quadrupole, e = 0.9, T = 10', 'figure eight, 10 periods', 'Hénon–Heiles, T = '.sections, \
+  'double pendulum, T = 100', '7 bodies, T = 1', 'outer planets, 550 years', 'chain of 64, T = 100']
 set multiplot
 page_left = 1.75; page_top = 0.65; page_bottom = 2.05; gap_x = 1.1; gap_y = 1.15
-do for [i=1:9] {
-  eval panel((i - 1) % 3 + 1, (i - 1) / 3 + 1, 3, 3)
+do for [i=1:panels] {
+  eval panel((i - 1) % 3 + 1, (i - 1) / 3 + 1, 3, 4)
   set title title[i] font ',7.5' offset 0, -0.6
   set ylabel i % 3 == 1 ? 'position error' : '' font ',8' offset 1.4, 0
-  set xlabel i > 6 ? 'time / V' : '' font ',8' offset 0, 0.4
+  set xlabel i > 8 ? 'time / V' : '' font ',8' offset 0, 0.4
   drawn = ''
   do for [k=1:kinds] { if (count(problem[i], ecc[i], horizon[i], k)) { drawn = drawn.' '.k } }
   if (strlen(drawn)) { plot for [k in drawn] front(problem[i], ecc[i], horizon[i], k+0) using 1:2 with linespoints lc rgb colour[k+0] lw 1.3 pt mark[k+0] ps 0.45 }

@@ -14,7 +14,8 @@ awk -F'\t' '
     e = $at["eccentricity"]; p = $at["problem"]; h = $at["horizon"]
     name = p == "kepler" ? "Kepler" : p == "perturbed_kepler" ? "Kepler with quadrupole" : \
            p == "henon_heiles" ? "Hénon–Heiles" : p == "star_cluster" ? "seven bodies" : \
-           p == "chain64" ? "chain of 64" : "figure-eight orbit"
+           p == "chain64" ? "chain of 64" : p == "double_pendulum" ? "double pendulum" : \
+           p == "solar_system" ? "outer Solar System" : "figure-eight orbit"
     if (e != "nan") name = name sprintf(", e = %g", e)
     name = name ", " (h ~ /^[0-9]+$/ ? "T = " h : h)
     printf "| %s | %.0e | %s | %s | %s | %s |\n", name, $at["target"], other($at["method"], $at["cost"]),

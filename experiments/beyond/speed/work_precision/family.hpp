@@ -55,9 +55,10 @@ struct Scene {
   double horizon;
   std::string horizon_name;  ///< As it reads in a table: `10`, `1000 periods`.
   /// |q - exact position at t| for a run from start k.
-  std::function<double(int k, double t, const Eigen::VectorXd& q)> position_error;
+  std::function<double(int k, double t, const Eigen::VectorXd& q)> position_error{};
   double reference_error = 0.0;  ///< Estimate of the error of that reference itself.
-  std::vector<Family> families;
+  double longest_run = 1.0;      ///< Times what other scenes allow a run.
+  std::vector<Family> families{};
 };
 
 /// first, first ratio, ..., count entries.

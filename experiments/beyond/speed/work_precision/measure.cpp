@@ -38,13 +38,15 @@ std::vector<Trial> scout(const Scene& scene, const Family& family, const Budget&
   std::vector<Trial> kept;
   double best = std::numeric_limits<double>::infinity();
   std::size_t stale = 0;
+  double spent = 0.0;
   for (std::size_t i = 0; i < family.settings.size(); i += budget.stride) {
     const double setting = family.settings[i];
     const long step_cap = steps_within(4.0 * budget.longest_run, family, setting);
     const Result result = family.run({.setting = setting, .step_cap = step_cap});
     const double error = result.ok ? scene.position_error(0, result.t, result.q) : std::nan("");
     const bool far_too_long = result.seconds > 4.0 * budget.longest_run;  // each trial is made ten times
-    if (i > 0 && far_too_long) break;
+    spent += (starts + 1) * std::max(result.seconds, budget.least_block);
+    if ((i > 0 && far_too_long) || spent > budget.family) break;
     if (error < 0.1 && !far_too_long) kept.push_back({&family, setting, result.seconds, 2 * step_cap});
     if (error < 0.7 * best) {
       best = error;

@@ -26,6 +26,7 @@ struct Point {
 
 struct Budget {
   double longest_run = 0.0008;  ///< Seconds; a family ends with the first setting that takes longer.
+  double family = 0.5;          ///< Seconds for all runs of a family together; it ends where they are spent.
   double least_block = 0.0001;  ///< Seconds of the timed block; shorter runs are repeated within it.
   std::size_t stride = 3;       ///< Every that many of a family's settings is tried.
 };

@@ -1,0 +1,90 @@
+#pragma once
+#include "beyond/speed/work_precision/scenes/arena.hpp"
+
+#include "avi/integrators/adaptive_verlet.hpp"
+#include "avi/integrators/coefficient_lists.hpp"
+#include "avi/integrators/composition.hpp"
+#include "avi/integrators/hairer_soderlind.hpp"
+#include "avi/integrators/log_hamiltonian.hpp"
+#include "avi/integrators/splitting.hpp"
+#include "avi/integrators/stormer_verlet.hpp"
+
+#include <string>
+
+/// @file
+/// Explicit methods of this library for H = T(p) + V(q).
+
+namespace experiment::work_precision {
+
+namespace c = avi::compositions;
+constexpr auto sum = avi::Summation::compensated;
+
+/// Fixed steps; `stage` is the coarsest step size per force evaluation.
+template <class P>
+void add_fixed(Scene& scene, const Arena<P>& arena, double stage) {
+  const auto add = [&](const char* name, const avi::SplitCoefficients& list, double ratio) {
+    const double coarse = stage * static_cast<double>(list.b.size());
+    scene.families.push_back(arena.family(name, list.order, Origin::ours_explicit, "h",
+                                          geometric(coarse, ratio, 40), [=](const P& problem, const auto&) {
+                                            return avi::splitting<sum>(avi::Separable<P>(problem), list);
+                                          }));
+  };
+  scene.families.push_back(arena.family("stormer_verlet", 2, Origin::ours_explicit, "h",
+                                        geometric(stage, 0.5, 24), [](const P& problem, const auto&) {
+                                          return avi::stormer_verlet<P::dimension>(
+                                              [problem](const avi::Vector<double, P::dimension>& q) {
+                                                return problem.potential_gradient(q);
+                                              });
+                                        }));
+  add("verlet_suzuki4", split(c::suzuki4), 0.6);
+  add("blanes_moan4", avi::splittings::blanes_moan4, 0.6);
+  add("verlet_kahan_li6", split(c::kahan_li6), 0.7);
+  add("blanes_moan6_nystrom", avi::splittings::blanes_moan6_nystrom, 0.7);
+  add("verlet_kahan_li8", split(c::kahan_li8), 0.75);
+  add("verlet_sofroniou_spaletta10", split(c::sofroniou_spaletta10), 0.8);
+}
+
+/// The logarithmic Hamiltonian; `stage` is the coarsest fictive step per force evaluation.
+template <class P>
+void add_logarithmic(Scene& scene, const Arena<P>& arena, double stage) {
+  const auto add = [&]<avi::Summation summation = sum>(
+      const char* name, const avi::CompositionCoefficients& composition, double ratio) {
+    const auto list = split(composition);
+    const double coarse = stage * static_cast<double>(list.b.size());
+    scene.families.push_back(
+        arena.family(name, list.order, Origin::ours_explicit, "h", geometric(coarse, ratio, 40),
+                     [=](const P& problem, const auto& start) {
+                       return avi::splitting<summation>(avi::LogHamiltonian<P>(problem, start), list);
+                     }));
+  };
+  add("log_hamiltonian", c::strang, 0.6);
+  add("log_hamiltonian_suzuki4", c::suzuki4, 0.7);
+  add("log_hamiltonian_kahan_li6", c::kahan_li6, 0.8);
+  add("log_hamiltonian_kahan_li8", c::kahan_li8, 0.85);
+  add("log_hamiltonian_sofroniou_spaletta10", c::sofroniou_spaletta10, 0.87);
+  add.template operator()<avi::Summation::plain>("log_hamiltonian_kahan_li8_plain", c::kahan_li8, 0.85);
+}
+
+/// The reversible, not symplectic rivals with g = |q|^(3/2).
+template <class P>
+void add_reversible(Scene& scene, const Arena<P>& arena) {
+  const auto add = [&](const char* name, int order, double coarse, double ratio, auto make) {
+    scene.families.push_back(
+        arena.family(name, order, Origin::ours_explicit, "g=r^1.5 h", geometric(coarse, ratio, 30), make));
+  };
+  const avi::PowerOfRadius monitor{1.5};
+  const auto reversible = [=](const avi::CompositionCoefficients& list) {
+    return [=](const P& problem, const auto&) {
+      return avi::HairerSoderlind(avi::splitting<sum>(avi::Separable<P>(problem), list), monitor);
+    };
+  };
+  add("adaptive_verlet", 2, 0.1, 0.6,
+      [=](const P& problem, const auto&) { return avi::AdaptiveVerlet(problem, monitor); });
+  add("adaptive_verlet_kahan_li8", 8, 1.0, 0.8, [=](const P& problem, const auto&) {
+    return avi::Composition(avi::AdaptiveVerlet(problem, monitor), c::kahan_li8);
+  });
+  add("hairer_soderlind", 2, 0.1, 0.6, reversible(c::strang));
+  add("hairer_soderlind_kahan_li8", 8, 1.0, 0.8, reversible(c::kahan_li8));
+}
+
+}  // namespace experiment::work_precision

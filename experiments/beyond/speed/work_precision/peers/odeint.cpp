@@ -1,0 +1,84 @@
+#include "beyond/speed/work_precision/peers/peer.hpp"
+#include "beyond/speed/work_precision/scenes/arena.hpp"
+
+#include "avi/problems/henon_heiles.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/problems/perturbed_kepler.hpp"
+
+#include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
+#include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
+#include <boost/numeric/odeint/stepper/generation.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <stdexcept>
+
+namespace experiment::work_precision {
+namespace {
+
+namespace odeint = boost::numeric::odeint;
+
+/// `controlled(tolerance)` gives the stepper, `f_of(equations)` the right-hand side.
+template <class State, class F, class Controlled>
+Family family(const Equations& equations, F f_of, const char* method, int order, Controlled controlled) {
+  return peer(equations, method, order, [f_of, controlled](Task& task) {
+    State state{};
+    if constexpr (requires { state.resize(1); }) state.resize(task.y.size());
+    std::copy(task.y.begin(), task.y.end(), state.begin());
+    const auto field = f_of(task.equations);
+    task.steps = -1;  // the observer also sees the start
+    bool ok = true;
+    try {
+      odeint::integrate_adaptive(
+          controlled(task.tolerance),
+          [&](const State& x, State& dxdt, double t) { field(t, x.data(), dxdt.data(), &task.f); }, state,
+          0.0, task.equations.horizon, 1e-3,
+          [&](const State& x, double) {
+            if (!task.stepped(x.data())) throw std::runtime_error("step cap");
+          });
+    } catch (const std::exception&) {
+      ok = false;  // odeint throws when its step size underflows, too
+    }
+    std::copy(state.begin(), state.end(), task.y.begin());
+    return ok;
+  });
+}
+
+template <class State, class F>
+void add(Scene& scene, const Equations& equations, F f_of) {
+  const auto add = [&](const char* method, int order, auto controlled) {
+    scene.families.push_back(family<State>(equations, f_of, method, order, controlled));
+  };
+  add("odeint_dopri5", 5, [](double tolerance) {
+    return odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_dopri5<State>());
+  });
+  add("odeint_fehlberg78", 8, [](double tolerance) {
+    return odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_fehlberg78<State>());
+  });
+  add("odeint_bulirsch_stoer", 0,
+      [](double tolerance) { return odeint::bulirsch_stoer<State>(tolerance, tolerance); });
+}
+
+/// With the right-hand side of P in line: Bulirsch-Stoer takes 1.8 times as long where it is called.
+template <class P>
+bool added_in_line(Scene& scene, const Equations& equations) {
+  if (equations.field != &Arena<P>::field) return false;
+  add<std::array<double, 4>>(scene, equations, [](const Equations&) {
+    return [](double t, const double* y, double* f, void* self) { Arena<P>::field(t, y, f, self); };
+  });
+  return true;
+}
+
+}  // namespace
+
+void add_odeint(Scene& scene, const Equations& equations) {
+  if (!added_in_line<avi::Kepler>(scene, equations) &&
+      !added_in_line<avi::PerturbedKepler>(scene, equations) &&
+      !added_in_line<avi::HenonHeiles>(scene, equations))
+    add<std::vector<double>>(scene, equations, [](const Equations& its) { return its.field; });
+}
+
+}  // namespace experiment::work_precision

@@ -1,0 +1,164 @@
+#pragma once
+#include "beyond/speed/work_precision/clock.hpp"
+#include "beyond/speed/work_precision/family.hpp"
+#include "beyond/speed/work_precision/peers/peers.hpp"
+#include "common/methods/runner.hpp"
+#include "common/reference.hpp"
+
+#include "avi/core/state.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+/// @file
+/// A problem with its starts, and what a scene makes of it: families of our own methods, the equations that
+/// other libraries solve, a reference.
+
+namespace experiment::work_precision {
+
+constexpr double not_an_orbit = std::numeric_limits<double>::quiet_NaN();  ///< As an eccentricity.
+
+/// H = |p|^2 / 2 + V(q).
+template <class P>
+concept UnitMasses = requires(P problem, avi::Vector<double, P::dimension> z) {
+  problem.potential_gradient(z);
+  requires !requires { problem.velocity(z); };
+};
+
+template <class P>
+struct Arena {
+  static constexpr int n = P::dimension;
+  P problem;
+  double horizon;
+  std::array<avi::State<n>, starts> start;
+
+  /// The start and eight neighbours: its first coordinate moved by -4e-14 ... 4e-14.
+  Arena(P problem_, double horizon_, const avi::State<n>& middle)
+      : problem(std::move(problem_)), horizon(horizon_) {
+    for (int k = 0; k < starts; ++k) {
+      start[static_cast<std::size_t>(k)] = middle;
+      start[static_cast<std::size_t>(k)].q[0] += (k - starts / 2) * 1e-14;
+    }
+  }
+
+  [[nodiscard]] const avi::State<n>& at(int k) const { return start[static_cast<std::size_t>(k)]; }
+
+  /// make(problem, start) gives a fresh method; the setting is its step size.
+  template <class Make>
+  Family family(std::string method, int order, Origin origin, std::string knob, std::vector<double> settings,
+                Make make) const {
+    const RunnerOf<n> runner(problem, [its = problem, make](const auto& z) { return make(its, z); });
+    return {std::move(method),
+            order,
+            origin,
+            std::move(knob),
+            std::move(settings),
+            [arena = *this, runner](const Request& request) { return arena.run(request, runner); }};
+  }
+
+  /// As y = (q, p), y' = f(y).
+  [[nodiscard]] Equations equations() const {
+    const auto energy = [its = problem](const double* y) {
+      const Eigen::Map<const avi::Vector<double, n>> q(y), p(y + n);
+      return its(q, p);
+    };
+    Equations made{horizon, std::make_shared<P>(problem), &field, energy};
+    for (const auto& z : start) {
+      made.start.emplace_back(z.q.begin(), z.q.end());
+      made.start.back().insert(made.start.back().end(), z.p.begin(), z.p.end());
+    }
+    return made;
+  }
+
+  /// f, for Equations.
+  static int field(double, const double* y, double* f, void* self) {
+    using Vec = avi::Vector<double, n>;
+    auto& counted = *static_cast<RightHandSide*>(self);
+    ++counted.evaluations;
+    const P& its = *static_cast<const P*>(counted.problem);
+    const Vec q = Eigen::Map<const Vec>(y);
+    if constexpr (UnitMasses<P>) {
+      // Entry by entry: a whole vector that is read just after its entries were written would cost GSL 40 %.
+      const Vec slope = its.potential_gradient(q);
+      for (int i = 0; i < n; ++i) {
+        f[i] = y[n + i];
+        f[n + i] = -slope[i];
+      }
+    } else {
+      const Vec p = Eigen::Map<const Vec>(y + n);
+      Eigen::Map<Vec> velocity(f), force(f + n);
+      velocity = its.d_dp(q, p);
+      force = -its.d_dq(q, p);
+    }
+    return 0;
+  }
+
+ private:
+  /// One run of a method of ours, as a request wants it.
+  [[nodiscard]] Result run(const Request& request, const RunnerOf<n>& runner) const {
+    const avi::Until until{.time = horizon, .steps = request.step_cap};
+    const avi::State<n>& begin = at(request.start);
+    avi::State<n> z = begin;
+    avi::Run run;
+    Result result;
+    if (request.watch_energy) {
+      const double energy = runner.energy(begin);
+      run = runner.advance(begin, z, request.setting, until, [&](const avi::State<n>& s) {
+        result.energy_error = std::max(result.energy_error, std::abs(runner.energy(s) - energy));
+        return true;
+      });
+    } else {
+      const auto timed = runner.prepare(begin);
+      result.seconds = block_seconds(
+          [&] {
+            z = begin;
+            run = timed(z, request.setting, until);
+          },
+          request.repeats);
+    }
+    result.ok = run.outcome == avi::Outcome::ok;
+    result.q = z.q;
+    result.t = z.t;
+    result.steps = run.steps;
+    result.evaluations = run.evaluations;
+    return result;
+  }
+};
+
+/// Reference by extended precision: make(start, fraction) gives a run with this fraction of its step, whose
+/// run_to(horizon) comes close to the horizon and whose position(t) is its position at a time after that. One
+/// for each start, made when first asked for. Its own error is the difference from two thirds of the step.
+template <class P, class Make>
+void set_reference(Scene& scene, const Arena<P>& arena, Make make) {
+  using Run = decltype(make(arena.at(0), 1.0L));
+  const auto reached = [=](int k, long double fraction) {
+    auto run = std::make_shared<Run>(make(arena.at(k), fraction));
+    run->run_to(arena.horizon);
+    return run;
+  };
+  auto runs = std::make_shared<std::map<int, std::shared_ptr<Run>>>();
+  scene.position_error = [=](int k, double t, const Eigen::VectorXd& q) {
+    auto& run = (*runs)[k];
+    if (!run) run = reached(k, 1.0L);
+    return (run->position(t) - q).norm();
+  };
+  scene.reference_error =
+      scene.position_error(0, arena.horizon, reached(0, 1.0L / 1.5L)->position(arena.horizon));
+}
+
+/// By the composition of order 10; `h` is in the time of the logarithmic Hamiltonian where `log_form`.
+template <class P>
+void set_extended_reference(Scene& scene, const Arena<P>& arena, bool log_form, long double h) {
+  set_reference(scene, arena,
+                [=, problem = arena.problem](const avi::State<P::dimension>& start, long double fraction) {
+                  return ExtendedRun<P>(problem, start, log_form, fraction * h);
+                });
+}
+
+}  // namespace experiment::work_precision

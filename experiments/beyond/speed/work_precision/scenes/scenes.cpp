@@ -1,0 +1,52 @@
+#include "beyond/speed/work_precision/scenes/scenes.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace experiment::work_precision {
+namespace {
+
+/// Over many periods only the methods that stand a chance are run; the short horizon shows why.
+Scene thinned(Scene scene) {
+  std::erase_if(scene.families, [](const Family& f) {
+    const bool fixed = f.method.starts_with("verlet_") || f.method.starts_with("stormer_");
+    return (f.order < 6 && f.origin != Origin::peer) || (fixed && f.method != "verlet_kahan_li8") ||
+           f.method == "odeint_dopri5" || f.method == "gsl_rkf45";
+  });
+  return scene;
+}
+
+}  // namespace
+
+std::vector<Listed> scenes(Grid grid) {
+  const bool full = grid == Grid::full;
+  const auto orbit = [](double e) {
+    return Listed{fmt::format("kepler {} 10", e), [=] { return kepler(e, 10.0, "10"); }};
+  };
+  if (grid == Grid::quick) return {orbit(0.9)};
+  const auto periods = [](int number) { return fmt::format("{} periods", number); };
+  const auto orbits = [&](double e, int number) {
+    const std::string name = periods(number);
+    return Listed{fmt::format("kepler {} {}", e, name),
+                  [=] { return thinned(kepler(e, number * 2.0 * M_PI, name)); }};
+  };
+  std::vector<Listed> list{orbit(0.9), orbit(0.99), orbit(0.999), orbits(0.9, full ? 1000 : 100)};
+  if (full) {
+    list.push_back(orbits(0.99, 1000));
+    list.push_back(orbits(0.999, 1000));
+    list.push_back({"perturbed_kepler 1000 periods",
+                    [=] { return thinned(perturbed_kepler(0.9, 2000.0 * M_PI, "1000 periods")); }});
+    list.push_back({"figure_eight 100 periods", [] { return figure_eight(100); }});
+  }
+  list.push_back({"perturbed_kepler 10", [] { return perturbed_kepler(0.9, 10.0, "10"); }});
+  list.push_back({"henon_heiles", [=] { return henon_heiles(full ? 1000.0 : 100.0); }});
+  list.push_back({"double_pendulum", [] { return double_pendulum(100.0); }});
+  list.push_back({"figure_eight 10 periods", [] { return figure_eight(10); }});
+  list.push_back({"star_cluster", [] { return star_cluster(); }});
+  list.push_back({"solar_system", [] { return solar_system(200'000.0); }});
+  list.push_back({"chain", [] { return chain(); }});
+  return list;
+}
+
+}  // namespace experiment::work_precision

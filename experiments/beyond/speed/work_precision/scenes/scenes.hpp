@@ -1,0 +1,40 @@
+#pragma once
+#include "beyond/speed/work_precision/family.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// @file
+/// The problems of the comparison, each with the methods that take part.
+
+namespace experiment::work_precision {
+
+Scene kepler(double eccentricity, double horizon, const std::string& horizon_name);
+Scene perturbed_kepler(double eccentricity, double horizon, const std::string& horizon_name);
+Scene henon_heiles(double horizon);
+Scene double_pendulum(double horizon);
+Scene figure_eight(int periods);
+/// Seven unit masses, with encounters down to a hundredth of the cluster's size.
+Scene star_cluster();
+/// The Sun and five planets over a horizon in days.
+Scene solar_system(double horizon);
+/// 64 masses on a line.
+Scene chain();
+
+/// What the comparison covers.
+enum class Grid {
+  quick,    ///< One short scene, for tests.
+  reduced,  ///< What `make figures` runs.
+  full
+};
+
+/// A scene that is made when its turn comes: its reference takes time.
+struct Listed {
+  std::string label;
+  std::function<Scene()> make;
+};
+
+std::vector<Listed> scenes(Grid grid);
+
+}  // namespace experiment::work_precision
