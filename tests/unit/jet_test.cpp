@@ -161,6 +161,22 @@ TEST(JetTape, KnowsFormulasThatLookAtValues) {
   EXPECT_TRUE(tape.branched);
 }
 
+TEST(JetTape, AnAbsoluteValueWithDerivativesIsWrittenOnce) {
+  JetTape<double, R> tape;
+  auto x = line(-0.5);
+  const auto y = abs(avi::Partials<Scalar, 1>::variable(Scalar(x.data(), &tape), 0));
+  EXPECT_FALSE(tape.branched);
+  EXPECT_EQ(y.value[0], 0.5);
+  EXPECT_EQ(y.d[0][0], -1.0);
+  x[0] = 0.25;
+  for (int k = 0; k <= 2; ++k)
+    tape.run(k, tape.size());
+  EXPECT_EQ(y.value[0], 0.25);
+  EXPECT_EQ(y.value[1], 1.0);
+  EXPECT_EQ(y.d[0][0], 1.0);
+  EXPECT_EQ(y.d[0][1], 0.0);
+}
+
 /// Kepler's equations: the coefficients that a series of Lanes gives are those of a series of doubles, and
 /// its partials are the derivatives of those coefficients.
 template <class T>

@@ -1,5 +1,6 @@
 #pragma once
 #include "avi/autodiff/jet.hpp"
+#include "avi/autodiff/partials.hpp"
 
 #include <cmath>
 
@@ -38,6 +39,15 @@ Jet<T, R> atan(const Jet<T, R>& a) {
 template <class T, int R>
 Jet<T, R> abs(const Jet<T, R>& a) {
   return a.is_constant() ? Jet<T, R>(std::abs(a.constant)) : a.through(SeriesOperation::absolute);
+}
+/// With derivatives. The sign is written down: a look at the value would have the formula called anew for
+/// every expansion.
+template <class T, int R, int N>
+Partials<Jet<T, R>, N> abs(const Partials<Jet<T, R>, N>& x) {
+  return x.chain(abs(x.value), [&] {
+    return x.value.is_constant() ? Jet<T, R>(std::copysign(1.0, x.value.constant))
+                                 : x.value.through(SeriesOperation::sign);
+  });
 }
 /// @}
 

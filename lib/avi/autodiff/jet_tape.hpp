@@ -30,7 +30,8 @@ enum class SeriesOperation {
   cosh,      ///< c' = b a', with b = sinh a
   log,       ///< b c' = a', with b = a
   atan,      ///< b c' = a', with b = 1 + a^2
-  absolute   ///< a or -a, by the sign of its value
+  absolute,  ///< a or -a, by the sign of its value
+  sign       ///< 1 or -1, the sign of a's value
 };
 
 /// A formula on truncated Taylor series, written down as it is first evaluated.
@@ -186,6 +187,9 @@ class JetTape {
     case Op::absolute:
       if (k == 0) slot.number = value_of(a[0]) < 0.0 ? -1.0 : 1.0;
       c[k] = slot.number < 0.0 ? -1.0 * a[k] : a[k];
+      break;
+    case Op::sign:
+      c[k] = T(k > 0 ? 0.0 : value_of(a[0]) < 0.0 ? -1.0 : 1.0);
       break;
     }
   }
