@@ -14,7 +14,7 @@ namespace avi {
 struct MonitorTarget {
   double energy_error = 1e-8;  ///< Largest |H - H_0|, relative to the energy scale of choose_monitor().
   int order = 8;               ///< Of the collocation method.
-  double time = 0.0;           ///< Length of the trials; 0 takes 10 mean radians of the fastest motion.
+  double time = 0.0;           ///< Length of the trials; 0 takes the first 10 radians of the fastest motion.
 };
 
 namespace detail {
@@ -70,6 +70,9 @@ inline double sweep_work(const PhaseFunction& transformed, int order) {
   return 3.0 + 0.85 * static_cast<double>(transformed.size()) * lanes + transformed.work(lanes);
 }
 
+/// Length of the trials in radians of \f$\omega = n_0^{1/4}\f$.
+inline constexpr double pilot_angle = 10.0;
+
 /// The choice from a menu: each monitor is tried once with the same number of steps; then always the one that
 /// promises the least product of work and steps, until the step of that one is found.
 inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
@@ -80,11 +83,11 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
                        .order = target.order,
                        .energy_scale = tour ? tour->kinetic : std::max(1e-300, std::abs(start_energy)),
                        .time = target.time > 0.0 ? target.time
-                               : tour            ? 10.0 / tour->frequency
+                               : tour            ? tour->time_of(pilot_angle)
                                                  : 1.0,
                        .trials = {},
                        .note = menu.note()};
-  const double radians = tour ? tour->frequency * choice.time : 20.0;
+  const double radians = !tour ? 20.0 : target.time > 0.0 ? tour->frequency * choice.time : pilot_angle;
   const double first = radians * std::max(0.4, 0.15 * std::pow(target.energy_error, -1.0 / target.order));
   const double least =
       0.4 * radians;  // fewer steps do not resolve the motion, even where the energy error is small
@@ -92,37 +95,48 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
   if (tour) choice.work = static_cast<double>(tour->evaluations) * menu.entries().front().transformed.work(1);
   const Pilot::Setting setting{menu.energy(),       menu.start(),        target.order,
                                target.energy_error, choice.energy_scale, menu.start().t + choice.time};
-  const double none = sweep_work(menu.entries().front().transformed, target.order);
   struct Candidate {
     const Menu::Entry* entry;
+    double sweep;
+    Tour::Look look;
     std::unique_ptr<Pilot> pilot;  // pilots do not move: their packs are aligned
+    /// What its steps would cost if the longest step in n_0^(1/4) decided.
+    [[nodiscard]] double outlook() const { return sweep * look.unevenness; }
   };
   std::vector<Candidate> candidates;
-  double best = std::numeric_limits<double>::infinity(), gain = 1.0;
   for (const Menu::Entry& entry : menu.entries()) {
-    const double sweep = sweep_work(entry.transformed, target.order);
-    const Tour::Look look = tour ? tour->look(entry.monitor) : Tour::Look{.low = 1.0, .high = 1.0};
-    if (candidates.empty()) {
-      gain = look.unevenness;
-    } else if (!(look.low > 0.0 && look.high > 1.15 * look.low) || sweep > 0.6 * gain * none ||
-               5.0 * sweep * first > best) {
-      // Not positive on the way, or hardly different from none; or so dear that no steps can make up for it
-      // (measured: steps save at most some six tenths of what they could, and at best take five sweeps for
-      // each of the first ones).
-      continue;
-    }
-    const double fictive = tour ? tour->fictive_time(entry.monitor, choice.time) : choice.time;
-    if (!(fictive > 0.0) || !std::isfinite(fictive)) continue;
-    candidates.push_back(
-        {&entry, std::make_unique<Pilot>(setting, entry.name, entry.monitor, sweep, fictive, fictive / least,
-                                         fictive / first / look.unevenness)});
-    Pilot& pilot = *candidates.back().pilot;
-    pilot.trial(fictive / first, most, 3.0 * best, choice);
-    if (pilot.passed()) best = std::min(best, pilot.cost());
+    const bool fixed = candidates.empty();
+    Candidate it{&entry, sweep_work(entry.transformed, target.order),
+                 tour ? tour->look(entry.monitor) : Tour::Look{.low = 1.0, .high = 1.0}, nullptr};
+    // Not positive on the way, or hardly different from none; or so dear that no steps can make up for it
+    // (measured: steps save at most some six tenths of what they could).
+    if (fixed || (it.look.low > 0.0 && it.look.high > 1.15 * it.look.low &&
+                  it.sweep <= 0.6 * candidates.front().outlook()))
+      candidates.push_back(std::move(it));
   }
-  for (int trials = 0; trials < 40; ++trials) {
-    // The least product of work and steps, but no more than a tenth above the work of fixed steps.
-    const double limit = 1.1 * candidates.front().pilot->cost();
+  // The most promising one first: the others then are given up early. What promises little is not tried,
+  // fixed steps only where all else fails.
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.outlook() < b.outlook(); });
+  const double poor = 12.0 * candidates.front().outlook();
+  const Pilot* fixed = nullptr;
+  double best = std::numeric_limits<double>::infinity();
+  for (Candidate& it : candidates) {
+    const bool is_fixed = it.entry == &menu.entries().front(), promising = it.outlook() <= poor;
+    // At best it takes five sweeps for each of the first steps.
+    if (!is_fixed && (!promising || 5.0 * it.sweep * first > best)) continue;
+    const double fictive = tour ? tour->fictive_time(it.entry->monitor, choice.time) : choice.time;
+    if (!(fictive > 0.0) || !std::isfinite(fictive)) continue;
+    it.pilot = std::make_unique<Pilot>(setting, it.entry->name, it.entry->monitor, it.sweep, fictive,
+                                       fictive / least, fictive / first / it.look.unevenness);
+    if (is_fixed) fixed = it.pilot.get();
+    if (promising) it.pilot->trial(fictive / first, most, 2.0 * best, choice);
+    if (it.pilot->passed()) best = std::min(best, it.pilot->cost());
+  }
+  std::erase_if(candidates, [](const Candidate& it) { return !it.pilot; });
+  for (int trials = 0; fixed && trials < 40; ++trials) {
+    // The least product of work and steps, but no more work than fixed steps take.
+    const double limit = fixed->cost();
     const auto price = [&](const Candidate& it) {
       const double work = it.pilot->cost();
       return work > limit ? std::numeric_limits<double>::infinity() : work * it.pilot->steps();

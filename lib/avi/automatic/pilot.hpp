@@ -38,8 +38,9 @@ class Pilot {
   Pilot(const Setting& setting, std::string name, const PhaseFunction& monitor, double sweep, double fictive,
         double longest, double supposed)
       : setting_(setting), name_(std::move(name)), sweep_(sweep), fictive_(fictive), longest_(longest),
-        supposed_(supposed),
-        method_(collocation(poincare(setting.energy, setting.start, monitor), setting.order)) {}
+        supposed_(supposed), method_(collocation(poincare(setting.energy, setting.start, monitor),
+                                                 setting.order, {.max_sweeps = 40})) {
+  }  // a step that takes more is too long
 
   /// A run with step h, given up for good after `most` steps, or when its error shows that the cost() will
   /// exceed `dearest`.
@@ -66,6 +67,7 @@ class Pilot {
   [[nodiscard]] double next() const {
     const double h = wanted();
     if (good_.h > 0.0) return std::min({h, 2.5 * good_.h, longest_});
+    if (bad_.h == infinity) return std::min(h, longest_);
     return std::max(h, 0.3 * bad_.h);
   }
   /// What a run with the step aimed at would cost; infinity after a run that was given up.
@@ -109,6 +111,7 @@ class Pilot {
     const auto from = [&](const Seen& seen, double order) {
       return seen.h * std::pow(aim / std::max(seen.error, 1e-300), 1.0 / order);
     };
+    if (good_.h == 0.0 && bad_.h == infinity) return supposed_;
     if (good_.h == 0.0) return std::isfinite(bad_.error) ? from(bad_, setting_.order) : 0.6 * bad_.h;
     if (bad_.h == infinity) return from(good_, setting_.order);
     if (!std::isfinite(bad_.error) || good_.error == 0.0) return std::sqrt(good_.h * bad_.h);

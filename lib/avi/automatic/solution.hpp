@@ -55,7 +55,8 @@ inline Solution<dynamic> solve(const Menu& menu, double t_end, double tolerance)
       .tolerance = tolerance};
   const double span = t_end - menu.start().t;
   if (span == 0.0) return solution;
-  const double pilot = menu.tour() ? std::min(span, 10.0 / menu.tour()->frequency) : 0.1 * span;
+  // 0: of its usual length
+  const double pilot = !menu.tour() ? 0.1 * span : span < menu.tour()->time_of(pilot_angle) ? span : 0.0;
   solution.choice = choose(menu, {.energy_error = tolerance, .order = order_for(tolerance), .time = pilot});
   MonitorChoice& choice = solution.choice;
   if (!choice.reached) {

@@ -46,6 +46,17 @@ class Tour {
     }
     return sum * (span / passed);
   }
+  /// The time in which the first `angle` radians \f$\int\omega\,dt\f$ pass; beyond the tour at its mean
+  /// frequency.
+  [[nodiscard]] double time_of(double angle) const {
+    double passed = 0.0;
+    for (const Sample& sample : samples_) {
+      if (sample.h * sample.frequency >= angle) return passed + angle / sample.frequency;
+      angle -= sample.h * sample.frequency;
+      passed += sample.h;
+    }
+    return passed + angle / frequency;
+  }
   /// A monitor as this orbit sees it.
   struct Look {
     double low = std::numeric_limits<double>::infinity();  ///< Smallest value on the way.
@@ -102,7 +113,8 @@ class Tour {
       const double energy_there = field(step.end, next);
       liveliest = std::max(liveliest, 0.5 * fast);
       const double lively_there = 0.5 * curvature.squared_speeds(next).first;
-      if (!(std::abs(energy_there - energy) <= 1e-3 * std::max(liveliest, lively_there))) {
+      if (!std::isfinite(lively_there) ||
+          !(std::abs(energy_there - energy) <= 1e-3 * std::max(liveliest, lively_there))) {
         longest = 0.5 * h;  // too long: H changes steeply here
         if (h < 1e-9 * time || h == 0.0) break;
         continue;

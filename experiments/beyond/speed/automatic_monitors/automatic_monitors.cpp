@@ -112,7 +112,7 @@ int main(int argc, char** argv) {
                                      "chosen_work_ratio", "cheapest", "none_ratio", "none_work_ratio",
                                      "pilot_share", "pilot_seconds", "run_seconds"});
         std::vector<Scene> scenes = celestial_scenes();
-        for (auto* more : {&other_scenes, &further_scenes, &held_out_scenes})
+        for (auto* more : {&other_scenes, &further_scenes, &drawn_scenes, &held_out_scenes})
           for (Scene& scene : more())
             scenes.push_back(std::move(scene));
         if (frame.quick)

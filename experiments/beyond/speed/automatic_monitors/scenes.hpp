@@ -99,6 +99,7 @@ inline const std::vector<double> powers_of_length{0.5, 1.0, 1.5, 2.0};
 std::vector<Scene> celestial_scenes();  ///< Attraction by inverse squares, and a charge in a dipole's field.
 std::vector<Scene> other_scenes();      ///< Oscillators, springs, walls, molecules.
 std::vector<Scene> further_scenes();    ///< Ten held out from a first search and looked at since.
+std::vector<Scene> drawn_scenes();      ///< Twelve more of those.
 std::vector<Scene> held_out_scenes();   ///< Not looked at before the formula was final.
 
 }  // namespace experiment
