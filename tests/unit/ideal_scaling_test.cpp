@@ -69,4 +69,20 @@ TEST(IdealScaling, TimeDilationMovesWithinTheFamily) {
   }
 }
 
+TEST(IdealScaling, TheTransformToTheLowerOrderIsDirectWithThatOrder) {
+  // The paper's text speaks of a transform from order p to the lower order p_ring. Time dilation gives it: t
+  // = tau^(p_ring/p), monitor dt/dtau = (p_ring/p) t^(1 - p/p_ring). In tau its coefficients are those of
+  // Direct with p_ring, while Adaptive (p, p_ring) is of order p^2 / p_ring.
+  for (const auto& [p, p_ring] : {std::pair{4.0, 2.0}, {4.0, 1.0}, {10.0, 0.5}}) {
+    const auto high = avi::BregmanFamily::direct(p, 0.4), low = avi::BregmanFamily::direct(p_ring, 0.4);
+    for (double tau : {0.7, 1.0, 30.0}) {
+      const double t = std::pow(tau, p_ring / p), monitor = (p_ring / p) * std::pow(t, 1.0 - p / p_ring);
+      EXPECT_NEAR(monitor * high.kinetic(t) / low.kinetic(tau), 1.0, 1e-12);
+      EXPECT_NEAR(monitor * high.potential(t) / low.potential(tau), 1.0, 1e-12);
+      EXPECT_NEAR(monitor, (p_ring / p) * std::pow(tau, p_ring / p - 1.0), 1e-12 * monitor);  // dt/dtau
+    }
+    EXPECT_EQ(avi::BregmanFamily::adaptive(p, p_ring).order(), p * p / p_ring);
+  }
+}
+
 }  // namespace
