@@ -45,7 +45,7 @@ class Program {
 
   /// Computes the results at room.arguments(), which stay as they are. @param room made for this program
   template <class S>
-  void run(Room<S>& room) const {
+  [[gnu::flatten, gnu::noinline]] void run(Room<S>& room) const {
     static_assert(sizeof(S) % 8 == 0, "A scalar is one or several numbers of eight bytes.");
     S* const slots = room.slots_.data();
     const Instruction* next = instructions_.data();

@@ -22,6 +22,17 @@ inline constexpr bool
     takes_supplied = (Problem::dimension > most_partials) &&
                      SuppliesGradient<std::decay_t<decltype(std::declval<const Problem&>().hamiltonian())>,
                                       Pack<w>, Problem::dimension>;
+
+/// The recording of g, or of \f$\bar H = g\,(H + p^t)\f$: made once for all widths.
+template <class Problem>
+Recording recorded_rate(const Problem& problem, bool with_energy) {
+  return record<Problem::dimension>(
+      [&](const auto& q, const auto& p) {
+        const Recorded rate = problem.rate(q, p);
+        return with_energy ? rate * (problem.hamiltonian()(q, p) + problem.energy_momentum()) : rate;
+      },
+      problem.size());
+}
 }  // namespace detail
 
 /// The field of \f$\bar H = g\,(H + p^t)\f$ at w stages, as two functions, of which each computes only what
@@ -125,15 +136,8 @@ requires((Problem::dimension == dynamic || Problem::dimension > detail::most_par
 
   /// Records this problem.
   explicit StageField(const Problem& problem)
-      : StageField(problem.size(),
-                   record<n>(
-                       [&](const auto& q, const auto& p) {
-                         return problem.rate(q, p) *
-                                (problem.hamiltonian()(q, p) + problem.energy_momentum());
-                       },
-                       problem.size()),
-                   record<n>([&](const auto& q, const auto& p) { return Recorded(problem.rate(q, p)); },
-                             problem.size())) {}
+      : StageField(problem.size(), detail::recorded_rate(problem, true),
+                   detail::recorded_rate(problem, false)) {}
 
   /// force = -weight \f$\partial \bar H/\partial q\f$.
   void force(const Problem&, const Vec& q, const Vec& p, const Scalar& weight, Scalar&, Vec& force) {

@@ -21,9 +21,7 @@ requires(detail::takes_supplied<Problem, w>) class StageField<Problem, w> {
   using Vec = Vector<Scalar, n>;                ///< One vector for each stage.
 
   /// Records the monitor.
-  explicit StageField(const Problem& problem)
-      : StageField(record<n>([&](const auto& q, const auto& p) { return Recorded(problem.rate(q, p)); }, n)) {
-  }
+  explicit StageField(const Problem& problem) : StageField(detail::recorded_rate(problem, false)) {}
 
   /// force = -weight \f$\partial \bar H/\partial q\f$.
   void force(const Problem& problem, const Vec& q, const Vec& p, const Scalar& weight, Scalar& rate,
