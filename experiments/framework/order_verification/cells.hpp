@@ -32,9 +32,10 @@ struct Slopes {
 /// steps are not yet the order. Where the leading two terms of the error cancel at some step, slopes of finer
 /// ones come to the order from below, s(h) = p + c h + O(h^2): Richardson's extrapolation gives p.
 template <class MakeMethod, class State, class Error>
-Slopes slopes_of(const MakeMethod& make, const State& start, double horizon, const Error& error) {
+Slopes slopes_of(const MakeMethod& make, const State& start, double horizon, const Error& error,
+                 int most_steps) {
   std::vector<double> h, errors;
-  for (int n = 2; n <= 2000; n = std::max(n + 1, n * 6 / 5)) {
+  for (int n = 2; n <= most_steps; n = std::max(n + 1, n * 6 / 5)) {
     auto method = make();
     State z = start;
     const double step = horizon / n;
@@ -81,8 +82,9 @@ void add_cells(std::vector<OrderCell>& cells, const std::string& name, const Pro
       // at the steps that rounding leaves, that term and the one of order 2r + 2 compete, and a slope tells
       // neither.
       if (stationary && rule.order > r + 1 && rule.order < 2 * r + 2) continue;
-      const auto [finest, limit] = slopes_of(
-          [&] { return avi::htvi_of_order<type, construction>(r, problem, rule); }, start, horizon, error);
+      const auto [finest, limit] =
+          slopes_of([&] { return avi::htvi_of_order<type, construction>(r, problem, rule); }, start, horizon,
+                    error, quick ? 1000 : 2000);
       cells.push_back(
           {name, type == avi::Generating::type2 ? "II" : "III", label, r, rule.name,
            stationary ? std::min(2 * r + 2, std::max(rule.order, r + 1)) : std::min(r + 1, rule.order),
