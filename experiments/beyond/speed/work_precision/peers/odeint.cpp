@@ -1,5 +1,6 @@
 #include "beyond/speed/work_precision/peers/peer.hpp"
 #include "beyond/speed/work_precision/scenes/arena.hpp"
+#include "beyond/speed/work_precision/scenes/bodies.hpp"
 
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"
@@ -62,11 +63,12 @@ void add(Scene& scene, const Equations& equations, F f_of) {
       [](double tolerance) { return odeint::bulirsch_stoer<State>(tolerance, tolerance); });
 }
 
-/// With the right-hand side of P in line: Bulirsch-Stoer takes 1.8 times as long where it is called.
+/// With the right-hand side and the dimension of P in line: where they are not, Bulirsch-Stoer takes up
+/// to 1.8 times as long.
 template <class P>
 bool added_in_line(Scene& scene, const Equations& equations) {
   if (equations.field != &Arena<P>::field) return false;
-  add<std::array<double, 4>>(scene, equations, [](const Equations&) {
+  add<std::array<double, 2 * P::dimension>>(scene, equations, [](const Equations&) {
     return [](double t, const double* y, double* f, void* self) { Arena<P>::field(t, y, f, self); };
   });
   return true;
@@ -75,10 +77,15 @@ bool added_in_line(Scene& scene, const Equations& equations) {
 }  // namespace
 
 void add_odeint(Scene& scene, const Equations& equations) {
-  if (!added_in_line<avi::Kepler>(scene, equations) &&
-      !added_in_line<avi::PerturbedKepler>(scene, equations) &&
-      !added_in_line<avi::HenonHeiles>(scene, equations))
-    add<std::vector<double>>(scene, equations, [](const Equations& its) { return its.field; });
+  const auto called = [](const Equations& its) { return its.field; };
+  if (added_in_line<avi::Kepler>(scene, equations) || added_in_line<avi::PerturbedKepler>(scene, equations) ||
+      added_in_line<avi::HenonHeiles>(scene, equations) || added_in_line<UnitBodies<3>>(scene, equations) ||
+      added_in_line<UnitBodies<7>>(scene, equations) || added_in_line<avi::NBody<6, 3>>(scene, equations))
+    return;
+  if (equations.start.front().size() == 4)
+    add<std::array<double, 4>>(scene, equations, called);
+  else
+    add<std::vector<double>>(scene, equations, called);
 }
 
 }  // namespace experiment::work_precision

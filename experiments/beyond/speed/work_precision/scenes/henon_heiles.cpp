@@ -12,7 +12,7 @@ namespace experiment::work_precision {
 Scene henon_heiles(double horizon) {
   const Arena arena(avi::HenonHeiles{}, horizon, avi::HenonHeiles::on_section(1.0 / 12.0, 0.1, 0.0));
   Scene scene{"henon_heiles", not_an_orbit, horizon, fmt::format("{:g}", horizon)};
-  set_extended_reference(scene, arena, false, 0.4L);
+  set_extended_reference(scene, arena, false, 0.15L);
   add_fixed(scene, arena, 0.25);
   add_collocation(scene, arena, "g=1", 4.0, avi::Unit{});
   add_htvi(scene, arena, "g=1", 2.0, avi::Unit{});

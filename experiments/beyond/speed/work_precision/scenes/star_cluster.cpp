@@ -31,7 +31,7 @@ Scene star_cluster() {
   const Arena arena(UnitBodies<7>(), 1.0, z);
   Scene scene{"star_cluster", not_an_orbit, 1.0, "1"};
   scene.longest_run = 6.0;  // every step is dear
-  set_extended_reference(scene, arena, true, 0.02L);
+  set_extended_reference(scene, arena, true, 0.005L);
   add_fixed(scene, arena, 0.01);
   add_logarithmic(scene, arena, 0.1);
   add_collocation(scene, arena, "g=pairs", 2.0, PairRates{});
