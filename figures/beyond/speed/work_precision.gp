@@ -1,6 +1,6 @@
 # What accuracy costs: error at the end against time. One joined curve for each kind of method: the least time, over its
 # members, orders, monitors and steps, at which an error is reached.
-width = 16; height = 12.2
+width = 16; height = 15.8
 load 'figures/style.gp'
 file = data.'/work_precision.tsv'
 

@@ -54,13 +54,13 @@ int main(int argc, char** argv) {
       argc, argv, "work_precision",
       "What accuracy costs: error against time for our methods and for those of other libraries.",
       [&](CLI::App& app) {
-        experiment::add_flag(app, "--full", full, "The whole grid, about eight minutes");
+        experiment::add_flag(app, "--full", full, "The whole grid, about seven minutes");
         experiment::add_text(app, "--scene", only, "Only scenes whose name contains this, as `kepler 0.9`");
       },
       [&](experiment::Frame& frame) {
         const Grid grid = frame.quick ? Grid::quick : full ? Grid::full : Grid::reduced;
         const Budget base = frame.quick ? Budget{0.0005, 0.5, 0.00005, 4}
-                            : full      ? Budget{0.02, 1.5, 0.0005, 1}
+                            : full      ? Budget{0.02, 0.5, 0.0005, 1}
                                         : Budget{};
         auto table =
             frame.table({"problem", "eccentricity", "horizon", "method", "order", "setting", "steps",
@@ -81,6 +81,7 @@ int main(int argc, char** argv) {
           auto unit_point = measure(unit_scene, {.longest_run = 10.0, .least_block = 0.0}, [](double) {});
           Budget budget = base;
           budget.longest_run *= scene.longest_run * std::clamp(scene.horizon / 10.0, 1.0, 8.0);
+          budget.family *= std::clamp(scene.horizon / 10.0, 1.0, 3.0);
           if (full && scene.horizon > 1000.0) budget.stride = 3;
           auto points = measure(scene, budget, [&](double fraction) {
             frame.progress(label, (static_cast<double>(i) + fraction) / static_cast<double>(list.size()));

@@ -37,7 +37,7 @@ std::vector<Listed> scenes(Grid grid) {
     list.push_back(orbits(0.999, 1000));
     list.push_back({"perturbed_kepler 1000 periods",
                     [=] { return thinned(perturbed_kepler(0.9, 2000.0 * M_PI, "1000 periods")); }});
-    list.push_back({"figure_eight 100 periods", [] { return figure_eight(100); }});
+    list.push_back({"figure_eight 100 periods", [] { return thinned(figure_eight(100)); }});
   }
   list.push_back({"perturbed_kepler 10", [] { return perturbed_kepler(0.9, 10.0, "10"); }});
   list.push_back({"henon_heiles", [=] { return henon_heiles(full ? 1000.0 : 100.0); }});
