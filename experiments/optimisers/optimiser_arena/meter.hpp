@@ -1,6 +1,8 @@
 #pragma once
 #include "optimisers/optimiser_arena/problems/problem.hpp"
 
+#include "avi/optim/run_updates.hpp"
+
 #include <array>
 #include <chrono>
 #include <functional>
@@ -31,7 +33,7 @@ struct Over {};
 class Meter {
  public:
   /// The run is over at the last of the tolerances that are `wanted`, or at the cap.
-  Meter(const Problem& problem, const VectorX& start, long cap, std::size_t wanted)
+  Meter(const Problem& problem, const VectorX& start, long cap, std::size_t wanted = tolerances.size())
       : problem_(problem), x0(start), cap_(cap), wanted_(wanted),
         asked_(VectorX::Constant(start.size(), std::nan(""))), gradient_(start.size()) {}
 
@@ -87,6 +89,19 @@ class Meter {
   Passage now_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
+
+/// What the library's optimisers see: a callable that is const, as an objective is.
+struct Watched {
+  Meter& meter;
+  double operator()(const VectorX& x, VectorX& g) const { return meter(x, g); }
+};
+
+/// Updates by a rule of the library until the meter ends them.
+template <class Rule>
+void follow(Meter& meter, const Rule& rule) {
+  (void)avi::run_updates(Watched{meter}, rule, meter.x0, {.delta = 0.0},
+                         [&](const avi::Iterate&, long k, long) { meter.iterations = k; });
+}
 
 /// A method of the arena.
 struct Method {

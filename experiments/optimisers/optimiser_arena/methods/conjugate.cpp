@@ -1,7 +1,6 @@
 #include "optimisers/optimiser_arena/meter.hpp"
 
 #include "avi/optim/line_model.hpp"
-#include "avi/optim/run_updates.hpp"
 
 #include <algorithm>
 

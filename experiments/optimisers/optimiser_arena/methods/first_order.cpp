@@ -3,7 +3,6 @@
 #include "avi/optim/adagrad.hpp"
 #include "avi/optim/adam.hpp"
 #include "avi/optim/rmsprop.hpp"
-#include "avi/optim/run_updates.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -73,17 +72,9 @@ void adgd(Meter& f) {
   }
 }
 
-struct Watched {
-  Meter& meter;
-  double operator()(const VectorX& x, VectorX& g) const { return meter(x, g); }
-};
-
 template <class Rule>
 std::function<void(Meter&)> with_rate(double rate) {
-  return [rate](Meter& meter) {
-    (void)avi::run_updates(Watched{meter}, Rule{.rate = rate}, meter.x0, {.delta = 0.0},
-                           [&](const avi::Iterate&, long k, long) { meter.iterations = k; });
-  };
+  return [rate](Meter& meter) { follow(meter, Rule{.rate = rate}); };
 }
 
 /// At the usual rate, and at the best of six.

@@ -1,7 +1,5 @@
 #include "optimisers/optimiser_arena/meter.hpp"
 
-#include "avi/optim/run_updates.hpp"
-
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multimin.h>
 

@@ -8,12 +8,6 @@ namespace arena {
 
 namespace {
 
-/// What avi::minimise() sees: a callable that is const, as an objective is.
-struct Watched {
-  Meter& meter;
-  double operator()(const VectorX& x, VectorX& g) const { return meter(x, g); }
-};
-
 std::function<void(Meter&)> minimise_with(int memory) {
   return [memory](Meter& meter) {
     (void)avi::minimise(
@@ -33,9 +27,7 @@ std::function<void(Meter&)> bregman_with(double part) {
     const double value = meter(meter.x0, g);
     const auto family = avi::BregmanFamily::adaptive(4.0, 1.0);
     const double h = std::sqrt(100.0 * part * first_length(meter.x0, g, value) / family.C) / family.order();
-    (void)avi::run_updates(Watched{meter},
-                           avi::BregmanHtvi{.family = family, .h = h, .from = {.momentum = 0.0}}, meter.x0,
-                           {.delta = 0.0}, [&](const avi::Iterate&, long k, long) { meter.iterations = k; });
+    follow(meter, avi::BregmanHtvi{.family = family, .h = h, .from = {.momentum = 0.0}});
   };
 }
 
@@ -47,12 +39,7 @@ std::vector<Method> own_methods() {
     paper.choices.push_back(bregman_with(part));
   return {{.name = "minimise_m0", .run = minimise_with(0)},
           {.name = "minimise_m7", .run = minimise_with(7)},
-          {.name = "bregman_restarted",
-           .run =
-               [](Meter& meter) {
-                 (void)avi::run_updates(Watched{meter}, avi::BregmanRestarted{}, meter.x0, {.delta = 0.0},
-                                        [&](const avi::Iterate&, long k, long) { meter.iterations = k; });
-               }},
+          {.name = "bregman_restarted", .run = [](Meter& meter) { follow(meter, avi::BregmanRestarted{}); }},
           paper};
 }
 
