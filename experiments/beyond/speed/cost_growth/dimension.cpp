@@ -49,12 +49,14 @@ Measurement gradient(const avi::State<dynamic>& z, long repeats) {
           .units = static_cast<double>(repeats)};
 }
 
-/// A sweep: a run over its number of sweeps.
-Measurement sweep(const avi::State<dynamic>& z, long steps) {
-  const auto method = std::make_shared<avi::Collocation<avi::Poincare<dynamic, avi::Chain>>>(
+/// A sweep: a run over its number of sweeps. The gradient is automatic where n is chosen at run time, the one
+/// that the chain supplies where the compiler knows it.
+template <int n>
+Measurement sweep(const avi::State<n>& z, long steps) {
+  const auto method = std::make_shared<avi::Collocation<avi::Poincare<n, avi::Chain>>>(
       avi::collocation(avi::poincare(avi::Chain{}, z), 2 * stages));
   const auto run = [=] {
-    avi::State<dynamic> moved = z;
+    avi::State<n> moved = z;
     return avi::integrate(*method, moved, h, {.steps = steps});
   };
   const avi::Run done = run();
@@ -80,7 +82,9 @@ Axis along_dimension(bool quick) {
     const long repeats = 40'000 / n;
     add("energy", n, energy(z, repeats));
     add("gradient", n, gradient(z, repeats));
-    add("sweep", n, sweep(z, std::max(repeats / 200, 10L)));
+    const long steps = std::max(repeats / 200, 10L);
+    add("sweep", n, sweep(z, steps));
+    if (n == 32) add("sweep, supplied gradient", n, sweep<32>({.q = z.q, .p = z.p}, steps));
   }
   for (const char* subject : {"energy", "gradient", "sweep"})
     axis.expected.push_back({"dimension", subject, nan, 1.0, 1.0, 1e3});

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
+#include <vector>
 
 // Powers of steps. Those of time are in the data, not asserted: they move with the machine's other work.
 
@@ -58,6 +60,30 @@ TEST(CostGrowth, WithTheDimensionIsLinear) {
   // Seconds: 0.86 to 1.0 were measured. Partials carried forward would give 2, which no other load hides.
   for (const char* subject : {"energy", "gradient", "sweep"})
     EXPECT_NEAR(fit(table, subject, "seconds_exponent"), 1.0, 0.4) << subject;
+}
+
+/// Seconds of a subject in dimension n.
+double seconds(const experiment::Table& table, const std::string& subject, double n) {
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    if (table.text(i, "subject") == subject && table.number(i, "value") == n)
+      return table.number(i, "seconds");
+  return std::nan("");
+}
+
+TEST(CostGrowth, ARunWithAnAutomaticGradientTakesLittleMoreThanWithASuppliedOne) {
+  const auto table = data();
+  // 1.4 times was measured.
+  EXPECT_LT(seconds(table, "sweep", 32), 2.8 * seconds(table, "sweep, supplied gradient", 32));
+}
+
+TEST(CostGrowth, ASweepCostsTheSameNumberOfEvaluationsOfHInEveryDimension) {
+  const auto table = data();
+  std::vector<double> evaluations;
+  for (const double n : {2.0, 32.0, 512.0})
+    evaluations.push_back(seconds(table, "sweep", n) / seconds(table, "energy", n));
+  const auto [least, most] = std::minmax_element(evaluations.begin(), evaluations.end());
+  EXPECT_GT(*least, 0.0);
+  EXPECT_LT(*most, 2.4 * *least);  // 1.2 was measured
 }
 
 }  // namespace
