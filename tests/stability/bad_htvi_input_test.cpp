@@ -82,7 +82,8 @@ TEST(BadHtvi, Arguments) {
   EXPECT_NE(refusal([&] { (void)poincare<2>(Kepler{}, broken); }).find("nan; it must be finite."),
             std::string::npos);
   broken.q = {0.0, 0.0};
-  EXPECT_EQ(refusal([&] { (void)poincare<2>(Kepler{}, broken); }), "p^t is inf; it must be finite.");
+  EXPECT_EQ(refusal([&] { (void)poincare<2>(Kepler{}, broken); }),
+            "H at the start is -inf; it must be finite.");
 }
 
 TEST(BadHtvi, MonitorsThatAreNotPositive) {

@@ -34,6 +34,26 @@ TEST(BadObjective, NamesWhatIsNotANumber) {
     }
 }
 
+TEST(BadObjective, NamesAGradientThatIsNotThere) {
+  const auto empty = [](const VectorX& x, VectorX&) { return x.squaredNorm(); };
+  const auto run = minimise(empty, VectorX::Ones(3));
+  EXPECT_EQ(run.outcome, Outcome::non_finite);
+  EXPECT_NE(run.message.find("f did not fill it"), std::string::npos) << run.message;
+}
+
+TEST(BadObjective, NamesAGradientWhoseSquareIsNoNumber) {
+  for (const double scale : {1e-200, 1e200}) {
+    const auto scaled = [&](const VectorX& x, VectorX& g) {
+      const double value = scale * bowl(x, g);
+      g *= scale;
+      return value;
+    };
+    const auto run = minimise(scaled, VectorX::Ones(3));
+    EXPECT_EQ(run.outcome, Outcome::non_finite);
+    EXPECT_NE(run.message.find("beyond the range of numbers"), std::string::npos) << run.message;
+  }
+}
+
 TEST(BadObjective, GoesRoundAWallOfInfinity) {
   // log barrier: infinite for x <= 0, where the first steps of a far start may land
   const auto barrier = [](const VectorX& x, VectorX& g) {

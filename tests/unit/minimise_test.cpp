@@ -152,6 +152,14 @@ TEST(Minimise, AStationaryStartIsTheEnd) {
   EXPECT_EQ(run.gradient_evaluations, 1);
 }
 
+TEST(Minimise, WithoutATolerance) {
+  for (const int memory : {7, 0}) {
+    const auto run = minimise(bowl, VectorX::Ones(5), {.relative = 0.0, .memory = memory});
+    EXPECT_TRUE(run.converged()) << memory << ": " << run.message;
+    EXPECT_EQ(run.last.gradient.norm(), 0.0);
+  }
+}
+
 TEST(Minimise, RefusesBadInputWithASentence) {
   const auto refusal = [](const VectorX& x0, const MinimiseOptions& options) -> std::string {
     try {

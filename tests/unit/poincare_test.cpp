@@ -1,7 +1,8 @@
-#include "avi/transform/poincare.hpp"
-
+#include "avi/automatic/solution.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
+#include "avi/transform/poincare.hpp"
+#include "avi/transform/time_dependent.hpp"
 
 #include <gtest/gtest.h>
 
@@ -88,6 +89,20 @@ TEST(Poincare, RefusesASizeThatIsNotTheDimension) {
   EXPECT_EQ(refusal([&] { avi::Poincare<avi::dynamic, H>(free, {}, 0.0, 0); }),
             "Dimension of the problem is 0; it must be at least 1.");
   EXPECT_EQ(refusal([&] { avi::Poincare<avi::dynamic, H>(free, {}, 0.0, 1); }), "accepted");
+  // Every way from H and a start refuses the start before H sees it.
+  using avi::VectorX;
+  const auto in_time = [](const auto&, const auto& t, const auto& p) { return t * (p[0] * p[0]); };
+  for (const auto& [start, sentence] :
+       {std::pair<State<avi::dynamic>, std::string>{
+            {.q = VectorX(), .p = VectorX()}, "Dimension of q at the start is 0; it must be at least 1."},
+        {{.q = VectorX::Ones(2), .p = VectorX::Ones(3)},
+         "Dimension of p at the start is 3; it must be that of q, 2."}}) {
+    EXPECT_EQ(refusal([&] { (void)avi::poincare(free, start); }), sentence);
+    EXPECT_EQ(refusal([&] { (void)avi::time_dependent(in_time, start); }), sentence);
+    EXPECT_EQ(refusal([&] { (void)avi::automatic_monitor(free, start); }), sentence);
+    EXPECT_EQ(refusal([&] { (void)avi::choose_monitor(free, start); }), sentence);
+    EXPECT_EQ(refusal([&] { (void)avi::integrate(free, start, 1.0, 1e-6); }), sentence);
+  }
 }
 
 }  // namespace

@@ -57,6 +57,14 @@ TEST(Solution, OfNoTimeIsTheStart) {
   EXPECT_EQ(solution.run.steps, 0);
 }
 
+TEST(Solution, StaysAtAnEquilibrium) {
+  const State<1> rest{.q = avi::Vector<double, 1>(0.0), .p = avi::Vector<double, 1>(0.0)};
+  const auto solution = integrate(avi::Pendulum(), rest, 3.0, 1e-6);
+  EXPECT_EQ(solution.run.outcome, avi::Outcome::ok) << solution.report();
+  EXPECT_EQ(solution.state.q, rest.q);
+  EXPECT_NEAR(solution.state.t, 3.0, 1e-14);
+}
+
 TEST(Solution, NamesACollision) {
   State<2> z = Kepler::pericentre(0.0);
   z.p.setZero();  // falls into the centre at t = pi / sqrt(8)
@@ -70,6 +78,9 @@ TEST(Solution, RefusesWhatCannotBe) {
   EXPECT_THROW((void)integrate(Kepler(), start, -1.0, 1e-6), std::invalid_argument);
   EXPECT_THROW((void)integrate(Kepler(), start, 1.0, 0.0), std::invalid_argument);
   EXPECT_THROW((void)integrate(Kepler(), start, 1.0, 0.5), std::invalid_argument);
+  auto timeless = start;
+  timeless.t = std::nan("");
+  EXPECT_THROW((void)integrate(Kepler(), timeless, 1.0, 1e-6), std::invalid_argument);
   auto centre = start;
   centre.q.setZero();
   EXPECT_THROW((void)integrate(Kepler(), centre, 1.0, 1e-6), std::invalid_argument);

@@ -96,6 +96,7 @@ class Monitors {
 /// there, or \f$n_0\f$ zero or not finite all along the orbit.
 template <class H, int n>
 PhaseFunction automatic_monitor(const H& hamiltonian, const State<n>& start) {
+  require_dimension(start);
   return detail::Monitors(hamiltonian, start).curvature().monitor;
 }
 

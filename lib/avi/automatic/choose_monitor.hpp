@@ -28,7 +28,7 @@ class Menu {
   /// For the orbit of H through `start`.
   template <class H, int n>
   Menu(const H& hamiltonian, const State<n>& start)
-      : start_{.q = start.q, .p = start.p, .t = start.t},
+      : start_((require_dimension(start), Point{.q = start.q, .p = start.p, .t = start.t})),
         energy_(phase_function<n>(hamiltonian, start.q.size())) {
     if (!start_.finite() || !std::isfinite(energy_(start_.q, start_.p)))
       throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
@@ -81,7 +81,7 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
   MonitorChoice choice{.name = "fixed",
                        .monitor = menu.entries().front().monitor,
                        .order = target.order,
-                       .energy_scale = tour ? tour->kinetic : std::max(1e-300, std::abs(start_energy)),
+                       .energy_scale = std::max(1e-300, tour ? tour->kinetic : std::abs(start_energy)),
                        .time = target.time > 0.0 ? target.time
                                : tour            ? tour->time_of(pilot_angle)
                                                  : 1.0,

@@ -101,6 +101,7 @@ inline Solution<dynamic> solve(const Menu& menu, double t_end, double tolerance)
 template <class H, int n>
 [[nodiscard]] Solution<n> integrate(const H& hamiltonian, const State<n>& start, double t_end,
                                     double tolerance) {
+  require_finite("Time of the start", start.t);
   require(std::isfinite(t_end) && t_end >= start.t, "End time", t_end, "finite and not before the start");
   require(tolerance >= 1e-13 && tolerance <= 1e-2, "Tolerance", tolerance, "in [1e-13, 1e-2]");
   Solution<dynamic> found = detail::solve(detail::Menu(hamiltonian, start), t_end, tolerance);

@@ -1,4 +1,5 @@
 #pragma once
+#include "avi/core/require.hpp"
 #include "avi/core/vector.hpp"
 
 #include <cmath>
@@ -23,5 +24,16 @@ struct State {
     return std::isfinite(q.sum() + p.sum() + t) || (q.allFinite() && p.allFinite() && std::isfinite(t));
   }
 };
+
+/// Refuses a start whose dimension, given at run time, is none.
+/// @throws std::invalid_argument unless q and p have the same number of entries, at least 1.
+template <int n>
+void require_dimension([[maybe_unused]] const State<n>& start) {
+  if constexpr (n == dynamic) {
+    require(start.q.size() >= 1, "Dimension of q at the start", start.q.size(), "at least 1");
+    require(start.p.size() == start.q.size(), "Dimension of p at the start", start.p.size(),
+            "that of q, " + std::to_string(start.q.size()));
+  }
+}
 
 }  // namespace avi

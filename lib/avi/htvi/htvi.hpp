@@ -67,7 +67,7 @@ class Htvi {
     Broyden<n> broyden;
     double previous = std::numeric_limits<double>::quiet_NaN();  // compared with it, nothing holds
     Vector<double, n> shift;
-    Vector<double, 2 * n + 1> wanted;  // before that shift
+    Vector<double, 2 * n + 1> wanted = Vector<double, 2 * n + 1>::Zero();  // before that shift
     for (int k = 1; k <= solver_.max_iterations; ++k) {
       const Vector<double, n> unknown = start + correction;
       correction = unknown - start;  // the correction after rounding

@@ -22,6 +22,7 @@ class LineState {
     base_.x = x0;
     for (VectorX* v : {&base_.g, &trial_.x, &trial_.g, &best_.x, &best_.g, &d_})
       v->setZero(n_);
+    base_.g.setConstant(std::numeric_limits<double>::quiet_NaN());  // f that does not fill it is noticed
     for (VectorX* v : {&base_.with_pairs, &trial_.with_pairs, &best_.with_pairs, &change_})
       v->setZero(pairs_.products());
   }

@@ -29,7 +29,12 @@ class StateClock : LineState<F> {
   Minimisation run() {
     if (!evaluate(base_)) return end(failure_);
     norm_ = std::sqrt(square_);
-    if (!std::isfinite(norm_)) return end(fail(Outcome::non_finite, "the gradient at x0 is not finite"));
+    const double steepness = detail::largest(base_.g);
+    if (!std::isfinite(steepness))
+      return end(fail(Outcome::non_finite, "the gradient at x0 is not finite, or f did not fill it"));
+    if (!std::isfinite(norm_) || (norm_ == 0.0 && steepness > 0.0))
+      return end(fail(Outcome::non_finite,
+                      "the square of the gradient at x0 is beyond the range of numbers; scale f"));
     if (!std::isfinite(base_.f)) return end(fail(Outcome::non_finite, "f(x0) is not finite"));
     scale_ = std::abs(base_.f);
     target_ = std::max(options_.relative * norm_, options_.absolute);
@@ -100,6 +105,7 @@ class StateClock : LineState<F> {
         if (restarted) return judge();
         restarted = true;
         if (!exact_) settle();
+        if (norm_ <= target_) return true;
         steepest();
         start = {base_.f, down_};
         moved = 0.0, high = std::numeric_limits<double>::infinity();

@@ -193,13 +193,11 @@ class Poincare {
 
 /// The transformed problem of an orbit through `start`: \f$p^t = -H(q(0), p(0))\f$, the paper's common choice
 /// (Section 3.1). @throws std::invalid_argument where H is not finite there, or q and p are of different
-/// size.
+/// size or empty.
 template <int n, class H, class G = Unit>
 Poincare<n, H, G> poincare(H hamiltonian, const State<n>& start, G monitor = {}) {
-  if constexpr (n == dynamic)
-    require(start.p.size() == start.q.size(), "Dimension of p at the start", start.p.size(),
-            "that of q, " + std::to_string(start.q.size()));
-  const double pt = -static_cast<double>(hamiltonian(start.q, start.p));
+  require_dimension(start);
+  const double pt = -require_finite("H at the start", static_cast<double>(hamiltonian(start.q, start.p)));
   return {std::move(hamiltonian), std::move(monitor), pt, start.q.size()};
 }
 

@@ -70,15 +70,18 @@ class TimeDependent : public Poincare<extended_dimension(n), ExtendedHamiltonian
 
 /// The extended problem of H(q, t, p) for orbits like that through `start`, with monitor g(q, t, p), g(q, p)
 /// or g(q), or none: time is then only made a coordinate. `start` gives n alone; extended(problem, start) is
-/// the state to begin with.
+/// the state to begin with. @throws std::invalid_argument where q and p are of different size or empty.
 template <int n, class H, class G = Unit>
 TimeDependent<n, H, G> time_dependent(H hamiltonian, const State<n>& start, G monitor = {}) {
+  require_dimension(start);
   return {std::move(hamiltonian), std::move(monitor), start.q.size()};
 }
 
 /// The state (q, t), (p, p^t) of the extended problem at time z.t, with p^t = -H(q, t, p).
+/// @throws std::invalid_argument where q and p are of different size or empty.
 template <int n, class H, class G>
 State<extended_dimension(n)> extended(const TimeDependent<n, H, G>& problem, const State<n>& z) {
+  require_dimension(z);
   State<extended_dimension(n)> bar{.q = Vector<double, extended_dimension(n)>(z.q.size() + 1),
                                    .p = Vector<double, extended_dimension(n)>(z.q.size() + 1)};
   bar.q << z.q, z.t;
