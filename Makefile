@@ -110,7 +110,7 @@ bench: deps-bench programs ## Nanoseconds per step of every method (Google Bench
 instructions: deps-instructions ## Count the instructions of fixed work, warn where they grew by over 10 % (ACCEPT=1 takes the counts over)
 	@cmake --preset portable >/dev/null && cmake --build build/portable --target instructions_workload
 	@tests/instructions/compare.sh build/portable/bin/instructions_workload tests/instructions/counts.tsv $(if $(ACCEPT),accept)
-mutants: deps-mutants ## Do the tests notice a wrong token? N=60 random ones of lib/, drawn by SEED=1 (an hour or so)
+mutants: deps-mutants ## Do the tests notice a wrong token? N=60 random ones of lib/, drawn by SEED=1 (half an hour on two quiet processors)
 	@python3 tests/mutants.py -n $(or $(N),60) --seed $(or $(SEED),1)
 fuzz: deps-fuzz ## Search for bad input with libFuzzer, FUZZ_SECONDS (60) for each target
 	@cmake --preset fuzz >/dev/null && cmake --build build/fuzz --target fuzzers

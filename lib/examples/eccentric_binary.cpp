@@ -3,6 +3,7 @@
 #include <avi/problems/n_body.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 // Two stars on an orbit of eccentricity 0.95 and a light third body far out, all attracting each other. The
@@ -36,8 +37,11 @@ void follow(const char* name, double h, const Monitor& monitor) {
     t = now.t;
     worst = std::max(worst, std::abs(bodies(now.q, now.p) - energy));
   });
-  std::printf("%-13s %4ld steps to t = %5.1f, shortest %.4f, energy error %.0e, %s\n", name, run.steps, z.t,
-              shortest, worst, run.outcome == avi::Outcome::ok ? "ok" : "the run failed");
+  if (run.outcome == avi::Outcome::ok)
+    std::printf("%s: %ld steps to t = %.1f, shortest %.4f, energy error %.0e\n", name, run.steps, z.t,
+                shortest, worst);
+  else  // where in it moves with the last bits
+    std::printf("%s: the run failed in orbit %.0f\n", name, 1.0 + std::floor(z.t / (2.0 * M_PI)));
 }
 
 int main() {
