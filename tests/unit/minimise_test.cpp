@@ -4,18 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 using avi::minimise;
 using avi::MinimiseOptions;
-using avi::Outcome;
 using avi::VectorX;
 using objectives::bowl;
 using objectives::rosenbrock;
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(Minimise, FindsMinimaWithItsDefaults) {
   const auto quadratic = minimise(bowl, VectorX::Ones(20));
@@ -170,6 +165,7 @@ TEST(Minimise, RefusesBadInputWithASentence) {
     return "";
   };
   const VectorX one = VectorX::Ones(1);
+  const double nan = std::nan("");
   EXPECT_EQ(refusal(VectorX(), {}), "Size of x0 is 0; it must be at least 1.");
   EXPECT_EQ(refusal(VectorX::Constant(1, nan), {}), "Largest entry of x0 is nan; it must be finite.");
   EXPECT_EQ(refusal(one, {.relative = 1.0}), "Relative tolerance is 1; it must be in [0, 1).");
