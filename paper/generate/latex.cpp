@@ -119,7 +119,7 @@ std::string latex_printed(std::string_view printed) {
 }
 
 std::string display_name(std::string_view name) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 66> names{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 67> names{
       {{"none", "none"},
        {"htvi", "HTVI"},
        {"htvi4", "HTVI4"},
@@ -185,6 +185,7 @@ std::string display_name(std::string_view name) {
        {"non_separable", "bead of varying inertia"},
        {"star_cluster", "seven bodies"},
        {"chain64", "chain of 64"},
+       {"solar_system", "outer planets"},
        {"nan", "--"}}};
   for (const auto& [key, text] : names)
     if (key == name) return std::string(text);
