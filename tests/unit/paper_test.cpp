@@ -185,7 +185,7 @@ TEST(Log, OfTheLastBuildIsClean) {
 
 TEST(Latex, EscapesTextAndWritesPowers) {
   EXPECT_EQ(paper::latex("50 % of a_b"), "50 \\% of a\\_b");
-  EXPECT_EQ(paper::latex("delta = 1e-10, p_ring"), "delta = \\num{1e-10}, $\\mathring p$");
+  EXPECT_EQ(paper::latex("delta = 1e-10, p_ring"), "$\\delta$ = \\num{1e-10}, $\\mathring p$");
   EXPECT_EQ(paper::latex("|grad V| = 1/|q|^2"), "$|\\nabla V|$ = 1/$|q|^2$");
   EXPECT_EQ(paper::latex("|p^t + H|^-1 and p^t"), "$|p^{t}+H|^{-1}$ and $p^t$");
   EXPECT_EQ(paper::escaped("9e92463-dirty a_b"), "9e92463-dirty a\\_b");  // no power of ten

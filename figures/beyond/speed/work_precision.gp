@@ -1,6 +1,6 @@
 # What accuracy costs: error at the end against time. One joined curve for each kind of method: the least time, over its
 # members, orders, monitors and steps, at which an error is reached.
-width = 16; height = 15.8
+width = 16; height = 10
 load 'figures/style.gp'
 file = data.'/work_precision.tsv'
 
@@ -23,7 +23,7 @@ eval logy
 set grid
 unset key
 set xrange [1e-4:1e2]; set yrange [1e-14:1e-1]
-set xtics 100 font ',7'; set ytics 1e3 font ',7'
+set xtics 1e-3, 100, 10 font ',7'; set ytics 1e3 font ',7'
 panels = 11
 array problem[panels] = ['kepler', 'kepler', 'kepler', 'kepler', 'perturbed_kepler', 'figure_eight', 'henon_heiles', \
   'double_pendulum', 'star_cluster', 'solar_system', 'chain64']
@@ -32,22 +32,25 @@ array ecc[panels] = [0.9, 0.99, 0.999, 0.9, 0.9, -1, -1, -1, -1, -1, -1]
 orbits = count('kepler', 0.9, '1000 periods', 1) ? '1000 periods' : '100 periods'
 sections = count('henon_heiles', -1, '1000', 2) ? '1000' : '100'
 array horizon[panels] = ['10', '10', '10', orbits, '10', '10 periods', sections, '100', '1', '200000 days', '100']
-array title[panels] = ['Kepler, e = 0.9, T = 10', 'Kepler, e = 0.99, T = 10', 'Kepler, e = 0.999, T = 10', \
-  'Kepler, e = 0.9, '.orbits, 'quadrupole, e = 0.9, T = 10', 'figure eight, 10 periods', 'Hénon–Heiles, T = '.sections, \
+array title[panels] = ['Kepler 0.9, T = 10', 'Kepler 0.99, T = 10', 'Kepler 0.999, T = 10', \
+  'Kepler 0.9, '.orbits, 'quadrupole 0.9, T = 10', 'figure eight, 10 periods', 'Hénon–Heiles, T = '.sections, \
   'double pendulum, T = 100', '7 bodies, T = 1', 'outer planets, 550 years', 'chain of 64, T = 100']
 set multiplot
-page_left = 1.75; page_top = 0.65; page_bottom = 2.05; gap_x = 1.1; gap_y = 1.15
+page_top = 0.65; gap_x = 0.4; gap_y = 0.95
+# Four columns; the twelfth panel holds the key. Numbers on the outer axes only, which all panels share.
 do for [i=1:panels] {
-  eval panel((i - 1) % 3 + 1, (i - 1) / 3 + 1, 3, 4)
-  set title title[i] font ',7.5' offset 0, -0.6
-  set ylabel i % 3 == 1 ? 'position error' : '' font ',8' offset 1.4, 0
-  set xlabel i > 8 ? 'time / V' : '' font ',8' offset 0, 0.4
+  eval panel((i - 1) % 4 + 1, (i - 1) / 4 + 1, 4, 3)
+  set title title[i] font ',7' offset 0, -0.7
+  set ylabel i % 4 == 1 ? 'position error' : ''
+  set format y i % 4 == 1 ? '10^{%L}' : ''
+  set xlabel i > 7 ? 'time / V' : '' offset 0, 0.4
   drawn = ''
   do for [k=1:kinds] { if (count(problem[i], ecc[i], horizon[i], k)) { drawn = drawn.' '.k } }
   if (strlen(drawn)) { plot for [k in drawn] front(problem[i], ecc[i], horizon[i], k+0) using 1:2 with linespoints lc rgb colour[k+0] lw 1.3 pt mark[k+0] ps 0.45 }
 }
-eval legend(0.9)
+eval legend(1)
 unset grid
-set key maxrows 2 samplen 2
+eval panel(4, 3, 4, 3)
+set key maxrows 7 samplen 2 spacing 0.8 width 0 font ',7'
 plot 2 notitle, for [k=1:kinds] keyentry with linespoints lc rgb colour[k] lw 1.3 pt mark[k] ps 0.7 title shown[k]
 unset multiplot
