@@ -41,6 +41,7 @@
 #include "avi/collocation/collocation.hpp"
 #include "avi/collocation/gauss_rule.hpp"
 #include "avi/collocation/lane_matrix.hpp"
+#include "avi/collocation/newton.hpp"
 #include "avi/collocation/stage_field.hpp"
 #include "avi/collocation/stages.hpp"
 #include "avi/collocation/supplied_field.hpp"

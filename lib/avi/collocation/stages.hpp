@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/autodiff/pack.hpp"
 #include "avi/collocation/gauss_rule.hpp"
+#include "avi/collocation/newton.hpp"
 #include "avi/collocation/sweeps.hpp"
 #include "avi/core/outcome.hpp"
 #include "avi/core/state.hpp"
@@ -41,7 +42,7 @@ class alignas(64) Stages {
       : sweeps_(problem, rule), both_{Unknowns<n, w>(problem.size()), Unknowns<n, w>(n == dynamic ? 0 : n)},
         dq_(problem.size()), dp_(problem.size()), old_q_(problem.size()), old_p_(problem.size()), rule_(rule),
         settings_(settings), begin_(problem.size()), end_(problem.size()), start_(problem.size()),
-        change_(problem.size()) {
+        change_(problem.size()), newton_(problem.size(), rule.stages()) {
     for (Vec* each : {&dq_, &dp_, &old_q_, &old_p_})
       each->setConstant(Scalar(0.0));
     change_.setZero();
@@ -50,13 +51,32 @@ class alignas(64) Stages {
   /// Advances z by h; leaves z unchanged unless the step ends as ok.
   StepReport step(const Problem& problem, State<n>& z, double h) {
     start_at(z);
-    StepReport report = attempt(problem, z, h);
-    if (report.outcome != Outcome::ok && place_ != Place::elsewhere) {
-      // The polynomial of the last step may have been a bad guess.
+    if (h != size_) {
+      sweeps_.set_step(size_ = h);
+      newton_.forget();
+      stiff_ = 0;
+      patient_ = !newton_.possible();
+    }
+    StepReport report{.outcome = Outcome::not_converged};
+    const auto unsolved = [&] {
+      return report.outcome != Outcome::ok && report.outcome != Outcome::bad_monitor;
+    };
+    const auto from_a_constant = [&](auto how) {
       const int sweeps = report.evaluations;
       place_ = Place::elsewhere;
-      report = attempt(problem, z, h);
+      report = (this->*how)(problem, z, h);
       report.evaluations += sweeps;
+    };
+    const bool known = place_ != Place::elsewhere;
+    if (stiff_ == 0) report = attempt(problem, z, h);
+    // The polynomial of the last step may have been a bad guess.
+    if (stiff_ == 0 && known && unsolved()) from_a_constant(&Stages::attempt);
+    if (!patient_ && unsolved()) {
+      from_a_constant(&Stages::by_newton);
+      if (unsolved()) {
+        patient_ = true;
+        from_a_constant(&Stages::attempt);
+      }
     }
     return report;
   }
@@ -103,7 +123,6 @@ class alignas(64) Stages {
   /// nothing. @return sweeps that it has had
   int begin(const Problem& problem, double h) {
     const bool begun = std::exchange(begun_, false), last = place_ != Place::elsewhere;
-    if (h != size_) sweeps_.set_step(size_ = h);
     if (ahead && begun && place_ == Place::end && h == h_) {
       now_ = 1 - now_;
       both_[now_].start = start_;
@@ -122,7 +141,7 @@ class alignas(64) Stages {
   StepReport attempt(const Problem& problem, State<n>& z, double h) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     double before = 0.0, least = std::numeric_limits<double>::infinity();
-    int stalls = 0;
+    int stalls = 0, slow = 0;
     const int first_look = place_ == Place::elsewhere ? 1 : usual_ - 2;
     StepReport report{.evaluations = begin(problem, h)};
     Unknowns<n, w>&step = both_[now_], &next = both_[1 - now_];
@@ -144,7 +163,8 @@ class alignas(64) Stages {
         sweeps_.sweep(problem, step);
       }
       if (!look) continue;
-      const double change = largest(max(change_of(step.q, old_q_), change_of(step.p, old_p_)));
+      const double change =
+          largest(max(change_of(step.q, old_q_).at_stages(), change_of(step.p, old_p_).at_stages()));
       report.residual = change;
       if (!std::isfinite(change)) {
         report.outcome = Outcome::non_finite;
@@ -156,6 +176,8 @@ class alignas(64) Stages {
       const bool stagnates = (change >= 0.5 * before && before > 0.0 && change <= 16.0 * epsilon) ||
                              (stalls >= 2 && change <= 1e5 * epsilon);
       if (change == 0.0 || solved || stagnates) return finish(problem, z, h, step, report);
+      slow = change > 0.5 * before && before > 0.0 && change > 1e-10 ? slow + 1 : 0;
+      if (slow == 3 && k > 6 && !patient_) break;
       before = change;
       least = std::min(least, change);
     }
@@ -163,14 +185,16 @@ class alignas(64) Stages {
     return report;
   }
 
-  /// Largest change of a vector at each stage, relative to its largest entry there.
-  static Scalar change_of(const Vec& now, const Vec& before) {
-    Scalar change(0.0), most(std::numeric_limits<double>::min());
-    for (Eigen::Index i = 0; i < now.size(); ++i) {
-      change = max(change, abs(now[i] - before[i]));
-      most = max(most, abs(now[i]));
-    }
-    return change / most;
+  [[gnu::noinline]] StepReport by_newton(const Problem& problem, State<n>& z, double h) {
+    begun_ = false;
+    Unknowns<n, w>& step = both_[now_];
+    step.start = start_;
+    StepReport report = newton_.solve(problem, sweeps_, step, old_q_, old_p_, settings_.max_sweeps);
+    if (report.outcome == Outcome::ok) report = finish(problem, z, h, step, report);
+    // Now and then sweeps are tried again: a stiff part of the orbit may be over.
+    stiff_ = report.outcome == Outcome::ok ? (stiff_ + 1) % 32 : 0;
+    usual_ = 1;
+    return report;
   }
 
   StepReport finish(const Problem& problem, State<n>& z, double h, const Unknowns<n, w>& step,
@@ -212,6 +236,9 @@ class alignas(64) Stages {
   SweepSettings settings_;
   PreciseState<n> begin_, end_, start_;
   Vector<double, n> change_;
+  Newton<Problem, w> newton_;
+  int stiff_ = 0;                // steps in a row that took Newton's method
+  bool patient_ = false;         // no other iteration than sweeps will do at this h
   double h_ = 0.0, size_ = 0.0;  // of the last step; of the sweeps
   Place place_ = Place::elsewhere;
   int usual_ = std::numeric_limits<int>::max(), ahead_ = 0;  // sweeps of the last step, of the next one

@@ -7,6 +7,7 @@
 #include "avi/core/state.hpp"
 
 #include <algorithm>
+#include <limits>
 
 /// @file
 /// The unknowns of a collocation step, and the sweeps that solve for them.
@@ -45,6 +46,29 @@ struct Unknowns {
       each->setConstant(Pack<w>(0.0));
   }
 };
+
+/// The largest change of a vector at each stage, and its largest entry there.
+template <int w>
+struct Change {
+  Pack<w> change;  ///< Of an entry.
+  Pack<w> size;    ///< Of an entry; at least the smallest normal number.
+
+  /// Relative, at each stage.
+  [[nodiscard]] Pack<w> at_stages() const { return change / size; }
+  /// Relative to the largest entry at any stage.
+  [[nodiscard]] double of_all() const { return largest(change) / largest(size); }
+};
+
+/// From one vector for each stage to another.
+template <int w, int n>
+Change<w> change_of(const Vector<Pack<w>, n>& now, const Vector<Pack<w>, n>& before) {
+  Change<w> change{Pack<w>(0.0), Pack<w>(std::numeric_limits<double>::min())};
+  for (Eigen::Index i = 0; i < now.size(); ++i) {
+    change.change = max(change.change, abs(now[i] - before[i]));
+    change.size = max(change.size, abs(now[i]));
+  }
+  return change;
+}
 
 /// The sweeps of a rule of at most w stages. Lanes beyond the last stage repeat that stage with weight zero,
 /// so the formula is never evaluated at an arbitrary point.
@@ -101,6 +125,21 @@ class alignas(64) Sweeps {
     stages(problem, step);
   }
 
+  /// All stages from the field at the stages as they are, none of them renewed before.
+  void sweep_at_once(const Problem& problem, Step& step) {
+    evaluate(problem, step);
+    const State<n>&z = step.start.state, &low = step.start.low;
+    for (Eigen::Index i = 0; i < step.q.size(); ++i) {
+      step.q[i] = Scalar(z.q[i]) + mu_.times(step.dq[i], Scalar(low.q[i]));
+      step.p[i] = Scalar(z.p[i]) + mu_.times(step.dp[i], Scalar(low.p[i]));
+    }
+  }
+  /// The field at the stages.
+  [[gnu::flatten, gnu::noinline]] void evaluate(const Problem& problem, Step& step) {
+    field_.force(problem, step.q, step.p, weight_, step.rate, step.dp);
+    field_.velocity(problem, step.q, step.p, weight_, step.rate, step.dq);
+  }
+
   /// The first half of a sweep of the step that follows, from the polynomial of this one so far.
   void begin_next(const Problem& problem, const Step& step, Step& next) {
     put_behind(step, next);
@@ -121,6 +160,8 @@ class alignas(64) Sweeps {
 
   /// g at each stage, as the last sweep saw it.
   [[nodiscard]] const Scalar& rate(const Step& step) { return field_.rate(step.rate); }
+  /// a_ij / b_j.
+  [[nodiscard]] double mu(int i, int j) const { return rule_.mu(i, j); }
   /// \f$h b_j\f$.
   [[nodiscard]] const Scalar& weight() const { return weight_; }
 

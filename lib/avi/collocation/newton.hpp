@@ -1,0 +1,190 @@
+#pragma once
+#include "avi/collocation/sweeps.hpp"
+#include "avi/core/outcome.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+/// @file
+/// Newton's method for the stages of a step, where sweeps do not contract.
+
+namespace avi {
+
+/// Simplified Newton iteration: with the Jacobian matrix J of the field at the start of the step, by central
+/// differences of its gradients, the equations of the stages \f$z_i = z_0 + h \sum_j a_{ij} f(z_j)\f$ are
+/// solved as if f were linear, by one LU decomposition of \f$I - h A \otimes J\f$. An iteration costs a field
+/// at all stages and \f$(2 n s)^2\f$ products; a decomposition, which serves many steps, a third of its cube.
+template <class Problem, int w>
+class Newton {
+ public:
+  using Step = Unknowns<Problem::dimension, w>;  ///< What is solved for.
+  using Vec = typename Step::Vec;                ///< One vector for each stage.
+  /// Largest number of unknowns, twice the dimension times the number of stages.
+  static constexpr Eigen::Index most = 256;
+
+  /// For problems of this size.
+  Newton(Eigen::Index size, int stages) : stages_(stages), count_(2 * size * stages) { reserve(); }
+  // A copy has no decomposition: methods are copied where a step is repeated.
+  /// Without the decomposition.
+  Newton(const Newton& other) : stages_(other.stages_), count_(other.count_) {}
+  /// Without the decomposition.
+  Newton& operator=(const Newton& other) {
+    stages_ = other.stages_;
+    count_ = other.count_;
+    matrix_ = nullptr;
+    decomposed_ = false;
+    return *this;
+  }
+  Newton(Newton&&) noexcept = default;             ///< With all it has.
+  Newton& operator=(Newton&&) noexcept = default;  ///< With all it has.
+  ~Newton() = default;
+
+  [[nodiscard]] bool possible() const { return count_ <= most; }  ///< The problem is small enough.
+
+  /// The step size is another one.
+  void forget() { decomposed_ = false; }
+
+  /// Solves for the stages of a step, from a constant. It must contract well, each change being at most half
+  /// of the one before: then the motion is stiff, and the step not merely too long for it.
+  /// @param old_q, old_p scratch @param cap on evaluations of the field @return ok, not_converged or
+  ///   non_finite
+  StepReport solve(const Problem& problem, Sweeps<Problem, w>& sweeps, Step& step, Vec& old_q, Vec& old_p,
+                   int cap) {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    StepReport report{.outcome = Outcome::not_converged};
+    const bool old = std::exchange(decomposed_, true);
+    if (!old) report.evaluations = decompose(problem, sweeps, step);
+    sweeps.begin(step);
+    for (double before = 0.0; report.evaluations < cap;) {
+      ++report.evaluations;
+      old_q = step.q, old_p = step.p;
+      sweeps.sweep_at_once(problem, step);
+      improve(old_q, old_p, step);
+      const double now = std::max(change_of(step.q, old_q).of_all(), change_of(step.p, old_p).of_all());
+      report.residual = now;
+      if (!std::isfinite(now)) report.outcome = Outcome::non_finite;
+      const bool slower = before > 0.0 && now > 0.5 * before;
+      if (now <= 4.0 * epsilon || (slower && now <= 1e5 * epsilon)) {
+        report.outcome = Outcome::ok;
+        decomposed_ = report.evaluations <= 12;
+        return report;
+      }
+      if (slower || report.outcome == Outcome::non_finite) break;
+      before = now;
+    }
+    decomposed_ = false;
+    if (!old) return report;
+    const int spent = report.evaluations;
+    report = solve(problem, sweeps, step, old_q, old_p, cap - spent);  // with the matrix of this start
+    report.evaluations += spent;
+    return report;
+  }
+
+ private:
+  /// Decomposes the matrix of steps like this one from their start. @param step is used as a scratch
+  /// @return evaluations of the field
+  [[gnu::noinline]] int decompose(const Problem& problem, Sweeps<Problem, w>& sweeps, Step& step) {
+    if (!matrix_) reserve();
+    std::fill(matrix_.get(), matrix_.get() + count_ * count_, 0.0);
+    int evaluations = 0;
+    const Eigen::Index size = step.q.size();
+    for (Eigen::Index first = 0; first < 2 * size; first += stages_) {
+      const int columns = static_cast<int>(std::min<Eigen::Index>(stages_, 2 * size - first));
+      for (const double side : {1.0, -1.0}) {
+        sweeps.begin(step);
+        for (int lane = 0; lane < columns; ++lane)
+          entry(step.q, step.p, first + lane)
+              .set(lane, start(step, first + lane) + side * reach(step, first + lane));
+        sweeps.evaluate(problem, step);
+        ++evaluations;
+        for (int lane = 0; lane < columns; ++lane) {
+          const double scale = -0.5 * side / (reach(step, first + lane) * sweeps.weight()[lane]);
+          for (Eigen::Index row = 0; row < 2 * size; ++row) {
+            const double slope = scale * entry(step.dq, step.dp, row)[lane];
+            for (int i = 0; i < stages_; ++i)
+              for (int j = 0; j < stages_; ++j)
+                at(row * stages_ + i, (first + lane) * stages_ + j) +=
+                    slope * sweeps.mu(i, j) * sweeps.weight()[j];
+          }
+        }
+      }
+    }
+    for (Eigen::Index k = 0; k < count_; ++k)
+      at(k, k) += 1.0;
+    eliminate();
+    return evaluations;
+  }
+
+  /// From what a sweep makes of (q, p), which is in the step, to the next iterate.
+  [[gnu::noinline]] void improve(const Vec& q, const Vec& p, Step& step) {
+    const Eigen::Index rows = 2 * q.size();
+    double* const x = right_.get();
+    for (Eigen::Index v = 0; v < rows; ++v)
+      for (int i = 0; i < stages_; ++i)
+        x[v * stages_ + i] = entry(step.q, step.p, v)[i] - entry(q, p, v)[i];
+    for (Eigen::Index k = 0; k < count_; ++k)
+      std::swap(x[k], x[pivots_[k]]);
+    for (Eigen::Index i = 1; i < count_; ++i)
+      for (Eigen::Index k = 0; k < i; ++k)
+        x[i] -= at(i, k) * x[k];
+    for (Eigen::Index k = count_; k-- > 0;) {
+      for (Eigen::Index i = k + 1; i < count_; ++i)
+        x[k] -= at(k, i) * x[i];
+      x[k] /= at(k, k);
+    }
+    for (Eigen::Index v = 0; v < rows; ++v)
+      for (int i = 0; i < w; ++i) {
+        const int stage = std::min(i, stages_ - 1);
+        entry(step.q, step.p, v).set(i, entry(q, p, v)[stage] + x[v * stages_ + stage]);
+      }
+  }
+  void reserve() {
+    if (!possible()) return;
+    matrix_.reset(new double[count_ * count_]);
+    right_.reset(new double[count_]);
+    pivots_.reset(new Eigen::Index[count_]);
+  }
+  double& at(Eigen::Index row, Eigen::Index column) { return matrix_[row * count_ + column]; }
+  /// Number v of (q, p).
+  template <class V>
+  static auto& entry(V& q, V& p, Eigen::Index v) {
+    return v < q.size() ? q[v] : p[v - q.size()];
+  }
+  static double start(const Step& step, Eigen::Index v) {
+    return entry(step.start.state.q, step.start.state.p, v);
+  }
+  /// How far to look for a difference: the cube root of the rounding error.
+  static double reach(const Step& step, Eigen::Index v) {
+    const auto& all = v < step.q.size() ? step.start.state.q : step.start.state.p;
+    const double size = all.template lpNorm<Eigen::Infinity>();
+    return 6e-6 * (size > 0.0 ? size : 1.0);
+  }
+  /// LU decomposition in place, with pivots by column. A vanishing pivot leaves infinities, which a step
+  /// reports.
+  void eliminate() {
+    for (Eigen::Index k = 0; k < count_; ++k) {
+      Eigen::Index best = k;
+      for (Eigen::Index i = k + 1; i < count_; ++i)
+        if (std::abs(at(i, k)) > std::abs(at(best, k))) best = i;
+      pivots_[k] = best;
+      if (best != k) std::swap_ranges(&at(k, 0), &at(k, 0) + count_, &at(best, 0));
+      for (Eigen::Index i = k + 1; i < count_; ++i) {
+        const double factor = at(i, k) /= at(k, k);
+        if (factor != 0.0)
+          for (Eigen::Index j = k + 1; j < count_; ++j)
+            at(i, j) -= factor * at(k, j);
+      }
+    }
+  }
+
+  int stages_;
+  bool decomposed_ = false;
+  Eigen::Index count_;
+  std::unique_ptr<double[]> matrix_, right_;
+  std::unique_ptr<Eigen::Index[]> pivots_;
+};
+
+}  // namespace avi
