@@ -83,7 +83,7 @@ TEST(CostGrowth, ASweepCostsTheSameNumberOfEvaluationsOfHInEveryDimension) {
     evaluations.push_back(seconds(table, "sweep", n) / seconds(table, "energy", n));
   const auto [least, most] = std::minmax_element(evaluations.begin(), evaluations.end());
   EXPECT_GT(*least, 0.0);
-  EXPECT_LT(*most, 2.4 * *least);  // 1.2 was measured
+  EXPECT_LT(*most, 3.8 * *least);  // 1.2 to 1.9 were measured; partials carried forward would give 256
 }
 
 }  // namespace
