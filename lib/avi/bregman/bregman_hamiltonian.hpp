@@ -24,14 +24,6 @@ double bregman_energy(const BregmanFamily& family, const F& f, const ExtendedPoi
          family.monitor(z.t) * z.r_t;
 }
 
-/// The r^t that puts a start on the level H-bar = 0, where fictive and physical dynamics agree.
-template <Objective F>
-double bregman_zero_level(const BregmanFamily& family, const F& f, const ExtendedPoint& z) {
-  ExtendedPoint at = z;
-  at.r_t = 0.0;
-  return -bregman_energy(family, f, at) / family.monitor(z.t);
-}
-
 /// The start of the paper's runs at q: r and t of `from`, r^t on the level H-bar = 0.
 template <Objective F>
 ExtendedPoint bregman_start(const BregmanFamily& family, const F& f, const VectorX& q,
@@ -39,7 +31,7 @@ ExtendedPoint bregman_start(const BregmanFamily& family, const F& f, const Vecto
   family.validate();
   from.validate();
   ExtendedPoint z{.q = q, .t = from.t, .r = VectorX::Constant(q.size(), from.momentum)};
-  z.r_t = bregman_zero_level(family, f, z);
+  z.r_t = -bregman_energy(family, f, z) / family.monitor(z.t);
   return z;
 }
 
