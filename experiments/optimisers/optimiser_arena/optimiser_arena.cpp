@@ -112,8 +112,10 @@ int main(int argc, char** argv) {
                    fmt::format("{} evaluations, {} for methods of fixed or adapted learning rates, {} for "
                                "dimensions above 5000",
                                cap, slow_cap, cap / 10));
-        table.note("starts",
-                   "medians over the usual start and two moved by 1e-3; one for the slow and the large");
+        table.note(
+            "starts",
+            "medians over the usual start and two moved by 1e-3; one for the slow and the large. Where one "
+            "does not converge, what it spent; later ones are not asked again");
         arena::Standing standing;
         double done = 0.0;
         for (const Problem& problem : problems) {
