@@ -1,5 +1,5 @@
-// error: A function that turns its arguments into numbers cannot be recorded: supply d_dq(q, p) and d_dp(q,
-// p)
+// error: A function that turns its arguments into numbers cannot be recorded: make it generic in its
+// scalar, or, where the compiler knows the dimension, supply d_dq(q, p) and d_dp(q, p).
 #include <avi/autodiff/recording.hpp>
 
 int main() {

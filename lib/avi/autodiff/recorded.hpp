@@ -43,8 +43,8 @@ class Recorded {
   explicit operator T() const {
     static_assert(
         !std::is_arithmetic_v<T>,
-        "A function that turns its arguments into numbers cannot be recorded: supply d_dq(q, p) and "
-        "d_dp(q, p), or make the function generic in its scalar.");
+        "A function that turns its arguments into numbers cannot be recorded: make it generic in its scalar, "
+        "or, where the compiler knows the dimension, supply d_dq(q, p) and d_dp(q, p).");
     return T();
   }
 
@@ -68,8 +68,9 @@ class Recorded {
   /// values
   friend bool operator==(const Recorded& a, const Recorded& b) {
     if (a.graph_ || b.graph_)
-      throw std::invalid_argument("A function that asks whether its arguments are equal cannot be recorded; "
-                                  "supply d_dq(q, p) and d_dp(q, p).");
+      throw std::invalid_argument(
+          "A function that asks whether its arguments are equal cannot be recorded; "
+          "where the compiler knows the dimension, supply d_dq(q, p) and d_dp(q, p).");
     return a.number_ == b.number_;
   }
   friend Recorded pow(const Recorded& a, double exponent) {
@@ -115,7 +116,8 @@ bool no_branch() {
   static_assert(
       !std::is_same_v<A, A>,
       "A function that compares its arguments cannot be recorded: a straight line of operations has "
-      "no branches. Supply d_dq(q, p) and d_dp(q, p), or write the function without comparisons.");
+      "no branches. Write the function without comparisons, or, where the compiler knows the dimension, "
+      "supply d_dq(q, p) and d_dp(q, p).");
   return false;
 }
 }  // namespace detail
