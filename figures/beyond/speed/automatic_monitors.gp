@@ -11,7 +11,7 @@ set ylabel 'cost / best by hand' offset 0.5
 set xrange [-0.7:*]
 set grid xtics
 unset xlabel
-set xtics rotate by 60 right noenhanced
+set xtics rotate by 60 right noenhanced font ',7'
 set key top left horizontal maxrows 1 width -2
 do for [order in '4 8 16'] {
   at(y) = strcol('order') eq order ? column(y) : NaN
