@@ -119,8 +119,8 @@ class StageField {
   using H = std::decay_t<decltype(std::declval<const Problem&>().hamiltonian())>;
   /// The argument that is held constant while the other is differentiated.
   template <class Differentiated>
-  static auto constants(const Vec& x) {
-    return x.template cast<typename Differentiated::Scalar>().eval();
+  static Differentiated constants(const Vec& x) {
+    return x.template cast<typename Differentiated::Scalar>();
   }
 };
 

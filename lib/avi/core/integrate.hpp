@@ -57,6 +57,11 @@ Outcome show(Observer& observer, const Seen& seen, long k) {
 
 template <class Observer, class State>
 inline constexpr bool of_states = std::invocable<Observer&, const State&, long>;
+/// An observer of a method's run; one of states is not tried on a step, of which its body may ask too much.
+template <class Observer, class M, class State>
+concept ObserverOf = std::invocable<Observer&, const State&, long> || std::invocable < Observer&,
+        const Step<M, State>
+&, long > ;
 
 /// A run without a goal ends by its `until` alone.
 struct NoGoal {};
@@ -79,9 +84,8 @@ template <class Goal, class State, class M, class... Observers>
 Run run(M& method, State& state, double h, const Until& until, const Goal& goal, Observers&... observers) {
   static_assert(Method<M, State>,
                 "The method has no step(state, h) for this state: is the state of another dimension?");
-  static_assert(
-      ((of_states<Observers, State> || std::invocable<Observers&, const Step<M, State>&, long>)&&...),
-      "An observer must be callable as observer(state, k) or as observer(step, k).");
+  static_assert((ObserverOf<Observers, M, State> && ...),
+                "An observer must be callable as observer(state, k) or as observer(step, k).");
   require(std::isfinite(h) && h != 0.0, "Step size h", h, "finite and not zero");
   require(!std::isnan(until.time), "End time", until.time, "a number");
   require(until.steps >= 0, "Number of steps", until.steps, "at least 0");
