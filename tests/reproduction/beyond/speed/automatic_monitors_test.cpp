@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -40,6 +41,23 @@ TEST(AutomaticMonitors, HaveTheErrorsOfTheirTargets) {
       EXPECT_LE(table.number(i, "energy_error"), 0.1 * position);
   }
   EXPECT_EQ(chosen, 30);
+}
+
+TEST(AutomaticMonitors, DoNotDriftOverTenThousandPeriods) {
+  const auto table = experiment::Table::read(quick + "/automatic_monitors_drift.tsv");
+  ASSERT_EQ(table.rows.size(), 5u);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const std::string problem = table.text(i, "problem");
+    EXPECT_EQ(table.text(i, "outcome"), "ok") << problem;
+    EXPECT_EQ(table.number(i, "horizons"), 1000.0);
+    // Tolerance 1e-6: measured errors to 1.0e-6, changes to 5e-5 of them, |t| to 0.5.
+    EXPECT_LT(table.number(i, "energy_error"), 2e-6) << problem;
+    EXPECT_LT(std::abs(table.number(i, "slope_times_horizon")), 1e-4 * table.number(i, "energy_error"))
+        << problem;
+    EXPECT_LT(std::abs(table.number(i, "corrected_t")), 1.0) << problem;
+    // The naive control loses 0.4 in this time; here the last tenth is as good as the first.
+    EXPECT_NEAR(table.number(i, "last_tenth") / table.number(i, "first_tenth"), 1.0, 0.05) << problem;
+  }
 }
 
 }  // namespace
