@@ -5,6 +5,7 @@
 #include "avi/problems/chain.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/n_body.hpp"
+#include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
 #include "avi/transform/time_dependent.hpp"
 
@@ -21,15 +22,6 @@ using avi::State;
 using avi::Vector;
 
 namespace {
-
-/// g = |q|^(3/2).
-struct ThreeHalves {
-  template <class Q>
-  auto operator()(const Q& q) const {
-    using std::pow;
-    return pow(q[0] * q[0] + q[1] * q[1], 0.75);
-  }
-};
 
 double distance(const State<2>& a, const State<2>& b) {
   return std::sqrt((a.q - b.q).squaredNorm() + (a.p - b.p).squaredNorm() + (a.t - b.t) * (a.t - b.t));
@@ -99,7 +91,7 @@ TEST(CollocationSteps, TakesTimeAsACoordinate) {
 
 TEST(CollocationSteps, RunsBackwards) {
   const auto start = Kepler::pericentre(0.6);
-  auto method = avi::collocation(avi::poincare(Kepler{}, start, ThreeHalves{}), 12);
+  auto method = avi::collocation(avi::poincare(Kepler{}, start, avi::Gamma{0.75}), 12);
   State<2> z = start;
   ASSERT_EQ(avi::integrate_to(method, z, 0.5, 7.0).outcome, Outcome::ok);
   const auto exact = Kepler::exact(0.6, 7.0);
@@ -110,7 +102,7 @@ TEST(CollocationSteps, RunsBackwards) {
 
 TEST(CollocationSteps, HasAPolynomialInsideTheStep) {
   const double e = 0.5;
-  auto method = avi::collocation(avi::poincare(Kepler{}, Kepler::pericentre(e), ThreeHalves{}), 16);
+  auto method = avi::collocation(avi::poincare(Kepler{}, Kepler::pericentre(e), avi::Gamma{0.75}), 16);
   State<2> before = Kepler::pericentre(e), after = before;
   for (int k = 0; k < 12; ++k) {
     ASSERT_EQ(method.step(after, 0.4).outcome, Outcome::ok);
@@ -182,7 +174,7 @@ TEST(CollocationSteps, EndsItsSweepsAtRoundOff) {
               {8, 0.2, 1e-99, 1840, 2.4e-13},  {16, 0.4, 1e-99, 1856, 2.9e-15}};
   for (const auto& [order, h, tolerance, sweeps, error] : runs) {
     auto method =
-        avi::collocation(avi::poincare(Kepler{}, start, ThreeHalves{}), order, {.tolerance = tolerance});
+        avi::collocation(avi::poincare(Kepler{}, start, avi::Gamma{0.75}), order, {.tolerance = tolerance});
     State<2> z = start;
     double worst = 0.0;
     const avi::Run run = avi::integrate(method, z, h, {.steps = 200}, [&](const State<2>& now, long) {
@@ -196,7 +188,7 @@ TEST(CollocationSteps, EndsItsSweepsAtRoundOff) {
 
 TEST(CollocationSteps, GoesOnAfterAFailedStep) {
   const auto start = Kepler::pericentre(0.9);
-  auto method = avi::collocation(avi::poincare(Kepler{}, start, ThreeHalves{}), 16);
+  auto method = avi::collocation(avi::poincare(Kepler{}, start, avi::Gamma{0.75}), 16);
   State<2> z = start, fresh = start;
   ASSERT_EQ(method.step(z, 0.5).outcome, Outcome::ok);
   const State<2> kept = z;

@@ -3,6 +3,7 @@
 #include "avi/core/integrate_to.hpp"
 #include "avi/diagnostics/symplecticity.hpp"
 #include "avi/problems/kepler.hpp"
+#include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
 
 #include <gsl/gsl_errno.h>
@@ -20,15 +21,6 @@ using avi::Outcome;
 using avi::State;
 
 namespace {
-
-/// g = |q|^(3/2).
-struct ThreeHalves {
-  template <class Q>
-  auto operator()(const Q& q) const {
-    using std::pow;
-    return pow(q[0] * q[0] + q[1] * q[1], 0.75);
-  }
-};
 
 /// Not separable, and no gradient supplied: a charge in an uneven magnetic field and a well.
 struct Charge {
@@ -159,7 +151,7 @@ TEST(Collocation, CoefficientsAreSymplecticToTheLastBit) {
 
 TEST(Collocation, LeadsBack) {
   const auto start = Kepler::pericentre(0.9);
-  auto method = avi::collocation(avi::poincare(Kepler{}, start, ThreeHalves{}), 16);
+  auto method = avi::collocation(avi::poincare(Kepler{}, start, avi::Gamma{0.75}), 16);
   for (const double h : {0.3, 0.9}) {
     State<2> z = start;
     for (int k = 0; k < 20; ++k) {
@@ -179,7 +171,7 @@ TEST(Collocation, LeadsBack) {
 TEST(Collocation, KeepsTheEnergyOverAThousandPeriods) {
   for (const auto& [e, h, bound] : {std::tuple{0.9, 0.9, 3e-14}, std::tuple{0.99, 0.8, 2.5e-13}}) {
     const auto start = Kepler::pericentre(e);
-    auto method = avi::collocation(avi::poincare(Kepler{}, start, ThreeHalves{}), 16);
+    auto method = avi::collocation(avi::poincare(Kepler{}, start, avi::Gamma{0.75}), 16);
     State<2> z = start;
     double most = 0.0;
     const avi::Run run =

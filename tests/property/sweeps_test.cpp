@@ -4,6 +4,7 @@
 #include "avi/core/integrate.hpp"
 #include "avi/problems/chain.hpp"
 #include "avi/problems/kepler.hpp"
+#include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
 
 #include <gtest/gtest.h>
@@ -16,15 +17,6 @@ using avi::Outcome;
 using avi::State;
 
 namespace {
-
-/// g = |q|^(3/2).
-struct ThreeHalves {
-  template <class Q>
-  auto operator()(const Q& q) const {
-    using std::pow;
-    return pow(q[0] * q[0] + q[1] * q[1], 0.75);
-  }
-};
 
 double distance(const State<2>& a, const State<2>& b) {
   return std::sqrt((a.q - b.q).squaredNorm() + (a.p - b.p).squaredNorm() + (a.t - b.t) * (a.t - b.t));
@@ -73,7 +65,7 @@ TEST(Sweeps, TakesSuppliedGradientsOfManyDegreesOfFreedom) {
 
 TEST(Sweeps, ThrowsAwayWhatItBeganInVain) {
   // A step is begun while the one before is solved. Where the next step is another one, nothing of it stays.
-  auto method = avi::collocation(avi::poincare(Kepler{}, Kepler::pericentre(0.7), ThreeHalves{}), 16);
+  auto method = avi::collocation(avi::poincare(Kepler{}, Kepler::pericentre(0.7), avi::Gamma{0.75}), 16);
   State<2> z = Kepler::pericentre(0.7);
   int k = 0;
   for (const double h :
