@@ -116,17 +116,12 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
   }
   // The most promising one first: the others then are given up early. What promises little is not tried,
   // fixed steps only where all else fails.
-  std::vector<Candidate*> sorted;
-  for (Candidate& it : candidates)
-    sorted.push_back(&it);
-  std::sort(sorted.begin(), sorted.end(), [](const Candidate* a, const Candidate* b) {
-    return a->outlook() < b->outlook() || (a->outlook() == b->outlook() && a < b);
-  });
-  const double poor = 12.0 * sorted.front()->outlook();
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.outlook() < b.outlook(); });
+  const double poor = 12.0 * candidates.front().outlook();
   const Pilot* fixed = nullptr;
   double best = std::numeric_limits<double>::infinity();
-  for (Candidate* next : sorted) {
-    Candidate& it = *next;
+  for (Candidate& it : candidates) {
     const bool is_fixed = it.entry == &menu.entries().front(), promising = it.outlook() <= poor;
     // At best it takes five sweeps for each of the first steps.
     if (!is_fixed && (!promising || 5.0 * it.sweep * first > best)) continue;
