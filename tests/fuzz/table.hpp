@@ -1,6 +1,7 @@
 #pragma once
 #include "common/table.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <sstream>
 #include <stdexcept>

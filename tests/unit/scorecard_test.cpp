@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <set>
+#include <unistd.h>
 
 using experiment::Table;
 using scorecard::Line;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 // minimise() on the paper's problem, with the paper's stopping test, beside the methods of Table 6.
 
 namespace {
