@@ -174,7 +174,7 @@ class alignas(64) Stages {
       const bool solved = change * (change / before) <= settings_.tolerance;
       stalls = change >= least ? stalls + 1 : 0;
       const bool stagnates = (change >= 0.5 * before && before > 0.0 && change <= 16.0 * epsilon) ||
-                             (stalls >= 2 && change <= 1e5 * epsilon);
+                             (stalls >= 2 && change <= 8.0 * least && change <= 1e5 * epsilon);
       if (change == 0.0 || solved || stagnates) return finish(problem, z, h, step, report);
       slow = change > 0.5 * before && before > 0.0 && change > 1e-10 ? slow + 1 : 0;
       if (slow == 3 && k > 6 && !patient_) break;
