@@ -77,7 +77,7 @@ set format x '%g'; set format y '%g'
 kinds = 'order conditioning dimension start start_scaled clock step beyond fault'
 row(s) = position(kinds, s)
 set yrange [words(kinds)+0.6:0.4]
-set xrange [0.1:1000]; set logscale x 10; set xtics (1, 10, 100, 1000); unset mytics
+set xrange [0.1:1000]; set logscale x 10; set xtics (1, 10, 100); unset mytics
 set ytics scale 0 ('order' 1, 'conditioning' 2, 'dimension' 3, 'start' 4, 'start, scaled' 5, 'clock' 6, 'step' 7, 'beyond' 8, 'fault' 9) font ',7'
 set ylabel ''
 set xlabel 'runs' offset 0, 0.5

@@ -28,7 +28,7 @@ eval logy
 set xrange [2:5e-9]
 set yrange [1:5e5]
 set xlabel "distance 1 - e from a parabola"
-set ylabel "steps per orbit" offset 1, 0
+set ylabel "steps per orbit" offset 0, 0
 unset key
 set xtics (1, 1e-2, 1e-4, 1e-6, 1e-8)
 eval panel(1, 1, 2, 1)

@@ -15,7 +15,7 @@ kind(f, s) = strcol('format') eq f && strcol('summation') eq s ? column('positio
 eval panel(1, 1, 2, 1)
 set title 'energy' offset 0, -0.6
 set xlabel 'periods'
-set ylabel 'relative energy error' offset 1.6, 0
+set ylabel 'relative energy error' offset 0.9, 0
 set yrange [1e-24:1e-9]; set ytics 1e3
 set key inside bottom right samplen 1 spacing 0.95 font ',7' noopaque
 plot growth using 'periods':(at('log', 0.9, 'compensated')) with points pt 7 lc rgb blue title 'e = 0.9, compensated', \
