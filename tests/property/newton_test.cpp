@@ -80,12 +80,12 @@ TEST(Newton, FollowsASlowNonlinearMotionBesideAStiffOne) {
   ASSERT_EQ(run.outcome, Outcome::ok) << run.message;
   EXPECT_LE(run.evaluations, 500 * 27);
   EXPECT_NEAR(springs(z.q, z.p), energy, 0.02 * energy);
-  // The same map whichever iteration finds it: a step of the other sign leads back. It starts from the right
-  // polynomial, and sweeps, which grow here, leave up to 1e-11 of it.
+  // The same map whichever iteration finds it: a step of the other sign leads back, although it starts from
+  // the right polynomial and sweeps grow here, by a factor each time. 5e-15 was measured.
   const State<6> there = z;
   ASSERT_EQ(method.step(z, 0.4).outcome, Outcome::ok);
   ASSERT_EQ(method.step(z, -0.4).outcome, Outcome::ok);
-  EXPECT_LT((z.q - there.q).norm() + (z.p - there.p).norm(), 2e-11);
+  EXPECT_LT((z.q - there.q).norm() + (z.p - there.p).norm(), 1e-14);
 }
 
 TEST(Newton, EndsWhereTheStepIsTooLongForTheMotion) {
