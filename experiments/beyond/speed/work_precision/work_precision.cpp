@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
       argc, argv, "work_precision",
       "What accuracy costs: error against time for our methods and for those of other libraries.",
       [&](CLI::App& app) {
-        experiment::add_flag(app, "--full", full, "The whole grid, about seven minutes");
+        experiment::add_flag(app, "--full", full, "The whole grid, some minutes");
         experiment::add_text(app, "--scene", only, "Only scenes whose name contains this, as `kepler 0.9`");
       },
       [&](experiment::Frame& frame) {
