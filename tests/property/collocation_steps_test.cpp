@@ -9,6 +9,8 @@
 #include "avi/transform/poincare.hpp"
 #include "avi/transform/time_dependent.hpp"
 
+#include "distance.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,10 +24,6 @@ using avi::State;
 using avi::Vector;
 
 namespace {
-
-double distance(const State<2>& a, const State<2>& b) {
-  return std::sqrt((a.q - b.q).squaredNorm() + (a.p - b.p).squaredNorm() + (a.t - b.t) * (a.t - b.t));
-}
 
 TEST(CollocationSteps, IsOneMethodForEveryKindOfDimension) {
   // The same masses, with the dimension known to the compiler or not, gradients supplied or recorded.

@@ -6,8 +6,10 @@
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
 
+#include "distance.hpp"
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,10 +50,6 @@ State<Problem::dimension> after(const Problem& problem, int order, State<Problem
   const avi::Run run = avi::integrate(method, z, h, {.steps = steps});
   EXPECT_EQ(run.outcome, Outcome::ok) << run.message;
   return z;
-}
-
-double distance(const State<2>& a, const State<2>& b) {
-  return std::sqrt((a.q - b.q).squaredNorm() + (a.p - b.p).squaredNorm() + (a.t - b.t) * (a.t - b.t));
 }
 
 TEST(Collocation, HasOrderTwiceTheStages) {

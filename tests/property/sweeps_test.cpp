@@ -7,6 +7,9 @@
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
 
+#include "distance.hpp"
+#include "rate.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,20 +21,7 @@ using avi::State;
 
 namespace {
 
-double distance(const State<2>& a, const State<2>& b) {
-  return std::sqrt((a.q - b.q).squaredNorm() + (a.p - b.p).squaredNorm() + (a.t - b.t) * (a.t - b.t));
-}
-
-/// 1/g = 1 + |q|^2, and 1/g = 1 + |q|^2 + |p|^2.
-struct Rate {
-  template <class Q>
-  auto operator()(const Q& q) const {
-    auto sum = 1.0 + q[0] * q[0];
-    for (Eigen::Index i = 1; i < q.size(); ++i)
-      sum += q[i] * q[i];
-    return 1.0 / sum;
-  }
-};
+/// 1/g = 1 + |q|^2 + |p|^2.
 struct BothRate {
   template <class Q, class P>
   auto operator()(const Q& q, const P& p) const {

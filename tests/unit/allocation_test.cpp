@@ -6,6 +6,8 @@
 #include "avi/transform/euler_b.hpp"
 #include "avi/transform/monitors.hpp"
 
+#include "rate.hpp"
+
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -66,17 +68,6 @@ TEST(Step, AllocatesNothing) {
   EXPECT_EQ(allocations_in_steps(avi::euler_b<2>(kepler, z, monitor), 0.01), 0);
   EXPECT_EQ(allocations_in_steps(avi::stormer_verlet<2>(&avi::Kepler::potential_gradient<double>), 1e-4), 0);
 }
-
-/// 1/g = 1 + |q|^2.
-struct Rate {
-  template <class Q>
-  auto operator()(const Q& q) const {
-    auto sum = 1.0 + q[0] * q[0];
-    for (Eigen::Index i = 1; i < q.size(); ++i)
-      sum += q[i] * q[i];
-    return 1.0 / sum;
-  }
-};
 
 TEST(Step, AllocatesNothingInCollocationEither) {
   const auto z = avi::Kepler::pericentre(0.9);
