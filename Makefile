@@ -129,7 +129,8 @@ alone = flock $(if $(filter $(timed),$(1)),--exclusive,--shared) build/data/.alo
 
 data: $(DATA) build/data/manifest.tsv ## Run every experiment: build/data/<stem>.tsv
 $(DATA): build/data/%.tsv: $(BIN)/% | build/data
-	@echo "running $*"; $(call alone,$*) $(BIN)/$* --output build/data && test -s $@
+	@echo "running $*"; $(call alone,$*) $(BIN)/$* --output build/data && test -s $@ \
+	  && experiments/common/fresh_data.sh --note $(BIN)/$* build/data
 
 build/data/manifest.tsv: experiments/common/manifest.sh $(DATA)
 	@experiments/common/manifest.sh build/data >$@.part && mv $@.part $@
