@@ -39,7 +39,7 @@ std::string declared_table(const scorecard::Results& data, const experiment::Tab
     where = list.text(i, "where");
     const std::string& format = list.text(i, "format");
     columns.emplace_back(list.text(i, "column"), format);
-    alignment += format == "text" || format == "raw" ? 'l' : 'r';
+    alignment += format == "text" || format == "raw" || format == "yes" ? 'l' : 'r';
     header += (columns.size() > 1 ? " & " : "") + list.text(i, "header");
   }
   const experiment::Table& table = data(stem);

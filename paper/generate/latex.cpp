@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <regex>
@@ -42,55 +43,82 @@ std::string escaped(std::string_view text) {
 }
 
 std::string latex(std::string_view text) {
-  static const std::regex number(R"((>?)(\d+(?:\.\d+)?)[eE]([-+]?\d+))");
-  std::string out, rest(text);
-  for (std::smatch match; std::regex_search(rest, match, number); rest = match.suffix()) {
-    out += match.prefix();
-    out += "\x01" + std::string(match[1].length() ? ">" : "") + std::string(match[2]) + "\x02" +
-           std::to_string(std::stoi(match[3])) + "\x03";
-  }
-  out += rest;
-  out = escaped(out);
-  for (const auto& [from, to] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"p\\_ring", "$\\mathring p$"},
-           {"delta", "$\\delta$"},
-           {"|p^t + H|^-1", "$|p^{t}+H|^{-1}$"},
-           {"|L|^-1", "$|L|^{-1}$"},
-           {"p~0 - p0", "$\\tilde p_0-p_0$"},
-           {"q~0 - q0", "$\\tilde q_0-q_0$"},
-           {"q~1 - q1", "$\\tilde q_1-q_1$"},
-           {"p^t", "$p^t$"},
-           {"r^t", "$r^t$"},
-           {"q.q", "$q^\\top q$"},
-           {"|grad V|", "$|\\nabla V|$"},
-           {"|q|^2", "$|q|^2$"},
-           {"Stormer", "St\\\"ormer"},
-           {"O(t^-p)", "$O(t^{-p})$"},
-           {"p^2/$\\mathring p$", "$p^2/\\mathring p$"},
-           {"10^(2/3)", "$10^{2/3}$"},
-           {"f*", "$f^*$"},
-           {"^", "\\textasciicircum{}"},
-           {"<", "$<$"},
-           {">", "$>$"},
-           {"|", "$|$"}}) {
-    if (std::string_view(from) == "^" || std::string_view(from).size() == 1) {
-      // Only outside of the mathematics just made.
-      std::string kept;
-      bool mathematics = false;
-      for (const char c : out) {
-        if (c == '$') mathematics = !mathematics;
-        kept += !mathematics && c == from[0] ? std::string(to) : std::string(1, c);
-      }
-      out = kept;
-    } else {
-      out = replaced(out, from, to);
+  // What is mathematics already stands aside as a mark, \x01, its number in \x02s, \x03, until all is found.
+  std::vector<std::string> mathematics;
+  std::string out(text);
+  const auto set_aside = [&](const std::regex& pattern, auto&& written) {
+    std::string kept;
+    for (std::smatch match; std::regex_search(out, match, pattern); out = match.suffix()) {
+      kept += match.prefix().str() + "\x01" + std::string(mathematics.size(), '\x02') + "\x03";
+      mathematics.push_back(written(match));
     }
-  }
-  static const std::regex made("\x01((?:\\$>\\$)?)([^\x02]*)\x02([^\x03]*)\x03");
-  std::string done;
-  for (std::smatch match; std::regex_search(out, match, made); out = match.suffix())
-    done += std::string(match.prefix()) + std::string(match[1]) + power(match[2], std::stoi(match[3]));
-  return done + out;
+    out = kept + out;
+  };
+  static const std::vector<std::pair<std::regex, std::string>> formulas = [] {
+    std::vector<std::pair<std::regex, std::string>> list;
+    static const std::regex special(R"([.^$|()*+?\[\]{}\\])");
+    for (const auto& [plain, tex] : std::initializer_list<std::pair<const char*, const char*>>{
+             {"|p^t + H|^-1", "|p^t+H|^{-1}"},
+             {"|L|^-1", "|L|^{-1}"},
+             {"p~0 - p0", "\\tilde p_0-p_0"},
+             {"q~0 - q0", "\\tilde q_0-q_0"},
+             {"q~1 - q1", "\\tilde q_1-q_1"},
+             {"p^t", "p^t"},
+             {"r^t", "r^t"},
+             {"q.q", "q^\\top q"},
+             {"|grad V| = 1/|q|^2", "|\\nabla V|=1/|q|^2"},
+             {"|q|^2", "|q|^2"},
+             {"O(t^-p)", "O(t^{-p})"},
+             {"P = p^2/p_ring", "P=p^2/\\mathring p"},
+             {"p^2/p_ring", "p^2/\\mathring p"},
+             {"10^(2/3)", "10^{2/3}"},
+             {"f - f*", "f-f^*"},
+             {"min(r + 1, s)", "\\min(r+1,s)"},
+             {"(q, p)", "(q,p)"},
+             {"(q, r)", "(q,r)"},
+             {"tol / h", "\\mathit{tol}/h"},
+             {"a h and b h", "ah$ and $bh"},
+             {"a h", "ah"},
+             {"N - 1", "N-1"},
+             {"N h", "Nh"},
+             {"x - 1", "x-1"}}) {
+      const auto edge = [](unsigned char c) { return std::isalnum(c) ? R"(\b)" : ""; };
+      list.emplace_back(std::regex(edge(plain[0]) + std::regex_replace(plain, special, R"(\$&)") +
+                                   edge(plain[std::string_view(plain).size() - 1])),
+                        tex);
+    }
+    return list;
+  }();
+  for (const auto& [pattern, tex] : formulas)
+    set_aside(pattern, [&tex = tex](const std::smatch&) { return "$" + tex + "$"; });
+  const auto symbol = [](const std::string& name) {
+    return name == "p_ring" ? "\\mathring p" : name.size() > 2 ? "\\" + name : name;
+  };
+  const auto number = [](const std::string& mantissa, const std::string& exponent) {
+    return power(mantissa, exponent.empty() ? 0 : std::stoi(exponent));
+  };
+  static const std::regex value(
+      R"(\b(p_ring|delta|gamma|[A-Za-z]) ?= ?(-?\d+(?:\.\d+)?)(?:[eE]([-+]?\d+))?)"),
+      written(R"((>?)(\d+(?:\.\d+)?)[eE]([-+]?\d+))"), grouped(R"(\b\d{5,}\b)"),
+      negative(R"((^|[ (])(-\d+(?:\.\d+)?))"), raised(R"(\b([A-Za-z])\^(-?\d+(?:\.\d+)?))"),
+      letter(R"(\b(p_ring|delta|[CNPefhpqrxy])\b)");
+  set_aside(value, [&](const auto& m) { return "$" + symbol(m[1]) + "=" + number(m[2], m[3]) + "$"; });
+  set_aside(written, [&](const auto& m) { return (m[1].length() ? "$>$" : "") + number(m[2], m[3]); });
+  set_aside(negative, [&](const auto& m) { return m[1].str() + number(m[2], ""); });
+  set_aside(grouped, [&](const auto& m) { return number(m[0], ""); });
+  set_aside(raised, [&](const auto& m) { return "$" + m[1].str() + "^{" + m[2].str() + "}$"; });
+  set_aside(letter, [&](const auto& m) { return "$" + symbol(m[1]) + "$"; });
+  out = escaped(out);
+  for (const auto& [from, to] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"Stormer-Verlet", "St\\\"ormer--Verlet"},
+                                                                  {"^", "\\textasciicircum{}"},
+                                                                  {"<", "$<$"},
+                                                                  {">", "$>$"},
+                                                                  {"|", "$|$"}})
+    out = replaced(out, from, to);
+  for (std::size_t i = mathematics.size(); i-- > 0;)
+    out = replaced(out, "\x01" + std::string(i, '\x02') + "\x03", mathematics[i]);
+  return out;
 }
 
 std::string latex_number(double value, std::string_view format) {
@@ -142,7 +170,7 @@ std::string display_name(std::string_view name) {
        {"gsl_rk8pd", "GSL rk8pd"},
        {"ok", "converges"},
        {"kepler", "Kepler"},
-       {"perturbed_kepler", "perturbed Kepler"},
+       {"perturbed_kepler", "quadrupole"},
        {"henon_heiles", "H\\'enon--Heiles"},
        {"figure_eight", "figure eight"},
        {"collocation4", "collocation 4"},
@@ -196,6 +224,7 @@ std::string display_name(std::string_view name) {
 std::string latex_cell(const std::string& cell, std::string_view format) {
   if (format == "text") return display_name(cell);
   if (format == "raw") return latex(cell);
+  if (format == "yes") return cell == "1" ? "yes" : "no";
   double value = 0.0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (error != std::errc{} || end != cell.data() + cell.size()) return display_name(cell);

@@ -25,7 +25,8 @@ std::string latex_printed(std::string_view printed);
 /// The name that text, figures and code share for a method, monitor, approach ... of a data file.
 std::string display_name(std::string_view name);
 
-/// A cell of a data file: by its format, `text` for a name and `raw` for text as it is.
+/// A cell of a data file: by its format, `text` for a name, `raw` for text as it is and `yes` for
+/// yes or no.
 std::string latex_cell(const std::string& cell, std::string_view format);
 
 }  // namespace paper

@@ -143,13 +143,15 @@ TEST(Paper, EveryReferenceIsCitedAndCanBeFound) {
     for (const auto& key : found(list, "([^, ]+)"))
       cited.insert(key);
   EXPECT_EQ(cited, keys);
-  // By its DOI or address, else by the journal: volumes and pages that could not be checked are left out.
+  // By its DOI or address, else by the journal, school, course or ISBN: volumes and pages that could not be
+  // checked are left out.
   std::istringstream entries(bib);
   std::string key;
   std::map<std::string, bool> findable;
   for (std::string line; std::getline(entries, line);) {
     if (line.starts_with("@")) key = line.substr(line.find('{') + 1, line.find(',') - line.find('{') - 1);
-    for (const char* field : {"doi = {10.", "url = {https://", "journal = {"})
+    for (const char* field :
+         {"doi = {10.", "url = {https://", "journal = {", "school = {", "howpublished = {", "ISBN"})
       findable[key] = findable[key] || line.find(field) != std::string::npos;
   }
   for (const auto& [entry, can_be] : findable)
@@ -185,9 +187,12 @@ TEST(Log, OfTheLastBuildIsClean) {
 
 TEST(Latex, EscapesTextAndWritesPowers) {
   EXPECT_EQ(paper::latex("50 % of a_b"), "50 \\% of a\\_b");
-  EXPECT_EQ(paper::latex("delta = 1e-10, p_ring"), "$\\delta$ = \\num{1e-10}, $\\mathring p$");
-  EXPECT_EQ(paper::latex("|grad V| = 1/|q|^2"), "$|\\nabla V|$ = 1/$|q|^2$");
-  EXPECT_EQ(paper::latex("|p^t + H|^-1 and p^t"), "$|p^{t}+H|^{-1}$ and $p^t$");
+  EXPECT_EQ(paper::latex("delta = 1e-10, p_ring"), "$\\delta=\\num{1e-10}$, $\\mathring p$");
+  EXPECT_EQ(paper::latex("|grad V| = 1/|q|^2"), "$|\\nabla V|=1/|q|^2$");
+  EXPECT_EQ(paper::latex("Euler's e = 0.9 at 77878 < 1e7, -2.00 times p; x^1.5, a step of N - 1"),
+            "Euler's $e=\\num{0.9}$ at \\num{77878} $<$ \\num{1e7}, \\num{-2.00} times $p$; $x^{1.5}$, a "
+            "step of $N-1$");
+  EXPECT_EQ(paper::latex("|p^t + H|^-1 and p^t"), "$|p^t+H|^{-1}$ and $p^t$");
   EXPECT_EQ(paper::escaped("9e92463-dirty a_b"), "9e92463-dirty a\\_b");  // no power of ten
   EXPECT_EQ(paper::latex_printed("1.43E-05"), "\\num{1.43e-5}");
   EXPECT_EQ(paper::latex_printed(">1E10"), "${>}$\\num{1e10}");

@@ -44,8 +44,9 @@ Finding euler_b_costs_most(const Results& data) {
       for (const char* column : {"steps", "seconds"})
         most = most && euler_b(data, target, "none", column) > euler_b(data, target, monitors[m], column);
     holding += most;
-    ratios += fmt::format("{}{:.1f} times the steps of q.q at {}", ratios.empty() ? "" : ", ",
-                          euler_b(data, target, "none") / euler_b(data, target, "norm_squared"), target);
+    ratios +=
+        fmt::format("{}{:.1f} times the steps of q.q at an energy error of {}", ratios.empty() ? "" : ", ",
+                    euler_b(data, target, "none") / euler_b(data, target, "norm_squared"), target);
   });
   return {in_cases(holding, cases), ratios + ", and more time."};
 }
@@ -66,10 +67,10 @@ Finding truncation_fewest_steps(const Results& data) {
   const bool before_norm = over_same > 0.05;
   return {
       in_cases((before_arclength ? cases : 0) + (before_norm ? cases : 0), 2 * cases),
-      fmt::format(
-          "{:.3f} of arclength's steps, the largest {:.2f} times as long, but as many as q.q to {:.0e}: on "
-          "Kepler's problem |grad V| = 1/|q|^2 and the two monitors are one.",
-          over_others, largest("truncation") / largest("arclength"), over_same)};
+      fmt::format("{:.3f} of arclength's steps, the largest {:.2f} times as long, but as many as q.q {}: on "
+                  "Kepler's problem |grad V| = 1/|q|^2 and the two monitors are one.",
+                  over_others, largest("truncation") / largest("arclength"),
+                  over_same > 0.0 ? fmt::format("to {:.0e}", over_same) : "at every error")};
 }
 
 /// How likely chance alone is to give `wins` heads or more in `tosses`.
@@ -127,7 +128,8 @@ Finding arclength_costs_most(const Results& data) {
       at_common_targets(data, std::array{"truncation", "arclength", "norm_squared"}, [&](const char* target) {
         const double ratio = euler_b(data, target, "arclength") / euler_b(data, target, "norm_squared");
         holding += ratio > 1.02;
-        ratios = fmt::format("{:.3f} times the steps of the other two at {}.", ratio, target);
+        ratios =
+            fmt::format("{:.3f} times the steps of the other two at an energy error of {}.", ratio, target);
       });
   return {in_cases(holding, cases), ratios};
 }
@@ -153,11 +155,11 @@ Finding error_comparable_to_tol(const Results& data) {
     most = std::max(most, scaled);
   });
   if (cases == 0) return {Ruling::missing, "No run with this monitor."};
-  return {
-      Ruling::undecided,
-      fmt::format("The error is {:.2f} to {:.2f} tol / h, h the fictive step: comparable to tol for h near "
-                  "{:.0f}; the paper does not give its h.",
-                  least, most, most)};
+  return {Ruling::undecided,
+          fmt::format(
+              "The error is {:.2f} to {:.2f} times tol / h, h the fictive step: comparable to tol for h near "
+              "{:.0f}; the paper does not give its h.",
+              least, most, most)};
 }
 
 /// Times of the largest and least steps, within the resolution of the thinned curve.
@@ -176,10 +178,11 @@ Finding steps_change_together(const Results& data) {
     first = std::min(first, std::fmod(found.second, 2.0 * M_PI)),
     last = std::max(last, std::fmod(found.second, 2.0 * M_PI));
   const double apart = std::min(last - first, 2.0 * M_PI - (last - first));
-  return {in_cases(apart < 0.05 ? extreme.size() : 0, extreme.size()),
-          fmt::format("Smallest steps of all {} monitors within {:.3f} of a period of each other, at the "
-                      "pericentre.",
-                      extreme.size(), apart / (2.0 * M_PI))};
+  return {
+      in_cases(apart < 0.05 ? extreme.size() : 0, extreme.size()),
+      fmt::format("The smallest steps of all {} monitors are at the pericentre, within {:.3f} of a period of "
+                  "each other.",
+                  extreme.size(), std::max(1.0, std::ceil(1e3 * apart / (2.0 * M_PI))) / 1e3)};
 }
 
 }  // namespace

@@ -158,12 +158,12 @@ Finding beats(const Results& data) {
       holding += count(data, method, delta) > 1.5 * count(data, "htvi", delta);
     }
   return {in_cases(holding, cases),
-          fmt::format(
-              "NAG, ADAM and AdaGrad take {:.1f}, {:.0f} and {:.0f} times as many iterations at 1e-2, and "
-              "the gap grows for NAG and AdaGrad.",
-              count(data, "nag", "0.01") / count(data, "htvi", "0.01"),
-              count(data, "adam", "0.01") / count(data, "htvi", "0.01"),
-              count(data, "adagrad", "0.01") / count(data, "htvi", "0.01"))};
+          fmt::format("To the first passage NAG, ADAM and AdaGrad take {:.1f}, {:.0f} and {:.0f} times as "
+                      "many iterations at "
+                      "delta = 1e-2, and the gap grows for NAG and AdaGrad.",
+                      count(data, "nag", "0.01") / count(data, "htvi", "0.01"),
+                      count(data, "adam", "0.01") / count(data, "htvi", "0.01"),
+                      count(data, "adagrad", "0.01") / count(data, "htvi", "0.01"))};
 }
 
 Finding not_the_best(const Results& data) {
@@ -172,7 +172,9 @@ Finding not_the_best(const Results& data) {
     holding += std::min(count(data, "rmsprop", delta), count(data, "trust_region", delta)) <
                count(data, "htvi", delta);
   return {in_cases(holding, deltas.size()),
-          fmt::format("RMSprop takes {:.0f} and TRUST {:.0f} iterations to 1e-10 where HTVI takes {:.0f}.",
+          fmt::format("To the first passage at delta = 1e-10 RMSprop takes {:.0f} and TRUST {:.0f} "
+                      "iterations where HTVI takes "
+                      "{:.0f}.",
                       count(data, "rmsprop", "1e-10"), count(data, "trust_region", "1e-10"),
                       count(data, "htvi", "1e-10"))};
 }
@@ -188,11 +190,11 @@ Finding gradients_equal_iterations(const Results& data) {
     if (gradients <= n + 1.0)
       ++holding;
     else
-      others += fmt::format("{}{} {:.0f} for {:.0f}", others.empty() ? "" : ", ",
+      others += fmt::format("{}{}, {:.0f} gradients for {:.0f}", others.empty() ? "" : ", ",
                             std::string_view(method) == "nag" ? "NAG" : method, gradients, n);
   }
   return {in_cases(holding, cases),
-          "But for " + others + ": the stopping test needs a gradient at x, the step one at y."};
+          "But for " + others + " iterations: the stopping test needs a gradient at x, the step one at y."};
 }
 
 Finding nag_never(const Results& data) {

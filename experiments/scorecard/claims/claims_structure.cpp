@@ -95,10 +95,11 @@ Finding rate_bound(const Results& data) {
     most = std::max(most, ratio);
     fitted = table.number(i, "fitted_rate") / table.number(i, "p");
   }
-  return {theorem(holding, table.rows.size()),
-          fmt::format("For {} orders p the largest ratio of f - f* to its bound is {:.5f}; on this quartic f "
-                      "falls as t^({:.2f} p).",
-                      table.rows.size(), most, fitted)};
+  return {
+      theorem(holding, table.rows.size()),
+      fmt::format("For {} orders p the largest ratio of f - f* to its bound is {:.5f}; on this quartic it "
+                  "falls as a power of time, {:.2f} times p.",
+                  table.rows.size(), most, fitted)};
 }
 
 Finding adaptive_has_lower_order(const Results& data) {

@@ -6,6 +6,10 @@ grid = data.'/step_size_luck_grid.tsv'
 table = data.'/step_size_luck.tsv'
 array runs[8] = ['htvi direct 4', 'htvi direct 10', 'htvi adaptive 2 1', 'htvi adaptive 4 2', 'htvi adaptive 4 1', \
   'htvi adaptive 6 1', 'htvi adaptive 8 1', 'htvi adaptive 4 0.1']
+# The paper's count of a run, from its table: points, one more than the updates counted here.
+array rows[8] = ['Direct HTVI p=4', 'Direct HTVI p=10', 'p sweep, p=2', 'p_ring sweep, p_ring=2', 'p sweep, p=4', \
+  'p sweep, p=6', 'p sweep, p=8', 'p_ring sweep, p_ring=0.1']
+printed(i) = real(system("awk -F'\t' '$2 == \"".rows[i]."\" && $5 == \"iterations\" {print $6}' ".paper(i < 3 ? 'direct_vs_adaptive' : 'p_dependence'))) - 1
 unset key
 set multiplot
 page_left = 1.45; page_top = 0.65; gap_x = 0.35; gap_y = 0.75
@@ -25,7 +29,7 @@ do for [i = 1:8] {
   set format x i > 4 ? '%g' : ''
   eval panel((i-1)%4+1, (i-1)/4+1, 4, 2)
   set title (words(runs[i]) > 3 ? '' : 'Direct, ').'p = '.word(runs[i], 3).(words(runs[i]) > 3 ? ', p̊ = '.word(runs[i], 4) : '') offset 0, -0.8
-  counted = i == 1 ? 77877 : i == 2 ? 13871 : i == 3 ? 77854 : i == 4 ? 22127 : i == 5 ? 9360 : i == 6 ? 7784 : i == 7 ? 6132 : 5688
+  counted = printed(i)
   plot 1 with lines ls guide, \
     grid using (shown(also('row', runs[i], column('relative_h')))):(column('iterations')/counted) with linespoints ls approach(word(runs[i], 2)) dt 1 lw 0.8 ps 0.5, \
     $here using 'x':'x' with points ls published

@@ -34,16 +34,16 @@ sections = count('henon_heiles', -1, '1000', 2) ? '1000' : '100'
 array horizon[panels] = ['10', '10', '10', orbits, '10', '10 periods', sections, '100', '1', '200000 days', '100']
 array title[panels] = ['Kepler 0.9, T = 10', 'Kepler 0.99, T = 10', 'Kepler 0.999, T = 10', \
   'Kepler 0.9, '.orbits, 'quadrupole 0.9, T = 10', 'figure eight, 10 periods', 'Hénon–Heiles, T = '.sections, \
-  'double pendulum, T = 100', '7 bodies, T = 1', 'outer planets, 550 years', 'chain of 64, T = 100']
+  'double pendulum, T = 100', 'seven bodies, T = 1', 'outer planets, 2·10^5 days', 'chain of 64, T = 100']
 set multiplot
-page_top = 0.65; gap_x = 0.4; gap_y = 0.95
+page_top = 0.65; gap_x = 0.4; gap_y = 0.75
 # Four columns; the twelfth panel holds the key. Numbers on the outer axes only, which all panels share.
 do for [i=1:panels] {
   eval panel((i - 1) % 4 + 1, (i - 1) / 4 + 1, 4, 3)
   set title title[i] font ',7' offset 0, -0.7
   set ylabel i % 4 == 1 ? 'position error' : ''
-  set format y i % 4 == 1 ? '10^{%L}' : ''
-  set xlabel i > 7 ? 'time / V' : '' offset 0, 0.4
+  set format y i % 4 == 1 ? '10^{%L}' : ''; set format x i > 7 ? '10^{%L}' : ''
+  set xlabel i > 7 ? 'time / SV' : '' offset 0, 0.4
   drawn = ''
   do for [k=1:kinds] { if (count(problem[i], ecc[i], horizon[i], k)) { drawn = drawn.' '.k } }
   if (strlen(drawn)) { plot for [k in drawn] front(problem[i], ecc[i], horizon[i], k+0) using 1:2 with linespoints lc rgb colour[k+0] lw 1.3 pt mark[k+0] ps 0.45 }

@@ -13,7 +13,7 @@
 #include <vector>
 
 // Position error at the end and largest energy error against wall time, for every explicit method of the
-// library, HTVI of many orders and the integrators of other libraries. The unit V of cost is the
+// library, HTVI of many orders and the integrators of other libraries. The unit SV of cost is the
 // Stormer-Verlet run of Table 1 (e = 0.9, T = 10, h = 5e-5), measured once per scene in the same minutes.
 
 namespace {
