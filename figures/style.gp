@@ -129,6 +129,8 @@ array printed[31] = ['no monitor', 'gamma', 'arclength', 'energy', 'truncation e
   'gradient descent', 'Runge–Kutta 4', 'Dormand–Prince 5(4)', 'Bogacki–Shampine 3(2)', 'Direct', 'Adaptive', 'Gauss collocation', \
   'minimise, m = 7', 'minimise, m = 0', 'L-BFGS(10)']
 spaced(s) = strstrt(s, '_') ? s[1:strstrt(s, '_')-1].' '.spaced(s[strstrt(s, '_')+1:*]) : s
+# A small number for people: 1.95·10^{-5}.
+small(x) = sprintf('%g·10^{%d}', x/10**floor(log10(x) + 1e-9), floor(log10(x) + 1e-9))
 label(name) = position(names, name) ? printed[position(names, name)] : spaced(name)
 
 # Several panels (within `set multiplot`): `eval panel(i, j, columns, rows)` places column i, row j, counted from the top

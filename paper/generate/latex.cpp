@@ -89,6 +89,8 @@ std::string latex(std::string_view text) {
     }
     return list;
   }();
+  static const std::regex code("`([^`]*)`");
+  set_aside(code, [](const std::smatch& m) { return "\\texttt{" + escaped(m[1].str()) + "}"; });
   for (const auto& [pattern, tex] : formulas)
     set_aside(pattern, [&tex = tex](const std::smatch&) { return "$" + tex + "$"; });
   const auto symbol = [](const std::string& name) {
@@ -99,18 +101,20 @@ std::string latex(std::string_view text) {
   };
   static const std::regex value(
       R"(\b(p_ring|delta|gamma|[A-Za-z]) ?= ?(-?\d+(?:\.\d+)?)(?:[eE]([-+]?\d+))?)"),
-      written(R"((>?)(\d+(?:\.\d+)?)[eE]([-+]?\d+))"), grouped(R"(\b\d{5,}\b)"),
+      written(R"((>?)(\d+(?:\.\d+)?)[eE]([-+]?\d+))"), grouped(R"((^|[^.\d])(\d{5,})(?!\d|\.\d))"),
       negative(R"((^|[ (])(-\d+(?:\.\d+)?))"), raised(R"(\b([A-Za-z])\^(-?\d+(?:\.\d+)?))"),
-      letter(R"(\b(p_ring|delta|[CNPefhpqrxy])\b)");
+      letter(R"(\b(p_ring|delta|[CNPefghpqrxy])\b)");
   set_aside(value, [&](const auto& m) { return "$" + symbol(m[1]) + "=" + number(m[2], m[3]) + "$"; });
   set_aside(written, [&](const auto& m) { return (m[1].length() ? "$>$" : "") + number(m[2], m[3]); });
   set_aside(negative, [&](const auto& m) { return m[1].str() + number(m[2], ""); });
-  set_aside(grouped, [&](const auto& m) { return number(m[0], ""); });
+  set_aside(grouped, [&](const auto& m) { return m[1].str() + number(m[2], ""); });
   set_aside(raised, [&](const auto& m) { return "$" + m[1].str() + "^{" + m[2].str() + "}$"; });
   set_aside(letter, [&](const auto& m) { return "$" + symbol(m[1]) + "$"; });
   out = escaped(out);
   for (const auto& [from, to] :
        std::initializer_list<std::pair<const char*, const char*>>{{"Stormer-Verlet", "St\\\"ormer--Verlet"},
+                                                                  {"Runge-Kutta", "Runge--Kutta"},
+                                                                  {"Dormand-Prince", "Dormand--Prince"},
                                                                   {"^", "\\textasciicircum{}"},
                                                                   {"<", "$<$"},
                                                                   {">", "$>$"},

@@ -192,6 +192,8 @@ TEST(Latex, EscapesTextAndWritesPowers) {
   EXPECT_EQ(paper::latex("Euler's e = 0.9 at 77878 < 1e7, -2.00 times p; x^1.5, a step of N - 1"),
             "Euler's $e=\\num{0.9}$ at \\num{77878} $<$ \\num{1e7}, \\num{-2.00} times $p$; $x^{1.5}$, a "
             "step of $N-1$");
+  EXPECT_EQ(paper::latex("0.00515 to 2.99994 of 77878. `make long`: a Runge-Kutta method"),
+            "0.00515 to 2.99994 of \\num{77878}. \\texttt{make long}: a Runge--Kutta method");
   EXPECT_EQ(paper::latex("|p^t + H|^-1 and p^t"), "$|p^t+H|^{-1}$ and $p^t$");
   EXPECT_EQ(paper::escaped("9e92463-dirty a_b"), "9e92463-dirty a\\_b");  // no power of ten
   EXPECT_EQ(paper::latex_printed("1.43E-05"), "\\num{1.43e-5}");

@@ -102,7 +102,8 @@ Finding same_order_of_magnitude(const Results& data) {
     if (most == 0.0) continue;
     ++cases;
     holding += most < 10.0 * least;
-    seen += fmt::format("{}{:.0f} to {:.0f}", seen.empty() ? "" : ", ", least, most);
+    seen += fmt::format("{}{} {:.0f} to {:.0f}", seen.empty() ? "" : ", ", adaptive ? "Adaptive" : "Direct",
+                        least, most);
   }
   return {in_cases(holding, cases), seen + " iterations until the stopping test holds for good."};
 }

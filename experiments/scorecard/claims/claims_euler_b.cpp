@@ -158,7 +158,7 @@ Finding error_comparable_to_tol(const Results& data) {
   return {Ruling::undecided,
           fmt::format(
               "The error is {:.2f} to {:.2f} times tol / h, h the fictive step: comparable to tol for h near "
-              "{:.0f}; the paper does not give its h.",
+              "{:.0f}; the source does not give its h.",
               least, most, most)};
 }
 

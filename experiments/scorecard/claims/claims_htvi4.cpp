@@ -113,15 +113,16 @@ Finding energy_not_extreme(const Results& data) {
   for (const char* stem : tables) {
     const double least = htvi4(data, stem, "energy", "min_step"),
                  most = htvi4(data, stem, "energy", "max_step");
-    bool smallest = true, largest = true;
+    double smallest = least, largest = most;
     for (const char* monitor : {"gamma", "arclength"}) {
-      smallest = smallest && least < htvi4(data, stem, monitor, "min_step");
-      largest = largest && most > htvi4(data, stem, monitor, "max_step");
+      smallest = std::min(smallest, htvi4(data, stem, monitor, "min_step"));
+      largest = std::max(largest, htvi4(data, stem, monitor, "max_step"));
     }
-    holding += !smallest && !largest;
-    seen += fmt::format("{}steps {:.5f} to {:.4f}", seen.empty() ? "" : ", ", least, most);
+    holding += smallest < least && most < largest;
+    seen += fmt::format("{}steps from {:.5f} to {:.4f} where those of all three go from {:.5f} to {:.4f}",
+                        seen.empty() ? "Tables 1 and 2: " : ", and ", least, most, smallest, largest);
   }
-  return {in_cases(holding, tables.size()), seen + ", inside or above the ranges of the others."};
+  return {in_cases(holding, tables.size()), seen + "."};
 }
 
 /// "Very close" leaves 20 per cent.

@@ -26,7 +26,9 @@ Finding rk4_fails(const Results& data) {
         converged = fmt::format("h = {} from step {} on", experiment::rounded(table.number(i, "h"), 3),
                                 table.text(i, "sustained"));
     failing += converged.empty();
-    if (!converged.empty()) seen += fmt::format("{}{} at {}", seen.empty() ? "" : ", ", approach, converged);
+    if (!converged.empty())
+      seen += fmt::format("{}{} at {}", seen.empty() ? "" : ", ",
+                          std::string_view(approach) == "direct" ? "Direct" : "Adaptive", converged);
   }
   return {in_cases(failing, approaches.size()),
           seen.empty() ? "At no step that was tried."
@@ -64,7 +66,7 @@ Finding fewer_iterations(const Results& data) {
   return {in_cases(holding, cases),
           fmt::format(
               "In {} of {} runs of the pairs over tolerances. At ode45's default, 1e-3, Dormand-Prince takes "
-              "{:.0f} steps where HTVI takes {:.0f}; the paper names no tolerance.",
+              "{:.0f} steps where HTVI takes {:.0f}; the source names no tolerance.",
               holding, cases, at({{"method", "dormand_prince"}, {"approach", "direct"}, {"rtol", "0.001"}}),
               at({{"method", "htvi"}, {"approach", "direct"}}))};
 }
@@ -138,7 +140,7 @@ Finding slow_start(const Results& data) {
           : even == cases ? Ruling::fails
                           : Ruling::undecided,
           "In the first tenth of the iterations the envelope of f falls through " + seen +
-              "; an even fall would be 10 %, and the paper gives no measure of a start."};
+              "; an even fall would be 10 %, and the source gives no measure of a start."};
 }
 
 // ---- Table 6 ----

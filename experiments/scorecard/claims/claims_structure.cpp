@@ -97,8 +97,8 @@ Finding rate_bound(const Results& data) {
   }
   return {
       theorem(holding, table.rows.size()),
-      fmt::format("For {} orders p the largest ratio of f - f* to its bound is {:.5f}; on this quartic it "
-                  "falls as a power of time, {:.2f} times p.",
+      fmt::format("For {} orders p the largest ratio of f - f* to its bound is {:.5f}; on this quartic the "
+                  "exponent of time with which it falls is {:.2f} times p.",
                   table.rows.size(), most, fitted)};
 }
 

@@ -18,7 +18,7 @@ double offset(std::string_view method) {
 
 std::string convention(std::string_view method) {
   const double more = offset(method);
-  return more == 0.0 ? "" : fmt::format("The paper's count is our number of updates + {}.", more);
+  return more == 0.0 ? "" : fmt::format("The source's count is our number of updates + {}.", more);
 }
 
 /// The data row with a cell's method, approach, p and p_ring that has `converged` as wanted; the row with the

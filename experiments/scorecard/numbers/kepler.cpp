@@ -50,7 +50,7 @@ Judgement setting(const Cell& cell, const experiment::Table& data, std::size_t r
 
 Judgement steps(const Cell& cell, const experiment::Table& data, std::size_t row) {
   const double ours = data.number(row, "steps");
-  Judgement points = compare(cell, ours + 1.0, "The paper counts points, one more than our steps.");
+  Judgement points = compare(cell, ours + 1.0, "The source counts points, one more than our steps.");
   const bool count_points = cell.text("monitor") != "none" && points.verdict == Verdict::exact;
   Judgement plain = compare(cell, ours);
   if (count_points || plain.verdict != Verdict::exact) {

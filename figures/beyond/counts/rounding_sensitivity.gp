@@ -6,7 +6,7 @@ table = data.'/rounding_sensitivity.tsv'
 page_left = 6.9; page_top = 0.15
 eval panel(1, 1, 1, 1)
 at(y) = column('moved_by') > 5e-15 && column('moved_by') < 5e-14 ? y : NaN
-row_name(m) = label(m).sprintf(', p = %g', column('p')).(strcol('p_ring') eq 'nan' ? '' : sprintf(', p̊ = %g', column('p_ring'))).sprintf(', h = %g', column('h'))
+row_name(m) = label(m).sprintf(', p = %g', column('p')).(strcol('p_ring') eq 'nan' ? '' : sprintf(', p̊ = %g', column('p_ring'))).', h = '.small(column('h'))
 failures(n) = n > 0 ? sprintf('%g of %g fail', n, column('starts')) : ''
 set xlabel 'count from a moved start over that from the start'
 set xrange [0.72:1.32]

@@ -33,7 +33,7 @@ set yrange [*:*] reverse
 set xlabel 'iterations until the stopping test holds'
 set offsets 0, 0, 0.7, 0.7
 set key bottom right Left reverse
-row_name(m) = label(m).sprintf(', p = %g', column('p')).(strcol('p_ring') eq 'nan' ? '' : sprintf(', p̊ = %g', column('p_ring'))).sprintf(', h = %g', column('h'))
+row_name(m) = label(m).sprintf(', p = %g', column('p')).(strcol('p_ring') eq 'nan' ? '' : sprintf(', p̊ = %g', column('p_ring'))).', h = '.small(column('h'))
 plot table using 'first_passage':0:(column('sustained')-column('first_passage')):(0):ytic(row_name(strcol('method'))) with vectors nohead ls guide dt 1 notitle, \
   table using 'first_passage':0 with points ls published lc rgb blue ps 0.8 title 'first', \
   table using 'sustained':0 with points ls approach('adaptive') ps 0.8 title 'for good'
