@@ -27,6 +27,6 @@ do for [k = 1:4] {
   if (k > 2) { set xtics rotate by 60 right scale 0; do for [i = 1:16] { set xtics add (xtics_of(i) i) } }
   eval panel(1 + (k - 1) % 2, 1 + (k - 1) / 2, 2, 2)
   plot grid using (x(strcol('quadrature'))):'r':(0.48):(0.48):(surplus(c, t)) with boxxyerror fill solid 1 noborder lc palette, \
-       grid using (x(strcol('quadrature'))):'r':(surplus(c, t) > -9 ? tenths(column('measured_order')) : '') with labels font ',7'
+       grid using (x(strcol('quadrature'))):'r':(surplus(c, t) > -9 ? tenths(column('measured_order')) : '') with labels font ',6.5'
 }
 unset multiplot
