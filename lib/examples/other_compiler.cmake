@@ -1,0 +1,23 @@
+# Passes when another compiler accepts every program of FOLDER: parsed as one, each in a namespace of its own, after all
+# their headers, so that these are read once.
+# cmake -DCOMPILER=<c++> -DFOLDER=<folder> "-DINCLUDES=<folder>;<folder>" -DOUTPUT=<file> -P other_compiler.cmake
+file(GLOB sources ${FOLDER}/*.cpp)
+set(headers "")
+set(programs "")
+foreach(source IN LISTS sources)
+  file(STRINGS ${source} of_source REGEX "^#include <")
+  list(APPEND headers ${of_source})
+  get_filename_component(name ${source} NAME_WE)
+  string(APPEND programs "namespace ${name}_ {\n#include \"${source}\"\n}\n")
+endforeach()
+list(REMOVE_DUPLICATES headers)
+list(JOIN headers "\n" headers)
+file(WRITE ${OUTPUT} "${headers}\n${programs}")
+set(folders)
+foreach(folder IN LISTS INCLUDES)
+  list(APPEND folders -isystem ${folder})
+endforeach()
+execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -Wno-return-type ${folders} ${OUTPUT} RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "${COMPILER} refuses an example.")
+endif()
