@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 using avi::Kepler;
@@ -56,6 +57,21 @@ TEST(AtTimes, RefusesTimesOutOfOrder) {
   EXPECT_THROW(make({0.0, NAN}), std::invalid_argument);
   EXPECT_THROW(make({INFINITY}), std::invalid_argument);
   EXPECT_THROW(output(0.3, 2.0, {-1.0, 1.0}), std::invalid_argument);
+}
+
+TEST(AtTimes, BlamesTheOrderOfTimesNotTheStart) {
+  const auto sentence = [](double h, double t_end, const std::vector<double>& times) -> std::string {
+    try {
+      (void)output(h, t_end, times);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string order = "beyond the one before it", start = "not before the start";
+  EXPECT_NE(sentence(0.3, 2.0, {1.5, 0.5}).find(order), std::string::npos);
+  EXPECT_NE(sentence(-0.3, -2.0, {-1.5, -0.5}).find(order), std::string::npos);
+  EXPECT_NE(sentence(0.3, 2.0, {-1.0, 1.0}).find(start), std::string::npos);
 }
 
 }  // namespace

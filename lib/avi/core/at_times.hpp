@@ -27,7 +27,8 @@ class AtTimes {
     }
   }
 
-  /// Looks for the next times in a step. @throws std::invalid_argument where one lies before the start.
+  /// Looks for the next times in a step. @throws std::invalid_argument where one lies before the start, or
+  /// they go the other way than the run.
   template <class M, class State>
   Outcome operator()(const Step<M, State>& step, long) {
     const double sense = step.after.t > step.before.t ? 1.0 : -1.0;
@@ -35,7 +36,10 @@ class AtTimes {
         std::numeric_limits<double>::epsilon() * std::max(std::abs(step.before.t), std::abs(step.after.t));
     for (; next_ < times_.size() && sense * (times_[next_] - step.after.t) <= rounding; ++next_) {
       const double t = times_[next_];
-      require(sense * t >= sense * step.before.t, "Output time", t, "not before the start of the run");
+      // Later ones follow the one before them unless the run goes the other way.
+      require(sense * t >= sense * step.before.t, "Output time", t,
+              next_ == 0 ? "not before the start of the run"
+                         : "beyond the one before it in the direction of the run");
       if (t == step.before.t) {
         action_(step.before);
         continue;
