@@ -110,6 +110,8 @@ int main(int argc, char** argv) {
                                      "automatic_ratio", "chosen_ratio", "best", "automatic_work_ratio",
                                      "chosen_work_ratio", "cheapest", "none_ratio", "none_work_ratio",
                                      "pilot_share", "pilot_seconds", "run_seconds"});
+        for (Table* each : {&table, &choices})
+          each->note("seconds", "other experiments may run beside this one; work is what is compared");
         std::vector<Scene> scenes = celestial_scenes();
         for (auto* more : {&other_scenes, &further_scenes, &drawn_scenes, &held_out_scenes})
           for (Scene& scene : more())
