@@ -10,7 +10,9 @@
 #include <vector>
 
 /// @file
-/// What an HTVI step can do without, and what it costs with it.
+/// What an HTVI step can do without, and what it costs with it. Not by Runner, the handle of other
+/// experiments: time as a coordinate, observers of steps, dense output and landings are what it leaves out,
+/// and in it they would be compiled for every method of every program.
 
 namespace experiment {
 
