@@ -92,7 +92,7 @@ configure = cmake --preset $(PRESET) >/dev/null
 compile   = cmake --build $(BUILD) --target
 
 # Peers are found when CMake configures, so they have to be there by then.
-programs: deps $(if $(filter work-precision,$(MAKECMDGOALS)),deps-peers)
+programs: deps $(if $(filter work-precision paper,$(MAKECMDGOALS)),deps-peers)
 	@$(configure) && $(compile) experiments
 # Goals that need the list have it made before anything else.
 $(BUILD)/experiments.mk: CMakeLists.txt CMakePresets.json $(shell find experiments -name CMakeLists.txt) | deps
@@ -185,7 +185,7 @@ build/extremes/%.tsv: $(BIN)/%
 
 # ---- paper, documentation, housekeeping ---------------------------------------------------------------------------
 # What TeX only warns of (references, glyphs, boxes that stand out) is shown; only the tests fail for it.
-paper: deps-paper $(DATA) build/data/manifest.tsv $(FIGURES) build/scorecard.txt | build/paper ## Write the report from the data: build/paper/paper.pdf
+paper: deps-paper deps-peers $(DATA) build/data/manifest.tsv $(FIGURES) build/scorecard.txt | build/paper ## Write the report from the data: build/paper/paper.pdf
 	@$(compile) paper_numbers && $(BIN)/paper_numbers --paper paper --data build/data --output build/paper
 	@latexmk -cd -pdf -quiet -interaction=nonstopmode -halt-on-error -outdir=$(CURDIR)/build/paper paper/paper.tex \
 	  >build/paper/latexmk.txt 2>&1 || { tail -n 40 build/paper/latexmk.txt; exit 1; }
