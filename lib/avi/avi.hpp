@@ -19,6 +19,7 @@
 #include "avi/autodiff/recording.hpp"
 #include "avi/autodiff/reverse.hpp"
 #include "avi/autodiff/schedule.hpp"
+#include "avi/autodiff/sine.hpp"
 #include "avi/automatic/automatic_monitor.hpp"
 #include "avi/automatic/choice.hpp"
 #include "avi/automatic/choose_monitor.hpp"

@@ -32,6 +32,15 @@ struct BothRate {
   }
 };
 
+/// The chain with a gradient that is not its own: one more force, of 1/64 on every mass.
+struct Pushed : avi::Chain {
+  template <class S, int n>
+  avi::Vector<S, n> d_dq(const avi::Vector<S, n>& q, const avi::Vector<S, n>& p) const {
+    return Chain::d_dq(q, p) - avi::Vector<S, n>::Constant(q.size(), S(0.015625));
+  }
+};
+
+// Where n is known to the compiler, and where it is not.
 TEST(Sweeps, TakesSuppliedGradientsOfManyDegreesOfFreedom) {
   const auto plucked = avi::Chain::plucked(9);
   const State<9> start{.q = plucked.q, .p = 0.5 * plucked.q.reverse()};
@@ -47,6 +56,18 @@ TEST(Sweeps, TakesSuppliedGradientsOfManyDegreesOfFreedom) {
     EXPECT_LT((a.q - b.q).norm() + (a.p - b.p).norm(), 5e-15);
     EXPECT_NEAR(a.t, b.t, 4e-15);
     EXPECT_GT((a.q - start.q).norm(), 0.1);
+    const auto end = [&](auto problem, auto z) {
+      auto method = avi::collocation(problem, 12);
+      EXPECT_EQ(avi::integrate(method, z, 0.3, {.steps = 40}).outcome, Outcome::ok);
+      return State<9>{.q = z.q, .p = z.p, .t = z.t};
+    };
+    const State<avi::dynamic> same{.q = start.q, .p = start.p};
+    const auto free = end(avi::Poincare<avi::dynamic, avi::Chain, G>({}, monitor, away, 9), same);
+    EXPECT_LT(distance(a, free), 1e-14);
+    const auto pushed = end(avi::Poincare<9, Pushed, G>({}, monitor, away), start),
+               pushed_free = end(avi::Poincare<avi::dynamic, Pushed, G>({}, monitor, away, 9), same);
+    EXPECT_LT(distance(pushed, pushed_free), 1e-14);
+    EXPECT_GT(distance(a, pushed), 0.01) << "a supplied gradient is used";
   };
   compare(avi::Unit{});
   compare(Rate{});

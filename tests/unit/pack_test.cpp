@@ -28,6 +28,8 @@ const auto formulas = std::tuple_cat(
                }},
     elementary);
 
+constexpr int with_sines = 5;
+
 template <int w>
 Pack<w> ramp(double first, double step) {
   Pack<w> x;
@@ -51,7 +53,9 @@ void every_number_goes_its_own_way() {
     const auto g = avi::gradient(gradient, Vector<Pack<w>, 2>(x, y));
     for (int i = 0; i < w; ++i) {
       const auto g_i = avi::gradient(gradient, Vector<double, 2>(x[i], y[i]));
-      EXPECT_EQ(z[i], f(x[i], y[i])) << "formula " << count << ", number " << i << " of " << w;
+      // Sines are not those of the library.
+      const double exact = f(x[i], y[i]), away = count == with_sines ? 4e-16 * (1.0 + std::abs(exact)) : 0.0;
+      EXPECT_NEAR(z[i], exact, away) << "formula " << count << ", number " << i << " of " << w;
       for (int k = 0; k < 2; ++k)
         EXPECT_NEAR(g[k][i], g_i[k], 4e-16 * (1.0 + std::abs(g_i[k]))) << "formula " << count;
     }

@@ -20,9 +20,10 @@ namespace avi {
 /// sums, products and quotients, sqrt, pow with a constant exponent, exp, log, sin, cos, tan, sinh, cosh,
 /// tanh, atan and abs.
 ///
-/// The value is that of f at doubles to the last bit, as long as f adds in the order in which it is written
-/// (Eigen's own reductions of doubles do not); where f multiplies an infinite or NaN entry by 0 it is finite.
-/// The slope of |x| at 0 is 1, that of a power other than a half integer at 0 is NaN.
+/// The value is that of f at doubles to the last bit (sines at packs, see Pack, to one unit of it), as long
+/// as f adds in the order in which it is written (Eigen's own reductions of doubles do not); where f
+/// multiplies an infinite or NaN entry by 0 it is finite. The slope of |x| at 0 is 1, that of a power other
+/// than a half integer at 0 is NaN.
 class Recording {
  public:
   /// Records f. @param f called as f(x) with a Vector<Recorded, dynamic> of `inputs` entries; what it
@@ -30,13 +31,28 @@ class Recording {
   /// @throws std::invalid_argument for fewer than one input.
   template <class F>
   Recording(const F& f, Eigen::Index inputs) : graph_(checked(inputs)) {
-    Vector<Recorded, dynamic> x(inputs);
-    for (int i = 0; i < graph_.inputs(); ++i)
-      x[i] = Recorded(graph_, i);
-    const Recorded result = f(x);
+    const Recorded result = f(arguments());
     value_ = result.node_in(graph_);
     recorded_ = graph_.size();
     slopes_ = Reverse(graph_).gradient(value_);
+  }
+
+  /// Records f where the gradient of h in f(x, h(x)) is supplied: only what f does with h is differentiated.
+  /// @param f called as f(x, h) @param h called as h(x) @param slopes called as slopes(x), returns N numbers
+  /// @throws std::invalid_argument for fewer than one input.
+  template <class F, class H, class Slopes>
+  Recording(const F& f, const H& h, const Slopes& slopes, Eigen::Index inputs) : graph_(checked(inputs)) {
+    const Vector<Recorded, dynamic> x = arguments();
+    const Recorded inner = h(x), result = f(x, inner);
+    const Vector<Recorded, dynamic> supplied = slopes(x);
+    value_ = result.node_in(graph_);
+    recorded_ = graph_.size();
+    slopes_ = Reverse(graph_).gradient(value_, inner.node_in(graph_));
+    const int by_inner = slopes_.back();
+    slopes_.pop_back();
+    for (int i = 0; i < graph_.inputs(); ++i)
+      slopes_[i] = graph_.binary(Operation::add, slopes_[i],
+                                 graph_.binary(Operation::multiply, by_inner, supplied[i].node_in(graph_)));
   }
 
   [[nodiscard]] int inputs() const { return graph_.inputs(); }  ///< N.
@@ -57,6 +73,12 @@ class Recording {
   [[nodiscard]] Program value() const { return value_and_gradient(0, 0); }
 
  private:
+  Vector<Recorded, dynamic> arguments() {
+    Vector<Recorded, dynamic> x(graph_.inputs());
+    for (int i = 0; i < graph_.inputs(); ++i)
+      x[i] = Recorded(graph_, i);
+    return x;
+  }
   [[nodiscard]] Program program(int value, int first, int count) const {
     require(first >= 0 && first <= inputs(), "First entry to differentiate by", first, "an entry of x");
     require(count >= 0 && count <= inputs() - first, "Number of derivatives", count,

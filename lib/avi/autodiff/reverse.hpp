@@ -21,8 +21,19 @@ class Reverse {
   /// Of `graph`, which grows.
   explicit Reverse(ExpressionGraph& graph) : graph_(graph) {}
 
+  /// The nodes of df/d(input i) for i = 0, 1, ..., where `inner`, an intermediate result, is taken for a
+  /// constant.
+  /// @return them, and the node of df/d(inner) behind them
+  std::vector<int> gradient(int f, int inner) {
+    inner_ = inner;
+    std::vector<int> slopes = gradient(f);
+    slopes.push_back(by_inner_);
+    return slopes;
+  }
+
   /// The nodes of df/d(input i) for i = 0, 1, ...
   std::vector<int> gradient(int f) {
+    by_inner_ = graph_.constant(0.0);
     const int end = f + 1;
     parts_.assign(end, {});
     parts_[f].push_back({1.0, -1});
@@ -33,7 +44,9 @@ class Reverse {
       if (parts_[node].empty()) continue;
       const Term bar = total(node);
       const ExpressionGraph::Node what = graph_[node];  // a copy: the graph grows
-      if (what.operation == Operation::input)
+      if (node == inner_)
+        by_inner_ = materialised(bar);
+      else if (what.operation == Operation::input)
         slopes[what.a] = materialised(bar);
       else
         pass_on(node, what, bar);
@@ -190,6 +203,7 @@ class Reverse {
 
   ExpressionGraph& graph_;
   std::vector<std::vector<Term>> parts_;
+  int inner_ = -1, by_inner_ = -1;
 };
 
 }  // namespace avi

@@ -27,15 +27,16 @@ class Newton {
 
   /// For problems of this size.
   Newton(Eigen::Index size, int stages) : stages_(stages), count_(2 * size * stages) { reserve(); }
-  // A copy has no decomposition: methods are copied where a step is repeated.
+  // A copy has room for a decomposition and none in it: methods are copied where a step is repeated.
   /// Without the decomposition.
-  Newton(const Newton& other) : stages_(other.stages_), count_(other.count_) {}
+  Newton(const Newton& other) : Newton(0, 0) { *this = other; }
   /// Without the decomposition.
   Newton& operator=(const Newton& other) {
+    const bool fits = matrix_ && count_ == other.count_;
     stages_ = other.stages_;
     count_ = other.count_;
-    matrix_ = nullptr;
     decomposed_ = false;
+    if (!fits) reserve();
     return *this;
   }
   Newton(Newton&&) noexcept = default;             ///< With all it has.

@@ -16,16 +16,42 @@ namespace detail {
 /// In larger dimensions automatic gradients come from a recording: their cost relative to H does not grow
 /// with n.
 inline constexpr int most_partials = 8;
-/// A supplied gradient is used beyond it too, if only n is known to the compiler: it then is no allocation.
+/// A supplied gradient is called beyond it too, if only n is known to the compiler: it then is no allocation.
+/// Where n is not, it is recorded.
 template <class Problem, int w>
 inline constexpr bool
     takes_supplied = (Problem::dimension > most_partials) &&
                      SuppliesGradient<std::decay_t<decltype(std::declval<const Problem&>().hamiltonian())>,
                                       Pack<w>, Problem::dimension>;
 
+/// The recording of \f$\bar H = g\,(H + p^t)\f$ with the gradient that H supplies for recorded numbers.
+template <class Problem>
+Recording recorded_with_supplied(const Problem& problem) {
+  using Vec = Vector<Recorded, dynamic>;
+  const Eigen::Index n = problem.size();
+  const auto apart = [n](const auto& use) {
+    return [use, n](const Vec& z) { return use(Vec(z.head(n)), Vec(z.tail(n))); };
+  };
+  const auto& h = problem.hamiltonian();
+  return {[&](const Vec& z, const Recorded& energy) -> Recorded {
+            const Vec q = z.head(n), p = z.tail(n);
+            return problem.rate(q, p) * (energy + problem.energy_momentum());
+          },
+          apart([&](const Vec& q, const Vec& p) -> Recorded { return h(q, p); }),
+          apart([&](const Vec& q, const Vec& p) {
+            Vec slopes(2 * n);
+            slopes << h.d_dq(q, p), h.d_dp(q, p);
+            return slopes;
+          }),
+          2 * n};
+}
+
 /// The recording of g, or of \f$\bar H = g\,(H + p^t)\f$: made once for all widths.
 template <class Problem>
 Recording recorded_rate(const Problem& problem, bool with_energy) {
+  using H = std::decay_t<decltype(problem.hamiltonian())>;
+  if constexpr (Problem::dimension == dynamic && SuppliesGradient<H, Recorded, dynamic>)
+    if (with_energy) return recorded_with_supplied(problem);
   return record<Problem::dimension>(
       [&](const auto& q, const auto& p) {
         const Recorded rate = problem.rate(q, p);

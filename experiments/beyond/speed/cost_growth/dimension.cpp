@@ -49,12 +49,11 @@ Measurement gradient(const avi::State<dynamic>& z, long repeats) {
           .units = static_cast<double>(repeats)};
 }
 
-/// A sweep: a run over its number of sweeps. The gradient is automatic where n is chosen at run time, the one
-/// that the chain supplies where the compiler knows it.
-template <int n>
-Measurement sweep(const avi::State<n>& z, long steps) {
-  const auto method = std::make_shared<avi::Collocation<avi::Poincare<n, avi::Chain>>>(
-      avi::collocation(avi::poincare(avi::Chain{}, z), 2 * stages));
+/// A sweep: a run over its number of sweeps.
+template <class H, int n>
+Measurement sweep(const H& hamiltonian, const avi::State<n>& z, long steps) {
+  const auto method = std::make_shared<avi::Collocation<avi::Poincare<n, H>>>(
+      avi::collocation(avi::poincare(hamiltonian, z), 2 * stages));
   const auto run = [=] {
     avi::State<n> moved = z;
     return avi::integrate(*method, moved, h, {.steps = steps});
@@ -83,8 +82,9 @@ Axis along_dimension(bool quick) {
     add("energy", n, energy(z, repeats));
     add("gradient", n, gradient(z, repeats));
     const long steps = std::max(repeats / 200, 10L);
-    add("sweep", n, sweep(z, steps));
-    if (n == 32) add("sweep, supplied gradient", n, sweep<32>({.q = z.q, .p = z.p}, steps));
+    add("sweep", n, sweep(avi::Automatic{avi::Chain{}}, z, steps));
+    if (n == 32)
+      add("sweep, supplied gradient", n, sweep(avi::Chain{}, avi::State<32>{.q = z.q, .p = z.p}, steps));
   }
   for (const char* subject : {"energy", "gradient", "sweep"})
     axis.expected.push_back({"dimension", subject, nan, 1.0, 1.0, 1e3});
