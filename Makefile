@@ -22,7 +22,7 @@ export SOURCE_DATE_EPOCH := $(shell git log -1 --format=%ct 2>/dev/null || echo 
 
 # ---- what there is -------------------------------------------------------------------------------------------
 # CMake writes down what the calls of experiment() declare (experiments/CMakeLists.txt): the names of all experiments;
-# `timed`, whose seconds are compared; `drawn`, with script_of_<name>; with_<mode>, those that know a longer run. Goals
+# `timed`, whose seconds are compared; `slow`; `drawn`, with script_of_<name>; with_<mode>, those that know a longer run. Goals
 # that need no experiment do without it. To make it, packages have to be there.
 without_list := help deps deps-peers deps-paper deps-docs deps-bench deps-instructions deps-fuzz deps-format deps-mutants \
                 programs build check bench instructions mutants fuzz levels docs install format clean
@@ -30,8 +30,8 @@ ifneq ($(filter-out $(without_list),$(or $(MAKECMDGOALS),help)),)
 include $(BUILD)/experiments.mk
 endif
 
-# Timed experiments come first: nothing else of ours runs beside them.
-DATA        := $(patsubst %,build/data/%.tsv,$(timed) $(filter-out $(timed),$(experiments)))
+# Timed experiments come first: nothing else of ours runs beside them. Then the slow ones.
+DATA        := $(patsubst %,build/data/%.tsv,$(timed) $(slow) $(filter-out $(timed) $(slow),$(experiments)))
 FIGURES     := $(foreach f,$(drawn),build/figures/$f.pdf build/figures/$f.png)
 PUBLISHED   := $(wildcard paper/published/*.tsv)
 GALLERY     := kepler_e090 euler_b_errors direct_vs_adaptive work_precision
