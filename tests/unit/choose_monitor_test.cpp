@@ -54,6 +54,28 @@ TEST(ChooseMonitor, ChoosesTheSameAgain) {
   EXPECT_EQ(first.name, "fixed");  // near the separatrix others save steps, but no work
 }
 
+// In special relativity a fast oscillator takes 21 for a turn, and n_0, small in flight, would have the
+// trials take 90: what is a third of a hundred turns' work then is an eighth.
+TEST(ChooseMonitor, EndsATrialWhenTheVelocityHasTurned) {
+  const auto oscillator = [](const auto& q, const auto& p) {
+    return sqrt(1.0 + p[0] * p[0]) + 0.5 * q[0] * q[0];
+  };
+  const avi::State<1> start{.q = avi::Vector<double, 1>(5.0), .p = avi::Vector<double, 1>(0.0)};
+  const auto choice = choose_monitor(oscillator, start, {.energy_error = 1e-11, .order = 16});
+  EXPECT_TRUE(choice.reached);
+  EXPECT_GT(choice.time, 21.0);  // measured 33.6
+  EXPECT_LT(choice.time, 42.0);
+}
+
+// Kepler's problem at order 16: when three monitors have been tried, what promises little is not worth a run.
+TEST(ChooseMonitor, DoesNotTryWhatPromisesLittleWhenMuchIsSpent) {
+  const auto choice = choose_monitor(Kepler(), Kepler::pericentre(0.9), {.energy_error = 1e-11, .order = 16});
+  EXPECT_EQ(choice.name, "energy^1.5");
+  for (const avi::Trial& trial : choice.trials)
+    EXPECT_NE(trial.monitor, "gentle");
+  EXPECT_LT(choice.sweeps, 280);  // measured 249; 309 with everything tried
+}
+
 TEST(ChooseMonitor, LeavesASymplecticMap) {
   const auto start = Kepler::pericentre(0.9);
   const auto choice = choose_monitor(Kepler(), start);

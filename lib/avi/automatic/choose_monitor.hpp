@@ -14,7 +14,7 @@ namespace avi {
 struct MonitorTarget {
   double energy_error = 1e-8;  ///< Largest |H - H_0|, relative to the energy scale of choose_monitor().
   int order = 8;               ///< Of the collocation method.
-  double time = 0.0;           ///< Length of the trials; 0 takes the first 10 radians of the fastest motion.
+  double time = 0.0;           ///< Length of the trials; 0 takes the first 10 radians, see choose_monitor().
 };
 
 namespace detail {
@@ -70,7 +70,7 @@ inline double sweep_work(const PhaseFunction& transformed, int order) {
   return 3.0 + 0.85 * static_cast<double>(transformed.size()) * lanes + transformed.work(lanes);
 }
 
-/// Length of the trials in radians of \f$\omega = n_0^{1/4}\f$.
+/// Length of the trials in radians, see Tour::time_of().
 inline constexpr double pilot_angle = 10.0;
 
 /// The choice from a menu: each monitor is tried once with the same number of steps; then always the one that
@@ -123,8 +123,10 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
   double best = std::numeric_limits<double>::infinity();
   for (Candidate& it : candidates) {
     const bool is_fixed = it.entry == &menu.entries().front(), promising = it.outlook() <= poor;
+    // A trial like the best one five times is 8 % of a hundred turns.
+    const bool spent = choice.work > 5.0 * best && it.outlook() > 1.5 * candidates.front().outlook();
     // At best it takes five sweeps for each of the first steps.
-    if (!is_fixed && (!promising || 5.0 * it.sweep * first > best)) continue;
+    if (!is_fixed && (!promising || spent || 5.0 * it.sweep * first > best)) continue;
     const double fictive = tour ? tour->fictive_time(it.entry->monitor, choice.time) : choice.time;
     if (!(fictive > 0.0) || !std::isfinite(fictive)) continue;
     it.pilot = std::make_unique<Pilot>(setting, it.entry->name, it.entry->monitor, it.sweep, fictive,

@@ -87,6 +87,17 @@ class Curvature {
     return {positions, momenta};
   }
 
+  /// The angle between two ways in phase space in the metric of squared_speed().
+  [[nodiscard]] double angle(const Vector<double, dynamic>& a, const Vector<double, dynamic>& b,
+                             double frequency) const {
+    const auto length = [&](const Vector<double, dynamic>& way) {
+      const auto [positions, momenta] = squared_speeds(way);
+      return std::sqrt(positions + momenta / (frequency * frequency));
+    };
+    const Vector<double, dynamic> x = a / length(a), y = b / length(b);
+    return 2.0 * std::atan2(length(x - y), length(x + y));
+  }
+
   /// H(q, 0), the energy of a body at rest.
   int energy_at_rest() {
     std::map<int, int> place;

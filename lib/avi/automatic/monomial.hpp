@@ -2,8 +2,8 @@
 #include "avi/autodiff/expression_graph.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <optional>
-#include <random>
 #include <vector>
 
 /// @file
@@ -45,12 +45,14 @@ class Monomial {
     double sizes[2] = {0.0, 0.0};  // of positions and momenta
     for (std::size_t i = 0; i < point.size(); ++i)
       sizes[i / half] += std::abs(point[i]) / static_cast<double>(half);
-    std::minstd_rand random(1);
+    std::int64_t random = 1;  // Park and Miller's generator, for <random> is long to compile
     for (int k = 0; k < 6; ++k) {
       std::vector<double> near = point;
-      for (std::size_t i = 0; i < near.size(); ++i)
+      for (std::size_t i = 0; i < near.size(); ++i) {
+        random = random * 48271 % 2147483647;
         near[i] += 0.2 * (sizes[i / half] > 0.0 ? sizes[i / half] : 1.0) *
-                   (static_cast<double>(random()) / 2147483647.0 - 0.5);
+                   (static_cast<double>(random) / 2147483647.0 - 0.5);
+      }
       points_.emplace_back(std::move(near));
     }
   }

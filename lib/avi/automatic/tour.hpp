@@ -15,8 +15,8 @@
 
 namespace avi::detail {
 
-/// Means in time along the first part of an orbit: 160 Runge-Kutta steps of a quarter of the local time
-/// scale. The constants of a monitor come from here; it then is a fixed function.
+/// Means in time along the first part of an orbit: at most 64 Runge-Kutta steps of three tenths of the local
+/// time scale. The constants of a monitor come from here; it then is a fixed function.
 class Tour {
  public:
   /// @param curvature of this H, with a metric @param start where the orbit begins
@@ -27,6 +27,7 @@ class Tour {
     VectorX z(2 * size_);
     z << start.q, start.p;
     run(curvature, z);
+    find_turns(curvature);
   }
 
   int n0;                      ///< Node of \f$n_0\f$, see Curvature.
@@ -46,16 +47,19 @@ class Tour {
     }
     return sum * (span / passed);
   }
-  /// The time in which the first `angle` radians \f$\int\omega\,dt\f$ pass; beyond the tour at its mean
-  /// frequency.
+  /// The time in which \f$\int\omega\,dt\f$ reaches `angle`, or the angle by which the velocity in phase
+  /// space has turned, if that is sooner (a closed curve turns by 2 pi at least: Fenchel 1929). Beyond the
+  /// tour as it was on it.
   [[nodiscard]] double time_of(double angle) const {
-    double passed = 0.0;
+    double passed = 0.0, turned = 0.0, left = angle;
     for (const Sample& sample : samples_) {
-      if (sample.h * sample.frequency >= angle) return passed + angle / sample.frequency;
-      angle -= sample.h * sample.frequency;
+      turned += sample.turn;
+      if (turned >= angle) return passed;
+      if (sample.h * sample.frequency >= left) return passed + left / sample.frequency;
+      left -= sample.h * sample.frequency;
       passed += sample.h;
     }
-    return passed + angle / frequency;
+    return turned > angle - left ? passed * (angle / turned) : passed + left / frequency;
   }
   /// A monitor as this orbit sees it.
   struct Look {
@@ -121,7 +125,7 @@ class Tour {
       }
       if (!std::isfinite(local + fast + pushed)) break;
       longest = 2.0 * h;
-      samples_.push_back({z, h, local});
+      samples_.push_back({.z = z, .h = h, .frequency = local});
       time += h;
       angle += h * local;
       positions += h * fast;
@@ -149,9 +153,16 @@ class Tour {
     return 0.0;
   }
 
+  void find_turns(const Curvature& curvature) {
+    for (std::size_t i = 1; i + 1 < samples_.size(); ++i)
+      samples_[i].turn =
+          curvature.angle(samples_[i].z - samples_[i - 1].z, samples_[i + 1].z - samples_[i].z, frequency);
+  }
+
   struct Sample {
     VectorX z;
     double h, frequency;
+    double turn = 0.0;  // of the chord that ends here into the next one
   };
 
   Eigen::Index size_;

@@ -74,7 +74,7 @@ Verdict compare(Table& table, Table& choices, const Arena& arena, const Targets&
   const avi::MonitorChoice& choice = *chosen_by;
   const Cost chosen = choice.reached ? reach(choice.monitor, most, dearest) : Cost();
   rows("chosen", chosen);
-  // The pilot against ten horizons of about ten periods each.
+  // The pilot against ten horizons, and against a hundred turns.
   auto method = avi::collocation(poincare(scene.energy, scene.start, choice.monitor), targets.order);
   Point z = scene.start;
   avi::Run run;
@@ -84,12 +84,12 @@ Verdict compare(Table& table, Table& choices, const Arena& arena, const Targets&
                              });
   const double run_work = 10.0 * chosen.sweep * static_cast<double>(run.evaluations);
   const Verdict verdict{chosen.steps() / best.steps(), chosen.work() / cheapest.work(),
-                        chosen.work() / none.work(), choice.work / run_work,
+                        chosen.work() / none.work(), choice.work / run_work * arena.turns / 10.0,
                         cheapest.work() > 0.9 * none.work()};
   choices.row(scene.name, scene.held_out ? 1 : 0, targets.order, choice.name, choice.sweeps, choice.time,
               automatic.steps() / best.steps(), verdict.steps, best_name, automatic.work() / cheapest.work(),
               verdict.work, cheapest_name, none.steps() / best.steps(), none.work() / cheapest.work(),
-              verdict.pilot, pilot_seconds, run_seconds);
+              choice.work / run_work, pilot_seconds, run_seconds, arena.turns, verdict.pilot);
   return verdict;
 }
 
@@ -106,10 +106,11 @@ int main(int argc, char** argv) {
         Table table =
             frame.table({"problem", "held_out", "order", "target", "monitor", "steps", "seconds",
                          "position_error", "energy_error", "ratio_to_best", "sweeps", "work", "work_ratio"});
-        Table choices = frame.table({"problem", "held_out", "order", "choice", "pilot_sweeps", "pilot_time",
-                                     "automatic_ratio", "chosen_ratio", "best", "automatic_work_ratio",
-                                     "chosen_work_ratio", "cheapest", "none_ratio", "none_work_ratio",
-                                     "pilot_share", "pilot_seconds", "run_seconds"});
+        Table choices =
+            frame.table({"problem", "held_out", "order", "choice", "pilot_sweeps", "pilot_time",
+                         "automatic_ratio", "chosen_ratio", "best", "automatic_work_ratio",
+                         "chosen_work_ratio", "cheapest", "none_ratio", "none_work_ratio", "pilot_share",
+                         "pilot_seconds", "run_seconds", "turns", "pilot_share_of_100"});
         for (Table* each : {&table, &choices})
           each->note("seconds", "other experiments may run beside this one; work is what is compared");
         std::vector<Scene> scenes = celestial_scenes();
@@ -132,8 +133,7 @@ int main(int argc, char** argv) {
               ++shares[{scene.held_out, targets.order}].all;
             continue;
           }
-          const Arena arena{scene, avi::detail::Menu(scene.energy, scene.start), end_of(scene, exact),
-                            exact.energy_scale};
+          const Arena arena = arena_of(scene, exact);
           for (const Targets& targets : all_targets) {
             const Verdict v = compare(table, choices, arena, targets, 1.4);
             Share& share = shares[{scene.held_out, targets.order}];
@@ -156,7 +156,7 @@ int main(int argc, char** argv) {
           fmt::print(
               "{} order {:2}, {} problems: work within 1.5 of the best by hand on {}, within 2 on {} (steps: "
               "{}, {}); where none is needed ({}) over a tenth slower on {}; pilot above 15 % of a hundred "
-              "periods on {}\n",
+              "turns on {}\n",
               key.first ? "held out" : "tuned   ", key.second, share.all, share.work_within_15,
               share.work_within_2, share.within_15, share.within_2, share.plain, share.plain_slower,
               share.dear);

@@ -46,6 +46,7 @@ struct Arena {
   const avi::detail::Menu menu;
   const avi::VectorX end;  ///< Position at the end.
   double scale;            ///< Of energy errors.
+  double turns;            ///< Of the velocity in phase space, 2 pi each: no fewer than periods.
 };
 
 /// The choice with which a whole run of order 16 keeps its energy to 1e-12, or the least above it that
@@ -61,12 +62,23 @@ inline avi::MonitorChoice finest(const Scene& scene) {
   }
 }
 
-/// The position at the end by order 16 with steps of six tenths of those that it was chosen with.
-inline avi::VectorX end_of(const Scene& scene, const avi::MonitorChoice& choice) {
+/// A scene with the position at its end and its turns by order 16 with steps of six tenths of those that it
+/// was chosen with.
+inline Arena arena_of(const Scene& scene, const avi::MonitorChoice& choice) {
+  avi::detail::Menu menu(scene.energy, scene.start);
+  const avi::detail::Curvature curvature(scene.energy, scene.start);
   auto method = avi::collocation(poincare(scene.energy, scene.start, choice.monitor), 16);
   Point z = scene.start;
-  (void)integrate_to(method, z, 0.6 * choice.h, scene.time);
-  return z.q;
+  avi::VectorX place(2 * z.q.size()), next = place, way = 0.0 * place;
+  place << z.q, z.p;
+  double angle = 0.0;
+  (void)integrate_to(method, z, 0.6 * choice.h, scene.time, [&](const Point& at, long k) {
+    next << at.q, at.p;
+    if (k > 1) angle += curvature.angle(way, next - place, menu.tour()->frequency);
+    way = next - place;
+    place = next;
+  });
+  return {scene, std::move(menu), z.q, choice.energy_scale, angle / (2.0 * M_PI)};
 }
 
 /// What a sweep costs with a monitor: by count, for counts do not depend on what else the machine does.
