@@ -176,7 +176,7 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
 /// with \f$n_0\f$ and \f$\bar\omega\f$ of automatic_monitor() and the squared speed in phase space
 /// \f$S = \dot q^T K^{-1}\dot q + \dot p^T K\,\dot p/\bar\omega^2\f$, \f$\bar S\f$ its mean. The energy scale
 /// is the mean of \f$\frac12\dot q^T K^{-1}\dot q\f$, the kinetic energy. The same input gives the same
-/// choice.
+/// choice. A trial ends when \f$\int n_0^{1/4}dt\f$ or the turn of the velocity in phase space is 10.
 ///
 /// Where these monitors cannot be made for H, fixed steps are chosen, and MonitorChoice::note says why.
 /// @throws std::invalid_argument where H is not finite at the start, or for a target out of range.

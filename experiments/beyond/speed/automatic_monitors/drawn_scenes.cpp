@@ -6,7 +6,7 @@ namespace experiment {
 
 namespace {
 
-/// Hill's lunar problem (Szebehely 1967): a moon of eccentricity 0.6 well inside of the sphere of its planet.
+/// Hill's lunar problem (Szebehely 1967): a moon of eccentricity 0.6, which leaves its planet after a turn.
 Scene hill() {
   return scene(
       "hill", false,

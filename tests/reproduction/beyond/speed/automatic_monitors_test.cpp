@@ -24,6 +24,7 @@ TEST(AutomaticMonitors, AreNearTheBestMadeByHand) {
     EXPECT_LT(table.number(i, "chosen_ratio"), 2.0) << which;
     EXPECT_LT(table.number(i, "chosen_work_ratio"), 1.1 * table.number(i, "none_work_ratio")) << which;
     EXPECT_LT(table.number(i, "pilot_share"), 0.15) << which;
+    EXPECT_LT(table.number(i, "pilot_share_of_100"), 0.15) << which;
   }
   EXPECT_EQ(problems.size(), 5u);
 }
