@@ -114,7 +114,6 @@
 #include "avi/problems/outer_solar_system.hpp"
 #include "avi/problems/pendulum.hpp"
 #include "avi/problems/perturbed_kepler.hpp"
-#include "avi/problems/pleiades.hpp"
 #include "avi/problems/unit_mass.hpp"
 #include "avi/transform/euler_b.hpp"
 #include "avi/transform/monitors.hpp"

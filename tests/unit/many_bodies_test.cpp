@@ -3,8 +3,8 @@
 #include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/splitting.hpp"
 #include "avi/problems/double_pendulum.hpp"
+#include "avi/problems/n_body.hpp"
 #include "avi/problems/outer_solar_system.hpp"
-#include "avi/problems/pleiades.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,6 @@
 
 using avi::dynamic;
 using avi::OuterSolarSystem;
-using avi::Pleiades;
 using avi::State;
 using avi::Vector;
 
@@ -81,6 +80,26 @@ TEST(OuterSolarSystem, HasTheYearsOfThePlanets) {
     EXPECT_NEAR(2.0 * M_PI * std::sqrt(axis * axis * axis / pull) / 365.25 / years[planet - 1], 1.0, 0.015);
   }
 }
+
+/// Seven stars of masses 1, 2, ... 7 in the plane with several close encounters until t = 3, the nearest at a
+/// distance of 0.034 (Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 1993, Section
+/// II.10).
+struct Pleiades {
+  static constexpr double horizon = 3.0;  ///< End of the time interval of the source.
+  static avi::NBody<7> problem() {
+    return avi::NBody<7>(avi::NBody<7>::Masses{{1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0}});
+  }
+  /// Four of the stars are at rest.
+  static State<14> start() {
+    State<14> z{.q = Vector<double, 14>::Zero(), .p = Vector<double, 14>::Zero()};
+    z.q << 3.0, 3.0, 3.0, -3.0, -1.0, 2.0, -3.0, 0.0, 2.0, 0.0, -2.0, -4.0, 2.0, 4.0;
+    z.p[7] = 4.0 * -1.25;
+    z.p[9] = 5.0 * 1.0;
+    z.p[10] = 6.0 * 1.75;
+    z.p[12] = 7.0 * -1.5;
+    return z;
+  }
+};
 
 TEST(Pleiades, SupplyTheGradientOfTheirEnergy) {
   const auto problem = Pleiades::problem();
