@@ -43,6 +43,7 @@
 #include "avi/collocation/gauss_rule.hpp"
 #include "avi/collocation/lane_matrix.hpp"
 #include "avi/collocation/newton.hpp"
+#include "avi/collocation/precise_state.hpp"
 #include "avi/collocation/stage_field.hpp"
 #include "avi/collocation/stages.hpp"
 #include "avi/collocation/supplied_field.hpp"

@@ -118,7 +118,12 @@ EnergyErrors of_collocation(const avi::State<2>& start, const std::vector<int>& 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run(argc, argv, "precision_study", "What number format and summation are worth", [](Frame& frame) {
+  bool extremes = false;
+  const auto cli = [&](CLI::App& app) {
+    add_flag(app, "--extremes", extremes, "A million periods of collocation, some four minutes");
+  };
+  const char* title = "What number format and summation are worth";
+  return run(argc, argv, "precision_study", title, cli, [&](Frame& frame) {
     auto formats = frame.table({"format", "summation", "h", "periods", "position_error", "seconds"});
     const int periods = frame.quick ? 3 : 30;
     frame.progress("formats", 0.1);
@@ -166,6 +171,7 @@ int main(int argc, char** argv) {
       study(logarithmic, "plain", e, of_logarithmic<Summation::plain>, milestones);
       std::vector<int> more{10, 32, 100, 320, 1000};
       if (!frame.quick && e == 0.9) more.insert(more.end(), {3200, 10000});
+      if (extremes && e == 0.9) more.insert(more.end(), {32000, 100'000, 320'000, 1'000'000});
       study("collocation16", "compensated", e, of_collocation, more);
     }
     frame.progress("done", 1.0);

@@ -18,8 +18,8 @@ namespace avi {
 /// the action on a Taylor curve, collocation on the polynomial that makes the action stationary. All stages
 /// are evaluated at once, one in each lane of a Pack. They are found by fixed-point sweeps down to round-off,
 /// which start from the polynomial of the last step; a sweep computes new momenta first and uses them for the
-/// positions (as IRKGaussLegendre does; Antonana, Makazaga and Murua 2017). Summation is compensated
-/// (Summation::compensated) as long as each step begins where the last one ended.
+/// positions (as IRKGaussLegendre does; Antonana, Makazaga and Murua 2017). Steps are added up in about twice
+/// the digits of a double as long as each begins where the last one ended.
 /// @tparam largest_order from 2 to 32: what is above it is neither allowed nor compiled
 template <class Problem, int largest_order = 16>
 class Collocation {

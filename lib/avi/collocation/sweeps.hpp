@@ -2,6 +2,7 @@
 #include "avi/autodiff/pack.hpp"
 #include "avi/collocation/gauss_rule.hpp"
 #include "avi/collocation/lane_matrix.hpp"
+#include "avi/collocation/precise_state.hpp"
 #include "avi/collocation/stage_field.hpp"
 #include "avi/collocation/supplied_field.hpp"
 #include "avi/core/state.hpp"
@@ -13,21 +14,6 @@
 /// The unknowns of a collocation step, and the sweeps that solve for them.
 
 namespace avi {
-
-/// A state and the rounding error that is to be added to it.
-template <int n>
-struct PreciseState {
-  State<n> state;  ///< As a caller sees it.
-  State<n> low;    ///< What rounding cut off.
-
-  /// Zero.
-  explicit PreciseState(Eigen::Index size) : state(zero(size)), low(zero(size)) {}
-
- private:
-  static State<n> zero(Eigen::Index size) {
-    return {.q = Vector<double, n>::Zero(size), .p = Vector<double, n>::Zero(size)};
-  }
-};
 
 /// The unknowns of a step, one number for each stage.
 template <int n, int w>

@@ -61,25 +61,13 @@ TEST(SustainedConvergence, TheStoppingTestFirstHoldsByChance) {
   EXPECT_EQ(adaptive.sustained(), 18008);
 }
 
-/// P(X <= k) of the binomial distribution.
-double binomial(long k, long n, double p) {
-  double sum = 0.0;
-  for (long i = 0; i <= k; ++i) {
-    const double a = static_cast<double>(i), b = static_cast<double>(n - i);
-    sum += std::exp(std::lgamma(a + b + 1.0) - std::lgamma(a + 1.0) - std::lgamma(b + 1.0) + a * std::log(p) +
-                    b * std::log1p(-p));
-  }
-  return sum;
-}
-
 TEST(RoundingSensitivity, ThePublishedBestRowDivergesFromSomeMovedStarts) {
   // p = 10, p_ring = 0.5, h = 1.95e-5 stands at the edge of stability. Which of the moved starts fail changes
-  // with the last bit of the arithmetic, so the number is a sample: that of 1024 refutes, each at a level of
-  // 1 %, that fewer than one start in a hundred fails and that more than one in ten does.
+  // with the last bit of the arithmetic, so their number is a draw: 56 of 1024 were seen (99 % interval of
+  // the share: 3.8 to 7.6 %). Two such numbers differ by 10.3 (the root of 2 n x (1 - x)) typically, and one
+  // time in a hundred by more than 26.5.
   constexpr long n = 1024;
-  const long failed = experiment::perturbed_counts({"htvi", 10, 0.5, 1.95e-5}, n, 1e-14, {}).failed;
-  EXPECT_LT(1.0 - binomial(failed - 1, n, 0.01), 0.01) << failed;  // measured 56; holds from 19 on
-  EXPECT_LT(binomial(failed, n, 0.1), 0.01) << failed;             // holds up to 80
+  EXPECT_NEAR(experiment::perturbed_counts({"htvi", 10, 0.5, 1.95e-5}, n, 1e-14, {}).failed, 56, 26.5);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST(LongHorizon, SymplecticRunsKeepEnergyAndAngularMomentum) {
   // from 2e-13 to 9e-13 seen).
   const std::map<std::string, double> energy{{"htvi4", 2.7e-7},
                                              {"htvi12", 2e-12},
-                                             {"collocation16", 2e-11},
+                                             {"collocation16", 1.6e-12},
                                              {"stormer_verlet", 7e-3},
                                              {"log_hamiltonian_yoshida4", 5e-13}};
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
@@ -58,9 +58,10 @@ TEST(LongHorizon, CollocationHasRoundingErrorsOnly) {
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     if (table.text(i, "method") == "collocation16") {
       periods = table.number(i, "periods");
-      // At the apocentre; 1.7e-13 was measured after 100 000 periods.
-      EXPECT_LT(std::abs(table.number(i, "energy_now")), 2e-13) << periods;
-      EXPECT_LT(std::abs(table.number(i, "phase_error")), 5e-9) << periods;
+      // At the apocentre; 7e-15 and 7.2e-11 were measured, 8e-14 where a step ends without its last
+      // evaluation.
+      EXPECT_LT(std::abs(table.number(i, "energy_now")), 1.4e-14) << periods;
+      EXPECT_LT(std::abs(table.number(i, "phase_error")), 1.5e-10) << periods;
     }
   EXPECT_EQ(periods, 10'000.0);
 }
