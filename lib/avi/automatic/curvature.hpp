@@ -23,8 +23,7 @@ namespace avi::detail {
 /// \f[ n_0 = \tfrac1n |H_{pp}|^2 \sum_k |H_{k,qq}|^2 + \Big(\sum_k |H_{k,qp}|^2\Big)^2, \f]
 /// norms of Frobenius in that metric: \f$|A_{qq}|^2 = tr(A K A K)\f$, \f$|A_{qp}|^2 = tr(A K^{-1} A^T K)\f$,
 /// \f$|A_{pp}|^2 = tr(A K^{-1} A K^{-1})\f$. It is a frequency to the power 4; linear changes of coordinates
-/// (with their momenta) leave it as it is. Since the squares of the terms are summed, n_0 does not vanish
-/// where attraction and repulsion cancel.
+/// (with their momenta) leave it as it is. Squares do not cancel where attraction and repulsion do.
 class Curvature {
  public:
   /// Records H. @param start where the metric is taken
