@@ -24,7 +24,7 @@ Scene chain() {
   Scene scene{"chain64", not_an_orbit, 100.0, "100"};
   set_extended_reference(scene, arena, false, 0.25L);
   add_fixed(scene, arena, 0.25);
-  add_collocation(scene, arena, "g=1", 3.0, avi::Unit{});
+  add_collocation(scene, arena, "g=1", 3.0, avi::Unit{}, true);
   add_peers(scene, arena.equations());
   return scene;
 }
