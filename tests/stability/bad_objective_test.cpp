@@ -131,6 +131,25 @@ TEST(BadObjective, StopsWhereRoundingHidesTheRest) {
   }
 }
 
+TEST(BadObjective, EndsSoonAtAKink) {
+  const auto distance = [](const VectorX& x, VectorX& g) {
+    double f = 0.0;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const double weight = static_cast<double>(i) + 1.0, from = x[i] - 0.3 * weight;
+      g[i] = from < 0.0 ? -weight : weight;
+      f += weight * std::abs(from);
+    }
+    return f;
+  };
+  for (int m : {0, 7})
+    for (Eigen::Index n : {1, 2, 5}) {
+      const auto run = minimise(distance, VectorX::Ones(n), {.memory = m});
+      EXPECT_EQ(run.outcome, Outcome::no_descent) << run.message;
+      EXPECT_LT(run.gradient_evaluations, 4000);  // measured 509 to 1828
+      EXPECT_LT(run.last.value, 1e-7);            // measured 6e-9
+    }
+}
+
 TEST(BadObjective, CapsAndCallbackEndIt) {
   const auto capped = minimise(rosenbrock, Eigen::Vector2d(-1.2, 1.0), {.evaluations = 11});
   EXPECT_EQ(capped.outcome, Outcome::step_limit);

@@ -37,7 +37,7 @@ TEST(SecantPairs, GiveTheDirectionOfTheFormedMatrix) {
     Eigen::Map<VectorX>(pairs.next_y(), n) = y;
     pairs.multiply(y.data(), change.data());
     with_pairs.setZero();
-    pairs.commit(s.dot(y), y.squaredNorm(), change.data(), with_pairs.data(), 0.0, 0.0);
+    pairs.commit(y.data(), s.dot(y), y.squaredNorm(), change.data(), with_pairs.data(), 0.0, 0.0);
     stored.emplace_back(s, y);
     if (stored.size() > m) stored.erase(stored.begin());
     Eigen::MatrixXd h = Eigen::MatrixXd::Identity(n, n) * (s.dot(y) / y.squaredNorm());
@@ -72,7 +72,7 @@ TEST(SecantPairs, SatisfyTheSecantEquationInEveryBlock) {
     Eigen::Map<VectorX>(pairs.next_y(), n) = y;
     pairs.multiply(y.data(), change.data());
     with_pairs.setZero();
-    pairs.commit(s.dot(y), y.squaredNorm(), change.data(), with_pairs.data(), 0.0, 0.0);
+    pairs.commit(y.data(), s.dot(y), y.squaredNorm(), change.data(), with_pairs.data(), 0.0, 0.0);
     const auto direction_of = [&](const VectorX& g) {
       pairs.multiply(g.data(), with_pairs.data());
       pairs.direction(g.data(), with_pairs.data(), d.data());
@@ -99,7 +99,7 @@ struct Axes {
     const double c = static_cast<double>(axis + 1);
     VectorX change(pairs.products());
     pairs.multiply(pairs.next_y(), change.data());
-    pairs.commit(c, c * c, change.data(), with_pairs.data(), 0.0, 0.0);
+    pairs.commit(pairs.next_y(), c, c * c, change.data(), with_pairs.data(), 0.0, 0.0);
   }
   VectorX direction(const VectorX& g) {
     pairs.multiply(g.data(), with_pairs.data());
@@ -107,6 +107,63 @@ struct Axes {
     return d;
   }
 };
+
+TEST(SecantPairs, TakeTheMassesWhereTheyForetellPairs) {
+  // A diagonal Hessian from 1 to 1e4, of which twelve entries in two blocks matter: after some rounds the
+  // masses are in use, and H is the BFGS inverse with them and not with I; a round of pairs of another
+  // Hessian ends that.
+  constexpr Eigen::Index n = 1200, every = 100;
+  constexpr int m = 3;
+  avi::SecantPairs pairs(m, n);
+  VectorX curvatures(n), d(n), g(n), with_pairs(pairs.products()), change(pairs.products());
+  for (Eigen::Index i = 0; i < n; ++i)
+    curvatures[i] = std::pow(1e4, static_cast<double>(i) / static_cast<double>(n - 1));
+  int count = 0;
+  std::vector<std::pair<VectorX, VectorX>> stored;
+  const auto store = [&](bool against) {
+    VectorX s = VectorX::Zero(n);
+    for (Eigen::Index i = 0; i < n; i += every)
+      s[i] = std::sin(1.0 + static_cast<double>(i / every * (count + 1))) / std::sqrt(curvatures[i]);
+    ++count;
+    const VectorX y = against ? VectorX(s.cwiseQuotient(curvatures)) : VectorX(s.cwiseProduct(curvatures));
+    Eigen::Map<VectorX>(pairs.next_s(), n) = s;
+    Eigen::Map<VectorX>(pairs.next_y(), n) = y;
+    pairs.multiply(y.data(), change.data());
+    pairs.multiply(g.data(), with_pairs.data());
+    pairs.commit(g.data(), s.dot(y), y.squaredNorm(), change.data(), with_pairs.data(), s.dot(g), y.dot(g));
+    stored.emplace_back(s, y);
+    if (stored.size() > m) stored.erase(stored.begin());
+    pairs.direction(g.data(), with_pairs.data(), d.data());  // with the products as commit() left them
+    VectorX w = VectorX::Ones(n);
+    if (pairs.weighted()) w = Eigen::Map<const VectorX>(pairs.inverse_masses(), n);
+    VectorX q = g;
+    std::vector<double> first;
+    for (auto pair = stored.rbegin(); pair != stored.rend(); ++pair) {
+      first.push_back(pair->first.dot(q) / pair->first.dot(pair->second));
+      q -= first.back() * pair->second;
+    }
+    q = (s.dot(y) / y.dot(w.cwiseProduct(y))) * w.cwiseProduct(q);
+    for (const auto& [si, yi] : stored) {
+      q += (first.back() - yi.dot(q) / si.dot(yi)) * si;
+      first.pop_back();
+    }
+    EXPECT_LT((d + q).norm(), 1e-11 * q.norm()) << "pair " << count;
+  };
+  for (Eigen::Index i = 0; i < n; ++i)
+    g[i] = std::cos(static_cast<double>(i));
+  for (int k = 0; k < 4 * m; ++k)
+    store(false);
+  EXPECT_TRUE(pairs.weighted());
+  VectorX ratio(n / every);  // nearly a multiple of the inverse Hessian
+  for (Eigen::Index i = 0; i < n / every; ++i)
+    ratio[i] = pairs.inverse_masses()[i * every] * curvatures[i * every];
+  EXPECT_LT(ratio.maxCoeff() / ratio.minCoeff(), 20.0);
+  for (int k = 0; k < m; ++k)
+    store(true);
+  EXPECT_FALSE(pairs.weighted());
+  pairs.clear();
+  EXPECT_FALSE(pairs.weighted());
+}
 
 TEST(SecantPairs, ADiscardedPairTakesItsPlaceAndHasNoEffect) {
   Axes axes;

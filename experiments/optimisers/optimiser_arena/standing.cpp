@@ -59,13 +59,12 @@ void Standing::write_summary(const experiment::Frame& frame) const {
   table.note(
       "within_2",
       "share of instances where no method needed fewer than half as many evaluations, values alone included");
-  for (const char* group : {"all", "tuned", "held_out"})
+  for (const std::string group : {"all", "tuned", "looked_at", "held_out"})
     for (const std::string& method : methods_) {
       Mean gradients, evaluations, iteration, lbfgs, cg, cg_all;
       long instances = 0, failures = 0, within_1 = 0, within_2 = 0;
       for (const Row& row : rows_) {
-        if (group != std::string("all") && row.instance.held_out != (group == std::string("held_out")))
-          continue;
+        if (group != "all" && row.instance.group != group) continue;
         const auto found = row.by_method.find(method);
         if (found == row.by_method.end()) continue;
         ++instances;
@@ -136,8 +135,8 @@ void Standing::write_losses(const experiment::Frame& frame) const {
     std::string winner;
     for (const auto& [method, passage] : row.by_method)
       if (cost(row.by_method, method) == least) winner = method;
-    table.row(row.instance.problem, row.instance.dimension, row.instance.held_out ? 1 : 0, row.instance.delta,
-              own, winner, least, own / least);
+    table.row(row.instance.problem, row.instance.dimension, row.instance.group == "held_out" ? 1 : 0,
+              row.instance.delta, own, winner, least, own / least);
   }
   frame.write(table, "losses");
 }

@@ -13,7 +13,7 @@ namespace arena {
 struct Instance {
   std::string problem;
   long dimension = 0;
-  bool held_out = false;
+  std::string group;
   double delta = 0.0;
 };
 

@@ -94,11 +94,11 @@ class LineState {
     return down_ < 0.0;
   }
 
-  /// One hundredth of x; where x is 0, of the way to where a linear f would vanish.
+  /// The way to where a linear f would vanish, or one hundredth of x, whichever is longer.
   [[nodiscard]] double first_step() const {
     const double x = detail::largest(base_.x), g = detail::largest(base_.g);
-    if (x > 0.0) return 0.01 * x / g;
-    return base_.f != 0.0 ? 0.01 * std::abs(base_.f) / (norm_ * norm_) : 1.0 / g;
+    const double length = std::max(0.01 * x / g, std::abs(base_.f) / (norm_ * norm_));
+    return length > 0.0 ? length : 1.0 / g;
   }
 
   /// Evaluates at an interpolated base, goes back to the best evaluated point if f rose, and renews d.
@@ -184,7 +184,7 @@ class LineState {
     exact_ = !recovers;
     if (pairs) {
       if (step * dy > 1e-12 * step * std::sqrt(length2_ * yy))
-        pairs_.commit(step * dy, yy, change_.data(), base_.with_pairs.data(), step * gd, gy);
+        pairs_.commit(base_.g.data(), step * dy, yy, change_.data(), base_.with_pairs.data(), step * gd, gy);
       else
         pairs_.discard();
       return quasi_newton();
@@ -194,7 +194,8 @@ class LineState {
     if (dy > 0.0) {
       if (std::abs(g_old) <= 0.5 * gg)
         beta = std::max(gy / dy - (yy / dy) * (gd / dy), 0.5 * down_ / length2_);
-      if (beta == 0.0) alpha_ = step * dy / yy;
+      // the step that the least curvature along y asks for; across gradients minima are farther
+      alpha_ = (beta == 0.0 ? 1.0 : 1.5) * step * dy / yy;
     }
     const auto now = sweep<2>(n_, [beta, g = base_.g.data(), d = d_.data()](auto e, auto& sum) {
       const auto entry = beta * e(d) - e(g);

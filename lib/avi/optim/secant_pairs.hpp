@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/optim/sweep.hpp"
+#include "avi/optim/diagonal_mass.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -10,20 +10,23 @@
 namespace avi {
 
 /// The last m pairs of displacement s and change of gradient y, and the inverse Hessian H that the BFGS
-/// formula builds from them, starting with \f$\gamma I\f$, \f$\gamma = s\cdot y/|y|^2\f$ of the newest pair.
-/// H is never formed.
+/// formula builds from them, starting with \f$\gamma W\f$, \f$\gamma = s\cdot y/(y\cdot W y)\f$ of the newest
+/// pair. W is I or the inverse of a mass for every entry (DiagonalMass), whichever foretold the last m pairs
+/// better: that is asked with every m-th pair. H is never formed.
 ///
-/// H g is a combination of g and the pairs, and its coefficients follow from products alone: those of g with
-/// every pair (multiply(), one pass over the pairs), and those of the pairs with each other, which are
-/// differences of such products, as y is a difference of gradients. So the two loops (Nocedal 1980) run on 2
-/// m numbers instead of on vectors, and direction() takes one pass more: 4 m numbers are read for each entry
-/// where loops over vectors read or write 8 m (Byrd, Nocedal and Schnabel 1994; Chen, Wang and Zhou 2014).
+/// H g is a combination of the s, and W times one of g and the y. The coefficients follow from products
+/// alone: those of g with every s and W y (multiply(), one pass over the pairs), and those of the pairs with
+/// each other, which are differences of such products, as y is a difference of gradients. So the two loops
+/// (Nocedal 1980) run on 2 m numbers instead of on vectors, and direction() takes one pass more: 4 m numbers
+/// are read for each entry where loops over vectors read or write 8 m (Byrd, Nocedal and Schnabel 1994; Chen,
+/// Wang and Zhou 2014).
 class SecantPairs {
  public:
   /// Room for m pairs of size n.
   SecantPairs(int m, Eigen::Index n)
       : n_(n), pairs_(m), width_((m + 7) / 8 * 8), sy_(zero(width_ * m)), ys_(sy_), yy_(sy_),
-        weights_(zero(width_)), u_(weights_), v_(weights_) {
+        weights_(zero(width_)), u_(weights_), v_(weights_), mass_(m > 0 ? n : 0),
+        ones_(std::vector<double>(block, 1.0)) {
     for (Pair& pair : pairs_) {
       pair.s.resize(n);
       pair.y.resize(n);
@@ -32,7 +35,16 @@ class SecantPairs {
 
   [[nodiscard]] int capacity() const { return static_cast<int>(pairs_.size()); }  ///< m.
   [[nodiscard]] int size() const { return stored_; }                              ///< Pairs held.
-  void clear() { stored_ = next_ = 0; }                                           ///< H = I again.
+  [[nodiscard]] bool weighted() const { return weighted_; }                       ///< W is not I.
+
+  [[nodiscard]] const double* inverse_masses() const { return mass_.inverse(); }  ///< W, where weighted().
+
+  /// H = I again.
+  void clear() {
+    stored_ = next_ = unlearned_ = 0;
+    weighted_ = false;
+    mass_.forget();
+  }
 
   /// Numbers that multiply() writes.
   [[nodiscard]] Eigen::Index products() const { return 2 * width_; }
@@ -41,21 +53,21 @@ class SecantPairs {
   [[nodiscard]] double* next_s() { return pairs_[next_].s.data(); }
   [[nodiscard]] double* next_y() { return pairs_[next_].y.data(); }  ///< Likewise for y.
 
-  /// The products of g with every s, then with every y.
+  /// The products of g with every s, then with every W y.
   void multiply(const double* g, double* products) const {
     std::fill_n(products, 2 * width_, 0.0);
     for (Eigen::Index from = 0; from < n_; from += block) {
       const Eigen::Index count = std::min(block, n_ - from);
       int k = 0;
       for (; k + 2 <= stored_; k += 2) {
-        const auto sums = sweep<4>(count, [g = g + from, s = pairs_[k].s.data() + from,
+        const auto sums = sweep<4>(count, [g = g + from, w = weights(from), s = pairs_[k].s.data() + from,
                                            y = pairs_[k].y.data() + from, s1 = pairs_[k + 1].s.data() + from,
                                            y1 = pairs_[k + 1].y.data() + from](auto at, auto& sum) {
-          const auto entry = at(g);
+          const auto entry = at(g), weighed = at(w) * entry;
           sum[0] += at(s) * entry;
           sum[1] += at(s1) * entry;
-          sum[2] += at(y) * entry;
-          sum[3] += at(y1) * entry;
+          sum[2] += at(y) * weighed;
+          sum[3] += at(y1) * weighed;
         });
         products[k] += sums[0];
         products[k + 1] += sums[1];
@@ -63,34 +75,48 @@ class SecantPairs {
         products[width_ + k + 1] += sums[3];
       }
       if (k == stored_) continue;
-      const auto sums = sweep<2>(count, [g = g + from, s = pairs_[k].s.data() + from,
+      const auto sums = sweep<2>(count, [g = g + from, w = weights(from), s = pairs_[k].s.data() + from,
                                          y = pairs_[k].y.data() + from](auto at, auto& sum) {
         const auto entry = at(g);
         sum[0] += at(s) * entry;
-        sum[1] += at(y) * entry;
+        sum[1] += at(y) * (at(w) * entry);
       });
       products[k] += sums[0];
       products[width_ + k] += sums[1];
     }
   }
 
-  /// Takes what was written to next_s() and next_y(). @param sy s.y > 0
+  /// Takes what was written to next_s() and next_y(). @param g the new gradient
+  /// @param sy s.y > 0
   /// @param yy |y|^2
   /// @param change products of y with every pair: those of the new gradient less those of the old one
-  /// @param now products of the new gradient, which get those with the new pair, sg and yg
-  void commit(double sy, double yy, const double* change, double* now, double sg, double yg) {
+  /// @param now products of the new gradient, which get those with the new pair, sg = s.g and yg = y.g
+  void commit(const double* g, double sy, double yy, const double* change, double* now, double sg,
+              double yg) {
     const int c = next_;
     next_ = (next_ + 1) % capacity();
     stored_ = std::min(stored_ + 1, capacity());
-    for (int k = 0; k < stored_; ++k) {
+    pairs_[c].rho = 1.0 / sy;
+    for (int k = 0; k < stored_; ++k)
       sy_[c * width_ + k] = ys_[k * width_ + c] = change[k];
-      yy_[c * width_ + k] = yy_[k * width_ + c] = change[width_ + k];
-    }
     sy_[c * width_ + c] = ys_[c * width_ + c] = sy;
+    if (++unlearned_ == capacity() && learn()) {
+      gamma_ = sy / yy_[c * width_ + c];
+      return multiply(g, now);
+    }
+    if (weighted_) {
+      const auto sums = sweep<2>(n_, [g, w = mass_.inverse(), y = pairs_[c].y.data()](auto at, auto& sum) {
+        const auto weighed = at(w) * at(y);
+        sum[0] += weighed * at(y);
+        sum[1] += weighed * at(g);
+      });
+      yy = sums[0], yg = sums[1];
+    }
+    for (int k = 0; k < stored_; ++k)
+      yy_[c * width_ + k] = yy_[k * width_ + c] = change[width_ + k];
     yy_[c * width_ + c] = yy;
     now[c] = sg;
     now[width_ + c] = yg;
-    pairs_[c].rho = 1.0 / sy;
     gamma_ = sy / yy;
   }
 
@@ -121,19 +147,20 @@ class SecantPairs {
       const Eigen::Index count = std::min(block, n_ - from);
       double* out = d + from;
       const double* old = g + from;
-      sweep<0>(count, [=](auto at, auto&) { at.set(out, -gamma * at(old)); });
+      const double* w = weights(from);
+      sweep<0>(count, [=](auto at, auto&) { at.set(out, -gamma * (at(w) * at(old))); });
       int k = 0;
       for (; k + 2 <= stored_; k += 2)
         sweep<0>(count,
-                 [out, s = pairs_[k].s.data() + from, y = pairs_[k].y.data() + from,
+                 [out, w, s = pairs_[k].s.data() + from, y = pairs_[k].y.data() + from,
                   s1 = pairs_[k + 1].s.data() + from, y1 = pairs_[k + 1].y.data() + from, b = u_[k],
                   b1 = u_[k + 1], a = gamma * weights_[k], a1 = gamma * weights_[k + 1]](auto at, auto&) {
-                   at.set(out, at(out) + ((a * at(y) - b * at(s)) + (a1 * at(y1) - b1 * at(s1))));
+                   at.set(out, at(out) + (at(w) * (a * at(y) + a1 * at(y1)) - (b * at(s) + b1 * at(s1))));
                  });
       if (k < stored_)
-        sweep<0>(count, [out, s = pairs_[k].s.data() + from, y = pairs_[k].y.data() + from, b = u_[k],
+        sweep<0>(count, [out, w, s = pairs_[k].s.data() + from, y = pairs_[k].y.data() + from, b = u_[k],
                          a = gamma * weights_[k]](auto at, auto&) {
-          at.set(out, at(out) + (a * at(y) - b * at(s)));
+          at.set(out, at(out) + (at(w) * (a * at(y)) - b * at(s)));
         });
       const auto part = sweep<2>(count, [out, old](auto at, auto& sum) {
         const auto entry = at(out);
@@ -157,6 +184,32 @@ class SecantPairs {
   static std::vector<double> zero(Eigen::Index size) {
     return std::vector<double>(static_cast<std::size_t>(size));
   }
+  /// W from an index on, for one block.
+  [[nodiscard]] const double* weights(Eigen::Index from) const {
+    return weighted_ ? mass_.inverse() + from : ones_.data();
+  }
+
+  /// Takes the pairs since the last time to the masses and chooses W. True where W is another than it was:
+  /// then the products of all pairs are those with the new one.
+  bool learn() {
+    const bool before = weighted_;
+    weighted_ =
+        mass_.learn(unlearned_, [this](int k) -> const Pair& { return pairs_[newest(unlearned_ - 1 - k)]; });
+    unlearned_ = 0;
+    if (!before && !weighted_) return false;
+    std::fill(yy_.begin(), yy_.end(), 0.0);
+    for (Eigen::Index from = 0; from < n_; from += block)
+      for (int i = 0; i < stored_; ++i)
+        for (int k = 0; k <= i; ++k)
+          yy_[i * width_ + k] +=
+              sweep<1>(std::min(block, n_ - from),
+                       [w = weights(from), a = pairs_[i].y.data() + from, b = pairs_[k].y.data() + from](
+                           auto at, auto& sum) { sum[0] += at(w) * (at(a) * at(b)); })[0];
+    for (int i = 0; i < stored_; ++i)
+      for (int k = 0; k < i; ++k)
+        yy_[k * width_ + i] = yy_[i * width_ + k];
+    return true;
+  }
   [[nodiscard]] int newest(int back) const { return (next_ + 2 * capacity() - 1 - back) % capacity(); }
   void add(double c, const double* column, double* to) const {
     sweep<0>(width_, [=](auto at, auto&) { at.set(to, at(to) + c * at(column)); });
@@ -170,6 +223,10 @@ class SecantPairs {
   std::vector<double> yy_;       ///< Column i: y_j . y_i.
   std::vector<double> weights_;  ///< Of the first loop.
   std::vector<double> u_, v_;    ///< Products with s and with y.
+  DiagonalMass mass_;            ///< Of every entry.
+  std::vector<double> ones_;     ///< W = I, one block of it.
+  bool weighted_ = false;        ///< W is the inverse of the masses.
+  int unlearned_ = 0;            ///< Pairs that the masses do not know.
   double gamma_ = 1.0;
   int next_ = 0, stored_ = 0;
 };

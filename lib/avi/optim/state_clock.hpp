@@ -55,6 +55,7 @@ class StateClock : LineState<F> {
       }
       if (!report()) return end(fail(Outcome::stopped, "the callback asked to stop"));
       if (done) return end(Outcome::ok);
+      if (!gains()) return end(failure_);
     }
     return end(fail(Outcome::step_limit, "the cap on iterations was reached"));
   }
@@ -72,7 +73,6 @@ class StateClock : LineState<F> {
   using Base::f_;
   using Base::fail;
   using Base::failure_;
-  using Base::first_step;
   using Base::floor_;
   using Base::length2_;
   using Base::measure_direction;
@@ -94,7 +94,7 @@ class StateClock : LineState<F> {
   bool line() {
     LinePoint start{base_.f, down_};
     double moved = 0.0, high = std::numeric_limits<double>::infinity();
-    const double sigma = options_.memory == 0 ? 0.7 : 0.8;
+    const double sigma = options_.memory == 0 ? 0.7 : 0.8, error = options_.memory == 0 ? 0.06 : 0.04;
     bool restarted = false;
     for (int trials = 1, since_start = 1;; ++trials, ++since_start) {
       if (f_.gradients >= options_.evaluations) {
@@ -131,14 +131,14 @@ class StateClock : LineState<F> {
       // one, it must not be carried too far
       const double off = std::abs(model.r - 1.0);
       const double unseen =
-          (exact_ ? 0.0 : off * unseen_) + (model.blind() ? off * std::max(1.0, model.r) : 0.0);
-      const bool recovers = model.trusted() && (exact_ || unseen <= 30.0);
+          (exact_ ? 0.0 : off * unseen_) + (model.blind(error) ? off * std::max(1.0, model.r) : 0.0);
+      const bool recovers = model.trusted(error) && (exact_ || unseen <= 30.0);
       if (recovers && !(falls && off < 1e-6)) {
         unseen_ = unseen;
         return advance(model.r, moved, base_.f + 0.5 * model.r * alpha_ * down_), true;
       }
       if ((falls || level) && flat) return advance(1.0, moved), true;
-      const bool doubtful = model.defect > 0.3 || (model.trusted() && !recovers);
+      const bool doubtful = model.defect > 0.3 || (model.trusted(error) && !recovers);
       if (!exact_ && since_start == 1 && doubtful) {  // the interpolated base may be to blame
         const double length = alpha_ * std::sqrt(length2_);
         settle();
@@ -166,6 +166,20 @@ class StateClock : LineState<F> {
         noise_ = std::max(noise_, std::min(4.0 * std::abs(model.trapezium()), 1e-8 * scale_));
       }
     }
+  }
+
+  /// False where for long neither the value nor the evaluated gradient has come lower than ever before: at a
+  /// kink, or in noise.
+  bool gains() {
+    if (base_.f < lowest_ - rounding(base_.f, lowest_) || square_ < gentlest_) {
+      lowest_ = std::min(lowest_, base_.f);
+      gentlest_ = std::min(gentlest_, square_);
+      idle_ = 0;
+    }
+    if (++idle_ <= 200 + n_) return true;
+    if (!exact_) settle();
+    steepest();
+    return judge();
   }
 
   /// Why steepest descent found nothing: rounding hides the fall, or the gradient is not that of f. Always
@@ -227,7 +241,9 @@ class StateClock : LineState<F> {
   }
 
   Minimisation run_;
-  double scale_ = 0.0;   ///< Largest |f| of the start and of where lines were stuck.
+  double scale_ = 0.0;                        ///< Largest |f| of the start and of where lines were stuck.
+  double lowest_ = 1e300, gentlest_ = 1e300;  ///< Least value, and square of an evaluated gradient, so far.
+  long idle_ = 0;                             ///< Iterations since either came down.
   double unseen_ = 0.0;  ///< Errors of the recovered gradient that values did not show, in units of one.
 };
 

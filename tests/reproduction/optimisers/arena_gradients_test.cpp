@@ -11,8 +11,8 @@ namespace {
 
 TEST(ArenaGradients, AreThoseOfTheValues) {
   auto problems = arena::tuned_problems(false);
-  for (auto& problem : arena::held_out_problems())
-    problems.push_back(problem);
+  for (auto& others : {arena::looked_at_problems(), arena::held_out_problems()})
+    problems.insert(problems.end(), others.begin(), others.end());
   EXPECT_GE(problems.size(), 60u);
   for (const auto& problem : problems) {
     const Eigen::Index n = problem.x0.size();

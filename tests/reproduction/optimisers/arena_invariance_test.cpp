@@ -15,8 +15,8 @@ namespace {
 
 std::vector<Problem> problems() {
   auto all = arena::tuned_problems(false);
-  for (auto& problem : arena::held_out_problems())
-    all.push_back(problem);
+  for (auto& others : {arena::looked_at_problems(), arena::held_out_problems()})
+    all.insert(all.end(), others.begin(), others.end());
   std::erase_if(all, [](const Problem& problem) { return problem.x0.size() > 1024; });
   return all;
 }
