@@ -175,8 +175,8 @@ int main(int argc, char** argv) {
             frame.progress("large d", 0.5);
             const Cost cost = at_scale(size, memory);
             // trial: x, d, out; products with d: g, d; next point: x, g, g_t, d, out: x, g and a pair; next
-            // d: g, d, out; or twice the pairs and g, out: d
-            const double read = memory == 0 ? 10.0 : 9.0 + 4.0 * memory, written = memory == 0 ? 4.0 : 6.0;
+            // d: g, d, out; or twice the pairs and g, out: d; masses: twice a pair and they, out: they
+            const double read = memory == 0 ? 10.0 : 15.0 + 4.0 * memory, written = memory == 0 ? 4.0 : 7.0;
             const double needed = read * stream.read + written * stream.write;
             table.row("quadratic", n, memory, cost.evaluation, cost.iteration, cost.evaluations,
                       cost.iteration / cost.evaluation, read, written, stream.read, stream.write,

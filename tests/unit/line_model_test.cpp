@@ -20,12 +20,12 @@ TEST(LineModel, FindsTheMinimumOfAParabola) {
   for (double h : {0.11, 0.5, 1.0, 2.0, 20.0}) {
     const LineModel model(phi(0.0), phi(h), h, 1e-13);
     EXPECT_NEAR(model.r * h, 1.0, 1e-12);
-    EXPECT_TRUE(model.trusted(0.04)) << h;
+    EXPECT_TRUE(model.trusted()) << h;
     EXPECT_EQ(model.defect, 0.0);
-    EXPECT_FALSE(model.blind(0.04));
+    EXPECT_FALSE(model.blind());
   }
-  EXPECT_FALSE(LineModel(phi(0.0), phi(0.09), 0.09, 1e-14).trusted(0.04));  // r > 10
-  EXPECT_FALSE(LineModel(phi(0.0), phi(60.0), 60.0, 1e-14).trusted(0.04));  // r < 0.02
+  EXPECT_FALSE(LineModel(phi(0.0), phi(0.09), 0.09, 1e-14).trusted());  // r > 10
+  EXPECT_FALSE(LineModel(phi(0.0), phi(60.0), 60.0, 1e-14).trusted());  // r < 0.02
 }
 
 TEST(LineModel, ItsDefectIsTheCubicTerm) {
@@ -35,7 +35,7 @@ TEST(LineModel, ItsDefectIsTheCubicTerm) {
   // e = -d h^3 / 2; the slope at r h is then wrong by 6 (e/h) r (r - 1).
   EXPECT_NEAR(model.defect, 0.5 * d * h * h / 2.0, 1e-15);
   EXPECT_NEAR(phi(model.r * h).slope, -3.0 * d * h * h * model.r * (1.0 - model.r), 1e-14);
-  EXPECT_FALSE(model.trusted(0.04));
+  EXPECT_FALSE(model.trusted());
 }
 
 TEST(LineModel, RoundingIsNoDefect) {
@@ -51,8 +51,8 @@ TEST(LineModel, SaysWhereRoundingWouldHideADefect) {
   // h max |phi'| = 0.5: the slope at r h = 2 h may be wrong by 6 (noise / 0.5) 2 (2 - 1), which is 0.04 at
   // noise 1 / 600.
   const Cubic phi{3.0, -1.0, 0.5, 0.0};
-  EXPECT_TRUE(LineModel(phi(0.0), phi(0.5), 0.5, 1.01 / 600.0).blind(0.04));
-  EXPECT_FALSE(LineModel(phi(0.0), phi(0.5), 0.5, 0.99 / 600.0).blind(0.04));
+  EXPECT_TRUE(LineModel(phi(0.0), phi(0.5), 0.5, 1.01 / 600.0).blind());
+  EXPECT_FALSE(LineModel(phi(0.0), phi(0.5), 0.5, 0.99 / 600.0).blind());
 }
 
 TEST(LineModel, TheCubicHasTheMinimumBetween) {

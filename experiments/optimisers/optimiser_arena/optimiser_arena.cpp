@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
                                   arena::conjugate_gradients(), arena::library_methods()})
           methods.insert(methods.end(), group.begin(), group.end());
         std::vector<Problem> problems = arena::tuned_problems(full);
-        for (const auto& others : {arena::looked_at_problems(), arena::held_out_problems()})
+        for (const auto& others : {arena::looked_at_problems(full), arena::held_out_problems()})
           problems.insert(problems.end(), others.begin(), others.end());
         constexpr long cap = 20'000, slow_cap = 1000;
         Table table = frame.table({"problem", "dimension", "held_out", "method", "delta", "iterations",

@@ -43,14 +43,13 @@ struct LineModel {
     return trial.value - base.value - 0.5 * h * (base.slope + trial.slope);
   }
 
-  /// True where the minimum of the line and the gradient there may be taken from the interpolation: where its
-  /// slope there is wrong by at most `error` of the larger slope.
-  [[nodiscard]] bool trusted(double error) const {
-    return curvature > 0.0 && defect <= 0.3 && r >= 0.02 && r <= 10.0 && wrong_by(defect) <= error;
+  /// True where the minimum of the line and the gradient there may be taken from the interpolation.
+  [[nodiscard]] bool trusted() const {
+    return curvature > 0.0 && defect <= 0.3 && r >= 0.02 && r <= 10.0 && wrong_by(defect) <= 0.04;
   }
 
   /// True where that rests on slopes alone, because rounding would hide a defect.
-  [[nodiscard]] bool blind(double error) const { return wrong_by(defect + rounding) > error; }
+  [[nodiscard]] bool blind() const { return wrong_by(defect + rounding) > 0.04; }
 
   /// Minimum of the cubic through both points, in units of h; for a trial beyond the minimum. In [0.05,
   /// 0.95], one half where the cubic has none.

@@ -15,7 +15,7 @@ namespace avi {
 template <Objective F>
 class LineState {
  public:
-  /// Makes the memory of a run: 7 vectors, and 2 m more.
+  /// Makes the memory of a run: 7 vectors, and 2 m + 1 more if m > 0.
   /// @throws std::invalid_argument for options out of range or an empty or non-finite x0.
   LineState(const F& f, const VectorX& x0, const MinimiseOptions& options)
       : options_(options), f_(f, 0), n_(x0.size()), pairs_(checked(options, x0).memory, n_) {

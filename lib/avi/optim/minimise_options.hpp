@@ -29,7 +29,7 @@ struct MinimiseOptions {
   double relative = 1e-6;                                   ///< In [0, 1).
   double absolute = 0.0;                                    ///< At least 0.
   double change = std::numeric_limits<double>::infinity();  ///< Positive; of f in one iteration.
-  /// m, the pairs that make the mass matrix: 0 for none (7 vectors of memory), at most 1000; else 2 m + 7.
+  /// m, the pairs that make the mass matrix: 0 for none (7 vectors of memory), at most 1000; else 2 m + 8.
   int memory = 7;
   long iterations = 10'000'000;   ///< Cap, at least 1.
   long evaluations = 10'000'000;  ///< Cap on gradients, at least 1.

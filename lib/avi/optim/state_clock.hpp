@@ -94,7 +94,7 @@ class StateClock : LineState<F> {
   bool line() {
     LinePoint start{base_.f, down_};
     double moved = 0.0, high = std::numeric_limits<double>::infinity();
-    const double sigma = options_.memory == 0 ? 0.7 : 0.8, error = options_.memory == 0 ? 0.06 : 0.04;
+    const double sigma = options_.memory == 0 ? 0.7 : 0.8;
     bool restarted = false;
     for (int trials = 1, since_start = 1;; ++trials, ++since_start) {
       if (f_.gradients >= options_.evaluations) {
@@ -131,14 +131,14 @@ class StateClock : LineState<F> {
       // one, it must not be carried too far
       const double off = std::abs(model.r - 1.0);
       const double unseen =
-          (exact_ ? 0.0 : off * unseen_) + (model.blind(error) ? off * std::max(1.0, model.r) : 0.0);
-      const bool recovers = model.trusted(error) && (exact_ || unseen <= 30.0);
+          (exact_ ? 0.0 : off * unseen_) + (model.blind() ? off * std::max(1.0, model.r) : 0.0);
+      const bool recovers = model.trusted() && (exact_ || unseen <= 30.0);
       if (recovers && !(falls && off < 1e-6)) {
         unseen_ = unseen;
         return advance(model.r, moved, base_.f + 0.5 * model.r * alpha_ * down_), true;
       }
       if ((falls || level) && flat) return advance(1.0, moved), true;
-      const bool doubtful = model.defect > 0.3 || (model.trusted(error) && !recovers);
+      const bool doubtful = model.defect > 0.3 || (model.trusted() && !recovers);
       if (!exact_ && since_start == 1 && doubtful) {  // the interpolated base may be to blame
         const double length = alpha_ * std::sqrt(length2_);
         settle();
@@ -168,18 +168,18 @@ class StateClock : LineState<F> {
     }
   }
 
-  /// False where for long neither the value nor the evaluated gradient has come lower than ever before: at a
-  /// kink, or in noise.
+  /// False at a kink: where for long neither the value nor an evaluated gradient has come lower than ever
+  /// before, and values contradict the slope.
   bool gains() {
     if (base_.f < lowest_ - rounding(base_.f, lowest_) || square_ < gentlest_) {
       lowest_ = std::min(lowest_, base_.f);
       gentlest_ = std::min(gentlest_, square_);
       idle_ = 0;
     }
-    if (++idle_ <= 200 + n_) return true;
+    if (++idle_ <= 200) return true;
     if (!exact_) settle();
-    steepest();
-    return judge();
+    idle_ = 0;
+    return judge() || failure_ == Outcome::stalled;
   }
 
   /// Why steepest descent found nothing: rounding hides the fall, or the gradient is not that of f. Always

@@ -11,7 +11,7 @@ namespace {
 
 TEST(ArenaGradients, AreThoseOfTheValues) {
   auto problems = arena::tuned_problems(false);
-  for (auto& others : {arena::looked_at_problems(), arena::held_out_problems()})
+  for (auto& others : {arena::looked_at_problems(true), arena::held_out_problems()})
     problems.insert(problems.end(), others.begin(), others.end());
   EXPECT_GE(problems.size(), 60u);
   for (const auto& problem : problems) {

@@ -29,8 +29,9 @@ std::vector<Problem> drawn(const Draw& draw, const char* group) {
 
 }  // namespace
 
-std::vector<Problem> looked_at_problems() {
-  auto all = drawn({.suffix = "_again", .times = 2, .seed = 1000}, "looked_at");
+std::vector<Problem> looked_at_problems(bool every) {
+  std::vector<Problem> all;
+  if (every) all = drawn({.suffix = "_again", .times = 2, .seed = 1000}, "looked_at");
   for (Problem problem : remaining_classic_problems()) {
     problem.group = "looked_at";
     all.push_back(problem);
