@@ -90,6 +90,7 @@
 #include "avi/integrators/tableaus.hpp"
 #include "avi/optim/adagrad.hpp"
 #include "avi/optim/adam.hpp"
+#include "avi/optim/diagonal_mass.hpp"
 #include "avi/optim/gradient_descent.hpp"
 #include "avi/optim/line_model.hpp"
 #include "avi/optim/line_state.hpp"
