@@ -113,7 +113,7 @@ TEST(SecantPairs, TakeTheMassesWhereTheyForetellPairs) {
   // masses are in use, and H is the BFGS inverse with them and not with I; a round of pairs of another
   // Hessian ends that.
   constexpr Eigen::Index n = 1200, every = 100;
-  constexpr int m = 3;
+  constexpr int m = 5;
   avi::SecantPairs pairs(m, n);
   VectorX curvatures(n), d(n), g(n), with_pairs(pairs.products()), change(pairs.products());
   for (Eigen::Index i = 0; i < n; ++i)

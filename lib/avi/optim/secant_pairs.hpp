@@ -12,7 +12,7 @@ namespace avi {
 /// The last m pairs of displacement s and change of gradient y, and the inverse Hessian H that the BFGS
 /// formula builds from them, starting with \f$\gamma W\f$, \f$\gamma = s\cdot y/(y\cdot W y)\f$ of the newest
 /// pair. W is I or the inverse of a mass for every entry (DiagonalMass), whichever foretold the last m pairs
-/// better: that is asked with every m-th pair. H is never formed.
+/// better: that is asked with every m-th pair, if m is at least 5. H is never formed.
 ///
 /// H g is a combination of the s, and W times one of g and the y. The coefficients follow from products
 /// alone: those of g with every s and W y (multiply(), one pass over the pairs), and those of the pairs with
@@ -100,7 +100,7 @@ class SecantPairs {
     for (int k = 0; k < stored_; ++k)
       sy_[c * width_ + k] = ys_[k * width_ + c] = change[k];
     sy_[c * width_ + c] = ys_[c * width_ + c] = sy;
-    if (++unlearned_ == capacity() && learn()) {
+    if (++unlearned_ == capacity() && capacity() >= lesson && learn()) {
       gamma_ = sy / yy_[c * width_ + c];
       return multiply(g, now);
     }
@@ -180,6 +180,7 @@ class SecantPairs {
   };
   /// Entries that pass from memory to the nearest cache at a time: several loops over them read memory once.
   static constexpr Eigen::Index block = 1024;
+  static constexpr int lesson = 5;  ///< Fewer pairs say too little about masses.
 
   static std::vector<double> zero(Eigen::Index size) {
     return std::vector<double>(static_cast<std::size_t>(size));
