@@ -38,7 +38,7 @@ class Collocation {
       : problem_(problem), order_(order), stages_(make(problem, order, settings)) {}
 
   /// Advances z by the fictive step h, of either sign; leaves z unchanged unless the step ends as ok. The
-  /// report counts sweeps.
+  /// report counts evaluations of the field at all stages: the sweeps and the one that ends a step.
   /// @throws std::invalid_argument where n is avi::dynamic and z of another size.
   StepReport step(State<n>& z, double h) {
     if constexpr (n == dynamic)

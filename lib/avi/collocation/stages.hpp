@@ -175,6 +175,7 @@ class alignas(64) Stages {
                              (stalls >= 2 && change <= 8.0 * least && change <= 1e5 * epsilon);
       if (change == 0.0 || solved || stagnates) {
         // The forces are from before the sweep, the velocities from its middle: energy would drift.
+        usual_ = report.evaluations++;
         sweeps_.evaluate(problem, step);
         return finish(problem, z, h, step, report);
       }
@@ -224,7 +225,6 @@ class alignas(64) Stages {
     dp_ = step.dp;
     dt_ = dt;
     h_ = h;
-    usual_ = report.evaluations;
     return report;
   }
 
