@@ -18,7 +18,7 @@ experiment::Table Frame::table(std::vector<std::string> columns) const {
   table.note("experiment", name);
   table.note("commit", commit());
   table.note("compiler", compiler());
-  table.note("flags", flags());
+  table.note("flags", flags(name));
   table.note("machine", machine());
   table.note("date", date());
   table.note("quick", quick);

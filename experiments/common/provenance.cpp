@@ -25,7 +25,11 @@ std::string commit() {
 
 std::string compiler() { return AVI_COMPILER; }
 
-std::string flags() { return AVI_FLAGS; }
+std::string flags(const std::string& experiment) {
+  // Of two levels of optimisation the later counts.
+  const bool is_short = std::string(AVI_SHORT " ").find(" " + experiment + " ") != std::string::npos;
+  return is_short ? AVI_FLAGS " " AVI_NOT_OPTIMISED : AVI_FLAGS;
+}
 
 std::string machine() {
   std::ifstream info("/proc/cpuinfo");

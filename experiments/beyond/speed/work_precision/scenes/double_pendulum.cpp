@@ -36,7 +36,7 @@ Scene double_pendulum(double horizon) {
   set_reference(scene, arena, [](const avi::State<2>& start, long double fraction) {
     return Extrapolation<Pendulums>({}, start, 0.25L * fraction);
   });
-  add_collocation(scene, arena, "g=1", 1.0, avi::Unit{});
+  add_collocation(scene, arena, "g=1", 1.0, avi::Unit{}, true);
   add_htvi(scene, arena, "g=1", 0.5, avi::Unit{});
   add_peers(scene, arena.equations());
   return scene;

@@ -14,7 +14,7 @@ Scene henon_heiles(double horizon) {
   Scene scene{"henon_heiles", not_an_orbit, horizon, fmt::format("{:g}", horizon)};
   set_extended_reference(scene, arena, false, 0.15L);
   add_fixed(scene, arena, 0.25);
-  add_collocation(scene, arena, "g=1", 4.0, avi::Unit{});
+  add_collocation(scene, arena, "g=1", 4.0, avi::Unit{}, true);
   add_htvi(scene, arena, "g=1", 2.0, avi::Unit{});
   add_peers(scene, arena.equations());
   return scene;

@@ -34,7 +34,7 @@ Scene star_cluster() {
   set_extended_reference(scene, arena, true, 0.005L);
   add_fixed(scene, arena, 0.01);
   add_logarithmic(scene, arena, 0.1);
-  add_collocation(scene, arena, "g=pairs", 2.0, PairRates{});
+  add_collocation(scene, arena, "g=pairs", 2.0, PairRates{}, true);
   add_peers(scene, arena.equations());
   return scene;
 }
