@@ -17,8 +17,9 @@ do for [k=1:3] {
 }
 unset title
 set size noratio
-set border 3; set xtics nomirror out scale 0.6; set ytics nomirror out scale 0.6; set grid; set key bottom left Left reverse
-page_top = 4.2; page_bottom = 1.1
+set border 3; set xtics nomirror out scale 0.6; set ytics nomirror out scale 0.6; set grid
+set key at graph 1.03, 0.95 left top Left reverse noopaque
+page_top = 4.2; page_bottom = 1.1; page_right = 3.6
 eval panel(1, 1, 1, 1)
 set xrange [0:*]; set yrange [1e-15:2]
 eval logy

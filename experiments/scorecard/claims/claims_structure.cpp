@@ -76,12 +76,13 @@ Finding inverse_energy_error(const Results& data) {
     if (table.text(i, "monitor") != "inverse_energy_error") continue;
     ++cases;
     failing += std::isnan(table.number(i, "h"));
-    beyond = table.text(i, "beyond");
+    beyond = table.text(i, "beyond") == "non_finite" ? "not finite" : table.text(i, "beyond");
   }
   return {in_cases(failing, cases),
           fmt::format(
-              "Its bounded form has no usable step at {} of {} eccentricities: the run ends as {}, since the "
-              "monitor is infinite on the solution itself.",
+              "Its bounded form has no usable step at {} of {} eccentricities: the run ends as {}. On the "
+              "solution it tends to a constant and is not differentiable; as printed it is infinity over "
+              "infinity there.",
               failing, cases, beyond)};
 }
 
