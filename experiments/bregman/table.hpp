@@ -22,7 +22,7 @@ int iteration_table(int argc, char** argv, const std::string& name, const std::s
                     const std::vector<Setting>& settings);
 
 /// Calls visit(setting, slow) for the settings of the three tables, with progress; `slow` are Direct ones of
-/// low order. Those take long with a composition, or where `quick` is wanted, and are left out then.
+/// low order, which are left out where `quick` is wanted.
 void each_setting(const Frame& frame, const std::function<void(const Setting&, bool slow)>& visit);
 
 }  // namespace experiment
