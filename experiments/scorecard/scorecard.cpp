@@ -48,13 +48,16 @@ int main(int argc, char** argv) {
   return experiment::run(
       argc, argv, "scorecard", "Compares every number that the paper prints with ours.", options,
       [&](const experiment::Frame& frame) {
-        experiment::Table table =
-            frame.table({"source", "row", "quantity", "published", "reproduced", "verdict", "note", "kind"});
+        experiment::Table table = frame.table(
+            {"source", "row", "quantity", "published", "reproduced", "verdict", "note", "kind", "settings"});
+        table.note("settings",
+                   "recovered: the run has one that is not printed and was found by printed outcomes");
         std::vector<scorecard::Line> all;
         const auto add = [&](const std::string& title, const std::vector<scorecard::Line>& lines) {
           for (const auto& [source, row, quantity, printed, judgement] : lines)
             table.row(source, row, quantity, printed, judgement.reproduced, name(judgement.verdict),
-                      judgement.note, name(scorecard::kind_of(row, quantity)));
+                      judgement.note, name(scorecard::kind_of(row, quantity)),
+                      scorecard::settings_of(judgement));
           fmt::print("{}", scorecard::report(title, lines));
           all.insert(all.end(), lines.begin(), lines.end());
         };
@@ -74,19 +77,21 @@ int main(int argc, char** argv) {
         fmt::print("{}", scorecard::report(claims));
         const auto unruled = std::ranges::count_if(
             claims, [](const auto& claim) { return claim.finding.ruling == scorecard::Ruling::missing; });
-        experiment::Table verdicts({"source", "row", "quantity", "verdict"});
+        experiment::Table verdicts({"source", "row", "quantity", "verdict", "settings"});
         for (const auto& line : all)
-          verdicts.row(line.source, line.row, line.quantity, name(line.judgement.verdict));
+          verdicts.row(line.source, line.row, line.quantity, name(line.judgement.verdict),
+                       scorecard::settings_of(line.judgement));
         for (const auto& c : claims)
-          verdicts.row("text", c.key, "claim", name(c.finding.ruling));
+          verdicts.row("text", c.key, "claim", name(c.finding.ruling), "");
         verdicts.write(frame.output / "scorecard_verdicts.tsv");
         frame.write(ledger, "claims");
         frame.write(table);
         const auto all_of = [&](const char* what, scorecard::Kind kind) {
           return scorecard::summary(what, scorecard::shares(scorecard::of_kind(table, kind), "verdict"));
         };
-        fmt::print("\nAll outcomes - {}\nAll inputs - {}\nAll seconds - {}\nAll claims - {}\n",
-                   all_of("printed outcomes", scorecard::Kind::outcome),
+        fmt::print("\nAll outcomes - {}\n{} of the exact ones follow from printed settings alone.\n"
+                   "All inputs - {}\nAll seconds - {}\nAll claims - {}\n",
+                   all_of("printed outcomes", scorecard::Kind::outcome), scorecard::predicted(table),
                    all_of("printed inputs", scorecard::Kind::input),
                    all_of("printed seconds", scorecard::Kind::seconds),
                    scorecard::summary("claims of the text", scorecard::shares(ledger, "ruling")));

@@ -46,6 +46,14 @@ std::vector<Share> shares(const experiment::Table& table, std::string_view colum
   return found;
 }
 
+std::size_t predicted(const experiment::Table& cells) {
+  const experiment::Table outcomes = of_kind(cells, Kind::outcome);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < outcomes.rows.size(); ++i)
+    count += outcomes.text(i, "verdict") == "exact" && outcomes.text(i, "settings") == "printed";
+  return count;
+}
+
 std::string summary(std::string_view what, const std::vector<Share>& shares) {
   std::size_t all = 0;
   std::string out;

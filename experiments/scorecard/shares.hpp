@@ -34,6 +34,10 @@ experiment::Table of_kind(const experiment::Table& cells, Kind kind);
 /// The values of a table's column in the order of Verdict and Ruling, those that do not occur left out.
 std::vector<Share> shares(const experiment::Table& table, std::string_view column);
 
+/// How many outcomes are exact in runs whose every setting is printed: predictions, where the others judge a
+/// fit.
+std::size_t predicted(const experiment::Table& cells);
+
 /// "227 published numbers: 196 exact (86.3 %), ...".
 std::string summary(std::string_view what, const std::vector<Share>& shares);
 

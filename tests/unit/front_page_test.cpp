@@ -72,6 +72,13 @@ TEST(FrontPage, StatesTheSharesOfTheScorecard) {
   EXPECT_EQ(lines, stated) << "README states shares that the scorecard does not have";
 }
 
+/// A count that agrees after a fit is not sold as a prediction.
+TEST(FrontPage, SaysHowManyOutcomesArePredicted) {
+  const std::string line = fmt::format("Of the exact ones {} follow from the printed settings alone",
+                                       scorecard::predicted(verdicts(false)));
+  EXPECT_NE(readme().find(line), std::string::npos) << "README lacks " << line;
+}
+
 TEST(Kinds, OfThePublishedNumbers) {
   using scorecard::Kind, scorecard::kind_of;
   EXPECT_EQ(kind_of("HTVI4 gamma", "g_min"), Kind::input);

@@ -1,5 +1,6 @@
 #include "scorecard/numbers/printed.hpp"
 #include "scorecard/numbers/sheets.hpp"
+#include "scorecard/shares.hpp"
 
 #include <gtest/gtest.h>
 
@@ -113,6 +114,19 @@ TEST_F(KeplerSheet, DoesNotRoundSettings) {
   Found expected = slips;
   expected["HTVI4 gamma h"] = expected["HTVI4 energy h"] = Verdict::erratum;
   EXPECT_EQ(inexact(), expected);
+}
+
+/// Agreement predicts where the printed settings and the printed construction give the number, too.
+TEST_F(KeplerSheet, TellsWhatRestsOnARecoveredSetting) {
+  at(0, "min_step") = "0.002001";
+  at(0, "steps") = "180";
+  data.write(folder / "kepler_e090.tsv");
+  std::set<std::string> printed;
+  for (const Line& line : judge(scorecard::kepler_sheet("kepler_e090", ""), AVI_PUBLISHED_DIR, folder))
+    if (!line.judgement.recovered && scorecard::kind_of(line.row, line.quantity) == scorecard::Kind::outcome)
+      printed.insert(line.row + ' ' + line.quantity);
+  EXPECT_EQ(printed, (std::set<std::string>{"HTVI4 gamma min_step", "HTVI4 gamma steps", "SV energy_error",
+                                            "SV steps"}));
 }
 
 TEST_F(KeplerSheet, CallsNothingASlipWithoutEvidence) {

@@ -17,6 +17,10 @@ std::string_view name(Verdict verdict) {
   return names.at(static_cast<std::size_t>(verdict));
 }
 
+std::string_view settings_of(const Judgement& judgement) {
+  return judgement.recovered ? "recovered" : "printed";
+}
+
 std::string Cell::elsewhere(std::string_view row, std::string_view quantity) const {
   for (std::size_t i = 0; i < table_->rows.size(); ++i)
     if (table_->text(i, "row") == row && table_->text(i, "quantity") == quantity)
@@ -29,7 +33,7 @@ Judgement compare(const Cell& cell, double ours, std::string note, double tolera
   const Verdict verdict = printed.equals(ours)                   ? Verdict::exact
                           : printed.units_off(ours) <= tolerance ? Verdict::within
                                                                  : Verdict::differs;
-  return {beside(cell.published(), ours), verdict, std::move(note)};
+  return {.reproduced = beside(cell.published(), ours), .verdict = verdict, .note = std::move(note)};
 }
 
 bool same(std::string_view a, std::string_view b) {

@@ -35,7 +35,14 @@ struct Judgement {
   std::string reproduced = "nan";
   Verdict verdict = Verdict::missing;
   std::string note;
+  /// Our run has a setting or a choice of construction that is not printed and was found with printed
+  /// outcomes as the judge: agreement judges that fit, it does not predict. The way of counting is no
+  /// setting.
+  bool recovered = false;
 };
+
+/// "printed" or "recovered": what the settings of a judgement's run are, as data files have it.
+std::string_view settings_of(const Judgement& judgement);
 
 /// One cell of a published table: a line of paper/published/<stem>.tsv.
 class Cell {
