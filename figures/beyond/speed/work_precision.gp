@@ -50,7 +50,7 @@ do for [i=1:panels] {
 }
 eval legend(1)
 unset grid
-eval panel(4, 3, 4, 3)
-set key maxrows 7 samplen 2 spacing 0.8 width 0 font ',7'
+eval box(12.4, 0.2, 3.5, 2.85)
+set key top center maxrows 7 samplen 2 spacing 1.05 width 0 font ',8'
 plot 2 notitle, for [k=1:kinds] keyentry with linespoints lc rgb colour[k] lw 1.3 pt mark[k] ps 0.7 title shown[k]
 unset multiplot

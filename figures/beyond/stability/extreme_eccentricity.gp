@@ -33,7 +33,9 @@ unset key
 set xtics (1, 1e-2, 1e-4, 1e-6, 1e-8)
 eval panel(1, 1, 2, 1)
 set title 'HTVI4, by monitor' offset 0, -0.7
-eval 'plot '.of_monitors.curve('htvi4', 'none', 0, monitor('none')).', '.curve('htvi4', 'r', 0, monitor('norm_squared')).', ' \
+# g = r lies under energy and 1/|L|: a broad band beneath them.
+set style line 99 lc rgb '#e4b4cd' dt 1 lw 7 pt 0
+eval 'plot '.of_monitors.curve('htvi4', 'r', 0, 99).', '.curve('htvi4', 'none', 0, monitor('none')).', ' \
   .curve('htvi4', 'r^1.5', 0, method('htvi')).', '.curve('htvi4', 'r^2', 0, monitor('truncation')).', ' \
   .curve('htvi4', 'arclength', 0, family(2)).', '.curve('htvi4', 'energy', 1, monitor('energy')).', ' \
   .curve('htvi4', 'inverse_lagrangian', 0, monitor('truncation_root'))
@@ -47,9 +49,9 @@ eval 'plot '.guides.curve('stormer_verlet', 'none', 0, method('stormer_verlet'))
 eval legend(1.95)
 set key maxrows 5 samplen 1.8
 plot 2 with linespoints ls monitor('none') title 'HTVI4, fixed step', \
-  2 with linespoints ls monitor('norm_squared') title 'HTVI4, g = r', \
-  2 with linespoints ls method('htvi') title 'HTVI4, g = r^{1.5}', \
-  2 with linespoints ls monitor('truncation') title 'HTVI4, g = r^2', \
+  2 with linespoints ls 99 title 'HTVI4, g = |q|', \
+  2 with linespoints ls method('htvi') title 'HTVI4, g = |q|^{1.5}', \
+  2 with linespoints ls monitor('truncation') title 'HTVI4, g = |q|^2', \
   2 with linespoints ls family(2) title 'HTVI4, arclength', \
   2 with linespoints ls monitor('energy') title 'HTVI4, energy', \
   2 with linespoints ls monitor('truncation_root') title 'HTVI4, 1/|L|', \
@@ -58,6 +60,6 @@ plot 2 with linespoints ls monitor('none') title 'HTVI4, fixed step', \
   2 with linespoints ls method('splitting') title 'Hairer–Söderlind', \
   2 with linespoints ls method('log_hamiltonian') title 'log. Hamiltonian', \
   2 with linespoints ls family(1) title 'collocation, fixed step', \
-  2 with linespoints ls method('collocation') title 'collocation, g = r^{1.5}', \
+  2 with linespoints ls method('collocation') title 'collocation, g = |q|^{1.5}', \
   2 with lines ls guide title 'predicted'
 unset multiplot

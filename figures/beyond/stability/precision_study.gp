@@ -1,12 +1,12 @@
 # What number format and summation are worth, for the leapfrog of the logarithmic Hamiltonian composed to order 10.
 # Left: largest relative energy error up to each number of periods, with compensated and plain sums and by collocation,
 # beside Brouwer's law (square root of the number of steps). Right: position error after 30 periods in four formats.
-width = 16; height = 5.2
+width = 16; height = 6.1
 load 'figures/style.gp'
 growth = data.'/precision_study_growth.tsv'
 formats = data.'/precision_study.tsv'
 set multiplot
-page_left = 1.85; page_bottom = 1.15; gap_x = 1.9; page_top = 0.65
+page_left = 1.85; page_bottom = 2.45; gap_x = 1.9; page_top = 0.65
 unset key
 eval logx
 eval logy
@@ -16,8 +16,8 @@ eval panel(1, 1, 2, 1)
 set title 'energy' offset 0, -0.6
 set xlabel 'periods'
 set ylabel 'relative energy error' offset 0.9, 0
-set yrange [1e-24:1e-9]; set ytics 1e3
-set key inside bottom right samplen 1 spacing 0.95 font ',7' noopaque
+set yrange [1e-16:1e-9]; set ytics 1e2
+set key at graph 0, -0.38 top left Left reverse maxrows 4 samplen 1 spacing 1 width -2 font ',7' noopaque
 plot growth using 'periods':(at('log', 0.9, 'compensated')) with points pt 7 lc rgb blue title 'e = 0.9, compensated', \
   '' using 'periods':(at('log', 0.9, 'plain')) with points pt 6 lc rgb blue title 'e = 0.9, plain', \
   '' using 'periods':(at('log', 0.99, 'compensated')) with points pt 9 lc rgb vermilion title 'e = 0.99, compensated', \
@@ -29,8 +29,8 @@ eval panel(2, 1, 2, 1)
 set title 'order 10, 30 periods, e = 0.9' offset 0, -0.6
 set xlabel 'seconds'
 set ylabel 'position error' offset 1, 0
-set yrange [1e-15:1e12]; set ytics 1e5
-set key inside top right
+set yrange [1e-15:1]; set ytics 1e3
+set key at graph -0.12, -0.38
 plot formats using 'seconds':(kind('float', 'plain')) with points pt 4 lc rgb grey title 'float, plain', \
   '' using 'seconds':(kind('float', 'compensated')) with points pt 5 lc rgb grey title 'float, compensated', \
   '' using 'seconds':(kind('double', 'plain')) with points pt 6 lc rgb green title 'double, plain', \

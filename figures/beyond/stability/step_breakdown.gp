@@ -22,4 +22,4 @@ plot 1 ls guide title 'linear theory', \
   table using (row('oscillator', 'none', -0.2)):(column('h')/limit(0)) with points ls monitor('none') ps 1.3 title 'oscillator', \
   table using (row('henon_heiles', 'none', -0.07)):(column('h')/limit(0)) with points ls monitor('truncation') ps 1.3 title 'Hénon–Heiles, H = 1/12', \
   table using (row('kepler', 'none', 0.07)):(column('h')/limit(0)) with points ls monitor('arclength') ps 1.3 title 'Kepler, fixed step', \
-  table using (row('kepler', 'r^1.5', 0.2)):(column('h')/limit(0)) with points ls monitor('gamma') ps 1.3 title 'Kepler, g = r^{1.5}'
+  table using (row('kepler', 'r^1.5', 0.2)):(column('h')/limit(0)) with points ls monitor('gamma') ps 1.3 title 'Kepler, g = |q|^{1.5}'
