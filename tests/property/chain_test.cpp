@@ -42,11 +42,4 @@ TEST(Chain, IsPluckedInItsLowestMode) {
                 omega * omega * z.q[i], 2e-16);
 }
 
-TEST(Chain, SuppliesTheGradientOfItsEnergy) {
-  const avi::Vector<double, 5> q = plucked().q, p = plucked().p;
-  const Chain chain;
-  EXPECT_LT((chain.d_dq(q, p) - avi::d_dq(avi::Automatic<Chain>{}, q, p)).norm(), 1e-15);
-  EXPECT_LT((chain.d_dp(q, p) - avi::d_dp(avi::Automatic<Chain>{}, q, p)).norm(), 1e-15);
-}
-
 }  // namespace

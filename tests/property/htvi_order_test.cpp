@@ -98,12 +98,6 @@ TEST(Htvi, KnowsItsOrder) {
   EXPECT_EQ((avi::type2<3, avi::authors>(problem, avi::midpoint()).order()), 2);
 }
 
-TEST(EulerB, HasOrderOne) {
-  const auto fit = kepler_order(
-      0.5, 0.01, [&](const State<2>& z) { return avi::euler_b<2>(kepler, z, avi::NormSquared{}); }, 4);
-  EXPECT_NEAR(fit.order, 1.0, 0.15);
-}
-
 // r = 0: with any rule the discrete Hamiltonian is that of adaptive Euler-B, whose closed form must agree.
 TEST(TypeII, WithRZeroIsClosedFormEulerB) {
   for (double h : {0.02, 0.005}) {
@@ -119,16 +113,6 @@ TEST(TypeII, WithRZeroIsClosedFormEulerB) {
     }
     EXPECT_LT(worst, 2e-13) << h;
   }
-}
-
-TEST(EulerB, SaysWhenTheStepIsTooLarge) {
-  auto z = Kepler::pericentre(0.9);
-  const auto before = z;
-  auto method = avi::euler_b<2>(kepler, z, avi::NormSquared{});
-  const auto run = avi::integrate(method, z, 50.0, {.time = 1.0});
-  EXPECT_EQ(run.outcome, avi::Outcome::not_converged);
-  EXPECT_EQ(z.q, before.q);
-  EXPECT_NE(run.message.find("not_converged after 0 steps"), std::string::npos) << run.message;
 }
 
 }  // namespace

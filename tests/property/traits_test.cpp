@@ -82,6 +82,7 @@ TEST(Traits, OfPlainMethods) {
   check("stormer_verlet", verlet, 2);
   check("splitting strang", avi::splitting(separable, avi::compositions::strang), 2);
   check("splitting suzuki4", avi::splitting(separable, avi::compositions::suzuki4), 4);
+  check("splitting kahan_li6", avi::splitting(separable, avi::compositions::kahan_li6), 6);
   check("splitting blanes_moan4", avi::splitting(separable, avi::splittings::blanes_moan4), 4);
   check("splitting blanes_moan6", avi::splitting(separable, avi::splittings::blanes_moan6), 6);
   check("splitting nystrom", avi::splitting(separable, avi::splittings::blanes_moan6_nystrom), 6);
@@ -89,6 +90,7 @@ TEST(Traits, OfPlainMethods) {
         avi::splitting<avi::Summation::compensated>(separable, avi::compositions::kahan_li8), 8);
   check("composition yoshida4", avi::Composition(verlet, avi::compositions::yoshida4), 4);
   check("composition mclachlan6", avi::Composition(verlet, avi::compositions::mclachlan6), 6);
+  check("composition kahan_li8", avi::Composition(verlet, avi::compositions::kahan_li8), 8);
   check("euler_b", avi::euler_b(Kepler{}, start), 1);
 }
 
@@ -104,6 +106,8 @@ TEST(Traits, OfAdaptiveMethods) {
         avi::Composition(avi::HairerSoderlind(verlet, radius), avi::compositions::suzuki4), 4);
   check("hairer_soderlind of order 4",
         avi::HairerSoderlind(avi::splitting(separable, avi::splittings::blanes_moan4), radius), 4);
+  check("hairer_soderlind of order 6",
+        avi::HairerSoderlind(avi::splitting(separable, avi::compositions::kahan_li6), radius), 6);
 }
 
 // One gradient a step: the closing kick's is the next opening kick's.

@@ -126,7 +126,7 @@ TEST_F(Disk, AnInterruptLeavesNoHalfTable) {
   }
 }
 
-constexpr std::size_t rows = 300'000;
+constexpr std::size_t rows = 100'000;
 
 /// A table that takes a while to write.
 experiment::Table large_table() {

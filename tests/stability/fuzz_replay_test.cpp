@@ -1,14 +1,13 @@
 #include "fuzz/options.hpp"
 #include "fuzz/step.hpp"
 #include "fuzz/table.hpp"
+#include "text_of.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <random>
-#include <sstream>
 #include <unistd.h>
 #include <vector>
 
@@ -27,11 +26,8 @@ std::vector<std::string> corpus(const std::string& target) {
     paths.push_back(entry.path());
   std::sort(paths.begin(), paths.end());
   std::vector<std::string> inputs;
-  for (const fs::path& path : paths) {
-    std::ostringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    inputs.push_back(text.str());
-  }
+  for (const fs::path& path : paths)
+    inputs.push_back(text_of(path));
   return inputs;
 }
 

@@ -4,6 +4,7 @@
 #include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/problems/kepler.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -60,13 +61,8 @@ TEST(AtTimes, RefusesTimesOutOfOrder) {
 }
 
 TEST(AtTimes, BlamesTheOrderOfTimesNotTheStart) {
-  const auto sentence = [](double h, double t_end, const std::vector<double>& times) -> std::string {
-    try {
-      (void)output(h, t_end, times);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
+  const auto sentence = [](double h, double t_end, const std::vector<double>& times) {
+    return refusal([&] { (void)output(h, t_end, times); });
   };
   const std::string order = "beyond the one before it", start = "not before the start";
   EXPECT_NE(sentence(0.3, 2.0, {1.5, 0.5}).find(order), std::string::npos);

@@ -1,9 +1,7 @@
 #include "avi/core/event.hpp"
 
 #include "avi/core/integrate_to.hpp"
-#include "avi/integrators/adaptive_verlet.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
-#include "avi/integrators/hairer_soderlind.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/problems/kepler.hpp"
 
@@ -115,25 +113,6 @@ TEST(Event, ToleranceEndsTheSearchEarly) {
     return run.evaluations;
   };
   EXPECT_LT(tries(1e-3), tries(0.0));
-}
-
-TEST(Event, IsFoundInStepsThatDependOnMoreThanTheState) {
-  const avi::PowerOfRadius monitor{1.5};
-  const auto check = [](auto method) {
-    auto z = Kepler::exact(0.5, 1.0);
-    std::vector<double> found;
-    const auto run =
-        avi::integrate(method, z, 0.01, {.time = 26.0}, avi::on_event(Event{radial}, [&](const State<2>& s) {
-                         EXPECT_LT(std::abs(radial(s)), 1e-15);
-                         found.push_back(s.t);
-                       }));
-    EXPECT_EQ(run.outcome, avi::Outcome::ok);
-    ASSERT_EQ(found.size(), 8u);
-    for (std::size_t k = 0; k < found.size(); ++k)
-      EXPECT_NEAR(found[k], M_PI * static_cast<double>(k + 1), 1e-3 * static_cast<double>(k + 1));
-  };
-  check(avi::AdaptiveVerlet(Kepler{}, monitor));
-  check(avi::HairerSoderlind(avi::splitting(avi::Separable(Kepler{}), avi::compositions::strang), monitor));
 }
 
 }  // namespace

@@ -1,12 +1,11 @@
 #include "scorecard/claims/claims.hpp"
 #include "scorecard/shares.hpp"
+#include "text_of.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 // What README says about the reproduction is what the scorecard found (paper/verdicts.tsv, made by `make
 // verdicts`).
@@ -17,13 +16,7 @@ namespace {
 
 const fs::path source = AVI_SOURCE_DIR;
 
-std::string slurp(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
-
-std::string readme() { return slurp(source / "README.md"); }
+std::string readme() { return text_of(source / "README.md"); }
 
 /// Verdicts on numbers, and rulings on claims.
 experiment::Table verdicts(bool claims) {

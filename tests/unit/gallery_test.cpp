@@ -1,12 +1,10 @@
 #include "common/table.hpp"
+#include "text_of.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <unistd.h>
 
 // The documentation's gallery (lib/docs/gallery.sh): every experiment with its figure, caption and command.
@@ -15,26 +13,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string slurp(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
-
 TEST(Gallery, HasEveryFigureWithItsCaptionAndCommand) {
   const fs::path pages = fs::temp_directory_path() / ("avi_gallery_" + std::to_string(::getpid()));
   ASSERT_EQ(std::system(("'" AVI_SOURCE_DIR "/lib/docs/gallery.sh' '" AVI_BUILD_DIR "/experiments.tsv' '" +
                          pages.string() + "'")
                             .c_str()),
             0);
-  const std::string gallery = slurp(pages / "gallery.md");
+  const std::string gallery = text_of(pages / "gallery.md");
   const auto table = experiment::Table::read(AVI_BUILD_DIR "/experiments.tsv");
   EXPECT_GT(table.rows.size(), 25u);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const std::string& name = table.text(i, "name");
     std::string chapter = table.text(i, "chapter");
     std::replace(chapter.begin(), chapter.end(), '/', '_');
-    const std::string page = slurp(pages / (chapter + ".md"));
+    const std::string page = text_of(pages / (chapter + ".md"));
     EXPECT_NE(page.find("{#chapter_" + chapter + "}\n"), std::string::npos) << chapter;
     EXPECT_NE(page.find("\n## " + name + "\n"), std::string::npos) << name << " is not on its chapter's page";
     const auto begin = gallery.find("\n### " + name + "\n");

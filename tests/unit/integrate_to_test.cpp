@@ -1,8 +1,6 @@
 #include "avi/core/integrate_to.hpp"
 
-#include "avi/integrators/adaptive_verlet.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
-#include "avi/integrators/hairer_soderlind.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/problems/kepler.hpp"
 
@@ -87,22 +85,6 @@ TEST(IntegrateTo, CountsTheStepsThatItTried) {
   const auto run = avi::integrate_to(method, z, 0.3, 1.0);
   EXPECT_GE(run.evaluations, 17 * (run.steps + 3));
   EXPECT_LE(run.evaluations, 17 * (run.steps + 12));
-}
-
-TEST(IntegrateTo, RepeatsAStepThatDependsOnMoreThanTheState) {
-  // The density that these carry from step to step is that of the repeated step, too.
-  const avi::PowerOfRadius monitor{1.5};
-  const auto check = [](auto method, double bound) {
-    auto z = Kepler::pericentre(0.5);
-    avi::Outcome outcome = avi::integrate_to(method, z, 0.01, 3.0).outcome;
-    EXPECT_EQ(outcome, avi::Outcome::ok);
-    EXPECT_NEAR(z.t, 3.0, 2e-15);
-    EXPECT_LT((z.q - Kepler::exact(0.5, 3.0).q).norm(), bound);
-  };
-  // Measured 2.8e-4 and 1.9e-4.
-  check(avi::AdaptiveVerlet(Kepler{}, monitor), 6e-4);
-  check(avi::HairerSoderlind(avi::splitting(avi::Separable(Kepler{}), avi::compositions::strang), monitor),
-        2e-4);
 }
 
 }  // namespace

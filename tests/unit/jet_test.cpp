@@ -37,8 +37,10 @@ std::array<double, R + 2> line(double a) {
   return x;
 }
 
-void expect_series(const std::array<double, R + 1>& c, const std::function<double(int)>& exact,
-                   double tolerance) {
+/// The coefficients of f(a + t) are `exact`, to one rounding, or two to four.
+void expect_series(double a, const std::function<Scalar(Scalar)>& f, const std::function<double(int)>& exact,
+                   double tolerance = 1e-15) {
+  const auto c = expand(f, line(a));
   for (int k = 0; k <= R; ++k)
     EXPECT_NEAR(c[k], exact(k), tolerance * std::max(1.0, std::abs(exact(k)))) << "coefficient " << k;
 }
@@ -46,43 +48,34 @@ void expect_series(const std::array<double, R + 1>& c, const std::function<doubl
 double factorial(int k) { return std::tgamma(k + 1.0); }
 
 TEST(Jet, ElementarySeriesAgreeWithTheirClosedForms) {
+  const auto odd = [](int k) { return k % 2 == 1; };
   expect_series(
-      expand([](auto x) { return exp(x); }, line(0.0)), [](int k) { return 1.0 / factorial(k); }, 1e-15);
+      0.0, [](auto x) { return exp(x); }, [](int k) { return 1.0 / factorial(k); });
   expect_series(
-      expand([](auto x) { return sin(x); }, line(0.0)),
-      [](int k) { return std::sin(k * M_PI_2) / factorial(k); }, 1e-15);
+      0.0, [](auto x) { return sin(x); }, [](int k) { return std::sin(k * M_PI_2) / factorial(k); });
   expect_series(
-      expand([](auto x) { return cos(x); }, line(0.0)),
-      [](int k) { return std::cos(k * M_PI_2) / factorial(k); }, 1e-15);
+      0.0, [](auto x) { return cos(x); }, [](int k) { return std::cos(k * M_PI_2) / factorial(k); });
   expect_series(
-      expand([](auto x) { return sinh(x); }, line(0.0)),
-      [](int k) { return k % 2 ? 1.0 / factorial(k) : 0.0; }, 1e-15);
+      0.0, [](auto x) { return sinh(x); }, [&](int k) { return odd(k) ? 1.0 / factorial(k) : 0.0; });
   expect_series(
-      expand([](auto x) { return log(x); }, line(1.0)),
-      [](int k) { return k == 0 ? 0.0 : (k % 2 ? 1.0 : -1.0) / k; }, 1e-15);
+      1.0, [](auto x) { return log(x); }, [&](int k) { return k == 0 ? 0.0 : (odd(k) ? 1.0 : -1.0) / k; });
   expect_series(
-      expand([](auto x) { return atan(x); }, line(0.0)),
-      [](int k) { return k % 2 ? (k % 4 == 1 ? 1.0 : -1.0) / k : 0.0; }, 1e-15);
+      0.0, [](auto x) { return atan(x); },
+      [&](int k) { return odd(k) ? (k % 4 == 1 ? 1.0 : -1.0) / k : 0.0; });
   expect_series(
-      expand([](auto x) { return 1.0 / x; }, line(1.0)), [](int k) { return k % 2 ? -1.0 : 1.0; }, 1e-15);
+      1.0, [](auto x) { return 1.0 / x; }, [&](int k) { return odd(k) ? -1.0 : 1.0; });
+  const auto binomial = [](double power) {
+    return [power](int k) {
+      double c = 1.0;
+      for (int j = 0; j < k; ++j)
+        c *= (power - j) / (j + 1);
+      return c;
+    };
+  };
   expect_series(
-      expand([](auto x) { return pow(x, -1.5); }, line(1.0)),
-      [](int k) {
-        double c = 1.0;
-        for (int j = 0; j < k; ++j)
-          c *= (-1.5 - j) / (j + 1);
-        return c;
-      },
-      4e-15);
+      1.0, [](auto x) { return pow(x, -1.5); }, binomial(-1.5), 4e-15);
   expect_series(
-      expand([](auto x) { return sqrt(x); }, line(1.0)),
-      [](int k) {
-        double c = 1.0;
-        for (int j = 0; j < k; ++j)
-          c *= (0.5 - j) / (j + 1);
-        return c;
-      },
-      4e-15);
+      1.0, [](auto x) { return sqrt(x); }, binomial(0.5), 4e-15);
 }
 
 TEST(Jet, IdentitiesHoldCoefficientByCoefficient) {

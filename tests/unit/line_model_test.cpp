@@ -59,6 +59,8 @@ TEST(LineModel, TheCubicHasTheMinimumBetween) {
   const Cubic phi{0.0, -1.0, 0.0, 1.0 / 3.0};  // slope t^2 - 1, minimum at 1
   EXPECT_NEAR(LineModel(phi(0.0), phi(1.7), 1.7, 0.0).cubic() * 1.7, 1.0, 1e-12);
   EXPECT_EQ(LineModel({0.0, -1.0}, {-1.0, -1.0}, 1.0, 0.0).cubic(), 0.5);  // a straight line
+  EXPECT_EQ(LineModel({0.0, -1.0}, {1000.0, 3000.0}, 1.0, 0.0).cubic(), 0.05) << "0.018, too near";
+  EXPECT_EQ(LineModel({0.0, -1.0}, {-1.0, 0.0}, 1.0, 0.0).cubic(), 0.95) << "1, the trial itself";
 }
 
 TEST(LineModel, GoesFurtherWhereItStillFalls) {

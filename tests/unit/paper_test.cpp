@@ -1,5 +1,6 @@
 #include "generate/latex.hpp"
 #include "generate/numbers.hpp"
+#include "text_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,12 +20,6 @@ namespace {
 
 const fs::path paper_folder = fs::path(AVI_SOURCE_DIR) / "paper";
 
-std::string slurp(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
-
 /// Whether a file of that name lies in some chapter of a folder.
 bool lies_in(const char* folder, const std::string& name) {
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(AVI_SOURCE_DIR) / folder))
@@ -36,7 +31,7 @@ bool lies_in(const char* folder, const std::string& name) {
 std::string sections() {
   std::string text;
   for (const auto& entry : fs::directory_iterator(paper_folder / "sections"))
-    text += slurp(entry.path()) + "\n";
+    text += text_of(entry.path()) + "\n";
   return std::regex_replace(text, std::regex("(^|[^\\\\])%.*"), "$1");
 }
 
@@ -91,7 +86,7 @@ TEST(Paper, EveryNumberHasItsFormulaAndEveryFormulaItsUse) {
   const auto named = column(paper_folder / "numbers.tsv", "name");
   EXPECT_EQ(named.size(), experiment::Table::read(paper_folder / "numbers.tsv").rows.size())
       << "a name occurs twice";
-  const auto used = set_of(found(sections() + slurp(paper_folder / "paper.tex"), R"(\\val\{([^}#]+)\})"));
+  const auto used = set_of(found(sections() + text_of(paper_folder / "paper.tex"), R"(\\val\{([^}#]+)\})"));
   for (const auto& name : used)
     EXPECT_TRUE(named.contains(name) || name == "name") << name << " has no formula";
   for (const auto& name : named)
@@ -112,7 +107,7 @@ TEST(Paper, EveryFigureHasItsScriptAndEveryTableItsMaker) {
 
 /// A reader with only the PDF can name the command for each table and figure (algorithms have none).
 TEST(Paper, EveryCaptionNamesItsCommand) {
-  const std::string makefile = slurp(fs::path(AVI_SOURCE_DIR) / "Makefile");
+  const std::string makefile = text_of(fs::path(AVI_SOURCE_DIR) / "Makefile");
   const auto captions =
       found(std::regex_replace(sections(), std::regex(R"(\\begin\{algorithm\}\[t\]\s*\\caption)"), ""),
             R"((\\caption(?:of\{table\})?\{))");
@@ -136,7 +131,7 @@ TEST(Paper, EveryCaptionNamesItsCommand) {
 
 /// Every reference has a DOI, or pages of a journal where we know none.
 TEST(Paper, EveryReferenceIsCitedAndCanBeFound) {
-  const std::string bib = slurp(paper_folder / "references.bib");
+  const std::string bib = text_of(paper_folder / "references.bib");
   const auto keys = set_of(found(bib, R"(@[a-z]+\{([a-z0-9]+),)"));
   std::set<std::string> cited;
   for (const auto& list : found(sections(), R"(\\cite\{([^}]+)\})"))

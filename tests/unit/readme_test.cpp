@@ -1,28 +1,19 @@
+#include "text_of.hpp"
+
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
-#include <sstream>
-#include <string>
 
 namespace fs = std::filesystem;
 
 namespace {
 
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path);
-  EXPECT_TRUE(file) << path;
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+const fs::path source = AVI_SOURCE_DIR;
 
 // The README shows a program whole, with what it prints: the very file that is compiled, and the output that
 // the test example/orbit compares.
 TEST(Readme, ShowsTheOrbitExampleAsItIs) {
-  const fs::path source = AVI_SOURCE_DIR;
   const std::string readme = text_of(source / "README.md");
   const std::string program = text_of(source / "lib/examples/orbit.cpp");
   const std::string output = text_of(source / "lib/examples/orbit.out");
@@ -34,7 +25,6 @@ TEST(Readme, ShowsTheOrbitExampleAsItIs) {
 }
 
 TEST(Readme, NamesEveryExample) {
-  const fs::path source = AVI_SOURCE_DIR;
   const std::string readme = text_of(source / "README.md");
   int programs = 0;
   for (const auto& entry : fs::directory_iterator(source / "lib/examples")) {
@@ -47,7 +37,6 @@ TEST(Readme, NamesEveryExample) {
 
 // What the pages of the reference documentation name exists in the library.
 TEST(Docs, NameWhatExists) {
-  const fs::path source = AVI_SOURCE_DIR;
   std::set<std::string> words;
   const std::regex word("[A-Za-z_][A-Za-z_0-9]*"), name("avi::([A-Za-z_][A-Za-z_0-9]*)");
   for (const auto& entry : fs::recursive_directory_iterator(source / "lib/avi")) {

@@ -2,6 +2,7 @@
 #include "avi/optim/run_updates.hpp"
 #include "avi/optim/trust_region.hpp"
 #include "avi/problems/correlated_quartic.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,15 +29,6 @@ struct Bowl {
     return now && fault == Fault::value ? nan : 0.5 * avi::dot(x, x);
   }
 };
-
-std::string refusal(const auto& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST(RunUpdates, StopsAtTheFirstPassageAndCounts) {
   // x halves every time: f = 2^-(2k+1), |g| = 2^-k; |f_k - f_(k-1)| = 3 f_k.
