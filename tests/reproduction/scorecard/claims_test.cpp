@@ -127,6 +127,18 @@ TEST_F(ChangedData, ChangesTheRuling) {
             Ruling::holds);
 }
 
+/// Where a claim speaks of cost or efficiency, seconds count beside steps.
+TEST_F(ChangedData, SecondsCountWhereCostIsClaimed) {
+  const auto with_seconds = [&](const char* key, const char* monitor, const char* seconds) {
+    return ruling(key, "monitor_costs", [&](const experiment::Table& table, auto& row) {
+      if (row[table.column("monitor")] == monitor) row[table.column("seconds")] = seconds;
+    });
+  };
+  EXPECT_EQ(with_seconds("gamma_most_efficient", "gamma", "10"), Ruling::fails);
+  EXPECT_EQ(with_seconds("gamma_most_efficient", "gamma", "1e-9"), Ruling::in_part);
+  EXPECT_EQ(with_seconds("arclength_behind", "arclength", "1e-9"), Ruling::in_part);
+}
+
 /// Seconds decide only where the rounds agree.
 TEST_F(ChangedData, RoundsThatDisagreeDecideNothing) {
   const auto slower_truncation = [&](int every) {
