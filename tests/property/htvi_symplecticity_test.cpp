@@ -2,7 +2,6 @@
 #include "avi/diagnostics/symplecticity.hpp"
 #include "avi/htvi/htvi.hpp"
 #include "avi/problems/kepler.hpp"
-#include "avi/transform/euler_b.hpp"
 #include "avi/transform/monitors.hpp"
 
 #include <gtest/gtest.h>
@@ -84,36 +83,6 @@ TEST(TypeIII, IsSymplectic) {
               round_off);
     EXPECT_LT((avi::symplecticity_defect(avi::type3<3>(unmonitored, avi::gauss(2)), z, h)), round_off);
   }
-}
-
-TEST(EulerB, IsSymplectic) {
-  const State<2> z = somewhere();
-  for (double h : {0.02, 0.01}) {
-    EXPECT_LT(avi::symplecticity_defect(avi::euler_b<2>(kepler, z), z, h), round_off);
-    EXPECT_LT(avi::symplecticity_defect(avi::euler_b<2>(kepler, z, avi::NormSquared{}), z, h), round_off);
-  }
-}
-
-/// The Taylor method inside HTVI4 without its symplectic correction: the control that must fail.
-TEST(Control, TaylorMethodIsNotSymplectic) {
-  const State<2> z = somewhere();
-  const auto problem = avi::poincare<2>(kepler, z, avi::bounded(avi::NormSquared{}, 0.01, 8.0));
-  struct Taylor {
-    avi::TaylorExpansion<std::decay_t<decltype(problem)>, 3, avi::Field::full> expansion;
-    avi::StepReport step(State<2>& s, double h) {
-      const auto d = expansion.expand(s.q, s.p, h);
-      for (int i = 0; i < 2; ++i) {
-        s.q[i] += d.q[i].value();
-        s.p[i] += d.p[i].value();
-      }
-      return {};
-    }
-  };
-  const Taylor taylor{{problem, 3}};
-  const double coarse = avi::symplecticity_defect(taylor, z, 0.1),
-               fine = avi::symplecticity_defect(taylor, z, 0.05);
-  EXPECT_GT(coarse, 1e-6);
-  EXPECT_GT(coarse / fine, 8.0) << "a defect that does not grow with h is round-off";
 }
 
 TEST(TypeII, ConservesAngularMomentumToRoundOff) {

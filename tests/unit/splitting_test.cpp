@@ -1,12 +1,10 @@
 #include "avi/core/integrate.hpp"
-#include "avi/diagnostics/drift.hpp"
 #include "avi/diagnostics/order.hpp"
 #include "avi/diagnostics/symplecticity.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/composition.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/integrators/splitting.hpp"
-#include "avi/integrators/stormer_verlet.hpp"
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/n_body.hpp"
@@ -27,39 +25,6 @@ namespace {
 
 const State<2> henon_start = HenonHeiles::on_section(1.0 / 12.0, 0.1, 0.0);
 
-/// Order of a method on Henon-Heiles over T = 8, against the same method with an eighth of the finest step.
-template <class M>
-avi::OrderFit order_on_henon_heiles(const M& method, int coarsest) {
-  const auto end = [&](int steps) {
-    M fresh = method;
-    auto z = henon_start;
-    EXPECT_EQ(avi::integrate(fresh, z, 8.0 / steps, {.steps = steps}).outcome, avi::Outcome::ok);
-    return z;
-  };
-  const auto reference = end(64 * coarsest);
-  std::vector<double> h, error;
-  for (int k = 0; k < 5; ++k) {
-    const auto z = end(coarsest << k);
-    h.push_back(8.0 / (coarsest << k));
-    error.push_back(std::hypot((z.q - reference.q).norm(), (z.p - reference.p).norm()));
-  }
-  return avi::fit_order(h, error, {.floor = 5e-14});
-}
-
-TEST(Splitting, HasTheOrderOfItsCoefficients) {
-  const Separable<HenonHeiles> flows;
-  EXPECT_NEAR(order_on_henon_heiles(avi::splitting(flows, c::strang), 64).order, 2.0, 0.05);
-  EXPECT_NEAR(order_on_henon_heiles(avi::splitting(flows, c::suzuki4), 16).order, 4.0, 0.1);
-  EXPECT_NEAR(order_on_henon_heiles(avi::splitting(flows, avi::splittings::blanes_moan4), 16).order, 4.0,
-              0.1);
-  EXPECT_NEAR(order_on_henon_heiles(avi::splitting(flows, c::kahan_li6), 8).order, 6.0, 0.25);
-  EXPECT_NEAR(order_on_henon_heiles(avi::splitting(flows, avi::splittings::blanes_moan6), 8).order, 6.0,
-              0.25);
-  EXPECT_NEAR(order_on_henon_heiles(avi::splitting(flows, avi::splittings::blanes_moan6_nystrom), 12).order,
-              6.0, 0.25);
-  EXPECT_NEAR(order_on_henon_heiles(avi::splitting(flows, c::kahan_li8), 4).order, 8.0, 0.4);
-}
-
 TEST(Splitting, IsTheCompositionOfItsBaseStep) {
   auto merged = avi::splitting(Separable<HenonHeiles>{}, c::kahan_li6);
   auto base = avi::splitting(Separable<HenonHeiles>{}, c::strang);
@@ -71,24 +36,6 @@ TEST(Splitting, IsTheCompositionOfItsBaseStep) {
   EXPECT_NEAR(z.t, 5.0, 3e-14);
   EXPECT_NEAR(w.t, 5.0, 3e-14);
   EXPECT_EQ(run.evaluations, 450);
-}
-
-TEST(Composition, RaisesTheOrderOfAnySymmetricMethod) {
-  const auto verlet = avi::stormer_verlet<2>(&HenonHeiles::potential_gradient<double>);
-  EXPECT_NEAR(order_on_henon_heiles(avi::Composition(verlet, c::yoshida4), 32).order, 4.0, 0.1);
-  EXPECT_NEAR(order_on_henon_heiles(avi::Composition(verlet, c::kahan_li8), 4).order, 8.0, 0.4);
-}
-
-TEST(Splitting, IsSymplecticAndReversible) {
-  const auto method = avi::splitting(Separable<HenonHeiles>{}, c::kahan_li8);
-  for (double h : {0.5, 0.1}) {
-    EXPECT_LT(avi::symplecticity_defect(method, henon_start, h), 2e-12);
-    auto z = henon_start;
-    auto there = method, back = method;
-    EXPECT_EQ(avi::integrate(there, z, h, {.steps = 100}).outcome, avi::Outcome::ok);
-    EXPECT_EQ(avi::integrate(back, z, -h, {.steps = 100}).outcome, avi::Outcome::ok);
-    EXPECT_LT((z.q - henon_start.q).norm() + (z.p - henon_start.p).norm(), 1e-13);
-  }
 }
 
 /// The leapfrog as a map of extended phase space (q, t, p, p^t).
