@@ -8,6 +8,7 @@ is not touched: the changed header lies in a folder of its own that the compiler
 are tried at a time as there are processors.
 """
 import argparse
+import functools
 import os
 import random
 import re
@@ -22,8 +23,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 LIB, BUILD = ROOT / "lib", ROOT / "build" / "mutants"
 EIGEN = "/usr/include/eigen3"
-FLAGS = ["-std=c++20", "-O1", "-ffp-contract=off", "-w", "-Wno-psabi", f"-I{LIB}", f"-I{ROOT / 'tests'}",
-         f"-I{ROOT / 'experiments'}", "-isystem", EIGEN] + [f'-DAVI_{name}="{value}"' for name, value in
+FLAGS = ["-std=c++20", "-ffp-contract=off", "--param=ggc-min-heapsize=1000000", "-w", "-Wno-psabi", f"-I{LIB}",
+         f"-I{ROOT / 'tests'}", f"-I{ROOT / 'experiments'}", "-isystem", EIGEN] + [f'-DAVI_{name}="{value}"' for name, value in
                                {"SOURCE_DIR": ROOT, "CHECK_DIR": BUILD, "BUILD_DIR": BUILD, "BIN_DIR": BUILD,
                                 "PUBLISHED_DIR": ROOT / "paper" / "published"}.items()]
 
@@ -84,56 +85,68 @@ def run(command, patience):
         return "timeout"
 
 
+@functools.cache
+def included(file):
+    """The files of this repository that a file includes."""
+    names = re.findall(r'^#include "(.*)"', file.read_text(), re.MULTILINE)
+    return [folder / name for name in names for folder in (LIB, ROOT / "tests", ROOT / "experiments")
+            if (folder / name).exists()]
+
+
 class Tests:
     """The unit and property tests, and what each includes. Those that link more than the library are left out."""
 
     def __init__(self, compiler):
-        self.compiler, self.headers, self.turn = compiler, {}, threading.Lock()
-        BUILD.mkdir(parents=True, exist_ok=True)
-        common = BUILD / "common.hpp"  # precompiled: half of the time of a small test
-        common.write_text("".join(f"#include <{name}>\n" for name in COMMON))
-        subprocess.run(compiler[-1:] + FLAGS + ["-x", "c++-header", str(common), "-o", f"{common}.gch"], check=True)
-        for source in sorted(ROOT.glob("tests/unit/*_test.cpp")) + sorted(ROOT.glob("tests/property/*_test.cpp")):
-            if source.stem == "optimiser_cost_test":
-                continue  # it compares times
-            listing = subprocess.run(compiler[-1:] + FLAGS + ["-MM", str(source)], capture_output=True, text=True)
-            if listing.returncode == 0:
-                headers = {Path(word).resolve() for word in listing.stdout.replace("\\\n", " ").split()[1:]}
-                self.headers[source] = headers
+        self.compiler, self.turn = compiler, threading.Lock()
+        for level in ("-O0", "-O1"):  # precompiled: half of the time of a small test
+            common = BUILD / level / "common.hpp"
+            common.parent.mkdir(parents=True, exist_ok=True)
+            common.write_text("".join(f"#include <{name}>\n" for name in COMMON))
+            run(compiler + FLAGS + [level, "-x", "c++-header", str(common), "-o", f"{common}.gch"], 600)
+        cmake = (ROOT / "tests/CMakeLists.txt").read_text()  # which says what is optimised, and what links more
+        self.slow = set(re.search(r"set\(slow_tests ([^)]*)\)", cmake).group(1).split())
+        more = set(re.findall(r"a_test\(LABEL \w+ NAME (\w+) LINKS (?!GSL)", cmake))
+        self.tests = {source: self.steps_from(source)
+                      for source in sorted(ROOT.glob("tests/unit/*_test.cpp")) + sorted(ROOT.glob("tests/property/*_test.cpp"))
+                      if source.stem.removesuffix("_test") not in more}
 
-    def distance(self, test, header):
-        """How many includes lead from a test to a header."""
-        seen, level, steps = {test}, {test}, 0
-        while level and header not in seen:
-            steps += 1
-            level = {LIB / name for file in level
-                     for name in re.findall(r'#include [<"](avi/.*)[>"]', file.read_text())} - seen
-            seen |= level
+    def steps_from(self, test):
+        """Every file that a test includes, and how many includes lead to it."""
+        steps, level, count = {test: 0}, {test}, 0
+        while level:
+            count += 1
+            level = {file for above in level for file in included(above)} - steps.keys()
+            steps |= dict.fromkeys(level, count)
         return steps
 
     def of(self, header, name):
         """Those that include the header: its own first, then those that speak of `name`, then the nearest and smallest."""
-        mine = [test for test, headers in self.headers.items() if header in headers]
+        mine = [test for test, steps in self.tests.items() if header in steps]
         return sorted(mine, key=lambda test: (test.stem != header.stem + "_test",
                                               name is None or not re.search(rf"\b{name}\b", test.read_text()),
-                                              self.distance(test, header), len(self.headers[test])))
+                                              self.tests[test][header], len(self.tests[test])))
 
     def fails(self, test, folder, overlay=()):
         """Compiles a test in `folder`, with what the overlay changes, and runs it. None where it does not compile."""
-        program = folder / test.stem
-        command = self.compiler + [*overlay, *FLAGS, "-include", str(BUILD / "common.hpp"), str(test), "-o", str(program),
-                                   "-lgtest_main", "-lgtest", "-lgsl", "-lgslcblas"]
+        program, level = folder / test.stem, "-O1" if test.stem.removesuffix("_test") in self.slow else "-O0"
+        command = self.compiler + [*overlay, *FLAGS, level, "-include", str(BUILD / level / "common.hpp"), str(test),
+                                   "-o", str(program), "-lgtest_main", "-lgtest", "-lgsl", "-lgslcblas"]
         if run(command, 1800) != 0:
             return None
         return run([str(program), "--gtest_fail_fast"], 120) != 0
 
     def passes_unchanged(self, test):
         """Whether the test passes with the library as it is; found out once for each state of its headers."""
-        passed, newest = BUILD / f"{test.stem}.passed", max(file.stat().st_mtime for file in self.headers[test])
+        passed, newest = BUILD / f"{test.stem}.passed", max(file.stat().st_mtime for file in self.tests[test])
         with self.turn:
             if not passed.exists() or passed.stat().st_mtime < newest:
                 passed.unlink(missing_ok=True)
-                if self.fails(test, BUILD) is False:
+                built = ROOT / "build/release/bin" / test.stem
+                if built.exists() and built.stat().st_mtime > newest:
+                    fails = run([str(built), "--gtest_fail_fast"], 120) != 0
+                else:
+                    fails = self.fails(test, BUILD)
+                if fails is False:
                     passed.touch()
             return passed.exists()
 
