@@ -1,5 +1,7 @@
 #include "beyond/speed/automatic_monitors/promises.hpp"
 
+#include "beyond/speed/automatic_monitors/drift_verdict.hpp"
+
 #include "avi/automatic/solution.hpp"
 #include "avi/diagnostics/drift.hpp"
 
@@ -7,7 +9,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <span>
 
 namespace experiment {
 
@@ -37,7 +38,6 @@ void measure_tolerances(const Frame& frame, const std::vector<Scene>& scenes) {
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 using State = avi::State<avi::dynamic>;
 
 /// How two orbits part that start side by side.
@@ -70,9 +70,8 @@ Parting parting(const Scene& scene, const avi::MonitorChoice& choice) {
 }
 
 /// The energy error of a long run at its steps.
-struct Series {
+struct Series : ErrorSeries {
   avi::Run run;
-  std::vector<double> times, errors;
   double worst_first = 0.0, worst_last = 0.0;  ///< In the first and the last tenth.
   double rounding = 0.0;  ///< Half a unit in the last place of the largest kinetic energy, for each step.
 };
@@ -122,27 +121,20 @@ void measure_drift(const Frame& frame, const std::vector<Scene>& scenes, int rep
     for (const double error : series.errors)
       worst = std::max(worst, std::abs(error));
     const Parting parted = arrived ? parting(scene, choice) : Parting();
-    avi::DriftFit again{.slope = unknown, .standard_error = 1.0, .t_statistic = unknown};
+    DriftVerdict verdict;
     if (parted.regular()) {
       const double change = std::abs(fit.slope * end);
       ++regular;
-      bool none = std::abs(avi::corrected_t(fit)) < 3.0 || change < series.rounding;
-      if (!none) {  // a drift goes on, a slow swing does not: the same time again
-        ++twice;
-        const Series longer = follow(scene, choice, 2.0 * end);
-        const auto half = std::lower_bound(longer.times.begin(), longer.times.end(), end);
-        const auto from = static_cast<std::size_t>(half - longer.times.begin());
-        again =
-            avi::fit_drift(std::span(longer.times).subspan(from), std::span(longer.errors).subspan(from), 20);
-        none = std::abs(avi::corrected_t(again)) < 3.0;
-      }
-      still += none;
+      verdict = judge_drift(fit, end, series.rounding, [&] { return follow(scene, choice, 2.0 * end); });
+      twice += verdict.twice;
+      still += verdict.none;
       small += change < 0.02 * worst;
     }
     table.row(scene.name, scene.held_out ? 1 : 0, repeats, choice.name,
               std::string(avi::name(series.run.outcome)), worst, fit.slope * end, fit.t_statistic,
               fit.correlation, avi::corrected_t(fit), parted.growth, parted.distance, series.rounding,
-              series.worst_first, series.worst_last, again.slope * end, avi::corrected_t(again));
+              series.worst_first, series.worst_last, verdict.again.slope * end,
+              avi::corrected_t(verdict.again));
   }
   fmt::print(
       "{} of {} problems regular; no drift (slope within three of its standard errors, correlation "
