@@ -17,7 +17,8 @@ if [ $# = 0 ]; then
   done
 fi
 
-# tables CONFIGURATION: builds, runs, prints what was found, each line under the name of its table
+# tables CONFIGURATION: builds, runs, prints what was found, each line under the name of its table. Says itself where it
+# fails: the shell heeds no -e in a function before ||.
 tables() {
   machine=${1##*-} rest=${1%-*} flags= march=-march=native
   case ${rest##*-}-$machine in
@@ -27,18 +28,19 @@ tables() {
   *) echo "levels.sh: configuration is '$1'; it must be like g++-O2-native or clang++-14-O0-portable." >&2; exit 2 ;;
   esac
   build=build/levels/$1
+  # At -O0 a source with a level of its own cannot read headers precompiled without.
   cmake --preset $preset -B "$build" -DCMAKE_CXX_COMPILER="${rest%-*}" -DAVI_TESTS=OFF -DAVI_BENCHMARKS=OFF \
-    -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_CXX_FLAGS_RELEASE="-${rest##*-} -DNDEBUG" >&2
-  cmake --build "$build" --target $stems >&2
+    -DAVI_PRECOMPILE=OFF -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_CXX_FLAGS_RELEASE="-${rest##*-} -DNDEBUG" >&2 || return
+  cmake --build "$build" --target $stems >&2 || return
   for stem in $stems; do
-    "$build/bin/$stem" --quick --output "$build/data"
+    "$build/bin/$stem" --quick --output "$build/data" || return
     awk -F'\t' -v stem="$stem" '/^#/ { next } !columns { columns = NF; for (i = 1; i <= NF; ++i) skip[i] = $i ~ /seconds/; next }
       { line = stem; for (i = 1; i <= NF; ++i) if (!skip[i]) line = line "\t" $i; print line }' "$build/data/$stem.tsv"
   done
   # Written in hexadecimal: equal or not.
   "${rest%-*}" -std=c++20 -w "-${rest##*-}" $march $flags \
     -ffp-contract=off -fno-math-errno -Ilib -isystem /usr/include/eigen3 tests/levels/collocation_bits.cpp \
-    -o "$build/bin/collocation_bits" >&2
+    -o "$build/bin/collocation_bits" >&2 || return
   "$build/bin/collocation_bits"
 }
 
