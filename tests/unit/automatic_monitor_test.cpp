@@ -3,6 +3,7 @@
 #include "avi/automatic/automatic_monitor.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/n_body.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -153,20 +154,16 @@ TEST(AutomaticMonitor, StartsWhereTheCurvatureVanishes) {
 }
 
 TEST(AutomaticMonitor, SaysWhyThereIsNone) {
-  const auto refusal = [](const auto& hamiltonian, const auto& start) {
-    try {
-      automatic_monitor(hamiltonian, start);
-    } catch (const std::invalid_argument& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+  const auto expect = [](const auto& hamiltonian, const auto& start, const char* reason) {
+    const std::string said = refusal([&] { automatic_monitor(hamiltonian, start); });
+    EXPECT_NE(said.find(reason), std::string::npos) << said;
   };
-  EXPECT_NE(refusal(Free(), at(0.0, 1.0)).find("no time scale"), std::string::npos);
-  EXPECT_NE(refusal(Quartic(), at(0.0, 0.0)).find("no time scale"), std::string::npos);
+  expect(Free(), at(0.0, 1.0), "no time scale");
+  expect(Quartic(), at(0.0, 0.0), "no time scale");
   State<2> z = Kepler::pericentre(0.5);
-  EXPECT_NE(refusal(Light(), z).find("not positive definite"), std::string::npos);
+  expect(Light(), z, "not positive definite");
   z.q.setZero();
-  EXPECT_NE(refusal(Kepler(), z).find("not finite"), std::string::npos);
+  expect(Kepler(), z, "not finite");
 }
 
 }  // namespace

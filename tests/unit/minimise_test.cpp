@@ -1,5 +1,6 @@
 #include "avi/optim/minimise.hpp"
 #include "avi/problems/correlated_quartic.hpp"
+#include "refusal.hpp"
 #include "unit/objectives.hpp"
 
 #include <gtest/gtest.h>
@@ -156,23 +157,18 @@ TEST(Minimise, WithoutATolerance) {
 }
 
 TEST(Minimise, RefusesBadInputWithASentence) {
-  const auto refusal = [](const VectorX& x0, const MinimiseOptions& options) -> std::string {
-    try {
-      (void)minimise(bowl, x0, options);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
+  const auto refused = [](const VectorX& x0, const MinimiseOptions& options) {
+    return refusal([&] { (void)minimise(bowl, x0, options); });
   };
   const VectorX one = VectorX::Ones(1);
   const double nan = std::nan("");
-  EXPECT_EQ(refusal(VectorX(), {}), "Size of x0 is 0; it must be at least 1.");
-  EXPECT_EQ(refusal(VectorX::Constant(1, nan), {}), "Largest entry of x0 is nan; it must be finite.");
-  EXPECT_EQ(refusal(one, {.relative = 1.0}), "Relative tolerance is 1; it must be in [0, 1).");
-  EXPECT_EQ(refusal(one, {.absolute = -1.0}), "Absolute tolerance is -1; it must be finite and at least 0.");
-  EXPECT_EQ(refusal(one, {.change = nan}), "Bound on the change of f is nan; it must be positive.");
-  EXPECT_EQ(refusal(one, {.memory = -1}), "Memory m is -1; it must be between 0 and 1000.");
-  EXPECT_EQ(refusal(one, {.evaluations = 0}), "Cap on evaluations is 0; it must be at least 1.");
+  EXPECT_EQ(refused(VectorX(), {}), "Size of x0 is 0; it must be at least 1.");
+  EXPECT_EQ(refused(VectorX::Constant(1, nan), {}), "Largest entry of x0 is nan; it must be finite.");
+  EXPECT_EQ(refused(one, {.relative = 1.0}), "Relative tolerance is 1; it must be in [0, 1).");
+  EXPECT_EQ(refused(one, {.absolute = -1.0}), "Absolute tolerance is -1; it must be finite and at least 0.");
+  EXPECT_EQ(refused(one, {.change = nan}), "Bound on the change of f is nan; it must be positive.");
+  EXPECT_EQ(refused(one, {.memory = -1}), "Memory m is -1; it must be between 0 and 1000.");
+  EXPECT_EQ(refused(one, {.evaluations = 0}), "Cap on evaluations is 0; it must be at least 1.");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
 #include "avi/transform/time_dependent.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -74,14 +75,6 @@ TEST(Poincare, RefusesWhatIsNotFinite) {
 }
 
 TEST(Poincare, RefusesASizeThatIsNotTheDimension) {
-  const auto refusal = [](auto make) -> std::string {
-    try {
-      make();
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "accepted";
-  };
   const auto free = [](const auto&, const auto& p) { return 0.5 * (p[0] * p[0]); };
   using H = decltype(free);
   EXPECT_EQ(refusal([&] { avi::Poincare<2, H>(free, {}, 0.0, 3); }),
