@@ -2,10 +2,10 @@
 #include "avi/core/integrate_to.hpp"
 #include "avi/htvi/htvi.hpp"
 #include "avi/problems/kepler.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -32,15 +32,6 @@ const auto start = Kepler::pericentre(0.5);
 auto method(int order = 3, Quadrature rule = gauss(2), SolverSettings solver = {}, double c = 1.0) {
   return htvi_of_order<Generating::type2>(order, poincare<2>(Kepler{}, start, Scaled{c}), std::move(rule),
                                           solver);
-}
-
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "taken";
 }
 
 TEST(BadHtvi, Arguments) {

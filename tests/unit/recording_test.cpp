@@ -148,6 +148,21 @@ TEST(Recording, OfAConstantHasNoSlope) {
   EXPECT_EQ(program.slope(room, 1), 0.0);
 }
 
+TEST(Recording, TakesASuppliedGradientWhereTheFunctionIsUsed) {
+  const auto h = [](const auto& x) { return x[0] * x[1]; };
+  const auto not_its_own = [](const auto&) { return Vector<Recorded, dynamic>{{7.0, 5.0}}; };
+  const auto expect = [&](const auto& f, double first, double second) {
+    const Program program = Recording(f, h, not_its_own, 2).gradient();
+    Program::Room<double> room(program);
+    room.arguments()[0] = 3.0, room.arguments()[1] = 4.0;
+    program.run(room);
+    EXPECT_EQ(program.slope(room, 0), first);
+    EXPECT_EQ(program.slope(room, 1), second);
+  };
+  expect([](const auto& x, const auto& value) { return x[0] + 2.0 * value; }, 1.0 + 2.0 * 7.0, 2.0 * 5.0);
+  expect([](const auto& x, const auto&) { return x[0] * x[0]; }, 6.0, 0.0);
+}
+
 TEST(Recording, RefusesWhatItCannotServe) {
   const auto first = [](const auto& x) -> Recorded { return x[0]; };
   EXPECT_EQ(refusal([&] { Recording(first, 0); }),
