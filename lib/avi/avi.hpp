@@ -25,6 +25,7 @@
 #include "avi/automatic/choose_monitor.hpp"
 #include "avi/automatic/curvature.hpp"
 #include "avi/automatic/monomial.hpp"
+#include "avi/automatic/orbit.hpp"
 #include "avi/automatic/phase_function.hpp"
 #include "avi/automatic/pilot.hpp"
 #include "avi/automatic/solution.hpp"

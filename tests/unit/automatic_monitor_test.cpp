@@ -76,7 +76,7 @@ TEST(AutomaticMonitor, IsThePowerOfTheRadiusOnKepler) {
   for (const double e : {0.0, 0.5, 0.9, 0.999}) {
     const State<2> start = Kepler::pericentre(e);
     const avi::PhaseFunction g = automatic_monitor(Kepler(), start);
-    const double low = avi::detail::Monitors(Kepler(), start).tour().frequency / 8.0;
+    const double low = avi::detail::Monitors({Kepler(), start}).tour().frequency / 8.0;
     for (const double r : {1.0 - e, 0.5, 1.0, 1.0 + e}) {
       const avi::Vector<double, 2> q{0.6 * r, -0.8 * r};
       // V'' has the eigenvalues 2 / r^3 and -1 / r^3.
@@ -112,7 +112,7 @@ TEST(AutomaticMonitor, SumsPairsOfBodies) {
 
 TEST(AutomaticMonitor, StaysBetweenItsBounds) {
   const State<1> start = at(3.0, 0.0);
-  avi::detail::Monitors monitors(LennardJones(), start);
+  avi::detail::Monitors monitors({LennardJones(), start});
   const avi::PhaseFunction g = automatic_monitor(LennardJones(), start);
   for (double q = 0.95; q < 20.0; q *= 1.001) {
     const double here = g(at(q, 0.0).q, start.p);

@@ -12,14 +12,13 @@ using avi::detail::Curvature;
 using avi::detail::Tour;
 
 /// The tour of H from (q, p), and monitors in its graph.
-template <class H>
 struct Toured {
-  State<1> start;
-  Curvature curvature;
-  Tour tour;
+  avi::detail::Orbit orbit;
+  Curvature curvature{orbit};
+  Tour tour{orbit, curvature};
+  template <class H>
   Toured(const H& h, double q, double p)
-      : start{.q = avi::Vector<double, 1>(q), .p = avi::Vector<double, 1>(p)}, curvature(h, start),
-        tour(h, curvature, start) {}
+      : orbit(h, State<1>{.q = avi::Vector<double, 1>(q), .p = avi::Vector<double, 1>(p)}) {}
   template <class G>
   [[nodiscard]] static PhaseFunction monitor(const G& g) {
     avi::ExpressionGraph graph(2);

@@ -42,6 +42,17 @@ class ExpressionGraph {
     return is_constant(node) && nodes_[node].number == number;
   }
 
+  /// For every node up to this one, whether it is a part of its formula, as the node itself is.
+  [[nodiscard]] std::vector<char> parts(int node) const {
+    std::vector<char> part(static_cast<std::size_t>(node) + 1, 0);
+    part[node] = 1;
+    for (int i = node; i >= 0; --i)
+      if (part[i] && nodes_[i].operation != Operation::input)
+        for (const int operand : {nodes_[i].a, nodes_[i].b})
+          if (operand >= 0) part[operand] = 1;
+    return part;
+  }
+
   /// The node of a number.
   int constant(double number) { return find({.operation = Operation::constant, .number = number}); }
 

@@ -1,6 +1,5 @@
 #pragma once
 #include "avi/automatic/tour.hpp"
-#include "avi/core/require.hpp"
 
 #include <stdexcept>
 #include <string>
@@ -15,10 +14,9 @@ namespace detail {
 /// The candidate monitors of H as formulas of (q, p); their constants come from a tour along the orbit.
 class Monitors {
  public:
-  /// For the orbit of H through `start`.
-  template <class H, int n>
-  Monitors(const H& hamiltonian, const State<n>& start)
-      : curvature_(hamiltonian, start), tour_(checked(curvature_, hamiltonian, start)) {}
+  /// For this orbit. @throws std::invalid_argument where it has no time scale, or speeds have no measure
+  explicit Monitors(const Orbit& orbit)
+      : energy_at_start_(orbit.energy_at_start()), curvature_(orbit), tour_(checked(curvature_, orbit)) {}
 
   /// A monitor with its name, and H times it: what a method has to work through.
   struct Entry {
@@ -43,7 +41,7 @@ class Monitors {
   Entry energy(const std::string& name, double exponent) {
     const int half = curvature_.scaled(0.5, curvature_.energy);
     const int moving = curvature_.graph.binary(Operation::subtract, half, curvature_.energy_at_rest());
-    const int lively = plus(moving, 0.5 * curvature_.energy_at_start() + tour_.kinetic);
+    const int lively = plus(moving, 0.5 * energy_at_start_ + tour_.kinetic);
     return entry(name, power(lively, -exponent));
   }
   /// 1, no monitor.
@@ -51,15 +49,12 @@ class Monitors {
   [[nodiscard]] const Tour& tour() const { return tour_; }  ///< The scales.
 
  private:
-  template <class H, int n>
-  static Tour checked(Curvature& curvature, const H& hamiltonian, const State<n>& start) {
-    if (!start.finite() || !std::isfinite(static_cast<double>(hamiltonian(start.q, start.p))))
-      throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
+  static Tour checked(Curvature& curvature, const Orbit& orbit) {
     if (!curvature.has_metric())
       throw std::invalid_argument(
           "The second derivatives of H with respect to p are not positive definite at the start, so "
           "that speeds have no measure; give a monitor of your own, or none.");
-    Tour tour(hamiltonian, curvature, start);
+    Tour tour(orbit, curvature);
     if (!(tour.frequency > 0.0))
       throw std::invalid_argument(
           "The second derivatives of H with respect to q are zero or not finite along the orbit, so "
@@ -72,10 +67,11 @@ class Monitors {
   Entry entry(const std::string& name, int g) {
     return {name,
             {curvature_.graph, g},
-            {curvature_.graph, curvature_.times(g, plus(curvature_.energy, -curvature_.energy_at_start()))}};
+            {curvature_.graph, curvature_.times(g, plus(curvature_.energy, -energy_at_start_))}};
   }
   int smooth(double share) { return plus(tour_.n0, std::pow(share * tour_.frequency, 4)); }
 
+  double energy_at_start_;
   Curvature curvature_;
   Tour tour_;
 };
@@ -96,8 +92,7 @@ class Monitors {
 /// there, or \f$n_0\f$ zero or not finite all along the orbit.
 template <class H, int n>
 PhaseFunction automatic_monitor(const H& hamiltonian, const State<n>& start) {
-  require_dimension(start);
-  return detail::Monitors(hamiltonian, start).curvature().monitor;
+  return detail::Monitors({hamiltonian, start}).curvature().monitor;
 }
 
 }  // namespace avi

@@ -24,16 +24,15 @@ struct Trial {
 /// A monitor with the step that goes with it. From here on both are fixed, and a method is the symplectic map
 /// that it would be with a monitor made by hand.
 struct MonitorChoice {
-  std::string name;       ///< In the menu: see choose_monitor().
-  PhaseFunction monitor;  ///< g.
-  int order = 0;          ///< Of the collocation method that it was chosen for.
-  double h = 0.0;         ///< Fictive step for the energy error asked for.
-  bool reached = false;   ///< A trial met the energy error asked for.
-  double energy_scale =
-      1.0;            ///< Energy errors are relative to it: mean kinetic energy, see choose_monitor().
-  double time = 0.0;  ///< Physical time of a trial.
-  long sweeps = 0;    ///< Evaluations of all stages in all trials, what the pilot cost.
-  double work = 0.0;  ///< The same in additions, the rough tour along the orbit included.
+  std::string name;           ///< In the menu: see choose_monitor().
+  PhaseFunction monitor;      ///< g.
+  int order = 0;              ///< Of the collocation method that it was chosen for.
+  double h = 0.0;             ///< Fictive step for the energy error asked for.
+  bool reached = false;       ///< A trial met the energy error asked for.
+  double energy_scale = 1.0;  ///< What energy errors are relative to, see choose_monitor().
+  double time = 0.0;          ///< Physical time of a trial.
+  long sweeps = 0;            ///< Evaluations of all stages in all trials, what the pilot cost.
+  double work = 0.0;          ///< The same in additions, the rough tour along the orbit included.
   std::vector<Trial> trials;  ///< In their order.
   std::string note;           ///< Why the menu was short; empty where it was not.
 

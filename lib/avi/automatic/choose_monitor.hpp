@@ -19,25 +19,19 @@ struct MonitorTarget {
 
 namespace detail {
 
-/// H as a formula, its scales, and the menu.
+/// An orbit, its scales, and the menu.
 class Menu {
  public:
-  using Point = State<dynamic>;   ///< Of any dimension.
   using Entry = Monitors::Entry;  ///< A monitor of the menu.
 
-  /// For the orbit of H through `start`.
-  template <class H, int n>
-  Menu(const H& hamiltonian, const State<n>& start)
-      : start_((require_dimension(start), Point{.q = start.q, .p = start.p, .t = start.t})),
-        energy_(phase_function<n>(hamiltonian, start.q.size())) {
-    if (!start_.finite() || !std::isfinite(energy_(start_.q, start_.p)))
-      throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
+  /// For this orbit.
+  explicit Menu(const Orbit& of) : orbit(of) {
     try {
-      monitors_.emplace(hamiltonian, start);
+      monitors_.emplace(orbit);
     } catch (const std::invalid_argument& reason) {
       note_ = reason.what();
-      ExpressionGraph graph(2 * static_cast<int>(start_.q.size()));
-      entries_.push_back({"fixed", {graph, graph.constant(1.0)}, energy_});
+      ExpressionGraph graph(2 * static_cast<int>(orbit.start.q.size()));
+      entries_.push_back({"fixed", {graph, graph.constant(1.0)}, orbit.energy});
       return;
     }
     Monitors& make = *monitors_;
@@ -46,18 +40,14 @@ class Menu {
         make.curvature(), make.energy("energy^0.5", 0.5), make.gentle()};
   }
 
-  [[nodiscard]] const Point& start() const { return start_; }            ///< Of the orbit.
-  [[nodiscard]] const PhaseFunction& energy() const { return energy_; }  ///< H.
-  [[nodiscard]] const std::vector<Entry>& entries() const {
-    return entries_;
-  }                                                                ///< The monitors, fixed first.
+  Orbit orbit;  ///< With H as a formula.
+  /// The monitors, fixed first.
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
   [[nodiscard]] const std::string& note() const { return note_; }  ///< Why there is only one, or empty.
   /// The scales of the orbit, where there are any.
   [[nodiscard]] const Tour* tour() const { return monitors_ ? &monitors_->tour() : nullptr; }
 
  private:
-  Point start_;
-  PhaseFunction energy_;
   std::optional<Monitors> monitors_;
   std::vector<Entry> entries_;
   std::string note_;
@@ -77,11 +67,11 @@ inline constexpr double pilot_angle = 10.0;
 /// promises the least product of work and steps, until the step of that one is found.
 inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
   const Tour* tour = menu.tour();
-  const double start_energy = menu.energy()(menu.start().q, menu.start().p);
   MonitorChoice choice{.name = "fixed",
                        .monitor = menu.entries().front().monitor,
                        .order = target.order,
-                       .energy_scale = std::max(1e-300, tour ? tour->kinetic : std::abs(start_energy)),
+                       .energy_scale =
+                           std::max(1e-300, tour ? tour->kinetic : std::abs(menu.orbit.energy_at_start())),
                        .time = target.time > 0.0 ? target.time
                                : tour            ? tour->time_of(pilot_angle)
                                                  : 1.0,
@@ -93,8 +83,8 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
       0.4 * radians;  // fewer steps do not resolve the motion, even where the energy error is small
   const long most = static_cast<long>(100.0 * first) + 1000;
   if (tour) choice.work = static_cast<double>(tour->evaluations) * menu.entries().front().transformed.work(1);
-  const Pilot::Setting setting{menu.energy(),       menu.start(),        target.order,
-                               target.energy_error, choice.energy_scale, menu.start().t + choice.time};
+  const Pilot::Setting setting{menu.orbit, target.order, target.energy_error, choice.energy_scale,
+                               menu.orbit.start.t + choice.time};
   struct Candidate {
     const Menu::Entry* entry;
     double sweep;
@@ -103,21 +93,23 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
     /// What its steps would cost if the longest step in n_0^(1/4) decided.
     [[nodiscard]] double outlook() const { return sweep * look.unevenness; }
   };
-  std::vector<Candidate> candidates;
+  std::vector<Candidate> candidates;  // the most promising one first: the others then are given up early
+  double fixed_outlook = 0.0;
   for (const Menu::Entry& entry : menu.entries()) {
-    const bool fixed = candidates.empty();
     Candidate it{&entry, sweep_work(entry.transformed, target.order),
                  tour ? tour->look(entry.monitor) : Tour::Look{.low = 1.0, .high = 1.0}, nullptr};
-    // Not positive on the way, or hardly different from none; or so dear that no steps can make up for it
-    // (measured: steps save at most some six tenths of what they could).
-    if (fixed || (it.look.low > 0.0 && it.look.high > 1.15 * it.look.low &&
-                  it.sweep <= 0.6 * candidates.front().outlook()))
-      candidates.push_back(std::move(it));
+    if (&entry == &menu.entries().front())
+      fixed_outlook = it.outlook();
+    else if (!(it.look.low > 0.0 && it.look.high > 1.15 * it.look.low && it.sweep <= 0.6 * fixed_outlook))
+      // Not positive on the way, or hardly different from none; or so dear that no steps can make up for it
+      // (measured: steps save at most some six tenths of what they could).
+      continue;
+    const auto behind =
+        std::upper_bound(candidates.begin(), candidates.end(), it.outlook(),
+                         [](double outlook, const Candidate& other) { return outlook < other.outlook(); });
+    candidates.insert(behind, std::move(it));
   }
-  // The most promising one first: the others then are given up early. What promises little is not tried,
-  // fixed steps only where all else fails.
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.outlook() < b.outlook(); });
+  // What promises little is not tried, fixed steps only where all else fails.
   const double poor = 12.0 * candidates.front().outlook();
   const Pilot* fixed = nullptr;
   double best = std::numeric_limits<double>::infinity();
@@ -187,7 +179,7 @@ MonitorChoice choose_monitor(const H& hamiltonian, const State<n>& start, const 
           "even and in [2, 16]");
   require(std::isfinite(target.time) && target.time >= 0.0, "Time of the pilot", target.time,
           "finite and not negative");
-  return detail::choose(detail::Menu(hamiltonian, start), target);
+  return detail::choose(detail::Menu({hamiltonian, start}), target);
 }
 
 }  // namespace avi

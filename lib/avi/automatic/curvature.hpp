@@ -2,12 +2,11 @@
 #include "avi/autodiff/recorded.hpp"
 #include "avi/autodiff/reverse.hpp"
 #include "avi/automatic/monomial.hpp"
+#include "avi/automatic/orbit.hpp"
 #include "avi/automatic/terms.hpp"
 #include "avi/core/inverse.hpp"
-#include "avi/core/state.hpp"
 
 #include <map>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -26,20 +25,17 @@ namespace avi::detail {
 /// (with their momenta) leave it as it is. Squares do not cancel where attraction and repulsion do.
 class Curvature {
  public:
-  /// Records H. @param start where the metric is taken
-  template <class H, int n>
-  Curvature(const H& hamiltonian, const State<n>& start)
-      : graph(2 * static_cast<int>(start.q.size())), n_(static_cast<int>(start.q.size())) {
-    Vector<Recorded, n> q(start.q.size()), p(start.q.size());
+  /// Of the orbit's H, with the metric at its start.
+  explicit Curvature(const Orbit& orbit)
+      : graph(2 * static_cast<int>(orbit.start.q.size())), n_(static_cast<int>(orbit.start.q.size())),
+        start_(orbit.start.q.begin(), orbit.start.q.end()) {
+    Vector<Recorded, dynamic> q(n_), p(n_);
     for (int i = 0; i < n_; ++i) {
       q[i] = Recorded(graph, i);
       p[i] = Recorded(graph, n_ + i);
     }
-    const Recorded value = hamiltonian(q, p);
-    energy = value.node_in(graph);
-    start_.assign(start.q.begin(), start.q.end());
-    start_.insert(start_.end(), start.p.begin(), start.p.end());
-    at_start_.emplace(start_);
+    energy = orbit.energy(q, p).node_in(graph);
+    start_.insert(start_.end(), orbit.start.p.begin(), orbit.start.p.end());
     terms_ = Terms::of(graph, energy);
     find_metric();
   }
@@ -48,7 +44,6 @@ class Curvature {
   int energy = -1;        ///< H.
   /// Whether H_pp is symmetric and positive definite at the start, as a metric must be.
   [[nodiscard]] bool has_metric() const { return has_metric_; }
-  [[nodiscard]] std::size_t terms() const { return terms_.size(); }  ///< Of H.
 
   /// n_0. @pre has_metric()
   int squared_frequency_squared() {
@@ -99,15 +94,13 @@ class Curvature {
 
   /// H(q, 0), the energy of a body at rest.
   int energy_at_rest() {
-    std::map<int, int> place;
+    std::vector<int> place(static_cast<std::size_t>(energy) + 1);
     for (int i = 0; i <= energy; ++i)
       place[i] = graph[i].operation != Operation::input ? again(graph[i], graph, place)
                  : i < n_                               ? i
                                                         : graph.constant(0.0);
     return place[energy];
   }
-  /// The energy of the orbit.
-  [[nodiscard]] double energy_at_start() { return (*at_start_)(graph, energy); }
 
   ///@{
 
@@ -132,10 +125,11 @@ class Curvature {
     const int count = static_cast<int>(inputs.size()), value = own.size() - 1;
     const std::vector<int> slope = Reverse(own).gradient(value);
     Sparse entries;
-    std::map<int, int> copies;
+    std::vector<int> copies;
     for (int i = 0; i < count; ++i) {
       if (own.is_constant(slope[i])) continue;
       const std::vector<int> row = Reverse(own).gradient(slope[i]);
+      copies.resize(own.size(), -1);
       for (int j = 0; j <= i; ++j)
         if (!own.is(row[j], 0.0))
           entries[{inputs[i], inputs[j]}] = entries[{inputs[j], inputs[i]}] =
@@ -145,45 +139,31 @@ class Curvature {
   }
 
   ExpressionGraph extract(int node, std::vector<int>& inputs) const {
-    std::map<int, int> place;
-    collect(node, place);
-    for (const auto& [old, unused] : place)
-      if (graph[old].operation == Operation::input) inputs.push_back(graph[old].a);
+    const std::vector<char> part = graph.parts(node);
+    for (int i = 0; i < 2 * n_ && i <= node; ++i)
+      if (part[i]) inputs.push_back(i);
     ExpressionGraph own(static_cast<int>(inputs.size()));
+    std::vector<int> place(part.size());
     int next = 0;
-    for (auto& [old, fresh] : place)
-      fresh = graph[old].operation == Operation::input ? next++ : again(graph[old], own, place);
+    for (int i = 0; i <= node; ++i)
+      if (part[i]) place[i] = graph[i].operation == Operation::input ? next++ : again(graph[i], own, place);
     return own;
   }
-  void collect(int node, std::map<int, int>& place) const {
-    if (!place.try_emplace(node, -1).second) return;
-    const ExpressionGraph::Node& what = graph[node];
-    if (what.operation == Operation::input || what.operation == Operation::constant) return;
-    collect(what.a, place);
-    if (what.b >= 0) collect(what.b, place);
-  }
-  static int again(const ExpressionGraph::Node& what, ExpressionGraph& to, const std::map<int, int>& place) {
+  /// The same operation in another graph, where the operands have these places.
+  static int again(const ExpressionGraph::Node& what, ExpressionGraph& to, const std::vector<int>& place) {
     if (what.operation == Operation::constant) return to.constant(what.number);
-    const int a = place.at(what.a);
+    const int a = place[what.a];
     if (what.b < 0) return to.unary(what.operation, a);
-    const int b = place.at(what.b);
+    const int b = place[what.b];
     return what.operation == Operation::power ? to.power(a, to[b].number) : to.binary(what.operation, a, b);
   }
-  int copy(const ExpressionGraph& from, int node, const std::vector<int>& inputs,
-           std::map<int, int>& copies) {
-    if (const auto known = copies.find(node); known != copies.end()) return known->second;
-    const ExpressionGraph::Node what = from[node];
-    int fresh = -1;
-    if (what.operation == Operation::input) {
-      fresh = inputs[what.a];
-    } else {
-      if (what.operation != Operation::constant) {
-        copy(from, what.a, inputs, copies);
-        if (what.b >= 0) copy(from, what.b, inputs, copies);
-      }
-      fresh = again(what, graph, copies);
-    }
-    return copies[node] = fresh;
+  int copy(const ExpressionGraph& from, int node, const std::vector<int>& inputs, std::vector<int>& copies) {
+    if (copies[node] >= 0) return copies[node];
+    const ExpressionGraph::Node& what = from[node];
+    if (what.operation == Operation::input) return copies[node] = inputs[what.a];
+    if (what.a >= 0) copy(from, what.a, inputs, copies);
+    if (what.b >= 0) copy(from, what.b, inputs, copies);
+    return copies[node] = again(what, graph, copies);
   }
 
   Norms norms(const Terms::Term& term) {
@@ -203,7 +183,7 @@ class Curvature {
 
   /// |H_pp|^2 / n: 1 where the kinetic energy has a constant metric.
   int spread() {
-    std::map<std::pair<int, int>, int> total;
+    Sparse total;
     for (const Terms::Term& term : terms_)
       for (const auto& [ij, a] : hessian(term))
         if (ij.first >= n_ && ij.second >= n_) {
@@ -222,10 +202,11 @@ class Curvature {
   /// K, if H_pp is symmetric and positive definite at the start.
   void find_metric() {
     metric_ = Square::Zero(n_, n_);
+    NodeValues at_start(start_);
     for (const Terms::Term& term : terms_)
       for (const auto& [ij, node] : hessian(term))
         if (ij.first >= n_ && ij.second >= n_)
-          metric_(ij.first - n_, ij.second - n_) += (*at_start_)(graph, node);
+          metric_(ij.first - n_, ij.second - n_) += at_start(graph, node);
     has_metric_ = metric_.allFinite() && positive(metric_);
     if (has_metric_) inverse_ = inverse(metric_);
   }
@@ -242,7 +223,6 @@ class Curvature {
   int n_;
   std::vector<double> start_;
   std::vector<Terms::Term> terms_;
-  std::optional<NodeValues> at_start_;
   Square metric_, inverse_;
   bool has_metric_ = false;
 };

@@ -61,12 +61,7 @@ class Monomial {
   /// `whole`, alone or times the square of `whole`; `formula` itself where there is none.
   int simplified(int formula, int whole) {
     if (graph_.is_constant(formula)) return formula;
-    std::vector<char> part(static_cast<std::size_t>(whole) + 1, 0);
-    part[whole] = 1;
-    for (int i = whole; i >= 0; --i)
-      if (const ExpressionGraph::Node& what = graph_[i]; part[i] && what.operation != Operation::input)
-        for (const int operand : {what.a, what.b})
-          if (operand >= 0) part[operand] = 1;
+    const std::vector<char> part = graph_.parts(whole);
     for (const bool squared : {false, true}) {
       std::optional<Power> best;
       for (int base = 0; base <= whole; ++base)

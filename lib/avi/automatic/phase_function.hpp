@@ -47,15 +47,11 @@ class PhaseFunction {
   using Step = ExpressionGraph::Node;
 
   static std::shared_ptr<const std::vector<Step>> compact(const ExpressionGraph& graph, int node) {
-    std::vector<int> place(static_cast<std::size_t>(node) + 1, 0);  // 0: not needed
-    place[node] = 1;
-    for (int i = node; i >= 0; --i)
-      if (place[i] && has_operands(graph[i]))
-        for (const int operand : {graph[i].a, graph[i].b})
-          if (operand >= 0) place[operand] = 1;
+    const std::vector<char> part = graph.parts(node);
+    std::vector<int> place(part.size());
     auto steps = std::make_shared<std::vector<Step>>();
     for (int i = 0; i <= node; ++i) {
-      if (!place[i]) continue;
+      if (!part[i]) continue;
       Step step = graph[i];
       if (step.operation == Operation::power) {
         step.number = graph[step.b].number;

@@ -1,5 +1,6 @@
 #pragma once
 #include "avi/automatic/choice.hpp"
+#include "avi/automatic/orbit.hpp"
 #include "avi/collocation/collocation.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/transform/poincare.hpp"
@@ -21,16 +22,14 @@ class Pilot {
  public:
   using Problem =
       Poincare<dynamic, PhaseFunction, PhaseFunction>;  ///< One type for every H and g: compiled once.
-  using Point = State<dynamic>;                         ///< Of any dimension.
 
   /// What all trials of a choice share.
   struct Setting {
-    const PhaseFunction& energy;  ///< H.
-    const Point& start;           ///< Of the orbit.
-    int order;                    ///< Of the method.
-    double tolerance;             ///< Energy error asked for.
-    double scale;                 ///< Of energy errors.
-    double end;                   ///< Of the trials.
+    const Orbit& orbit;  ///< Of H.
+    int order;           ///< Of the method.
+    double tolerance;    ///< Energy error asked for.
+    double scale;        ///< Of energy errors.
+    double end;          ///< Of the trials.
   };
 
   /// @param name of the monitor @param sweep what a sweep costs @param fictive time of a trial @param longest
@@ -38,21 +37,20 @@ class Pilot {
   Pilot(const Setting& setting, std::string name, const PhaseFunction& monitor, double sweep, double fictive,
         double longest, double supposed)
       : setting_(setting), name_(std::move(name)), sweep_(sweep), fictive_(fictive), longest_(longest),
-        supposed_(supposed), method_(collocation(poincare(setting.energy, setting.start, monitor),
-                                                 setting.order, {.max_sweeps = 40})) {
-  }  // a step that takes more is too long
+        supposed_(supposed), method_(collocation(poincare(setting.orbit.energy, setting.orbit.start, monitor),
+                                                 setting.order, {.max_sweeps = most_sweeps})) {}
 
   /// A run with step h, given up for good after `most` steps, or when its error shows that the cost() will
   /// exceed `dearest`.
   void trial(double h, long most, double dearest, MonitorChoice& choice) {
-    Point z = setting_.start;
-    const double h0 = setting_.energy(z.q, z.p);
+    State<dynamic> z = setting_.orbit.start;
+    const double h0 = setting_.orbit.energy_at_start();
     const double hopeless =
         setting_.tolerance * std::pow(std::min(dearest / usual_cost(h), 1e3), setting_.order);
     double worst = 0.0;
-    const Run run =
-        integrate(method_, z, h, Until{.time = setting_.end, .steps = most}, [&](const Point& at, long) {
-          worst = std::max(worst, std::abs(setting_.energy(at.q, at.p) - h0) / setting_.scale);
+    const Run run = integrate(
+        method_, z, h, Until{.time = setting_.end, .steps = most}, [&](const State<dynamic>& at, long) {
+          worst = std::max(worst, std::abs(setting_.orbit.energy(at.q, at.p) - h0) / setting_.scale);
           return worst < std::min(1.0, hopeless);  // beyond 1 the run is useless
         });
     lost_ = run.outcome == Outcome::step_limit || worst >= hopeless;
@@ -88,9 +86,9 @@ class Pilot {
            (3.0 * good_.error >= setting_.tolerance || bad_.h < 1.12 * good_.h || good_.h >= longest_);
   }
   [[nodiscard]] double good() const { return good_.h; }  ///< The longest step that met the tolerance, or 0.
-  [[nodiscard]] const std::string& name() const { return name_; }  ///< Of the monitor.
 
  private:
+  static constexpr int most_sweeps = 40;  // a step that takes more is too long
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   struct Seen {
     double h, error, sweeps;

@@ -49,11 +49,11 @@ inline constexpr int most_restarts = 6;
 /// dimension.
 inline Solution<dynamic> solve(const Menu& menu, double t_end, double tolerance) {
   Solution<dynamic> solution{
-      .state = menu.start(),
+      .state = menu.orbit.start,
       .run = {},
       .choice = {.name = "fixed", .monitor = menu.entries().front().monitor, .trials = {}, .note = {}},
       .tolerance = tolerance};
-  const double span = t_end - menu.start().t;
+  const double span = t_end - menu.orbit.start.t;
   if (span == 0.0) return solution;
   // 0: of its usual length
   const double pilot = !menu.tour() ? 0.1 * span : span < menu.tour()->time_of(pilot_angle) ? span : 0.0;
@@ -66,13 +66,14 @@ inline Solution<dynamic> solve(const Menu& menu, double t_end, double tolerance)
         "of H, or the tolerance may be below rounding.";
     return solution;
   }
-  Collocation<Pilot::Problem> whole(poincare(menu.energy(), menu.start(), choice.monitor), choice.order);
-  const double energy = menu.energy()(menu.start().q, menu.start().p);
+  Collocation<Pilot::Problem> whole(poincare(menu.orbit.energy, menu.orbit.start, choice.monitor),
+                                    choice.order);
+  const double energy = menu.orbit.energy_at_start();
   for (int restarts = 0;; ++restarts) {
-    solution.state = menu.start();
+    solution.state = menu.orbit.start;
     solution.energy_error = 0.0;
     solution.run = integrate_to(whole, solution.state, choice.h, t_end, [&](const State<dynamic>& z, long) {
-      const double error = std::abs(menu.energy()(z.q, z.p) - energy) / choice.energy_scale;
+      const double error = std::abs(menu.orbit.energy(z.q, z.p) - energy) / choice.energy_scale;
       solution.energy_error = std::max(solution.energy_error, error);
       return restarts == most_restarts || error <= 3.0 * tolerance;
     });
@@ -104,7 +105,7 @@ template <class H, int n>
   require_finite("Time of the start", start.t);
   require(std::isfinite(t_end) && t_end >= start.t, "End time", t_end, "finite and not before the start");
   require(tolerance >= 1e-13 && tolerance <= 1e-2, "Tolerance", tolerance, "in [1e-13, 1e-2]");
-  Solution<dynamic> found = detail::solve(detail::Menu(hamiltonian, start), t_end, tolerance);
+  Solution<dynamic> found = detail::solve(detail::Menu({hamiltonian, start}), t_end, tolerance);
   return {.state = {.q = found.state.q, .p = found.state.p, .t = found.state.t},
           .run = std::move(found.run),
           .choice = std::move(found.choice),

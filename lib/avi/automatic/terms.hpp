@@ -34,7 +34,8 @@ class Terms {
   using Sum = std::map<int, double>;  // the factor of each node
   static constexpr std::size_t most = 64;
 
-  Terms(ExpressionGraph& graph, int last) : graph_(graph), linear_(last + 1), one_(graph.constant(1.0)) {
+  Terms(ExpressionGraph& graph, int last)
+      : graph_(graph), linear_(last + 1), sums_(last + 1), one_(graph.constant(1.0)) {
     for (int i = 0; i <= last; ++i) {
       const auto& [operation, a, b, number] = graph[i];
       using Op = Operation;
@@ -48,9 +49,8 @@ class Terms {
 
   /// Each node once: formulas share their parts.
   const Sum& sum(int node) {
-    if (const auto known = sums_.find(node); known != sums_.end()) return known->second;
-    Sum result = take_apart(node);
-    return sums_[node] = std::move(result);
+    if (sums_[node].empty()) sums_[node] = take_apart(node);
+    return sums_[node];
   }
   Sum take_apart(int node) {
     const ExpressionGraph::Node what = graph_[node];  // a copy: the graph grows
@@ -88,7 +88,7 @@ class Terms {
 
   ExpressionGraph& graph_;
   std::vector<char> linear_;  // of the first degree in the inputs
-  std::map<int, Sum> sums_;
+  std::vector<Sum> sums_;     // of the nodes that were taken apart; the others are empty
   int one_;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "avi/autodiff/recording.hpp"
 #include "avi/automatic/curvature.hpp"
-#include "avi/automatic/phase_function.hpp"
+#include "avi/automatic/orbit.hpp"
 #include "avi/integrators/runge_kutta.hpp"
 #include "avi/integrators/tableaus.hpp"
 
@@ -19,13 +19,12 @@ namespace avi::detail {
 /// time scale. The constants of a monitor come from here; it then is a fixed function.
 class Tour {
  public:
-  /// @param curvature of this H, with a metric @param start where the orbit begins
-  template <class H, int n>
-  Tour(const H& hamiltonian, Curvature& curvature, const State<n>& start)
-      : n0(curvature.squared_frequency_squared()), size_(start.q.size()), curved_(curvature.graph, n0),
-        slopes_(record<n>(hamiltonian, size_).value_and_gradient()), room_(slopes_) {
+  /// @param curvature of this orbit's H, with a metric
+  Tour(const Orbit& orbit, Curvature& curvature)
+      : n0(curvature.squared_frequency_squared()), size_(orbit.start.q.size()), curved_(curvature.graph, n0),
+        slopes_(record(orbit.energy, size_).value_and_gradient()), room_(slopes_) {
     VectorX z(2 * size_);
-    z << start.q, start.p;
+    z << orbit.start.q, orbit.start.p;
     run(curvature, z);
     find_turns(curvature);
   }

@@ -33,9 +33,13 @@ std::string describe_end(Outcome outcome, const State& state, long steps, double
   std::ostringstream sentence;
   sentence.precision(17);
   sentence << "The run ended as " << name(outcome) << " after " << steps << " steps, at t = " << state.t;
-  if constexpr (requires { state.q.transpose(), state.p.transpose(); })
-    if (outcome == Outcome::not_converged)
-      sentence << ", q = (" << state.q.transpose() << "), p = (" << state.p.transpose() << ")";
+  [[maybe_unused]] const auto list = [&](const char* what, const auto& x) {  // faster to compile than Eigen's
+    for (decltype(x.size()) i = 0; i < x.size(); ++i)
+      sentence << (i == 0 ? what : " ") << x[i];
+    sentence << ")";
+  };
+  if constexpr (requires { state.q.size(), state.p.size(); })
+    if (outcome == Outcome::not_converged) list(", q = (", state.q), list(", p = (", state.p);
   if (outcome == Outcome::not_converged) sentence << ", with residual " << residual;
   sentence << ".";
   return sentence.str();

@@ -65,8 +65,8 @@ inline avi::MonitorChoice finest(const Scene& scene) {
 /// A scene with the position at its end and its turns by order 16 with steps of six tenths of those that it
 /// was chosen with.
 inline Arena arena_of(const Scene& scene, const avi::MonitorChoice& choice) {
-  avi::detail::Menu menu(scene.energy, scene.start);
-  const avi::detail::Curvature curvature(scene.energy, scene.start);
+  avi::detail::Menu menu({scene.energy, scene.start});
+  const avi::detail::Curvature curvature({scene.energy, scene.start});
   auto method = avi::collocation(poincare(scene.energy, scene.start, choice.monitor), 16);
   Point z = scene.start;
   avi::VectorX place(2 * z.q.size()), next = place, way = 0.0 * place;
