@@ -20,9 +20,9 @@ const Kepler kepler;
 
 /// Slope of the position error, against the exact orbit at the method's own time, over steps h, h/2, h/4, ...
 template <class MethodFor>
-avi::OrderFit kepler_order(double e, double h, MethodFor method_for, int levels = 5) {
+avi::OrderFit kepler_order(double e, double h, MethodFor method_for) {
   std::vector<double> steps, errors;
-  for (int k = 0; k < levels; ++k) {
+  for (int k = 0; k < 5; ++k) {
     auto z = Kepler::pericentre(e);
     auto method = method_for(z);
     const auto run = avi::integrate(method, z, std::ldexp(h, -k), {.time = 2.0});

@@ -4,6 +4,8 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/poincare.hpp"
 
+#include "refusal.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -129,12 +131,8 @@ TEST(Ensemble, RefusesWhatIntegrateRefuses) {
   const std::vector<State<2>> z(3, Kepler::pericentre(0.3));
   EXPECT_THROW((void)avi::ensemble(make, z, 0.0, {.time = 1.0}), std::invalid_argument);
   EXPECT_THROW((void)avi::ensemble(make, z, 0.1, {}), std::invalid_argument);
-  try {
-    (void)avi::ensemble(make, z, 0.1, {.time = 1.0}, avi::NoEnsembleObserver{}, -1);
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "Number of threads is -1; it must be at least 0.");
-  }
+  EXPECT_EQ(refusal([&] { (void)avi::ensemble(make, z, 0.1, {.time = 1.0}, avi::NoEnsembleObserver{}, -1); }),
+            "Number of threads is -1; it must be at least 0.");
   EXPECT_THROW((void)avi::ensemble(make, z, 0.1, {.time = 1.0},
                                    [](std::size_t i, const State<2>&, long) {
                                      if (i == 1) throw std::runtime_error("seen enough");

@@ -1,5 +1,7 @@
 #include "common/table.hpp"
 
+#include "refusal.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -52,16 +54,11 @@ TEST(Table, RefusesWhatDoesNotFit) {
 
 std::string refusal(const std::string& text) {
   std::istringstream file(text);
-  try {
-    Table::parse(file, "t.tsv");
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "taken";
+  return ::refusal([&] { Table::parse(file, "t.tsv"); });
 }
 
 TEST(Table, RefusesFilesThatAreNotWhole) {
-  EXPECT_EQ(refusal("# note: x\na\tb\n1\t2\n"), "taken");
+  EXPECT_EQ(refusal("# note: x\na\tb\n1\t2\n"), "accepted");
   EXPECT_EQ(refusal("a\tb\n1\t2"), "Line 2 of 't.tsv' does not end; the file is cut off.");
   EXPECT_EQ(refusal("a\tb\n1\n"), "Line 2 of 't.tsv' has 1 cells; it must have 2, one for each column.");
   EXPECT_EQ(refusal(""), "Line 1 of 't.tsv' should be the header row; the file has none.");
