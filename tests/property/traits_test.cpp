@@ -89,7 +89,7 @@ TEST(Traits, OfPlainMethods) {
   check("splitting kahan_li8",
         avi::splitting<avi::Summation::compensated>(separable, avi::compositions::kahan_li8), 8);
   check("composition yoshida4", avi::Composition(verlet, avi::compositions::yoshida4), 4);
-  check("composition mclachlan6", avi::Composition(verlet, avi::compositions::mclachlan6), 6);
+  check("composition kahan_li6", avi::Composition(verlet, avi::compositions::kahan_li6), 6);
   check("composition kahan_li8", avi::Composition(verlet, avi::compositions::kahan_li8), 8);
   check("euler_b", avi::euler_b(Kepler{}, start), 1);
 }

@@ -65,9 +65,7 @@ TEST(Compositions, SatisfyTheOrderConditionsInExtendedPrecision) {
   expect_order(split(c::yoshida4), 4, digits, "yoshida4");
   expect_order(split(c::suzuki4), 4, digits, "suzuki4");
   expect_order(split(c::yoshida6), 6, digits, "yoshida6");
-  expect_order(split(c::mclachlan6), 6, digits, "mclachlan6");
   expect_order(split(c::kahan_li6), 6, digits, "kahan_li6");
-  expect_order(split(c::mclachlan8), 8, digits, "mclachlan8");
   expect_order(split(c::kahan_li8), 8, digits, "kahan_li8");
   expect_order(split(c::sofroniou_spaletta10), 10, digits, "sofroniou_spaletta10");
 }

@@ -1,6 +1,5 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
-#include "avi/transform/poincare.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,11 +37,18 @@ double at(const G& g, const V& q, const V& p) {
     return g(q, p);
 }
 
+template <class G>
+V slope(const G& g, const V& q, const V& p) {
+  if constexpr (std::invocable<const G&, const V&>)
+    return avi::gradient(g, q);
+  else
+    return avi::d_dq(g, q, p);
+}
+
 TEST(Monitors, GradientsAgreeWithCentralDifferences) {
   for (const auto& [q, p] : {std::pair{V{0.1, 0.02}, V{-0.4, 4.0}}, std::pair{V{-1.7, 0.3}, V{-0.2, -0.3}}})
     for_each_monitor([&, q = q, p = p](const std::string& name, const auto& g) {
-      const avi::Poincare<2, Kepler, std::decay_t<decltype(g)>> problem(kepler, g, 0.5);
-      const V automatic = problem.monitor_d_dq(q, p);
+      const V automatic = slope(g, q, p);
       for (int i = 0; i < 2; ++i) {
         const double d = 1e-6 * q.norm();
         const V step = d * V::Unit(i);

@@ -37,9 +37,7 @@ struct BregmanCloning {
   /// Checks the parameters and makes the state of one run.
   /// @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
-    family.validate();
-    from.validate();
-    require_positive("Step size h", h);
+    validate(family, from, h);
     return {.r = VectorX::Constant(first.x.size(), from.momentum),
             .t = from.t,
             .t_clone = from.t,

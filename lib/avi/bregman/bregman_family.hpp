@@ -87,4 +87,12 @@ struct BregmanStart {
   }
 };
 
+/// Checks what all methods with a fixed fictive step h have. @throws std::invalid_argument for a value out of
+/// range.
+inline void validate(const BregmanFamily& family, const BregmanStart& from, double h) {
+  family.validate();
+  from.validate();
+  require_positive("Step size h", h);
+}
+
 }  // namespace avi

@@ -37,9 +37,7 @@ struct BregmanHeavyBall {
   /// Checks the parameters and makes the state of one run.
   /// @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
-    family.validate();
-    from.validate();
-    require_positive("Step size h", h);
+    validate(family, from, h);
     const double log_t = std::log(from.t);
     const double v = family.order() * h * from.momentum * std::exp(-(family.p + family.s()) * log_t);
     return {.displacement = VectorX::Constant(first.x.size(), v), .log_t = log_t};

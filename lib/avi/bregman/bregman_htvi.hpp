@@ -39,9 +39,7 @@ struct BregmanHtvi {
   /// Checks the parameters and makes the state of one run.
   /// @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
-    family.validate();
-    from.validate();
-    require_positive("Step size h", h);
+    validate(family, from, h);
     const double power = accurate_power(from.t, family.p);
     return {.momentum = VectorX::Constant(first.x.size(), from.momentum / power),
             .t = from.t,

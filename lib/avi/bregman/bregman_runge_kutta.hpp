@@ -77,9 +77,7 @@ struct BregmanRungeKutta {
   /// Checks the parameters and makes the state of one run.
   /// @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
-    family.validate();
-    from.validate();
-    require_positive("Step size h", h);
+    validate(family, from, h);
     return {first, family, from, h};
   }
 

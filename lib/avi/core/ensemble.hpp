@@ -53,15 +53,14 @@ std::vector<Member<State>> ensemble(const Make& make, const std::vector<State>& 
   const auto follow = [&](std::size_t i) {
     Member<State>& member = members[i];
     const auto look = [&](const State& state, long k) { return observer(i, state, k); };
-    const auto method = [&] {
-      try {
-        return std::optional(make(member.state));
-      } catch (const std::invalid_argument& error) {
-        member.run = {.outcome = Outcome::stopped, .message = error.what()};
-        return decltype(std::optional(make(member.state))){};
-      }
-    };
-    if (auto chosen = method()) member.run = integrate(*chosen, member.state, h, until, look);
+    std::optional<std::decay_t<decltype(make(member.state))>> method;
+    try {
+      method.emplace(make(member.state));
+    } catch (const std::invalid_argument& error) {
+      member.run = {.outcome = Outcome::stopped, .message = error.what()};
+      return;
+    }
+    member.run = integrate(*method, member.state, h, until, look);
   };
   const auto work = [&] {
     for (std::size_t i = next++; i < starts.size(); i = next++) {

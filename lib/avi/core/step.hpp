@@ -47,28 +47,25 @@ struct Step {
     Located<State> found{.state = after, .h = h};
     if (!(std::abs(last) > tolerance)) return found;
     const double sign = first < 0.0 ? 1.0 : -1.0;
+    const auto attempt = [&](M& repeated, double part) {
+      found.state = before;
+      found.h = part * h;
+      found.report = repeated.step(found.state, found.h);
+      found.evaluations += found.report.evaluations;
+      if (found.report.outcome != Outcome::ok) return std::numeric_limits<double>::quiet_NaN();
+      return sign * f(found.state);
+    };
     M repeated = method;
     const auto value = [&](double part) {
-      if constexpr (!detail::one_step<M>) {
-        M fresh = method;
-        return attempt(fresh, part, f, found, sign);
+      if constexpr (detail::one_step<M>) {
+        return attempt(repeated, part);
       } else {
-        return attempt(repeated, part, f, found, sign);
+        M fresh = method;
+        return attempt(fresh, part);
       }
     };
     bracketed_root(value, 0.0, sign * first, 1.0, sign * last, tolerance);
     return found;
-  }
-
- private:
-  template <class F>
-  double attempt(M& repeated, double part, F& f, Located<State>& found, double sign) const {
-    found.state = before;
-    found.h = part * h;
-    found.report = repeated.step(found.state, found.h);
-    found.evaluations += found.report.evaluations;
-    if (found.report.outcome != Outcome::ok) return std::numeric_limits<double>::quiet_NaN();
-    return sign * f(found.state);
   }
 };
 

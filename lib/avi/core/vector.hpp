@@ -27,6 +27,6 @@ using VectorX = Vector<double, dynamic>;
 
 /// Matrix of m x n entries of scalar S.
 template <class S, int m, int n = m>
-using Matrix = Eigen::Matrix<S, m, n, m == 1 && n != 1 ? Eigen::RowMajor : detail::storage<S>>;
+using Matrix = Eigen::Matrix<S, m, n, detail::storage<S>>;
 
 }  // namespace avi

@@ -14,7 +14,6 @@ namespace avi {
 /// Straight line through a time series and how sure its slope is.
 struct DriftFit {
   double slope = 0.0;           ///< Change per unit of time.
-  double intercept = 0.0;       ///< Value of the line at time 0.
   double standard_error = 0.0;  ///< Of the slope.
   double t_statistic = 0.0;     ///< slope / standard_error; |t| < 2 is no drift that this series can show.
   double correlation = 0.0;     ///< Of each residual with the next one, in [-1, 1].
@@ -59,10 +58,10 @@ inline DriftFit fit_drift(std::span<const double> times, std::span<const double>
     tt += (t[k] - mean_t) * (t[k] - mean_t), tx += (t[k] - mean_t) * (x[k] - mean_x);
   require(tt > 0.0, "Spread of the times", tt, "positive");
   DriftFit fit{.slope = tx / tt, .points = static_cast<int>(count)};
-  fit.intercept = mean_x - fit.slope * mean_t;
   double before = 0.0, together = 0.0;
+  const double intercept = mean_x - fit.slope * mean_t;
   for (std::size_t k = 0; k < count; ++k) {
-    const double residual = x[k] - fit.intercept - fit.slope * t[k];
+    const double residual = x[k] - intercept - fit.slope * t[k];
     together += residual * before;
     before = residual;
     rest += residual * residual;

@@ -24,7 +24,6 @@ struct OrderOptions {
 struct OrderFit {
   double order = std::numeric_limits<double>::quiet_NaN();  ///< Slope of log(error) over log(h).
   int points = 0;                                           ///< Points left by the filter and fitted.
-  double scatter = 0.0;  ///< Root mean square of log(error) about the line.
 };
 
 /// Least-squares slope of log(error) over log(|h|), error ~ C |h|^order.
@@ -61,15 +60,12 @@ inline OrderFit fit_order(std::span<const double> h, std::span<const double> err
   OrderFit fit{.points = static_cast<int>(kept.size())};
   if (fit.points < options.at_least) return fit;
   const double n = fit.points;
-  double mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0, rest = 0.0;
+  double mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0;
   for (const auto& [x, y] : kept)
     mean_x += x / n, mean_y += y / n;
   for (const auto& [x, y] : kept)
     xx += (x - mean_x) * (x - mean_x), xy += (x - mean_x) * (y - mean_y);
   fit.order = xy / xx;
-  for (const auto& [x, y] : kept)
-    rest += std::pow(y - mean_y - fit.order * (x - mean_x), 2);
-  fit.scatter = std::sqrt(rest / n);
   return fit;
 }
 

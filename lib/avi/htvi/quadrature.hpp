@@ -67,8 +67,6 @@ Quadrature from_nodes(std::string name, int order, const std::vector<double>& no
 
 /// f(0), order 1: the rule of the paper's symplectic Euler-B (Section 3.3).
 inline Quadrature rectangle_left() { return {"rectangle", 1, {0.0}, {1.0}}; }
-/// f(1), order 1.
-inline Quadrature rectangle_right() { return {"rectangle_right", 1, {1.0}, {1.0}}; }
 /// f(1/2), order 2.
 inline Quadrature midpoint() { return {"midpoint", 2, {0.5}, {1.0}}; }
 /// Both ends, order 2.
@@ -114,13 +112,6 @@ inline Quadrature radau(int m) {
     return (1.0 - x) / (2 * m * m * std::pow(detail::legendre(m - 1, x), 2));
   };
   return detail::from_nodes("radau" + std::to_string(m), 2 * m - 1, nodes, weight);
-}
-/// The rule with nodes 1 - c_i. Its order is the same.
-inline Quadrature mirrored(Quadrature rule) {
-  for (double& c : rule.nodes)
-    c = 1.0 - c;
-  rule.name += "_mirrored";
-  return rule;
 }
 /// @}
 

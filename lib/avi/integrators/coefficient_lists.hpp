@@ -20,20 +20,10 @@ inline constexpr auto suzuki4 =
 inline constexpr auto yoshida6 = palindrome(
     6, {0.78451361047755726381949763L, 0.23557321335935813368479318L, -1.17767998417887100694641568L});
 
-/// Nine steps of order 6 (McLachlan 1995).
-inline constexpr auto mclachlan6 =
-    palindrome(6, {0.1867L, 0.55549702371247839916L, 0.12946694891347535806L, -0.84326562338773460855L});
-
 /// Nine steps of order 6 (Kahan and Li 1997).
 inline constexpr auto kahan_li6 =
     palindrome(6, {0.39216144400731413927925056L, 0.33259913678935943859974864L,
                    -0.70624617255763935980996482L, 0.08221359629355080023149045L});
-
-/// Fifteen steps of order 8 (Suzuki and Umeno 1993; McLachlan 1995).
-inline constexpr auto mclachlan8 = palindrome(
-    8, {0.74167036435061295344822780L, -0.40910082580003159399730010L, 0.19075471029623837995387626L,
-        -0.57386247111608226665638773L, 0.29906418130365592384446354L, 0.33462491824529818378495798L,
-        0.31529309239676659663205666L});
 
 /// Seventeen steps of order 8 (Kahan and Li 1997).
 inline constexpr auto kahan_li8 = palindrome(

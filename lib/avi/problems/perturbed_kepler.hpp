@@ -1,7 +1,6 @@
 #pragma once
 #include "avi/core/require.hpp"
-#include "avi/core/state.hpp"
-#include "avi/problems/unit_mass.hpp"
+#include "avi/problems/kepler.hpp"
 
 #include <cmath>
 
@@ -48,10 +47,7 @@ class PerturbedKepler : public UnitMass<PerturbedKepler, 2> {
 
   /// The pericentre of the unperturbed ellipse of eccentricity e and semi-major axis 1.
   /// @throws std::invalid_argument unless 0 <= e < 1.
-  static State<2> pericentre(double e) {
-    require(e >= 0.0 && e < 1.0, "Eccentricity", e, "in [0, 1)");
-    return {.q = {1.0 - e, 0.0}, .p = {0.0, std::sqrt((1.0 + e) / (1.0 - e))}};
-  }
+  static State<2> pericentre(double e) { return Kepler::pericentre(e); }
 
  private:
   double epsilon_;

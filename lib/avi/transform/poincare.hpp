@@ -162,15 +162,6 @@ class Poincare {
     }
   }
 
-  /// dg/dq at any scalar.
-  template <class S>
-  [[nodiscard]] Vector<S, n> monitor_d_dq(const Vector<S, n>& q, const Vector<S, n>& p) const {
-    if constexpr (position_monitor)
-      return gradient(g_, q);
-    else
-      return d_dq(g_, q, p);
-  }
-
  private:
   template <Field form, class S>
   Partials<S, n> value_if_needed_and_d_dp(const Vector<S, n>& q, const Vector<S, n>& p) const {

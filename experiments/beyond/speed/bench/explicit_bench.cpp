@@ -108,9 +108,7 @@ void register_all() {
   both("yoshida4", c::yoshida4, 3e-3, 0.05);
   both("suzuki4", c::suzuki4, 5e-3, 0.05);
   both("yoshida6", c::yoshida6, 5e-3, 0.05);
-  both("mclachlan6", c::mclachlan6, 5e-3, 0.05);
   both("kahan_li6", c::kahan_li6, 5e-3, 0.05);
-  both("mclachlan8", c::mclachlan8, 5e-3, 0.1);
   both("kahan_li8", c::kahan_li8, 5e-3, 0.1);
   both("sofroniou_spaletta10", c::sofroniou_spaletta10, 1e-2, 0.1);
   both("blanes_moan4", s::blanes_moan4, 5e-3, 0.05);
