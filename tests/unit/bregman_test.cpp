@@ -3,6 +3,8 @@
 #include "avi/optim/run_updates.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 #include "bregman/printed/extended_splitting.hpp"
+#include "difference.hpp"
+#include "refusal.hpp"
 
 #include "refusal.hpp"
 
@@ -31,10 +33,9 @@ TEST(BregmanFamily, CoefficientsAreThePrintedOnes) {
 
 TEST(BregmanFamily, RatesAreDerivatives) {
   const auto family = BregmanFamily::adaptive(6.0, 1.5, 0.2);
-  const double t = 1.7, d = 1e-4;
+  const double t = 1.7;
   const auto slope = [&](auto member) {
-    const auto at = [&](double x) { return (family.*member)(t + x); };
-    return (8.0 * (at(d) - at(-d)) - (at(2 * d) - at(-2 * d))) / (12.0 * d);
+    return difference([&](double x) { return (family.*member)(t + x); }, 1e-4);
   };
   EXPECT_NEAR(slope(&BregmanFamily::kinetic) / family.kinetic_rate(t), 1.0, 1e-10);
   EXPECT_NEAR(slope(&BregmanFamily::potential) / family.potential_rate(t), 1.0, 1e-10);

@@ -3,6 +3,7 @@
 #include "avi/collocation/collocation.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/poincare.hpp"
+#include "refusal.hpp"
 
 #include "refusal.hpp"
 

@@ -5,6 +5,7 @@
 #include "avi/problems/n_body.hpp"
 #include "avi/problems/pendulum.hpp"
 #include "avi/problems/perturbed_kepler.hpp"
+#include "difference.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,21 +16,16 @@ using avi::Vector;
 
 namespace {
 
-/// Largest difference between the gradient and fourth-order differences of the potential, and between
-/// velocity and momentum derivative of H.
+/// Largest difference between the gradient and differences of the potential.
 template <class Problem, int n>
 double gradient_defect(const Problem& problem, const Vector<double, n>& q) {
   const Vector<double, n> gradient = problem.potential_gradient(q);
   double worst = 0.0;
-  for (Eigen::Index i = 0; i < q.size(); ++i) {
-    const double d = 1e-3;
-    const auto at = [&](double shift) {
-      Vector<double, n> moved = q;
-      moved[i] += shift;
-      return problem.potential(moved);
+  for (int i = 0; i < n; ++i) {
+    const auto at = [&](double shift) -> double {
+      return problem.potential(Vector<double, n>(q + shift * Vector<double, n>::Unit(i)));
     };
-    const double slope = (8.0 * (at(d) - at(-d)) - (at(2 * d) - at(-2 * d))) / (12.0 * d);
-    worst = std::max(worst, std::abs(slope - gradient[i]));
+    worst = std::max(worst, std::abs(difference(at, 1e-3) - gradient[i]));
   }
   return worst;
 }
@@ -96,6 +92,8 @@ TEST(PerturbedKepler, IsKeplerWithoutAndTurnsTheEllipseWith) {
   const double advance = (turn(epsilon) - turn(0.0)) / 10.0;
   EXPECT_NEAR(advance / (3.0 * M_PI * epsilon / std::pow(1.0 - e * e, 2)), 1.0, 1e-2);
   EXPECT_THROW(avi::PerturbedKepler(-1.0), std::invalid_argument);
+  EXPECT_THROW(avi::PerturbedKepler::pericentre(1.0), std::invalid_argument);
+  EXPECT_THROW(avi::PerturbedKepler::pericentre(-0.1), std::invalid_argument);
 }
 
 TEST(NBody, OneCodePathForBothKindsOfDimension) {
