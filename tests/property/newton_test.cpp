@@ -54,11 +54,11 @@ State<6> springs_start() {
 TEST(Newton, TakesOverWhereSweepsContractSlowlyOrNot) {
   // Sweeps of order 16 take 21 a step at h omega = 4, 70 at 8 and fail beyond 9.25. Measured here: at
   // most 8.6 a step, energy to 4e-14, of which half is the bound of what rounding does in 200 steps.
-  const auto run = [](int order, double h_omega, double& error) {
-    State<1> z{.q = avi::Vector<double, 1>(1.0), .p = avi::Vector<double, 1>(0.0)};
+  const auto run = [](int order, double h_omega, double& error, double size = 1.0) {
+    State<1> z{.q = avi::Vector<double, 1>(size), .p = avi::Vector<double, 1>(0.0)};
     auto method = avi::collocation(avi::poincare(Oscillator{100.0}, z), order);
     const avi::Run done = avi::integrate(method, z, h_omega / 100.0, {.steps = 200});
-    error = std::abs(Oscillator{100.0}(z.q, z.p) / 5000.0 - 1.0);
+    error = std::abs(Oscillator{100.0}(z.q, z.p) / (5000.0 * size * size) - 1.0);
     return done;
   };
   double error = 0.0;
@@ -70,6 +70,12 @@ TEST(Newton, TakesOverWhereSweepsContractSlowlyOrNot) {
       EXPECT_LE(done.evaluations, 200 * 12) << order << " " << h_omega;
       EXPECT_LE(error, 9e-14) << order << " " << h_omega;
     }
+  for (const double size : {1e-6, 1e6}) {  // the matrix's differences are of the size of the motion
+    const avi::Run done = run(16, 20.0, error, size);
+    EXPECT_EQ(done.outcome, Outcome::ok) << size << " " << done.message;
+    EXPECT_LE(done.evaluations, 200 * 12) << size;
+    EXPECT_LE(error, 9e-14) << size;
+  }
 }
 
 TEST(Newton, FollowsASlowNonlinearMotionBesideAStiffOne) {
