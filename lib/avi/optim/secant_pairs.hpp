@@ -24,9 +24,8 @@ class SecantPairs {
  public:
   /// Room for m pairs of size n.
   SecantPairs(int m, Eigen::Index n)
-      : n_(n), pairs_(m), width_((m + 7) / 8 * 8), sy_(zero(width_ * m)), ys_(sy_), yy_(sy_),
-        weights_(zero(width_)), u_(weights_), v_(weights_), mass_(m > 0 ? n : 0),
-        ones_(std::vector<double>(block, 1.0)) {
+      : n_(n), pairs_(m), width_((m + 7) / 8 * 8), sy_(zero(width_ * m)), yy_(sy_), weights_(zero(width_)),
+        u_(weights_), v_(weights_), mass_(m > 0 ? n : 0), ones_(std::vector<double>(block, 1.0)) {
     for (Pair& pair : pairs_) {
       pair.s.resize(n);
       pair.y.resize(n);
@@ -98,8 +97,8 @@ class SecantPairs {
     stored_ = std::min(stored_ + 1, capacity());
     pairs_[c].rho = 1.0 / sy;
     for (int k = 0; k < stored_; ++k)
-      sy_[c * width_ + k] = ys_[k * width_ + c] = change[k];
-    sy_[c * width_ + c] = ys_[c * width_ + c] = sy;
+      sy_[c * width_ + k] = change[k];
+    sy_[c * width_ + c] = sy;
     if (++unlearned_ == capacity() && capacity() >= lesson && learn()) {
       gamma_ = sy / yy_[c * width_ + c];
       return multiply(g, now);
@@ -125,22 +124,24 @@ class SecantPairs {
 
   /// d = -H g, with the products of g. Returns d.g and |d|^2.
   std::array<double, 2> direction(const double* g, const double* products, double* d) {
-    // u and v: products of s and of y with what the loops make of g; unused places hold zeros
-    std::copy_n(products, width_, u_.data());
+    // the two loops, each entry of a triangular system in turn: what the next one waits for is one product
     std::copy_n(products + width_, width_, v_.data());
-    for (int back = 0; back < stored_; ++back) {
-      const int i = newest(back);
-      const double a = weights_[i] = pairs_[i].rho * u_[i];
-      add(-a, &sy_[i * width_], u_.data());
-      add(-a, &yy_[i * width_], v_.data());
+    const int last = older(next_), first = stored_ < capacity() ? 0 : next_;
+    for (int i = last, left = stored_; left > 0; --left, i = older(i)) {
+      double u = products[i];
+      for (int k = last; k != i; k = older(k))
+        u -= weights_[k] * sy_[k * width_ + i];
+      weights_[i] = pairs_[i].rho * u;
+      sweep<0>(width_, [a = weights_[i], column = &yy_[i * width_], v = v_.data()](auto at, auto&) {
+        at.set(v, at(v) - a * at(column));
+      });
     }
     const double gamma = stored_ > 0 ? gamma_ : 1.0;
-    for (double& product : v_)
-      product *= gamma;
-    for (int back = stored_; back-- > 0;) {
-      const int i = newest(back);
-      u_[i] = weights_[i] - pairs_[i].rho * v_[i];
-      add(u_[i], &ys_[i * width_], v_.data());
+    for (int i = first, left = stored_; left > 0; --left, i = newer(i)) {
+      double v = gamma * v_[i];
+      for (int k = first; k != i; k = newer(k))
+        v += u_[k] * sy_[i * width_ + k];
+      u_[i] = weights_[i] - pairs_[i].rho * v;
     }
     std::array<double, 2> sums{};
     for (Eigen::Index from = 0; from < n_; from += block) {
@@ -212,18 +213,17 @@ class SecantPairs {
     return true;
   }
   [[nodiscard]] int newest(int back) const { return (next_ + 2 * capacity() - 1 - back) % capacity(); }
-  void add(double c, const double* column, double* to) const {
-    sweep<0>(width_, [=](auto at, auto&) { at.set(to, at(to) + c * at(column)); });
-  }
+  [[nodiscard]] int older(int i) const { return i == 0 ? capacity() - 1 : i - 1; }
+  [[nodiscard]] int newer(int i) const { return i + 1 == capacity() ? 0 : i + 1; }
 
   Eigen::Index n_;
   std::vector<Pair> pairs_;
   Eigen::Index width_;           ///< m, filled up to a multiple of eight.
-  std::vector<double> sy_;       ///< Column i: s_j . y_i for every j.
-  std::vector<double> ys_;       ///< Column i: y_j . s_i.
+  std::vector<double> sy_;       ///< Column i: s_j . y_i for every j that is not newer than i.
   std::vector<double> yy_;       ///< Column i: y_j . y_i.
   std::vector<double> weights_;  ///< Of the first loop.
-  std::vector<double> u_, v_;    ///< Products with s and with y.
+  std::vector<double> u_;        ///< Of the second.
+  std::vector<double> v_;        ///< Products of y with what the first makes of g.
   DiagonalMass mass_;            ///< Of every entry.
   std::vector<double> ones_;     ///< W = I, one block of it.
   bool weighted_ = false;        ///< W is the inverse of the masses.

@@ -13,6 +13,7 @@ namespace detail {
 
 /// Eight neighbouring numbers, in whatever registers the machine has.
 typedef double Eight __attribute__((vector_size(64)));
+typedef long long EightIntegers __attribute__((vector_size(64)));  ///< What comparisons of them are made of.
 
 /// Eight entries at index i of every vector of a pass.
 struct EightEntries {
@@ -44,7 +45,7 @@ struct OneEntry {
 /// are the same to the last bit on every machine. A pass that did the same one operation at a time would read
 /// long vectors from memory several times.
 template <int sums, class Body>
-std::array<double, sums> sweep(Eigen::Index n, Body body) {
+[[gnu::always_inline]] inline std::array<double, sums> sweep(Eigen::Index n, Body body) {
   constexpr Eigen::Index lanes = 8;
   std::array<detail::Eight, sums> packs{};
   Eigen::Index i = 0;
@@ -53,8 +54,10 @@ std::array<double, sums> sweep(Eigen::Index n, Body body) {
   for (Eigen::Index lane = 0; i < n; ++i, ++lane) {
     std::array<double, sums> one{};
     body(detail::OneEntry{i}, one);
+    // the lane is chosen by a comparison: written to one by its index, the sums would pass through memory
+    const detail::EightIntegers here = detail::EightIntegers{0, 1, 2, 3, 4, 5, 6, 7} == lane;
     for (int k = 0; k < sums; ++k)
-      packs[k][lane] += one[k];
+      packs[k] += here ? detail::Eight{} + one[k] : detail::Eight{};
   }
   std::array<double, sums> total;
   for (int k = 0; k < sums; ++k) {
