@@ -174,7 +174,7 @@ draw_all = $(foreach f,$(1),$(call draw,$f,build/$(2),build/figures/$(f)_$(2),pd
   $(call draw,$f,build/$(2),build/figures/$(f)_$(2),png,png) &&) true
 work-precision: deps-peers build/full/work_precision.tsv | build/figures ## The whole grid of speed and accuracy
 	@$(call draw_all,work_precision,full)
-arena: build/full/optimiser_arena.tsv | build/figures ## The arena of optimisers with dimensions up to 1e6: two and a half CPU minutes
+arena: build/full/optimiser_arena.tsv | build/figures ## The arena of optimisers with dimensions up to 1e6: two CPU minutes
 	@$(call draw_all,optimiser_arena,full)
 build/full/%.tsv: $(BIN)/% | build/data
 	$(call alone,$*) $(BIN)/$* --full --output build/full

@@ -114,8 +114,8 @@ int main(int argc, char** argv) {
                    "calls that ask for the value alone; gradient evaluations give it too");
         table.note("cap",
                    fmt::format("{} evaluations, {} for methods of fixed or adapted learning rates, {} for "
-                               "dimensions above 5000",
-                               cap, slow_cap, cap / 10));
+                               "dimensions above 5000, {} above 200 000",
+                               cap, slow_cap, cap / 10, cap / 40));
         table.note(
             "starts",
             "medians over the usual start and two moved by 1e-3; one for the slow and the large. Where one "
@@ -133,7 +133,7 @@ int main(int argc, char** argv) {
             std::size_t wanted =
                 arena::tolerances.size();  // a tolerance that one start missed is not asked again
             for (int start = 0; start < starts && wanted > 0; ++start) {
-              const long most = method.slow ? slow_cap : n > 5000 ? cap / 10 : cap;
+              const long most = method.slow ? slow_cap : n > 200'000 ? cap / 40 : n > 5000 ? cap / 10 : cap;
               runs.push_back(best_of({problem, moved(problem, start), most, wanted}, method));
               while (wanted > 0 && !runs.back()[wanted - 1].converged)
                 --wanted;

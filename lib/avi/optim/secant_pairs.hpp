@@ -24,8 +24,8 @@ class SecantPairs {
  public:
   /// Room for m pairs of size n.
   SecantPairs(int m, Eigen::Index n)
-      : n_(n), pairs_(m), width_((m + 7) / 8 * 8), sy_(zero(width_ * m)), yy_(sy_), weights_(zero(width_)),
-        u_(weights_), v_(weights_), mass_(m > 0 ? n : 0), ones_(std::vector<double>(block, 1.0)) {
+      : n_(n), pairs_(m), width_(m), sy_(zero(width_ * m)), yy_(sy_), weights_(zero(width_)), u_(weights_),
+        mass_(m > 0 ? n : 0), ones_(std::vector<double>(block, 1.0)) {
     for (Pair& pair : pairs_) {
       pair.s.resize(n);
       pair.y.resize(n);
@@ -125,20 +125,19 @@ class SecantPairs {
   /// d = -H g, with the products of g. Returns d.g and |d|^2.
   std::array<double, 2> direction(const double* g, const double* products, double* d) {
     // the two loops, each entry of a triangular system in turn: what the next one waits for is one product
-    std::copy_n(products + width_, width_, v_.data());
     const int last = older(next_), first = stored_ < capacity() ? 0 : next_;
     for (int i = last, left = stored_; left > 0; --left, i = older(i)) {
       double u = products[i];
       for (int k = last; k != i; k = older(k))
         u -= weights_[k] * sy_[k * width_ + i];
       weights_[i] = pairs_[i].rho * u;
-      sweep<0>(width_, [a = weights_[i], column = &yy_[i * width_], v = v_.data()](auto at, auto&) {
-        at.set(v, at(v) - a * at(column));
-      });
     }
     const double gamma = stored_ > 0 ? gamma_ : 1.0;
     for (int i = first, left = stored_; left > 0; --left, i = newer(i)) {
-      double v = gamma * v_[i];
+      double v = products[width_ + i];
+      for (int k = last, others = stored_; others > 0; --others, k = older(k))
+        v -= weights_[k] * yy_[i * width_ + k];
+      v *= gamma;
       for (int k = first; k != i; k = newer(k))
         v += u_[k] * sy_[i * width_ + k];
       u_[i] = weights_[i] - pairs_[i].rho * v;
@@ -218,12 +217,11 @@ class SecantPairs {
 
   Eigen::Index n_;
   std::vector<Pair> pairs_;
-  Eigen::Index width_;           ///< m, filled up to a multiple of eight.
+  Eigen::Index width_;           ///< m.
   std::vector<double> sy_;       ///< Column i: s_j . y_i for every j that is not newer than i.
   std::vector<double> yy_;       ///< Column i: y_j . y_i.
   std::vector<double> weights_;  ///< Of the first loop.
   std::vector<double> u_;        ///< Of the second.
-  std::vector<double> v_;        ///< Products of y with what the first makes of g.
   DiagonalMass mass_;            ///< Of every entry.
   std::vector<double> ones_;     ///< W = I, one block of it.
   bool weighted_ = false;        ///< W is the inverse of the masses.

@@ -13,19 +13,29 @@ namespace arena {
 
 namespace {
 
-VectorX copied(const double* x, Eigen::Index n) { return Eigen::Map<const VectorX>(x, n); }
+/// A meter as the libraries' callbacks see it: through arrays, with vectors that no call allocates.
+struct Arrays {
+  explicit Arrays(Meter& of) : meter(of), x(of.x0.size()), g(of.x0.size()) {}
+  double value(const double* at) {
+    x = Eigen::Map<const VectorX>(at, x.size());
+    return meter.value(x);
+  }
+  double both(const double* at, double* gradient) {
+    x = Eigen::Map<const VectorX>(at, x.size());
+    const double f = meter(x, g);
+    Eigen::Map<VectorX>(gradient, g.size()) = g;
+    return f;
+  }
+  Meter& meter;
+  VectorX x, g;
+};
 
-double value_of(const gsl_vector* x, void* meter) {
-  return static_cast<Meter*>(meter)->value(copied(x->data, static_cast<Eigen::Index>(x->size)));
+double value_of(const gsl_vector* x, void* arrays) { return static_cast<Arrays*>(arrays)->value(x->data); }
+void both_of(const gsl_vector* x, void* arrays, double* value, gsl_vector* gradient) {
+  *value = static_cast<Arrays*>(arrays)->both(x->data, gradient->data);
 }
-void both_of(const gsl_vector* x, void* meter, double* value, gsl_vector* gradient) {
-  VectorX g;
-  *value = (*static_cast<Meter*>(meter))(copied(x->data, static_cast<Eigen::Index>(x->size)), g);
-  Eigen::Map<VectorX>(gradient->data, g.size()) = g;
-}
-void gradient_of(const gsl_vector* x, void* meter, gsl_vector* gradient) {
-  double unused;
-  both_of(x, meter, &unused, gradient);
+void gradient_of(const gsl_vector* x, void* arrays, gsl_vector* gradient) {
+  static_cast<Arrays*>(arrays)->both(x->data, gradient->data);
 }
 
 /// With the line tolerance that the manual advises (0.1) and our length of the first step; restarted where it
@@ -34,7 +44,8 @@ void with_gsl(Meter& meter, const gsl_multimin_fdfminimizer_type* type) {
   meter.throws = false;
   gsl_set_error_handler_off();
   const std::size_t n = static_cast<std::size_t>(meter.x0.size());
-  gsl_multimin_function_fdf f{.f = value_of, .df = gradient_of, .fdf = both_of, .n = n, .params = &meter};
+  Arrays arrays(meter);
+  gsl_multimin_function_fdf f{.f = value_of, .df = gradient_of, .fdf = both_of, .n = n, .params = &arrays};
   const std::unique_ptr<gsl_multimin_fdfminimizer, void (*)(gsl_multimin_fdfminimizer*)> minimiser(
       gsl_multimin_fdfminimizer_alloc(type, n), gsl_multimin_fdfminimizer_free);
   VectorX start = meter.x0;
@@ -63,19 +74,17 @@ void with_lbfgs(Meter& meter) {
   const int n = static_cast<int>(meter.x0.size());
   const std::unique_ptr<double, void (*)(double*)> x(lbfgs_malloc(n), lbfgs_free);
   Eigen::Map<VectorX>(x.get(), n) = meter.x0;
+  Arrays arrays(meter);
   lbfgs(
       n, x.get(), nullptr,
-      [](void* of, const double* at, double* gradient, int size, double) {
-        VectorX g;
-        const double value = (*static_cast<Meter*>(of))(copied(at, size), g);
-        Eigen::Map<VectorX>(gradient, size) = g;
-        return value;
+      [](void* of, const double* at, double* gradient, int, double) {
+        return static_cast<Arrays*>(of)->both(at, gradient);
       },
       [](void* of, const double*, const double*, double, double, double, double, int, int k, int) {
-        static_cast<Meter*>(of)->iterations = k;
-        return static_cast<Meter*>(of)->over ? 1 : 0;
+        static_cast<Arrays*>(of)->meter.iterations = k;
+        return static_cast<Arrays*>(of)->meter.over ? 1 : 0;
       },
-      &meter, &parameters);
+      &arrays, &parameters);
 }
 #endif
 
