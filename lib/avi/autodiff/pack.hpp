@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
@@ -35,6 +36,11 @@ template <>
 struct PackRegister<4> {
   typedef double type __attribute__((vector_size(32), aligned(16)));
 };
+/// The numbers of a register without their signs, as integers, which are in the same order.
+template <class R>
+[[gnu::always_inline]] inline auto magnitude(R x) {
+  return (decltype(x < x))x & 0x7fffffffffffffff;
+}
 }  // namespace detail
 
 /// w doubles, w = 2, 4, 8, 16 or 32, as one scalar: every operation is applied to each of them, by the vector
@@ -72,11 +78,16 @@ class Pack {
       part[k] = value - Register{};
   }
 
-  [[nodiscard]] double operator[](int i) const {
-    return part[i / lanes][i % lanes];
-  }                                                                      ///< Number i (0-based).
+  /// Number i (0-based).
+  [[nodiscard]] double operator[](int i) const { return part[i / lanes][i % lanes]; }
   void set(int i, double value) { part[i / lanes][i % lanes] = value; }  ///< Replaces number i (0-based).
 
+  /// The first or last half of them, k = 0 or 1; w is at least 4.
+  [[nodiscard]] Pack<w / 2> half(int k) const {
+    Pack<w / 2> y;
+    std::memcpy(y.part, reinterpret_cast<const char*>(part) + k * sizeof(y), sizeof(y));
+    return y;
+  }
   /// f of each number.
   template <class F>
   [[nodiscard]] Pack each(F f) const {
@@ -137,16 +148,11 @@ Pack<w> sqrt(const Pack<w>& x) {
                             typename Pack<w>::Register { return _mm256_sqrt_pd(__m256d(x.part[k])); });
 #endif
 #if defined(__SSE2__)
-  Pack<w> y;
-  for (int i = 0; i < w; i += 2) {
-    const __m128d root = _mm_sqrt_pd(_mm_setr_pd(x[i], x[i + 1]));
-    y.set(i, root[0]);
-    y.set(i + 1, root[1]);
-  }
-  return y;
-#else
-  return x.each([](double v) { return std::sqrt(v); });
+  if constexpr (Pack<w>::lanes == 2)
+    return Pack<w>::by_part([&](int k) ->
+                            typename Pack<w>::Register { return _mm_sqrt_pd(__m128d(x.part[k])); });
 #endif
+  return x.each([](double v) { return std::sqrt(v); });
 }
 /// As power() of a double, and for quarters of an integer too by roots and products. From -7/4 on, negative
 /// ones share the reciprocal root: a distance, its usual powers and their slopes then cost one division.
@@ -208,20 +214,19 @@ Pack<w> atan(const Pack<w>& x) {
 }
 template <int w>
 Pack<w> abs(const Pack<w>& x) {
-  return Pack<w>::by_part([&](int k) ->
-                          typename Pack<w>::Register { return x.part[k] < 0.0 ? -x.part[k] : x.part[k]; });
+  return Pack<w>::by_part([&](int k) { return (typename Pack<w>::Register)detail::magnitude(x.part[k]); });
 }
 /// With the derivative 1 or -1 of each number.
 template <int w, int N>
 Partials<Pack<w>, N> abs(const Partials<Pack<w>, N>& x) {
   return x.chain(abs(x.value), [&] { return x.value.each([](double v) { return std::copysign(1.0, v); }); });
 }
-/// The larger of each pair of numbers; NaN where one of them is.
+/// The larger magnitude of each pair of numbers; NaN where one of them is: its bits are above all others.
 template <int w>
-Pack<w> max(const Pack<w>& a, const Pack<w>& b) {
-  return Pack<w>::by_part([&](int k) -> typename Pack<w>::Register {
-    const typename Pack<w>::Register first = a.part[k] != a.part[k] ? a.part[k] : b.part[k];
-    return a.part[k] >= b.part[k] ? a.part[k] : first;
+Pack<w> max_abs(const Pack<w>& a, const Pack<w>& b) {
+  return Pack<w>::by_part([&](int k) {
+    const auto x = detail::magnitude(a.part[k]), y = detail::magnitude(b.part[k]);
+    return (typename Pack<w>::Register)(x > y ? x : y);
   });
 }
 /// @}
@@ -229,13 +234,8 @@ Pack<w> max(const Pack<w>& a, const Pack<w>& b) {
 /// Sum of the numbers of a pack, halves added onto each other: the same order on every machine.
 template <int w>
 double sum(const Pack<w>& x) {
-  double half[w];
-  for (int i = 0; i < w; ++i)
-    half[i] = x[i];
-  for (int step = w / 2; step > 0; step /= 2)
-    for (int i = 0; i < step; ++i)
-      half[i] += half[i + step];
-  return half[0];
+  if constexpr (w == 2) return x[0] + x[1];
+  if constexpr (w > 2) return sum(Pack<w / 2>(x.half(0) + x.half(1)));
 }
 
 /// Largest of the numbers; NaN where one of them is.

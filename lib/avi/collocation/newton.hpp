@@ -63,8 +63,7 @@ class Newton {
       ++report.evaluations;
       old_q = step.q, old_p = step.p;
       sweeps.sweep_at_once(problem, step);
-      improve(old_q, old_p, step);
-      const double now = std::max(change_of(step.q, old_q).of_all(), change_of(step.p, old_p).of_all());
+      const double now = improve(old_q, old_p, step);
       report.residual = now;
       if (!std::isfinite(now)) report.outcome = Outcome::non_finite;
       const bool slower = before > 0.0 && now > 0.5 * before;
@@ -119,8 +118,8 @@ class Newton {
     return evaluations;
   }
 
-  /// From what a sweep makes of (q, p), which is in the step, to the next iterate.
-  [[gnu::noinline]] void improve(const Vec& q, const Vec& p, Step& step) {
+  /// From what a sweep makes of (q, p), which is in the step, to the next iterate. @return relative change
+  [[gnu::noinline]] double improve(const Vec& q, const Vec& p, Step& step) {
     const Eigen::Index rows = 2 * q.size();
     double* const x = right_.get();
     for (Eigen::Index v = 0; v < rows; ++v)
@@ -136,11 +135,16 @@ class Newton {
         x[k] -= at(k, i) * x[i];
       x[k] /= at(k, k);
     }
-    for (Eigen::Index v = 0; v < rows; ++v)
+    Change<w> of_q, of_p;
+    for (Eigen::Index v = 0; v < rows; ++v) {
+      Pack<w>& next = entry(step.q, step.p, v);
       for (int i = 0; i < w; ++i) {
         const int stage = std::min(i, stages_ - 1);
-        entry(step.q, step.p, v).set(i, entry(q, p, v)[stage] + x[v * stages_ + stage]);
+        next.set(i, entry(q, p, v)[stage] + x[v * stages_ + stage]);
       }
+      (2 * v < rows ? of_q : of_p).add(entry(q, p, v), next);
+    }
+    return std::max(of_q.of_all(), of_p.of_all());
   }
   void reserve() {
     if (!possible()) return;

@@ -23,30 +23,33 @@ struct PreciseState {
 };
 
 /// sum += term, whichever is larger; what rounding cuts off is added to `rest` (Knuth 1969).
-inline void add_with_rest(double& sum, double& rest, double term) {
-  const double next = sum + term, added = next - sum;
+template <class T>
+[[gnu::always_inline]] inline void add_with_rest(T& sum, T& rest, const T& term) {
+  const T next = sum + term, added = next - sum;
   rest += (sum - (next - added)) + (term - added);
   sum = next;
 }
 
-/// Adds all numbers of a pack to sum + low, in about twice the digits of a double. Increments of a long step
-/// are as large as the state, and then add() of a number and its rounding error would lose the error: the
-/// energy of a long run moves half as much as with it.
+/// Adds all numbers of a pack, and of another one what rounding had cut off them, to sum + low, in about
+/// twice the digits of a double. Increments of a long step are as large as the state, and then add() of a
+/// number and its rounding error would lose the error: the energy of a long run moves half as much as with
+/// it.
 template <int w>
-void add_all(double& sum, double& low, const Pack<w>& terms) {
-  double half[w], rest[w] = {};
-  for (int i = 0; i < w; ++i)
-    half[i] = terms[i];
-  for (int step = w / 2; step > 0; step /= 2)
-    for (int i = 0; i < step; ++i) {
-      rest[i] += rest[i + step];
-      add_with_rest(half[i], rest[i], half[i + step]);
-    }
-  rest[0] += low;
-  add_with_rest(sum, rest[0], half[0]);
-  const double next = sum + rest[0];
-  low = rest[0] - (next - sum);
-  sum = next;
+[[gnu::always_inline]] inline void add_all(double& sum, double& low, const Pack<w>& terms,
+                                           const Pack<w>& rests = Pack<w>(0.0)) {
+  if constexpr (w > 2) {
+    Pack<w / 2> half = terms.half(0), rest = rests.half(0) + rests.half(1);
+    add_with_rest(half, rest, terms.half(1));
+    add_all(sum, low, half, rest);
+  } else {
+    double half = terms[0], rest = rests[0] + rests[1];
+    add_with_rest(half, rest, terms[1]);
+    rest += low;
+    add_with_rest(sum, rest, half);
+    const double next = sum + rest;
+    low = rest - (next - sum);
+    sum = next;
+  }
 }
 
 }  // namespace avi

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 /// @file
@@ -145,8 +146,6 @@ class alignas(64) Stages {
     Unknowns<n, w>&step = both_[now_], &next = both_[1 - now_];
     while (report.evaluations < settings_.max_sweeps) {
       const int k = ++report.evaluations;
-      const bool look = k >= first_look;
-      if (look) old_q_ = step.q, old_p_ = step.p;
       if constexpr (ahead) {
         if (!begun_ && usual_ >= worth_it && k > usual_ / 2) {
           sweeps_.begin_next(problem, step, next);
@@ -154,15 +153,14 @@ class alignas(64) Stages {
           ahead_ = 1;
         }
       }
-      if (ahead && begun_) {
-        sweeps_.sweep_both(problem, step, next);
-        ++ahead_;
-      } else {
-        sweeps_.sweep(problem, step);
-      }
-      if (!look) continue;
-      const double change =
-          largest(max(change_of(step.q, old_q_).at_stages(), change_of(step.p, old_p_).at_stages()));
+      const auto sweep = [&](auto looks) {
+        if constexpr (ahead)
+          if (begun_) return sweeps_.template sweep_both<looks>(problem, step, next);
+        return sweeps_.template sweep<looks>(problem, step);
+      };
+      if (begun_) ++ahead_;
+      const double change = largest(k < first_look ? sweep(std::false_type()) : sweep(std::true_type()));
+      if (k < first_look) continue;
       report.residual = change;
       if (!std::isfinite(change)) {
         report.outcome = Outcome::non_finite;

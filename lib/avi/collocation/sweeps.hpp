@@ -36,25 +36,20 @@ struct Unknowns {
 /// The largest change of a vector at each stage, and its largest entry there.
 template <int w>
 struct Change {
-  Pack<w> change;  ///< Of an entry.
-  Pack<w> size;    ///< Of an entry; at least the smallest normal number.
+  Pack<w> change{0.0};                               ///< Of an entry.
+  Pack<w> size{std::numeric_limits<double>::min()};  ///< Of an entry; at least the smallest normal number.
+
+  /// An entry goes from one value to another.
+  [[gnu::always_inline]] void add(const Pack<w>& from, const Pack<w>& to) {
+    change = max_abs(change, Pack<w>(to - from));
+    size = max_abs(size, to);
+  }
 
   /// Relative, at each stage.
   [[nodiscard]] Pack<w> at_stages() const { return change / size; }
   /// Relative to the largest entry at any stage.
   [[nodiscard]] double of_all() const { return largest(change) / largest(size); }
 };
-
-/// From one vector for each stage to another.
-template <int w, int n>
-Change<w> change_of(const Vector<Pack<w>, n>& now, const Vector<Pack<w>, n>& before) {
-  Change<w> change{Pack<w>(0.0), Pack<w>(std::numeric_limits<double>::min())};
-  for (Eigen::Index i = 0; i < now.size(); ++i) {
-    change.change = max(change.change, abs(now[i] - before[i]));
-    change.size = max(change.size, abs(now[i]));
-  }
-  return change;
-}
 
 /// The sweeps of a rule of at most w stages. Lanes beyond the last stage repeat that stage with weight zero,
 /// so the formula is never evaluated at an arbitrary point.
@@ -99,26 +94,27 @@ class alignas(64) Sweeps {
   /// that step where this one starts @param ratio of this step's size to that one's
   void begin(Step& step, const Vec& dq, const Vec& dp, double offset, double ratio) {
     if (offset != offset_ || ratio != ratio_) continue_at(offset, ratio);
+    const LaneMatrix<w> continued = continued_;
     for (Eigen::Index i = 0; i < step.q.size(); ++i) {
-      step.q[i] = Scalar(step.start.state.q[i]) + continued_ * dq[i];
-      step.p[i] = Scalar(step.start.state.p[i]) + continued_ * dp[i];
+      step.q[i] = Scalar(step.start.state.q[i]) + continued * dq[i];
+      step.p[i] = Scalar(step.start.state.p[i]) + continued * dp[i];
     }
   }
 
-  /// One sweep.
-  void sweep(const Problem& problem, Step& step) {
+  /// One sweep. @tparam look the change is asked for
+  /// @return largest relative change of q or p at each stage
+  template <bool look>
+  Scalar sweep(const Problem& problem, Step& step) {
     forces(problem, step);
-    stages(problem, step);
+    return stages<look>(problem, step);
   }
 
   /// All stages from the field at the stages as they are, none of them renewed before.
   void sweep_at_once(const Problem& problem, Step& step) {
     evaluate(problem, step);
     const State<n>&z = step.start.state, &low = step.start.low;
-    for (Eigen::Index i = 0; i < step.q.size(); ++i) {
-      step.q[i] = Scalar(z.q[i]) + mu_.times(step.dq[i], Scalar(low.q[i]));
-      step.p[i] = Scalar(z.p[i]) + mu_.times(step.dp[i], Scalar(low.p[i]));
-    }
+    renew<false>(step.q, step.dq, z.q, low.q);
+    renew<false>(step.p, step.dp, z.p, low.p);
   }
   /// The field at the stages.
   [[gnu::flatten, gnu::noinline]] void evaluate(const Problem& problem, Step& step) {
@@ -134,15 +130,16 @@ class alignas(64) Sweeps {
   }
   /// One sweep of a step and one of the next, half a sweep apart: while the one waits for divisions and
   /// roots, the other one multiplies and adds.
-  void sweep_both(const Problem& problem, Step& step, Step& next) {
+  template <bool look>
+  Scalar sweep_both(const Problem& problem, Step& step, Step& next) {
     forces(problem, step);
     put_behind(step, next);
-    stages(problem, next);
+    stages<false>(problem, next);
     forces(problem, next);
-    stages(problem, step);
+    return stages<look>(problem, step);
   }
   /// The second half of the sweep in which begin_next() and sweep_both() leave the next step.
-  void end_sweep(const Problem& problem, Step& step) { stages(problem, step); }
+  void end_sweep(const Problem& problem, Step& step) { stages<false>(problem, step); }
 
   /// g at each stage, as the last sweep saw it.
   [[nodiscard]] const Scalar& rate(const Step& step) { return field_.rate(step.rate); }
@@ -155,13 +152,25 @@ class alignas(64) Sweeps {
   [[gnu::flatten, gnu::noinline]] void forces(const Problem& problem, Step& step) {
     field_.force(problem, step.q, step.p, weight_, step.rate, step.dp);
   }
-  [[gnu::flatten, gnu::noinline]] void stages(const Problem& problem, Step& step) {
+  template <bool look>
+  [[gnu::flatten, gnu::noinline]] Scalar stages(const Problem& problem, Step& step) {
     const State<n>&z = step.start.state, &low = step.start.low;
-    for (Eigen::Index i = 0; i < step.q.size(); ++i)
-      step.p[i] = Scalar(z.p[i]) + mu_.times(step.dp[i], Scalar(low.p[i]));
+    const Scalar of_p = renew<look>(step.p, step.dp, z.p, low.p);
     field_.velocity(problem, step.q, step.p, weight_, step.rate, step.dq);
-    for (Eigen::Index i = 0; i < step.q.size(); ++i)
-      step.q[i] = Scalar(z.q[i]) + mu_.times(step.dq[i], Scalar(low.q[i]));
+    return max_abs(of_p, renew<look>(step.q, step.dq, z.q, low.q));
+  }
+  /// x = start + low + mu dx. @return its largest relative change at each stage, where that is asked for
+  template <bool look, class V>
+  Scalar renew(Vec& x, const Vec& dx, const V& start, const V& low) const {
+    const LaneMatrix<w> mu =
+        mu_;  // the compiler then knows that nothing changes it, and keeps it in registers
+    Change<w> change;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const Scalar next = Scalar(start[i]) + mu.times(dx[i], Scalar(low[i]));
+      if constexpr (look) change.add(x[i], next);
+      x[i] = next;
+    }
+    return change.at_stages();
   }
   static void put_behind(const Step& step, Step& next) {
     for (Eigen::Index i = 0; i < step.q.size(); ++i) {
