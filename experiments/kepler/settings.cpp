@@ -1,12 +1,6 @@
 #include "kepler/table.hpp"
 
-#include <limits>
-
 namespace experiment {
-
-namespace {
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-}
 
 // The arclength row of Table 1 prints the step bounds a h, b h where the other rows print a, b; only a =
 // 0.03, b = 3 gives its steps.

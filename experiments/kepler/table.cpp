@@ -11,8 +11,6 @@ namespace experiment {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 KeplerRun verlet_run(const KeplerTable& table, double horizon) {
   const Runner verlet(avi::Kepler{}, [](const State2&) {
     return avi::stormer_verlet<2>(

@@ -3,6 +3,7 @@
 #include "common/methods/runner.hpp"
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@
 /// Tables 1 and 2 of the paper: one Kepler orbit, HTVI4 with and without monitors against Stormer-Verlet.
 
 namespace experiment {
+
+/// Where a row has no such number.
+inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// A row of the published table: the monitor of an HTVI4 run with its bounds g_min = a, g_max = b.
 struct KeplerRow {

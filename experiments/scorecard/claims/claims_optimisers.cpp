@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array approaches{"direct", "adaptive"};
 /// MATLAB's two solvers are these pairs.
-constexpr std::array pairs{"dormand_prince", "bogacki_shampine"};
+constexpr std::array pair_methods{"dormand_prince", "bogacki_shampine"};
 
 /// Converged is what the stopping test says from some iteration on; at a first passage alone it is not.
 Finding rk4_fails(const Results& data) {
@@ -46,7 +46,8 @@ template <class Visit>
 std::size_t against_pairs(const experiment::Table& table, Visit visit) {
   std::size_t cases = 0;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    if (std::ranges::find(pairs, table.text(i, "method")) == pairs.end() || std::isnan(sustained(table, i)))
+    if (std::ranges::find(pair_methods, table.text(i, "method")) == pair_methods.end() ||
+        std::isnan(sustained(table, i)))
       continue;
     ++cases;
     visit(i, find(table, {{"method", "htvi"}, {"approach", table.text(i, "approach")}}));
@@ -89,7 +90,7 @@ Finding pairs_gain_nothing(const Results& data) {
   std::size_t holding = 0, cases = 0;
   double least = 1e99, most = 0.0;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    if (std::ranges::find(pairs, table.text(i, "method")) == pairs.end() ||
+    if (std::ranges::find(pair_methods, table.text(i, "method")) == pair_methods.end() ||
         table.text(i, "approach") != "direct" || table.number(i, "rtol") > 5e-3)
       continue;
     const double ratio =

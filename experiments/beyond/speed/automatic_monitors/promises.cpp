@@ -1,14 +1,13 @@
 #include "beyond/speed/automatic_monitors/promises.hpp"
 
+#include "beyond/speed/automatic_monitors/cost.hpp"
 #include "beyond/speed/automatic_monitors/drift_verdict.hpp"
 
-#include "avi/automatic/solution.hpp"
 #include "avi/diagnostics/drift.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace experiment {
 
@@ -38,12 +37,10 @@ void measure_tolerances(const Frame& frame, const std::vector<Scene>& scenes) {
 
 namespace {
 
-using State = avi::State<avi::dynamic>;
-
 /// How two orbits part that start side by side.
 struct Parting {
-  double growth = 0.0;  ///< Their largest distance in horizons 10 to 20 over that in the first ten.
-  double distance = std::numeric_limits<double>::infinity();  ///< The former over the distance at the start.
+  double growth = 0.0;         ///< Their largest distance in horizons 10 to 20 over that in the first ten.
+  double distance = infinity;  ///< The former over the distance at the start.
   /// Neighbours part in proportion to time, growth 2, and have not come to where they part no more.
   [[nodiscard]] bool regular() const { return growth < 3.0 && distance < 3e7; }
 };
@@ -54,9 +51,9 @@ Parting parting(const Scene& scene, const avi::MonitorChoice& choice) {
   std::size_t steps = 0;
   for (const bool beside : {false, true}) {
     auto method = avi::collocation(poincare(scene.energy, scene.start, choice.monitor), choice.order);
-    State z = scene.start;
+    Point z = scene.start;
     if (beside) z.q.array() += apart;
-    (void)integrate(method, z, choice.h, avi::Until{.time = 20.0 * scene.time}, [&](const State& at, long) {
+    (void)integrate(method, z, choice.h, avi::Until{.time = 20.0 * scene.time}, [&](const Point& at, long) {
       if (!beside) {
         orbit.push_back(at.q);
       } else if (steps < orbit.size()) {
@@ -78,11 +75,11 @@ struct Series : ErrorSeries {
 Series follow(const Scene& scene, const avi::MonitorChoice& choice, double end) {
   Series series;
   auto method = avi::collocation(poincare(scene.energy, scene.start, choice.monitor), choice.order);
-  State z = scene.start;
+  Point z = scene.start;
   const double h0 = scene.energy(z.q, z.p);
   double largest = 0.0;
   series.run = integrate(
-      method, z, choice.h, avi::Until{.time = end, .steps = 20'000'000}, [&](const State& at, long) {
+      method, z, choice.h, avi::Until{.time = end, .steps = 20'000'000}, [&](const Point& at, long) {
         const double error = (scene.energy(at.q, at.p) - h0) / choice.energy_scale;
         if (at.t < 0.1 * end) series.worst_first = std::max(series.worst_first, std::abs(error));
         if (at.t > 0.9 * end) series.worst_last = std::max(series.worst_last, std::abs(error));

@@ -19,7 +19,7 @@ using namespace avi;
 
 namespace {
 
-void try_loop(Tries& tries) {
+void try_time_loop(Tries& tries) {
   tries.part = "integrate";
   const auto start = Kepler::pericentre(0.5);
   const auto run = [&](double h, Until until) {
@@ -97,7 +97,7 @@ void try_collocation(Tries& tries) {
 }  // namespace
 
 void try_dynamics(Tries& tries) {
-  try_loop(tries);
+  try_time_loop(tries);
   try_collocation(tries);
   try_monitors(tries);
   try_quadrature(tries);

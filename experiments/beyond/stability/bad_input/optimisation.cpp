@@ -60,7 +60,7 @@ void try_rules(Tries& tries) {
   tries.all("first step", not_positive, [&](double h) { run(Pair{.family = family, .first_step = h}); });
 }
 
-void try_loop(Tries& tries) {
+void try_update_loop(Tries& tries) {
   tries.part = "minimise";
   const Nag method{.h = 1e-6};
   tries.all("delta", std::vector{-1.0, nan, inf},
@@ -88,7 +88,7 @@ void try_loop(Tries& tries) {
 
 void try_optimisation(Tries& tries) {
   try_rules(tries);
-  try_loop(tries);
+  try_update_loop(tries);
 }
 
 }  // namespace experiment
