@@ -50,6 +50,23 @@ TEST(Minimise, ThePapersQuarticTakesFewGradients) {
   RecordProperty("m0", static_cast<int>(count(0, 1e-10)));
 }
 
+TEST(Minimise, TakesFewGradientsInALongValley) {
+  const auto valley = [](const VectorX& x, VectorX& g) {
+    double f = 0.0;
+    g.setZero();
+    for (Eigen::Index i = 0; i + 1 < x.size(); ++i) {
+      const double a = x[i + 1] - x[i] * x[i], b = 1.0 - x[i];
+      f += 100.0 * a * a + b * b;
+      g[i] += -400.0 * a * x[i] - 2.0 * b;
+      g[i + 1] += 200.0 * a;
+    }
+    return f;
+  };
+  const auto run = minimise(valley, VectorX::Constant(20, -1.2), {.relative = 1e-10});
+  EXPECT_TRUE(run.converged()) << run.message;
+  EXPECT_LE(run.gradient_evaluations, 185);  // measured 178
+}
+
 TEST(Minimise, ConvergenceIsDecidedOnAnEvaluatedGradient) {
   for (int m : {0, 1, 7}) {
     const auto run = minimise(rosenbrock, Eigen::Vector2d(-1.2, 1.0), {.memory = m});
