@@ -24,8 +24,8 @@ export SOURCE_DATE_EPOCH := $(shell git log -1 --format=%ct 2>/dev/null || echo 
 # CMake writes down what the calls of experiment() declare (experiments/CMakeLists.txt): the names of all experiments;
 # `timed`, whose seconds are compared; `slow`; `drawn`, with script_of_<name>; with_<mode>, those that know a longer run. Goals
 # that need no experiment do without it. To make it, packages have to be there.
-without_list := help deps deps-peers deps-paper deps-docs deps-bench deps-instructions deps-fuzz deps-format deps-mutants \
-                programs build check bench instructions mutants fuzz levels docs install format clean
+without_list := help deps deps-peers deps-paper deps-docs deps-instructions deps-fuzz deps-format deps-mutants \
+                programs build check instructions mutants fuzz levels docs install format clean
 ifneq ($(filter-out $(without_list),$(or $(MAKECMDGOALS),help)),)
 include $(BUILD)/experiments.mk
 endif
@@ -36,8 +36,8 @@ FIGURES     := $(foreach f,$(drawn),build/figures/$f.pdf build/figures/$f.png)
 PUBLISHED   := $(wildcard paper/published/*.tsv)
 GALLERY     := kepler_e090 euler_b_errors direct_vs_adaptive work_precision
 
-.PHONY: help deps deps-peers deps-paper deps-docs deps-bench deps-instructions deps-fuzz deps-format deps-mutants programs build data figures scorecard verdicts \
-        check bench instructions mutants fuzz levels paper docs install long work-precision arena extremes gallery format clean
+.PHONY: help deps deps-peers deps-paper deps-docs deps-instructions deps-fuzz deps-format deps-mutants programs build data figures scorecard verdicts \
+        check instructions mutants fuzz levels paper docs install long work-precision arena extremes gallery format clean
 
 help: ## This list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' $(MAKEFILE_LIST) | while IFS='	' read -r target text; do \
@@ -76,8 +76,6 @@ deps-paper: deps ## Install TeX
 	$(call install,$(paper_packages))
 deps-docs: deps ## Install Doxygen
 	$(call install,$(docs_packages))
-deps-bench: deps
-	$(call install,libbenchmark-dev)
 deps-instructions: deps
 	$(call install,valgrind)
 deps-mutants: deps
@@ -105,8 +103,6 @@ $(patsubst %,$(BIN)/%,$(experiments) scorecard): programs
 
 check: build ## Build and run every test
 	ctest --test-dir $(BUILD) --output-on-failure --parallel $(shell nproc)
-bench: deps-bench programs ## Nanoseconds per step of every method (Google Benchmark)
-	@$(configure) && $(compile) benchmarks && for each in $(BIN)/*_bench; do $$each || exit 1; done
 instructions: deps-instructions ## Count the instructions of fixed work, warn where they grew by over 10 % (ACCEPT=1 takes the counts over)
 	@cmake --preset portable >/dev/null && cmake --build build/portable --target instructions_workload
 	@tests/instructions/compare.sh build/portable/bin/instructions_workload tests/instructions/counts.tsv $(if $(ACCEPT),accept)

@@ -29,7 +29,7 @@ tables() {
   esac
   build=build/levels/$1
   # At -O0 a source with a level of its own cannot read headers precompiled without.
-  cmake --preset $preset -B "$build" -DCMAKE_CXX_COMPILER="${rest%-*}" -DAVI_TESTS=OFF -DAVI_BENCHMARKS=OFF \
+  cmake --preset $preset -B "$build" -DCMAKE_CXX_COMPILER="${rest%-*}" -DAVI_TESTS=OFF \
     -DAVI_PRECOMPILE=OFF -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_CXX_FLAGS_RELEASE="-${rest##*-} -DNDEBUG" >&2 || return
   cmake --build "$build" --target $stems >&2 || return
   for stem in $stems; do
