@@ -20,7 +20,8 @@ avi::Minimisation run_updates(const Rule& rule, const AnyObjective& f, const avi
                               const avi::Stopping& stopping, const AnyWitness& witness) {
   const auto run = [&](const auto& method) { return avi::run_updates(f, method, x0, stopping, witness); };
   const auto& [name, family, h, from, clock, control] = rule;
-  const auto or_default = [&](double otherwise) { return std::isnan(h) ? otherwise : h; };
+  // clang++ 14 captures no structured binding by itself.
+  const auto or_default = [h = h](double otherwise) { return std::isnan(h) ? otherwise : h; };
 
   if (name == "htvi") return run(avi::BregmanHtvi{.family = family, .h = h, .from = from, .clock = clock});
   if (name == "heavy_ball") return run(avi::BregmanHeavyBall{.family = family, .h = h, .from = from});
