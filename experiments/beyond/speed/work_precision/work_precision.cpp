@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,18 @@ Scene reference_scene() {
   std::erase_if(scene.families, [](const Family& f) { return f.method != "stormer_verlet"; });
   scene.families.front().settings = {5e-5};
   return scene;
+}
+
+/// The scenes whose name contains `text`.
+std::vector<Listed> chosen(std::vector<Listed> list, const std::string& text) {
+  std::string names;
+  for (const Listed& one : list)
+    names += (names.empty() ? "" : ", ") + one.label;
+  std::erase_if(list, [&](const Listed& one) { return one.label.find(text) == std::string::npos; });
+  if (list.empty())
+    throw std::invalid_argument("--scene is '" + text +
+                                "'; it must be part of the name of one of these: " + names + ".");
+  return list;
 }
 
 void add_rows(experiment::Table& table, const Scene& scene, const std::vector<Point>& points, double unit) {
@@ -71,8 +84,7 @@ int main(int argc, char** argv) {
         table.note("peers", peers_present());
         advice.note("peers", peers_present());
         const Scene unit_scene = reference_scene();
-        auto list = scenes(grid);
-        std::erase_if(list, [&](const Listed& one) { return one.label.find(only) == std::string::npos; });
+        const auto list = chosen(scenes(grid), only);
         for (std::size_t i = 0; i < list.size(); ++i) {
           const std::string& label = list[i].label;
           const Scene scene = list[i].make();
