@@ -59,7 +59,7 @@ TEST(SecantPairs, GiveTheDirectionOfTheFormedMatrix) {
 
 // Vectors are worked on in blocks that stay in the cache, pairs two at a time.
 TEST(SecantPairs, SatisfyTheSecantEquationInEveryBlock) {
-  constexpr Eigen::Index n = 2500;
+  constexpr Eigen::Index n = 9000;
   avi::SecantPairs pairs(3, n);
   VectorX d(n), with_pairs(pairs.products()), change(pairs.products());
   const VectorX curvatures = VectorX::LinSpaced(n, 1.0, 3.0);
@@ -112,7 +112,7 @@ TEST(SecantPairs, TakeTheMassesWhereTheyForetellPairs) {
   // A diagonal Hessian from 1 to 1e4, of which twelve entries in two blocks matter: after some rounds the
   // masses are in use, and H is the BFGS inverse with them and not with I; a round of pairs of another
   // Hessian ends that.
-  constexpr Eigen::Index n = 1200, every = 100;
+  constexpr Eigen::Index n = 4800, every = 400;
   constexpr int m = 5;
   avi::SecantPairs pairs(m, n);
   VectorX curvatures(n), d(n), g(n), with_pairs(pairs.products()), change(pairs.products());
