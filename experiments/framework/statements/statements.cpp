@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
         table.note("hessian", "whether the p-Hessian of H-bar vanishes at the start");
         for (const bool singular : {false, true}) {
           const Point z = start(singular);
-          const auto [q0, t0, p0, pt] = z;
+          const double q0 = z[0], p0 = z[2], pt = z[3];
           const Curve<double> exact(q0, p0, pt, monitor);
           const std::string hessian = singular ? "singular" : "regular";
           const auto add = [&](const char* name, int r, double expected,

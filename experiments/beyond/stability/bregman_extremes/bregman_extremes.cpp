@@ -39,7 +39,8 @@ void write_overflow(Frame& frame) {
                                         {50, 1e-6}}) {
     const auto family = avi::BregmanFamily::adaptive(p, p_ring);
     const Agreement close = agreement(family, steps);
-    const auto add = [&](const End& end, double distance) {
+    // clang++ 14 captures no structured binding by itself.
+    const auto add = [&, p = p, p_ring = p_ring](const End& end, double distance) {
       table.row(end.form, p, p_ring, end.h, end.log_end / M_LN10, end.expected / M_LN10, end.steps, distance,
                 close.steps);
     };
