@@ -167,7 +167,7 @@ Finding fourth_root(const Results& data) {
         most = std::max(most, euler_b(data, target, "truncation_root") / euler_b(data, target, "truncation"));
       });
   return {in_cases(most < 1.1 ? cases : 0, cases),
-          fmt::format("With the root {:.1f} times the steps at equal energy error.", most)};
+          fmt::format("With the root up to {:.1f} times the steps at equal energy error.", most)};
 }
 
 /// The step is h g = (2 tol / h) |q|^2, so the error is proportional to tol / h.
