@@ -4,6 +4,8 @@
 #include "avi/collocation/collocation.hpp"
 #include "avi/transform/poincare.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 
@@ -38,8 +40,11 @@ void add_collocation(Scene& scene, const Arena<P>& arena, const std::string& kno
   add(knob, 12, 0.9);
   add(knob, 16, 1.0);
   if (!loosely) return;
-  add(knob + " tolerance=1e-06", 16, 1.0, {.tolerance = 1e-6});
-  add(knob + " tolerance=1e-10", 16, 1.0, {.tolerance = 1e-10});
+  for (const double tolerance : {1e-4, 1e-6, 1e-10}) {
+    const std::string its = fmt::format("{} tolerance={:.0e}", knob, tolerance);
+    add(its, 8, 0.6, {.tolerance = tolerance});
+    add(its, 16, 1.0, {.tolerance = tolerance});
+  }
 }
 
 }  // namespace experiment::work_precision
