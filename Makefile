@@ -53,8 +53,9 @@ paper_packages := latexmk texlive-latex-recommended texlive-latex-extra texlive-
 docs_packages  := doxygen libjs-mathjax
 
 # $(call install,packages): root installs, another user asks sudo where it can answer, else one line says what to run.
+# One at a time: apt's lock on its lists is not waited for.
 define install
-@command -v dpkg-query >/dev/null || { \
+@exec 9<$(firstword $(MAKEFILE_LIST)) && flock 9; command -v dpkg-query >/dev/null || { \
   echo "No dpkg here; taking for granted what these Debian packages hold: $(1)"; exit 0; }; \
 missing=; for package in $(1); do \
   [ "$$(dpkg-query -W -f '$${db:Status-Status}' $$package 2>/dev/null)" = installed ] || missing="$$missing $$package"; \

@@ -17,6 +17,9 @@ struct Scaling {
   Beta beta;
   Gamma gamma;
 };
+// clang++ 14 deduces no arguments of an aggregate by itself.
+template <class Alpha, class Beta, class Gamma>
+Scaling(Alpha, Beta, Gamma) -> Scaling<Alpha, Beta, Gamma>;
 
 /// Derivative by the complex step: no subtraction, so exact to round-off (Squire and Trapp 1998).
 template <class Function>
