@@ -84,8 +84,8 @@ TEST(CostGrowth, ASweepCostsTheSameNumberOfEvaluationsOfHInEveryDimension) {
     evaluations.push_back(seconds(table, "sweep", n) / seconds(table, "energy", n));
   const auto [least, most] = std::minmax_element(evaluations.begin(), evaluations.end());
   EXPECT_GT(*least, 0.0);
-  // The aim is 2. 1.2 to 2.1 were measured, the most at n = 2, where a recorded program spends its time on
-  // finding the next operation; twice that, for the same reason. Partials carried forward would give 256.
+  // The aim is 2. 2.1 to 2.9 were measured, 2.6 with nothing beside, the most at n = 2, where a recorded
+  // program spends its time on finding the next operation. Partials carried forward would give 256.
   EXPECT_LT(*most, 3.8 * *least);
 }
 
