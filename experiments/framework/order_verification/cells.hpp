@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <span>
 
 /// @file
@@ -28,20 +29,14 @@ struct Slopes {
   double limit;          ///< Extrapolated to h = 0 from that and the slope of the four steps before it.
 };
 
-/// Slopes of the error at the end of [0, horizon] in fictive time, over steps horizon / N. Slopes of longer
-/// steps are not yet the order. Where the leading two terms of the error cancel at some step, slopes of finer
-/// ones come to the order from below, s(h) = p + c h + O(h^2): Richardson's extrapolation gives p.
-template <class MakeMethod, class State, class Error>
-Slopes slopes_of(const MakeMethod& make, const State& start, double horizon, const Error& error,
-                 int most_steps) {
+/// Slopes of error(N), at the end of [0, horizon] in fictive time after N steps. Slopes of longer steps are
+/// not yet the order. Where the leading two terms of the error cancel at some step, slopes of finer ones come
+/// to the order from below, s(h) = p + c h + O(h^2): Richardson's extrapolation gives p.
+inline Slopes slopes_of(const std::function<double(int)>& error, double horizon, int most_steps) {
   std::vector<double> h, errors;
   for (int n = 2; n <= most_steps; n = std::max(n + 1, n * 6 / 5)) {
-    auto method = make();
-    State z = start;
-    const double step = horizon / n;
-    const auto run = avi::integrate(method, z, step, {.steps = n});
-    h.push_back(step);
-    errors.push_back(run.outcome == avi::Outcome::ok ? error(z) : std::nan(""));
+    h.push_back(horizon / n);
+    errors.push_back(error(n));
     if (errors.back() < 2e-14) break;
   }
   // Rounding adds up over the steps; NaN is not usable.
@@ -70,9 +65,10 @@ Slopes slopes_of(const MakeMethod& make, const State& start, double horizon, con
   return {finest, limit};
 }
 
-template <avi::Generating type, avi::Construction construction, class Problem, class State, class Error>
+template <avi::Generating type, avi::Construction construction, class Problem, class State>
 void add_cells(std::vector<OrderCell>& cells, const std::string& name, const Problem& problem,
-               const State& start, double horizon, const Error& error, bool quick) {
+               const State& start, double horizon, const std::function<double(const State&)>& error,
+               bool quick) {
   constexpr bool stationary = construction == avi::stationary;
   const char* label = stationary ? "stationary" : construction == avi::printed ? "printed" : "authors";
   const auto rules = order_rules();
@@ -82,9 +78,13 @@ void add_cells(std::vector<OrderCell>& cells, const std::string& name, const Pro
       // at the steps that rounding leaves, that term and the one of order 2r + 2 compete, and a slope tells
       // neither.
       if (stationary && rule.order > r + 1 && rule.order < 2 * r + 2) continue;
-      const auto [finest, limit] =
-          slopes_of([&] { return avi::htvi_of_order<type, construction>(r, problem, rule); }, start, horizon,
-                    error, quick ? 1000 : 2000);
+      const auto error_after = [&](int steps) {
+        auto method = avi::htvi_of_order<type, construction>(r, problem, rule);
+        State z = start;
+        const auto run = avi::integrate(method, z, horizon / steps, {.steps = steps});
+        return run.outcome == avi::Outcome::ok ? error(z) : std::nan("");
+      };
+      const auto [finest, limit] = slopes_of(error_after, horizon, quick ? 1000 : 2000);
       cells.push_back(
           {name, type == avi::Generating::type2 ? "II" : "III", label, r, rule.name,
            stationary ? std::min(2 * r + 2, std::max(rule.order, r + 1)) : std::min(r + 1, rule.order),
@@ -92,17 +92,18 @@ void add_cells(std::vector<OrderCell>& cells, const std::string& name, const Pro
     }
 }
 
-/// Both types, stationary and as printed; where `authors`, that construction too. The error is that of
-/// (q, p, t).
-template <bool authors = false, class Problem>
+/// Both types, stationary and as printed; where `authors` (compiled if the first one says so), that
+/// construction too. The error is that of (q, p, t).
+template <bool with_authors = false, class Problem>
 void add_problem(std::vector<OrderCell>& cells, const std::string& name, const Problem& problem,
-                 const avi::State<Problem::dimension>& start, double horizon, bool quick) {
+                 const avi::State<Problem::dimension>& start, double horizon, bool quick,
+                 bool authors = with_authors) {
   constexpr int n = Problem::dimension;
   ExtendedPoint<n> exact = extended_reference(problem, start, horizon);
   // Where time is a coordinate, q holds it.
   const long double exact_time = problem.clock(start.q, -1.0) != -1.0 ? exact[n - 1] : exact[2 * n];
   exact[2 * n] = 0.0L;
-  const auto error = [exact, exact_time](const avi::State<n>& z) {
+  const std::function<double(const avi::State<n>&)> error = [&](const avi::State<n>& z) {
     ExtendedPoint<n> point;
     point << z.q.template cast<long double>(), z.p.template cast<long double>(),
         static_cast<long double>(z.t) - exact_time;
@@ -113,7 +114,8 @@ void add_problem(std::vector<OrderCell>& cells, const std::string& name, const P
   add_cells<Generating::type3, avi::stationary>(cells, name, problem, start, horizon, error, quick);
   add_cells<Generating::type2, avi::printed>(cells, name, problem, start, horizon, error, quick);
   add_cells<Generating::type3, avi::printed>(cells, name, problem, start, horizon, error, quick);
-  if constexpr (authors) {
+  if constexpr (with_authors) {
+    if (!authors) return;
     add_cells<Generating::type2, avi::authors>(cells, name, problem, start, horizon, error, quick);
     add_cells<Generating::type3, avi::authors>(cells, name, problem, start, horizon, error, quick);
   }

@@ -19,9 +19,9 @@ struct OrderCell {
   int points;
 };
 
-/// Cells of the problems without monitor: T quadratic, relativistic, not separable.
+/// Cells of the problems without monitor: T quadratic, relativistic, not separable, Kepler.
 std::vector<OrderCell> order_cells_without_monitor(bool quick, const std::function<void(double)>& done);
-/// Kepler's problem, with monitors of the position.
+/// Kepler's problem with monitors of the position.
 std::vector<OrderCell> order_cells_of_monitors(bool quick, const std::function<void(double)>& done);
 /// A monitor of position and momentum, and a Hamiltonian that depends on time.
 std::vector<OrderCell> order_cells_of_general_problems(bool quick, const std::function<void(double)>& done);
