@@ -12,12 +12,15 @@ array shown[kinds] = ['log. Hamiltonian', 'Gauss collocation', 'HTVI', 'GSL', 'B
 array colour[kinds] = [green, black, blue, vermilion, orange, purple, grey]
 array mark[kinds] = [9, 7, 7, 5, 4, 2, 1]
 
-# Points of a kind in a scene, dearer ones only where they are more accurate; the first line stands for column names.
+# Points of a scene by kind, dearer ones only where they are more accurate: kind, cost, error.
 scene(p, e, h) = sprintf('$1 == "%s" && $3 == "%s"', p, h).(e < 0 ? '' : sprintf(' && $2 > %g && $2 < %g', e - 1e-6, e + 1e-6))
-front(p, e, h, k) = "< awk -F'\\t' '!/^#/ && ".scene(p, e, h)." && $4 ~ /".members[k]."/ && $10 == $10 + 0 {print $12 \"\\t\" $10}' '".file."' | sort -g " \
-  ."| awk -F'\\t' 'BEGIN {print \"cost\\terror\"; best = 1} $2 < best {print; best = $2}'"
-count(p, e, h, k) = int(system("awk -F'\\t' '!/^#/ && ".scene(p, e, h)." && $4 ~ /".members[k]."/' '".file."' | wc -l"))
+kind_of = ''
+do for [k=1:kinds] { kind_of = kind_of.sprintf('$4 ~ /%s/ ? %d : ', members[k], k) }
+fronts(p, e, h) = "awk -F'\t' -v OFS='\t' '!/^#/ && ".scene(p, e, h)." && $10 == $10 + 0 {k = ".kind_of."0; if (k) print k, $12, $10}' '".file."' " \
+  ."| sort -k1,1n -k2,2g | awk -F'\t' '$1 != k {k = $1; best = 1} $3 < best {print; best = $3}'"
+count(p, e, h) = int(system("awk -F'\t' '!/^#/ && ".scene(p, e, h)."' '".file."' | wc -l"))
 
+unset datafile columnheaders
 eval logx
 eval logy
 set grid
@@ -29,8 +32,8 @@ array problem[panels] = ['kepler', 'kepler', 'kepler', 'kepler', 'perturbed_kepl
   'double_pendulum', 'star_cluster', 'solar_system', 'chain64']
 array ecc[panels] = [0.9, 0.99, 0.999, 0.9, 0.9, -1, -1, -1, -1, -1, -1]
 # The horizon that the data hold: the reduced grid is shorter than the full one.
-orbits = count('kepler', 0.9, '1000 periods', 1) ? '1000 periods' : '100 periods'
-sections = count('henon_heiles', -1, '1000', 2) ? '1000' : '100'
+orbits = count('kepler', 0.9, '1000 periods') ? '1000 periods' : '100 periods'
+sections = count('henon_heiles', -1, '1000') ? '1000' : '100'
 array horizon[panels] = ['10', '10', '10', orbits, '10', '10 periods', sections, '100', '1', '200000 days', '100']
 array title[panels] = ['Kepler 0.9, T = 10', 'Kepler 0.99, T = 10', 'Kepler 0.999, T = 10', \
   'Kepler 0.9, '.orbits, 'quadrupole 0.9, T = 10', 'figure eight, 10 periods', 'Hénon–Heiles, T = '.sections, \
@@ -44,9 +47,12 @@ do for [i=1:panels] {
   set ylabel i % 4 == 1 ? 'position error' : ''
   set format y i % 4 == 1 ? '10^{%L}' : ''; set format x i > 7 ? '10^{%L}' : ''
   set xlabel i > 7 ? 'time / SV' : '' offset 0, 0.4
+  set print $fronts
+  print system(fronts(problem[i], ecc[i], horizon[i]))
+  unset print
   drawn = ''
-  do for [k=1:kinds] { if (count(problem[i], ecc[i], horizon[i], k)) { drawn = drawn.' '.k } }
-  if (strlen(drawn)) { plot for [k in drawn] front(problem[i], ecc[i], horizon[i], k+0) using 1:2 with linespoints lc rgb colour[k+0] lw 1.3 pt mark[k+0] ps 0.45 }
+  do for [j=1:|$fronts|] { if (!strstrt(drawn, word($fronts[j], 1))) { drawn = drawn.' '.word($fronts[j], 1) } }
+  if (strlen(drawn)) { plot for [k in drawn] $fronts using ($1 == k+0 ? $2 : NaN):3 with linespoints lc rgb colour[k+0] lw 1.3 pt mark[k+0] ps 0.45 }
 }
 eval legend(1)
 unset grid
