@@ -48,8 +48,8 @@ class Newton {
   /// The step size is another one.
   void forget() { decomposed_ = false; }
 
-  /// Solves for the stages of a step, from a constant. It must contract well, each change being at most half
-  /// of the one before: then the motion is stiff, and the step not merely too long for it.
+  /// Solves for the stages of a step, from a constant. Changes may grow for a while; if eight in a row are
+  /// more than half of the smallest one before them, the step is too long for the motion.
   /// @param old_q, old_p scratch @param cap on evaluations of the field @return ok, not_converged or
   ///   non_finite
   StepReport solve(const Problem& problem, Sweeps<Problem, w>& sweeps, Step& step, Vec& old_q, Vec& old_p,
@@ -59,21 +59,22 @@ class Newton {
     const bool old = std::exchange(decomposed_, true);
     if (!old) report.evaluations = decompose(problem, sweeps, step);
     sweeps.begin(step);
-    for (double before = 0.0; report.evaluations < cap;) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int idle = 0; report.evaluations < cap;) {
       ++report.evaluations;
       old_q = step.q, old_p = step.p;
       sweeps.sweep_at_once(problem, step);
       const double now = improve(old_q, old_p, step);
       report.residual = now;
       if (!std::isfinite(now)) report.outcome = Outcome::non_finite;
-      const bool slower = before > 0.0 && now > 0.5 * before;
-      if (now <= 4.0 * epsilon || (slower && now <= 1e5 * epsilon)) {
+      idle = now <= 0.5 * least ? 0 : idle + 1;
+      if (now <= 4.0 * epsilon || (idle > 0 && now <= 1e5 * epsilon)) {
         report.outcome = Outcome::ok;
         decomposed_ = report.evaluations <= 12;
         return report;
       }
-      if (slower || report.outcome == Outcome::non_finite) break;
-      before = now;
+      if (idle == 8 || report.outcome == Outcome::non_finite) break;
+      least = std::min(least, now);
     }
     decomposed_ = false;
     if (!old) return report;
