@@ -14,7 +14,7 @@ namespace experiment::work_precision {
 
 /// Number of starts over which errors and times are medians: the start itself and its neighbours, moved by
 /// multiples of 1e-14. Near the round-off floor the error of one run is a random draw.
-inline constexpr int starts = 9;
+inline constexpr int starts = 5;
 
 /// End of one run.
 struct Result {

@@ -22,12 +22,12 @@ struct Trial {
   long step_cap;
 };
 
-/// As many steps as fit into `seconds`, told from the first thousand. (An orbit that a coarse setting throws
-/// out may take any number of them.)
+/// As many steps as fit into `seconds`, told from the first few hundred. (An orbit that a coarse setting
+/// throws out may take any number of them.)
 long steps_within(double seconds, const Family& family, double setting) {
   double step = std::numeric_limits<double>::infinity();
   for (int probe = 0; probe < 3; ++probe) {
-    const Result result = family.run({.setting = setting, .step_cap = 1000});
+    const Result result = family.run({.setting = setting, .step_cap = 300});
     step = std::min(step, result.seconds / static_cast<double>(std::max(result.steps, 1L)));
   }
   return static_cast<long>(seconds / std::max(step, 1e-9));
@@ -35,19 +35,20 @@ long steps_within(double seconds, const Family& family, double setting) {
 
 /// The settings of one family that are worth measuring.
 std::vector<Trial> scout(const Scene& scene, const Family& family, const Budget& budget) {
+  const double far_too_long = 2.0 * budget.longest_run;
   std::vector<Trial> kept;
   double best = std::numeric_limits<double>::infinity();
   std::size_t stale = 0;
   double spent = 0.0;
   for (std::size_t i = 0; i < family.settings.size(); i += budget.stride) {
     const double setting = family.settings[i];
-    const long step_cap = steps_within(4.0 * budget.longest_run, family, setting);
+    const long step_cap = steps_within(far_too_long, family, setting);
     const Result result = family.run({.setting = setting, .step_cap = step_cap});
     const double error = result.ok ? scene.position_error(0, result.t, result.q) : std::nan("");
-    const bool far_too_long = result.seconds > 4.0 * budget.longest_run;  // each trial is made ten times
     spent += (starts + 1) * std::max(result.seconds, budget.least_block);
-    if ((i > 0 && far_too_long) || spent > budget.family) break;
-    if (error < 0.1 && !far_too_long) kept.push_back({&family, setting, result.seconds, 2 * step_cap});
+    if ((i > 0 && result.seconds > far_too_long) || spent > budget.family) break;
+    if (error < 0.1 && result.seconds <= far_too_long)
+      kept.push_back({&family, setting, result.seconds, 2 * step_cap});
     if (error < 0.7 * best) {
       best = error;
       stale = 0;

@@ -10,7 +10,7 @@
 
 namespace experiment::work_precision {
 
-/// One method at one setting: medians over the nine starts.
+/// One method at one setting: medians over the starts.
 struct Point {
   const Family* family = nullptr;
   double setting = 0.0;
@@ -33,7 +33,7 @@ struct Budget {
 
 /// Measures every family of a scene. First each is tried from coarse to fine, once, to find the settings
 /// that are worth measuring: an error below 0.1 and not yet at the floor, a time below the cap. Then round
-/// k = 0 ... 8 runs all of them from start k, one after the other, so that a drift of the machine's speed
+/// k = 0 ... 4 runs all of them from start k, one after the other, so that a drift of the machine's speed
 /// meets all alike. `progress` is told the fraction done.
 std::vector<Point> measure(const Scene& scene, const Budget& budget,
                            const std::function<void(double)>& progress);

@@ -38,7 +38,7 @@ struct Arena {
   double horizon;
   std::array<avi::State<n>, starts> start;
 
-  /// The start and eight neighbours: its first coordinate moved by -4e-14 ... 4e-14.
+  /// The start and four neighbours: its first coordinate moved by -2e-14 ... 2e-14.
   Arena(P problem_, double horizon_, const avi::State<n>& middle)
       : problem(std::move(problem_)), horizon(horizon_) {
     for (int k = 0; k < starts; ++k) {
