@@ -91,12 +91,17 @@ def run(command, patience):
 def included(file):
     """The files of this repository that a file includes."""
     names = re.findall(r'^#include "(.*)"', file.read_text(), re.MULTILINE)
-    return [folder / name for name in names for folder in (LIB, ROOT / "tests", ROOT / "experiments")
+    return [folder / name for name in names for folder in (LIB, ROOT / "tests", ROOT / "experiments", ROOT / "paper")
             if (folder / name).exists()]
 
 
+def is_linked(header):
+    """Whether it declares what a source beside it defines."""
+    return header.suffix == ".hpp" and header.with_suffix(".cpp").exists()
+
+
 class Tests:
-    """The unit and property tests, and what each includes. Those that link more than the library are left out."""
+    """The unit and property tests, and what each includes. Left out are those that compare times or link more than the library."""
 
     def __init__(self, compiler):
         self.compiler, self.turn = compiler, threading.Lock()
@@ -105,12 +110,13 @@ class Tests:
             common.parent.mkdir(parents=True, exist_ok=True)
             common.write_text("".join(f"#include <{name}>\n" for name in COMMON))
             run(compiler + FLAGS + [level, "-x", "c++-header", str(common), "-o", f"{common}.gch"], 600)
-        cmake = (ROOT / "tests/CMakeLists.txt").read_text()  # which says what is optimised, and what links more
+        cmake = (ROOT / "tests/CMakeLists.txt").read_text()  # which says what is optimised or compares times
         self.slow = set(re.search(r"set\(slow_tests ([^)]*)\)", cmake).group(1).split())
-        more = set(re.findall(r"a_test\(LABEL \w+ NAME (\w+) LINKS (?!GSL)", cmake))
-        self.tests = {source: self.steps_from(source)
-                      for source in sorted(ROOT.glob("tests/unit/*_test.cpp")) + sorted(ROOT.glob("tests/property/*_test.cpp"))
-                      if source.stem.removesuffix("_test") not in more}
+        timed = re.findall(r"a_test\(LABEL \w+ NAME (\w+) ALONE", cmake)
+        sources = [file for label in ("unit", "property") for file in sorted(ROOT.glob(f"tests/{label}/*_test.cpp"))]
+        all_steps = {source: self.steps_from(source) for source in sources}
+        self.tests = {source: steps for source, steps in all_steps.items()
+                      if source.stem.removesuffix("_test") not in timed and not any(map(is_linked, steps))}
 
     def steps_from(self, test):
         """Every file that a test includes, and how many includes lead to it."""

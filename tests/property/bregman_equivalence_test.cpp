@@ -21,7 +21,7 @@ using avi::CorrelatedQuartic;
 using avi::ExtendedPoint;
 using avi::VectorX;
 
-namespace {
+namespace bregman_equivalence_test {
 
 const BregmanFamily families[] = {BregmanFamily::direct(4.0), BregmanFamily::direct(2.5, 0.3),
                                   BregmanFamily::adaptive(4.0, 1.0), BregmanFamily::adaptive(10.0, 0.5)};
@@ -184,4 +184,4 @@ TEST(Htvi, AdaptiveWithTheExactClockIsDirectOfOrderP) {
   EXPECT_GT((euler.last.x - same.last.x).norm(), 1e-5);
 }
 
-}  // namespace
+}  // namespace bregman_equivalence_test

@@ -12,7 +12,7 @@ using avi::CorrelatedQuartic;
 using avi::ExtendedPoint;
 using avi::VectorX;
 
-namespace {
+namespace bregman_symplecticity_test {
 
 constexpr Eigen::Index d = 3;
 const CorrelatedQuartic f(d, 0.9);
@@ -80,4 +80,4 @@ TEST(Symplecticity, PrintedSplittingIsSymplecticInPositionAndMomentum) {
   EXPECT_LT(avi::symplecticity_defect(map, v), 2e-11);
 }
 
-}  // namespace
+}  // namespace bregman_symplecticity_test

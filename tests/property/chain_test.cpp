@@ -9,7 +9,7 @@
 using avi::Chain;
 using avi::State;
 
-namespace {
+namespace chain_test {
 
 /// In motion, too.
 State<5> plucked() {
@@ -42,4 +42,4 @@ TEST(Chain, IsPluckedInItsLowestMode) {
                 omega * omega * z.q[i], 2e-16);
 }
 
-}  // namespace
+}  // namespace chain_test

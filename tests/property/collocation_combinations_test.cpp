@@ -5,7 +5,7 @@
 
 // See combinations.hpp.
 
-namespace {
+namespace collocation_combinations_test {
 
 using namespace combinations;
 
@@ -30,4 +30,4 @@ TEST(CollocationCombinations, ProblemsInTime) {
   check_one("g(q, t, p)", avi::time_dependent(QuarticInTime{}, start, of_qtp));
 }
 
-}  // namespace
+}  // namespace collocation_combinations_test

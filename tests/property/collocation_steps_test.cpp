@@ -23,7 +23,7 @@ using avi::Outcome;
 using avi::State;
 using avi::Vector;
 
-namespace {
+namespace collocation_steps_test {
 
 TEST(CollocationSteps, IsOneMethodForEveryKindOfDimension) {
   // The same masses, with the dimension known to the compiler or not, gradients supplied or recorded.
@@ -198,4 +198,4 @@ TEST(CollocationSteps, GoesOnAfterAFailedStep) {
   EXPECT_LT(distance(z, fresh), 1e-14);
 }
 
-}  // namespace
+}  // namespace collocation_steps_test

@@ -22,7 +22,7 @@ using avi::Kepler;
 using avi::Outcome;
 using avi::State;
 
-namespace {
+namespace collocation_test {
 
 /// Not separable, and no gradient supplied: a charge in an uneven magnetic field and a well.
 struct Charge {
@@ -181,4 +181,4 @@ TEST(Collocation, KeepsTheEnergyOverAThousandPeriods) {
   }
 }
 
-}  // namespace
+}  // namespace collocation_test

@@ -14,7 +14,7 @@
 using avi::Kepler;
 using avi::State;
 
-namespace {
+namespace dense_output_test {
 
 auto method_for(const State<2>& z) {
   return avi::type2<3, avi::authors>(avi::poincare(Kepler{}, z, avi::NormSquared{}), avi::simpson());
@@ -77,4 +77,4 @@ TEST(DenseOutput, IsContinuousFromStepToStep) {
   EXPECT_LT(worst, 1e-8) << "the motion over a billionth of the step";
 }
 
-}  // namespace
+}  // namespace dense_output_test

@@ -10,7 +10,7 @@ using avi::Generating;
 using avi::Kepler;
 using avi::State;
 
-namespace {
+namespace discrete_hamiltonian_test {
 
 using Point = avi::Vector<double, avi::dynamic>;
 constexpr double h = 0.1;
@@ -122,4 +122,4 @@ TEST(DiscreteHamiltonian, GeneratesTheStepWithAMonitorOfTheMomentum) {
   expect_definition<avi::stationary>(energy);
 }
 
-}  // namespace
+}  // namespace discrete_hamiltonian_test

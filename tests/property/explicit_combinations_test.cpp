@@ -10,7 +10,7 @@
 
 // See combinations.hpp.
 
-namespace {
+namespace explicit_combinations_test {
 
 using namespace combinations;
 
@@ -47,4 +47,4 @@ TEST(ExplicitCombinations, RunTimeDimension) {
         same, 0.5, 1e-5);
 }
 
-}  // namespace
+}  // namespace explicit_combinations_test

@@ -9,7 +9,7 @@
 using avi::VectorX;
 using Matrix = Eigen::MatrixXd;
 
-namespace {
+namespace frozen_clock_test {
 
 constexpr Eigen::Index n = 4;
 
@@ -98,4 +98,4 @@ TEST(HeavyBall, OrderTwoHasNesterovsFriction) {
   }
 }
 
-}  // namespace
+}  // namespace frozen_clock_test

@@ -9,7 +9,7 @@
 
 using avi::VectorX;
 
-namespace {
+namespace gradient_flow_test {
 
 constexpr double L = 100.0;  // the largest eigenvalue; the least is 1
 constexpr long cap = 5000;
@@ -88,4 +88,4 @@ TEST(GradientFlow, MakesTheRateOfThePtClockExponential) {
   EXPECT_NEAR(static_cast<double>(descent[1] - descent[0]), four, 0.03 * four);   // measured 906
 }
 
-}  // namespace
+}  // namespace gradient_flow_test

@@ -8,7 +8,7 @@
 // with
 //   rate = 3 p k / (k + 2) for k <= 4, p k / (k - 2) for k >= 4.
 
-namespace {
+namespace homogeneous_rate_test {
 
 /// Slope of log f's upper envelope over log t along x' = p t^(-p-1) r, r' = -C p t^(2p-1) |x|^(k-2) x, from t
 /// = 1 on. Runge and Kutta's method of order 4 with a step that is a small part of the shorter of t and the
@@ -63,4 +63,4 @@ TEST(HomogeneousRate, IsTheExactLaw) {
     }
 }
 
-}  // namespace
+}  // namespace homogeneous_rate_test

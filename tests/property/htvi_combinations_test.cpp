@@ -5,7 +5,7 @@
 
 // See combinations.hpp.
 
-namespace {
+namespace htvi_combinations_test {
 
 using namespace combinations;
 
@@ -31,4 +31,4 @@ TEST(HtviCombinations, ProblemsInTime) {
   check("type III, g(q, t, p)", avi::type3<2>(problem), extended(problem, start), 0.1, 1e-5, 1e-3);
 }
 
-}  // namespace
+}  // namespace htvi_combinations_test

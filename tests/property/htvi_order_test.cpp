@@ -14,7 +14,7 @@
 using avi::Kepler;
 using avi::State;
 
-namespace {
+namespace htvi_order_test {
 
 const Kepler kepler;
 
@@ -115,4 +115,4 @@ TEST(TypeII, WithRZeroIsClosedFormEulerB) {
   }
 }
 
-}  // namespace
+}  // namespace htvi_order_test

@@ -9,7 +9,7 @@
 using avi::Kepler;
 using avi::State;
 
-namespace {
+namespace htvi_symplecticity_test {
 
 const Kepler kepler;
 
@@ -98,4 +98,4 @@ TEST(TypeII, ConservesAngularMomentumToRoundOff) {
   EXPECT_LT(worst, 2e-14);
 }
 
-}  // namespace
+}  // namespace htvi_symplecticity_test

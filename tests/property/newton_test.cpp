@@ -12,7 +12,7 @@
 using avi::Outcome;
 using avi::State;
 
-namespace {
+namespace newton_test {
 
 /// H = (p^2 + omega^2 q^2)/2.
 struct Oscillator {
@@ -139,4 +139,4 @@ TEST(Newton, EndsWhereTheStepIsTooLongForTheMotion) {
   EXPECT_NE(stiff.outcome, Outcome::ok);
 }
 
-}  // namespace
+}  // namespace newton_test

@@ -10,7 +10,7 @@
 using avi::BregmanFamily;
 using avi::VectorX;
 
-namespace {
+namespace optimiser_cost_test {
 
 TEST(Htvi, AnIterationCostsLittleMoreThanItsGradient) {
   // Both loops are chains: the next point depends on what the evaluation returned. Ratio of minima over
@@ -50,4 +50,4 @@ TEST(Htvi, AnIterationCostsLittleMoreThanItsGradient) {
               iteration / evaluation, 1e9 * evaluation / n);
 }
 
-}  // namespace
+}  // namespace optimiser_cost_test

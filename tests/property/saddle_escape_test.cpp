@@ -7,7 +7,7 @@
 
 using avi::VectorX;
 
-namespace {
+namespace saddle_escape_test {
 
 /// Ten pairs (x^2 - 1)^2 / 4 + y^2 / 2: a saddle at x = 0, minima at x = +-1.
 double wells(const VectorX& z, VectorX& g) {
@@ -49,4 +49,4 @@ TEST(SaddleEscape, MomentumLeavesFasterThanGradientDescent) {
   EXPECT_LE(momentum - escape(avi::BregmanRestarted{}, 1e-6), 20);  // measured 12
 }
 
-}  // namespace
+}  // namespace saddle_escape_test

@@ -12,7 +12,7 @@
 
 using avi::State;
 
-namespace {
+namespace solver_test {
 
 /// A stiff spring with a quartic term, H = p^2 / 2 + w^2 q^2 / 2 + q^4 / 4.
 struct Stiff {
@@ -141,4 +141,4 @@ TEST(Solver, RefusesSettingsOutOfRange) {
   EXPECT_THROW(method_for(1.0, 1, {.max_iterations = 0}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace solver_test

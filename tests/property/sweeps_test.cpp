@@ -19,7 +19,7 @@ using avi::Kepler;
 using avi::Outcome;
 using avi::State;
 
-namespace {
+namespace sweeps_test {
 
 /// 1/g = 1 + |q|^2 + |p|^2.
 struct BothRate {
@@ -94,4 +94,4 @@ TEST(Sweeps, ThrowsAwayWhatItBeganInVain) {
   }
 }
 
-}  // namespace
+}  // namespace sweeps_test

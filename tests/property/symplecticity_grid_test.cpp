@@ -13,7 +13,7 @@
 using avi::Generating;
 using avi::State;
 
-namespace {
+namespace symplecticity_grid_test {
 
 constexpr auto construction = avi::stationary;
 const avi::Quadrature rule = avi::lobatto(4);
@@ -63,4 +63,4 @@ TEST(Symplecticity, OfEveryTypeAndOrderOnKeplerWithMonitor) {
   expect_symplectic(avi::poincare<2>(avi::Kepler{}, z, avi::bounded(avi::NormSquared{}, 0.01, 8.0)), z, 0.1);
 }
 
-}  // namespace
+}  // namespace symplecticity_grid_test

@@ -11,7 +11,7 @@
 
 // Physical time of a problem that depends on time: it is a coordinate, and fictive time is another thing.
 
-namespace {
+namespace time_dependent_test {
 
 /// H = p^2 / 2 + (1 + t)^2 q^2 / 2.
 struct Stiffening {
@@ -131,4 +131,4 @@ TEST(TimeDependent, FollowsAnOscillatorOfVaryingFrequency) {
   EXPECT_NEAR(avi::fit_order(steps, errors).order, 4.0, 0.5);
 }
 
-}  // namespace
+}  // namespace time_dependent_test

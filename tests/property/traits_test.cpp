@@ -21,7 +21,7 @@
 // What each method of integrators/ and transform/ says of itself, measured: order against the exact orbit of
 // Kepler's problem, symplecticity by the Jacobian of a step, symmetry by going forth and back.
 
-namespace {
+namespace traits_test {
 
 using avi::Kepler;
 using avi::State;
@@ -135,4 +135,4 @@ TEST(Traits, UnsymmetricCoefficientsAreRefused) {
   EXPECT_THROW((void)avi::splitting(separable, lengths), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace traits_test

@@ -12,7 +12,7 @@
 
 // HTVI against arguments, monitors and steps that it cannot use.
 
-namespace {
+namespace bad_htvi_input_test {
 
 using namespace avi;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -121,4 +121,4 @@ TEST(BadHtvi, LandingAndDenseOutput) {
               std::string::npos);
 }
 
-}  // namespace
+}  // namespace bad_htvi_input_test

@@ -11,7 +11,7 @@ using avi::VectorX;
 using objectives::bowl;
 using objectives::rosenbrock;
 
-namespace {
+namespace bad_objective_test {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -170,4 +170,4 @@ TEST(BadObjective, CapsAndCallbackEndIt) {
   EXPECT_EQ(stopped.last.value, rosenbrock(stopped.last.x, g));
 }
 
-}  // namespace
+}  // namespace bad_objective_test

@@ -20,7 +20,7 @@
 
 namespace fs = std::filesystem;
 
-namespace {
+namespace disk_and_interrupt_test {
 
 constexpr rlim_t no_limit = RLIM_INFINITY;
 
@@ -188,4 +188,4 @@ TEST_F(Disk, TwoRunsInOneFolderLeaveWholeTables) {
   EXPECT_GE(files, 1);
 }
 
-}  // namespace
+}  // namespace disk_and_interrupt_test

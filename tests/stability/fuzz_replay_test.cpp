@@ -16,7 +16,7 @@
 
 namespace fs = std::filesystem;
 
-namespace {
+namespace fuzz_replay_test {
 
 using Target = void (*)(const std::uint8_t*, std::size_t);
 
@@ -87,4 +87,4 @@ TEST(FuzzReplay, Options) {
   fs::remove_all(scratch);
 }
 
-}  // namespace
+}  // namespace fuzz_replay_test

@@ -6,44 +6,12 @@
 #include "avi/transform/euler_b.hpp"
 #include "avi/transform/monitors.hpp"
 
+#include "allocations.hpp"
 #include "rate.hpp"
 
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-// Eigen's vectors of run-time size come from malloc. A sanitizer has one of its own.
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
-extern "C" void* __libc_malloc(std::size_t size);
-extern "C" void* malloc(std::size_t size) noexcept {
-  ++allocations;
-  return __libc_malloc(size);
-}
-#endif
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size)) return p;
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
-  const auto a = static_cast<std::size_t>(alignment);
-  if (void* p = std::aligned_alloc(a, (size + a - 1) / a * a)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
-
-namespace {
+namespace allocation_test {
 
 template <class Method, class State = avi::State<2>>
 long allocations_in_steps(Method method, double h, State z = avi::Kepler::pericentre(0.9)) {
@@ -86,7 +54,7 @@ TEST(Step, AllocatesNothingInCollocationEither) {
 }
 
 TEST(Step, CounterCounts) {
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+#ifdef COUNTS_MALLOC
   const long empty = allocations;
   avi::Vector<double, avi::dynamic> vector(100);
   vector.setOnes();
@@ -98,4 +66,4 @@ TEST(Step, CounterCounts) {
   EXPECT_GT(allocations, before);
 }
 
-}  // namespace
+}  // namespace allocation_test

@@ -16,7 +16,7 @@
 using avi::Kepler;
 using avi::State;
 
-namespace {
+namespace at_times_test {
 
 std::vector<State<2>> output(double h, double t_end, const std::vector<double>& times) {
   auto z = Kepler::pericentre(0.7);
@@ -70,4 +70,4 @@ TEST(AtTimes, BlamesTheOrderOfTimesNotTheStart) {
   EXPECT_NE(sentence(0.3, 2.0, {-1.0, 1.0}).find(start), std::string::npos);
 }
 
-}  // namespace
+}  // namespace at_times_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace {
+namespace automatic_monitor_test {
 
 using avi::Kepler;
 using avi::State;
@@ -166,4 +166,4 @@ TEST(AutomaticMonitor, SaysWhyThereIsNone) {
   expect(Kepler(), z, "not finite");
 }
 
-}  // namespace
+}  // namespace automatic_monitor_test

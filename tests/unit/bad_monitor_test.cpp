@@ -9,7 +9,7 @@
 
 // Monitors that are of no use where a run starts: each ends as a named outcome, and the state stays.
 
-namespace {
+namespace bad_monitor_test {
 
 using avi::Kepler;
 using avi::Outcome;
@@ -66,4 +66,4 @@ TEST(BadMonitor, ThatIsInfiniteAtTheStartIsNotFinite) { expect(Outcome::non_fini
 TEST(BadMonitor, ThatIsNotANumberIsNotFinite) { expect(Outcome::non_finite, NotANumber()); }
 TEST(BadMonitor, ThatIsNegativeLetsNoTimePass) { expect(Outcome::bad_monitor, Negative()); }
 
-}  // namespace
+}  // namespace bad_monitor_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace {
+namespace bracketed_root_test {
 
 TEST(BracketedRoot, FindsZerosToRoundOffInFewEvaluations) {
   const auto check = [](auto f, double low, double high, double root, int most) {
@@ -53,4 +53,4 @@ TEST(BracketedRoot, EndsWhereFIsNoNumberAndAtAJump) {
   EXPECT_NEAR(jump, 0.3, 1e-6);
 }
 
-}  // namespace
+}  // namespace bracketed_root_test

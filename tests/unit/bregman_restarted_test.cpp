@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace {
+namespace bregman_restarted_test {
 
 using avi::VectorX;
 
@@ -82,4 +82,4 @@ TEST(BregmanRestarted, RefusesAnOrderThatIsNotPositive) {
     EXPECT_THROW((void)avi::BregmanRestarted{.P = P}.start(now), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace bregman_restarted_test

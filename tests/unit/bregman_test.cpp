@@ -15,7 +15,7 @@ using avi::CorrelatedQuartic;
 using avi::ExtendedPoint;
 using avi::VectorX;
 
-namespace {
+namespace bregman_test {
 
 TEST(BregmanFamily, CoefficientsAreThePrintedOnes) {
   for (double t : {0.5, 1.0, 3.0}) {
@@ -124,4 +124,4 @@ TEST(Bregman, RefusesBadInput) {
   EXPECT_THROW(avi::run_updates(f, Pair{.family = family, .first_step = 0.0}, x0), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace bregman_test

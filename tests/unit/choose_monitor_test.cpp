@@ -11,7 +11,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace {
+namespace choose_monitor_test {
 
 using avi::Kepler;
 
@@ -132,4 +132,4 @@ TEST(ChooseMonitor, RefusesWhatCannotBe) {
   EXPECT_THROW(choose_monitor(Kepler(), centre), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace choose_monitor_test

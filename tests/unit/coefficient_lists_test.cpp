@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace {
+namespace coefficient_lists_test {
 
 /// Largest defect of the order conditions of each degree up to `degree`.
 ///
@@ -90,4 +90,4 @@ TEST(Lengths, AreAtMostThirtySix) {
   EXPECT_THROW(avi::Lengths<double>(37), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace coefficient_lists_test

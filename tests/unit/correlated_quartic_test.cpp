@@ -7,7 +7,7 @@
 using avi::CorrelatedQuartic;
 using avi::VectorX;
 
-namespace {
+namespace correlated_quartic_test {
 
 VectorX wave(Eigen::Index n) {
   VectorX x(n);
@@ -66,4 +66,4 @@ TEST(CorrelatedQuartic, RefusesBadInput) {
   EXPECT_THROW((void)CorrelatedQuartic(5).value(VectorX::Ones(4)), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace correlated_quartic_test

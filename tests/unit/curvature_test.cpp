@@ -8,7 +8,7 @@
 
 #include <utility>
 
-namespace {
+namespace curvature_test {
 
 using Block = Eigen::Matrix2d;
 
@@ -118,4 +118,4 @@ TEST(Curvature, HasNoMetricWhereHppIsIndefinite) {
   EXPECT_TRUE(avi::detail::Curvature({upright, z}).has_metric());
 }
 
-}  // namespace
+}  // namespace curvature_test

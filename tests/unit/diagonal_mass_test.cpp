@@ -4,7 +4,7 @@
 
 using avi::VectorX;
 
-namespace {
+namespace diagonal_mass_test {
 
 struct Pair {
   VectorX s, y;
@@ -67,4 +67,4 @@ TEST(DiagonalMass, StaysPositiveAlongAxes) {
   }
 }
 
-}  // namespace
+}  // namespace diagonal_mass_test

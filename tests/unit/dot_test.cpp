@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace {
+namespace dot_test {
 
 TEST(Dot, AddsEightPartialSumsAsATree) {
   for (const int n : {0, 1, 7, 8, 9, 16, 27}) {
@@ -22,4 +22,4 @@ TEST(Dot, AddsEightPartialSumsAsATree) {
   }
 }
 
-}  // namespace
+}  // namespace dot_test

@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace {
+namespace drift_test {
 
 TEST(FitDrift, MatchesAHandComputedLine) {
   // Residuals of (0, 1, 2, 3) -> (0, 2, 1, 3): slope 0.8, residual sum of squares 1.8.
@@ -64,4 +64,4 @@ TEST(FitDrift, RefusesBadInput) {
     EXPECT_THROW(avi::fit_drift(three, three, blocks), std::invalid_argument) << blocks;
 }
 
-}  // namespace
+}  // namespace drift_test

@@ -8,7 +8,7 @@
 using experiment::DriftVerdict;
 using experiment::ErrorSeries;
 
-namespace {
+namespace drift_verdict_test {
 
 constexpr double end = 1000.0;
 
@@ -55,4 +55,4 @@ TEST(DriftVerdict, LeavesAChangeBelowRoundingAlone) {
   EXPECT_FALSE(verdict.twice);
 }
 
-}  // namespace
+}  // namespace drift_verdict_test

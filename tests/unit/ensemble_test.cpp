@@ -24,7 +24,7 @@ using avi::Member;
 using avi::Outcome;
 using avi::State;
 
-namespace {
+namespace ensemble_test {
 
 /// g = |q|^2, negative for those who start far out.
 struct Monitor {
@@ -142,4 +142,4 @@ TEST(Ensemble, RefusesWhatIntegrateRefuses) {
   EXPECT_TRUE(avi::ensemble(make, std::vector<State<2>>{}, 0.1, {.time = 1.0}).empty());
 }
 
-}  // namespace
+}  // namespace ensemble_test

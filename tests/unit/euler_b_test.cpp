@@ -10,7 +10,7 @@
 using avi::Kepler;
 using avi::State;
 
-namespace {
+namespace euler_b_test {
 
 /// H = p^2 / 2 in one dimension.
 struct Free {
@@ -81,4 +81,4 @@ TEST(EulerB, BiggestStepIsWhereTheDiscriminantEnds) {
   EXPECT_EQ(outcome(0.5001), avi::Outcome::not_converged);
 }
 
-}  // namespace
+}  // namespace euler_b_test

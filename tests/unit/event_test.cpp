@@ -15,7 +15,7 @@ using avi::Event;
 using avi::Kepler;
 using avi::State;
 
-namespace {
+namespace event_test {
 
 /// q . p is zero at pericentre, where it rises, and at apocentre.
 const auto radial = [](const State<2>& z) { return z.q.dot(z.p); };
@@ -115,4 +115,4 @@ TEST(Event, ToleranceEndsTheSearchEarly) {
   EXPECT_LT(tries(1e-3), tries(0.0));
 }
 
-}  // namespace
+}  // namespace event_test

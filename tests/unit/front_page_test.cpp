@@ -12,7 +12,7 @@
 
 namespace fs = std::filesystem;
 
-namespace {
+namespace front_page_test {
 
 const fs::path source = AVI_SOURCE_DIR;
 
@@ -119,4 +119,4 @@ TEST(FrontPage, PointsToWhatExists) {
   EXPECT_GE(pictures, 1);
 }
 
-}  // namespace
+}  // namespace front_page_test

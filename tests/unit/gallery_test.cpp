@@ -11,7 +11,7 @@
 
 namespace fs = std::filesystem;
 
-namespace {
+namespace gallery_test {
 
 TEST(Gallery, HasEveryFigureWithItsCaptionAndCommand) {
   const fs::path pages = fs::temp_directory_path() / ("avi_gallery_" + std::to_string(::getpid()));
@@ -40,4 +40,4 @@ TEST(Gallery, HasEveryFigureWithItsCaptionAndCommand) {
   fs::remove_all(pages);
 }
 
-}  // namespace
+}  // namespace gallery_test

@@ -8,7 +8,7 @@
 // Section 4.2 of the paper: the general Bregman family of Wibisono, Wilson and Jordan (2016), of which the
 // library integrates the polynomial one.
 
-namespace {
+namespace ideal_scaling_test {
 
 /// Scalings alpha, beta, gamma as functions of time, for double and std::complex<double>.
 template <class Alpha, class Beta, class Gamma>
@@ -88,4 +88,4 @@ TEST(IdealScaling, TheTransformToTheLowerOrderIsDirectWithThatOrder) {
   }
 }
 
-}  // namespace
+}  // namespace ideal_scaling_test

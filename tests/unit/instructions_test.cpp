@@ -13,7 +13,7 @@
 
 namespace fs = std::filesystem;
 
-namespace {
+namespace instructions_test {
 
 const fs::path folder = fs::temp_directory_path() / ("avi_instructions_" + std::to_string(::getpid()));
 
@@ -79,4 +79,4 @@ TEST(Instructions, OfEveryWorkloadAreKept) {
   }
 }
 
-}  // namespace
+}  // namespace instructions_test

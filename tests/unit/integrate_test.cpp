@@ -13,7 +13,7 @@
 using avi::Outcome;
 using avi::State;
 
-namespace {
+namespace integrate_test {
 
 /// Time goes on by `pace` times h in each step, q counts the steps; step number `bad` ends as `end`.
 struct Counter {
@@ -137,4 +137,4 @@ TEST(Integrate, EndsARunThatWouldNeverArrive) {
   }
 }
 
-}  // namespace
+}  // namespace integrate_test

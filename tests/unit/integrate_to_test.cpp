@@ -12,7 +12,7 @@
 using avi::Kepler;
 using avi::State;
 
-namespace {
+namespace integrate_to_test {
 
 auto method_for(const State<2>& z) {
   return avi::splitting(avi::LogHamiltonian(Kepler{}, z), avi::compositions::kahan_li8);
@@ -87,4 +87,4 @@ TEST(IntegrateTo, CountsTheStepsThatItTried) {
   EXPECT_LE(run.evaluations, 17 * (run.steps + 12));
 }
 
-}  // namespace
+}  // namespace integrate_to_test

@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace {
+namespace inverse_test {
 
 /// Of random matrices of n rows, with the size known to the compiler or not.
 template <int n>
@@ -43,4 +43,4 @@ TEST(Inverse, IsNotFiniteWhereThereIsNone) {
   EXPECT_FALSE(avi::inverse(avi::Matrix<double, 2>{{1.0, 2.0}, {2.0, 4.0}}).allFinite());
 }
 
-}  // namespace
+}  // namespace inverse_test

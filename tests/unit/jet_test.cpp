@@ -12,7 +12,7 @@
 using avi::Jet;
 using avi::JetTape;
 
-namespace {
+namespace jet_test {
 
 constexpr int R = 12;
 using Scalar = Jet<double, R>;
@@ -220,4 +220,4 @@ TEST(Jet, LanesDifferentiateTaylorCoefficients) {
   }
 }
 
-}  // namespace
+}  // namespace jet_test

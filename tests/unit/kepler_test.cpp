@@ -5,7 +5,7 @@
 
 using avi::Kepler;
 
-namespace {
+namespace kepler_test {
 
 TEST(Kepler, ExactOrbitSolvesTheEquations) {
   for (double e : {0.0, 0.5, 0.9, 0.99}) {
@@ -29,4 +29,4 @@ TEST(Kepler, RefusesWhatIsNoEllipse) {
   EXPECT_EQ(refusal([] { Kepler::pericentre(1.5); }), "Eccentricity is 1.5; it must be in [0, 1).");
 }
 
-}  // namespace
+}  // namespace kepler_test

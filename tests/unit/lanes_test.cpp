@@ -10,7 +10,7 @@
 using avi::Lanes;
 using avi::Partials;
 
-namespace {
+namespace lanes_test {
 
 /// A function of two variables for every operation, generic in its scalar.
 const auto operations =
@@ -74,4 +74,4 @@ TEST(Lanes, ProductSumIsTheSumOfProducts) {
     EXPECT_EQ(result.partial(i), expected.partial(i));
 }
 
-}  // namespace
+}  // namespace lanes_test

@@ -11,7 +11,7 @@
 
 namespace fs = std::filesystem;
 
-namespace {
+namespace layers_test {
 
 const fs::path source = AVI_SOURCE_DIR;
 
@@ -122,4 +122,4 @@ TEST(Layers, EveryFigureHasAnExperiment) {
   }
 }
 
-}  // namespace
+}  // namespace layers_test

@@ -5,7 +5,7 @@
 using avi::LineModel;
 using avi::LinePoint;
 
-namespace {
+namespace line_model_test {
 
 /// a + b t + c t^2 + d t^3.
 struct Cubic {
@@ -69,4 +69,4 @@ TEST(LineModel, GoesFurtherWhereItStillFalls) {
   EXPECT_EQ(LineModel({0.0, -1.0}, {-1.0, -0.999}, 1.0, 0.0).beyond(), 10.0);
 }
 
-}  // namespace
+}  // namespace line_model_test

@@ -18,7 +18,7 @@ using avi::OuterSolarSystem;
 using avi::State;
 using avi::Vector;
 
-namespace {
+namespace many_bodies_test {
 
 /// Largest difference between what H supplies and differences of fourth order, over the largest derivative.
 template <class H, int n>
@@ -155,4 +155,4 @@ TEST(DoublePendulum, HasTheEquationsOfMotionOfTheTextbook) {
   EXPECT_EQ(avi::DoublePendulum{}(rest.q, rest.p), -2.0 * std::cos(1.0) - std::cos(2.0));
 }
 
-}  // namespace
+}  // namespace many_bodies_test

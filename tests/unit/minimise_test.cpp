@@ -11,7 +11,7 @@ using avi::VectorX;
 using objectives::bowl;
 using objectives::rosenbrock;
 
-namespace {
+namespace minimise_test {
 
 TEST(Minimise, FindsMinimaWithItsDefaults) {
   const auto quadratic = minimise(bowl, VectorX::Ones(20));
@@ -188,4 +188,4 @@ TEST(Minimise, RefusesBadInputWithASentence) {
   EXPECT_EQ(refused(one, {.evaluations = 0}), "Cap on evaluations is 0; it must be at least 1.");
 }
 
-}  // namespace
+}  // namespace minimise_test

@@ -8,7 +8,7 @@
 using avi::Kepler;
 using V = avi::Vector<double, 2>;
 
-namespace {
+namespace monitors_test {
 
 const Kepler kepler;
 
@@ -81,4 +81,4 @@ TEST(Bounded, StaysWithinItsBoundsAndRefusesBadOnes) {
   EXPECT_THROW(avi::bounded(avi::NormSquared{}, 0.0, std::nan("")), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace monitors_test

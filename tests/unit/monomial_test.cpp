@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace monomial_test {
 
 using avi::PhaseFunction;
 using avi::Recorded;
@@ -59,4 +59,4 @@ TEST(Monomial, LeavesOtherFormulasAsTheyAre) {
   EXPECT_EQ(after.work(4), before.work(4));
 }
 
-}  // namespace
+}  // namespace monomial_test

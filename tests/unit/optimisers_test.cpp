@@ -13,7 +13,7 @@
 using avi::run_updates;
 using avi::VectorX;
 
-namespace {
+namespace optimisers_test {
 
 /// f = (x^2 + 4 y^2) / 2.
 double ellipse(const VectorX& x, VectorX& g) {
@@ -145,4 +145,4 @@ TEST(Optimisers, RefuseBadParameters) {
   EXPECT_THROW(run_updates(ellipse, avi::TrustRegion{.trials = 0}, x0), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace optimisers_test

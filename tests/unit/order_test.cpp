@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace order_test {
 
 std::vector<double> halvings(double first, int count) {
   std::vector<double> h;
@@ -67,4 +67,4 @@ TEST(FitOrder, RefusesBadInput) {
   EXPECT_THROW(avi::fit_order(h, std::vector<double>{1.0}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace order_test

@@ -12,7 +12,7 @@ using avi::Pack;
 using avi::Partials;
 using avi::Vector;
 
-namespace {
+namespace pack_test {
 
 /// One formula per operation, generic in its scalar.
 const auto formulas = std::tuple_cat(
@@ -121,4 +121,4 @@ TEST(Pack, SumsAndLargestSeeEveryNumber) {
   }
 }
 
-}  // namespace
+}  // namespace pack_test

@@ -16,7 +16,7 @@
 
 namespace fs = std::filesystem;
 
-namespace {
+namespace paper_test {
 
 const fs::path paper_folder = fs::path(AVI_SOURCE_DIR) / "paper";
 
@@ -223,4 +223,4 @@ TEST(Numbers, FormulasReadCells) {
   fs::remove_all(folder);
 }
 
-}  // namespace
+}  // namespace paper_test

@@ -16,7 +16,7 @@ using avi::Kepler;
 using avi::State;
 using Vec = avi::Vector<double, 2>;
 
-namespace {
+namespace poincare_test {
 
 const auto of_qp = [](const auto& q, const auto& p) {
   return 1.0 + 0.5 * (q[0] * q[0]) + 0.1 * (p[1] * q[1]);
@@ -98,4 +98,4 @@ TEST(Poincare, RefusesASizeThatIsNotTheDimension) {
   }
 }
 
-}  // namespace
+}  // namespace poincare_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace {
+namespace power_test {
 
 TEST(Power, IsPow) {
   for (const double x : {0.3, 1.0, 2.7, 1e5})
@@ -40,4 +40,4 @@ TEST(AccuratePower, IsTheNearestNumber) {
   EXPECT_TRUE(std::isnan(avi::accurate_power(NAN, 4.0)));
 }
 
-}  // namespace
+}  // namespace power_test

@@ -14,7 +14,7 @@ using avi::FigureEight;
 using avi::State;
 using avi::Vector;
 
-namespace {
+namespace problems_test {
 
 /// Largest difference between the gradient and differences of the potential.
 template <class Problem, int n>
@@ -139,4 +139,4 @@ TEST(FigureEight, ClosesAfterOnePeriodAndPermutesAfterAThird) {
   EXPECT_NEAR(problem(start.q, start.p), -1.2871419917663, 1e-8);
 }
 
-}  // namespace
+}  // namespace problems_test

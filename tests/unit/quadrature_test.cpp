@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace quadrature_test {
 
 std::vector<avi::Quadrature> rules() {
   std::vector<avi::Quadrature> all{avi::rectangle_left(), avi::midpoint(), avi::trapezoid(), avi::simpson(),
@@ -59,4 +59,4 @@ TEST(Quadrature, RefusesWhatIsNoRule) {
   EXPECT_THROW(avi::validate({"nan", 1, {std::nan("")}, {1.0}}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace quadrature_test

@@ -7,7 +7,7 @@
 
 namespace fs = std::filesystem;
 
-namespace {
+namespace readme_test {
 
 const fs::path source = AVI_SOURCE_DIR;
 
@@ -54,4 +54,4 @@ TEST(Docs, NameWhatExists) {
   EXPECT_GT(names, 30);
 }
 
-}  // namespace
+}  // namespace readme_test

@@ -17,7 +17,7 @@ using avi::Recording;
 using avi::Vector;
 using VectorX = Vector<double, dynamic>;
 
-namespace {
+namespace recording_test {
 
 /// Largest difference between recorded and supplied derivatives, over the largest of them; the recorded value
 /// must be that of a call.
@@ -183,4 +183,4 @@ TEST(Recording, RefusesWhatItCannotServe) {
       "to the next.");
 }
 
-}  // namespace
+}  // namespace recording_test

@@ -9,7 +9,7 @@
 using namespace experiment::work_precision;
 using avi::Kepler;
 
-namespace {
+namespace reference_test {
 
 TEST(SinVersin, MatchesTheLibraryInLongDouble) {
   for (double x : {-3.9, -1.0, 0.0, 1e-6, 0.5, 3.0}) {
@@ -68,4 +68,4 @@ TEST(ExtendedRun, IsTheLibrarysMethodInAnotherFormat) {
   }
 }
 
-}  // namespace
+}  // namespace reference_test

@@ -12,7 +12,7 @@ using avi::Program;
 using avi::Recorded;
 using avi::Recording;
 
-namespace {
+namespace reverse_test {
 
 /// Every operation that can be recorded, at x, y > 0.
 const auto formulas = std::tuple_cat(
@@ -136,4 +136,4 @@ TEST(Reverse, TreatsEachNumberOfAPackAlike) {
   });
 }
 
-}  // namespace
+}  // namespace reverse_test

@@ -16,7 +16,7 @@ using avi::Kepler;
 using avi::PowerOfRadius;
 using avi::State;
 
-namespace {
+namespace reversible_control_test {
 
 const avi::AdaptiveVerlet adaptive_verlet(Kepler{}, PowerOfRadius{1.5});
 const avi::HairerSoderlind controlled(avi::splitting(avi::Separable<Kepler>{}, c::strang),
@@ -67,4 +67,4 @@ TEST(ReversibleControl, SaysSoWhenTheStepIsTooLarge) {
   EXPECT_EQ(run.outcome, avi::Outcome::diverged);
 }
 
-}  // namespace
+}  // namespace reversible_control_test

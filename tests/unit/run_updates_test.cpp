@@ -13,7 +13,7 @@ using avi::Outcome;
 using avi::run_updates;
 using avi::VectorX;
 
-namespace {
+namespace run_updates_test {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -133,4 +133,4 @@ TEST(RunUpdates, GivesUpWhereNoStepIsAccepted) {
   EXPECT_EQ(run.iterations, 1);
 }
 
-}  // namespace
+}  // namespace run_updates_test

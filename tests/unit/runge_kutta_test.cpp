@@ -7,7 +7,7 @@
 
 using avi::VectorX;
 
-namespace {
+namespace runge_kutta_test {
 
 /// Sums over the tableau that the order conditions fix, for orders up to 5 as far as the quadrature
 /// conditions sum b c^(k-1) = 1/k and the first tree conditions go.
@@ -125,4 +125,4 @@ TEST(EmbeddedRungeKutta, GivesUpOnWhatCannotBeStepped) {
   EXPECT_EQ(avi::controlled_step(stages, broken, z, h, avi::StepControl{}), 0.0);
 }
 
-}  // namespace
+}  // namespace runge_kutta_test

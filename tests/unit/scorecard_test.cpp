@@ -14,7 +14,7 @@ using scorecard::Line;
 using scorecard::Printed;
 using scorecard::Verdict;
 
-namespace {
+namespace scorecard_test {
 
 TEST(Printed, EqualsWhatRoundsToItsDigits) {
   struct Case {
@@ -147,4 +147,4 @@ TEST_F(KeplerSheet, SaysWhatIsMissing) {
   }
 }
 
-}  // namespace
+}  // namespace scorecard_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace {
+namespace search_test {
 
 using experiment::matched_step;
 
@@ -30,4 +30,4 @@ TEST(MatchedStep, GivesUpWhereTheErrorIsNoNumber) {
   EXPECT_TRUE(std::isnan(matched_step([](double) { return std::nan(""); }, 1.0, 1.0, {.order = 4.0})));
 }
 
-}  // namespace
+}  // namespace search_test

@@ -6,7 +6,7 @@
 
 using avi::VectorX;
 
-namespace {
+namespace secant_pairs_test {
 
 /// The BFGS inverse, formed: H+ = (I - rho s y^T) H (I - rho y s^T) + rho s s^T.
 TEST(SecantPairs, GiveTheDirectionOfTheFormedMatrix) {
@@ -177,4 +177,4 @@ TEST(SecantPairs, ADiscardedPairTakesItsPlaceAndHasNoEffect) {
   EXPECT_EQ(axes.direction(VectorX::Unit(5, 4)), VectorX(-VectorX::Unit(5, 4)));
 }
 
-}  // namespace
+}  // namespace secant_pairs_test

@@ -11,7 +11,7 @@
 
 using avi::Pack;
 
-namespace {
+namespace sine_test {
 
 /// Distance from what it should be, in units in the last place of that.
 double units(double found, long double exact) {
@@ -86,4 +86,4 @@ TEST(Sine, HasTheSameBitsInPacksOfEveryWidth) {
   EXPECT_EQ(bits[0], 11435245501632831496u);
 }
 
-}  // namespace
+}  // namespace sine_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace {
+namespace slope_check_test {
 
 using avi::VectorX;
 
@@ -47,4 +47,4 @@ TEST(SlopeCheck, EveryEntryTakesPartByItsSize) {
   EXPECT_GE(d.cwiseAbs().minCoeff(), 0.5) << "at the origin, size 1";
 }
 
-}  // namespace
+}  // namespace slope_check_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace {
+namespace solution_test {
 
 using avi::Kepler;
 using avi::State;
@@ -86,4 +86,4 @@ TEST(Solution, RefusesWhatCannotBe) {
   EXPECT_THROW((void)integrate(Kepler(), centre, 1.0, 1e-6), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace solution_test

@@ -21,7 +21,7 @@ using avi::Separable;
 using avi::State;
 using avi::Summation;
 
-namespace {
+namespace splitting_test {
 
 const State<2> henon_start = HenonHeiles::on_section(1.0 / 12.0, 0.1, 0.0);
 
@@ -168,4 +168,4 @@ TEST(Splitting, TakesTheDimensionAtRunTime) {
   EXPECT_LT((z.q - w.q).norm(), 1e-13);
 }
 
-}  // namespace
+}  // namespace splitting_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace state_test {
 
 TEST(State, IsFiniteWhereEveryEntryIs) {
   const double big = std::numeric_limits<double>::max(), inf = std::numeric_limits<double>::infinity();
@@ -20,4 +20,4 @@ TEST(State, IsFiniteWhereEveryEntryIs) {
   EXPECT_FALSE(finite(inf, -inf, 0.0));
 }
 
-}  // namespace
+}  // namespace state_test

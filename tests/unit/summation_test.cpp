@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace {
+namespace summation_test {
 
 TEST(Summation, KeepsWhatRoundingCutsOff) {
   double kept = 1.0, low = 0.0, plain = 1.0, unused = 0.0;
@@ -18,4 +18,4 @@ TEST(Summation, KeepsWhatRoundingCutsOff) {
   EXPECT_EQ(unused, 0.0);
 }
 
-}  // namespace
+}  // namespace summation_test

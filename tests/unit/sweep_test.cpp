@@ -4,7 +4,7 @@
 
 using avi::VectorX;
 
-namespace {
+namespace sweep_test {
 
 TEST(Sweep, ChangesAndSumsAsSeparatePassesDo) {
   for (Eigen::Index n : {1, 7, 8, 9, 50, 1000}) {
@@ -22,4 +22,4 @@ TEST(Sweep, ChangesAndSumsAsSeparatePassesDo) {
   }
 }
 
-}  // namespace
+}  // namespace sweep_test

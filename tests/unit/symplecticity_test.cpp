@@ -8,7 +8,7 @@
 using avi::State;
 using Point = avi::Vector<double, avi::dynamic>;
 
-namespace {
+namespace symplecticity_test {
 
 /// Heun's second-order Runge-Kutta method: the control that is not symplectic.
 struct Heun {
@@ -65,4 +65,4 @@ TEST(SymplecticityDefect, IsNaNWhereTheStepFails) {
   EXPECT_TRUE(std::isnan(avi::symplecticity_defect(fails, Point{{1.0, 2.0}})));
 }
 
-}  // namespace
+}  // namespace symplecticity_test

@@ -11,7 +11,7 @@
 
 using experiment::Table;
 
-namespace {
+namespace table_test {
 
 std::filesystem::path scratch() {
   const auto folder = std::filesystem::temp_directory_path() / ("avi_table_" + std::to_string(::getpid()));
@@ -85,4 +85,4 @@ TEST(Table, WritesNothingThatWouldReadBackAsSomethingElse) {
   std::filesystem::remove_all(folder);
 }
 
-}  // namespace
+}  // namespace table_test

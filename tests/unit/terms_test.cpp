@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace terms_test {
 
 using avi::ExpressionGraph;
 using avi::Recorded;
@@ -94,4 +94,4 @@ TEST(Terms, OfASumThatDoublesManyTimesAreFoundAtOnce) {
   EXPECT_NEAR(wide.sum(0.5, 0.25), wide.value(0.5, 0.25), 1e-12);
 }
 
-}  // namespace
+}  // namespace terms_test

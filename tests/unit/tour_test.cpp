@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace {
+namespace tour_test {
 
 using avi::PhaseFunction;
 using avi::State;
@@ -86,4 +86,4 @@ TEST(Tour, BeginsWhereTheCurvatureVanishes) {
   EXPECT_NEAR(Toured(quartic, 0.0, 1.0).tour.frequency, 1.2046, 0.01);
 }
 
-}  // namespace
+}  // namespace tour_test

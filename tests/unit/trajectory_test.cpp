@@ -17,7 +17,7 @@
 using avi::Kepler;
 using avi::State;
 
-namespace {
+namespace trajectory_test {
 
 avi::Trajectory<2> path(double h, double t_end, double e = 0.6) {
   auto z = Kepler::pericentre(e);
@@ -97,4 +97,4 @@ TEST(Trajectory, IsWrittenWithEveryDigit) {
   EXPECT_FALSE(table >> rest);
 }
 
-}  // namespace
+}  // namespace trajectory_test

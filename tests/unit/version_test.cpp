@@ -7,7 +7,7 @@
 
 // One version, in every place that states it.
 
-namespace {
+namespace version_test {
 
 TEST(Version, IsTheSameEverywhere) {
   const std::string version = std::to_string(AVI_VERSION_MAJOR) + '.' + std::to_string(AVI_VERSION_MINOR) +
@@ -22,4 +22,4 @@ TEST(Version, IsTheSameEverywhere) {
   EXPECT_NE(changes.find(heading), std::string::npos);
 }
 
-}  // namespace
+}  // namespace version_test

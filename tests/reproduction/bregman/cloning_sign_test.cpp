@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace {
+namespace cloning_sign_test {
 
 TEST(CloningSign, CopiesStayTogetherForTheMeantSignOnly) {
   const auto data = experiment::Table::read(AVI_CHECK_DIR "/data/cloning_sign.tsv");
@@ -14,4 +14,4 @@ TEST(CloningSign, CopiesStayTogetherForTheMeantSignOnly) {
   }
 }
 
-}  // namespace
+}  // namespace cloning_sign_test

@@ -11,7 +11,7 @@
 
 using experiment::Setting;
 
-namespace {
+namespace optimisation_counts_test {
 
 const avi::CorrelatedQuartic f;
 
@@ -148,4 +148,4 @@ TEST(RungeKutta4, ConvergesAgainstTheText) {
   EXPECT_EQ(run(adaptive, 7.8e-5).outcome, avi::Outcome::diverged);
 }
 
-}  // namespace
+}  // namespace optimisation_counts_test

@@ -8,7 +8,7 @@
 
 // Variants of Bregman methods that the paper mentions: what theory says of each.
 
-namespace {
+namespace variants_test {
 
 const auto table = experiment::Table::read(std::filesystem::path(AVI_CHECK_DIR) / "quick/variants.tsv");
 
@@ -47,4 +47,4 @@ TEST(Variants, MirrorDescentKeepsToItsBoundOnTheSimplex) {
     EXPECT_LT(ratio, 1.0);  // NaN, an iterate off the simplex, fails too
 }
 
-}  // namespace
+}  // namespace variants_test

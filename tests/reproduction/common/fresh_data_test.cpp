@@ -12,7 +12,7 @@
 
 namespace fs = std::filesystem;
 
-namespace {
+namespace fresh_data_test {
 
 class FreshData : public testing::Test {
  protected:
@@ -83,4 +83,4 @@ TEST_F(FreshData, LeaveNothingOldBehind) {
   EXPECT_FALSE(fs::exists(folder / "orbit_old.tsv"));
 }
 
-}  // namespace
+}  // namespace fresh_data_test

@@ -18,7 +18,7 @@
 
 namespace fs = std::filesystem;
 
-namespace {
+namespace front_door_test {
 
 struct Answer {
   int status = -1;
@@ -136,4 +136,4 @@ std::vector<std::string> experiments() {
 INSTANTIATE_TEST_SUITE_P(Experiments, FrontDoor, testing::ValuesIn(experiments()),
                          [](const auto& instance) { return instance.param; });
 
-}  // namespace
+}  // namespace front_door_test

@@ -12,7 +12,7 @@
 
 namespace fs = std::filesystem;
 
-namespace {
+namespace manifest_test {
 
 const fs::path scratch = fs::temp_directory_path() / ("avi_manifest_" + std::to_string(::getpid()));
 
@@ -58,4 +58,4 @@ TEST(Manifest, TwoRunsAgree) {
   fs::remove_all(scratch);
 }
 
-}  // namespace
+}  // namespace manifest_test

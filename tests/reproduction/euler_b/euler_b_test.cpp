@@ -10,7 +10,7 @@
 using experiment::EulerBSetting;
 using experiment::run_euler_b;
 
-namespace {
+namespace euler_b_test {
 
 // On Kepler's problem |grad V| = 1 / |q|^2, so the truncation-error monitor is (2 tol / h^2) |q|^2: at
 // matched scale it is g = q . q, the same steps and the same orbit. The paper finds that the one "used
@@ -57,4 +57,4 @@ TEST(EulerB, LargestStepsAtEqualErrorAreThoseOfBothFirstMonitors) {
   EXPECT_GT(largest.at("norm_squared"), largest.at("arclength"));
 }
 
-}  // namespace
+}  // namespace euler_b_test

@@ -8,7 +8,7 @@
 
 // A thousand orbits with variable steps: what drifts and what does not.
 
-namespace {
+namespace naive_steps_test {
 
 TEST(NaiveSteps, DriftAndTheTransformedProblemDoesNot) {
   const auto table = experiment::Table::read(AVI_CHECK_DIR "/quick/naive_steps.tsv");
@@ -28,4 +28,4 @@ TEST(NaiveSteps, DriftAndTheTransformedProblemDoesNot) {
   }
 }
 
-}  // namespace
+}  // namespace naive_steps_test

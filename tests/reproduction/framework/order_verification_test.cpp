@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-namespace {
+namespace order_verification_test {
 
 using experiment::Table;
 
@@ -61,4 +61,4 @@ TEST(StationaryAction, IsWhatDoublesTheOrder) {
     }
 }
 
-}  // namespace
+}  // namespace order_verification_test

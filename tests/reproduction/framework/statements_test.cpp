@@ -8,7 +8,7 @@
 // The lemmas of the paper's appendix, order on extended phase space with and without a singular p-Hessian,
 // and symplecticity in (q, t, p, p^t), by a second route that does not use the library.
 
-namespace {
+namespace statements_test {
 
 const auto table = experiment::Table::read(std::filesystem::path(AVI_CHECK_DIR) / "data/statements.tsv");
 
@@ -38,4 +38,4 @@ TEST(Statements, StepsAreSymplecticOnExtendedPhaseSpace) {
   EXPECT_EQ(seen, 2);
 }
 
-}  // namespace
+}  // namespace statements_test

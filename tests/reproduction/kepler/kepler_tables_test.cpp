@@ -9,7 +9,7 @@
 
 using experiment::Table;
 
-namespace {
+namespace kepler_tables_test {
 
 Table data(const std::string& stem) {
   return Table::read(std::string(AVI_CHECK_DIR) + "/data/" + stem + ".tsv");
@@ -90,4 +90,4 @@ TEST_P(Tables, OnShellFieldImprovesTheEnergyMonitor) {
 INSTANTIATE_TEST_SUITE_P(Paper, Tables, ::testing::Values("kepler_e090", "kepler_e099"),
                          [](const auto& test) { return test.param; });
 
-}  // namespace
+}  // namespace kepler_tables_test

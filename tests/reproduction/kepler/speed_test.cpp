@@ -16,7 +16,7 @@
 
 // Ratios of times measured in turns within one run. They hold for optimised code only.
 
-namespace {
+namespace speed_test {
 
 double cell(const std::string& stem, const std::string& method, const std::string& monitor,
             const std::string& column) {
@@ -137,4 +137,4 @@ TEST(Speed, AutomaticGradientCostsAtMostFourTimesTheSuppliedOne) {
   EXPECT_NEAR((a.q - b.q).norm(), 0.0, 1e-9) << "and gives the same orbit";
 }
 
-}  // namespace
+}  // namespace speed_test

@@ -7,7 +7,7 @@
 
 using avi::VectorX;
 
-namespace {
+namespace arena_gradients_test {
 
 TEST(ArenaGradients, AreThoseOfTheValues) {
   auto problems = arena::tuned_problems(false);
@@ -31,4 +31,4 @@ TEST(ArenaGradients, AreThoseOfTheValues) {
   }
 }
 
-}  // namespace
+}  // namespace arena_gradients_test

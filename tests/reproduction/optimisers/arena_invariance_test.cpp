@@ -13,7 +13,7 @@
 using arena::Problem;
 using avi::VectorX;
 
-namespace {
+namespace arena_invariance_test {
 
 std::vector<Problem> problems() {
   auto all = arena::tuned_problems(false);
@@ -146,4 +146,4 @@ TEST(ArenaInvariance, NeitherOffsetNorNoiseNorAnotherStartMakesItFail) {
     }
 }
 
-}  // namespace
+}  // namespace arena_invariance_test

@@ -12,7 +12,7 @@
 using arena::Problem;
 using avi::VectorX;
 
-namespace {
+namespace clock_gradient_test {
 
 /// The symplectic Euler method (Type II, order 0) for g (H + r^t), with H of order 2 and the monitor
 /// g(q) = (|grad f(q)|^2 / |grad f(q_0)|^2 + 1e-4)^(-1/6), which on a quartic keeps the step at a fixed part
@@ -131,4 +131,4 @@ TEST(ClockGradient, TheTermsSeldomPay) {
   EXPECT_GE(only[0] - only[1], 4);  // measured 7 and 1
 }
 
-}  // namespace
+}  // namespace clock_gradient_test

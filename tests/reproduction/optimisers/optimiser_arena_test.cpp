@@ -7,7 +7,7 @@
 
 // What docs/optimisation.md says of the arena, on its whole default grid.
 
-namespace {
+namespace optimiser_arena_test {
 
 const experiment::Table& summary() {
   static const experiment::Table table =
@@ -44,4 +44,4 @@ TEST(OptimiserArena, MeansAgainstOthers) {
   EXPECT_LE(of("held_out", "minimise_m7", "ratio_to_lbfgs"), 0.9);  // measured 0.67
 }
 
-}  // namespace
+}  // namespace optimiser_arena_test

@@ -6,7 +6,7 @@
 
 // minimise() on the paper's problem, with the paper's stopping test, beside the methods of Table 6.
 
-namespace {
+namespace optimiser_comparison_test {
 
 const experiment::Table& table() {
   static const experiment::Table read =
@@ -37,4 +37,4 @@ TEST(OptimiserComparison, TheMethodsOfTheTableNeedMoreFromTheSecondToleranceOn) 
           << method << " " << k;
 }
 
-}  // namespace
+}  // namespace optimiser_comparison_test

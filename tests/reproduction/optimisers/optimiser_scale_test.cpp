@@ -4,7 +4,7 @@
 
 // Time and memory of an iteration of minimise(), from one run of the experiment.
 
-namespace {
+namespace optimiser_scale_test {
 
 double of(double dimension, double memory, const std::string& column) {
   static const experiment::Table table = experiment::Table::read(AVI_CHECK_DIR "/data/optimiser_scale.tsv");
@@ -30,4 +30,4 @@ TEST(OptimiserScale, AtFiftyTheBookkeepingCostsLessThanThis) {
   EXPECT_LT(of(50, 7, "own_in_evaluations"), 6.5);  // measured 3.33 to 3.45
 }
 
-}  // namespace
+}  // namespace optimiser_scale_test

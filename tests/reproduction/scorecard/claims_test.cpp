@@ -10,7 +10,7 @@
 namespace fs = std::filesystem;
 using scorecard::Ruling;
 
-namespace {
+namespace claims_test {
 
 const fs::path check = AVI_CHECK_DIR;
 
@@ -162,4 +162,4 @@ TEST(Claims, AreMissingWithoutData) {
     EXPECT_EQ(line.finding.ruling, Ruling::missing) << key;
 }
 
-}  // namespace
+}  // namespace claims_test

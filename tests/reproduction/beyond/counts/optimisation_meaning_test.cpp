@@ -9,7 +9,7 @@
 
 using experiment::Setting;
 
-namespace {
+namespace optimisation_meaning_test {
 
 const std::string data = AVI_CHECK_DIR "/data/";
 
@@ -70,4 +70,4 @@ TEST(RoundingSensitivity, ThePublishedBestRowDivergesFromSomeMovedStarts) {
   EXPECT_NEAR(experiment::perturbed_counts({"htvi", 10, 0.5, 1.95e-5}, n, 1e-14, {}).failed, 56, 26.5);
 }
 
-}  // namespace
+}  // namespace optimisation_meaning_test

@@ -8,7 +8,7 @@
 
 // The monitors that a pilot chooses, on five of the problems.
 
-namespace {
+namespace automatic_monitors_test {
 
 const std::string quick = AVI_CHECK_DIR "/quick";
 
@@ -61,4 +61,4 @@ TEST(AutomaticMonitors, DoNotDriftOverTenThousandPeriods) {
   }
 }
 
-}  // namespace
+}  // namespace automatic_monitors_test

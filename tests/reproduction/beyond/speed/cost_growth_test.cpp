@@ -10,7 +10,7 @@
 
 // Powers of steps. Those of time are in the data, not asserted: they move with the machine's other work.
 
-namespace {
+namespace cost_growth_test {
 
 experiment::Table data(const std::string& curve = "") {
   return experiment::Table::read(std::string(AVI_CHECK_DIR) + "/quick/cost_growth" + curve + ".tsv");
@@ -89,4 +89,4 @@ TEST(CostGrowth, ASweepCostsTheSameNumberOfEvaluationsOfHInEveryDimension) {
   EXPECT_LT(*most, 3.8 * *least);
 }
 
-}  // namespace
+}  // namespace cost_growth_test

@@ -7,7 +7,7 @@
 
 // What parts change in the number of expansions; the time they take is in the data, not asserted.
 
-namespace {
+namespace optional_parts_test {
 
 double evaluations(const experiment::Table& table, const std::string& order, const std::string& part) {
   for (std::size_t i = 0; i < table.rows.size(); ++i)
@@ -32,4 +32,4 @@ TEST(OptionalParts, ChangeTheNumberOfExpansionsAsTheyShould) {
   }
 }
 
-}  // namespace
+}  // namespace optional_parts_test

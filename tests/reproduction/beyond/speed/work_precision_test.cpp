@@ -7,7 +7,7 @@
 
 using experiment::Table;
 
-namespace {
+namespace work_precision_test {
 
 Table data(const std::string& stem) {
   return Table::read(std::string(AVI_CHECK_DIR) + "/quick/" + stem + ".tsv");
@@ -88,4 +88,4 @@ TEST(WorkPrecision, ItsAdviceReachesTheTargetsAheadOfEveryPeer) {
   }
 }
 
-}  // namespace
+}  // namespace work_precision_test

@@ -18,7 +18,7 @@
 // Every entry point refuses the arguments of the experiment bad_input in one sentence with the value and the
 // range; what is found out during a run only ends it with a name.
 
-namespace {
+namespace bad_input_test {
 
 using namespace avi;
 using experiment::Table;
@@ -92,4 +92,4 @@ TEST(BadInput, DiagnosticsOfWhatIsNotANumber) {
   EXPECT_TRUE(std::isnan(fit_order(std::vector{1.0, 2.0, 3.0}, std::vector{nan, nan, nan}).order));
 }
 
-}  // namespace
+}  // namespace bad_input_test

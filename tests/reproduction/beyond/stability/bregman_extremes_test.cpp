@@ -16,7 +16,7 @@ using avi::Outcome;
 using avi::VectorX;
 using experiment::Table;
 
-namespace {
+namespace bregman_extremes_test {
 
 Table data(const std::string& curve) {
   return Table::read(std::string(AVI_CHECK_DIR) + "/quick/bregman_extremes" + curve + ".tsv");
@@ -145,4 +145,4 @@ TEST(HeavyBall, StartsAtAnyTime) {
   EXPECT_TRUE(momentum.outcome == Outcome::diverged || momentum.outcome == Outcome::non_finite);
 }
 
-}  // namespace
+}  // namespace bregman_extremes_test

@@ -8,7 +8,7 @@
 
 // What the largest usable steps say, and that every run that is not good says so.
 
-namespace {
+namespace extreme_eccentricity_test {
 
 experiment::Table data(const std::string& curve = "") {
   return experiment::Table::read(std::string(AVI_CHECK_DIR) + "/quick/extreme_eccentricity" + curve + ".tsv");
@@ -100,4 +100,4 @@ TEST(ExtremeEccentricity, StartAndSenseDoNotMatterAndCollisionsHaveNames) {
   }
 }
 
-}  // namespace
+}  // namespace extreme_eccentricity_test

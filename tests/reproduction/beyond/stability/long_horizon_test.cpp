@@ -11,7 +11,7 @@
 
 // A hundred periods of the long runs: growth laws, and that an interrupted run goes on as if it had not been.
 
-namespace {
+namespace long_horizon_test {
 
 const std::string quick = AVI_CHECK_DIR "/quick";
 
@@ -93,4 +93,4 @@ TEST(LongHorizon, AnInterruptedRunIsTakenUpBitForBit) {
   std::filesystem::remove_all(folder);
 }
 
-}  // namespace
+}  // namespace long_horizon_test

@@ -7,7 +7,7 @@
 
 // The shortened runs: fifty thousand steps of Henon-Heiles, fifty periods of the figure eight.
 
-namespace {
+namespace long_runs_test {
 
 const auto& table() {
   static const auto read = experiment::Table::read(std::string(AVI_CHECK_DIR) + "/quick/long_runs.tsv");
@@ -52,4 +52,4 @@ TEST(LongRuns, ShowTheDriftOfTheControl) {
   }
 }
 
-}  // namespace
+}  // namespace long_runs_test

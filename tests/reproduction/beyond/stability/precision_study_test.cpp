@@ -10,7 +10,7 @@
 
 using experiment::Table;
 
-namespace {
+namespace precision_study_test {
 
 Table data(const std::string& stem) {
   return Table::read(std::string(AVI_CHECK_DIR) + "/quick/" + stem + ".tsv");
@@ -66,4 +66,4 @@ TEST(PrecisionStudy, EveryFormatReachesItsFloor) {
   EXPECT_GT(least("float", "plain"), 1e3 * least("double", "plain"));
 }
 
-}  // namespace
+}  // namespace precision_study_test

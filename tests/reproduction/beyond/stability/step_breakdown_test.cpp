@@ -9,7 +9,7 @@
 // Every integrator breaks and says how: on the oscillator where linear theory says, unless further windows of
 // stability follow the first limit, and before it on nonlinear problems.
 
-namespace {
+namespace step_breakdown_test {
 
 class StepBreakdown : public testing::Test {
  protected:
@@ -95,4 +95,4 @@ TEST_F(StepBreakdown, OneNotchBeyondEveryRunEndsWithItsReason) {
   }
 }
 
-}  // namespace
+}  // namespace step_breakdown_test
