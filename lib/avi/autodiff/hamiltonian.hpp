@@ -17,6 +17,15 @@ concept SuppliesGradient = requires(const H& h, const Vector<S, n>& q, const Vec
   h.d_dq(q, p);
 };
 
+/// x at another scalar, with derivatives that vanish. A loop compiles faster than Eigen's cast.
+template <class To, class S, int n>
+Vector<To, n> constants(const Vector<S, n>& x) {
+  Vector<To, n> y(x.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i)
+    y[i] = To(x[i]);
+  return y;
+}
+
 /// H and dH/dp at any scalar.
 template <class H, class S, int n>
 Partials<S, n> value_and_d_dp(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
@@ -28,7 +37,7 @@ Partials<S, n> value_and_d_dp(const H& h, const Vector<S, n>& q, const Vector<S,
     y.constant = false;
     return y;
   } else {
-    const Vector<Partials<S, n>, n> at_q = q.template cast<Partials<S, n>>();
+    const auto at_q = constants<Partials<S, n>>(q);
     return value_and_gradient([&](const auto& x) { return h(at_q, x); }, p);
   }
 }
@@ -39,7 +48,7 @@ Vector<S, n> d_dp(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
   if constexpr (SuppliesGradient<H, S, n>) {
     return h.d_dp(q, p);
   } else {
-    const Vector<Partials<S, n>, n> at_q = q.template cast<Partials<S, n>>();
+    const auto at_q = constants<Partials<S, n>>(q);
     return gradient([&](const auto& x) { return h(at_q, x); }, p);
   }
 }
@@ -50,7 +59,7 @@ Vector<S, n> d_dq(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
   if constexpr (SuppliesGradient<H, S, n>) {
     return h.d_dq(q, p);
   } else {
-    const Vector<Partials<S, n>, n> at_p = p.template cast<Partials<S, n>>();
+    const auto at_p = constants<Partials<S, n>>(p);
     return gradient([&](const auto& x) { return h(x, at_p); }, q);
   }
 }
@@ -74,7 +83,7 @@ std::pair<S, S> value_and_work(const F& f, const Vector<S, n>& q, const Vector<S
       sum += p[i] * slope[i];
     return {f(q, p), sum};
   } else {
-    const Vector<Partials<S, 1>, n> at_q = q.template cast<Partials<S, 1>>();
+    const auto at_q = constants<Partials<S, 1>>(q);
     const auto both = along_momentum([&](const auto& x) { return f(at_q, x); }, p);
     return {both.value, both.partial(0)};
   }

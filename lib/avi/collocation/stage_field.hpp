@@ -78,7 +78,7 @@ class StageField {
   void force(const Problem& problem, const Vec& q, const Vec& p, const Scalar& weight, Scalar& rate,
              Vec& force) {
     const auto at_q = [&](const auto& f) {
-      return [&](const auto& x) { return f(x, constants<std::decay_t<decltype(x)>>(p)); };
+      return [&](const auto& x) { return f(x, constants<ScalarOf<decltype(x)>>(p)); };
     };
     const H& h = problem.hamiltonian();
     Scalar energy;
@@ -112,7 +112,7 @@ class StageField {
   void velocity(const Problem& problem, const Vec& q, const Vec& p, const Scalar& weight, Scalar& rate,
                 Vec& velocity) {
     const auto at_p = [&](const auto& f) {
-      return [&](const auto& x) { return f(constants<std::decay_t<decltype(x)>>(q), x); };
+      return [&](const auto& x) { return f(constants<ScalarOf<decltype(x)>>(q), x); };
     };
     const H& h = problem.hamiltonian();
     Scalar energy;
@@ -143,11 +143,8 @@ class StageField {
 
  private:
   using H = std::decay_t<decltype(std::declval<const Problem&>().hamiltonian())>;
-  /// The argument that is held constant while the other is differentiated.
   template <class Differentiated>
-  static Differentiated constants(const Vec& x) {
-    return x.template cast<typename Differentiated::Scalar>();
-  }
+  using ScalarOf = typename std::decay_t<Differentiated>::Scalar;
 };
 
 /// The same where n is known at run time only, or large: the gradients are those of a recording of

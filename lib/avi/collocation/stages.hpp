@@ -100,14 +100,13 @@ class alignas(64) Stages {
  private:
   enum class Place { elsewhere, begin, end };
   static constexpr int worth_it = 6;  // sweeps from which on a step is begun ahead
-  static bool same(const State<n>& a, const State<n>& b) { return a.t == b.t && a.q == b.q && a.p == b.p; }
 
   /// The start of a step at z, with the rounding error of the last step if that led to z.
   void start_at(const State<n>& z) {
-    place_ = h_ == 0.0               ? Place::elsewhere
-             : same(z, end_.state)   ? Place::end
-             : same(z, begin_.state) ? Place::begin
-                                     : Place::elsewhere;
+    place_ = h_ == 0.0           ? Place::elsewhere
+             : z == end_.state   ? Place::end
+             : z == begin_.state ? Place::begin
+                                 : Place::elsewhere;
     if (place_ == Place::elsewhere) {
       start_.low.q.setZero();
       start_.low.p.setZero();

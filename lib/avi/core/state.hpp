@@ -3,6 +3,8 @@
 #include "avi/core/vector.hpp"
 
 #include <cmath>
+#include <limits>
+#include <utility>
 
 /// @file
 /// The point in phase space that every integrator moves.
@@ -20,8 +22,20 @@ struct State {
 
   /// True when every entry of q, p and t is finite.
   [[nodiscard]] bool finite() const {
-    // If an entry is infinite or NaN, so is the sum: usually one test is enough.
-    return std::isfinite(q.sum() + p.sum() + t) || (q.allFinite() && p.allFinite() && std::isfinite(t));
+    // A loop compiles faster than Eigen's tests; this one is vectorised.
+    int finite = std::isfinite(t);
+    for (const auto* x : {&q, &p})
+      for (Eigen::Index i = 0; i < x->size(); ++i)
+        finite &= std::abs((*x)[i]) <= std::numeric_limits<double>::max();
+    return finite != 0;
+  }
+  /// The same numbers.
+  [[nodiscard]] bool operator==(const State& other) const {
+    bool equal = t == other.t && q.size() == other.q.size() && p.size() == other.p.size();
+    for (const auto& [x, y] : {std::pair{&q, &other.q}, std::pair{&p, &other.p}})
+      for (Eigen::Index i = 0; equal && i < x->size(); ++i)
+        equal = (*x)[i] == (*y)[i];
+    return equal;
   }
 };
 
