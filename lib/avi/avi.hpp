@@ -43,6 +43,7 @@
 #include "avi/collocation/collocation.hpp"
 #include "avi/collocation/gauss_rule.hpp"
 #include "avi/collocation/lane_matrix.hpp"
+#include "avi/collocation/linear_system.hpp"
 #include "avi/collocation/newton.hpp"
 #include "avi/collocation/precise_state.hpp"
 #include "avi/collocation/stage_field.hpp"

@@ -46,7 +46,7 @@ class Collocation {
           z.p.size() != problem_.size())  // before the message, which allocates
         require(false, "Dimension of the state", z.q.size() != problem_.size() ? z.q.size() : z.p.size(),
                 "that of the problem, " + std::to_string(problem_.size()) + ", for q and p alike");
-    return std::visit([&](auto& stages) { return stages.step(problem_, z, h); }, stages_);
+    return with(stages_, [&](auto& stages) { return stages.step(problem_, z, h); });
   }
 
   /// Refuses a state of another dimension.
@@ -62,7 +62,7 @@ class Collocation {
   /// The collocation polynomial of the last step at its fraction c in [0, 1], for dense_output(): of degree s
   /// and error O(h^(s+1)) inside the step, O(h^(2s+1)) at its ends.
   [[nodiscard]] State<n> polynomial(double c, double) const {
-    return std::visit([&](const auto& stages) { return stages.polynomial(problem_, c); }, stages_);
+    return with(stages_, [&](const auto& stages) { return stages.polynomial(problem_, c); });
   }
 
  private:
@@ -81,11 +81,21 @@ class Collocation {
             settings.tolerance, "finite and positive");
     require(settings.max_sweeps >= 1, "Number of sweeps", settings.max_sweeps, "at least 1");
     const GaussRule rule(order / 2);
+    // Made where they stay: a move would be compiled for each width.
     if constexpr (largest_order > 16)
-      if (order > 16) return Stages<Problem, 16>(problem, rule, settings);
+      if (order > 16) return AnyStages(std::in_place_index<2>, problem, rule, settings);
     if constexpr (largest_order > 8)
-      if (order > 8) return Stages<Problem, 8>(problem, rule, settings);
-    return Stages<Problem, 4>(problem, rule, settings);
+      if (order > 8) return AnyStages(std::in_place_index<1>, problem, rule, settings);
+    return AnyStages(std::in_place_index<0>, problem, rule, settings);
+  }
+  /// use(stages), of the width there is; compiles faster than std::visit.
+  template <class Any, class Use>
+  static auto with(Any& any, const Use& use) {
+    if constexpr (largest_order > 16)
+      if (auto* const wide = std::get_if<2>(&any)) return use(*wide);
+    if constexpr (largest_order > 8)
+      if (auto* const half = std::get_if<1>(&any)) return use(*half);
+    return use(*std::get_if<0>(&any));
   }
 
   Problem problem_;

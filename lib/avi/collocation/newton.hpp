@@ -1,12 +1,11 @@
 #pragma once
+#include "avi/collocation/linear_system.hpp"
 #include "avi/collocation/sweeps.hpp"
 #include "avi/core/outcome.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <utility>
 
 /// @file
 /// Newton's method for the stages of a step, where sweeps do not contract.
@@ -26,27 +25,13 @@ class Newton {
   static constexpr Eigen::Index most = 256;
 
   /// For problems of this size.
-  Newton(Eigen::Index size, int stages) : stages_(stages), count_(2 * size * stages) { reserve(); }
-  // A copy has room for a decomposition and none in it: methods are copied where a step is repeated.
-  /// Without the decomposition.
-  Newton(const Newton& other) : Newton(0, 0) { *this = other; }
-  /// Without the decomposition.
-  Newton& operator=(const Newton& other) {
-    const bool fits = matrix_ && count_ == other.count_;
-    stages_ = other.stages_;
-    count_ = other.count_;
-    decomposed_ = false;
-    if (!fits) reserve();
-    return *this;
-  }
-  Newton(Newton&&) noexcept = default;             ///< With all it has.
-  Newton& operator=(Newton&&) noexcept = default;  ///< With all it has.
-  ~Newton() = default;
+  Newton(Eigen::Index size, int stages)
+      : stages_(stages), possible_(2 * size * stages <= most), system_(possible_ ? 2 * size * stages : 0) {}
 
-  [[nodiscard]] bool possible() const { return count_ <= most; }  ///< The problem is small enough.
+  [[nodiscard]] bool possible() const { return possible_; }  ///< The problem is small enough.
 
   /// The step size is another one.
-  void forget() { decomposed_ = false; }
+  void forget() { system_.decomposed = false; }
 
   /// Solves for the stages of a step, from a constant. Changes may grow for a while; if eight in a row are
   /// more than half of the smallest one before them, the step is too long for the motion.
@@ -56,7 +41,7 @@ class Newton {
                    int cap) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     StepReport report{.outcome = Outcome::not_converged};
-    const bool old = std::exchange(decomposed_, true);
+    const bool old = system_.decomposed;
     if (!old) report.evaluations = decompose(problem, sweeps, step);
     sweeps.begin(step);
     double least = std::numeric_limits<double>::infinity();
@@ -70,13 +55,13 @@ class Newton {
       idle = now <= 0.5 * least ? 0 : idle + 1;
       if (now <= 4.0 * epsilon || (idle > 0 && now <= 1e5 * epsilon)) {
         report.outcome = Outcome::ok;
-        decomposed_ = report.evaluations <= 12;
+        system_.decomposed = report.evaluations <= 12;
         return report;
       }
       if (idle == 8 || report.outcome == Outcome::non_finite) break;
       least = std::min(least, now);
     }
-    decomposed_ = false;
+    system_.decomposed = false;
     if (!old) return report;
     const int spent = report.evaluations;
     report = solve(problem, sweeps, step, old_q, old_p, cap - spent);  // with the matrix of this start
@@ -88,8 +73,7 @@ class Newton {
   /// Decomposes the matrix of steps like this one from their start. @param step is used as a scratch
   /// @return evaluations of the field
   [[gnu::noinline]] int decompose(const Problem& problem, Sweeps<Problem, w>& sweeps, Step& step) {
-    if (!matrix_) reserve();
-    std::fill(matrix_.get(), matrix_.get() + count_ * count_, 0.0);
+    system_.clear();
     int evaluations = 0;
     const Eigen::Index size = step.q.size();
     for (Eigen::Index first = 0; first < 2 * size; first += stages_) {
@@ -107,35 +91,26 @@ class Newton {
             const double slope = scale * entry(step.dq, step.dp, row)[lane];
             for (int i = 0; i < stages_; ++i)
               for (int j = 0; j < stages_; ++j)
-                at(row * stages_ + i, (first + lane) * stages_ + j) +=
+                system_.at(row * stages_ + i, (first + lane) * stages_ + j) +=
                     slope * sweeps.mu(i, j) * sweeps.weight()[j];
           }
         }
       }
     }
-    for (Eigen::Index k = 0; k < count_; ++k)
-      at(k, k) += 1.0;
-    eliminate();
+    for (Eigen::Index k = 0; k < system_.count(); ++k)
+      system_.at(k, k) += 1.0;
+    system_.decompose();
     return evaluations;
   }
 
   /// From what a sweep makes of (q, p), which is in the step, to the next iterate. @return relative change
   [[gnu::noinline]] double improve(const Vec& q, const Vec& p, Step& step) {
     const Eigen::Index rows = 2 * q.size();
-    double* const x = right_.get();
+    double* const x = system_.right();
     for (Eigen::Index v = 0; v < rows; ++v)
       for (int i = 0; i < stages_; ++i)
         x[v * stages_ + i] = entry(step.q, step.p, v)[i] - entry(q, p, v)[i];
-    for (Eigen::Index k = 0; k < count_; ++k)
-      std::swap(x[k], x[pivots_[k]]);
-    for (Eigen::Index i = 1; i < count_; ++i)
-      for (Eigen::Index k = 0; k < i; ++k)
-        x[i] -= at(i, k) * x[k];
-    for (Eigen::Index k = count_; k-- > 0;) {
-      for (Eigen::Index i = k + 1; i < count_; ++i)
-        x[k] -= at(k, i) * x[i];
-      x[k] /= at(k, k);
-    }
+    system_.solve();
     Change<w> of_q, of_p;
     for (Eigen::Index v = 0; v < rows; ++v) {
       Pack<w>& next = entry(step.q, step.p, v);
@@ -147,13 +122,6 @@ class Newton {
     }
     return std::max(of_q.of_all(), of_p.of_all());
   }
-  void reserve() {
-    if (!possible()) return;
-    matrix_.reset(new double[count_ * count_]);
-    right_.reset(new double[count_]);
-    pivots_.reset(new Eigen::Index[count_]);
-  }
-  double& at(Eigen::Index row, Eigen::Index column) { return matrix_[row * count_ + column]; }
   /// Number v of (q, p).
   template <class V>
   static auto& entry(V& q, V& p, Eigen::Index v) {
@@ -164,33 +132,16 @@ class Newton {
   }
   /// How far to look for a difference: the cube root of the rounding error.
   static double reach(const Step& step, Eigen::Index v) {
+    double size = 0.0;
     const auto& all = v < step.q.size() ? step.start.state.q : step.start.state.p;
-    const double size = all.template lpNorm<Eigen::Infinity>();
+    for (Eigen::Index i = 0; i < all.size(); ++i)
+      size = std::max(size, std::abs(all[i]));
     return 6e-6 * (size > 0.0 ? size : 1.0);
-  }
-  /// LU decomposition in place, with pivots by column. A vanishing pivot leaves infinities, which a step
-  /// reports.
-  void eliminate() {
-    for (Eigen::Index k = 0; k < count_; ++k) {
-      Eigen::Index best = k;
-      for (Eigen::Index i = k + 1; i < count_; ++i)
-        if (std::abs(at(i, k)) > std::abs(at(best, k))) best = i;
-      pivots_[k] = best;
-      if (best != k) std::swap_ranges(&at(k, 0), &at(k, 0) + count_, &at(best, 0));
-      for (Eigen::Index i = k + 1; i < count_; ++i) {
-        const double factor = at(i, k) /= at(k, k);
-        if (factor != 0.0)
-          for (Eigen::Index j = k + 1; j < count_; ++j)
-            at(i, j) -= factor * at(k, j);
-      }
-    }
   }
 
   int stages_;
-  bool decomposed_ = false;
-  Eigen::Index count_;
-  std::unique_ptr<double[]> matrix_, right_;
-  std::unique_ptr<Eigen::Index[]> pivots_;
+  bool possible_;
+  LinearSystem system_;
 };
 
 }  // namespace avi
