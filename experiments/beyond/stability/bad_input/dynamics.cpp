@@ -19,6 +19,18 @@ using namespace avi;
 
 namespace {
 
+/// g = a + b q_1, or one over it: one type for all monitors here, so that collocation is compiled once.
+struct Monitor {
+  double a = 1.0, b = 0.0;
+  bool inverse = false;
+  template <class Q>
+  auto operator()(const Q& q) const {
+    using S = std::decay_t<decltype(q[0] * q[0])>;
+    const S g = a + b * q[0];
+    return inverse ? S(1.0 / g) : g;
+  }
+};
+
 void try_time_loop(Tries& tries) {
   tries.part = "integrate";
   const auto start = Kepler::pericentre(0.5);
@@ -53,33 +65,28 @@ void try_quadrature(Tries& tries) {
 void try_collocation(Tries& tries) {
   tries.part = "collocation";
   const auto start = Kepler::pericentre(0.5);
-  const auto steps = [](const auto& problem, auto z, double h) {
-    auto method = collocation(problem, 8);
+  const auto steps = [](const Monitor& monitor, State<2> z, double h) {
+    auto method = collocation(poincare(Kepler{}, Kepler::pericentre(0.5), monitor), 8);
     return integrate(method, z, h, {.steps = 100});
   };
-  const auto problem = poincare(Kepler{}, start);
+  const auto problem = poincare(Kepler{}, start, Monitor{});
   tries.all("order", std::vector{-2, 0, 1, 3, 7, 33, 34}, [&](int order) { collocation(problem, order); });
   tries.all("tolerance", not_positive, [&](double t) { collocation(problem, 8, {.tolerance = t}); });
   tries.all("sweeps", std::vector{0, -1}, [&](int n) { collocation(problem, 8, {.max_sweeps = n}); });
-  tries.all("h", std::vector{0.0, nan, inf, -inf}, [&](double h) { (void)steps(problem, start, h); });
+  tries.all("h", std::vector{0.0, nan, inf, -inf}, [&](double h) { (void)steps({}, start, h); });
   for (const double x : not_finite) {
     auto from = start;
     from.q[0] = x;
-    tries.run("q at the start", x, [&] { return steps(problem, from, 0.1); });
+    tries.run("q at the start", x, [&] { return steps({}, from, 0.1); });
     from = start;
     from.p[1] = x;
-    tries.run("p at the start", x, [&] { return steps(problem, from, 0.1); });
+    tries.run("p at the start", x, [&] { return steps({}, from, 0.1); });
   }
   for (const double g : {0.0, -1.0, nan, inf})
-    tries.run("g", g, [&] {
-      return steps(poincare(Kepler{}, start, [g](const auto& q) { return g + 0.0 * q[0]; }), start, 0.1);
-    });
+    tries.run("g", g, [&] { return steps({.a = g}, start, 0.1); });
   // Good at the start; zero, and infinite, farther on.
-  tries.run("g on the way", "q_1",
-            [&] { return steps(poincare(Kepler{}, start, [](const auto& q) { return q[0]; }), start, 3.0); });
-  tries.run("g on the way", "1/(1 + q_1)", [&] {
-    return steps(poincare(Kepler{}, start, [](const auto& q) { return 1.0 / (1.0 + q[0]); }), start, 0.1);
-  });
+  tries.run("g on the way", "q_1", [&] { return steps({.a = 0.0, .b = 1.0}, start, 3.0); });
+  tries.run("g on the way", "1/(1 + q_1)", [&] { return steps({.b = 1.0, .inverse = true}, start, 0.1); });
   tries.one("size", 2, [&] {
     auto method = collocation(poincare(Chain{}, Chain::plucked(3)), 8);
     auto z = Chain::plucked(2);
