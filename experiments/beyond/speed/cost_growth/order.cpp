@@ -10,15 +10,10 @@
 
 namespace experiment {
 
-namespace {
-
-const State2 start = avi::Kepler::pericentre(0.5);
-constexpr PositionMonitor monitor{.kind = PositionMonitor::power_of_radius, .exponent = 1.5};
-constexpr double h = 0.05, nan = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
 Axis along_order() {
+  const State2 start = avi::Kepler::pericentre(0.5);
+  constexpr PositionMonitor monitor{.kind = PositionMonitor::power_of_radius, .exponent = 1.5};
+  constexpr double h = 0.05, nan = std::numeric_limits<double>::quiet_NaN();
   Axis axis;
   for (int r = 0; r <= 15; ++r) {
     const Runner runner = htvi(r, monitor);
