@@ -147,6 +147,14 @@ TEST(Collocation, CoefficientsAreSymplecticToTheLastBit) {
   EXPECT_THROW(avi::GaussRule(17), std::invalid_argument);
 }
 
+TEST(Collocation, RefusesOrdersThatItHasNot) {
+  const auto problem = avi::poincare(Kepler{}, Kepler::pericentre(0.5));
+  for (const int order : {-2, 0, 7, 18})
+    EXPECT_THROW(avi::collocation(problem, order), std::invalid_argument) << order;
+  EXPECT_THROW(avi::collocation(problem, 8, {.tolerance = 0.0}), std::invalid_argument);
+  EXPECT_THROW(avi::collocation(problem, 8, {.max_sweeps = 0}), std::invalid_argument);
+}
+
 TEST(Collocation, LeadsBack) {
   const auto start = Kepler::pericentre(0.9);
   auto method = avi::collocation(avi::poincare(Kepler{}, start, avi::Gamma{0.75}), 16);

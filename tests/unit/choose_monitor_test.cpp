@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
+#include <string>
 
 namespace choose_monitor_test {
 
@@ -74,6 +76,23 @@ TEST(ChooseMonitor, DoesNotTryWhatPromisesLittleWhenMuchIsSpent) {
   for (const avi::Trial& trial : choice.trials)
     EXPECT_NE(trial.monitor, "gentle");
   EXPECT_LT(choice.sweeps, 280);  // measured 249; 309 with everything tried
+}
+
+// A trial tells something only between the longest step of its monitor that met the tolerance and the
+// shortest that did not.
+TEST(ChooseMonitor, TriesStepsBetweenTheGoodAndTheBadOnes) {
+  for (const auto& [order, error] : {std::pair{4, 1e-5}, {8, 1e-8}, {16, 1e-11}})
+    for (const double eccentricity : {0.3, 0.9}) {
+      const auto choice =
+          choose_monitor(Kepler(), Kepler::pericentre(eccentricity), {.energy_error = error, .order = order});
+      std::map<std::string, double> good, bad;
+      for (const avi::Trial& trial : choice.trials) {
+        const double shortest = bad.try_emplace(trial.monitor, 1e300).first->second;
+        EXPECT_LT(trial.h, shortest) << order << " " << trial.monitor << "\n" << choice.report();
+        EXPECT_GT(trial.h, good[trial.monitor]) << order << " " << trial.monitor << "\n" << choice.report();
+        (trial.energy_error <= error ? good : bad)[trial.monitor] = trial.h;
+      }
+    }
 }
 
 TEST(ChooseMonitor, LeavesASymplecticMap) {

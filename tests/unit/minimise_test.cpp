@@ -76,6 +76,19 @@ TEST(Minimise, ConvergenceIsDecidedOnAnEvaluatedGradient) {
   }
 }
 
+TEST(Minimise, AcceptsOptionsAtTheEndsOfTheirRanges) {
+  for (const int m : {0, 1000})
+    EXPECT_NO_THROW((MinimiseOptions{.relative = 0.0,
+                                     .absolute = 0.0,
+                                     .change = 1e-300,
+                                     .memory = m,
+                                     .iterations = 1,
+                                     .evaluations = 1,
+                                     .growth = 1.0}
+                         .validate()))
+        << m;
+}
+
 TEST(Minimise, EveryValueOfTheHistoryFalls) {
   const auto run = minimise(rosenbrock, Eigen::Vector2d(-1.2, 1.0), {.history = true});
   ASSERT_EQ(run.history.size(), static_cast<std::size_t>(run.iterations) + 1);

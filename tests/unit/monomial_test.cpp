@@ -51,6 +51,15 @@ TEST(Monomial, FindsLargePowersBesideTheSquareOfTheWhole) {
   EXPECT_NEAR(after(-there, moving) / before(-there, moving), 1.0, 1e-13);
 }
 
+TEST(Monomial, TakesPowersUpToEightAtOnceAndNoneAbove64) {
+  const auto sum = [](const auto& q, const auto&) { return q[0] + q[1]; };
+  const auto [direct, again] =
+      simplified([](const auto& q, const auto&) { return 3.0 * pow(q[0], -8.0) + 0.0 * q[1]; }, sum);
+  EXPECT_EQ(again.work(4), direct.work(4));
+  const auto [large, same] = simplified([](const auto& q, const auto&) { return pow(q[0], -68.0); }, sum);
+  EXPECT_EQ(same.work(4), large.work(4));
+}
+
 TEST(Monomial, LeavesOtherFormulasAsTheyAre) {
   const auto [before, after] =
       simplified([](const auto& q, const auto&) { return exp(q[0]) + pow(distance(q), -6.0); },

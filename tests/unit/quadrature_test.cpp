@@ -50,9 +50,12 @@ TEST(Quadrature, GaussAgreesWithClosedForms) {
 }
 
 TEST(Quadrature, RefusesWhatIsNoRule) {
-  EXPECT_THROW(avi::gauss(0), std::invalid_argument);
-  EXPECT_THROW(avi::lobatto(1), std::invalid_argument);
-  EXPECT_THROW(avi::radau(17), std::invalid_argument);
+  for (const auto& [rule, least] : {std::pair{&avi::gauss, 1}, {&avi::lobatto, 2}, {&avi::radau, 1}})
+    for (const int m : {least - 1, least, 16, 17})
+      if (m < least || m > 16)
+        EXPECT_THROW(rule(m), std::invalid_argument) << m;
+      else
+        EXPECT_NO_THROW(rule(m)) << m;
   EXPECT_THROW(avi::validate({"empty", 1, {}, {}}), std::invalid_argument);
   EXPECT_THROW(avi::validate({"odd", 1, {0.0, 1.0}, {1.0}}), std::invalid_argument);
   EXPECT_THROW(avi::validate({"heavy", 1, {0.5}, {2.0}}), std::invalid_argument);

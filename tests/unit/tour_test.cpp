@@ -86,4 +86,11 @@ TEST(Tour, BeginsWhereTheCurvatureVanishes) {
   EXPECT_NEAR(Toured(quartic, 0.0, 1.0).tour.frequency, 1.2046, 0.01);
 }
 
+TEST(Tour, EndsBeforeItBeginsWhereTheCurvatureIsInfinite) {
+  const auto cusp = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0]) + pow(q[0], 1.5); };
+  const Toured at(cusp, 0.0, 1.0);
+  EXPECT_EQ(at.tour.evaluations, 1);
+  EXPECT_EQ(at.tour.time, 0.0);
+}
+
 }  // namespace tour_test
