@@ -3,7 +3,7 @@
 
 #include "avi/problems/correlated_quartic.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <gsl/gsl_eigen.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +19,19 @@ using avi::VectorX;
 /// The quartic in the eigenvectors of Sigma, where its proximal map is one scalar equation.
 class DiagonalQuartic {
  public:
-  explicit DiagonalQuartic(Eigen::Index n = 50, double rho = 0.9) {
+  explicit DiagonalQuartic(Eigen::Index n = 50, double rho = 0.9) : sigma_(n), turn_(n, n) {
+    // GSL's, which is compiled already.
+    const auto size = static_cast<std::size_t>(n);
     Eigen::MatrixXd sigma(n, n);
     for (Eigen::Index i = 0; i < n; ++i)
       for (Eigen::Index j = 0; j < n; ++j)
         sigma(i, j) = std::pow(rho, std::abs(static_cast<double>(i - j)));
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(sigma);
-    sigma_ = solver.eigenvalues();
-    turn_ = solver.eigenvectors().transpose();
+    auto matrix = gsl_matrix_view_array(sigma.data(), size, size);
+    auto values = gsl_vector_view_array(sigma_.data(), size);
+    auto vectors = gsl_matrix_view_array(turn_.data(), size, size);
+    gsl_eigen_symmv_workspace* space = gsl_eigen_symmv_alloc(size);
+    gsl_eigen_symmv(&matrix.matrix, &values.vector, &vectors.matrix, space);
+    gsl_eigen_symmv_free(space);
   }
   /// A vector in the coordinates of the eigenvectors.
   [[nodiscard]] VectorX turned(double every_entry) const {
@@ -55,7 +60,7 @@ class DiagonalQuartic {
 
  private:
   VectorX sigma_;
-  Eigen::MatrixXd turn_;
+  Eigen::MatrixXd turn_;  ///< Rows are the eigenvectors: GSL's columns, stored by rows.
 };
 
 /// A run of iterates, followed until the stopping test has held for good, f is no number, or a cap is
