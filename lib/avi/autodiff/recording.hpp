@@ -103,8 +103,7 @@ template <int n = dynamic, class F>
 Recording record(const F& f, Eigen::Index size = n) {
   return Recording(
       [&](const Vector<Recorded, dynamic>& z) -> Recorded {
-        const Vector<Recorded, n> q = z.head(size), p = z.tail(size);
-        return f(q, p);
+        return f(part<n>(z, 0, size), part<n>(z, size, size));
       },
       2 * size);
 }

@@ -71,12 +71,11 @@ class Curvature {
   }
   /// Its two parts for a given velocity in phase space, without the factor of the second.
   [[nodiscard]] std::pair<double, double> squared_speeds(const Vector<double, dynamic>& velocity) const {
-    const auto dq = velocity.head(n_), dp = velocity.tail(n_);
     double positions = 0.0, momenta = 0.0;
     for (int i = 0; i < n_; ++i)
       for (int j = 0; j < n_; ++j) {
-        positions += inverse_(i, j) * dq[i] * dq[j];
-        momenta += metric_(i, j) * dp[i] * dp[j];
+        positions += inverse_(i, j) * velocity[i] * velocity[j];
+        momenta += metric_(i, j) * velocity[n_ + i] * velocity[n_ + j];
       }
     return {positions, momenta};
   }
@@ -88,8 +87,14 @@ class Curvature {
       const auto [positions, momenta] = squared_speeds(way);
       return std::sqrt(positions + momenta / (frequency * frequency));
     };
-    const Vector<double, dynamic> x = a / length(a), y = b / length(b);
-    return 2.0 * std::atan2(length(x - y), length(x + y));
+    const double of_a = length(a), of_b = length(b);
+    Vector<double, dynamic> difference(a.size()), sum(a.size());
+    for (Eigen::Index i = 0; i < a.size(); ++i) {
+      const double x = a[i] / of_a, y = b[i] / of_b;
+      difference[i] = x - y;
+      sum[i] = x + y;
+    }
+    return 2.0 * std::atan2(length(difference), length(sum));
   }
 
   /// H(q, 0), the energy of a body at rest.
@@ -207,13 +212,13 @@ class Curvature {
       for (const auto& [ij, node] : hessian(term))
         if (ij.first >= n_ && ij.second >= n_)
           metric_(ij.first - n_, ij.second - n_) += at_start(graph, node);
-    has_metric_ = metric_.allFinite() && positive(metric_);
+    has_metric_ = positive(metric_);
     if (has_metric_) inverse_ = inverse(metric_);
   }
-  /// All pivots of a symmetric matrix are positive.
+  /// All pivots of a symmetric matrix are positive and its entries finite.
   static bool positive(Square a) {
     for (Eigen::Index k = 0; k < a.rows(); ++k) {
-      if (!(a(k, k) > 0.0)) return false;
+      if (!(a(k, k) > 0.0 && std::isfinite(a(k, k)))) return false;
       for (Eigen::Index i = k + 1; i < a.rows(); ++i)
         for (Eigen::Index j = k + 1; j < a.rows(); ++j)
           a(i, j) -= a(i, k) * a(k, j) / a(k, k);

@@ -24,7 +24,8 @@ class Tour {
       : n0(curvature.squared_frequency_squared()), size_(orbit.start.q.size()), curved_(curvature.graph, n0),
         slopes_(record(orbit.energy, size_).value_and_gradient()), room_(slopes_) {
     VectorX z(2 * size_);
-    z << orbit.start.q, orbit.start.p;
+    for (Eigen::Index i = 0; i < size_; ++i)
+      z[i] = orbit.start.q[i], z[size_ + i] = orbit.start.p[i];
     run(curvature, z);
     find_turns(curvature);
   }
@@ -85,8 +86,7 @@ class Tour {
 
  private:
   [[nodiscard]] double value(const PhaseFunction& f, const VectorX& z) const {
-    const VectorX q = z.head(size_), p = z.tail(size_);
-    return f(q, p);
+    return f(part(z, 0, size_), part(z, size_, size_));
   }
   /// dz = the field at z; returns H.
   double field(const VectorX& z, VectorX& dz) {
@@ -146,7 +146,10 @@ class Tour {
     const double here = std::pow(value(curved_, z), 0.25);
     if (here > 0.0 || !std::isfinite(here)) return std::isfinite(here) ? here : 0.0;
     for (double s = 0x1p-30; s < 0x1p30; s *= 2.0) {
-      const double there = std::pow(value(curved_, z + s * dz), 0.25);
+      VectorX ahead = z;
+      for (Eigen::Index i = 0; i < z.size(); ++i)
+        ahead[i] += s * dz[i];
+      const double there = std::pow(value(curved_, ahead), 0.25);
       if (std::isfinite(there) && there * s > 0.1) return there;
     }
     return 0.0;

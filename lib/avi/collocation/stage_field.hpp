@@ -30,11 +30,11 @@ Recording recorded_with_supplied(const Problem& problem) {
   using Vec = Vector<Recorded, dynamic>;
   const Eigen::Index n = problem.size();
   const auto apart = [n](const auto& use) {
-    return [use, n](const Vec& z) { return use(Vec(z.head(n)), Vec(z.tail(n))); };
+    return [use, n](const Vec& z) { return use(part(z, 0, n), part(z, n, n)); };
   };
   const auto& h = problem.hamiltonian();
   return {[&](const Vec& z, const Recorded& energy) -> Recorded {
-            const Vec q = z.head(n), p = z.tail(n);
+            const Vec q = part(z, 0, n), p = part(z, n, n);
             return problem.rate(q, p) * (energy + problem.energy_momentum());
           },
           apart([&](const Vec& q, const Vec& p) -> Recorded { return h(q, p); }),

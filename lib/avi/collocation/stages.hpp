@@ -44,7 +44,7 @@ class alignas(64) Stages {
         settings_(settings), begin_(problem.size()), end_(problem.size()), start_(problem.size()),
         change_(problem.size()), newton_(problem.size(), rule.stages()) {
     for (Vec* each : {&dq_, &dp_, &old_q_, &old_p_})
-      each->setConstant(Scalar(0.0));
+      std::fill(each->data(), each->data() + each->size(), Scalar(0.0));
     change_.setZero();
   }
 

@@ -29,7 +29,7 @@ struct Unknowns {
   /// Zero, for n = `size`.
   explicit Unknowns(Eigen::Index size) : q(size), p(size), dq(size), dp(size), start(size) {
     for (Vec* each : {&q, &p, &dq, &dp})
-      each->setConstant(Pack<w>(0.0));
+      std::fill(each->data(), each->data() + size, Pack<w>(0.0));
   }
 };
 

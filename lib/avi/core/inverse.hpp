@@ -16,7 +16,10 @@ namespace avi {
 template <int n>
 void invert(Matrix<double, n>& a, Matrix<double, n>& b) {
   const Eigen::Index size = a.rows();
-  b.setIdentity(size, size);
+  b.resize(size, size);
+  for (Eigen::Index k = 0; k < size; ++k)
+    for (Eigen::Index l = 0; l < size; ++l)
+      b(l, k) = l == k ? 1.0 : 0.0;
   const auto swap_rows = [](Matrix<double, n>& m, Eigen::Index i, Eigen::Index j) {
     for (Eigen::Index l = 0; l < m.cols(); ++l)
       std::swap(m(i, l), m(j, l));
