@@ -132,10 +132,7 @@ class Newton {
   }
   /// How far to look for a difference: the cube root of the rounding error.
   static double reach(const Step& step, Eigen::Index v) {
-    double size = 0.0;
-    const auto& all = v < step.q.size() ? step.start.state.q : step.start.state.p;
-    for (Eigen::Index i = 0; i < all.size(); ++i)
-      size = std::max(size, std::abs(all[i]));
+    const double size = largest_entry(v < step.q.size() ? step.start.state.q : step.start.state.p);
     return 6e-6 * (size > 0.0 ? size : 1.0);
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
+#include <cmath>
 #include <type_traits>
 
 /// @file
@@ -36,6 +37,15 @@ Vector<S, n> part(const Vector<S, dynamic>& x, Eigen::Index first, Eigen::Index 
   for (Eigen::Index i = 0; i < count; ++i)
     y[i] = x[first + i];
   return y;
+}
+
+/// Largest magnitude of an entry; NaN where one is.
+template <int n>
+double largest_entry(const Vector<double, n>& x) {
+  double most = 0.0;
+  for (Eigen::Index i = 0; i < x.size(); ++i)
+    most = std::abs(x[i]) <= most || most != most ? most : std::abs(x[i]);
+  return most;
 }
 
 }  // namespace avi

@@ -49,8 +49,8 @@ class DiscreteEquations {
     for (int j = 0; j < n; ++j)
       y[j] = -sigma * r.partial(at_u + j);
     const Vec d_y = inverse.lazyProduct(y);
-    wanted.template segment<n>(n) = d_y;
     for (int j = 0; j < n; ++j) {
+      wanted[n + j] = d_y[j];
       double d_u = -sigma * r.partial(at_k + j);
       for (int i = 0; i < n; ++i)
         d_u -= own(i).partial(at_k + j) * d_y[i];
@@ -88,17 +88,23 @@ class DiscreteEquations {
 
   /// The shift of u that a residual wanted - (u - u_0) calls for, up to O(h^(r+1)) of it.
   [[nodiscard]] Vec newton(const Vec& residual) const {
-    if constexpr (shell_terms)
-      return residual - v_ * (w_.dot(residual) / (1.0 + w_.dot(v_)));
-    else
+    if constexpr (shell_terms) {
+      const double share = w_.dot(residual) / (1.0 + w_.dot(v_));
+      Vec shift;
+      for (int j = 0; j < n; ++j)
+        shift[j] = residual[j] - v_[j] * share;
+      return shift;
+    } else {
       return residual;
+    }
   }
 
   /// The step at u + shift, where what is wanted there differs from what is wanted at u by `more`.
   [[nodiscard]] StepChange<n> shifted(const Vec& residual, const Vec& shift,
                                       const Vector<double, 2 * n + 1>& more) const {
     StepChange<n> moved = shifted(residual, shift);
-    (right ? moved.q : moved.p) += more.template segment<n>(n);
+    for (int j = 0; j < n; ++j)
+      (right ? moved.q : moved.p)[j] += more[n + j];
     moved.t += more[2 * n];
     return moved;
   }
@@ -109,8 +115,13 @@ class DiscreteEquations {
     StepChange<n> moved = change;
     Vec& same = right ? moved.p : moved.q;
     Vec& conjugate = right ? moved.q : moved.p;
-    same += shift - residual;
-    if constexpr (shell_terms) conjugate += w_.dot(shift) * s_;
+    for (int j = 0; j < n; ++j)
+      same[j] += shift[j] - residual[j];
+    if constexpr (shell_terms) {
+      const double along = w_.dot(shift);
+      for (int j = 0; j < n; ++j)
+        conjugate[j] += along * s_[j];
+    }
     for (int j = 0; j < n; ++j) {
       for (int i = 0; i < n; ++i) {
         same[i] += own(i).partial(at_u + j) * shift[j];

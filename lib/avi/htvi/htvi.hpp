@@ -69,23 +69,27 @@ class Htvi {
     Vector<double, n> shift;
     Vector<double, 2 * n + 1> wanted = Vector<double, 2 * n + 1>::Zero();  // before that shift
     for (int k = 1; k <= solver_.max_iterations; ++k) {
-      const Vector<double, n> unknown = start + correction;
-      correction = unknown - start;  // the correction after rounding
+      Vector<double, n> unknown;
+      for (int i = 0; i < n; ++i) {
+        unknown[i] = start[i] + correction[i];
+        correction[i] = unknown[i] - start[i];  // the correction after rounding
+      }
       const Increments increments =
           right ? expansion_.expand(z.q, unknown, h) : expansion_.expand(unknown, z.p, h);
       const DiscreteEquations<type, Expansion> equations(expansion_, increments,
                                                          action_.remainder(expansion_, increments, h));
       ++report.evaluations;
-      const Vector<double, n> residual = equations.wanted.template head<n>() - correction;
-      report.residual = residual.template lpNorm<Eigen::Infinity>();
+      Vector<double, n> residual;
+      for (int i = 0; i < n; ++i)
+        residual[i] = equations.wanted[i] - correction[i];
+      report.residual = largest_entry(residual);
       if (!std::isfinite(report.residual))
         report.outcome = Outcome::non_finite;
       else if (!(problem().clock(equations.change.q, increments.t.value()) * h > 0.0))
         report.outcome = Outcome::bad_monitor;
       if (report.outcome != Outcome::ok) return report;
       const double accepted =
-          solver_.tolerance * epsilon *
-          (start.template lpNorm<Eigen::Infinity>() + equations.drift.template lpNorm<Eigen::Infinity>());
+          solver_.tolerance * epsilon * (largest_entry(start) + largest_entry(equations.drift));
       if (report.residual <= accepted) return accept(equations.change);
       // Rounding may hold the residual above the tolerance; it then stops falling far below what matters.
       const bool stagnates = report.residual >= 0.5 * previous && report.residual <= 100.0 * accepted;

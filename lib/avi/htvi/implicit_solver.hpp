@@ -24,12 +24,18 @@ class Predictor {
  public:
   /// Whether the last step had this size and led to this point.
   [[nodiscard]] bool goes_on(double h, const Vector<double, n>& start) const {
-    return h == last_h_ && start == end_;
+    bool here = h == last_h_;
+    for (int i = 0; i < n; ++i)
+      here = here && start[i] == end_[i];
+    return here;
   }
   /// The guess for a step h from `start`: zero unless the last two steps had this size and led to this point.
   [[nodiscard]] Vector<double, n> guess(double h, const Vector<double, n>& start) const {
-    if (goes_on(h, start) && h == last_but_one_h_) return 2.0 * last_ - last_but_one_;
-    return Vector<double, n>::Zero();
+    const bool line = goes_on(h, start) && h == last_but_one_h_;
+    Vector<double, n> next;
+    for (int i = 0; i < n; ++i)
+      next[i] = line ? 2.0 * last_[i] - last_but_one_[i] : 0.0;
+    return next;
   }
   /// Stores the value that a step h found, and the point where the step ended.
   void remember(const Vector<double, n>& value, double h, const Vector<double, n>& end) {
@@ -52,15 +58,19 @@ class Broyden {
   /// The shift of u for this residual. @param plain that of the plain iteration
   Vector<double, n> shift(const Vector<double, n>& residual, const Vector<double, n>& plain, bool slow) {
     if (slow && !at_work_) {
-      inverse_ = Matrix<double, n>::Identity();
+      inverse_.setIdentity();
       at_work_ = true;
     }
     if (at_work_) {
       // The update makes the inverse map the last decrease of the residual to the last shift.
       const Vector<double, n> image = inverse_ * (last_residual_ - residual);
       const double scale = last_shift_.dot(image);
-      if (scale != 0.0)
-        inverse_ += ((last_shift_ - image) / scale) * (last_shift_.transpose() * inverse_).eval();
+      if (scale != 0.0) {
+        const auto row = (last_shift_.transpose() * inverse_).eval();
+        for (int i = 0; i < n; ++i)
+          for (int j = 0; j < n; ++j)
+            inverse_(i, j) += (last_shift_[i] - image[i]) / scale * row[j];
+      }
     }
     last_residual_ = residual;
     last_shift_ = plain;
@@ -85,14 +95,18 @@ class SecantModel {
   /// @return the error that J had along that shift, relative to its size
   double learn(const Vector<double, n>& shift, const Vector<double, m>& change, bool update) {
     const Vector<double, m> miss = change - slope_ * shift;
-    if (update) slope_ += (miss / shift.squaredNorm()) * shift.transpose();
+    const double square = shift.squaredNorm();
+    for (int i = 0; update && i < m; ++i)
+      for (int j = 0; j < n; ++j)
+        slope_(i, j) += miss[i] / square * shift[j];
     return miss.norm() / shift.norm();
   }
   /// The shift of u for this residual.
   [[nodiscard]] Vector<double, n> shift(const Vector<double, n>& residual) const {
-    Matrix<double, n> factor = -slope_.template topRows<n>();
+    Matrix<double, n> factor;
     for (int i = 0; i < n; ++i)
-      factor(i, i) += 1.0;
+      for (int j = 0; j < n; ++j)
+        factor(i, j) = -slope_(i, j) + (i == j ? 1.0 : 0.0);
     return inverse<n>(factor) * residual;
   }
   /// The change of w that a shift of u brings.
