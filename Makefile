@@ -145,14 +145,16 @@ verdicts: build/scorecard.txt ## Take over today's verdicts as those that README
 # ---- figures ---------------------------------------------------------------------------------------------------
 # $(call draw,stem,data folder,output without extension,terminal,extension)
 draw = gnuplot -e "data='$(2)'; output='$(3).part'; terminal='$(4)'" $(script_of_$(1)) && mv $(3).part $(3).$(5)
+# $(call draw_both,stem,data folder,output without extension): PDF and PNG from one start, in which fonts are looked up once
+draw_both = gnuplot $(foreach t,pdf png,-e "data='$(2)'; output='$(3).part.$t'; terminal='$t'" $(script_of_$(1)) -e "reset session") \
+  && mv $(3).part.pdf $(3).pdf && mv $(3).part.png $(3).png
 
 figures: $(DATA) build/data/manifest.tsv $(FIGURES) scorecard ## Build, run, draw every figure, print the scorecard (the main job)
 # A figure depends on its script and on what else its chapter's folder holds for several scripts.
 define figure_rule
 build/figures/$(1).pdf build/figures/$(1).png &: $(2) figures/style.gp $(filter-out $(foreach f,$(drawn),$(script_of_$f)),$(wildcard $(dir $(2))*.gp)) \
   build/data/$(1).tsv $(PUBLISHED) | deps build/figures
-	@echo "drawing $(1)"; $(call draw,$(1),build/data,build/figures/$(1),pdf,pdf) \
-	  && $(call draw,$(1),build/data,build/figures/$(1),png,png)
+	@echo "drawing $(1)"; $(call draw_both,$(1),build/data,build/figures/$(1))
 endef
 $(foreach f,$(drawn),$(eval $(call figure_rule,$f,$(script_of_$f))))
 
@@ -167,8 +169,7 @@ long: $(patsubst %,build/long/%.tsv,$(with_long)) ## Run to their end what `figu
 build/long/%.tsv: $(BIN)/%
 	$(BIN)/$* --long --output build/long
 # $(call draw_all,stems,kind): those figures from build/<kind>, as build/figures/<stem>_<kind>
-draw_all = $(foreach f,$(1),$(call draw,$f,build/$(2),build/figures/$(f)_$(2),pdf,pdf) && \
-  $(call draw,$f,build/$(2),build/figures/$(f)_$(2),png,png) &&) true
+draw_all = $(foreach f,$(1),$(call draw_both,$f,build/$(2),build/figures/$(f)_$(2)) &&) true
 work-precision: deps-peers build/full/work_precision.tsv | build/figures ## The whole grid of speed and accuracy
 	@$(call draw_all,work_precision,full)
 arena: build/full/optimiser_arena.tsv | build/figures ## The arena of optimisers with dimensions up to 1e6: two CPU minutes
