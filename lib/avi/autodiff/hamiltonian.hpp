@@ -64,15 +64,6 @@ Vector<S, n> d_dq(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
   }
 }
 
-/// Derivative of f(p) in the direction of p itself, \f$p\cdot\partial f/\partial p\f$, together with f(p).
-template <class F, class S, int n>
-Partials<S, 1> along_momentum(const F& f, const Vector<S, n>& p) {
-  Vector<Partials<S, 1>, n> seeded(p.size());
-  for (Eigen::Index i = 0; i < p.size(); ++i)
-    seeded[i] = Partials<S, 1>::variable(p[i], 0, p[i]);
-  return f(seeded);
-}
-
 /// f(q, p) and \f$p\cdot\partial f/\partial p\f$ at any scalar.
 template <class F, class S, int n>
 std::pair<S, S> value_and_work(const F& f, const Vector<S, n>& q, const Vector<S, n>& p) {
@@ -84,7 +75,10 @@ std::pair<S, S> value_and_work(const F& f, const Vector<S, n>& q, const Vector<S
     return {f(q, p), sum};
   } else {
     const auto at_q = constants<Partials<S, 1>>(q);
-    const auto both = along_momentum([&](const auto& x) { return f(at_q, x); }, p);
+    Vector<Partials<S, 1>, n> along(p.size());  // differentiated in the direction of p itself
+    for (Eigen::Index i = 0; i < p.size(); ++i)
+      along[i] = Partials<S, 1>::variable(p[i], 0, p[i]);
+    const Partials<S, 1> both = f(at_q, along);
     return {both.value, both.partial(0)};
   }
 }
