@@ -22,7 +22,7 @@ using Stage = avi::Pack<stages>;
 using Vec = avi::Vector<Stage, dynamic>;
 
 /// H itself: the unit of cost.
-Measurement energy(const avi::State<dynamic>& z, long repeats) {
+Measurement value(const avi::State<dynamic>& z, long repeats) {
   const Vec q = z.q.cast<Stage>(), p = z.p.cast<Stage>();
   const auto sum = std::make_shared<Stage>(0.0);
   return {.run =
@@ -88,7 +88,7 @@ Axis along_dimension(bool quick) {
   for (int n = 2; n <= 512; n *= quick ? 16 : 2) {
     const auto z = avi::Chain::plucked(n);
     const long repeats = 40'000 / n;
-    add("energy", n, energy(z, repeats));
+    add("energy", n, value(z, repeats));
     add("gradient", n, gradient(z, repeats));
     const long steps = std::max(repeats / 200, 10L);
     add("sweep", n, sweep(avi::Automatic{avi::Chain{}}, z, steps));
