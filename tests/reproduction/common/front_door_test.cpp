@@ -40,9 +40,9 @@ class FrontDoor : public testing::TestWithParam<std::string> {
   void SetUp() override { fs::create_directories(output); }
   void TearDown() override { fs::remove_all(scratch); }
 
-  /// Runs the experiment; a bad option is refused long before the time limit of 20 s.
+  /// Runs the experiment. What is not refused runs its course, and its status is not 2.
   [[nodiscard]] Answer run(const std::string& arguments) const {
-    const std::string command = "timeout 20 '" AVI_BIN_DIR "/" + GetParam() + "' " + arguments + " >'" +
+    const std::string command = "'" AVI_BIN_DIR "/" + GetParam() + "' " + arguments + " >'" +
                                 (scratch / "out").string() + "' 2>'" + (scratch / "err").string() + "'";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(scratch / "out"), slurp(scratch / "err")};
