@@ -85,11 +85,13 @@ TEST(Poincare, RefusesASizeThatIsNotTheDimension) {
   // Every way from H and a start refuses the start before H sees it.
   using avi::VectorX;
   const auto in_time = [](const auto&, const auto& t, const auto& p) { return t * (p[0] * p[0]); };
-  for (const auto& [start, sentence] :
+  for (const auto& each :
        {std::pair<State<avi::dynamic>, std::string>{
             {.q = VectorX(), .p = VectorX()}, "Dimension of q at the start is 0; it must be at least 1."},
         {{.q = VectorX::Ones(2), .p = VectorX::Ones(3)},
          "Dimension of p at the start is 3; it must be that of q, 2."}}) {
+    const auto& start = each.first;
+    const std::string& sentence = each.second;
     EXPECT_EQ(refusal([&] { (void)avi::poincare(free, start); }), sentence);
     EXPECT_EQ(refusal([&] { (void)avi::time_dependent(in_time, start); }), sentence);
     EXPECT_EQ(refusal([&] { (void)avi::automatic_monitor(free, start); }), sentence);
