@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <malloc.h>
+
 using avi::minimise;
 using avi::MinimiseOptions;
 using avi::VectorX;
@@ -65,6 +68,43 @@ TEST(Minimise, TakesFewGradientsInALongValley) {
   const auto run = minimise(valley, VectorX::Constant(20, -1.2), {.relative = 1e-10});
   EXPECT_TRUE(run.converged()) << run.message;
   EXPECT_LE(run.gradient_evaluations, 185);  // measured 178
+}
+
+TEST(Minimise, PassesJumpsOfTheSecondDerivative) {
+  // 0.5 (10 hinge(x_i - 1 - i)^2 + hinge(-x_i)^2), and a slope of -1/10 for odd i.
+  const auto hinges = [](const VectorX& x, VectorX& g) {
+    double f = 0.0;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const double high = std::max(0.0, x[i] - 1.0 - static_cast<double>(i)), low = std::max(0.0, -x[i]),
+                   slope = i % 2 == 0 ? 0.0 : -0.1;
+      f += 5.0 * high * high + 0.5 * low * low + slope * x[i];
+      g[i] = 10.0 * high - low + slope;
+    }
+    return f;
+  };
+  const auto run = minimise(hinges, VectorX::LinSpaced(6, -5.0, 9.0), {.relative = 1e-8});
+  EXPECT_TRUE(run.converged()) << run.message;
+  EXPECT_NEAR(run.last.value, -1.2015, 1e-12);  // at x_i = 1.01 + i for odd i
+  EXPECT_LT(run.gradient_evaluations, 120);     // measured 84
+}
+
+TEST(Minimise, TakesTheMemoryThatItStates) {
+  const auto allocated = [] {
+    const auto now = ::mallinfo2();
+    return static_cast<double>(now.uordblks + now.hblkhd);
+  };
+  const Eigen::Index n = 100'000;
+  const VectorX x0 = VectorX::Ones(n);
+  for (const int m : {0, 1, 7}) {
+    double most = 0.0;
+    const double before = allocated();
+    const auto run = minimise(bowl, x0, {.memory = m, .iterations = 3, .callback = [&](const auto&) {
+                                           most = std::max(most, allocated() - before);
+                                           return true;
+                                         }});
+    EXPECT_EQ(run.iterations, 3);
+    EXPECT_LT(most, (m == 0 ? 7.1 : 2.0 * m + 8.1) * sizeof(double) * static_cast<double>(n)) << m;
+  }
 }
 
 TEST(Minimise, ConvergenceIsDecidedOnAnEvaluatedGradient) {
