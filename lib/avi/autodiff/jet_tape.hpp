@@ -81,10 +81,12 @@ class JetTape {
   /// Coefficient k of the first `count` slots, whose coefficients 0 to k - 1 are known, as are those up to k
   /// of the series that the formula was called with.
   void run(int k, int count) {
-    [&]<int... known>(std::integer_sequence<int, known...>) {
-      if (!((k == known && (run_order<known>(k, count), true)) || ...)) run_order<-1>(k, count);
+    const bool done = [&]<int... known>(std::integer_sequence<int, known...>) {
+      return ((k == known && (run_order<known>(k, count), true)) || ...);
     }
     (std::make_integer_sequence<int, std::min(R, 7) + 1>{});
+    if constexpr (R > 7)
+      if (!done) run_order<-1>(k, count);
   }
 
   bool branched = false;  ///< The formula looked at a value: at other points it may be another one.

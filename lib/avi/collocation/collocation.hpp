@@ -35,18 +35,18 @@ class Collocation {
   /// @throws std::invalid_argument for an order that is odd or out of [2, largest_order], or an improper
   /// setting.
   Collocation(const Problem& problem, int order, SweepSettings settings = {})
-      : problem_(problem), order_(order), stages_(make(problem, order, settings)) {}
+      : order_(order), solver_(make(problem, order, settings)) {}
 
   /// Advances z by the fictive step h, of either sign; leaves z unchanged unless the step ends as ok. The
   /// report counts evaluations of the field at all stages: the sweeps and the one that ends a step.
   /// @throws std::invalid_argument where n is avi::dynamic and z of another size.
   StepReport step(State<n>& z, double h) {
     if constexpr (n == dynamic)
-      if (z.q.size() != problem_.size() ||
-          z.p.size() != problem_.size())  // before the message, which allocates
-        require(false, "Dimension of the state", z.q.size() != problem_.size() ? z.q.size() : z.p.size(),
-                "that of the problem, " + std::to_string(problem_.size()) + ", for q and p alike");
-    return with(stages_, [&](auto& stages) { return stages.step(problem_, z, h); });
+      if (const auto size = problem().size();
+          z.q.size() != size || z.p.size() != size)  // before the message, which allocates
+        require(false, "Dimension of the state", z.q.size() != size ? z.q.size() : z.p.size(),
+                "that of the problem, " + std::to_string(size) + ", for q and p alike");
+    return with(solver_, [&](auto& solver) { return solver.stages.step(solver.sweeps, z, h); });
   }
 
   /// Refuses a state of another dimension.
@@ -56,23 +56,32 @@ class Collocation {
     return {};
   }
 
-  [[nodiscard]] int order() const { return order_; }                 ///< 2s.
-  [[nodiscard]] const Problem& problem() const { return problem_; }  ///< What is integrated.
+  [[nodiscard]] int order() const { return order_; }  ///< 2s.
+  /// What is integrated.
+  [[nodiscard]] const Problem& problem() const {
+    return with(solver_, [](const auto& solver) -> const Problem& { return solver.sweeps.problem(); });
+  }
 
   /// The collocation polynomial of the last step at its fraction c in [0, 1], for dense_output(): of degree s
   /// and error O(h^(s+1)) inside the step, O(h^(2s+1)) at its ends.
   [[nodiscard]] State<n> polynomial(double c, double) const {
-    return with(stages_, [&](const auto& stages) { return stages.polynomial(problem_, c); });
+    return with(solver_, [&](const auto& solver) { return solver.stages.polynomial(solver.sweeps, c); });
   }
 
  private:
   // The narrowest pack that holds all stages is the fastest: 1.6 times at 4 lanes instead of 8.
+  template <int w>
+  struct Solver {
+    Solver(const Problem& problem, const GaussRule& rule, SweepSettings settings)
+        : sweeps(problem, rule), stages(problem.size(), rule, settings) {}
+    SweepsOf<Problem, w> sweeps;
+    Stages<n, w> stages;
+  };
   template <int... w>
-  using StagesOf = std::variant<Stages<Problem, w>...>;
-  using AnyStages =
-      std::conditional_t<largest_order <= 8, StagesOf<4>,
-                         std::conditional_t<largest_order <= 16, StagesOf<4, 8>, StagesOf<4, 8, 16>>>;
-  static AnyStages make(const Problem& problem, int order, SweepSettings settings) {
+  using OneOf = std::variant<Solver<w>...>;
+  using AnySolver = std::conditional_t<largest_order <= 8, OneOf<4>,
+                                       std::conditional_t<largest_order <= 16, OneOf<4, 8>, OneOf<4, 8, 16>>>;
+  static AnySolver make(const Problem& problem, int order, SweepSettings settings) {
     if (order < 2 || order > largest_order || order % 2 != 0)
       require(false, "Order of collocation", order,
               "even and in [2, " + std::to_string(largest_order) +
@@ -83,14 +92,14 @@ class Collocation {
     const GaussRule rule(order / 2);
     // Made where they stay: a move would be compiled for each width.
     if constexpr (largest_order > 16)
-      if (order > 16) return AnyStages(std::in_place_index<2>, problem, rule, settings);
+      if (order > 16) return AnySolver(std::in_place_index<2>, problem, rule, settings);
     if constexpr (largest_order > 8)
-      if (order > 8) return AnyStages(std::in_place_index<1>, problem, rule, settings);
-    return AnyStages(std::in_place_index<0>, problem, rule, settings);
+      if (order > 8) return AnySolver(std::in_place_index<1>, problem, rule, settings);
+    return AnySolver(std::in_place_index<0>, problem, rule, settings);
   }
   /// use(stages), of the width there is; compiles faster than std::visit.
   template <class Any, class Use>
-  static auto with(Any& any, const Use& use) {
+  static decltype(auto) with(Any& any, const Use& use) {
     if constexpr (largest_order > 16)
       if (auto* const wide = std::get_if<2>(&any)) return use(*wide);
     if constexpr (largest_order > 8)
@@ -98,9 +107,8 @@ class Collocation {
     return use(*std::get_if<0>(&any));
   }
 
-  Problem problem_;
   int order_;
-  AnyStages stages_;
+  AnySolver solver_;
 };
 
 /// Gauss collocation of the given order, 2, 4, ... 16, for a problem from poincare() or time_dependent(); of

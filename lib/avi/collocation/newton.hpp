@@ -16,11 +16,11 @@ namespace avi {
 /// differences of its gradients, the equations of the stages \f$z_i = z_0 + h \sum_j a_{ij} f(z_j)\f$ are
 /// solved as if f were linear, by one LU decomposition of \f$I - h A \otimes J\f$. An iteration costs a field
 /// at all stages and \f$(2 n s)^2\f$ products; a decomposition, which serves many steps, a third of its cube.
-template <class Problem, int w>
+template <int n, int w>
 class Newton {
  public:
-  using Step = Unknowns<Problem::dimension, w>;  ///< What is solved for.
-  using Vec = typename Step::Vec;                ///< One vector for each stage.
+  using Step = Unknowns<n, w>;     ///< What is solved for.
+  using Vec = typename Step::Vec;  ///< One vector for each stage.
   /// Largest number of unknowns, twice the dimension times the number of stages.
   static constexpr Eigen::Index most = 256;
 
@@ -37,18 +37,17 @@ class Newton {
   /// more than half of the smallest one before them, the step is too long for the motion.
   /// @param old_q, old_p scratch @param cap on evaluations of the field @return ok, not_converged or
   ///   non_finite
-  StepReport solve(const Problem& problem, Sweeps<Problem, w>& sweeps, Step& step, Vec& old_q, Vec& old_p,
-                   int cap) {
+  StepReport solve(Sweeps<n, w>& sweeps, Step& step, Vec& old_q, Vec& old_p, int cap) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     StepReport report{.outcome = Outcome::not_converged};
     const bool old = system_.decomposed;
-    if (!old) report.evaluations = decompose(problem, sweeps, step);
+    if (!old) report.evaluations = decompose(sweeps, step);
     sweeps.begin(step);
     double least = std::numeric_limits<double>::infinity();
     for (int idle = 0; report.evaluations < cap;) {
       ++report.evaluations;
       old_q = step.q, old_p = step.p;
-      sweeps.sweep_at_once(problem, step);
+      sweeps.sweep_at_once(step);
       const double now = improve(old_q, old_p, step);
       report.residual = now;
       if (!std::isfinite(now)) report.outcome = Outcome::non_finite;
@@ -64,7 +63,7 @@ class Newton {
     system_.decomposed = false;
     if (!old) return report;
     const int spent = report.evaluations;
-    report = solve(problem, sweeps, step, old_q, old_p, cap - spent);  // with the matrix of this start
+    report = solve(sweeps, step, old_q, old_p, cap - spent);  // with the matrix of this start
     report.evaluations += spent;
     return report;
   }
@@ -72,7 +71,7 @@ class Newton {
  private:
   /// Decomposes the matrix of steps like this one from their start. @param step is used as a scratch
   /// @return evaluations of the field
-  [[gnu::noinline]] int decompose(const Problem& problem, Sweeps<Problem, w>& sweeps, Step& step) {
+  [[gnu::noinline]] int decompose(Sweeps<n, w>& sweeps, Step& step) {
     system_.clear();
     int evaluations = 0;
     const Eigen::Index size = step.q.size();
@@ -83,7 +82,7 @@ class Newton {
         for (int lane = 0; lane < columns; ++lane)
           entry(step.q, step.p, first + lane)
               .set(lane, start(step, first + lane) + side * reach(step, first + lane));
-        sweeps.evaluate(problem, step);
+        sweeps.evaluate(step);
         ++evaluations;
         for (int lane = 0; lane < columns; ++lane) {
           const double scale = -0.5 * side / (reach(step, first + lane) * sweeps.weight()[lane]);

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <utility>
 
 /// @file
@@ -28,31 +27,29 @@ struct SweepSettings {
 /// Gauss collocation steps with at most w stages, solved by Sweeps. For few degrees of freedom, where a sweep
 /// leaves the processor room for another, the next step is begun when this one is half solved, as if it would
 /// have the same size; it is thrown away where it has not.
-template <class Problem, int w>
+template <int n, int w>
 class alignas(64) Stages {
  public:
-  static constexpr int n = Problem::dimension;  ///< Dimension of the problem, or avi::dynamic.
   /// Steps are begun ahead: 1.3 times the speed at n = 2, nothing gained at n = 6.
   static constexpr bool ahead = n != dynamic && n <= 4 && w <= 8;
   using Scalar = Pack<w>;         ///< One number for each stage.
   using Vec = Vector<Scalar, n>;  ///< One vector for each stage.
 
-  /// For this problem and rule of at most w stages.
-  Stages(const Problem& problem, const GaussRule& rule, SweepSettings settings)
-      : sweeps_(problem, rule), both_{Unknowns<n, w>(problem.size()), Unknowns<n, w>(n == dynamic ? 0 : n)},
-        dq_(problem.size()), dp_(problem.size()), old_q_(problem.size()), old_p_(problem.size()), rule_(rule),
-        settings_(settings), begin_(problem.size()), end_(problem.size()), start_(problem.size()),
-        change_(problem.size()), newton_(problem.size(), rule.stages()) {
+  /// For problems of this size and this rule of at most w stages.
+  Stages(Eigen::Index size, const GaussRule& rule, SweepSettings settings)
+      : both_{Unknowns<n, w>(size), Unknowns<n, w>(n == dynamic ? 0 : n)}, dq_(size), dp_(size), old_q_(size),
+        old_p_(size), rule_(rule), settings_(settings), begin_(size), end_(size), start_(size), change_(size),
+        newton_(size, rule.stages()) {
     for (Vec* each : {&dq_, &dp_, &old_q_, &old_p_})
       std::fill(each->data(), each->data() + each->size(), Scalar(0.0));
     change_.setZero();
   }
 
   /// Advances z by h; leaves z unchanged unless the step ends as ok.
-  StepReport step(const Problem& problem, State<n>& z, double h) {
+  StepReport step(Sweeps<n, w>& sweeps, State<n>& z, double h) {
     start_at(z);
     if (h != size_) {
-      sweeps_.set_step(size_ = h);
+      sweeps.set_step(size_ = h);
       newton_.forget();
       stiff_ = 0;
       patient_ = !newton_.possible();
@@ -62,13 +59,13 @@ class alignas(64) Stages {
       return report.outcome != Outcome::ok && report.outcome != Outcome::bad_monitor;
     };
     const auto from_a_constant = [&](auto how) {
-      const int sweeps = report.evaluations;
+      const int spent = report.evaluations;
       place_ = Place::elsewhere;
-      report = (this->*how)(problem, z, h);
-      report.evaluations += sweeps;
+      report = (this->*how)(sweeps, z, h);
+      report.evaluations += spent;
     };
     const bool known = place_ != Place::elsewhere;
-    if (stiff_ == 0) report = attempt(problem, z, h);
+    if (stiff_ == 0) report = attempt(sweeps, z, h);
     // The polynomial of the last step may have been a bad guess.
     if (stiff_ == 0 && known && unsolved()) from_a_constant(&Stages::attempt);
     if (!patient_ && unsolved()) {
@@ -82,7 +79,7 @@ class alignas(64) Stages {
   }
 
   /// The collocation polynomial of the last step at its fraction c.
-  [[nodiscard]] State<n> polynomial(const Problem& problem, double c) const {
+  [[nodiscard]] State<n> polynomial(const Sweeps<n, w>& sweeps, double c) const {
     const GaussRule::Row row = rule_.integrals(c);
     Scalar part(0.0);
     for (int j = 0; j < rule_.stages(); ++j)
@@ -93,7 +90,7 @@ class alignas(64) Stages {
       z.q[i] += at(dq_[i]);
       z.p[i] += at(dp_[i]);
     }
-    z.t = problem.clock(z.q, z.t + at(dt_));
+    z.t = sweeps.clock(z.q, z.t + at(dt_));
     return z;
   }
 
@@ -119,47 +116,48 @@ class alignas(64) Stages {
 
   /// Begins the step: with the sweeps that it has had already, from the polynomial of the last step, or from
   /// nothing. @return sweeps that it has had
-  int begin(const Problem& problem, double h) {
+  int begin(Sweeps<n, w>& sweeps, double h) {
     const bool begun = std::exchange(begun_, false), last = place_ != Place::elsewhere;
     if (ahead && begun && place_ == Place::end && h == h_) {
       now_ = 1 - now_;
       both_[now_].start = start_;
-      sweeps_.end_sweep(problem, both_[now_]);
+      sweeps.stages(both_[now_]);
       return ahead_;
     }
     Unknowns<n, w>& step = both_[now_];
     step.start = start_;
     if (last && std::abs(h / h_) <= 2.0)
-      sweeps_.begin(step, dq_, dp_, place_ == Place::end ? 1.0 : 0.0, h / h_);
+      sweeps.begin(step, dq_, dp_, place_ == Place::end ? 1.0 : 0.0, h / h_);
     else
-      sweeps_.begin(step);
+      sweeps.begin(step);
     return 0;
   }
 
-  StepReport attempt(const Problem& problem, State<n>& z, double h) {
+  StepReport attempt(Sweeps<n, w>& sweeps, State<n>& z, double h) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     double before = 0.0, least = std::numeric_limits<double>::infinity();
     int stalls = 0, slow = 0;
     const int first_look = place_ == Place::elsewhere ? 1 : usual_ - 2;
-    StepReport report{.evaluations = begin(problem, h)};
+    StepReport report{.evaluations = begin(sweeps, h)};
     Unknowns<n, w>&step = both_[now_], &next = both_[1 - now_];
     while (report.evaluations < settings_.max_sweeps) {
       const int k = ++report.evaluations;
       if constexpr (ahead) {
         if (!begun_ && usual_ >= worth_it && k > usual_ / 2) {
-          sweeps_.begin_next(problem, step, next);
+          sweeps.begin_next(step, next);
           begun_ = true;
           ahead_ = 1;
         }
       }
-      const auto sweep = [&](auto looks) {
-        if constexpr (ahead)
-          if (begun_) return sweeps_.template sweep_both<looks>(problem, step, next);
-        return sweeps_.template sweep<looks>(problem, step);
-      };
+      sweeps.forces(step);
+      if constexpr (ahead)
+        if (begun_) sweeps.sweep_next(step, next);
       if (begun_) ++ahead_;
-      const double change = largest(k < first_look ? sweep(std::false_type()) : sweep(std::true_type()));
-      if (k < first_look) continue;
+      if (k < first_look) {
+        sweeps.stages(step);
+        continue;
+      }
+      const double change = largest(sweeps.changed_stages(step));
       report.residual = change;
       if (!std::isfinite(change)) {
         report.outcome = Outcome::non_finite;
@@ -173,8 +171,8 @@ class alignas(64) Stages {
       if (change == 0.0 || solved || stagnates) {
         // The forces are from before the sweep, the velocities from its middle: energy would drift.
         usual_ = report.evaluations++;
-        sweeps_.evaluate(problem, step);
-        return finish(problem, z, h, step, report);
+        sweeps.evaluate(step);
+        return finish(sweeps, z, h, step, report);
       }
       slow = change > 0.5 * before && before > 0.0 && change > 1e-10 ? slow + 1 : 0;
       if (slow == 3 && k > 6 && !patient_) break;
@@ -185,24 +183,24 @@ class alignas(64) Stages {
     return report;
   }
 
-  [[gnu::noinline]] StepReport by_newton(const Problem& problem, State<n>& z, double h) {
+  [[gnu::noinline]] StepReport by_newton(Sweeps<n, w>& sweeps, State<n>& z, double h) {
     begun_ = false;
     Unknowns<n, w>& step = both_[now_];
     step.start = start_;
-    StepReport report = newton_.solve(problem, sweeps_, step, old_q_, old_p_, settings_.max_sweeps);
-    if (report.outcome == Outcome::ok) report = finish(problem, z, h, step, report);
+    StepReport report = newton_.solve(sweeps, step, old_q_, old_p_, settings_.max_sweeps);
+    if (report.outcome == Outcome::ok) report = finish(sweeps, z, h, step, report);
     // Now and then sweeps are tried again: a stiff part of the orbit may be over.
     stiff_ = report.outcome == Outcome::ok ? (stiff_ + 1) % 32 : 0;
     usual_ = 1;
     return report;
   }
 
-  StepReport finish(const Problem& problem, State<n>& z, double h, const Unknowns<n, w>& step,
+  StepReport finish(Sweeps<n, w>& sweeps, State<n>& z, double h, const Unknowns<n, w>& step,
                     StepReport report) {
-    const Scalar rate = sweeps_.rate(step), dt = rate * sweeps_.weight();
+    const Scalar rate = sweeps.rate(step), dt = rate * sweeps.weight();
     for (Eigen::Index i = 0; i < z.q.size(); ++i)
       change_[i] = sum(step.dq[i]);
-    double least = problem.clock(change_, sum(dt)) / h;  // also where time is a coordinate
+    double least = sweeps.clock(change_, sum(dt)) / h;  // also where time is a coordinate
     for (int i = 0; i < rule_.stages(); ++i)
       least = !(rate[i] >= least) ? rate[i] : least;
     if (!(least > 0.0)) {
@@ -216,7 +214,7 @@ class alignas(64) Stages {
       add_all(end_.state.p[i], end_.low.p[i], step.dp[i]);
     }
     add_all(end_.state.t, end_.low.t, dt);
-    end_.state.t = problem.clock(end_.state.q, end_.state.t);
+    end_.state.t = sweeps.clock(end_.state.q, end_.state.t);
     z = end_.state;
     dq_ = step.dq;
     dp_ = step.dp;
@@ -225,7 +223,6 @@ class alignas(64) Stages {
     return report;
   }
 
-  Sweeps<Problem, w> sweeps_;
   Unknowns<n, w> both_[2];         // this step and the next one
   int now_ = 0;                    // which of them is this step
   alignas(64) Vec dq_, dp_;        // of the last step
@@ -235,7 +232,7 @@ class alignas(64) Stages {
   SweepSettings settings_;
   PreciseState<n> begin_, end_, start_;
   Vector<double, n> change_;
-  Newton<Problem, w> newton_;
+  Newton<n, w> newton_;
   int stiff_ = 0;                // steps in a row that took Newton's method
   bool patient_ = false;         // no other iteration than sweeps will do at this h
   double h_ = 0.0, size_ = 0.0;  // of the last step; of the sweeps

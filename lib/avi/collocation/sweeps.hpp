@@ -60,22 +60,26 @@ struct Change {
 /// processor has room for a second chain. So a step can be swept together with the next one, which begins
 /// where the sweeps have the end of this one so far.
 ///
-/// The functions are flattened: a formula then is worked off in registers, whatever it is made of and
-/// whatever else the program holds.
-template <class Problem, int w>
+/// What calls the formulas of a problem is in SweepsOf; all else is compiled once for all problems.
+template <int n, int w>
 class alignas(64) Sweeps {
  public:
-  static constexpr int n = Problem::dimension;  ///< Dimension of the problem, or avi::dynamic.
-  using Scalar = Pack<w>;                       ///< One number for each stage.
-  using Vec = Vector<Scalar, n>;                ///< One vector for each stage.
-  using Step = Unknowns<n, w>;                  ///< What is solved for.
+  using Scalar = Pack<w>;         ///< One number for each stage.
+  using Vec = Vector<Scalar, n>;  ///< One vector for each stage.
+  using Step = Unknowns<n, w>;    ///< What is solved for.
 
-  /// For this problem and rule.
-  Sweeps(const Problem& problem, const GaussRule& rule) : rule_(rule), field_(problem) {
-    for (int j = 0; j < rule.stages(); ++j)
-      for (int i = 0; i < w; ++i)
-        mu_.set(i, j, rule.mu(std::min(i, rule.stages() - 1), j));
-  }
+  /// The field at the stages.
+  virtual void evaluate(Step& step) = 0;
+  /// The first half of a sweep: the forces.
+  virtual void forces(Step& step) = 0;
+  /// The second half: new momenta, velocities and new positions.
+  virtual void stages(Step& step) = 0;
+  /// The same. @return largest relative change of q or p at each stage
+  virtual Scalar changed_stages(Step& step) = 0;
+  /// g at each stage, as the last sweep saw it.
+  virtual const Scalar& rate(const Step& step) = 0;
+  /// Physical time, of a problem where it is a coordinate too.
+  [[nodiscard]] virtual double clock(const Vector<double, n>& q, double t) const = 0;
 
   /// From now on for steps of size h.
   void set_step(double h) {
@@ -101,64 +105,44 @@ class alignas(64) Sweeps {
     }
   }
 
-  /// One sweep. @tparam look the change is asked for
-  /// @return largest relative change of q or p at each stage
-  template <bool look>
-  Scalar sweep(const Problem& problem, Step& step) {
-    forces(problem, step);
-    return stages<look>(problem, step);
-  }
-
   /// All stages from the field at the stages as they are, none of them renewed before.
-  void sweep_at_once(const Problem& problem, Step& step) {
-    evaluate(problem, step);
+  void sweep_at_once(Step& step) {
+    evaluate(step);
     const State<n>&z = step.start.state, &low = step.start.low;
     renew<false>(step.q, step.dq, z.q, low.q);
     renew<false>(step.p, step.dp, z.p, low.p);
   }
-  /// The field at the stages.
-  [[gnu::flatten, gnu::noinline]] void evaluate(const Problem& problem, Step& step) {
-    field_.force(problem, step.q, step.p, weight_, step.rate, step.dp);
-    field_.velocity(problem, step.q, step.p, weight_, step.rate, step.dq);
-  }
 
   /// The first half of a sweep of the step that follows, from the polynomial of this one so far.
-  void begin_next(const Problem& problem, const Step& step, Step& next) {
+  void begin_next(const Step& step, Step& next) {
     put_behind(step, next);
     begin(next, step.dq, step.dp, 1.0, 1.0);
-    forces(problem, next);
+    forces(next);
   }
-  /// One sweep of a step and one of the next, half a sweep apart: while the one waits for divisions and
-  /// roots, the other one multiplies and adds.
-  template <bool look>
-  Scalar sweep_both(const Problem& problem, Step& step, Step& next) {
-    forces(problem, step);
+  /// A sweep of the step that follows, between the halves of one of this step: while the one waits for
+  /// divisions and roots, the other one multiplies and adds. stages() ends what the next step has begun.
+  void sweep_next(const Step& step, Step& next) {
     put_behind(step, next);
-    stages<false>(problem, next);
-    forces(problem, next);
-    return stages<look>(problem, step);
+    stages(next);
+    forces(next);
   }
-  /// The second half of the sweep in which begin_next() and sweep_both() leave the next step.
-  void end_sweep(const Problem& problem, Step& step) { stages<false>(problem, step); }
 
-  /// g at each stage, as the last sweep saw it.
-  [[nodiscard]] const Scalar& rate(const Step& step) { return field_.rate(step.rate); }
   /// a_ij / b_j.
   [[nodiscard]] double mu(int i, int j) const { return rule_.mu(i, j); }
   /// \f$h b_j\f$.
   [[nodiscard]] const Scalar& weight() const { return weight_; }
 
- private:
-  [[gnu::flatten, gnu::noinline]] void forces(const Problem& problem, Step& step) {
-    field_.force(problem, step.q, step.p, weight_, step.rate, step.dp);
+ protected:
+  /// For this rule.
+  explicit Sweeps(const GaussRule& rule) : rule_(rule) {
+    for (int j = 0; j < rule.stages(); ++j)
+      for (int i = 0; i < w; ++i)
+        mu_.set(i, j, rule.mu(std::min(i, rule.stages() - 1), j));
   }
-  template <bool look>
-  [[gnu::flatten, gnu::noinline]] Scalar stages(const Problem& problem, Step& step) {
-    const State<n>&z = step.start.state, &low = step.start.low;
-    const Scalar of_p = renew<look>(step.p, step.dp, z.p, low.p);
-    field_.velocity(problem, step.q, step.p, weight_, step.rate, step.dq);
-    return max_abs(of_p, renew<look>(step.q, step.dq, z.q, low.q));
-  }
+  ~Sweeps() = default;
+  Sweeps(const Sweeps&) = default;
+  Sweeps& operator=(const Sweeps&) = default;
+
   /// x = start + low + mu dx. @return its largest relative change at each stage, where that is asked for
   template <bool look, class V>
   Scalar renew(Vec& x, const Vec& dx, const V& start, const V& low) const {
@@ -172,6 +156,8 @@ class alignas(64) Sweeps {
     }
     return change.at_stages();
   }
+
+ private:
   static void put_behind(const Step& step, Step& next) {
     for (Eigen::Index i = 0; i < step.q.size(); ++i) {
       next.start.state.q[i] = step.start.state.q[i] + sum(step.dq[i]);
@@ -193,8 +179,50 @@ class alignas(64) Sweeps {
   LaneMatrix<w> mu_, continued_;
   alignas(64) Scalar weight_{0.0};
   GaussRule rule_;
-  StageField<Problem, w> field_;
   double offset_ = -1.0, ratio_ = 0.0;
+};
+
+/// The sweeps of this problem. Its functions are flattened: a formula then is worked off in registers,
+/// whatever it is made of and whatever else the program holds.
+template <class Problem, int w>
+class SweepsOf final : public Sweeps<Problem::dimension, w> {
+  using Base = Sweeps<Problem::dimension, w>;
+
+ public:
+  using typename Base::Scalar, typename Base::Step;
+
+  /// For this problem, which is copied, and this rule.
+  SweepsOf(const Problem& problem, const GaussRule& rule) : Base(rule), problem_(problem), field_(problem) {}
+
+  [[nodiscard]] const Problem& problem() const { return problem_; }  ///< What is integrated.
+
+  void evaluate(Step& step) override {
+    forces(step);
+    velocities(step);
+  }
+  [[gnu::flatten, gnu::noinline]] void forces(Step& step) override {
+    field_.force(problem_, step.q, step.p, this->weight(), step.rate, step.dp);
+  }
+  [[gnu::flatten, gnu::noinline]] void stages(Step& step) override { renew_all<false>(step); }
+  [[gnu::flatten, gnu::noinline]] Scalar changed_stages(Step& step) override { return renew_all<true>(step); }
+  const Scalar& rate(const Step& step) override { return field_.rate(step.rate); }
+  [[nodiscard]] double clock(const Vector<double, Problem::dimension>& q, double t) const override {
+    return problem_.clock(q, t);
+  }
+
+ private:
+  [[gnu::flatten, gnu::noinline]] void velocities(Step& step) { velocity(step); }
+  void velocity(Step& step) { field_.velocity(problem_, step.q, step.p, this->weight(), step.rate, step.dq); }
+  template <bool look>
+  Scalar renew_all(Step& step) {
+    const auto &z = step.start.state, &low = step.start.low;
+    const Scalar of_p = this->template renew<look>(step.p, step.dp, z.p, low.p);
+    velocity(step);
+    return max_abs(of_p, this->template renew<look>(step.q, step.dq, z.q, low.q));
+  }
+
+  Problem problem_;
+  StageField<Problem, w> field_;
 };
 
 }  // namespace avi

@@ -1,6 +1,6 @@
 #include "beyond/speed/cost_growth/axes.hpp"
 
-#include "avi/collocation/stages.hpp"
+#include "avi/collocation/collocation.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/problems/chain.hpp"
 #include "avi/transform/poincare.hpp"
@@ -49,20 +49,11 @@ Measurement gradient(const avi::State<dynamic>& z, long repeats) {
           .units = static_cast<double>(repeats)};
 }
 
-/// avi::Collocation without the packs of fewer stages: half as much to compile.
-template <class Problem>
-struct EightStages {
-  Problem problem;
-  avi::Stages<Problem, stages> of_step{problem, avi::GaussRule(stages), {}};
-
-  avi::StepReport step(avi::State<Problem::dimension>& z, double h) { return of_step.step(problem, z, h); }
-};
-
 /// A sweep: a run over its number of sweeps.
 template <class H, int n>
 Measurement sweep(const H& hamiltonian, const avi::State<n>& z, long steps) {
-  using Method = EightStages<avi::Poincare<n, H>>;
-  const auto method = std::make_shared<Method>(Method{avi::poincare(hamiltonian, z)});
+  using Method = avi::Collocation<avi::Poincare<n, H>>;
+  const auto method = std::make_shared<Method>(avi::poincare(hamiltonian, z), 2 * stages);
   const auto run = [=] {
     avi::State<n> moved = z;
     return avi::integrate(*method, moved, step_size, {.steps = steps});
