@@ -1,5 +1,6 @@
 #include "common/frame.hpp"
 #include "common/methods/methods.hpp"
+#include "common/methods/phase.hpp"
 #include "common/methods/search.hpp"
 #include "common/timing.hpp"
 

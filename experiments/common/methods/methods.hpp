@@ -1,11 +1,58 @@
 #pragma once
-#include "common/methods/any_monitor.hpp"
 #include "common/methods/runner.hpp"
 
+#include "avi/core/power.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <type_traits>
+
 /// @file
-/// The methods that are driven to their limits. Those on Kepler's problem take p^t from the start.
+/// The methods that are driven to their limits. Those on Kepler's problem take p^t from the start. Their
+/// monitors are those of avi/transform/monitors.hpp, chosen at run time: one compiled method for all of them.
 
 namespace experiment {
+
+/// g(q) of one kind, bounded to b (g + a) / (g + b) where b is finite.
+struct PositionMonitor {
+  enum Kind { none, power_of_radius, arclength } kind = none;
+  double exponent = 1.0;  ///< Of r = |q|.
+  double energy = -0.5;   ///< H_0.
+  double a = 0.0, b = std::numeric_limits<double>::infinity();
+
+  template <class Q>
+  auto operator()(const Q& q) const {
+    using S = std::decay_t<decltype(q[0] * q[0])>;
+    if (kind == none) return S(1.0);
+    const S square = q[0] * q[0] + q[1] * q[1];
+    const S g =
+        kind == power_of_radius
+            ? S(avi::power(square, 0.5 * exponent))
+            : S(avi::power(2.0 * energy + 2.0 * avi::power(square, -0.5) + avi::power(square, -2.0), -0.5));
+    return std::isfinite(b) ? S(b * (g + a) / (g + b)) : g;
+  }
+};
+
+/// g(q, p) of one kind, bounded likewise; L = T - V is the Lagrangian.
+struct MomentumMonitor {
+  enum Kind { energy, inverse_lagrangian, inverse_energy_error } kind = energy;
+  double energy_momentum = 0.5;  ///< p^t = -H_0.
+  double a = 0.0, b = std::numeric_limits<double>::infinity();
+
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    using std::abs;
+    using S = std::decay_t<decltype(q[0] * p[0])>;
+    const S kinetic = 0.5 * (p[0] * p[0] + p[1] * p[1]);
+    const S potential = -avi::power(q[0] * q[0] + q[1] * q[1], -0.5);
+    const S lagrangian = kinetic - potential;
+    const S g = 1.0 / abs(kind == energy               ? S(energy_momentum - lagrangian)
+                          : kind == inverse_lagrangian ? lagrangian
+                                                       : S(energy_momentum + kinetic + potential));
+    return std::isfinite(b) ? S(b * (g + a) / (g + b)) : g;
+  }
+};
 
 /// Type II HTVI of order r + 1 with the Gauss rule of that order.
 Runner htvi(int r, PositionMonitor monitor);

@@ -1,12 +1,39 @@
 #pragma once
-#include "common/methods/attempt.hpp"
+#include "common/methods/runner.hpp"
 
+#include <cmath>
 #include <functional>
+#include <string>
 
 /// @file
-/// The step with which a run does what is wanted.
+/// Runs that may fail, and the step with which one does what is wanted.
 
 namespace experiment {
+
+/// How far a run goes, and what it must not exceed on the way.
+struct Limits {
+  double time;
+  long steps;
+  double energy_error;            ///< |H - H_0| / |H_0| beyond which the run is given up.
+  double phase_error = HUGE_VAL;  ///< Of the end, on Kepler's problem, in radians.
+};
+
+/// How a run ended.
+struct Attempt {
+  avi::Run run;
+  State2 end;                    ///< The last good state.
+  double energy_error = 0.0;     ///< Largest |H - H_0| / |H_0| after any step.
+  double least_step = HUGE_VAL;  ///< In physical time, the last step left out.
+  bool late = false;             ///< Reached the end, but elsewhere on its orbit.
+
+  /// Reached the end within every bound.
+  [[nodiscard]] bool good() const { return run.outcome == avi::Outcome::ok && !late; }
+  /// `ok`, `energy` or `phase` where that bound was exceeded, else the outcome's name.
+  [[nodiscard]] std::string ending() const;
+};
+
+/// A whole run with step h.
+Attempt attempt(const Runner& runner, const State2& start, double h, const Limits& limits);
 
 /// What the search for the largest step found.
 struct Largest {

@@ -1,0 +1,99 @@
+#include "common/methods/methods.hpp"
+
+#include "common/methods/runge_kutta_4.hpp"
+
+#include "avi/collocation/collocation.hpp"
+#include "avi/htvi/htvi.hpp"
+#include "avi/integrators/adaptive_verlet.hpp"
+#include "avi/integrators/coefficient_lists.hpp"
+#include "avi/integrators/hairer_soderlind.hpp"
+#include "avi/integrators/log_hamiltonian.hpp"
+#include "avi/integrators/splitting.hpp"
+#include "avi/integrators/stormer_verlet.hpp"
+#include "avi/problems/henon_heiles.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/transform/poincare.hpp"
+
+#include <stdexcept>
+
+namespace experiment {
+namespace {
+
+using avi::HenonHeiles, avi::Kepler;
+namespace c = avi::compositions;
+
+/// Kepler's problem with a monitor that is told the energy of the start.
+auto kepler(const State2& start, PositionMonitor monitor) {
+  monitor.energy = Kepler{}(start.q, start.p);
+  return avi::poincare<2>(Kepler{}, start, monitor);
+}
+auto kepler(const State2& start, MomentumMonitor monitor) {
+  monitor.energy_momentum = -Kepler{}(start.q, start.p);
+  return avi::poincare<2>(Kepler{}, start, monitor);
+}
+
+template <class Problem>
+auto htvi_on(const Problem& problem, int r) {
+  return avi::htvi_of_order<avi::Generating::type2>(r, problem, avi::gauss((r + 2) / 2));
+}
+
+template <class Problem>
+Runner fixed_step(const std::string& name) {
+  const Problem problem;
+  const auto composed = [&](const auto& coefficients) {
+    return Runner(problem, [=](const State2&) {
+      return avi::splitting(avi::Separable<Problem>(problem), coefficients);
+    });
+  };
+  if (name == "stormer_verlet") return composed(c::strang);
+  if (name == "yoshida4") return composed(c::yoshida4);
+  if (name == "kahan_li8") return composed(c::kahan_li8);
+  if (name == "runge_kutta_4")
+    return Runner(problem, [=](const State2&) { return RungeKutta4<2, Problem>(problem); });
+  throw std::invalid_argument("Method '" + name + "' is none of those that methods.hpp names.");
+}
+
+}  // namespace
+
+Runner htvi(int r, PositionMonitor monitor) {
+  return Runner(Kepler{}, [=](const State2& start) { return htvi_on(kepler(start, monitor), r); });
+}
+Runner htvi(int r, MomentumMonitor monitor) {
+  return Runner(Kepler{}, [=](const State2& start) { return htvi_on(kepler(start, monitor), r); });
+}
+Runner htvi_henon_heiles(int r) {
+  return Runner(HenonHeiles{},
+                [=](const State2& start) { return htvi_on(avi::poincare<2>(HenonHeiles{}, start), r); });
+}
+
+Runner collocation(int order, PositionMonitor monitor) {
+  return Runner(Kepler{},
+                [=](const State2& start) { return avi::collocation(kepler(start, monitor), order); });
+}
+Runner collocation_henon_heiles(int order) {
+  return Runner(HenonHeiles{}, [=](const State2& start) {
+    return avi::collocation(avi::poincare<2>(HenonHeiles{}, start), order);
+  });
+}
+
+Runner explicit_on_kepler(const std::string& name) {
+  const Kepler problem;
+  const avi::PowerOfRadius monitor{1.5};
+  const auto logarithmic = [&](const auto& coefficients) {
+    return Runner(problem, [=](const State2& start) {
+      return avi::splitting(avi::LogHamiltonian<Kepler>(problem, start), coefficients);
+    });
+  };
+  if (name == "log_hamiltonian") return logarithmic(c::strang);
+  if (name == "log_hamiltonian_yoshida4") return logarithmic(c::yoshida4);
+  if (name == "adaptive_verlet")
+    return Runner(problem, [=](const State2&) { return avi::AdaptiveVerlet(problem, monitor); });
+  if (name == "hairer_soderlind")
+    return Runner(problem, [=](const State2&) {
+      return avi::HairerSoderlind(avi::splitting(avi::Separable<Kepler>(problem), c::strang), monitor);
+    });
+  return fixed_step<Kepler>(name);
+}
+Runner explicit_on_henon_heiles(const std::string& name) { return fixed_step<HenonHeiles>(name); }
+
+}  // namespace experiment
