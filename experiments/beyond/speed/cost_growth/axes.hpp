@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -9,21 +10,22 @@
 
 namespace experiment {
 
-/// One piece of work to be timed: what it is and how it went. (RunnerOf is a method with its run; here the
-/// piece may be an expansion, a sweep or a gradient as well.)
+inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// One piece of work to be timed and how it went. (RunnerOf is a method with its run; here the piece may be
+/// an expansion, a sweep or a gradient as well.)
 struct Measurement {
-  std::string axis{};     ///< closeness (1 - e), periods, order (r) or dimension (n).
   std::string subject{};  ///< Method, and monitor where it has one.
   double value = 0.0;     ///< Along the axis.
   long steps = 0, evaluations = 0;
-  double energy_error = 0.0;  ///< Largest |H - H_0| / |H_0| during the run; NaN where it was not observed.
-  std::function<void()> run;  ///< The run alone, not observed.
-  double units = 1.0;         ///< Seconds are divided by it.
+  double energy_error = unknown;  ///< Largest |H - H_0| / |H_0| during the run, where it was observed.
+  std::function<void()> run;      ///< The run alone, not observed.
+  double units = 1.0;             ///< Seconds are divided by it.
 };
 
 /// What is expected of the value as it goes to its limit; NaN where there is nothing to expect.
 struct Expected {
-  std::string axis, subject;
+  std::string subject;
   double steps, seconds;  ///< Powers of the value in the limit.
   double from, to;        ///< Range of the value that is fitted.
   /// Steps at a value that is not at its limit yet, but for a factor.
@@ -32,8 +34,9 @@ struct Expected {
 
 /// An axis: its runs and what is expected of them.
 struct Axis {
-  std::vector<Measurement> runs;
-  std::vector<Expected> expected;
+  std::string name;  ///< closeness (1 - e), periods, order (r) or dimension (n).
+  std::vector<Measurement> runs{};
+  std::vector<Expected> expected{};
 };
 
 /// Steps that keep the energy to 1e-6 over one Kepler orbit, with g = r^(2 gamma) and with none.

@@ -3,9 +3,6 @@
 #include "common/power_law.hpp"
 #include "common/timing.hpp"
 
-#include <cmath>
-#include <limits>
-
 // How steps and time grow with eccentricity, horizon, order and dimension: fitted powers beside the expected.
 
 namespace {
@@ -13,15 +10,15 @@ namespace {
 using namespace experiment;
 
 /// Times all runs of an axis in turns, writes them down, and fits what is expected of them.
-void report(const Axis& axis, int rounds, experiment::Table& runs, experiment::Table& fits) {
+void report(const Axis& axis, int rounds, Table& runs, Table& fits) {
   std::vector<std::function<void()>> works;
   for (const Measurement& one : axis.runs)
     works.push_back(one.run);
   const auto seconds = interleaved_least_seconds(works, rounds);
   for (std::size_t i = 0; i < axis.runs.size(); ++i) {
     const Measurement& one = axis.runs[i];
-    runs.row(one.axis, one.subject, one.value, one.steps, one.evaluations, one.energy_error,
-             experiment::rounded(seconds[i] / one.units));
+    runs.row(axis.name, one.subject, one.value, one.steps, one.evaluations, one.energy_error,
+             rounded(seconds[i] / one.units));
   }
   for (const Expected& expected : axis.expected) {
     std::vector<double> value, steps, predicted, time;
@@ -35,10 +32,10 @@ void report(const Axis& axis, int rounds, experiment::Table& runs, experiment::T
       }
     auto of_steps = power_law(value, steps);
     const auto of_time = power_law(value, time);
-    if (std::isnan(expected.steps)) of_steps.slope = of_steps.standard_error = std::nan("");
-    fits.row(expected.axis, expected.subject, of_time.points, of_steps.slope, of_steps.standard_error,
-             power_law(value, predicted).slope, expected.steps, experiment::rounded(of_time.slope, 4),
-             experiment::rounded(of_time.standard_error, 2), expected.seconds);
+    if (std::isnan(expected.steps)) of_steps.slope = of_steps.standard_error = unknown;
+    fits.row(axis.name, expected.subject, of_time.points, of_steps.slope, of_steps.standard_error,
+             power_law(value, predicted).slope, expected.steps, rounded(of_time.slope, 4),
+             rounded(of_time.standard_error, 2), expected.seconds);
   }
 }
 
@@ -48,7 +45,7 @@ int main(int argc, char** argv) {
   return run(
       argc, argv, "cost_growth", "How steps and time grow with eccentricity, horizon, order and dimension",
       [](Frame& frame) {
-        experiment::Table runs =
+        Table runs =
             frame.table({"axis", "subject", "value", "steps", "evaluations", "energy_error", "seconds"});
         runs.note("closeness",
                   "1 - e; one Kepler orbit by HTVI4 with g = r^(2 gamma), the largest energy error "
@@ -60,9 +57,9 @@ int main(int argc, char** argv) {
             "n, chain of masses; seconds for one value of H, one automatic gradient, one sweep of "
             "collocation of order 16 (with an automatic gradient unless named), each at the eight stages "
             "of a step together");
-        experiment::Table fits = frame.table({"axis", "subject", "points", "steps_exponent",
-                                              "steps_standard_error", "steps_predicted", "steps_limit",
-                                              "seconds_exponent", "seconds_standard_error", "seconds_limit"});
+        Table fits = frame.table({"axis", "subject", "points", "steps_exponent", "steps_standard_error",
+                                  "steps_predicted", "steps_limit", "seconds_exponent",
+                                  "seconds_standard_error", "seconds_limit"});
         fits.note("points", "closeness from where rounding is far below 1e-6; all horizons; r from 4; all n");
         fits.note("steps_predicted", "power law through the predicted steps at the values fitted");
         fits.note("steps_limit", "power of the value as it goes to its limit");

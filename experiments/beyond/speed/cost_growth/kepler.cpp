@@ -4,11 +4,12 @@
 
 #include "avi/problems/kepler.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
-// Kepler's problem: eccentricity and horizon.
+// Kepler's problem: eccentricity, horizon and the Taylor order of one expansion.
 
 namespace experiment {
 
@@ -20,17 +21,11 @@ constexpr double period = 2.0 * M_PI;
 // large at the pericentre, which at 1e-4 would be what limits h.
 constexpr double target = 1e-6, tolerance = 0.03;
 
-Measurement measured(std::string axis, std::string subject, double value, const Runner& runner,
-                     const State2& start, double h, double time) {
+Measurement measured(std::string subject, double value, const Runner& runner, const State2& start, double h,
+                     double time) {
   const Attempt made =
       attempt(runner, start, h, {.time = time, .steps = 10'000'000, .energy_error = HUGE_VAL});
-  return {std::move(axis),
-          std::move(subject),
-          value,
-          made.run.steps,
-          made.run.evaluations,
-          made.energy_error,
-          [=] {
+  return {std::move(subject), value, made.run.steps, made.run.evaluations, made.energy_error, [=] {
             State2 z = start;
             (void)runner.prepare(start)(z, h, {.time = time});
           }};
@@ -64,16 +59,10 @@ double orbit_integral(double m, double gap) {
   return 2.0 * sum;
 }
 
-std::string text(double x) {
-  std::ostringstream out;
-  out << x;
-  return out.str();
-}
-
 }  // namespace
 
 Axis along_eccentricity(bool quick) {
-  Axis axis;
+  Axis axis{"closeness"};
   // Near the pericentre time and energy scale as r^1.5 and 1/r, so that order 4 with g = r^m needs
   // h r^m <= r^1.5 r^(1/4) there, and h <= 1 at the apocentre; an orbit then takes the integral of r^-m dt /
   // h steps, which grows as r^(1.5 - m) for m > 1.5, and as a logarithm for m = 1.5.
@@ -88,7 +77,7 @@ Axis along_eccentricity(bool quick) {
       const State2 start = avi::Kepler::pericentre(1.0 - gap);
       h = calibrated(runner, start, h, quick ? 20'000 : 40'000);
       if (std::isnan(h)) break;
-      Measurement made = measured("closeness", name, gap, runner, start, h, period);
+      Measurement made = measured(name, gap, runner, start, h, period);
       // Closer to the parabola rounding is as large as the target, and no step has that error.
       if (std::abs(std::log(made.energy_error / target)) > tolerance) break;
       axis.runs.push_back(std::move(made));
@@ -96,28 +85,50 @@ Axis along_eccentricity(bool quick) {
     }
     // Rounding of g (H + p^t) at the apocentre is an energy (2 / (1 - e))^m times as large at the pericentre.
     const double rounding = m > 0.0 ? 2.0 * std::pow(1e-3 * target / 2e-16, -1.0 / m) : 0.0;
-    axis.expected.push_back({"closeness", name, power, power, rounding, 0.2,
+    axis.expected.push_back({name, power, power, rounding, 0.2,
                              [=](double gap) { return std::pow(gap, -limited) * orbit_integral(m, gap); }});
   };
   survey("none", {.kind = PositionMonitor::none}, 0.0, 0.01);
   for (double gamma : {0.5, 0.625, 0.75, 0.875, 1.0})
-    survey("gamma = " + text(gamma), {.kind = PositionMonitor::power_of_radius, .exponent = 2.0 * gamma},
-           2.0 * gamma, 0.2);
+    survey(fmt::format("gamma = {:g}", gamma),
+           {.kind = PositionMonitor::power_of_radius, .exponent = 2.0 * gamma}, 2.0 * gamma, 0.2);
   return axis;
 }
 
 Axis along_horizon(bool quick) {
-  Axis axis;
+  Axis axis{"periods"};
   const State2 start = avi::Kepler::pericentre(0.9);
   const auto survey = [&](const std::string& name, const Runner& runner, double h) {
     for (double periods : {1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0})
       if (!quick || periods < 50.0)
-        axis.runs.push_back(measured("periods", name, periods, runner, start, h, periods * period));
-    axis.expected.push_back({"periods", name, 1.0, 1.0, 1.0, 1e3});
+        axis.runs.push_back(measured(name, periods, runner, start, h, periods * period));
+    axis.expected.push_back({name, 1.0, 1.0, 1.0, 1e3});
   };
   survey("htvi4", htvi(3, {.kind = PositionMonitor::power_of_radius, .exponent = 1.5}), 0.1);
   survey("stormer_verlet", explicit_on_kepler("stormer_verlet"), 1e-3);
   survey("log_hamiltonian", explicit_on_kepler("log_hamiltonian"), 0.05);
+  return axis;
+}
+
+Axis along_order() {
+  const State2 start = avi::Kepler::pericentre(0.5);
+  constexpr PositionMonitor monitor{.kind = PositionMonitor::power_of_radius, .exponent = 1.5};
+  constexpr double h = 0.05;
+  Axis axis{"order"};
+  for (int r = 0; r <= 15; ++r) {
+    const Runner runner = htvi(r, monitor);
+    const avi::Until until{.steps = 100};
+    State2 z = start;
+    const avi::Run run = runner.prepare(start)(z, h, until);
+    axis.runs.push_back({"htvi_of_order", static_cast<double>(r), run.steps, run.evaluations, unknown,
+                         [=] {
+                           State2 moved = start;
+                           (void)runner.prepare(start)(moved, h, until);
+                         },
+                         static_cast<double>(run.evaluations)});
+  }
+  // Coefficient k of a product takes k multiplications; what an order costs once keeps the power below 2.
+  axis.expected.push_back({"htvi_of_order", unknown, 2.0, 4.0, 15.0});
   return axis;
 }
 
