@@ -1,7 +1,7 @@
 #pragma once
 #include "beyond/speed/work_precision/measure.hpp"
 
-#include "common/table.hpp"
+#include "common/frame.hpp"
 
 #include <vector>
 
@@ -10,13 +10,13 @@
 
 namespace experiment::work_precision {
 
-/// Columns of the table that advise() fills.
-std::vector<std::string> advice_columns();
+/// The table that advise() fills.
+Table advice_table(const Frame& frame);
 
 /// One row per target 1e-3, 1e-5, 1e-7, 1e-9, 1e-11: the cheapest measured setting that reaches it among our
 /// explicit methods, among HTVI and among the peers, costs in units of `unit` seconds; and for Kepler's
 /// problem the cheapest of libraries that are not packaged (heyoka, REBOUND), measured once with the same
 /// problem, starts and unit on another machine.
-void advise(experiment::Table& table, const Scene& scene, const std::vector<Point>& points, double unit);
+void advise(Table& table, const Scene& scene, const std::vector<Point>& points, double unit);
 
 }  // namespace experiment::work_precision

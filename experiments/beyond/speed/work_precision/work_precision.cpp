@@ -19,6 +19,7 @@
 
 namespace {
 
+using namespace experiment;
 using namespace experiment::work_precision;
 
 /// The Stormer-Verlet family of Kepler's problem at the one setting of the reference run.
@@ -41,21 +42,21 @@ std::vector<Listed> chosen(std::vector<Listed> list, const std::string& text) {
   return list;
 }
 
-void add_rows(experiment::Table& table, const Scene& scene, const std::vector<Point>& points, double unit) {
+void add_rows(Table& table, const Scene& scene, const std::vector<Point>& points, double unit) {
   for (const Point& p : points)
     table.row(scene.problem, scene.eccentricity, scene.horizon_name, p.family->method, p.family->order,
-              p.label(), p.steps, p.evaluations, experiment::rounded(p.seconds), p.position_error,
-              p.energy_error, experiment::rounded(p.seconds / unit), p.front);
+              p.label(), p.steps, p.evaluations, rounded(p.seconds), p.position_error, p.energy_error,
+              rounded(p.seconds / unit), p.front);
 }
 
 /// The front in its order along the curve, one index block per scene.
-void add_front(experiment::Table& table, const Scene& scene, std::vector<Point> points, double unit) {
+void add_front(Table& table, const Scene& scene, std::vector<Point> points, double unit) {
   std::erase_if(points, [](const Point& p) { return !p.front; });
   std::sort(points.begin(), points.end(),
             [](const Point& a, const Point& b) { return a.seconds < b.seconds; });
   for (const Point& p : points)
     table.row(scene.problem, scene.eccentricity, scene.horizon_name, p.family->method, p.family->order,
-              p.label(), experiment::rounded(p.seconds / unit), p.position_error);
+              p.label(), rounded(p.seconds / unit), p.position_error);
 }
 
 }  // namespace
@@ -63,24 +64,24 @@ void add_front(experiment::Table& table, const Scene& scene, std::vector<Point> 
 int main(int argc, char** argv) {
   bool full = false;
   std::string only;
-  return experiment::run(
+  return run(
       argc, argv, "work_precision",
       "What accuracy costs: error against time for our methods and for those of other libraries.",
       [&](CLI::App& app) {
-        experiment::add_flag(app, "--full", full, "The whole grid, some minutes");
-        experiment::add_text(app, "--scene", only, "Only scenes whose name contains this, as `kepler 0.9`");
+        add_flag(app, "--full", full, "The whole grid, some minutes");
+        add_text(app, "--scene", only, "Only scenes whose name contains this, as `kepler 0.9`");
       },
-      [&](experiment::Frame& frame) {
+      [&](Frame& frame) {
         const Grid grid = frame.quick ? Grid::quick : full ? Grid::full : Grid::reduced;
         const Budget base = frame.quick ? Budget{0.0005, 0.5, 0.00005, 4}
                             : full      ? Budget{0.02, 0.5, 0.0005, 1}
                                         : Budget{};
-        auto table =
+        Table table =
             frame.table({"problem", "eccentricity", "horizon", "method", "order", "setting", "steps",
                          "evaluations", "seconds", "position_error", "energy_error", "cost", "front"});
-        auto front = frame.table(
+        Table front = frame.table(
             {"problem", "eccentricity", "horizon", "method", "order", "setting", "cost", "position_error"});
-        auto advice = frame.table(advice_columns());
+        Table advice = advice_table(frame);
         table.note("peers", peers_present());
         advice.note("peers", peers_present());
         const Scene unit_scene = reference_scene();
@@ -89,7 +90,7 @@ int main(int argc, char** argv) {
           const std::string& label = list[i].label;
           const Scene scene = list[i].make();
           if (scene.reference_error > 0.0)
-            table.note("reference error of " + label, experiment::rounded(scene.reference_error, 2));
+            table.note("reference error of " + label, rounded(scene.reference_error, 2));
           // in effect without a cap: where the machine is crowded, one slow trial must not leave no unit
           auto unit_point =
               measure(unit_scene, {.longest_run = 1e3, .family = 1e3, .least_block = 0.0}, [](double) {});

@@ -1,8 +1,9 @@
 #include "beyond/speed/work_precision/peers/peers.hpp"
 
 #include "beyond/speed/work_precision/clock.hpp"
-#include "beyond/speed/work_precision/peers/peer.hpp"
 
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
 #include <gsl/gsl_version.h>
 
 #include <algorithm>
@@ -10,9 +11,13 @@
 #include <utility>
 #ifdef AVI_WITH_ODEINT
 #include <boost/version.hpp>
+#else
+#define BOOST_LIB_VERSION "absent"
 #endif
 #ifdef AVI_WITH_SUNDIALS
 #include <sundials/sundials_config.h>
+#else
+#define SUNDIALS_VERSION "absent"
 #endif
 
 namespace experiment::work_precision {
@@ -44,8 +49,33 @@ Family peer(const Equations& equations, std::string method, int order, std::func
   return {std::move(method), order, Origin::peer, "tolerance", geometric(1e-2, std::sqrt(0.1), 29), run};
 }
 
+namespace {
+
+struct Free {
+  void operator()(gsl_odeiv2_driver* driver) const { gsl_odeiv2_driver_free(driver); }
+};
+
+Family gsl(const Equations& equations, const char* method, int order, const gsl_odeiv2_step_type* type) {
+  return peer(equations, method, order, [type](Task& task) {
+    gsl_odeiv2_system system{task.equations.field, nullptr, task.y.size(), &task.f};
+    const std::unique_ptr<gsl_odeiv2_driver, Free> driver(
+        gsl_odeiv2_driver_alloc_y_new(&system, type, 1e-3, task.tolerance, task.tolerance));
+    double t = 0.0;
+    while (t < task.equations.horizon)
+      if (gsl_odeiv2_evolve_apply(driver->e, driver->c, driver->s, &system, &t, task.equations.horizon,
+                                  &driver->h, task.y.data()) != GSL_SUCCESS ||
+          !task.stepped(task.y.data()))
+        return false;
+    return true;
+  });
+}
+
+}  // namespace
+
 void add_peers(Scene& scene, const Equations& equations) {
-  add_gsl(scene, equations);
+  gsl_set_error_handler_off();
+  scene.families.push_back(gsl(equations, "gsl_rk8pd", 8, gsl_odeiv2_step_rk8pd));
+  scene.families.push_back(gsl(equations, "gsl_rkf45", 5, gsl_odeiv2_step_rkf45));
 #ifdef AVI_WITH_ODEINT
   add_odeint(scene, equations);
 #endif
@@ -55,19 +85,7 @@ void add_peers(Scene& scene, const Equations& equations) {
 }
 
 std::string peers_present() {
-  std::string text = "GSL " GSL_VERSION ", Boost.odeint ";
-#ifdef AVI_WITH_ODEINT
-  text += BOOST_LIB_VERSION;
-#else
-  text += "absent";
-#endif
-  text += ", SUNDIALS ";
-#ifdef AVI_WITH_SUNDIALS
-  text += SUNDIALS_VERSION;
-#else
-  text += "absent";
-#endif
-  return text;
+  return "GSL " GSL_VERSION ", Boost.odeint " BOOST_LIB_VERSION ", SUNDIALS " SUNDIALS_VERSION;
 }
 
 }  // namespace experiment::work_precision

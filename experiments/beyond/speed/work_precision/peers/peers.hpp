@@ -7,7 +7,8 @@
 #include <vector>
 
 /// @file
-/// What other libraries see of a problem, and their integrators as families.
+/// What other libraries see of a problem, and their integrators as families. They take y, f and a tolerance
+/// that is both relative and absolute.
 
 namespace experiment::work_precision {
 
@@ -26,6 +27,29 @@ struct RightHandSide {
   long evaluations = 0;
 };
 
+/// One integration.
+struct Task {
+  const Equations& equations;
+  double tolerance;
+  long step_cap;
+  std::vector<double> y;                       ///< At the start, then at the horizon.
+  std::function<void(const double* y)> watch;  ///< To be called after every step, unless empty.
+  RightHandSide f{equations.problem.get()};
+  long steps = 0;
+
+  /// Counts a step. @return whether the run may go on
+  bool stepped(const double* now) {
+    if (watch) watch(now);
+    return ++steps <= step_cap;
+  }
+};
+
+/// solve(task) integrates up to the horizon and says whether it got there. The library's workspace is part of
+/// the time.
+Family peer(const Equations& equations, std::string method, int order, std::function<bool(Task&)> solve);
+
+void add_odeint(Scene&, const Equations&);
+void add_sundials(Scene&, const Equations&);
 /// Integrators of the other libraries that were found at configure time.
 void add_peers(Scene&, const Equations&);
 /// `GSL 2.7.1, Boost 1.74, SUNDIALS absent`.

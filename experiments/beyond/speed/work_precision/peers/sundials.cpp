@@ -1,4 +1,4 @@
-#include "beyond/speed/work_precision/peers/peer.hpp"
+#include "beyond/speed/work_precision/peers/peers.hpp"
 
 #include <arkode/arkode_erkstep.h>
 #include <cvode/cvode.h>

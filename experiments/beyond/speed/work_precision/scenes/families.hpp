@@ -1,6 +1,8 @@
 #pragma once
 #include "beyond/speed/work_precision/scenes/arena.hpp"
 
+#include "avi/collocation/collocation.hpp"
+#include "avi/htvi/htvi.hpp"
 #include "avi/integrators/adaptive_verlet.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/composition.hpp"
@@ -8,11 +10,16 @@
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/integrators/splitting.hpp"
 #include "avi/integrators/stormer_verlet.hpp"
+#include "avi/transform/monitors.hpp"
+#include "avi/transform/poincare.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <string>
 
 /// @file
-/// Explicit methods of this library for H = T(p) + V(q).
+/// The methods of this library as families: explicit ones for H = T(p) + V(q), Gauss collocation, HTVI.
 
 namespace experiment::work_precision {
 
@@ -85,6 +92,76 @@ void add_reversible(Scene& scene, const Arena<P>& arena) {
   });
   add("hairer_soderlind", 2, 0.1, 0.6, reversible(c::strang));
   add("hairer_soderlind_kahan_li8", 8, 1.0, 0.8, reversible(c::kahan_li8));
+}
+
+/// g = |q|^(3/2).
+struct ThreeHalves {
+  template <class Q>
+  auto operator()(const Q& q) const {
+    using std::pow;
+    return pow(q[0] * q[0] + q[1] * q[1], 0.75);
+  }
+};
+
+/// Gauss collocation of the orders 4 to 16; `largest` is the coarsest step of order 16. In short runs of many
+/// small steps sweeps that end early are tried, too (`loosely`): enough for errors above their tolerance.
+template <class P, class G>
+void add_collocation(Scene& scene, const Arena<P>& arena, const std::string& knob, double largest, G monitor,
+                     bool loosely = false) {
+  const auto add = [&](const std::string& its, int order, double coarse, avi::SweepSettings sweeps = {}) {
+    scene.families.push_back(
+        arena.family("collocation", order, Origin::collocation, its + " h",
+                     geometric(coarse * largest, order < 8 ? 0.8 : 0.9, order < 8 ? 30 : 24),
+                     [=](const P& problem, const auto& start) {
+                       return avi::collocation(avi::poincare(problem, start, monitor), order, sweeps);
+                     }));
+  };
+  add(knob, 4, 0.3);
+  add(knob, 8, 0.6);
+  add(knob, 12, 0.9);
+  add(knob, 16, 1.0);
+  if (!loosely) return;
+  for (const double tolerance : {1e-4, 1e-6, 1e-10}) {
+    const std::string its = fmt::format("{} tolerance={:.0e}", knob, tolerance);
+    add(its, 8, 0.6, {.tolerance = tolerance});
+    add(its, 16, 1.0, {.tolerance = tolerance});
+  }
+}
+
+/// A problem that knows dV/dq tells it: faster than derivatives taken automatically.
+template <class P>
+struct Supplied : P {
+  template <class S>
+  auto d_dq(const avi::Vector<S, P::dimension>& q, const avi::Vector<S, P::dimension>&) const {
+    return this->potential_gradient(q);
+  }
+  template <class S>
+  auto d_dp(const avi::Vector<S, P::dimension>&, const avi::Vector<S, P::dimension>& p) const {
+    return p;
+  }
+};
+
+template <class P>
+auto supplied(const P& problem) {
+  using Vec = avi::Vector<double, P::dimension>;
+  if constexpr (avi::SuppliesGradient<P, double, P::dimension> ||
+                !requires(Vec q) { problem.potential_gradient(q); })
+    return problem;
+  else
+    return Supplied<P>{problem};
+}
+
+/// The stationary HTVI of orders 4 to 16, each with its natural rule; `coarse` is the coarsest step.
+template <class P, class G>
+void add_htvi(Scene& scene, const Arena<P>& arena, const std::string& knob, double coarse, const G& monitor) {
+  for (const int order : {4, 8, 12, 16})
+    scene.families.push_back(
+        arena.family("htvi", order, Origin::htvi, knob + " h", geometric(coarse, 0.8, 40),
+                     [=](const P& problem, const auto& start) {
+                       return avi::htvi_of_order<avi::Generating::type2>(
+                           order / 2 - 1, avi::poincare<P::dimension>(supplied(problem), start, monitor),
+                           avi::gauss(order / 2));
+                     }));
 }
 
 }  // namespace experiment::work_precision

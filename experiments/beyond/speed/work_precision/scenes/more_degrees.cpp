@@ -1,0 +1,89 @@
+#include "beyond/speed/work_precision/scenes/bodies.hpp"
+#include "beyond/speed/work_precision/scenes/families.hpp"
+#include "beyond/speed/work_precision/scenes/scenes.hpp"
+
+#include "avi/problems/chain.hpp"
+#include "avi/problems/outer_solar_system.hpp"
+
+#include <fmt/format.h>
+
+namespace experiment::work_precision {
+namespace {
+
+/// 1/g = sum of |q_i - q_j|^(-3/2) over the pairs: the rate of the fastest of them.
+struct PairRates {
+  template <class Q>
+  auto operator()(const Q& q) const {
+    using std::pow;
+    const auto rate = [&](Eigen::Index i, Eigen::Index j) {
+      return pow(avi::NBody<7>::distance_squared(q, i, j), -0.75);
+    };
+    auto sum = rate(0, 1);
+    for (Eigen::Index j = 2; 2 * j < q.size(); ++j)
+      for (Eigen::Index i = 0; i < j; ++i)
+        sum += rate(i, j);
+    return 1.0 / sum;
+  }
+};
+
+/// The chain as T(p) + V(q).
+struct LongChain : avi::Chain {
+  static constexpr int dimension = 64;
+  template <class S>
+  avi::Vector<S, 64> potential_gradient(const avi::Vector<S, 64>& q) const {
+    return d_dq(q, q);
+  }
+};
+
+}  // namespace
+
+Scene figure_eight(int periods) {
+  const double horizon = periods * avi::FigureEight::period;
+  const Arena arena(UnitBodies<3>(), horizon, avi::FigureEight::start());
+  Scene scene{"figure_eight", not_an_orbit, horizon, fmt::format("{} periods", periods)};
+  set_extended_reference(scene, arena, false, 0.05L);
+  add_fixed(scene, arena, 0.05);
+  add_logarithmic(scene, arena, 0.1);
+  add_collocation(scene, arena, "g=1", 0.6, avi::Unit{});
+  add_htvi(scene, arena, "g=1", 0.5, avi::Unit{});
+  add_peers(scene, arena.equations());
+  return scene;
+}
+
+Scene star_cluster() {
+  avi::State<14> z;
+  z.q << 1.0, 0.1, -0.9, 0.4, 0.2, -0.8, -0.3, 0.9, 0.5, 0.6, -0.6, -0.5, 0.1, 0.15;
+  z.p << -0.3, 0.9, 0.2, -0.8, 0.9, 0.1, -0.7, -0.4, -0.5, 0.6, 0.5, -0.7, -0.1, 0.3;
+  const Arena arena(UnitBodies<7>(), 1.0, z);
+  Scene scene{"star_cluster", not_an_orbit, 1.0, "1"};
+  scene.longest_run = 6.0;  // every step is dear
+  set_extended_reference(scene, arena, true, 0.005L);
+  add_fixed(scene, arena, 0.01);
+  add_logarithmic(scene, arena, 0.1);
+  add_collocation(scene, arena, "g=pairs", 2.0, PairRates{}, true);
+  add_peers(scene, arena.equations());
+  return scene;
+}
+
+Scene solar_system(double horizon) {
+  const Arena arena(avi::OuterSolarSystem::problem(), horizon, avi::OuterSolarSystem::start());
+  Scene scene{"solar_system", not_an_orbit, horizon, fmt::format("{:.0f} days", horizon)};
+  set_extended_reference(scene, arena, false, 60.0L);
+  add_fixed(scene, arena, 100.0);
+  add_collocation(scene, arena, "g=1", 1500.0, avi::Unit{});
+  add_peers(scene, arena.equations());
+  return scene;
+}
+
+Scene chain() {
+  const avi::State<avi::dynamic> plucked = avi::Chain::plucked(64);
+  const Arena arena(LongChain{}, 100.0, {.q = plucked.q, .p = plucked.p});
+  Scene scene{"chain64", not_an_orbit, 100.0, "100"};
+  set_extended_reference(scene, arena, false, 0.25L);
+  add_fixed(scene, arena, 0.25);
+  add_collocation(scene, arena, "g=1", 3.0, avi::Unit{}, true);
+  add_peers(scene, arena.equations());
+  return scene;
+}
+
+}  // namespace experiment::work_precision
