@@ -1,5 +1,4 @@
 #include "avi/autodiff/jet.hpp"
-#include "avi/autodiff/jet_functions.hpp"
 #include "avi/autodiff/partials.hpp"
 
 #include <gtest/gtest.h>

@@ -30,12 +30,7 @@ Vector<To, n> constants(const Vector<S, n>& x) {
 template <class H, class S, int n>
 Partials<S, n> value_and_d_dp(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
   if constexpr (SuppliesGradient<H, S, n>) {
-    Partials<S, n> y(h(q, p));
-    const Vector<S, n> slope = h.d_dp(q, p);
-    for (int i = 0; i < n; ++i)
-      y.d[i] = slope[i];
-    y.constant = false;
-    return y;
+    return {h(q, p), h.d_dp(q, p)};
   } else {
     const auto at_q = constants<Partials<S, n>>(q);
     return value_and_gradient([&](const auto& x) { return h(at_q, x); }, p);

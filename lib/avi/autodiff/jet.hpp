@@ -1,6 +1,10 @@
 #pragma once
 #include "avi/autodiff/jet_tape.hpp"
 
+#include <cmath>
+#include <compare>
+#include <utility>
+
 /// @file
 /// The scalar that writes a formula on a JetTape.
 
@@ -10,7 +14,7 @@ namespace avi {
 /// handle without coefficients is a constant, which no operation stores; sums with 0 and products with 0 or 1
 /// cost nothing, so derivatives that vanish identically are never computed.
 template <class T, int R>
-class Jet {
+class Jet : Scalar<Jet<T, R>> {
   using Op = SeriesOperation;
 
  public:
@@ -75,19 +79,49 @@ class Jet {
     if (a.is(0.0)) return a;
     return {b.tape->write(Op::divide, a.coefficients, b.coefficients, a.constant), b.tape};
   }
-  Jet& operator+=(const Jet& b) { return *this = *this + b; }
-  Jet& operator-=(const Jet& b) { return *this = *this - b; }
-  Jet& operator*=(const Jet& b) { return *this = *this * b; }
-  Jet& operator/=(const Jet& b) { return *this = *this / b; }
   ///@}
+
+  /// Of the values at time zero.
+  friend auto operator<=>(const Jet& a, const Jet& b) { return a.value() <=> b.value(); }
 
   ///@{
 
-  /// Of the values at time zero.
-  friend bool operator<(const Jet& a, const Jet& b) { return a.value() < b.value(); }
-  friend bool operator>(const Jet& a, const Jet& b) { return a.value() > b.value(); }
-  friend bool operator<=(const Jet& a, const Jet& b) { return a.value() <= b.value(); }
-  friend bool operator>=(const Jet& a, const Jet& b) { return a.value() >= b.value(); }
+  /// Of the series; of a constant, the constant.
+  friend Jet sqrt(const Jet& a) { return a.function(Op::sqrt, std::sqrt); }
+  friend Jet pow(const Jet& a, double alpha) {
+    if (alpha == 0.0) return Jet(1.0);
+    if (alpha == 1.0) return a;
+    if (alpha == 2.0) return a * a;
+    return a.is_constant() ? Jet(power(a.constant, alpha)) : a.through(Op::power, alpha);
+  }
+  friend Jet exp(const Jet& a) { return a.function(Op::exp, std::exp); }
+  friend Jet log(const Jet& a) { return a.is_constant() ? Jet(std::log(a.constant)) : a.with(Op::log, a); }
+  friend Jet sin(const Jet& a) {
+    return a.is_constant() ? std::sin(a.constant) : a.pair(Op::sin, Op::cos).first;
+  }
+  friend Jet cos(const Jet& a) {
+    return a.is_constant() ? std::cos(a.constant) : a.pair(Op::sin, Op::cos).second;
+  }
+  friend Jet tan(const Jet& a) { return sin(a) / cos(a); }
+  friend Jet sinh(const Jet& a) {
+    return a.is_constant() ? std::sinh(a.constant) : a.pair(Op::sinh, Op::cosh).first;
+  }
+  friend Jet cosh(const Jet& a) {
+    return a.is_constant() ? std::cosh(a.constant) : a.pair(Op::sinh, Op::cosh).second;
+  }
+  friend Jet tanh(const Jet& a) {
+    if (a.is_constant()) return Jet(std::tanh(a.constant));
+    // The quotient that does not overflow: (1 - u) / (1 + u), u = exp(-2 |a|), up to the sign of a.
+    const double sign = a.value() < 0.0 ? -1.0 : 1.0;
+    const Jet u = exp((-2.0 * sign) * a);
+    return sign * ((1.0 - u) / (1.0 + u));
+  }
+  friend Jet atan(const Jet& a) {
+    return a.is_constant() ? Jet(std::atan(a.constant)) : a.with(Op::atan, a * a + 1.0);
+  }
+  friend Jet abs(const Jet& a) { return a.function(Op::absolute, std::abs); }
+  /// Written down: a look at the value would have the formula called anew for every expansion.
+  friend Jet sign_of(const Jet& a) { return a.function(Op::sign, avi::sign_of); }
   ///@}
 
  private:
@@ -95,6 +129,15 @@ class Jet {
     if (factor == 0.0) return Jet(0.0);
     if (factor == 1.0) return *this;
     return through(Op::scale, factor);
+  }
+  /// A function of this series, or of a constant.
+  [[nodiscard]] Jet function(Op operation, double (*f)(double)) const {
+    return is_constant() ? Jet(f(constant)) : through(operation);
+  }
+  /// Two functions of which each is, up to its sign, the other's derivative.
+  [[nodiscard]] std::pair<Jet, Jet> pair(Op first, Op second) const {
+    const auto [a, b] = tape->write_pair(first, second, coefficients);
+    return {Jet(a, tape), Jet(b, tape)};
   }
 };
 

@@ -59,7 +59,7 @@ class JetTape {
   const T* write(SeriesOperation operation, const T* a, const T* b, double number) {
     for (int i = 0; i < size_; ++i)
       if (const Slot& known = at(i);
-          known.operation == operation && known.a == a && known.b == b && known.number == number)
+          known.operation == operation && known.a == a && (known.b == b || !b) && known.number == number)
         return known.c;
     if (size_ == static_cast<int>(blocks_.size()) * block) extend();
     Slot& slot = at(size_++);
@@ -70,12 +70,12 @@ class JetTape {
     compute<0>(slot, 0);
     return slot.c;
   }
-  /// The second operand of the last slot but one is the last slot: a pair of functions of which each is, up
-  /// to its sign, the other's derivative.
-  void pair() {
-    Slot &first = at(size_ - 2), &second = at(size_ - 1);
-    first.b = second.c;
-    second.b = first.c;
+  /// Writes two functions of `a` of which each is the second operand of the other.
+  std::pair<const T*, const T*> write_pair(SeriesOperation first, SeriesOperation second, const T* a) {
+    const int before = size_;
+    const T *const x = write(first, a, nullptr, 1.0), *const y = write(second, a, nullptr, 1.0);
+    if (size_ > before) at(size_ - 2).b = y, at(size_ - 1).b = x;
+    return {x, y};
   }
 
   /// Coefficient k of the first `count` slots, whose coefficients 0 to k - 1 are known, as are those up to k
@@ -162,19 +162,19 @@ class JetTape {
       }
       break;
     case Op::exp:
-      c[k] = k == 0 ? exp(a[0]) : convolution_weighted(a, c, k, 1.0, 0.0);
-      break;
     case Op::sin:
-      c[k] = k == 0 ? sin(a[0]) : convolution_weighted(a, b, k, 1.0, 0.0);
-      break;
     case Op::cos:
-      c[k] = k == 0 ? cos(a[0]) : convolution_weighted(a, b, k, -1.0, 0.0);
-      break;
     case Op::sinh:
-      c[k] = k == 0 ? sinh(a[0]) : convolution_weighted(a, b, k, 1.0, 0.0);
-      break;
     case Op::cosh:
-      c[k] = k == 0 ? cosh(a[0]) : convolution_weighted(a, b, k, 1.0, 0.0);
+      if (k == 0)
+        c[0] = slot.operation == Op::exp    ? exp(a[0])
+               : slot.operation == Op::sin  ? sin(a[0])
+               : slot.operation == Op::cos  ? cos(a[0])
+               : slot.operation == Op::sinh ? sinh(a[0])
+                                            : cosh(a[0]);
+      else
+        c[k] = convolution_weighted(a, slot.operation == Op::exp ? c : b, k,
+                                    slot.operation == Op::cos ? -1.0 : 1.0, 0.0);
       break;
     case Op::log:
     case Op::atan:

@@ -22,20 +22,6 @@ inline constexpr int machine_lanes = 4;
 #else
 inline constexpr int machine_lanes = 2;
 #endif
-// Written out: GCC ignores vector_size when it depends on a template parameter. The weak alignment lets any
-// memory hold them, Eigen's vectors included, and costs nothing where the memory is aligned better.
-template <int lanes>
-struct PackRegister {
-  typedef double type __attribute__((vector_size(64), aligned(16)));
-};
-template <>
-struct PackRegister<2> {
-  typedef double type __attribute__((vector_size(16), aligned(16)));
-};
-template <>
-struct PackRegister<4> {
-  typedef double type __attribute__((vector_size(32), aligned(16)));
-};
 /// The numbers of a register without their signs, as integers, which are in the same order.
 template <class R>
 [[gnu::always_inline]] inline auto magnitude(R x) {
@@ -49,13 +35,14 @@ template <class R>
 /// because the w values might need different branches: there are no comparisons, and a formula that compares
 /// does not compile. Partials<Pack<w>, n> are w values with their gradients.
 template <int w>
-class Pack {
+class Pack : Scalar<Pack<w>> {
  public:
-  static constexpr int width = w;  ///< Numbers in the pack.
-  /// As many of them as a register of the machine holds.
-  using Register = typename detail::PackRegister<std::min(w, detail::machine_lanes)>::type;
-  static constexpr int lanes = sizeof(Register) / sizeof(double);  ///< Numbers in a register.
-  static constexpr int parts = w / lanes;                          ///< Registers in the pack.
+  static constexpr int width = w;                                   ///< Numbers in the pack.
+  static constexpr int lanes = std::min(w, detail::machine_lanes);  ///< Numbers in a register.
+  /// A register of the machine. The weak alignment lets any memory hold it, Eigen's vectors included, and
+  /// costs nothing where the memory is aligned better.
+  using Register = typename detail::Simd<lanes, 16>::type;
+  static constexpr int parts = w / lanes;  ///< Registers in the pack.
 
   Register part[parts];  ///< The numbers.
 
@@ -123,113 +110,86 @@ class Pack {
   friend Pack operator/(const Pack& a, const Pack& b) {
     return by_part([&](int k) -> Register { return a.part[k] / b.part[k]; });
   }
-  Pack& operator+=(const Pack& b) { return *this = *this + b; }
-  Pack& operator-=(const Pack& b) { return *this = *this - b; }
-  Pack& operator*=(const Pack& b) { return *this = *this * b; }
-  Pack& operator/=(const Pack& b) { return *this = *this / b; }
   ///@}
-};
 
-/// @name Elementary functions of a pack
-/// @{
+  ///@{
 
-/// Number by number; root, sine and cosine (to one unit in the last place, the same bits on every machine up
-/// to |x| = 8e5) by the vector unit, the others by the functions of the standard library.
-template <int w>
-Pack<w> sqrt(const Pack<w>& x) {
+  /// Number by number; root, sine and cosine (to one unit in the last place, the same bits on every machine
+  /// up to |x| = 8e5) by the vector unit, the others by the functions of the standard library.
+  friend Pack sqrt(const Pack& x) {
 #if defined(__AVX512F__)
-  if constexpr (Pack<w>::lanes == 8)
-    return Pack<w>::by_part(
-        [&](int k) -> typename Pack<w>::Register { return _mm512_maskz_sqrt_pd(0xff, __m512d(x.part[k])); });
+    if constexpr (lanes == 8)
+      return by_part([&](int k) -> Register { return _mm512_maskz_sqrt_pd(0xff, __m512d(x.part[k])); });
 #endif
 #if defined(__AVX__)
-  if constexpr (Pack<w>::lanes == 4)
-    return Pack<w>::by_part([&](int k) ->
-                            typename Pack<w>::Register { return _mm256_sqrt_pd(__m256d(x.part[k])); });
+    if constexpr (lanes == 4)
+      return by_part([&](int k) -> Register { return _mm256_sqrt_pd(__m256d(x.part[k])); });
 #endif
 #if defined(__SSE2__)
-  if constexpr (Pack<w>::lanes == 2)
-    return Pack<w>::by_part([&](int k) ->
-                            typename Pack<w>::Register { return _mm_sqrt_pd(__m128d(x.part[k])); });
+    if constexpr (lanes == 2)
+      return by_part([&](int k) -> Register { return _mm_sqrt_pd(__m128d(x.part[k])); });
 #endif
-  return x.each([](double v) { return std::sqrt(v); });
-}
-/// As power() of a double, and for quarters of an integer too by roots and products. From -7/4 on, negative
-/// ones share the reciprocal root: a distance, its usual powers and their slopes then cost one division.
-template <int w>
-Pack<w> pow(const Pack<w>& x, double exponent) {
-  const double four = 4.0 * exponent;
-  if (!(std::abs(four) <= 32.0) || four != static_cast<double>(static_cast<int>(four)))
-    return x.each([&](double v) { return std::pow(v, exponent); });
-  const int m = static_cast<int>(std::abs(four));
-  const bool shares = four < 0.0 && four > -8.0 && m % 4;
-  Pack<w> y(1.0), factor = x;
-  if (m % 4) {
-    const Pack<w> root = sqrt(x);
-    if (shares)
-      factor = 1.0 / root;
-    else if (m % 4 > 1)
-      y = root;
-    if (m % 2) y *= sqrt(root);
+    return x.each([](double v) { return std::sqrt(v); });
   }
-  for (int k = shares ? (m + 1) / 2 : m / 4; k > 0; k /= 2, factor *= factor)
-    if (k % 2) y *= factor;
-  return four < 0.0 && !shares ? 1.0 / y : y;
-}
-template <int w>
-Pack<w> exp(const Pack<w>& x) {
-  return x.each([](double v) { return std::exp(v); });
-}
-template <int w>
-Pack<w> log(const Pack<w>& x) {
-  return x.each([](double v) { return std::log(v); });
-}
-template <int w>
-Pack<w> sin(const Pack<w>& x) {
-  return detail::turned(x, 0);
-}
-template <int w>
-Pack<w> cos(const Pack<w>& x) {
-  return detail::turned(x, 1);
-}
-template <int w>
-Pack<w> tan(const Pack<w>& x) {
-  return x.each([](double v) { return std::tan(v); });
-}
-template <int w>
-Pack<w> sinh(const Pack<w>& x) {
-  return x.each([](double v) { return std::sinh(v); });
-}
-template <int w>
-Pack<w> cosh(const Pack<w>& x) {
-  return x.each([](double v) { return std::cosh(v); });
-}
-template <int w>
-Pack<w> tanh(const Pack<w>& x) {
-  return x.each([](double v) { return std::tanh(v); });
-}
-template <int w>
-Pack<w> atan(const Pack<w>& x) {
-  return x.each([](double v) { return std::atan(v); });
-}
-template <int w>
-Pack<w> abs(const Pack<w>& x) {
-  return Pack<w>::by_part([&](int k) { return (typename Pack<w>::Register)detail::magnitude(x.part[k]); });
-}
-/// With the derivative 1 or -1 of each number.
-template <int w, int N>
-Partials<Pack<w>, N> abs(const Partials<Pack<w>, N>& x) {
-  return x.chain(abs(x.value), [&] { return x.value.each([](double v) { return std::copysign(1.0, v); }); });
-}
-/// The larger magnitude of each pair of numbers; NaN where one of them is: its bits are above all others.
-template <int w>
-Pack<w> max_abs(const Pack<w>& a, const Pack<w>& b) {
-  return Pack<w>::by_part([&](int k) {
-    const auto x = detail::magnitude(a.part[k]), y = detail::magnitude(b.part[k]);
-    return (typename Pack<w>::Register)(x > y ? x : y);
-  });
-}
-/// @}
+  friend Pack exp(const Pack& x) {
+    return x.each([](double v) { return std::exp(v); });
+  }
+  friend Pack log(const Pack& x) {
+    return x.each([](double v) { return std::log(v); });
+  }
+  friend Pack sin(const Pack& x) { return detail::turned(x, 0); }
+  friend Pack cos(const Pack& x) { return detail::turned(x, 1); }
+  friend Pack tan(const Pack& x) {
+    return x.each([](double v) { return std::tan(v); });
+  }
+  friend Pack sinh(const Pack& x) {
+    return x.each([](double v) { return std::sinh(v); });
+  }
+  friend Pack cosh(const Pack& x) {
+    return x.each([](double v) { return std::cosh(v); });
+  }
+  friend Pack tanh(const Pack& x) {
+    return x.each([](double v) { return std::tanh(v); });
+  }
+  friend Pack atan(const Pack& x) {
+    return x.each([](double v) { return std::atan(v); });
+  }
+  friend Pack abs(const Pack& x) {
+    return by_part([&](int k) { return (Register)detail::magnitude(x.part[k]); });
+  }
+  friend Pack sign_of(const Pack& x) {
+    return x.each([](double v) { return avi::sign_of(v); });
+  }
+  /// The larger magnitude of each pair of numbers; NaN where one of them is: its bits are above all others.
+  friend Pack max_abs(const Pack& a, const Pack& b) {
+    return by_part([&](int k) {
+      const auto x = detail::magnitude(a.part[k]), y = detail::magnitude(b.part[k]);
+      return (Register)(x > y ? x : y);
+    });
+  }
+  /// As power() of a double, and for quarters of an integer too by roots and products. From -7/4 on, negative
+  /// ones share the reciprocal root: a distance, its usual powers and their slopes then cost one division.
+  friend Pack pow(const Pack& x, double exponent) {
+    const double four = 4.0 * exponent;
+    if (!(std::abs(four) <= 32.0) || four != static_cast<double>(static_cast<int>(four)))
+      return x.each([&](double v) { return std::pow(v, exponent); });
+    const int m = static_cast<int>(std::abs(four));
+    const bool shares = four < 0.0 && four > -8.0 && m % 4;
+    Pack y(1.0), factor = x;
+    if (m % 4) {
+      const Pack root = sqrt(x);
+      if (shares)
+        factor = 1.0 / root;
+      else if (m % 4 > 1)
+        y = root;
+      if (m % 2) y *= sqrt(root);
+    }
+    for (int k = shares ? (m + 1) / 2 : m / 4; k > 0; k /= 2, factor *= factor)
+      if (k % 2) y *= factor;
+    return four < 0.0 && !shares ? 1.0 / y : y;
+  }
+  ///@}
+};
 
 /// Sum of the numbers of a pack, halves added onto each other: the same order on every machine.
 template <int w>

@@ -1,9 +1,10 @@
 #pragma once
-#include "avi/core/power.hpp"
+#include "avi/autodiff/scalar.hpp"
 #include "avi/core/vector.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
+#include <type_traits>
 
 /// @file
 /// First derivatives of a callable that is generic in its scalar, with respect to chosen directions.
@@ -13,7 +14,7 @@ namespace avi {
 /// A value of scalar S with its derivatives along N directions, also of scalar S: the automatic gradient of a
 /// formula at any scalar, a Taylor series included. It nests.
 template <class S, int N>
-class Partials {
+class Partials : ChainRule<Partials<S, N>> {
  public:
   S value{0.0};          ///< The number itself.
   std::array<S, N> d{};  ///< Derivatives along the N directions, unless `constant`; partial() reads both.
@@ -25,6 +26,11 @@ class Partials {
   /// A constant.
   Partials(const S& v) requires(!std::is_same_v<S, double>) : value(v) {}  // NOLINT
 
+  /// A value with these derivatives.
+  Partials(const S& v, const Vector<S, N>& slopes) : value(v), constant(false) {
+    std::copy(slopes.begin(), slopes.end(), d.begin());
+  }
+
   /// A value with derivative `slope` along direction i and none along the others.
   static Partials variable(const S& v, int i, const S& slope = S(1.0)) {
     Partials x(v);
@@ -34,6 +40,7 @@ class Partials {
     return x;
   }
 
+  friend const S& value_of(const Partials& x) { return x.value; }  ///< The number itself.
   /// Derivative along direction i.
   [[nodiscard]] S partial(int i) const { return constant ? S(0.0) : d[i]; }
 
@@ -101,19 +108,6 @@ class Partials {
     }
     return c;
   }
-  Partials& operator+=(const Partials& b) { return *this = *this + b; }
-  Partials& operator-=(const Partials& b) { return *this = *this - b; }
-  Partials& operator*=(const Partials& b) { return *this = *this * b; }
-  Partials& operator/=(const Partials& b) { return *this = *this / b; }
-  ///@}
-
-  ///@{
-
-  /// Of the values alone: a formula with derivatives branches as it does without.
-  friend bool operator<(const Partials& a, const Partials& b) { return a.value < b.value; }
-  friend bool operator>(const Partials& a, const Partials& b) { return a.value > b.value; }
-  friend bool operator<=(const Partials& a, const Partials& b) { return a.value <= b.value; }
-  friend bool operator>=(const Partials& a, const Partials& b) { return a.value >= b.value; }
   ///@}
 
  private:
@@ -124,79 +118,6 @@ class Partials {
     constant = false;
   }
 };
-
-/// @name Elementary functions by the chain rule
-/// @{
-
-/// \f$f(x)\f$ with the derivatives \f$f'(x)\,\partial_i x\f$.
-template <class S, int N>
-Partials<S, N> sqrt(const Partials<S, N>& x) {
-  using std::sqrt;
-  const S s = sqrt(x.value);
-  return x.chain(s, [&]() -> S { return 0.5 / s; });
-}
-template <class S, int N>
-Partials<S, N> pow(const Partials<S, N>& x, double exponent) {
-  const S f = power(x.value, exponent);
-  if constexpr (std::is_same_v<S, double>) {
-    // a division instead of a second power
-    if (x.value != 0.0) return x.chain(f, [&] { return exponent * f / x.value; });
-  }
-  return x.chain(f, [&]() -> S { return exponent * power(x.value, exponent - 1.0); });
-}
-template <class S, int N>
-Partials<S, N> exp(const Partials<S, N>& x) {
-  using std::exp;
-  const S e = exp(x.value);
-  return x.chain(e, [&]() -> S { return e; });
-}
-template <class S, int N>
-Partials<S, N> log(const Partials<S, N>& x) {
-  using std::log;
-  return x.chain(log(x.value), [&]() -> S { return 1.0 / x.value; });
-}
-template <class S, int N>
-Partials<S, N> sin(const Partials<S, N>& x) {
-  using std::cos, std::sin;
-  return x.chain(sin(x.value), [&]() -> S { return cos(x.value); });
-}
-template <class S, int N>
-Partials<S, N> cos(const Partials<S, N>& x) {
-  using std::cos, std::sin;
-  return x.chain(cos(x.value), [&]() -> S { return -sin(x.value); });
-}
-template <class S, int N>
-Partials<S, N> tan(const Partials<S, N>& x) {
-  using std::tan;
-  const S t = tan(x.value);
-  return x.chain(t, [&]() -> S { return 1.0 + t * t; });
-}
-template <class S, int N>
-Partials<S, N> sinh(const Partials<S, N>& x) {
-  using std::cosh, std::sinh;
-  return x.chain(sinh(x.value), [&]() -> S { return cosh(x.value); });
-}
-template <class S, int N>
-Partials<S, N> cosh(const Partials<S, N>& x) {
-  using std::cosh, std::sinh;
-  return x.chain(cosh(x.value), [&]() -> S { return sinh(x.value); });
-}
-template <class S, int N>
-Partials<S, N> tanh(const Partials<S, N>& x) {
-  using std::tanh;
-  const S t = tanh(x.value);
-  return x.chain(t, [&]() -> S { return 1.0 - t * t; });
-}
-template <class S, int N>
-Partials<S, N> atan(const Partials<S, N>& x) {
-  using std::atan;
-  return x.chain(atan(x.value), [&]() -> S { return 1.0 / (1.0 + x.value * x.value); });
-}
-template <class S, int N>
-Partials<S, N> abs(const Partials<S, N>& x) {
-  return x.value < S(0.0) ? -x : x;
-}
-/// @}
 
 /// f: R^n -> R at x with its gradient, for any scalar S and compile-time n.
 template <class F, class S, int n>

@@ -2,6 +2,7 @@
 #include "avi/autodiff/expression_graph.hpp"
 #include "avi/core/vector.hpp"
 
+#include <compare>
 #include <stdexcept>
 #include <type_traits>
 
@@ -13,7 +14,7 @@ namespace avi {
 /// A number, or a node of the formula that is being recorded. What a callable does with it is written into
 /// the graph. It has no value, so a callable cannot branch on it: comparisons by size and
 /// conversions to a number do not compile.
-class Recorded {
+class Recorded : Scalar<Recorded> {
  public:
   Recorded() = default;
   /// A number.
@@ -60,10 +61,6 @@ class Recorded {
     return combine(Operation::multiply, a, b);
   }
   friend Recorded operator/(const Recorded& a, const Recorded& b) { return combine(Operation::divide, a, b); }
-  Recorded& operator+=(const Recorded& b) { return *this = *this + b; }
-  Recorded& operator-=(const Recorded& b) { return *this = *this - b; }
-  Recorded& operator*=(const Recorded& b) { return *this = *this * b; }
-  Recorded& operator/=(const Recorded& b) { return *this = *this / b; }
   /// Compares constants, as Eigen does with its own factors. @throws std::invalid_argument for recorded
   /// values
   friend bool operator==(const Recorded& a, const Recorded& b) {
@@ -88,7 +85,19 @@ class Recorded {
   friend Recorded tanh(const Recorded& a) { return a.through(Operation::tanh); }
   friend Recorded atan(const Recorded& a) { return a.through(Operation::atan); }
   friend Recorded abs(const Recorded& a) { return a.through(Operation::abs); }
+  friend Recorded sign_of(const Recorded& a) { return a.through(Operation::sign); }
   ///@}
+
+  /// A recording has no branches: this does not compile.
+  template <class A>
+  friend std::partial_ordering operator<=>(const Recorded&, const A&) {
+    static_assert(
+        !std::is_same_v<A, A>,
+        "A function that compares its arguments cannot be recorded: a straight line of operations has "
+        "no branches. Write the function without comparisons, or, where the compiler knows the dimension, "
+        "supply d_dq(q, p) and d_dp(q, p).");
+    return std::partial_ordering::unordered;
+  }
 
  private:
   [[nodiscard]] Recorded through(Operation operation) const {
@@ -106,39 +115,6 @@ class Recorded {
   int node_ = -1;
   double number_ = 0.0;
 };
-
-namespace detail {
-template <class A, class B>
-concept OneRecorded = (std::same_as<A, Recorded> && std::convertible_to<B, Recorded>) ||
-                      (std::same_as<B, Recorded> && std::convertible_to<A, Recorded>);
-template <class A>
-bool no_branch() {
-  static_assert(
-      !std::is_same_v<A, A>,
-      "A function that compares its arguments cannot be recorded: a straight line of operations has "
-      "no branches. Write the function without comparisons, or, where the compiler knows the dimension, "
-      "supply d_dq(q, p) and d_dp(q, p).");
-  return false;
-}
-}  // namespace detail
-
-/// @name Comparisons, which a recording refuses
-/// @{
-
-/// Does not compile.
-template <class A, class B>
-requires detail::OneRecorded<A, B>
-bool operator<(const A&, const B&) { return detail::no_branch<A>(); }
-template <class A, class B>
-requires detail::OneRecorded<A, B>
-bool operator>(const A&, const B&) { return detail::no_branch<A>(); }
-template <class A, class B>
-requires detail::OneRecorded<A, B>
-bool operator<=(const A&, const B&) { return detail::no_branch<A>(); }
-template <class A, class B>
-requires detail::OneRecorded<A, B>
-bool operator>=(const A&, const B&) { return detail::no_branch<A>(); }
-/// @}
 
 }  // namespace avi
 

@@ -9,7 +9,7 @@
 
 namespace avi::detail {
 
-/// Largest |x| of quarter_turns_of(): there \f$2x/\pi\f$ rounds to an integer of 19 bits.
+/// Largest |x| of reduced_angle(): there \f$2x/\pi\f$ rounds to an integer of 19 bits.
 inline constexpr double most_angle = 8e5;
 
 /// Some number of a register is beyond most_angle, or NaN.

@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/autodiff/jet_functions.hpp"
+#include "avi/autodiff/jet.hpp"
 #include "avi/transform/poincare.hpp"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 #include "avi/core/require.hpp"
 #include "avi/core/state.hpp"
 
-#include <algorithm>
 #include <concepts>
 #include <string>
 #include <utility>
@@ -165,15 +164,10 @@ class Poincare {
  private:
   template <Field form, class S>
   Partials<S, n> value_if_needed_and_d_dp(const Vector<S, n>& q, const Vector<S, n>& p) const {
-    if constexpr (form != Field::on_level) {
+    if constexpr (form == Field::on_level)
+      return {S(0.0), d_dp(h_, q, p)};
+    else
       return value_and_d_dp(h_, q, p);
-    } else {
-      Partials<S, n> y;
-      const Vector<S, n> slope = d_dp(h_, q, p);
-      std::copy(slope.begin(), slope.end(), y.d.begin());
-      y.constant = false;
-      return y;
-    }
   }
 
   H h_;
