@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 
@@ -18,20 +18,14 @@ namespace {
 using namespace experiment;
 constexpr Targets all_targets[] = {{4, 1e-4, 1e-5}, {8, 1e-7, 1e-8}, {16, 1e-10, 1e-11}};
 
-/// Shares of problems within a factor of the best, in steps and in work.
-struct Share {
-  int within_15 = 0, within_2 = 0, work_within_15 = 0, work_within_2 = 0, all = 0, plain = 0,
-      plain_slower = 0, dear = 0;
-};
-
-/// What a scene showed at one order.
-struct Verdict {
-  double steps, work, against_fixed, pilot;
-  bool plain;  ///< No monitor made by hand saves a tenth of the work of fixed steps.
-};
+/// What is counted of a scene at one order: itself; whether the choice is within 1.5 and 2 of the fewest
+/// steps, and of the least work; whether no monitor made by hand saves a tenth of the work of fixed steps,
+/// and the choice then takes a tenth more than those; whether the pilot takes over 0.15 of the work of a
+/// hundred turns.
+using Counted = std::array<bool, 8>;
 
 /// All monitors of a scene at an order.
-Verdict compare(Table& table, Table& choices, const Arena& arena, const Targets& targets, double factor) {
+Counted compare(Table& table, Table& choices, const Arena& arena, const Targets& targets, double factor) {
   const Scene& scene = arena.scene;
   const avi::PhaseFunction& fixed = arena.menu.entries().front().monitor;
   std::vector<HandMade> hand_made = scene.hand_made;
@@ -51,10 +45,10 @@ Verdict compare(Table& table, Table& choices, const Arena& arena, const Targets&
   }
   const auto rows = [&](const std::string& name, const Cost& it) {
     const auto ratio = [](double a, double b) { return std::isfinite(a) ? a / b : unknown; };
-    const auto row = [&](const char* target, const Reached& r) {
-      table.row(scene.name, scene.held_out ? 1 : 0, targets.order, target, name, r.steps, r.seconds,
-                r.position_error, r.energy_error, ratio(it.steps(), best.steps()), r.sweeps,
-                r.sweeps * it.sweep, ratio(it.work(), cheapest.work()));
+    const auto row = [&](const char* target, const Measured& r) {
+      table.row(scene.name, scene.held_out, targets.order, target, name, r.steps, r.seconds, r.position_error,
+                r.energy_error, ratio(it.steps(), best.steps()), r.sweeps, r.sweeps * it.sweep,
+                ratio(it.work(), cheapest.work()));
     };
     row("position", it.position);
     row("energy", it.energy);
@@ -83,14 +77,21 @@ Verdict compare(Table& table, Table& choices, const Arena& arena, const Targets&
                                  run = integrate(method, z, choice.h, avi::Until{.time = scene.time});
                              });
   const double run_work = 10.0 * chosen.sweep * static_cast<double>(run.evaluations);
-  const Verdict verdict{chosen.steps() / best.steps(), chosen.work() / cheapest.work(),
-                        chosen.work() / none.work(), choice.work / run_work * arena.turns / 10.0,
-                        cheapest.work() > 0.9 * none.work()};
-  choices.row(scene.name, scene.held_out ? 1 : 0, targets.order, choice.name, choice.sweeps, choice.time,
-              automatic.steps() / best.steps(), verdict.steps, best_name, automatic.work() / cheapest.work(),
-              verdict.work, cheapest_name, none.steps() / best.steps(), none.work() / cheapest.work(),
-              choice.work / run_work, pilot_seconds, run_seconds, arena.turns, verdict.pilot);
-  return verdict;
+  const double steps = chosen.steps() / best.steps(), work = chosen.work() / cheapest.work();
+  const double pilot = choice.work / run_work;
+  choices.row(scene.name, scene.held_out, targets.order, choice.name, choice.sweeps, choice.time,
+              automatic.steps() / best.steps(), steps, best_name, automatic.work() / cheapest.work(), work,
+              cheapest_name, none.steps() / best.steps(), none.work() / cheapest.work(), pilot, pilot_seconds,
+              run_seconds, arena.turns, pilot * arena.turns / 10.0);
+  const bool plain = cheapest.work() > 0.9 * none.work();
+  return {true,
+          steps <= 1.5,
+          steps <= 2.0,
+          work <= 1.5,
+          work <= 2.0,
+          plain,
+          plain && chosen.work() / none.work() > 1.1,
+          pilot * arena.turns / 10.0 > 0.15};
 }
 
 }  // namespace
@@ -113,54 +114,36 @@ int main(int argc, char** argv) {
                          "pilot_seconds", "run_seconds", "turns", "pilot_share_of_100"});
         for (Table* each : {&table, &choices})
           each->note("seconds", "other experiments may run beside this one; work is what is compared");
-        std::vector<Scene> scenes = celestial_scenes();
-        for (auto* more : {&other_scenes, &further_scenes, &drawn_scenes, &held_out_scenes})
-          for (Scene& scene : more())
-            scenes.push_back(std::move(scene));
+        Scenes scenes;
+        for (const auto& add : {add_celestial, add_other, add_drawn})
+          add(scenes);
         if (frame.quick)
           std::erase_if(scenes, [](const Scene& s) {
             return s.name != "kepler_0.9" && s.name != "lennard_jones" && s.name != "separatrix" &&
                    s.name != "henon_heiles" && s.name != "yukawa";
           });
-        std::map<std::pair<bool, int>, Share> shares;
+        std::map<std::pair<bool, int>, std::array<int, 8>> counts;
         double done = 0.0;
         for (const Scene& scene : scenes) {
           frame.progress(scene.name, done++ / static_cast<double>(scenes.size()));
           const avi::MonitorChoice exact = finest(scene);
-          if (!exact.reached) {  // counts as lost at every order
+          std::optional<Arena> arena;
+          if (exact.reached)
+            arena.emplace(arena_of(scene, exact));
+          else
             fmt::print("{}: no choice reached an energy error\n{}", scene.name, exact.report());
-            for (const Targets& targets : all_targets)
-              ++shares[{scene.held_out, targets.order}].all;
-            continue;
-          }
-          const Arena arena = arena_of(scene, exact);
           for (const Targets& targets : all_targets) {
-            const Verdict v = compare(table, choices, arena, targets, 1.4);
-            Share& share = shares[{scene.held_out, targets.order}];
-            ++share.all;
-            share.within_15 += v.steps <= 1.5;
-            share.within_2 += v.steps <= 2.0;
-            share.work_within_15 += v.work <= 1.5;
-            share.work_within_2 += v.work <= 2.0;
-            share.plain += v.plain;
-            share.plain_slower += v.plain && v.against_fixed > 1.1;
-            share.dear += v.pilot > 0.15;
+            // Without a choice it counts as lost.
+            const Counted counted = arena ? compare(table, choices, *arena, targets, 1.4) : Counted{true};
+            for (std::size_t k = 0; k < counted.size(); ++k)
+              counts[{scene.held_out, targets.order}][k] += counted[k];
           }
         }
         Table summary =
             frame.table({"held_out", "order", "problems", "within_1.5", "within_2", "work_within_1.5",
                          "work_within_2", "plain", "plain_slower", "pilot_over_15"});
-        for (const auto& [key, share] : shares) {
-          summary.row(key.first ? 1 : 0, key.second, share.all, share.within_15, share.within_2,
-                      share.work_within_15, share.work_within_2, share.plain, share.plain_slower, share.dear);
-          fmt::print(
-              "{} order {:2}, {} problems: work within 1.5 of the best by hand on {}, within 2 on {} (steps: "
-              "{}, {}); where none is needed ({}) over a tenth slower on {}; pilot above 15 % of a hundred "
-              "turns on {}\n",
-              key.first ? "held out" : "tuned   ", key.second, share.all, share.work_within_15,
-              share.work_within_2, share.within_15, share.within_2, share.plain, share.plain_slower,
-              share.dear);
-        }
+        for (const auto& [key, n] : counts)
+          summary.row(key.first, key.second, n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7]);
         measure_tolerances(frame, scenes);
         measure_drift(frame, scenes, frame.quick || extremes ? 1000 : 20);
         frame.write(table);

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <limits>
-#include <optional>
 
 /// @file
 /// What a monitor takes to meet a target.
@@ -24,14 +23,15 @@ struct Targets {
 };
 inline constexpr double most_steps = 40000.0;
 
-/// What a run takes that just reaches a target, and its errors.
-struct Reached {
+/// What a run took and its errors; or what it would take to just reach a target.
+struct Measured {
   double steps = unknown, sweeps = unknown, seconds = unknown, position_error = unknown,
          energy_error = unknown;
+  bool ok = false;
 };
 struct Cost {
-  Reached position, energy;
-  double sweep = 1.0;  ///< What a sweep costs, in additions.
+  Measured position, energy;  ///< For the targets of these errors.
+  double sweep = 1.0;         ///< What a sweep costs, in additions.
   /// Geometric mean over both targets; infinite where one was not reached.
   [[nodiscard]] double steps() const { return mean(position.steps * energy.steps); }
   [[nodiscard]] double work() const { return sweep * mean(position.sweeps * energy.sweeps); }
@@ -92,10 +92,6 @@ inline double sweep_of(const Arena& arena, const avi::PhaseFunction& monitor, in
 }
 
 /// One run.
-struct Measured {
-  double steps, sweeps, seconds, position_error, energy_error;
-  bool ok;
-};
 inline Measured measure(const Arena& arena, avi::Collocation<avi::detail::Pilot::Problem>& method, double h,
                         long cap) {
   const avi::PhaseFunction& energy = arena.scene.energy;
@@ -127,31 +123,28 @@ inline Cost cost(const Arena& arena, const avi::PhaseFunction& monitor, const Ta
   if (!(fictive > 0.0) || !std::isfinite(fictive)) return found;
   found.sweep = sweep_of(arena, monitor, targets.order);
   auto method = avi::collocation(poincare(arena.scene.energy, arena.scene.start, monitor), targets.order);
-  std::optional<Measured> before;
+  Measured before;
   const double radians = tour.frequency * arena.scene.time;
   for (double steps = 0.06 * radians * std::pow(targets.energy, -1.0 / targets.order); steps < most_steps;
        steps *= factor) {
     const Measured now = measure(arena, method, fictive / steps, static_cast<long>(2.0 * most_steps));
     if (now.steps > most && found.sweep * now.sweeps > dearest) break;
-    if (!now.ok) {
-      before.reset();
-      continue;
-    }
-    const auto look = [&](Reached& reached, double target, double error, double error_before) {
-      if (!std::isnan(reached.steps) || !(error <= target)) return;
-      double at = 1.0, sweeps_at = 1.0;  // over those of this run
-      if (before && error_before > target && error > 0.0) {
-        const double share = std::log(error_before / target) / std::log(error_before / error);
-        at = std::pow(now.steps / before->steps, share - 1.0);
-        sweeps_at = std::pow(now.sweeps / before->sweeps, share - 1.0);
-      }
-      reached = {now.steps * at, now.sweeps * sweeps_at, now.seconds * sweeps_at, now.position_error,
-                 now.energy_error};
+    const auto look = [&](Measured& reached, double target, double Measured::*error) {
+      if (!std::isnan(reached.steps) || !(now.*error <= target)) return;
+      reached = now;
+      if (!(before.*error > target && now.*error > 0.0)) return;
+      const double share = std::log(before.*error / target) / std::log(before.*error / now.*error);
+      const double sweeps = std::pow(now.sweeps / before.sweeps, share - 1.0);  // over those of this run
+      reached.steps *= std::pow(now.steps / before.steps, share - 1.0);
+      reached.sweeps *= sweeps;
+      reached.seconds *= sweeps;
     };
-    look(found.position, targets.position, now.position_error, before ? before->position_error : unknown);
-    look(found.energy, targets.energy, now.energy_error, before ? before->energy_error : unknown);
-    before = now;
-    if (std::isfinite(found.steps())) break;
+    if (now.ok) {
+      look(found.position, targets.position, &Measured::position_error);
+      look(found.energy, targets.energy, &Measured::energy_error);
+      if (std::isfinite(found.steps())) break;
+    }
+    before = now.ok ? now : Measured();
   }
   return found;
 }

@@ -2,6 +2,8 @@
 #include "avi/automatic/phase_function.hpp"
 #include "avi/core/state.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <functional>
 #include <string>
@@ -34,33 +36,35 @@ struct Scene {
 
 /// A formula as one writes it.
 using Function = std::function<Recorded(const V&, const V&)>;
-/// A scale of a problem.
+/// A scale of a problem; it is tried as a monitor to each of the powers.
 struct Scale {
   std::string name;
   Function scale;
+  std::vector<double> powers{0.5, 1.0, 1.5, 2.0};  ///< What suits a length.
 };
 
-/// The scene of H(q, p); each scale is tried as a monitor to each of the powers.
-inline Scene scene(std::string name, bool held_out, const Function& energy, std::vector<double> q,
-                   std::vector<double> p, double time, const std::vector<Scale>& scales = {},
-                   const std::vector<double>& powers = {}) {
-  const auto n = static_cast<Eigen::Index>(q.size());
-  Scene made{std::move(name),
-             held_out,
-             avi::phase_function(energy, n),
-             {.q = Eigen::Map<Eigen::VectorXd>(q.data(), n), .p = Eigen::Map<Eigen::VectorXd>(p.data(), n)},
-             time,
-             {}};
-  for (const Scale& scale : scales)
-    for (const double power : powers) {
-      std::string label = scale.name + "^" + std::to_string(power);
-      label.resize(label.find('.') + 3);
-      made.hand_made.push_back(
-          {label,
-           avi::phase_function([&](const V& x, const V& y) { return pow(scale.scale(x, y), power); }, n)});
-    }
-  return made;
-}
+/// Scenes in the order of the tables.
+class Scenes : public std::vector<Scene> {
+ public:
+  bool held_out = false;  ///< Those to come.
+
+  /// Adds the scene of H(q, p) from a start over a time.
+  void add(const std::string& name, std::vector<double> q, std::vector<double> p, double time,
+           const std::vector<Scale>& scales, const Function& energy) {
+    const auto n = static_cast<Eigen::Index>(q.size());
+    push_back({name,
+               held_out,
+               avi::phase_function(energy, n),
+               {.q = Eigen::Map<Eigen::VectorXd>(q.data(), n), .p = Eigen::Map<Eigen::VectorXd>(p.data(), n)},
+               time,
+               {}});
+    for (const Scale& scale : scales)
+      for (const double power : scale.powers)
+        back().hand_made.push_back(
+            {fmt::format("{}^{:.2f}", scale.name, power),
+             avi::phase_function([&](const V& x, const V& y) { return pow(scale.scale(x, y), power); }, n)});
+  }
+};
 
 /// @name Pieces of formulas
 /// @{
@@ -93,13 +97,17 @@ inline std::vector<Scale> pair_lengths(const std::vector<double>& masses) {
 }
 /// |q| in the plane.
 inline const Scale radius{"r", [](const V& q, const V&) { return sqrt(radius_squared(q)); }};
-inline const std::vector<double> powers_of_length{0.5, 1.0, 1.5, 2.0};
+/// q_1, where it is a distance.
+inline const Scale distance{"r", [](const V& q, const V&) { return q[0]; }};
+/// Of an angle from a pole.
+inline const Scale sine{"sine", [](const V& q, const V&) { return sin(q[0]); }};
+/// Of a quartic well.
+inline const Scale stiffness{
+    "stiffness", [](const V& q, const V&) { return 1.0 / (1.0 + square(q[0])); }, {0.25, 0.5, 1.0}};
 /// @}
 
-std::vector<Scene> celestial_scenes();  ///< Attraction by inverse squares, and a charge in a dipole's field.
-std::vector<Scene> other_scenes();      ///< Oscillators, springs, walls, molecules.
-std::vector<Scene> further_scenes();    ///< Ten held out from a first search and looked at since.
-std::vector<Scene> drawn_scenes();      ///< Twelve more of those.
-std::vector<Scene> held_out_scenes();   ///< Not looked at before the formula was final.
+void add_celestial(Scenes&);  ///< Attraction by inverse squares, and a charge in a dipole's field.
+void add_other(Scenes&);  ///< Oscillators, springs, walls, molecules, of which ten had been held out once.
+void add_drawn(Scenes&);  ///< Twelve drawn by a rule and looked at since, and the twelve held out.
 
 }  // namespace experiment
