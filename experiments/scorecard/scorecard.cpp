@@ -1,12 +1,10 @@
 #include "common/frame.hpp"
 #include "scorecard/claims/claims.hpp"
 #include "scorecard/numbers/sheets.hpp"
-#include "scorecard/report.hpp"
 #include "scorecard/shares.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 /// @file
@@ -15,26 +13,64 @@
 
 namespace {
 
-/// Lines of a published table that no sheet judges: missing, every one.
-std::vector<scorecard::Line> unjudged(const std::string& stem, const std::filesystem::path& published) {
-  const auto refuse = [](const scorecard::Cell&, const experiment::Table&) -> scorecard::Judgement {
-    throw std::logic_error("No sheet judges this table.");
-  };
-  return scorecard::judge({stem, stem, refuse}, published, published);
+using namespace scorecard;
+using experiment::Table;
+
+/// @throws std::runtime_error where a published table has no sheet.
+void require_sheets(const std::filesystem::path& published) {
+  const auto sheets = scorecard::sheets();
+  for (const auto& entry : std::filesystem::directory_iterator(published))
+    if (const std::string stem = entry.path().stem();
+        entry.path().extension() == ".tsv" && stem != "claims" &&
+        std::ranges::find(sheets, stem, &Sheet::stem) == sheets.end())
+      throw std::runtime_error(fmt::format("No sheet judges '{}'.", entry.path().string()));
 }
 
-/// Stems of published tables without a sheet.
-std::vector<std::string> left_over(const std::vector<scorecard::Sheet>& sheets,
-                                   const std::filesystem::path& published) {
-  std::vector<std::string> stems;
-  for (const auto& entry : std::filesystem::directory_iterator(published)) {
-    const std::string stem = entry.path().stem();
-    const bool has_sheet = stem == "claims" ||
-                           std::ranges::any_of(sheets, [&](const auto& sheet) { return sheet.stem == stem; });
-    if (entry.path().extension() == ".tsv" && !has_sheet) stems.push_back(stem);
+constexpr std::ptrdiff_t listed_singly = 9;  ///< Longer groups with one verdict and note are counted.
+
+/// The words of a text in lines of at most 110 columns, each indented by four.
+std::string wrapped(const std::string& text) {
+  std::string out, line;
+  std::istringstream words(text);
+  for (std::string word; words >> word; line += ' ' + word)
+    if (line.size() + 4 + word.size() > 110) out += "   " + line + '\n', line.clear();
+  return line.empty() ? out : out + "   " + line + '\n';
+}
+
+/// Lines of the scorecard: how many cells have which verdict, then every cell that is not exact, with its
+/// note. Cells that follow each other with one verdict and note share the note.
+std::string report(const std::string& title, const Table& lines) {
+  std::string out = fmt::format("\n{} - {}\n", title, summary("published numbers", shares(lines, "verdict")));
+  const auto all = rows(lines);
+  for (auto first = all.begin(); first != all.end();) {
+    const std::string &verdict = first->text("verdict"), &note = first->text("note");
+    const auto last = std::find_if(first, all.end(), [&](const Row& line) {
+      return line.text("verdict") != verdict || line.text("note") != note;
+    });
+    const auto cell = [](const Row& line) { return line.text("row") + ' ' + line.text("quantity"); };
+    if (verdict != "exact") {
+      if (last - first > listed_singly)
+        out += fmt::format("  {:<9} {} cells, {} to {}\n", verdict, last - first, cell(*first),
+                           cell(*(last - 1)));
+      else
+        for (auto line = first; line != last; ++line)
+          out += fmt::format("  {:<9} {:<24} {:<13} printed {:<10} ours {}\n", verdict, line->text("row"),
+                             line->text("quantity"), line->text("published"), line->text("reproduced"));
+      out += wrapped(note);
+    }
+    first = last;
   }
-  std::ranges::sort(stems);
-  return stems;
+  return out;
+}
+
+/// The ledger of claims; what is not held has its evidence.
+std::string report_claims(const Table& ledger) {
+  std::string out = fmt::format("\nClaims of the text - {}\n", summary("claims", shares(ledger, "ruling")));
+  for (const Row& line : rows(ledger)) {
+    out += fmt::format("  {:<9} {:<14} {}\n", line.text("ruling"), line.text("source"), line.text("claim"));
+    if (line.text("ruling") != "holds") out += wrapped(line.text("evidence"));
+  }
+  return out;
 }
 
 }  // namespace
@@ -48,53 +84,44 @@ int main(int argc, char** argv) {
   return experiment::run(
       argc, argv, "scorecard", "Compares every number that the paper prints with ours.", options,
       [&](const experiment::Frame& frame) {
-        experiment::Table table = frame.table(
+        require_sheets(published);
+        const Results results({data});
+        Table cells = frame.table(
             {"source", "row", "quantity", "published", "reproduced", "verdict", "note", "kind", "settings"});
-        table.note("settings",
+        cells.note("settings",
                    "recovered: the run has one that is not printed and was found by printed outcomes");
-        std::vector<scorecard::Line> all;
-        const auto add = [&](const std::string& title, const std::vector<scorecard::Line>& lines) {
-          for (const auto& [source, row, quantity, printed, judgement] : lines)
-            table.row(source, row, quantity, printed, judgement.reproduced, name(judgement.verdict),
-                      judgement.note, name(scorecard::kind_of(row, quantity)),
-                      scorecard::settings_of(judgement));
-          fmt::print("{}", scorecard::report(title, lines));
-          all.insert(all.end(), lines.begin(), lines.end());
-        };
-        const auto sheets = scorecard::sheets();
-        for (const auto& sheet : sheets)
-          add(sheet.title, scorecard::judge(sheet, published, data));
-        for (const auto& stem : left_over(sheets, published))
-          add(stem, unjudged(stem, published));
-        const auto missing = std::ranges::count_if(
-            all, [](const auto& line) { return line.judgement.verdict == scorecard::Verdict::missing; });
-        experiment::Table ledger =
-            frame.table({"source", "key", "claim", "experiment", "test", "ruling", "evidence"});
-        const auto claims = scorecard::judge_claims(published, scorecard::Results({data}));
-        for (const auto& c : claims)
-          ledger.row(c.source, c.key, c.claim, c.experiment, c.test, name(c.finding.ruling),
-                     c.finding.evidence);
-        fmt::print("{}", scorecard::report(claims));
-        const auto unruled = std::ranges::count_if(
-            claims, [](const auto& claim) { return claim.finding.ruling == scorecard::Ruling::missing; });
-        experiment::Table verdicts({"source", "row", "quantity", "verdict", "settings"});
-        for (const auto& line : all)
-          verdicts.row(line.source, line.row, line.quantity, name(line.judgement.verdict),
-                       scorecard::settings_of(line.judgement));
-        for (const auto& c : claims)
-          verdicts.row("text", c.key, "claim", name(c.finding.ruling), "");
+        for (const Sheet& sheet : sheets()) {
+          Table lines(cells.columns);
+          for (const auto& [source, row, quantity, printed, judgement] : judge(sheet, published, results))
+            lines.row(source, row, quantity, printed, judgement.reproduced, name(judgement.verdict),
+                      judgement.note, name(kind_of(row, quantity)),
+                      judgement.recovered ? "recovered" : "printed");
+          fmt::print("{}", report(sheet.title, lines));
+          cells.rows.insert(cells.rows.end(), lines.rows.begin(), lines.rows.end());
+        }
+        Table claims = frame.table({"source", "key", "claim", "experiment", "test", "ruling", "evidence"});
+        for (const auto& [source, key, claim, experiment, test, finding] : judge_claims(published, results))
+          claims.row(source, key, claim, experiment, test, name(finding.ruling), finding.evidence);
+        fmt::print("{}", report_claims(claims));
+        Table verdicts({"source", "row", "quantity", "verdict", "settings"});
+        for (const Row& cell : rows(cells))
+          verdicts.row(cell.text("source"), cell.text("row"), cell.text("quantity"), cell.text("verdict"),
+                       cell.text("settings"));
+        for (const Row& claim : rows(claims))
+          verdicts.row("text", claim.text("key"), "claim", claim.text("ruling"), "");
         verdicts.write(frame.output / "scorecard_verdicts.tsv");
-        frame.write(ledger, "claims");
-        frame.write(table);
-        const auto all_of = [&](const char* what, scorecard::Kind kind) {
-          return scorecard::summary(what, scorecard::shares(scorecard::of_kind(table, kind), "verdict"));
+        frame.write(claims, "claims");
+        frame.write(cells);
+        const auto all_of = [&](const char* what, Kind kind) {
+          return summary(what, shares(of_kind(cells, kind), "verdict"), true);
         };
         fmt::print("\nAll outcomes - {}\n{} of the exact ones follow from printed settings alone.\n"
                    "All inputs - {}\nAll seconds - {}\nAll claims - {}\n",
-                   all_of("printed outcomes", scorecard::Kind::outcome), scorecard::predicted(table),
-                   all_of("printed inputs", scorecard::Kind::input),
-                   all_of("printed seconds", scorecard::Kind::seconds),
-                   scorecard::summary("claims of the text", scorecard::shares(ledger, "ruling")));
+                   all_of("printed outcomes", Kind::outcome), predicted(cells),
+                   all_of("printed inputs", Kind::input), all_of("printed seconds", Kind::seconds),
+                   summary("claims of the text", shares(claims, "ruling"), true));
+        const auto missing = rows(cells, {{"verdict", "missing"}}).size(),
+                   unruled = rows(claims, {{"ruling", "missing"}}).size();
         if (missing + unruled > 0)
           throw std::runtime_error(
               fmt::format("{} published numbers and {} claims have no data to judge them by; see above.",

@@ -3,8 +3,6 @@
 #include "scorecard/claims/claims.hpp"
 #include "scorecard/numbers/sheet.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace scorecard {
@@ -29,40 +27,29 @@ experiment::Table of_kind(const experiment::Table& cells, Kind kind) {
 }
 
 std::vector<Share> shares(const experiment::Table& table, std::string_view column) {
-  std::vector<std::string> names;
-  for (int v = 0; v < verdicts; ++v)
-    names.emplace_back(name(static_cast<Verdict>(v)));
-  for (int r = 0; r < rulings; ++r)
-    if (std::string ruling(name(static_cast<Ruling>(r))); std::ranges::find(names, ruling) == names.end())
-      names.push_back(ruling);
+  std::vector<std::string_view> names(verdicts.begin(), verdicts.end());
+  std::ranges::copy_if(rulings, std::back_inserter(names), [](auto name) { return name != "missing"; });
   std::vector<Share> found;
-  for (const std::string& each : names) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < table.rows.size(); ++i)
-      count += table.text(i, column) == each;
-    if (count > 0)
-      found.push_back({each, count, static_cast<double>(count) / static_cast<double>(table.rows.size())});
-  }
+  for (const auto name : names)
+    if (const auto count = rows(table, {{column, name}}).size(); count > 0)
+      found.push_back(
+          {std::string(name), count, static_cast<double>(count) / static_cast<double>(table.rows.size())});
   return found;
 }
 
 std::size_t predicted(const experiment::Table& cells) {
-  const experiment::Table outcomes = of_kind(cells, Kind::outcome);
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < outcomes.rows.size(); ++i)
-    count += outcomes.text(i, "verdict") == "exact" && outcomes.text(i, "settings") == "printed";
-  return count;
+  return rows(of_kind(cells, Kind::outcome), {{"verdict", "exact"}, {"settings", "printed"}}).size();
 }
 
-std::string summary(std::string_view what, const std::vector<Share>& shares) {
+std::string summary(std::string_view what, const std::vector<Share>& shares, bool with_parts) {
   std::size_t all = 0;
-  std::string out;
+  std::vector<std::string> each;
   for (const Share& share : shares) {
-    out += fmt::format("{} {} {} ({:.1f} %)", out.empty() ? ":" : ",", share.count, share.name,
-                       100.0 * share.part);
     all += share.count;
+    each.push_back(fmt::format("{} {}", share.count, share.name));
+    if (with_parts) each.back() += fmt::format(" ({:.1f} %)", 100.0 * share.part);
   }
-  return fmt::format("{} {}{}.", all, what, out);
+  return fmt::format("{} {}: {}.", all, what, fmt::join(each, ", "));
 }
 
 }  // namespace scorecard

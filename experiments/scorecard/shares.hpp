@@ -11,13 +11,6 @@
 
 namespace scorecard {
 
-/// One verdict or ruling.
-struct Share {
-  std::string name;
-  std::size_t count;
-  double part;  ///< of all
-};
-
 /// What a published number is: a setting that the run is given, a result, or seconds of another machine.
 enum class Kind { outcome, input, seconds };
 
@@ -31,6 +24,13 @@ Kind kind_of(std::string_view row, std::string_view quantity);
 /// The rows of a table with columns `row` and `quantity` whose numbers are of one kind.
 experiment::Table of_kind(const experiment::Table& cells, Kind kind);
 
+/// One verdict or ruling.
+struct Share {
+  std::string name;
+  std::size_t count;
+  double part;  ///< of all
+};
+
 /// The values of a table's column in the order of Verdict and Ruling, those that do not occur left out.
 std::vector<Share> shares(const experiment::Table& table, std::string_view column);
 
@@ -38,7 +38,7 @@ std::vector<Share> shares(const experiment::Table& table, std::string_view colum
 /// fit.
 std::size_t predicted(const experiment::Table& cells);
 
-/// "227 published numbers: 196 exact (86.3 %), ...".
-std::string summary(std::string_view what, const std::vector<Share>& shares);
+/// "227 published numbers: 196 exact, ...", with or without their parts in per cent.
+std::string summary(std::string_view what, const std::vector<Share>& shares, bool with_parts = false);
 
 }  // namespace scorecard

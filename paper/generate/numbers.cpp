@@ -2,11 +2,14 @@
 
 #include "generate/latex.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
+#include <numeric>
 #include <optional>
+#include <regex>
 #include <stdexcept>
 
 namespace paper {
@@ -23,97 +26,74 @@ std::optional<double> plain_number(std::string_view text) {
   return value;
 }
 
-/// column=cell, or column<number.
-struct Condition {
-  std::string column, cell;
-  bool below = false;
-  [[nodiscard]] bool holds(const experiment::Table& table, std::size_t row) const {
-    if (!below) return scorecard::same(table.text(row, column), cell);
-    return table.number(row, column) < plain_number(cell).value_or(std::nan(""));
+std::vector<std::string_view> split(std::string_view text, char at) {
+  std::vector<std::string_view> parts;
+  while (!text.empty()) {
+    const auto end = std::min(text.find(at), text.size());
+    parts.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
   }
-};
-
-struct Reference {
-  std::string aggregate, stem, column;
-  std::vector<Condition> where;
-};
-
-Reference parse(std::string_view term) {
-  Reference ref;
-  std::string_view rest = term;
-  for (const char* aggregate : {"max", "min", "sum", "count"})
-    if (rest.starts_with(std::string(aggregate) + ":")) {
-      ref.aggregate = aggregate;
-      rest.remove_prefix(ref.aggregate.size() + 1);
-    }
-  const auto open = rest.find('['), close = rest.rfind(']');
-  if (open == std::string_view::npos || close == std::string_view::npos || close < open)
-    refuse("There is no [...]", term);
-  ref.stem = rest.substr(0, open);
-  std::string_view conditions = rest.substr(open + 1, close - open - 1);
-  while (!conditions.empty()) {
-    const auto comma = std::min(conditions.find(','), conditions.size());
-    const std::string_view condition = conditions.substr(0, comma);
-    const auto sign = condition.find_first_of("=<");
-    if (sign == std::string_view::npos) refuse("A condition has neither = nor <", term);
-    ref.where.push_back({std::string(condition.substr(0, sign)), std::string(condition.substr(sign + 1)),
-                         condition[sign] == '<'});
-    conditions.remove_prefix(std::min(comma + 1, conditions.size()));
-  }
-  rest.remove_prefix(close + 1);
-  if (ref.aggregate == "count") {
-    if (!rest.empty()) refuse("count: takes no column", term);
-  } else if (!rest.starts_with('.') || rest.size() < 2) {
-    refuse("There is no column", term);
-  } else {
-    ref.column = rest.substr(1);
-  }
-  return ref;
+  return parts;
 }
 
 double value_of(const scorecard::Results& data, std::string_view term) {
   if (const auto number = plain_number(term)) return *number;
-  const Reference ref = parse(term);
-  const experiment::Table& table = data(ref.stem);
-  double least = std::numeric_limits<double>::infinity(), most = -least, sum = 0.0, count = 0.0;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    if (!std::ranges::all_of(ref.where, [&](const Condition& c) { return c.holds(table, i); })) continue;
-    ++count;
-    if (ref.column.empty()) continue;
-    const auto sign = ref.column.find_first_of(":-");
-    double value = table.number(i, ref.column.substr(0, sign));
-    if (sign != std::string::npos) {
-      const double second = table.number(i, ref.column.substr(sign + 1));
-      value = ref.column[sign] == ':' ? value / second : value - second;
-    }
-    if (ref.aggregate.empty()) return value;
-    if (std::isnan(value)) continue;
-    least = std::min(least, value), most = std::max(most, value), sum += value;
+  const auto aggregate_end = term.find(':'), close = term.rfind(']');
+  const bool aggregated = aggregate_end < term.find('[');
+  if (close == std::string_view::npos) refuse("There is no [...]", term);
+  const std::string_view aggregate = aggregated ? term.substr(0, aggregate_end) : "";
+  const std::size_t begin = aggregated ? aggregate_end + 1 : 0;
+  const auto rows = selected(data, term.substr(begin, close + 1 - begin));
+  std::string_view wanted = term.substr(close + 1);
+  if (aggregate == "count") {
+    if (!wanted.empty()) refuse("count: takes no column", term);
+    return static_cast<double>(rows.size());
   }
-  if (ref.aggregate == "count") return count;
-  if (ref.aggregate.empty() || most < least)
-    throw std::out_of_range(fmt::format("The data have no row for '{}'.", term));
-  return ref.aggregate == "max" ? most : ref.aggregate == "min" ? least : sum;
-}
-
-/// Splits at spaces outside brackets.
-std::vector<std::string> words(std::string_view text) {
-  std::vector<std::string> found(1);
-  int depth = 0;
-  for (const char c : text) {
-    depth += (c == '[') - (c == ']');
-    if (c == ' ' && depth == 0)
-      found.emplace_back();
-    else
-      found.back() += c;
-  }
-  return found;
+  if (!wanted.starts_with('.') || wanted.size() < 2) refuse("There is no column", term);
+  wanted.remove_prefix(1);
+  const auto value_in = [&](const scorecard::Row& row) {
+    const auto sign = wanted.find_first_of(":-");
+    const double value = row.number(wanted.substr(0, sign));
+    if (sign == std::string_view::npos) return value;
+    const double second = row.number(wanted.substr(sign + 1));
+    return wanted[sign] == ':' ? value / second : value - second;
+  };
+  std::vector<double> values;
+  for (const auto& row : rows)
+    if (const double value = value_in(row); !aggregated || !std::isnan(value)) values.push_back(value);
+  if (values.empty()) throw std::out_of_range(fmt::format("The data have no row for '{}'.", term));
+  if (!aggregated) return values.front();
+  if (aggregate == "max") return std::ranges::max(values);
+  if (aggregate == "min") return std::ranges::min(values);
+  if (aggregate == "sum") return std::accumulate(values.begin(), values.end(), 0.0);
+  refuse("There is none of max:, min:, sum: and count:", term);
 }
 
 }  // namespace
 
+std::vector<scorecard::Row> selected(const scorecard::Results& data, std::string_view text) {
+  const auto open = text.find('[');
+  if (open == std::string_view::npos || !text.ends_with(']')) refuse("There is no [...]", text);
+  auto rows = data.rows(std::string(text.substr(0, open)));
+  for (const auto condition : split(text.substr(open + 1, text.size() - open - 2), ',')) {
+    const auto sign = condition.find_first_of("=<");
+    if (sign == std::string_view::npos) refuse("A condition has neither = nor <", text);
+    const auto column = condition.substr(0, sign), wanted = condition.substr(sign + 1);
+    std::erase_if(rows, [&](const scorecard::Row& row) {
+      if (condition[sign] == '<') return !(row.number(column) < plain_number(wanted).value_or(std::nan("")));
+      return std::ranges::none_of(split(wanted, '|'),
+                                  [&](auto cell) { return scorecard::same(row.text(column), cell); });
+    });
+  }
+  return rows;
+}
+
 double evaluate(const scorecard::Results& data, std::string_view formula) {
-  const auto terms = words(formula);
+  static const std::regex term(R"(([^ \[]|\[[^\]]*\])+)");  // between spaces outside brackets
+  const std::string text(formula);
+  std::vector<std::string> terms;
+  for (std::sregex_iterator match(text.begin(), text.end(), term); match != std::sregex_iterator(); ++match)
+    terms.push_back(match->str());
   if (terms.size() % 2 == 0) refuse("An operator has no second term", formula);
   double result = value_of(data, terms[0]);
   for (std::size_t i = 1; i < terms.size(); i += 2) {
@@ -134,8 +114,8 @@ double evaluate(const scorecard::Results& data, std::string_view formula) {
 
 std::string numbers_tex(const scorecard::Results& data, const experiment::Table& list) {
   std::string out = "% Made by paper_numbers from build/data and paper/numbers.tsv.\n";
-  for (std::size_t i = 0; i < list.rows.size(); ++i) {
-    const std::string &name = list.text(i, "name"), &formula = list.text(i, "formula");
+  for (const auto& row : scorecard::rows(list)) {
+    const std::string& formula = row.text("formula");
     std::string text;
     if (formula.starts_with("head:")) {
       const auto colon = formula.find(':', 5);
@@ -143,9 +123,9 @@ std::string numbers_tex(const scorecard::Results& data, const experiment::Table&
         if (key == formula.substr(colon + 1)) text = escaped(value);
       if (text.empty()) throw std::out_of_range(fmt::format("The data have no head for '{}'.", formula));
     } else {
-      text = latex_number(evaluate(data, formula), list.text(i, "format"));
+      text = latex_number(evaluate(data, formula), row.text("format"));
     }
-    out += fmt::format("\\defval{{{}}}{{{}}}\n", name, text);
+    out += fmt::format("\\defval{{{}}}{{{}}}\n", row.text("name"), text);
   }
   return out;
 }

@@ -1,19 +1,26 @@
 #pragma once
-#include "scorecard/claims/claims.hpp"
+#include "scorecard/results.hpp"
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 /// @file
 /// Numbers of the text: each has a name and a formula over the cells of data files, in paper/numbers.tsv.
 
 namespace paper {
 
+/// `stem[conditions]`: the rows of stem.tsv that satisfy all conditions, which have commas between them and
+/// are each `column=cell`, with bars between several cells, or `column<number`.
+/// @throws std::invalid_argument for a text that cannot be read, and as Results.
+std::vector<scorecard::Row> selected(const scorecard::Results& data, std::string_view text);
+
 /// The value of a formula: terms separated by spaces and one of / * + -, taken from left to right. A term is
 /// a number, or
 ///
-///   stem[column=cell,...].wanted      the cell of the first row of stem.tsv that satisfies all conditions,
-///   max:, min: or sum: before it      over all rows that do (cells that are nan are left out),
-///   count:stem[column=cell,...]       how many rows do; a condition may also be column<number;
+///   stem[conditions].wanted       the cell of the first row that satisfies the conditions,
+///   max:, min: or sum: before it  over all rows that do (cells that are nan are left out),
+///   count:stem[conditions]        how many rows do;
 ///
 /// `wanted` is a column, or two with a colon between them for their ratio, or a minus for their difference.
 /// @throws std::invalid_argument for a formula that cannot be read, std::out_of_range where no row is found.

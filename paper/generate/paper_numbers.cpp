@@ -48,8 +48,8 @@ int main(int argc, char** argv) {
         write(tables / "provenance.tex", paper::provenance_table(results("manifest")));
         const experiment::Table list = experiment::Table::read(source / "tables.tsv");
         std::set<std::string> names;
-        for (std::size_t i = 0; i < list.rows.size(); ++i)
-          names.insert(list.text(i, "table"));
+        for (const auto& column : scorecard::rows(list))
+          names.insert(column.text("table"));
         for (const auto& name : names)
           write(tables / (name + ".tex"), paper::declared_table(results, list, name));
         write(frame.output / "numbers.tex",

@@ -1,12 +1,18 @@
 #pragma once
-#include "scorecard/claims/claims.hpp"
+#include "scorecard/results.hpp"
 
 #include <string>
 
 /// @file
-/// Tables of the paper; each function returns a LaTeX tabular.
+/// Tables of the paper as LaTeX.
 
 namespace paper {
+
+/// A tabular: alignment of the columns, cells of its head, and lines.
+std::string tabular(const std::string& alignment, const std::string& head, const std::string& lines);
+
+/// Same, for a table that may take several pages.
+std::string longtable(const std::string& alignment, const std::string& head, const std::string& lines);
 
 /// A published table, two lines for each of its rows: as printed, and ours with the mark of its verdict.
 /// Seconds become multiples of the Stormer-Verlet row's, printed and ours. `card` is
@@ -32,7 +38,7 @@ std::string shares_table(const experiment::Table& card, const experiment::Table&
 /// The files of build/data/manifest.tsv with date, commit and checksum.
 std::string provenance_table(const experiment::Table& manifest);
 
-/// A table that paper/tables.tsv declares: rows of a data file that satisfy its conditions, some columns.
+/// A table that paper/tables.tsv declares: some columns of some rows of a data file.
 std::string declared_table(const scorecard::Results& data, const experiment::Table& list,
                            const std::string& name);
 

@@ -81,11 +81,15 @@ class KeplerSheet : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder); }
 
+  /// A table of the paper, judged from the folder.
+  [[nodiscard]] std::vector<Line> lines(const char* stem) const {
+    return judge({stem, "", scorecard::judge_kepler}, AVI_PUBLISHED_DIR, scorecard::Results({folder}));
+  }
   /// "row quantity" -> verdict of every cell that is not exact, seconds left out.
   std::map<std::string, Verdict> inexact() {
     data.write(folder / "kepler_e090.tsv");
     std::map<std::string, Verdict> found;
-    for (const Line& line : judge(scorecard::kepler_sheet("kepler_e090", ""), AVI_PUBLISHED_DIR, folder))
+    for (const Line& line : lines("kepler_e090"))
       if (line.judgement.verdict != Verdict::exact && line.quantity != "seconds")
         found[line.row + ' ' + line.quantity] = line.judgement.verdict;
     return found;
@@ -122,7 +126,7 @@ TEST_F(KeplerSheet, TellsWhatRestsOnARecoveredSetting) {
   at(0, "steps") = "180";
   data.write(folder / "kepler_e090.tsv");
   std::set<std::string> printed;
-  for (const Line& line : judge(scorecard::kepler_sheet("kepler_e090", ""), AVI_PUBLISHED_DIR, folder))
+  for (const Line& line : lines("kepler_e090"))
     if (!line.judgement.recovered && scorecard::kind_of(line.row, line.quantity) == scorecard::Kind::outcome)
       printed.insert(line.row + ' ' + line.quantity);
   EXPECT_EQ(printed, (std::set<std::string>{"HTVI4 gamma min_step", "HTVI4 gamma steps", "SV energy_error",
@@ -141,7 +145,7 @@ TEST_F(KeplerSheet, SaysWhatIsMissing) {
   const Found found = inexact();
   EXPECT_EQ(found.size(), 8 + slips.size());
   EXPECT_EQ(found.at("HTVI4 energy steps"), Verdict::missing);
-  for (const Line& line : judge(scorecard::kepler_sheet("kepler_e099", ""), AVI_PUBLISHED_DIR, folder)) {
+  for (const Line& line : lines("kepler_e099")) {
     EXPECT_EQ(line.judgement.verdict, Verdict::missing);
     EXPECT_NE(line.judgement.note.find("kepler_e099.tsv"), std::string::npos);
   }

@@ -1,79 +1,72 @@
 #include "scorecard/claims/claims.hpp"
 
-#include "scorecard/wrapped.hpp"
-
-#include <array>
+#include <algorithm>
 #include <stdexcept>
 
 namespace scorecard {
 
-std::string_view name(Ruling ruling) {
-  static constexpr std::array<std::string_view, rulings> names{"holds", "consistent", "in part",
-                                                               "fails", "undecided",  "missing"};
-  return names.at(static_cast<std::size_t>(ruling));
+void Cases::add(bool holds, double value) {
+  ++all;
+  holding += holds;
+  least = std::fmin(least, value);
+  most = std::fmax(most, value);
 }
 
-Ruling in_cases(std::size_t holding, std::size_t cases) {
-  if (cases == 0) throw std::out_of_range("The data hold no case of this claim.");
-  return holding == cases ? Ruling::holds : holding > 0 ? Ruling::in_part : Ruling::fails;
+Ruling in_cases(const Cases& cases) {
+  if (cases.all == 0) throw std::out_of_range("The data hold no case of this claim.");
+  return cases.holding == cases.all ? Ruling::holds : cases.holding > 0 ? Ruling::in_part : Ruling::fails;
 }
 
-Ruling theorem(std::size_t holding, std::size_t cases) {
-  return in_cases(holding, cases) == Ruling::holds ? Ruling::consistent : Ruling::fails;
+Ruling theorem(const Cases& cases) {
+  return in_cases(cases) == Ruling::holds ? Ruling::consistent : Ruling::fails;
 }
 
-const experiment::Table& Results::operator()(const std::string& stem) const {
-  const auto known = tables_.find(stem);
-  if (known != tables_.end()) return known->second;
-  for (const auto& folder : folders_)
-    if (const auto file = folder / (stem + ".tsv"); std::filesystem::exists(file))
-      return tables_.emplace(stem, experiment::Table::read(file)).first->second;
-  throw std::runtime_error("There are no data " + stem + ".tsv.");
+bool Comparison::has(std::string_view monitor) const {
+  return std::ranges::any_of(runs, [&](const Row& run) { return run.text("monitor") == monitor; });
+}
+
+double Comparison::operator()(std::string_view monitor, std::string_view column) const {
+  for (const Row& run : runs)
+    if (run.text("monitor") == monitor) return run.number(column);
+  throw std::out_of_range(fmt::format("The data have no run with monitor {}.", monitor));
+}
+
+std::vector<Comparison> comparisons(const experiment::Table& table,
+                                    std::initializer_list<std::string_view> columns,
+                                    std::initializer_list<std::string_view> monitors) {
+  std::vector<Comparison> all;
+  for (const Row& row : rows(table)) {
+    const auto takes_part = [&](const Comparison& comparison) {
+      return std::ranges::all_of(
+          columns, [&](auto column) { return row.text(column) == comparison.runs.front().text(column); });
+    };
+    const auto known = std::ranges::find_if(all, takes_part);
+    (known == all.end() ? all.emplace_back() : *known).runs.push_back(row);
+  }
+  std::erase_if(all, [&](const Comparison& comparison) {
+    return !std::ranges::all_of(monitors, [&](auto monitor) { return comparison.has(monitor); });
+  });
+  return all;
 }
 
 std::vector<ClaimLine> judge_claims(const std::filesystem::path& published, const Results& results) {
-  const experiment::Table ledger = experiment::Table::read(published / "claims.tsv");
+  Decisions decisions;
+  for (const auto* chapter : {&euler_b_decisions(), &htvi_decisions(), &structure_decisions(),
+                              &dynamics_decisions(), &optimiser_decisions()})
+    decisions.insert(chapter->begin(), chapter->end());
   std::vector<ClaimLine> lines;
-  for (std::size_t i = 0; i < ledger.rows.size(); ++i) {
-    ClaimLine line{.source = ledger.text(i, "source"),
-                   .key = ledger.text(i, "key"),
-                   .claim = ledger.text(i, "claim"),
-                   .experiment = ledger.text(i, "experiment"),
-                   .test = ledger.text(i, "test"),
-                   .finding = {Ruling::missing, "Nothing decides this claim."}};
-    for (const auto* decisions : {&euler_b_decisions(), &htvi_decisions(), &structure_decisions(),
-                                  &dynamics_decisions(), &optimiser_decisions()})
-      if (const auto found = decisions->find(line.key); found != decisions->end()) try {
-          line.finding = found->second(results);
-        } catch (const std::exception& error) {
-          line.finding = {Ruling::missing, error.what()};
-        }
-    lines.push_back(std::move(line));
+  const experiment::Table ledger = experiment::Table::read(published / "claims.tsv");
+  for (const Row& row : rows(ledger)) {
+    Finding finding{Ruling::missing, "Nothing decides this claim."};
+    if (const auto found = decisions.find(row.text("key")); found != decisions.end()) try {
+        finding = found->second(results);
+      } catch (const std::exception& error) {
+        finding.evidence = error.what();
+      }
+    lines.push_back({row.text("source"), row.text("key"), row.text("claim"), row.text("experiment"),
+                     row.text("test"), std::move(finding)});
   }
   return lines;
-}
-
-std::string summary(const std::vector<ClaimLine>& claims) {
-  std::array<int, rulings> count{};
-  for (const ClaimLine& line : claims)
-    ++count.at(static_cast<std::size_t>(line.finding.ruling));
-  std::string out = fmt::format("{} claims:", claims.size());
-  const char* separator = " ";
-  for (std::size_t r = 0; r < count.size(); ++r)
-    if (count[r] > 0) {
-      out += fmt::format("{}{} {}", separator, count[r], name(static_cast<Ruling>(r)));
-      separator = ", ";
-    }
-  return out + ".";
-}
-
-std::string report(const std::vector<ClaimLine>& claims) {
-  std::string out = fmt::format("\nClaims of the text - {}\n", summary(claims));
-  for (const ClaimLine& line : claims) {
-    out += fmt::format("  {:<9} {:<14} {}\n", name(line.finding.ruling), line.source, line.claim);
-    if (line.finding.ruling != Ruling::holds) out += wrapped(line.finding.evidence, 4);
-  }
-  return out;
 }
 
 }  // namespace scorecard

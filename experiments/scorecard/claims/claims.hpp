@@ -1,12 +1,10 @@
 #pragma once
-#include "scorecard/numbers/sheet.hpp"
+#include "scorecard/results.hpp"
 
 #include <fmt/format.h>
 
-#include <map>
-#include <string>
-#include <string_view>
-#include <vector>
+#include <array>
+#include <cmath>
 
 /// @file
 /// The ledger of claims: what the paper's text says, decided from the data of the experiments by one
@@ -27,10 +25,10 @@ enum class Ruling {
                ///< call.
   missing      ///< No data to decide it by.
 };
-inline constexpr int rulings = 6;
-
-/// The name used in data files.
-std::string_view name(Ruling ruling);
+/// Their names in data files.
+inline constexpr std::array<std::string_view, 6> rulings{"holds", "consistent", "in part",
+                                                         "fails", "undecided",  "missing"};
+inline std::string_view name(Ruling ruling) { return rulings.at(static_cast<std::size_t>(ruling)); }
 
 /// A ruling and the numbers it rests on.
 struct Finding {
@@ -38,38 +36,42 @@ struct Finding {
   std::string evidence;
 };
 
-/// `holds` when it does in every case, `in_part` in some, `fails` in none.
-Ruling in_cases(std::size_t holding, std::size_t cases);
+/// The cases of a claim, and in how many it holds; least and largest of a number that some of them have.
+struct Cases {
+  std::size_t all = 0, holding = 0;
+  double least = HUGE_VAL, most = -HUGE_VAL;
 
-/// For a theorem: `consistent` when no case contradicts it, else `fails`.
-Ruling theorem(std::size_t holding, std::size_t cases);
-
-/// The experiments' tables, each read when it is first asked for.
-class Results {
- public:
-  /// A table is taken from the first of the folders that has it.
-  explicit Results(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
-
-  /// @throws std::runtime_error when no folder has the table.
-  const experiment::Table& operator()(const std::string& stem) const;
-
-  /// One number. @throws std::out_of_range where the row is not there.
-  [[nodiscard]] double number(const std::string& stem,
-                              std::initializer_list<std::pair<std::string_view, std::string_view>> where,
-                              std::string_view column) const {
-    const experiment::Table& table = (*this)(stem);
-    return table.number(find(table, where), column);
-  }
-
- private:
-  std::vector<std::filesystem::path> folders_;
-  mutable std::map<std::string, experiment::Table> tables_;
+  void add(bool holds, double value = std::nan(""));
 };
 
-using Decision = Finding (*)(const Results&);
+/// `holds` when it does in every case, `in_part` in some, `fails` in none. @throws std::out_of_range without
+/// a case.
+Ruling in_cases(const Cases& cases);
 
-/// What decides a claim, by its key.
-using Decisions = std::map<std::string_view, Decision>;
+/// For a theorem: `consistent` when no case contradicts it, else `fails`; the same error.
+Ruling theorem(const Cases& cases);
+
+/// Runs that are compared with each other: rows that agree in some columns, told apart by their monitors.
+struct Comparison {
+  std::vector<Row> runs;
+
+  [[nodiscard]] bool has(std::string_view monitor) const;
+  /// A number of the run with this monitor. @throws std::out_of_range when there is none.
+  [[nodiscard]] double operator()(std::string_view monitor, std::string_view column) const;
+  /// The same number of one run over that of another.
+  [[nodiscard]] double ratio(std::string_view column, std::string_view monitor,
+                             std::string_view other) const {
+    return (*this)(monitor, column) / (*this)(other, column);
+  }
+};
+
+/// The comparisons in a table whose rows agree in these columns and which have all these monitors.
+std::vector<Comparison> comparisons(const experiment::Table& table,
+                                    std::initializer_list<std::string_view> columns,
+                                    std::initializer_list<std::string_view> monitors);
+
+/// What decides the claims, by their keys.
+using Decisions = std::map<std::string_view, Finding (*)(const Results&)>;
 const Decisions& euler_b_decisions();    ///< Section 3.3, symplectic Euler-B.
 const Decisions& htvi_decisions();       ///< Sections 2.2 and 3.3, HTVI.
 const Decisions& structure_decisions();  ///< Sections 3.1, 3.3 and 4.4, what adaptivity keeps and gains.
@@ -85,11 +87,5 @@ struct ClaimLine {
 /// Decides every claim of <published>/claims.tsv; what cannot be decided for want of data or of a decision is
 /// `missing`, with the reason as its evidence.
 std::vector<ClaimLine> judge_claims(const std::filesystem::path& published, const Results& results);
-
-/// The ledger for a terminal.
-std::string report(const std::vector<ClaimLine>& claims);
-
-/// "36 claims: 20 hold, ...".
-std::string summary(const std::vector<ClaimLine>& claims);
 
 }  // namespace scorecard

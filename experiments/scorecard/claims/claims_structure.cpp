@@ -1,8 +1,5 @@
 #include "scorecard/claims/claims.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 // Claims on what adaptivity keeps and gains (symplecticity, eccentricity, a monitor that was discarded) and
 // on the dynamics that are integrated.
 
@@ -11,43 +8,34 @@ namespace {
 
 /// Ratio of the steps of fixed HTVI4 to adaptive HTVI4 at one position error.
 Finding low_eccentricity(const Results& data) {
-  const experiment::Table& table = data("eccentricity_gain");
-  double low = 0.0, high = 0.0, least = 1.0, most = 0.0;
-  for (std::size_t i = 0; i + 1 < table.rows.size(); i += 2) {
-    const double e = table.number(i, "eccentricity");
-    const double gain = table.number(i, "steps") / table.number(i + 1, "steps");
-    if (e < 0.25) low = std::max(low, gain);
-    if (e < 0.25) most = e;
+  Cases low;
+  double most = 0.0, least = 1.0, high = 0.0;
+  for (const Comparison& at : comparisons(data("eccentricity_gain"), {"eccentricity"}, {"none", "gamma"})) {
+    const double e = at("none", "eccentricity"), gain = at.ratio("steps", "none", "gamma");
+    if (e < 0.25) low.add(true, gain), most = e;
     if (e > 0.85) high = gain, least = e;
   }
   return {
-      low < 1.2 && high > 3.0 ? Ruling::holds
-      : high > low            ? Ruling::in_part
-                              : Ruling::fails,
+      low.most < 1.2 && high > 3.0 ? Ruling::holds
+      : high > low.most            ? Ruling::in_part
+                                   : Ruling::fails,
       fmt::format(
           "At one position error fixed HTVI4 takes at most {:.2f} times the steps of adaptive HTVI4 up to "
           "e = {:.1f}, and {:.1f} times at e = {:.1f}.",
-          low, most, high, least)};
+          low.most, most, high, least)};
 }
 
 /// Defects of one step are round-off where they are below this; differences are good to about 1e-12.
 constexpr double round_off = 2e-11;
 
 Finding symplectic_adaptivity(const Results& data) {
-  const experiment::Table& table = data("symplecticity");
-  std::size_t cases = 0, holding = 0;
-  double most = 0.0;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    if (table.text(i, "problem") != "kepler") continue;
-    ++cases;
-    holding += table.number(i, "defect") < round_off;
-    most = std::max(most, table.number(i, "defect"));
-  }
-  return {
-      theorem(holding, cases),
-      fmt::format("One step of HTVI4 and of Euler-B misses a symplectic map by at most {:.0e}, whatever h: "
-                  "round-off.",
-                  most)};
+  Cases cases;
+  for (const Row& row : data.rows("symplecticity", {{"problem", "kepler"}}))
+    cases.add(row.number("defect") < round_off, row.number("defect"));
+  return {theorem(cases),
+          fmt::format("One step of HTVI4 and of Euler-B misses a symplectic map by at most {:.0e}, "
+                      "whatever h: round-off.",
+                      cases.most)};
 }
 
 Finding splitting_is_symplectic(const Results& data) {
@@ -69,55 +57,42 @@ Finding splitting_is_symplectic(const Results& data) {
 
 /// Largest usable step: h, NaN where none was found.
 Finding inverse_energy_error(const Results& data) {
-  const experiment::Table& table = data("extreme_eccentricity");
-  std::size_t cases = 0, failing = 0;
+  Cases cases;
   std::string beyond;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    if (table.text(i, "monitor") != "inverse_energy_error") continue;
-    ++cases;
-    failing += std::isnan(table.number(i, "h"));
-    beyond = table.text(i, "beyond") == "non_finite" ? "not finite" : table.text(i, "beyond");
+  for (const Row& row : data.rows("extreme_eccentricity", {{"monitor", "inverse_energy_error"}})) {
+    cases.add(std::isnan(row.number("h")));
+    beyond = row.text("beyond") == "non_finite" ? "not finite" : row.text("beyond");
   }
-  return {in_cases(failing, cases),
+  return {in_cases(cases),
           fmt::format(
               "Its bounded form has no usable step at {} of {} eccentricities: the run ends as {}. On the "
               "solution it tends to a constant and is not differentiable; as printed it is infinity over "
               "infinity there.",
-              failing, cases, beyond)};
+              cases.holding, cases.all, beyond)};
 }
 
 Finding rate_bound(const Results& data) {
-  const experiment::Table& table = data("convergence_rate");
-  std::size_t holding = 0;
-  double most = 0.0, fitted = 0.0;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const double ratio = table.number(i, "largest_ratio");
-    holding += ratio <= 1.0;
-    most = std::max(most, ratio);
-    fitted = table.number(i, "fitted_rate") / table.number(i, "p");
+  Cases cases;
+  double fitted = 0.0;
+  for (const Row& row : data.rows("convergence_rate")) {
+    cases.add(row.number("largest_ratio") <= 1.0, row.number("largest_ratio"));
+    fitted = row.number("fitted_rate") / row.number("p");
   }
-  return {
-      theorem(holding, table.rows.size()),
-      fmt::format("For {} orders p the largest ratio of f - f* to its bound is {:.5f}; on this quartic the "
-                  "exponent of time with which it falls is {:.2f} times p.",
-                  table.rows.size(), most, fitted)};
+  return {theorem(cases),
+          fmt::format("For {} orders p the largest ratio of f - f* to its bound is {:.5f}; on this "
+                      "quartic the exponent of time with which it falls is {:.2f} times p.",
+                      cases.all, cases.most, fitted)};
 }
 
 Finding adaptive_has_lower_order(const Results& data) {
-  const experiment::Table& table = data("order_equivalence");
-  double most = 0.0;
-  std::size_t same = 0, cases = 0;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    if (table.text(i, "clock") != "exact") continue;
-    ++cases;
-    most = std::max(most, table.number(i, "distance_100"));
-    same += table.number(i, "distance_100") < 1e-10;
-  }
+  Cases cases;
+  for (const Row& row : data.rows("order_equivalence", {{"clock", "exact"}}))
+    cases.add(row.number("distance_100") >= 1e-10, row.number("distance_100"));
   return {
-      in_cases(cases - same, cases),
+      in_cases(cases),
       fmt::format("With the exact clock its iterates are those of the Direct approach of the higher order "
                   "p^2/p_ring in {} of {} settings (distance below {:.0e} over 100 iterations).",
-                  same, cases, most)};
+                  cases.all - cases.holding, cases.all, cases.most)};
 }
 
 }  // namespace

@@ -1,17 +1,12 @@
 #pragma once
-#include "common/table.hpp"
+#include "scorecard/results.hpp"
 
-#include <filesystem>
+#include <array>
 #include <functional>
-#include <initializer_list>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 /// @file
 /// The mechanism of the scorecard: one sheet for each published table, one judgement for each of its cells.
-/// To add a table, write a function that returns its Sheet in a file of its own and name it in sheets.hpp.
+/// To add a table, write its judge in a file of its own and name it in sheets.hpp.
 
 namespace scorecard {
 
@@ -25,10 +20,10 @@ enum class Verdict {
   chaotic,  ///< Moves with the last bit; the note says whether the printed value lies in the perturbed range.
   missing   ///< No data to judge it by.
 };
-inline constexpr int verdicts = 7;
-
-/// The name used in data files.
-std::string_view name(Verdict verdict);
+/// Their names in data files.
+inline constexpr std::array<std::string_view, 7> verdicts{"exact",    "within",  "differs", "erratum",
+                                                          "unstated", "chaotic", "missing"};
+inline std::string_view name(Verdict verdict) { return verdicts.at(static_cast<std::size_t>(verdict)); }
 
 /// Our number and what it makes of the published one.
 struct Judgement {
@@ -41,16 +36,10 @@ struct Judgement {
   bool recovered = false;
 };
 
-/// "printed" or "recovered": what the settings of a judgement's run are, as data files have it.
-std::string_view settings_of(const Judgement& judgement);
-
-/// One cell of a published table: a line of paper/published/<stem>.tsv.
-class Cell {
+/// One cell of a published table: a line of paper/published/<stem>.tsv with columns source, row, method, ...
+class Cell : public Row {
  public:
-  Cell(const experiment::Table& table, std::size_t line) : table_(&table), line_(line) {}
-
-  /// Any column of the line: source, row, method, ...
-  [[nodiscard]] const std::string& text(std::string_view column) const { return table_->text(line_, column); }
+  using Row::Row;
   [[nodiscard]] const std::string& quantity() const { return text("quantity"); }
   [[nodiscard]] const std::string& published() const { return text("published"); }
 
@@ -61,10 +50,6 @@ class Cell {
 
   /// What another row of the paper's table prints; empty where it prints nothing.
   [[nodiscard]] std::string elsewhere(std::string_view row, std::string_view quantity) const;
-
- private:
-  const experiment::Table* table_;
-  std::size_t line_;
 };
 
 /// Judges every cell of one published table.
@@ -79,13 +64,12 @@ struct Sheet {
 /// last printed digit away, else `differs`; the note is kept.
 Judgement compare(const Cell& cell, double ours, std::string note = "", double tolerance = 0.0);
 
-/// The same text, or the same number.
-bool same(std::string_view a, std::string_view b);
+/// Same for a count that the source begins `more` earlier than we do.
+Judgement compare_count(const Cell& cell, double ours, double more, std::string note);
 
-/// The line of `data` in which every named column holds the wanted text, or the same number.
-/// @throws std::out_of_range saying what was looked for when there is none.
-std::size_t find(const experiment::Table& data,
-                 std::initializer_list<std::pair<std::string_view, std::string_view>> wanted);
+/// Same for what a run was made with: `exact` when it is the printed number, whatever its digits, else
+/// `differs`.
+Judgement compare_setting(const Cell& cell, double ours);
 
 /// One line of the scorecard.
 struct Line {
@@ -93,9 +77,7 @@ struct Line {
   Judgement judgement;
 };
 
-/// Judges a whole sheet from the two folders. @throws std::runtime_error when the published table cannot be
-/// read.
-std::vector<Line> judge(const Sheet& sheet, const std::filesystem::path& published,
-                        const std::filesystem::path& data);
+/// Judges a whole sheet. @throws experiment::FileError when the published table cannot be read.
+std::vector<Line> judge(const Sheet& sheet, const std::filesystem::path& published, const Results& data);
 
 }  // namespace scorecard

@@ -65,8 +65,8 @@ TEST(Claims, RulingsAreThoseOfTheWholeData) {
     if (shortened.contains(key)) continue;
     EXPECT_NE(line.finding.ruling, Ruling::missing) << key << ": " << line.finding.evidence;
     if (timed.contains(key)) continue;
-    const std::size_t row = scorecard::find(stated, {{"source", "text"}, {"row", key}});
-    EXPECT_EQ(stated.text(row, "verdict"), name(line.finding.ruling)) << key << ": " << line.finding.evidence;
+    const auto row = scorecard::find(stated, {{"source", "text"}, {"row", key}});
+    EXPECT_EQ(row.text("verdict"), name(line.finding.ruling)) << key << ": " << line.finding.evidence;
   }
 }
 

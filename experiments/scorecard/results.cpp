@@ -1,0 +1,51 @@
+#include "scorecard/results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <stdexcept>
+
+namespace scorecard {
+
+bool same(std::string_view a, std::string_view b) {
+  const auto number = [](std::string_view text) -> std::optional<double> {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+  };
+  if (a == b) return true;
+  const auto x = number(a), y = number(b);
+  return x && y && *x == *y;
+}
+
+std::vector<Row> rows(const experiment::Table& table, Cells wanted) {
+  std::vector<Row> found;
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    if (std::ranges::all_of(wanted,
+                            [&](const auto& cell) { return same(table.text(i, cell.first), cell.second); }))
+      found.emplace_back(table, i);
+  return found;
+}
+
+Row find(const experiment::Table& table, Cells wanted) {
+  const std::vector<Row> found = rows(table, wanted);
+  if (!found.empty()) return found.front();
+  std::string what;
+  for (const auto& [column, value] : wanted)
+    what += fmt::format("{}{} = {}", what.empty() ? "" : ", ", column, value);
+  throw std::out_of_range(fmt::format("The data have no row with {}.", what));
+}
+
+const experiment::Table& Results::operator()(const std::string& stem) const {
+  const auto known = tables_.find(stem);
+  if (known != tables_.end()) return known->second;
+  for (const auto& folder : folders_)
+    if (const auto file = folder / (stem + ".tsv"); std::filesystem::exists(file))
+      return tables_.emplace(stem, experiment::Table::read(file)).first->second;
+  throw std::runtime_error("There are no data " + stem + ".tsv.");
+}
+
+}  // namespace scorecard
