@@ -92,32 +92,25 @@ int main(int argc, char** argv) {
         table.note("error", "of the picture, |x - truth| / |truth|");
         Table curves = frame.table({"method", "gradients", "gradient_ratio", "value"});
         VectorX restored;
-        const std::array<std::string, 3> wanted{"minimise_m7", "minimise_m0", "lbfgs"};
-        std::vector<arena::Method> methods = arena::own_methods();
-        for (const arena::Method& method : arena::library_methods())
-          methods.push_back(method);
-        for (const arena::Method& method : methods) {
-          if (std::find(wanted.begin(), wanted.end(), method.name) == wanted.end()) continue;
+        for (const arena::Method& method : arena::all_methods()) {
+          if (method.name != "minimise_m7" && method.name != "minimise_m0" && method.name != "lbfgs")
+            continue;
           double first = 0.0, value = 0.0;
           long gradients = 0;
           VectorX last;
-          const arena::Problem problem{
-              .name = "deblurring", .kind = "inverse", .x0 = b, .f = [&](const VectorX& x, VectorX& g) {
-                value = f(x, g);
-                const double size = avi::norm(g);
-                if (gradients++ == 0) first = size;
-                curves.row(method.name, gradients, size / first, value);
-                last = x;
-                return value;
-              }};
-          arena::Meter meter(problem, b, frame.quick ? 200 : 5000);
-          try {
-            method.run(meter);
-          } catch (const arena::Over&) {
-          }
+          const arena::Problem problem{.name = "deblurring", .x0 = b, .f = [&](const VectorX& x, VectorX& g) {
+                                         value = f(x, g);
+                                         const double size = avi::norm(g);
+                                         if (gradients++ == 0) first = size;
+                                         curves.row(method.name, gradients, size / first, value);
+                                         last = x;
+                                         return value;
+                                       }};
+          const arena::Passages passages =
+              arena::Meter(problem, b, frame.quick ? 200 : 5000).run(method.runs.front());
           if (method.name == "minimise_m7") restored = last;
           for (std::size_t k = 0; k < arena::tolerances.size(); ++k) {
-            const arena::Passage& p = meter.passages[k].converged ? meter.passages[k] : meter.spent();
+            const arena::Passage& p = passages[k];
             table.row(method.name, arena::tolerances[k], p.iterations, p.gradients, p.converged ? 1 : 0,
                       value, distance(b), distance(last), p.seconds);
           }

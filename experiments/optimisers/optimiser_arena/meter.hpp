@@ -15,7 +15,7 @@ namespace arena {
 /// The two tolerances: |g| <= delta |g_0|.
 inline constexpr std::array<double, 2> tolerances{1e-6, 1e-10};
 
-/// What a method had done when the test first held.
+/// What a method had done when the test first held, or when it ended.
 struct Passage {
   long iterations = 0;
   long gradients = 0;
@@ -23,70 +23,78 @@ struct Passage {
   double seconds = 0.0;
   bool converged = false;
 };
-
-/// A run is over: both tests held, or the cap was reached.
-struct Over {};
+using Passages = std::array<Passage, tolerances.size()>;  ///< By tolerance.
 
 /// A problem as a method sees it. Every gradient that is asked for is counted and tested, wherever it is
 /// taken: a method has converged with the first evaluated gradient that is small enough, at a point no higher
 /// than the start.
 class Meter {
  public:
-  /// The run is over at the last of the tolerances that are `wanted`, or at the cap.
-  Meter(const Problem& problem, const VectorX& start, long cap, std::size_t wanted = tolerances.size())
-      : problem_(problem), x0(start), cap_(cap), wanted_(wanted),
-        asked_(VectorX::Constant(start.size(), std::nan(""))), gradient_(start.size()) {}
+  const VectorX x0;     ///< Where to start.
+  long iterations = 0;  ///< Kept by the method.
+  bool over = false;    ///< The last of the tolerances that are wanted is met, or the cap.
+  bool throws = true;   ///< Over, when the run is over; false for methods of C libraries, which look at it.
 
-  /// Value and gradient. Throws Over when the run is over and `throws`.
+  Meter(const Problem& problem, VectorX start, long cap, std::size_t wanted = tolerances.size())
+      : x0(std::move(start)), f_(problem.f), cap_(cap), wanted_(wanted),
+        asked_(VectorX::Constant(x0.size(), std::nan(""))), gradient_(x0.size()) {}
+
+  /// Value and gradient.
   double operator()(const VectorX& x, VectorX& gradient) {
     gradient.resize(x.size());
     const bool known = x == asked_;
     if (known) gradient = gradient_;
-    const double value = known ? value_ : problem_.f(x, gradient);
+    const double value = known ? value_ : f_(x, gradient);
     const double size = avi::norm(gradient);
     ++now_.gradients;
     if (now_.gradients == 1) first_ = size, level_ = value;
     for (std::size_t k = 0; k < tolerances.size(); ++k)
-      if (!passages[k].converged && size <= tolerances[k] * first_ &&
+      if (!passages_[k].converged && size <= tolerances[k] * first_ &&
           value <= level_ + 1e-8 * std::abs(level_)) {
-        now_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-        now_.iterations = iterations;
-        passages[k] = now_;
-        passages[k].converged = true;
+        const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+        passages_[k] = {iterations, now_.gradients, now_.values, spent, true};
       }
-    over = passages[wanted_ - 1].converged || now_.gradients + now_.values >= cap_;
-    if (over && throws) throw Over{};
+    end_if(passages_[wanted_ - 1].converged);
     return value;
   }
   /// The value alone. Some methods ask for the gradient at the same point next: that is counted, but not
   /// computed twice.
   double value(const VectorX& x) {
     ++now_.values;
-    over = over || now_.gradients + now_.values >= cap_;
-    if (over && throws) throw Over{};
-    if (x != asked_) asked_ = x, value_ = problem_.f(x, gradient_);
+    end_if(over);
+    if (x != asked_) asked_ = x, value_ = f_(x, gradient_);
     return value_;
   }
 
-  std::array<Passage, tolerances.size()> passages;  ///< By tolerance.
-  long iterations = 0;                              ///< Kept by the method.
-  bool over = false;
-  bool throws = true;  ///< False for methods of C libraries, which look at `over`.
-  [[nodiscard]] const Passage& spent() const { return now_; }
+  /// Lets the method run, until it returns or throws Over.
+  Passages run(const std::function<void(Meter&)>& method) {
+    try {
+      method(*this);
+    } catch (const Over&) {
+    }
+    now_.iterations = iterations;
+    for (Passage& passage : passages_)
+      if (!passage.converged) passage = now_;
+    return passages_;
+  }
 
  private:
-  const Problem& problem_;
+  /// A run is over.
+  struct Over {};
 
- public:
-  const VectorX x0;  ///< Where to start.
+  void end_if(bool done) {
+    over = done || now_.gradients + now_.values >= cap_;
+    if (over && throws) throw Over{};
+  }
 
- private:
+  const std::function<double(const VectorX&, VectorX&)>& f_;
   long cap_;
   std::size_t wanted_;
   VectorX asked_, gradient_;  ///< Where the value alone was last asked for, and what else is known there.
   double value_ = 0.0;
   double first_ = 0.0, level_ = 0.0;
   Passage now_;
+  Passages passages_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
@@ -106,16 +114,17 @@ void follow(Meter& meter, const Rule& rule) {
 /// A method of the arena.
 struct Method {
   std::string name;
-  std::function<void(Meter&)> run;  ///< Until Over is thrown, Meter::over is set, or it gives up.
-  /// Runs of which the cheapest counts: learning rates. Each has the cap for itself.
-  std::vector<std::function<void(Meter&)>> choices{};
-  bool slow =
-      false;  ///< Of the kind that needs thousands of gradients: with the lower cap, and from one start.
+  /// Each runs until Over is thrown, Meter::over is set, or it gives up. Of several, learning rates, the
+  /// cheapest counts, and each has the cap for itself.
+  std::vector<std::function<void(Meter&)>> runs;
+  bool slow = false;  ///< Needs thousands of gradients: with the lower cap, and from one start.
 };
 
-/// @name The field
+/// The field: own methods, of first order, conjugate gradients, those of libraries.
+std::vector<Method> all_methods();
+
+/// @name Its parts
 /// @{
-std::vector<Method> own_methods();
 std::vector<Method> first_order_methods();
 std::vector<Method> conjugate_gradients();
 std::vector<Method> library_methods();

@@ -1,13 +1,9 @@
 #include "common/frame.hpp"
+#include "common/timing.hpp"
 #include "optimisers/optimiser_arena/meter.hpp"
-#include "optimisers/optimiser_arena/problems/all.hpp"
 #include "optimisers/optimiser_arena/standing.hpp"
 
-#include "avi/optim/run_updates.hpp"
-
 #include <fmt/format.h>
-
-#include <algorithm>
 
 // Every method on every problem, from the same starts and with the same stopping test: gradients until |g| <=
 // delta |g_0|. Medians over three starts: the usual one and two that are moved by a thousandth of its size.
@@ -17,9 +13,9 @@ namespace {
 using namespace experiment;
 using arena::Method;
 using arena::Passage;
+using arena::Passages;
 using arena::Problem;
 using avi::VectorX;
-using Passages = std::array<Passage, arena::tolerances.size()>;
 
 VectorX moved(const Problem& problem, int start) {
   if (start == 0) return problem.x0;
@@ -28,65 +24,35 @@ VectorX moved(const Problem& problem, int start) {
   return problem.x0 + 1e-3 * (size > 0.0 ? size : 1.0) * numbers.normals(problem.x0.size());
 }
 
-/// One start, under one cap, until the last of the tolerances that are wanted.
-struct Trial {
-  const Problem& problem;
-  VectorX start;
-  long cap;
-  std::size_t wanted;
-};
-
-Passages once(const Trial& trial, const std::function<void(arena::Meter&)>& run) {
-  arena::Meter meter(trial.problem, trial.start, trial.cap, trial.wanted);
-  try {
-    run(meter);
-  } catch (const arena::Over&) {
-  }
-  Passages passages = meter.passages;
-  for (Passage& passage : passages)
-    if (!passage.converged) {
-      passage = meter.spent();
-      passage.iterations = meter.iterations;
-    }
-  return passages;
-}
-
-/// At each tolerance the choice that took fewest gradients.
-Passages best_of(const Trial& trial, const Method& method) {
-  if (method.choices.empty()) return once(trial, method.run);
+/// At each tolerance, of which `wanted` are tried, the run that took fewest gradients, each under the cap.
+Passages best_of(const Method& method, const Problem& problem, const VectorX& start, long cap,
+                 std::size_t wanted) {
   Passages best{};
-  Trial next = trial;
-  for (const auto& run : method.choices) {
-    const Passages now = once(next, run);
+  for (const auto& run : method.runs) {
+    const Passages now = arena::Meter(problem, start, cap, wanted).run(run);
     for (std::size_t k = 0; k < now.size(); ++k)
       if (best[k].gradients == 0 || now[k].converged > best[k].converged ||
           (now[k].converged == best[k].converged && now[k].gradients < best[k].gradients))
         best[k] = now[k];
     // what needs more than that is not the best at any of them
-    if (best[trial.wanted - 1].converged) next.cap = best[trial.wanted - 1].gradients;
+    if (best[wanted - 1].converged) cap = best[wanted - 1].gradients;
   }
   return best;
-}
-
-template <class T>
-T middle(std::vector<T> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
 }
 
 /// Entry by entry, where every run has converged; else the first that has not.
 Passage median_of(const std::vector<Passages>& runs, std::size_t k) {
   for (const Passages& run : runs)
     if (!run[k].converged) return run[k];
-  const auto of = [&](auto member) {
-    std::vector<std::decay_t<decltype(Passage{}.*member)>> values;
+  Passage all{.converged = true};
+  const auto take = [&](auto member) {
+    std::vector<double> values;
     for (const Passages& run : runs)
-      values.push_back(run[k].*member);
-    return middle(values);
+      values.push_back(static_cast<double>(run[k].*member));
+    all.*member = static_cast<std::decay_t<decltype(all.*member)>>(median(values));
   };
-  return {of(&Passage::iterations), of(&Passage::gradients), of(&Passage::values), of(&Passage::seconds),
-          true};
+  take(&Passage::iterations), take(&Passage::gradients), take(&Passage::values), take(&Passage::seconds);
+  return all;
 }
 
 }  // namespace
@@ -97,13 +63,8 @@ int main(int argc, char** argv) {
       argc, argv, "optimiser_arena", "Gradients that each optimiser needs on every problem of the arena",
       [&](CLI::App& app) { add_flag(app, "--full", full, "dimensions up to 1e6"); },
       [&](Frame& frame) {
-        std::vector<Method> methods;
-        for (const auto& group : {arena::own_methods(), arena::first_order_methods(),
-                                  arena::conjugate_gradients(), arena::library_methods()})
-          methods.insert(methods.end(), group.begin(), group.end());
-        std::vector<Problem> problems = arena::tuned_problems(full);
-        for (const auto& others : {arena::looked_at_problems(full), arena::held_out_problems()})
-          problems.insert(problems.end(), others.begin(), others.end());
+        const std::vector<Method> methods = arena::all_methods();
+        const std::vector<Problem> problems = arena::all_problems(full, full);
         constexpr long cap = 20'000, slow_cap = 1000;
         Table table = frame.table({"problem", "dimension", "held_out", "method", "delta", "iterations",
                                    "gradient_evaluations", "function_evaluations", "converged", "seconds",
@@ -120,21 +81,22 @@ int main(int argc, char** argv) {
             "starts",
             "medians over the usual start and two moved by 1e-3; one for the slow and the large. Where one "
             "does not converge, what it spent; later ones are not asked again");
-        arena::Standing standing;
+        std::vector<arena::Instance> instances;
         double done = 0.0;
         for (const Problem& problem : problems) {
           frame.progress(problem.name, done++ / static_cast<double>(problems.size()));
           const long n = static_cast<long>(problem.x0.size());
           if (frame.quick && n > 60) continue;
+          for (const double delta : arena::tolerances)
+            instances.push_back({problem.name, n, problem.group, delta, {}});
           for (const Method& method : methods) {
             if (method.slow && (frame.quick || n > 5000)) continue;
             std::vector<Passages> runs;
             const int starts = method.slow || n > 5000 || frame.quick ? 1 : 3;
-            std::size_t wanted =
-                arena::tolerances.size();  // a tolerance that one start missed is not asked again
+            const long most = method.slow ? slow_cap : n > 200'000 ? cap / 40 : n > 5000 ? cap / 10 : cap;
+            std::size_t wanted = arena::tolerances.size();  // what one start missed is not asked again
             for (int start = 0; start < starts && wanted > 0; ++start) {
-              const long most = method.slow ? slow_cap : n > 200'000 ? cap / 40 : n > 5000 ? cap / 10 : cap;
-              runs.push_back(best_of({problem, moved(problem, start), most, wanted}, method));
+              runs.push_back(best_of(method, problem, moved(problem, start), most, wanted));
               while (wanted > 0 && !runs.back()[wanted - 1].converged)
                 --wanted;
             }
@@ -143,11 +105,11 @@ int main(int argc, char** argv) {
               table.row(problem.name, n, problem.group == "held_out" ? 1 : 0, method.name,
                         arena::tolerances[k], p.iterations, p.gradients, p.values, p.converged ? 1 : 0,
                         p.seconds, problem.kind, problem.group);
-              standing.add({problem.name, n, problem.group, arena::tolerances[k]}, method.name, p);
+              instances[instances.size() - arena::tolerances.size() + k].by_method[method.name] = p;
             }
           }
         }
-        standing.write(frame);
+        arena::write_standing(frame, instances, methods);
         frame.write(table);
       });
 }

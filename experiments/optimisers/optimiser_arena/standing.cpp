@@ -9,12 +9,20 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Gradients and values that were asked for alone; infinite where a method failed or was not run.
-double cost(const std::map<std::string, Passage>& by_method, const std::string& method) {
-  const auto found = by_method.find(method);
-  return found != by_method.end() && found->second.converged
-             ? static_cast<double>(found->second.gradients + found->second.values)
-             : infinity;
+/// Gradients and values that were asked for alone; infinite where a method failed.
+double cost(const Passage& p) { return p.converged ? static_cast<double>(p.gradients + p.values) : infinity; }
+
+/// The same of a method, infinite where it was not run, too.
+double cost(const Instance& instance, const std::string& method) {
+  const auto found = instance.by_method.find(method);
+  return found == instance.by_method.end() ? infinity : cost(found->second);
+}
+
+double best(const Instance& instance) {
+  double least = infinity;
+  for (const auto& [method, passage] : instance.by_method)
+    least = std::min(least, cost(passage));
+  return least;
 }
 
 /// Geometric mean, built up.
@@ -27,26 +35,8 @@ struct Mean {
   }
 };
 
-}  // namespace
-
-void Standing::add(const Instance& instance, const std::string& method, const Passage& passage) {
-  const auto same = [&](const Row& row) {
-    return row.instance.problem == instance.problem && row.instance.delta == instance.delta;
-  };
-  auto row = std::find_if(rows_.begin(), rows_.end(), same);
-  if (row == rows_.end()) row = rows_.insert(rows_.end(), {instance, {}});
-  row->by_method[method] = passage;
-  if (std::find(methods_.begin(), methods_.end(), method) == methods_.end()) methods_.push_back(method);
-}
-
-double Standing::best(const Row& row) {
-  double least = infinity;
-  for (const auto& [method, passage] : row.by_method)
-    least = std::min(least, cost(row.by_method, method));
-  return least;
-}
-
-void Standing::write_summary(const experiment::Frame& frame) const {
+void write_summary(const experiment::Frame& frame, const std::vector<Instance>& instances,
+                   const std::vector<Method>& methods) {
   experiment::Table table = frame.table(
       {"group", "method", "instances", "failures", "gradient_mean", "evaluation_mean", "per_iteration",
        "ratio_to_lbfgs", "ratio_to_best_cg", "evaluations_to_best_cg", "within_1", "within_2"});
@@ -60,44 +50,44 @@ void Standing::write_summary(const experiment::Frame& frame) const {
       "within_2",
       "share of instances where no method needed fewer than half as many evaluations, values alone included");
   for (const std::string group : {"all", "tuned", "looked_at", "held_out"})
-    for (const std::string& method : methods_) {
+    for (const auto& [method, runs, slow] : methods) {
       Mean gradients, evaluations, iteration, lbfgs, cg, cg_all;
-      long instances = 0, failures = 0, within_1 = 0, within_2 = 0;
-      for (const Row& row : rows_) {
-        if (group != "all" && row.instance.group != group) continue;
-        const auto found = row.by_method.find(method);
-        if (found == row.by_method.end()) continue;
-        ++instances;
+      long count = 0, failures = 0, within_1 = 0, within_2 = 0;
+      for (const Instance& instance : instances) {
+        if (group != "all" && instance.group != group) continue;
+        const auto found = instance.by_method.find(method);
+        if (found == instance.by_method.end()) continue;
+        ++count;
         const Passage& own = found->second;
         if (!own.converged) {
           ++failures;
           continue;
         }
-        const double spent = static_cast<double>(own.gradients),
-                     with_values = static_cast<double>(own.gradients + own.values);
+        const double spent = static_cast<double>(own.gradients), with_values = cost(own);
         gradients.add(spent), evaluations.add(with_values);
         if (own.iterations > 0) iteration.add(with_values / static_cast<double>(own.iterations));
-        within_1 += with_values <= best(row), within_2 += with_values <= 2.0 * best(row);
-        if (const double other = cost(row.by_method, "lbfgs"); other < infinity) lbfgs.add(spent / other);
+        within_1 += with_values <= best(instance), within_2 += with_values <= 2.0 * best(instance);
+        if (const double other = cost(instance, "lbfgs"); other < infinity) lbfgs.add(spent / other);
         double other = infinity, other_all = infinity;
         for (const char* name : {"cg_pr", "cg_hz", "gsl_conjugate_fr", "gsl_conjugate_pr"})
-          if (cost(row.by_method, name) < infinity) {
-            const Passage& p = row.by_method.at(name);
+          if (cost(instance, name) < infinity) {
+            const Passage& p = instance.by_method.at(name);
             other = std::min(other, static_cast<double>(p.gradients));
-            other_all = std::min(other_all, static_cast<double>(p.gradients + p.values));
+            other_all = std::min(other_all, cost(p));
           }
         if (other < infinity) cg.add(spent / other), cg_all.add(with_values / other_all);
       }
-      if (instances == 0) continue;
-      table.row(group, method, instances, failures, gradients.value(), evaluations.value(), iteration.value(),
-                lbfgs.value(), cg.value(), cg_all.value(),
-                static_cast<double>(within_1) / static_cast<double>(instances),
-                static_cast<double>(within_2) / static_cast<double>(instances));
+      if (count == 0) continue;
+      const double all = static_cast<double>(count);
+      table.row(group, method, count, failures, gradients.value(), evaluations.value(), iteration.value(),
+                lbfgs.value(), cg.value(), cg_all.value(), static_cast<double>(within_1) / all,
+                static_cast<double>(within_2) / all);
     }
   frame.write(table, "summary");
 }
 
-void Standing::write_profiles(const experiment::Frame& frame) const {
+void write_profiles(const experiment::Frame& frame, const std::vector<Instance>& instances,
+                    const std::vector<Method>& methods) {
   // An index block for each method; at every instance's own abscissa, so that no grid hides a step.
   experiment::Table performance = frame.table({"method", "ratio", "share"}),
                     data = frame.table({"method", "evaluations", "share"});
@@ -105,46 +95,49 @@ void Standing::write_profiles(const experiment::Frame& frame) const {
                             "method's evaluations (gradients, and values alone)");
   data.note("share",
             "of instances that the method solves within so many evaluations (the dimension plays no part)");
-  for (const std::string& method : methods_) {
+  for (const auto& [method, runs, slow] : methods) {
     std::vector<double> ratios, costs;
-    double instances = 0.0;
-    for (const Row& row : rows_) {
-      if (!row.by_method.contains(method)) continue;
-      ++instances;
-      if (const double own = cost(row.by_method, method); own < infinity)
-        ratios.push_back(own / best(row)), costs.push_back(own);
+    double count = 0.0;
+    for (const Instance& instance : instances) {
+      if (!instance.by_method.contains(method)) continue;
+      ++count;
+      if (const double own = cost(instance, method); own < infinity)
+        ratios.push_back(own / best(instance)), costs.push_back(own);
     }
+    if (count == 0.0) continue;
     std::sort(ratios.begin(), ratios.end()), std::sort(costs.begin(), costs.end());
-    performance.row(method, 1.0,
-                    static_cast<double>(std::count(ratios.begin(), ratios.end(), 1.0)) / instances);
+    performance.row(method, 1.0, static_cast<double>(std::count(ratios.begin(), ratios.end(), 1.0)) / count);
     for (std::size_t i = 0; i < ratios.size(); ++i) {
-      performance.row(method, ratios[i], static_cast<double>(i + 1) / instances);
-      data.row(method, costs[i], static_cast<double>(i + 1) / instances);
+      performance.row(method, ratios[i], static_cast<double>(i + 1) / count);
+      data.row(method, costs[i], static_cast<double>(i + 1) / count);
     }
   }
   frame.write(performance, "profiles");
   frame.write(data, "budgets");
 }
 
-void Standing::write_losses(const experiment::Frame& frame) const {
+void write_losses(const experiment::Frame& frame, const std::vector<Instance>& instances) {
   experiment::Table table = frame.table(
       {"problem", "dimension", "held_out", "delta", "evaluations", "best_method", "best", "ratio"});
-  for (const Row& row : rows_) {
-    const double own = cost(row.by_method, "minimise_m7"), least = best(row);
+  for (const Instance& instance : instances) {
+    const double own = cost(instance, "minimise_m7"), least = best(instance);
     if (!(own > least)) continue;
     std::string winner;
-    for (const auto& [method, passage] : row.by_method)
-      if (cost(row.by_method, method) == least) winner = method;
-    table.row(row.instance.problem, row.instance.dimension, row.instance.group == "held_out" ? 1 : 0,
-              row.instance.delta, own, winner, least, own / least);
+    for (const auto& [method, passage] : instance.by_method)
+      if (cost(passage) == least) winner = method;
+    table.row(instance.problem, instance.dimension, instance.group == "held_out" ? 1 : 0, instance.delta, own,
+              winner, least, own / least);
   }
   frame.write(table, "losses");
 }
 
-void Standing::write(const experiment::Frame& frame) const {
-  write_summary(frame);
-  write_profiles(frame);
-  write_losses(frame);
+}  // namespace
+
+void write_standing(const experiment::Frame& frame, const std::vector<Instance>& instances,
+                    const std::vector<Method>& methods) {
+  write_summary(frame, instances, methods);
+  write_profiles(frame, instances, methods);
+  write_losses(frame, instances);
 }
 
 }  // namespace arena

@@ -1,4 +1,4 @@
-#include "optimisers/optimiser_arena/problems/all.hpp"
+#include "optimisers/optimiser_arena/problems/problem.hpp"
 
 #include "avi/optim/run_updates.hpp"
 #include "avi/optim/slope_check.hpp"
@@ -10,9 +10,7 @@ using avi::VectorX;
 namespace arena_gradients_test {
 
 TEST(ArenaGradients, AreThoseOfTheValues) {
-  auto problems = arena::tuned_problems(false);
-  for (auto& others : {arena::looked_at_problems(true), arena::held_out_problems()})
-    problems.insert(problems.end(), others.begin(), others.end());
+  const auto problems = arena::all_problems(false, true);
   EXPECT_GE(problems.size(), 60u);
   for (const auto& problem : problems) {
     const Eigen::Index n = problem.x0.size();

@@ -1,4 +1,4 @@
-#include "optimisers/optimiser_arena/problems/all.hpp"
+#include "optimisers/optimiser_arena/problems/problem.hpp"
 
 #include "avi/optim/minimise.hpp"
 
@@ -16,9 +16,7 @@ using avi::VectorX;
 namespace arena_invariance_test {
 
 std::vector<Problem> problems() {
-  auto all = arena::tuned_problems(false);
-  for (auto& others : {arena::looked_at_problems(true), arena::held_out_problems()})
-    all.insert(all.end(), others.begin(), others.end());
+  auto all = arena::all_problems(false, true);
   std::erase_if(all, [](const Problem& problem) { return problem.x0.size() > 1024; });
   return all;
 }

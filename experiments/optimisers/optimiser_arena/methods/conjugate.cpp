@@ -102,8 +102,8 @@ double hager_zhang(const VectorX& now, const VectorX& old, const VectorX& d) {
 }  // namespace
 
 std::vector<Method> conjugate_gradients() {
-  return {{.name = "cg_pr", .run = [](Meter& f) { conjugate(f, polak_ribiere); }},
-          {.name = "cg_hz", .run = [](Meter& f) { conjugate(f, hager_zhang); }}};
+  return {{"cg_pr", {[](Meter& f) { conjugate(f, polak_ribiere); }}},
+          {"cg_hz", {[](Meter& f) { conjugate(f, hager_zhang); }}}};
 }
 
 }  // namespace arena

@@ -72,27 +72,21 @@ void adgd(Meter& f) {
   }
 }
 
-template <class Rule>
-std::function<void(Meter&)> with_rate(double rate) {
-  return [rate](Meter& meter) { follow(meter, Rule{.rate = rate}); };
-}
-
 /// At the usual rate, and at the best of six.
 template <class Rule>
 void add(std::vector<Method>& all, const std::string& name, double usual) {
-  all.push_back({.name = name, .run = with_rate<Rule>(usual), .slow = true});
-  Method best{.name = name + "_best", .run = {}, .slow = true};
+  const auto with = [](double rate) { return [rate](Meter& meter) { follow(meter, Rule{.rate = rate}); }; };
+  all.push_back({name, {with(usual)}, true});
+  all.push_back({name + "_best", {}, true});
   for (double rate : {1e-4, 1e-3, 1e-2, 1e-1, 1.0, 10.0})
-    best.choices.push_back(with_rate<Rule>(rate));
-  all.push_back(best);
+    all.back().runs.push_back(with(rate));
 }
 
 }  // namespace
 
 std::vector<Method> first_order_methods() {
-  std::vector<Method> all{{.name = "nag_restart", .run = nag_restart},
-                          {.name = "barzilai_borwein", .run = barzilai_borwein},
-                          {.name = "adgd", .run = adgd}};
+  std::vector<Method> all{
+      {"nag_restart", {nag_restart}}, {"barzilai_borwein", {barzilai_borwein}}, {"adgd", {adgd}}};
   add<avi::Adam>(all, "adam", 1e-3);
   add<avi::AdaGrad>(all, "adagrad", 1e-2);
   add<avi::RmsProp>(all, "rmsprop", 1e-2);

@@ -91,14 +91,13 @@ void with_lbfgs(Meter& meter) {
 }  // namespace
 
 std::vector<Method> library_methods() {
-  std::vector<Method> all{
-      {.name = "gsl_conjugate_fr",
-       .run = [](Meter& m) { with_gsl(m, gsl_multimin_fdfminimizer_conjugate_fr); }},
-      {.name = "gsl_conjugate_pr",
-       .run = [](Meter& m) { with_gsl(m, gsl_multimin_fdfminimizer_conjugate_pr); }},
-      {.name = "gsl_bfgs2", .run = [](Meter& m) { with_gsl(m, gsl_multimin_fdfminimizer_vector_bfgs2); }}};
+  std::vector<Method> all;
+  for (const auto& [name, type] : {std::pair{"gsl_conjugate_fr", gsl_multimin_fdfminimizer_conjugate_fr},
+                                   {"gsl_conjugate_pr", gsl_multimin_fdfminimizer_conjugate_pr},
+                                   {"gsl_bfgs2", gsl_multimin_fdfminimizer_vector_bfgs2}})
+    all.push_back({name, {[type = type](Meter& meter) { with_gsl(meter, type); }}});
 #ifdef AVI_LBFGS
-  all.push_back({.name = "lbfgs", .run = with_lbfgs});
+  all.push_back({"lbfgs", {with_lbfgs}});
 #endif
   return all;
 }

@@ -33,14 +33,18 @@ std::function<void(Meter&)> bregman_with(double part) {
 
 }  // namespace
 
-std::vector<Method> own_methods() {
-  Method paper{.name = "bregman_htvi", .run = {}, .slow = true};
+std::vector<Method> all_methods() {
+  Method paper{.name = "bregman_htvi", .runs = {}, .slow = true};
   for (double part : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1})
-    paper.choices.push_back(bregman_with(part));
-  return {{.name = "minimise_m0", .run = minimise_with(0)},
-          {.name = "minimise_m7", .run = minimise_with(7)},
-          {.name = "bregman_restarted", .run = [](Meter& meter) { follow(meter, avi::BregmanRestarted{}); }},
-          paper};
+    paper.runs.push_back(bregman_with(part));
+  std::vector<Method> all{
+      {"minimise_m0", {minimise_with(0)}},
+      {"minimise_m7", {minimise_with(7)}},
+      {"bregman_restarted", {[](Meter& meter) { follow(meter, avi::BregmanRestarted{}); }}},
+      paper};
+  for (const auto& others : {first_order_methods(), conjugate_gradients(), library_methods()})
+    all.insert(all.end(), others.begin(), others.end());
+  return all;
 }
 
 }  // namespace arena

@@ -1,4 +1,4 @@
-#include "optimisers/optimiser_arena/problems/all.hpp"
+#include "optimisers/optimiser_arena/problems/problem.hpp"
 
 namespace arena {
 
@@ -8,39 +8,32 @@ namespace arena {
 // been looked at since; the second rule was then applied once more. Its problems were drawn before any method
 // was run on them, and nothing was changed after.
 
-std::vector<Problem> tuned_problems(bool large) {
+std::vector<Problem> all_problems(bool large, bool again) {
   std::vector<Problem> all;
-  for (auto& kind : {convex_problems(large), statistics_problems(), classic_problems(), non_convex_problems(),
-                     degenerate_problems(large)})
-    all.insert(all.end(), kind.begin(), kind.end());
+  std::string group = "tuned", suffix;
+  const auto add = [&](const char* kind, std::vector<Problem> problems) {
+    for (Problem& problem : problems) {
+      problem.name += suffix, problem.kind = kind, problem.group = group;
+      all.push_back(std::move(problem));
+    }
+  };
+  add("convex", convex_problems(large));
+  add("statistics", statistics_problems({}));
+  add("classic", classic_problems());
+  add("non_convex", drawn_non_convex_problems({}));
+  add("non_convex", other_non_convex_problems());
+  add("degenerate", degenerate_problems(large));
+  const auto add_drawn = [&](const Draw& draw) {
+    add("statistics", statistics_problems(draw));
+    add("non_convex", drawn_non_convex_problems(draw));
+  };
+  group = "looked_at", suffix = "_again";
+  if (again) add_drawn({.times = 2, .seed = 1000});
+  suffix = "";
+  add("classic", remaining_classic_problems());
+  group = "held_out", suffix = "_fresh";
+  add_drawn({.times = 2, .seed = 3000});
   return all;
-}
-
-namespace {
-
-std::vector<Problem> drawn(const Draw& draw, const char* group) {
-  std::vector<Problem> all = statistics_problems(draw);
-  for (auto& problem : drawn_non_convex_problems(draw))
-    all.push_back(problem);
-  for (Problem& problem : all)
-    problem.group = group;
-  return all;
-}
-
-}  // namespace
-
-std::vector<Problem> looked_at_problems(bool every) {
-  std::vector<Problem> all;
-  if (every) all = drawn({.suffix = "_again", .times = 2, .seed = 1000}, "looked_at");
-  for (Problem problem : remaining_classic_problems()) {
-    problem.group = "looked_at";
-    all.push_back(problem);
-  }
-  return all;
-}
-
-std::vector<Problem> held_out_problems() {
-  return drawn({.suffix = "_fresh", .times = 2, .seed = 3000}, "held_out");
 }
 
 }  // namespace arena

@@ -14,15 +14,37 @@
 namespace arena {
 
 using avi::VectorX;
+using Eigen::Index;
 
 /// A function to minimise, with its start.
 struct Problem {
-  std::string name;  ///< As in the data file.
-  std::string kind;  ///< convex, statistics, classic, non_convex or degenerate.
-  VectorX x0;        ///< The usual start.
+  std::string name;                                   ///< As in the data file.
+  VectorX x0;                                         ///< The usual start.
   std::function<double(const VectorX&, VectorX&)> f;  ///< Value; fills the gradient.
-  std::string group = "tuned";                        ///< tuned, looked_at or held_out (all.cpp).
+  std::string kind{};   ///< convex, statistics, classic, non_convex or degenerate.
+  std::string group{};  ///< tuned, looked_at or held_out (all.cpp).
 };
+
+/// Every problem, in the order of the data file. `large` adds and enlarges those of dimension up to 1e6,
+/// `again` adds the draws that were held out for earlier defaults.
+std::vector<Problem> all_problems(bool large, bool again);
+
+/// Which instances of the classes whose data or start is drawn at random.
+struct Draw {
+  Index times = 1;         ///< Dimension and number of data, in units of the usual.
+  unsigned long seed = 0;  ///< Added to each class's own.
+};
+
+/// @name One kind each, without kind and group
+/// @{
+std::vector<Problem> convex_problems(bool large);
+std::vector<Problem> statistics_problems(const Draw& draw);
+std::vector<Problem> classic_problems();
+std::vector<Problem> remaining_classic_problems();
+std::vector<Problem> drawn_non_convex_problems(const Draw& draw);
+std::vector<Problem> other_non_convex_problems();
+std::vector<Problem> degenerate_problems(bool large);
+/// @}
 
 /// Numbers that are the same with every standard library: uniform from the bits of mt19937_64, normal by Box
 /// and Muller.
@@ -34,13 +56,8 @@ class Numbers {
     const double radius = std::sqrt(-2.0 * std::log(uniform()));
     return radius * std::cos(2.0 * std::numbers::pi * uniform());
   }
-  VectorX normals(Eigen::Index n) {
-    VectorX v(n);
-    for (double& entry : v)
-      entry = normal();
-    return v;
-  }
-  Eigen::MatrixXd matrix(Eigen::Index rows, Eigen::Index columns) {
+  VectorX normals(Index n) { return matrix(n, 1); }
+  Eigen::MatrixXd matrix(Index rows, Index columns) {
     Eigen::MatrixXd m(rows, columns);
     for (double& entry : m.reshaped())
       entry = normal();
@@ -51,34 +68,52 @@ class Numbers {
   std::mt19937_64 bits_;
 };
 
-/// Which instances of the classes whose data or start is drawn at random.
-struct Draw {
-  std::string suffix;      ///< Of their names.
-  Eigen::Index times = 1;  ///< Dimension and number of data, in units of the usual.
-  unsigned long seed = 0;  ///< Added to each class's own.
-};
-
-/// The problems with the suffix of their draw.
-inline std::vector<Problem> named(const Draw& draw, std::vector<Problem> problems) {
-  for (Problem& problem : problems)
-    problem.name += draw.suffix;
-  return problems;
+/// sum_i term(x_i, slope_i, i).
+Problem separable(std::string name, VectorX x0, const auto& term) {
+  return {std::move(name), std::move(x0), [term](const VectorX& x, VectorX& g) {
+            double f = 0.0;
+            for (Index i = 0; i < x.size(); ++i)
+              f += term(x[i], g[i], i);
+            return f;
+          }};
 }
 
-/// 1 / (1 + e^-z) without overflow.
-inline double sigmoid(double z) {
-  return z >= 0.0 ? 1.0 / (1.0 + std::exp(-z)) : std::exp(z) / (1.0 + std::exp(z));
-}
-/// Sum of log(1 + e^-z) over the entries of z, each of which becomes its slope.
-inline double logistic_loss(VectorX& z) {
+/// sum_i loss(z_i, slope_i, i), z = A x - b, and its gradient. loss() takes z_i by value.
+double sum_of_losses(const Eigen::MatrixXd& a, const VectorX& b, const auto& loss, const VectorX& x,
+                     VectorX& g) {
+  VectorX z = a * x - b;
   double f = 0.0;
-  for (double& entry : z) {
-    const double decay = std::exp(-std::abs(entry));
-    f += (entry < 0.0 ? -entry : 0.0) + std::log1p(decay);
-    entry = -(entry <= 0.0 ? 1.0 : decay) / (1.0 + decay);
+  for (Index i = 0; i < z.size(); ++i)
+    f += loss(z[i], z[i], i);
+  g.noalias() = a.transpose() * z;
+  return f;
+}
+
+/// log(1 + e^-z): of the margin z of one datum.
+inline double logistic_loss(double z, double& slope, Index) {
+  const double decay = std::exp(-std::abs(z));
+  slope = -(z <= 0.0 ? 1.0 : decay) / (1.0 + decay);
+  return (z < 0.0 ? -z : 0.0) + std::log1p(decay);
+}
+
+/// f and the sum of term(x_{i+1} - x_i, slope), whose gradient is added to g.
+double add_neighbours(const VectorX& x, double f, VectorX& g, const auto& term) {
+  for (Index i = 0; i + 1 < x.size(); ++i) {
+    double slope = 0.0;
+    f += term(x[i + 1] - x[i], slope);
+    g[i + 1] += slope;
+    g[i] -= slope;
   }
   return f;
 }
+
+/// weight |d|, smoothed: weight sqrt(d^2 + width).
+inline double smooth_size(double weight, double width, double d, double& slope) {
+  const double size = std::sqrt(d * d + width);
+  slope = weight * d / size;
+  return weight * size;
+}
+inline double half_square(double d, double& slope) { return slope = d, 0.5 * d * d; }
 
 /// A first step along -g for methods that have none of their own: a hundredth of x, or of the way to where a
 /// linear f would vanish, or of length 1 / |g|.
@@ -87,16 +122,5 @@ inline double first_length(const VectorX& x, const VectorX& g, double value) {
   if (size > 0.0) return 0.01 * size / slope;
   return value != 0.0 ? 0.01 * std::abs(value) / avi::dot(g, g) : 1.0 / slope;
 }
-
-/// @name One kind each
-/// @{
-std::vector<Problem> convex_problems(bool large);
-std::vector<Problem> statistics_problems(const Draw& draw = {});
-std::vector<Problem> classic_problems();
-std::vector<Problem> remaining_classic_problems();
-std::vector<Problem> drawn_non_convex_problems(const Draw& draw);
-std::vector<Problem> non_convex_problems();
-std::vector<Problem> degenerate_problems(bool large);
-/// @}
 
 }  // namespace arena
