@@ -1,8 +1,7 @@
 #include "beyond/stability/bregman_extremes/faults.hpp"
-#include "beyond/stability/bregman_extremes/plan.hpp"
 #include "common/frame.hpp"
+#include "common/timing.hpp"
 
-#include <chrono>
 #include <map>
 
 // Bregman dynamics where they break: the time at which each form of the HTVI overflows, the largest stable
@@ -18,25 +17,15 @@ using Orders = std::vector<std::pair<double, double>>;  // (p, p_ring)
 using Tally = std::map<std::pair<std::string, std::string>, long>;
 
 void write_overflow(Frame& frame) {
-  experiment::Table table = frame.table({"form", "p", "p_ring", "h", "log10_t_end", "log10_t_expected",
-                                         "steps", "distance_from_printed", "steps_compared"});
+  Table table = frame.table({"form", "p", "p_ring", "h", "log10_t_end", "log10_t_expected", "steps",
+                             "distance_from_printed", "steps_compared"});
   table.note("distance_from_printed", "largest |x - x_printed| / |x| while both are finite");
   const double steps = 2000.0;
-  for (const auto& [p, p_ring] : Orders{{2, 2},
-                                        {3, 3},
-                                        {4, 4},
-                                        {6, 6},
-                                        {8, 8},
-                                        {10, 10},
-                                        {20, 20},
-                                        {35, 35},
-                                        {50, 50},
-                                        {2, 1e-3},
-                                        {4, 1},
-                                        {10, 0.5},
-                                        {50, 1},
-                                        {50, 1e-3},
-                                        {50, 1e-6}}) {
+  Orders orders;
+  for (double p : {2, 3, 4, 6, 8, 10, 20, 35, 50})
+    orders.emplace_back(p, p);
+  orders.insert(orders.end(), {{2, 1e-3}, {4, 1}, {10, 0.5}, {50, 1}, {50, 1e-3}, {50, 1e-6}});
+  for (const auto& [p, p_ring] : orders) {
     const auto family = avi::BregmanFamily::adaptive(p, p_ring);
     const Agreement close = agreement(family, steps);
     // clang++ 14 captures no structured binding by itself.
@@ -44,17 +33,17 @@ void write_overflow(Frame& frame) {
       table.row(end.form, p, p_ring, end.h, end.log_end / M_LN10, end.expected / M_LN10, end.steps, distance,
                 close.steps);
     };
-    add(run_to_its_end<PrintedForm>("printed", family, steps), 0.0);
-    add(run_to_its_end<RunningForm<avi::BregmanHtvi>>("momentum", family, steps), close.momentum);
-    add(run_to_its_end<RunningForm<avi::BregmanHeavyBall>>("heavy_ball", family, steps), close.heavy_ball);
+    add(run_to_its_end<PrintedHtvi>("printed", family, steps), 0.0);
+    add(run_to_its_end<avi::BregmanHtvi>("momentum", family, steps), close.momentum);
+    add(run_to_its_end<avi::BregmanHeavyBall>("heavy_ball", family, steps), close.heavy_ball);
   }
   frame.write(table, "overflow");
 }
 
 /// Returns the runs made.
 long write_limits(Frame& frame, Tally& tally) {
-  experiment::Table table = frame.table({"method", "p", "p_ring", "t_end", "h_expected", "h_measured",
-                                         "ratio", "beyond_outcome", "beyond_iterations", "beyond_message"});
+  Table table = frame.table({"method", "p", "p_ring", "t_end", "h_expected", "h_measured", "ratio",
+                             "beyond_outcome", "beyond_iterations", "beyond_message"});
   table.note("objective", "|x|^2 / 2, C = 1e9; stable: f stays below 1000 f(x0) from t = 1 to t_end");
   table.note("beyond", "the run with 1.05 times the measured step, under the default bounds");
   Orders orders = {{1, 1}, {2, 2}, {3, 3}, {4, 4}, {6, 6}, {10, 10}, {4, 1}};
@@ -85,40 +74,38 @@ int main(int argc, char** argv) {
       },
       [&](Frame& frame) {
         Tally tally;
-        experiment::Table table =
+        Table table =
             frame.table({"scene", "method", "p", "p_ring", "h", "C", "dimension", "one_less_rho", "away",
                          "t0", "fault", "fault_at", "iterations", "value", "outcome", "verdict", "seconds"});
         table.note("verdict",
                    "correct: converged, and asked again the criterion holds; named: any other outcome, "
                    "with a sentence; told: the objective itself reported a zero gradient");
-        const auto add = [&](const Scene& s, std::string_view fault, double at, const auto& play_it) {
-          const auto begin = std::chrono::steady_clock::now();
-          const Judged end = play_it();
-          const double seconds =
-              std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-          table.row(s.scene, s.method, s.p, s.p_ring, end.h, s.C, s.dimension, 1.0 - s.rho, s.away, s.from.t,
-                    fault, at, end.iterations, end.value, end.outcome, end.verdict,
-                    experiment::rounded(seconds, 3));
+        const auto add = [&](const Scene& s, double h, std::string_view fault, long at, const auto& play_it) {
+          Judged end;
+          const double time = seconds([&] { end = play_it(); });
+          table.row(s.scene, s.method, s.p, s.p_ring, h, s.C, s.dimension, 1.0 - s.rho, s.away, s.from.t,
+                    fault, static_cast<double>(at), end.iterations, end.value, end.outcome, end.verdict,
+                    rounded(time, 3));
           ++tally[{s.scene, end.verdict}];
         };
         frame.progress("overflow", 0.0);
         write_overflow(frame);
         frame.progress("limits", 0.1);
         long runs = write_limits(frame, tally);
-        const auto all = plan(frame.quick ? Effort::quick : extremes ? Effort::extreme : Effort::usual);
+        const auto all = plan(frame.quick, extremes);
         for (std::size_t i = 0; i < all.size(); ++i) {
           frame.progress(all[i].scene, 0.2 + 0.7 * static_cast<double>(i) / static_cast<double>(all.size()));
-          add(all[i], "none", 0.0, [&] { return play(all[i]); });
+          const double h = step_of(all[i]);
+          add(all[i], h, "none", 0, [&] { return play(all[i], h); });
         }
         frame.progress("faults", 0.9);
         for (const char* method : fault_methods)
           for (std::string_view kind : fault_kinds)
             for (long at : {1L, 2L, 10L, 100L})
-              add({.scene = "fault", .method = method, .p = 10.0, .p_ring = 0.5}, kind,
-                  static_cast<double>(at),
+              add({.scene = "fault", .method = method, .p = 10.0, .p_ring = 0.5}, 0.0, kind, at,
                   [&] { return meet(method, kind, at, frame.quick ? 1000 : 15'000); });
         runs += static_cast<long>(table.rows.size());
-        experiment::Table counts = frame.table({"scene", "verdict", "runs"});
+        Table counts = frame.table({"scene", "verdict", "runs"});
         for (const auto& [key, n] : tally)
           counts.row(key.first, key.second, n);
         frame.progress("done", 1.0);

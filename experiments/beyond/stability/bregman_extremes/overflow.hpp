@@ -24,33 +24,32 @@ struct Bowl {
   }
 };
 
-/// The printed form as a thing that steps.
-struct PrintedForm {
+/// The printed form as an update rule; r^t, on which nothing else depends, takes no part.
+struct PrintedHtvi {
+  using State = avi::ExtendedPoint;
   avi::BregmanFamily family;
   double h;
-  Bowl f;
-  avi::ExtendedPoint z;
 
-  PrintedForm(const avi::BregmanFamily& of, double step, const Bowl& bowl)
-      : family(of), h(step), f(bowl), z(avi::bregman_start(family, f, avi::VectorX::Ones(1))) {}
-  [[nodiscard]] double log_t() const { return std::log(z.t); }
-  [[nodiscard]] double x() const { return z.q[0]; }
-  bool step() {
+  [[nodiscard]] State start(const avi::Iterate& first) const {
+    return avi::bregman_start(family, Bowl{0.0}, first.x);
+  }
+  avi::Outcome update(State& z, avi::Iterate& now, const Bowl& f) const {
     experiment::htvi_printed_step(family, f, h, z);
-    return std::isfinite(z.q[0]) && std::isfinite(z.r[0]) && std::isfinite(z.t);
+    now.x = z.q;
+    return std::isfinite(z.r[0]) ? avi::Outcome::ok : avi::Outcome::non_finite;
   }
 };
 
-/// An update rule with a step function.
+/// A form of the HTVI, run by hand on a bowl.
 template <class Method>
-struct RunningForm {
+struct Form {
   Method method;
   Bowl f;
-  avi::Iterate now;
+  avi::Iterate now{.x = avi::VectorX::Ones(1), .gradient = avi::VectorX::Zero(1)};
   typename Method::State state;
 
-  RunningForm(const avi::BregmanFamily& family, double h, const Bowl& bowl)
-      : method{.family = family, .h = h}, f(bowl), now(first(bowl)), state(method.start(now)) {}
+  Form(const avi::BregmanFamily& family, double h, const Bowl& bowl)
+      : method{.family = family, .h = h}, f(bowl), state((now.evaluate(f), method.start(now))) {}
   [[nodiscard]] double log_t() const {
     if constexpr (requires { state.log_t; })
       return state.log_t;
@@ -61,14 +60,7 @@ struct RunningForm {
   bool step() {
     if (method.update(state, now, f) != avi::Outcome::ok) return false;
     now.evaluate(f);
-    return std::isfinite(now.x[0]) && std::isfinite(log_t());
-  }
-
- private:
-  static avi::Iterate first(const Bowl& bowl) {
-    avi::Iterate start{.x = avi::VectorX::Ones(1), .gradient = avi::VectorX::Zero(1)};
-    start.evaluate(bowl);
-    return start;
+    return std::isfinite(x()) && std::isfinite(log_t());
   }
 };
 
@@ -116,12 +108,12 @@ struct End {
 };
 
 /// Runs a form until it fails, or fifty times as long as it should last.
-template <class Form>
+template <class Method>
 End run_to_its_end(const std::string& name, const avi::BregmanFamily& family, double steps) {
   const double h = step_to_the_end(name, family, steps);
   const double expected = expected_log_end(name, family, h);
   const double reach = std::isfinite(expected) ? expected : std::log(std::numeric_limits<double>::max());
-  Form form(family, h, Bowl{gentle_curvature(family, h, reach)});
+  Form<Method> form(family, h, Bowl{gentle_curvature(family, h, reach)});
   End end{.form = name, .h = h, .expected = expected, .log_end = form.log_t(), .steps = 0};
   const long cap = static_cast<long>(50.0 * steps);
   while (end.steps < cap && form.step()) {
@@ -141,11 +133,10 @@ struct Agreement {
 
 inline Agreement agreement(const avi::BregmanFamily& family, double steps) {
   const double h = step_to_the_end("printed", family, steps);
-  const double end = expected_log_end("printed", family, h);
-  const Bowl f{gentle_curvature(family, h, end)};
-  PrintedForm printed(family, h, f);
-  RunningForm<avi::BregmanHtvi> momentum(family, h, f);
-  RunningForm<avi::BregmanHeavyBall> heavy_ball(family, h, f);
+  const Bowl f{gentle_curvature(family, h, expected_log_end("printed", family, h))};
+  Form<PrintedHtvi> printed(family, h, f);
+  Form<avi::BregmanHtvi> momentum(family, h, f);
+  Form<avi::BregmanHeavyBall> heavy_ball(family, h, f);
   Agreement most;
   double size = 1.0;
   while (printed.step() && momentum.step() && heavy_ball.step()) {

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// @file
 /// Minimisations at the extremes, each judged: correct, ended with a named outcome, or silently wrong.
@@ -52,12 +54,10 @@ inline double step_of(const Scene& s) {
 
 /// How a run ended, for the table.
 struct Judged {
-  std::string outcome{};  ///< Of the run, or `refused` with its sentence.
+  std::string outcome{};  ///< Of the run, or `refused`.
   std::string verdict{};  ///< correct, named, told or silent.
-  double h = 0.0;
   long iterations = 0;
   double value = std::nan("");
-  std::string message{};
 };
 
 /// A run that says it converged must hold up: finite, and the criterion true when f is asked again.
@@ -69,36 +69,80 @@ std::string verdict_of(const avi::Minimisation& run, const F& f, double delta) {
   return run.last.x.allFinite() && std::isfinite(value) && avi::norm(gradient) < delta ? "correct" : "silent";
 }
 
-/// Calls run(), which makes a Minimisation of f, and judges it.
-template <class Run, class F>
-Judged judge(const F& f, double delta, Run&& run) {
-  Judged result;
+/// Minimises f to delta = 1e-10 and judges the run.
+template <class F>
+Judged judge(const Rule& rule, const F& f, const avi::VectorX& x0, long cap) {
+  const avi::Stopping stopping{.delta = 1e-10, .iterations = cap};
   try {
-    const avi::Minimisation end = run();
-    result.outcome = name(end.outcome);
-    result.verdict = verdict_of(end, f, delta);
-    result.iterations = end.iterations;
-    result.value = end.last.value;
-    result.message = end.message;
+    const avi::Minimisation end = run_updates(rule, f, x0, stopping);
+    return {std::string(name(end.outcome)), verdict_of(end, f, stopping.delta), end.iterations,
+            end.last.value};
   } catch (const std::invalid_argument& refused) {
-    result.outcome = "refused";
-    result.verdict = std::string_view(refused.what()).empty() ? "silent" : "named";
-    result.message = refused.what();
+    return {"refused", std::string_view(refused.what()).empty() ? "silent" : "named"};
   }
-  return result;
 }
 
-/// Runs a scene on the paper's quartic to delta = 1e-10.
-inline Judged play(const Scene& s) {
-  const avi::Stopping stopping{.delta = 1e-10, .iterations = s.cap};
+/// Runs a scene on the paper's quartic, with its step.
+inline Judged play(const Scene& s, double h) {
   const avi::CorrelatedQuartic f(s.dimension, s.rho);
-  const double h = step_of(s);
-  Judged result = judge(f, stopping.delta, [&] {
-    return run_updates({.method = s.method, .family = s.family(), .h = h, .from = s.from}, f,
-                       f.minimiser().array() + s.away, stopping);
-  });
-  result.h = h;
-  return result;
+  return judge({.method = s.method, .family = s.family(), .h = h, .from = s.from}, f,
+               f.minimiser().array() + s.away, s.cap);
+}
+
+inline constexpr const char* bregman_methods[] = {"htvi",     "heavy_ball", "splitting",    "clone_strang",
+                                                  "clone_y4", "clone_y6",   "runge_kutta_4"};
+
+/// All scenes, in the order of the table. `extremes`: what takes minutes.
+inline std::vector<Scene> plan(bool quick, bool extremes) {
+  std::vector<Scene> all;
+  // Every method, p to 50, p_ring to 1e-6: P = p^2/p_ring to 2.5e9.
+  for (const char* method : bregman_methods)
+    for (double p : {1.0, 2.0, 4.0, 10.0, 20.0, 50.0})
+      for (double p_ring : std::set{p, 1.0, 1e-3, 1e-6})
+        if (p_ring <= p) {
+          Scene s{.scene = "order", .method = method, .p = p, .p_ring = p_ring};
+          // Low orders need more iterations than a figure is worth.
+          s.cap = quick ? 1000 : p * p / p_ring < 10.0 ? 5000 : 25'000;
+          all.push_back(s);
+        }
+  for (const char* method : {"htvi", "heavy_ball"})
+    for (double p : {4.0, 10.0}) {
+      const auto add = [&](const char* scene, const auto& change) {
+        Scene s{.scene = scene, .method = method, .p = p, .p_ring = p == 4.0 ? 1.0 : 0.5};
+        s.cap = quick ? 2000 : 100'000;
+        change(s);
+        all.push_back(s);
+      };
+      for (int k = 1; k <= 8; ++k)
+        add("conditioning", [&](Scene& s) { s.rho = 1.0 - std::pow(10.0, -k); });
+      // Large dimensions under a cap on the entries moved.
+      const long largest = quick ? 10'000 : extremes ? 10'000'000 : 1'000'000;
+      for (long n : {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 10'000, 100'000, 1'000'000, 10'000'000}) {
+        const long entries = quick ? 200'000 : extremes ? 1'000'000'000 : n > 200 ? 4'000'000 : 20'000'000;
+        if (n <= largest)
+          add("dimension", [&](Scene& s) {
+            s.dimension = n;
+            s.cap = std::clamp(entries / n, 10L, 400'000L);
+          });
+      }
+      // Starts as they are, and with C away^2 and r0 / away kept, as f is homogeneous; then far starts make
+      // the run of a near one, to a relatively smaller delta.
+      for (int k = -6; k <= 6; ++k) {
+        const double away = std::pow(10.0, k);
+        add("start", [&](Scene& s) { s.away = away; });
+        add("start_scaled", [&](Scene& s) {
+          s.away = away;
+          s.C *= 16.0 / (away * away);
+          s.from.momentum = away / 4.0;
+        });
+      }
+      // Start times and steps that no one would choose.
+      for (double t : {1e-6, 1e-3, 1e3, 1e6, 1e30, 1e100})
+        add("clock", [&](Scene& s) { s.from = {.t = t, .momentum = 0.0}; });
+      for (double h : {1e-300, 1e-20, 1.0, 1e20, 1e300})
+        add("step", [&](Scene& s) { s.h = h; });
+    }
+  return all;
 }
 
 }  // namespace experiment
