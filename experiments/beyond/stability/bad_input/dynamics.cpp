@@ -18,7 +18,6 @@ namespace experiment {
 using namespace avi;
 
 namespace {
-
 /// g = a + b q_1, or one over it: one type for all monitors here, so that collocation is compiled once.
 struct Monitor {
   double a = 1.0, b = 0.0;
@@ -30,6 +29,7 @@ struct Monitor {
     return inverse ? S(1.0 / g) : g;
   }
 };
+}  // namespace
 
 void try_time_loop(Tries& tries) {
   tries.part = "integrate";
@@ -99,15 +99,6 @@ void try_collocation(Tries& tries) {
     (void)method.step(uneven, 0.1);
   });
   tries.one("size", 2, [&] { (void)poincare(Chain{}, uneven); });
-}
-
-}  // namespace
-
-void try_dynamics(Tries& tries) {
-  try_time_loop(tries);
-  try_collocation(tries);
-  try_monitors(tries);
-  try_quadrature(tries);
 }
 
 }  // namespace experiment

@@ -18,10 +18,8 @@ namespace experiment {
 
 using namespace avi;
 
-namespace {
-
-const CorrelatedQuartic f(3);
-const VectorX x0 = f.start();
+static const CorrelatedQuartic f(3);
+static const VectorX x0 = f.start();
 
 void try_rules(Tries& tries) {
   tries.part = "optimisers";
@@ -82,13 +80,6 @@ void try_update_loop(Tries& tries) {
   });
   tries.all("dimension", std::vector{0, -1}, [](int n) { CorrelatedQuartic{n}; });
   tries.all("rho", std::vector{1.0, -1.0, nan, 1.5}, [](double rho) { CorrelatedQuartic(3, rho); });
-}
-
-}  // namespace
-
-void try_optimisation(Tries& tries) {
-  try_rules(tries);
-  try_update_loop(tries);
 }
 
 }  // namespace experiment

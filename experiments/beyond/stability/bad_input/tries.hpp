@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -22,10 +23,16 @@ inline constexpr double not_finite[] = {nan, inf, -inf};
 /// which a run ended, or `taken`.
 class Tries {
  public:
-  /// @param table with the columns part, argument, value, ending, sentence
-  explicit Tries(experiment::Table& table) : table_(table) {}
+  /// How many answers of a kind.
+  struct Tally {
+    long inputs = 0, refused = 0, taken = 0;
+  };
 
-  std::string part;  ///< Of the library, for the rows to come.
+  std::string part;                    ///< Of the library, for the rows to come.
+  std::map<std::string, Tally> tally;  ///< Of each part.
+
+  /// @param table with the columns part, argument, value, ending, sentence
+  explicit Tries(Table& table) : table_(table) {}
 
   /// Makes one call that has to be refused.
   template <class Value>
@@ -38,13 +45,18 @@ class Tries {
     std::ostringstream written;
     written.precision(17);
     written << value;
+    std::string ending = "refused", sentence;
     try {
       const avi::Run done = call();
-      table_.row(part, argument, written.str(),
-                 done.outcome == avi::Outcome::ok ? "taken" : avi::name(done.outcome), done.message);
+      ending = done.outcome == avi::Outcome::ok ? "taken" : avi::name(done.outcome);
+      sentence = done.message;
     } catch (const std::invalid_argument& error) {
-      table_.row(part, argument, written.str(), "refused", error.what());
+      sentence = error.what();
     }
+    table_.row(part, argument, written.str(), ending, sentence);
+    ++tally[part].inputs;
+    tally[part].refused += ending == "refused";
+    tally[part].taken += ending == "taken";
   }
 
   /// Makes call(value) for every value.
@@ -54,14 +66,19 @@ class Tries {
   }
 
  private:
-  experiment::Table& table_;
+  Table& table_;
 };
 
-/// Rules, their loop and objectives.
-void try_optimisation(Tries& tries);
-/// Integrators, the time loop, monitors and quadrature.
-void try_dynamics(Tries& tries);
-/// Problems and diagnostics.
+/// @name Parts of the library
+/// @{
+void try_rules(Tries& tries);
+void try_update_loop(Tries& tries);
+void try_time_loop(Tries& tries);
+void try_collocation(Tries& tries);
+void try_monitors(Tries& tries);
+void try_quadrature(Tries& tries);
 void try_problems(Tries& tries);
+void try_diagnostics(Tries& tries);
+/// @}
 
 }  // namespace experiment
