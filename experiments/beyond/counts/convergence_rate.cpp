@@ -1,4 +1,5 @@
 #include "common/frame.hpp"
+#include "common/power_law.hpp"
 
 #include "avi/bregman/bregman_runge_kutta.hpp"
 #include "avi/problems/correlated_quartic.hpp"
@@ -30,13 +31,12 @@ double lyapunov(const avi::BregmanFamily& family, const avi::CorrelatedQuartic& 
 int main(int argc, char** argv) {
   return run(
       argc, argv, "convergence_rate", "f along Bregman dynamics against the O(t^-p) bound", [](Frame& frame) {
-        experiment::Table table =
-            frame.table({"p", "t_end", "value", "bound", "largest_ratio", "largest_rise_of_E", "fitted_rate",
-                         "gradient_evaluations", "outcome"});
+        Table table = frame.table({"p", "t_end", "value", "bound", "largest_ratio", "largest_rise_of_E",
+                                   "fitted_rate", "gradient_evaluations", "outcome"});
         table.note("largest_ratio", "of f - f* to its bound E(t_0) / (C t^p), over the run");
         table.note("fitted_rate",
                    "exponent of t of the upper envelope of f, over the last decade of f's fall");
-        experiment::Table curves = frame.table({"p", "t", "value", "most", "bound", "E"});
+        Table curves = frame.table({"p", "t", "value", "most", "bound", "E"});
         const avi::CorrelatedQuartic f;
         for (double p : {2.0, 4.0, 6.0, 10.0}) {
           const auto family = avi::BregmanFamily::direct(p);
@@ -50,12 +50,12 @@ int main(int argc, char** argv) {
           const double start_energy = lyapunov(family, f, state.z.head(n), state.z.segment(n, n), from.t);
           const double floor = frame.quick ? 1e-2 : 1e-8;
           double energy = start_energy, rise = 0.0, ratio = 0.0, next = 1.0, most = 0.0, most_at = 1.0;
-          std::vector<double> log_t, log_f;
+          std::vector<double> times, envelope;  // largest f of a hundredth of the time so far
           const auto field = [&](const avi::VectorX& z, avi::VectorX& dz) {
             state.field.evaluate(objective, z, dz);
           };
           avi::Outcome outcome = avi::Outcome::step_limit;
-          double value = first.value, envelope = value;
+          double value = first.value;
           for (long k = 0; k < 400'000 && outcome == avi::Outcome::step_limit; ++k) {
             field(state.z, state.stages.k[0]);
             if (avi::controlled_step(state.stages, field, state.z, state.h, control) == 0.0) {
@@ -73,25 +73,22 @@ int main(int argc, char** argv) {
             if (value > most) most = value, most_at = t;
             if (t >= next) {
               curves.row(p, t, value, most, bound, now);
-              log_t.push_back(std::log(most_at));
-              log_f.push_back(std::log(most));
-              envelope = most;
+              times.push_back(most_at);
+              envelope.push_back(most);
               next = t * 1.01;
               most = 0.0;
-              if (envelope < floor) outcome = avi::Outcome::ok;
+              if (envelope.back() < floor) outcome = avi::Outcome::ok;
             }
           }
-          // Least squares over the part of the envelope that fell by the last factor of 1e4.
-          double sx = 0, sy = 0, sxx = 0, sxy = 0, count = 0;
-          for (std::size_t i = 0; i < log_t.size(); ++i)
-            if (log_f[i] < std::log(envelope) + std::log(1e4)) {
-              sx += log_t[i], sy += log_f[i], sxx += log_t[i] * log_t[i], sxy += log_t[i] * log_f[i];
-              count += 1.0;
+          std::vector<double> late, last;  // the part of the envelope that fell by the last factor of 1e4
+          for (std::size_t i = 0; i < envelope.size(); ++i)
+            if (envelope[i] < 1e4 * envelope.back()) {
+              late.push_back(times[i]);
+              last.push_back(envelope[i]);
             }
-          const double slope = (count * sxy - sx * sy) / (count * sxx - sx * sx);
           const double t = state.z[2 * n];
-          table.row(p, t, value, start_energy / (family.C * std::pow(t, p)), ratio, rise, slope,
-                    objective.gradients, avi::name(outcome));
+          table.row(p, t, value, start_energy / (family.C * std::pow(t, p)), ratio, rise,
+                    power_law(late, last).slope, objective.gradients, avi::name(outcome));
         }
         frame.write(curves, "curves");
         frame.write(table);

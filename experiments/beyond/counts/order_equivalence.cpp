@@ -8,11 +8,10 @@ int main(int argc, char** argv) {
   return run(
       argc, argv, "order_equivalence", "Adaptive (p, p_ring) is Direct of order p^2/p_ring but for its clock",
       [](Frame& frame) {
-        experiment::Table table =
-            frame.table({"p", "p_ring", "order", "h", "clock", "adaptive_iterations", "direct_iterations",
-                         "distance_100", "distance_1000", "converged"});
+        Table table = frame.table({"p", "p_ring", "order", "h", "clock", "adaptive_iterations",
+                                   "direct_iterations", "distance_100", "distance_1000", "converged"});
         table.note("distance_n", "largest |x_adaptive - x_direct| / |x_direct| over the first n iterations");
-        experiment::Table curves = frame.table(Curve::columns_after({"curve"}));
+        Table curves = frame.table(Curve::columns_after({"curve"}));
         const avi::CorrelatedQuartic f;
         const avi::Stopping stopping{.delta = 1e-10, .iterations = 200'000};
         for (Setting s : p_dependence_settings()) {

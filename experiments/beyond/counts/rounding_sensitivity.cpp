@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
       },
       [&](Frame& frame) {
         if (frame.quick) starts = std::min(starts, 4L);
-        experiment::Table table =
+        Table table =
             frame.table({"setting", "method", "approach", "p", "p_ring", "h", "iterations", "moved_by",
                          "starts", "least", "median", "most", "unchanged", "failed", "chaotic"});
         table.note("chaotic", "the counts of the moved starts differ, or some runs fail");

@@ -24,13 +24,13 @@ std::vector<double> two_digit_numbers(double low, double high) {
 int main(int argc, char** argv) {
   return run(argc, argv, "step_size_luck", "How much of a published count is the choice of its step",
              [](Frame& frame) {
-               experiment::Table table =
+               Table table =
                    frame.table({"method", "approach", "p", "p_ring", "h", "iterations", "steps_tried",
                                 "converged", "better", "least", "median", "most", "printed_is_best"});
                table.note("grid", "two-digit steps from 0.6 to 1.3 times the published one");
                table.note("better", "steps of the grid that need fewer iterations than the published one");
-               experiment::Table grid = frame.table({"row", "method", "approach", "p", "p_ring", "h",
-                                                     "relative_h", "iterations", "converged"});
+               Table grid = frame.table({"row", "method", "approach", "p", "p_ring", "h", "relative_h",
+                                         "iterations", "converged"});
                const avi::CorrelatedQuartic f;
                const avi::Stopping stopping{.delta = 1e-10, .iterations = 400'000};
                each_setting(frame, [&](const Setting& s, bool slow) {

@@ -9,7 +9,7 @@ namespace {
 using namespace experiment;
 
 /// f around and after the first passage, for the figure.
-void add_curve(experiment::Table& curves, const Setting& s, long first_passage) {
+void add_curve(Table& curves, const Setting& s, long first_passage) {
   const long length = 4 * first_passage;
   const avi::CorrelatedQuartic f;
   Curve curve(static_cast<double>(length) / 600.0);
@@ -23,13 +23,12 @@ int main(int argc, char** argv) {
   return run(
       argc, argv, "sustained_convergence", "Iterations until the stopping test holds for good",
       [](Frame& frame) {
-        experiment::Table table =
-            frame.table({"method", "approach", "p", "p_ring", "h", "first_passage", "sustained", "ratio",
-                         "value_at_first_passage", "rebound", "confirmed", "outcome"});
+        Table table = frame.table({"method", "approach", "p", "p_ring", "h", "first_passage", "sustained",
+                                   "ratio", "value_at_first_passage", "rebound", "confirmed", "outcome"});
         table.note("delta", 1e-10);
         table.note("sustained", "first iteration from which the test holds until the run is twice as long");
         table.note("rebound", "largest f within the 5 % of iterations after the first passage");
-        experiment::Table curves = frame.table(Curve::columns_after({"curve", "approach", "first_passage"}));
+        Table curves = frame.table(Curve::columns_after({"curve", "approach", "first_passage"}));
         const avi::CorrelatedQuartic f;
         each_setting(frame, [&](const Setting& s, bool) {
           Sustained seen;

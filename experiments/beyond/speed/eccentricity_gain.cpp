@@ -29,13 +29,13 @@ int main(int argc, char** argv) {
         add_number(app, "--horizon", horizon, {.low = 1.0, .high = 1e3}, "Physical time T to reach");
       },
       [&](Frame& frame) {
-        experiment::Table out = frame.table({"eccentricity", "monitor", "h", "steps", "min_step", "max_step",
-                                             "energy_error", "global_error"});
+        Table out = frame.table({"eccentricity", "monitor", "h", "steps", "min_step", "max_step",
+                                 "energy_error", "global_error"});
         out.note("target", target);
         out.note("horizon", horizon);
         for (int tenths = 0; tenths <= 9; ++tenths) {
           const double e = tenths / 10.0;
-          frame.progress("e = " + experiment::rounded(e), e);
+          frame.progress("e = " + rounded(e), e);
           if (frame.quick && tenths % 4 != 1) continue;
           for (KeplerRow row : {KeplerRow{"none", 0.02 * (1.0 - e) * std::sqrt(1.0 - e), 0.0, 0.0},
                                 KeplerRow{"gamma", 0.03, 0.0, 1e6}}) {

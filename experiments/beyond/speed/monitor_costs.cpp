@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
   return run(
       argc, argv, "monitor_costs", "Cost per step and steps per orbit of each monitor at matched accuracy",
       [](Frame& frame) {
-        experiment::Table out =
+        Table out =
             frame.table({"eccentricity", "monitor", "target", "h", "energy_error", "position_error",
                          "steps_per_orbit", "evaluations_per_step", "longest_over_shortest", "seconds"});
         out.note("method", "HTVI4, Type II, r = 3, Simpson's rule, as in Tables 1 and 2");
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
                                                            rounds);
               out.row(e, name, target, h, m.energy_error, m.position_error, static_cast<double>(n) / orbits,
                       static_cast<double>(m.evaluations) / static_cast<double>(n), m.longest / m.shortest,
-                      experiment::rounded(least[0] / orbits));
+                      rounded(least[0] / orbits));
               done += 1.0 / static_cast<double>(7 * eccentricities.size() * targets.size());
             };
             const Kepler kepler;

@@ -93,7 +93,7 @@ std::vector<Subject> subjects() {
 }
 
 /// One row for each eccentricity until a run meets its cap on steps.
-void survey(Frame& frame, experiment::Table& table, const Subject& subject) {
+void survey(Frame& frame, Table& table, const Subject& subject) {
   for (const int k : frame.quick ? std::vector{0, 1, 3, 4, 7} : std::vector{0, 1, 2, 3, 4, 5, 6, 7, 8}) {
     const double gap = std::pow(10.0, -k), nan = std::nan("");
     const State2 start = avi::Kepler::pericentre(1.0 - gap);
@@ -106,15 +106,14 @@ void survey(Frame& frame, experiment::Table& table, const Subject& subject) {
     table.row(subject.method, subject.monitor, subject.precision, subject.bounded, 1.0 - gap, gap, found.h,
               ok ? steps / 3.0 : nan, ok ? found.at.energy_error : nan,
               ok ? phase_error(start, found.at.end) : nan, ok ? found.at.least_step : nan,
-              ok ? static_cast<double>(found.at.run.evaluations) / steps : nan,
-              experiment::rounded(1e6 * time / 3.0), subject.predicted, found.h_beyond,
-              std::isnan(found.h_beyond) ? "nan" : found.beyond.ending());
+              ok ? static_cast<double>(found.at.run.evaluations) / steps : nan, rounded(1e6 * time / 3.0),
+              subject.predicted, found.h_beyond, std::isnan(found.h_beyond) ? "nan" : found.beyond.ending());
     if (!ok && found.beyond.run.outcome == avi::Outcome::step_limit) return;
   }
 }
 
 /// Where and which way round an orbit starts must not matter; a fall into the centre must end with a name.
-void starts(experiment::Table& table) {
+void starts(Table& table) {
   const PositionMonitor none{PositionMonitor::none}, adaptive{PositionMonitor::power_of_radius, 1.5};
   struct Case {
     std::string method, monitor;
@@ -163,10 +162,10 @@ int main(int argc, char** argv) {
   return run(
       argc, argv, "extreme_eccentricity",
       "Kepler orbits up to e = 1 - 1e-8: what still works, and at which cost", [&](Frame& frame) {
-        experiment::Table table = frame.table(
-            {"method", "monitor", "precision", "bounded", "eccentricity", "closeness", "h", "steps_per_orbit",
-             "energy_error", "phase_error", "least_step", "evaluations_per_step", "microseconds_per_orbit",
-             "predicted_exponent", "h_beyond", "beyond"});
+        Table table = frame.table({"method", "monitor", "precision", "bounded", "eccentricity", "closeness",
+                                   "h", "steps_per_orbit", "energy_error", "phase_error", "least_step",
+                                   "evaluations_per_step", "microseconds_per_orbit", "predicted_exponent",
+                                   "h_beyond", "beyond"});
         table.note(
             "h",
             "largest step that holds |H - H_0| / |H_0| below 1e-2 for three periods and ends within 0.1 rad "
@@ -179,7 +178,7 @@ int main(int argc, char** argv) {
                          static_cast<double>(i) / static_cast<double>(all.size()));
           survey(frame, table, all[i]);
         }
-        experiment::Table from = frame.table(
+        Table from = frame.table(
             {"method", "monitor", "start", "h", "ending", "steps", "energy_error", "phase_error"});
         from.note("start", "on the orbit with e = 0.9, ten periods; falling: at rest; collision: at q = 0");
         starts(from);

@@ -36,7 +36,7 @@ struct Progress {
   double energy_error = 0.0, momentum_error = 0.0, phase_error = 0.0, energy_now = 0.0;
 
   Progress() = default;
-  Progress(const experiment::Table& table, std::size_t row) {
+  Progress(const Table& table, std::size_t row) {
     const auto number = [&](const char* column) { return table.number(row, column); };
     z = {.q = {number("q_1"), number("q_2")}, .p = {number("p_1"), number("p_2")}, .t = number("t")};
     periods = std::lround(number("periods"));
@@ -71,22 +71,18 @@ avi::Run advance(const Subject& subject, Progress& at, long periods) {
   return run;
 }
 
-void add_row(experiment::Table& table, const Subject& s, const Progress& at) {
+void add_row(Table& table, const Subject& s, const Progress& at) {
   table.row(s.method, s.monitor, s.h, at.periods, at.energy_error, at.momentum_error, at.phase_error,
             at.steps, at.energy_now, at.z.q[0], at.z.q[1], at.z.p[0], at.z.p[1], at.z.t);
 }
 
-/// Power of the number of periods with which a column grows in the last 1.5 decades of a method.
-double growth(const experiment::Table& table, const std::string& method, const std::string& column) {
-  double last = 0;
-  for (std::size_t i = 0; i < table.rows.size(); ++i)
-    if (table.text(i, "method") == method) last = table.number(i, "periods");
+/// Power of the number of periods with which an error grows in the last 1.5 decades.
+double growth(const std::vector<Progress>& marks, double Progress::*error) {
   std::vector<double> periods, values;
-  for (std::size_t i = 0; i < table.rows.size(); ++i)
-    if (table.text(i, "method") == method && table.number(i, "periods") >= last / 32.0 &&
-        table.number(i, column) != 0.0) {  // below round-off
-      periods.push_back(table.number(i, "periods"));
-      values.push_back(std::abs(table.number(i, column)));
+  for (const Progress& at : marks)
+    if (32 * at.periods >= marks.back().periods && at.*error != 0.0) {  // below round-off
+      periods.push_back(static_cast<double>(at.periods));
+      values.push_back(std::abs(at.*error));
     }
   return power_law(periods, values).slope;
 }
@@ -99,11 +95,6 @@ std::vector<Subject> subjects() {
           {"stormer_verlet", "none", period / 2000, explicit_on_kepler("stormer_verlet"), 1.0, 1.0},
           {"log_hamiltonian_yoshida4", "1/V", 0.1, explicit_on_kepler("log_hamiltonian_yoshida4"), 1.0, 1.0},
           {"runge_kutta_4", "none", period / 4000, explicit_on_kepler("runge_kutta_4"), 2.0, 0.1}};
-}
-
-/// The rows that an earlier run of the same settings left behind; none where it left none.
-experiment::Table earlier(const std::filesystem::path& file) {
-  return std::filesystem::exists(file) ? experiment::Table::read(file.string()) : experiment::Table(columns);
 }
 
 }  // namespace
@@ -122,10 +113,12 @@ int main(int argc, char** argv) {
       [&](Frame& frame) {
         if (frame.quick) periods = std::min(periods, 100L);
         if (extremes) periods = 1'000'000, resume = true;
-        const experiment::Table before =
-            resume ? earlier(frame.output / "long_horizon_partial.tsv") : experiment::Table(columns);
-        experiment::Table table = frame.table(columns),
-                          laws = frame.table({"method", "energy", "momentum", "phase", "phase_predicted"});
+        // The rows that an earlier run of the same settings left behind.
+        const auto partial = frame.output / "long_horizon_partial.tsv";
+        const Table before =
+            resume && std::filesystem::exists(partial) ? Table::read(partial) : Table(columns);
+        Table table = frame.table(columns),
+              laws = frame.table({"method", "energy", "momentum", "phase", "phase_predicted"});
         table.note("eccentricity", eccentricity);
         table.note(
             "errors",
@@ -139,26 +132,30 @@ int main(int argc, char** argv) {
           const long end = std::clamp(std::lround(s.reach * static_cast<double>(periods)), 10L,
                                       std::max(periods, 1'000'000L));
           Progress at;
+          std::vector<Progress> marks;
+          const auto mark = [&] {
+            marks.push_back(at);
+            add_row(table, s, at);
+          };
           for (std::size_t i = 0; i < before.rows.size(); ++i)
             if (before.text(i, "method") == s.method && before.number(i, "h") == s.h &&
                 before.number(i, "periods") <= end) {
               at = Progress(before, i);
-              add_row(table, s, at);
+              mark();
             }
-          for (double mark = 1.0; at.periods < end; mark *= std::pow(10.0, 0.125)) {
-            const long next = std::min(std::lround(mark), end);
+          for (double goal = 1.0; at.periods < end; goal *= std::pow(10.0, 0.125)) {
+            const long next = std::min(std::lround(goal), end);
             if (next <= at.periods) continue;
             frame.progress(s.method, static_cast<double>(at.periods) / static_cast<double>(end));
             const avi::Run run = advance(s, at, next);
             if (run.outcome != avi::Outcome::stopped)
               throw std::runtime_error(s.method + ": " +
                                        (run.message.empty() ? "too few turns in that time" : run.message));
-            add_row(table, s, at);
+            mark();
             if (resume) frame.write(table, "partial");
           }
-          laws.row(s.method, growth(table, s.method, "energy_error"),
-                   growth(table, s.method, "momentum_error"), growth(table, s.method, "phase_error"),
-                   s.phase_growth);
+          laws.row(s.method, growth(marks, &Progress::energy_error), growth(marks, &Progress::momentum_error),
+                   growth(marks, &Progress::phase_error), s.phase_growth);
         }
         frame.progress("done", 1.0);
         frame.write(laws, "laws");

@@ -34,9 +34,9 @@ struct Galaxy : avi::HenonHeiles {
 
 int main(int argc, char** argv) {
   return run(argc, argv, "long_runs", "Energy over a million steps and a thousand periods", [](Frame& frame) {
-    experiment::Table out = frame.table({"problem", "method", "order", "h", "steps", "t_end", "largest_error",
-                                         "slope", "standard_error", "t_statistic", "drift_over_run"});
-    experiment::Table curves = frame.table({"problem", "method", "t", "energy_error"});
+    Table out = frame.table({"problem", "method", "order", "h", "steps", "t_end", "largest_error", "slope",
+                             "standard_error", "t_statistic", "drift_over_run"});
+    Table curves = frame.table({"problem", "method", "t", "energy_error"});
     constexpr int blocks = 50;
     out.note("slope", "of the energy error over time, least squares through 50 block means");
     out.note("t_statistic", "slope over its standard error: below 2.0 in size, zero lies within 95 %");

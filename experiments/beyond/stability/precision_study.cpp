@@ -66,8 +66,7 @@ double position_error(const avi::State<2>& start, double h, double time) {
 }
 
 template <class Number, Summation summation>
-void positions(experiment::Table& out, const std::string& format, const std::string& name, int periods,
-               double finest) {
+void positions(Table& out, const std::string& format, const std::string& name, int periods, double finest) {
   for (double h = 1.6; h > finest; h *= 0.8) {
     std::vector<double> errors, seconds;
     for (int k = 0; k < starts; ++k) {
@@ -75,7 +74,7 @@ void positions(experiment::Table& out, const std::string& format, const std::str
       seconds.push_back(experiment::seconds(
           [&] { errors.push_back(position_error<Number, summation>(z, h, periods * period)); }));
     }
-    out.row(format, name, h, periods, median(errors), experiment::rounded(median(seconds)));
+    out.row(format, name, h, periods, median(errors), rounded(median(seconds)));
   }
 }
 

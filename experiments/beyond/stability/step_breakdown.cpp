@@ -80,9 +80,8 @@ int main(int argc, char** argv) {
   return run(
       argc, argv, "step_breakdown", "The largest step of every integrator, and how the next larger one fails",
       [](Frame& frame) {
-        experiment::Table table =
-            frame.table({"problem", "method", "monitor", "h", "energy_error", "h_linear", "linear_reason",
-                         "h_beyond", "beyond", "time_reached", "steps_made"});
+        Table table = frame.table({"problem", "method", "monitor", "h", "energy_error", "h_linear",
+                                   "linear_reason", "h_beyond", "beyond", "time_reached", "steps_made"});
         table.note(
             "h",
             "largest step whose energy error stays below the bound: oscillator 1000, others 0.1; T = 300");
@@ -104,12 +103,10 @@ int main(int argc, char** argv) {
           const Limits limits{.time = 300.0, .steps = 2'000'000, .energy_error = bound};
           const Largest found = largest_step(run, start, problem == "oscillator" ? 16.0 : 8.0, limits, 0.002);
           const bool broke = found.h_beyond > 0.0;
-          if (broke)
-            table.row(problem, c.method, c.monitor, found.h, found.at.energy_error, linear.h, linear.reason,
-                      found.h_beyond, found.beyond.ending(), found.beyond.end.t, found.beyond.run.steps);
-          else
-            table.row(problem, c.method, c.monitor, found.h, found.at.energy_error, linear.h, linear.reason,
-                      std::nan(""), "none", std::nan(""), std::nan(""));
+          const double nan = std::nan(""), steps = static_cast<double>(found.beyond.run.steps);
+          table.row(problem, c.method, c.monitor, found.h, found.at.energy_error, linear.h, linear.reason,
+                    found.h_beyond, broke ? found.beyond.ending() : "none", broke ? found.beyond.end.t : nan,
+                    broke ? steps : nan);
         };
         for (std::size_t i = 0; i < all.size(); ++i) {
           const Case& c = all[i];
