@@ -28,10 +28,9 @@ using Counted = std::array<bool, 8>;
 Counted compare(Table& table, Table& choices, const Arena& arena, const Targets& targets, double factor) {
   const Scene& scene = arena.scene;
   const avi::PhaseFunction& fixed = arena.menu.entries().front().monitor;
+  const std::vector<HandMade> general = general_monitors(scene);
   std::vector<HandMade> hand_made = scene.hand_made;
-  hand_made.push_back({"arclength", Slopes(scene.energy).arclength(0.5)});
-  for (HandMade& family : scanned_families(scene))
-    hand_made.push_back(std::move(family));
+  hand_made.insert(hand_made.end(), general.begin(), general.end());
   const auto reach = [&](const avi::PhaseFunction& monitor, double most, double dearest) {
     return cost(arena, monitor, targets, most, dearest, factor);
   };
@@ -57,7 +56,7 @@ Counted compare(Table& table, Table& choices, const Arena& arena, const Targets&
   rows("best:" + best_name, best);
   rows("cheapest:" + cheapest_name, cheapest);
   rows("none", none);
-  rows("arclength", reach(Slopes(scene.energy).arclength(0.5), most, dearest));
+  rows("arclength", reach(general.front().monitor, most, dearest));
   const Cost automatic = reach(automatic_monitor(scene.energy, scene.start), most, dearest);
   rows("automatic", automatic);
   std::optional<avi::MonitorChoice> chosen_by;
