@@ -3,7 +3,6 @@
 /// @file
 /// The whole library. Single headers bring less and compile faster.
 
-#include "avi/autodiff/convolution.hpp"
 #include "avi/autodiff/expression_graph.hpp"
 #include "avi/autodiff/fusion.hpp"
 #include "avi/autodiff/hamiltonian.hpp"

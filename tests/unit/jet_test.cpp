@@ -14,23 +14,26 @@ using avi::JetTape;
 namespace jet_test {
 
 constexpr int R = 12;
-using Scalar = Jet<double, R>;
+using Number = avi::Lanes<1>;
+using Scalar = Jet<Number, R>;
+using Series = std::array<Number, R + 2>;
 
 /// Taylor coefficients at t = 0 of f(x(t)), x given by its coefficients.
-std::array<double, R + 1> expand(const std::function<Scalar(Scalar)>& f, const std::array<double, R + 2>& x) {
-  JetTape<double, R> tape;
+std::array<double, R + 1> expand(const std::function<Scalar(Scalar)>& f, const Series& x) {
+  JetTape<Number, R> tape;
   const Scalar y = f(Scalar(x.data(), &tape));
   std::array<double, R + 1> c{};
   for (int k = 0; k <= R; ++k) {
     if (k > 0) tape.run(k, tape.size());
-    c[k] = y[k];
+    c[k] = y[k].value();
   }
   return c;
 }
 
 /// x(t) = a + t.
-std::array<double, R + 2> line(double a) {
-  std::array<double, R + 2> x{};
+Series line(double a) {
+  Series x;
+  x.fill(0.0);
   x[0] = a;
   x[1] = 1.0;
   return x;
@@ -106,7 +109,7 @@ TEST(Jet, IdentitiesHoldCoefficientByCoefficient) {
 }
 
 TEST(Jet, ConstantsAndVanishingDerivativesCostNothing) {
-  JetTape<double, R> tape;
+  JetTape<Number, R> tape;
   const auto x = line(2.0);
   const Scalar s(x.data(), &tape);
   EXPECT_TRUE((0.0 * s).is(0.0));
@@ -120,7 +123,7 @@ TEST(Jet, ConstantsAndVanishingDerivativesCostNothing) {
 
 TEST(JetTape, RunsAFormulaOfAnyLengthAnewAtOtherPoints) {
   for (int factors : {10, 5000}) {  // a slot for each product
-    JetTape<double, R> tape;
+    JetTape<Number, R> tape;
     auto x = line(1.001);
     Scalar y(x.data(), &tape);
     for (int i = 0; i < factors; ++i)
@@ -130,21 +133,21 @@ TEST(JetTape, RunsAFormulaOfAnyLengthAnewAtOtherPoints) {
       x[0] = at;
       tape.run(0, tape.size());
       tape.run(1, tape.size());
-      EXPECT_NEAR(y[0], std::pow(at, factors + 1), 1e-12 * y[0]);
-      EXPECT_NEAR(y[1], (factors + 1) * std::pow(at, factors), 1e-12 * y[1]);
+      EXPECT_NEAR(y[0].value(), std::pow(at, factors + 1), 1e-12 * y[0].value());
+      EXPECT_NEAR(y[1].value(), (factors + 1) * std::pow(at, factors), 1e-12 * y[1].value());
     }
   }
 }
 
 TEST(JetTape, KnowsFormulasThatLookAtValues) {
-  JetTape<double, R> tape;
+  JetTape<Number, R> tape;
   auto x = line(-0.5);
   const Scalar s(x.data(), &tape);
   const auto y = abs(s) + pow(s * s, 1.5);
   EXPECT_FALSE(tape.branched);
   x[0] = 0.25;
   tape.run(0, tape.size());
-  EXPECT_EQ(y[0], 0.25 + 0.015625) << "the sign is that of the new point";
+  EXPECT_EQ(y[0].value(), 0.25 + 0.015625) << "the sign is that of the new point";
   EXPECT_FALSE(s < 0.0);
   EXPECT_TRUE(tape.branched);
   tape.clear();
@@ -154,22 +157,22 @@ TEST(JetTape, KnowsFormulasThatLookAtValues) {
 }
 
 TEST(JetTape, AnAbsoluteValueWithDerivativesIsWrittenOnce) {
-  JetTape<double, R> tape;
+  JetTape<Number, R> tape;
   auto x = line(-0.5);
   const auto y = abs(avi::Partials<Scalar, 1>::variable(Scalar(x.data(), &tape), 0));
   EXPECT_FALSE(tape.branched);
-  EXPECT_EQ(y.value[0], 0.5);
-  EXPECT_EQ(y.d[0][0], -1.0);
+  EXPECT_EQ(y.value[0].value(), 0.5);
+  EXPECT_EQ(y.d[0][0].value(), -1.0);
   x[0] = 0.25;
   for (int k = 0; k <= 2; ++k)
     tape.run(k, tape.size());
-  EXPECT_EQ(y.value[0], 0.25);
-  EXPECT_EQ(y.value[1], 1.0);
-  EXPECT_EQ(y.d[0][0], 1.0);
-  EXPECT_EQ(y.d[0][1], 0.0);
+  EXPECT_EQ(y.value[0].value(), 0.25);
+  EXPECT_EQ(y.value[1].value(), 1.0);
+  EXPECT_EQ(y.d[0][0].value(), 1.0);
+  EXPECT_EQ(y.d[0][1].value(), 0.0);
 }
 
-/// Kepler's equations: the coefficients that a series of Lanes gives are those of a series of doubles, and
+/// Kepler's equations: the coefficients that a series of Lanes gives do not depend on their number, and
 /// its partials are the derivatives of those coefficients.
 template <class T>
 void expand(std::array<std::array<T, R + 2>, 4>& z) {
@@ -192,7 +195,7 @@ void expand(std::array<std::array<T, R + 2>, 4>& z) {
 TEST(Jet, LanesDifferentiateTaylorCoefficients) {
   const std::array<double, 4> start{1.0, 0.2, -0.1, 0.9};
   const auto coefficients = [&](std::array<double, 4> at) {
-    std::array<std::array<double, R + 2>, 4> z{};
+    std::array<Series, 4> z;
     for (int i = 0; i < 4; ++i)
       z[i][0] = at[i];
     expand(z);
@@ -212,8 +215,8 @@ TEST(Jet, LanesDifferentiateTaylorCoefficients) {
     const auto plus = coefficients(ahead), minus = coefficients(behind);
     for (int i = 0; i < 4; ++i)
       for (int k = 0; k <= 9; ++k) {
-        EXPECT_NEAR(z[i][k].value(), plain[i][k], 1e-14);
-        EXPECT_NEAR(z[i][k].partial(j), (plus[i][k] - minus[i][k]) / (2.0 * d), 2e-7)
+        EXPECT_NEAR(z[i][k].value(), plain[i][k].value(), 1e-14);
+        EXPECT_NEAR(z[i][k].partial(j), (plus[i][k] - minus[i][k]).value() / (2.0 * d), 2e-7)
             << i << ' ' << k << ' ' << j;
       }
   }

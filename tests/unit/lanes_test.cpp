@@ -1,4 +1,3 @@
-#include "avi/autodiff/convolution.hpp"
 #include "avi/autodiff/lanes.hpp"
 #include "avi/autodiff/partials.hpp"
 #include "unit/elementary.hpp"

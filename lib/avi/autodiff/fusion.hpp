@@ -49,6 +49,7 @@ class Fusion {
       if (needed(node)) write(node);
   }
 
+  [[nodiscard]] int results() const { return next_; }  ///< All of their numbers are below this one.
   [[nodiscard]] std::vector<Line> lines() && { return std::move(lines_); }  ///< In an order that can be run.
 
  private:

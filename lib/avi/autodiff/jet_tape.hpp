@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/autodiff/convolution.hpp"
+#include "avi/autodiff/lanes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ enum class SeriesOperation {
 /// intermediate results, each in a slot of the tape, together with the operation that it came from; run()
 /// then adds coefficient k to every slot, for k = 1, 2, ... in turn, without calling the formula again. A
 /// product costs k + 1 multiplications at order k, hence O(r^2) in all (recurrences: Jorba and Zou 2005,
-/// Proposition 1; Neidinger 2013). T is double or Lanes<N>.
+/// Proposition 1; Neidinger 2013). T is Lanes<N>.
 template <class T, int R>
 class JetTape {
  public:
@@ -117,7 +117,6 @@ class JetTape {
   template <int known>
   [[gnu::always_inline]] static void compute(Slot& slot, int order) {
     const int k = known >= 0 ? known : order;
-    using detail::convolution, detail::convolution_weighted;
     using std::atan, std::cos, std::cosh, std::exp, std::log, std::sin, std::sinh, std::sqrt;
     using Op = SeriesOperation;
     T* const c = slot.c;
@@ -139,7 +138,7 @@ class JetTape {
       c[k] = convolution(a, b, k, 0, k);
       break;
     case Op::square:
-      c[k] = detail::convolution_square(a, k);
+      c[k] = convolution_square(a, k);
       break;
     case Op::divide:
       if (k == 0) slot.auxiliary = 1.0 / b[0];
@@ -194,6 +193,32 @@ class JetTape {
       c[k] = T(k > 0 ? 0.0 : value_of(a[0]) < 0.0 ? -1.0 : 1.0);
       break;
     }
+  }
+
+  // Inlined where k is known, which -O2 alone would not do: the sums become straight lines, twice as fast.
+
+  /// Sum over j = from..to of a_j b_(k-j).
+  [[gnu::always_inline]] static T convolution(const T* a, const T* b, int k, int from, int to) {
+    ProductSum<T> s;
+    for (int j = from; j <= to; ++j)
+      s.add(a[j], b[k - j]);
+    return s.result();
+  }
+  /// Coefficient k of a^2: each pair once, doubled.
+  [[gnu::always_inline]] static T convolution_square(const T* a, int k) {
+    ProductSum<T> s;
+    for (int j = 0; 2 * j < k; ++j)
+      s.add(2.0, a[j], a[k - j]);
+    if (k % 2 == 0) s.add(a[k / 2], a[k / 2]);
+    return s.result();
+  }
+  /// Sum over j = 1..k of (slope j + shift) a_j b_(k-j) / k.
+  [[gnu::always_inline]] static T convolution_weighted(const T* a, const T* b, int k, double slope,
+                                                       double shift) {
+    ProductSum<T> s;
+    for (int j = 1; j <= k; ++j)
+      s.add(slope * j + shift, a[j], b[k - j]);
+    return (1.0 / k) * s.result();
   }
 
   std::vector<std::unique_ptr<Slot[]>> blocks_;

@@ -81,4 +81,32 @@ class Lanes : ChainRule<Lanes<N>> {
   ///@}
 };
 
+/// Sum of products a_j b_j, most of the time of a Taylor expansion. The halves a_j db_j and b_j da_j are
+/// summed apart: one final reduction instead of one product rule for each term.
+template <class T>
+class ProductSum {
+  using Register = typename T::Register;
+
+ public:
+  /// Adds a b.
+  void add(const T& a, const T& b) {
+    left_ += a.lanes[0] * b.lanes;
+    right_ += b.lanes[0] * a.lanes;
+  }
+  /// Adds weight a b.
+  void add(double weight, const T& a, const T& b) {
+    left_ += (weight * a.lanes[0]) * b.lanes;
+    right_ += (weight * b.lanes[0]) * a.lanes;
+  }
+  /// The sum.
+  [[nodiscard]] T result() const {
+    T sum(left_ + right_);
+    sum.lanes[0] = left_[0];  // both halves hold the value itself
+    return sum;
+  }
+
+ private:
+  Register left_{}, right_{};
+};
+
 }  // namespace avi

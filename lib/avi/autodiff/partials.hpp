@@ -43,6 +43,13 @@ class Partials : ChainRule<Partials<S, N>> {
   friend const S& value_of(const Partials& x) { return x.value; }  ///< The number itself.
   /// Derivative along direction i.
   [[nodiscard]] S partial(int i) const { return constant ? S(0.0) : d[i]; }
+  /// All derivatives.
+  [[nodiscard]] Vector<S, N> gradient() const {
+    Vector<S, N> g;
+    for (int i = 0; i < N; ++i)
+      g[i] = partial(i);
+    return g;
+  }
 
   /// f(x) with its derivative at the value, given by a callable that is not called for a constant.
   template <class Slope>
@@ -131,11 +138,7 @@ Partials<S, n> value_and_gradient(const F& f, const Vector<S, n>& x) {
 /// Gradient of f: R^n -> R at x.
 template <class F, class S, int n>
 Vector<S, n> gradient(const F& f, const Vector<S, n>& x) {
-  const Partials<S, n> y = value_and_gradient(f, x);
-  Vector<S, n> g;
-  for (int i = 0; i < n; ++i)
-    g[i] = y.partial(i);
-  return g;
+  return value_and_gradient(f, x).gradient();
 }
 
 }  // namespace avi

@@ -116,6 +116,15 @@ class Recorded : Scalar<Recorded> {
   double number_ = 0.0;
 };
 
+/// `count` arguments of a formula from the one numbered `first` on. @tparam n count, or avi::dynamic
+template <int n = dynamic>
+Vector<Recorded, n> recorded_inputs(ExpressionGraph& graph, int first, Eigen::Index count) {
+  Vector<Recorded, n> x(count);
+  for (int i = 0; i < count; ++i)
+    x[i] = Recorded(graph, first + i);
+  return x;
+}
+
 }  // namespace avi
 
 /// @cond

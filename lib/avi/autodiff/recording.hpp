@@ -31,10 +31,7 @@ class Recording {
   /// @throws std::invalid_argument for fewer than one input.
   template <class F>
   Recording(const F& f, Eigen::Index inputs) : graph_(checked(inputs)) {
-    const Recorded result = f(arguments());
-    value_ = result.node_in(graph_);
-    recorded_ = graph_.size();
-    slopes_ = Reverse(graph_).gradient(value_);
+    differentiate(f(recorded_inputs(graph_, 0, inputs)));
   }
 
   /// Records f where the gradient of h in f(x, h(x)) is supplied: only what f does with h is differentiated.
@@ -42,17 +39,14 @@ class Recording {
   /// @throws std::invalid_argument for fewer than one input.
   template <class F, class H, class Slopes>
   Recording(const F& f, const H& h, const Slopes& slopes, Eigen::Index inputs) : graph_(checked(inputs)) {
-    const Vector<Recorded, dynamic> x = arguments();
+    const Vector<Recorded, dynamic> x = recorded_inputs(graph_, 0, inputs);
     const Recorded inner = h(x), result = f(x, inner);
     const Vector<Recorded, dynamic> supplied = slopes(x);
-    value_ = result.node_in(graph_);
-    recorded_ = graph_.size();
-    slopes_ = Reverse(graph_).gradient(value_, inner.node_in(graph_));
-    const int by_inner = slopes_.back();
-    slopes_.pop_back();
+    differentiate(result, inner.node_in(graph_));
     for (int i = 0; i < graph_.inputs(); ++i)
-      slopes_[i] = graph_.binary(Operation::add, slopes_[i],
-                                 graph_.binary(Operation::multiply, by_inner, supplied[i].node_in(graph_)));
+      slopes_[i] =
+          graph_.binary(Operation::add, slopes_[i],
+                        graph_.binary(Operation::multiply, slopes_.back(), supplied[i].node_in(graph_)));
   }
 
   [[nodiscard]] int inputs() const { return graph_.inputs(); }  ///< N.
@@ -73,11 +67,10 @@ class Recording {
   [[nodiscard]] Program value() const { return value_and_gradient(0, 0); }
 
  private:
-  Vector<Recorded, dynamic> arguments() {
-    Vector<Recorded, dynamic> x(graph_.inputs());
-    for (int i = 0; i < graph_.inputs(); ++i)
-      x[i] = Recorded(graph_, i);
-    return x;
+  void differentiate(const Recorded& result, int inner = -1) {
+    value_ = result.node_in(graph_);
+    recorded_ = graph_.size();
+    slopes_ = Reverse(graph_).gradient(value_, inner);
   }
   [[nodiscard]] Program program(int value, int first, int count) const {
     require(first >= 0 && first <= inputs(), "First entry to differentiate by", first, "an entry of x");

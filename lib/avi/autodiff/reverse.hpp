@@ -21,31 +21,19 @@ class Reverse {
   /// Of `graph`, which grows.
   explicit Reverse(ExpressionGraph& graph) : graph_(graph) {}
 
-  /// The nodes of df/d(input i) for i = 0, 1, ..., where `inner`, an intermediate result, is taken for a
-  /// constant.
-  /// @return them, and the node of df/d(inner) behind them
-  std::vector<int> gradient(int f, int inner) {
-    inner_ = inner;
-    std::vector<int> slopes = gradient(f);
-    slopes.push_back(by_inner_);
-    return slopes;
-  }
-
-  /// The nodes of df/d(input i) for i = 0, 1, ...
-  std::vector<int> gradient(int f) {
-    by_inner_ = graph_.constant(0.0);
+  /// The nodes of df/d(input i) for i = 0, 1, ... @param inner an intermediate result that is taken for a
+  /// constant; the node of df/d(inner) then comes last
+  std::vector<int> gradient(int f, int inner = -1) {
     const int end = f + 1;
     parts_.assign(end, {});
     parts_[f].push_back({1.0, -1});
-    std::vector<int> slopes(graph_.inputs());
-    for (int& slope : slopes)
-      slope = graph_.constant(0.0);
+    std::vector<int> slopes(graph_.inputs() + (inner >= 0 ? 1 : 0), graph_.constant(0.0));
     for (int node = f; node >= 0; --node) {
       if (parts_[node].empty()) continue;
       const Term bar = total(node);
       const ExpressionGraph::Node what = graph_[node];  // a copy: the graph grows
-      if (node == inner_)
-        by_inner_ = materialised(bar);
+      if (node == inner)
+        slopes.back() = materialised(bar);
       else if (what.operation == Operation::input)
         slopes[what.a] = materialised(bar);
       else
@@ -64,6 +52,7 @@ class Reverse {
   [[nodiscard]] Term term(int node) const {
     return graph_.is_constant(node) ? Term{graph_[node].number, -1} : Term{1.0, node};
   }
+  static Term scaled(double factor, const Term& x) { return {factor * x.factor, x.node}; }
   Term times(const Term& a, const Term& b) {
     const double factor = a.factor * b.factor;
     if (a.node < 0 || b.node < 0) return {factor, a.node < 0 ? b.node : a.node};
@@ -125,7 +114,6 @@ class Reverse {
   /// Passes bar on to the operands of a node, times the derivatives of its operation.
   void pass_on(int node, const ExpressionGraph::Node& what, const Term& bar) {
     const int a = what.a, b = what.b;
-    const auto scaled = [&](double factor, const Term& x) { return Term{factor * x.factor, x.node}; };
     const auto self = term(node);
     switch (what.operation) {
     case Operation::add:
@@ -161,38 +149,38 @@ class Reverse {
         give(a, scaled(exponent, times(bar, times(self, reciprocal(a)))));
       break;
     }
-    case Operation::exp:
-      give(a, times(bar, self));
-      break;
-    case Operation::log:
-      give(a, times(bar, reciprocal(a)));
-      break;
-    case Operation::sin:
-      give(a, times(bar, term(graph_.unary(Operation::cos, a))));
-      break;
-    case Operation::cos:
-      give(a, scaled(-1.0, times(bar, term(graph_.unary(Operation::sin, a)))));
-      break;
-    case Operation::tan:
-      give(a, times(bar, one_with_square(Operation::add, node)));
-      break;
-    case Operation::sinh:
-      give(a, times(bar, term(graph_.unary(Operation::cosh, a))));
-      break;
-    case Operation::cosh:
-      give(a, times(bar, term(graph_.unary(Operation::sinh, a))));
-      break;
-    case Operation::tanh:
-      give(a, times(bar, one_with_square(Operation::subtract, node)));
-      break;
-    case Operation::atan:
-      give(a, times(bar, reciprocal(one_with_square(Operation::add, a).node)));
-      break;
-    case Operation::abs:
-      give(a, times(bar, term(graph_.unary(Operation::sign, a))));
+    case Operation::constant:
+    case Operation::sign:
       break;
     default:
-      break;  // sign has no slope; the others are not in a graph
+      give(a, times(bar, slope(node, what.operation, a)));
+    }
+  }
+  /// df/da of the node f(a).
+  Term slope(int f, Operation operation, int a) {
+    switch (operation) {
+    case Operation::sqrt:
+      return scaled(0.5, reciprocal(f));
+    case Operation::log:
+      return reciprocal(a);
+    case Operation::sin:
+      return term(graph_.unary(Operation::cos, a));
+    case Operation::cos:
+      return scaled(-1.0, term(graph_.unary(Operation::sin, a)));
+    case Operation::tan:
+      return one_with_square(Operation::add, f);
+    case Operation::sinh:
+      return term(graph_.unary(Operation::cosh, a));
+    case Operation::cosh:
+      return term(graph_.unary(Operation::sinh, a));
+    case Operation::tanh:
+      return one_with_square(Operation::subtract, f);
+    case Operation::atan:
+      return reciprocal(one_with_square(Operation::add, a).node);
+    case Operation::abs:
+      return term(graph_.unary(Operation::sign, a));
+    default:  // exp
+      return term(f);
     }
   }
   /// 1 + z^2 or 1 - z^2.
@@ -203,7 +191,6 @@ class Reverse {
 
   ExpressionGraph& graph_;
   std::vector<std::vector<Term>> parts_;
-  int inner_ = -1, by_inner_ = -1;
 };
 
 }  // namespace avi

@@ -26,16 +26,21 @@ class Schedule {
   static Program program(ExpressionGraph& graph, int value, const std::vector<int>& slopes, int recorded) {
     std::vector<int> results = slopes;
     if (value >= 0) results.push_back(value);
-    Schedule schedule(Fusion(graph, results, recorded).lines());
+    Schedule schedule(Fusion(graph, results, recorded));
     schedule.group();
-    return schedule.assemble(graph, value, slopes);
+    Program program = schedule.assemble(graph, results);
+    for (const int slope : slopes)
+      program.slopes_.push_back(schedule.place(slope));
+    program.has_value_ = value >= 0;
+    if (value >= 0) program.value_ = schedule.place(value);
+    return program;
   }
 
  private:
   static constexpr int window = 256;
   static constexpr std::size_t operations = static_cast<std::size_t>(Operation::sum_of_products) + 1;
 
-  explicit Schedule(std::vector<Line> lines) : lines_(std::move(lines)) {
+  explicit Schedule(Fusion fusion) : place_(fusion.results(), -1), lines_(std::move(fusion).lines()) {
     std::stable_sort(lines_.begin(), lines_.end(),
                      [](const Line& a, const Line& b) { return a.key < b.key; });
   }
@@ -81,10 +86,9 @@ class Schedule {
            static_cast<std::size_t>(lines_[line].second);
   }
 
-  Program assemble(const ExpressionGraph& graph, int value, const std::vector<int>& slopes) {
+  Program assemble(const ExpressionGraph& graph, const std::vector<int>& results) {
     Program program;
     program.inputs_ = graph.inputs();
-    place_.assign(std::max(results(), static_cast<std::size_t>(graph.size())), -1);
     for (int i = 0; i < graph.inputs(); ++i)
       place_[i] = i;
     const auto needs = [&](int node) {
@@ -99,13 +103,9 @@ class Schedule {
         needs(operand);
         last[operand] = i;
       }
-    for (const int slope : slopes) {
-      needs(slope);
-      last[slope] = lines_.size();
-    }
-    if (value >= 0) {
-      needs(value);
-      last[value] = lines_.size();
+    for (const int result : results) {
+      needs(result);
+      last[result] = lines_.size();
     }
 
     program.slots_ = program.inputs_ + program.numbers_.size();
@@ -144,30 +144,17 @@ class Schedule {
         program.groups_.push_back({line.first, line.second, 0});
       ++program.groups_.back().count;
     }
-    program.has_value_ = value >= 0;
-    if (value >= 0) program.value_ = place(value);
-    for (const int slope : slopes)
-      program.slopes_.push_back(place(slope));
     return program;
   }
   [[nodiscard]] Program::Place place(int result) const {
     return static_cast<Program::Place>(8 * place_[result]);
   }
-  [[nodiscard]] std::size_t results() const {
-    int most = 0;
-    for (const Line& line : lines_) {
-      most = std::max(most, line.result);
-      for (const int operand : line.operands)
-        most = std::max(most, operand);
-    }
-    return static_cast<std::size_t>(most) + 1;
-  }
   static bool temporary(const ExpressionGraph& graph, int result) {
     return result >= graph.inputs() && (result >= graph.size() || !graph.is_constant(result));
   }
 
-  std::vector<Line> lines_;
   std::vector<int> place_;  // of each result
+  std::vector<Line> lines_;
 };
 
 }  // namespace avi
