@@ -25,7 +25,7 @@ Runner euler_b(const EulerBSetting& setting) {
   if (monitor == "truncation")
     return with([=](double) { return avi::Truncation{kepler, setting.tol, setting.h}; });
   if (monitor == "truncation_root")
-    return with([=](double) { return avi::TruncationRoot{kepler, setting.tol, setting.h}; });
+    return with([=](double) { return avi::Truncation<avi::Kepler, 4>{kepler, setting.tol, setting.h}; });
   if (monitor == "arclength") return with([=](double energy) { return avi::Arclength{kepler, energy}; });
   if (monitor == "norm_squared") return with([](double) { return avi::NormSquared{}; });
   throw std::invalid_argument("Monitor '" + monitor + "' is unknown.");

@@ -23,10 +23,9 @@ void for_each_monitor(Check check) {
   both("norm_squared", avi::NormSquared{});
   both("arclength", avi::Arclength{kepler, -0.5});
   both("energy", avi::Energy{kepler, 0.5});
-  both("inverse_lagrangian", avi::InverseLagrangian{kepler});
-  both("inverse_energy_error", avi::InverseEnergyError{kepler, 0.8});
+  both("inverse_lagrangian", avi::Energy{kepler, 0.0});
   both("truncation", avi::Truncation{kepler, 1e-3, 0.1});
-  both("truncation_root", avi::TruncationRoot{kepler, 1e-3, 0.1});
+  both("truncation_root", avi::Truncation<Kepler, 4>{kepler, 1e-3, 0.1});
 }
 
 template <class G>
@@ -65,10 +64,9 @@ TEST(Monitors, TakeTheirDefinedValues) {
   EXPECT_NEAR(avi::NormSquared{}(q), 0.25, 1e-16);
   EXPECT_NEAR((avi::Arclength{kepler, -0.5}(q)), 1.0 / std::sqrt(2.0 * 1.5 + 16.0), 1e-16);
   EXPECT_NEAR((avi::Energy{kepler, 0.5}(q, p)), 1.0 / 4.0, 1e-16);
-  EXPECT_NEAR((avi::InverseLagrangian{kepler}(q, p)), 1.0 / 4.5, 1e-16);
-  EXPECT_NEAR((avi::InverseEnergyError{kepler, 0.5}(q, p)), 1.0, 1e-15);
+  EXPECT_NEAR((avi::Energy{kepler, 0.0}(q, p)), 1.0 / 4.5, 1e-16);
   EXPECT_NEAR((avi::Truncation{kepler, 1e-3, 0.1}(q)), 1e-3 / (0.005 * 4.0), 1e-16);
-  EXPECT_NEAR((avi::TruncationRoot{kepler, 1e-3, 0.1}(q)), std::pow(0.05, 0.25), 1e-15);
+  EXPECT_NEAR((avi::Truncation<Kepler, 4>{kepler, 1e-3, 0.1}(q)), std::pow(0.05, 0.25), 1e-15);
 }
 
 TEST(Bounded, StaysWithinItsBoundsAndRefusesBadOnes) {

@@ -106,8 +106,8 @@ int main(int argc, char** argv) {
             row("gamma_three_quarters", avi::Gamma{0.75}, 0.5);
             row("arclength", avi::Arclength<Kepler>{kepler, -0.5}, 0.5);
             row("energy", avi::bounded(avi::Energy<Kepler>{kepler, 0.5}, 1e-4, 2.0), 0.5);
-            row("truncation_root", avi::TruncationRoot<Kepler>{kepler, 0.5, 1.0}, 0.5);
-            row("inverse_lagrangian", avi::bounded(avi::InverseLagrangian<Kepler>{kepler}, 1e-3, 3.0), 0.5);
+            row("truncation_root", avi::Truncation<Kepler, 4>{kepler, 0.5, 1.0}, 0.5);
+            row("inverse_lagrangian", avi::bounded(avi::Energy<Kepler>{kepler, 0.0}, 1e-3, 3.0), 0.5);
           }
         frame.progress("done", 1.0);
         frame.write(out);

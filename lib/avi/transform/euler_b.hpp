@@ -51,9 +51,7 @@ class EulerB {
       const Partials<double, n> g = value_and_gradient([this](const auto& x) { return g_(x); }, z.q);
       if (!(g.value > 0.0)) return {Outcome::bad_monitor, 1, g.value};
       const double hg = h * g.value;
-      Vector<double, n> slope;
-      for (int i = 0; i < n; ++i)
-        slope[i] = g.partial(i);
+      const Vector<double, n> slope = g.gradient();
       const Vector<double, n> a =
           z.p - hg * problem_.potential_gradient(z.q) - (h * (problem_.potential(z.q) + pt_)) * slope;
       const double a2 = a.squaredNorm(), b = 1.0 + h * a.dot(slope);

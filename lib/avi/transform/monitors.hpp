@@ -64,7 +64,7 @@ Arclength(Problem, double) -> Arclength<Problem>;
 
 /// \f$g(q, p) = 1/|p^t - L(q, p)|\f$ with the Lagrangian \f$L = T(p) - V(q)\f$ and the number
 /// \f$p^t = -H_0\f$ (equation (3.35)). Along the solution it is \f$1/(2T)\f$: infinite where the motion
-/// stops.
+/// stops. With p^t = 0 it is \f$1/|L(q, p)|\f$ (Section 3.3), infinite where T = V.
 template <class Problem>
 struct Energy {
   Problem problem;         ///< T and V.
@@ -80,42 +80,10 @@ struct Energy {
 template <class Problem>
 Energy(Problem, double) -> Energy<Problem>;
 
-/// \f$g(q, p) = 1/|L(q, p)|\f$ (Section 3.3 of the paper), infinite where T = V.
-template <class Problem>
-struct InverseLagrangian {
-  Problem problem;  ///< T and V.
-  /// g at a point of phase space, of any scalar.
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
-    using std::abs;
-    return 1.0 / abs(problem.kinetic(p) - problem.potential(q));
-  }
-};
-/// InverseLagrangian{problem}.
-template <class Problem>
-InverseLagrangian(Problem) -> InverseLagrangian<Problem>;
-
-/// \f$g(q, p) = 1/|p^t + H(q, p)|\f$, the first that the paper tries (Section 3.3). It is infinite on the
-/// solution itself: a run that starts there ends at once as avi::Outcome::non_finite, in the bounded form
-/// too.
-template <class Problem>
-struct InverseEnergyError {
-  Problem problem;         ///< H.
-  double energy_momentum;  ///< p^t.
-  /// g at a point of phase space, of any scalar.
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
-    using std::abs;
-    return 1.0 / abs(energy_momentum + problem(q, p));
-  }
-};
-/// InverseEnergyError{problem, p^t}.
-template <class Problem>
-InverseEnergyError(Problem, double) -> InverseEnergyError<Problem>;
-
 /// \f$g(q) = tol\,/\,|\tfrac12 h^2 \nabla V(q)|\f$ (equation (3.30)): the tolerance over the truncation error
 /// of a step of size h by a method of order 1. On Kepler's problem it is \f$q\cdot q\f$ but for a factor.
-template <class Problem>
+/// With `root` 4 it is the fourth root of that, equation (3.29), from which the paper simplifies it.
+template <class Problem, int root = 1>
 struct Truncation {
   Problem problem;   ///< The gradient of V.
   double tolerance;  ///< tol > 0.
@@ -123,30 +91,13 @@ struct Truncation {
   /// g at a position of any scalar.
   template <class Q>
   auto operator()(const Q& q) const {
-    return (2.0 * tolerance / (h * h)) * power(detail::squared_norm(problem.potential_gradient(q)), -0.5);
+    return power(2.0 * tolerance / (h * h), 1.0 / root) *
+           power(detail::squared_norm(problem.potential_gradient(q)), -0.5 / root);
   }
 };
 /// Truncation{problem, tol, h}.
 template <class Problem>
 Truncation(Problem, double, double) -> Truncation<Problem>;
-
-/// \f$g(q) = (tol\,/\,|\tfrac12 h^2 \nabla V(q)|)^{1/4}\f$ (equation (3.29)), the form from which Truncation
-/// was simplified.
-template <class Problem>
-struct TruncationRoot {
-  Problem problem;   ///< The gradient of V.
-  double tolerance;  ///< tol > 0.
-  double h;          ///< The fictive step that the method will take.
-  /// g at a position of any scalar.
-  template <class Q>
-  auto operator()(const Q& q) const {
-    return std::pow(2.0 * tolerance / (h * h), 0.25) *
-           power(detail::squared_norm(problem.potential_gradient(q)), -0.125);
-  }
-};
-/// TruncationRoot{problem, tol, h}.
-template <class Problem>
-TruncationRoot(Problem, double, double) -> TruncationRoot<Problem>;
 
 /// \f$\hat g = b\,(g + a)/(g + b)\f$, which lies in [a, b) for \f$g \ge 0\f$ (Leimkuhler and Reich 2005, page
 /// 248; Section 3.3). It bounds dt/dtau; for a Taylor method it bounds the step only nearly. Where g is
