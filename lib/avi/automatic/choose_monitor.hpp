@@ -4,6 +4,9 @@
 
 #include <memory>
 #include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
 
 /// @file
 /// A monitor chosen from a menu by a short run.
@@ -17,40 +20,66 @@ struct MonitorTarget {
   double time = 0.0;           ///< Length of the trials; 0 takes the first 10 radians, see choose_monitor().
 };
 
+/// A monitor with the step that goes with it. From here on both are fixed, and a method is the symplectic map
+/// that it would be with a monitor made by hand.
+struct MonitorChoice {
+  std::string name;           ///< In the menu: see choose_monitor().
+  PhaseFunction monitor;      ///< g.
+  int order = 0;              ///< Of the collocation method that it was chosen for.
+  double h = 0.0;             ///< Fictive step for the energy error asked for.
+  bool reached = false;       ///< A trial met the energy error asked for.
+  double energy_scale = 1.0;  ///< What energy errors are relative to, see choose_monitor().
+  double time = 0.0;          ///< Physical time of a trial.
+  long sweeps = 0;            ///< Evaluations of all stages in all trials, what the pilot cost.
+  double work = 0.0;          ///< The same in additions, the rough tour along the orbit included.
+  std::vector<Trial> trials;  ///< In their order.
+  std::string note;           ///< Why the menu was short; empty where it was not.
+
+  /// The trials as a table and what follows from them.
+  [[nodiscard]] std::string report() const {
+    std::ostringstream text;
+    text.precision(3);
+    for (const Trial& trial : trials)
+      text << "  " << trial.monitor << ": h = " << trial.h << ", " << trial.steps << " steps, "
+           << trial.sweeps << " sweeps, energy error " << trial.energy_error << ", "
+           << avi::name(trial.outcome) << "\n";
+    if (!note.empty()) text << "  " << note << "\n";
+    if (reached)
+      text << "Chosen: " << name << ", order " << order << ", h = " << h
+           << ", the least work for the energy error asked for in a pilot of time " << time << " (" << sweeps
+           << " sweeps).\n";
+    else
+      text << "No monitor of the menu reached the energy error asked for in a pilot of time " << time
+           << ".\n";
+    return text.str();
+  }
+};
+
 namespace detail {
 
 /// An orbit, its scales, and the menu.
-class Menu {
- public:
+struct Menu {
   using Entry = Monitors::Entry;  ///< A monitor of the menu.
 
   /// For this orbit.
   explicit Menu(const Orbit& of) : orbit(of) {
     try {
-      monitors_.emplace(orbit);
+      Monitors make(orbit);
+      entries = {
+          make.fixed(),     make.energy("energy", 1.0),     make.speed(), make.energy("energy^1.5", 1.5),
+          make.curvature(), make.energy("energy^0.5", 0.5), make.gentle()};
+      tour = make.tour();
     } catch (const std::invalid_argument& reason) {
-      note_ = reason.what();
       ExpressionGraph graph(2 * static_cast<int>(orbit.start.q.size()));
-      entries_.push_back({"fixed", {graph, graph.constant(1.0)}, orbit.energy});
-      return;
+      entries = {{"fixed", {graph, graph.constant(1.0)}, orbit.energy}};
+      note = reason.what();
     }
-    Monitors& make = *monitors_;
-    entries_ = {
-        make.fixed(),     make.energy("energy", 1.0),     make.speed(), make.energy("energy^1.5", 1.5),
-        make.curvature(), make.energy("energy^0.5", 0.5), make.gentle()};
   }
 
-  Orbit orbit;  ///< With H as a formula.
-  /// The monitors, fixed first.
-  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
-  [[nodiscard]] const std::string& note() const { return note_; }  ///< Why there is only one, or empty.
-  /// The scales of the orbit, where there are any.
-  [[nodiscard]] const Tour* tour() const { return monitors_ ? &monitors_->tour() : nullptr; }
-
- private:
-  std::optional<Monitors> monitors_;
-  std::vector<Entry> entries_;
-  std::string note_;
+  Orbit orbit;                 ///< With H as a formula.
+  std::optional<Tour> tour;    ///< The scales of the orbit, where there are any.
+  std::vector<Entry> entries;  ///< The monitors, fixed first.
+  std::string note;            ///< Why there is only one, or empty.
 };
 
 /// What a sweep costs, in additions of all its stages: the gradient of the transformed H, and the sums over
@@ -66,9 +95,9 @@ inline constexpr double pilot_angle = 10.0;
 /// The choice from a menu: each monitor is tried once with the same number of steps; then always the one that
 /// promises the least product of work and steps, until the step of that one is found.
 inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
-  const Tour* tour = menu.tour();
+  const std::optional<Tour>& tour = menu.tour;
   MonitorChoice choice{.name = "fixed",
-                       .monitor = menu.entries().front().monitor,
+                       .monitor = menu.entries.front().monitor,
                        .order = target.order,
                        .energy_scale =
                            std::max(1e-300, tour ? tour->kinetic : std::abs(menu.orbit.energy_at_start())),
@@ -76,13 +105,13 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
                                : tour            ? tour->time_of(pilot_angle)
                                                  : 1.0,
                        .trials = {},
-                       .note = menu.note()};
+                       .note = menu.note};
   const double radians = !tour ? 20.0 : target.time > 0.0 ? tour->frequency * choice.time : pilot_angle;
   const double first = radians * std::max(0.4, 0.15 * std::pow(target.energy_error, -1.0 / target.order));
   const double least =
       0.4 * radians;  // fewer steps do not resolve the motion, even where the energy error is small
   const long most = static_cast<long>(100.0 * first) + 1000;
-  if (tour) choice.work = static_cast<double>(tour->evaluations) * menu.entries().front().transformed.work(1);
+  if (tour) choice.work = static_cast<double>(tour->evaluations) * menu.entries.front().transformed.work(1);
   const Pilot::Setting setting{menu.orbit, target.order, target.energy_error, choice.energy_scale,
                                menu.orbit.start.t + choice.time};
   struct Candidate {
@@ -93,28 +122,31 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
     /// What its steps would cost if the longest step in n_0^(1/4) decided.
     [[nodiscard]] double outlook() const { return sweep * look.unevenness; }
   };
+  const auto try_step = [&](Candidate& it, double h, double dearest) {
+    choice.trials.push_back(it.pilot->trial(h, most, dearest));
+    choice.sweeps += choice.trials.back().sweeps;
+    choice.work += static_cast<double>(choice.trials.back().sweeps) * it.sweep;
+  };
   std::vector<Candidate> candidates;  // the most promising one first: the others then are given up early
   double fixed_outlook = 0.0;
-  for (const Menu::Entry& entry : menu.entries()) {
+  for (const Menu::Entry& entry : menu.entries) {
     Candidate it{&entry, sweep_work(entry.transformed, target.order),
                  tour ? tour->look(entry.monitor) : Tour::Look{.low = 1.0, .high = 1.0}, nullptr};
-    if (&entry == &menu.entries().front())
+    if (&entry == &menu.entries.front())
       fixed_outlook = it.outlook();
     else if (!(it.look.low > 0.0 && it.look.high > 1.15 * it.look.low && it.sweep <= 0.6 * fixed_outlook))
       // Not positive on the way, or hardly different from none; or so dear that no steps can make up for it
       // (measured: steps save at most some six tenths of what they could).
       continue;
-    const auto behind =
-        std::upper_bound(candidates.begin(), candidates.end(), it.outlook(),
-                         [](double outlook, const Candidate& other) { return outlook < other.outlook(); });
-    candidates.insert(behind, std::move(it));
+    candidates.push_back(std::move(it));
   }
+  std::ranges::stable_sort(candidates, {}, &Candidate::outlook);
   // What promises little is not tried, fixed steps only where all else fails.
   const double poor = 12.0 * candidates.front().outlook();
   const Pilot* fixed = nullptr;
   double best = std::numeric_limits<double>::infinity();
   for (Candidate& it : candidates) {
-    const bool is_fixed = it.entry == &menu.entries().front(), promising = it.outlook() <= poor;
+    const bool is_fixed = it.entry == &menu.entries.front(), promising = it.outlook() <= poor;
     // A trial like the best one five times is 8 % of a hundred turns.
     const bool spent = choice.work > 5.0 * best && it.outlook() > 1.5 * candidates.front().outlook();
     // At best it takes five sweeps for each of the first steps.
@@ -124,7 +156,7 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
     it.pilot = std::make_unique<Pilot>(setting, it.entry->name, it.entry->monitor, it.sweep, fictive,
                                        fictive / least, fictive / first / it.look.unevenness);
     if (is_fixed) fixed = it.pilot.get();
-    if (promising) it.pilot->trial(fictive / first, most, 2.0 * best, choice);
+    if (promising) try_step(it, fictive / first, 2.0 * best);
     if (it.pilot->passed()) best = std::min(best, it.pilot->cost());
   }
   std::erase_if(candidates, [](const Candidate& it) { return !it.pilot; });
@@ -135,9 +167,7 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
       const double work = it.pilot->cost();
       return work > limit ? std::numeric_limits<double>::infinity() : work * it.pilot->steps();
     };
-    const Candidate& lead =
-        *std::min_element(candidates.begin(), candidates.end(),
-                          [&](const Candidate& a, const Candidate& b) { return price(a) < price(b); });
+    Candidate& lead = *std::ranges::min_element(candidates, {}, price);
     if (lead.pilot->done()) {
       choice.name = lead.entry->name;
       choice.monitor = lead.entry->monitor;
@@ -146,7 +176,7 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
       break;
     }
     if (!std::isfinite(lead.pilot->cost())) break;
-    lead.pilot->trial(lead.pilot->next(), most, std::numeric_limits<double>::infinity(), choice);
+    try_step(lead, lead.pilot->next(), std::numeric_limits<double>::infinity());
   }
   return choice;
 }

@@ -2,7 +2,7 @@
 #include "avi/autodiff/recorded.hpp"
 #include "avi/autodiff/reverse.hpp"
 #include "avi/automatic/monomial.hpp"
-#include "avi/automatic/orbit.hpp"
+#include "avi/automatic/phase_function.hpp"
 #include "avi/automatic/terms.hpp"
 #include "avi/core/inverse.hpp"
 
@@ -29,14 +29,10 @@ class Curvature {
   explicit Curvature(const Orbit& orbit)
       : graph(2 * static_cast<int>(orbit.start.q.size())), n_(static_cast<int>(orbit.start.q.size())),
         start_(orbit.start.q.begin(), orbit.start.q.end()) {
-    Vector<Recorded, dynamic> q(n_), p(n_);
-    for (int i = 0; i < n_; ++i) {
-      q[i] = Recorded(graph, i);
-      p[i] = Recorded(graph, n_ + i);
-    }
-    energy = orbit.energy(q, p).node_in(graph);
+    energy = orbit.energy(recorded_inputs(graph, 0, n_), recorded_inputs(graph, n_, n_)).node_in(graph);
     start_.insert(start_.end(), orbit.start.p.begin(), orbit.start.p.end());
-    terms_ = Terms::of(graph, energy);
+    for (const Terms::Term& term : Terms::of(graph, energy))
+      terms_.push_back({term.node, hessian(term)});
     find_metric();
   }
 
@@ -47,14 +43,23 @@ class Curvature {
 
   /// n_0. @pre has_metric()
   int squared_frequency_squared() {
-    Norms sum{graph.constant(0.0), graph.constant(0.0)};
+    int all_qq = graph.constant(0.0), all_qp = all_qq;
     Monomial monomial(graph, start_);
-    for (const Terms::Term& term : terms_) {
-      const Norms own = norms(term);
-      sum.qq = plus(sum.qq, monomial.simplified(own.qq, term.node));
-      sum.qp = plus(sum.qp, monomial.simplified(own.qp, term.node));
+    for (const Term& term : terms_) {
+      int qq = graph.constant(0.0), qp = qq;
+      for (const auto& [ij, a] : term.hessian)
+        for (const auto& [lk, b] : term.hessian) {
+          const auto [i, j] = ij;
+          const auto [l, k] = lk;
+          if (i < n_ && j < n_ && l < n_ && k < n_)  // A_ij K_jl A_lk K_ki
+            qq = plus(qq, scaled(metric_(j, l) * metric_(k, i), times(a, b)));
+          if (i < n_ && j >= n_ && l < n_ && k >= n_)  // A_ij K^-1_jk A_lk K_li
+            qp = plus(qp, scaled(inverse_(j - n_, k - n_) * metric_(l, i), times(a, b)));
+        }
+      all_qq = plus(all_qq, monomial.simplified(qq, term.node));
+      all_qp = plus(all_qp, monomial.simplified(qp, term.node));
     }
-    return plus(times(spread(), sum.qq), times(sum.qp, sum.qp));
+    return plus(times(spread(), all_qq), times(all_qp, all_qp));
   }
 
   /// \f$\dot q^T K^{-1}\dot q + \dot p^T K\,\dot p/\omega^2\f$, the square of the speed in phase space.
@@ -118,10 +123,11 @@ class Curvature {
 
  private:
   using Square = Matrix<double, dynamic>;
-  struct Norms {
-    int qq, qp;
-  };
   using Sparse = std::map<std::pair<int, int>, int>;  // entries of a Hessian that are not the constant 0
+  struct Term {
+    int node;
+    Sparse hessian;
+  };
 
   /// Second derivatives of a term, found in a graph of its own: the work grows with the term, not with H.
   Sparse hessian(const Terms::Term& term) {
@@ -171,26 +177,11 @@ class Curvature {
     return copies[node] = again(what, graph, copies);
   }
 
-  Norms norms(const Terms::Term& term) {
-    Norms sum{graph.constant(0.0), graph.constant(0.0)};
-    const Sparse entries = hessian(term);
-    for (const auto& [ij, a] : entries)
-      for (const auto& [lk, b] : entries) {
-        const auto [i, j] = ij;
-        const auto [l, k] = lk;
-        if (i < n_ && j < n_ && l < n_ && k < n_)  // A_ij K_jl A_lk K_ki
-          sum.qq = plus(sum.qq, scaled(metric_(j, l) * metric_(k, i), times(a, b)));
-        if (i < n_ && j >= n_ && l < n_ && k >= n_)  // A_ij K^-1_jk A_lk K_li
-          sum.qp = plus(sum.qp, scaled(inverse_(j - n_, k - n_) * metric_(l, i), times(a, b)));
-      }
-    return sum;
-  }
-
   /// |H_pp|^2 / n: 1 where the kinetic energy has a constant metric.
   int spread() {
     Sparse total;
-    for (const Terms::Term& term : terms_)
-      for (const auto& [ij, a] : hessian(term))
+    for (const Term& term : terms_)
+      for (const auto& [ij, a] : term.hessian)
         if (ij.first >= n_ && ij.second >= n_) {
           const auto [place, fresh] = total.try_emplace(ij, a);
           if (!fresh) place->second = plus(place->second, a);
@@ -208,8 +199,8 @@ class Curvature {
   void find_metric() {
     metric_ = Square::Zero(n_, n_);
     NodeValues at_start(start_);
-    for (const Terms::Term& term : terms_)
-      for (const auto& [ij, node] : hessian(term))
+    for (const Term& term : terms_)
+      for (const auto& [ij, node] : term.hessian)
         if (ij.first >= n_ && ij.second >= n_)
           metric_(ij.first - n_, ij.second - n_) += at_start(graph, node);
     has_metric_ = positive(metric_);
@@ -227,7 +218,7 @@ class Curvature {
   }
   int n_;
   std::vector<double> start_;
-  std::vector<Terms::Term> terms_;
+  std::vector<Term> terms_;
   Square metric_, inverse_;
   bool has_metric_ = false;
 };

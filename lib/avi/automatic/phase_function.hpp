@@ -1,9 +1,11 @@
 #pragma once
 #include "avi/autodiff/recorded.hpp"
 #include "avi/core/power.hpp"
+#include "avi/core/state.hpp"
 
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -102,16 +104,11 @@ class PhaseFunction {
     case Operation::power:
       out = power(values[step.a], step.number);
       break;
-    case Operation::sign: {
-      using std::abs;
-      out = values[step.a] / abs(values[step.a]);
-      break;
-    }
     default: {
       const S& a = values[step.a];
       const S& b = step.b < 0 ? a : values[step.b];
       detail::with_operation(step.operation, [&]<Operation known>() {
-        if constexpr (known != Operation::power && known != Operation::sign) out = detail::apply<known>(a, b);
+        if constexpr (known != Operation::power) out = detail::apply<known>(a, b);
       });
     }
     }
@@ -125,14 +122,34 @@ class PhaseFunction {
 /// @param size n, where it is avi::dynamic
 template <int n = dynamic, class F>
 PhaseFunction phase_function(const F& f, Eigen::Index size = n) {
-  ExpressionGraph graph(2 * static_cast<int>(size));
-  Vector<Recorded, n> q(size), p(size);
-  for (int i = 0; i < size; ++i) {
-    q[i] = Recorded(graph, i);
-    p[i] = Recorded(graph, static_cast<int>(size) + i);
-  }
-  const Recorded value = f(q, p);
+  const int count = static_cast<int>(size);
+  ExpressionGraph graph(2 * count);
+  const Recorded value = f(recorded_inputs<n>(graph, 0, count), recorded_inputs<n>(graph, count, count));
   return {graph, value.node_in(graph)};
 }
+
+namespace detail {
+
+/// H as a formula and the start of an orbit in vectors whose size is known at run time: what is found out
+/// about the orbit is then compiled once for all H.
+struct Orbit {
+  PhaseFunction energy;  ///< H.
+  State<dynamic> start;  ///< With finite H.
+
+  /// Records H. @throws std::invalid_argument where q and p are of different size or empty, or H is not
+  /// finite at the start.
+  template <class H, int n>
+  Orbit(const H& hamiltonian, const State<n>& from)
+      : energy((require_dimension(from), phase_function<n>(hamiltonian, from.q.size()))), start{.q = from.q,
+                                                                                                .p = from.p,
+                                                                                                .t = from.t} {
+    if (!start.finite() || !std::isfinite(energy_at_start()))
+      throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
+  }
+
+  [[nodiscard]] double energy_at_start() const { return energy(start.q, start.p); }  ///< H_0.
+};
+
+}  // namespace detail
 
 }  // namespace avi

@@ -1,8 +1,8 @@
 #pragma once
-#include "avi/automatic/choice.hpp"
-#include "avi/automatic/orbit.hpp"
+#include "avi/automatic/phase_function.hpp"
 #include "avi/collocation/collocation.hpp"
 #include "avi/core/integrate.hpp"
+#include "avi/core/outcome.hpp"
 #include "avi/transform/poincare.hpp"
 
 #include <algorithm>
@@ -14,7 +14,19 @@
 /// @file
 /// Short runs that find a step size.
 
-namespace avi::detail {
+namespace avi {
+
+/// One short run of a pilot.
+struct Trial {
+  std::string monitor;            ///< Name in the menu.
+  double h = 0.0;                 ///< Fictive step.
+  long steps = 0;                 ///< Taken.
+  long sweeps = 0;                ///< Evaluations of all stages.
+  double energy_error = 0.0;      ///< Largest |H - H_0| over the energy scale; infinite where the run failed.
+  Outcome outcome = Outcome::ok;  ///< How it ended.
+};
+
+namespace detail {
 
 /// A method with one monitor on one orbit: finds the step that gives a wanted energy error, one trial at a
 /// time, and says after each what that step will cost.
@@ -42,7 +54,7 @@ class Pilot {
 
   /// A run with step h, given up for good after `most` steps, or when its error shows that the cost() will
   /// exceed `dearest`.
-  void trial(double h, long most, double dearest, MonitorChoice& choice) {
+  Trial trial(double h, long most, double dearest) {
     State<dynamic> z = setting_.orbit.start;
     const double h0 = setting_.orbit.energy_at_start();
     const double hopeless =
@@ -55,10 +67,8 @@ class Pilot {
         });
     lost_ = run.outcome == Outcome::step_limit || worst >= hopeless;
     if (run.outcome != Outcome::ok) worst = infinity;
-    choice.trials.push_back({name_, h, run.steps, run.evaluations, worst, run.outcome});
-    choice.sweeps += run.evaluations;
-    choice.work += static_cast<double>(run.evaluations) * sweep_;
     note({h, worst, static_cast<double>(run.evaluations)});
+    return {name_, h, run.steps, run.evaluations, worst, run.outcome};
   }
 
   /// The step to try next.
@@ -127,4 +137,6 @@ class Pilot {
   bool lost_ = false;
 };
 
-}  // namespace avi::detail
+}  // namespace detail
+
+}  // namespace avi

@@ -51,12 +51,12 @@ inline Solution<dynamic> solve(const Menu& menu, double t_end, double tolerance)
   Solution<dynamic> solution{
       .state = menu.orbit.start,
       .run = {},
-      .choice = {.name = "fixed", .monitor = menu.entries().front().monitor, .trials = {}, .note = {}},
+      .choice = {.name = "fixed", .monitor = menu.entries.front().monitor, .trials = {}, .note = {}},
       .tolerance = tolerance};
   const double span = t_end - menu.orbit.start.t;
   if (span == 0.0) return solution;
   // 0: of its usual length
-  const double pilot = !menu.tour() ? 0.1 * span : span < menu.tour()->time_of(pilot_angle) ? span : 0.0;
+  const double pilot = !menu.tour ? 0.1 * span : span < menu.tour->time_of(pilot_angle) ? span : 0.0;
   solution.choice = choose(menu, {.energy_error = tolerance, .order = order_for(tolerance), .time = pilot});
   MonitorChoice& choice = solution.choice;
   if (!choice.reached) {

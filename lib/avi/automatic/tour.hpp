@@ -1,7 +1,6 @@
 #pragma once
 #include "avi/autodiff/recording.hpp"
 #include "avi/automatic/curvature.hpp"
-#include "avi/automatic/orbit.hpp"
 #include "avi/integrators/runge_kutta.hpp"
 #include "avi/integrators/tableaus.hpp"
 

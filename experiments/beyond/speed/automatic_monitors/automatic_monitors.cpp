@@ -27,7 +27,7 @@ using Counted = std::array<bool, 8>;
 /// All monitors of a scene at an order.
 Counted compare(Table& table, Table& choices, const Arena& arena, const Targets& targets, double factor) {
   const Scene& scene = arena.scene;
-  const avi::PhaseFunction& fixed = arena.menu.entries().front().monitor;
+  const avi::PhaseFunction& fixed = arena.menu.entries.front().monitor;
   const std::vector<HandMade> general = general_monitors(scene);
   std::vector<HandMade> hand_made = scene.hand_made;
   hand_made.insert(hand_made.end(), general.begin(), general.end());

@@ -74,7 +74,7 @@ inline Arena arena_of(const Scene& scene, const avi::MonitorChoice& choice) {
   double angle = 0.0;
   (void)integrate_to(method, z, 0.6 * choice.h, scene.time, [&](const Point& at, long k) {
     next << at.q, at.p;
-    if (k > 1) angle += curvature.angle(way, next - place, menu.tour()->frequency);
+    if (k > 1) angle += curvature.angle(way, next - place, menu.tour->frequency);
     way = next - place;
     place = next;
   });
@@ -118,7 +118,7 @@ inline Measured measure(const Arena& arena, avi::Collocation<avi::detail::Pilot:
 inline Cost cost(const Arena& arena, const avi::PhaseFunction& monitor, const Targets& targets, double most,
                  double dearest, double factor) {
   Cost found;
-  const avi::detail::Tour& tour = *arena.menu.tour();
+  const avi::detail::Tour& tour = *arena.menu.tour;
   const double fictive = tour.fictive_time(monitor, arena.scene.time);
   if (!(fictive > 0.0) || !std::isfinite(fictive)) return found;
   found.sweep = sweep_of(arena, monitor, targets.order);

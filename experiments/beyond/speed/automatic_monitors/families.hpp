@@ -17,11 +17,7 @@ namespace experiment {
 inline std::vector<HandMade> general_monitors(const Scene& scene) {
   const int n = static_cast<int>(scene.energy.size());
   avi::ExpressionGraph graph(2 * n);
-  V q(n), p(n);
-  for (int i = 0; i < n; ++i) {
-    q[i] = Recorded(graph, i);
-    p[i] = Recorded(graph, n + i);
-  }
+  const V q = avi::recorded_inputs(graph, 0, n), p = avi::recorded_inputs(graph, n, n);
   const Recorded energy = scene.energy(q, p);
   const std::vector<int> slopes = avi::Reverse(graph).gradient(energy.node_in(graph));  // dH/dq, dH/dp
   Recorded squared_speed = 0.0, work = 0.0;
