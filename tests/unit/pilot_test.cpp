@@ -1,0 +1,76 @@
+#include "avi/automatic/pilot.hpp"
+#include "avi/problems/kepler.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pilot_test {
+
+using avi::Kepler;
+using avi::Outcome;
+using avi::Trial;
+using avi::detail::Orbit;
+using avi::detail::Pilot;
+
+/// Fixed steps of order 4 along two periods of an ellipse, as a pilot tries them.
+struct Pilots {
+  Orbit orbit{Kepler(), Kepler::pericentre(0.5)};
+  static constexpr double end = 4.0 * M_PI, any = 1e300;
+
+  [[nodiscard]] Pilot pilot(double tolerance) const {
+    const avi::PhaseFunction fixed = avi::phase_function<2>([](const auto&, const auto&) { return 1.0; });
+    return {{orbit, 4, tolerance, 1.0, end}, "fixed", fixed, 1.0, end, any, 0.5};
+  }
+  [[nodiscard]] double error(double h) const { return pilot(1e-3).trial(h, 10'000, any).energy_error; }
+};
+const Pilots pilots;
+
+TEST(Pilot, ShortensABadStepToThreeTenthsAtMost) {
+  Pilot pilot = pilots.pilot(1e-12);
+  EXPECT_EQ(pilot.next(), 0.5) << "what was supposed";
+  ASSERT_GT(pilot.trial(0.1, 10'000, Pilots::any).energy_error, 1e-8);
+  EXPECT_EQ(pilot.next(), 0.3 * 0.1);
+}
+
+TEST(Pilot, AimsBelowTheToleranceByThePowerOfTheOrder) {
+  const double h = 0.05, error = pilots.error(h);
+  for (const double tolerance : {0.2 * error, 5.0 * error}) {
+    Pilot pilot = pilots.pilot(tolerance);
+    pilot.trial(h, 10'000, Pilots::any);
+    EXPECT_NEAR(pilot.next(), h * std::pow(tolerance / 1.7 / error, 0.25), 1e-12);
+    EXPECT_EQ(pilot.good(), tolerance < error ? 0.0 : h);
+    EXPECT_FALSE(pilot.done());
+  }
+}
+
+TEST(Pilot, TriesTheGeometricMeanOfAGoodStepAndOneThatFails) {
+  Pilot pilot = pilots.pilot(1e-3);
+  EXPECT_EQ(pilot.trial(0.01, 10'000, Pilots::any).outcome, Outcome::ok);
+  EXPECT_EQ(pilot.trial(0.02, 10, Pilots::any).outcome, Outcome::step_limit);
+  EXPECT_NEAR(pilot.next(), std::sqrt(0.01 * 0.02), 1e-16);
+  EXPECT_TRUE(std::isinf(pilot.cost())) << "it was given up";
+}
+
+TEST(Pilot, GoesBeyondAGoodStepByAFiftiethAtLeast) {
+  const double h = 0.05;
+  Pilot pilot = pilots.pilot(1.01 * pilots.error(h));
+  pilot.trial(h, 10'000, Pilots::any);
+  pilot.trial(1.5 * h, 10'000, Pilots::any);
+  EXPECT_EQ(pilot.next(), 1.02 * h);
+  EXPECT_TRUE(pilot.done()) << "the error is hardly below the tolerance";
+  EXPECT_EQ(pilot.good(), h);
+}
+
+TEST(Pilot, TakesTheOrderThatItHasSeen) {
+  const double h = 0.05, small = pilots.error(0.5 * h), large = pilots.error(h), tolerance = 0.9 * large;
+  Pilot pilot = pilots.pilot(tolerance);
+  pilot.trial(0.5 * h, 10'000, Pilots::any);
+  pilot.trial(h, 10'000, Pilots::any);
+  const double order = std::log2(large / small);
+  EXPECT_NEAR(pilot.next(), 0.5 * h * std::pow(tolerance / 1.7 / small, 1.0 / order), 1e-12);
+  EXPECT_FALSE(pilot.done());
+}
+
+}  // namespace pilot_test
