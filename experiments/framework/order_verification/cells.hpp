@@ -1,5 +1,5 @@
 #pragma once
-#include "framework/order_verification/order.hpp"
+#include "common/table.hpp"
 #include "framework/order_verification/reference.hpp"
 
 #include "avi/core/integrate.hpp"
@@ -12,7 +12,8 @@
 #include <span>
 
 /// @file
-/// The grid for one problem. The Taylor order is chosen at run time, so each problem and type compiles once.
+/// Measured order of HTVI for every Taylor order, rule, type and construction on one problem. The Taylor
+/// order is chosen at run time, so each problem and type compiles once.
 
 namespace experiment {
 
@@ -65,10 +66,11 @@ inline Slopes slopes_of(const std::function<double(int)>& error, double horizon,
   return {finest, limit};
 }
 
+/// Adds a row for every Taylor order and rule. The order expected is a lower bound: stationary
+/// min(2r + 2, max(r + 1, s)), others min(r + 1, s).
 template <avi::Generating type, avi::Construction construction, class Problem, class State>
-void add_cells(std::vector<OrderCell>& cells, const std::string& name, const Problem& problem,
-               const State& start, double horizon, const std::function<double(const State&)>& error,
-               bool quick) {
+void add_cells(Table& table, const std::string& name, const Problem& problem, const State& start,
+               double horizon, const std::function<double(const State&)>& error, bool quick) {
   constexpr bool stationary = construction == avi::stationary;
   const char* label = stationary ? "stationary" : construction == avi::printed ? "printed" : "authors";
   const auto rules = order_rules();
@@ -85,17 +87,17 @@ void add_cells(std::vector<OrderCell>& cells, const std::string& name, const Pro
         return run.outcome == avi::Outcome::ok ? error(z) : std::nan("");
       };
       const auto [finest, limit] = slopes_of(error_after, horizon, quick ? 1000 : 2000);
-      cells.push_back(
-          {name, type == avi::Generating::type2 ? "II" : "III", label, r, rule.name,
-           stationary ? std::min(2 * r + 2, std::max(rule.order, r + 1)) : std::min(r + 1, rule.order),
-           finest.order, limit, finest.points});
+      const int expected =
+          stationary ? std::min(2 * r + 2, std::max(rule.order, r + 1)) : std::min(r + 1, rule.order);
+      table.row(name, type == avi::Generating::type2 ? "II" : "III", r, rule.name, expected, finest.order,
+                label, finest.points, limit);
     }
 }
 
 /// Both types, stationary and as printed; where `authors` (compiled if the first one says so), that
 /// construction too. The error is that of (q, p, t).
 template <bool with_authors = false, class Problem>
-void add_problem(std::vector<OrderCell>& cells, const std::string& name, const Problem& problem,
+void add_problem(Table& table, const std::string& name, const Problem& problem,
                  const avi::State<Problem::dimension>& start, double horizon, bool quick,
                  bool authors = with_authors) {
   constexpr int n = Problem::dimension;
@@ -110,14 +112,14 @@ void add_problem(std::vector<OrderCell>& cells, const std::string& name, const P
     return static_cast<double>((point - exact).norm());
   };
   using avi::Generating;
-  add_cells<Generating::type2, avi::stationary>(cells, name, problem, start, horizon, error, quick);
-  add_cells<Generating::type3, avi::stationary>(cells, name, problem, start, horizon, error, quick);
-  add_cells<Generating::type2, avi::printed>(cells, name, problem, start, horizon, error, quick);
-  add_cells<Generating::type3, avi::printed>(cells, name, problem, start, horizon, error, quick);
+  add_cells<Generating::type2, avi::stationary>(table, name, problem, start, horizon, error, quick);
+  add_cells<Generating::type3, avi::stationary>(table, name, problem, start, horizon, error, quick);
+  add_cells<Generating::type2, avi::printed>(table, name, problem, start, horizon, error, quick);
+  add_cells<Generating::type3, avi::printed>(table, name, problem, start, horizon, error, quick);
   if constexpr (with_authors) {
     if (!authors) return;
-    add_cells<Generating::type2, avi::authors>(cells, name, problem, start, horizon, error, quick);
-    add_cells<Generating::type3, avi::authors>(cells, name, problem, start, horizon, error, quick);
+    add_cells<Generating::type2, avi::authors>(table, name, problem, start, horizon, error, quick);
+    add_cells<Generating::type3, avi::authors>(table, name, problem, start, horizon, error, quick);
   }
 }
 

@@ -1,27 +1,122 @@
 #include "common/frame.hpp"
-#include "framework/order_verification/order.hpp"
+#include "framework/order_verification/cells.hpp"
+
+#include "avi/problems/henon_heiles.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/transform/monitors.hpp"
+#include "avi/transform/time_dependent.hpp"
 
 // The order of the map as an experiment: min(2r + 2, s) for the stationary construction and Taylor order r,
 // quadrature order s; min(r + 1, s) at least for the paper's (Section 2.2). Type II and III.
+
+namespace {
+
+using namespace experiment;
+using std::cos, std::sqrt;
+
+/// On the line, separable with T not quadratic, H = sqrt(1 + p^2) - cos q; or a bead whose inertia varies,
+/// not separable, H = p^2 (1 + q^2 / 2) / 2 + q^2 / 2.
+struct Line {
+  bool separable;
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    using S = std::decay_t<decltype(q[0] * p[0])>;
+    if (separable) return S(sqrt(1.0 + p[0] * p[0]) - cos(q[0]));
+    const auto square = q[0] * q[0];
+    return S(0.5 * (p[0] * p[0]) * (1.0 + 0.5 * square) + 0.5 * square);
+  }
+};
+
+/// In the plane, T quadratic: Kepler, which supplies its gradients, or Henon-Heiles, which does not.
+struct Plane {
+  bool kepler;
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    using S = std::decay_t<decltype(q[0] * p[0])>;
+    return kepler ? S(avi::Kepler{}(q, p)) : S(avi::HenonHeiles{}(q, p));
+  }
+  template <class S>
+  avi::Vector<S, 2> d_dq(const avi::Vector<S, 2>& q, const avi::Vector<S, 2>& p) const {
+    return kepler ? avi::d_dq(avi::Kepler{}, q, p) : avi::d_dq(avi::HenonHeiles{}, q, p);
+  }
+  template <class S>
+  avi::Vector<S, 2> d_dp(const avi::Vector<S, 2>& q, const avi::Vector<S, 2>& p) const {
+    return kepler ? avi::d_dp(avi::Kepler{}, q, p) : avi::d_dp(avi::HenonHeiles{}, q, p);
+  }
+};
+
+/// |q|^2, or |q|^(3/2), which is no polynomial of q.
+struct Radius {
+  bool square;
+  template <class Q>
+  auto operator()(const Q& q) const {
+    using S = std::decay_t<decltype(q[0] * q[0])>;
+    return square ? S(avi::NormSquared{}(q)) : S(avi::Gamma{0.75}(q));
+  }
+};
+
+/// A pendulum whose weight varies, H = p^2 / 2 - (1 + cos(t) / 2) cos q.
+struct Driven {
+  template <class Q, class S, class P>
+  auto operator()(const Q& q, const S& t, const P& p) const {
+    return 0.5 * (p[0] * p[0]) - (1.0 + 0.5 * cos(t)) * cos(q[0]);
+  }
+};
+
+/// g = 1 / (1 + p^2 / 2).
+struct SlowWhenFast {
+  template <class Q, class P>
+  auto operator()(const Q&, const P& p) const {
+    return 1.0 / (1.0 + 0.5 * (p[0] * p[0]));
+  }
+};
+
+/// T quadratic, relativistic, not separable, Kepler.
+void add_without_monitor(Table& table, bool quick) {
+  const avi::State<2> star{.q = {0.1, -0.3}, .p = {0.4, 0.2}}, orbit = avi::Kepler::pericentre(0.3);
+  const avi::State<1> swing{.q = avi::Vector<double, 1>(0.7), .p = avi::Vector<double, 1>(0.9)};
+  add_problem<true>(table, "henon_heiles", avi::poincare<2>(Plane{false}, star), star, 2.5, quick, false);
+  add_problem(table, "relativistic", avi::poincare<1>(Line{true}, swing), swing, 2.0, quick);
+  add_problem(table, "non_separable", avi::poincare<1>(Line{false}, swing), swing, 2.0, quick);
+  add_problem<true>(table, "kepler", avi::poincare<2>(Plane{true}, orbit), orbit, 5.0, quick);
+}
+
+/// Kepler's problem with monitors of the position.
+void add_monitors(Table& table, bool quick) {
+  const auto orbit = avi::Kepler::pericentre(0.3);
+  for (const bool square : {true, false})
+    add_problem<true>(table, square ? "kepler_gamma" : "kepler_gamma_075",
+                      avi::poincare<2>(avi::Kepler{}, orbit, Radius{square}), orbit, 5.0, quick, square);
+}
+
+/// A monitor of position and momentum, and a Hamiltonian that depends on time.
+void add_general_problems(Table& table, bool quick) {
+  const auto orbit = avi::Kepler::pericentre(0.3);
+  const avi::Kepler kepler;
+  const avi::Energy monitor{kepler, -kepler(orbit.q, orbit.p)};
+  add_problem(table, "kepler_energy", avi::poincare<2>(kepler, orbit, avi::bounded(monitor, 0.1, 3.0)), orbit,
+              1.5, quick);
+  const avi::State<1> swing{.q = avi::Vector<double, 1>(0.7), .p = avi::Vector<double, 1>(0.9)};
+  const auto driven = avi::time_dependent(Driven{}, swing, SlowWhenFast{});
+  add_problem(table, "driven_pendulum", driven, avi::extended(driven, swing), 2.0, quick);
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  using namespace experiment;
   return run(
       argc, argv, "order_verification",
       "Measured order of HTVI for every Taylor order, rule, type and class of problem", [](Frame& frame) {
-        experiment::Table out = frame.table({"problem", "type", "r", "quadrature", "expected_order",
-                                             "measured_order", "construction", "points", "limit_order"});
+        Table out = frame.table({"problem", "type", "r", "quadrature", "expected_order", "measured_order",
+                                 "construction", "points", "limit_order"});
         out.note("measured_order",
                  "slope of the final error in (q, p, t) over the step, nan with fewer than 3 usable points");
         out.note("limit_order",
                  "slope at h = 0, extrapolated from measured_order and the slope of the four steps before");
-        double begin = 0.0;
-        for (auto* part :
-             {&order_cells_without_monitor, &order_cells_of_monitors, &order_cells_of_general_problems}) {
-          for (const auto& c :
-               part(frame.quick, [&](double f) { frame.progress("cells", (begin + f) / 3.0); }))
-            out.row(c.problem, c.type, c.r, c.quadrature, c.expected, c.measured, c.construction, c.points,
-                    c.limit);
-          begin += 1.0;
+        double done = 0.0;
+        for (auto* add : {add_without_monitor, add_monitors, add_general_problems}) {
+          add(out, frame.quick);
+          frame.progress("cells", (done += 1.0) / 3.0);
         }
         frame.write(out);
       });
