@@ -1,4 +1,6 @@
 #pragma once
+#include <Eigen/Core>
+
 #include <array>
 #include <cmath>
 #include <utility>
@@ -13,23 +15,13 @@ namespace experiment::statements {
 /// A number with its partial derivatives with respect to q_0, u = p~_0 and p^t.
 struct Dual {
   double v = 0.0;
-  std::array<double, 3> d{};
+  Eigen::Vector3d d = Eigen::Vector3d::Zero();
   Dual() = default;
   Dual(double value) : v(value) {}  // NOLINT: constants are duals
-  Dual(double value, int which) : v(value) { d.at(static_cast<std::size_t>(which)) = 1.0; }
+  Dual(double value, const Eigen::Vector3d& derivatives) : v(value), d(derivatives) {}
 };
-inline Dual operator+(Dual a, const Dual& b) {
-  a.v += b.v;
-  for (std::size_t i = 0; i < 3; ++i)
-    a.d[i] += b.d[i];
-  return a;
-}
-inline Dual operator*(const Dual& a, const Dual& b) {
-  Dual c(a.v * b.v);
-  for (std::size_t i = 0; i < 3; ++i)
-    c.d[i] = a.d[i] * b.v + a.v * b.d[i];
-  return c;
-}
+inline Dual operator+(const Dual& a, const Dual& b) { return {a.v + b.v, a.d + b.d}; }
+inline Dual operator*(const Dual& a, const Dual& b) { return {a.v * b.v, a.d * b.v + a.v * b.d}; }
 
 /// H = p^2/2 + q^2/2 + q^4/4 and the monitor g = 2 + q^2/2 + c p^2.
 template <class T>
@@ -45,8 +37,8 @@ struct Field {
   }
 };
 
-constexpr int most =
-    24;  ///< Taylor coefficients that are kept, enough for an exact solution at the steps used.
+/// Taylor coefficients that are kept: enough for an exact solution at the steps used.
+constexpr int most = 24;
 
 /// A power series in fictive time, truncated.
 template <class T>
@@ -125,19 +117,20 @@ using Point = std::array<double, 4>;
 /// the velocity of its polynomial at the nodes; else as printed, order r and the velocity of the field.
 inline Point type2_step(const Point& z, double h, int r, const Rule& rule, bool stationary, double c) {
   const auto [q0, t0, p0, pt] = z;
+  const auto unit = [](int i) { return Eigen::Vector3d::Unit(i); };
+  const Dual energy(pt, unit(2));
+  const Field<Dual> field{c};
+  const int degree = stationary ? r + 1 : r;
   double u = p0;
   Point end{};
   for (int pass = 0; pass < 60; ++pass) {
-    const Curve<Dual> x(Dual(q0, 0), Dual(u, 1), Dual(pt, 2), c, r + 1);
-    const Dual energy(pt, 2);
+    const Curve<Dual> x(Dual(q0, unit(0)), Dual(u, unit(1)), energy, c, r + 1);
     const Dual p1 = x.p.at(h, r), q1 = x.q.at(h, r + 1), t1 = x.t.at(h, r + 1);
     Dual k = p1 * q1 + energy * t1;  // H_d^+ less p^t t_0
     for (int i = 0; i < rule.nodes; ++i) {
       const auto n = static_cast<std::size_t>(i);
       const double tau = rule.c[n] * h;
-      const int degree = stationary ? r + 1 : r;
       const Dual q = x.q.at(tau, degree), p = x.p.at(tau, r);
-      const Field<Dual> field{c};
       const Dual velocity = stationary ? x.q.slope_at(tau, degree) : field.by_p(q, p, energy);
       const Dual clock = stationary ? x.t.slope_at(tau, degree) : field.g(q, p);
       k = k + Dual(-h * rule.b[n]) *

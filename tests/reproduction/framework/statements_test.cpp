@@ -37,7 +37,7 @@ TEST(Statements, StepsAreSymplecticOnExtendedPhaseSpace) {
   for (std::size_t i = 0; i < table().rows.size(); ++i)
     if (table().text(i, "statement") == "extended symplecticity") {
       ++seen;
-      EXPECT_LT(table().number(i, "measured"), 1e-11);
+      EXPECT_LT(table().number(i, "measured"), 1.1e-13) << "measured 3.1e-14 and 5.5e-14";
     }
   EXPECT_EQ(seen, 2);
 }
