@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
       [&](Frame& frame) {
         experiment::Table out = frame.table({"monitor", "t", "step", "radius"});
         out.note("eccentricity", 0.9);
-        for (const KeplerRun& run : runs_authors(table1(), horizon)) {
+        for (const KeplerRun& run : htvi4_runs("authors", table1(), horizon)) {
           if (run.row.monitor == "none") continue;
           double before = 0.0;
           run.observe([&](const avi::State<2>& z) {

@@ -57,14 +57,13 @@ struct KeplerRun {
 };
 
 /// The settings of Table 1 (e = 0.9) and Table 2 (e = 0.99). Where they differ from the printed ones,
-/// kepler/settings.cpp says why.
+/// kepler/table.cpp says why.
 KeplerTable table1();
 KeplerTable table2();
 
-/// The HTVI4 runs of a table, for each construction.
-std::vector<KeplerRun> runs_authors(const KeplerTable& table, double horizon);
-std::vector<KeplerRun> runs_printed(const KeplerTable& table, double horizon);
-std::vector<KeplerRun> runs_stationary(const KeplerTable& table, double horizon);
+/// The HTVI4 runs of a table by the construction `authors`, `printed` or `stationary`.
+/// @throws std::invalid_argument for another one.
+std::vector<KeplerRun> htvi4_runs(const std::string& construction, const KeplerTable& table, double horizon);
 
 /// main() of kepler_e090 and kepler_e099.
 int kepler_table(int argc, char** argv, const std::string& name, const KeplerTable& table);

@@ -14,7 +14,7 @@ using namespace experiment;
 /// The run of HTVI4 with the step of a row.
 KeplerResult measured(const KeplerRow& row, double eccentricity, double horizon) {
   const KeplerTable table{.eccentricity = eccentricity, .htvi = {row}, .verlet_h = 1.0, .rounds = 1};
-  return runs_authors(table, horizon).front().measure();
+  return htvi4_runs("authors", table, horizon).front().measure();
 }
 
 }  // namespace

@@ -1,0 +1,89 @@
+#include "kepler/table.hpp"
+
+#include "avi/htvi/htvi.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/transform/monitors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace experiment {
+
+namespace {
+
+/// HTVI4 - Type II, r = 3, Simpson's rule; stationary, r = 1 and two Gauss nodes - for every row of a table.
+template <avi::Construction construction>
+std::vector<KeplerRun> runs_of(const std::string& name, const KeplerTable& table, double horizon) {
+  const auto start = avi::Kepler::pericentre(table.eccentricity);
+  const avi::Kepler kepler;
+  const double energy = kepler(start.q, start.p);
+  std::vector<KeplerRun> runs;
+  const auto add = [&](const KeplerRow& row, auto monitor) {
+    const auto make = [=](const State2& from) {
+      const auto problem = avi::poincare<2>(kepler, from, monitor);
+      if constexpr (construction == avi::stationary)
+        return avi::htvi<4>(problem);
+      else
+        return avi::type2<3, construction>(problem, avi::simpson());
+    };
+    runs.push_back(
+        {"htvi4", name, row, Runner(kepler, make), table.eccentricity, start, avi::Until{.time = horizon}});
+  };
+  for (const KeplerRow& row : table.htvi) {
+    if (row.monitor == "gamma")
+      add(row, avi::bounded(avi::NormSquared{}, row.a, row.b));
+    else if (row.monitor == "energy")
+      add(row, avi::bounded(avi::Energy{kepler, -energy}, row.a, row.b));
+    else if (row.monitor == "arclength")
+      add(row, avi::bounded(avi::Arclength{kepler, energy}, row.a, row.b));
+    else
+      add(row, avi::Unit{});
+  }
+  return runs;
+}
+
+void require_ok(const avi::Run& run) {
+  if (run.outcome != avi::Outcome::ok) throw std::runtime_error(run.message);
+}
+
+}  // namespace
+
+std::vector<KeplerRun> htvi4_runs(const std::string& construction, const KeplerTable& table, double horizon) {
+  if (construction == "authors") return runs_of<avi::authors>(construction, table, horizon);
+  if (construction == "printed") return runs_of<avi::printed>(construction, table, horizon);
+  if (construction == "stationary") return runs_of<avi::stationary>(construction, table, horizon);
+  throw std::invalid_argument("Construction '" + construction +
+                              "' is none of authors, printed and stationary.");
+}
+
+KeplerResult KeplerRun::measure() const {
+  KeplerResult result{
+      .min_step = std::numeric_limits<double>::infinity(), .max_step = 0.0, .energy_error = 0.0};
+  State2 before_last = start, previous = start;
+  const double start_energy = runner.energy(start);
+  observe([&](const State2& s) {
+    result.min_step = std::min(result.min_step, s.t - previous.t);
+    result.max_step = std::max(result.max_step, s.t - previous.t);
+    result.energy_error = std::max(result.energy_error, std::abs(runner.energy(s) - start_energy));
+    before_last = previous;
+    previous = s;
+    ++result.steps;
+  });
+  const State2 exact = avi::Kepler::exact(eccentricity, previous.t);
+  result.global_error = (previous.q - exact.q).norm();
+  result.global_error_shifted = (before_last.q - exact.q).norm();
+  return result;
+}
+
+void KeplerRun::run() const {
+  State2 z = start;
+  require_ok(runner.prepare(start)(z, row.h, until));
+}
+
+void KeplerRun::observe(const std::function<void(const State2&)>& observer) const {
+  State2 z = start;
+  require_ok(runner.advance(start, z, row.h, until, [&](const State2& s) { return observer(s), true; }));
+}
+
+}  // namespace experiment
