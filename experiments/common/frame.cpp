@@ -1,7 +1,5 @@
 #include "common/frame.hpp"
 
-#include "common/provenance.hpp"
-
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -12,18 +10,6 @@
 #include <unistd.h>
 
 namespace experiment {
-
-experiment::Table Frame::table(std::vector<std::string> columns) const {
-  experiment::Table table(std::move(columns));
-  table.note("experiment", name);
-  table.note("commit", commit());
-  table.note("compiler", compiler());
-  table.note("flags", flags(name));
-  table.note("machine", machine());
-  table.note("date", date());
-  table.note("quick", quick);
-  return table;
-}
 
 namespace {
 
@@ -47,7 +33,7 @@ class Uninterrupted {
 
 }  // namespace
 
-void Frame::write(const experiment::Table& table, std::string_view curve) const {
+void Frame::write(const Table& table, std::string_view curve) const {
   const Uninterrupted here;
   table.write(output / (curve.empty() ? name + ".tsv" : fmt::format("{}_{}.tsv", name, curve)));
 }
@@ -103,7 +89,7 @@ int run(int argc, char** argv, std::string name, std::string summary,
     return refuse(name, fmt::format("{} Run with --help for the options.", error.what()));
   } catch (const std::invalid_argument& error) {
     return refuse(name, error.what());
-  } catch (const experiment::FileError& error) {
+  } catch (const FileError& error) {
     return refuse(name, error.what());
   } catch (const std::exception& error) {
     refuse(name, error.what());

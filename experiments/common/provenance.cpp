@@ -1,12 +1,16 @@
-#include "common/provenance.hpp"
+#include "common/frame.hpp"
 
 #include <array>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
 
-namespace experiment {
+// Where a data file comes from.
 
+namespace experiment {
+namespace {
+
+/// `git describe --always --dirty` of the source folder, or "unknown".
 std::string commit() {
   // Asked at run time: compiled in, a new commit would relink and so re-run every experiment.
   const std::string command =
@@ -23,14 +27,14 @@ std::string commit() {
   return text.empty() ? "unknown" : text;
 }
 
-std::string compiler() { return AVI_COMPILER; }
-
+/// Compiler flags of an experiment.
 std::string flags(const std::string& experiment) {
   // Of two levels of optimisation the later counts.
   const bool is_short = std::string(AVI_SHORT " ").find(" " + experiment + " ") != std::string::npos;
   return is_short ? AVI_FLAGS " " AVI_NOT_OPTIMISED : AVI_FLAGS;
 }
 
+/// Processor model.
 std::string machine() {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);)
@@ -38,11 +42,26 @@ std::string machine() {
   return "unknown";
 }
 
+/// UTC, ISO 8601.
 std::string date() {
   const std::time_t now = std::time(nullptr);
   std::array<char, 32> text{};
   std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
   return text.data();
+}
+
+}  // namespace
+
+Table Frame::table(std::vector<std::string> columns) const {
+  Table table(std::move(columns));
+  table.note("experiment", name);
+  table.note("commit", commit());
+  table.note("compiler", AVI_COMPILER);
+  table.note("flags", flags(name));
+  table.note("machine", machine());
+  table.note("date", date());
+  table.note("quick", quick);
+  return table;
 }
 
 }  // namespace experiment

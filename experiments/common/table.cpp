@@ -48,12 +48,7 @@ std::vector<std::string> split(const std::string& line) {
 
 }  // namespace
 
-std::string exact(double value) {
-  if (std::isnan(value)) return "nan";
-  char text[40];
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 17).ptr;
-  return {text, end};
-}
+std::string exact(double value) { return rounded(value, 17); }
 
 std::string rounded(double value, int digits) {
   if (std::isnan(value)) return "nan";

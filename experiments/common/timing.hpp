@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -24,30 +25,20 @@ inline double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Seconds of each piece of work in each of `rounds` rounds; a round runs every piece once, so that a drift
-/// of the machine's speed meets them all alike.
-inline std::vector<std::vector<double>> interleaved_samples(const std::vector<std::function<void()>>& works,
-                                                            int rounds) {
-  std::vector<std::vector<double>> samples(works.size());
+/// Least seconds of each piece of work, of the run that nothing else on the machine disturbed; each of the
+/// `rounds` runs every piece once, so that a drift of the machine's speed meets them all alike.
+inline std::vector<double> interleaved_least_seconds(const std::vector<std::function<void()>>& works,
+                                                     int rounds) {
   std::vector<int> repeats;
   for (const auto& work : works)
     repeats.push_back(static_cast<int>(std::clamp(2e-3 / std::max(seconds(work), 1e-9), 1.0, 64.0)));
+  std::vector<double> least(works.size(), HUGE_VAL);
   for (int round = 0; round < rounds; ++round)
     for (std::size_t i = 0; i < works.size(); ++i)
-      samples[i].push_back(seconds([&] {
-                             for (int k = 0; k < repeats[i]; ++k)
-                               works[i]();
-                           }) /
-                           repeats[i]);
-  return samples;
-}
-
-/// Least seconds of each piece of work: the run that nothing else on the machine disturbed.
-inline std::vector<double> interleaved_least_seconds(const std::vector<std::function<void()>>& works,
-                                                     int rounds) {
-  std::vector<double> least;
-  for (const auto& sample : interleaved_samples(works, rounds))
-    least.push_back(*std::min_element(sample.begin(), sample.end()));
+      least[i] = std::min(least[i], seconds([&] {
+                                      for (int k = 0; k < repeats[i]; ++k)
+                                        works[i]();
+                                    }) / repeats[i]);
   return least;
 }
 

@@ -49,11 +49,16 @@ std::vector<Comparison> comparisons(const experiment::Table& table,
   return all;
 }
 
+Decisions all_decisions() {
+  Decisions all;
+  for (const auto chapter :
+       {euler_b_decisions, htvi_decisions, structure_decisions, dynamics_decisions, optimiser_decisions})
+    all.merge(chapter());
+  return all;
+}
+
 std::vector<ClaimLine> judge_claims(const std::filesystem::path& published, const Results& results) {
-  Decisions decisions;
-  for (const auto* chapter : {&euler_b_decisions(), &htvi_decisions(), &structure_decisions(),
-                              &dynamics_decisions(), &optimiser_decisions()})
-    decisions.insert(chapter->begin(), chapter->end());
+  const Decisions decisions = all_decisions();
   std::vector<ClaimLine> lines;
   const experiment::Table ledger = experiment::Table::read(published / "claims.tsv");
   for (const Row& row : rows(ledger)) {

@@ -70,13 +70,14 @@ std::vector<Comparison> comparisons(const experiment::Table& table,
                                     std::initializer_list<std::string_view> columns,
                                     std::initializer_list<std::string_view> monitors);
 
-/// What decides the claims, by their keys.
-using Decisions = std::map<std::string_view, Finding (*)(const Results&)>;
-const Decisions& euler_b_decisions();    ///< Section 3.3, symplectic Euler-B.
-const Decisions& htvi_decisions();       ///< Sections 2.2 and 3.3, HTVI.
-const Decisions& structure_decisions();  ///< Sections 3.1, 3.3 and 4.4, what adaptivity keeps and gains.
-const Decisions& dynamics_decisions();   ///< Sections 4.2 to 4.5.3, Bregman dynamics by symplectic methods.
-const Decisions& optimiser_decisions();  ///< Sections 4.5.4 and 4.5.5, against other methods.
+/// What decides claims, by their keys.
+using Decisions = std::map<std::string, Finding (*)(const Results&)>;
+Decisions euler_b_decisions();    ///< Section 3.3, symplectic Euler-B.
+Decisions htvi_decisions();       ///< Sections 2.2 and 3.3, HTVI.
+Decisions structure_decisions();  ///< Sections 3.1, 3.3 and 4.4, what adaptivity keeps and gains.
+Decisions dynamics_decisions();   ///< Sections 4.2 to 4.5.3, Bregman dynamics by symplectic methods.
+Decisions optimiser_decisions();  ///< Sections 4.5.4 and 4.5.5, against other methods.
+Decisions all_decisions();        ///< All of them.
 
 /// One line of the ledger.
 struct ClaimLine {

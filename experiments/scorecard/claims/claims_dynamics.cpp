@@ -204,16 +204,15 @@ Finding physical_steps_stay(const Results& data) {
 
 }  // namespace
 
-const Decisions& dynamics_decisions() {
-  static const Decisions decisions{{"adaptive_beats_direct", adaptive_beats_direct},
-                                   {"adaptive_steps_outgrow", adaptive_steps_outgrow},
-                                   {"same_order_of_magnitude", same_order_of_magnitude},
-                                   {"cloning_is_behind", cloning_is_behind},
-                                   {"cloning_needs_3_7_19", cloning_needs},
-                                   {"efficiency_grows", efficiency_grows},
-                                   {"first_doubling_matters_most", first_doubling},
-                                   {"physical_steps_stay", physical_steps_stay}};
-  return decisions;
+Decisions dynamics_decisions() {
+  return {{"adaptive_beats_direct", adaptive_beats_direct},
+          {"adaptive_steps_outgrow", adaptive_steps_outgrow},
+          {"same_order_of_magnitude", same_order_of_magnitude},
+          {"cloning_is_behind", cloning_is_behind},
+          {"cloning_needs_3_7_19", cloning_needs},
+          {"efficiency_grows", efficiency_grows},
+          {"first_doubling_matters_most", first_doubling},
+          {"physical_steps_stay", physical_steps_stay}};
 }
 
 }  // namespace scorecard

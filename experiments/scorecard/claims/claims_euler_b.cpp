@@ -161,13 +161,12 @@ Finding steps_change_together(const Results& data) {
 
 }  // namespace
 
-const Decisions& euler_b_decisions() {
-  static const Decisions decisions{
+Decisions euler_b_decisions() {
+  return {
       {"euler_b_costs_most", euler_b_costs_most},      {"truncation_fewest_steps", truncation_fewest_steps},
       {"norm_squared_fastest", norm_squared_fastest},  {"arclength_costs_most", arclength_costs_most},
       {"fourth_root_changes_little", fourth_root},     {"error_comparable_to_tol", error_comparable_to_tol},
       {"steps_change_together", steps_change_together}};
-  return decisions;
 }
 
 }  // namespace scorecard

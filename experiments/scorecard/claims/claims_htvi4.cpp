@@ -186,17 +186,16 @@ Finding adaptivity_pays(const Results& data) {
 
 }  // namespace
 
-const Decisions& htvi_decisions() {
-  static const Decisions decisions{{"order_theorem", order_theorem},
-                                   {"htvi4_is_fourth_order", htvi4_order},
-                                   {"arclength_behind", arclength_behind},
-                                   {"energy_not_extreme", energy_not_extreme},
-                                   {"gamma_most_efficient", gamma_most_efficient},
-                                   {"inverse_lagrangian", inverse_lagrangian},
-                                   {"gradient_free_is_cheaper", gradient_free_is_cheaper},
-                                   {"bound_holds_for_steps", bound_holds},
-                                   {"adaptivity_pays", adaptivity_pays}};
-  return decisions;
+Decisions htvi_decisions() {
+  return {{"order_theorem", order_theorem},
+          {"htvi4_is_fourth_order", htvi4_order},
+          {"arclength_behind", arclength_behind},
+          {"energy_not_extreme", energy_not_extreme},
+          {"gamma_most_efficient", gamma_most_efficient},
+          {"inverse_lagrangian", inverse_lagrangian},
+          {"gradient_free_is_cheaper", gradient_free_is_cheaper},
+          {"bound_holds_for_steps", bound_holds},
+          {"adaptivity_pays", adaptivity_pays}};
 }
 
 }  // namespace scorecard

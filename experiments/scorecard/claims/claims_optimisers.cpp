@@ -187,17 +187,16 @@ Finding nag_never(const Results& data) {
 
 }  // namespace
 
-const Decisions& optimiser_decisions() {
-  static const Decisions decisions{{"rk4_fails", rk4_fails},
-                                   {"fewer_iterations_than_pairs", fewer_iterations},
-                                   {"fewer_gradients_than_pairs", fewer_gradients},
-                                   {"pairs_gain_nothing", pairs_gain_nothing},
-                                   {"slow_start", slow_start},
-                                   {"beats_popular_methods", beats},
-                                   {"not_the_most_efficient", not_the_best},
-                                   {"gradients_equal_iterations", gradients_equal_iterations},
-                                   {"nag_never_reaches", nag_never}};
-  return decisions;
+Decisions optimiser_decisions() {
+  return {{"rk4_fails", rk4_fails},
+          {"fewer_iterations_than_pairs", fewer_iterations},
+          {"fewer_gradients_than_pairs", fewer_gradients},
+          {"pairs_gain_nothing", pairs_gain_nothing},
+          {"slow_start", slow_start},
+          {"beats_popular_methods", beats},
+          {"not_the_most_efficient", not_the_best},
+          {"gradients_equal_iterations", gradients_equal_iterations},
+          {"nag_never_reaches", nag_never}};
 }
 
 }  // namespace scorecard

@@ -97,14 +97,13 @@ Finding adaptive_has_lower_order(const Results& data) {
 
 }  // namespace
 
-const Decisions& structure_decisions() {
-  static const Decisions decisions{{"low_eccentricity", low_eccentricity},
-                                   {"symplectic_adaptivity", symplectic_adaptivity},
-                                   {"splitting_is_symplectic", splitting_is_symplectic},
-                                   {"inverse_energy_error", inverse_energy_error},
-                                   {"rate_bound", rate_bound},
-                                   {"adaptive_has_lower_order", adaptive_has_lower_order}};
-  return decisions;
+Decisions structure_decisions() {
+  return {{"low_eccentricity", low_eccentricity},
+          {"symplectic_adaptivity", symplectic_adaptivity},
+          {"splitting_is_symplectic", splitting_is_symplectic},
+          {"inverse_energy_error", inverse_energy_error},
+          {"rate_bound", rate_bound},
+          {"adaptive_has_lower_order", adaptive_has_lower_order}};
 }
 
 }  // namespace scorecard

@@ -7,44 +7,18 @@
 #include <stdexcept>
 
 namespace scorecard {
-namespace {
 
-struct Digits {
-  std::string_view mantissa;
-  int decimals = 0, exponent = 0;
-  bool scientific = false, bound = false;
-};
-
-int to_int(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  int value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
-
-Digits digits(std::string_view text) {
-  Digits d;
-  d.bound = text.starts_with('>');
-  if (d.bound) text.remove_prefix(1);
-  const auto e = text.find_first_of("eE");
-  d.mantissa = text.substr(0, e);
-  d.scientific = e != std::string_view::npos;
-  if (d.scientific) d.exponent = to_int(text.substr(e + 1));
-  const auto point = d.mantissa.find('.');
-  if (point != std::string_view::npos) d.decimals = static_cast<int>(d.mantissa.size() - point - 1);
-  return d;
-}
-
-}  // namespace
-
-Printed::Printed(std::string_view text) {
-  const Digits d = digits(text);
-  const std::string_view number = d.bound ? text.substr(1) : text;
+Printed::Printed(std::string_view text) : bound(text.starts_with('>')) {
+  const std::string_view number = text.substr(bound ? 1 : 0);
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
   if (error != std::errc{} || end != number.data() + number.size())
     throw std::invalid_argument(fmt::format("Published value '{}' is no number.", text));
-  unit = std::pow(10.0, d.exponent - d.decimals);
-  bound = d.bound;
+  const auto e = number.find_first_of("eE");
+  scientific = e != std::string_view::npos;
+  const std::string_view mantissa = number.substr(0, e);
+  if (const auto point = mantissa.find('.'); point != std::string_view::npos)
+    decimals = static_cast<int>(mantissa.size() - point) - 1;
+  unit = std::pow(10.0, (scientific ? std::stoi(std::string(number.substr(e + 1))) : 0) - decimals);
 }
 
 bool Printed::equals(double ours) const {
@@ -57,11 +31,10 @@ bool Printed::equals(double ours) const {
 double Printed::units_off(double ours) const { return std::abs(ours - value) / unit; }
 
 std::string beside(std::string_view printed, double ours) {
-  const Digits d = digits(printed);
+  const Printed p(printed);
   if (!std::isfinite(ours)) return "nan";
-  if (d.scientific) return fmt::format("{:.{}E}", ours, d.decimals + 2);
-  if (ours == std::round(ours) && d.decimals == 0) return fmt::format("{:.0f}", ours);
-  return fmt::format("{:.{}f}", ours, d.decimals + 2);
+  if (p.scientific) return fmt::format("{:.{}E}", ours, p.decimals + 2);
+  return fmt::format("{:.{}f}", ours, ours == std::round(ours) && p.decimals == 0 ? 0 : p.decimals + 2);
 }
 
 }  // namespace scorecard

@@ -10,8 +10,10 @@ namespace scorecard {
 /// A printed number such as `0.0051`, `1.43E-05`, `2E05` or `>1E10`.
 struct Printed {
   double value = 0.0;
-  double unit = 1.0;   ///< One unit of the last printed digit.
-  bool bound = false;  ///< Printed with `>`: only a lower bound.
+  double unit = 1.0;        ///< One unit of the last printed digit.
+  int decimals = 0;         ///< Digits behind the point.
+  bool bound = false;       ///< Printed with `>`: only a lower bound.
+  bool scientific = false;  ///< Printed with an exponent.
 
   /// @throws std::invalid_argument for a text that is no number.
   explicit Printed(std::string_view text);
