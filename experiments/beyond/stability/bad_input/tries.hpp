@@ -69,16 +69,8 @@ class Tries {
   Table& table_;
 };
 
-/// @name Parts of the library
-/// @{
+/// The rules of optimisers, and their loop and objectives.
 void try_rules(Tries& tries);
 void try_update_loop(Tries& tries);
-void try_time_loop(Tries& tries);
-void try_collocation(Tries& tries);
-void try_monitors(Tries& tries);
-void try_quadrature(Tries& tries);
-void try_problems(Tries& tries);
-void try_diagnostics(Tries& tries);
-/// @}
 
 }  // namespace experiment

@@ -1,7 +1,5 @@
 #include "beyond/speed/work_precision/peers/peers.hpp"
 
-#include "beyond/speed/work_precision/clock.hpp"
-
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <gsl/gsl_version.h>

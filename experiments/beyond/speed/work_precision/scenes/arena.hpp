@@ -1,5 +1,4 @@
 #pragma once
-#include "beyond/speed/work_precision/clock.hpp"
 #include "beyond/speed/work_precision/family.hpp"
 #include "beyond/speed/work_precision/peers/peers.hpp"
 #include "common/methods/runner.hpp"
