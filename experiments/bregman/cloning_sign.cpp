@@ -13,16 +13,12 @@ namespace {
 /// Root mean square of the entries of q~ - q after `steps` steps of size h.
 double distance_of_copies(double sign, double h, long steps) {
   const avi::CorrelatedQuartic f(3, 0.9);
-  avi::Counted<avi::CorrelatedQuartic> objective(f, f.size());
   // Near the minimum, where every step tried resolves the motion.
-  avi::Iterate now{.x = Eigen::Vector3d(1.3, 0.8, 1.5), .gradient = avi::VectorX::Zero(f.size())};
-  now.evaluate(objective);
-  const experiment::BregmanCloningPrinted method{
-      .family = avi::BregmanFamily::adaptive(4.0, 1.0), .h = h, .clone_sign = sign};
-  auto state = method.start(now);
+  avi::ExtendedPoint z{.q = Eigen::Vector3d(1.3, 0.8, 1.5), .r = avi::VectorX::Ones(f.size())}, clone = z;
+  const auto stages = avi::merged_stages(avi::CloneComposition::strang);
   for (long k = 0; k < steps; ++k)
-    method.update(state, now, objective);
-  return std::sqrt((state.clone_q - now.x).squaredNorm() / static_cast<double>(f.size()));
+    experiment::cloning_printed_step(avi::BregmanFamily::adaptive(4.0, 1.0), f, h, stages, z, clone, sign);
+  return std::sqrt((clone.q - z.q).squaredNorm() / static_cast<double>(f.size()));
 }
 
 }  // namespace

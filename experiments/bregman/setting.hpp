@@ -3,6 +3,7 @@
 
 #include "avi/problems/correlated_quartic.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Setting {
   double C = 0.0625;
   avi::Clock clock = avi::Clock::euler;  ///< Of htvi.
 
+  bool operator==(const Setting&) const = default;
   [[nodiscard]] bool is_direct() const { return p_ring == p; }
   /// p_ring as it stands in the tables: NaN for the Direct approach.
   [[nodiscard]] double p_ring_or_nan() const { return is_direct() ? std::nan("") : p_ring; }
@@ -66,14 +68,9 @@ inline std::vector<Setting> all_settings() {
   std::vector<Setting> all;
   for (const auto& table :
        {direct_vs_adaptive_settings(), method_comparison_settings(), p_dependence_settings()})
-    for (const auto& s : table) {
-      const bool diverges = s.method == "clone_y4" && s.p_ring == 1 && s.h == 2.9e-4;
-      bool known = diverges;
-      for (const auto& other : all)
-        known = known ||
-                (s.method == other.method && s.p == other.p && s.p_ring == other.p_ring && s.h == other.h);
-      if (!known) all.push_back(s);
-    }
+    for (const auto& s : table)
+      if (s != Setting{"clone_y4", 4, 1, 2.9e-4} && std::find(all.begin(), all.end(), s) == all.end())
+        all.push_back(s);
   return all;
 }
 

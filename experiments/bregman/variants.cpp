@@ -1,6 +1,8 @@
 #include "beyond/counts/sustained.hpp"
 #include "common/frame.hpp"
 
+#include "avi/integrators/runge_kutta.hpp"
+#include "avi/integrators/tableaus.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 
 #include <gsl/gsl_eigen.h>
@@ -135,10 +137,14 @@ double distance_to_limit(double h) {
   const avi::CorrelatedQuartic f(3, 0.5);
   const VectorX start = VectorX::Constant(3, 1.6);
   const double root = std::sqrt(h);
-  VectorX x = start, y = start, before = start, g(3), position = start, velocity = VectorX::Zero(3);
-  const auto force = [&](const VectorX& at, const VectorX& speed, double t) -> VectorX {
-    f(at, g);
-    return t > 0.0 ? VectorX(-3.0 / t * speed - g) : VectorX(-0.25 * g);  // the limit of both terms at t = 0
+  VectorX x = start, y = start, before = start, g(3), z(7);  // z = (x, x', t) of the equation
+  z << start, VectorX::Zero(4);
+  avi::RungeKuttaStages<avi::ClassicalRungeKutta> stages(7);
+  const auto field = [&](const VectorX& at, VectorX& rate) {
+    const VectorX speed = at.segment(3, 3);
+    const double t = at[6];
+    f(at.head(3), g);
+    rate << speed, t > 0.0 ? VectorX(-3.0 / t * speed - g) : VectorX(-0.25 * g), 1.0;  // both terms at t = 0
   };
   double worst = 0.0;
   for (int k = 1; k * root <= 4.0; ++k) {
@@ -146,18 +152,12 @@ double distance_to_limit(double h) {
     before = x;
     x = y - h * g;
     y = x + (k - 1.0) / (k + 2.0) * (x - before);
-    constexpr int parts = 8;
-    for (int i = 0; i < parts; ++i) {
-      const double step = root / parts, t = (k - 1) * root + i * step;
-      const VectorX v1 = velocity, a1 = force(position, v1, t), v2 = velocity + 0.5 * step * a1,
-                    a2 = force(position + 0.5 * step * v1, v2, t + 0.5 * step),
-                    v3 = velocity + 0.5 * step * a2,
-                    a3 = force(position + 0.5 * step * v2, v3, t + 0.5 * step), v4 = velocity + step * a3,
-                    a4 = force(position + step * v3, v4, t + step);
-      position += step / 6.0 * (v1 + 2.0 * v2 + 2.0 * v3 + v4);
-      velocity += step / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+    for (int part = 0; part < 8; ++part) {
+      field(z, stages.k[0]);
+      stages.advance(field, z, root / 8.0);
+      z.swap(stages.end);
     }
-    worst = std::max(worst, (x - position).norm());
+    worst = std::max(worst, (x - z.head(3)).norm());
   }
   return worst;
 }

@@ -4,6 +4,8 @@
 
 #include "avi/optim/minimise.hpp"
 
+#include <array>
+
 // Iterations of several optimisers until the stopping test with delta = 1e-2 ... 1e-10 first holds, at the
 // settings that were recovered from the published counts.
 
@@ -22,25 +24,24 @@ struct Shifted {
   }
 };
 
-/// First passages through the tolerances 1e-2, 1e-3, ..., one run for all.
+constexpr std::array deltas{1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
+
+/// First passages through them, one run for all.
 struct Passages {
   struct Passage {
     long iterations = 0, gradients = 0;
     bool converged = false;
     double seconds = 0.0;
   };
-  std::vector<double> deltas;
   std::vector<Passage> passages;
   std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
   double before = std::nan("");
 
   void operator()(const avi::Iterate& at, long k, long gradients) {
-    if (passages.size() < deltas.size() && k > 0 && std::abs(at.value - before) < deltas[passages.size()]) {
-      const double size = avi::norm(at.gradient), change = std::abs(at.value - before);
-      while (passages.size() < deltas.size() && change < deltas[passages.size()] &&
-             size < deltas[passages.size()])
-        passages.push_back({k, gradients, true, elapsed()});
-    }
+    const double change = std::abs(at.value - before);
+    while (k > 0 && passages.size() < deltas.size() && change < deltas[passages.size()] &&
+           avi::norm(at.gradient) < deltas[passages.size()])
+      passages.push_back({k, gradients, true, elapsed()});
     before = at.value;
   }
 
@@ -63,32 +64,30 @@ class Comparison {
     frame_.progress(name, done_ += 0.12);
     table_.note("cap on iterations of " + name, static_cast<long>(cap));
     Passages seen;
-    for (int k = 2; k <= 10; ++k)
-      seen.deltas.push_back(std::pow(10.0, -k));
-    const avi::Stopping stopping{.delta = seen.deltas.back(), .iterations = static_cast<long>(cap)};
+    const avi::Stopping stopping{.delta = deltas.back(), .iterations = static_cast<long>(cap)};
     const auto run = run_updates(rule, f, x0, stopping, seen);
-    for (std::size_t i = 0; i < seen.deltas.size(); ++i) {
+    for (std::size_t i = 0; i < deltas.size(); ++i) {
       const bool reached = i < seen.passages.size();
       const auto at =
           reached ? seen.passages[i]
                   : Passages::Passage{run.iterations, run.gradient_evaluations, false, seen.elapsed()};
-      table_.row(name, seen.deltas[i], at.iterations, at.gradients, at.converged,
+      table_.row(name, deltas[i], at.iterations, at.gradients, at.converged,
                  avi::name(reached ? avi::Outcome::ok : run.outcome), run.function_evaluations,
-                 experiment::rounded(at.seconds));
+                 rounded(at.seconds));
     }
   }
 
   /// avi::minimise() with its defaults and m pairs, which stops by the same test. A run for each tolerance:
   /// before it stops it evaluates where it has interpolated.
   void add_own(const std::string& name, int memory, const avi::CorrelatedQuartic& f) {
-    for (int k = 2; k <= 10; ++k) {
-      const double delta = std::pow(10.0, -k);
-      const auto begin = std::chrono::steady_clock::now();
-      const auto run = avi::minimise(f, f.start(),
-                                     {.relative = 0.0, .absolute = delta, .change = delta, .memory = memory});
-      const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    for (const double delta : deltas) {
+      avi::Minimisation run;
+      const double spent = seconds([&] {
+        run = avi::minimise(f, f.start(),
+                            {.relative = 0.0, .absolute = delta, .change = delta, .memory = memory});
+      });
       table_.row(name, delta, run.iterations, run.gradient_evaluations, run.converged(),
-                 avi::name(run.outcome), run.function_evaluations, experiment::rounded(spent));
+                 avi::name(run.outcome), run.function_evaluations, rounded(spent));
     }
   }
 
@@ -99,7 +98,7 @@ class Comparison {
 
  private:
   const Frame& frame_;
-  experiment::Table table_;
+  Table table_;
   double done_ = 0.0;
 };
 

@@ -1,5 +1,5 @@
 #include "avi/bregman/bregman_restarted.hpp"
-#include "avi/optim/gradient_descent.hpp"
+#include "avi/optim/update_rules.hpp"
 
 #include <gtest/gtest.h>
 

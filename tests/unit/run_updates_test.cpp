@@ -1,6 +1,5 @@
-#include "avi/optim/gradient_descent.hpp"
 #include "avi/optim/run_updates.hpp"
-#include "avi/optim/trust_region.hpp"
+#include "avi/optim/update_rules.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 #include "refusal.hpp"
 

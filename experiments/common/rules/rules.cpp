@@ -5,12 +5,7 @@
 #include "avi/bregman/bregman_cloning.hpp"
 #include "avi/bregman/bregman_heavy_ball.hpp"
 #include "avi/bregman/bregman_splitting.hpp"
-#include "avi/optim/adagrad.hpp"
-#include "avi/optim/adam.hpp"
-#include "avi/optim/gradient_descent.hpp"
-#include "avi/optim/nag.hpp"
-#include "avi/optim/rmsprop.hpp"
-#include "avi/optim/trust_region.hpp"
+#include "avi/optim/update_rules.hpp"
 
 #include <stdexcept>
 

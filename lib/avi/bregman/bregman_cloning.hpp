@@ -1,13 +1,51 @@
 #pragma once
 #include "avi/bregman/bregman_family.hpp"
-#include "avi/bregman/clone_composition.hpp"
 #include "avi/core/outcome.hpp"
 #include "avi/optim/objective.hpp"
+
+#include <string_view>
+#include <vector>
 
 /// @file
 /// Phase-space cloning (Pihajoki 2015) for Bregman dynamics, reduced to what the copy that is read needs.
 
 namespace avi {
+
+/// Strang's splitting (order 2) and Yoshida's triple jumps of it (orders 4 and 6).
+enum class CloneComposition { strang, yoshida4, yoshida6 };
+
+/// The name in data files: clone_strang, clone_y4, clone_y6.
+constexpr std::string_view clone_name(CloneComposition composition) {
+  if (composition == CloneComposition::strang) return "clone_strang";
+  return composition == CloneComposition::yoshida4 ? "clone_y4" : "clone_y6";
+}
+
+/// Step lengths of B(b_0) A(a_1) B(b_1) ... A(a_m) B(b_m), in units of h: neighbouring B flows are merged.
+struct MergedStages {
+  std::vector<double> a;  ///< m entries, m = 1, 3, 9.
+  std::vector<double> b;  ///< m + 1 entries.
+};
+
+/// The triple jump raises the order 2k of a symmetric step to 2k + 2 by the lengths w, 1 - 2w, w with
+/// w = 1 / (2 - 2^(1/(2k+1))) (Yoshida 1990).
+inline MergedStages merged_stages(CloneComposition composition) {
+  std::vector<double> lengths{1.0};
+  const auto triple_jump = [&](double order) {
+    const double w = 1.0 / (2.0 - std::pow(2.0, 1.0 / (order + 1.0)));
+    std::vector<double> jumped;
+    for (const double outer : {w, 1.0 - 2.0 * w, w})
+      for (const double inner : lengths)
+        jumped.push_back(outer * inner);
+    lengths = std::move(jumped);
+  };
+  if (composition != CloneComposition::strang) triple_jump(2.0);
+  if (composition == CloneComposition::yoshida6) triple_jump(4.0);
+  MergedStages stages{.a = lengths, .b = {0.5 * lengths.front()}};
+  for (std::size_t i = 0; i + 1 < lengths.size(); ++i)
+    stages.b.push_back(0.5 * (lengths[i] + lengths[i + 1]));
+  stages.b.push_back(0.5 * lengths.back());
+  return stages;
+}
 
 /// Two copies \f$(q, t, r)\f$ and \f$(\tilde q, \tilde t, \tilde r)\f$ with the Hamiltonian
 /// \f$\bar H_1(q, t, \tilde r) + \bar H_2(\tilde q, \tilde t, r)\f$, split into the two terms: \f$\bar H_2\f$
@@ -34,8 +72,7 @@ struct BregmanCloning {
     MergedStages stages;   ///< The composition's lengths.
   };
 
-  /// Checks the parameters and makes the state of one run.
-  /// @throws std::invalid_argument for a parameter out of range.
+  /// State of one run. @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     validate(family, from, h);
     return {.r = VectorX::Constant(first.x.size(), from.momentum),

@@ -34,8 +34,7 @@ struct BregmanHeavyBall {
     double log_t = 0.0;    ///< L.
   };
 
-  /// Checks the parameters and makes the state of one run.
-  /// @throws std::invalid_argument for a parameter out of range.
+  /// State of one run. @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     validate(family, from, h);
     const double log_t = std::log(from.t);

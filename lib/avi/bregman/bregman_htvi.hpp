@@ -36,8 +36,7 @@ struct BregmanHtvi {
     double eta;        ///< Of the coming step.
   };
 
-  /// Checks the parameters and makes the state of one run.
-  /// @throws std::invalid_argument for a parameter out of range.
+  /// State of one run. @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     validate(family, from, h);
     const double power = accurate_power(from.t, family.p);

@@ -43,8 +43,7 @@ struct BregmanRestarted {
     long updates = 0;           ///< Of all.
   };
 
-  /// Checks the parameters and makes the state of one run.
-  /// @throws std::invalid_argument for P out of range.
+  /// State of one run. @throws std::invalid_argument for P out of range.
   State start(const Iterate& first) const {
     require_positive("Order P", P);
     const VectorX zero = VectorX::Zero(first.x.size());

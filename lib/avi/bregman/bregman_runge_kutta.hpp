@@ -26,12 +26,13 @@ struct BregmanField {
     dz[2 * n] = family.monitor(t);
   }
 
-  /// The field with a gradient taken from the objective f.
+  /// The field with a gradient taken from the objective f, whose value is returned.
   template <class F>
-  void evaluate(F& f, const VectorX& z, VectorX& dz) {
+  double evaluate(F& f, const VectorX& z, VectorX& dz) {
     q = z.head(q.size());
-    f(q, gradient);
+    const double value = f(q, gradient);
     (*this)(z, gradient, dz);
+    return value;
   }
 };
 
@@ -74,8 +75,7 @@ struct BregmanRungeKutta {
 
   using State = BregmanRungeKuttaState<T>;  ///< What a run carries from step to step.
 
-  /// Checks the parameters and makes the state of one run.
-  /// @throws std::invalid_argument for a parameter out of range.
+  /// State of one run. @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     validate(family, from, h);
     return {first, family, from, h};
@@ -102,8 +102,7 @@ struct BregmanEmbedded {
 
   using State = BregmanRungeKuttaState<T>;  ///< What a run carries from step to step.
 
-  /// Checks the parameters and makes the state of one run.
-  /// @throws std::invalid_argument for a parameter out of range.
+  /// State of one run. @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     family.validate();
     from.validate();
@@ -118,12 +117,7 @@ struct BregmanEmbedded {
     double last_value = now.value;
     state.field(state.z, now.gradient, state.stages.k[0]);
     const double taken = controlled_step(
-        state.stages,
-        [&](const VectorX& z, VectorX& dz) {
-          state.field.q = z.head(now.x.size());
-          last_value = f(state.field.q, state.field.gradient);
-          state.field(z, state.field.gradient, dz);
-        },
+        state.stages, [&](const VectorX& z, VectorX& dz) { last_value = state.field.evaluate(f, z, dz); },
         state.z, state.h, control);
     if (taken == 0.0) return Outcome::not_converged;
     state.accept(now);

@@ -28,8 +28,7 @@ struct BregmanSplitting {
     double closing_kick = 0.0;  ///< Factor of the gradient that the last step still owes r.
   };
 
-  /// Checks the parameters and makes the state of one run.
-  /// @throws std::invalid_argument for a parameter out of range.
+  /// State of one run. @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     validate(family, from, h);
     return {.r = VectorX::Constant(first.x.size(), from.momentum), .t = from.t};

@@ -16,8 +16,8 @@ namespace avi {
 /// if (run.converged()) use(run.last.x); @endcode
 /// Outcome::ok: converged; stalled: rounding hides what could still be gained; no_descent: values and
 /// gradient contradict each other; wrong_gradient: seen by the check on request, or a gradient of another
-/// size; diverged: f has no lower bound; non_finite; step_limit; stopped. Whichever it is, `last` is the last
-/// good point that was evaluated.
+/// size; diverged: f fell below -1e30 max(1, |f(x0)|); non_finite; step_limit; stopped. Whichever it is,
+/// `last` is the last good point that was evaluated.
 /// @throws std::invalid_argument for options out of range or an empty or non-finite x0.
 template <Objective F>
 [[nodiscard]] Minimisation minimise(const F& f, const VectorX& x0, const MinimiseOptions& options = {}) {

@@ -33,10 +33,8 @@ struct MinimiseOptions {
   int memory = 7;
   long iterations = 10'000'000;   ///< Cap, at least 1.
   long evaluations = 10'000'000;  ///< Cap on gradients, at least 1.
-  double growth = 1e30;           ///< f below -growth max(1, |f(x_0)|) counts as unbounded. At least 1.
   /// Compares the gradient at x_0 with differences of values first, for four evaluations more.
   bool check_gradient = false;
-  bool history = false;  ///< Fills Minimisation::history.
   /// Called after every iteration; false ends the run as Outcome::stopped.
   std::function<bool(const Progress&)> callback{};
 
@@ -49,7 +47,6 @@ struct MinimiseOptions {
     require(memory >= 0 && memory <= 1000, "Memory m", memory, "between 0 and 1000");
     require(iterations >= 1, "Cap on iterations", iterations, "at least 1");
     require(evaluations >= 1, "Cap on evaluations", evaluations, "at least 1");
-    require(growth >= 1.0, "Growth that counts as divergence", growth, "at least 1");
   }
 };
 

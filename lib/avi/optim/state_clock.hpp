@@ -38,8 +38,7 @@ class StateClock : LineState<F> {
     if (!std::isfinite(base_.f)) return end(fail(Outcome::non_finite, "f(x0) is not finite"));
     scale_ = std::abs(base_.f);
     target_ = std::max(options_.relative * norm_, options_.absolute);
-    floor_ =
-        -std::min(options_.growth * std::max(1.0, std::abs(base_.f)), std::numeric_limits<double>::max());
+    floor_ = -std::min(1e30 * std::max(1.0, scale_), std::numeric_limits<double>::max());
     if (options_.check_gradient && !gradient_agrees()) return end(failure_);
     steepest();
     if (!report()) return end(fail(Outcome::stopped, "the callback asked to stop"));
@@ -101,7 +100,9 @@ class StateClock : LineState<F> {
         fail(Outcome::step_limit, "the cap on evaluations was reached");
         return false;
       }
-      if (trials > 40 || !(alpha_ > 0.0)) {  // nothing on this line: steepest descent, once
+      place_trial(alpha_);
+      const bool stands = trials > 5 && trial_.x == base_.x;
+      if (trials > 40 || stands || !(alpha_ > 0.0)) {  // nothing on this line: steepest descent, once
         if (restarted) return judge();
         restarted = true;
         if (!exact_) settle();
@@ -110,8 +111,8 @@ class StateClock : LineState<F> {
         start = {base_.f, down_};
         moved = 0.0, high = std::numeric_limits<double>::infinity();
         trials = since_start = 1;
+        place_trial(alpha_);
       }
-      place_trial(alpha_);
       if (!evaluate(trial_)) return false;
       if (trial_.f < floor_) {
         fail(Outcome::diverged, "f has no lower bound along a line");
@@ -218,9 +219,8 @@ class StateClock : LineState<F> {
     return f_(trial_.x, trial_.g);
   }
 
-  /// Tells the history and the callback; false where the callback asks to stop.
+  /// Tells the callback; false where it asks to stop.
   bool report() {
-    if (options_.history) run_.history.push_back({run_.iterations, f_.gradients, base_.f, norm_, exact_});
     return !options_.callback ||
            options_.callback({base_.x, base_.g, base_.f, norm_, run_.iterations, f_.gradients, exact_});
   }

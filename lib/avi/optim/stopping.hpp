@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <string>
-#include <vector>
 
 /// @file
 /// When a minimisation ends, and what it tells its caller.
@@ -35,15 +34,6 @@ struct Stopping {
   }
 };
 
-/// One iteration of a minimisation, as MinimiseOptions::history keeps it.
-struct IterationRecord {
-  long iterations = 0;            ///< Made so far.
-  long gradient_evaluations = 0;  ///< Made so far.
-  double value = 0.0;             ///< f.
-  double gradient_norm = 0.0;     ///< 2-norm of the gradient.
-  bool exact = true;              ///< Whether value and gradient were evaluated there.
-};
-
 /// What a minimisation tells its caller. Outcome::ok means converged.
 struct Minimisation {
   Outcome outcome = Outcome::step_limit;  ///< How the run ended.
@@ -53,7 +43,6 @@ struct Minimisation {
   /// The last iterate; where a run ended as diverged or non_finite, the last good one, evaluated once more.
   Iterate last;
   std::string message;  ///< Empty when converged; else one sentence with iteration and reason.
-  std::vector<IterationRecord> history;  ///< Where it was asked for; the start is the first entry.
 
   [[nodiscard]] bool converged() const { return outcome == Outcome::ok; }  ///< The criterion held.
 };

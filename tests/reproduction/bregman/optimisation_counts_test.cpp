@@ -1,7 +1,7 @@
 #include "bregman/perturbed.hpp"
 #include "bregman/setting.hpp"
 
-#include "avi/optim/rmsprop.hpp"
+#include "avi/optim/update_rules.hpp"
 #include "common/table.hpp"
 
 #include <gtest/gtest.h>

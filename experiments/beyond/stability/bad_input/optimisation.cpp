@@ -4,12 +4,8 @@
 #include "avi/bregman/bregman_heavy_ball.hpp"
 #include "avi/bregman/bregman_runge_kutta.hpp"
 #include "avi/bregman/bregman_splitting.hpp"
-#include "avi/optim/adagrad.hpp"
-#include "avi/optim/adam.hpp"
-#include "avi/optim/nag.hpp"
-#include "avi/optim/rmsprop.hpp"
 #include "avi/optim/run_updates.hpp"
-#include "avi/optim/trust_region.hpp"
+#include "avi/optim/update_rules.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 
 #include <vector>

@@ -1,8 +1,6 @@
 #include "optimisers/optimiser_arena/meter.hpp"
 
-#include "avi/optim/adagrad.hpp"
-#include "avi/optim/adam.hpp"
-#include "avi/optim/rmsprop.hpp"
+#include "avi/optim/update_rules.hpp"
 
 #include <algorithm>
 #include <deque>

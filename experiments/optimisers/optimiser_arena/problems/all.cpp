@@ -17,22 +17,22 @@ std::vector<Problem> all_problems(bool large, bool again) {
       all.push_back(std::move(problem));
     }
   };
+  const auto add_drawn = [&](Index k, unsigned long seed) {
+    add("statistics", statistics_problems(k, seed));
+    add("non_convex", drawn_non_convex_problems(k, seed));
+  };
   add("convex", convex_problems(large));
-  add("statistics", statistics_problems({}));
+  add("statistics", statistics_problems(1, 0));
   add("classic", classic_problems());
-  add("non_convex", drawn_non_convex_problems({}));
+  add("non_convex", drawn_non_convex_problems(1, 0));
   add("non_convex", other_non_convex_problems());
   add("degenerate", degenerate_problems(large));
-  const auto add_drawn = [&](const Draw& draw) {
-    add("statistics", statistics_problems(draw));
-    add("non_convex", drawn_non_convex_problems(draw));
-  };
   group = "looked_at", suffix = "_again";
-  if (again) add_drawn({.times = 2, .seed = 1000});
+  if (again) add_drawn(2, 1000);
   suffix = "";
   add("classic", remaining_classic_problems());
   group = "held_out", suffix = "_fresh";
-  add_drawn({.times = 2, .seed = 3000});
+  add_drawn(2, 3000);
   return all;
 }
 

@@ -126,8 +126,7 @@ double chained_rosenbrock(const VectorX& x, VectorX& g) {
 
 }  // namespace
 
-std::vector<Problem> drawn_non_convex_problems(const Draw& draw) {
-  const auto [k, seed] = draw;
+std::vector<Problem> drawn_non_convex_problems(Index k, unsigned long seed) {
   const VectorX spread = 2.0 * Numbers(131 + seed).normals(50 * k);
   return {saddle(200 * k, seed),
           separable("styblinski_tang", spread, styblinski_tang),

@@ -29,19 +29,15 @@ struct Problem {
 /// `again` adds the draws that were held out for earlier defaults.
 std::vector<Problem> all_problems(bool large, bool again);
 
-/// Which instances of the classes whose data or start is drawn at random.
-struct Draw {
-  Index times = 1;         ///< Dimension and number of data, in units of the usual.
-  unsigned long seed = 0;  ///< Added to each class's own.
-};
-
 /// @name One kind each, without kind and group
+/// Where data or starts are drawn at random, dimension and number of data are k times the usual, and `seed`
+/// is added to each class's own.
 /// @{
 std::vector<Problem> convex_problems(bool large);
-std::vector<Problem> statistics_problems(const Draw& draw);
+std::vector<Problem> statistics_problems(Index k, unsigned long seed);
 std::vector<Problem> classic_problems();
 std::vector<Problem> remaining_classic_problems();
-std::vector<Problem> drawn_non_convex_problems(const Draw& draw);
+std::vector<Problem> drawn_non_convex_problems(Index k, unsigned long seed);
 std::vector<Problem> other_non_convex_problems();
 std::vector<Problem> degenerate_problems(bool large);
 /// @}

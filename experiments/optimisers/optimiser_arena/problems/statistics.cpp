@@ -143,8 +143,7 @@ Problem softmax(Index features, Index classes, Index m, unsigned long seed) {
 
 }  // namespace
 
-std::vector<Problem> statistics_problems(const Draw& draw) {
-  const auto [k, seed] = draw;
+std::vector<Problem> statistics_problems(Index k, unsigned long seed) {
   return {logistic("logistic", 50 * k, 400 * k, 3.0, 0.0, seed),
           logistic("logistic_separable", 50 * k, 200 * k, 0.0, 1e-4, seed),
           regression("huber", 50 * k, 300 * k, seed, huber),
