@@ -48,17 +48,14 @@ struct Arena {
 
   [[nodiscard]] const avi::State<n>& at(int k) const { return start[static_cast<std::size_t>(k)]; }
 
-  /// make(problem, start) gives a fresh method; the setting is its step size.
+  /// Adds a family of methods: make(problem, start) gives a fresh one; the setting is its step size.
   template <class Make>
-  Family family(std::string method, int order, Origin origin, std::string knob, std::vector<double> settings,
-                Make make) const {
+  void add(Scene& scene, Origin origin, std::string method, int order, std::string knob,
+           std::vector<double> settings, Make make) const {
     const RunnerOf<n> runner(problem, [its = problem, make](const auto& z) { return make(its, z); });
-    return {std::move(method),
-            order,
-            origin,
-            std::move(knob),
-            std::move(settings),
-            [arena = *this, runner](const Request& request) { return arena.run(request, runner); }};
+    scene.families.push_back(
+        {std::move(method), order, origin, std::move(knob), std::move(settings),
+         [arena = *this, runner](const Request& request) { return arena.run(request, runner); }});
   }
 
   /// As y = (q, p), y' = f(y).

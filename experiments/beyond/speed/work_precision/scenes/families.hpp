@@ -31,18 +31,16 @@ template <class P>
 void add_fixed(Scene& scene, const Arena<P>& arena, double stage) {
   const auto add = [&](const char* name, const avi::SplitCoefficients& list, double ratio) {
     const double coarse = stage * static_cast<double>(list.b.size());
-    scene.families.push_back(arena.family(name, list.order, Origin::ours_explicit, "h",
-                                          geometric(coarse, ratio, 40), [=](const P& problem, const auto&) {
-                                            return avi::splitting<sum>(avi::Separable<P>(problem), list);
-                                          }));
+    arena.add(
+        scene, Origin::ours_explicit, name, list.order, "h", geometric(coarse, ratio, 40),
+        [=](const P& problem, const auto&) { return avi::splitting<sum>(avi::Separable<P>(problem), list); });
   };
-  scene.families.push_back(arena.family("stormer_verlet", 2, Origin::ours_explicit, "h",
-                                        geometric(stage, 0.5, 24), [](const P& problem, const auto&) {
-                                          return avi::stormer_verlet<P::dimension>(
-                                              [problem](const avi::Vector<double, P::dimension>& q) {
-                                                return problem.potential_gradient(q);
-                                              });
-                                        }));
+  arena.add(scene, Origin::ours_explicit, "stormer_verlet", 2, "h", geometric(stage, 0.5, 24),
+            [](const P& problem, const auto&) {
+              return avi::stormer_verlet<P::dimension>([problem](const avi::Vector<double, P::dimension>& q) {
+                return problem.potential_gradient(q);
+              });
+            });
   add("verlet_suzuki4", split(c::suzuki4), 0.6);
   add("blanes_moan4", avi::splittings::blanes_moan4, 0.6);
   add("verlet_kahan_li6", split(c::kahan_li6), 0.7);
@@ -58,11 +56,10 @@ void add_logarithmic(Scene& scene, const Arena<P>& arena, double stage) {
       const char* name, const avi::CompositionCoefficients& composition, double ratio) {
     const auto list = split(composition);
     const double coarse = stage * static_cast<double>(list.b.size());
-    scene.families.push_back(
-        arena.family(name, list.order, Origin::ours_explicit, "h", geometric(coarse, ratio, 40),
-                     [=](const P& problem, const auto& start) {
-                       return avi::splitting<summation>(avi::LogHamiltonian<P>(problem, start), list);
-                     }));
+    arena.add(scene, Origin::ours_explicit, name, list.order, "h", geometric(coarse, ratio, 40),
+              [=](const P& problem, const auto& start) {
+                return avi::splitting<summation>(avi::LogHamiltonian<P>(problem, start), list);
+              });
   };
   add("log_hamiltonian", c::strang, 0.6);
   add("log_hamiltonian_suzuki4", c::suzuki4, 0.7);
@@ -76,8 +73,7 @@ void add_logarithmic(Scene& scene, const Arena<P>& arena, double stage) {
 template <class P>
 void add_reversible(Scene& scene, const Arena<P>& arena) {
   const auto add = [&](const char* name, int order, double coarse, double ratio, auto make) {
-    scene.families.push_back(
-        arena.family(name, order, Origin::ours_explicit, "g=r^1.5 h", geometric(coarse, ratio, 30), make));
+    arena.add(scene, Origin::ours_explicit, name, order, "g=r^1.5 h", geometric(coarse, ratio, 30), make);
   };
   const avi::PowerOfRadius monitor{1.5};
   const auto reversible = [=](const avi::CompositionCoefficients& list) {
@@ -109,12 +105,11 @@ template <class P, class G>
 void add_collocation(Scene& scene, const Arena<P>& arena, const std::string& knob, double largest, G monitor,
                      bool loosely = false) {
   const auto add = [&](const std::string& its, int order, double coarse, avi::SweepSettings sweeps = {}) {
-    scene.families.push_back(
-        arena.family("collocation", order, Origin::collocation, its + " h",
-                     geometric(coarse * largest, order < 8 ? 0.8 : 0.9, order < 8 ? 30 : 24),
-                     [=](const P& problem, const auto& start) {
-                       return avi::collocation(avi::poincare(problem, start, monitor), order, sweeps);
-                     }));
+    arena.add(scene, Origin::collocation, "collocation", order, its + " h",
+              geometric(coarse * largest, order < 8 ? 0.8 : 0.9, order < 8 ? 30 : 24),
+              [=](const P& problem, const auto& start) {
+                return avi::collocation(avi::poincare(problem, start, monitor), order, sweeps);
+              });
   };
   add(knob, 4, 0.3);
   add(knob, 8, 0.6);
@@ -155,13 +150,12 @@ auto supplied(const P& problem) {
 template <class P, class G>
 void add_htvi(Scene& scene, const Arena<P>& arena, const std::string& knob, double coarse, const G& monitor) {
   for (const int order : {4, 8, 12, 16})
-    scene.families.push_back(
-        arena.family("htvi", order, Origin::htvi, knob + " h", geometric(coarse, 0.8, 40),
-                     [=](const P& problem, const auto& start) {
-                       return avi::htvi_of_order<avi::Generating::type2>(
-                           order / 2 - 1, avi::poincare<P::dimension>(supplied(problem), start, monitor),
-                           avi::gauss(order / 2));
-                     }));
+    arena.add(scene, Origin::htvi, "htvi", order, knob + " h", geometric(coarse, 0.8, 40),
+              [=](const P& problem, const auto& start) {
+                return avi::htvi_of_order<avi::Generating::type2>(
+                    order / 2 - 1, avi::poincare<P::dimension>(supplied(problem), start, monitor),
+                    avi::gauss(order / 2));
+              });
 }
 
 }  // namespace experiment::work_precision
