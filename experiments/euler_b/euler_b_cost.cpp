@@ -10,17 +10,17 @@
 // = 0.9 (Section 3.3 of the paper, whose text compares them without numbers).
 namespace {
 
-constexpr int rounds = 21;
+using namespace experiment;
 
-/// Nanoseconds per step of every monitor in every round. In a round all monitors run once, each round from
-/// another one on, so that neither a drift of the machine nor the place in the round favours one of them.
+/// Nanoseconds per step of every monitor in each of 21 rounds. In a round all monitors run once, each round
+/// from another one on, so that neither a drift of the machine nor the place in the round favours one of
+/// them.
 std::map<std::string, std::vector<double>> nanoseconds_per_step(double eccentricity) {
-  using namespace experiment;
   std::map<std::string, std::vector<double>> samples;
   std::vector<EulerBSetting> settings;
   for (const char* monitor : {"none", "truncation", "arclength", "norm_squared"})
     settings.push_back(calibrated_euler_b(monitor, eccentricity, 1e-3, 20.0));
-  for (std::size_t round = 0; round < rounds; ++round)
+  for (std::size_t round = 0; round < 21; ++round)
     for (std::size_t m = 0; m < settings.size(); ++m) {
       const auto& setting = settings[(round + m) % settings.size()];
       const auto r = run_euler_b(setting, eccentricity, 20.0);
@@ -32,7 +32,6 @@ std::map<std::string, std::vector<double>> nanoseconds_per_step(double eccentric
 }  // namespace
 
 int main(int argc, char** argv) {
-  using namespace experiment;
   double eccentricity = 0.9, horizon = 100.0;
   bool full = false;
   return run(
@@ -56,28 +55,26 @@ int main(int argc, char** argv) {
         if (full) cells.emplace_back("truncation_root", 1e-5);
         if (frame.quick) cells.resize(10);
 
-        experiment::Table out = frame.table({"method", "monitor", "h", "tol", "horizon", "target",
-                                             "energy_error", "angular_momentum_error", "steps", "seconds"});
+        Table out = frame.table({"method", "monitor", "h", "tol", "horizon", "target", "energy_error",
+                                 "angular_momentum_error", "steps", "seconds"});
         out.note("eccentricity", eccentricity);
         out.note("seconds", "with both errors watched at every step");
         for (std::size_t i = 0; i < cells.size(); ++i) {
           const auto& [monitor, target] = cells[i];
-          frame.progress(monitor + " at " + experiment::rounded(target),
-                         static_cast<double>(i) / cells.size());
+          frame.progress(monitor + " at " + rounded(target), static_cast<double>(i) / cells.size());
           const auto setting = calibrated_euler_b(monitor, eccentricity, target, std::min(horizon, 20.0));
           const auto r = run_euler_b(setting, eccentricity, horizon);
           out.row("symplectic_euler_b", monitor, setting.h, setting.tol, horizon, target, r.energy_error,
-                  r.angular_momentum_error, r.steps, experiment::rounded(r.seconds));
+                  r.angular_momentum_error, r.steps, rounded(r.seconds));
         }
-        experiment::Table steps = frame.table({"method", "monitor", "nanoseconds"});
+        Table steps = frame.table({"method", "monitor", "nanoseconds"});
         steps.note("nanoseconds", "of one step: least of all rounds, both errors watched");
-        experiment::Table each = frame.table({"method", "monitor", "round", "nanoseconds"});
+        Table each = frame.table({"method", "monitor", "round", "nanoseconds"});
         each.note("nanoseconds", "of one step, both errors watched; in a round every monitor runs once");
         for (const auto& [monitor, samples] : nanoseconds_per_step(eccentricity)) {
-          steps.row("symplectic_euler_b", monitor,
-                    experiment::rounded(*std::min_element(samples.begin(), samples.end()), 4));
-          for (int round = 0; round < rounds; ++round)
-            each.row("symplectic_euler_b", monitor, round + 1, experiment::rounded(samples[round], 4));
+          steps.row("symplectic_euler_b", monitor, rounded(std::ranges::min(samples), 4));
+          for (std::size_t i = 0; i < samples.size(); ++i)
+            each.row("symplectic_euler_b", monitor, i + 1, rounded(samples[i], 4));
         }
         frame.write(steps, "step");
         frame.write(each, "rounds");

@@ -59,12 +59,12 @@ class Record {
   double energy_ = -0.5, last_, next_ = 1.0, worst_ = 0.0;
 };
 
-/// Steps h g(z_n) of the method for the problem as it is.
-void naive(Table& table, double h, double periods) {
+/// Steps of the method of order 4 for a transformed problem, of a length that may depend on where it is.
+template <class Problem, class Length>
+void run_steps(const Problem& problem, Record record, Length length) {
   State2 z = avi::Kepler::pericentre(eccentricity);
-  auto method = avi::collocation(avi::poincare(avi::Kepler(), z), 4);
-  Record record(table, "naive", "r^1.5", periods);
-  while (method.step(z, h * monitor(z.q)).outcome == avi::Outcome::ok && record(z)) {
+  auto method = avi::collocation(problem, 4);
+  while (method.step(z, length(z)).outcome == avi::Outcome::ok && record(z)) {
   }
 }
 
@@ -113,14 +113,10 @@ int main(int argc, char** argv) {
         Table table = frame.table({"method", "monitor", "periods", "energy_error"});
         const double h = fictive_period() / steps_per_orbit, last = static_cast<double>(periods);
         const State2 start = avi::Kepler::pericentre(eccentricity);
-        {
-          auto method = avi::collocation(avi::poincare(avi::Kepler(), start, monitor), 4);
-          State2 z = start;
-          Record record(table, "collocation", "r^1.5", last);
-          while (method.step(z, h).outcome == avi::Outcome::ok && record(z)) {
-          }
-        }
-        naive(table, h, last);
+        run_steps(avi::poincare(avi::Kepler(), start, monitor), Record(table, "collocation", "r^1.5", last),
+                  [h](const State2&) { return h; });
+        run_steps(avi::poincare(avi::Kepler(), start), Record(table, "naive", "r^1.5", last),
+                  [h](const State2& z) { return h * monitor(z.q); });
         const double tolerance = equal_work();
         Record record(table, "error_controlled", "none", last);
         const long steps = controlled(tolerance, [&](const State2& z) { return record(z); });

@@ -10,9 +10,6 @@
 #include "bregman/printed/htvi_printed.hpp"
 
 #include <cmath>
-#include <functional>
-#include <string>
-#include <vector>
 
 // How far one step is from being symplectic, as the step shrinks: the adaptive integrators on Kepler's
 // problem, as maps of (q, p) and of (q, t, p, p^t), and the printed updates for Bregman dynamics on extended
@@ -28,8 +25,10 @@ avi::ExtendedPoint start() {
   return {.q = Eigen::Vector3d(1.3, 0.8, 1.5), .t = 1.2, .r = Eigen::Vector3d(0.2, -0.4, 0.5), .r_t = 0.7};
 }
 
+using Step = void (*)(const avi::BregmanFamily&, const avi::CorrelatedQuartic&, double, avi::ExtendedPoint&);
+
 /// Defect of a step on (q, t, r, r^t); with `block`, of its (q, r) part at fixed t and r^t.
-double bregman_defect(const std::function<void(double, avi::ExtendedPoint&)>& step, double h, bool block) {
+double bregman_defect(Step step, double h, bool block = false) {
   const Eigen::Index m = block ? d : d + 1;
   avi::VectorX at(2 * m);
   at.head(d) = start().q;
@@ -41,7 +40,7 @@ double bregman_defect(const std::function<void(double, avi::ExtendedPoint&)>& st
         z.q = v.head(d);
         z.r = v.segment(m, d);
         if (!block) z.t = v[d], z.r_t = v[2 * d + 1];
-        step(h, z);
+        step(family, f, h, z);
         avi::VectorX image(2 * m);
         image.head(d) = z.q;
         image.segment(m, d) = z.r;
@@ -91,20 +90,12 @@ int main(int argc, char** argv) {
                     avi::symplecticity_defect(avi::euler_b<2>(kepler, somewhere, avi::NormSquared{}),
                                               somewhere, 0.25 * h));
         }
-        const auto htvi = [](double h, avi::ExtendedPoint& z) {
-          experiment::htvi_printed_step(family, f, h, z);
-        };
-        const auto printed = [](double h, avi::ExtendedPoint& z) {
-          experiment::splitting_printed_step(family, f, h, z);
-        };
-        const auto flows = [](double h, avi::ExtendedPoint& z) {
-          experiment::three_flow_step(family, f, h, z);
-        };
         for (double h : {0.02, 0.01, 0.005, 0.0025, 0.00125}) {
-          table.row("bregman", "htvi", "q t r r^t", h, bregman_defect(htvi, h, false));
-          table.row("bregman", "splitting", "q t r r^t", h, bregman_defect(printed, h, false));
-          table.row("bregman", "splitting", "q r", h, bregman_defect(printed, h, true));
-          table.row("bregman", "three_flows", "q t r r^t", h, bregman_defect(flows, h, false));
+          using namespace experiment;
+          table.row("bregman", "htvi", "q t r r^t", h, bregman_defect(htvi_printed_step, h));
+          table.row("bregman", "splitting", "q t r r^t", h, bregman_defect(splitting_printed_step, h));
+          table.row("bregman", "splitting", "q r", h, bregman_defect(splitting_printed_step, h, true));
+          table.row("bregman", "three_flows", "q t r r^t", h, bregman_defect(three_flow_step, h));
         }
         frame.write(table);
       });

@@ -115,8 +115,8 @@ int main(int argc, char** argv) {
         const auto all_of = [&](const char* what, Kind kind) {
           return summary(what, shares(of_kind(cells, kind), "verdict"), true);
         };
-        fmt::print("\nAll outcomes - {}\n{} of the exact ones follow from printed settings alone.\n"
-                   "All inputs - {}\nAll seconds - {}\nAll claims - {}\n",
+        fmt::print("\nAll outcomes - {}\n{} of the exact ones follow from printed settings alone.\nAll "
+                   "inputs - {}\nAll seconds - {}\nAll claims - {}\n",
                    all_of("printed outcomes", Kind::outcome), predicted(cells),
                    all_of("printed inputs", Kind::input), all_of("printed seconds", Kind::seconds),
                    summary("claims of the text", shares(claims, "ruling"), true));

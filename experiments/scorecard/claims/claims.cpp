@@ -12,6 +12,11 @@ void Cases::add(bool holds, double value) {
   most = std::fmax(most, value);
 }
 
+Cases operator+(Cases first, const Cases& second) {
+  return {first.all + second.all, first.holding + second.holding, std::min(first.least, second.least),
+          std::max(first.most, second.most)};
+}
+
 Ruling in_cases(const Cases& cases) {
   if (cases.all == 0) throw std::out_of_range("The data hold no case of this claim.");
   return cases.holding == cases.all ? Ruling::holds : cases.holding > 0 ? Ruling::in_part : Ruling::fails;
@@ -47,6 +52,16 @@ std::vector<Comparison> comparisons(const experiment::Table& table,
     return !std::ranges::all_of(monitors, [&](auto monitor) { return comparison.has(monitor); });
   });
   return all;
+}
+
+Cases more_than(double bound, const std::vector<Comparison>& comparisons, std::string_view column,
+                std::string_view monitor, std::string_view other) {
+  Cases cases;
+  for (const Comparison& comparison : comparisons) {
+    const double ratio = comparison.ratio(column, monitor, other);
+    cases.add(ratio > bound, ratio);
+  }
+  return cases;
 }
 
 Decisions all_decisions() {

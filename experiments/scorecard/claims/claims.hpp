@@ -36,6 +36,12 @@ struct Finding {
   std::string evidence;
 };
 
+/// With the evidence in fmt's format.
+template <class... Values>
+Finding finding(Ruling ruling, fmt::format_string<Values...> evidence, Values&&... values) {
+  return {ruling, fmt::format(evidence, std::forward<Values>(values)...)};
+}
+
 /// The cases of a claim, and in how many it holds; least and largest of a number that some of them have.
 struct Cases {
   std::size_t all = 0, holding = 0;
@@ -43,6 +49,7 @@ struct Cases {
 
   void add(bool holds, double value = std::nan(""));
 };
+Cases operator+(Cases first, const Cases& second);
 
 /// `holds` when it does in every case, `in_part` in some, `fails` in none. @throws std::out_of_range without
 /// a case.
@@ -69,6 +76,10 @@ struct Comparison {
 std::vector<Comparison> comparisons(const experiment::Table& table,
                                     std::initializer_list<std::string_view> columns,
                                     std::initializer_list<std::string_view> monitors);
+
+/// The comparisons as cases that hold where a number of one run is more than `bound` times that of another.
+Cases more_than(double bound, const std::vector<Comparison>& comparisons, std::string_view column,
+                std::string_view monitor, std::string_view other);
 
 /// What decides claims, by their keys.
 using Decisions = std::map<std::string, Finding (*)(const Results&)>;

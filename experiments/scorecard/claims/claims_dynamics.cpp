@@ -81,7 +81,7 @@ Finding adaptive_beats_direct(const Results& data) {
     seen.push_back(direct.iterations / adaptive.iterations);
     cases.add(seen.back() > 2.0);
   }
-  return {in_cases(cases), fmt::format("{:.1f} times fewer {}", fmt::join(seen, ", "), for_good)};
+  return finding(in_cases(cases), "{:.1f} times fewer {}", fmt::join(seen, ", "), for_good);
 }
 
 Finding adaptive_steps_outgrow(const Results& data) {
@@ -91,7 +91,7 @@ Finding adaptive_steps_outgrow(const Results& data) {
     seen.push_back(adaptive.last_step() / direct.last_step());
     cases.add(seen.back() > 1.0);
   }
-  return {in_cases(cases), fmt::format("At the end they are {:.1f} times as long.", fmt::join(seen, ", "))};
+  return finding(in_cases(cases), "At the end they are {:.1f} times as long.", fmt::join(seen, ", "));
 }
 
 Finding same_order_of_magnitude(const Results& data) {
@@ -106,7 +106,7 @@ Finding same_order_of_magnitude(const Results& data) {
     seen.push_back(fmt::format("{} {:.0f} to {:.0f}", adaptive ? "Adaptive" : "Direct", iterations.least,
                                iterations.most));
   }
-  return {in_cases(cases), fmt::format("{} {}", fmt::join(seen, ", "), for_good)};
+  return finding(in_cases(cases), "{} {}", fmt::join(seen, ", "), for_good);
 }
 
 /// The gradient that only the stopping test needs is counted, as it is for the others, whose next step uses
@@ -121,12 +121,11 @@ Finding cloning_is_behind(const Results& data) {
       if (other.adaptive == clone.adaptive && !other.clones()) slowest = std::max(slowest, other.gradients);
     if (slowest > 0.0) cases.add(clone.gradients > 1.5 * slowest, clone.gradients / slowest);
   }
-  return {in_cases(cases),
-          fmt::format(
-              "In {} of {} rows, until the stopping test holds for good: at least {:.2f} times the gradients "
-              "of the slower of HTVI and splitting, of a cloning step only those counted that its iterates "
-              "and the test depend on.",
-              cases.holding, cases.all, cases.least)};
+  return finding(in_cases(cases),
+                 "In {} of {} rows, until the stopping test holds for good: at least {:.2f} times the "
+                 "gradients of the slower of HTVI and splitting, of a cloning step only those counted that "
+                 "its iterates and the test depend on.",
+                 cases.holding, cases.all, cases.least);
 }
 
 /// As it is defined, with both copies advanced, a step needs what the paper says; the iterates do not.
@@ -141,12 +140,10 @@ Finding cloning_needs(const Results& data) {
     cases.add(true);
     cases.add(useful[run.method] >= printed.at(run.method));
   }
-  return {
-      in_cases(cases),
-      fmt::format(
-          "As defined, with both copies advanced, it does. The copy that is read never sees the other: the "
-          "same iterates take {:.0f} gradients a step.",
-          fmt::join(std::views::values(useful), ", "))};
+  return finding(in_cases(cases),
+                 "As defined, with both copies advanced, it does. The copy that is read never sees the "
+                 "other: the same iterates take {:.0f} gradients a step.",
+                 fmt::join(std::views::values(useful), ", "));
 }
 
 /// Runs along a sweep of p at p_ring = 1, or of falling p_ring at p = 4.
@@ -170,9 +167,9 @@ Finding efficiency_grows(const Results& data) {
     }
     seen.push_back(fmt::format("{:.0f}", fmt::join(iterations, ", ")));
   }
-  return {in_cases(cases),
-          fmt::format("{} iterations along the two sweeps until the stopping test holds for good.",
-                      fmt::join(seen, "; "))};
+  return finding(in_cases(cases),
+                 "{} iterations along the two sweeps until the stopping test holds for good.",
+                 fmt::join(seen, "; "));
 }
 
 Finding first_doubling(const Results& data) {
@@ -181,9 +178,9 @@ Finding first_doubling(const Results& data) {
     iterations[run.p] = run.iterations;
   const double first = iterations.at(2.0) / iterations.at(4.0),
                second = iterations.at(4.0) / iterations.at(8.0);
-  return {first > 2.0 * second && second > 1.0 ? Ruling::holds : Ruling::fails,
-          fmt::format("Factors {:.1f} and {:.2f}; the order P = p^2/p_ring goes from 4 to 16 to 64.", first,
-                      second)};
+  return finding(first > 2.0 * second && second > 1.0 ? Ruling::holds : Ruling::fails,
+                 "Factors {:.1f} and {:.2f}; the order P = p^2/p_ring goes from 4 to 16 to 64.", first,
+                 second);
 }
 
 Finding physical_steps_stay(const Results& data) {
@@ -194,12 +191,10 @@ Finding physical_steps_stay(const Results& data) {
   Cases cases;
   for (const bool of_p : {true, false})
     cases.add(change(of_p) > 0.5);
-  return {
-      in_cases(cases),
-      fmt::format(
-          "The mean physical step changes by a factor {:.2g} as p goes from 2 to 8, by a factor {:.2g} as "
-          "p_ring from 2 to 0.1.",
-          change(true), change(false))};
+  return finding(in_cases(cases),
+                 "The mean physical step changes by a factor {:.2g} as p goes from 2 to 8, by a factor "
+                 "{:.2g} as p_ring from 2 to 0.1.",
+                 change(true), change(false));
 }
 
 }  // namespace

@@ -15,16 +15,16 @@ std::vector<Comparison> at_targets(const Results& data, std::initializer_list<st
 }
 
 Finding euler_b_costs_most(const Results& data) {
+  const auto all = at_targets(data, {"none", "truncation", "arclength", "norm_squared"});
   Cases cases;
+  for (const char* monitor : {"truncation", "arclength", "norm_squared"})
+    for (const char* column : {"steps", "seconds"})
+      cases = cases + more_than(1.0, all, column, "none", monitor);
   std::vector<std::string> seen;
-  for (const Comparison& at : at_targets(data, {"none", "truncation", "arclength", "norm_squared"})) {
-    for (const char* monitor : {"truncation", "arclength", "norm_squared"})
-      for (const char* column : {"steps", "seconds"})
-        cases.add(at.ratio(column, "none", monitor) > 1.0);
+  for (const Comparison& at : all)
     seen.push_back(fmt::format("{:.1f} times the steps of q.q at an energy error of {}",
                                at.ratio("steps", "none", "norm_squared"), at("none", "target")));
-  }
-  return {in_cases(cases), fmt::format("{}, and more time.", fmt::join(seen, ", "))};
+  return finding(in_cases(cases), "{}, and more time.", fmt::join(seen, ", "));
 }
 
 /// Steps in number and in length: at equal energy error the two are one statement.
@@ -42,11 +42,10 @@ Finding truncation_fewest_steps(const Results& data) {
     cases.add(off > 0.05);
     apart = std::max(apart, off);
   }
-  return {
-      in_cases(cases),
-      fmt::format("{:.3f} of arclength's steps, the largest {:.2f} times as long, but as many as q.q {}: on "
-                  "Kepler's problem |grad V| = 1/|q|^2 and the two monitors are one.",
-                  cases.most, length, apart > 0.0 ? fmt::format("to {:.0e}", apart) : "at every error")};
+  return finding(in_cases(cases),
+                 "{:.3f} of arclength's steps, the largest {:.2f} times as long, but as many as q.q {}: on "
+                 "Kepler's problem |grad V| = 1/|q|^2 and the two monitors are one.",
+                 cases.most, length, apart > 0.0 ? fmt::format("to {:.0e}", apart) : "at every error");
 }
 
 /// Two monitors by time at an energy error of 1e-3: steps times the time of a step, of which the data have
@@ -94,26 +93,24 @@ Finding norm_squared_fastest(const Results& data) {
     seen.push_back(fmt::format("{} takes {:.2f} times as long as {} (longer in {} of {} rounds)",
                                shown(slower), found.ratio, shown(faster), found.wins, found.all));
   }
-  return {decided ? in_cases(cases) : Ruling::undecided,
-          fmt::format("At an energy error of 1e-3 {}; a sign test at 1 % decides.", fmt::join(seen, ", "))};
+  return finding(decided ? in_cases(cases) : Ruling::undecided,
+                 "At an energy error of 1e-3 {}; a sign test at 1 % decides.", fmt::join(seen, ", "));
 }
 
 Finding arclength_costs_most(const Results& data) {
-  Cases cases;
-  std::string steps;
-  for (const Comparison& at : at_targets(data, {"truncation", "arclength", "norm_squared"})) {
-    const double more = at.ratio("steps", "arclength", "norm_squared");
-    cases.add(more > 1.02);
-    steps = fmt::format("{:.3f} times the steps of the other two at an energy error of {}", more,
-                        at("arclength", "target"));
-  }
+  const auto all = at_targets(data, {"truncation", "arclength", "norm_squared"});
+  Cases cases = more_than(1.02, all, "steps", "arclength", "norm_squared");
   std::vector<std::string> longer;
   for (const char* other : {"norm_squared", "truncation"}) {
     const Race found = race(data, other, "arclength");
     cases.add(found.first_is_faster());
     longer.push_back(fmt::format("{} in {} of {} rounds", shown(other), found.wins, found.all));
   }
-  return {in_cases(cases), fmt::format("{}, and longer than {} at 1e-3.", steps, fmt::join(longer, ", "))};
+  return finding(
+      in_cases(cases),
+      "{:.3f} times the steps of the other two at an energy error of {}, and longer than {} at 1e-3.",
+      all.back().ratio("steps", "arclength", "norm_squared"), all.back()("arclength", "target"),
+      fmt::join(longer, ", "));
 }
 
 Finding fourth_root(const Results& data) {
@@ -122,8 +119,8 @@ Finding fourth_root(const Results& data) {
     const double more = at.ratio("steps", "truncation_root", "truncation");
     cases.add(more < 1.1, more);
   }
-  return {in_cases(cases),
-          fmt::format("With the root up to {:.1f} times the steps at equal energy error.", cases.most)};
+  return finding(in_cases(cases), "With the root up to {:.1f} times the steps at equal energy error.",
+                 cases.most);
 }
 
 /// The step is h g = (2 tol / h) |q|^2, so the error is proportional to tol / h.
@@ -132,11 +129,10 @@ Finding error_comparable_to_tol(const Results& data) {
   for (const Row& row : data.rows("euler_b_cost", {{"monitor", "truncation"}}))
     cases.add(true, row.number("energy_error") * row.number("h") / row.number("tol"));
   (void)in_cases(cases);  // throws where there is none
-  return {Ruling::undecided,
-          fmt::format(
-              "The error is {:.2f} to {:.2f} times tol / h, h the fictive step: comparable to tol for h near "
-              "{:.0f}; the source does not give its h.",
-              cases.least, cases.most, cases.most)};
+  return finding(Ruling::undecided,
+                 "The error is {:.2f} to {:.2f} times tol / h, h the fictive step: comparable to tol for h "
+                 "near {:.0f}; the source does not give its h.",
+                 cases.least, cases.most, cases.most);
 }
 
 /// Times of the smallest steps, within the resolution of the thinned curve.
@@ -152,11 +148,10 @@ Finding steps_change_together(const Results& data) {
   for (const auto& [monitor, step_and_time] : smallest)
     times.add(true, step_and_time.second);
   const double apart = std::min(times.most - times.least, 2.0 * M_PI - (times.most - times.least));
-  return {
+  return finding(
       apart < 0.05 ? in_cases(times) : Ruling::fails,
-      fmt::format("The smallest steps of all {} monitors are at the pericentre, within {:.3f} of a period of "
-                  "each other.",
-                  times.all, std::max(1.0, std::ceil(1e3 * apart / (2.0 * M_PI))) / 1e3)};
+      "The smallest steps of all {} monitors are at the pericentre, within {:.3f} of a period of each other.",
+      times.all, std::max(1.0, std::ceil(1e3 * apart / (2.0 * M_PI))) / 1e3);
 }
 
 }  // namespace

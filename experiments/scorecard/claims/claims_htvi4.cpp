@@ -23,13 +23,11 @@ Finding order_theorem(const Results& data) {
     cells.add(slope > least || rises, slope - row.number("expected_order"));
     rising += rises;
   }
-  return {
-      theorem(cells),
-      fmt::format(
-          "In {} of {} measured cells (problem, type, r, rule); the least slope is {:.2f} below the bound. "
-          "{} of the slopes are short at the steps used but rise to the bound as h falls, where two terms "
-          "of the error cancel.",
-          cells.holding, cells.all, -cells.least, rising)};
+  return finding(theorem(cells),
+                 "In {} of {} measured cells (problem, type, r, rule); the least slope is {:.2f} below the "
+                 "bound. {} of the slopes are short at the steps used but rise to the bound as h falls, "
+                 "where two terms of the error cancel.",
+                 cells.holding, cells.all, -cells.least, rising);
 }
 
 Finding htvi4_order(const Results& data) {
@@ -38,8 +36,8 @@ Finding htvi4_order(const Results& data) {
        data.rows("order_verification", {{"r", "3"}, {"quadrature", "simpson"}, {"construction", "printed"}}))
     if (const double order = row.number("measured_order"); !std::isnan(order))
       cells.add(std::abs(order - 4.0) < order_tolerance, order);
-  return {theorem(cells), fmt::format("Measured slopes {:.2f} to {:.2f} on {} problems and types.",
-                                      cells.least, cells.most, cells.all)};
+  return finding(theorem(cells), "Measured slopes {:.2f} to {:.2f} on {} problems and types.", cells.least,
+                 cells.most, cells.all);
 }
 
 /// The runs of monitor_costs at each eccentricity and energy error.
@@ -49,18 +47,13 @@ std::vector<Comparison> at_matched_error(const Results& data) {
 
 Finding arclength_behind(const Results& data) {
   Cases cases;
-  for (const Comparison& at : at_matched_error(data))
-    for (const char* monitor : {"gamma", "energy"})
-      for (const char* column : {"steps_per_orbit", "seconds", "position_error"}) {
-        const double more = at.ratio(column, "arclength", monitor);
-        cases.add(more > 1.0, more);
-      }
-  return {
-      in_cases(cases),
-      fmt::format(
-          "At equal energy error arclength takes more steps and time for a larger position error in {} of "
-          "{} comparisons, by a factor of {:.2f} at least.",
-          cases.holding, cases.all, cases.least)};
+  for (const char* monitor : {"gamma", "energy"})
+    for (const char* column : {"steps_per_orbit", "seconds", "position_error"})
+      cases = cases + more_than(1.0, at_matched_error(data), column, "arclength", monitor);
+  return finding(in_cases(cases),
+                 "At equal energy error arclength takes more steps and time for a larger position error in "
+                 "{} of {} comparisons, by a factor of {:.2f} at least.",
+                 cases.holding, cases.all, cases.least);
 }
 
 constexpr std::array monitors{"gamma", "energy", "arclength"};
@@ -92,7 +85,7 @@ Finding energy_not_extreme(const Results& data) {
         fmt::format("steps from {:.5f} to {:.4f} where those of all three go from {:.5f} to {:.4f}", least,
                     most, steps.least, steps.most));
   }
-  return {in_cases(cases), fmt::format("Tables 1 and 2: {}.", fmt::join(seen, ", and "))};
+  return finding(in_cases(cases), "Tables 1 and 2: {}.", fmt::join(seen, ", and "));
 }
 
 /// Efficiency is steps and time, each at equal error. "Very close" leaves 20 per cent.
@@ -109,41 +102,28 @@ Finding gamma_most_efficient(const Results& data) {
     return ratios;
   };
   const Cases steps = compared("steps_per_orbit"), time = compared("seconds");
-  return {in_cases(cases),
-          fmt::format("At equal energy error gamma = 1 takes {:.1f} to {:.1f} times the steps of the energy "
-                      "monitor and {:.1f} to {:.1f} times its time.",
-                      steps.least, steps.most, time.least, time.most)};
+  return finding(in_cases(cases),
+                 "At equal energy error gamma = 1 takes {:.1f} to {:.1f} times the steps of the energy "
+                 "monitor and {:.1f} to {:.1f} times its time.",
+                 steps.least, steps.most, time.least, time.most);
 }
 
 Finding gradient_free_is_cheaper(const Results& data) {
-  Cases cases;
-  for (const Comparison& at : at_matched_error(data)) {
-    const double ratio = at.ratio("seconds", "arclength", "gamma");
-    cases.add(ratio > 1.2, ratio);
-  }
-  return {in_cases(cases) == Ruling::holds ? Ruling::holds : Ruling::undecided,
-          fmt::format("At equal energy error arclength takes {:.1f} to {:.1f} times as long.", cases.least,
-                      cases.most)};
+  const Cases cases = more_than(1.2, at_matched_error(data), "seconds", "arclength", "gamma");
+  return finding(in_cases(cases) == Ruling::holds ? Ruling::holds : Ruling::undecided,
+                 "At equal energy error arclength takes {:.1f} to {:.1f} times as long.", cases.least,
+                 cases.most);
 }
 
 /// "Decent" is at most twice the steps of gamma, "noticeable" at least ten per cent.
 Finding inverse_lagrangian(const Results& data) {
-  Cases cases;
-  std::size_t decent = 0;
   const auto all = at_matched_error(data);
-  for (const Comparison& at : all) {
-    const double ratio = at.ratio("steps_per_orbit", "inverse_lagrangian", "energy");
-    const bool is_decent = at.ratio("steps_per_orbit", "inverse_lagrangian", "gamma") < 2.0;
-    cases.add(ratio > 1.1, ratio);
-    cases.add(is_decent);
-    decent += is_decent;
-  }
-  return {
-      in_cases(cases),
-      fmt::format(
-          "At equal energy error |L|^-1 takes {:.1f} to {:.1f} times the steps of the energy monitor, and "
-          "in {} of {} cases fewer than twice those of gamma.",
-          cases.least, cases.most, decent, all.size())};
+  const Cases noticeable = more_than(1.1, all, "steps_per_orbit", "inverse_lagrangian", "energy"),
+              decent = more_than(0.5, all, "steps_per_orbit", "gamma", "inverse_lagrangian");
+  return finding(in_cases(decent + noticeable),
+                 "At equal energy error |L|^-1 takes {:.1f} to {:.1f} times the steps of the energy monitor, "
+                 "and in {} of {} cases fewer than twice those of gamma.",
+                 noticeable.least, noticeable.most, decent.holding, decent.all);
 }
 
 Finding bound_holds(const Results& data) {
@@ -155,9 +135,8 @@ Finding bound_holds(const Results& data) {
       const double high = htvi4(monitor, "max_step") / (h * htvi4(monitor, "g_max"));
       cases.add(low >= 1.0 && high <= 1.0, low);
     }
-  return {in_cases(cases),
-          fmt::format("Every step of six runs lies between a h and b h; the smallest is {:.2f} a h.",
-                      cases.least)};
+  return finding(in_cases(cases),
+                 "Every step of six runs lies between a h and b h; the smallest is {:.2f} a h.", cases.least);
 }
 
 /// Stormer-Verlet's step is scaled to the energy error of each adaptive run by its order, two; fixed HTVI4 is
@@ -172,16 +151,12 @@ Finding adaptivity_pays(const Results& data) {
       cases.add(ratio > 1.0);
       if (monitor == "gamma") seen.push_back(ratio);
     }
-  for (const Comparison& at : at_matched_error(data)) {
-    const double ratio = at.ratio("seconds", "none", "gamma");
-    cases.add(ratio > 1.0, ratio);
-  }
-  return {in_cases(cases),
-          fmt::format(
-              "The source's own Table 1 says the opposite of Stormer-Verlet (26.9 against 1.9 seconds). "
-              "Compiled and at equal energy error, gamma is {:.0f} times faster than it, and at least {:.1f} "
-              "times faster than fixed HTVI4.",
-              fmt::join(seen, " and "), cases.least)};
+  const Cases fixed = more_than(1.0, at_matched_error(data), "seconds", "none", "gamma");
+  return finding(in_cases(cases + fixed),
+                 "The source's own Table 1 says the opposite of Stormer-Verlet (26.9 against 1.9 seconds). "
+                 "Compiled and at equal energy error, gamma is {:.0f} times faster than it, and at least "
+                 "{:.1f} times faster than fixed HTVI4.",
+                 fmt::join(seen, " and "), fixed.least);
 }
 
 }  // namespace

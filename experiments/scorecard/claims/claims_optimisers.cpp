@@ -53,17 +53,17 @@ Finding fewer_iterations(const Results& data) {
   const Cases cases = against_pairs(data, sustained);
   const Row pair = find(data("runge_kutta_baselines"),
                         {{"method", "dormand_prince"}, {"approach", "direct"}, {"rtol", "0.001"}});
-  return {in_cases(cases),
-          fmt::format(
-              "In {} of {} runs of the pairs over tolerances. At ode45's default, 1e-3, Dormand-Prince takes "
-              "{:.0f} steps where HTVI takes {:.0f}; the source names no tolerance.",
-              cases.holding, cases.all, sustained(pair), sustained(baselines(data, "htvi", "direct").at(0)))};
+  return finding(in_cases(cases),
+                 "In {} of {} runs of the pairs over tolerances. At ode45's default, 1e-3, Dormand-Prince "
+                 "takes {:.0f} steps where HTVI takes {:.0f}; the source names no tolerance.",
+                 cases.holding, cases.all, sustained(pair),
+                 sustained(baselines(data, "htvi", "direct").at(0)));
 }
 
 Finding fewer_gradients(const Results& data) {
   const Cases cases = against_pairs(data, sustained_gradients);
-  return {in_cases(cases), fmt::format("In {} of {} runs; the least is {:.2f} times HTVI's.", cases.holding,
-                                       cases.all, cases.least)};
+  return finding(in_cases(cases), "In {} of {} runs; the least is {:.2f} times HTVI's.", cases.holding,
+                 cases.all, cases.least);
 }
 
 Finding pairs_gain_nothing(const Results& data) {
@@ -82,10 +82,10 @@ Finding pairs_gain_nothing(const Results& data) {
           run.number("rtol") < 5e-3 && !std::isnan(ratio))
         cases.add(ratio < 1.2, ratio);
   const double of_htvi = gain("htvi", "nan");
-  return {of_htvi > 1.5 ? in_cases(cases) : Ruling::fails,
-          fmt::format("Direct takes {:.2f} to {:.2f} times the steps of Adaptive for the pairs at relative "
-                      "tolerances of 1e-3 and less, {:.2f} times for HTVI.",
-                      cases.least, cases.most, of_htvi)};
+  return finding(of_htvi > 1.5 ? in_cases(cases) : Ruling::fails,
+                 "Direct takes {:.2f} to {:.2f} times the steps of Adaptive for the pairs at relative "
+                 "tolerances of 1e-3 and less, {:.2f} times for HTVI.",
+                 cases.least, cases.most, of_htvi);
 }
 
 /// Where an envelope falls like an exponential of the iterations, a tenth of the run brings a tenth of its
@@ -107,14 +107,12 @@ Finding slow_start(const Results& data) {
     even.add(share >= 0.1);
     seen.push_back(fmt::format("{:.0f} % of its decades for {}", 100.0 * share, shown));
   }
-  return {
-      in_cases(slow) == Ruling::holds   ? Ruling::holds
-      : in_cases(even) == Ruling::holds ? Ruling::fails
-                                        : Ruling::undecided,
-      fmt::format(
-          "In the first tenth of the iterations the envelope of f falls through {}; an even fall would be "
-          "10 %, and the source gives no measure of a start.",
-          fmt::join(seen, ", "))};
+  return finding(in_cases(slow) == Ruling::holds   ? Ruling::holds
+                 : in_cases(even) == Ruling::holds ? Ruling::fails
+                                                   : Ruling::undecided,
+                 "In the first tenth of the iterations the envelope of f falls through {}; an even fall "
+                 "would be 10 %, and the source gives no measure of a start.",
+                 fmt::join(seen, ", "));
 }
 
 // ---- Table 6 ----
@@ -135,11 +133,10 @@ Finding beats(const Results& data) {
   const auto more = [&](const char* method) {
     return count(data, method, "0.01") / count(data, "htvi", "0.01");
   };
-  return {
-      in_cases(cases),
-      fmt::format("To the first passage NAG, ADAM and AdaGrad take {:.1f}, {:.0f} and {:.0f} times as many "
-                  "iterations at delta = 1e-2, and the gap grows for NAG and AdaGrad.",
-                  more("nag"), more("adam"), more("adagrad"))};
+  return finding(in_cases(cases),
+                 "To the first passage NAG, ADAM and AdaGrad take {:.1f}, {:.0f} and {:.0f} times as many "
+                 "iterations at delta = 1e-2, and the gap grows for NAG and AdaGrad.",
+                 more("nag"), more("adam"), more("adagrad"));
 }
 
 Finding not_the_best(const Results& data) {
@@ -147,12 +144,11 @@ Finding not_the_best(const Results& data) {
   for (const char* delta : deltas)
     cases.add(std::min(count(data, "rmsprop", delta), count(data, "trust_region", delta)) <
               count(data, "htvi", delta));
-  return {in_cases(cases),
-          fmt::format(
-              "To the first passage at delta = 1e-10 RMSprop takes {:.0f} and TRUST {:.0f} iterations where "
-              "HTVI takes {:.0f}.",
-              count(data, "rmsprop", "1e-10"), count(data, "trust_region", "1e-10"),
-              count(data, "htvi", "1e-10"))};
+  return finding(in_cases(cases),
+                 "To the first passage at delta = 1e-10 RMSprop takes {:.0f} and TRUST {:.0f} iterations "
+                 "where HTVI takes {:.0f}.",
+                 count(data, "rmsprop", "1e-10"), count(data, "trust_region", "1e-10"),
+                 count(data, "htvi", "1e-10"));
 }
 
 Finding gradients_equal_iterations(const Results& data) {
@@ -170,19 +166,18 @@ Finding gradients_equal_iterations(const Results& data) {
     if (gradients > n + 1.0)
       others.push_back(fmt::format("{}, {:.0f} gradients for {:.0f}", shown, gradients, n));
   }
-  return {in_cases(cases),
-          fmt::format("But for {} iterations: the stopping test needs a gradient at x, the step one at y.",
-                      fmt::join(others, ", "))};
+  return finding(in_cases(cases),
+                 "But for {} iterations: the stopping test needs a gradient at x, the step one at y.",
+                 fmt::join(others, ", "));
 }
 
 Finding nag_never(const Results& data) {
   const double plain = count(data, "nag", "1e-10"), shifted = count(data, "nag_shifted", "1e-10");
-  if (std::isfinite(plain)) return {Ruling::fails, fmt::format("It takes {:.0f} iterations.", plain)};
-  return {
+  if (std::isfinite(plain)) return finding(Ruling::fails, "It takes {:.0f} iterations.", plain);
+  return finding(
       std::isfinite(shifted) ? Ruling::in_part : Ruling::holds,
-      fmt::format("As printed, by rounding: written in the variable x - 1 the same method stops after {:.0f} "
-                  "iterations.",
-                  shifted)};
+      "As printed, by rounding: written in the variable x - 1 the same method stops after {:.0f} iterations.",
+      shifted);
 }
 
 }  // namespace

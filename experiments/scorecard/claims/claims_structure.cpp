@@ -15,14 +15,12 @@ Finding low_eccentricity(const Results& data) {
     if (e < 0.25) low.add(true, gain), most = e;
     if (e > 0.85) high = gain, least = e;
   }
-  return {
-      low.most < 1.2 && high > 3.0 ? Ruling::holds
-      : high > low.most            ? Ruling::in_part
-                                   : Ruling::fails,
-      fmt::format(
-          "At one position error fixed HTVI4 takes at most {:.2f} times the steps of adaptive HTVI4 up to "
-          "e = {:.1f}, and {:.1f} times at e = {:.1f}.",
-          low.most, most, high, least)};
+  return finding(low.most < 1.2 && high > 3.0 ? Ruling::holds
+                 : high > low.most            ? Ruling::in_part
+                                              : Ruling::fails,
+                 "At one position error fixed HTVI4 takes at most {:.2f} times the steps of adaptive HTVI4 "
+                 "up to e = {:.1f}, and {:.1f} times at e = {:.1f}.",
+                 low.most, most, high, least);
 }
 
 /// Defects of one step are round-off where they are below this; differences are good to about 1e-12.
@@ -32,10 +30,10 @@ Finding symplectic_adaptivity(const Results& data) {
   Cases cases;
   for (const Row& row : data.rows("symplecticity", {{"problem", "kepler"}}))
     cases.add(row.number("defect") < round_off, row.number("defect"));
-  return {theorem(cases),
-          fmt::format("One step of HTVI4 and of Euler-B misses a symplectic map by at most {:.0e}, "
-                      "whatever h: round-off.",
-                      cases.most)};
+  return finding(
+      theorem(cases),
+      "One step of HTVI4 and of Euler-B misses a symplectic map by at most {:.0e}, whatever h: round-off.",
+      cases.most);
 }
 
 Finding splitting_is_symplectic(const Results& data) {
@@ -45,14 +43,13 @@ Finding splitting_is_symplectic(const Results& data) {
   const double coarse = defect("splitting", "q t r r^t", "0.01"),
                fine = defect("splitting", "q t r r^t", "0.005"), block = defect("splitting", "q r", "0.01"),
                flows = defect("three_flows", "q t r r^t", "0.01");
-  return {
+  return finding(
       coarse < round_off  ? Ruling::holds
       : block < round_off ? Ruling::in_part
                           : Ruling::fails,
-      fmt::format(
-          "With r^t it misses by {:.1e} at h = 0.01 and {:.1e} at half of it, a defect of order {:.1f}; its "
-          "(q, r) block and the composition of the three flows miss by round-off ({:.0e}, {:.0e}).",
-          coarse, fine, std::log2(coarse / fine), block, flows)};
+      "With r^t it misses by {:.1e} at h = 0.01 and {:.1e} at half of it, a defect of order {:.1f}; its (q, "
+      "r) block and the composition of the three flows miss by round-off ({:.0e}, {:.0e}).",
+      coarse, fine, std::log2(coarse / fine), block, flows);
 }
 
 /// Largest usable step: h, NaN where none was found.
@@ -63,12 +60,11 @@ Finding inverse_energy_error(const Results& data) {
     cases.add(std::isnan(row.number("h")));
     beyond = row.text("beyond") == "non_finite" ? "not finite" : row.text("beyond");
   }
-  return {in_cases(cases),
-          fmt::format(
-              "Its bounded form has no usable step at {} of {} eccentricities: the run ends as {}. On the "
-              "solution it tends to a constant and is not differentiable; as printed it is infinity over "
-              "infinity there.",
-              cases.holding, cases.all, beyond)};
+  return finding(
+      in_cases(cases),
+      "Its bounded form has no usable step at {} of {} eccentricities: the run ends as {}. On the solution "
+      "it tends to a constant and is not differentiable; as printed it is infinity over infinity there.",
+      cases.holding, cases.all, beyond);
 }
 
 Finding rate_bound(const Results& data) {
@@ -78,21 +74,20 @@ Finding rate_bound(const Results& data) {
     cases.add(row.number("largest_ratio") <= 1.0, row.number("largest_ratio"));
     fitted = row.number("fitted_rate") / row.number("p");
   }
-  return {theorem(cases),
-          fmt::format("For {} orders p the largest ratio of f - f* to its bound is {:.5f}; on this "
-                      "quartic the exponent of time with which it falls is {:.2f} times p.",
-                      cases.all, cases.most, fitted)};
+  return finding(theorem(cases),
+                 "For {} orders p the largest ratio of f - f* to its bound is {:.5f}; on this quartic the "
+                 "exponent of time with which it falls is {:.2f} times p.",
+                 cases.all, cases.most, fitted);
 }
 
 Finding adaptive_has_lower_order(const Results& data) {
   Cases cases;
   for (const Row& row : data.rows("order_equivalence", {{"clock", "exact"}}))
     cases.add(row.number("distance_100") >= 1e-10, row.number("distance_100"));
-  return {
-      in_cases(cases),
-      fmt::format("With the exact clock its iterates are those of the Direct approach of the higher order "
-                  "p^2/p_ring in {} of {} settings (distance below {:.0e} over 100 iterations).",
-                  cases.all - cases.holding, cases.all, cases.most)};
+  return finding(in_cases(cases),
+                 "With the exact clock its iterates are those of the Direct approach of the higher order "
+                 "p^2/p_ring in {} of {} settings (distance below {:.0e} over 100 iterations).",
+                 cases.all - cases.holding, cases.all, cases.most);
 }
 
 }  // namespace

@@ -45,10 +45,9 @@ Judgement step(const Cell& cell, const experiment::Table& data) {
   if (judgement.verdict == Verdict::exact) return judgement;
   if (Printed(cell.sibling("iterations")).equals(run.number("iterations") + offset(cell.text("method"))))
     judgement.verdict = Verdict::erratum;
-  judgement.note =
-      fmt::format("With the printed step the run diverges after {} iterations; with {} its count is "
-                  "the printed one.",
-                  row_of(cell, data, "0").text("iterations"), experiment::rounded(run.number("h")));
+  judgement.note = fmt::format(
+      "With the printed step the run diverges after {} iterations; with {} its count is the printed one.",
+      row_of(cell, data, "0").text("iterations"), experiment::rounded(run.number("h")));
   return judgement;
 }
 
@@ -90,10 +89,9 @@ Judgement beyond_cap(const Cell& cell, const experiment::Table& data, double cap
     Judgement judgement = compare(cell, before * ratio);
     if (at(10.0).text("converged") == "1" && judgement.verdict == Verdict::exact) {
       judgement.verdict = Verdict::within;
-      judgement.note =
-          fmt::format("Extrapolated: the run is capped at {:.0e}, and the counts grow by {:.3f} from "
-                      "cell to cell (10^(2/3) = 4.642); `make long` runs it.",
-                      cap, ratio);
+      judgement.note = fmt::format("Extrapolated: the run is capped at {:.0e}, and the counts grow by {:.3f} "
+                                   "from cell to cell (10^(2/3) = 4.642); `make long` runs it.",
+                                   cap, ratio);
     }
     return judgement;
   }
@@ -130,9 +128,8 @@ Judgement judge_optimisers(const Cell& cell, const experiment::Table& data) {
   judgement.recovered = true;
   if (cell.text("method") == "htvi" && judgement.verdict != Verdict::exact) {
     judgement.verdict = Verdict::unstated;
-    judgement.note =
-        "p, p_ring and C of this row are not printed and were not recovered; p = 15, p_ring = 0.1, C = "
-        "0.03 comes within a few per cent.";
+    judgement.note = "p, p_ring and C of this row are not printed and were not recovered; p = 15, p_ring = "
+                     "0.1, C = 0.03 comes within a few per cent.";
   }
   return judgement;
 }

@@ -48,16 +48,14 @@ Judgement steps(const Cell& cell, const Row& run) {
 Judgement global_error(const Cell& cell, const Row& run) {
   const double ours = run.number("global_error");
   if (cell.text("method") == "stormer_verlet")
-    return compare(
-        cell, run.number("global_error_shifted"),
-        fmt::format("The printed value compares the state after N - 1 steps with the exact one at N h; "
-                    "at equal times the error is {:.3E}.",
-                    ours));
+    return compare(cell, run.number("global_error_shifted"),
+                   fmt::format("The printed value compares the state after N - 1 steps with the exact one at "
+                               "N h; at equal times the error is {:.3E}.",
+                               ours));
   Judgement judgement = compare(cell, ours, "", cell.text("monitor") == "none" ? 1.0 : 0.0);
   if (judgement.verdict == Verdict::within)
-    judgement.note =
-        "One unit of the last digit: fixed steps do not resolve the pericentre, and the orbit after it "
-        "is sensitive.";
+    judgement.note = "One unit of the last digit: fixed steps do not resolve the pericentre, and the orbit "
+                     "after it is sensitive.";
   return judgement;
 }
 
