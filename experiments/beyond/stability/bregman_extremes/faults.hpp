@@ -3,7 +3,8 @@
 
 #include <array>
 #include <limits>
-#include <map>
+#include <utility>
+#include <vector>
 
 /// @file
 /// Objectives that fail while a run is on.
@@ -42,26 +43,20 @@ struct FaultyQuartic {
   }
 };
 
-/// Every method that meets the faults.
-inline constexpr std::array<const char*, 14> fault_methods{
-    "htvi",          "heavy_ball",      "splitting", "clone_strang", "clone_y4", "clone_y6",
-    "runge_kutta_4", "dormand_prince",  "nag",       "adam",         "adagrad",  "rmsprop",
-    "trust_region",  "gradient_descent"};
+/// Every method that meets the faults, with its step or rate; 0: Bregman dynamics, with the step of a scene.
+inline const std::vector<std::pair<const char*, double>> fault_methods{
+    {"htvi", 0.0},          {"heavy_ball", 0.0},       {"splitting", 0.0},
+    {"clone_strang", 0.0},  {"clone_y4", 0.0},         {"clone_y6", 0.0},
+    {"runge_kutta_4", 0.0}, {"dormand_prince", 0.0},   {"nag", 2e-6},
+    {"adam", 0.1},          {"adagrad", 7.0},          {"rmsprop", 0.1},
+    {"trust_region", 1.0},  {"gradient_descent", 2e-6}};
 
-/// That method, Adaptive (10, 0.5) where it is one of Bregman dynamics.
-inline Rule rule_that_meets_faults(const std::string& method) {
-  const std::map<std::string, double> sizes{{"nag", 2e-6},         {"adam", 0.1},
-                                            {"adagrad", 7.0},      {"rmsprop", 0.1},
-                                            {"trust_region", 1.0}, {"gradient_descent", 2e-6}};
-  if (const auto size = sizes.find(method); size != sizes.end()) return {.method = method, .h = size->second};
-  const Scene scene{.scene = "fault", .method = method, .p = 10.0, .p_ring = 0.5};
-  return {.method = method, .family = scene.family(), .h = step_of(scene), .from = scene.from};
-}
-
-/// Runs a method on a faulty objective for at most `cap` iterations.
-inline Judged meet(const std::string& method, std::string_view kind, long at, long cap) {
+/// Runs a scene's method on a faulty objective for at most `cap` iterations.
+inline Judged meet(const Scene& s, std::string_view kind, long at, long cap) {
   const FaultyQuartic f{.kind = kind, .at = at};
-  Judged result = judge(rule_that_meets_faults(method), f, f.quartic.start(), cap);
+  Rule rule{.method = s.method, .h = s.h};
+  if (s.h == 0.0) rule = {.method = s.method, .family = s.family(), .h = step_of(s), .from = s.from};
+  Judged result = judge(rule, f, f.quartic.start(), cap);
   // The objective itself said that the point is stationary; no method can know better.
   if (result.outcome == "ok" && kind.starts_with("gradient_zero")) result.verdict = "told";
   return result;
