@@ -66,7 +66,7 @@ TEST(Lanes, ProductSumIsTheSumOfProducts) {
   const auto x = Lanes<3>::variable(1.5, 0), y = Lanes<3>::variable(-0.25, 2);
   avi::ProductSum<Lanes<3>> sum;
   sum.add(x, y);
-  sum.add(2.0, y, y);
+  sum.add(y, y, 2.0);
   const auto expected = x * y + 2.0 * y * y, result = sum.result();
   EXPECT_EQ(result.value(), expected.value());
   for (int i = 0; i < 3; ++i)

@@ -208,7 +208,7 @@ class JetTape {
   [[gnu::always_inline]] static T convolution_square(const T* a, int k) {
     ProductSum<T> s;
     for (int j = 0; 2 * j < k; ++j)
-      s.add(2.0, a[j], a[k - j]);
+      s.add(a[j], a[k - j], 2.0);
     if (k % 2 == 0) s.add(a[k / 2], a[k / 2]);
     return s.result();
   }
@@ -217,7 +217,7 @@ class JetTape {
                                                        double shift) {
     ProductSum<T> s;
     for (int j = 1; j <= k; ++j)
-      s.add(slope * j + shift, a[j], b[k - j]);
+      s.add(a[j], b[k - j], slope * j + shift);
     return (1.0 / k) * s.result();
   }
 

@@ -60,14 +60,6 @@ class Lanes : ChainRule<Lanes<N>> {
   friend Lanes operator*(double a, const Lanes& b) { return Lanes(a * b.lanes); }
   friend Lanes operator*(const Lanes& a, double b) { return Lanes(a.lanes * b); }
   friend Lanes operator/(const Lanes& a, double b) { return Lanes(a.lanes / b); }
-  friend Lanes operator+(const Lanes& a, double b) {
-    Lanes c = a;
-    c.lanes[0] += b;
-    return c;
-  }
-  friend Lanes operator+(double a, const Lanes& b) { return b + a; }
-  friend Lanes operator-(const Lanes& a, double b) { return a + (-b); }
-  friend Lanes operator-(double a, const Lanes& b) { return -b + a; }
   friend Lanes operator*(const Lanes& a, const Lanes& b) {
     Lanes c(a.lanes[0] * b.lanes + b.lanes[0] * a.lanes);
     c.lanes[0] = a.lanes[0] * b.lanes[0];
@@ -88,13 +80,8 @@ class ProductSum {
   using Register = typename T::Register;
 
  public:
-  /// Adds a b.
-  void add(const T& a, const T& b) {
-    left_ += a.lanes[0] * b.lanes;
-    right_ += b.lanes[0] * a.lanes;
-  }
   /// Adds weight a b.
-  void add(double weight, const T& a, const T& b) {
+  void add(const T& a, const T& b, double weight = 1.0) {
     left_ += (weight * a.lanes[0]) * b.lanes;
     right_ += (weight * b.lanes[0]) * a.lanes;
   }

@@ -82,14 +82,7 @@ template <Operation... known, class Use>
   (void)((operation == known && (use.template operator()<known>(), true)) || ...);
 }
 
-/// The same for what may follow another operation.
-template <class Use>
-[[gnu::always_inline]] inline void with_second(Operation operation, Use use) {
-  using enum Operation;
-  with_one_of<add, subtract, subtract_from, multiply, nothing>(operation, use);
-}
-
-/// The same for what may come first.
+/// The same for any operation but those that only follow others.
 template <class Use>
 [[gnu::always_inline]] inline void with_operation(Operation operation, Use use) {
   using enum Operation;

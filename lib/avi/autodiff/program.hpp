@@ -56,13 +56,14 @@ class Program {
       else
         detail::with_operation(
             group.first, [&]<Operation first>() __attribute__((always_inline)) {
+              using enum Operation;
               if constexpr (detail::pairs(first))
-                detail::with_second(
+                detail::with_one_of<add, subtract, subtract_from, multiply, nothing>(
                     group.second, [&]<Operation second>() __attribute__((always_inline)) {
                       compute<first, second>(slots, next, end);
                     });
               else
-                compute<first, Operation::nothing>(slots, next, end);
+                compute<first, nothing>(slots, next, end);
             });
       next = end;
     }

@@ -158,30 +158,18 @@ class Reverse {
   }
   /// df/da of the node f(a).
   Term slope(int f, Operation operation, int a) {
-    switch (operation) {
-    case Operation::sqrt:
-      return scaled(0.5, reciprocal(f));
-    case Operation::log:
-      return reciprocal(a);
-    case Operation::sin:
-      return term(graph_.unary(Operation::cos, a));
-    case Operation::cos:
-      return scaled(-1.0, term(graph_.unary(Operation::sin, a)));
-    case Operation::tan:
-      return one_with_square(Operation::add, f);
-    case Operation::sinh:
-      return term(graph_.unary(Operation::cosh, a));
-    case Operation::cosh:
-      return term(graph_.unary(Operation::sinh, a));
-    case Operation::tanh:
-      return one_with_square(Operation::subtract, f);
-    case Operation::atan:
-      return reciprocal(one_with_square(Operation::add, a).node);
-    case Operation::abs:
-      return term(graph_.unary(Operation::sign, a));
-    default:  // exp
-      return term(f);
-    }
+    using Op = Operation;
+    if (operation == Op::sqrt) return scaled(0.5, reciprocal(f));
+    if (operation == Op::exp) return term(f);
+    if (operation == Op::log) return reciprocal(a);
+    if (operation == Op::sin) return term(graph_.unary(Op::cos, a));
+    if (operation == Op::cos) return scaled(-1.0, term(graph_.unary(Op::sin, a)));
+    if (operation == Op::tan) return one_with_square(Op::add, f);
+    if (operation == Op::sinh) return term(graph_.unary(Op::cosh, a));
+    if (operation == Op::cosh) return term(graph_.unary(Op::sinh, a));
+    if (operation == Op::tanh) return one_with_square(Op::subtract, f);
+    if (operation == Op::atan) return reciprocal(one_with_square(Op::add, a).node);
+    return term(graph_.unary(Op::sign, a));  // abs
   }
   /// 1 + z^2 or 1 - z^2.
   Term one_with_square(Operation operation, int z) {

@@ -9,7 +9,7 @@
 
 namespace avi::detail {
 
-/// Largest |x| of reduced_angle(): there \f$2x/\pi\f$ rounds to an integer of 19 bits.
+/// Largest |x| of sine(): there \f$2x/\pi\f$ rounds to an integer of 19 bits.
 inline constexpr double most_angle = 8e5;
 
 /// Some number of a register is beyond most_angle, or NaN.
@@ -38,37 +38,24 @@ template <class V>
   return quarters == 0 ? std::sin(x) : std::cos(x);
 }
 
-/// x less the nearest multiple of pi/2.
-template <class V>
-struct ReducedAngle {
-  V angle;    ///< In [-pi/4, pi/4], but for rounding.
-  V low;      ///< What rounding cut off.
-  V shifted;  ///< Its last two bits count the quarter turns that were taken off.
-};
-
-/// The reduction of Cody and Waite (Software Manual for the Elementary Functions, 1980) for |x| up to
-/// most_angle. Three pieces of pi/2 of 33 bits each, times an integer of 19 bits, and what each of them
-/// leaves, are without rounding error wherever most of x cancels.
-template <class V>
-[[gnu::always_inline]] inline ReducedAngle<V> reduced_angle(V x) {
-  constexpr double round = 0x1.8p52, per_quarter = 0x1.45f306dc9c883p-1;  // 2/pi
-  const V shifted = x * per_quarter + round, k = shifted - round;
-  const V first = x - k * 0x1.921fb544p0;
-  const V taken = k * 0x1.0b4611a6p-34, second = first - taken;
-  const V cut = (first - second) - taken;
-  const V taken_last = k * 0x1.3198a2ep-69, third = second - taken_last;
-  const V cut_last = (second - third) - taken_last;
-  return {third, (cut + cut_last) - k * 0x1.b839a252049c1p-104, shifted};
-}
-
 /// sin(x + quarters pi/2) of every number of a register with |x| up to most_angle, to less than one unit in
-/// the last place: the polynomials of Sun's fdlibm (k_sin.c, k_cos.c, 1993).
+/// the last place: the polynomials of Sun's fdlibm (k_sin.c, k_cos.c, 1993) at x less the nearest multiple of
+/// pi/2.
+///
+/// The reduction is that of Cody and Waite (Software Manual for the Elementary Functions, 1980): three pieces
+/// of pi/2 of 33 bits each, times an integer of 19 bits, and what each of them leaves, are without rounding
+/// error wherever most of x cancels.
 template <class V>
 [[gnu::always_inline]] inline V sine(V x, int quarters) {
   using Integers = decltype(x < x);
-  const ReducedAngle<V> reduced = reduced_angle(x);
-  const V r = reduced.angle, low = reduced.low, z = r * r;
-  const V square = z * z;
+  constexpr double round = 0x1.8p52, per_quarter = 0x1.45f306dc9c883p-1;  // 2/pi
+  const V shifted = x * per_quarter + round, k = shifted - round;  // its last two bits count quarter turns
+  const V first = x - k * 0x1.921fb544p0;
+  const V taken = k * 0x1.0b4611a6p-34, second = first - taken;
+  const V cut = (first - second) - taken;
+  const V taken_last = k * 0x1.3198a2ep-69, r = second - taken_last;  // in [-pi/4, pi/4], but for rounding
+  const V low = (cut + ((second - r) - taken_last)) - k * 0x1.b839a252049c1p-104;  // what rounding cut off
+  const V z = r * r, square = z * z;
   const V s = 8.33333333332248946124e-03 +
               z * (-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06) +
               z * square * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10);
@@ -80,7 +67,7 @@ template <class V>
           (-2.75573143513906633035e-07 + z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11));
   const V half = 0.5 * z, rest = 1.0 - half;
   const V cosine = rest + (((1.0 - rest) - half) + (z * c - r * low));
-  const Integers quadrant = (Integers)reduced.shifted + quarters, odd = -(quadrant & 1);
+  const Integers quadrant = (Integers)shifted + quarters, odd = -(quadrant & 1);
   const Integers size = ((Integers)cosine & odd) | ((Integers)sine & ~odd);
   return (V)(size ^ ((quadrant & 2) << 62));
 }

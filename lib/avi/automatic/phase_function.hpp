@@ -40,8 +40,20 @@ class PhaseFunction {
     thread_local std::vector<S> values;
     const std::vector<Step>& steps = *steps_;
     if (values.size() < steps.size()) values.resize(steps.size());
-    for (std::size_t i = 0; i < steps.size(); ++i)
-      evaluate(steps[i], q, p, values.data(), values[i]);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const Step& step = steps[i];
+      if (step.operation == Operation::input)
+        values[i] = step.a < n_ ? q[step.a] : p[step.a - n_];
+      else if (step.operation == Operation::constant)
+        values[i] = S(step.number);
+      else if (step.operation == Operation::power)
+        values[i] = power(values[step.a], step.number);
+      else
+        detail::with_operation(step.operation, [&]<Operation known>() {
+          if constexpr (known != Operation::power)
+            values[i] = detail::apply<known>(values[step.a], values[step.b < 0 ? step.a : step.b]);
+        });
+    }
     return S(values[steps.size() - 1]);
   }
 
@@ -70,48 +82,16 @@ class PhaseFunction {
   }
 
   static double weight(const Step& step, int lanes) {
-    switch (step.operation) {
-    case Operation::add:
-    case Operation::subtract:
-    case Operation::multiply:
-    case Operation::abs:
-    case Operation::sign:
-      return 1.0;
-    case Operation::divide:
-    case Operation::sqrt:
-      return 2.0;
-    case Operation::power:  // quarters are roots and products
-      if (4.0 * step.number == std::round(4.0 * step.number)) return 4.0;
-      return 4.0 * lanes;
-    default:
-      return 4.0 * lanes;
-    }
+    using enum Operation;
+    const auto is = [&](auto... any) { return ((step.operation == any) || ...); };
+    if (is(add, subtract, multiply, abs, sign)) return 1.0;
+    if (is(divide, sqrt)) return 2.0;
+    // powers with quarters of an integer are roots and products
+    return is(power) && 4.0 * step.number == std::round(4.0 * step.number) ? 4.0 : 4.0 * lanes;
   }
 
   static bool has_operands(const Step& step) {
     return step.operation != Operation::input && step.operation != Operation::constant;
-  }
-
-  template <class Q, class P, class S>
-  void evaluate(const Step& step, const Q& q, const P& p, const S* values, S& out) const {
-    switch (step.operation) {
-    case Operation::input:
-      out = step.a < n_ ? q[step.a] : p[step.a - n_];
-      break;
-    case Operation::constant:
-      out = S(step.number);
-      break;
-    case Operation::power:
-      out = power(values[step.a], step.number);
-      break;
-    default: {
-      const S& a = values[step.a];
-      const S& b = step.b < 0 ? a : values[step.b];
-      detail::with_operation(step.operation, [&]<Operation known>() {
-        if constexpr (known != Operation::power) out = detail::apply<known>(a, b);
-      });
-    }
-    }
   }
 
   std::shared_ptr<const std::vector<Step>> steps_;

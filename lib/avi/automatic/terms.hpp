@@ -65,8 +65,8 @@ class Terms {
       return both;
     }
     case Operation::multiply:
-      if (graph_.is_constant(what.a)) return combined(node, sum(what.a), sum(what.b), what.operation);
-      if (graph_.is_constant(what.b)) return combined(node, sum(what.a), sum(what.b), what.operation);
+      if (graph_.is_constant(what.a) || graph_.is_constant(what.b))
+        return combined(node, sum(what.a), sum(what.b), what.operation);
       return combined(node, factor(what.a), factor(what.b), what.operation);
     case Operation::divide:
       if (!graph_.is_constant(what.b)) return combined(node, factor(what.a), {{what.b, 1.0}}, what.operation);

@@ -110,22 +110,14 @@ class Bounded {
     require(std::isfinite(a) && a >= 0.0, "Lower bound a of the monitor", a, "finite and at least 0");
     require(std::isfinite(b) && b > a, "Upper bound b of the monitor", b, "finite and above a");
   }
-  /// The bounded form of g(q).
-  template <class Q>
-  auto operator()(const Q& q) const requires std::invocable<const G&, const Q&> {
-    return bound(g_(q));
-  }
-  /// The bounded form of g(q, p).
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const requires std::invocable<const G&, const Q&, const P&> {
-    return bound(g_(q, p));
+  /// The bounded form of g(q) or g(q, p).
+  template <class... Arguments>
+  auto operator()(const Arguments&... at) const requires std::invocable<const G&, const Arguments&...> {
+    const auto g = g_(at...);
+    return b_ * (g + a_) / (g + b_);
   }
 
  private:
-  template <class S>
-  S bound(const S& g) const {
-    return b_ * (g + a_) / (g + b_);
-  }
   G g_;
   double a_, b_;
 };
