@@ -19,11 +19,11 @@
 
 // What the number format and the way of adding are worth, for one method (logarithmic Hamiltonian, order 10,
 // whose orbits of Kepler's problem are exact up to time): position error in four formats; and energy error,
-// which is rounding alone, against the number of steps with compensated and with plain sums; and that of
-// collocation, whose sums are compensated. Rounding errors
-// that do not favour a sign grow as the square root of the number of steps (Brouwer 1937). Doubles are those
-// of the library's own method; since its State holds doubles, the other formats take ExtendedRun, the same
-// composition in any format (tests/unit/reference_test.cpp holds one against the other).
+// which is rounding alone, against the number of steps with compensated and with plain sums, and of
+// collocation, whose sums are compensated. Rounding errors that do not favour a sign grow as the square root
+// of the number of steps (Brouwer 1937). Doubles are the library's own method; since its State holds doubles,
+// the other formats take ExtendedRun, the same composition in any format (tests/unit/reference_test.cpp holds
+// one against the other).
 
 namespace {
 

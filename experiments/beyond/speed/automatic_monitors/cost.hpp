@@ -52,13 +52,10 @@ struct Arena {
 /// The choice with which a whole run of order 16 keeps its energy to 1e-12, or the least above it that
 /// rounding allows.
 inline avi::MonitorChoice finest(const Scene& scene) {
-  double tolerance = 1e-12;
-  for (;;) {
+  for (double tolerance = 1e-12;; tolerance *= 3.0) {
     auto solution = integrate(scene.energy, scene.start, scene.time, tolerance);
-    tolerance *= 3.0;
-    const bool kept = solution.run.outcome == avi::Outcome::ok && solution.kept();
-    solution.choice.reached = kept;
-    if (kept || tolerance > 1e-9) return solution.choice;
+    solution.choice.reached = solution.run.outcome == avi::Outcome::ok && solution.kept();
+    if (solution.choice.reached || 3.0 * tolerance > 1e-9) return solution.choice;
   }
 }
 

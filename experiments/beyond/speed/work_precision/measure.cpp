@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace experiment::work_precision {
 
@@ -99,16 +98,10 @@ std::vector<Point> measure(const Scene& scene, const Budget& budget,
 }
 
 void mark_front(std::vector<Point>& points) {
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return points[a].seconds < points[b].seconds; });
-  double best = std::numeric_limits<double>::infinity();
-  for (std::size_t i : order)
-    if (points[i].position_error < best) {
-      points[i].front = true;
-      best = points[i].position_error;
-    }
+  for (Point& p : points)
+    p.front = std::ranges::none_of(points, [&](const Point& other) {
+      return other.seconds < p.seconds && other.position_error <= p.position_error;
+    });
 }
 
 }  // namespace experiment::work_precision

@@ -52,8 +52,7 @@ void add_rows(Table& table, const Scene& scene, const std::vector<Point>& points
 /// The front in its order along the curve, one index block per scene.
 void add_front(Table& table, const Scene& scene, std::vector<Point> points, double unit) {
   std::erase_if(points, [](const Point& p) { return !p.front; });
-  std::sort(points.begin(), points.end(),
-            [](const Point& a, const Point& b) { return a.seconds < b.seconds; });
+  std::ranges::sort(points, {}, &Point::seconds);
   for (const Point& p : points)
     table.row(scene.problem, scene.eccentricity, scene.horizon_name, p.family->method, p.family->order,
               p.label(), rounded(p.seconds / unit), p.position_error);
