@@ -2,6 +2,8 @@
 
 #include "common/timing.hpp"
 
+#include <random>
+
 namespace experiment {
 
 std::string label_of(const Setting& s) {
@@ -46,6 +48,25 @@ int iteration_table(int argc, char** argv, const std::string& name, const std::s
     frame.write(curves, "curves");
     frame.write(table);
   });
+}
+
+PerturbedCounts perturbed_counts(const Setting& setting, long starts, double size,
+                                 const avi::Stopping& stopping) {
+  const avi::CorrelatedQuartic f;
+  PerturbedCounts result;
+  for (long i = 0; i < starts; ++i) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(i) + 1);
+    avi::VectorX x0 = f.start();
+    for (double& x : x0)  // 53 bits of the generator, mapped to [-1, 1): the same on every platform
+      x += size * (2.0 * static_cast<double>(random() >> 11) * 0x1p-53 - 1.0);
+    const auto run = run_setting(setting, f, x0, stopping);
+    if (run.converged())
+      result.counts.push_back(run.iterations);
+    else
+      ++result.failed;
+  }
+  std::ranges::sort(result.counts);
+  return result;
 }
 
 void each_setting(const Frame& frame, const std::function<void(const Setting&, bool slow)>& visit) {

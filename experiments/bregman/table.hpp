@@ -1,6 +1,6 @@
 #pragma once
 #include "bregman/curve.hpp"
-#include "bregman/perturbed.hpp"
+#include "bregman/setting.hpp"
 #include "common/frame.hpp"
 
 #include <functional>
@@ -20,6 +20,23 @@ std::string label_of(const Setting& s);
 /// whose range tells counts that mean something from those that the last bit decides.
 int iteration_table(int argc, char** argv, const std::string& name, const std::string& summary,
                     const std::vector<Setting>& settings);
+
+/// How far an iteration count moves with the last bit of the start.
+struct PerturbedCounts {
+  std::vector<long> counts;  ///< Of the runs that converged, in ascending order.
+  long failed = 0;           ///< Runs that did not converge.
+
+  [[nodiscard]] long least() const { return counts.empty() ? 0 : counts.front(); }
+  [[nodiscard]] long median() const { return counts.empty() ? 0 : counts[(counts.size() - 1) / 2]; }
+  [[nodiscard]] long most() const { return counts.empty() ? 0 : counts.back(); }
+  /// Runs whose count is n.
+  [[nodiscard]] long equal_to(long n) const { return std::count(counts.begin(), counts.end(), n); }
+};
+
+/// Counts of runs whose starts differ from the paper's by up to `size` in every entry; the same starts for
+/// every setting.
+PerturbedCounts perturbed_counts(const Setting& setting, long starts, double size,
+                                 const avi::Stopping& stopping);
 
 /// Calls visit(setting, slow) for the settings of the three tables, with progress; `slow` are Direct ones of
 /// low order, which are left out where `quick` is wanted.

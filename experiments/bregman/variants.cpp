@@ -9,13 +9,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 // Variants that the paper mentions without numbers: the limit equation of Nesterov's method, Type III of
 // order zero (a proximal step), Tao's binding of the two copies, and a mirror map on the simplex.
 
 namespace {
 
+using namespace experiment;
 using avi::VectorX;
 
 /// The quartic in the eigenvectors of Sigma, where its proximal map is one scalar equation.
@@ -68,8 +68,8 @@ class DiagonalQuartic {
 /// A run of iterates, followed until the stopping test has held for good, f is no number, or a cap is
 /// reached.
 template <class Step>
-experiment::Sustained followed(const DiagonalQuartic& f, VectorX q, long cap, Step step) {
-  experiment::Sustained seen;
+Sustained followed(const DiagonalQuartic& f, VectorX q, long cap, Step step) {
+  Sustained seen;
   avi::Iterate at;
   for (long k = 1; k <= cap; ++k) {
     step(q);
@@ -80,22 +80,8 @@ experiment::Sustained followed(const DiagonalQuartic& f, VectorX q, long cap, St
   return seen;
 }
 
-struct Row {
-  experiment::Table& table;
-  void operator()(const std::string& variant, const char* parameter, double setting,
-                  const experiment::Sustained& s, double gradients_per_step) const {
-    const bool done = s.first > 0;
-    table.row(variant, parameter, setting, done ? static_cast<double>(s.first) : std::nan(""),
-              s.confirmed ? static_cast<double>(s.sustained()) : std::nan(""), gradients_per_step,
-              std::nan(""));
-  }
-  void operator()(const std::string& variant, const char* parameter, double setting, double value) const {
-    table.row(variant, parameter, setting, std::nan(""), std::nan(""), std::nan(""), value);
-  }
-};
-
 /// Adaptive (4, 1) at the published start, by Type II or Type III.
-experiment::Sustained proximal(const DiagonalQuartic& f, bool third, double h, long cap) {
+Sustained proximal(const DiagonalQuartic& f, bool third, double h, long cap) {
   constexpr double p = 4.0, s = 0.25, big_p = 16.0, c = 0.0625;
   VectorX r = f.turned(1.0), gradient;
   double t = 1.0;
@@ -112,7 +98,7 @@ experiment::Sustained proximal(const DiagonalQuartic& f, bool third, double h, l
 
 /// Direct p = 4 by two copies that omega binds (Strang); gradient of the read copy is the stopping test's,
 /// too.
-experiment::Sustained bound(const DiagonalQuartic& f, double omega, double h, long cap) {
+Sustained bound(const DiagonalQuartic& f, double omega, double h, long cap) {
   constexpr double p = 4.0, c = 0.0625;
   VectorX x = f.turned(4.0), r = f.turned(1.0), y = r, g;  // (q, r) and (x, y)
   double t = 1.0;
@@ -199,30 +185,32 @@ double mirror(double h) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return experiment::run(
-      argc, argv, "variants", "Variants of Bregman methods that the paper mentions",
-      [](experiment::Frame& frame) {
-        experiment::Table table = frame.table(
-            {"variant", "parameter", "setting", "first_passage", "sustained", "gradients_per_step", "value"});
-        table.note(
-            "type_2, type_3",
-            "Adaptive (4, 1), h in units of the published 2.4e-4; a proximal step counts as one gradient");
-        table.note("binding", "Direct p = 4, h = 9.7e-4, two copies bound by omega");
-        table.note("nag_limit", "largest distance to the limit equation up to t = 4");
-        table.note("mirror", "largest ratio of f - f* to its bound on the simplex, entropy");
-        const DiagonalQuartic f;
-        const Row row{table};
-        const long cap = frame.quick ? 40'000 : 400'000;
-        for (double factor : {1.0, 10.0, 100.0, 1000.0}) {
-          row("type_2", "h", factor, proximal(f, false, factor * 2.4e-4, cap), 1.0);
-          row("type_3", "h", factor, proximal(f, true, factor * 2.4e-4, cap), 1.0);
-        }
-        for (double omega : {0.0, 1e-4, 1e-2, 1.0, 100.0})
-          row("binding", "omega", omega, bound(f, omega, 9.7e-4, 4 * cap), omega == 0.0 ? 1.0 : 3.0);
-        for (double h : {1e-2, 2.5e-3, 6.25e-4, 1.5625e-4})
-          row("nag_limit", "h", h, distance_to_limit(h));
-        for (double h : {0.1, 0.01, 0.001})
-          row("mirror", "h", h, mirror(h));
-        frame.write(table);
-      });
+  return run(argc, argv, "variants", "Variants of Bregman methods that the paper mentions", [](Frame& frame) {
+    Table table = frame.table(
+        {"variant", "parameter", "setting", "first_passage", "sustained", "gradients_per_step", "value"});
+    table.note("type_2, type_3",
+               "Adaptive (4, 1), h in units of the published 2.4e-4; a proximal step counts as one gradient");
+    table.note("binding", "Direct p = 4, h = 9.7e-4, two copies bound by omega");
+    table.note("nag_limit", "largest distance to the limit equation up to t = 4");
+    table.note("mirror", "largest ratio of f - f* to its bound on the simplex, entropy");
+    const DiagonalQuartic f;
+    const double nan = std::nan("");
+    const auto row = [&](const char* variant, const char* parameter, double setting, const Sustained& s,
+                         double gradients_per_step) {
+      table.row(variant, parameter, setting, s.first > 0 ? static_cast<double>(s.first) : nan,
+                s.confirmed ? static_cast<double>(s.sustained()) : nan, gradients_per_step, nan);
+    };
+    const long cap = frame.quick ? 40'000 : 400'000;
+    for (double factor : {1.0, 10.0, 100.0, 1000.0}) {
+      row("type_2", "h", factor, proximal(f, false, factor * 2.4e-4, cap), 1.0);
+      row("type_3", "h", factor, proximal(f, true, factor * 2.4e-4, cap), 1.0);
+    }
+    for (double omega : {0.0, 1e-4, 1e-2, 1.0, 100.0})
+      row("binding", "omega", omega, bound(f, omega, 9.7e-4, 4 * cap), omega == 0.0 ? 1.0 : 3.0);
+    for (double h : {1e-2, 2.5e-3, 6.25e-4, 1.5625e-4})
+      table.row("nag_limit", "h", h, nan, nan, nan, distance_to_limit(h));
+    for (double h : {0.1, 0.01, 0.001})
+      table.row("mirror", "h", h, nan, nan, nan, mirror(h));
+    frame.write(table);
+  });
 }

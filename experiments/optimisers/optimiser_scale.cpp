@@ -38,38 +38,33 @@ struct Quadratic {
 /// Seconds to read and to write one vector of n entries, each over eight vectors that the next use finds
 /// outside the cache, as an iteration does; and how much faster two threads read.
 struct Stream {
-  double read = 1e9, write = 1e9, two_threads = 0.0;
+  double read, write, two_threads;
 
   explicit Stream(Eigen::Index n) {
     std::vector<VectorX> v(8, VectorX::Ones(n));
-    double sink = 0.0, threaded = 1e9;
-    const auto sum = [&](Eigen::Index from, Eigen::Index count) {
-      double all = 0.0;
+    double sums[2]{};
+    const auto sum = [&](double& all, Eigen::Index from, Eigen::Index count) {
       for (std::size_t k = 0; k < 8; k += 4)
         all +=
             avi::sweep<1>(count, [a = v[k].data() + from, b = v[k + 1].data() + from,
                                   c = v[k + 2].data() + from, d = v[k + 3].data() + from](
                                      auto at, auto& total) { total[0] += at(a) * at(b) + at(c) * at(d); })[0];
-      return all;
     };
-    for (int round = 0; round < 5; ++round) {
-      read = std::min(read, seconds([&] { sink += sum(0, n); }) / 8.0);
-      write = std::min(
-          write, seconds([&] {
-                   for (VectorX& x : v)
-                     avi::sweep<0>(n, [out = x.data()](auto at, auto&) { at.set(out, at(out) * 0.0 + 1.0); });
-                 }) / 8.0);
-      double half = 0.0;
-      threaded = std::min(threaded, seconds([&] {
-                                      std::thread other([&] { half = sum(0, n / 2); });
-                                      sink += sum(n / 2, n - n / 2);
-                                      other.join();
-                                    }) / 8.0);
-      sink += half;
-    }
-    write -= read;  // the loop reads what it writes
-    two_threads = read / threaded;
-    if (sink == 0.0) read = 0.0;  // never; the sums are used
+    const auto least = interleaved_least_seconds(
+        {[&] { sum(sums[0], 0, n); },
+         [&] {
+           for (VectorX& x : v)
+             avi::sweep<0>(n, [out = x.data()](auto at, auto&) { at.set(out, at(out) * 0.0 + 1.0); });
+         },
+         [&] {
+           std::thread other([&] { sum(sums[1], 0, n / 2); });
+           sum(sums[0], n / 2, n - n / 2);
+           other.join();
+         }},
+        5);
+    read = sums[0] + sums[1] > 0.0 ? least[0] / 8.0 : 0.0;  // the sums are used
+    write = least[1] / 8.0 - read;                          // the loop reads what it writes
+    two_threads = least[0] / least[2];
   }
 };
 
@@ -117,28 +112,18 @@ Cost at_scale(Eigen::Index n, int memory) {
 /// The paper's quartic to 1e-10, again and again.
 Cost small(int memory) {
   const avi::CorrelatedQuartic f;
-  VectorX g(f.size());
-  double sink = 0.0, evaluation = 1e9, all = 1e9;
+  const avi::MinimiseOptions options{.relative = 0.0, .absolute = 1e-10, .change = 1e-10, .memory = memory};
+  VectorX x = f.start(), g(f.size());
   avi::Minimisation run;
-  for (int round = 0; round < 40; ++round) {
-    VectorX x = f.start();
-    evaluation = std::min(evaluation, seconds([&] {
-                                        for (int k = 0; k < 2000; ++k) {
-                                          const double value = f(x, g);
-                                          x[0] += 1e-30 * value;
-                                          sink += value;
-                                        }
-                                      }) / 2000.0);
-    all = std::min(all, seconds([&] {
-                          for (int k = 0; k < 20; ++k)
-                            run = avi::minimise(
-                                f, f.start(),
-                                {.relative = 0.0, .absolute = 1e-10, .change = 1e-10, .memory = memory});
-                        }) / 20.0);
-  }
+  const auto least = interleaved_least_seconds({[&] {
+                                                  for (int k = 0; k < 200; ++k)
+                                                    x[0] += 1e-30 * f(x, g);
+                                                },
+                                                [&] { run = avi::minimise(f, f.start(), options); }},
+                                               40);
   const double count = static_cast<double>(run.iterations),
-               made = static_cast<double>(run.gradient_evaluations);
-  return {(all - made * evaluation) / count, sink > 0.0 ? evaluation : 0.0, made / count, 0.0};
+               made = static_cast<double>(run.gradient_evaluations), evaluation = least[0] / 200.0;
+  return {(least[1] - made * evaluation) / count, evaluation, made / count, 0.0};
 }
 
 }  // namespace
@@ -155,7 +140,7 @@ int main(int argc, char** argv) {
                                    "peak_vectors", "two_threads_speedup"});
         table.note(
             "own_seconds",
-            "of one iteration, the objective left out; the least of twice seven, of forty runs at d = 50");
+            "of one iteration, the objective left out; the least of twice seven, of forty rounds at d = 50");
         table.note("own_over_needed",
                    "own_seconds over the time to read and write the vectors that an iteration needs, "
                    "by loops that do nothing else");

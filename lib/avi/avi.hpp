@@ -31,7 +31,6 @@
 #include "avi/bregman/bregman_cloning.hpp"
 #include "avi/bregman/bregman_family.hpp"
 #include "avi/bregman/bregman_hamiltonian.hpp"
-#include "avi/bregman/bregman_heavy_ball.hpp"
 #include "avi/bregman/bregman_htvi.hpp"
 #include "avi/bregman/bregman_restarted.hpp"
 #include "avi/bregman/bregman_runge_kutta.hpp"

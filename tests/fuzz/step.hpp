@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/bregman/bregman_heavy_ball.hpp"
+#include "avi/bregman/bregman_htvi.hpp"
 #include "avi/bregman/bregman_splitting.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/htvi/htvi.hpp"

@@ -1,5 +1,4 @@
 #include "avi/bregman/bregman_cloning.hpp"
-#include "avi/bregman/bregman_heavy_ball.hpp"
 #include "avi/bregman/bregman_htvi.hpp"
 #include "avi/bregman/bregman_splitting.hpp"
 #include "avi/core/power.hpp"

@@ -1,4 +1,4 @@
-#include "avi/bregman/bregman_heavy_ball.hpp"
+#include "avi/bregman/bregman_htvi.hpp"
 #include "avi/diagnostics/symplecticity.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 

@@ -3,7 +3,7 @@
 #include "common/rules/gsl_method.hpp"
 
 #include "avi/bregman/bregman_cloning.hpp"
-#include "avi/bregman/bregman_heavy_ball.hpp"
+#include "avi/bregman/bregman_htvi.hpp"
 #include "avi/bregman/bregman_splitting.hpp"
 #include "avi/optim/update_rules.hpp"
 

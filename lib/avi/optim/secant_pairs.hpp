@@ -199,13 +199,10 @@ class SecantPairs {
     for (Eigen::Index from = 0; from < n_; from += block)
       for (int i = 0; i < stored_; ++i)
         for (int k = 0; k <= i; ++k)
-          yy_[i * m_ + k] +=
+          yy_[k * m_ + i] = yy_[i * m_ + k] +=
               sweep<1>(std::min(block, n_ - from),
                        [w = weights(from), a = pairs_[i].y.data() + from, b = pairs_[k].y.data() + from](
                            auto at, auto& sum) { sum[0] += at(w) * (at(a) * at(b)); })[0];
-    for (int i = 0; i < stored_; ++i)
-      for (int k = 0; k < i; ++k)
-        yy_[k * m_ + i] = yy_[i * m_ + k];
     return true;
   }
   [[nodiscard]] int newest(int back) const { return (next_ + 2 * m_ - 1 - back) % m_; }

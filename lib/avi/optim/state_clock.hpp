@@ -10,7 +10,7 @@ namespace avi {
 
 /// One run of the heavy ball \f[ x_+ = x + \alpha d, \qquad d_+ = \beta d - \nabla f(x_+) \f] with alpha and
 /// beta from the state at the step's start; with d = R it is the order-0 HTVI of the Bregman Hamiltonian
-/// (bregman/bregman_heavy_ball.hpp) with a clock that is frozen over a step. With a memory of m > 0 pairs,
+/// (bregman/bregman_htvi.hpp) with a clock that is frozen over a step. With a memory of m > 0 pairs,
 /// \f$d = -H \nabla f\f$: a variable mass matrix \f$H^{-1}\f$ takes the place of the momentum.
 ///
 /// **Gradient recovery.** One trial along d gives value and slope at two points of the line. Where the values

@@ -1,5 +1,4 @@
-#include "bregman/perturbed.hpp"
-#include "bregman/setting.hpp"
+#include "bregman/table.hpp"
 
 #include "avi/optim/update_rules.hpp"
 #include "common/table.hpp"

@@ -1,7 +1,7 @@
 #include "beyond/stability/bad_input/tries.hpp"
 
 #include "avi/bregman/bregman_cloning.hpp"
-#include "avi/bregman/bregman_heavy_ball.hpp"
+#include "avi/bregman/bregman_htvi.hpp"
 #include "avi/bregman/bregman_runge_kutta.hpp"
 #include "avi/bregman/bregman_splitting.hpp"
 #include "avi/optim/run_updates.hpp"

@@ -1,5 +1,4 @@
 #pragma once
-#include "avi/bregman/bregman_heavy_ball.hpp"
 #include "avi/bregman/bregman_htvi.hpp"
 #include "bregman/printed/htvi_printed.hpp"
 

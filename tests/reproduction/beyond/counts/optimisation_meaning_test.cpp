@@ -1,5 +1,5 @@
 #include "beyond/counts/sustained.hpp"
-#include "bregman/perturbed.hpp"
+#include "bregman/table.hpp"
 
 #include "common/table.hpp"
 

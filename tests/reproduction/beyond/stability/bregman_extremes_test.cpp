@@ -1,4 +1,4 @@
-#include "avi/bregman/bregman_heavy_ball.hpp"
+#include "avi/bregman/bregman_htvi.hpp"
 #include "avi/optim/run_updates.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 #include "common/table.hpp"
