@@ -113,11 +113,14 @@ class Bounded {
   /// The bounded form of g(q) or g(q, p).
   template <class... Arguments>
   auto operator()(const Arguments&... at) const requires std::invocable<const G&, const Arguments&...> {
-    const auto g = g_(at...);
-    return b_ * (g + a_) / (g + b_);
+    return bound(g_(at...));
   }
 
  private:
+  template <class S>
+  S bound(const S& g) const {
+    return b_ * (g + a_) / (g + b_);
+  }
   G g_;
   double a_, b_;
 };
