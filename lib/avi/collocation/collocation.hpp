@@ -49,13 +49,6 @@ class Collocation {
     return with(solver_, [&](auto& solver) { return solver.stages.step(solver.sweeps, z, h); });
   }
 
-  /// Refuses a state of another dimension.
-  template <int m>
-  StepReport step(State<m>&, double) {
-    static_assert(m == n, "The state is of another dimension than the method's problem.");
-    return {};
-  }
-
   [[nodiscard]] int order() const { return order_; }  ///< 2s.
   /// What is integrated.
   [[nodiscard]] const Problem& problem() const {
@@ -97,14 +90,12 @@ class Collocation {
       if (order > 8) return AnySolver(std::in_place_index<1>, problem, rule, settings);
     return AnySolver(std::in_place_index<0>, problem, rule, settings);
   }
-  /// use(stages), of the width there is; compiles faster than std::visit.
-  template <class Any, class Use>
+  /// use(solver), of the width there is; compiles faster than std::visit.
+  template <std::size_t i = 0, class Any, class Use>
   static decltype(auto) with(Any& any, const Use& use) {
-    if constexpr (largest_order > 16)
-      if (auto* const wide = std::get_if<2>(&any)) return use(*wide);
-    if constexpr (largest_order > 8)
-      if (auto* const half = std::get_if<1>(&any)) return use(*half);
-    return use(*std::get_if<0>(&any));
+    if constexpr (i + 1 < std::variant_size_v<AnySolver>)
+      if (any.index() != i) return with<i + 1>(any, use);
+    return use(*std::get_if<i>(&any));
   }
 
   int order_;

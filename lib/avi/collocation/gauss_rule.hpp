@@ -49,15 +49,10 @@ class GaussRule {
   [[nodiscard]] Row integrals(long double c) const {
     // l_j / b_j = sum_k (2 k + 1) P_k(c_j) P_k, with shifted Legendre polynomials P_k, since the rule is
     // exact.
-    std::array<long double, most> integral{};
-    long double before = 1, p = 2 * c - 1;
-    integral[0] = c;
-    for (int k = 1; k < stages_; ++k) {
-      const long double next = ((2 * k + 1) * (2 * c - 1) * p - k * before) / (k + 1);
-      integral[k] = (next - before) / (2 * (2 * k + 1));
-      before = p;
-      p = next;
-    }
+    const Polynomials p = legendre(2 * c - 1);
+    std::array<long double, most> integral{c};
+    for (int k = 1; k < stages_; ++k)
+      integral[k] = (p[k + 1] - p[k - 1]) / (2 * (2 * k + 1));
     Row row{};
     for (int j = 0; j < stages_; ++j) {
       long double sum = 0;
@@ -69,31 +64,31 @@ class GaussRule {
   }
 
  private:
+  using Polynomials = std::array<long double, most + 1>;
+  /// Legendre's polynomials P_0 ... P_s at x in [-1, 1].
+  [[nodiscard]] Polynomials legendre(long double x) const {
+    Polynomials p{1, x};
+    for (int k = 1; k < stages_; ++k)
+      p[k + 1] = ((2 * k + 1) * x * p[k] - k * p[k - 1]) / (k + 1);
+    return p;
+  }
   /// Node, weight and P_k(c_i) of stage i, by Newton's method on P_s.
   void find_node(int i) {
     long double x = -std::cos(M_PI * (i + 0.75) / (stages_ + 0.5)), slope = 1;
     for (int iteration = 0; iteration < 10; ++iteration) {
-      long double before = 1, p = x;
-      for (int k = 1; k < stages_; ++k) {
-        const long double next = ((2 * k + 1) * x * p - k * before) / (k + 1);
-        before = p;
-        p = next;
-      }
-      slope = stages_ * (x * p - before) / (x * x - 1);
-      x -= p / slope;
+      const Polynomials p = legendre(x);
+      slope = stages_ * (x * p[stages_] - p[stages_ - 1]) / (x * x - 1);
+      x -= p[stages_] / slope;
     }
     exact_node_[i] = (1 + x) / 2;
     node_[i] = static_cast<double>(exact_node_[i]);
     weight_[i] = static_cast<double>(1 / ((1 - x * x) * slope * slope));
-    legendre_[i][0] = 1;
-    legendre_[i][1] = x;
-    for (int k = 1; k + 1 < stages_; ++k)
-      legendre_[i][k + 1] = ((2 * k + 1) * x * legendre_[i][k] - k * legendre_[i][k - 1]) / (k + 1);
+    legendre_[i] = legendre(x);
   }
 
   int stages_;
   std::array<long double, most> exact_node_{};
-  std::array<std::array<long double, most>, most> legendre_{};
+  std::array<Polynomials, most> legendre_{};
   Row node_{}, weight_{};
   std::array<Row, most> mu_{};
 };

@@ -1,16 +1,75 @@
 #pragma once
-#include "avi/collocation/linear_system.hpp"
 #include "avi/collocation/sweeps.hpp"
 #include "avi/core/outcome.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 /// @file
 /// Newton's method for the stages of a step, where sweeps do not contract.
 
 namespace avi {
+
+/// A square matrix and a right-hand side.
+class LinearSystem {
+ public:
+  /// For that many unknowns.
+  explicit LinearSystem(Eigen::Index count)
+      : count_(count), matrix_(count * count), right_(count), pivots_(count) {}
+
+  bool decomposed = false;  ///< decompose() was called, and what it found still serves.
+
+  [[nodiscard]] Eigen::Index count() const { return count_; }  ///< Number of unknowns.
+  /// An entry of the matrix.
+  [[nodiscard]] double& at(Eigen::Index row, Eigen::Index column) { return matrix_[row * count_ + column]; }
+  [[nodiscard]] double* right() {
+    return right_.data();
+  }  ///< The right-hand side; after solve() the solution.
+  /// A matrix of zeros.
+  void clear() { std::fill(matrix_.begin(), matrix_.end(), 0.0); }
+
+  /// LU decomposition in place, with pivots by column. A vanishing pivot leaves infinities, which a step
+  /// reports.
+  void decompose() {
+    decomposed = true;
+    for (Eigen::Index k = 0; k < count_; ++k) {
+      Eigen::Index best = k;
+      for (Eigen::Index i = k + 1; i < count_; ++i)
+        if (std::abs(at(i, k)) > std::abs(at(best, k))) best = i;
+      pivots_[k] = best;
+      if (best != k) std::swap_ranges(&at(k, 0), &at(k, 0) + count_, &at(best, 0));
+      for (Eigen::Index i = k + 1; i < count_; ++i) {
+        const double factor = at(i, k) /= at(k, k);
+        if (factor != 0.0)
+          for (Eigen::Index j = k + 1; j < count_; ++j)
+            at(i, j) -= factor * at(k, j);
+      }
+    }
+  }
+
+  /// Replaces the right-hand side by the solution.
+  void solve() {
+    double* const x = right_.data();
+    for (Eigen::Index k = 0; k < count_; ++k)
+      std::swap(x[k], x[pivots_[k]]);
+    for (Eigen::Index i = 1; i < count_; ++i)
+      for (Eigen::Index k = 0; k < i; ++k)
+        x[i] -= at(i, k) * x[k];
+    for (Eigen::Index k = count_; k-- > 0;) {
+      for (Eigen::Index i = k + 1; i < count_; ++i)
+        x[k] -= at(k, i) * x[i];
+      x[k] /= at(k, k);
+    }
+  }
+
+ private:
+  Eigen::Index count_;
+  std::vector<double> matrix_, right_;
+  std::vector<Eigen::Index> pivots_;
+};
 
 /// Simplified Newton iteration: with the Jacobian matrix J of the field at the start of the step, by central
 /// differences of its gradients, the equations of the stages \f$z_i = z_0 + h \sum_j a_{ij} f(z_j)\f$ are
@@ -19,8 +78,7 @@ namespace avi {
 template <int n, int w>
 class Newton {
  public:
-  using Step = Unknowns<n, w>;     ///< What is solved for.
-  using Vec = typename Step::Vec;  ///< One vector for each stage.
+  using Step = Unknowns<n, w>;  ///< What is solved for.
   /// Largest number of unknowns, twice the dimension times the number of stages.
   static constexpr Eigen::Index most = 256;
 
@@ -35,20 +93,21 @@ class Newton {
 
   /// Solves for the stages of a step, from a constant. Changes may grow for a while; if eight in a row are
   /// more than half of the smallest one before them, the step is too long for the motion.
-  /// @param old_q, old_p scratch @param cap on evaluations of the field @return ok, not_converged or
+  /// @param old scratch, q and p only @param cap on evaluations of the field @return ok, not_converged or
   ///   non_finite
-  StepReport solve(Sweeps<n, w>& sweeps, Step& step, Vec& old_q, Vec& old_p, int cap) {
+  StepReport solve(Sweeps<n, w>& sweeps, Step& step, Step& old, int cap) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     StepReport report{.outcome = Outcome::not_converged};
-    const bool old = system_.decomposed;
-    if (!old) report.evaluations = decompose(sweeps, step);
+    const bool known = system_.decomposed;
+    if (!known) report.evaluations = decompose(sweeps, step);
     sweeps.begin(step);
     double least = std::numeric_limits<double>::infinity();
     for (int idle = 0; report.evaluations < cap;) {
       ++report.evaluations;
-      old_q = step.q, old_p = step.p;
+      old.q = step.q;
+      old.p = step.p;
       sweeps.sweep_at_once(step);
-      const double now = improve(old_q, old_p, step);
+      const double now = improve(old, step);
       report.residual = now;
       if (!std::isfinite(now)) report.outcome = Outcome::non_finite;
       idle = now <= 0.5 * least ? 0 : idle + 1;
@@ -61,9 +120,9 @@ class Newton {
       least = std::min(least, now);
     }
     system_.decomposed = false;
-    if (!old) return report;
+    if (!known) return report;
     const int spent = report.evaluations;
-    report = solve(sweeps, step, old_q, old_p, cap - spent);  // with the matrix of this start
+    report = solve(sweeps, step, old, cap - spent);  // with the matrix of this start
     report.evaluations += spent;
     return report;
   }
@@ -102,22 +161,23 @@ class Newton {
     return evaluations;
   }
 
-  /// From what a sweep makes of (q, p), which is in the step, to the next iterate. @return relative change
-  [[gnu::noinline]] double improve(const Vec& q, const Vec& p, Step& step) {
-    const Eigen::Index rows = 2 * q.size();
+  /// From what a sweep makes of the old (q, p), which is in the step, to the next iterate. @return relative
+  /// change
+  [[gnu::noinline]] double improve(const Step& old, Step& step) {
+    const Eigen::Index rows = 2 * old.q.size();
     double* const x = system_.right();
     for (Eigen::Index v = 0; v < rows; ++v)
       for (int i = 0; i < stages_; ++i)
-        x[v * stages_ + i] = entry(step.q, step.p, v)[i] - entry(q, p, v)[i];
+        x[v * stages_ + i] = entry(step.q, step.p, v)[i] - entry(old.q, old.p, v)[i];
     system_.solve();
     Change<w> of_q, of_p;
     for (Eigen::Index v = 0; v < rows; ++v) {
       Pack<w>& next = entry(step.q, step.p, v);
       for (int i = 0; i < w; ++i) {
         const int stage = std::min(i, stages_ - 1);
-        next.set(i, entry(q, p, v)[stage] + x[v * stages_ + stage]);
+        next.set(i, entry(old.q, old.p, v)[stage] + x[v * stages_ + stage]);
       }
-      (2 * v < rows ? of_q : of_p).add(entry(q, p, v), next);
+      (2 * v < rows ? of_q : of_p).add(entry(old.q, old.p, v), next);
     }
     return std::max(of_q.of_all(), of_p.of_all());
   }

@@ -2,8 +2,11 @@
 #include "avi/autodiff/hamiltonian.hpp"
 #include "avi/autodiff/pack.hpp"
 #include "avi/autodiff/recording.hpp"
+#include "avi/collocation/unknowns.hpp"
 
 #include <algorithm>
+#include <array>
+#include <concepts>
 #include <type_traits>
 #include <utility>
 
@@ -59,92 +62,116 @@ Recording recorded_rate(const Problem& problem, bool with_energy) {
       },
       problem.size());
 }
+
+/// A recorded formula of (q, p) and the memory to evaluate it at the stages.
+template <class Scalar>
+struct RecordedFormula {
+  Program program;                      ///< The formula.
+  Program::Room<Scalar> room{program};  ///< Its numbers.
+
+  /// Evaluates it.
+  template <class Vec>
+  void run(const Vec& q, const Vec& p) {
+    std::copy(q.data(), q.data() + q.size(), room.arguments());
+    std::copy(p.data(), p.data() + p.size(), room.arguments() + q.size());
+    program.run(room);
+  }
+  [[nodiscard]] const Scalar& value() const { return program.value(room); }            ///< Of the last run.
+  [[nodiscard]] const Scalar& partial(int i) const { return program.slope(room, i); }  ///< Of the last run.
+};
 }  // namespace detail
 
 /// The field of \f$\bar H = g\,(H + p^t)\f$ at w stages, as two functions, of which each computes only what
 /// it needs: a sweep updates the momenta between them. Gradients are those that H supplies, or automatic ones
-/// by forward accumulation.
+/// by forward accumulation; in larger dimensions that of the monitor is recorded.
 template <class Problem, int w>
 class StageField {
  public:
   static constexpr int n = Problem::dimension;  ///< Degrees of freedom.
   using Scalar = Pack<w>;                       ///< One number for each stage.
-  using Vec = Vector<Scalar, n>;                ///< One vector for each stage.
+  using Step = Unknowns<n, w>;                  ///< The stages, and where the field goes.
 
   /// For this problem.
-  explicit StageField(const Problem&) {}
+  explicit StageField(const Problem& problem) : monitor_(recorded(problem)) {}
 
-  /// force = -weight \f$\partial \bar H/\partial q\f$.
-  void force(const Problem& problem, const Vec& q, const Vec& p, const Scalar& weight, Scalar& rate,
-             Vec& force) {
-    const auto at_q = [&](const auto& f) {
-      return [&](const auto& x) { return f(x, constants<ScalarOf<decltype(x)>>(p)); };
-    };
-    const H& h = problem.hamiltonian();
-    Scalar energy;
-    if constexpr (SuppliesGradient<H, Scalar, n>) {
-      force = h.d_dq(q, p);
-      if constexpr (!Problem::unit) energy = h(q, p);
-    } else {
-      const Partials<Scalar, n> value = value_and_gradient(at_q(h), q);
-      energy = value.value;
-      for (int i = 0; i < n; ++i)
-        force[i] = value.partial(i);
-    }
-    const Scalar minus = -weight;
-    if constexpr (Problem::unit) {
-      for (int i = 0; i < n; ++i)
-        force[i] = minus * force[i];
-    } else {
-      Partials<Scalar, n> g;
-      if constexpr (Problem::position_monitor)
-        g = value_and_gradient(problem.monitor(), q);
-      else
-        g = value_and_gradient(at_q(problem.monitor()), q);
-      const Scalar along = minus * g.value, across = minus * (energy + Scalar(problem.energy_momentum()));
-      for (int i = 0; i < n; ++i)
-        force[i] = along * force[i] + across * g.partial(i);
-      rate = g.value;
-    }
+  /// step.dp = -weight \f$\partial \bar H/\partial q\f$.
+  void force(const Problem& problem, Step& step, const Scalar& weight) {
+    field<true>(problem, step, -weight, step.dp);
   }
-
-  /// velocity = weight \f$\partial \bar H/\partial p\f$, at the positions of the last call of force().
-  void velocity(const Problem& problem, const Vec& q, const Vec& p, const Scalar& weight, Scalar& rate,
-                Vec& velocity) {
-    const auto at_p = [&](const auto& f) {
-      return [&](const auto& x) { return f(constants<ScalarOf<decltype(x)>>(q), x); };
-    };
-    const H& h = problem.hamiltonian();
-    Scalar energy;
-    if constexpr (SuppliesGradient<H, Scalar, n>) {
-      velocity = h.d_dp(q, p);
-      if constexpr (!Problem::position_monitor) energy = h(q, p);
-    } else {
-      const Partials<Scalar, n> value = value_and_gradient(at_p(h), p);
-      energy = value.value;
-      for (int i = 0; i < n; ++i)
-        velocity[i] = value.partial(i);
-    }
-    if constexpr (!Problem::position_monitor) {
-      const Partials<Scalar, n> g = value_and_gradient(at_p(problem.monitor()), p);
-      const Scalar along = weight * g.value, across = weight * (energy + Scalar(problem.energy_momentum()));
-      for (int i = 0; i < n; ++i)
-        velocity[i] = along * velocity[i] + across * g.partial(i);
-      rate = g.value;
-    } else {
-      const Scalar along = weight * rate;  // 1 where the monitor is Unit
-      for (int i = 0; i < n; ++i)
-        velocity[i] = along * velocity[i];
-    }
+  /// step.dq = weight \f$\partial \bar H/\partial p\f$, at the positions of the last call of force().
+  void velocity(const Problem& problem, Step& step, const Scalar& weight) {
+    field<false>(problem, step, weight, step.dq);
   }
-
-  /// g, which a sweep leaves in `rate`.
-  [[nodiscard]] static const Scalar& rate(const Scalar& rate) { return rate; }
+  /// g, which force() or velocity() has left in the step.
+  [[nodiscard]] static const Scalar& rate(const Step& step) { return step.rate; }
 
  private:
-  using H = std::decay_t<decltype(std::declval<const Problem&>().hamiltonian())>;
+  static constexpr bool many = n > detail::most_partials;
+  struct Nothing {};
+  using Monitor = std::conditional_t<many, std::array<detail::RecordedFormula<Scalar>, 2>, Nothing>;
+  static Monitor recorded([[maybe_unused]] const Problem& problem) {
+    if constexpr (many) {
+      const Recording g = detail::recorded_rate(problem, false);
+      return {{{g.value_and_gradient(0, n)}, {g.value_and_gradient(n, n)}}};
+    } else {
+      return {};
+    }
+  }
+
+  /// f with its gradient by q, or by p.
+  template <bool by_q, class F>
+  static Partials<Scalar, n> differentiated(const F& f, const Step& step) {
+    if constexpr (std::invocable<const F&, const Vector<double, n>&>)
+      return value_and_gradient(f, step.q);
+    else if constexpr (by_q)
+      return value_and_gradient([&](const auto& q) { return f(q, constants<ScalarOf<decltype(q)>>(step.p)); },
+                                step.q);
+    else
+      return value_and_gradient([&](const auto& p) { return f(constants<ScalarOf<decltype(p)>>(step.q), p); },
+                                step.p);
+  }
   template <class Differentiated>
   using ScalarOf = typename std::decay_t<Differentiated>::Scalar;
+
+  /// out = weight \f$\partial \bar H/\partial q\f$, or by p.
+  template <bool by_q>
+  void field(const Problem& problem, Step& step, const Scalar& weight, Vector<Scalar, n>& out) {
+    const auto& h = problem.hamiltonian();
+    constexpr bool rate_is_known = Problem::unit || (Problem::position_monitor && !by_q);
+    Scalar energy;
+    if constexpr (SuppliesGradient<std::decay_t<decltype(h)>, Scalar, n>) {
+      if constexpr (by_q)
+        out = h.d_dq(step.q, step.p);
+      else
+        out = h.d_dp(step.q, step.p);
+      if constexpr (!rate_is_known) energy = h(step.q, step.p);
+    } else {
+      const Partials<Scalar, n> value = differentiated<by_q>(h, step);
+      energy = value.value;
+      for (int i = 0; i < n; ++i)
+        out[i] = value.partial(i);
+    }
+    [[maybe_unused]] const auto add = [&](const Scalar& g, const auto& partial) {
+      const Scalar along = weight * g, across = weight * (energy + Scalar(problem.energy_momentum()));
+      for (int i = 0; i < n; ++i)
+        out[i] = along * out[i] + across * partial(i);
+      step.rate = g;
+    };
+    if constexpr (rate_is_known) {
+      const Scalar along = weight * step.rate;  // 1 where the monitor is Unit
+      for (int i = 0; i < n; ++i)
+        out[i] = along * out[i];
+    } else if constexpr (many) {
+      auto& g = monitor_[by_q ? 0 : 1];
+      g.run(step.q, step.p);
+      add(g.value(), [&](int i) { return g.partial(i); });
+    } else {
+      const Partials<Scalar, n> g = differentiated<by_q>(problem.monitor(), step);
+      add(g.value, [&](int i) { return g.partial(i); });
+    }
+  }
+
+  Monitor monitor_;
 };
 
 /// The same where n is known at run time only, or large: the gradients are those of a recording of
@@ -155,46 +182,38 @@ requires((Problem::dimension == dynamic || Problem::dimension > detail::most_par
  public:
   static constexpr int n = Problem::dimension;  ///< Degrees of freedom, or avi::dynamic.
   using Scalar = Pack<w>;                       ///< One number for each stage.
-  using Vec = Vector<Scalar, n>;                ///< One vector for each stage.
+  using Step = Unknowns<n, w>;                  ///< The stages, and where the field goes.
 
   /// Records this problem.
   explicit StageField(const Problem& problem)
-      : StageField(problem.size(), detail::recorded_rate(problem, true),
+      : StageField(static_cast<int>(problem.size()), detail::recorded_rate(problem, true),
                    detail::recorded_rate(problem, false)) {}
 
-  /// force = -weight \f$\partial \bar H/\partial q\f$.
-  void force(const Problem&, const Vec& q, const Vec& p, const Scalar& weight, Scalar&, Vec& force) {
-    evaluate(forces_, force_room_, q, p);
-    const Scalar minus = -weight;
-    for (int i = 0; i < forces_.slopes(); ++i)
-      force[i] = minus * forces_.slope(force_room_, i);
-  }
-  /// velocity = weight \f$\partial \bar H/\partial p\f$.
-  void velocity(const Problem&, const Vec& q, const Vec& p, const Scalar& weight, Scalar&, Vec& velocity) {
-    evaluate(velocities_, velocity_room_, q, p);
-    for (int i = 0; i < velocities_.slopes(); ++i)
-      velocity[i] = weight * velocities_.slope(velocity_room_, i);
+  /// step.dp = -weight \f$\partial \bar H/\partial q\f$.
+  void force(const Problem&, Step& step, const Scalar& weight) { field(forces_, step, -weight, step.dp); }
+  /// step.dq = weight \f$\partial \bar H/\partial p\f$.
+  void velocity(const Problem&, Step& step, const Scalar& weight) {
+    field(velocities_, step, weight, step.dq);
   }
   /// g of the last call of velocity().
-  [[nodiscard]] const Scalar& rate(const Scalar&) {
-    const Scalar* last = velocity_room_.arguments();
-    std::copy(last, last + rates_.inputs(), rate_room_.arguments());
-    rates_.run(rate_room_);
-    return rates_.value(rate_room_);
+  [[nodiscard]] const Scalar& rate(const Step&) {
+    const Scalar* last = velocities_.room.arguments();
+    std::copy(last, last + rates_.program.inputs(), rates_.room.arguments());
+    rates_.program.run(rates_.room);
+    return rates_.value();
   }
 
  private:
-  StageField(Eigen::Index size, const Recording& transformed, const Recording& rate)
-      : forces_(transformed.gradient(0, static_cast<int>(size))),
-        velocities_(transformed.gradient(static_cast<int>(size), static_cast<int>(size))),
-        rates_(rate.value()), force_room_(forces_), velocity_room_(velocities_), rate_room_(rates_) {}
-  static void evaluate(const Program& program, Program::Room<Scalar>& room, const Vec& q, const Vec& p) {
-    std::copy(q.data(), q.data() + q.size(), room.arguments());
-    std::copy(p.data(), p.data() + p.size(), room.arguments() + q.size());
-    program.run(room);
+  using Formula = detail::RecordedFormula<Scalar>;
+  StageField(int size, const Recording& transformed, const Recording& rate)
+      : forces_{transformed.gradient(0, size)},
+        velocities_{transformed.gradient(size, size)}, rates_{rate.value()} {}
+  static void field(Formula& slopes, const Step& step, const Scalar& weight, Vector<Scalar, n>& out) {
+    slopes.run(step.q, step.p);
+    for (int i = 0; i < slopes.program.slopes(); ++i)
+      out[i] = weight * slopes.partial(i);
   }
-  Program forces_, velocities_, rates_;
-  Program::Room<Scalar> force_room_, velocity_room_, rate_room_;
+  Formula forces_, velocities_, rates_;
 };
 
 }  // namespace avi

@@ -1,11 +1,5 @@
 #pragma once
-#include "avi/autodiff/pack.hpp"
-#include "avi/collocation/gauss_rule.hpp"
 #include "avi/collocation/newton.hpp"
-#include "avi/collocation/precise_state.hpp"
-#include "avi/collocation/sweeps.hpp"
-#include "avi/core/outcome.hpp"
-#include "avi/core/state.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,18 +26,13 @@ class alignas(64) Stages {
  public:
   /// Steps are begun ahead: 1.3 times the speed at n = 2, nothing gained at n = 6.
   static constexpr bool ahead = n != dynamic && n <= 4 && w <= 8;
-  using Scalar = Pack<w>;         ///< One number for each stage.
-  using Vec = Vector<Scalar, n>;  ///< One vector for each stage.
+  using Scalar = Pack<w>;  ///< One number for each stage.
 
   /// For problems of this size and this rule of at most w stages.
   Stages(Eigen::Index size, const GaussRule& rule, SweepSettings settings)
-      : both_{Unknowns<n, w>(size), Unknowns<n, w>(n == dynamic ? 0 : n)}, dq_(size), dp_(size), old_q_(size),
-        old_p_(size), rule_(rule), settings_(settings), begin_(size), end_(size), start_(size), change_(size),
-        newton_(size, rule.stages()) {
-    for (Vec* each : {&dq_, &dp_, &old_q_, &old_p_})
-      std::fill(each->data(), each->data() + each->size(), Scalar(0.0));
-    change_.setZero();
-  }
+      : both_{Unknowns<n, w>(size), Unknowns<n, w>(n == dynamic ? 0 : n)}, last_(size), rule_(rule),
+        settings_(settings), end_(size), start_(size), change_(Vector<double, n>::Zero(size)),
+        newton_(size, rule.stages()) {}
 
   /// Advances z by h; leaves z unchanged unless the step ends as ok.
   StepReport step(Sweeps<n, w>& sweeps, State<n>& z, double h) {
@@ -85,10 +74,10 @@ class alignas(64) Stages {
     for (int j = 0; j < rule_.stages(); ++j)
       part.set(j, row[j]);
     const auto at = [&](const Scalar& increments) { return sum(Scalar(part * increments)); };
-    State<n> z = begin_.state;
+    State<n> z = last_.start.state;
     for (Eigen::Index i = 0; i < z.q.size(); ++i) {
-      z.q[i] += at(dq_[i]);
-      z.p[i] += at(dp_[i]);
+      z.q[i] += at(last_.dq[i]);
+      z.p[i] += at(last_.dp[i]);
     }
     z.t = sweeps.clock(z.q, z.t + at(dt_));
     return z;
@@ -100,16 +89,16 @@ class alignas(64) Stages {
 
   /// The start of a step at z, with the rounding error of the last step if that led to z.
   void start_at(const State<n>& z) {
-    place_ = h_ == 0.0           ? Place::elsewhere
-             : z == end_.state   ? Place::end
-             : z == begin_.state ? Place::begin
-                                 : Place::elsewhere;
+    place_ = h_ == 0.0                ? Place::elsewhere
+             : z == end_.state        ? Place::end
+             : z == last_.start.state ? Place::begin
+                                      : Place::elsewhere;
     if (place_ == Place::elsewhere) {
       start_.low.q.setZero();
       start_.low.p.setZero();
       start_.low.t = 0.0;
     } else {
-      start_.low = (place_ == Place::end ? end_ : begin_).low;
+      start_.low = (place_ == Place::end ? end_ : last_.start).low;
     }
     start_.state = z;
   }
@@ -127,7 +116,7 @@ class alignas(64) Stages {
     Unknowns<n, w>& step = both_[now_];
     step.start = start_;
     if (last && std::abs(h / h_) <= 2.0)
-      sweeps.begin(step, dq_, dp_, place_ == Place::end ? 1.0 : 0.0, h / h_);
+      sweeps.begin(step, last_.dq, last_.dp, place_ == Place::end ? 1.0 : 0.0, h / h_);
     else
       sweeps.begin(step);
     return 0;
@@ -187,7 +176,7 @@ class alignas(64) Stages {
     begun_ = false;
     Unknowns<n, w>& step = both_[now_];
     step.start = start_;
-    StepReport report = newton_.solve(sweeps, step, old_q_, old_p_, settings_.max_sweeps);
+    StepReport report = newton_.solve(sweeps, step, last_, settings_.max_sweeps);
     if (report.outcome == Outcome::ok) report = finish(sweeps, z, h, step, report);
     // Now and then sweeps are tried again: a stiff part of the orbit may be over.
     stiff_ = report.outcome == Outcome::ok ? (stiff_ + 1) % 32 : 0;
@@ -207,8 +196,7 @@ class alignas(64) Stages {
       report.outcome = least <= 0.0 ? Outcome::bad_monitor : Outcome::non_finite;
       return report;
     }
-    begin_ = start_;
-    end_ = start_;
+    last_.start = end_ = start_;
     for (Eigen::Index i = 0; i < z.q.size(); ++i) {
       add_all(end_.state.q[i], end_.low.q[i], step.dq[i]);
       add_all(end_.state.p[i], end_.low.p[i], step.dp[i]);
@@ -216,21 +204,20 @@ class alignas(64) Stages {
     add_all(end_.state.t, end_.low.t, dt);
     end_.state.t = sweeps.clock(end_.state.q, end_.state.t);
     z = end_.state;
-    dq_ = step.dq;
-    dp_ = step.dp;
+    last_.dq = step.dq;
+    last_.dp = step.dp;
     dt_ = dt;
     h_ = h;
     return report;
   }
 
-  Unknowns<n, w> both_[2];         // this step and the next one
-  int now_ = 0;                    // which of them is this step
-  alignas(64) Vec dq_, dp_;        // of the last step
-  alignas(64) Vec old_q_, old_p_;  // before the last sweep
-  Scalar dt_{0.0};
+  Unknowns<n, w> both_[2];  // this step and the next one
+  int now_ = 0;             // which of them is this step
+  Unknowns<n, w> last_;     // start and increments of the last step; its q and p are Newton's scratch
+  Scalar dt_{0.0};          // of the last step
   GaussRule rule_;
   SweepSettings settings_;
-  PreciseState<n> begin_, end_, start_;
+  PreciseState<n> end_, start_;  // of the last step, of this one
   Vector<double, n> change_;
   Newton<n, w> newton_;
   int stiff_ = 0;                // steps in a row that took Newton's method

@@ -1,36 +1,40 @@
 #pragma once
-#include "avi/autodiff/pack.hpp"
 #include "avi/collocation/gauss_rule.hpp"
-#include "avi/collocation/lane_matrix.hpp"
-#include "avi/collocation/precise_state.hpp"
 #include "avi/collocation/stage_field.hpp"
-#include "avi/collocation/supplied_field.hpp"
-#include "avi/core/state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <type_traits>
 
 /// @file
 /// The unknowns of a collocation step, and the sweeps that solve for them.
 
 namespace avi {
 
-/// The unknowns of a step, one number for each stage.
-template <int n, int w>
-struct Unknowns {
-  using Vec = Vector<Pack<w>, n>;  ///< One vector for each stage.
-  alignas(64) Vec q;               ///< Positions.
-  alignas(64) Vec p;               ///< Momenta.
-  alignas(64) Vec dq;              ///< \f$h b_j \dot q_j\f$.
-  alignas(64) Vec dp;              ///< \f$h b_j \dot p_j\f$.
-  Pack<w> rate{1.0};               ///< The monitor, where StageField keeps it.
-  PreciseState<n> start;           ///< Where the step begins.
+/// A w x w matrix, stored by columns, each of which is a Pack.
+template <int w>
+class alignas(64) LaneMatrix {
+ public:
+  LaneMatrix() { columns_.fill(Pack<w>(0.0)); }                        ///< Zero.
+  void set(int i, int j, double value) { columns_[j].set(i, value); }  ///< Entry in row i and column j.
 
-  /// Zero, for n = `size`.
-  explicit Unknowns(Eigen::Index size) : q(size), p(size), dq(size), dp(size), start(size) {
-    for (Vec* each : {&q, &p, &dq, &dp})
-      std::fill(each->data(), each->data() + size, Pack<w>(0.0));
+  /// Matrix times vector: the sums over columns are added as a tree, in the same order on every machine.
+  [[gnu::always_inline]] Pack<w> operator*(const Pack<w>& x) const { return times(x, Pack<w>(0.0)); }
+  /// Matrix times vector plus another vector, which is added first: it is there before the products are.
+  [[gnu::always_inline]] Pack<w> times(const Pack<w>& x, const Pack<w>& first) const {
+    Pack<w> term[w];
+    for (int j = 0; j < w; ++j)
+      term[j] = columns_[j] * Pack<w>(x[j]);
+    term[0] += first;
+    for (int half = w / 2; half > 0; half /= 2)
+      for (int i = 0; i < half; ++i)
+        term[i] += term[i + half];
+    return term[0];
   }
+
+ private:
+  std::array<Pack<w>, w> columns_;
 };
 
 /// The largest change of a vector at each stage, and its largest entry there.
@@ -98,7 +102,7 @@ class alignas(64) Sweeps {
   /// that step where this one starts @param ratio of this step's size to that one's
   void begin(Step& step, const Vec& dq, const Vec& dp, double offset, double ratio) {
     if (offset != offset_ || ratio != ratio_) continue_at(offset, ratio);
-    const LaneMatrix<w> continued = continued_;
+    Columns continued = continued_;
     for (Eigen::Index i = 0; i < step.q.size(); ++i) {
       step.q[i] = Scalar(step.start.state.q[i]) + continued * dq[i];
       step.p[i] = Scalar(step.start.state.p[i]) + continued * dp[i];
@@ -139,15 +143,11 @@ class alignas(64) Sweeps {
       for (int i = 0; i < w; ++i)
         mu_.set(i, j, rule.mu(std::min(i, rule.stages() - 1), j));
   }
-  ~Sweeps() = default;
-  Sweeps(const Sweeps&) = default;
-  Sweeps& operator=(const Sweeps&) = default;
 
   /// x = start + low + mu dx. @return its largest relative change at each stage, where that is asked for
   template <bool look, class V>
   Scalar renew(Vec& x, const Vec& dx, const V& start, const V& low) const {
-    const LaneMatrix<w> mu =
-        mu_;  // the compiler then knows that nothing changes it, and keeps it in registers
+    Columns mu = mu_;
     Change<w> change;
     for (Eigen::Index i = 0; i < x.size(); ++i) {
       const Scalar next = Scalar(start[i]) + mu.times(dx[i], Scalar(low[i]));
@@ -158,6 +158,8 @@ class alignas(64) Sweeps {
   }
 
  private:
+  // A copy of its own, which nothing else changes, is kept in registers; worth its price for many entries.
+  using Columns = std::conditional_t<n == dynamic, const LaneMatrix<w>, const LaneMatrix<w>&>;
   static void put_behind(const Step& step, Step& next) {
     for (Eigen::Index i = 0; i < step.q.size(); ++i) {
       next.start.state.q[i] = step.start.state.q[i] + sum(step.dq[i]);
@@ -201,23 +203,25 @@ class SweepsOf final : public Sweeps<Problem::dimension, w> {
     velocities(step);
   }
   [[gnu::flatten, gnu::noinline]] void forces(Step& step) override {
-    field_.force(problem_, step.q, step.p, this->weight(), step.rate, step.dp);
+    field_.force(problem_, step, this->weight());
   }
   [[gnu::flatten, gnu::noinline]] void stages(Step& step) override { renew_all<false>(step); }
   [[gnu::flatten, gnu::noinline]] Scalar changed_stages(Step& step) override { return renew_all<true>(step); }
-  const Scalar& rate(const Step& step) override { return field_.rate(step.rate); }
+  const Scalar& rate(const Step& step) override { return field_.rate(step); }
+  /// As the problem has it.
   [[nodiscard]] double clock(const Vector<double, Problem::dimension>& q, double t) const override {
     return problem_.clock(q, t);
   }
 
  private:
-  [[gnu::flatten, gnu::noinline]] void velocities(Step& step) { velocity(step); }
-  void velocity(Step& step) { field_.velocity(problem_, step.q, step.p, this->weight(), step.rate, step.dq); }
+  [[gnu::flatten, gnu::noinline]] void velocities(Step& step) {
+    field_.velocity(problem_, step, this->weight());
+  }
   template <bool look>
   Scalar renew_all(Step& step) {
     const auto &z = step.start.state, &low = step.start.low;
     const Scalar of_p = this->template renew<look>(step.p, step.dp, z.p, low.p);
-    velocity(step);
+    field_.velocity(problem_, step, this->weight());
     return max_abs(of_p, this->template renew<look>(step.q, step.dq, z.q, low.q));
   }
 

@@ -2,8 +2,10 @@
 #include "avi/autodiff/pack.hpp"
 #include "avi/core/state.hpp"
 
+#include <algorithm>
+
 /// @file
-/// A state with more digits than its numbers hold, and how increments are added to it.
+/// The unknowns of a collocation step, and states with more digits than their numbers hold.
 
 namespace avi {
 
@@ -14,11 +16,25 @@ struct PreciseState {
   State<n> low;    ///< What rounding cut off.
 
   /// Zero.
-  explicit PreciseState(Eigen::Index size) : state(zero(size)), low(zero(size)) {}
+  explicit PreciseState(Eigen::Index size)
+      : state{.q = Vector<double, n>::Zero(size), .p = Vector<double, n>::Zero(size)}, low(state) {}
+};
 
- private:
-  static State<n> zero(Eigen::Index size) {
-    return {.q = Vector<double, n>::Zero(size), .p = Vector<double, n>::Zero(size)};
+/// The unknowns of a step, one number for each stage.
+template <int n, int w>
+struct Unknowns {
+  using Vec = Vector<Pack<w>, n>;  ///< One vector for each stage.
+  alignas(64) Vec q;               ///< Positions.
+  alignas(64) Vec p;               ///< Momenta.
+  alignas(64) Vec dq;              ///< \f$h b_j \dot q_j\f$.
+  alignas(64) Vec dp;              ///< \f$h b_j \dot p_j\f$.
+  Pack<w> rate{1.0};               ///< The monitor, where StageField keeps it.
+  PreciseState<n> start;           ///< Where the step begins.
+
+  /// Zero, for n = `size`.
+  explicit Unknowns(Eigen::Index size) : q(size), p(size), dq(size), dp(size), start(size) {
+    for (Vec* each : {&q, &p, &dq, &dp})
+      std::fill(each->data(), each->data() + size, Pack<w>(0.0));
   }
 };
 
