@@ -2,7 +2,6 @@
 #include "common/frame.hpp"
 
 #include "avi/integrators/runge_kutta.hpp"
-#include "avi/integrators/tableaus.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 
 #include <gsl/gsl_eigen.h>

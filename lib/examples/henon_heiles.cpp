@@ -22,7 +22,7 @@ int main() {
     double worst = 0.0;
     bool visited[40][40] = {};
     // x = 0 from below: the states there are as accurate as the run.
-    const auto section =
+    auto section =
         avi::on_event(avi::Event{[](const avi::State<2>& now) { return now.q[0]; }, avi::Crossing::rising},
                       [&](const avi::State<2>& point) {
                         bool& cell = visited[static_cast<int>(20.0 * (point.q[1] + 1.0))]

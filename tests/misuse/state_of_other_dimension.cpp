@@ -1,4 +1,4 @@
-// error: The state is of another dimension than the method's problem.
+// error: The method has no step(state, h) for this state: is the state of another dimension?
 #include <avi/core/integrate.hpp>
 #include <avi/htvi/htvi.hpp>
 #include <avi/problems/kepler.hpp>

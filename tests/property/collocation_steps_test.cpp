@@ -28,9 +28,9 @@ namespace collocation_steps_test {
 TEST(CollocationSteps, IsOneMethodForEveryKindOfDimension) {
   // The same masses, with the dimension known to the compiler or not, gradients supplied or recorded.
   const auto fixed = avi::FigureEight::problem();
-  const auto free = avi::FigureEight::problem<avi::dynamic>();
+  const avi::NBody<avi::dynamic> free(fixed.masses());
   State<6> a = avi::FigureEight::start();
-  State<avi::dynamic> b = avi::FigureEight::start<avi::dynamic>();
+  State<avi::dynamic> b{.q = a.q, .p = a.p};
   auto one = avi::collocation(avi::poincare(fixed, a), 12);
   auto other = avi::collocation(avi::poincare(free, b), 12);
   auto automatic = avi::collocation(avi::poincare(avi::Automatic{fixed}, a), 12);

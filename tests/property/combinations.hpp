@@ -178,7 +178,7 @@ Worst use(const M& method, const State<n>& z0, double h) {
     note(z);
   });
   int turns = 0;
-  const auto watch = avi::on_event(turning, [&](const State<n>& z) {
+  auto watch = avi::on_event(turning, [&](const State<n>& z) {
     ++turns;
     EXPECT_LT(std::abs(z.p[0]), 1e-15);
     note(z);

@@ -57,7 +57,7 @@ void expect_same(const State<2>& a, const State<2>& b, std::size_t i) {
 TEST(Ensemble, MembersAreSingleRunsToTheLastBit) {
   const auto z = starts();
   for (int threads : {0, 1, 2, 20}) {
-    const auto members = avi::ensemble(make, z, 0.02, {.time = 10.0}, avi::NoEnsembleObserver{}, threads);
+    const auto members = avi::ensemble(make, z, 0.02, {.time = 10.0}, threads);
     ASSERT_EQ(members.size(), z.size());
     for (std::size_t i = 0; i < z.size(); ++i) {
       if (i == 5) continue;
@@ -95,14 +95,12 @@ TEST(Ensemble, ShowsEachStepOfEachMemberInOrder) {
   const std::vector<State<2>> z(6, Kepler::pericentre(0.3));
   std::vector<long> seen(z.size(), 0);
   std::vector<bool> in_order(z.size(), true);
-  const auto members = avi::ensemble(
-      make, z, 0.02, {.steps = 50},
-      [&](std::size_t i, const State<2>&, long k) {
+  const auto members =
+      avi::ensemble(make, z, 0.02, {.steps = 50}, 3, [&](std::size_t i, const State<2>&, long k) {
         if (k != seen[i] + 1) in_order[i] = false;
         seen[i] = k;
         return k < 10 * static_cast<long>(i + 1);
-      },
-      3);
+      });
   for (std::size_t i = 0; i < z.size(); ++i) {
     EXPECT_TRUE(in_order[i]);
     EXPECT_EQ(seen[i], std::min(50L, 10 * static_cast<long>(i + 1)));
@@ -121,10 +119,10 @@ TEST(Ensemble, UsesTheThreadsAskedFor) {
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));  // so that others get their turn
   };
-  (void)avi::ensemble(make, z, 0.02, {.steps = 1}, observer, 4);
+  (void)avi::ensemble(make, z, 0.02, {.steps = 1}, 4, observer);
   EXPECT_EQ(ids.size(), 4u);
   ids.clear();
-  (void)avi::ensemble(make, z, 0.02, {.steps = 1}, observer, 1);
+  (void)avi::ensemble(make, z, 0.02, {.steps = 1}, 1, observer);
   EXPECT_EQ(ids.size(), 1u);
 }
 
@@ -132,9 +130,9 @@ TEST(Ensemble, RefusesWhatIntegrateRefuses) {
   const std::vector<State<2>> z(3, Kepler::pericentre(0.3));
   EXPECT_THROW((void)avi::ensemble(make, z, 0.0, {.time = 1.0}), std::invalid_argument);
   EXPECT_THROW((void)avi::ensemble(make, z, 0.1, {}), std::invalid_argument);
-  EXPECT_EQ(refusal([&] { (void)avi::ensemble(make, z, 0.1, {.time = 1.0}, avi::NoEnsembleObserver{}, -1); }),
+  EXPECT_EQ(refusal([&] { (void)avi::ensemble(make, z, 0.1, {.time = 1.0}, -1); }),
             "Number of threads is -1; it must be at least 0.");
-  EXPECT_THROW((void)avi::ensemble(make, z, 0.1, {.time = 1.0},
+  EXPECT_THROW((void)avi::ensemble(make, z, 0.1, {.time = 1.0}, 0,
                                    [](std::size_t i, const State<2>&, long) {
                                      if (i == 1) throw std::runtime_error("seen enough");
                                    }),

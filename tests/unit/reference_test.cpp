@@ -46,7 +46,7 @@ TEST(ExtendedRun, AgreesWithKeplersEquationOverThousandPeriods) {
 }
 
 TEST(ExtendedRun, TheTwoTimesAgreeOnAPerturbedOrbit) {
-  const auto start = avi::PerturbedKepler::pericentre(0.5);
+  const auto start = avi::Kepler::pericentre(0.5);
   const avi::PerturbedKepler problem(1e-2);
   ExtendedRun<avi::PerturbedKepler> logarithmic(problem, start, true, 0.1L),
       physical(problem, start, false, 0.01L);

@@ -1,5 +1,4 @@
-#include "avi/integrators/embedded_runge_kutta.hpp"
-#include "avi/integrators/tableaus.hpp"
+#include "avi/integrators/runge_kutta.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,24 +30,26 @@ void expect_order(const std::array<double, T::stages>& b, int order) {
     return total;
   };
   for (int k = 1; k <= order; ++k)
-    EXPECT_NEAR(sum([&](std::size_t i) { return std::pow(c[i], k - 1); }), 1.0 / k, 1e-14) << T::name << k;
+    EXPECT_NEAR(sum([&](std::size_t i) { return std::pow(c[i], k - 1); }), 1.0 / k, 1e-14)
+        << T::stages << " stages, " << k;
   if (order >= 3) {
-    EXPECT_NEAR(sum([&](std::size_t i) { return ac[i]; }), 1.0 / 6.0, 1e-14) << T::name;
+    EXPECT_NEAR(sum([&](std::size_t i) { return ac[i]; }), 1.0 / 6.0, 1e-14) << T::stages << " stages";
   }
   if (order >= 4) {
-    EXPECT_NEAR(sum([&](std::size_t i) { return c[i] * ac[i]; }), 1.0 / 8.0, 1e-14) << T::name;
-    EXPECT_NEAR(sum([&](std::size_t i) { return ac2[i]; }), 1.0 / 12.0, 1e-14) << T::name;
-    EXPECT_NEAR(sum([&](std::size_t i) { return aac[i]; }), 1.0 / 24.0, 1e-14) << T::name;
+    EXPECT_NEAR(sum([&](std::size_t i) { return c[i] * ac[i]; }), 1.0 / 8.0, 1e-14) << T::stages << " stages";
+    EXPECT_NEAR(sum([&](std::size_t i) { return ac2[i]; }), 1.0 / 12.0, 1e-14) << T::stages << " stages";
+    EXPECT_NEAR(sum([&](std::size_t i) { return aac[i]; }), 1.0 / 24.0, 1e-14) << T::stages << " stages";
   }
   if (order >= 5) {
-    EXPECT_NEAR(sum([&](std::size_t i) { return c[i] * c[i] * ac[i]; }), 1.0 / 10.0, 1e-14) << T::name;
-    EXPECT_NEAR(sum([&](std::size_t i) { return ac[i] * ac[i]; }), 1.0 / 20.0, 1e-14) << T::name;
+    EXPECT_NEAR(sum([&](std::size_t i) { return c[i] * c[i] * ac[i]; }), 1.0 / 10.0, 1e-14)
+        << T::stages << " stages";
+    EXPECT_NEAR(sum([&](std::size_t i) { return ac[i] * ac[i]; }), 1.0 / 20.0, 1e-14)
+        << T::stages << " stages";
   }
 }
 
 TEST(Tableaus, SatisfyTheOrderConditions) {
   using namespace avi;
-  expect_order<ExplicitEuler>(ExplicitEuler::b, ExplicitEuler::order);
   expect_order<ClassicalRungeKutta>(ClassicalRungeKutta::b, ClassicalRungeKutta::order);
   expect_order<BogackiShampine>(BogackiShampine::b, BogackiShampine::order);
   expect_order<BogackiShampine>(BogackiShampine::embedded, BogackiShampine::embedded_order);
@@ -81,7 +82,6 @@ double measured_order() {
 }
 
 TEST(RungeKutta, ConvergesWithItsOrder) {
-  EXPECT_NEAR(measured_order<avi::ExplicitEuler>(), 1.0, 0.1);
   EXPECT_NEAR(measured_order<avi::BogackiShampine>(), 3.0, 0.1);
   EXPECT_NEAR(measured_order<avi::ClassicalRungeKutta>(), 4.0, 0.1);
   EXPECT_NEAR(measured_order<avi::DormandPrince>(), 5.0, 0.15);

@@ -3,7 +3,6 @@
 #include "avi/core/integrate.hpp"
 #include "avi/core/state.hpp"
 #include "avi/integrators/runge_kutta.hpp"
-#include "avi/integrators/tableaus.hpp"
 
 /// @file
 /// The control that is not symplectic.

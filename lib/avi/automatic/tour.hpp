@@ -2,7 +2,6 @@
 #include "avi/autodiff/recording.hpp"
 #include "avi/automatic/curvature.hpp"
 #include "avi/integrators/runge_kutta.hpp"
-#include "avi/integrators/tableaus.hpp"
 
 #include <algorithm>
 #include <cmath>

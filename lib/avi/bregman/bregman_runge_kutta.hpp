@@ -1,8 +1,7 @@
 #pragma once
 #include "avi/bregman/bregman_family.hpp"
 #include "avi/core/outcome.hpp"
-#include "avi/integrators/embedded_runge_kutta.hpp"
-#include "avi/integrators/tableaus.hpp"
+#include "avi/integrators/runge_kutta.hpp"
 #include "avi/optim/objective.hpp"
 
 /// @file

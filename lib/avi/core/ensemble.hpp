@@ -22,27 +22,20 @@ struct Member {
   Run run;      ///< How. Outcome::stopped after 0 steps, with the sentence, where its start was refused.
 };
 
-/// Observer of an ensemble that does nothing.
-struct NoEnsembleObserver {
-  /// Does nothing.
-  template <class State>
-  void operator()(std::size_t, const State&, long) const {}
-};
-
 /// Integrates each of `starts` with a method of its own, until `until`, on several threads. Each member is
 /// integrate() of its start, the same to the last bit on any number of threads: members share nothing. One
 /// that fails ends with its own outcome, the others go on.
 /// @param make called as make(start), returns the method for that start, such as
 ///   collocation(poincare(H, start, g), 16); where it throws std::invalid_argument, the member ends at once
-/// @param observer called as observer(i, state, k) after step k of member i (and returns what an observer of
-/// integrate() may return); calls for different members may come at the same time, those for one member come
-/// in order
 /// @param threads 0 for one thread per core
+/// @param observers each called as observer(i, state, k) after step k of member i (and returns what an
+/// observer of integrate() may return); calls for different members may come at the same time, those for one
+/// member come in order
 /// @throws std::invalid_argument for a negative number of threads and for what integrate() refuses; whatever
 ///   an observer throws.
-template <class State, class Make, class Observer = NoEnsembleObserver>
+template <class State, class Make, class... Observers>
 std::vector<Member<State>> ensemble(const Make& make, const std::vector<State>& starts, double h, Until until,
-                                    Observer&& observer = {}, int threads = 0) {
+                                    int threads = 0, Observers&&... observers) {
   require(threads >= 0, "Number of threads", threads, "at least 0");
   std::vector<Member<State>> members;
   members.reserve(starts.size());
@@ -52,7 +45,6 @@ std::vector<Member<State>> ensemble(const Make& make, const std::vector<State>& 
   std::vector<std::exception_ptr> thrown(starts.size());
   const auto follow = [&](std::size_t i) {
     Member<State>& member = members[i];
-    const auto look = [&](const State& state, long k) { return observer(i, state, k); };
     std::optional<std::decay_t<decltype(make(member.state))>> method;
     try {
       method.emplace(make(member.state));
@@ -60,7 +52,8 @@ std::vector<Member<State>> ensemble(const Make& make, const std::vector<State>& 
       member.run = {.outcome = Outcome::stopped, .message = error.what()};
       return;
     }
-    member.run = integrate(*method, member.state, h, until, look);
+    member.run = integrate(*method, member.state, h, until,
+                           [&](const State& state, long k) { return observers(i, state, k); }...);
   };
   const auto work = [&] {
     for (std::size_t i = next++; i < starts.size(); i = next++) {

@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/core/step.hpp"
 
+#include <concepts>
 #include <type_traits>
 #include <utility>
 
@@ -36,38 +37,34 @@ struct Event {
 template <class G, class... Options>
 Event(G, Options...) -> Event<G>;
 
-/// Observer of steps that calls action(state) with the state of every event; see on_event().
-template <class G, class Action>
-class OnEvent {
- public:
-  /// Of this event. @param action called with a state; returns nothing, or false to end the run
-  OnEvent(Event<G> event, Action action) : event_(std::move(event)), action_(std::move(action)) {}
-
-  /// Looks for the event in a step.
-  template <class M, class State>
-  Outcome operator()(const Step<M, State>& step, long) const {
-    if (!event_.crossed(step.before, step.after)) return Outcome::ok;
-    const Located<State> there = step.locate(event_.g, event_.tolerance);
-    if (there.report.outcome != Outcome::ok) return there.report.outcome;
-    if constexpr (std::is_same_v<std::invoke_result_t<Action&, const State&>, bool>) {
-      return action_(there.state) ? Outcome::ok : Outcome::stopped;
-    } else {
-      action_(there.state);
-      return Outcome::ok;
-    }
+namespace detail {
+/// Shows something to who may answer. @return ok unless the answer is another Outcome, or false for stopped
+template <class Observer, class... Seen>
+Outcome ask(Observer& observer, const Seen&... seen) {
+  using Answer = std::invoke_result_t<Observer&, const Seen&...>;
+  if constexpr (std::same_as<Answer, Outcome>) {
+    return observer(seen...);
+  } else if constexpr (std::same_as<Answer, bool>) {
+    return observer(seen...) ? Outcome::ok : Outcome::stopped;
+  } else {
+    observer(seen...);
+    return Outcome::ok;
   }
-
- private:
-  Event<G> event_;
-  mutable Action action_;  // may count what it sees
-};
+}
+}  // namespace detail
 
 /// Observer for integrate(): action(state) is called with the state of every event, which lies on g = 0 to
-/// round-off and is as accurate as the run; the run itself is not touched. Where action returns bool, false
-/// ends the run at the end of that step; to end it at the event itself, use integrate_to().
+/// round-off and is as accurate as the run; the run itself is not touched. The action answers as an observer
+/// of integrate() does, and may so end the run at the end of that step; to end it at the event itself, use
+/// integrate_to().
 template <class G, class Action>
-OnEvent<G, Action> on_event(Event<G> event, Action action) {
-  return {std::move(event), std::move(action)};
+auto on_event(Event<G> event, Action action) {
+  return [event = std::move(event), action = std::move(action)]<class M, class State>(
+             const Step<M, State>& step, long) mutable -> Outcome {
+    if (!event.crossed(step.before, step.after)) return Outcome::ok;
+    const Located<State> there = step.locate(event.g, event.tolerance);
+    return there.report.outcome != Outcome::ok ? there.report.outcome : detail::ask(action, there.state);
+  };
 }
 
 }  // namespace avi

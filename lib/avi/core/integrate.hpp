@@ -1,8 +1,8 @@
 #pragma once
-#include "avi/core/outcome.hpp"
+#include "avi/core/event.hpp"
 #include "avi/core/require.hpp"
-#include "avi/core/step.hpp"
 
+#include <cmath>
 #include <concepts>
 #include <limits>
 #include <sstream>
@@ -45,42 +45,14 @@ std::string describe_end(Outcome outcome, const State& state, long steps, double
   return sentence.str();
 }
 
-/// Shows a step to an observer. @return ok unless the observer says otherwise
-template <class Observer, class Seen>
-Outcome show(Observer& observer, const Seen& seen, long k) {
-  using Answer = std::invoke_result_t<Observer&, const Seen&, long>;
-  if constexpr (std::same_as<Answer, Outcome>) {
-    return observer(seen, k);
-  } else if constexpr (std::same_as<Answer, bool>) {
-    return observer(seen, k) ? Outcome::ok : Outcome::stopped;
-  } else {
-    observer(seen, k);
-    return Outcome::ok;
-  }
-}
-
 template <class Observer, class State>
 inline constexpr bool of_states = std::invocable<Observer&, const State&, long>;
 /// An observer of a method's run; one of states is not tried on a step, of which its body may ask too much.
 template <class Observer, class M, class State>
-concept ObserverOf = std::invocable<Observer&, const State&, long> || std::invocable < Observer&,
-        const Step<M, State>
-&, long > ;
+concept ObserverOf = (of_states<Observer, State>) || (std::invocable<Observer&, const Step<M, State>&, long>);
 
 /// A run without a goal ends by its `until` alone.
 struct NoGoal {};
-
-/// A copy of the method before a step; made only where the step depends on it and may have to be repeated.
-template <class M, bool needed>
-struct Before {
-  const M& now;
-  [[nodiscard]] const M& method() const { return now; }
-};
-template <class M>
-struct Before<M, true> {
-  const M kept;
-  [[nodiscard]] const M& method() const { return kept; }
-};
 
 /// The loop of integrate() and integrate_to(). Where the step crosses the goal, it is replaced by the shorter
 /// one that ends there, and the run is over.
@@ -108,26 +80,26 @@ Run run(M& method, State& state, double h, const Until& until, const Goal& goal,
   double clock = state.t;
   // Working copies, so that a short step can keep them in registers.
   State current = state;
-  const auto end = [&](Outcome outcome, double residual) {
+  const auto end = [&](Outcome outcome, double residual = 0.0) {
     state = current;
     run.outcome = outcome;
-    run.message = describe_end(outcome, state, run.steps, residual);
+    if (outcome != Outcome::ok) run.message = describe_end(outcome, state, run.steps, residual);
     return run;
   };
   while (sense * current.t < end_time && run.steps < until.steps) {
     State next = current;
-    const Before<M, looks_inside && !one_step<M>> before{method};
+    // A copy only where the step depends on more than the state and may have to be repeated.
+    const std::conditional_t<looks_inside && !one_step<M>, M, M&> before = method;
     const StepReport report = method.step(next, h);
     if (report.outcome != Outcome::ok) return end(report.outcome, report.residual);
-    if (!next.finite()) return end(Outcome::non_finite, 0.0);
+    if (!next.finite()) return end(Outcome::non_finite);
     run.evaluations += report.evaluations;
     double size = h;
     bool arrived = false;
     if constexpr (aims) {
       arrived = goal.crossed(current, next);
       if (arrived) {
-        const Located<State> there =
-            Step<M, State>{before.method(), current, next, h}.locate(goal.g, goal.tolerance);
+        const Located<State> there = Step<M, State>{before, current, next, h}.locate(goal.g, goal.tolerance);
         run.evaluations += there.evaluations;
         if (there.report.outcome != Outcome::ok) return end(there.report.outcome, there.report.residual);
         next = there.state;
@@ -139,27 +111,21 @@ Run run(M& method, State& state, double h, const Until& until, const Goal& goal,
     [[maybe_unused]] const auto look = [&](auto& observer) {
       Outcome answer;
       if constexpr (of_states<decltype(observer), State>)
-        answer = show(observer, next, run.steps);
+        answer = ask(observer, next, run.steps);
       else
-        answer = show(observer, Step<M, State>{before.method(), current, next, size}, run.steps);
+        answer = ask(observer, Step<M, State>{before, current, next, size}, run.steps);
       if (outcome == Outcome::ok) outcome = answer;
     };
     (look(observers), ...);
     current = next;
-    if (outcome != Outcome::ok) return end(outcome, 0.0);
-    if (arrived) {
-      state = current;
-      return run;
-    }
+    if (outcome != Outcome::ok || arrived) return end(outcome);
     if (run.steps % patience == 0 && timed) {
       if (!(sense * (current.t - clock) * (0x1p53 / patience) > sense * (until.time - current.t)))
-        return end(Outcome::stalled, 0.0);
+        return end(Outcome::stalled);
       clock = current.t;
     }
   }
-  if (aims || (timed && sense * current.t < end_time)) return end(Outcome::step_limit, 0.0);
-  state = current;
-  return run;
+  return end(aims || (timed && sense * current.t < end_time) ? Outcome::step_limit : Outcome::ok);
 }
 }  // namespace detail
 

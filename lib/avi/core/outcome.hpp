@@ -24,29 +24,10 @@ enum class Outcome {
 
 /// The name used in messages and data files.
 constexpr std::string_view name(Outcome outcome) {
-  switch (outcome) {
-  case Outcome::ok:
-    return "ok";
-  case Outcome::stopped:
-    return "stopped";
-  case Outcome::step_limit:
-    return "step_limit";
-  case Outcome::not_converged:
-    return "not_converged";
-  case Outcome::non_finite:
-    return "non_finite";
-  case Outcome::bad_monitor:
-    return "bad_monitor";
-  case Outcome::stalled:
-    return "stalled";
-  case Outcome::diverged:
-    return "diverged";
-  case Outcome::no_descent:
-    return "no_descent";
-  case Outcome::wrong_gradient:
-    return "wrong_gradient";
-  }
-  return "unknown";
+  constexpr std::string_view names[] = {"ok",         "stopped",       "step_limit", "not_converged",
+                                        "non_finite", "bad_monitor",   "stalled",    "diverged",
+                                        "no_descent", "wrong_gradient"};
+  return names[static_cast<int>(outcome)];
 }
 
 /// What one step tells the run loop.

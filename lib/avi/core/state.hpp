@@ -2,9 +2,9 @@
 #include "avi/core/require.hpp"
 #include "avi/core/vector.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 /// @file
 /// The point in phase space that every integrator moves.
@@ -31,11 +31,8 @@ struct State {
   }
   /// The same numbers.
   [[nodiscard]] bool operator==(const State& other) const {
-    bool equal = t == other.t && q.size() == other.q.size() && p.size() == other.p.size();
-    for (const auto& [x, y] : {std::pair{&q, &other.q}, std::pair{&p, &other.p}})
-      for (Eigen::Index i = 0; equal && i < x->size(); ++i)
-        equal = (*x)[i] == (*y)[i];
-    return equal;
+    return t == other.t && std::equal(q.begin(), q.end(), other.q.begin(), other.q.end()) &&
+           std::equal(p.begin(), p.end(), other.p.begin(), other.p.end());
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 /// @file
 /// One step that was taken, and the states inside it.
@@ -47,22 +48,15 @@ struct Step {
     Located<State> found{.state = after, .h = h};
     if (!(std::abs(last) > tolerance)) return found;
     const double sign = first < 0.0 ? 1.0 : -1.0;
-    const auto attempt = [&](M& repeated, double part) {
+    std::optional<M> repeated;
+    const auto value = [&](double part) {
+      if (!detail::one_step<M> || !repeated) repeated.emplace(method);
       found.state = before;
       found.h = part * h;
-      found.report = repeated.step(found.state, found.h);
+      found.report = repeated->step(found.state, found.h);
       found.evaluations += found.report.evaluations;
       if (found.report.outcome != Outcome::ok) return std::numeric_limits<double>::quiet_NaN();
       return sign * f(found.state);
-    };
-    M repeated = method;
-    const auto value = [&](double part) {
-      if constexpr (detail::one_step<M>) {
-        return attempt(repeated, part);
-      } else {
-        M fresh = method;
-        return attempt(fresh, part);
-      }
     };
     bracketed_root(value, 0.0, sign * first, 1.0, sign * last, tolerance);
     return found;

@@ -51,25 +51,27 @@ class Trajectory {
     const auto k = static_cast<std::size_t>(later - states_.begin());  // t in [k - 1, k]
     const std::size_t count = std::min(points, states_.size());
     const std::size_t first = std::clamp(k, count / 2, states_.size() - (count - count / 2)) - count / 2;
-    const auto time_at = [&](double tau) {
-      double time = 0.0;
-      for (std::size_t i = first; i < first + count; ++i)
-        time += weight(tau, i, first, count) * (states_[i].t - t);
-      return sense * time;
-    };
-    const double from = states_[k - 1].t - t, to = states_[k].t - t;
-    double c = from == 0.0 ? 0.0 : 1.0;
-    if (from != 0.0 && to != 0.0)
-      c = bracketed_root([&](double x) { return time_at(tau_[k - 1] + x * (tau_[k] - tau_[k - 1])); }, 0.0,
-                         sense * from, 1.0, sense * to, 0.0);
-    const double tau = tau_[k - 1] + c * (tau_[k] - tau_[k - 1]);
     State<n> z = states_[first];
-    z.q.setZero();
-    z.p.setZero();
-    for (std::size_t i = first; i < first + count; ++i) {
-      z.q += weight(tau, i, first, count) * states_[i].q;
-      z.p += weight(tau, i, first, count) * states_[i].p;
-    }
+    const auto move_to = [&](double tau) {  // leaves in z.t the time there less t
+      z.q.setZero();
+      z.p.setZero();
+      z.t = 0.0;
+      for (std::size_t i = first; i < first + count; ++i) {
+        double weight = 1.0;  // Lagrange's polynomial i
+        for (std::size_t j = first; j < first + count; ++j)
+          if (j != i) weight *= (tau - tau_[j]) / (tau_[i] - tau_[j]);
+        z.q += weight * states_[i].q;
+        z.p += weight * states_[i].p;
+        z.t += weight * (states_[i].t - t);
+      }
+      return sense * z.t;
+    };
+    const double from = sense * (states_[k - 1].t - t), to = sense * (states_[k].t - t);
+    const auto tau_at = [&](double c) { return tau_[k - 1] + c * (tau_[k] - tau_[k - 1]); };
+    if (from == 0.0 || to == 0.0)
+      move_to(tau_at(from == 0.0 ? 0.0 : 1.0));
+    else
+      move_to(tau_at(bracketed_root([&](double c) { return move_to(tau_at(c)); }, 0.0, from, 1.0, to, 0.0)));
     z.t = t;
     return z;
   }
@@ -96,15 +98,6 @@ class Trajectory {
 
  private:
   static constexpr std::size_t points = 8;
-
-  /// Lagrange's polynomial i of the states from `first` on.
-  [[nodiscard]] double weight(double tau, std::size_t i, std::size_t first, std::size_t count) const {
-    double product = 1.0;
-    for (std::size_t j = first; j < first + count; ++j)
-      if (j != i) product *= (tau - tau_[j]) / (tau_[i] - tau_[j]);
-    return product;
-  }
-
   std::vector<State<n>> states_;
   std::vector<double> tau_;  // fictive time
 };

@@ -11,22 +11,20 @@
 
 namespace avi {
 
-/// Range of the spacings that difference_jacobian() tries: powers of two from largest to smallest, in the
-/// units of the point.
+/// Spacings that difference_jacobian() tries: powers of two between these, in the units of the point.
 struct Spacings {
   double largest = 0.0625;         ///< Tried first.
   double smallest = 1.0 / 8192.0;  ///< Tried last; positive.
 };
 
-/// Jacobian of `map` (Vector<double, dynamic> -> same length) at z by central differences of order 2m = 16,
+/// Jacobian of `map` (VectorX -> same length) at z by central differences of order 2m = 16,
 /// \f$f'(x) \approx \sum_{k=1}^m w_k\, (f(x + k s) - f(x - k s)) / (2 k s)\f$ with
 /// \f$w_k = 2\,(-1)^{k+1}\, (m!)^2 / ((m - k)!\, (m + k)!)\f$ (Fornberg 1988).
 ///
 /// Every column takes, among the spacings, the one at which the formulas of order 14 and 16 agree best: there
 /// truncation and round-off balance, at a relative error of about 1e-14 for a smooth map.
 template <class Map>
-Matrix<double, dynamic> difference_jacobian(Map&& map, const Vector<double, dynamic>& z,
-                                            Spacings spacings = {}) {
+Matrix<double, dynamic> difference_jacobian(Map&& map, const VectorX& z, Spacings spacings = {}) {
   require_positive("Smallest spacing", spacings.smallest);
   require(spacings.largest >= spacings.smallest && std::isfinite(spacings.largest), "Largest spacing",
           spacings.largest, "finite and at least the smallest");
@@ -42,12 +40,12 @@ Matrix<double, dynamic> difference_jacobian(Map&& map, const Vector<double, dyna
   for (Eigen::Index j = 0; j < z.size(); ++j) {
     double best = std::numeric_limits<double>::infinity();
     for (double s = spacings.largest; s >= spacings.smallest; s *= 0.5) {
-      Vector<double, dynamic> fine = Vector<double, dynamic>::Zero(z.size()), coarse = fine;
+      VectorX fine = VectorX::Zero(z.size()), coarse = fine;
       for (int k = 1; k <= pairs; ++k) {
-        Vector<double, dynamic> ahead = z, behind = z;
+        VectorX ahead = z, behind = z;
         ahead[j] += k * s;
         behind[j] -= k * s;
-        const Vector<double, dynamic> front = map(ahead), back = map(behind);
+        const VectorX front = map(ahead), back = map(behind);
         for (Eigen::Index i = 0; i < z.size(); ++i) {
           // Divided by the distance that rounding left between the two points, not by the one meant.
           const double slope = (front[i] - back[i]) / (ahead[j] - behind[j]);
@@ -55,16 +53,11 @@ Matrix<double, dynamic> difference_jacobian(Map&& map, const Vector<double, dyna
           coarse[i] += weight(pairs - 1, k) * slope;  // zero for the last pair
         }
       }
-      double doubt = 0.0;
-      for (Eigen::Index i = 0; i < z.size(); ++i) {
-        const double here = std::abs(fine[i] - coarse[i]);
-        doubt = here <= doubt || std::isnan(doubt) ? doubt : here;
-      }
-      if (doubt < best) {
-        best = doubt;
-        for (Eigen::Index i = 0; i < z.size(); ++i)
-          jacobian(i, j) = fine[i];
-      }
+      const double doubt = largest_entry<dynamic>(fine - coarse);
+      if (!(doubt < best)) continue;
+      best = doubt;
+      for (Eigen::Index i = 0; i < z.size(); ++i)
+        jacobian(i, j) = fine[i];
     }
   }
   return jacobian;
@@ -72,11 +65,11 @@ Matrix<double, dynamic> difference_jacobian(Map&& map, const Vector<double, dyna
 
 /// \f$\|J^T \Omega J - \Omega\|_F\f$ of a map of phase space \f$R^{2m} \to R^{2m}\f$ with z = (q, p),
 /// \f$\Omega = \left(\begin{smallmatrix} 0 & I \\ -I & 0 \end{smallmatrix}\right)\f$, J by
-/// difference_jacobian(). Zero for a symplectic map; NaN when the map fails. The
-/// plain callable serves extended phase spaces, (q, t, p, p^t), as well.
+/// difference_jacobian(). Zero for a symplectic map; NaN when the map fails. The plain callable serves
+/// extended phase spaces, (q, t, p, p^t), as well.
 /// @throws std::invalid_argument when z has an odd number of entries.
 template <class Map>
-double symplecticity_defect(Map&& map, const Vector<double, dynamic>& z, Spacings spacings = {}) {
+double symplecticity_defect(Map&& map, const VectorX& z, Spacings spacings = {}) {
   require(z.size() > 0 && z.size() % 2 == 0, "Dimension of phase space", z.size(), "even and positive");
   const Eigen::Index m = z.size() / 2;
   const Matrix<double, dynamic> jacobian = difference_jacobian(map, z, spacings);
@@ -96,24 +89,22 @@ double symplecticity_defect(Map&& map, const Vector<double, dynamic>& z, Spacing
 /// a fresh copy of the method, so that nothing carried between steps (a kept gradient, a controller's state)
 /// leaks from one to the next.
 template <int n, Method<State<n>> M>
-double symplecticity_defect(const M& method, const State<n>& z, double h, Spacings spacings = {}) {
+double symplecticity_defect(const M& method, const State<n>& z, double h) {
   const Eigen::Index m = z.q.size();
-  Vector<double, dynamic> start(2 * m);
-  for (Eigen::Index i = 0; i < m; ++i)
-    start[i] = z.q[i], start[m + i] = z.p[i];
-  const auto map = [&](const Vector<double, dynamic>& point) -> Vector<double, dynamic> {
+  VectorX start(2 * m);
+  start << z.q, z.p;
+  const auto map = [&](const VectorX& point) {
     M fresh = method;
     State<n> moved = z;
-    for (Eigen::Index i = 0; i < m; ++i)
-      moved.q[i] = point[i], moved.p[i] = point[m + i];
-    if (fresh.step(moved, h).outcome != Outcome::ok)
-      return Vector<double, dynamic>::Constant(2 * m, std::numeric_limits<double>::quiet_NaN());
-    Vector<double, dynamic> image(2 * m);
-    for (Eigen::Index i = 0; i < m; ++i)
-      image[i] = moved.q[i], image[m + i] = moved.p[i];
+    for (Eigen::Index i = 0; i < m; ++i) {
+      moved.q[i] = point[i];
+      moved.p[i] = point[m + i];
+    }
+    VectorX image = VectorX::Constant(2 * m, std::numeric_limits<double>::quiet_NaN());
+    if (fresh.step(moved, h).outcome == Outcome::ok) image << moved.q, moved.p;
     return image;
   };
-  return symplecticity_defect(map, start, spacings);
+  return symplecticity_defect(map, start);
 }
 
 }  // namespace avi

@@ -1,13 +1,18 @@
 #pragma once
 #include "avi/core/inverse.hpp"
-#include "avi/htvi/action_remainder.hpp"
-#include "avi/htvi/construction.hpp"
+#include "avi/htvi/action.hpp"
 #include "avi/htvi/taylor_expansion.hpp"
 
 /// @file
 /// The discrete Hamilton's equations of a generating function, at one Taylor expansion.
 
 namespace avi {
+
+/// Which generating function a step comes from.
+enum class Generating {
+  type2,  ///< H_d^+(q_0, p_1), the discrete right Hamiltonian.
+  type3   ///< H_d^-(q_1, p_0), the discrete left Hamiltonian.
+};
 
 /// What a step adds to the state.
 template <int n>
@@ -99,19 +104,11 @@ class DiscreteEquations {
     }
   }
 
-  /// The step at u + shift, where what is wanted there differs from what is wanted at u by `more`.
-  [[nodiscard]] StepChange<n> shifted(const Vec& residual, const Vec& shift,
-                                      const Vector<double, 2 * n + 1>& more) const {
-    StepChange<n> moved = shifted(residual, shift);
-    for (int j = 0; j < n; ++j)
-      (right ? moved.q : moved.p)[j] += more[n + j];
-    moved.t += more[2 * n];
-    return moved;
-  }
-
   /// The step at u + shift, by the derivative of the curve: the true one differs from it by O(h^(r+1)) of the
-  /// shift.
-  [[nodiscard]] StepChange<n> shifted(const Vec& residual, const Vec& shift) const {
+  /// shift. @param more difference of what is wanted there from what is wanted at u, where that is known
+  [[nodiscard]] StepChange<n>
+  shifted(const Vec& residual, const Vec& shift,
+          const Vector<double, 2 * n + 1>& more = Vector<double, 2 * n + 1>::Zero()) const {
     StepChange<n> moved = change;
     Vec& same = right ? moved.p : moved.q;
     Vec& conjugate = right ? moved.q : moved.p;
@@ -129,6 +126,9 @@ class DiscreteEquations {
       }
       moved.t += d_.t.partial(at_u + j) * shift[j];
     }
+    for (int j = 0; j < n; ++j)
+      conjugate[j] += more[n + j];
+    moved.t += more[2 * n];
     return moved;
   }
 

@@ -2,8 +2,6 @@
 #include "avi/core/outcome.hpp"
 #include "avi/htvi/discrete_equations.hpp"
 #include "avi/htvi/implicit_solver.hpp"
-#include "avi/htvi/printed_action.hpp"
-#include "avi/htvi/stationary_action.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,19 +67,14 @@ class Htvi {
     Vector<double, n> shift;
     Vector<double, 2 * n + 1> wanted = Vector<double, 2 * n + 1>::Zero();  // before that shift
     for (int k = 1; k <= solver_.max_iterations; ++k) {
-      Vector<double, n> unknown;
-      for (int i = 0; i < n; ++i) {
-        unknown[i] = start[i] + correction[i];
-        correction[i] = unknown[i] - start[i];  // the correction after rounding
-      }
+      const Vector<double, n> unknown = start + correction;
+      correction = unknown - start;  // after rounding
       const Increments increments =
           right ? expansion_.expand(z.q, unknown, h) : expansion_.expand(unknown, z.p, h);
       const DiscreteEquations<type, Expansion> equations(expansion_, increments,
                                                          action_.remainder(expansion_, increments, h));
       ++report.evaluations;
-      Vector<double, n> residual;
-      for (int i = 0; i < n; ++i)
-        residual[i] = equations.wanted[i] - correction[i];
+      const Vector<double, n> residual = equations.wanted.template head<n>() - correction;
       report.residual = largest_entry(residual);
       if (!std::isfinite(report.residual))
         report.outcome = Outcome::non_finite;
@@ -117,13 +110,6 @@ class Htvi {
     return report;
   }
 
-  /// Refuses a state of another dimension.
-  template <int m>
-  StepReport step(State<m>&, double) {
-    static_assert(m == n, "The state is of another dimension than the method's problem.");
-    return {};
-  }
-
   [[nodiscard]] const Problem& problem() const { return expansion_.problem(); }  ///< What is integrated.
 
   /// Trial curve of the last step at the fraction c in [0, 1] of it, from its expansion point.
@@ -136,13 +122,8 @@ class Htvi {
                                                                          : Field::on_level;
   using Expansion = TaylorExpansion<Problem, r, field>;
   using Increments = typename Expansion::Increments;
-  static auto action_type() {
-    if constexpr (construction == Construction::stationary)
-      return std::type_identity<StationaryAction<Expansion>>();
-    else
-      return std::type_identity<PrintedAction<Expansion, construction>>();
-  }
-  using Action = typename decltype(action_type())::type;
+  using Action = std::conditional_t<construction == Construction::stationary, StationaryAction<Expansion>,
+                                    PrintedAction<Expansion, construction>>;
 
   Expansion expansion_;
   Action action_;

@@ -1,7 +1,7 @@
 #pragma once
 #include "avi/core/inverse.hpp"
-#include "avi/core/vector.hpp"
 
+#include <algorithm>
 #include <utility>
 
 /// @file
@@ -24,18 +24,12 @@ class Predictor {
  public:
   /// Whether the last step had this size and led to this point.
   [[nodiscard]] bool goes_on(double h, const Vector<double, n>& start) const {
-    bool here = h == last_h_;
-    for (int i = 0; i < n; ++i)
-      here = here && start[i] == end_[i];
-    return here;
+    return h == last_h_ && std::equal(start.begin(), start.end(), end_.begin());
   }
   /// The guess for a step h from `start`: zero unless the last two steps had this size and led to this point.
   [[nodiscard]] Vector<double, n> guess(double h, const Vector<double, n>& start) const {
-    const bool line = goes_on(h, start) && h == last_but_one_h_;
-    Vector<double, n> next;
-    for (int i = 0; i < n; ++i)
-      next[i] = line ? 2.0 * last_[i] - last_but_one_[i] : 0.0;
-    return next;
+    if (!goes_on(h, start) || h != last_but_one_h_) return Vector<double, n>::Zero();
+    return 2.0 * last_ - last_but_one_;
   }
   /// Stores the value that a step h found, and the point where the step ended.
   void remember(const Vector<double, n>& value, double h, const Vector<double, n>& end) {

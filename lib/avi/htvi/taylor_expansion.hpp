@@ -57,7 +57,6 @@ class TaylorExpansion {
   [[nodiscard]] const Problem& problem() const { return problem_; }    ///< What is expanded.
   [[nodiscard]] const std::array<Series, n>& q() const { return q_; }  ///< Coefficients 0 to r + 1.
   [[nodiscard]] const std::array<Series, n>& p() const { return p_; }  ///< Coefficients 0 to r.
-  [[nodiscard]] const Series& t() const { return t_; }                 ///< Coefficients 1 to r + 1.
 
   /// p^t as a variable, or as a constant where the field does not contain it.
   [[nodiscard]] Lane energy_momentum() const {

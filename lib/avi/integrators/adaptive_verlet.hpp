@@ -40,7 +40,7 @@ class AdaptiveVerlet {
   /// A density that is not positive ends the step as Outcome::diverged: h is too large for this monitor.
   StepReport step(State<n>& z, double h) {
     double rho = rho_;
-    if (z.t != after_.t || z.q != after_.q || z.p != after_.p) {
+    if (!(z == after_)) {
       rho = 1.0 / monitor_(z.q, z.p);
       if (!(rho > 0.0)) return {.outcome = Outcome::bad_monitor};
       force_ = problem_.potential_gradient(z.q);

@@ -1,6 +1,6 @@
 #pragma once
 #include "avi/core/integrate.hpp"
-#include "avi/integrators/split_coefficients.hpp"
+#include "avi/integrators/coefficient_lists.hpp"
 
 #include <algorithm>
 #include <utility>

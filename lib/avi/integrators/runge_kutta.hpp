@@ -1,28 +1,77 @@
 #pragma once
 #include "avi/core/dot.hpp"
+#include "avi/core/require.hpp"
 
+#include <algorithm>
 #include <array>
-#include <concepts>
+#include <cmath>
 
 /// @file
-/// One explicit Runge-Kutta step of any tableau, for an autonomous system z' = F(z).
+/// One explicit Runge-Kutta step of any tableau, for an autonomous system z' = F(z), and step-size control
+/// for embedded pairs (Hairer, Norsett and Wanner 1993, Section II.4).
 
 namespace avi {
 
-/// A tableau of integrators/tableaus.hpp.
+/// @name Tableaus
+/// \f$k_i = F(z_0 + h \sum_{j<i} a_{ij} k_j)\f$, \f$z_1 = z_0 + h \sum_i b_i k_i\f$ with \f$i = 1, \ldots,
+/// s\f$; the nodes are \f$c_i = \sum_j a_{ij}\f$. For a pair, `embedded` are the weights of the solution of
+/// the other order.
+/// @{
+
+/// The classical method of order 4 (Kutta 1901).
+struct ClassicalRungeKutta {
+  static constexpr int stages = 4;  ///< s.
+  static constexpr int order = 4;   ///< With the weights b.
+  /// a_ij, by rows.
+  static constexpr std::array<std::array<double, 4>, 4> a{{{}, {0.5}, {0.0, 0.5}, {0.0, 0.0, 1.0}}};
+  static constexpr std::array<double, 4> b{1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};  ///< b_i.
+};
+
+/// Bogacki and Shampine's pair 3(2) (1989), which MATLAB's ode23 uses; the last stage is the next first.
+struct BogackiShampine {
+  static constexpr int stages = 4;          ///< s.
+  static constexpr int order = 3;           ///< With the weights b.
+  static constexpr int embedded_order = 2;  ///< With the embedded weights.
+  /// a_ij, by rows.
+  static constexpr std::array<std::array<double, 4>, 4> a{
+      {{}, {1.0 / 2.0}, {0.0, 3.0 / 4.0}, {2.0 / 9.0, 1.0 / 3.0, 4.0 / 9.0}}};
+  static constexpr std::array<double, 4> b{2.0 / 9.0, 1.0 / 3.0, 4.0 / 9.0, 0.0};  ///< b_i.
+  /// The weights of the other order.
+  static constexpr std::array<double, 4> embedded{7.0 / 24.0, 1.0 / 4.0, 1.0 / 3.0, 1.0 / 8.0};
+};
+
+/// Dormand and Prince's pair 5(4) (1980), which MATLAB's ode45 uses; the last stage is the next first.
+struct DormandPrince {
+  static constexpr int stages = 7;          ///< s.
+  static constexpr int order = 5;           ///< With the weights b.
+  static constexpr int embedded_order = 4;  ///< With the embedded weights.
+  /// a_ij, by rows.
+  static constexpr std::array<std::array<double, 7>, 7> a{
+      {{},
+       {1.0 / 5.0},
+       {3.0 / 40.0, 9.0 / 40.0},
+       {44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0},
+       {19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0},
+       {9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0},
+       {35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0}}};
+  static constexpr std::array<double, 7> b = a[6];  ///< b_i.
+  /// The weights of the other order.
+  static constexpr std::array<double, 7> embedded{
+      5179.0 / 57600.0, 0.0,       7571.0 / 16695.0, 393.0 / 640.0, -92097.0 / 339200.0,
+      187.0 / 2100.0,   1.0 / 40.0};
+};
+/// @}
+
+/// One of the tableaus above.
 template <class T>
 concept Tableau = requires {
-  { T::stages } -> std::convertible_to<int>;
-  { T::order } -> std::convertible_to<int>;
-  T::a;
-  T::b;
+  T::stages, T::order, T::a, T::b;
 };
 
 /// A tableau with the weights of an embedded solution of another order.
 template <class T>
 concept EmbeddedTableau = Tableau<T> && requires {
-  { T::embedded_order } -> std::convertible_to<int>;
-  T::embedded;
+  T::embedded_order, T::embedded;
 };
 
 /// The stages k_1 ... k_s of one step and the point they lead to, in memory made once.
@@ -55,5 +104,59 @@ class RungeKuttaStages {
       if (weights[j] != 0.0) end += (h * weights[j]) * k[j];
   }
 };
+
+/// Tolerances of a step, and limits on the ratio of successive steps.
+struct StepControl {
+  double rtol = 1e-3;    ///< Relative tolerance, positive.
+  double atol = 1e-6;    ///< Absolute tolerance, positive.
+  double safety = 0.9;   ///< In (0, 1).
+  double shrink = 0.2;   ///< Least factor from step to step, in (0, 1).
+  double grow = 5.0;     ///< Largest factor, above 1.
+  int rejections = 100;  ///< Cap on rejected trials of one step, at least 1.
+
+  /// Checks the ranges. @throws std::invalid_argument for a value out of range.
+  void validate() const {
+    require_positive("Relative tolerance", rtol);
+    require_positive("Absolute tolerance", atol);
+    require(safety > 0.0 && safety < 1.0, "Safety factor", safety, "in (0, 1)");
+    require(shrink > 0.0 && shrink < 1.0, "Least step factor", shrink, "in (0, 1)");
+    require(std::isfinite(grow) && grow > 1.0, "Largest step factor", grow, "finite and above 1");
+    require(rejections >= 1, "Cap on rejected steps", rejections, "at least 1");
+  }
+};
+
+/// Takes one accepted step from z, where stages.k[0] = F(z), beginning with a trial of size h, and leaves in
+/// h the size to try next. stages.end is the new point. A step is accepted where the root mean square over
+/// the components of (step of T - step of the embedded method) / (atol + rtol |z|), |z| the larger of the
+/// magnitudes at both ends, is at most 1. @return the size of the step taken, 0 when the cap on rejections
+/// was met
+template <EmbeddedTableau T, class Field>
+double controlled_step(RungeKuttaStages<T>& stages, Field&& field, const VectorX& z, double& h,
+                       const StepControl& control) {
+  constexpr double exponent = 1.0 / (1.0 + std::min(T::order, T::embedded_order));
+  for (int trial = 0; trial <= control.rejections; ++trial) {
+    stages.advance(field, z, h);
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < z.size(); ++i) {
+      double difference = 0.0;
+      for (std::size_t j = 0; j < static_cast<std::size_t>(T::stages); ++j)
+        difference += (T::b[j] - T::embedded[j]) * stages.k[j][i];
+      const double scale = control.atol + control.rtol * std::max(std::abs(z[i]), std::abs(stages.end[i]));
+      sum += (h * difference / scale) * (h * difference / scale);
+    }
+    const double error = std::sqrt(sum / static_cast<double>(z.size()));
+    double factor = std::isnan(error) ? control.shrink : control.grow;
+    if (error > 0.0)
+      factor = std::clamp(control.safety * std::pow(error, -exponent), control.shrink, control.grow);
+    if (error <= 1.0) {
+      // No growth right after a rejection: the estimate there is at its least reliable.
+      const double taken = h;
+      h *= trial > 0 ? std::min(factor, 1.0) : factor;
+      return taken;
+    }
+    h *= std::min(factor, 0.9);
+  }
+  return 0.0;
+}
 
 }  // namespace avi

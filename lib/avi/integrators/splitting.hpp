@@ -3,7 +3,7 @@
 #include "avi/core/require.hpp"
 #include "avi/core/state.hpp"
 #include "avi/core/summation.hpp"
-#include "avi/integrators/split_coefficients.hpp"
+#include "avi/integrators/coefficient_lists.hpp"
 
 #include <limits>
 #include <utility>
@@ -84,7 +84,7 @@ class Splitting {
     State<n> moved = z;
     // A state changed from outside has no kept rounding error.
     if constexpr (compensated)
-      if (moved.t != after_.t || moved.q != after_.q || moved.p != after_.p) forget(moved);
+      if (!(moved == after_)) forget(moved);
     State<n> low = low_;
     for (std::size_t i = 0; i < b_.size(); ++i) {
       drift(moved, low, a_[i] * h);
@@ -111,9 +111,8 @@ class Splitting {
   }
 
   void forget(const State<n>& z) {
-    low_ = z;
-    low_.q -= z.q;
-    low_.p -= z.p;
+    low_.q.setZero(z.q.size());
+    low_.p.setZero(z.p.size());
     low_.t = 0.0;
   }
 

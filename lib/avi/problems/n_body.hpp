@@ -145,17 +145,12 @@ class NBody {
 struct FigureEight {
   static constexpr double period = 6.32591398;  ///< To nine digits, as printed.
 
-  /// The problem; `bodies` is 3 or avi::dynamic.
-  template <int bodies = 3>
-  static NBody<bodies> problem() {
-    static_assert(bodies == 3 || bodies == dynamic, "The figure-eight orbit has three bodies.");
-    return NBody<bodies>(NBody<bodies>::Masses::Ones(3));
-  }
+  /// The problem.
+  static NBody<3> problem() { return NBody<3>(NBody<3>::Masses::Ones()); }
 
   /// Two bodies at (+-0.97000436, -+0.24308753), the third between them at the origin.
-  template <int n = 6>
-  static State<n> start() {
-    State<n> z{.q = Vector<double, n>(6), .p = Vector<double, n>(6)};
+  static State<6> start() {
+    State<6> z;
     const double vx = 0.93240737, vy = 0.86473146;
     z.q << 0.97000436, -0.24308753, -0.97000436, 0.24308753, 0.0, 0.0;
     z.p << 0.5 * vx, 0.5 * vy, 0.5 * vx, 0.5 * vy, -vx, -vy;

@@ -13,20 +13,17 @@ namespace avi {
 struct OuterSolarSystem {
   static constexpr double gravity = 2.95912208286e-4;  ///< G, with the mass of the Sun as unit.
 
-  /// The problem; `bodies` is 6 or avi::dynamic.
-  template <int bodies = 6>
-  static NBody<bodies, 3> problem() {
-    static_assert(bodies == 6 || bodies == dynamic, "The outer Solar System has six bodies.");
-    typename NBody<bodies, 3>::Masses masses(6);
+  /// The problem.
+  static NBody<6, 3> problem() {
+    NBody<6, 3>::Masses masses;
     masses << 1.00000597682, 0.000954786104043, 0.000285583733151, 0.0000437273164546, 0.0000517759138449,
         1.0 / 1.3e8;
-    return NBody<bodies, 3>(gravity * masses);
+    return NBody<6, 3>(gravity * masses);
   }
 
   /// Positions and momenta on that day.
-  template <int n = 18>
-  static State<n> start() {
-    State<n> z{.q = Vector<double, n>(18), .p = Vector<double, n>(18)};
+  static State<18> start() {
+    State<18> z;
     z.q << 0.0, 0.0, 0.0,                      //
         -3.5023653, -3.8169847, -1.5507963,    //
         9.0755314, -3.0458353, -1.6483708,     //

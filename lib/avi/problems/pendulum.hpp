@@ -33,10 +33,7 @@ struct Pendulum : UnitMass<Pendulum, 1> {
   /// @throws std::invalid_argument unless 0 <= amplitude < pi.
   static State<1> start(double amplitude) {
     require(amplitude >= 0.0 && amplitude < M_PI, "Amplitude", amplitude, "in [0, pi)");
-    State<1> z;
-    z.q[0] = amplitude;
-    z.p[0] = 0.0;
-    return z;
+    return {.q = Vector<double, 1>(amplitude), .p = Vector<double, 1>(0.0)};
   }
 
   /// Period 4 K(sin(amplitude / 2)) of the swing, K the complete elliptic integral of the first kind.

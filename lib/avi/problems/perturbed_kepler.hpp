@@ -9,9 +9,9 @@
 
 namespace avi {
 
-/// \f$H(q, p) = \tfrac12 |p|^2 - 1/|q| - \varepsilon/(2 |q|^3)\f$: monopole and quadrupole in the plane of
-/// the equator (\f$\varepsilon = J_2 R^2\f$ in units of the orbit). It conserves energy and angular
-/// momentum; the ellipse turns.
+/// \f$H(q, p) = \tfrac12 |p|^2 - 1/|q| - \varepsilon/(2 |q|^3)\f$: Kepler's problem about an oblate body,
+/// monopole and quadrupole in the plane of its equator (\f$\varepsilon = J_2 R^2\f$ in units of the orbit).
+/// It conserves energy and angular momentum; the ellipse turns. Starts are Kepler's.
 class PerturbedKepler : public UnitMass<PerturbedKepler, 2> {
  public:
   /// With this quadrupole. @throws std::invalid_argument unless epsilon is finite and >= 0.
@@ -44,10 +44,6 @@ class PerturbedKepler : public UnitMass<PerturbedKepler, 2> {
     const S u = -s * (square + 1.5 * epsilon_) / (square * (square + 0.5 * epsilon_));
     return {q[0] * u, q[1] * u};
   }
-
-  /// The pericentre of the unperturbed ellipse of eccentricity e and semi-major axis 1.
-  /// @throws std::invalid_argument unless 0 <= e < 1.
-  static State<2> pericentre(double e) { return Kepler::pericentre(e); }
 
  private:
   double epsilon_;

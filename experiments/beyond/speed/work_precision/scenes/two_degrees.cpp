@@ -55,7 +55,7 @@ Scene kepler(double eccentricity, double horizon, const std::string& horizon_nam
 }
 
 Scene perturbed_kepler(double eccentricity, double horizon, const std::string& horizon_name) {
-  const Arena arena(avi::PerturbedKepler(1e-3), horizon, avi::PerturbedKepler::pericentre(eccentricity));
+  const Arena arena(avi::PerturbedKepler(1e-3), horizon, avi::Kepler::pericentre(eccentricity));
   Scene scene{"perturbed_kepler", eccentricity, horizon, horizon_name};
   set_extended_reference(scene, arena, true, 0.1L);
   add_kepler_methods(scene, arena);
