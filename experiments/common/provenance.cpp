@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstring>
 #include <ctime>
 #include <fstream>
 
@@ -15,15 +16,12 @@ std::string commit() {
   // Asked at run time: compiled in, a new commit would relink and so re-run every experiment.
   const std::string command =
       "git -C '" AVI_SOURCE_DIR "' describe --always --dirty --exclude='*' 2>/dev/null";
-  std::string text;
+  std::array<char, 128> line{};
   if (FILE* pipe = ::popen(command.c_str(), "r")) {
-    std::array<char, 128> buffer{};
-    while (std::fgets(buffer.data(), buffer.size(), pipe))
-      text += buffer.data();
+    if (!std::fgets(line.data(), line.size(), pipe)) line[0] = '\0';
     ::pclose(pipe);
   }
-  while (!text.empty() && text.back() == '\n')
-    text.pop_back();
+  const std::string text(line.data(), std::strcspn(line.data(), "\n"));
   return text.empty() ? "unknown" : text;
 }
 

@@ -89,20 +89,14 @@ class ExtendedRun {
     pt_ = -problem_(now_.q, now_.p);
   }
 
-  /// Goes on as long as it stays before `horizon`; seen(q, p) looks at every step.
-  template <class Seen>
-  void run_to(double horizon, Seen seen) {
+  /// Goes on as long as it stays before `horizon`.
+  void run_to(double horizon) {
     for (long k = 0; k < 100'000'000; ++k) {
       Point next = now_;
       step(next, h_);
       if (next.t > horizon) return;
       now_ = next;
-      seen(now_.q, now_.p);
     }
-  }
-  /// Goes on as long as it stays before `horizon`.
-  void run_to(double horizon) {
-    run_to(horizon, [](const Vec&, const Vec&) {});
   }
 
   /// Position at a time after the last step; run_to() has come close.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 /// @file
 /// Type II HTVI for one degree of freedom and polynomial H and g, written out from its equations without the
@@ -92,22 +93,18 @@ struct Curve {
   }
 };
 
-/// Gauss's rule with up to four nodes on [0, 1].
-struct Rule {
-  int nodes;
-  std::array<double, 4> c, b;
-};
+/// Nodes and weights of Gauss's rule with two to four nodes on [0, 1].
+using Rule = std::vector<std::pair<double, double>>;
 inline Rule gauss(int nodes) {
-  if (nodes == 2) return {2, {0.5 - std::sqrt(3.0) / 6.0, 0.5 + std::sqrt(3.0) / 6.0}, {0.5, 0.5}};
+  if (nodes == 2) return {{0.5 - std::sqrt(3.0) / 6.0, 0.5}, {0.5 + std::sqrt(3.0) / 6.0, 0.5}};
   if (nodes == 3)
-    return {3,
-            {0.5 - std::sqrt(15.0) / 10.0, 0.5, 0.5 + std::sqrt(15.0) / 10.0},
-            {5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0}};
-  const double near = std::sqrt(3.0 / 7.0 - 2.0 / 7.0 * std::sqrt(1.2)),
-               far = std::sqrt(3.0 / 7.0 + 2.0 / 7.0 * std::sqrt(1.2));
+    return {{0.5 - std::sqrt(15.0) / 10.0, 5.0 / 18.0},
+            {0.5, 4.0 / 9.0},
+            {0.5 + std::sqrt(15.0) / 10.0, 5.0 / 18.0}};
+  const double near = 0.5 * std::sqrt(3.0 / 7.0 - 2.0 / 7.0 * std::sqrt(1.2)),
+               far = 0.5 * std::sqrt(3.0 / 7.0 + 2.0 / 7.0 * std::sqrt(1.2));
   const double big = (18.0 + std::sqrt(30.0)) / 72.0, small = (18.0 - std::sqrt(30.0)) / 72.0;
-  return {
-      4, {0.5 - 0.5 * far, 0.5 - 0.5 * near, 0.5 + 0.5 * near, 0.5 + 0.5 * far}, {small, big, big, small}};
+  return {{0.5 - far, small}, {0.5 - near, big}, {0.5 + near, big}, {0.5 + far, small}};
 }
 
 /// q, t, p, p^t.
@@ -127,14 +124,13 @@ inline Point type2_step(const Point& z, double h, int r, const Rule& rule, bool 
     const Curve<Dual> x(Dual(q0, unit(0)), Dual(u, unit(1)), energy, c, r + 1);
     const Dual p1 = x.p.at(h, r), q1 = x.q.at(h, r + 1), t1 = x.t.at(h, r + 1);
     Dual k = p1 * q1 + energy * t1;  // H_d^+ less p^t t_0
-    for (int i = 0; i < rule.nodes; ++i) {
-      const auto n = static_cast<std::size_t>(i);
-      const double tau = rule.c[n] * h;
+    for (const auto& [node, weight] : rule) {
+      const double tau = node * h;
       const Dual q = x.q.at(tau, degree), p = x.p.at(tau, r);
       const Dual velocity = stationary ? x.q.slope_at(tau, degree) : field.by_p(q, p, energy);
       const Dual clock = stationary ? x.t.slope_at(tau, degree) : field.g(q, p);
-      k = k + Dual(-h * rule.b[n]) *
-                  (p * velocity + energy * clock + Dual(-1.0) * field.transformed(q, p, energy));
+      k = k +
+          Dual(-h * weight) * (p * velocity + energy * clock + Dual(-1.0) * field.transformed(q, p, energy));
     }
     const double q_end = k.d[1] / p1.d[1];
     const double residual = p0 - (k.d[0] - p1.d[0] * q_end);

@@ -9,7 +9,7 @@
 namespace scorecard {
 namespace {
 
-constexpr const char* for_good = "iterations until the stopping test holds for good.";
+constexpr const char* until_it_holds = "iterations until the stopping test holds for good.";
 
 /// A converged row of an iteration table.
 struct Run {
@@ -29,37 +29,28 @@ struct Run {
   [[nodiscard]] double mean_step() const { return (t_end() - 1.0) / iterations; }
 };
 
-Run run_of(const Row& row) {
-  return {row.text("method"),
-          row.text("approach") == "adaptive",
-          row.number("p"),
-          row.number("p_ring"),
-          row.number("h"),
-          row.number("iterations"),
-          row.number("gradient_evaluations")};
-}
-
-std::vector<Run> runs(const Results& data, const char* stem) {
-  std::vector<Run> found;
-  for (const Row& row : data.rows(stem, {{"converged", "1"}}))
-    found.push_back(run_of(row));
-  return found;
-}
-
-/// The same with iterations and gradients until the stopping test holds for good; runs that were not followed
-/// so far are left out.
-std::vector<Run> sustained_runs(const Results& data, const char* stem) {
+/// The converged rows of a table; where `for_good`, with iterations and gradients until the stopping test
+/// holds for good, without those runs that were not followed so far.
+std::vector<Run> runs(const Results& data, const char* stem, bool for_good) {
   std::vector<Run> found;
   for (const Row& row : data.rows(stem, {{"converged", "1"}})) {
-    const auto followed = data.rows("sustained_convergence", {{"method", row.text("method")},
-                                                              {"p", row.text("p")},
-                                                              {"p_ring", row.text("p_ring")},
-                                                              {"h", row.text("h")},
-                                                              {"confirmed", "1"}});
-    if (followed.empty()) continue;
-    Run run = run_of(row);
-    run.gradients = std::round(run.gradients / run.iterations) * followed[0].number("sustained");
-    run.iterations = followed[0].number("sustained");
+    Run run{row.text("method"),
+            row.text("approach") == "adaptive",
+            row.number("p"),
+            row.number("p_ring"),
+            row.number("h"),
+            row.number("iterations"),
+            row.number("gradient_evaluations")};
+    if (for_good) {
+      const auto followed = data.rows("sustained_convergence", {{"method", row.text("method")},
+                                                                {"p", row.text("p")},
+                                                                {"p_ring", row.text("p_ring")},
+                                                                {"h", row.text("h")},
+                                                                {"confirmed", "1"}});
+      if (followed.empty()) continue;
+      run.gradients = std::round(run.gradients / run.iterations) * followed[0].number("sustained");
+      run.iterations = followed[0].number("sustained");
+    }
     found.push_back(run);
   }
   return found;
@@ -77,17 +68,17 @@ std::vector<std::pair<Run, Run>> pairs(const std::vector<Run>& runs) {
 Finding adaptive_beats_direct(const Results& data) {
   Cases cases;
   std::vector<double> seen;
-  for (const auto& [direct, adaptive] : pairs(sustained_runs(data, "direct_vs_adaptive"))) {
+  for (const auto& [direct, adaptive] : pairs(runs(data, "direct_vs_adaptive", true))) {
     seen.push_back(direct.iterations / adaptive.iterations);
     cases.add(seen.back() > 2.0);
   }
-  return finding(in_cases(cases), "{:.1f} times fewer {}", fmt::join(seen, ", "), for_good);
+  return finding(in_cases(cases), "{:.1f} times fewer {}", fmt::join(seen, ", "), until_it_holds);
 }
 
 Finding adaptive_steps_outgrow(const Results& data) {
   Cases cases;
   std::vector<double> seen;
-  for (const auto& [direct, adaptive] : pairs(runs(data, "direct_vs_adaptive"))) {
+  for (const auto& [direct, adaptive] : pairs(runs(data, "direct_vs_adaptive", false))) {
     seen.push_back(adaptive.last_step() / direct.last_step());
     cases.add(seen.back() > 1.0);
   }
@@ -99,20 +90,20 @@ Finding same_order_of_magnitude(const Results& data) {
   std::vector<std::string> seen;
   for (const bool adaptive : {false, true}) {
     Cases iterations;
-    for (const Run& run : sustained_runs(data, "method_comparison"))
+    for (const Run& run : runs(data, "method_comparison", true))
       if (run.adaptive == adaptive) iterations.add(true, run.iterations);
     if (iterations.all == 0) continue;
     cases.add(iterations.most < 10.0 * iterations.least);
     seen.push_back(fmt::format("{} {:.0f} to {:.0f}", adaptive ? "Adaptive" : "Direct", iterations.least,
                                iterations.most));
   }
-  return finding(in_cases(cases), "{} {}", fmt::join(seen, ", "), for_good);
+  return finding(in_cases(cases), "{} {}", fmt::join(seen, ", "), until_it_holds);
 }
 
 /// The gradient that only the stopping test needs is counted, as it is for the others, whose next step uses
 /// it.
 Finding cloning_is_behind(const Results& data) {
-  const auto all = sustained_runs(data, "method_comparison");
+  const auto all = runs(data, "method_comparison", true);
   Cases cases;
   for (const Run& clone : all) {
     if (!clone.clones()) continue;
@@ -134,7 +125,7 @@ Finding cloning_needs(const Results& data) {
       {"clone_strang", 3.0}, {"clone_y4", 7.0}, {"clone_y6", 19.0}};
   Cases cases;
   std::map<std::string, double> useful;
-  for (const Run& run : runs(data, "method_comparison")) {
+  for (const Run& run : runs(data, "method_comparison", false)) {
     if (!run.clones()) continue;
     useful[run.method] = std::round(run.gradients / run.iterations) - 1.0;  // one is the stopping test's
     cases.add(true);
@@ -149,7 +140,7 @@ Finding cloning_needs(const Results& data) {
 /// Runs along a sweep of p at p_ring = 1, or of falling p_ring at p = 4.
 std::vector<Run> sweep(const Results& data, bool of_p) {
   std::vector<Run> found;
-  for (const Run& run : sustained_runs(data, "p_dependence"))
+  for (const Run& run : runs(data, "p_dependence", true))
     if (of_p ? run.p_ring == 1.0 : run.p == 4.0) found.push_back(run);
   if (found.empty()) throw std::out_of_range("The data hold no run of this sweep.");
   std::ranges::sort(found, {}, [of_p](const Run& run) { return of_p ? run.p : -run.p_ring; });
