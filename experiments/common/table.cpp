@@ -127,23 +127,20 @@ Table Table::parse(std::istream& in, const std::string& name) {
     ++number;
     if (in.eof()) refuse("does not end; the file is cut off");
     if (line.starts_with("# ") && table.columns.empty()) {
-      const auto colon = line.find(": ");
-      if (colon == std::string::npos) continue;
-      table.head.emplace_back(line.substr(2, colon - 2), line.substr(colon + 2));
+      if (const auto colon = line.find(": "); colon != std::string::npos)
+        table.head.emplace_back(line.substr(2, colon - 2), line.substr(colon + 2));
     } else if (!line.empty() && line.front() != '#') {
       std::vector<std::string> cells = split(line);
-      if (!table.columns.empty() && cells.size() != table.columns.size())
-        refuse("has " + std::to_string(cells.size()) + " cells; it must have " +
-               std::to_string(table.columns.size()) + ", one for each column");
-      if (!table.columns.empty()) {
-        table.rows.push_back(std::move(cells));
+      if (table.columns.empty()) {
+        for (auto cell = cells.begin(); cell != cells.end(); ++cell)
+          if (std::find(cells.begin(), cell, *cell) != cell) refuse("names two columns '" + *cell + "'");
+        table.columns = std::move(cells);
         continue;
       }
-      std::vector<std::string> sorted = cells;
-      std::sort(sorted.begin(), sorted.end());
-      if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-        refuse("names two columns '" + *std::adjacent_find(sorted.begin(), sorted.end()) + "'");
-      table.columns = std::move(cells);
+      if (cells.size() != table.columns.size())
+        refuse("has " + std::to_string(cells.size()) + " cells; it must have " +
+               std::to_string(table.columns.size()) + ", one for each column");
+      table.rows.push_back(std::move(cells));
     }
   }
   if (table.columns.empty() && !in.bad()) {

@@ -1,6 +1,6 @@
 #include "common/frame.hpp"
 #include "scorecard/claims/claims.hpp"
-#include "scorecard/numbers/sheets.hpp"
+#include "scorecard/numbers/sheet.hpp"
 #include "scorecard/shares.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "scorecard/numbers/printed.hpp"
-#include "scorecard/numbers/sheets.hpp"
+#include "scorecard/numbers/sheet.hpp"
 
 #include <fmt/format.h>
 
