@@ -96,19 +96,11 @@ class Jet : Scalar<Jet<T, R>> {
   }
   friend Jet exp(const Jet& a) { return a.function(Op::exp, std::exp); }
   friend Jet log(const Jet& a) { return a.is_constant() ? Jet(std::log(a.constant)) : a.with(Op::log, a); }
-  friend Jet sin(const Jet& a) {
-    return a.is_constant() ? std::sin(a.constant) : a.pair(Op::sin, Op::cos).first;
-  }
-  friend Jet cos(const Jet& a) {
-    return a.is_constant() ? std::cos(a.constant) : a.pair(Op::sin, Op::cos).second;
-  }
+  friend Jet sin(const Jet& a) { return a.function(Op::sin, std::sin); }
+  friend Jet cos(const Jet& a) { return a.function(Op::cos, std::cos); }
   friend Jet tan(const Jet& a) { return sin(a) / cos(a); }
-  friend Jet sinh(const Jet& a) {
-    return a.is_constant() ? std::sinh(a.constant) : a.pair(Op::sinh, Op::cosh).first;
-  }
-  friend Jet cosh(const Jet& a) {
-    return a.is_constant() ? std::cosh(a.constant) : a.pair(Op::sinh, Op::cosh).second;
-  }
+  friend Jet sinh(const Jet& a) { return a.function(Op::sinh, std::sinh); }
+  friend Jet cosh(const Jet& a) { return a.function(Op::cosh, std::cosh); }
   friend Jet tanh(const Jet& a) {
     if (a.is_constant()) return Jet(std::tanh(a.constant));
     // The quotient that does not overflow: (1 - u) / (1 + u), u = exp(-2 |a|), up to the sign of a.
@@ -133,11 +125,6 @@ class Jet : Scalar<Jet<T, R>> {
   /// A function of this series, or of a constant.
   [[nodiscard]] Jet function(Op operation, double (*f)(double)) const {
     return is_constant() ? Jet(f(constant)) : through(operation);
-  }
-  /// Two functions of which each is, up to its sign, the other's derivative.
-  [[nodiscard]] std::pair<Jet, Jet> pair(Op first, Op second) const {
-    const auto [a, b] = tape->write_pair(first, second, coefficients);
-    return {Jet(a, tape), Jet(b, tape)};
   }
 };
 

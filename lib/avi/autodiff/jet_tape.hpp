@@ -68,14 +68,8 @@ class JetTape {
     slot.number = number;
     slot.operation = operation;
     compute<0>(slot, 0);
+    if (partner(operation) != operation) slot.b = write(partner(operation), a, nullptr, number);
     return slot.c;
-  }
-  /// Writes two functions of `a` of which each is the second operand of the other.
-  std::pair<const T*, const T*> write_pair(SeriesOperation first, SeriesOperation second, const T* a) {
-    const int before = size_;
-    const T *const x = write(first, a, nullptr, 1.0), *const y = write(second, a, nullptr, 1.0);
-    if (size_ > before) at(size_ - 2).b = y, at(size_ - 1).b = x;
-    return {x, y};
   }
 
   /// Coefficient k of the first `count` slots, whose coefficients 0 to k - 1 are known, as are those up to k
@@ -107,6 +101,13 @@ class JetTape {
   }
 
   Slot& at(int i) { return blocks_[i / block][i % block]; }
+  /// The function that is, up to its sign, the derivative of this one, as this one is its.
+  static SeriesOperation partner(SeriesOperation operation) {
+    using enum SeriesOperation;
+    if (operation == sin || operation == cos) return operation == sin ? cos : sin;
+    if (operation == sinh || operation == cosh) return operation == sinh ? cosh : sinh;
+    return operation;  // none
+  }
   /// Compiled once for each low order: its sums are straight lines. @tparam known the order, or -1
   template <int known>
   [[gnu::noinline]] void run_order(int k, int count) {

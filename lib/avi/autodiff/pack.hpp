@@ -96,7 +96,7 @@ class Pack : Scalar<Pack<w>> {
 
   /// Number by number.
   friend Pack operator-(const Pack& a) {
-    return by_part([&](int k) -> Register { return -a.part[k]; });
+    return by_part([&](int k) { return -a.part[k]; });
   }
   friend Pack operator+(const Pack& a, const Pack& b) {
     return by_part([&](int k) -> Register { return a.part[k] + b.part[k]; });

@@ -4,7 +4,6 @@
 #include "avi/autodiff/program.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -38,7 +37,6 @@ class Schedule {
 
  private:
   static constexpr int window = 256;
-  static constexpr std::size_t operations = static_cast<std::size_t>(Operation::sum_of_products) + 1;
 
   explicit Schedule(Fusion fusion) : place_(fusion.results(), -1), lines_(std::move(fusion).lines()) {
     std::stable_sort(lines_.begin(), lines_.end(),
@@ -47,7 +45,6 @@ class Schedule {
 
   /// Within each window: all lines that are ready and of the most frequent kind, until none is left.
   void group() {
-    constexpr std::size_t kinds = operations * operations;
     std::vector<Line> sorted;
     for (std::size_t first = 0; first < lines_.size(); first += window) {
       const std::size_t last = std::min(first + window, lines_.size());
@@ -56,34 +53,32 @@ class Schedule {
         writer[lines_[i].result] = i;
       std::vector<int> missing(last - first, 0);
       std::vector<std::vector<std::size_t>> waiting(last - first);
-      std::array<std::vector<std::size_t>, kinds> ready;
+      std::map<std::pair<Operation, Operation>, std::vector<std::size_t>> all_ready;
+      const auto ready = [&](std::size_t i) { all_ready[{lines_[i].first, lines_[i].second}].push_back(i); };
       for (std::size_t i = first; i < last; ++i) {
         for (const int operand : lines_[i].operands)
           if (const auto found = writer.find(operand); found != writer.end()) {
             ++missing[i - first];
             waiting[found->second - first].push_back(i);
           }
-        if (missing[i - first] == 0) ready[kind(i)].push_back(i);
+        if (missing[i - first] == 0) ready(i);
       }
       for (;;) {
-        const auto most = std::max_element(ready.begin(), ready.end(),
-                                           [](const auto& a, const auto& b) { return a.size() < b.size(); });
-        if (most->empty()) break;
+        std::vector<std::size_t>& most = std::ranges::max_element(all_ready, {}, [](const auto& kind) {
+                                           return kind.second.size();
+                                         })->second;
+        if (most.empty()) break;
         // The list may grow during this loop: lines of the same kind that become ready join it.
-        for (std::size_t k = 0; k < most->size(); ++k) {
-          const std::size_t i = (*most)[k];
+        for (std::size_t k = 0; k < most.size(); ++k) {
+          const std::size_t i = most[k];
           sorted.push_back(lines_[i]);
           for (const std::size_t user : waiting[i - first])
-            if (--missing[user - first] == 0) ready[kind(user)].push_back(user);
+            if (--missing[user - first] == 0) ready(user);
         }
-        most->clear();
+        most.clear();
       }
     }
     lines_ = std::move(sorted);
-  }
-  [[nodiscard]] std::size_t kind(std::size_t line) const {
-    return static_cast<std::size_t>(lines_[line].first) * operations +
-           static_cast<std::size_t>(lines_[line].second);
   }
 
   Program assemble(const ExpressionGraph& graph, const std::vector<int>& results) {

@@ -16,7 +16,12 @@ class Monitors {
  public:
   /// For this orbit. @throws std::invalid_argument where it has no time scale, or speeds have no measure
   explicit Monitors(const Orbit& orbit)
-      : energy_at_start_(orbit.energy_at_start()), curvature_(orbit), tour_(checked(curvature_, orbit)) {}
+      : energy_at_start_(orbit.energy_at_start()), curvature_(orbit), tour_(orbit, curvature_) {
+    if (!(tour_.frequency > 0.0))
+      throw std::invalid_argument(
+          "The second derivatives of H with respect to q are zero or not finite along the orbit, so "
+          "that it has no time scale; give a monitor of your own, or none.");
+  }
 
   /// A monitor with its name, and H times it: what a method has to work through.
   struct Entry {
@@ -49,21 +54,8 @@ class Monitors {
   [[nodiscard]] const Tour& tour() const { return tour_; }  ///< The scales.
 
  private:
-  static Tour checked(Curvature& curvature, const Orbit& orbit) {
-    if (!curvature.has_metric())
-      throw std::invalid_argument(
-          "The second derivatives of H with respect to p are not positive definite at the start, so "
-          "that speeds have no measure; give a monitor of your own, or none.");
-    Tour tour(orbit, curvature);
-    if (!(tour.frequency > 0.0))
-      throw std::invalid_argument(
-          "The second derivatives of H with respect to q are zero or not finite along the orbit, so "
-          "that it has no time scale; give a monitor of your own, or none.");
-    return tour;
-  }
-
   int plus(int a, double b) { return curvature_.plus(a, curvature_.graph.constant(b)); }
-  int power(int a, double exponent) { return curvature_.power(a, exponent); }
+  int power(int a, double exponent) { return curvature_.graph.power(a, exponent); }
   Entry entry(const std::string& name, int g) {
     return {name,
             {curvature_.graph, g},

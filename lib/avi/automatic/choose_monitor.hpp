@@ -127,19 +127,17 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
     choice.sweeps += choice.trials.back().sweeps;
     choice.work += static_cast<double>(choice.trials.back().sweeps) * it.sweep;
   };
-  std::vector<Candidate> candidates;  // the most promising one first: the others then are given up early
-  double fixed_outlook = 0.0;
+  std::vector<Candidate> candidates;  // fixed steps first
   for (const Menu::Entry& entry : menu.entries) {
     Candidate it{&entry, sweep_work(entry.transformed, target.order),
                  tour ? tour->look(entry.monitor) : Tour::Look{.low = 1.0, .high = 1.0}, nullptr};
-    if (&entry == &menu.entries.front())
-      fixed_outlook = it.outlook();
-    else if (!(it.look.low > 0.0 && it.look.high > 1.15 * it.look.low && it.sweep <= 0.6 * fixed_outlook))
-      // Not positive on the way, or hardly different from none; or so dear that no steps can make up for it
-      // (measured: steps save at most some six tenths of what they could).
-      continue;
-    candidates.push_back(std::move(it));
+    // Not those that are not positive on the way, or hardly different from none; or so dear that no steps can
+    // make up for it (measured: steps save at most some six tenths of what they could).
+    if (candidates.empty() || (it.look.low > 0.0 && it.look.high > 1.15 * it.look.low &&
+                               it.sweep <= 0.6 * candidates.front().outlook()))
+      candidates.push_back(std::move(it));
   }
+  // The most promising one first: the others then are given up early.
   std::ranges::stable_sort(candidates, {}, &Candidate::outlook);
   // What promises little is not tried, fixed steps only where all else fails.
   const double poor = 12.0 * candidates.front().outlook();

@@ -7,6 +7,7 @@
 #include "avi/core/inverse.hpp"
 
 #include <map>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -25,7 +26,8 @@ namespace avi::detail {
 /// (with their momenta) leave it as it is. Squares do not cancel where attraction and repulsion do.
 class Curvature {
  public:
-  /// Of the orbit's H, with the metric at its start.
+  /// Of the orbit's H, with the metric at its start. @throws std::invalid_argument where H_pp is not
+  /// symmetric and positive definite there, as a metric must be.
   explicit Curvature(const Orbit& orbit)
       : graph(2 * static_cast<int>(orbit.start.q.size())), n_(static_cast<int>(orbit.start.q.size())),
         start_(orbit.start.q.begin(), orbit.start.q.end()) {
@@ -38,10 +40,8 @@ class Curvature {
 
   ExpressionGraph graph;  ///< Of (q, p).
   int energy = -1;        ///< H.
-  /// Whether H_pp is symmetric and positive definite at the start, as a metric must be.
-  [[nodiscard]] bool has_metric() const { return has_metric_; }
 
-  /// n_0. @pre has_metric()
+  /// n_0.
   int squared_frequency_squared() {
     int all_qq = graph.constant(0.0), all_qp = all_qq;
     Monomial monomial(graph, start_);
@@ -63,7 +63,6 @@ class Curvature {
   }
 
   /// \f$\dot q^T K^{-1}\dot q + \dot p^T K\,\dot p/\omega^2\f$, the square of the speed in phase space.
-  /// @pre has_metric()
   int squared_speed(double frequency) {
     const std::vector<int> slope = Reverse(graph).gradient(energy);
     int sum = graph.constant(0.0);
@@ -118,7 +117,6 @@ class Curvature {
   int plus(int a, int b) { return graph.binary(Operation::add, a, b); }
   int times(int a, int b) { return graph.binary(Operation::multiply, a, b); }
   int scaled(double a, int b) { return times(graph.constant(a), b); }
-  int power(int a, double exponent) { return graph.power(a, exponent); }
   ///@}
 
  private:
@@ -195,7 +193,7 @@ class Curvature {
     return sum;
   }
 
-  /// K, if H_pp is symmetric and positive definite at the start.
+  /// K and its inverse.
   void find_metric() {
     metric_ = Square::Zero(n_, n_);
     NodeValues at_start(start_);
@@ -203,8 +201,11 @@ class Curvature {
       for (const auto& [ij, node] : term.hessian)
         if (ij.first >= n_ && ij.second >= n_)
           metric_(ij.first - n_, ij.second - n_) += at_start(graph, node);
-    has_metric_ = positive(metric_);
-    if (has_metric_) inverse_ = inverse(metric_);
+    if (!positive(metric_))
+      throw std::invalid_argument(
+          "The second derivatives of H with respect to p are not positive definite at the start, so "
+          "that speeds have no measure; give a monitor of your own, or none.");
+    inverse_ = inverse(metric_);
   }
   /// All pivots of a symmetric matrix are positive and its entries finite.
   static bool positive(Square a) {
@@ -220,7 +221,6 @@ class Curvature {
   std::vector<double> start_;
   std::vector<Term> terms_;
   Square metric_, inverse_;
-  bool has_metric_ = false;
 };
 
 }  // namespace avi::detail

@@ -122,28 +122,25 @@ class Poincare {
       const Vector<S, n> force = d_dq(h_, q, p);
       for (Eigen::Index i = 0; i < size(); ++i)
         dp[i] = g * force[i];
-    } else if constexpr (position_monitor) {
-      const auto g = value_and_gradient(g_, q);
-      dt = g.value;
-      const auto energy = value_if_needed_and_d_dp<form>(q, p);
-      for (int i = 0; i < n; ++i)
-        dq[i] = g.value * energy.partial(i);
-      if (!forces) return;
-      const S defect = form == Field::on_level ? pt / g.value : energy.value + pt;
-      const Vector<S, n> force = d_dq(h_, q, p);
-      for (int i = 0; i < n; ++i)
-        dp[i] = g.value * force[i] + defect * g.partial(i);
     } else {
-      const auto g = value_and_d_dp(g_, q, p);
+      Partials<S, n> g;  // with derivatives by q, or by p where it depends on p
+      if constexpr (position_monitor)
+        g = value_and_gradient(g_, q);
+      else
+        g = value_and_d_dp(g_, q, p);
       dt = g.value;
       const auto energy = value_if_needed_and_d_dp<form>(q, p);
-      const S defect = form == Field::on_level ? pt / g.value : energy.value + pt;
-      for (int i = 0; i < n; ++i)
-        dq[i] = g.value * energy.partial(i) + defect * g.partial(i);
+      const auto defect = [&]() -> S { return form == Field::on_level ? pt / g.value : energy.value + pt; };
+      for (int i = 0; i < n; ++i) {
+        dq[i] = g.value * energy.partial(i);
+        if constexpr (!position_monitor) dq[i] += defect() * g.partial(i);
+      }
       if (!forces) return;
-      const Vector<S, n> force = d_dq(h_, q, p), slope = d_dq(g_, q, p);
+      const S across = defect();
+      const Vector<S, n> force = d_dq(h_, q, p);
+      if constexpr (!position_monitor) g = {g.value, d_dq(g_, q, p)};
       for (int i = 0; i < n; ++i)
-        dp[i] = g.value * force[i] + defect * slope[i];
+        dp[i] = g.value * force[i] + across * g.partial(i);
     }
   }
 
