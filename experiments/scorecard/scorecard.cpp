@@ -103,13 +103,13 @@ int main(int argc, char** argv) {
         for (const auto& [source, key, claim, experiment, test, finding] : judge_claims(published, results))
           claims.row(source, key, claim, experiment, test, name(finding.ruling), finding.evidence);
         fmt::print("{}", report_claims(claims));
-        Table verdicts({"source", "row", "quantity", "verdict", "settings"});
+        Table ledger({"source", "row", "quantity", "verdict", "settings"});
         for (const Row& cell : rows(cells))
-          verdicts.row(cell.text("source"), cell.text("row"), cell.text("quantity"), cell.text("verdict"),
-                       cell.text("settings"));
+          ledger.row(cell.text("source"), cell.text("row"), cell.text("quantity"), cell.text("verdict"),
+                     cell.text("settings"));
         for (const Row& claim : rows(claims))
-          verdicts.row("text", claim.text("key"), "claim", claim.text("ruling"), "");
-        verdicts.write(frame.output / "scorecard_verdicts.tsv");
+          ledger.row("text", claim.text("key"), "claim", claim.text("ruling"), "");
+        ledger.write(frame.output / "scorecard_verdicts.tsv");
         frame.write(claims, "claims");
         frame.write(cells);
         const auto all_of = [&](const char* what, Kind kind) {

@@ -41,8 +41,7 @@ std::string shares_table(const experiment::Table& card, const experiment::Table&
   const auto outcomes = of_kind(card, Kind::outcome), inputs = of_kind(card, Kind::input);
   const std::array columns{shares(outcomes, "verdict"), shares(inputs, "verdict"), shares(claims, "ruling")};
   std::string lines;
-  for (std::size_t i = 0; i < std::ranges::max({columns[0].size(), columns[1].size(), columns[2].size()});
-       ++i) {
+  for (std::size_t i = 0; i < std::max({columns[0].size(), columns[1].size(), columns[2].size()}); ++i) {
     std::vector<std::string> cells;
     for (const auto& column : columns)
       cells.push_back(i < column.size() ? fmt::format("\\textit{{{}}} & {} & {}", column[i].name,

@@ -1,7 +1,6 @@
 #include "scorecard/claims/claims.hpp"
 
 #include <algorithm>
-#include <ranges>
 #include <stdexcept>
 
 // Claims of Sections 4.2 to 4.5.3: Bregman dynamics, Direct and Adaptive, by symplectic methods.
@@ -131,10 +130,13 @@ Finding cloning_needs(const Results& data) {
     cases.add(true);
     cases.add(useful[run.method] >= printed.at(run.method));
   }
+  std::vector<double> gradients;
+  for (const auto& [method, count] : useful)
+    gradients.push_back(count);
   return finding(in_cases(cases),
                  "As defined, with both copies advanced, it does. The copy that is read never sees the "
                  "other: the same iterates take {:.0f} gradients a step.",
-                 fmt::join(std::views::values(useful), ", "));
+                 fmt::join(gradients, ", "));
 }
 
 /// Runs along a sweep of p at p_ring = 1, or of falling p_ring at p = 4.
