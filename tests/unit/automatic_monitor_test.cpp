@@ -147,6 +147,12 @@ TEST(AutomaticMonitor, TakesEveryScalar) {
   EXPECT_DOUBLE_EQ(again(first, second), value);
 }
 
+TEST(PhaseFunction, TakesTheSignOfZeroFromItsBit) {
+  const auto sign = avi::phase_function<1>([](const auto& q, const auto&) { return sign_of(q[0]); });
+  for (const double x : {0.0, -0.0, 2.0, -2.0})
+    EXPECT_EQ(sign(avi::Vector<double, 1>(x), avi::Vector<double, 1>(1.0)), std::copysign(1.0, x)) << x;
+}
+
 TEST(AutomaticMonitor, StartsWhereTheCurvatureVanishes) {
   const avi::PhaseFunction g = automatic_monitor(Quartic(), at(0.0, 1.0));
   EXPECT_GT(g(at(0.0, 0.0).q, at(0.0, 0.0).p), 0.0);

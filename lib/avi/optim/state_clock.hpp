@@ -101,7 +101,7 @@ class StateClock : LineState<F> {
         return false;
       }
       place_trial(alpha_);
-      const bool stands = trials > 5 && trial_.x == base_.x;
+      const bool stands = trial_.x == base_.x;
       if (trials > 40 || stands || !(alpha_ > 0.0)) {  // nothing on this line: steepest descent, once
         if (restarted) return judge();
         restarted = true;

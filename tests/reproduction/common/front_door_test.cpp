@@ -108,21 +108,39 @@ TEST_P(FrontDoor, RefusesNonsenseValues) {
   }
 }
 
-/// A published number without data is a row of the scorecard and a status, never silence.
-TEST(Scorecard, FailsWhereDataAreMissing) {
+class Scorecard : public testing::Test {
+ protected:
   const fs::path scratch = fs::temp_directory_path() / ("avi_scorecard_run_" + std::to_string(::getpid()));
-  fs::create_directories(scratch / "empty");
-  const std::string command = "'" AVI_BIN_DIR "/scorecard' --published '" AVI_PUBLISHED_DIR "' --data '" +
-                              (scratch / "empty").string() + "' --output '" + scratch.string() + "' >'" +
-                              (scratch / "out").string() + "' 2>&1";
-  const int status = std::system(command.c_str());
-  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1);
+
+  void SetUp() override { fs::create_directories(scratch / "empty"); }
+  void TearDown() override { fs::remove_all(scratch); }
+
+  /// Judges these published tables without any data; its status.
+  [[nodiscard]] int status_of(const fs::path& published) const {
+    const std::string command = "'" AVI_BIN_DIR "/scorecard' --published '" + published.string() +
+                                "' --data '" + (scratch / "empty").string() + "' --output '" +
+                                scratch.string() + "' >'" + (scratch / "out").string() + "' 2>&1";
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+};
+
+/// A published number without data is a row of the scorecard and a status, never silence.
+TEST_F(Scorecard, FailsWhereDataAreMissing) {
+  EXPECT_EQ(status_of(AVI_PUBLISHED_DIR), 1);
   const experiment::Table card = experiment::Table::read(scratch / "scorecard.tsv");
   EXPECT_GT(card.rows.size(), 200u);
   for (std::size_t i = 0; i < card.rows.size(); ++i)
     EXPECT_EQ(card.text(i, "verdict"), "missing");
   EXPECT_NE(slurp(scratch / "out").find("kepler_e090.tsv"), std::string::npos);
-  fs::remove_all(scratch);
+}
+
+/// So is a published table that no sheet judges.
+TEST_F(Scorecard, FailsWhereATableHasNoSheet) {
+  fs::copy(AVI_PUBLISHED_DIR, scratch / "published");
+  std::ofstream(scratch / "published" / "table7.tsv") << "source\trow\n";
+  EXPECT_EQ(status_of(scratch / "published"), 1);
+  EXPECT_NE(slurp(scratch / "out").find("table7.tsv"), std::string::npos) << slurp(scratch / "out");
 }
 
 std::vector<std::string> experiments() {
