@@ -158,7 +158,7 @@ class StageField {
       step.rate = g;
     };
     if constexpr (rate_is_known) {
-      const Scalar along = weight * step.rate;  // 1 where the monitor is Unit
+      const Scalar along = Problem::unit ? weight : weight * step.rate;
       for (int i = 0; i < n; ++i)
         out[i] = along * out[i];
     } else if constexpr (many) {
