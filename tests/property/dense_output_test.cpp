@@ -1,5 +1,6 @@
 #include "avi/core/dense_output.hpp"
 
+#include "avi/collocation/collocation.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/diagnostics/order.hpp"
 #include "avi/htvi/htvi.hpp"
@@ -59,10 +60,8 @@ TEST(DenseOutput, RefusesTimesOutsideTheStepBesideItToo) {
   }
 }
 
-TEST(DenseOutput, IsContinuousFromStepToStep) {
-  const auto start = Kepler::pericentre(0.5);
-  auto method = method_for(start);
-  auto z = start;
+template <class Method>
+void expect_continuous(Method method, State<2> z) {
   double worst = 0.0;
   const auto run =
       avi::integrate(method, z, 0.2, {.steps = 20}, [&]<class M>(const avi::Step<M, State<2>>& step, long) {
@@ -75,6 +74,14 @@ TEST(DenseOutput, IsContinuousFromStepToStep) {
       });
   EXPECT_EQ(run.outcome, avi::Outcome::ok);
   EXPECT_LT(worst, 1e-8) << "the motion over a billionth of the step";
+}
+
+TEST(DenseOutput, IsContinuousFromStepToStep) {
+  const auto start = Kepler::pericentre(0.5);
+  const auto problem = avi::poincare(Kepler{}, start, avi::NormSquared{});
+  expect_continuous(method_for(start), start);
+  expect_continuous(avi::type3<2>(problem, avi::simpson()), start);
+  expect_continuous(avi::collocation(problem, 4), start);
 }
 
 }  // namespace dense_output_test

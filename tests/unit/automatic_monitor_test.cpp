@@ -86,6 +86,27 @@ TEST(AutomaticMonitor, IsThePowerOfTheRadiusOnKepler) {
   }
 }
 
+TEST(AutomaticMonitor, OffersOneBelowTheMeanTimeToo) {
+  avi::detail::Monitors monitors({Kepler(), Kepler::pericentre(0.6)});
+  const avi::PhaseFunction g = monitors.gentle().monitor;
+  const double mean = monitors.tour().frequency;
+  for (const double r : {0.4, 1.0, 1.6, 50.0}) {
+    const avi::Vector<double, 2> q{0.6 * r, -0.8 * r};
+    const double n0 = 5.0 * std::pow(r, -6.0) + std::pow(0.25 * mean, 4.0);
+    EXPECT_NEAR(g(q, q) * (std::pow(n0, 0.25) + mean), 1.0, 1e-13) << r;
+  }
+}
+
+TEST(AutomaticMonitor, OffersPowersOfTheKineticEnergyToo) {
+  const State<2> start = Kepler::pericentre(0.6);
+  avi::detail::Monitors monitors({Kepler(), start});
+  const avi::PhaseFunction g = monitors.energy("energy", 1.5).monitor;
+  const State<2> z{.q = {-0.4, 0.9}, .p = {0.3, -0.2}};  // off the orbit
+  const double half = 0.5 * (Kepler()(z.q, z.p) + Kepler()(start.q, start.p));
+  const double lively = monitors.tour().kinetic + half + 1.0 / z.q.norm();
+  EXPECT_NEAR(g(z.q, z.p) * std::pow(lively, 1.5), 1.0, 1e-13);
+}
+
 TEST(AutomaticMonitor, KnowsNoUnitsNoPlaceAndNoDirection) {
   const State<2> start = Kepler::pericentre(0.6);
   const avi::PhaseFunction plain = automatic_monitor(Kepler(), start);

@@ -69,6 +69,15 @@ TEST(Event, OnAStartDoesNotCount) {
   EXPECT_EQ(count, 1) << "apocentre";
 }
 
+TEST(Event, AtTheEndOfAStepBelongsToThatStep) {
+  const auto seen = [](Crossing crossing, double before, double after) {
+    return Event{[](double x) { return x; }, crossing}.crossed(before, after);
+  };
+  EXPECT_TRUE(seen(Crossing::rising, -1.0, 0.0) && seen(Crossing::falling, 1.0, 0.0));
+  EXPECT_FALSE(seen(Crossing::either, 0.0, 1.0) || seen(Crossing::either, 0.0, -1.0));
+  EXPECT_FALSE(seen(Crossing::rising, 1.0, 0.0) || seen(Crossing::falling, -1.0, 0.0));
+}
+
 TEST(Event, ActionMayEndTheRun) {
   auto z = Kepler::exact(0.5, 1.0);
   auto method = method_for(z);

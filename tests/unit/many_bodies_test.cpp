@@ -67,6 +67,8 @@ TEST(OuterSolarSystem, KeepsEnergyMomentumAndAngularMomentum) {
     EXPECT_NEAR(Bodies::angular_momentum(z, k, l) / Bodies::angular_momentum(start, 0, 1),
                 Bodies::angular_momentum(start, k, l) / Bodies::angular_momentum(start, 0, 1), 1e-13);
   EXPECT_GT((z.q - start.q).norm(), 1.0);
+  const State<6> three{.q = {}, .p = {1.0, 10.0, 2.0, 20.0, 4.0, 40.0}};
+  EXPECT_EQ(avi::NBody<3>::momentum(three), (Vector<double, 2>(7.0, 70.0)));
 }
 
 // Sidereal periods of textbooks, from position and velocity about the Sun by Kepler's third law.

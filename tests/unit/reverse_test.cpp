@@ -95,6 +95,19 @@ TEST(Reverse, HasTheGradientOfForwardDifferentiation) {
   });
 }
 
+TEST(Reverse, HasTheSlopesOfPowersAtZero) {
+  for (const double exponent : {1.0, 1.25, 1.5, 2.0, 2.3, 3.0, 7.0}) {
+    const Program program =
+        recorded([&](const auto& x, const auto& y) { return avi::power(x, exponent) * y; }).gradient();
+    Program::Room<double> room(program);
+    room.arguments()[0] = 0.0;
+    room.arguments()[1] = 1.0;
+    program.run(room);
+    EXPECT_EQ(program.slope(room, 0), exponent == 1.0 ? 1.0 : 0.0) << exponent;
+    EXPECT_EQ(program.slope(room, 1), 0.0) << exponent;
+  }
+}
+
 TEST(Reverse, HasTheGradientOfFiniteDifferences) {
   int i = 0;
   for_each_formula([&](const auto& f) {

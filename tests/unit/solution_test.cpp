@@ -44,6 +44,13 @@ TEST(Solution, HasTheEnergyErrorAskedFor) {
   EXPECT_GE(tally.near, 26) << "of " << tally.all;
 }
 
+TEST(Solution, HasTheOrderThatTakesTheLeastWork) {
+  using avi::detail::order_for;
+  EXPECT_EQ(order_for(1e-2), 4);
+  EXPECT_EQ(order_for(3e-6), 8);
+  EXPECT_EQ(order_for(3e-10), 16);
+}
+
 TEST(Solution, IsWhereTheOrbitIs) {
   const double period = 2.0 * M_PI;
   const auto solution = integrate(Kepler(), Kepler::pericentre(0.9), 10.5 * period, 1e-12);

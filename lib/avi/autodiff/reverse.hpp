@@ -143,7 +143,7 @@ class Reverse {
       break;
     case Operation::power: {
       const double exponent = graph_[b].number;
-      if (exponent >= 1.0 && 2.0 * exponent == std::round(2.0 * exponent))
+      if (exponent >= 1.0)  // finite at a = 0, too
         give(a, scaled(exponent, times(bar, term(graph_.power(a, exponent - 1.0)))));
       else
         give(a, scaled(exponent, times(bar, times(self, reciprocal(a)))));
@@ -159,7 +159,6 @@ class Reverse {
   /// df/da of the node f(a).
   Term slope(int f, Operation operation, int a) {
     using Op = Operation;
-    if (operation == Op::sqrt) return scaled(0.5, reciprocal(f));
     if (operation == Op::exp) return term(f);
     if (operation == Op::log) return reciprocal(a);
     if (operation == Op::sin) return term(graph_.unary(Op::cos, a));
