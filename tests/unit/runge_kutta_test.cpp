@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+#include <stdexcept>
 #include <utility>
 
 using avi::VectorX;
@@ -81,10 +84,25 @@ double measured_order() {
   return std::log2((fixed_steps<T>(40) - reference).norm() / (fixed_steps<T>(80) - reference).norm());
 }
 
-TEST(RungeKutta, ConvergesWithItsOrder) {
-  EXPECT_NEAR(measured_order<avi::BogackiShampine>(), 3.0, 0.1);
-  EXPECT_NEAR(measured_order<avi::ClassicalRungeKutta>(), 4.0, 0.1);
-  EXPECT_NEAR(measured_order<avi::DormandPrince>(), 5.0, 0.15);
+/// The other solution of a pair.
+template <avi::EmbeddedTableau T>
+struct Embedded : T {
+  static constexpr int order = T::embedded_order;
+  static constexpr auto b = T::embedded;
+};
+
+template <class T>
+void expect_measured_order(int order) {
+  EXPECT_EQ(T::order, order);
+  EXPECT_NEAR(measured_order<T>(), order, 0.15);
+}
+
+TEST(RungeKutta, ConvergesWithItsOrderAndNoFaster) {
+  expect_measured_order<avi::ClassicalRungeKutta>(4);
+  expect_measured_order<avi::BogackiShampine>(3);
+  expect_measured_order<Embedded<avi::BogackiShampine>>(2);
+  expect_measured_order<avi::DormandPrince>(5);
+  expect_measured_order<Embedded<avi::DormandPrince>>(4);
 }
 
 /// Error at t = 2 and number of steps of an adaptive run at tolerance `tol`.
@@ -116,13 +134,79 @@ TEST(EmbeddedRungeKutta, ErrorFollowsTheTolerance) {
   }
 }
 
+/// The next size after a step of Bogacki and Shampine's pair along z' = rate z from 1, in each of two
+/// components of which the second rests, and the size taken.
+std::pair<double, double> along_exponential(double rate, double h, const avi::StepControl& control) {
+  avi::RungeKuttaStages<avi::BogackiShampine> stages(2);
+  const auto field = [=](const VectorX& z, VectorX& dz) { dz << rate * z[0], 0.0; };
+  const VectorX z = VectorX::Ones(2);
+  field(z, stages.k[0]);
+  const double taken = avi::controlled_step(stages, field, z, h, control);
+  return {h, taken};
+}
+/// What the pair's solutions differ by there, (x^3 + x^4)/48 at x = rate h, in units of the tolerance.
+double error_of(double x, const avi::StepControl& control) {
+  const double size = std::max(1.0, std::abs(1.0 + x + x * x / 2.0 + x * x * x / 6.0));
+  return std::abs(x * x * x + x * x * x * x) / 48.0 / (control.atol + control.rtol * size) / std::sqrt(2.0);
+}
+
+TEST(StepControl, TakesTheSizeThatTheErrorAllows) {
+  const avi::StepControl usual;
+  EXPECT_EQ(usual.rtol, 1e-3);
+  EXPECT_EQ(usual.atol, 1e-6);
+  const auto factor = [](double error) { return 0.9 * std::pow(error, -1.0 / 3.0); };
+  for (const avi::StepControl& control : {usual, {.rtol = 1e-9, .atol = 0.001}})
+    for (const double rate : {1.0, -1.0}) {
+      const auto [next, taken] = along_exponential(rate, 0.1, control);
+      EXPECT_EQ(taken, 0.1);
+      EXPECT_NEAR(next, 0.1 * factor(error_of(0.1 * rate, control)), 1e-12);
+    }
+  // At once too large, then a third of it.
+  const auto [next, taken] = along_exponential(1.0, 1.2, usual);
+  EXPECT_NEAR(taken, 1.2 * factor(error_of(1.2, usual)), 1e-12);
+  EXPECT_NEAR(next, taken * factor(error_of(taken, usual)), 1e-12);
+}
+
+TEST(StepControl, KeepsTheRatioOfStepsWithinItsLimits) {
+  EXPECT_EQ(along_exponential(0.0, 0.1, {}).first, 0.5) << "there is no error";
+  EXPECT_DOUBLE_EQ(along_exponential(1.0, 0.001, {}).first, 0.005);
+  EXPECT_DOUBLE_EQ(along_exponential(1.0, 0.001, {.grow = 3.0}).first, 0.003);
+  // The error allows 0.19 of this size, and then more than the fifth of it.
+  const auto [next, taken] = along_exponential(-1.0, 2.1, {});
+  EXPECT_DOUBLE_EQ(taken, 0.2 * 2.1);
+  EXPECT_EQ(next, taken) << "no growth after a rejection";
+  EXPECT_LT(error_of(-taken, {}), 0.7);
+}
+
+TEST(StepControl, RefusesWhatIsOutOfRange) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const avi::StepControl& bad : {avi::StepControl{.rtol = 0.0},
+                                      {.atol = 0.0},
+                                      {.safety = 0.0},
+                                      {.safety = 1.0},
+                                      {.shrink = 0.0},
+                                      {.shrink = 1.0},
+                                      {.grow = 1.0},
+                                      {.grow = infinity},
+                                      {.rejections = 0}})
+    EXPECT_THROW(bad.validate(), std::invalid_argument);
+  EXPECT_NO_THROW((avi::StepControl{1e-12, 1e-12, 0.999, 0.999, 1.001, 1}.validate()));
+  EXPECT_NO_THROW((avi::StepControl{.safety = 0.001, .shrink = 0.001}.validate()));
+}
+
 TEST(EmbeddedRungeKutta, GivesUpOnWhatCannotBeStepped) {
   avi::RungeKuttaStages<avi::DormandPrince> stages(1);
-  const auto broken = [](const VectorX&, VectorX& dz) { dz[0] = std::nan(""); };
+  int calls = 0;
+  const auto broken = [&](const VectorX&, VectorX& dz) {
+    ++calls;
+    dz[0] = std::nan("");
+  };
   double h = 0.1;
   VectorX z = VectorX::Ones(1);
-  broken(z, stages.k[0]);
+  stages.k[0][0] = 1.0;
   EXPECT_EQ(avi::controlled_step(stages, broken, z, h, avi::StepControl{}), 0.0);
+  EXPECT_EQ(calls, 101 * 6) << "the first trial and a hundred more";
+  EXPECT_NEAR(h / (0.1 * std::pow(0.2, 101)), 1.0, 1e-12);
 }
 
 }  // namespace runge_kutta_test

@@ -91,16 +91,16 @@ class RungeKuttaStages {
   template <class Field>
   void advance(Field&& field, const VectorX& z, double h) {
     for (int i = 1; i < T::stages; ++i) {
-      combine(z, h, T::a[static_cast<std::size_t>(i)], i);
+      combine(z, h, T::a[static_cast<std::size_t>(i)]);
       field(end, k[static_cast<std::size_t>(i)]);
     }
-    combine(z, h, T::b, T::stages);
+    combine(z, h, T::b);
   }
 
  private:
-  void combine(const VectorX& z, double h, const std::array<double, T::stages>& weights, int count) {
+  void combine(const VectorX& z, double h, const std::array<double, T::stages>& weights) {
     end = z;
-    for (std::size_t j = 0; j < static_cast<std::size_t>(count); ++j)
+    for (std::size_t j = 0; j < weights.size(); ++j)
       if (weights[j] != 0.0) end += (h * weights[j]) * k[j];
   }
 };
@@ -139,7 +139,7 @@ double controlled_step(RungeKuttaStages<T>& stages, Field&& field, const VectorX
     double sum = 0.0;
     for (Eigen::Index i = 0; i < z.size(); ++i) {
       double difference = 0.0;
-      for (std::size_t j = 0; j < static_cast<std::size_t>(T::stages); ++j)
+      for (std::size_t j = 0; j < T::b.size(); ++j)
         difference += (T::b[j] - T::embedded[j]) * stages.k[j][i];
       const double scale = control.atol + control.rtol * std::max(std::abs(z[i]), std::abs(stages.end[i]));
       sum += (h * difference / scale) * (h * difference / scale);
@@ -154,7 +154,7 @@ double controlled_step(RungeKuttaStages<T>& stages, Field&& field, const VectorX
       h *= trial > 0 ? std::min(factor, 1.0) : factor;
       return taken;
     }
-    h *= std::min(factor, 0.9);
+    h *= factor;  // below 1, as the error is above it
   }
   return 0.0;
 }
