@@ -112,6 +112,12 @@ TEST(Traits, OfAdaptiveMethods) {
 
 // One gradient a step: the closing kick's is the next opening kick's.
 TEST(Traits, AnExplicitStepIsOneEvaluation) {
+  int calls = 0;
+  auto counted = avi::stormer_verlet<2>([&](const auto& q) { return ++calls, gradient(q); });
+  State<2> z = start;
+  for (int k = 0; k < 7; ++k)
+    EXPECT_EQ(counted.step(z, 0.1).outcome, avi::Outcome::ok);
+  EXPECT_EQ(calls, 1 + 7);
   const auto evaluations = [](auto method) {
     State<2> z = start;
     const avi::Run run = avi::integrate(method, z, 0.1, {.steps = 7});

@@ -55,6 +55,7 @@ TEST(EulerB, LeavesTheStateWhereThereIsNoStep) {
     State<2> z = start;
     const avi::StepReport report = method.step(z, h);
     EXPECT_EQ(report.outcome, outcome);
+    EXPECT_EQ(report.evaluations, 1);
     EXPECT_TRUE(z.q == start.q && z.p == start.p && z.t == start.t);
     return report.residual;
   };

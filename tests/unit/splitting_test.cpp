@@ -30,7 +30,7 @@ TEST(Splitting, IsTheCompositionOfItsBaseStep) {
   auto base = avi::splitting(Separable<HenonHeiles>{}, c::strang);
   avi::Composition composed(base, c::kahan_li6);
   auto z = henon_start, w = henon_start;
-  EXPECT_EQ(avi::integrate(merged, z, 0.1, {.steps = 50}).outcome, avi::Outcome::ok);
+  EXPECT_EQ(avi::integrate(merged, z, 0.1, {.steps = 50}).evaluations, 450);
   const auto run = avi::integrate(composed, w, 0.1, {.steps = 50});
   EXPECT_LT((z.q - w.q).norm() + (z.p - w.p).norm(), 1e-14);
   EXPECT_NEAR(z.t, 5.0, 3e-14);
@@ -114,6 +114,9 @@ TEST(LogHamiltonian, ShortcutsAgreeWithTheGeneralFormula) {
           .norm(),
       1e-14);
   EXPECT_THROW((LogHamiltonian<HenonHeiles>({}, henon_start)), std::invalid_argument);
+  EXPECT_THROW((LogHamiltonian<HenonHeiles>({}, State<2>{.q = {0.0, 0.0}, .p = {0.1, 0.0}})),
+               std::invalid_argument)
+      << "the logarithm of V = 0";
 }
 
 TEST(LogHamiltonian, SaysSoOutsideItsDomain) {
@@ -155,7 +158,17 @@ TEST(CompensatedSummation, ForgetsWhenTheStateIsChangedFromOutside) {
   auto w = henon_start;
   EXPECT_EQ(used.step(z, 0.1).outcome, avi::Outcome::ok);
   EXPECT_EQ(fresh.step(w, 0.1).outcome, avi::Outcome::ok);
-  EXPECT_EQ((z.q - w.q).norm() + (z.p - w.p).norm(), 0.0);
+  EXPECT_EQ(z, w);
+}
+
+TEST(Splitting, RefusesListsThatDoNotAlternate) {
+  const auto of = [](std::size_t drifts, std::size_t kicks) {
+    using Lengths = avi::Lengths<long double>;
+    (void)avi::splitting(Separable<HenonHeiles>{}, {.order = 2, .a = Lengths(drifts), .b = Lengths(kicks)});
+  };
+  EXPECT_NO_THROW(of(3, 2));
+  EXPECT_THROW(of(2, 2), std::invalid_argument);
+  EXPECT_THROW(of(4, 2), std::invalid_argument);
 }
 
 TEST(Splitting, TakesTheDimensionAtRunTime) {

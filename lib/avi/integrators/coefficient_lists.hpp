@@ -21,7 +21,7 @@ class Lengths {
 
   /// So many zeros.
   /// @throws std::invalid_argument for more than 36.
-  constexpr explicit Lengths(std::size_t count = 0) : size_(count) {
+  constexpr explicit Lengths(std::size_t count) : size_(count) {
     if (count > most) require(false, "Length of a list of coefficients", count, "at most 36");
   }
   /// The same numbers, rounded.
@@ -51,14 +51,14 @@ class Lengths {
 /// One step \f$A(a_0 h)\, B(b_0 h)\, A(a_1 h) \cdots B(b_{m-1} h)\, A(a_m h)\f$, applied from left to right;
 /// A is the drift, B the kick. In extended precision, so that a test can tell a wrong digit from rounding.
 struct SplitCoefficients {
-  int order = 0;           ///< Of the method.
+  int order;               ///< Of the method.
   Lengths<long double> a;  ///< Of the m + 1 drifts, with sum 1.
   Lengths<long double> b;  ///< Of the m kicks, with sum 1.
 };
 
 /// A symmetric composition \f$S(c_1 h)\, S(c_2 h) \cdots S(c_m h)\f$ of a symmetric step S of order 2.
 struct CompositionCoefficients {
-  int order = 0;           ///< Of the composition.
+  int order;               ///< Of the composition.
   Lengths<long double> c;  ///< With sum 1.
 };
 

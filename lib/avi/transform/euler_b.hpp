@@ -49,7 +49,7 @@ class EulerB {
       return {};
     } else {
       const Partials<double, n> g = value_and_gradient([this](const auto& x) { return g_(x); }, z.q);
-      if (!(g.value > 0.0)) return {Outcome::bad_monitor, 1, g.value};
+      if (!(g.value > 0.0)) return {.outcome = Outcome::bad_monitor, .residual = g.value};
       const double hg = h * g.value;
       const Vector<double, n> slope = g.gradient();
       const Vector<double, n> a =
@@ -57,7 +57,7 @@ class EulerB {
       const double a2 = a.squaredNorm(), b = 1.0 + h * a.dot(slope);
       const double discriminant = b * b - h * h * slope.squaredNorm() * a2;
       // B > 0 need not be checked: where h A . grad g <= -1 the discriminant is below zero (Cauchy-Schwarz).
-      if (!(discriminant >= 0.0)) return {Outcome::not_converged, 1, discriminant};
+      if (!(discriminant >= 0.0)) return {.outcome = Outcome::not_converged, .residual = discriminant};
       z.p = a - (h * a2 / (b + std::sqrt(discriminant))) * slope;
       z.q += hg * z.p;
       z.t += hg;
