@@ -10,13 +10,16 @@
 #include "avi/transform/time_dependent.hpp"
 
 #include "distance.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 using avi::Kepler;
 using avi::Outcome;
@@ -124,6 +127,13 @@ TEST(CollocationSteps, NamesWhatEndsAStep) {
   EXPECT_THROW((void)avi::collocation<32>(problem, 34), std::invalid_argument);
   EXPECT_THROW((void)avi::collocation(problem, 4, {.tolerance = 0.0}), std::invalid_argument);
   EXPECT_THROW((void)avi::collocation(problem, 4, {.max_sweeps = 0}), std::invalid_argument);
+  EXPECT_NO_THROW((void)avi::collocation(problem, 4, {.max_sweeps = 1}));
+  EXPECT_EQ(
+      refusal([&] { (void)avi::collocation(problem, 18); }),
+      "Order of collocation is 18; it must be even and in [2, 16]; collocation<32>(problem, order) goes "
+      "up to 32.");
+  EXPECT_EQ(refusal([&] { (void)avi::collocation<32>(problem, 34); }),
+            "Order of collocation is 34; it must be even and in [2, 32].");
 
   const auto unchanged = [](auto method, State<2> z, double h, Outcome outcome) {
     const State<2> before = z;
@@ -152,10 +162,14 @@ TEST(CollocationSteps, NamesWhatEndsAStep) {
   unchanged(avi::collocation(negative, 8), start, 0.01, Outcome::bad_monitor);
   const auto infinite = avi::poincare(Kepler{}, start, [](const auto& q) { return 1.0 / (q[1] - q[1]); });
   unchanged(avi::collocation(infinite, 8), start, 0.01, Outcome::non_finite);
-  State<avi::dynamic> short_state{.q = Vector<double, avi::dynamic>::Ones(2),
-                                  .p = Vector<double, avi::dynamic>::Ones(2)};
   auto chain = avi::collocation(avi::poincare(avi::Chain{}, avi::Chain::plucked(3)), 4);
-  EXPECT_THROW((void)chain.step(short_state, 0.1), std::invalid_argument);
+  for (const auto& [q, p, wrong] : {std::array{2, 2, 2}, {3, 2, 2}, {4, 3, 4}}) {
+    State<avi::dynamic> z{.q = Vector<double, avi::dynamic>::Ones(q),
+                          .p = Vector<double, avi::dynamic>::Ones(p)};
+    EXPECT_EQ(refusal([&] { (void)chain.step(z, 0.1); }),
+              "Dimension of the state is " + std::to_string(wrong) +
+                  "; it must be that of the problem, 3, for q and p alike.");
+  }
 }
 
 // How soon a step counts as solved decides cost and accuracy, which other tests bound loosely.

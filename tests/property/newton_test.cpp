@@ -146,6 +146,8 @@ TEST(Newton, EndsWhereTheStepIsTooLongForTheMotion) {
   auto sweeps = avi::collocation(avi::poincare(Oscillator{100.0}, many), 16);
   const avi::Run stiff = avi::integrate(sweeps, many, 0.2, {.steps = 1});
   EXPECT_NE(stiff.outcome, Outcome::ok);
+  EXPECT_FALSE((avi::Newton<avi::dynamic, 8>(17, 8).possible()));
+  EXPECT_TRUE((avi::Newton<avi::dynamic, 8>(16, 8).possible()));
 }
 
 }  // namespace newton_test

@@ -10,6 +10,7 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/euler_b.hpp"
 #include "avi/transform/monitors.hpp"
+#include "distance.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,8 @@
 #include <vector>
 
 // What each method of integrators/ and transform/ says of itself, measured: order against the exact orbit of
-// Kepler's problem, symplecticity by the Jacobian of a step, symmetry by going forth and back.
+// Kepler's problem, symplecticity by the Jacobian of a step, symmetry by going forth and back, memory by a
+// step of a fresh method.
 
 namespace traits_test {
 
@@ -55,6 +57,18 @@ double there_and_back(M method) {
   return std::max({(z.q - start.q).norm(), (z.p - start.p).norm(), std::abs(z.t - start.t)});
 }
 
+/// How far a step of this method from where it has come to is from a fresh one's.
+template <class M>
+double depends_on_the_past(M method) {
+  M fresh = method;
+  State<2> z = start;
+  EXPECT_EQ(avi::integrate(method, z, 0.1, {.steps = 3}).outcome, avi::Outcome::ok);
+  State<2> anew = z;
+  EXPECT_EQ(method.step(z, 0.1).outcome, avi::Outcome::ok);
+  EXPECT_EQ(fresh.step(anew, 0.1).outcome, avi::Outcome::ok);
+  return distance(z, anew);
+}
+
 template <class M>
 void check(const char* name, const M& method, int order) {
   SCOPED_TRACE(name);
@@ -65,6 +79,11 @@ void check(const char* name, const M& method, int order) {
     EXPECT_LT(defect, 1e-11);
   else
     EXPECT_GT(defect, 1e-6);
+  const double memory = depends_on_the_past(method);
+  if (avi::detail::one_step<M>)
+    EXPECT_LT(memory, 1e-15);
+  else
+    EXPECT_GT(memory, 1e-9);
   const double lost = there_and_back(method);
   if (M::symmetric)
     EXPECT_LT(lost, 1e-13);

@@ -89,10 +89,7 @@ class alignas(64) Stages {
 
   /// The start of a step at z, with the rounding error of the last step if that led to z.
   void start_at(const State<n>& z) {
-    place_ = h_ == 0.0                ? Place::elsewhere
-             : z == end_.state        ? Place::end
-             : z == last_.start.state ? Place::begin
-                                      : Place::elsewhere;
+    place_ = z == end_.state ? Place::end : z == last_.start.state ? Place::begin : Place::elsewhere;
     if (place_ == Place::elsewhere) {
       start_.low.q.setZero();
       start_.low.p.setZero();
@@ -106,16 +103,16 @@ class alignas(64) Stages {
   /// Begins the step: with the sweeps that it has had already, from the polynomial of the last step, or from
   /// nothing. @return sweeps that it has had
   int begin(Sweeps<n, w>& sweeps, double h) {
-    const bool begun = std::exchange(begun_, false), last = place_ != Place::elsewhere;
-    if (ahead && begun && place_ == Place::end && h == h_) {
+    const int begun = std::exchange(begun_, 0);
+    if (ahead && begun > 0 && place_ == Place::end && h == h_) {
       now_ = 1 - now_;
       both_[now_].start = start_;
       sweeps.stages(both_[now_]);
-      return ahead_;
+      return begun;
     }
     Unknowns<n, w>& step = both_[now_];
     step.start = start_;
-    if (last && std::abs(h / h_) <= 2.0)
+    if (place_ != Place::elsewhere && std::abs(h / h_) <= 2.0)
       sweeps.begin(step, last_.dq, last_.dp, place_ == Place::end ? 1.0 : 0.0, h / h_);
     else
       sweeps.begin(step);
@@ -132,16 +129,17 @@ class alignas(64) Stages {
     while (report.evaluations < settings_.max_sweeps) {
       const int k = ++report.evaluations;
       if constexpr (ahead) {
-        if (!begun_ && usual_ >= worth_it && k > usual_ / 2) {
+        if (begun_ == 0 && usual_ >= worth_it && k > usual_ / 2) {
           sweeps.begin_next(step, next);
-          begun_ = true;
-          ahead_ = 1;
+          begun_ = 1;
         }
       }
       sweeps.forces(step);
       if constexpr (ahead)
-        if (begun_) sweeps.sweep_next(step, next);
-      if (begun_) ++ahead_;
+        if (begun_ > 0) {
+          sweeps.sweep_next(step, next);
+          ++begun_;
+        }
       if (k < first_look) {
         sweeps.stages(step);
         continue;
@@ -173,7 +171,7 @@ class alignas(64) Stages {
   }
 
   [[gnu::noinline]] StepReport by_newton(Sweeps<n, w>& sweeps, State<n>& z, double h) {
-    begun_ = false;
+    begun_ = 0;
     Unknowns<n, w>& step = both_[now_];
     step.start = start_;
     StepReport report = newton_.solve(sweeps, step, last_, settings_.max_sweeps);
@@ -224,8 +222,8 @@ class alignas(64) Stages {
   bool patient_ = false;         // no other iteration than sweeps will do at this h
   double h_ = 0.0, size_ = 0.0;  // of the last step; of the sweeps
   Place place_ = Place::elsewhere;
-  int usual_ = std::numeric_limits<int>::max(), ahead_ = 0;  // sweeps of the last step, of the next one
-  bool begun_ = false;                                       // the next step
+  int usual_ = 1;  // sweeps of the last step
+  int begun_ = 0;  // those that the next one has had
 };
 
 }  // namespace avi

@@ -64,7 +64,7 @@ class AdaptiveVerlet {
  private:
   Problem problem_;
   Monitor monitor_;
-  double rho_ = 1.0;
+  double rho_{};
   Vector<double, n> force_ = Vector<double, n>::Zero();
   State<n> after_{.q = force_, .p = force_, .t = std::numeric_limits<double>::quiet_NaN()};
 };

@@ -69,9 +69,8 @@ class HairerSoderlind {
  private:
   Base base_;
   Monitor monitor_;
-  double rho_ = 1.0;
-  double rate_ = 0.0;
-  double time_ = std::numeric_limits<double>::quiet_NaN();
+  double rho_{}, rate_{};
+  double time_ = std::numeric_limits<double>::quiet_NaN();  // equal to no time: neither is known yet
 };
 
 }  // namespace avi
