@@ -1,6 +1,7 @@
 #include "avi/core/integrate.hpp"
 #include "avi/htvi/htvi.hpp"
 #include "avi/problems/chain.hpp"
+#include "difference.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,6 +31,25 @@ TEST(Chain, OfManyOperationsKeepsItsEnergy) {
   EXPECT_NEAR(Chain{}(z.q, z.p), energy, 6e-10) << "measured 2.8e-10";
 }
 
+TEST(Chain, HasTheEnergyOfItsSprings) {
+  // One mass between two springs, stretched by 2 and by -2: 2 + 2 and 2 - 2; and three with one moved by 2.
+  EXPECT_EQ(Chain{}(avi::VectorX{{2.0}}, avi::VectorX{{3.0}}), 4.5 + 4.0);
+  EXPECT_EQ(Chain{}(avi::VectorX{{0.0, 2.0, 0.0}}, avi::VectorX{{1.0, 0.0, 2.0}}), 2.5 + 4.0);
+  EXPECT_EQ(Chain{}(avi::VectorX{{2.0, 2.0}}, avi::VectorX{{0.0, 0.0}}), 4.0) << "the spring between rests";
+}
+
+TEST(Chain, SuppliesTheSlopesOfItsEnergy) {
+  const auto z = plucked();
+  const auto d_dq = Chain{}.d_dq(z.q, z.p), d_dp = Chain{}.d_dp(z.q, z.p);
+  for (int i = 0; i < 5; ++i) {
+    const avi::Vector<double, 5> e = avi::Vector<double, 5>::Unit(i);
+    const auto along_q = [&](double shift) { return Chain{}(avi::Vector<double, 5>(z.q + shift * e), z.p); };
+    const auto along_p = [&](double shift) { return Chain{}(z.q, avi::Vector<double, 5>(z.p + shift * e)); };
+    EXPECT_NEAR(difference(along_q, 1e-2), d_dq[i], 1e-13);
+    EXPECT_NEAR(difference(along_p, 1e-2), d_dp[i], 1e-13);
+  }
+}
+
 TEST(Chain, IsPluckedInItsLowestMode) {
   constexpr int n = 7;
   const auto z = Chain::plucked(n);
@@ -40,6 +60,8 @@ TEST(Chain, IsPluckedInItsLowestMode) {
   for (int i = 0; i < n; ++i)
     EXPECT_NEAR(2.0 * z.q[i] - (i > 0 ? z.q[i - 1] : 0.0) - (i + 1 < n ? z.q[i + 1] : 0.0),
                 omega * omega * z.q[i], 2e-16);
+  EXPECT_EQ(Chain::plucked(1).q[0], 0.3);
+  EXPECT_THROW(Chain::plucked(0), std::invalid_argument);
 }
 
 }  // namespace chain_test

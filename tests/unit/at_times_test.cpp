@@ -50,6 +50,29 @@ TEST(AtTimes, ShowsEachTimeOnce) {
 
 TEST(AtTimes, LeavesOutWhatLiesBeyondTheEnd) { EXPECT_EQ(output(0.3, 2.0, {1.0, 2.5}).size(), 1u); }
 
+/// Moves in every second step.
+struct Hesitant {
+  avi::StepReport step(State<2>& z, double h) const {
+    z.q[0] += 1.0;
+    z.t += std::lround(z.q[0]) % 2 == 0 ? h : 0.0;
+    return {};
+  }
+};
+
+TEST(AtTimes, WaitsWhereTimeStandsStill) {
+  for (const double sense : {1.0, -1.0}) {
+    Hesitant method;
+    State<2> z{.q = {0.0, 0.0}, .p = {0.0, 0.0}};
+    int seen = 0;
+    const auto run = avi::integrate(method, z, sense, {.steps = 8},
+                                    avi::at_times({sense * 1.0, sense * 2.0}, [&](const State<2>& at) {
+                                      EXPECT_EQ(at.t, sense * ++seen);
+                                    }));
+    EXPECT_EQ(run.outcome, avi::Outcome::ok) << run.message;
+    EXPECT_EQ(seen, 2);
+  }
+}
+
 TEST(AtTimes, RefusesTimesOutOfOrder) {
   const auto make = [](std::vector<double> times) { (void)avi::at_times(times, [](const State<2>&) {}); };
   EXPECT_THROW(make({1.0, 0.5, 2.0}), std::invalid_argument);

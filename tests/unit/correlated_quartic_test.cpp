@@ -59,9 +59,18 @@ TEST(CorrelatedQuartic, KnowsItsMinimum) {
   EXPECT_GT(f.value(wave(50)), 0.0);
 }
 
+TEST(CorrelatedQuartic, IsThatOfThePaperUnlessToldOtherwise) {
+  const CorrelatedQuartic f;
+  EXPECT_EQ(f.start(), VectorX::Constant(50, 5.0));
+  const double form = 16.0 * correlation(50, 0.9).sum();
+  EXPECT_NEAR(f.value(f.start()), form * form, 1e-12 * form * form);
+}
+
 TEST(CorrelatedQuartic, RefusesBadInput) {
   EXPECT_THROW(CorrelatedQuartic(0), std::invalid_argument);
+  EXPECT_NO_THROW(CorrelatedQuartic(1));
   EXPECT_THROW(CorrelatedQuartic(5, 1.0), std::invalid_argument);
+  EXPECT_THROW(CorrelatedQuartic(5, -1.0), std::invalid_argument);
   EXPECT_THROW(CorrelatedQuartic(5, std::nan("")), std::invalid_argument);
   EXPECT_THROW((void)CorrelatedQuartic(5).value(VectorX::Ones(4)), std::invalid_argument);
 }

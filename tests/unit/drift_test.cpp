@@ -17,7 +17,27 @@ TEST(FitDrift, MatchesAHandComputedLine) {
   EXPECT_EQ(avi::corrected_t(fit), fit.t_statistic);
 }
 
+TEST(FitDrift, AveragesOverBlocks) {
+  // Seven points in blocks of 2, 2 and 3: means at t = 0.5, 2.5, 5 of the values 1, 3 and 4.
+  const std::vector<double> t{0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0}, x{0.0, 2.0, 3.0, 3.0, 6.0, 0.0, 6.0};
+  const auto fit = avi::fit_drift(t, x, 3);
+  const auto means = avi::fit_drift(std::vector{0.5, 2.5, 5.0}, std::vector{1.0, 3.0, 4.0});
+  EXPECT_EQ(fit.points, 3);
+  EXPECT_NEAR(fit.slope, means.slope, 1e-14);
+  EXPECT_NEAR(fit.standard_error, means.standard_error, 1e-14);
+}
+
+TEST(FitDrift, KnowsNothingOfResidualsThatAreZero) {
+  const std::vector<double> t{0.0, 1.0, 2.0}, x{1.0, 3.0, 5.0};
+  const auto fit = avi::fit_drift(t, x);
+  EXPECT_EQ(fit.slope, 2.0);
+  EXPECT_EQ(fit.standard_error, 0.0);
+  EXPECT_EQ(fit.correlation, 0.0);
+}
+
 TEST(FitDrift, CountsCorrelatedPointsForLess) {
+  // Of a correlation of 0.6 a quarter: half of the statistic.
+  EXPECT_NEAR(avi::corrected_t({.t_statistic = 6.0, .correlation = 0.6}), 3.0, 1e-14);
   // Series without a drift of which each point keeps 0.7 of the last one.
   std::mt19937_64 random(7);
   std::normal_distribution<double> noise(0.0, 1.0);

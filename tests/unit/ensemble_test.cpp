@@ -5,8 +5,6 @@
 #include "avi/transform/poincare.hpp"
 #include "refusal.hpp"
 
-#include "refusal.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -124,6 +122,13 @@ TEST(Ensemble, UsesTheThreadsAskedFor) {
   ids.clear();
   (void)avi::ensemble(make, z, 0.02, {.steps = 1}, 1, observer);
   EXPECT_EQ(ids.size(), 1u);
+  ids.clear();
+  const auto noted = [&](const State<2>& start) {
+    observer(0, start, 0);
+    return make(start);
+  };
+  (void)avi::ensemble(noted, z, 0.02, {.steps = 1});
+  EXPECT_EQ(ids.size(), std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, z.size()));
 }
 
 TEST(Ensemble, RefusesWhatIntegrateRefuses) {

@@ -23,9 +23,21 @@ TEST(Kepler, ExactOrbitSolvesTheEquations) {
   }
 }
 
+TEST(Kepler, ExactOrbitSolvesKeplersEquation) {
+  for (const double e : {0.0, 0.3, 0.9, 0.999999})
+    for (const double t : {-3.1, -1.0, -1e-7, 1e-12, 1e-3, 0.5, 2.0, 3.14}) {
+      const auto q = Kepler::exact(e, t).q;
+      const double anomaly = std::atan2(q[1] / std::sqrt((1.0 - e) * (1.0 + e)), q[0] + e);
+      EXPECT_NEAR(anomaly - e * std::sin(anomaly), t, 1e-15 + 3e-16 * std::abs(t)) << e << " " << t;
+    }
+}
+
 TEST(Kepler, RefusesWhatIsNoEllipse) {
-  EXPECT_THROW(Kepler::pericentre(1.0), std::invalid_argument);
-  EXPECT_THROW(Kepler::pericentre(std::nan("")), std::invalid_argument);
+  for (const double e : {1.0, -0.1, std::nan("")}) {
+    EXPECT_THROW(Kepler::pericentre(e), std::invalid_argument) << e;
+    EXPECT_THROW(Kepler::exact(e, 1.0), std::invalid_argument) << e;
+  }
+  EXPECT_THROW(Kepler::exact(0.5, HUGE_VAL), std::invalid_argument);
   EXPECT_EQ(refusal([] { Kepler::pericentre(1.5); }), "Eccentricity is 1.5; it must be in [0, 1).");
 }
 

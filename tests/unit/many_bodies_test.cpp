@@ -7,10 +7,12 @@
 #include "avi/problems/outer_solar_system.hpp"
 #include "difference.hpp"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 
 using avi::dynamic;
@@ -81,6 +83,47 @@ TEST(OuterSolarSystem, HasTheYearsOfThePlanets) {
                  v = z.p.segment<3>(3 * planet).norm() / masses[planet];
     const double pull = masses[0] + masses[planet], axis = 1.0 / (2.0 / r - v * v / pull);
     EXPECT_NEAR(2.0 * M_PI * std::sqrt(axis * axis * axis / pull) / 365.25 / years[planet - 1], 1.0, 0.015);
+  }
+}
+
+// Heliocentric orbits from the start, against the masses and mean elements of the planets in textbooks: what
+// they do to each other moves the eccentricities by some thousandths.
+TEST(OuterSolarSystem, HasTheMassesAndElementsOfThePlanets) {
+  EXPECT_NEAR(std::sqrt(OuterSolarSystem::gravity), 0.01720209895, 1e-13) << "Gauss' constant";
+  const auto masses = OuterSolarSystem::problem().masses();
+  EXPECT_NEAR(masses[0] / OuterSolarSystem::gravity - 1.0,
+              1.0 / 6023600.0 + 1.0 / 408523.7 + 1.0 / 328900.56 + 1.0 / 3098708.0, 1e-9)
+      << "Mercury, Venus, Earth with Moon, and Mars are in the Sun";
+  struct Elements {
+    double inverse_mass, eccentricity, perihelion, inclination, node;  // angles in degrees
+  };
+  const Elements known[] = {{1047.35, 0.0485, 14.7, 1.303, 100.5},
+                            {3497.9, 0.0555, 92.6, 2.489, 113.7},
+                            {22902.9, 0.0460, 170.9, 0.773, 74.0},
+                            {19412.2, 0.0086, 44.9, 1.770, 131.8},
+                            {1.35e8, 0.2488, 224.1, 17.14, 110.3}};
+  constexpr double degree = M_PI / 180.0, tilt = 23.4393 * degree;  // of the equator against the ecliptic
+  const auto z = OuterSolarSystem::start();
+  EXPECT_EQ(z.q.head<3>().norm() + z.p.head<3>().norm(), 0.0) << "the Sun, from which all is measured";
+  for (int planet = 1; planet <= 5; ++planet) {
+    const Elements& of = known[planet - 1];
+    EXPECT_NEAR(masses[0] / masses[planet] / of.inverse_mass, 1.0, 0.04) << planet;
+    const Eigen::Vector3d x = z.q.segment<3>(3 * planet), v = z.p.segment<3>(3 * planet) / masses[planet];
+    const auto ecliptic = [&](const Eigen::Vector3d& w) -> Eigen::Vector3d {
+      return Eigen::AngleAxisd(-tilt, Eigen::Vector3d::UnitX()) * w;
+    };
+    const Eigen::Vector3d turn = x.cross(v), pole = ecliptic(turn.normalized()),
+                          shape = ecliptic(v.cross(turn) / (masses[0] + masses[planet]) - x.normalized());
+    EXPECT_NEAR(std::acos(pole[2]) / degree, of.inclination, 0.02) << planet;
+    EXPECT_NEAR(std::atan2(pole[0], -pole[1]) / degree, of.node, 0.1) << planet;
+    // To where the perihelion is, as long as the eccentricity: angles add up along the orbit.
+    const double node = std::atan2(pole[0], -pole[1]);
+    const Eigen::Vector3d line(std::cos(node), std::sin(node), 0.0);
+    const double perihelion = node + std::atan2(line.cross(shape).dot(pole), line.dot(shape));
+    EXPECT_LT(
+        std::abs(std::polar(shape.norm(), perihelion) - std::polar(of.eccentricity, of.perihelion * degree)),
+        0.008)
+        << planet;
   }
 }
 

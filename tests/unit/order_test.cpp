@@ -61,6 +61,34 @@ TEST(FitOrder, FitsTheSmallestStepsWhenAsked) {
   EXPECT_NEAR(avi::fit_order(h, error, {.at_most = 3}).order, 2.0, 0.15);
 }
 
+// Halvings of h, so that slopes are differences of binary logarithms.
+TEST(FitOrder, EndsWhereTheSlopeFallsBelowHalfTheSteepest) {
+  const auto points = [](std::vector<double> logarithms, avi::OrderOptions options = {}) {
+    for (double& value : logarithms)
+      value = std::exp2(value);
+    return avi::fit_order(halvings(1.0, static_cast<int>(logarithms.size())), logarithms, options).points;
+  };
+  EXPECT_EQ(points({0.0, -4.0, -8.0, -10.1, -12.2}), 5) << "slopes 4, 4, 2.1, 2.1";
+  EXPECT_EQ(points({0.0, -4.0, -8.0, -9.9, -14.0}), 3) << "1.9 ends it";
+  EXPECT_EQ(points({0.0, -2.0, -6.0, -7.9}), 3) << "the steepest so far";
+  EXPECT_EQ(points({0.0, 1.0, -3.0}), 1) << "no order where the error grows";
+  EXPECT_EQ(points({0.0, 0.0, -4.0}), 1) << "or stays";
+  EXPECT_EQ(points({0.0, -4.0, -8.0}, {.floor = 0x1p-8}), 2) << "at the floor is round-off";
+  EXPECT_EQ(points({0.0, -4.0, -8.0}, {.floor = 0x1p-9}), 3);
+}
+
+TEST(FitOrder, TakesAsFewPointsAsItIsTold) {
+  const std::vector<double> h{0.2, 0.1}, error{1.0, 0.5};
+  EXPECT_TRUE(std::isnan(avi::fit_order(h, error).order)) << "three, unless told";
+  EXPECT_NEAR(avi::fit_order(h, error, {.at_least = 2}).order, 1.0, 1e-14);
+  EXPECT_THROW(avi::fit_order(h, error, {.at_least = 1}), std::invalid_argument);
+  const std::vector<double> three{0.4, 0.2, 0.1};
+  EXPECT_NEAR(avi::fit_order(three, three).order, 1.0, 1e-14);
+  const std::vector<double> back{-0.4, -0.2, -0.1};
+  EXPECT_NEAR(avi::fit_order(back, three).order, 1.0, 1e-14) << "of |h|";
+  EXPECT_EQ(avi::fit_order(three, three, {.at_most = 3}).points, 3);
+}
+
 TEST(FitOrder, RefusesBadInput) {
   const std::vector<double> h{0.1, 0.0}, error{1.0, 1.0};
   EXPECT_THROW(avi::fit_order(h, error), std::invalid_argument);

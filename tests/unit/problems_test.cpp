@@ -41,6 +41,21 @@ TEST(Problems, GradientsAreThoseOfThePotentials) {
   EXPECT_LT(gradient_defect(three, q), 1e-10);
 }
 
+TEST(Problems, SupplyTheGradientOfTheLogarithmOfTheirPotential) {
+  const auto expect = [](const auto& problem) {
+    const Vector<double, 2> q(0.8, 0.5);
+    const Vector<double, 2> gradient = problem.log_potential_gradient(q, -1.3);
+    for (int i = 0; i < 2; ++i) {
+      const auto at = [&](double shift) {
+        return -1.3 * std::log(-problem.potential(Vector<double, 2>(q + shift * Vector<double, 2>::Unit(i))));
+      };
+      EXPECT_NEAR(difference(at, 1e-3), gradient[i], 1e-10);
+    }
+  };
+  expect(avi::Kepler{});
+  expect(avi::PerturbedKepler(0.1));
+}
+
 TEST(Pendulum, HasTheKnownPeriod) {
   // K(sin 45 degrees) = Gamma(1/4)^2 / (4 sqrt(pi)).
   const double gamma = std::tgamma(0.25);
@@ -52,7 +67,11 @@ TEST(Pendulum, HasTheKnownPeriod) {
   EXPECT_EQ(avi::integrate(method, z, avi::Pendulum::period(1.0) / 4000.0, {.steps = 4000}).outcome,
             avi::Outcome::ok);
   EXPECT_NEAR(z.q[0], 1.0, 1e-6);
-  EXPECT_THROW(avi::Pendulum::start(3.2), std::invalid_argument);
+  for (const double amplitude : {-0.1, M_PI, std::nan("")}) {
+    EXPECT_THROW(avi::Pendulum::start(amplitude), std::invalid_argument) << amplitude;
+    EXPECT_THROW(avi::Pendulum::period(amplitude), std::invalid_argument) << amplitude;
+  }
+  EXPECT_EQ(avi::Pendulum::start(0.0).q[0], 0.0);
 }
 
 TEST(HenonHeiles, StartsOnTheSectionAtTheEnergyAskedFor) {
@@ -61,6 +80,7 @@ TEST(HenonHeiles, StartsOnTheSectionAtTheEnergyAskedFor) {
   EXPECT_EQ(z.q[0], 0.0);
   EXPECT_GT(z.p[0], 0.0);
   EXPECT_THROW(avi::HenonHeiles::on_section(1.0 / 12.0, 0.9, 0.0), std::invalid_argument);
+  EXPECT_THROW(avi::HenonHeiles::on_section(0.0, 0.0, 0.0), std::invalid_argument) << "p_x = 0 is not above";
 }
 
 TEST(HenonHeiles, HasItsSaddlesAtEnergyOneSixth) {
@@ -91,9 +111,9 @@ TEST(PerturbedKepler, IsKeplerWithoutAndTurnsTheEllipseWith) {
   };
   const double advance = (turn(epsilon) - turn(0.0)) / 10.0;
   EXPECT_NEAR(advance / (3.0 * M_PI * epsilon / std::pow(1.0 - e * e, 2)), 1.0, 1e-2);
-  EXPECT_THROW(avi::PerturbedKepler(-1.0), std::invalid_argument);
-  EXPECT_THROW(avi::Kepler::pericentre(1.0), std::invalid_argument);
-  EXPECT_THROW(avi::Kepler::pericentre(-0.1), std::invalid_argument);
+  for (const double bad : {-1.0, HUGE_VAL, std::nan("")})
+    EXPECT_THROW(avi::PerturbedKepler{bad}, std::invalid_argument) << bad;
+  EXPECT_EQ(avi::PerturbedKepler().potential(q), avi::Kepler::potential(q)) << "none unless it is given";
 }
 
 TEST(NBody, OneCodePathForBothKindsOfDimension) {
@@ -105,6 +125,8 @@ TEST(NBody, OneCodePathForBothKindsOfDimension) {
   EXPECT_EQ((fixed.potential_gradient(z.q) - free.potential_gradient(w.q)).norm(), 0.0);
   EXPECT_EQ((fixed.velocity(z.p) - free.velocity(w.p)).norm(), 0.0);
   EXPECT_THROW(avi::NBody<2>(Vector<double, 2>(1.0, -1.0)), std::invalid_argument);
+  EXPECT_THROW(avi::NBody<dynamic>(Vector<double, dynamic>::Ones(1)), std::invalid_argument);
+  EXPECT_NO_THROW(avi::NBody<dynamic>(Vector<double, dynamic>::Ones(2)));
 }
 
 TEST(NBody, TwoBodiesMoveAsKeplersProblem) {
@@ -115,6 +137,7 @@ TEST(NBody, TwoBodiesMoveAsKeplersProblem) {
   q << 0.4 * relative.q, -0.6 * relative.q;
   p << 0.24 * relative.p, -0.24 * relative.p;
   EXPECT_NEAR(pair(q, p), 0.24 * avi::Kepler{}(relative.q, relative.p), 1e-15);
+  EXPECT_NEAR((pair.velocity(p).head<2>() - pair.velocity(p).tail<2>() - relative.p).norm(), 0.0, 1e-15);
   EXPECT_NEAR(
       (pair.potential_gradient(q).head<2>() - 0.24 * avi::Kepler::potential_gradient(relative.q)).norm(), 0.0,
       1e-14);

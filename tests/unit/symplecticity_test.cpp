@@ -5,6 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
 using avi::State;
 using Point = avi::Vector<double, avi::dynamic>;
 
@@ -32,6 +37,44 @@ TEST(DifferenceJacobian, MatchesAClosedForm) {
   EXPECT_LT((j - exact).norm(), 4e-13);
 }
 
+TEST(DifferenceJacobian, IsExactForPolynomialsOfDegree16) {
+  // About 0 odd powers alone count, and 15 is the highest; x^17 is off by -(8!)^2 s^16.
+  const auto power = [](int exponent) {
+    return [exponent](const Point& z) -> Point { return Point{{std::pow(z[0], exponent)}}; };
+  };
+  const auto slope = [](const auto& map) {
+    return avi::difference_jacobian(map, Point{{0.0}}, {.largest = 0.5, .smallest = 0.5})(0, 0);
+  };
+  EXPECT_NEAR(slope(power(1)), 1.0, 1e-14);
+  for (const int exponent : {3, 5, 7, 9, 11, 13, 15})
+    EXPECT_NEAR(slope(power(exponent)), 0.0, 1e-12 * std::pow(4.0, exponent)) << exponent;
+  const double factorial = std::tgamma(9.0);
+  EXPECT_NEAR(slope(power(17)) / (factorial * factorial * std::pow(0.5, 16)), -1.0, 1e-6);
+}
+
+TEST(DifferenceJacobian, TakesTheSpacingWhereTheFormulasAgreeBest) {
+  // Rounding at 1e-6, so that the longest spacing is the best; a short wave, so that it is the worst.
+  const auto rounded = [](const Point& z) -> Point { return Point{{std::round(1e6 * z[0]) / 1e6}}; };
+  EXPECT_NEAR(avi::difference_jacobian(rounded, Point{{0.3}})(0, 0), 1.0, 1e-4);
+  const auto wave = [](const Point& z) -> Point { return Point{{std::sin(20.0 * z[0]) / 20.0}}; };
+  EXPECT_NEAR(avi::difference_jacobian(wave, Point{{0.3}})(0, 0), std::cos(6.0), 1e-10);
+  std::vector<double> tried;
+  const auto watched = [&](const Point& z) -> Point {
+    tried.push_back(std::abs(z[0]));
+    return z;
+  };
+  (void)avi::difference_jacobian(watched, Point{{0.0}});
+  EXPECT_EQ(tried.size(), 16u * 10u) << "from 1/16 to 1/8192";
+  EXPECT_EQ(*std::max_element(tried.begin(), tried.end()), 8.0 / 16.0);
+  EXPECT_EQ(*std::min_element(tried.begin(), tried.end()), 1.0 / 8192.0);
+}
+
+TEST(DifferenceJacobian, RefusesSpacingsOutOfOrder) {
+  const auto map = [](const Point& z) { return z; };
+  for (const avi::Spacings bad : {avi::Spacings{0.1, 0.0}, {0.1, 0.2}, {HUGE_VAL, 0.1}, {0.1, std::nan("")}})
+    EXPECT_THROW(avi::difference_jacobian(map, Point{{0.0}}, bad), std::invalid_argument);
+}
+
 TEST(SymplecticityDefect, VanishesForStormerVerlet) {
   const auto pendulum = avi::stormer_verlet<1>(&avi::Pendulum::potential_gradient<double>);
   const auto kepler = avi::stormer_verlet<2>(&avi::Kepler::potential_gradient<double>);
@@ -57,7 +100,11 @@ TEST(SymplecticityDefect, ServesAPlainCallable) {
   const Point z{{0.2, -0.4, 1.0, 0.3}};
   EXPECT_LT(avi::symplecticity_defect(squeeze, z), 4e-12);
   EXPECT_NEAR(avi::symplecticity_defect(swell, z), 2.0 * 0.21, 1e-11);
+  // q_1 moves with q_2 and p does not follow: J^T Omega J - Omega has the entries 0.5 and -0.5.
+  const auto shear = [](const Point& x) -> Point { return Point{{x[0] + 0.5 * x[1], x[1], x[2], x[3]}}; };
+  EXPECT_NEAR(avi::symplecticity_defect(shear, z), 0.5 * std::sqrt(2.0), 1e-11);
   EXPECT_THROW(avi::symplecticity_defect(swell, Point{{1.0, 2.0, 3.0}}), std::invalid_argument);
+  EXPECT_THROW(avi::symplecticity_defect(swell, Point()), std::invalid_argument);
 }
 
 TEST(SymplecticityDefect, IsNaNWhereTheStepFails) {

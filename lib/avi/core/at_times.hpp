@@ -28,7 +28,7 @@ auto at_times(std::vector<double> times, Action action) {
   }
   return [times = std::move(times), action = std::move(action),
           next = std::size_t{0}]<class M, class State>(const Step<M, State>& step, long) mutable -> Outcome {
-    const double sense = step.after.t > step.before.t ? 1.0 : -1.0;
+    const double sense = std::copysign(1.0, step.h);  // of time, which may stand still
     const double rounding =
         std::numeric_limits<double>::epsilon() * std::max(std::abs(step.before.t), std::abs(step.after.t));
     for (; next < times.size() && sense * (times[next] - step.after.t) <= rounding; ++next) {

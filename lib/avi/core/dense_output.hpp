@@ -38,7 +38,7 @@ template <class M, class State>
   };
   if (t == before.t) return before;
   if (t == after.t) return after;
-  const double sense = after.t > before.t ? 1.0 : -1.0;
+  const double sense = std::copysign(1.0, after.t - before.t);
   const double c =
       bracketed_root([&](double x) { return sense * (at(x).t - t); }, 0.0, sense * (before.t - t), 1.0,
                      sense * (after.t - t), std::numeric_limits<double>::epsilon() * std::abs(t));

@@ -70,7 +70,7 @@ Run run(M& method, State& state, double h, const Until& until, const Goal& goal,
   const bool timed = std::isfinite(until.time);
   require(timed || until.steps < std::numeric_limits<long>::max(), "End of the run", "not set",
           "a time or a number of steps");
-  const double sense = h > 0.0 ? 1.0 : -1.0;  // of time
+  const double sense = std::copysign(1.0, h);  // of time
   require(!timed || !(sense * until.time < sense * state.t), "Step size h", h,
           h > 0.0 ? "negative where the run ends at a time behind"
                   : "positive where the run ends at a time ahead");

@@ -47,7 +47,7 @@ struct Step {
     const double first = f(before), last = f(after);
     Located<State> found{.state = after, .h = h};
     if (!(std::abs(last) > tolerance)) return found;
-    const double sign = first < 0.0 ? 1.0 : -1.0;
+    const double sign = std::copysign(1.0, last);
     std::optional<M> repeated;
     const auto value = [&](double part) {
       if (!detail::one_step<M> || !repeated) repeated.emplace(method);

@@ -40,7 +40,7 @@ class Trajectory {
   /// @throws std::invalid_argument for t outside the run.
   [[nodiscard]] State<n> at(double t) const {
     require(states_.size() > 1, "Number of stored states", states_.size(), "at least 2 to evaluate between");
-    const double sense = states_.back().t > states_.front().t ? 1.0 : -1.0;
+    const double sense = std::copysign(1.0, states_.back().t - states_.front().t);
     require(sense * t >= sense * states_.front().t && sense * t <= sense * states_.back().t,
             "Time in the trajectory", t,
             "between its ends, " + std::to_string(states_.front().t) + " and " +

@@ -68,7 +68,7 @@ struct Kepler : UnitMass<Kepler, 2> {
       (defect > 0.0 ? high : low) = anomaly;
       double next = anomaly - defect / (1.0 - e * std::cos(anomaly));
       if (!(next > low && next < high)) next = 0.5 * (low + high);
-      if (std::abs(next - anomaly) <= 1e-16 * std::abs(next)) break;
+      if (next == anomaly) break;
       anomaly = next;
     }
     const double c = std::cos(anomaly), s = std::sin(anomaly), b = std::sqrt((1.0 - e) * (1.0 + e));
