@@ -2,7 +2,6 @@
 #include "avi/collocation/stages.hpp"
 #include "avi/core/require.hpp"
 
-#include <string>
 #include <type_traits>
 #include <variant>
 
@@ -41,11 +40,11 @@ class Collocation {
   /// report counts evaluations of the field at all stages: the sweeps and the one that ends a step.
   /// @throws std::invalid_argument where n is avi::dynamic and z of another size.
   StepReport step(State<n>& z, double h) {
-    if constexpr (n == dynamic)
-      if (const auto size = problem().size();
-          z.q.size() != size || z.p.size() != size)  // before the message, which allocates
-        require(false, "Dimension of the state", z.q.size() != size ? z.q.size() : z.p.size(),
-                "that of the problem, " + std::to_string(size) + ", for q and p alike");
+    if constexpr (n == dynamic) {
+      const Eigen::Index size = problem().size(), other = z.q.size() != size ? z.q.size() : z.p.size();
+      require(other == size, "Dimension of the state", other, "that of the problem, ", size,
+              ", for q and p alike");
+    }
     return with(solver_, [&](auto& solver) { return solver.stages.step(solver.sweeps, z, h); });
   }
 
@@ -75,10 +74,9 @@ class Collocation {
   using AnySolver = std::conditional_t<largest_order <= 8, OneOf<4>,
                                        std::conditional_t<largest_order <= 16, OneOf<4, 8>, OneOf<4, 8, 16>>>;
   static AnySolver make(const Problem& problem, int order, SweepSettings settings) {
-    if (order < 2 || order > largest_order || order % 2 != 0)
-      require(false, "Order of collocation", order,
-              "even and in [2, " + std::to_string(largest_order) +
-                  (largest_order < 32 ? "]; collocation<32>(problem, order) goes up to 32" : "]"));
+    require(order >= 2 && order <= largest_order && order % 2 == 0, "Order of collocation", order,
+            "even and in [2, ", largest_order,
+            largest_order < 32 ? "]; collocation<32>(problem, order) goes up to 32" : "]");
     require(std::isfinite(settings.tolerance) && settings.tolerance > 0.0, "Tolerance of the sweeps",
             settings.tolerance, "finite and positive");
     require(settings.max_sweeps >= 1, "Number of sweeps", settings.max_sweeps, "at least 1");

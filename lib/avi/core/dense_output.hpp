@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 /// @file
 /// States inside a step from the polynomial of the method, without an evaluation.
@@ -26,8 +25,7 @@ template <class M, class State>
       requires { method.polynomial(0.0, 0.0); },
       "Dense output needs a method with a polynomial; at_times() serves every method.");
   const auto [first, last] = std::minmax(before.t, after.t);
-  require(t >= first && t <= last, "Time of dense output", t,
-          "in the last step, [" + std::to_string(first) + ", " + std::to_string(last) + "]");
+  require(t >= first && t <= last, "Time of dense output", t, "in the last step, [", first, ", ", last, "]");
   const State begin = method.polynomial(0.0, before.t), end = method.polynomial(1.0, before.t);
   const auto at = [&](double c) {
     State z = method.polynomial(c, before.t);

@@ -12,19 +12,23 @@
 namespace avi {
 
 namespace detail {
-template <class Value>
-[[noreturn]] void reject(std::string_view what, const Value& value, std::string_view admissible) {
+template <class Value, class... More>
+[[noreturn]] void reject(std::string_view what, const Value& value, std::string_view admissible,
+                         const More&... more) {
   std::ostringstream sentence;
   sentence.precision(17);
-  sentence << what << " is " << value << "; it must be " << admissible << ".";
+  sentence << what << " is " << value << "; it must be " << admissible;
+  (sentence << ... << more) << ".";
   throw std::invalid_argument(sentence.str());
 }
 }  // namespace detail
 
-/// Throws unless `holds`; NaN never holds a comparison and so is always refused.
-template <class Value>
-void require(bool holds, std::string_view what, const Value& value, std::string_view admissible) {
-  if (!holds) detail::reject(what, value, admissible);
+/// Throws unless `holds`; NaN never holds a comparison and so is always refused. What is admissible may be
+/// said in several pieces, such as a number of the call; only a refusal puts them together.
+template <class Value, class... More>
+constexpr void require(bool holds, std::string_view what, const Value& value, std::string_view admissible,
+                       const More&... more) {
+  if (!holds) detail::reject(what, value, admissible, more...);
 }
 
 /// Throws unless value is finite and > 0; returns it.

@@ -42,8 +42,8 @@ template <int n>
 void require_dimension([[maybe_unused]] const State<n>& start) {
   if constexpr (n == dynamic) {
     require(start.q.size() >= 1, "Dimension of q at the start", start.q.size(), "at least 1");
-    require(start.p.size() == start.q.size(), "Dimension of p at the start", start.p.size(),
-            "that of q, " + std::to_string(start.q.size()));
+    require(start.p.size() == start.q.size(), "Dimension of p at the start", start.p.size(), "that of q, ",
+            start.q.size());
   }
 }
 

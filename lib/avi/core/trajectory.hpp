@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <limits>
 #include <ostream>
-#include <string>
 #include <vector>
 
 /// @file
@@ -28,7 +27,7 @@ class Trajectory {
       tau_.push_back(0.0);
     }
     require(step.before.t == states_.back().t, "Begin of the next step", step.before.t,
-            "where the trajectory ends, at t = " + std::to_string(states_.back().t));
+            "where the trajectory ends, at t = ", states_.back().t);
     states_.push_back(step.after);
     tau_.push_back(tau_.back() + step.h);
   }
@@ -42,9 +41,7 @@ class Trajectory {
     require(states_.size() > 1, "Number of stored states", states_.size(), "at least 2 to evaluate between");
     const double sense = std::copysign(1.0, states_.back().t - states_.front().t);
     require(sense * t >= sense * states_.front().t && sense * t <= sense * states_.back().t,
-            "Time in the trajectory", t,
-            "between its ends, " + std::to_string(states_.front().t) + " and " +
-                std::to_string(states_.back().t));
+            "Time in the trajectory", t, "between its ends, ", states_.front().t, " and ", states_.back().t);
     const auto later =
         std::upper_bound(states_.begin() + 1, states_.end() - 1, t,
                          [&](double time, const State<n>& z) { return sense * time < sense * z.t; });

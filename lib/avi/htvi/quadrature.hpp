@@ -120,7 +120,7 @@ inline Quadrature radau(int m) {
 inline void validate(const Quadrature& rule) {
   require(!rule.nodes.empty(), "Number of quadrature nodes", rule.nodes.size(), "at least 1");
   require(rule.nodes.size() == rule.weights.size(), "Number of quadrature weights", rule.weights.size(),
-          "the number of nodes, " + std::to_string(rule.nodes.size()));
+          "the number of nodes, ", rule.nodes.size());
   double sum = 0.0;
   for (double b : rule.weights)
     sum += b;

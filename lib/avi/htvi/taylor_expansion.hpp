@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 
 /// @file
 /// The Taylor method with its first derivatives.
@@ -43,8 +42,7 @@ class TaylorExpansion {
 
   /// For a problem, which is copied. @throws std::invalid_argument for an order out of range.
   TaylorExpansion(const Problem& problem, int run_time_order) : problem_(problem), order_(run_time_order) {
-    require(order_ >= 0 && order_ <= capacity, "Taylor order r", order_,
-            "in [0, " + std::to_string(capacity) + "]");
+    require(order_ >= 0 && order_ <= capacity, "Taylor order r", order_, "in [0, ", capacity, "]");
   }
 
   /// r.

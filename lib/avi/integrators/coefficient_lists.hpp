@@ -22,7 +22,7 @@ class Lengths {
   /// So many zeros.
   /// @throws std::invalid_argument for more than 36.
   constexpr explicit Lengths(std::size_t count) : size_(count) {
-    if (count > most) require(false, "Length of a list of coefficients", count, "at most 36");
+    require(count <= most, "Length of a list of coefficients", count, "at most 36");
   }
   /// The same numbers, rounded.
   template <class Other>

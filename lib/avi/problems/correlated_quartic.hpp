@@ -2,8 +2,6 @@
 #include "avi/core/dot.hpp"
 #include "avi/core/require.hpp"
 
-#include <string>
-
 /// @file
 /// The objective of the paper's optimisation experiments.
 
@@ -69,8 +67,7 @@ class CorrelatedQuartic {
 
   /// (x - 1)^T Sigma (x - 1); the image Sigma (x - 1) is left in z.
   double quadratic_form(const VectorX& x, VectorX& z) const {
-    if (x.size() != size())  // the sentence is made only when it is needed
-      require(false, "Size of x", x.size(), "the objective's dimension, " + std::to_string(size()));
+    require(x.size() == size(), "Size of x", x.size(), "the objective's dimension, ", size());
     z.resize(size());
     offset_ = x.array() - 1.0;
     multiply_by_correlation(rho_, offset_, z);
