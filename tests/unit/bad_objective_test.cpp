@@ -88,6 +88,11 @@ TEST(BadObjective, NamesAGradientThatIsWrong) {
       EXPECT_EQ(checked.outcome, x0.norm() > 0.0 ? Outcome::wrong_gradient : Outcome::ok) << checked.message;
     }
   }
+  const auto forgotten = [](const VectorX& x, VectorX& g) {
+    g.setZero();
+    return x.squaredNorm();
+  };
+  EXPECT_EQ(minimise(forgotten, VectorX::Ones(3), {.check_gradient = true}).outcome, Outcome::wrong_gradient);
   EXPECT_TRUE(minimise(rosenbrock, Eigen::Vector2d(-1.2, 1.0), {.check_gradient = true}).converged());
   const auto cosine = [](const VectorX& x, VectorX& g) {
     g[0] = std::sin(x[0] - 1.0);

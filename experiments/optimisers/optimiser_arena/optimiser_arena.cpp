@@ -19,7 +19,7 @@ using avi::VectorX;
 
 VectorX moved(const Problem& problem, int start) {
   if (start == 0) return problem.x0;
-  const double size = avi::detail::largest(problem.x0);
+  const double size = avi::largest_entry(problem.x0);
   arena::Numbers numbers(1000 + static_cast<unsigned long>(start));
   return problem.x0 + 1e-3 * (size > 0.0 ? size : 1.0) * numbers.normals(problem.x0.size());
 }

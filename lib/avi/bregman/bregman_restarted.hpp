@@ -47,7 +47,7 @@ struct BregmanRestarted {
   State start(const Iterate& first) const {
     require_positive("Order P", P);
     const VectorX zero = VectorX::Zero(first.x.size());
-    const double x = detail::largest(first.x), g = detail::largest(first.gradient);
+    const double x = largest_entry(first.x), g = largest_entry(first.gradient);
     const double square = dot(first.gradient, first.gradient);
     double length = x > 0.0 ? 0.01 * x / g : 0.01 * std::abs(first.value) / square;
     if (!(length > 0.0) || !std::isfinite(length)) length = 1.0;

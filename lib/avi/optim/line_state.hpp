@@ -3,6 +3,7 @@
 #include "avi/optim/run_updates.hpp"
 #include "avi/optim/secant_pairs.hpp"
 
+#include <functional>
 #include <utility>
 
 /// @file
@@ -11,14 +12,17 @@
 namespace avi {
 
 /// Base of the line that is searched, trial on it, best evaluated point, and direction d: seven vectors, and
-/// the pairs of the mass matrix. StateClock takes the decisions; this class does the arithmetic.
-template <Objective F>
+/// the pairs of the mass matrix. StateClock takes the decisions; this class does the arithmetic. No template:
+/// it is compiled once for all objectives.
 class LineState {
  public:
+  /// Value and gradient at a point.
+  using Function = std::function<double(const VectorX&, VectorX&)>;
+
   /// Makes the memory of a run: 7 vectors, and 2 m + 1 more if m > 0.
   /// @throws std::invalid_argument for options out of range or an empty or non-finite x0.
-  LineState(const F& f, const VectorX& x0, const MinimiseOptions& options)
-      : options_(options), f_(f, 0), n_(x0.size()), pairs_(checked(options, x0).memory, n_) {
+  LineState(Function f, const VectorX& x0, const MinimiseOptions& options)
+      : options_(options), f_(std::move(f)), n_(x0.size()), pairs_(checked(options, x0).memory, n_) {
     base_.x = x0;
     for (VectorX* v : {&base_.g, &trial_.x, &trial_.g, &best_.x, &best_.g, &d_})
       v->setZero(n_);
@@ -40,24 +44,30 @@ class LineState {
   static const MinimiseOptions& checked(const MinimiseOptions& options, const VectorX& x0) {
     options.validate();
     require(x0.size() > 0, "Size of x0", x0.size(), "at least 1");
-    require(std::isfinite(detail::largest(x0)), "Largest entry of x0", detail::largest(x0), "finite");
+    require(std::isfinite(largest_entry(x0)), "Largest entry of x0", largest_entry(x0), "finite");
     return options;
   }
 
-  /// Notes why the run ends.
-  Outcome fail(Outcome outcome, std::string reason) {
+  /// Notes why the run ends. Always false.
+  bool fail(Outcome outcome, std::string reason) {
+    failure_ = outcome;
     reason_ = std::move(reason);
-    return failure_ = outcome;
+    return false;
+  }
+
+  /// Value, with the gradient in at.g; counted.
+  double value_at(Point& at) {
+    ++evaluations_;
+    return f_(at.x, at.g);
   }
 
   /// Value and gradient, slope along d and square of the gradient. False for a gradient of another size.
   bool evaluate(Point& at) {
-    at.f = f_(at.x, at.g);
-    if (at.g.size() != n_ || at.x.size() != n_) {
-      fail(Outcome::wrong_gradient,
-           "the gradient has " + std::to_string(at.g.size()) + " entries where x has " + std::to_string(n_));
+    at.f = value_at(at);
+    if (const Eigen::Index entries = at.g.size(); entries != n_) {
       at.g.setZero(n_);
-      return false;
+      return fail(Outcome::wrong_gradient, "the gradient has " + std::to_string(entries) +
+                                               " entries where x has " + std::to_string(n_));
     }
     const auto sums = sweep<2>(n_, [g = at.g.data(), d = d_.data()](auto e, auto& sum) {
       const auto entry = e(g);
@@ -96,7 +106,7 @@ class LineState {
 
   /// The way to where a linear f would vanish, or one hundredth of x, whichever is longer.
   [[nodiscard]] double first_step() const {
-    const double x = detail::largest(base_.x), g = detail::largest(base_.g);
+    const double x = largest_entry(base_.x), g = largest_entry(base_.g);
     const double length = std::max(0.01 * x / g, std::abs(base_.f) / (norm_ * norm_));
     return length > 0.0 ? length : 1.0 / g;
   }
@@ -212,7 +222,8 @@ class LineState {
   }
 
   MinimiseOptions options_;        ///< As given.
-  Counted<F> f_;                   ///< The objective.
+  Function f_;                     ///< The objective.
+  long evaluations_ = 0;           ///< Of value and gradient.
   Eigen::Index n_;                 ///< Size of x.
   SecantPairs pairs_;              ///< The mass matrix.
   Point base_;                     ///< Where the line begins.

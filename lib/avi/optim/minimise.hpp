@@ -21,7 +21,7 @@ namespace avi {
 /// @throws std::invalid_argument for options out of range or an empty or non-finite x0.
 template <Objective F>
 [[nodiscard]] Minimisation minimise(const F& f, const VectorX& x0, const MinimiseOptions& options = {}) {
-  return StateClock<F>(f, x0, options).run();
+  return StateClock(std::cref(f), x0, options).run();
 }
 
 /// The same for a formula f(x) that is generic in its scalar: the gradient is found by automatic

@@ -1,16 +1,16 @@
 #pragma once
+#include "avi/core/event.hpp"
 #include "avi/optim/stopping.hpp"
 
 #include <algorithm>
 #include <concepts>
 #include <limits>
 #include <sstream>
-#include <type_traits>
 #include <utility>
 
 /// @file
-/// The only loop of update rules: stopping, counting, observation and the exits of a failing run
-/// are here; a method is an update rule.
+/// The only loop of update rules: stopping, counting, observation and the exits of a failing run are here; a
+/// method is an update rule.
 
 namespace avi {
 
@@ -40,19 +40,9 @@ inline std::string describe_end(Outcome outcome, long k, const Iterate& at, std:
   return sentence.str();
 }
 
-/// Largest magnitude of an entry; NaN when one is NaN.
-inline double largest(const VectorX& x) {
-  double most = 0.0;
-  for (const double entry : x) {
-    if (std::isnan(entry)) return entry;
-    most = std::max(most, std::abs(entry));
-  }
-  return most;
-}
-
 /// Tells a run that left its bounds from one that met something that is not a number on the way.
 inline void describe_failure(Minimisation& run, double x_bound) {
-  const double size = largest(run.last.x);
+  const double size = largest_entry(run.last.x);
   std::string_view reason = "the iterates left every bound";
   run.outcome = Outcome::diverged;
   if (std::isnan(size)) {
@@ -79,15 +69,15 @@ Minimisation run_updates(const F& f, const M& method, const VectorX& x0, const S
                          Witness&& witness = {}) {
   stopping.validate();
   require(x0.size() > 0, "Size of x0", x0.size(), "at least 1");
-  require(std::isfinite(detail::largest(x0)), "Largest entry of x0", detail::largest(x0), "finite");
+  require(std::isfinite(largest_entry(x0)), "Largest entry of x0", largest_entry(x0), "finite");
   Counted<F> objective(f, x0.size());
   Minimisation run;
   Iterate& now = run.last;
   now.x = x0;
   now.gradient = VectorX::Zero(x0.size());
   now.evaluate(objective);
-  require(now.gradient.size() == x0.size(), "Size of the gradient", now.gradient.size(),
-          "the size of x0, " + std::to_string(x0.size()));
+  require(now.gradient.size() == x0.size(), "Size of the gradient", now.gradient.size(), "the size of x0, ",
+          x0.size());
   require_finite("Value of the objective at x0", now.value);
   require_finite("Norm of the gradient at x0", norm(now.gradient));
   typename M::State state = method.start(now);
@@ -95,12 +85,9 @@ Minimisation run_updates(const F& f, const M& method, const VectorX& x0, const S
   const auto bound = [&](double size) {
     return std::min(stopping.growth * std::max(1.0, size), std::numeric_limits<double>::max());
   };
-  const double value_bound = bound(std::abs(now.value)), x_bound = bound(detail::largest(x0));
+  const double value_bound = bound(std::abs(now.value)), x_bound = bound(largest_entry(x0));
   const auto go_on = [&] {
-    if constexpr (std::is_same_v<std::invoke_result_t<Witness&, const Iterate&, long, long>, bool>)
-      return witness(std::as_const(now), run.iterations, objective.gradients);
-    else
-      return witness(std::as_const(now), run.iterations, objective.gradients), true;
+    return detail::ask(witness, std::as_const(now), run.iterations, objective.gradients) == Outcome::ok;
   };
   const auto end = [&]() -> Minimisation& {
     run.gradient_evaluations = objective.gradients;
@@ -112,7 +99,7 @@ Minimisation run_updates(const F& f, const M& method, const VectorX& x0, const S
   VectorX good = now.x;
   const auto fail = [&]() -> Minimisation& {
     detail::describe_failure(run, x_bound);
-    now.x = std::isfinite(detail::largest(good)) ? good : x0;
+    now.x = std::isfinite(largest_entry(good)) ? good : x0;
     now.evaluate(objective);
     return end();
   };
@@ -138,7 +125,7 @@ Minimisation run_updates(const F& f, const M& method, const VectorX& x0, const S
       break;
     }
   }
-  if (!std::isfinite(detail::largest(now.x))) return fail();
+  if (!std::isfinite(largest_entry(now.x))) return fail();
   if (run.outcome == Outcome::ok) return end();
   return more ? end_as(Outcome::step_limit, "the cap on iterations was reached")
               : end_as(Outcome::stopped, "the witness asked to stop");

@@ -14,10 +14,10 @@ struct SlopeByValues {
   double slope;        ///< d . grad f.
   double uncertainty;  ///< By truncation and rounding.
 
-  /// True where `by_gradient` cannot be told from it.
-  [[nodiscard]] bool agrees_with(double by_gradient, double relative) const {
+  /// True where `by_gradient`, which may be off by `allowed`, cannot be told from it.
+  [[nodiscard]] bool agrees_with(double by_gradient, double allowed) const {
     // A slope that is NaN says nothing about the gradient; the run itself will report it.
-    return !(std::abs(slope - by_gradient) > relative * std::abs(by_gradient) + uncertainty);
+    return !(std::abs(slope - by_gradient) > allowed + uncertainty);
   }
   /// One clause with both numbers.
   [[nodiscard]] std::string against(double by_gradient) const {
@@ -44,12 +44,13 @@ SlopeByValues slope_by_values(Phi&& phi, double h) {
 
 /// A direction in which every entry takes part, by its size and with a weight of either sign between 1/2 and
 /// 3/2.
-inline void mixed_direction(const VectorX& x, double largest_entry, VectorX& d) {
+inline void mixed_direction(const VectorX& x, VectorX& d) {
+  const double largest = largest_entry(x);
   std::uint64_t bits = 1;
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     bits = bits * 6364136223846793005u + 1442695040888963407u;  // Knuth's generator: signs need no better one
     const double weight = 0.5 + static_cast<double>((bits << 1) >> 33) * 0x1p-31;
-    const double size = largest_entry > 0.0 ? std::max(std::abs(x[i]), 0.01 * largest_entry) : 1.0;
+    const double size = largest > 0.0 ? std::max(std::abs(x[i]), 0.01 * largest) : 1.0;
     d[i] = (bits >> 63) != 0 ? -weight * size : weight * size;
   }
 }

@@ -20,75 +20,45 @@ namespace avi {
 /// evaluated; if f rose, the run goes back to the best point that was evaluated.
 ///
 /// Theory, choices of alpha and beta, and measurements: @ref optimisation.
-template <Objective F>
-class StateClock : LineState<F> {
+class StateClock : LineState {
  public:
-  using LineState<F>::LineState;  // f, x0, options
+  using LineState::LineState;  // f, x0, options
 
   /// Minimises. To be called once.
   Minimisation run() {
-    if (!evaluate(base_)) return end(failure_);
+    if (!evaluate(base_)) return end(failure_, reason_);
     norm_ = std::sqrt(square_);
-    const double steepness = detail::largest(base_.g);
+    const double steepness = largest_entry(base_.g);
     if (!std::isfinite(steepness))
-      return end(fail(Outcome::non_finite, "the gradient at x0 is not finite, or f did not fill it"));
+      return end(Outcome::non_finite, "the gradient at x0 is not finite, or f did not fill it");
     if (!std::isfinite(norm_) || (norm_ == 0.0 && steepness > 0.0))
-      return end(fail(Outcome::non_finite,
-                      "the square of the gradient at x0 is beyond the range of numbers; scale f"));
-    if (!std::isfinite(base_.f)) return end(fail(Outcome::non_finite, "f(x0) is not finite"));
+      return end(Outcome::non_finite,
+                 "the square of the gradient at x0 is beyond the range of numbers; scale f");
+    if (!std::isfinite(base_.f)) return end(Outcome::non_finite, "f(x0) is not finite");
     scale_ = std::abs(base_.f);
     target_ = std::max(options_.relative * norm_, options_.absolute);
     floor_ = -std::min(1e30 * std::max(1.0, scale_), std::numeric_limits<double>::max());
-    if (options_.check_gradient && !gradient_agrees()) return end(failure_);
+    if (options_.check_gradient && !gradient_agrees()) return end(failure_, reason_);
     steepest();
-    if (!report()) return end(fail(Outcome::stopped, "the callback asked to stop"));
+    if (!report()) return end(Outcome::stopped, "the callback asked to stop");
     if (norm_ <= target_) return end(Outcome::ok);
     while (run_.iterations < options_.iterations) {
       const double before = base_.f;
-      if (!line()) return end(failure_);
+      if (!line()) return end(failure_, reason_);
       ++run_.iterations;
       bool done = norm_ <= target_ && std::abs(base_.f - before) < options_.change;
       if (done && !exact_) {
         settle();
         done = norm_ <= target_;
       }
-      if (!report()) return end(fail(Outcome::stopped, "the callback asked to stop"));
+      if (!report()) return end(Outcome::stopped, "the callback asked to stop");
       if (done) return end(Outcome::ok);
-      if (!gains()) return end(failure_);
+      if (!gains()) return end(failure_, reason_);
     }
-    return end(fail(Outcome::step_limit, "the cap on iterations was reached"));
+    return end(Outcome::step_limit, "the cap on iterations was reached");
   }
 
  private:
-  using Base = LineState<F>;
-  using Base::advance;
-  using Base::alpha_;
-  using Base::base_;
-  using Base::best_;
-  using Base::d_;
-  using Base::down_;
-  using Base::evaluate;
-  using Base::exact_;
-  using Base::f_;
-  using Base::fail;
-  using Base::failure_;
-  using Base::floor_;
-  using Base::length2_;
-  using Base::measure_direction;
-  using Base::n_;
-  using Base::noise_;
-  using Base::norm_;
-  using Base::options_;
-  using Base::place_trial;
-  using Base::reason_;
-  using Base::rounding;
-  using Base::settle;
-  using Base::slope_;
-  using Base::square_;
-  using Base::steepest;
-  using Base::target_;
-  using Base::trial_;
-
   /// One iteration: trials along d until one of them gives the next point. False sets failure_.
   bool line() {
     LinePoint start{base_.f, down_};
@@ -96,10 +66,8 @@ class StateClock : LineState<F> {
     const double sigma = options_.memory == 0 ? 0.7 : 0.8;
     bool restarted = false;
     for (int trials = 1, since_start = 1;; ++trials, ++since_start) {
-      if (f_.gradients >= options_.evaluations) {
-        fail(Outcome::step_limit, "the cap on evaluations was reached");
-        return false;
-      }
+      if (evaluations_ >= options_.evaluations)
+        return fail(Outcome::step_limit, "the cap on evaluations was reached");
       place_trial(alpha_);
       const bool stands = trial_.x == base_.x;
       if (trials > 40 || stands || !(alpha_ > 0.0)) {  // nothing on this line: steepest descent, once
@@ -114,10 +82,7 @@ class StateClock : LineState<F> {
         place_trial(alpha_);
       }
       if (!evaluate(trial_)) return false;
-      if (trial_.f < floor_) {
-        fail(Outcome::diverged, "f has no lower bound along a line");
-        return false;
-      }
+      if (trial_.f < floor_) return fail(Outcome::diverged, "f has no lower bound along a line");
       if (!std::isfinite(trial_.f) || !std::isfinite(square_)) {
         high = alpha_;
         alpha_ *= 0.1;
@@ -186,57 +151,49 @@ class StateClock : LineState<F> {
   /// Why steepest descent found nothing: rounding hides the fall, or the gradient is not that of f. Always
   /// false.
   bool judge() {
-    if (!std::isfinite(trial_.f) || !std::isfinite(square_)) {
-      fail(Outcome::non_finite, "f or its gradient is not finite wherever the run turns");
-      return false;
-    }
-    const SlopeByValues by = slope_by_values([this](double h) { return value_along(h); }, difference_step());
-    if (by.agrees_with(down_, 0.1))
-      fail(Outcome::stalled, "rounding of f hides what could still be gained");
-    else
-      fail(Outcome::no_descent, by.against(down_));
-    return false;
+    if (!std::isfinite(trial_.f) || !std::isfinite(square_))
+      return fail(Outcome::non_finite, "f or its gradient is not finite wherever the run turns");
+    const SlopeByValues by = slope_along_d();
+    if (by.agrees_with(down_, 0.1 * std::abs(down_)))
+      return fail(Outcome::stalled, "rounding of f hides what could still be gained");
+    return fail(Outcome::no_descent, by.against(down_));
   }
 
   /// The check on request, at the start.
   bool gradient_agrees() {
-    mixed_direction(base_.x, detail::largest(base_.x), d_);
+    mixed_direction(base_.x, d_);
     measure_direction();
-    const SlopeByValues by = slope_by_values([this](double h) { return value_along(h); }, difference_step());
-    const double terms = base_.g.cwiseProduct(d_).template lpNorm<1>();
-    if (by.agrees_with(down_, 0.0) || by.agrees_with(down_, 1e-7 * terms / std::abs(down_))) return true;
-    fail(Outcome::wrong_gradient, by.against(down_));
-    return false;
+    const SlopeByValues by = slope_along_d();
+    if (by.agrees_with(down_, 1e-7 * base_.g.cwiseProduct(d_).lpNorm<1>())) return true;
+    return fail(Outcome::wrong_gradient, by.against(down_));
   }
 
-  [[nodiscard]] double difference_step() const {
+  SlopeByValues slope_along_d() {
     const double length = std::sqrt(length2_), size = std::max(norm(base_.x), alpha_ * length);
-    return 1e-4 * (size > 0.0 ? size / length : 1.0);
-  }
-
-  double value_along(double h) {
-    place_trial(h);
-    return f_(trial_.x, trial_.g);
+    const auto along = [this](double h) {
+      place_trial(h);
+      return value_at(trial_);
+    };
+    return slope_by_values(along, 1e-4 * (size > 0.0 ? size / length : 1.0));
   }
 
   /// Tells the callback; false where it asks to stop.
   bool report() {
     return !options_.callback ||
-           options_.callback({base_.x, base_.g, base_.f, norm_, run_.iterations, f_.gradients, exact_});
+           options_.callback({base_.x, base_.g, base_.f, norm_, run_.iterations, evaluations_, exact_});
   }
 
   /// Hands out the base, or the best evaluated point where the base is interpolated.
-  Minimisation end(Outcome outcome) {
+  Minimisation end(Outcome outcome, std::string_view reason = {}) {
     auto& last = exact_ ? base_ : best_;
     run_.last.x.swap(last.x);
     run_.last.gradient.swap(last.g);
     run_.last.value = last.f;
     run_.last.evaluated = true;
     run_.outcome = outcome;
-    run_.gradient_evaluations = f_.gradients;
-    run_.function_evaluations = f_.values;
+    run_.gradient_evaluations = run_.function_evaluations = evaluations_;
     if (outcome != Outcome::ok)
-      run_.message = detail::describe_end(outcome, run_.iterations, run_.last, reason_);
+      run_.message = detail::describe_end(outcome, run_.iterations, run_.last, reason);
     return std::move(run_);
   }
 

@@ -41,9 +41,9 @@ struct OneEntry {
 /// to be increased by a term of the k-th sum. Returns the sums.
 ///
 /// `body` is generic: it is called for eight entries at a time, and one by one at the end. The order of
-/// addition is that of avi::dot() (core/dot.hpp): eight partial sums, added as a tree, so that sums
-/// are the same to the last bit on every machine. A pass that did the same one operation at a time would read
-/// long vectors from memory several times.
+/// addition is that of avi::dot() (core/dot.hpp): eight partial sums, added as a tree, so that sums are the
+/// same to the last bit on every machine. A pass that did the same one operation at a time would read long
+/// vectors from memory several times.
 template <int sums, class Body>
 [[gnu::always_inline]] inline std::array<double, sums> sweep(Eigen::Index n, Body body) {
   constexpr Eigen::Index lanes = 8;

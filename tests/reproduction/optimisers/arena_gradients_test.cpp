@@ -15,7 +15,7 @@ TEST(ArenaGradients, AreThoseOfTheValues) {
   for (const auto& problem : problems) {
     const Eigen::Index n = problem.x0.size();
     VectorX d(n), g(n), unused(n), x(n);
-    const double size = std::max(avi::detail::largest(problem.x0), 0.1);
+    const double size = std::max(avi::largest_entry(problem.x0), 0.1);
     avi::mixed_direction(problem.x0, size, d);
     d *= 0.1;
     x = problem.x0 + d;  // off the start, where entries may vanish or agree
