@@ -75,6 +75,12 @@ TEST(FitDrift, TellsNoiseFromDrift) {
   EXPECT_EQ(fit.points, 50);
 }
 
+TEST(FitDrift, SeesNoDriftWhereNothingMoves) {
+  const auto fit = avi::fit_drift(std::vector{0.0, 1.0, 2.0}, std::vector{0.0, 0.0, 0.0});
+  EXPECT_EQ(fit.t_statistic, 0.0);
+  EXPECT_EQ(avi::corrected_t(fit), 0.0);
+}
+
 TEST(FitDrift, RefusesBadInput) {
   const std::vector<double> two{0.0, 1.0}, same{1.0, 1.0, 1.0}, three{0.0, 1.0, 2.0};
   EXPECT_THROW(avi::fit_drift(two, two), std::invalid_argument);

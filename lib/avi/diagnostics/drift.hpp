@@ -68,7 +68,7 @@ inline DriftFit fit_drift(std::span<const double> times, std::span<const double>
   }
   if (rest > 0.0) fit.correlation = together / rest;
   fit.standard_error = std::sqrt(rest / (n - 2.0) / tt);
-  fit.t_statistic = fit.slope / fit.standard_error;
+  if (fit.slope != 0.0) fit.t_statistic = fit.slope / fit.standard_error;
   return fit;
 }
 
