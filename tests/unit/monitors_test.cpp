@@ -39,7 +39,7 @@ double at(const G& g, const V& q, const V& p) {
 template <class G>
 V slope(const G& g, const V& q, const V& p) {
   if constexpr (std::invocable<const G&, const V&>)
-    return avi::gradient(g, q);
+    return avi::value_and_gradient(g, q).gradient();
   else
     return avi::d_dq(g, q, p);
 }

@@ -50,9 +50,9 @@ void every_number_goes_its_own_way() {
   for_each_formula([&](const auto& f) {
     const Pack<w> z = f(x, y);
     const auto gradient = [&f](const auto& v) { return f(v[0], v[1]); };
-    const auto g = avi::gradient(gradient, Vector<Pack<w>, 2>(x, y));
+    const auto g = avi::value_and_gradient(gradient, Vector<Pack<w>, 2>(x, y)).gradient();
     for (int i = 0; i < w; ++i) {
-      const auto g_i = avi::gradient(gradient, Vector<double, 2>(x[i], y[i]));
+      const auto g_i = avi::value_and_gradient(gradient, Vector<double, 2>(x[i], y[i])).gradient();
       // Sines are not those of the library.
       const double exact = f(x[i], y[i]), away = count == with_sines ? 4e-16 * (1.0 + std::abs(exact)) : 0.0;
       EXPECT_NEAR(z[i], exact, away) << "formula " << count << ", number " << i << " of " << w;
@@ -87,7 +87,7 @@ TEST(Pack, IsAScalarOfVectors) {
   const auto inverse_distance = [](const auto& q) { return pow(q.dot(q), -0.5) + 0.5 * q.squaredNorm(); };
   const Pack<4> x = ramp<4>(1.0, 0.5), y = ramp<4>(2.0, -0.25);
   const Vector<Pack<4>, 2> q(x, y), shifted = 0.5 * q + q * y;
-  const auto g = avi::gradient(inverse_distance, q);
+  const auto g = avi::value_and_gradient(inverse_distance, q).gradient();
   for (int i = 0; i < 4; ++i) {
     EXPECT_EQ(shifted[0][i], 0.5 * x[i] + x[i] * y[i]);
     const double cube = std::pow(x[i] * x[i] + y[i] * y[i], -1.5);

@@ -29,7 +29,7 @@ double gap(const H& h, const VectorX& q, const VectorX& p) {
                 velocities = recording.gradient(n, n);
   const VectorX d_dq = h.d_dq(q, p), d_dp = h.d_dp(q, p);
   double most = 0.0;
-  const auto compare = [&](const Program& program, int first) {
+  const auto compare = [&](const Program& program, int first, bool has_value = false) {
     Program::Room<double> room(program);
     for (int i = 0; i < n; ++i) {
       room.arguments()[i] = q[i];
@@ -40,11 +40,11 @@ double gap(const H& h, const VectorX& q, const VectorX& p) {
       const int k = first + i;
       most = std::max(most, std::abs(program.slope(room, i) - (k < n ? d_dq[k] : d_dp[k - n])));
     }
-    if (program.has_value()) {
+    if (has_value) {
       EXPECT_EQ(program.value(room), h(q, p));
     }
   };
-  compare(all, 0);
+  compare(all, 0, true);
   compare(forces, 0);
   compare(velocities, n);
   return most / std::max(d_dq.cwiseAbs().maxCoeff(), d_dp.cwiseAbs().maxCoeff());

@@ -26,37 +26,44 @@ Vector<To, n> constants(const Vector<S, n>& x) {
   return y;
 }
 
+/// H and its automatic derivatives by q, or by p, at any scalar.
+template <bool by_q, class H, class S, int n>
+Partials<S, n> differentiated(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
+  const auto other = constants<Partials<S, n>>(by_q ? p : q);
+  const auto along = [&](const auto& x) {
+    if constexpr (by_q)
+      return h(x, other);
+    else
+      return h(other, x);
+  };
+  return value_and_gradient(along, by_q ? q : p);
+}
+
 /// H and dH/dp at any scalar.
 template <class H, class S, int n>
 Partials<S, n> value_and_d_dp(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
-  if constexpr (SuppliesGradient<H, S, n>) {
+  if constexpr (SuppliesGradient<H, S, n>)
     return {h(q, p), h.d_dp(q, p)};
-  } else {
-    const auto at_q = constants<Partials<S, n>>(q);
-    return value_and_gradient([&](const auto& x) { return h(at_q, x); }, p);
-  }
+  else
+    return differentiated<false>(h, q, p);
 }
 
 /// dH/dp at any scalar.
 template <class H, class S, int n>
 Vector<S, n> d_dp(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
-  if constexpr (SuppliesGradient<H, S, n>) {
+  if constexpr (SuppliesGradient<H, S, n>)
     return h.d_dp(q, p);
-  } else {
-    const auto at_q = constants<Partials<S, n>>(q);
-    return gradient([&](const auto& x) { return h(at_q, x); }, p);
-  }
+  else
+    return differentiated<false>(h, q, p).gradient();
 }
 
 /// dH/dq at any scalar.
 template <class H, class S, int n>
 Vector<S, n> d_dq(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
-  if constexpr (SuppliesGradient<H, S, n>) {
+  if constexpr (SuppliesGradient<H, S, n>)
     return h.d_dq(q, p);
-  } else {
-    const auto at_p = constants<Partials<S, n>>(p);
-    return gradient([&](const auto& x) { return h(x, at_p); }, q);
-  }
+  else
+    return differentiated<true>(h, q, p).gradient();
 }
 
 /// f(q, p) and \f$p\cdot\partial f/\partial p\f$ at any scalar.

@@ -83,6 +83,8 @@ class Pack : Scalar<Pack<w>> {
       y.set(i, f((*this)[i]));
     return y;
   }
+  /// The same for a function of which there are others for other numbers.
+  [[nodiscard]] Pack each(double (*f)(double)) const { return each<double (*)(double)>(f); }
   /// The pack whose register k is f(k), for every k.
   template <class F>
   [[nodiscard]] static Pack by_part(F f) {
@@ -129,37 +131,21 @@ class Pack : Scalar<Pack<w>> {
     if constexpr (lanes == 2)
       return by_part([&](int k) -> Register { return _mm_sqrt_pd(__m128d(x.part[k])); });
 #endif
-    return x.each([](double v) { return std::sqrt(v); });
+    return x.each(std::sqrt);
   }
-  friend Pack exp(const Pack& x) {
-    return x.each([](double v) { return std::exp(v); });
-  }
-  friend Pack log(const Pack& x) {
-    return x.each([](double v) { return std::log(v); });
-  }
+  friend Pack exp(const Pack& x) { return x.each(std::exp); }
+  friend Pack log(const Pack& x) { return x.each(std::log); }
   friend Pack sin(const Pack& x) { return detail::turned(x, 0); }
   friend Pack cos(const Pack& x) { return detail::turned(x, 1); }
-  friend Pack tan(const Pack& x) {
-    return x.each([](double v) { return std::tan(v); });
-  }
-  friend Pack sinh(const Pack& x) {
-    return x.each([](double v) { return std::sinh(v); });
-  }
-  friend Pack cosh(const Pack& x) {
-    return x.each([](double v) { return std::cosh(v); });
-  }
-  friend Pack tanh(const Pack& x) {
-    return x.each([](double v) { return std::tanh(v); });
-  }
-  friend Pack atan(const Pack& x) {
-    return x.each([](double v) { return std::atan(v); });
-  }
+  friend Pack tan(const Pack& x) { return x.each(std::tan); }
+  friend Pack sinh(const Pack& x) { return x.each(std::sinh); }
+  friend Pack cosh(const Pack& x) { return x.each(std::cosh); }
+  friend Pack tanh(const Pack& x) { return x.each(std::tanh); }
+  friend Pack atan(const Pack& x) { return x.each(std::atan); }
   friend Pack abs(const Pack& x) {
     return by_part([&](int k) { return (Register)detail::magnitude(x.part[k]); });
   }
-  friend Pack sign_of(const Pack& x) {
-    return x.each([](double v) { return avi::sign_of(v); });
-  }
+  friend Pack sign_of(const Pack& x) { return x.each(avi::sign_of); }
   /// The larger magnitude of each pair of numbers; NaN where one of them is: its bits are above all others.
   friend Pack max_abs(const Pack& a, const Pack& b) {
     return by_part([&](int k) {

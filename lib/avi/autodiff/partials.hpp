@@ -135,10 +135,4 @@ Partials<S, n> value_and_gradient(const F& f, const Vector<S, n>& x) {
   return f(seeded);
 }
 
-/// Gradient of f: R^n -> R at x.
-template <class F, class S, int n>
-Vector<S, n> gradient(const F& f, const Vector<S, n>& x) {
-  return value_and_gradient(f, x).gradient();
-}
-
 }  // namespace avi

@@ -38,8 +38,7 @@ class Program {
   [[nodiscard]] int inputs() const { return inputs_; }  ///< Entries of x.
   /// Number of derivatives that are computed.
   [[nodiscard]] int slopes() const { return static_cast<int>(slopes_.size()); }
-  [[nodiscard]] bool has_value() const { return has_value_; }  ///< f(x) itself is computed.
-  [[nodiscard]] std::size_t slots() const { return slots_; }   ///< Numbers in a Room.
+  [[nodiscard]] std::size_t slots() const { return slots_; }  ///< Numbers in a Room.
   /// Operations of one run; a product and its addition in a long sum are one.
   [[nodiscard]] std::size_t operations() const { return operations_; }
 
@@ -68,7 +67,7 @@ class Program {
       next = end;
     }
   }
-  /// f(x) of the last run; there must be one, has_value().
+  /// f(x) of the last run, where the program computes it.
   template <class S>
   [[nodiscard]] const S& value(const Room<S>& room) const {
     return at(room.slots_.data(), value_);
@@ -127,7 +126,6 @@ class Program {
   std::vector<Group> groups_;
   std::vector<Product> products_;
   Place value_ = 0;
-  bool has_value_ = false;
   std::vector<Place> slopes_;
 };
 

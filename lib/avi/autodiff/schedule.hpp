@@ -30,7 +30,6 @@ class Schedule {
     Program program = schedule.assemble(graph, results);
     for (const int slope : slopes)
       program.slopes_.push_back(schedule.place(slope));
-    program.has_value_ = value >= 0;
     if (value >= 0) program.value_ = schedule.place(value);
     return program;
   }

@@ -55,9 +55,8 @@ inline MergedStages merged_stages(CloneComposition composition) {
 /// As \f$\bar H\f$ is separable in q and r once t is given, q meets r only: \f$q' = kinetic(\tilde t)\, r\f$
 /// under \f$\bar H_2\f$ and \f$r' = -potential(t)\, \nabla f(q)\f$ under \f$\bar H_1\f$. The copy that is
 /// read, (q, r), never sees \f$(\tilde q, \tilde r)\f$, only the other clock. So q and r and two clocks are
-/// evolved here, a leapfrog with 1, 3 or 9 gradients a step, where the printed form
-/// spends 3, 7 or 19 on the same iterates; the stopping test at the new q costs
-/// one more.
+/// evolved here, a leapfrog with 1, 3 or 9 gradients a step, where the printed form spends 3, 7 or 19 on the
+/// same iterates; the stopping test at the new q costs one more.
 struct BregmanCloning {
   BregmanFamily family;                                     ///< p, p_ring and C.
   double h = 1e-3;                                          ///< Fictive step, finite and positive.

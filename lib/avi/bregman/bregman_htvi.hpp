@@ -21,10 +21,10 @@ enum class Clock {
 /// The explicit update of Section 4.4 of the paper in momentum form. With \f$R = r\, t^{-p}\f$ and
 /// \f$\eta = P h\, t^{-s}\f$, \f[ R' = R - \eta\, C t^p\, \nabla f(q), \quad q_+ = q + \eta R', \quad
 /// R_+ = R' (t/t_+)^p, \f] where \f$t_+ = t\,(1 + h\, t^{-s}/s)\f$ by Euler's clock. These are the iterates
-/// of the printed form to round-off with half its range of exponents: a heavy ball
-/// of step \f$\eta^2 C t^p\f$ whose displacement \f$q_+ - q = \eta R'\f$ keeps the part \f$(t/t_+)^{p+s}\f$:
-/// p from R, s from \f$\eta_+/\eta\f$. Direct with p = 2 has thus the friction 3/t of Nesterov's method.
-/// \f$r^t\f$ is not evolved, as nothing else depends on it.
+/// of the printed form to round-off with half its range of exponents: a heavy ball of step
+/// \f$\eta^2 C t^p\f$ whose displacement \f$q_+ - q = \eta R'\f$ keeps the part \f$(t/t_+)^{p+s}\f$: p from
+/// R, s from \f$\eta_+/\eta\f$. Direct with p = 2 has thus the friction 3/t of Nesterov's method. \f$r^t\f$
+/// is not evolved, as nothing else depends on it.
 struct BregmanHtvi {
   BregmanFamily family;        ///< p, p_ring and C.
   double h = 1e-3;             ///< Fictive step, finite and positive.

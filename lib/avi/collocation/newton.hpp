@@ -25,9 +25,8 @@ class LinearSystem {
   [[nodiscard]] Eigen::Index count() const { return count_; }  ///< Number of unknowns.
   /// An entry of the matrix.
   [[nodiscard]] double& at(Eigen::Index row, Eigen::Index column) { return matrix_[row * count_ + column]; }
-  [[nodiscard]] double* right() {
-    return right_.data();
-  }  ///< The right-hand side; after solve() the solution.
+  /// The right-hand side; after solve() the solution.
+  [[nodiscard]] double* right() { return right_.data(); }
   /// A matrix of zeros.
   void clear() { std::fill(matrix_.begin(), matrix_.end(), 0.0); }
 

@@ -118,21 +118,6 @@ class StageField {
     }
   }
 
-  /// f with its gradient by q, or by p.
-  template <bool by_q, class F>
-  static Partials<Scalar, n> differentiated(const F& f, const Step& step) {
-    if constexpr (std::invocable<const F&, const Vector<double, n>&>)
-      return value_and_gradient(f, step.q);
-    else if constexpr (by_q)
-      return value_and_gradient([&](const auto& q) { return f(q, constants<ScalarOf<decltype(q)>>(step.p)); },
-                                step.q);
-    else
-      return value_and_gradient([&](const auto& p) { return f(constants<ScalarOf<decltype(p)>>(step.q), p); },
-                                step.p);
-  }
-  template <class Differentiated>
-  using ScalarOf = typename std::decay_t<Differentiated>::Scalar;
-
   /// out = weight \f$\partial \bar H/\partial q\f$, or by p.
   template <bool by_q>
   void field(const Problem& problem, Step& step, const Scalar& weight, Vector<Scalar, n>& out) {
@@ -146,7 +131,7 @@ class StageField {
         out = h.d_dp(step.q, step.p);
       if constexpr (!rate_is_known) energy = h(step.q, step.p);
     } else {
-      const Partials<Scalar, n> value = differentiated<by_q>(h, step);
+      const Partials<Scalar, n> value = differentiated<by_q>(h, step.q, step.p);
       energy = value.value;
       for (int i = 0; i < n; ++i)
         out[i] = value.partial(i);
@@ -166,7 +151,12 @@ class StageField {
       g.run(step.q, step.p);
       add(g.value(), [&](int i) { return g.partial(i); });
     } else {
-      const Partials<Scalar, n> g = differentiated<by_q>(problem.monitor(), step);
+      const Partials<Scalar, n> g = [&] {
+        if constexpr (Problem::position_monitor)
+          return value_and_gradient(problem.monitor(), step.q);
+        else
+          return differentiated<by_q>(problem.monitor(), step.q, step.p);
+      }();
       add(g.value, [&](int i) { return g.partial(i); });
     }
   }

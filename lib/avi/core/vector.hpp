@@ -17,6 +17,15 @@ namespace detail {
 // vector units to match, the two would contradict each other.
 template <class S>
 inline constexpr int storage = std::is_arithmetic_v<S> ? Eigen::ColMajor : Eigen::ColMajor | Eigen::DontAlign;
+
+/// |v|^2 at any scalar.
+template <class V>
+auto squared_norm(const V& v) {
+  auto sum = v[0] * v[0];
+  for (Eigen::Index i = 1; i < v.size(); ++i)
+    sum += v[i] * v[i];
+  return sum;
+}
 }  // namespace detail
 
 /// Column vector of n entries of scalar S (n may be avi::dynamic).

@@ -63,9 +63,8 @@ class Splitting {
  public:
   static constexpr int n = Flows::dimension;  ///< Dimension of the problem.
 
-  /// Of these flows with these lengths.
-  /// @throws std::invalid_argument unless the coefficients are the same read backwards. @param flows drift(p,
-  /// h), kick(q, h) and admits(state) @param coefficients one of avi::splittings
+  /// @param flows with drift(p, h), kick(q, h) and admits(state) @param coefficients one of avi::splittings
+  /// @throws std::invalid_argument unless the coefficients are the same read backwards.
   Splitting(Flows flows, const SplitCoefficients& coefficients)
       : flows_(std::move(flows)), order_(coefficients.order), a_(coefficients.a), b_(coefficients.b) {
     require(a_.symmetric() && b_.symmetric() && a_.size() == b_.size() + 1, "List of splitting coefficients",

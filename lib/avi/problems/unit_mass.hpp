@@ -1,4 +1,5 @@
 #pragma once
+#include "avi/core/vector.hpp"
 
 /// @file
 /// What problems with unit masses have in common.
@@ -13,10 +14,7 @@ struct UnitMass {
   /// Kinetic energy.
   template <class P>
   static auto kinetic(const P& p) {
-    auto square = p[0] * p[0];
-    for (int i = 1; i < n; ++i)
-      square += p[i] * p[i];
-    return 0.5 * square;
+    return 0.5 * detail::squared_norm(p);
   }
 
   /// The Hamiltonian.

@@ -48,7 +48,7 @@ class EulerB {
       z.t += h;
       return {};
     } else {
-      const Partials<double, n> g = value_and_gradient([this](const auto& x) { return g_(x); }, z.q);
+      const Partials<double, n> g = value_and_gradient(g_, z.q);
       if (!(g.value > 0.0)) return {.outcome = Outcome::bad_monitor, .residual = g.value};
       const double hg = h * g.value;
       const Vector<double, n> slope = g.gradient();

@@ -14,16 +14,6 @@
 
 namespace avi {
 
-namespace detail {
-template <class V>
-auto squared_norm(const V& v) {
-  auto sum = v[0] * v[0];
-  for (Eigen::Index i = 1; i < v.size(); ++i)
-    sum += v[i] * v[i];
-  return sum;
-}
-}  // namespace detail
-
 /// \f$g(q) = (q\cdot q)^\gamma\f$ (equation (3.33) of the paper; \f$\gamma = 1\f$ is (3.32)). Positive except
 /// at the origin.
 struct Gamma {

@@ -4,7 +4,6 @@
 #include "avi/core/state.hpp"
 
 #include <concepts>
-#include <string>
 #include <utility>
 
 /// @file
@@ -70,7 +69,7 @@ class Poincare {
       : h_(std::move(hamiltonian)), g_(std::move(monitor)), pt_(require_finite("p^t", energy_momentum)),
         size_(size) {
     require(n == dynamic ? size >= 1 : size == n, "Dimension of the problem", size,
-            n == dynamic ? std::string("at least 1") : std::to_string(n));
+            n == dynamic ? "at least " : "", n == dynamic ? 1 : n);
   }
 
   /// n.
@@ -129,7 +128,11 @@ class Poincare {
       else
         g = value_and_d_dp(g_, q, p);
       dt = g.value;
-      const auto energy = value_if_needed_and_d_dp<form>(q, p);
+      Partials<S, n> energy;  // with derivatives by p, and its value where that is needed
+      if constexpr (form == Field::on_level)
+        energy = {S(0.0), d_dp(h_, q, p)};
+      else
+        energy = value_and_d_dp(h_, q, p);
       const auto defect = [&]() -> S { return form == Field::on_level ? pt / g.value : energy.value + pt; };
       for (int i = 0; i < n; ++i) {
         dq[i] = g.value * energy.partial(i);
@@ -159,14 +162,6 @@ class Poincare {
   }
 
  private:
-  template <Field form, class S>
-  Partials<S, n> value_if_needed_and_d_dp(const Vector<S, n>& q, const Vector<S, n>& p) const {
-    if constexpr (form == Field::on_level)
-      return {S(0.0), d_dp(h_, q, p)};
-    else
-      return value_and_d_dp(h_, q, p);
-  }
-
   H h_;
   G g_;
   double pt_;
