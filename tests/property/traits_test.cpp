@@ -138,8 +138,8 @@ TEST(Traits, AnExplicitStepIsOneEvaluation) {
     EXPECT_EQ(counted.step(z, 0.1).outcome, avi::Outcome::ok);
   EXPECT_EQ(calls, 1 + 7);
   const auto evaluations = [](auto method) {
-    State<2> z = start;
-    const avi::Run run = avi::integrate(method, z, 0.1, {.steps = 7});
+    State<2> moved = start;
+    const avi::Run run = avi::integrate(method, moved, 0.1, {.steps = 7});
     EXPECT_EQ(run.outcome, avi::Outcome::ok);
     return run.evaluations;
   };
