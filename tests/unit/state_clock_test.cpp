@@ -1,0 +1,160 @@
+#include "avi/optim/state_clock.hpp"
+
+#include "avi/problems/correlated_quartic.hpp"
+#include "unit/objectives.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+// Made of +, -, *, / and roots alone, objectives have the same bits on every machine, and so has the run.
+
+using avi::Outcome;
+using avi::VectorX;
+
+namespace state_clock_test {
+
+/// Rosenbrock's valley in any dimension.
+double valley(const VectorX& x, VectorX& g) {
+  double f = 0.0;
+  g.setZero();
+  for (Eigen::Index i = 0; i + 1 < x.size(); ++i) {
+    const double a = x[i + 1] - x[i] * x[i], b = 1.0 - x[i];
+    f += 100.0 * a * a + b * b;
+    g[i] += -400.0 * a * x[i] - 2.0 * b;
+    g[i + 1] += 200.0 * a;
+  }
+  return f;
+}
+/// Of degree 2, 3 and 4, with a well on either side of 0.
+double wells(const VectorX& x, VectorX& g) {
+  double f = 0.0;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const double w = x[i] * x[i] - 1.0, weight = static_cast<double>(i + 1);
+    f += weight * (0.25 * w * w + 0.1 * x[i]);
+    g[i] = weight * (w * x[i] + 0.1);
+  }
+  return f;
+}
+/// Flat at its minimum, steep away from it.
+double flat(const VectorX& x, VectorX& g) {
+  double f = 0.0;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const double weight = static_cast<double>(i + 1), square = x[i] * x[i];
+    f += weight * square * square;
+    g[i] = 4.0 * weight * square * x[i];
+  }
+  return f;
+}
+/// Infinite for x <= 0.
+double wall(const VectorX& x, VectorX& g) {
+  double f = 0.0;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const double weight = static_cast<double>(i + 1);
+    g[i] = weight - 1e-3 / (x[i] * x[i]);
+    f += x[i] > 0.0 ? weight * x[i] + 1e-3 / x[i] : std::numeric_limits<double>::infinity();
+  }
+  return f;
+}
+/// The second derivative jumps.
+double hinges(const VectorX& x, VectorX& g) {
+  double f = 0.0;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const double high = std::max(0.0, x[i] - 1.0 - static_cast<double>(i)), low = std::max(0.0, -x[i]),
+                 slope = i % 2 == 0 ? 0.0 : -0.1;
+    f += 5.0 * high * high + 0.5 * low * low + slope * x[i];
+    g[i] = 10.0 * high - low + slope;
+  }
+  return f;
+}
+/// The first derivative jumps.
+double kinks(const VectorX& x, VectorX& g) {
+  double f = 0.0;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const double weight = static_cast<double>(i + 1), from = x[i] - 0.3 * weight;
+    g[i] = from < 0.0 ? -weight : weight;
+    f += weight * std::abs(from);
+  }
+  return f;
+}
+/// sqrt(1 + x^2): the curvature falls to 0 far away.
+double cone(const VectorX& x, VectorX& g) {
+  double f = 0.0;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const double root = std::sqrt(1.0 + static_cast<double>(i + 1) * x[i] * x[i]);
+    f += root;
+    g[i] = static_cast<double>(i + 1) * x[i] / root;
+  }
+  return f;
+}
+double uphill(const VectorX& x, VectorX& g) {
+  const double f = objectives::bowl(x, g);
+  g = -g;
+  return f;
+}
+double slope(const VectorX& x, VectorX& g) {
+  g.setOnes();
+  return x[0] + x[1] + x[2];
+}
+
+using Function = std::function<double(const VectorX&, VectorX&)>;
+
+/// f + 1e4, of which the last digits are lost.
+Function raised(const Function& f) {
+  return [f](const VectorX& x, VectorX& g) { return f(x, g) + 1e4; };
+}
+/// f with errors of 1e-9 in its value and of 1e-5 of its gradient.
+Function noisy(const Function& f) {
+  return [f, state = 1u](const VectorX& x, VectorX& g) mutable {
+    const auto noise = [&] {
+      return static_cast<double>(state = state * 1664525u + 1013904223u) * 0x1p-31 - 1.0;
+    };
+    const double value = f(x, g);
+    for (double& entry : g)
+      entry *= 1.0 + 1e-5 * noise();
+    return value + 1e-9 * noise();
+  };
+}
+
+// How many iterations and gradients a run takes depends on every rule and number of the method.
+TEST(StateClock, TakesTheSameWayOnEveryMachine) {
+  struct Case {
+    const char* name;
+    Function f;
+    VectorX x0;
+    Outcome outcome;
+    long counts[3][2];  // of iterations and gradients, with 0, 1 and 7 pairs
+  };
+  const avi::CorrelatedQuartic quartic;
+  const VectorX far_down = VectorX::Constant(10, -1.2);
+  const std::vector<Case> cases{
+      {"valley", valley, far_down, Outcome::ok, {{142, 180}, {200, 222}, {73, 92}}},
+      {"quartic", quartic, quartic.start(), Outcome::ok, {{24, 25}, {23, 24}, {23, 24}}},
+      {"wells", wells, VectorX::LinSpaced(7, -2.0, 3.0), Outcome::ok, {{20, 69}, {20, 22}, {16, 22}}},
+      {"flat", flat, VectorX::LinSpaced(6, 1.0, 3.0), Outcome::ok, {{23, 24}, {22, 23}, {22, 23}}},
+      {"wall", wall, VectorX::LinSpaced(3, 1.0, 5.0), Outcome::ok, {{41, 87}, {45, 107}, {23, 50}}},
+      {"hinges", hinges, VectorX::LinSpaced(6, -5.0, 9.0), Outcome::ok, {{8, 44}, {11, 35}, {11, 57}}},
+      {"kinks", kinks, VectorX::Ones(3), Outcome::no_descent, {{233, 737}, {302, 1710}, {210, 1791}}},
+      {"cone", cone, VectorX::LinSpaced(5, 1.0, 100.0), Outcome::ok, {{21, 29}, {28, 39}, {19, 31}}},
+      {"uphill", uphill, VectorX::Ones(3), Outcome::no_descent, {{0, 85}, {0, 85}, {0, 85}}},
+      {"slope", slope, VectorX::Ones(3), Outcome::diverged, {{0, 52}, {0, 52}, {0, 52}}},
+      {"raised", raised(valley), far_down, Outcome::ok, {{149, 247}, {147, 199}, {75, 93}}},
+      {"noisy", noisy(valley), far_down, Outcome::ok, {{185, 241}, {131, 183}, {80, 132}}},
+      {"noisy bowl", noisy(objectives::bowl), VectorX::Ones(10), Outcome::ok, {{25, 68}, {14, 63}, {12, 60}}},
+  };
+  for (const Case& it : cases)
+    for (int k = 0; k < 3; ++k) {
+      const int memory = k == 0 ? 0 : k == 1 ? 1 : 7;
+      const Function f = it.f;
+      const auto run = avi::StateClock<Function>(f, it.x0, {.relative = 1e-8, .memory = memory}).run();
+      EXPECT_EQ(run.outcome, it.outcome) << it.name << " " << memory << ": " << run.message;
+      EXPECT_EQ(run.iterations, it.counts[k][0]) << it.name << " " << memory;
+      EXPECT_EQ(run.gradient_evaluations, it.counts[k][1]) << it.name << " " << memory;
+    }
+}
+
+}  // namespace state_clock_test
