@@ -95,6 +95,102 @@ TEST(ChooseMonitor, TriesStepsBetweenTheGoodAndTheBadOnes) {
     }
 }
 
+// Which trials are made, and how long, depends on every rule and number of the choice.
+TEST(ChooseMonitor, MakesTheSameTrialsOnEveryMachine) {
+  const auto expect = [](const auto& choose, int order, double error, const std::string& way, double h,
+                         double work) {
+    const avi::MonitorChoice choice = choose(avi::MonitorTarget{.energy_error = error, .order = order});
+    std::string seen = choice.name, last;
+    for (const avi::Trial& trial : choice.trials) {
+      if (trial.monitor != last) seen += ", " + (last = trial.monitor);
+      seen += " " + std::to_string(trial.steps) + "/" + std::to_string(trial.sweeps);
+    }
+    EXPECT_EQ(seen, way) << "order " << order;
+    EXPECT_NEAR(choice.h / h, 1.0, 1e-5) << way;
+    EXPECT_NEAR(choice.work / work, 1.0, 1e-6) << way;
+  };
+  const auto orbit = [](double eccentricity) {
+    return [=](const avi::MonitorTarget& target) {
+      return choose_monitor(Kepler(), Kepler::pericentre(eccentricity), target);
+    };
+  };
+  const auto swing = [](const avi::MonitorTarget& target) {
+    return choose_monitor(avi::Pendulum(), avi::Pendulum::start(3.1), target);
+  };
+  const auto light = [](avi::MonitorTarget target) {
+    target.time = 3.0;
+    return choose_monitor(Light(), Kepler::pericentre(0.5), target);
+  };
+  const auto fast = [](const avi::MonitorTarget& target) {
+    const auto oscillator = [](const auto& q, const auto& p) {
+      return sqrt(1.0 + p[0] * p[0]) + 0.5 * q[0] * q[0];
+    };
+    const avi::State<1> start{.q = avi::Vector<double, 1>(5.0), .p = avi::Vector<double, 1>(0.0)};
+    return choose_monitor(oscillator, start, target);
+  };
+  expect(orbit(0.3), 4, 1e-5, "fixed, fixed 27/251 56/392", 0.115679, 18001.4);
+  expect(orbit(0.6), 4, 1e-5,
+         "energy^1.5, energy^1.5 27/206, curvature 27/367, energy 27/212, gentle 27/315, speed 27/285, fixed "
+         "1/18, energy^1.5 35/246",
+         0.190218, 61074.2);
+  expect(orbit(0.9), 4, 1e-5,
+         "energy^1.5, energy^1.5 26/216, curvature 26/398, energy 27/218, gentle 2/42, speed 0/0, energy^0.5 "
+         "1/25, energy^1.5 58/378",
+         0.117326, 44876.6);
+  expect(
+      orbit(0.99), 4, 1e-5,
+      "energy^1.5, energy^1.5 25/209, curvature 25/391, gentle 1/23, energy 26/246, energy^1.5 81/485 99/572",
+      0.0619917, 64653.8);
+  expect(swing, 4, 1e-5, "fixed, fixed 27/268 69/473", 0.162722, 22616.4);
+  expect(light, 4, 1e-5, "fixed, fixed 54/301 22/152 19/136", 0.164052, 11662.2);
+  expect(fast, 4, 1e-5,
+         "fixed, curvature 3/115, gentle 26/799, fixed 27/220, speed 27/372, curvature 41/1198, fixed 89/455 "
+         "297/1286 735/3027",
+         0.0456577, 151136.8);
+  expect(orbit(0.3), 8, 1e-8, "fixed, fixed 16/154 22/171", 0.301733, 10751);
+  expect(orbit(0.6), 8, 1e-8,
+         "energy^1.5, energy^1.5 15/118, energy 15/124, energy^0.5 1/15, fixed 1/18, energy^1.5 11/114",
+         0.645807, 14930.2);
+  expect(orbit(0.9), 8, 1e-8,
+         "energy^1.5, energy^1.5 15/129, curvature 15/236, energy 1/14, gentle 2/46, speed 1/80, energy^0.5 "
+         "1/22, energy^1.5 17/141",
+         0.410173, 26539.4);
+  expect(orbit(0.99), 8, 1e-8,
+         "energy^1.5, energy^1.5 14/119, curvature 14/228, gentle 1/24, energy 1/20, energy^1.5 22/147",
+         0.285796, 21383.4);
+  expect(swing, 8, 1e-8, "fixed, fixed 16/160 30/222", 0.37982, 12779.8);
+  expect(fast, 8, 1e-8,
+         "fixed, curvature 2/113, gentle 15/479, fixed 5/48, speed 15/220, fixed 25/175, curvature 23/704, "
+         "fixed 84/403 278/1167 446/1815 402/1649",
+         0.0836711, 124919.2);
+  expect(orbit(0.3), 16, 1e-11, "fixed, fixed 8/87 10/88 10/89", 0.653267, 11155.4);
+  expect(orbit(0.6), 16, 1e-11,
+         "energy^1.5, energy^1.5 8/70, curvature 8/120, energy 8/71, fixed 1/17, energy^1.5 6/67 5/60",
+         1.22368, 19011);
+  expect(orbit(0.9), 16, 1e-11, "energy^1.5, energy^1.5 7/64, curvature 7/122, energy^1.5 6/71", 1.25899,
+         13736.2);
+  expect(orbit(0.99), 16, 1e-11, "energy^1.5, energy^1.5 7/62, curvature 7/124, energy^1.5 6/67 6/63",
+         1.06224, 15966.6);
+  expect(fast, 16, 1e-11,
+         "fixed, curvature 1/78, gentle 2/72, fixed 3/30, speed 5/86, fixed 13/118, speed 13/194, curvature "
+         "12/500, gentle 12/356, fixed 41/218 128/535 177/683 194/735",
+         0.17314, 87527);
+  expect(orbit(0.3), 10, 1e-3, "fixed, fixed 4/81", 1.61389, 5738.6);
+  expect(orbit(0.6), 10, 1e-3, "energy, energy^1.5 4/63, curvature 4/115, energy 4/61, fixed 4/100", 1.52442,
+         15855.4);
+  expect(orbit(0.9), 10, 1e-3, "energy^1.5, energy^1.5 4/67, curvature 4/148, gentle 0/0, energy 4/84",
+         1.76818, 15303.4);
+  expect(orbit(0.99), 10, 1e-3, "energy^1.5, energy^1.5 4/69, curvature 1/37, gentle 0/0, energy 0/0",
+         1.67709, 7548.6);
+  expect(swing, 10, 1e-3, "fixed, fixed 4/88", 2.79929, 6431.4);
+  expect(light, 10, 1e-3, "fixed, fixed 8/57", 0.375, 1516.2);
+  expect(fast, 10, 1e-3,
+         "fixed, curvature 0/0, gentle 0/0, fixed 1/11, speed 2/51, fixed 3/33 4/40, speed 7/143, curvature "
+         "0/0, gentle 0/0, fixed 18/146, gentle 11/460, curvature 1/33, speed 10/163, fixed 31/191 53/281 "
+         "70/339 77/371",
+         0.438029, 56055.6);
+}
+
 TEST(ChooseMonitor, LeavesASymplecticMap) {
   const auto start = Kepler::pericentre(0.9);
   const auto choice = choose_monitor(Kepler(), start);

@@ -27,6 +27,15 @@ TEST(FitDrift, AveragesOverBlocks) {
   EXPECT_NEAR(fit.standard_error, means.standard_error, 1e-14);
 }
 
+TEST(FitDrift, TakesTimesOfAnyUnit) {
+  for (const double unit : {1e-9, 1e9}) {
+    const std::vector<double> t{0.0, unit, 2.0 * unit, 3.0 * unit}, x{0.0, 2.0, 1.0, 3.0};
+    const auto fit = avi::fit_drift(t, x);
+    EXPECT_NEAR(fit.slope * unit, 0.8, 1e-14);
+    EXPECT_NEAR(fit.standard_error * unit, std::sqrt(0.18), 1e-14);
+  }
+}
+
 TEST(FitDrift, KnowsNothingOfResidualsThatAreZero) {
   const std::vector<double> t{0.0, 1.0, 2.0}, x{1.0, 3.0, 5.0};
   const auto fit = avi::fit_drift(t, x);

@@ -12,13 +12,14 @@ using avi::detail::Monomial;
 
 /// Two formulas of (q, p) in one graph, and what the first becomes as a power of parts of the second.
 template <class Formula, class Whole>
-std::pair<PhaseFunction, PhaseFunction> simplified(const Formula& formula, const Whole& whole) {
+std::pair<PhaseFunction, PhaseFunction> simplified(const Formula& formula, const Whole& whole,
+                                                   const std::vector<double>& near = {0.3, -0.8, 0.4, 1.1}) {
   avi::ExpressionGraph graph(4);
   avi::Vector<Recorded, 2> q, p;
   for (int i = 0; i < 2; ++i)
     q[i] = Recorded(graph, i), p[i] = Recorded(graph, 2 + i);
   const int last = whole(q, p).node_in(graph), before = formula(q, p).node_in(graph);
-  const int after = Monomial(graph, {0.3, -0.8, 0.4, 1.1}).simplified(before, last);
+  const int after = Monomial(graph, near).simplified(before, last);
   return {{graph, before}, {graph, after}};
 }
 
@@ -58,6 +59,29 @@ TEST(Monomial, TakesPowersUpToEightAtOnceAndNoneAbove64) {
   EXPECT_EQ(again.work(4), direct.work(4));
   const auto [large, same] = simplified([](const auto& q, const auto&) { return pow(q[0], -68.0); }, sum);
   EXPECT_EQ(same.work(4), large.work(4));
+}
+
+TEST(Monomial, LooksBesideAPointAtRest) {
+  const auto [before, after] =
+      simplified([](const auto&,
+                    const auto& p) { return p[0] * p[0] * (p[0] * p[0]) + 2.0 * p[0] * p[0] * p[0] * p[0]; },
+                 [](const auto&, const auto& p) { return p[0] * p[0]; }, {0.3, -0.8, 0.0, 0.0});
+  EXPECT_NEAR(after(there, moving) / before(there, moving), 1.0, 1e-14);
+  EXPECT_LT(after.work(4), before.work(4));
+  // At rest it would be a power of q.
+  const auto [mixed, same] =
+      simplified([](const auto& q, const auto& p) { return pow(q[0], -6.0) * (1.0 + p[0] * p[0]); },
+                 [](const auto& q, const auto& p) { return q[0] + p[0]; }, {0.3, -0.8, 0.0, 0.0});
+  EXPECT_EQ(same(there, moving), mixed(there, moving));
+}
+
+TEST(Monomial, LeavesZeroAndNegativeFormulasAsTheyAre) {
+  const auto whole = [](const auto& q, const auto&) { return q[0] * q[0]; };
+  const auto [zero, none] = simplified([](const auto& q, const auto&) { return q[0] - q[0]; }, whole);
+  EXPECT_EQ(none(there, moving), 0.0);
+  const auto [negative, same] =
+      simplified([](const auto& q, const auto&) { return -1.0 * pow(q[0], 4.0); }, whole);
+  EXPECT_EQ(same(there, moving), negative(there, moving));
 }
 
 TEST(Monomial, LeavesOtherFormulasAsTheyAre) {

@@ -107,6 +107,14 @@ using Function = std::function<double(const VectorX&, VectorX&)>;
 Function raised(const Function& f) {
   return [f](const VectorX& x, VectorX& g) { return f(x, g) + 1e4; };
 }
+/// f(2^20 x).
+Function small(const Function& f) {
+  return [f](const VectorX& x, VectorX& g) {
+    const double value = f(0x1p20 * x, g);
+    g *= 0x1p20;
+    return value;
+  };
+}
 /// f with errors of 1e-9 in its value and of 1e-5 of its gradient.
 Function noisy(const Function& f) {
   return [f, state = 1u](const VectorX& x, VectorX& g) mutable {
@@ -143,6 +151,7 @@ TEST(StateClock, TakesTheSameWayOnEveryMachine) {
       {"uphill", uphill, VectorX::Ones(3), Outcome::no_descent, {{0, 85}, {0, 85}, {0, 85}}},
       {"slope", slope, VectorX::Ones(3), Outcome::diverged, {{0, 52}, {0, 52}, {0, 52}}},
       {"raised", raised(valley), far_down, Outcome::ok, {{149, 247}, {147, 199}, {75, 93}}},
+      {"small", small(valley), VectorX(0x1p-20 * far_down), Outcome::ok, {{142, 180}, {200, 222}, {73, 92}}},
       {"noisy", noisy(valley), far_down, Outcome::ok, {{185, 241}, {131, 183}, {80, 132}}},
       {"noisy bowl", noisy(objectives::bowl), VectorX::Ones(10), Outcome::ok, {{25, 68}, {14, 63}, {12, 60}}},
   };
@@ -155,6 +164,21 @@ TEST(StateClock, TakesTheSameWayOnEveryMachine) {
       EXPECT_EQ(run.iterations, it.counts[k][0]) << it.name << " " << memory;
       EXPECT_EQ(run.gradient_evaluations, it.counts[k][1]) << it.name << " " << memory;
     }
+}
+
+TEST(StateClock, NamesAGradientThatLosesAnEntryOnTheWay) {
+  for (const int at : {1, 2, 3}) {
+    int calls = 0;
+    const Function f = [&](const VectorX& x, VectorX& g) {
+      const double value = objectives::bowl(x, g);
+      if (++calls == at) g.resize(2);
+      return value;
+    };
+    const auto run = avi::StateClock<Function>(f, VectorX::Ones(5), {.evaluations = 50}).run();
+    EXPECT_EQ(run.outcome, Outcome::wrong_gradient) << at << ": " << run.message;
+    EXPECT_EQ(run.gradient_evaluations, at);
+    EXPECT_EQ(run.last.gradient.size(), 5);
+  }
 }
 
 }  // namespace state_clock_test

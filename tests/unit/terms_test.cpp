@@ -72,6 +72,35 @@ TEST(Terms, KeepDifferencesOfCoordinatesTogether) {
     return 0.5 * (d * d) + d * d * d;
   });
   EXPECT_EQ(spring.size(), 2u);
+  const auto square = [](const auto& sum) {
+    return Formula([&](const Recorded& x, const Recorded& y) {
+             const Recorded s = sum(x, y);
+             return s * s;
+           })
+        .size();
+  };
+  EXPECT_EQ(square([](auto x, auto y) { return 2.0 * (x - y) + y / 3.0 + x * 0.5; }), 1u) << "first degree";
+  EXPECT_EQ(square([](auto x, auto y) { return x * y + 1.0; }), 2u) << "(x y)^2, 2 x y and a number";
+  EXPECT_EQ(square([](auto x, auto y) { return x / y + 1.0; }), 2u);
+  EXPECT_EQ(square([](auto x, auto y) { return 1.0 / y - x; }), 3u);
+  EXPECT_EQ(square([](auto x, auto) { return sin(x) + 1.0; }), 2u);
+  EXPECT_EQ(square([](auto x, auto y) { return x * x - y; }), 3u);
+}
+
+TEST(Terms, StayAProductWhereTheyWouldBeMoreThan64) {
+  const auto product = [](int left, int right) {
+    return Formula([=](const Recorded& x, const Recorded& y) {
+      Recorded a = sin(x), b = cos(y);
+      for (int k = 2; k <= left; ++k)
+        a = a + sin(static_cast<double>(k) * x);
+      for (int k = 2; k <= right; ++k)
+        b = b + cos(static_cast<double>(k) * y);
+      return a * b;
+    });
+  };
+  EXPECT_EQ(product(8, 8).size(), 64u);
+  EXPECT_NEAR(product(8, 8).sum(0.3, 0.4), product(8, 8).value(0.3, 0.4), 1e-13);
+  EXPECT_EQ(product(5, 13).size(), 1u);
 }
 
 TEST(Terms, OfASumThatDoublesManyTimesAreFoundAtOnce) {

@@ -97,8 +97,9 @@ class Monomial {
     };
     const double f0 = value(points_[0]), f1 = value(points_[1]), u0 = points_[0](graph_, base),
                  u1 = points_[1](graph_, base);
-    if (!(f0 > 0.0 && f1 > 0.0) || u0 == 0.0 || u1 == 0.0 || !(std::abs(std::log(u1 / u0)) > 1e-4)) return {};
-    const double seen = std::log(f1 / f0) / std::log(u1 / u0), exponent = 0.25 * std::round(4.0 * seen);
+    const double spread = std::log(u1 / u0);  // what is not a number, of 0 or of two signs, passes no test
+    if (!(std::abs(spread) > 1e-4)) return {};
+    const double seen = std::log(f1 / f0) / spread, exponent = 0.25 * std::round(4.0 * seen);
     const bool even = std::fmod(exponent, 2.0) == 0.0;
     if (!(std::abs(seen - exponent) < 1e-6) || std::abs(exponent) > 64.0) return {};
     const double factor = f0 / std::pow(std::abs(u0), exponent);
