@@ -159,7 +159,7 @@ TEST(StateClock, TakesTheSameWayOnEveryMachine) {
     for (int k = 0; k < 3; ++k) {
       const int memory = k == 0 ? 0 : k == 1 ? 1 : 7;
       const Function f = it.f;
-      const auto run = avi::StateClock<Function>(f, it.x0, {.relative = 1e-8, .memory = memory}).run();
+      const auto run = avi::StateClock(f, it.x0, {.relative = 1e-8, .memory = memory}).run();
       EXPECT_EQ(run.outcome, it.outcome) << it.name << " " << memory << ": " << run.message;
       EXPECT_EQ(run.iterations, it.counts[k][0]) << it.name << " " << memory;
       EXPECT_EQ(run.gradient_evaluations, it.counts[k][1]) << it.name << " " << memory;
@@ -174,7 +174,7 @@ TEST(StateClock, NamesAGradientThatLosesAnEntryOnTheWay) {
       if (++calls == at) g.resize(2);
       return value;
     };
-    const auto run = avi::StateClock<Function>(f, VectorX::Ones(5), {.evaluations = 50}).run();
+    const auto run = avi::StateClock(f, VectorX::Ones(5), {.evaluations = 50}).run();
     EXPECT_EQ(run.outcome, Outcome::wrong_gradient) << at << ": " << run.message;
     EXPECT_EQ(run.gradient_evaluations, at);
     EXPECT_EQ(run.last.gradient.size(), 5);
