@@ -97,6 +97,9 @@ TEST(Optimisers, HaveThePublishedDefaults) {
   EXPECT_EQ((std::vector{region.radius, region.accept, region.expand, region.shrink, region.grow}),
             (std::vector{1.0, 0.5, 0.75, 0.9, 2.0}));
   EXPECT_EQ(region.trials, 1000);
+  EXPECT_EQ((std::vector{avi::GradientDescent{}.h, avi::Nag{}.h}), (std::vector{1e-3, 1e-3}));
+  const avi::AdaGrad ada;
+  EXPECT_EQ((std::vector{ada.rate, ada.epsilon}), (std::vector{1.0, 1e-8}));
 }
 
 TEST(TrustRegion, ThresholdsAreTheirOwnLimits) {
@@ -118,8 +121,29 @@ TEST(TrustRegion, ThresholdsAreTheirOwnLimits) {
   EXPECT_EQ(length_of_second(0.99), 0.5);
 }
 
+TEST(Optimisers, TakeParametersAtTheEndsOfTheirRanges) {
+  const avi::Iterate first{.x = VectorX::Ones(2), .gradient = VectorX::Ones(2)};
+  EXPECT_NO_THROW(avi::Adam({.beta_1 = 0.0, .beta_2 = 0.0, .epsilon = 0.0}).start(first));
+  EXPECT_NO_THROW(avi::AdaGrad{.epsilon = 0.0}.start(first));
+  EXPECT_NO_THROW((avi::RmsProp{.rho = 0.0, .epsilon = 0.0}.start(first)));
+  EXPECT_NO_THROW((avi::TrustRegion{.accept = 0.0, .expand = 0.0, .grow = 1.0, .trials = 1}.start(first)));
+}
+
+TEST(TrustRegion, EndsWhereNothingMoves) {
+  const auto run = run_updates(ellipse, avi::TrustRegion{}, VectorX::Zero(2));
+  EXPECT_TRUE(run.converged());
+  EXPECT_EQ(run.iterations, 1);
+  const avi::TrustRegion once{.radius = 2.0, .trials = 2};  // the third would be taken
+  EXPECT_EQ(run_updates(ellipse, once, Eigen::Vector2d(3.0, 1.0)).outcome, avi::Outcome::not_converged);
+}
+
 TEST(Optimisers, RefuseBadParameters) {
   const VectorX x0 = VectorX::Ones(2);
+  EXPECT_THROW(run_updates(ellipse, avi::AdaGrad{.epsilon = -1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::Adam{.beta_1 = -0.1}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::Adam{.beta_2 = 1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::TrustRegion{.accept = -0.1}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, avi::TrustRegion{.shrink = 0.0}, x0), std::invalid_argument);
   EXPECT_THROW(run_updates(ellipse, avi::Nag{.h = -1.0}, x0), std::invalid_argument);
   EXPECT_THROW(run_updates(ellipse, avi::Nag{.h = std::nan("")}, x0), std::invalid_argument);
   EXPECT_THROW(run_updates(ellipse, avi::Adam{.rate = 0.0}, x0), std::invalid_argument);

@@ -63,6 +63,42 @@ TEST(Pilot, GoesBeyondAGoodStepByAFiftiethAtLeast) {
   EXPECT_EQ(pilot.good(), h);
 }
 
+TEST(Pilot, SaysWhatTheStepAimedAtCosts) {
+  // At a sweep of 1: what the trial took, for the steps of the length aimed at.
+  const double h = 0.05;
+  Pilot pilot = pilots.pilot(5.0 * pilots.error(h));
+  EXPECT_FALSE(pilot.passed());
+  EXPECT_NEAR(pilot.steps(), Pilots::end / 0.5, 1e-12) << "of the step supposed";
+  const Trial trial = pilot.trial(h, 10'000, Pilots::any);
+  EXPECT_TRUE(pilot.passed());
+  EXPECT_NEAR(pilot.steps(), Pilots::end / pilot.next(), 1e-9);
+  EXPECT_NEAR(pilot.cost(), static_cast<double>(trial.sweeps) * h / pilot.next(), 1e-9);
+  EXPECT_GT(trial.steps, Pilots::end / h - 1.0);
+}
+
+TEST(Pilot, GrowsAStepByFiveHalvesAtMost) {
+  Pilot pilot = pilots.pilot(0.5);
+  ASSERT_LT(pilot.trial(0.002, 100'000, Pilots::any).energy_error, 1e-6);
+  EXPECT_EQ(pilot.next(), 2.5 * 0.002);
+}
+
+TEST(Pilot, EndsATrialWhoseErrorShowsThatItIsTooDear) {
+  const double h = 0.05, error = pilots.error(h);
+  Pilot pilot = pilots.pilot(1e-3 * error);
+  // A cost of half of the usual one, of eight sweeps a step, allows 2^-4 of the tolerance as the error.
+  const Trial trial = pilot.trial(h, 10'000, 0.5 * 8.0 * Pilots::end / h);
+  EXPECT_EQ(trial.outcome, Outcome::stopped);
+  EXPECT_LT(trial.steps, 3);
+  EXPECT_TRUE(std::isinf(trial.energy_error));
+  EXPECT_TRUE(std::isinf(pilot.cost()));
+  EXPECT_FALSE(pilot.passed());
+  // The error that ends it lies between 2^4 and 3^4 times the tolerance.
+  for (const auto& [share, outcome] : {std::pair{2.0, Outcome::stopped}, {3.0, Outcome::ok}}) {
+    Pilot other = pilots.pilot(error / 40.0);
+    EXPECT_EQ(other.trial(h, 10'000, share * 8.0 * Pilots::end / h).outcome, outcome) << share;
+  }
+}
+
 TEST(Pilot, TakesTheOrderThatItHasSeen) {
   const double h = 0.05, small = pilots.error(0.5 * h), large = pilots.error(h), tolerance = 0.9 * large;
   Pilot pilot = pilots.pilot(tolerance);

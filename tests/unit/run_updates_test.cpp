@@ -40,6 +40,22 @@ TEST(RunUpdates, StopsAtTheFirstPassageAndCounts) {
   EXPECT_EQ(run.message, "");
 }
 
+TEST(Stopping, HasThePapersLimitsUnlessToldOtherwise) {
+  const avi::Stopping stopping;
+  EXPECT_EQ(stopping.delta, 1e-10);
+  EXPECT_EQ(stopping.iterations, 10'000'000);
+  EXPECT_EQ(stopping.growth, 1e30);
+  // Both below delta, and neither at it.
+  const auto holds = [&](double change, double slope) {
+    return avi::Stopping{.delta = 0.5}.holds(change, {.x = {}, .gradient = VectorX::Constant(1, slope)});
+  };
+  EXPECT_TRUE(holds(-0.4, 0.4));
+  EXPECT_FALSE(holds(-0.5, 0.4));
+  EXPECT_FALSE(holds(0.4, -0.5));
+  EXPECT_NO_THROW((avi::Stopping{.delta = 0.0, .iterations = 1, .growth = 1.0}.validate()));
+  EXPECT_THROW(avi::Stopping{.growth = 0.5}.validate(), std::invalid_argument);
+}
+
 TEST(RunUpdates, SaysWhenTheCapEndsIt) {
   const auto run =
       run_updates(Bowl{}, GradientDescent{.h = 0.5}, VectorX::Ones(1), {.delta = 0.0, .iterations = 7});

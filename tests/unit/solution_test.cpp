@@ -6,8 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <tuple>
+#include <vector>
 
 namespace solution_test {
 
@@ -49,6 +53,46 @@ TEST(Solution, HasTheOrderThatTakesTheLeastWork) {
   EXPECT_EQ(order_for(1e-2), 4);
   EXPECT_EQ(order_for(3e-6), 8);
   EXPECT_EQ(order_for(3e-10), 16);
+}
+
+// A fall on a slope into a wall, which the pilot does not see.
+TEST(Solution, RepeatsTheRunWithTheStepThatTheOrderSays) {
+  const auto wall = [](const auto& q, const auto& p) {
+    return 0.5 * p[0] * p[0] + 0.02 * q[0] + exp(-6.0 * q[0]);
+  };
+  const State<1> start{.q = avi::Vector<double, 1>(20.0), .p = avi::Vector<double, 1>(0.0)};
+  for (const auto& [tolerance, order, runs] : {std::tuple{1e-4, 4, 3u}, {1e-6, 8, 3u}, {1e-8, 8, 4u}}) {
+    const auto solution = integrate(wall, start, 100.0, tolerance);
+    EXPECT_EQ(solution.run.outcome, avi::Outcome::ok) << solution.report();
+    EXPECT_EQ(solution.choice.order, order);
+    EXPECT_LE(solution.energy_error, 3.0 * tolerance);
+    std::vector<avi::Trial> repeated;
+    for (const avi::Trial& trial : solution.choice.trials)
+      if (trial.outcome == avi::Outcome::stopped) repeated.push_back(trial);
+    EXPECT_EQ(repeated.size(), runs) << tolerance;
+    repeated.push_back({.monitor = "", .h = solution.choice.h});
+    long sweeps = 0;
+    for (std::size_t k = 0; k + 1 < repeated.size(); ++k) {
+      const double error = repeated[k].energy_error / tolerance, aim = std::pow(0.6 / error, 1.0 / order);
+      EXPECT_GT(error, 3.0) << "at the step where that is seen";
+      EXPECT_NEAR(repeated[k + 1].h / repeated[k].h, std::max(0.5, aim), 1e-12) << "by a half at most";
+      sweeps += repeated[k].sweeps;
+    }
+    EXPECT_LT(sweeps, solution.choice.sweeps) << "what the runs took counts as what the choice cost";
+    EXPECT_GT(sweeps, solution.choice.sweeps / 2);
+  }
+}
+
+TEST(Solution, IsKeptUpToTenTimesTheTolerance) {
+  auto solution = integrate(Kepler(), Kepler::pericentre(0.5), 1.0, 0x1p-20);
+  for (const auto& [error, kept] : {std::pair{10.0 * 0x1p-20, true}, {10.1 * 0x1p-20, false}}) {
+    solution.energy_error = error;
+    EXPECT_EQ(solution.kept(), kept);
+    EXPECT_EQ(solution.report().find("more than ten times") == std::string::npos, kept);
+  }
+  EXPECT_NE(solution.report().find(" steps, "), std::string::npos);
+  EXPECT_EQ(integrate(Kepler(), Kepler::pericentre(0.5), 0.0, 1e-6).report().find(" steps, "),
+            std::string::npos);
 }
 
 TEST(Solution, IsWhereTheOrbitIs) {
