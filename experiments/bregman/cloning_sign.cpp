@@ -14,7 +14,8 @@ namespace {
 double distance_of_copies(double sign, double h, long steps) {
   const avi::CorrelatedQuartic f(3, 0.9);
   // Near the minimum, where every step tried resolves the motion.
-  avi::ExtendedPoint z{.q = Eigen::Vector3d(1.3, 0.8, 1.5), .r = avi::VectorX::Ones(f.size())}, clone = z;
+  avi::ExtendedPoint z{.q = Eigen::Vector3d(1.3, 0.8, 1.5), .t = 1.0, .r = avi::VectorX::Ones(f.size())},
+      clone = z;
   const auto stages = avi::merged_stages(avi::CloneComposition::strang);
   for (long k = 0; k < steps; ++k)
     experiment::cloning_printed_step(avi::BregmanFamily::adaptive(4.0, 1.0), f, h, stages, z, clone, sign);

@@ -61,6 +61,7 @@ TEST(Monitors, GradientsAgreeWithCentralDifferences) {
 TEST(Monitors, TakeTheirDefinedValues) {
   const V q{0.3, 0.4}, p{1.0, 2.0};  // |q| = 1/2, V = -2, |grad V| = 4, T = 5/2
   EXPECT_NEAR(avi::Gamma{0.5}(q), 0.5, 1e-16);
+  EXPECT_EQ(avi::Gamma{}(q), avi::NormSquared{}(q));
   EXPECT_NEAR(avi::NormSquared{}(q), 0.25, 1e-16);
   EXPECT_NEAR((avi::Arclength{kepler, -0.5}(q)), 1.0 / std::sqrt(2.0 * 1.5 + 16.0), 1e-16);
   EXPECT_NEAR((avi::Energy{kepler, 0.5}(q, p)), 1.0 / 4.0, 1e-16);
@@ -71,11 +72,14 @@ TEST(Monitors, TakeTheirDefinedValues) {
 
 TEST(Bounded, StaysWithinItsBoundsAndRefusesBadOnes) {
   const auto g = avi::bounded(avi::NormSquared{}, 0.01, 8.0);
+  EXPECT_NEAR(avi::bounded(avi::NormSquared{}, 1.0, 3.0)(V{1.0, 1.0}), 3.0 * (2.0 + 1.0) / (2.0 + 3.0),
+              1e-15);
   EXPECT_NEAR(g(V{0.0, 0.0}), 0.01, 1e-17);
   EXPECT_LT(g(V{1e8, 0.0}), 8.0 + 1e-12);
   EXPECT_GT(g(V{1e8, 0.0}), 7.99);
   EXPECT_THROW(avi::bounded(avi::NormSquared{}, -0.1, 1.0), std::invalid_argument);
   EXPECT_THROW(avi::bounded(avi::NormSquared{}, 1.0, 1.0), std::invalid_argument);
+  EXPECT_NO_THROW(avi::bounded(avi::NormSquared{}, 0.0, 0.5));
   EXPECT_THROW(avi::bounded(avi::NormSquared{}, 0.0, std::nan("")), std::invalid_argument);
 }
 

@@ -44,6 +44,41 @@ void expect_field_of_transformed(const Problem& problem, const State<2>& z) {
   // The action's integrand is p . q' + p^t t' - H-bar.
   EXPECT_NEAR((problem.template action_rate<avi::Field::full>(z.q, z.p, problem.energy_momentum())),
               z.p.dot(dq) + problem.energy_momentum() * dt - problem.transformed(z), 1e-13);
+  // Without forces the rest is the same.
+  const auto expect_the_same = [&](const Vec& velocity, double time) {
+    EXPECT_LT((velocity - dq).norm(), 1e-15);
+    EXPECT_EQ(time, dt);
+  };
+  Vec velocity, kept(7.0, 8.0);
+  double time = 0.0;
+  problem.template field<avi::Field::full>(z.q, z.p, problem.energy_momentum(), velocity, kept, time, false);
+  expect_the_same(velocity, time);
+  EXPECT_EQ(kept, Vec(7.0, 8.0));
+  // On the level of H-bar here it is the same field, given that number.
+  Vec force;
+  problem.template field<avi::Field::on_level>(z.q, z.p, problem.transformed(z), velocity, force, time);
+  expect_the_same(velocity, time);
+  EXPECT_LT((force - dp).norm(), 1e-15);
+}
+
+/// On the shell the field is that of the orbit through z, whatever p^t the problem has.
+template <class Problem>
+void expect_field_on_shell(const Problem& problem, const State<2>& z) {
+  const Problem through(problem.hamiltonian(), problem.monitor(), -problem.hamiltonian()(z.q, z.p));
+  ASSERT_GT(std::abs(problem.transformed(z)), 0.01);
+  const double pt = problem.energy_momentum();
+  Vec dq, dp, velocity, force;
+  double dt = 0.0, time = 0.0;
+  through.template field<avi::Field::full>(z.q, z.p, through.energy_momentum(), dq, dp, dt);
+  problem.template field<avi::Field::on_shell>(z.q, z.p, pt, velocity, force, time);
+  EXPECT_LT((velocity - dq).norm() + (force - dp).norm(), 1e-15);
+  EXPECT_EQ(time, dt);
+  EXPECT_NEAR((problem.template action_rate<avi::Field::on_shell>(z.q, z.p, pt)),
+              z.p.dot(velocity) + pt * time - problem.transformed(z), 1e-14);
+  Vec kept(7.0, 8.0);
+  problem.template field<avi::Field::on_shell>(z.q, z.p, pt, velocity, kept, time, false);
+  EXPECT_LT((velocity - dq).norm(), 1e-15);
+  EXPECT_EQ(kept, Vec(7.0, 8.0));
 }
 
 TEST(Poincare, FieldIsThatOfTheTransformedHamiltonian) {
@@ -52,6 +87,10 @@ TEST(Poincare, FieldIsThatOfTheTransformedHamiltonian) {
   expect_field_of_transformed(avi::poincare(Kepler{}, start), z);
   expect_field_of_transformed(avi::poincare(Kepler{}, start, avi::NormSquared{}), z);
   expect_field_of_transformed(avi::poincare(Kepler{}, start, of_qp), z);
+  expect_field_of_transformed(avi::poincare(avi::Automatic{Kepler{}}, start, of_qp), z);
+  expect_field_on_shell(avi::poincare(Kepler{}, start), z);
+  expect_field_on_shell(avi::poincare(Kepler{}, start, avi::NormSquared{}), z);
+  expect_field_on_shell(avi::poincare(Kepler{}, start, of_qp), z);
 }
 
 TEST(Poincare, TakesTheDimensionAndTheEnergyFromTheStart) {

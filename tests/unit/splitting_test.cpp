@@ -9,6 +9,7 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/n_body.hpp"
 #include "avi/problems/perturbed_kepler.hpp"
+#include "difference.hpp"
 
 #include <gtest/gtest.h>
 
@@ -117,6 +118,33 @@ TEST(LogHamiltonian, ShortcutsAgreeWithTheGeneralFormula) {
   EXPECT_THROW((LogHamiltonian<HenonHeiles>({}, State<2>{.q = {0.0, 0.0}, .p = {0.1, 0.0}})),
                std::invalid_argument)
       << "the logarithm of V = 0";
+}
+
+/// A body of mass 2 without shortcuts.
+struct Heavy {
+  static constexpr int dimension = 2;
+  using Vec = avi::Vector<double, 2>;
+  static double kinetic(const Vec& p) { return 0.25 * p.squaredNorm(); }
+  static Vec velocity(const Vec& p) { return 0.5 * p; }
+  static double potential(const Vec& q) { return -3.0 / q.norm(); }
+  static Vec potential_gradient(const Vec& q) { return 3.0 / (q.norm() * q.squaredNorm()) * q; }
+};
+
+TEST(LogHamiltonian, FlowsAreTheSlopesOfItsLogarithms) {
+  const Heavy::Vec q(0.6, -0.3), p(1.0, 2.5);
+  const double h = 0.7, p_t = 0.4;
+  const LogHamiltonian<Heavy> flows({}, p_t);
+  const auto drift = flows.drift(p, h);
+  const auto kick = flows.kick(q, h);
+  for (int i = 0; i < 2; ++i) {
+    const Heavy::Vec unit = Heavy::Vec::Unit(i);
+    const auto of_p = [&](double x) { return std::log(Heavy::kinetic(p + x * unit) + p_t); };
+    const auto of_q = [&](double x) { return std::log(-Heavy::potential(q + x * unit)); };
+    EXPECT_NEAR(drift.position[i], h * difference(of_p, 1e-3), 1e-10);
+    EXPECT_NEAR(kick[i], h * difference(of_q, 1e-3), 1e-9);
+  }
+  const auto of_energy = [&](double x) { return std::log(Heavy::kinetic(p) + p_t + x); };
+  EXPECT_NEAR(drift.time, h * difference(of_energy, 1e-3), 1e-10);
 }
 
 TEST(LogHamiltonian, SaysSoOutsideItsDomain) {

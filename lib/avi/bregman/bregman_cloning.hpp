@@ -65,10 +65,10 @@ struct BregmanCloning {
 
   /// What a run carries from step to step.
   struct State {
-    VectorX r;             ///< Momentum of the copy that is read.
-    double t = 1.0;        ///< Its physical time.
-    double t_clone = 1.0;  ///< That of the other copy.
-    MergedStages stages;   ///< The composition's lengths.
+    VectorX r;            ///< Momentum of the copy that is read.
+    double t;             ///< Its physical time.
+    double t_clone;       ///< That of the other copy.
+    MergedStages stages;  ///< The composition's lengths.
   };
 
   /// State of one run. @throws std::invalid_argument for a parameter out of range.

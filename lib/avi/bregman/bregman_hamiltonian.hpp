@@ -10,7 +10,7 @@ namespace avi {
 /// A point (q, t, r, r^t) of extended phase space.
 struct ExtendedPoint {
   VectorX q;         ///< Position: the argument of the objective.
-  double t = 1.0;    ///< Physical time, the position q^t of the paper.
+  double t;          ///< Physical time, the position q^t of the paper.
   VectorX r;         ///< Momentum.
   double r_t = 0.0;  ///< Momentum conjugate to time.
 };

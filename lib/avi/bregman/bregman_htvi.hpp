@@ -34,7 +34,7 @@ struct BregmanHtvi {
   /// What a run carries from step to step.
   struct State {
     VectorX momentum;  ///< R.
-    double t = 1.0;    ///< Physical time.
+    double t;          ///< Physical time.
     double power;      ///< t^p.
     double eta;        ///< Of the coming step.
   };
@@ -103,7 +103,7 @@ struct BregmanHeavyBall {
   /// What a run carries from step to step.
   struct State {
     VectorX displacement;  ///< v.
-    double log_t = 0.0;    ///< L.
+    double log_t;          ///< L.
   };
 
   /// State of one run. @throws std::invalid_argument for a parameter out of range.

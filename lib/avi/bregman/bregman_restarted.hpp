@@ -30,17 +30,17 @@ struct BregmanRestarted {
 
   /// What a run carries from step to step.
   struct State {
-    VectorX x;                  ///< x_k.
-    VectorX before;             ///< y_{k-1}.
-    VectorX gradient;           ///< g_{k-1}.
-    VectorX displacement;       ///< y_{k-1} - y_{k-2}.
-    VectorX change;             ///< g_{k-1} - g_{k-2}.
-    VectorX anchor;             ///< y of the last restart.
-    double anchor_value = 0.0;  ///< f there.
-    double L = 0.0;             ///< Curvature, the inverse of the step.
-    double last_L = 0.0;        ///< That of the last update.
-    double k = 0.0;             ///< Updates since the last restart.
-    long updates = 0;           ///< Of all.
+    VectorX x;             ///< x_k.
+    VectorX before;        ///< y_{k-1}.
+    VectorX gradient;      ///< g_{k-1}.
+    VectorX displacement;  ///< y_{k-1} - y_{k-2}.
+    VectorX change;        ///< g_{k-1} - g_{k-2}.
+    VectorX anchor;        ///< y of the last restart.
+    double anchor_value;   ///< f there.
+    double L;              ///< Curvature, the inverse of the step.
+    double last_L;         ///< That of the last update.
+    double k = 0.0;        ///< Updates since the last restart.
+    long updates = 0;      ///< Of all.
   };
 
   /// State of one run. @throws std::invalid_argument for P out of range.
