@@ -76,6 +76,20 @@ TEST(BregmanRestarted, IsTheIterationThatItsDocumentationStates) {
   EXPECT_GT(doublings, 0);
 }
 
+// The first step is a hundredth of x, or for x = 0 one that would bring f down by a hundredth.
+TEST(BregmanRestarted, BeginsWithASmallStep) {
+  const auto curvature = [](const VectorX& x, const VectorX& gradient, double value) {
+    const auto state = avi::BregmanRestarted{}.start({.x = x, .gradient = gradient, .value = value});
+    EXPECT_EQ(state.last_L, state.L);
+    return state.L;
+  };
+  const VectorX zero = VectorX::Zero(2), x = Eigen::Vector2d(2.0, -4.0), g = Eigen::Vector2d(8.0, -1.0);
+  EXPECT_DOUBLE_EQ(curvature(x, g, 3.0), 8.0 / (0.01 * 4.0));
+  EXPECT_DOUBLE_EQ(curvature(zero, g, -3.0), 65.0 / (0.01 * 3.0));
+  EXPECT_EQ(curvature(zero, g, 0.0), 1.0);
+  EXPECT_EQ(curvature(x, zero, 3.0), 1.0);
+}
+
 TEST(BregmanRestarted, RefusesAnOrderThatIsNotPositive) {
   const avi::Iterate now{.x = VectorX::Ones(2), .gradient = VectorX::Ones(2), .value = 1.0};
   for (const double P : {0.0, -1.0, std::nan("")})

@@ -1,14 +1,21 @@
+#include "avi/bregman/bregman_cloning.hpp"
 #include "avi/bregman/bregman_htvi.hpp"
+#include "avi/bregman/bregman_restarted.hpp"
 #include "avi/bregman/bregman_runge_kutta.hpp"
+#include "avi/bregman/bregman_splitting.hpp"
+#include "avi/integrators/coefficient_lists.hpp"
 #include "avi/optim/run_updates.hpp"
 #include "avi/problems/correlated_quartic.hpp"
 #include "bregman/printed/extended_splitting.hpp"
 #include "difference.hpp"
 #include "refusal.hpp"
 
-#include "refusal.hpp"
-
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
 
 using avi::BregmanFamily;
 using avi::CorrelatedQuartic;
@@ -93,6 +100,112 @@ TEST(ExtendedPhaseSpace, ThreeFlowsConvergeToTheDynamicsWithOrderTwo) {
   }
   EXPECT_NEAR(std::log2(error[0] / error[1]), 2.0, 0.05);
   EXPECT_NEAR(std::log2(error[1] / error[2]), 2.0, 0.05);
+}
+
+TEST(Bregman, HasThePapersDefaults) {
+  const BregmanFamily family;
+  EXPECT_EQ((std::vector{family.p, family.p_ring, family.C}), (std::vector{2.0, 2.0, 0.0625}));
+  EXPECT_EQ(BregmanFamily::direct(3.0).C, 0.0625);
+  EXPECT_EQ(BregmanFamily::adaptive(3.0, 1.0).C, 0.0625);
+  const avi::BregmanStart from;
+  EXPECT_EQ((std::vector{from.t, from.momentum}), (std::vector{1.0, 1.0}));
+  for (const double h : {avi::BregmanHtvi{}.h, avi::BregmanHeavyBall{}.h, avi::BregmanCloning{}.h,
+                         avi::BregmanSplitting{}.h, avi::BregmanRungeKutta<avi::ClassicalRungeKutta>{}.h})
+    EXPECT_EQ(h, 1e-3);
+  EXPECT_EQ(avi::BregmanEmbedded<avi::DormandPrince>{}.first_step, 1e-6);
+  EXPECT_EQ(avi::BregmanRestarted{}.P, 2.0);
+}
+
+TEST(BregmanCloning, MergesTheFlowsOfTripleJumps) {
+  using avi::CloneComposition;
+  const auto sum_of_powers = [](const std::vector<double>& lengths, int k) {
+    double sum = 0.0;
+    for (const double length : lengths)
+      sum += std::pow(length, k);
+    return sum;
+  };
+  std::size_t m = 1;
+  for (const auto& [composition, name] : {std::pair{CloneComposition::strang, "clone_strang"},
+                                          {CloneComposition::yoshida4, "clone_y4"},
+                                          {CloneComposition::yoshida6, "clone_y6"}}) {
+    EXPECT_EQ(avi::clone_name(composition), name);
+    const auto [a, b] = avi::merged_stages(composition);
+    ASSERT_EQ(a.size(), m);
+    ASSERT_EQ(b.size(), m + 1);
+    EXPECT_NEAR(sum_of_powers(a, 1), 1.0, 1e-14);
+    // The conditions of orders 4 and 6 that lengths of one step alone have to satisfy.
+    if (m > 1) {
+      EXPECT_NEAR(sum_of_powers(a, 3), 0.0, 1e-14);
+    }
+    if (m > 3) {
+      EXPECT_NEAR(sum_of_powers(a, 5), 0.0, 1e-13);
+    }
+    EXPECT_EQ(b.front(), 0.5 * a.front());
+    EXPECT_EQ(b.back(), 0.5 * a.back());
+    for (std::size_t i = 1; i < m; ++i)
+      EXPECT_EQ(b[i], 0.5 * (a[i - 1] + a[i]));
+    m *= 3;
+  }
+  const auto yoshida = avi::merged_stages(CloneComposition::yoshida4).a;
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(yoshida[i], avi::compositions::yoshida4.c[i], 1e-15);
+}
+
+/// f = x, whose dynamics with p = 2 is known: with A = r_0 + C/2 at t_0 = 1, r = A - C t^4 / 2 and
+/// x = x_0 + A (1 - t^-2) - C (t^2 - 1) / 2, whatever clock t follows.
+double slope(const VectorX& x, VectorX& gradient) {
+  gradient = VectorX::Ones(1);
+  return x[0];
+}
+template <class Method>
+double error_on_slope(Method method, double s, int steps) {
+  const double C = method.family.C, A = 1.0 + 0.5 * C, t = std::pow(2.0, 1.0 / s);  // t^s goes from 1 to 2
+  method.h = 1.0 / steps;
+  const auto run =
+      avi::run_updates(slope, method, VectorX::Constant(1, 5.0), {.delta = 0.0, .iterations = steps});
+  return std::abs(run.last.x[0] - (5.0 + A * (1.0 - 1.0 / (t * t)) - 0.5 * C * (t * t - 1.0)));
+}
+
+TEST(Bregman, MethodsFollowTheExactDynamicsWithTheirOrders) {
+  for (const auto& family : {BregmanFamily::direct(2.0, 0.7), BregmanFamily::adaptive(2.0, 1.0, 0.7)}) {
+    const auto expect_order = [&](auto method, int steps, double order) {
+      method.family = family;
+      const double coarse = error_on_slope(method, family.s(), steps),
+                   fine = error_on_slope(method, family.s(), 2 * steps);
+      EXPECT_LT(fine, 0.05);
+      EXPECT_NEAR(std::log2(coarse / fine), order, order < 4.0 ? 0.25 : 0.6) << coarse << " " << fine;
+    };
+    using avi::CloneComposition;
+    expect_order(avi::BregmanHtvi{}, 200, 1.0);
+    expect_order(avi::BregmanHeavyBall{}, 200, 1.0);
+    expect_order(avi::BregmanSplitting{}, 50, 2.0);
+    expect_order(avi::BregmanCloning{}, 50, 2.0);
+    expect_order(avi::BregmanCloning{.family{}, .composition = CloneComposition::yoshida4}, 50, 4.0);
+    expect_order(avi::BregmanCloning{.family{}, .composition = CloneComposition::yoshida6}, 25, 6.0);
+    expect_order(avi::BregmanRungeKutta<avi::ClassicalRungeKutta>{}, 100, 4.0);
+    expect_order(avi::BregmanRungeKutta<avi::BogackiShampine>{}, 50, 3.0);
+    expect_order(avi::BregmanRungeKutta<avi::DormandPrince>{}, 40, 5.0);
+  }
+}
+
+TEST(Bregman, EmbeddedPairsKeepTheTolerance) {
+  // The time that has passed tells from r = A - C t^4 / 2; the iterate from the time.
+  const avi::BregmanEmbedded<avi::DormandPrince> method{
+      .family = BregmanFamily::direct(2.0, 0.7), .control = {.rtol = 1e-9, .atol = 1e-9}, .first_step = 0.01};
+  avi::Counted objective(slope, 1);
+  avi::Iterate now{.x = VectorX::Constant(1, 5.0), .gradient = VectorX::Zero(1)};
+  now.evaluate(objective);
+  auto state = method.start(now);
+  for (int k = 0; k < 40; ++k) {
+    ASSERT_EQ(method.update(state, now, objective), avi::Outcome::ok);
+    EXPECT_TRUE(now.evaluated) << "at the last stage";
+    EXPECT_EQ(now.value, now.x[0]);
+  }
+  const double t = state.z[2], A = 1.35;
+  EXPECT_GT(t, 2.0);
+  EXPECT_NEAR(state.z[1], A - 0.35 * std::pow(t, 4), 1e-7 * std::pow(t, 4));
+  EXPECT_NEAR(now.x[0], 5.0 + A * (1.0 - 1.0 / (t * t)) - 0.35 * (t * t - 1.0), 1e-7 * t * t);
+  EXPECT_EQ(objective.gradients % 6, 1) << "six a trial, one at the start";
 }
 
 TEST(Bregman, RefusesBadInput) {
