@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -92,10 +93,35 @@ TEST(TypeII, StationaryConstructionHasTwiceTheOrder) {
 TEST(Htvi, KnowsItsOrder) {
   const auto problem = avi::poincare<2>(kepler, Kepler::pericentre(0.5));
   EXPECT_EQ(avi::htvi<8>(problem).order(), 8);
+  EXPECT_EQ((avi::type2<3>(problem).order()), 8);
+  EXPECT_EQ((avi::type2<1>(problem, avi::gauss(8)).order()), 4) << "2r + 2 at most";
+  EXPECT_EQ((avi::type2<3>(problem, avi::boole()).order()), 6) << "as the rule's between r + 1 and 2r + 2";
   EXPECT_EQ((avi::type2<3>(problem, avi::simpson()).order()), 4);
   EXPECT_EQ((avi::type3<3>(problem, avi::midpoint()).order()), 4) << "r + 1 with any rule";
   EXPECT_EQ((avi::type2<3, avi::printed>(problem).order()), 4);
   EXPECT_EQ((avi::type2<3, avi::authors>(problem, avi::midpoint()).order()), 2);
+}
+
+TEST(Htvi, TakesTheGaussRuleOfItsOrderUnlessToldOtherwise) {
+  const auto start = Kepler::pericentre(0.5);
+  const auto problem = avi::poincare<2>(kepler, start, avi::NormSquared{});
+  const auto expect_same = [&](auto a, auto b) {
+    auto x = start, y = start;
+    ASSERT_EQ(a.step(x, 0.3).outcome, avi::Outcome::ok);
+    ASSERT_EQ(b.step(y, 0.3).outcome, avi::Outcome::ok);
+    EXPECT_EQ(x, y);
+  };
+  expect_same(avi::type2<2>(problem), avi::type2<2>(problem, avi::gauss(3)));
+  expect_same(avi::type3<2>(problem), avi::type3<2>(problem, avi::gauss(3)));
+  expect_same(avi::htvi<6>(problem), avi::type2<2>(problem, avi::gauss(3)));
+  const auto of_order = [&](int r) {
+    return avi::htvi_of_order<avi::Generating::type2>(r, problem, avi::gauss(3));
+  };
+  expect_same(of_order(2), avi::type2<2>(problem));
+  EXPECT_NO_THROW(of_order(0));
+  EXPECT_NO_THROW(of_order(15));
+  EXPECT_THROW(of_order(-1), std::invalid_argument);
+  EXPECT_THROW(of_order(16), std::invalid_argument);
 }
 
 // r = 0: with any rule the discrete Hamiltonian is that of adaptive Euler-B, whose closed form must agree.

@@ -74,6 +74,37 @@ TEST(Solver, LearnsFromEarlierEvaluationsAndSteps) {
   EXPECT_LT(evaluations(true), 6.0);   // 5.2
 }
 
+TEST(Predictor, ContinuesTheLineThroughTheLastTwoValues) {
+  using Vec = avi::Vector<double, 2>;
+  const Vec zero = Vec::Zero(), here(1.0, 2.0), there(3.0, 4.0), first(0.5, -0.25), second(0.75, 1.0);
+  avi::Predictor<2> predictor{};
+  EXPECT_FALSE(predictor.goes_on(0.1, zero));
+  predictor.remember(first, 0.1, here);
+  EXPECT_TRUE(predictor.goes_on(0.1, here));
+  EXPECT_EQ(predictor.guess(0.1, here), zero) << "one value is no line";
+  predictor.remember(second, 0.1, there);
+  EXPECT_EQ(predictor.guess(0.1, there), Vec(1.0, 2.25));
+  EXPECT_FALSE(predictor.goes_on(0.2, there) || predictor.goes_on(0.1, here));
+  EXPECT_EQ(predictor.guess(0.2, there), zero);
+  EXPECT_EQ(predictor.guess(0.1, here), zero);
+  predictor.remember(first, 0.2, here);
+  EXPECT_EQ(predictor.guess(0.2, here), zero) << "the step before had another size";
+}
+
+TEST(Broyden, SolvesALinearSystemInTwiceAsManyStepsAsItHasUnknowns) {
+  using Vec = avi::Vector<double, 2>;
+  avi::Matrix<double, 2> a;
+  a << 2.5, -1.0, 0.75, -1.5;  // the plain iteration would grow
+  const Vec b(1.0, -2.0);
+  avi::Broyden<2> broyden;
+  Vec u = Vec::Zero();
+  for (int k = 0; k < 5; ++k) {
+    const Vec residual = b - a * u;
+    u += broyden.shift(residual, residual, k > 0);
+  }
+  EXPECT_LT((b - a * u).norm(), 1e-13);
+}
+
 TEST(Broyden, LearnsNothingFromAShiftThatChangedNothing) {
   const avi::Vector<double, 2> residual(0.3, -0.2);
   avi::Broyden<2> broyden;
@@ -160,6 +191,11 @@ TEST(Solver, SaysWithStateAndResidualWhenNothingConverges) {
 TEST(Solver, RefusesSettingsOutOfRange) {
   EXPECT_THROW(method_for(1.0, 1, {.tolerance = 0.5}), std::invalid_argument);
   EXPECT_THROW(method_for(1.0, 1, {.max_iterations = 0}), std::invalid_argument);
+  EXPECT_NO_THROW(method_for(1.0, 1, {.max_iterations = 1}));
+  const avi::SolverSettings usual;
+  EXPECT_EQ(usual.tolerance, 8.0);
+  EXPECT_EQ(usual.max_iterations, 50);
+  EXPECT_TRUE(usual.quasi_newton);
 }
 
 }  // namespace solver_test

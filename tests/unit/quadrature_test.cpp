@@ -36,6 +36,19 @@ TEST(Quadrature, IsExactToItsOrderAndNoFurther) {
   }
 }
 
+TEST(Quadrature, HasItsNodesInOrderAndInside) {
+  for (int m = 2; m <= 16; ++m)
+    for (const auto& rule : {avi::gauss(m), avi::lobatto(m), avi::radau(m)}) {
+      ASSERT_EQ(rule.nodes.size(), static_cast<std::size_t>(m)) << rule.name;
+      EXPECT_GE(rule.nodes.front(), 0.0);
+      EXPECT_LE(rule.nodes.back(), 1.0);
+      for (int i = 1; i < m; ++i)
+        EXPECT_GT(rule.nodes[i], rule.nodes[i - 1] + 1e-3) << rule.name;
+      for (int degree = 0; degree < rule.order; ++degree)
+        EXPECT_LT(defect(rule, degree), 7e-15) << rule.name << " " << degree;
+    }
+}
+
 TEST(Quadrature, GaussAgreesWithClosedForms) {
   const auto rule = avi::gauss(3);
   EXPECT_NEAR(rule.nodes[0], 0.5 - std::sqrt(0.15), 1e-16);

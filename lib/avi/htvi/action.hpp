@@ -64,8 +64,8 @@ class StationaryAction {
       weights_.push_back(weights);
     }
     for (int k = 0; k < static_cast<int>(powers); ++k)
-      for (int j = 0; j < static_cast<int>(powers); ++j)
-        integrals_[k][j] = j == 0 ? 0.0 : static_cast<double>(j) / (j + k);
+      for (int j = 1; j < static_cast<int>(powers); ++j)
+        integrals_[k][j] = static_cast<double>(j) / (j + k);
   }
 
   [[nodiscard]] const Quadrature& rule() const { return rule_; }  ///< b_i and c_i.

@@ -32,12 +32,10 @@ inline double legendre(int m, double x) {
 /// All simple zeros of f inside (-1, 1), by bisection between the sign changes on a grid.
 template <class F>
 std::vector<double> zeros(const F& f) {
-  constexpr int cells = 4001;  // odd, so that zero is no grid point
+  constexpr int cells = 4000;  // from middle to middle, since f may vanish at the ends
   std::vector<double> roots;
-  for (int i = 0; i < cells; ++i) {
-    double low = -1.0 + 2.0 * i / cells, high = -1.0 + 2.0 * (i + 1) / cells;
-    if (i == 0) low += 1e-9;
-    if (i == cells - 1) high -= 1e-9;
+  for (int i = 1; i < cells; ++i) {
+    double low = (2.0 * i - 1.0) / cells - 1.0, high = (2.0 * i + 1.0) / cells - 1.0;
     const bool rising = f(low) < 0.0;
     if ((f(high) < 0.0) == rising) continue;
     for (int k = 0; k < 60; ++k) {
