@@ -77,7 +77,7 @@ TEST(Solver, LearnsFromEarlierEvaluationsAndSteps) {
 TEST(Predictor, ContinuesTheLineThroughTheLastTwoValues) {
   using Vec = avi::Vector<double, 2>;
   const Vec zero = Vec::Zero(), here(1.0, 2.0), there(3.0, 4.0), first(0.5, -0.25), second(0.75, 1.0);
-  avi::Predictor<2> predictor{};
+  avi::Predictor<2> predictor;
   EXPECT_FALSE(predictor.goes_on(0.1, zero));
   predictor.remember(first, 0.1, here);
   EXPECT_TRUE(predictor.goes_on(0.1, here));

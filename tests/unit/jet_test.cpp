@@ -115,10 +115,65 @@ TEST(Jet, ConstantsAndVanishingDerivativesCostNothing) {
   EXPECT_TRUE((0.0 * s).is(0.0));
   EXPECT_EQ((1.0 * s).coefficients, s.coefficients);
   EXPECT_EQ((s + 0.0).coefficients, s.coefficients);
+  EXPECT_EQ((0.0 + s).coefficients, s.coefficients);
+  EXPECT_EQ((s - 0.0).coefficients, s.coefficients);
+  EXPECT_EQ(pow(s, 1.0).coefficients, s.coefficients);
+  EXPECT_TRUE((0.0 / s).is(0.0));
+  EXPECT_TRUE(pow(s, 0.0).is(1.0));
   EXPECT_TRUE((Scalar(2.0) * Scalar(3.0)).is(6.0));
   EXPECT_EQ(tape.size(), 0);
   (void)(s * s);
   EXPECT_EQ(tape.size(), 1);
+}
+
+TEST(Jet, FunctionsOfConstantsAreConstants) {
+  const auto expect = [](const Scalar& found, double exact) {
+    EXPECT_TRUE(found.is(exact)) << found.constant << " is not " << exact;
+    EXPECT_EQ(found[0].value(), exact);
+    EXPECT_EQ(found[1].value(), 0.0);
+  };
+  const Scalar x(0.75), y(-2.0);
+  expect(-x, -0.75);
+  expect(x + y, -1.25);
+  expect(x - y, 2.75);
+  expect(x * y, -1.5);
+  expect(x / y, -0.375);
+  expect(sqrt(x), std::sqrt(0.75));
+  expect(exp(x), std::exp(0.75));
+  expect(log(x), std::log(0.75));
+  expect(sin(x), std::sin(0.75));
+  expect(cos(x), std::cos(0.75));
+  expect(tan(x), std::sin(0.75) * (1.0 / std::cos(0.75)));
+  expect(sinh(x), std::sinh(0.75));
+  expect(cosh(x), std::cosh(0.75));
+  expect(tanh(x), std::tanh(0.75));
+  expect(atan(x), std::atan(0.75));
+  expect(abs(y), 2.0);
+  expect(sign_of(y), -1.0);
+  expect(pow(x, 0.0), 1.0);
+  expect(pow(x, 1.0), 0.75);
+  expect(pow(x, 2.0), 0.5625);
+  expect(pow(x, -1.5), avi::power(0.75, -1.5));
+  EXPECT_TRUE(y < x);
+}
+
+TEST(Jet, ConstantsJoinSeriesByTheirRules) {
+  const auto of = [](const std::function<Scalar(Scalar)>& f) {
+    const auto c = expand(f, line(2.0));
+    return std::vector{c[0], c[1], c[2]};
+  };
+  using List = std::vector<double>;
+  EXPECT_EQ(of([](Scalar x) { return x + 3.0; }), (List{5.0, 1.0, 0.0}));
+  EXPECT_EQ(of([](Scalar x) { return 3.0 + x; }), (List{5.0, 1.0, 0.0}));
+  EXPECT_EQ(of([](Scalar x) { return x - 3.0; }), (List{-1.0, 1.0, 0.0}));
+  EXPECT_EQ(of([](Scalar x) { return 3.0 - x; }), (List{1.0, -1.0, 0.0}));
+  EXPECT_EQ(of([](Scalar x) { return 4.0 * x; }), (List{8.0, 4.0, 0.0}));
+  EXPECT_EQ(of([](Scalar x) { return x * 4.0; }), (List{8.0, 4.0, 0.0}));
+  EXPECT_EQ(of([](Scalar x) { return x / 4.0; }), (List{0.5, 0.25, 0.0}));
+  EXPECT_EQ(of([](Scalar x) { return 4.0 / x; }), (List{2.0, -1.0, 0.5}));
+  EXPECT_EQ(of([](Scalar x) { return pow(x, 2.0); }), (List{4.0, 4.0, 1.0}));
+  EXPECT_EQ(of([](Scalar x) { return abs(x - 3.0); }), (List{1.0, -1.0, 0.0}));
+  EXPECT_EQ(of([](Scalar x) { return x * sign_of(x - 3.0); }), (List{-2.0, -1.0, 0.0}));
 }
 
 TEST(JetTape, RunsAFormulaOfAnyLengthAnewAtOtherPoints) {

@@ -39,7 +39,7 @@ class Predictor {
   }
 
  private:
-  Vector<double, n> last_, last_but_one_, end_;
+  Vector<double, n> last_ = Vector<double, n>::Zero(), last_but_one_, end_;
   double last_h_ = 0.0, last_but_one_h_ = 0.0;
 };
 
