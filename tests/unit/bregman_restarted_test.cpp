@@ -90,6 +90,26 @@ TEST(BregmanRestarted, BeginsWithASmallStep) {
   EXPECT_EQ(curvature(x, zero, 3.0), 1.0);
 }
 
+TEST(BregmanRestarted, FindsCurvaturesBelowOne) {
+  const auto bowl = [](const VectorX& x, VectorX& gradient) {
+    gradient = 0.01 * x;
+    return 0.005 * x.squaredNorm();
+  };
+  avi::Counted objective(bowl, 2);
+  avi::Iterate now{.x = Eigen::Vector2d(2.0, 1.0), .gradient = VectorX::Zero(2)};
+  now.evaluate(objective);
+  const avi::BregmanRestarted method;
+  auto state = method.start(now);
+  EXPECT_DOUBLE_EQ(state.L, 1.0);
+  double least = 1.0;
+  for (int k = 0; k < 15; ++k) {
+    ASSERT_EQ(method.update(state, now, objective), avi::Outcome::ok);
+    if (!now.evaluated) now.evaluate(objective);
+    least = std::min(least, state.L);
+  }
+  EXPECT_NEAR(least, 0.01, 1e-6);
+}
+
 TEST(BregmanRestarted, RefusesAnOrderThatIsNotPositive) {
   const avi::Iterate now{.x = VectorX::Ones(2), .gradient = VectorX::Ones(2), .value = 1.0};
   for (const double P : {0.0, -1.0, std::nan("")})

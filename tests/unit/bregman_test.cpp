@@ -151,18 +151,20 @@ TEST(BregmanCloning, MergesTheFlowsOfTripleJumps) {
     EXPECT_NEAR(yoshida[i], avi::compositions::yoshida4.c[i], 1e-15);
 }
 
-/// f = x, whose dynamics with p = 2 is known: with A = r_0 + C/2 at t_0 = 1, r = A - C t^4 / 2 and
-/// x = x_0 + A (1 - t^-2) - C (t^2 - 1) / 2, whatever clock t follows.
+/// f = x_0 + x_1, whose dynamics with p = 2 is known: with A = r_0 + C/2 at t_0 = 1, every entry of r is
+/// A - C t^4 / 2 and of x it is x(0) + A (1 - t^-2) - C (t^2 - 1) / 2, whatever clock t follows.
 double slope(const VectorX& x, VectorX& gradient) {
-  gradient = VectorX::Ones(1);
-  return x[0];
+  gradient = VectorX::Ones(2);
+  return x.sum();
 }
 template <class Method>
 double error_on_slope(Method method, double s, int steps) {
   const double C = method.family.C, A = 1.0 + 0.5 * C, t = std::pow(2.0, 1.0 / s);  // t^s goes from 1 to 2
   method.h = 1.0 / steps;
   const auto run =
-      avi::run_updates(slope, method, VectorX::Constant(1, 5.0), {.delta = 0.0, .iterations = steps});
+      avi::run_updates(slope, method, VectorX::Constant(2, 5.0), {.delta = 0.0, .iterations = steps});
+  EXPECT_EQ(run.last.value, run.last.x.sum());
+  EXPECT_EQ(run.last.x[0], run.last.x[1]);
   return std::abs(run.last.x[0] - (5.0 + A * (1.0 - 1.0 / (t * t)) - 0.5 * C * (t * t - 1.0)));
 }
 
@@ -189,23 +191,30 @@ TEST(Bregman, MethodsFollowTheExactDynamicsWithTheirOrders) {
 }
 
 TEST(Bregman, EmbeddedPairsKeepTheTolerance) {
-  // The time that has passed tells from r = A - C t^4 / 2; the iterate from the time.
   const avi::BregmanEmbedded<avi::DormandPrince> method{
       .family = BregmanFamily::direct(2.0, 0.7), .control = {.rtol = 1e-9, .atol = 1e-9}, .first_step = 0.01};
-  avi::Counted objective(slope, 1);
-  avi::Iterate now{.x = VectorX::Constant(1, 5.0), .gradient = VectorX::Zero(1)};
+  avi::Counted objective(slope, 2);
+  avi::Iterate now{.x = VectorX::Constant(2, 5.0), .gradient = VectorX::Zero(2)};
   now.evaluate(objective);
   auto state = method.start(now);
   for (int k = 0; k < 40; ++k) {
     ASSERT_EQ(method.update(state, now, objective), avi::Outcome::ok);
     EXPECT_TRUE(now.evaluated) << "at the last stage";
-    EXPECT_EQ(now.value, now.x[0]);
+    EXPECT_EQ(now.value, now.x.sum());
   }
-  const double t = state.z[2], A = 1.35;
+  const double t = state.z[4], A = 1.35;
   EXPECT_GT(t, 2.0);
-  EXPECT_NEAR(state.z[1], A - 0.35 * std::pow(t, 4), 1e-7 * std::pow(t, 4));
+  EXPECT_NEAR(state.z[3], A - 0.35 * std::pow(t, 4), 1e-7 * std::pow(t, 4));
   EXPECT_NEAR(now.x[0], 5.0 + A * (1.0 - 1.0 / (t * t)) - 0.35 * (t * t - 1.0), 1e-7 * t * t);
   EXPECT_EQ(objective.gradients % 6, 1) << "six a trial, one at the start";
+  // What cannot be stepped is not stepped.
+  const auto broken = [](const VectorX&, VectorX& gradient) {
+    gradient = VectorX::Constant(2, std::nan(""));
+    return 0.0;
+  };
+  const VectorX before = now.x;
+  EXPECT_EQ(method.update(state, now, broken), avi::Outcome::not_converged);
+  EXPECT_EQ(now.x, before);
 }
 
 TEST(Bregman, RefusesBadInput) {

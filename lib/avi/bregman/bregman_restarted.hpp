@@ -115,7 +115,7 @@ struct BregmanRestarted {
           sum[2] += (dy + length * e(g0)) * old;
           sum[3] += old * old;
         });
-    const double c = sums[3] > 0.0 ? sums[2] / sums[3] : 0.0;
+    const double c = sums[2] / sums[3];  // NaN where y stood still, and then own is not read
     const auto own = sweep<2>(n, [=, y = now.x.data(), g = now.gradient.data(), y0 = state.before.data(),
                                   g0 = state.gradient.data(), dy0 = state.displacement.data(),
                                   dg0 = state.change.data()](auto e, auto& sum) {
