@@ -1,5 +1,6 @@
 #include "avi/automatic/solution.hpp"
 #include "avi/problems/kepler.hpp"
+#include "avi/problems/n_body.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
 #include "avi/transform/time_dependent.hpp"
@@ -102,6 +103,15 @@ TEST(Poincare, TakesTheDimensionAndTheEnergyFromTheStart) {
   EXPECT_EQ(problem.clock(start.q, 7.0), 7.0);
   const State<avi::dynamic> same{.q = start.q, .p = start.p};
   EXPECT_EQ(avi::poincare(avi::Automatic{Kepler{}}, same).size(), 2);
+}
+
+TEST(Poincare, TakesHamiltoniansOfTheDimensionOfTheState) {
+  using Free = avi::NBody<avi::dynamic>;
+  EXPECT_TRUE((avi::detail::dimension_fits<Kepler, 2>));
+  EXPECT_FALSE((avi::detail::dimension_fits<Kepler, 3>));
+  EXPECT_TRUE((avi::detail::dimension_fits<Kepler, avi::dynamic>));
+  EXPECT_TRUE((avi::detail::dimension_fits<Free, 3>));
+  EXPECT_TRUE((avi::detail::dimension_fits<decltype(of_qp), 3>)) << "it does not say";
 }
 
 TEST(Poincare, RefusesWhatIsNotFinite) {
