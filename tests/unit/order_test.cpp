@@ -77,6 +77,17 @@ TEST(FitOrder, EndsWhereTheSlopeFallsBelowHalfTheSteepest) {
   EXPECT_EQ(points({0.0, -4.0, -8.0}, {.floor = 0x1p-9}), 3);
 }
 
+TEST(FitOrder, TakesSlopesWhateverTheRatioOfSteps) {
+  const std::vector<double> h{1.0, 0.5, 0.01, 0.009};
+  std::vector<double> error;
+  for (const double step : h)
+    error.push_back(7.0 * std::pow(step, 4));
+  const auto fit = avi::fit_order(h, error);
+  EXPECT_EQ(fit.points, 4);
+  EXPECT_NEAR(fit.order, 4.0, 1e-12);
+  EXPECT_EQ(avi::fit_order(h, std::vector{1.0, 0.1, 0.0, 1e-9}, {.floor = -1.0}).points, 2) << "0 is none";
+}
+
 TEST(FitOrder, TakesAsFewPointsAsItIsTold) {
   const std::vector<double> h{0.2, 0.1}, error{1.0, 0.5};
   EXPECT_TRUE(std::isnan(avi::fit_order(h, error).order)) << "three, unless told";
