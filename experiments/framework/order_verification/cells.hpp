@@ -1,6 +1,6 @@
 #pragma once
+#include "common/extrapolation.hpp"
 #include "common/table.hpp"
-#include "framework/order_verification/reference.hpp"
 
 #include "avi/core/integrate.hpp"
 #include "avi/diagnostics/order.hpp"
@@ -94,8 +94,36 @@ void add_cells(Table& table, const std::string& name, const Problem& problem, co
     }
 }
 
-/// Both types, stationary and as printed; where `authors` (compiled if the first one says so), that
-/// construction too. The error is that of (q, p, t).
+/// (q, p, t) in extended precision.
+template <int n>
+using ExtendedPoint = avi::Vector<long double, 2 * n + 1>;
+
+/// The point at fictive time `horizon`, of order 16: 200 steps leave less than 1e-16 on the problems of this
+/// experiment.
+template <class Problem>
+ExtendedPoint<Problem::dimension>
+extended_reference(const Problem& problem, const avi::State<Problem::dimension>& start, double horizon) {
+  constexpr int n = Problem::dimension, steps = 200;
+  const auto field = [&](const ExtendedPoint<n>& z) {
+    const avi::Vector<long double, n> q = z.template head<n>(), p = z.template segment<n>(n);
+    avi::Vector<long double, n> dq, dp;
+    long double dt;
+    problem.template field<avi::Field::full>(q, p, static_cast<long double>(problem.energy_momentum()), dq,
+                                             dp, dt);
+    ExtendedPoint<n> dz;
+    dz << dq, -dp, dt;
+    return dz;
+  };
+  ExtendedPoint<n> z;
+  z << start.q.template cast<long double>(), start.p.template cast<long double>(),
+      static_cast<long double>(start.t);
+  for (int k = 0; k < steps; ++k)
+    z = extrapolated_step<8>(field, z, static_cast<long double>(horizon) / steps);
+  return z;
+}
+
+/// Both types, stationary and as printed; `with_authors` compiles the authors' construction, too, and
+/// `authors` says whether it is measured. The error is that of (q, p, t).
 template <bool with_authors = false, class Problem>
 void add_problem(Table& table, const std::string& name, const Problem& problem,
                  const avi::State<Problem::dimension>& start, double horizon, bool quick,
@@ -111,16 +139,15 @@ void add_problem(Table& table, const std::string& name, const Problem& problem,
         static_cast<long double>(z.t) - exact_time;
     return static_cast<double>((point - exact).norm());
   };
-  using avi::Generating;
-  add_cells<Generating::type2, avi::stationary>(table, name, problem, start, horizon, error, quick);
-  add_cells<Generating::type3, avi::stationary>(table, name, problem, start, horizon, error, quick);
-  add_cells<Generating::type2, avi::printed>(table, name, problem, start, horizon, error, quick);
-  add_cells<Generating::type3, avi::printed>(table, name, problem, start, horizon, error, quick);
-  if constexpr (with_authors) {
-    if (!authors) return;
-    add_cells<Generating::type2, avi::authors>(table, name, problem, start, horizon, error, quick);
-    add_cells<Generating::type3, avi::authors>(table, name, problem, start, horizon, error, quick);
-  }
+  const auto add = [&]<avi::Construction construction> {
+    using avi::Generating;
+    add_cells<Generating::type2, construction>(table, name, problem, start, horizon, error, quick);
+    add_cells<Generating::type3, construction>(table, name, problem, start, horizon, error, quick);
+  };
+  add.template operator()<avi::stationary>();
+  add.template operator()<avi::printed>();
+  if constexpr (with_authors)
+    if (authors) add.template operator()<avi::authors>();
 }
 
 }  // namespace experiment

@@ -1,6 +1,6 @@
-#include "beyond/speed/work_precision/scenes/extrapolation.hpp"
 #include "beyond/speed/work_precision/scenes/families.hpp"
 #include "beyond/speed/work_precision/scenes/scenes.hpp"
+#include "common/extrapolation.hpp"
 #include "common/reference.hpp"
 
 #include "avi/problems/double_pendulum.hpp"
