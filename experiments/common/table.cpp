@@ -57,6 +57,13 @@ std::string rounded(double value, int digits) {
   return {text, end};
 }
 
+std::optional<double> number_in(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
 void Table::add(std::vector<std::string> cells) {
   if (cells.size() != columns.size())
     throw std::invalid_argument("A row has " + std::to_string(cells.size()) + " cells; it must have " +
@@ -76,12 +83,8 @@ const std::string& Table::text(std::size_t row, std::string_view wanted) const {
 
 double Table::number(std::size_t row, std::string_view wanted) const {
   const std::string& cell = text(row, wanted);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc{} || end != cell.data() + cell.size())
-    throw std::invalid_argument("Cell '" + cell + "' of column '" + std::string(wanted) +
-                                "' is not a number.");
-  return value;
+  if (const auto value = number_in(cell)) return *value;
+  throw std::invalid_argument("Cell '" + cell + "' of column '" + std::string(wanted) + "' is not a number.");
 }
 
 void Table::write(const std::filesystem::path& path) const {

@@ -2,6 +2,7 @@
 #include <concepts>
 #include <filesystem>
 #include <iosfwd>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -18,6 +19,9 @@ std::string exact(double value);
 
 /// A number with few digits, for seconds and other values that no one compares bit for bit.
 std::string rounded(double value, int digits = 6);
+
+/// The number that a text is, from its first character to its last.
+std::optional<double> number_in(std::string_view text);
 
 namespace detail {
 inline std::string cell(const std::string& text) { return text; }

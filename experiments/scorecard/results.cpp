@@ -3,21 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <optional>
 #include <stdexcept>
 
 namespace scorecard {
 
 bool same(std::string_view a, std::string_view b) {
-  const auto number = [](std::string_view text) -> std::optional<double> {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
-  };
   if (a == b) return true;
-  const auto x = number(a), y = number(b);
+  const auto x = experiment::number_in(a), y = experiment::number_in(b);
   return x && y && *x == *y;
 }
 

@@ -221,10 +221,8 @@ std::string latex_cell(const std::string& cell, std::string_view format) {
   if (format == "text") return display_name(cell);
   if (format == "raw") return latex(cell);
   if (format == "yes") return cell == "1" ? "yes" : "no";
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc{} || end != cell.data() + cell.size()) return display_name(cell);
-  return latex_number(value, format);
+  const auto value = experiment::number_in(cell);
+  return value ? latex_number(*value, format) : display_name(cell);
 }
 
 }  // namespace paper

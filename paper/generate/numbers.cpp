@@ -5,10 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
-#include <optional>
 #include <regex>
 #include <stdexcept>
 
@@ -17,13 +15,6 @@ namespace {
 
 [[noreturn]] void refuse(std::string_view what, std::string_view term) {
   throw std::invalid_argument(fmt::format("{} in '{}'.", what, term));
-}
-
-std::optional<double> plain_number(std::string_view text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
 }
 
 std::vector<std::string_view> split(std::string_view text, char at) {
@@ -37,7 +28,7 @@ std::vector<std::string_view> split(std::string_view text, char at) {
 }
 
 double value_of(const scorecard::Results& data, std::string_view term) {
-  if (const auto number = plain_number(term)) return *number;
+  if (const auto number = experiment::number_in(term)) return *number;
   const auto aggregate_end = term.find(':'), close = term.rfind(']');
   const bool aggregated = aggregate_end < term.find('[');
   if (close == std::string_view::npos) refuse("There is no [...]", term);
@@ -80,7 +71,8 @@ std::vector<scorecard::Row> selected(const scorecard::Results& data, std::string
     if (sign == std::string_view::npos) refuse("A condition has neither = nor <", text);
     const auto column = condition.substr(0, sign), wanted = condition.substr(sign + 1);
     std::erase_if(rows, [&](const scorecard::Row& row) {
-      if (condition[sign] == '<') return !(row.number(column) < plain_number(wanted).value_or(std::nan("")));
+      if (condition[sign] == '<')
+        return !(row.number(column) < experiment::number_in(wanted).value_or(std::nan("")));
       return std::ranges::none_of(split(wanted, '|'),
                                   [&](auto cell) { return scorecard::same(row.text(column), cell); });
     });

@@ -1,8 +1,9 @@
 #include "scorecard/numbers/printed.hpp"
 
+#include "common/table.hpp"
+
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
@@ -10,9 +11,9 @@ namespace scorecard {
 
 Printed::Printed(std::string_view text) : bound(text.starts_with('>')) {
   const std::string_view number = text.substr(bound ? 1 : 0);
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-  if (error != std::errc{} || end != number.data() + number.size())
-    throw std::invalid_argument(fmt::format("Published value '{}' is no number.", text));
+  const auto whole = experiment::number_in(number);
+  if (!whole) throw std::invalid_argument(fmt::format("Published value '{}' is no number.", text));
+  value = *whole;
   const auto e = number.find_first_of("eE");
   scientific = e != std::string_view::npos;
   const std::string_view mantissa = number.substr(0, e);
