@@ -26,25 +26,23 @@ double distance_of_copies(double sign, double h, long steps) {
 
 int main(int argc, char** argv) {
   double fictive_time = 0.05;
-  return experiment::run(
-      argc, argv, "cloning_sign", "Phase-space cloning with the printed and with the meant sign of one force",
-      [&](CLI::App& app) {
-        experiment::add_number(app, "--fictive-time", fictive_time, {.low = 0.01, .high = 1.0},
-                               "Fictive time after which the two copies are compared");
-      },
-      [&](experiment::Frame& frame) {
-        experiment::Table table = frame.table({"sign", "h", "steps", "distance", "order"});
-        table.note("distance",
-                   "root mean square of the entries of q~ - q; order: log2 of its fall when h is halved");
-        for (const double sign : {1.0, -1.0}) {
-          double before = std::nan("");
-          for (long steps = std::lround(fictive_time / 5e-3), level = 0; level < 4; ++level, steps *= 2) {
-            const double h = fictive_time / static_cast<double>(steps);
-            const double distance = distance_of_copies(sign, h, steps);
-            table.row(sign, h, steps, distance, std::log2(before / distance));
-            before = distance;
-          }
-        }
-        frame.write(table);
-      });
+  const auto options = [&](CLI::App& app) {
+    experiment::add_number(app, "--fictive-time", fictive_time, {.low = 0.01, .high = 1.0},
+                           "Fictive time after which the two copies are compared");
+  };
+  return experiment::run(argc, argv, AVI_SHOWS, options, [&](experiment::Frame& frame) {
+    experiment::Table table = frame.table({"sign", "h", "steps", "distance", "order"});
+    table.note("distance",
+               "root mean square of the entries of q~ - q; order: log2 of its fall when h is halved");
+    for (const double sign : {1.0, -1.0}) {
+      double before = std::nan("");
+      for (long steps = std::lround(fictive_time / 5e-3), level = 0; level < 4; ++level, steps *= 2) {
+        const double h = fictive_time / static_cast<double>(steps);
+        const double distance = distance_of_copies(sign, h, steps);
+        table.row(sign, h, steps, distance, std::log2(before / distance));
+        before = distance;
+      }
+    }
+    frame.write(table);
+  });
 }

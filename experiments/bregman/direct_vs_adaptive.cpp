@@ -2,7 +2,5 @@
 
 // Iterations until convergence of HTVI and of cloning with Yoshida 4, Direct against Adaptive, p = 4 and 10.
 int main(int argc, char** argv) {
-  return experiment::iteration_table(argc, argv, "direct_vs_adaptive",
-                                     "Direct against Adaptive approach: HTVI and cloning with Yoshida 4",
-                                     experiment::direct_vs_adaptive_settings());
+  return experiment::iteration_table(argc, argv, AVI_SHOWS, experiment::direct_vs_adaptive_settings());
 }

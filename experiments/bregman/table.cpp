@@ -11,13 +11,12 @@ std::string label_of(const Setting& s) {
   return s.is_direct() ? label : label + " " + rounded(s.p_ring);
 }
 
-int iteration_table(int argc, char** argv, const std::string& name, const std::string& summary,
-                    const std::vector<Setting>& settings) {
+int iteration_table(int argc, char** argv, const std::string& shows, const std::vector<Setting>& settings) {
   long starts = 16;
   const auto options = [&](CLI::App& app) {
     add_count(app, "--starts", starts, 1, 1000, "Starts moved by 1e-14 for each setting");
   };
-  return run(argc, argv, name, summary, options, [&](Frame& frame) {
+  return run(argc, argv, shows, options, [&](Frame& frame) {
     if (frame.quick) starts = std::min(starts, 4L);
     const avi::Stopping stopping{.delta = 1e-10, .iterations = 1'000'000};
     Table table = frame.table({"method", "approach", "p", "p_ring", "h", "C", "iterations",
@@ -30,7 +29,7 @@ int iteration_table(int argc, char** argv, const std::string& name, const std::s
     const avi::CorrelatedQuartic f;
     for (std::size_t i = 0; i < settings.size(); ++i) {
       const Setting& s = settings[i];
-      frame.progress(label_of(s), static_cast<double>(i) / static_cast<double>(settings.size()));
+      frame.progress(label_of(s), i, settings.size());
       if (frame.quick && s.is_direct() && s.p < 5) continue;
       avi::Minimisation result;
       const double time = seconds([&] { result = run_setting(s, f, f.start(), stopping); });
@@ -44,7 +43,6 @@ int iteration_table(int argc, char** argv, const std::string& name, const std::s
       run_setting(s, f, f.start(), stopping, curve);
       curve.append(curves, {label_of(s), s.method, s.approach(), exact(s.p), exact(s.p_ring_or_nan())});
     }
-    frame.progress("done", 1.0);
     frame.write(curves, "curves");
     frame.write(table);
   });
@@ -73,11 +71,10 @@ void each_setting(const Frame& frame, const std::function<void(const Setting&, b
   const auto settings = all_settings();
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const Setting& s = settings[i];
-    frame.progress(label_of(s), static_cast<double>(i) / static_cast<double>(settings.size()));
+    frame.progress(label_of(s), i, settings.size());
     const bool slow = s.is_direct() && s.p < 5;
     if (!slow || !frame.quick) visit(s, slow);
   }
-  frame.progress("done", 1.0);
 }
 
 }  // namespace experiment

@@ -184,7 +184,7 @@ double mirror(double h) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run(argc, argv, "variants", "Variants of Bregman methods that the paper mentions", [](Frame& frame) {
+  return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
     Table table = frame.table(
         {"variant", "parameter", "setting", "first_passage", "sustained", "gradients_per_step", "value"});
     table.note("type_2, type_3",

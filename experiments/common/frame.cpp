@@ -31,21 +31,6 @@ class Uninterrupted {
   sigset_t before_{};
 };
 
-}  // namespace
-
-void Frame::write(const Table& table, std::string_view curve) const {
-  const Uninterrupted here;
-  table.write(output / (curve.empty() ? name + ".tsv" : fmt::format("{}_{}.tsv", name, curve)));
-}
-
-void Frame::progress(std::string_view label, double fraction) const {
-  if (!::isatty(STDERR_FILENO)) return;
-  fmt::print(stderr, "\r{}: {:<40} {:3.0f} %{}", name, label, 100.0 * fraction, fraction < 1.0 ? "" : "\n");
-  std::fflush(stderr);
-}
-
-namespace {
-
 /// Makes the folder and proves that a page can be written in it, before any work is done: a full disk still
 /// creates files.
 void require_writable(const std::filesystem::path& folder) {
@@ -69,10 +54,23 @@ int refuse(std::string_view name, std::string_view sentence) {
 
 }  // namespace
 
-int run(int argc, char** argv, std::string name, std::string summary,
-        const std::function<void(CLI::App&)>& options, const std::function<void(Frame&)>& body) {
+void Frame::write(const Table& table, std::string_view curve) const {
+  const Uninterrupted here;
+  table.write(output / (curve.empty() ? name + ".tsv" : fmt::format("{}_{}.tsv", name, curve)));
+}
+
+void Frame::progress(std::string_view label, double done, double of) const {
+  line_open = ::isatty(STDERR_FILENO);
+  if (!line_open) return;
+  fmt::print(stderr, "\r{}: {:<40} {:3.0f} %", name, label, 100.0 * done / of);
+  std::fflush(stderr);
+}
+
+int run(int argc, char** argv, const std::string& shows, const std::function<void(CLI::App&)>& options,
+        const std::function<void(Frame&)>& body) {
+  const std::string name = std::filesystem::path(argv[0]).filename();
   Frame frame{.name = name, .output = "build/data"};
-  CLI::App app(summary, name);
+  CLI::App app(shows, name);
   app.add_option("--output", frame.output, "Folder of the data files, made where it is missing")
       ->option_text("DIR")
       ->default_str("build/data");
@@ -83,6 +81,10 @@ int run(int argc, char** argv, std::string name, std::string summary,
     app.parse(argc, argv);
     require_writable(frame.output);
     body(frame);
+    if (frame.line_open) {
+      frame.progress("done", 1.0);
+      fmt::print(stderr, "\n");
+    }
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
@@ -98,10 +100,9 @@ int run(int argc, char** argv, std::string name, std::string summary,
   return 0;
 }
 
-int run(int argc, char** argv, std::string name, std::string summary,
-        const std::function<void(Frame&)>& body) {
-  return run(
-      argc, argv, std::move(name), std::move(summary), [](CLI::App&) {}, body);
+int run(int argc, char** argv, const std::string& shows, const std::function<void(Frame&)>& body) {
+  const auto no_options = [](CLI::App&) {};
+  return run(argc, argv, shows, no_options, body);
 }
 
 void add_number(CLI::App& app, const std::string& flag, double& value, Range range,

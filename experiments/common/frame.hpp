@@ -19,9 +19,10 @@ namespace experiment {
 /// The running experiment: what its options say and where its tables go.
 class Frame {
  public:
-  std::string name;              ///< Stem of the executable, of its data file and of its figure.
-  std::filesystem::path output;  ///< Folder of the data files.
-  bool quick = false;            ///< A shortened run for tests: same columns, fewer or shorter rows.
+  std::string name;                ///< Stem of the executable, of its data file and of its figure.
+  std::filesystem::path output;    ///< Folder of the data files.
+  bool quick = false;              ///< A shortened run for tests: same columns, fewer or shorter rows.
+  mutable bool line_open = false;  ///< Progress stands on the terminal.
 
   /// A table that begins with the provenance lines (experiment, commit, compiler, flags, machine, date).
   [[nodiscard]] experiment::Table table(std::vector<std::string> columns) const;
@@ -29,19 +30,19 @@ class Frame {
   /// Writes a table as <name>.tsv, or <name>_<curve>.tsv.
   void write(const experiment::Table& table, std::string_view curve = "") const;
 
-  /// Shows `label` and a fraction in [0, 1] on a terminal; prints nothing in a pipe.
-  void progress(std::string_view label, double fraction) const;
+  /// Shows `label` and which part of the work is done on a terminal; prints nothing in a pipe.
+  void progress(std::string_view label, double done, double of = 1.0) const;
 };
 
-/// main() of an experiment. `options` adds the experiment's own command-line options; `body` computes, then
-/// writes its tables last. Returns the exit status: 0; 2 for bad options or a file or folder that cannot be
-/// read or written, with one sentence on stderr and no half-written file; 1 for a run that failed.
-int run(int argc, char** argv, std::string name, std::string summary,
-        const std::function<void(CLI::App&)>& options, const std::function<void(Frame&)>& body);
+/// main() of an experiment. `shows` is what --help says of it: AVI_SHOWS, the sentence of its CMakeLists.txt.
+/// `options` adds the experiment's own command-line options; `body` computes, then writes its tables last.
+/// Returns the exit status: 0; 2 for bad options or a file or folder that cannot be read or written, with one
+/// sentence on stderr and no half-written file; 1 for a run that failed.
+int run(int argc, char** argv, const std::string& shows, const std::function<void(CLI::App&)>& options,
+        const std::function<void(Frame&)>& body);
 
 /// Same for an experiment without options of its own.
-int run(int argc, char** argv, std::string name, std::string summary,
-        const std::function<void(Frame&)>& body);
+int run(int argc, char** argv, const std::string& shows, const std::function<void(Frame&)>& body);
 
 /// An interval; either end may be excluded.
 struct Range {

@@ -7,42 +7,40 @@
 int main(int argc, char** argv) {
   using namespace experiment;
   double eccentricity = 0.9, horizon = 100.0, h = 1e-3;
-  return run(
-      argc, argv, "euler_b_errors", "Errors of symplectic Euler-B in time, fixed against adaptive steps",
-      [&](CLI::App& app) {
-        add_number(app, "--eccentricity", eccentricity, {.low = 0.0, .high = 1.0, .high_open = true},
-                   "Eccentricity e of the orbit");
-        add_number(app, "--horizon", horizon, {.low = 0.0, .high = 1e5, .low_open = true},
-                   "Physical time T to reach");
-        add_number(app, "--h", h, {.low = 0.0, .high = 1.0, .low_open = true}, "Step of the fixed-step run");
-      },
-      [&](Frame& frame) {
-        if (frame.quick) horizon = std::min(horizon, 10.0);
-        // Equally many steps: the count is inversely proportional to the size.
-        const double fixed_steps = std::ceil(horizon / h);
-        double size = h;
-        for (int k = 0; k < 3; ++k)
-          size *= run_euler_b(euler_b_setting("truncation", size), eccentricity, horizon).steps / fixed_steps;
+  const auto options = [&](CLI::App& app) {
+    add_number(app, "--eccentricity", eccentricity, {.low = 0.0, .high = 1.0, .high_open = true},
+               "Eccentricity e of the orbit");
+    add_number(app, "--horizon", horizon, {.low = 0.0, .high = 1e5, .low_open = true},
+               "Physical time T to reach");
+    add_number(app, "--h", h, {.low = 0.0, .high = 1.0, .low_open = true}, "Step of the fixed-step run");
+  };
+  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
+    if (frame.quick) horizon = std::min(horizon, 10.0);
+    // Equally many steps: the count is inversely proportional to the size.
+    const double fixed_steps = std::ceil(horizon / h);
+    double size = h;
+    for (int k = 0; k < 3; ++k)
+      size *= run_euler_b(euler_b_setting("truncation", size), eccentricity, horizon).steps / fixed_steps;
 
-        experiment::Table out = frame.table({"method", "monitor", "h", "tol", "horizon", "energy_error",
-                                             "angular_momentum_error", "steps", "seconds"});
-        experiment::Table curve = frame.table({"monitor", "t", "energy_error", "angular_momentum_error"});
-        out.note("eccentricity", eccentricity);
-        curve.note("rows", "largest error in each of 1000 equal intervals of time");
-        for (const EulerBSetting& setting : {EulerBSetting{"none", h}, euler_b_setting("truncation", size)}) {
-          constexpr int intervals = 1000;
-          std::vector<double> energy(intervals, 0.0), momentum(intervals, 0.0);
-          const auto r = run_euler_b(setting, eccentricity, horizon, [&](const auto& z, double e, double l) {
-            const auto i = static_cast<std::size_t>(std::min(z.t / horizon, 1.0 - 1e-12) * intervals);
-            energy[i] = std::max(energy[i], e);
-            momentum[i] = std::max(momentum[i], l);
-          });
-          out.row("symplectic_euler_b", setting.monitor, setting.h, setting.tol, horizon, r.energy_error,
-                  r.angular_momentum_error, r.steps, experiment::rounded(r.seconds));
-          for (int i = 0; i < intervals; ++i)
-            curve.row(setting.monitor, (i + 0.5) * horizon / intervals, energy[i], momentum[i]);
-        }
-        frame.write(curve, "curve");
-        frame.write(out);
+    experiment::Table out = frame.table({"method", "monitor", "h", "tol", "horizon", "energy_error",
+                                         "angular_momentum_error", "steps", "seconds"});
+    experiment::Table curve = frame.table({"monitor", "t", "energy_error", "angular_momentum_error"});
+    out.note("eccentricity", eccentricity);
+    curve.note("rows", "largest error in each of 1000 equal intervals of time");
+    for (const EulerBSetting& setting : {EulerBSetting{"none", h}, euler_b_setting("truncation", size)}) {
+      constexpr int intervals = 1000;
+      std::vector<double> energy(intervals, 0.0), momentum(intervals, 0.0);
+      const auto r = run_euler_b(setting, eccentricity, horizon, [&](const auto& z, double e, double l) {
+        const auto i = static_cast<std::size_t>(std::min(z.t / horizon, 1.0 - 1e-12) * intervals);
+        energy[i] = std::max(energy[i], e);
+        momentum[i] = std::max(momentum[i], l);
       });
+      out.row("symplectic_euler_b", setting.monitor, setting.h, setting.tol, horizon, r.energy_error,
+              r.angular_momentum_error, r.steps, experiment::rounded(r.seconds));
+      for (int i = 0; i < intervals; ++i)
+        curve.row(setting.monitor, (i + 0.5) * horizon / intervals, energy[i], momentum[i]);
+    }
+    frame.write(curve, "curve");
+    frame.write(out);
+  });
 }

@@ -104,24 +104,23 @@ double equal_work() {
 
 int main(int argc, char** argv) {
   long periods = 10'000;
-  return run(
-      argc, argv, "naive_steps",
-      "Kepler, e = 0.9: variable steps with and without the Poincare transformation",
-      [&](CLI::App& app) { add_count(app, "--periods", periods, 10, 1'000'000, "Periods to run"); },
-      [&](Frame& frame) {
-        if (frame.quick) periods = std::min(periods, 1000L);
-        Table table = frame.table({"method", "monitor", "periods", "energy_error"});
-        const double h = fictive_period() / steps_per_orbit, last = static_cast<double>(periods);
-        const State2 start = avi::Kepler::pericentre(eccentricity);
-        run_steps(avi::poincare(avi::Kepler(), start, monitor), Record(table, "collocation", "r^1.5", last),
-                  [h](const State2&) { return h; });
-        run_steps(avi::poincare(avi::Kepler(), start), Record(table, "naive", "r^1.5", last),
-                  [h](const State2& z) { return h * monitor(z.q); });
-        const double tolerance = equal_work();
-        Record record(table, "error_controlled", "none", last);
-        const long steps = controlled(tolerance, [&](const State2& z) { return record(z); });
-        fmt::print("{} steps an orbit; the error-controlled run takes {:.1f} with the tolerance {:.2e}.\n",
-                   steps_per_orbit, static_cast<double>(steps) / last, tolerance);
-        frame.write(table);
-      });
+  const auto options = [&](CLI::App& app) {
+    add_count(app, "--periods", periods, 10, 1'000'000, "Periods to run");
+  };
+  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
+    if (frame.quick) periods = std::min(periods, 1000L);
+    Table table = frame.table({"method", "monitor", "periods", "energy_error"});
+    const double h = fictive_period() / steps_per_orbit, last = static_cast<double>(periods);
+    const State2 start = avi::Kepler::pericentre(eccentricity);
+    run_steps(avi::poincare(avi::Kepler(), start, monitor), Record(table, "collocation", "r^1.5", last),
+              [h](const State2&) { return h; });
+    run_steps(avi::poincare(avi::Kepler(), start), Record(table, "naive", "r^1.5", last),
+              [h](const State2& z) { return h * monitor(z.q); });
+    const double tolerance = equal_work();
+    Record record(table, "error_controlled", "none", last);
+    const long steps = controlled(tolerance, [&](const State2& z) { return record(z); });
+    fmt::print("{} steps an orbit; the error-controlled run takes {:.1f} with the tolerance {:.2e}.\n",
+               steps_per_orbit, static_cast<double>(steps) / last, tolerance);
+    frame.write(table);
+  });
 }

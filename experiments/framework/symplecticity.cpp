@@ -73,30 +73,28 @@ double kepler_defect(const Monitor& monitor, double h) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return experiment::run(
-      argc, argv, "symplecticity", "Distance of one step from a symplectic map",
-      [](experiment::Frame& frame) {
-        experiment::Table table = frame.table({"problem", "method", "variables", "h", "defect"});
-        table.note("defect", "| J^T Omega J - Omega |, J by differences good to about 1e-12");
-        const avi::Kepler kepler;
-        const avi::State<2> somewhere = avi::Kepler::exact(0.6, 0.9);
-        const auto monitor = avi::bounded(avi::NormSquared{}, 0.01, 8.0);
-        const auto htvi4 =
-            avi::type2<3, avi::authors>(avi::poincare<2>(kepler, somewhere, monitor), avi::simpson());
-        for (double h : {0.16, 0.08, 0.04, 0.02, 0.01}) {
-          table.row("kepler", "htvi4", "q p", h, avi::symplecticity_defect(htvi4, somewhere, h));
-          table.row("kepler", "htvi4", "q t p p^t", h, kepler_defect(monitor, h));
-          table.row("kepler", "symplectic_euler_b", "q p", h,
-                    avi::symplecticity_defect(avi::euler_b<2>(kepler, somewhere, avi::NormSquared{}),
-                                              somewhere, 0.25 * h));
-        }
-        for (double h : {0.02, 0.01, 0.005, 0.0025, 0.00125}) {
-          using namespace experiment;
-          table.row("bregman", "htvi", "q t r r^t", h, bregman_defect(htvi_printed_step, h));
-          table.row("bregman", "splitting", "q t r r^t", h, bregman_defect(splitting_printed_step, h));
-          table.row("bregman", "splitting", "q r", h, bregman_defect(splitting_printed_step, h, true));
-          table.row("bregman", "three_flows", "q t r r^t", h, bregman_defect(three_flow_step, h));
-        }
-        frame.write(table);
-      });
+  return experiment::run(argc, argv, AVI_SHOWS, [](experiment::Frame& frame) {
+    experiment::Table table = frame.table({"problem", "method", "variables", "h", "defect"});
+    table.note("defect", "| J^T Omega J - Omega |, J by differences good to about 1e-12");
+    const avi::Kepler kepler;
+    const avi::State<2> somewhere = avi::Kepler::exact(0.6, 0.9);
+    const auto monitor = avi::bounded(avi::NormSquared{}, 0.01, 8.0);
+    const auto htvi4 =
+        avi::type2<3, avi::authors>(avi::poincare<2>(kepler, somewhere, monitor), avi::simpson());
+    for (double h : {0.16, 0.08, 0.04, 0.02, 0.01}) {
+      table.row("kepler", "htvi4", "q p", h, avi::symplecticity_defect(htvi4, somewhere, h));
+      table.row("kepler", "htvi4", "q t p p^t", h, kepler_defect(monitor, h));
+      table.row("kepler", "symplectic_euler_b", "q p", h,
+                avi::symplecticity_defect(avi::euler_b<2>(kepler, somewhere, avi::NormSquared{}), somewhere,
+                                          0.25 * h));
+    }
+    for (double h : {0.02, 0.01, 0.005, 0.0025, 0.00125}) {
+      using namespace experiment;
+      table.row("bregman", "htvi", "q t r r^t", h, bregman_defect(htvi_printed_step, h));
+      table.row("bregman", "splitting", "q t r r^t", h, bregman_defect(splitting_printed_step, h));
+      table.row("bregman", "splitting", "q r", h, bregman_defect(splitting_printed_step, h, true));
+      table.row("bregman", "three_flows", "q t r r^t", h, bregman_defect(three_flow_step, h));
+    }
+    frame.write(table);
+  });
 }

@@ -4,23 +4,21 @@
 int main(int argc, char** argv) {
   using namespace experiment;
   double horizon = 10.0;
-  return run(
-      argc, argv, "htvi4_step_sizes", "Steps of HTVI4 in time, by monitor, at the settings of Table 1",
-      [&](CLI::App& app) {
-        add_number(app, "--horizon", horizon, {.low = 0.0, .high = 1e4, .low_open = true},
-                   "Physical time T to reach");
-      },
-      [&](Frame& frame) {
-        experiment::Table out = frame.table({"monitor", "t", "step", "radius"});
-        out.note("eccentricity", 0.9);
-        for (const KeplerRun& run : htvi4_runs("authors", table1(), horizon)) {
-          if (run.row.monitor == "none") continue;
-          double before = 0.0;
-          run.observe([&](const avi::State<2>& z) {
-            out.row(run.row.monitor, z.t, z.t - before, z.q.norm());
-            before = z.t;
-          });
-        }
-        frame.write(out);
+  const auto options = [&](CLI::App& app) {
+    add_number(app, "--horizon", horizon, {.low = 0.0, .high = 1e4, .low_open = true},
+               "Physical time T to reach");
+  };
+  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
+    experiment::Table out = frame.table({"monitor", "t", "step", "radius"});
+    out.note("eccentricity", 0.9);
+    for (const KeplerRun& run : htvi4_runs("authors", table1(), horizon)) {
+      if (run.row.monitor == "none") continue;
+      double before = 0.0;
+      run.observe([&](const avi::State<2>& z) {
+        out.row(run.row.monitor, z.t, z.t - before, z.q.norm());
+        before = z.t;
       });
+    }
+    frame.write(out);
+  });
 }

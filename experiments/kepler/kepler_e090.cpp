@@ -1,5 +1,5 @@
 #include "kepler/table.hpp"
 
 int main(int argc, char** argv) {
-  return experiment::kepler_table(argc, argv, "kepler_e090", experiment::table1());
+  return experiment::kepler_table(argc, argv, AVI_SHOWS, experiment::table1());
 }

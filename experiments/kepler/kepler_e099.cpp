@@ -1,5 +1,5 @@
 #include "kepler/table.hpp"
 
 int main(int argc, char** argv) {
-  return experiment::kepler_table(argc, argv, "kepler_e099", experiment::table2());
+  return experiment::kepler_table(argc, argv, AVI_SHOWS, experiment::table2());
 }

@@ -53,49 +53,46 @@ KeplerRun verlet_run(const KeplerTable& table, double horizon) {
 
 }  // namespace
 
-int kepler_table(int argc, char** argv, const std::string& name, const KeplerTable& table) {
+int kepler_table(int argc, char** argv, const std::string& shows, const KeplerTable& table) {
   double horizon = 10.0;
-  return run(
-      argc, argv, name, "Kepler orbit: HTVI4 with and without monitors against Stormer-Verlet",
-      [&](CLI::App& app) {
-        add_number(app, "--horizon", horizon, {.low = 0.0, .high = 1e4, .low_open = true},
-                   "Physical time T to reach");
-      },
-      [&](Frame& frame) {
-        std::vector<KeplerRun> runs;
-        for (const char* construction : {"authors", "printed", "stationary"})
-          for (auto& run : htvi4_runs(construction, table, horizon))
-            runs.push_back(std::move(run));
-        runs.push_back(verlet_run(table, horizon));
+  const auto options = [&](CLI::App& app) {
+    add_number(app, "--horizon", horizon, {.low = 0.0, .high = 1e4, .low_open = true},
+               "Physical time T to reach");
+  };
+  return run(argc, argv, shows, options, [&](Frame& frame) {
+    std::vector<KeplerRun> runs;
+    for (const char* construction : {"authors", "printed", "stationary"})
+      for (auto& run : htvi4_runs(construction, table, horizon))
+        runs.push_back(std::move(run));
+    runs.push_back(verlet_run(table, horizon));
 
-        std::vector<KeplerResult> results;
-        for (const auto& run : runs) {
-          frame.progress(run.construction + " " + run.row.monitor, results.size() / (runs.size() + 1.0));
-          results.push_back(run.measure());
-        }
-        frame.progress("timing", 0.95);
-        std::vector<std::function<void()>> works;
-        for (const auto& run : runs)
-          works.push_back([&run] { run.run(); });
-        const auto times = interleaved_least_seconds(works, frame.quick ? 1 : table.rounds);
-        frame.progress("done", 1.0);
+    std::vector<KeplerResult> results;
+    for (const auto& run : runs) {
+      frame.progress(run.construction + " " + run.row.monitor, results.size() / (runs.size() + 1.0));
+      results.push_back(run.measure());
+    }
+    frame.progress("timing", 0.95);
+    std::vector<std::function<void()>> works;
+    for (const auto& run : runs)
+      works.push_back([&run] { run.run(); });
+    const auto times = interleaved_least_seconds(works, frame.quick ? 1 : table.rounds);
 
-        experiment::Table out =
-            frame.table({"method", "construction", "monitor", "h", "g_min", "g_max", "min_step", "max_step",
-                         "energy_error", "global_error", "global_error_shifted", "steps", "seconds"});
-        out.note("eccentricity", table.eccentricity);
-        out.note("horizon", horizon);
-        out.note("rounds", table.rounds);
-        for (std::size_t i = 0; i < runs.size(); ++i) {
-          const KeplerRow& row = runs[i].row;
-          const KeplerResult& r = results[i];
-          out.row(runs[i].method, runs[i].construction, row.monitor, row.h, row.a, row.b, r.min_step,
-                  r.max_step, r.energy_error, r.global_error,
-                  runs[i].method == "stormer_verlet" ? r.global_error_shifted : none, r.steps,
-                  experiment::rounded(times[i]));
-        }
-        frame.write(out);
-      });
+    experiment::Table out =
+        frame.table({"method", "construction", "monitor", "h", "g_min", "g_max", "min_step", "max_step",
+                     "energy_error", "global_error", "global_error_shifted", "steps", "seconds"});
+    out.note("eccentricity", table.eccentricity);
+    out.note("horizon", horizon);
+    out.note("rounds", table.rounds);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      const KeplerRow& row = runs[i].row;
+      const KeplerResult& r = results[i];
+      out.row(runs[i].method, runs[i].construction, row.monitor, row.h, row.a, row.b, r.min_step, r.max_step,
+              r.energy_error, r.global_error,
+              runs[i].method == "stormer_verlet" ? r.global_error_shifted : none, r.steps,
+              experiment::rounded(times[i]));
+    }
+    frame.write(out);
+  });
 }
 
 }  // namespace experiment

@@ -66,6 +66,6 @@ KeplerTable table2();
 std::vector<KeplerRun> htvi4_runs(const std::string& construction, const KeplerTable& table, double horizon);
 
 /// main() of kepler_e090 and kepler_e099.
-int kepler_table(int argc, char** argv, const std::string& name, const KeplerTable& table);
+int kepler_table(int argc, char** argv, const std::string& shows, const KeplerTable& table);
 
 }  // namespace experiment

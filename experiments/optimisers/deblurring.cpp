@@ -78,50 +78,47 @@ double objective(const VectorX& b, const VectorX& x, VectorX& g) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run(
-      argc, argv, "deblurring", "A blurred picture restored by avi::minimise() and by L-BFGS",
-      [](Frame& frame) {
-        const VectorX truth = picture();
-        arena::Numbers numbers(1);
-        const VectorX b = blur(truth) + 0.01 * numbers.normals(side * side);
-        const auto f = [&b](const VectorX& x, VectorX& g) { return objective(b, x, g); };
-        const auto distance = [&](const VectorX& x) { return avi::norm(x - truth) / avi::norm(truth); };
+  return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
+    const VectorX truth = picture();
+    arena::Numbers numbers(1);
+    const VectorX b = blur(truth) + 0.01 * numbers.normals(side * side);
+    const auto f = [&b](const VectorX& x, VectorX& g) { return objective(b, x, g); };
+    const auto distance = [&](const VectorX& x) { return avi::norm(x - truth) / avi::norm(truth); };
 
-        Table table = frame.table({"method", "delta", "iterations", "gradient_evaluations", "converged",
-                                   "value", "error_before", "error_after", "seconds"});
-        table.note("error", "of the picture, |x - truth| / |truth|");
-        Table curves = frame.table({"method", "gradients", "gradient_ratio", "value"});
-        VectorX restored;
-        for (const arena::Method& method : arena::all_methods()) {
-          if (method.name != "minimise_m7" && method.name != "minimise_m0" && method.name != "lbfgs")
-            continue;
-          double first = 0.0, value = 0.0;
-          long gradients = 0;
-          VectorX last;
-          const arena::Problem problem{.name = "deblurring", .x0 = b, .f = [&](const VectorX& x, VectorX& g) {
-                                         value = f(x, g);
-                                         const double size = avi::norm(g);
-                                         if (gradients++ == 0) first = size;
-                                         curves.row(method.name, gradients, size / first, value);
-                                         last = x;
-                                         return value;
-                                       }};
-          const arena::Passages passages =
-              arena::Meter(problem, b, frame.quick ? 200 : 5000).run(method.runs.front());
-          if (method.name == "minimise_m7") restored = last;
-          for (std::size_t k = 0; k < arena::tolerances.size(); ++k) {
-            const arena::Passage& p = passages[k];
-            table.row(method.name, arena::tolerances[k], p.iterations, p.gradients, p.converged ? 1 : 0,
-                      value, distance(b), distance(last), p.seconds);
-          }
-        }
-        Table pixels = frame.table({"row", "column", "truth", "blurred", "restored"});
-        for (Eigen::Index i = 0; i < side; ++i)
-          for (Eigen::Index j = 0; j < side; ++j)
-            pixels.row(static_cast<long>(i), static_cast<long>(j), truth[i * side + j], b[i * side + j],
-                       restored[i * side + j]);
-        frame.write(curves, "curves");
-        frame.write(pixels, "pixels");
-        frame.write(table);
-      });
+    Table table = frame.table({"method", "delta", "iterations", "gradient_evaluations", "converged", "value",
+                               "error_before", "error_after", "seconds"});
+    table.note("error", "of the picture, |x - truth| / |truth|");
+    Table curves = frame.table({"method", "gradients", "gradient_ratio", "value"});
+    VectorX restored;
+    for (const arena::Method& method : arena::all_methods()) {
+      if (method.name != "minimise_m7" && method.name != "minimise_m0" && method.name != "lbfgs") continue;
+      double first = 0.0, value = 0.0;
+      long gradients = 0;
+      VectorX last;
+      const arena::Problem problem{.name = "deblurring", .x0 = b, .f = [&](const VectorX& x, VectorX& g) {
+                                     value = f(x, g);
+                                     const double size = avi::norm(g);
+                                     if (gradients++ == 0) first = size;
+                                     curves.row(method.name, gradients, size / first, value);
+                                     last = x;
+                                     return value;
+                                   }};
+      const arena::Passages passages =
+          arena::Meter(problem, b, frame.quick ? 200 : 5000).run(method.runs.front());
+      if (method.name == "minimise_m7") restored = last;
+      for (std::size_t k = 0; k < arena::tolerances.size(); ++k) {
+        const arena::Passage& p = passages[k];
+        table.row(method.name, arena::tolerances[k], p.iterations, p.gradients, p.converged ? 1 : 0, value,
+                  distance(b), distance(last), p.seconds);
+      }
+    }
+    Table pixels = frame.table({"row", "column", "truth", "blurred", "restored"});
+    for (Eigen::Index i = 0; i < side; ++i)
+      for (Eigen::Index j = 0; j < side; ++j)
+        pixels.row(static_cast<long>(i), static_cast<long>(j), truth[i * side + j], b[i * side + j],
+                   restored[i * side + j]);
+    frame.write(curves, "curves");
+    frame.write(pixels, "pixels");
+    frame.write(table);
+  });
 }

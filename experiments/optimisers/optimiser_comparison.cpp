@@ -54,64 +54,58 @@ struct Passages {
 int main(int argc, char** argv) {
   bool full = false;
   double cap = 6e7;
-  return run(
-      argc, argv, "optimiser_comparison",
-      "HTVI against NAG, ADAM, AdaGrad, RMSprop, trust region steepest descent and minimise() over nine "
-      "tolerances",
-      [&](CLI::App& app) {
-        add_flag(app, "--long", full,
-                 "No cap below what the paper prints: AdaGrad to 2.5e8, NAG to 1e10 (an hour)");
-        add_number(app, "--cap", cap, {.low = 1.0, .high = 1e11}, "Iterations at which AdaGrad is given up");
-      },
-      [&](Frame& frame) {
-        if (frame.quick) cap = std::min(cap, 1e6);
-        const double nag_cap = full ? 1e10 : std::min(cap, 5e6);
-        const avi::CorrelatedQuartic f;
-        const avi::VectorX x0 = f.start(), y0 = x0.array() - 1.0;
-        Table table = frame.table({"method", "delta", "iterations", "gradient_evaluations", "converged",
-                                   "outcome", "function_evaluations", "seconds"});
-        table.note("rows that are not converged", "the counts when the run ended");
-        table.note("function_evaluations", "of the whole run");
-        double done = 0.0;
-        const auto add = [&](const std::string& name, const AnyObjective& of, const avi::VectorX& start,
-                             const Rule& rule, double most) {
-          frame.progress(name, done += 0.12);
-          const long iterations = static_cast<long>(most);
-          table.note("cap on iterations of " + name, iterations);
-          Passages seen;
-          const auto run =
-              run_updates(rule, of, start, {.delta = deltas.back(), .iterations = iterations}, seen);
-          for (std::size_t i = 0; i < deltas.size(); ++i) {
-            const bool reached = i < seen.found.size();
-            const auto [made, gradients, spent] =
-                reached ? seen.found[i]
-                        : Passages::Passage{run.iterations, run.gradient_evaluations, seen.elapsed()};
-            table.row(name, deltas[i], made, gradients, reached,
-                      avi::name(reached ? avi::Outcome::ok : run.outcome), run.function_evaluations,
-                      rounded(spent));
-          }
-        };
-        // HTVI's setting is not recovered: p, p_ring and C here are the nearest of those that were searched.
-        add("htvi", f, x0,
-            {.method = "htvi", .family = avi::BregmanFamily::adaptive(15, 0.1, 0.03), .h = 2e-6}, nag_cap);
-        add("nag", f, x0, {.method = "nag", .h = 2e-6}, nag_cap);
-        add("nag_shifted", Shifted{}, y0, {.method = "nag", .h = 2e-6}, nag_cap);
-        add("adam", f, x0, {.method = "adam"}, cap);
-        add("adagrad", f, x0, {.method = "adagrad", .h = 7.0}, full ? 2.5e8 : cap);
-        add("rmsprop", f, x0, {.method = "rmsprop", .h = 0.1}, cap);
-        add("trust_region", f, x0, {.method = "trust_region"}, cap);
-        // minimise() with its defaults stops by the same test. A run for each tolerance: before it stops it
-        // evaluates where it has interpolated.
-        for (const auto& [name, memory] : {std::pair{"minimise_m7", 7}, {"minimise_m0", 0}})
-          for (const double delta : deltas) {
-            const avi::MinimiseOptions options{
-                .relative = 0.0, .absolute = delta, .change = delta, .memory = memory};
-            avi::Minimisation run;
-            const double spent = seconds([&] { run = avi::minimise(f, x0, options); });
-            table.row(name, delta, run.iterations, run.gradient_evaluations, run.converged(),
-                      avi::name(run.outcome), run.function_evaluations, rounded(spent));
-          }
-        frame.progress("done", 1.0);
-        frame.write(table);
-      });
+  const auto options = [&](CLI::App& app) {
+    add_flag(app, "--long", full,
+             "No cap below what the paper prints: AdaGrad to 2.5e8, NAG to 1e10 (an hour)");
+    add_number(app, "--cap", cap, {.low = 1.0, .high = 1e11}, "Iterations at which AdaGrad is given up");
+  };
+  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
+    if (frame.quick) cap = std::min(cap, 1e6);
+    const double nag_cap = full ? 1e10 : std::min(cap, 5e6);
+    const avi::CorrelatedQuartic f;
+    const avi::VectorX x0 = f.start(), y0 = x0.array() - 1.0;
+    Table table = frame.table({"method", "delta", "iterations", "gradient_evaluations", "converged",
+                               "outcome", "function_evaluations", "seconds"});
+    table.note("rows that are not converged", "the counts when the run ended");
+    table.note("function_evaluations", "of the whole run");
+    double done = 0.0;
+    const auto add = [&](const std::string& name, const AnyObjective& of, const avi::VectorX& start,
+                         const Rule& rule, double most) {
+      frame.progress(name, done += 0.12);
+      const long iterations = static_cast<long>(most);
+      table.note("cap on iterations of " + name, iterations);
+      Passages seen;
+      const auto run = run_updates(rule, of, start, {.delta = deltas.back(), .iterations = iterations}, seen);
+      for (std::size_t i = 0; i < deltas.size(); ++i) {
+        const bool reached = i < seen.found.size();
+        const auto [made, gradients, spent] =
+            reached ? seen.found[i]
+                    : Passages::Passage{run.iterations, run.gradient_evaluations, seen.elapsed()};
+        table.row(name, deltas[i], made, gradients, reached,
+                  avi::name(reached ? avi::Outcome::ok : run.outcome), run.function_evaluations,
+                  rounded(spent));
+      }
+    };
+    // HTVI's setting is not recovered: p, p_ring and C here are the nearest of those that were searched.
+    add("htvi", f, x0, {.method = "htvi", .family = avi::BregmanFamily::adaptive(15, 0.1, 0.03), .h = 2e-6},
+        nag_cap);
+    add("nag", f, x0, {.method = "nag", .h = 2e-6}, nag_cap);
+    add("nag_shifted", Shifted{}, y0, {.method = "nag", .h = 2e-6}, nag_cap);
+    add("adam", f, x0, {.method = "adam"}, cap);
+    add("adagrad", f, x0, {.method = "adagrad", .h = 7.0}, full ? 2.5e8 : cap);
+    add("rmsprop", f, x0, {.method = "rmsprop", .h = 0.1}, cap);
+    add("trust_region", f, x0, {.method = "trust_region"}, cap);
+    // minimise() with its defaults stops by the same test. A run for each tolerance: before it stops it
+    // evaluates where it has interpolated.
+    for (const auto& [name, memory] : {std::pair{"minimise_m7", 7}, {"minimise_m0", 0}})
+      for (const double delta : deltas) {
+        const avi::MinimiseOptions each{
+            .relative = 0.0, .absolute = delta, .change = delta, .memory = memory};
+        avi::Minimisation run;
+        const double spent = seconds([&] { run = avi::minimise(f, x0, each); });
+        table.row(name, delta, run.iterations, run.gradient_evaluations, run.converged(),
+                  avi::name(run.outcome), run.function_evaluations, rounded(spent));
+      }
+    frame.write(table);
+  });
 }

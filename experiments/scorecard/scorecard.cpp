@@ -81,50 +81,48 @@ int main(int argc, char** argv) {
     experiment::add_folder(app, "--published", published, "Folder of the paper's numbers");
     experiment::add_folder(app, "--data", data, "Folder of the experiments' tables");
   };
-  return experiment::run(
-      argc, argv, "scorecard", "Compares every number that the paper prints with ours.", options,
-      [&](const experiment::Frame& frame) {
-        require_sheets(published);
-        const Results results({data});
-        Table cells = frame.table(
-            {"source", "row", "quantity", "published", "reproduced", "verdict", "note", "kind", "settings"});
-        cells.note("settings",
-                   "recovered: the run has one that is not printed and was found by printed outcomes");
-        for (const Sheet& sheet : sheets()) {
-          Table lines(cells.columns);
-          for (const auto& [source, row, quantity, printed, judgement] : judge(sheet, published, results))
-            lines.row(source, row, quantity, printed, judgement.reproduced, name(judgement.verdict),
-                      judgement.note, name(kind_of(row, quantity)),
-                      judgement.recovered ? "recovered" : "printed");
-          fmt::print("{}", report(sheet.title, lines));
-          cells.rows.insert(cells.rows.end(), lines.rows.begin(), lines.rows.end());
-        }
-        Table claims = frame.table({"source", "key", "claim", "experiment", "test", "ruling", "evidence"});
-        for (const auto& [source, key, claim, experiment, test, finding] : judge_claims(published, results))
-          claims.row(source, key, claim, experiment, test, name(finding.ruling), finding.evidence);
-        fmt::print("{}", report_claims(claims));
-        Table ledger({"source", "row", "quantity", "verdict", "settings"});
-        for (const Row& cell : rows(cells))
-          ledger.row(cell.text("source"), cell.text("row"), cell.text("quantity"), cell.text("verdict"),
-                     cell.text("settings"));
-        for (const Row& claim : rows(claims))
-          ledger.row("text", claim.text("key"), "claim", claim.text("ruling"), "");
-        ledger.write(frame.output / "scorecard_verdicts.tsv");
-        frame.write(claims, "claims");
-        frame.write(cells);
-        const auto all_of = [&](const char* what, Kind kind) {
-          return summary(what, shares(of_kind(cells, kind), "verdict"), true);
-        };
-        fmt::print("\nAll outcomes - {}\n{} of the exact ones follow from printed settings alone.\nAll "
-                   "inputs - {}\nAll seconds - {}\nAll claims - {}\n",
-                   all_of("printed outcomes", Kind::outcome), predicted(cells),
-                   all_of("printed inputs", Kind::input), all_of("printed seconds", Kind::seconds),
-                   summary("claims of the text", shares(claims, "ruling"), true));
-        const auto missing = rows(cells, {{"verdict", "missing"}}).size(),
-                   unruled = rows(claims, {{"ruling", "missing"}}).size();
-        if (missing + unruled > 0)
-          throw std::runtime_error(
-              fmt::format("{} published numbers and {} claims have no data to judge them by; see above.",
-                          missing, unruled));
-      });
+  const char* shows = "Compares every number that the paper prints with ours.";
+  return experiment::run(argc, argv, shows, options, [&](const experiment::Frame& frame) {
+    require_sheets(published);
+    const Results results({data});
+    Table cells = frame.table(
+        {"source", "row", "quantity", "published", "reproduced", "verdict", "note", "kind", "settings"});
+    cells.note("settings",
+               "recovered: the run has one that is not printed and was found by printed outcomes");
+    for (const Sheet& sheet : sheets()) {
+      Table lines(cells.columns);
+      for (const auto& [source, row, quantity, printed, judgement] : judge(sheet, published, results))
+        lines.row(source, row, quantity, printed, judgement.reproduced, name(judgement.verdict),
+                  judgement.note, name(kind_of(row, quantity)),
+                  judgement.recovered ? "recovered" : "printed");
+      fmt::print("{}", report(sheet.title, lines));
+      cells.rows.insert(cells.rows.end(), lines.rows.begin(), lines.rows.end());
+    }
+    Table claims = frame.table({"source", "key", "claim", "experiment", "test", "ruling", "evidence"});
+    for (const auto& [source, key, claim, experiment, test, finding] : judge_claims(published, results))
+      claims.row(source, key, claim, experiment, test, name(finding.ruling), finding.evidence);
+    fmt::print("{}", report_claims(claims));
+    Table ledger({"source", "row", "quantity", "verdict", "settings"});
+    for (const Row& cell : rows(cells))
+      ledger.row(cell.text("source"), cell.text("row"), cell.text("quantity"), cell.text("verdict"),
+                 cell.text("settings"));
+    for (const Row& claim : rows(claims))
+      ledger.row("text", claim.text("key"), "claim", claim.text("ruling"), "");
+    frame.write(ledger, "verdicts");
+    frame.write(claims, "claims");
+    frame.write(cells);
+    const auto all_of = [&](const char* what, Kind kind) {
+      return summary(what, shares(of_kind(cells, kind), "verdict"), true);
+    };
+    fmt::print("\nAll outcomes - {}\n{} of the exact ones follow from printed settings alone.\nAll "
+               "inputs - {}\nAll seconds - {}\nAll claims - {}\n",
+               all_of("printed outcomes", Kind::outcome), predicted(cells),
+               all_of("printed inputs", Kind::input), all_of("printed seconds", Kind::seconds),
+               summary("claims of the text", shares(claims, "ruling"), true));
+    const auto missing = rows(cells, {{"verdict", "missing"}}).size(),
+               unruled = rows(claims, {{"ruling", "missing"}}).size();
+    if (missing + unruled > 0)
+      throw std::runtime_error(fmt::format(
+          "{} published numbers and {} claims have no data to judge them by; see above.", missing, unruled));
+  });
 }

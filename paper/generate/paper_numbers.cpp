@@ -27,8 +27,7 @@ int main(int argc, char** argv) {
     experiment::add_folder(app, "--data", data, "Folder of the experiments' tables");
   };
   return experiment::run(
-      argc, argv, "paper_numbers", "Makes the paper's numbers and tables.", options,
-      [&](const experiment::Frame& frame) {
+      argc, argv, "Makes the paper's numbers and tables.", options, [&](const experiment::Frame& frame) {
         const auto tables = frame.output / "tables";
         std::filesystem::create_directories(tables);
         const scorecard::Results results({data});

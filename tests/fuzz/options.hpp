@@ -33,7 +33,7 @@ inline void options(const std::uint8_t* data, std::size_t size) {
   bool flag = false, sound = true;
   std::filesystem::path folder = ".";
   const int status = experiment::run(
-      static_cast<int>(argv.size()), argv.data(), "fuzz", "A summary",
+      static_cast<int>(argv.size()), argv.data(), "A summary",
       [&](CLI::App& app) {
         experiment::add_number(app, "--number", number, {0.0, 1.0, true, true}, "A number");
         experiment::add_count(app, "--count", count, -2, 1000, "A count");

@@ -5,48 +5,46 @@
 
 int main(int argc, char** argv) {
   using namespace experiment;
-  return run(
-      argc, argv, "order_equivalence", "Adaptive (p, p_ring) is Direct of order p^2/p_ring but for its clock",
-      [](Frame& frame) {
-        Table table = frame.table({"p", "p_ring", "order", "h", "clock", "adaptive_iterations",
-                                   "direct_iterations", "distance_100", "distance_1000", "converged"});
-        table.note("distance_n", "largest |x_adaptive - x_direct| / |x_direct| over the first n iterations");
-        Table curves = frame.table(Curve::columns_after({"curve"}));
-        const avi::CorrelatedQuartic f;
-        const avi::Stopping stopping{.delta = 1e-10, .iterations = 200'000};
-        for (Setting s : p_dependence_settings()) {
-          const Setting single = direct("htvi", s.family().order(), s.h);
-          const auto reference = run_setting(single, f, f.start(), stopping);
-          std::vector<avi::VectorX> path;
-          run_setting(single, f, f.start(), {.delta = 0.0, .iterations = 1000},
-                      [&](const avi::Iterate& at, long, long) { path.push_back(at.x); });
-          for (const auto clock : {avi::Clock::exact, avi::Clock::euler}) {
-            s.clock = clock;
-            double distance[2] = {0.0, 0.0};
-            run_setting(s, f, f.start(), {.delta = 0.0, .iterations = 1000},
-                        [&](const avi::Iterate& at, long k, long) {
-                          const auto& x = path[static_cast<std::size_t>(k)];
-                          const double apart = (at.x - x).norm() / x.norm();
-                          if (k <= 100) distance[0] = std::max(distance[0], apart);
-                          distance[1] = std::max(distance[1], apart);
-                        });
-            const auto result = run_setting(s, f, f.start(), stopping);
-            table.row(s.p, s.p_ring, s.family().order(), s.h, clock == avi::Clock::exact ? "exact" : "euler",
-                      result.iterations, reference.iterations, distance[0], distance[1],
-                      result.converged() && reference.converged());
-            if (s.p == 4 && s.p_ring == 1) {
-              Curve curve(20.0);
-              run_setting(s, f, f.start(), stopping, curve);
-              curve.append(curves, {clock == avi::Clock::exact ? "adaptive exact" : "adaptive euler"});
-              if (clock == avi::Clock::exact) {
-                Curve other(20.0);
-                run_setting(single, f, f.start(), stopping, other);
-                other.append(curves, {"direct"});
-              }
-            }
+  return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
+    Table table = frame.table({"p", "p_ring", "order", "h", "clock", "adaptive_iterations",
+                               "direct_iterations", "distance_100", "distance_1000", "converged"});
+    table.note("distance_n", "largest |x_adaptive - x_direct| / |x_direct| over the first n iterations");
+    Table curves = frame.table(Curve::columns_after({"curve"}));
+    const avi::CorrelatedQuartic f;
+    const avi::Stopping stopping{.delta = 1e-10, .iterations = 200'000};
+    for (Setting s : p_dependence_settings()) {
+      const Setting single = direct("htvi", s.family().order(), s.h);
+      const auto reference = run_setting(single, f, f.start(), stopping);
+      std::vector<avi::VectorX> path;
+      run_setting(single, f, f.start(), {.delta = 0.0, .iterations = 1000},
+                  [&](const avi::Iterate& at, long, long) { path.push_back(at.x); });
+      for (const auto clock : {avi::Clock::exact, avi::Clock::euler}) {
+        s.clock = clock;
+        double distance[2] = {0.0, 0.0};
+        run_setting(s, f, f.start(), {.delta = 0.0, .iterations = 1000},
+                    [&](const avi::Iterate& at, long k, long) {
+                      const auto& x = path[static_cast<std::size_t>(k)];
+                      const double apart = (at.x - x).norm() / x.norm();
+                      if (k <= 100) distance[0] = std::max(distance[0], apart);
+                      distance[1] = std::max(distance[1], apart);
+                    });
+        const auto result = run_setting(s, f, f.start(), stopping);
+        table.row(s.p, s.p_ring, s.family().order(), s.h, clock == avi::Clock::exact ? "exact" : "euler",
+                  result.iterations, reference.iterations, distance[0], distance[1],
+                  result.converged() && reference.converged());
+        if (s.p == 4 && s.p_ring == 1) {
+          Curve curve(20.0);
+          run_setting(s, f, f.start(), stopping, curve);
+          curve.append(curves, {clock == avi::Clock::exact ? "adaptive exact" : "adaptive euler"});
+          if (clock == avi::Clock::exact) {
+            Curve other(20.0);
+            run_setting(single, f, f.start(), stopping, other);
+            other.append(curves, {"direct"});
           }
         }
-        frame.write(curves, "curves");
-        frame.write(table);
-      });
+      }
+    }
+    frame.write(curves, "curves");
+    frame.write(table);
+  });
 }

@@ -5,32 +5,29 @@
 int main(int argc, char** argv) {
   using namespace experiment;
   long starts = 16;
-  return run(
-      argc, argv, "rounding_sensitivity", "How far published iteration counts move with the last bit",
-      [&](CLI::App& app) {
-        add_count(app, "--starts", starts, 2, 1000, "Moved starts for each setting and size");
-      },
-      [&](Frame& frame) {
-        if (frame.quick) starts = std::min(starts, 4L);
-        Table table =
-            frame.table({"setting", "method", "approach", "p", "p_ring", "h", "iterations", "moved_by",
-                         "starts", "least", "median", "most", "unchanged", "failed", "chaotic"});
-        table.note("chaotic", "the counts of the moved starts differ, or some runs fail");
-        const avi::CorrelatedQuartic f;
-        const avi::Stopping stopping{.delta = 1e-10, .iterations = 1'000'000};
-        long row = 0;
-        each_setting(frame, [&](const Setting& s, bool slow) {
-          if (slow && s.method.starts_with("clone_y")) return;  // ten gradients a step, sixteen starts
-          ++row;
-          const long nominal = run_setting(s, f, f.start(), stopping).iterations;
-          for (double size : {1e-15, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6}) {
-            if (slow && (s.method != "htvi" || size < 1e-9) && size != 1e-14) continue;
-            const auto moved = perturbed_counts(s, starts, size, stopping);
-            table.row(row, s.method, s.approach(), s.p, s.p_ring_or_nan(), s.h, nominal, size, starts,
-                      moved.least(), moved.median(), moved.most(), moved.equal_to(nominal), moved.failed,
-                      moved.failed > 0 || moved.least() != moved.most());
-          }
-        });
-        frame.write(table);
-      });
+  const auto options = [&](CLI::App& app) {
+    add_count(app, "--starts", starts, 2, 1000, "Moved starts for each setting and size");
+  };
+  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
+    if (frame.quick) starts = std::min(starts, 4L);
+    Table table = frame.table({"setting", "method", "approach", "p", "p_ring", "h", "iterations", "moved_by",
+                               "starts", "least", "median", "most", "unchanged", "failed", "chaotic"});
+    table.note("chaotic", "the counts of the moved starts differ, or some runs fail");
+    const avi::CorrelatedQuartic f;
+    const avi::Stopping stopping{.delta = 1e-10, .iterations = 1'000'000};
+    long row = 0;
+    each_setting(frame, [&](const Setting& s, bool slow) {
+      if (slow && s.method.starts_with("clone_y")) return;  // ten gradients a step, sixteen starts
+      ++row;
+      const long nominal = run_setting(s, f, f.start(), stopping).iterations;
+      for (double size : {1e-15, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6}) {
+        if (slow && (s.method != "htvi" || size < 1e-9) && size != 1e-14) continue;
+        const auto moved = perturbed_counts(s, starts, size, stopping);
+        table.row(row, s.method, s.approach(), s.p, s.p_ring_or_nan(), s.h, nominal, size, starts,
+                  moved.least(), moved.median(), moved.most(), moved.equal_to(nominal), moved.failed,
+                  moved.failed > 0 || moved.least() != moved.most());
+      }
+    });
+    frame.write(table);
+  });
 }

@@ -21,36 +21,33 @@ KeplerResult measured(const KeplerRow& row, double eccentricity, double horizon)
 
 int main(int argc, char** argv) {
   double target = 1e-6, horizon = 10.0;
-  return run(
-      argc, argv, "eccentricity_gain", "Steps of HTVI4 with and without a monitor at each eccentricity",
-      [&](CLI::App& app) {
-        add_number(app, "--error", target, {.low = 1e-10, .high = 1e-4},
-                   "Position error at which the runs are compared");
-        add_number(app, "--horizon", horizon, {.low = 1.0, .high = 1e3}, "Physical time T to reach");
-      },
-      [&](Frame& frame) {
-        Table out = frame.table({"eccentricity", "monitor", "h", "steps", "min_step", "max_step",
-                                 "energy_error", "global_error"});
-        out.note("target", target);
-        out.note("horizon", horizon);
-        for (int tenths = 0; tenths <= 9; ++tenths) {
-          const double e = tenths / 10.0;
-          frame.progress("e = " + rounded(e), e);
-          if (frame.quick && tenths % 4 != 1) continue;
-          for (KeplerRow row : {KeplerRow{"none", 0.02 * (1.0 - e) * std::sqrt(1.0 - e), 0.0, 0.0},
-                                KeplerRow{"gamma", 0.03, 0.0, 1e6}}) {
-            // On few steps the end of the last one moves about, and the error with it: the nearest of some
-            // tries.
-            const auto error = [&](double h) {
-              row.h = h;
-              return measured(row, e, horizon).global_error;
-            };
-            row.h = matched_step(error, target, row.h, {.order = 4.0, .tries = 12});
-            const KeplerResult r = measured(row, e, horizon);
-            out.row(e, row.monitor, row.h, r.steps, r.min_step, r.max_step, r.energy_error, r.global_error);
-          }
-        }
-        frame.progress("done", 1.0);
-        frame.write(out);
-      });
+  const auto options = [&](CLI::App& app) {
+    add_number(app, "--error", target, {.low = 1e-10, .high = 1e-4},
+               "Position error at which the runs are compared");
+    add_number(app, "--horizon", horizon, {.low = 1.0, .high = 1e3}, "Physical time T to reach");
+  };
+  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
+    Table out = frame.table(
+        {"eccentricity", "monitor", "h", "steps", "min_step", "max_step", "energy_error", "global_error"});
+    out.note("target", target);
+    out.note("horizon", horizon);
+    for (int tenths = 0; tenths <= 9; ++tenths) {
+      const double e = tenths / 10.0;
+      frame.progress("e = " + rounded(e), e);
+      if (frame.quick && tenths % 4 != 1) continue;
+      for (KeplerRow row : {KeplerRow{"none", 0.02 * (1.0 - e) * std::sqrt(1.0 - e), 0.0, 0.0},
+                            KeplerRow{"gamma", 0.03, 0.0, 1e6}}) {
+        // On few steps the end of the last one moves about, and the error with it: the nearest of some
+        // tries.
+        const auto error = [&](double h) {
+          row.h = h;
+          return measured(row, e, horizon).global_error;
+        };
+        row.h = matched_step(error, target, row.h, {.order = 4.0, .tries = 12});
+        const KeplerResult r = measured(row, e, horizon);
+        out.row(e, row.monitor, row.h, r.steps, r.min_step, r.max_step, r.energy_error, r.global_error);
+      }
+    }
+    frame.write(out);
+  });
 }

@@ -44,51 +44,47 @@ std::vector<State<2>> cloud(int members) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run(argc, argv, "ensembles", "A cloud of starts near a separatrix; throughput on several threads",
-             [](Frame& frame) {
-               const int members = frame.quick ? 8 : 52, order = 16;
-               const long turns = frame.quick ? 20 : 300, steps_per_turn = 8;
-               const double h = period / static_cast<double>(steps_per_turn);
-               const std::vector<State<2>> starts = cloud(members);
-               const auto problem = avi::time_dependent(ShakenPendulum{}, avi::reduced(starts[0]));
-               const auto make = [&](const State<2>&) { return avi::collocation(problem, order); };
-               const avi::Until until{.steps = turns * steps_per_turn};
+  return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
+    const int members = frame.quick ? 8 : 52, order = 16;
+    const long turns = frame.quick ? 20 : 300, steps_per_turn = 8;
+    const double h = period / static_cast<double>(steps_per_turn);
+    const std::vector<State<2>> starts = cloud(members);
+    const auto problem = avi::time_dependent(ShakenPendulum{}, avi::reduced(starts[0]));
+    const auto make = [&](const State<2>&) { return avi::collocation(problem, order); };
+    const avi::Until until{.steps = turns * steps_per_turn};
 
-               frame.progress("cloud", 0.1);
-               std::vector<std::vector<State<2>>> seen(starts.size());
-               const auto ends =
-                   avi::ensemble(make, starts, h, until, 0, [&](std::size_t i, const State<2>& z, long k) {
-                     if (k % steps_per_turn == 0) seen[i].push_back(z);
-                   });
-               Table section = frame.table({"member", "turn", "angle", "momentum"});
-               for (std::size_t i = 0; i < seen.size(); ++i)
-                 for (std::size_t k = 0; k < seen[i].size(); ++k)
-                   section.row(i, k + 1, std::remainder(seen[i][k].q[0], 2.0 * M_PI), seen[i][k].p[0]);
+    frame.progress("cloud", 0.1);
+    std::vector<std::vector<State<2>>> seen(starts.size());
+    const auto ends = avi::ensemble(make, starts, h, until, 0, [&](std::size_t i, const State<2>& z, long k) {
+      if (k % steps_per_turn == 0) seen[i].push_back(z);
+    });
+    Table section = frame.table({"member", "turn", "angle", "momentum"});
+    for (std::size_t i = 0; i < seen.size(); ++i)
+      for (std::size_t k = 0; k < seen[i].size(); ++k)
+        section.row(i, k + 1, std::remainder(seen[i][k].q[0], 2.0 * M_PI), seen[i][k].p[0]);
 
-               frame.progress("threads", 0.5);
-               const auto single = [&] {
-                 for (State<2> z : starts) {
-                   auto method = make(z);
-                   if (avi::integrate(method, z, h, until).outcome != avi::Outcome::ok)
-                     throw std::runtime_error("A single run of the cloud failed.");
-                 }
-               };
-               std::vector<std::function<void()>> works{single};
-               for (const int threads : {1, 2})
-                 works.emplace_back([&, threads] { (void)avi::ensemble(make, starts, h, until, threads); });
-               const std::vector<double> seconds = interleaved_least_seconds(works, frame.quick ? 1 : 5);
-               Table out = frame.table(
-                   {"problem", "method", "order", "way", "threads", "members", "ok", "steps", "seconds"});
-               const long ok = std::count_if(ends.begin(), ends.end(), [](const auto& member) {
-                 return member.run.outcome == avi::Outcome::ok;
-               });
-               const long steps = until.steps * members;
-               out.note("processors", std::thread::hardware_concurrency());
-               for (const int i : {0, 1, 2})
-                 out.row("shaken_pendulum", "collocation", order, i ? "ensemble" : "single", std::max(i, 1),
-                         members, ok, steps, seconds[static_cast<std::size_t>(i)]);
-               frame.progress("done", 1.0);
-               frame.write(section, "section");
-               frame.write(out);
-             });
+    frame.progress("threads", 0.5);
+    const auto single = [&] {
+      for (State<2> z : starts) {
+        auto method = make(z);
+        if (avi::integrate(method, z, h, until).outcome != avi::Outcome::ok)
+          throw std::runtime_error("A single run of the cloud failed.");
+      }
+    };
+    std::vector<std::function<void()>> works{single};
+    for (const int threads : {1, 2})
+      works.emplace_back([&, threads] { (void)avi::ensemble(make, starts, h, until, threads); });
+    const std::vector<double> seconds = interleaved_least_seconds(works, frame.quick ? 1 : 5);
+    Table out =
+        frame.table({"problem", "method", "order", "way", "threads", "members", "ok", "steps", "seconds"});
+    const long ok = std::count_if(ends.begin(), ends.end(),
+                                  [](const auto& member) { return member.run.outcome == avi::Outcome::ok; });
+    const long steps = until.steps * members;
+    out.note("processors", std::thread::hardware_concurrency());
+    for (const int i : {0, 1, 2})
+      out.row("shaken_pendulum", "collocation", order, i ? "ensemble" : "single", std::max(i, 1), members, ok,
+              steps, seconds[static_cast<std::size_t>(i)]);
+    frame.write(section, "section");
+    frame.write(out);
+  });
 }

@@ -59,57 +59,53 @@ Measured measure(const Runner& runner, double e, double h) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run(
-      argc, argv, "monitor_costs", "Cost per step and steps per orbit of each monitor at matched accuracy",
-      [](Frame& frame) {
-        Table out =
-            frame.table({"eccentricity", "monitor", "target", "h", "energy_error", "position_error",
-                         "steps_per_orbit", "evaluations_per_step", "longest_over_shortest", "seconds"});
-        out.note("method", "HTVI4, Type II, r = 3, Simpson's rule, as in Tables 1 and 2");
-        out.note("seconds", "per orbit, the least of several runs");
-        const std::vector<double> eccentricities =
-            frame.quick ? std::vector<double>{0.9} : std::vector<double>{0.9, 0.99};
-        const std::vector<double> targets =
-            frame.quick ? std::vector<double>{1e-5} : std::vector<double>{1e-5, 1e-7};
-        double done = 0.0;
-        for (double e : eccentricities)
-          for (double target : targets) {
-            const auto row = [&](const char* name, const auto& monitor, double first) {
-              frame.progress(name, done);
-              const Runner runner = runner_with(monitor);
-              Measured m;
-              double at = 0.0;  // the step that m was measured with
-              const auto error = [&](double tried) {
-                m = measure(runner, e, at = tried);
-                return m.ok ? m.energy_error : HUGE_VAL;
-              };
-              // From a step that is far too long.
-              const double h =
-                  matched_step(error, target, first, {.order = 4.0, .tries = 70, .too_coarse = 100.0});
-              if (h != at) m = measure(runner, e, h);
-              const long n = m.steps;
-              const int rounds = frame.quick ? 1 : n > 50'000 ? 2 : 7;  // a long run is an average itself
-              const auto timed = runner.prepare(Kepler::pericentre(e));
-              const auto least = interleaved_least_seconds({[&] {
-                                                             State2 z = Kepler::pericentre(e);
-                                                             (void)timed(z, h, {.steps = n});
-                                                           }},
-                                                           rounds);
-              out.row(e, name, target, h, m.energy_error, m.position_error, static_cast<double>(n) / orbits,
-                      static_cast<double>(m.evaluations) / static_cast<double>(n), m.longest / m.shortest,
-                      rounded(least[0] / orbits));
-              done += 1.0 / static_cast<double>(7 * eccentricities.size() * targets.size());
-            };
-            const Kepler kepler;
-            row("none", avi::Unit{}, 0.01);
-            row("gamma", avi::NormSquared{}, 0.5);
-            row("gamma_three_quarters", avi::Gamma{0.75}, 0.5);
-            row("arclength", avi::Arclength<Kepler>{kepler, -0.5}, 0.5);
-            row("energy", avi::bounded(avi::Energy<Kepler>{kepler, 0.5}, 1e-4, 2.0), 0.5);
-            row("truncation_root", avi::Truncation<Kepler, 4>{kepler, 0.5, 1.0}, 0.5);
-            row("inverse_lagrangian", avi::bounded(avi::Energy<Kepler>{kepler, 0.0}, 1e-3, 3.0), 0.5);
-          }
-        frame.progress("done", 1.0);
-        frame.write(out);
-      });
+  return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
+    Table out = frame.table({"eccentricity", "monitor", "target", "h", "energy_error", "position_error",
+                             "steps_per_orbit", "evaluations_per_step", "longest_over_shortest", "seconds"});
+    out.note("method", "HTVI4, Type II, r = 3, Simpson's rule, as in Tables 1 and 2");
+    out.note("seconds", "per orbit, the least of several runs");
+    const std::vector<double> eccentricities =
+        frame.quick ? std::vector<double>{0.9} : std::vector<double>{0.9, 0.99};
+    const std::vector<double> targets =
+        frame.quick ? std::vector<double>{1e-5} : std::vector<double>{1e-5, 1e-7};
+    double done = 0.0;
+    for (double e : eccentricities)
+      for (double target : targets) {
+        const auto row = [&](const char* name, const auto& monitor, double first) {
+          frame.progress(name, done);
+          const Runner runner = runner_with(monitor);
+          Measured m;
+          double at = 0.0;  // the step that m was measured with
+          const auto error = [&](double tried) {
+            m = measure(runner, e, at = tried);
+            return m.ok ? m.energy_error : HUGE_VAL;
+          };
+          // From a step that is far too long.
+          const double h =
+              matched_step(error, target, first, {.order = 4.0, .tries = 70, .too_coarse = 100.0});
+          if (h != at) m = measure(runner, e, h);
+          const long n = m.steps;
+          const int rounds = frame.quick ? 1 : n > 50'000 ? 2 : 7;  // a long run is an average itself
+          const auto timed = runner.prepare(Kepler::pericentre(e));
+          const auto least = interleaved_least_seconds({[&] {
+                                                         State2 z = Kepler::pericentre(e);
+                                                         (void)timed(z, h, {.steps = n});
+                                                       }},
+                                                       rounds);
+          out.row(e, name, target, h, m.energy_error, m.position_error, static_cast<double>(n) / orbits,
+                  static_cast<double>(m.evaluations) / static_cast<double>(n), m.longest / m.shortest,
+                  rounded(least[0] / orbits));
+          done += 1.0 / static_cast<double>(7 * eccentricities.size() * targets.size());
+        };
+        const Kepler kepler;
+        row("none", avi::Unit{}, 0.01);
+        row("gamma", avi::NormSquared{}, 0.5);
+        row("gamma_three_quarters", avi::Gamma{0.75}, 0.5);
+        row("arclength", avi::Arclength<Kepler>{kepler, -0.5}, 0.5);
+        row("energy", avi::bounded(avi::Energy<Kepler>{kepler, 0.5}, 1e-4, 2.0), 0.5);
+        row("truncation_root", avi::Truncation<Kepler, 4>{kepler, 0.5, 1.0}, 0.5);
+        row("inverse_lagrangian", avi::bounded(avi::Energy<Kepler>{kepler, 0.0}, 1e-3, 3.0), 0.5);
+      }
+    frame.write(out);
+  });
 }

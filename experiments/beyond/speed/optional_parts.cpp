@@ -125,32 +125,30 @@ std::vector<Part> parts_of(int order) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run(
-      argc, argv, "optional_parts", "What every optional part of an HTVI step costs", [](Frame& frame) {
-        Table table = frame.table({"part", "without", "order", "steps", "evaluations_per_step",
-                                   "seconds_per_step", "ratio_of_seconds"});
-        table.note("problem", "Kepler, e = 0.9, from the pericentre; bounded monitor q^T q");
-        table.note("bare",
-                   "Type II, stationary, with its Gauss rule, gradient supplied, order chosen at run time");
-        table.note("ratio_of_seconds",
-                   "time per step over that of the run named in `without`, measured in turns");
-        for (const int order : {4, 8}) {
-          frame.progress("order " + std::to_string(order), order == 4 ? 0.0 : 0.5);
-          const std::vector<Part> parts = parts_of(order);
-          std::vector<std::function<void()>> works;
-          for (const Part& part : parts)
-            works.push_back(part.run);
-          const auto seconds = interleaved_least_seconds(works, frame.quick ? 1 : 25);
-          // Landings add steps of their own: every run is compared over the same 200.
-          for (std::size_t i = 0; i < parts.size(); ++i) {
-            const auto other = std::ranges::find(parts, parts[i].without, &Part::name) - parts.begin();
-            table.row(parts[i].name, parts[i].without, order, parts[i].steps,
-                      static_cast<double>(parts[i].evaluations) / static_cast<double>(part_steps),
-                      rounded(seconds[i] / static_cast<double>(part_steps)),
-                      rounded(seconds[i] / seconds[static_cast<std::size_t>(other)], 4));
-          }
-        }
-        frame.progress("done", 1.0);
-        frame.write(table);
-      });
+  return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
+    Table table = frame.table({"part", "without", "order", "steps", "evaluations_per_step",
+                               "seconds_per_step", "ratio_of_seconds"});
+    table.note("problem", "Kepler, e = 0.9, from the pericentre; bounded monitor q^T q");
+    table.note("bare",
+               "Type II, stationary, with its Gauss rule, gradient supplied, order chosen at run time");
+    table.note("ratio_of_seconds",
+               "time per step over that of the run named in `without`, measured in turns");
+    for (const int order : {4, 8}) {
+      frame.progress("order " + std::to_string(order), order == 4 ? 0.0 : 0.5);
+      const std::vector<Part> parts = parts_of(order);
+      std::vector<std::function<void()>> works;
+      for (const Part& part : parts)
+        works.push_back(part.run);
+      const auto seconds = interleaved_least_seconds(works, frame.quick ? 1 : 25);
+      // Landings add steps of their own: every run is compared over the same 200.
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto other = std::ranges::find(parts, parts[i].without, &Part::name) - parts.begin();
+        table.row(parts[i].name, parts[i].without, order, parts[i].steps,
+                  static_cast<double>(parts[i].evaluations) / static_cast<double>(part_steps),
+                  rounded(seconds[i] / static_cast<double>(part_steps)),
+                  rounded(seconds[i] / seconds[static_cast<std::size_t>(other)], 4));
+      }
+    }
+    frame.write(table);
+  });
 }

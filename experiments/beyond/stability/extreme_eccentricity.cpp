@@ -159,31 +159,26 @@ void starts(Table& table) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run(
-      argc, argv, "extreme_eccentricity",
-      "Kepler orbits up to e = 1 - 1e-8: what still works, and at which cost", [&](Frame& frame) {
-        Table table = frame.table({"method", "monitor", "precision", "bounded", "eccentricity", "closeness",
-                                   "h", "steps_per_orbit", "energy_error", "phase_error", "least_step",
-                                   "evaluations_per_step", "microseconds_per_orbit", "predicted_exponent",
-                                   "h_beyond", "beyond"});
-        table.note(
-            "h",
-            "largest step that holds |H - H_0| / |H_0| below 1e-2 for three periods and ends within 0.1 rad "
-            "of the exact mean longitude, known to 2 %");
-        table.note("closeness", "1 - eccentricity");
-        table.note("beyond", "how the run with the next larger step h_beyond ends; nan: none failed");
-        const auto all = subjects();
-        for (std::size_t i = 0; i < all.size(); ++i) {
-          frame.progress(all[i].method + " " + all[i].monitor,
-                         static_cast<double>(i) / static_cast<double>(all.size()));
-          survey(frame, table, all[i]);
-        }
-        Table from = frame.table(
-            {"method", "monitor", "start", "h", "ending", "steps", "energy_error", "phase_error"});
-        from.note("start", "on the orbit with e = 0.9, ten periods; falling: at rest; collision: at q = 0");
-        starts(from);
-        frame.progress("done", 1.0);
-        frame.write(from, "starts");
-        frame.write(table);
-      });
+  return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
+    Table table =
+        frame.table({"method", "monitor", "precision", "bounded", "eccentricity", "closeness", "h",
+                     "steps_per_orbit", "energy_error", "phase_error", "least_step", "evaluations_per_step",
+                     "microseconds_per_orbit", "predicted_exponent", "h_beyond", "beyond"});
+    table.note(
+        "h", "largest step that holds |H - H_0| / |H_0| below 1e-2 for three periods and ends within 0.1 rad "
+             "of the exact mean longitude, known to 2 %");
+    table.note("closeness", "1 - eccentricity");
+    table.note("beyond", "how the run with the next larger step h_beyond ends; nan: none failed");
+    const auto all = subjects();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      frame.progress(all[i].method + " " + all[i].monitor, i, all.size());
+      survey(frame, table, all[i]);
+    }
+    Table from =
+        frame.table({"method", "monitor", "start", "h", "ending", "steps", "energy_error", "phase_error"});
+    from.note("start", "on the orbit with e = 0.9, ten periods; falling: at rest; collision: at q = 0");
+    starts(from);
+    frame.write(from, "starts");
+    frame.write(table);
+  });
 }

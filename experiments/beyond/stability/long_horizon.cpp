@@ -102,63 +102,56 @@ std::vector<Subject> subjects() {
 int main(int argc, char** argv) {
   long periods = 1000;
   bool extremes = false, resume = false;
-  return run(
-      argc, argv, "long_horizon", "Kepler, e = 0.9, over very many periods: energy, angular momentum, phase",
-      [&](CLI::App& app) {
-        add_count(app, "--periods", periods, 10, 10'000'000, "Periods to run");
-        add_flag(app, "--extremes", extremes,
-                 "A million periods, resumed where an earlier run was interrupted");
-        add_flag(app, "--resume", resume, "Take up an interrupted run in the output folder");
-      },
-      [&](Frame& frame) {
-        if (frame.quick) periods = std::min(periods, 100L);
-        if (extremes) periods = 1'000'000, resume = true;
-        // The rows that an earlier run of the same settings left behind.
-        const auto partial = frame.output / "long_horizon_partial.tsv";
-        const Table before =
-            resume && std::filesystem::exists(partial) ? Table::read(partial) : Table(columns);
-        Table table = frame.table(columns),
-              laws = frame.table({"method", "energy", "momentum", "phase", "phase_predicted"});
-        table.note("eccentricity", eccentricity);
-        table.note(
-            "errors",
-            "largest relative ones of energy and angular momentum up to then; mean longitude in radians");
-        table.note(
-            "energy_now",
-            "at the row's apocentre; rounding moves g (H + p^t), so that H moves by it over g and most "
-            "at the pericentre");
-        laws.note("laws", "power of time with which an error grows in the last 1.5 decades");
-        for (const Subject& s : subjects()) {
-          const long end = std::clamp(std::lround(s.reach * static_cast<double>(periods)), 10L,
-                                      std::max(periods, 1'000'000L));
-          Progress at;
-          std::vector<Progress> marks;
-          const auto mark = [&] {
-            marks.push_back(at);
-            add_row(table, s, at);
-          };
-          for (std::size_t i = 0; i < before.rows.size(); ++i)
-            if (before.text(i, "method") == s.method && before.number(i, "h") == s.h &&
-                before.number(i, "periods") <= end) {
-              at = Progress(before, i);
-              mark();
-            }
-          for (double goal = 1.0; at.periods < end; goal *= std::pow(10.0, 0.125)) {
-            const long next = std::min(std::lround(goal), end);
-            if (next <= at.periods) continue;
-            frame.progress(s.method, static_cast<double>(at.periods) / static_cast<double>(end));
-            const avi::Run run = advance(s, at, next);
-            if (run.outcome != avi::Outcome::stopped)
-              throw std::runtime_error(s.method + ": " +
-                                       (run.message.empty() ? "too few turns in that time" : run.message));
-            mark();
-            if (resume) frame.write(table, "partial");
-          }
-          laws.row(s.method, growth(marks, &Progress::energy_error), growth(marks, &Progress::momentum_error),
-                   growth(marks, &Progress::phase_error), s.phase_growth);
+  const auto options = [&](CLI::App& app) {
+    add_count(app, "--periods", periods, 10, 10'000'000, "Periods to run");
+    add_flag(app, "--extremes", extremes, "A million periods, resumed where an earlier run was interrupted");
+    add_flag(app, "--resume", resume, "Take up an interrupted run in the output folder");
+  };
+  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
+    if (frame.quick) periods = std::min(periods, 100L);
+    if (extremes) periods = 1'000'000, resume = true;
+    // The rows that an earlier run of the same settings left behind.
+    const auto partial = frame.output / "long_horizon_partial.tsv";
+    const Table before = resume && std::filesystem::exists(partial) ? Table::read(partial) : Table(columns);
+    Table table = frame.table(columns),
+          laws = frame.table({"method", "energy", "momentum", "phase", "phase_predicted"});
+    table.note("eccentricity", eccentricity);
+    table.note("errors",
+               "largest relative ones of energy and angular momentum up to then; mean longitude in radians");
+    table.note("energy_now",
+               "at the row's apocentre; rounding moves g (H + p^t), so that H moves by it over g and most "
+               "at the pericentre");
+    laws.note("laws", "power of time with which an error grows in the last 1.5 decades");
+    for (const Subject& s : subjects()) {
+      const long end =
+          std::clamp(std::lround(s.reach * static_cast<double>(periods)), 10L, std::max(periods, 1'000'000L));
+      Progress at;
+      std::vector<Progress> marks;
+      const auto mark = [&] {
+        marks.push_back(at);
+        add_row(table, s, at);
+      };
+      for (std::size_t i = 0; i < before.rows.size(); ++i)
+        if (before.text(i, "method") == s.method && before.number(i, "h") == s.h &&
+            before.number(i, "periods") <= end) {
+          at = Progress(before, i);
+          mark();
         }
-        frame.progress("done", 1.0);
-        frame.write(laws, "laws");
-        frame.write(table);
-      });
+      for (double goal = 1.0; at.periods < end; goal *= std::pow(10.0, 0.125)) {
+        const long next = std::min(std::lround(goal), end);
+        if (next <= at.periods) continue;
+        frame.progress(s.method, at.periods, end);
+        const avi::Run run = advance(s, at, next);
+        if (run.outcome != avi::Outcome::stopped)
+          throw std::runtime_error(s.method + ": " +
+                                   (run.message.empty() ? "too few turns in that time" : run.message));
+        mark();
+        if (resume) frame.write(table, "partial");
+      }
+      laws.row(s.method, growth(marks, &Progress::energy_error), growth(marks, &Progress::momentum_error),
+               growth(marks, &Progress::phase_error), s.phase_growth);
+    }
+    frame.write(laws, "laws");
+    frame.write(table);
+  });
 }

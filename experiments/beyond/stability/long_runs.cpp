@@ -33,7 +33,7 @@ struct Galaxy : avi::HenonHeiles {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run(argc, argv, "long_runs", "Energy over a million steps and a thousand periods", [](Frame& frame) {
+  return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
     Table out = frame.table({"problem", "method", "order", "h", "steps", "t_end", "largest_error", "slope",
                              "standard_error", "t_statistic", "drift_over_run"});
     Table curves = frame.table({"problem", "method", "t", "energy_error"});
@@ -83,7 +83,6 @@ int main(int argc, char** argv) {
     follow("figure_eight", "htvi_100_steps_per_period", 6, orbit, bodies, eight, whole, 100'000 / share);
     follow("figure_eight", "runge_kutta_4", 4, RungeKutta4<6, avi::NBody<3>>(bodies), bodies, eight, h,
            100'000 / share);
-    frame.progress("done", 1.0);
     frame.write(curves, "curves");
     frame.write(out);
   });

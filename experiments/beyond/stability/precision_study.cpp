@@ -118,11 +118,10 @@ EnergyErrors of_collocation(const avi::State<2>& start, const std::vector<int>& 
 
 int main(int argc, char** argv) {
   bool extremes = false;
-  const auto cli = [&](CLI::App& app) {
+  const auto options = [&](CLI::App& app) {
     add_flag(app, "--extremes", extremes, "A million periods of collocation, some four minutes");
   };
-  const char* title = "What number format and summation are worth";
-  return run(argc, argv, "precision_study", title, cli, [&](Frame& frame) {
+  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
     auto formats = frame.table({"format", "summation", "h", "periods", "position_error", "seconds"});
     const int periods = frame.quick ? 3 : 30;
     frame.progress("formats", 0.1);
@@ -173,7 +172,6 @@ int main(int argc, char** argv) {
       if (extremes && e == 0.9) more.insert(more.end(), {32000, 100'000, 320'000, 1'000'000});
       study("collocation16", "compensated", e, of_collocation, more);
     }
-    frame.progress("done", 1.0);
     frame.write(growth, "growth");
     frame.write(fits, "fits");
     frame.write(formats);

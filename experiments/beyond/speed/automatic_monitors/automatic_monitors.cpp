@@ -97,56 +97,52 @@ Counted compare(Table& table, Table& choices, const Arena& arena, const Targets&
 
 int main(int argc, char** argv) {
   bool extremes = false;
-  return run(
-      argc, argv, "automatic_monitors", "Monitors found from H alone against the best made by hand",
-      [&](CLI::App& app) {
-        add_flag(app, "--extremes", extremes, "Drift over a thousand horizons, ten thousand periods");
-      },
-      [&](Frame& frame) {
-        Table table =
-            frame.table({"problem", "held_out", "order", "target", "monitor", "steps", "seconds",
-                         "position_error", "energy_error", "ratio_to_best", "sweeps", "work", "work_ratio"});
-        Table choices =
-            frame.table({"problem", "held_out", "order", "choice", "pilot_sweeps", "pilot_time",
-                         "automatic_ratio", "chosen_ratio", "best", "automatic_work_ratio",
-                         "chosen_work_ratio", "cheapest", "none_ratio", "none_work_ratio", "pilot_share",
-                         "pilot_seconds", "run_seconds", "turns", "pilot_share_of_100"});
-        for (Table* each : {&table, &choices})
-          each->note("seconds", "other experiments may run beside this one; work is what is compared");
-        Scenes scenes;
-        for (const auto& add : {add_celestial, add_other, add_drawn})
-          add(scenes);
-        if (frame.quick)
-          std::erase_if(scenes, [](const Scene& s) {
-            return s.name != "kepler_0.9" && s.name != "lennard_jones" && s.name != "separatrix" &&
-                   s.name != "henon_heiles" && s.name != "yukawa";
-          });
-        std::map<std::pair<bool, int>, std::array<int, 8>> counts;
-        double done = 0.0;
-        for (const Scene& scene : scenes) {
-          frame.progress(scene.name, done++ / static_cast<double>(scenes.size()));
-          const avi::MonitorChoice exact = finest(scene);
-          std::optional<Arena> arena;
-          if (exact.reached)
-            arena.emplace(arena_of(scene, exact));
-          else
-            fmt::print("{}: no choice reached an energy error\n{}", scene.name, exact.report());
-          for (const Targets& targets : all_targets) {
-            // Without a choice it counts as lost.
-            const Counted counted = arena ? compare(table, choices, *arena, targets, 1.4) : Counted{true};
-            for (std::size_t k = 0; k < counted.size(); ++k)
-              counts[{scene.held_out, targets.order}][k] += counted[k];
-          }
-        }
-        Table summary =
-            frame.table({"held_out", "order", "problems", "within_1.5", "within_2", "work_within_1.5",
-                         "work_within_2", "plain", "plain_slower", "pilot_over_15"});
-        for (const auto& [key, n] : counts)
-          summary.row(key.first, key.second, n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7]);
-        measure_tolerances(frame, scenes);
-        measure_drift(frame, scenes, frame.quick || extremes ? 1000 : 20);
-        frame.write(table);
-        frame.write(choices, "choices");
-        frame.write(summary, "summary");
+  const auto options = [&](CLI::App& app) {
+    add_flag(app, "--extremes", extremes, "Drift over a thousand horizons, ten thousand periods");
+  };
+  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
+    Table table =
+        frame.table({"problem", "held_out", "order", "target", "monitor", "steps", "seconds",
+                     "position_error", "energy_error", "ratio_to_best", "sweeps", "work", "work_ratio"});
+    Table choices = frame.table(
+        {"problem", "held_out", "order", "choice", "pilot_sweeps", "pilot_time", "automatic_ratio",
+         "chosen_ratio", "best", "automatic_work_ratio", "chosen_work_ratio", "cheapest", "none_ratio",
+         "none_work_ratio", "pilot_share", "pilot_seconds", "run_seconds", "turns", "pilot_share_of_100"});
+    for (Table* each : {&table, &choices})
+      each->note("seconds", "other experiments may run beside this one; work is what is compared");
+    Scenes scenes;
+    for (const auto& add : {add_celestial, add_other, add_drawn})
+      add(scenes);
+    if (frame.quick)
+      std::erase_if(scenes, [](const Scene& s) {
+        return s.name != "kepler_0.9" && s.name != "lennard_jones" && s.name != "separatrix" &&
+               s.name != "henon_heiles" && s.name != "yukawa";
       });
+    std::map<std::pair<bool, int>, std::array<int, 8>> counts;
+    double done = 0.0;
+    for (const Scene& scene : scenes) {
+      frame.progress(scene.name, done++ / static_cast<double>(scenes.size()));
+      const avi::MonitorChoice exact = finest(scene);
+      std::optional<Arena> arena;
+      if (exact.reached)
+        arena.emplace(arena_of(scene, exact));
+      else
+        fmt::print("{}: no choice reached an energy error\n{}", scene.name, exact.report());
+      for (const Targets& targets : all_targets) {
+        // Without a choice it counts as lost.
+        const Counted counted = arena ? compare(table, choices, *arena, targets, 1.4) : Counted{true};
+        for (std::size_t k = 0; k < counted.size(); ++k)
+          counts[{scene.held_out, targets.order}][k] += counted[k];
+      }
+    }
+    Table summary = frame.table({"held_out", "order", "problems", "within_1.5", "within_2", "work_within_1.5",
+                                 "work_within_2", "plain", "plain_slower", "pilot_over_15"});
+    for (const auto& [key, n] : counts)
+      summary.row(key.first, key.second, n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7]);
+    measure_tolerances(frame, scenes);
+    measure_drift(frame, scenes, frame.quick || extremes ? 1000 : 20);
+    frame.write(table);
+    frame.write(choices, "choices");
+    frame.write(summary, "summary");
+  });
 }

@@ -42,38 +42,32 @@ void report(const Axis& axis, int rounds, Table& runs, Table& fits) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run(
-      argc, argv, "cost_growth", "How steps and time grow with eccentricity, horizon, order and dimension",
-      [](Frame& frame) {
-        Table runs =
-            frame.table({"axis", "subject", "value", "steps", "evaluations", "energy_error", "seconds"});
-        runs.note("closeness",
-                  "1 - e; one Kepler orbit by HTVI4 with g = r^(2 gamma), the largest energy error "
-                  "|H - H_0| / |H_0| being 1e-6");
-        runs.note("periods", "of Kepler's problem at e = 0.9, with one step size for each method");
-        runs.note("order", "r; seconds for one Taylor expansion on Kepler's problem");
-        runs.note(
-            "dimension",
-            "n, chain of masses; seconds for one value of H, one automatic gradient, one sweep of "
-            "collocation of order 16 (with an automatic gradient unless named), each at the eight stages "
-            "of a step together");
-        Table fits = frame.table({"axis", "subject", "points", "steps_exponent", "steps_standard_error",
-                                  "steps_predicted", "steps_limit", "seconds_exponent",
-                                  "seconds_standard_error", "seconds_limit"});
-        fits.note("points", "closeness from where rounding is far below 1e-6; all horizons; r from 4; all n");
-        fits.note("steps_predicted", "power law through the predicted steps at the values fitted");
-        fits.note("steps_limit", "power of the value as it goes to its limit");
-        fits.note("seconds_limit", "the same for time; for order an upper bound");
-        frame.progress("eccentricity", 0.0);
-        report(along_eccentricity(frame.quick), frame.quick ? 1 : 3, runs, fits);
-        frame.progress("horizon", 0.4);
-        report(along_horizon(frame.quick), frame.quick ? 1 : 3, runs, fits);
-        frame.progress("order", 0.6);
-        report(along_order(), frame.quick ? 1 : 9, runs, fits);
-        frame.progress("dimension", 0.8);
-        report(along_dimension(frame.quick), 15, runs, fits);
-        frame.progress("done", 1.0);
-        frame.write(fits, "fit");
-        frame.write(runs);
-      });
+  return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
+    Table runs = frame.table({"axis", "subject", "value", "steps", "evaluations", "energy_error", "seconds"});
+    runs.note("closeness", "1 - e; one Kepler orbit by HTVI4 with g = r^(2 gamma), the largest energy error "
+                           "|H - H_0| / |H_0| being 1e-6");
+    runs.note("periods", "of Kepler's problem at e = 0.9, with one step size for each method");
+    runs.note("order", "r; seconds for one Taylor expansion on Kepler's problem");
+    runs.note("dimension",
+              "n, chain of masses; seconds for one value of H, one automatic gradient, one sweep of "
+              "collocation of order 16 (with an automatic gradient unless named), each at the eight stages "
+              "of a step together");
+    Table fits =
+        frame.table({"axis", "subject", "points", "steps_exponent", "steps_standard_error", "steps_predicted",
+                     "steps_limit", "seconds_exponent", "seconds_standard_error", "seconds_limit"});
+    fits.note("points", "closeness from where rounding is far below 1e-6; all horizons; r from 4; all n");
+    fits.note("steps_predicted", "power law through the predicted steps at the values fitted");
+    fits.note("steps_limit", "power of the value as it goes to its limit");
+    fits.note("seconds_limit", "the same for time; for order an upper bound");
+    frame.progress("eccentricity", 0.0);
+    report(along_eccentricity(frame.quick), frame.quick ? 1 : 3, runs, fits);
+    frame.progress("horizon", 0.4);
+    report(along_horizon(frame.quick), frame.quick ? 1 : 3, runs, fits);
+    frame.progress("order", 0.6);
+    report(along_order(), frame.quick ? 1 : 9, runs, fits);
+    frame.progress("dimension", 0.8);
+    report(along_dimension(frame.quick), 15, runs, fits);
+    frame.write(fits, "fit");
+    frame.write(runs);
+  });
 }

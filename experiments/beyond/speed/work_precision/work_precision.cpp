@@ -63,52 +63,48 @@ void add_front(Table& table, const Scene& scene, std::vector<Point> points, doub
 int main(int argc, char** argv) {
   bool full = false;
   std::string only;
-  return run(
-      argc, argv, "work_precision",
-      "What accuracy costs: error against time for our methods and for those of other libraries.",
-      [&](CLI::App& app) {
-        add_flag(app, "--full", full, "The whole grid, some minutes");
-        add_text(app, "--scene", only, "Only scenes whose name contains this, as `kepler 0.9`");
-      },
-      [&](Frame& frame) {
-        const Grid grid = frame.quick ? Grid::quick : full ? Grid::full : Grid::reduced;
-        const Budget base = frame.quick ? Budget{0.0005, 0.5, 0.00005, 4}
-                            : full      ? Budget{0.02, 0.5, 0.0005, 1}
-                                        : Budget{};
-        Table table =
-            frame.table({"problem", "eccentricity", "horizon", "method", "order", "setting", "steps",
-                         "evaluations", "seconds", "position_error", "energy_error", "cost", "front"});
-        Table front = frame.table(
-            {"problem", "eccentricity", "horizon", "method", "order", "setting", "cost", "position_error"});
-        Table advice = advice_table(frame);
-        table.note("peers", peers_present());
-        advice.note("peers", peers_present());
-        const Scene unit_scene = reference_scene();
-        const auto list = chosen(scenes(grid), only);
-        for (std::size_t i = 0; i < list.size(); ++i) {
-          const std::string& label = list[i].label;
-          const Scene scene = list[i].make();
-          if (scene.reference_error > 0.0)
-            table.note("reference error of " + label, rounded(scene.reference_error, 2));
-          // in effect without a cap: where the machine is crowded, one slow trial must not leave no unit
-          auto unit_point =
-              measure(unit_scene, {.longest_run = 1e3, .family = 1e3, .least_block = 0.0}, [](double) {});
-          Budget budget = base;
-          budget.longest_run *= scene.longest_run * std::clamp(scene.horizon / 10.0, 1.0, 8.0);
-          budget.family *= std::clamp(scene.horizon / 10.0, 1.0, 3.0);
-          if (full && scene.horizon > 1000.0) budget.stride = 3;
-          auto points = measure(scene, budget, [&](double fraction) {
-            frame.progress(label, (static_cast<double>(i) + fraction) / static_cast<double>(list.size()));
-          });
-          mark_front(points);
-          const double unit = unit_point.front().seconds;
-          if (i == 0) add_rows(table, unit_scene, unit_point, unit);
-          add_rows(table, scene, points, unit);
-          add_front(front, scene, points, unit);
-          advise(advice, scene, points, unit);
-        }
-        frame.write(front, "front");
-        frame.write(advice, "advice");
-        frame.write(table);
+  const auto options = [&](CLI::App& app) {
+    add_flag(app, "--full", full, "The whole grid, some minutes");
+    add_text(app, "--scene", only, "Only scenes whose name contains this, as `kepler 0.9`");
+  };
+  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
+    const Grid grid = frame.quick ? Grid::quick : full ? Grid::full : Grid::reduced;
+    const Budget base = frame.quick ? Budget{0.0005, 0.5, 0.00005, 4}
+                        : full      ? Budget{0.02, 0.5, 0.0005, 1}
+                                    : Budget{};
+    Table table = frame.table({"problem", "eccentricity", "horizon", "method", "order", "setting", "steps",
+                               "evaluations", "seconds", "position_error", "energy_error", "cost", "front"});
+    Table front = frame.table(
+        {"problem", "eccentricity", "horizon", "method", "order", "setting", "cost", "position_error"});
+    Table advice = advice_table(frame);
+    table.note("peers", peers_present());
+    advice.note("peers", peers_present());
+    const Scene unit_scene = reference_scene();
+    const auto list = chosen(scenes(grid), only);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const std::string& label = list[i].label;
+      const Scene scene = list[i].make();
+      if (scene.reference_error > 0.0)
+        table.note("reference error of " + label, rounded(scene.reference_error, 2));
+      // in effect without a cap: where the machine is crowded, one slow trial must not leave no unit
+      auto unit_point =
+          measure(unit_scene, {.longest_run = 1e3, .family = 1e3, .least_block = 0.0}, [](double) {});
+      Budget budget = base;
+      budget.longest_run *= scene.longest_run * std::clamp(scene.horizon / 10.0, 1.0, 8.0);
+      budget.family *= std::clamp(scene.horizon / 10.0, 1.0, 3.0);
+      if (full && scene.horizon > 1000.0) budget.stride = 3;
+      auto points = measure(scene, budget, [&](double fraction) {
+        frame.progress(label, (static_cast<double>(i) + fraction) / static_cast<double>(list.size()));
       });
+      mark_front(points);
+      const double unit = unit_point.front().seconds;
+      if (i == 0) add_rows(table, unit_scene, unit_point, unit);
+      add_rows(table, scene, points, unit);
+      add_front(front, scene, points, unit);
+      advise(advice, scene, points, unit);
+    }
+    frame.write(front, "front");
+    frame.write(advice, "advice");
+    frame.write(table);
+  });
 }

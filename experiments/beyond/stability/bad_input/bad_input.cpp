@@ -152,21 +152,18 @@ void try_diagnostics(Tries& tries) {
 
 int main(int argc, char** argv) {
   using namespace experiment;
-  return experiment::run(
-      argc, argv, "bad_input", "Arguments that no entry point can use, and what each answered",
-      [&](Frame& frame) {
-        Table table = frame.table({"part", "argument", "value", "ending", "sentence"});
-        Tries tries(table);
-        for (const auto& attempt : {try_rules, try_update_loop, try_time_loop, try_collocation, try_monitors,
-                                    try_quadrature, try_problems, try_diagnostics})
-          attempt(tries);
-        Table counts = frame.table({"part", "inputs", "refused", "taken", "named"});
-        for (const auto& [part, n] : tries.tally)
-          counts.row(part, n.inputs, n.refused, n.taken, n.inputs - n.refused - n.taken);
-        table.note("ending",
-                   "refused with that sentence; or, where only the run can find it out, its outcome");
-        frame.write(counts, "counts");
-        table.note("inputs", table.rows.size());
-        frame.write(table);
-      });
+  return experiment::run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
+    Table table = frame.table({"part", "argument", "value", "ending", "sentence"});
+    Tries tries(table);
+    for (const auto& attempt : {try_rules, try_update_loop, try_time_loop, try_collocation, try_monitors,
+                                try_quadrature, try_problems, try_diagnostics})
+      attempt(tries);
+    Table counts = frame.table({"part", "inputs", "refused", "taken", "named"});
+    for (const auto& [part, n] : tries.tally)
+      counts.row(part, n.inputs, n.refused, n.taken, n.inputs - n.refused - n.taken);
+    table.note("ending", "refused with that sentence; or, where only the run can find it out, its outcome");
+    frame.write(counts, "counts");
+    table.note("inputs", table.rows.size());
+    frame.write(table);
+  });
 }

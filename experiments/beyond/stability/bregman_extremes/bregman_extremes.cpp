@@ -62,54 +62,51 @@ void write_limits(Frame& frame, Tally& tally) {
 
 int main(int argc, char** argv) {
   bool extremes = false;
-  return run(
-      argc, argv, "bregman_extremes", "Bregman dynamics where they break, and that nothing breaks silently",
-      [&](CLI::App& app) {
-        add_flag(app, "--extremes", extremes,
-                 "Dimensions to 1e7 and the caps of large dimensions raised 250-fold (minutes)");
-      },
-      [&](Frame& frame) {
-        Tally tally;
-        Table table =
-            frame.table({"scene", "method", "p", "p_ring", "h", "C", "dimension", "one_less_rho", "away",
-                         "t0", "fault", "fault_at", "iterations", "value", "outcome", "verdict", "seconds"});
-        table.note("verdict",
-                   "correct: converged, and asked again the criterion holds; named: any other outcome, "
-                   "with a sentence; told: the objective itself reported a zero gradient");
-        const auto add = [&](const Scene& s, double h, std::string_view fault, long at, const auto& play_it) {
-          Judged end;
-          const double time = seconds([&] { end = play_it(); });
-          table.row(s.scene, s.method, s.p, s.p_ring, h, s.C, s.dimension, 1.0 - s.rho, s.away, s.from.t,
-                    fault, static_cast<double>(at), end.iterations, end.value, end.outcome, end.verdict,
-                    rounded(time, 3));
-          ++tally[{s.scene, end.verdict}];
-        };
-        frame.progress("overflow", 0.0);
-        write_overflow(frame);
-        frame.progress("limits", 0.1);
-        write_limits(frame, tally);
-        const auto all = plan(frame.quick, extremes);
-        for (std::size_t i = 0; i < all.size(); ++i) {
-          frame.progress(all[i].scene, 0.2 + 0.7 * static_cast<double>(i) / static_cast<double>(all.size()));
-          const double h = step_of(all[i]);
-          add(all[i], h, "none", 0, [&] { return play(all[i], h); });
+  const auto options = [&](CLI::App& app) {
+    add_flag(app, "--extremes", extremes,
+             "Dimensions to 1e7 and the caps of large dimensions raised 250-fold (minutes)");
+  };
+  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
+    Tally tally;
+    Table table =
+        frame.table({"scene", "method", "p", "p_ring", "h", "C", "dimension", "one_less_rho", "away", "t0",
+                     "fault", "fault_at", "iterations", "value", "outcome", "verdict", "seconds"});
+    table.note("verdict",
+               "correct: converged, and asked again the criterion holds; named: any other outcome, "
+               "with a sentence; told: the objective itself reported a zero gradient");
+    const auto add = [&](const Scene& s, double h, std::string_view fault, long at, const auto& play_it) {
+      Judged end;
+      const double time = seconds([&] { end = play_it(); });
+      table.row(s.scene, s.method, s.p, s.p_ring, h, s.C, s.dimension, 1.0 - s.rho, s.away, s.from.t, fault,
+                static_cast<double>(at), end.iterations, end.value, end.outcome, end.verdict,
+                rounded(time, 3));
+      ++tally[{s.scene, end.verdict}];
+    };
+    frame.progress("overflow", 0.0);
+    write_overflow(frame);
+    frame.progress("limits", 0.1);
+    write_limits(frame, tally);
+    const auto all = plan(frame.quick, extremes);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      frame.progress(all[i].scene, 0.2 + 0.7 * i / all.size());
+      const double h = step_of(all[i]);
+      add(all[i], h, "none", 0, [&] { return play(all[i], h); });
+    }
+    frame.progress("faults", 0.9);
+    for (const auto& [method, h] : fault_methods)
+      for (std::string_view kind : fault_kinds)
+        for (long at : {1L, 2L, 10L, 100L}) {
+          const Scene s{.scene = "fault", .method = method, .p = 10.0, .p_ring = 0.5, .h = h};
+          add(s, 0.0, kind, at, [&] { return meet(s, kind, at, frame.quick ? 1000 : 15'000); });
         }
-        frame.progress("faults", 0.9);
-        for (const auto& [method, h] : fault_methods)
-          for (std::string_view kind : fault_kinds)
-            for (long at : {1L, 2L, 10L, 100L}) {
-              const Scene s{.scene = "fault", .method = method, .p = 10.0, .p_ring = 0.5, .h = h};
-              add(s, 0.0, kind, at, [&] { return meet(s, kind, at, frame.quick ? 1000 : 15'000); });
-            }
-        Table counts = frame.table({"scene", "verdict", "runs"});
-        long runs = 0;
-        for (const auto& [key, n] : tally) {
-          counts.row(key.first, key.second, n);
-          runs += n;
-        }
-        frame.progress("done", 1.0);
-        frame.write(counts, "verdicts");
-        table.note("runs", runs);
-        frame.write(table);
-      });
+    Table counts = frame.table({"scene", "verdict", "runs"});
+    long runs = 0;
+    for (const auto& [key, n] : tally) {
+      counts.row(key.first, key.second, n);
+      runs += n;
+    }
+    frame.write(counts, "verdicts");
+    table.note("runs", runs);
+    frame.write(table);
+  });
 }
