@@ -3,8 +3,6 @@
 #include "avi/problems/correlated_quartic.hpp"
 #include "bregman/printed/cloning_printed.hpp"
 
-#include <vector>
-
 // The last equation of phase-space cloning is printed as r~' = +grad_q~ H_2. Both copies start at one point
 // and, if each solves the same equations, stay together but for the error of the splitting, O(h^2).
 
@@ -19,7 +17,7 @@ double distance_of_copies(double sign, double h, long steps) {
   const auto stages = avi::merged_stages(avi::CloneComposition::strang);
   for (long k = 0; k < steps; ++k)
     experiment::cloning_printed_step(avi::BregmanFamily::adaptive(4.0, 1.0), f, h, stages, z, clone, sign);
-  return std::sqrt((clone.q - z.q).squaredNorm() / static_cast<double>(f.size()));
+  return std::sqrt((clone.q - z.q).squaredNorm() / f.size());
 }
 
 }  // namespace
@@ -37,7 +35,7 @@ int main(int argc, char** argv) {
     for (const double sign : {1.0, -1.0}) {
       double before = std::nan("");
       for (long steps = std::lround(fictive_time / 5e-3), level = 0; level < 4; ++level, steps *= 2) {
-        const double h = fictive_time / static_cast<double>(steps);
+        const double h = fictive_time / steps;
         const double distance = distance_of_copies(sign, h, steps);
         table.row(sign, h, steps, distance, std::log2(before / distance));
         before = distance;

@@ -3,7 +3,6 @@
 #include "common/table.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -22,9 +21,9 @@ class Curve {
   explicit Curve(double width, double growth = 0.0) : width_(width), growth_(growth) {}
 
   void operator()(const avi::Iterate& at, long k, long gradients) {
-    if (points_.empty() || static_cast<double>(k) >= next_) {
+    if (points_.empty() || k >= next_) {
       points_.push_back({});
-      next_ = static_cast<double>(k) + std::max(width_, growth_ * static_cast<double>(k));
+      next_ = k + std::max(width_, growth_ * k);
     }
     Point& bin = points_.back();
     bin.iteration = k;

@@ -16,9 +16,8 @@ namespace experiment {
 struct Setting {
   std::string method;  ///< htvi, splitting, clone_strang, clone_y4 or clone_y6.
   double p;
-  double p_ring;  ///< Equal to p for the Direct approach.
-  double h;       ///< Fictive step.
-  double C = 0.0625;
+  double p_ring;                         ///< Equal to p for the Direct approach.
+  double h;                              ///< Fictive step.
   avi::Clock clock = avi::Clock::euler;  ///< Of htvi.
 
   bool operator==(const Setting&) const = default;
@@ -26,7 +25,7 @@ struct Setting {
   /// p_ring as it stands in the tables: NaN for the Direct approach.
   [[nodiscard]] double p_ring_or_nan() const { return is_direct() ? std::nan("") : p_ring; }
   [[nodiscard]] std::string approach() const { return is_direct() ? "direct" : "adaptive"; }
-  [[nodiscard]] avi::BregmanFamily family() const { return avi::BregmanFamily::adaptive(p, p_ring, C); }
+  [[nodiscard]] avi::BregmanFamily family() const { return avi::BregmanFamily::adaptive(p, p_ring); }
 };
 
 inline Setting direct(std::string method, double p, double h) { return {std::move(method), p, p, h}; }

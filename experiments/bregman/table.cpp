@@ -27,22 +27,18 @@ int iteration_table(int argc, char** argv, const std::string& shows, const std::
     Table curves = frame.table(Curve::columns_after({"curve", "method", "approach", "p", "p_ring"}));
     curves.note("rows", Curve::rows);
     const avi::CorrelatedQuartic f;
-    for (std::size_t i = 0; i < settings.size(); ++i) {
-      const Setting& s = settings[i];
-      frame.progress(label_of(s), i, settings.size());
-      if (frame.quick && s.is_direct() && s.p < 5) continue;
+    each_setting(frame, settings, [&](const Setting& s, bool) {
       avi::Minimisation result;
-      const double time = seconds([&] { result = run_setting(s, f, f.start(), stopping); });
+      Curve curve(1.0, 0.01);
+      const double time = seconds([&] { result = run_setting(s, f, f.start(), stopping, curve); });
       PerturbedCounts counts;
       if (result.converged()) counts = perturbed_counts(s, starts, 1e-14, stopping);
-      table.row(s.method, s.approach(), s.p, s.p_ring_or_nan(), s.h, s.C, result.iterations,
+      table.row(s.method, s.approach(), s.p, s.p_ring_or_nan(), s.h, s.family().C, result.iterations,
                 result.gradient_evaluations, result.converged(), counts.least(), counts.median(),
                 counts.most(), counts.failed, rounded(time));
-      if (!result.converged()) continue;
-      Curve curve(1.0, 0.01);
-      run_setting(s, f, f.start(), stopping, curve);
-      curve.append(curves, {label_of(s), s.method, s.approach(), exact(s.p), exact(s.p_ring_or_nan())});
-    }
+      if (result.converged())
+        curve.append(curves, {label_of(s), s.method, s.approach(), exact(s.p), exact(s.p_ring_or_nan())});
+    });
     frame.write(curves, "curves");
     frame.write(table);
   });
@@ -67,8 +63,8 @@ PerturbedCounts perturbed_counts(const Setting& setting, long starts, double siz
   return result;
 }
 
-void each_setting(const Frame& frame, const std::function<void(const Setting&, bool slow)>& visit) {
-  const auto settings = all_settings();
+void each_setting(const Frame& frame, const std::vector<Setting>& settings,
+                  const std::function<void(const Setting&, bool slow)>& visit) {
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const Setting& s = settings[i];
     frame.progress(label_of(s), i, settings.size());

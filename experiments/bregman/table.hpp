@@ -37,8 +37,9 @@ struct PerturbedCounts {
 PerturbedCounts perturbed_counts(const Setting& setting, long starts, double size,
                                  const avi::Stopping& stopping);
 
-/// Calls visit(setting, slow) for the settings of the three tables, with progress; `slow` are Direct ones of
-/// low order, which are left out where `quick` is wanted.
-void each_setting(const Frame& frame, const std::function<void(const Setting&, bool slow)>& visit);
+/// Calls visit(setting, slow) for each of the settings, with progress; `slow` are Direct ones of low order,
+/// which are left out where `quick` is wanted.
+void each_setting(const Frame& frame, const std::vector<Setting>& settings,
+                  const std::function<void(const Setting&, bool slow)>& visit);
 
 }  // namespace experiment

@@ -193,11 +193,10 @@ int main(int argc, char** argv) {
     table.note("nag_limit", "largest distance to the limit equation up to t = 4");
     table.note("mirror", "largest ratio of f - f* to its bound on the simplex, entropy");
     const DiagonalQuartic f;
-    const double nan = std::nan("");
     const auto row = [&](const char* variant, const char* parameter, double setting, const Sustained& s,
                          double gradients_per_step) {
-      table.row(variant, parameter, setting, s.first > 0 ? static_cast<double>(s.first) : nan,
-                s.confirmed ? static_cast<double>(s.sustained()) : nan, gradients_per_step, nan);
+      table.row(variant, parameter, setting, s.first > 0 ? s.first : unknown,
+                s.confirmed ? s.sustained() : unknown, gradients_per_step, unknown);
     };
     const long cap = frame.quick ? 40'000 : 400'000;
     for (double factor : {1.0, 10.0, 100.0, 1000.0}) {
@@ -207,9 +206,9 @@ int main(int argc, char** argv) {
     for (double omega : {0.0, 1e-4, 1e-2, 1.0, 100.0})
       row("binding", "omega", omega, bound(f, omega, 9.7e-4, 4 * cap), omega == 0.0 ? 1.0 : 3.0);
     for (double h : {1e-2, 2.5e-3, 6.25e-4, 1.5625e-4})
-      table.row("nag_limit", "h", h, nan, nan, nan, distance_to_limit(h));
+      table.row("nag_limit", "h", h, unknown, unknown, unknown, distance_to_limit(h));
     for (double h : {0.1, 0.01, 0.001})
-      table.row("mirror", "h", h, nan, nan, nan, mirror(h));
+      table.row("mirror", "h", h, unknown, unknown, unknown, mirror(h));
     frame.write(table);
   });
 }

@@ -2,6 +2,7 @@
 #include <concepts>
 #include <filesystem>
 #include <iosfwd>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -13,6 +14,9 @@
 /// The data contract: tab-separated tables with a `# key: value` head, one header row, then rows.
 
 namespace experiment {
+
+/// Where a cell has no number: NaN.
+inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// A number with 17 significant digits, so that it reads back bit for bit; NaN is written `nan`.
 std::string exact(double value);

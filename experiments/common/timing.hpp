@@ -10,12 +10,22 @@
 
 namespace experiment {
 
+/// Wall time since it was made, in seconds.
+class Stopwatch {
+ public:
+  double operator()() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point begin_ = Clock::now();
+};
+
 /// Wall time of one call, in seconds.
 template <class Work>
 double seconds(Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch elapsed;
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return elapsed();
 }
 
 /// Median of a list (the lower one for an even count).

@@ -24,7 +24,7 @@ std::map<std::string, std::vector<double>> nanoseconds_per_step(double eccentric
     for (std::size_t m = 0; m < settings.size(); ++m) {
       const auto& setting = settings[(round + m) % settings.size()];
       const auto r = run_euler_b(setting, eccentricity, 20.0);
-      samples[setting.monitor].push_back(1e9 * r.seconds / static_cast<double>(r.steps));
+      samples[setting.monitor].push_back(1e9 * r.seconds / r.steps);
     }
   return samples;
 }
@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
     out.note("seconds", "with both errors watched at every step");
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const auto& [monitor, target] = cells[i];
-      frame.progress(monitor + " at " + rounded(target), static_cast<double>(i) / cells.size());
+      frame.progress(monitor + " at " + rounded(target), i, cells.size());
       const auto setting = calibrated_euler_b(monitor, eccentricity, target, std::min(horizon, 20.0));
       const auto r = run_euler_b(setting, eccentricity, horizon);
       out.row("symplectic_euler_b", monitor, setting.h, setting.tol, horizon, target, r.energy_error,

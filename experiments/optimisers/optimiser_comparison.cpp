@@ -34,7 +34,7 @@ struct Passages {
   };
   std::vector<Passage> found;
   double before = std::nan("");
-  std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+  Stopwatch elapsed;
 
   void operator()(const avi::Iterate& at, long k, long gradients) {
     const double change = std::abs(at.value - before);
@@ -42,10 +42,6 @@ struct Passages {
            avi::norm(at.gradient) < deltas[found.size()])
       found.push_back({k, gradients, elapsed()});
     before = at.value;
-  }
-
-  [[nodiscard]] double elapsed() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
 };
 

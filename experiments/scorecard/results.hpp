@@ -17,7 +17,7 @@ namespace scorecard {
 /// The same text, or the same number.
 bool same(std::string_view a, std::string_view b);
 
-/// A row of a table, which must outlive it.
+/// A row of a table; the table must outlive it.
 class Row {
  public:
   Row(const experiment::Table& table, std::size_t line) : table_(&table), line_(line) {}

@@ -32,8 +32,7 @@ std::vector<Share> shares(const experiment::Table& table, std::string_view colum
   std::vector<Share> found;
   for (const auto name : names)
     if (const auto count = rows(table, {{column, name}}).size(); count > 0)
-      found.push_back(
-          {std::string(name), count, static_cast<double>(count) / static_cast<double>(table.rows.size())});
+      found.push_back({std::string(name), count, 1.0 * count / table.rows.size()});
   return found;
 }
 

@@ -14,7 +14,8 @@ int main(int argc, char** argv) {
     const avi::Stopping stopping{.delta = 1e-10, .iterations = 200'000};
     for (Setting s : p_dependence_settings()) {
       const Setting single = direct("htvi", s.family().order(), s.h);
-      const auto reference = run_setting(single, f, f.start(), stopping);
+      Curve alone(20.0);
+      const auto reference = run_setting(single, f, f.start(), stopping, alone);
       std::vector<avi::VectorX> path;
       run_setting(single, f, f.start(), {.delta = 0.0, .iterations = 1000},
                   [&](const avi::Iterate& at, long, long) { path.push_back(at.x); });
@@ -28,20 +29,15 @@ int main(int argc, char** argv) {
                       if (k <= 100) distance[0] = std::max(distance[0], apart);
                       distance[1] = std::max(distance[1], apart);
                     });
-        const auto result = run_setting(s, f, f.start(), stopping);
-        table.row(s.p, s.p_ring, s.family().order(), s.h, clock == avi::Clock::exact ? "exact" : "euler",
-                  result.iterations, reference.iterations, distance[0], distance[1],
+        Curve curve(20.0);
+        const auto result = run_setting(s, f, f.start(), stopping, curve);
+        const bool is_exact = clock == avi::Clock::exact;
+        table.row(s.p, s.p_ring, s.family().order(), s.h, is_exact ? "exact" : "euler", result.iterations,
+                  reference.iterations, distance[0], distance[1],
                   result.converged() && reference.converged());
-        if (s.p == 4 && s.p_ring == 1) {
-          Curve curve(20.0);
-          run_setting(s, f, f.start(), stopping, curve);
-          curve.append(curves, {clock == avi::Clock::exact ? "adaptive exact" : "adaptive euler"});
-          if (clock == avi::Clock::exact) {
-            Curve other(20.0);
-            run_setting(single, f, f.start(), stopping, other);
-            other.append(curves, {"direct"});
-          }
-        }
+        if (s.p != 4 || s.p_ring != 1) continue;
+        curve.append(curves, {is_exact ? "adaptive exact" : "adaptive euler"});
+        if (is_exact) alone.append(curves, {"direct"});
       }
     }
     frame.write(curves, "curves");

@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
     const avi::CorrelatedQuartic f;
     const avi::Stopping stopping{.delta = 1e-10, .iterations = 1'000'000};
     long row = 0;
-    each_setting(frame, [&](const Setting& s, bool slow) {
+    each_setting(frame, all_settings(), [&](const Setting& s, bool slow) {
       if (slow && s.method.starts_with("clone_y")) return;  // ten gradients a step, sixteen starts
       ++row;
       const long nominal = run_setting(s, f, f.start(), stopping).iterations;

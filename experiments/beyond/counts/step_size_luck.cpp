@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
         {"row", "method", "approach", "p", "p_ring", "h", "relative_h", "iterations", "converged"});
     const avi::CorrelatedQuartic f;
     const avi::Stopping stopping{.delta = 1e-10, .iterations = 400'000};
-    each_setting(frame, [&](const Setting& s, bool slow) {
+    each_setting(frame, all_settings(), [&](const Setting& s, bool slow) {
       if (slow && s.method.starts_with("clone_y")) return;  // a whole grid of long runs
       const long printed = run_setting(s, f, f.start(), stopping).iterations;
       std::vector<double> counts;
@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
         other.h = h;
         const auto result = run_setting(other, f, f.start(), stopping);
         ++tried;
-        const double iterations = result.converged() ? static_cast<double>(result.iterations) : std::nan("");
+        const double iterations = result.converged() ? result.iterations : unknown;
         grid.row(label_of(s), s.method, s.approach(), s.p, s.p_ring_or_nan(), h, h / s.h, iterations,
                  result.converged());
         if (!result.converged()) continue;

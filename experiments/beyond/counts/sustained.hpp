@@ -9,10 +9,10 @@
 
 namespace experiment {
 
-/// Witness of a run without end (delta = 0 in its Stopping) that follows the stopping test with `delta`.
+/// Witness of a run without end (delta = 0 in its Stopping) that follows the stopping test.
 /// It ends the run once the test has held for as many iterations as the run had before, or at `cap`.
 struct Sustained {
-  double delta = 1e-10;
+  static constexpr double delta = 1e-10;
   long cap = 4'000'000;
 
   long first = 0;          ///< Iteration at which the test first held; 0: never.
@@ -30,8 +30,7 @@ struct Sustained {
       first = k;
       at_first = at.value;
     }
-    if (first > 0 && k > first && static_cast<double>(k) <= 1.05 * static_cast<double>(first))
-      rebound = std::max(rebound, at.value);
+    if (first > 0 && k > first && k <= 1.05 * first) rebound = std::max(rebound, at.value);
     confirmed = first > 0 && k >= 2 * last_failure && k > first + first / 20;
     return !confirmed && k < cap;
   }

@@ -12,7 +12,7 @@ using namespace experiment;
 void add_curve(Table& curves, const Setting& s, long first_passage) {
   const long length = 4 * first_passage;
   const avi::CorrelatedQuartic f;
-  Curve curve(static_cast<double>(length) / 600.0);
+  Curve curve(length / 600.0);
   run_setting(s, f, f.start(), {.delta = 0.0, .iterations = length}, curve);
   curve.append(curves, {label_of(s), s.approach(), std::to_string(first_passage)});
 }
@@ -28,12 +28,12 @@ int main(int argc, char** argv) {
     table.note("rebound", "largest f within the 5 % of iterations after the first passage");
     Table curves = frame.table(Curve::columns_after({"curve", "approach", "first_passage"}));
     const avi::CorrelatedQuartic f;
-    each_setting(frame, [&](const Setting& s, bool) {
+    each_setting(frame, all_settings(), [&](const Setting& s, bool) {
       Sustained seen;
       const auto result = run_setting(s, f, f.start(), {.delta = 0.0, .iterations = seen.cap}, seen);
       table.row(s.method, s.approach(), s.p, s.p_ring_or_nan(), s.h, seen.first, seen.sustained(),
-                static_cast<double>(seen.sustained()) / static_cast<double>(seen.first), seen.at_first,
-                seen.rebound, seen.confirmed, avi::name(result.outcome));
+                1.0 * seen.sustained() / seen.first, seen.at_first, seen.rebound, seen.confirmed,
+                avi::name(result.outcome));
       if (s.method == "htvi" && s.p == 4 && (s.h == 8e-4 || s.h == 2.4e-4)) add_curve(curves, s, seen.first);
     });
     frame.write(curves, "curves");

@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
   return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
     const int members = frame.quick ? 8 : 52, order = 16;
     const long turns = frame.quick ? 20 : 300, steps_per_turn = 8;
-    const double h = period / static_cast<double>(steps_per_turn);
+    const double h = period / steps_per_turn;
     const std::vector<State<2>> starts = cloud(members);
     const auto problem = avi::time_dependent(ShakenPendulum{}, avi::reduced(starts[0]));
     const auto make = [&](const State<2>&) { return avi::collocation(problem, order); };
@@ -83,7 +83,7 @@ int main(int argc, char** argv) {
     out.note("processors", std::thread::hardware_concurrency());
     for (const int i : {0, 1, 2})
       out.row("shaken_pendulum", "collocation", order, i ? "ensemble" : "single", std::max(i, 1), members, ok,
-              steps, seconds[static_cast<std::size_t>(i)]);
+              steps, seconds[i]);
     frame.write(section, "section");
     frame.write(out);
   });

@@ -144,9 +144,8 @@ int main(int argc, char** argv) {
       for (std::size_t i = 0; i < parts.size(); ++i) {
         const auto other = std::ranges::find(parts, parts[i].without, &Part::name) - parts.begin();
         table.row(parts[i].name, parts[i].without, order, parts[i].steps,
-                  static_cast<double>(parts[i].evaluations) / static_cast<double>(part_steps),
-                  rounded(seconds[i] / static_cast<double>(part_steps)),
-                  rounded(seconds[i] / seconds[static_cast<std::size_t>(other)], 4));
+                  1.0 * parts[i].evaluations / part_steps, rounded(seconds[i] / part_steps),
+                  rounded(seconds[i] / seconds[other], 4));
       }
     }
     frame.write(table);

@@ -29,7 +29,6 @@ struct Subject {
 };
 
 std::vector<Subject> subjects() {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   constexpr long implicit_cap = 200'000, explicit_cap = 2'000'000;
   std::vector<Subject> all;
   const auto position = [&](const std::string& name, PositionMonitor monitor, double predicted) {
@@ -95,19 +94,19 @@ std::vector<Subject> subjects() {
 /// One row for each eccentricity until a run meets its cap on steps.
 void survey(Frame& frame, Table& table, const Subject& subject) {
   for (const int k : frame.quick ? std::vector{0, 1, 3, 4, 7} : std::vector{0, 1, 2, 3, 4, 5, 6, 7, 8}) {
-    const double gap = std::pow(10.0, -k), nan = std::nan("");
+    const double gap = std::pow(10.0, -k);
     const State2 start = avi::Kepler::pericentre(1.0 - gap);
     const Runner runner = subject.make(1.0 - gap);
     const Limits limits{.time = 3.0 * period, .steps = subject.cap, .energy_error = 1e-2, .phase_error = 0.1};
     const Largest found = largest_step(runner, start, 16.0, limits);
     const bool ok = found.h > 0.0;
-    const double steps = static_cast<double>(found.at.run.steps);
-    const double time = ok ? seconds([&] { attempt(runner, start, found.h, limits); }) : nan;
+    const double steps = found.at.run.steps;
+    const double time = ok ? seconds([&] { attempt(runner, start, found.h, limits); }) : unknown;
     table.row(subject.method, subject.monitor, subject.precision, subject.bounded, 1.0 - gap, gap, found.h,
-              ok ? steps / 3.0 : nan, ok ? found.at.energy_error : nan,
-              ok ? phase_error(start, found.at.end) : nan, ok ? found.at.least_step : nan,
-              ok ? static_cast<double>(found.at.run.evaluations) / steps : nan, rounded(1e6 * time / 3.0),
-              subject.predicted, found.h_beyond, std::isnan(found.h_beyond) ? "nan" : found.beyond.ending());
+              ok ? steps / 3.0 : unknown, ok ? found.at.energy_error : unknown,
+              ok ? phase_error(start, found.at.end) : unknown, ok ? found.at.least_step : unknown,
+              ok ? found.at.run.evaluations / steps : unknown, rounded(1e6 * time / 3.0), subject.predicted,
+              found.h_beyond, std::isnan(found.h_beyond) ? "nan" : found.beyond.ending());
     if (!ok && found.beyond.run.outcome == avi::Outcome::step_limit) return;
   }
 }
@@ -151,8 +150,8 @@ void starts(Table& table) {
         ending = "refused";
       }
       const bool ok = ending == "ok";
-      table.row(method, monitor, name, h, ending, made.run.steps, ok ? made.energy_error : std::nan(""),
-                ok ? phase_error(start, made.end) : std::nan(""));
+      table.row(method, monitor, name, h, ending, made.run.steps, ok ? made.energy_error : unknown,
+                ok ? phase_error(start, made.end) : unknown);
     }
 }
 

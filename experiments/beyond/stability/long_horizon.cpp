@@ -55,8 +55,7 @@ avi::Run advance(const Subject& subject, Progress& at, long periods) {
   const double energy = subject.run.energy(start), momentum = avi::Kepler::angular_momentum(start);
   bool outwards = at.z.q.dot(at.z.p) >= 0.0;
   const avi::Run run = subject.run.advance(
-      start, at.z, subject.h, {.time = (1.01 * static_cast<double>(periods) + 10.0) * period},
-      [&](const State2& z) {
+      start, at.z, subject.h, {.time = (1.01 * periods + 10.0) * period}, [&](const State2& z) {
         at.energy_now = (subject.run.energy(z) - energy) / energy;
         at.energy_error = std::max(at.energy_error, std::abs(at.energy_now));
         at.momentum_error =
@@ -81,7 +80,7 @@ double growth(const std::vector<Progress>& marks, double Progress::*error) {
   std::vector<double> periods, values;
   for (const Progress& at : marks)
     if (32 * at.periods >= marks.back().periods && at.*error != 0.0) {  // below round-off
-      periods.push_back(static_cast<double>(at.periods));
+      periods.push_back(at.periods);
       values.push_back(std::abs(at.*error));
     }
   return power_law(periods, values).slope;
@@ -123,8 +122,7 @@ int main(int argc, char** argv) {
                "at the pericentre");
     laws.note("laws", "power of time with which an error grows in the last 1.5 decades");
     for (const Subject& s : subjects()) {
-      const long end =
-          std::clamp(std::lround(s.reach * static_cast<double>(periods)), 10L, std::max(periods, 1'000'000L));
+      const long end = std::clamp(std::lround(s.reach * periods), 10L, std::max(periods, 1'000'000L));
       Progress at;
       std::vector<Progress> marks;
       const auto mark = [&] {

@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
         sum += error;
         if (k % every != 0) return;
         times.push_back(s.t);
-        errors.push_back(sum / static_cast<double>(every));
+        errors.push_back(sum / every);
         sum = 0.0;
       });
       if (end.outcome != avi::Outcome::ok) throw std::runtime_error(end.message);

@@ -100,10 +100,10 @@ int main(int argc, char** argv) {
       const Limits limits{.time = 300.0, .steps = 2'000'000, .energy_error = bound};
       const Largest found = largest_step(run, start, problem == "oscillator" ? 16.0 : 8.0, limits, 0.002);
       const bool broke = found.h_beyond > 0.0;
-      const double nan = std::nan(""), steps = static_cast<double>(found.beyond.run.steps);
+      const double steps = found.beyond.run.steps;
       table.row(problem, c.method, c.monitor, found.h, found.at.energy_error, linear.h, linear.reason,
-                found.h_beyond, broke ? found.beyond.ending() : "none", broke ? found.beyond.end.t : nan,
-                broke ? steps : nan);
+                found.h_beyond, broke ? found.beyond.ending() : "none", broke ? found.beyond.end.t : unknown,
+                broke ? steps : unknown);
     };
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Case& c = all[i];

@@ -37,7 +37,7 @@ Attempt attempt(const Runner& runner, const State2& start, double h, const Limit
 
 /// What the search for the largest step found.
 struct Largest {
-  double h = std::nan("");  ///< NaN when every step down to where the cap on steps ended the run failed.
+  double h = std::nan("");  ///< NaN where every run failed down to the one that met the cap on steps.
   Attempt at;               ///< The run with h.
   double h_beyond = std::nan("");
   Attempt beyond;  ///< The shortest step found to fail, and its run.

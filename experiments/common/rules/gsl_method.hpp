@@ -28,26 +28,22 @@ struct GslMethod {
   };
 
   struct State {
-    avi::VectorX z, at, rate;
+    avi::VectorX z;
     avi::BregmanField field;
-    std::unique_ptr<gsl_odeiv2_step, Free> step;
-    std::unique_ptr<gsl_odeiv2_control, Free> control;
-    std::unique_ptr<gsl_odeiv2_evolve, Free> evolve;
-    double tau = 0.0, h = 0.0;
+    double h;
+    double tau = 0.0;
+    avi::VectorX at = z, rate = z;
+    std::unique_ptr<gsl_odeiv2_step, Free> step{};
+    std::unique_ptr<gsl_odeiv2_control, Free> control{};
+    std::unique_ptr<gsl_odeiv2_evolve, Free> evolve{};
   };
 
   State start(const avi::Iterate& first) const {
     family.validate();
     gsl_set_error_handler_off();
     State s{.z = bregman_point(first, from),
-            .at = {},
-            .rate = {},
             .field = {.family = family, .q = first.x, .gradient = first.gradient},
-            .step = nullptr,
-            .control = nullptr,
-            .evolve = nullptr,
             .h = first_step};
-    s.at = s.rate = s.z;
     const auto size = static_cast<std::size_t>(s.z.size());
     s.step.reset(gsl_odeiv2_step_alloc(type, size));
     s.control.reset(gsl_odeiv2_control_y_new(atol, rtol));

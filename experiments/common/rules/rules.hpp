@@ -14,7 +14,7 @@
 
 namespace experiment {
 
-/// An objective with its type erased; it must outlive this.
+/// An objective with its type erased; the objective must outlive it.
 class AnyObjective {
  public:
   template <class F>

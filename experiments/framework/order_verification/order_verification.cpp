@@ -114,7 +114,7 @@ int main(int argc, char** argv) {
     double done = 0.0;
     for (auto* add : {add_without_monitor, add_monitors, add_general_problems}) {
       add(out, frame.quick);
-      frame.progress("cells", (done += 1.0) / 3.0);
+      frame.progress("cells", done++, 3.0);
     }
     frame.write(out);
   });

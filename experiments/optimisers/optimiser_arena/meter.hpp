@@ -1,10 +1,10 @@
 #pragma once
+#include "common/timing.hpp"
 #include "optimisers/optimiser_arena/problems/problem.hpp"
 
 #include "avi/optim/run_updates.hpp"
 
 #include <array>
-#include <chrono>
 #include <functional>
 
 /// @file
@@ -33,7 +33,7 @@ class Meter {
   const VectorX x0;     ///< Where to start.
   long iterations = 0;  ///< Kept by the method.
   bool over = false;    ///< The last of the tolerances that are wanted is met, or the cap.
-  bool throws = true;   ///< Over, when the run is over; false for methods of C libraries, which look at it.
+  bool throws = true;   ///< When the run is over; false for C libraries, whose methods look at `over`.
 
   Meter(const Problem& problem, VectorX start, long cap, std::size_t wanted = tolerances.size())
       : x0(std::move(start)), f_(problem.f), cap_(cap), wanted_(wanted),
@@ -51,8 +51,7 @@ class Meter {
     for (std::size_t k = 0; k < tolerances.size(); ++k)
       if (!passages_[k].converged && size <= tolerances[k] * first_ &&
           value <= level_ + 1e-8 * std::abs(level_)) {
-        const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-        passages_[k] = {iterations, now_.gradients, now_.values, spent, true};
+        passages_[k] = {iterations, now_.gradients, now_.values, elapsed_(), true};
       }
     end_if(passages_[wanted_ - 1].converged);
     return value;
@@ -95,19 +94,18 @@ class Meter {
   double first_ = 0.0, level_ = 0.0;
   Passage now_;
   Passages passages_;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  experiment::Stopwatch elapsed_;
 };
 
-/// What the library's optimisers see: a callable that is const, as an objective is.
-struct Watched {
-  Meter& meter;
-  double operator()(const VectorX& x, VectorX& g) const { return meter(x, g); }
-};
+/// A meter as the library's optimisers see it: const, as an objective is.
+inline auto objective_of(Meter& meter) {
+  return [&meter](const VectorX& x, VectorX& g) { return meter(x, g); };
+}
 
 /// Updates by a rule of the library until the meter ends them.
 template <class Rule>
 void follow(Meter& meter, const Rule& rule) {
-  (void)avi::run_updates(Watched{meter}, rule, meter.x0, {.delta = 0.0},
+  (void)avi::run_updates(objective_of(meter), rule, meter.x0, {.delta = 0.0},
                          [&](const avi::Iterate&, long k, long) { meter.iterations = k; });
 }
 

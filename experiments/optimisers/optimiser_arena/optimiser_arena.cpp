@@ -48,7 +48,7 @@ Passage median_of(const std::vector<Passages>& runs, std::size_t k) {
   const auto take = [&](auto member) {
     std::vector<double> values;
     for (const Passages& run : runs)
-      values.push_back(static_cast<double>(run[k].*member));
+      values.push_back(run[k].*member);
     all.*member = static_cast<std::decay_t<decltype(all.*member)>>(median(values));
   };
   take(&Passage::iterations), take(&Passage::gradients), take(&Passage::values), take(&Passage::seconds);
@@ -81,8 +81,8 @@ int main(int argc, char** argv) {
     std::vector<arena::Instance> instances;
     double done = 0.0;
     for (const Problem& problem : problems) {
-      frame.progress(problem.name, done++ / static_cast<double>(problems.size()));
-      const long n = static_cast<long>(problem.x0.size());
+      frame.progress(problem.name, done++, problems.size());
+      const long n = problem.x0.size();
       if (frame.quick && n > 60) continue;
       for (const double delta : arena::tolerances)
         instances.push_back({problem.name, n, problem.group, delta, {}});
@@ -99,9 +99,8 @@ int main(int argc, char** argv) {
         }
         for (std::size_t k = 0; k < arena::tolerances.size(); ++k) {
           const Passage p = median_of(runs, k);
-          table.row(problem.name, n, problem.group == "held_out" ? 1 : 0, method.name, arena::tolerances[k],
-                    p.iterations, p.gradients, p.values, p.converged ? 1 : 0, p.seconds, problem.kind,
-                    problem.group);
+          table.row(problem.name, n, problem.group == "held_out", method.name, arena::tolerances[k],
+                    p.iterations, p.gradients, p.values, p.converged, p.seconds, problem.kind, problem.group);
           instances[instances.size() - arena::tolerances.size() + k].by_method[method.name] = p;
         }
       }

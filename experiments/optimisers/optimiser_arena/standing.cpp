@@ -30,9 +30,7 @@ struct Mean {
   double logs = 0.0;
   long count = 0;
   void add(double value) { logs += std::log(value), ++count; }
-  [[nodiscard]] double value() const {
-    return count > 0 ? std::exp(logs / static_cast<double>(count)) : std::nan("");
-  }
+  [[nodiscard]] double value() const { return count > 0 ? std::exp(logs / count) : std::nan(""); }
 };
 
 void write_summary(const experiment::Frame& frame, const std::vector<Instance>& instances,
@@ -65,7 +63,7 @@ void write_summary(const experiment::Frame& frame, const std::vector<Instance>& 
         }
         const double spent = static_cast<double>(own.gradients), with_values = cost(own);
         gradients.add(spent), evaluations.add(with_values);
-        if (own.iterations > 0) iteration.add(with_values / static_cast<double>(own.iterations));
+        if (own.iterations > 0) iteration.add(with_values / own.iterations);
         within_1 += with_values <= best(instance), within_2 += with_values <= 2.0 * best(instance);
         if (const double other = cost(instance, "lbfgs"); other < infinity) lbfgs.add(spent / other);
         double other = infinity, other_all = infinity;
@@ -78,10 +76,9 @@ void write_summary(const experiment::Frame& frame, const std::vector<Instance>& 
         if (other < infinity) cg.add(spent / other), cg_all.add(with_values / other_all);
       }
       if (count == 0) continue;
-      const double all = static_cast<double>(count);
+      const double all = count;
       table.row(group, method, count, failures, gradients.value(), evaluations.value(), iteration.value(),
-                lbfgs.value(), cg.value(), cg_all.value(), static_cast<double>(within_1) / all,
-                static_cast<double>(within_2) / all);
+                lbfgs.value(), cg.value(), cg_all.value(), within_1 / all, within_2 / all);
     }
   frame.write(table, "summary");
 }
@@ -105,11 +102,11 @@ void write_profiles(const experiment::Frame& frame, const std::vector<Instance>&
         ratios.push_back(own / best(instance)), costs.push_back(own);
     }
     if (count == 0.0) continue;
-    std::sort(ratios.begin(), ratios.end()), std::sort(costs.begin(), costs.end());
-    performance.row(method, 1.0, static_cast<double>(std::count(ratios.begin(), ratios.end(), 1.0)) / count);
+    std::ranges::sort(ratios), std::ranges::sort(costs);
+    performance.row(method, 1.0, std::ranges::count(ratios, 1.0) / count);
     for (std::size_t i = 0; i < ratios.size(); ++i) {
-      performance.row(method, ratios[i], static_cast<double>(i + 1) / count);
-      data.row(method, costs[i], static_cast<double>(i + 1) / count);
+      performance.row(method, ratios[i], (i + 1) / count);
+      data.row(method, costs[i], (i + 1) / count);
     }
   }
   frame.write(performance, "profiles");
@@ -125,8 +122,8 @@ void write_losses(const experiment::Frame& frame, const std::vector<Instance>& i
     std::string winner;
     for (const auto& [method, passage] : instance.by_method)
       if (cost(passage) == least) winner = method;
-    table.row(instance.problem, instance.dimension, instance.group == "held_out" ? 1 : 0, instance.delta, own,
-              winner, least, own / least);
+    table.row(instance.problem, instance.dimension, instance.group == "held_out", instance.delta, own, winner,
+              least, own / least);
   }
   frame.write(table, "losses");
 }

@@ -1,7 +1,5 @@
 #include "scorecard/claims/claims.hpp"
 
-#include <algorithm>
-
 // Claims of Sections 2.2 and 3.3 on HTVI: the order theorem, Tables 1 and 2.
 
 namespace scorecard {

@@ -1,10 +1,12 @@
 #include "beyond/speed/automatic_monitors/cost.hpp"
-#include "beyond/speed/automatic_monitors/families.hpp"
 #include "beyond/speed/automatic_monitors/promises.hpp"
 #include "common/frame.hpp"
 
+#include "avi/autodiff/reverse.hpp"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -17,6 +19,37 @@ namespace {
 
 using namespace experiment;
 constexpr Targets all_targets[] = {{4, 1e-4, 1e-5}, {8, 1e-7, 1e-8}, {16, 1e-10, 1e-11}};
+
+/// The arclength of phase space, \f$(|\dot q|^2 + |\dot p|^2)^{-1/2}\f$; then, with floors and exponents that
+/// one would scan, the paper's energy monitor, \f$(p\cdot\partial H/\partial p + c)^{-\alpha}\f$ (twice the
+/// kinetic energy), its inverse Lagrangian, \f$(L^2 + c)^{-\alpha}\f$, and the arclength to other powers.
+std::vector<HandMade> general_monitors(const Scene& scene) {
+  const int n = static_cast<int>(scene.energy.size());
+  avi::ExpressionGraph graph(2 * n);
+  const V q = avi::recorded_inputs(graph, 0, n), p = avi::recorded_inputs(graph, n, n);
+  const Recorded energy = scene.energy(q, p);
+  const std::vector<int> slopes = avi::Reverse(graph).gradient(energy.node_in(graph));  // dH/dq, dH/dp
+  Recorded squared_speed = 0.0, work = 0.0;
+  for (const int slope : slopes)
+    squared_speed += square(Recorded(graph, slope));
+  for (int i = 0; i < n; ++i)
+    work += p[i] * Recorded(graph, slopes[n + i]);
+
+  std::vector<HandMade> made;
+  const auto add = [&](const char* name, const Recorded& base, double alpha) {
+    made.push_back({name, {graph, pow(base, -alpha).node_in(graph)}});
+  };
+  const double h0 = scene.energy(scene.start.q, scene.start.p);
+  add("arclength", squared_speed, 0.5);
+  for (const double alpha : {0.5, 1.0, 1.5})
+    for (const double floor : {0.1, 1.0})
+      add("energy", work + floor * std::max(0.1, std::abs(h0)), alpha);
+  for (const double alpha : {0.5, 0.75})
+    add("inverse_lagrangian", square(work - energy) + (h0 * h0 + 0.01), alpha);
+  add("arclength^0.5", squared_speed, 0.25);
+  add("arclength^1.5", squared_speed, 0.75);
+  return made;
+}
 
 /// What is counted of a scene at one order: itself; whether the choice is within 1.5 and 2 of the fewest
 /// steps, and of the least work; whether no monitor made by hand saves a tenth of the work of fixed steps,
@@ -75,7 +108,7 @@ Counted compare(Table& table, Table& choices, const Arena& arena, const Targets&
                                if (choice.reached)
                                  run = integrate(method, z, choice.h, avi::Until{.time = scene.time});
                              });
-  const double run_work = 10.0 * chosen.sweep * static_cast<double>(run.evaluations);
+  const double run_work = 10.0 * chosen.sweep * run.evaluations;
   const double steps = chosen.steps() / best.steps(), work = chosen.work() / cheapest.work();
   const double pilot = choice.work / run_work;
   choices.row(scene.name, scene.held_out, targets.order, choice.name, choice.sweeps, choice.time,
@@ -121,7 +154,7 @@ int main(int argc, char** argv) {
     std::map<std::pair<bool, int>, std::array<int, 8>> counts;
     double done = 0.0;
     for (const Scene& scene : scenes) {
-      frame.progress(scene.name, done++ / static_cast<double>(scenes.size()));
+      frame.progress(scene.name, done++, scenes.size());
       const avi::MonitorChoice exact = finest(scene);
       std::optional<Arena> arena;
       if (exact.reached)

@@ -1,5 +1,6 @@
 #pragma once
 #include "beyond/speed/automatic_monitors/scenes.hpp"
+#include "common/table.hpp"
 #include "common/timing.hpp"
 
 #include "avi/automatic/solution.hpp"
@@ -14,8 +15,7 @@ namespace experiment {
 
 using Point = avi::State<avi::dynamic>;
 
-inline constexpr double infinity = std::numeric_limits<double>::infinity(),
-                        unknown = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Targets {
   int order;

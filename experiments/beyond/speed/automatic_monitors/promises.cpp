@@ -78,7 +78,7 @@ Series follow(const Scene& scene, const avi::MonitorChoice& choice, double end) 
         series.times.push_back(at.t);
         series.errors.push_back(error);
       });
-  series.rounding = 0x1p-53 * largest * static_cast<double>(series.run.steps);
+  series.rounding = 0x1p-53 * largest * series.run.steps;
   return series;
 }
 

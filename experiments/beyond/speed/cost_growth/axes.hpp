@@ -1,7 +1,8 @@
 #pragma once
+#include "common/table.hpp"
+
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,6 @@
 /// Along what the cost of a run grows.
 
 namespace experiment {
-
-inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// One piece of work to be timed and how it went. (RunnerOf is a method with its run; here the piece may be
 /// an expansion, a sweep or a gradient as well.)

@@ -20,16 +20,21 @@ constexpr double step_size = 0.5;
 using Stage = avi::Pack<stages>;
 using Vec = avi::Vector<Stage, dynamic>;
 
+/// A piece of work, again and again.
+template <class Work>
+Measurement repeated(long repeats, const Work& work) {
+  const auto run = [=] {
+    for (long k = 0; k < repeats; ++k)
+      work();
+  };
+  return {.run = run, .units = static_cast<double>(repeats)};
+}
+
 /// H itself: the unit of cost.
 Measurement value(const avi::State<dynamic>& z, long repeats) {
   const Vec q = z.q.cast<Stage>(), p = z.p.cast<Stage>();
   const auto sum = std::make_shared<Stage>(0.0);
-  return {.run =
-              [=] {
-                for (long k = 0; k < repeats; ++k)
-                  *sum += avi::Chain{}(q, p);
-              },
-          .units = static_cast<double>(repeats)};
+  return repeated(repeats, [=] { *sum += avi::Chain{}(q, p); });
 }
 
 /// The gradient of H by automatic differentiation, both halves.
@@ -40,12 +45,7 @@ Measurement gradient(const avi::State<dynamic>& z, long repeats) {
     room->arguments()[i] = z.q[i];
     room->arguments()[z.q.size() + i] = z.p[i];
   }
-  return {.run =
-              [=] {
-                for (long k = 0; k < repeats; ++k)
-                  program->run(*room);
-              },
-          .units = static_cast<double>(repeats)};
+  return repeated(repeats, [=] { program->run(*room); });
 }
 
 /// A sweep: a run over its number of sweeps.

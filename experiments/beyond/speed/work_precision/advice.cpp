@@ -1,14 +1,11 @@
 #include "beyond/speed/work_precision/advice.hpp"
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace experiment::work_precision {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 const Point* cheapest(const std::vector<Point>& points, Origin origin, double target) {
   const Point* best = nullptr;
@@ -28,29 +25,13 @@ std::string method(const Point* p) {
 }  // namespace
 
 Table advice_table(const Frame& frame) {
-  return frame.table({"problem",
-                      "eccentricity",
-                      "horizon",
-                      "target",
-                      "method",
-                      "setting",
-                      "cost",
-                      "energy_error",
-                      "htvi",
-                      "htvi_setting",
-                      "htvi_cost",
-                      "peer",
-                      "peer_setting",
-                      "peer_cost",
-                      "elsewhere",
-                      "elsewhere_cost",
-                      "ratio",
-                      "verdict",
-                      "htvi_ratio",
-                      "collocation",
-                      "collocation_setting",
-                      "collocation_cost",
-                      "collocation_ratio"});
+  Table table = frame.table(
+      {"problem", "eccentricity", "horizon", "target", "method", "setting", "cost", "energy_error"});
+  table.columns.insert(table.columns.end(),
+                       {"htvi", "htvi_setting", "htvi_cost", "peer", "peer_setting", "peer_cost", "elsewhere",
+                        "elsewhere_cost", "ratio", "verdict", "htvi_ratio", "collocation",
+                        "collocation_setting", "collocation_cost", "collocation_ratio"});
+  return table;
 }
 
 void advise(Table& table, const Scene& scene, const std::vector<Point>& points, double unit) {
@@ -64,7 +45,7 @@ void advise(Table& table, const Scene& scene, const std::vector<Point>& points, 
     for (const Point* p : {ours, curve, htvi})
       if (p && (!best || p->seconds < best->seconds)) best = p;
     std::string other = "none";
-    double other_cost = nan;
+    double other_cost = unknown;
     for (std::size_t row = 0; row < elsewhere.rows.size(); ++row)
       if (elsewhere.text(row, "problem") == scene.problem &&
           elsewhere.number(row, "eccentricity") == scene.eccentricity &&
@@ -72,7 +53,7 @@ void advise(Table& table, const Scene& scene, const std::vector<Point>& points, 
         other = elsewhere.text(row, "method");
         other_cost = elsewhere.number(row, "cost");
       }
-    const auto cost = [&](const Point* p) { return p ? p->seconds / unit : nan; };
+    const auto cost = [&](const Point* p) { return p ? p->seconds / unit : unknown; };
     const auto setting = [](const Point* p) { return p ? p->label() : "none"; };
     const double rival = std::fmin(cost(peer), other_cost);
     const double ratio = cost(best) / rival;
@@ -81,7 +62,7 @@ void advise(Table& table, const Scene& scene, const std::vector<Point>& points, 
                           : ratio <= 1.0      ? "ahead"
                                               : "behind";
     table.row(scene.problem, scene.eccentricity, scene.horizon_name, target, method(best), setting(best),
-              rounded(cost(best), 3), rounded(best ? best->energy_error : nan, 3), method(htvi),
+              rounded(cost(best), 3), rounded(best ? best->energy_error : unknown, 3), method(htvi),
               setting(htvi), rounded(cost(htvi), 3), method(peer), setting(peer), rounded(cost(peer), 3),
               other, rounded(other_cost, 3), rounded(ratio, 3), verdict, rounded(cost(htvi) / rival, 3),
               method(curve), setting(curve), rounded(cost(curve), 3), rounded(cost(curve) / rival, 3));

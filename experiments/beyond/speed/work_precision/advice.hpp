@@ -13,8 +13,8 @@ namespace experiment::work_precision {
 /// The table that advise() fills.
 Table advice_table(const Frame& frame);
 
-/// One row per target 1e-3, 1e-5, 1e-7, 1e-9, 1e-11: the cheapest measured setting that reaches it among our
-/// explicit methods, among HTVI and among the peers, costs in units of `unit` seconds; and for Kepler's
+/// One row per target 1e-3, 1e-5, 1e-7, 1e-9, 1e-11: the cheapest measured setting that reaches it among all
+/// our methods, among HTVI, collocation and the peers, costs in units of `unit` seconds; and for Kepler's
 /// problem the cheapest of libraries that are not packaged (heyoka, REBOUND), measured once with the same
 /// problem, starts and unit on another machine.
 void advise(Table& table, const Scene& scene, const std::vector<Point>& points, double unit);

@@ -1,9 +1,9 @@
 #pragma once
 #include "avi/core/outcome.hpp"
+#include "common/timing.hpp"
 
 #include <Eigen/Core>
 
-#include <chrono>
 #include <ctime>
 #include <functional>
 #include <string>
@@ -43,14 +43,13 @@ struct Request {
 /// most twice.
 template <class Work>
 double block_seconds(const Work& work, int repeats) {
-  using Clock = std::chrono::steady_clock;
   double best = 0.0;
   for (int attempt = 0; attempt < 3; ++attempt) {
     const std::clock_t cpu = std::clock();
-    const auto wall = Clock::now();
+    const Stopwatch wall;
     for (int i = 0; i < repeats; ++i)
       work();
-    const double elapsed = std::chrono::duration<double>(Clock::now() - wall).count();
+    const double elapsed = wall();
     const double busy = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
     best = attempt == 0 || elapsed < best ? elapsed : best;
     if (elapsed <= 1.02 * busy + 2e-5) break;

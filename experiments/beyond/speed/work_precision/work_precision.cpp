@@ -4,9 +4,6 @@
 #include "beyond/speed/work_precision/scenes/scenes.hpp"
 
 #include "common/frame.hpp"
-#include "common/timing.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -93,9 +90,8 @@ int main(int argc, char** argv) {
       budget.longest_run *= scene.longest_run * std::clamp(scene.horizon / 10.0, 1.0, 8.0);
       budget.family *= std::clamp(scene.horizon / 10.0, 1.0, 3.0);
       if (full && scene.horizon > 1000.0) budget.stride = 3;
-      auto points = measure(scene, budget, [&](double fraction) {
-        frame.progress(label, (static_cast<double>(i) + fraction) / static_cast<double>(list.size()));
-      });
+      auto points =
+          measure(scene, budget, [&](double fraction) { frame.progress(label, i + fraction, list.size()); });
       mark_front(points);
       const double unit = unit_point.front().seconds;
       if (i == 0) add_rows(table, unit_scene, unit_point, unit);

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <utility>
-#include <vector>
 
 /// @file
 /// The time at which each form of the Bregman HTVI leaves the range of double precision.

@@ -11,7 +11,7 @@ namespace {
 std::function<void(Meter&)> minimise_with(int memory) {
   return [memory](Meter& meter) {
     (void)avi::minimise(
-        Watched{meter}, meter.x0,
+        objective_of(meter), meter.x0,
         {.relative = tolerances.back(), .memory = memory, .callback = [&](const avi::Progress& at) {
            meter.iterations = at.iterations;
            return true;

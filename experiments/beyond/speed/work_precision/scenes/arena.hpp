@@ -3,13 +3,13 @@
 #include "beyond/speed/work_precision/peers/peers.hpp"
 #include "common/methods/runner.hpp"
 #include "common/reference.hpp"
+#include "common/table.hpp"
 
 #include "avi/core/state.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -20,8 +20,6 @@
 /// other libraries solve, a reference.
 
 namespace experiment::work_precision {
-
-constexpr double not_an_orbit = std::numeric_limits<double>::quiet_NaN();  ///< As an eccentricity.
 
 /// H = |p|^2 / 2 + V(q).
 template <class P>
@@ -41,12 +39,12 @@ struct Arena {
   Arena(P problem_, double horizon_, const avi::State<n>& middle)
       : problem(std::move(problem_)), horizon(horizon_) {
     for (int k = 0; k < starts; ++k) {
-      start[static_cast<std::size_t>(k)] = middle;
-      start[static_cast<std::size_t>(k)].q[0] += (k - starts / 2) * 1e-14;
+      start[k] = middle;
+      start[k].q[0] += (k - starts / 2) * 1e-14;
     }
   }
 
-  [[nodiscard]] const avi::State<n>& at(int k) const { return start[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] const avi::State<n>& at(int k) const { return start[k]; }
 
   /// Adds a family of methods: make(problem, start) gives a fresh one; the setting is its step size.
   template <class Make>

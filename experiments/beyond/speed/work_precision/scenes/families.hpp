@@ -30,7 +30,7 @@ constexpr auto sum = avi::Summation::compensated;
 template <class P>
 void add_fixed(Scene& scene, const Arena<P>& arena, double stage) {
   const auto add = [&](const char* name, const avi::SplitCoefficients& list, double ratio) {
-    const double coarse = stage * static_cast<double>(list.b.size());
+    const double coarse = stage * list.b.size();
     arena.add(
         scene, Origin::ours_explicit, name, list.order, "h", geometric(coarse, ratio, 40),
         [=](const P& problem, const auto&) { return avi::splitting<sum>(avi::Separable<P>(problem), list); });
@@ -55,7 +55,7 @@ void add_logarithmic(Scene& scene, const Arena<P>& arena, double stage) {
   const auto add = [&]<avi::Summation summation = sum>(
       const char* name, const avi::CompositionCoefficients& composition, double ratio) {
     const auto list = split(composition);
-    const double coarse = stage * static_cast<double>(list.b.size());
+    const double coarse = stage * list.b.size();
     arena.add(scene, Origin::ours_explicit, name, list.order, "h", geometric(coarse, ratio, 40),
               [=](const P& problem, const auto& start) {
                 return avi::splitting<summation>(avi::LogHamiltonian<P>(problem, start), list);

@@ -40,7 +40,7 @@ struct LongChain : avi::Chain {
 Scene figure_eight(int periods) {
   const double horizon = periods * avi::FigureEight::period;
   const Arena arena(UnitBodies<3>(), horizon, avi::FigureEight::start());
-  Scene scene{"figure_eight", not_an_orbit, horizon, fmt::format("{} periods", periods)};
+  Scene scene{"figure_eight", unknown, horizon, fmt::format("{} periods", periods)};
   set_extended_reference(scene, arena, false, 0.05L);
   add_fixed(scene, arena, 0.05);
   add_logarithmic(scene, arena, 0.1);
@@ -55,7 +55,7 @@ Scene star_cluster() {
   z.q << 1.0, 0.1, -0.9, 0.4, 0.2, -0.8, -0.3, 0.9, 0.5, 0.6, -0.6, -0.5, 0.1, 0.15;
   z.p << -0.3, 0.9, 0.2, -0.8, 0.9, 0.1, -0.7, -0.4, -0.5, 0.6, 0.5, -0.7, -0.1, 0.3;
   const Arena arena(UnitBodies<7>(), 1.0, z);
-  Scene scene{"star_cluster", not_an_orbit, 1.0, "1"};
+  Scene scene{"star_cluster", unknown, 1.0, "1"};
   scene.longest_run = 6.0;  // every step is dear
   set_extended_reference(scene, arena, true, 0.005L);
   add_fixed(scene, arena, 0.01);
@@ -67,7 +67,7 @@ Scene star_cluster() {
 
 Scene solar_system(double horizon) {
   const Arena arena(avi::OuterSolarSystem::problem(), horizon, avi::OuterSolarSystem::start());
-  Scene scene{"solar_system", not_an_orbit, horizon, fmt::format("{:.0f} days", horizon)};
+  Scene scene{"solar_system", unknown, horizon, fmt::format("{:.0f} days", horizon)};
   set_extended_reference(scene, arena, false, 60.0L);
   add_fixed(scene, arena, 100.0);
   add_collocation(scene, arena, "g=1", 1500.0, avi::Unit{});
@@ -78,7 +78,7 @@ Scene solar_system(double horizon) {
 Scene chain() {
   const avi::State<avi::dynamic> plucked = avi::Chain::plucked(64);
   const Arena arena(LongChain{}, 100.0, {.q = plucked.q, .p = plucked.p});
-  Scene scene{"chain64", not_an_orbit, 100.0, "100"};
+  Scene scene{"chain64", unknown, 100.0, "100"};
   set_extended_reference(scene, arena, false, 0.25L);
   add_fixed(scene, arena, 0.25);
   add_collocation(scene, arena, "g=1", 3.0, avi::Unit{}, true);

@@ -64,7 +64,7 @@ Scene perturbed_kepler(double eccentricity, double horizon, const std::string& h
 
 Scene henon_heiles(double horizon) {
   const Arena arena(avi::HenonHeiles{}, horizon, avi::HenonHeiles::on_section(1.0 / 12.0, 0.1, 0.0));
-  Scene scene{"henon_heiles", not_an_orbit, horizon, fmt::format("{:g}", horizon)};
+  Scene scene{"henon_heiles", unknown, horizon, fmt::format("{:g}", horizon)};
   set_extended_reference(scene, arena, false, 0.15L);
   add_fixed(scene, arena, 0.25);
   add_collocation(scene, arena, "g=1", 4.0, avi::Unit{}, true);
@@ -75,7 +75,7 @@ Scene henon_heiles(double horizon) {
 
 Scene double_pendulum(double horizon) {
   const Arena arena(Pendulums{}, horizon, avi::DoublePendulum::released(1.2, 0.8));
-  Scene scene{"double_pendulum", not_an_orbit, horizon, fmt::format("{:g}", horizon)};
+  Scene scene{"double_pendulum", unknown, horizon, fmt::format("{:g}", horizon)};
   set_reference(scene, arena, [](const avi::State<2>& start, long double fraction) {
     return Extrapolation<Pendulums>({}, start, 0.25L * fraction);
   });
