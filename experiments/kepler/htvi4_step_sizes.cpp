@@ -14,10 +14,11 @@ int main(int argc, char** argv) {
     for (const KeplerRun& run : htvi4_runs("authors", table1(), horizon)) {
       if (run.row.monitor == "none") continue;
       double before = 0.0;
-      run.observe([&](const avi::State<2>& z) {
+      const avi::Run done = run.observe([&](const avi::State<2>& z) {
         out.row(run.row.monitor, z.t, z.t - before, z.q.norm());
         before = z.t;
       });
+      if (done.outcome != avi::Outcome::ok) throw std::runtime_error(done.message);
     }
     frame.write(out);
   });

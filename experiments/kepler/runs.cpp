@@ -27,8 +27,7 @@ std::vector<KeplerRun> runs_of(const std::string& name, const KeplerTable& table
       else
         return avi::type2<3, construction>(problem, avi::simpson());
     };
-    runs.push_back(
-        {"htvi4", name, row, Runner(kepler, make), table.eccentricity, start, avi::Until{.time = horizon}});
+    runs.push_back({"htvi4", name, row, Runner(kepler, make), table.eccentricity, {.time = horizon}});
   };
   for (const KeplerRow& row : table.htvi) {
     if (row.monitor == "gamma")
@@ -43,10 +42,6 @@ std::vector<KeplerRun> runs_of(const std::string& name, const KeplerTable& table
   return runs;
 }
 
-void require_ok(const avi::Run& run) {
-  if (run.outcome != avi::Outcome::ok) throw std::runtime_error(run.message);
-}
-
 }  // namespace
 
 std::vector<KeplerRun> htvi4_runs(const std::string& construction, const KeplerTable& table, double horizon) {
@@ -58,32 +53,36 @@ std::vector<KeplerRun> htvi4_runs(const std::string& construction, const KeplerT
 }
 
 KeplerResult KeplerRun::measure() const {
-  KeplerResult result{
-      .min_step = std::numeric_limits<double>::infinity(), .max_step = 0.0, .energy_error = 0.0};
-  State2 before_last = start, previous = start;
-  const double start_energy = runner.energy(start);
-  observe([&](const State2& s) {
+  KeplerResult result;
+  State2 before_last, previous = avi::Kepler::pericentre(eccentricity);
+  const double start_energy = runner.energy(previous);
+  const avi::Run run = observe([&](const State2& s) {
     result.min_step = std::min(result.min_step, s.t - previous.t);
     result.max_step = std::max(result.max_step, s.t - previous.t);
     result.energy_error = std::max(result.energy_error, std::abs(runner.energy(s) - start_energy));
     before_last = previous;
     previous = s;
-    ++result.steps;
   });
+  result.steps = run.steps;
+  result.evaluations = run.evaluations;
   const State2 exact = avi::Kepler::exact(eccentricity, previous.t);
   result.global_error = (previous.q - exact.q).norm();
   result.global_error_shifted = (before_last.q - exact.q).norm();
+  if (run.outcome != avi::Outcome::ok)
+    result.energy_error = result.global_error = result.global_error_shifted = HUGE_VAL;
   return result;
 }
 
-void KeplerRun::run() const {
+avi::Run KeplerRun::observe(const std::function<void(const State2&)>& observer) const {
+  const State2 start = avi::Kepler::pericentre(eccentricity);
   State2 z = start;
-  require_ok(runner.prepare(start)(z, row.h, until));
+  return runner.advance(start, z, row.h, until, [&](const State2& s) { return observer(s), true; });
 }
 
-void KeplerRun::observe(const std::function<void(const State2&)>& observer) const {
-  State2 z = start;
-  require_ok(runner.advance(start, z, row.h, until, [&](const State2& s) { return observer(s), true; }));
+void KeplerRun::run() const {
+  State2 z = avi::Kepler::pericentre(eccentricity);
+  const avi::Run run = runner.prepare(z)(z, row.h, until);
+  if (run.outcome != avi::Outcome::ok) throw std::runtime_error(run.message);
 }
 
 }  // namespace experiment

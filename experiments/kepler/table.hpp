@@ -2,8 +2,8 @@
 #include "common/frame.hpp"
 #include "common/methods/runner.hpp"
 
+#include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,9 +11,6 @@
 /// Tables 1 and 2 of the paper: one Kepler orbit, HTVI4 with and without monitors against Stormer-Verlet.
 
 namespace experiment {
-
-/// Where a row has no such number.
-inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// A row of the published table: the monitor of an HTVI4 run with its bounds g_min = a, g_max = b.
 struct KeplerRow {
@@ -26,17 +23,17 @@ struct KeplerRow {
 struct KeplerTable {
   double eccentricity;
   std::vector<KeplerRow> htvi;
-  double verlet_h;
-  int rounds;  ///< of the interleaved timing
+  double verlet_h = unknown;
+  int rounds = 1;  ///< of the interleaved timing
 };
 
-/// What one run of a method gives.
+/// What one run of a method gives. The errors are infinite where it does not reach its end.
 struct KeplerResult {
-  double min_step = 0.0, max_step = 0.0;
+  double min_step = HUGE_VAL, max_step = 0.0;
   double energy_error = 0.0;          ///< max over the steps of |H - H_0|
   double global_error = 0.0;          ///< |q - exact q| at the end, both at the method's own time
   double global_error_shifted = 0.0;  ///< state before the last step against the exact one at the end
-  long steps = 0;
+  long steps = 0, evaluations = 0;
 };
 
 /// A row ready to run.
@@ -44,16 +41,14 @@ struct KeplerRun {
   std::string method, construction;
   KeplerRow row;
   Runner runner;
-  double eccentricity;
-  State2 start;
+  double eccentricity;  ///< It starts at the pericentre.
   avi::Until until;
 
-  /// The results. @throws std::runtime_error when the run does not reach its end.
   [[nodiscard]] KeplerResult measure() const;
-  /// What is timed; the same error.
+  /// Shows every state.
+  [[nodiscard]] avi::Run observe(const std::function<void(const State2&)>& observer) const;
+  /// What is timed. @throws std::runtime_error when the run does not reach its end.
   void run() const;
-  /// Shows every state; the same error.
-  void observe(const std::function<void(const State2&)>& observer) const;
 };
 
 /// The settings of Table 1 (e = 0.9) and Table 2 (e = 0.99). Where they differ from the printed ones,

@@ -7,19 +7,8 @@
 // at the same position error (Section 3.3 of the paper says that low eccentricities neither need nor profit
 // from it).
 
-namespace {
-
-using namespace experiment;
-
-/// The run of HTVI4 with the step of a row.
-KeplerResult measured(const KeplerRow& row, double eccentricity, double horizon) {
-  const KeplerTable table{.eccentricity = eccentricity, .htvi = {row}, .verlet_h = 1.0, .rounds = 1};
-  return htvi4_runs("authors", table, horizon).front().measure();
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
+  using namespace experiment;
   double target = 1e-6, horizon = 10.0;
   const auto options = [&](CLI::App& app) {
     add_number(app, "--error", target, {.low = 1e-10, .high = 1e-4},
@@ -39,12 +28,13 @@ int main(int argc, char** argv) {
                             KeplerRow{"gamma", 0.03, 0.0, 1e6}}) {
         // On few steps the end of the last one moves about, and the error with it: the nearest of some
         // tries.
+        KeplerResult r;
         const auto error = [&](double h) {
           row.h = h;
-          return measured(row, e, horizon).global_error;
+          r = htvi4_runs("authors", {.eccentricity = e, .htvi = {row}}, horizon).front().measure();
+          return r.global_error;
         };
-        row.h = matched_step(error, target, row.h, {.order = 4.0, .tries = 12});
-        const KeplerResult r = measured(row, e, horizon);
+        (void)error(matched_step(error, target, row.h, {.order = 4.0, .tries = 12}));
         out.row(e, row.monitor, row.h, r.steps, r.min_step, r.max_step, r.energy_error, r.global_error);
       }
     }

@@ -1,14 +1,12 @@
-#include "common/frame.hpp"
 #include "common/methods/search.hpp"
 #include "common/timing.hpp"
+#include "kepler/table.hpp"
 
 #include "avi/htvi/htvi.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <string>
 
 // What each monitor costs on Kepler's problem at matched energy error: steps per orbit and time per step of
 // HTVI4, with the fictive step adapted until the largest energy error over three orbits is the one wanted.
@@ -19,13 +17,7 @@ using namespace experiment;
 using avi::Kepler;
 
 constexpr double orbits = 3.0;
-constexpr double horizon = 2.0 * M_PI * orbits;
-
-struct Measured {
-  bool ok = false;
-  double energy_error = 0.0, position_error = 0.0, shortest = horizon, longest = 0.0;
-  long steps = 0, evaluations = 0;
-};
+constexpr avi::Until until{.time = 2.0 * M_PI * orbits, .steps = 3'000'000};
 
 /// HTVI4 with that monitor.
 template <class G>
@@ -33,27 +25,6 @@ Runner runner_with(const G& monitor) {
   return Runner(Kepler{}, [=](const State2& start) {
     return avi::type2<3, avi::authors>(avi::poincare<2>(Kepler{}, start, monitor), avi::simpson());
   });
-}
-
-Measured measure(const Runner& runner, double e, double h) {
-  const State2 start = Kepler::pericentre(e);
-  const double energy = runner.energy(start);
-  State2 z = start;
-  Measured m;
-  double t = 0.0;
-  const avi::Run run =
-      runner.advance(start, z, h, {.time = horizon, .steps = 3'000'000}, [&](const State2& s) {
-        m.energy_error = std::max(m.energy_error, std::abs(runner.energy(s) - energy));
-        m.shortest = std::min(m.shortest, s.t - t);
-        m.longest = std::max(m.longest, s.t - t);
-        t = s.t;
-        return true;
-      });
-  m.ok = run.outcome == avi::Outcome::ok;
-  m.steps = run.steps;
-  m.evaluations = run.evaluations;
-  m.position_error = (z.q - Kepler::exact(e, z.t).q).norm();
-  return m;
 }
 
 }  // namespace
@@ -73,29 +44,29 @@ int main(int argc, char** argv) {
       for (double target : targets) {
         const auto row = [&](const char* name, const auto& monitor, double first) {
           frame.progress(name, done);
-          const Runner runner = runner_with(monitor);
-          Measured m;
-          double at = 0.0;  // the step that m was measured with
+          const KeplerRow start{name, first, unknown, unknown};
+          KeplerRun run{"htvi4", "authors", start, runner_with(monitor), e, until};
+          KeplerResult r;
           const auto error = [&](double tried) {
-            m = measure(runner, e, at = tried);
-            return m.ok ? m.energy_error : HUGE_VAL;
+            run.row.h = tried;
+            r = run.measure();
+            return r.energy_error;
           };
           // From a step that is far too long.
           const double h =
               matched_step(error, target, first, {.order = 4.0, .tries = 70, .too_coarse = 100.0});
-          if (h != at) m = measure(runner, e, h);
-          const long n = m.steps;
+          if (h != run.row.h) (void)error(h);
+          const long n = r.steps;
           const int rounds = frame.quick ? 1 : n > 50'000 ? 2 : 7;  // a long run is an average itself
-          const auto timed = runner.prepare(Kepler::pericentre(e));
+          const auto timed = run.runner.prepare(Kepler::pericentre(e));
           const auto least = interleaved_least_seconds({[&] {
                                                          State2 z = Kepler::pericentre(e);
                                                          (void)timed(z, h, {.steps = n});
                                                        }},
                                                        rounds);
-          out.row(e, name, target, h, m.energy_error, m.position_error, static_cast<double>(n) / orbits,
-                  static_cast<double>(m.evaluations) / static_cast<double>(n), m.longest / m.shortest,
-                  rounded(least[0] / orbits));
-          done += 1.0 / static_cast<double>(7 * eccentricities.size() * targets.size());
+          out.row(e, name, target, h, r.energy_error, r.global_error, n / orbits, 1.0 * r.evaluations / n,
+                  r.max_step / r.min_step, rounded(least[0] / orbits));
+          done += 1.0 / (7 * eccentricities.size() * targets.size());
         };
         const Kepler kepler;
         row("none", avi::Unit{}, 0.01);
