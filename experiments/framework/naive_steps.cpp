@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 // The sentence with which the paper begins: variable steps in a symplectic integrator lose what makes it one.
 // Kepler's orbit of eccentricity 0.9 with the same method of order 4 and the same number of steps for each
@@ -64,8 +65,10 @@ template <class Problem, class Length>
 void run_steps(const Problem& problem, Record record, Length length) {
   State2 z = avi::Kepler::pericentre(eccentricity);
   auto method = avi::collocation(problem, 4);
-  while (method.step(z, length(z)).outcome == avi::Outcome::ok && record(z)) {
-  }
+  do {
+    if (method.step(z, length(z)).outcome != avi::Outcome::ok)
+      throw std::runtime_error("A step was not solved.");
+  } while (record(z));
 }
 
 /// Steps for which two methods, of order 4 and 6, agree to the tolerance. Returns the number of steps.
@@ -80,8 +83,8 @@ long controlled(double tolerance, Look&& look) {
     const bool solved =
         method.step(a, h).outcome == avi::Outcome::ok && better.step(b, h).outcome == avi::Outcome::ok;
     const double error = solved ? std::sqrt((a.q - b.q).squaredNorm() + (a.p - b.p).squaredNorm()) : 1e300;
-    const double factor = std::clamp(0.9 * std::pow(tolerance / error, 0.2), 0.2, 4.0);
-    h *= factor;
+    h *= std::clamp(0.9 * std::pow(tolerance / error, 0.2), 0.2, 4.0);
+    if (h < 1e-12) throw std::runtime_error("The error cannot be kept to its tolerance.");
     if (!(error <= tolerance)) continue;
     z = a;
     ++steps;
@@ -120,7 +123,7 @@ int main(int argc, char** argv) {
     Record record(table, "error_controlled", "none", last);
     const long steps = controlled(tolerance, [&](const State2& z) { return record(z); });
     fmt::print("{} steps an orbit; the error-controlled run takes {:.1f} with the tolerance {:.2e}.\n",
-               steps_per_orbit, static_cast<double>(steps) / last, tolerance);
+               steps_per_orbit, steps / last, tolerance);
     frame.write(table);
   });
 }

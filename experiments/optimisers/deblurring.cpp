@@ -88,6 +88,7 @@ int main(int argc, char** argv) {
     Table table = frame.table({"method", "delta", "iterations", "gradient_evaluations", "converged", "value",
                                "error_before", "error_after", "seconds"});
     table.note("error", "of the picture, |x - truth| / |truth|");
+    table.note("value, error_after", "at the end of the run, which goes on to the smaller delta");
     Table curves = frame.table({"method", "gradients", "gradient_ratio", "value"});
     VectorX restored;
     for (const arena::Method& method : arena::all_methods()) {
@@ -108,15 +109,14 @@ int main(int argc, char** argv) {
       if (method.name == "minimise_m7") restored = last;
       for (std::size_t k = 0; k < arena::tolerances.size(); ++k) {
         const arena::Passage& p = passages[k];
-        table.row(method.name, arena::tolerances[k], p.iterations, p.gradients, p.converged ? 1 : 0, value,
+        table.row(method.name, arena::tolerances[k], p.iterations, p.gradients, p.converged, value,
                   distance(b), distance(last), p.seconds);
       }
     }
     Table pixels = frame.table({"row", "column", "truth", "blurred", "restored"});
     for (Eigen::Index i = 0; i < side; ++i)
       for (Eigen::Index j = 0; j < side; ++j)
-        pixels.row(static_cast<long>(i), static_cast<long>(j), truth[i * side + j], b[i * side + j],
-                   restored[i * side + j]);
+        pixels.row(i, j, truth[i * side + j], b[i * side + j], restored[i * side + j]);
     frame.write(curves, "curves");
     frame.write(pixels, "pixels");
     frame.write(table);

@@ -35,10 +35,10 @@ struct Quadratic {
   }
 };
 
-/// Seconds to read and to write one vector of n entries, each over eight vectors that the next use finds
-/// outside the cache, as an iteration does; and how much faster two threads read.
+/// Seconds to read one vector of n entries, and to read and write it in place, each over eight vectors that
+/// the next use finds outside the cache, as an iteration does; and how much faster two threads read.
 struct Stream {
-  double read, write, two_threads;
+  double read, update, two_threads;
 
   explicit Stream(Eigen::Index n) {
     std::vector<VectorX> v(8, VectorX::Ones(n));
@@ -63,7 +63,7 @@ struct Stream {
          }},
         5);
     read = sums[0] + sums[1] > 0.0 ? least[0] / 8.0 : 0.0;  // the sums are used
-    write = least[1] / 8.0 - read;                          // the loop reads what it writes
+    update = least[1] / 8.0;
     two_threads = least[0] / least[2];
   }
 };
@@ -88,14 +88,12 @@ Cost at_scale(Eigen::Index n, int memory) {
   const double before = in_use();
   Cost cost{.iteration = 1e9, .evaluation = 1e9};
   double began = 0.0, spent = 0.0, evaluations = 0.0;
-  const auto clock = [start = std::chrono::steady_clock::now()] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
+  const Stopwatch clock;
   const auto look = [&](const avi::Progress& at) {
     if (at.iterations < first || (at.iterations - first) % count != 0) return true;
-    const double now = clock(), made = static_cast<double>(at.gradient_evaluations) - evaluations;
+    const double now = clock(), made = at.gradient_evaluations - evaluations;
     if (at.iterations == first) {
-      cost.vectors = (in_use() - before) / (8.0 * static_cast<double>(n));
+      cost.vectors = (in_use() - before) / (8.0 * n);
     } else {
       cost.iteration = std::min(cost.iteration, (now - began - (f.spent - spent)) / count);
       cost.evaluation = std::min(cost.evaluation, (f.spent - spent) / made);
@@ -121,8 +119,7 @@ Cost small(int memory) {
                                                 },
                                                 [&] { run = avi::minimise(f, f.start(), options); }},
                                                40);
-  const double count = static_cast<double>(run.iterations),
-               made = static_cast<double>(run.gradient_evaluations), evaluation = least[0] / 200.0;
+  const double count = run.iterations, made = run.gradient_evaluations, evaluation = least[0] / 200.0;
   return {(least[1] - made * evaluation) / count, evaluation, made / count, 0.0};
 }
 
@@ -135,22 +132,23 @@ int main(int argc, char** argv) {
     mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
     Table table = frame.table({"objective", "dimension", "memory", "evaluation_seconds", "own_seconds",
                                "evaluations_per_iteration", "own_in_evaluations", "vectors_read",
-                               "vectors_written", "read_seconds", "write_seconds", "own_over_needed",
+                               "vectors_written", "read_seconds", "update_seconds", "own_over_needed",
                                "peak_vectors", "two_threads_speedup"});
     table.note(
         "own_seconds",
         "of one iteration, the objective left out; the least of twice seven, of forty rounds at d = 50");
+    table.note("update_seconds", "to read a vector and write it in place; read_seconds: to read it");
     table.note("own_over_needed",
                "own_seconds over the time to read and write the vectors that an iteration needs, "
                "by loops that do nothing else");
     table.note("peak_vectors", "memory of a run in units of x, the caller's x0 left out");
     table.note("two_threads_speedup", "of the reading loop");
-    const double none = std::nan("");
     for (int memory : {0, 7}) {
       frame.progress("d = 50", 0.0);
       const Cost cost = small(memory);
       table.row("quartic", 50, memory, cost.evaluation, cost.iteration, cost.evaluations,
-                cost.iteration / cost.evaluation, none, none, none, none, none, none, none);
+                cost.iteration / cost.evaluation, unknown, unknown, unknown, unknown, unknown, unknown,
+                unknown);
     }
     for (double n : {1e5, 1e7}) {
       if (frame.quick && n > 1e6) continue;
@@ -162,10 +160,10 @@ int main(int argc, char** argv) {
         // trial: x, d, out; products with d: g, d; next point: x, g, g_t, d, out: x, g and a pair; next
         // d: g, d, out; or twice the pairs and g, out: d; masses: twice a pair and they, out: they
         const double read = memory == 0 ? 10.0 : 15.0 + 4.0 * memory, written = memory == 0 ? 4.0 : 7.0;
-        const double needed = read * stream.read + written * stream.write;
+        const double needed = (read - written) * stream.read + written * stream.update;
         table.row("quadratic", n, memory, cost.evaluation, cost.iteration, cost.evaluations,
-                  cost.iteration / cost.evaluation, read, written, stream.read, stream.write,
-                  cost.iteration / needed, n > 1e6 ? cost.vectors : none, stream.two_threads);
+                  cost.iteration / cost.evaluation, read, written, stream.read, stream.update,
+                  cost.iteration / needed, n > 1e6 ? cost.vectors : unknown, stream.two_threads);
       }
     }
     frame.write(table);
