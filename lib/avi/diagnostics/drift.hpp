@@ -42,7 +42,7 @@ inline DriftFit fit_drift(std::span<const double> times, std::span<const double>
   const std::size_t count = blocks > 0 ? static_cast<std::size_t>(blocks) : times.size();
   require(count >= 3 && count <= times.size(), "Number of points", count,
           "at least 3 and at most the length of the series");
-  std::vector<double> t(count, 0.0), x(count, 0.0);
+  std::vector<double> t(count), x(count);
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t begin = k * times.size() / count, end = (k + 1) * times.size() / count;
     for (std::size_t i = begin; i < end; ++i) {
