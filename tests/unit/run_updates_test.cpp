@@ -138,6 +138,9 @@ TEST(RunUpdates, RefusesBadInput) {
   const auto wrong = [](const VectorX&, VectorX& g) { return g.setZero(2), 1.0; };
   EXPECT_EQ(refusal([&] { run_updates(wrong, method, one); }),
             "Size of the gradient is 2; it must be the size of x0, 1.");
+  const auto forgotten = [](const VectorX& x, VectorX&) { return x[0]; };
+  EXPECT_EQ(refusal([&] { run_updates(forgotten, method, one); }),
+            "Norm of the gradient at x0 is nan; it must be finite.");
 }
 
 TEST(RunUpdates, GivesUpWhereNoStepIsAccepted) {

@@ -63,7 +63,7 @@ inline void describe_failure(Minimisation& run, double x_bound) {
 /// `witness(iterate, k, gradient_evaluations)` is called for k = 0 at the start and after every update; when
 /// it returns bool, false ends the run as Outcome::stopped.
 /// @throws std::invalid_argument for a stopping rule or hyper-parameters out of range, an empty or non-finite
-/// x0, or an objective that is not finite at x0 or whose gradient has another size.
+/// x0, or an objective that is not finite at x0 or whose gradient has another size or is not filled.
 template <Objective F, OptimisationMethod<F> M, class Witness = NoWitness>
 Minimisation run_updates(const F& f, const M& method, const VectorX& x0, const Stopping& stopping = {},
                          Witness&& witness = {}) {
@@ -74,7 +74,7 @@ Minimisation run_updates(const F& f, const M& method, const VectorX& x0, const S
   Minimisation run;
   Iterate& now = run.last;
   now.x = x0;
-  now.gradient = VectorX::Zero(x0.size());
+  now.gradient.setConstant(x0.size(), std::numeric_limits<double>::quiet_NaN());  // f has to fill it
   now.evaluate(objective);
   require(now.gradient.size() == x0.size(), "Size of the gradient", now.gradient.size(), "the size of x0, ",
           x0.size());
