@@ -2,6 +2,8 @@
 #include "generate/tables.hpp"
 #include "scorecard/shares.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 
