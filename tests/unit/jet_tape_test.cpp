@@ -16,13 +16,7 @@ using Scalar = avi::Jet<Number, R>;
 using Series = std::array<Number, R + 2>;
 
 /// x(t) = a + t.
-Series line(double a) {
-  Series x;
-  x.fill(0.0);
-  x[0] = a;
-  x[1] = 1.0;
-  return x;
-}
+Series line(double a) { return {a, 1.0}; }
 
 TEST(JetTape, RunsAFormulaOfAnyLengthAnewAtOtherPoints) {
   for (int factors : {10, 5000}) {  // a slot for each product

@@ -12,6 +12,7 @@ using avi::minimise;
 using avi::MinimiseOptions;
 using avi::VectorX;
 using objectives::bowl;
+using objectives::hinges;
 using objectives::rosenbrock;
 
 namespace minimise_test {
@@ -54,34 +55,12 @@ TEST(Minimise, ThePapersQuarticTakesFewGradients) {
 }
 
 TEST(Minimise, TakesFewGradientsInALongValley) {
-  const auto valley = [](const VectorX& x, VectorX& g) {
-    double f = 0.0;
-    g.setZero();
-    for (Eigen::Index i = 0; i + 1 < x.size(); ++i) {
-      const double a = x[i + 1] - x[i] * x[i], b = 1.0 - x[i];
-      f += 100.0 * a * a + b * b;
-      g[i] += -400.0 * a * x[i] - 2.0 * b;
-      g[i + 1] += 200.0 * a;
-    }
-    return f;
-  };
-  const auto run = minimise(valley, VectorX::Constant(20, -1.2), {.relative = 1e-10});
+  const auto run = minimise(rosenbrock, VectorX::Constant(20, -1.2), {.relative = 1e-10});
   EXPECT_TRUE(run.converged()) << run.message;
   EXPECT_LE(run.gradient_evaluations, 185);  // measured 178
 }
 
 TEST(Minimise, PassesJumpsOfTheSecondDerivative) {
-  // 0.5 (10 hinge(x_i - 1 - i)^2 + hinge(-x_i)^2), and a slope of -1/10 for odd i.
-  const auto hinges = [](const VectorX& x, VectorX& g) {
-    double f = 0.0;
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-      const double high = std::max(0.0, x[i] - 1.0 - static_cast<double>(i)), low = std::max(0.0, -x[i]),
-                   slope = i % 2 == 0 ? 0.0 : -0.1;
-      f += 5.0 * high * high + 0.5 * low * low + slope * x[i];
-      g[i] = 10.0 * high - low + slope;
-    }
-    return f;
-  };
   const auto run = minimise(hinges, VectorX::LinSpaced(6, -5.0, 9.0), {.relative = 1e-8});
   EXPECT_TRUE(run.converged()) << run.message;
   EXPECT_NEAR(run.last.value, -1.2015, 1e-12);  // at x_i = 1.01 + i for odd i

@@ -1,6 +1,8 @@
 #pragma once
 #include "avi/core/dot.hpp"
 
+#include <algorithm>
+
 /// @file
 /// Functions that tests of avi::minimise() share.
 
@@ -13,12 +15,30 @@ inline double bowl(const avi::VectorX& x, avi::VectorX& g) {
   return 0.5 * avi::dot(x, g);
 }
 
-/// Rosenbrock's valley, minimum 0 at (1, 1).
+/// Rosenbrock's valley in any dimension, minimum 0 at (1, ..., 1).
 inline double rosenbrock(const avi::VectorX& x, avi::VectorX& g) {
-  const double a = x[1] - x[0] * x[0], b = 1.0 - x[0];
-  g[0] = -400.0 * a * x[0] - 2.0 * b;
-  g[1] = 200.0 * a;
-  return 100.0 * a * a + b * b;
+  double f = 0.0;
+  g.setZero();
+  for (Eigen::Index i = 0; i + 1 < x.size(); ++i) {
+    const double a = x[i + 1] - x[i] * x[i], b = 1.0 - x[i];
+    f += 100.0 * a * a + b * b;
+    g[i] += -400.0 * a * x[i] - 2.0 * b;
+    g[i + 1] += 200.0 * a;
+  }
+  return f;
+}
+
+/// sum_i (10 max(0, x_i - 1 - i)^2 + max(0, -x_i)^2) / 2, and a slope of -1/10 for odd i: the second
+/// derivative jumps.
+inline double hinges(const avi::VectorX& x, avi::VectorX& g) {
+  double f = 0.0;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const double high = std::max(0.0, x[i] - 1.0 - static_cast<double>(i)), low = std::max(0.0, -x[i]),
+                 slope = i % 2 == 0 ? 0.0 : -0.1;
+    f += 5.0 * high * high + 0.5 * low * low + slope * x[i];
+    g[i] = 10.0 * high - low + slope;
+  }
+  return f;
 }
 
 }  // namespace objectives

@@ -15,21 +15,11 @@
 
 using avi::Outcome;
 using avi::VectorX;
+using objectives::hinges;
+using objectives::rosenbrock;
 
 namespace state_clock_test {
 
-/// Rosenbrock's valley in any dimension.
-double valley(const VectorX& x, VectorX& g) {
-  double f = 0.0;
-  g.setZero();
-  for (Eigen::Index i = 0; i + 1 < x.size(); ++i) {
-    const double a = x[i + 1] - x[i] * x[i], b = 1.0 - x[i];
-    f += 100.0 * a * a + b * b;
-    g[i] += -400.0 * a * x[i] - 2.0 * b;
-    g[i + 1] += 200.0 * a;
-  }
-  return f;
-}
 /// Of degree 2, 3 and 4, with a well on either side of 0.
 double wells(const VectorX& x, VectorX& g) {
   double f = 0.0;
@@ -57,17 +47,6 @@ double wall(const VectorX& x, VectorX& g) {
     const double weight = static_cast<double>(i + 1);
     g[i] = weight - 1e-3 / (x[i] * x[i]);
     f += x[i] > 0.0 ? weight * x[i] + 1e-3 / x[i] : std::numeric_limits<double>::infinity();
-  }
-  return f;
-}
-/// The second derivative jumps.
-double hinges(const VectorX& x, VectorX& g) {
-  double f = 0.0;
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const double high = std::max(0.0, x[i] - 1.0 - static_cast<double>(i)), low = std::max(0.0, -x[i]),
-                 slope = i % 2 == 0 ? 0.0 : -0.1;
-    f += 5.0 * high * high + 0.5 * low * low + slope * x[i];
-    g[i] = 10.0 * high - low + slope;
   }
   return f;
 }
@@ -140,7 +119,7 @@ TEST(StateClock, TakesTheSameWayOnEveryMachine) {
   const avi::CorrelatedQuartic quartic;
   const VectorX far_down = VectorX::Constant(10, -1.2);
   const std::vector<Case> cases{
-      {"valley", valley, far_down, Outcome::ok, {{142, 180}, {200, 222}, {73, 92}}},
+      {"valley", rosenbrock, far_down, Outcome::ok, {{142, 180}, {200, 222}, {73, 92}}},
       {"quartic", quartic, quartic.start(), Outcome::ok, {{24, 25}, {23, 24}, {23, 24}}},
       {"wells", wells, VectorX::LinSpaced(7, -2.0, 3.0), Outcome::ok, {{20, 69}, {20, 22}, {16, 22}}},
       {"flat", flat, VectorX::LinSpaced(6, 1.0, 3.0), Outcome::ok, {{23, 24}, {22, 23}, {22, 23}}},
@@ -150,9 +129,13 @@ TEST(StateClock, TakesTheSameWayOnEveryMachine) {
       {"cone", cone, VectorX::LinSpaced(5, 1.0, 100.0), Outcome::ok, {{21, 29}, {28, 39}, {19, 31}}},
       {"uphill", uphill, VectorX::Ones(3), Outcome::no_descent, {{0, 85}, {0, 85}, {0, 85}}},
       {"slope", slope, VectorX::Ones(3), Outcome::diverged, {{0, 52}, {0, 52}, {0, 52}}},
-      {"raised", raised(valley), far_down, Outcome::ok, {{149, 247}, {147, 199}, {75, 93}}},
-      {"small", small(valley), VectorX(0x1p-20 * far_down), Outcome::ok, {{142, 180}, {200, 222}, {73, 92}}},
-      {"noisy", noisy(valley), far_down, Outcome::ok, {{185, 241}, {131, 183}, {80, 132}}},
+      {"raised", raised(rosenbrock), far_down, Outcome::ok, {{149, 247}, {147, 199}, {75, 93}}},
+      {"small",
+       small(rosenbrock),
+       VectorX(0x1p-20 * far_down),
+       Outcome::ok,
+       {{142, 180}, {200, 222}, {73, 92}}},
+      {"noisy", noisy(rosenbrock), far_down, Outcome::ok, {{185, 241}, {131, 183}, {80, 132}}},
       {"noisy bowl", noisy(objectives::bowl), VectorX::Ones(10), Outcome::ok, {{25, 68}, {14, 63}, {12, 60}}},
   };
   for (const Case& it : cases)
