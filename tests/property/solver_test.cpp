@@ -141,6 +141,19 @@ TEST(Solver, TakesTwoEvaluationsAStepWhereStepsAreAccurate) {
 
 // When the residual counts as round-off: with the least tolerance the iteration has to notice that it
 // stagnates.
+TEST(Solver, SeesAnEquilibriumAtOnce) {
+  const State<1> rest{.q = avi::Vector<double, 1>(0.0), .p = avi::Vector<double, 1>(0.0)};
+  for (const int r : {1, 3}) {
+    auto z = rest;
+    auto method = method_for(1.0, r, {});
+    const avi::Run run = avi::integrate(method, z, h, {.steps = 10});
+    EXPECT_EQ(run.outcome, avi::Outcome::ok) << run.message;
+    EXPECT_EQ(run.evaluations, 10) << "one a step";
+    EXPECT_EQ(z.q, rest.q);
+    EXPECT_EQ(z.p, rest.p);
+  }
+}
+
 TEST(Solver, EndsAtRoundOff) {
   const struct {
     double tolerance, step;

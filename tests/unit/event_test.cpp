@@ -78,6 +78,17 @@ TEST(Event, AtTheEndOfAStepBelongsToThatStep) {
   EXPECT_FALSE(seen(Crossing::rising, 1.0, 0.0) || seen(Crossing::falling, -1.0, 0.0));
 }
 
+TEST(Event, AtTheEndOfAStepIsFoundWithoutAnother) {
+  const auto before = Kepler::exact(0.5, 1.0);
+  auto after = before;
+  auto method = method_for(before);
+  ASSERT_EQ(method.step(after, 0.2).outcome, avi::Outcome::ok);
+  const avi::Step<decltype(method), State<2>> step{method, before, after, 0.2};
+  const auto found = step.locate([&](const State<2>& z) { return z.t - after.t; });
+  EXPECT_EQ(found.evaluations, 0);
+  EXPECT_TRUE(found.state == after && found.h == 0.2);
+}
+
 TEST(Event, ActionMayEndTheRun) {
   auto z = Kepler::exact(0.5, 1.0);
   auto method = method_for(z);
