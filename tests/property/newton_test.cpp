@@ -24,18 +24,21 @@ struct Oscillator {
 };
 
 TEST(LinearSystem, SolvesWithEveryPivot) {
-  // The first two rows change places, and the third is eliminated by a factor of 1.
-  const double matrix[3][3] = {{1.0, 2.0, 0.0}, {2.0, 4.0, 3.0}, {2.0, 1.0, 5.0}}, x[3] = {3.0, -7.0, 2.0};
-  avi::LinearSystem system(3);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      system.at(i, j) = matrix[i][j];
-      system.right()[i] += matrix[i][j] * x[j];
-    }
-  system.decompose();
-  system.solve();
-  for (int i = 0; i < 3; ++i)
-    EXPECT_NEAR(system.right()[i], x[i], 1e-14);
+  const double x[3] = {3.0, -7.0, 2.0};
+  // Of the first the third row is eliminated by a factor of 1; of the second only the row below has a pivot.
+  for (const auto& matrix : {Eigen::Matrix3d{{1.0, 2.0, 0.0}, {2.0, 4.0, 3.0}, {2.0, 1.0, 5.0}},
+                             Eigen::Matrix3d{{0.0, 2.0, 1.0}, {2.0, 4.0, 3.0}, {0.0, 1.0, 5.0}}}) {
+    avi::LinearSystem system(3);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        system.at(i, j) = matrix(i, j);
+        system.right()[i] += matrix(i, j) * x[j];
+      }
+    system.decompose();
+    system.solve();
+    for (int i = 0; i < 3; ++i)
+      EXPECT_NEAR(system.right()[i], x[i], 1e-14);
+  }
 }
 
 /// H = p^2/2 + q^4/4 - q^2/2.
