@@ -30,7 +30,7 @@ class Lanes : ChainRule<Lanes<N>> {
   }
   /// A constant: all partials are zero.
   Lanes(double value) : lanes{} { lanes[0] = value; }  // NOLINT: implicit, so that formulas read as written
-  explicit Lanes(Register r) : lanes(r) {}             ///< From its register.
+  explicit Lanes(const Register& r) : lanes(r) {}      ///< From its register.
 
   /// The variable number i (0-based) of the N, at `value`.
   static Lanes variable(double value, int i) {
