@@ -170,12 +170,12 @@ double error_on_slope(Method method, double s, int steps) {
 
 TEST(Bregman, MethodsFollowTheExactDynamicsWithTheirOrders) {
   for (const auto& family : {BregmanFamily::direct(2.0, 0.7), BregmanFamily::adaptive(2.0, 1.0, 0.7)}) {
-    const auto expect_order = [&](auto method, int steps, double order) {
+    const auto expect_order = [&](auto method, int steps, double order, double off = 0.03) {
       method.family = family;
       const double coarse = error_on_slope(method, family.s(), steps),
                    fine = error_on_slope(method, family.s(), 2 * steps);
-      EXPECT_LT(fine, 0.05);
-      EXPECT_NEAR(std::log2(coarse / fine), order, order < 4.0 ? 0.25 : 0.6) << coarse << " " << fine;
+      EXPECT_LT(fine, 0.03);
+      EXPECT_NEAR(std::log2(coarse / fine), order, off) << coarse << " " << fine;
     };
     using avi::CloneComposition;
     expect_order(avi::BregmanHtvi{}, 200, 1.0);
@@ -183,10 +183,11 @@ TEST(Bregman, MethodsFollowTheExactDynamicsWithTheirOrders) {
     expect_order(avi::BregmanSplitting{}, 50, 2.0);
     expect_order(avi::BregmanCloning{}, 50, 2.0);
     expect_order(avi::BregmanCloning{.family{}, .composition = CloneComposition::yoshida4}, 50, 4.0);
-    expect_order(avi::BregmanCloning{.family{}, .composition = CloneComposition::yoshida6}, 25, 6.0);
-    expect_order(avi::BregmanRungeKutta<avi::ClassicalRungeKutta>{}, 100, 4.0);
+    expect_order(avi::BregmanCloning{.family{}, .composition = CloneComposition::yoshida6}, 25, 6.0, 0.08);
+    // Measured 0.35 and 0.16 off, with errors near rounding.
+    expect_order(avi::BregmanRungeKutta<avi::ClassicalRungeKutta>{}, 100, 4.0, 0.6);
+    expect_order(avi::BregmanRungeKutta<avi::DormandPrince>{}, 40, 5.0, 0.32);
     expect_order(avi::BregmanRungeKutta<avi::BogackiShampine>{}, 50, 3.0);
-    expect_order(avi::BregmanRungeKutta<avi::DormandPrince>{}, 40, 5.0);
   }
 }
 
