@@ -192,6 +192,44 @@ TEST(Recording, TakesASuppliedGradientWhereTheFunctionIsUsed) {
   expect([](const auto& x, const auto&) { return x[0] * x[0]; }, 6.0, 0.0);
 }
 
+TEST(Recording, TakesAGraphThatIsRecordedAlready) {
+  const avi::Chain chain;
+  const int n = 5;
+  avi::ExpressionGraph graph(2 * n);
+  const int node = chain(avi::recorded_inputs(graph, 0, n), avi::recorded_inputs(graph, n, n)).node_in(graph);
+  const Recording direct = avi::record(chain, n), twice(graph, node);
+  (void)graph.unary(avi::Operation::exp, 0);  // the recording has a copy
+  const auto z = avi::Chain::plucked(n);
+  for (const bool gradient : {false, true}) {
+    const auto program = [&](const Recording& of) {
+      return gradient ? of.gradient() : of.value_and_gradient();
+    };
+    const Program a = program(direct), b = program(twice);
+    EXPECT_EQ(a.operations(), b.operations());
+    EXPECT_EQ(a.slots(), b.slots());
+    Program::Room<double> of_a(a), of_b(b);
+    for (int i = 0; i < n; ++i) {
+      of_a.arguments()[i] = of_b.arguments()[i] = z.q[i];
+      of_a.arguments()[n + i] = of_b.arguments()[n + i] = 0.1 * i;
+    }
+    a.run(of_a);
+    b.run(of_b);
+    for (int i = 0; i < 2 * n; ++i)
+      EXPECT_EQ(a.slope(of_a, i), b.slope(of_b, i)) << i;
+    if (!gradient) {
+      EXPECT_EQ(a.value(of_a), b.value(of_b));
+    }
+  }
+  // A node before the last one, and an input, are formulas too.
+  EXPECT_EQ(Recording(graph, 0).gradient().operations(), 0u);
+  EXPECT_EQ(refusal([&] { Recording(graph, graph.size()); }),
+            "Node to differentiate is " + std::to_string(graph.size()) + "; it must be a node of the graph.");
+  EXPECT_EQ(refusal([&] { Recording(graph, -1); }),
+            "Node to differentiate is -1; it must be a node of the graph.");
+  EXPECT_EQ(refusal([&] { Recording(avi::ExpressionGraph(0), 0); }),
+            "Number of arguments to record is 0; it must be at least 1.");
+}
+
 TEST(Recording, RefusesWhatItCannotServe) {
   const auto first = [](const auto& x) -> Recorded { return x[0]; };
   EXPECT_EQ(refusal([&] { Recording(first, 0); }),

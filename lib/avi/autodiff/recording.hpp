@@ -4,6 +4,8 @@
 #include "avi/autodiff/schedule.hpp"
 #include "avi/core/require.hpp"
 
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 /// @file
@@ -30,8 +32,18 @@ class Recording {
   /// returns is the value
   /// @throws std::invalid_argument for fewer than one input.
   template <class F>
-  Recording(const F& f, Eigen::Index inputs) : graph_(checked(inputs)) {
-    differentiate(f(recorded_inputs(graph_, 0, inputs)));
+  requires(!std::is_same_v<F, ExpressionGraph>) Recording(const F& f, Eigen::Index inputs)
+      : graph_(checked(inputs)) {
+    differentiate(Recorded(f(recorded_inputs(graph_, 0, inputs))).node_in(graph_));
+  }
+
+  /// Takes a formula that is recorded already: no function is called. @param graph of N inputs @param node
+  /// the value
+  /// @throws std::invalid_argument for a graph without inputs, or a node that it has not.
+  Recording(ExpressionGraph graph, int node) : graph_(std::move(graph)) {
+    checked(graph_.inputs());
+    require(node >= 0 && node < graph_.size(), "Node to differentiate", node, "a node of the graph");
+    differentiate(node);
   }
 
   /// Records f where the gradient of h in f(x, h(x)) is supplied: only what f does with h is differentiated.
@@ -42,7 +54,7 @@ class Recording {
     const Vector<Recorded, dynamic> x = recorded_inputs(graph_, 0, inputs);
     const Recorded inner = h(x), result = f(x, inner);
     const Vector<Recorded, dynamic> supplied = slopes(x);
-    differentiate(result, inner.node_in(graph_));
+    differentiate(result.node_in(graph_), inner.node_in(graph_));
     for (int i = 0; i < graph_.inputs(); ++i)
       slopes_[i] =
           graph_.binary(Operation::add, slopes_[i],
@@ -67,8 +79,8 @@ class Recording {
   [[nodiscard]] Program value() const { return value_and_gradient(0, 0); }
 
  private:
-  void differentiate(const Recorded& result, int inner = -1) {
-    value_ = result.node_in(graph_);
+  void differentiate(int value, int inner = -1) {
+    value_ = value;
     recorded_ = graph_.size();
     slopes_ = Reverse(graph_).gradient(value_, inner);
   }
