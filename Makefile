@@ -116,9 +116,10 @@ fuzz: deps-fuzz ## Search for bad input with libFuzzer, FUZZ_SECONDS (60) for ea
 	  -artifact_prefix=build/fuzz/$$each- build/fuzz/corpus/$$each tests/fuzz/corpus/$$each || exit 1; done
 levels: deps-fuzz ## Compare the numbers of g++ and clang++ at -O0, -O2 and -O3, native and portable
 	@tests/levels.sh $(LEVELS)
-install: deps ## Install the headers and the CMake package under PREFIX
-	@$(configure)
-	cmake --install $(BUILD) --prefix $(PREFIX)
+install: ## Install the library under PREFIX: needs a compiler, CMake and Eigen (CMAKE_ARGS=-DBUILD_SHARED_LIBS=ON: the shared one)
+	@cmake -S . -B build/install $(CMAKE_ARGS) >/dev/null
+	+@cmake --build build/install
+	cmake --install build/install --prefix $(PREFIX)
 
 # ---- data ------------------------------------------------------------------------------------------------------
 # A shared lock is held by every experiment, an exclusive one by the timed: they run alone, whatever -j says.

@@ -12,6 +12,7 @@ namespace version_test {
 TEST(Version, IsTheSameEverywhere) {
   const std::string version = std::to_string(AVI_VERSION_MAJOR) + '.' + std::to_string(AVI_VERSION_MINOR) +
                               '.' + std::to_string(AVI_VERSION_PATCH);
+  EXPECT_EQ(avi::version(), version) << "the library is older than its headers";
   EXPECT_NE(text_of(AVI_SOURCE_DIR "/CMakeLists.txt").find("project(avi VERSION " + version + " "),
             std::string::npos);
   EXPECT_NE(text_of(AVI_SOURCE_DIR "/CITATION.cff").find("\nversion: " + version + "\n"), std::string::npos);
