@@ -1,4 +1,6 @@
 #pragma once
+#include "avi/core/finite_math.hpp"
+
 #include <cmath>
 #if defined(__SSE2__)
 #include <immintrin.h>

@@ -14,8 +14,8 @@
 namespace avi {
 
 /// Observer for integrate(): action(state) is called at each of the times that the run passes, with a state
-/// as accurate as the run; the run itself is not touched. Times decrease where h < 0; one that equals the
-/// start is reported with the first step.
+/// as accurate as the run, whose t is that time to the bit as Step::at() has it; the run itself is not
+/// touched. Times decrease where h < 0; one that equals the start is reported with the first step.
 /// @throws std::invalid_argument unless the times are finite and strictly monotonic; the observer, where one
 /// lies before the start, or they go the other way than the run.
 template <class Action>
@@ -23,14 +23,13 @@ auto at_times(std::vector<double> times, Action action) {
   for (std::size_t i = 0; i < times.size(); ++i) {
     require(std::isfinite(times[i]), "Output time", times[i], "finite");
     if (i > 0)
-      require((times[i] - times[i - 1]) * (times[1] - times[0]) > 0.0, "Output time", times[i],
-              "beyond the one before it");
+      require(times[1] > times[0] ? times[i] > times[i - 1] : times[i] < times[i - 1], "Output time",
+              times[i], "beyond the one before it, ", times[i - 1]);
   }
   return [times = std::move(times), action = std::move(action),
-          next = std::size_t{0}]<class M, class State>(const Step<M, State>& step, long) mutable -> Outcome {
+          next = std::size_t{0}]<class M, class State>(const Step<M, State>& step, long) mutable -> Answer {
     const double sense = std::copysign(1.0, step.h);  // of time, which may stand still
-    const double rounding =
-        std::numeric_limits<double>::epsilon() * std::max(std::abs(step.before.t), std::abs(step.after.t));
+    const double rounding = detail::rounding_of_time(step.before.t, step.after.t);
     for (; next < times.size() && sense * (times[next] - step.after.t) <= rounding; ++next) {
       const double t = times[next];
       // Later ones follow the one before them unless the run goes the other way.
@@ -41,11 +40,11 @@ auto at_times(std::vector<double> times, Action action) {
         action(step.before);
         continue;
       }
-      const Located<State> there = step.locate([t](const State& z) { return z.t - t; }, rounding);
-      if (there.report.outcome != Outcome::ok) return there.report.outcome;
+      const Located<State> there = step.at(t);
+      if (!there.ok()) return {there.report.outcome, there.reason};
       action(there.state);
     }
-    return Outcome::ok;
+    return {};
   };
 }
 

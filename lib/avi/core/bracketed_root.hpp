@@ -1,4 +1,7 @@
 #pragma once
+#include "avi/core/finite_math.hpp"
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -7,33 +10,106 @@
 
 namespace avi {
 
-/// Zero of a continuous f between low and high, where it has the values f_low < 0 < f_high, by the Illinois
-/// variant of regula falsi (Dowell and Jarratt 1971): superlinear, and always inside the bracket. Ends when
-/// |f| <= tolerance, when the point moves by rounding alone, when the bracket cannot shrink, when f is NaN,
-/// or after 100 evaluations; returns the last point.
+/// On which side of a zero a search may end.
+enum class Side {
+  either,  ///< On any: |f| <= tolerance.
+  beyond   ///< Where f is zero or has the sign that it has at the upper end: 0 <= f <= tolerance.
+};
+
+/// The end of a search for a zero: two points that hold it between them.
+struct Root {
+  double x = 0.0;       ///< The zero: the better of the two points, or the upper one for Side::beyond.
+  double value = 0.0;   ///< f(x); NaN where f was NaN.
+  double low = 0.0;     ///< The lower point.
+  double f_low = 0.0;   ///< f(low) < 0.
+  double high = 0.0;    ///< The upper point.
+  double f_high = 0.0;  ///< f(high) >= 0.
+  bool met = false;     ///< f(x) is within the tolerance.
+  bool closed = false;  ///< No number to speak of lies between the two points.
+  int evaluations = 0;  ///< Number of points at which f was evaluated.
+};
+
+namespace detail {
+/// A point between low and high: in turn the mean and, for ends of one sign and very different size, the
+/// geometric mean, which halves the exponent; zero, where they differ in sign.
+inline double middle(double low, double high, bool by_exponent) {
+  const double mean = 0.5 * low + 0.5 * high;
+  if (!by_exponent || low == -high) return mean;
+  if (low < 0.0 && high > 0.0) return 0.0;
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  const double from = std::max(std::min(std::abs(low), std::abs(high)), least),
+               to = std::max(std::abs(low), std::abs(high));
+  return to <= 1e3 * from ? mean : std::copysign(std::sqrt(from) * std::sqrt(to), mean);
+}
+}  // namespace detail
+
+/// Zero of a continuous f between low and high, where it has the values f_low < 0 < f_high, by Chandrupatla's
+/// method (1997): inverse quadratic interpolation where the last three points allow it, else the middle. It
+/// is superlinear for smooth f. Where three evaluations have not halved the bracket, the next point is the
+/// middle, so that the search takes at most a few hundred evaluations for any f. It ends when f is within the
+/// tolerance, when the bracket is as narrow as rounding allows, or when f is NaN. A jump or a pole of f ends
+/// as a narrow bracket, too: f_low and f_high tell.
 template <class F>
-double bracketed_root(F&& f, double low, double f_low, double high, double f_high, double tolerance) {
-  double x = low;
-  int side = 0;
-  for (int i = 0; i < 100; ++i) {
-    const double previous = x;
-    x = low + (high - low) * (f_low / (f_low - f_high));
-    if (!(x > low && x < high)) x = 0.5 * (low + high);
-    if (!(x > low && x < high)) break;
+Root bracketed_root(F&& f, double low, double f_low, double high, double f_high, double tolerance,
+                    Side side = Side::either) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  constexpr int most = 1000;  // for safety: a search for 1e-300 in [0, 1] that never interpolates takes 270
+  Root root{.low = low, .f_low = f_low, .high = high, .f_high = f_high};
+  const auto end = [&](double x, double value) {
+    root.x = x;
+    root.value = value;
+    return root;
+  };
+  double x = low + (high - low) * (f_low / (f_low - f_high));
+  double width = high - low;  // three evaluations ago
+  bool by_exponent = false;
+  const auto bisect = [&] {
+    x = detail::middle(root.low, root.high, by_exponent);
+    by_exponent = !by_exponent;
+  };
+  while (root.evaluations < most) {
+    const double scale = std::max(std::abs(root.low), std::abs(root.high));
+    if (root.high - root.low <= 2.0 * epsilon * scale) break;
+    if (!(x > root.low && x < root.high)) bisect();
+    if (!(x > root.low && x < root.high)) x = 0.5 * root.low + 0.5 * root.high;
+    if (!(x > root.low && x < root.high)) break;
     const double value = f(x);
-    if (!(std::abs(value) > tolerance)) break;
-    if (i > 0 && std::abs(x - previous) <= 2.0 * std::numeric_limits<double>::epsilon() * std::abs(x)) break;
-    if (value < 0.0) {
-      low = x, f_low = value;
-      if (side < 0) f_high *= 0.5;
-      side = -1;
+    ++root.evaluations;
+    if (std::isnan(value)) return end(x, value);
+    // a is the last point, b the other end of the bracket, c the end that a has replaced
+    const double a = x, f_a = value;
+    const bool below = value < 0.0;
+    const double b = below ? root.high : root.low, f_b = below ? root.f_high : root.f_low;
+    const double c = below ? root.low : root.high, f_c = below ? root.f_low : root.f_high;
+    (below ? root.low : root.high) = a;
+    (below ? root.f_low : root.f_high) = f_a;
+    if (value <= tolerance && value >= (side == Side::beyond ? 0.0 : -tolerance)) {
+      root.met = true;
+      return end(x, value);
+    }
+    if (root.evaluations % 3 == 0) {
+      const bool slow = root.high - root.low > 0.5 * width;
+      width = root.high - root.low;
+      if (slow) {
+        bisect();
+        continue;
+      }
+    }
+    const double xi = (a - b) / (c - b), phi = (f_a - f_b) / (f_c - f_b);
+    if (phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi) {
+      x = a + (b - a) * (f_a / (f_b - f_a) * (f_c / (f_b - f_c))) +
+          (c - a) * (f_a / (f_c - f_a) * (f_b / (f_c - f_b)));
+      // Far enough from both ends to pass the zero once the point is good to rounding.
+      const double least = std::min(epsilon * scale, 0.5 * (root.high - root.low));
+      x = std::clamp(x, root.low + least, root.high - least);
     } else {
-      high = x, f_high = value;
-      if (side > 0) f_low *= 0.5;
-      side = 1;
+      bisect();
     }
   }
-  return x;
+  root.closed = root.evaluations < most;
+  if (side == Side::beyond || std::abs(root.f_high) <= std::abs(root.f_low))
+    return end(root.high, root.f_high);
+  return end(root.low, root.f_low);
 }
 
 }  // namespace avi

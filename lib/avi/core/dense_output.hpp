@@ -39,7 +39,8 @@ template <class M, class State>
   const double sense = std::copysign(1.0, after.t - before.t);
   const double c =
       bracketed_root([&](double x) { return sense * (at(x).t - t); }, 0.0, sense * (before.t - t), 1.0,
-                     sense * (after.t - t), std::numeric_limits<double>::epsilon() * std::abs(t));
+                     sense * (after.t - t), std::numeric_limits<double>::epsilon() * std::abs(t))
+          .x;
   State z = at(c);
   z.t = t;  // the clock of the polynomial is off by rounding
   return z;

@@ -1,7 +1,15 @@
 #pragma once
+#include "avi/core/require.hpp"
 #include "avi/core/step.hpp"
+#include "avi/core/vector.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <concepts>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -18,7 +26,11 @@ enum class Crossing {
 };
 
 /// An event: g(state) = 0. It is seen where g has changed its sign from the beginning of a step to its end,
-/// so two events in one step go unseen. A run that starts on g = 0 does not begin with an event.
+/// so two events in one step go unseen. A run that starts on an event does not begin with it: g counts as
+/// zero at the start where it is within the tolerance or the rounding of the state, so that a run can go on
+/// from the event where the last one ended, in either direction of time. Where g changes its sign by a jump
+/// or a pole, as an angle at 2 pi or a tangent does, the run ends as not_converged; where it is NaN, as
+/// non_finite.
 template <class G>
 struct Event {
   G g;                                   ///< Continuous function of the state.
@@ -28,7 +40,10 @@ struct Event {
   /// Whether the event lies in (before, after].
   template <class State>
   [[nodiscard]] bool crossed(const State& before, const State& after) const {
-    const double first = g(before), last = g(after);
+    return crosses(g(before), g(after));
+  }
+  /// Whether it lies between two such values, the second one included.
+  [[nodiscard]] bool crosses(double first, double last) const {
     const bool rises = first < 0.0 && last >= 0.0, falls = first > 0.0 && last <= 0.0;
     return (rises && crossing != Crossing::falling) || (falls && crossing != Crossing::rising);
   }
@@ -38,32 +53,128 @@ template <class G, class... Options>
 Event(G, Options...) -> Event<G>;
 
 namespace detail {
-/// Shows something to who may answer. @return ok unless the answer is another Outcome, or false for stopped
+/// Shows something to who may answer. @return how the run ends there, unless ok, and why
 template <class Observer, class... Seen>
-Outcome ask(Observer& observer, const Seen&... seen) {
-  using Answer = std::invoke_result_t<Observer&, const Seen&...>;
-  if constexpr (std::same_as<Answer, Outcome>) {
+decltype(auto) ask(Observer& observer, const Seen&... seen) {
+  using Result = std::remove_cvref_t<std::invoke_result_t<Observer&, const Seen&...>>;
+  if constexpr (std::same_as<Result, Outcome> || std::same_as<Result, Answer>) {
     return observer(seen...);
-  } else if constexpr (std::same_as<Answer, bool>) {
+  } else if constexpr (std::same_as<Result, bool>) {
     return observer(seen...) ? Outcome::ok : Outcome::stopped;
   } else {
     observer(seen...);
     return Outcome::ok;
   }
 }
+
+inline Answer answer(Outcome outcome) { return {outcome, {}}; }
+inline Answer answer(Answer answer) { return answer; }
+
+/// How far g can be told from zero at a state: what it changes by when the entries of the state change by
+/// their rounding, which is also that of what a step adds to them.
+template <class G, class State>
+double rounding_of(const G& g, const State& z, const State& after) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  double sum = 0.0;
+  if constexpr (requires { z.q[0], z.p[0], z.t; }) {
+    const double at = g(z);
+    State moved = z;
+    const auto shift = [&](double& entry, double end) {
+      const double kept = entry;
+      entry += epsilon * std::max(std::abs(kept), std::abs(end - kept));
+      sum += std::abs(g(moved) - at);
+      entry = kept;
+    };
+    for (Eigen::Index i = 0; i < z.q.size(); ++i) {
+      shift(moved.q[i], after.q[i]);
+      shift(moved.p[i], after.p[i]);
+    }
+    shift(moved.t, after.t);
+  }
+  return 8.0 * sum;
+}
+
+/// Follows an event from step to step.
+template <class G>
+class EventWatch {
+ public:
+  /// @throws std::invalid_argument for a tolerance that is negative, infinite or NaN.
+  explicit EventWatch(Event<G> event) : event_(std::move(event)) {
+    require(std::isfinite(event_.tolerance) && event_.tolerance >= 0.0, "Tolerance of the event",
+            event_.tolerance, "finite and not negative");
+  }
+
+  /// The state at the event, where it lies in this step, or why there is none. @param first the run starts
+  /// here
+  template <class M, class State>
+  std::optional<Located<State>> look(const Step<M, State>& step, bool first) {
+    const double begin = event_.g(step.before), end = event_.g(step.after);
+    if (std::isnan(begin) || std::isnan(end)) {
+      const State& where = std::isnan(begin) ? step.before : step.after;
+      Located<State> none{.state = where, .report = {.outcome = Outcome::non_finite, .evaluations = 0}};
+      none.reason = "g of the event is nan at t = " + text(where.t);
+      return none;
+    }
+    if (first) {
+      level_ = event_.tolerance;
+      // Rounding is small against what a step does to g.
+      if (std::abs(begin) <= 1e-3 * std::abs(end - begin))
+        level_ = std::max(level_, rounding_of(event_.g, step.before, step.after));
+      leaving_ = std::abs(begin) <= level_;
+    }
+    if (leaving_ || begin == 0.0) return leave(step, end);
+    if (!event_.crosses(begin, end)) return {};
+    return step.locate_from(0.0, begin, event_.g, event_.tolerance);
+  }
+
+ private:
+  static std::string text(double number) {
+    std::ostringstream out;
+    out.precision(17);
+    out << number;
+    return out.str();
+  }
+
+  /// The step begins on the event: only what comes after the sign with which g leaves it counts.
+  template <class M, class State>
+  std::optional<Located<State>> leave(const Step<M, State>& step, double end) {
+    if (!leaving_) level_ = event_.tolerance;
+    leaving_ = std::abs(end) <= level_;
+    if (leaving_) return {};
+    long evaluations = 0;
+    for (const double fraction : {0x1p-26, 0x1p-20, 0x1p-14, 0x1p-8, 0x1p-4}) {
+      Located<State> near = step.part(fraction);
+      near.evaluations = evaluations += near.evaluations;
+      if (!near.ok()) return near;
+      const double g = event_.g(near.state);
+      if (!(std::abs(g) > level_)) continue;
+      if (!event_.crosses(g, end)) return {};
+      Located<State> there = step.locate_from(fraction, g, event_.g, event_.tolerance);
+      there.evaluations += evaluations;
+      return there;
+    }
+    return {};
+  }
+
+  Event<G> event_;
+  double level_ = 0.0;    // |g| that counts as zero where the run starts
+  bool leaving_ = false;  // g has not left it yet
+};
 }  // namespace detail
 
 /// Observer for integrate(): action(state) is called with the state of every event, which lies on g = 0 to
 /// round-off and is as accurate as the run; the run itself is not touched. The action answers as an observer
 /// of integrate() does, and may so end the run at the end of that step; to end it at the event itself, use
 /// integrate_to().
+/// @throws std::invalid_argument for a tolerance that is negative, infinite or NaN.
 template <class G, class Action>
 auto on_event(Event<G> event, Action action) {
-  return [event = std::move(event), action = std::move(action)]<class M, class State>(
-             const Step<M, State>& step, long) mutable -> Outcome {
-    if (!event.crossed(step.before, step.after)) return Outcome::ok;
-    const Located<State> there = step.locate(event.g, event.tolerance);
-    return there.report.outcome != Outcome::ok ? there.report.outcome : detail::ask(action, there.state);
+  return [watch = detail::EventWatch<G>(std::move(event)), action = std::move(action)]<class M, class State>(
+             const Step<M, State>& step, long k) mutable -> Answer {
+    const std::optional<Located<State>> there = watch.look(step, k == 1);
+    if (!there) return {};
+    if (!there->ok()) return {there->report.outcome, there->reason};
+    return detail::answer(detail::ask(action, there->state));
   };
 }
 

@@ -2,10 +2,15 @@
 #include "avi/core/event.hpp"
 #include "avi/core/require.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <optional>
 #include <sstream>
+#include <string>
+#include <string_view>
 #include <type_traits>
 
 /// @file
@@ -14,10 +19,12 @@
 namespace avi {
 
 /// Where a run ends: at the first step whose physical time reaches `time` (from above where h < 0), or after
-/// `steps` steps.
+/// `steps` steps. A run that has taken so many seconds ends as Outcome::time_limit.
 struct Until {
   double time = std::numeric_limits<double>::infinity();  ///< Physical time; infinity sets no end.
   long steps = std::numeric_limits<long>::max();          ///< Number of steps; the largest long sets no end.
+  double seconds =
+      std::numeric_limits<double>::infinity();  ///< By the clock on the wall; looked at now and then.
 };
 
 /// A method advances a state by one step of size h (fictive time where the method is adaptive). When the
@@ -29,7 +36,8 @@ concept Method = requires(M& method, State& state, double h) {
 
 namespace detail {
 template <class State>
-std::string describe_end(Outcome outcome, const State& state, long steps, double residual) {
+std::string describe_end(Outcome outcome, const State& state, long steps, double residual,
+                         const std::string& reason) {
   std::ostringstream sentence;
   sentence.precision(17);
   sentence << "The run ended as " << name(outcome) << " after " << steps << " steps, at t = " << state.t;
@@ -40,7 +48,10 @@ std::string describe_end(Outcome outcome, const State& state, long steps, double
   };
   if constexpr (requires { state.q.size(), state.p.size(); })
     if (outcome == Outcome::not_converged) list(", q = (", state.q), list(", p = (", state.p);
-  if (outcome == Outcome::not_converged) sentence << ", with residual " << residual;
+  if (!reason.empty())
+    sentence << ": " << reason;
+  else if (outcome == Outcome::not_converged)
+    sentence << ", with residual " << residual;
   sentence << ".";
   return sentence.str();
 }
@@ -52,38 +63,110 @@ template <class Observer, class M, class State>
 concept ObserverOf = (of_states<Observer, State>) || (std::invocable<Observer&, const Step<M, State>&, long>);
 
 /// A run without a goal ends by its `until` alone.
-struct NoGoal {};
+struct NoGoal {
+  static constexpr std::string_view missed = "";
+};
+
+/// A physical time to end at, exactly.
+struct Arrival {
+  double time;   ///< To end at.
+  double sense;  ///< 1, or -1 where time runs backwards.
+  static constexpr std::string_view missed = "the cap on steps came before the end time";
+  template <class M, class State>
+  std::optional<Located<State>> look(const Step<M, State>& step, bool) const {
+    if (!(sense * step.after.t >= sense * time)) return {};
+    return step.at(time);
+  }
+};
+
+/// An event to end at.
+template <class G>
+struct EventGoal : EventWatch<G> {
+  using EventWatch<G>::EventWatch;
+  static constexpr std::string_view missed = "the event has not happened";
+};
+
+/// When the run looks up from its steps: to see whether time goes on, and to read the clock on the wall.
+class Lookout {
+ public:
+  explicit Lookout(double seconds) : seconds_(seconds), began_(now()), last_(began_) {
+    require(seconds > 0.0, "Number of seconds", seconds, "positive");
+  }
+  static constexpr long patience = 1 << 20;  ///< Steps after which time must have gone on.
+  /// The number of steps at which to look next.
+  [[nodiscard]] long next() const { return std::min(stall_, clock_); }
+  /// True where, after so many steps, it is to be seen whether time goes on.
+  [[nodiscard]] bool stall_due(long steps) {
+    if (steps < stall_) return false;
+    stall_ += patience;
+    return true;
+  }
+  /// True where, after so many steps, the seconds are over. Reads the clock about every millisecond.
+  [[nodiscard]] bool time_is_up(long steps) {
+    if (steps < clock_) return false;
+    const auto time = now();
+    const double gone = std::chrono::duration<double>(time - last_).count();
+    stride_ = gone < 5e-4   ? std::min(2 * stride_, patience)
+              : gone > 2e-3 ? std::max(stride_ / 2, 1L)
+                            : stride_;
+    clock_ = steps + stride_;
+    last_ = time;
+    return std::chrono::duration<double>(time - began_).count() >= seconds_;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  [[nodiscard]] Clock::time_point now() const {
+    return std::isfinite(seconds_) ? Clock::now() : Clock::time_point();
+  }
+  double seconds_;
+  Clock::time_point began_, last_;
+  long stride_ = 1, stall_ = patience;
+  long clock_ = std::isfinite(seconds_) ? 1 : std::numeric_limits<long>::max();
+};
+
+/// What can be refused before a run without its state.
+inline void require_run(double h, const Until& until) {
+  require(std::isfinite(h) && h != 0.0, "Step size h", h, "finite and not zero");
+  require(!std::isnan(until.time), "End time", until.time, "a number");
+  require(until.steps >= 0, "Number of steps", until.steps, "at least 0");
+  require(until.seconds > 0.0, "Number of seconds", until.seconds, "positive");
+  require(std::isfinite(until.time) || until.steps < std::numeric_limits<long>::max() ||
+              std::isfinite(until.seconds),
+          "End of the run", "not set", "a time or a number of steps");
+}
 
 /// The loop of integrate() and integrate_to(). Where the step crosses the goal, it is replaced by the shorter
 /// one that ends there, and the run is over.
 template <class Goal, class State, class M, class... Observers>
-Run run(M& method, State& state, double h, const Until& until, const Goal& goal, Observers&... observers) {
+Run run(M& method, State& state, double h, const Until& until, Goal goal, Observers&... observers) {
+  static_assert(!std::is_const_v<M>, "The method is constant; a run changes what it remembers.");
+  static_assert(!std::is_const_v<State>, "The state is constant; a run moves it.");
   static_assert(Method<M, State>,
                 "The method has no step(state, h) for this state: is the state of another dimension?");
   static_assert((ObserverOf<Observers, M, State> && ...),
                 "An observer must be callable as observer(state, k) or as observer(step, k).");
-  require(std::isfinite(h) && h != 0.0, "Step size h", h, "finite and not zero");
-  require(!std::isnan(until.time), "End time", until.time, "a number");
-  require(until.steps >= 0, "Number of steps", until.steps, "at least 0");
+  require_run(h, until);
+  require_finite("Time of the start", state.t);
   constexpr bool aims = !std::same_as<Goal, NoGoal>;
   constexpr bool looks_inside = aims || !(of_states<Observers, State> && ...);
   const bool timed = std::isfinite(until.time);
-  require(timed || until.steps < std::numeric_limits<long>::max(), "End of the run", "not set",
-          "a time or a number of steps");
   const double sense = std::copysign(1.0, h);  // of time
   require(!timed || !(sense * until.time < sense * state.t), "Step size h", h,
           h > 0.0 ? "negative where the run ends at a time behind"
                   : "positive where the run ends at a time ahead");
   const double end_time = timed ? sense * until.time : std::numeric_limits<double>::infinity();
   Run run;
-  constexpr long patience = 1 << 20;
+  Lookout lookout(until.seconds);
+  long look_up = lookout.next();
   double clock = state.t;
+  std::string reason;
   // Working copies, so that a short step can keep them in registers.
   State current = state;
   const auto end = [&](Outcome outcome, double residual = 0.0) {
     state = current;
     run.outcome = outcome;
-    if (outcome != Outcome::ok) run.message = describe_end(outcome, state, run.steps, residual);
+    if (outcome != Outcome::ok) run.message = describe_end(outcome, state, run.steps, residual, reason);
     return run;
   };
   while (sense * current.t < end_time && run.steps < until.steps) {
@@ -97,34 +180,48 @@ Run run(M& method, State& state, double h, const Until& until, const Goal& goal,
     double size = h;
     bool arrived = false;
     if constexpr (aims) {
-      arrived = goal.crossed(current, next);
-      if (arrived) {
-        const Located<State> there = Step<M, State>{before, current, next, h}.locate(goal.g, goal.tolerance);
-        run.evaluations += there.evaluations;
-        if (there.report.outcome != Outcome::ok) return end(there.report.outcome, there.report.residual);
-        next = there.state;
-        size = there.h;
+      const std::optional<Located<State>> there =
+          goal.look(Step<M, State>{before, current, next, h}, run.steps == 0);
+      if (there) {
+        arrived = true;
+        run.evaluations += there->evaluations;
+        reason = there->reason;
+        if (!there->ok()) return end(there->report.outcome, there->report.residual);
+        next = there->state;
+        size = there->h;
       }
     }
     ++run.steps;
     Outcome outcome = Outcome::ok;  // the first answer that is not ok
+    [[maybe_unused]] const auto take = [&](const auto& answer) {
+      if (outcome != Outcome::ok) return;
+      if constexpr (std::same_as<std::remove_cvref_t<decltype(answer)>, Answer>) {
+        outcome = answer.outcome;
+        if (outcome != Outcome::ok) reason = answer.reason;
+      } else {
+        outcome = answer;
+      }
+    };
     [[maybe_unused]] const auto look = [&](auto& observer) {
-      Outcome answer;
       if constexpr (of_states<decltype(observer), State>)
-        answer = ask(observer, next, run.steps);
+        take(ask(observer, next, run.steps));
       else
-        answer = ask(observer, Step<M, State>{before, current, next, size}, run.steps);
-      if (outcome == Outcome::ok) outcome = answer;
+        take(ask(observer, Step<M, State>{before, current, next, size}, run.steps));
     };
     (look(observers), ...);
     current = next;
     if (outcome != Outcome::ok || arrived) return end(outcome);
-    if (run.steps % patience == 0 && timed) {
-      if (!(sense * (current.t - clock) * (0x1p53 / patience) > sense * (until.time - current.t)))
-        return end(Outcome::stalled);
-      clock = current.t;
+    if (run.steps >= look_up) {
+      if (lookout.stall_due(run.steps) && timed) {
+        if (!(sense * (current.t - clock) * (0x1p53 / Lookout::patience) > sense * (until.time - current.t)))
+          return end(Outcome::stalled);
+        clock = current.t;
+      }
+      if (lookout.time_is_up(run.steps)) return end(Outcome::time_limit);
+      look_up = lookout.next();
     }
   }
+  reason = Goal::missed;
   return end(aims || (timed && sense * current.t < end_time) ? Outcome::step_limit : Outcome::ok);
 }
 }  // namespace detail
@@ -134,12 +231,12 @@ Run run(M& method, State& state, double h, const Until& until, const Goal& goal,
 ///
 /// Each observer is called after step k = 1, 2, ..., as observer(state, k), or as observer(step, k) with the
 /// Step, inside which it can look. It returns nothing, or false to end the run as stopped, or the Outcome
-/// that is to end it unless ok. The state is always the last good one.
+/// that is to end it unless ok, or an Answer, which has a reason, too. The state is always the last good one.
 /// A run to a time that is over 2^53 steps away at the pace of the last million ends as stalled: h is below
 /// the rounding of that time, or a method without a check of its own has a monitor that is not positive.
-/// Nothing loops for ever.
-/// @throws std::invalid_argument for h that is zero, not finite or leads away from until.time, or an `until`
-/// that sets no end.
+/// Nothing loops for ever; until.seconds ends what would take too long.
+/// @throws std::invalid_argument for h that is zero, not finite or leads away from until.time, an `until`
+/// that sets no end, or a start whose time is not finite.
 template <class State, class M, class... Observers>
 [[nodiscard]] Run integrate(M& method, State& state, double h, Until until, Observers&&... observers) {
   return detail::run(method, state, h, until, detail::NoGoal{}, observers...);

@@ -1,4 +1,6 @@
 #pragma once
+#include "avi/core/finite_math.hpp"
+
 #include <string>
 #include <string_view>
 
@@ -19,14 +21,15 @@ enum class Outcome {
                ///< objective hides what a minimisation could still gain.
   diverged,    ///< The iterates left every bound that the caller set; the last good one is kept.
   no_descent,  ///< The objective does not fall where its gradient says so; the last good iterate is kept.
-  wrong_gradient  ///< The gradient contradicts differences of values, or has another size than x.
+  wrong_gradient,  ///< The gradient contradicts differences of values, or has another size than x.
+  time_limit       ///< The cap on seconds was reached first.
 };
 
 /// The name used in messages and data files.
 constexpr std::string_view name(Outcome outcome) {
-  constexpr std::string_view names[] = {"ok",         "stopped",       "step_limit", "not_converged",
-                                        "non_finite", "bad_monitor",   "stalled",    "diverged",
-                                        "no_descent", "wrong_gradient"};
+  constexpr std::string_view names[] = {"ok",         "stopped",        "step_limit", "not_converged",
+                                        "non_finite", "bad_monitor",    "stalled",    "diverged",
+                                        "no_descent", "wrong_gradient", "time_limit"};
   return names[static_cast<int>(outcome)];
 }
 
@@ -35,6 +38,15 @@ struct [[nodiscard]] StepReport {
   Outcome outcome = Outcome::ok;  ///< Unless ok, the state is as it was.
   int evaluations = 1;            ///< Evaluations of the vector field or of its Taylor expansion.
   double residual = 0.0;          ///< Of the implicit equation that remains (0 for explicit steps).
+
+  /// True for Outcome::ok alone.
+  [[nodiscard]] bool ok() const { return outcome == Outcome::ok; }
+};
+
+/// What an observer may answer: how a run ends there unless ok, and why.
+struct [[nodiscard]] Answer {
+  Outcome outcome = Outcome::ok;  ///< Unless ok, the run ends.
+  std::string reason{};           ///< A clause for the message of the run, such as "g is nan".
 };
 
 /// What a run tells its caller.
@@ -43,6 +55,9 @@ struct [[nodiscard]] Run {
   long steps = 0;                 ///< Steps that were accepted.
   long evaluations = 0;           ///< Sum over those steps.
   std::string message;            ///< Empty for ok; else one sentence with step, time and reason.
+
+  /// True for Outcome::ok alone: the end asked for was reached.
+  [[nodiscard]] bool ok() const { return outcome == Outcome::ok; }
 };
 
 }  // namespace avi

@@ -1,10 +1,15 @@
 #pragma once
 #include "avi/core/bracketed_root.hpp"
 #include "avi/core/outcome.hpp"
+#include "avi/core/require.hpp"
+#include "avi/core/vector.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <sstream>
+#include <string>
 
 /// @file
 /// One step that was taken, and the states inside it.
@@ -27,7 +32,37 @@ struct Located {
   double h = 0.0;        ///< The step that leads there from the beginning of the whole one.
   StepReport report{};   ///< Of that step; unless it is ok, `state` means nothing.
   long evaluations = 0;  ///< Of all the steps that were tried.
+  std::string reason{};  ///< Why there is no state: a clause for the message of a run.
+
+  /// True where the state was found.
+  [[nodiscard]] bool ok() const { return report.ok(); }
 };
+
+namespace detail {
+/// Sets the time of a state that has it to rounding; a problem with time among its coordinates sets both.
+template <class M, class State>
+void set_time(const M& method, State& z, double t) {
+  if constexpr (requires { method.problem().set_time(z, t); })
+    method.problem().set_time(z, t);
+  else
+    z.t = t;
+}
+
+/// Rounding of the largest entry: the noise of a function that is zero but for rounding.
+template <class State>
+double rounding_of_entries([[maybe_unused]] const State& z) {
+  double most = 0.0;
+  if constexpr (requires { z.q.size(), z.p.size(); })
+    for (Eigen::Index i = 0; i < z.q.size(); ++i)
+      most = std::max({most, std::abs(z.q[i]), std::abs(z.p[i])});
+  return std::numeric_limits<double>::epsilon() * most;
+}
+
+/// The rounding of the clock between two times.
+inline double rounding_of_time(double a, double b) {
+  return std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
+}
+}  // namespace detail
 
 /// A step that was taken: what an observer of steps is shown.
 template <class M, class State>
@@ -40,26 +75,113 @@ struct Step {
   /// The state inside the step where f(state) = 0. A copy of the method repeats the step with smaller sizes
   /// until f vanishes to round-off, so the point is as accurate as the ends of the step and the run is not
   /// touched. It takes 5 to 10 steps. f(before) and f(after) must have different signs, or f(after) be zero;
-  /// of several zeros one is found.
-  /// @param f continuous function of the state @param tolerance |f| that is small enough
+  /// of several zeros one is found. The state lies on the zero or beyond it, where f has the sign of
+  /// f(after): a search that goes on from there does not meet the same zero again.
+  ///
+  /// A function that changes its sign without a zero, by a jump or a pole, ends as not_converged, one that is
+  /// NaN as non_finite; `reason` has the numbers.
+  /// @param f continuous function of the state @param tolerance |f| that is small enough; 0 for round-off
+  /// @throws std::invalid_argument for a tolerance that is negative, infinite or NaN.
   template <class F>
   [[nodiscard]] Located<State> locate(F&& f, double tolerance = 0.0) const {
-    const double first = f(before), last = f(after);
-    Located<State> found{.state = after, .h = h};
-    if (!(std::abs(last) > tolerance)) return found;
-    const double sign = std::copysign(1.0, last);
-    std::optional<M> repeated;
-    const auto value = [&](double part) {
-      if (!detail::one_step<M> || !repeated) repeated.emplace(method);
-      found.state = before;
-      found.h = part * h;
-      found.report = repeated->step(found.state, found.h);
-      found.evaluations += found.report.evaluations;
-      if (found.report.outcome != Outcome::ok) return std::numeric_limits<double>::quiet_NaN();
-      return sign * f(found.state);
-    };
-    bracketed_root(value, 0.0, sign * first, 1.0, sign * last, tolerance);
+    return locate_from(0.0, f(before), f, tolerance);
+  }
+
+  /// The same after the given part of the step, in [0, 1), where f is f_begin.
+  template <class F>
+  [[nodiscard]] Located<State> locate_from(double begin, double f_begin, F&& f, double tolerance) const {
+    require(std::isfinite(tolerance) && tolerance >= 0.0, "Tolerance of the zero", tolerance,
+            "finite and not negative");
+    return search(begin, f_begin, f, tolerance, Side::beyond);
+  }
+
+  /// The state inside the step at physical time t, to the bit wherever the clock of the method runs evenly to
+  /// rounding; found as by locate().
+  /// @param t between the times of the two ends
+  [[nodiscard]] Located<State> at(double t) const {
+    const double rounding = detail::rounding_of_time(before.t, after.t);
+    const auto late = [t](const State& z) { return z.t - t; };
+    Located<State> found = search(0.0, late(before), late, rounding, Side::either);
+    if (found.ok() && std::abs(late(found.state)) <= rounding) detail::set_time(method, found.state, t);
     return found;
+  }
+
+  /// The state after the given part of the step, in [0, 1].
+  [[nodiscard]] Located<State> part(double fraction) const {
+    std::optional<M> repeated;
+    Located<State> there{.state = before};
+    take(repeated, fraction, there);
+    return there;
+  }
+
+ private:
+  void take(std::optional<M>& repeated, double fraction, Located<State>& there) const {
+    if (!detail::one_step<M> || !repeated) repeated.emplace(method);
+    there.state = before;
+    there.h = fraction * h;
+    there.report = repeated->step(there.state, there.h);
+    there.evaluations += there.report.evaluations;
+  }
+
+  template <class F>
+  Located<State> search(double begin, double f_begin, const F& f, double tolerance, Side side) const {
+    const double last = f(after);
+    Located<State> found{.state = after, .h = h};
+    const auto fail = [&](Outcome outcome, auto&&... clause) {
+      found.report.outcome = outcome;
+      std::ostringstream reason;
+      reason.precision(17);
+      (reason << ... << clause);
+      found.reason = reason.str();
+      return found;
+    };
+    if (std::isnan(f_begin) || std::isnan(last))
+      return fail(Outcome::non_finite, "the function whose zero is sought is nan at t = ",
+                  std::isnan(f_begin) ? before.t : after.t);
+    if (std::abs(last) <= tolerance) return found;
+    const double sign = std::copysign(1.0, last);
+    require(sign * f_begin < 0.0, "f at the beginning of the step", f_begin,
+            "of another sign than at its end, ", last);
+    std::optional<M> repeated;
+    Located<State> tried{.state = before}, under{.state = before};
+    const auto value = [&](double fraction) {
+      take(repeated, fraction, tried);
+      if (!tried.ok()) return std::numeric_limits<double>::quiet_NaN();
+      const double at = sign * f(tried.state);
+      (at < 0.0 ? under : found) = tried;
+      return at;
+    };
+    const Root root = bracketed_root(value, begin, sign * f_begin, 1.0, sign * last, tolerance, side);
+    if (root.x < root.high) found = under;
+    found.evaluations = tried.evaluations;
+    if (std::isnan(root.value)) {
+      if (tried.ok())
+        return fail(Outcome::non_finite, "the function whose zero is sought is nan at t = ", tried.state.t);
+      found.report = tried.report;
+      found.reason = "a step to the zero that is sought failed";
+      return found;
+    }
+    if (root.met) return found;
+    // The sign changes between neighbouring states. They lie on a zero where f is small against its values at
+    // the ends, or has shrunk with the distance from it, as that of a continuous function does.
+    const double gap = root.f_high - root.f_low;
+    bool zero = root.closed && (gap <= 1e-8 * std::min(std::abs(f_begin), std::abs(last)) ||
+                                gap <= 16.0 * detail::rounding_of_entries(found.state));
+    if (root.closed && !zero) {
+      constexpr double wide = 0x1p-30;
+      const double down = std::max(begin, root.low - wide), up = std::min(1.0, root.high + wide);
+      const Located<State> kept = found;
+      const double f_down = down > begin ? value(down) : sign * f_begin,
+                   f_up = up < 1.0 ? value(up) : sign * last;
+      found = kept;
+      found.evaluations = tried.evaluations;
+      zero = f_up - f_down >= 4.0 * gap;
+    }
+    if (zero) return found;
+    return fail(Outcome::not_converged,
+                "the function whose zero is sought changes its sign near t = ", found.state.t,
+                ", but not through zero: from ", sign * root.f_low, " to ", sign * root.f_high,
+                ", where |g| is not small, as at a jump or a pole");
   }
 };
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "avi/core/finite_math.hpp"
 
 /// @file
 /// How increments are added to a state over many steps.

@@ -68,7 +68,8 @@ class Trajectory {
     if (from == 0.0 || to == 0.0)
       move_to(tau_at(from == 0.0 ? 0.0 : 1.0));
     else
-      move_to(tau_at(bracketed_root([&](double c) { return move_to(tau_at(c)); }, 0.0, from, 1.0, to, 0.0)));
+      move_to(
+          tau_at(bracketed_root([&](double c) { return move_to(tau_at(c)); }, 0.0, from, 1.0, to, 0.0).x));
     z.t = t;
     return z;
   }

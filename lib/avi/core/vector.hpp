@@ -1,4 +1,6 @@
 #pragma once
+#include "avi/core/finite_math.hpp"
+
 #include <Eigen/Core>
 
 #include <cmath>

@@ -66,6 +66,8 @@ class TimeDependent : public Poincare<extended_dimension(n), ExtendedHamiltonian
   [[nodiscard]] double clock(const Vector<double, extended_dimension(n)>& q, double) const {
     return q[q.size() - 1];
   }
+  /// Sets the time of a state where it has it to rounding already.
+  void set_time(State<extended_dimension(n)>& z, double t) const { z.q[z.q.size() - 1] = z.t = t; }
 };
 
 /// The extended problem of H(q, t, p) for orbits like that through `start`, with monitor g(q, t, p), g(q, p)
