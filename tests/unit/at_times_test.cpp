@@ -83,6 +83,16 @@ TEST(AtTimes, RefusesTimesOutOfOrder) {
   EXPECT_THROW(output(0.3, 2.0, {-1.0, 1.0}), std::invalid_argument);
 }
 
+TEST(AtTimes, AcceptsTimesAsNearAsNumbersAre) {
+  for (const double sense : {1.0, -1.0}) {
+    const std::vector<double> times{0.0, sense * 1e-300, sense * 2e-300};
+    const auto seen = output(sense * 0.3, sense * 2.0, times);
+    ASSERT_EQ(seen.size(), 3u);
+    for (int k = 0; k < 3; ++k)
+      EXPECT_EQ(seen[k].t, times[k]);
+  }
+}
+
 TEST(AtTimes, BlamesTheOrderOfTimesNotTheStart) {
   const auto sentence = [](double h, double t_end, const std::vector<double>& times) {
     return refusal([&] { (void)output(h, t_end, times); });

@@ -1,13 +1,17 @@
 #include "avi/core/integrate.hpp"
 
+#include "avi/core/integrate_to.hpp"
 #include "avi/core/state.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 using avi::Outcome;
@@ -77,6 +81,65 @@ TEST(Integrate, RefusesWhatSetsNoStepOrNoEnd) {
   EXPECT_THROW((void)avi::integrate(method, z, -0.1, {.time = 1.0}), std::invalid_argument);
   EXPECT_THROW((void)avi::integrate(method, z, 0.1, {.time = -1.0}), std::invalid_argument);
   EXPECT_THROW((void)avi::integrate(method, z, 0.1, {.steps = -1}), std::invalid_argument);
+}
+
+TEST(Integrate, RefusesAStartWithoutATime) {
+  Counter method;
+  for (const double t : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    const std::string sentence = "Time of the start is " +
+                                 std::string(std::isnan(t) ? "nan"
+                                             : t > 0       ? "inf"
+                                                           : "-inf") +
+                                 "; it must be finite.";
+    State<1> z = zero(t);
+    EXPECT_EQ(refusal([&] { (void)avi::integrate(method, z, 0.1, {.steps = 50}); }), sentence);
+    EXPECT_EQ(refusal([&] { (void)avi::integrate(method, z, 0.1, {.time = 5.0}); }), sentence);
+    EXPECT_EQ(refusal([&] { (void)avi::integrate_to(method, z, 0.1, 5.0); }), sentence);
+    const avi::Event event{[](const State<1>& at) { return at.q[0]; }};
+    EXPECT_EQ(refusal([&] { (void)avi::integrate_to(method, z, 0.1, event, {.time = 5.0}); }), sentence);
+  }
+}
+
+TEST(Integrate, EndsAfterSoManySeconds) {
+  for (const double seconds : {std::nan(""), 0.0, -1.0}) {
+    Counter method;
+    State<1> z = zero();
+    EXPECT_THROW((void)avi::integrate(method, z, 1.0, {.time = 1.0, .seconds = seconds}),
+                 std::invalid_argument);
+  }
+  struct Slow : Counter {
+    avi::StepReport step(State<1>& z, double h) const {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      return Counter::step(z, h);
+    }
+  } slow;
+  Counter fast;
+  const auto check = [](auto& method, double bound) {
+    State<1> z = zero();
+    const auto began = std::chrono::steady_clock::now();
+    const avi::Run run = avi::integrate(method, z, 1.0, {.time = 1e15, .seconds = 0.05});
+    const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    EXPECT_EQ(run.outcome, Outcome::time_limit);
+    EXPECT_FALSE(run.ok());
+    EXPECT_EQ(run.message.find("The run ended as time_limit after "), 0u) << run.message;
+    EXPECT_GE(took, 0.05);
+    EXPECT_LT(took, bound);
+    EXPECT_EQ(z.t, static_cast<double>(run.steps));
+  };
+  check(slow, 2.0);  // measured 0.06; another process may have the processor
+  check(fast, 2.0);
+  State<1> z = zero();
+  EXPECT_TRUE(avi::integrate(fast, z, 1.0, {.time = 1e3, .seconds = 100.0}).ok());
+}
+
+TEST(Integrate, PassesOnTheReasonOfAnObserver) {
+  Counter method;
+  State<1> z = zero();
+  const avi::Run run = avi::integrate(method, z, 0.5, {.steps = 10}, [](const State<1>&, long k) {
+    return k < 4 ? avi::Answer{} : avi::Answer{Outcome::diverged, "it is too far out"};
+  });
+  EXPECT_EQ(run.outcome, Outcome::diverged);
+  EXPECT_EQ(run.message, "The run ended as diverged after 4 steps, at t = 2: it is too far out.");
 }
 
 TEST(Integrate, KeepsTheLastGoodState) {

@@ -136,7 +136,7 @@ struct Step {
       return found;
     };
     if (std::isnan(f_begin) || std::isnan(last))
-      return fail(Outcome::non_finite, "the function whose zero is sought is nan at t = ",
+      return fail(Outcome::non_finite, "g is nan at t = ",
                   std::isnan(f_begin) ? before.t : after.t);
     if (std::abs(last) <= tolerance) return found;
     const double sign = std::copysign(1.0, last);
@@ -156,9 +156,9 @@ struct Step {
     found.evaluations = tried.evaluations;
     if (std::isnan(root.value)) {
       if (tried.ok())
-        return fail(Outcome::non_finite, "the function whose zero is sought is nan at t = ", tried.state.t);
+        return fail(Outcome::non_finite, "g is nan at t = ", tried.state.t);
       found.report = tried.report;
-      found.reason = "a step to the zero that is sought failed";
+      found.reason = "a step to g = 0 failed";
       return found;
     }
     if (root.met) return found;
@@ -179,7 +179,7 @@ struct Step {
     }
     if (zero) return found;
     return fail(Outcome::not_converged,
-                "the function whose zero is sought changes its sign near t = ", found.state.t,
+                "g changes its sign near t = ", found.state.t,
                 ", but not through zero: from ", sign * root.f_low, " to ", sign * root.f_high,
                 ", where |g| is not small, as at a jump or a pole");
   }

@@ -78,7 +78,7 @@ class Htvi {
       report.residual = largest_entry(residual);
       if (!std::isfinite(report.residual))
         report.outcome = Outcome::non_finite;
-      else if (!(problem().clock(equations.change.q, increments.t.value()) * h > 0.0))
+      else if (!(problem().clock(equations.change.q, increments.t.value()) * std::copysign(1.0, h) > 0.0))
         report.outcome = Outcome::bad_monitor;
       if (report.outcome != Outcome::ok) return report;
       const double accepted =

@@ -1,0 +1,243 @@
+#include "avi/collocation/collocation.hpp"
+#include "avi/core/at_times.hpp"
+#include "avi/core/integrate_to.hpp"
+#include "avi/htvi/htvi.hpp"
+#include "avi/integrators/coefficient_lists.hpp"
+#include "avi/integrators/log_hamiltonian.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/transform/monitors.hpp"
+#include "avi/transform/poincare.hpp"
+#include "avi/transform/time_dependent.hpp"
+#include "refusal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+using avi::Crossing;
+using avi::Event;
+using avi::Kepler;
+using avi::Outcome;
+using avi::State;
+
+namespace events_test {
+
+const auto henon = [](const auto& q, const auto& p) {
+  return 0.5 * (p[0] * p[0] + p[1] * p[1]) + 0.5 * (q[0] * q[0] + q[1] * q[1]) + q[0] * q[0] * q[1] -
+         q[1] * q[1] * q[1] / 3.0;
+};
+const auto pendulum = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - cos(q[0]); };
+
+State<1> swing(double q, double p) {
+  return {.q = avi::Vector<double, 1>(q), .p = avi::Vector<double, 1>(p)};
+}
+
+/// The times of `count` events, each found by a run that starts where the last one ended.
+template <class M>
+std::vector<double> section(M method, State<2> z, double h, Crossing crossing, int count) {
+  const Event event{[](const State<2>& at) { return at.q[0]; }, crossing};
+  std::vector<double> times;
+  for (int k = 0; k < count; ++k) {
+    const auto run = avi::integrate_to(method, z, h, event, {.time = z.t + (h > 0.0 ? 50.0 : -50.0)});
+    EXPECT_TRUE(run.ok()) << run.message;
+    EXPECT_LT(std::abs(z.q[0]), 1e-15);
+    times.push_back(z.t);
+  }
+  return times;
+}
+
+TEST(Events, AreFoundOnceWhereARunGoesOnFromTheLastOne) {
+  const State<2> start{.q = {0.1, 0.2}, .p = {0.35, 0.1}};
+  for (const int order : {2, 4, 8, 16})
+    for (const double h : {0.3, -0.3})
+      for (const Crossing crossing : {Crossing::rising, Crossing::falling, Crossing::either}) {
+        const auto method = avi::collocation(avi::poincare<2>(henon, start), order);
+        const auto times = section(method, start, h, crossing, 200);
+        // The same crossings as one run sees.
+        std::vector<double> seen;
+        auto z = start;
+        auto fresh = method;
+        const Event event{[](const State<2>& at) { return at.q[0]; }, crossing};
+        (void)avi::integrate(fresh, z, h, {.time = times.back() + (h > 0.0 ? 0.5 : -0.5)},
+                             avi::on_event(event, [&](const State<2>& at) { seen.push_back(at.t); }));
+        ASSERT_GE(seen.size(), times.size());
+        // By a method of low order steps of another phase lead elsewhere.
+        for (std::size_t k = 0; order >= 8 && k < times.size(); ++k)
+          EXPECT_NEAR(times[k], seen[k], 2e-2) << order << ' ' << h << ' ' << k;
+        for (std::size_t k = 1; k < times.size(); ++k)
+          EXPECT_GT(std::abs(times[k] - times[k - 1]), 0.1) << order << ' ' << h;
+      }
+}
+
+TEST(Events, AreNotFoundAgainOnTheWayBack) {
+  const State<2> start{.q = {0.1, 0.2}, .p = {0.35, 0.1}};
+  const Event event{[](const State<2>& at) { return at.q[0]; }};
+  for (const int order : {4, 16}) {
+    auto method = avi::collocation(avi::poincare<2>(henon, start), order);
+    State<2> z = start;
+    for (int k = 0; k < 100; ++k) {
+      ASSERT_TRUE(avi::integrate_to(method, z, 0.3, event, {.time = z.t + 50.0}).ok());
+      State<2> back = z;
+      ASSERT_TRUE(avi::integrate_to(method, back, -0.3, event, {.time = z.t - 50.0}).ok());
+      EXPECT_LT(back.t, z.t - 0.1) << k;
+      int seen = 0;
+      back = z;
+      (void)avi::integrate(method, back, -0.1, {.steps = 2},
+                           avi::on_event(event, [&](const State<2>&) { ++seen; }));
+      EXPECT_EQ(seen, 0) << k;
+    }
+  }
+}
+
+TEST(Events, SoonAfterTheLastOneAreFound) {
+  // Near its turning point the pendulum passes q = a twice, within one step or several.
+  const double top = 0.9;
+  const State<1> start = swing(0.0, std::sqrt(2.0 * (1.0 - std::cos(top))));
+  for (const double below : {1e-2, 1e-4, 1e-6, 1e-8})
+    for (const double sense : {1.0, -1.0})
+      for (const double h : {0.01, 0.3}) {
+        auto method = avi::collocation(avi::poincare<1>(pendulum, start), 16);
+        State<1> z = start;
+        const Event event{[&](const State<1>& at) { return sense * at.q[0] - (top - below); }};
+        const Event turn{[](const State<1>& at) { return at.p[0]; }};
+        State<1> turned = start;
+        ASSERT_TRUE(avi::integrate_to(method, turned, sense * 0.1, turn, {.time = sense * 5.0}).ok());
+        const auto first = avi::integrate_to(method, z, sense * 0.1 * std::sqrt(below), event,
+                                             {.time = sense * 3.0, .steps = 1'000'000});
+        ASSERT_TRUE(first.ok()) << first.message << below;
+        const double t = z.t;
+        const auto second = avi::integrate_to(method, z, sense * h, event, {.time = z.t + sense * 2.0});
+        ASSERT_TRUE(second.ok()) << second.message << ' ' << below;
+        EXPECT_NEAR(z.t - turned.t, turned.t - t, 1e-7) << below << ' ' << h;
+      }
+}
+
+TEST(Events, OfEveryMonotoneFunctionAreFound) {
+  const auto find = [&](std::function<double(double)> g, double tolerance = 0.0) {
+    State<1> z = swing(0.0, 1.2);
+    auto method = avi::collocation(avi::poincare<1>(pendulum, z), 16);
+    const Event event{[&](const State<1>& at) { return g(at.q[0]); }, Crossing::rising, tolerance};
+    const auto run = avi::integrate_to(method, z, 1.2, event, {.time = 1.9});
+    return std::pair{run, z};
+  };
+  const auto expect_half = [&](std::function<double(double)> g, double bound = 3e-16) {
+    const auto [run, z] = find(g);
+    EXPECT_TRUE(run.ok()) << run.message;
+    EXPECT_NEAR(z.q[0], 0.5, bound);
+    EXPECT_GE(g(z.q[0]), 0.0);
+    EXPECT_LE(run.evaluations, 1500) << "at about ten a step";
+  };
+  expect_half([](double q) { return std::exp(80.0 * q) - std::exp(40.0); });
+  expect_half([](double q) { return std::exp(600.0 * q) - std::exp(300.0); });
+  expect_half([](double q) { return std::cbrt(q - 0.5); });
+  expect_half([](double q) { return std::tanh(1e8 * (q - 0.5)); });
+  expect_half([](double q) { return 1e-200 * (q - 0.5); });
+  expect_half([](double q) { return 1e200 * (q - 0.5); });
+  expect_half([](double q) { return (1e6 + q) - (1e6 + 0.5); }, 6e-11);
+
+  const auto refused = [&](std::function<double(double)> g, Outcome outcome, const std::string& why) {
+    const auto [run, z] = find(g);
+    EXPECT_EQ(run.outcome, outcome);
+    EXPECT_NE(run.message.find(why), std::string::npos) << run.message;
+    EXPECT_EQ(z.q[0], 0.0) << "the last good state";
+  };
+  refused([](double q) { return 1.0 / (q - 0.5); }, Outcome::not_converged, "where |g| is not small");
+  refused([](double q) { return q < 0.5 ? -1.0 : 1.0; }, Outcome::not_converged, "from -1 to 1, where |g|");
+  refused([](double q) { return q < 0.5 ? q - 0.5 - 1e-3 : q + 1.0; }, Outcome::not_converged, "to 1.5");
+  refused([](double q) { return std::sqrt(0.25 - q * q) - 0.6; }, Outcome::non_finite,
+          "g of the event is nan");
+  refused([](double q) { return std::abs(q - 0.5) < 0.1 ? NAN : q - 0.5; }, Outcome::non_finite,
+          "g is nan at");
+
+  for (const double tolerance : {std::nan(""), -1.0, HUGE_VAL}) {
+    const auto g = [](double q) { return q - 0.5; };
+    const std::string sentence = refusal([&] { (void)find(g, tolerance); });
+    EXPECT_EQ(sentence.find("Tolerance of the event is "), 0u) << sentence;
+    EXPECT_EQ(sentence, refusal([&] {
+                (void)avi::on_event(
+                    Event{[](const State<1>& z) { return z.q[0]; }, Crossing::rising, tolerance},
+                    [](const State<1>&) {});
+              }));
+  }
+}
+
+TEST(Events, ThatAreJumpsEndARunWithAReason) {
+  State<1> z = swing(0.0, 1.2);
+  auto method = avi::collocation(avi::poincare<1>(pendulum, z), 16);
+  const Event jump{[](const State<1>& at) { return at.q[0] < 0.5 ? -1.0 : 1.0; }};
+  const auto run = avi::integrate(method, z, 0.1, {.time = 1.0}, avi::on_event(jump, [](const State<1>&) {}));
+  EXPECT_EQ(run.outcome, Outcome::not_converged);
+  EXPECT_NE(run.message.find("from -1 to 1, where |g| is not small"), std::string::npos) << run.message;
+}
+
+TEST(Events, OfAFunctionThatIsZeroButForRoundingEndNothing) {
+  // An orbit in a plane: the third coordinate is noise.
+  const auto H = [](const auto& q, const auto& p) {
+    return 0.5 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) -
+           1.0 / sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
+  };
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  State<3> z{.q = {1.0, 0.0, 0.0}, .p = {0.0, 1.1 * c, 1.1 * s}};
+  auto method = avi::collocation(avi::poincare<3>(H, z), 8);
+  const Event across{[&](const State<3>& at) { return s * at.q[1] - c * at.q[2]; }};
+  int seen = 0;
+  const auto run =
+      avi::integrate(method, z, 0.1, {.time = 50.0}, avi::on_event(across, [&](const State<3>&) { ++seen; }));
+  EXPECT_TRUE(run.ok()) << run.message;
+}
+
+template <class M, class S>
+void expect_landing(const M& method, const S& start, double h, double t_end) {
+  M fresh = method;
+  S z = start;
+  const auto run = avi::integrate_to(fresh, z, h, t_end);
+  ASSERT_TRUE(run.ok()) << run.message;
+  EXPECT_EQ(z.t, t_end) << h;
+  double shown = NAN;
+  M again = method;
+  S passed = start;
+  ASSERT_TRUE(avi::integrate(again, passed, h, {.time = t_end},
+                             avi::at_times({t_end}, [&](const S& at) { shown = at.t; }))
+                  .ok());
+  EXPECT_EQ(shown, t_end) << h;
+}
+
+TEST(Landing, IsOnTheTimeToTheBit) {
+  for (const double t0 : {0.0, 1.0, -2.0, 1e6})
+    for (const double h : {0.17, 0.05, -0.17})
+      for (const double span : {1e-300, 1e-12, 0.001, 1.0 / 3.0, 1.0, M_PI, 7.3}) {
+        const double end = t0 + std::copysign(span, h);
+        if (end == t0) continue;
+        State<2> z = Kepler::pericentre(0.6);
+        z.t = t0;
+        expect_landing(avi::splitting(avi::LogHamiltonian(Kepler{}, z), avi::compositions::kahan_li8), z, h,
+                       end);
+        const auto problem = avi::poincare<2>(Kepler{}, z, avi::NormSquared{});
+        expect_landing(avi::collocation(problem, 8), z, h, end);
+        expect_landing(avi::collocation(problem, 16), z, h, end);
+        expect_landing(avi::htvi<4>(problem), z, h, end);
+      }
+}
+
+TEST(Landing, KeepsTimeAndItsCoordinateTogether) {
+  const auto H = [](const auto& q, const auto& t, const auto& p) {
+    return 0.5 * p[0] * p[0] - (1.0 + 0.1 * cos(t)) * cos(q[0]);
+  };
+  for (const double t0 : {-2.0, 0.0, 1e5}) {
+    State<1> plain = swing(0.3, 0.5);
+    plain.t = t0;
+    const auto problem = avi::time_dependent(H, plain);
+    for (const double span : {0.1, 1.0 / 3.0, 2.0, 7.7}) {
+      auto method = avi::collocation(problem, 12);
+      State<2> z = avi::extended(problem, plain);
+      ASSERT_TRUE(avi::integrate_to(method, z, 0.21, t0 + span).ok());
+      EXPECT_EQ(z.t, t0 + span);
+      EXPECT_EQ(z.q[1], z.t);
+    }
+  }
+}
+
+}  // namespace events_test
