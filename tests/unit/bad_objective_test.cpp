@@ -54,6 +54,78 @@ TEST(BadObjective, NamesAGradientWhoseSquareIsNoNumber) {
   }
 }
 
+// What is asked for is beyond what norms can tell, at the start or on the way: never a false ok.
+TEST(BadObjective, NamesAGradientWhoseSquareUnderflowsOnTheWay) {
+  for (const double unit : {1e-140, 1e-145, 1e-148, 1e-151, 1e-155, 1e-158, 1e-161})
+    for (const int memory : {0, 7}) {
+      double first = 0.0;
+      const auto f = [&](const VectorX& x, VectorX& g) {
+        const double value = unit * rosenbrock(x, g);
+        g *= unit;
+        if (first == 0.0) first = g.lpNorm<Eigen::Infinity>();
+        return value;
+      };
+      const auto run = minimise(f, {-1.2, 1.0}, {.relative = 1e-10, .memory = memory});
+      const double reached = run.last.gradient.lpNorm<Eigen::Infinity>() / first;
+      if (run.outcome == Outcome::ok) {
+        EXPECT_LT(reached, 1e-10) << unit;
+        EXPECT_GT(unit, 1e-143);
+      } else {
+        EXPECT_EQ(run.outcome, Outcome::non_finite) << run.message;
+        EXPECT_NE(run.message.find("beyond the range of numbers; scale f"), std::string::npos) << run.message;
+        EXPECT_LT(unit, 1e-139);
+      }
+    }
+}
+
+TEST(BadObjective, OfTinyGradientIsDoneWhereThatWasAskedFor) {
+  const auto tiny = [](const VectorX& x, VectorX& g) {
+    g = 1e-170 * x;
+    return 0.5e-170 * x.squaredNorm();
+  };
+  EXPECT_TRUE(minimise(tiny, VectorX::Ones(3), {.relative = 0.0, .absolute = 1e-160}).ok());
+  EXPECT_EQ(minimise(tiny, VectorX::Ones(3), {.relative = 0.0, .absolute = 1e-175}).outcome,
+            Outcome::non_finite);
+}
+
+// Right gradients at a minimum up to the rounding of x, where a probe for the slope is many waves long.
+TEST(BadObjective, IsNotAccusedWhereRoundingOfXEndsTheRun) {
+  const auto wave = [](const VectorX& x, VectorX& g) {
+    g[0] = -1e10 * std::sin(1e10 * x[0]);
+    return std::cos(1e10 * x[0]);
+  };
+  const auto ran = minimise(wave, {1.0});
+  EXPECT_EQ(ran.outcome, Outcome::stalled) << ran.message;
+  EXPECT_NE(minimise(wave, {1.0}, {.check_gradient = true}).outcome, Outcome::wrong_gradient);
+  const auto eg2 = [](const VectorX& x, VectorX& g) {
+    const Eigen::Index last = x.size() - 1;
+    double f = 0.5 * std::sin(x[last] * x[last]);
+    g.setZero();
+    g[last] = x[last] * std::cos(x[last] * x[last]);
+    for (Eigen::Index i = 0; i < last; ++i) {
+      const double angle = x[0] + x[i] * x[i] - 1.0;
+      f += std::sin(angle);
+      g[0] += std::cos(angle);
+      g[i] += 2.0 * x[i] * std::cos(angle);
+    }
+    return f;
+  };
+  for (const int memory : {0, 7}) {
+    const auto run = minimise(eg2, VectorX::Ones(1000), {.memory = memory, .evaluations = 20'000});
+    EXPECT_TRUE(run.outcome == Outcome::stalled || run.ok()) << run.message;
+    EXPECT_LT(run.last.value, memory == 7 ? -999.49 : -998.9);  // the lowest is -999.5, another minimum -999
+  }
+}
+
+TEST(BadObjective, IsAccusedWhereItsGradientIsWrongOnAWaveToo) {
+  const auto flipped = [](const VectorX& x, VectorX& g) {
+    g[0] = 1e10 * std::sin(1e10 * x[0]);
+    return std::cos(1e10 * x[0]);
+  };
+  EXPECT_EQ(minimise(flipped, {1.0}).outcome, Outcome::no_descent);
+  EXPECT_EQ(minimise(flipped, {1.0}, {.check_gradient = true}).outcome, Outcome::wrong_gradient);
+}
+
 TEST(BadObjective, GoesRoundAWallOfInfinity) {
   // log barrier: infinite for x <= 0, where the first steps of a far start may land
   const auto barrier = [](const VectorX& x, VectorX& g) {

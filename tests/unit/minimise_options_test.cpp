@@ -1,8 +1,10 @@
 #include "avi/optim/minimise_options.hpp"
+#include "text_of.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <regex>
 #include <stdexcept>
 
 using avi::MinimiseOptions;
@@ -18,6 +20,16 @@ TEST(MinimiseOptions, HaveTheDocumentedDefaults) {
   EXPECT_EQ(options.iterations, 10'000'000);
   EXPECT_EQ(options.evaluations, 10'000'000);
   EXPECT_FALSE(options.check_gradient);
+}
+
+TEST(MinimiseOptions, HaveTheDefaultsThatTheirPageStates) {
+  const std::string page = text_of(AVI_SOURCE_DIR "/lib/docs/optimisation.md"),
+                    header = text_of(AVI_SOURCE_DIR "/lib/avi/optim/minimise_options.hpp");
+  const std::regex row("\n\\| `([a-z_]+)` \\| `([^`]+)`");
+  int rows = 0;
+  for (std::sregex_iterator i(page.begin(), page.end(), row), end; i != end; ++i, ++rows)
+    EXPECT_NE(header.find(" " + i->str(1) + " = " + i->str(2) + ";"), std::string::npos) << i->str();
+  EXPECT_EQ(rows, 6);
 }
 
 TEST(MinimiseOptions, AreRefusedOutsideTheirRanges) {

@@ -22,6 +22,22 @@ TEST(SlopeCheck, SlopesByValuesAreAsUncertainAsTheySay) {
   }
 }
 
+TEST(SlopeCheck, RoundingOfXHidesASlopeAtTheMinimumOfSmoothFunctionsOnly) {
+  const double resolution = 0x1p-52;
+  const auto lost = [&](auto phi, double slope) {
+    return avi::lost_in_rounding(phi, phi(0.0), slope, resolution);
+  };
+  const auto smooth = [](double s) { return 1e20 * s * s; };
+  EXPECT_TRUE(lost(smooth, -1.5e5));  // eight units of the resolution change its slope by 3.6e5
+  EXPECT_FALSE(lost(smooth, -4e5));
+  EXPECT_TRUE(lost([](double s) { return -std::cos(1e10 * s); }, -1e4));
+  EXPECT_FALSE(lost([](double s) { return std::cos(1e10 * s); }, -1e4)) << "a maximum";
+  EXPECT_FALSE(lost([](double s) { return 1e20 * std::abs(s); }, -1e4)) << "a kink";
+  EXPECT_FALSE(lost([](double s) { return s > 1e-16 ? 1e20 : 0.0; }, -1e4)) << "a jump";
+  EXPECT_FALSE(lost([](double) { return 1e20; }, -1e-4)) << "flat";
+  EXPECT_FALSE(lost([](double s) { return 0.5 * s * s; }, 1.0)) << "another slope";
+}
+
 TEST(SlopeCheck, EveryEntryTakesPartByItsSize) {
   for (const double scale : {1e-200, 1e-3, 1.0, 1e6}) {
     VectorX x(100), d(100);

@@ -1,5 +1,6 @@
 #pragma once
 #include "avi/optim/recorded_objective.hpp"
+#include "avi/optim/starting_point.hpp"
 #include "avi/optim/state_clock.hpp"
 
 /// @file
@@ -7,34 +8,61 @@
 
 namespace avi {
 
+namespace detail {
+
+/// Passes for a VectorX and for nothing else: Eigen lets one kind of vector pass for another until it is
+/// used.
+struct PassesForVectorX {
+  operator const VectorX&() const;  ///< Never called.
+};
+
+/// Refuses what is no function to minimise, with the reason.
+template <class F>
+constexpr void refuse_as_objective() {
+  using Float = Vector<float, dynamic>;
+  constexpr bool value_alone = std::is_invocable_v<const F&, const PassesForVectorX&>;
+  constexpr bool in_float = std::is_invocable_v<const F&, const Float&, Float&> ||
+                            (std::is_invocable_v<const F&, const Float&> && !value_alone);
+  static_assert(!in_float, "f works in float: the library computes in double alone.");
+  static_assert(
+      in_float || !value_alone,
+      "f gives a value alone: have it fill a gradient, too, f(x, gradient), or write it for any kind "
+      "of number, [](const auto& x) { ... }, so that its gradient can be found.");
+  static_assert(in_float || value_alone,
+                "f must be f(x, gradient), which returns the value and fills the gradient, or a formula f(x) "
+                "for any kind of number; x and gradient are avi::VectorX.");
+}
+
+}  // namespace detail
+
 /// Minimises f from x0 with the defaults, or with what `options` chooses: the heavy ball of StateClock.
 ///
-/// f(x, gradient) returns the value and fills the gradient. Local minima, saddles and flat ends are all
-/// stationary points: the run stops at the first one it meets, and each iteration lowers f. @code const auto
-/// run = avi::minimise([](const avi::VectorX& x, avi::VectorX& g) { g = x; return 0.5 * x.dot(x); },
-///                                avi::VectorX::Ones(10));
-/// if (run.converged()) use(run.last.x); @endcode
+/// f(x, gradient) returns the value and fills the gradient; or f(x) is a formula that is generic in its
+/// scalar, and the gradient is found by automatic differentiation. x0 is whatever StartingPoint takes. Local
+/// minima, saddles and flat ends are all stationary points: the run stops at the first one it meets, and each
+/// iteration lowers f. @code
+/// const auto run = avi::minimise([](const auto& x) { return (x[0] - 1.0) * (x[0] - 1.0) + x[1] * x[1]; },
+///                                {3.0, 4.0});
+/// if (run.ok()) use(run.last.x); @endcode
 /// Outcome::ok: converged; stalled: rounding hides what could still be gained; no_descent: values and
 /// gradient contradict each other; wrong_gradient: seen by the check on request, or a gradient of another
 /// size; diverged: f fell below -1e30 max(1, |f(x0)|); non_finite; step_limit; stopped. Whichever it is,
 /// `last` is the last good point that was evaluated.
 /// @throws std::invalid_argument for options out of range or an empty or non-finite x0.
-template <Objective F>
-[[nodiscard]] Minimisation minimise(const F& f, const VectorX& x0, const MinimiseOptions& options = {}) {
-  return StateClock(std::cref(f), x0, options).run();
-}
-
-/// The same for a formula f(x) that is generic in its scalar: the gradient is found by automatic
-/// differentiation.
-/// @code
-/// const auto run = avi::minimise([](const auto& x) { return (x[0] - 1.0) * (x[0] - 1.0) + x[1] * x[1]; },
-/// x0);
-/// @endcode
-template <Formula F>
-requires(!Objective<F>) [[nodiscard]] Minimisation
-    minimise(const F& f, const VectorX& x0, const MinimiseOptions& options = {}) {
-  require(x0.size() > 0, "Size of x0", x0.size(), "at least 1");
-  return minimise(RecordedObjective(f, x0.size()), x0, options);
+template <class F>
+[[nodiscard]] Minimisation minimise(const F& f, const StartingPoint& x0,
+                                    const MinimiseOptions& options = {}) {
+  const VectorX& x = x0.vector();
+  if constexpr (Objective<F>) {
+    return StateClock(std::cref(f), x, options).run();
+  } else if constexpr (Formula<F>) {
+    require(x.size() > 0, "Size of x0", x.size(), "at least 1");
+    const RecordedObjective recorded(f, x.size());
+    return StateClock(std::cref(recorded), x, options).run();
+  } else {
+    detail::refuse_as_objective<F>();
+    return {};
+  }
 }
 
 }  // namespace avi

@@ -1,5 +1,6 @@
 #pragma once
 #include "avi/core/event.hpp"
+#include "avi/optim/starting_point.hpp"
 #include "avi/optim/stopping.hpp"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ inline void describe_failure(Minimisation& run, double x_bound) {
 
 }  // namespace detail
 
-/// Minimises f from x0 with `method` until `stopping` says so.
+/// Minimises f from x0 = `start` with `method` until `stopping` says so.
 ///
 /// The objective is evaluated once at x0 and then wherever the method or the stopping test needs it.
 /// `witness(iterate, k, gradient_evaluations)` is called for k = 0 at the start and after every update; when
@@ -65,9 +66,10 @@ inline void describe_failure(Minimisation& run, double x_bound) {
 /// @throws std::invalid_argument for a stopping rule or hyper-parameters out of range, an empty or non-finite
 /// x0, or an objective that is not finite at x0 or whose gradient has another size or is not filled.
 template <Objective F, OptimisationMethod<F> M, class Witness = NoWitness>
-Minimisation run_updates(const F& f, const M& method, const VectorX& x0, const Stopping& stopping = {},
-                         Witness&& witness = {}) {
+Minimisation run_updates(const F& f, const M& method, const StartingPoint& start,
+                         const Stopping& stopping = {}, Witness&& witness = {}) {
   stopping.validate();
+  const VectorX& x0 = start.vector();
   require(x0.size() > 0, "Size of x0", x0.size(), "at least 1");
   require(std::isfinite(largest_entry(x0)), "Largest entry of x0", largest_entry(x0), "finite");
   Counted<F> objective(f, x0.size());

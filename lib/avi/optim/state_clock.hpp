@@ -31,12 +31,12 @@ class StateClock : LineState {
     const double steepness = largest_entry(base_.g);
     if (!std::isfinite(steepness))
       return end(Outcome::non_finite, "the gradient at x0 is not finite, or f did not fill it");
-    if (!std::isfinite(norm_) || (norm_ == 0.0 && steepness > 0.0))
-      return end(Outcome::non_finite,
-                 "the square of the gradient at x0 is beyond the range of numbers; scale f");
+    if (!std::isfinite(norm_)) return out_of_range(" at x0");
     if (!std::isfinite(base_.f)) return end(Outcome::non_finite, "f(x0) is not finite");
     scale_ = std::abs(base_.f);
-    target_ = std::max(options_.relative * norm_, options_.absolute);
+    norm0_ = length(base_.g);
+    target_ = std::max(options_.relative * norm0_, options_.absolute);
+    if (underflows()) return out_of_range(" at x0");
     floor_ = -std::min(1e30 * std::max(1.0, scale_), std::numeric_limits<double>::max());
     if (options_.check_gradient && !gradient_agrees()) return end(failure_, reason_);
     steepest();
@@ -46,6 +46,7 @@ class StateClock : LineState {
       const double before = base_.f;
       if (!line()) return end(failure_, reason_);
       ++run_.iterations;
+      if (underflows()) return out_of_range();
       bool done = norm_ <= target_ && std::abs(base_.f - before) < options_.change;
       if (done && !exact_) {
         settle();
@@ -59,6 +60,23 @@ class StateClock : LineState {
   }
 
  private:
+  /// Whether the gradient at the base is so small that the squares of its entries underflow, and not small
+  /// enough to be done: what norms say of it is not to be trusted, then. A run
+  /// without a tolerance, which has come that far from somewhere else, goes on until the norm is 0.
+  bool underflows() {
+    if (!(norm_ < 1e-150)) return false;
+    if (!exact_) settle();
+    const double by_scale = length(base_.g);
+    if (target_ == 0.0 && by_scale < 1e-100 * norm0_) return false;
+    norm_ = by_scale;
+    return norm_ > target_ && norm_ < 1e-150;
+  }
+
+  Minimisation out_of_range(std::string_view where = {}) {
+    return end(Outcome::non_finite, "the square of the gradient" + std::string(where) +
+                                        " is beyond the range of numbers; scale f");
+  }
+
   /// One iteration: trials along d until one of them gives the next point. False sets failure_.
   bool line() {
     LinePoint start{base_.f, down_};
@@ -145,7 +163,20 @@ class StateClock : LineState {
     if (++idle_ <= 200) return true;
     if (!exact_) settle();
     idle_ = 0;
-    return judge() || failure_ == Outcome::stalled;
+    return judge() || agrees_;
+  }
+
+  /// f on the line, as a function of alpha.
+  auto values_along_d() {
+    return [this](double alpha) {
+      place_trial(alpha);
+      return value_at(trial_);
+    };
+  }
+
+  SlopeByValues slope_along_d(double nearer = 1.0) {
+    const double length = std::sqrt(length2_), size = std::max(norm(base_.x), alpha_ * length);
+    return slope_by_values(values_along_d(), nearer * 1e-4 * (size > 0.0 ? size / length : 1.0));
   }
 
   /// Why steepest descent found nothing: rounding hides the fall, or the gradient is not that of f. Always
@@ -154,27 +185,24 @@ class StateClock : LineState {
     if (!std::isfinite(trial_.f) || !std::isfinite(square_))
       return fail(Outcome::non_finite, "f or its gradient is not finite wherever the run turns");
     const SlopeByValues by = slope_along_d();
-    if (by.agrees_with(down_, 0.1 * std::abs(down_)))
-      return fail(Outcome::stalled, "rounding of f hides what could still be gained");
+    agrees_ = by.agrees_with(down_, 0.1 * std::abs(down_));
+    if (agrees_) return fail(Outcome::stalled, "rounding of f hides what could still be gained");
+    const double resolution = std::numeric_limits<double>::epsilon() * norm(base_.x) / std::sqrt(length2_);
+    if (lost_in_rounding(values_along_d(), base_.f, down_, resolution))
+      return fail(Outcome::stalled, "rounding of x hides what could still be gained");
     return fail(Outcome::no_descent, by.against(down_));
   }
 
-  /// The check on request, at the start.
+  /// The check on request, at the start. Where the slope by values depends on the distance at which they are
+  /// taken, they are taken nearer to each other.
   bool gradient_agrees() {
     mixed_direction(base_.x, d_);
     measure_direction();
-    const SlopeByValues by = slope_along_d();
+    SlopeByValues by = slope_along_d();
+    for (double nearer = 1.0 / 64.0; by.depends_on_distance() && nearer > 1e-9; nearer /= 64.0)
+      by = slope_along_d(nearer);
     if (by.agrees_with(down_, 1e-7 * base_.g.cwiseProduct(d_).lpNorm<1>())) return true;
     return fail(Outcome::wrong_gradient, by.against(down_));
-  }
-
-  SlopeByValues slope_along_d() {
-    const double length = std::sqrt(length2_), size = std::max(norm(base_.x), alpha_ * length);
-    const auto along = [this](double h) {
-      place_trial(h);
-      return value_at(trial_);
-    };
-    return slope_by_values(along, 1e-4 * (size > 0.0 ? size / length : 1.0));
   }
 
   /// Tells the callback; false where it asks to stop.
@@ -198,9 +226,11 @@ class StateClock : LineState {
   }
 
   Minimisation run_;
+  double norm0_ = 0.0;                        ///< Norm of the gradient at x0.
   double scale_ = 0.0;                        ///< Largest |f| of the start and of where lines were stuck.
   double lowest_ = 1e300, gentlest_ = 1e300;  ///< Least value, and square of an evaluated gradient, so far.
   long idle_ = 0;                             ///< Iterations since either came down.
+  bool agrees_ = false;  ///< Whether values agreed with the slope when they were last asked.
   double unseen_ = 0.0;  ///< Errors of the recovered gradient that values did not show, in units of one.
 };
 

@@ -11,6 +11,14 @@
 
 namespace avi {
 
+/// |a|, also where the squares of its entries underflow.
+inline double length(const VectorX& a) {
+  const double unscaled = norm(a);
+  if (!(unscaled < 1e-150)) return unscaled;
+  const double largest = largest_entry(a);
+  return largest > 0.0 ? largest * norm(a / largest) : unscaled;
+}
+
 /// End of a run after iteration k: \f$|f(x_k) - f(x_{k-1})| < \delta\f$ and \f$\|\nabla f(x_k)\|_2 <
 /// \delta\f$ (the paper's termination criterion, equation (4.22)), or the cap, or the run has left every
 /// bound.
@@ -30,7 +38,7 @@ struct Stopping {
 
   /// The termination criterion; `change` is f(x_k) - f(x_{k-1}).
   [[nodiscard]] bool holds(double change, const Iterate& at) const {
-    return std::abs(change) < delta && norm(at.gradient) < delta;
+    return std::abs(change) < delta && length(at.gradient) < delta;
   }
 };
 
@@ -44,7 +52,8 @@ struct Minimisation {
   Iterate last;
   std::string message;  ///< Empty when converged; else one sentence with iteration and reason.
 
-  [[nodiscard]] bool converged() const { return outcome == Outcome::ok; }  ///< The criterion held.
+  [[nodiscard]] bool ok() const { return outcome == Outcome::ok; }  ///< The criterion held.
+  [[nodiscard]] bool converged() const { return ok(); }             ///< The same, in the field's word.
 };
 
 }  // namespace avi

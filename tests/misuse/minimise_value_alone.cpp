@@ -1,0 +1,9 @@
+// error: f gives a value alone: have it fill a gradient, too, f(x, gradient), or write it for any kind of
+// number
+#include "avi/optim/minimise.hpp"
+
+// A function for one kind of number and without a gradient.
+int main() {
+  const auto f = [](const avi::VectorX& x) { return x.squaredNorm(); };
+  return avi::minimise(f, {1.0, 2.0}).ok();
+}

@@ -1,0 +1,50 @@
+#include "avi/optim/recorded_objective.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+#include <vector>
+
+namespace recorded_objective_test {
+
+using avi::VectorX;
+
+const auto valley = [](const auto& x) {
+  auto sum = x[0] * 0.0;
+  for (Eigen::Index i = 0; i + 1 < x.size(); ++i) {
+    const auto a = x[i + 1] - x[i] * x[i], b = 1.0 - x[i];
+    sum += 100.0 * a * a + b * b;
+  }
+  return sum;
+};
+
+TEST(RecordedObjective, ServesSeveralThreadsAtATime) {
+  const avi::RecordedObjective shared(valley, 100);
+  std::vector<int> wrong(4, 0);
+  std::vector<std::thread> threads;
+  for (int k = 0; k < 4; ++k)
+    threads.emplace_back([&, k] {
+      const avi::RecordedObjective own = shared;
+      for (int i = 0; i < 10'000; ++i) {
+        const VectorX x = VectorX::Constant(100, 0.1 * k + 4e-5 * i);
+        VectorX g, expected;
+        const bool same = shared(x, g) == own(x, expected) && g == expected;
+        wrong[k] += same ? 0 : 1;
+      }
+    });
+  for (std::thread& each : threads)
+    each.join();
+  EXPECT_EQ(wrong, std::vector<int>(4, 0));  // some of them are, where all threads work in one memory
+}
+
+TEST(RecordedObjective, ACopyMadeDuringACallIsNotInUse) {
+  const avi::RecordedObjective first(valley, 3);
+  avi::RecordedObjective second = first;
+  second = first;
+  VectorX g, h;
+  EXPECT_EQ(first(VectorX::Ones(3), g), second(VectorX::Ones(3), h));
+  EXPECT_EQ(g, h);
+}
+
+}  // namespace recorded_objective_test
