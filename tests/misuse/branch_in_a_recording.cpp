@@ -1,5 +1,5 @@
-// error: A function that compares its arguments cannot be recorded: a straight line of operations has no
-// branches.
+// error: A formula is recorded once for all arguments, so it cannot branch on them: instead of `if` or `?:`
+// write select(a < b, x, y), min(x, y), max(x, y) or abs(x), without std::.
 #include <avi/autodiff/recording.hpp>
 
 int main() {

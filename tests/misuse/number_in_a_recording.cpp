@@ -1,5 +1,5 @@
-// error: A function that turns its arguments into numbers cannot be recorded: make it generic in its
-// scalar, or, where the compiler knows the dimension, supply d_dq(q, p) and d_dp(q, p).
+// error: A formula is recorded without values, so its arguments and what is computed from them cannot be
+// turned into numbers: make it generic in its scalar, and instead of a branch write select(a < b, x, y)
 #include <avi/autodiff/recording.hpp>
 
 int main() {

@@ -240,8 +240,8 @@ TEST(Recording, RefusesWhatItCannotServe) {
   EXPECT_EQ(refusal([&] { (void)recording.gradient(1, 2); }),
             "Number of derivatives is 2; it must be at most that of the entries left.");
   EXPECT_EQ(refusal([&] { Recording([](const auto& x) { return x[0] == 0.0 ? x[0] : x[1]; }, 2); }),
-            "A function that asks whether its arguments are equal cannot be recorded; where the compiler "
-            "knows the dimension, supply d_dq(q, p) and d_dp(q, p).");
+            "A function that asks whether its arguments are equal cannot be recorded; instead of a "
+            "branch write select(a < b, x, y), min(x, y), max(x, y) or abs(x).");
   Recorded kept;
   const Recording keeps([&](const auto& x) -> Recorded { return kept = x[0]; }, 1);
   EXPECT_EQ(

@@ -2,9 +2,10 @@
 #include "avi/autodiff/operation.hpp"
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
-#include <map>
-#include <tuple>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -58,12 +59,14 @@ class ExpressionGraph {
 
   /// The node of an operation on one node.
   int unary(Operation operation, int a) {
+    check(operation, 1);
     if (is_constant(a)) return constant(detail::evaluate(operation, nodes_[a].number, 0.0));
     return find({.operation = operation, .a = a});
   }
 
   /// The node of an operation on two nodes.
   int binary(Operation operation, int a, int b) {
+    check(operation, 2);
     if (is_constant(a) && is_constant(b))
       return constant(detail::evaluate(operation, nodes_[a].number, nodes_[b].number));
     switch (operation) {
@@ -87,11 +90,22 @@ class ExpressionGraph {
       if (is(a, 0.0)) return a;
       if (is(b, 1.0)) return a;
       break;
-    default:
+    case Operation::pow:
+      if (is_constant(b)) return power(a, nodes_[b].number);
+      break;
+    case Operation::when:
+      if (is_constant(a)) return is(a, 0.0) ? a : b;
+      if (is(b, 0.0)) return b;
+      if (is(b, 1.0)) return a;
+      break;
+    default:  // no shorter way
       break;
     }
     const int node = find({.operation = operation, .a = a, .b = b});
-    if (operation == Operation::divide && is_constant(a)) quotients_.emplace(b, node);
+    if (operation == Operation::divide && is_constant(a)) {
+      if (quotients_.size() <= static_cast<std::size_t>(b)) quotients_.resize(node, -1);
+      if (quotients_[b] < 0) quotients_[b] = node;
+    }
     return node;
   }
 
@@ -108,23 +122,54 @@ class ExpressionGraph {
 
   /// The node of a quotient number / b in the formula, or -1.
   [[nodiscard]] int quotient(int b) const {
-    const auto found = quotients_.find(b);
-    return found == quotients_.end() ? -1 : found->second;
+    return static_cast<std::size_t>(b) < quotients_.size() ? quotients_[b] : -1;
   }
 
  private:
+  static void check(Operation operation, int operands) {
+    if (detail::operands(operation) != operands)
+      throw std::logic_error(std::string("An operation does not have so many operands: ") +
+                             detail::name(operation) + ".");
+  }
+
+  /// The node, which is written down unless it is there.
   int find(const Node& node) {
-    const auto key =
-        std::make_tuple(node.operation, node.a, node.b, std::bit_cast<std::uint64_t>(node.number));
-    const auto [place, fresh] = known_.try_emplace(key, size());
-    if (fresh) nodes_.push_back(node);
-    return place->second;
+    if (places_.size() < 2 * nodes_.size() + 2) enlarge();
+    for (std::size_t place = hash(node);; ++place) {
+      int& known = places_[place & (places_.size() - 1)];
+      if (known < 0) {
+        known = size();
+        nodes_.push_back(node);
+        return known;
+      }
+      const Node& other = nodes_[known];
+      if (other.operation == node.operation && other.a == node.a && other.b == node.b &&
+          std::bit_cast<std::uint64_t>(other.number) == std::bit_cast<std::uint64_t>(node.number))
+        return known;
+    }
+  }
+  void enlarge() {
+    places_.assign(places_.empty() ? 64 : 2 * places_.size(), -1);
+    for (int i = 0; i < size(); ++i) {
+      std::size_t place = hash(nodes_[i]);
+      while (places_[place & (places_.size() - 1)] >= 0)
+        ++place;
+      places_[place & (places_.size() - 1)] = i;
+    }
+  }
+  static std::size_t hash(const Node& node) {
+    std::uint64_t key = static_cast<std::uint32_t>(node.a) | std::uint64_t{static_cast<std::uint32_t>(node.b)}
+                                                                 << 32;
+    key =
+        (key ^ std::bit_cast<std::uint64_t>(node.number)) * 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio
+    key = (key ^ (key >> 32) ^ static_cast<std::uint64_t>(node.operation)) * 0x9e3779b97f4a7c15;
+    return static_cast<std::size_t>(key >> 32);
   }
 
   int inputs_;
   std::vector<Node> nodes_;
-  std::map<std::tuple<Operation, int, int, std::uint64_t>, int> known_;
-  std::map<int, int> quotients_;
+  std::vector<int> places_;     // of nodes, by their hashes; -1 where there is none; a power of 2 of them
+  std::vector<int> quotients_;  // see quotient(); of the first nodes
 };
 
 }  // namespace avi

@@ -81,8 +81,14 @@ class Jet : Scalar<Jet<T, R>> {
   }
   ///@}
 
+  ///@{
+
   /// Of the values at time zero.
-  friend auto operator<=>(const Jet& a, const Jet& b) { return a.value() <=> b.value(); }
+  friend bool operator<(const Jet& a, const Jet& b) { return a.value() < b.value(); }
+  friend bool operator>(const Jet& a, const Jet& b) { return a.value() > b.value(); }
+  friend bool operator<=(const Jet& a, const Jet& b) { return a.value() <= b.value(); }
+  friend bool operator>=(const Jet& a, const Jet& b) { return a.value() >= b.value(); }
+  ///@}
 
   ///@{
 
@@ -112,11 +118,57 @@ class Jet : Scalar<Jet<T, R>> {
     return a.is_constant() ? Jet(std::atan(a.constant)) : a.with(Op::atan, a * a + 1.0);
   }
   friend Jet abs(const Jet& a) { return a.function(Op::absolute, std::abs); }
+  /// @cond
+#define AVI_own(name)
+#define AVI_by_slope(name)                                                                                   \
+  friend Jet name(const Jet& a) {                                                                            \
+    if (a.is_constant()) return Jet(std::name(a.constant));                                                  \
+    return by_slopes<1>(Operation::name, a, a, [](int, const Jet& x, const Jet&, const Jet& f) {             \
+      return detail::slopes::slope_of_##name(x, f);                                                          \
+    });                                                                                                      \
+  }
+#define AVI_ONE(name, pack, series, ...) AVI_##series(name)
+#define AVI_TWO(name, ...)                                                                                   \
+  friend Jet name(const Jet& a, const Jet& b) {                                                              \
+    if (a.is_constant() && b.is_constant()) return Jet(std::name(a.constant, b.constant));                   \
+    return by_slopes<2>(Operation::name, a, b, [](int k, const Jet& x, const Jet& y, const Jet& f) {         \
+      return k == 0 ? detail::slopes::slopes_of_##name<0>(x, y, f)                                           \
+                    : detail::slopes::slopes_of_##name<1>(x, y, f);                                          \
+    });                                                                                                      \
+  }
+  AVI_FUNCTIONS(AVI_ONE, AVI_TWO)
+#undef AVI_ONE
+#undef AVI_TWO
+#undef AVI_own
+#undef AVI_by_slope
+  /// @endcond
   /// Written down: a look at the value would have the formula called anew for every expansion.
   friend Jet sign_of(const Jet& a) { return a.function(Op::sign, avi::sign_of); }
   ///@}
 
  private:
+  /// A function f of a, or of a and b, by \f$f' = f_a a' + f_b b'\f$. @param slope called as
+  /// slope(0 or 1, a, b, f)
+  template <int operands, class Slope>
+  static Jet by_slopes(Operation operation, const Jet& a, const Jet& b, Slope slope) {
+    Tape& tape = a.is_constant() ? *b.tape : *a.tape;
+    const T *const x = a.series(tape), *const y = b.series(tape);
+    const int first = tape.size();
+    const auto integral = [&](const Jet& z) {
+      return z.is_constant() ? Jet(0.0) : Jet(tape.integral(z.coefficients), &tape);
+    };
+    const Jet along[] = {integral(a), operands == 2 ? integral(b) : Jet(0.0)};
+    const Jet f =
+        Jet(tape.write(Op::value, x, y, static_cast<double>(operation)), &tape) + (along[0] + along[1]);
+    for (const int k : {0, 1})
+      if (!along[k].is_constant())
+        tape.integrand(along[k].coefficients, slope(k, a, b, f).series(tape), first);
+    return f;
+  }
+  /// Coefficients, which a constant gets here.
+  [[nodiscard]] const T* series(Tape& where) const {
+    return is_constant() ? where.write(Op::constant, nullptr, nullptr, constant) : coefficients;
+  }
   [[nodiscard]] Jet scaled(double factor) const {
     if (factor == 0.0) return Jet(0.0);
     if (factor == 1.0) return *this;

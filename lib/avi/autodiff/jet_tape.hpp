@@ -1,5 +1,6 @@
 #pragma once
 #include "avi/autodiff/lanes.hpp"
+#include "avi/autodiff/operation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,10 @@ enum class SeriesOperation {
   log,       ///< b c' = a', with b = a
   atan,      ///< b c' = a', with b = 1 + a^2
   absolute,  ///< a or -a, by the sign of its value
-  sign       ///< 1 or -1, the sign of a's value
+  sign,      ///< 1 or -1, the sign of a's value
+  constant,  ///< number
+  value,     ///< Operation `number` at the values of a and b, the same at all times
+  integral   ///< c' = b a', 0 at time zero
 };
 
 /// A formula on truncated Taylor series, written down as it is first evaluated.
@@ -70,6 +74,23 @@ class JetTape {
     compute<0>(slot, 0);
     if (partner(operation) != operation) slot.b = write(partner(operation), a, nullptr, number);
     return slot.c;
+  }
+
+  /// The integral of b a', for a series b that integrand() names later: it may depend on this one.
+  const T* integral(const T* a) {
+    if (size_ == static_cast<int>(blocks_.size()) * block) extend();
+    Slot& slot = at(size_++);
+    slot.a = a;
+    slot.b = nullptr;
+    slot.operation = SeriesOperation::integral;
+    slot.number = 0.0;
+    compute<0>(slot, 0);
+    return slot.c;
+  }
+  /// Names b of an integral, among the slots from number `first` on.
+  void integrand(const T* integral, const T* b, int first) {
+    for (int i = first; i < size_; ++i)
+      if (at(i).c == integral) at(i).b = b;
   }
 
   /// Coefficient k of the first `count` slots, whose coefficients 0 to k - 1 are known, as are those up to k
@@ -190,10 +211,25 @@ class JetTape {
       if (k == 0) slot.number = value_of(a[0]) < 0.0 ? -1.0 : 1.0;
       c[k] = slot.number < 0.0 ? -1.0 * a[k] : a[k];
       break;
+    case Op::constant:
+      c[k] = T(k == 0 ? slot.number : 0.0);
+      break;
+    case Op::value:
+      c[k] = k == 0 ? function(static_cast<Operation>(slot.number), a[0], b ? b[0] : a[0]) : T(0.0);
+      break;
+    case Op::integral:
+      c[k] = k == 0 ? T(0.0) : convolution_weighted(a, b, k, 1.0, 0.0);
+      break;
     case Op::sign:
       c[k] = T(k > 0 ? 0.0 : value_of(a[0]) < 0.0 ? -1.0 : 1.0);
       break;
     }
+  }
+
+  [[gnu::noinline]] static T function(Operation operation, const T& a, const T& b) {
+    T result(0.0);
+    detail::with_operation(operation, [&]<Operation known>() { result = detail::apply<known>(a, b); });
+    return result;
   }
 
   // Inlined where k is known, which -O2 alone would not do: the sums become straight lines, twice as fast.

@@ -3,34 +3,33 @@
 
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 
 /// @file
-/// The operations of a recorded formula: the only list of them, for folding constants and for evaluating.
+/// The operations of a recorded formula: what each of them is, costs and computes.
 
 namespace avi {
 
 /// What is done with operands a and b.
 enum class Operation : std::uint8_t {
-  input,           ///< Argument number a; computes nothing.
-  constant,        ///< A number; computes nothing.
-  add,             ///< a + b
-  subtract,        ///< a - b
-  multiply,        ///< a b
-  divide,          ///< a / b
-  power,           ///< a to the constant power b
-  sqrt,            ///< Square root of a; those below too are functions of a.
-  exp,             ///< e to the a
-  log,             ///< Natural logarithm.
-  sin,             ///< Sine of a in radians.
-  cos,             ///< Cosine of a in radians.
-  tan,             ///< Tangent of a in radians.
-  sinh,            ///< Hyperbolic sine.
-  cosh,            ///< Hyperbolic cosine.
-  tanh,            ///< Hyperbolic tangent.
-  atan,            ///< Arc tangent, in radians.
-  abs,             ///< |a|
+  input,     ///< Argument number a; computes nothing.
+  constant,  ///< A number; computes nothing.
+  add,       ///< a + b
+  subtract,  ///< a - b
+  multiply,  ///< a b
+  divide,    ///< a / b
+  power,     ///< a to the constant power b
+/// @cond
+#define AVI_ROW(name, ...) name,  // that function of a, or of a and b
+  AVI_FUNCTIONS(AVI_ROW, AVI_ROW)
+#undef AVI_ROW
+  /// @endcond
   sign,            ///< 1 or -1, the slope of |a|.
+  less,            ///< 1 where a < b, else 0.
+  less_equal,      ///< 1 where a <= b, else 0.
+  when,            ///< b where the condition a is 1, else 0.
   nothing,         ///< a itself.
   subtract_from,   ///< b - a
   sum_of_products  ///< Sum of many products, added from the first one on.
@@ -38,36 +37,181 @@ enum class Operation : std::uint8_t {
 
 namespace detail {
 
+/// What such an operation is called.
+constexpr const char* name(Operation operation) {
+  switch (operation) {
+#define AVI_ROW(row, ...)                                                                                    \
+  case Operation::row:                                                                                       \
+    return #row;
+    AVI_FUNCTIONS(AVI_ROW, AVI_ROW)
+    AVI_ROW(input)
+    AVI_ROW(constant)
+    AVI_ROW(add)
+    AVI_ROW(subtract)
+    AVI_ROW(multiply)
+    AVI_ROW(divide)
+    AVI_ROW(power)
+    AVI_ROW(sign)
+    AVI_ROW(less)
+    AVI_ROW(less_equal)
+    AVI_ROW(when)
+    AVI_ROW(nothing)
+    AVI_ROW(subtract_from)
+    AVI_ROW(sum_of_products)
+#undef AVI_ROW
+  }
+  return "unknown";
+}
+
+/// How many nodes of a graph it is done with.
+constexpr int operands(Operation operation) {
+  using enum Operation;
+  switch (operation) {
+#define AVI_ONE(row, ...)                                                                                    \
+  case row:                                                                                                  \
+    return 1;
+#define AVI_TWO(row, ...)                                                                                    \
+  case row:                                                                                                  \
+    return 2;
+    AVI_FUNCTIONS(AVI_ONE, AVI_TWO)
+#undef AVI_ONE
+#undef AVI_TWO
+  case input:
+  case constant:
+    return 0;
+  case sign:
+  case nothing:
+    return 1;
+  case add:
+  case subtract:
+  case multiply:
+  case divide:
+  case power:
+  case less:
+  case less_equal:
+  case when:
+  case subtract_from:
+    return 2;
+  case sum_of_products:
+    break;
+  }
+  return -1;  // any number
+}
+
+/// What it costs at a pack. @param exponent of a power
+constexpr Work work(Operation operation, double exponent) {
+  using enum Operation;
+  switch (operation) {
+#define AVI_ONE(row, pack, series, work, slope)                                                              \
+  case row:                                                                                                  \
+    return work;
+#define AVI_TWO(row, work, ...)                                                                              \
+  case row:                                                                                                  \
+    return work;
+    AVI_FUNCTIONS(AVI_ONE, AVI_TWO)
+#undef AVI_ONE
+#undef AVI_TWO
+  case add:
+  case subtract:
+  case subtract_from:
+  case multiply:
+  case sign:
+  case less:
+  case less_equal:
+  case when:
+    return at_once(1.0);
+  case divide:
+    return at_once(2.0);
+  case power: {  // with quarters of an integer: roots and products
+    const double four = 4.0 * exponent;
+    return std::abs(four) < 1e15 && four == static_cast<double>(static_cast<long long>(four)) ? at_once(4.0)
+                                                                                              : each(4.0);
+  }
+  case input:
+  case constant:
+  case nothing:
+  case sum_of_products:
+    break;
+  }
+  return at_once(0.0);
+}
+
+/// std::exp for Operation::exp, and so on: a function that packs call one number after the other. Null for
+/// all other operations.
+template <Operation operation>
+constexpr auto one_by_one() {
+  using Op = Operation;
+  using One = double (*)(double);
+  using Two = double (*)(double, double);
+#define AVI_side_by_side(row) void(0)
+#define AVI_one_by_one(row)                                                                                  \
+  if constexpr (operation == Op::row) return static_cast<One>(std::row)
+#define AVI_ONE(row, pack, ...) AVI_##pack(row);
+#define AVI_TWO(row, ...)                                                                                    \
+  if constexpr (operation == Op::row) return static_cast<Two>(std::row);
+  AVI_FUNCTIONS(AVI_ONE, AVI_TWO)
+#undef AVI_ONE
+#undef AVI_TWO
+#undef AVI_one_by_one
+#undef AVI_side_by_side
+  if constexpr (operands(operation) == 1)
+    return static_cast<One>(nullptr);
+  else
+    return static_cast<Two>(nullptr);
+}
+
+/// The exponent of a power, which is the same number in all lanes.
+template <class S>
+double first_number(const S& x) {
+  if constexpr (std::is_arithmetic_v<S>)
+    return x;
+  else if constexpr (requires { value_of(x); })
+    return first_number(value_of(x));
+  else
+    return x[0];
+}
+
 /// The result of an operation at any scalar.
 template <Operation operation, class S>
-S apply(const S& a, const S& b) {
-  using std::abs, std::atan, std::cos, std::cosh, std::exp, std::log, std::sin, std::sinh, std::sqrt,
-      std::tan, std::tanh;
+S apply(const S& a, [[maybe_unused]] const S& b) {
   using Op = Operation;
-  if constexpr (operation == Op::add) return a + b;
-  if constexpr (operation == Op::subtract) return a - b;
-  if constexpr (operation == Op::subtract_from) return b - a;
-  if constexpr (operation == Op::multiply) return a * b;
-  if constexpr (operation == Op::divide) return a / b;
-  if constexpr (operation == Op::power) {
-    if constexpr (std::is_arithmetic_v<S>)
-      return avi::power(a, b);
-    else
-      return avi::power(a, b[0]);
+#define AVI_ONE(row, ...)                                                                                    \
+  if constexpr (operation == Op::row) {                                                                      \
+    using std::row;                                                                                          \
+    return row(a);                                                                                           \
+  } else
+#define AVI_TWO(row, ...)                                                                                    \
+  if constexpr (operation == Op::row) {                                                                      \
+    using std::row;                                                                                          \
+    return row(a, b);                                                                                        \
+  } else
+  AVI_FUNCTIONS(AVI_ONE, AVI_TWO)
+#undef AVI_ONE
+#undef AVI_TWO
+  if constexpr (operation == Op::add) {
+    return a + b;
+  } else if constexpr (operation == Op::subtract) {
+    return a - b;
+  } else if constexpr (operation == Op::subtract_from) {
+    return b - a;
+  } else if constexpr (operation == Op::multiply) {
+    return a * b;
+  } else if constexpr (operation == Op::divide) {
+    return a / b;
+  } else if constexpr (operation == Op::power) {
+    return avi::power(a, first_number(b));
+  } else if constexpr (operation == Op::sign) {
+    return sign_of(a);
+  } else if constexpr (operation == Op::less) {
+    return less(a, b);
+  } else if constexpr (operation == Op::less_equal) {
+    return less_equal(a, b);
+  } else if constexpr (operation == Op::when) {
+    return when(a, b);
+  } else {
+    static_assert(operation == Op::nothing, "This operation says nowhere what it computes.");
+    return a;
   }
-  if constexpr (operation == Op::sqrt) return sqrt(a);
-  if constexpr (operation == Op::exp) return exp(a);
-  if constexpr (operation == Op::log) return log(a);
-  if constexpr (operation == Op::sin) return sin(a);
-  if constexpr (operation == Op::cos) return cos(a);
-  if constexpr (operation == Op::tan) return tan(a);
-  if constexpr (operation == Op::sinh) return sinh(a);
-  if constexpr (operation == Op::cosh) return cosh(a);
-  if constexpr (operation == Op::tanh) return tanh(a);
-  if constexpr (operation == Op::atan) return atan(a);
-  if constexpr (operation == Op::abs) return abs(a);
-  if constexpr (operation == Op::sign) return sign_of(a);
-  if constexpr (operation == Op::nothing) return a;
 }
 
 /// An operation may be followed by another one on its result and a third operand.
@@ -75,22 +219,48 @@ constexpr bool pairs(Operation first) {
   return first == Operation::add || first == Operation::subtract || first == Operation::multiply;
 }
 
+/// There is nothing to compute, so that an evaluation that comes here is wrong.
+[[noreturn, gnu::cold, gnu::noinline]] inline void computes_nothing(Operation operation) {
+  throw std::logic_error(std::string("An operation of a recorded formula cannot be evaluated: ") +
+                         name(operation) + ".");
+}
+
 /// use.template operator()<operation>() for one of these operations, known at run time. Inlined, with all
 /// that it calls: the choice is made some ten times in an evaluation of a few dozen nanoseconds.
 template <Operation... known, class Use>
 [[gnu::always_inline]] inline void with_one_of(Operation operation, Use use) {
-  (void)((operation == known && (use.template operator()<known>(), true)) || ...);
+  if (!((operation == known && (use.template operator()<known>(), true)) || ...)) computes_nothing(operation);
 }
 
-/// The same for any operation but those that only follow others.
+/// The same for any operation but those that only follow others. The compiler warns where one is missing.
 template <class Use>
 [[gnu::always_inline]] inline void with_operation(Operation operation, Use use) {
-  using enum Operation;
-  with_one_of<add, subtract, multiply, divide, power, sqrt, exp, log, sin, cos, tan, sinh, cosh, tanh, atan,
-              abs, sign>(operation, use);
+  switch (operation) {
+#define AVI_ROW(row, ...)                                                                                    \
+  case Operation::row:                                                                                       \
+    return use.template operator()<Operation::row>();
+    AVI_ROW(add)
+    AVI_ROW(subtract)
+    AVI_ROW(multiply)
+    AVI_ROW(divide)
+    AVI_ROW(power)
+    AVI_FUNCTIONS(AVI_ROW, AVI_ROW)
+    AVI_ROW(sign)
+    AVI_ROW(less)
+    AVI_ROW(less_equal)
+    AVI_ROW(when)
+#undef AVI_ROW
+  case Operation::input:
+  case Operation::constant:
+  case Operation::nothing:
+  case Operation::subtract_from:
+  case Operation::sum_of_products:
+    break;
+  }
+  computes_nothing(operation);
 }
 
-/// The result at numbers, for an operation known at run time.
+/// The result at numbers, for an operation known at run time. @throws std::logic_error where there is none
 inline double evaluate(Operation operation, double a, double b) {
   double result = 0.0;
   with_operation(operation, [&]<Operation known>() { result = apply<known>(a, b); });

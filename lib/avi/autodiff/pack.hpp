@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstring>
+#include <type_traits>
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
@@ -32,8 +34,8 @@ template <class R>
 /// w doubles, w = 2, 4, 8, 16 or 32, as one scalar: every operation is applied to each of them, by the vector
 /// units where the machine has them, with the same bits where it has not. So a formula that is generic in its
 /// scalar is evaluated at w points for little more than the price of one. It cannot branch on a value,
-/// because the w values might need different branches: there are no comparisons, and a formula that compares
-/// does not compile. Partials<Pack<w>, n> are w values with their gradients.
+/// because the w values might need different branches: what a comparison gives serves select() only.
+/// Partials<Pack<w>, n> are w values with their gradients.
 template <int w>
 class Pack : Scalar<Pack<w>> {
  public:
@@ -45,6 +47,46 @@ class Pack : Scalar<Pack<w>> {
   static constexpr int parts = w / lanes;  ///< Registers in the pack.
 
   Register part[parts];  ///< The numbers.
+
+  /// Which of two numbers is chosen, for each number of a pack.
+  struct Condition {
+    using Mask = decltype(Register{} < Register{});  ///< All bits of a number, or none.
+    Mask part[parts];                                ///< Register by register.
+
+    /// That of the masks f(0), f(1), ...
+    template <class F>
+    [[nodiscard]] static Condition by_part(F f) {
+      Condition c;
+      for (int k = 0; k < parts; ++k)
+        c.part[k] = f(k);
+      return c;
+    }
+    /// There is no such value: a pack has no branches.
+    template <std::same_as<bool> B>
+    operator B() const {  // NOLINT: implicit, so that this sentence is what the compiler says
+      static_assert(!std::is_same_v<B, B>,
+                    "A formula that is evaluated at several points at once cannot branch: instead of `if` or "
+                    "`?:` write select(a < b, x, y), min(x, y), max(x, y) or abs(x), without std::.");
+      return {};
+    }
+    ///@{
+
+    /// Number by number.
+    friend Condition operator&&(const Condition& a, const Condition& b) {
+      return by_part([&](int k) { return a.part[k] & b.part[k]; });
+    }
+    friend Condition operator||(const Condition& a, const Condition& b) {
+      return by_part([&](int k) { return a.part[k] | b.part[k]; });
+    }
+    friend Condition operator!(const Condition& a) {
+      return by_part([&](int k) { return ~a.part[k]; });
+    }
+    friend Pack select(const Condition& c, const Pack& x, const Pack& y) {
+      return Pack::by_part(
+          [&](int k) { return (Register)((c.part[k] & (Mask)x.part[k]) | (~c.part[k] & (Mask)y.part[k])); });
+    }
+    ///@}
+  };
 
   Pack() = default;
   // Written out so that a copy is register moves; see Lanes.
@@ -85,6 +127,14 @@ class Pack : Scalar<Pack<w>> {
   }
   /// The same for a function of which there are others for other numbers.
   [[nodiscard]] Pack each(double (*f)(double)) const { return each<double (*)(double)>(f); }
+  /// f of each pair of numbers.
+  template <class F>
+  [[nodiscard]] static Pack each(F f, const Pack& a, const Pack& b) {
+    Pack y;
+    for (int i = 0; i < w; ++i)
+      y.set(i, f(a[i], b[i]));
+    return y;
+  }
   /// The pack whose register k is f(k), for every k.
   template <class F>
   [[nodiscard]] static Pack by_part(F f) {
@@ -133,15 +183,8 @@ class Pack : Scalar<Pack<w>> {
 #endif
     return x.each(std::sqrt);
   }
-  friend Pack exp(const Pack& x) { return x.each(std::exp); }
-  friend Pack log(const Pack& x) { return x.each(std::log); }
   friend Pack sin(const Pack& x) { return detail::turned(x, 0); }
   friend Pack cos(const Pack& x) { return detail::turned(x, 1); }
-  friend Pack tan(const Pack& x) { return x.each(std::tan); }
-  friend Pack sinh(const Pack& x) { return x.each(std::sinh); }
-  friend Pack cosh(const Pack& x) { return x.each(std::cosh); }
-  friend Pack tanh(const Pack& x) { return x.each(std::tanh); }
-  friend Pack atan(const Pack& x) { return x.each(std::atan); }
   friend Pack abs(const Pack& x) {
     return by_part([&](int k) { return (Register)detail::magnitude(x.part[k]); });
   }
@@ -174,6 +217,35 @@ class Pack : Scalar<Pack<w>> {
       if (k % 2) y *= factor;
     return four < 0.0 && !shares ? 1.0 / y : y;
   }
+  ///@}
+
+  /// @cond
+#define AVI_side_by_side(name)
+#define AVI_one_by_one(name)                                                                                 \
+  friend Pack name(const Pack& x) { return x.each(std::name); }
+#define AVI_ONE(name, pack, ...) AVI_##pack(name)
+#define AVI_TWO(name, ...)                                                                                   \
+  friend Pack name(const Pack& a, const Pack& b) {                                                           \
+    return each([](double x, double y) { return std::name(x, y); }, a, b);                                   \
+  }
+  AVI_FUNCTIONS(AVI_ONE, AVI_TWO)
+#undef AVI_ONE
+#undef AVI_TWO
+#undef AVI_one_by_one
+#undef AVI_side_by_side
+  /// @endcond
+
+  ///@{
+
+  /// Which numbers compare so.
+  friend Condition operator<(const Pack& a, const Pack& b) {
+    return Condition::by_part([&](int k) { return a.part[k] < b.part[k]; });
+  }
+  friend Condition operator>(const Pack& a, const Pack& b) { return b < a; }
+  friend Condition operator<=(const Pack& a, const Pack& b) {
+    return Condition::by_part([&](int k) { return a.part[k] <= b.part[k]; });
+  }
+  friend Condition operator>=(const Pack& a, const Pack& b) { return b <= a; }
   ///@}
 };
 

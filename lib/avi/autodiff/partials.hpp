@@ -103,6 +103,12 @@ class Partials : ChainRule<Partials<S, N>> {
       c.assign([&](int i) { return a.d[i] * b.value + a.value * b.d[i]; });
     return c;
   }
+  /// One of them, with its derivatives.
+  friend Partials select(const decltype(S(0.0) < S(0.0))& c, const Partials& x, const Partials& y) {
+    Partials z(S(select(c, x.value, y.value)));
+    if (!x.constant || !y.constant) z.assign([&](int i) { return select(c, x.partial(i), y.partial(i)); });
+    return z;
+  }
   friend Partials operator/(const Partials& a, const Partials& b) {
     const S inverse = 1.0 / b.value;
     if (b.constant) return a * Partials(inverse);

@@ -61,6 +61,8 @@ class Program {
                     group.second, [&]<Operation second>() __attribute__((always_inline)) {
                       compute<first, second>(slots, next, end);
                     });
+              else if constexpr (by_number<S> && detail::one_by_one<first>() != nullptr)
+                compute_each(detail::one_by_one<first>(), slots, next, end);
               else
                 compute<first, nothing>(slots, next, end);
             });
@@ -101,6 +103,31 @@ class Program {
     return *reinterpret_cast<S*>(reinterpret_cast<Byte*>(slots) + std::size_t{place} * (sizeof(S) / 8));
   }
 
+  /// It is a double, or a pack of them.
+  template <class S>
+  static constexpr bool by_number = std::is_same_v<S, double> || requires {
+    S::lanes;
+  };
+
+  // Compiled once for all functions of the standard library.
+  template <class S>
+  [[gnu::noinline]] static void compute_each(double (*f)(double), S* slots, const Instruction* i,
+                                             const Instruction* end) {
+    for (; i != end; ++i)
+      if constexpr (std::is_same_v<S, double>)
+        at(slots, i->to) = f(at(slots, i->a));
+      else
+        at(slots, i->to) = at(slots, i->a).each(f);
+  }
+  template <class S>
+  [[gnu::noinline]] static void compute_each(double (*f)(double, double), S* slots, const Instruction* i,
+                                             const Instruction* end) {
+    for (; i != end; ++i)
+      if constexpr (std::is_same_v<S, double>)
+        at(slots, i->to) = f(at(slots, i->a), at(slots, i->b));
+      else
+        at(slots, i->to) = S::each(f, at(slots, i->a), at(slots, i->b));
+  }
   template <Operation first, Operation second, class S>
   static void compute(S* slots, const Instruction* i, const Instruction* end) {
     for (; i != end; ++i)

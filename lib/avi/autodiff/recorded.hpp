@@ -1,8 +1,9 @@
 #pragma once
 #include "avi/autodiff/expression_graph.hpp"
+#include "avi/core/require.hpp"
 #include "avi/core/vector.hpp"
 
-#include <compare>
+#include <concepts>
 #include <stdexcept>
 #include <type_traits>
 
@@ -11,9 +12,17 @@
 
 namespace avi {
 
+class RecordedCondition;
+
+namespace detail {
+/// What may stand beside a recorded number in a formula.
+template <class T>
+concept PlainNumber = std::is_arithmetic_v<T> ||(std::is_enum_v<T>&& std::is_convertible_v<T, double>);
+}  // namespace detail
+
 /// A number, or a node of the formula that is being recorded. What a callable does with it is written into
-/// the graph. It has no value, so a callable cannot branch on it: comparisons by size and
-/// conversions to a number do not compile.
+/// the graph. It has no value, so a callable cannot branch on it: what comparisons give serves select() only,
+/// and conversions to a number do not compile.
 class Recorded : Scalar<Recorded> {
  public:
   Recorded() = default;
@@ -38,16 +47,30 @@ class Recorded : Scalar<Recorded> {
     return node_;
   }
 
-  /// There is no such number while a function is recorded.
-  template <class T>
-  requires std::is_arithmetic_v<T>
-  explicit operator T() const {
+  ///@{
+
+  /// There is no such number while a function is recorded. The first is what functions of std:: come upon,
+  /// and `+=` of a plain number; to float, since `?:` could not choose between a recorded number and a double
+  /// if each could become the other.
+  template <std::same_as<float> T>
+  operator T() const {  // NOLINT: implicit, so that this sentence is what the compiler says
     static_assert(
-        !std::is_arithmetic_v<T>,
-        "A function that turns its arguments into numbers cannot be recorded: make it generic in its scalar, "
-        "or, where the compiler knows the dimension, supply d_dq(q, p) and d_dp(q, p).");
+        !std::is_same_v<T, T>,
+        "A formula is recorded without values, so its arguments and what is computed from them are no "
+        "numbers: call sqrt(x), pow(x, y) and the like without std:: (after `using std::sqrt;`), and "
+        "begin sums and helper functions with `auto`, not with double.");
     return T();
   }
+  template <class T>
+  requires(std::is_arithmetic_v<T> && !std::is_same_v<T, float>) explicit operator T() const {
+    static_assert(
+        !std::is_same_v<T, T>,
+        "A formula is recorded without values, so its arguments and what is computed from them cannot "
+        "be turned into numbers: make it generic in its scalar, and instead of a branch write "
+        "select(a < b, x, y), min(x, y), max(x, y) or abs(x).");
+    return T();
+  }
+  ///@}
 
   ///@{
 
@@ -61,43 +84,77 @@ class Recorded : Scalar<Recorded> {
     return combine(Operation::multiply, a, b);
   }
   friend Recorded operator/(const Recorded& a, const Recorded& b) { return combine(Operation::divide, a, b); }
+  friend Recorded pow(const Recorded& a, double exponent) {
+    if (!a.graph_) return power(a.number_, exponent);
+    return {*a.graph_, a.graph_->power(a.node_, exponent)};
+  }
+  friend Recorded sign_of(const Recorded& a) { return a.through(Operation::sign); }
+  friend Recorded less(const Recorded& a, const Recorded& b) { return combine(Operation::less, a, b); }
+  friend Recorded less_equal(const Recorded& a, const Recorded& b) {
+    return combine(Operation::less_equal, a, b);
+  }
+  friend Recorded when(const Recorded& condition, const Recorded& a) {
+    return combine(Operation::when, condition, a);
+  }
+  ///@}
+
+  ///@{
+
+  /// Serves select() only.
+  friend RecordedCondition operator<(const Recorded& a, const Recorded& b);
+  friend RecordedCondition operator>(const Recorded& a, const Recorded& b);
+  friend RecordedCondition operator<=(const Recorded& a, const Recorded& b);
+  friend RecordedCondition operator>=(const Recorded& a, const Recorded& b);
+  ///@}
   /// Compares constants, as Eigen does with its own factors. @throws std::invalid_argument for recorded
   /// values
   friend bool operator==(const Recorded& a, const Recorded& b) {
     if (a.graph_ || b.graph_)
       throw std::invalid_argument(
           "A function that asks whether its arguments are equal cannot be recorded; "
-          "where the compiler knows the dimension, supply d_dq(q, p) and d_dp(q, p).");
+          "instead of a branch write select(a < b, x, y), min(x, y), max(x, y) or abs(x).");
     return a.number_ == b.number_;
   }
-  friend Recorded pow(const Recorded& a, double exponent) {
-    if (!a.graph_) return power(a.number_, exponent);
-    return {*a.graph_, a.graph_->power(a.node_, exponent)};
-  }
-  friend Recorded sqrt(const Recorded& a) { return a.through(Operation::sqrt); }
-  friend Recorded exp(const Recorded& a) { return a.through(Operation::exp); }
-  friend Recorded log(const Recorded& a) { return a.through(Operation::log); }
-  friend Recorded sin(const Recorded& a) { return a.through(Operation::sin); }
-  friend Recorded cos(const Recorded& a) { return a.through(Operation::cos); }
-  friend Recorded tan(const Recorded& a) { return a.through(Operation::tan); }
-  friend Recorded sinh(const Recorded& a) { return a.through(Operation::sinh); }
-  friend Recorded cosh(const Recorded& a) { return a.through(Operation::cosh); }
-  friend Recorded tanh(const Recorded& a) { return a.through(Operation::tanh); }
-  friend Recorded atan(const Recorded& a) { return a.through(Operation::atan); }
-  friend Recorded abs(const Recorded& a) { return a.through(Operation::abs); }
-  friend Recorded sign_of(const Recorded& a) { return a.through(Operation::sign); }
-  ///@}
 
-  /// A recording has no branches: this does not compile.
-  template <class A>
-  friend std::partial_ordering operator<=>(const Recorded&, const A&) {
-    static_assert(
-        !std::is_same_v<A, A>,
-        "A function that compares its arguments cannot be recorded: a straight line of operations has "
-        "no branches. Write the function without comparisons, or, where the compiler knows the dimension, "
-        "supply d_dq(q, p) and d_dp(q, p).");
-    return std::partial_ordering::unordered;
+  /// @cond
+  // With a plain number on one side: without them the compiler would weigh its own operators of numbers.
+#define AVI_WITH_NUMBERS(specifier, result, name)                                                            \
+  template <detail::PlainNumber T>                                                                           \
+  specifier result name(const Recorded& a, T b) {                                                            \
+    return name(a, Recorded(static_cast<double>(b)));                                                        \
+  }                                                                                                          \
+  template <detail::PlainNumber T>                                                                           \
+  specifier result name(T a, const Recorded& b) {                                                            \
+    return name(Recorded(static_cast<double>(a)), b);                                                        \
   }
+  AVI_WITH_NUMBERS(friend, Recorded, operator+)
+  AVI_WITH_NUMBERS(friend, Recorded, operator-)
+  AVI_WITH_NUMBERS(friend, Recorded, operator*)
+  AVI_WITH_NUMBERS(friend, Recorded, operator/)
+  template <detail::PlainNumber T>
+  friend bool operator==(const Recorded& a, T b) {
+    return a == Recorded(static_cast<double>(b));
+  }
+  // A plain number cannot take part in a formula: these do not compile, as the conversion says.
+#define AVI_ASSIGNMENT(name)                                                                                 \
+  template <detail::PlainNumber T>                                                                           \
+  friend T& name(T& a, const Recorded& b) {                                                                  \
+    return a = static_cast<T>(static_cast<float>(b));                                                        \
+  }
+  AVI_ASSIGNMENT(operator+=)
+  AVI_ASSIGNMENT(operator-=)
+  AVI_ASSIGNMENT(operator*=)
+  AVI_ASSIGNMENT(operator/=)
+#undef AVI_ASSIGNMENT
+#define AVI_ONE(name, ...)                                                                                   \
+  friend Recorded name(const Recorded& a) { return a.through(Operation::name); }
+#define AVI_TWO(name, ...)                                                                                   \
+  friend Recorded name(const Recorded& a, const Recorded& b) { return combine(Operation::name, a, b); }      \
+  AVI_WITH_NUMBERS(friend, Recorded, name)
+  AVI_FUNCTIONS(AVI_ONE, AVI_TWO)
+#undef AVI_ONE
+#undef AVI_TWO
+  /// @endcond
 
  private:
   [[nodiscard]] Recorded through(Operation operation) const {
@@ -116,10 +173,117 @@ class Recorded : Scalar<Recorded> {
   double number_ = 0.0;
 };
 
+/// Whether recorded numbers compare so, where the formula is evaluated; for select().
+class RecordedCondition {
+ public:
+  /// 1 or 0.
+  explicit RecordedCondition(const Recorded& number) : number_(number) {}
+
+  /// There is no such value while a function is recorded.
+  template <std::same_as<bool> T>
+  operator T() const {  // NOLINT: implicit, so that this sentence is what the compiler says
+    static_assert(
+        !std::is_same_v<T, T>,
+        "A formula is recorded once for all arguments, so it cannot branch on them: instead of `if` or "
+        "`?:` write select(a < b, x, y), min(x, y), max(x, y) or abs(x), without std::.");
+    return T();
+  }
+
+  ///@{
+
+  /// Of conditions: both, one at least, not.
+  friend RecordedCondition operator&&(const RecordedCondition& a, const RecordedCondition& b) {
+    return RecordedCondition(when(a.number_, b.number_));
+  }
+  friend RecordedCondition operator||(const RecordedCondition& a, const RecordedCondition& b) {
+    return !(!a && !b);
+  }
+  friend RecordedCondition operator!(const RecordedCondition& a) {
+    return RecordedCondition(1.0 - a.number_);
+  }
+  ///@}
+  /// x where the condition holds, else y; 0 for a chosen -0.
+  friend Recorded select(const RecordedCondition& condition, const Recorded& x, const Recorded& y) {
+    return when(condition.number_, x) + when(1.0 - condition.number_, y);
+  }
+
+ private:
+  Recorded number_;
+};
+
+inline RecordedCondition operator<(const Recorded& a, const Recorded& b) {
+  return RecordedCondition(less(a, b));
+}
+inline RecordedCondition operator>(const Recorded& a, const Recorded& b) { return b < a; }
+inline RecordedCondition operator<=(const Recorded& a, const Recorded& b) {
+  return RecordedCondition(less_equal(a, b));
+}
+inline RecordedCondition operator>=(const Recorded& a, const Recorded& b) { return b <= a; }
+/// @cond
+AVI_WITH_NUMBERS(inline, RecordedCondition, operator<)
+AVI_WITH_NUMBERS(inline, RecordedCondition, operator>)
+AVI_WITH_NUMBERS(inline, RecordedCondition, operator<=)
+AVI_WITH_NUMBERS(inline, RecordedCondition, operator>=)
+#undef AVI_WITH_NUMBERS
+/// @endcond
+
+/// What a function is called with when it is recorded: a vector that refuses indices beyond its size whatever
+/// the compiler's options, since memory behind it would be taken for nodes. @tparam n size, or avi::dynamic
+template <int n = dynamic>
+class RecordedVector : public Vector<Recorded, n> {
+  using Base = Vector<Recorded, n>;
+
+ public:
+  using Base::Base;
+
+  ///@{
+
+  /// An entry. @throws std::invalid_argument where there is none.
+  Recorded& operator[](Eigen::Index i) { return checked(i), Base::operator[](i); }
+  const Recorded& operator[](Eigen::Index i) const { return checked(i), Base::operator[](i); }
+  Recorded& operator()(Eigen::Index i) { return checked(i), Base::operator()(i); }
+  const Recorded& operator()(Eigen::Index i) const { return checked(i), Base::operator()(i); }
+  ///@}
+
+  ///@{
+
+  /// Several entries. @throws std::invalid_argument where there are not so many.
+  auto head(Eigen::Index size) const { return checked(0, size), Base::head(size); }
+  auto tail(Eigen::Index size) const { return checked(0, size), Base::tail(size); }
+  auto segment(Eigen::Index first, Eigen::Index size) const {
+    return checked(first, size), Base::segment(first, size);
+  }
+  template <int count>
+  auto head() const {
+    return checked(0, count), Base::template head<count>();
+  }
+  template <int count>
+  auto tail() const {
+    return checked(0, count), Base::template tail<count>();
+  }
+  template <int count>
+  auto segment(Eigen::Index first) const {
+    return checked(first, count), Base::template segment<count>(first);
+  }
+  ///@}
+
+ private:
+  void checked(Eigen::Index i) const {
+    require(i >= 0 && i < this->size(), "Index of an entry", i, "at least 0 and below ", this->size(),
+            ", the size of the vector");
+  }
+  void checked(Eigen::Index first, Eigen::Index count) const {
+    require(first >= 0 && first <= this->size(), "First of some entries", first, "at least 0 and at most ",
+            this->size(), ", the size of the vector");
+    require(count >= 0 && count <= this->size() - first, "Number of entries", count,
+            "at least 0 and at most ", this->size() - first, ", for the vector has not more");
+  }
+};
+
 /// `count` arguments of a formula from the one numbered `first` on. @tparam n count, or avi::dynamic
 template <int n = dynamic>
-Vector<Recorded, n> recorded_inputs(ExpressionGraph& graph, int first, Eigen::Index count) {
-  Vector<Recorded, n> x(count);
+RecordedVector<n> recorded_inputs(ExpressionGraph& graph, int first, Eigen::Index count) {
+  RecordedVector<n> x(count);
   for (int i = 0; i < count; ++i)
     x[i] = Recorded(graph, first + i);
   return x;

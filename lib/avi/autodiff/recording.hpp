@@ -18,9 +18,9 @@ namespace avi {
 /// whatever N is, at any scalar and without calling f again.
 ///
 /// f must do the same operations wherever it is called: loops over its entries are allowed, branches on their
-/// values are not; the compiler refuses comparisons of entries and their conversion to numbers. f may use
-/// sums, products and quotients, sqrt, pow with a constant exponent, exp, log, sin, cos, tan, sinh, cosh,
-/// tanh, atan and abs.
+/// values are not; the compiler refuses `if` on comparisons of entries and their conversion to numbers. What
+/// f may use are sums, products and quotients, select(a < b, x, y), min and max, and the functions of
+/// autodiff/functions.hpp.
 ///
 /// The value is that of f at doubles to the last bit (sines at packs, see Pack, to one unit of it), as long
 /// as f adds in the order in which it is written (Eigen's own reductions of doubles do not); where f
@@ -104,13 +104,15 @@ class Recording {
 
 /// The recording of a Hamiltonian or monitor f(q, p) with vectors of n entries, whose arguments are (q, p):
 /// 2n entries. @param size n, where it is avi::dynamic
+/// @throws std::invalid_argument where n is less than 1.
 template <int n = dynamic, class F>
 Recording record(const F& f, Eigen::Index size = n) {
-  return Recording(
-      [&](const Vector<Recorded, dynamic>& z) -> Recorded {
-        return f(part<n>(z, 0, size), part<n>(z, size, size));
-      },
-      2 * size);
+  require(size >= 1, "Number of degrees of freedom to record", size, "at least 1");
+  const int count = static_cast<int>(size);
+  ExpressionGraph graph(2 * count);
+  const Recorded value = f(recorded_inputs<n>(graph, 0, count), recorded_inputs<n>(graph, count, count));
+  const int node = value.node_in(graph);
+  return {std::move(graph), node};
 }
 
 }  // namespace avi

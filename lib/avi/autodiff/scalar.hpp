@@ -1,8 +1,9 @@
 #pragma once
+#include "avi/autodiff/functions.hpp"
 #include "avi/core/power.hpp"
 
 #include <cmath>
-#include <compare>
+#include <concepts>
 #include <type_traits>
 
 /// @file
@@ -23,7 +24,16 @@ inline double value_of(double x) { return x; }
 /// 1 or -1, the slope of |x|.
 inline double sign_of(double x) { return std::copysign(1.0, x); }
 
-/// The assignments that follow from a scalar's operations; X derives from it.
+/// x where the condition holds, else y: what a formula writes instead of a branch on its arguments. Both are
+/// evaluated. Other scalars have conditions of their own, found by the same unqualified call after
+/// `using avi::select;`.
+template <std::same_as<bool> Condition, class X, class Y>
+constexpr std::common_type_t<X, Y> select(Condition condition, const X& x, const Y& y) {
+  if (condition) return x;
+  return y;
+}
+
+/// The assignments and choices that follow from a scalar's operations; X derives from it.
 template <class X>
 struct Scalar {
   ///@{
@@ -34,21 +44,65 @@ struct Scalar {
   friend X& operator*=(X& a, const X& b) { return a = a * b; }
   friend X& operator/=(X& a, const X& b) { return a = a / b; }
   ///@}
+
+  ///@{
+
+  /// As of the standard library for doubles.
+  friend X min(const X& a, const X& b) { return select(b < a, b, a); }
+  friend X max(const X& a, const X& b) { return select(a < b, b, a); }
+  friend X fabs(const X& a) { return abs(a); }
+  ///@}
 };
+
+/// @cond
+namespace detail {
+
+// What scalars other than recorded numbers make of comparisons that are kept as 1 or 0.
+template <class S>
+S less(const S& a, const S& b) {
+  return select(a < b, S(1.0), S(0.0));
+}
+template <class S>
+S less_equal(const S& a, const S& b) {
+  return select(a <= b, S(1.0), S(0.0));
+}
+template <class S>
+S when(const S& condition, const S& a) {
+  return select(S(0.0) < condition, a, S(0.0));
+}
+
+// The slopes of the table: slope_of_sin(a, f), slopes_of_pow<0 or 1>(a, b, f).
+namespace slopes {
+#define AVI_ROW(name, ...) using std::name;
+AVI_FUNCTIONS(AVI_ROW, AVI_ROW)
+#undef AVI_ROW
+#define AVI_ONE(name, pack, series, work, slope)                                                             \
+  template <class S>                                                                                         \
+  S slope_of_##name([[maybe_unused]] const S& a, [[maybe_unused]] const S& f) {                              \
+    return slope;                                                                                            \
+  }
+#define AVI_TWO(name, work, along_a, along_b)                                                                \
+  template <int operand, class S>                                                                            \
+  S slopes_of_##name([[maybe_unused]] const S& a, [[maybe_unused]] const S& b,                               \
+                     [[maybe_unused]] const S& f) {                                                          \
+    if constexpr (operand == 0)                                                                              \
+      return along_a;                                                                                        \
+    else                                                                                                     \
+      return along_b;                                                                                        \
+  }
+AVI_FUNCTIONS(AVI_ONE, AVI_TWO)
+#undef AVI_ONE
+#undef AVI_TWO
+}  // namespace slopes
+}  // namespace detail
+/// @endcond
 
 /// Elementary functions and comparisons of a number that carries derivatives; X derives from it. It has
 /// value_of(x), the number itself, and x.chain(f, slope), which is f with the derivatives
 /// \f$f'(x)\,\partial_i x\f$, where \f$f'(x)\f$ is what slope() returns.
 template <class X>
 struct ChainRule : Scalar<X> {
-  ///@{
-
   /// By the chain rule.
-  friend X sqrt(const X& x) {
-    using std::sqrt;
-    const auto f = sqrt(value_of(x));
-    return x.chain(f, [&] { return 0.5 / f; });
-  }
   friend X pow(const X& x, double exponent) {
     const auto value = value_of(x), f = power(value, exponent);
     // At zero the quotient f / x is undefined where the derivative may well exist.
@@ -56,55 +110,36 @@ struct ChainRule : Scalar<X> {
       if (value != 0.0) return x.chain(f, [&] { return exponent * f / value; });
     return x.chain(f, [&] { return exponent * power(value, exponent - 1.0); });
   }
-  friend X exp(const X& x) {
-    using std::exp;
-    const auto f = exp(value_of(x));
-    return x.chain(f, [&] { return f; });
+  /// @cond
+#define AVI_ONE(name, ...)                                                                                   \
+  friend X name(const X& x) {                                                                                \
+    using std::name;                                                                                         \
+    const auto& a = value_of(x);                                                                             \
+    const auto f = name(a);                                                                                  \
+    return x.chain(f, [&] { return detail::slopes::slope_of_##name(a, f); });                                \
   }
-  friend X log(const X& x) {
-    using std::log;
-    return x.chain(log(value_of(x)), [&] { return 1.0 / value_of(x); });
+#define AVI_TWO(name, ...)                                                                                   \
+  friend X name(const X& x, const X& y) {                                                                    \
+    using std::name;                                                                                         \
+    const auto &a = value_of(x), &b = value_of(y);                                                           \
+    const auto f = name(a, b);                                                                               \
+    return x.chain(f, [&] { return detail::slopes::slopes_of_##name<0>(a, b, f); }) +                        \
+           y.chain(0.0, [&] { return detail::slopes::slopes_of_##name<1>(a, b, f); });                       \
   }
-  friend X sin(const X& x) {
-    using std::cos, std::sin;
-    return x.chain(sin(value_of(x)), [&] { return cos(value_of(x)); });
-  }
-  friend X cos(const X& x) {
-    using std::cos, std::sin;
-    return x.chain(cos(value_of(x)), [&] { return -sin(value_of(x)); });
-  }
-  friend X tan(const X& x) {
-    using std::tan;
-    const auto f = tan(value_of(x));
-    return x.chain(f, [&] { return 1.0 + f * f; });
-  }
-  friend X sinh(const X& x) {
-    using std::cosh, std::sinh;
-    return x.chain(sinh(value_of(x)), [&] { return cosh(value_of(x)); });
-  }
-  friend X cosh(const X& x) {
-    using std::cosh, std::sinh;
-    return x.chain(cosh(value_of(x)), [&] { return sinh(value_of(x)); });
-  }
-  friend X tanh(const X& x) {
-    using std::tanh;
-    const auto f = tanh(value_of(x));
-    return x.chain(f, [&] { return 1.0 - f * f; });
-  }
-  friend X atan(const X& x) {
-    using std::atan;
-    const auto value = value_of(x);
-    return x.chain(atan(value), [&] { return 1.0 / (1.0 + value * value); });
-  }
-  friend X abs(const X& x) {
-    using std::abs;
-    return x.chain(abs(value_of(x)), [&] { return sign_of(value_of(x)); });
-  }
-  friend X sign_of(const X& x) { return X(sign_of(value_of(x))); }
-  ///@}
+  AVI_FUNCTIONS(AVI_ONE, AVI_TWO)
+#undef AVI_ONE
+#undef AVI_TWO
+  /// @endcond
+  friend X sign_of(const X& x) { return X(sign_of(value_of(x))); }  ///< Of the value; its slope is 0.
+
+  ///@{
 
   /// Of the values alone: a formula with derivatives branches as it does without.
-  friend auto operator<=>(const X& a, const X& b) { return value_of(a) <=> value_of(b); }
+  friend auto operator<(const X& a, const X& b) { return value_of(a) < value_of(b); }
+  friend auto operator>(const X& a, const X& b) { return value_of(a) > value_of(b); }
+  friend auto operator<=(const X& a, const X& b) { return value_of(a) <= value_of(b); }
+  friend auto operator>=(const X& a, const X& b) { return value_of(a) >= value_of(b); }
+  ///@}
 };
 
 }  // namespace avi

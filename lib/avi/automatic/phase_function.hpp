@@ -29,7 +29,7 @@ class PhaseFunction {
   [[nodiscard]] double work(int lanes) const {
     double sum = 0.0;
     for (const Step& step : *steps_)
-      if (has_operands(step)) sum += weight(step, lanes);
+      sum += detail::work(step.operation, step.number).at(lanes);
     return sum;
   }
 
@@ -79,15 +79,6 @@ class PhaseFunction {
       steps->push_back(step);
     }
     return steps;
-  }
-
-  static double weight(const Step& step, int lanes) {
-    using enum Operation;
-    const auto is = [&](auto... any) { return ((step.operation == any) || ...); };
-    if (is(add, subtract, multiply, abs, sign)) return 1.0;
-    if (is(divide, sqrt)) return 2.0;
-    // powers with quarters of an integer are roots and products
-    return is(power) && 4.0 * step.number == std::round(4.0 * step.number) ? 4.0 : 4.0 * lanes;
   }
 
   static bool has_operands(const Step& step) {
