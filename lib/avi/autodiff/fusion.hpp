@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -15,11 +14,11 @@ namespace avi {
 
 /// One line of a program before it is placed.
 struct Line {
-  Operation first;            ///< What is done with the first two operands.
-  Operation second;           ///< What is done with that result and a third one, if anything.
-  int result;                 ///< Number of the result: a node, or beyond them a partial sum.
-  std::vector<int> operands;  ///< Numbers of results, inputs or constants; pairs for a sum of products.
-  int key = -1;               ///< Lines of smaller keys come first.
+  Operation first;   ///< What is done with the first two operands.
+  Operation second;  ///< What is done with that result and a third one, if anything.
+  int result;        ///< Number of the result: a node, or beyond them a partial sum.
+  int begin, count;  ///< Its operands in those of all lines; pairs for a sum of products.
+  int key = -1;      ///< Lines of smaller keys come first.
 };
 
 /// Lines for the nodes that some results need. A product that only one sum uses becomes part of it, and a
@@ -31,16 +30,16 @@ class Fusion {
   /// Of `graph`, which gets the numbers that lines need. @param recorded nodes before this one keep their
   /// order; the others come as soon as their operands are there
   Fusion(ExpressionGraph& graph, const std::vector<int>& results, int recorded)
-      : graph_(graph), nodes_(graph.size()), recorded_(recorded), uses_(nodes_, 0), absorbed_(nodes_, false),
-        keys_(nodes_, -1) {
+      : graph_(graph), nodes_(graph.size()), recorded_(recorded), uses_(nodes_, 0), absorbed_(nodes_, 0),
+        sum_of_(nodes_, -1), keys_(nodes_, -1) {
     count_uses(results);
-    const std::vector<int> additions = count_additions();
+    count_additions();
     for (int node = nodes_ - 1; node >= 0; --node)
       if (needed(node)) {
-        if (additions[node] >= shortest)
-          plan_sum(node, additions);
+        if (additions_[node] >= shortest)
+          plan_sum(node);
         else if (detail::pairs(operation(node)))
-          plan_pair(node, additions);
+          plan_pair(node);
       }
     one_ = graph_.constant(1.0);
     next_ = graph_.size();
@@ -51,6 +50,8 @@ class Fusion {
 
   [[nodiscard]] int results() const { return next_; }  ///< All of their numbers are below this one.
   [[nodiscard]] std::vector<Line> lines() && { return std::move(lines_); }  ///< In an order that can be run.
+  /// Of all lines: numbers of results, inputs or constants.
+  [[nodiscard]] std::vector<int> operands() && { return std::move(operands_); }
 
  private:
   static constexpr int shortest = 3;  ///< Additions that make a sum long.
@@ -75,40 +76,38 @@ class Fusion {
         if (graph_[node].b >= 0) ++uses_[graph_[node].b];
       }
   }
-  /// For each sum, the additions that would be one line with it.
-  [[nodiscard]] std::vector<int> count_additions() const {
-    std::vector<int> additions(nodes_, 0);
+  void count_additions() {
+    additions_.assign(nodes_, 0);
     for (int node = 0; node < nodes_; ++node)
       if (needed(node) && is_sum(node)) {
-        const int inner = inner_sum(node, additions);
-        additions[node] = 1 + (inner >= 0 ? additions[inner] : 0);
+        const int inner = inner_sum(node);
+        additions_[node] = 1 + (inner >= 0 ? additions_[inner] : 0);
       }
-    return additions;
   }
   /// The operand of a sum that is itself a sum and serves nothing else, or -1. Of two, the longer one.
-  [[nodiscard]] int inner_sum(int node, const std::vector<int>& additions) const {
+  [[nodiscard]] int inner_sum(int node) const {
     const int a = graph_[node].a, b = graph_[node].b;
     const auto joins = [&](int x) { return uses_[x] == 1 && is_sum(x); };
     const bool left = joins(a), right = operation(node) == Operation::add && joins(b);
-    if (left && right) return additions[a] >= additions[b] ? a : b;
+    if (left && right) return additions_[a] >= additions_[b] ? a : b;
     return left ? a : right ? b : -1;
   }
 
-  void plan_sum(int root, const std::vector<int>& additions) {
-    std::vector<std::pair<int, int>>& products = sums_[root];  // the last one first
+  void plan_sum(int root) {
     int node = root;
+    sum_of_[root] = static_cast<int>(products_.size());
     for (;;) {
-      const int a = graph_[node].a, b = graph_[node].b, inner = inner_sum(node, additions);
+      const int a = graph_[node].a, b = graph_[node].b, inner = inner_sum(node);
       const bool add = operation(node) == Operation::add;
-      products.push_back(product(add && inner == b ? a : b, add));
+      products_.push_back(product(add && inner == b ? a : b, add));
       if (inner < 0) {
-        products.push_back(product(a, true));
+        products_.push_back(product(a, true));
         break;
       }
       absorbed_[inner] = true;
       node = inner;
     }
-    std::reverse(products.begin(), products.end());
+    std::reverse(products_.begin() + sum_of_[root], products_.end());
   }
   /// +x or -x as a product.
   std::pair<int, int> product(int x, bool positive) {
@@ -127,59 +126,69 @@ class Fusion {
     return {graph_.constant(positive ? 1.0 : -1.0), x};
   }
   /// A sum or product takes in one operand that is a sum or product and serves nothing else.
-  void plan_pair(int node, const std::vector<int>& additions) {
+  void plan_pair(int node) {
     for (const int x : {graph_[node].b, graph_[node].a})
-      if (uses_[x] == 1 && detail::pairs(operation(x)) && additions[x] < shortest) {
+      if (uses_[x] == 1 && detail::pairs(operation(x)) && additions_[x] < shortest) {
         absorbed_[x] = true;
         return;
       }
   }
 
   void write(int node) {
-    if (const auto sum = sums_.find(node); sum != sums_.end()) return write_sum(node, sum->second);
+    if (sum_of_[node] >= 0) return write_sum(node);
     const ExpressionGraph::Node& what = graph_[node];
-    Line line{.first = what.operation, .second = Operation::nothing, .result = node, .operands = {what.a}};
-    if (what.b >= 0) line.operands.push_back(what.b);
-    for (const bool last : {true, false}) {
-      const int x = last ? what.b : what.a;
-      if (!detail::pairs(what.operation) || !absorbed_[x]) continue;
-      line.first = operation(x);
-      line.second = last && what.operation == Operation::subtract ? Operation::subtract_from : what.operation;
-      line.operands = {graph_[x].a, graph_[x].b, last ? what.a : what.b};
-      break;
-    }
-    write(std::move(line), node < recorded_ ? node : -1);
+    const int key = node < recorded_ ? node : -1;
+    if (detail::pairs(what.operation))
+      for (const bool last : {true, false}) {
+        const int x = last ? what.b : what.a;
+        if (!absorbed_[x]) continue;
+        operands_.insert(operands_.end(), {graph_[x].a, graph_[x].b, last ? what.a : what.b});
+        const bool from = last && what.operation == Operation::subtract;
+        return write(operation(x), from ? Operation::subtract_from : what.operation, node, key);
+      }
+    operands_.push_back(what.a);
+    if (what.b >= 0) operands_.push_back(what.b);
+    write(what.operation, Operation::nothing, node, key);
   }
-  void write_sum(int node, const std::vector<std::pair<int, int>>& products) {
-    std::vector<int> operands;
-    for (const auto& [a, b] : products) {
-      if (operands.size() == 2 * longest) {
+  void write_sum(int node) {
+    const int end = sum_of_[node] + additions_[node] + 1;
+    for (int i = sum_of_[node]; i < end; ++i) {
+      if (operands_.size() - written_ == 2 * longest) {
         const int partial = next_++;
         keys_.push_back(-1);
-        write({Operation::sum_of_products, Operation::nothing, partial, std::move(operands)}, -1);
-        operands = {one_, partial};
+        write(Operation::sum_of_products, Operation::nothing, partial, -1);
+        operands_.insert(operands_.end(), {one_, partial});
       }
-      operands.push_back(a);
-      operands.push_back(b);
+      operands_.insert(operands_.end(), {products_[i].first, products_[i].second});
     }
-    write({Operation::sum_of_products, Operation::nothing, node, std::move(operands)},
-          node < recorded_ ? node : -1);
+    write(Operation::sum_of_products, Operation::nothing, node, node < recorded_ ? node : -1);
   }
-  void write(Line line, int key) {
-    for (const int operand : line.operands)
-      key = std::max(key, keys_[operand]);
-    keys_[line.result] = line.key = key;
-    lines_.push_back(std::move(line));
+  /// A line with the operands since the last one.
+  void write(Operation first, Operation second, int result, int key) {
+    const std::size_t begin = std::exchange(written_, operands_.size());
+    for (std::size_t i = begin; i < operands_.size(); ++i)
+      key = std::max(key, keys_[operands_[i]]);
+    keys_[result] = key;
+    lines_.push_back({.first = first,
+                      .second = second,
+                      .result = result,
+                      .begin = static_cast<int>(begin),
+                      .count = static_cast<int>(operands_.size() - begin),
+                      .key = key});
   }
 
   ExpressionGraph& graph_;
   int nodes_, recorded_;
   std::vector<int> uses_;
-  std::vector<bool> absorbed_;
+  std::vector<char> absorbed_;
+  std::vector<int> additions_;  // for each sum, those that would be one line with it
+  std::vector<int> sum_of_;     // of each node that is a long sum the first of its products, else -1
+  std::vector<std::pair<int, int>> products_;
   std::vector<int> keys_;  // of each result; inputs and numbers are there from the start
-  std::map<int, std::vector<std::pair<int, int>>> sums_;
   std::vector<Line> lines_;
-  int next_ = 0;  // number of the next partial sum
+  std::vector<int> operands_;
+  std::size_t written_ = 0;  // operands of the lines so far
+  int next_ = 0;             // number of the next partial sum
   int one_ = -1;
 };
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 /// @file
@@ -25,6 +26,8 @@ class Reverse {
   std::vector<int> gradient(int f, int inner = -1) {
     uses_.assign(static_cast<std::size_t>(f) + 1, {});
     parts_.clear();
+    free_ = -1;
+    graph_.reserve(graph_.size() + 5 * (f / 4));
     give(f, {.bar = 1.0});
     std::vector<int> slopes(graph_.inputs() + (inner >= 0 ? 1 : 0), graph_.constant(0.0));
     for (int node = f; node >= 0; --node) {
@@ -47,7 +50,11 @@ class Reverse {
   struct Term {
     Factor bar;
     int condition = -1;
-    int next = -1;  // of the same node, in the order in which they came
+  };
+  struct Part {
+    double number;
+    int node, condition;
+    int next = -1;  // of the same node, in the order in which they came; or of those that are free
   };
   struct Uses {
     int first = -1, last = -1;  // of parts_
@@ -66,6 +73,7 @@ class Reverse {
     const int node = written(a.bar);
     return a.condition < 0 ? node : graph_.binary(Operation::when, a.condition, node);
   }
+  Factor factor(const Part& a) { return {graph_, a.number, a.node}; }
 
   /// The sum of all that was passed on to `node`.
   Term total(int node) {
@@ -77,7 +85,10 @@ class Reverse {
     double numbers = 0.0;
     int sum = -1;
     for (int i = first; i >= 0; i = parts_[i].next) {
-      const Factor part = alike || parts_[i].condition < 0 ? parts_[i].bar : factor(written(parts_[i]));
+      const Factor part =
+          alike || parts_[i].condition < 0
+              ? factor(parts_[i])
+              : factor(written(Term{.bar = factor(parts_[i]), .condition = parts_[i].condition}));
       if (part.node < 0) {
         numbers += part.number;
       } else if (sum < 0) {
@@ -91,6 +102,7 @@ class Reverse {
           sum = graph_.binary(Operation::add, sum, written({graph_, ratio, part.node}));
       }
     }
+    parts_[uses_[node].last].next = std::exchange(free_, first);
     const int common = alike ? condition : -1;
     if (sum < 0) return {.bar = numbers, .condition = common};
     if (numbers != 0.0) sum = graph_.binary(Operation::add, sum, graph_.constant(numbers / scale));
@@ -107,11 +119,17 @@ class Reverse {
 
   void give(int node, const Term& part) {
     if (graph_.is_constant(node) || part.bar.number == 0.0) return;
-    const int place = static_cast<int>(parts_.size());
+    int place = free_;
+    if (place < 0) {
+      place = static_cast<int>(parts_.size());
+      parts_.emplace_back();
+    } else {
+      free_ = parts_[place].next;
+    }
     Uses& uses = uses_[node];
     (uses.first < 0 ? uses.first : parts_[uses.last].next) = place;
     uses.last = place;
-    parts_.push_back(part);
+    parts_[place] = {.number = part.bar.number, .node = part.bar.node, .condition = part.condition};
   }
 
   /// Passes bar on to the operands of a node, times the derivatives of its operation.
@@ -188,7 +206,8 @@ class Reverse {
 
   ExpressionGraph& graph_;
   std::vector<Uses> uses_;  // of each node
-  std::vector<Term> parts_;
+  std::vector<Part> parts_;
+  int free_ = -1;  // the first of the parts that serve no more
 };
 
 }  // namespace avi

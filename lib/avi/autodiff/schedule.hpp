@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -36,48 +36,97 @@ class Schedule {
 
  private:
   static constexpr int window = 256;
+  static constexpr int kinds = static_cast<int>(Operation::sum_of_products) + 1;
 
-  explicit Schedule(Fusion fusion) : place_(fusion.results(), -1), lines_(std::move(fusion).lines()) {
-    std::stable_sort(lines_.begin(), lines_.end(),
-                     [](const Line& a, const Line& b) { return a.key < b.key; });
+  explicit Schedule(Fusion fusion)
+      : place_(fusion.results(), -1), lines_(std::move(fusion).lines()),
+        operands_(std::move(fusion).operands()) {
+    sort();
   }
+
+  /// By their keys; those of one key in the order in which they are.
+  void sort() {
+    int largest = -1;
+    for (const Line& line : lines_)
+      largest = std::max(largest, line.key);
+    std::vector<int> first(static_cast<std::size_t>(largest) + 3, 0);
+    for (const Line& line : lines_)
+      ++first[line.key + 2];
+    for (std::size_t key = 1; key < first.size(); ++key)
+      first[key] += first[key - 1];
+    std::vector<Line> sorted(lines_.size());
+    for (const Line& line : lines_)
+      sorted[first[line.key + 1]++] = line;
+    lines_.swap(sorted);
+  }
+
+  [[nodiscard]] std::span<const int> operands(const Line& line) const {
+    return {operands_.data() + line.begin, static_cast<std::size_t>(line.count)};
+  }
+
+  /// Lines in the order in which they came, each in one list at most.
+  struct List {
+    int first = -1, last = -1, size = 0;  // positions in the window
+    void append(int line, std::vector<int>& next) {
+      (first < 0 ? first : next[last]) = line;
+      next[last = line] = -1;
+      ++size;
+    }
+  };
 
   /// Within each window: all lines that are ready and of the most frequent kind, until none is left.
   void group() {
+    const auto code = [](const Line& line) {
+      return static_cast<int>(line.first) * kinds + static_cast<int>(line.second);
+    };
+    std::vector<int> kind(kinds * kinds, 0);  // in the order of their codes
+    for (const Line& line : lines_)
+      kind[code(line)] = 1;
+    int count = 0;
+    for (int& number : kind)
+      if (number) number = count++;
+    std::vector<List> ready(count);
+    std::vector<int> writer(place_.size(), -1);  // of a result in this window
+    std::vector<int> missing(window), next_ready(window);
+    std::vector<List> users(window);  // of each line, places in `waiting`
+    std::vector<int> waiting, next_waiting;
     std::vector<Line> sorted;
+    sorted.reserve(lines_.size());
     for (std::size_t first = 0; first < lines_.size(); first += window) {
-      const std::size_t last = std::min(first + window, lines_.size());
-      std::map<int, std::size_t> writer;  // of a result in this window
-      for (std::size_t i = first; i < last; ++i)
-        writer[lines_[i].result] = i;
-      std::vector<int> missing(last - first, 0);
-      std::vector<std::vector<std::size_t>> waiting(last - first);
-      std::map<std::pair<Operation, Operation>, std::vector<std::size_t>> all_ready;
-      const auto ready = [&](std::size_t i) { all_ready[{lines_[i].first, lines_[i].second}].push_back(i); };
-      for (std::size_t i = first; i < last; ++i) {
-        for (const int operand : lines_[i].operands)
-          if (const auto found = writer.find(operand); found != writer.end()) {
-            ++missing[i - first];
-            waiting[found->second - first].push_back(i);
+      const Line* const lines = lines_.data() + first;
+      const int size = static_cast<int>(std::min<std::size_t>(window, lines_.size() - first));
+      for (int i = 0; i < size; ++i) {
+        writer[lines[i].result] = i;
+        users[i] = {};
+      }
+      waiting.clear();
+      for (int i = 0; i < size; ++i) {
+        missing[i] = 0;
+        for (const int operand : operands(lines[i]))
+          if (const int from = writer[operand]; from >= 0) {
+            ++missing[i];
+            waiting.push_back(i);
+            next_waiting.resize(std::max(next_waiting.size(), waiting.size()));
+            users[from].append(static_cast<int>(waiting.size()) - 1, next_waiting);
           }
-        if (missing[i - first] == 0) ready(i);
+        if (missing[i] == 0) ready[kind[code(lines[i])]].append(i, next_ready);
       }
       for (;;) {
-        std::vector<std::size_t>& most = std::ranges::max_element(all_ready, {}, [](const auto& kind) {
-                                           return kind.second.size();
-                                         })->second;
-        if (most.empty()) break;
+        List& most = *std::ranges::max_element(ready, {}, &List::size);
+        if (most.size == 0) break;
         // The list may grow during this loop: lines of the same kind that become ready join it.
-        for (std::size_t k = 0; k < most.size(); ++k) {
-          const std::size_t i = most[k];
-          sorted.push_back(lines_[i]);
-          for (const std::size_t user : waiting[i - first])
-            if (--missing[user - first] == 0) ready(user);
+        for (int i = most.first; i >= 0; i = next_ready[i]) {
+          sorted.push_back(lines[i]);
+          for (int use = users[i].first; use >= 0; use = next_waiting[use])
+            if (const int user = waiting[use]; --missing[user] == 0)
+              ready[kind[code(lines[user])]].append(user, next_ready);
         }
-        most.clear();
+        most = {};
       }
+      for (int i = 0; i < size; ++i)
+        writer[lines[i].result] = -1;
     }
-    lines_ = std::move(sorted);
+    lines_.swap(sorted);
   }
 
   Program assemble(const ExpressionGraph& graph, const std::vector<int>& results) {
@@ -93,7 +142,7 @@ class Schedule {
     // The last line that reads a result; what is asked for is read after all of them.
     std::vector<std::size_t> last(place_.size(), 0);
     for (std::size_t i = 0; i < lines_.size(); ++i)
-      for (const int operand : lines_[i].operands) {
+      for (const int operand : operands(lines_[i])) {
         needs(operand);
         last[operand] = i;
       }
@@ -106,21 +155,20 @@ class Schedule {
     std::vector<int> free;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const Line& line = lines_[i];
+      const std::span<const int> of = operands(line);
       Program::Instruction instruction{};
       if (line.first == Operation::sum_of_products) {
         instruction.a = static_cast<Program::Place>(program.products_.size());
-        instruction.b = static_cast<Program::Place>(line.operands.size() / 2);
-        for (std::size_t k = 0; k < line.operands.size(); k += 2)
-          program.products_.push_back({place(line.operands[k]), place(line.operands[k + 1])});
-        program.operations_ += line.operands.size() / 2;
+        instruction.b = static_cast<Program::Place>(of.size() / 2);
+        for (std::size_t k = 0; k < of.size(); k += 2)
+          program.products_.push_back({place(of[k]), place(of[k + 1])});
+        program.operations_ += of.size() / 2;
       } else {
-        const auto operand = [&](std::size_t k) {
-          return place(line.operands[std::min(k, line.operands.size() - 1)]);
-        };
+        const auto operand = [&](std::size_t k) { return place(of[std::min(k, of.size() - 1)]); };
         instruction = {.to = 0, .a = operand(0), .b = operand(1), .c = operand(2)};
         program.operations_ += line.second == Operation::nothing ? 1 : 2;
       }
-      for (const int operand : line.operands)
+      for (const int operand : of)
         if (temporary(graph, operand) && last[operand] == i) {
           last[operand] = lines_.size() + 1;  // once, though it may be read twice here
           free.push_back(place_[operand]);
@@ -149,6 +197,7 @@ class Schedule {
 
   std::vector<int> place_;  // of each result
   std::vector<Line> lines_;
+  std::vector<int> operands_;  // of all lines
 };
 
 }  // namespace avi
