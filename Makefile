@@ -25,7 +25,7 @@ export SOURCE_DATE_EPOCH := $(shell git log -1 --format=%ct 2>/dev/null || echo 
 # `timed`, whose seconds are compared; `slow`; `drawn`, with script_of_<name>; with_<mode>, those that know a longer run. Goals
 # that need no experiment do without it. To make it, packages have to be there.
 without_list := help deps deps-peers deps-paper deps-docs deps-instructions deps-fuzz deps-format deps-mutants \
-                programs build check instructions mutants fuzz levels docs install format clean
+                programs build check hostile instructions mutants fuzz levels docs install format clean
 ifneq ($(filter-out $(without_list),$(or $(MAKECMDGOALS),help)),)
 include $(BUILD)/experiments.mk
 endif
@@ -37,7 +37,7 @@ PUBLISHED   := $(wildcard paper/published/*.tsv)
 GALLERY     := kepler_e090 euler_b_errors direct_vs_adaptive work_precision
 
 .PHONY: help deps deps-peers deps-paper deps-docs deps-instructions deps-fuzz deps-format deps-mutants programs build data figures scorecard verdicts \
-        check instructions mutants fuzz levels paper docs install long work-precision arena extremes gallery format clean
+        check hostile instructions mutants fuzz levels paper docs install long work-precision arena extremes gallery format clean
 
 help: ## This list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' $(MAKEFILE_LIST) | while IFS='	' read -r target text; do \
@@ -104,6 +104,9 @@ $(patsubst %,$(BIN)/%,$(experiments) scorecard): programs
 
 check: build ## Build and run every test
 	ctest --test-dir $(BUILD) --output-on-failure --parallel $(shell nproc)
+hostile: programs ## The front door's promise on SYSTEMS=1000 systems drawn at random by SEED=1, at five tolerances: an hour
+	@$(compile) hostile && mkdir -p build/extremes && $(BIN)/hostile --systems $(or $(SYSTEMS),1000) --seed $(or $(SEED),1) \
+	  --output build/extremes/hostile.tsv
 instructions: deps-instructions ## Count the instructions of fixed work, warn where they grew by over 10 % (ACCEPT=1 takes the counts over)
 	@cmake --preset portable >/dev/null && cmake --build build/portable --target instructions_workload
 	@tests/instructions/compare.sh build/portable/bin/instructions_workload tests/instructions/counts.tsv $(if $(ACCEPT),accept)

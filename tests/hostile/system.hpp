@@ -1,0 +1,62 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// @file
+/// A system to be solved: which formula, with which numbers, from where, for how long.
+
+namespace hostile {
+
+/// The formulas that there are; formulas.hpp has one function for each.
+enum class Formula {
+  polynomial,
+  pendula,
+  charge,
+  bodies,
+  relativistic,
+  metric,
+  surface,
+  toda,
+  morse,
+  growth,
+  lennard_jones,
+  repulsion,
+  chain,
+  double_pendulum,
+  well,
+  wall,
+  scatterers,
+  driven,
+  three_body,
+  kepler,
+  odd,
+  top
+};
+
+/// A Hamiltonian and one orbit of it. H(q, p) = energy h(q_i / unit_i, p_i unit_i / action), where h is the
+/// formula without units; so t is in units of action / energy.
+struct System {
+  std::string family;                     ///< What it is called in tables.
+  Formula formula = Formula::polynomial;  ///< Of h.
+  int n = 1;                              ///< Degrees of freedom.
+  std::vector<double> c;                  ///< Coefficients of the formula.
+  std::vector<int> k;                     ///< Whole numbers of the formula.
+  std::vector<double> unit;               ///< Of each coordinate.
+  double action = 1.0;                    ///< Unit of q p.
+  double energy = 1.0;                    ///< Unit of H.
+  std::vector<double> q, p;               ///< Start.
+  std::vector<double> q_scale, p_scale;   ///< About the range through which each entry moves.
+  double t = 0.0, t_end = 1.0;            ///< Of the start and of the end.
+  std::string note;                       ///< What a reader should know.
+
+  /// H at any scalar S that q and p consist of.
+  template <class Q>
+  auto operator()(const Q& q, const Q& p) const;
+};
+
+/// The system number `index` of a seed, whatever else is drawn. No run is longer than `longest`
+/// characteristic times.
+System draw(std::uint64_t seed, int index, double longest);
+
+}  // namespace hostile
