@@ -1,10 +1,13 @@
 #include "avi/autodiff/jet.hpp"
+#include "avi/autodiff/partials.hpp"
+#include "unit/elementary.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <functional>
+#include <tuple>
 #include <vector>
 
 using avi::Jet;
@@ -223,6 +226,29 @@ TEST(Jet, LanesDifferentiateTaylorCoefficients) {
             << i << ' ' << k << ' ' << j;
       }
   }
+}
+
+// Against derivatives of derivatives, with either argument fixed.
+TEST(Jet, ElementaryFunctionsHaveTheirThreeDerivatives) {
+  using One = avi::Partials<double, 1>;
+  using Two = avi::Partials<One, 1>;
+  using Three = avi::Partials<Two, 1>;
+  const auto variable = [](double x) {
+    return Three::variable(Two::variable(One::variable(x, 0), 0, One(1.0)), 0, Two(1.0));
+  };
+  const auto check = [&](const auto& f) {
+    for (const bool first : {true, false}) {
+      const double x = 0.7, y = 1.9;
+      const auto c =
+          expand([&](Scalar t) { return first ? f(t, Scalar(y)) : f(Scalar(x), t); }, line(first ? x : y));
+      const Three z = first ? f(variable(x), Three(y)) : f(Three(x), variable(y));
+      const double d[] = {z.value.value.value, z.partial(0).value.value, z.partial(0).partial(0).value / 2.0,
+                          z.partial(0).partial(0).partial(0) / 6.0};
+      for (int k = 0; k < 4; ++k)
+        EXPECT_NEAR(c[k], d[k], 1e-13 * (1.0 + std::abs(d[k]))) << "coefficient " << k;
+    }
+  };
+  std::apply([&](const auto&... f) { (check(f), ...); }, elementary);
 }
 
 }  // namespace jet_test

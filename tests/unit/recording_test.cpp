@@ -242,6 +242,14 @@ TEST(Recording, RefusesWhatItCannotServe) {
   EXPECT_EQ(refusal([&] { Recording([](const auto& x) { return x[0] == 0.0 ? x[0] : x[1]; }, 2); }),
             "A function that asks whether its arguments are equal cannot be recorded; instead of a "
             "branch write select(a < b, x, y), min(x, y), max(x, y) or abs(x).");
+  EXPECT_EQ(refusal([&] { Recording([](const auto& x) { return x[1] + x[2]; }, 2); }),
+            "Index of an entry is 2; it must be at least 0 and below 2, the size of the vector.");
+  EXPECT_EQ(refusal([&] { avi::record<2>([](const auto& q, const auto& p) { return q[0] * p(-1); }); }),
+            "Index of an entry is -1; it must be at least 0 and below 2, the size of the vector.");
+  EXPECT_EQ(refusal([&] { Recording([](const auto& x) { return x.segment(1, 2).sum(); }, 2); }),
+            "Number of entries is 2; it must be at least 0 and at most 1, for the vector has not more.");
+  EXPECT_EQ(refusal([&] { Recording([](const auto& x) { return x.head(3).sum(); }, 2); }),
+            "Number of entries is 3; it must be at least 0 and at most 2, for the vector has not more.");
   Recorded kept;
   const Recording keeps([&](const auto& x) -> Recorded { return kept = x[0]; }, 1);
   EXPECT_EQ(

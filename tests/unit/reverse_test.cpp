@@ -127,6 +127,32 @@ TEST(Reverse, HasTheGradientOfFiniteDifferences) {
   });
 }
 
+// Where a formula branches, the other side may have no value, or an infinite slope.
+TEST(Reverse, LeavesOutTheSideThatIsNotTaken) {
+  const auto f = [](const auto& x, const auto& y) {
+    using avi::select;
+    using std::sqrt, std::log, std::max;
+    const auto root = sqrt(x), logarithm = log(y);
+    return select(x > 0.0, root * root * root + select(y > 0.0, root * logarithm, -y), x * x + 3.0 * y) +
+           max(0.0 * x, root) + select(x > 0.0 && y > 0.0, x / root, 1.0);
+  };
+  struct Case {
+    double x, y, d_dx, d_dy;
+  };
+  const double l = std::log(3.0);
+  for (const Case& is :
+       {Case{4.0, 3.0, 3.0 + 0.25 * l + 0.25 + 0.25, 2.0 / 3.0}, Case{4.0, -3.0, 3.0 + 0.25, -1.0},
+        Case{-4.0, 3.0, -8.0, 3.0}, Case{-4.0, -3.0, -8.0, 3.0}}) {
+    const Program program = recorded(f).value_and_gradient();
+    Program::Room<double> room(program);
+    room.arguments()[0] = is.x, room.arguments()[1] = is.y;
+    program.run(room);
+    EXPECT_EQ(program.value(room), f(is.x, is.y)) << is.x << ", " << is.y;
+    EXPECT_NEAR(program.slope(room, 0), is.d_dx, 1e-14) << is.x << ", " << is.y;
+    EXPECT_NEAR(program.slope(room, 1), is.d_dy, 1e-14) << is.x << ", " << is.y;
+  }
+}
+
 TEST(Reverse, TreatsEachNumberOfAPackAlike) {
   for_each_formula([&](const auto& f) {
     const Program program = recorded(f).value_and_gradient();

@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/autodiff/recorded.hpp"
+#include "avi/autodiff/recorded_call.hpp"
 #include "avi/autodiff/reverse.hpp"
 #include "avi/autodiff/schedule.hpp"
 #include "avi/core/require.hpp"
@@ -34,7 +34,7 @@ class Recording {
   template <class F>
   requires(!std::is_same_v<F, ExpressionGraph>) Recording(const F& f, Eigen::Index inputs)
       : graph_(checked(inputs)) {
-    differentiate(Recorded(f(recorded_inputs(graph_, 0, inputs))).node_in(graph_));
+    differentiate(detail::recorded_call(f, recorded_inputs(graph_, 0, inputs)).node_in(graph_));
   }
 
   /// Takes a formula that is recorded already: no function is called. @param graph of N inputs @param node
@@ -110,7 +110,8 @@ Recording record(const F& f, Eigen::Index size = n) {
   require(size >= 1, "Number of degrees of freedom to record", size, "at least 1");
   const int count = static_cast<int>(size);
   ExpressionGraph graph(2 * count);
-  const Recorded value = f(recorded_inputs<n>(graph, 0, count), recorded_inputs<n>(graph, count, count));
+  const Recorded value =
+      detail::recorded_call(f, recorded_inputs<n>(graph, 0, count), recorded_inputs<n>(graph, count, count));
   const int node = value.node_in(graph);
   return {std::move(graph), node};
 }

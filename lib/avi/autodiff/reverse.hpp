@@ -75,12 +75,26 @@ class Reverse {
   }
   Factor factor(const Part& a) { return {graph_, a.number, a.node}; }
 
+  /// Whether one at least of the conditions of these parts holds.
+  int any_condition(int first) {
+    const int one = graph_.constant(1.0);
+    int none = -1;
+    for (int i = first; i >= 0; i = parts_[i].next) {
+      const int fails = graph_.binary(Operation::subtract, one, parts_[i].condition);
+      none = none < 0 ? fails : graph_.binary(Operation::when, none, fails);
+    }
+    return graph_.binary(Operation::subtract, one, none);
+  }
+
   /// The sum of all that was passed on to `node`.
   Term total(int node) {
     const int first = uses_[node].first, condition = parts_[first].condition;
-    bool alike = true;
-    for (int i = first; i >= 0; i = parts_[i].next)
+    bool alike = true, conditional = true;
+    for (int i = first; i >= 0; i = parts_[i].next) {
       alike = alike && parts_[i].condition == condition;
+      conditional = conditional && parts_[i].condition >= 0;
+    }
+    const int common = alike ? condition : conditional ? any_condition(first) : -1;
     double scale = 0.0;  // of the first part that is not a number
     double numbers = 0.0;
     int sum = -1;
@@ -103,7 +117,6 @@ class Reverse {
       }
     }
     parts_[uses_[node].last].next = std::exchange(free_, first);
-    const int common = alike ? condition : -1;
     if (sum < 0) return {.bar = numbers, .condition = common};
     if (numbers != 0.0) sum = graph_.binary(Operation::add, sum, graph_.constant(numbers / scale));
     // What is passed on to two operands is multiplied by its factor once, here, unless that is a power of 2.

@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/autodiff/recorded.hpp"
+#include "avi/autodiff/recorded_call.hpp"
 #include "avi/core/power.hpp"
 #include "avi/core/state.hpp"
 
@@ -95,7 +95,8 @@ template <int n = dynamic, class F>
 PhaseFunction phase_function(const F& f, Eigen::Index size = n) {
   const int count = static_cast<int>(size);
   ExpressionGraph graph(2 * count);
-  const Recorded value = f(recorded_inputs<n>(graph, 0, count), recorded_inputs<n>(graph, count, count));
+  const Recorded value =
+      detail::recorded_call(f, recorded_inputs<n>(graph, 0, count), recorded_inputs<n>(graph, count, count));
   return {graph, value.node_in(graph)};
 }
 

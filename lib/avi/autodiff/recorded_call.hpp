@@ -1,0 +1,83 @@
+#pragma once
+#include "avi/autodiff/recorded.hpp"
+
+#include <type_traits>
+
+/// @file
+/// The call that records a function, and what the compiler says where it cannot be made.
+
+namespace avi::detail {
+
+/// An argument that takes numbers only: double, or a vector of them.
+template <class Argument>
+constexpr bool is_of_numbers() {
+  using A = std::remove_cvref_t<Argument>;
+  if constexpr (requires { typename A::Scalar; })
+    return std::is_arithmetic_v<typename A::Scalar>;
+  else
+    return std::is_arithmetic_v<A>;
+}
+/// A function of which such an argument is known.
+template <class F>
+struct TakesNumbers : std::false_type {};
+/// @cond
+#define AVI_CALLABLE(...)                                                                                    \
+  template <class Result, class... Arguments>                                                                \
+  struct TakesNumbers<Result __VA_ARGS__> : std::bool_constant<(is_of_numbers<Arguments>() || ...)> {};      \
+  template <class Result, class... Arguments>                                                                \
+  struct TakesNumbers<Result __VA_ARGS__ noexcept>                                                           \
+      : std::bool_constant<(is_of_numbers<Arguments>() || ...)> {};
+AVI_CALLABLE((*)(Arguments...))
+#undef AVI_CALLABLE
+#define AVI_CALLABLE(qualifier)                                                                              \
+  template <class Result, class Class, class... Arguments>                                                   \
+  struct TakesNumbers<Result (Class::*)(Arguments...) qualifier>                                             \
+      : std::bool_constant<(is_of_numbers<Arguments>() || ...)> {};
+AVI_CALLABLE()
+AVI_CALLABLE(const)
+AVI_CALLABLE(noexcept)
+AVI_CALLABLE(const noexcept)
+#undef AVI_CALLABLE
+/// @endcond
+
+/// f is not generic: it takes vectors of numbers and nothing else. Eigen only pretends to turn one kind of
+/// vector into another.
+template <class F>
+constexpr bool takes_numbers() {
+  if constexpr (requires { &F::operator(); })
+    return TakesNumbers<decltype(&F::operator())>::value;
+  else
+    return TakesNumbers<std::decay_t<F>>::value;
+}
+
+/// f at recorded vectors. What f must be for that is checked here, one sentence for each mistake.
+template <class F, class... Vectors>
+Recorded recorded_call(const F& f, const Vectors&... x) {
+  constexpr bool generic = !takes_numbers<F>();
+  static_assert(generic,
+                "A function that is recorded must be generic in its scalar: let it take `const auto& q` "
+                "(and `const auto& p`) instead of vectors of double.");
+  if constexpr (generic) {
+    constexpr bool callable = std::is_invocable_v<const F&, const Vectors&...>;
+    if constexpr (!callable && sizeof...(x) == 2) {
+      using Vec = std::common_type_t<Vectors...>;
+      static_assert(callable || !(std::is_invocable_v<const F&, const Vec&, const Recorded&, const Vec&> ||
+                                  std::is_invocable_v<const F&, const Vec&, const Vec&, const Recorded&>),
+                    "This function takes a third argument: H(q, t, p) becomes a function of (q, p) by "
+                    "avi::time_dependent(), and parameters are captured or kept as members.");
+    }
+    static_assert(callable,
+                  "A function that is recorded must be callable as f(x), or H(q, p), with vectors of "
+                  "any scalar, and be const.");
+    if constexpr (callable) {
+      constexpr bool gives_number =
+          std::is_convertible_v<std::invoke_result_t<const F&, const Vectors&...>, Recorded>;
+      static_assert(gives_number,
+                    "A function that is recorded must return one number of its arguments' scalar, "
+                    "as `return x[0] * x[0];` does.");
+      if constexpr (gives_number) return f(x...);
+    }
+  }
+}
+
+}  // namespace avi::detail
