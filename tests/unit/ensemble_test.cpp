@@ -81,7 +81,7 @@ TEST(Ensemble, OneThatFailsSpoilsNoOther) {
     } else if (i == 5) {
       EXPECT_EQ(run.outcome, Outcome::stopped);
       EXPECT_EQ(run.steps, 0);
-      EXPECT_TRUE(run.message.starts_with("H at the start is ")) << run.message;
+      EXPECT_TRUE(run.message.starts_with("At the start p[0] is nan")) << run.message;
     } else {
       EXPECT_EQ(run.outcome, Outcome::ok) << run.message;
       EXPECT_GE(members[i].state.t, 10.0);

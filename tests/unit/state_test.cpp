@@ -1,5 +1,9 @@
 #include "avi/core/state.hpp"
 
+#include "avi/autodiff/recording.hpp"
+#include "avi/collocation/collocation.hpp"
+#include "avi/core/integrate.hpp"
+#include "avi/transform/time_dependent.hpp"
 #include "refusal.hpp"
 
 #include <gtest/gtest.h>
@@ -40,6 +44,59 @@ TEST(State, IsRefusedWhereItsDimensionIsNone) {
   EXPECT_EQ(said(1, 1), "accepted");
   EXPECT_EQ(said(0, 0), "Dimension of q at the start is 0; it must be at least 1.");
   EXPECT_EQ(said(2, 3), "Dimension of p at the start is 3; it must be that of q, 2.");
+}
+
+TEST(State, TakesBracesInEveryDimension) {
+  const avi::State<1> one{.q = {0.5}, .p = {-0.25}};
+  EXPECT_EQ(one.q[0], 0.5);
+  EXPECT_EQ(one.p[0], -0.25);
+  avi::State<1> other{.q = avi::Vector<double, 1>(2.0), .p = 2.0 * one.q + one.p};
+  other.q += one.q;
+  other.p = one.p;
+  const avi::Vector<double, 1> copy = other.q;
+  EXPECT_EQ(copy[0], 2.5);
+  EXPECT_EQ(other.p[0], -0.25);
+  EXPECT_EQ(sizeof(avi::State<1>), 3 * sizeof(double));
+  const avi::State<4> four{.q = {1.0, 2.0, 3.0, 4.0}, .p = {5.0, 6.0, 7.0, 8.0}};
+  EXPECT_EQ(four.q[3], 4.0);
+}
+
+TEST(State, IsRefusedWhereAPartWasForgotten) {
+  const auto H = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
+  avi::State<2> z;
+  z.q << 1.0, 0.0;
+  EXPECT_EQ(refusal([&] { (void)avi::poincare<2>(H, z); }), "At the start p[0] is nan; it must be finite.");
+  const avi::State<1> none;
+  EXPECT_EQ(refusal([&] { (void)avi::poincare<1>(H, none); }),
+            "At the start q[0] is nan; it must be finite.");
+  z.p << 0.0, 1.0;
+  auto method = avi::collocation(avi::poincare<2>(H, z), 4);
+  z.p[1] = INFINITY;
+  const avi::Run run = avi::integrate(method, z, 0.1, {.steps = 2});
+  EXPECT_EQ(run.outcome, avi::Outcome::non_finite);
+  EXPECT_EQ(run.message, "The run ended as non_finite after 0 steps, at t = 0: at the start p[1] is inf.");
+}
+
+TEST(State, IsNotReadBeyondItsEnd) {
+  const avi::State<2> z{.q = {1.0, 0.0}, .p = {0.0, 1.0}};
+  const auto beyond = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + q[2]; };
+  const auto before = [](const auto& q, const auto& p) { return 0.5 * p(-1) * p[0] + q[1]; };
+  const std::string sentence =
+      "Index of an entry that a function reads is 2; it must be less than the number "
+      "of entries, 2, and not negative.";
+  EXPECT_EQ(refusal([&] { (void)avi::poincare<2>(beyond, z); }), sentence);
+  EXPECT_EQ(refusal([&] {
+              (void)avi::poincare<2>(before, z);
+            }).find("Index of an entry that a function reads is -1"),
+            0u);
+  const avi::State<avi::dynamic> same{.q = z.q, .p = z.p};
+  EXPECT_EQ(refusal([&] { (void)avi::poincare<avi::dynamic>(beyond, same); }), sentence);
+  const auto H = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[1] * q[1]); };
+  const auto monitor = [](const auto& q) { return 1.0 + q[2] * q[2]; };
+  EXPECT_EQ(refusal([&] { (void)avi::poincare<2>(H, z, monitor); }), sentence);
+  EXPECT_EQ(refusal([&] { (void)avi::record<2>(beyond); }), sentence);
+  const auto timed = [](const auto& q, const auto& t, const auto& p) { return 0.5 * p[0] * p[0] + t * q[2]; };
+  EXPECT_EQ(refusal([&] { (void)avi::extended(avi::time_dependent(timed, z), z); }), sentence);
 }
 
 }  // namespace state_test

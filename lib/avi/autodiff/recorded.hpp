@@ -227,58 +227,10 @@ AVI_WITH_NUMBERS(inline, RecordedCondition, operator>=)
 #undef AVI_WITH_NUMBERS
 /// @endcond
 
-/// What a function is called with when it is recorded: a vector that refuses indices beyond its size whatever
-/// the compiler's options, since memory behind it would be taken for nodes. @tparam n size, or avi::dynamic
+/// What a function is called with when it is recorded: a vector that refuses indices beyond its size, since
+/// memory behind it would be taken for nodes. @tparam n size, or avi::dynamic
 template <int n = dynamic>
-class RecordedVector : public Vector<Recorded, n> {
-  using Base = Vector<Recorded, n>;
-
- public:
-  using Base::Base;
-
-  ///@{
-
-  /// An entry. @throws std::invalid_argument where there is none.
-  Recorded& operator[](Eigen::Index i) { return checked(i), Base::operator[](i); }
-  const Recorded& operator[](Eigen::Index i) const { return checked(i), Base::operator[](i); }
-  Recorded& operator()(Eigen::Index i) { return checked(i), Base::operator()(i); }
-  const Recorded& operator()(Eigen::Index i) const { return checked(i), Base::operator()(i); }
-  ///@}
-
-  ///@{
-
-  /// Several entries. @throws std::invalid_argument where there are not so many.
-  auto head(Eigen::Index size) const { return checked(0, size), Base::head(size); }
-  auto tail(Eigen::Index size) const { return checked(0, size), Base::tail(size); }
-  auto segment(Eigen::Index first, Eigen::Index size) const {
-    return checked(first, size), Base::segment(first, size);
-  }
-  template <int count>
-  auto head() const {
-    return checked(0, count), Base::template head<count>();
-  }
-  template <int count>
-  auto tail() const {
-    return checked(0, count), Base::template tail<count>();
-  }
-  template <int count>
-  auto segment(Eigen::Index first) const {
-    return checked(first, count), Base::template segment<count>(first);
-  }
-  ///@}
-
- private:
-  void checked(Eigen::Index i) const {
-    require(i >= 0 && i < this->size(), "Index of an entry", i, "at least 0 and below ", this->size(),
-            ", the size of the vector");
-  }
-  void checked(Eigen::Index first, Eigen::Index count) const {
-    require(first >= 0 && first <= this->size(), "First of some entries", first, "at least 0 and at most ",
-            this->size(), ", the size of the vector");
-    require(count >= 0 && count <= this->size() - first, "Number of entries", count,
-            "at least 0 and at most ", this->size() - first, ", for the vector has not more");
-  }
-};
+using RecordedVector = detail::Checked<Recorded, n>;
 
 /// `count` arguments of a formula from the one numbered `first` on. @tparam n count, or avi::dynamic
 template <int n = dynamic>

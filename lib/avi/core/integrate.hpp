@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/core/event.hpp"
 #include "avi/core/require.hpp"
+#include "avi/core/state.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -169,13 +170,21 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
     if (outcome != Outcome::ok) run.message = describe_end(outcome, state, run.steps, residual, reason);
     return run;
   };
+  if constexpr (requires { not_finite(current); })
+    if (!current.finite()) {
+      reason = "at the start " + not_finite(current);
+      return end(Outcome::non_finite);
+    }
   while (sense * current.t < end_time && run.steps < until.steps) {
     State next = current;
     // A copy only where the step depends on more than the state and may have to be repeated.
     const std::conditional_t<looks_inside && !one_step<M>, M, M&> before = method;
     const StepReport report = method.step(next, h);
     if (report.outcome != Outcome::ok) return end(report.outcome, report.residual);
-    if (!next.finite()) return end(Outcome::non_finite);
+    if (!next.finite()) {
+      if constexpr (requires { not_finite(next); }) reason = "after the next step " + not_finite(next);
+      return end(Outcome::non_finite);
+    }
     run.evaluations += report.evaluations;
     double size = h;
     bool arrived = false;

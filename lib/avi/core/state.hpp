@@ -5,20 +5,49 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
 
 /// @file
 /// The point in phase space that every integrator moves.
 
 namespace avi {
 
+namespace detail {
+/// The one entry of q or p in one dimension: a Vector<double, 1> that can be written as {0.5}, as those of
+/// more entries can.
+struct OneEntry : Vector<double, 1> {
+  OneEntry() = default;
+  OneEntry(double entry) : Vector<double, 1>(entry) {}  // NOLINT: implicit, for {.q = {0.5}}
+  template <class Derived>
+  OneEntry(const Eigen::MatrixBase<Derived>& other) : Vector<double, 1>(other) {}  // NOLINT: as Eigen's own
+  using Vector<double, 1>::operator=;
+};
+
+/// The type of q and p.
+template <int n>
+using Entries = std::conditional_t<n == 1, OneEntry, Vector<double, n>>;
+
+/// What q and p are as long as they are not given: NaN, so that one that was forgotten is refused.
+template <int n>
+Entries<n> not_given() {
+  if constexpr (n == dynamic)
+    return {};
+  else
+    return Vector<double, n>::Constant(std::numeric_limits<double>::quiet_NaN());
+}
+}  // namespace detail
+
 /// Position q, momentum p (n entries each) and physical time t. The library uses the sign convention
 /// \f$\dot q = \partial H/\partial p\f$, \f$\dot p = -\partial H/\partial q\f$; units are the problem's own.
+/// Entries that are not given are NaN, which poincare() and a run refuse.
 template <int n>
 struct State {
-  static constexpr int dimension = n;  ///< n, or avi::dynamic.
-  Vector<double, n> q;                 ///< Position.
-  Vector<double, n> p;                 ///< Momentum, conjugate to q.
-  double t = 0.0;                      ///< Physical time.
+  static constexpr int dimension = n;             ///< n, or avi::dynamic.
+  detail::Entries<n> q = detail::not_given<n>();  ///< Position, a Vector<double, n>.
+  detail::Entries<n> p = detail::not_given<n>();  ///< Momentum, conjugate to q.
+  double t = 0.0;                                 ///< Physical time.
 
   /// True when every entry of q, p and t is finite.
   [[nodiscard]] bool finite() const {
@@ -45,6 +74,35 @@ void require_dimension([[maybe_unused]] const State<n>& start) {
     require(start.p.size() == start.q.size(), "Dimension of p at the start", start.p.size(), "that of q, ",
             start.q.size());
   }
+}
+
+namespace detail {
+/// The first entry that is infinite or NaN, in words; empty where there is none.
+template <int n>
+std::string not_finite(const State<n>& z) {
+  const auto is = [](double x) {
+    return std::string(std::isnan(x) ? " is nan" : x > 0.0 ? " is inf" : " is -inf");
+  };
+  const auto among = [&](const char* name, const auto& x) -> std::string {
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      if (!std::isfinite(x[i])) return std::string(name) + "[" + std::to_string(i) + "]" + is(x[i]);
+    return {};
+  };
+  const std::string in_q = among("q", z.q), in_p = among("p", z.p);
+  if (!in_q.empty()) return in_q;
+  if (!in_p.empty()) return in_p;
+  return std::isfinite(z.t) ? "" : "t" + is(z.t);
+}
+}  // namespace detail
+
+/// Refuses a start that is no point of phase space.
+/// @throws std::invalid_argument unless q and p have the same number of entries, at least 1, and all entries
+/// and the time are finite.
+template <int n>
+void require_start(const State<n>& start) {
+  require_dimension(start);
+  if (!start.finite())
+    throw std::invalid_argument("At the start " + detail::not_finite(start) + "; it must be finite.");
 }
 
 }  // namespace avi

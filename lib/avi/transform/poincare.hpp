@@ -169,12 +169,17 @@ class Poincare {
 };
 
 /// The transformed problem of an orbit through `start`: \f$p^t = -H(q(0), p(0))\f$, the paper's common choice
-/// (Section 3.1). @throws std::invalid_argument where H is not finite there, or q and p are of different
-/// size or empty.
+/// (Section 3.1). @throws std::invalid_argument where the start or H there is not finite, q and p are of
+/// different size or empty, or H or g reads an entry that they do not have.
 template <int n, class H, class G = Unit>
 Poincare<n, H, G> poincare(H hamiltonian, const State<n>& start, G monitor = {}) {
-  require_dimension(start);
-  const double pt = -require_finite("H at the start", static_cast<double>(hamiltonian(start.q, start.p)));
+  require_start(start);
+  const detail::Checked<double, n> q(start.q), p(start.p);
+  const double pt = -require_finite("H at the start", static_cast<double>(hamiltonian(q, p)));
+  if constexpr (std::invocable<const G&, const detail::Checked<double, n>&>)
+    (void)std::as_const(monitor)(q);
+  else
+    (void)std::as_const(monitor)(q, p);
   return {std::move(hamiltonian), std::move(monitor), pt, start.q.size()};
 }
 

@@ -80,14 +80,17 @@ TimeDependent<n, H, G> time_dependent(H hamiltonian, const State<n>& start, G mo
 }
 
 /// The state (q, t), (p, p^t) of the extended problem at time z.t, with p^t = -H(q, t, p).
-/// @throws std::invalid_argument where q and p are of different size or empty.
+/// @throws std::invalid_argument where z or H there is not finite, q and p are of different size or empty, or
+/// H reads an entry that they do not have.
 template <int n, class H, class G>
 State<extended_dimension(n)> extended(const TimeDependent<n, H, G>& problem, const State<n>& z) {
-  require_dimension(z);
+  require_start(z);
+  const detail::Checked<double, n> q(z.q), p(z.p);
   State<extended_dimension(n)> bar{.q = Vector<double, extended_dimension(n)>(z.q.size() + 1),
                                    .p = Vector<double, extended_dimension(n)>(z.q.size() + 1)};
   bar.q << z.q, z.t;
-  bar.p << z.p, -problem.hamiltonian().hamiltonian(z.q, z.t, z.p);
+  bar.p << z.p,
+      -require_finite("H at the start", static_cast<double>(problem.hamiltonian().hamiltonian(q, z.t, p)));
   bar.t = z.t;
   return bar;
 }
