@@ -29,7 +29,7 @@ int main() {
   std::vector<int> over(starts.size(), 0), back(starts.size(), 0);  // steps beyond the top, turning points
   std::vector<double> before(starts.size(), 1.0);
   const auto members = avi::ensemble([&](const auto&) { return avi::collocation(problem, 12); }, starts, 0.25,
-                                     {.time = 40.0}, 0,
+                                     {.time = 40.0}, {},
                                      [&](std::size_t i, const avi::State<2>& z, long) {
                                        over[i] += std::abs(z.q[0]) > M_PI;
                                        back[i] += z.p[0] * before[i] < 0.0;

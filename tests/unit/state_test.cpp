@@ -82,13 +82,9 @@ TEST(State, IsNotReadBeyondItsEnd) {
   const auto beyond = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + q[2]; };
   const auto before = [](const auto& q, const auto& p) { return 0.5 * p(-1) * p[0] + q[1]; };
   const std::string sentence =
-      "Index of an entry that a function reads is 2; it must be less than the number "
-      "of entries, 2, and not negative.";
+      "Index of an entry is 2; it must be at least 0 and below 2, the size of the vector.";
   EXPECT_EQ(refusal([&] { (void)avi::poincare<2>(beyond, z); }), sentence);
-  EXPECT_EQ(refusal([&] {
-              (void)avi::poincare<2>(before, z);
-            }).find("Index of an entry that a function reads is -1"),
-            0u);
+  EXPECT_EQ(refusal([&] { (void)avi::poincare<2>(before, z); }).find("Index of an entry is -1"), 0u);
   const avi::State<avi::dynamic> same{.q = z.q, .p = z.p};
   EXPECT_EQ(refusal([&] { (void)avi::poincare<avi::dynamic>(beyond, same); }), sentence);
   const auto H = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[1] * q[1]); };

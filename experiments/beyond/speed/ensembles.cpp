@@ -55,9 +55,10 @@ int main(int argc, char** argv) {
 
     frame.progress("cloud", 0.1);
     std::vector<std::vector<State<2>>> seen(starts.size());
-    const auto ends = avi::ensemble(make, starts, h, until, 0, [&](std::size_t i, const State<2>& z, long k) {
-      if (k % steps_per_turn == 0) seen[i].push_back(z);
-    });
+    const auto ends =
+        avi::ensemble(make, starts, h, until, {}, [&](std::size_t i, const State<2>& z, long k) {
+          if (k % steps_per_turn == 0) seen[i].push_back(z);
+        });
     Table section = frame.table({"member", "turn", "angle", "momentum"});
     for (std::size_t i = 0; i < seen.size(); ++i)
       for (std::size_t k = 0; k < seen[i].size(); ++k)
@@ -73,7 +74,7 @@ int main(int argc, char** argv) {
     };
     std::vector<std::function<void()>> works{single};
     for (const int threads : {1, 2})
-      works.emplace_back([&, threads] { (void)avi::ensemble(make, starts, h, until, threads); });
+      works.emplace_back([&, threads] { (void)avi::ensemble(make, starts, h, until, {.threads = threads}); });
     const std::vector<double> seconds = interleaved_least_seconds(works, frame.quick ? 1 : 5);
     Table out =
         frame.table({"problem", "method", "order", "way", "threads", "members", "ok", "steps", "seconds"});

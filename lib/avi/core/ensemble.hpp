@@ -1,13 +1,20 @@
 #pragma once
-#include "avi/core/integrate.hpp"
+#include "avi/core/integrate_to.hpp"
 
 #include <algorithm>
 #include <atomic>
+#include <concepts>
 #include <cstddef>
 #include <exception>
+#include <functional>
+#include <mutex>
 #include <optional>
-#include <stdexcept>
+#include <stop_token>
+#include <string>
+#include <system_error>
 #include <thread>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 /// @file
@@ -18,62 +25,154 @@ namespace avi {
 /// One run of an ensemble.
 template <class State>
 struct Member {
-  State state;  ///< Where it ended: the last good state.
-  Run run;      ///< How. Outcome::stopped after 0 steps, with the sentence, where its start was refused.
+  State state;  ///< Where it ended: the last good state; the start, where something was thrown.
+  Run run{};    ///< How. Outcome::stopped, with the sentence, where something was thrown.
+  std::exception_ptr error{};  ///< What was thrown: by make, by H, by an observer; usually nothing.
+
+  /// True where the run came to its end.
+  [[nodiscard]] bool ok() const { return run.ok(); }
 };
 
-/// Integrates each of `starts` with a method of its own, until `until`, on several threads. Each member is
-/// integrate() of its start, the same to the last bit on any number of threads: members share nothing. One
-/// that fails ends with its own outcome, the others go on.
-/// @param make called as make(start), returns the method for that start, such as
-///   collocation(poincare(H, start, g), 16); where it throws std::invalid_argument, the member ends at once
-/// @param threads 0 for one thread per core
-/// @param observers each called as observer(i, state, k) after step k of member i (and returns what an
-/// observer of integrate() may return); calls for different members may come at the same time, those for one
-/// member come in order
-/// @throws std::invalid_argument for a negative number of threads and for what integrate() refuses; whatever
-///   an observer throws.
-template <class State, class Make, class... Observers>
-std::vector<Member<State>> ensemble(const Make& make, const std::vector<State>& starts, double h, Until until,
-                                    int threads = 0, Observers&&... observers) {
+/// How the runs of an ensemble are shared out, watched and cancelled.
+struct EnsembleSettings {
+  int threads = 0;  ///< 0 for one thread per core.
+  /// Called as progress(done, all) after every run, by one thread at a time.
+  std::function<void(std::size_t, std::size_t)> progress{};
+  std::stop_token cancel{};  ///< On request, runs end as Outcome::stopped after their step.
+};
+
+namespace detail {
+/// The step size of a member: one for all, one of a list, or that of a function of the start.
+template <class Sizes, class State>
+double size_of_step(const Sizes& sizes, const State& start, std::size_t i) {
+  if constexpr (std::convertible_to<const Sizes&, double>)
+    return sizes;
+  else if constexpr (std::invocable<const Sizes&, const State&>)
+    return sizes(start);
+  else
+    return sizes[i];
+}
+
+/// Refuses what is wrong for all members alike.
+template <class Sizes, class State>
+void require_ensemble(const Sizes& sizes, const std::vector<State>& starts, const Until& until, int threads) {
+  static_assert(std::convertible_to<const Sizes&, double> || std::invocable<const Sizes&, const State&> ||
+                    std::same_as<Sizes, std::vector<double>>,
+                "The step of an ensemble is a number, a std::vector<double> with one for each start, or a "
+                "function that returns one for a start.");
   require(threads >= 0, "Number of threads", threads, "at least 0");
+  if constexpr (std::convertible_to<const Sizes&, double>) {
+    require_run(sizes, until);
+  } else if constexpr (std::invocable<const Sizes&, const State&>) {
+    require_run(1.0, until);
+  } else {
+    require(sizes.size() == starts.size(), "Number of steps", sizes.size(), "that of the starts, ",
+            starts.size());
+    require_run(1.0, until);
+    for (const double h : sizes)
+      require_run(h, until);
+  }
+}
+
+/// The observer of member i: the one that is made for it, or the one of all members, told which it is.
+template <class State, class Observer>
+decltype(auto) observer_of(Observer& observer, std::size_t i) {
+  if constexpr (std::invocable<Observer&, std::size_t>)
+    return observer(i);
+  else if constexpr (std::invocable<Observer&, std::size_t, const State&, long>)
+    return [&observer, i](const State& state, long k) { return observer(i, state, k); };
+  else
+    return [&observer, i]<class M>(const Step<M, State>& step, long k) { return observer(i, step, k); };
+}
+}  // namespace detail
+
+/// Integrates each of `starts` with a method of its own, until `until`, on several threads: as
+/// integrate_to(), exactly to until.time, or as integrate() where only steps or seconds are set. Each member
+/// is the same to the last bit on any number of threads: members share nothing. One that fails ends with its
+/// own outcome, one whose make, H or observer throws as Outcome::stopped with the sentence and `error`; the
+/// others go on.
+/// @param make called as make(start), returns the method for that start, such as
+///   collocation(poincare(H, start, g), 16)
+/// @param h the step of all, a std::vector<double> with one for each start, or called as h(start)
+/// @param until for each member; its seconds are those of one run
+/// @param observers each called as observer(i, state, k) or observer(i, step, k) after step k of member i,
+/// and
+///   returns what an observer of integrate() may return; calls for different members may come at the same
+///   time, those for one member come in order. Or called once for each member, as observer(i), to return an
+///   observer of integrate() for it: `[&](std::size_t i) { return at_times(times, [&, i](const auto& z) { ...
+///   }); }`, on_event(), or a reference to the Trajectory of that member.
+/// @throws std::invalid_argument for a negative number of threads, a step that is zero or not finite, another
+///   number of steps than of starts, or an `until` that sets no end; whatever `progress` throws.
+template <class State, class Make, class Sizes, class... Observers>
+[[nodiscard]] std::vector<Member<State>> ensemble(const Make& make, const std::vector<State>& starts,
+                                                  const Sizes& h, Until until, EnsembleSettings settings = {},
+                                                  Observers&&... observers) {
+  detail::require_ensemble(h, starts, until, settings.threads);
   std::vector<Member<State>> members;
   members.reserve(starts.size());
   for (const State& start : starts)
-    members.push_back({.state = start, .run = {}});
-  std::atomic<std::size_t> next{0};
-  std::vector<std::exception_ptr> thrown(starts.size());
+    members.push_back({.state = start});
   const auto follow = [&](std::size_t i) {
     Member<State>& member = members[i];
-    std::optional<std::decay_t<decltype(make(member.state))>> method;
-    try {
-      method.emplace(make(member.state));
-    } catch (const std::invalid_argument& error) {
-      member.run = {.outcome = Outcome::stopped, .message = error.what()};
-      return;
-    }
-    member.run = integrate(*method, member.state, h, until,
-                           [&](const State& state, long k) { return observers(i, state, k); }...);
+    auto method = make(member.state);
+    const double size = detail::size_of_step(h, member.state, i);
+    std::tuple<decltype(detail::observer_of<State>(observers, i))...> own{
+        detail::observer_of<State>(observers, i)...};
+    const auto cancelled = [&](const State&, long) { return !settings.cancel.stop_requested(); };
+    member.run = std::apply(
+        [&](auto&... each) {
+          return std::isfinite(until.time)
+                     ? integrate_to(method, member.state, size, until, each..., cancelled)
+                     : integrate(method, member.state, size, until, each..., cancelled);
+        },
+        own);
   };
+  const auto fail = [&](std::size_t i, std::string sentence, std::exception_ptr error = {}) {
+    members[i].run.outcome = Outcome::stopped;
+    members[i].run.message = std::move(sentence);
+    members[i].error = std::move(error);
+  };
+  std::mutex mutex;
+  std::size_t done = 0;
+  std::exception_ptr thrown;  // by progress
+  const auto report = [&] {
+    const std::lock_guard lock(mutex);
+    ++done;
+    if (!settings.progress || thrown) return;
+    try {
+      settings.progress(done, starts.size());
+    } catch (...) {
+      thrown = std::current_exception();
+    }
+  };
+  std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < starts.size(); i = next++) {
       try {
-        follow(i);
+        if (settings.cancel.stop_requested())
+          fail(i, "The ensemble was cancelled before this run began.");
+        else
+          follow(i);
+      } catch (const std::exception& error) {
+        fail(i, error.what(), std::current_exception());
       } catch (...) {
-        thrown[i] = std::current_exception();
+        fail(i, "Something was thrown that is no std::exception.", std::current_exception());
       }
+      report();
     }
   };
   {
-    const std::size_t most =
-        threads > 0 ? static_cast<std::size_t>(threads) : std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t most = settings.threads > 0 ? static_cast<std::size_t>(settings.threads)
+                                                  : std::max(1u, std::thread::hardware_concurrency());
     std::vector<std::jthread> helpers;  // this thread works too
-    for (std::size_t k = 1; k < std::min(most, starts.size()); ++k)
-      helpers.emplace_back(work);
+    try {
+      for (std::size_t k = 1; k < std::min(most, starts.size()); ++k)
+        helpers.emplace_back(work);
+    } catch (const std::system_error&) {  // no more threads to be had: those there are do the work
+    }
     work();
   }
-  for (const std::exception_ptr& error : thrown)
-    if (error) std::rethrow_exception(error);
+  if (thrown) std::rethrow_exception(thrown);
   return members;
 }
 

@@ -13,8 +13,8 @@ enum class Summation {
 };
 
 /// sum += increment. @param low rounding error kept so far; unused by Summation::plain
-template <Summation summation = Summation::compensated, class Value>
-void add(Value& sum, Value& low, const Value& increment) {
+template <Summation summation = Summation::compensated, class Value, class Low, class Increment>
+void add(Value& sum, [[maybe_unused]] Low& low, const Increment& increment) {
   if constexpr (summation == Summation::compensated) {
     const Value corrected = increment + low;
     const Value next = sum + corrected;
