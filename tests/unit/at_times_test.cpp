@@ -73,6 +73,18 @@ TEST(AtTimes, WaitsWhereTimeStandsStill) {
   }
 }
 
+TEST(AtTimes, ActionMayEndTheRun) {
+  auto z = Kepler::pericentre(0.7);
+  auto method = avi::splitting(avi::LogHamiltonian(Kepler{}, z), avi::compositions::kahan_li8);
+  int seen = 0;
+  const auto run =
+      avi::integrate(method, z, 0.3, {.time = 9.0},
+                     avi::at_times({0.0, 1.0, 1.01, 1.02, 5.0}, [&](const State<2>&) { return ++seen < 3; }));
+  EXPECT_EQ(run.outcome, avi::Outcome::stopped);
+  EXPECT_EQ(seen, 3);
+  EXPECT_LT(z.t, 2.0);
+}
+
 TEST(AtTimes, RefusesTimesOutOfOrder) {
   const auto make = [](std::vector<double> times) { (void)avi::at_times(times, [](const State<2>&) {}); };
   EXPECT_THROW(make({1.0, 0.5, 2.0}), std::invalid_argument);

@@ -62,7 +62,7 @@ TEST(Integrate, EndsAfterStepsOrWhenATimeIsReached) {
     EXPECT_EQ(run.outcome, Outcome::step_limit);
     EXPECT_EQ(run.steps, 3);
     EXPECT_EQ(run.message, std::string("The run ended as step_limit after 3 steps, at t = ") +
-                               (sense > 0.0 ? "3." : "-3."));
+                               (sense > 0.0 ? "3" : "-3") + ": the cap on steps came before the end time.");
     run = avi::integrate(method, z, sense * 0.25, {.steps = 0});
     EXPECT_EQ(run.outcome, Outcome::ok);
     EXPECT_EQ(z.q[0], 12.0);

@@ -15,7 +15,8 @@ namespace avi {
 
 /// Observer for integrate(): action(state) is called at each of the times that the run passes, with a state
 /// as accurate as the run, whose t is that time to the bit as Step::at() has it; the run itself is not
-/// touched. Times decrease where h < 0; one that equals the start is reported with the first step.
+/// touched. Times decrease where h < 0; one that equals the start is reported with the first step. The
+/// action answers as an observer of integrate() does, and may so end the run at the end of that step.
 /// @throws std::invalid_argument unless the times are finite and strictly monotonic; the observer, where one
 /// lies before the start, or they go the other way than the run.
 template <class Action>
@@ -36,13 +37,18 @@ auto at_times(std::vector<double> times, Action action) {
       require(sense * t >= sense * step.before.t, "Output time", t,
               next == 0 ? "not before the start of the run"
                         : "beyond the one before it in the direction of the run");
+      Answer answer;
       if (t == step.before.t) {
-        action(step.before);
-        continue;
+        answer = detail::answer(detail::ask(action, step.before));
+      } else {
+        const Located<State> there = step.at(t);
+        if (!there.ok()) return {there.report.outcome, there.reason};
+        answer = detail::answer(detail::ask(action, there.state));
       }
-      const Located<State> there = step.at(t);
-      if (!there.ok()) return {there.report.outcome, there.reason};
-      action(there.state);
+      if (answer.outcome != Outcome::ok) {
+        ++next;
+        return answer;
+      }
     }
     return {};
   };

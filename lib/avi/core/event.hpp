@@ -53,23 +53,6 @@ template <class G, class... Options>
 Event(G, Options...) -> Event<G>;
 
 namespace detail {
-/// Shows something to who may answer. @return how the run ends there, unless ok, and why
-template <class Observer, class... Seen>
-decltype(auto) ask(Observer& observer, const Seen&... seen) {
-  using Result = std::remove_cvref_t<std::invoke_result_t<Observer&, const Seen&...>>;
-  if constexpr (std::same_as<Result, Outcome> || std::same_as<Result, Answer>) {
-    return observer(seen...);
-  } else if constexpr (std::same_as<Result, bool>) {
-    return observer(seen...) ? Outcome::ok : Outcome::stopped;
-  } else {
-    observer(seen...);
-    return Outcome::ok;
-  }
-}
-
-inline Answer answer(Outcome outcome) { return {outcome, {}}; }
-inline Answer answer(Answer answer) { return answer; }
-
 /// How far g can be told from zero at a state: what it changes by when the entries of the state change by
 /// their rounding, which is also that of what a step adds to them.
 template <class G, class State>

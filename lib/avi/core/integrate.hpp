@@ -65,7 +65,7 @@ concept ObserverOf = (of_states<Observer, State>) || (std::invocable<Observer&, 
 
 /// A run without a goal ends by its `until` alone.
 struct NoGoal {
-  static constexpr std::string_view missed = "";
+  static constexpr std::string_view missed = "the cap on steps came before the end time";
 };
 
 /// A physical time to end at, exactly.
@@ -84,7 +84,7 @@ struct Arrival {
 template <class G>
 struct EventGoal : EventWatch<G> {
   using EventWatch<G>::EventWatch;
-  static constexpr std::string_view missed = "the event has not happened";
+  static constexpr std::string_view missed = "the event has not happened before the end of the run";
 };
 
 /// When the run looks up from its steps: to see whether time goes on, and to read the clock on the wall.
@@ -222,11 +222,17 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
     if (outcome != Outcome::ok || arrived) return end(outcome);
     if (run.steps >= look_up) {
       if (lookout.stall_due(run.steps) && timed) {
-        if (!(sense * (current.t - clock) * (0x1p53 / Lookout::patience) > sense * (until.time - current.t)))
+        if (!(sense * (current.t - clock) * (0x1p53 / Lookout::patience) >
+              sense * (until.time - current.t))) {
+          reason = "at the pace of the last million steps the end time is over 2^53 steps away";
           return end(Outcome::stalled);
+        }
         clock = current.t;
       }
-      if (lookout.time_is_up(run.steps)) return end(Outcome::time_limit);
+      if (lookout.time_is_up(run.steps)) {
+        reason = "the seconds are over";
+        return end(Outcome::time_limit);
+      }
       look_up = lookout.next();
     }
   }
@@ -250,5 +256,21 @@ template <class State, class M, class... Observers>
 [[nodiscard]] Run integrate(M& method, State& state, double h, Until until, Observers&&... observers) {
   return detail::run(method, state, h, until, detail::NoGoal{}, observers...);
 }
+
+/// @cond
+// What is called by mistake: compiles no further than its sentence.
+template <class M, class State, class Number, class... Observers>
+requires std::is_arithmetic_v<Number> Run integrate(const M&, const State&, double, Number,
+                                                    const Observers&...) {
+  static_assert(Method<M, State>,
+                "integrate() takes a method, such as collocation(poincare(H, start), 8), and runs it; "
+                "solve(H, start, t_end, tolerance) takes a Hamiltonian and chooses everything else.");
+  static_assert(
+      !std::is_arithmetic_v<Number>,
+      "The end of integrate(method, state, h, until) is an Until, such as {.time = 10.0} or {.steps = "
+      "100}; integrate_to(method, state, h, t_end) ends exactly at a time.");
+  return {};
+}
+/// @endcond
 
 }  // namespace avi

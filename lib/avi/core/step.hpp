@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <type_traits>
 
 /// @file
 /// One step that was taken, and the states inside it.
@@ -47,6 +49,24 @@ void set_time(const M& method, State& z, double t) {
   else
     z.t = t;
 }
+
+/// Shows something to who may answer. @return how the run ends there, unless ok, and why
+template <class Observer, class... Seen>
+decltype(auto) ask(Observer& observer, const Seen&... seen) {
+  using Result = std::remove_cvref_t<std::invoke_result_t<Observer&, const Seen&...>>;
+  if constexpr (std::same_as<Result, Outcome> || std::same_as<Result, Answer>) {
+    return observer(seen...);
+  } else if constexpr (std::same_as<Result, bool>) {
+    return observer(seen...) ? Outcome::ok : Outcome::stopped;
+  } else {
+    observer(seen...);
+    return Outcome::ok;
+  }
+}
+
+/// The same as an outcome and a reason.
+inline Answer answer(Outcome outcome) { return {outcome, {}}; }
+inline Answer answer(Answer answer) { return answer; }
 
 /// Rounding of the largest entry: the noise of a function that is zero but for rounding.
 template <class State>
