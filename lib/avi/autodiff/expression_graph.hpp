@@ -57,6 +57,11 @@ class ExpressionGraph {
   /// The node of a number.
   int constant(double number) { return find({.operation = Operation::constant, .number = number}); }
 
+  /// That node, or -1 where there is none.
+  [[nodiscard]] int find_constant(double number) const {
+    return places_.empty() ? -1 : places_[place_of({.operation = Operation::constant, .number = number})];
+  }
+
   /// The node of an operation on one node.
   int unary(Operation operation, int a) {
     check(operation, 1);
@@ -142,26 +147,32 @@ class ExpressionGraph {
   /// The node, which is written down unless it is there.
   int find(const Node& node) {
     if (2 * places_.size() <= 3 * nodes_.size()) enlarge(64 + 2 * places_.size());
+    int& known = places_[place_of(node)];
+    if (known < 0) {
+      known = size();
+      nodes_.push_back(node);
+    }
+    return known;
+  }
+  /// Where in `places_` a node is, or may be put.
+  [[nodiscard]] std::size_t place_of(const Node& node) const {
     for (std::size_t place = hash(node);; ++place) {
-      int& known = places_[place & (places_.size() - 1)];
-      if (known < 0) {
-        known = size();
-        nodes_.push_back(node);
-        return known;
-      }
+      place &= places_.size() - 1;
+      const int known = places_[place];
+      if (known < 0) return place;
       const Node& other = nodes_[known];
       if (other.operation == node.operation && other.a == node.a && other.b == node.b &&
           std::bit_cast<std::uint64_t>(other.number) == std::bit_cast<std::uint64_t>(node.number))
-        return known;
+        return place;
     }
   }
   void enlarge(std::size_t least) {
     places_.assign(std::bit_ceil(least), -1);
     for (int i = 0; i < size(); ++i) {
       std::size_t place = hash(nodes_[i]);
-      while (places_[place & (places_.size() - 1)] >= 0)
+      while (places_[place &= places_.size() - 1] >= 0)
         ++place;
-      places_[place & (places_.size() - 1)] = i;
+      places_[place] = i;
     }
   }
   static std::size_t hash(const Node& node) {

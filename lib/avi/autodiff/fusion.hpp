@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -27,9 +28,9 @@ struct Line {
 /// bit.
 class Fusion {
  public:
-  /// Of `graph`, which gets the numbers that lines need. @param recorded nodes before this one keep their
-  /// order; the others come as soon as their operands are there
-  Fusion(ExpressionGraph& graph, const std::vector<int>& results, int recorded)
+  /// Of `graph`. @param recorded nodes before this one keep their order; the others come as soon as their
+  /// operands are there
+  Fusion(const ExpressionGraph& graph, const std::vector<int>& results, int recorded)
       : graph_(graph), nodes_(graph.size()), recorded_(recorded), uses_(nodes_, 0), absorbed_(nodes_, 0),
         sum_of_(nodes_, -1), keys_(nodes_, -1) {
     count_uses(results);
@@ -41,17 +42,27 @@ class Fusion {
         else if (detail::pairs(operation(node)))
           plan_pair(node);
       }
-    one_ = graph_.constant(1.0);
-    next_ = graph_.size();
+    one_ = constant(1.0);
+    first_partial_ = next_ = nodes_ + numbers_.size();
     keys_.resize(next_, -1);
     for (int node = 0; node < nodes_; ++node)
       if (needed(node)) write(node);
   }
 
   [[nodiscard]] int results() const { return next_; }  ///< All of their numbers are below this one.
-  [[nodiscard]] std::vector<Line> lines() && { return std::move(lines_); }  ///< In an order that can be run.
-  /// Of all lines: numbers of results, inputs or constants.
-  [[nodiscard]] std::vector<int> operands() && { return std::move(operands_); }
+  /// That result is a number, of the graph or one that lines need.
+  [[nodiscard]] bool is_constant(int result) const {
+    return result < nodes_ ? graph_.is_constant(result) : result < first_partial_;
+  }
+  /// Such a number.
+  [[nodiscard]] double number(int result) const {
+    return result < nodes_ ? graph_[result].number : numbers_[result - nodes_].number;
+  }
+  [[nodiscard]] const std::vector<Line>& lines() const { return lines_; }  ///< In an order that can be run.
+  /// Of a line: numbers of results, inputs or constants.
+  [[nodiscard]] std::span<const int> operands(const Line& line) const {
+    return {operands_.data() + line.begin, static_cast<std::size_t>(line.count)};
+  }
 
  private:
   static constexpr int shortest = 3;  ///< Additions that make a sum long.
@@ -120,10 +131,10 @@ class Fusion {
       for (const auto& [number, other] : {std::pair{a, b}, std::pair{b, a}})
         if (graph_.is_constant(number)) {
           absorbed_[x] = true;
-          return {graph_.constant(-graph_[number].number), other};
+          return {constant(-graph_[number].number), other};
         }
     }
-    return {graph_.constant(positive ? 1.0 : -1.0), x};
+    return {constant(positive ? 1.0 : -1.0), x};
   }
   /// A sum or product takes in one operand that is a sum or product and serves nothing else.
   void plan_pair(int node) {
@@ -177,7 +188,13 @@ class Fusion {
                       .key = key});
   }
 
-  ExpressionGraph& graph_;
+  int constant(double number) {
+    const int known = graph_.find_constant(number);
+    return known >= 0 ? known : nodes_ + numbers_.constant(number);
+  }
+
+  const ExpressionGraph& graph_;
+  ExpressionGraph numbers_{0};  // behind the nodes of the graph
   int nodes_, recorded_;
   std::vector<int> uses_;
   std::vector<char> absorbed_;
@@ -187,8 +204,8 @@ class Fusion {
   std::vector<int> keys_;  // of each result; inputs and numbers are there from the start
   std::vector<Line> lines_;
   std::vector<int> operands_;
-  std::size_t written_ = 0;  // operands of the lines so far
-  int next_ = 0;             // number of the next partial sum
+  std::size_t written_ = 0;           // operands of the lines so far
+  int first_partial_ = 0, next_ = 0;  // numbers of partial sums
   int one_ = -1;
 };
 

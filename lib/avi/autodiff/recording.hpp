@@ -88,8 +88,7 @@ class Recording {
     require(first >= 0 && first <= inputs(), "First entry to differentiate by", first, "an entry of x");
     require(count >= 0 && count <= inputs() - first, "Number of derivatives", count,
             "at most that of the entries left");
-    ExpressionGraph graph = graph_;
-    return Schedule::program(graph, value, {slopes_.begin() + first, slopes_.begin() + first + count},
+    return Schedule::program(graph_, value, {slopes_.begin() + first, slopes_.begin() + first + count},
                              recorded_);
   }
   static int checked(Eigen::Index inputs) {

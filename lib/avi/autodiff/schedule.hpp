@@ -22,12 +22,13 @@ class Schedule {
  public:
   /// @param value node of the value, or -1 @param slopes nodes of the derivatives @param recorded nodes
   /// before this one are in the order in which the function wrote them
-  static Program program(ExpressionGraph& graph, int value, const std::vector<int>& slopes, int recorded) {
+  static Program program(const ExpressionGraph& graph, int value, const std::vector<int>& slopes,
+                         int recorded) {
     std::vector<int> results = slopes;
     if (value >= 0) results.push_back(value);
     Schedule schedule(Fusion(graph, results, recorded));
     schedule.group();
-    Program program = schedule.assemble(graph, results);
+    Program program = schedule.assemble(graph.inputs(), results);
     for (const int slope : slopes)
       program.slopes_.push_back(schedule.place(slope));
     if (value >= 0) program.value_ = schedule.place(value);
@@ -38,30 +39,21 @@ class Schedule {
   static constexpr int window = 256;
   static constexpr int kinds = static_cast<int>(Operation::sum_of_products) + 1;
 
-  explicit Schedule(Fusion fusion)
-      : place_(fusion.results(), -1), lines_(std::move(fusion).lines()),
-        operands_(std::move(fusion).operands()) {
-    sort();
-  }
+  explicit Schedule(Fusion fusion) : fusion_(std::move(fusion)), place_(fusion_.results(), -1) { sort(); }
 
   /// By their keys; those of one key in the order in which they are.
   void sort() {
     int largest = -1;
-    for (const Line& line : lines_)
+    for (const Line& line : fusion_.lines())
       largest = std::max(largest, line.key);
     std::vector<int> first(static_cast<std::size_t>(largest) + 3, 0);
-    for (const Line& line : lines_)
+    for (const Line& line : fusion_.lines())
       ++first[line.key + 2];
     for (std::size_t key = 1; key < first.size(); ++key)
       first[key] += first[key - 1];
-    std::vector<Line> sorted(lines_.size());
-    for (const Line& line : lines_)
-      sorted[first[line.key + 1]++] = line;
-    lines_.swap(sorted);
-  }
-
-  [[nodiscard]] std::span<const int> operands(const Line& line) const {
-    return {operands_.data() + line.begin, static_cast<std::size_t>(line.count)};
+    lines_.resize(fusion_.lines().size());
+    for (const Line& line : fusion_.lines())
+      lines_[first[line.key + 1]++] = line;
   }
 
   /// Lines in the order in which they came, each in one list at most.
@@ -102,7 +94,7 @@ class Schedule {
       waiting.clear();
       for (int i = 0; i < size; ++i) {
         missing[i] = 0;
-        for (const int operand : operands(lines[i]))
+        for (const int operand : fusion_.operands(lines[i]))
           if (const int from = writer[operand]; from >= 0) {
             ++missing[i];
             waiting.push_back(i);
@@ -129,20 +121,20 @@ class Schedule {
     lines_.swap(sorted);
   }
 
-  Program assemble(const ExpressionGraph& graph, const std::vector<int>& results) {
+  Program assemble(int inputs, const std::vector<int>& results) {
     Program program;
-    program.inputs_ = graph.inputs();
-    for (int i = 0; i < graph.inputs(); ++i)
+    program.inputs_ = inputs;
+    for (int i = 0; i < inputs; ++i)
       place_[i] = i;
     const auto needs = [&](int node) {
-      if (node >= graph.size() || !graph.is_constant(node) || place_[node] >= 0) return;
+      if (!fusion_.is_constant(node) || place_[node] >= 0) return;
       place_[node] = program.inputs_ + static_cast<int>(program.numbers_.size());
-      program.numbers_.push_back(graph[node].number);
+      program.numbers_.push_back(fusion_.number(node));
     };
     // The last line that reads a result; what is asked for is read after all of them.
     std::vector<std::size_t> last(place_.size(), 0);
     for (std::size_t i = 0; i < lines_.size(); ++i)
-      for (const int operand : operands(lines_[i])) {
+      for (const int operand : fusion_.operands(lines_[i])) {
         needs(operand);
         last[operand] = i;
       }
@@ -155,7 +147,7 @@ class Schedule {
     std::vector<int> free;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const Line& line = lines_[i];
-      const std::span<const int> of = operands(line);
+      const std::span<const int> of = fusion_.operands(line);
       Program::Instruction instruction{};
       if (line.first == Operation::sum_of_products) {
         instruction.a = static_cast<Program::Place>(program.products_.size());
@@ -169,7 +161,7 @@ class Schedule {
         program.operations_ += line.second == Operation::nothing ? 1 : 2;
       }
       for (const int operand : of)
-        if (temporary(graph, operand) && last[operand] == i) {
+        if (operand >= inputs && !fusion_.is_constant(operand) && last[operand] == i) {
           last[operand] = lines_.size() + 1;  // once, though it may be read twice here
           free.push_back(place_[operand]);
         }
@@ -191,13 +183,9 @@ class Schedule {
   [[nodiscard]] Program::Place place(int result) const {
     return static_cast<Program::Place>(8 * place_[result]);
   }
-  static bool temporary(const ExpressionGraph& graph, int result) {
-    return result >= graph.inputs() && (result >= graph.size() || !graph.is_constant(result));
-  }
-
-  std::vector<int> place_;  // of each result
-  std::vector<Line> lines_;
-  std::vector<int> operands_;  // of all lines
+  Fusion fusion_;
+  std::vector<int> place_;   // of each result
+  std::vector<Line> lines_;  // of the fusion, in the order of the program
 };
 
 }  // namespace avi
