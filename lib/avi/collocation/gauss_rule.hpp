@@ -44,6 +44,10 @@ class GaussRule {
   [[nodiscard]] double weight(int i) const { return weight_[i]; }    ///< b_i.
   [[nodiscard]] double mu(int i, int j) const { return mu_[i][j]; }  ///< a_ij / b_j.
 
+  /// \f$P_{s-1}(2 c_j - 1)\f$, Legendre's polynomial of the highest degree in the velocity of a step, at node
+  /// j.
+  [[nodiscard]] double last_legendre(int j) const { return static_cast<double>(legendre_[j][stages_ - 1]); }
+
   /// \f$b_j^{-1} \int_0^c \ell_j\f$ for every j, at any real c: the collocation polynomial at the fraction c
   /// of a step is \f$y_0 + \sum_j (h b_j y'_j) \cdot\f$ this.
   [[nodiscard]] Row integrals(long double c) const {

@@ -1,4 +1,5 @@
 #pragma once
+#include "avi/collocation/entry_progress.hpp"
 #include "avi/collocation/sweeps.hpp"
 #include "avi/core/outcome.hpp"
 
@@ -83,7 +84,8 @@ class Newton {
 
   /// For problems of this size.
   Newton(Eigen::Index size, int stages)
-      : stages_(stages), possible_(2 * size * stages <= most), system_(possible_ ? 2 * size * stages : 0) {}
+      : stages_(stages), possible_(2 * size * stages <= most), system_(possible_ ? 2 * size * stages : 0),
+        units_(possible_ ? 2 * size : 0), progress_(size) {}
 
   [[nodiscard]] bool possible() const { return possible_; }  ///< The problem is small enough.
 
@@ -100,6 +102,7 @@ class Newton {
     const bool known = system_.decomposed;
     if (!known) report.evaluations = decompose(sweeps, step);
     sweeps.begin(step);
+    progress_.restart();
     double least = std::numeric_limits<double>::infinity();
     for (int idle = 0; report.evaluations < cap;) {
       ++report.evaluations;
@@ -110,7 +113,7 @@ class Newton {
       report.residual = now;
       if (!std::isfinite(now)) report.outcome = Outcome::non_finite;
       idle = now <= 0.5 * least ? 0 : idle + 1;
-      if (now <= 4.0 * epsilon || (idle > 0 && now <= 1e5 * epsilon)) {
+      if (now <= epsilon || (idle > 0 && now <= 16.0 * epsilon) || progress_.settled(2)) {
         report.outcome = Outcome::ok;
         system_.decomposed = report.evaluations <= 12;
         return report;
@@ -131,21 +134,25 @@ class Newton {
   /// @return evaluations of the field
   [[gnu::noinline]] int decompose(Sweeps<n, w>& sweeps, Step& step) {
     system_.clear();
-    int evaluations = 0;
+    sweeps.begin(step);
+    sweeps.evaluate(step);
+    int evaluations = 1;
     const Eigen::Index size = step.q.size();
+    set_units(step);
     for (Eigen::Index first = 0; first < 2 * size; first += stages_) {
       const int columns = static_cast<int>(std::min<Eigen::Index>(stages_, 2 * size - first));
       for (const double side : {1.0, -1.0}) {
         sweeps.begin(step);
         for (int lane = 0; lane < columns; ++lane)
           entry(step.q, step.p, first + lane)
-              .set(lane, start(step, first + lane) + side * reach(step, first + lane));
+              .set(lane, start(step, first + lane) + side * reach(first + lane));
         sweeps.evaluate(step);
         ++evaluations;
         for (int lane = 0; lane < columns; ++lane) {
-          const double scale = -0.5 * side / (reach(step, first + lane) * sweeps.weight()[lane]);
+          const double scale = -0.5 * side / (reach(first + lane) * sweeps.weight()[lane]);
           for (Eigen::Index row = 0; row < 2 * size; ++row) {
-            const double slope = scale * entry(step.dq, step.dp, row)[lane];
+            const double slope =
+                scale * units_[first + lane] / units_[row] * entry(step.dq, step.dp, row)[lane];
             for (int i = 0; i < stages_; ++i)
               for (int j = 0; j < stages_; ++j)
                 system_.at(row * stages_ + i, (first + lane) * stages_ + j) +=
@@ -167,18 +174,18 @@ class Newton {
     double* const x = system_.right();
     for (Eigen::Index v = 0; v < rows; ++v)
       for (int i = 0; i < stages_; ++i)
-        x[v * stages_ + i] = entry(step.q, step.p, v)[i] - entry(old.q, old.p, v)[i];
+        x[v * stages_ + i] = (entry(step.q, step.p, v)[i] - entry(old.q, old.p, v)[i]) / units_[v];
     system_.solve();
-    Change<w> of_q, of_p;
     for (Eigen::Index v = 0; v < rows; ++v) {
       Pack<w>& next = entry(step.q, step.p, v);
       for (int i = 0; i < w; ++i) {
         const int stage = std::min(i, stages_ - 1);
-        next.set(i, entry(old.q, old.p, v)[stage] + x[v * stages_ + stage]);
+        next.set(i, entry(old.q, old.p, v)[stage] + x[v * stages_ + stage] * units_[v]);
       }
-      (2 * v < rows ? of_q : of_p).add(entry(old.q, old.p, v), next);
     }
-    return std::max(of_q.of_all(), of_p.of_all());
+    step.per.set(step.start.state, step.dq, step.dp);
+    progress_.look(old, step);
+    return progress_.change();
   }
   /// Number v of (q, p).
   template <class V>
@@ -188,15 +195,26 @@ class Newton {
   static double start(const Step& step, Eigen::Index v) {
     return entry(step.start.state.q, step.start.state.p, v);
   }
-  /// How far to look for a difference: the cube root of the rounding error.
-  static double reach(const Step& step, Eigen::Index v) {
-    const double size = largest_entry(v < step.q.size() ? step.start.state.q : step.start.state.p);
-    return 6e-6 * (size > 0.0 ? size : 1.0);
+  /// A unit for each unknown, of its own size, a power of two: in it the matrix has pivots that compare, and
+  /// differences reach as far for a light body as for a heavy one. A number near zero may be on its way.
+  void set_units(const Step& step) {
+    const Eigen::Index size = step.q.size();
+    for (Eigen::Index v = 0; v < 2 * size; ++v) {
+      const double largest = largest_entry(v < size ? step.start.state.q : step.start.state.p),
+                   way = sum(abs(entry(step.dq, step.dp, v)));
+      double unit = std::abs(start(step, v)) + (largest > 0.0 ? std::min(way, largest) : way);
+      if (!(unit > 1e-290)) unit = largest;
+      units_[v] = std::isfinite(unit) && unit > 1e-290 ? std::exp2(std::ilogb(unit)) : 1.0;
+    }
   }
+  /// How far to look for a difference: the cube root of the rounding error.
+  [[nodiscard]] double reach(Eigen::Index v) const { return 6e-6 * units_[v]; }
 
   int stages_;
   bool possible_;
   LinearSystem system_;
+  std::vector<double> units_;
+  EntryProgress<n, w> progress_;
 };
 
 }  // namespace avi

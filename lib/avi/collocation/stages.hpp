@@ -32,7 +32,10 @@ class alignas(64) Stages {
   Stages(Eigen::Index size, const GaussRule& rule, SweepSettings settings)
       : both_{Unknowns<n, w>(size), Unknowns<n, w>(n == dynamic ? 0 : n)}, last_(size), rule_(rule),
         settings_(settings), end_(size), start_(size), change_(Vector<double, n>::Zero(size)),
-        newton_(size, rule.stages()) {}
+        progress_(size), newton_(size, rule.stages()) {
+    for (int j = 0; j < rule.stages(); ++j)
+      last_legendre_.set(j, rule.last_legendre(j));
+  }
 
   /// Advances z by h; leaves z unchanged unless the step ends as ok.
   StepReport step(Sweeps<n, w>& sweeps, State<n>& z, double h) {
@@ -83,6 +86,14 @@ class alignas(64) Stages {
     return z;
   }
 
+  /// How much the last term of the polynomial of the last step adds to each entry: see Collocation::tail().
+  void tail(double* q, double* p) const {
+    for (Eigen::Index i = 0; i < last_.dq.size(); ++i) {
+      q[i] = std::abs(sum(Scalar(last_legendre_ * last_.dq[i])));
+      p[i] = std::abs(sum(Scalar(last_legendre_ * last_.dp[i])));
+    }
+  }
+
  private:
   enum class Place { elsewhere, begin, end };
   static constexpr int worth_it = 6;  // sweeps from which on a step is begun ahead
@@ -119,13 +130,27 @@ class alignas(64) Stages {
     return 0;
   }
 
+  /// A sweep of which every entry is looked at, in the scale it has after it. @return the largest change
+  [[gnu::noinline]] double sweep_closely(Sweeps<n, w>& sweeps, Unknowns<n, w>& step) {
+    last_.q = step.q;
+    last_.p = step.p;
+    sweeps.stages(step);
+    step.per.set(step.start.state, step.dq, step.dp);
+    progress_.look(last_, step);
+    return progress_.change();
+  }
+
   StepReport attempt(Sweeps<n, w>& sweeps, State<n>& z, double h) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    double before = 0.0, least = std::numeric_limits<double>::infinity();
-    int stalls = 0, slow = 0;
-    const int first_look = place_ == Place::elsewhere ? 1 : usual_ - 2;
+    constexpr int many = 30;  // after so many sweeps they are slow: changes are no bound of what is left
+    double before = 0.0, ratio = 0.0;
+    int slow = 0;
+    bool closely = false, scaled = false;
+    const bool unknown = place_ == Place::elsewhere;
+    const int first_look = unknown ? 1 : std::max(usual_ - 2, 1);
     StepReport report{.evaluations = begin(sweeps, h)};
     Unknowns<n, w>&step = both_[now_], &next = both_[1 - now_];
+    if (unknown) progress_.restart();
     while (report.evaluations < settings_.max_sweeps) {
       const int k = ++report.evaluations;
       if constexpr (ahead) {
@@ -144,27 +169,45 @@ class alignas(64) Stages {
         sweeps.stages(step);
         continue;
       }
-      const double change = largest(sweeps.changed_stages(step));
+      double change;
+      if (closely || (unknown && k <= 3)) {
+        change = sweep_closely(sweeps, step);
+      } else {
+        if (k == first_look || (k == 2 && !scaled)) {
+          const Unknowns<n, w>& known = k == 1 ? last_ : step;
+          scaled = step.per.set(step.start.state, known.dq, known.dp);
+        }
+        change = largest(sweeps.changed_stages(step));
+      }
       report.residual = change;
       if (!std::isfinite(change)) {
         report.outcome = Outcome::non_finite;
         return report;
       }
-      // The changes fall by change / before each time. At the level of rounding they stop falling.
-      const bool solved = change * (change / before) <= settings_.tolerance;
-      stalls = change >= least ? stalls + 1 : 0;
-      const bool stagnates = (change >= 0.5 * before && before > 0.0 && change <= 16.0 * epsilon) ||
-                             (stalls >= 2 && change <= 8.0 * least && change <= 1e5 * epsilon);
-      if (change == 0.0 || solved || stagnates) {
+      // The changes fall by change / before each time, once they do: at first they may be of any size. At the
+      // level of rounding they stop falling.
+      const bool falls = before > 0.0 && change < 0.5 * before;
+      ratio = k <= many ? change / before : std::max(ratio, change / before);
+      const bool solved = before <= 1.0 && falls && change * ratio <= settings_.tolerance;
+      ratio = change / before;
+      const bool stagnates =
+          before > 0.0 && !falls && change <= 16.0 * epsilon && (k <= many || change <= epsilon);
+      if (change == 0.0 || solved || stagnates || (closely && progress_.settled(k <= many ? 3 : 4))) {
         // The forces are from before the sweep, the velocities from its middle: energy would drift.
         usual_ = report.evaluations++;
         sweeps.evaluate(step);
         return finish(sweeps, z, h, step, report);
       }
-      slow = change > 0.5 * before && before > 0.0 && change > 1e-10 ? slow + 1 : 0;
+      // What is noise beside the largest entry does not fall by another iteration either.
+      slow = before > 0.0 && change > 0.5 * before && (closely ? progress_.visible() : change) > 1e-10
+                 ? slow + 1
+                 : 0;
       if (slow == 3 && k > 6 && !patient_) break;
+      if (before > 0.0 && !falls && !closely) {
+        closely = true;
+        progress_.restart();
+      }
       before = change;
-      least = std::min(least, change);
     }
     report.outcome = Outcome::not_converged;
     return report;
@@ -213,10 +256,12 @@ class alignas(64) Stages {
   int now_ = 0;             // which of them is this step
   Unknowns<n, w> last_;     // start and increments of the last step; its q and p are Newton's scratch
   Scalar dt_{0.0};          // of the last step
+  Scalar last_legendre_{0.0};
   GaussRule rule_;
   SweepSettings settings_;
   PreciseState<n> end_, start_;  // of the last step, of this one
   Vector<double, n> change_;
+  EntryProgress<n, w> progress_;
   Newton<n, w> newton_;
   int stiff_ = 0;                // steps in a row that took Newton's method
   bool patient_ = false;         // no other iteration than sweeps will do at this h

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <type_traits>
 
 /// @file
@@ -37,24 +36,6 @@ class alignas(64) LaneMatrix {
   std::array<Pack<w>, w> columns_;
 };
 
-/// The largest change of a vector at each stage, and its largest entry there.
-template <int w>
-struct Change {
-  Pack<w> change{0.0};                               ///< Of an entry.
-  Pack<w> size{std::numeric_limits<double>::min()};  ///< Of an entry; at least the smallest normal number.
-
-  /// An entry goes from one value to another.
-  [[gnu::always_inline]] void add(const Pack<w>& from, const Pack<w>& to) {
-    change = max_abs(change, Pack<w>(to - from));
-    size = max_abs(size, to);
-  }
-
-  /// Relative, at each stage.
-  [[nodiscard]] Pack<w> at_stages() const { return change / size; }
-  /// Relative to the largest entry at any stage.
-  [[nodiscard]] double of_all() const { return largest(change) / largest(size); }
-};
-
 /// The sweeps of a rule of at most w stages. Lanes beyond the last stage repeat that stage with weight zero,
 /// so the formula is never evaluated at an arbitrary point.
 ///
@@ -78,7 +59,7 @@ class alignas(64) Sweeps {
   virtual void forces(Step& step) = 0;
   /// The second half: new momenta, velocities and new positions.
   virtual void stages(Step& step) = 0;
-  /// The same. @return largest relative change of q or p at each stage
+  /// The same. @return at each stage the largest change of an entry of q or p, in the entry's own scale
   virtual Scalar changed_stages(Step& step) = 0;
   /// g at each stage, as the last sweep saw it.
   virtual const Scalar& rate(const Step& step) = 0;
@@ -113,8 +94,8 @@ class alignas(64) Sweeps {
   void sweep_at_once(Step& step) {
     evaluate(step);
     const State<n>&z = step.start.state, &low = step.start.low;
-    renew<false>(step.q, step.dq, z.q, low.q);
-    renew<false>(step.p, step.dp, z.p, low.p);
+    renew<false>(step.q, step.dq, z.q, low.q, step.per.q);
+    renew<false>(step.p, step.dp, z.p, low.p, step.per.p);
   }
 
   /// The first half of a sweep of the step that follows, from the polynomial of this one so far.
@@ -144,17 +125,18 @@ class alignas(64) Sweeps {
         mu_.set(i, j, rule.mu(std::min(i, rule.stages() - 1), j));
   }
 
-  /// x = start + low + mu dx. @return its largest relative change at each stage, where that is asked for
+  /// x = start + low + mu dx. @return the largest change of an entry times `per` at each stage, where that is
+  /// asked for
   template <bool look, class V>
-  Scalar renew(Vec& x, const Vec& dx, const V& start, const V& low) const {
+  Scalar renew(Vec& x, const Vec& dx, const V& start, const V& low, const V& per) const {
     Columns mu = mu_;
-    Change<w> change;
+    Scalar change(0.0);
     for (Eigen::Index i = 0; i < x.size(); ++i) {
       const Scalar next = Scalar(start[i]) + mu.times(dx[i], Scalar(low[i]));
-      if constexpr (look) change.add(x[i], next);
+      if constexpr (look) change = max_abs(change, Scalar((next - x[i]) * Scalar(per[i])));
       x[i] = next;
     }
-    return change.at_stages();
+    return change;
   }
 
  private:
@@ -222,9 +204,9 @@ class SweepsOf final : public Sweeps<Problem::dimension, w> {
   template <bool look>
   Scalar renew_all(Step& step) {
     const auto &z = step.start.state, &low = step.start.low;
-    const Scalar of_p = this->template renew<look>(step.p, step.dp, z.p, low.p);
+    const Scalar of_p = this->template renew<look>(step.p, step.dp, z.p, low.p, step.per.p);
     field_.velocity(problem_, step, this->weight());
-    return max_abs(of_p, this->template renew<look>(step.q, step.dq, z.q, low.q));
+    return max_abs(of_p, this->template renew<look>(step.q, step.dq, z.q, low.q, step.per.q));
   }
 
   Problem problem_;

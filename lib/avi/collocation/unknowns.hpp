@@ -3,6 +3,8 @@
 #include "avi/core/state.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 /// @file
 /// The unknowns of a collocation step, and states with more digits than their numbers hold.
@@ -20,6 +22,53 @@ struct PreciseState {
       : state{.q = Vector<double, n>::Zero(size), .p = Vector<double, n>::Zero(size)}, low(state) {}
 };
 
+/// One over the size of every entry of q and p in a step, so that changes are measured in its own scale.
+template <int n>
+struct EntryScales {
+  Vector<double, n> q;  ///< Of positions.
+  Vector<double, n> p;  ///< Of momenta.
+
+  /// Zero: no change counts.
+  explicit EntryScales(Eigen::Index size)
+      : q(Vector<double, n>::Zero(size)), p(Vector<double, n>::Zero(size)) {}
+
+  /// The size of an entry is twice that of its start and of all its increments; half of it takes four sweeps
+  /// in a hundred more, and long runs are not better. What is at rest at zero has the size of the largest
+  /// entry of its kind: nothing is known of it yet. @return every entry has one of its own
+  template <class Increments>
+  bool set(const State<n>& start, const Increments& dq, const Increments& dp) {
+    const bool of_q = set(q, start.q, dq), of_p = set(p, start.p, dp);
+    return of_q && of_p;
+  }
+  /// The smallest of these numbers that is not 0: one over the largest size.
+  [[nodiscard]] static double of_largest(const Vector<double, n>& each) {
+    double least = std::numeric_limits<double>::infinity();
+    for (Eigen::Index i = 0; i < each.size(); ++i)
+      if (each[i] > 0.0 && each[i] < least) least = each[i];
+    return std::isinf(least) ? 0.0 : least;
+  }
+
+ private:
+  template <class Increments>
+  static bool set(Vector<double, n>& each, const Vector<double, n>& start, const Increments& dx) {
+    bool all = true;
+    for (Eigen::Index i = 0; i < each.size(); ++i) {
+      const double size = std::abs(start[i]) + sum(abs(dx[i]));
+      // Also NaN; one over a smaller number might overflow in a product.
+      const bool moves = size > 1e-290;
+      each[i] = moves ? 0.5 / size : 0.0;
+      all = all && moves;
+    }
+    if (!all) fill(each);
+    return all;
+  }
+  [[gnu::noinline]] static void fill(Vector<double, n>& each) {
+    const double largest = of_largest(each);
+    for (Eigen::Index i = 0; i < each.size(); ++i)
+      if (!(each[i] > 0.0)) each[i] = largest;
+  }
+};
+
 /// The unknowns of a step, one number for each stage.
 template <int n, int w>
 struct Unknowns {
@@ -30,9 +79,10 @@ struct Unknowns {
   alignas(64) Vec dp;              ///< \f$h b_j \dot p_j\f$.
   Pack<w> rate{1.0};               ///< The monitor, where StageField keeps it.
   PreciseState<n> start;           ///< Where the step begins.
+  EntryScales<n> per;              ///< What its changes are multiplied by.
 
   /// Zero, for n = `size`.
-  explicit Unknowns(Eigen::Index size) : q(size), p(size), dq(size), dp(size), start(size) {
+  explicit Unknowns(Eigen::Index size) : q(size), p(size), dq(size), dp(size), start(size), per(size) {
     for (Vec* each : {&q, &p, &dq, &dp})
       std::fill(each->data(), each->data() + size, Pack<w>(0.0));
   }

@@ -1,0 +1,108 @@
+#pragma once
+#include "avi/collocation/unknowns.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+/// @file
+/// Which entries of a step still come closer to its solution.
+
+namespace avi {
+
+/// The smallest change so far of every entry, in the manner of Antonana, Makazaga and Murua (2017). Rounding
+/// stops entries at different levels: cancellation far from the origin stops some, and where a monitor's
+/// gradient is multiplied by the rounding error of H it stops light bodies long before heavy ones. So a step
+/// goes on while any entry improves. It is looked at so closely only where changes do not fall as they
+/// should.
+template <int n, int w>
+class EntryProgress {
+ public:
+  using Step = Unknowns<n, w>;  ///< What is solved for.
+
+  /// For problems of this size.
+  explicit EntryProgress(Eigen::Index size) : q_(size), p_(size) {}
+
+  /// Nothing is known yet.
+  void restart() {
+    q_.restart();
+    p_.restart();
+    least_change_ = std::numeric_limits<double>::infinity();
+    idle_ = looks_ = 0;
+  }
+
+  /// A sweep has led from the old q and p to those of the step, whose scales are set.
+  [[gnu::noinline]] void look(const Step& old, const Step& step) {
+    change_ = visible_ = 0.0;
+    improves_ = false;
+    noise_ = true;
+    const bool anew = looks_ % window == 0;
+    ++looks_;
+    compare(old.q, step.q, step.per.q, q_, anew);
+    compare(old.p, step.p, step.per.p, p_, anew);
+    idle_ = improves_ ? 0 : idle_ + 1;
+    least_change_ = std::min(least_change_, change_);
+  }
+
+  /// Largest change of an entry in its own scale, at the last look.
+  [[nodiscard]] double change() const { return change_; }
+  /// The same of those entries whose changes are more than rounding beside the largest entry.
+  [[nodiscard]] double visible() const { return visible_; }
+  /// Looks in a row at which no entry improved.
+  [[nodiscard]] int idle() const { return idle_; }
+  /// Every entry has converged, or it has not improved for so many looks, and what is left is noise: small in
+  /// its own scale, or, if small only beside the largest entry, seen for six looks and not growing: sweeps may
+  /// also part slowly.
+  [[nodiscard]] bool settled(int looks) const {
+    return change_ <= epsilon || (idle_ >= looks && noise_ && change_ <= 8.0 * least_change_);
+  }
+
+ private:
+  static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  using Vec = Vector<Pack<w>, n>;
+  /// The largest magnitude, NaN where one of them is: by halves, faster than largest().
+  template <int v>
+  static double most(const Pack<v>& x) {
+    if constexpr (v > 2)
+      return most(max_abs(x.half(0), x.half(1)));
+    else
+      return largest(abs(x));
+  }
+  static constexpr int window = 3;  // looks whose largest changes are compared with those before
+  /// The changes of entries of q, or of p: the smallest, the largest of this window and of the last one.
+  struct Record {
+    explicit Record(Eigen::Index size) : least(size), recent(size), former(size) {}
+    void restart() {
+      least.setConstant(std::numeric_limits<double>::infinity());
+      recent.setZero();
+      former.setZero();
+    }
+    Vector<double, n> least, recent, former;
+  };
+  void compare(const Vec& old, const Vec& now, const Vector<double, n>& per, Record& record, bool anew) {
+    const double of_largest = EntryScales<n>::of_largest(per);
+    const bool complete = looks_ >= 2 * window && looks_ % window == 0;
+    for (Eigen::Index i = 0; i < now.size(); ++i) {
+      const double moved = most(Pack<w>(now[i] - old[i]));
+      const double own = moved * per[i], beside = moved * of_largest;
+      change_ = own <= change_ || change_ != change_ ? change_ : own;
+      const bool seen = !(beside <= 1e3 * epsilon);
+      if (seen) visible_ = std::max(visible_, own);
+      if (anew) record.former[i] = std::exchange(record.recent[i], 0.0);
+      record.recent[i] = std::max(record.recent[i], moved);
+      if (own > epsilon) {
+        improves_ = improves_ || moved <= 0.5 * record.least[i];
+        const bool steady = complete && record.recent[i] <= 1.5 * record.former[i];
+        noise_ = noise_ && (own <= 1e5 * epsilon || (!seen && steady));
+      }
+      record.least[i] = std::min(record.least[i], moved);
+    }
+  }
+
+  Record q_, p_;
+  double change_ = 0.0, visible_ = 0.0, least_change_ = 0.0;
+  int idle_ = 0, looks_ = 0;
+  bool improves_ = false, noise_ = false;
+};
+
+}  // namespace avi
