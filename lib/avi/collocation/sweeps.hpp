@@ -127,8 +127,8 @@ class alignas(64) Sweeps {
 
   /// x = start + low + mu dx. @return the largest change of an entry times `per` at each stage, where that is
   /// asked for
-  template <bool look, class V>
-  Scalar renew(Vec& x, const Vec& dx, const V& start, const V& low, const V& per) const {
+  template <bool look, class V, class W>
+  Scalar renew(Vec& x, const Vec& dx, const V& start, const V& low, const W& per) const {
     Columns mu = mu_;
     Scalar change(0.0);
     for (Eigen::Index i = 0; i < x.size(); ++i) {
