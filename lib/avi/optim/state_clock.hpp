@@ -152,18 +152,19 @@ class StateClock : LineState {
     }
   }
 
-  /// False at a kink: where for long neither the value nor an evaluated gradient has come lower than ever
-  /// before, and values contradict the slope.
+  /// False where for long neither the value nor an evaluated gradient has come lower than ever before, and
+  /// values contradict the slope, as at a kink; or for so long that it is rounding that moves the run. (Hard
+  /// valleys waited five times for their next gain.)
   bool gains() {
     if (base_.f < lowest_ - rounding(base_.f, lowest_) || square_ < gentlest_) {
       lowest_ = std::min(lowest_, base_.f);
       gentlest_ = std::min(gentlest_, square_);
-      idle_ = 0;
+      idle_ = waits_ = 0;
     }
     if (++idle_ <= 200) return true;
     if (!exact_) settle();
     idle_ = 0;
-    return judge() || agrees_;
+    return judge() || (agrees_ && ++waits_ < 20);
   }
 
   /// f on the line, as a function of alpha.
@@ -229,7 +230,8 @@ class StateClock : LineState {
   double norm0_ = 0.0;                        ///< Norm of the gradient at x0.
   double scale_ = 0.0;                        ///< Largest |f| of the start and of where lines were stuck.
   double lowest_ = 1e300, gentlest_ = 1e300;  ///< Least value, and square of an evaluated gradient, so far.
-  long idle_ = 0;                             ///< Iterations since either came down.
+  long idle_ = 0;        ///< Iterations since either came down, or since values were asked.
+  int waits_ = 0;        ///< Times they were asked since.
   bool agrees_ = false;  ///< Whether values agreed with the slope when they were last asked.
   double unseen_ = 0.0;  ///< Errors of the recovered gradient that values did not show, in units of one.
 };
