@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -37,13 +38,17 @@ State<1> swing(double q, double p) {
 
 /// The times of `count` events, each found by a run that starts where the last one ended.
 template <class M>
-std::vector<double> section(M method, State<2> z, double h, Crossing crossing, int count) {
-  const Event event{[](const State<2>& at) { return at.q[0]; }, crossing};
+std::vector<double> section(M method, State<2> z, double h, Crossing crossing, int count,
+                            double tolerance = 0.0) {
+  const Event event{[](const State<2>& at) { return at.q[0]; }, crossing, tolerance};
   std::vector<double> times;
   for (int k = 0; k < count; ++k) {
     const auto run = avi::integrate_to(method, z, h, event, {.time = z.t + (h > 0.0 ? 50.0 : -50.0)});
     EXPECT_TRUE(run.ok()) << run.message;
-    EXPECT_LT(std::abs(z.q[0]), 1e-15);
+    EXPECT_LE(std::abs(z.q[0]), std::max(tolerance, 1e-15));
+    if (crossing != Crossing::either) {
+      EXPECT_GE(crossing == Crossing::rising ? z.q[0] : -z.q[0], 0.0) << "before the event";
+    }
     times.push_back(z.t);
   }
   return times;
@@ -70,6 +75,19 @@ TEST(Events, AreFoundOnceWhereARunGoesOnFromTheLastOne) {
         for (std::size_t k = 1; k < times.size(); ++k)
           EXPECT_GT(std::abs(times[k] - times[k - 1]), 0.1) << order << ' ' << h;
       }
+}
+
+TEST(Events, WithAToleranceAreFoundOnce) {
+  const State<2> start{.q = {0.1, 0.2}, .p = {0.35, 0.1}};
+  for (const double tolerance : {1e-10, 1e-3})
+    for (const double h : {0.3, 0.01, -0.3}) {
+      const auto method = avi::collocation(avi::poincare<2>(henon, start), 8);
+      for (const Crossing crossing : {Crossing::rising, Crossing::either}) {
+        const auto times = section(method, start, h, crossing, 40, tolerance);
+        for (std::size_t k = 1; k < times.size(); ++k)
+          EXPECT_GT(std::abs(times[k] - times[k - 1]), 0.1) << tolerance << ' ' << h;
+      }
+    }
 }
 
 TEST(Events, AreNotFoundAgainOnTheWayBack) {

@@ -20,7 +20,7 @@ namespace avi {
 /// @throws std::invalid_argument unless the times are finite and strictly monotonic; the observer, where one
 /// lies before the start, or they go the other way than the run.
 template <class Action>
-auto at_times(std::vector<double> times, Action action) {
+[[nodiscard]] auto at_times(std::vector<double> times, Action action) {
   for (std::size_t i = 0; i < times.size(); ++i) {
     require(std::isfinite(times[i]), "Output time", times[i], "finite");
     if (i > 0)

@@ -50,8 +50,8 @@ inline double middle(double low, double high, bool by_exponent) {
 /// tolerance, when the bracket is as narrow as rounding allows, or when f is NaN. A jump or a pole of f ends
 /// as a narrow bracket, too: f_low and f_high tell.
 template <class F>
-Root bracketed_root(F&& f, double low, double f_low, double high, double f_high, double tolerance,
-                    Side side = Side::either) {
+[[nodiscard]] Root bracketed_root(F&& f, double low, double f_low, double high, double f_high,
+                                  double tolerance, Side side = Side::either) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   constexpr int most = 1000;  // for safety: a search for 1e-300 in [0, 1] that never interpolates takes 270
   Root root{.low = low, .f_low = f_low, .high = high, .f_high = f_high};

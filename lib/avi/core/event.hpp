@@ -151,7 +151,7 @@ class EventWatch {
 /// integrate_to().
 /// @throws std::invalid_argument for a tolerance that is negative, infinite or NaN.
 template <class G, class Action>
-auto on_event(Event<G> event, Action action) {
+[[nodiscard]] auto on_event(Event<G> event, Action action) {
   return [watch = detail::EventWatch<G>(std::move(event)), action = std::move(action)]<class M, class State>(
              const Step<M, State>& step, long k) mutable -> Answer {
     const std::optional<Located<State>> there = watch.look(step, k == 1);
