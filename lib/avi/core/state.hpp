@@ -17,17 +17,18 @@ namespace avi {
 namespace detail {
 /// The one entry of q or p in one dimension: a Vector<double, 1> that can be written as {0.5}, as those of
 /// more entries can.
-struct OneEntry : Vector<double, 1> {
-  OneEntry() = default;
-  OneEntry(double entry) : Vector<double, 1>(entry) {}  // NOLINT: implicit, for {.q = {0.5}}
+struct SingleEntry : Vector<double, 1> {
+  SingleEntry() = default;
+  SingleEntry(double entry) : Vector<double, 1>(entry) {}  // NOLINT: implicit, for {.q = {0.5}}
   template <class Derived>
-  OneEntry(const Eigen::MatrixBase<Derived>& other) : Vector<double, 1>(other) {}  // NOLINT: as Eigen's own
+  SingleEntry(const Eigen::MatrixBase<Derived>& other)
+      : Vector<double, 1>(other) {}  // NOLINT: as Eigen's own
   using Vector<double, 1>::operator=;
 };
 
 /// The type of q and p.
 template <int n>
-using Entries = std::conditional_t<n == 1, OneEntry, Vector<double, n>>;
+using Entries = std::conditional_t<n == 1, SingleEntry, Vector<double, n>>;
 
 /// What q and p are as long as they are not given: NaN, so that one that was forgotten is refused.
 template <int n>
