@@ -115,11 +115,22 @@ struct Orbit {
       : energy((require_dimension(from), phase_function<n>(hamiltonian, from.q.size()))), start{.q = from.q,
                                                                                                 .p = from.p,
                                                                                                 .t = from.t} {
-    if (!start.finite() || !std::isfinite(energy_at_start()))
-      throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
+    check();
+  }
+
+  /// Of H that is recorded already. @throws std::invalid_argument where H is not finite at the start.
+  Orbit(PhaseFunction hamiltonian, State<dynamic> from)
+      : energy(std::move(hamiltonian)), start(std::move(from)) {
+    check();
   }
 
   [[nodiscard]] double energy_at_start() const { return energy(start.q, start.p); }  ///< H_0.
+
+ private:
+  void check() const {
+    if (!start.finite() || !std::isfinite(energy_at_start()))
+      throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
+  }
 };
 
 }  // namespace detail

@@ -1,0 +1,79 @@
+#pragma once
+#include "avi/automatic/tour.hpp"
+#include "graph_problem.hpp"
+#include "sketch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// @file
+/// The monitors that are candidates for an orbit, and what a sketch of the orbit says of their cost.
+
+namespace avi::detail {
+
+/// A monitor of the menu with everything that runs on it, made when it is first used.
+class Candidate {
+ public:
+  using Solver = Collocation<GraphProblem>;  ///< One type for every H and g.
+
+  /// Of \f$\bar H\f$ and g as nodes of a graph.
+  Candidate(std::string its_name, std::shared_ptr<const ExpressionGraph> graph, int transformed, int rate)
+      : name(std::move(its_name)), graph_(std::move(graph)), transformed_(transformed), rate_(rate) {}
+
+  std::string name;        ///< In the menu.
+  double work = 1.0;       ///< Operations of its field and its monitor, a guess before it is built.
+  double outlook = 0.0;    ///< Work of all steps where the longest one in radians is of fixed length.
+  double fictive = 0.0;    ///< Fictive radians to physical time: a step h takes about h / fictive of it.
+
+  /// Gauss collocation of order 8 or 16.
+  Solver& solver(int order) {
+    auto& made = solvers_[order > 8];
+    if (!made) made = std::make_unique<Solver>(GraphProblem{formulas()}, order, SweepSettings{.max_sweeps = 60});
+    return *made;
+  }
+  /// A second one for steps beside those of a run.
+  Solver& beside(int order) {
+    auto& made = beside_[order > 8];
+    if (!made) made = std::make_unique<Solver>(GraphProblem{formulas()}, order, SweepSettings{});
+    return *made;
+  }
+  /// Operations of a sweep for one lane.
+  double operations() {
+    const auto& f = *formulas();
+    return static_cast<double>(f.forces.operations() + f.velocities.operations());
+  }
+  /// g at a point.
+  double rate(const double* z) {
+    if (graph_->is(rate_, 1.0)) return 1.0;
+    if (!rates_) rates_ = std::make_unique<RecordedFormula<double>>(Recording(*graph_, rate_).value());
+    std::copy(z, z + graph_->inputs(), rates_->room.arguments());
+    rates_->program.run(rates_->room);
+    return rates_->value();
+  }
+
+ private:
+  const std::shared_ptr<const Formulas>& formulas() {
+    if (!formulas_) formulas_ = Formulas::of(*graph_, transformed_, rate_);
+    return formulas_;
+  }
+
+  std::shared_ptr<const ExpressionGraph> graph_;
+  int transformed_, rate_;
+  std::shared_ptr<const Formulas> formulas_;
+  std::unique_ptr<RecordedFormula<double>> rates_;
+  std::array<std::unique_ptr<Solver>, 2> solvers_, beside_;
+};
+
+/// The graph of a formula of (q, p) with all momenta put to zero, in the same graph.
+int at_rest(ExpressionGraph& graph, int energy);
+
+/// The menu for an orbit, the most promising candidate first; fixed steps are always in it.
+std::vector<Candidate> candidates(const ExpressionGraph& graph, int energy, double energy_at_start,
+                                  const VectorX& start, const Sketch& sketch, double kinetic);
+
+}  // namespace avi::detail

@@ -1,0 +1,142 @@
+#pragma once
+#include "avi/autodiff/recording.hpp"
+#include "avi/integrators/runge_kutta.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+/// @file
+/// A rough run along the beginning of an orbit, which finds its scales.
+
+namespace avi::detail {
+
+/// The field of H, one point at a time.
+class PointField {
+ public:
+  /// Of H as a node of a graph of (q, p).
+  PointField(const ExpressionGraph& graph, int energy)
+      : n_(graph.inputs() / 2), program_(Recording(graph, energy).value_and_gradient()), room_(program_),
+        value_program_(Recording(graph, energy).value()), value_room_(value_program_) {}
+
+  /// dz = J grad H at z = (q, p); returns H.
+  double operator()(const VectorX& z, VectorX& dz) {
+    std::copy(z.data(), z.data() + 2 * n_, room_.arguments());
+    program_.run(room_);
+    for (int i = 0; i < n_; ++i) {
+      dz[i] = sense * program_.slope(room_, n_ + i);
+      dz[n_ + i] = -sense * program_.slope(room_, i);
+    }
+    return program_.value(room_);
+  }
+  /// H.
+  double energy(const double* q, const double* p) {
+    std::copy(q, q + n_, value_room_.arguments());
+    std::copy(p, p + n_, value_room_.arguments() + n_);
+    value_program_.run(value_room_);
+    return value_program_.value(value_room_);
+  }
+  [[nodiscard]] int size() const { return n_; }  ///< n.
+
+  double sense = 1.0;  ///< -1 follows the orbit backwards.
+
+ private:
+  int n_;
+  Program program_;
+  Program::Room<double> room_;
+  Program value_program_;
+  Program::Room<double> value_room_;
+};
+
+/// Points along the beginning of an orbit, by the pair of Bogacki and Shampine with a loose tolerance on every
+/// entry of (q, p) relative to the range through which it moves: so the steps follow the fastest entry,
+/// whatever its mass or unit. What is measured here sets trial lengths and first guesses, never a result.
+class Sketch {
+ public:
+  /// A point and the step from it.
+  struct Sample {
+    VectorX z;         ///< (q, p).
+    double h;          ///< Time to the next sample.
+    double frequency;  ///< Radians per unit of time here, as the error of the step tells.
+  };
+
+  /// Along the orbit of `field` from z for `span`, or for at most `most` steps.
+  Sketch(PointField& field, const VectorX& z, double span, int most = 128) {
+    const Eigen::Index size = z.size();
+    RungeKuttaStages<BogackiShampine> step(size);
+    VectorX at = z, low = z, high = z;
+    field(at, step.k[0]);
+    double h = first_step(field, at, step.k[0], span);
+    for (int tries = 0; time < span && static_cast<int>(samples.size()) < most && tries < 6 * most; ++tries) {
+      h = std::min(h, span - time);
+      step.advance([&](const VectorX& x, VectorX& dx) { field(x, dx); }, at, h);
+      double worst = 0.0;
+      for (Eigen::Index i = 0; i < size; ++i) {
+        const double error = h * std::abs((2.0 / 9.0 - 7.0 / 24.0) * step.k[0][i] + (1.0 / 3.0 - 0.25) * step.k[1][i] +
+                                          (4.0 / 9.0 - 1.0 / 3.0) * step.k[2][i] - 0.125 * step.k[3][i]);
+        const double moved = std::max({high[i], step.end[i]}) - std::min({low[i], step.end[i]});
+        const double path = h * std::max({std::abs(step.k[0][i]), std::abs(step.k[1][i]), std::abs(step.k[2][i])});
+        const double scale = std::max(moved, path);
+        const double noise = 1e3 * std::numeric_limits<double>::epsilon() * std::abs(at[i]);
+        if (!(error <= noise)) worst = std::max(worst, error / scale);
+        if (!std::isfinite(error)) worst = std::numeric_limits<double>::infinity();
+      }
+      const double factor = std::isfinite(worst) ? std::cbrt(loose / std::max(worst, 1e-3 * loose)) : 0.1;
+      if (factor < 0.8) {
+        h *= std::max(0.1, 0.9 * factor);
+        if (!(h > 1e-14 * span)) break;
+        continue;
+      }
+      samples.push_back({at, h, angle / (h * factor)});
+      radians += h * samples.back().frequency;
+      time += h;
+      at = step.end;
+      for (Eigen::Index i = 0; i < size; ++i) low[i] = std::min(low[i], at[i]), high[i] = std::max(high[i], at[i]);
+      std::swap(step.k[0], step.k[3]);
+      h *= std::min(5.0, 0.9 * factor);
+    }
+    end = at;
+  }
+
+  std::vector<Sample> samples;  ///< In the order of time.
+  VectorX end;                  ///< Where the sketch ended.
+  double time = 0.0;            ///< Its length.
+  double radians = 0.0;         ///< Integral of the frequency.
+
+  /// The time in which the phase goes through so many radians; beyond the sketch as on it.
+  [[nodiscard]] double time_of(double phase) const {
+    double t = 0.0, seen = 0.0;
+    for (const Sample& sample : samples) {
+      const double here = sample.h * sample.frequency;
+      if (seen + here >= phase) return t + (phase - seen) / sample.frequency;
+      seen += here;
+      t += sample.h;
+    }
+    return seen > 0.0 ? t * phase / seen : std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  static constexpr double loose = 0.004; // error of a step
+  static constexpr double angle = 0.9;   // of a spring in a step with that error
+
+  /// A step in which no entry of the field changes by much, or, where the field vanishes, the span.
+  static double first_step(PointField& field, const VectorX& z, const VectorX& dz, double span) {
+    VectorX ahead(z.size()), there(z.size());
+    double h = 1e-3 * span;
+    for (int i = 0; i < 60; ++i, h *= 0.1) {
+      ahead = z + h * dz;
+      field(ahead, there);
+      double worst = 0.0;
+      for (Eigen::Index k = 0; k < z.size(); ++k) {
+        const double change = std::abs(there[k] - dz[k]);
+        if (!std::isfinite(change)) worst = std::numeric_limits<double>::infinity();
+        if (std::abs(dz[k]) > 0.0) worst = std::max(worst, change / std::abs(dz[k]));
+      }
+      if (worst <= 0.5) return h;
+    }
+    return h;
+  }
+};
+
+}  // namespace avi::detail
