@@ -3,7 +3,7 @@
 /// @file
 /// The whole library: every header that no other one brings. Single headers bring less and compile faster.
 
-#include "avi/automatic/solution.hpp"
+#include "avi/automatic/choose_monitor.hpp"
 #include "avi/bregman/bregman_cloning.hpp"
 #include "avi/bregman/bregman_hamiltonian.hpp"
 #include "avi/bregman/bregman_htvi.hpp"
@@ -32,6 +32,7 @@
 #include "avi/problems/outer_solar_system.hpp"
 #include "avi/problems/pendulum.hpp"
 #include "avi/problems/perturbed_kepler.hpp"
+#include "avi/solve.hpp"
 #include "avi/transform/euler_b.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/time_dependent.hpp"

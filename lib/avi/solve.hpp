@@ -13,8 +13,8 @@
 
 namespace avi {
 
-/// Bounds on what a call of solve() may spend. A call that meets one ends with an outcome that says so and keeps
-/// the state that it had reached.
+/// Bounds on what a call of solve() may spend. A call that meets one ends with an outcome that says so and
+/// keeps the state that it had reached.
 struct SolveOptions {
   double seconds = std::numeric_limits<double>::infinity();  ///< Wall-clock time; at least 0.
   long sweeps = 2'000'000'000;  ///< Evaluations of the field at all stages, trials included; at least 1.
@@ -22,36 +22,36 @@ struct SolveOptions {
 
 /// One run that was tried, or tried in vain.
 struct SolveTrial {
-  std::string monitor;            ///< Name in the menu, see solve().
-  int order = 0;                  ///< Of the collocation method.
-  double h = 0.0;                 ///< Fictive step.
-  double time = 0.0;              ///< Physical time that it covered.
-  long steps = 0;                 ///< Taken.
-  long sweeps = 0;                ///< Evaluations of all stages.
-  double state_error = 0.0;       ///< Of the state at its end, as far as known then; infinite where it failed.
+  std::string monitor;       ///< Name in the menu, see solve().
+  int order = 0;             ///< Of the collocation method.
+  double h = 0.0;            ///< Fictive step.
+  double time = 0.0;         ///< Physical time that it covered.
+  long steps = 0;            ///< Taken.
+  long sweeps = 0;           ///< Evaluations of all stages.
+  double state_error = 0.0;  ///< Of the state at its end, as far as known then; infinite where it failed.
   Outcome outcome = Outcome::ok;  ///< How it ended.
 };
 
 /// What was chosen for an orbit. From here on all of it is fixed, and the method is a symplectic map.
 struct Choice {
-  std::string name = "fixed";      ///< Of the monitor, see solve().
-  int order = 0;                   ///< Of the collocation method.
-  double h = 0.0;                  ///< Fictive step.
-  double energy_scale = 1.0;       ///< Mean of half of \f$|p\cdot\dot q|\f$: what energy errors are relative to.
-  double time = 0.0;               ///< Physical time of the short trials.
-  long sweeps = 0;                 ///< Evaluations of all stages in all trials.
+  std::string name = "fixed";  ///< Of the monitor, see solve().
+  int order = 0;               ///< Of the collocation method.
+  double h = 0.0;              ///< Fictive step.
+  double energy_scale = 1.0;   ///< Mean of half of \f$|p\cdot\dot q|\f$: what energy errors are relative to.
+  double time = 0.0;           ///< Physical time of the short trials.
+  long sweeps = 0;             ///< Evaluations of all stages in all trials.
   std::vector<SolveTrial> trials;  ///< In their order.
 };
 
 /// Where an orbit led, how, and how well: the part that does not depend on the dimension.
 struct SolutionReport {
-  Run run;                    ///< How the run ended; its steps and sweeps.
-  Choice choice;              ///< Monitor, order and step, and the trials that led to them.
-  double tolerance = 0.0;     ///< Asked for.
-  double state_error = 0.0;   ///< Of the state at the end, see solve(); infinite where nothing is known.
-  double energy_error = 0.0;  ///< Largest |H - H_0| of the run, over choice.energy_scale.
+  Run run;                       ///< How the run ended; its steps and sweeps.
+  Choice choice;                 ///< Monitor, order and step, and the trials that led to them.
+  double tolerance = 0.0;        ///< Asked for.
+  double state_error = 0.0;      ///< Of the state at the end, see solve(); infinite where nothing is known.
+  double energy_error = 0.0;     ///< Largest |H - H_0| of the run, over choice.energy_scale.
   double energy_rounding = 0.0;  ///< Rounding error of one evaluation of H, in the same unit.
-  std::string note;           ///< What else a reader should know, in sentences; often empty.
+  std::string note;              ///< What else a reader should know, in sentences; often empty.
 
   /// The run reached what was asked for: its end.
   [[nodiscard]] bool ok() const { return run.outcome == Outcome::ok; }
@@ -75,22 +75,22 @@ namespace detail {
 
 /// An orbit that is asked for. Holds no vector of another library, so that it may cross into code that is
 /// compiled for another processor.
-struct Question {
-  ExpressionGraph graph;         ///< Of (q, p).
-  int energy;                    ///< Node of H.
-  std::vector<double> q, p;      ///< Start.
-  double t, t_end, tolerance;    ///< Start, end, tolerance.
-  SolveOptions options;          ///< Bounds.
+struct OrbitQuestion {
+  ExpressionGraph graph;       ///< Of (q, p).
+  int energy;                  ///< Node of H.
+  std::vector<double> q, p;    ///< Start.
+  double t, t_end, tolerance;  ///< Start, end, tolerance.
+  SolveOptions options;        ///< Bounds.
 };
 
 /// The answer.
-struct Answer : SolutionReport {
+struct OrbitAnswer : SolutionReport {
   std::vector<double> q, p;  ///< State.
   double t = 0.0;            ///< Its time.
 };
 
 /// solve() without types that depend on H or n.
-Answer answer(const Question& question);
+OrbitAnswer answer(const OrbitQuestion& question);
 
 }  // namespace detail
 
@@ -100,8 +100,8 @@ Answer answer(const Question& question);
 /// `tolerance` times the range through which it moves. What is left to say after the run is
 /// SolutionReport::state_error: up to some thirty turns it is the difference to a second run with a longer
 /// step, reduced by the order of the method; of longer runs this is measured over their first tenth and
-/// carried on at the rate at which it grew there, which for regular motion is linear in time. Where the motion
-/// does not allow the tolerance (chaos, rounding), kept() is false and report() says why.
+/// carried on at the rate at which it grew there, which for regular motion is linear in time. Where the
+/// motion does not allow the tolerance (chaos, rounding), kept() is false and report() says why.
 ///
 /// The method is Gauss collocation with constant steps in the fictive time of one of these monitors,
 /// symplectic but for the last, shorter step that ends at t_end:
@@ -125,14 +125,14 @@ template <class H, int n>
   const Recorded energy =
       hamiltonian(recorded_inputs<n>(graph, 0, count), recorded_inputs<n>(graph, count, count));
   const int node = energy.node_in(graph);
-  detail::Answer found = detail::answer({std::move(graph),
-                                         node,
-                                         {start.q.data(), start.q.data() + count},
-                                         {start.p.data(), start.p.data() + count},
-                                         start.t,
-                                         t_end,
-                                         tolerance,
-                                         options});
+  detail::OrbitAnswer found = detail::answer({std::move(graph),
+                                              node,
+                                              {start.q.data(), start.q.data() + count},
+                                              {start.p.data(), start.p.data() + count},
+                                              start.t,
+                                              t_end,
+                                              tolerance,
+                                              options});
   Solution<n> solution{std::move(static_cast<SolutionReport&>(found)), start};
   for (int i = 0; i < count; ++i) {
     solution.state.q[i] = found.q[static_cast<std::size_t>(i)];

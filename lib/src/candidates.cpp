@@ -59,7 +59,8 @@ int at_rest(ExpressionGraph& graph, int energy) {
 }
 
 std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, double energy_at_start,
-                                  const VectorX& start, const Sketch& sketch, double kinetic) {
+                                  const VectorX& start, const Sketch& sketch, const VectorX& metric,
+                                  double kinetic) {
   const auto graph = std::make_shared<ExpressionGraph>(formula);
   const int zero = graph->binary(Operation::subtract, energy, graph->constant(energy_at_start));
   const auto times = [&](int g) { return graph->binary(Operation::multiply, g, zero); };
@@ -86,6 +87,26 @@ std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, do
         // H_pp is no metric there, or H has no curvature: the others have to do.
       }
   }
+  // The largest derivative of H by each entry on the way; what is 1e-14 of the others, masses taken out, is
+  // rounding.
+  const Eigen::Index n = start.size() / 2;
+  VectorX strength = VectorX::Zero(2 * n);
+  for (const Sketch::Sample& sample : sketch.samples)
+    for (Eigen::Index i = 0; i < n; ++i) {
+      strength[i] = std::max(strength[i], std::abs(sample.slope[n + i]));
+      strength[n + i] = std::max(strength[n + i], std::abs(sample.slope[i]));
+    }
+  double forces = 0.0, speeds = 0.0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    forces = std::max(forces, strength[i] * std::sqrt(metric[i]));
+    speeds = std::max(speeds, strength[n + i] / std::sqrt(metric[i]));
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    strength[i] = std::max(strength[i], 1e-14 * forces / std::sqrt(metric[i]));
+    strength[n + i] = std::max(strength[n + i], 1e-14 * speeds * std::sqrt(metric[i]));
+  }
+  const double rounding =
+      std::numeric_limits<double>::epsilon() * std::max(std::abs(energy_at_start), std::abs(kinetic));
   for (Candidate& it : menu) {
     double fictive = 0.0, longest = 0.0, least = std::numeric_limits<double>::infinity(), most = 0.0;
     for (const Sketch::Sample& sample : sketch.samples) {
@@ -95,11 +116,13 @@ std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, do
       least = g > 0.0 && std::isfinite(g) ? std::min(least, g) : 0.0;
       most = std::max(most, g);
       if (least == 0.0) break;
+      if (!it.fixed())
+        for (int i = 0; i < static_cast<int>(2 * n); ++i)
+          it.noise = std::max(it.noise, rounding * std::abs(it.slope(i)) / (g * strength[i]));
     }
     it.fictive = fictive;
     it.outlook = it.work * fictive * longest;
-    if (!(least > 0.0) || !std::isfinite(it.outlook) ||
-        (it.name != "fixed" && !(most > 1.15 * least)))
+    if (!(least > 0.0) || !std::isfinite(it.outlook) || (it.name != "fixed" && !(most > 1.15 * least)))
       it.outlook = std::numeric_limits<double>::infinity();
     if (it.name == "fixed" && sketch.samples.empty()) it.outlook = 1.0, it.fictive = 1.0;
   }

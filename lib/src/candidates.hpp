@@ -25,15 +25,17 @@ class Candidate {
   Candidate(std::string its_name, std::shared_ptr<const ExpressionGraph> graph, int transformed, int rate)
       : name(std::move(its_name)), graph_(std::move(graph)), transformed_(transformed), rate_(rate) {}
 
-  std::string name;        ///< In the menu.
-  double work = 1.0;       ///< Operations of its field and its monitor, a guess before it is built.
-  double outlook = 0.0;    ///< Work of all steps where the longest one in radians is of fixed length.
-  double fictive = 0.0;    ///< Fictive radians to physical time: a step h takes about h / fictive of it.
+  std::string name;      ///< In the menu.
+  double work = 1.0;     ///< Operations of its field and its monitor, a guess before it is built.
+  double outlook = 0.0;  ///< Work of all steps where the longest one in radians is of fixed length.
+  double fictive = 0.0;  ///< Fictive time of the sketch.
+  double noise = 0.0;    ///< Largest relative error of a force that rounding of H makes through grad g.
 
   /// Gauss collocation of order 8 or 16.
   Solver& solver(int order) {
     auto& made = solvers_[order > 8];
-    if (!made) made = std::make_unique<Solver>(GraphProblem{formulas()}, order, SweepSettings{.max_sweeps = 60});
+    if (!made)
+      made = std::make_unique<Solver>(GraphProblem{formulas()}, order, SweepSettings{.max_sweeps = 60});
     return *made;
   }
   /// A second one for steps beside those of a run.
@@ -47,14 +49,19 @@ class Candidate {
     const auto& f = *formulas();
     return static_cast<double>(f.forces.operations() + f.velocities.operations());
   }
-  /// g at a point.
+  /// g = 1.
+  [[nodiscard]] bool fixed() const { return graph_->is(rate_, 1.0); }
+  /// g at a point, and its gradient for slope() to tell.
   double rate(const double* z) {
-    if (graph_->is(rate_, 1.0)) return 1.0;
-    if (!rates_) rates_ = std::make_unique<RecordedFormula<double>>(Recording(*graph_, rate_).value());
+    if (fixed()) return 1.0;
+    if (!rates_)
+      rates_ = std::make_unique<RecordedFormula<double>>(Recording(*graph_, rate_).value_and_gradient());
     std::copy(z, z + graph_->inputs(), rates_->room.arguments());
     rates_->program.run(rates_->room);
     return rates_->value();
   }
+  /// The derivative of g by entry i of (q, p) at the last point.
+  [[nodiscard]] double slope(int i) const { return rates_->partial(i); }
 
  private:
   const std::shared_ptr<const Formulas>& formulas() {
@@ -73,7 +80,9 @@ class Candidate {
 int at_rest(ExpressionGraph& graph, int energy);
 
 /// The menu for an orbit, the most promising candidate first; fixed steps are always in it.
+/// @param metric diagonal of H_pp @param kinetic mean kinetic energy, or no number above 0
 std::vector<Candidate> candidates(const ExpressionGraph& graph, int energy, double energy_at_start,
-                                  const VectorX& start, const Sketch& sketch, double kinetic);
+                                  const VectorX& start, const Sketch& sketch, const VectorX& metric,
+                                  double kinetic);
 
 }  // namespace avi::detail

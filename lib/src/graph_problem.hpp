@@ -38,9 +38,9 @@ struct GraphProblem {
 
   std::shared_ptr<const Formulas> formulas;  ///< The field.
 
-  [[nodiscard]] Eigen::Index size() const { return formulas->n; }             ///< n.
-  [[nodiscard]] double clock(const VectorX&, double t) const { return t; }    ///< Physical time.
-  [[nodiscard]] NoCallable hamiltonian() const { return {}; }                 ///< Asked for by name only.
+  [[nodiscard]] Eigen::Index size() const { return formulas->n; }           ///< n.
+  [[nodiscard]] double clock(const VectorX&, double t) const { return t; }  ///< Physical time.
+  [[nodiscard]] NoCallable hamiltonian() const { return {}; }               ///< Asked for by name only.
 };
 
 }  // namespace avi::detail

@@ -24,7 +24,7 @@ struct Trip {
   double sense;                  ///< 1, or -1 where the end lies before the start.
   SolveOptions options;          ///< Bounds.
   std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();  ///< Of the call.
-  long sweeps = 0;               ///< Spent so far.
+  long sweeps = 0;                                                                 ///< Spent so far.
 
   /// A bound of the call is met. @param now sweeps of the run that is under way
   [[nodiscard]] bool spent(long now) const {
@@ -72,23 +72,26 @@ struct Journey {
 };
 
 /// The state at the time t, of a step from `before` that passes it: by shorter steps of `method` from there,
-/// and a straight line for what rounding leaves of the time. @return outcome of the last step
-inline StepReport land(Candidate::Solver& method, PointField& field, const State<dynamic>& before,
-                       double h, double after, double t, State<dynamic>& z) {
+/// found by Newton's method for dt/dtau = g, and a straight line for the last 1e-9 of the step.
+/// @return outcome of the last step
+inline StepReport land(Candidate::Solver& method, Candidate& candidate, PointField& field,
+                       const State<dynamic>& before, double h, double after, double t, State<dynamic>& z) {
   StepReport report{.evaluations = 0};
   double size = h * (t - before.t) / (after - before.t);
   z = before;
-  for (int k = 0; k < 6 && size != 0.0; ++k) {
+  VectorX at(2 * z.q.size()), slope(2 * z.q.size());
+  for (int k = 0; k < 12 && size != 0.0; ++k) {
     z = before;
     const StepReport step = method.step(z, size);
     report.outcome = step.outcome;
     report.evaluations += step.evaluations;
     if (step.outcome != Outcome::ok) return report;
+    at << z.q, z.p;
     if (std::abs(t - z.t) <= 1e-9 * std::abs(after - before.t)) break;
-    size *= (t - before.t) / (z.t - before.t);
+    const double next = size + (t - z.t) / candidate.rate(at.data());
+    size = next / h > 0.0 && next / h < 1.0 ? next : size * (t - before.t) / (z.t - before.t);
   }
   const Eigen::Index n = z.q.size();
-  VectorX at(2 * n), slope(2 * n);
   at << z.q, z.p;
   field(at, slope);
   const double late = t - z.t;
@@ -131,13 +134,13 @@ Journey travel(Trip& trip, PointField& field, Candidate& candidate, int order, d
          ++next) {
       State<dynamic> there;
       const StepReport landed =
-          land(candidate.beside(order), field, before, sense * h, after, marks[next], there);
+          land(candidate.beside(order), candidate, field, before, sense * h, after, marks[next], there);
       run.outcome = landed.outcome;
       run.evaluations += landed.evaluations;
       journey.marks.push_back(std::move(there));
     }
     if (run.outcome == Outcome::ok && sense * (after - end) > 0.0) {
-      const StepReport landed = land(method, field, before, sense * h, after, end, z);
+      const StepReport landed = land(method, candidate, field, before, sense * h, after, end, z);
       run.outcome = landed.outcome;
       run.evaluations += landed.evaluations;
     }

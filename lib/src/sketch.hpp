@@ -49,16 +49,18 @@ class PointField {
   Program::Room<double> value_room_;
 };
 
-/// Points along the beginning of an orbit, by the pair of Bogacki and Shampine with a loose tolerance on every
-/// entry of (q, p) relative to the range through which it moves: so the steps follow the fastest entry,
+/// Points along the beginning of an orbit, by the pair of Bogacki and Shampine with a loose tolerance on
+/// every entry of (q, p) relative to the range through which it moves: so the steps follow the fastest entry,
 /// whatever its mass or unit. What is measured here sets trial lengths and first guesses, never a result.
 class Sketch {
  public:
   /// A point and the step from it.
   struct Sample {
     VectorX z;         ///< (q, p).
+    VectorX slope;     ///< Its velocity in phase space.
     double h;          ///< Time to the next sample.
     double frequency;  ///< Radians per unit of time here, as the error of the step tells.
+    VectorX errors;    ///< Of the step.
   };
 
   /// Along the orbit of `field` from z for `span`, or for at most `most` steps.
@@ -72,14 +74,20 @@ class Sketch {
       h = std::min(h, span - time);
       step.advance([&](const VectorX& x, VectorX& dx) { field(x, dx); }, at, h);
       double worst = 0.0;
+      VectorX errors(size);
       for (Eigen::Index i = 0; i < size; ++i) {
-        const double error = h * std::abs((2.0 / 9.0 - 7.0 / 24.0) * step.k[0][i] + (1.0 / 3.0 - 0.25) * step.k[1][i] +
-                                          (4.0 / 9.0 - 1.0 / 3.0) * step.k[2][i] - 0.125 * step.k[3][i]);
+        const double error = errors[i] =
+            h * std::abs((2.0 / 9.0 - 7.0 / 24.0) * step.k[0][i] + (1.0 / 3.0 - 0.25) * step.k[1][i] +
+                         (4.0 / 9.0 - 1.0 / 3.0) * step.k[2][i] - 0.125 * step.k[3][i]);
         const double moved = std::max({high[i], step.end[i]}) - std::min({low[i], step.end[i]});
-        const double path = h * std::max({std::abs(step.k[0][i]), std::abs(step.k[1][i]), std::abs(step.k[2][i])});
+        const double path =
+            h * std::max({std::abs(step.k[0][i]), std::abs(step.k[1][i]), std::abs(step.k[2][i])});
         const double scale = std::max(moved, path);
         const double noise = 1e3 * std::numeric_limits<double>::epsilon() * std::abs(at[i]);
-        if (!(error <= noise)) worst = std::max(worst, error / scale);
+        if (error <= noise)
+          errors[i] = 0.0;
+        else
+          worst = std::max(worst, error / scale);
         if (!std::isfinite(error)) worst = std::numeric_limits<double>::infinity();
       }
       const double factor = std::isfinite(worst) ? std::cbrt(loose / std::max(worst, 1e-3 * loose)) : 0.1;
@@ -88,19 +96,27 @@ class Sketch {
         if (!(h > 1e-14 * span)) break;
         continue;
       }
-      samples.push_back({at, h, angle / (h * factor)});
-      radians += h * samples.back().frequency;
+      samples.push_back({at, step.k[0], h, 0.0, std::move(errors)});
       time += h;
       at = step.end;
-      for (Eigen::Index i = 0; i < size; ++i) low[i] = std::min(low[i], at[i]), high[i] = std::max(high[i], at[i]);
+      for (Eigen::Index i = 0; i < size; ++i)
+        low[i] = std::min(low[i], at[i]), high[i] = std::max(high[i], at[i]);
       std::swap(step.k[0], step.k[3]);
       h *= std::min(5.0, 0.9 * factor);
     }
-    end = at;
+    // At first the ranges were small: frequencies are found when all of them are known.
+    for (Sample& sample : samples) {
+      double worst = 1e-6 * loose;
+      for (Eigen::Index i = 0; i < size; ++i)
+        if (sample.errors[i] > 0.0)
+          worst = std::max(worst, sample.errors[i] /
+                                      std::max(high[i] - low[i], sample.h * std::abs(sample.slope[i])));
+      sample.frequency = angle / sample.h * std::cbrt(worst / loose);
+      radians += sample.h * sample.frequency;
+    }
   }
 
   std::vector<Sample> samples;  ///< In the order of time.
-  VectorX end;                  ///< Where the sketch ended.
   double time = 0.0;            ///< Its length.
   double radians = 0.0;         ///< Integral of the frequency.
 
@@ -117,8 +133,8 @@ class Sketch {
   }
 
  private:
-  static constexpr double loose = 0.004; // error of a step
-  static constexpr double angle = 0.9;   // of a spring in a step with that error
+  static constexpr double loose = 0.004;  // error of a step
+  static constexpr double angle = 0.68;   // of a spring in a step with that error
 
   /// A step in which no entry of the field changes by much, or, where the field vanishes, the span.
   static double first_step(PointField& field, const VectorX& z, const VectorX& dz, double span) {

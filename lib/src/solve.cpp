@@ -20,32 +20,54 @@ class Distance {
   /// With the masses of the bodies, by which momenta and positions of different entries can be compared.
   explicit Distance(VectorX metric) : metric_(std::move(metric)) {}
 
+  double frequency = 0.0;  ///< Mean over the sketch.
+
+  /// Between two states.
   double operator()(const State<dynamic>& a, const State<dynamic>& b, const Ranges& ranges) const {
+    const VectorX scale = scales(ranges);
     const Eigen::Index n = a.q.size();
-    // In units of the kinetic energy the largest motion of all; a range 1e-14 of it is rounding.
-    double of_q = 0.0, of_p = 0.0;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      of_q = std::max(of_q, (ranges.high[i] - ranges.low[i]) / std::sqrt(metric_[i]));
-      of_p = std::max(of_p, (ranges.high[n + i] - ranges.low[n + i]) * std::sqrt(metric_[i]));
-    }
     double most = 0.0;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const double root = std::sqrt(metric_[i]);
-      most = std::max(most, part(a.q[i] - b.q[i], ranges.high[i] - ranges.low[i], 0.0, rounding * of_q * root));
-      // A momentum that hardly changes counts by its size.
-      const double size = std::max(std::abs(ranges.high[n + i]), std::abs(ranges.low[n + i]));
-      most = std::max(most, part(a.p[i] - b.p[i], ranges.high[n + i] - ranges.low[n + i], 1e-3 * size,
-                                 rounding * of_p / root));
-    }
+    for (Eigen::Index i = 0; i < n; ++i)
+      most = std::max({most, part(a.q[i] - b.q[i], scale[i]), part(a.p[i] - b.p[i], scale[n + i])});
+    return most;
+  }
+  /// Of a velocity in phase space, per unit of time.
+  double operator()(const VectorX& velocity, const Ranges& ranges) const {
+    const VectorX scale = scales(ranges);
+    double most = 0.0;
+    for (Eigen::Index i = 0; i < velocity.size(); ++i)
+      most = std::max(most, part(velocity[i], scale[i]));
     return most;
   }
 
  private:
   static constexpr double rounding = 1e-14;
-  static double part(double difference, double range, double size, double noise) {
+  static double part(double difference, double scale) {
     if (difference == 0.0) return 0.0;
-    const double scale = std::max({range, size, noise});
     return std::isfinite(difference) ? std::abs(difference) / scale : infinity;
+  }
+  VectorX scales(const Ranges& ranges) const {
+    const Eigen::Index n = metric_.size();
+    VectorX scale = ranges.high - ranges.low;
+    // In units of the kinetic energy the largest motion of all; a range 1e-14 of it is rounding.
+    double of_q = 0.0, of_p = 0.0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      of_q = std::max(of_q, scale[i] / std::sqrt(metric_[i]));
+      of_p = std::max(of_p, scale[n + i] * std::sqrt(metric_[i]));
+    }
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double root = std::sqrt(metric_[i]);
+      scale[i] = std::max(scale[i], rounding * of_q * root);
+      // What moves by rounding alone is at rest, and counts by its place.
+      const double place = std::max(std::abs(ranges.high[i]), std::abs(ranges.low[i]));
+      if (scale[i] <= 1e-12 * place) scale[i] = place;
+      if (scale[n + i] <= 1e-12 * frequency * place / metric_[i])
+        scale[n + i] = frequency * place / metric_[i];
+      // A momentum that hardly changes counts by its size.
+      const double size = std::max(std::abs(ranges.high[n + i]), std::abs(ranges.low[n + i]));
+      scale[n + i] = std::max({scale[n + i], 1e-3 * size, rounding * of_p / root});
+    }
+    return scale;
   }
   VectorX metric_;
 };
@@ -63,7 +85,8 @@ VectorX metric_of(const ExpressionGraph& formula, int energy, const VectorX& sta
     for (int i = 0; i < n; ++i) {
       bits = bits * 1664525u + 1013904223u;
       sign[static_cast<std::size_t>(i)] = bits >> 31 ? 1.0 : -1.0;
-      along = graph.binary(bits >> 31 ? Operation::add : Operation::subtract, along, slope[static_cast<std::size_t>(n + i)]);
+      along = graph.binary(bits >> 31 ? Operation::add : Operation::subtract, along,
+                           slope[static_cast<std::size_t>(n + i)]);
     }
     RecordedFormula<double> second{Recording(graph, along).gradient(n, n)};
     std::copy(start.data(), start.data() + 2 * n, second.room.arguments());
@@ -79,43 +102,52 @@ VectorX metric_of(const ExpressionGraph& formula, int energy, const VectorX& sta
   return metric;
 }
 
-/// What the runs up to some time tell about the error of the finer one.
+/// What two runs tell about the error of the finer one. Errors of a phase are larger where the motion is
+/// faster, so how they grow is seen from the time by which one run is behind the other.
 struct Comparison {
-  double error = infinity;   ///< Of the finer run at the last mark.
-  double growth = 1.0;       ///< Exponent with which errors grow in time.
-  double rate = 0.0;         ///< Rate at which they grow exponentially, where they do.
+  double error = infinity;   ///< At the last mark, relative to the ranges.
+  double behind = infinity;  ///< The largest error divided by the speed there: a time.
+  double growth = 1.0;       ///< Exponent with which that grows in time.
+  double rate = 0.0;         ///< Rate at which it grows exponentially, where it does.
 };
 
 /// An orbit that is asked for.
 class Orbiter {
  public:
-  explicit Orbiter(const Question& question)
-      : question_(question), field_(question.graph, question.energy), sense_(question.t_end < question.t ? -1.0 : 1.0) {}
+  explicit Orbiter(const OrbitQuestion& question)
+      : question_(question), field_(question.graph, question.energy),
+        sense_(question.t_end < question.t ? -1.0 : 1.0) {}
 
-  Answer solve();
+  OrbitAnswer solve();
 
  private:
   Journey run(Candidate& candidate, int order, double h, double end, const std::vector<double>& marks,
               double dearest = infinity);
-  Comparison compare(const Journey& coarse, const Journey& fine) const;
-  double foretold(const Comparison& seen, double from, double to) const;
+  Comparison compare(const Journey& coarse, const Journey& fine);
+  double speed_at(const State<dynamic>& z, const Ranges& ranges);
+  double foretold(const Comparison& seen, double from, double to, double speed) const;
   Candidate* choose(std::vector<Candidate>& menu, double piece, double aim, int order, double& h);
   void note_trial(const Journey& journey, double error);
   [[nodiscard]] double guess(const Candidate& it, double aim, int order) const;
 
-  const Question& question_;
+  const OrbitQuestion& question_;
   PointField field_;
   double sense_;
   std::optional<Trip> trip_;
   std::optional<Sketch> sketch_;
   std::optional<Distance> distance_;
-  Answer answer_;
+  double in_the_way_ = 0.0;   // time after which runs failed, whatever the step
+  double per_time_ = 0.0;     // sweeps of the chosen candidate in a unit of time, times h
+  double radians_ = 0.0;      // of the whole
+  double usual_speed_ = 0.0;  // mean over the sketch
+  double high_speed_ = 0.0;   // a speed that the end may have
+  OrbitAnswer answer_;
 };
 
 Journey Orbiter::run(Candidate& candidate, int order, double h, double end, const std::vector<double>& marks,
                      double dearest) {
   return travel(*trip_, field_, candidate, order, h, end, marks, [&](const Journey& journey) {
-    return static_cast<double>(journey.run.evaluations) <= dearest && journey.energy_error < 1e6;
+    return static_cast<double>(journey.run.evaluations) <= dearest;
   });
 }
 
@@ -131,22 +163,26 @@ void Orbiter::note_trial(const Journey& journey, double error) {
   answer_.choice.sweeps += journey.run.evaluations;
 }
 
-/// The error of a run with step h is (h / coarse h)^order of the coarse one's; half of that is trusted.
+/// The error of a run with step h is (h / coarse h)^order of the coarse one's. Half of that is trusted, and a
+/// factor of 20 at most: what is below it is rounding, or a feature that neither run resolves.
 double trusted(const Journey& coarse, const Journey& fine) {
-  return std::max(1.0, 0.5 * std::pow(coarse.h / fine.h, fine.order));
+  return std::clamp(0.5 * std::pow(coarse.h / fine.h, fine.order), 1.0, 20.0);
 }
 
-Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) const {
+Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   Comparison seen;
   const std::size_t marks = std::min(coarse.marks.size(), fine.marks.size());
   if (marks == 0) return seen;
   const double ratio = trusted(coarse, fine);
   double early = 0.0, late = 0.0;
   for (std::size_t i = 0; i < marks; ++i) {
-    const double apart = (*distance_)(coarse.marks[i], fine.marks[i], fine.ranges);
-    (2 * (i + 1) <= marks ? early : late) = std::max(2 * (i + 1) <= marks ? early : late, apart);
+    const double apart = (*distance_)(coarse.marks[i], fine.marks[i], fine.ranges) / ratio;
+    double& largest = 2 * (i + 1) <= marks ? early : late;
+    const double speed = std::max(speed_at(fine.marks[i], fine.ranges), 0.03 * usual_speed_);
+    largest = std::max(largest, speed > 0.0 ? apart / speed : apart);
+    seen.error = apart;
   }
-  seen.error = std::max(early, late) / ratio;
+  seen.behind = std::max(early, late);
   if (early > 0.0 && late > 3.5 * early) {
     seen.growth = std::min(3.0, std::log2(late / early));
     if (late > 12.0 * early)
@@ -155,10 +191,19 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) const {
   return seen;
 }
 
-double Orbiter::foretold(const Comparison& seen, double from, double to) const {
+double Orbiter::speed_at(const State<dynamic>& z, const Ranges& ranges) {
+  VectorX at(2 * z.q.size()), slope(2 * z.q.size());
+  at << z.q, z.p;
+  field_(at, slope);
+  return (*distance_)(slope, ranges);
+}
+
+/// The error at the time `to` after the start, from what was seen until `from`.
+double Orbiter::foretold(const Comparison& seen, double from, double to, double speed) const {
   if (!(to > from)) return seen.error;
-  return seen.rate > 0.0 ? seen.error * std::exp(std::min(700.0, seen.rate * (to - from)))
-                         : seen.error * std::pow(to / from, seen.growth);
+  const double behind = seen.rate > 0.0 ? seen.behind * std::exp(std::min(700.0, seen.rate * (to - from)))
+                                        : seen.behind * std::pow(to / from, seen.growth);
+  return behind * std::max(speed, 0.03 * usual_speed_);
 }
 
 double Orbiter::guess(const Candidate& it, double aim, int order) const {
@@ -172,50 +217,60 @@ double Orbiter::guess(const Candidate& it, double aim, int order) const {
 
 /// The candidate with the least work for the error `aim` at the end of a short piece, and a first step.
 Candidate* Orbiter::choose(std::vector<Candidate>& menu, double piece, double aim, int order, double& h) {
-  struct Tried {
-    Candidate* it;
-    Journey journey;
-    double cost, wanted;
-  };
   const double end = question_.t + sense_ * piece;
-  std::vector<Tried> tried;
+  const std::vector<double> marks{question_.t + 0.5 * sense_ * piece, end};
   std::optional<Journey> reference;
   double of_reference = 0.0, best = infinity;
   Candidate* chosen = nullptr;
   for (Candidate& it : menu) {
+    if (!chosen && it.outlook > 100.0 * menu.front().outlook) break;
     if (trip_->spent(0)) break;
-    if (chosen && it.outlook > 2.5 * menu.front().outlook && std::isfinite(best)) break;
+    if (chosen && it.outlook > 2.5 * chosen->outlook) break;
+    if (it.noise * radians_ > std::max(0.3 * question_.tolerance, 3e-15 * radians_)) continue;
     const double longest = piece * it.fictive / sketch_->time;
     double first = std::min(guess(it, aim, order), longest);
+    double failed_at = -1.0;
     for (int attempt = 0; attempt < 6; ++attempt, first *= 0.4) {
-      Journey journey = run(it, order, first, end, {}, std::max(1e3, 4.0 * best / it.operations()));
+      // As many sweeps as the sketch suggests, many times over; less where another candidate does with less.
+      const double usual = 10.0 * longest / first;
+      Journey journey =
+          run(it, order, first, end, marks, 1e3 + std::min(100.0 * usual, 4.0 * best / it.operations()));
       if (!journey.ok()) {
         note_trial(journey, infinity);
         if (journey.run.outcome == Outcome::stopped || journey.spent) break;
+        // Shorter steps that fail at the same time: there is something in the way.
+        const double reached = std::abs(journey.state.t - question_.t);
+        if (reached > 0.0 && std::abs(reached - failed_at) <= 1e-3 * reached) {
+          in_the_way_ = std::max(in_the_way_, reached);
+          break;
+        }
+        failed_at = reached;
         continue;
       }
       double error;
       if (!reference) {
-        Journey finer = run(it, order, 0.8 * first, end, {});
+        Journey finer = run(it, order, 0.8 * first, end, marks, 1e3 + 200.0 * usual);
         if (!finer.ok()) {
           note_trial(finer, infinity);
           continue;
         }
-        error = (*distance_)(journey.state, finer.state, finer.ranges);
-        of_reference = error / trusted(journey, finer);
+        of_reference = compare(journey, finer).behind * high_speed_;
+        error = of_reference * trusted(journey, finer);
         note_trial(finer, of_reference);
         reference = std::move(finer);
       } else {
-        error = std::max((*distance_)(journey.state, reference->state, reference->ranges), of_reference);
+        error =
+            compare(journey, *reference).behind * trusted(journey, *reference) * high_speed_ + of_reference;
       }
       note_trial(journey, error);
       const double wanted =
-          first * std::clamp(std::pow(0.5 * aim / std::max(error, 1e-300), 1.0 / order), 0.1, 1.5);
+          first * std::clamp(std::pow(0.5 * aim / std::max(error, 1e-300), 1.0 / order), 0.1, 2.0);
       const double cost = static_cast<double>(journey.run.evaluations) * it.operations() * first / wanted;
       if (cost < best) {
         best = cost;
         chosen = &it;
         h = std::min(wanted, longest);
+        per_time_ = static_cast<double>(journey.run.evaluations) * first / piece;
       }
       break;
     }
@@ -223,7 +278,7 @@ Candidate* Orbiter::choose(std::vector<Candidate>& menu, double piece, double ai
   return chosen;
 }
 
-Answer Orbiter::solve() {
+OrbitAnswer Orbiter::solve() {
   const int n = field_.size();
   VectorX start(2 * n);
   std::copy(question_.q.begin(), question_.q.end(), start.data());
@@ -236,14 +291,18 @@ Answer Orbiter::solve() {
   answer_.q = question_.q, answer_.p = question_.p, answer_.t = question_.t;
   const double span = std::abs(question_.t_end - question_.t);
   if (span == 0.0) return answer_;
-  for (double& x : answer_.q) x = std::numeric_limits<double>::quiet_NaN();
-  for (double& x : answer_.p) x = std::numeric_limits<double>::quiet_NaN();
+  for (double& x : answer_.q)
+    x = std::numeric_limits<double>::quiet_NaN();
+  for (double& x : answer_.p)
+    x = std::numeric_limits<double>::quiet_NaN();
 
-  distance_.emplace(metric_of(question_.graph, question_.energy, start));
+  const VectorX metric = metric_of(question_.graph, question_.energy, start);
+  distance_.emplace(metric);
   field_.sense = sense_;
   sketch_.emplace(field_, start, span);
   field_.sense = 1.0;
   const Sketch& sketch = *sketch_;
+  distance_->frequency = sketch.radians / std::max(sketch.time, 1e-300);
   // Means over the sketch: kinetic energy, and half of p q'.
   double work = 0.0, kinetic = 0.0;
   {
@@ -255,21 +314,35 @@ Answer Orbiter::solve() {
       kinetic += sample.h * (here - field_.energy(sample.z.data(), rest.data()));
     }
     work /= std::max(sketch.time, 1e-300), kinetic /= std::max(sketch.time, 1e-300);
+    Ranges ranges(State<dynamic>{.q = start.head(n), .p = start.tail(n)});
+    for (const Sketch::Sample& sample : sketch.samples)
+      ranges.add({.q = sample.z.head(n), .p = sample.z.tail(n)});
+    double highest = 0.0;
+    for (const Sketch::Sample& sample : sketch.samples) {
+      const double speed = (*distance_)(sample.slope, ranges);
+      usual_speed_ += sample.h * speed / std::max(sketch.time, 1e-300);
+      highest = std::max(highest, speed);
+    }
+    high_speed_ = std::min(highest, 20.0 * usual_speed_);
+    if (!(high_speed_ > 0.0)) high_speed_ = usual_speed_ = 1.0 / span;
   }
-  const double scale = work > 0.0 && std::isfinite(work) ? work : energy != 0.0 ? std::abs(energy) : 1.0;
+  // Of a body at rest, or where rounding hides the kinetic energy, some of H itself.
+  double scale = std::max(std::isfinite(work) ? work : 0.0, 1e-13 * std::abs(energy));
+  if (!(scale > 0.0)) scale = 1.0;
   answer_.choice.energy_scale = scale;
   answer_.energy_rounding = std::numeric_limits<double>::epsilon() * (std::abs(energy) / scale + 1.0);
   State<dynamic> z{.q = start.head(n), .p = start.tail(n), .t = question_.t};
   trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, question_.options});
 
   std::vector<Candidate> menu =
-      candidates(question_.graph, question_.energy, energy, start, sketch, kinetic);
+      candidates(question_.graph, question_.energy, energy, start, sketch, metric, kinetic);
 
   // Radians of the whole, of the part over which two runs are compared, and of a short trial.
   const double per_time = sketch.radians / std::max(sketch.time, 1e-300);
-  const double radians = per_time * span;
-  const double compared = radians <= 110.0 ? span : std::min(span, std::max(sketch.time_of(48.0), 0.06 * span));
-  const double piece = std::min(compared, sketch.time_of(24.0));
+  const double radians = radians_ = per_time * span;
+  const double compared =
+      radians <= 100.0 ? span : std::min(span, std::max(sketch.time_of(48.0), 0.06 * span));
+  const double piece = std::min(compared, sketch.time_of(20.0));
   answer_.choice.time = piece;
   const double aim = std::max(question_.tolerance * compared / span, 1e-15);
   const int order = aim > 1e-8 ? 8 : 16;
@@ -283,7 +356,17 @@ Answer Orbiter::solve() {
     return answer_;
   };
   if (!it) {
-    return fail(Outcome::not_converged, "No run came through the first part of the orbit: it may meet a singularity of H.");
+    std::ostringstream text;
+    text.precision(6);
+    if (trip_->spent(0)) {
+      text << "A bound of the call was met while monitor and step were being chosen.";
+    } else if (in_the_way_ > 0.0) {
+      text << "Runs fail at t = " << question_.t + sense_ * in_the_way_
+           << " with every step: the orbit meets a singularity of H there, or comes too near one.";
+    } else {
+      text << "No run came through the time " << piece << " from the start on, whatever the step.";
+    }
+    return fail(trip_->spent(0) ? Outcome::step_limit : Outcome::not_converged, text.str());
   }
   // Two runs over the part that is compared, with shorter steps until they agree.
   std::vector<double> marks;
@@ -295,7 +378,7 @@ Answer Orbiter::solve() {
   const double there = marks.back();
   const auto total = [&](const Journey& fine, const Comparison& seen) {
     const bool hidden = fine.energy_error <= 100.0 * answer_.energy_rounding;
-    return std::max(foretold(seen, compared, span) / question_.tolerance,
+    return std::max(foretold(seen, compared, span, high_speed_) / question_.tolerance,
                     hidden ? 0.0 : fine.energy_error / (3.0 * question_.tolerance));
   };
   std::optional<Journey> coarse, fine;
@@ -304,32 +387,57 @@ Answer Orbiter::solve() {
   const double longest = compared * it->fictive / sketch.time;
   double next = std::min(1.25 * h, longest);
   for (int round = 0; round < 12; ++round) {
-    Journey journey = run(*it, order, next, there, marks);
+    Journey journey = run(*it, order, next, there, marks, 1e4 + 100.0 * per_time_ * compared / next);
     if (!journey.ok()) {
       note_trial(journey, infinity);
-      if (journey.spent) {
+      if (journey.spent || journey.run.outcome == Outcome::stopped) {
         fine = std::move(journey);
         break;
       }
+      if (fine && next > fine->h) break;  // the longer step does not pay
       next *= 0.6;
       if (fine && next < 0.3 * fine->h) break;
       continue;
     }
-    coarse = std::move(fine);
-    fine = std::move(journey);
-    if (!coarse) {
-      note_trial(*fine, infinity);
-      next = 0.8 * fine->h;
-      continue;
+    if (fine && journey.h > fine->h) {
+      // A longer step, to be judged by the shorter one.
+      const Comparison longer = compare(journey, *fine);
+      const double ratio = trusted(journey, *fine);
+      const Comparison its{longer.error * ratio, longer.behind * ratio, longer.growth, longer.rate};
+      const double its_error = total(journey, its);
+      note_trial(journey, its.error);
+      if (its_error > 1.0) break;
+      coarse = std::nullopt;
+      fine = std::move(journey);
+      seen = its;
+      error = its_error;
+    } else {
+      coarse = std::move(fine);
+      fine = std::move(journey);
+      if (!coarse) {
+        note_trial(*fine, infinity);
+        next = 0.8 * fine->h;
+        continue;
+      }
+      seen = compare(*coarse, *fine);
+      before = error;
+      error = total(*fine, seen);
+      SolveTrial& longer = answer_.choice.trials.back();
+      if (longer.outcome == Outcome::ok) longer.state_error = seen.error * trusted(*coarse, *fine);
+      note_trial(*fine, seen.error);
+      // Where shorter steps do not help, it is rounding, or chaos that magnifies it, if the error is small;
+      // if it is large, it may be a feature that no step has seen yet, which is worth a while.
+      if (error > 1.0 && error > 0.5 * before && round > 3 && (seen.error < 1e-7 || trip_->sweeps > 400'000))
+        break;
     }
-    seen = compare(*coarse, *fine);
-    before = error;
-    error = total(*fine, seen);
-    note_trial(*fine, seen.error);
-    if (error <= 1.0) break;
-    // Shorter steps no longer help: rounding, or chaos that magnifies it.
-    if (error > 0.5 * before && round > 3) break;
-    next = fine->h * std::clamp(std::pow(0.4 / error, 1.0 / order), 0.35, 0.85);
+    if (error > 1.0) {
+      next = fine->h * std::clamp(std::pow(0.4 / error, 1.0 / order), 0.35, 0.85);
+    } else {
+      // Of a long run a longer step pays for one more trial.
+      const double gain = std::min(std::pow(0.4 / std::max(error, 1e-300), 1.0 / order), 2.0);
+      if (compared == span || !coarse || gain < 1.15 || gain * fine->h > longest) break;
+      next = gain * fine->h;
+    }
   }
   if (!fine) return fail(Outcome::not_converged, "No step size brought a run to the end.");
   Journey whole = *fine;
@@ -338,8 +446,10 @@ Answer Orbiter::solve() {
     for (int restart = 0;; ++restart) {
       const double limit = 3.0 * question_.tolerance;
       whole = travel(*trip_, field_, *it, order, fine->h * std::pow(0.8, restart), question_.t_end, {},
-                     [&](const Journey& journey) {
-                       return restart == 6 || journey.energy_error <= std::max(limit, 3.0 * fine->energy_error) ||
+                     [&, most = 1e6 + 100.0 * per_time_ * span / fine->h](const Journey& journey) {
+                       if (static_cast<double>(journey.run.evaluations) > most) return false;
+                       return restart == 6 ||
+                              journey.energy_error <= std::max(limit, 3.0 * fine->energy_error) ||
                               journey.energy_error <= 100.0 * answer_.energy_rounding;
                      });
       if (whole.ok() || whole.spent || restart == 6) break;
@@ -354,13 +464,21 @@ Answer Orbiter::solve() {
   answer_.choice.h = whole.h;
   answer_.run = whole.run;
   answer_.energy_error = whole.energy_error;
-  answer_.state_error = coarse ? foretold(seen, compared, span) : infinity;
+  // What rounding leaves grows with the phase.
+  answer_.state_error = foretold(seen, compared, span, speed_at(whole.state, whole.ranges)) +
+                        (it->noise + std::numeric_limits<double>::epsilon()) * radians;
   if (!whole.ok()) {
     answer_.state_error = infinity;
-    answer_.run.message = describe_end(whole.run.outcome, whole.state, whole.run.steps, 0.0);
+    answer_.run.message = whole.run.outcome == Outcome::stopped
+                              ? "The run was given up: it takes over a hundred times the steps that its "
+                                "beginning suggests; the "
+                                "orbit may come near a singularity of H."
+                              : describe_end(whole.run.outcome, whole.state, whole.run.steps, 0.0);
+    if (whole.run.outcome == Outcome::stopped) answer_.run.outcome = Outcome::step_limit;
   }
   if (seen.rate > 0.0)
-    answer_.note += "Neighbouring orbits move apart exponentially here: the state at the end depends on more digits than the tolerance has. ";
+    answer_.note += "Neighbouring orbits move apart exponentially here: the state at the end depends on more "
+                    "digits than the tolerance has. ";
   std::copy(whole.state.q.begin(), whole.state.q.end(), answer_.q.begin());
   std::copy(whole.state.p.begin(), whole.state.p.end(), answer_.p.begin());
   answer_.t = whole.state.t;
@@ -369,7 +487,7 @@ Answer Orbiter::solve() {
 
 }  // namespace
 
-Answer answer(const Question& question) {
+OrbitAnswer answer(const OrbitQuestion& question) {
   require_finite("Time of the start", question.t);
   require(std::isfinite(question.t_end), "End time", question.t_end, "finite");
   require(question.tolerance >= 1e-13 && question.tolerance <= 1e-2, "Tolerance", question.tolerance,
@@ -393,8 +511,8 @@ std::string SolutionReport::report() const {
   if (!note.empty()) text << note << "\n";
   for (const SolveTrial& trial : choice.trials)
     text << "  " << trial.monitor << ", order " << trial.order << ": h = " << trial.h << " for " << trial.time
-         << ", " << trial.steps << " steps, " << trial.sweeps << " sweeps, error " << trial.state_error << ", "
-         << name(trial.outcome) << "\n";
+         << ", " << trial.steps << " steps, " << trial.sweeps << " sweeps, error " << trial.state_error
+         << ", " << name(trial.outcome) << "\n";
   return text.str();
 }
 

@@ -1,4 +1,4 @@
-#include "avi/automatic/solution.hpp"
+#include "avi/automatic/choose_monitor.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/n_body.hpp"
 #include "avi/transform/monitors.hpp"

@@ -1,9 +1,8 @@
 #pragma once
+#include "beyond/speed/automatic_monitors/energy_run.hpp"
 #include "beyond/speed/automatic_monitors/scenes.hpp"
 #include "common/table.hpp"
 #include "common/timing.hpp"
-
-#include "avi/automatic/solution.hpp"
 
 #include <cmath>
 #include <limits>
@@ -53,7 +52,7 @@ struct Arena {
 /// rounding allows.
 inline avi::MonitorChoice finest(const Scene& scene) {
   for (double tolerance = 1e-12;; tolerance *= 3.0) {
-    auto solution = integrate(scene.energy, scene.start, scene.time, tolerance);
+    auto solution = energy_run(scene.energy, scene.start, scene.time, tolerance);
     solution.choice.reached = solution.run.outcome == avi::Outcome::ok && solution.kept();
     if (solution.choice.reached || 3.0 * tolerance > 1e-9) return solution.choice;
   }

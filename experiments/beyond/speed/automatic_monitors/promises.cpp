@@ -17,7 +17,7 @@ void measure_tolerances(const Frame& frame, const std::vector<Scene>& scenes) {
   for (const Scene& scene : scenes)
     for (int k = 4; k <= 11; ++k) {
       const double tolerance = std::pow(10.0, -k);
-      const auto solution = integrate(scene.energy, scene.start, scene.time, tolerance);
+      const auto solution = energy_run(scene.energy, scene.start, scene.time, tolerance);
       table.row(scene.name, scene.held_out, tolerance, solution.energy_error, avi::name(solution.run.outcome),
                 solution.choice.order, solution.choice.name, solution.run.steps, solution.run.evaluations,
                 solution.choice.sweeps);
@@ -93,10 +93,10 @@ void measure_drift(const Frame& frame, const std::vector<Scene>& scenes, int rep
   for (const Scene& scene : scenes) {
     const double end = repeats * scene.time;
     // The step that keeps the tolerance over a hundred periods; shorter where a step on the way cannot be
-    // solved, as integrate() does it.
-    avi::MonitorChoice choice = integrate(scene.energy, scene.start, 10.0 * scene.time, 1e-6).choice;
+    // solved, as energy_run() does it.
+    avi::MonitorChoice choice = energy_run(scene.energy, scene.start, 10.0 * scene.time, 1e-6).choice;
     Series series;
-    for (int attempt = 0; choice.reached && attempt <= avi::detail::most_restarts; ++attempt) {
+    for (int attempt = 0; choice.reached && attempt <= detail::most_restarts; ++attempt) {
       if (attempt > 0) choice.h *= 0.7;
       series = follow(scene, choice, end);
       if (series.run.outcome == avi::Outcome::ok) break;

@@ -4,7 +4,7 @@
 #include "common/frame.hpp"
 
 /// @file
-/// What integrate(H, start, t_end, tolerance) promises, measured.
+/// What energy_run(H, start, t_end, tolerance) promises, measured.
 
 namespace experiment {
 

@@ -5,13 +5,15 @@
 #include <sstream>
 
 /// @file
-/// An orbit from H, a start, an end and a tolerance; everything else is chosen.
+/// A run whose monitor and step are chosen by its energy error: what the monitors are compared by.
 
-namespace avi {
+namespace experiment {
+
+using avi::Collocation, avi::MonitorChoice, avi::Outcome, avi::Run, avi::State, avi::dynamic;
 
 /// Where an orbit led, how, and how well.
 template <int n>
-struct Solution {
+struct EnergyRun {
   State<n> state;             ///< At the end, or the last good one.
   Run run;                    ///< How the run ended; its steps and sweeps.
   MonitorChoice choice;       ///< Monitor, order and step, with what the pilot saw.
@@ -47,8 +49,8 @@ inline constexpr int most_restarts = 6;
 
 /// The part of integrate(H, start, t_end, tolerance) that depends neither on the type of H nor on its
 /// dimension.
-inline Solution<dynamic> solve(const Menu& menu, double t_end, double tolerance) {
-  Solution<dynamic> solution{
+inline EnergyRun<dynamic> solve(const avi::detail::Menu& menu, double t_end, double tolerance) {
+  EnergyRun<dynamic> solution{
       .state = menu.orbit.start,
       .run = {},
       .choice = {.name = "fixed", .monitor = menu.entries.front().monitor, .trials = {}, .note = {}},
@@ -56,8 +58,11 @@ inline Solution<dynamic> solve(const Menu& menu, double t_end, double tolerance)
   const double span = t_end - menu.orbit.start.t;
   if (span == 0.0) return solution;
   // 0: of its usual length
-  const double pilot = !menu.tour ? 0.1 * span : span < menu.tour->time_of(pilot_angle) ? span : 0.0;
-  solution.choice = choose(menu, {.energy_error = tolerance, .order = order_for(tolerance), .time = pilot});
+  const double pilot = !menu.tour                                            ? 0.1 * span
+                       : span < menu.tour->time_of(avi::detail::pilot_angle) ? span
+                                                                             : 0.0;
+  solution.choice =
+      avi::detail::choose(menu, {.energy_error = tolerance, .order = order_for(tolerance), .time = pilot});
   MonitorChoice& choice = solution.choice;
   if (!choice.reached) {
     solution.run.outcome = Outcome::not_converged;
@@ -66,17 +71,18 @@ inline Solution<dynamic> solve(const Menu& menu, double t_end, double tolerance)
         "of H, or the tolerance may be below rounding.";
     return solution;
   }
-  Collocation<Pilot::Problem> whole(poincare(menu.orbit.energy, menu.orbit.start, choice.monitor),
-                                    choice.order);
+  Collocation<avi::detail::Pilot::Problem> whole(
+      avi::poincare(menu.orbit.energy, menu.orbit.start, choice.monitor), choice.order);
   const double energy = menu.orbit.energy_at_start();
   for (int restarts = 0;; ++restarts) {
     solution.state = menu.orbit.start;
     solution.energy_error = 0.0;
-    solution.run = integrate_to(whole, solution.state, choice.h, t_end, [&](const State<dynamic>& z, long) {
-      const double error = std::abs(menu.orbit.energy(z.q, z.p) - energy) / choice.energy_scale;
-      solution.energy_error = std::max(solution.energy_error, error);
-      return restarts == most_restarts || error <= 3.0 * tolerance;
-    });
+    solution.run =
+        avi::integrate_to(whole, solution.state, choice.h, t_end, [&](const State<dynamic>& z, long) {
+          const double error = std::abs(menu.orbit.energy(z.q, z.p) - energy) / choice.energy_scale;
+          solution.energy_error = std::max(solution.energy_error, error);
+          return restarts == most_restarts || error <= 3.0 * tolerance;
+        });
     const bool converged =
         solution.run.outcome != Outcome::not_converged && solution.run.outcome != Outcome::non_finite;
     if (restarts == most_restarts || (converged && solution.energy_error <= 3.0 * tolerance)) break;
@@ -100,12 +106,13 @@ inline Solution<dynamic> solve(const Menu& menu, double t_end, double tolerance)
 /// everything in words.
 /// @throws std::invalid_argument where H is not finite at the start, or for a time or tolerance out of range.
 template <class H, int n>
-[[nodiscard]] Solution<n> integrate(const H& hamiltonian, const State<n>& start, double t_end,
-                                    double tolerance) {
-  require_finite("Time of the start", start.t);
-  require(std::isfinite(t_end) && t_end >= start.t, "End time", t_end, "finite and not before the start");
-  require(tolerance >= 1e-13 && tolerance <= 1e-2, "Tolerance", tolerance, "in [1e-13, 1e-2]");
-  Solution<dynamic> found = detail::solve(detail::Menu({hamiltonian, start}), t_end, tolerance);
+[[nodiscard]] EnergyRun<n> energy_run(const H& hamiltonian, const State<n>& start, double t_end,
+                                      double tolerance) {
+  avi::require_finite("Time of the start", start.t);
+  avi::require(std::isfinite(t_end) && t_end >= start.t, "End time", t_end,
+               "finite and not before the start");
+  avi::require(tolerance >= 1e-13 && tolerance <= 1e-2, "Tolerance", tolerance, "in [1e-13, 1e-2]");
+  EnergyRun<dynamic> found = detail::solve(avi::detail::Menu({hamiltonian, start}), t_end, tolerance);
   return {.state = {.q = found.state.q, .p = found.state.p, .t = found.state.t},
           .run = std::move(found.run),
           .choice = std::move(found.choice),
@@ -113,4 +120,4 @@ template <class H, int n>
           .energy_error = found.energy_error};
 }
 
-}  // namespace avi
+}  // namespace experiment

@@ -1,0 +1,139 @@
+#include "avi/solve.hpp"
+
+#include "avi/problems/henon_heiles.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/problems/n_body.hpp"
+#include "avi/problems/pendulum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace solve_test {
+
+using avi::Kepler;
+using avi::solve;
+using avi::State;
+
+State<1> at(double q, double p) { return {.q = avi::Vector<double, 1>(q), .p = avi::Vector<double, 1>(p)}; }
+
+// Gauss conserves quadratic H at any step, so that energy says nothing of the phase.
+TEST(Solve, KnowsThePhaseOfASpring) {
+  const auto spring = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0]; };
+  for (const double tolerance : {1e-4, 1e-8, 1e-12})
+    for (const double end : {1.0, 10.0, 100.0, 1000.0}) {
+      const auto orbit = solve(spring, at(1.0, 0.0), end, tolerance);
+      EXPECT_TRUE(orbit.kept()) << orbit.report();
+      EXPECT_EQ(orbit.state.t, end);
+      EXPECT_LE(std::abs(orbit.state.q[0] - std::cos(end)), 2.0 * tolerance) << tolerance << " " << end;
+      EXPECT_LE(std::abs(orbit.state.p[0] + std::sin(end)), 2.0 * tolerance) << tolerance << " " << end;
+    }
+}
+
+TEST(Solve, KnowsASmallFastPartBesideALargeSlowOne) {
+  const auto both = [](const auto& q, const auto& p) {
+    return 0.5 * (p[0] * p[0] + p[1] * p[1]) + 0.5 * q[0] * q[0] + 0.5e6 * q[1] * q[1];
+  };
+  const State<2> start{.q = {1.0, 1e-6}, .p = {0.0, 0.0}};
+  for (const double tolerance : {1e-4, 1e-8}) {
+    const auto orbit = solve(both, start, 20.0, tolerance);
+    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    EXPECT_LE(std::abs(orbit.state.q[1] / 1e-6 - std::cos(2e4)), 3.0 * tolerance);
+  }
+}
+
+TEST(Solve, KnowsALightBodyBesideAHeavyOne) {
+  const double e = 0.9, heavy = 9.5e-4;
+  double distance = 0.0;
+  for (const double light : {1e-6, 1e-12, 1e-16, 1e-20}) {
+    const auto energy = [=](const auto& q, const auto& p) {
+      const auto r = [&](int i, int j) {
+        const auto x = q[2 * i] - q[2 * j], y = q[2 * i + 1] - q[2 * j + 1];
+        return sqrt(x * x + y * y);
+      };
+      return 0.5 * (p[0] * p[0] + p[1] * p[1]) + (p[2] * p[2] + p[3] * p[3]) * (0.5 / light) +
+             (p[4] * p[4] + p[5] * p[5]) * (0.5 / heavy) - light / r(0, 1) - heavy / r(0, 2) -
+             light * heavy / r(1, 2);
+    };
+    State<6> start;
+    start.q << 0, 0, 1 - e, 0, 5.2, 0;
+    const double v = light * std::sqrt((1 + e) / (1 - e)), V = heavy / std::sqrt(5.2);
+    start.p << 0, -v - V, 0, v, 0, V;
+    const auto orbit = solve(energy, start, 100.0, 1e-8);
+    EXPECT_TRUE(orbit.kept()) << light << orbit.report();
+    const double now = std::hypot(orbit.state.q[2] - orbit.state.q[0], orbit.state.q[3] - orbit.state.q[1]);
+    if (light < 1e-6 && distance > 0.0) EXPECT_NEAR(now, distance, 1e-6) << light;
+    if (light < 1e-6) distance = now;
+  }
+}
+
+TEST(Solve, IsWhereTheOrbitIs) {
+  const double period = 2.0 * M_PI;
+  const auto orbit = solve(Kepler(), Kepler::pericentre(0.9), 10.5 * period, 1e-11);
+  EXPECT_TRUE(orbit.kept()) << orbit.report();
+  EXPECT_NEAR(orbit.state.q[0], -1.9, 1e-10);
+  EXPECT_NEAR(orbit.state.q[1], 0.0, 1e-10);
+}
+
+TEST(Solve, GoesBackToo) {
+  const auto there = solve(avi::HenonHeiles(), State<2>{.q = {0.0, 0.3}, .p = {0.45, 0.0}}, 30.0, 1e-12);
+  const auto back = solve(avi::HenonHeiles(), there.state, 0.0, 1e-12);
+  EXPECT_TRUE(back.kept()) << back.report();
+  EXPECT_EQ(back.state.t, 0.0);
+  EXPECT_NEAR(back.state.q[1], 0.3, 1e-10);
+  EXPECT_NEAR(back.state.p[0], 0.45, 1e-10);
+}
+
+TEST(Solve, OfNoTimeIsTheStart) {
+  const auto orbit = solve(Kepler(), Kepler::pericentre(0.5), 0.0, 1e-6);
+  EXPECT_TRUE(orbit.kept());
+  EXPECT_EQ(orbit.state.q, Kepler::pericentre(0.5).q);
+  EXPECT_EQ(orbit.run.steps, 0);
+}
+
+TEST(Solve, StaysAtAnEquilibrium) {
+  const auto orbit = solve(avi::Pendulum(), at(0.0, 0.0), 3.0, 1e-6);
+  EXPECT_TRUE(orbit.kept()) << orbit.report();
+  EXPECT_EQ(orbit.state.q[0], 0.0);
+  EXPECT_EQ(orbit.state.t, 3.0);
+}
+
+// Whoever ignores the outcome does not take the start for the end.
+TEST(Solve, GivesNoStateWhereNoRunWasBegun) {
+  State<2> z = Kepler::pericentre(0.0);
+  z.p.setZero();  // falls into the centre at t = pi / sqrt(8)
+  const auto orbit = solve(Kepler(), z, 10.0, 1e-8);
+  EXPECT_FALSE(orbit.kept());
+  EXPECT_FALSE(orbit.report().empty());
+  if (!orbit.ok()) {
+    EXPECT_TRUE(orbit.state.t < 10.0);
+  }
+}
+
+TEST(Solve, KeepsItsBounds) {
+  const auto orbit = solve(Kepler(), Kepler::pericentre(0.5), 1e12, 1e-8, {.sweeps = 100000});
+  EXPECT_EQ(orbit.run.outcome, avi::Outcome::step_limit) << orbit.report();
+  EXPECT_FALSE(orbit.kept());
+  const auto timed = solve(Kepler(), Kepler::pericentre(0.5), 1e12, 1e-8, {.seconds = 0.05});
+  EXPECT_FALSE(timed.ok());
+}
+
+TEST(Solve, RefusesWhatCannotBe) {
+  const auto start = Kepler::pericentre(0.5);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW((void)solve(Kepler(), start, nan, 1e-6), std::invalid_argument);
+  EXPECT_THROW((void)solve(Kepler(), start, 1.0, 0.0), std::invalid_argument);
+  EXPECT_THROW((void)solve(Kepler(), start, 1.0, 0.5), std::invalid_argument);
+  EXPECT_THROW((void)solve(Kepler(), start, 1.0, 1e-6, {.seconds = nan}), std::invalid_argument);
+  EXPECT_THROW((void)solve(Kepler(), start, 1.0, 1e-6, {.sweeps = 0}), std::invalid_argument);
+  auto timeless = start;
+  timeless.t = nan;
+  EXPECT_THROW((void)solve(Kepler(), timeless, 1.0, 1e-6), std::invalid_argument);
+  auto centre = start;
+  centre.q.setZero();
+  EXPECT_THROW((void)solve(Kepler(), centre, 1.0, 1e-6), std::invalid_argument);
+}
+
+}  // namespace solve_test
