@@ -26,11 +26,13 @@ struct Trip {
   std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();  ///< Of the call.
   long sweeps = 0;                                                                 ///< Spent so far.
 
-  /// A bound of the call is met. @param now sweeps of the run that is under way
-  [[nodiscard]] bool spent(long now) const {
-    if (sweeps + now >= options.sweeps) return true;
-    return std::isfinite(options.seconds) &&
-           std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count() >= options.seconds;
+  /// The bound of the call that is met, or ok. @param now sweeps of the run that is under way
+  [[nodiscard]] Outcome bound(long now) const {
+    if (sweeps + now >= options.sweeps) return Outcome::step_limit;
+    const bool late =
+        std::isfinite(options.seconds) &&
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count() >= options.seconds;
+    return late ? Outcome::time_limit : Outcome::ok;
   }
 };
 
@@ -151,8 +153,8 @@ Journey travel(Trip& trip, PointField& field, Candidate& candidate, int order, d
     ++run.steps;
     journey.ranges.add(z);
     journey.energy_error = std::max(journey.energy_error, energy_error());
-    if (trip.spent(run.evaluations)) {
-      run.outcome = Outcome::step_limit;
+    if (const Outcome bound = trip.bound(run.evaluations); bound != Outcome::ok) {
+      run.outcome = bound;
       journey.spent = true;
     } else if (!judge(journey)) {
       run.outcome = Outcome::stopped;

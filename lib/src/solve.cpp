@@ -224,7 +224,7 @@ Candidate* Orbiter::choose(std::vector<Candidate>& menu, double piece, double ai
   Candidate* chosen = nullptr;
   for (Candidate& it : menu) {
     if (!chosen && it.outlook > 100.0 * menu.front().outlook) break;
-    if (trip_->spent(0)) break;
+    if (trip_->bound(0) != Outcome::ok) break;
     if (chosen && it.outlook > 2.5 * chosen->outlook) break;
     if (it.noise * radians_ > std::max(0.3 * question_.tolerance, 3e-15 * radians_)) continue;
     const double longest = piece * it.fictive / sketch_->time;
@@ -358,7 +358,7 @@ OrbitAnswer Orbiter::solve() {
   if (!it) {
     std::ostringstream text;
     text.precision(6);
-    if (trip_->spent(0)) {
+    if (trip_->bound(0) != Outcome::ok) {
       text << "A bound of the call was met while monitor and step were being chosen.";
     } else if (in_the_way_ > 0.0) {
       text << "Runs fail at t = " << question_.t + sense_ * in_the_way_
@@ -366,7 +366,7 @@ OrbitAnswer Orbiter::solve() {
     } else {
       text << "No run came through the time " << piece << " from the start on, whatever the step.";
     }
-    return fail(trip_->spent(0) ? Outcome::step_limit : Outcome::not_converged, text.str());
+    return fail(trip_->bound(0) != Outcome::ok ? trip_->bound(0) : Outcome::not_converged, text.str());
   }
   // Two runs over the part that is compared, with shorter steps until they agree.
   std::vector<double> marks;
@@ -473,7 +473,7 @@ OrbitAnswer Orbiter::solve() {
                               ? "The run was given up: it takes over a hundred times the steps that its "
                                 "beginning suggests; the "
                                 "orbit may come near a singularity of H."
-                              : describe_end(whole.run.outcome, whole.state, whole.run.steps, 0.0);
+                              : describe_end(whole.run.outcome, whole.state, whole.run.steps, 0.0, "");
     if (whole.run.outcome == Outcome::stopped) answer_.run.outcome = Outcome::step_limit;
   }
   if (seen.rate > 0.0)
