@@ -13,23 +13,24 @@ namespace detail {
 
 /// Eight neighbouring numbers, in whatever registers the machine has.
 typedef double Eight __attribute__((vector_size(64)));
+/// The same anywhere in an array of numbers.
+typedef double EightInMemory __attribute__((vector_size(64), aligned(8), may_alias));
 typedef long long EightIntegers __attribute__((vector_size(64)));  ///< What comparisons of them are made of.
 
 /// Eight entries at index i of every vector of a pass.
 struct EightEntries {
   Eigen::Index i;  ///< Of the first of them.
-  /// Entries i to i + 7 of a.
-  [[nodiscard]] Eight operator()(const double* a) const {
-    Eight v;
-    std::memcpy(&v, a + i, sizeof v);
-    return v;
+  /// Entries i to i + 7 of a, where they are: a vector that a function returned would be a matter of the
+  /// machine's calling convention, about which g++ has a warning.
+  [[nodiscard]] const EightInMemory& operator()(const double* a) const {
+    return *reinterpret_cast<const EightInMemory*>(a + i);
   }
   /// Stores them.
-  void set(double* a, const Eight& v) const { std::memcpy(a + i, &v, sizeof v); }
+  void set(double* a, const EightInMemory& v) const { std::memcpy(a + i, &v, sizeof v); }
 };
 
 /// The same for one entry: the end of a vector whose size is no multiple of eight.
-struct OneEntry {
+struct SingleEntry {
   Eigen::Index i;                                            ///< Its index.
   double operator()(const double* a) const { return a[i]; }  ///< Entry i of a.
   void set(double* a, double v) const { a[i] = v; }          ///< Stores it.
@@ -53,7 +54,7 @@ template <int sums, class Body>
     body(detail::EightEntries{i}, packs);
   for (Eigen::Index lane = 0; i < n; ++i, ++lane) {
     std::array<double, sums> one{};
-    body(detail::OneEntry{i}, one);
+    body(detail::SingleEntry{i}, one);
     // the lane is chosen by a comparison: written to one by its index, the sums would pass through memory
     const detail::EightIntegers here = detail::EightIntegers{0, 1, 2, 3, 4, 5, 6, 7} == lane;
     for (int k = 0; k < sums; ++k)
