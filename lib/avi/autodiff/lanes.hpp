@@ -1,5 +1,6 @@
 #pragma once
 #include "avi/autodiff/scalar.hpp"
+#include "avi/core/instructions.hpp"
 
 #include <bit>
 
@@ -7,6 +8,7 @@
 /// A number with its first-order partial derivatives, held in one SIMD register where the machine has one.
 
 namespace avi {
+inline namespace AVI_INSTRUCTIONS {
 
 /// Value (lane 0) and N first partials (lanes 1 to N) of a function of N variables; the chain rule is applied
 /// by every operation (forward-mode automatic differentiation; Griewank and Walther 2008, chapter 3).
@@ -96,4 +98,5 @@ class ProductSum {
   Register left_{}, right_{};
 };
 
+}  // namespace AVI_INSTRUCTIONS
 }  // namespace avi

@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/autodiff/partials.hpp"
 #include "avi/autodiff/sine.hpp"
+#include "avi/core/instructions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,7 @@
 namespace avi {
 
 namespace detail {
+inline namespace AVI_INSTRUCTIONS {
 #if defined(__AVX512F__)
 inline constexpr int machine_lanes = 8;
 #elif defined(__AVX__)
@@ -29,7 +31,10 @@ template <class R>
 [[gnu::always_inline]] inline auto magnitude(R x) {
   return (decltype(x < x))x & 0x7fffffffffffffff;
 }
+}  // namespace AVI_INSTRUCTIONS
 }  // namespace detail
+
+inline namespace AVI_INSTRUCTIONS {
 
 /// w doubles, w = 2, 4, 8, 16 or 32, as one scalar: every operation is applied to each of them, by the vector
 /// units where the machine has them, with the same bits where it has not. So a formula that is generic in its
@@ -265,4 +270,5 @@ double largest(const Pack<w>& x) {
   return most;
 }
 
+}  // namespace AVI_INSTRUCTIONS
 }  // namespace avi

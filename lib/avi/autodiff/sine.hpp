@@ -1,4 +1,6 @@
 #pragma once
+#include "avi/core/instructions.hpp"
+
 #include "avi/core/finite_math.hpp"
 
 #include <cmath>
@@ -10,6 +12,7 @@
 /// Sine and cosine of the numbers of a pack, all at once.
 
 namespace avi::detail {
+inline namespace AVI_INSTRUCTIONS {
 
 /// Largest |x| of sine(): there \f$2x/\pi\f$ rounds to an integer of 19 bits.
 inline constexpr double most_angle = 8e5;
@@ -88,4 +91,5 @@ P turned(const P& x, int quarters) {
   return y;
 }
 
+}  // namespace AVI_INSTRUCTIONS
 }  // namespace avi::detail

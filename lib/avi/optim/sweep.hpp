@@ -30,7 +30,7 @@ struct EightEntries {
 };
 
 /// The same for one entry: the end of a vector whose size is no multiple of eight.
-struct SingleEntry {
+struct OneEntry {
   Eigen::Index i;                                            ///< Its index.
   double operator()(const double* a) const { return a[i]; }  ///< Entry i of a.
   void set(double* a, double v) const { a[i] = v; }          ///< Stores it.
@@ -54,7 +54,7 @@ template <int sums, class Body>
     body(detail::EightEntries{i}, packs);
   for (Eigen::Index lane = 0; i < n; ++i, ++lane) {
     std::array<double, sums> one{};
-    body(detail::SingleEntry{i}, one);
+    body(detail::OneEntry{i}, one);
     // the lane is chosen by a comparison: written to one by its index, the sums would pass through memory
     const detail::EightIntegers here = detail::EightIntegers{0, 1, 2, 3, 4, 5, 6, 7} == lane;
     for (int k = 0; k < sums; ++k)

@@ -1,0 +1,17 @@
+// A part of a program: compiled with several -m options, its packs must not share a function
+// (instructions.sh).
+#include <avi/autodiff/lanes.hpp>
+#include <avi/autodiff/pack.hpp>
+#include <avi/autodiff/recording.hpp>
+
+double part(double x) {
+  const auto f = [](const auto& y) {
+    return sin(y[0]) * pow(y[0], 1.5) + min(y[0], exp(y[0])) / atan2(y[0], y[1]);
+  };
+  const avi::Program program = avi::Recording(f, 2).value_and_gradient();
+  avi::Program::Room<avi::Pack<8>> room(program);
+  room.arguments()[0] = room.arguments()[1] = avi::Pack<8>(x);
+  program.run(room);
+  const avi::Vector<avi::Lanes<2>, 2> lanes(avi::Lanes<2>::variable(x, 0), avi::Lanes<2>::variable(x, 1));
+  return avi::sum(program.slope(room, 0)) + f(lanes).partial(0);
+}
