@@ -128,67 +128,66 @@ TEST(ChooseMonitor, MakesTheSameTrialsOnEveryMachine) {
     const avi::State<1> start{.q = avi::Vector<double, 1>(5.0), .p = avi::Vector<double, 1>(0.0)};
     return choose_monitor(oscillator, start, target);
   };
-  expect(orbit(0.3), 4, 1e-5, "fixed, fixed 27/251 56/392", 0.115679, 18001.4);
+  expect(orbit(0.3), 4, 1e-5, "fixed, fixed 27/250 56/386", 0.115679, 17841.8);
   expect(orbit(0.6), 4, 1e-5,
-         "energy^1.5, energy^1.5 27/206, curvature 27/367, energy 27/212, gentle 27/315, speed 27/285, fixed "
-         "1/18, energy^1.5 35/246",
-         0.190218, 61074.2);
+         "energy^1.5, energy^1.5 27/202, curvature 27/361, energy 27/211, gentle 27/307, speed 27/283, fixed "
+         "1/18, energy^1.5 35/245",
+         0.190218, 60290.6);
   expect(orbit(0.9), 4, 1e-5,
-         "energy^1.5, energy^1.5 26/216, curvature 26/398, energy 27/218, gentle 2/42, speed 0/0, energy^0.5 "
-         "1/25, energy^1.5 58/378",
-         0.117326, 44876.6);
+         "energy^1.5, energy^1.5 26/212, curvature 26/390, energy 27/217, gentle 1/21, speed 1/40, "
+         "energy^0.5 1/24, energy^1.5 58/364",
+         0.117326, 44907.4);
   expect(
       orbit(0.99), 4, 1e-5,
-      "energy^1.5, energy^1.5 25/209, curvature 25/391, gentle 1/23, energy 26/246, energy^1.5 81/485 99/572",
-      0.0619917, 64653.8);
-  expect(swing, 4, 1e-5, "fixed, fixed 27/268 69/473", 0.162722, 22616.4);
-  expect(light, 4, 1e-5, "fixed, fixed 54/301 22/152 19/136", 0.164052, 11662.2);
+      "energy^1.5, energy^1.5 25/213, curvature 25/391, gentle 1/22, energy 26/227, energy^1.5 81/486 99/594",
+      0.0619917, 64901.4);
+  expect(swing, 4, 1e-5, "fixed, fixed 27/261 69/470", 0.162722, 22342.4);
+  expect(light, 4, 1e-5, "fixed, fixed 54/306 22/154 19/137", 0.164052, 11820.6);
   expect(fast, 4, 1e-5,
-         "fixed, curvature 3/115, gentle 26/799, fixed 27/220, speed 27/372, curvature 41/1198, fixed 89/455 "
-         "297/1286 735/3027",
-         0.0456577, 151136.8);
-  expect(orbit(0.3), 8, 1e-8, "fixed, fixed 16/154 22/171", 0.301733, 10751);
+         "fixed, curvature 3/114, gentle 26/792, fixed 27/210, speed 27/356, curvature 41/1363, fixed 89/443 "
+         "297/1269 735/3013",
+         0.0456577, 154833);
+  expect(orbit(0.3), 8, 1e-8, "fixed, fixed 16/149 22/172", 0.301733, 10659.8);
   expect(orbit(0.6), 8, 1e-8,
-         "energy^1.5, energy^1.5 15/118, energy 15/124, energy^0.5 1/15, fixed 1/18, energy^1.5 11/114",
-         0.645807, 14930.2);
+         "energy^1.5, energy^1.5 15/119, energy 15/115, energy^0.5 1/15, fixed 1/16, energy^1.5 11/109",
+         0.645807, 14502.2);
   expect(orbit(0.9), 8, 1e-8,
-         "energy^1.5, energy^1.5 15/129, curvature 15/236, energy 1/14, gentle 2/46, speed 1/80, energy^0.5 "
-         "1/22, energy^1.5 17/141",
-         0.410173, 26539.4);
+         "energy^1.5, energy^1.5 15/124, curvature 15/235, energy 1/14, gentle 2/45, speed 1/90, energy^0.5 "
+         "1/20, energy^1.5 17/134",
+         0.410173, 26462.6);
   expect(orbit(0.99), 8, 1e-8,
-         "energy^1.5, energy^1.5 14/119, curvature 14/228, gentle 1/24, energy 1/20, energy^1.5 22/147",
-         0.285796, 21383.4);
-  expect(swing, 8, 1e-8, "fixed, fixed 16/160 30/222", 0.37982, 12779.8);
+         "energy^1.5, energy^1.5 14/118, curvature 14/227, gentle 1/22, energy 1/19, energy^1.5 22/143",
+         0.285796, 21090.2);
+  expect(swing, 8, 1e-8, "fixed, fixed 16/157 30/212", 0.37982, 12423.6);
   expect(fast, 8, 1e-8,
-         "fixed, curvature 2/113, gentle 15/479, fixed 5/48, speed 15/220, fixed 25/175, curvature 23/704, "
-         "fixed 84/403 278/1167 446/1815 402/1649",
-         0.0836711, 124919.2);
-  expect(orbit(0.3), 16, 1e-11, "fixed, fixed 8/87 10/88 10/89", 0.653267, 11155.4);
+         "fixed, curvature 2/117, gentle 15/505, fixed 5/46, speed 15/214, fixed 25/166, curvature 23/701, "
+         "fixed 84/397 278/1162 446/1796 402/1640",
+         0.0836711, 124870.6);
+  expect(orbit(0.3), 16, 1e-11, "fixed, fixed 8/82 10/87 10/86", 0.653267, 10889);
   expect(orbit(0.6), 16, 1e-11,
-         "energy^1.5, energy^1.5 8/70, curvature 8/120, energy 8/71, fixed 1/17, energy^1.5 6/67 5/60",
-         1.22368, 19011);
-  expect(orbit(0.9), 16, 1e-11, "energy^1.5, energy^1.5 7/64, curvature 7/122, energy^1.5 6/71", 1.25899,
-         13736.2);
-  expect(orbit(0.99), 16, 1e-11, "energy^1.5, energy^1.5 7/62, curvature 7/124, energy^1.5 6/67 6/63",
-         1.06224, 15966.6);
+         "energy^1.5, energy^1.5 8/68, curvature 8/118, energy 8/70, fixed 1/17, energy^1.5 6/64 5/58",
+         1.34179, 18625);
+  expect(orbit(0.9), 16, 1e-11, "energy^1.5, energy^1.5 7/64, curvature 7/121, energy^1.5 6/62", 1.25899,
+         13354.2);
+  expect(orbit(0.99), 16, 1e-11, "energy^1.5, energy^1.5 7/62, curvature 7/117, energy^1.5 6/63 6/60",
+         1.06224, 15398.2);
   expect(fast, 16, 1e-11,
-         "fixed, curvature 1/78, gentle 2/72, fixed 3/30, speed 5/86, fixed 13/118, speed 13/194, curvature "
-         "12/500, gentle 12/356, fixed 41/218 128/535 177/683 194/735",
-         0.17314, 87527);
+         "fixed, curvature 0/0, gentle 6/344, fixed 3/29, speed 5/82, fixed 13/111, speed 13/174, curvature "
+         "12/544, gentle 12/324, fixed 41/215 128/527 177/674 194/726",
+         0.17314, 93250);
   expect(orbit(0.3), 10, 1e-3, "fixed, fixed 4/81", 1.61389, 5738.6);
-  expect(orbit(0.6), 10, 1e-3, "energy, energy^1.5 4/63, curvature 4/115, energy 4/61, fixed 4/100", 1.52442,
-         15855.4);
-  expect(orbit(0.9), 10, 1e-3, "energy^1.5, energy^1.5 4/67, curvature 4/148, gentle 0/0, energy 4/84",
-         1.76818, 15303.4);
-  expect(orbit(0.99), 10, 1e-3, "energy^1.5, energy^1.5 4/69, curvature 1/37, gentle 0/0, energy 0/0",
-         1.67709, 7548.6);
-  expect(swing, 10, 1e-3, "fixed, fixed 4/88", 2.79929, 6431.4);
-  expect(light, 10, 1e-3, "fixed, fixed 8/57", 0.375, 1516.2);
+  expect(orbit(0.6), 10, 1e-3, "energy, energy^1.5 4/59, curvature 4/110, energy 4/55, fixed 4/100", 1.52442,
+         15273.4);
+  expect(orbit(0.9), 10, 1e-3, "energy^1.5, energy^1.5 4/64, curvature 4/154", 1.76818, 12461.8);
+  expect(orbit(0.99), 10, 1e-3, "energy^1.5, energy^1.5 4/63, curvature 1/35, gentle 0/0, energy 0/0",
+         1.67709, 7235.8);
+  expect(swing, 10, 1e-3, "fixed, fixed 4/84", 2.79929, 6244.2);
+  expect(light, 10, 1e-3, "fixed, fixed 8/59", 0.375, 1569.4);
   expect(fast, 10, 1e-3,
-         "fixed, curvature 0/0, gentle 0/0, fixed 1/11, speed 2/51, fixed 3/33 4/40, speed 7/143, curvature "
-         "0/0, gentle 0/0, fixed 18/146, gentle 11/460, curvature 1/33, speed 10/163, fixed 31/191 53/281 "
-         "70/339 77/371",
-         0.438029, 56055.6);
+         "fixed, curvature 0/0, gentle 0/0, fixed 1/11, speed 2/50, fixed 3/32 4/39, speed 7/144, curvature "
+         "0/0, gentle 0/0, fixed 18/134, gentle 11/462, curvature 1/31, speed 10/155, fixed 31/186 53/271 "
+         "70/334 77/362",
+         0.438029, 55027.8);
 }
 
 TEST(ChooseMonitor, LeavesASymplecticMap) {

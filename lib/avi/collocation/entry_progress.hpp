@@ -23,8 +23,11 @@ class EntryProgress {
   /// For problems of this size.
   explicit EntryProgress(Eigen::Index size) : q_(size), p_(size) {}
 
-  /// Nothing is known yet.
-  void restart() {
+  static constexpr double usual_noise = 1e5 * std::numeric_limits<double>::epsilon();  ///< See restart().
+
+  /// Nothing is known yet. @param noise changes that may be noise whatever they are beside the largest entry
+  void restart(double noise = usual_noise) {
+    most_noise_ = noise;
     q_.restart();
     p_.restart();
     least_change_ = std::numeric_limits<double>::infinity();
@@ -51,8 +54,8 @@ class EntryProgress {
   /// Looks in a row at which no entry improved.
   [[nodiscard]] int idle() const { return idle_; }
   /// Every entry has converged, or it has not improved for so many looks, and what is left is noise: small in
-  /// its own scale, or, if small only beside the largest entry, seen for six looks and not growing: sweeps may
-  /// also part slowly.
+  /// its own scale, or, if small only beside the largest entry, seen for six looks and not growing: sweeps
+  /// may also part slowly.
   [[nodiscard]] bool settled(int looks) const {
     return change_ <= epsilon || (idle_ >= looks && noise_ && change_ <= 8.0 * least_change_);
   }
@@ -93,7 +96,7 @@ class EntryProgress {
       if (own > epsilon) {
         improves_ = improves_ || moved <= 0.5 * record.least[i];
         const bool steady = complete && record.recent[i] <= 1.5 * record.former[i];
-        noise_ = noise_ && (own <= 1e5 * epsilon || (!seen && steady));
+        noise_ = noise_ && (own <= most_noise_ || (!seen && steady));
       }
       record.least[i] = std::min(record.least[i], moved);
     }
@@ -101,6 +104,7 @@ class EntryProgress {
 
   Record q_, p_;
   double change_ = 0.0, visible_ = 0.0, least_change_ = 0.0;
+  double most_noise_ = usual_noise;
   int idle_ = 0, looks_ = 0;
   bool improves_ = false, noise_ = false;
 };

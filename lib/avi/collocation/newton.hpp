@@ -89,8 +89,53 @@ class Newton {
 
   [[nodiscard]] bool possible() const { return possible_; }  ///< The problem is small enough.
 
+  /// Entries of q, or of p, differ by more than 1e4 in size: there one matrix for all stages may not do.
+  [[nodiscard]] bool wide() const {
+    const auto half = units_.begin() + static_cast<std::ptrdiff_t>(units_.size() / 2);
+    const auto differ = [](auto from, auto to) {
+      return from != to && *std::max_element(from, to) > 1e4 * *std::min_element(from, to);
+    };
+    return differ(units_.begin(), half) || differ(half, units_.end());
+  }
+
   /// The step size is another one.
   void forget() { system_.decomposed = false; }
+
+  /// Solves for the stages of a step from those it has, with the Jacobian matrix of every stage, taken again
+  /// where changes do not fall. It sees what the matrix at the start does not: a monitor multiplies its
+  /// gradient by the energy that the stages lack, most of it that of heavy bodies, and to the momentum of a
+  /// light one this is anything but small. A matrix costs 4 n + 1 fields at all stages and serves one step.
+  /// Two in a row that do not halve the changes are enough. This method converges or meets noise: what stops
+  /// improving below `noise` is solved.
+  StepReport solve_at_stages(Sweeps<n, w>& sweeps, Step& step, Step& old, int cap) {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon(), noise = 1e-7;
+    StepReport report{.outcome = Outcome::not_converged};
+    system_.decomposed = false;
+    progress_.restart(noise);
+    double least = std::numeric_limits<double>::infinity();
+    bool fresh = false;
+    for (int vain = 0; vain < 2 && report.evaluations < cap;) {
+      if (!fresh) report.evaluations += decompose_at_stages(sweeps, step, old);
+      ++report.evaluations;
+      old.q = step.q;
+      old.p = step.p;
+      sweeps.sweep_at_once(step);
+      const double now = improve(old, step);
+      report.residual = now;
+      if (!std::isfinite(now)) {
+        report.outcome = Outcome::non_finite;
+        return report;
+      }
+      if (now <= epsilon || progress_.settled(2)) {
+        report.outcome = Outcome::ok;
+        return report;
+      }
+      vain = fresh || now <= 0.5 * least || now <= noise ? 0 : vain + 1;
+      fresh = now <= noise || now <= 0.1 * least;
+      least = std::min(least, now);
+    }
+    return report;
+  }
 
   /// Solves for the stages of a step, from a constant. Changes may grow for a while; if eight in a row are
   /// more than half of the smallest one before them, the step is too long for the motion.
@@ -165,6 +210,34 @@ class Newton {
       system_.at(k, k) += 1.0;
     system_.decompose();
     return evaluations;
+  }
+
+  /// Decomposes the matrix at the stages as they are. @param old scratch @return evaluations of the field
+  [[gnu::noinline]] int decompose_at_stages(Sweeps<n, w>& sweeps, Step& step, Step& old) {
+    system_.clear();
+    sweeps.evaluate(step);
+    set_units(step);
+    old.q = step.q;
+    old.p = step.p;
+    const Eigen::Index rows = 2 * step.q.size();
+    for (Eigen::Index column = 0; column < rows; ++column)
+      for (const double side : {1.0, -1.0}) {
+        entry(step.q, step.p, column) = entry(old.q, old.p, column) + Pack<w>(side * reach(column));
+        sweeps.evaluate(step);
+        entry(step.q, step.p, column) = entry(old.q, old.p, column);
+        for (Eigen::Index row = 0; row < rows; ++row) {
+          const double scale = -0.5 * side / reach(column) * (units_[column] / units_[row]);
+          const Pack<w> slope = Pack<w>(scale) * entry(step.dq, step.dp, row);
+          for (int i = 0; i < stages_; ++i)
+            for (int j = 0; j < stages_; ++j)
+              system_.at(row * stages_ + i, column * stages_ + j) += slope[j] * sweeps.mu(i, j);
+        }
+      }
+    for (Eigen::Index k = 0; k < system_.count(); ++k)
+      system_.at(k, k) += 1.0;
+    system_.decompose();
+    system_.decomposed = false;
+    return static_cast<int>(2 * rows + 1);
   }
 
   /// From what a sweep makes of the old (q, p), which is in the step, to the next iterate. @return relative

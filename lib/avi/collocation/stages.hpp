@@ -62,6 +62,13 @@ class alignas(64) Stages {
     if (stiff_ == 0 && known && unsolved()) from_a_constant(&Stages::attempt);
     if (!patient_ && unsolved()) {
       from_a_constant(&Stages::by_newton);
+      // Elsewhere such a step is too long.
+      if (unsolved() && newton_.wide()) {
+        start_at(z);
+        const int spent = report.evaluations;
+        report = at_stages(sweeps, z, h);
+        report.evaluations += spent;
+      }
       if (unsolved()) {
         patient_ = true;
         from_a_constant(&Stages::attempt);
@@ -221,6 +228,16 @@ class alignas(64) Stages {
     if (report.outcome == Outcome::ok) report = finish(sweeps, z, h, step, report);
     // Now and then sweeps are tried again: a stiff part of the orbit may be over.
     stiff_ = report.outcome == Outcome::ok ? (stiff_ + 1) % 32 : 0;
+    usual_ = 1;
+    return report;
+  }
+
+  /// Newton's method with the matrix of every stage, from the polynomial of the last step.
+  [[gnu::noinline]] StepReport at_stages(Sweeps<n, w>& sweeps, State<n>& z, double h) {
+    begun_ = 0;
+    begin(sweeps, h);
+    StepReport report = newton_.solve_at_stages(sweeps, both_[now_], last_, 4 * settings_.max_sweeps);
+    if (report.outcome == Outcome::ok) report = finish(sweeps, z, h, both_[now_], report);
     usual_ = 1;
     return report;
   }
