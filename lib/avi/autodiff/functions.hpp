@@ -20,29 +20,33 @@
 //
 // Another row is another function: recording, gradients, programs, packs and series have it at once. What it
 // must be tested with are the rows of tests/unit/elementary.hpp.
-#define AVI_FUNCTIONS(ONE, TWO)                                                                              \
-  ONE(sqrt, side_by_side, own, at_once(2.0), 0.5 / f)                                                        \
-  ONE(exp, one_by_one, own, each(4.0), f)                                                                    \
-  ONE(log, one_by_one, own, each(4.0), 1.0 / a)                                                              \
-  ONE(sin, side_by_side, own, each(4.0), cos(a))                                                             \
-  ONE(cos, side_by_side, own, each(4.0), -sin(a))                                                            \
-  ONE(tan, one_by_one, own, each(4.0), 1.0 + f * f)                                                          \
-  ONE(sinh, one_by_one, own, each(4.0), cosh(a))                                                             \
-  ONE(cosh, one_by_one, own, each(4.0), sinh(a))                                                             \
-  ONE(tanh, one_by_one, own, each(4.0), 1.0 - f * f)                                                         \
-  ONE(atan, one_by_one, own, each(4.0), 1.0 / (1.0 + a * a))                                                 \
-  ONE(abs, side_by_side, own, at_once(1.0), sign_of(a))                                                      \
-  ONE(asin, one_by_one, by_slope, each(4.0), 1.0 / sqrt((1.0 - a) * (1.0 + a)))                              \
-  ONE(acos, one_by_one, by_slope, each(4.0), -1.0 / sqrt((1.0 - a) * (1.0 + a)))                             \
-  ONE(asinh, one_by_one, by_slope, each(4.0), 1.0 / hypot(1.0, a))                                           \
-  ONE(acosh, one_by_one, by_slope, each(4.0), 1.0 / (sqrt(a - 1.0) * sqrt(a + 1.0)))                         \
-  ONE(atanh, one_by_one, by_slope, each(4.0), 1.0 / ((1.0 - a) * (1.0 + a)))                                 \
-  ONE(cbrt, one_by_one, by_slope, each(4.0), 1.0 / (3.0 * (f * f)))                                          \
-  ONE(expm1, one_by_one, by_slope, each(4.0), exp(a))                                                        \
-  ONE(log1p, one_by_one, by_slope, each(4.0), 1.0 / (1.0 + a))                                               \
-  TWO(atan2, each(4.0), b / (a * a + b * b), -a / (a * a + b * b))                                           \
-  TWO(hypot, each(4.0), a / f, b / f)                                                                        \
-  TWO(pow, each(4.0), b*(f / a), f* log(a))
+/// @cond
+// clang-format off
+#define AVI_FUNCTIONS(ONE, TWO)                                                      \
+  ONE(sqrt, side_by_side, own, at_once(2.0), 0.5 / f)                                \
+  ONE(exp, one_by_one, own, each(4.0), f)                                            \
+  ONE(log, one_by_one, own, each(4.0), 1.0 / a)                                      \
+  ONE(sin, side_by_side, own, each(4.0), cos(a))                                     \
+  ONE(cos, side_by_side, own, each(4.0), -sin(a))                                    \
+  ONE(tan, one_by_one, own, each(4.0), 1.0 + f * f)                                  \
+  ONE(sinh, one_by_one, own, each(4.0), cosh(a))                                     \
+  ONE(cosh, one_by_one, own, each(4.0), sinh(a))                                     \
+  ONE(tanh, one_by_one, own, each(4.0), 1.0 - f * f)                                 \
+  ONE(atan, one_by_one, own, each(4.0), 1.0 / (1.0 + a * a))                         \
+  ONE(abs, side_by_side, own, at_once(1.0), sign_of(a))                              \
+  ONE(asin, one_by_one, by_slope, each(4.0), 1.0 / sqrt((1.0 - a) * (1.0 + a)))      \
+  ONE(acos, one_by_one, by_slope, each(4.0), -1.0 / sqrt((1.0 - a) * (1.0 + a)))     \
+  ONE(asinh, one_by_one, by_slope, each(4.0), 1.0 / hypot(1.0, a))                   \
+  ONE(acosh, one_by_one, by_slope, each(4.0), 1.0 / (sqrt(a - 1.0) * sqrt(a + 1.0))) \
+  ONE(atanh, one_by_one, by_slope, each(4.0), 1.0 / ((1.0 - a) * (1.0 + a)))         \
+  ONE(cbrt, one_by_one, by_slope, each(4.0), 1.0 / (3.0 * (f * f)))                  \
+  ONE(expm1, one_by_one, by_slope, each(4.0), exp(a))                                \
+  ONE(log1p, one_by_one, by_slope, each(4.0), 1.0 / (1.0 + a))                       \
+  TWO(atan2, each(4.0), b / (a * a + b * b), -a / (a * a + b * b))                   \
+  TWO(hypot, each(4.0), a / f, b / f)                                                \
+  TWO(pow, each(4.0), b * (f / a), f * log(a))
+// clang-format on
+/// @endcond
 
 namespace avi::detail {
 

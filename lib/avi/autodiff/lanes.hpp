@@ -8,7 +8,9 @@
 /// A number with its first-order partial derivatives, held in one SIMD register where the machine has one.
 
 namespace avi {
+/// @cond
 inline namespace AVI_INSTRUCTIONS {
+/// @endcond
 
 /// Value (lane 0) and N first partials (lanes 1 to N) of a function of N variables; the chain rule is applied
 /// by every operation (forward-mode automatic differentiation; Griewank and Walther 2008, chapter 3).
@@ -98,5 +100,7 @@ class ProductSum {
   Register left_{}, right_{};
 };
 
+/// @cond
 }  // namespace AVI_INSTRUCTIONS
+/// @endcond
 }  // namespace avi

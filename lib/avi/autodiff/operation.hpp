@@ -35,6 +35,7 @@ enum class Operation : std::uint8_t {
   sum_of_products  ///< Sum of many products, added from the first one on.
 };
 
+/// @cond
 namespace detail {
 
 /// What such an operation is called.
@@ -268,5 +269,6 @@ inline double evaluate(Operation operation, double a, double b) {
 }
 
 }  // namespace detail
+/// @endcond
 
 }  // namespace avi

@@ -18,7 +18,9 @@
 namespace avi {
 
 namespace detail {
+/// @cond
 inline namespace AVI_INSTRUCTIONS {
+/// @endcond
 #if defined(__AVX512F__)
 inline constexpr int machine_lanes = 8;
 #elif defined(__AVX__)
@@ -31,10 +33,14 @@ template <class R>
 [[gnu::always_inline]] inline auto magnitude(R x) {
   return (decltype(x < x))x & 0x7fffffffffffffff;
 }
+/// @cond
 }  // namespace AVI_INSTRUCTIONS
+/// @endcond
 }  // namespace detail
 
+/// @cond
 inline namespace AVI_INSTRUCTIONS {
+/// @endcond
 
 /// w doubles, w = 2, 4, 8, 16 or 32, as one scalar: every operation is applied to each of them, by the vector
 /// units where the machine has them, with the same bits where it has not. So a formula that is generic in its
@@ -270,5 +276,7 @@ double largest(const Pack<w>& x) {
   return most;
 }
 
+/// @cond
 }  // namespace AVI_INSTRUCTIONS
+/// @endcond
 }  // namespace avi

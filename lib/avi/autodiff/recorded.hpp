@@ -211,6 +211,7 @@ class RecordedCondition {
   Recorded number_;
 };
 
+/// @cond
 inline RecordedCondition operator<(const Recorded& a, const Recorded& b) {
   return RecordedCondition(less(a, b));
 }
@@ -219,7 +220,6 @@ inline RecordedCondition operator<=(const Recorded& a, const Recorded& b) {
   return RecordedCondition(less_equal(a, b));
 }
 inline RecordedCondition operator>=(const Recorded& a, const Recorded& b) { return b <= a; }
-/// @cond
 AVI_WITH_NUMBERS(inline, RecordedCondition, operator<)
 AVI_WITH_NUMBERS(inline, RecordedCondition, operator>)
 AVI_WITH_NUMBERS(inline, RecordedCondition, operator<=)

@@ -45,6 +45,7 @@ class Reverse {
   }
 
  private:
+  /// @cond
   using Factor = detail::Factor;
   /// A contribution to a derivative: 0 where its condition, if it has one, does not hold.
   struct Term {
@@ -216,6 +217,8 @@ class Reverse {
       detail::computes_nothing(what.operation);
     }
   }
+
+  /// @endcond
 
   ExpressionGraph& graph_;
   std::vector<Uses> uses_;  // of each node

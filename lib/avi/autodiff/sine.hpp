@@ -12,7 +12,9 @@
 /// Sine and cosine of the numbers of a pack, all at once.
 
 namespace avi::detail {
+/// @cond
 inline namespace AVI_INSTRUCTIONS {
+/// @endcond
 
 /// Largest |x| of sine(): there \f$2x/\pi\f$ rounds to an integer of 19 bits.
 inline constexpr double most_angle = 8e5;
@@ -91,5 +93,7 @@ P turned(const P& x, int quarters) {
   return y;
 }
 
+/// @cond
 }  // namespace AVI_INSTRUCTIONS
+/// @endcond
 }  // namespace avi::detail

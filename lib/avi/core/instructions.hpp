@@ -5,6 +5,7 @@
 
 // What depends on it lies in an inline namespace of this name: two files of a program that are compiled with
 // different -m options then do not share a function, of which the linker would keep one.
+/// @cond
 #if defined(__AVX512F__)
 #define AVI_INSTRUCTIONS avx512
 #elif defined(__AVX2__)
@@ -14,3 +15,4 @@
 #else
 #define AVI_INSTRUCTIONS basic
 #endif
+/// @endcond
