@@ -3,6 +3,8 @@
 #include "avi/collocation/collocation.hpp"
 #include "avi/core/at_times.hpp"
 #include "avi/core/trajectory.hpp"
+#include "avi/integrators/coefficient_lists.hpp"
+#include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/poincare.hpp"
 #include "refusal.hpp"
@@ -167,6 +169,21 @@ TEST(Ensemble, ReportsWhatIsThrownAndGoesOn) {
   EXPECT_EQ(members[1].run.message, "seen enough");
   EXPECT_THROW(std::rethrow_exception(members[1].error), std::runtime_error);
   EXPECT_EQ(members[3].run.message, "Something was thrown that is no std::exception.");
+}
+
+TEST(Ensemble, RefusesAStartWithoutATimeAlone) {
+  std::vector<State<2>> z(3, Kepler::pericentre(0.3));
+  z[1].t = std::numeric_limits<double>::quiet_NaN();
+  const auto plain = [](const State<2>&) {
+    return avi::splitting(avi::LogHamiltonian(Kepler{}, Kepler::pericentre(0.3)),
+                          avi::compositions::kahan_li8);
+  };
+  for (const avi::Until until : {avi::Until{.time = 1.0}, avi::Until{.steps = 10}}) {
+    const auto members = avi::ensemble(plain, z, 0.1, until);
+    EXPECT_TRUE(members[0].ok() && members[2].ok());
+    EXPECT_EQ(members[1].run.outcome, Outcome::stopped);
+    EXPECT_EQ(members[1].run.message, "Time of the start is nan; it must be finite.");
+  }
 }
 
 TEST(Ensemble, TakesAStepForEachMember) {
