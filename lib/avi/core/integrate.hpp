@@ -198,6 +198,10 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
         if (!there->ok()) return end(there->report.outcome, there->report.residual);
         next = there->state;
         size = there->h;
+        // The method, too, is to have taken the shorter step: dense output asks it for its polynomial.
+        if constexpr (!one_step<M>) method = before;
+        State again = current;
+        run.evaluations += method.step(again, size).evaluations;
       }
     }
     ++run.steps;
