@@ -36,6 +36,10 @@ inline const auto elementary =
                  return expm1(-x) * log1p(y) + fabs(x - 2.0 * y);
                },
                [](const auto& x, const auto& y) {
+                 using std::erf, std::erfc;
+                 return erf(x) * erfc(x - y);
+               },
+               [](const auto& x, const auto& y) {
                  using std::atan2, std::hypot, std::pow;
                  return atan2(x, -y) + atan2(2.0, x) + hypot(x, y) + hypot(1.0, y) -
                         pow(x, y) * pow(2.0, x) * pow(y, 1.7);

@@ -42,6 +42,8 @@
   ONE(cbrt, one_by_one, by_slope, each(4.0), 1.0 / (3.0 * (f * f)))                  \
   ONE(expm1, one_by_one, by_slope, each(4.0), exp(a))                                \
   ONE(log1p, one_by_one, by_slope, each(4.0), 1.0 / (1.0 + a))                       \
+  ONE(erf, one_by_one, by_slope, each(4.0), M_2_SQRTPI * exp(-(a * a)))              \
+  ONE(erfc, one_by_one, by_slope, each(4.0), -M_2_SQRTPI * exp(-(a * a)))            \
   TWO(atan2, each(4.0), b / (a * a + b * b), -a / (a * a + b * b))                   \
   TWO(hypot, each(4.0), a / f, b / f)                                                \
   TWO(pow, each(4.0), b * (f / a), f * log(a))
