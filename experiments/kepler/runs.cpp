@@ -6,28 +6,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 namespace experiment {
 
 namespace {
 
-/// HTVI4 - Type II, r = 3, Simpson's rule; stationary, r = 1 and two Gauss nodes - for every row of a table.
-template <avi::Construction construction>
-std::vector<KeplerRun> runs_of(const std::string& name, const KeplerTable& table, double horizon) {
+/// Type II integrators of one construction, Taylor order r and rule, for every row of a table.
+template <int r, avi::Construction construction>
+std::vector<KeplerRun> runs_of(const HtviName& name, const avi::Quadrature& quadrature,
+                               const KeplerTable& table, double horizon) {
   const auto start = avi::Kepler::pericentre(table.eccentricity);
   const avi::Kepler kepler;
   const double energy = kepler(start.q, start.p);
   std::vector<KeplerRun> runs;
   const auto add = [&](const KeplerRow& row, auto monitor) {
     const auto make = [=](const State2& from) {
-      const auto problem = avi::poincare<2>(kepler, from, monitor);
-      if constexpr (construction == avi::stationary)
-        return avi::htvi<4>(problem);
-      else
-        return avi::type2<3, construction>(problem, avi::simpson());
+      return avi::type2<r, construction>(avi::poincare<2>(kepler, from, monitor), quadrature);
     };
-    runs.push_back({"htvi4", name, row, Runner(kepler, make), table.eccentricity, {.time = horizon}});
+    runs.push_back({name, row, Runner(kepler, make), table.eccentricity, {.time = horizon}});
   };
   for (const KeplerRow& row : table.htvi) {
     if (row.monitor == "gamma")
@@ -45,11 +43,20 @@ std::vector<KeplerRun> runs_of(const std::string& name, const KeplerTable& table
 }  // namespace
 
 std::vector<KeplerRun> htvi4_runs(const std::string& construction, const KeplerTable& table, double horizon) {
-  if (construction == "authors") return runs_of<avi::authors>(construction, table, horizon);
-  if (construction == "printed") return runs_of<avi::printed>(construction, table, horizon);
-  if (construction == "stationary") return runs_of<avi::stationary>(construction, table, horizon);
-  throw std::invalid_argument("Construction '" + construction +
-                              "' is none of authors, printed and stationary.");
+  const HtviName name{"htvi4", construction, 3, "simpson"};
+  if (construction == "authors") return runs_of<3, avi::authors>(name, avi::simpson(), table, horizon);
+  if (construction == "printed") return runs_of<3, avi::printed>(name, avi::simpson(), table, horizon);
+  throw std::invalid_argument("Construction '" + construction + "' is neither authors nor printed.");
+}
+
+std::vector<KeplerRun> stationary_runs(const KeplerTable& table, double horizon) {
+  std::vector<KeplerRun> all;
+  const auto append = [&](std::vector<KeplerRun> runs) { std::ranges::move(runs, std::back_inserter(all)); };
+  // The default rule, r + 1 Gauss nodes, first.
+  append(runs_of<3, avi::stationary>({"htvi", "stationary", 3, "gauss4"}, avi::gauss(4), table, horizon));
+  append(runs_of<3, avi::stationary>({"htvi", "stationary", 3, "simpson"}, avi::simpson(), table, horizon));
+  append(runs_of<1, avi::stationary>({"htvi", "stationary", 1, "gauss2"}, avi::gauss(2), table, horizon));
+  return all;
 }
 
 KeplerResult KeplerRun::measure() const {

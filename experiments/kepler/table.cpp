@@ -42,7 +42,7 @@ KeplerRun verlet_run(const KeplerTable& table, double horizon) {
   const KeplerRow row{.monitor = "none", .h = table.verlet_h, .a = unknown, .b = unknown};
   // A fixed step is counted, not summed: the sum of 2e7 rounded steps need not end where N h does.
   const avi::Until until{.steps = std::lround(horizon / table.verlet_h)};
-  return {"stormer_verlet", "nan", row, verlet, table.eccentricity, until};
+  return {{"stormer_verlet"}, row, verlet, table.eccentricity, until};
 }
 
 }  // namespace
@@ -55,14 +55,16 @@ int kepler_table(int argc, char** argv, const std::string& shows, const KeplerTa
   };
   return run(argc, argv, shows, options, [&](Frame& frame) {
     std::vector<KeplerRun> runs;
-    for (const char* construction : {"authors", "printed", "stationary"})
+    for (const char* construction : {"authors", "printed"})
       for (auto& run : htvi4_runs(construction, table, horizon))
         runs.push_back(std::move(run));
+    for (auto& run : stationary_runs(table, horizon))
+      runs.push_back(std::move(run));
     runs.push_back(verlet_run(table, horizon));
 
     std::vector<KeplerResult> results;
     for (const auto& run : runs) {
-      frame.progress(run.construction + " " + run.row.monitor, results.size(), runs.size() + 1.0);
+      frame.progress(run.name.construction + " " + run.row.monitor, results.size(), runs.size() + 1.0);
       results.push_back(run.measure());
     }
     frame.progress("timing", 0.95);
@@ -72,17 +74,18 @@ int kepler_table(int argc, char** argv, const std::string& shows, const KeplerTa
     const auto times = interleaved_least_seconds(works, frame.quick ? 1 : table.rounds);
 
     experiment::Table out =
-        frame.table({"method", "construction", "monitor", "h", "g_min", "g_max", "min_step", "max_step",
-                     "energy_error", "global_error", "global_error_shifted", "steps", "seconds"});
+        frame.table({"method", "construction", "r", "rule", "monitor", "h", "g_min", "g_max", "min_step",
+                     "max_step", "energy_error", "global_error", "global_error_shifted", "steps", "seconds"});
     out.note("eccentricity", table.eccentricity);
     out.note("horizon", horizon);
     out.note("rounds", table.rounds);
     for (std::size_t i = 0; i < runs.size(); ++i) {
       const KeplerRow& row = runs[i].row;
       const KeplerResult& r = results[i];
-      out.row(runs[i].method, runs[i].construction, row.monitor, row.h, row.a, row.b, r.min_step, r.max_step,
-              r.energy_error, r.global_error,
-              runs[i].method == "stormer_verlet" ? r.global_error_shifted : unknown, r.steps,
+      const HtviName& name = runs[i].name;
+      out.row(name.method, name.construction, name.r, name.rule, row.monitor, row.h, row.a, row.b, r.min_step,
+              r.max_step, r.energy_error, r.global_error,
+              name.method == "stormer_verlet" ? r.global_error_shifted : unknown, r.steps,
               experiment::rounded(times[i]));
     }
     frame.write(out);

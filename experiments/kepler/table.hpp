@@ -8,7 +8,7 @@
 #include <vector>
 
 /// @file
-/// Tables 1 and 2 of the paper: one Kepler orbit, HTVI4 with and without monitors against Stormer-Verlet.
+/// Tables 1 and 2 of the paper: one Kepler orbit, HTVI with and without monitors against Stormer-Verlet.
 
 namespace experiment {
 
@@ -36,9 +36,17 @@ struct KeplerResult {
   long steps = 0, evaluations = 0;
 };
 
+/// What tells one integrator of the tables from another.
+struct HtviName {
+  std::string method;                ///< htvi4, the source's; htvi, ours; or stormer_verlet
+  std::string construction = "nan";  ///< authors, printed or stationary
+  double r = unknown;                ///< Taylor order
+  std::string rule = "nan";          ///< simpson or gauss with the number of its nodes
+};
+
 /// A row ready to run.
 struct KeplerRun {
-  std::string method, construction;
+  HtviName name;
   KeplerRow row;
   Runner runner;
   double eccentricity;  ///< It starts at the pericentre.
@@ -56,9 +64,13 @@ struct KeplerRun {
 KeplerTable table1();
 KeplerTable table2();
 
-/// The HTVI4 runs of a table by the construction `authors`, `printed` or `stationary`.
+/// The runs of the source's HTVI4, r = 3 with Simpson's rule, by the construction `authors` or `printed`.
 /// @throws std::invalid_argument for another one.
 std::vector<KeplerRun> htvi4_runs(const std::string& construction, const KeplerTable& table, double horizon);
+
+/// The stationary construction at the same settings: r = 3 with four Gauss nodes, which is the default and
+/// has order 8; with Simpson's rule, order 4; and r = 1 with two Gauss nodes, order 4.
+std::vector<KeplerRun> stationary_runs(const KeplerTable& table, double horizon);
 
 /// main() of kepler_e090 and kepler_e099.
 int kepler_table(int argc, char** argv, const std::string& shows, const KeplerTable& table);

@@ -23,8 +23,8 @@ tried = 'gamma energy arclength none'
 look(i) = i == rows ? method('stormer_verlet') : monitor(word(tried, i))
 filled(i) = i == rows ? 2 : i == 1 ? 7 : i == 2 ? 9 : i == 3 ? 5 : 13
 of(i, c, y) = i == rows ? also('method', 'stormer_verlet', y) \
-  : also('method', 'htvi4', also('construction', c, also('monitor', word(tried, i), y)))
-htvi(i, y) = also('method', 'htvi4', also('monitor', word(tried, i), y))
+  : also('construction', c, also('rule', c eq 'stationary' ? 'gauss4' : 'simpson', also('monitor', word(tried, i), y)))
+htvi(i, y) = column('r') == 3 && (strcol('construction') eq 'stationary') == (strcol('rule') eq 'gauss4') ? also('monitor', word(tried, i), y) : NaN
 
 # One point at given coordinates: `plot $here using (x):(y)`.
 $here << EOD
@@ -61,10 +61,10 @@ do for [error in 'energy_error global_error'] {
     for [i = 1:rows] $here using (seconds[i]/seconds[rows]):(published_error(i)) with points ls published
 }
 eval legend(1.25)
-set key samplen 1.5 maxrows 3
+set key samplen 1.5 maxrows 3 width -5
 plot for [i = 1:rows] $here using (2):(2) with points ls look(i) pt filled(i) title \
     i == rows ? 'Störmer–Verlet' : 'HTVI4, '.label(word(tried, i)), \
   $here using (2):(2) with points ls published title 'in the paper', \
   $here using (2):(2) with points ls published lc rgb grey pt 4 ps 0.8 title 'as printed', \
-  $here using (2):(2) with points ls published lc rgb grey pt 1 ps 0.8 title 'stationary'
+  $here using (2):(2) with points ls published lc rgb grey pt 1 ps 0.8 title 'stationary, r = 3, Gauss 4'
 unset multiplot

@@ -33,19 +33,19 @@ std::vector<Subject> subjects() {
   std::vector<Subject> all;
   const auto position = [&](const std::string& name, PositionMonitor monitor, double predicted) {
     const bool bounded = std::isfinite(monitor.b);
-    all.push_back({"htvi4", name, bounded, predicted, implicit_cap, [=](double e) {
+    all.push_back({"stationary_r3_gauss2", name, bounded, predicted, implicit_cap, [=](double e) {
                      PositionMonitor own = monitor;
                      // The least value that pays: g at the pericentre.
                      if (bounded && own.a == 0.0) own.a = (1.0 - e) * (1.0 - e);
-                     return htvi(3, own);
+                     return stationary_r3_gauss2(own);
                    }});
   };
   const auto momentum = [&](const std::string& name, MomentumMonitor monitor) {
     const bool bounded = std::isfinite(monitor.b);
-    all.push_back({"htvi4", name, bounded, unknown, implicit_cap, [=](double e) {
+    all.push_back({"stationary_r3_gauss2", name, bounded, unknown, implicit_cap, [=](double e) {
                      MomentumMonitor own = monitor;
                      if (bounded) own.a = 0.25 * (1.0 - e);
-                     return htvi(3, own);
+                     return stationary_r3_gauss2(own);
                    }});
   };
   using P = PositionMonitor;
@@ -119,8 +119,8 @@ void starts(Table& table) {
     Runner run;
     double h;
   };
-  const std::vector<Case> cases{{"htvi4", "none", htvi(3, none), 1e-3},
-                                {"htvi4", "r^1.5", htvi(3, adaptive), 0.02},
+  const std::vector<Case> cases{{"stationary_r3_gauss2", "none", stationary_r3_gauss2(none), 1e-3},
+                                {"stationary_r3_gauss2", "r^1.5", stationary_r3_gauss2(adaptive), 0.02},
                                 {"collocation16", "none", collocation(16, none), 0.01},
                                 {"collocation16", "r^1.5", collocation(16, adaptive), 0.9},
                                 {"stormer_verlet", "none", explicit_on_kepler("stormer_verlet"), 1e-4},

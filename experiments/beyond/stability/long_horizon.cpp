@@ -88,8 +88,8 @@ double growth(const std::vector<Progress>& marks, double Progress::*error) {
 
 std::vector<Subject> subjects() {
   const PositionMonitor monitor{PositionMonitor::power_of_radius, 1.5};
-  return {{"htvi4", "r^1.5", 0.05, htvi(3, monitor), 1.0, 1.0},
-          {"htvi12", "r^1.5", 0.12, htvi(11, monitor), 1.0, 1.0},
+  return {{"stationary4", "r^1.5", 0.05, stationary(4, monitor), 1.0, 1.0},
+          {"stationary12", "r^1.5", 0.12, stationary(12, monitor), 1.0, 1.0},
           {"collocation16", "r^1.5", 0.9, collocation(16, monitor), 1.5, 100.0},
           {"stormer_verlet", "none", period / 2000, explicit_on_kepler("stormer_verlet"), 1.0, 1.0},
           {"log_hamiltonian_yoshida4", "1/V", 0.1, explicit_on_kepler("log_hamiltonian_yoshida4"), 1.0, 1.0},

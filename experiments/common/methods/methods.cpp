@@ -33,8 +33,8 @@ auto kepler(const State2& start, MomentumMonitor monitor) {
 }
 
 template <class Problem>
-auto htvi_on(const Problem& problem, int r) {
-  return avi::htvi_of_order<avi::Generating::type2>(r, problem, avi::gauss((r + 2) / 2));
+auto stationary_on(const Problem& problem, int r, int nodes) {
+  return avi::htvi_of_order<avi::Generating::type2>(r, problem, avi::gauss(nodes));
 }
 
 template <class Problem>
@@ -55,15 +55,21 @@ Runner fixed_step(const std::string& name) {
 
 }  // namespace
 
-Runner htvi(int r, PositionMonitor monitor) {
-  return Runner(Kepler{}, [=](const State2& start) { return htvi_on(kepler(start, monitor), r); });
+Runner stationary(int order, PositionMonitor monitor) {
+  return Runner(Kepler{}, [=](const State2& start) {
+    return stationary_on(kepler(start, monitor), order / 2 - 1, order / 2);
+  });
 }
-Runner htvi(int r, MomentumMonitor monitor) {
-  return Runner(Kepler{}, [=](const State2& start) { return htvi_on(kepler(start, monitor), r); });
+Runner stationary_r3_gauss2(PositionMonitor monitor) {
+  return Runner(Kepler{}, [=](const State2& start) { return stationary_on(kepler(start, monitor), 3, 2); });
 }
-Runner htvi_henon_heiles(int r) {
-  return Runner(HenonHeiles{},
-                [=](const State2& start) { return htvi_on(avi::poincare<2>(HenonHeiles{}, start), r); });
+Runner stationary_r3_gauss2(MomentumMonitor monitor) {
+  return Runner(Kepler{}, [=](const State2& start) { return stationary_on(kepler(start, monitor), 3, 2); });
+}
+Runner stationary_henon_heiles(int order) {
+  return Runner(HenonHeiles{}, [=](const State2& start) {
+    return stationary_on(avi::poincare<2>(HenonHeiles{}, start), order / 2 - 1, order / 2);
+  });
 }
 
 Runner collocation(int order, PositionMonitor monitor) {

@@ -54,11 +54,15 @@ struct MomentumMonitor {
   }
 };
 
-/// Type II HTVI of order r + 1 with the Gauss rule of that order.
-Runner htvi(int r, PositionMonitor monitor);
-Runner htvi(int r, MomentumMonitor monitor);
+/// Type II HTVI of the stationary construction and this even order: Taylor order r = order / 2 - 1, the Gauss
+/// rule of r + 1 nodes. That is avi::htvi<order>() with the order chosen at run time.
+Runner stationary(int order, PositionMonitor monitor);
+/// The stationary construction with r = 3 held to order 4 by two Gauss nodes: Taylor order and order of the
+/// source's HTVI4. It is called stationary_r3_gauss2 in data.
+Runner stationary_r3_gauss2(PositionMonitor monitor);
+Runner stationary_r3_gauss2(MomentumMonitor monitor);
 /// The same on Henon and Heiles' problem, without a monitor.
-Runner htvi_henon_heiles(int r);
+Runner stationary_henon_heiles(int order);
 
 /// Gauss collocation of this order, and the same on Henon and Heiles' problem.
 Runner collocation(int order, PositionMonitor monitor);

@@ -42,7 +42,7 @@ set title 'seconds of a run, e = 0.9' offset 0, -0.7
 set xlabel 'periods'
 set xrange [0.8:1300]
 set yrange [1e-6:30]; set ytics 100
-plot table using (along('periods', 'htvi4')):'seconds' with linespoints ls method('htvi') title 'HTVI4', \
+plot table using (along('periods', 'stationary_r3_gauss2')):'seconds' with linespoints ls method('htvi') title 'stationary, r = 3, Gauss 2', \
   table using (along('periods', 'stormer_verlet')):'seconds' with linespoints ls method('stormer_verlet') title label('stormer_verlet'), \
   table using (along('periods', 'log_hamiltonian')):'seconds' with linespoints ls method('log_hamiltonian') title 'log. Hamiltonian'
 set format x '%g'; set ytics autofreq
@@ -53,10 +53,10 @@ set xrange [0.9:18]
 set yrange [0.08:60]
 set xtics (1, 2, 4, 8, 16)
 set mxtics 1
-eval fitted('order', 'htvi_of_order', 'seconds_exponent'); growth = STATS_max
-stats table using (along('order', 'htvi_of_order')):(1e6*column('seconds')) nooutput
+eval fitted('order', 'stationary', 'seconds_exponent'); growth = STATS_max
+stats table using (along('order', 'stationary')):(1e6*column('seconds')) nooutput
 plot STATS_max_y*(x/STATS_max_x)**growth ls guide title sprintf('r^{%.1f}', growth), \
-  table using (along('order', 'htvi_of_order')):(1e6*column('seconds')) with linespoints ls method('htvi') title 'with partials'
+  table using (along('order', 'stationary')):(1e6*column('seconds')) with linespoints ls method('htvi') title 'with partials'
 eval legend(0.9)
 set key maxrows 2 samplen 2 width -3
 plot 2 with linespoints ls monitor('none') title 'fixed step', \

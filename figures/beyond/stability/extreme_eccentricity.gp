@@ -1,4 +1,4 @@
-# Steps per orbit of the largest usable step against the distance from e = 1. Left: monitors of HTVI4; right: fixed and
+# Steps per orbit of the largest usable step against the distance from e = 1. Left: monitors of the stationary construction, r = 3 with two Gauss nodes; right: fixed and
 # variable steps of all methods (collocation is of order 16). Grey, drawn through the last point: the predicted powers of
 # 1 - e, for g = r^1.5 times the elliptic integral that counts equal steps in the integral of r^-1.5 dt.
 width = 16; height = 7
@@ -15,7 +15,7 @@ prediction(m, g) = sprintf("stats table using (along('%s', '%s', '0')):'steps_pe
   .sprintf("stats table using (along('%s', '%s', '0') > 0 ? column('predicted_exponent') : NaN) nooutput; power = STATS_max;", m, g) \
   .sprintf("guides = guides.sprintf('%%g*(x/%%g)**%%g%s ls guide, ', steps%s, from, power)", g eq 'r^1.5' ? '*K(x)' : '', g eq 'r^1.5' ? '/K(from)' : '')
 guides = ''
-do for [g in 'none r r^1.5 r^2'] { eval prediction('htvi4', g) }
+do for [g in 'none r r^1.5 r^2'] { eval prediction('stationary_r3_gauss2', g) }
 of_monitors = guides; guides = ''
 eval prediction('stormer_verlet', 'none')
 eval prediction('hairer_soderlind', 'r^1.5')
@@ -32,29 +32,29 @@ set ylabel "steps per orbit" offset 0, 0
 unset key
 set xtics (1, 1e-2, 1e-4, 1e-6, 1e-8)
 eval panel(1, 1, 2, 1)
-set title 'HTVI4, by monitor' offset 0, -0.7
+set title 'by monitor' offset 0, -0.7
 # g = r lies under energy and 1/|L|: a broad band beneath them.
 set style line 99 lc rgb '#e4b4cd' dt 1 lw 7 pt 0
-eval 'plot '.of_monitors.curve('htvi4', 'r', 0, 99).', '.curve('htvi4', 'none', 0, monitor('none')).', ' \
-  .curve('htvi4', 'r^1.5', 0, method('htvi')).', '.curve('htvi4', 'r^2', 0, monitor('truncation')).', ' \
-  .curve('htvi4', 'arclength', 0, family(2)).', '.curve('htvi4', 'energy', 1, monitor('energy')).', ' \
-  .curve('htvi4', 'inverse_lagrangian', 0, monitor('truncation_root'))
+eval 'plot '.of_monitors.curve('stationary_r3_gauss2', 'r', 0, 99).', '.curve('stationary_r3_gauss2', 'none', 0, monitor('none')).', ' \
+  .curve('stationary_r3_gauss2', 'r^1.5', 0, method('htvi')).', '.curve('stationary_r3_gauss2', 'r^2', 0, monitor('truncation')).', ' \
+  .curve('stationary_r3_gauss2', 'arclength', 0, family(2)).', '.curve('stationary_r3_gauss2', 'energy', 1, monitor('energy')).', ' \
+  .curve('stationary_r3_gauss2', 'inverse_lagrangian', 0, monitor('truncation_root'))
 unset ylabel
 set title 'methods' offset 0, -0.7
 eval panel(2, 1, 2, 1)
 eval 'plot '.guides.curve('stormer_verlet', 'none', 0, method('stormer_verlet')).', '.curve('adaptive_verlet', 'r^1.5', 0, family(4)).', ' \
-  .curve('hairer_soderlind', 'r^1.5', 0, method('splitting')).', '.curve('htvi4', 'r^1.5', 0, method('htvi')).', ' \
+  .curve('hairer_soderlind', 'r^1.5', 0, method('splitting')).', '.curve('stationary_r3_gauss2', 'r^1.5', 0, method('htvi')).', ' \
   .curve('log_hamiltonian', '1/V', 0, method('log_hamiltonian')).', '.curve('collocation16', 'r^1.5', 0, method('collocation')).', ' \
   .curve('collocation16', 'none', 0, family(1))
 eval legend(1.95)
 set key maxrows 5 samplen 1.8
-plot 2 with linespoints ls monitor('none') title 'HTVI4, fixed step', \
-  2 with linespoints ls 99 title 'HTVI4, g = |q|', \
-  2 with linespoints ls method('htvi') title 'HTVI4, g = |q|^{1.5}', \
-  2 with linespoints ls monitor('truncation') title 'HTVI4, g = |q|^2', \
-  2 with linespoints ls family(2) title 'HTVI4, arclength', \
-  2 with linespoints ls monitor('energy') title 'HTVI4, energy', \
-  2 with linespoints ls monitor('truncation_root') title 'HTVI4, 1/|L|', \
+plot 2 with linespoints ls monitor('none') title 'fixed step', \
+  2 with linespoints ls 99 title 'g = |q|', \
+  2 with linespoints ls method('htvi') title 'g = |q|^{1.5}', \
+  2 with linespoints ls monitor('truncation') title 'g = |q|^2', \
+  2 with linespoints ls family(2) title 'arclength', \
+  2 with linespoints ls monitor('energy') title 'energy', \
+  2 with linespoints ls monitor('truncation_root') title '1/|L|', \
   2 with linespoints ls method('stormer_verlet') title 'Störmer–Verlet', \
   2 with linespoints ls family(4) title 'adaptive Verlet', \
   2 with linespoints ls method('splitting') title 'Hairer–Söderlind', \

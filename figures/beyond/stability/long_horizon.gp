@@ -8,10 +8,10 @@ page_left = 1.45; page_right = 0.5; page_bottom = 2.05; page_top = 0.65; gap_x =
 eval logx; eval logy
 set xlabel 'periods'
 unset key
-names_here = 'htvi4 htvi12 collocation16 stormer_verlet log_hamiltonian_yoshida4 runge_kutta_4'
+names_here = 'stationary4 stationary12 collocation16 stormer_verlet log_hamiltonian_yoshida4 runge_kutta_4'
 style(i) = i == 1 ? method('htvi') : i == 2 ? monitor('norm_squared') : i == 3 ? method('collocation') : i == 4 ? method('stormer_verlet') \
   : i == 5 ? method('log_hamiltonian') : family(4)
-title(i) = word("HTVI4 HTVI12 'collocation 16' Störmer–Verlet 'log. Hamiltonian, Yoshida 4' 'Runge–Kutta 4'", i)
+title(i) = word("'stationary 4' 'stationary 12' 'collocation 16' Störmer–Verlet 'log. Hamiltonian, Yoshida 4' 'Runge–Kutta 4'", i)
 set xtics 100; set ytics 1e4
 curve(c) = sprintf("plot for [i=1:6] table using (where('method', word(names_here, i), 'periods')):(abs(column('%s'))) with linespoints ls style(i) pointinterval 4", c)
 set title 'energy error' offset 0, -0.7

@@ -26,10 +26,10 @@ TEST(LongHorizon, ErrorsGrowAsTheory) {
       EXPECT_GT(laws.number(i, "energy"), 0.3);
       continue;
     }
-    if (method != "htvi12" && method != "collocation16") {  // whose phase errors are rounding
+    if (method != "stationary12" && method != "collocation16") {  // whose phase errors are rounding
       EXPECT_NEAR(laws.number(i, "phase"), 1.0, 0.05) << method;
     }
-    if (method == "htvi4" || method == "stormer_verlet") {
+    if (method == "stationary4" || method == "stormer_verlet") {
       EXPECT_LT(std::abs(laws.number(i, "energy")), 1e-3) << method;
     }
   }
@@ -37,10 +37,10 @@ TEST(LongHorizon, ErrorsGrowAsTheory) {
 
 TEST(LongHorizon, SymplecticRunsKeepEnergyAndAngularMomentum) {
   const auto table = experiment::Table::read(quick + "/long_horizon.tsv");
-  // Twice what was measured after 100 periods; rounding is another with and without vector units (HTVI12:
-  // from 2e-13 to 9e-13 seen).
-  const std::map<std::string, double> energy{{"htvi4", 2.7e-7},
-                                             {"htvi12", 2e-12},
+  // Twice what was measured after 100 periods; rounding is another with and without vector units (stationary
+  // 12: from 2e-13 to 9e-13 seen).
+  const std::map<std::string, double> energy{{"stationary4", 4.2e-6},
+                                             {"stationary12", 2e-12},
                                              {"collocation16", 1.6e-12},
                                              {"stormer_verlet", 7e-3},
                                              {"log_hamiltonian_yoshida4", 5e-13}};
@@ -48,7 +48,9 @@ TEST(LongHorizon, SymplecticRunsKeepEnergyAndAngularMomentum) {
     const auto bound = energy.find(table.text(i, "method"));
     if (bound == energy.end()) continue;
     EXPECT_LT(table.number(i, "energy_error"), bound->second) << bound->first;
-    EXPECT_LT(table.number(i, "momentum_error"), 1.5e-13) << bound->first;
+    // 2.6e-13 was measured for the stationary integrators, which solve an equation a step.
+    const bool taylor = bound->first.starts_with("stationary");
+    EXPECT_LT(table.number(i, "momentum_error"), taylor ? 5e-13 : 1.5e-13) << bound->first;
   }
 }
 
@@ -73,12 +75,12 @@ TEST(LongHorizon, PhasesEndWhereTheyDid) {
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     phase[table.text(i, "method")] = table.number(i, "phase_error");
   for (const auto& [method, measured] :
-       std::map<std::string, double>{{"htvi4", 7.0576e-7},
+       std::map<std::string, double>{{"stationary4", -5.91948e-4},
                                      {"stormer_verlet", -1.0214},
                                      {"log_hamiltonian_yoshida4", -4.1006e-3},
                                      {"runge_kutta_4", 2.3755e-4}})
     EXPECT_NEAR(phase[method] / measured, 1.0, 1e-3) << method;
-  EXPECT_LT(std::abs(phase["htvi12"]), 5e-12);  // rounding; seen: from 3e-13 to 2.4e-12
+  EXPECT_LT(std::abs(phase["stationary12"]), 5e-12);  // rounding; seen: from 3e-13 to 2.4e-12
 }
 
 TEST(LongHorizon, AnInterruptedRunIsTakenUpBitForBit) {
