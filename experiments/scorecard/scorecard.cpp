@@ -85,16 +85,16 @@ int main(int argc, char** argv) {
   return experiment::run(argc, argv, shows, options, [&](const experiment::Frame& frame) {
     require_sheets(published);
     const Results results({data});
-    Table cells = frame.table(
-        {"source", "row", "quantity", "published", "reproduced", "verdict", "note", "kind", "settings"});
+    Table cells = frame.table({"source", "row", "quantity", "published", "reproduced", "verdict", "note",
+                               "kind", "settings", "unprinted"});
     cells.note("settings",
-               "recovered: the run has one that is not printed and was found by printed outcomes");
+               "customary: of the run's settings only the start and the horizon are not printed; recovered: "
+               "another one was found by printed outcomes");
     for (const Sheet& sheet : sheets()) {
       Table lines(cells.columns);
       for (const auto& [source, row, quantity, printed, judgement] : judge(sheet, published, results))
         lines.row(source, row, quantity, printed, judgement.reproduced, name(judgement.verdict),
-                  judgement.note, name(kind_of(row, quantity)),
-                  judgement.recovered ? "recovered" : "printed");
+                  judgement.note, name(kind_of(row, quantity)), judgement.settings, judgement.unprinted);
       fmt::print("{}", report(sheet.title, lines));
       cells.rows.insert(cells.rows.end(), lines.rows.begin(), lines.rows.end());
     }
@@ -114,9 +114,10 @@ int main(int argc, char** argv) {
     const auto all_of = [&](const char* what, Kind kind) {
       return summary(what, shares(of_kind(cells, kind), "verdict"), true);
     };
-    fmt::print("\nAll outcomes - {}\n{} of the exact ones follow from printed settings alone.\nAll "
-               "inputs - {}\nAll seconds - {}\nAll claims - {}\n",
-               all_of("printed outcomes", Kind::outcome), predicted(cells),
+    fmt::print("\nAll outcomes - {}\n{} of the exact ones follow from printed settings alone, {} more from "
+               "these and "
+               "the customary start and horizon.\nAll inputs - {}\nAll seconds - {}\nAll claims - {}\n",
+               all_of("printed outcomes", Kind::outcome), predicted(cells), customary(cells),
                all_of("printed inputs", Kind::input), all_of("printed seconds", Kind::seconds),
                summary("claims of the text", shares(claims, "ruling"), true));
     const auto missing = rows(cells, {{"verdict", "missing"}}).size(),

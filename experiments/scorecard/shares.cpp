@@ -11,6 +11,10 @@ std::string_view name(Kind kind) {
   return kind == Kind::outcome ? "outcome" : kind == Kind::input ? "input" : "seconds";
 }
 
+bool counts_fixed_steps(std::string_view row, std::string_view quantity) {
+  return quantity == "steps" && (row == "SV" || row == "HTVI4 none");
+}
+
 Kind kind_of(std::string_view row, std::string_view quantity) {
   if (quantity == "seconds") return Kind::seconds;
   for (const char* setting : {"h", "p", "p_ring", "g_min", "g_max"})
@@ -38,6 +42,14 @@ std::vector<Share> shares(const experiment::Table& table, std::string_view colum
 
 std::size_t predicted(const experiment::Table& cells) {
   return rows(of_kind(cells, Kind::outcome), {{"verdict", "exact"}, {"settings", "printed"}}).size();
+}
+
+std::size_t customary(const experiment::Table& cells) {
+  auto found = of_kind(cells, Kind::outcome);
+  // The steps of a row with fixed steps, of which the horizon was found, follow from nothing else.
+  const auto row = found.column("row"), quantity = found.column("quantity");
+  std::erase_if(found.rows, [&](const auto& cell) { return counts_fixed_steps(cell[row], cell[quantity]); });
+  return rows(found, {{"verdict", "exact"}, {"settings", "customary"}}).size();
 }
 
 std::string summary(std::string_view what, const std::vector<Share>& shares, bool with_parts) {

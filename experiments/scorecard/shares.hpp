@@ -21,6 +21,9 @@ std::string_view name(Kind kind);
 /// steps.
 Kind kind_of(std::string_view row, std::string_view quantity);
 
+/// Whether a number is that of the steps of a row with fixed steps.
+bool counts_fixed_steps(std::string_view row, std::string_view quantity);
+
 /// The rows of a table with columns `row` and `quantity` whose numbers are of one kind.
 experiment::Table of_kind(const experiment::Table& cells, Kind kind);
 
@@ -37,6 +40,10 @@ std::vector<Share> shares(const experiment::Table& table, std::string_view colum
 /// How many outcomes are exact in runs whose every setting is printed: predictions, where the others judge a
 /// fit.
 std::size_t predicted(const experiment::Table& cells);
+
+/// How many outcomes are exact in runs of which only the start and the horizon are not printed; without the
+/// numbers of fixed steps, which are the horizon over h.
+std::size_t customary(const experiment::Table& cells);
 
 /// "227 published numbers: 196 exact, ...", with or without their parts in per cent.
 std::string summary(std::string_view what, const std::vector<Share>& shares, bool with_parts = false);

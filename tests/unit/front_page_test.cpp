@@ -67,8 +67,13 @@ TEST(FrontPage, StatesTheSharesOfTheScorecard) {
 
 /// A count that agrees after a fit is not sold as a prediction.
 TEST(FrontPage, SaysHowManyOutcomesArePredicted) {
-  const std::string line = fmt::format("Of the exact ones {} follow from the printed settings alone",
-                                       scorecard::predicted(verdicts(false)));
+  const auto predicted = scorecard::predicted(verdicts(false));
+  const std::string line = fmt::format("Of the exact ones {} from printed settings alone; {} need no more "
+                                       "than the start and the horizon besides",
+                                       predicted == 0   ? "none follows"
+                                       : predicted == 1 ? "1 follows"
+                                                        : fmt::format("{} follow", predicted),
+                                       scorecard::customary(verdicts(false)));
   EXPECT_NE(readme().find(line), std::string::npos) << "README lacks " << line;
 }
 

@@ -120,17 +120,21 @@ TEST_F(KeplerSheet, DoesNotRoundSettings) {
   EXPECT_EQ(inexact(), expected);
 }
 
-/// Agreement predicts where the printed settings and the printed construction give the number, too.
+/// Agreement comes near a prediction where the printed settings and the printed construction give the number,
+/// too, and no more is missing than start and horizon.
 TEST_F(KeplerSheet, TellsWhatRestsOnARecoveredSetting) {
-  at(0, "min_step") = "0.002001";
-  at(0, "steps") = "180";
+  at(0, "monitor") = "energy";
+  at(0, "min_step") = "0.005149";
+  at(0, "steps") = "145";
   data.write(folder / "kepler_e090.tsv");
-  std::set<std::string> printed;
+  std::set<std::string> printed, customary;
   for (const Line& line : lines("kepler_e090"))
-    if (!line.judgement.recovered && scorecard::kind_of(line.row, line.quantity) == scorecard::Kind::outcome)
-      printed.insert(line.row + ' ' + line.quantity);
-  EXPECT_EQ(printed, (std::set<std::string>{"HTVI4 gamma min_step", "HTVI4 gamma steps", "SV energy_error",
-                                            "SV steps"}));
+    if (scorecard::kind_of(line.row, line.quantity) == scorecard::Kind::outcome) {
+      if (line.judgement.settings == "printed") printed.insert(line.row + ' ' + line.quantity);
+      if (line.judgement.settings == "customary") customary.insert(line.row + ' ' + line.quantity);
+    }
+  EXPECT_EQ(printed, std::set<std::string>{});
+  EXPECT_EQ(customary, (std::set<std::string>{"HTVI4 energy min_step", "HTVI4 energy steps", "SV steps"}));
 }
 
 TEST_F(KeplerSheet, CallsNothingASlipWithoutEvidence) {

@@ -32,6 +32,12 @@ Judgement compare_setting(const Cell& cell, double ours) {
           .note = {}};
 }
 
+std::string settings_of(const std::string& unprinted, bool recovered) {
+  if (recovered) return "recovered";
+  if (unprinted == "-") return "printed";
+  return unprinted == "horizon" || unprinted == "horizon start" ? "customary" : "recovered";
+}
+
 std::vector<Line> judge(const Sheet& sheet, const std::filesystem::path& published, const Results& data) {
   const experiment::Table table = experiment::Table::read(published / (sheet.stem + ".tsv"));
   std::vector<Line> lines;
@@ -40,6 +46,8 @@ std::vector<Line> judge(const Sheet& sheet, const std::filesystem::path& publish
     Judgement judgement;
     try {
       judgement = sheet.judge(cell, data(sheet.stem));
+      judgement.unprinted = cell.text("unprinted");
+      judgement.settings = settings_of(judgement.unprinted, judgement.recovered);
     } catch (const std::exception& error) {
       judgement.note = error.what();
     }

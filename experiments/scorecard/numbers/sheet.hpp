@@ -30,11 +30,20 @@ struct Judgement {
   std::string reproduced = "nan";
   Verdict verdict = Verdict::missing;
   std::string note;
-  /// Our run has a setting or a choice of construction that is not printed and was found with printed
-  /// outcomes as the judge: agreement judges that fit, it does not predict. The way of counting is no
-  /// setting.
+  /// Our run has a setting other than the printed one, or a choice of construction that the printed formulas
+  /// do not show, found with printed outcomes as the judge.
   bool recovered = false;
+  /// printed, customary or recovered: see settings_of().
+  std::string settings = "printed";
+  std::string unprinted = "-";  ///< Settings that the source prints nowhere.
 };
+
+/// Where the settings of an outcome come from. `unprinted` lists those that the source prints nowhere (a
+/// column of paper/published, - for none). With all of them printed agreement is a prediction. With no more
+/// missing than the start, for which there is a custom, and the horizon, which is h times the steps of a row
+/// with fixed steps, the settings are customary. Else one was found with printed outcomes as the judge, and
+/// agreement judges that fit. The way of counting is no setting.
+std::string settings_of(const std::string& unprinted, bool recovered);
 
 /// One cell of a published table: a line of paper/published/<stem>.tsv with columns source, row, method, ...
 class Cell : public Row {
