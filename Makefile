@@ -128,8 +128,13 @@ install: ## Install the library under PREFIX: needs a compiler, CMake and Eigen 
 # A shared lock is held by every experiment, an exclusive one by the timed: they run alone, whatever -j says.
 alone = flock $(if $(filter $(timed),$(1)),--exclusive,--shared) build/data/.alone
 
+# `make paper` alone takes the timed data that are there: a machine that is busy now must not change what was measured
+# before. Only what lacks the libraries to compare with, as after `make figures` alone, is measured, as a whole.
+lacking := $(shell grep -l 'peers:.*absent' build/data/work_precision.tsv 2>/dev/null)
+held := $(if $(filter-out paper,$(MAKECMDGOALS)),,$(filter-out $(lacking),$(wildcard $(patsubst %,build/data/%.tsv,$(timed)))))
+
 data: $(DATA) build/data/manifest.tsv ## Run every experiment: build/data/<stem>.tsv
-$(DATA): build/data/%.tsv: $(BIN)/% | build/data
+$(filter-out $(held),$(DATA)): build/data/%.tsv: $(BIN)/% | build/data
 	@echo "running $*"; $(call alone,$*) $(BIN)/$* --output build/data && test -s $@ \
 	  && experiments/common/fresh_data.sh --note $(BIN)/$* build/data
 

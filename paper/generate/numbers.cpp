@@ -104,6 +104,28 @@ double evaluate(const scorecard::Results& data, std::string_view formula) {
   return result;
 }
 
+void check_senses(const scorecard::Results& data, const experiment::Table& list,
+                  const experiment::Table& senses) {
+  for (const auto& sense : scorecard::rows(senses)) {
+    const auto number = scorecard::find(list, {{"name", sense.text("name")}});
+    const double value = evaluate(data, number.text("formula"));
+    if (!(value > sense.number("least") && value < sense.number("most")))
+      throw std::runtime_error(fmt::format(
+          "The data give {} = {:.4g}, but the text says \"{}\": it has to be between {} and {}.",
+          sense.text("name"), value, sense.text("sentence"), sense.text("least"), sense.text("most")));
+  }
+}
+
+void refuse_drift(const experiment::Table& advice) {
+  for (const auto& row : scorecard::rows(advice))
+    if (row.number("drift") > 0.05)
+      throw std::runtime_error(fmt::format(
+          "The unit of time moved by {:.0f} % while {} (e = {}, {}) was measured: its costs are refused. "
+          "Remove "
+          "build/data/work_precision.tsv and run `make build/data/work_precision.tsv` on a quiet machine.",
+          100.0 * row.number("drift"), row.text("problem"), row.text("eccentricity"), row.text("horizon")));
+}
+
 std::string numbers_tex(const scorecard::Results& data, const experiment::Table& list) {
   std::string out = "% Made by paper_numbers from build/data and paper/numbers.tsv.\n";
   for (const auto& row : scorecard::rows(list)) {

@@ -30,4 +30,14 @@ double evaluate(const scorecard::Results& data, std::string_view formula);
 /// `head:stem:key` with format `raw` is a line of a file's head.
 std::string numbers_tex(const scorecard::Results& data, const experiment::Table& list);
 
+/// Checks the numbers whose sentence has a sense: `senses` has columns name, least, most and sentence.
+/// @throws std::runtime_error naming the first one that is not strictly between its bounds, std::out_of_range
+/// for a name that `list` does not have.
+void check_senses(const scorecard::Results& data, const experiment::Table& list,
+                  const experiment::Table& senses);
+
+/// @throws std::runtime_error where the unit of time of a scene moved by more than 5 % while it was measured,
+/// as the column `drift` says: what the report would say of its costs would be a statement about the machine.
+void refuse_drift(const experiment::Table& advice);
+
 }  // namespace paper

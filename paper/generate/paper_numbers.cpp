@@ -31,6 +31,9 @@ int main(int argc, char** argv) {
         const auto tables = frame.output / "tables";
         std::filesystem::create_directories(tables);
         const scorecard::Results results({data});
+        const auto numbers = experiment::Table::read(source / "numbers.tsv");
+        paper::refuse_drift(results("work_precision_advice"));
+        paper::check_senses(results, numbers, experiment::Table::read(source / "senses.tsv"));
         const experiment::Table &card = results("scorecard"), &claims = results("scorecard_claims");
         const auto published = [&](const char* stem) {
           return experiment::Table::read(source / "published" / (std::string(stem) + ".tsv"));
@@ -51,7 +54,6 @@ int main(int argc, char** argv) {
           names.insert(column.text("table"));
         for (const auto& name : names)
           write(tables / (name + ".tex"), paper::declared_table(results, list, name));
-        write(frame.output / "numbers.tex",
-              paper::numbers_tex(results, experiment::Table::read(source / "numbers.tsv")));
+        write(frame.output / "numbers.tex", paper::numbers_tex(results, numbers));
       });
 }

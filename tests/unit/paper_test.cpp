@@ -94,6 +94,35 @@ TEST(Paper, EveryNumberHasItsFormulaAndEveryFormulaItsUse) {
     EXPECT_TRUE(used.contains(name)) << name << " is not used";
 }
 
+/// A number whose sentence says "more" or "less" has its bounds in senses.tsv, and the report is not made
+/// where the data say otherwise.
+TEST(Paper, SensesOfSentencesAreChecked) {
+  const auto named = column(paper_folder / "numbers.tsv", "name");
+  for (const auto& name : column(paper_folder / "senses.tsv", "name"))
+    EXPECT_TRUE(named.contains(name)) << name << " has no formula";
+  const fs::path folder = fs::temp_directory_path() / ("avi_senses_" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  experiment::Table data({"ours", "theirs"}), list({"name", "formula", "format"}),
+      senses({"name", "least", "most", "sentence"});
+  data.row(1.0, 2.0);
+  data.write(folder / "run.tsv");
+  list.row("gain", "run[].theirs / run[].ours", "f1");
+  senses.row("gain", "1", "inf", "ours takes less");
+  const scorecard::Results results({folder});
+  EXPECT_NO_THROW(paper::check_senses(results, list, senses));
+  senses.rows[0][1] = "2";
+  EXPECT_THROW(paper::check_senses(results, list, senses), std::runtime_error);
+  fs::remove_all(folder);
+}
+
+TEST(Paper, RefusesCostsWhoseUnitMoved) {
+  experiment::Table advice({"problem", "eccentricity", "horizon", "drift"});
+  advice.row("kepler", "0.9", "10", 0.049);
+  EXPECT_NO_THROW(paper::refuse_drift(advice));
+  advice.row("kepler", "0.99", "10", 0.051);
+  EXPECT_THROW(paper::refuse_drift(advice), std::runtime_error);
+}
+
 TEST(Paper, EveryFigureHasItsScriptAndEveryTableItsMaker) {
   const std::string text = sections();
   for (const auto& stem : found(text, R"(\\includegraphics\[[^\]]*\]\{([^}]+)\})"))

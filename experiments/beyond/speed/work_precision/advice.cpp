@@ -15,6 +15,9 @@ const Point* cheapest(const std::vector<Point>& points, Origin origin, double ta
   return best;
 }
 
+/// Whether the equations of its steps are solved to rounding, as those of a symplectic run have to be.
+bool solved(const Point& p) { return p.family->knob.find("tolerance=") == std::string::npos; }
+
 std::string method(const Point* p) {
   if (!p) return "none";
   if (p->family->method == "htvi" || p->family->method == "collocation")
@@ -22,25 +25,55 @@ std::string method(const Point* p) {
   return p->family->method;
 }
 
+/// A library measured in both places differs by up to this factor: a ratio to one measured elsewhere that is
+/// nearer to 1 decides nothing.
+constexpr double spread_elsewhere = 1.43;
+
+bool unsure(double ratio, bool elsewhere) {
+  return elsewhere && ratio < spread_elsewhere && ratio > 1.0 / spread_elsewhere;
+}
+
 }  // namespace
 
 Table advice_table(const Frame& frame) {
   Table table = frame.table(
       {"problem", "eccentricity", "horizon", "target", "method", "setting", "cost", "energy_error"});
-  table.columns.insert(table.columns.end(),
-                       {"htvi", "htvi_setting", "htvi_cost", "peer", "peer_setting", "peer_cost", "elsewhere",
-                        "elsewhere_cost", "ratio", "verdict", "htvi_ratio", "collocation",
-                        "collocation_setting", "collocation_cost", "collocation_ratio"});
+  table.columns.insert(table.columns.end(), {"htvi",
+                                             "htvi_setting",
+                                             "htvi_cost",
+                                             "peer",
+                                             "peer_setting",
+                                             "peer_cost",
+                                             "elsewhere",
+                                             "elsewhere_cost",
+                                             "ratio",
+                                             "verdict",
+                                             "htvi_ratio",
+                                             "collocation",
+                                             "collocation_setting",
+                                             "collocation_cost",
+                                             "collocation_ratio",
+                                             "collocation_solved",
+                                             "solved",
+                                             "solved_setting",
+                                             "solved_cost",
+                                             "solved_ratio",
+                                             "unsure",
+                                             "drift"});
   return table;
 }
 
-void advise(Table& table, const Scene& scene, const std::vector<Point>& points, double unit) {
+void advise(Table& table, const Scene& scene, const std::vector<Point>& points, double unit, double drift) {
   static const Table elsewhere = Table::read(AVI_ELSEWHERE);  // costs that were measured elsewhere
   for (const double target : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
     const Point* ours = cheapest(points, Origin::ours_explicit, target);
     const Point* htvi = cheapest(points, Origin::htvi, target);
     const Point* peer = cheapest(points, Origin::peer, target);
     const Point* curve = cheapest(points, Origin::collocation, target);
+    std::vector<Point> to_rounding;
+    for (const Point& p : points)
+      if (p.family->origin == Origin::collocation && solved(p)) to_rounding.push_back(p);
+    const Point* exact = cheapest(to_rounding, Origin::collocation, target);
     const Point* best = nullptr;
     for (const Point* p : {ours, curve, htvi})
       if (p && (!best || p->seconds < best->seconds)) best = p;
@@ -65,7 +98,10 @@ void advise(Table& table, const Scene& scene, const std::vector<Point>& points, 
               rounded(cost(best), 3), rounded(best ? best->energy_error : unknown, 3), method(htvi),
               setting(htvi), rounded(cost(htvi), 3), method(peer), setting(peer), rounded(cost(peer), 3),
               other, rounded(other_cost, 3), rounded(ratio, 3), verdict, rounded(cost(htvi) / rival, 3),
-              method(curve), setting(curve), rounded(cost(curve), 3), rounded(cost(curve) / rival, 3));
+              method(curve), setting(curve), rounded(cost(curve), 3), rounded(cost(curve) / rival, 3),
+              curve && solved(*curve) ? 1 : 0, method(exact), setting(exact), rounded(cost(exact), 3),
+              rounded(cost(exact) / rival, 3), unsure(cost(exact) / rival, rival == other_cost) ? 1 : 0,
+              rounded(drift, 3));
   }
 }
 
