@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
                   rounded(spent));
       }
     };
-    // HTVI's setting is not recovered: p, p_ring and C here are the nearest of those that were searched.
+    // HTVI's row is not reproduced, and why is not known; p, p_ring and C here come within a few per cent.
     add("htvi", f, x0, {.method = "htvi", .family = avi::BregmanFamily::adaptive(15, 0.1, 0.03), .h = 2e-6},
         nag_cap);
     add("nag", f, x0, {.method = "nag", .h = 2e-6}, nag_cap);

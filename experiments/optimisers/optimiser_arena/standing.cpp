@@ -37,10 +37,11 @@ void write_summary(const experiment::Frame& frame, const std::vector<Instance>& 
                    const std::vector<Method>& methods) {
   experiment::Table table = frame.table(
       {"group", "method", "instances", "failures", "gradient_mean", "evaluation_mean", "per_iteration",
-       "ratio_to_lbfgs", "ratio_to_best_cg", "evaluations_to_best_cg", "within_1", "within_2"});
+       "ratio_to_lbfgs", "ratio_to_best_cg", "evaluations_to_best_cg", "within_1", "within_2", "with_lbfgs"});
   table.note("means",
              "geometric; of gradients, and of gradients and values, over the instances that it solved");
-  table.note("ratio_to_lbfgs", "geometric mean of the ratio of gradients where both converged");
+  table.note("ratio_to_lbfgs",
+             "geometric mean of the ratio of gradients where both converged, which are with_lbfgs instances");
   table.note(
       "ratio_to_best_cg",
       "likewise to the conjugate gradients that needed fewest; evaluations_to_best_cg counts values too");
@@ -50,7 +51,7 @@ void write_summary(const experiment::Frame& frame, const std::vector<Instance>& 
   for (const std::string group : {"all", "tuned", "looked_at", "held_out"})
     for (const auto& [method, runs, slow] : methods) {
       Mean gradients, evaluations, iteration, lbfgs, cg, cg_all;
-      long count = 0, failures = 0, within_1 = 0, within_2 = 0;
+      long count = 0, failures = 0, within_1 = 0, within_2 = 0, with_lbfgs = 0;
       for (const Instance& instance : instances) {
         if (group != "all" && instance.group != group) continue;
         const auto found = instance.by_method.find(method);
@@ -65,7 +66,8 @@ void write_summary(const experiment::Frame& frame, const std::vector<Instance>& 
         gradients.add(spent), evaluations.add(with_values);
         if (own.iterations > 0) iteration.add(with_values / own.iterations);
         within_1 += with_values <= best(instance), within_2 += with_values <= 2.0 * best(instance);
-        if (const double other = cost(instance, "lbfgs"); other < infinity) lbfgs.add(spent / other);
+        if (const double other = cost(instance, "lbfgs"); other < infinity)
+          lbfgs.add(spent / other), ++with_lbfgs;
         double other = infinity, other_all = infinity;
         for (const char* name : {"cg_pr", "cg_hz", "gsl_conjugate_fr", "gsl_conjugate_pr"})
           if (cost(instance, name) < infinity) {
@@ -78,7 +80,7 @@ void write_summary(const experiment::Frame& frame, const std::vector<Instance>& 
       if (count == 0) continue;
       const double all = count;
       table.row(group, method, count, failures, gradients.value(), evaluations.value(), iteration.value(),
-                lbfgs.value(), cg.value(), cg_all.value(), within_1 / all, within_2 / all);
+                lbfgs.value(), cg.value(), cg_all.value(), within_1 / all, within_2 / all, with_lbfgs);
     }
   frame.write(table, "summary");
 }
