@@ -3,6 +3,7 @@
 #include "common/table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -14,7 +15,8 @@ namespace experiment {
 
 /// Witness that gathers f over the iterations in bins of equal width, on a linear or a logarithmic axis: of
 /// each bin its last iterate, the least and largest f in it, so that oscillations faster than the bins stay
-/// visible, and the largest f from the bin to the end of the run, their upper envelope.
+/// visible, and the largest f from the bin to the end of the run: their upper envelope, but for the last
+/// twentieth of the iterations, where too little of the run is left for its oscillation to be seen.
 class Curve {
  public:
   /// Iterations a bin spans: at least `width`, and at least the fraction `growth` of the iterations so far.
@@ -36,11 +38,12 @@ class Curve {
   /// What a row is, for the table's head.
   static constexpr const char* rows =
       "f at the end of each bin of iterations, its least and largest value in the bin, its largest from "
-      "there on";
+      "there on; envelope: the same without the last twentieth of the iterations";
 
   /// The caller's columns and those that append() fills.
   static std::vector<std::string> columns_after(std::vector<std::string> columns) {
-    columns.insert(columns.end(), {"iteration", "gradient_evaluations", "value", "least", "most", "ahead"});
+    columns.insert(columns.end(),
+                   {"iteration", "gradient_evaluations", "value", "least", "most", "ahead", "envelope"});
     return columns;
   }
 
@@ -55,7 +58,8 @@ class Curve {
       auto cells = begin;
       for (const auto& cell :
            {std::to_string(bin.iteration), std::to_string(bin.gradients), experiment::exact(bin.value),
-            experiment::exact(bin.least), experiment::exact(bin.most), experiment::exact(ahead[i])})
+            experiment::exact(bin.least), experiment::exact(bin.most), experiment::exact(ahead[i]),
+            experiment::exact(20 * bin.iteration <= 19 * points_.back().iteration ? ahead[i] : std::nan(""))})
         cells.push_back(cell);
       table.add(std::move(cells));
     }

@@ -20,9 +20,9 @@ do for [m in 'htvi clone_y4'] {
   if (m eq 'clone_y4') { set format y '' }
   eval panel(m eq 'htvi' ? 1 : 2, 1, 2, 1)
   set title label(m) offset 0, -0.7
-  plot for [a in 'direct adaptive'] for [p in '4 10'] curves using (is(m, a, also('p', p, column('iteration')))):'least':'ahead' \
+  plot for [a in 'direct adaptive'] for [p in '4 10'] curves using (is(m, a, also('p', p, column('iteration')))):'least':'envelope' \
       with filledcurves fc rgb tint(a) fs transparent solid 0.15 noborder, \
-    for [a in 'direct adaptive'] for [p in '4 10'] curves using (is(m, a, also('p', p, column('iteration')))):'ahead' \
+    for [a in 'direct adaptive'] for [p in '4 10'] curves using (is(m, a, also('p', p, column('iteration')))):'envelope' \
       with lines ls approach(a) dt dash(p) lw 1.5, \
     for [a in 'direct adaptive'] table using (is(m, a, column('iterations'))):(1e-15) with points ls approach(a) ps 1
 }

@@ -19,7 +19,7 @@ do for [a in 'direct adaptive'] {
   if (a eq 'adaptive') { set format y '' }
   eval panel(a eq 'direct' ? 1 : 2, 1, 2, 1)
   set title label(a).(a eq 'adaptive' ? ', p = 4, p̊ = 1' : ', p = 4') offset 0, -0.7
-  plot for [m in shown] curves using (is(m, a, column('gradient_evaluations'))):'ahead' with lines ls method(m) lw 1.5, \
+  plot for [m in shown] curves using (is(m, a, column('gradient_evaluations'))):'envelope' with lines ls method(m) lw 1.5, \
     for [m in shown] table using (also('converged', '1', is(m, a, column('gradient_evaluations')))):(1e-13) \
       with points ls method(m) ps 1.1
 }

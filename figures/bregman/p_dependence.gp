@@ -17,12 +17,12 @@ order(p, q) = sprintf('P = %g', real(p)**2/real(q))
 eval panel(1, 1, 2, 1)
 set title 'p̊ = 1, p grows' offset 0, -0.7
 set ylabel 'f − f*'
-plot for [p in '2 4 6 8'] curves using (run(p, '1', column('iteration'))):'ahead' with lines lc rgb hue(int(real(p)/2)) lw 1.6 \
+plot for [p in '2 4 6 8'] curves using (run(p, '1', column('iteration'))):'envelope' with lines lc rgb hue(int(real(p)/2)) lw 1.6 \
   title 'p = '.p.', '.order(p, '1')
 eval panel(2, 1, 2, 1)
 set title 'p = 4, p̊ falls' offset 0, -0.7
 set ylabel ''; set format y ''
 rings = '2 1 0.5 '.tenth
-plot for [i = 1:4] curves using (run('4', word(rings, i), column('iteration'))):'ahead' with lines lc rgb hue(i) lw 1.6 \
+plot for [i = 1:4] curves using (run('4', word(rings, i), column('iteration'))):'envelope' with lines lc rgb hue(i) lw 1.6 \
   title 'p̊ = '.readable(word(rings, i)).', '.order('4', word(rings, i))
 unset multiplot

@@ -23,7 +23,7 @@ do for [a in 'direct adaptive'] {
   set ylabel i == 1 ? 'f − f*' : ''
   set xrange [1:9e4]; set yrange [1e-13:1e10]
   eval panel(i, 1, 2, 2)
-  plot for [m in shown] curves using (is(m, a, column('iteration'))):'ahead' with lines ls method(m) lw 1.5
+  plot for [m in shown] curves using (is(m, a, column('iteration'))):'envelope' with lines ls method(m) lw 1.5
   unset title
   set xlabel 'relative tolerance' offset 0, 0.4
   set ylabel i == 1 ? 'gradients' : '' offset 0.3, 0

@@ -9,7 +9,7 @@ set xrange [2e-2:5e-11]
 set yrange [10:1e9]
 set xlabel 'tolerance δ of the stopping test'
 set ylabel 'iterations' offset 0.3, 0
-page_right = 5.2; page_top = 0.15
+page_right = 5.2; page_top = 0.4
 eval panel(1, 1, 1, 1)
 set key at graph 1.04, 1 left top Left reverse samplen 2.5 spacing 1.05
 reached(m, y) = also('converged', '1', also('method', m, y))

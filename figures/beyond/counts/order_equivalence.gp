@@ -15,9 +15,9 @@ set yrange [1e-30:1e10]
 set key bottom left Left reverse samplen 3
 eval panel(1, 1, 2, 1)
 set title 'p = 4, p̊ = 1, h = 2.4·10^{-4}' offset 0, -0.7
-plot curves using (where('curve', 'direct', 'iteration')):'ahead' with lines ls approach('direct') dt 1 lw 3.5 title 'Direct, p = 16', \
-  curves using (where('curve', 'adaptive exact', 'iteration')):'ahead' with lines lc rgb black dt (3,3) lw 1.8 title 'Adaptive, exact clock', \
-  curves using (where('curve', 'adaptive euler', 'iteration')):'ahead' with lines ls approach('adaptive') title "Adaptive, Euler's clock"
+plot curves using (where('curve', 'direct', 'iteration')):'envelope' with lines ls approach('direct') dt 1 lw 3.5 title 'Direct, p = 16', \
+  curves using (where('curve', 'adaptive exact', 'iteration')):'envelope' with lines lc rgb black dt (3,3) lw 1.8 title 'Adaptive, exact clock', \
+  curves using (where('curve', 'adaptive euler', 'iteration')):'envelope' with lines ls approach('adaptive') title "Adaptive, Euler's clock"
 eval logx
 set xtics autofreq; set xrange [3:200]; set yrange [1e-15:1]
 set xlabel 'order P = p^2/p̊'; set ylabel 'distance, 100 steps'

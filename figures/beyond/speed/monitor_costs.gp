@@ -9,6 +9,7 @@ set multiplot
 page_left = 1.45; page_bottom = 2.9; gap_x = 1.55; page_top = 0.65
 unset key
 eval logy
+set offsets 0, 0, graph 0.1, graph 0.1
 set xrange [0.4:7.6]
 set xtics scale 0 rotate by 60 right
 unset xtics; set xtics scale 0 rotate by 60 right; do for [i=1:7] { set xtics add (shown[i] i) }
