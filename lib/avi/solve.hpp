@@ -122,8 +122,8 @@ template <class H, int n>
   require_dimension(start);
   const int count = static_cast<int>(start.q.size());
   ExpressionGraph graph(2 * count);
-  const Recorded energy =
-      hamiltonian(recorded_inputs<n>(graph, 0, count), recorded_inputs<n>(graph, count, count));
+  const Recorded energy = detail::recorded_call(hamiltonian, recorded_inputs<n>(graph, 0, count),
+                                                recorded_inputs<n>(graph, count, count));
   const int node = energy.node_in(graph);
   detail::OrbitAnswer found = detail::answer({std::move(graph),
                                               node,
