@@ -32,6 +32,7 @@ struct Options {
   double seconds = 10.0;
   double longest = 300.0;
   double work = 2e8;
+  int first = 0;
   int only = -1;
   double spoil = 0.0;
   std::string family, output;
@@ -90,19 +91,22 @@ int go(const Options& options) {
   std::ofstream tsv;
   if (!options.output.empty()) {
     tsv.open(options.output);
-    tsv << "seed\tindex\tfamily\tn\ttolerance\tverdict\toutcome\tkept\tstate_error\tenergy_"
+    tsv << "seed\tindex\tfamily\tn\ttolerance\tverdict\treference\toutcome\tkept\tstate_error\tenergy_"
            "error\terror\tblamed\trounding\tnorm\tsteps\t"
            "evaluations\tseconds\tnote\tmessage\n";
   }
   double in_reference = 0.0, in_calls = 0.0;
-  const int first = options.only >= 0 ? options.only : 0,
-            end = options.only >= 0 ? options.only + 1 : options.systems;
+  const int first = options.only >= 0 ? options.only : options.first;
+  const int end = options.only >= 0 ? options.only + 1 : options.first + options.systems;
   for (int index = first; index < end; ++index) {
     const System system = draw(options.seed, index, options.longest);
     if (!options.family.empty() && system.family != options.family) continue;
     if (options.only >= 0) show(system);
     const Truth known = truth(system, options.work);
     in_reference += known.seconds;
+    if (options.only >= 0 && known.ending != Ending::solved)
+      fmt::print("  the reference {}\n",
+                 known.ending == Ending::singular ? "meets a singularity" : "would take too long");
     if (options.only >= 0 && known.ending == Ending::solved)
       for (std::size_t i = 0; i < known.end.size(); ++i)
         fmt::print("  {}[{}] ends at {:.17g}, range {:.3g}, doubt {:.1e}, rounding {:.1e} of it\n",
@@ -124,12 +128,16 @@ int go(const Options& options) {
       std::string message = answer.message;
       std::replace(message.begin(), message.end(), '\n', ' ');
       if (tsv.is_open())
-        tsv << fmt::format("{}\t{}\t{}\t{}\t{:.0e}\t{}\t{}\t{}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2e}\t{:."
-                           "2e}\t{}\t{}\t{:.3f}\t{}\t{}\n",
-                           options.seed, index, system.family, system.n, tolerance, name(found.verdict),
-                           answer.outcome, answer.kept, answer.state_error, answer.energy_error, found.error,
-                           found.blamed, found.rounding, found.norm, answer.steps, answer.evaluations,
-                           answer.seconds, system.note, message)
+        tsv << fmt::format(
+                   "{}\t{}\t{}\t{}\t{:.0e}\t{}\t{}\t{}\t{}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2e}\t{:."
+                   "2e}\t{}\t{}\t{:.3f}\t{}\t{}\n",
+                   options.seed, index, system.family, system.n, tolerance, name(found.verdict),
+                   known.ending == Ending::solved     ? "solved"
+                   : known.ending == Ending::singular ? "singular"
+                                                      : "too long",
+                   answer.outcome, answer.kept, answer.state_error, answer.energy_error, found.error,
+                   found.blamed, found.rounding, found.norm, answer.steps, answer.evaluations, answer.seconds,
+                   system.note, message)
             << std::flush;
     }
     if (!options.quiet && options.only < 0 && ((index + 1) % 10 == 0 || index + 1 == end)) {
@@ -187,6 +195,7 @@ int main(int argc, char** argv) {
   app.add_option("--longest", options.longest, "Length of the runs, in characteristic times")
       ->check(CLI::Range(0.3, 1e6));
   app.add_option("--work", options.work, "Operations of a run of the reference");
+  app.add_option("--first", options.first, "Number of the first of them")->check(CLI::Range(0, 100000000));
   app.add_option("--only", options.only, "This system of the draw alone, with all that is known about it");
   app.add_option("--family", options.family, "Systems of this family alone");
   app.add_option("--spoil", options.spoil,
