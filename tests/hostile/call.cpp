@@ -2,11 +2,7 @@
 
 #include "hostile/formulas.hpp"
 
-#if __has_include("avi/solve.hpp")
 #include "avi/solve.hpp"
-#else
-#include "avi/automatic/solution.hpp"
-#endif
 
 #include <cmath>
 #include <csignal>
@@ -29,16 +25,10 @@ Answer ask(const System& system, double tolerance) {
     start.p = Eigen::Map<const Eigen::VectorXd>(system.p.data(), system.n);
     start.t = system.t;
     const auto h = [&system](const auto& q, const auto& p) { return system(q, p); };
-#if __has_include("avi/solve.hpp")
     const auto solution = avi::solve(h, start, system.t_end, tolerance);
     answer.ok = solution.ok();
     answer.kept = solution.kept();
     answer.state_error = solution.state_error;
-#else
-    const auto solution = avi::integrate(h, start, system.t_end, tolerance);
-    answer.ok = solution.run.outcome == avi::Outcome::ok;
-    answer.kept = answer.ok && solution.kept();
-#endif
     answer.returned = true;
     answer.energy_error = solution.energy_error;
     answer.outcome = avi::name(solution.run.outcome);
