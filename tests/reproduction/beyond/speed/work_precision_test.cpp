@@ -67,6 +67,23 @@ TEST(WorkPrecision, SweepsThatEndEarlySaveWorkAndErrAsTheirToleranceAllows) {
   EXPECT_GE(rows, 2);  // 9 where nothing else runs
 }
 
+/// Solved to rounding, and beside it whatever ends the sweeps: the latter is never dearer, and the same where
+/// its setting has no tolerance.
+TEST(WorkPrecision, AdviceHasCollocationSolvedToRoundingBesideTheCheapest) {
+  const Table advice = data("work_precision_advice");
+  int solved = 0;
+  for (std::size_t i = 0; i < advice.rows.size(); ++i) {
+    EXPECT_EQ(advice.text(i, "solved_setting").find("tolerance="), std::string::npos);
+    if (advice.text(i, "solved") == "none") continue;
+    ++solved;
+    EXPECT_LE(advice.number(i, "collocation_cost"), advice.number(i, "solved_cost"));
+    if (advice.text(i, "collocation_solved") == "1")
+      EXPECT_EQ(advice.text(i, "collocation_setting"), advice.text(i, "solved_setting"));
+    EXPECT_GE(advice.number(i, "drift"), 0.0);
+  }
+  EXPECT_GE(solved, 2);
+}
+
 TEST(WorkPrecision, TheFrontIsAFront) {
   const Table front = data("work_precision_front");
   ASSERT_GE(front.rows.size(), 3u);
