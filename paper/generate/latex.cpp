@@ -132,10 +132,13 @@ std::string latex_number(double value, std::string_view format) {
   if (format == "pct") return fmt::format("\\SI{{{:.1f}}}{{\\percent}}", 100.0 * value);
   int digits = -1;
   const auto parsed = std::from_chars(format.data() + 1, format.data() + format.size(), digits);
-  if (parsed.ptr != format.data() + format.size() || digits < 0 || (format[0] != 'f' && format[0] != 'g'))
+  if (parsed.ptr != format.data() + format.size() || digits < 0 ||
+      (format[0] != 'f' && format[0] != 'g' && format[0] != 'r'))
     throw std::invalid_argument(
-        fmt::format("Number format '{}' is none of int, plain, pct, f<n>, g<n>.", format));
+        fmt::format("Number format '{}' is none of int, plain, pct, f<n>, g<n>, r<n>.", format));
   if (format[0] == 'f') return fmt::format("\\num{{{:.{}f}}}", value, digits);
+  if (format[0] == 'r')
+    return fmt::format("\\num{{{:.0f}}}", std::stod(fmt::format("{:.{}e}", value, digits - 1)));
   if (value != 0.0 && (std::abs(value) < 1e-3 || std::abs(value) >= 1e7)) return scientific(value, digits);
   const int before = value == 0.0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
   return fmt::format("\\num{{{:.{}f}}}", value, std::max(0, digits - before));
@@ -155,6 +158,9 @@ std::string display_name(std::string_view name) {
       {"HTVI4 none", "HTVI4, none"},
       {"SV", "St\\\"ormer--Verlet"},
       {"stormer_verlet", "St\\\"ormer--Verlet"},
+      {"simpson", "Simpson"},
+      {"gauss2", "Gauss, 2"},
+      {"gauss4", "Gauss, 4"},
       {"norm_squared", "$q^\\top q$"},
       {"truncation", "truncation error"},
       {"truncation_root", "truncation error, 4th root"},

@@ -14,8 +14,9 @@ std::string escaped(std::string_view text);
 /// of ten.
 std::string latex(std::string_view text);
 
-/// A number for people. Formats: `int`, `plain` (as short as it is), `f<n>` (n decimals), `g<n>` (n
-/// significant digits, as a power of ten where it is very small or large), `pct` (per cent of 1).
+/// A number for people. Formats: `int`, `plain` (as short as it is), `f<n>` (n decimals), `r<n>` (an integer
+/// with n digits that are not 0), `g<n>` (n significant digits, as a power of ten where it is very small or
+/// large), `pct` (per cent of 1).
 /// @throws std::invalid_argument for another format.
 std::string latex_number(double value, std::string_view format);
 

@@ -18,10 +18,10 @@ array last[4]
 do for [i = 1:4] { stats curves using (where('p', word(shown, i), 't')) nooutput; last[i] = STATS_max }
 # Bounds last and dotted in their colours: that of p = 4 runs along the solution of p = 2.
 plot for [i = 1:4] curves using (where('p', word(shown, i), 't')):'most' with lines lc rgb hue(i) dt 1 lw 1.8, \
-  for [i = 1:4] curves using (where('p', word(shown, i), 't')):'bound' with lines lc rgb hue(i) dt (2,3) lw 2.2, \
+  for [i = 1:4] curves using (where('p', word(shown, i), 't')):'bound' with lines lc rgb hue(i) dt (2,6) lw 2.4, \
   for [i = 1:4] [t=1:1.5e4] (t > last[i]/30 && t < last[i] ? 3e-8*(t/last[i])**(-2*real(word(shown, i))) : NaN) with lines lc rgb black dt (10,3) lw 1
 eval legend(0.9)
 set key maxrows 2 width -3
 plot 2 notitle, for [i = 1:4] keyentry with lines lc rgb hue(i) lw 1.8 title 'p = '.word(shown, i), \
-  keyentry with lines lc rgb grey dt (2,3) lw 2.2 title 'bound E(t_0)/(C t^p)', keyentry with lines lc rgb black dt (10,3) title 'slope t^{−2p}'
+  keyentry with lines lc rgb grey dt (2,6) lw 2.4 title 'bound E(t_0)/(C t^p)', keyentry with lines lc rgb black dt (10,3) title 'slope t^{−2p}'
 unset multiplot
