@@ -69,15 +69,15 @@ class Schedule {
   /// Within each window: all lines that are ready and of the most frequent kind, until none is left.
   void group() {
     const auto code = [](const Line& line) {
-      return static_cast<int>(line.first) * kinds + static_cast<int>(line.second);
+      return static_cast<short>(static_cast<int>(line.first) * kinds + static_cast<int>(line.second));
     };
-    std::vector<int> kind(kinds * kinds, 0);  // in the order of their codes
+    std::vector<short> kind(kinds * kinds, -1), codes;  // kinds are numbered in the order of their codes
     for (const Line& line : lines_)
-      kind[code(line)] = 1;
-    int count = 0;
-    for (int& number : kind)
-      if (number) number = count++;
-    std::vector<List> ready(count);
+      if (std::exchange(kind[code(line)], short{0}) < 0) codes.push_back(code(line));
+    std::ranges::sort(codes);
+    for (std::size_t i = 0; i < codes.size(); ++i)
+      kind[codes[i]] = static_cast<short>(i);
+    std::vector<List> ready(codes.size());
     std::vector<int> writer(place_.size(), -1);  // of a result in this window
     std::vector<int> missing(window), next_ready(window);
     std::vector<List> users(window);  // of each line, places in `waiting`
