@@ -63,6 +63,9 @@ int main(int argc, char** argv) {
       for (std::size_t i = 0; i < times.size(); i += 5)
         curves.row(problem, name, times[i], errors[i]);
     };
+    out.note("htvi",
+             "the stationary construction under a rule of lower order than its own: r = 3 with Simpson's "
+             "rule on Henon and Heiles' problem, r = 5 with three Gauss nodes on the figure eight");
     const long share = frame.quick ? 20 : 1;
     const Galaxy galaxy;
     for (const auto& [name, energy, y] :

@@ -22,5 +22,5 @@ do for [i=1:3] {
 }
 eval legend(0.5)
 set key maxrows 1
-plot 2 with points pt 7 lc rgb blue title 'HTVI, order 4, 4, 6', 2 with points pt 7 lc rgb black title 'Runge–Kutta 4, same step'
+plot 2 with points pt 7 lc rgb blue title 'stationary HTVI, order 4, 4, 6', 2 with points pt 7 lc rgb black title 'Runge–Kutta 4, same step'
 unset multiplot
