@@ -10,8 +10,9 @@
 namespace hostile {
 
 const char* name(Verdict verdict) {
-  constexpr const char* names[] = {"right",     "conditioned", "beyond",  "WRONG", "shy",   "said",
-                                   "told less", "refused",     "rightly", "slow",  "CRASH", "no reference"};
+  constexpr const char* names[] = {"right", "conditioned", "unsaid",      "beyond",  "WRONG",
+                                   "shy",   "said",        "told less",   "refused", "rightly",
+                                   "slow",  "CRASH",       "no reference"};
   return names[static_cast<int>(verdict)];
 }
 
@@ -26,8 +27,8 @@ Truth truth(const System& system, double most_work) {
   const std::clock_t begin = std::clock();
   Reference reference(system);
   Truth truth;
-  const Orbit coarse = reference.run(1e-16L, most_work);
-  const Orbit fine = coarse.ending == Ending::solved ? reference.run(1e-18L, 2.0 * most_work) : coarse;
+  const Orbit coarse = reference.run(3e-16L, most_work);
+  const Orbit fine = coarse.ending == Ending::solved ? reference.run(1e-17L, 2.0 * most_work) : coarse;
   truth.ending = fine.ending;
   const auto spent = [&] { return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC; };
   if (truth.ending != Ending::solved) return truth.seconds = spent(), truth;
@@ -109,7 +110,7 @@ Judgement judge(const System& system, const Truth& truth, const Answer& answer, 
   else if (judgement.error <= allowed)
     verdict = Verdict::right;
   else if (judgement.blamed <= allowed)
-    verdict = Verdict::conditioned;
+    verdict = judgement.error <= 1e-2 ? Verdict::conditioned : Verdict::unsaid;
   else
     verdict = judgement.blamed <= 1e-2 ? Verdict::beyond : Verdict::wrong;
   return judgement;

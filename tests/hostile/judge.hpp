@@ -11,12 +11,14 @@ namespace hostile {
 
 /// The verdict on one call.
 enum class Verdict {
-  right,         ///< The promise is given and kept.
-  conditioned,   ///< The promise is given, and broken by no more than rounding errors grow to.
-  beyond,        ///< The promise is given and broken, but every entry is right to 1 % of its range.
-  wrong,         ///< The promise is given and broken: wrong in silence.
-  shy,           ///< The promise is not given, though the state is right to ten times the tolerance.
-  said,          ///< The promise is not given, and the error that is told instead is true.
+  right,        ///< The promise is given and kept.
+  conditioned,  ///< The promise is given, and broken by no more than rounding errors grow to.
+  unsaid,  ///< As before, but an entry is off by over 1 % of its range: nobody could do better, nobody says
+           ///< so.
+  beyond,  ///< The promise is given and broken, but every entry is right to 1 % of its range.
+  wrong,   ///< The promise is given and broken: wrong in silence.
+  shy,     ///< The promise is not given, though the state is right to ten times the tolerance.
+  said,    ///< The promise is not given, and the error that is told instead is true.
   told_less,     ///< The promise is not given, and the error is over a hundred times what is told instead.
   refused,       ///< No state at the end, though the reference has one.
   rightly,       ///< No state at the end, and no reference, or rounding alone is above the tolerance.
