@@ -64,31 +64,29 @@ class Sketch {
   };
 
   /// Along the orbit of `field` from z for `span`, or for at most `most` steps.
-  Sketch(PointField& field, const VectorX& z, double span, int most = 128) {
+  /// @param metric diagonal of H_pp: what is 1e-10 of the largest motion, masses taken out, sets no step
+  Sketch(PointField& field, const VectorX& z, double span, const VectorX& metric, int most = 128) {
     const Eigen::Index size = z.size();
     RungeKuttaStages<BogackiShampine> step(size);
-    VectorX at = z, low = z, high = z;
+    VectorX at = z, low = z, high = z, scale(size), errors(size);
     field(at, step.k[0]);
-    double h = first_step(field, at, step.k[0], span);
+    double h = first_step(field, at, step.k[0], span, metric);
     for (int tries = 0; time < span && static_cast<int>(samples.size()) < most && tries < 6 * most; ++tries) {
       h = std::min(h, span - time);
       step.advance([&](const VectorX& x, VectorX& dx) { field(x, dx); }, at, h);
       double worst = 0.0;
-      VectorX errors(size);
       for (Eigen::Index i = 0; i < size; ++i) {
-        const double error = errors[i] =
-            h * std::abs((2.0 / 9.0 - 7.0 / 24.0) * step.k[0][i] + (1.0 / 3.0 - 0.25) * step.k[1][i] +
-                         (4.0 / 9.0 - 1.0 / 3.0) * step.k[2][i] - 0.125 * step.k[3][i]);
-        const double moved = std::max({high[i], step.end[i]}) - std::min({low[i], step.end[i]});
-        const double path =
-            h * std::max({std::abs(step.k[0][i]), std::abs(step.k[1][i]), std::abs(step.k[2][i])});
-        const double scale = std::max(moved, path);
-        const double noise = 1e3 * std::numeric_limits<double>::epsilon() * std::abs(at[i]);
-        if (error <= noise)
-          errors[i] = 0.0;
-        else
-          worst = std::max(worst, error / scale);
-        if (!std::isfinite(error)) worst = std::numeric_limits<double>::infinity();
+        const double fastest =
+            std::max({std::abs(step.k[0][i]), std::abs(step.k[1][i]), std::abs(step.k[2][i])});
+        scale[i] = std::max(std::max(high[i], step.end[i]) - std::min(low[i], step.end[i]), h * fastest);
+      }
+      lift(scale, metric);
+      for (Eigen::Index i = 0; i < size; ++i) {
+        errors[i] = h * std::abs((2.0 / 9.0 - 7.0 / 24.0) * step.k[0][i] + (1.0 / 3.0 - 0.25) * step.k[1][i] +
+                                 (4.0 / 9.0 - 1.0 / 3.0) * step.k[2][i] - 0.125 * step.k[3][i]);
+        if (errors[i] <= 1e3 * std::numeric_limits<double>::epsilon() * std::abs(at[i])) errors[i] = 0.0;
+        if (errors[i] > 0.0) worst = std::max(worst, errors[i] / scale[i]);
+        if (!std::isfinite(errors[i])) worst = std::numeric_limits<double>::infinity();
       }
       const double factor = std::isfinite(worst) ? std::cbrt(loose / std::max(worst, 1e-3 * loose)) : 0.1;
       if (factor < 0.8) {
@@ -96,7 +94,7 @@ class Sketch {
         if (!(h > 1e-14 * span)) break;
         continue;
       }
-      samples.push_back({at, step.k[0], h, 0.0, std::move(errors)});
+      samples.push_back({at, step.k[0], h, 0.0, errors});
       time += h;
       at = step.end;
       for (Eigen::Index i = 0; i < size; ++i)
@@ -104,15 +102,19 @@ class Sketch {
       std::swap(step.k[0], step.k[3]);
       h *= std::min(5.0, 0.9 * factor);
     }
-    // At first the ranges were small: frequencies are found when all of them are known.
-    for (Sample& sample : samples) {
-      double worst = 1e-6 * loose;
+    // At first the ranges were small: frequencies are found when all of them are known. Steps that were far
+    // too short, as the first ones, tell of rounding: they take the frequency of the next one.
+    double next = 0.0;
+    for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample) {
+      double worst = 0.0;
       for (Eigen::Index i = 0; i < size; ++i)
-        if (sample.errors[i] > 0.0)
-          worst = std::max(worst, sample.errors[i] /
-                                      std::max(high[i] - low[i], sample.h * std::abs(sample.slope[i])));
-      sample.frequency = angle / sample.h * std::cbrt(worst / loose);
-      radians += sample.h * sample.frequency;
+        scale[i] = std::max(high[i] - low[i], sample->h * std::abs(sample->slope[i]));
+      lift(scale, metric);
+      for (Eigen::Index i = 0; i < size; ++i)
+        if (sample->errors[i] > 0.0) worst = std::max(worst, sample->errors[i] / scale[i]);
+      if (worst > 1e-4 * loose) next = angle / sample->h * std::cbrt(worst / loose);
+      sample->frequency = next;
+      radians += sample->h * next;
     }
   }
 
@@ -136,9 +138,27 @@ class Sketch {
   static constexpr double loose = 0.004;  // error of a step
   static constexpr double angle = 0.68;   // of a spring in a step with that error
 
+  /// Raises what is a 1e-10 of the largest entry, masses taken out.
+  static void lift(VectorX& scale, const VectorX& metric) {
+    const Eigen::Index n = metric.size();
+    double of_q = 0.0, of_p = 0.0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double root = std::sqrt(metric[i]);
+      of_q = std::max(of_q, scale[i] / root);
+      of_p = std::max(of_p, scale[n + i] * root);
+    }
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double root = std::sqrt(metric[i]);
+      scale[i] = std::max(scale[i], 1e-10 * of_q * root);
+      scale[n + i] = std::max(scale[n + i], 1e-10 * of_p / root);
+    }
+  }
+
   /// A step in which no entry of the field changes by much, or, where the field vanishes, the span.
-  static double first_step(PointField& field, const VectorX& z, const VectorX& dz, double span) {
-    VectorX ahead(z.size()), there(z.size());
+  static double first_step(PointField& field, const VectorX& z, const VectorX& dz, double span,
+                           const VectorX& metric) {
+    VectorX ahead(z.size()), there(z.size()), scale = dz.cwiseAbs();
+    lift(scale, metric);
     double h = 1e-3 * span;
     for (int i = 0; i < 60; ++i, h *= 0.1) {
       ahead = z + h * dz;
@@ -147,7 +167,7 @@ class Sketch {
       for (Eigen::Index k = 0; k < z.size(); ++k) {
         const double change = std::abs(there[k] - dz[k]);
         if (!std::isfinite(change)) worst = std::numeric_limits<double>::infinity();
-        if (std::abs(dz[k]) > 0.0) worst = std::max(worst, change / std::abs(dz[k]));
+        if (scale[k] > 0.0) worst = std::max(worst, change / scale[k]);
       }
       if (worst <= 0.5) return h;
     }

@@ -1,5 +1,6 @@
 #include "avi/solve.hpp"
 
+#include "distance.hpp"
 #include "journey.hpp"
 
 #include <optional>
@@ -10,97 +11,6 @@ namespace avi {
 namespace detail {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// How far apart two states are: the largest difference of an entry of (q, p), relative to the range through
-/// which it moves. What moves by rounding alone does not count.
-class Distance {
- public:
-  /// With the masses of the bodies, by which momenta and positions of different entries can be compared.
-  explicit Distance(VectorX metric) : metric_(std::move(metric)) {}
-
-  double frequency = 0.0;  ///< Mean over the sketch.
-
-  /// Between two states.
-  double operator()(const State<dynamic>& a, const State<dynamic>& b, const Ranges& ranges) const {
-    const VectorX scale = scales(ranges);
-    const Eigen::Index n = a.q.size();
-    double most = 0.0;
-    for (Eigen::Index i = 0; i < n; ++i)
-      most = std::max({most, part(a.q[i] - b.q[i], scale[i]), part(a.p[i] - b.p[i], scale[n + i])});
-    return most;
-  }
-  /// Of a velocity in phase space, per unit of time.
-  double operator()(const VectorX& velocity, const Ranges& ranges) const {
-    const VectorX scale = scales(ranges);
-    double most = 0.0;
-    for (Eigen::Index i = 0; i < velocity.size(); ++i)
-      most = std::max(most, part(velocity[i], scale[i]));
-    return most;
-  }
-
- private:
-  static constexpr double rounding = 1e-14;
-  static double part(double difference, double scale) {
-    if (difference == 0.0) return 0.0;
-    return std::isfinite(difference) ? std::abs(difference) / scale : infinity;
-  }
-  VectorX scales(const Ranges& ranges) const {
-    const Eigen::Index n = metric_.size();
-    VectorX scale = ranges.high - ranges.low;
-    // In units of the kinetic energy the largest motion of all; a range 1e-14 of it is rounding.
-    double of_q = 0.0, of_p = 0.0;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      of_q = std::max(of_q, scale[i] / std::sqrt(metric_[i]));
-      of_p = std::max(of_p, scale[n + i] * std::sqrt(metric_[i]));
-    }
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const double root = std::sqrt(metric_[i]);
-      scale[i] = std::max(scale[i], rounding * of_q * root);
-      // What moves by rounding alone is at rest, and counts by its place.
-      const double place = std::max(std::abs(ranges.high[i]), std::abs(ranges.low[i]));
-      if (scale[i] <= 1e-12 * place) scale[i] = place;
-      if (scale[n + i] <= 1e-12 * frequency * place / metric_[i])
-        scale[n + i] = frequency * place / metric_[i];
-      // A momentum that hardly changes counts by its size.
-      const double size = std::max(std::abs(ranges.high[n + i]), std::abs(ranges.low[n + i]));
-      scale[n + i] = std::max({scale[n + i], 1e-3 * size, rounding * of_p / root});
-    }
-    return scale;
-  }
-  VectorX metric_;
-};
-
-/// The diagonal of H_pp at the start, by two probes with signs: exact where H_pp is diagonal, else near.
-VectorX metric_of(const ExpressionGraph& formula, int energy, const VectorX& start) {
-  ExpressionGraph graph = formula;
-  const int n = graph.inputs() / 2;
-  VectorX metric = VectorX::Zero(n);
-  const std::vector<int> slope = Reverse(graph).gradient(energy);
-  for (int probe = 0; probe < 2; ++probe) {
-    std::vector<double> sign(static_cast<std::size_t>(n));
-    unsigned bits = 12345u + 777u * static_cast<unsigned>(probe);
-    int along = graph.constant(0.0);
-    for (int i = 0; i < n; ++i) {
-      bits = bits * 1664525u + 1013904223u;
-      sign[static_cast<std::size_t>(i)] = bits >> 31 ? 1.0 : -1.0;
-      along = graph.binary(bits >> 31 ? Operation::add : Operation::subtract, along,
-                           slope[static_cast<std::size_t>(n + i)]);
-    }
-    RecordedFormula<double> second{Recording(graph, along).gradient(n, n)};
-    std::copy(start.data(), start.data() + 2 * n, second.room.arguments());
-    second.program.run(second.room);
-    for (int i = 0; i < n; ++i)
-      metric[i] = std::max(metric[i], sign[static_cast<std::size_t>(i)] * second.partial(i));
-  }
-  double largest = 0.0;
-  for (int i = 0; i < n; ++i)
-    if (std::isfinite(metric[i])) largest = std::max(largest, metric[i]);
-  for (int i = 0; i < n; ++i)
-    if (!(metric[i] > 0.0) || !std::isfinite(metric[i])) metric[i] = largest > 0.0 ? largest : 1.0;
-  return metric;
-}
 
 /// What two runs tell about the error of the finer one. Errors of a phase are larger where the motion is
 /// faster, so how they grow is seen from the time by which one run is behind the other.
@@ -183,7 +93,10 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
     seen.error = apart;
   }
   seen.behind = std::max(early, late);
-  if (early > 0.0 && late > 3.5 * early) {
+  // How rounding grows says nothing of how an error would.
+  const double rounding = (100.0 * std::numeric_limits<double>::epsilon() + 10.0 * fine.candidate->noise) *
+                          distance_->frequency * std::abs(fine.marks[marks - 1].t - question_.t);
+  if (early > 0.0 && late > 3.5 * early && late * usual_speed_ * ratio > rounding) {
     seen.growth = std::min(3.0, std::log2(late / early));
     if (late > 12.0 * early)
       seen.rate = std::log(late / early) / std::abs(fine.marks[marks - 1].t - fine.marks[(marks - 1) / 2].t);
@@ -299,7 +212,7 @@ OrbitAnswer Orbiter::solve() {
   const VectorX metric = metric_of(question_.graph, question_.energy, start);
   distance_.emplace(metric);
   field_.sense = sense_;
-  sketch_.emplace(field_, start, span);
+  sketch_.emplace(field_, start, span, metric);
   field_.sense = 1.0;
   const Sketch& sketch = *sketch_;
   distance_->frequency = sketch.radians / std::max(sketch.time, 1e-300);
@@ -341,7 +254,7 @@ OrbitAnswer Orbiter::solve() {
   const double per_time = sketch.radians / std::max(sketch.time, 1e-300);
   const double radians = radians_ = per_time * span;
   const double compared =
-      radians <= 100.0 ? span : std::min(span, std::max(sketch.time_of(48.0), 0.06 * span));
+      radians <= 400.0 ? span : std::min(span, std::max(sketch.time_of(48.0), 0.06 * span));
   const double piece = std::min(compared, sketch.time_of(20.0));
   answer_.choice.time = piece;
   const double aim = std::max(question_.tolerance * compared / span, 1e-15);
@@ -381,12 +294,17 @@ OrbitAnswer Orbiter::solve() {
     return std::max(foretold(seen, compared, span, high_speed_) / question_.tolerance,
                     hidden ? 0.0 : fine.energy_error / (3.0 * question_.tolerance));
   };
-  std::optional<Journey> coarse, fine;
+  std::optional<Journey> coarse, fine, finest;
   Comparison seen;
   double error = infinity, before = infinity;
   const double longest = compared * it->fictive / sketch.time;
   double next = std::min(1.25 * h, longest);
+  // What all these runs may take: some seconds, or three times the first of them where that is more.
+  double allowed = 1e9 / it->operations();
   for (int round = 0; round < 12; ++round) {
+    if (fine && 3.0 * static_cast<double>(fine->run.evaluations) > allowed)
+      allowed = 3.0 * static_cast<double>(fine->run.evaluations);
+    if (fine && static_cast<double>(fine->run.evaluations) * fine->h / next > allowed) break;
     Journey journey = run(*it, order, next, there, marks, 1e4 + 100.0 * per_time_ * compared / next);
     if (!journey.ok()) {
       note_trial(journey, infinity);
@@ -400,14 +318,14 @@ OrbitAnswer Orbiter::solve() {
       continue;
     }
     if (fine && journey.h > fine->h) {
-      // A longer step, to be judged by the shorter one.
-      const Comparison longer = compare(journey, *fine);
-      const double ratio = trusted(journey, *fine);
+      // A longer step, to be judged by the shortest one.
+      if (!finest) finest = fine;
+      const Comparison longer = compare(journey, *finest);
+      const double ratio = trusted(journey, *finest);
       const Comparison its{longer.error * ratio, longer.behind * ratio, longer.growth, longer.rate};
       const double its_error = total(journey, its);
       note_trial(journey, its.error);
       if (its_error > 1.0) break;
-      coarse = std::nullopt;
       fine = std::move(journey);
       seen = its;
       error = its_error;
@@ -435,7 +353,7 @@ OrbitAnswer Orbiter::solve() {
     } else {
       // Of a long run a longer step pays for one more trial.
       const double gain = std::min(std::pow(0.4 / std::max(error, 1e-300), 1.0 / order), 2.0);
-      if (compared == span || !coarse || gain < 1.15 || gain * fine->h > longest) break;
+      if (compared == span || gain < 1.15 || gain * fine->h > longest) break;
       next = gain * fine->h;
     }
   }

@@ -62,7 +62,8 @@ TEST(Layers, LibraryIncludesPointDown) {
   int seen = 0;
   for (const fs::path& file : files_under(source / "lib/avi")) {
     if (file.filename() == "avi.hpp" || file.filename() == "version.hpp") continue;  // they are in no folder
-    const std::string folder = *fs::relative(file, source / "lib/avi").begin();
+    std::string folder = *fs::relative(file, source / "lib/avi").begin();
+    if (folder == "solve.hpp") folder = "automatic";  // the front door stands before all folders
     ASSERT_TRUE(floors.contains(folder)) << "lib/avi/" << folder << " has no floor in this test yet";
     for (const std::string& include : includes_of(file)) {
       ASSERT_TRUE(include.starts_with("avi/"))

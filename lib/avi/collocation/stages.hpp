@@ -13,7 +13,8 @@ namespace avi {
 
 /// When a step counts as solved.
 struct SweepSettings {
-  /// Relative change that one more sweep would make. At 1e-16 the energy drifts, 1e-13 in 10 000 periods.
+  /// Relative change that one more sweep would make. At 1e-16 the energy drifts, 1e-13 in 10 000 periods;
+  /// from 1e-15 on the error of a run is up to some ten times this.
   double tolerance = 1e-17;
   int max_sweeps = 100;  ///< After so many a step ends as Outcome::not_converged.
 };
@@ -195,7 +196,7 @@ class alignas(64) Stages {
       // level of rounding they stop falling.
       const bool falls = before > 0.0 && change < 0.5 * before;
       ratio = k <= many ? change / before : std::max(ratio, change / before);
-      const bool solved = before <= 1.0 && falls && change * ratio <= settings_.tolerance;
+      const bool solved = before <= 1.0 && falls && change * ratio <= limit_;
       ratio = change / before;
       const bool stagnates =
           before > 0.0 && !falls && change <= 16.0 * epsilon && (k <= many || change <= epsilon);
@@ -280,7 +281,10 @@ class alignas(64) Stages {
   Vector<double, n> change_;
   EntryProgress<n, w> progress_;
   Newton<n, w> newton_;
-  int stiff_ = 0;                // steps in a row that took Newton's method
+  int stiff_ = 0;  // steps in a row that took Newton's method
+  // Changes are relative to the size of an entry in the whole step, which may be forty times its smallest one
+  // (Kepler, e = 0.9, eight steps a period); at the level of rounding that makes no difference.
+  double limit_ = settings_.tolerance > 1e-15 ? settings_.tolerance / 16.0 : settings_.tolerance;
   bool patient_ = false;         // no other iteration than sweeps will do at this h
   double h_ = 0.0, size_ = 0.0;  // of the last step; of the sweeps
   Place place_ = Place::elsewhere;
