@@ -3,7 +3,7 @@
 #include <cstdint>
 
 /// @file
-/// Random numbers that are the same with every compiler.
+/// Random numbers that are the same with every standard library; compilers may ask for them in another order.
 
 namespace hostile {
 

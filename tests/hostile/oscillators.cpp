@@ -206,6 +206,7 @@ void wall(Dice& dice, Draft& s) {
   s.c = {dice.decades(0.1, 100.0), dice.between(-0.7, 0.7), dice.decades(0.003, 0.5), dice.decades(0.3, 3.0)};
   s.generic(dice, 1.0, 1.0);
   s.q[0] = dice.chance(0.5) ? 1.0 : -1.0;
+  s.reach = 30.0 * s.c[2];
   s.longest = 30.0;
   s.say("kind %d, height %.3g at %.3g, width %.3g", s.k[0], s.c[0], s.c[1], s.c[2]);
 }

@@ -162,6 +162,7 @@ void scattering(Dice& dice, Draft& s) {
   s.c = {boxed ? 1.0 : 0.0};
   for (int i = 0; i < s.k[1]; ++i) {
     s.c.push_back(dice.sign() * dice.decades(0.1, 10.0)), s.c.push_back(dice.decades(0.03, 1.0));
+    s.reach = std::min(s.reach, 30.0 * s.c.back());
     for (int a = 0; a < s.n; ++a)
       s.c.push_back(dice.between(-1.0, 1.0));
   }

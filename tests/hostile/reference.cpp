@@ -20,6 +20,8 @@ Reference::Reference(const System& system) : tape_(2 * system.n), size_(2 * syst
     start_.insert(start_.end(), x->begin(), x->end());
   for (const auto* x : {&system.q_scale, &system.p_scale})
     scale_.insert(scale_.end(), x->begin(), x->end());
+  for (const double unit : system.unit)
+    reach_.push_back(static_cast<Real>(system.reach) * unit);
   span_ = static_cast<Real>(system.t_end) - static_cast<Real>(system.t);
   for (Vector* x : {&before_, &now_, &point_, &slope_, &increment_, &doubt_, &carry_})
     x->resize(size_);
@@ -89,6 +91,14 @@ Real Reference::error(const Vector& z, Real tolerance, const Orbit& orbit) const
   return worst;
 }
 
+// A step after which no coordinate has gone further than it may.
+Real Reference::longest(const Orbit& orbit) const {
+  Real h = span_;
+  for (std::size_t i = 0; i < reach_.size(); ++i)
+    if (orbit.slope[i] != 0) h = std::min(h, reach_[i] / std::abs(orbit.slope[i]));
+  return h;
+}
+
 void Reference::begin(Orbit& orbit, const Vector& start) {
   orbit.end = orbit.low = orbit.high = start;
   orbit.slope.resize(size_);
@@ -119,6 +129,7 @@ Orbit Reference::run(Real tolerance, double most) {
     if (orbit.slope[i] != 0) h = std::min(h, scale_[i] / (10 * std::abs(orbit.slope[i])));
   while (done < span_) {
     if (orbit.work > most) return orbit.ending = Ending::too_long, orbit;
+    h = std::min(h, longest(orbit));
     const bool last = done + h >= span_;
     const Real length = last ? span_ - done : h;
     step(orbit.end, orbit.slope, length);

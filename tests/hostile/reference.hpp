@@ -52,12 +52,14 @@ class Reference {
   void field(const Vector& z, Vector& slope);
   void step(const Vector& z, const Vector& slope, Real h);
   [[nodiscard]] Real error(const Vector& z, Real tolerance, const Orbit& orbit) const;
+  [[nodiscard]] Real longest(const Orbit& orbit) const;
   void begin(Orbit& orbit, const Vector& start);
   void go_on(Orbit& orbit, Real h);
 
   Tape tape_;
   int size_;  // 2n
   Vector start_, scale_;
+  Vector reach_;  // of each coordinate, n
   Real span_;
   bool in_double_ = false;
   std::vector<Vector> table_ = std::vector<Vector>(rows);

@@ -47,8 +47,11 @@ struct System {
   double energy = 1.0;                    ///< Unit of H.
   std::vector<double> q, p;               ///< Start.
   std::vector<double> q_scale, p_scale;   ///< About the range through which each entry moves.
-  double t = 0.0, t_end = 1.0;            ///< Of the start and of the end.
-  std::string note;                       ///< What a reader should know.
+  /// How far a coordinate may move, over its unit, in a step of a reference that is not to jump over what is
+  /// narrow.
+  double reach = 1e300;
+  double t = 0.0, t_end = 1.0;  ///< Of the start and of the end.
+  std::string note;             ///< What a reader should know.
 
   /// H at any scalar S that q and p consist of.
   template <class Q>
