@@ -33,12 +33,14 @@ Truth truth(const System& system, double most_work) {
   const auto spent = [&] { return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC; };
   if (truth.ending != Ending::solved) return truth.seconds = spent(), truth;
   const std::size_t size = fine.end.size(), n = size / 2;
+  const auto natural = [&](std::size_t i) -> Real {
+    return i < n ? system.q_scale[i] : system.p_scale[i - n];
+  };
   truth.end = fine.end;
   truth.range.resize(size), truth.doubt.resize(size), truth.rounding.assign(size, Real(0));
   for (std::size_t i = 0; i < size; ++i) {
     // Where an entry does not move at all, its natural size still tells rounding from error.
-    const Real natural = i < n ? system.q_scale[i] : system.p_scale[i - n];
-    truth.range[i] = std::max(fine.high[i] - fine.low[i], 1e-12L * natural);
+    truth.range[i] = std::max(fine.high[i] - fine.low[i], 1e-12L * natural(i));
     truth.doubt[i] = std::abs(fine.end[i] - coarse.end[i]);
   }
   const auto widen = [&](const Vector& end, const Vector& from, Real factor) {
@@ -52,7 +54,8 @@ Truth truth(const System& system, double most_work) {
   for (int run = 0; run < 3; ++run) {
     Vector start = reference.start();
     for (std::size_t i = 0; i < size; ++i)
-      start[i] += 1e-15L * dice.between(-1.0, 1.0) * std::max(std::abs(start[i]), truth.range[i]);
+      start[i] += 1e-15L * dice.between(-1.0, 1.0) *
+                  std::max(std::abs(start[i]), std::min(truth.range[i], natural(i)));
     widen(reference.repeat(start, coarse.steps, false).end, coarse.end, 100);
   }
   widen(reference.repeat(reference.start(), coarse.steps, true).end, coarse.end, 10);

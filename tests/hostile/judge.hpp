@@ -33,9 +33,10 @@ const char* name(Verdict verdict);
 /// What the reference knows about the end of an orbit. All vectors hold q, then p.
 ///
 /// An entry of an answer may be wrong by 100 tolerance range, and by what rounding errors do to any method
-/// in double precision: 100 times what errors of 1e-15 at the start grow to (of the larger of value and
-/// range, in three random directions), and 10 times the error of a run of the reference that evaluates the
-/// field in double precision (extrapolation magnifies the rounding of the field some thirty times).
+/// in double precision: 100 times what errors of 1e-15 at the start grow to (of the value or of the
+/// natural size of its entry, in three random directions), and 10 times the error of a run of the reference
+/// that evaluates the field in double precision (extrapolation magnifies the rounding of the field some
+/// thirty times).
 struct Truth {
   Ending ending = Ending::solved;
   Vector end;       ///< The state.
