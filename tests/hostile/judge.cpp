@@ -39,8 +39,9 @@ Truth truth(const System& system, double most_work) {
   truth.end = fine.end;
   truth.range.resize(size), truth.doubt.resize(size), truth.rounding.assign(size, Real(0));
   for (std::size_t i = 0; i < size; ++i) {
-    // Where an entry does not move at all, its natural size still tells rounding from error.
-    truth.range[i] = std::max(fine.high[i] - fine.low[i], 1e-12L * natural(i));
+    // Where an entry does not move, or by less than 1e-8 of itself, its size tells rounding from error.
+    const Real far = std::max(std::abs(fine.high[i]), std::abs(fine.low[i]));
+    truth.range[i] = std::max({fine.high[i] - fine.low[i], 1e-8L * far, 1e-12L * natural(i)});
     truth.doubt[i] = std::abs(fine.end[i] - coarse.end[i]);
   }
   const auto widen = [&](const Vector& end, const Vector& from, Real factor) {

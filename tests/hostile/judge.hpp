@@ -40,7 +40,7 @@ const char* name(Verdict verdict);
 struct Truth {
   Ending ending = Ending::solved;
   Vector end;       ///< The state.
-  Vector range;     ///< Through which each entry moves.
+  Vector range;     ///< Through which each entry moves; at least 1e-8 of its size.
   Vector doubt;     ///< Difference of two runs of the reference with different tolerances.
   Vector rounding;  ///< Error that no method in double precision can be blamed for.
   double seconds = 0.0;
