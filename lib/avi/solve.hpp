@@ -17,6 +17,7 @@ namespace avi {
 /// keeps the state that it had reached.
 struct SolveOptions {
   double seconds = std::numeric_limits<double>::infinity();  ///< Wall-clock time; at least 0.
+  bool check = true;            ///< A long run is made twice, so that all of it is compared; see solve().
   long sweeps = 2'000'000'000;  ///< Evaluations of the field at all stages, trials included; at least 1.
 };
 
@@ -97,11 +98,12 @@ OrbitAnswer answer(const OrbitQuestion& question);
 /// Integrates the orbit of H from `start` to the physical time `t_end`.
 ///
 /// The tolerance is that of the state at the end: every coordinate and every momentum is right to about
-/// `tolerance` times the range through which it moves. What is left to say after the run is
-/// SolutionReport::state_error: up to some thirty turns it is the difference to a second run with a longer
-/// step, reduced by the order of the method; of longer runs this is measured over their first tenth and
-/// carried on at the rate at which it grew there, which for regular motion is linear in time. Where the
-/// motion does not allow the tolerance (chaos, rounding), kept() is false and report() says why.
+/// `tolerance` times the range through which it moves. SolutionReport::state_error says what came of it: the
+/// difference to a second run with a longer step, reduced by the order of the method. Runs of more than some
+/// sixty turns find their step from the errors of the first sixteenth, which grow linearly in time where
+/// motion is regular; without SolveOptions::check that is all there is of the second run, at a half of the
+/// price. Where the motion does not allow the tolerance (chaos, rounding, a wall thinner than a step), kept()
+/// is false and report() says why.
 ///
 /// The method is Gauss collocation with constant steps in the fictive time of one of these monitors,
 /// symplectic but for the last, shorter step that ends at t_end:

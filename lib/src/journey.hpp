@@ -2,6 +2,7 @@
 #include "avi/core/integrate_to.hpp"
 #include "avi/solve.hpp"
 #include "candidates.hpp"
+#include "sharp.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -16,13 +17,14 @@ namespace avi::detail {
 
 /// What is the same for all runs along an orbit.
 struct Trip {
-  const ExpressionGraph& graph;  ///< Of (q, p).
-  int energy;                    ///< Node of H.
-  State<dynamic> start;          ///< Where it begins.
-  double energy_at_start;        ///< H_0.
-  double energy_scale;           ///< Of energy errors.
-  double sense;                  ///< 1, or -1 where the end lies before the start.
-  SolveOptions options;          ///< Bounds.
+  const ExpressionGraph& graph;       ///< Of (q, p).
+  int energy;                         ///< Node of H.
+  State<dynamic> start;               ///< Where it begins.
+  double energy_at_start;             ///< H_0.
+  double energy_scale;                ///< Of energy errors.
+  double sense;                       ///< 1, or -1 where the end lies before the start.
+  SolveOptions options;               ///< Bounds.
+  SharpFeatures* features = nullptr;  ///< Looked for, if there are any.
   std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();  ///< Of the call.
   long sweeps = 0;                                                                 ///< Spent so far.
 
@@ -66,6 +68,7 @@ struct Journey {
   Ranges ranges;                      ///< Of all states.
   double energy_error = 0.0;          ///< Largest |H - H_0| over the scale.
   bool spent = false;                 ///< It met a bound of the call.
+  bool jumped = false;                ///< A step went over a feature of H that it did not see.
 
   /// At the start of a trip.
   explicit Journey(const State<dynamic>& start) : state(start), ranges(start) {}
@@ -130,6 +133,8 @@ Journey travel(Trip& trip, PointField& field, Candidate& candidate, int order, d
     run.evaluations += report.evaluations;
     if (run.outcome == Outcome::ok && !z.finite()) run.outcome = Outcome::non_finite;
     if (run.outcome == Outcome::ok && !(sense * (z.t - before.t) > 0.0)) run.outcome = Outcome::stalled;
+    if (run.outcome == Outcome::ok && trip.features && !journey.jumped)
+      journey.jumped = trip.features->jumped(method, before, z);
     const double after = z.t;
     for (; run.outcome == Outcome::ok && next < marks.size() && sense * (marks[next] - after) <= 0.0 &&
            marks[next] != end;

@@ -143,7 +143,8 @@ Candidate* Orbiter::choose(std::vector<Candidate>& menu, double piece, double ai
     const double longest = piece * it.fictive / sketch_->time;
     double first = std::min(guess(it, aim, order), longest);
     double failed_at = -1.0;
-    for (int attempt = 0; attempt < 6; ++attempt, first *= 0.4) {
+    int failures = 0;
+    for (int attempt = 0; attempt < (in_the_way_ > 0.0 ? 4 : 10); ++attempt, first *= 0.4) {
       // As many sweeps as the sketch suggests, many times over; less where another candidate does with less.
       const double usual = 10.0 * longest / first;
       Journey journey =
@@ -153,7 +154,8 @@ Candidate* Orbiter::choose(std::vector<Candidate>& menu, double piece, double ai
         if (journey.run.outcome == Outcome::stopped || journey.spent) break;
         // Shorter steps that fail at the same time: there is something in the way.
         const double reached = std::abs(journey.state.t - question_.t);
-        if (reached > 0.0 && std::abs(reached - failed_at) <= 1e-3 * reached) {
+        failures = reached > 0.0 && std::abs(reached - failed_at) <= 1e-2 * reached ? failures + 1 : 0;
+        if (failures == (in_the_way_ > 0.0 ? 2 : 8)) {
           in_the_way_ = std::max(in_the_way_, reached);
           break;
         }
@@ -254,11 +256,11 @@ OrbitAnswer Orbiter::solve() {
   const double per_time = sketch.radians / std::max(sketch.time, 1e-300);
   const double radians = radians_ = per_time * span;
   const double compared =
-      radians <= 400.0 ? span : std::min(span, std::max(sketch.time_of(48.0), 0.06 * span));
+      radians <= 400.0 ? span : std::min(span, std::max(sketch.time_of(36.0), 0.06 * span));
   const double piece = std::min(compared, sketch.time_of(20.0));
   answer_.choice.time = piece;
   const double aim = std::max(question_.tolerance * compared / span, 1e-15);
-  const int order = aim > 1e-8 ? 8 : 16;
+  const int order = aim > 2e-6 ? 8 : 16;
   double h = 0.0;
   const double piece_aim = std::max(aim * piece / compared, 1e-15);
   Candidate* it = choose(menu, piece, piece_aim, order, h);
@@ -289,7 +291,10 @@ OrbitAnswer Orbiter::solve() {
   else
     marks = {question_.t_end};
   const double there = marks.back();
+  SharpFeatures features(question_.graph, question_.energy);
+  if (!features.none()) trip_->features = &features;
   const auto total = [&](const Journey& fine, const Comparison& seen) {
+    if (fine.jumped) return 1e3;
     const bool hidden = fine.energy_error <= 100.0 * answer_.energy_rounding;
     return std::max(foretold(seen, compared, span, high_speed_) / question_.tolerance,
                     hidden ? 0.0 : fine.energy_error / (3.0 * question_.tolerance));
@@ -301,7 +306,7 @@ OrbitAnswer Orbiter::solve() {
   double next = std::min(1.25 * h, longest);
   // What all these runs may take: some seconds, or three times the first of them where that is more.
   double allowed = 1e9 / it->operations();
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0, failures = 0; round < 30; ++round) {
     if (fine && 3.0 * static_cast<double>(fine->run.evaluations) > allowed)
       allowed = 3.0 * static_cast<double>(fine->run.evaluations);
     if (fine && static_cast<double>(fine->run.evaluations) * fine->h / next > allowed) break;
@@ -313,8 +318,8 @@ OrbitAnswer Orbiter::solve() {
         break;
       }
       if (fine && next > fine->h) break;  // the longer step does not pay
-      next *= 0.6;
-      if (fine && next < 0.3 * fine->h) break;
+      next *= 0.5;
+      if (++failures == 12) break;
       continue;
     }
     if (fine && journey.h > fine->h) {
@@ -345,11 +350,15 @@ OrbitAnswer Orbiter::solve() {
       note_trial(*fine, seen.error);
       // Where shorter steps do not help, it is rounding, or chaos that magnifies it, if the error is small;
       // if it is large, it may be a feature that no step has seen yet, which is worth a while.
-      if (error > 1.0 && error > 0.5 * before && round > 3 && (seen.error < 1e-7 || trip_->sweeps > 400'000))
+      if (error > 1.0 && error > 0.5 * before && round > 3 && !fine->jumped &&
+          (seen.error < 1e-7 || trip_->sweeps > 400'000))
         break;
     }
-    if (error > 1.0) {
-      next = fine->h * std::clamp(std::pow(0.4 / error, 1.0 / order), 0.35, 0.85);
+    if (fine->jumped) {
+      next = 0.4 * fine->h;
+    } else if (error > 1.0) {
+      // Where errors do not fall by the order yet, by halves.
+      next = fine->h * std::clamp(std::pow(0.4 / error, 1.0 / order), 0.35, round > 4 ? 0.5 : 0.85);
     } else {
       // Of a long run a longer step pays for one more trial.
       const double gain = std::min(std::pow(0.4 / std::max(error, 1e-300), 1.0 / order), 2.0);
@@ -359,23 +368,51 @@ OrbitAnswer Orbiter::solve() {
   }
   if (!fine) return fail(Outcome::not_converged, "No step size brought a run to the end.");
   Journey whole = *fine;
+  double checked = -1.0;
   if (compared < span && fine->ok()) {
-    answer_.choice.sweeps += 0;
-    for (int restart = 0;; ++restart) {
-      const double limit = 3.0 * question_.tolerance;
-      whole = travel(*trip_, field_, *it, order, fine->h * std::pow(0.8, restart), question_.t_end, {},
-                     [&, most = 1e6 + 100.0 * per_time_ * span / fine->h](const Journey& journey) {
-                       if (static_cast<double>(journey.run.evaluations) > most) return false;
-                       return restart == 6 ||
-                              journey.energy_error <= std::max(limit, 3.0 * fine->energy_error) ||
-                              journey.energy_error <= 100.0 * answer_.energy_rounding;
-                     });
-      if (whole.ok() || whole.spent || restart == 6) break;
+    const std::vector<double> end{question_.t_end};
+    const double rounding = 100.0 * answer_.energy_rounding;
+    const double limit = std::max({3.0 * question_.tolerance, 3.0 * fine->energy_error, rounding});
+    double step = fine->h;
+    std::optional<Journey> other;
+    for (int restart = 0; restart < 8; ++restart) {
+      const double most = 1e6 + 100.0 * per_time_ * span / step;
+      whole = travel(*trip_, field_, *it, order, step, question_.t_end, end, [&](const Journey& journey) {
+        return static_cast<double>(journey.run.evaluations) <= most &&
+               (restart == 7 || journey.energy_error <= limit);
+      });
+      if (whole.spent) break;
+      if (whole.ok() && trip_->options.check) {
+        if (!other) {
+          other = travel(
+              *trip_, field_, *it, order, 1.25 * step, question_.t_end, end,
+              [&](const Journey& journey) { return static_cast<double>(journey.run.evaluations) <= most; });
+          note_trial(*other, infinity);
+        }
+        if (other->ok())
+          checked = compare(*other, whole).error;
+        else if (other->run.outcome != Outcome::ok)
+          checked = infinity;
+        // What is not far off is made good by a shorter step; the rest is chaos, or rounding.
+        if (!(checked > 3.0 * question_.tolerance) || !(checked < 1e-3) || restart >= 2) break;
+        note_trial(whole, checked);
+        other = whole;
+        step *= std::clamp(std::pow(0.3 * question_.tolerance / checked, 1.0 / order), 0.4, 0.8);
+        continue;
+      }
+      if (whole.ok()) break;
       note_trial(whole, infinity);
+      step *= 0.8;
     }
   } else {
     answer_.choice.sweeps -= fine->run.evaluations;
-    if (!answer_.choice.trials.empty()) answer_.choice.trials.pop_back();
+    // The run that is taken is no trial.
+    auto& trials = answer_.choice.trials;
+    for (auto trial = trials.rbegin(); trial != trials.rend(); ++trial)
+      if (trial->h == fine->h && trial->steps == fine->run.steps) {
+        trials.erase(std::next(trial).base());
+        break;
+      }
   }
   answer_.choice.name = it->name;
   answer_.choice.order = order;
@@ -383,8 +420,16 @@ OrbitAnswer Orbiter::solve() {
   answer_.run = whole.run;
   answer_.energy_error = whole.energy_error;
   // What rounding leaves grows with the phase.
-  answer_.state_error = foretold(seen, compared, span, speed_at(whole.state, whole.ranges)) +
-                        (it->noise + std::numeric_limits<double>::epsilon()) * radians;
+  answer_.state_error = checked >= 0.0
+                            ? checked + (it->noise + std::numeric_limits<double>::epsilon()) * radians
+                            : foretold(seen, compared, span, speed_at(whole.state, whole.ranges)) +
+                                  (it->noise + std::numeric_limits<double>::epsilon()) * radians;
+  if (whole.jumped) {
+    answer_.state_error = infinity;
+    answer_.note += "A step went over a feature of H that is thinner than the step, and shorter steps would "
+                    "cost too much: the orbit may "
+                    "be another one. ";
+  }
   if (!whole.ok()) {
     answer_.state_error = infinity;
     answer_.run.message = whole.run.outcome == Outcome::stopped
@@ -394,7 +439,7 @@ OrbitAnswer Orbiter::solve() {
                               : describe_end(whole.run.outcome, whole.state, whole.run.steps, 0.0, "");
     if (whole.run.outcome == Outcome::stopped) answer_.run.outcome = Outcome::step_limit;
   }
-  if (seen.rate > 0.0)
+  if (seen.rate > 0.0 || (checked > 1e-3 && checked > 100.0 * foretold(seen, compared, span, high_speed_)))
     answer_.note += "Neighbouring orbits move apart exponentially here: the state at the end depends on more "
                     "digits than the tolerance has. ";
   std::copy(whole.state.q.begin(), whole.state.q.end(), answer_.q.begin());

@@ -1,0 +1,104 @@
+#pragma once
+#include "avi/autodiff/recording.hpp"
+#include "candidates.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+/// @file
+/// Features of H that a step may jump over: walls and bells thinner than the way from stage to stage.
+
+namespace avi::detail {
+
+/// The arguments of all functions in H that change within a narrow range of their argument only: exp, tanh,
+/// cosh, erf and the like. The arguments are smooth on the way where the functions are not, so that a peak or
+/// a passage through zero between two points can be found from them.
+class SharpFeatures {
+ public:
+  /// Of H as a node of a graph.
+  SharpFeatures(const ExpressionGraph& graph, int energy) {
+    const std::vector<char> part = graph.parts(energy);
+    for (int i = 0; i <= energy; ++i) {
+      using enum Operation;
+      const Operation what = graph[i].operation;
+      const bool peak = what == exp,
+                 passage = what == tanh || what == cosh || what == sinh || what == erf || what == erfc;
+      if (!part[static_cast<std::size_t>(i)] || !(peak || passage)) continue;
+      const int n = graph.inputs() / 2;
+      arguments_.push_back({peak, n, {Recording(graph, graph[i].a).value()}});
+    }
+  }
+
+  /// H has no such function.
+  [[nodiscard]] bool none() const { return arguments_.empty(); }
+
+  /// Some feature lies inside the last step of `method`, between points that do not show it.
+  bool jumped(const Candidate::Solver& method, const State<dynamic>& before, const State<dynamic>& after) {
+    if (arguments_.empty()) return false;
+    constexpr int parts = 4;
+    std::array<State<dynamic>, parts + 1> on_the_way;
+    for (int k = 1; k < parts; ++k)
+      on_the_way[k] = method.polynomial(static_cast<double>(k) / parts, 0.0);
+    on_the_way[0] = before;
+    on_the_way[parts] = after;
+    for (Argument& argument : arguments_) {
+      std::array<double, parts + 1> at;
+      for (int k = 0; k <= parts; ++k)
+        at[k] = argument(on_the_way[k]);
+      const auto [least, most] = std::ranges::minmax_element(at);
+      if (!(*most - *least > wide)) continue;
+      if (argument.peak) {
+        const auto k = static_cast<int>(most - at.begin());
+        const double place = highest(method, argument, std::max(k - 1, 0) / static_cast<double>(parts),
+                                     std::min(k + 1, parts) / static_cast<double>(parts));
+        const double top = argument(method.polynomial(place, 0.0));
+        // From e^-40 on it may be felt; stages an eighth of a step away would have to see something of it.
+        for (const double side : {std::max(place - 0.125, 0.0), std::min(place + 0.125, 1.0)})
+          if (top > -40.0 && top - argument(method.polynomial(side, 0.0)) > 12.0) return true;
+      } else {
+        for (int k = 0; k < parts; ++k)
+          if (at[k] * at[k + 1] < 0.0 && std::abs(at[k + 1] - at[k]) > 8.0) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  static constexpr double wide = 30.0;  // a change of the argument that a step may not make unseen
+  struct Argument {
+    bool peak;
+    int n;
+    RecordedFormula<double> formula;
+    double operator()(const State<dynamic>& z) {
+      std::copy(z.q.data(), z.q.data() + n, formula.room.arguments());
+      std::copy(z.p.data(), z.p.data() + n, formula.room.arguments() + n);
+      formula.program.run(formula.room);
+      return formula.value();
+    }
+  };
+
+  /// Where it is largest in a part of the step, by golden section.
+  static double highest(const Candidate::Solver& method, Argument& argument, double low, double high) {
+    constexpr double golden = 0.6180339887498949;
+    double a = high - golden * (high - low), b = low + golden * (high - low);
+    double at_a = argument(method.polynomial(a, 0.0)), at_b = argument(method.polynomial(b, 0.0));
+    for (int i = 0; i < 30; ++i) {
+      if (at_a > at_b) {
+        high = b, b = a, at_b = at_a;
+        a = high - golden * (high - low);
+        at_a = argument(method.polynomial(a, 0.0));
+      } else {
+        low = a, a = b, at_a = at_b;
+        b = low + golden * (high - low);
+        at_b = argument(method.polynomial(b, 0.0));
+      }
+    }
+    return 0.5 * (low + high);
+  }
+
+  std::vector<Argument> arguments_;
+};
+
+}  // namespace avi::detail
