@@ -135,7 +135,10 @@ Candidate* Orbiter::choose(std::vector<Candidate>& menu, double piece, double ai
   std::optional<Journey> reference;
   double of_reference = 0.0, best = infinity;
   Candidate* chosen = nullptr;
+  // Operations that all these runs may take, and each of them, besides some thousand sweeps.
+  double left = 5e8;
   for (Candidate& it : menu) {
+    if (left <= 0.0) break;
     if (!chosen && it.outlook > 100.0 * menu.front().outlook) break;
     if (trip_->bound(0) != Outcome::ok) break;
     if (chosen && it.outlook > 2.5 * chosen->outlook) break;
@@ -147,8 +150,10 @@ Candidate* Orbiter::choose(std::vector<Candidate>& menu, double piece, double ai
     for (int attempt = 0; attempt < (in_the_way_ > 0.0 ? 4 : 10); ++attempt, first *= 0.4) {
       // As many sweeps as the sketch suggests, many times over; less where another candidate does with less.
       const double usual = 10.0 * longest / first;
-      Journey journey =
-          run(it, order, first, end, marks, 1e3 + std::min(100.0 * usual, 4.0 * best / it.operations()));
+      const double most = 1e4 + std::min(1e8, left) / it.operations();
+      Journey journey = run(it, order, first, end, marks,
+                            1e3 + std::min({100.0 * usual, 4.0 * best / it.operations(), most}));
+      left -= static_cast<double>(journey.run.evaluations) * it.operations();
       if (!journey.ok()) {
         note_trial(journey, infinity);
         if (journey.run.outcome == Outcome::stopped || journey.spent) break;
@@ -164,7 +169,7 @@ Candidate* Orbiter::choose(std::vector<Candidate>& menu, double piece, double ai
       }
       double error;
       if (!reference) {
-        Journey finer = run(it, order, 0.8 * first, end, marks, 1e3 + 200.0 * usual);
+        Journey finer = run(it, order, 0.8 * first, end, marks, 1e3 + std::min(200.0 * usual, 2.0 * most));
         if (!finer.ok()) {
           note_trial(finer, infinity);
           continue;
@@ -279,7 +284,8 @@ OrbitAnswer Orbiter::solve() {
       text << "Runs fail at t = " << question_.t + sense_ * in_the_way_
            << " with every step: the orbit meets a singularity of H there, or comes too near one.";
     } else {
-      text << "No run came through the time " << piece << " from the start on, whatever the step.";
+      text << "No run came through the time " << piece
+           << " from the start on, with any step that was tried; bounds on a trial are 1e8 operations.";
     }
     return fail(trip_->bound(0) != Outcome::ok ? trip_->bound(0) : Outcome::not_converged, text.str());
   }
@@ -305,7 +311,7 @@ OrbitAnswer Orbiter::solve() {
   const double longest = compared * it->fictive / sketch.time;
   double next = std::min(1.25 * h, longest);
   // What all these runs may take: some seconds, or three times the first of them where that is more.
-  double allowed = 1e9 / it->operations();
+  double allowed = 5e8 / it->operations();
   for (int round = 0, failures = 0; round < 30; ++round) {
     if (fine && 3.0 * static_cast<double>(fine->run.evaluations) > allowed)
       allowed = 3.0 * static_cast<double>(fine->run.evaluations);

@@ -1,4 +1,5 @@
 #include "avi/automatic/choose_monitor.hpp"
+#include "avi/solve.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/n_body.hpp"
 #include "avi/transform/monitors.hpp"
@@ -145,7 +146,7 @@ TEST(Poincare, RefusesASizeThatIsNotTheDimension) {
     EXPECT_EQ(refusal([&] { (void)avi::time_dependent(in_time, start); }), sentence);
     EXPECT_EQ(refusal([&] { (void)avi::automatic_monitor(free, start); }), sentence);
     EXPECT_EQ(refusal([&] { (void)avi::choose_monitor(free, start); }), sentence);
-    EXPECT_EQ(refusal([&] { (void)avi::integrate(free, start, 1.0, 1e-6); }), sentence);
+    EXPECT_EQ(refusal([&] { (void)avi::solve(free, start, 1.0, 1e-6); }), sentence);
   }
 }
 
