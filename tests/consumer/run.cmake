@@ -2,7 +2,7 @@
 #   installed         find_package() and a plain line of the compiler, from the static library that is built already
 #   shared            the same from a shared one, built here with nothing but a compiler, CMake and Eigen
 #   add_subdirectory, fetch_content   the library as a part of the stranger's project (parent/CMakeLists.txt)
-#   eigen_versions    3.3 and 5 are taken, 3.2 is refused in one sentence: by package files that hold nothing but a version
+#   eigen_versions    3.4 and 5 are taken, 3.3 is refused in one sentence: by package files that hold nothing but a version
 # cmake -DWAY=<way> -DBUILD=<build folder> -DCOMPILER=<c++> -DFLAGS=<how the library there is compiled> -P run.cmake
 set(here ${CMAKE_CURRENT_LIST_DIR})
 cmake_path(SET source NORMALIZE ${here}/../..)
@@ -71,7 +71,7 @@ elseif(WAY STREQUAL "add_subdirectory" OR WAY STREQUAL "fetch_content")
   endif()
 elseif(WAY STREQUAL "eigen_versions")
   run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
-  foreach(version IN ITEMS 3.2.10 3.3.0 3.4.0 5.0.0)
+  foreach(version IN ITEMS 3.2.10 3.3.9 3.4.0 5.0.0)
     set(eigen ${scratch}/eigen-${version})
     file(WRITE ${eigen}/Eigen3Config.cmake "add_library(Eigen3::Eigen INTERFACE IMPORTED)\n")
     # As theirs: of the same first number only.
@@ -85,10 +85,10 @@ endif()\n")
       execute_process(COMMAND ${configure} -S ${project} -B ${scratch}/${name}-${version} -DEigen3_DIR=${eigen} -DCMAKE_PREFIX_PATH=${prefix}
         RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE said)
       string(REGEX REPLACE "[ \n]+" " " said "${said}")
-      string(FIND "${said}" "avi needs Eigen 3.3 or newer" refused)
-      if(version VERSION_LESS 3.3 AND (status EQUAL 0 OR refused EQUAL -1))
+      string(FIND "${said}" "avi needs Eigen 3.4 or newer" refused)
+      if(version VERSION_LESS 3.4 AND (status EQUAL 0 OR refused EQUAL -1))
         message(FATAL_ERROR "Eigen ${version} was not refused by ${project} as it should be: ${said}")
-      elseif(NOT version VERSION_LESS 3.3 AND NOT status EQUAL 0)
+      elseif(NOT version VERSION_LESS 3.4 AND NOT status EQUAL 0)
         message(FATAL_ERROR "Eigen ${version} was refused by ${project}: ${said}")
       endif()
     endforeach()

@@ -1,7 +1,7 @@
 #include "avi/automatic/choose_monitor.hpp"
-#include "avi/solve.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/n_body.hpp"
+#include "avi/solve.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
 #include "avi/transform/time_dependent.hpp"

@@ -30,9 +30,9 @@ class Curvature {
   /// symmetric and positive definite there, as a metric must be.
   explicit Curvature(const Orbit& orbit)
       : graph(2 * static_cast<int>(orbit.start.q.size())), n_(static_cast<int>(orbit.start.q.size())),
-        start_(orbit.start.q.begin(), orbit.start.q.end()) {
+        start_(orbit.start.q.data(), orbit.start.q.data() + orbit.start.q.size()) {
     energy = orbit.energy(recorded_inputs(graph, 0, n_), recorded_inputs(graph, n_, n_)).node_in(graph);
-    start_.insert(start_.end(), orbit.start.p.begin(), orbit.start.p.end());
+    start_.insert(start_.end(), orbit.start.p.data(), orbit.start.p.data() + orbit.start.p.size());
     for (const Terms::Term& term : Terms::of(graph, energy))
       terms_.push_back({term.node, hessian(term)});
     find_metric();

@@ -88,7 +88,7 @@ class Tour {
   }
   /// dz = the field at z; returns H.
   double field(const VectorX& z, VectorX& dz) {
-    std::copy(z.begin(), z.end(), room_.arguments());
+    std::copy(z.data(), z.data() + z.size(), room_.arguments());
     slopes_.run(room_);
     const int n = static_cast<int>(size_);
     for (int i = 0; i < n; ++i) {
