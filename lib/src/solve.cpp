@@ -12,6 +12,9 @@ namespace detail {
 
 namespace {
 
+/// Runs of fewer steps are not compared: the last step is cut to end in time, and would be the same in both.
+constexpr int fewest = 3;
+
 /// What two runs tell about the error of the finer one. Errors of a phase are larger where the motion is
 /// faster, so how they grow is seen from the time by which one run is behind the other.
 struct Comparison {
@@ -143,7 +146,7 @@ Candidate* Orbiter::choose(std::vector<Candidate>& menu, double piece, double ai
     if (trip_->bound(0) != Outcome::ok) break;
     if (chosen && it.outlook > 2.5 * chosen->outlook) break;
     if (it.noise * radians_ > std::max(0.3 * question_.tolerance, 3e-15 * radians_)) continue;
-    const double longest = piece * it.fictive / sketch_->time;
+    const double longest = piece * it.fictive / sketch_->time / fewest;
     double first = std::min(guess(it, aim, order), longest);
     double failed_at = -1.0;
     int failures = 0;
@@ -165,6 +168,10 @@ Candidate* Orbiter::choose(std::vector<Candidate>& menu, double piece, double ai
           break;
         }
         failed_at = reached;
+        continue;
+      }
+      if (journey.run.steps < fewest) {
+        note_trial(journey, infinity);
         continue;
       }
       double error;
@@ -308,7 +315,7 @@ OrbitAnswer Orbiter::solve() {
   std::optional<Journey> coarse, fine, finest;
   Comparison seen;
   double error = infinity, before = infinity;
-  const double longest = compared * it->fictive / sketch.time;
+  const double longest = compared * it->fictive / sketch.time / fewest;
   double next = std::min(1.25 * h, longest);
   // What all these runs may take: some seconds, or three times the first of them where that is more.
   double allowed = 5e8 / it->operations();
@@ -326,6 +333,12 @@ OrbitAnswer Orbiter::solve() {
       if (fine && next > fine->h) break;  // the longer step does not pay
       next *= 0.5;
       if (++failures == 12) break;
+      continue;
+    }
+    if (journey.run.steps < fewest) {
+      note_trial(journey, infinity);
+      if (fine && next > fine->h) break;
+      next *= 0.4;
       continue;
     }
     if (fine && journey.h > fine->h) {
@@ -467,22 +480,5 @@ OrbitAnswer answer(const OrbitQuestion& question) {
 }
 
 }  // namespace detail
-
-std::string SolutionReport::report() const {
-  std::ostringstream text;
-  text.precision(3);
-  if (!ok()) text << run.message << "\n";
-  text << run.steps << " steps, " << run.evaluations << " sweeps: monitor " << choice.name << ", order "
-       << choice.order << ", h = " << choice.h << "; chosen in " << choice.sweeps << " sweeps of "
-       << choice.trials.size() << " trials.\n";
-  text << "State at the end: error about " << state_error << ", tolerance " << tolerance
-       << "; largest energy error " << energy_error << " of the scale " << choice.energy_scale << ".\n";
-  if (!note.empty()) text << note << "\n";
-  for (const SolveTrial& trial : choice.trials)
-    text << "  " << trial.monitor << ", order " << trial.order << ": h = " << trial.h << " for " << trial.time
-         << ", " << trial.steps << " steps, " << trial.sweeps << " sweeps, error " << trial.state_error
-         << ", " << name(trial.outcome) << "\n";
-  return text.str();
-}
 
 }  // namespace avi

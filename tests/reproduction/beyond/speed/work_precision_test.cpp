@@ -77,8 +77,9 @@ TEST(WorkPrecision, AdviceHasCollocationSolvedToRoundingBesideTheCheapest) {
     if (advice.text(i, "solved") == "none") continue;
     ++solved;
     EXPECT_LE(advice.number(i, "collocation_cost"), advice.number(i, "solved_cost"));
-    if (advice.text(i, "collocation_solved") == "1")
+    if (advice.text(i, "collocation_solved") == "1") {
       EXPECT_EQ(advice.text(i, "collocation_setting"), advice.text(i, "solved_setting"));
+    }
     EXPECT_GE(advice.number(i, "drift"), 0.0);
   }
   EXPECT_GE(solved, 2);
