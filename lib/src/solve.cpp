@@ -320,8 +320,7 @@ OrbitAnswer Orbiter::solve() {
   // What all these runs may take: some seconds, or three times the first of them where that is more.
   double allowed = 5e8 / it->operations();
   for (int round = 0, failures = 0; round < 30; ++round) {
-    if (fine && 3.0 * static_cast<double>(fine->run.evaluations) > allowed)
-      allowed = 3.0 * static_cast<double>(fine->run.evaluations);
+    if (fine && !coarse) allowed = std::max(allowed, 4.0 * static_cast<double>(fine->run.evaluations));
     if (fine && static_cast<double>(fine->run.evaluations) * fine->h / next > allowed) break;
     Journey journey = run(*it, order, next, there, marks, 1e4 + 100.0 * per_time_ * compared / next);
     if (!journey.ok()) {
@@ -367,10 +366,12 @@ OrbitAnswer Orbiter::solve() {
       SolveTrial& longer = answer_.choice.trials.back();
       if (longer.outcome == Outcome::ok) longer.state_error = seen.error * trusted(*coarse, *fine);
       note_trial(*fine, seen.error);
-      // Where shorter steps do not help, it is rounding, or chaos that magnifies it, if the error is small;
-      // if it is large, it may be a feature that no step has seen yet, which is worth a while.
-      if (error > 1.0 && error > 0.5 * before && round > 3 && !fine->jumped &&
-          (seen.error < 1e-7 || trip_->sweeps > 400'000))
+      // Where shorter steps do not help though the energy is kept to rounding, it is chaos, or noise; else it
+      // may be a feature that no step has seen yet, which is worth a while.
+      const bool resolved = fine->energy_error <= 1e4 * answer_.energy_rounding || seen.error < 1e-7;
+      const double spent = static_cast<double>(trip_->sweeps) * it->operations();
+      if (error > 1.0 && error > 0.3 * before && !fine->jumped &&
+          (resolved ? round > 2 : round > 3 && spent > 2e8))
         break;
     }
     if (fine->jumped) {
