@@ -1,4 +1,4 @@
-// error: The end of integrate(method, state, h, until) is an Until, such as {.time = 10.0} or {.steps = 100}; integrate_to(method, state, h, t_end) ends exactly at a time.
+// error: The end of integrate(method, state, h, until) is an Until, such as {.time = 10.0} or {.steps = 100};
 #include <avi/core/integrate.hpp>
 #include <avi/integrators/coefficient_lists.hpp>
 #include <avi/integrators/log_hamiltonian.hpp>

@@ -1,4 +1,4 @@
-// error: integrate() takes a method, such as collocation(poincare(H, start), 8), and runs it; solve(H, start, t_end, tolerance) takes a Hamiltonian and chooses everything else.
+// error: integrate() takes a method, such as collocation(poincare(H, start), 8), and runs it; solve(H, start,
 #include <avi/core/integrate.hpp>
 #include <avi/core/state.hpp>
 

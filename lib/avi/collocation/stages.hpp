@@ -283,8 +283,9 @@ class alignas(64) Stages {
   Newton<n, w> newton_;
   int stiff_ = 0;  // steps in a row that took Newton's method
   // Changes are relative to the size of an entry in the whole step, which may be forty times its smallest one
-  // (Kepler, e = 0.9, eight steps a period); at the level of rounding that makes no difference.
-  double limit_ = settings_.tolerance > 1e-15 ? settings_.tolerance / 16.0 : settings_.tolerance;
+  // (Kepler, e = 0.9, eight steps a period). With a sixteenth a step takes as many sweeps, and runs at loose
+  // tolerances err as much, as where changes are relative to the largest entry at each stage.
+  double limit_ = settings_.tolerance / 16.0;
   bool patient_ = false;         // no other iteration than sweeps will do at this h
   double h_ = 0.0, size_ = 0.0;  // of the last step; of the sweeps
   Place place_ = Place::elsewhere;
