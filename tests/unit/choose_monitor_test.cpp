@@ -128,66 +128,65 @@ TEST(ChooseMonitor, MakesTheSameTrialsOnEveryMachine) {
     const avi::State<1> start{.q = avi::Vector<double, 1>(5.0), .p = avi::Vector<double, 1>(0.0)};
     return choose_monitor(oscillator, start, target);
   };
-  expect(orbit(0.3), 4, 1e-5, "fixed, fixed 27/250 56/386", 0.115679, 17841.8);
+  expect(orbit(0.3), 4, 1e-5, "fixed, fixed 27/270 56/423", 0.115679, 19141.4);
   expect(orbit(0.6), 4, 1e-5,
-         "energy^1.5, energy^1.5 27/202, curvature 27/361, energy 27/211, gentle 27/307, speed 27/283, fixed "
-         "1/18, energy^1.5 35/245",
-         0.190218, 60290.6);
+         "energy^1.5, energy^1.5 27/240, curvature 27/379, energy 27/235, gentle 27/332, speed 27/295, fixed "
+         "1/18, energy^1.5 35/266",
+         0.190218, 64895);
   expect(orbit(0.9), 4, 1e-5,
-         "energy^1.5, energy^1.5 26/212, curvature 26/390, energy 27/217, gentle 1/21, speed 1/40, "
-         "energy^0.5 1/24, energy^1.5 58/364",
-         0.117326, 44907.4);
+         "energy^1.5, energy^1.5 26/247, curvature 26/407, energy 27/235, gentle 27/367, speed 1/40, "
+         "energy^0.5 1/24, energy^1.5 58/417",
+         0.117326, 61494.6);
   expect(
       orbit(0.99), 4, 1e-5,
-      "energy^1.5, energy^1.5 25/213, curvature 25/391, gentle 1/22, energy 26/227, energy^1.5 81/486 99/594",
-      0.0619917, 64901.4);
-  expect(swing, 4, 1e-5, "fixed, fixed 27/261 69/470", 0.162722, 22342.4);
-  expect(light, 4, 1e-5, "fixed, fixed 54/306 22/154 19/137", 0.164052, 11820.6);
+      "energy^1.5, energy^1.5 25/239, curvature 25/395, gentle 2/43, energy 26/238, energy^1.5 81/501 99/595",
+      0.0619917, 67431.8);
+  expect(swing, 4, 1e-5, "fixed, fixed 27/274 69/483", 0.162722, 23054.8);
+  expect(light, 4, 1e-5, "fixed, fixed 54/328 22/159 19/145", 0.164052, 12513.6);
   expect(fast, 4, 1e-5,
-         "fixed, curvature 3/114, gentle 26/792, fixed 27/210, speed 27/356, curvature 41/1363, fixed 89/443 "
-         "297/1269 735/3013",
-         0.0456577, 154833);
-  expect(orbit(0.3), 8, 1e-8, "fixed, fixed 16/149 22/172", 0.301733, 10659.8);
+         "fixed, curvature 3/114, gentle 26/792, fixed 27/224, speed 27/374, curvature 41/1364, fixed 89/474 "
+         "297/1301 735/3049",
+         0.0456577, 157020.8);
+  expect(orbit(0.3), 8, 1e-8, "fixed, fixed 16/159 22/188", 0.301733, 11252.6);
   expect(orbit(0.6), 8, 1e-8,
-         "energy^1.5, energy^1.5 15/119, energy 15/115, energy^0.5 1/15, fixed 1/16, energy^1.5 11/109",
-         0.645807, 14502.2);
+         "energy^1.5, energy^1.5 15/137, curvature 15/211, energy 15/135, fixed 1/16, energy^1.5 11/115",
+         0.645807, 23120.2);
   expect(orbit(0.9), 8, 1e-8,
-         "energy^1.5, energy^1.5 15/124, curvature 15/235, energy 1/14, gentle 2/45, speed 1/90, energy^0.5 "
-         "1/20, energy^1.5 17/134",
-         0.410173, 26462.6);
+         "energy^1.5, energy^1.5 15/145, curvature 15/236, energy 15/135, gentle 15/222, energy^1.5 17/150",
+         0.410173, 33169.4);
   expect(orbit(0.99), 8, 1e-8,
-         "energy^1.5, energy^1.5 14/118, curvature 14/227, gentle 1/22, energy 1/19, energy^1.5 22/143",
-         0.285796, 21090.2);
-  expect(swing, 8, 1e-8, "fixed, fixed 16/157 30/212", 0.37982, 12423.6);
+         "energy^1.5, energy^1.5 14/135, curvature 14/229, gentle 1/22, energy 1/19, energy^1.5 22/165",
+         0.285796, 22365);
+  expect(swing, 8, 1e-8, "fixed, fixed 16/161 30/233", 0.37982, 13108.6);
   expect(fast, 8, 1e-8,
-         "fixed, curvature 2/117, gentle 15/505, fixed 5/46, speed 15/214, fixed 25/166, curvature 23/701, "
-         "fixed 84/397 278/1162 446/1796 402/1640",
-         0.0836711, 124870.6);
-  expect(orbit(0.3), 16, 1e-11, "fixed, fixed 8/82 10/87 10/86", 0.653267, 10889);
+         "fixed, curvature 2/117, gentle 15/505, fixed 5/46, speed 15/222, fixed 25/170, curvature 23/702, "
+         "fixed 84/411 278/1178 446/1848 402/1672",
+         0.0836711, 126836.4);
+  expect(orbit(0.3), 16, 1e-11, "fixed, fixed 8/83 10/93 10/91", 0.653267, 11244.2);
   expect(orbit(0.6), 16, 1e-11,
-         "energy^1.5, energy^1.5 8/68, curvature 8/118, energy 8/70, fixed 1/17, energy^1.5 6/64 5/58",
-         1.34179, 18625);
-  expect(orbit(0.9), 16, 1e-11, "energy^1.5, energy^1.5 7/64, curvature 7/121, energy^1.5 6/62", 1.25899,
-         13354.2);
-  expect(orbit(0.99), 16, 1e-11, "energy^1.5, energy^1.5 7/62, curvature 7/117, energy^1.5 6/63 6/60",
-         1.06224, 15398.2);
+         "energy^1.5, energy^1.5 8/80, curvature 8/119, energy 8/76, fixed 8/106, energy^1.5 6/66 5/58 5/60",
+         1.32829, 24299);
+  expect(orbit(0.9), 16, 1e-11, "energy^1.5, energy^1.5 7/74, curvature 7/120, energy^1.5 6/68", 1.26202,
+         13912.2);
+  expect(orbit(0.99), 16, 1e-11, "energy^1.5, energy^1.5 7/66, curvature 7/122, energy^1.5 6/65 6/65",
+         1.06218, 16029.8);
   expect(fast, 16, 1e-11,
-         "fixed, curvature 0/0, gentle 6/344, fixed 3/29, speed 5/82, fixed 13/111, speed 13/174, curvature "
-         "12/544, gentle 12/324, fixed 41/215 128/527 177/674 194/726",
-         0.17314, 93250);
+         "fixed, curvature 0/0, gentle 6/344, fixed 3/32, speed 5/86, fixed 13/117, speed 13/192, curvature "
+         "12/544, gentle 12/326, fixed 41/223 128/556 177/714 194/764",
+         0.17314, 96248.4);
   expect(orbit(0.3), 10, 1e-3, "fixed, fixed 4/81", 1.61389, 5738.6);
-  expect(orbit(0.6), 10, 1e-3, "energy, energy^1.5 4/59, curvature 4/110, energy 4/55, fixed 4/100", 1.52442,
-         15273.4);
+  expect(orbit(0.6), 10, 1e-3, "energy, energy^1.5 4/60, curvature 4/111, energy 4/61, fixed 4/100", 1.52442,
+         15568.2);
   expect(orbit(0.9), 10, 1e-3, "energy^1.5, energy^1.5 4/64, curvature 4/154", 1.76818, 12461.8);
   expect(orbit(0.99), 10, 1e-3, "energy^1.5, energy^1.5 4/63, curvature 1/35, gentle 0/0, energy 0/0",
          1.67709, 7235.8);
   expect(swing, 10, 1e-3, "fixed, fixed 4/84", 2.79929, 6244.2);
-  expect(light, 10, 1e-3, "fixed, fixed 8/59", 0.375, 1569.4);
+  expect(light, 10, 1e-3, "fixed, fixed 8/62", 0.375, 1649.2);
   expect(fast, 10, 1e-3,
-         "fixed, curvature 0/0, gentle 0/0, fixed 1/11, speed 2/50, fixed 3/32 4/39, speed 7/144, curvature "
-         "0/0, gentle 0/0, fixed 18/134, gentle 11/462, curvature 1/31, speed 10/155, fixed 31/186 53/271 "
-         "70/334 77/362",
-         0.438029, 55027.8);
+         "fixed, curvature 0/0, gentle 0/0, fixed 1/11, speed 2/50, fixed 3/35 4/40, speed 7/145, curvature "
+         "0/0, gentle 0/0, fixed 18/145, gentle 11/462, curvature 1/31, speed 10/162, fixed 31/195 53/287 "
+         "70/347 77/373",
+         0.438029, 56429.4);
 }
 
 TEST(ChooseMonitor, LeavesASymplecticMap) {
