@@ -4,6 +4,7 @@
 /// The whole library: every header that no other one brings. Single headers bring less and compile faster.
 
 #include "avi/automatic/choose_monitor.hpp"
+#include "avi/autodiff/formula.hpp"
 #include "avi/bregman/bregman_cloning.hpp"
 #include "avi/bregman/bregman_hamiltonian.hpp"
 #include "avi/bregman/bregman_htvi.hpp"

@@ -55,7 +55,7 @@ template <class F>
   const VectorX& x = x0.vector();
   if constexpr (Objective<F>) {
     return StateClock(std::cref(f), x, options).run();
-  } else if constexpr (Formula<F>) {
+  } else if constexpr (Recordable<F>) {
     require(x.size() > 0, "Size of x0", x.size(), "at least 1");
     const RecordedObjective recorded(f, x.size());
     return StateClock(std::cref(recorded), x, options).run();
