@@ -1,8 +1,9 @@
 #include "candidates.hpp"
 
-#include "avi/automatic/curvature.hpp"
+#include "orbit_scales.hpp"
 
 #include <limits>
+#include <numeric>
 
 namespace avi::detail {
 
@@ -29,33 +30,30 @@ double products_of_curvature(const ExpressionGraph& graph, int energy) {
   return std::max(fourth, momenta * momenta);
 }
 
+/// The nodes of the first `count` arguments.
+std::vector<int> arguments(int count) {
+  std::vector<int> nodes(static_cast<std::size_t>(count));
+  std::iota(nodes.begin(), nodes.end(), 0);
+  return nodes;
+}
+
 /// g of automatic_monitor() as a node of `graph`, where it has a meaning.
 int curvature_monitor(ExpressionGraph& graph, int energy, const VectorX& start) {
   const Eigen::Index n = start.size() / 2;
-  const Orbit orbit(PhaseFunction(graph, energy), {.q = start.head(n), .p = start.tail(n)});
+  const Orbit orbit(Formula(graph, energy), {.q = start.head(n), .p = start.tail(n)});
   Curvature curvature(orbit);
-  const Tour tour(orbit, curvature);
-  if (!(tour.frequency > 0.0)) throw std::invalid_argument("no scale");
-  ExpressionGraph& own = curvature.graph;
-  const auto plus = [&](int a, double b) { return own.binary(Operation::add, a, own.constant(b)); };
-  const double low = tour.frequency / 8.0;
-  const int smooth = plus(tour.n0, std::pow(0.0625 * tour.frequency, 4));
-  const PhaseFunction g(own, own.power(plus(own.power(smooth, 0.5), low * low), -0.5));
-  const int count = static_cast<int>(n);
-  const Recorded there = g(recorded_inputs(graph, 0, count), recorded_inputs(graph, count, count));
-  return there.node_in(graph);
+  const OrbitScales scales(orbit, curvature);
+  const int monitor = curvature_monitor(curvature, scales);
+  return graph.substitute(curvature.graph, monitor, arguments(graph.inputs()));
 }
 
 }  // namespace
 
 int at_rest(ExpressionGraph& graph, int energy) {
   const int n = graph.inputs() / 2;
-  const PhaseFunction f(graph, energy);
-  const Vector<Recorded, dynamic> q = recorded_inputs(graph, 0, n);
-  Vector<Recorded, dynamic> p(n);
-  for (int i = 0; i < n; ++i)
-    p[i] = Recorded(0.0);
-  return f(q, p).node_in(graph);
+  std::vector<int> at = arguments(n);
+  at.resize(2 * static_cast<std::size_t>(n), graph.constant(0.0));
+  return graph.substitute(graph, energy, at);
 }
 
 std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, double energy_at_start,

@@ -1,5 +1,4 @@
 #pragma once
-#include "avi/automatic/tour.hpp"
 #include "graph_problem.hpp"
 #include "sketch.hpp"
 

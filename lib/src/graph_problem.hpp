@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/automatic/phase_function.hpp"
+#include "avi/autodiff/recording.hpp"
 #include "avi/collocation/collocation.hpp"
 
 #include <algorithm>

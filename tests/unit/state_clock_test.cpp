@@ -1,6 +1,6 @@
 #include "avi/optim/state_clock.hpp"
 
-#include "avi/problems/correlated_quartic.hpp"
+#include "common/problems/correlated_quartic.hpp"
 #include "unit/objectives.hpp"
 
 #include <gtest/gtest.h>
@@ -116,7 +116,7 @@ TEST(StateClock, TakesTheSameWayOnEveryMachine) {
     Outcome outcome;
     long counts[3][2];  // of iterations and gradients, with 0, 1 and 7 pairs
   };
-  const avi::CorrelatedQuartic quartic;
+  const experiment::CorrelatedQuartic quartic;
   const VectorX far_down = VectorX::Constant(10, -1.2);
   const std::vector<Case> cases{
       {"valley", rosenbrock, far_down, Outcome::ok, {{142, 180}, {200, 222}, {73, 92}}},

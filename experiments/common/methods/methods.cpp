@@ -4,15 +4,15 @@
 
 #include "avi/collocation/collocation.hpp"
 #include "avi/htvi/htvi.hpp"
-#include "avi/integrators/adaptive_verlet.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
-#include "avi/integrators/hairer_soderlind.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/integrators/splitting.hpp"
 #include "avi/integrators/stormer_verlet.hpp"
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/poincare.hpp"
+#include "common/methods/adaptive_verlet.hpp"
+#include "common/methods/hairer_soderlind.hpp"
 
 #include <stdexcept>
 
@@ -84,7 +84,7 @@ Runner collocation_henon_heiles(int order) {
 
 Runner explicit_on_kepler(const std::string& name) {
   const Kepler problem;
-  const avi::PowerOfRadius monitor{1.5};
+  const experiment::PowerOfRadius monitor{1.5};
   const auto logarithmic = [&](const auto& coefficients) {
     return Runner(problem, [=](const State2& start) {
       return avi::splitting(avi::LogHamiltonian<Kepler>(problem, start), coefficients);
@@ -93,10 +93,10 @@ Runner explicit_on_kepler(const std::string& name) {
   if (name == "log_hamiltonian") return logarithmic(c::strang);
   if (name == "log_hamiltonian_yoshida4") return logarithmic(c::yoshida4);
   if (name == "adaptive_verlet")
-    return Runner(problem, [=](const State2&) { return avi::AdaptiveVerlet(problem, monitor); });
+    return Runner(problem, [=](const State2&) { return experiment::AdaptiveVerlet(problem, monitor); });
   if (name == "hairer_soderlind")
     return Runner(problem, [=](const State2&) {
-      return avi::HairerSoderlind(avi::splitting(avi::Separable<Kepler>(problem), c::strang), monitor);
+      return experiment::HairerSoderlind(avi::splitting(avi::Separable<Kepler>(problem), c::strang), monitor);
     });
   return fixed_step<Kepler>(name);
 }

@@ -9,7 +9,9 @@
 /// @file
 /// Phase-space cloning (Pihajoki 2015) for Bregman dynamics, reduced to what the copy that is read needs.
 
-namespace avi {
+namespace experiment {
+
+using avi::Outcome, avi::VectorX, avi::Iterate, avi::BregmanFamily, avi::BregmanStart, avi::validate;
 
 /// Strang's splitting (order 2) and Yoshida's triple jumps of it (orders 4 and 6).
 enum class CloneComposition { strang, yoshida4, yoshida6 };
@@ -108,4 +110,4 @@ struct BregmanCloning {
   }
 };
 
-}  // namespace avi
+}  // namespace experiment

@@ -1,26 +1,27 @@
 #pragma once
 #include "avi/autodiff/recording.hpp"
-#include "avi/automatic/curvature.hpp"
 #include "avi/integrators/runge_kutta.hpp"
+#include "curvature.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 /// @file
-/// A short, rough run along an orbit that finds its scales.
+/// The scales of time, speed and energy of an orbit, by a short, rough run along it.
 
 namespace avi::detail {
 
 /// Means in time along the first part of an orbit: at most 64 Runge-Kutta steps of three tenths of the local
 /// time scale. The constants of a monitor come from here; it then is a fixed function.
-class Tour {
+class OrbitScales {
  public:
   /// @param curvature of this orbit's H, with a metric
-  Tour(const Orbit& orbit, Curvature& curvature)
+  OrbitScales(const Orbit& orbit, Curvature& curvature)
       : n0(curvature.squared_frequency_squared()), size_(orbit.start.q.size()), curved_(curvature.graph, n0),
-        slopes_(record(orbit.energy, size_).value_and_gradient()), room_(slopes_) {
+        slopes_(Recording(orbit.energy.graph(), orbit.energy.node()).value_and_gradient()), room_(slopes_) {
     VectorX z(2 * size_);
     for (Eigen::Index i = 0; i < size_; ++i)
       z[i] = orbit.start.q[i], z[size_ + i] = orbit.start.p[i];
@@ -32,11 +33,11 @@ class Tour {
   double frequency = 0.0;      ///< Mean of \f$n_0^{1/4}\f$.
   double squared_speed = 0.0;  ///< Mean of the first squared speed plus the second over frequency squared.
   double kinetic = 0.0;        ///< Half the mean of the first one.
-  double time = 0.0;           ///< Length of the tour.
+  double time = 0.0;           ///< Physical length of the run.
   long evaluations = 0;        ///< Of the vector field.
 
-  /// The fictive time \f$\int dt/g\f$ of the first `span` of the orbit, or of the tour carried on to it.
-  [[nodiscard]] double fictive_time(const PhaseFunction& monitor, double span) const {
+  /// The fictive time \f$\int dt/g\f$ of the first `span` of the orbit; beyond the run, carried on from it.
+  [[nodiscard]] double fictive_time(const Formula& monitor, double span) const {
     double sum = 0.0, passed = 0.0;
     for (const Sample& sample : samples_) {
       if (passed >= span) break;
@@ -47,7 +48,7 @@ class Tour {
   }
   /// The time in which \f$\int\omega\,dt\f$ reaches `angle`, or the angle by which the velocity in phase
   /// space has turned, if that is sooner (a closed curve turns by 2 pi at least: Fenchel 1929). Beyond the
-  /// tour as it was on it.
+  /// run as it was on it.
   [[nodiscard]] double time_of(double angle) const {
     double passed = 0.0, turned = 0.0, left = angle;
     for (const Sample& sample : samples_) {
@@ -59,33 +60,31 @@ class Tour {
     }
     return turned > angle - left ? passed * (angle / turned) : passed + left / frequency;
   }
-  /// A monitor as this orbit sees it.
-  struct Look {
+  /// The values of a monitor along the orbit.
+  struct MonitorRange {
     double low = std::numeric_limits<double>::infinity();  ///< Smallest value on the way.
     double high = 0.0;                                     ///< Largest; not a number where one is not finite.
-    /// \f$\int dt/g \cdot \max(g\omega) / \int\omega\,dt\f$ with \f$\omega = n_0^{1/4}\f$: how many times
-    /// the steps of the best monitor it takes if the longest step in \f$\omega\f$ decides. At least 1.
+    /// \f$\int dt/g \cdot \max(g\omega) / \int\omega\,dt\f$ with \f$\omega = n_0^{1/4}\f$: estimated steps
+    /// relative to those of the ideal monitor g = 1/omega, if max(g omega) limits h. At least 1.
     double unevenness = 1.0;
   };
-  /// Looks at a monitor along the way.
-  [[nodiscard]] Look look(const PhaseFunction& monitor) const {
-    Look look;
+  /// The range of a monitor along the orbit.
+  [[nodiscard]] MonitorRange range(const Formula& monitor) const {
+    MonitorRange range;
     double fictive = 0.0, longest = 0.0;
     for (const Sample& sample : samples_) {
       const double g = value(monitor, sample.z);
-      look.low = std::min(look.low, g);
-      look.high = std::isfinite(g) ? std::max(look.high, g) : std::numeric_limits<double>::quiet_NaN();
+      range.low = std::min(range.low, g);
+      range.high = std::isfinite(g) ? std::max(range.high, g) : std::numeric_limits<double>::quiet_NaN();
       fictive += sample.h / g;
       longest = std::max(longest, g * sample.frequency);
     }
-    look.unevenness = fictive * longest / (frequency * time);
-    return look;
+    range.unevenness = fictive * longest / (frequency * time);
+    return range;
   }
 
  private:
-  [[nodiscard]] double value(const PhaseFunction& f, const VectorX& z) const {
-    return f(part(z, 0, size_), part(z, size_, size_));
-  }
+  [[nodiscard]] double value(const Formula& f, const VectorX& z) const { return f(z); }
   /// dz = the field at z; returns H.
   double field(const VectorX& z, VectorX& dz) {
     std::copy(z.data(), z.data() + z.size(), room_.arguments());
@@ -167,9 +166,23 @@ class Tour {
 
   Eigen::Index size_;
   std::vector<Sample> samples_;
-  PhaseFunction curved_;
+  Formula curved_;
   Program slopes_;
   Program::Room<double> room_;
 };
+
+/// The node of automatic_monitor() in the graph of the curvature.
+/// @throws std::invalid_argument where the orbit has no time scale
+inline int curvature_monitor(Curvature& curvature, const OrbitScales& scales) {
+  if (!(scales.frequency > 0.0))
+    throw std::invalid_argument(
+        "The second derivatives of H with respect to q are zero or not finite along the orbit, so "
+        "that it has no time scale; give a monitor of your own, or none.");
+  ExpressionGraph& graph = curvature.graph;
+  const auto plus = [&](int a, double b) { return curvature.plus(a, graph.constant(b)); };
+  const double low = scales.frequency / 8.0;
+  const int smooth = plus(scales.n0, std::pow(0.0625 * scales.frequency, 4));
+  return graph.power(plus(graph.power(smooth, 0.5), low * low), -0.5);
+}
 
 }  // namespace avi::detail

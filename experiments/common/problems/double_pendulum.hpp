@@ -6,7 +6,9 @@
 /// @file
 /// Two pendulums, one hanging from the other.
 
-namespace avi {
+namespace experiment {
+
+using avi::State;
 
 /// Two unit masses on rods of unit length in unit gravity, with the angles q from the downward vertical: not
 /// separable, for the kinetic energy depends on q (Landau and Lifshitz, Mechanics, Section 5). \f[ H(q, p) =
@@ -28,4 +30,4 @@ struct DoublePendulum {
   static State<2> released(double first, double second) { return {.q = {first, second}, .p = {0.0, 0.0}}; }
 };
 
-}  // namespace avi
+}  // namespace experiment

@@ -5,7 +5,9 @@
 /// @file
 /// The objective of the paper's optimisation experiments.
 
-namespace avi {
+namespace experiment {
+
+using avi::VectorX, avi::require, avi::dot;
 
 /// z = Sigma y with Sigma_ij = rho^|i-j|, in O(n): z_i = b_i + a_i with the two recurrences
 /// b_i = y_i + rho b_{i-1} (entries up to i) and a_i = rho (y_{i+1} + a_{i+1}) (entries beyond i).
@@ -78,4 +80,4 @@ class CorrelatedQuartic {
   mutable VectorX offset_, image_;
 };
 
-}  // namespace avi
+}  // namespace experiment

@@ -9,7 +9,9 @@
 /// @file
 /// The adaptive Verlet method.
 
-namespace avi {
+namespace experiment {
+
+using avi::State, avi::StepReport, avi::Outcome, avi::Vector, avi::dynamic;
 
 /// Adaptive Verlet of Huang and Leimkuhler (The adaptive Verlet method, 1997) for H = |p|^2 / 2 + V(q), with
 /// a density rho = 1 / g carried as a variable of its own.
@@ -69,4 +71,4 @@ class AdaptiveVerlet {
   State<n> after_{.q = force_, .p = force_, .t = std::numeric_limits<double>::quiet_NaN()};
 };
 
-}  // namespace avi
+}  // namespace experiment

@@ -8,7 +8,9 @@
 /// @file
 /// Update rules of others for avi::run_updates(): those that the paper compares with, and gradient descent.
 
-namespace avi {
+namespace experiment {
+
+using avi::Outcome, avi::VectorX, avi::require, avi::require_positive, avi::Iterate, avi::norm;
 
 /// Gradient descent (Cauchy 1847): \f$x_k = x_{k-1} - h\, \nabla f(x_{k-1})\f$.
 struct GradientDescent {
@@ -232,4 +234,4 @@ struct TrustRegion {
   }
 };
 
-}  // namespace avi
+}  // namespace experiment

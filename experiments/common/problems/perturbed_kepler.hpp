@@ -7,7 +7,9 @@
 /// @file
 /// Kepler's problem about an oblate body, in its equatorial plane.
 
-namespace avi {
+namespace experiment {
+
+using avi::Vector, avi::require, avi::UnitMass;
 
 /// \f$H(q, p) = \tfrac12 |p|^2 - 1/|q| - \varepsilon/(2 |q|^3)\f$: Kepler's problem about an oblate body,
 /// monopole and quadrupole in the plane of its equator (\f$\varepsilon = J_2 R^2\f$ in units of the orbit).
@@ -49,4 +51,4 @@ class PerturbedKepler : public UnitMass<PerturbedKepler, 2> {
   double epsilon_;
 };
 
-}  // namespace avi
+}  // namespace experiment

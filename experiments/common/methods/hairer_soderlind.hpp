@@ -9,7 +9,9 @@
 /// @file
 /// Time-reversible control of the step size.
 
-namespace avi {
+namespace experiment {
+
+using avi::State, avi::StepReport, avi::Outcome, avi::Method;
 
 /// Monitor g = |q|^alpha of one body with unit mass, in the form that the control below needs.
 struct PowerOfRadius {
@@ -73,4 +75,4 @@ class HairerSoderlind {
   double time_ = std::numeric_limits<double>::quiet_NaN();  // equal to no time: neither is known yet
 };
 
-}  // namespace avi
+}  // namespace experiment

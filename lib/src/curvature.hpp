@@ -1,10 +1,9 @@
 #pragma once
-#include "avi/autodiff/recorded.hpp"
 #include "avi/autodiff/reverse.hpp"
-#include "avi/automatic/monomial.hpp"
-#include "avi/automatic/phase_function.hpp"
-#include "avi/automatic/terms.hpp"
 #include "avi/core/inverse.hpp"
+#include "monomial.hpp"
+#include "orbit.hpp"
+#include "terms.hpp"
 
 #include <map>
 #include <stdexcept>
@@ -31,7 +30,7 @@ class Curvature {
   explicit Curvature(const Orbit& orbit)
       : graph(2 * static_cast<int>(orbit.start.q.size())), n_(static_cast<int>(orbit.start.q.size())),
         start_(orbit.start.q.data(), orbit.start.q.data() + orbit.start.q.size()) {
-    energy = orbit.energy(recorded_inputs(graph, 0, n_), recorded_inputs(graph, n_, n_)).node_in(graph);
+    energy = graph.substitute(orbit.energy.graph(), orbit.energy.node(), inputs(2 * n_));
     start_.insert(start_.end(), orbit.start.p.data(), orbit.start.p.data() + orbit.start.p.size());
     for (const Terms::Term& term : Terms::of(graph, energy))
       terms_.push_back({term.node, hessian(term)});
@@ -103,12 +102,9 @@ class Curvature {
 
   /// H(q, 0), the energy of a body at rest.
   int energy_at_rest() {
-    std::vector<int> place(static_cast<std::size_t>(energy) + 1);
-    for (int i = 0; i <= energy; ++i)
-      place[i] = graph[i].operation != Operation::input ? again(graph[i], graph, place)
-                 : i < n_                               ? i
-                                                        : graph.constant(0.0);
-    return place[energy];
+    std::vector<int> arguments = inputs(n_);
+    arguments.resize(2 * static_cast<std::size_t>(n_), graph.constant(0.0));
+    return graph.substitute(graph, energy, arguments);
   }
 
   ///@{
@@ -129,10 +125,16 @@ class Curvature {
 
   /// Second derivatives of a term, found in a graph of its own: the work grows with the term, not with H.
   Sparse hessian(const Terms::Term& term) {
-    std::vector<int> inputs;
-    ExpressionGraph own = extract(term.node, inputs);
-    const int count = static_cast<int>(inputs.size()), value = own.size() - 1;
-    const std::vector<int> slope = Reverse(own).gradient(value);
+    std::vector<int> used, place(2 * static_cast<std::size_t>(n_), -1);
+    const std::vector<char> part = graph.parts(term.node);
+    for (int i = 0; i < 2 * n_ && i <= term.node; ++i)
+      if (part[i]) {
+        place[i] = static_cast<int>(used.size());
+        used.push_back(i);
+      }
+    const int count = static_cast<int>(used.size());
+    ExpressionGraph own(count);
+    const std::vector<int> slope = Reverse(own).gradient(own.substitute(graph, term.node, place));
     Sparse entries;
     std::vector<int> copies;
     for (int i = 0; i < count; ++i) {
@@ -141,38 +143,28 @@ class Curvature {
       copies.resize(own.size(), -1);
       for (int j = 0; j <= i; ++j)
         if (!own.is(row[j], 0.0))
-          entries[{inputs[i], inputs[j]}] = entries[{inputs[j], inputs[i]}] =
-              scaled(term.factor, copy(own, row[j], inputs, copies));
+          entries[{used[i], used[j]}] = entries[{used[j], used[i]}] =
+              scaled(term.factor, copy(own, row[j], used, copies));
     }
     return entries;
   }
 
-  ExpressionGraph extract(int node, std::vector<int>& inputs) const {
-    const std::vector<char> part = graph.parts(node);
-    for (int i = 0; i < 2 * n_ && i <= node; ++i)
-      if (part[i]) inputs.push_back(i);
-    ExpressionGraph own(static_cast<int>(inputs.size()));
-    std::vector<int> place(part.size());
-    int next = 0;
-    for (int i = 0; i <= node; ++i)
-      if (part[i]) place[i] = graph[i].operation == Operation::input ? next++ : again(graph[i], own, place);
-    return own;
+  /// The nodes of the first `count` arguments.
+  static std::vector<int> inputs(int count) {
+    std::vector<int> nodes(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i)
+      nodes[i] = i;
+    return nodes;
   }
-  /// The same operation in another graph, where the operands have these places.
-  static int again(const ExpressionGraph::Node& what, ExpressionGraph& to, const std::vector<int>& place) {
-    if (what.operation == Operation::constant) return to.constant(what.number);
-    const int a = place[what.a];
-    if (what.b < 0) return to.unary(what.operation, a);
-    const int b = place[what.b];
-    return what.operation == Operation::power ? to.power(a, to[b].number) : to.binary(what.operation, a, b);
-  }
-  int copy(const ExpressionGraph& from, int node, const std::vector<int>& inputs, std::vector<int>& copies) {
+
+  /// A node of another graph in this one; `copies` holds those that are there already.
+  int copy(const ExpressionGraph& from, int node, const std::vector<int>& used, std::vector<int>& copies) {
     if (copies[node] >= 0) return copies[node];
     const ExpressionGraph::Node& what = from[node];
-    if (what.operation == Operation::input) return copies[node] = inputs[what.a];
-    if (what.a >= 0) copy(from, what.a, inputs, copies);
-    if (what.b >= 0) copy(from, what.b, inputs, copies);
-    return copies[node] = again(what, graph, copies);
+    if (what.operation == Operation::input) return copies[node] = used[what.a];
+    if (what.a >= 0) copy(from, what.a, used, copies);
+    if (what.b >= 0) copy(from, what.b, used, copies);
+    return copies[node] = graph.again(from, node, copies);
   }
 
   /// |H_pp|^2 / n: 1 where the kinetic energy has a constant metric.
@@ -196,11 +188,11 @@ class Curvature {
   /// K and its inverse.
   void find_metric() {
     metric_ = Square::Zero(n_, n_);
-    NodeValues at_start(start_);
+    std::vector<double> values = start_;
     for (const Term& term : terms_)
       for (const auto& [ij, node] : term.hessian)
         if (ij.first >= n_ && ij.second >= n_)
-          metric_(ij.first - n_, ij.second - n_) += at_start(graph, node);
+          metric_(ij.first - n_, ij.second - n_) += evaluate(graph, node, values);
     if (!positive(metric_))
       throw std::invalid_argument(
           "The second derivatives of H with respect to p are not positive definite at the start, so "

@@ -4,7 +4,9 @@
 /// @file
 /// The Sun and the five outer planets.
 
-namespace avi {
+namespace experiment {
+
+using avi::State, avi::NBody;
 
 /// Sun (with the inner planets), Jupiter, Saturn, Uranus, Neptune and Pluto as point masses: dimension 18.
 /// Data of 5 September 1994, 0h (Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, Section
@@ -43,4 +45,4 @@ struct OuterSolarSystem {
   }
 };
 
-}  // namespace avi
+}  // namespace experiment

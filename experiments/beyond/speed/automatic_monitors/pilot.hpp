@@ -1,9 +1,9 @@
 #pragma once
-#include "avi/automatic/phase_function.hpp"
 #include "avi/collocation/collocation.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/core/outcome.hpp"
 #include "avi/transform/poincare.hpp"
+#include "lib/src/orbit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,11 @@
 /// @file
 /// Short runs that find a step size.
 
-namespace avi {
+namespace experiment {
+
+using avi::Collocation, avi::Formula, avi::Outcome, avi::Poincare, avi::Run, avi::State, avi::Until,
+    avi::dynamic, avi::poincare;
+using avi::detail::Orbit;
 
 /// One short run of a pilot.
 struct Trial {
@@ -26,14 +30,11 @@ struct Trial {
   Outcome outcome = Outcome::ok;  ///< How it ended.
 };
 
-namespace detail {
-
 /// A method with one monitor on one orbit: finds the step that gives a wanted energy error, one trial at a
 /// time, and says after each what that step will cost.
 class Pilot {
  public:
-  using Problem =
-      Poincare<dynamic, PhaseFunction, PhaseFunction>;  ///< One type for every H and g: compiled once.
+  using Problem = Poincare<dynamic, Formula, Formula>;  ///< One type for every H and g: compiled once.
 
   /// What all trials of a choice share.
   struct Setting {
@@ -46,7 +47,7 @@ class Pilot {
 
   /// @param name of the monitor @param sweep what a sweep costs @param fictive time of a trial @param longest
   /// no step above it is tried @param supposed step that will do, as long as no run went through
-  Pilot(const Setting& setting, std::string name, const PhaseFunction& monitor, double sweep, double fictive,
+  Pilot(const Setting& setting, std::string name, const Formula& monitor, double sweep, double fictive,
         double longest, double supposed)
       : setting_(setting), name_(std::move(name)), sweep_(sweep), fictive_(fictive), longest_(longest),
         supposed_(supposed), method_(collocation(poincare(setting.orbit.energy, setting.orbit.start, monitor),
@@ -137,6 +138,4 @@ class Pilot {
   bool lost_ = false;
 };
 
-}  // namespace detail
-
-}  // namespace avi
+}  // namespace experiment

@@ -11,30 +11,6 @@
 
 namespace avi::detail {
 
-/// The values of the nodes of a graph, which may grow in between, at one point.
-class NodeValues {
- public:
-  /// For these inputs.
-  explicit NodeValues(std::vector<double> inputs) : inputs_(std::move(inputs)) {}
-
-  /// The value of a node.
-  double operator()(const ExpressionGraph& graph, int node) {
-    for (int i = static_cast<int>(values_.size()); i <= node; ++i) {
-      const ExpressionGraph::Node& what = graph[i];
-      if (what.operation == Operation::input)
-        values_.push_back(inputs_[what.a]);
-      else if (what.operation == Operation::constant)
-        values_.push_back(what.number);
-      else
-        values_.push_back(evaluate(what.operation, values_[what.a], what.b < 0 ? 0.0 : values_[what.b]));
-    }
-    return values_[node];
-  }
-
- private:
-  std::vector<double> inputs_, values_;
-};
-
 /// Finds out that a formula is a number times a power of another one, by their values at a few points: second
 /// derivatives of 1/r, squared and summed, are a number times r^-6, at a tenth of the price.
 class Monomial {
@@ -53,7 +29,7 @@ class Monomial {
         near[i] += 0.2 * (sizes[i / half] > 0.0 ? sizes[i / half] : 1.0) *
                    (static_cast<double>(random) / 2147483647.0 - 0.5);
       }
-      points_.emplace_back(std::move(near));
+      points_.push_back(std::move(near));
     }
   }
 
@@ -80,6 +56,7 @@ class Monomial {
   }
 
  private:
+  using Values = std::vector<double>;  // of the nodes at a point, from the first one on
   struct Power {
     int base;
     double exponent, factor;
@@ -91,21 +68,22 @@ class Monomial {
 
   /// formula (over the square of a node) as a power of a base.
   std::optional<Power> power_of(int formula, int base, int over) {
-    const auto value = [&](NodeValues& at) {
-      const double square = over < 0 ? 1.0 : std::pow(at(graph_, over), 2);
-      return at(graph_, formula) / square;
+    const auto at = [&](Values& values, int node) { return evaluate(graph_, node, values); };
+    const auto value = [&](Values& values) {
+      const double square = over < 0 ? 1.0 : std::pow(at(values, over), 2);
+      return at(values, formula) / square;
     };
-    const double f0 = value(points_[0]), f1 = value(points_[1]), u0 = points_[0](graph_, base),
-                 u1 = points_[1](graph_, base);
+    const double f0 = value(points_[0]), f1 = value(points_[1]), u0 = at(points_[0], base),
+                 u1 = at(points_[1], base);
     const double spread = std::log(u1 / u0);  // what is not a number, of 0 or of two signs, passes no test
     if (!(std::abs(spread) > 1e-4)) return {};
     const double seen = std::log(f1 / f0) / spread, exponent = 0.25 * std::round(4.0 * seen);
     const bool even = std::fmod(exponent, 2.0) == 0.0;
     if (!(std::abs(seen - exponent) < 1e-6) || std::abs(exponent) > 64.0) return {};
     const double factor = f0 / std::pow(std::abs(u0), exponent);
-    for (NodeValues& at : points_) {
-      const double u = at(graph_, base), expected = factor * std::pow(std::abs(u), exponent);
-      if (!(even || u > 0.0) || !(std::abs(value(at) - expected) <= 1e-9 * expected)) return {};
+    for (Values& values : points_) {
+      const double u = at(values, base), expected = factor * std::pow(std::abs(u), exponent);
+      if (!(even || u > 0.0) || !(std::abs(value(values) - expected) <= 1e-9 * expected)) return {};
     }
     return Power{base, exponent, factor};
   }
@@ -122,7 +100,7 @@ class Monomial {
   }
 
   ExpressionGraph& graph_;
-  std::vector<NodeValues> points_;
+  std::vector<Values> points_;
 };
 
 }  // namespace avi::detail

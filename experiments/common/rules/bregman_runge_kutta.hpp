@@ -7,7 +7,11 @@
 /// @file
 /// Bregman dynamics by explicit Runge-Kutta methods: the paper's non-symplectic baselines (Section 4.5.4).
 
-namespace avi {
+namespace experiment {
+
+using avi::Outcome, avi::VectorX, avi::require_positive, avi::Iterate, avi::BregmanFamily, avi::BregmanStart,
+    avi::validate, avi::StepControl, avi::Tableau, avi::EmbeddedTableau, avi::RungeKuttaStages,
+    avi::controlled_step;
 
 /// Hamilton's equations of \f$\bar H\f$ in fictive time for z = (q, r, t): \f$q' = kinetic(t)\, r\f$,
 /// \f$r' = -potential(t)\, \nabla f(q)\f$, \f$t' = monitor(t)\f$.
@@ -129,4 +133,4 @@ struct BregmanEmbedded {
   }
 };
 
-}  // namespace avi
+}  // namespace experiment

@@ -1,6 +1,6 @@
 #pragma once
-#include "avi/automatic/automatic_monitor.hpp"
-#include "avi/automatic/pilot.hpp"
+#include "beyond/speed/automatic_monitors/pilot.hpp"
+#include "lib/src/orbit_scales.hpp"
 
 #include <memory>
 #include <optional>
@@ -11,7 +11,10 @@
 /// @file
 /// A monitor chosen from a menu by a short run.
 
-namespace avi {
+namespace experiment {
+
+using avi::ExpressionGraph, avi::Operation, avi::require, avi::require_positive;
+using avi::detail::Curvature, avi::detail::OrbitScales, avi::detail::curvature_monitor;
 
 /// What a pilot run is to reach.
 struct MonitorTarget {
@@ -24,14 +27,14 @@ struct MonitorTarget {
 /// that it would be with a monitor made by hand.
 struct MonitorChoice {
   std::string name;           ///< In the menu: see choose_monitor().
-  PhaseFunction monitor;      ///< g.
+  Formula monitor;            ///< g.
   int order = 0;              ///< Of the collocation method that it was chosen for.
   double h = 0.0;             ///< Fictive step for the energy error asked for.
   bool reached = false;       ///< A trial met the energy error asked for.
   double energy_scale = 1.0;  ///< What energy errors are relative to, see choose_monitor().
   double time = 0.0;          ///< Physical time of a trial.
   long sweeps = 0;            ///< Evaluations of all stages in all trials, what the pilot cost.
-  double work = 0.0;          ///< The same in additions, the rough tour along the orbit included.
+  double work = 0.0;          ///< The same in additions, the run that finds the scales included.
   std::vector<Trial> trials;  ///< In their order.
   std::string note;           ///< Why the menu was short; empty where it was not.
 
@@ -55,7 +58,59 @@ struct MonitorChoice {
   }
 };
 
-namespace detail {
+/// The candidate monitors of H as formulas of (q, p); their constants are scales of the orbit.
+class Monitors {
+ public:
+  /// For this orbit. @throws std::invalid_argument where it has no time scale, or speeds have no measure
+  explicit Monitors(const Orbit& orbit)
+      : energy_at_start_(orbit.energy_at_start()), curvature_(orbit), scales_(orbit, curvature_),
+        curvature_node_(curvature_monitor(curvature_, scales_)) {}
+
+  /// A monitor with its name, and H times it: what a method has to work through.
+  struct Entry {
+    std::string name;
+    Formula monitor, transformed;
+  };
+
+  /// automatic_monitor().
+  Entry curvature() { return entry("curvature", curvature_node_); }
+  /// \f$g = \big((n_0 + (\bar\omega/4)^4)^{1/4} + \bar\omega\big)^{-1}\f$: below one over the mean frequency.
+  Entry gentle() {
+    const int smooth = plus(scales_.n0, std::pow(0.25 * scales_.frequency, 4));
+    return entry("gentle", power(plus(power(smooth, 0.25), scales_.frequency), -1.0));
+  }
+  /// \f$g = (1 + S/\bar S)^{-1/2}\f$ with the squared speed S in phase space and its mean.
+  Entry speed() {
+    const int speed =
+        curvature_.scaled(1.0 / scales_.squared_speed, curvature_.squared_speed(scales_.frequency));
+    return entry("speed", power(plus(speed, 1.0), -0.5));
+  }
+  /// \f$g = (\bar T + \frac12(H + H_0) - H(q, 0))^{-\alpha}\f$ with the mean kinetic energy. On the orbit
+  /// H(q, p) - H(q, 0) could stand there as well; the half makes \f$\bar H_{qp}\f$ zero, see \ref monitors.
+  Entry energy(const std::string& name, double exponent) {
+    const int half = curvature_.scaled(0.5, curvature_.energy);
+    const int moving = curvature_.graph.binary(Operation::subtract, half, curvature_.energy_at_rest());
+    const int lively = plus(moving, 0.5 * energy_at_start_ + scales_.kinetic);
+    return entry(name, power(lively, -exponent));
+  }
+  /// 1, no monitor.
+  Entry fixed() { return entry("fixed", curvature_.graph.constant(1.0)); }
+  [[nodiscard]] const OrbitScales& scales() const { return scales_; }  ///< The scales.
+
+ private:
+  int plus(int a, double b) { return curvature_.plus(a, curvature_.graph.constant(b)); }
+  int power(int a, double exponent) { return curvature_.graph.power(a, exponent); }
+  Entry entry(const std::string& name, int g) {
+    return {name,
+            {curvature_.graph, g},
+            {curvature_.graph, curvature_.times(g, plus(curvature_.energy, -energy_at_start_))}};
+  }
+
+  double energy_at_start_;
+  Curvature curvature_;
+  OrbitScales scales_;
+  int curvature_node_;
+};
 
 /// An orbit, its scales, and the menu.
 struct Menu {
@@ -68,7 +123,7 @@ struct Menu {
       entries = {
           make.fixed(),     make.energy("energy", 1.0),     make.speed(), make.energy("energy^1.5", 1.5),
           make.curvature(), make.energy("energy^0.5", 0.5), make.gentle()};
-      tour = make.tour();
+      scales = make.scales();
     } catch (const std::invalid_argument& reason) {
       ExpressionGraph graph(2 * static_cast<int>(orbit.start.q.size()));
       entries = {{"fixed", {graph, graph.constant(1.0)}, orbit.energy}};
@@ -76,51 +131,52 @@ struct Menu {
     }
   }
 
-  Orbit orbit;                 ///< With H as a formula.
-  std::optional<Tour> tour;    ///< The scales of the orbit, where there are any.
-  std::vector<Entry> entries;  ///< The monitors, fixed first.
-  std::string note;            ///< Why there is only one, or empty.
+  Orbit orbit;                        ///< With H as a formula.
+  std::optional<OrbitScales> scales;  ///< The scales of the orbit, where there are any.
+  std::vector<Entry> entries;         ///< The monitors, fixed first.
+  std::string note;                   ///< Why there is only one, or empty.
 };
 
 /// What a sweep costs, in additions of all its stages: the gradient of the transformed H, and the sums over
 /// the stages (fitted to measured times).
-inline double sweep_work(const PhaseFunction& transformed, int order) {
+inline double sweep_work(const Formula& transformed, int order) {
   const int lanes = order <= 8 ? 4 : 8;
-  return 3.0 + 0.85 * static_cast<double>(transformed.size()) * lanes + transformed.work(lanes);
+  return 3.0 + 0.85 * static_cast<double>((transformed.inputs() / 2)) * lanes + transformed.work(lanes);
 }
 
-/// Length of the trials in radians, see Tour::time_of().
+/// Length of the trials in radians, see OrbitScales::time_of().
 inline constexpr double pilot_angle = 10.0;
 
 /// The choice from a menu: each monitor is tried once with the same number of steps; then always the one that
 /// promises the least product of work and steps, until the step of that one is found.
 inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
-  const std::optional<Tour>& tour = menu.tour;
-  MonitorChoice choice{.name = "fixed",
-                       .monitor = menu.entries.front().monitor,
-                       .order = target.order,
-                       .energy_scale =
-                           std::max(1e-300, tour ? tour->kinetic : std::abs(menu.orbit.energy_at_start())),
-                       .time = target.time > 0.0 ? target.time
-                               : tour            ? tour->time_of(pilot_angle)
-                                                 : 1.0,
-                       .trials = {},
-                       .note = menu.note};
-  const double radians = !tour ? 20.0 : target.time > 0.0 ? tour->frequency * choice.time : pilot_angle;
+  const std::optional<OrbitScales>& scales = menu.scales;
+  MonitorChoice choice{
+      .name = "fixed",
+      .monitor = menu.entries.front().monitor,
+      .order = target.order,
+      .energy_scale = std::max(1e-300, scales ? scales->kinetic : std::abs(menu.orbit.energy_at_start())),
+      .time = target.time > 0.0 ? target.time
+              : scales          ? scales->time_of(pilot_angle)
+                                : 1.0,
+      .trials = {},
+      .note = menu.note};
+  const double radians = !scales ? 20.0 : target.time > 0.0 ? scales->frequency * choice.time : pilot_angle;
   const double first = radians * std::max(0.4, 0.15 * std::pow(target.energy_error, -1.0 / target.order));
   const double least =
       0.4 * radians;  // fewer steps do not resolve the motion, even where the energy error is small
   const long most = static_cast<long>(100.0 * first) + 1000;
-  if (tour) choice.work = static_cast<double>(tour->evaluations) * menu.entries.front().transformed.work(1);
+  if (scales)
+    choice.work = static_cast<double>(scales->evaluations) * menu.entries.front().transformed.work(1);
   const Pilot::Setting setting{menu.orbit, target.order, target.energy_error, choice.energy_scale,
                                menu.orbit.start.t + choice.time};
   struct Candidate {
     const Menu::Entry* entry;
     double sweep;
-    Tour::Look look;
+    OrbitScales::MonitorRange range;
     std::unique_ptr<Pilot> pilot;  // pilots do not move: their packs are aligned
     /// What its steps would cost if the longest step in n_0^(1/4) decided.
-    [[nodiscard]] double outlook() const { return sweep * look.unevenness; }
+    [[nodiscard]] double outlook() const { return sweep * range.unevenness; }
   };
   const auto try_step = [&](Candidate& it, double h, double dearest) {
     choice.trials.push_back(it.pilot->trial(h, most, dearest));
@@ -130,10 +186,11 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
   std::vector<Candidate> candidates;  // fixed steps first
   for (const Menu::Entry& entry : menu.entries) {
     Candidate it{&entry, sweep_work(entry.transformed, target.order),
-                 tour ? tour->look(entry.monitor) : Tour::Look{.low = 1.0, .high = 1.0}, nullptr};
+                 scales ? scales->range(entry.monitor) : OrbitScales::MonitorRange{.low = 1.0, .high = 1.0},
+                 nullptr};
     // Not those that are not positive on the way, or hardly different from none; or so dear that no steps can
     // make up for it (measured: steps save at most some six tenths of what they could).
-    if (candidates.empty() || (it.look.low > 0.0 && it.look.high > 1.15 * it.look.low &&
+    if (candidates.empty() || (it.range.low > 0.0 && it.range.high > 1.15 * it.range.low &&
                                it.sweep <= 0.6 * candidates.front().outlook()))
       candidates.push_back(std::move(it));
   }
@@ -149,10 +206,10 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
     const bool spent = choice.work > 5.0 * best && it.outlook() > 1.5 * candidates.front().outlook();
     // At best it takes five sweeps for each of the first steps.
     if (!is_fixed && (!promising || spent || 5.0 * it.sweep * first > best)) continue;
-    const double fictive = tour ? tour->fictive_time(it.entry->monitor, choice.time) : choice.time;
+    const double fictive = scales ? scales->fictive_time(it.entry->monitor, choice.time) : choice.time;
     if (!(fictive > 0.0) || !std::isfinite(fictive)) continue;
     it.pilot = std::make_unique<Pilot>(setting, it.entry->name, it.entry->monitor, it.sweep, fictive,
-                                       fictive / least, fictive / first / it.look.unevenness);
+                                       fictive / least, fictive / first / it.range.unevenness);
     if (is_fixed) fixed = it.pilot.get();
     if (promising) try_step(it, fictive / first, 2.0 * best);
     if (it.pilot->passed()) best = std::min(best, it.pilot->cost());
@@ -178,8 +235,6 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
   }
   return choice;
 }
-
-}  // namespace detail
 
 /// The monitor of a menu that takes the least work of collocation for the energy error asked for, with the
 /// step that reaches it, found in short runs from `start`. The menu is fixed:
@@ -207,7 +262,7 @@ MonitorChoice choose_monitor(const H& hamiltonian, const State<n>& start, const 
           "even and in [2, 16]");
   require(std::isfinite(target.time) && target.time >= 0.0, "Time of the pilot", target.time,
           "finite and not negative");
-  return detail::choose(detail::Menu({hamiltonian, start}), target);
+  return choose(Menu({hamiltonian, start}), target);
 }
 
-}  // namespace avi
+}  // namespace experiment

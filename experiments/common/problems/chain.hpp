@@ -7,7 +7,9 @@
 /// @file
 /// A chain of any number of masses.
 
-namespace avi {
+namespace experiment {
+
+using avi::State, avi::Vector, avi::dynamic, avi::require;
 
 /// n unit masses on a line between walls, coupled by n + 1 springs (Fermi, Pasta, Ulam and Tsingou 1955, the
 /// model with a quadratic term in the force). \f[ H(q, p) = \sum_{i=1}^{n} \tfrac12 p_i^2 + \sum_{i=0}^{n}
@@ -56,4 +58,4 @@ struct Chain {
   }
 };
 
-}  // namespace avi
+}  // namespace experiment
