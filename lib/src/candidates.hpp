@@ -1,5 +1,5 @@
 #pragma once
-#include "graph_problem.hpp"
+#include "gauss.hpp"
 #include "sketch.hpp"
 
 #include <algorithm>
@@ -15,11 +15,40 @@
 
 namespace avi::detail {
 
+/// Gauss collocation of states.
+class OrbitSteps {
+ public:
+  /// See gauss_steps().
+  OrbitSteps(const std::shared_ptr<const Formulas>& formulas, int order, SweepBounds bounds)
+      : steps_(gauss_steps(formulas, order, bounds)), n_(formulas->n), z_(2 * n_) {}
+
+  /// Advances z by the fictive step h, unless the report says another outcome than ok.
+  StepReport step(State<dynamic>& z, double h) {
+    z_ << z.q, z.p;
+    const StepReport report = steps_->step(z_.data(), z.t, h);
+    z.q = z_.head(n_);
+    z.p = z_.tail(n_);
+    return report;
+  }
+  /// The collocation polynomial of the last step at its fraction c.
+  [[nodiscard]] State<dynamic> polynomial(double c) const {
+    VectorX z(2 * n_);
+    State<dynamic> state;
+    steps_->polynomial(c, z.data(), state.t);
+    state.q = z.head(n_);
+    state.p = z.tail(n_);
+    return state;
+  }
+
+ private:
+  std::unique_ptr<GaussSteps> steps_;
+  Eigen::Index n_;
+  VectorX z_;  // of the step under way
+};
+
 /// A monitor of the menu with everything that runs on it, made when it is first used.
 class Candidate {
  public:
-  using Solver = Collocation<GraphProblem>;  ///< One type for every H and g.
-
   /// Of \f$\bar H\f$ and g as nodes of a graph.
   Candidate(std::string its_name, std::shared_ptr<const ExpressionGraph> graph, int transformed, int rate)
       : name(std::move(its_name)), graph_(std::move(graph)), transformed_(transformed), rate_(rate) {}
@@ -31,16 +60,15 @@ class Candidate {
   double noise = 0.0;    ///< Largest relative error of a force that rounding of H makes through grad g.
 
   /// Gauss collocation of order 8 or 16.
-  Solver& solver(int order) {
+  OrbitSteps& solver(int order) {
     auto& made = solvers_[order > 8];
-    if (!made)
-      made = std::make_unique<Solver>(GraphProblem{formulas()}, order, SweepSettings{.max_sweeps = 60});
+    if (!made) made = std::make_unique<OrbitSteps>(formulas(), order, SweepBounds{.most = 60});
     return *made;
   }
   /// A second one for steps beside those of a run.
-  Solver& beside(int order) {
+  OrbitSteps& beside(int order) {
     auto& made = beside_[order > 8];
-    if (!made) made = std::make_unique<Solver>(GraphProblem{formulas()}, order, SweepSettings{});
+    if (!made) made = std::make_unique<OrbitSteps>(formulas(), order, SweepBounds{});
     return *made;
   }
   /// Operations of a sweep for one lane.
@@ -72,7 +100,7 @@ class Candidate {
   int transformed_, rate_;
   std::shared_ptr<const Formulas> formulas_;
   std::unique_ptr<RecordedFormula<double>> rates_;
-  std::array<std::unique_ptr<Solver>, 2> solvers_, beside_;
+  std::array<std::unique_ptr<OrbitSteps>, 2> solvers_, beside_;
 };
 
 /// The graph of a formula of (q, p) with all momenta put to zero, in the same graph.

@@ -79,7 +79,7 @@ struct Journey {
 /// The state at the time t, of a step from `before` that passes it: by shorter steps of `method` from there,
 /// found by Newton's method for dt/dtau = g, and a straight line for the last 1e-9 of the step.
 /// @return outcome of the last step
-inline StepReport land(Candidate::Solver& method, Candidate& candidate, PointField& field,
+inline StepReport land(OrbitSteps& method, Candidate& candidate, PointField& field,
                        const State<dynamic>& before, double h, double after, double t, State<dynamic>& z) {
   StepReport report{.evaluations = 0};
   double size = h * (t - before.t) / (after - before.t);

@@ -1,35 +1,12 @@
-#pragma once
-#include "avi/autodiff/recording.hpp"
+#include "gauss.hpp"
+
 #include "avi/collocation/collocation.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
-/// @file
-/// A transformed problem as programs: every Hamiltonian with every monitor is of one type.
-
-namespace avi::detail {
-
-/// The programs of \f$\bar H = g\,(H - H_0)\f$, made once and shared by all methods that run on them.
-struct Formulas {
-  Program forces;      ///< \f$\partial\bar H/\partial q\f$.
-  Program velocities;  ///< \f$\partial\bar H/\partial p\f$.
-  Program rate;        ///< g; not used where `unit`.
-  bool unit = false;   ///< g = 1.
-  Eigen::Index n = 0;  ///< Degrees of freedom.
-
-  /// Of \f$\bar H\f$ and g as nodes of one graph of (q, p).
-  static std::shared_ptr<const Formulas> of(const ExpressionGraph& graph, int transformed, int rate) {
-    const int n = graph.inputs() / 2;
-    const Recording recording(graph, transformed);
-    return std::make_shared<const Formulas>(Formulas{.forces = recording.gradient(0, n),
-                                                     .velocities = recording.gradient(n, n),
-                                                     .rate = Recording(graph, rate).value(),
-                                                     .unit = graph.is(rate, 1.0),
-                                                     .n = n});
-  }
-};
+namespace avi {
+namespace detail {
 
 /// A problem for Collocation whose field is Formulas.
 struct GraphProblem {
@@ -43,9 +20,7 @@ struct GraphProblem {
   [[nodiscard]] NoCallable hamiltonian() const { return {}; }               ///< Asked for by name only.
 };
 
-}  // namespace avi::detail
-
-namespace avi {
+}  // namespace detail
 
 /// The field of a GraphProblem at w stages.
 template <int w>
@@ -92,4 +67,45 @@ class StageField<detail::GraphProblem, w> {
   Scalar one_{1.0};
 };
 
+namespace detail {
+namespace {
+
+/// Collocation behind the interface.
+class Steps final : public GaussSteps {
+ public:
+  Steps(const GraphProblem& problem, int order, SweepBounds bounds)
+      : method_(problem, order, {.tolerance = bounds.tolerance, .max_sweeps = bounds.most}),
+        state_{.q = VectorX(problem.size()), .p = VectorX(problem.size())} {}
+
+  StepReport step(double* z, double& t, double h) override {
+    const Eigen::Index n = state_.q.size();
+    std::copy(z, z + n, state_.q.data());
+    std::copy(z + n, z + 2 * n, state_.p.data());
+    state_.t = t;
+    const StepReport report = method_.step(state_, h);
+    if (report.ok()) copy(state_, z, t);
+    return report;
+  }
+  void polynomial(double c, double* z, double& t) const override { copy(method_.polynomial(c, 0.0), z, t); }
+  void tail(double* z) const override { method_.tail(z, z + state_.q.size()); }
+  [[nodiscard]] std::unique_ptr<GaussSteps> clone() const override { return std::make_unique<Steps>(*this); }
+
+ private:
+  static void copy(const State<dynamic>& state, double* z, double& t) {
+    std::copy(state.q.begin(), state.q.end(), z);
+    std::copy(state.p.begin(), state.p.end(), z + state.q.size());
+    t = state.t;
+  }
+  Collocation<GraphProblem> method_;
+  State<dynamic> state_;
+};
+
+}  // namespace
+
+std::unique_ptr<GaussSteps> gauss_steps(std::shared_ptr<const Formulas> formulas, int order,
+                                        SweepBounds bounds) {
+  return std::make_unique<Steps>(GraphProblem{std::move(formulas)}, order, bounds);
+}
+
+}  // namespace detail
 }  // namespace avi
