@@ -1,4 +1,6 @@
 #pragma once
+#include "avi/autodiff/recording.hpp"
+#include "avi/core/state.hpp"
 #include "gauss.hpp"
 #include "sketch.hpp"
 
