@@ -1,4 +1,4 @@
-#include "avi/optim/state_clock.hpp"
+#include "avi/optim/minimiser.hpp"
 
 #include "common/problems/correlated_quartic.hpp"
 #include "unit/objectives.hpp"
@@ -18,7 +18,7 @@ using avi::VectorX;
 using objectives::hinges;
 using objectives::rosenbrock;
 
-namespace state_clock_test {
+namespace minimiser_test {
 
 /// Of degree 2, 3 and 4, with a well on either side of 0.
 double wells(const VectorX& x, VectorX& g) {
@@ -108,7 +108,7 @@ Function noisy(const Function& f) {
 }
 
 // How many iterations and gradients a run takes depends on every rule and number of the method.
-TEST(StateClock, TakesTheSameWayOnEveryMachine) {
+TEST(Minimiser, TakesTheSameWayOnEveryMachine) {
   struct Case {
     const char* name;
     Function f;
@@ -142,14 +142,14 @@ TEST(StateClock, TakesTheSameWayOnEveryMachine) {
     for (int k = 0; k < 3; ++k) {
       const int memory = k == 0 ? 0 : k == 1 ? 1 : 7;
       const Function f = it.f;
-      const auto run = avi::StateClock(f, it.x0, {.relative = 1e-8, .memory = memory}).run();
+      const auto run = avi::Minimiser(f, it.x0, {.relative = 1e-8, .memory = memory}).run();
       EXPECT_EQ(run.outcome, it.outcome) << it.name << " " << memory << ": " << run.message;
       EXPECT_EQ(run.iterations, it.counts[k][0]) << it.name << " " << memory;
       EXPECT_EQ(run.gradient_evaluations, it.counts[k][1]) << it.name << " " << memory;
     }
 }
 
-TEST(StateClock, NamesAGradientThatLosesAnEntryOnTheWay) {
+TEST(Minimiser, NamesAGradientThatLosesAnEntryOnTheWay) {
   for (const int at : {1, 2, 3}) {
     int calls = 0;
     const Function f = [&](const VectorX& x, VectorX& g) {
@@ -157,11 +157,11 @@ TEST(StateClock, NamesAGradientThatLosesAnEntryOnTheWay) {
       if (++calls == at) g.resize(2);
       return value;
     };
-    const auto run = avi::StateClock(f, VectorX::Ones(5), {.evaluations = 50}).run();
+    const auto run = avi::Minimiser(f, VectorX::Ones(5), {.evaluations = 50}).run();
     EXPECT_EQ(run.outcome, Outcome::wrong_gradient) << at << ": " << run.message;
     EXPECT_EQ(run.gradient_evaluations, at);
     EXPECT_EQ(run.last.gradient.size(), 5);
   }
 }
 
-}  // namespace state_clock_test
+}  // namespace minimiser_test
