@@ -1,34 +1,19 @@
 #include "candidates.hpp"
 
 #include <limits>
+#include <numeric>
 
 namespace avi::detail {
 
 namespace {
 
-/// The formula with all momenta put to zero, in the same graph: a copy of the nodes that it consists of.
+/// H with all momenta put to zero, in the same graph.
 int at_rest(ExpressionGraph& graph, int energy) {
-  const int n = graph.inputs() / 2;
-  const std::vector<char> part = graph.parts(energy);
-  std::vector<int> copy(static_cast<std::size_t>(energy) + 1, -1);
-  const auto of = [&](int operand) { return operand < 0 ? -1 : copy[static_cast<std::size_t>(operand)]; };
-  for (int i = 0; i <= energy; ++i) {
-    if (!part[static_cast<std::size_t>(i)]) continue;
-    const ExpressionGraph::Node node = graph[i];
-    int& its = copy[static_cast<std::size_t>(i)];
-    switch (detail::operands(node.operation)) {
-    case 0:
-      its = node.operation == Operation::input && node.a >= n ? graph.constant(0.0) : i;
-      break;
-    case 1:
-      its = graph.unary(node.operation, of(node.a));
-      break;
-    default:
-      its = node.operation == Operation::power ? graph.power(of(node.a), graph[node.b].number)
-                                               : graph.binary(node.operation, of(node.a), of(node.b));
-    }
-  }
-  return copy[static_cast<std::size_t>(energy)];
+  const auto n = static_cast<std::size_t>(graph.inputs()) / 2;
+  std::vector<int> arguments(n);
+  std::iota(arguments.begin(), arguments.end(), 0);
+  arguments.resize(2 * n, graph.constant(0.0));
+  return graph.substitute(graph, energy, arguments);
 }
 
 /// The largest derivative of H by each entry on the way; what is 1e-14 of the others, masses taken out, is
