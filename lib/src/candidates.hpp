@@ -9,6 +9,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// @file
@@ -148,6 +149,14 @@ class Candidate {
   double per_slope_ = 0.0;
   std::shared_ptr<const Formulas> formulas_;
 };
+
+/// The names in the menu, with commas between them.
+std::string names_of_monitors();
+/// There is a monitor of this name.
+bool is_monitor(std::string_view name);
+/// The monitor of this name, which there is, on its own. @param kinetic see Choice
+Candidate candidate(std::string_view name, const ExpressionGraph& graph, int energy, double energy_at_start,
+                    double kinetic);
 
 /// The menu for an orbit, the most promising candidate first; fixed steps are always in it.
 /// @param metric diagonal of H_pp @param kinetic mean kinetic energy, or no number above 0

@@ -105,13 +105,14 @@ class Journey {
   /// From the start of the trip with the fictive step h > 0.
   Journey(Trip& trip, PointField& field, Candidate& its_candidate, int its_order, double step,
           SweepBounds bounds)
-      : candidate(&its_candidate), order(its_order), h(step), state(trip.start), ranges(trip.start),
-        trip_(&trip), field_(&field), steps_(its_candidate.steps(its_order, bounds)), z_(trip.start),
-        before_(trip.start) {}
+      : candidate(&its_candidate), order(its_order), h(step), solved(bounds.tolerance), state(trip.start),
+        ranges(trip.start), trip_(&trip), field_(&field), steps_(its_candidate.steps(its_order, bounds)),
+        z_(trip.start), before_(trip.start) {}
 
   Candidate* candidate;               ///< Its monitor.
   int order;                          ///< Of its method.
   double h;                           ///< Fictive step, positive.
+  double solved;                      ///< See Choice.
   double most = infinity;             ///< Sweeps that it may take.
   Run run;                            ///< How it ended, or ok.
   State<dynamic> state;               ///< Where it is: at the last mark, or the last good state.

@@ -1,4 +1,4 @@
-#include "avi/solve.hpp"
+#include "orbiter.hpp"
 
 #include "distance.hpp"
 #include "journey.hpp"
@@ -200,6 +200,7 @@ void Orbiter::prepare() {
   double scale = std::max(std::isfinite(work) ? work : 0.0, 1e-13 * std::abs(energy));
   if (!(scale > 0.0)) scale = 1.0;
   answer_.choice.energy_scale = scale;
+  answer_.choice.kinetic = kinetic;
   answer_.energy_rounding = std::numeric_limits<double>::epsilon() * (std::abs(energy) / scale + 1.0);
   trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, question_.options});
   features_.emplace(question_.graph, question_.energy);
@@ -438,6 +439,7 @@ OrbitAnswer Orbiter::finish() {
   answer_.choice.name = it.name;
   answer_.choice.order = order_;
   answer_.choice.h = fine.h;
+  answer_.choice.solved = fine.solved;
   answer_.run = fine.run;
   if (fine.ok() && fine.state.t != question_.t_end) {
     answer_.run.outcome = trip_->bound() != Outcome::ok ? trip_->bound() : Outcome::step_limit;
@@ -476,15 +478,7 @@ OrbitAnswer Orbiter::finish() {
 
 }  // namespace
 
-OrbitAnswer answer(const OrbitQuestion& question) {
-  require_finite("Time of the start", question.t);
-  require(std::isfinite(question.t_end), "End time", question.t_end, "finite");
-  require(question.tolerance >= 1e-13 && question.tolerance <= 1e-2, "Tolerance", question.tolerance,
-          "in [1e-13, 1e-2]");
-  require(question.options.seconds >= 0.0, "Bound on seconds", question.options.seconds, "at least 0");
-  require(question.options.sweeps >= 1, "Bound on sweeps", question.options.sweeps, "at least 1");
-  return Orbiter(question).solve();
-}
+OrbitAnswer choose(const OrbitQuestion& question) { return Orbiter(question).solve(); }
 
 }  // namespace detail
 
