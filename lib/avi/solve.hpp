@@ -176,6 +176,7 @@ struct OrbitQuestion {
   SolveOptions options;                 ///< Bounds, and what is fixed; its events are those below.
   std::vector<double> times = {};       ///< Where states are wanted, from the start to the end.
   std::vector<OrbitEvent> events = {};  ///< What is looked for on the way.
+  bool timed = false;                   ///< Time has been made the last coordinate: not for callers.
   std::vector<int> gradient = {};       ///< Nodes of dH/d(q, p), 2n, where H supplies them; else empty.
 };
 
@@ -190,7 +191,7 @@ struct OrbitAnswer : SolutionReport {
 };
 
 /// solve() without types that depend on H or n.
-OrbitAnswer answer(const OrbitQuestion& question);
+OrbitAnswer answer(OrbitQuestion&& question);
 
 /// @throws std::invalid_argument unless there are times, finite, in one direction from the start on.
 void require_times(double start, const std::vector<double>& times);
@@ -370,7 +371,7 @@ template <class H, int n>
       detail::question_of(hamiltonian, start, times.empty() ? start.t : times.back(), tolerance, options);
   detail::require_times(question.t, times);
   question.times = times;
-  return detail::solution_of<n>(detail::answer(question), static_cast<int>(start.q.size()));
+  return detail::solution_of<n>(detail::answer(std::move(question)), static_cast<int>(start.q.size()));
 }
 
 }  // namespace avi

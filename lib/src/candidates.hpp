@@ -154,13 +154,14 @@ class Candidate {
 std::string names_of_monitors();
 /// There is a monitor of this name.
 bool is_monitor(std::string_view name);
-/// The monitor of this name, which there is, on its own. @param kinetic see Choice
+/// The monitor of this name, which there is, on its own. @param kinetic see Choice @param timed see
+/// OrbitQuestion
 Candidate candidate(std::string_view name, const ExpressionGraph& graph, int energy, double energy_at_start,
-                    double kinetic);
+                    double kinetic, bool timed);
 
 /// The menu for an orbit, the most promising candidate first; fixed steps are always in it.
 /// @param metric diagonal of H_pp @param kinetic mean kinetic energy, or no number above 0
 std::vector<Candidate> candidates(const ExpressionGraph& graph, int energy, double energy_at_start,
-                                  const Sketch& sketch, const VectorX& metric, double kinetic);
+                                  const Sketch& sketch, const VectorX& metric, double kinetic, bool timed);
 
 }  // namespace avi::detail

@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/solve.hpp"
+#include "budget.hpp"
 
 /// @file
 /// The choice of monitor, order and step for an orbit.
@@ -8,6 +8,6 @@ namespace avi::detail {
 
 /// Chooses what takes an orbit to its end within the tolerance, and the end: what was asked for on the way is
 /// not delivered. The question has been checked, and has some time to go.
-OrbitAnswer choose(const OrbitQuestion& question);
+OrbitAnswer choose(const OrbitQuestion& question, Budget& budget);
 
 }  // namespace avi::detail

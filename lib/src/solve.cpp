@@ -46,8 +46,8 @@ double trusted(const Journey& coarse, const Journey& fine) {
 /// where they are too far apart, or nearer than they need be, the step is another one and they begin anew.
 class Orbiter {
  public:
-  explicit Orbiter(const OrbitQuestion& question)
-      : question_(question), field_(question.graph, question.energy),
+  Orbiter(const OrbitQuestion& question, Budget& budget)
+      : question_(question), budget_(budget), field_(question.graph, question.energy),
         sense_(question.t_end < question.t ? -1.0 : 1.0), span_(std::abs(question.t_end - question.t)) {}
 
   OrbitAnswer solve();
@@ -78,6 +78,7 @@ class Orbiter {
   OrbitAnswer finish();
 
   const OrbitQuestion& question_;
+  Budget& budget_;
   PointField field_;
   double sense_, span_;
   std::optional<Trip> trip_;
@@ -170,7 +171,9 @@ void Orbiter::prepare() {
   if (!std::isfinite(energy) || !start.allFinite())
     throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
   const VectorX metric = field_.metric(start);
-  distance_.emplace(metric);
+  // Of time as a coordinate, and its momentum, nobody asks.
+  const int seen = question_.timed ? n - 1 : n;
+  distance_.emplace(metric, seen);
   field_.sense = sense_;
   sketch_.emplace(field_, start, span_, metric);
   field_.sense = 1.0;
@@ -181,13 +184,14 @@ void Orbiter::prepare() {
 
   // Means over the sketch: kinetic energy, half of p q', and the speed in phase space.
   double work = 0.0, kinetic = 0.0, highest = 0.0;
-  const VectorX rest = VectorX::Zero(n);
+  VectorX rest = VectorX::Zero(n);
   State<dynamic> z{.q = start.head(n), .p = start.tail(n), .t = question_.t};
   Ranges ranges(z);
   for (const Sketch::Sample& sample : sketch.samples)
     ranges.add({.q = sample.z.head(n), .p = sample.z.tail(n)});
   for (const Sketch::Sample& sample : sketch.samples) {
-    work += sample.h * 0.5 * std::abs(sample.z.tail(n).dot(sample.slope.head(n)));
+    work += sample.h * 0.5 * std::abs(sample.z.segment(n, seen).dot(sample.slope.head(seen)));
+    if (question_.timed) rest[seen] = sample.z[n + seen];
     kinetic += sample.h * (sample.energy - field_.energy(sample.z.data(), rest.data()));
     const double speed = (*distance_)(sample.slope, ranges);
     usual_speed_ += sample.h * speed;
@@ -202,10 +206,22 @@ void Orbiter::prepare() {
   answer_.choice.energy_scale = scale;
   answer_.choice.kinetic = kinetic;
   answer_.energy_rounding = std::numeric_limits<double>::epsilon() * (std::abs(energy) / scale + 1.0);
-  trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, question_.options});
+  trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, budget_});
   features_.emplace(question_.graph, question_.energy);
   if (!features_->none()) trip_->features = &*features_;
-  menu_ = candidates(question_.graph, question_.energy, energy, sketch, metric, kinetic);
+  menu_ = candidates(question_.graph, question_.energy, energy, sketch, metric, kinetic, question_.timed);
+  const std::string& wanted = question_.options.monitor;
+  if (!wanted.empty()) {
+    std::erase_if(menu_, [&](const Candidate& it) { return it.name != wanted; });
+    if (menu_.empty()) {
+      if (!(kinetic > 0.0))
+        throw std::invalid_argument("Monitor " + wanted +
+                                    " has no meaning here: H - H(q, 0) is not positive along the orbit; take "
+                                    "monitor fixed.");
+      menu_.push_back(candidate(wanted, question_.graph, question_.energy, energy, kinetic, question_.timed));
+    }
+    return;
+  }
   std::erase_if(menu_, [&](const Candidate& it) {
     return it.noise * radians_ > std::max(0.3 * question_.tolerance, 3e-15 * radians_);
   });
@@ -228,7 +244,8 @@ void Orbiter::set_marks() {
 
 Setting Orbiter::first_setting() {
   aim_ = std::max(question_.tolerance / std::max(radians_, 1.0), 1e-16);
-  order_ = aim_ > 2e-6 ? 8 : 16;
+  order_ = question_.options.order > 0 ? question_.options.order : aim_ > 2e-6 ? 8 : 16;
+  if (question_.options.h > 0.0) return {&menu_.front(), question_.options.h};
   Candidate& it = menu_.front();
   // Medians of what some hundred systems drawn at random came to. With a monitor the motion is smoother in
   // fictive time than the radians of its fastest part tell.
@@ -257,7 +274,7 @@ bool Orbiter::go_on(Journey& journey, std::size_t mark) {
 /// A run ended before its mark. @return there is another setting to try
 bool Orbiter::failed(const Journey& journey, Setting& setting) {
   note_trial(journey, infinity);
-  if (journey.spent || round_ >= 40) return false;
+  if (journey.spent || round_ >= 40 || question_.options.h > 0.0) return false;
   const double reached = std::abs(journey.state.t - question_.t);
   failures_ = reached > 0.0 && std::abs(reached - failed_at_) <= 1e-2 * reached ? failures_ + 1 : 1;
   failed_at_ = reached;
@@ -307,6 +324,10 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
       setting.h = longest_step(*setting.candidate) / longer;
     return true;
   };
+  if (question_.options.h > 0.0) {
+    if (coarse_->ok()) seen_ = compare(*coarse_, *fine_);
+    return false;
+  }
   if (fine_->jumped && round_ < 30) return again(0.4);
   if (!coarse_->ok()) return !resigned_ && again(0.8);
   seen_ = compare(*coarse_, *fine_);
@@ -314,7 +335,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   const double of_energy = hidden ? 0.0 : fine_->energy_error / (3.0 * tolerance);
   const double error = std::max(foretold(seen_, here, span_, high_speed_) / tolerance, of_energy);
   if (mark == 0 && !others_tried_ && try_others(setting)) return true;
-  const double spent = static_cast<double>(trip_->sweeps) * setting.candidate->operations();
+  const double spent = static_cast<double>(budget_.sweeps) * setting.candidate->operations();
   if (resigned_ || round_ >= 30) return false;
   if (error > (last ? 3.0 : 2.0)) {
     // Where shorter steps do not help though the energy is kept to rounding, it is chaos, or noise; else it
@@ -395,7 +416,7 @@ OrbitAnswer Orbiter::fail(Outcome outcome, std::string message) {
 OrbitAnswer Orbiter::give_up() {
   std::ostringstream text;
   text.precision(6);
-  const Outcome bound = trip_->bound();
+  const Outcome bound = budget_.met(question_.t, 0, 0);
   if (bound != Outcome::ok) {
     text << "A bound of the call was met while monitor and step were being chosen.";
     return fail(bound, text.str());
@@ -430,7 +451,7 @@ OrbitAnswer Orbiter::solve() {
 OrbitAnswer Orbiter::finish() {
   const Journey& fine = *fine_;
   const Candidate& it = *fine.candidate;
-  answer_.choice.sweeps = trip_->sweeps - fine.run.evaluations;
+  answer_.choice.sweeps = budget_.sweeps - fine.run.evaluations;
   if (coarse_) {
     note_trial(*coarse_, infinity);
     if (compared_ == marks_.size()) answer_.choice.check = coarse_->run.evaluations;
@@ -442,7 +463,8 @@ OrbitAnswer Orbiter::finish() {
   answer_.choice.solved = fine.solved;
   answer_.run = fine.run;
   if (fine.ok() && fine.state.t != question_.t_end) {
-    answer_.run.outcome = trip_->bound() != Outcome::ok ? trip_->bound() : Outcome::step_limit;
+    answer_.run.outcome =
+        budget_.met(question_.t, 0, 0) != Outcome::ok ? budget_.met(question_.t, 0, 0) : Outcome::step_limit;
   }
   answer_.energy_error = fine.energy_error;
   const double here = since_start(judged_);
@@ -478,7 +500,9 @@ OrbitAnswer Orbiter::finish() {
 
 }  // namespace
 
-OrbitAnswer choose(const OrbitQuestion& question) { return Orbiter(question).solve(); }
+OrbitAnswer choose(const OrbitQuestion& question, Budget& budget) {
+  return Orbiter(question, budget).solve();
+}
 
 }  // namespace detail
 
