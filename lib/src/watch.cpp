@@ -83,19 +83,22 @@ void Watch::sample(const Stride& stride, bool first) {
   samples_.erase(samples_.begin(), left);
 }
 
-/// Between three points of one sign the middle of which is the lowest there may be two zeros more.
+/// Between two points of one sign there are two zeros more where g turns on the other side of zero.
 void Watch::add_turning_points(const Stride& stride) {
   std::vector<Sample> more;
-  for (std::size_t k = 1; k + 1 < samples_.size(); ++k) {
-    const Sample &a = samples_[k - 1], &b = samples_[k], &c = samples_[k + 1];
+  for (std::size_t k = 0; samples_.size() > 2 && k + 1 < samples_.size(); ++k) {
+    const Sample &a = samples_[k], &b = samples_[k + 1], &c = k > 0 ? samples_[k - 1] : samples_[2];
     const double sign = std::copysign(1.0, b.g);
-    const double before = sign * a.g, here = sign * b.g, after = sign * c.g;
-    if (!(before > 0.0 && here > 0.0 && after > 0.0 && here <= before && here <= after)) continue;
-    // The parabola through the three, for points that are about as far apart.
-    const double bend = before - 2.0 * here + after, slope = 0.5 * (after - before);
-    if (!(bend > 0.0) || here - 0.5 * slope * slope / bend > 0.5 * here) continue;
+    if (!(sign * a.g > 0.0) || b.g == 0.0) continue;
+    // The parabola through them and the next one says where it may be worth a look.
+    const double slope = (b.g - a.g) / (b.part - a.part);
+    const double bend = ((c.g - b.g) / (c.part - b.part) - slope) / (c.part - a.part);
+    const double turn = 0.5 * (a.part + b.part) - 0.5 * slope / bend, width = b.part - a.part;
+    if (!(sign * bend > 0.0) || !(turn > a.part - 0.5 * width) || !(turn < b.part + 0.5 * width)) continue;
+    const double lowest = a.g + (turn - a.part) * (slope + bend * (turn - b.part));
+    if (sign * lowest > 0.5 * std::min(sign * a.g, sign * b.g)) continue;
     constexpr double golden = 0.6180339887498949;
-    double low = a.part, high = c.part;
+    double low = a.part, high = b.part;
     for (int i = 0; i < 40; ++i) {
       const double x = high - golden * (high - low), y = low + golden * (high - low);
       const double at_x = sign * on(stride, x), at_y = sign * on(stride, y);
