@@ -176,8 +176,9 @@ struct OrbitQuestion {
   SolveOptions options;                 ///< Bounds, and what is fixed; its events are those below.
   std::vector<double> times = {};       ///< Where states are wanted, from the start to the end.
   std::vector<OrbitEvent> events = {};  ///< What is looked for on the way.
-  bool timed = false;                   ///< Time has been made the last coordinate: not for callers.
-  std::vector<int> gradient = {};       ///< Nodes of dH/d(q, p), 2n, where H supplies them; else empty.
+  std::shared_ptr<const Choice> made = {};  ///< A choice that is made already, unless it is empty.
+  bool timed = false;                       ///< Time has been made the last coordinate: not for callers.
+  std::vector<int> gradient = {};           ///< Nodes of dH/d(q, p), 2n, where H supplies them; else empty.
 };
 
 /// The answer.
@@ -192,6 +193,9 @@ struct OrbitAnswer : SolutionReport {
 
 /// solve() without types that depend on H or n.
 OrbitAnswer answer(OrbitQuestion&& question);
+/// The choice of solve() for a Solver, with what is known of the orbit that it is made for.
+/// @throws std::invalid_argument where nothing could be chosen, too.
+SolutionReport choose_for(const OrbitQuestion& question);
 
 /// @throws std::invalid_argument unless there are times, finite, in one direction from the start on.
 void require_times(double start, const std::vector<double>& times);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace avi::detail {
 
@@ -105,7 +106,7 @@ class Call {
   OrbitAnswer make() {
     double horizon = question_.t_end;
     budget_.share = 0.5;
-    if (may_stop()) horizon = scout();
+    if (may_stop() && !question_.made) horizon = scout();
     for (int round = 0;; ++round) {
       OrbitAnswer answer = chosen(horizon, question_.tolerance, question_.options.check);
       if (!(answer.choice.h > 0.0) || budget_.cancelled()) return answer;
@@ -141,7 +142,24 @@ class Call {
     const double there = question_.t + factor * (time - question_.t), end = question_.t_end;
     return end < question_.t ? std::max(there, end) : std::min(there, end);
   }
+  /// What is known of a run with a choice that is made, before it is.
+  [[nodiscard]] OrbitAnswer made() const {
+    OrbitAnswer answer;
+    answer.choice = *question_.made;
+    answer.choice.trials.clear();
+    answer.choice.sweeps = answer.choice.check = 0;
+    answer.tolerance = question_.tolerance;
+    answer.state_error = infinity;
+    PointField field(question_.graph, question_.energy);
+    const double energy = field.energy(question_.q.data(), question_.p.data());
+    if (!std::isfinite(energy))
+      throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
+    answer.energy_rounding =
+        std::numeric_limits<double>::epsilon() * (std::abs(energy) / answer.choice.energy_scale + 1.0);
+    return answer;
+  }
   OrbitAnswer chosen(double end, double tolerance, bool check) {
+    if (question_.made && !check) return made();
     OrbitQuestion question = question_;
     question.t_end = end;
     question.tolerance = tolerance;
@@ -192,7 +210,13 @@ OrbitAnswer answer(OrbitQuestion&& question) {
   extend(question);
   const std::vector<double>& times = question.times;
   const bool end_alone = times.empty() || (times.size() == 1 && times[0] == question.t_end);
-  const bool more = !end_alone || !question.events.empty() || question.options.dense;
+  if (question.made) {
+    question.options.monitor = question.made->name;
+    question.options.order = question.made->order;
+    question.options.h = question.made->h;
+  }
+  const bool more = !end_alone || !question.events.empty() || question.options.dense ||
+                    (question.made && !question.options.check);
   Budget budget(question.options);
   budget.start = question.t, budget.end = question.t_end;
   OrbitAnswer answer = more && question.t_end != question.t ? Call(question, degrees, budget).make()
@@ -211,6 +235,18 @@ OrbitAnswer answer(OrbitQuestion&& question) {
     answer.state_error = infinity;
   }
   return answer;
+}
+
+SolutionReport choose_for(const OrbitQuestion& question) {
+  OrbitQuestion sample = question;
+  sample.events.clear();
+  sample.options.dense = false;
+  SolutionReport report = answer(std::move(sample));
+  if (!(report.choice.h > 0.0))
+    throw std::invalid_argument(
+        "Nothing could be chosen for the orbit of the Solver: " +
+        (report.run.message.empty() ? "it ends where it starts." : report.run.message));
+  return report;
 }
 
 }  // namespace avi::detail

@@ -198,6 +198,7 @@ void Orbiter::prepare() {
     highest = std::max(highest, speed);
   }
   work /= time, kinetic /= time, usual_speed_ /= time;
+  if (question_.made) kinetic = question_.made->kinetic;
   high_speed_ = std::min(highest, 20.0 * usual_speed_);
   if (!(high_speed_ > 0.0)) high_speed_ = usual_speed_ = 1.0 / span_;
   // Of a body at rest, or where rounding hides the kinetic energy, some of H itself.
