@@ -17,12 +17,14 @@ State<dynamic> start_of(const OrbitQuestion& question) {
 }  // namespace
 
 Delivery::Delivery(const OrbitQuestion& question, int degrees, const Choice& choice, Budget& budget)
-    : question_(question), degrees_(degrees), budget_(budget), field_(question.graph, question.energy),
+    : question_(question), degrees_(degrees), budget_(budget),
+      field_(question.graph, question.energy, question.gradient),
       energy_at_start_(field_.energy(question.q.data(), question.p.data())),
       candidate_(candidate(choice.name, question.graph, question.energy, energy_at_start_, choice.kinetic,
                            question.timed)),
       h_(question.t_end < question.t ? -choice.h : choice.h), energy_scale_(choice.energy_scale),
-      steps_(candidate_.steps(choice.order, {.tolerance = choice.solved, .most = 60})),
+      steps_((candidate_.supplied = question.gradient,
+              candidate_.steps(choice.order, {.tolerance = choice.solved, .most = 60}))),
       state_(start_of(question)) {
   for (std::size_t i = 0; i < question.events.size(); ++i)
     watches_.emplace_back(question.events[i], degrees, i);

@@ -150,7 +150,7 @@ class Call {
     answer.choice.sweeps = answer.choice.check = 0;
     answer.tolerance = question_.tolerance;
     answer.state_error = infinity;
-    PointField field(question_.graph, question_.energy);
+    PointField field(question_.graph, question_.energy, question_.gradient);
     const double energy = field.energy(question_.q.data(), question_.p.data());
     if (!std::isfinite(energy))
       throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
@@ -175,7 +175,7 @@ class Call {
   /// others are chosen.
   double scout() {
     const double span = std::abs(question_.t_end - question_.t);
-    PointField field(question_.graph, question_.energy);
+    PointField field(question_.graph, question_.energy, question_.gradient);
     VectorX z(static_cast<Eigen::Index>(2 * question_.q.size()));
     std::ranges::copy(question_.q, z.data());
     std::ranges::copy(question_.p, z.data() + question_.q.size());
