@@ -1,4 +1,4 @@
-#include "avi/solve.hpp"
+#include "orbiter.hpp"
 
 #include "distance.hpp"
 #include "journey.hpp"
@@ -48,8 +48,8 @@ double trusted(const Journey& coarse, const Journey& fine) {
 /// where they are too far apart, or nearer than they need be, the step is another one and they begin anew.
 class Orbiter {
  public:
-  explicit Orbiter(const OrbitQuestion& question)
-      : question_(question), field_(question.graph, question.energy),
+  Orbiter(const OrbitQuestion& question, Budget& budget)
+      : question_(question), budget_(budget), field_(question.graph, question.energy, question.gradient),
         sense_(question.t_end < question.t ? -1.0 : 1.0), span_(std::abs(question.t_end - question.t)) {}
 
   OrbitAnswer solve();
@@ -80,6 +80,7 @@ class Orbiter {
   OrbitAnswer finish();
 
   const OrbitQuestion& question_;
+  Budget& budget_;
   PointField field_;
   double sense_, span_;
   std::optional<Trip> trip_;
@@ -175,7 +176,9 @@ void Orbiter::prepare() {
   if (!std::isfinite(energy) || !start.allFinite())
     throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
   const VectorX metric = field_.metric(start);
-  distance_.emplace(metric, question_.tolerance);
+  // Of time as a coordinate, and its momentum, nobody asks.
+  const int seen = question_.timed ? n - 1 : n;
+  distance_.emplace(metric, question_.tolerance, seen);
   field_.sense = sense_;
   sketch_.emplace(field_, start, span_, metric);
   field_.sense = 1.0;
@@ -186,33 +189,56 @@ void Orbiter::prepare() {
 
   // Means over the sketch: kinetic energy, half of p q', and the speed in phase space.
   double work = 0.0, kinetic = 0.0, highest = 0.0;
-  const VectorX rest = VectorX::Zero(n);
+  VectorX rest = VectorX::Zero(n);
   State<dynamic> z{.q = start.head(n), .p = start.tail(n), .t = question_.t};
   Ranges ranges(z);
   for (const Sketch::Sample& sample : sketch.samples)
     ranges.add({.q = sample.z.head(n), .p = sample.z.tail(n)});
   for (const Sketch::Sample& sample : sketch.samples) {
-    work += sample.h * 0.5 * std::abs(sample.z.tail(n).dot(sample.slope.head(n)));
+    work += sample.h * 0.5 * std::abs(sample.z.segment(n, seen).dot(sample.slope.head(seen)));
+    if (question_.timed) rest[seen] = sample.z[n + seen];
     kinetic += sample.h * (sample.energy - field_.energy(sample.z.data(), rest.data()));
     const double speed = (*distance_)(sample.slope, ranges);
     usual_speed_ += sample.h * speed;
     highest = std::max(highest, speed);
   }
   work /= time, kinetic /= time, usual_speed_ /= time;
+  Choice& choice = answer_.choice;
+  if (question_.made) {
+    choice.kinetic = question_.made->kinetic;
+    choice.accelerations = question_.made->accelerations;
+  } else {
+    choice.kinetic = kinetic;
+    choice.accelerations = accelerations(sketch, metric, seen);
+  }
   high_speed_ = std::min(highest, 20.0 * usual_speed_);
   if (!(high_speed_ > 0.0)) high_speed_ = usual_speed_ = 1.0 / span_;
   // Of a body at rest, or where rounding hides the kinetic energy, some of H itself.
   double scale = std::max(std::isfinite(work) ? work : 0.0, 1e-13 * std::abs(energy));
   if (!(scale > 0.0)) scale = 1.0;
-  answer_.choice.energy_scale = scale;
+  choice.energy_scale = scale;
   answer_.energy_rounding = std::numeric_limits<double>::epsilon() * (std::abs(energy) / scale + 1.0);
-  trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, question_.options});
+  trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, budget_});
   features_.emplace(question_.graph, question_.energy);
   if (!features_->none()) trip_->features = &*features_;
-  menu_ = candidates(question_.graph, question_.energy, energy, sketch, metric, kinetic);
-  std::erase_if(menu_, [&](const Candidate& it) {
-    return it.noise * radians_ > std::max(0.3 * question_.tolerance, 3e-15 * radians_);
-  });
+  menu_ = candidates(question_.graph, question_.energy, energy, sketch, metric, choice, question_.timed);
+  const std::string& wanted = question_.options.monitor;
+  if (!wanted.empty()) {
+    std::erase_if(menu_, [&](const Candidate& it) { return it.name != wanted; });
+    if (menu_.empty()) {
+      if (!(choice.kinetic > 0.0) && wanted != "acceleration")
+        throw std::invalid_argument("Monitor " + wanted +
+                                    " has no meaning here: H - H(q, 0) is not positive along the orbit; take "
+                                    "monitor fixed.");
+      menu_.push_back(candidate(wanted, question_.graph, question_.energy, energy, choice, question_.timed));
+    }
+  } else {
+    std::erase_if(menu_, [&](const Candidate& it) {
+      return it.noise * radians_ > std::max(0.3 * question_.tolerance, 3e-15 * radians_);
+    });
+  }
+  for (Candidate& it : menu_)
+    it.supplied = question_.gradient;
 }
 
 /// The times at which two runs are compared: the end, three quarters, a half, three eighths and so on of it,
@@ -232,8 +258,9 @@ void Orbiter::set_marks() {
 
 Setting Orbiter::first_setting() {
   aim_ = std::max(question_.tolerance / std::max(radians_, 1.0), 1e-16);
-  order_ = aim_ > 2e-6 ? 8 : 16;
+  order_ = question_.options.order > 0 ? question_.options.order : aim_ > 2e-6 ? 8 : 16;
   Candidate& it = menu_[choice_];
+  if (question_.options.h > 0.0) return {&it, question_.options.h};
   // Medians of what some hundred systems drawn at random came to. With a monitor the motion is smoother in
   // fictive time than the radians of its fastest part tell.
   const double usual = it.fixed() ? (order_ == 8 ? 6.0 : 7.2) : (order_ == 8 ? 9.5 : 10.5);
@@ -261,7 +288,7 @@ bool Orbiter::go_on(Journey& journey, std::size_t mark) {
 /// A run ended before its mark. @return there is another setting to try
 bool Orbiter::failed(const Journey& journey, Setting& setting) {
   note_trial(journey, infinity);
-  if (journey.spent || round_ >= most_rounds) return false;
+  if (journey.spent || round_ >= most_rounds || question_.options.h > 0.0) return false;
   const double reached = std::abs(journey.state.t - question_.t);
   failures_ = reached > 0.0 && std::abs(reached - failed_at_) <= 1e-2 * reached ? failures_ + 1 : 1;
   failed_at_ = reached;
@@ -318,6 +345,10 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
       setting.h = longest_step(*setting.candidate) / longer;
     return true;
   };
+  if (question_.options.h > 0.0) {
+    seen_ = compare(*coarse_, *fine_);
+    return false;
+  }
   if (fine_->jumped && round_ < most_rounds) return again(0.4);
   seen_ = compare(*coarse_, *fine_);
   // Where runs agree and their energy errors do not fall with the step, that is rounding of H somewhere on
@@ -341,7 +372,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     ++lengthened_;
     return again(gain);
   }
-  const double spent = static_cast<double>(trip_->sweeps) * setting.candidate->operations();
+  const double spent = static_cast<double>(budget_.sweeps) * setting.candidate->operations();
   const double pair = span_ / here * setting.candidate->operations() *
                       static_cast<double>(coarse_->run.evaluations + fine_->run.evaluations);
   vain_ = mark <= before_at_ && error > 0.3 * before_ ? vain_ + 1 : 0;
@@ -416,7 +447,7 @@ OrbitAnswer Orbiter::fail(Outcome outcome, std::string message) {
 OrbitAnswer Orbiter::give_up() {
   std::ostringstream text;
   text.precision(6);
-  const Outcome bound = trip_->bound();
+  const Outcome bound = budget_.met(question_.t, 0, 0);
   if (bound != Outcome::ok) {
     text << "A bound of the call was met while monitor and step were being chosen.";
     return fail(bound, text.str());
@@ -451,7 +482,7 @@ OrbitAnswer Orbiter::solve() {
 OrbitAnswer Orbiter::finish() {
   const Journey& fine = *fine_;
   const Candidate& it = *fine.candidate;
-  answer_.choice.sweeps = trip_->sweeps - fine.run.evaluations;
+  answer_.choice.sweeps = budget_.sweeps - fine.run.evaluations;
   if (coarse_) {
     note_trial(*coarse_, infinity);
     if (compared_ == marks_.size()) answer_.choice.check = coarse_->run.evaluations;
@@ -460,9 +491,11 @@ OrbitAnswer Orbiter::finish() {
   answer_.choice.name = it.name;
   answer_.choice.order = order_;
   answer_.choice.h = fine.h;
+  answer_.choice.solved = fine.solved;
   answer_.run = fine.run;
   if (fine.ok() && fine.state.t != question_.t_end) {
-    answer_.run.outcome = trip_->bound() != Outcome::ok ? trip_->bound() : Outcome::step_limit;
+    const Outcome bound = budget_.met(question_.t, 0, 0);
+    answer_.run.outcome = bound != Outcome::ok ? bound : Outcome::step_limit;
   }
   answer_.energy_error = fine.energy_error;
   const double here = since_start(judged_);
@@ -500,14 +533,8 @@ OrbitAnswer Orbiter::finish() {
 
 }  // namespace
 
-OrbitAnswer answer(const OrbitQuestion& question) {
-  require_finite("Time of the start", question.t);
-  require(std::isfinite(question.t_end), "End time", question.t_end, "finite");
-  require(question.tolerance >= 1e-13 && question.tolerance <= 1e-2, "Tolerance", question.tolerance,
-          "in [1e-13, 1e-2]");
-  require(question.options.seconds >= 0.0, "Bound on seconds", question.options.seconds, "at least 0");
-  require(question.options.sweeps >= 1, "Bound on sweeps", question.options.sweeps, "at least 1");
-  return Orbiter(question).solve();
+OrbitAnswer choose(const OrbitQuestion& question, Budget& budget) {
+  return Orbiter(question, budget).solve();
 }
 
 }  // namespace detail
