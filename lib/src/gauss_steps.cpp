@@ -2,6 +2,8 @@
 #include "gauss_builds.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <utility>
 
 // Compiled once for each set of instructions, each time under a name of its own; gauss.cpp chooses.
@@ -20,12 +22,88 @@ struct GraphProblem {
   struct NoCallable {};                      ///< There is nothing to call.
 
   std::shared_ptr<const Formulas> formulas;  ///< The field.
+  int code_from_step = 0;                    ///< See SweepBounds.
 
   [[nodiscard]] Eigen::Index size() const { return formulas->n; }  ///< n.
   [[nodiscard]] double clock(const Vector<double, degrees>&, double t) const {
     return t;
   }                                                            ///< Physical time.
   [[nodiscard]] NoCallable hamiltonian() const { return {}; }  ///< Asked for by name only.
+};
+
+}  // namespace
+}  // namespace detail
+
+namespace detail {
+namespace {
+
+/// The machine that this file is compiled for makes code at run time.
+#if defined(__AVX512VL__) && defined(__AVX512DQ__)
+constexpr bool makes_code = true, has_avx512 = true;
+#elif defined(__AVX2__)
+constexpr bool makes_code = true, has_avx512 = false;
+#else
+constexpr bool makes_code = false, has_avx512 = false;
+#endif
+
+/// Operations at packs of w numbers for MachineCode to call.
+template <int w>
+const PackFunction* pack_functions() {
+  static const auto all = [] {
+    std::array<PackFunction, static_cast<std::size_t>(Operation::sum_of_products)> table{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      const auto operation = static_cast<Operation>(i);
+      if (operands(operation) > 0 && operation != Operation::nothing && operation != Operation::subtract_from)
+        with_operation(operation, [&]<Operation known>() {
+          table[i] = [](double* a, const double* b) {
+            Pack<w> x, y;
+            std::memcpy(&x, a, sizeof(x));
+            std::memcpy(&y, b, sizeof(y));
+            const Pack<w> z = apply<known>(x, y);
+            std::memcpy(a, &z, sizeof(z));
+          };
+        });
+    }
+    return table;
+  }();
+  return all.data();
+}
+
+/// A program at packs of w numbers.
+template <int w>
+class StageFormula {
+ public:
+  explicit StageFormula(const Program& program) : program_(&program), room_(program) {}
+
+  /// out = factor times its derivatives, or its value where it has none.
+  template <class Vec>
+  [[gnu::always_inline]] void run(const Vec& q, const Vec& p, const Pack<w>& factor, Pack<w>* out) {
+    if (code)
+      code(number(q.data()), number(p.data()), number(&factor), number(out));
+    else
+      interpret(q, p, factor, out);
+  }
+  MachineCode::Function code = nullptr;  ///< Of this program, once there is one.
+
+ private:
+  static const double* number(const Pack<w>* x) { return reinterpret_cast<const double*>(x); }
+  static double* number(Pack<w>* x) { return reinterpret_cast<double*>(x); }
+  template <class Vec>
+  [[gnu::noinline]] void interpret(const Vec& q, const Vec& p, const Pack<w>& factor, Pack<w>* out) {
+    Pack<w>* const z = room_.arguments();
+    const Eigen::Index size = q.size();
+    for (Eigen::Index i = 0; i < size; ++i) {
+      z[i] = q[i];
+      z[size + i] = p[i];
+    }
+    program_->run(room_);
+    if (program_->slopes() == 0) out[0] = program_->value(room_);
+    for (int i = 0; i < program_->slopes(); ++i)
+      out[i] = factor * program_->slope(room_, i);
+  }
+
+  const Program* program_;
+  Program::Room<Pack<w>> room_;
 };
 
 }  // namespace
@@ -43,45 +121,44 @@ class StageField<detail::GraphProblem<degrees>, w> {
   /// With memory of its own for each program.
   explicit StageField(const Problem& problem)
       : formulas_(problem.formulas), forces_(formulas_->forces), velocities_(formulas_->velocities),
-        rates_(formulas_->rate) {}
+        rates_(formulas_->rate), steps_left_(problem.code_from_step) {
+    use_machine_code(steps_left_ <= 0);
+  }
 
   /// step.dp = -weight \f$\partial \bar H/\partial q\f$.
   void force(const Problem&, Step& step, const Scalar& weight) {
-    field(formulas_->forces, forces_, step, -weight, step.dp);
+    forces_.run(step.q, step.p, -weight, step.dp.data());
   }
   /// step.dq = weight \f$\partial \bar H/\partial p\f$.
   void velocity(const Problem&, Step& step, const Scalar& weight) {
-    field(formulas_->velocities, velocities_, step, weight, step.dq);
+    velocities_.run(step.q, step.p, weight, step.dq.data());
   }
-  /// g at the stages.
+  /// g at the stages of a step that is solved.
   [[nodiscard]] const Scalar& rate(const Step& step) {
-    if (formulas_->unit) return one_;
-    arguments(step, rates_);
-    formulas_->rate.run(rates_);
-    return formulas_->rate.value(rates_);
+    if (steps_left_ > 0 && --steps_left_ == 0) use_machine_code(true);
+    if (!formulas_->unit) rates_.run(step.q, step.p, rate_, &rate_);
+    return rate_;
   }
 
  private:
-  using Room = Program::Room<Scalar>;
-  static void arguments(const Step& step, Room& room) {
-    Scalar* const z = room.arguments();
-    const Eigen::Index size = step.q.size();
-    for (Eigen::Index i = 0; i < size; ++i) {
-      z[i] = step.q[i];
-      z[size + i] = step.p[i];
+  void use_machine_code(bool make) {
+    if constexpr (detail::makes_code && (w == 4 || w == 8)) {
+      const Program* const programs[] = {&formulas_->forces, &formulas_->velocities, &formulas_->rate};
+      code_ = formulas_->code->of(
+          {programs, formulas_->unit ? 2u : 3u},
+          {.lanes = w, .avx512 = detail::has_avx512, .functions = detail::pack_functions<w>()}, make);
+      if (!code_) return;
+      forces_.code = (*code_)[0];
+      velocities_.code = (*code_)[1];
+      if (!formulas_->unit) rates_.code = (*code_)[2];
     }
-  }
-  static void field(const Program& program, Room& room, const Step& step, const Scalar& weight,
-                    Vector<Scalar, n>& out) {
-    arguments(step, room);
-    program.run(room);
-    for (Eigen::Index i = 0; i < out.size(); ++i)
-      out[i] = weight * program.slope(room, static_cast<int>(i));
   }
 
   std::shared_ptr<const detail::Formulas> formulas_;
-  Room forces_, velocities_, rates_;
-  Scalar one_{1.0};
+  std::shared_ptr<const detail::MachineCode> code_;
+  detail::StageFormula<w> forces_, velocities_, rates_;
+  Scalar rate_{1.0};
+  int steps_left_;  // until there is machine code
 };
 
 namespace detail {
@@ -120,7 +197,8 @@ class Steps final : public GaussSteps {
 
 template <int n>
 std::unique_ptr<GaussSteps> steps(std::shared_ptr<const Formulas> formulas, int order, SweepBounds bounds) {
-  return std::make_unique<Steps<n>>(GraphProblem<n>{std::move(formulas)}, order, bounds);
+  return std::make_unique<Steps<n>>(GraphProblem<n>{std::move(formulas), bounds.code_from_step}, order,
+                                    bounds);
 }
 
 }  // namespace
