@@ -1,8 +1,8 @@
 #pragma once
-#include "avi/automatic/phase_function.hpp"
+#include "avi/autodiff/formula.hpp"
 #include "avi/core/outcome.hpp"
+#include "avi/core/state.hpp"
 
-#include <cstddef>
 #include <limits>
 #include <string>
 #include <utility>
@@ -41,6 +41,7 @@ struct Choice {
   double energy_scale = 1.0;   ///< Mean of half of \f$|p\cdot\dot q|\f$: what energy errors are relative to.
   double time = 0.0;           ///< Physical time of the short trials.
   long sweeps = 0;             ///< Evaluations of all stages in all trials.
+  long check = 0;              ///< Those of the run with a longer step that goes along the whole orbit.
   std::vector<SolveTrial> trials;  ///< In their order.
 };
 
@@ -95,6 +96,34 @@ OrbitAnswer answer(const OrbitQuestion& question);
 
 }  // namespace detail
 
+/// The orbit of H that is recorded already: solve() below, which says what is promised. Parameters have the
+/// values that the formula has.
+/// @param hamiltonian from Formula::of_phase() @throws std::invalid_argument for a formula of other
+/// arguments, too.
+template <int n>
+[[nodiscard]] Solution<n> solve(const Formula& hamiltonian, const State<n>& start, double t_end,
+                                double tolerance, const SolveOptions& options = {}) {
+  require_dimension(start);
+  const int count = static_cast<int>(start.q.size());
+  require(hamiltonian.inputs() == 2 * count, "Number of arguments of H", hamiltonian.inputs(), "", 2 * count);
+  const Formula energy = hamiltonian.with_constants();
+  detail::OrbitAnswer found = detail::answer({energy.graph(),
+                                              energy.node(),
+                                              {start.q.data(), start.q.data() + count},
+                                              {start.p.data(), start.p.data() + count},
+                                              start.t,
+                                              t_end,
+                                              tolerance,
+                                              options});
+  Solution<n> solution{std::move(static_cast<SolutionReport&>(found)), start};
+  for (int i = 0; i < count; ++i) {
+    solution.state.q[i] = found.q[static_cast<std::size_t>(i)];
+    solution.state.p[i] = found.p[static_cast<std::size_t>(i)];
+  }
+  solution.state.t = found.t;
+  return solution;
+}
+
 /// Integrates the orbit of H from `start` to the physical time `t_end`.
 ///
 /// The tolerance is that of the state at the end: every coordinate and every momentum is right to about
@@ -112,7 +141,6 @@ OrbitAnswer answer(const OrbitQuestion& question);
 /// | --- | --- |
 /// | fixed | 1 |
 /// | energy, energy^1.5 | \f$(\bar T + \frac12(H + H_0) - H(q, 0))^{-\alpha}\f$, \f$\alpha = 1\f$ or 3/2 |
-/// | curvature | automatic_monitor() |
 ///
 /// Monitor, order and step are those that take the least work in short trials. The same input gives the same
 /// choice; units and masses do not matter. H is called once, with a scalar that records what is done to it.
@@ -122,26 +150,7 @@ template <class H, int n>
 [[nodiscard]] Solution<n> solve(const H& hamiltonian, const State<n>& start, double t_end, double tolerance,
                                 const SolveOptions& options = {}) {
   require_dimension(start);
-  const int count = static_cast<int>(start.q.size());
-  ExpressionGraph graph(2 * count);
-  const Recorded energy = detail::recorded_call(hamiltonian, recorded_inputs<n>(graph, 0, count),
-                                                recorded_inputs<n>(graph, count, count));
-  const int node = energy.node_in(graph);
-  detail::OrbitAnswer found = detail::answer({std::move(graph),
-                                              node,
-                                              {start.q.data(), start.q.data() + count},
-                                              {start.p.data(), start.p.data() + count},
-                                              start.t,
-                                              t_end,
-                                              tolerance,
-                                              options});
-  Solution<n> solution{std::move(static_cast<SolutionReport&>(found)), start};
-  for (int i = 0; i < count; ++i) {
-    solution.state.q[i] = found.q[static_cast<std::size_t>(i)];
-    solution.state.p[i] = found.p[static_cast<std::size_t>(i)];
-  }
-  solution.state.t = found.t;
-  return solution;
+  return solve(Formula::of_phase<n>(hamiltonian, start.q.size()), start, t_end, tolerance, options);
 }
 
 }  // namespace avi
