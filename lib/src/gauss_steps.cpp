@@ -1,9 +1,8 @@
 #include "avi/collocation/collocation.hpp"
 #include "gauss_builds.hpp"
+#include "pack_functions.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstring>
 #include <utility>
 
 // Compiled once for each set of instructions, each time under a name of its own; gauss.cpp chooses.
@@ -45,29 +44,6 @@ constexpr bool makes_code = true, has_avx512 = false;
 #else
 constexpr bool makes_code = false, has_avx512 = false;
 #endif
-
-/// Operations at packs of w numbers for MachineCode to call.
-template <int w>
-const PackFunction* pack_functions() {
-  static const auto all = [] {
-    std::array<PackFunction, static_cast<std::size_t>(Operation::sum_of_products)> table{};
-    for (std::size_t i = 0; i < table.size(); ++i) {
-      const auto operation = static_cast<Operation>(i);
-      if (operands(operation) > 0 && operation != Operation::nothing && operation != Operation::subtract_from)
-        with_operation(operation, [&]<Operation known>() {
-          table[i] = [](double* a, const double* b) {
-            Pack<w> x, y;
-            std::memcpy(&x, a, sizeof(x));
-            std::memcpy(&y, b, sizeof(y));
-            const Pack<w> z = apply<known>(x, y);
-            std::memcpy(a, &z, sizeof(z));
-          };
-        });
-    }
-    return table;
-  }();
-  return all.data();
-}
 
 /// A program at packs of w numbers.
 template <int w>
