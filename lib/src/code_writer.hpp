@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -55,13 +54,7 @@ class CodeWriter {
     int next = never;  // line of its next use
   };
 
-  [[nodiscard]] double number(int value) const { return line_.numbers[value - line_.inputs]; }
-  /// An exponent that roots and products serve, see pow() of a Pack.
-  [[nodiscard]] static bool by_roots(double exponent) {
-    const double four = 4.0 * exponent;
-    return std::abs(four) <= 32.0 && four == std::trunc(four);
-  }
-  [[nodiscard]] bool is_call(const StraightLine::Line& it) const {
+  static bool is_call(const StraightLine::Line& it) {
     using enum Operation;
     switch (it.first) {
     case add:
@@ -77,8 +70,6 @@ class CodeWriter {
     case when:
     case nothing:
       return false;
-    case power:
-      return !by_roots(number(it.b));
     default:
       return true;
     }
@@ -355,46 +346,9 @@ class CodeWriter {
       return to;
     }
     default:
-      return by_roots_and_products(in_register(it.a, part), number(it.b));
+      computes_nothing(it.first);
     }
   }
-  /// As pow() of a Pack.
-  int by_roots_and_products(int x, double exponent) {
-    const double four = 4.0 * exponent;
-    const int m = static_cast<int>(std::abs(four));
-    const bool shares = four < 0.0 && four > -8.0 && m % 4;
-    const int to = take(), factor = take(), unit = take();
-    bool begun = false;  // until then the result is 1
-    const auto times = [&](int y) {
-      if (begun)
-        out_.vector(Assembler::multiply, to, to, {.vector = y});
-      else
-        out_.vector(Assembler::load, to, 0, {.vector = y});
-      begun = true;
-    };
-    out_.vector(Assembler::load, unit, 0, pooled(one));
-    out_.vector(Assembler::load, factor, 0, {.vector = x});
-    if (m % 4) {
-      const int root = take();
-      out_.vector(Assembler::square_root, root, 0, {.vector = x});
-      if (shares)
-        out_.vector(Assembler::divide, factor, unit, {.vector = root});
-      else if (m % 4 > 1)
-        times(root);
-      if (m % 2) {
-        out_.vector(Assembler::square_root, root, 0, {.vector = root});
-        times(root);
-      }
-    }
-    for (int k = shares ? (m + 1) / 2 : m / 4; k > 0; k /= 2) {
-      if (k % 2) times(factor);
-      if (k > 1) out_.vector(Assembler::multiply, factor, factor, {.vector = factor});
-    }
-    if (!begun) out_.vector(Assembler::load, to, 0, {.vector = unit});
-    if (four < 0.0 && !shares) out_.vector(Assembler::divide, to, unit, {.vector = to});
-    return to;
-  }
-
   /// Any other operation, at a whole pack in memory.
   void call_function(const StraightLine::Line& it, int result, int first_part, int end_part) {
     pin_operands(it, first_part, end_part);

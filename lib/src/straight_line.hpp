@@ -1,6 +1,9 @@
 #pragma once
 #include "avi/autodiff/program.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -22,6 +25,8 @@ class StraightLine {
 
   explicit StraightLine(const Program& program)
       : inputs(program.inputs_), numbers(program.numbers_), scaled(!program.slopes_.empty()) {
+    one_ = first_result();
+    numbers.push_back(1.0);
     read(program);
     sort();
   }
@@ -42,19 +47,23 @@ class StraightLine {
   /// Slots are replaced by what is in them; sums of products are added one by one.
   void read(const Program& program) {
     std::vector<int> held(program.slots_, -1);
-    for (int i = 0; i < first_result(); ++i)
+    for (int i = 0; i < one_; ++i)
       held[i] = i;
     const auto value = [&](Program::Place place) { return held[place / 8]; };
-    const auto append = [&](const Line& line) {
-      lines.push_back(line);
-      return values() - 1;
-    };
     using Op = Operation;
     std::size_t next = 0;
     for (const Program::Group& group : program.groups_)
       for (const std::size_t end = next + group.count; next < end; ++next) {
         const Program::Instruction& it = program.instructions_[next];
         int& to = held[it.to / 8];
+        if (group.first == Op::power && by_roots(numbers[value(it.b) - inputs])) {
+          to = power(value(it.a), numbers[value(it.b) - inputs]);
+          continue;
+        }
+        if (group.first == Op::sqrt) {
+          to = root(value(it.a));
+          continue;
+        }
         if (group.first != Op::sum_of_products) {
           const bool two = operands(group.first) > 1;
           to = append({.first = group.first,
@@ -84,6 +93,49 @@ class StraightLine {
     else
       lines.push_back({.first = Op::nothing, .second = Op::nothing, .a = value(program.value_), .out = 0});
   }
+  int append(const Line& line) {
+    lines.push_back(line);
+    return values() - 1;
+  }
+  int append(Operation operation, int a, int b = -1) {
+    return append({.first = operation, .second = Operation::nothing, .a = a, .b = b});
+  }
+  /// What is computed once for all powers of a value.
+  int known(std::vector<int>& of, int value, Operation operation, int a, int b = -1) {
+    of.resize(std::max<std::size_t>(of.size(), value + 1), -1);
+    if (of[value] < 0) of[value] = append(operation, a, b);
+    return of[value];
+  }
+  int root(int x) { return known(roots_, x, Operation::sqrt, x); }
+  int reciprocal(int x) { return known(reciprocals_, x, Operation::divide, one_, x); }
+
+  /// An exponent that roots and products serve, see pow() of a Pack.
+  static bool by_roots(double exponent) {
+    const double four = 4.0 * exponent;
+    return std::abs(four) <= 32.0 && four == std::trunc(four);
+  }
+  /// As pow() of a Pack.
+  int power(int x, double exponent) {
+    const double four = 4.0 * exponent;
+    const int m = static_cast<int>(std::abs(four));
+    const bool shares = four < 0.0 && four > -8.0 && m % 4;
+    int y = -1, factor = x;
+    const auto times = [&](int other) { y = y < 0 ? other : append(Operation::multiply, y, other); };
+    if (m % 4) {
+      if (shares)
+        factor = reciprocal(root(x));
+      else if (m % 4 > 1)
+        times(root(x));
+      if (m % 2) times(root(root(x)));
+    }
+    for (int k = shares ? (m + 1) / 2 : m / 4; k > 0; k /= 2) {
+      if (k % 2) times(factor);
+      if (k > 1) factor = append(Operation::multiply, factor, factor);
+    }
+    if (y < 0) y = one_;
+    return four < 0.0 && !shares ? reciprocal(y) : y;
+  }
+
   /// Each line comes as soon as its operands are there, the last one that became ready first.
   void sort() {
     const int count = static_cast<int>(lines.size()), first = first_result();
@@ -112,6 +164,9 @@ class StraightLine {
         if (--missing[users[use]] == 0) ready.push_back(users[use]);
     }
   }
+
+  int one_;                               // the number 1
+  std::vector<int> roots_, reciprocals_;  // of each value, or -1
 };
 
 }  // namespace avi::detail

@@ -142,7 +142,7 @@ class alignas(64) Sweeps {
  private:
   // A copy of its own, which nothing else changes, is kept in registers. From 8 columns on it is written by
   // halves and read whole, which takes as long as several entries: no gain at 18 of them, a tenth at 64.
-  static constexpr bool copied = w < 8 || n == dynamic || n > 24;
+  static constexpr bool copied = w >= 8 && (n == dynamic || n > 24);
   using Columns = std::conditional_t<copied, const LaneMatrix<w>, const LaneMatrix<w>&>;
   static void put_behind(const Step& step, Step& next) {
     for (Eigen::Index i = 0; i < step.q.size(); ++i) {
