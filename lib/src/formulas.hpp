@@ -5,6 +5,9 @@
 
 #include <memory>
 #include <mutex>
+#include <span>
+#include <utility>
+#include <vector>
 
 /// @file
 /// A transformed problem as programs: every Hamiltonian with every monitor is of one type.
@@ -39,7 +42,7 @@ class CodeStore {
 struct Formulas {
   Program forces;      ///< \f$\partial\bar H/\partial q\f$.
   Program velocities;  ///< \f$\partial\bar H/\partial p\f$.
-  Program rate;        ///< g; not used where `unit`.
+  Program rate;        ///< g; empty where `unit`.
   bool unit = false;   ///< g = 1.
   Eigen::Index n = 0;  ///< Degrees of freedom.
   /// Forces, velocities and, unless `unit`, the rate as machine code.
@@ -49,11 +52,13 @@ struct Formulas {
   static std::shared_ptr<const Formulas> of(const ExpressionGraph& graph, int transformed, int rate) {
     const int n = graph.inputs() / 2;
     const Recording recording(graph, transformed);
-    return std::make_shared<const Formulas>(Formulas{.forces = recording.gradient(0, n),
-                                                     .velocities = recording.gradient(n, n),
-                                                     .rate = Recording(graph, rate).value(),
-                                                     .unit = graph.is(rate, 1.0),
-                                                     .n = n});
+    Formulas made{.forces = recording.gradient(0, n),
+                  .velocities = recording.gradient(n, n),
+                  .rate = {},
+                  .unit = graph.is(rate, 1.0),
+                  .n = n};
+    if (!made.unit) made.rate = Schedule::program(graph, rate, {}, graph.size());
+    return std::make_shared<const Formulas>(std::move(made));
   }
 };
 
