@@ -38,6 +38,31 @@ VectorX strengths(const Sketch& sketch, const VectorX& metric) {
   return strength;
 }
 
+/// \f$1 + \sum_i (a_i/\bar a L_i)^2\f$ with the accelerations \f$a_i = -(H_{pp})_{ii}\, \partial H/\partial
+/// q_i\f$, the ranges \f$L_i\f$ of the coordinates and a mean of the sketch, as a node of the graph. Where
+/// forces fall with the square of a distance, its power -3/8 is the time in which two bodies pass each other,
+/// whatever their masses.
+int accelerations(ExpressionGraph& graph, int energy, const Sketch& sketch, const VectorX& metric) {
+  const Eigen::Index n = metric.size();
+  VectorX low = sketch.samples.front().z, high = low;
+  for (const Sketch::Sample& sample : sketch.samples)
+    low = low.cwiseMin(sample.z), high = high.cwiseMax(sample.z);
+  VectorX weight(n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    weight[i] = high[i] > low[i] ? metric[i] / (high[i] - low[i]) : 0.0;
+  double root = 0.0;  // mean of the square roots: what is large for a short time counts little
+  for (const Sketch::Sample& sample : sketch.samples)
+    root += sample.h / sketch.time * std::sqrt(weight.cwiseProduct(sample.slope.tail(n)).norm());
+  const std::vector<int> slope = Reverse(graph).gradient(energy);
+  int sum = graph.constant(1.0);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const int a = graph.binary(Operation::multiply, graph.constant(weight[i] / (root * root)),
+                               slope[static_cast<std::size_t>(i)]);
+    sum = graph.binary(Operation::add, sum, graph.binary(Operation::multiply, a, a));
+  }
+  return sum;
+}
+
 }  // namespace
 
 std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, double energy_at_start,
@@ -62,9 +87,8 @@ std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, do
   const VectorX strength = strengths(sketch, metric);
   const double rounding =
       std::numeric_limits<double>::epsilon() * std::max(std::abs(energy_at_start), std::abs(kinetic));
-  for (std::size_t k = 0; k < menu.size(); ++k) {
-    Candidate& it = menu[k];
-    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  const auto look = [&](Candidate& it, double cost) {
+    double least = infinity, most = 0.0;
     for (const Sketch::Sample& sample : sketch.samples) {
       const double g = it.rate(sample.z.data());
       it.fictive += sample.h / g;
@@ -76,10 +100,23 @@ std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, do
         for (int i = 0; i < static_cast<int>(strength.size()); ++i)
           it.noise = std::max(it.noise, rounding * std::abs(it.slope(i)) / (g * strength[i]));
     }
-    it.outlook = work[k] * it.fictive * it.longest;
+    it.outlook = cost * it.fictive * it.longest;
     if (!(least > 0.0) || !std::isfinite(it.outlook) || (!it.fixed() && !(most > 1.15 * least)))
-      it.outlook = std::numeric_limits<double>::infinity();
+      it.outlook = infinity;
     if (it.fixed() && sketch.samples.empty()) it.outlook = 1.0, it.fictive = 1.0;
+  };
+  for (std::size_t k = 0; k < menu.size(); ++k)
+    look(menu[k], work[k]);
+  // Where the fastest part of the motion makes all steps many times shorter than the others need be, as when
+  // two of many bodies meet.
+  double steps = infinity;
+  for (const Candidate& it : menu)
+    if (std::isfinite(it.outlook)) steps = std::min(steps, it.fictive * it.longest);
+  if (sketch.samples.size() > 1 && steps > 5.0 * sketch.radians) {
+    const int lively = accelerations(*graph, energy, sketch, metric);
+    menu.emplace_back("acceleration", 0.375, graph, energy, energy_at_start,
+                      std::make_shared<Liveliness>(*graph, lively), lively);
+    look(menu.back(), 4.0 * size + 16.0 + overhead);
   }
   std::erase_if(menu, [](const Candidate& it) { return !it.fixed() && !std::isfinite(it.outlook); });
   std::ranges::stable_sort(menu, {}, &Candidate::outlook);

@@ -54,7 +54,7 @@ class OrbitSteps {
   VectorX z_;  // of the step under way
 };
 
-/// The rate of change that the monitors of the energy follow, \f$\ell = \bar T + \frac12(H + H_0) - H(q,
+/// A rate of change that monitors follow. Of the energy it is \f$\ell = \bar T + \frac12(H + H_0) - H(q,
 /// 0)\f$ with the mean kinetic energy \f$\bar T\f$: the kinetic energy and its mean, written such that it
 /// stays positive where a step has an energy that is a little wrong. One program for all powers of it.
 class Liveliness {
