@@ -1,4 +1,3 @@
-#include "avi/autodiff/jet.hpp"
 #include "avi/autodiff/pack.hpp"
 #include "avi/automatic_monitor.hpp"
 #include "avi/problems/kepler.hpp"

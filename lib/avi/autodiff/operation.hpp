@@ -99,11 +99,24 @@ constexpr int operands(Operation operation) {
   return -1;  // any number
 }
 
+/// It is an elementary function of the table.
+constexpr bool is_function(Operation operation) {
+  switch (operation) {
+#define AVI_ROW(row, ...)                                                                                    \
+  case Operation::row:                                                                                       \
+    return true;
+    AVI_FUNCTIONS(AVI_ROW, AVI_ROW)
+#undef AVI_ROW
+  default:
+    return false;
+  }
+}
+
 /// What it costs at a pack. @param exponent of a power
 constexpr Work work(Operation operation, double exponent) {
   using enum Operation;
   switch (operation) {
-#define AVI_ONE(row, pack, series, work, slope)                                                              \
+#define AVI_ONE(row, pack, work, slope)                                                                      \
   case row:                                                                                                  \
     return work;
 #define AVI_TWO(row, work, ...)                                                                              \

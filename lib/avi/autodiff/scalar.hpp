@@ -76,7 +76,7 @@ namespace slopes {
 #define AVI_ROW(name, ...) using std::name;
 AVI_FUNCTIONS(AVI_ROW, AVI_ROW)
 #undef AVI_ROW
-#define AVI_ONE(name, pack, series, work, slope)                                                             \
+#define AVI_ONE(name, pack, work, slope)                                                                     \
   template <class S>                                                                                         \
   S slope_of_##name([[maybe_unused]] const S& a, [[maybe_unused]] const S& f) {                              \
     return slope;                                                                                            \

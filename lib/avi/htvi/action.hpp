@@ -75,11 +75,12 @@ class StationaryAction {
   remainder(const Expansion& e, const typename Expansion::Increments&, double h) const {
     const int degree = e.order() + 1;
     const auto moments = defect_moments(e, h);
+    const auto q = e.q(), p = e.p();
     Lane sum(0.0);
     for (int i = 0; i < n; ++i) {
       for (int k = 0; k < degree; ++k)
-        sum += moments.of[k][i] * e.p()[i][k] - moments.of[k][n + i] * e.q()[i][k];
-      sum -= moments.of[degree][n + i] * e.q()[i][degree];
+        sum += moments.of[k][i] * p[i][k] - moments.of[k][n + i] * q[i][k];
+      sum -= moments.of[degree][n + i] * q[i][degree];
     }
     return {sum, moments.time};
   }
@@ -95,10 +96,11 @@ class StationaryAction {
   [[gnu::flatten]] Moments defect_moments(const Expansion& e, double h) const {
     const int degree = e.order() + 1;
     std::array<Point, powers> curve;
+    const auto q_series = e.q(), p_series = e.p();
     for (int k = 0; k <= degree; ++k)
       for (int i = 0; i < n; ++i) {
-        curve[k][i] = e.q()[i][k].value();
-        curve[k][n + i] = k < degree ? e.p()[i][k].value() : 0.0;
+        curve[k][i] = q_series[i][k].value();
+        curve[k][n + i] = k < degree ? p_series[i][k].value() : 0.0;
       }
     Moments moments;
     moments.time = 0.0;
@@ -160,21 +162,22 @@ class PrintedAction {
   [[nodiscard, gnu::noinline, gnu::flatten]] ActionRemainder<Lane>
   remainder(const Expansion& e, const typename Expansion::Increments& d, double h) const {
     const Lane pt = e.energy_momentum();
+    const auto q_series = e.q(), p_series = e.p();
     Lane sum(0.0);
     for (std::size_t j = 0; j < rule_.nodes.size(); ++j) {
       const double c = rule_.nodes[j];
       const bool raised = construction == Construction::authors && c == 1.0;
       Vector<Lane, n> q, p;
       for (int i = 0; i < n; ++i) {
-        q[i] = e.q()[i][0] + c * Expansion::tail(e.q()[i], e.order() + (raised ? 1 : 0), c);
-        p[i] = e.p()[i][0] + c * Expansion::tail(e.p()[i], e.order(), c);
+        q[i] = q_series[i][0] + c * Expansion::tail(q_series[i], e.order() + (raised ? 1 : 0), c);
+        p[i] = p_series[i][0] + c * Expansion::tail(p_series[i], e.order(), c);
       }
       sum += rule_.weights[j] * e.problem().template action_rate<field>(q, p, pt);
     }
     // [p . dq]_0^h = p(h) . d(q(h) - q(0)) + (p(h) - p(0)) . dq(0), and p^t dt(h) where p^t is a variable.
     Lane remainder = h * sum - e.problem().energy_momentum() * d.t;
     for (int i = 0; i < n; ++i)
-      remainder -= (e.p()[i][0].value() + d.p[i].value()) * d.q[i] + d.p[i].value() * e.q()[i][0];
+      remainder -= (p_series[i][0].value() + d.p[i].value()) * d.q[i] + d.p[i].value() * q_series[i][0];
     return {remainder, d.t.value()};
   }
 

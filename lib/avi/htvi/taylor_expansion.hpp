@@ -1,9 +1,11 @@
 #pragma once
-#include "avi/autodiff/jet.hpp"
+#include "avi/autodiff/recorded.hpp"
+#include "avi/autodiff/taylor_series.hpp"
 #include "avi/transform/poincare.hpp"
 
-#include <algorithm>
 #include <array>
+#include <utility>
+#include <vector>
 
 /// @file
 /// The Taylor method with its first derivatives.
@@ -11,9 +13,7 @@
 namespace avi {
 
 /// Taylor expansion of (q, p, t) over one step of a Poincare-transformed problem, with first partials with
-/// respect to the initial values (q, p), and to p^t where the field contains it. The field is called once and
-/// written on a JetTape, which every expansion runs anew; a formula that looks at values is called at every
-/// expansion.
+/// respect to the initial values (q, p), and to p^t where the field contains it. The field is recorded once.
 /// @tparam r order of the Taylor method Psi^(r); avi::dynamic: given at run time, at most `capacity`
 template <class Problem, int r, Field form>
 class TaylorExpansion {
@@ -41,9 +41,8 @@ class TaylorExpansion {
   };
 
   /// For a problem, which is copied. @throws std::invalid_argument for an order out of range.
-  TaylorExpansion(const Problem& problem, int run_time_order) : problem_(problem), order_(run_time_order) {
-    require(order_ >= 0 && order_ <= capacity, "Taylor order r", order_, "in [0, ", capacity, "]");
-  }
+  TaylorExpansion(const Problem& problem, int run_time_order)
+      : problem_(problem), order_(checked(run_time_order)), field_(problem, order_) {}
 
   /// r.
   [[nodiscard]] int order() const {
@@ -52,9 +51,11 @@ class TaylorExpansion {
     else
       return r;
   }
-  [[nodiscard]] const Problem& problem() const { return problem_; }    ///< What is expanded.
-  [[nodiscard]] const std::array<Series, n>& q() const { return q_; }  ///< Coefficients 0 to r + 1.
-  [[nodiscard]] const std::array<Series, n>& p() const { return p_; }  ///< Coefficients 0 to r.
+  [[nodiscard]] const Problem& problem() const { return problem_; }  ///< What is expanded.
+  /// Coefficients 0 to r + 1 of each position.
+  [[nodiscard]] std::array<const Lane*, n> q() const { return inputs(0); }
+  /// Coefficients 0 to r of each momentum.
+  [[nodiscard]] std::array<const Lane*, n> p() const { return inputs(n); }
 
   /// p^t as a variable, or as a constant where the field does not contain it.
   [[nodiscard]] Lane energy_momentum() const {
@@ -64,37 +65,39 @@ class TaylorExpansion {
 
   /// Expands from (q, p) over a fictive step h.
   [[gnu::noinline]] Increments expand(const Vector<double, n>& q, const Vector<double, n>& p, double h) {
+    TaylorSeries<Lane>& series = field_.series;
+    std::array<Lane*, n> at_q, at_p;
     for (int i = 0; i < n; ++i) {
-      q_[i][0] = Lane::variable(q[i], i);
-      p_[i][0] = Lane::variable(p[i], n + i);
+      at_q[i] = series.input(i);
+      at_p[i] = series.input(n + i);
+      at_q[i][0] = Lane::variable(q[i], i);
+      at_p[i][0] = Lane::variable(p[i], n + i);
     }
-    if constexpr (energy_lane) pt_[0] = form == Field::on_level ? level() : energy_momentum();
+    if constexpr (energy_lane)
+      *series.input(2 * n) = form == Field::on_level ? level(q, p) : energy_momentum();
     for (int k = 0; k <= order(); ++k) {
       // The forces are not needed at the last order, but once at least, for energy_slope().
       const bool forces = k < order() || k == 0;
-      if (k == 0 && (tape_.size() == 0 || tape_.branched))
-        write();
-      else
-        tape_.run(k, forces ? tape_.size() : velocities_);
+      series.run(k, forces);
       const double factor = h / (k + 1);
       for (int i = 0; i < n; ++i)
-        q_[i][k + 1] = factor * dq_[i][k];
-      t_[k + 1] = factor * dt_[k];
+        at_q[i][k + 1] = factor * series.output(field_.dq[i])[k];
+      t_[k + 1] = factor * series.output(field_.dt)[k];
       if (forces)
         for (int i = 0; i < n; ++i)
-          p_[i][k + 1] = -factor * dp_[i][k];
+          at_p[i][k + 1] = -factor * series.output(field_.dp[i])[k];
     }
     Increments out;
     for (int i = 0; i < n; ++i) {
-      out.q[i] = tail(q_[i], order() + 1, 1.0);
-      out.p[i] = tail(p_[i], order(), 1.0);
+      out.q[i] = tail(at_q[i], order() + 1, 1.0);
+      out.p[i] = tail(at_p[i], order(), 1.0);
     }
-    out.t = tail(t_, order() + 1, 1.0);
+    out.t = tail(t_.data(), order() + 1, 1.0);
     return out;
   }
 
   /// Sum over k = 1..last of s_k c^(k-1).
-  [[nodiscard]] static Lane tail(const Series& s, int last, double c) {
+  [[nodiscard]] static Lane tail(const Lane* s, int last, double c) {
     if (last == 0) return Lane(0.0);
     Lane sum = s[last];
     for (int k = last - 1; k >= 1; --k)
@@ -107,7 +110,7 @@ class TaylorExpansion {
   [[nodiscard]] Vector<double, n> energy_slope(bool momentum) const {
     Vector<double, n> slope;
     for (int i = 0; i < n; ++i)
-      slope[i] = (momentum ? q_[i][1].value() : -p_[i][1].value()) / t_[1].value();
+      slope[i] = (momentum ? q()[i][1].value() : -p()[i][1].value()) / t_[1].value();
     return slope;
   }
 
@@ -115,52 +118,77 @@ class TaylorExpansion {
   [[nodiscard]] State<n> polynomial(double c, double t0) const {
     State<n> z;
     for (int i = 0; i < n; ++i) {
-      z.q[i] = (q_[i][0] + c * tail(q_[i], order() + 1, c)).value();
-      z.p[i] = (p_[i][0] + c * tail(p_[i], order(), c)).value();
+      z.q[i] = (q()[i][0] + c * tail(q()[i], order() + 1, c)).value();
+      z.p[i] = (p()[i][0] + c * tail(p()[i], order(), c)).value();
     }
-    z.t = problem_.clock(z.q, t0 + c * tail(t_, order() + 1, c).value());
+    z.t = problem_.clock(z.q, t0 + c * tail(t_.data(), order() + 1, c).value());
     return z;
   }
 
  private:
-  using Written = Jet<Lane, capacity>;
+  /// The recorded field.
+  struct RecordedField {
+    RecordedField(const Problem& problem, int order)
+        : RecordedField(problem, order, ExpressionGraph(variables)) {}
+    RecordedField(const Problem& problem, int order, ExpressionGraph graph)
+        : RecordedField{recorded(problem, graph), order, std::move(graph)} {}  // braces: from left to right
 
-  /// H-bar at the start.
-  [[nodiscard]] Lane level() const {
-    Vector<Lane, n> q, p;
-    for (int i = 0; i < n; ++i) {
-      q[i] = q_[i][0];
-      p[i] = p_[i][0];
-    }
-    return problem_.transformed(q, p, energy_momentum());
-  }
-  /// Writes the field on the tape, with coefficients 0: first without the forces, to see where they begin.
-  [[gnu::noinline]] void write() {
-    for (const bool forces : {false, true}) {
-      tape_.clear();
-      Vector<Written, n> q, p;
+    TaylorSeries<Lane> series;
+    std::array<int, n> dq, dp;  // places
+    int dt;
+
+   private:
+    struct Nodes {
+      std::vector<int> velocities, forces;  // of q and t; of p
+    };
+    static Nodes recorded(const Problem& problem, ExpressionGraph& graph) {
+      const Vector<Recorded, n> q = recorded_inputs<n>(graph, 0, n), p = recorded_inputs<n>(graph, n, n);
+      const Recorded pt = energy_lane ? Recorded(graph, 2 * n) : Recorded(problem.energy_momentum());
+      Vector<Recorded, n> dq, dp;
+      Recorded dt;
+      problem.template field<form>(q, p, pt, dq, dp, dt);
+      Nodes nodes;
       for (int i = 0; i < n; ++i) {
-        q[i] = Written(q_[i].data(), &tape_);
-        p[i] = Written(p_[i].data(), &tape_);
+        nodes.velocities.push_back(dq[i].node_in(graph));
+        nodes.forces.push_back(dp[i].node_in(graph));
       }
-      Written pt;
-      if constexpr (energy_lane) {
-        std::fill(pt_.begin() + 1, pt_.end(), Lane(0.0));
-        pt = Written(pt_.data(), &tape_);
-      }
-      problem_.template field<form>(q, p, pt, dq_, dp_, dt_, forces);
-      if (!forces) velocities_ = tape_.size();
+      nodes.velocities.push_back(dt.node_in(graph));
+      return nodes;
     }
+    RecordedField(const Nodes& nodes, int order, ExpressionGraph graph)
+        : series(std::move(graph), nodes.velocities, nodes.forces, order),
+          dt(series.place(nodes.velocities[n])) {
+      for (int i = 0; i < n; ++i) {
+        dq[i] = series.place(nodes.velocities[i]);
+        dp[i] = series.place(nodes.forces[i]);
+      }
+    }
+  };
+
+  static int checked(int order) {
+    require(order >= 0 && order <= capacity, "Taylor order r", order, "in [0, ", capacity, "]");
+    return order;
+  }
+  [[nodiscard]] std::array<const Lane*, n> inputs(int first) const {
+    std::array<const Lane*, n> at;
+    for (int i = 0; i < n; ++i)
+      at[i] = field_.series.input(first + i);
+    return at;
+  }
+  /// H-bar at the start.
+  [[nodiscard]] Lane level(const Vector<double, n>& q, const Vector<double, n>& p) const {
+    Vector<Lane, n> at_q, at_p;
+    for (int i = 0; i < n; ++i) {
+      at_q[i] = Lane::variable(q[i], i);
+      at_p[i] = Lane::variable(p[i], n + i);
+    }
+    return problem_.transformed(at_q, at_p, energy_momentum());
   }
 
   const Problem problem_;
   const int order_;
-  JetTape<Lane, capacity> tape_;
-  int velocities_ = 0;  // slots of the tape before the forces
-  Vector<Written, n> dq_, dp_;
-  Written dt_;
-  std::array<Series, n> q_, p_;
-  Series t_, pt_;  // pt_: p^t, or H-bar
+  RecordedField field_;
+  Series t_;
 };
 
 }  // namespace avi
