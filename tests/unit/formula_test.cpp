@@ -4,8 +4,9 @@
 #include "avi/autodiff/partials.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/solve.hpp"
+#include "avi/transform/poincare.hpp"
 
-#include "lib/src/orbit.hpp"
+#include "beyond/speed/automatic_monitors/orbit.hpp"
 #include "refusal.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +54,7 @@ TEST(Formula, MayDependOnTime) {
   const Formula driven = Formula::of_phase_and_time(
       [](const auto& q, const auto& t, const auto& p) { return p[0] * p[0] - q[1] * t + 7.0 * p[1]; }, 2);
   const VectorX q{{1.0, 2.0}}, p{{3.0, 4.0}};
-  EXPECT_EQ(driven(q, 5.0, p), 9.0 - 10.0 + 28.0);
+  EXPECT_EQ(driven.at(q, 5.0, p), 9.0 - 10.0 + 28.0);
   EXPECT_EQ(driven.gradient(VectorX{{1.0, 2.0, 3.0, 4.0, 5.0}}), (VectorX{{0.0, -5.0, 6.0, 7.0, -2.0}}));
 }
 
@@ -136,7 +137,7 @@ TEST(Formula, SaysWhatACallCosts) {
 TEST(Orbit, IsRefusedWhereItHasNoFiniteStart) {
   const auto said = [](const VectorX& q, const VectorX& p, double t) {
     const auto energy = [](const auto& at, const auto& by) { return 0.5 * by[0] * by[0] - 1.0 / at[0]; };
-    return refusal([&] { avi::detail::Orbit(energy, State<avi::dynamic>{.q = q, .p = p, .t = t}); });
+    return refusal([&] { experiment::Orbit(energy, State<avi::dynamic>{.q = q, .p = p, .t = t}); });
   };
   const VectorX one = VectorX::Ones(1), zero = VectorX::Zero(1);
   EXPECT_EQ(said(one, one, 0.0), "accepted");
@@ -146,6 +147,15 @@ TEST(Orbit, IsRefusedWhereItHasNoFiniteStart) {
   EXPECT_EQ(said(one, VectorX::Ones(2), 0.0), "Dimension of p at the start is 2; it must be that of q, 1.");
 }
 
+TEST(Formula, IsAMonitorOfPositionAndMomentum) {
+  const State<2> start = avi::Kepler::pericentre(0.5);
+  const Formula g =
+      Formula::of_phase<2>([](const auto& q, const auto&) { return q[0] * q[0] + q[1] * q[1]; });
+  const auto problem = avi::poincare(Formula::of_phase<2>(avi::Kepler()), start, g);
+  EXPECT_FALSE(decltype(problem)::position_monitor);
+  EXPECT_EQ(problem.rate(start.q, start.p), 0.25);
+}
+
 TEST(Formula, LeavesBehindWhatItDoesNotNeed) {
   avi::ExpressionGraph graph(2);
   graph.unary(avi::Operation::exp, 0);
@@ -153,8 +163,8 @@ TEST(Formula, LeavesBehindWhatItDoesNotNeed) {
   graph.unary(avi::Operation::sin, root);
   const Formula f(graph, root);
   EXPECT_EQ(f.graph().size(), 3);
-  EXPECT_EQ(f(VectorX{{1.0, 4.0}}), 2.0);
-  EXPECT_EQ(Formula(graph, 1)(VectorX{{1.0, 4.0}}), 4.0) << "an argument alone";
+  EXPECT_EQ(f.value(VectorX{{1.0, 4.0}}), 2.0);
+  EXPECT_EQ(Formula(graph, 1).value(VectorX{{1.0, 4.0}}), 4.0) << "an argument alone";
 }
 
 TEST(Formula, RefusesWhatDoesNotFit) {

@@ -103,7 +103,7 @@ class Formula {
   [[nodiscard]] Formula with_constants() const;
 
   /// f at x = (x_1 ... x_N). @throws std::invalid_argument for a vector of another size.
-  [[nodiscard]] double value(const VectorX& x) const { return (*this)(x); }
+  [[nodiscard]] double value(const VectorX& x) const { return at(x); }
   /// The gradient there, by reverse accumulation; the first call finds its formula.
   /// @throws std::invalid_argument for a vector of another size.
   [[nodiscard]] VectorX gradient(const VectorX& x) const {
@@ -118,18 +118,18 @@ class Formula {
   /// The value at vectors of any scalar: double, Pack, Partials, Recorded. Each thread keeps its working
   /// memory from call to call.
   template <class Q>
-  typename Q::Scalar operator()(const Q& x) const {
+  typename Q::Scalar at(const Q& x) const {
     return evaluate<typename Q::Scalar>(x.size(), [&](auto& values) { append(values, x); });
   }
   template <class Q, class P>
-  typename Q::Scalar operator()(const Q& q, const P& p) const {
+  typename Q::Scalar at(const Q& q, const P& p) const {
     return evaluate<typename Q::Scalar>(q.size() + p.size(), [&](auto& values) {
       append(values, q);
       append(values, p);
     });
   }
   template <class Q, class T, class P>
-  typename Q::Scalar operator()(const Q& q, const T& t, const P& p) const {
+  typename Q::Scalar at(const Q& q, const T& t, const P& p) const {
     return evaluate<typename Q::Scalar>(q.size() + 1 + p.size(), [&](auto& values) {
       append(values, q);
       append(values, p);
@@ -137,6 +137,12 @@ class Formula {
     });
   }
   ///@}
+  /// As a Hamiltonian or a monitor is called; a formula of a point, or of time, is no monitor g(q) or g(q, t,
+  /// p).
+  template <class Q, class P>
+  typename Q::Scalar operator()(const Q& q, const P& p) const {
+    return at(q, p);
+  }
 
  private:
   struct Gradient;

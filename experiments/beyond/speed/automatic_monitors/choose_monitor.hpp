@@ -1,6 +1,6 @@
 #pragma once
+#include "beyond/speed/automatic_monitors/orbit_scales.hpp"
 #include "beyond/speed/automatic_monitors/pilot.hpp"
-#include "lib/src/orbit_scales.hpp"
 
 #include <memory>
 #include <optional>
@@ -14,7 +14,6 @@
 namespace experiment {
 
 using avi::ExpressionGraph, avi::Operation, avi::require, avi::require_positive;
-using avi::detail::Curvature, avi::detail::OrbitScales, avi::detail::curvature_monitor;
 
 /// What a pilot run is to reach.
 struct MonitorTarget {
