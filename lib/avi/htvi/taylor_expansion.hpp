@@ -15,7 +15,8 @@ namespace avi {
 /// Taylor expansion of (q, p, t) over one step of a Poincare-transformed problem, with first partials with
 /// respect to the initial values (q, p), and to p^t where the field contains it. The field is recorded once.
 /// @tparam r order of the Taylor method Psi^(r); avi::dynamic: given at run time, at most `capacity`
-template <class Problem, int r, Field form>
+/// @tparam Construction says which form of the field the expansion follows
+template <class Problem, int r, class Construction>
 class TaylorExpansion {
   static_assert(Problem::dimension != dynamic,
                 "An HTVI needs a dimension known at compile time; avi::collocation() takes any.");
@@ -25,9 +26,9 @@ class TaylorExpansion {
  public:
   static constexpr int n = Problem::dimension <= 15 ? Problem::dimension : 15;  ///< Dimension of the problem.
   /// p^t is a variable in its own right.
-  static constexpr bool energy_lane = !Problem::unit && form != Field::on_shell;
+  static constexpr bool energy_lane = !Problem::unit && Construction::energy_is_variable;
   static constexpr int variables = 2 * n + (energy_lane ? 1 : 0);  ///< Of the partials: q, p, p^t.
-  static constexpr bool unit = Problem::unit;                      ///< Without a monitor.
+  static constexpr bool unit = Problem::unit;     ///< Without a monitor.
   using Lane = Lanes<variables>;                                   ///< A number with its partials.
   static constexpr int capacity = r == dynamic ? 15 : r;           ///< The largest order there is room for.
   /// Scaled coefficients: entry k is h^k / k! times the k-th derivative.
@@ -57,6 +58,8 @@ class TaylorExpansion {
   /// Coefficients 0 to r of each momentum.
   [[nodiscard]] std::array<const Lane*, n> p() const { return inputs(n); }
 
+  [[nodiscard]] const Series& t() const { return t_; }  ///< Coefficients 1 to r + 1 of time.
+
   /// p^t as a variable, or as a constant where the field does not contain it.
   [[nodiscard]] Lane energy_momentum() const {
     const double value = problem_.energy_momentum();
@@ -74,10 +77,9 @@ class TaylorExpansion {
       at_p[i][0] = Lane::variable(p[i], n + i);
     }
     if constexpr (energy_lane)
-      *series.input(2 * n) = form == Field::on_level ? level(q, p) : energy_momentum();
+      *series.input(2 * n) = Construction::on_level ? level(q, p) : energy_momentum();
     for (int k = 0; k <= order(); ++k) {
-      // The forces are not needed at the last order, but once at least, for energy_slope().
-      const bool forces = k < order() || k == 0;
+      const bool forces = k < order() || k == 0;  // not needed at the last order, but once at least
       series.run(k, forces);
       const double factor = h / (k + 1);
       for (int i = 0; i < n; ++i)
@@ -103,15 +105,6 @@ class TaylorExpansion {
     for (int k = last - 1; k >= 1; --k)
       sum = s[k] + c * sum;
     return sum;
-  }
-
-  /// dH/dp (or dH/dq) at the start of the last expansion, from q' = g dH/dp and p' = -g dH/dq on the energy
-  /// shell.
-  [[nodiscard]] Vector<double, n> energy_slope(bool momentum) const {
-    Vector<double, n> slope;
-    for (int i = 0; i < n; ++i)
-      slope[i] = (momentum ? q()[i][1].value() : -p()[i][1].value()) / t_[1].value();
-    return slope;
   }
 
   /// Taylor polynomial of the last expansion at the fraction c of the step, position to order r + 1.
@@ -146,7 +139,7 @@ class TaylorExpansion {
       const Recorded pt = energy_lane ? Recorded(graph, 2 * n) : Recorded(problem.energy_momentum());
       Vector<Recorded, n> dq, dp;
       Recorded dt;
-      problem.template field<form>(q, p, pt, dq, dp, dt);
+      Construction::field(problem, q, p, pt, dq, dp, dt);
       Nodes nodes;
       for (int i = 0; i < n; ++i) {
         nodes.velocities.push_back(dq[i].node_in(graph));

@@ -87,7 +87,7 @@ class OrbitScales {
   }
 
  private:
-  [[nodiscard]] double value(const Formula& f, const VectorX& z) const { return f(z); }
+  [[nodiscard]] double value(const Formula& f, const VectorX& z) const { return f.value(z); }
   /// dz = the field at z; returns H.
   double field(const VectorX& z, VectorX& dz) {
     std::copy(z.data(), z.data() + z.size(), room_.arguments());
