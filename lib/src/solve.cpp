@@ -94,8 +94,9 @@ class Orbiter {
   std::size_t compared_ = 0;  // marks up to which there are two runs
   std::optional<Journey> coarse_, fine_;
   Comparison seen_;
-  std::size_t judged_ = 0;     // mark of that comparison
-  double before_ = infinity;   // the error foretold from the pair of runs before this one
+  std::size_t judged_ = 0;    // mark of that comparison
+  double before_ = infinity;  // the error foretold from the pair of runs before this one, and at which mark
+  std::size_t before_at_ = 0;
   int vain_ = 0;               // pairs in a row that were not better than the one before
   int round_ = 0;              // pairs of runs so far
   int failures_ = 0;           // runs in a row that failed at the same time
@@ -135,7 +136,9 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   // How rounding grows says nothing of how an error would.
   const double rounding = (100.0 * std::numeric_limits<double>::epsilon() + 10.0 * fine.candidate->noise) *
                           distance_->frequency * until;
-  if (marks > 5 && early > 0.0 && late > 9.0 * early && late * usual_speed_ * ratio > rounding) {
+  // Over fewer turns errors waver by more than they grow.
+  const bool seen_long = distance_->frequency * until > 400.0 || late > 1e3 * early;
+  if (seen_long && early > 0.0 && late > 20.0 * early && late * usual_speed_ * ratio > rounding) {
     seen.growth = std::min(3.0, std::log(late / early) / std::log(4.0));
     if (late > 60.0 * early) seen.rate = std::log(late / early) / (0.75 * until);
   }
@@ -312,25 +315,25 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   if (mark == 0 && !others_tried_ && try_others(setting)) return true;
   const double spent = static_cast<double>(trip_->sweeps) * setting.candidate->operations();
   if (resigned_ || round_ >= 30) return false;
-  if (error > (last ? 3.0 : 1.0)) {
+  if (error > (last ? 3.0 : 2.0)) {
     // Where shorter steps do not help though the energy is kept to rounding, it is chaos, or noise; else it
     // may be a feature that no step has seen yet, which is worth a while.
     const bool resolved = fine_->energy_error <= 1e4 * answer_.energy_rounding || seen_.error < 1e-7;
-    vain_ = error > 0.3 * before_ ? vain_ + 1 : 0;
+    vain_ = mark <= before_at_ && error > 0.3 * before_ ? vain_ + 1 : 0;
     const bool vain = resolved ? vain_ > 1 : vain_ > 2 && spent > 2e8;
     const bool dear = spent > 5e8 && last;
     if (vain || dear || (last && marks_.size() > 1 && !(seen_.error < 1e-3))) {
       resigned_ = true;
       return false;
     }
-    before_ = error;
+    before_ = error, before_at_ = mark;
     // Where errors do not fall by the order yet, by halves.
     return again(std::clamp(std::pow(wanted_part / error, 1.0 / order_), 0.35, vain_ > 0 ? 0.5 : 0.9));
   }
   // A longer step pays where enough is left of the run.
   const double gain = std::min({std::pow(wanted_part / std::max(error, 1e-300), 1.0 / order_), 2.0,
                                 longest_step(*setting.candidate) / (longer * fine_->h)});
-  if (lengthened_ < 3 && (1.0 - 1.0 / gain) * (span_ - here) > 2.0 * here) {
+  if (lengthened_ < 2 && mark < 2 && gain > 1.15 && (1.0 - 1.0 / gain) * (span_ - here) > 2.0 * here) {
     ++lengthened_;
     return again(gain);
   }
