@@ -16,14 +16,14 @@ namespace avi {
 /// A formula may have k parameters beside its N arguments. They are the last inputs of the graph, no
 /// derivatives are taken by them, and with() gives them other values without recording anything again.
 ///
-/// What it is made from is called once, with a scalar that writes down what is done to it (Recording says
-/// what it may do). Evaluations at a point interpret the graph; for many of them take
+/// The function that it is made from is called once, with a scalar that writes down what is done to it
+/// (Recording says what it may do). Evaluations at a point interpret the graph; for many of them take
 /// Recording(formula).value_and_gradient(), a Program.
 class Formula {
  public:
   ///@{
 
-  /// What is recorded already. What `node` does not need is left behind.
+  /// The formula of a node of a graph; operations that it does not need are left behind.
   /// @param parameters values of the last inputs of the graph; none: all inputs are arguments
   /// @throws std::invalid_argument for a node that the graph has not, or more parameters than inputs.
   Formula(ExpressionGraph&& graph, int node, std::vector<double> parameters = {});

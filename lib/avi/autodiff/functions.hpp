@@ -51,7 +51,7 @@
 
 namespace avi::detail {
 
-/// What a call costs at a pack, in additions of packs.
+/// Cost of a call at a pack, in additions of packs.
 struct Work {
   double fixed;       ///< Once.
   double per_number;  ///< For each number of the pack.

@@ -8,11 +8,11 @@
 #include <type_traits>
 
 /// @file
-/// The operations of a recorded formula: what each of them is, costs and computes.
+/// The operations of a recorded formula: their names, costs and values.
 
 namespace avi {
 
-/// What is done with operands a and b.
+/// An operation on operands a and b.
 enum class Operation : std::uint8_t {
   input,     ///< Argument number a; computes nothing.
   constant,  ///< A number; computes nothing.
@@ -38,7 +38,7 @@ enum class Operation : std::uint8_t {
 /// @cond
 namespace detail {
 
-/// What such an operation is called.
+/// The name of an operation.
 constexpr const char* name(Operation operation) {
   switch (operation) {
 #define AVI_ROW(row, ...)                                                                                    \
@@ -112,7 +112,7 @@ constexpr bool is_function(Operation operation) {
   }
 }
 
-/// What it costs at a pack. @param exponent of a power
+/// Cost of an operation at a pack. @param exponent of a power
 constexpr Work work(Operation operation, double exponent) {
   using enum Operation;
   switch (operation) {

@@ -14,7 +14,7 @@ enum class Generating {
   type3   ///< H_d^-(q_1, p_0), the discrete left Hamiltonian.
 };
 
-/// What a step adds to the state.
+/// The change of the state by a step.
 template <int n>
 struct StepChange {
   Vector<double, n> q;  ///< q_1 - q_0.
@@ -36,7 +36,7 @@ class DiscreteEquations {
 
  public:
   static constexpr int n = Expansion::n;                        ///< Dimension of the problem.
-  using Increments = typename Expansion::Increments;            ///< Of the Taylor method.
+  using Increments = typename Expansion::Increments;            ///< Increments of the Taylor method.
   using Remainder = ActionRemainder<typename Expansion::Lane>;  ///< R.
   using Vec = Vector<double, n>;                                ///< A vector of n entries.
 
@@ -108,8 +108,8 @@ class DiscreteEquations {
   /// Increment of the other one.
   [[nodiscard]] const auto& other(int i) const { return (right ? d_.q : d_.p)[i]; }
 
-  const Increments& d_;        ///< Of the expansion.
-  Matrix<double, n> inverse_;  ///< Of dX/du, transposed.
+  const Increments& d_;        ///< Increments of the expansion.
+  Matrix<double, n> inverse_;  ///< Inverse of dX/du, transposed.
 };
 
 }  // namespace avi

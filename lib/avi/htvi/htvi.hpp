@@ -29,7 +29,7 @@ struct Stationary {
   template <class Expansion>
   using Action = StationaryAction<Expansion>;  ///< Whose variation gives the step.
   template <Generating type, class Expansion>
-  using Equations = DiscreteEquations<type, Expansion>;  ///< Of the step.
+  using Equations = DiscreteEquations<type, Expansion>;  ///< Equations of the step.
   template <int n>
   using Iteration = SecantIteration<n>;  ///< That solves them.
   /// The order with Taylor order r and a rule of order s, min(2r + 2, max(r + 1, s)): see \ref
@@ -109,7 +109,7 @@ class Htvi {
     return report;
   }
 
-  [[nodiscard]] const Problem& problem() const { return expansion_.problem(); }  ///< What is integrated.
+  [[nodiscard]] const Problem& problem() const { return expansion_.problem(); }  ///< The problem.
 
   /// Trial curve of the last step at the fraction c in [0, 1] of it, from its expansion point.
   [[nodiscard]] State<n> polynomial(double c, double t0) const { return expansion_.polynomial(c, t0); }

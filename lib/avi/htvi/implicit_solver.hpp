@@ -79,7 +79,7 @@ class SecantModel {
 struct IterationProgress {
   double residual;  ///< Largest entry, now.
   double previous;  ///< One evaluation before; NaN at first.
-  double accepted;  ///< What is small enough.
+  double accepted;  ///< Bound below which the equation counts as solved.
   bool stagnates;   ///< Rounding holds the residual above that.
 };
 
@@ -111,7 +111,7 @@ class SecantIteration {
     return equations.shifted(residual, shift, model_.change(shift));
   }
 
-  Vector<double, n> shift;  ///< Of u.
+  Vector<double, n> shift;  ///< Shift of u.
 
  private:
   SecantModel<n, 2 * n + 1> model_;

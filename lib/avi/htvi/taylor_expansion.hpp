@@ -27,14 +27,14 @@ class TaylorExpansion {
   static constexpr int n = Problem::dimension <= 15 ? Problem::dimension : 15;  ///< Dimension of the problem.
   /// p^t is a variable in its own right.
   static constexpr bool energy_lane = !Problem::unit && Construction::energy_is_variable;
-  static constexpr int variables = 2 * n + (energy_lane ? 1 : 0);  ///< Of the partials: q, p, p^t.
-  static constexpr bool unit = Problem::unit;     ///< Without a monitor.
+  static constexpr int variables = 2 * n + (energy_lane ? 1 : 0);  ///< Number of the partials: by q, p, p^t.
+  static constexpr bool unit = Problem::unit;                      ///< Without a monitor.
   using Lane = Lanes<variables>;                                   ///< A number with its partials.
   static constexpr int capacity = r == dynamic ? 15 : r;           ///< The largest order there is room for.
   /// Scaled coefficients: entry k is h^k / k! times the k-th derivative.
   using Series = std::array<Lane, capacity + 2>;
 
-  /// What the Taylor method adds over the step.
+  /// Increments of the Taylor method over the step.
   struct Increments {
     std::array<Lane, n> q;  ///< To order r + 1.
     std::array<Lane, n> p;  ///< To order r.
@@ -52,7 +52,7 @@ class TaylorExpansion {
     else
       return r;
   }
-  [[nodiscard]] const Problem& problem() const { return problem_; }  ///< What is expanded.
+  [[nodiscard]] const Problem& problem() const { return problem_; }  ///< The problem.
   /// Coefficients 0 to r + 1 of each position.
   [[nodiscard]] std::array<const Lane*, n> q() const { return inputs(0); }
   /// Coefficients 0 to r of each momentum.
