@@ -18,7 +18,7 @@ using avi::TaylorSeries;
 namespace taylor_series_test {
 
 constexpr int R = 12;
-using Number = avi::Lanes<1>;
+using Number = avi::DualNumber<1>;
 using Scalar = avi::Recorded;
 using Series = std::array<Number, R + 2>;
 
@@ -190,7 +190,7 @@ TEST(TaylorSeries, LeavesOutWhatTheFirstOutputsDoNotNeed) {
   EXPECT_EQ(series.output(series.place(rest))[0].value(), 2.0 * std::sin(1.0));
 }
 
-/// Kepler's equations: the coefficients that a series of Lanes gives do not depend on their number, and
+/// Kepler's equations: the coefficients that a series of DualNumber gives do not depend on their number, and
 /// its partials are the derivatives of those coefficients.
 template <class T>
 void expand(std::array<std::array<T, R + 2>, 4>& z) {
@@ -223,7 +223,7 @@ TEST(TaylorSeries, LanesDifferentiateTaylorCoefficients) {
     expand(z);
     return z;
   };
-  using L = avi::Lanes<4>;
+  using L = avi::DualNumber<4>;
   std::array<std::array<L, R + 2>, 4> z;
   for (int i = 0; i < 4; ++i)
     z[i][0] = L::variable(start[i], i);

@@ -51,8 +51,8 @@ S action_rate(const Problem& problem, const Vector<S, n>& q, const Vector<S, n>&
 template <class Expansion, class Construction>
 class PrintedAction {
  public:
-  using Lane = typename Expansion::Lane;  ///< A number with its partials.
-  static constexpr int n = Expansion::n;  ///< Dimension of the problem.
+  using Number = typename Expansion::Number;  ///< A number with its partials.
+  static constexpr int n = Expansion::n;      ///< Dimension of the problem.
 
   /// For this quadrature rule. @throws std::invalid_argument for an improper rule.
   explicit PrintedAction(Quadrature rule) : rule_(std::move(rule)) { validate(rule_); }
@@ -60,15 +60,15 @@ class PrintedAction {
   [[nodiscard]] const Quadrature& rule() const { return rule_; }  ///< b_i and c_i.
 
   /// R of the last expansion, of step h, whose increments are d.
-  [[nodiscard, gnu::noinline, gnu::flatten]] ActionRemainder<Lane>
+  [[nodiscard, gnu::noinline, gnu::flatten]] ActionRemainder<Number>
   remainder(const Expansion& e, const typename Expansion::Increments& d, double h) const {
-    const Lane pt = e.energy_momentum();
+    const Number pt = e.energy_momentum();
     const auto q_series = e.q(), p_series = e.p();
-    Lane sum(0.0);
+    Number sum(0.0);
     for (std::size_t j = 0; j < rule_.nodes.size(); ++j) {
       const double c = rule_.nodes[j];
       const bool raised = Construction::raises_the_end && c == 1.0;
-      Vector<Lane, n> q, p;
+      Vector<Number, n> q, p;
       for (int i = 0; i < n; ++i) {
         q[i] = q_series[i][0] + c * Expansion::tail(q_series[i], e.order() + (raised ? 1 : 0), c);
         p[i] = p_series[i][0] + c * Expansion::tail(p_series[i], e.order(), c);
@@ -76,7 +76,7 @@ class PrintedAction {
       sum += rule_.weights[j] * action_rate<Construction::on_shell>(e.problem(), q, p, pt);
     }
     // [p . dq]_0^h = p(h) . d(q(h) - q(0)) + (p(h) - p(0)) . dq(0), and p^t dt(h) where p^t is a variable.
-    Lane remainder = h * sum - e.problem().energy_momentum() * d.t;
+    Number remainder = h * sum - e.problem().energy_momentum() * d.t;
     for (int i = 0; i < n; ++i)
       remainder -= (p_series[i][0].value() + d.p[i].value()) * d.q[i] + d.p[i].value() * q_series[i][0];
     return {remainder, d.t.value()};

@@ -1,6 +1,6 @@
 #pragma once
+#include "avi/autodiff/dual_number.hpp"
 #include "avi/autodiff/factor.hpp"
-#include "avi/autodiff/lanes.hpp"
 
 #include <array>
 #include <cmath>
@@ -22,7 +22,7 @@ namespace avi {
 /// and Zou (2005, Proposition 1), all other functions \f$k c_k = \sum_j j a_j s_{k-j}\f$ from the series s of
 /// their slope (c' = slope(a) a'), which is a formula of the same graph. A product costs k + 1
 /// multiplications at order k, hence O(r^2) in all.
-/// @tparam T a number with partial derivatives, Lanes
+/// @tparam T a number with partial derivatives, DualNumber
 template <class T>
 class TaylorSeries {
  public:

@@ -15,11 +15,11 @@ namespace avi {
 /// one step. R vanishes for every variation exactly where the curve makes the action stationary, which is
 /// Hamilton's principle; the right-hand side of the discrete Hamilton's equations consists of R alone
 /// (DiscreteEquations).
-/// @tparam Lane a number with partials along the variations of the curve: of its initial values, and of p^t
-template <class Lane>
+/// @tparam Number a number with partials along the variations of the curve: of its initial values, and of p^t
+template <class Number>
 struct ActionRemainder {
-  Lane variation;  ///< R: its partials (its value means nothing).
-  double time;     ///< dA/dp^t at a fixed curve, less what is in R: t_1 - t_0 in the absence of R.
+  Number variation;  ///< R: its partials (its value means nothing).
+  double time;       ///< dA/dp^t at a fixed curve, less what is in R: t_1 - t_0 in the absence of R.
 };
 
 /// The stationary action \f$A = \int_0^h \tilde p\cdot d\tilde q - h\sum_i b_i\,\bar H(\tilde z(c_i h))\f$ of
@@ -36,8 +36,8 @@ struct ActionRemainder {
 template <class Expansion>
 class StationaryAction {
  public:
-  using Lane = typename Expansion::Lane;  ///< A number with its partials.
-  static constexpr int n = Expansion::n;  ///< Dimension of the problem.
+  using Number = typename Expansion::Number;  ///< A number with its partials.
+  static constexpr int n = Expansion::n;      ///< Dimension of the problem.
 
   /// For this quadrature rule. @throws std::invalid_argument for an improper rule.
   explicit StationaryAction(Quadrature rule) : rule_(std::move(rule)) {
@@ -57,12 +57,12 @@ class StationaryAction {
   [[nodiscard]] const Quadrature& rule() const { return rule_; }  ///< b_i and c_i.
 
   /// R of the last expansion, of step h, and the time it takes.
-  [[nodiscard, gnu::noinline]] ActionRemainder<Lane>
+  [[nodiscard, gnu::noinline]] ActionRemainder<Number>
   remainder(const Expansion& e, const typename Expansion::Increments&, double h) const {
     const int degree = e.order() + 1;
     const auto moments = defect_moments(e, h);
     const auto q = e.q(), p = e.p();
-    Lane sum(0.0);
+    Number sum(0.0);
     for (int i = 0; i < n; ++i) {
       for (int k = 0; k < degree; ++k)
         sum += moments.of[k][i] * p[i][k] - moments.of[k][n + i] * q[i][k];

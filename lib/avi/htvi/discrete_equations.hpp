@@ -35,10 +35,10 @@ class DiscreteEquations {
   static constexpr double sigma = right ? 1.0 : -1.0;       ///< Sign of the type.
 
  public:
-  static constexpr int n = Expansion::n;                        ///< Dimension of the problem.
-  using Increments = typename Expansion::Increments;            ///< Increments of the Taylor method.
-  using Remainder = ActionRemainder<typename Expansion::Lane>;  ///< R.
-  using Vec = Vector<double, n>;                                ///< A vector of n entries.
+  static constexpr int n = Expansion::n;                          ///< Dimension of the problem.
+  using Increments = typename Expansion::Increments;              ///< Increments of the Taylor method.
+  using Remainder = ActionRemainder<typename Expansion::Number>;  ///< R.
+  using Vec = Vector<double, n>;                                  ///< A vector of n entries.
 
   /// Solves the equations at the last expansion of e, whose increments are d.
   DiscreteEquations(const Expansion&, const Increments& d, const Remainder& remainder) : d_(d) {
@@ -63,7 +63,7 @@ class DiscreteEquations {
       (right ? change.q : change.p)[j] = other(j).value() + d_y[j];
     }
     change.t = remainder.time;
-    if constexpr (Expansion::energy_lane) {
+    if constexpr (Expansion::energy_partial) {
       change.t -= r.partial(2 * n);
       for (int i = 0; i < n; ++i)
         change.t -= sigma * own(i).partial(2 * n) * d_y[i];

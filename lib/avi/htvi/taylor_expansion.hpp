@@ -26,19 +26,20 @@ class TaylorExpansion {
  public:
   static constexpr int n = Problem::dimension <= 15 ? Problem::dimension : 15;  ///< Dimension of the problem.
   /// p^t is a variable in its own right.
-  static constexpr bool energy_lane = !Problem::unit && Construction::energy_is_variable;
-  static constexpr int variables = 2 * n + (energy_lane ? 1 : 0);  ///< Number of the partials: by q, p, p^t.
-  static constexpr bool unit = Problem::unit;                      ///< Without a monitor.
-  using Lane = Lanes<variables>;                                   ///< A number with its partials.
-  static constexpr int capacity = r == dynamic ? 15 : r;           ///< The largest order there is room for.
+  static constexpr bool energy_partial = !Problem::unit && Construction::energy_is_variable;
+  static constexpr int variables =
+      2 * n + (energy_partial ? 1 : 0);                   ///< Number of the partials: by q, p, p^t.
+  static constexpr bool unit = Problem::unit;             ///< Without a monitor.
+  using Number = DualNumber<variables>;                   ///< A number with its partials.
+  static constexpr int capacity = r == dynamic ? 15 : r;  ///< The largest order there is room for.
   /// Scaled coefficients: entry k is h^k / k! times the k-th derivative.
-  using Series = std::array<Lane, capacity + 2>;
+  using Series = std::array<Number, capacity + 2>;
 
   /// Increments of the Taylor method over the step.
   struct Increments {
-    std::array<Lane, n> q;  ///< To order r + 1.
-    std::array<Lane, n> p;  ///< To order r.
-    Lane t;                 ///< To order r + 1.
+    std::array<Number, n> q;  ///< To order r + 1.
+    std::array<Number, n> p;  ///< To order r.
+    Number t;                 ///< To order r + 1.
   };
 
   /// For a problem, which is copied. @throws std::invalid_argument for an order out of range.
@@ -54,29 +55,29 @@ class TaylorExpansion {
   }
   [[nodiscard]] const Problem& problem() const { return problem_; }  ///< The problem.
   /// Coefficients 0 to r + 1 of each position.
-  [[nodiscard]] std::array<const Lane*, n> q() const { return inputs(0); }
+  [[nodiscard]] std::array<const Number*, n> q() const { return inputs(0); }
   /// Coefficients 0 to r of each momentum.
-  [[nodiscard]] std::array<const Lane*, n> p() const { return inputs(n); }
+  [[nodiscard]] std::array<const Number*, n> p() const { return inputs(n); }
 
   [[nodiscard]] const Series& t() const { return t_; }  ///< Coefficients 1 to r + 1 of time.
 
   /// p^t as a variable, or as a constant where the field does not contain it.
-  [[nodiscard]] Lane energy_momentum() const {
+  [[nodiscard]] Number energy_momentum() const {
     const double value = problem_.energy_momentum();
-    return energy_lane ? Lane::variable(value, variables - 1) : Lane(value);
+    return energy_partial ? Number::variable(value, variables - 1) : Number(value);
   }
 
   /// Expands from (q, p) over a fictive step h.
   [[gnu::noinline]] Increments expand(const Vector<double, n>& q, const Vector<double, n>& p, double h) {
-    TaylorSeries<Lane>& series = field_.series;
-    std::array<Lane*, n> at_q, at_p;
+    TaylorSeries<Number>& series = field_.series;
+    std::array<Number*, n> at_q, at_p;
     for (int i = 0; i < n; ++i) {
       at_q[i] = series.input(i);
       at_p[i] = series.input(n + i);
-      at_q[i][0] = Lane::variable(q[i], i);
-      at_p[i][0] = Lane::variable(p[i], n + i);
+      at_q[i][0] = Number::variable(q[i], i);
+      at_p[i][0] = Number::variable(p[i], n + i);
     }
-    if constexpr (energy_lane)
+    if constexpr (energy_partial)
       *series.input(2 * n) = Construction::on_level ? level(q, p) : energy_momentum();
     for (int k = 0; k <= order(); ++k) {
       const bool forces = k < order() || k == 0;  // not needed at the last order, but once at least
@@ -99,9 +100,9 @@ class TaylorExpansion {
   }
 
   /// Sum over k = 1..last of s_k c^(k-1).
-  [[nodiscard]] static Lane tail(const Lane* s, int last, double c) {
-    if (last == 0) return Lane(0.0);
-    Lane sum = s[last];
+  [[nodiscard]] static Number tail(const Number* s, int last, double c) {
+    if (last == 0) return Number(0.0);
+    Number sum = s[last];
     for (int k = last - 1; k >= 1; --k)
       sum = s[k] + c * sum;
     return sum;
@@ -126,7 +127,7 @@ class TaylorExpansion {
     RecordedField(const Problem& problem, int order, ExpressionGraph graph)
         : RecordedField{recorded(problem, graph), order, std::move(graph)} {}  // braces: from left to right
 
-    TaylorSeries<Lane> series;
+    TaylorSeries<Number> series;
     std::array<int, n> dq, dp;  // places
     int dt;
 
@@ -136,7 +137,7 @@ class TaylorExpansion {
     };
     static Nodes recorded(const Problem& problem, ExpressionGraph& graph) {
       const Vector<Recorded, n> q = recorded_inputs<n>(graph, 0, n), p = recorded_inputs<n>(graph, n, n);
-      const Recorded pt = energy_lane ? Recorded(graph, 2 * n) : Recorded(problem.energy_momentum());
+      const Recorded pt = energy_partial ? Recorded(graph, 2 * n) : Recorded(problem.energy_momentum());
       Vector<Recorded, n> dq, dp;
       Recorded dt;
       Construction::field(problem, q, p, pt, dq, dp, dt);
@@ -162,18 +163,18 @@ class TaylorExpansion {
     require(order >= 0 && order <= capacity, "Taylor order r", order, "in [0, ", capacity, "]");
     return order;
   }
-  [[nodiscard]] std::array<const Lane*, n> inputs(int first) const {
-    std::array<const Lane*, n> at;
+  [[nodiscard]] std::array<const Number*, n> inputs(int first) const {
+    std::array<const Number*, n> at;
     for (int i = 0; i < n; ++i)
       at[i] = field_.series.input(first + i);
     return at;
   }
   /// H-bar at the start.
-  [[nodiscard]] Lane level(const Vector<double, n>& q, const Vector<double, n>& p) const {
-    Vector<Lane, n> at_q, at_p;
+  [[nodiscard]] Number level(const Vector<double, n>& q, const Vector<double, n>& p) const {
+    Vector<Number, n> at_q, at_p;
     for (int i = 0; i < n; ++i) {
-      at_q[i] = Lane::variable(q[i], i);
-      at_p[i] = Lane::variable(p[i], n + i);
+      at_q[i] = Number::variable(q[i], i);
+      at_p[i] = Number::variable(p[i], n + i);
     }
     return problem_.transformed(at_q, at_p, energy_momentum());
   }
