@@ -2,6 +2,7 @@
 
 #include "avi/autodiff/pack.hpp"
 #include "avi/autodiff/partials.hpp"
+#include "avi/optim/minimise.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/solve.hpp"
 #include "avi/transform/poincare.hpp"
@@ -154,6 +155,22 @@ TEST(Formula, IsAMonitorOfPositionAndMomentum) {
   const auto problem = avi::poincare(Formula::of_phase<2>(avi::Kepler()), start, g);
   EXPECT_FALSE(decltype(problem)::position_monitor);
   EXPECT_EQ(problem.rate(start.q, start.p), 0.25);
+}
+
+TEST(Formula, IsMinimised) {
+  const auto valley = [](const auto& x, const auto& c) {
+    const auto bend = x[1] - x[0] * x[0];
+    return (x[0] - c[0]) * (x[0] - c[0]) + 10.0 * bend * bend;
+  };
+  const Formula f = Formula::of_point(valley, 2, {1.0});
+  for (const double c : {1.0, 0.5}) {
+    const auto run = avi::minimise(f.with({c}), {-1.0, 1.0});
+    EXPECT_TRUE(run.ok());
+    EXPECT_NEAR(run.last.x[0], c, 1e-6);
+    EXPECT_NEAR(run.last.x[1], c * c, 1e-6);
+  }
+  EXPECT_EQ(refusal([&] { (void)avi::minimise(f, {1.0}); }),
+            "Size of x0 is 1; it must be the number of arguments of f, 2.");
 }
 
 TEST(Formula, LeavesBehindWhatItDoesNotNeed) {
