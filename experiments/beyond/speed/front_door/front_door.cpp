@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
   };
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
     Budget budget;
-    if (frame.quick) budget = {.longest_run = 0.05, .least_block = 1e-4, .rounds = 3, .refined = 1};
+    if (frame.quick) budget = {.longest_run = 0.5, .least_block = 1e-4, .rounds = 3, .refined = 1};
     if (full) budget = {.longest_run = 0.5, .least_block = 1e-3, .rounds = 7, .refined = 4};
     Table table = frame.table({"scene", "kind", "held_out", "horizon", "method", "setting", "error",
                                "seconds", "steps", "evaluations"});

@@ -26,14 +26,15 @@ class Race {
 
  private:
   /// One run, and two more where it was short.
-  const Point& tried(std::size_t family, double setting) {
-    Result result = contest_.families[family].run({.setting = setting, .step_cap = 3'000'000});
+  Point tried(std::size_t family, double setting) {
+    Result result = contest_.families[family].run({.setting = setting, .step_cap = step_cap_});
     if (result.seconds < 1e-3)
       for (int again = 0; again < 2; ++again)
         result.seconds =
             std::min(result.seconds,
-                     contest_.families[family].run({.setting = setting, .step_cap = 3'000'000}).seconds);
+                     contest_.families[family].run({.setting = setting, .step_cap = step_cap_}).seconds);
     const double error = result.ok ? contest_.error(result) : std::numeric_limits<double>::infinity();
+    if (family >= 2 && error <= finest_target) needed_ = std::min(needed_, result.seconds);
     return points_.emplace_back(Point{family, setting,
                                       std::isnan(error) ? std::numeric_limits<double>::infinity() : error,
                                       result.seconds, result.evaluations, result.steps});
@@ -43,7 +44,9 @@ class Race {
     const bool ours = family < 2;
     const double half = std::sqrt(0.1), finest = ours ? 1e-13 : 1e-15;
     std::vector<double> passed(std::size(targets), 0.0);  // the first setting that passes
-    double previous = 0.0;
+    double previous = 0.0, least = std::numeric_limits<double>::infinity();
+    int stale = 0;
+    step_cap_ = 300'000;
     for (double setting = 1e-2; setting > 0.7 * finest; previous = setting, setting *= half) {
       const Point point = tried(family, setting);
       for (std::size_t i = 0; i < std::size(targets); ++i)
@@ -52,6 +55,11 @@ class Race {
           if (previous > 0.0 && (i == 0 || passed[i - 1] != setting)) refine(family, previous, setting);
         }
       if (point.error <= 0.5 * finest_target || point.seconds > budget_.longest_run) break;
+      if (family >= 2 && point.seconds > 3.0 * needed_) break;           // another peer is there already
+      if (!ours && least < 1e-3 && !(point.error < 1e3 * least)) break;  // where it asks too much, it fails
+      stale = point.error < 0.7 * least ? 0 : stale + 1;
+      if (least = std::min(least, point.error); !ours && least < 1e-3 && stale >= 5) break;  // rounding
+      step_cap_ = std::min(300'000L, 4 * point.steps + 1000);
     }
   }
 
@@ -84,9 +92,8 @@ class Race {
       for (const std::size_t i : chosen) {
         Point& point = points_[i];
         const int repeats = static_cast<int>(std::clamp(budget_.least_block / point.seconds, 1.0, 1e4));
-        const double seconds = contest_.families[point.family]
-                                   .run({.setting = point.setting, .repeats = repeats, .step_cap = 3'000'000})
-                                   .seconds;
+        const double seconds =
+            contest_.families[point.family].run({.setting = point.setting, .repeats = repeats}).seconds;
         point.seconds = point.measured ? std::min(point.seconds, seconds) : seconds;
         point.measured = true;
       }
@@ -104,6 +111,8 @@ class Race {
   const Contest& contest_;
   const Budget& budget_;
   std::vector<Point> points_;
+  double needed_ = std::numeric_limits<double>::infinity();  // seconds of a peer that reached the last target
+  long step_cap_ = 0;
 };
 
 }  // namespace

@@ -52,6 +52,9 @@ avi::State<18> planets_start() {
   return z;
 }
 
+/// At the equator, where the field is 1, with a velocity across and along the field.
+avi::State<3> trapped() { return {.q = {1.0, 0.0, 0.0}, .p = {0.0, 1.15, 0.06}}; }
+
 /// The lowest mode of the chain with its ends held.
 template <int masses>
 avi::State<masses> lowest_mode(double amplitude) {
@@ -78,8 +81,7 @@ std::vector<Scene> scenes() {
       scene("seven_bodies", "bodies", seen, 1.0, {1.0}, UnitBodies<7>{}, cluster(), 0.001),
       scene("outer_planets", "planets", seen, 4332.0, {1.0, 10.0, 100.0}, planets(), planets_start(), 200.0),
       scene("fput_16", "chain", seen, 2.0 * M_PI, up_to_a_thousand, Fput<16>{}, lowest_mode<16>(1.0), 0.5),
-      scene("dipole", "not separable", seen, 2.0 * M_PI, {1.0, 10.0, 100.0}, Dipole{},
-            {.q = {0.7, 0.0, 0.1}, .p = {0.0, 1.3, 0.3}}, 0.05),
+      scene("dipole", "not separable", seen, 2.0 * M_PI, up_to_a_thousand, Dipole{}, trapped(), 0.1),
   };
 }
 
