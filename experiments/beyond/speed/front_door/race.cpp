@@ -57,6 +57,7 @@ class Race {
       if (point.error <= 0.5 * finest_target || point.seconds > budget_.longest_run) break;
       if (family >= 2 && point.seconds > 3.0 * needed_) break;           // another peer is there already
       if (!ours && least < 1e-3 && !(point.error < 1e3 * least)) break;  // where it asks too much, it fails
+      if (setting < 1e-8 && least > 0.1) break;                          // chaos
       stale = point.error < 0.7 * least ? 0 : stale + 1;
       if (least = std::min(least, point.error); !ours && least < 1e-3 && stale >= 5) break;  // rounding
       step_cap_ = std::min(300'000L, 4 * point.steps + 1000);
