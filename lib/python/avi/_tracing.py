@@ -1,0 +1,169 @@
+"""NumPy's functions and an array's methods for numbers that are being traced (the class itself is in C++)."""
+
+from ._avi import Traced, traced, where as _where
+
+_REFUSED = {
+    "A function is traced with numbers that have no value yet, so float(x), int(x), math.sin(x) and the like cannot take them: write "
+    "np.sin(x), np.sqrt(x) and so on, and make arrays by np.stack([x, y]) instead of filling np.zeros(2).": "float int complex index",
+    "A function is traced once for all arguments, so it cannot branch on them: instead of `if a < b`, `and`, `or`, `not`, min(a, b) and "
+    "max(a, b) write avi.where(a < b, x, y), `&`, `|`, `~`, avi.minimum(a, b) and avi.maximum(a, b).": "bool contains",
+    "A function that asks whether two of its numbers are equal cannot be traced; instead of `==` and `!=` write avi.where(a < b, x, y).": (
+        "eq ne"
+    ),
+    "Rounding and remainders (x // a, x % a, round(x)) cannot be traced: a formula has to have slopes.": (
+        "round floor ceil trunc floordiv rfloordiv mod rmod divmod rdivmod"
+    ),
+    "Traced numbers cannot be assigned to: make a new array by np.stack([x, y]) or np.concatenate([u, v]).": "setitem",
+}
+
+
+def _refusal(sentence):
+    def refuse(self, *args):
+        raise TypeError(sentence)
+
+    return refuse
+
+
+for _sentence, _names in _REFUSED.items():
+    for _name in _names.split():
+        setattr(Traced, f"__{_name}__", _refusal(_sentence))
+Traced.__hash__ = None
+
+
+def _objects(x):
+    """x as NumPy's array of objects, each a single traced number; lists and tuples entry by entry."""
+    if isinstance(x, Traced):
+        import numpy as np
+
+        array = np.empty(x.size, dtype=object)
+        array[:] = x._entries()
+        return array.reshape(x.shape)
+    return type(x)(_objects(each) for each in x) if isinstance(x, (list, tuple)) else x
+
+
+def _any_traced(*values):
+    return any(isinstance(x, Traced) or getattr(x, "dtype", None) == object for x in values)
+
+
+def where(condition, x, y):
+    """x where the condition holds, else y, entry by entry: what a formula writes instead of `if`.
+
+    Both x and y are evaluated, and differentiated, everywhere. `condition` is a comparison such as `q[0] < 1`, or several joined by
+    `&`, `|` and `~`. Works on plain numbers and arrays, too.
+    """
+    if _any_traced(condition, x, y):
+        return _where(condition, x, y)
+    import numpy as np
+
+    return np.where(condition, x, y)
+
+
+def maximum(a, b):
+    """The larger of a and b, entry by entry."""
+    import numpy as np
+
+    return np.maximum(traced(a) if _any_traced(a, b) else a, b)
+
+
+def minimum(a, b):
+    """The smaller of a and b, entry by entry."""
+    import numpy as np
+
+    return np.minimum(traced(a) if _any_traced(a, b) else a, b)
+
+
+def _fold(x, name, axis=None):
+    """f(f(x0, x1), x2) ... along an axis or several, or of all entries."""
+    x = traced(x)
+    if axis is None:
+        return x.ravel()._folded(name)
+    import numpy as np
+
+    for each in sorted((i % x.ndim for i in np.atleast_1d(axis)), reverse=True):
+        x = x._take(np.moveaxis(x._numbers, each, 0))._folded(name)
+    return x
+
+
+def _folding(name):
+    return lambda x, axis=None: _fold(x, name, axis)
+
+
+_sum = _folding("add")
+
+
+def _norm(x, ord=None, axis=None):
+    if ord not in (None, 2) or (ord == 2 and axis is None and len(x.shape) > 1):
+        raise TypeError("np.linalg.norm can be traced as the 2-norm; write another norm out with np.abs, np.sum and avi.maximum.")
+    return _sum(x * x, axis).sqrt()
+
+
+def _dot(a, b):
+    a, b = traced(a), traced(b)
+    return a @ b if a.ndim and b.ndim else a * b
+
+
+def _clip(x, a_min=None, a_max=None):
+    x = x if a_min is None else maximum(x, a_min)
+    return x if a_max is None else minimum(x, a_max)
+
+
+def _where_of_numpy(condition, x=None, y=None):
+    if x is None or y is None:
+        raise TypeError("np.where(condition) asks for values, which a traced number does not have; write avi.where(condition, x, y).")
+    return where(condition, x, y)
+
+
+def _mean(x, axis=None):
+    total = _sum(x, axis)
+    return total / (x.size / max(total.size, 1))
+
+
+_FUNCTIONS = {
+    "where": _where_of_numpy,
+    "sum": _sum,
+    "mean": _mean,
+    "prod": _folding("multiply"),
+    "amax": _folding("maximum"),
+    "amin": _folding("minimum"),
+    "dot": _dot,
+    "norm": _norm,
+    "clip": _clip,
+}
+_FUNCTIONS["max"], _FUNCTIONS["min"] = _FUNCTIONS["amax"], _FUNCTIONS["amin"]
+_FILLED = {"zeros_like", "ones_like", "empty_like", "full_like"}  # stay arrays of objects, which can be filled
+
+
+def _array_function(self, function, types, args, kwargs):
+    """NumPy's other functions: those above by the graph, the rest (concatenate, stack, cross, outer, diff ...) by what NumPy does with
+    objects."""
+    name = function.__name__
+    known = _FUNCTIONS.get(name)
+    if known:
+        return known(*args, **kwargs)
+    try:
+        result = function(*(_objects(x) for x in args), **{key: _objects(x) for key, x in kwargs.items()})
+    except TypeError as error:
+        raise TypeError(f"{function.__module__.replace('numpy', 'np')}.{name} cannot be traced: {error}") from None
+    if name in _FILLED or not _any_traced(result):
+        return result
+    return traced(result)
+
+
+def _moved(name):
+    return lambda self, *args, **kwargs: self._take(getattr(self._numbers, name)(*args, **kwargs))
+
+
+Traced.__array_function__ = _array_function
+Traced._fold = _fold
+Traced.sum = _sum
+Traced.mean = _mean
+Traced.prod = _FUNCTIONS["prod"]
+Traced.max = _FUNCTIONS["amax"]
+Traced.min = _FUNCTIONS["amin"]
+Traced.dot = _dot
+Traced.clip = _clip
+Traced.astype = lambda self, *args, **kwargs: self
+Traced.copy = lambda self: self
+Traced.T = property(lambda self: self._take(self._numbers.T))
+for _name in ("reshape", "ravel", "flatten", "transpose", "squeeze", "repeat", "swapaxes"):
+    setattr(Traced, _name, _moved(_name))
