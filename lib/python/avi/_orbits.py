@@ -31,7 +31,10 @@ class Orbit:
     kept = property(lambda self: self._report.kept())
     status = property(lambda self: 0 if self.success else -1)
     message = property(lambda self: self._report.run.message or "The end was reached.")
-    nfev = property(lambda self: self.choice.nfev + self._report.run.evaluations * self.choice.order // 2)
+    nfev = property(
+        lambda self: self._report.run.evaluations * self.choice.order // 2
+        + sum(trial.sweeps * trial.order // 2 for trial in self.choice.trials)
+    )
     nsteps = property(lambda self: self._report.run.steps)
     choice = property(lambda self: self._report.choice)
     tolerance = property(lambda self: self._report.tolerance)

@@ -6,6 +6,7 @@
 #include <pybind11/stl.h>
 
 #include <chrono>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -26,17 +27,22 @@ Numbers array_of(const VectorX& x) { return Numbers(x.size(), x.data()); }
 /// Notices Ctrl-C from time to time where Python's lock is not held.
 class Signals {
  public:
-  /// Ctrl-C was pressed. Looks at the clock only, unless 50 ms have passed. @throws what another signal's
-  /// handler raises.
+  bool pressed = false;  ///< Ctrl-C was.
+
+  /// Whether it was. Looks at the clock only, unless 50 ms have passed. @throws what another signal's handler
+  /// raises.
   bool interrupted() {
     const auto now = std::chrono::steady_clock::now();
-    if (now < next_) return false;
+    if (pressed || now < next_) return pressed;
     next_ = now + std::chrono::milliseconds(50);
     const py::gil_scoped_acquire locked;
-    if (PyErr_CheckSignals() == 0) return false;
-    if (!PyErr_ExceptionMatches(PyExc_KeyboardInterrupt)) throw py::error_already_set();
-    PyErr_Clear();
-    return true;
+    if (PyErr_CheckSignals() != 0) note(py::error_already_set());
+    return pressed;
+  }
+  /// Keeps a KeyboardInterrupt, throws anything else again.
+  void note(const py::error_already_set& error) {
+    if (!error.matches(PyExc_KeyboardInterrupt)) throw error;
+    pressed = true;
   }
 
  private:
@@ -50,6 +56,7 @@ Formula trace(const py::object& f, const std::vector<Shape>& shapes, std::vector
   int count = 0;
   for (const Shape& shape : shapes)
     count += static_cast<int>(size_of(shape));
+  require(count > 0, "Number of arguments to record", count, "at least 1");
   const auto graph = std::make_shared<ExpressionGraph>(count + static_cast<int>(parameters.size()));
   py::list arguments;
   int first = 0;
@@ -74,29 +81,37 @@ py::tuple solve(const Formula& hamiltonian, const Numbers& q, const Numbers& p, 
                         array_of(found.state.p));
 }
 
-/// A function of Python that returns its value and its gradient.
+/// A function of Python that returns its value and its gradient; not a number after Ctrl-C.
 struct Called {
   const py::object& f;
+  Signals& signals;
 
   double operator()(const VectorX& x, VectorX& gradient) const {
+    if (signals.pressed) return std::numeric_limits<double>::quiet_NaN();
     const py::gil_scoped_acquire locked;
-    const py::tuple both = f(array_of(x));
-    gradient = vector_of(both[1].cast<Numbers>());
-    return both[0].cast<double>();
+    try {
+      const py::tuple both = f(array_of(x));
+      gradient = vector_of(both[1].cast<Numbers>());
+      return both[0].cast<double>();
+    } catch (const py::error_already_set& error) {
+      signals.note(error);
+      return (*this)(x, gradient);
+    }
   }
 };
 
-/// Calls a callback, if there is one. False where it raises StopIteration.
-bool tell(const py::object& callback, const VectorX& x) {
-  if (callback.is_none()) return true;
-  const py::gil_scoped_acquire locked;
-  try {
-    callback(array_of(x));
-  } catch (py::error_already_set& error) {
-    if (!error.matches(PyExc_StopIteration)) throw;
-    return false;
+/// Calls a callback, if there is one. False where it raises StopIteration, or after Ctrl-C.
+bool tell(const py::object& callback, const VectorX& x, Signals& signals) {
+  if (!callback.is_none()) {
+    const py::gil_scoped_acquire locked;
+    try {
+      callback(array_of(x));
+    } catch (const py::error_already_set& error) {
+      if (error.matches(PyExc_StopIteration)) return false;
+      signals.note(error);
+    }
   }
-  return true;
+  return !signals.interrupted();
 }
 
 py::tuple minimise(const py::object& f, const Numbers& x0, MinimiseOptions options,
@@ -108,17 +123,18 @@ py::tuple minimise(const py::object& f, const Numbers& x0, MinimiseOptions optio
     if (history)
       rows.insert(rows.end(), {static_cast<double>(progress.gradient_evaluations), progress.value,
                                progress.gradient_norm});
-    return tell(callback, progress.x) && !signals.interrupted();
+    return tell(callback, progress.x, signals);
   };
-  const Minimisation run = [&] {
+  Minimisation run = [&] {
     if (!py::isinstance<Formula>(f)) {
       const py::gil_scoped_release unlocked;
-      return avi::minimise(Called{f}, start, options);
+      return avi::minimise(Called{f, signals}, start, options);
     }
     const auto& formula = f.cast<const Formula&>();
     const py::gil_scoped_release unlocked;
     return avi::minimise(RecordedObjective(formula, start.size()), start, options);
   }();
+  if (signals.pressed) run.outcome = Outcome::stopped, run.message = "Stopped by Ctrl-C.";
   return py::make_tuple(run.outcome, run.message, run.iterations, run.gradient_evaluations,
                         array_of(run.last.x), run.last.value, array_of(run.last.gradient),
                         Numbers({static_cast<py::ssize_t>(rows.size() / 3), py::ssize_t{3}}, rows.data()));
