@@ -2,12 +2,12 @@
 
 #include "avi/diagnostics/symplecticity.hpp"
 #include "avi/htvi/htvi.hpp"
-#include "avi/problems/correlated_quartic.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/euler_b.hpp"
 #include "avi/transform/monitors.hpp"
 #include "bregman/printed/extended_splitting.hpp"
 #include "bregman/printed/htvi_printed.hpp"
+#include "common/problems/correlated_quartic.hpp"
 
 #include <cmath>
 
@@ -18,14 +18,15 @@
 namespace {
 
 constexpr Eigen::Index d = 3;
-const avi::CorrelatedQuartic f(d, 0.9);
+const experiment::CorrelatedQuartic f(d, 0.9);
 const auto family = avi::BregmanFamily::adaptive(4.0, 1.0);
 
 avi::ExtendedPoint start() {
   return {.q = Eigen::Vector3d(1.3, 0.8, 1.5), .t = 1.2, .r = Eigen::Vector3d(0.2, -0.4, 0.5), .r_t = 0.7};
 }
 
-using Step = void (*)(const avi::BregmanFamily&, const avi::CorrelatedQuartic&, double, avi::ExtendedPoint&);
+using Step = void (*)(const avi::BregmanFamily&, const experiment::CorrelatedQuartic&, double,
+                      avi::ExtendedPoint&);
 
 /// Defect of a step on (q, t, r, r^t); with `block`, of its (q, r) part at fixed t and r^t.
 double bregman_defect(Step step, double h, bool block = false) {

@@ -25,7 +25,7 @@ std::vector<KeplerRun> runs_of(const HtviName& name, const avi::Quadrature& quad
     const auto make = [=](const State2& from) {
       return avi::type2<r, construction>(avi::poincare<2>(kepler, from, monitor), quadrature);
     };
-    runs.push_back({name, row, Runner(kepler, make), table.eccentricity, {.time = horizon}});
+    runs.push_back({name, row, Method2(kepler, make), table.eccentricity, {.time = horizon}});
   };
   for (const KeplerRow& row : table.htvi) {
     if (row.monitor == "gamma")
@@ -83,12 +83,14 @@ KeplerResult KeplerRun::measure() const {
 avi::Run KeplerRun::observe(const std::function<void(const State2&)>& observer) const {
   const State2 start = avi::Kepler::pericentre(eccentricity);
   State2 z = start;
-  return runner.advance(start, z, row.h, until, [&](const State2& s) { return observer(s), true; });
+  avi::AnyMethod<2> method = runner.make(start);
+  return avi::integrate(method, z, row.h, until, [&](const State2& s, long) { observer(s); });
 }
 
 void KeplerRun::run() const {
   State2 z = avi::Kepler::pericentre(eccentricity);
-  const avi::Run run = runner.prepare(z)(z, row.h, until);
+  avi::AnyMethod<2> method = runner.make(z);
+  const avi::Run run = avi::integrate(method, z, row.h, until);
   if (run.outcome != avi::Outcome::ok) throw std::runtime_error(run.message);
 }
 

@@ -41,6 +41,7 @@ struct Choice {
   double energy_scale = 1.0;   ///< Mean of half of \f$|p\cdot\dot q|\f$: what energy errors are relative to.
   double time = 0.0;           ///< Physical time of the short trials.
   long sweeps = 0;             ///< Evaluations of all stages in all trials.
+  long check = 0;              ///< Those of the run with a longer step that goes along the whole orbit.
   std::vector<SolveTrial> trials;  ///< In their order.
 };
 
@@ -140,7 +141,6 @@ template <int n>
 /// | --- | --- |
 /// | fixed | 1 |
 /// | energy, energy^1.5 | \f$(\bar T + \frac12(H + H_0) - H(q, 0))^{-\alpha}\f$, \f$\alpha = 1\f$ or 3/2 |
-/// | curvature | automatic_monitor() |
 ///
 /// Monitor, order and step are those that take the least work in short trials. The same input gives the same
 /// choice; units and masses do not matter. H is called once, with a scalar that records what is done to it.

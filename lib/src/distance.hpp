@@ -1,5 +1,4 @@
 #pragma once
-#include "avi/autodiff/recording.hpp"
 #include "journey.hpp"
 
 #include <algorithm>
@@ -11,8 +10,6 @@
 /// How far apart two states of an orbit are, in the scale of every degree of freedom.
 
 namespace avi::detail {
-
-inline constexpr double infinity = std::numeric_limits<double>::infinity();  ///< Of what is not known.
 
 /// How far apart two states are: the largest difference of an entry of (q, p), relative to the range through
 /// which it moves. What moves by rounding alone does not count.
@@ -72,35 +69,5 @@ class Distance {
   }
   VectorX metric_;
 };
-
-/// The diagonal of H_pp at the start, by two probes with signs: exact where H_pp is diagonal, else near.
-inline VectorX metric_of(const ExpressionGraph& formula, int energy, const VectorX& start) {
-  ExpressionGraph graph = formula;
-  const int n = graph.inputs() / 2;
-  VectorX metric = VectorX::Zero(n);
-  const std::vector<int> slope = Reverse(graph).gradient(energy);
-  for (int probe = 0; probe < 2; ++probe) {
-    std::vector<double> sign(static_cast<std::size_t>(n));
-    unsigned bits = 12345u + 777u * static_cast<unsigned>(probe);
-    int along = graph.constant(0.0);
-    for (int i = 0; i < n; ++i) {
-      bits = bits * 1664525u + 1013904223u;
-      sign[static_cast<std::size_t>(i)] = bits >> 31 ? 1.0 : -1.0;
-      along = graph.binary(bits >> 31 ? Operation::add : Operation::subtract, along,
-                           slope[static_cast<std::size_t>(n + i)]);
-    }
-    RecordedFormula<double> second{Recording(graph, along).gradient(n, n)};
-    std::copy(start.data(), start.data() + 2 * n, second.room.arguments());
-    second.program.run(second.room);
-    for (int i = 0; i < n; ++i)
-      metric[i] = std::max(metric[i], sign[static_cast<std::size_t>(i)] * second.partial(i));
-  }
-  double largest = 0.0;
-  for (int i = 0; i < n; ++i)
-    if (std::isfinite(metric[i])) largest = std::max(largest, metric[i]);
-  for (int i = 0; i < n; ++i)
-    if (!(metric[i] > 0.0) || !std::isfinite(metric[i])) metric[i] = largest > 0.0 ? largest : 1.0;
-  return metric;
-}
 
 }  // namespace avi::detail

@@ -25,7 +25,7 @@ std::vector<int> first_nodes(int count) {
 
 }  // namespace
 
-Formula::Formula(ExpressionGraph graph, int node, std::vector<double> parameters)
+Formula::Formula(ExpressionGraph&& graph, int node, std::vector<double> parameters)
     : parameters_(std::move(parameters)) {
   require(node >= 0 && node < graph.size(), "Node of a formula", node, "a node of the graph");
   require(static_cast<int>(parameters_.size()) < graph.inputs(), "Number of parameters", parameters_.size(),
@@ -35,7 +35,8 @@ Formula::Formula(ExpressionGraph graph, int node, std::vector<double> parameters
       std::find(part.begin() + std::min(graph.inputs(), node), part.end(), 0) != part.end()) {
     ExpressionGraph own(graph.inputs());
     node = own.substitute(graph, node, first_nodes(graph.inputs()));
-    graph = std::move(own);
+    shared_ = std::make_shared<const Shared>(Shared{std::move(own), node, std::make_shared<Gradient>()});
+    return;
   }
   shared_ = std::make_shared<const Shared>(Shared{std::move(graph), node, std::make_shared<Gradient>()});
 }
@@ -61,6 +62,15 @@ Formula Formula::with_constants() const {
     arguments.push_back(own.constant(c));
   const int its_node = own.substitute(graph(), node(), arguments);
   return {std::move(own), its_node};
+}
+
+double Formula::work(int numbers) const {
+  double sum = 0.0;
+  for (int i = graph().inputs(); i < graph().size(); ++i) {
+    const auto& [operation, a, b, number] = graph()[i];
+    sum += detail::work(operation, operation == Operation::power ? graph()[b].number : 0.0).at(numbers);
+  }
+  return sum;
 }
 
 void Formula::gradient(const double* x, double* slopes) const {

@@ -1,7 +1,7 @@
-#include "avi/automatic/curvature.hpp"
+#include "lib/src/curvature.hpp"
 
+#include "avi/autodiff/formula.hpp"
 #include "avi/autodiff/partials.hpp"
-#include "avi/automatic/phase_function.hpp"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -67,9 +67,9 @@ struct Squares {
 TEST(Curvature, IsWhatItsDefinitionSaysTermByTerm) {
   const avi::State<2> start{.q = {0.4, -0.3}, .p = {0.2, 0.5}};
   avi::detail::Curvature curvature({Everything(), start});
-  const avi::PhaseFunction n0(curvature.graph, curvature.squared_frequency_squared());
+  const avi::Formula n0(curvature.graph, curvature.squared_frequency_squared());
   constexpr double frequency = 1.7;
-  const avi::PhaseFunction speed(curvature.graph, curvature.squared_speed(frequency));
+  const avi::Formula speed(curvature.graph, curvature.squared_speed(frequency));
 
   const auto total = [](const Eigen::Vector4d& z) {
     return [&]<int... k>(std::integer_sequence<int, k...>)->Eigen::Matrix4d { return (hessian<k>(z) + ...); }

@@ -5,6 +5,7 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/solve.hpp"
 
+#include "lib/src/orbit.hpp"
 #include "refusal.hpp"
 
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@
 namespace formula_test {
 
 using avi::Formula;
+using avi::State;
 using avi::VectorX;
 
 TEST(Formula, IsAFunctionOfAPoint) {
@@ -110,6 +112,38 @@ TEST(Formula, MayChoose) {
         recorded(avi::recorded_inputs(graph, 0, 1), avi::recorded_inputs(graph, 1, 1)).node_in(graph);
     EXPECT_EQ(Formula(graph, again)(VectorX{{q}}, VectorX{{1.0}}), expected);
   }
+}
+
+template <class F>
+double work_of(const F& f, int numbers) {
+  return Formula::of_phase<1>(f).work(numbers);
+}
+
+TEST(Formula, SaysWhatACallCosts) {
+  for (const int numbers : {1, 4, 8}) {
+    const double one_by_one = 4.0 * numbers;
+    EXPECT_EQ(work_of([](const auto& q, const auto& p) { return q[0] + p[0]; }, numbers), 1.0);
+    EXPECT_EQ(work_of([](const auto& q, const auto& p) { return (q[0] - p[0]) * q[0]; }, numbers), 2.0);
+    EXPECT_EQ(work_of([](const auto& q, const auto& p) { return q[0] / p[0]; }, numbers), 2.0);
+    EXPECT_EQ(work_of([](const auto& q, const auto&) { return sqrt(q[0]); }, numbers), 2.0);
+    EXPECT_EQ(work_of([](const auto& q, const auto&) { return exp(q[0]); }, numbers), one_by_one);
+    EXPECT_EQ(work_of([](const auto& q, const auto&) { return pow(q[0], 1.25); }, numbers), 4.0) << "roots";
+    EXPECT_EQ(work_of([](const auto& q, const auto&) { return pow(q[0], 1.3); }, numbers), one_by_one);
+    EXPECT_EQ(work_of([](const auto& q, const auto&) { return q[0]; }, numbers), 0.0);
+  }
+}
+
+TEST(Orbit, IsRefusedWhereItHasNoFiniteStart) {
+  const auto said = [](const VectorX& q, const VectorX& p, double t) {
+    const auto energy = [](const auto& at, const auto& by) { return 0.5 * by[0] * by[0] - 1.0 / at[0]; };
+    return refusal([&] { avi::detail::Orbit(energy, State<avi::dynamic>{.q = q, .p = p, .t = t}); });
+  };
+  const VectorX one = VectorX::Ones(1), zero = VectorX::Zero(1);
+  EXPECT_EQ(said(one, one, 0.0), "accepted");
+  const std::string not_finite = "The energy at the start is not finite; an orbit needs one that is.";
+  EXPECT_EQ(said(zero, one, 0.0), not_finite);
+  EXPECT_EQ(said(one, one, HUGE_VAL), not_finite);
+  EXPECT_EQ(said(one, VectorX::Ones(2), 0.0), "Dimension of p at the start is 2; it must be that of q, 1.");
 }
 
 TEST(Formula, LeavesBehindWhatItDoesNotNeed) {

@@ -1,10 +1,11 @@
-#include "avi/automatic/choose_monitor.hpp"
+#include "avi/automatic_monitor.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/n_body.hpp"
 #include "avi/solve.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
 #include "avi/transform/time_dependent.hpp"
+#include "beyond/speed/automatic_monitors/choose_monitor.hpp"
 #include "refusal.hpp"
 
 #include <gtest/gtest.h>
@@ -145,7 +146,7 @@ TEST(Poincare, RefusesASizeThatIsNotTheDimension) {
     EXPECT_EQ(refusal([&] { (void)avi::poincare(free, start); }), sentence);
     EXPECT_EQ(refusal([&] { (void)avi::time_dependent(in_time, start); }), sentence);
     EXPECT_EQ(refusal([&] { (void)avi::automatic_monitor(free, start); }), sentence);
-    EXPECT_EQ(refusal([&] { (void)avi::choose_monitor(free, start); }), sentence);
+    EXPECT_EQ(refusal([&] { (void)experiment::choose_monitor(free, start); }), sentence);
     EXPECT_EQ(refusal([&] { (void)avi::solve(free, start, 1.0, 1e-6); }), sentence);
   }
 }

@@ -1,5 +1,5 @@
 #include "avi/autodiff/recorded.hpp"
-#include "avi/automatic/terms.hpp"
+#include "lib/src/terms.hpp"
 
 #include <gtest/gtest.h>
 

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-// What every optional part of an HTVI step costs, as a ratio to the same run without it. Not by Runner, the
+// What every optional part of an HTVI step costs, as a ratio to the same run without it. Not by Method2, the
 // handle of other experiments: time as a coordinate, observers of steps, dense output and landings are what
 // it leaves out, and in it they would be compiled for every method of every program.
 

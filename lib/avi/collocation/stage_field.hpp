@@ -63,22 +63,6 @@ Recording recorded_rate(const Problem& problem, bool with_energy) {
       problem.size());
 }
 
-/// A recorded formula of (q, p) and the memory to evaluate it at the stages.
-template <class Scalar>
-struct RecordedFormula {
-  Program program;                      ///< The formula.
-  Program::Room<Scalar> room{program};  ///< Its numbers.
-
-  /// Evaluates it.
-  template <class Vec>
-  void run(const Vec& q, const Vec& p) {
-    std::copy(q.data(), q.data() + q.size(), room.arguments());
-    std::copy(p.data(), p.data() + p.size(), room.arguments() + q.size());
-    program.run(room);
-  }
-  [[nodiscard]] const Scalar& value() const { return program.value(room); }            ///< Of the last run.
-  [[nodiscard]] const Scalar& partial(int i) const { return program.slope(room, i); }  ///< Of the last run.
-};
 }  // namespace detail
 
 /// The field of \f$\bar H = g\,(H + p^t)\f$ at w stages, as two functions, of which each computes only what

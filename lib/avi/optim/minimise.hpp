@@ -1,7 +1,7 @@
 #pragma once
+#include "avi/optim/minimiser.hpp"
 #include "avi/optim/recorded_objective.hpp"
 #include "avi/optim/starting_point.hpp"
-#include "avi/optim/state_clock.hpp"
 
 /// @file
 /// The front door of the optimisers.
@@ -35,7 +35,8 @@ constexpr void refuse_as_objective() {
 
 }  // namespace detail
 
-/// Minimises f from x0 with the defaults, or with what `options` chooses: the heavy ball of StateClock.
+/// Minimises f from x0 with the defaults, or with what `options` chooses, by L-BFGS, or by
+/// nonlinear conjugate gradients where the memory is 0: see Minimiser.
 ///
 /// f(x, gradient) returns the value and fills the gradient; or f(x) is a formula that is generic in its
 /// scalar, and the gradient is found by automatic differentiation. x0 is whatever StartingPoint takes. Local
@@ -54,11 +55,11 @@ template <class F>
                                     const MinimiseOptions& options = {}) {
   const VectorX& x = x0.vector();
   if constexpr (Objective<F>) {
-    return StateClock(std::cref(f), x, options).run();
+    return Minimiser(std::cref(f), x, options).run();
   } else if constexpr (Recordable<F>) {
     require(x.size() > 0, "Size of x0", x.size(), "at least 1");
     const RecordedObjective recorded(f, x.size());
-    return StateClock(std::cref(recorded), x, options).run();
+    return Minimiser(std::cref(recorded), x, options).run();
   } else {
     detail::refuse_as_objective<F>();
     return {};
