@@ -8,6 +8,7 @@ orbit = avi.solve(kepler, q=[0.1, 0], p=[0, 19**0.5], t=62.8, tol=1e-10)
 A function is called once, with numbers that record what is done to them; from there on all of it runs in the library.
 """
 
+from . import plot
 from ._avi import Formula, Traced, functions
 from ._formula import hamiltonian, objective
 from ._minimise import Minimum, minimise
@@ -15,5 +16,6 @@ from ._orbits import Orbit, solve
 from ._tracing import maximum, minimum, where
 
 __all__ = [
-    "Formula", "Minimum", "Orbit", "Traced", "functions", "hamiltonian", "maximum", "minimise", "minimum", "objective", "solve", "where",
+    "Formula", "Minimum", "Orbit", "Traced", "functions", "hamiltonian", "maximum", "minimise", "minimum", "objective", "plot", "solve",
+    "where",
 ]  # fmt: skip

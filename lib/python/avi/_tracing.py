@@ -1,6 +1,6 @@
 """NumPy's functions and an array's methods for numbers that are being traced (the class itself is in C++)."""
 
-from ._avi import Traced, traced, where as _where
+from ._avi import Traced, pool, traced, where as _where
 
 _REFUSED = {
     "A function is traced with numbers that have no value yet, so float(x), int(x), math.sin(x) and the like cannot take them: write "
@@ -36,7 +36,8 @@ def _objects(x):
         import numpy as np
 
         array = np.empty(x.size, dtype=object)
-        array[:] = x._entries()
+        flat = x._take(np.arange(x.size))
+        array[:] = [flat[i] for i in range(x.size)]
         return array.reshape(x.shape)
     return type(x)(_objects(each) for each in x) if isinstance(x, (list, tuple)) else x
 
@@ -91,6 +92,12 @@ def _folding(name):
 _sum = _folding("add")
 
 
+def _matmul(a, b):
+    if not (a.ndim and b.ndim) or max(a.ndim, b.ndim) > 2 or a.shape[-1] != b.shape[0]:
+        raise ValueError(f"The product @ of arrays of shapes {a.shape} and {b.shape} cannot be traced.")
+    return _fold(a[..., :, None] * b, "add", a.ndim - 1) if b.ndim == 2 else _fold(a * b, "add", -1)
+
+
 def _norm(x, ord=None, axis=None):
     if ord not in (None, 2) or (ord == 2 and axis is None and len(x.shape) > 1):
         raise TypeError("np.linalg.norm can be traced as the 2-norm; write another norm out with np.abs, np.sum and avi.maximum.")
@@ -118,7 +125,15 @@ def _mean(x, axis=None):
     return total / (x.size / max(total.size, 1))
 
 
+def _diff(x, n=1, axis=-1):
+    for _ in range(n):
+        x = x.swapaxes(axis, -1)
+        x = (x[..., 1:] - x[..., :-1]).swapaxes(axis, -1)
+    return x
+
+
 _FUNCTIONS = {
+    "diff": _diff,
     "where": _where_of_numpy,
     "sum": _sum,
     "mean": _mean,
@@ -130,7 +145,19 @@ _FUNCTIONS = {
     "clip": _clip,
 }
 _FUNCTIONS["max"], _FUNCTIONS["min"] = _FUNCTIONS["amax"], _FUNCTIONS["amin"]
+_JOINS = {"concatenate", "stack", "hstack", "vstack", "column_stack", "dstack"}
+_MOVES = {"reshape", "ravel", "transpose", "roll", "flip", "squeeze", "expand_dims", "moveaxis", "swapaxes", "repeat", "tile", "broadcast_to"}
 _FILLED = {"zeros_like", "ones_like", "empty_like", "full_like"}  # stay arrays of objects, which can be filled
+
+
+def _joined(function, parts, *args, **kwargs):
+    """What a function of NumPy makes of several arrays by putting their entries side by side: done to the numbers of the entries."""
+    import numpy as np
+
+    shapes = [np.shape(part) for part in parts]
+    ends = np.cumsum([0] + [int(np.prod(shape)) for shape in shapes])
+    numbers = [np.arange(ends[i], ends[i + 1]).reshape(shape) for i, shape in enumerate(shapes)]
+    return pool(list(parts))._take(function(numbers, *args, **kwargs))
 
 
 def _array_function(self, function, types, args, kwargs):
@@ -140,6 +167,10 @@ def _array_function(self, function, types, args, kwargs):
     known = _FUNCTIONS.get(name)
     if known:
         return known(*args, **kwargs)
+    if name in _JOINS:
+        return _joined(function, *args, **kwargs)
+    if name in _MOVES:
+        return args[0]._take(function(args[0]._numbers, *args[1:], **kwargs))
     try:
         result = function(*(_objects(x) for x in args), **{key: _objects(x) for key, x in kwargs.items()})
     except TypeError as error:

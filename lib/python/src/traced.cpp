@@ -22,6 +22,12 @@ constexpr const char* no_holding =
 constexpr const char* no_condition =
     "`&`, `|` and `~` take comparisons such as (a < b) & (c < d), each in brackets.";
 
+/// log(exp(a) + exp(b)), also where they are large; the slopes are right where a = b, too.
+Recorded logaddexp(const Recorded& a, const Recorded& b) {
+  const Recorded larger = select(a < b, b, a), smaller = select(a < b, a, b);
+  return larger + log1p(exp(smaller - larger));
+}
+
 // clang-format off
 /// Functions of one number by their names in the library, in NumPy and in scipy.special.
 const std::map<std::string_view, One> ones = {
@@ -54,7 +60,7 @@ const std::map<std::string_view, Two> twos = {
   AVI_ROW(add, a + b) AVI_ROW(subtract, a - b) AVI_ROW(multiply, a * b) AVI_ROW(divide, a / b)
   AVI_ROW(power, pow(a, b)) AVI_ROW(float_power, pow(a, b)) AVI_ROW(arctan2, atan2(a, b))
   AVI_ROW(maximum, max(a, b)) AVI_ROW(minimum, min(a, b)) AVI_ROW(fmax, max(a, b)) AVI_ROW(fmin, min(a, b))
-  AVI_ROW(logaddexp, max(a, b) + log1p(exp(-abs(a - b))))
+  AVI_ROW(logaddexp, logaddexp(a, b))
   AVI_ROW(less, less(a, b)) AVI_ROW(less_equal, less_equal(a, b))
   AVI_ROW(greater, less(b, a)) AVI_ROW(greater_equal, less_equal(b, a))
   AVI_ROW(logical_and, when(a, b)) AVI_ROW(bitwise_and, when(a, b))
@@ -160,21 +166,14 @@ Traced call(std::string_view name, py::handle a, py::handle b = {}) {
   return result;
 }
 
-/// x where the condition holds, else y.
+/// x where the condition holds, else y: what select() of the library records.
 Traced where(py::handle condition, py::handle x, py::handle y) {
   Traced c_room, x_room, y_room;
-  const Traced &c = operand(condition, c_room), &a = operand(x, x_room), &b = operand(y, y_room);
+  const Traced& c = operand(condition, c_room);
   if (!c.condition && c.graph) throw py::type_error("where() takes a comparison first, such as a < b.");
-  Traced result{c.graph ? c.graph : a.graph ? a.graph : b.graph};
-  result.shape = numpy("broadcast_shapes")(c.shape, a.shape, b.shape).cast<Shape>();
-  Traced conditions, chosen, others;
-  const auto& of_c = broadcast(c, result.shape, conditions).entries;
-  const auto& of_a = broadcast(a, result.shape, chosen).entries;
-  const auto& of_b = broadcast(b, result.shape, others).entries;
-  result.entries.reserve(of_c.size());
-  for (std::size_t i = 0; i < of_c.size(); ++i)
-    result.entries.push_back(select(RecordedCondition(of_c[i]), of_a[i], of_b[i]));
-  return result;
+  const Two both = twos.at("logical_and"), sum = twos.at("add");
+  return apply(sum, apply(both, c, operand(x, x_room)),
+               apply(both, apply(ones.at("invert"), c), operand(y, y_room)));
 }
 
 /// f(f(x[0], x[1]), x[2]) ... along the first axis, f a function of the table.
@@ -193,29 +192,13 @@ Traced fold(std::string_view name, const Traced& x) {
   return result;
 }
 
-/// a @ b for vectors and matrices.
-Traced product(py::handle a, py::handle b) {
+/// a @ b; that of vectors is here, as it is in many formulas.
+py::object product(const py::object& a, const py::object& b) {
   Traced left_room, right_room;
   const Traced &left = operand(a, left_room), &right = operand(b, right_room);
-  const std::size_t ranks[] = {left.shape.size(), right.shape.size()};
-  if (ranks[0] < 1 || ranks[1] < 1 || ranks[0] > 2 || ranks[1] > 2)
-    throw py::value_error("The products @ that can be traced are those of vectors and matrices.");
-  const auto rows = ranks[0] == 2 ? left.shape[0] : 1, terms = left.shape.back();
-  const auto columns = ranks[1] == 2 ? right.shape[1] : 1;
-  if (right.shape[0] != terms)
-    throw py::value_error("A product @ of " + std::to_string(terms) + " by " +
-                          std::to_string(right.shape[0]) + " entries has no value.");
-  Traced result{left.graph ? left.graph : right.graph};
-  if (ranks[0] == 2) result.shape.push_back(rows);
-  if (ranks[1] == 2) result.shape.push_back(columns);
-  for (py::ssize_t i = 0; i < rows; ++i)
-    for (py::ssize_t j = 0; j < columns; ++j) {
-      Recorded total = 0.0;
-      for (py::ssize_t k = 0; k < terms; ++k)
-        total = total + left.entries[i * terms + k] * right.entries[k * columns + j];
-      result.entries.push_back(total);
-    }
-  return result;
+  if (left.shape.size() != 1 || left.shape != right.shape)
+    return py::module_::import("avi._tracing").attr("_matmul")(left, right);
+  return py::cast(fold("add", apply(twos.at("multiply"), left, right)));
 }
 
 Traced item(const Traced& x, const py::object& key) {
@@ -247,7 +230,7 @@ py::object array_ufunc(const py::object& self, const py::object& ufunc, const st
     return out;
   }
   if (method == "__call__") {
-    if (name == "matmul") return py::cast(product(inputs[0], inputs[1]));
+    if (name == "matmul") return product(inputs[0], inputs[1]);
     if (name == "equal" || name == "not_equal") throw py::type_error(no_equality);
     if (inputs.size() == 1 && ones.contains(name)) return py::cast(call(name, inputs[0]));
     if (inputs.size() == 2 && twos.contains(name)) return py::cast(call(name, inputs[0], inputs[1]));
@@ -332,7 +315,7 @@ void bind_traced(py::module_& module) {
         return call("power", a, b);
       },
       py::arg(), py::arg() = py::none());
-  traced.def("__matmul__", product).def("__rmatmul__", [](py::handle b, py::handle a) {
+  traced.def("__matmul__", product).def("__rmatmul__", [](const py::object& b, const py::object& a) {
     return product(a, b);
   });
   traced.def("__array_ufunc__", array_ufunc)
@@ -344,13 +327,6 @@ void bind_traced(py::module_& module) {
            })
       .def("_folded", [](const Traced& x, const std::string& name) { return fold(name, x); })
       .def("_take", take)
-      .def("_entries",
-           [](const Traced& x) {
-             std::vector<Traced> each;
-             for (const Recorded& entry : x.entries)
-               each.push_back({x.graph, {entry}, {}, x.condition});
-             return each;
-           })
       .def_property_readonly("_numbers", numbers)
       .def_property_readonly("shape", [](const Traced& x) { return py::tuple(py::cast(x.shape)); })
       .def_property_readonly("size", [](const Traced& x) { return x.entries.size(); })
@@ -360,6 +336,18 @@ void bind_traced(py::module_& module) {
       });
   module.def("where", where);
   module.def("functions", functions);
+  module.def("pool", [](const std::vector<py::object>& parts) {
+    Traced all;
+    for (const py::object& part : parts) {
+      Traced room;
+      const Traced& x = operand(part, room);
+      if (x.graph) all.graph = x.graph;
+      all.condition = x.condition;
+      all.entries.insert(all.entries.end(), x.entries.begin(), x.entries.end());
+    }
+    all.shape = {static_cast<py::ssize_t>(all.entries.size())};
+    return all;
+  });
   module.def("traced", [](const py::object& x) {
     Traced room;
     return Traced(operand(x, room));

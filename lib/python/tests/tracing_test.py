@@ -14,8 +14,8 @@ def everything(q, p):
     matrix = np.array([[1.0, 2.0], [3.0, 4.0]])
     total = np.sum(q) + q.sum() + np.prod(p) + np.mean(c) + np.dot(q, p) + q @ p + (matrix @ q) @ p + q @ matrix @ p + c.max() + np.min(c)
     total += np.linalg.norm(q) + np.linalg.norm(c.reshape(2, 2), axis=1).sum() + np.linalg.norm(np.array([q[0], p[1]]))
-    total += np.cross(q, p) + (np.outer(q, p) @ p).sum() + np.trace(np.outer(q, p)) + np.diff(c)[0] + np.roll(q, 1)[0] + np.var(c)
-    total += np.stack([q[0], 2, p[1]]).sum() + np.vstack([q, p]).T[1, 0] + np.arange(2) @ q + np.tensordot(q, p, 1) + np.inner(q, q)
+    total += np.cross(q, p) + (np.outer(q, p) @ p).sum() + np.trace(np.outer(q, p)) + np.diff(c)[0] + np.diff(np.outer(q, p), axis=0)[0, 1] + np.roll(q, 1)[0] + np.var(c)
+    total += np.stack([q[0], 2, p[1]]).sum() + np.hstack([q, 1, p])[2:4].prod() + np.vstack([q, p]).T[1, 0] + np.arange(2) @ q + np.tensordot(q, p, 1) + np.inner(q, q)
     total += abs(q[0]) ** 3 + 2 ** q[1] + q[0] ** p[0] + np.float64(2) * q[0] / 3 - (-q[1]) + 1 / p[0] + np.sqrt(p).sum() + (+q)[0]
     for f in (np.sin, np.cos, np.tan, np.exp, np.log, np.sinh, np.cosh, np.tanh, np.arcsin, np.arccos, np.arctan, np.arcsinh, np.arctanh):
         total += f(q[0])
@@ -65,6 +65,12 @@ class Tracing(unittest.TestCase):
             self.skipTest("SciPy is not there.")
         f = lambda x: scipy.special.erf(x).sum() + scipy.special.expit(x).sum()
         self.assertAlmostEqual(avi.objective(f, 4).value(self.point), f(self.point), delta=1e-15)
+
+    def test_slopes_of_logaddexp_where_both_are_equal(self):
+        formula = avi.objective(lambda x: np.logaddexp(x[0], x[1]), 2)
+        for x in ([0.0, 0.0], [-0.0, 0.0], [0.0, -0.0], [1.0, 1.0]):
+            self.assertEqual(formula.gradient(x).tolist(), [0.5, 0.5])
+        self.assertEqual(formula.value([1000.0, 0.0]), 1000.0)
 
     def test_parameters_change_without_tracing(self):
         calls = []
