@@ -9,11 +9,11 @@ A function is called once, with numbers that record what is done to them; from t
 """
 
 from . import plot
-from ._avi import Formula, Traced, functions
+from ._avi import Formula, Traced
 from ._formula import hamiltonian, objective
 from ._minimise import Minimum, minimise
 from ._orbits import Orbit, solve
-from ._tracing import maximum, minimum, where
+from ._tracing import functions, maximum, minimum, where
 
 __all__ = [
     "Formula", "Minimum", "Orbit", "Traced", "functions", "hamiltonian", "maximum", "minimise", "minimum", "objective", "plot", "solve",

@@ -1,6 +1,6 @@
 """NumPy's functions and an array's methods for numbers that are being traced (the class itself is in C++)."""
 
-from ._avi import Traced, pool, traced, where as _where
+from ._avi import Traced, functions as _names, pool, traced, where as _where
 
 _REFUSED = {
     "A function is traced with numbers that have no value yet, so float(x), int(x), math.sin(x) and the like cannot take them: write "
@@ -24,10 +24,44 @@ def _refusal(sentence):
     return refuse
 
 
-for _sentence, _names in _REFUSED.items():
-    for _name in _names.split():
+for _sentence, _of in _REFUSED.items():
+    for _name in _of.split():
         setattr(Traced, f"__{_name}__", _refusal(_sentence))
 Traced.__hash__ = None
+for _name, _of in {
+    "neg": "negative", "pos": "positive", "abs": "absolute", "invert": "invert", "add": "add", "sub": "subtract", "mul": "multiply",
+    "truediv": "divide", "pow": "power", "lt": "less", "le": "less_equal", "gt": "greater", "ge": "greater_equal", "and": "logical_and",
+    "or": "logical_or",
+}.items():  # fmt: skip
+    setattr(Traced, f"__{_name}__", getattr(Traced, _of))
+    if hasattr(float, f"__r{_name}__") or hasattr(int, f"__r{_name}__"):
+        setattr(Traced, f"__r{_name}__", getattr(Traced, f"reversed_{_of}"))
+
+
+def functions():
+    """The names of the functions that can be traced, those of NumPy and scipy.special."""
+    return sorted(_names)
+
+
+def _array_ufunc(self, ufunc, method, *inputs, out=None, axis=0, **options):
+    """NumPy's functions of numbers."""
+    name = ufunc.__name__
+    if out is not None:
+        if getattr(out[0], "dtype", None) != object:
+            raise TypeError("An array of numbers cannot hold traced ones: write a = a + b instead of a += b.")
+        out[0][...] = _objects(getattr(ufunc, method)(*inputs, **options))
+        return out[0]
+    if method == "reduce" and name in _names:
+        return _fold(inputs[0], name, axis)
+    if method == "__call__" and not options:
+        if name == "matmul":
+            return traced(inputs[0]) @ inputs[1]
+        if name in ("equal", "not_equal"):
+            return self == self
+        if name in _names:
+            first, *others = inputs
+            return getattr(Traced, name)(first, *others) if isinstance(first, Traced) else getattr(self, f"reversed_{name}")(first)
+    raise TypeError(f"np.{name} cannot be traced here; avi.functions() lists what can.")
 
 
 def _objects(x):
@@ -180,11 +214,19 @@ def _array_function(self, function, types, args, kwargs):
     return traced(result)
 
 
+def _no_length():
+    raise TypeError("A single traced number has no length.")
+
+
 def _moved(name):
     return lambda self, *args, **kwargs: self._take(getattr(self._numbers, name)(*args, **kwargs))
 
 
 Traced.__array_function__ = _array_function
+Traced.__array_ufunc__ = _array_ufunc
+Traced.__len__ = lambda self: self.shape[0] if self.shape else _no_length()
+Traced.__repr__ = lambda self: f"<traced numbers of shape {self.shape}>"
+Traced.ndim = property(lambda self: len(self.shape))
 Traced._fold = _fold
 Traced.sum = _sum
 Traced.mean = _mean

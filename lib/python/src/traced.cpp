@@ -14,11 +14,6 @@ using Shape = std::vector<py::ssize_t>;
 using One = Recorded (*)(const Recorded&);
 using Two = Recorded (*)(const Recorded&, const Recorded&);
 
-constexpr const char* no_equality =
-    "A function that asks whether two of its numbers are equal cannot be traced; instead of `==` and `!=` "
-    "write avi.where(a < b, x, y).";
-constexpr const char* no_holding =
-    "An array of numbers cannot hold traced ones: write a = a + b instead of a += b.";
 constexpr const char* no_condition =
     "`&`, `|` and `~` take comparisons such as (a < b) & (c < d), each in brackets.";
 
@@ -216,38 +211,18 @@ Traced item(const Traced& x, const py::object& key) {
   return take(x, py::array(numbers(x)[key]));
 }
 
-/// NumPy's functions of numbers, at traced ones.
-py::object array_ufunc(const py::object& self, const py::object& ufunc, const std::string& method,
-                       const py::args& inputs, py::kwargs options) {
-  const auto name = ufunc.attr("__name__").cast<std::string>();
-  if (options.contains("out")) {
-    const py::object out = py::tuple(options["out"])[0];
-    if (!py::isinstance<py::array>(out) || py::array(out).dtype().kind() != 'O')
-      throw py::type_error(no_holding);
-    options.attr("pop")("out");
-    out[py::ellipsis()] = py::module_::import("avi._tracing")
-                              .attr("_objects")(array_ufunc(self, ufunc, method, inputs, options));
-    return out;
+/// The entries of several arrays, one after the other.
+Traced pool(const std::vector<py::object>& parts) {
+  Traced all;
+  for (const py::object& part : parts) {
+    Traced room;
+    const Traced& x = operand(part, room);
+    if (x.graph) all.graph = x.graph;
+    all.condition = x.condition;
+    all.entries.insert(all.entries.end(), x.entries.begin(), x.entries.end());
   }
-  if (method == "__call__") {
-    if (name == "matmul") return product(inputs[0], inputs[1]);
-    if (name == "equal" || name == "not_equal") throw py::type_error(no_equality);
-    if (inputs.size() == 1 && ones.contains(name)) return py::cast(call(name, inputs[0]));
-    if (inputs.size() == 2 && twos.contains(name)) return py::cast(call(name, inputs[0], inputs[1]));
-  } else if (method == "reduce" && twos.contains(name) && inputs.size() == 1) {
-    return self.attr("_fold")(name, options.contains("axis") ? py::object(options["axis"]) : py::int_(0));
-  }
-  throw py::type_error("np." + name + (method == "__call__" ? "" : "." + method) +
-                       " cannot be traced; avi.functions() lists what can.");
-}
-
-py::list functions() {
-  py::list names;
-  for (const auto& [name, f] : ones)
-    names.append(py::str(name.data(), name.size()));
-  for (const auto& [name, f] : twos)
-    names.append(py::str(name.data(), name.size()));
-  return names;
+  all.shape = {static_cast<py::ssize_t>(all.entries.size())};
+  return all;
 }
 
 }  // namespace
@@ -281,73 +256,29 @@ void bind_traced(py::module_& module) {
   py::class_<Traced> traced(module, "Traced",
                             "Numbers of a function that is being traced, in the shape of an array: they have "
                             "no value yet, and what is done with them is recorded.");
-  for (const auto& [name, f] : ones)  // what NumPy calls where it holds them as objects
+  py::list names;
+  for (const auto& [name, f] : ones) {
     traced.def(name.data(), [name](const py::object& a) { return call(name, a); });
-  for (const char* name : {"arctan2", "hypot", "logaddexp"})
-    traced.def(name, [name](const py::object& a, const py::object& b) { return call(name, a, b); });
-  for (const auto& [python, name] : {std::pair{"__neg__", "negative"},
-                                     {"__pos__", "positive"},
-                                     {"__abs__", "abs"},
-                                     {"__invert__", "invert"}})
-    traced.def(python, [name](const py::object& a) { return call(name, a); });
-  for (const auto& [python, name] : {std::pair{"__add__", "add"},
-                                     {"__sub__", "subtract"},
-                                     {"__mul__", "multiply"},
-                                     {"__truediv__", "divide"},
-                                     {"__lt__", "less"},
-                                     {"__le__", "less_equal"},
-                                     {"__gt__", "greater"},
-                                     {"__ge__", "greater_equal"},
-                                     {"__and__", "logical_and"},
-                                     {"__or__", "logical_or"}})
-    traced.def(python, [name](const py::object& a, const py::object& b) { return call(name, a, b); });
-  for (const auto& [python, name] : {std::pair{"__radd__", "add"},
-                                     {"__rsub__", "subtract"},
-                                     {"__rmul__", "multiply"},
-                                     {"__rtruediv__", "divide"},
-                                     {"__rpow__", "power"},
-                                     {"__rand__", "logical_and"},
-                                     {"__ror__", "logical_or"}})
-    traced.def(python, [name](const py::object& b, const py::object& a) { return call(name, a, b); });
-  traced.def(
-      "__pow__",
-      [](const py::object& a, const py::object& b, const py::object& /*modulus*/) {
-        return call("power", a, b);
-      },
-      py::arg(), py::arg() = py::none());
-  traced.def("__matmul__", product).def("__rmatmul__", [](const py::object& b, const py::object& a) {
-    return product(a, b);
-  });
-  traced.def("__array_ufunc__", array_ufunc)
+    names.append(name.data());
+  }
+  for (const auto& [name, f] : twos) {
+    const std::string reversed = "reversed_" + std::string(name);
+    traced.def(name.data(), [name](const py::object& a, const py::object& b) { return call(name, a, b); });
+    traced.def(reversed.c_str(),
+               [name](const py::object& b, const py::object& a) { return call(name, a, b); });
+    names.append(name.data());
+  }
+  module.attr("functions") = names;
+  traced.def("__matmul__", product)
+      .def("__rmatmul__", [](const py::object& b, const py::object& a) { return product(a, b); })
       .def("__getitem__", item)
-      .def("__len__",
-           [](const Traced& x) {
-             if (x.shape.empty()) throw py::type_error("A single traced number has no length.");
-             return x.shape[0];
-           })
       .def("_folded", [](const Traced& x, const std::string& name) { return fold(name, x); })
       .def("_take", take)
       .def_property_readonly("_numbers", numbers)
       .def_property_readonly("shape", [](const Traced& x) { return py::tuple(py::cast(x.shape)); })
-      .def_property_readonly("size", [](const Traced& x) { return x.entries.size(); })
-      .def_property_readonly("ndim", [](const Traced& x) { return x.shape.size(); })
-      .def("__repr__", [](const Traced& x) {
-        return "<traced numbers of shape " + std::string(py::str(py::tuple(py::cast(x.shape)))) + ">";
-      });
+      .def_property_readonly("size", [](const Traced& x) { return x.entries.size(); });
   module.def("where", where);
-  module.def("functions", functions);
-  module.def("pool", [](const std::vector<py::object>& parts) {
-    Traced all;
-    for (const py::object& part : parts) {
-      Traced room;
-      const Traced& x = operand(part, room);
-      if (x.graph) all.graph = x.graph;
-      all.condition = x.condition;
-      all.entries.insert(all.entries.end(), x.entries.begin(), x.entries.end());
-    }
-    all.shape = {static_cast<py::ssize_t>(all.entries.size())};
-    return all;
-  });
+  module.def("pool", pool);
   module.def("traced", [](const py::object& x) {
     Traced room;
     return Traced(operand(x, room));
