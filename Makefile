@@ -123,7 +123,7 @@ mutants: deps-mutants ## Do the tests notice a wrong token? N=60 random ones of 
 	@python3 tests/mutants.py -n $(or $(N),60) --seed $(or $(SEED),1)
 fuzz: deps-fuzz ## Search for bad input with libFuzzer, FUZZ_SECONDS (60) for each target
 	@cmake --preset fuzz >/dev/null && cmake --build build/fuzz --target fuzzers
-	@for each in table options step; do mkdir -p build/fuzz/corpus/$$each; echo "fuzzing $$each"; \
+	@for each in table options step door; do mkdir -p build/fuzz/corpus/$$each; echo "fuzzing $$each"; \
 	  build/fuzz/bin/$${each}_fuzz -max_total_time=$(FUZZ_SECONDS) -close_fd_mask=3 -print_final_stats=1 \
 	  -artifact_prefix=build/fuzz/$$each- build/fuzz/corpus/$$each tests/fuzz/corpus/$$each || exit 1; done
 levels: deps-fuzz ## Compare the numbers of g++ and clang++ at -O0, -O2 and -O3, native and portable

@@ -1,3 +1,4 @@
+#include "fuzz/door.hpp"
 #include "fuzz/options.hpp"
 #include "fuzz/step.hpp"
 #include "fuzz/table.hpp"
@@ -71,6 +72,8 @@ void replay(const std::string& name, Target target, int mutations) {
 TEST(FuzzReplay, Table) { replay("table", fuzz::table, 20'000); }
 
 TEST(FuzzReplay, Step) { replay("step", fuzz::step, 20'000); }
+
+TEST(FuzzReplay, Door) { replay("door", fuzz::door, 500); }
 
 TEST(FuzzReplay, Options) {
   const fs::path before = fs::current_path();
