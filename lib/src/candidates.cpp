@@ -7,13 +7,28 @@ namespace avi::detail {
 
 namespace {
 
-/// H with all momenta put to zero, in the same graph.
-int at_rest(ExpressionGraph& graph, int energy) {
+/// A name in the menu, and the power of the Liveliness that it stands for.
+struct Entry {
+  const char* name;
+  double alpha;
+};
+constexpr Entry entries[] = {{"fixed", 0.0}, {"energy", 1.0}, {"energy^1.5", 1.5}};
+
+/// H with all momenta put to zero but that of time, in the same graph.
+int at_rest(ExpressionGraph& graph, int energy, bool timed) {
   const auto n = static_cast<std::size_t>(graph.inputs()) / 2;
   std::vector<int> arguments(n);
   std::iota(arguments.begin(), arguments.end(), 0);
   arguments.resize(2 * n, graph.constant(0.0));
+  if (timed) arguments.back() = graph.inputs() - 1;
   return graph.substitute(graph, energy, arguments);
+}
+
+/// The node of the Liveliness.
+int liveliness_of(ExpressionGraph& graph, int energy, double energy_at_start, double kinetic, bool timed) {
+  const int half = graph.binary(Operation::multiply, graph.constant(0.5), energy);
+  const int moving = graph.binary(Operation::subtract, half, at_rest(graph, energy, timed));
+  return graph.binary(Operation::add, moving, graph.constant(0.5 * energy_at_start + kinetic));
 }
 
 /// The largest derivative of H by each entry on the way; what is 1e-14 of the others, masses taken out, is
@@ -40,8 +55,30 @@ VectorX strengths(const Sketch& sketch, const VectorX& metric) {
 
 }  // namespace
 
+std::string names_of_monitors() {
+  std::string names;
+  for (const Entry& entry : entries)
+    names += (names.empty() ? "" : ", ") + std::string(entry.name);
+  return names;
+}
+
+bool is_monitor(std::string_view name) {
+  return std::ranges::any_of(entries, [&](const Entry& entry) { return name == entry.name; });
+}
+
+Candidate candidate(std::string_view name, const ExpressionGraph& formula, int energy, double energy_at_start,
+                    double kinetic, bool timed) {
+  const auto graph = std::make_shared<ExpressionGraph>(formula);
+  const Entry& entry = *std::ranges::find_if(entries, [&](const Entry& it) { return name == it.name; });
+  if (entry.alpha == 0.0) return {entry.name, 0.0, graph, energy, energy_at_start, nullptr, -1};
+  const int lively = liveliness_of(*graph, energy, energy_at_start, kinetic, timed);
+  return {entry.name, entry.alpha,     graph,
+          energy,     energy_at_start, std::make_shared<Liveliness>(*graph, lively),
+          lively};
+}
+
 std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, double energy_at_start,
-                                  const Sketch& sketch, const VectorX& metric, double kinetic) {
+                                  const Sketch& sketch, const VectorX& metric, double kinetic, bool timed) {
   const auto graph = std::make_shared<ExpressionGraph>(formula);
   const double size = 1.6 * energy, overhead = Candidate::overhead(graph->inputs());
   std::vector<Candidate> menu;
@@ -49,12 +86,10 @@ std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, do
   menu.emplace_back("fixed", 0.0, graph, energy, energy_at_start, nullptr, -1);
   work.push_back(size + overhead);
   if (kinetic > 0.0 && sketch.samples.size() > 1) {
-    const int half = graph->binary(Operation::multiply, graph->constant(0.5), energy);
-    const int moving = graph->binary(Operation::subtract, half, at_rest(*graph, energy));
-    const int lively =
-        graph->binary(Operation::add, moving, graph->constant(0.5 * energy_at_start + kinetic));
+    const int lively = liveliness_of(*graph, energy, energy_at_start, kinetic, timed);
     const auto liveliness = std::make_shared<Liveliness>(*graph, lively);
-    for (const auto& [name, alpha] : {std::pair{"energy", 1.0}, {"energy^1.5", 1.5}}) {
+    for (const auto& [name, alpha] : entries) {
+      if (alpha == 0.0) continue;
       menu.emplace_back(name, alpha, graph, energy, energy_at_start, liveliness, lively);
       work.push_back(1.7 * size + 16.0 + overhead);
     }

@@ -9,6 +9,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// @file
@@ -149,9 +150,18 @@ class Candidate {
   std::shared_ptr<const Formulas> formulas_;
 };
 
+/// The names in the menu, with commas between them.
+std::string names_of_monitors();
+/// There is a monitor of this name.
+bool is_monitor(std::string_view name);
+/// The monitor of this name, which there is, on its own. @param kinetic see Choice @param timed see
+/// OrbitQuestion
+Candidate candidate(std::string_view name, const ExpressionGraph& graph, int energy, double energy_at_start,
+                    double kinetic, bool timed);
+
 /// The menu for an orbit, the most promising candidate first; fixed steps are always in it.
 /// @param metric diagonal of H_pp @param kinetic mean kinetic energy, or no number above 0
 std::vector<Candidate> candidates(const ExpressionGraph& graph, int energy, double energy_at_start,
-                                  const Sketch& sketch, const VectorX& metric, double kinetic);
+                                  const Sketch& sketch, const VectorX& metric, double kinetic, bool timed);
 
 }  // namespace avi::detail

@@ -16,7 +16,8 @@ namespace avi::detail {
 class Distance {
  public:
   /// With the masses of the bodies, by which momenta and positions of different entries can be compared.
-  explicit Distance(VectorX metric) : metric_(std::move(metric)) {}
+  /// @param seen so many of the first coordinates and momenta count
+  Distance(VectorX metric, Eigen::Index seen) : metric_(std::move(metric)), seen_(seen) {}
 
   double frequency = 0.0;  ///< Mean over the sketch.
 
@@ -25,7 +26,7 @@ class Distance {
     const VectorX scale = scales(ranges);
     const Eigen::Index n = a.q.size();
     double most = 0.0;
-    for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index i = 0; i < seen_; ++i)
       most = std::max({most, part(a.q[i] - b.q[i], scale[i]), part(a.p[i] - b.p[i], scale[n + i])});
     return most;
   }
@@ -33,8 +34,9 @@ class Distance {
   double operator()(const VectorX& velocity, const Ranges& ranges) const {
     const VectorX scale = scales(ranges);
     double most = 0.0;
-    for (Eigen::Index i = 0; i < velocity.size(); ++i)
-      most = std::max(most, part(velocity[i], scale[i]));
+    const Eigen::Index n = metric_.size();
+    for (Eigen::Index i = 0; i < seen_; ++i)
+      most = std::max({most, part(velocity[i], scale[i]), part(velocity[n + i], scale[n + i])});
     return most;
   }
 
@@ -68,6 +70,7 @@ class Distance {
     return scale;
   }
   VectorX metric_;
+  Eigen::Index seen_;
 };
 
 }  // namespace avi::detail

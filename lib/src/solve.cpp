@@ -1,4 +1,4 @@
-#include "avi/solve.hpp"
+#include "orbiter.hpp"
 
 #include "distance.hpp"
 #include "journey.hpp"
@@ -46,8 +46,8 @@ double trusted(const Journey& coarse, const Journey& fine) {
 /// where they are too far apart, or nearer than they need be, the step is another one and they begin anew.
 class Orbiter {
  public:
-  explicit Orbiter(const OrbitQuestion& question)
-      : question_(question), field_(question.graph, question.energy),
+  Orbiter(const OrbitQuestion& question, Budget& budget)
+      : question_(question), budget_(budget), field_(question.graph, question.energy),
         sense_(question.t_end < question.t ? -1.0 : 1.0), span_(std::abs(question.t_end - question.t)) {}
 
   OrbitAnswer solve();
@@ -78,6 +78,7 @@ class Orbiter {
   OrbitAnswer finish();
 
   const OrbitQuestion& question_;
+  Budget& budget_;
   PointField field_;
   double sense_, span_;
   std::optional<Trip> trip_;
@@ -94,8 +95,9 @@ class Orbiter {
   std::size_t compared_ = 0;  // marks up to which there are two runs
   std::optional<Journey> coarse_, fine_;
   Comparison seen_;
-  std::size_t judged_ = 0;     // mark of that comparison
-  double before_ = infinity;   // the error foretold from the pair of runs before this one
+  std::size_t judged_ = 0;    // mark of that comparison
+  double before_ = infinity;  // the error foretold from the pair of runs before this one, and at which mark
+  std::size_t before_at_ = 0;
   int vain_ = 0;               // pairs in a row that were not better than the one before
   int round_ = 0;              // pairs of runs so far
   int failures_ = 0;           // runs in a row that failed at the same time
@@ -135,7 +137,9 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   // How rounding grows says nothing of how an error would.
   const double rounding = (100.0 * std::numeric_limits<double>::epsilon() + 10.0 * fine.candidate->noise) *
                           distance_->frequency * until;
-  if (marks > 5 && early > 0.0 && late > 9.0 * early && late * usual_speed_ * ratio > rounding) {
+  // Over fewer turns errors waver by more than they grow.
+  const bool seen_long = distance_->frequency * until > 400.0 || late > 1e3 * early;
+  if (seen_long && early > 0.0 && late > 20.0 * early && late * usual_speed_ * ratio > rounding) {
     seen.growth = std::min(3.0, std::log(late / early) / std::log(4.0));
     if (late > 60.0 * early) seen.rate = std::log(late / early) / (0.75 * until);
   }
@@ -167,7 +171,9 @@ void Orbiter::prepare() {
   if (!std::isfinite(energy) || !start.allFinite())
     throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
   const VectorX metric = field_.metric(start);
-  distance_.emplace(metric);
+  // Of time as a coordinate, and its momentum, nobody asks.
+  const int seen = question_.timed ? n - 1 : n;
+  distance_.emplace(metric, seen);
   field_.sense = sense_;
   sketch_.emplace(field_, start, span_, metric);
   field_.sense = 1.0;
@@ -178,30 +184,45 @@ void Orbiter::prepare() {
 
   // Means over the sketch: kinetic energy, half of p q', and the speed in phase space.
   double work = 0.0, kinetic = 0.0, highest = 0.0;
-  const VectorX rest = VectorX::Zero(n);
+  VectorX rest = VectorX::Zero(n);
   State<dynamic> z{.q = start.head(n), .p = start.tail(n), .t = question_.t};
   Ranges ranges(z);
   for (const Sketch::Sample& sample : sketch.samples)
     ranges.add({.q = sample.z.head(n), .p = sample.z.tail(n)});
   for (const Sketch::Sample& sample : sketch.samples) {
-    work += sample.h * 0.5 * std::abs(sample.z.tail(n).dot(sample.slope.head(n)));
+    work += sample.h * 0.5 * std::abs(sample.z.segment(n, seen).dot(sample.slope.head(seen)));
+    if (question_.timed) rest[seen] = sample.z[n + seen];
     kinetic += sample.h * (sample.energy - field_.energy(sample.z.data(), rest.data()));
     const double speed = (*distance_)(sample.slope, ranges);
     usual_speed_ += sample.h * speed;
     highest = std::max(highest, speed);
   }
   work /= time, kinetic /= time, usual_speed_ /= time;
+  if (question_.made) kinetic = question_.made->kinetic;
   high_speed_ = std::min(highest, 20.0 * usual_speed_);
   if (!(high_speed_ > 0.0)) high_speed_ = usual_speed_ = 1.0 / span_;
   // Of a body at rest, or where rounding hides the kinetic energy, some of H itself.
   double scale = std::max(std::isfinite(work) ? work : 0.0, 1e-13 * std::abs(energy));
   if (!(scale > 0.0)) scale = 1.0;
   answer_.choice.energy_scale = scale;
+  answer_.choice.kinetic = kinetic;
   answer_.energy_rounding = std::numeric_limits<double>::epsilon() * (std::abs(energy) / scale + 1.0);
-  trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, question_.options});
+  trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, budget_});
   features_.emplace(question_.graph, question_.energy);
   if (!features_->none()) trip_->features = &*features_;
-  menu_ = candidates(question_.graph, question_.energy, energy, sketch, metric, kinetic);
+  menu_ = candidates(question_.graph, question_.energy, energy, sketch, metric, kinetic, question_.timed);
+  const std::string& wanted = question_.options.monitor;
+  if (!wanted.empty()) {
+    std::erase_if(menu_, [&](const Candidate& it) { return it.name != wanted; });
+    if (menu_.empty()) {
+      if (!(kinetic > 0.0))
+        throw std::invalid_argument("Monitor " + wanted +
+                                    " has no meaning here: H - H(q, 0) is not positive along the orbit; take "
+                                    "monitor fixed.");
+      menu_.push_back(candidate(wanted, question_.graph, question_.energy, energy, kinetic, question_.timed));
+    }
+    return;
+  }
   std::erase_if(menu_, [&](const Candidate& it) {
     return it.noise * radians_ > std::max(0.3 * question_.tolerance, 3e-15 * radians_);
   });
@@ -224,7 +245,8 @@ void Orbiter::set_marks() {
 
 Setting Orbiter::first_setting() {
   aim_ = std::max(question_.tolerance / std::max(radians_, 1.0), 1e-16);
-  order_ = aim_ > 2e-6 ? 8 : 16;
+  order_ = question_.options.order > 0 ? question_.options.order : aim_ > 2e-6 ? 8 : 16;
+  if (question_.options.h > 0.0) return {&menu_.front(), question_.options.h};
   Candidate& it = menu_.front();
   // Medians of what some hundred systems drawn at random came to. With a monitor the motion is smoother in
   // fictive time than the radians of its fastest part tell.
@@ -253,7 +275,7 @@ bool Orbiter::go_on(Journey& journey, std::size_t mark) {
 /// A run ended before its mark. @return there is another setting to try
 bool Orbiter::failed(const Journey& journey, Setting& setting) {
   note_trial(journey, infinity);
-  if (journey.spent || round_ >= 40) return false;
+  if (journey.spent || round_ >= 40 || question_.options.h > 0.0) return false;
   const double reached = std::abs(journey.state.t - question_.t);
   failures_ = reached > 0.0 && std::abs(reached - failed_at_) <= 1e-2 * reached ? failures_ + 1 : 1;
   failed_at_ = reached;
@@ -303,6 +325,10 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
       setting.h = longest_step(*setting.candidate) / longer;
     return true;
   };
+  if (question_.options.h > 0.0) {
+    if (coarse_->ok()) seen_ = compare(*coarse_, *fine_);
+    return false;
+  }
   if (fine_->jumped && round_ < 30) return again(0.4);
   if (!coarse_->ok()) return !resigned_ && again(0.8);
   seen_ = compare(*coarse_, *fine_);
@@ -310,27 +336,27 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   const double of_energy = hidden ? 0.0 : fine_->energy_error / (3.0 * tolerance);
   const double error = std::max(foretold(seen_, here, span_, high_speed_) / tolerance, of_energy);
   if (mark == 0 && !others_tried_ && try_others(setting)) return true;
-  const double spent = static_cast<double>(trip_->sweeps) * setting.candidate->operations();
+  const double spent = static_cast<double>(budget_.sweeps) * setting.candidate->operations();
   if (resigned_ || round_ >= 30) return false;
-  if (error > (last ? 3.0 : 1.0)) {
+  if (error > (last ? 3.0 : 2.0)) {
     // Where shorter steps do not help though the energy is kept to rounding, it is chaos, or noise; else it
     // may be a feature that no step has seen yet, which is worth a while.
     const bool resolved = fine_->energy_error <= 1e4 * answer_.energy_rounding || seen_.error < 1e-7;
-    vain_ = error > 0.3 * before_ ? vain_ + 1 : 0;
+    vain_ = mark <= before_at_ && error > 0.3 * before_ ? vain_ + 1 : 0;
     const bool vain = resolved ? vain_ > 1 : vain_ > 2 && spent > 2e8;
     const bool dear = spent > 5e8 && last;
     if (vain || dear || (last && marks_.size() > 1 && !(seen_.error < 1e-3))) {
       resigned_ = true;
       return false;
     }
-    before_ = error;
+    before_ = error, before_at_ = mark;
     // Where errors do not fall by the order yet, by halves.
     return again(std::clamp(std::pow(wanted_part / error, 1.0 / order_), 0.35, vain_ > 0 ? 0.5 : 0.9));
   }
   // A longer step pays where enough is left of the run.
   const double gain = std::min({std::pow(wanted_part / std::max(error, 1e-300), 1.0 / order_), 2.0,
                                 longest_step(*setting.candidate) / (longer * fine_->h)});
-  if (lengthened_ < 3 && (1.0 - 1.0 / gain) * (span_ - here) > 2.0 * here) {
+  if (lengthened_ < 2 && mark < 2 && gain > 1.15 && (1.0 - 1.0 / gain) * (span_ - here) > 2.0 * here) {
     ++lengthened_;
     return again(gain);
   }
@@ -391,7 +417,7 @@ OrbitAnswer Orbiter::fail(Outcome outcome, std::string message) {
 OrbitAnswer Orbiter::give_up() {
   std::ostringstream text;
   text.precision(6);
-  const Outcome bound = trip_->bound();
+  const Outcome bound = budget_.met(question_.t, 0, 0);
   if (bound != Outcome::ok) {
     text << "A bound of the call was met while monitor and step were being chosen.";
     return fail(bound, text.str());
@@ -426,7 +452,7 @@ OrbitAnswer Orbiter::solve() {
 OrbitAnswer Orbiter::finish() {
   const Journey& fine = *fine_;
   const Candidate& it = *fine.candidate;
-  answer_.choice.sweeps = trip_->sweeps - fine.run.evaluations;
+  answer_.choice.sweeps = budget_.sweeps - fine.run.evaluations;
   if (coarse_) {
     note_trial(*coarse_, infinity);
     if (compared_ == marks_.size()) answer_.choice.check = coarse_->run.evaluations;
@@ -435,9 +461,11 @@ OrbitAnswer Orbiter::finish() {
   answer_.choice.name = it.name;
   answer_.choice.order = order_;
   answer_.choice.h = fine.h;
+  answer_.choice.solved = fine.solved;
   answer_.run = fine.run;
   if (fine.ok() && fine.state.t != question_.t_end) {
-    answer_.run.outcome = trip_->bound() != Outcome::ok ? trip_->bound() : Outcome::step_limit;
+    answer_.run.outcome =
+        budget_.met(question_.t, 0, 0) != Outcome::ok ? budget_.met(question_.t, 0, 0) : Outcome::step_limit;
   }
   answer_.energy_error = fine.energy_error;
   const double here = since_start(judged_);
@@ -473,14 +501,8 @@ OrbitAnswer Orbiter::finish() {
 
 }  // namespace
 
-OrbitAnswer answer(const OrbitQuestion& question) {
-  require_finite("Time of the start", question.t);
-  require(std::isfinite(question.t_end), "End time", question.t_end, "finite");
-  require(question.tolerance >= 1e-13 && question.tolerance <= 1e-2, "Tolerance", question.tolerance,
-          "in [1e-13, 1e-2]");
-  require(question.options.seconds >= 0.0, "Bound on seconds", question.options.seconds, "at least 0");
-  require(question.options.sweeps >= 1, "Bound on sweeps", question.options.sweeps, "at least 1");
-  return Orbiter(question).solve();
+OrbitAnswer choose(const OrbitQuestion& question, Budget& budget) {
+  return Orbiter(question, budget).solve();
 }
 
 }  // namespace detail
