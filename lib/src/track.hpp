@@ -25,6 +25,7 @@ class Track final : public OrbitCurve {
     put(last);
   }
   void at(double t, double* z) const override;
+  [[nodiscard]] const std::vector<double>& times() const override { return times_; }
 
  private:
   void put(const State<dynamic>& z) {
