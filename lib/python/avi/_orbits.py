@@ -182,8 +182,6 @@ def ensemble(H, q, p, t, tol, *, events=(), progress=None, parameters=(), thread
     cancelled = []
 
     def follow(i):
-        if cancelled:
-            question.options.seconds = 0.0  # ends at once
         return question.answer(q[i], p[i], lambda now: cancelled[0]() if cancelled else None)
 
     def stop():

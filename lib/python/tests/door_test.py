@@ -98,6 +98,11 @@ class Events(unittest.TestCase):
         third = avi.solve(spring, [1.0], [0.0], 20.0, 1e-10, events=avi.event(lambda q, t, p: q[0] + 0 * t, count=3, stop=True))
         self.assertAlmostEqual(third.t[-1], 2.5 * np.pi, delta=1e-9)
 
+    def test_terminal_count(self):
+        crosses = lambda q, p: q[0]
+        crosses.terminal = 3
+        self.assertAlmostEqual(avi.solve(spring, [1.0], [0.0], 20.0, 1e-10, events=crosses).t[-1], 2.5 * np.pi, delta=1e-9)
+
     def test_none(self):
         orbit = avi.solve(spring, [1.0], [0.0], 1.0, 1e-8, events=lambda q, p: q[0] - 2)
         self.assertEqual((orbit.t_events[0].shape, orbit.y_events[0].shape), ((0,), (0, 2)))
@@ -196,6 +201,7 @@ class Ensembles(unittest.TestCase):
         self.assertLess(time.monotonic() - begun, 5.0)
         self.assertEqual(len(orbits), 50)
         self.assertFalse(orbits[-1].success)
+        self.assertEqual(orbits[-1].nsteps, 0)
 
 
 if __name__ == "__main__":
