@@ -109,6 +109,52 @@ class Minimum:
 
 class Event: ...
 
+class Solver:
+    """Many orbits of one H with one choice of monitor, order and step."""
+
+    @property
+    def choice(self) -> Any: ...
+    @property
+    def sample(self) -> str: ...
+    def __init__(
+        self,
+        H: Callable[..., Any] | Formula,
+        q: ArrayLike,
+        p: ArrayLike,
+        t: ArrayLike,
+        tol: float,
+        *,
+        events: Event | Callable[..., Any] | Sequence[Event | Callable[..., Any]] = ...,
+        parameters: Sequence[float] = ...,
+        seconds: float | None = ...,
+        sweeps: int | None = ...,
+        steps: int | None = ...,
+        check: bool = ...,
+        order: int | None = ...,
+        monitor: str | None = ...,
+        h: float | None = ...,
+        dense: bool = ...,
+        checkpoint: str | None = ...,
+        checkpoint_seconds: float | None = ...,
+    ) -> None: ...
+    def run(
+        self,
+        q: ArrayLike,
+        p: ArrayLike,
+        t: ArrayLike | None = ...,
+        *,
+        progress: bool | Callable[[tuple[float, float, int, float]], object] | None = ...,
+    ) -> Orbit: ...
+    def ensemble(
+        self,
+        q: ArrayLike,
+        p: ArrayLike,
+        t: ArrayLike | None = ...,
+        *,
+        progress: bool | Callable[[tuple[float, int]], object] | None = ...,
+        threads: int | None = ...,
+    ) -> list[Orbit]: ...
+
 def solve(
     H: Callable[..., Any] | Formula,
     q: ArrayLike,

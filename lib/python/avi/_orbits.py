@@ -1,7 +1,9 @@
-"""solve(): an orbit from H, a start, times and a tolerance; ensemble(): many of them."""
+"""solve(): an orbit from H, a start, times and a tolerance; ensemble() and Solver: many of them."""
 
+import copy
 import os
 import sys
+import threading
 from types import SimpleNamespace
 
 from . import _avi
@@ -154,13 +156,7 @@ def solve(H, q, p, t, tol, *, events=(), progress=None, parameters=(), **options
     import numpy as np
 
     q, p = np.asarray(q, dtype=float), np.asarray(p, dtype=float)
-    question = _Question(H, q.shape, t, tol, events, parameters, options)
-    bar = _Bar() if progress is True else progress or None
-    try:
-        return question.answer(q, p, bar)
-    finally:
-        if progress is True:
-            bar.close()
+    return _with_bar(_Question(H, q.shape, t, tol, events, parameters, options), q, p, progress)
 
 
 def ensemble(H, q, p, t, tol, *, events=(), progress=None, parameters=(), threads=None, **options):
@@ -173,34 +169,76 @@ def ensemble(H, q, p, t, tol, *, events=(), progress=None, parameters=(), thread
     status -1. Other arguments are those of solve().
     """
     import numpy as np
-    from concurrent.futures import ThreadPoolExecutor, as_completed
 
     q, p = np.asarray(q, dtype=float), np.asarray(p, dtype=float)
+    return _side_by_side(_Question(H, q.shape[1:], t, tol, events, parameters, options), q, p, progress, threads)
+
+
+class Solver:
+    """Many orbits of one H with one choice of monitor, order and step, which takes a good part of a short call.
+
+    The choice is made for the orbit from (q, p) to the end t: other starts are to be like this one, and other runs about as long. The
+    arguments are those of solve(); `options` and `events` are those of all runs. Several threads may run one Solver.
+
+    choice  monitor, order and step
+    sample  how the orbit went that they were chosen for, as a report
+    """
+
+    def __init__(self, H, q, p, t, tol, *, events=(), parameters=(), **options):
+        import numpy as np
+
+        q, p = np.asarray(q, dtype=float), np.asarray(p, dtype=float)
+        self._question = _Question(H, q.shape, t, tol, events, parameters, options)
+        self._question.made = self._question.asked(q, p, None, choose=True)[0]
+
+    choice = property(lambda self: self._question.made.choice)
+    sample = property(lambda self: self._question.made.report())
+
+    def run(self, q, p, t=None, *, progress=None):
+        """The orbit from (q, p) to the end or with the times t, those of the choice where there are none: an Orbit."""
+        import numpy as np
+
+        return _with_bar(self._question.until(t), np.asarray(q, dtype=float), np.asarray(p, dtype=float), progress)
+
+    def ensemble(self, q, p, t=None, *, progress=None, threads=None):
+        """The orbits from many starts, along the first axis of q and p, side by side on all cores: a list of Orbits, as of ensemble()."""
+        import numpy as np
+
+        return _side_by_side(self._question.until(t), np.asarray(q, dtype=float), np.asarray(p, dtype=float), progress, threads)
+
+
+def _with_bar(question, q, p, progress):
+    bar = _Bar() if progress is True else progress or None
+    try:
+        return question.answer(q, p, bar)
+    finally:
+        if progress is True:
+            bar.close()
+
+
+def _side_by_side(question, q, p, progress, threads):
+    from concurrent.futures import ThreadPoolExecutor, as_completed
+
     if q.ndim == 0 or q.shape[:1] != p.shape[:1]:
         raise ValueError(f"p has the shape {p.shape}; it must be that of q, {q.shape}, with one start after the other.")
-    question = _Question(H, q.shape[1:], t, tol, events, parameters, options)
-    cancelled = []
+    cancelled = threading.Event()
 
-    def follow(i):
-        return question.answer(q[i], p[i], lambda now: cancelled[0]() if cancelled else None)
-
-    def stop():
-        raise StopIteration
+    def unless_cancelled(now):
+        if cancelled.is_set():
+            raise StopIteration
 
     bar = _Bar() if progress is True else progress or None
     with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
-        runs = [pool.submit(follow, i) for i in range(len(q))]
+        runs = [pool.submit(question.answer, *start, unless_cancelled) for start in zip(q, p)]
         try:
             for done, run in enumerate(as_completed(runs) if bar else (), 1):
                 bar((done / len(runs), done))
             return [run.result() for run in runs]
         except KeyboardInterrupt:
-            cancelled.append(stop)
+            cancelled.set()
             return [run.result() for run in runs]
         except BaseException:
-            cancelled.append(stop)
-            for run in runs:
-                run.cancel()
+            cancelled.set()
             raise
         finally:
             if progress is True:
@@ -208,27 +246,45 @@ def ensemble(H, q, p, t, tol, *, events=(), progress=None, parameters=(), thread
 
 
 class _Question:
-    """What is asked of an orbit, but for its start: formulas, times, options."""
+    """What is asked of an orbit, but for its start: formulas, times, options, and a choice that is made already."""
+
+    made = None
 
     def __init__(self, H, shape, t, tol, events, parameters, options):
-        import numpy as np
-
-        t = np.asarray(t, dtype=float)
         self.shape, self.tol = shape, tol
-        self.times, self.deliver = (np.array([0.0, float(t)]), False) if t.ndim == 0 else (t, True)
-        if self.times.ndim != 1 or len(self.times) < 2:
-            raise ValueError(f"t has the shape {t.shape}; it must be an end, or at least two times of which the first is the start's.")
+        self.set_times(t)
         self.options = _options(_avi.SolveOptions(), options, _OPTIONS, "solve")
         self.formula = H if isinstance(H, _avi.Formula) else hamiltonian(H, shape, parameters)
         several = (events,) if callable(events) or hasattr(events, "g") else events
         self.events = [_event(g, shape) for g in several]
 
+    def set_times(self, t):
+        import numpy as np
+
+        t = np.asarray(t, dtype=float)
+        self.times, self.deliver = (np.array([0.0, float(t)]), False) if t.ndim == 0 else (t, True)
+        if self.times.ndim != 1 or len(self.times) < 2:
+            raise ValueError(f"t has the shape {t.shape}; it must be an end, or at least two times of which the first is the start's.")
+
+    def until(self, t):
+        """The same question for other times, unless there are none."""
+        other = copy.copy(self)
+        if t is not None:
+            other.set_times(t)
+        return other
+
+    def asked(self, q, p, progress, choose=False):
+        for x, name, of in ((q, "q", "the Solver's"), (p, "p", "that of q")):
+            if x.shape != self.shape:
+                raise ValueError(f"{name} has the shape {x.shape}; it must be {of}, {self.shape}.")
+        return _avi.solve(
+            self.formula, q, p, self.times, self.deliver, self.tol, self.options, self.events, progress, self.made, choose
+        )
+
     def answer(self, q, p, progress):
         import numpy as np
 
-        if p.shape != q.shape:
-            raise ValueError(f"p has the shape {p.shape}; it must be that of q, {q.shape}.")
-        found = _avi.solve(self.formula, q, p, self.times, self.deliver, self.tol, self.options, self.events, progress)
+        found = self.asked(q, p, progress)
         if not self.deliver:  # the ends are what was asked for
             found = (found[0], self.times[:1], np.concatenate([q.ravel(), p.ravel()])[None], *found[3:])
         return _orbit(self.formula, self.shape, self.times, found, len(self.events))

@@ -94,10 +94,13 @@ bool tell(const py::object& callback, const Argument& argument, Signals& signals
 }
 
 /// The orbit from the first to the last of these times, with its states at all of them where `deliver`.
-/// Ctrl-C ends the run as `progress` does.
+/// Ctrl-C ends the run as `progress` does. @param made the report of an orbit whose choice is taken over, or
+/// null
+/// @param choose only the choice is made, with what is known of the orbit
 py::tuple solve(const Formula& hamiltonian, const Numbers& q, const Numbers& p, const Numbers& times,
                 bool deliver, double tolerance, SolveOptions options,
-                const std::vector<std::tuple<Formula, int, long, bool>>& events, const py::object& progress) {
+                const std::vector<std::tuple<Formula, int, long, bool>>& events, const py::object& progress,
+                const SolutionReport* made, bool choose) {
   const State<dynamic> start{.q = vector_of(q), .p = vector_of(p), .t = times.at(0)};
   Signals signals;
   options.progress = [&](const SolveProgress& now) {
@@ -115,7 +118,11 @@ py::tuple solve(const Formula& hamiltonian, const Numbers& q, const Numbers& p, 
       require(count >= 0, "Count of an event", count, "at least 0");
       question.events.push_back({g, {.direction = direction, .count = count, .stop = stop}});
     }
-    return detail::answer(std::move(question));
+    if (made) question.made = std::make_shared<const Choice>(made->choice);
+    if (!choose) return detail::answer(std::move(question));
+    detail::OrbitAnswer chosen;
+    static_cast<SolutionReport&>(chosen) = detail::choose_for(question);
+    return chosen;
   }();
   if (signals.pressed) found.run.message = "Stopped by Ctrl-C. " + found.run.message;
   const auto n = 2 * q.size();

@@ -27,7 +27,7 @@ class Docs(unittest.TestCase):
         self.assertEqual(lines[2], "[1. 3. 5.]")
         self.assertLess(np.abs(names["at_pi"][:2] - [-1.9, 0]).max(), 1e-9)
         self.assertEqual(lines[3:5], ["-1.0", "1.0"])
-        self.assertEqual(lines[5:], ["200 True", "True True"])
+        self.assertEqual(lines[5:], ["200 True", "1", "True True"])
 
     def test_files(self):
         for link in re.findall(r"\]\(([^)#]+)\)", self.text):

@@ -204,5 +204,29 @@ class Ensembles(unittest.TestCase):
         self.assertEqual(orbits[-1].nsteps, 0)
 
 
+class Solvers(unittest.TestCase):
+    def test_one_choice_for_many(self):
+        solver = avi.Solver(kepler, *START, 20.0, 1e-9)
+        alone = avi.solve(kepler, *START, 20.0, 1e-9)
+        self.assertEqual((solver.choice.monitor, solver.choice.order), (alone.choice.monitor, alone.choice.order))
+        starts = np.tile(START[0], (8, 1)) + np.linspace(0, 0.05, 8)[:, None], np.tile(START[1], (8, 1))
+        times = np.linspace(0, 15, 4)
+        orbits = solver.ensemble(*starts, times, threads=2)
+        for q, p, orbit in zip(*starts, orbits):
+            self.assertEqual(orbit.choice.h, solver.choice.h)
+            self.assertEqual(orbit.y.tolist(), solver.run(q, p, times).y.tolist())
+            exact = avi.solve(kepler, q, p, times, 1e-12)
+            self.assertLess(np.abs(orbit.y - exact.y).max(), 1e-7)
+        self.assertEqual(solver.run(*START).t[-1], 20.0)
+        self.assertIn(solver.choice.monitor, solver.sample)
+
+    def test_bad_starts(self):
+        solver = avi.Solver(kepler, *START, 20.0, 1e-9)
+        with self.assertRaisesRegex(ValueError, "the Solver's"):
+            solver.run([1.0], [1.0])
+        with self.assertRaisesRegex(ValueError, "finite"):
+            solver.run([np.nan, 1.0], [1.0, 1.0])
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -102,7 +102,7 @@ class Orbits(unittest.TestCase):
                 counted[0] += 1
                 time.sleep(1e-4)
 
-        counter = threading.Thread(target=count)
+        counter = threading.Thread(target=count, daemon=True)
         counter.start()
         expected = avi.solve(kepler, *START, 20 * PERIOD, 1e-10).y.tolist()
         before = counted[0]

@@ -30,7 +30,8 @@ class Package(unittest.TestCase):
         self.assertEqual(set(avi.__all__) - {"plot"}, set(known) - {"Event"})
         orbit = avi.solve(lambda q, p: p**2 / 2 - np.cos(q), 1.0, 0.0, 1.0, 1e-6)
         least = avi.minimise(lambda x: x**2, 1.0)
-        for one in (orbit, least, avi.hamiltonian(lambda q, p: q * p, ()), avi.Traced):
+        solver = avi.Solver(lambda q, p: p**2 / 2 - np.cos(q), 1.0, 0.0, 1.0, 1e-6)
+        for one in (orbit, least, solver, avi.hamiltonian(lambda q, p: q * p, ()), avi.Traced):
             name = one.__name__ if inspect.isclass(one) else type(one).__name__
             for member in known[name]:
                 self.assertTrue(hasattr(one, member), f"{name}.{member}")
