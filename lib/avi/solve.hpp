@@ -3,6 +3,7 @@
 #include "avi/core/outcome.hpp"
 #include "avi/core/state.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -87,8 +88,11 @@ struct SolveOptions {
   /// Called some twenty times a second from the thread of the call; false ends the call as stopped. What it
   /// throws leaves the call, which then has changed nothing.
   std::function<bool(const SolveProgress&)> progress = {};
-  std::string checkpoint = {};       ///< File in which the run is kept, for resume(); empty for none.
-  double checkpoint_seconds = 60.0;  ///< After which it is written anew; at least 0.
+  /// File in which the run is kept for resume() until it has come to its end; empty for none. So that a run
+  /// that goes on has the same bits, the method begins anew every 4096 steps, each time with a rounding
+  /// error.
+  std::string checkpoint = {};
+  double checkpoint_seconds = 60.0;  ///< After which the file is written anew; at least 0.
 };
 
 /// One run that was tried, or tried in vain.
@@ -195,6 +199,8 @@ struct OrbitAnswer : SolutionReport {
 
 /// solve() without types that depend on H or n.
 OrbitAnswer answer(OrbitQuestion&& question);
+/// resume() without types that depend on H or n; of the question H, events, bounds and the dimension count.
+OrbitAnswer answer_from(const std::string& file, OrbitQuestion&& question);
 /// The choice of solve() for a Solver, with what is known of the orbit that it is made for.
 /// @throws std::invalid_argument where nothing could be chosen, too.
 SolutionReport choose_for(const OrbitQuestion& question);
@@ -378,6 +384,21 @@ template <class H, int n>
   detail::require_times(question.t, times);
   question.times = times;
   return detail::solution_of<n>(detail::answer(std::move(question)), static_cast<int>(start.q.size()));
+}
+
+/// Goes on with a run that SolveOptions::checkpoint has kept in a file, with the same bits as if it had not
+/// been interrupted: by a bound, by the callback, by the end of the program. What was asked for is in the
+/// file, but for H and the events, which are to be the same.
+/// @tparam n of the start that the run began with @param n_of_start its value, where n is avi::dynamic
+/// @param options bounds and progress of what is left, and the events; nothing else of them counts
+/// @throws std::invalid_argument for a file that cannot be read, is damaged, or is of another H.
+template <int n, class H>
+[[nodiscard]] Solution<n> resume(const H& hamiltonian, const std::string& file,
+                                 const SolveOptions& options = {}, int n_of_start = n) {
+  const std::vector<double> nothing(static_cast<std::size_t>(std::max(n_of_start, 0)));
+  const State<n> start = detail::state_of<n>(0.0, nothing.data(), nothing.data(), n_of_start);
+  return detail::solution_of<n>(
+      detail::answer_from(file, detail::question_of(hamiltonian, start, 0.0, 1e-6, options)), n_of_start);
 }
 
 }  // namespace avi

@@ -87,11 +87,12 @@ class Candidate {
       : name(std::move(its_name)), alpha_(alpha), graph_(std::move(formula)), energy_(energy),
         energy_at_start_(energy_at_start), liveliness_(std::move(liveliness)), lively_(lively) {}
 
-  std::string name;      ///< In the menu.
-  double outlook = 0.0;  ///< Work of all steps where the longest one in radians is of fixed length.
-  double fictive = 0.0;  ///< Fictive time of the sketch.
-  double longest = 0.0;  ///< Largest g times frequency on the sketch.
-  double noise = 0.0;    ///< Largest relative error of a force that rounding of H makes through grad g.
+  std::string name;                ///< In the menu.
+  std::vector<int> supplied = {};  ///< Nodes of the gradient of H, where it has one of its own.
+  double outlook = 0.0;            ///< Work of all steps where the longest one in radians is of fixed length.
+  double fictive = 0.0;            ///< Fictive time of the sketch.
+  double longest = 0.0;            ///< Largest g times frequency on the sketch.
+  double noise = 0.0;  ///< Largest relative error of a force that rounding of H makes through grad g.
 
   /// Gauss collocation of this order.
   std::unique_ptr<OrbitSteps> steps(int order, SweepBounds bounds) {
@@ -135,7 +136,7 @@ class Candidate {
             graph.binary(Operation::multiply, rate,
                          graph.binary(Operation::subtract, energy_, graph.constant(energy_at_start_)));
       }
-      formulas_ = Formulas::of(graph, transformed, rate);
+      formulas_ = Formulas::of(graph, transformed, rate, energy_, supplied);
     }
     return formulas_;
   }

@@ -4,10 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace avi::detail {
 
 namespace {
+
+/// Steps after which a run that is kept begins anew with its method, which has a memory of the steps before
+/// that is not kept: so that a run that goes on from a file has the same bits as one that was not
+/// interrupted.
+constexpr long block = 4096;
 
 State<dynamic> start_of(const OrbitQuestion& question) {
   return state_of<dynamic>(question.t, question.q.data(), question.p.data(),
@@ -17,12 +23,15 @@ State<dynamic> start_of(const OrbitQuestion& question) {
 }  // namespace
 
 Delivery::Delivery(const OrbitQuestion& question, int degrees, const Choice& choice, Budget& budget)
-    : question_(question), degrees_(degrees), budget_(budget), field_(question.graph, question.energy),
+    : question_(question), degrees_(degrees), budget_(budget),
+      field_(question.graph, question.energy, question.gradient),
       energy_at_start_(field_.energy(question.q.data(), question.p.data())),
       candidate_(candidate(choice.name, question.graph, question.energy, energy_at_start_, choice.kinetic,
                            question.timed)),
-      h_(question.t_end < question.t ? -choice.h : choice.h), energy_scale_(choice.energy_scale),
-      steps_(candidate_.steps(choice.order, {.tolerance = choice.solved, .most = 60})),
+      choice_(choice), h_(question.t_end < question.t ? -choice.h : choice.h),
+      energy_scale_(choice.energy_scale),
+      steps_((candidate_.supplied = question.gradient,
+              candidate_.steps(choice.order, {.tolerance = choice.solved, .most = 60}))),
       state_(start_of(question)) {
   for (std::size_t i = 0; i < question.events.size(); ++i)
     watches_.emplace_back(question.events[i], degrees, i);
@@ -48,10 +57,76 @@ void Delivery::look_at_energy(const State<dynamic>& z) {
 
 void Delivery::go(double pause) {
   const double sense = std::copysign(1.0, h_);
-  while (run_.ok() && !arrived() && sense * (state_.t - pause) < 0.0)
+  const bool kept = !question_.options.checkpoint.empty();
+  while (run_.ok() && !arrived() && sense * (state_.t - pause) < 0.0) {
+    if (kept && run_.steps % block == 0) begin_block();
     step();
+  }
   if (!run_.ok() && run_.message.empty())
     run_.message = describe_end(run_.outcome, state_, run_.steps, 0.0, reason_);
+  if (!kept) return;
+  if (run_.ok() && arrived())
+    std::remove(question_.options.checkpoint.c_str());
+  else if (!written_)
+    write();
+}
+
+void Delivery::begin_block() {
+  steps_ = candidate_.steps(choice_.order, {.tolerance = choice_.solved, .most = 60});
+  block_ = Record();
+  const auto put = [&](const auto&... each) { (block_.put(each), ...); };
+  put(fingerprint(question_), question_.q, question_.p, question_.t, question_.t_end, question_.tolerance,
+      question_.times, static_cast<int>(question_.options.dense));
+  put(choice_.name, choice_.order, choice_.h, choice_.energy_scale, choice_.kinetic, choice_.solved,
+      choice_.time, report_.choice.sweeps, report_.choice.check);
+  put(report_.state_error, report_.energy_rounding, report_.note);
+  put(std::vector<double>(state_.q.begin(), state_.q.end()),
+      std::vector<double>(state_.p.begin(), state_.p.end()), state_.t, run_.steps, run_.evaluations,
+      energy_error_, next_, states_.t, states_.z, events_, event_states_.t, event_states_.z);
+  for (Watch& watch : watches_)
+    put(watch.found());
+  if (track_) track_->put(block_);
+  written_ = false;
+  if (budget_.seconds() >= due_) write();
+}
+
+void Delivery::write() {
+  block_.write(question_.options.checkpoint);
+  written_ = true;
+  due_ = budget_.seconds() + question_.options.checkpoint_seconds;
+}
+
+void Delivery::keep(const SolutionReport& report) { report_ = report; }
+
+Choice choice_in(Record& record, SolutionReport& report) {
+  Choice& choice = report.choice;
+  const auto get = [&](auto&... each) { (record.get(each), ...); };
+  get(choice.name, choice.order, choice.h, choice.energy_scale, choice.kinetic, choice.solved, choice.time,
+      choice.sweeps, choice.check);
+  get(report.state_error, report.energy_rounding, report.note);
+  return choice;
+}
+
+std::uint64_t question_in(Record& record, OrbitQuestion& question) {
+  std::uint64_t of_file = 0;
+  int dense = 0;
+  const auto get = [&](auto&... each) { (record.get(each), ...); };
+  get(of_file, question.q, question.p, question.t, question.t_end, question.tolerance, question.times, dense);
+  question.options.dense = dense != 0;
+  return of_file;
+}
+
+void Delivery::restore(Record& record, const SolutionReport& report) {
+  report_ = report;
+  const auto get = [&](auto&... each) { (record.get(each), ...); };
+  std::vector<double> q, p;
+  get(q, p, state_.t, run_.steps, run_.evaluations, energy_error_, next_, states_.t, states_.z, events_,
+      event_states_.t, event_states_.z);
+  std::ranges::copy(q, state_.q.data());
+  std::ranges::copy(p, state_.p.data());
+  for (Watch& watch : watches_)
+    get(watch.found());
+  if (track_) track_->get(record);
 }
 
 void Delivery::step() {

@@ -1,5 +1,6 @@
 #pragma once
 #include "budget.hpp"
+#include "checkpoint.hpp"
 #include "journey.hpp"
 #include "watch.hpp"
 
@@ -33,6 +34,10 @@ class Delivery {
   [[nodiscard]] const State<dynamic>& state() const { return state_; }
   /// How it ended.
   [[nodiscard]] const Run& run() const { return run_; }
+  /// With SolveOptions::checkpoint, `report` goes into the file, too.
+  void keep(const SolutionReport& report);
+  /// Goes on from a file, of which question_in() and choice_in() have been read.
+  void restore(Record& record, const SolutionReport& report);
   /// Puts what was found into the answer.
   void deliver(OrbitAnswer& answer) const;
 
@@ -40,6 +45,8 @@ class Delivery {
   void step();
   void find_events(const Stride& stride, State<dynamic>& last);
   void find_outputs(const State<dynamic>& before, const State<dynamic>& after, const State<dynamic>& last);
+  void begin_block();
+  void write();
   void add(OrbitPoints& points, const State<dynamic>& z, double t) const;
   void spend(const StepReport& report) {
     run_.evaluations += report.evaluations;
@@ -53,6 +60,7 @@ class Delivery {
   PointField field_;
   double energy_at_start_;
   Candidate candidate_;
+  Choice choice_;
   double h_, energy_scale_;
   std::unique_ptr<OrbitSteps> steps_;
   std::vector<Watch> watches_;
@@ -65,6 +73,15 @@ class Delivery {
   OrbitPoints states_, event_states_;
   std::vector<int> events_;
   std::shared_ptr<Track> track_;
+  SolutionReport report_;  // what was known before the run
+  Record block_;           // the run at the beginning of the block of steps under way
+  bool written_ = false;   // as it is now in the file
+  double due_ = 0.0;       // when it is to be written, in seconds of the call
 };
+
+/// Reads the question of a kept run. @return fingerprint() of what was asked then
+std::uint64_t question_in(Record& record, OrbitQuestion& question);
+/// Reads the choice, and what was known of the run before it was made.
+Choice choice_in(Record& record, SolutionReport& report);
 
 }  // namespace avi::detail

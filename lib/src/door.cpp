@@ -97,6 +97,13 @@ void extend(OrbitQuestion& question) {
   question.timed = true;
 }
 
+void tell_cancelled(const Budget& budget, OrbitAnswer& answer) {
+  if (!budget.cancelled()) return;
+  answer.run.outcome = Outcome::stopped;
+  answer.run.message = "The run was stopped by the callback that is told of its progress.";
+  answer.state_error = infinity;
+}
+
 /// A call of solve() with something to deliver beside the end.
 class Call {
  public:
@@ -113,6 +120,7 @@ class Call {
       budget_.share = 1.0;
       budget_.phase = SolvePhase::running;
       Delivery delivery(question_, degrees_, answer.choice, budget_);
+      delivery.keep(answer);
       const bool last = horizon == question_.t_end || round == 60;
       delivery.go(last ? question_.t_end : beyond(horizon, 1.2));
       if (delivery.run().ok() && !delivery.arrived()) {
@@ -150,7 +158,7 @@ class Call {
     answer.choice.sweeps = answer.choice.check = 0;
     answer.tolerance = question_.tolerance;
     answer.state_error = infinity;
-    PointField field(question_.graph, question_.energy);
+    PointField field(question_.graph, question_.energy, question_.gradient);
     const double energy = field.energy(question_.q.data(), question_.p.data());
     if (!std::isfinite(energy))
       throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
@@ -175,7 +183,7 @@ class Call {
   /// others are chosen.
   double scout() {
     const double span = std::abs(question_.t_end - question_.t);
-    PointField field(question_.graph, question_.energy);
+    PointField field(question_.graph, question_.energy, question_.gradient);
     VectorX z(static_cast<Eigen::Index>(2 * question_.q.size()));
     std::ranges::copy(question_.q, z.data());
     std::ranges::copy(question_.p, z.data() + question_.q.size());
@@ -187,6 +195,7 @@ class Call {
     OrbitQuestion events = question_;
     events.times.clear();
     events.options.dense = false;
+    events.options.checkpoint.clear();
     std::erase_if(events.events, [](const OrbitEvent& event) { return !event.rules.stop; });
     Delivery delivery(events, degrees_, answer.choice, budget_);
     budget_.end = question_.t_end;
@@ -216,7 +225,7 @@ OrbitAnswer answer(OrbitQuestion&& question) {
     question.options.h = question.made->h;
   }
   const bool more = !end_alone || !question.events.empty() || question.options.dense ||
-                    (question.made && !question.options.check);
+                    !question.options.checkpoint.empty() || (question.made && !question.options.check);
   Budget budget(question.options);
   budget.start = question.t, budget.end = question.t_end;
   OrbitAnswer answer = more && question.t_end != question.t ? Call(question, degrees, budget).make()
@@ -229,11 +238,36 @@ OrbitAnswer answer(OrbitQuestion&& question) {
       answer.states.z.insert(answer.states.z.end(), answer.q.begin(), answer.q.end());
       answer.states.z.insert(answer.states.z.end(), answer.p.begin(), answer.p.end());
     }
-  if (budget.cancelled()) {
-    answer.run.outcome = Outcome::stopped;
-    answer.run.message = "The run was stopped by the callback that is told of its progress.";
-    answer.state_error = infinity;
-  }
+  tell_cancelled(budget, answer);
+  return answer;
+}
+
+OrbitAnswer answer_from(const std::string& file, OrbitQuestion&& question) {
+  Record record(file);
+  const SolveOptions bounds = question.options;
+  const auto degrees = static_cast<std::size_t>(question.q.size());
+  extend(question);
+  const std::size_t size = question.q.size();
+  const std::uint64_t its = question_in(record, question);
+  if (question.q.size() != size || question.p.size() != size || its != fingerprint(question))
+    throw std::invalid_argument("The checkpoint " + file +
+                                " is of another H, of other events, or of another dimension.");
+  question.options.checkpoint = file;
+  require_question(question);
+  OrbitAnswer answer;
+  const Choice choice = choice_in(record, answer);
+  if (!is_monitor(choice.name))
+    throw std::invalid_argument("The checkpoint " + file + " has an unknown monitor.");
+  answer.tolerance = question.tolerance;
+  Budget budget(question.options);
+  budget.phase = SolvePhase::running;
+  budget.start = question.t, budget.end = question.t_end;
+  Delivery delivery(question, static_cast<int>(degrees), choice, budget);
+  delivery.restore(record, answer);
+  delivery.go(question.t_end);
+  delivery.deliver(answer);
+  if (!delivery.run().ok()) answer.state_error = infinity;
+  tell_cancelled(budget, answer);
   return answer;
 }
 

@@ -17,9 +17,11 @@ struct Formulas {
   Eigen::Index n = 0;  ///< Degrees of freedom.
 
   /// Of \f$\bar H\f$ and g as nodes of one graph of (q, p).
-  static std::shared_ptr<const Formulas> of(const ExpressionGraph& graph, int transformed, int rate) {
+  /// @param energy node of H @param supplied those of its gradient, where H has one of its own
+  static std::shared_ptr<const Formulas> of(const ExpressionGraph& graph, int transformed, int rate,
+                                            int energy = -1, const std::vector<int>& supplied = {}) {
     const int n = graph.inputs() / 2;
-    const Recording recording(graph, transformed);
+    const Recording recording(graph, transformed, energy, supplied);
     return std::make_shared<const Formulas>(Formulas{.forces = recording.gradient(0, n),
                                                      .velocities = recording.gradient(n, n),
                                                      .rate = Recording(graph, rate).value(),

@@ -47,7 +47,7 @@ double trusted(const Journey& coarse, const Journey& fine) {
 class Orbiter {
  public:
   Orbiter(const OrbitQuestion& question, Budget& budget)
-      : question_(question), budget_(budget), field_(question.graph, question.energy),
+      : question_(question), budget_(budget), field_(question.graph, question.energy, question.gradient),
         sense_(question.t_end < question.t ? -1.0 : 1.0), span_(std::abs(question.t_end - question.t)) {}
 
   OrbitAnswer solve();
@@ -211,6 +211,10 @@ void Orbiter::prepare() {
   features_.emplace(question_.graph, question_.energy);
   if (!features_->none()) trip_->features = &*features_;
   menu_ = candidates(question_.graph, question_.energy, energy, sketch, metric, kinetic, question_.timed);
+  const auto supply = [&] {
+    for (Candidate& it : menu_)
+      it.supplied = question_.gradient;
+  };
   const std::string& wanted = question_.options.monitor;
   if (!wanted.empty()) {
     std::erase_if(menu_, [&](const Candidate& it) { return it.name != wanted; });
@@ -221,8 +225,10 @@ void Orbiter::prepare() {
                                     "monitor fixed.");
       menu_.push_back(candidate(wanted, question_.graph, question_.energy, energy, kinetic, question_.timed));
     }
+    supply();
     return;
   }
+  supply();
   std::erase_if(menu_, [&](const Candidate& it) {
     return it.noise * radians_ > std::max(0.3 * question_.tolerance, 3e-15 * radians_);
   });

@@ -1,4 +1,5 @@
 #pragma once
+#include "checkpoint.hpp"
 #include "journey.hpp"
 
 #include <memory>
@@ -26,6 +27,16 @@ class Track final : public OrbitCurve {
   }
   void at(double t, double* z) const override;
   [[nodiscard]] const std::vector<double>& times() const override { return times_; }
+  /// Into a file.
+  void put(Record& record) const {
+    record.put(times_);
+    record.put(starts_);
+  }
+  /// From a file.
+  void get(Record& record) {
+    record.get(times_);
+    record.get(starts_);
+  }
 
  private:
   void put(const State<dynamic>& z) {
