@@ -114,10 +114,11 @@ struct Choice {
   double h = 0.0;              ///< Fictive step.
   double energy_scale = 1.0;   ///< Mean of half of \f$|p\cdot\dot q|\f$: what energy errors are relative to.
   double kinetic = 0.0;        ///< Mean kinetic energy of the beginning, a constant of the monitors.
-  double solved = 6.25e-19;    ///< Relative change of a sweep below which a step counts as solved.
-  double time = 0.0;           ///< Physical time of the short trials.
-  long sweeps = 0;             ///< Evaluations of all stages in all trials.
-  long check = 0;              ///< Those of the run with a longer step that goes along the whole orbit.
+  std::vector<double> accelerations = {};  ///< Weights \f$w_i\f$ of the monitor of that name, see solve().
+  double solved = 6.25e-19;        ///< Relative change of a sweep below which a step counts as solved.
+  double time = 0.0;               ///< Physical time of the short trials.
+  long sweeps = 0;                 ///< Evaluations of all stages in all trials.
+  long check = 0;                  ///< Those of the run with a longer step that goes along the whole orbit.
   std::vector<SolveTrial> trials;  ///< In their order.
 };
 
@@ -359,6 +360,11 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 /// | --- | --- |
 /// | fixed | 1 |
 /// | energy, energy^1.5 | \f$(\bar T + \frac12(H + H_0) - H(q, 0))^{-\alpha}\f$, \f$\alpha = 1\f$ or 3/2 |
+/// | acceleration | \f$(1 + \sum_i (w_i\, \partial H/\partial q_i)^2)^{-3/8}\f$ |
+///
+/// with the mean kinetic energy \f$\bar T\f$ of the beginning, and \f$w_i = (H_{pp})_{ii}/\bar a L_i\f$ of
+/// its ranges \f$L_i\f$ and a mean of its accelerations: where forces fall with the square of a distance,
+/// this is the time in which two bodies pass each other, whatever their masses.
 ///
 /// Monitor, order and step are those that take the least work in short trials. The same input gives the same
 /// choice; units and masses do not matter. H is called once, with a scalar that records what is done to it.

@@ -12,7 +12,7 @@ struct Entry {
   const char* name;
   double alpha;
 };
-constexpr Entry entries[] = {{"fixed", 0.0}, {"energy", 1.0}, {"energy^1.5", 1.5}};
+constexpr Entry entries[] = {{"fixed", 0.0}, {"energy", 1.0}, {"energy^1.5", 1.5}, {"acceleration", 0.375}};
 
 /// H with all momenta put to zero but that of time, in the same graph.
 int at_rest(ExpressionGraph& graph, int energy, bool timed) {
@@ -53,7 +53,44 @@ VectorX strengths(const Sketch& sketch, const VectorX& metric) {
   return strength;
 }
 
+/// The node of \f$1 + \sum_i (w_i\, \partial H/\partial q_i)^2\f$.
+int accelerating(ExpressionGraph& graph, int energy, const std::vector<double>& weights) {
+  const std::vector<int> slope = Reverse(graph).gradient(energy);
+  int sum = graph.constant(1.0);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const int a = graph.binary(Operation::multiply, graph.constant(weights[i]), slope[i]);
+    sum = graph.binary(Operation::add, sum, graph.binary(Operation::multiply, a, a));
+  }
+  return sum;
+}
+
+/// The power 3/8 of the sum of squares: see Choice::accelerations.
+Candidate accelerated(const std::shared_ptr<ExpressionGraph>& graph, int energy, double energy_at_start,
+                      const Choice& constants) {
+  const int lively = accelerating(*graph, energy, constants.accelerations);
+  return {"acceleration", 0.375, graph, energy, energy_at_start, std::make_shared<Liveliness>(*graph, lively),
+          lively};
+}
+
 }  // namespace
+
+std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, Eigen::Index seen) {
+  std::vector<double> weights(static_cast<std::size_t>(seen), 0.0);
+  if (sketch.samples.empty()) return weights;
+  VectorX low = sketch.samples.front().z, high = low;
+  for (const Sketch::Sample& sample : sketch.samples)
+    low = low.cwiseMin(sample.z), high = high.cwiseMax(sample.z);
+  double root = 0.0;  // mean of the square roots: what is large for a short time counts little
+  for (Eigen::Index i = 0; i < seen; ++i)
+    if (high[i] > low[i]) weights[static_cast<std::size_t>(i)] = metric[i] / (high[i] - low[i]);
+  const Eigen::Map<const VectorX> weight(weights.data(), seen);
+  for (const Sketch::Sample& sample : sketch.samples)
+    root += sample.h / sketch.time *
+            std::sqrt(weight.cwiseProduct(sample.slope.segment(metric.size(), seen)).norm());
+  for (double& each : weights)
+    each /= root * root > 0.0 ? root * root : 1.0;
+  return weights;
+}
 
 std::string names_of_monitors() {
   std::string names;
@@ -67,18 +104,21 @@ bool is_monitor(std::string_view name) {
 }
 
 Candidate candidate(std::string_view name, const ExpressionGraph& formula, int energy, double energy_at_start,
-                    double kinetic, bool timed) {
+                    const Choice& constants, bool timed) {
   const auto graph = std::make_shared<ExpressionGraph>(formula);
   const Entry& entry = *std::ranges::find_if(entries, [&](const Entry& it) { return name == it.name; });
   if (entry.alpha == 0.0) return {entry.name, 0.0, graph, energy, energy_at_start, nullptr, -1};
-  const int lively = liveliness_of(*graph, energy, energy_at_start, kinetic, timed);
+  if (name == "acceleration") return accelerated(graph, energy, energy_at_start, constants);
+  const int lively = liveliness_of(*graph, energy, energy_at_start, constants.kinetic, timed);
   return {entry.name, entry.alpha,     graph,
           energy,     energy_at_start, std::make_shared<Liveliness>(*graph, lively),
           lively};
 }
 
 std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, double energy_at_start,
-                                  const Sketch& sketch, const VectorX& metric, double kinetic, bool timed) {
+                                  const Sketch& sketch, const VectorX& metric, const Choice& constants,
+                                  bool timed) {
+  const double kinetic = constants.kinetic;
   const auto graph = std::make_shared<ExpressionGraph>(formula);
   const double size = 1.6 * energy, overhead = Candidate::overhead(graph->inputs());
   std::vector<Candidate> menu;
@@ -89,7 +129,7 @@ std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, do
     const int lively = liveliness_of(*graph, energy, energy_at_start, kinetic, timed);
     const auto liveliness = std::make_shared<Liveliness>(*graph, lively);
     for (const auto& [name, alpha] : entries) {
-      if (alpha == 0.0) continue;
+      if (alpha < 1.0) continue;
       menu.emplace_back(name, alpha, graph, energy, energy_at_start, liveliness, lively);
       work.push_back(1.7 * size + 16.0 + overhead);
     }
@@ -97,9 +137,8 @@ std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, do
   const VectorX strength = strengths(sketch, metric);
   const double rounding =
       std::numeric_limits<double>::epsilon() * std::max(std::abs(energy_at_start), std::abs(kinetic));
-  for (std::size_t k = 0; k < menu.size(); ++k) {
-    Candidate& it = menu[k];
-    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  const auto look = [&](Candidate& it, double cost) {
+    double least = infinity, most = 0.0;
     for (const Sketch::Sample& sample : sketch.samples) {
       const double g = it.rate(sample.z.data());
       it.fictive += sample.h / g;
@@ -111,10 +150,21 @@ std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, do
         for (int i = 0; i < static_cast<int>(strength.size()); ++i)
           it.noise = std::max(it.noise, rounding * std::abs(it.slope(i)) / (g * strength[i]));
     }
-    it.outlook = work[k] * it.fictive * it.longest;
+    it.outlook = cost * it.fictive * it.longest;
     if (!(least > 0.0) || !std::isfinite(it.outlook) || (!it.fixed() && !(most > 1.15 * least)))
-      it.outlook = std::numeric_limits<double>::infinity();
+      it.outlook = infinity;
     if (it.fixed() && sketch.samples.empty()) it.outlook = 1.0, it.fictive = 1.0;
+  };
+  for (std::size_t k = 0; k < menu.size(); ++k)
+    look(menu[k], work[k]);
+  // Where the fastest part of the motion makes all steps many times shorter than the others need be, as when
+  // two of many bodies meet.
+  double steps = infinity;
+  for (const Candidate& it : menu)
+    if (std::isfinite(it.outlook)) steps = std::min(steps, it.fictive * it.longest);
+  if (sketch.samples.size() > 1 && steps > 5.0 * sketch.radians) {
+    menu.push_back(accelerated(graph, energy, energy_at_start, constants));
+    look(menu.back(), 4.0 * size + 16.0 + overhead);
   }
   std::erase_if(menu, [](const Candidate& it) { return !it.fixed() && !std::isfinite(it.outlook); });
   std::ranges::stable_sort(menu, {}, &Candidate::outlook);

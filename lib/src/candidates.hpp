@@ -1,5 +1,6 @@
 #pragma once
 #include "avi/core/state.hpp"
+#include "avi/solve.hpp"
 #include "gauss.hpp"
 #include "sketch.hpp"
 
@@ -55,7 +56,7 @@ class OrbitSteps {
   VectorX z_;  // of the step under way
 };
 
-/// The rate of change that the monitors of the energy follow, \f$\ell = \bar T + \frac12(H + H_0) - H(q,
+/// A rate of change that monitors follow. Of the energy it is \f$\ell = \bar T + \frac12(H + H_0) - H(q,
 /// 0)\f$ with the mean kinetic energy \f$\bar T\f$: the kinetic energy and its mean, written such that it
 /// stays positive where a step has an energy that is a little wrong. One program for all powers of it.
 class Liveliness {
@@ -155,14 +156,17 @@ class Candidate {
 std::string names_of_monitors();
 /// There is a monitor of this name.
 bool is_monitor(std::string_view name);
-/// The monitor of this name, which there is, on its own. @param kinetic see Choice @param timed see
+/// The monitor of this name, which there is, on its own. @param constants of the monitors @param timed see
 /// OrbitQuestion
 Candidate candidate(std::string_view name, const ExpressionGraph& graph, int energy, double energy_at_start,
-                    double kinetic, bool timed);
+                    const Choice& constants, bool timed);
+/// See Choice::accelerations. @param metric diagonal of H_pp @param seen number of coordinates but time
+std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, Eigen::Index seen);
 
 /// The menu for an orbit, the most promising candidate first; fixed steps are always in it.
-/// @param metric diagonal of H_pp @param kinetic mean kinetic energy, or no number above 0
+/// @param metric diagonal of H_pp @param constants of the monitors
 std::vector<Candidate> candidates(const ExpressionGraph& graph, int energy, double energy_at_start,
-                                  const Sketch& sketch, const VectorX& metric, double kinetic, bool timed);
+                                  const Sketch& sketch, const VectorX& metric, const Choice& constants,
+                                  bool timed);
 
 }  // namespace avi::detail

@@ -26,8 +26,8 @@ Delivery::Delivery(const OrbitQuestion& question, int degrees, const Choice& cho
     : question_(question), degrees_(degrees), budget_(budget),
       field_(question.graph, question.energy, question.gradient),
       energy_at_start_(field_.energy(question.q.data(), question.p.data())),
-      candidate_(candidate(choice.name, question.graph, question.energy, energy_at_start_, choice.kinetic,
-                           question.timed)),
+      candidate_(
+          candidate(choice.name, question.graph, question.energy, energy_at_start_, choice, question.timed)),
       choice_(choice), h_(question.t_end < question.t ? -choice.h : choice.h),
       energy_scale_(choice.energy_scale),
       steps_((candidate_.supplied = question.gradient,
@@ -77,8 +77,8 @@ void Delivery::begin_block() {
   const auto put = [&](const auto&... each) { (block_.put(each), ...); };
   put(fingerprint(question_), question_.q, question_.p, question_.t, question_.t_end, question_.tolerance,
       question_.times, static_cast<int>(question_.options.dense));
-  put(choice_.name, choice_.order, choice_.h, choice_.energy_scale, choice_.kinetic, choice_.solved,
-      choice_.time, report_.choice.sweeps, report_.choice.check);
+  put(choice_.name, choice_.order, choice_.h, choice_.energy_scale, choice_.kinetic, choice_.accelerations,
+      choice_.solved, choice_.time, report_.choice.sweeps, report_.choice.check);
   put(report_.state_error, report_.energy_rounding, report_.note);
   put(std::vector<double>(state_.q.begin(), state_.q.end()),
       std::vector<double>(state_.p.begin(), state_.p.end()), state_.t, run_.steps, run_.evaluations,
@@ -101,8 +101,8 @@ void Delivery::keep(const SolutionReport& report) { report_ = report; }
 Choice choice_in(Record& record, SolutionReport& report) {
   Choice& choice = report.choice;
   const auto get = [&](auto&... each) { (record.get(each), ...); };
-  get(choice.name, choice.order, choice.h, choice.energy_scale, choice.kinetic, choice.solved, choice.time,
-      choice.sweeps, choice.check);
+  get(choice.name, choice.order, choice.h, choice.energy_scale, choice.kinetic, choice.accelerations,
+      choice.solved, choice.time, choice.sweeps, choice.check);
   get(report.state_error, report.energy_rounding, report.note);
   return choice;
 }
