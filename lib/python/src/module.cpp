@@ -170,7 +170,7 @@ py::tuple minimise(const py::object& f, const Numbers& x0, MinimiseOptions optio
     }
     const auto& formula = f.cast<const Formula&>();
     const py::gil_scoped_release unlocked;
-    return avi::minimise(RecordedObjective(formula, start.size()), start, options);
+    return avi::minimise(formula, start, options);
   }();
   if (signals.pressed) run.outcome = Outcome::stopped, run.message = "Stopped by Ctrl-C.";
   return py::make_tuple(run.outcome, run.message, run.iterations, run.gradient_evaluations,
