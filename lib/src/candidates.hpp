@@ -1,5 +1,6 @@
 #pragma once
 #include "avi/core/state.hpp"
+#include "avi/solve.hpp"
 #include "gauss.hpp"
 #include "sketch.hpp"
 
@@ -9,6 +10,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// @file
@@ -54,7 +56,7 @@ class OrbitSteps {
   VectorX z_;  // of the step under way
 };
 
-/// The rate of change that the monitors of the energy follow, \f$\ell = \bar T + \frac12(H + H_0) - H(q,
+/// A rate of change that monitors follow. Of the energy it is \f$\ell = \bar T + \frac12(H + H_0) - H(q,
 /// 0)\f$ with the mean kinetic energy \f$\bar T\f$: the kinetic energy and its mean, written such that it
 /// stays positive where a step has an energy that is a little wrong. One program for all powers of it.
 class Liveliness {
@@ -86,11 +88,12 @@ class Candidate {
       : name(std::move(its_name)), alpha_(alpha), graph_(std::move(formula)), energy_(energy),
         energy_at_start_(energy_at_start), liveliness_(std::move(liveliness)), lively_(lively) {}
 
-  std::string name;      ///< In the menu.
-  double outlook = 0.0;  ///< Work of all steps where the longest one in radians is of fixed length.
-  double fictive = 0.0;  ///< Fictive time of the sketch.
-  double longest = 0.0;  ///< Largest g times frequency on the sketch.
-  double noise = 0.0;    ///< Largest relative error of a force that rounding of H makes through grad g.
+  std::string name;                ///< In the menu.
+  std::vector<int> supplied = {};  ///< Nodes of the gradient of H, where it has one of its own.
+  double outlook = 0.0;            ///< Work of all steps where the longest one in radians is of fixed length.
+  double fictive = 0.0;            ///< Fictive time of the sketch.
+  double longest = 0.0;            ///< Largest g times frequency on the sketch.
+  double noise = 0.0;  ///< Largest relative error of a force that rounding of H makes through grad g.
 
   /// Gauss collocation of this order.
   std::unique_ptr<OrbitSteps> steps(int order, SweepBounds bounds) {
@@ -134,7 +137,7 @@ class Candidate {
             graph.binary(Operation::multiply, rate,
                          graph.binary(Operation::subtract, energy_, graph.constant(energy_at_start_)));
       }
-      formulas_ = Formulas::of(graph, transformed, rate);
+      formulas_ = Formulas::of(graph, transformed, rate, energy_, supplied);
     }
     return formulas_;
   }
@@ -149,9 +152,21 @@ class Candidate {
   std::shared_ptr<const Formulas> formulas_;
 };
 
+/// The names in the menu, with commas between them.
+std::string names_of_monitors();
+/// There is a monitor of this name.
+bool is_monitor(std::string_view name);
+/// The monitor of this name, which there is, on its own. @param constants of the monitors @param timed see
+/// OrbitQuestion
+Candidate candidate(std::string_view name, const ExpressionGraph& graph, int energy, double energy_at_start,
+                    const Choice& constants, bool timed);
+/// See Choice::accelerations. @param metric diagonal of H_pp @param seen number of coordinates but time
+std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, Eigen::Index seen);
+
 /// The menu for an orbit, the most promising candidate first; fixed steps are always in it.
-/// @param metric diagonal of H_pp @param kinetic mean kinetic energy, or no number above 0
+/// @param metric diagonal of H_pp @param constants of the monitors
 std::vector<Candidate> candidates(const ExpressionGraph& graph, int energy, double energy_at_start,
-                                  const Sketch& sketch, const VectorX& metric, double kinetic);
+                                  const Sketch& sketch, const VectorX& metric, const Choice& constants,
+                                  bool timed);
 
 }  // namespace avi::detail

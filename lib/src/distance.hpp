@@ -15,8 +15,11 @@ namespace avi::detail {
 /// which it moves. What moves by rounding alone does not count.
 class Distance {
  public:
-  /// With the masses of the bodies, by which momenta and positions of different entries can be compared.
-  explicit Distance(VectorX metric) : metric_(std::move(metric)) {}
+  /// With the diagonal of H_pp, by which momenta and positions of different entries can be compared.
+  /// @param seen so many of the first coordinates and momenta count
+  Distance(VectorX metric, double tolerance, Eigen::Index seen)
+      : metric_(std::move(metric)), seen_(seen),
+        still_(std::max(1e-8, 30.0 * std::numeric_limits<double>::epsilon() / tolerance)) {}
 
   double frequency = 0.0;  ///< Mean over the sketch.
 
@@ -25,7 +28,7 @@ class Distance {
     const VectorX scale = scales(ranges);
     const Eigen::Index n = a.q.size();
     double most = 0.0;
-    for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index i = 0; i < seen_; ++i)
       most = std::max({most, part(a.q[i] - b.q[i], scale[i]), part(a.p[i] - b.p[i], scale[n + i])});
     return most;
   }
@@ -33,8 +36,9 @@ class Distance {
   double operator()(const VectorX& velocity, const Ranges& ranges) const {
     const VectorX scale = scales(ranges);
     double most = 0.0;
-    for (Eigen::Index i = 0; i < velocity.size(); ++i)
-      most = std::max(most, part(velocity[i], scale[i]));
+    const Eigen::Index n = metric_.size();
+    for (Eigen::Index i = 0; i < seen_; ++i)
+      most = std::max({most, part(velocity[i], scale[i]), part(velocity[n + i], scale[n + i])});
     return most;
   }
 
@@ -61,13 +65,15 @@ class Distance {
       if (scale[i] <= 1e-12 * place) scale[i] = place;
       if (scale[n + i] <= 1e-12 * frequency * place / metric_[i])
         scale[n + i] = frequency * place / metric_[i];
-      // A momentum that hardly changes counts by its size.
+      // A momentum that hardly changes counts by its size, or rounding would be more than the tolerance.
       const double size = std::max(std::abs(ranges.high[n + i]), std::abs(ranges.low[n + i]));
-      scale[n + i] = std::max({scale[n + i], 1e-3 * size, rounding * of_p / root});
+      scale[n + i] = std::max({scale[n + i], still_ * size, rounding * of_p / root});
     }
     return scale;
   }
   VectorX metric_;
+  Eigen::Index seen_;
+  double still_;  // part of its size by which a momentum has to move
 };
 
 }  // namespace avi::detail

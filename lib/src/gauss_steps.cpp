@@ -1,5 +1,6 @@
-#include "avi/collocation/collocation.hpp"
+#include "avi/collocation/gauss_step.hpp"
 #include "gauss_builds.hpp"
+#include "pack_functions.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -9,103 +10,128 @@
 #define AVI_GAUSS_STEPS gauss_steps_portable
 #endif
 
-namespace avi {
-namespace detail {
+namespace avi::detail {
+
 namespace {
 
-/// A problem for Collocation whose field is Formulas. @tparam degrees n, or avi::dynamic
-template <int degrees>
-struct GraphProblem {
-  static constexpr int dimension = degrees;  ///< n.
-  struct NoCallable {};                      ///< There is nothing to call.
+/// The machine that this file is compiled for makes code at run time.
+#if defined(__AVX512VL__) && defined(__AVX512DQ__)
+constexpr bool makes_code = true, has_avx512 = true;
+#elif defined(__AVX2__)
+constexpr bool makes_code = true, has_avx512 = false;
+#else
+constexpr bool makes_code = false, has_avx512 = false;
+#endif
 
-  std::shared_ptr<const Formulas> formulas;  ///< The field.
-
-  [[nodiscard]] Eigen::Index size() const { return formulas->n; }  ///< n.
-  [[nodiscard]] double clock(const Vector<double, degrees>&, double t) const {
-    return t;
-  }                                                            ///< Physical time.
-  [[nodiscard]] NoCallable hamiltonian() const { return {}; }  ///< Asked for by name only.
-};
-
-}  // namespace
-}  // namespace detail
-
-/// The field of a GraphProblem at w stages.
-template <int degrees, int w>
-class StageField<detail::GraphProblem<degrees>, w> {
+/// A program at packs of w numbers.
+template <int w>
+class StageFormula {
  public:
-  static constexpr int n = degrees;               ///< Or avi::dynamic.
-  using Problem = detail::GraphProblem<degrees>;  ///< What it is the field of.
-  using Scalar = Pack<w>;                         ///< One number for each stage.
-  using Step = Unknowns<n, w>;                    ///< The stages, and where the field goes.
+  explicit StageFormula(const Program& program) : program_(&program), room_(program) {}
 
-  /// With memory of its own for each program.
-  explicit StageField(const Problem& problem)
-      : formulas_(problem.formulas), forces_(formulas_->forces), velocities_(formulas_->velocities),
-        rates_(formulas_->rate) {}
-
-  /// step.dp = -weight \f$\partial \bar H/\partial q\f$.
-  void force(const Problem&, Step& step, const Scalar& weight) {
-    field(formulas_->forces, forces_, step, -weight, step.dp);
+  /// out = factor times its derivatives, or its value where it has none.
+  template <class Vec>
+  [[gnu::always_inline]] void run(const Vec& q, const Vec& p, const Pack<w>& factor, Pack<w>* out) {
+    if (code)
+      code(number(q.data()), number(p.data()), number(&factor), number(out));
+    else
+      interpret(q, p, factor, out);
   }
-  /// step.dq = weight \f$\partial \bar H/\partial p\f$.
-  void velocity(const Problem&, Step& step, const Scalar& weight) {
-    field(formulas_->velocities, velocities_, step, weight, step.dq);
-  }
-  /// g at the stages.
-  [[nodiscard]] const Scalar& rate(const Step& step) {
-    if (formulas_->unit) return one_;
-    arguments(step, rates_);
-    formulas_->rate.run(rates_);
-    return formulas_->rate.value(rates_);
-  }
+  MachineCode::Function code = nullptr;  ///< Of this program, once there is one.
 
  private:
-  using Room = Program::Room<Scalar>;
-  static void arguments(const Step& step, Room& room) {
-    Scalar* const z = room.arguments();
-    const Eigen::Index size = step.q.size();
+  static const double* number(const Pack<w>* x) { return reinterpret_cast<const double*>(x); }
+  static double* number(Pack<w>* x) { return reinterpret_cast<double*>(x); }
+  template <class Vec>
+  [[gnu::noinline]] void interpret(const Vec& q, const Vec& p, const Pack<w>& factor, Pack<w>* out) {
+    Pack<w>* const z = room_.arguments();
+    const Eigen::Index size = q.size();
     for (Eigen::Index i = 0; i < size; ++i) {
-      z[i] = step.q[i];
-      z[size + i] = step.p[i];
+      z[i] = q[i];
+      z[size + i] = p[i];
     }
-  }
-  static void field(const Program& program, Room& room, const Step& step, const Scalar& weight,
-                    Vector<Scalar, n>& out) {
-    arguments(step, room);
-    program.run(room);
-    for (Eigen::Index i = 0; i < out.size(); ++i)
-      out[i] = weight * program.slope(room, static_cast<int>(i));
+    program_->run(room_);
+    if (program_->slopes() == 0) out[0] = program_->value(room_);
+    for (int i = 0; i < program_->slopes(); ++i)
+      out[i] = factor * program_->slope(room_, i);
   }
 
-  std::shared_ptr<const detail::Formulas> formulas_;
-  Room forces_, velocities_, rates_;
-  Scalar one_{1.0};
+  const Program* program_;
+  Program::Room<Pack<w>> room_;
 };
 
-namespace detail {
-namespace {
+/// The field of Formulas at w stages.
+template <int n, int w>
+class FormulaField final : public StageField<n, w> {
+  using Base = StageField<n, w>;
 
-/// Collocation behind the interface.
-template <int n>
+ public:
+  using typename Base::Scalar, typename Base::Step;
+
+  /// With memory of its own for each program.
+  FormulaField(std::shared_ptr<const Formulas> formulas, int code_from_step)
+      : formulas_(std::move(formulas)), forces_(formulas_->forces), velocities_(formulas_->velocities),
+        rates_(formulas_->rate), steps_left_(code_from_step) {
+    use_machine_code(steps_left_ <= 0);
+  }
+
+  void forces(Step& step, const Scalar& weight) override {
+    forces_.run(step.q, step.p, -weight, step.dp.data());
+  }
+  void velocities(Step& step, const Scalar& weight) override {
+    velocities_.run(step.q, step.p, weight, step.dq.data());
+  }
+  const Scalar& rate(const Step& step) override {
+    if (steps_left_ > 0 && --steps_left_ == 0) use_machine_code(true);
+    if (!formulas_->unit) rates_.run(step.q, step.p, rate_, &rate_);
+    return rate_;
+  }
+  [[nodiscard]] double clock(const Vector<double, n>&, double t) const override { return t; }
+  [[nodiscard]] std::unique_ptr<Base> clone() const override { return std::make_unique<FormulaField>(*this); }
+
+ private:
+  void use_machine_code(bool make) {
+    if constexpr (makes_code) {
+      const Program* const programs[] = {&formulas_->forces, &formulas_->velocities, &formulas_->rate};
+      code_ = formulas_->code->of({programs, formulas_->unit ? 2u : 3u},
+                                  {.lanes = w, .avx512 = has_avx512, .functions = pack_functions<w>()}, make);
+      if (!code_) return;
+      forces_.code = (*code_)[0];
+      velocities_.code = (*code_)[1];
+      if (!formulas_->unit) rates_.code = (*code_)[2];
+    }
+  }
+
+  std::shared_ptr<const Formulas> formulas_;
+  std::shared_ptr<const MachineCode> code_;
+  StageFormula<w> forces_, velocities_, rates_;
+  Scalar rate_{1.0};
+  int steps_left_;  // until there is machine code
+};
+
+/// Gauss collocation behind the interface.
+template <int n, int w>
 class Steps final : public GaussSteps {
  public:
-  Steps(const GraphProblem<n>& problem, int order, SweepBounds bounds)
-      : method_(problem, order, {.tolerance = bounds.tolerance, .max_sweeps = bounds.most}),
-        state_{.q = Vector<double, n>::Zero(problem.size()), .p = Vector<double, n>::Zero(problem.size())} {}
+  Steps(const std::shared_ptr<const Formulas>& formulas, const GaussRule& rule, SweepBounds bounds)
+      : step_(std::make_unique<FormulaField<n, w>>(formulas, bounds.code_from_step), formulas->n, rule,
+              settings(bounds)),
+        state_{.q = Vector<double, n>::Zero(formulas->n), .p = Vector<double, n>::Zero(formulas->n)} {}
 
+  static SweepSettings settings(SweepBounds bounds) {
+    return {.tolerance = bounds.tolerance, .max_sweeps = bounds.most};
+  }
   StepReport step(double* z, double& t, double h) override {
     const Eigen::Index size = state_.q.size();
     std::copy(z, z + size, state_.q.data());
     std::copy(z + size, z + 2 * size, state_.p.data());
     state_.t = t;
-    const StepReport report = method_.step(state_, h);
+    const StepReport report = step_.step(state_, h);
     if (report.ok()) copy(state_, z, t);
     return report;
   }
-  void polynomial(double c, double* z, double& t) const override { copy(method_.polynomial(c, 0.0), z, t); }
-  void tail(double* z) const override { method_.tail(z, z + state_.q.size()); }
+  void polynomial(double c, double* z, double& t) const override { copy(step_.polynomial(c), z, t); }
+  void tail(double* z) const override { step_.tail(z, z + state_.q.size()); }
   [[nodiscard]] std::unique_ptr<GaussSteps> clone() const override { return std::make_unique<Steps>(*this); }
 
  private:
@@ -114,13 +140,16 @@ class Steps final : public GaussSteps {
     std::copy(state.p.begin(), state.p.end(), z + state.q.size());
     t = state.t;
   }
-  Collocation<GraphProblem<n>> method_;
+  GaussStep<n, w> step_;
   State<n> state_;
 };
 
 template <int n>
-std::unique_ptr<GaussSteps> steps(std::shared_ptr<const Formulas> formulas, int order, SweepBounds bounds) {
-  return std::make_unique<Steps<n>>(GraphProblem<n>{std::move(formulas)}, order, bounds);
+std::unique_ptr<GaussSteps> steps(const std::shared_ptr<const Formulas>& formulas, int order,
+                                  SweepBounds bounds) {
+  const GaussRule rule = collocation_rule(order, 16, Steps<n, 4>::settings(bounds));
+  if (order > 8) return std::make_unique<Steps<n, 8>>(formulas, rule, bounds);
+  return std::make_unique<Steps<n, 4>>(formulas, rule, bounds);
 }
 
 }  // namespace
@@ -129,17 +158,16 @@ std::unique_ptr<GaussSteps> AVI_GAUSS_STEPS(std::shared_ptr<const Formulas> form
                                             SweepBounds bounds) {
   switch (formulas->n) {
   case 1:
-    return steps<1>(std::move(formulas), order, bounds);
+    return steps<1>(formulas, order, bounds);
   case 2:
-    return steps<2>(std::move(formulas), order, bounds);
+    return steps<2>(formulas, order, bounds);
   case 3:
-    return steps<3>(std::move(formulas), order, bounds);
+    return steps<3>(formulas, order, bounds);
   case 4:
-    return steps<4>(std::move(formulas), order, bounds);
+    return steps<4>(formulas, order, bounds);
   default:
-    return steps<dynamic>(std::move(formulas), order, bounds);
+    return steps<dynamic>(formulas, order, bounds);
   }
 }
 
-}  // namespace detail
-}  // namespace avi
+}  // namespace avi::detail

@@ -1,11 +1,10 @@
 #pragma once
 #include "avi/core/integrate_to.hpp"
-#include "avi/solve.hpp"
+#include "budget.hpp"
 #include "candidates.hpp"
 #include "sharp.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -24,19 +23,8 @@ struct Trip {
   double energy_at_start;             ///< H_0.
   double energy_scale;                ///< Of energy errors.
   double sense;                       ///< 1, or -1 where the end lies before the start.
-  SolveOptions options;               ///< Bounds.
+  Budget& budget;                     ///< Of the call.
   SharpFeatures* features = nullptr;  ///< Looked for, if there are any.
-  std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();  ///< Of the call.
-  long sweeps = 0;                                                                 ///< Spent so far.
-
-  /// The bound of the call that is met, or ok.
-  [[nodiscard]] Outcome bound() const {
-    if (sweeps >= options.sweeps) return Outcome::step_limit;
-    const bool late =
-        std::isfinite(options.seconds) &&
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count() >= options.seconds;
-    return late ? Outcome::time_limit : Outcome::ok;
-  }
 };
 
 /// The smallest and largest value of every entry of (q, p) on the way.
@@ -58,6 +46,22 @@ struct Ranges {
   }
 };
 
+/// The part of a step from `before` on, the last one of `method`, at which its polynomial has the time t.
+inline double part_at(const OrbitSteps& method, Candidate& candidate, const State<dynamic>& before, double h,
+                      double after, double t) {
+  double part = (t - before.t) / (after - before.t);
+  if (candidate.fixed()) return part;
+  for (int k = 0; k < 6; ++k) {
+    const State<dynamic> z = method.polynomial(part);
+    const double next = part + (t - z.t) / (h * candidate.rate_at(z));
+    if (!(next > 0.0 && next < 1.0)) break;
+    const bool near = std::abs(next - part) <= 1e-6;
+    part = next;
+    if (near) break;
+  }
+  return part;
+}
+
 /// The state at the time t, of a step from `before` that passes it and was the last one of `method`: by
 /// shorter steps of that from there, of the size at which its polynomial has the time t, then by Newton's
 /// method for dt/dtau = g, and a straight line for the last 1e-9 of the step.
@@ -65,17 +69,7 @@ struct Ranges {
 inline StepReport land(OrbitSteps& method, Candidate& candidate, PointField& field,
                        const State<dynamic>& before, double h, double after, double t, State<dynamic>& z) {
   StepReport report{.evaluations = 0};
-  double part = (t - before.t) / (after - before.t);
-  if (!candidate.fixed())
-    for (int k = 0; k < 6; ++k) {
-      z = method.polynomial(part);
-      const double next = part + (t - z.t) / (h * candidate.rate_at(z));
-      if (!(next > 0.0 && next < 1.0)) break;
-      const bool near = std::abs(next - part) <= 1e-6;
-      part = next;
-      if (near) break;
-    }
-  double size = h * part;
+  double size = h * part_at(method, candidate, before, h, after, t);
   z = before;
   for (int k = 0; k < 12 && size != 0.0; ++k) {
     z = before;
@@ -105,13 +99,14 @@ class Journey {
   /// From the start of the trip with the fictive step h > 0.
   Journey(Trip& trip, PointField& field, Candidate& its_candidate, int its_order, double step,
           SweepBounds bounds)
-      : candidate(&its_candidate), order(its_order), h(step), state(trip.start), ranges(trip.start),
-        trip_(&trip), field_(&field), steps_(its_candidate.steps(its_order, bounds)), z_(trip.start),
-        before_(trip.start) {}
+      : candidate(&its_candidate), order(its_order), h(step), solved(bounds.tolerance), state(trip.start),
+        ranges(trip.start), trip_(&trip), field_(&field), steps_(its_candidate.steps(its_order, bounds)),
+        z_(trip.start), before_(trip.start) {}
 
   Candidate* candidate;               ///< Its monitor.
   int order;                          ///< Of its method.
   double h;                           ///< Fictive step, positive.
+  double solved;                      ///< See Choice.
   double most = infinity;             ///< Sweeps that it may take.
   Run run;                            ///< How it ended, or ok.
   State<dynamic> state;               ///< Where it is: at the last mark, or the last good state.
@@ -159,7 +154,7 @@ class Journey {
   void spend(const StepReport& report) {
     run.outcome = report.outcome;
     run.evaluations += report.evaluations;
-    trip_->sweeps += report.evaluations;
+    trip_->budget.sweeps += report.evaluations;
   }
   void look_at_energy(const State<dynamic>& z) {
     energy_error =
@@ -177,7 +172,7 @@ class Journey {
     ++run.steps;
     ranges.add(z_);
     look_at_energy(z_);
-    if (const Outcome bound = trip_->bound(); bound != Outcome::ok) {
+    if (const Outcome bound = trip_->budget.met(z_.t, run.steps, 0); bound != Outcome::ok) {
       run.outcome = bound;
       spent = true;
     } else if (static_cast<double>(run.evaluations) > most || energy_error > limit) {

@@ -19,7 +19,9 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();  ///
 class PointField {
  public:
   /// Of H as a node of a graph of (q, p).
-  PointField(const ExpressionGraph& graph, int energy) : PointField(Recording(graph, energy)) {}
+  /// @param supplied nodes of its gradient, where H has one of its own
+  PointField(const ExpressionGraph& graph, int energy, const std::vector<int>& supplied)
+      : PointField(Recording(graph, energy, energy, supplied)) {}
 
   /// dz = J grad H at z = (q, p); returns H.
   double operator()(const VectorX& z, VectorX& dz) {

@@ -1,4 +1,4 @@
-#include "avi/solve.hpp"
+#include "orbiter.hpp"
 
 #include "distance.hpp"
 #include "journey.hpp"
@@ -14,6 +14,8 @@ namespace {
 
 /// Runs of fewer steps are not compared: the last step is cut to end in time, and would be the same in both.
 constexpr int fewest = 3;
+/// Pairs of runs.
+constexpr int most_rounds = 30;
 /// Part of the tolerance for which a step is chosen: what is foretold wavers.
 constexpr double wanted_part = 0.2;
 /// Largest factor between the errors of two runs that is believed.
@@ -46,8 +48,8 @@ double trusted(const Journey& coarse, const Journey& fine) {
 /// where they are too far apart, or nearer than they need be, the step is another one and they begin anew.
 class Orbiter {
  public:
-  explicit Orbiter(const OrbitQuestion& question)
-      : question_(question), field_(question.graph, question.energy),
+  Orbiter(const OrbitQuestion& question, Budget& budget)
+      : question_(question), budget_(budget), field_(question.graph, question.energy, question.gradient),
         sense_(question.t_end < question.t ? -1.0 : 1.0), span_(std::abs(question.t_end - question.t)) {}
 
   OrbitAnswer solve();
@@ -78,6 +80,7 @@ class Orbiter {
   OrbitAnswer finish();
 
   const OrbitQuestion& question_;
+  Budget& budget_;
   PointField field_;
   double sense_, span_;
   std::optional<Trip> trip_;
@@ -85,6 +88,7 @@ class Orbiter {
   std::optional<Distance> distance_;
   std::optional<SharpFeatures> features_;
   std::vector<Candidate> menu_;
+  std::size_t choice_ = 0;  // in the menu, of the first candidate that has not failed
   int order_ = 16;
   double aim_ = 1e-15;        // error in a radian that is wanted
   double radians_ = 0.0;      // of the whole
@@ -101,7 +105,9 @@ class Orbiter {
   int round_ = 0;              // pairs of runs so far
   int failures_ = 0;           // runs in a row that failed at the same time
   double failed_at_ = -1.0;    // that time
+  int undefined_ = 0;          // runs whose monitor may have had no value
   double in_the_way_ = 0.0;    // time at which runs fail, whatever the step
+  double resolved_ = 0.0;      // the first step that was short enough, as far as the first marks
   int lengthened_ = 0;         // times that a step was made longer
   bool others_tried_ = false;  // candidates other than the first one
   bool resigned_ = false;      // shorter steps do not help
@@ -170,7 +176,9 @@ void Orbiter::prepare() {
   if (!std::isfinite(energy) || !start.allFinite())
     throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
   const VectorX metric = field_.metric(start);
-  distance_.emplace(metric);
+  // Of time as a coordinate, and its momentum, nobody asks.
+  const int seen = question_.timed ? n - 1 : n;
+  distance_.emplace(metric, question_.tolerance, seen);
   field_.sense = sense_;
   sketch_.emplace(field_, start, span_, metric);
   field_.sense = 1.0;
@@ -181,33 +189,56 @@ void Orbiter::prepare() {
 
   // Means over the sketch: kinetic energy, half of p q', and the speed in phase space.
   double work = 0.0, kinetic = 0.0, highest = 0.0;
-  const VectorX rest = VectorX::Zero(n);
+  VectorX rest = VectorX::Zero(n);
   State<dynamic> z{.q = start.head(n), .p = start.tail(n), .t = question_.t};
   Ranges ranges(z);
   for (const Sketch::Sample& sample : sketch.samples)
     ranges.add({.q = sample.z.head(n), .p = sample.z.tail(n)});
   for (const Sketch::Sample& sample : sketch.samples) {
-    work += sample.h * 0.5 * std::abs(sample.z.tail(n).dot(sample.slope.head(n)));
+    work += sample.h * 0.5 * std::abs(sample.z.segment(n, seen).dot(sample.slope.head(seen)));
+    if (question_.timed) rest[seen] = sample.z[n + seen];
     kinetic += sample.h * (sample.energy - field_.energy(sample.z.data(), rest.data()));
     const double speed = (*distance_)(sample.slope, ranges);
     usual_speed_ += sample.h * speed;
     highest = std::max(highest, speed);
   }
   work /= time, kinetic /= time, usual_speed_ /= time;
+  Choice& choice = answer_.choice;
+  if (question_.made) {
+    choice.kinetic = question_.made->kinetic;
+    choice.accelerations = question_.made->accelerations;
+  } else {
+    choice.kinetic = kinetic;
+    choice.accelerations = accelerations(sketch, metric, seen);
+  }
   high_speed_ = std::min(highest, 20.0 * usual_speed_);
   if (!(high_speed_ > 0.0)) high_speed_ = usual_speed_ = 1.0 / span_;
   // Of a body at rest, or where rounding hides the kinetic energy, some of H itself.
   double scale = std::max(std::isfinite(work) ? work : 0.0, 1e-13 * std::abs(energy));
   if (!(scale > 0.0)) scale = 1.0;
-  answer_.choice.energy_scale = scale;
+  choice.energy_scale = scale;
   answer_.energy_rounding = std::numeric_limits<double>::epsilon() * (std::abs(energy) / scale + 1.0);
-  trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, question_.options});
+  trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, budget_});
   features_.emplace(question_.graph, question_.energy);
   if (!features_->none()) trip_->features = &*features_;
-  menu_ = candidates(question_.graph, question_.energy, energy, sketch, metric, kinetic);
-  std::erase_if(menu_, [&](const Candidate& it) {
-    return it.noise * radians_ > std::max(0.3 * question_.tolerance, 3e-15 * radians_);
-  });
+  menu_ = candidates(question_.graph, question_.energy, energy, sketch, metric, choice, question_.timed);
+  const std::string& wanted = question_.options.monitor;
+  if (!wanted.empty()) {
+    std::erase_if(menu_, [&](const Candidate& it) { return it.name != wanted; });
+    if (menu_.empty()) {
+      if (!(choice.kinetic > 0.0) && wanted != "acceleration")
+        throw std::invalid_argument("Monitor " + wanted +
+                                    " has no meaning here: H - H(q, 0) is not positive along the orbit; take "
+                                    "monitor fixed.");
+      menu_.push_back(candidate(wanted, question_.graph, question_.energy, energy, choice, question_.timed));
+    }
+  } else {
+    std::erase_if(menu_, [&](const Candidate& it) {
+      return it.noise * radians_ > std::max(0.3 * question_.tolerance, 3e-15 * radians_);
+    });
+  }
+  for (Candidate& it : menu_)
+    it.supplied = question_.gradient;
 }
 
 /// The times at which two runs are compared: the end, three quarters, a half, three eighths and so on of it,
@@ -227,8 +258,9 @@ void Orbiter::set_marks() {
 
 Setting Orbiter::first_setting() {
   aim_ = std::max(question_.tolerance / std::max(radians_, 1.0), 1e-16);
-  order_ = aim_ > 2e-6 ? 8 : 16;
-  Candidate& it = menu_.front();
+  order_ = question_.options.order > 0 ? question_.options.order : aim_ > 2e-6 ? 8 : 16;
+  Candidate& it = menu_[choice_];
+  if (question_.options.h > 0.0) return {&it, question_.options.h};
   // Medians of what some hundred systems drawn at random came to. With a monitor the motion is smoother in
   // fictive time than the radians of its fastest part tell.
   const double usual = it.fixed() ? (order_ == 8 ? 6.0 : 7.2) : (order_ == 8 ? 9.5 : 10.5);
@@ -256,15 +288,26 @@ bool Orbiter::go_on(Journey& journey, std::size_t mark) {
 /// A run ended before its mark. @return there is another setting to try
 bool Orbiter::failed(const Journey& journey, Setting& setting) {
   note_trial(journey, infinity);
-  if (journey.spent || round_ >= 40) return false;
+  if (journey.spent || round_ >= most_rounds || question_.options.h > 0.0) return false;
   const double reached = std::abs(journey.state.t - question_.t);
   failures_ = reached > 0.0 && std::abs(reached - failed_at_) <= 1e-2 * reached ? failures_ + 1 : 1;
   failed_at_ = reached;
+  const bool undefined = journey.run.outcome == Outcome::non_finite && !journey.candidate->fixed();
+  undefined_ += undefined ? 1 : 0;
+  if ((failures_ == 4 || undefined_ == 2) && choice_ + 1 < menu_.size()) {
+    // A monitor may have a feature of its own there, or no value at all.
+    ++choice_;
+    undefined_ = 0;
+    coarse_.reset(), fine_.reset();
+    failures_ = 0, round_ = 0, resolved_ = 0.0, before_ = infinity;
+    setting = first_setting();
+    return true;
+  }
   if (failures_ == 8) {
     in_the_way_ = reached;
     return false;
   }
-  setting.h *= 0.5;
+  setting.h *= failures_ > 2 ? 0.25 : 0.5;
   return true;
 }
 
@@ -280,11 +323,7 @@ bool Orbiter::pursue(Setting& setting) {
   }
   fine_.emplace(begin(setting, 1.0));
   for (std::size_t mark = 0; mark < marks_.size(); ++mark) {
-    if (mark < compared_ && !go_on(*coarse_, mark)) {
-      if (coarse_->spent || mark == 0) return failed(*coarse_, setting);
-      // A longer step that fails later on: the next pair has this one as its longer.
-      resigned_ = resigned_ || round_ > 4;
-    }
+    if (mark < compared_ && !go_on(*coarse_, mark)) return failed(*coarse_, setting);
     if (!go_on(*fine_, mark)) return failed(*fine_, setting);
     if (mark < compared_) {
       judged_ = mark;
@@ -306,38 +345,52 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
       setting.h = longest_step(*setting.candidate) / longer;
     return true;
   };
-  if (fine_->jumped && round_ < 30) return again(0.4);
-  if (!coarse_->ok()) return !resigned_ && again(0.8);
+  if (question_.options.h > 0.0) {
+    seen_ = compare(*coarse_, *fine_);
+    return false;
+  }
+  if (fine_->jumped && round_ < most_rounds) return again(0.4);
   seen_ = compare(*coarse_, *fine_);
+  // Where runs agree and their energy errors do not fall with the step, that is rounding of H somewhere on
+  // the way.
+  if (seen_.error < 1e-7 && fine_->energy_error > 0.5 * coarse_->energy_error)
+    answer_.energy_rounding = std::max(answer_.energy_rounding, 0.01 * fine_->energy_error);
   const bool hidden = fine_->energy_error <= 100.0 * answer_.energy_rounding;
   const double of_energy = hidden ? 0.0 : fine_->energy_error / (3.0 * tolerance);
-  const double error = std::max(foretold(seen_, here, span_, high_speed_) / tolerance, of_energy);
+  const double of_state = foretold(seen_, here, span_, high_speed_) / tolerance;
   if (mark == 0 && !others_tried_ && try_others(setting)) return true;
-  const double spent = static_cast<double>(trip_->sweeps) * setting.candidate->operations();
-  if (resigned_ || round_ >= 30) return false;
-  if (error > (last ? 3.0 : 2.0)) {
-    // Where shorter steps do not help though the energy is kept to rounding, it is chaos, or noise; else it
-    // may be a feature that no step has seen yet, which is worth a while.
-    const bool resolved = fine_->energy_error <= 1e4 * answer_.energy_rounding || seen_.error < 1e-7;
-    vain_ = mark <= before_at_ && error > 0.3 * before_ ? vain_ + 1 : 0;
-    const bool vain = resolved ? vain_ > 1 : vain_ > 2 && spent > 2e8;
-    const bool dear = spent > 5e8 && last;
-    if (vain || dear || (last && marks_.size() > 1 && !(seen_.error < 1e-3))) {
-      resigned_ = true;
+  if (resigned_ || round_ >= most_rounds) return false;
+  const double error = std::max(of_state, of_energy);
+  const double factor = std::pow(wanted_part / std::max(error, 1e-300), 1.0 / order_);
+  if (error <= (last ? 3.0 : 2.0)) {
+    if (resolved_ == 0.0) resolved_ = fine_->h;
+    // A longer step pays where enough is left of the run.
+    const double gain = std::min({factor, 2.0, longest_step(*setting.candidate) / (longer * fine_->h)});
+    if (lengthened_ == 2 || mark > 1 || fine_->run.steps < 6 || !(gain > 1.15) ||
+        (1.0 - 1.0 / gain) * (span_ - here) < 2.0 * here)
       return false;
-    }
-    before_ = error, before_at_ = mark;
-    // Where errors do not fall by the order yet, by halves.
-    return again(std::clamp(std::pow(wanted_part / error, 1.0 / order_), 0.35, vain_ > 0 ? 0.5 : 0.9));
-  }
-  // A longer step pays where enough is left of the run.
-  const double gain = std::min({std::pow(wanted_part / std::max(error, 1e-300), 1.0 / order_), 2.0,
-                                longest_step(*setting.candidate) / (longer * fine_->h)});
-  if (lengthened_ < 2 && mark < 2 && gain > 1.15 && (1.0 - 1.0 / gain) * (span_ - here) > 2.0 * here) {
     ++lengthened_;
     return again(gain);
   }
-  return false;
+  const double spent = static_cast<double>(budget_.sweeps) * setting.candidate->operations();
+  const double pair = span_ / here * setting.candidate->operations() *
+                      static_cast<double>(coarse_->run.evaluations + fine_->run.evaluations);
+  vain_ = mark <= before_at_ && error > 0.3 * before_ ? vain_ + 1 : 0;
+  if (of_energy < of_state) {
+    // Where steps resolve the motion, a third of them has ten million times less error: if that is not
+    // enough, it is chaos, or noise. What is foretold may be wrong as long as it has not come true.
+    const bool beyond = fine_->h * std::max(factor, 0.35) < resolved_ / 3.0 || factor < 0.25;
+    if (resolved_ > 0.0 && beyond && seen_.error <= tolerance && !last) return false;
+    const bool lost = last && marks_.size() > 1 && !(seen_.error < 1e-3);
+    resigned_ = lost || vain_ > 1 || (resolved_ > 0.0 && beyond) || spent > std::max(5e8, 3.0 * pair);
+  } else {
+    // A feature that the steps do not see is worth a while.
+    resigned_ = spent > std::max(1e9, 3.0 * pair);
+  }
+  if (resigned_) return false;
+  before_ = error, before_at_ = mark;
+  // Where errors do not fall by the order yet, by halves.
+  return again(std::clamp(factor, 0.35, vain_ > 0 ? 0.5 : 0.9));
 }
 
 /// Runs the other candidates of the menu to the first mark, where that is a small part of the whole.
@@ -394,7 +447,7 @@ OrbitAnswer Orbiter::fail(Outcome outcome, std::string message) {
 OrbitAnswer Orbiter::give_up() {
   std::ostringstream text;
   text.precision(6);
-  const Outcome bound = trip_->bound();
+  const Outcome bound = budget_.met(question_.t, 0, 0);
   if (bound != Outcome::ok) {
     text << "A bound of the call was met while monitor and step were being chosen.";
     return fail(bound, text.str());
@@ -429,7 +482,7 @@ OrbitAnswer Orbiter::solve() {
 OrbitAnswer Orbiter::finish() {
   const Journey& fine = *fine_;
   const Candidate& it = *fine.candidate;
-  answer_.choice.sweeps = trip_->sweeps - fine.run.evaluations;
+  answer_.choice.sweeps = budget_.sweeps - fine.run.evaluations;
   if (coarse_) {
     note_trial(*coarse_, infinity);
     if (compared_ == marks_.size()) answer_.choice.check = coarse_->run.evaluations;
@@ -438,15 +491,19 @@ OrbitAnswer Orbiter::finish() {
   answer_.choice.name = it.name;
   answer_.choice.order = order_;
   answer_.choice.h = fine.h;
+  answer_.choice.solved = fine.solved;
   answer_.run = fine.run;
   if (fine.ok() && fine.state.t != question_.t_end) {
-    answer_.run.outcome = trip_->bound() != Outcome::ok ? trip_->bound() : Outcome::step_limit;
+    const Outcome bound = budget_.met(question_.t, 0, 0);
+    answer_.run.outcome = bound != Outcome::ok ? bound : Outcome::step_limit;
   }
   answer_.energy_error = fine.energy_error;
   const double here = since_start(judged_);
   // What rounding leaves grows with the phase.
   answer_.state_error = foretold(seen_, here, span_, speed_at(fine.state, fine.ranges)) +
                         (it.noise + std::numeric_limits<double>::epsilon()) * radians_;
+  if (fine.energy_error > 10.0 * question_.tolerance + 100.0 * answer_.energy_rounding)
+    answer_.state_error = std::max(answer_.state_error, fine.energy_error);
   if (fine.jumped) {
     answer_.state_error = infinity;
     answer_.note += "A step went over a feature of H that is thinner than the step, and shorter steps would "
@@ -476,14 +533,8 @@ OrbitAnswer Orbiter::finish() {
 
 }  // namespace
 
-OrbitAnswer answer(const OrbitQuestion& question) {
-  require_finite("Time of the start", question.t);
-  require(std::isfinite(question.t_end), "End time", question.t_end, "finite");
-  require(question.tolerance >= 1e-13 && question.tolerance <= 1e-2, "Tolerance", question.tolerance,
-          "in [1e-13, 1e-2]");
-  require(question.options.seconds >= 0.0, "Bound on seconds", question.options.seconds, "at least 0");
-  require(question.options.sweeps >= 1, "Bound on sweeps", question.options.sweeps, "at least 1");
-  return Orbiter(question).solve();
+OrbitAnswer choose(const OrbitQuestion& question, Budget& budget) {
+  return Orbiter(question, budget).solve();
 }
 
 }  // namespace detail

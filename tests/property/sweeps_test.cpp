@@ -1,4 +1,4 @@
-#include "avi/collocation/sweeps.hpp"
+#include "avi/collocation/stage_equations.hpp"
 
 #include "avi/collocation/collocation.hpp"
 #include "avi/core/integrate.hpp"

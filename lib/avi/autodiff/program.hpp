@@ -13,6 +13,10 @@
 
 namespace avi {
 
+namespace detail {
+class StraightLine;
+}
+
 /// A straight line of operations that computes f(x) and chosen derivatives of f; made by Recording. One
 /// program serves every scalar: double, Pack<w>, Partials of them. Operations of one kind are grouped, so
 /// that the dispatch is made once for each group; the slots of results are reused as soon as nothing needs
@@ -83,6 +87,7 @@ class Program {
 
  private:
   friend class Schedule;
+  friend class detail::StraightLine;
 
   /// Eight times the number of a slot, so that an addressing mode of the processor finds slots of up to eight
   /// numbers.

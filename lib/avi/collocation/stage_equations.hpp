@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <type_traits>
+#include <utility>
 
 /// @file
-/// The unknowns of a collocation step, and the sweeps that solve for them.
+/// The equations of a collocation step, and the sweeps that solve them.
 
 namespace avi {
 
@@ -36,35 +38,33 @@ class alignas(64) LaneMatrix {
   std::array<Pack<w>, w> columns_;
 };
 
-/// The sweeps of a rule of at most w stages. Lanes beyond the last stage repeat that stage with weight zero,
-/// so the formula is never evaluated at an arbitrary point.
+/// The equations of the stages of a rule of at most w stages, \f[ z_i = z_0 + \sum_j \mu_{ij} L_j, \qquad L_j
+/// = h b_j f(z_j), \f] whose step ends at \f$z_0 + \sum_j L_j\f$. Lanes beyond the last stage repeat that
+/// stage with weight zero, so the formula is never evaluated at an arbitrary point.
 ///
-/// With \f$L_j = h b_j f(z_j)\f$ the stages are \f$z_i = z_0 + \sum_j \mu_{ij} L_j\f$ and the step ends at
-/// \f$z_0 + \sum_j L_j\f$. A sweep computes all forces and with them new momenta, then with these all
-/// velocities and new positions. It is a chain of operations of which each waits for the one before; the
-/// processor has room for a second chain. So a step can be swept together with the next one, which begins
-/// where the sweeps have the end of this one so far.
-///
-/// What calls the formulas of a problem is in SweepsOf; all else is compiled once for all problems.
+/// A sweep computes all forces and with them new momenta, then with these all velocities and new positions.
+/// It is a chain of operations of which each waits for the one before; the processor has room for a second
+/// chain. So a step can be swept together with the next one, which begins where the sweeps have the end of
+/// this one so far.
 template <int n, int w>
-class alignas(64) Sweeps {
+class alignas(64) StageEquations {
  public:
-  using Scalar = Pack<w>;         ///< One number for each stage.
-  using Vec = Vector<Scalar, n>;  ///< One vector for each stage.
-  using Step = Unknowns<n, w>;    ///< What is solved for.
+  using Scalar = Pack<w>;          ///< One number for each stage.
+  using Vec = Vector<Scalar, n>;   ///< One vector for each stage.
+  using Step = Unknowns<n, w>;     ///< What is solved for.
+  using Field = StageField<n, w>;  ///< f.
 
-  /// The field at the stages.
-  virtual void evaluate(Step& step) = 0;
-  /// The first half of a sweep: the forces.
-  virtual void forces(Step& step) = 0;
-  /// The second half: new momenta, velocities and new positions.
-  virtual void stages(Step& step) = 0;
-  /// The same. @return at each stage the largest change of an entry of q or p, in the entry's own scale
-  virtual Scalar changed_stages(Step& step) = 0;
-  /// g at each stage, as the last sweep saw it.
-  virtual const Scalar& rate(const Step& step) = 0;
-  /// Physical time, of a problem where it is a coordinate too.
-  [[nodiscard]] virtual double clock(const Vector<double, n>& q, double t) const = 0;
+  /// For this field and this rule.
+  StageEquations(std::unique_ptr<Field> field, const GaussRule& rule)
+      : field_(std::move(field)), rule_(rule) {
+    for (int j = 0; j < rule.stages(); ++j)
+      for (int i = 0; i < w; ++i)
+        mu_.set(i, j, rule.mu(std::min(i, rule.stages() - 1), j));
+  }
+
+  [[nodiscard]] Field& field() { return *field_.its; }              ///< f.
+  [[nodiscard]] const Field& field() const { return *field_.its; }  ///< f.
+  [[nodiscard]] const GaussRule& rule() const { return rule_; }     ///< Nodes, weights and \f$\mu_{ij}\f$.
 
   /// From now on for steps of size h.
   void set_step(double h) {
@@ -90,6 +90,17 @@ class alignas(64) Sweeps {
     }
   }
 
+  /// The field at the stages.
+  void evaluate(Step& step) {
+    forces(step);
+    field().velocities(step, weight_);
+  }
+  /// The first half of a sweep: the forces.
+  void forces(Step& step) { field().forces(step, weight_); }
+  /// The second half: new momenta, velocities and new positions.
+  [[gnu::noinline]] void stages(Step& step) { renew_all<false>(step); }
+  /// The same. @return at each stage the largest change of an entry of q or p, in the entry's own scale
+  [[gnu::noinline]] Scalar changed_stages(Step& step) { return renew_all<true>(step); }
   /// All stages from the field at the stages as they are, none of them renewed before.
   void sweep_at_once(Step& step) {
     evaluate(step);
@@ -112,19 +123,26 @@ class alignas(64) Sweeps {
     forces(next);
   }
 
-  /// a_ij / b_j.
-  [[nodiscard]] double mu(int i, int j) const { return rule_.mu(i, j); }
   /// \f$h b_j\f$.
   [[nodiscard]] const Scalar& weight() const { return weight_; }
 
- protected:
-  /// For this rule.
-  explicit Sweeps(const GaussRule& rule) : rule_(rule) {
-    for (int j = 0; j < rule.stages(); ++j)
-      for (int i = 0; i < w; ++i)
-        mu_.set(i, j, rule.mu(std::min(i, rule.stages() - 1), j));
+ private:
+  struct Copied {  // with the equations
+    explicit Copied(std::unique_ptr<Field> field) : its(std::move(field)) {}
+    Copied(const Copied& other) : its(other.its->clone()) {}
+    Copied& operator=(const Copied& other) {
+      its = other.its->clone();
+      return *this;
+    }
+    std::unique_ptr<Field> its;
+  };
+  template <bool look>
+  [[gnu::always_inline]] Scalar renew_all(Step& step) {
+    const State<n>&z = step.start.state, &low = step.start.low;
+    const Scalar of_p = renew<look>(step.p, step.dp, z.p, low.p, step.per.p);
+    field().velocities(step, weight_);
+    return max_abs(of_p, renew<look>(step.q, step.dq, z.q, low.q, step.per.q));
   }
-
   /// x = start + low + mu dx. @return the largest change of an entry times `per` at each stage, where that is
   /// asked for
   template <bool look, class V, class W>
@@ -139,10 +157,9 @@ class alignas(64) Sweeps {
     return change;
   }
 
- private:
   // A copy of its own, which nothing else changes, is kept in registers. From 8 columns on it is written by
   // halves and read whole, which takes as long as several entries: no gain at 18 of them, a tenth at 64.
-  static constexpr bool copied = w < 8 || n == dynamic || n > 24;
+  static constexpr bool copied = w >= 8 && (n == dynamic || n > 24);
   using Columns = std::conditional_t<copied, const LaneMatrix<w>, const LaneMatrix<w>&>;
   static void put_behind(const Step& step, Step& next) {
     for (Eigen::Index i = 0; i < step.q.size(); ++i) {
@@ -162,55 +179,11 @@ class alignas(64) Sweeps {
     }
   }
 
+  Copied field_;
   LaneMatrix<w> mu_, continued_;
   alignas(64) Scalar weight_{0.0};
   GaussRule rule_;
   double offset_ = -1.0, ratio_ = 0.0;
-};
-
-/// The sweeps of this problem. Its functions are flattened: a formula then is worked off in registers,
-/// whatever it is made of and whatever else the program holds.
-template <class Problem, int w>
-class SweepsOf final : public Sweeps<Problem::dimension, w> {
-  using Base = Sweeps<Problem::dimension, w>;
-
- public:
-  using typename Base::Scalar, typename Base::Step;
-
-  /// For this problem, which is copied, and this rule.
-  SweepsOf(const Problem& problem, const GaussRule& rule) : Base(rule), problem_(problem), field_(problem) {}
-
-  [[nodiscard]] const Problem& problem() const { return problem_; }  ///< What is integrated.
-
-  void evaluate(Step& step) override {
-    forces(step);
-    velocities(step);
-  }
-  [[gnu::flatten, gnu::noinline]] void forces(Step& step) override {
-    field_.force(problem_, step, this->weight());
-  }
-  [[gnu::flatten, gnu::noinline]] void stages(Step& step) override { renew_all<false>(step); }
-  [[gnu::flatten, gnu::noinline]] Scalar changed_stages(Step& step) override { return renew_all<true>(step); }
-  const Scalar& rate(const Step& step) override { return field_.rate(step); }
-  /// As the problem has it.
-  [[nodiscard]] double clock(const Vector<double, Problem::dimension>& q, double t) const override {
-    return problem_.clock(q, t);
-  }
-
- private:
-  [[gnu::flatten, gnu::noinline]] void velocities(Step& step) {
-    field_.velocity(problem_, step, this->weight());
-  }
-  template <bool look>
-  Scalar renew_all(Step& step) {
-    const auto &z = step.start.state, &low = step.start.low;
-    const Scalar of_p = this->template renew<look>(step.p, step.dp, z.p, low.p, step.per.p);
-    field_.velocity(problem_, step, this->weight());
-    return max_abs(of_p, this->template renew<look>(step.q, step.dq, z.q, low.q, step.per.q));
-  }
-
-  Problem problem_;
-  StageField<Problem, w> field_;
 };
 
 }  // namespace avi
