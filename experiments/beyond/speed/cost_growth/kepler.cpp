@@ -43,7 +43,7 @@ double calibrated(const Method2& runner, const State2& start, double h, long cap
     return made.good() ? made.energy_error : HUGE_VAL;
   };
   return matched_step(error, target, h,
-                      {.order = 4.0, .within = tolerance, .longest = 2.0, .too_coarse = 1e3});
+                      {.order = 8.0, .within = tolerance, .longest = 2.0, .too_coarse = 1e3});
 }
 
 /// Integral of r^-m dt over an orbit with e = 1 - gap, by the eccentric anomaly E with r = 1 - e cos E and
@@ -89,7 +89,7 @@ Axis along_eccentricity(bool quick) {
     axis.expected.push_back({name, power, power, rounding, 0.2,
                              [=](double gap) { return std::pow(gap, -limited) * orbit_integral(m, gap); }});
   };
-  survey("none", {.kind = PositionMonitor::none}, 0.0, 0.01);
+  survey("none", {.kind = PositionMonitor::none}, 0.0, 0.003);
   for (double gamma : {0.5, 0.625, 0.75, 0.875, 1.0})
     survey(fmt::format("gamma = {:g}", gamma),
            {.kind = PositionMonitor::power_of_radius, .exponent = 2.0 * gamma}, 2.0 * gamma, 0.2);
