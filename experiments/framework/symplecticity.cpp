@@ -7,6 +7,7 @@
 #include "avi/transform/monitors.hpp"
 #include "bregman/printed/extended_splitting.hpp"
 #include "bregman/printed/htvi_printed.hpp"
+#include "common/methods/printed_htvi.hpp"
 #include "common/problems/correlated_quartic.hpp"
 
 #include <cmath>
@@ -62,7 +63,8 @@ double kepler_defect(const Monitor& monitor, double h) {
       [&](const avi::VectorX& x) -> avi::VectorX {
         const avi::Poincare<2, avi::Kepler, Monitor> problem(kepler, monitor, x[5]);
         avi::State<2> s{.q = x.head<2>(), .p = x.segment<2>(3), .t = x[2]};
-        if (avi::type2<3, avi::authors>(problem, avi::simpson()).step(s, h).outcome != avi::Outcome::ok)
+        if (avi::type2<3, experiment::Authors>(problem, avi::simpson()).step(s, h).outcome !=
+            avi::Outcome::ok)
           s.t = std::nan("");
         avi::VectorX image(6);
         image << s.q, s.t, s.p, x[5];
@@ -81,7 +83,7 @@ int main(int argc, char** argv) {
     const avi::State<2> somewhere = avi::Kepler::exact(0.6, 0.9);
     const auto monitor = avi::bounded(avi::NormSquared{}, 0.01, 8.0);
     const auto htvi4 =
-        avi::type2<3, avi::authors>(avi::poincare<2>(kepler, somewhere, monitor), avi::simpson());
+        avi::type2<3, experiment::Authors>(avi::poincare<2>(kepler, somewhere, monitor), avi::simpson());
     for (double h : {0.16, 0.08, 0.04, 0.02, 0.01}) {
       table.row("kepler", "htvi4", "q p", h, avi::symplecticity_defect(htvi4, somewhere, h));
       table.row("kepler", "htvi4", "q t p p^t", h, kepler_defect(monitor, h));

@@ -4,7 +4,6 @@
 /// The whole library: every header that no other one brings. Single headers bring less and compile faster.
 
 #include "avi/autodiff/formula.hpp"
-#include "avi/automatic_monitor.hpp"
 #include "avi/bregman/bregman_hamiltonian.hpp"
 #include "avi/bregman/bregman_htvi.hpp"
 #include "avi/bregman/bregman_restarted.hpp"

@@ -99,7 +99,8 @@ inline void step(const std::uint8_t* data, std::size_t size) {
           h);
     case 4: {
       const double c = in.real();
-      return orbit(AdaptiveVerlet(Kepler{}, [c](const auto& q, const auto&) { return c * q.squaredNorm(); }),
+      return orbit(experiment::AdaptiveVerlet(
+                       Kepler{}, [c](const auto& q, const auto&) { return c * q.squaredNorm(); }),
                    z, h);
     }
     case 5:

@@ -8,6 +8,7 @@
 #include "bregman/printed/cloning_printed.hpp"
 #include "bregman/printed/extended_splitting.hpp"
 #include "bregman/printed/htvi_printed.hpp"
+#include "common/methods/printed_htvi.hpp"
 #include "common/problems/correlated_quartic.hpp"
 #include "common/rules/bregman_cloning.hpp"
 
@@ -150,7 +151,7 @@ TEST(Htvi, GenericMachineryOfOrderZeroGivesTheExplicitUpdate) {
     const double h = step(family);
     // Every rule gives the same integrator when the Taylor order is 0.
     for (const auto& rule : {avi::rectangle_left(), avi::simpson(), avi::gauss(3)}) {
-      auto method = avi::type2<0, avi::printed>(problem, rule);
+      auto method = avi::type2<0, experiment::Printed>(problem, rule);
       auto generic = start;
       auto explicit_update = z;
       for (int k = 0; k < 20; ++k) {

@@ -4,6 +4,7 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/euler_b.hpp"
 #include "avi/transform/monitors.hpp"
+#include "common/methods/printed_htvi.hpp"
 #include "common/problems/chain.hpp"
 
 #include "allocations.hpp"
@@ -25,10 +26,11 @@ TEST(Step, AllocatesNothing) {
   const avi::Kepler kepler;
   const auto z = avi::Kepler::pericentre(0.9);
   const auto monitor = avi::bounded(avi::NormSquared{}, 0.01, 8.0);
-  EXPECT_EQ(allocations_in_steps(
-                avi::type2<3, avi::authors>(avi::poincare<2>(kepler, z, monitor), avi::simpson()), 0.1),
-            0);
-  EXPECT_EQ(allocations_in_steps(avi::type2<3, avi::printed>(
+  EXPECT_EQ(
+      allocations_in_steps(
+          avi::type2<3, experiment::Authors>(avi::poincare<2>(kepler, z, monitor), avi::simpson()), 0.1),
+      0);
+  EXPECT_EQ(allocations_in_steps(avi::type2<3, experiment::Printed>(
                                      avi::poincare<2>(avi::Automatic{kepler}, z, monitor), avi::simpson()),
                                  0.1),
             0);

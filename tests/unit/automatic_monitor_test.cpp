@@ -1,8 +1,7 @@
-#include "avi/autodiff/jet.hpp"
 #include "avi/autodiff/pack.hpp"
-#include "avi/automatic_monitor.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/n_body.hpp"
+#include "beyond/speed/automatic_monitors/automatic_monitor.hpp"
 #include "beyond/speed/automatic_monitors/choose_monitor.hpp"
 #include "refusal.hpp"
 
@@ -76,7 +75,7 @@ State<1> at(double q, double p) {
 TEST(AutomaticMonitor, IsThePowerOfTheRadiusOnKepler) {
   for (const double e : {0.0, 0.5, 0.9, 0.999}) {
     const State<2> start = Kepler::pericentre(e);
-    const avi::Formula g = automatic_monitor(Kepler(), start);
+    const avi::Formula g = experiment::automatic_monitor(Kepler(), start);
     const double low = experiment::Monitors({Kepler(), start}).scales().frequency / 8.0;
     for (const double r : {1.0 - e, 0.5, 1.0, 1.0 + e}) {
       const avi::Vector<double, 2> q{0.6 * r, -0.8 * r};
@@ -110,10 +109,10 @@ TEST(AutomaticMonitor, OffersPowersOfTheKineticEnergyToo) {
 
 TEST(AutomaticMonitor, KnowsNoUnitsNoPlaceAndNoDirection) {
   const State<2> start = Kepler::pericentre(0.6);
-  const avi::Formula plain = automatic_monitor(Kepler(), start);
+  const avi::Formula plain = experiment::automatic_monitor(Kepler(), start);
   const Moved moved{.length = 3.0, .time = 0.02, .mass = 7.0, .angle = 0.7, .shift = {5.0, -2.0}};
   const State<2> there = moved.of(start);
-  const avi::Formula same = automatic_monitor(moved, there);
+  const avi::Formula same = experiment::automatic_monitor(moved, there);
   const State<2> z{.q = {-0.4, 0.9}, .p = {0.3, -0.2}};
   const State<2> image = moved.of(z);
   // Rounding along the run.
@@ -126,7 +125,7 @@ TEST(AutomaticMonitor, SumsPairsOfBodies) {
   State<6> z{.q = {}, .p = avi::Vector<double, 6>::Zero()};
   z.q << 0.0, 0.0, 1.0, 0.0, 30.0, 40.0;
   z.p[1] = -std::sqrt(0.5), z.p[3] = -z.p[1];  // on a circle about each other
-  const avi::Formula g = automatic_monitor(problem, z);
+  const avi::Formula g = experiment::automatic_monitor(problem, z);
   const double wide = g(z.q, z.p);
   z.q[2] = 0.25;
   EXPECT_NEAR(wide / g(z.q, z.p), 7.94, 0.06);  // 4^(3/2), less what the bound takes
@@ -135,7 +134,7 @@ TEST(AutomaticMonitor, SumsPairsOfBodies) {
 TEST(AutomaticMonitor, StaysBetweenItsBounds) {
   const State<1> start = at(3.0, 0.0);
   experiment::Monitors monitors({LennardJones(), start});
-  const avi::Formula g = automatic_monitor(LennardJones(), start);
+  const avi::Formula g = experiment::automatic_monitor(LennardJones(), start);
   for (double q = 0.95; q < 20.0; q *= 1.001) {
     const double here = g(at(q, 0.0).q, start.p);
     EXPECT_GT(here, 0.0);
@@ -147,7 +146,7 @@ TEST(AutomaticMonitor, StaysBetweenItsBounds) {
 
 TEST(AutomaticMonitor, TakesEveryScalar) {
   const State<2> start = Kepler::pericentre(0.7);
-  const avi::Formula g = automatic_monitor(Kepler(), start);
+  const avi::Formula g = experiment::automatic_monitor(Kepler(), start);
   const avi::Vector<double, 2> q{0.3, 0.7};
   const double value = g(q, start.p);
 
@@ -176,14 +175,14 @@ TEST(Formula, TakesTheSignOfZeroFromItsBit) {
 }
 
 TEST(AutomaticMonitor, StartsWhereTheCurvatureVanishes) {
-  const avi::Formula g = automatic_monitor(Quartic(), at(0.0, 1.0));
+  const avi::Formula g = experiment::automatic_monitor(Quartic(), at(0.0, 1.0));
   EXPECT_GT(g(at(0.0, 0.0).q, at(0.0, 0.0).p), 0.0);
   EXPECT_TRUE(std::isfinite(g(at(0.0, 0.0).q, at(0.0, 0.0).p)));
 }
 
 TEST(AutomaticMonitor, SaysWhyThereIsNone) {
   const auto expect = [](const auto& hamiltonian, const auto& start, const char* reason) {
-    const std::string said = refusal([&] { automatic_monitor(hamiltonian, start); });
+    const std::string said = refusal([&] { experiment::automatic_monitor(hamiltonian, start); });
     EXPECT_NE(said.find(reason), std::string::npos) << said;
   };
   expect(Free(), at(0.0, 1.0), "no time scale");

@@ -1,4 +1,4 @@
-#include "lib/src/curvature.hpp"
+#include "beyond/speed/automatic_monitors/curvature.hpp"
 
 #include "avi/autodiff/formula.hpp"
 #include "avi/autodiff/partials.hpp"
@@ -66,7 +66,7 @@ struct Squares {
 
 TEST(Curvature, IsWhatItsDefinitionSaysTermByTerm) {
   const avi::State<2> start{.q = {0.4, -0.3}, .p = {0.2, 0.5}};
-  avi::detail::Curvature curvature({Everything(), start});
+  experiment::Curvature curvature({Everything(), start});
   const avi::Formula n0(curvature.graph, curvature.squared_frequency_squared());
   constexpr double frequency = 1.7;
   const avi::Formula speed(curvature.graph, curvature.squared_speed(frequency));
@@ -113,9 +113,9 @@ TEST(Curvature, HasNoMetricWhereHppIsIndefinite) {
     return p[0] * p[0] + p[1] * p[1] + 1.5 * p[0] * p[1] + q[0] * q[1];
   };
   const avi::State<2> z{.q = {1.0, 2.0}, .p = {0.5, 0.5}};
-  EXPECT_THROW(avi::detail::Curvature({saddle, z}), std::invalid_argument);
-  EXPECT_THROW(avi::detail::Curvature({leaning, z}), std::invalid_argument);
-  EXPECT_NO_THROW(avi::detail::Curvature({upright, z}));
+  EXPECT_THROW(experiment::Curvature({saddle, z}), std::invalid_argument);
+  EXPECT_THROW(experiment::Curvature({leaning, z}), std::invalid_argument);
+  EXPECT_NO_THROW(experiment::Curvature({upright, z}));
 }
 
 }  // namespace curvature_test

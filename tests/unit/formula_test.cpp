@@ -2,10 +2,12 @@
 
 #include "avi/autodiff/pack.hpp"
 #include "avi/autodiff/partials.hpp"
+#include "avi/optim/minimise.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/solve.hpp"
+#include "avi/transform/poincare.hpp"
 
-#include "lib/src/orbit.hpp"
+#include "beyond/speed/automatic_monitors/orbit.hpp"
 #include "refusal.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +55,7 @@ TEST(Formula, MayDependOnTime) {
   const Formula driven = Formula::of_phase_and_time(
       [](const auto& q, const auto& t, const auto& p) { return p[0] * p[0] - q[1] * t + 7.0 * p[1]; }, 2);
   const VectorX q{{1.0, 2.0}}, p{{3.0, 4.0}};
-  EXPECT_EQ(driven(q, 5.0, p), 9.0 - 10.0 + 28.0);
+  EXPECT_EQ(driven.at(q, 5.0, p), 9.0 - 10.0 + 28.0);
   EXPECT_EQ(driven.gradient(VectorX{{1.0, 2.0, 3.0, 4.0, 5.0}}), (VectorX{{0.0, -5.0, 6.0, 7.0, -2.0}}));
 }
 
@@ -136,7 +138,7 @@ TEST(Formula, SaysWhatACallCosts) {
 TEST(Orbit, IsRefusedWhereItHasNoFiniteStart) {
   const auto said = [](const VectorX& q, const VectorX& p, double t) {
     const auto energy = [](const auto& at, const auto& by) { return 0.5 * by[0] * by[0] - 1.0 / at[0]; };
-    return refusal([&] { avi::detail::Orbit(energy, State<avi::dynamic>{.q = q, .p = p, .t = t}); });
+    return refusal([&] { experiment::Orbit(energy, State<avi::dynamic>{.q = q, .p = p, .t = t}); });
   };
   const VectorX one = VectorX::Ones(1), zero = VectorX::Zero(1);
   EXPECT_EQ(said(one, one, 0.0), "accepted");
@@ -146,6 +148,31 @@ TEST(Orbit, IsRefusedWhereItHasNoFiniteStart) {
   EXPECT_EQ(said(one, VectorX::Ones(2), 0.0), "Dimension of p at the start is 2; it must be that of q, 1.");
 }
 
+TEST(Formula, IsAMonitorOfPositionAndMomentum) {
+  const State<2> start = avi::Kepler::pericentre(0.5);
+  const Formula g =
+      Formula::of_phase<2>([](const auto& q, const auto&) { return q[0] * q[0] + q[1] * q[1]; });
+  const auto problem = avi::poincare(Formula::of_phase<2>(avi::Kepler()), start, g);
+  EXPECT_FALSE(decltype(problem)::position_monitor);
+  EXPECT_EQ(problem.rate(start.q, start.p), 0.25);
+}
+
+TEST(Formula, IsMinimised) {
+  const auto valley = [](const auto& x, const auto& c) {
+    const auto bend = x[1] - x[0] * x[0];
+    return (x[0] - c[0]) * (x[0] - c[0]) + 10.0 * bend * bend;
+  };
+  const Formula f = Formula::of_point(valley, 2, {1.0});
+  for (const double c : {1.0, 0.5}) {
+    const auto run = avi::minimise(f.with({c}), {-1.0, 1.0});
+    EXPECT_TRUE(run.ok());
+    EXPECT_NEAR(run.last.x[0], c, 1e-6);
+    EXPECT_NEAR(run.last.x[1], c * c, 4e-6);
+  }
+  EXPECT_EQ(refusal([&] { (void)avi::minimise(f, {1.0}); }),
+            "Size of x0 is 1; it must be the number of arguments of f, 2.");
+}
+
 TEST(Formula, LeavesBehindWhatItDoesNotNeed) {
   avi::ExpressionGraph graph(2);
   graph.unary(avi::Operation::exp, 0);
@@ -153,8 +180,8 @@ TEST(Formula, LeavesBehindWhatItDoesNotNeed) {
   graph.unary(avi::Operation::sin, root);
   const Formula f(graph, root);
   EXPECT_EQ(f.graph().size(), 3);
-  EXPECT_EQ(f(VectorX{{1.0, 4.0}}), 2.0);
-  EXPECT_EQ(Formula(graph, 1)(VectorX{{1.0, 4.0}}), 4.0) << "an argument alone";
+  EXPECT_EQ(f.value(VectorX{{1.0, 4.0}}), 2.0);
+  EXPECT_EQ(Formula(graph, 1).value(VectorX{{1.0, 4.0}}), 4.0) << "an argument alone";
 }
 
 TEST(Formula, RefusesWhatDoesNotFit) {

@@ -1,4 +1,4 @@
-#include "lib/src/monomial.hpp"
+#include "beyond/speed/automatic_monitors/monomial.hpp"
 
 #include "avi/autodiff/formula.hpp"
 
@@ -7,7 +7,7 @@
 namespace monomial_test {
 
 using avi::Recorded;
-using avi::detail::Monomial;
+using experiment::Monomial;
 
 /// Two formulas of (q, p) in one graph, and what the first becomes as a power of parts of the second.
 template <class F, class Whole>

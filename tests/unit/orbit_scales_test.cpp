@@ -1,4 +1,4 @@
-#include "lib/src/orbit_scales.hpp"
+#include "beyond/speed/automatic_monitors/orbit_scales.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,12 @@
 namespace orbit_scales_test {
 
 using avi::State;
-using avi::detail::Curvature;
-using avi::detail::OrbitScales;
+using experiment::Curvature;
+using experiment::OrbitScales;
 
 /// The scales of H from (q, p), and monitors in its graph.
 struct Measured {
-  avi::detail::Orbit orbit;
+  experiment::Orbit orbit;
   Curvature curvature{orbit};
   OrbitScales scales{orbit, curvature};
   template <class H>

@@ -10,7 +10,7 @@ namespace pilot_test {
 
 using avi::Kepler;
 using avi::Outcome;
-using avi::detail::Orbit;
+using experiment::Orbit;
 using experiment::Pilot;
 using experiment::Trial;
 

@@ -21,10 +21,10 @@ class ExpressionGraph {
  public:
   /// One operation; operands are numbers of earlier nodes, -1 where there is none.
   struct Node {
-    Operation operation;  ///< What is done.
+    Operation operation;  ///< The operation.
     int a = -1;           ///< First operand; the number of the argument of an input.
     int b = -1;           ///< Second operand.
-    double number = 0.0;  ///< Of a constant.
+    double number = 0.0;  ///< Value of a constant.
   };
 
   /// A formula of that many arguments, its first nodes.

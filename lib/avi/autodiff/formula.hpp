@@ -16,14 +16,14 @@ namespace avi {
 /// A formula may have k parameters beside its N arguments. They are the last inputs of the graph, no
 /// derivatives are taken by them, and with() gives them other values without recording anything again.
 ///
-/// What it is made from is called once, with a scalar that writes down what is done to it (Recording says
-/// what it may do). Evaluations at a point interpret the graph; for many of them take
+/// The function that it is made from is called once, with a scalar that writes down what is done to it
+/// (Recording says what it may do). Evaluations at a point interpret the graph; for many of them take
 /// Recording(formula).value_and_gradient(), a Program.
 class Formula {
  public:
   ///@{
 
-  /// What is recorded already. What `node` does not need is left behind.
+  /// The formula of a node of a graph; operations that it does not need are left behind.
   /// @param parameters values of the last inputs of the graph; none: all inputs are arguments
   /// @throws std::invalid_argument for a node that the graph has not, or more parameters than inputs.
   Formula(ExpressionGraph&& graph, int node, std::vector<double> parameters = {});
@@ -103,7 +103,7 @@ class Formula {
   [[nodiscard]] Formula with_constants() const;
 
   /// f at x = (x_1 ... x_N). @throws std::invalid_argument for a vector of another size.
-  [[nodiscard]] double value(const VectorX& x) const { return (*this)(x); }
+  [[nodiscard]] double value(const VectorX& x) const { return at(x); }
   /// The gradient there, by reverse accumulation; the first call finds its formula.
   /// @throws std::invalid_argument for a vector of another size.
   [[nodiscard]] VectorX gradient(const VectorX& x) const {
@@ -118,18 +118,18 @@ class Formula {
   /// The value at vectors of any scalar: double, Pack, Partials, Recorded. Each thread keeps its working
   /// memory from call to call.
   template <class Q>
-  typename Q::Scalar operator()(const Q& x) const {
+  typename Q::Scalar at(const Q& x) const {
     return evaluate<typename Q::Scalar>(x.size(), [&](auto& values) { append(values, x); });
   }
   template <class Q, class P>
-  typename Q::Scalar operator()(const Q& q, const P& p) const {
+  typename Q::Scalar at(const Q& q, const P& p) const {
     return evaluate<typename Q::Scalar>(q.size() + p.size(), [&](auto& values) {
       append(values, q);
       append(values, p);
     });
   }
   template <class Q, class T, class P>
-  typename Q::Scalar operator()(const Q& q, const T& t, const P& p) const {
+  typename Q::Scalar at(const Q& q, const T& t, const P& p) const {
     return evaluate<typename Q::Scalar>(q.size() + 1 + p.size(), [&](auto& values) {
       append(values, q);
       append(values, p);
@@ -137,6 +137,12 @@ class Formula {
     });
   }
   ///@}
+  /// As a Hamiltonian or a monitor is called; a formula of a point, or of time, is no monitor g(q) or g(q, t,
+  /// p).
+  template <class Q, class P>
+  typename Q::Scalar operator()(const Q& q, const P& p) const {
+    return at(q, p);
+  }
 
  private:
   struct Gradient;

@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/autodiff/recorded_call.hpp"
+#include "avi/autodiff/formula.hpp"
 #include "avi/autodiff/reverse.hpp"
 #include "avi/autodiff/schedule.hpp"
 #include "avi/core/require.hpp"
@@ -45,6 +45,9 @@ class Recording {
     require(node >= 0 && node < graph_.size(), "Node to differentiate", node, "a node of the graph");
     differentiate(node);
   }
+
+  /// The same of a Formula. Its parameters are the last inputs, to be set in the program's room.
+  explicit Recording(const Formula& f) : Recording(f.graph(), f.node()) {}
 
   /// Records f where the gradient of h in f(x, h(x)) is supplied: only what f does with h is differentiated.
   /// @param f called as f(x, h) @param h called as h(x) @param slopes called as slopes(x), returns N numbers

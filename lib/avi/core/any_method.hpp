@@ -17,7 +17,7 @@ namespace avi {
 template <int n>
 class AnyMethod {
  public:
-  static constexpr bool one_step = false;  ///< What is in it may remember more than the state.
+  static constexpr bool one_step = false;  ///< The method in it may remember more than the state.
 
   /// Takes the method in. A copy of an AnyMethod has a copy of its method.
   template <class M>

@@ -353,7 +353,7 @@ class Minimiser {
     }
   }
 
-  /// What rounding may make of the difference of two values.
+  /// Bound on the rounding error of the difference of two values.
   [[nodiscard]] double rounding(double one, double other) const {
     return noise_ + 1e-14 * (std::abs(one) + std::abs(other));
   }
@@ -442,7 +442,7 @@ class Minimiser {
 
   MinimiseOptions options_;        ///< As given.
   Function f_;                     ///< The objective.
-  long evaluations_ = 0;           ///< Of value and gradient.
+  long evaluations_ = 0;           ///< Number of evaluations of value and gradient.
   Eigen::Index n_;                 ///< Size of x.
   SecantPairs pairs_;              ///< The mass matrix.
   Point base_;                     ///< Where the line begins.
@@ -454,10 +454,10 @@ class Minimiser {
   double length2_ = 0.0;           ///< Square of d.
   double slope_ = 0.0;             ///< d . gradient at the last evaluation.
   double square_ = 0.0;            ///< Square of the gradient there.
-  double norm_ = 0.0;              ///< Of the gradient at the base.
+  double norm_ = 0.0;              ///< Norm of the gradient at the base.
   double target_ = 0.0;            ///< Norm of the gradient that ends the run.
   double alpha_ = 0.0;             ///< Where the next trial is.
-  double floor_ = 0.0;             ///< What f must not fall below.
+  double floor_ = 0.0;             ///< Lower bound of f; a run below it has diverged.
   double noise_ = 0.0;             ///< Error of values as seen where a line was stuck.
   bool exact_ = true;              ///< Whether value and gradient at the base were evaluated.
   Outcome failure_ = Outcome::ok;  ///< Why the run ends.

@@ -1,4 +1,4 @@
-#include "avi/automatic_monitor.hpp"
+#include "beyond/speed/automatic_monitors/automatic_monitor.hpp"
 #include "beyond/speed/automatic_monitors/cost.hpp"
 #include "beyond/speed/automatic_monitors/promises.hpp"
 #include "common/frame.hpp"
@@ -91,7 +91,7 @@ Counted compare(Table& table, Table& choices, const Arena& arena, const Targets&
   rows("cheapest:" + cheapest_name, cheapest);
   rows("none", none);
   rows("arclength", reach(general.front().monitor, most, dearest));
-  const Cost automatic = reach(avi::automatic_monitor(scene.energy, scene.start), most, dearest);
+  const Cost automatic = reach(automatic_monitor(scene.energy, scene.start), most, dearest);
   rows("automatic", automatic);
   std::optional<MonitorChoice> chosen_by;
   const double pilot_seconds = seconds([&] {

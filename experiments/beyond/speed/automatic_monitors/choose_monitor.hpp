@@ -1,6 +1,6 @@
 #pragma once
+#include "beyond/speed/automatic_monitors/orbit_scales.hpp"
 #include "beyond/speed/automatic_monitors/pilot.hpp"
-#include "lib/src/orbit_scales.hpp"
 
 #include <memory>
 #include <optional>
@@ -14,7 +14,6 @@
 namespace experiment {
 
 using avi::ExpressionGraph, avi::Operation, avi::require, avi::require_positive;
-using avi::detail::Curvature, avi::detail::OrbitScales, avi::detail::curvature_monitor;
 
 /// What a pilot run is to reach.
 struct MonitorTarget {
@@ -202,7 +201,8 @@ inline MonitorChoice choose(const Menu& menu, const MonitorTarget& target) {
   double best = std::numeric_limits<double>::infinity();
   for (Candidate& it : candidates) {
     const bool is_fixed = it.entry == &menu.entries.front(), promising = it.outlook() <= poor;
-    // A trial like the best one five times is 8 % of a hundred turns.
+    // Weak candidates are not tested any more once the trials have cost five times the best one, about 8 % of
+    // a run of 100 periods.
     const bool spent = choice.work > 5.0 * best && it.outlook() > 1.5 * candidates.front().outlook();
     // At best it takes five sweeps for each of the first steps.
     if (!is_fixed && (!promising || spent || 5.0 * it.sweep * first > best)) continue;

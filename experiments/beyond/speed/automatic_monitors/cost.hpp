@@ -62,7 +62,7 @@ inline MonitorChoice finest(const Scene& scene) {
 /// was chosen with.
 inline Arena arena_of(const Scene& scene, const MonitorChoice& choice) {
   Menu menu({scene.energy, scene.start});
-  const avi::detail::Curvature curvature({scene.energy, scene.start});
+  const Curvature curvature({scene.energy, scene.start});
   auto method = avi::collocation(poincare(scene.energy, scene.start, choice.monitor), 16);
   Point z = scene.start;
   avi::VectorX place(2 * z.q.size()), next = place, way = 0.0 * place;
@@ -113,7 +113,7 @@ inline Measured measure(const Arena& arena, avi::Collocation<Pilot::Problem>& me
 inline Cost cost(const Arena& arena, const avi::Formula& monitor, const Targets& targets, double most,
                  double dearest, double factor) {
   Cost found;
-  const avi::detail::OrbitScales& scales = *arena.menu.scales;
+  const OrbitScales& scales = *arena.menu.scales;
   const double fictive = scales.fictive_time(monitor, arena.scene.time);
   if (!(fictive > 0.0) || !std::isfinite(fictive)) return found;
   found.sweep = sweep_of(arena, monitor, targets.order);

@@ -3,7 +3,7 @@
 #include "avi/core/integrate.hpp"
 #include "avi/core/outcome.hpp"
 #include "avi/transform/poincare.hpp"
-#include "lib/src/orbit.hpp"
+#include "beyond/speed/automatic_monitors/orbit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,6 @@ namespace experiment {
 
 using avi::Collocation, avi::Formula, avi::Outcome, avi::Poincare, avi::Run, avi::State, avi::Until,
     avi::dynamic, avi::poincare;
-using avi::detail::Orbit;
 
 /// One short run of a pilot.
 struct Trial {

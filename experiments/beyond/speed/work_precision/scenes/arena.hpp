@@ -72,10 +72,21 @@ struct Arena {
 
   /// f, for Equations.
   static int field(double, const double* y, double* f, void* self) {
-    using Vec = avi::Vector<double, n>;
     auto& counted = *static_cast<RightHandSide*>(self);
     ++counted.evaluations;
     const P& its = *static_cast<const P*>(counted.problem);
+    if constexpr (requires { its.rates(y, f); }) {
+      its.rates(y, f);
+      return 0;
+    } else {
+      return field_of(its, y, f);
+    }
+  }
+
+ private:
+  /// f, from the derivatives that P has.
+  static int field_of(const P& its, const double* y, double* f) {
+    using Vec = avi::Vector<double, n>;
     const Vec q = Eigen::Map<const Vec>(y);
     if constexpr (UnitMasses<P>) {
       // Entry by entry: a whole vector that is read just after its entries were written would cost GSL 40 %.
@@ -93,7 +104,6 @@ struct Arena {
     return 0;
   }
 
- private:
   /// One run of a method of ours, as a request wants it.
   [[nodiscard]] Result run(const Request& request, const MethodOf<n>& runner) const {
     const avi::Until until{.time = horizon, .steps = request.step_cap};

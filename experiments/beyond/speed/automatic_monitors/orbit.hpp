@@ -9,7 +9,9 @@
 /// @file
 /// An orbit: H as a formula, and a start.
 
-namespace avi::detail {
+namespace experiment {
+
+using avi::Formula, avi::State, avi::dynamic, avi::require_dimension;
 
 /// H as a formula and the start of an orbit in vectors whose size is known at run time: what is found out
 /// about the orbit is then compiled once for all H.
@@ -40,4 +42,4 @@ struct Orbit {
   }
 };
 
-}  // namespace avi::detail
+}  // namespace experiment

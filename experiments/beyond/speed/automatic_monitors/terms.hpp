@@ -7,7 +7,9 @@
 /// @file
 /// A recorded formula as a sum of terms.
 
-namespace avi::detail {
+namespace experiment {
+
+using avi::ExpressionGraph, avi::Operation;
 
 /// The terms of a formula: sums are taken apart, products of sums and quotients of a sum multiplied out,
 /// equal terms collected. Sums of the first degree (differences of coordinates) stay together in a product,
@@ -92,4 +94,4 @@ class Terms {
   int one_;
 };
 
-}  // namespace avi::detail
+}  // namespace experiment

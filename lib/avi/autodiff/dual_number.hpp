@@ -15,7 +15,7 @@ inline namespace AVI_INSTRUCTIONS {
 /// Value (lane 0) and N first partials (lanes 1 to N) of a function of N variables; the chain rule is applied
 /// by every operation (forward-mode automatic differentiation; Griewank and Walther 2008, chapter 3).
 template <int N>
-class Lanes : ChainRule<Lanes<N>> {
+class DualNumber : ChainRule<DualNumber<N>> {
  public:
   /// Numbers in a register: N + 1, rounded up to a power of 2.
   static constexpr int width = static_cast<int>(std::bit_ceil(static_cast<unsigned>(N) + 1u));
@@ -23,22 +23,22 @@ class Lanes : ChainRule<Lanes<N>> {
 
   Register lanes;  ///< Value, partials, padding.
 
-  Lanes() = default;
+  DualNumber() = default;
   // Written out so that a copy is one register move: the compiler may copy a struct in pieces, and reloading
   // them as one register stalls the processor.
-  Lanes(const Lanes& other) : lanes(other.lanes) {}  ///< One register move.
+  DualNumber(const DualNumber& other) : lanes(other.lanes) {}  ///< One register move.
   /// One register move.
-  Lanes& operator=(const Lanes& other) {
+  DualNumber& operator=(const DualNumber& other) {
     lanes = other.lanes;
     return *this;
   }
   /// A constant: all partials are zero.
-  Lanes(double value) : lanes{} { lanes[0] = value; }  // NOLINT: implicit, so that formulas read as written
-  explicit Lanes(const Register& r) : lanes(r) {}      ///< From its register.
+  DualNumber(double value) : lanes{} { lanes[0] = value; }  // NOLINT: implicit, as formulas are written
+  explicit DualNumber(const Register& r) : lanes(r) {}      ///< From its register.
 
   /// The variable number i (0-based) of the N, at `value`.
-  static Lanes variable(double value, int i) {
-    Lanes x(value);
+  static DualNumber variable(double value, int i) {
+    DualNumber x(value);
     x.lanes[i + 1] = 1.0;
     return x;
   }
@@ -48,29 +48,33 @@ class Lanes : ChainRule<Lanes<N>> {
 
   /// f with the derivative slope() by x.
   template <class Slope>
-  [[nodiscard]] Lanes chain(double f, Slope slope) const {
-    Lanes y(slope() * lanes);
+  [[nodiscard]] DualNumber chain(double f, Slope slope) const {
+    DualNumber y(slope() * lanes);
     y.lanes[0] = f;
     return y;
   }
-  friend double value_of(const Lanes& x) { return x.value(); }  ///< The number itself.
+  friend double value_of(const DualNumber& x) { return x.value(); }  ///< The number itself.
 
   ///@{
 
   /// By the rules for sums, products and quotients.
-  friend Lanes operator-(const Lanes& a) { return Lanes(-a.lanes); }
-  friend Lanes operator+(const Lanes& a, const Lanes& b) { return Lanes(a.lanes + b.lanes); }
-  friend Lanes operator-(const Lanes& a, const Lanes& b) { return Lanes(a.lanes - b.lanes); }
-  friend Lanes operator*(double a, const Lanes& b) { return Lanes(a * b.lanes); }
-  friend Lanes operator*(const Lanes& a, double b) { return Lanes(a.lanes * b); }
-  friend Lanes operator/(const Lanes& a, double b) { return Lanes(a.lanes / b); }
-  friend Lanes operator*(const Lanes& a, const Lanes& b) {
-    Lanes c(a.lanes[0] * b.lanes + b.lanes[0] * a.lanes);
+  friend DualNumber operator-(const DualNumber& a) { return DualNumber(-a.lanes); }
+  friend DualNumber operator+(const DualNumber& a, const DualNumber& b) {
+    return DualNumber(a.lanes + b.lanes);
+  }
+  friend DualNumber operator-(const DualNumber& a, const DualNumber& b) {
+    return DualNumber(a.lanes - b.lanes);
+  }
+  friend DualNumber operator*(double a, const DualNumber& b) { return DualNumber(a * b.lanes); }
+  friend DualNumber operator*(const DualNumber& a, double b) { return DualNumber(a.lanes * b); }
+  friend DualNumber operator/(const DualNumber& a, double b) { return DualNumber(a.lanes / b); }
+  friend DualNumber operator*(const DualNumber& a, const DualNumber& b) {
+    DualNumber c(a.lanes[0] * b.lanes + b.lanes[0] * a.lanes);
     c.lanes[0] = a.lanes[0] * b.lanes[0];
     return c;
   }
-  friend Lanes operator/(const Lanes& a, const Lanes& b) { return a * (1.0 / b); }
-  friend Lanes operator/(double a, const Lanes& b) {
+  friend DualNumber operator/(const DualNumber& a, const DualNumber& b) { return a * (1.0 / b); }
+  friend DualNumber operator/(double a, const DualNumber& b) {
     const double inverse = 1.0 / b.lanes[0];
     return b.chain(a * inverse, [&] { return -a * inverse * inverse; });
   }

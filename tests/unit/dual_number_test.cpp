@@ -1,4 +1,4 @@
-#include "avi/autodiff/lanes.hpp"
+#include "avi/autodiff/dual_number.hpp"
 #include "avi/autodiff/partials.hpp"
 #include "unit/elementary.hpp"
 
@@ -6,10 +6,10 @@
 
 #include <string>
 
-using avi::Lanes;
+using avi::DualNumber;
 using avi::Partials;
 
-namespace lanes_test {
+namespace dual_number_test {
 
 /// A function of two variables for every operation, generic in its scalar.
 const auto operations =
@@ -26,13 +26,13 @@ const auto operations =
                               }},
                    elementary);
 
-TEST(Lanes, PartialsAgreeWithCentralDifferences) {
+TEST(DualNumber, PartialsAgreeWithCentralDifferences) {
   const double x = 0.7, y = 1.3, d = 1e-5;
   int i = 0;
   const auto check = [&](const auto& f) {
     SCOPED_TRACE("operation " + std::to_string(i++));
     const double value = f(x, y);
-    const Lanes<2> v = f(Lanes<2>::variable(x, 0), Lanes<2>::variable(y, 1));
+    const DualNumber<2> v = f(DualNumber<2>::variable(x, 0), DualNumber<2>::variable(y, 1));
     EXPECT_NEAR(v.value(), value, 4e-16 * std::abs(value));
     EXPECT_NEAR(v.partial(0), (f(x + d, y) - f(x - d, y)) / (2.0 * d), 2e-9);
     EXPECT_NEAR(v.partial(1), (f(x, y + d) - f(x, y - d)) / (2.0 * d), 2e-9);
@@ -57,14 +57,14 @@ void check_at_zero(S x) {
   EXPECT_EQ(slope(abs(x)), 1.0) << "to the right of the kink";
 }
 
-TEST(Lanes, DerivativesAtZero) {
-  check_at_zero(Lanes<2>::variable(0.0, 0));
+TEST(DualNumber, DerivativesAtZero) {
+  check_at_zero(DualNumber<2>::variable(0.0, 0));
   check_at_zero(Partials<double, 2>::variable(0.0, 0));
 }
 
-TEST(Lanes, ProductSumIsTheSumOfProducts) {
-  const auto x = Lanes<3>::variable(1.5, 0), y = Lanes<3>::variable(-0.25, 2);
-  avi::ProductSum<Lanes<3>> sum;
+TEST(DualNumber, ProductSumIsTheSumOfProducts) {
+  const auto x = DualNumber<3>::variable(1.5, 0), y = DualNumber<3>::variable(-0.25, 2);
+  avi::ProductSum<DualNumber<3>> sum;
   sum.add(x, y);
   sum.add(y, y, 2.0);
   const auto expected = x * y + 2.0 * y * y, result = sum.result();
@@ -73,4 +73,4 @@ TEST(Lanes, ProductSumIsTheSumOfProducts) {
     EXPECT_EQ(result.partial(i), expected.partial(i));
 }
 
-}  // namespace lanes_test
+}  // namespace dual_number_test

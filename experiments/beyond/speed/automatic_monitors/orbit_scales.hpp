@@ -1,7 +1,7 @@
 #pragma once
 #include "avi/autodiff/recording.hpp"
 #include "avi/integrators/runge_kutta.hpp"
-#include "curvature.hpp"
+#include "beyond/speed/automatic_monitors/curvature.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,10 @@
 /// @file
 /// The scales of time, speed and energy of an orbit, by a short, rough run along it.
 
-namespace avi::detail {
+namespace experiment {
+
+using avi::ExpressionGraph, avi::VectorX, avi::Formula, avi::Recording, avi::Program, avi::RungeKuttaStages,
+    avi::ClassicalRungeKutta;
 
 /// Means in time along the first part of an orbit: at most 64 Runge-Kutta steps of three tenths of the local
 /// time scale. The constants of a monitor come from here; it then is a fixed function.
@@ -84,7 +87,7 @@ class OrbitScales {
   }
 
  private:
-  [[nodiscard]] double value(const Formula& f, const VectorX& z) const { return f(z); }
+  [[nodiscard]] double value(const Formula& f, const VectorX& z) const { return f.value(z); }
   /// dz = the field at z; returns H.
   double field(const VectorX& z, VectorX& dz) {
     std::copy(z.data(), z.data() + z.size(), room_.arguments());
@@ -185,4 +188,4 @@ inline int curvature_monitor(Curvature& curvature, const OrbitScales& scales) {
   return graph.power(plus(graph.power(smooth, 0.5), low * low), -0.5);
 }
 
-}  // namespace avi::detail
+}  // namespace experiment

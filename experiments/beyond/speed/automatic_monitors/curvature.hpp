@@ -1,9 +1,9 @@
 #pragma once
 #include "avi/autodiff/reverse.hpp"
 #include "avi/core/inverse.hpp"
-#include "monomial.hpp"
-#include "orbit.hpp"
-#include "terms.hpp"
+#include "beyond/speed/automatic_monitors/monomial.hpp"
+#include "beyond/speed/automatic_monitors/orbit.hpp"
+#include "beyond/speed/automatic_monitors/terms.hpp"
 
 #include <map>
 #include <stdexcept>
@@ -13,7 +13,10 @@
 /// @file
 /// The square of the frequency scale of a Hamiltonian, term by term, from its second derivatives.
 
-namespace avi::detail {
+namespace experiment {
+
+using avi::ExpressionGraph, avi::Operation, avi::Reverse, avi::Matrix, avi::Vector, avi::dynamic,
+    avi::inverse;
 
 /// A Hamiltonian as a graph, and the quantities that monitors are made of.
 ///
@@ -192,7 +195,7 @@ class Curvature {
     for (const Term& term : terms_)
       for (const auto& [ij, node] : term.hessian)
         if (ij.first >= n_ && ij.second >= n_)
-          metric_(ij.first - n_, ij.second - n_) += evaluate(graph, node, values);
+          metric_(ij.first - n_, ij.second - n_) += avi::detail::evaluate(graph, node, values);
     if (!positive(metric_))
       throw std::invalid_argument(
           "The second derivatives of H with respect to p are not positive definite at the start, so "
@@ -215,4 +218,4 @@ class Curvature {
   Square metric_, inverse_;
 };
 
-}  // namespace avi::detail
+}  // namespace experiment

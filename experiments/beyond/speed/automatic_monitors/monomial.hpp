@@ -9,7 +9,9 @@
 /// @file
 /// Formulas that are a power of one of their parts.
 
-namespace avi::detail {
+namespace experiment {
+
+using avi::ExpressionGraph, avi::Operation;
 
 /// Finds out that a formula is a number times a power of another one, by their values at a few points: second
 /// derivatives of 1/r, squared and summed, are a number times r^-6, at a tenth of the price.
@@ -68,7 +70,7 @@ class Monomial {
 
   /// formula (over the square of a node) as a power of a base.
   std::optional<Power> power_of(int formula, int base, int over) {
-    const auto at = [&](Values& values, int node) { return evaluate(graph_, node, values); };
+    const auto at = [&](Values& values, int node) { return avi::detail::evaluate(graph_, node, values); };
     const auto value = [&](Values& values) {
       const double square = over < 0 ? 1.0 : std::pow(at(values, over), 2);
       return at(values, formula) / square;
@@ -103,4 +105,4 @@ class Monomial {
   std::vector<Values> points_;
 };
 
-}  // namespace avi::detail
+}  // namespace experiment
