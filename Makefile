@@ -178,6 +178,8 @@ build/figures/$(1).pdf build/figures/$(1).png &: $(2) figures/style.gp $(filter-
 	@echo "drawing $(1)"; $(call draw_both,$(1),build/data,build/figures/$(1))
 endef
 $(foreach f,$(drawn),$(eval $(call figure_rule,$f,$(script_of_$f))))
+# One figure draws the data of a second experiment beside its own.
+build/figures/order_verification.pdf build/figures/order_verification.png: build/data/constructions.tsv
 
 gallery: $(patsubst %,build/data/%.tsv,$(GALLERY)) | figures/gallery ## Redraw the README's previews
 	@$(foreach f,$(GALLERY),$(call draw,$f,build/data,figures/gallery/$f,preview,png) &&) true
@@ -204,11 +206,15 @@ build/extremes/%.tsv: $(BIN)/%
 
 # ---- paper, documentation, housekeeping ---------------------------------------------------------------------------
 # What TeX only warns of (references, glyphs, boxes that stand out) is shown; only the tests fail for it.
-paper: deps-paper deps-peers $(DATA) build/data/manifest.tsv $(FIGURES) build/scorecard.txt | build/paper ## Write the report from the data: build/paper/paper.pdf
+# Timed data that exist are kept, see `held`; what lacks is measured.
+papers := report stationary bregman
+paper: deps-paper deps-peers $(DATA) build/data/manifest.tsv $(FIGURES) build/scorecard.txt | build/paper ## Write the report and the two papers from the data: build/paper/{report,stationary,bregman}.pdf
 	@$(compile) paper_numbers && $(BIN)/paper_numbers --paper paper --data build/data --output build/paper
-	@latexmk -cd -pdf -quiet -interaction=nonstopmode -halt-on-error -outdir=$(CURDIR)/build/paper paper/paper.tex \
-	  >build/paper/latexmk.txt 2>&1 || { tail -n 40 build/paper/latexmk.txt; exit 1; }
-	@paper/check_log.sh build/paper/paper.log || true; echo "build/paper/paper.pdf"
+	@for each in $(papers); do \
+	  latexmk -cd -pdf -quiet -interaction=nonstopmode -halt-on-error -outdir=$(CURDIR)/build/paper paper/$$each.tex \
+	    >build/paper/latexmk.txt 2>&1 || { tail -n 40 build/paper/latexmk.txt; exit 1; }; \
+	  paper/check_log.sh build/paper/$$each.log || true; echo "build/paper/$$each.pdf"; \
+	done
 docs: deps-docs $(BUILD)/experiments.mk ## Reference, a page for each chapter, gallery of figures (those that are drawn): build/docs/html
 	@mkdir -p build/docs build/figures && lib/docs/gallery.sh $(BUILD)/experiments.tsv build/docs/pages && doxygen lib/Doxyfile && echo "build/docs/html/index.html"
 format: deps-format ## Apply clang-format
