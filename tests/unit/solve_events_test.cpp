@@ -18,7 +18,7 @@ constexpr double rounding = std::numeric_limits<double>::epsilon();
 constexpr auto position = [](const auto& q, const auto&) { return q[0]; };
 constexpr auto radial = [](const auto& q, const auto& p) { return q[0] * p[0] + q[1] * p[1]; };
 
-// Measured: 4 units of time, at times up to 100.
+// Measured: 28 units, at times up to 100, whose own rounding is 32.
 TEST(SolveEvents, AreThoseOfARunByHandInMoreDigits) {
   const double h = 0.1;
   const auto orbit = solve(spring(), at(1.0, 0.0), 100.0, 1e-13,
@@ -32,7 +32,7 @@ TEST(SolveEvents, AreThoseOfARunByHandInMoreDigits) {
       root -= z.real() / z.imag();
     }
     EXPECT_NEAR(event.state.t, t, 1e-3);
-    EXPECT_LE(std::abs(static_cast<double>(event.state.t - root)), 100.0 * rounding * 100.0);
+    EXPECT_LE(std::abs(static_cast<double>(event.state.t - root)), 100.0 * rounding);
     EXPECT_LE(std::abs(event.state.q[0]), 2.0 * rounding);
     t += M_PI;
   }
