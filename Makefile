@@ -25,7 +25,7 @@ export SOURCE_DATE_EPOCH := $(shell git log -1 --format=%ct 2>/dev/null || echo 
 # `timed`, whose seconds are compared; `slow`; `drawn`, with script_of_<name>; with_<mode>, those that know a longer run. Goals
 # that need no experiment do without it. To make it, packages have to be there.
 without_list := help deps deps-peers deps-paper deps-docs deps-python deps-compare deps-instructions deps-fuzz deps-format deps-mutants \
-                programs build check python hostile instructions mutants fuzz levels docs install format clean
+                programs build check python python-door hostile instructions mutants fuzz levels docs install format clean
 ifneq ($(filter-out $(without_list),$(or $(MAKECMDGOALS),help)),)
 include $(BUILD)/experiments.mk
 endif
@@ -37,7 +37,7 @@ PUBLISHED   := $(wildcard paper/published/*.tsv)
 GALLERY     := kepler_e090 euler_b_errors direct_vs_adaptive work_precision
 
 .PHONY: help deps deps-peers deps-paper deps-docs deps-python deps-compare deps-instructions deps-fuzz deps-format deps-mutants programs build data figures scorecard verdicts \
-        check python hostile instructions mutants fuzz levels paper docs install long work-precision arena extremes gallery format clean
+        check python python-door hostile instructions mutants fuzz levels paper docs install long work-precision arena extremes gallery format clean
 
 help: ## This list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' $(MAKEFILE_LIST) | while IFS='	' read -r target text; do \
@@ -47,7 +47,7 @@ help: ## This list
 
 # ---- packages: a no-op without network or rights when all are there --------------------------------------------
 base_packages  := git g++ cmake ninja-build libeigen3-dev libgsl-dev libcli11-dev libfmt-dev libgtest-dev liblbfgs-dev gnuplot-nox
-peers_packages := libboost-dev libsundials-dev
+peers_packages := libboost-dev libsundials-dev libopenmpi-dev openmpi-bin
 paper_packages := latexmk texlive-latex-recommended texlive-latex-extra texlive-science texlive-fonts-recommended \
                   texlive-bibtex-extra lmodern
 docs_packages  := doxygen libjs-mathjax
@@ -113,6 +113,9 @@ check: build ## Build and run every test
 python: deps-compare ## Build the Python module: build/python, for PYTHONPATH
 	@$(configure) -DAVI_PYTHON=ON && $(compile) _avi && cmake --install $(BUILD) --component python --prefix build/python >/dev/null \
 	  && echo "PYTHONPATH=$(CURDIR)/build/python"
+python-door: python ## Measure what the Python module costs beside C++ and SciPy: build/python/python_door.tsv
+	@$(compile) same_digits && PYTHONPATH=build/python OMP_NUM_THREADS=1 /usr/bin/python3 lib/python/measure/python_door.py \
+	  --program $(BIN)/same_digits --output build/python
 hostile: programs ## The front door's promise on SYSTEMS=1000 systems drawn at random by SEED=1, at five tolerances: an hour
 	@$(compile) hostile && mkdir -p build/extremes && $(BIN)/hostile --systems $(or $(SYSTEMS),1000) --seed $(or $(SEED),1) \
 	  --output build/extremes/hostile.tsv

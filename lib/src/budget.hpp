@@ -34,10 +34,14 @@ class Budget {
         steps >= options_.steps)
       return Outcome::step_limit;
     if (!options_.progress && !std::isfinite(options_.seconds)) return Outcome::ok;
+    if (phase == told_ && ++waited_ < stride_) return Outcome::ok;
     const double now = seconds();
+    stride_ = now - looked_ < 2e-4 ? std::min(2 * stride_, 64) : 1;
+    waited_ = 0;
+    looked_ = now;
     if (now >= share * options_.seconds) return Outcome::time_limit;
-    if (!options_.progress || now < next_) return Outcome::ok;
-    next_ = now + 0.05;
+    if (!options_.progress || (now < next_ && phase == told_)) return Outcome::ok;
+    next_ = now + 0.05, told_ = phase;
     const double fraction = std::clamp(std::abs(t - start) / std::abs(end - start), 0.0, 1.0);
     cancelled_ = !options_.progress({phase, t, fraction, steps, sweeps + evaluations, now});
     return cancelled_ ? Outcome::stopped : Outcome::ok;
@@ -48,6 +52,10 @@ class Budget {
   const SolveOptions& options_;
   Clock::time_point began_ = Clock::now();
   double next_ = 0.0;  // when the callback is due
+  SolvePhase told_ = SolvePhase::choosing;
+  // The clock costs a good part of a short step: where steps are short it is not looked at after each.
+  double looked_ = 0.0;
+  int stride_ = 1, waited_ = 0;
   bool cancelled_ = false;
 };
 
