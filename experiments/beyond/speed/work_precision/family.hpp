@@ -79,7 +79,8 @@ struct Scene {
   /// |q - exact position at t| for a run from start k.
   std::function<double(int k, double t, const Eigen::VectorXd& q)> position_error{};
   double reference_error = 0.0;  ///< Estimate of the error of that reference itself.
-  double longest_run = 1.0;      ///< Times what other scenes allow a run, in evaluations: less where they are dear.
+  double longest_run =
+      1.0;  ///< Times what other scenes allow a run, in evaluations: less where they are dear.
   std::vector<Family> families{};
 };
 
