@@ -42,12 +42,12 @@ class Race {
 
   void scan(std::size_t family) {
     const bool ours = family < 2;
-    const double half = std::sqrt(0.1), finest = ours ? 1e-13 : 1e-15;
+    const double finest = ours ? 1e-13 : 1e-15;
     std::vector<double> passed(std::size(targets), 0.0);  // the first setting that passes
     double previous = 0.0, least = std::numeric_limits<double>::infinity();
     int stale = 0;
     step_cap_ = 300'000;
-    for (double setting = 1e-2; setting > 0.7 * finest; previous = setting, setting *= half) {
+    for (double setting = 1e-2; setting > 0.7 * finest; previous = setting, setting *= budget_.ratio) {
       const Point point = tried(family, setting);
       for (std::size_t i = 0; i < std::size(targets); ++i)
         if (passed[i] == 0.0 && point.error <= targets[i]) {
