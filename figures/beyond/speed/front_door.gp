@@ -16,7 +16,7 @@ eval logy
 set grid
 unset key
 set xrange [1e-12:1e-2]; set yrange [0.05:500]
-set xtics 1e2
+set xtics 1e-11, 1e4 font ',7'; set ytics font ',7'
 cell(i, held) = column('horizon') == horizon[i] && column('held_out') == held ? column('ratio') : NaN
 k_of(c) = sum [k=1:kinds] (c eq kind[k] ? k : 0)
 tint(c) = int('0x'.substr(colour[int(k_of(c))], 2, 7))
@@ -33,7 +33,7 @@ do for [i=1:panels] {
     table using (apart(strcol('kind'))):(cell(i, 0)):(tint(strcol('kind'))) with points lc rgb variable pt 7 ps 0.5 notitle, \
     table using (apart(strcol('kind'))):(cell(i, 1)):(tint(strcol('kind'))) with points lc rgb variable pt 6 ps 0.5 notitle
 }
-eval legend(0.5)
-set key maxrows 1
+eval legend(1)
+set key maxrows 2 samplen 1 width -1 font ',7'
 plot for [k=1:kinds] 2 with points lc rgb colour[k] pt 7 title kind[k]
 unset multiplot
