@@ -193,8 +193,8 @@ build/long/%.tsv: $(BIN)/%
 	$(BIN)/$* --long --output build/long
 # $(call draw_all,stems,kind): those figures from build/<kind>, as build/figures/<stem>_<kind>
 draw_all = $(foreach f,$(1),$(call draw_both,$f,build/$(2),build/figures/$(f)_$(2)) &&) true
-work-precision: deps-peers build/full/work_precision.tsv | build/figures ## The whole grid of speed and accuracy
-	@$(call draw_all,work_precision,full)
+work-precision: deps-peers build/full/work_precision.tsv build/full/front_door.tsv | build/figures ## The whole grid of speed and accuracy
+	@$(call draw_all,work_precision front_door,full)
 arena: build/full/optimiser_arena.tsv | build/figures ## The arena of optimisers with dimensions up to 1e6: two CPU minutes
 	@$(call draw_all,optimiser_arena,full)
 build/full/%.tsv: $(BIN)/% | build/data

@@ -62,9 +62,8 @@ Family door(const P& problem, const avi::State<P::dimension>& start, double span
     result.q = found.state.q;
     result.t = found.state.t;
     result.steps = found.run.steps;
-    result.evaluations = found.run.evaluations * found.choice.order / 2;
-    for (const avi::SolveTrial& trial : found.choice.trials)
-      result.evaluations += trial.sweeps * trial.order / 2;
+    result.evaluations =
+        (found.choice.sweeps + found.choice.check + found.run.evaluations) * found.choice.order / 2;
     return result;
   };
   return {check ? "avi" : "avi_unchecked", 0, work_precision::Origin::front_door, "tolerance", {}, run};

@@ -17,7 +17,7 @@ class Race {
     for (std::size_t i = 0; i < contest_.families.size(); ++i)
       scan(i);
     measure();
-    Outcome outcome{points_, {}};
+    Outcome outcome{points_, {}, cut_short_};
     for (const double target : targets)
       outcome.cells.push_back(
           {target, best(0, 0, target), best(1, 1, target), best(2, contest_.families.size() - 1, target)});
@@ -42,19 +42,23 @@ class Race {
 
   void scan(std::size_t family) {
     const bool ours = family < 2;
-    const double half = std::sqrt(0.1), finest = ours ? 1e-13 : 1e-15;
+    const double finest = ours ? 1e-13 : 1e-15;
     std::vector<double> passed(std::size(targets), 0.0);  // the first setting that passes
     double previous = 0.0, least = std::numeric_limits<double>::infinity();
     int stale = 0;
     step_cap_ = 300'000;
-    for (double setting = 1e-2; setting > 0.7 * finest; previous = setting, setting *= half) {
+    for (double setting = 1e-2; setting > 0.7 * finest; previous = setting, setting *= budget_.ratio) {
       const Point point = tried(family, setting);
       for (std::size_t i = 0; i < std::size(targets); ++i)
         if (passed[i] == 0.0 && point.error <= targets[i]) {
           passed[i] = setting;
           if (previous > 0.0 && (i == 0 || passed[i - 1] != setting)) refine(family, previous, setting);
         }
-      if (point.error <= 0.5 * finest_target || point.seconds > budget_.longest_run) break;
+      if (point.error <= 0.5 * finest_target) break;
+      if (point.seconds > budget_.longest_run * (ours ? 4.0 : 1.0)) {
+        cut_short_ |= ours;
+        break;
+      }
       if (family >= 2 && point.seconds > 3.0 * needed_) break;           // another peer is there already
       if (!ours && least < 1e-3 && !(point.error < 1e3 * least)) break;  // where it asks too much, it fails
       if (setting < 1e-8 && least > 0.1) break;                          // chaos
@@ -114,6 +118,7 @@ class Race {
   std::vector<Point> points_;
   double needed_ = std::numeric_limits<double>::infinity();  // seconds of a peer that reached the last target
   long step_cap_ = 0;
+  bool cut_short_ = false;
 };
 
 }  // namespace

@@ -15,10 +15,11 @@ inline constexpr double targets[] = {1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
 
 /// How closely a race is measured.
 struct Budget {
-  double longest_run = 0.05;  ///< Seconds; a family ends with the first setting that takes longer.
-  double least_block = 2e-4;  ///< Seconds of a timed block; shorter runs are repeated within it.
-  int rounds = 5;             ///< Blocks of each setting, of which the least counts.
-  int refined = 3;            ///< Settings between two half decades, where the first to pass is looked for.
+  double longest_run = 0.005;  ///< Seconds; a family ends with the first setting that takes longer.
+  double least_block = 1e-4;   ///< Seconds of a timed block; shorter runs are repeated within it.
+  int rounds = 3;              ///< Blocks of each setting, of which the least counts.
+  double ratio = 0.1;          ///< Of a tolerance to the one before.
+  int refined = 0;             ///< Settings between two, where the first to pass is looked for.
 };
 
 /// One family at one setting.
@@ -41,9 +42,10 @@ struct Cell {
 struct Outcome {
   std::vector<Point> points;  ///< Every setting that was tried and came through.
   std::vector<Cell> cells;    ///< One for each target.
+  bool cut_short = false;     ///< The budget ended a family of ours: a target not reached says nothing.
 };
 
-/// Each family is run from coarse to fine tolerances in half decades, and between the last that fails and the
+/// Each family is run from coarse to fine tolerances, and between the last that fails and the
 /// first that passes a target in finer parts; then the cheapest three of each side for each target are timed,
 /// one after the other in each round, so that a drift of the machine's speed meets all alike.
 Outcome race(const Contest& contest, const Budget& budget);

@@ -1,0 +1,39 @@
+# The whole call of solve(), choosing and checking included, beside the best of other libraries at equal error of the
+# position at the end: the ratio of times, below 1 where solve() is ahead, over 1, 10 and 100 characteristic times.
+# Hollow marks: problems on which nobody tunes.
+width = 16; height = 6.4
+load 'figures/style.gp'
+table = data.'/front_door_cells.tsv'
+thousand = int(system("grep -c -P '\t1000(\.0)?\t' ".table.' || true')) > 0
+panels = thousand ? 4 : 3
+array horizon[4] = [1, 10, 100, 1000]
+array title[4] = ['1 characteristic time', '10', '100', '1000']
+kinds = 8
+array kind[kinds] = ['one body', 'potential', 'pendulum', 'bodies', 'planets', 'chain', 'not separable', 'driven']
+array colour[kinds] = [black, blue, sky, vermilion, orange, green, purple, grey]
+eval logx
+eval logy
+set grid
+unset key
+set xrange [1e-12:1e-2]; set yrange [0.05:500]
+set xtics 1e-11, 1e4 font ',7'; set ytics font ',7'
+cell(i, held) = column('horizon') == horizon[i] && column('held_out') == held ? column('ratio') : NaN
+k_of(c) = sum [k=1:kinds] (c eq kind[k] ? k : 0)
+tint(c) = int('0x'.substr(colour[int(k_of(c))], 2, 7))
+apart(c) = column('target') * 10**(0.07 * (k_of(c) - 4.5))  # kinds side by side
+set multiplot
+page_left = 1.45; page_bottom = 2.3; page_top = 0.65; gap_x = 0.4
+do for [i=1:panels] {
+  eval panel(i, 1, panels, 1)
+  set title title[i] font ',7' offset 0, -0.7
+  set ylabel i == 1 ? 'time / best of others' : ''
+  set format y i == 1 ? '10^{%L}' : ''
+  set xlabel 'position error' offset 0, 0.4
+  plot 1 with lines lc rgb black lw 1 notitle, \
+    table using (apart(strcol('kind'))):(cell(i, 0)):(tint(strcol('kind'))) with points lc rgb variable pt 7 ps 0.5 notitle, \
+    table using (apart(strcol('kind'))):(cell(i, 1)):(tint(strcol('kind'))) with points lc rgb variable pt 6 ps 0.5 notitle
+}
+eval legend(1)
+set key maxrows 2 samplen 1 width -1 font ',7'
+plot for [k=1:kinds] 2 with points lc rgb colour[k] pt 7 title kind[k]
+unset multiplot
