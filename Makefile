@@ -25,8 +25,8 @@ export SOURCE_DATE_EPOCH := $(shell git log -1 --format=%ct 2>/dev/null || echo 
 # CMake writes down what the calls of experiment() declare (experiments/CMakeLists.txt): the names of all experiments;
 # `timed`, whose seconds are compared; `slow`; `drawn`, with script_of_<name>; with_<mode>, those that know a longer run. Goals
 # that need no experiment do without it. To make it, packages have to be there.
-without_list := help deps deps-peers deps-paper deps-docs deps-site deps-instructions deps-fuzz deps-format deps-mutants \
-                programs build check hostile instructions mutants fuzz levels docs site install format clean
+without_list := help deps deps-peers deps-paper deps-docs deps-site deps-python deps-compare deps-instructions deps-fuzz deps-format deps-mutants \
+                programs build check python hostile instructions mutants fuzz levels docs site install format clean
 ifneq ($(filter-out $(without_list),$(or $(MAKECMDGOALS),help)),)
 include $(BUILD)/experiments.mk
 endif
@@ -37,8 +37,8 @@ FIGURES     := $(foreach f,$(drawn),build/figures/$f.pdf build/figures/$f.png)
 PUBLISHED   := $(wildcard paper/published/*.tsv)
 GALLERY     := kepler_e090 euler_b_errors direct_vs_adaptive work_precision
 
-.PHONY: help deps deps-peers deps-paper deps-docs deps-site deps-instructions deps-fuzz deps-format deps-mutants programs build data figures scorecard verdicts \
-        check hostile instructions mutants fuzz levels paper docs site install long work-precision arena extremes gallery format clean
+.PHONY: help deps deps-peers deps-paper deps-docs deps-site deps-python deps-compare deps-instructions deps-fuzz deps-format deps-mutants programs build data figures scorecard verdicts \
+        check python hostile instructions mutants fuzz levels paper docs site install long work-precision arena extremes gallery format clean
 
 help: ## This list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' $(MAKEFILE_LIST) | while IFS='	' read -r target text; do \
@@ -53,6 +53,8 @@ paper_packages := latexmk texlive-latex-recommended texlive-latex-extra texlive-
                   texlive-bibtex-extra lmodern
 docs_packages  := doxygen doxygen-awesome-css libjs-katex python3
 site_packages  := chromium
+python_packages := python3-dev pybind11-dev python3-pybind11 python3-numpy
+compare_packages := python3-scipy python3-matplotlib
 
 # $(call install,packages): root installs, another user asks sudo where it can answer, else one line says what to run.
 # One at a time: apt's lock on its lists is not waited for.
@@ -81,6 +83,10 @@ deps-docs: deps ## Install Doxygen
 	$(call install,$(docs_packages))
 deps-site: deps-docs
 	$(call install,$(site_packages))
+deps-python: deps ## Install what the Python module needs
+	$(call install,$(python_packages))
+deps-compare: deps-python ## Install SciPy and matplotlib, for the module's examples, plots and comparisons
+	$(call install,$(compare_packages))
 deps-instructions: deps
 	$(call install,valgrind)
 deps-mutants: deps
@@ -94,8 +100,8 @@ deps-format:
 configure = cmake --preset $(PRESET) >/dev/null
 compile   = cmake --build $(BUILD) --target
 
-# Peers are found when CMake configures, so they have to be there by then.
-programs: deps $(if $(filter work-precision paper,$(MAKECMDGOALS)),deps-peers)
+# Peers and pybind11 are found when CMake configures, so they have to be there by then.
+programs: deps $(if $(filter work-precision paper,$(MAKECMDGOALS)),deps-peers) $(if $(filter check,$(MAKECMDGOALS)),deps-python)
 	@$(configure) && $(compile) experiments
 # Goals that need the list have it made before anything else.
 $(BUILD)/experiments.mk: CMakeLists.txt CMakePresets.json $(shell find experiments -name CMakeLists.txt) | deps
@@ -108,6 +114,9 @@ $(patsubst %,$(BIN)/%,$(experiments) scorecard): programs
 
 check: build ## Build and run every test
 	ctest --test-dir $(BUILD) --output-on-failure --parallel $(shell nproc)
+python: deps-compare ## Build the Python module: build/python, for PYTHONPATH
+	@$(configure) -DAVI_PYTHON=ON && $(compile) _avi && cmake --install $(BUILD) --component python --prefix build/python >/dev/null \
+	  && echo "PYTHONPATH=$(CURDIR)/build/python"
 hostile: programs ## The front door's promise on SYSTEMS=1000 systems drawn at random by SEED=1, at five tolerances: an hour
 	@$(compile) hostile && mkdir -p build/extremes && $(BIN)/hostile --systems $(or $(SYSTEMS),1000) --seed $(or $(SEED),1) \
 	  --output build/extremes/hostile.tsv

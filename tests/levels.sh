@@ -39,7 +39,7 @@ tables() {
   done
   # Written in hexadecimal: equal or not.
   "${rest%-*}" -std=c++20 -w "-${rest##*-}" $march $flags \
-    -ffp-contract=off -fno-math-errno -Ilib -isystem /usr/include/eigen3 tests/levels/collocation_bits.cpp \
+    -ffp-contract=off -fno-math-errno -Ilib -Iexperiments -isystem /usr/include/eigen3 tests/levels/collocation_bits.cpp \
     -o "$build/bin/collocation_bits" >&2 || return
   "$build/bin/collocation_bits"
 }

@@ -1,7 +1,7 @@
 #pragma once
 #include "common/rules/rules.hpp"
 
-#include "avi/problems/correlated_quartic.hpp"
+#include "common/problems/correlated_quartic.hpp"
 
 #include <algorithm>
 #include <string>

@@ -2,7 +2,7 @@
 #include "common/frame.hpp"
 
 #include "avi/integrators/runge_kutta.hpp"
-#include "avi/problems/correlated_quartic.hpp"
+#include "common/problems/correlated_quartic.hpp"
 
 #include <gsl/gsl_eigen.h>
 
@@ -119,7 +119,7 @@ Sustained bound(const DiagonalQuartic& f, double omega, double h, long cap) {
 
 /// Largest distance over t <= 4 of Nesterov's iterates from x'' + (3/t) x' + grad f = 0 at t = k sqrt(h).
 double distance_to_limit(double h) {
-  const avi::CorrelatedQuartic f(3, 0.5);
+  const experiment::CorrelatedQuartic f(3, 0.5);
   const VectorX start = VectorX::Constant(3, 1.6);
   const double root = std::sqrt(h);
   VectorX x = start, y = start, before = start, g(3), z(7);  // z = (x, x', t) of the equation

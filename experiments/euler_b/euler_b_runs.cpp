@@ -13,10 +13,10 @@ namespace experiment {
 
 namespace {
 
-Runner euler_b(const EulerBSetting& setting) {
+Method2 euler_b(const EulerBSetting& setting) {
   const avi::Kepler kepler;
   const auto with = [&](const auto& monitor_from) {
-    return Runner(kepler, [=](const State2& start) {
+    return Method2(kepler, [=](const State2& start) {
       return avi::euler_b<2>(kepler, start, monitor_from(kepler(start.q, start.p)));
     });
   };
@@ -41,20 +41,20 @@ EulerBSetting euler_b_setting(const std::string& monitor, double size) {
 
 EulerBResult run_euler_b(const EulerBSetting& setting, double e, double horizon,
                          const EulerBObserver& observe) {
-  const Runner runner = euler_b(setting);
+  const Method2 runner = euler_b(setting);
   const avi::Kepler kepler;
   const State2 start = avi::Kepler::pericentre(e);
   const double energy = kepler(start.q, start.p), momentum = avi::Kepler::angular_momentum(start);
   State2 z = start;
   EulerBResult result;
   result.seconds = seconds([&] {
-    const avi::Run run = runner.advance(start, z, setting.h, {.time = horizon}, [&](const State2& s) {
+    avi::AnyMethod<2> method = runner.make(start);
+    const avi::Run run = avi::integrate(method, z, setting.h, {.time = horizon}, [&](const State2& s, long) {
       const double energy_error = std::abs(kepler(s.q, s.p) - energy);
       const double momentum_error = std::abs(avi::Kepler::angular_momentum(s) - momentum);
       result.energy_error = std::max(result.energy_error, energy_error);
       result.angular_momentum_error = std::max(result.angular_momentum_error, momentum_error);
       if (observe) observe(s, energy_error, momentum_error);
-      return true;
     });
     if (run.outcome != avi::Outcome::ok) throw std::runtime_error(run.message);
     result.steps = run.steps;

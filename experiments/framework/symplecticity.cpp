@@ -2,12 +2,13 @@
 
 #include "avi/diagnostics/symplecticity.hpp"
 #include "avi/htvi/htvi.hpp"
-#include "avi/problems/correlated_quartic.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/euler_b.hpp"
 #include "avi/transform/monitors.hpp"
 #include "bregman/printed/extended_splitting.hpp"
 #include "bregman/printed/htvi_printed.hpp"
+#include "common/methods/printed_htvi.hpp"
+#include "common/problems/correlated_quartic.hpp"
 
 #include <cmath>
 
@@ -18,14 +19,15 @@
 namespace {
 
 constexpr Eigen::Index d = 3;
-const avi::CorrelatedQuartic f(d, 0.9);
+const experiment::CorrelatedQuartic f(d, 0.9);
 const auto family = avi::BregmanFamily::adaptive(4.0, 1.0);
 
 avi::ExtendedPoint start() {
   return {.q = Eigen::Vector3d(1.3, 0.8, 1.5), .t = 1.2, .r = Eigen::Vector3d(0.2, -0.4, 0.5), .r_t = 0.7};
 }
 
-using Step = void (*)(const avi::BregmanFamily&, const avi::CorrelatedQuartic&, double, avi::ExtendedPoint&);
+using Step = void (*)(const avi::BregmanFamily&, const experiment::CorrelatedQuartic&, double,
+                      avi::ExtendedPoint&);
 
 /// Defect of a step on (q, t, r, r^t); with `block`, of its (q, r) part at fixed t and r^t.
 double bregman_defect(Step step, double h, bool block = false) {
@@ -61,7 +63,8 @@ double kepler_defect(const Monitor& monitor, double h) {
       [&](const avi::VectorX& x) -> avi::VectorX {
         const avi::Poincare<2, avi::Kepler, Monitor> problem(kepler, monitor, x[5]);
         avi::State<2> s{.q = x.head<2>(), .p = x.segment<2>(3), .t = x[2]};
-        if (avi::type2<3, avi::authors>(problem, avi::simpson()).step(s, h).outcome != avi::Outcome::ok)
+        if (avi::type2<3, experiment::Authors>(problem, avi::simpson()).step(s, h).outcome !=
+            avi::Outcome::ok)
           s.t = std::nan("");
         avi::VectorX image(6);
         image << s.q, s.t, s.p, x[5];
@@ -80,7 +83,7 @@ int main(int argc, char** argv) {
     const avi::State<2> somewhere = avi::Kepler::exact(0.6, 0.9);
     const auto monitor = avi::bounded(avi::NormSquared{}, 0.01, 8.0);
     const auto htvi4 =
-        avi::type2<3, avi::authors>(avi::poincare<2>(kepler, somewhere, monitor), avi::simpson());
+        avi::type2<3, experiment::Authors>(avi::poincare<2>(kepler, somewhere, monitor), avi::simpson());
     for (double h : {0.16, 0.08, 0.04, 0.02, 0.01}) {
       table.row("kepler", "htvi4", "q p", h, avi::symplecticity_defect(htvi4, somewhere, h));
       table.row("kepler", "htvi4", "q t p p^t", h, kepler_defect(monitor, h));

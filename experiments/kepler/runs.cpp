@@ -3,6 +3,7 @@
 #include "avi/htvi/htvi.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
+#include "common/methods/printed_htvi.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +14,8 @@ namespace experiment {
 
 namespace {
 
-/// Type II integrators of one construction, Taylor order r and rule, for every row of a table.
-template <int r, avi::Construction construction>
+/// Type II integrators of one Construction, Taylor order r and rule, for every row of a table.
+template <int r, class Construction>
 std::vector<KeplerRun> runs_of(const HtviName& name, const avi::Quadrature& quadrature,
                                const KeplerTable& table, double horizon) {
   const auto start = avi::Kepler::pericentre(table.eccentricity);
@@ -23,9 +24,9 @@ std::vector<KeplerRun> runs_of(const HtviName& name, const avi::Quadrature& quad
   std::vector<KeplerRun> runs;
   const auto add = [&](const KeplerRow& row, auto monitor) {
     const auto make = [=](const State2& from) {
-      return avi::type2<r, construction>(avi::poincare<2>(kepler, from, monitor), quadrature);
+      return avi::type2<r, Construction>(avi::poincare<2>(kepler, from, monitor), quadrature);
     };
-    runs.push_back({name, row, Runner(kepler, make), table.eccentricity, {.time = horizon}});
+    runs.push_back({name, row, Method2(kepler, make), table.eccentricity, {.time = horizon}});
   };
   for (const KeplerRow& row : table.htvi) {
     if (row.monitor == "gamma")
@@ -44,8 +45,8 @@ std::vector<KeplerRun> runs_of(const HtviName& name, const avi::Quadrature& quad
 
 std::vector<KeplerRun> htvi4_runs(const std::string& construction, const KeplerTable& table, double horizon) {
   const HtviName name{"htvi4", construction, 3, "simpson"};
-  if (construction == "authors") return runs_of<3, avi::authors>(name, avi::simpson(), table, horizon);
-  if (construction == "printed") return runs_of<3, avi::printed>(name, avi::simpson(), table, horizon);
+  if (construction == "authors") return runs_of<3, experiment::Authors>(name, avi::simpson(), table, horizon);
+  if (construction == "printed") return runs_of<3, experiment::Printed>(name, avi::simpson(), table, horizon);
   throw std::invalid_argument("Construction '" + construction + "' is neither authors nor printed.");
 }
 
@@ -53,9 +54,9 @@ std::vector<KeplerRun> stationary_runs(const KeplerTable& table, double horizon)
   std::vector<KeplerRun> all;
   const auto append = [&](std::vector<KeplerRun> runs) { std::ranges::move(runs, std::back_inserter(all)); };
   // The default rule, r + 1 Gauss nodes, first.
-  append(runs_of<3, avi::stationary>({"htvi", "stationary", 3, "gauss4"}, avi::gauss(4), table, horizon));
-  append(runs_of<3, avi::stationary>({"htvi", "stationary", 3, "simpson"}, avi::simpson(), table, horizon));
-  append(runs_of<1, avi::stationary>({"htvi", "stationary", 1, "gauss2"}, avi::gauss(2), table, horizon));
+  append(runs_of<3, avi::Stationary>({"htvi", "stationary", 3, "gauss4"}, avi::gauss(4), table, horizon));
+  append(runs_of<3, avi::Stationary>({"htvi", "stationary", 3, "simpson"}, avi::simpson(), table, horizon));
+  append(runs_of<1, avi::Stationary>({"htvi", "stationary", 1, "gauss2"}, avi::gauss(2), table, horizon));
   return all;
 }
 
@@ -83,12 +84,14 @@ KeplerResult KeplerRun::measure() const {
 avi::Run KeplerRun::observe(const std::function<void(const State2&)>& observer) const {
   const State2 start = avi::Kepler::pericentre(eccentricity);
   State2 z = start;
-  return runner.advance(start, z, row.h, until, [&](const State2& s) { return observer(s), true; });
+  avi::AnyMethod<2> method = runner.make(start);
+  return avi::integrate(method, z, row.h, until, [&](const State2& s, long) { observer(s); });
 }
 
 void KeplerRun::run() const {
   State2 z = avi::Kepler::pericentre(eccentricity);
-  const avi::Run run = runner.prepare(z)(z, row.h, until);
+  avi::AnyMethod<2> method = runner.make(z);
+  const avi::Run run = avi::integrate(method, z, row.h, until);
   if (run.outcome != avi::Outcome::ok) throw std::runtime_error(run.message);
 }
 

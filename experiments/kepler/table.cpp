@@ -35,7 +35,7 @@ KeplerTable table2() {
 namespace {
 
 KeplerRun verlet_run(const KeplerTable& table, double horizon) {
-  const Runner verlet(avi::Kepler{}, [](const State2&) {
+  const Method2 verlet(avi::Kepler{}, [](const State2&) {
     return avi::stormer_verlet<2>(
         [](const avi::Vector<double, 2>& q) { return avi::Kepler::potential_gradient(q); });
   });

@@ -1,6 +1,6 @@
 #pragma once
 #include "common/frame.hpp"
-#include "common/methods/runner.hpp"
+#include "common/methods/method_of_orbit.hpp"
 
 #include <cmath>
 #include <functional>
@@ -48,7 +48,7 @@ struct HtviName {
 struct KeplerRun {
   HtviName name;
   KeplerRow row;
-  Runner runner;
+  Method2 runner;
   double eccentricity;  ///< It starts at the pericentre.
   avi::Until until;
 

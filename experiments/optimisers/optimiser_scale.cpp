@@ -2,7 +2,7 @@
 #include "common/timing.hpp"
 
 #include "avi/optim/minimise.hpp"
-#include "avi/problems/correlated_quartic.hpp"
+#include "common/problems/correlated_quartic.hpp"
 
 #include <malloc.h>
 
@@ -109,7 +109,7 @@ Cost at_scale(Eigen::Index n, int memory) {
 
 /// The paper's quartic to 1e-10, again and again.
 Cost small(int memory) {
-  const avi::CorrelatedQuartic f;
+  const experiment::CorrelatedQuartic f;
   const avi::MinimiseOptions options{.relative = 0.0, .absolute = 1e-10, .change = 1e-10, .memory = memory};
   VectorX x = f.start(), g(f.size());
   avi::Minimisation run;

@@ -1,10 +1,14 @@
 #pragma once
-#include "avi/automatic/phase_function.hpp"
+#include "avi/autodiff/formula.hpp"
 #include "avi/core/outcome.hpp"
+#include "avi/core/state.hpp"
 
-#include <cstddef>
+#include <algorithm>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -13,12 +17,82 @@
 
 namespace avi {
 
-/// Bounds on what a call of solve() may spend. A call that meets one ends with an outcome that says so and
-/// keeps the state that it had reached.
+namespace detail {
+/// f takes a time: f(q, t, p).
+template <class F, int n = dynamic>
+constexpr bool takes_time() {
+  using Vec = RecordedVector<n>;
+  return std::is_invocable_v<const F&, const Vec&, const Recorded&, const Vec&>;
+}
+}  // namespace detail
+
+/// Which zeros of an event function count, and what happens then.
+struct EventRules {
+  int direction = 0;  ///< 1 where it rises as the run goes, -1 where it falls, 0 for both.
+  long count = 0;     ///< After so many the event is looked for no more; 0 for all, or the first of a stop.
+  bool stop = false;  ///< The run ends there, as ok, with the state on the last of them.
+};
+
+/// A function of the state whose zeros are looked for along an orbit; made by when().
+struct SolveEvent {
+  std::function<Formula(int)> g;  ///< Records it for n degrees of freedom: of (q, p), or (q, p, t).
+  EventRules rules;               ///< Which zeros count.
+};
+
+/// The zeros of g(q, p) or g(q, t, p) along an orbit, for SolveOptions::events. g is called once, with
+/// vectors of a scalar that records what is done to it, as H is. An orbit that starts on a zero does not
+/// begin with it. Where g changes its sign by a jump or a pole the run ends as not_converged, where it is NaN
+/// as non_finite, as in Event.
+template <class G>
+[[nodiscard]] SolveEvent when(G g, EventRules rules = {}) {
+  return {[g = std::move(g)](int n) {
+            if constexpr (std::is_same_v<G, Formula>)
+              return g.with_constants();
+            else if constexpr (detail::takes_time<G>())
+              return Formula::of_phase_and_time(g, n);
+            else
+              return Formula::of_phase(g, n);
+          },
+          rules};
+}
+
+/// What a call of solve() is doing.
+enum class SolvePhase {
+  choosing,  ///< Monitor, order and step; where runs are compared, with them.
+  running,   ///< The run whose states are delivered.
+  checking   ///< A run with a longer step, which tells how wrong it is.
+};
+
+/// How far a call of solve() has come, for SolveOptions::progress.
+struct SolveProgress {
+  SolvePhase phase = SolvePhase::choosing;  ///< What is being done.
+  double t = 0.0;                           ///< Physical time of the run under way.
+  double fraction = 0.0;                    ///< Of its way to the end.
+  long steps = 0;                           ///< Of that run.
+  long sweeps = 0;                          ///< Of the whole call.
+  double seconds = 0.0;                     ///< Since the call began.
+};
+
+/// What else is asked for, bounds on what it may cost, and what is fixed rather than chosen. A call that
+/// meets a bound ends with an outcome that says so and keeps what it had reached.
 struct SolveOptions {
   double seconds = std::numeric_limits<double>::infinity();  ///< Wall-clock time; at least 0.
-  bool check = true;            ///< A long run is made twice, so that all of it is compared; see solve().
+  bool check = true;            ///< Two runs are compared all the way; see solve().
   long sweeps = 2'000'000'000;  ///< Evaluations of the field at all stages, trials included; at least 1.
+  long steps = std::numeric_limits<long>::max();  ///< Of a run; at least 1.
+  int order = 0;                        ///< Of the collocation method: 2, 4, ... 16; 0 to have it chosen.
+  std::string monitor = {};             ///< Name in the menu of solve(); empty to have it chosen.
+  double h = 0.0;                       ///< Fictive step with that monitor, positive; 0 to have it chosen.
+  bool dense = false;                   ///< The solution can be called at any time of the run.
+  std::vector<SolveEvent> events = {};  ///< What is looked for on the way; see when().
+  /// Called some twenty times a second from the thread of the call; false ends the call as stopped. What it
+  /// throws leaves the call, which then has changed nothing.
+  std::function<bool(const SolveProgress&)> progress = {};
+  /// File in which the run is kept for resume() until it has come to its end; empty for none. So that a run
+  /// that goes on has the same bits, the method begins anew every 4096 steps, each time with a rounding
+  /// error.
+  std::string checkpoint = {};
+  double checkpoint_seconds = 60.0;  ///< After which the file is written anew; at least 0.
 };
 
 /// One run that was tried, or tried in vain.
@@ -39,8 +113,12 @@ struct Choice {
   int order = 0;               ///< Of the collocation method.
   double h = 0.0;              ///< Fictive step.
   double energy_scale = 1.0;   ///< Mean of half of \f$|p\cdot\dot q|\f$: what energy errors are relative to.
-  double time = 0.0;           ///< Physical time of the short trials.
-  long sweeps = 0;             ///< Evaluations of all stages in all trials.
+  double kinetic = 0.0;        ///< Mean kinetic energy of the beginning, a constant of the monitors.
+  std::vector<double> accelerations = {};  ///< Weights \f$w_i\f$ of the monitor of that name, see solve().
+  double solved = 6.25e-19;        ///< Relative change of a sweep below which a step counts as solved.
+  double time = 0.0;               ///< Physical time of the short trials.
+  long sweeps = 0;                 ///< Evaluations of all stages in all trials.
+  long check = 0;                  ///< Those of the run with a longer step that goes along the whole orbit.
   std::vector<SolveTrial> trials;  ///< In their order.
 };
 
@@ -66,32 +144,200 @@ struct SolutionReport {
   [[nodiscard]] std::string report() const;
 };
 
-/// Where an orbit led, how, and how well.
-template <int n>
-struct Solution : SolutionReport {
-  State<n> state;  ///< At the end, or the last good one; not a number where no run was begun.
+namespace detail {
+
+/// States of an orbit as plain numbers.
+struct OrbitPoints {
+  std::vector<double> t;  ///< Times.
+  std::vector<double> z;  ///< (q, p) for each of them, 2n numbers.
 };
 
-namespace detail {
+/// The orbit between the ends of a run. It may be asked by several threads at a time.
+class OrbitCurve {
+ public:
+  virtual ~OrbitCurve() = default;
+  /// (q, p), 2n numbers, at the time t. @throws std::invalid_argument where the run has not been.
+  virtual void at(double t, double* z) const = 0;
+
+ protected:
+  OrbitCurve() = default;
+  OrbitCurve(const OrbitCurve&) = default;
+  OrbitCurve& operator=(const OrbitCurve&) = default;
+};
+
+/// An event that is looked for.
+struct OrbitEvent {
+  Formula g;         ///< Of (q, p), or of (q, p, t).
+  EventRules rules;  ///< Which zeros count.
+};
 
 /// An orbit that is asked for. Holds no vector of another library, so that it may cross into code that is
 /// compiled for another processor.
 struct OrbitQuestion {
-  ExpressionGraph graph;       ///< Of (q, p).
-  int energy;                  ///< Node of H.
-  std::vector<double> q, p;    ///< Start.
-  double t, t_end, tolerance;  ///< Start, end, tolerance.
-  SolveOptions options;        ///< Bounds.
+  ExpressionGraph graph;                ///< Of (q, p), 2n inputs; or of (q, p, t), where H depends on time.
+  int energy;                           ///< Node of H.
+  std::vector<double> q, p;             ///< Start, n numbers each.
+  double t, t_end, tolerance;           ///< Start, end, tolerance.
+  SolveOptions options;                 ///< Bounds, and what is fixed; its events are those below.
+  std::vector<double> times = {};       ///< Where states are wanted, from the start to the end.
+  std::vector<OrbitEvent> events = {};  ///< What is looked for on the way.
+  std::shared_ptr<const Choice> made = {};  ///< A choice that is made already, unless it is empty.
+  bool timed = false;                       ///< Time has been made the last coordinate: not for callers.
+  std::vector<int> gradient = {};           ///< Nodes of dH/d(q, p), 2n, where H supplies them; else empty.
 };
 
 /// The answer.
 struct OrbitAnswer : SolutionReport {
-  std::vector<double> q, p;  ///< State.
-  double t = 0.0;            ///< Its time.
+  std::vector<double> q, p;                 ///< State.
+  double t = 0.0;                           ///< Its time.
+  OrbitPoints states;                       ///< At the times asked for, as far as the run came.
+  std::vector<int> events;                  ///< Number of the event, for each that was found,
+  OrbitPoints event_states;                 ///< and where.
+  std::shared_ptr<const OrbitCurve> curve;  ///< With SolveOptions::dense.
 };
 
 /// solve() without types that depend on H or n.
-OrbitAnswer answer(const OrbitQuestion& question);
+OrbitAnswer answer(OrbitQuestion&& question);
+/// resume() without types that depend on H or n; of the question H, events, bounds and the dimension count.
+OrbitAnswer answer_from(const std::string& file, OrbitQuestion&& question);
+/// The choice of solve() for a Solver, with what is known of the orbit that it is made for.
+/// @throws std::invalid_argument where nothing could be chosen, too.
+SolutionReport choose_for(const OrbitQuestion& question);
+
+/// @throws std::invalid_argument unless there are times, finite, in one direction from the start on.
+void require_times(double start, const std::vector<double>& times);
+/// @throws std::invalid_argument unless H is of (q, p) or (q, p, t) with n degrees of freedom.
+void require_arguments(int inputs, int n);
+/// Records the events among the options of a question.
+/// @throws std::invalid_argument for one that was not made by when(), or is of other arguments.
+void add_events(OrbitQuestion& question);
+/// @throws std::logic_error where a solution is called that was made without SolveOptions::dense.
+[[noreturn]] void no_curve();
+
+/// q and p of n numbers each as a state.
+template <int n>
+State<n> state_of(double t, const double* q, const double* p, int count) {
+  State<n> state;
+  if constexpr (n == dynamic) state.q.resize(count), state.p.resize(count);
+  for (int i = 0; i < count; ++i) {
+    state.q[i] = q[i];
+    state.p[i] = p[i];
+  }
+  state.t = t;
+  return state;
+}
+
+}  // namespace detail
+
+/// An event that was found.
+template <int n>
+struct FoundEvent {
+  int index;       ///< Of the event in SolveOptions::events.
+  State<n> state;  ///< On g = 0 or beyond it, to rounding, as accurate as the run; its t is the time.
+};
+
+/// Where an orbit led, how, and how well.
+template <int n>
+struct Solution : SolutionReport {
+  State<n> state;  ///< At the end, or the last good one; not a number where no run was begun.
+  std::vector<State<n>> states = {};       ///< At the times asked for, whose t are those times to the bit.
+  std::vector<FoundEvent<n>> events = {};  ///< In the order in which the run met them.
+  std::shared_ptr<const detail::OrbitCurve> curve = {};  ///< What operator() looks at.
+
+  /// The state at any time of the run, where SolveOptions::dense was set: by a symplectic step from the last
+  /// step before it, as accurate as the ends of steps. Several threads may call it at a time.
+  /// @throws std::invalid_argument for a time where the run has not been.
+  /// @throws std::logic_error where the run was made without SolveOptions::dense.
+  [[nodiscard]] State<n> operator()(double t) const {
+    if (!curve) detail::no_curve();
+    const int count = static_cast<int>(state.q.size());
+    std::vector<double> z(2 * static_cast<std::size_t>(count));
+    curve->at(t, z.data());
+    return detail::state_of<n>(t, z.data(), z.data() + count, count);
+  }
+  /// The states at several times.
+  [[nodiscard]] std::vector<State<n>> operator()(const std::vector<double>& times) const {
+    std::vector<State<n>> found;
+    found.reserve(times.size());
+    for (const double t : times)
+      found.push_back((*this)(t));
+    return found;
+  }
+};
+
+namespace detail {
+
+/// Puts a question into plain numbers.
+template <int n>
+OrbitQuestion question_of(ExpressionGraph&& graph, int energy, const State<n>& start, double t_end,
+                          double tolerance, const SolveOptions& options) {
+  const auto count = start.q.size();
+  OrbitQuestion question{std::move(graph),
+                         energy,
+                         {start.q.data(), start.q.data() + count},
+                         {start.p.data(), start.p.data() + count},
+                         start.t,
+                         t_end,
+                         tolerance,
+                         options};
+  add_events(question);
+  return question;
+}
+
+/// Of H that is recorded already.
+template <int n>
+OrbitQuestion question_of(const Formula& hamiltonian, const State<n>& start, double t_end, double tolerance,
+                          const SolveOptions& options) {
+  require_dimension(start);
+  require_arguments(hamiltonian.inputs(), static_cast<int>(start.q.size()));
+  const Formula energy = hamiltonian.with_constants();
+  return question_of(ExpressionGraph(energy.graph()), energy.node(), start, t_end, tolerance, options);
+}
+
+/// Records H(q, p), with its gradient where it has one of its own, or H(q, t, p).
+template <int n, class H>
+OrbitQuestion question_of(const H& hamiltonian, const State<n>& start, double t_end, double tolerance,
+                          const SolveOptions& options) {
+  using Vec = RecordedVector<n>;
+  require_dimension(start);
+  const int count = static_cast<int>(start.q.size());
+  if constexpr (takes_time<H, n>()) {
+    return question_of(Formula::of_phase_and_time<n>(hamiltonian, count), start, t_end, tolerance, options);
+  } else if constexpr (requires(const Vec& x) { hamiltonian.d_dq(x, x), hamiltonian.d_dp(x, x); }) {
+    ExpressionGraph graph(2 * count);
+    const Vec q = recorded_inputs<n>(graph, 0, count), p = recorded_inputs<n>(graph, count, count);
+    const int energy = recorded_call(hamiltonian, q, p).node_in(graph);
+    const Vector<Recorded, n> by_q = hamiltonian.d_dq(q, p), by_p = hamiltonian.d_dp(q, p);
+    std::vector<int> gradient;
+    for (const auto* slopes : {&by_q, &by_p})
+      for (int i = 0; i < count; ++i)
+        gradient.push_back((*slopes)[i].node_in(graph));
+    OrbitQuestion question = question_of(std::move(graph), energy, start, t_end, tolerance, options);
+    question.gradient = std::move(gradient);
+    return question;
+  } else {
+    return question_of(Formula::of_phase<n>(hamiltonian, count), start, t_end, tolerance, options);
+  }
+}
+
+/// Puts the answer into states.
+template <int n>
+Solution<n> solution_of(OrbitAnswer&& found, int count) {
+  Solution<n> solution{std::move(static_cast<SolutionReport&>(found)),
+                       state_of<n>(found.t, found.q.data(), found.p.data(), count)};
+  const auto each = [&](const OrbitPoints& points, const auto& use) {
+    for (std::size_t i = 0; i < points.t.size(); ++i) {
+      const double* z = points.z.data() + 2 * i * static_cast<std::size_t>(count);
+      use(i, state_of<n>(points.t[i], z, z + count, count));
+    }
+  };
+  each(found.states, [&](std::size_t, State<n>&& z) { solution.states.push_back(std::move(z)); });
+  each(found.event_states, [&](std::size_t i, State<n>&& z) {
+    solution.events.push_back({found.events[i], std::move(z)});
+  });
+  solution.curve = std::move(found.curve);
+  return solution;
+}
 
 }  // namespace detail
 
@@ -112,7 +358,11 @@ OrbitAnswer answer(const OrbitQuestion& question);
 /// | --- | --- |
 /// | fixed | 1 |
 /// | energy, energy^1.5 | \f$(\bar T + \frac12(H + H_0) - H(q, 0))^{-\alpha}\f$, \f$\alpha = 1\f$ or 3/2 |
-/// | curvature | automatic_monitor() |
+/// | acceleration | \f$(1 + \sum_i (w_i\, \partial H/\partial q_i)^2)^{-3/8}\f$ |
+///
+/// with the mean kinetic energy \f$\bar T\f$ of the beginning, and \f$w_i = (H_{pp})_{ii}/\bar a L_i\f$ of
+/// its ranges \f$L_i\f$ and a mean of its accelerations: where forces fall with the square of a distance,
+/// this is the time in which two bodies pass each other, whatever their masses.
 ///
 /// Monitor, order and step are those that take the least work in short trials. The same input gives the same
 /// choice; units and masses do not matter. H is called once, with a scalar that records what is done to it.
@@ -121,27 +371,38 @@ OrbitAnswer answer(const OrbitQuestion& question);
 template <class H, int n>
 [[nodiscard]] Solution<n> solve(const H& hamiltonian, const State<n>& start, double t_end, double tolerance,
                                 const SolveOptions& options = {}) {
-  require_dimension(start);
-  const int count = static_cast<int>(start.q.size());
-  ExpressionGraph graph(2 * count);
-  const Recorded energy = detail::recorded_call(hamiltonian, recorded_inputs<n>(graph, 0, count),
-                                                recorded_inputs<n>(graph, count, count));
-  const int node = energy.node_in(graph);
-  detail::OrbitAnswer found = detail::answer({std::move(graph),
-                                              node,
-                                              {start.q.data(), start.q.data() + count},
-                                              {start.p.data(), start.p.data() + count},
-                                              start.t,
-                                              t_end,
-                                              tolerance,
-                                              options});
-  Solution<n> solution{std::move(static_cast<SolutionReport&>(found)), start};
-  for (int i = 0; i < count; ++i) {
-    solution.state.q[i] = found.q[static_cast<std::size_t>(i)];
-    solution.state.p[i] = found.p[static_cast<std::size_t>(i)];
-  }
-  solution.state.t = found.t;
-  return solution;
+  return detail::solution_of<n>(
+      detail::answer(detail::question_of(hamiltonian, start, t_end, tolerance, options)),
+      static_cast<int>(start.q.size()));
+}
+
+/// The same with the states at `times`, the last of which is the end: any number of them, in the direction of
+/// the run, the start and equal ones included. Each is found by a symplectic step from the last step before
+/// it, so that it is as accurate as the run, which does not see it; it costs about as much as such a step.
+/// @throws std::invalid_argument as the other one, and for times that are none, not finite or out of order.
+template <class H, int n>
+[[nodiscard]] Solution<n> solve(const H& hamiltonian, const State<n>& start, const std::vector<double>& times,
+                                double tolerance, const SolveOptions& options = {}) {
+  detail::OrbitQuestion question =
+      detail::question_of(hamiltonian, start, times.empty() ? start.t : times.back(), tolerance, options);
+  detail::require_times(question.t, times);
+  question.times = times;
+  return detail::solution_of<n>(detail::answer(std::move(question)), static_cast<int>(start.q.size()));
+}
+
+/// Goes on with a run that SolveOptions::checkpoint has kept in a file, with the same bits as if it had not
+/// been interrupted: by a bound, by the callback, by the end of the program. What was asked for is in the
+/// file, but for H and the events, which are to be the same.
+/// @tparam n of the start that the run began with @param n_of_start its value, where n is avi::dynamic
+/// @param options bounds and progress of what is left, and the events; nothing else of them counts
+/// @throws std::invalid_argument for a file that cannot be read, is damaged, or is of another H.
+template <int n, class H>
+[[nodiscard]] Solution<n> resume(const H& hamiltonian, const std::string& file,
+                                 const SolveOptions& options = {}, int n_of_start = n) {
+  const std::vector<double> nothing(static_cast<std::size_t>(std::max(n_of_start, 0)));
+  const State<n> start = detail::state_of<n>(0.0, nothing.data(), nothing.data(), n_of_start);
+  return detail::solution_of<n>(
+      detail::answer_from(file, detail::question_of(hamiltonian, start, 0.0, 1e-6, options)), n_of_start);
 }
 
 }  // namespace avi

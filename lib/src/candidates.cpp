@@ -1,95 +1,40 @@
 #include "candidates.hpp"
 
-#include "avi/automatic/curvature.hpp"
-
 #include <limits>
+#include <numeric>
 
 namespace avi::detail {
 
 namespace {
 
-/// What curvatures cost to build grows with the fourth power of the coordinates in a term.
-constexpr double most_products = 1e5;
+/// A name in the menu, and the power of the Liveliness that it stands for.
+struct Entry {
+  const char* name;
+  double alpha;
+};
+constexpr Entry entries[] = {{"fixed", 0.0}, {"energy", 1.0}, {"energy^1.5", 1.5}, {"acceleration", 0.375}};
 
-double products_of_curvature(const ExpressionGraph& graph, int energy) {
-  const int n = graph.inputs() / 2;
-  if (n > 30 || graph.size() > 4000) return std::numeric_limits<double>::infinity();
-  ExpressionGraph copy = graph;
-  double fourth = 0.0, momenta = 0.0;
-  for (const Terms::Term& term : Terms::of(copy, energy)) {
-    const std::vector<char> part = copy.parts(term.node);
-    double count = 0.0, of_p = 0.0;
-    for (int i = 0; i < 2 * n && i <= term.node; ++i) {
-      count += part[static_cast<std::size_t>(i)];
-      if (i >= n) of_p += part[static_cast<std::size_t>(i)];
-    }
-    fourth += count * count * count * count;
-    momenta += of_p * of_p;
-  }
-  return std::max(fourth, momenta * momenta);
+/// H with all momenta put to zero but that of time, in the same graph.
+int at_rest(ExpressionGraph& graph, int energy, bool timed) {
+  const auto n = static_cast<std::size_t>(graph.inputs()) / 2;
+  std::vector<int> arguments(n);
+  std::iota(arguments.begin(), arguments.end(), 0);
+  arguments.resize(2 * n, graph.constant(0.0));
+  if (timed) arguments.back() = graph.inputs() - 1;
+  return graph.substitute(graph, energy, arguments);
 }
 
-/// g of automatic_monitor() as a node of `graph`, where it has a meaning.
-int curvature_monitor(ExpressionGraph& graph, int energy, const VectorX& start) {
-  const Eigen::Index n = start.size() / 2;
-  const Orbit orbit(PhaseFunction(graph, energy), {.q = start.head(n), .p = start.tail(n)});
-  Curvature curvature(orbit);
-  const Tour tour(orbit, curvature);
-  if (!(tour.frequency > 0.0)) throw std::invalid_argument("no scale");
-  ExpressionGraph& own = curvature.graph;
-  const auto plus = [&](int a, double b) { return own.binary(Operation::add, a, own.constant(b)); };
-  const double low = tour.frequency / 8.0;
-  const int smooth = plus(tour.n0, std::pow(0.0625 * tour.frequency, 4));
-  const PhaseFunction g(own, own.power(plus(own.power(smooth, 0.5), low * low), -0.5));
-  const int count = static_cast<int>(n);
-  const Recorded there = g(recorded_inputs(graph, 0, count), recorded_inputs(graph, count, count));
-  return there.node_in(graph);
+/// The node of the Liveliness.
+int liveliness_of(ExpressionGraph& graph, int energy, double energy_at_start, double kinetic, bool timed) {
+  const int half = graph.binary(Operation::multiply, graph.constant(0.5), energy);
+  const int moving = graph.binary(Operation::subtract, half, at_rest(graph, energy, timed));
+  return graph.binary(Operation::add, moving, graph.constant(0.5 * energy_at_start + kinetic));
 }
 
-}  // namespace
-
-int at_rest(ExpressionGraph& graph, int energy) {
-  const int n = graph.inputs() / 2;
-  const PhaseFunction f(graph, energy);
-  const Vector<Recorded, dynamic> q = recorded_inputs(graph, 0, n);
-  Vector<Recorded, dynamic> p(n);
-  for (int i = 0; i < n; ++i)
-    p[i] = Recorded(0.0);
-  return f(q, p).node_in(graph);
-}
-
-std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, double energy_at_start,
-                                  const VectorX& start, const Sketch& sketch, const VectorX& metric,
-                                  double kinetic) {
-  const auto graph = std::make_shared<ExpressionGraph>(formula);
-  const int zero = graph->binary(Operation::subtract, energy, graph->constant(energy_at_start));
-  const auto times = [&](int g) { return graph->binary(Operation::multiply, g, zero); };
-  std::vector<Candidate> menu;
-  const double size = static_cast<double>(graph->parts(energy).size());
-  menu.emplace_back("fixed", graph, energy, graph->constant(1.0));
-  menu.back().work = size;
-  if (kinetic > 0.0 && sketch.samples.size() > 1) {
-    const int half = graph->binary(Operation::multiply, graph->constant(0.5), energy);
-    const int moving = graph->binary(Operation::subtract, half, at_rest(*graph, energy));
-    const int lively =
-        graph->binary(Operation::add, moving, graph->constant(0.5 * energy_at_start + kinetic));
-    for (const auto& [name, exponent] : {std::pair{"energy", -1.0}, {"energy^1.5", -1.5}}) {
-      const int g = graph->power(lively, exponent);
-      menu.emplace_back(name, graph, times(g), g);
-      menu.back().work = 1.6 * size + 10.0;
-    }
-    if (products_of_curvature(*graph, energy) <= most_products) try {
-        const int before = graph->size();
-        const int g = curvature_monitor(*graph, energy, start);
-        menu.emplace_back("curvature", graph, times(g), g);
-        menu.back().work = size + 1.5 * (graph->size() - before);
-      } catch (const std::invalid_argument&) {
-        // H_pp is no metric there, or H has no curvature: the others have to do.
-      }
-  }
-  // The largest derivative of H by each entry on the way; what is 1e-14 of the others, masses taken out, is
-  // rounding.
-  const Eigen::Index n = start.size() / 2;
+/// The largest derivative of H by each entry on the way; what is 1e-14 of the others, masses taken out, is
+/// rounding.
+VectorX strengths(const Sketch& sketch, const VectorX& metric) {
+  const Eigen::Index n = metric.size();
   VectorX strength = VectorX::Zero(2 * n);
   for (const Sketch::Sample& sample : sketch.samples)
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -105,28 +50,123 @@ std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, do
     strength[i] = std::max(strength[i], 1e-14 * forces / std::sqrt(metric[i]));
     strength[n + i] = std::max(strength[n + i], 1e-14 * speeds * std::sqrt(metric[i]));
   }
+  return strength;
+}
+
+/// The node of \f$1 + \sum_i (w_i\, \partial H/\partial q_i)^2\f$.
+int accelerating(ExpressionGraph& graph, int energy, const std::vector<double>& weights) {
+  const std::vector<int> slope = Reverse(graph).gradient(energy);
+  int sum = graph.constant(1.0);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const int a = graph.binary(Operation::multiply, graph.constant(weights[i]), slope[i]);
+    sum = graph.binary(Operation::add, sum, graph.binary(Operation::multiply, a, a));
+  }
+  return sum;
+}
+
+/// The power 3/8 of the sum of squares: see Choice::accelerations.
+Candidate accelerated(const std::shared_ptr<ExpressionGraph>& graph, int energy, double energy_at_start,
+                      const Choice& constants) {
+  const int lively = accelerating(*graph, energy, constants.accelerations);
+  return {"acceleration", 0.375, graph, energy, energy_at_start, std::make_shared<Liveliness>(*graph, lively),
+          lively};
+}
+
+}  // namespace
+
+std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, Eigen::Index seen) {
+  std::vector<double> weights(static_cast<std::size_t>(seen), 0.0);
+  if (sketch.samples.empty()) return weights;
+  VectorX low = sketch.samples.front().z, high = low;
+  for (const Sketch::Sample& sample : sketch.samples)
+    low = low.cwiseMin(sample.z), high = high.cwiseMax(sample.z);
+  double root = 0.0;  // mean of the square roots: what is large for a short time counts little
+  for (Eigen::Index i = 0; i < seen; ++i)
+    if (high[i] > low[i]) weights[static_cast<std::size_t>(i)] = metric[i] / (high[i] - low[i]);
+  const Eigen::Map<const VectorX> weight(weights.data(), seen);
+  for (const Sketch::Sample& sample : sketch.samples)
+    root += sample.h / sketch.time *
+            std::sqrt(weight.cwiseProduct(sample.slope.segment(metric.size(), seen)).norm());
+  for (double& each : weights)
+    each /= root * root > 0.0 ? root * root : 1.0;
+  return weights;
+}
+
+std::string names_of_monitors() {
+  std::string names;
+  for (const Entry& entry : entries)
+    names += (names.empty() ? "" : ", ") + std::string(entry.name);
+  return names;
+}
+
+bool is_monitor(std::string_view name) {
+  return std::ranges::any_of(entries, [&](const Entry& entry) { return name == entry.name; });
+}
+
+Candidate candidate(std::string_view name, const ExpressionGraph& formula, int energy, double energy_at_start,
+                    const Choice& constants, bool timed) {
+  const auto graph = std::make_shared<ExpressionGraph>(formula);
+  const Entry& entry = *std::ranges::find_if(entries, [&](const Entry& it) { return name == it.name; });
+  if (entry.alpha == 0.0) return {entry.name, 0.0, graph, energy, energy_at_start, nullptr, -1};
+  if (name == "acceleration") return accelerated(graph, energy, energy_at_start, constants);
+  const int lively = liveliness_of(*graph, energy, energy_at_start, constants.kinetic, timed);
+  return {entry.name, entry.alpha,     graph,
+          energy,     energy_at_start, std::make_shared<Liveliness>(*graph, lively),
+          lively};
+}
+
+std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, double energy_at_start,
+                                  const Sketch& sketch, const VectorX& metric, const Choice& constants,
+                                  bool timed) {
+  const double kinetic = constants.kinetic;
+  const auto graph = std::make_shared<ExpressionGraph>(formula);
+  const double size = 1.6 * energy, overhead = Candidate::overhead(graph->inputs());
+  std::vector<Candidate> menu;
+  std::vector<double> work;
+  menu.emplace_back("fixed", 0.0, graph, energy, energy_at_start, nullptr, -1);
+  work.push_back(size + overhead);
+  if (kinetic > 0.0 && sketch.samples.size() > 1) {
+    const int lively = liveliness_of(*graph, energy, energy_at_start, kinetic, timed);
+    const auto liveliness = std::make_shared<Liveliness>(*graph, lively);
+    for (const auto& [name, alpha] : entries) {
+      if (alpha < 1.0) continue;
+      menu.emplace_back(name, alpha, graph, energy, energy_at_start, liveliness, lively);
+      work.push_back(1.7 * size + 16.0 + overhead);
+    }
+  }
+  const VectorX strength = strengths(sketch, metric);
   const double rounding =
       std::numeric_limits<double>::epsilon() * std::max(std::abs(energy_at_start), std::abs(kinetic));
-  for (Candidate& it : menu) {
-    double fictive = 0.0, longest = 0.0, least = std::numeric_limits<double>::infinity(), most = 0.0;
+  const auto look = [&](Candidate& it, double cost) {
+    double least = infinity, most = 0.0;
     for (const Sketch::Sample& sample : sketch.samples) {
       const double g = it.rate(sample.z.data());
-      fictive += sample.h / g;
-      longest = std::max(longest, g * sample.frequency);
+      it.fictive += sample.h / g;
+      it.longest = std::max(it.longest, g * sample.frequency);
       least = g > 0.0 && std::isfinite(g) ? std::min(least, g) : 0.0;
       most = std::max(most, g);
       if (least == 0.0) break;
       if (!it.fixed())
-        for (int i = 0; i < static_cast<int>(2 * n); ++i)
+        for (int i = 0; i < static_cast<int>(strength.size()); ++i)
           it.noise = std::max(it.noise, rounding * std::abs(it.slope(i)) / (g * strength[i]));
     }
-    it.fictive = fictive;
-    it.outlook = it.work * fictive * longest;
-    if (!(least > 0.0) || !std::isfinite(it.outlook) || (it.name != "fixed" && !(most > 1.15 * least)))
-      it.outlook = std::numeric_limits<double>::infinity();
-    if (it.name == "fixed" && sketch.samples.empty()) it.outlook = 1.0, it.fictive = 1.0;
+    it.outlook = cost * it.fictive * it.longest;
+    if (!(least > 0.0) || !std::isfinite(it.outlook) || (!it.fixed() && !(most > 1.15 * least)))
+      it.outlook = infinity;
+    if (it.fixed() && sketch.samples.empty()) it.outlook = 1.0, it.fictive = 1.0;
+  };
+  for (std::size_t k = 0; k < menu.size(); ++k)
+    look(menu[k], work[k]);
+  // Where the fastest part of the motion makes all steps many times shorter than the others need be, as when
+  // two of many bodies meet.
+  double steps = infinity;
+  for (const Candidate& it : menu)
+    if (std::isfinite(it.outlook)) steps = std::min(steps, it.fictive * it.longest);
+  if (sketch.samples.size() > 1 && steps > 5.0 * sketch.radians) {
+    menu.push_back(accelerated(graph, energy, energy_at_start, constants));
+    look(menu.back(), 4.0 * size + 16.0 + overhead);
   }
-  std::erase_if(menu, [](const Candidate& it) { return it.name != "fixed" && !std::isfinite(it.outlook); });
+  std::erase_if(menu, [](const Candidate& it) { return !it.fixed() && !std::isfinite(it.outlook); });
   std::ranges::stable_sort(menu, {}, &Candidate::outlook);
   return menu;
 }

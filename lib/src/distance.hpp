@@ -1,5 +1,4 @@
 #pragma once
-#include "avi/autodiff/recording.hpp"
 #include "journey.hpp"
 
 #include <algorithm>
@@ -12,14 +11,15 @@
 
 namespace avi::detail {
 
-inline constexpr double infinity = std::numeric_limits<double>::infinity();  ///< Of what is not known.
-
 /// How far apart two states are: the largest difference of an entry of (q, p), relative to the range through
 /// which it moves. What moves by rounding alone does not count.
 class Distance {
  public:
-  /// With the masses of the bodies, by which momenta and positions of different entries can be compared.
-  explicit Distance(VectorX metric) : metric_(std::move(metric)) {}
+  /// With the diagonal of H_pp, by which momenta and positions of different entries can be compared.
+  /// @param seen so many of the first coordinates and momenta count
+  Distance(VectorX metric, double tolerance, Eigen::Index seen)
+      : metric_(std::move(metric)), seen_(seen),
+        still_(std::max(1e-8, 30.0 * std::numeric_limits<double>::epsilon() / tolerance)) {}
 
   double frequency = 0.0;  ///< Mean over the sketch.
 
@@ -28,7 +28,7 @@ class Distance {
     const VectorX scale = scales(ranges);
     const Eigen::Index n = a.q.size();
     double most = 0.0;
-    for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index i = 0; i < seen_; ++i)
       most = std::max({most, part(a.q[i] - b.q[i], scale[i]), part(a.p[i] - b.p[i], scale[n + i])});
     return most;
   }
@@ -36,8 +36,9 @@ class Distance {
   double operator()(const VectorX& velocity, const Ranges& ranges) const {
     const VectorX scale = scales(ranges);
     double most = 0.0;
-    for (Eigen::Index i = 0; i < velocity.size(); ++i)
-      most = std::max(most, part(velocity[i], scale[i]));
+    const Eigen::Index n = metric_.size();
+    for (Eigen::Index i = 0; i < seen_; ++i)
+      most = std::max({most, part(velocity[i], scale[i]), part(velocity[n + i], scale[n + i])});
     return most;
   }
 
@@ -64,43 +65,15 @@ class Distance {
       if (scale[i] <= 1e-12 * place) scale[i] = place;
       if (scale[n + i] <= 1e-12 * frequency * place / metric_[i])
         scale[n + i] = frequency * place / metric_[i];
-      // A momentum that hardly changes counts by its size.
+      // A momentum that hardly changes counts by its size, or rounding would be more than the tolerance.
       const double size = std::max(std::abs(ranges.high[n + i]), std::abs(ranges.low[n + i]));
-      scale[n + i] = std::max({scale[n + i], 1e-3 * size, rounding * of_p / root});
+      scale[n + i] = std::max({scale[n + i], still_ * size, rounding * of_p / root});
     }
     return scale;
   }
   VectorX metric_;
+  Eigen::Index seen_;
+  double still_;  // part of its size by which a momentum has to move
 };
-
-/// The diagonal of H_pp at the start, by two probes with signs: exact where H_pp is diagonal, else near.
-inline VectorX metric_of(const ExpressionGraph& formula, int energy, const VectorX& start) {
-  ExpressionGraph graph = formula;
-  const int n = graph.inputs() / 2;
-  VectorX metric = VectorX::Zero(n);
-  const std::vector<int> slope = Reverse(graph).gradient(energy);
-  for (int probe = 0; probe < 2; ++probe) {
-    std::vector<double> sign(static_cast<std::size_t>(n));
-    unsigned bits = 12345u + 777u * static_cast<unsigned>(probe);
-    int along = graph.constant(0.0);
-    for (int i = 0; i < n; ++i) {
-      bits = bits * 1664525u + 1013904223u;
-      sign[static_cast<std::size_t>(i)] = bits >> 31 ? 1.0 : -1.0;
-      along = graph.binary(bits >> 31 ? Operation::add : Operation::subtract, along,
-                           slope[static_cast<std::size_t>(n + i)]);
-    }
-    RecordedFormula<double> second{Recording(graph, along).gradient(n, n)};
-    std::copy(start.data(), start.data() + 2 * n, second.room.arguments());
-    second.program.run(second.room);
-    for (int i = 0; i < n; ++i)
-      metric[i] = std::max(metric[i], sign[static_cast<std::size_t>(i)] * second.partial(i));
-  }
-  double largest = 0.0;
-  for (int i = 0; i < n; ++i)
-    if (std::isfinite(metric[i])) largest = std::max(largest, metric[i]);
-  for (int i = 0; i < n; ++i)
-    if (!(metric[i] > 0.0) || !std::isfinite(metric[i])) metric[i] = largest > 0.0 ? largest : 1.0;
-  return metric;
-}
 
 }  // namespace avi::detail

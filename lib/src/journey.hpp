@@ -1,17 +1,17 @@
 #pragma once
 #include "avi/core/integrate_to.hpp"
-#include "avi/solve.hpp"
+#include "budget.hpp"
 #include "candidates.hpp"
 #include "sharp.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <vector>
 
 /// @file
-/// Runs of a candidate, and how far apart two of them end.
+/// Runs of a candidate.
 
 namespace avi::detail {
 
@@ -23,19 +23,8 @@ struct Trip {
   double energy_at_start;             ///< H_0.
   double energy_scale;                ///< Of energy errors.
   double sense;                       ///< 1, or -1 where the end lies before the start.
-  SolveOptions options;               ///< Bounds.
+  Budget& budget;                     ///< Of the call.
   SharpFeatures* features = nullptr;  ///< Looked for, if there are any.
-  std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();  ///< Of the call.
-  long sweeps = 0;                                                                 ///< Spent so far.
-
-  /// The bound of the call that is met, or ok. @param now sweeps of the run that is under way
-  [[nodiscard]] Outcome bound(long now) const {
-    if (sweeps + now >= options.sweeps) return Outcome::step_limit;
-    const bool late =
-        std::isfinite(options.seconds) &&
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count() >= options.seconds;
-    return late ? Outcome::time_limit : Outcome::ok;
-  }
 };
 
 /// The smallest and largest value of every entry of (q, p) on the way.
@@ -57,46 +46,43 @@ struct Ranges {
   }
 };
 
-/// A run that was made, and what was seen on it.
-struct Journey {
-  Candidate* candidate = nullptr;     ///< Its monitor.
-  int order = 0;                      ///< Of its method.
-  double h = 0.0;                     ///< Fictive step, positive.
-  Run run;                            ///< How it ended.
-  State<dynamic> state;               ///< Where it ended.
-  std::vector<State<dynamic>> marks;  ///< At the times asked for, as far as it came.
-  Ranges ranges;                      ///< Of all states.
-  double energy_error = 0.0;          ///< Largest |H - H_0| over the scale.
-  bool spent = false;                 ///< It met a bound of the call.
-  bool jumped = false;                ///< A step went over a feature of H that it did not see.
+/// The part of a step from `before` on, the last one of `method`, at which its polynomial has the time t.
+inline double part_at(const OrbitSteps& method, Candidate& candidate, const State<dynamic>& before, double h,
+                      double after, double t) {
+  double part = (t - before.t) / (after - before.t);
+  if (candidate.fixed()) return part;
+  for (int k = 0; k < 6; ++k) {
+    const State<dynamic> z = method.polynomial(part);
+    const double next = part + (t - z.t) / (h * candidate.rate_at(z));
+    if (!(next > 0.0 && next < 1.0)) break;
+    const bool near = std::abs(next - part) <= 1e-6;
+    part = next;
+    if (near) break;
+  }
+  return part;
+}
 
-  /// At the start of a trip.
-  explicit Journey(const State<dynamic>& start) : state(start), ranges(start) {}
-  /// It reached its end.
-  [[nodiscard]] bool ok() const { return run.outcome == Outcome::ok; }
-};
-
-/// The state at the time t, of a step from `before` that passes it: by shorter steps of `method` from there,
-/// found by Newton's method for dt/dtau = g, and a straight line for the last 1e-9 of the step.
+/// The state at the time t, of a step from `before` that passes it and was the last one of `method`: by
+/// shorter steps of that from there, of the size at which its polynomial has the time t, then by Newton's
+/// method for dt/dtau = g, and a straight line for the last 1e-9 of the step.
 /// @return outcome of the last step
-inline StepReport land(Candidate::Solver& method, Candidate& candidate, PointField& field,
+inline StepReport land(OrbitSteps& method, Candidate& candidate, PointField& field,
                        const State<dynamic>& before, double h, double after, double t, State<dynamic>& z) {
   StepReport report{.evaluations = 0};
-  double size = h * (t - before.t) / (after - before.t);
+  double size = h * part_at(method, candidate, before, h, after, t);
   z = before;
-  VectorX at(2 * z.q.size()), slope(2 * z.q.size());
   for (int k = 0; k < 12 && size != 0.0; ++k) {
     z = before;
     const StepReport step = method.step(z, size);
     report.outcome = step.outcome;
     report.evaluations += step.evaluations;
     if (step.outcome != Outcome::ok) return report;
-    at << z.q, z.p;
     if (std::abs(t - z.t) <= 1e-9 * std::abs(after - before.t)) break;
-    const double next = size + (t - z.t) / candidate.rate(at.data());
+    const double next = size + (t - z.t) / candidate.rate_at(z);
     size = next / h > 0.0 && next / h < 1.0 ? next : size * (t - before.t) / (z.t - before.t);
   }
   const Eigen::Index n = z.q.size();
+  VectorX at(2 * n), slope(2 * n);
   at << z.q, z.p;
   field(at, slope);
   const double late = t - z.t;
@@ -107,67 +93,98 @@ inline StepReport land(Candidate::Solver& method, Candidate& candidate, PointFie
   return report;
 }
 
-/// Makes a run with step h to the time `end`, where its last, shorter step ends.
-/// @param marks times on the way where the state is wanted, the last of which may be the end
-/// @param judge called as judge(journey) after each step; false ends the run as stopped
-template <class Judge>
-Journey travel(Trip& trip, PointField& field, Candidate& candidate, int order, double h, double end,
-               const std::vector<double>& marks, const Judge& judge) {
-  Journey journey(trip.start);
-  journey.candidate = &candidate;
-  journey.order = order;
-  journey.h = h;
-  auto& method = candidate.solver(order);
-  State<dynamic>& z = journey.state;
-  Run& run = journey.run;
-  const double sense = trip.sense;
-  const auto energy_error = [&] {
-    return std::abs(field.energy(z.q.data(), z.p.data()) - trip.energy_at_start) / trip.energy_scale;
-  };
-  State<dynamic> before = z;
-  std::size_t next = 0;
-  while (run.outcome == Outcome::ok && z.t != end) {
-    before = z;
-    const StepReport report = method.step(z, sense * h);
+/// A run that is made piece by piece, and what was seen on it.
+class Journey {
+ public:
+  /// From the start of the trip with the fictive step h > 0.
+  Journey(Trip& trip, PointField& field, Candidate& its_candidate, int its_order, double step,
+          SweepBounds bounds)
+      : candidate(&its_candidate), order(its_order), h(step), solved(bounds.tolerance), state(trip.start),
+        ranges(trip.start), trip_(&trip), field_(&field), steps_(its_candidate.steps(its_order, bounds)),
+        z_(trip.start), before_(trip.start) {}
+
+  Candidate* candidate;               ///< Its monitor.
+  int order;                          ///< Of its method.
+  double h;                           ///< Fictive step, positive.
+  double solved;                      ///< See Choice.
+  double most = infinity;             ///< Sweeps that it may take.
+  Run run;                            ///< How it ended, or ok.
+  State<dynamic> state;               ///< Where it is: at the last mark, or the last good state.
+  std::vector<State<dynamic>> marks;  ///< Where it was at the times that it was sent to.
+  Ranges ranges;                      ///< Of all states.
+  double energy_error = 0.0;          ///< Largest |H - H_0| over the scale.
+  bool spent = false;                 ///< It met a bound of the call.
+  bool jumped = false;                ///< A step went over a feature of H that it did not see.
+
+  /// It has not failed.
+  [[nodiscard]] bool ok() const { return run.outcome == Outcome::ok; }
+
+  /// Goes on to the time `mark`, by a shorter step from the last one before it.
+  /// @param last the run ends there @param limit on the energy error, beyond which it ends as stopped
+  void advance(double mark, bool last, double limit = infinity) {
+    const double sense = trip_->sense;
+    while (ok() && sense * (z_.t - mark) < 0.0)
+      step(limit);
+    if (!ok()) {
+      state = before_;
+      return;
+    }
+    if (z_.t == mark) {
+      state = z_;
+    } else {
+      // The run itself does not see the marks on its way.
+      std::unique_ptr<OrbitSteps> aside;
+      if (!last) aside = steps_->clone();
+      const StepReport landed =
+          land(last ? *steps_ : *aside, *candidate, *field_, before_, sense * h, z_.t, mark, state);
+      spend(landed);
+      if (!ok()) {
+        state = before_;
+        return;
+      }
+      if (last) {
+        ranges.add(state);
+        look_at_energy(state);
+      }
+    }
+    marks.push_back(state);
+  }
+
+ private:
+  void spend(const StepReport& report) {
     run.outcome = report.outcome;
     run.evaluations += report.evaluations;
-    if (run.outcome == Outcome::ok && !z.finite()) run.outcome = Outcome::non_finite;
-    if (run.outcome == Outcome::ok && !(sense * (z.t - before.t) > 0.0)) run.outcome = Outcome::stalled;
-    if (run.outcome == Outcome::ok && trip.features && !journey.jumped)
-      journey.jumped = trip.features->jumped(method, before, z);
-    const double after = z.t;
-    for (; run.outcome == Outcome::ok && next < marks.size() && sense * (marks[next] - after) <= 0.0 &&
-           marks[next] != end;
-         ++next) {
-      State<dynamic> there;
-      const StepReport landed =
-          land(candidate.beside(order), candidate, field, before, sense * h, after, marks[next], there);
-      run.outcome = landed.outcome;
-      run.evaluations += landed.evaluations;
-      journey.marks.push_back(std::move(there));
-    }
-    if (run.outcome == Outcome::ok && sense * (after - end) > 0.0) {
-      const StepReport landed = land(method, candidate, field, before, sense * h, after, end, z);
-      run.outcome = landed.outcome;
-      run.evaluations += landed.evaluations;
-    }
-    if (run.outcome != Outcome::ok) {
-      z = before;
-      break;
-    }
+    trip_->budget.sweeps += report.evaluations;
+  }
+  void look_at_energy(const State<dynamic>& z) {
+    energy_error =
+        std::max(energy_error, std::abs(field_->energy(z.q.data(), z.p.data()) - trip_->energy_at_start) /
+                                   trip_->energy_scale);
+  }
+  void step(double limit) {
+    before_ = z_;
+    const double sense = trip_->sense;
+    spend(steps_->step(z_, sense * h));
+    if (ok() && !z_.finite()) run.outcome = Outcome::non_finite;
+    if (ok() && !(sense * (z_.t - before_.t) > 0.0)) run.outcome = Outcome::stalled;
+    if (!ok()) return;
+    if (trip_->features && !jumped) jumped = trip_->features->jumped(*steps_, before_, z_);
     ++run.steps;
-    journey.ranges.add(z);
-    journey.energy_error = std::max(journey.energy_error, energy_error());
-    if (const Outcome bound = trip.bound(run.evaluations); bound != Outcome::ok) {
+    ranges.add(z_);
+    look_at_energy(z_);
+    if (const Outcome bound = trip_->budget.met(z_.t, run.steps, 0); bound != Outcome::ok) {
       run.outcome = bound;
-      journey.spent = true;
-    } else if (!judge(journey)) {
+      spent = true;
+    } else if (static_cast<double>(run.evaluations) > most || energy_error > limit) {
       run.outcome = Outcome::stopped;
     }
+    if (!ok()) before_ = z_;
   }
-  if (journey.ok() && next < marks.size() && marks[next] == end) journey.marks.push_back(z);
-  trip.sweeps += run.evaluations;
-  return journey;
-}
+
+  Trip* trip_;
+  PointField* field_;
+  std::unique_ptr<OrbitSteps> steps_;
+  State<dynamic> z_, before_;  // after the last whole step, and before it
+};
 
 }  // namespace avi::detail

@@ -1,5 +1,6 @@
 #include "avi/solve.hpp"
 
+#include <cmath>
 #include <sstream>
 
 namespace avi {
@@ -7,13 +8,23 @@ namespace avi {
 std::string SolutionReport::report() const {
   std::ostringstream text;
   text.precision(3);
-  if (!ok()) text << run.message << "\n";
+  // What came of it, and of what was promised.
+  if (!ok())
+    text << run.message << "\nNothing is promised of the state: the run did not come to its end.\n";
+  else if (std::isfinite(state_error))
+    text << (kept() ? "Kept" : "Not kept") << ": the state at the end was to be right to about " << tolerance
+         << " of the range of every coordinate and momentum; two runs with different steps say "
+         << state_error << ".\n";
+  else
+    text << "Nothing is promised of the state at the end: its error is not known.\n";
+  text << "The largest error of the energy is " << energy_error << " of the scale " << choice.energy_scale
+       << ".\n";
+  if (!note.empty()) text << note << "\n";
   text << run.steps << " steps, " << run.evaluations << " sweeps: monitor " << choice.name << ", order "
        << choice.order << ", h = " << choice.h << "; chosen in " << choice.sweeps << " sweeps of "
-       << choice.trials.size() << " trials.\n";
-  text << "State at the end: error about " << state_error << ", tolerance " << tolerance
-       << "; largest energy error " << energy_error << " of the scale " << choice.energy_scale << ".\n";
-  if (!note.empty()) text << note << "\n";
+       << choice.trials.size() << (choice.trials.size() == 1 ? " trial" : " trials");
+  if (choice.check > 0) text << ", checked by a run of " << choice.check;
+  text << ".\n";
   for (const SolveTrial& trial : choice.trials)
     text << "  " << trial.monitor << ", order " << trial.order << ": h = " << trial.h << " for " << trial.time
          << ", " << trial.steps << " steps, " << trial.sweeps << " sweeps, error " << trial.state_error

@@ -35,12 +35,12 @@ class SharpFeatures {
   [[nodiscard]] bool none() const { return arguments_.empty(); }
 
   /// Some feature lies inside the last step of `method`, between points that do not show it.
-  bool jumped(const Candidate::Solver& method, const State<dynamic>& before, const State<dynamic>& after) {
+  bool jumped(const OrbitSteps& method, const State<dynamic>& before, const State<dynamic>& after) {
     if (arguments_.empty()) return false;
     constexpr int parts = 4;
     std::array<State<dynamic>, parts + 1> on_the_way;
     for (int k = 1; k < parts; ++k)
-      on_the_way[k] = method.polynomial(static_cast<double>(k) / parts, 0.0);
+      on_the_way[k] = method.polynomial(static_cast<double>(k) / parts);
     on_the_way[0] = before;
     on_the_way[parts] = after;
     for (Argument& argument : arguments_) {
@@ -53,10 +53,10 @@ class SharpFeatures {
         const auto k = static_cast<int>(most - at.begin());
         const double place = highest(method, argument, std::max(k - 1, 0) / static_cast<double>(parts),
                                      std::min(k + 1, parts) / static_cast<double>(parts));
-        const double top = argument(method.polynomial(place, 0.0));
+        const double top = argument(method.polynomial(place));
         // From e^-40 on it may be felt; stages an eighth of a step away would have to see something of it.
         for (const double side : {std::max(place - 0.125, 0.0), std::min(place + 0.125, 1.0)})
-          if (top > -40.0 && top - argument(method.polynomial(side, 0.0)) > 12.0) return true;
+          if (top > -40.0 && top - argument(method.polynomial(side)) > 12.0) return true;
       } else {
         for (int k = 0; k < parts; ++k)
           if (at[k] * at[k + 1] < 0.0 && std::abs(at[k + 1] - at[k]) > 8.0) return true;
@@ -80,19 +80,19 @@ class SharpFeatures {
   };
 
   /// Where it is largest in a part of the step, by golden section.
-  static double highest(const Candidate::Solver& method, Argument& argument, double low, double high) {
+  static double highest(const OrbitSteps& method, Argument& argument, double low, double high) {
     constexpr double golden = 0.6180339887498949;
     double a = high - golden * (high - low), b = low + golden * (high - low);
-    double at_a = argument(method.polynomial(a, 0.0)), at_b = argument(method.polynomial(b, 0.0));
+    double at_a = argument(method.polynomial(a)), at_b = argument(method.polynomial(b));
     for (int i = 0; i < 30; ++i) {
       if (at_a > at_b) {
         high = b, b = a, at_b = at_a;
         a = high - golden * (high - low);
-        at_a = argument(method.polynomial(a, 0.0));
+        at_a = argument(method.polynomial(a));
       } else {
         low = a, a = b, at_a = at_b;
         b = low + golden * (high - low);
-        at_b = argument(method.polynomial(b, 0.0));
+        at_b = argument(method.polynomial(b));
       }
     }
     return 0.5 * (low + high);

@@ -1,4 +1,5 @@
 #pragma once
+#include "avi/autodiff/partials.hpp"
 #include "avi/autodiff/recording.hpp"
 #include "avi/integrators/runge_kutta.hpp"
 
@@ -12,13 +13,15 @@
 
 namespace avi::detail {
 
+inline constexpr double infinity = std::numeric_limits<double>::infinity();  ///< Of what is not known.
+
 /// The field of H, one point at a time.
 class PointField {
  public:
   /// Of H as a node of a graph of (q, p).
-  PointField(const ExpressionGraph& graph, int energy)
-      : n_(graph.inputs() / 2), program_(Recording(graph, energy).value_and_gradient()), room_(program_),
-        value_program_(Recording(graph, energy).value()), value_room_(value_program_) {}
+  /// @param supplied nodes of its gradient, where H has one of its own
+  PointField(const ExpressionGraph& graph, int energy, const std::vector<int>& supplied)
+      : PointField(Recording(graph, energy, energy, supplied)) {}
 
   /// dz = J grad H at z = (q, p); returns H.
   double operator()(const VectorX& z, VectorX& dz) {
@@ -37,11 +40,41 @@ class PointField {
     value_program_.run(value_room_);
     return value_program_.value(value_room_);
   }
+  /// The diagonal of H_pp at z, by two probes with signs: exact where H_pp is diagonal, else near. What is
+  /// not positive there counts as the largest entry that is.
+  VectorX metric(const VectorX& z) {
+    using Dual = Partials<double, 1>;
+    Program::Room<Dual> room(program_);
+    VectorX metric = VectorX::Zero(n_);
+    unsigned bits = 12345u;
+    std::vector<double> sign(static_cast<std::size_t>(n_));
+    for (int probe = 0; probe < 2; ++probe) {
+      for (int i = 0; i < n_; ++i) {
+        bits = bits * 1664525u + 1013904223u;
+        sign[static_cast<std::size_t>(i)] = bits >> 31 ? 1.0 : -1.0;
+        room.arguments()[i] = Dual(z[i]);
+        room.arguments()[n_ + i] = Dual::variable(z[n_ + i], 0, sign[static_cast<std::size_t>(i)]);
+      }
+      program_.run(room);
+      for (int i = 0; i < n_; ++i)
+        metric[i] =
+            std::max(metric[i], sign[static_cast<std::size_t>(i)] * program_.slope(room, n_ + i).partial(0));
+    }
+    double largest = 0.0;
+    for (int i = 0; i < n_; ++i)
+      if (std::isfinite(metric[i])) largest = std::max(largest, metric[i]);
+    for (int i = 0; i < n_; ++i)
+      if (!(metric[i] > 0.0) || !std::isfinite(metric[i])) metric[i] = largest > 0.0 ? largest : 1.0;
+    return metric;
+  }
   [[nodiscard]] int size() const { return n_; }  ///< n.
 
   double sense = 1.0;  ///< -1 follows the orbit backwards.
 
  private:
+  explicit PointField(const Recording& recording)
+      : n_(recording.inputs() / 2), program_(recording.value_and_gradient()), room_(program_),
+        value_program_(recording.value()), value_room_(value_program_) {}
   int n_;
   Program program_;
   Program::Room<double> room_;
@@ -61,6 +94,7 @@ class Sketch {
     double h;          ///< Time to the next sample.
     double frequency;  ///< Radians per unit of time here, as the error of the step tells.
     VectorX errors;    ///< Of the step.
+    double energy;     ///< H.
   };
 
   /// Along the orbit of `field` from z for `span`, or for at most `most` steps.
@@ -69,11 +103,11 @@ class Sketch {
     const Eigen::Index size = z.size();
     RungeKuttaStages<BogackiShampine> step(size);
     VectorX at = z, low = z, high = z, scale(size), errors(size);
-    field(at, step.k[0]);
+    double energy = field(at, step.k[0]), last = energy;
     double h = first_step(field, at, step.k[0], span, metric);
     for (int tries = 0; time < span && static_cast<int>(samples.size()) < most && tries < 6 * most; ++tries) {
       h = std::min(h, span - time);
-      step.advance([&](const VectorX& x, VectorX& dx) { field(x, dx); }, at, h);
+      step.advance([&](const VectorX& x, VectorX& dx) { last = field(x, dx); }, at, h);
       double worst = 0.0;
       for (Eigen::Index i = 0; i < size; ++i) {
         const double fastest =
@@ -86,7 +120,7 @@ class Sketch {
                                  (4.0 / 9.0 - 1.0 / 3.0) * step.k[2][i] - 0.125 * step.k[3][i]);
         if (errors[i] <= 1e3 * std::numeric_limits<double>::epsilon() * std::abs(at[i])) errors[i] = 0.0;
         if (errors[i] > 0.0) worst = std::max(worst, errors[i] / scale[i]);
-        if (!std::isfinite(errors[i])) worst = std::numeric_limits<double>::infinity();
+        if (!std::isfinite(errors[i])) worst = infinity;
       }
       const double factor = std::isfinite(worst) ? std::cbrt(loose / std::max(worst, 1e-3 * loose)) : 0.1;
       if (factor < 0.8) {
@@ -94,7 +128,8 @@ class Sketch {
         if (!(h > 1e-14 * span)) break;
         continue;
       }
-      samples.push_back({at, step.k[0], h, 0.0, errors});
+      samples.push_back({at, step.k[0], h, 0.0, errors, energy});
+      energy = last;
       time += h;
       at = step.end;
       for (Eigen::Index i = 0; i < size; ++i)
@@ -131,7 +166,7 @@ class Sketch {
       seen += here;
       t += sample.h;
     }
-    return seen > 0.0 ? t * phase / seen : std::numeric_limits<double>::infinity();
+    return seen > 0.0 ? t * phase / seen : infinity;
   }
 
  private:
@@ -166,7 +201,7 @@ class Sketch {
       double worst = 0.0;
       for (Eigen::Index k = 0; k < z.size(); ++k) {
         const double change = std::abs(there[k] - dz[k]);
-        if (!std::isfinite(change)) worst = std::numeric_limits<double>::infinity();
+        if (!std::isfinite(change)) worst = infinity;
         if (scale[k] > 0.0) worst = std::max(worst, change / scale[k]);
       }
       if (worst <= 0.5) return h;

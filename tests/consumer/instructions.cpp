@@ -1,6 +1,6 @@
 // A part of a program: compiled with several -m options, its packs must not share a function
 // (instructions.sh).
-#include <avi/autodiff/lanes.hpp>
+#include <avi/autodiff/dual_number.hpp>
 #include <avi/autodiff/pack.hpp>
 #include <avi/autodiff/recording.hpp>
 
@@ -12,6 +12,7 @@ double part(double x) {
   avi::Program::Room<avi::Pack<8>> room(program);
   room.arguments()[0] = room.arguments()[1] = avi::Pack<8>(x);
   program.run(room);
-  const avi::Vector<avi::Lanes<2>, 2> lanes(avi::Lanes<2>::variable(x, 0), avi::Lanes<2>::variable(x, 1));
+  const avi::Vector<avi::DualNumber<2>, 2> lanes(avi::DualNumber<2>::variable(x, 0),
+                                                 avi::DualNumber<2>::variable(x, 1));
   return avi::sum(program.slope(room, 0)) + f(lanes).partial(0);
 }

@@ -3,15 +3,15 @@
 #include "avi/bregman/bregman_splitting.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/htvi/htvi.hpp"
-#include "avi/integrators/adaptive_verlet.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/integrators/stormer_verlet.hpp"
 #include "avi/optim/run_updates.hpp"
-#include "avi/problems/correlated_quartic.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/euler_b.hpp"
 #include "avi/transform/monitors.hpp"
+#include "common/methods/adaptive_verlet.hpp"
+#include "common/problems/correlated_quartic.hpp"
 
 #include <algorithm>
 #include <array>
@@ -64,7 +64,7 @@ void orbit(M method, const avi::State<2>& start, double h) {
 
 template <class M>
 void descent(const M& method, const avi::VectorX& x0) {
-  const avi::CorrelatedQuartic f(x0.size());
+  const experiment::CorrelatedQuartic f(x0.size());
   const avi::Minimisation run = avi::run_updates(f, method, x0, {.iterations = 50});
   if (!(run.last.x.allFinite() && std::isfinite(run.last.value)))
     throw std::logic_error("A minimisation ended at what is not a number.");
@@ -99,7 +99,8 @@ inline void step(const std::uint8_t* data, std::size_t size) {
           h);
     case 4: {
       const double c = in.real();
-      return orbit(AdaptiveVerlet(Kepler{}, [c](const auto& q, const auto&) { return c * q.squaredNorm(); }),
+      return orbit(experiment::AdaptiveVerlet(
+                       Kepler{}, [c](const auto& q, const auto&) { return c * q.squaredNorm(); }),
                    z, h);
     }
     case 5:

@@ -2,6 +2,7 @@
 #include "avi/htvi/htvi.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
+#include "common/methods/printed_htvi.hpp"
 
 #include <cstdio>
 #include <functional>
@@ -27,7 +28,7 @@ auto problem() {
 }
 
 /// The row HTVI4, gamma, of Table 1 over ten times its horizon.
-bool htvi4() { return run(avi::type2<3, avi::authors>(problem(), avi::simpson()), 0.1, 100.0); }
+bool htvi4() { return run(avi::type2<3, experiment::Authors>(problem(), avi::simpson()), 0.1, 100.0); }
 
 /// Order 16 over five periods, to round-off.
 bool htvi16() {

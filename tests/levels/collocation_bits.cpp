@@ -1,10 +1,10 @@
 #include "avi/collocation/collocation.hpp"
 #include "avi/core/integrate.hpp"
-#include "avi/problems/chain.hpp"
-#include "avi/problems/double_pendulum.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
+#include "common/problems/chain.hpp"
+#include "common/problems/double_pendulum.hpp"
 
 #include <cstdio>
 
@@ -33,8 +33,8 @@ int main() {
   const avi::Kepler kepler;
   run("supplied", avi::poincare(kepler, start, avi::Gamma{0.75}), start, 0.3);
   run("automatic", avi::poincare(avi::Automatic{kepler}, start, avi::Energy{kepler, 0.5}), start, 0.01);
-  const auto pendulum = avi::DoublePendulum::released(1.2, 0.8);
-  run("sines", avi::poincare(avi::DoublePendulum{}, pendulum), pendulum, 0.3);
-  const auto chain = avi::Chain::plucked(20);
-  run("recorded", avi::poincare(avi::Chain{}, chain), chain, 0.5);
+  const auto pendulum = experiment::DoublePendulum::released(1.2, 0.8);
+  run("sines", avi::poincare(experiment::DoublePendulum{}, pendulum), pendulum, 0.3);
+  const auto chain = experiment::Chain::plucked(20);
+  run("recorded", avi::poincare(experiment::Chain{}, chain), chain, 0.5);
 }

@@ -5,5 +5,5 @@
 int main() {
   const avi::NBody<avi::dynamic> bodies(avi::Vector<double, avi::dynamic>::Ones(3));
   const auto monitor = [](const auto&, const auto&) { return 1.0; };
-  return avi::AdaptiveVerlet(bodies, monitor).order();
+  return experiment::AdaptiveVerlet(bodies, monitor).order();
 }

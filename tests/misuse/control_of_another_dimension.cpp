@@ -4,8 +4,8 @@
 #include <avi/problems/kepler.hpp>
 
 int main() {
-  avi::HairerSoderlind method(avi::stormer_verlet<2>(&avi::Kepler::potential_gradient<double>),
-                              avi::PowerOfRadius{});
+  experiment::HairerSoderlind method(avi::stormer_verlet<2>(&avi::Kepler::potential_gradient<double>),
+                                     experiment::PowerOfRadius{});
   avi::State<3> z{.q = {1.0, 0.0, 0.0}, .p = {0.0, 1.0, 0.0}};
   return method.step(z, 0.1).evaluations;
 }

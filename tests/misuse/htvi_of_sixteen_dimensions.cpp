@@ -4,6 +4,6 @@
 
 int main() {
   avi::State<16> z{.q = avi::Vector<double, 16>::Zero(), .p = avi::Vector<double, 16>::Ones()};
-  auto method = avi::type2<1>(avi::poincare(avi::Chain{}, z));
+  auto method = avi::type2<1>(avi::poincare(experiment::Chain{}, z));
   return method.step(z, 0.1).evaluations;
 }

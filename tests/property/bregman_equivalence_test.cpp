@@ -1,24 +1,25 @@
-#include "avi/bregman/bregman_cloning.hpp"
 #include "avi/bregman/bregman_htvi.hpp"
 #include "avi/bregman/bregman_splitting.hpp"
 #include "avi/core/power.hpp"
 #include "avi/htvi/htvi.hpp"
 #include "avi/htvi/quadrature.hpp"
 #include "avi/optim/run_updates.hpp"
-#include "avi/problems/correlated_quartic.hpp"
 #include "avi/transform/poincare.hpp"
 #include "bregman/printed/cloning_printed.hpp"
 #include "bregman/printed/extended_splitting.hpp"
 #include "bregman/printed/htvi_printed.hpp"
+#include "common/methods/printed_htvi.hpp"
+#include "common/problems/correlated_quartic.hpp"
+#include "common/rules/bregman_cloning.hpp"
 
 #include <gtest/gtest.h>
 
 // Two ways to the same iterates, written from different formulas, must agree to round-off.
 
 using avi::BregmanFamily;
-using avi::CorrelatedQuartic;
 using avi::ExtendedPoint;
 using avi::VectorX;
+using experiment::CorrelatedQuartic;
 
 namespace bregman_equivalence_test {
 
@@ -87,7 +88,7 @@ TEST(Splitting, ThreeFlowsAndPrintedUpdateShareTheirIterates) {
 
 TEST(Cloning, TheCopyThatIsReadNeverSeesTheOther) {
   const CorrelatedQuartic f;
-  using avi::CloneComposition;
+  using experiment::CloneComposition;
   const long gradients[] = {3, 7, 19}, useful[] = {1, 3, 9};
   for (const auto& family : families)
     for (const auto composition :
@@ -95,15 +96,16 @@ TEST(Cloning, TheCopyThatIsReadNeverSeesTheOther) {
       const avi::Stopping stopping{.delta = 0.0, .iterations = 50};
       const double h = 0.3 * step(family);
       const auto decoupled = avi::run_updates(
-          f, avi::BregmanCloning{.family = family, .h = h, .composition = composition}, f.start(), stopping);
+          f, experiment::BregmanCloning{.family = family, .h = h, .composition = composition}, f.start(),
+          stopping);
       for (double sign : {-1.0, 1.0}) {
         ExtendedPoint z = avi::bregman_start(family, f, f.start()), clone = z;
         long calls = 0;
         const auto counted = [&](const VectorX& x, VectorX& g) { return ++calls, f(x, g); };
         for (int k = 0; k < 50; ++k)
-          experiment::cloning_printed_step(family, counted, h, avi::merged_stages(composition), z, clone,
-                                           sign);
-        EXPECT_EQ(z.q, decoupled.last.x) << avi::clone_name(composition);
+          experiment::cloning_printed_step(family, counted, h, experiment::merged_stages(composition), z,
+                                           clone, sign);
+        EXPECT_EQ(z.q, decoupled.last.x) << experiment::clone_name(composition);
         const auto which = static_cast<std::size_t>(composition);
         EXPECT_EQ(calls, 50 * gradients[which]);
         // One more an iteration is the stopping test's; one at the start.
@@ -149,7 +151,7 @@ TEST(Htvi, GenericMachineryOfOrderZeroGivesTheExplicitUpdate) {
     const double h = step(family);
     // Every rule gives the same integrator when the Taylor order is 0.
     for (const auto& rule : {avi::rectangle_left(), avi::simpson(), avi::gauss(3)}) {
-      auto method = avi::type2<0, avi::printed>(problem, rule);
+      auto method = avi::type2<0, experiment::Printed>(problem, rule);
       auto generic = start;
       auto explicit_update = z;
       for (int k = 0; k < 20; ++k) {

@@ -1,16 +1,16 @@
 #include "avi/diagnostics/symplecticity.hpp"
-#include "avi/problems/correlated_quartic.hpp"
 #include "bregman/printed/extended_splitting.hpp"
 #include "bregman/printed/htvi_printed.hpp"
+#include "common/problems/correlated_quartic.hpp"
 
 #include <gtest/gtest.h>
 
 // Symplecticity on extended phase space (q, t, r, r^t), and the printed splitting as the control that fails.
 
 using avi::BregmanFamily;
-using avi::CorrelatedQuartic;
 using avi::ExtendedPoint;
 using avi::VectorX;
+using experiment::CorrelatedQuartic;
 
 namespace bregman_symplecticity_test {
 

@@ -1,14 +1,14 @@
 #include "avi/core/integrate.hpp"
 #include "avi/htvi/htvi.hpp"
-#include "avi/problems/chain.hpp"
+#include "common/problems/chain.hpp"
 #include "difference.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-using avi::Chain;
 using avi::State;
+using experiment::Chain;
 
 namespace chain_test {
 

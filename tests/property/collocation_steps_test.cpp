@@ -2,12 +2,12 @@
 
 #include "avi/core/dense_output.hpp"
 #include "avi/core/integrate_to.hpp"
-#include "avi/problems/chain.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/n_body.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
 #include "avi/transform/time_dependent.hpp"
+#include "common/problems/chain.hpp"
 
 #include "distance.hpp"
 #include "refusal.hpp"
@@ -51,11 +51,11 @@ TEST(CollocationSteps, IsOneMethodForEveryKindOfDimension) {
 
 TEST(CollocationSteps, TakesManyDegreesOfFreedom) {
   for (const int masses : {1, 9, 64}) {
-    auto z = avi::Chain::plucked(masses);
-    auto method = avi::collocation(avi::poincare(avi::Chain{}, z), 8);
-    const double energy = avi::Chain{}(z.q, z.p);
+    auto z = experiment::Chain::plucked(masses);
+    auto method = avi::collocation(avi::poincare(experiment::Chain{}, z), 8);
+    const double energy = experiment::Chain{}(z.q, z.p);
     ASSERT_EQ(avi::integrate(method, z, 0.2, {.time = 20.0}).outcome, Outcome::ok);
-    EXPECT_NEAR(avi::Chain{}(z.q, z.p), energy, 2e-9 * (1.0 + energy)) << masses;
+    EXPECT_NEAR(experiment::Chain{}(z.q, z.p), energy, 2e-9 * (1.0 + energy)) << masses;
   }
 }
 
@@ -162,7 +162,7 @@ TEST(CollocationSteps, NamesWhatEndsAStep) {
   unchanged(avi::collocation(negative, 8), start, 0.01, Outcome::bad_monitor);
   const auto infinite = avi::poincare(Kepler{}, start, [](const auto& q) { return 1.0 / (q[1] - q[1]); });
   unchanged(avi::collocation(infinite, 8), start, 0.01, Outcome::non_finite);
-  auto chain = avi::collocation(avi::poincare(avi::Chain{}, avi::Chain::plucked(3)), 4);
+  auto chain = avi::collocation(avi::poincare(experiment::Chain{}, experiment::Chain::plucked(3)), 4);
   for (const auto& [q, p, wrong] : {std::array{2, 2, 2}, {3, 2, 2}, {4, 3, 4}}) {
     State<avi::dynamic> z{.q = Vector<double, avi::dynamic>::Ones(q),
                           .p = Vector<double, avi::dynamic>::Ones(p)};

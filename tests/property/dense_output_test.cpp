@@ -6,6 +6,7 @@
 #include "avi/htvi/htvi.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
+#include "common/methods/printed_htvi.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ using avi::State;
 namespace dense_output_test {
 
 auto method_for(const State<2>& z) {
-  return avi::type2<3, avi::authors>(avi::poincare(Kepler{}, z, avi::NormSquared{}), avi::simpson());
+  return avi::type2<3, experiment::Authors>(avi::poincare(Kepler{}, z, avi::NormSquared{}), avi::simpson());
 }
 
 TEST(DenseOutput, HasLocalOrderRPlusOne) {

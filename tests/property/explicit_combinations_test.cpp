@@ -1,9 +1,9 @@
-#include "avi/integrators/adaptive_verlet.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
-#include "avi/integrators/hairer_soderlind.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/integrators/stormer_verlet.hpp"
 #include "avi/transform/euler_b.hpp"
+#include "common/methods/adaptive_verlet.hpp"
+#include "common/methods/hairer_soderlind.hpp"
 #include "property/combinations.hpp"
 
 #include <gtest/gtest.h>
@@ -27,10 +27,10 @@ TEST(ExplicitCombinations, Autonomous) {
         1e-5);
   check("euler_b", avi::euler_b(Quartic{}, start), start, 0.001, 1e-2);
   check("euler_b, g(q)", avi::euler_b(Quartic{}, start, of_q), start, 0.001, 1e-2);
-  check("adaptive_verlet, g(q, p)", avi::AdaptiveVerlet(Quartic{}, of_qp), start, 0.01, 1e-3);
+  check("adaptive_verlet, g(q, p)", experiment::AdaptiveVerlet(Quartic{}, of_qp), start, 0.01, 1e-3);
   check("hairer_soderlind",
-        avi::HairerSoderlind(avi::splitting(avi::Separable(Quartic{}), avi::compositions::strang),
-                             Controlled{}),
+        experiment::HairerSoderlind(avi::splitting(avi::Separable(Quartic{}), avi::compositions::strang),
+                                    Controlled{}),
         start, 0.01, 1e-3);
 }
 

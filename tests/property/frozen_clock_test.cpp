@@ -1,6 +1,6 @@
 #include "avi/bregman/bregman_htvi.hpp"
 #include "avi/diagnostics/symplecticity.hpp"
-#include "avi/problems/correlated_quartic.hpp"
+#include "common/problems/correlated_quartic.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ constexpr Eigen::Index n = 4;
 
 /// z = (q, d) -> (q + alpha d, beta d - grad f(q + alpha d)).
 VectorX heavy_ball(const VectorX& z, double alpha, double beta) {
-  const avi::CorrelatedQuartic f(n);
+  const experiment::CorrelatedQuartic f(n);
   VectorX q = z.head(n) + alpha * z.tail(n), g(n), out(2 * n);
   f(q, g);
   out << q, beta * z.tail(n) - g;

@@ -5,6 +5,7 @@
 #include "avi/problems/pendulum.hpp"
 #include "avi/transform/euler_b.hpp"
 #include "avi/transform/monitors.hpp"
+#include "common/methods/printed_htvi.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,10 +35,10 @@ avi::OrderFit kepler_order(double e, double h, MethodFor method_for) {
   return avi::fit_order(steps, errors, {.floor = 1e-12, .at_least = 3, .at_most = 3});
 }
 
-template <int r, avi::Construction construction, class G>
+template <int r, class Construction, class G>
 double htvi_order(const avi::Quadrature& rule, const G& monitor, double h) {
   const auto fit = kepler_order(0.5, h, [&](const State<2>& z) {
-    return avi::type2<r, construction>(avi::poincare<2>(kepler, z, monitor), rule);
+    return avi::type2<r, Construction>(avi::poincare<2>(kepler, z, monitor), rule);
   });
   EXPECT_GE(fit.points, 3);
   return fit.order;
@@ -45,27 +46,27 @@ double htvi_order(const avi::Quadrature& rule, const G& monitor, double h) {
 
 // The theorem promises min(r + 1, s) at least.
 TEST(TypeII, PrintedConstructionHasOrderFourWithSimpson) {
-  EXPECT_NEAR((htvi_order<3, avi::printed>(avi::simpson(), avi::NormSquared{}, 0.1)), 4.0, 0.3);
-  EXPECT_NEAR((htvi_order<3, avi::printed>(avi::simpson(), avi::Unit{}, 0.1)), 4.0, 0.3);
+  EXPECT_NEAR((htvi_order<3, experiment::Printed>(avi::simpson(), avi::NormSquared{}, 0.1)), 4.0, 0.3);
+  EXPECT_NEAR((htvi_order<3, experiment::Printed>(avi::simpson(), avi::Unit{}, 0.1)), 4.0, 0.3);
 }
 
 TEST(TypeII, AuthorsConstructionHasOrderFour) {
-  EXPECT_NEAR((htvi_order<3, avi::authors>(avi::simpson(), avi::NormSquared{}, 0.1)), 4.0, 0.3);
-  EXPECT_NEAR((htvi_order<3, avi::authors>(avi::simpson(), avi::Unit{}, 0.1)), 4.0, 0.3);
+  EXPECT_NEAR((htvi_order<3, experiment::Authors>(avi::simpson(), avi::NormSquared{}, 0.1)), 4.0, 0.3);
+  EXPECT_NEAR((htvi_order<3, experiment::Authors>(avi::simpson(), avi::Unit{}, 0.1)), 4.0, 0.3);
 }
 
 TEST(TypeIII, HasTheOrderOfTypeII) {
   const auto order = [](auto method_for, double h) { return kepler_order(0.5, h, method_for).order; };
   EXPECT_NEAR(order(
                   [](const State<2>& z) {
-                    return avi::type3<3, avi::authors>(avi::poincare<2>(kepler, z, avi::NormSquared{}),
-                                                       avi::simpson());
+                    return avi::type3<3, experiment::Authors>(avi::poincare<2>(kepler, z, avi::NormSquared{}),
+                                                              avi::simpson());
                   },
                   0.1),
               4.0, 0.3);
   EXPECT_NEAR(order(
                   [](const State<2>& z) {
-                    return avi::type3<1, avi::printed>(avi::poincare<2>(kepler, z), avi::simpson());
+                    return avi::type3<1, experiment::Printed>(avi::poincare<2>(kepler, z), avi::simpson());
                   },
                   0.05),
               2.0, 0.3);
@@ -81,13 +82,13 @@ TEST(Htvi, StopsAtAMonitorThatIsNotPositive) {
 }
 
 TEST(TypeII, QuadratureLimitsTheOrder) {
-  EXPECT_NEAR((htvi_order<3, avi::printed>(avi::midpoint(), avi::Unit{}, 0.05)), 2.0, 0.3);
-  EXPECT_NEAR((htvi_order<1, avi::printed>(avi::simpson(), avi::Unit{}, 0.05)), 2.0, 0.3);
+  EXPECT_NEAR((htvi_order<3, experiment::Printed>(avi::midpoint(), avi::Unit{}, 0.05)), 2.0, 0.3);
+  EXPECT_NEAR((htvi_order<1, experiment::Printed>(avi::simpson(), avi::Unit{}, 0.05)), 2.0, 0.3);
 }
 
 TEST(TypeII, StationaryConstructionHasTwiceTheOrder) {
-  EXPECT_NEAR((htvi_order<3, avi::stationary>(avi::gauss(4), avi::NormSquared{}, 0.3)), 8.0, 0.3);
-  EXPECT_NEAR((htvi_order<1, avi::stationary>(avi::gauss(2), avi::Unit{}, 0.1)), 4.0, 0.3);
+  EXPECT_NEAR((htvi_order<3, avi::Stationary>(avi::gauss(4), avi::NormSquared{}, 0.3)), 8.0, 0.3);
+  EXPECT_NEAR((htvi_order<1, avi::Stationary>(avi::gauss(2), avi::Unit{}, 0.1)), 4.0, 0.3);
 }
 
 TEST(Htvi, KnowsItsOrder) {
@@ -98,8 +99,8 @@ TEST(Htvi, KnowsItsOrder) {
   EXPECT_EQ((avi::type2<3>(problem, avi::boole()).order()), 6) << "as the rule's between r + 1 and 2r + 2";
   EXPECT_EQ((avi::type2<3>(problem, avi::simpson()).order()), 4);
   EXPECT_EQ((avi::type3<3>(problem, avi::midpoint()).order()), 4) << "r + 1 with any rule";
-  EXPECT_EQ((avi::type2<3, avi::printed>(problem).order()), 4);
-  EXPECT_EQ((avi::type2<3, avi::authors>(problem, avi::midpoint()).order()), 2);
+  EXPECT_EQ((avi::type2<3, experiment::Printed>(problem).order()), 4);
+  EXPECT_EQ((avi::type2<3, experiment::Authors>(problem, avi::midpoint()).order()), 2);
 }
 
 TEST(Htvi, TakesTheGaussRuleOfItsOrderUnlessToldOtherwise) {
@@ -129,7 +130,8 @@ TEST(TypeII, WithRZeroIsClosedFormEulerB) {
   for (double h : {0.02, 0.005}) {
     auto a = Kepler::pericentre(0.9), b = a;
     const auto monitor = avi::bounded(avi::NormSquared{}, 0.01, 8.0);
-    auto generic = avi::type2<0, avi::printed>(avi::poincare<2>(kepler, a, monitor), avi::rectangle_left());
+    auto generic =
+        avi::type2<0, experiment::Printed>(avi::poincare<2>(kepler, a, monitor), avi::rectangle_left());
     auto closed = avi::euler_b<2>(kepler, a, monitor);
     double worst = 0.0;
     for (int k = 0; k < 200; ++k) {

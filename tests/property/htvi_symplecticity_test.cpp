@@ -3,6 +3,7 @@
 #include "avi/htvi/htvi.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
+#include "common/methods/printed_htvi.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ const Kepler kepler;
 State<2> somewhere() { return Kepler::exact(0.6, 0.9); }
 
 /// Defect of one step as a map of (q, t, p, p^t): p^t is a variable like the others.
-template <int r, avi::Construction construction, class G>
+template <int r, class Construction, class G>
 double extended_defect(const G& monitor, double h) {
   const State<2> z = somewhere();
   avi::Vector<double, avi::dynamic> point(6);
@@ -25,7 +26,7 @@ double extended_defect(const G& monitor, double h) {
   return avi::symplecticity_defect(
       [&](const avi::Vector<double, avi::dynamic>& x) -> avi::Vector<double, avi::dynamic> {
         const avi::Poincare<2, Kepler, G> problem(kepler, monitor, x[5]);
-        auto method = avi::type2<r, construction>(problem, avi::simpson());
+        auto method = avi::type2<r, Construction>(problem, avi::simpson());
         State<2> s{.q = x.head<2>(), .p = x.segment<2>(3), .t = x[2]};
         EXPECT_EQ(method.step(s, h).outcome, avi::Outcome::ok);
         avi::Vector<double, avi::dynamic> image(6);
@@ -36,22 +37,22 @@ double extended_defect(const G& monitor, double h) {
 }
 
 /// Defect of one step as a map of (q, p).
-template <int r, avi::Construction construction, class G>
+template <int r, class Construction, class G>
 double defect(const G& monitor, double h) {
   const State<2> z = somewhere();
   return avi::symplecticity_defect(
-      avi::type2<r, construction>(avi::poincare<2>(kepler, z, monitor), avi::simpson()), z, h);
+      avi::type2<r, Construction>(avi::poincare<2>(kepler, z, monitor), avi::simpson()), z, h);
 }
 
 // The differences that measure it are good to about 1e-12; a method of order 4 that is not symplectic shows
 // 1e-7 here.
 constexpr double round_off = 2e-11;
 
-template <avi::Construction construction, class G>
+template <class Construction, class G>
 void expect_symplectic(const G& monitor) {
   for (double h : {0.1, 0.05}) {
-    EXPECT_LT((defect<3, construction>(monitor, h)), round_off) << h;
-    EXPECT_LT((extended_defect<3, construction>(monitor, h)), round_off) << h;
+    EXPECT_LT((defect<3, Construction>(monitor, h)), round_off) << h;
+    EXPECT_LT((extended_defect<3, Construction>(monitor, h)), round_off) << h;
   }
 }
 
@@ -59,17 +60,17 @@ const auto gamma_monitor = avi::bounded(avi::NormSquared{}, 0.01, 8.0);
 const auto energy_monitor = avi::bounded(avi::Energy{kepler, 0.5}, 1e-4, 2.0);
 
 TEST(TypeII, PrintedConstructionIsSymplecticInBothForms) {
-  expect_symplectic<avi::printed>(gamma_monitor);
-  expect_symplectic<avi::printed>(energy_monitor);
+  expect_symplectic<experiment::Printed>(gamma_monitor);
+  expect_symplectic<experiment::Printed>(energy_monitor);
 }
 TEST(TypeII, AuthorsConstructionIsSymplecticInBothForms) {
-  expect_symplectic<avi::authors>(gamma_monitor);
-  expect_symplectic<avi::authors>(energy_monitor);
+  expect_symplectic<experiment::Authors>(gamma_monitor);
+  expect_symplectic<experiment::Authors>(energy_monitor);
 }
 TEST(TypeII, StationaryConstructionIsSymplecticInBothForms) {
-  expect_symplectic<avi::stationary>(gamma_monitor);
-  expect_symplectic<avi::stationary>(energy_monitor);
-  expect_symplectic<avi::stationary>(avi::Unit{});
+  expect_symplectic<avi::Stationary>(gamma_monitor);
+  expect_symplectic<avi::Stationary>(energy_monitor);
+  expect_symplectic<avi::Stationary>(avi::Unit{});
 }
 
 TEST(TypeIII, IsSymplectic) {
@@ -77,9 +78,9 @@ TEST(TypeIII, IsSymplectic) {
   const auto problem = avi::poincare<2>(kepler, z, gamma_monitor);
   const auto unmonitored = avi::poincare<2>(avi::Automatic{kepler}, z);
   for (double h : {0.1, 0.05}) {
-    EXPECT_LT((avi::symplecticity_defect(avi::type3<3, avi::authors>(problem, avi::simpson()), z, h)),
+    EXPECT_LT((avi::symplecticity_defect(avi::type3<3, experiment::Authors>(problem, avi::simpson()), z, h)),
               round_off);
-    EXPECT_LT((avi::symplecticity_defect(avi::type3<2, avi::printed>(problem, avi::simpson()), z, h)),
+    EXPECT_LT((avi::symplecticity_defect(avi::type3<2, experiment::Printed>(problem, avi::simpson()), z, h)),
               round_off);
     EXPECT_LT((avi::symplecticity_defect(avi::type3<3>(unmonitored, avi::gauss(2)), z, h)), round_off);
   }
@@ -88,7 +89,7 @@ TEST(TypeIII, IsSymplectic) {
 TEST(TypeII, ConservesAngularMomentumToRoundOff) {
   auto z = Kepler::pericentre(0.9);
   const double momentum = Kepler::angular_momentum(z);
-  auto method = avi::type2<3, avi::authors>(
+  auto method = avi::type2<3, experiment::Authors>(
       avi::poincare<2>(kepler, z, avi::bounded(avi::NormSquared{}, 0.01, 8.0)), avi::simpson());
   double worst = 0.0;
   const auto run = avi::integrate(method, z, 0.1, {.time = 100.0}, [&](const State<2>& s, long) {

@@ -29,6 +29,7 @@ TEST(LinearSystem, SolvesWithEveryPivot) {
   for (const auto& matrix : {Eigen::Matrix3d{{1.0, 2.0, 0.0}, {2.0, 4.0, 3.0}, {2.0, 1.0, 5.0}},
                              Eigen::Matrix3d{{0.0, 2.0, 1.0}, {2.0, 4.0, 3.0}, {0.0, 1.0, 5.0}}}) {
     avi::LinearSystem system(3);
+    system.clear();
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
         system.at(i, j) = matrix(i, j);
@@ -149,8 +150,8 @@ TEST(Newton, EndsWhereTheStepIsTooLongForTheMotion) {
   auto sweeps = avi::collocation(avi::poincare(Oscillator{100.0}, many), 16);
   const avi::Run stiff = avi::integrate(sweeps, many, 0.2, {.steps = 1});
   EXPECT_NE(stiff.outcome, Outcome::ok);
-  EXPECT_FALSE((avi::Newton<avi::dynamic, 8>(17, 8).possible()));
-  EXPECT_TRUE((avi::Newton<avi::dynamic, 8>(16, 8).possible()));
+  EXPECT_FALSE((avi::NewtonIteration<avi::dynamic, 8>(17, 8).possible()));
+  EXPECT_TRUE((avi::NewtonIteration<avi::dynamic, 8>(16, 8).possible()));
 }
 
 }  // namespace newton_test

@@ -1,10 +1,10 @@
-#include "avi/bregman/bregman_cloning.hpp"
 #include "avi/bregman/bregman_htvi.hpp"
-#include "avi/bregman/bregman_runge_kutta.hpp"
 #include "avi/bregman/bregman_splitting.hpp"
 #include "avi/optim/run_updates.hpp"
-#include "avi/optim/update_rules.hpp"
-#include "avi/problems/correlated_quartic.hpp"
+#include "common/problems/correlated_quartic.hpp"
+#include "common/rules/bregman_cloning.hpp"
+#include "common/rules/bregman_runge_kutta.hpp"
+#include "common/rules/update_rules.hpp"
 
 #include "allocations.hpp"
 
@@ -13,8 +13,8 @@
 #include <vector>
 
 using avi::BregmanFamily;
-using avi::CorrelatedQuartic;
 using avi::VectorX;
+using experiment::CorrelatedQuartic;
 
 namespace optimiser_allocation_test {
 
@@ -36,17 +36,17 @@ TEST(Optimisers, AllocateNothingInTheLoop) {
   const double h = 1e-4;
   EXPECT_EQ(allocated(avi::BregmanHtvi{.family = family, .h = h}), 0);
   EXPECT_EQ(allocated(avi::BregmanSplitting{.family = family, .h = h}), 0);
-  EXPECT_EQ(allocated(avi::BregmanCloning{
-                .family = family, .h = h, .composition = avi::CloneComposition::yoshida6}),
+  EXPECT_EQ(allocated(experiment::BregmanCloning{
+                .family = family, .h = h, .composition = experiment::CloneComposition::yoshida6}),
             0);
-  EXPECT_EQ(allocated(avi::BregmanRungeKutta<avi::ClassicalRungeKutta>{.family = family, .h = h}), 0);
-  EXPECT_EQ(allocated(avi::BregmanEmbedded<avi::DormandPrince>{.family = family}), 0);
-  EXPECT_EQ(allocated(avi::Nag{.h = 2e-6}), 0);
-  EXPECT_EQ(allocated(avi::Adam{}), 0);
-  EXPECT_EQ(allocated(avi::AdaGrad{}), 0);
-  EXPECT_EQ(allocated(avi::RmsProp{}), 0);
-  EXPECT_EQ(allocated(avi::TrustRegion{}), 0);
-  EXPECT_EQ(allocated(avi::GradientDescent{.h = 1e-7}), 0);
+  EXPECT_EQ(allocated(experiment::BregmanRungeKutta<avi::ClassicalRungeKutta>{.family = family, .h = h}), 0);
+  EXPECT_EQ(allocated(experiment::BregmanEmbedded<avi::DormandPrince>{.family = family}), 0);
+  EXPECT_EQ(allocated(experiment::Nag{.h = 2e-6}), 0);
+  EXPECT_EQ(allocated(experiment::Adam{}), 0);
+  EXPECT_EQ(allocated(experiment::AdaGrad{}), 0);
+  EXPECT_EQ(allocated(experiment::RmsProp{}), 0);
+  EXPECT_EQ(allocated(experiment::TrustRegion{}), 0);
+  EXPECT_EQ(allocated(experiment::GradientDescent{.h = 1e-7}), 0);
 }
 
 /// The control: a method that makes a temporary on the heap is seen.

@@ -1,6 +1,6 @@
 #include "avi/bregman/bregman_htvi.hpp"
 #include "avi/optim/run_updates.hpp"
-#include "avi/problems/correlated_quartic.hpp"
+#include "common/problems/correlated_quartic.hpp"
 #include "common/timing.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ TEST(Htvi, AnIterationCostsLittleMoreThanItsGradient) {
   // to 1.23 with the vector units of the machine and up to 1.33 with SSE2 alone.
   constexpr long n = 20'000;
   double evaluation = 1.0, iteration = 1.0, sink = 0.0;
-  const avi::CorrelatedQuartic f;
+  const experiment::CorrelatedQuartic f;
   VectorX g(50);
   const avi::BregmanHtvi method{.family = BregmanFamily::adaptive(4.0, 1.0), .h = 2.4e-4};
 #ifdef __AVX2__

@@ -1,5 +1,5 @@
 #include "avi/bregman/bregman_restarted.hpp"
-#include "avi/optim/update_rules.hpp"
+#include "common/rules/update_rules.hpp"
 
 #include <gtest/gtest.h>
 
@@ -40,12 +40,12 @@ long escape(const Rule& rule, double away) {
 }
 
 TEST(SaddleEscape, MomentumLeavesFasterThanGradientDescent) {
-  const long descent = escape(avi::GradientDescent{.h = 0.3}, 1e-12);
+  const long descent = escape(experiment::GradientDescent{.h = 0.3}, 1e-12);
   const long momentum = escape(avi::BregmanRestarted{}, 1e-12);
   std::printf("gradient descent %ld, p/t clock with restart %ld\n", descent, momentum);
   EXPECT_LT(2 * momentum, descent);  // measured 35 and 104
   // Each decade nearer costs descent log 10 / log 1.3 = 8.8 updates, momentum 2.
-  EXPECT_NEAR(static_cast<double>(descent - escape(avi::GradientDescent{.h = 0.3}, 1e-6)), 52.7, 3.0);
+  EXPECT_NEAR(static_cast<double>(descent - escape(experiment::GradientDescent{.h = 0.3}, 1e-6)), 52.7, 3.0);
   EXPECT_LE(momentum - escape(avi::BregmanRestarted{}, 1e-6), 20);  // measured 12
 }
 

@@ -3,6 +3,7 @@
 #include "avi/htvi/htvi.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
+#include "common/methods/printed_htvi.hpp"
 
 #include <gtest/gtest.h>
 
@@ -96,7 +97,7 @@ TEST(Broyden, SolvesALinearSystemInTwiceAsManyStepsAsItHasUnknowns) {
   avi::Matrix<double, 2> a;
   a << 2.5, -1.0, 0.75, -1.5;  // the plain iteration would grow
   const Vec b(1.0, -2.0);
-  avi::Broyden<2> broyden;
+  experiment::Broyden<2> broyden;
   Vec u = Vec::Zero();
   for (int k = 0; k < 5; ++k) {
     const Vec residual = b - a * u;
@@ -107,7 +108,7 @@ TEST(Broyden, SolvesALinearSystemInTwiceAsManyStepsAsItHasUnknowns) {
 
 TEST(Broyden, LearnsNothingFromAShiftThatChangedNothing) {
   const avi::Vector<double, 2> residual(0.3, -0.2);
-  avi::Broyden<2> broyden;
+  experiment::Broyden<2> broyden;
   EXPECT_EQ(broyden.shift(residual, residual, false), residual) << "not yet at work";
   for (int k = 0; k < 3; ++k)
     EXPECT_EQ(broyden.shift(residual, residual, true), residual);
@@ -132,7 +133,7 @@ TEST(SecantModel, KnowsALinearFunctionFromAsManyShiftsAsItHasVariables) {
 
 TEST(Solver, TakesTwoEvaluationsAStepWhereStepsAreAccurate) {
   auto z = avi::Kepler::pericentre(0.9);
-  auto method = avi::type2<3, avi::authors>(
+  auto method = avi::type2<3, experiment::Authors>(
       avi::poincare<2>(avi::Kepler{}, z, avi::bounded(avi::NormSquared{}, 0.01, 8.0)), avi::simpson());
   const auto run = avi::integrate(method, z, 0.1, {.time = 10.0});
   EXPECT_EQ(run.outcome, avi::Outcome::ok);

@@ -1,11 +1,11 @@
-#include "avi/collocation/sweeps.hpp"
+#include "avi/collocation/stage_equations.hpp"
 
 #include "avi/collocation/collocation.hpp"
 #include "avi/core/integrate.hpp"
-#include "avi/problems/chain.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
+#include "common/problems/chain.hpp"
 
 #include "distance.hpp"
 #include "rate.hpp"
@@ -33,7 +33,7 @@ struct BothRate {
 };
 
 /// The chain with a gradient that is not its own: one more force, of 1/64 on every mass.
-struct Pushed : avi::Chain {
+struct Pushed : experiment::Chain {
   template <class S, int n>
   avi::Vector<S, n> d_dq(const avi::Vector<S, n>& q, const avi::Vector<S, n>& p) const {
     return Chain::d_dq(q, p) - avi::Vector<S, n>::Constant(q.size(), S(0.015625));
@@ -42,14 +42,15 @@ struct Pushed : avi::Chain {
 
 // Where n is known to the compiler, and where it is not.
 TEST(Sweeps, TakesSuppliedGradientsOfManyDegreesOfFreedom) {
-  const auto plucked = avi::Chain::plucked(9);
+  const auto plucked = experiment::Chain::plucked(9);
   const State<9> start{.q = plucked.q, .p = 0.5 * plucked.q.reverse()};
-  const double away = 0.125 - avi::Chain{}(start.q, start.p);  // p^t off the shell, where all terms count
+  const double away =
+      0.125 - experiment::Chain{}(start.q, start.p);  // p^t off the shell, where all terms count
   const auto compare = [&](const auto& monitor) {
     using G = std::decay_t<decltype(monitor)>;
-    using H = avi::Automatic<avi::Chain>;
+    using H = avi::Automatic<experiment::Chain>;
     State<9> a = start, b = start;
-    auto supplied = avi::collocation(avi::Poincare<9, avi::Chain, G>({}, monitor, away), 12);
+    auto supplied = avi::collocation(avi::Poincare<9, experiment::Chain, G>({}, monitor, away), 12);
     auto automatic = avi::collocation(avi::Poincare<9, H, G>({}, monitor, away), 12);
     ASSERT_EQ(avi::integrate(supplied, a, 0.3, {.steps = 40}).outcome, Outcome::ok);
     ASSERT_EQ(avi::integrate(automatic, b, 0.3, {.steps = 40}).outcome, Outcome::ok);
@@ -62,7 +63,7 @@ TEST(Sweeps, TakesSuppliedGradientsOfManyDegreesOfFreedom) {
       return State<9>{.q = z.q, .p = z.p, .t = z.t};
     };
     const State<avi::dynamic> same{.q = start.q, .p = start.p};
-    const auto free = end(avi::Poincare<avi::dynamic, avi::Chain, G>({}, monitor, away, 9), same);
+    const auto free = end(avi::Poincare<avi::dynamic, experiment::Chain, G>({}, monitor, away, 9), same);
     EXPECT_LT(distance(a, free), 1e-14);
     const auto pushed = end(avi::Poincare<9, Pushed, G>({}, monitor, away), start),
                pushed_free = end(avi::Poincare<avi::dynamic, Pushed, G>({}, monitor, away, 9), same);

@@ -3,6 +3,7 @@
 #include "avi/core/integrate_to.hpp"
 #include "avi/diagnostics/order.hpp"
 #include "avi/htvi/htvi.hpp"
+#include "common/methods/printed_htvi.hpp"
 
 #include <gtest/gtest.h>
 
@@ -117,7 +118,7 @@ TEST(TimeDependent, FollowsAnOscillatorOfVaryingFrequency) {
   std::vector<double> steps, errors;
   for (double h : {0.2, 0.1, 0.05}) {
     auto z = avi::extended(problem, origin);
-    auto method = avi::type2<3, avi::printed>(problem, avi::gauss(2));
+    auto method = avi::type2<3, experiment::Printed>(problem, avi::gauss(2));
     const auto run = avi::integrate_to(method, z, h, 3.0);
     ASSERT_EQ(run.outcome, avi::Outcome::ok) << run.message;
     const auto end = avi::reduced(z);

@@ -1,15 +1,15 @@
 #include "avi/core/integrate_to.hpp"
 #include "avi/diagnostics/order.hpp"
 #include "avi/diagnostics/symplecticity.hpp"
-#include "avi/integrators/adaptive_verlet.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/composition.hpp"
-#include "avi/integrators/hairer_soderlind.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/integrators/stormer_verlet.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/euler_b.hpp"
 #include "avi/transform/monitors.hpp"
+#include "common/methods/adaptive_verlet.hpp"
+#include "common/methods/hairer_soderlind.hpp"
 #include "distance.hpp"
 
 #include <gtest/gtest.h>
@@ -95,7 +95,7 @@ const auto gradient = [](const auto& q) { return Kepler::potential_gradient(q); 
 const auto verlet = avi::stormer_verlet<2>(gradient);
 const avi::Separable separable{Kepler{}};
 const avi::LogHamiltonian logarithmic(Kepler{}, start);
-const avi::PowerOfRadius radius{1.5};
+const experiment::PowerOfRadius radius{1.5};
 
 TEST(Traits, OfPlainMethods) {
   check("stormer_verlet", verlet, 2);
@@ -117,16 +117,16 @@ TEST(Traits, OfAdaptiveMethods) {
   check("euler_b with a monitor", avi::euler_b(Kepler{}, start, avi::NormSquared{}), 1);
   check("log_hamiltonian strang", avi::splitting(logarithmic, avi::compositions::strang), 2);
   check("log_hamiltonian yoshida6", avi::splitting(logarithmic, avi::compositions::yoshida6), 6);
-  const avi::AdaptiveVerlet adaptive(Kepler{}, radius);
+  const experiment::AdaptiveVerlet adaptive(Kepler{}, radius);
   check("adaptive_verlet", adaptive, 2);
   // Composed it has order 4, too, with errors too uneven for a fit: its density alternates.
-  check("hairer_soderlind", avi::HairerSoderlind(verlet, radius), 2);
+  check("hairer_soderlind", experiment::HairerSoderlind(verlet, radius), 2);
   check("hairer_soderlind composed",
-        avi::Composition(avi::HairerSoderlind(verlet, radius), avi::compositions::suzuki4), 4);
+        avi::Composition(experiment::HairerSoderlind(verlet, radius), avi::compositions::suzuki4), 4);
   check("hairer_soderlind of order 4",
-        avi::HairerSoderlind(avi::splitting(separable, avi::splittings::blanes_moan4), radius), 4);
+        experiment::HairerSoderlind(avi::splitting(separable, avi::splittings::blanes_moan4), radius), 4);
   check("hairer_soderlind of order 6",
-        avi::HairerSoderlind(avi::splitting(separable, avi::compositions::kahan_li6), radius), 6);
+        experiment::HairerSoderlind(avi::splitting(separable, avi::compositions::kahan_li6), radius), 6);
 }
 
 // One gradient a step: the closing kick's is the next opening kick's.
@@ -144,7 +144,7 @@ TEST(Traits, AnExplicitStepIsOneEvaluation) {
     return run.evaluations;
   };
   EXPECT_EQ(evaluations(verlet), 7);
-  EXPECT_EQ(evaluations(avi::AdaptiveVerlet(Kepler{}, radius)), 7);
+  EXPECT_EQ(evaluations(experiment::AdaptiveVerlet(Kepler{}, radius)), 7);
   EXPECT_EQ(evaluations(avi::euler_b(Kepler{}, start)), 7);
   EXPECT_EQ(evaluations(avi::euler_b(Kepler{}, start, avi::NormSquared{})), 7);
   EXPECT_EQ(evaluations(avi::Composition(verlet, avi::compositions::suzuki4)), 5 * 7);

@@ -1,8 +1,8 @@
-#include "avi/autodiff/jet.hpp"
 #include "avi/autodiff/pack.hpp"
-#include "avi/automatic/automatic_monitor.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/n_body.hpp"
+#include "beyond/speed/automatic_monitors/automatic_monitor.hpp"
+#include "beyond/speed/automatic_monitors/choose_monitor.hpp"
 #include "refusal.hpp"
 
 #include <gtest/gtest.h>
@@ -75,8 +75,8 @@ State<1> at(double q, double p) {
 TEST(AutomaticMonitor, IsThePowerOfTheRadiusOnKepler) {
   for (const double e : {0.0, 0.5, 0.9, 0.999}) {
     const State<2> start = Kepler::pericentre(e);
-    const avi::PhaseFunction g = automatic_monitor(Kepler(), start);
-    const double low = avi::detail::Monitors({Kepler(), start}).tour().frequency / 8.0;
+    const avi::Formula g = experiment::automatic_monitor(Kepler(), start);
+    const double low = experiment::Monitors({Kepler(), start}).scales().frequency / 8.0;
     for (const double r : {1.0 - e, 0.5, 1.0, 1.0 + e}) {
       const avi::Vector<double, 2> q{0.6 * r, -0.8 * r};
       // V'' has the eigenvalues 2 / r^3 and -1 / r^3.
@@ -87,9 +87,9 @@ TEST(AutomaticMonitor, IsThePowerOfTheRadiusOnKepler) {
 }
 
 TEST(AutomaticMonitor, OffersOneBelowTheMeanTimeToo) {
-  avi::detail::Monitors monitors({Kepler(), Kepler::pericentre(0.6)});
-  const avi::PhaseFunction g = monitors.gentle().monitor;
-  const double mean = monitors.tour().frequency;
+  experiment::Monitors monitors({Kepler(), Kepler::pericentre(0.6)});
+  const avi::Formula g = monitors.gentle().monitor;
+  const double mean = monitors.scales().frequency;
   for (const double r : {0.4, 1.0, 1.6, 50.0}) {
     const avi::Vector<double, 2> q{0.6 * r, -0.8 * r};
     const double n0 = 5.0 * std::pow(r, -6.0) + std::pow(0.25 * mean, 4.0);
@@ -99,23 +99,23 @@ TEST(AutomaticMonitor, OffersOneBelowTheMeanTimeToo) {
 
 TEST(AutomaticMonitor, OffersPowersOfTheKineticEnergyToo) {
   const State<2> start = Kepler::pericentre(0.6);
-  avi::detail::Monitors monitors({Kepler(), start});
-  const avi::PhaseFunction g = monitors.energy("energy", 1.5).monitor;
+  experiment::Monitors monitors({Kepler(), start});
+  const avi::Formula g = monitors.energy("energy", 1.5).monitor;
   const State<2> z{.q = {-0.4, 0.9}, .p = {0.3, -0.2}};  // off the orbit
   const double half = 0.5 * (Kepler()(z.q, z.p) + Kepler()(start.q, start.p));
-  const double lively = monitors.tour().kinetic + half + 1.0 / z.q.norm();
+  const double lively = monitors.scales().kinetic + half + 1.0 / z.q.norm();
   EXPECT_NEAR(g(z.q, z.p) * std::pow(lively, 1.5), 1.0, 1e-13);
 }
 
 TEST(AutomaticMonitor, KnowsNoUnitsNoPlaceAndNoDirection) {
   const State<2> start = Kepler::pericentre(0.6);
-  const avi::PhaseFunction plain = automatic_monitor(Kepler(), start);
+  const avi::Formula plain = experiment::automatic_monitor(Kepler(), start);
   const Moved moved{.length = 3.0, .time = 0.02, .mass = 7.0, .angle = 0.7, .shift = {5.0, -2.0}};
   const State<2> there = moved.of(start);
-  const avi::PhaseFunction same = automatic_monitor(moved, there);
+  const avi::Formula same = experiment::automatic_monitor(moved, there);
   const State<2> z{.q = {-0.4, 0.9}, .p = {0.3, -0.2}};
   const State<2> image = moved.of(z);
-  // Rounding along the tour.
+  // Rounding along the run.
   EXPECT_NEAR(same(image.q, image.p) / (0.02 * plain(z.q, z.p)), 1.0, 1e-9);
 }
 
@@ -125,7 +125,7 @@ TEST(AutomaticMonitor, SumsPairsOfBodies) {
   State<6> z{.q = {}, .p = avi::Vector<double, 6>::Zero()};
   z.q << 0.0, 0.0, 1.0, 0.0, 30.0, 40.0;
   z.p[1] = -std::sqrt(0.5), z.p[3] = -z.p[1];  // on a circle about each other
-  const avi::PhaseFunction g = automatic_monitor(problem, z);
+  const avi::Formula g = experiment::automatic_monitor(problem, z);
   const double wide = g(z.q, z.p);
   z.q[2] = 0.25;
   EXPECT_NEAR(wide / g(z.q, z.p), 7.94, 0.06);  // 4^(3/2), less what the bound takes
@@ -133,12 +133,12 @@ TEST(AutomaticMonitor, SumsPairsOfBodies) {
 
 TEST(AutomaticMonitor, StaysBetweenItsBounds) {
   const State<1> start = at(3.0, 0.0);
-  avi::detail::Monitors monitors({LennardJones(), start});
-  const avi::PhaseFunction g = automatic_monitor(LennardJones(), start);
+  experiment::Monitors monitors({LennardJones(), start});
+  const avi::Formula g = experiment::automatic_monitor(LennardJones(), start);
   for (double q = 0.95; q < 20.0; q *= 1.001) {
     const double here = g(at(q, 0.0).q, start.p);
     EXPECT_GT(here, 0.0);
-    EXPECT_LT(here, 8.0 / monitors.tour().frequency);
+    EXPECT_LT(here, 8.0 / monitors.scales().frequency);
   }
   // Near the inflection, where V'' = 0, it is what it is beside it.
   EXPECT_NEAR(g(at(1.2444, 0.0).q, start.p) / g(at(1.2, 0.0).q, start.p), 1.29, 0.1);
@@ -146,7 +146,7 @@ TEST(AutomaticMonitor, StaysBetweenItsBounds) {
 
 TEST(AutomaticMonitor, TakesEveryScalar) {
   const State<2> start = Kepler::pericentre(0.7);
-  const avi::PhaseFunction g = automatic_monitor(Kepler(), start);
+  const avi::Formula g = experiment::automatic_monitor(Kepler(), start);
   const avi::Vector<double, 2> q{0.3, 0.7};
   const double value = g(q, start.p);
 
@@ -163,26 +163,26 @@ TEST(AutomaticMonitor, TakesEveryScalar) {
 
   avi::ExpressionGraph graph(2);
   const avi::Vector<avi::Recorded, 2> recorded{avi::Recorded(graph, 0), avi::Recorded(graph, 1)};
-  const avi::PhaseFunction again(graph, g(recorded, recorded).node_in(graph));
+  const avi::Formula again(graph, g(recorded, recorded).node_in(graph));
   const avi::Vector<double, 1> first{q[0]}, second{q[1]};
   EXPECT_DOUBLE_EQ(again(first, second), value);
 }
 
-TEST(PhaseFunction, TakesTheSignOfZeroFromItsBit) {
-  const auto sign = avi::phase_function<1>([](const auto& q, const auto&) { return sign_of(q[0]); });
+TEST(Formula, TakesTheSignOfZeroFromItsBit) {
+  const auto sign = avi::Formula::of_phase<1>([](const auto& q, const auto&) { return sign_of(q[0]); });
   for (const double x : {0.0, -0.0, 2.0, -2.0})
     EXPECT_EQ(sign(avi::Vector<double, 1>(x), avi::Vector<double, 1>(1.0)), std::copysign(1.0, x)) << x;
 }
 
 TEST(AutomaticMonitor, StartsWhereTheCurvatureVanishes) {
-  const avi::PhaseFunction g = automatic_monitor(Quartic(), at(0.0, 1.0));
+  const avi::Formula g = experiment::automatic_monitor(Quartic(), at(0.0, 1.0));
   EXPECT_GT(g(at(0.0, 0.0).q, at(0.0, 0.0).p), 0.0);
   EXPECT_TRUE(std::isfinite(g(at(0.0, 0.0).q, at(0.0, 0.0).p)));
 }
 
 TEST(AutomaticMonitor, SaysWhyThereIsNone) {
   const auto expect = [](const auto& hamiltonian, const auto& start, const char* reason) {
-    const std::string said = refusal([&] { automatic_monitor(hamiltonian, start); });
+    const std::string said = refusal([&] { experiment::automatic_monitor(hamiltonian, start); });
     EXPECT_NE(said.find(reason), std::string::npos) << said;
   };
   expect(Free(), at(0.0, 1.0), "no time scale");

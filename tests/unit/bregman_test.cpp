@@ -1,12 +1,12 @@
-#include "avi/bregman/bregman_cloning.hpp"
 #include "avi/bregman/bregman_htvi.hpp"
 #include "avi/bregman/bregman_restarted.hpp"
-#include "avi/bregman/bregman_runge_kutta.hpp"
 #include "avi/bregman/bregman_splitting.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
 #include "avi/optim/run_updates.hpp"
-#include "avi/problems/correlated_quartic.hpp"
 #include "bregman/printed/extended_splitting.hpp"
+#include "common/problems/correlated_quartic.hpp"
+#include "common/rules/bregman_cloning.hpp"
+#include "common/rules/bregman_runge_kutta.hpp"
 #include "difference.hpp"
 #include "refusal.hpp"
 
@@ -18,9 +18,9 @@
 #include <vector>
 
 using avi::BregmanFamily;
-using avi::CorrelatedQuartic;
 using avi::ExtendedPoint;
 using avi::VectorX;
+using experiment::CorrelatedQuartic;
 
 namespace bregman_test {
 
@@ -109,15 +109,16 @@ TEST(Bregman, HasThePapersDefaults) {
   EXPECT_EQ(BregmanFamily::adaptive(3.0, 1.0).C, 0.0625);
   const avi::BregmanStart from;
   EXPECT_EQ((std::vector{from.t, from.momentum}), (std::vector{1.0, 1.0}));
-  for (const double h : {avi::BregmanHtvi{}.h, avi::BregmanHeavyBall{}.h, avi::BregmanCloning{}.h,
-                         avi::BregmanSplitting{}.h, avi::BregmanRungeKutta<avi::ClassicalRungeKutta>{}.h})
+  for (const double h :
+       {avi::BregmanHtvi{}.h, avi::BregmanHeavyBall{}.h, experiment::BregmanCloning{}.h,
+        avi::BregmanSplitting{}.h, experiment::BregmanRungeKutta<avi::ClassicalRungeKutta>{}.h})
     EXPECT_EQ(h, 1e-3);
-  EXPECT_EQ(avi::BregmanEmbedded<avi::DormandPrince>{}.first_step, 1e-6);
+  EXPECT_EQ(experiment::BregmanEmbedded<avi::DormandPrince>{}.first_step, 1e-6);
   EXPECT_EQ(avi::BregmanRestarted{}.P, 2.0);
 }
 
 TEST(BregmanCloning, MergesTheFlowsOfTripleJumps) {
-  using avi::CloneComposition;
+  using experiment::CloneComposition;
   const auto sum_of_powers = [](const std::vector<double>& lengths, int k) {
     double sum = 0.0;
     for (const double length : lengths)
@@ -128,8 +129,8 @@ TEST(BregmanCloning, MergesTheFlowsOfTripleJumps) {
   for (const auto& [composition, name] : {std::pair{CloneComposition::strang, "clone_strang"},
                                           {CloneComposition::yoshida4, "clone_y4"},
                                           {CloneComposition::yoshida6, "clone_y6"}}) {
-    EXPECT_EQ(avi::clone_name(composition), name);
-    const auto [a, b] = avi::merged_stages(composition);
+    EXPECT_EQ(experiment::clone_name(composition), name);
+    const auto [a, b] = experiment::merged_stages(composition);
     ASSERT_EQ(a.size(), m);
     ASSERT_EQ(b.size(), m + 1);
     EXPECT_NEAR(sum_of_powers(a, 1), 1.0, 1e-14);
@@ -146,7 +147,7 @@ TEST(BregmanCloning, MergesTheFlowsOfTripleJumps) {
       EXPECT_EQ(b[i], 0.5 * (a[i - 1] + a[i]));
     m *= 3;
   }
-  const auto yoshida = avi::merged_stages(CloneComposition::yoshida4).a;
+  const auto yoshida = experiment::merged_stages(CloneComposition::yoshida4).a;
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_NEAR(yoshida[i], avi::compositions::yoshida4.c[i], 1e-15);
 }
@@ -177,22 +178,23 @@ TEST(Bregman, MethodsFollowTheExactDynamicsWithTheirOrders) {
       EXPECT_LT(fine, 0.03);
       EXPECT_NEAR(std::log2(coarse / fine), order, off) << coarse << " " << fine;
     };
-    using avi::CloneComposition;
+    using experiment::CloneComposition;
     expect_order(avi::BregmanHtvi{}, 200, 1.0);
     expect_order(avi::BregmanHeavyBall{}, 200, 1.0);
     expect_order(avi::BregmanSplitting{}, 50, 2.0);
-    expect_order(avi::BregmanCloning{}, 50, 2.0);
-    expect_order(avi::BregmanCloning{.family{}, .composition = CloneComposition::yoshida4}, 50, 4.0);
-    expect_order(avi::BregmanCloning{.family{}, .composition = CloneComposition::yoshida6}, 25, 6.0, 0.08);
+    expect_order(experiment::BregmanCloning{}, 50, 2.0);
+    expect_order(experiment::BregmanCloning{.family{}, .composition = CloneComposition::yoshida4}, 50, 4.0);
+    expect_order(experiment::BregmanCloning{.family{}, .composition = CloneComposition::yoshida6}, 25, 6.0,
+                 0.08);
     // Measured 0.35 and 0.16 off, with errors near rounding.
-    expect_order(avi::BregmanRungeKutta<avi::ClassicalRungeKutta>{}, 100, 4.0, 0.6);
-    expect_order(avi::BregmanRungeKutta<avi::DormandPrince>{}, 40, 5.0, 0.32);
-    expect_order(avi::BregmanRungeKutta<avi::BogackiShampine>{}, 50, 3.0);
+    expect_order(experiment::BregmanRungeKutta<avi::ClassicalRungeKutta>{}, 100, 4.0, 0.6);
+    expect_order(experiment::BregmanRungeKutta<avi::DormandPrince>{}, 40, 5.0, 0.32);
+    expect_order(experiment::BregmanRungeKutta<avi::BogackiShampine>{}, 50, 3.0);
   }
 }
 
 TEST(Bregman, EmbeddedPairsKeepTheTolerance) {
-  const avi::BregmanEmbedded<avi::DormandPrince> method{
+  const experiment::BregmanEmbedded<avi::DormandPrince> method{
       .family = BregmanFamily::direct(2.0, 0.7), .control = {.rtol = 1e-9, .atol = 1e-9}, .first_step = 0.01};
   avi::Counted objective(slope, 2);
   avi::Iterate now{.x = VectorX::Constant(2, 5.0), .gradient = VectorX::Zero(2)};
@@ -239,7 +241,7 @@ TEST(Bregman, RefusesBadInput) {
     EXPECT_THROW(avi::run_updates(f, avi::BregmanHtvi{.family = family, .from = {.t = t}}, x0),
                  std::invalid_argument);
   EXPECT_THROW(avi::run_updates(f, avi::BregmanHtvi{.family = {.p = -1.0}}, x0), std::invalid_argument);
-  using Pair = avi::BregmanEmbedded<avi::DormandPrince>;
+  using Pair = experiment::BregmanEmbedded<avi::DormandPrince>;
   EXPECT_THROW(avi::run_updates(f, Pair{.family = family, .control = {.rtol = 0.0}}, x0),
                std::invalid_argument);
   EXPECT_THROW(avi::run_updates(f, Pair{.family = family, .control = {.atol = -1.0}}, x0),

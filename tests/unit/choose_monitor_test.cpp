@@ -1,9 +1,9 @@
-#include "avi/automatic/choose_monitor.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/diagnostics/symplecticity.hpp"
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/pendulum.hpp"
+#include "beyond/speed/automatic_monitors/choose_monitor.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,8 +27,8 @@ struct Light {
 
 TEST(ChooseMonitor, TakesThePowerOfTheRadiusOnAnEccentricOrbit) {
   for (const auto& [order, error] : {std::pair{4, 1e-5}, {8, 1e-8}, {16, 1e-11}}) {
-    const auto choice =
-        choose_monitor(Kepler(), Kepler::pericentre(0.9), {.energy_error = error, .order = order});
+    const auto choice = experiment::choose_monitor(Kepler(), Kepler::pericentre(0.9),
+                                                   {.energy_error = error, .order = order});
     EXPECT_TRUE(choice.reached);
     // H_0 - V is 1/r - 1/2: with the mean added and to the power -3/2 nearly r^(3/2).
     EXPECT_EQ(choice.name, "energy^1.5");
@@ -44,13 +44,14 @@ TEST(ChooseMonitor, TakesThePowerOfTheRadiusOnAnEccentricOrbit) {
 
 TEST(ChooseMonitor, LeavesStepsAloneWhereNothingIsGained) {
   const avi::State<2> start{.q = {0.0, 0.3}, .p = {0.45, 0.0}};
-  const auto choice = choose_monitor(avi::HenonHeiles(), start, {.energy_error = 1e-11, .order = 16});
+  const auto choice =
+      experiment::choose_monitor(avi::HenonHeiles(), start, {.energy_error = 1e-11, .order = 16});
   EXPECT_EQ(choice.name, "fixed");
 }
 
 TEST(ChooseMonitor, ChoosesTheSameAgain) {
-  const auto first = choose_monitor(avi::Pendulum(), avi::Pendulum::start(3.1));
-  const auto second = choose_monitor(avi::Pendulum(), avi::Pendulum::start(3.1));
+  const auto first = experiment::choose_monitor(avi::Pendulum(), avi::Pendulum::start(3.1));
+  const auto second = experiment::choose_monitor(avi::Pendulum(), avi::Pendulum::start(3.1));
   EXPECT_EQ(first.report(), second.report());
   EXPECT_EQ(first.h, second.h);
   EXPECT_EQ(first.name, "fixed");  // near the separatrix others save steps, but no work
@@ -63,7 +64,7 @@ TEST(ChooseMonitor, EndsATrialWhenTheVelocityHasTurned) {
     return sqrt(1.0 + p[0] * p[0]) + 0.5 * q[0] * q[0];
   };
   const avi::State<1> start{.q = avi::Vector<double, 1>(5.0), .p = avi::Vector<double, 1>(0.0)};
-  const auto choice = choose_monitor(oscillator, start, {.energy_error = 1e-11, .order = 16});
+  const auto choice = experiment::choose_monitor(oscillator, start, {.energy_error = 1e-11, .order = 16});
   EXPECT_TRUE(choice.reached);
   EXPECT_GT(choice.time, 21.0);  // measured 33.6
   EXPECT_LT(choice.time, 42.0);
@@ -71,9 +72,10 @@ TEST(ChooseMonitor, EndsATrialWhenTheVelocityHasTurned) {
 
 // Kepler's problem at order 16: when three monitors have been tried, what promises little is not worth a run.
 TEST(ChooseMonitor, DoesNotTryWhatPromisesLittleWhenMuchIsSpent) {
-  const auto choice = choose_monitor(Kepler(), Kepler::pericentre(0.9), {.energy_error = 1e-11, .order = 16});
+  const auto choice =
+      experiment::choose_monitor(Kepler(), Kepler::pericentre(0.9), {.energy_error = 1e-11, .order = 16});
   EXPECT_EQ(choice.name, "energy^1.5");
-  for (const avi::Trial& trial : choice.trials)
+  for (const experiment::Trial& trial : choice.trials)
     EXPECT_NE(trial.monitor, "gentle");
   EXPECT_LT(choice.sweeps, 280);  // measured 249; 309 with everything tried
 }
@@ -83,10 +85,10 @@ TEST(ChooseMonitor, DoesNotTryWhatPromisesLittleWhenMuchIsSpent) {
 TEST(ChooseMonitor, TriesStepsBetweenTheGoodAndTheBadOnes) {
   for (const auto& [order, error] : {std::pair{4, 1e-5}, {8, 1e-8}, {16, 1e-11}})
     for (const double eccentricity : {0.3, 0.9}) {
-      const auto choice =
-          choose_monitor(Kepler(), Kepler::pericentre(eccentricity), {.energy_error = error, .order = order});
+      const auto choice = experiment::choose_monitor(Kepler(), Kepler::pericentre(eccentricity),
+                                                     {.energy_error = error, .order = order});
       std::map<std::string, double> good, bad;
-      for (const avi::Trial& trial : choice.trials) {
+      for (const experiment::Trial& trial : choice.trials) {
         const double shortest = bad.try_emplace(trial.monitor, 1e300).first->second;
         EXPECT_LT(trial.h, shortest) << order << " " << trial.monitor << "\n" << choice.report();
         EXPECT_GT(trial.h, good[trial.monitor]) << order << " " << trial.monitor << "\n" << choice.report();
@@ -99,9 +101,10 @@ TEST(ChooseMonitor, TriesStepsBetweenTheGoodAndTheBadOnes) {
 TEST(ChooseMonitor, MakesTheSameTrialsOnEveryMachine) {
   const auto expect = [](const auto& choose, int order, double error, const std::string& way, double h,
                          double work) {
-    const avi::MonitorChoice choice = choose(avi::MonitorTarget{.energy_error = error, .order = order});
+    const experiment::MonitorChoice choice =
+        choose(experiment::MonitorTarget{.energy_error = error, .order = order});
     std::string seen = choice.name, last;
-    for (const avi::Trial& trial : choice.trials) {
+    for (const experiment::Trial& trial : choice.trials) {
       if (trial.monitor != last) seen += ", " + (last = trial.monitor);
       seen += " " + std::to_string(trial.steps) + "/" + std::to_string(trial.sweeps);
     }
@@ -110,23 +113,23 @@ TEST(ChooseMonitor, MakesTheSameTrialsOnEveryMachine) {
     EXPECT_NEAR(choice.work / work, 1.0, 1e-6) << way;
   };
   const auto orbit = [](double eccentricity) {
-    return [=](const avi::MonitorTarget& target) {
-      return choose_monitor(Kepler(), Kepler::pericentre(eccentricity), target);
+    return [=](const experiment::MonitorTarget& target) {
+      return experiment::choose_monitor(Kepler(), Kepler::pericentre(eccentricity), target);
     };
   };
-  const auto swing = [](const avi::MonitorTarget& target) {
-    return choose_monitor(avi::Pendulum(), avi::Pendulum::start(3.1), target);
+  const auto swing = [](const experiment::MonitorTarget& target) {
+    return experiment::choose_monitor(avi::Pendulum(), avi::Pendulum::start(3.1), target);
   };
-  const auto light = [](avi::MonitorTarget target) {
+  const auto light = [](experiment::MonitorTarget target) {
     target.time = 3.0;
-    return choose_monitor(Light(), Kepler::pericentre(0.5), target);
+    return experiment::choose_monitor(Light(), Kepler::pericentre(0.5), target);
   };
-  const auto fast = [](const avi::MonitorTarget& target) {
+  const auto fast = [](const experiment::MonitorTarget& target) {
     const auto oscillator = [](const auto& q, const auto& p) {
       return sqrt(1.0 + p[0] * p[0]) + 0.5 * q[0] * q[0];
     };
     const avi::State<1> start{.q = avi::Vector<double, 1>(5.0), .p = avi::Vector<double, 1>(0.0)};
-    return choose_monitor(oscillator, start, target);
+    return experiment::choose_monitor(oscillator, start, target);
   };
   expect(orbit(0.3), 4, 1e-5, "fixed, fixed 27/270 56/423", 0.115679, 19141.4);
   expect(orbit(0.6), 4, 1e-5,
@@ -191,7 +194,7 @@ TEST(ChooseMonitor, MakesTheSameTrialsOnEveryMachine) {
 
 TEST(ChooseMonitor, LeavesASymplecticMap) {
   const auto start = Kepler::pericentre(0.9);
-  const auto choice = choose_monitor(Kepler(), start);
+  const auto choice = experiment::choose_monitor(Kepler(), start);
   const auto method = avi::collocation(poincare(Kepler(), start, choice.monitor), 8);
   avi::State<2> z = start;
   z.q << 0.3, 0.7;
@@ -203,7 +206,8 @@ TEST(ChooseMonitor, LeavesASymplecticMap) {
 TEST(ChooseMonitor, SaysThatAPilotMetACollision) {
   auto falling = Kepler::pericentre(0.0);
   falling.p.setZero();  // is in the centre at t = pi / sqrt(8) = 1.11
-  const auto choice = choose_monitor(Kepler(), falling, {.energy_error = 1e-8, .order = 8, .time = 2.0});
+  const auto choice =
+      experiment::choose_monitor(Kepler(), falling, {.energy_error = 1e-8, .order = 8, .time = 2.0});
   EXPECT_FALSE(choice.reached);
   EXPECT_NE(choice.report().find("No monitor of the menu reached"), std::string::npos) << choice.report();
   EXPECT_LT(choice.trials.size(), 60u);
@@ -211,9 +215,10 @@ TEST(ChooseMonitor, SaysThatAPilotMetACollision) {
 
 TEST(ChooseMonitor, CountsWorkAndNotStepsAlone) {
   // On a circle nothing is gained, and a monitor that hardly changes is not even tried.
-  const auto circle = choose_monitor(Kepler(), Kepler::pericentre(0.0), {.energy_error = 1e-8, .order = 8});
+  const auto circle =
+      experiment::choose_monitor(Kepler(), Kepler::pericentre(0.0), {.energy_error = 1e-8, .order = 8});
   EXPECT_EQ(circle.name, "fixed");
-  for (const avi::Trial& trial : circle.trials)
+  for (const experiment::Trial& trial : circle.trials)
     EXPECT_EQ(trial.monitor, "fixed");
 }
 
@@ -222,27 +227,28 @@ TEST(ChooseMonitor, CountsWorkAndNotStepsAlone) {
 TEST(ChooseMonitor, ResolvesTheMotionEvenWhereTheEnergyDoesNotAskForIt) {
   const auto oscillator = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
   const avi::State<1> start{.q = avi::Vector<double, 1>(1.0), .p = avi::Vector<double, 1>(0.0)};
-  const auto choice = choose_monitor(oscillator, start, {.energy_error = 1e-3, .order = 16, .time = 40.0});
+  const auto choice =
+      experiment::choose_monitor(oscillator, start, {.energy_error = 1e-3, .order = 16, .time = 40.0});
   EXPECT_EQ(choice.name, "fixed");
   EXPECT_TRUE(choice.reached);
   EXPECT_LE(choice.h, 2.5) << "in radians";
 }
 
 TEST(ChooseMonitor, SaysWhyOnlyFixedStepsAreLeft) {
-  const auto choice =
-      choose_monitor(Light(), Kepler::pericentre(0.5), {.energy_error = 1e-6, .order = 4, .time = 3.0});
+  const auto choice = experiment::choose_monitor(Light(), Kepler::pericentre(0.5),
+                                                 {.energy_error = 1e-6, .order = 4, .time = 3.0});
   EXPECT_EQ(choice.name, "fixed");
   EXPECT_NE(choice.report().find("not positive definite"), std::string::npos);
 }
 
 TEST(ChooseMonitor, RefusesWhatCannotBe) {
   const auto start = Kepler::pericentre(0.5);
-  EXPECT_THROW(choose_monitor(Kepler(), start, {.energy_error = 0.0}), std::invalid_argument);
-  EXPECT_THROW(choose_monitor(Kepler(), start, {.order = 7}), std::invalid_argument);
-  EXPECT_THROW(choose_monitor(Kepler(), start, {.time = -1.0}), std::invalid_argument);
+  EXPECT_THROW(experiment::choose_monitor(Kepler(), start, {.energy_error = 0.0}), std::invalid_argument);
+  EXPECT_THROW(experiment::choose_monitor(Kepler(), start, {.order = 7}), std::invalid_argument);
+  EXPECT_THROW(experiment::choose_monitor(Kepler(), start, {.time = -1.0}), std::invalid_argument);
   auto centre = start;
   centre.q.setZero();
-  EXPECT_THROW(choose_monitor(Kepler(), centre), std::invalid_argument);
+  EXPECT_THROW(experiment::choose_monitor(Kepler(), centre), std::invalid_argument);
 }
 
 }  // namespace choose_monitor_test

@@ -1,11 +1,11 @@
-#include "avi/problems/correlated_quartic.hpp"
+#include "common/problems/correlated_quartic.hpp"
 
 #include "difference.hpp"
 
 #include <gtest/gtest.h>
 
-using avi::CorrelatedQuartic;
 using avi::VectorX;
+using experiment::CorrelatedQuartic;
 
 namespace correlated_quartic_test {
 
@@ -29,7 +29,7 @@ TEST(CorrelatedQuartic, RecurrencesAreTheDenseProduct) {
     for (Eigen::Index n : {1, 2, 50, 301}) {
       const VectorX y = wave(n);
       VectorX z(n);
-      avi::multiply_by_correlation(rho, y, z);
+      experiment::multiply_by_correlation(rho, y, z);
       const VectorX dense = correlation(n, rho) * y;
       EXPECT_LT((z - dense).cwiseAbs().maxCoeff(),
                 1e-15 * static_cast<double>(n + 10) * (1.0 + dense.norm()));

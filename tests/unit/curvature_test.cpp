@@ -1,7 +1,7 @@
-#include "avi/automatic/curvature.hpp"
+#include "beyond/speed/automatic_monitors/curvature.hpp"
 
+#include "avi/autodiff/formula.hpp"
 #include "avi/autodiff/partials.hpp"
-#include "avi/automatic/phase_function.hpp"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -66,10 +66,10 @@ struct Squares {
 
 TEST(Curvature, IsWhatItsDefinitionSaysTermByTerm) {
   const avi::State<2> start{.q = {0.4, -0.3}, .p = {0.2, 0.5}};
-  avi::detail::Curvature curvature({Everything(), start});
-  const avi::PhaseFunction n0(curvature.graph, curvature.squared_frequency_squared());
+  experiment::Curvature curvature({Everything(), start});
+  const avi::Formula n0(curvature.graph, curvature.squared_frequency_squared());
   constexpr double frequency = 1.7;
-  const avi::PhaseFunction speed(curvature.graph, curvature.squared_speed(frequency));
+  const avi::Formula speed(curvature.graph, curvature.squared_speed(frequency));
 
   const auto total = [](const Eigen::Vector4d& z) {
     return [&]<int... k>(std::integer_sequence<int, k...>)->Eigen::Matrix4d { return (hessian<k>(z) + ...); }
@@ -113,9 +113,9 @@ TEST(Curvature, HasNoMetricWhereHppIsIndefinite) {
     return p[0] * p[0] + p[1] * p[1] + 1.5 * p[0] * p[1] + q[0] * q[1];
   };
   const avi::State<2> z{.q = {1.0, 2.0}, .p = {0.5, 0.5}};
-  EXPECT_THROW(avi::detail::Curvature({saddle, z}), std::invalid_argument);
-  EXPECT_THROW(avi::detail::Curvature({leaning, z}), std::invalid_argument);
-  EXPECT_NO_THROW(avi::detail::Curvature({upright, z}));
+  EXPECT_THROW(experiment::Curvature({saddle, z}), std::invalid_argument);
+  EXPECT_THROW(experiment::Curvature({leaning, z}), std::invalid_argument);
+  EXPECT_NO_THROW(experiment::Curvature({upright, z}));
 }
 
 }  // namespace curvature_test

@@ -2,9 +2,9 @@
 #include "avi/core/integrate.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/splitting.hpp"
-#include "avi/problems/double_pendulum.hpp"
 #include "avi/problems/n_body.hpp"
-#include "avi/problems/outer_solar_system.hpp"
+#include "common/problems/double_pendulum.hpp"
+#include "common/problems/outer_solar_system.hpp"
 #include "difference.hpp"
 
 #include <Eigen/Geometry>
@@ -16,9 +16,9 @@
 #include <limits>
 
 using avi::dynamic;
-using avi::OuterSolarSystem;
 using avi::State;
 using avi::Vector;
+using experiment::OuterSolarSystem;
 
 namespace many_bodies_test {
 
@@ -180,7 +180,7 @@ TEST(Pleiades, EndWhereOthersFoundThem) {
 TEST(DoublePendulum, HasTheEquationsOfMotionOfTheTextbook) {
   // q' from p = M(q) q' with the mass matrix ((2, cos), (cos, 1)) of the angles.
   const State<2> z{.q = {0.9, -0.4}, .p = {0.7, 1.1}};
-  const avi::Program program = avi::record<2>(avi::DoublePendulum{}).gradient();
+  const avi::Program program = avi::record<2>(experiment::DoublePendulum{}).gradient();
   avi::Program::Room<double> room(program);
   for (int i = 0; i < 2; ++i) {
     room.arguments()[i] = z.q[i];
@@ -195,9 +195,9 @@ TEST(DoublePendulum, HasTheEquationsOfMotionOfTheTextbook) {
   EXPECT_NEAR(program.slope(room, 0), first * second * s + 2.0 * std::sin(z.q[0]), 1e-15);
   EXPECT_NEAR(program.slope(room, 1), -first * second * s + std::sin(z.q[1]), 1e-15);
   const Vector<double, 2> d_dq(program.slope(room, 0), program.slope(room, 1)), d_dp(first, second);
-  EXPECT_LT(gradient_defect(avi::DoublePendulum{}, z, d_dq, d_dp), 1e-11);
-  const auto rest = avi::DoublePendulum::released(1.0, 2.0);
-  EXPECT_EQ(avi::DoublePendulum{}(rest.q, rest.p), -2.0 * std::cos(1.0) - std::cos(2.0));
+  EXPECT_LT(gradient_defect(experiment::DoublePendulum{}, z, d_dq, d_dp), 1e-11);
+  const auto rest = experiment::DoublePendulum::released(1.0, 2.0);
+  EXPECT_EQ(experiment::DoublePendulum{}(rest.q, rest.p), -2.0 * std::cos(1.0) - std::cos(2.0));
 }
 
 }  // namespace many_bodies_test

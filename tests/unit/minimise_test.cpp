@@ -1,5 +1,5 @@
 #include "avi/optim/minimise.hpp"
-#include "avi/problems/correlated_quartic.hpp"
+#include "common/problems/correlated_quartic.hpp"
 #include "refusal.hpp"
 #include "unit/objectives.hpp"
 
@@ -39,7 +39,7 @@ TEST(Minimise, SolvesAQuadraticOfNEigenvaluesInAboutNIterations) {
 
 TEST(Minimise, ThePapersQuarticTakesFewGradients) {
   // The paper's test: the change of f and the gradient below delta. Its own methods take 4566 at 1e-10.
-  const avi::CorrelatedQuartic f;
+  const experiment::CorrelatedQuartic f;
   const auto count = [&](int m, double delta) {
     const auto run =
         minimise(f, f.start(), {.relative = 0.0, .absolute = delta, .change = delta, .memory = m});
@@ -127,7 +127,7 @@ TEST(Minimise, ALineEndsWhereATrialDoesNotMove) {
 }
 
 TEST(Minimise, ScalingsChangeNoCount) {
-  const avi::CorrelatedQuartic f;
+  const experiment::CorrelatedQuartic f;
   const auto counted = [](const auto& g, const VectorX& x0) {
     const auto run = minimise(g, x0, {.relative = 1e-10});
     EXPECT_TRUE(run.converged()) << run.message;
@@ -153,7 +153,7 @@ TEST(Minimise, ScalingsChangeNoCount) {
 }
 
 TEST(Minimise, OffsetAndNoiseDoNotStopIt) {
-  const avi::CorrelatedQuartic f;
+  const experiment::CorrelatedQuartic f;
   VectorX g(50);
   const double f0 = f(f.start(), g);
   for (int m : {0, 7}) {

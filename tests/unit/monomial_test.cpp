@@ -1,19 +1,18 @@
-#include "avi/automatic/monomial.hpp"
+#include "beyond/speed/automatic_monitors/monomial.hpp"
 
-#include "avi/automatic/phase_function.hpp"
+#include "avi/autodiff/formula.hpp"
 
 #include <gtest/gtest.h>
 
 namespace monomial_test {
 
-using avi::PhaseFunction;
 using avi::Recorded;
-using avi::detail::Monomial;
+using experiment::Monomial;
 
 /// Two formulas of (q, p) in one graph, and what the first becomes as a power of parts of the second.
-template <class Formula, class Whole>
-std::pair<PhaseFunction, PhaseFunction> simplified(const Formula& formula, const Whole& whole,
-                                                   const std::vector<double>& near = {0.3, -0.8, 0.4, 1.1}) {
+template <class F, class Whole>
+std::pair<avi::Formula, avi::Formula> simplified(const F& formula, const Whole& whole,
+                                                 const std::vector<double>& near = {0.3, -0.8, 0.4, 1.1}) {
   avi::ExpressionGraph graph(4);
   avi::Vector<Recorded, 2> q, p;
   for (int i = 0; i < 2; ++i)

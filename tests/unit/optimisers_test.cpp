@@ -1,5 +1,5 @@
 #include "avi/optim/run_updates.hpp"
-#include "avi/optim/update_rules.hpp"
+#include "common/rules/update_rules.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,13 +35,13 @@ void expect_path(const std::vector<double>& seen, const std::vector<double>& exp
 // Expected values worked out by hand from the definitions.
 
 TEST(GradientDescent, FirstSteps) {
-  expect_path(path(avi::GradientDescent{.h = 0.1}, 2), {2.7, 0.6, 2.43, 0.36});
+  expect_path(path(experiment::GradientDescent{.h = 0.1}, 2), {2.7, 0.6, 2.43, 0.36});
 }
 
 TEST(Nag, FirstSteps) {
   // y_1 = x_1 + (x_1 - x_0)/4 = (2.625, 0.5); x_2 = (2.3625, 0.3); y_2 = x_2 + 0.4 (x_2 - x_1).
   const double y_x = 2.3625 + 0.4 * (2.3625 - 2.7), y_y = 0.3 + 0.4 * (0.3 - 0.6);
-  expect_path(path(avi::Nag{.h = 0.1}, 3), {2.7, 0.6, 2.3625, 0.3, 0.9 * y_x, 0.6 * y_y});
+  expect_path(path(experiment::Nag{.h = 0.1}, 3), {2.7, 0.6, 2.3625, 0.3, 0.9 * y_x, 0.6 * y_y});
 }
 
 TEST(Adam, FirstSteps) {
@@ -51,13 +51,13 @@ TEST(Adam, FirstSteps) {
     const double m = 0.9 * 0.1 * g1 + 0.1 * g2, v = 0.999 * 0.001 * g1 * g1 + 0.001 * g2 * g2;
     return x - 0.1 * (m / (1.0 - 0.81)) / std::sqrt(v / (1.0 - 0.998001));
   };
-  expect_path(path(avi::Adam{.rate = 0.1, .epsilon = 0.0}, 2),
+  expect_path(path(experiment::Adam{.rate = 0.1, .epsilon = 0.0}, 2),
               {x1, y1, next(x1, 3.0, x1), next(y1, 4.0, 4.0 * y1)});
 }
 
 TEST(AdaGrad, FirstSteps) {
   const double x1 = 3.0 - 0.5 * 3.0 / 3.25, y1 = 1.0 - 0.5 * 4.0 / 4.25;
-  expect_path(path(avi::AdaGrad{.rate = 0.5, .epsilon = 0.25}, 2),
+  expect_path(path(experiment::AdaGrad{.rate = 0.5, .epsilon = 0.25}, 2),
               {x1, y1, x1 - 0.5 * x1 / (std::sqrt(9.0 + x1 * x1) + 0.25),
                y1 - 0.5 * 4.0 * y1 / (std::sqrt(16.0 + 16.0 * y1 * y1) + 0.25)});
 }
@@ -65,7 +65,7 @@ TEST(AdaGrad, FirstSteps) {
 TEST(RmsProp, FirstSteps) {
   const double v = 0.1 * 9.0, w = 0.1 * 16.0;
   const double x1 = 3.0 - 0.1 * 3.0 / std::sqrt(v + 0.25), y1 = 1.0 - 0.1 * 4.0 / std::sqrt(w + 0.25);
-  expect_path(path(avi::RmsProp{.rate = 0.1, .rho = 0.9, .epsilon = 0.25}, 2),
+  expect_path(path(experiment::RmsProp{.rate = 0.1, .rho = 0.9, .epsilon = 0.25}, 2),
               {x1, y1, x1 - 0.1 * x1 / std::sqrt(0.9 * v + 0.1 * x1 * x1 + 0.25),
                y1 - 0.1 * 4.0 * y1 / std::sqrt(0.9 * w + 1.6 * y1 * y1 + 0.25)});
 }
@@ -73,32 +73,32 @@ TEST(RmsProp, FirstSteps) {
 TEST(TrustRegion, ShrinksRefusedStepsAndGrowsGoodOnes) {
   // From (3, 1): g = (3, 4), |g| = 5, f = 6.5. Delta = 1 gives f = 2.5 at (2.4, 0.2): 2.5 + 0.4 = 2.96, ratio
   // (6.5 - 2.96) / 5 = 0.708, accepted, not expanded.
-  expect_path(path(avi::TrustRegion{}, 1), {2.4, 0.2});
+  expect_path(path(experiment::TrustRegion{}, 1), {2.4, 0.2});
   // A ratio of 0.708 grows the radius once `expand` is below it: the second trial has length 2, is refused
   // (ratio 0.49), and 1.8 is taken.
-  const auto grown = path(avi::TrustRegion{.expand = 0.7}, 2);
+  const auto grown = path(experiment::TrustRegion{.expand = 0.7}, 2);
   EXPECT_NEAR(std::hypot(grown[2] - grown[0], grown[3] - grown[1]), 1.8, 1e-12);
   // Delta = 2 from (3, 1): f at (1.8, -0.6) = 2.34, ratio 0.416 refused; 1.8: (1.92, -0.44), 2.2304, 0.4744
   // refused; 1.62: (2.028, -0.296), f = 2.231624, ratio 0.527 accepted.
   long values = 0;
-  const auto run = run_updates(ellipse, avi::TrustRegion{.radius = 2.0}, Eigen::Vector2d(3.0, 1.0),
+  const auto run = run_updates(ellipse, experiment::TrustRegion{.radius = 2.0}, Eigen::Vector2d(3.0, 1.0),
                                {.iterations = 1}, [&](const auto& at, long, long) { values += at.x.size(); });
   expect_path({run.last.x[0], run.last.x[1]}, {2.028, -0.296});
   EXPECT_EQ(run.function_evaluations, 1 + 3 + 1);
 }
 
 TEST(Optimisers, HaveThePublishedDefaults) {
-  const avi::Adam adam;
+  const experiment::Adam adam;
   EXPECT_EQ((std::vector{adam.rate, adam.beta_1, adam.beta_2, adam.epsilon}),
             (std::vector{1e-3, 0.9, 0.999, 1e-8}));
-  const avi::RmsProp rms;
+  const experiment::RmsProp rms;
   EXPECT_EQ((std::vector{rms.rate, rms.rho, rms.epsilon}), (std::vector{1e-2, 0.9, 1e-8}));
-  const avi::TrustRegion region;
+  const experiment::TrustRegion region;
   EXPECT_EQ((std::vector{region.radius, region.accept, region.expand, region.shrink, region.grow}),
             (std::vector{1.0, 0.5, 0.75, 0.9, 2.0}));
   EXPECT_EQ(region.trials, 1000);
-  EXPECT_EQ((std::vector{avi::GradientDescent{}.h, avi::Nag{}.h}), (std::vector{1e-3, 1e-3}));
-  const avi::AdaGrad ada;
+  EXPECT_EQ((std::vector{experiment::GradientDescent{}.h, experiment::Nag{}.h}), (std::vector{1e-3, 1e-3}));
+  const experiment::AdaGrad ada;
   EXPECT_EQ((std::vector{ada.rate, ada.epsilon}), (std::vector{1.0, 1e-8}));
 }
 
@@ -111,7 +111,7 @@ TEST(TrustRegion, ThresholdsAreTheirOwnLimits) {
   };
   const auto length_of_second = [&](double expand) {
     std::vector<double> seen{0.5};
-    run_updates(line, avi::TrustRegion{.radius = 0.25, .expand = expand}, VectorX::Constant(1, 0.5),
+    run_updates(line, experiment::TrustRegion{.radius = 0.25, .expand = expand}, VectorX::Constant(1, 0.5),
                 {.delta = 0.0, .iterations = 2}, [&](const avi::Iterate& at, long k, long) {
                   if (k > 0) seen.push_back(at.x[0]);
                 });
@@ -123,44 +123,45 @@ TEST(TrustRegion, ThresholdsAreTheirOwnLimits) {
 
 TEST(Optimisers, TakeParametersAtTheEndsOfTheirRanges) {
   const avi::Iterate first{.x = VectorX::Ones(2), .gradient = VectorX::Ones(2)};
-  EXPECT_NO_THROW(avi::Adam({.beta_1 = 0.0, .beta_2 = 0.0, .epsilon = 0.0}).start(first));
-  EXPECT_NO_THROW(avi::AdaGrad{.epsilon = 0.0}.start(first));
-  EXPECT_NO_THROW((avi::RmsProp{.rho = 0.0, .epsilon = 0.0}.start(first)));
-  EXPECT_NO_THROW((avi::TrustRegion{.accept = 0.0, .expand = 0.0, .grow = 1.0, .trials = 1}.start(first)));
+  EXPECT_NO_THROW(experiment::Adam({.beta_1 = 0.0, .beta_2 = 0.0, .epsilon = 0.0}).start(first));
+  EXPECT_NO_THROW(experiment::AdaGrad{.epsilon = 0.0}.start(first));
+  EXPECT_NO_THROW((experiment::RmsProp{.rho = 0.0, .epsilon = 0.0}.start(first)));
+  EXPECT_NO_THROW(
+      (experiment::TrustRegion{.accept = 0.0, .expand = 0.0, .grow = 1.0, .trials = 1}.start(first)));
 }
 
 TEST(TrustRegion, EndsWhereNothingMoves) {
-  const auto run = run_updates(ellipse, avi::TrustRegion{}, VectorX::Zero(2));
+  const auto run = run_updates(ellipse, experiment::TrustRegion{}, VectorX::Zero(2));
   EXPECT_TRUE(run.converged());
   EXPECT_EQ(run.iterations, 1);
-  const avi::TrustRegion once{.radius = 2.0, .trials = 2};  // the third would be taken
+  const experiment::TrustRegion once{.radius = 2.0, .trials = 2};  // the third would be taken
   EXPECT_EQ(run_updates(ellipse, once, Eigen::Vector2d(3.0, 1.0)).outcome, avi::Outcome::not_converged);
 }
 
 TEST(Optimisers, RefuseBadParameters) {
   const VectorX x0 = VectorX::Ones(2);
-  EXPECT_THROW(run_updates(ellipse, avi::AdaGrad{.epsilon = -1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::Adam{.beta_1 = -0.1}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::Adam{.beta_2 = 1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::TrustRegion{.accept = -0.1}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::TrustRegion{.shrink = 0.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::Nag{.h = -1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::Nag{.h = std::nan("")}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::Adam{.rate = 0.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::Adam{.beta_1 = 1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::Adam{.beta_2 = -0.1}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::Adam{.epsilon = -1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::AdaGrad{.rate = -1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::RmsProp{.rho = 1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::RmsProp{.rho = -0.1}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::RmsProp{.rate = 0.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::RmsProp{.epsilon = -1e-9}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::TrustRegion{.radius = 0.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::TrustRegion{.accept = 1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::TrustRegion{.expand = 0.1}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::TrustRegion{.shrink = 1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::TrustRegion{.grow = 0.5}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, avi::TrustRegion{.trials = 0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::AdaGrad{.epsilon = -1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::Adam{.beta_1 = -0.1}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::Adam{.beta_2 = 1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::TrustRegion{.accept = -0.1}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::TrustRegion{.shrink = 0.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::Nag{.h = -1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::Nag{.h = std::nan("")}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::Adam{.rate = 0.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::Adam{.beta_1 = 1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::Adam{.beta_2 = -0.1}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::Adam{.epsilon = -1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::AdaGrad{.rate = -1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::RmsProp{.rho = 1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::RmsProp{.rho = -0.1}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::RmsProp{.rate = 0.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::RmsProp{.epsilon = -1e-9}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::TrustRegion{.radius = 0.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::TrustRegion{.accept = 1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::TrustRegion{.expand = 0.1}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::TrustRegion{.shrink = 1.0}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::TrustRegion{.grow = 0.5}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::TrustRegion{.trials = 0}, x0), std::invalid_argument);
 }
 
 }  // namespace optimisers_test

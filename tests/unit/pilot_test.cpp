@@ -1,5 +1,5 @@
-#include "avi/automatic/pilot.hpp"
 #include "avi/problems/kepler.hpp"
+#include "beyond/speed/automatic_monitors/pilot.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@ namespace pilot_test {
 
 using avi::Kepler;
 using avi::Outcome;
-using avi::Trial;
-using avi::detail::Orbit;
-using avi::detail::Pilot;
+using experiment::Orbit;
+using experiment::Pilot;
+using experiment::Trial;
 
 /// Fixed steps of order 4 along two periods of an ellipse, as a pilot tries them.
 struct Pilots {
@@ -20,7 +20,7 @@ struct Pilots {
   static constexpr double end = 4.0 * M_PI, any = 1e300;
 
   [[nodiscard]] Pilot pilot(double tolerance) const {
-    const avi::PhaseFunction fixed = avi::phase_function<2>([](const auto&, const auto&) { return 1.0; });
+    const avi::Formula fixed = avi::Formula::of_phase<2>([](const auto&, const auto&) { return 1.0; });
     return {{orbit, 4, tolerance, 1.0, end}, "fixed", fixed, 1.0, end, any, 0.5};
   }
   [[nodiscard]] double error(double h) const { return pilot(1e-3).trial(h, 10'000, any).energy_error; }

@@ -1,10 +1,12 @@
-#include "avi/automatic/choose_monitor.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/n_body.hpp"
 #include "avi/solve.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
 #include "avi/transform/time_dependent.hpp"
+#include "beyond/speed/automatic_monitors/automatic_monitor.hpp"
+#include "beyond/speed/automatic_monitors/choose_monitor.hpp"
+#include "common/methods/printed_htvi.hpp"
 #include "refusal.hpp"
 
 #include <gtest/gtest.h>
@@ -37,30 +39,21 @@ template <class Problem>
 void expect_field_of_transformed(const Problem& problem, const State<2>& z) {
   Vec dq, dp;
   double dt = 0.0;
-  problem.template field<avi::Field::full>(z.q, z.p, problem.energy_momentum(), dq, dp, dt);
+  problem.field(z.q, z.p, problem.energy_momentum(), dq, dp, dt);
   for (int i = 0; i < 2; ++i) {
     EXPECT_NEAR(dq[i], slope([&](const Vec& p) { return problem.transformed({z.q, p, 0.0}); }, z.p, i), 1e-8);
     EXPECT_NEAR(dp[i], slope([&](const Vec& q) { return problem.transformed({q, z.p, 0.0}); }, z.q, i), 1e-8);
   }
   EXPECT_EQ(dt, problem.rate(z.q, z.p));
-  // The action's integrand is p . q' + p^t t' - H-bar.
-  EXPECT_NEAR((problem.template action_rate<avi::Field::full>(z.q, z.p, problem.energy_momentum())),
+  // The printed action's integrand is p . q' + p^t t' - H-bar.
+  EXPECT_NEAR((experiment::action_rate<false>(problem, z.q, z.p, problem.energy_momentum())),
               z.p.dot(dq) + problem.energy_momentum() * dt - problem.transformed(z), 1e-13);
-  // Without forces the rest is the same.
-  const auto expect_the_same = [&](const Vec& velocity, double time) {
-    EXPECT_LT((velocity - dq).norm(), 1e-15);
-    EXPECT_EQ(time, dt);
-  };
-  Vec velocity, kept(7.0, 8.0);
-  double time = 0.0;
-  problem.template field<avi::Field::full>(z.q, z.p, problem.energy_momentum(), velocity, kept, time, false);
-  expect_the_same(velocity, time);
-  EXPECT_EQ(kept, Vec(7.0, 8.0));
   // On the level of H-bar here it is the same field, given that number.
-  Vec force;
-  problem.template field<avi::Field::on_level>(z.q, z.p, problem.transformed(z), velocity, force, time);
-  expect_the_same(velocity, time);
-  EXPECT_LT((force - dp).norm(), 1e-15);
+  Vec velocity, force;
+  double time = 0.0;
+  problem.field_on_level(z.q, z.p, problem.transformed(z), velocity, force, time);
+  EXPECT_LT((velocity - dq).norm() + (force - dp).norm(), 2e-15);
+  EXPECT_EQ(time, dt);
 }
 
 /// On the shell the field is that of the orbit through z, whatever p^t the problem has.
@@ -71,16 +64,12 @@ void expect_field_on_shell(const Problem& problem, const State<2>& z) {
   const double pt = problem.energy_momentum();
   Vec dq, dp, velocity, force;
   double dt = 0.0, time = 0.0;
-  through.template field<avi::Field::full>(z.q, z.p, through.energy_momentum(), dq, dp, dt);
-  problem.template field<avi::Field::on_shell>(z.q, z.p, pt, velocity, force, time);
+  through.field(z.q, z.p, through.energy_momentum(), dq, dp, dt);
+  problem.field_on_shell(z.q, z.p, velocity, force, time);
   EXPECT_LT((velocity - dq).norm() + (force - dp).norm(), 1e-15);
   EXPECT_EQ(time, dt);
-  EXPECT_NEAR((problem.template action_rate<avi::Field::on_shell>(z.q, z.p, pt)),
+  EXPECT_NEAR((experiment::action_rate<true>(problem, z.q, z.p, pt)),
               z.p.dot(velocity) + pt * time - problem.transformed(z), 1e-14);
-  Vec kept(7.0, 8.0);
-  problem.template field<avi::Field::on_shell>(z.q, z.p, pt, velocity, kept, time, false);
-  EXPECT_LT((velocity - dq).norm(), 1e-15);
-  EXPECT_EQ(kept, Vec(7.0, 8.0));
 }
 
 TEST(Poincare, FieldIsThatOfTheTransformedHamiltonian) {
@@ -144,8 +133,8 @@ TEST(Poincare, RefusesASizeThatIsNotTheDimension) {
     const std::string& sentence = each.second;
     EXPECT_EQ(refusal([&] { (void)avi::poincare(free, start); }), sentence);
     EXPECT_EQ(refusal([&] { (void)avi::time_dependent(in_time, start); }), sentence);
-    EXPECT_EQ(refusal([&] { (void)avi::automatic_monitor(free, start); }), sentence);
-    EXPECT_EQ(refusal([&] { (void)avi::choose_monitor(free, start); }), sentence);
+    EXPECT_EQ(refusal([&] { (void)experiment::automatic_monitor(free, start); }), sentence);
+    EXPECT_EQ(refusal([&] { (void)experiment::choose_monitor(free, start); }), sentence);
     EXPECT_EQ(refusal([&] { (void)avi::solve(free, start, 1.0, 1e-6); }), sentence);
   }
 }

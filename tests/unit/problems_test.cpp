@@ -4,7 +4,7 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/n_body.hpp"
 #include "avi/problems/pendulum.hpp"
-#include "avi/problems/perturbed_kepler.hpp"
+#include "common/problems/perturbed_kepler.hpp"
 #include "difference.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(Problems, GradientsAreThoseOfThePotentials) {
   EXPECT_LT(gradient_defect(avi::Pendulum{}, avi::Pendulum::start(1.2).q), 1e-12);
   EXPECT_LT(gradient_defect(avi::HenonHeiles{}, Vector<double, 2>(0.31, -0.22)), 1e-12);
   EXPECT_LT(gradient_defect(avi::Kepler{}, Vector<double, 2>(0.8, 0.5)), 1e-10);
-  EXPECT_LT(gradient_defect(avi::PerturbedKepler(0.1), Vector<double, 2>(0.8, 0.5)), 1e-10);
+  EXPECT_LT(gradient_defect(experiment::PerturbedKepler(0.1), Vector<double, 2>(0.8, 0.5)), 1e-10);
   const avi::NBody<3> three(Vector<double, 3>(1.0, 2.0, 0.5));
   Vector<double, 6> q;
   q << 0.1, 0.2, 1.3, -0.4, -0.9, 0.8;
@@ -53,7 +53,7 @@ TEST(Problems, SupplyTheGradientOfTheLogarithmOfTheirPotential) {
     }
   };
   expect(avi::Kepler{});
-  expect(avi::PerturbedKepler(0.1));
+  expect(experiment::PerturbedKepler(0.1));
 }
 
 TEST(Pendulum, HasTheKnownPeriod) {
@@ -93,8 +93,9 @@ TEST(HenonHeiles, HasItsSaddlesAtEnergyOneSixth) {
 
 TEST(PerturbedKepler, IsKeplerWithoutAndTurnsTheEllipseWith) {
   const Vector<double, 2> q(0.3, -0.7);
-  EXPECT_NEAR((avi::PerturbedKepler(0.0).potential_gradient(q) - avi::Kepler::potential_gradient(q)).norm(),
-              0.0, 1e-15);
+  EXPECT_NEAR(
+      (experiment::PerturbedKepler(0.0).potential_gradient(q) - avi::Kepler::potential_gradient(q)).norm(),
+      0.0, 1e-15);
   // First-order advance of the pericentre per revolution: 3 pi epsilon / (a (1 - e^2))^2.
   const double e = 0.3, epsilon = 1e-4;
   const auto laplace = [](const State<2>& s) {
@@ -102,7 +103,7 @@ TEST(PerturbedKepler, IsKeplerWithoutAndTurnsTheEllipseWith) {
     return std::atan2(-l * s.p[0] - s.q[1] / s.q.norm(), l * s.p[1] - s.q[0] / s.q.norm());
   };
   const auto turn = [&](double quadrupole) {
-    const avi::PerturbedKepler other(quadrupole);
+    const experiment::PerturbedKepler other(quadrupole);
     auto run =
         avi::stormer_verlet<2>([&](const Vector<double, 2>& at) { return other.potential_gradient(at); });
     auto state = avi::Kepler::pericentre(e);
@@ -112,8 +113,9 @@ TEST(PerturbedKepler, IsKeplerWithoutAndTurnsTheEllipseWith) {
   const double advance = (turn(epsilon) - turn(0.0)) / 10.0;
   EXPECT_NEAR(advance / (3.0 * M_PI * epsilon / std::pow(1.0 - e * e, 2)), 1.0, 1e-2);
   for (const double bad : {-1.0, HUGE_VAL, std::nan("")})
-    EXPECT_THROW(avi::PerturbedKepler{bad}, std::invalid_argument) << bad;
-  EXPECT_EQ(avi::PerturbedKepler().potential(q), avi::Kepler::potential(q)) << "none unless it is given";
+    EXPECT_THROW(experiment::PerturbedKepler{bad}, std::invalid_argument) << bad;
+  EXPECT_EQ(experiment::PerturbedKepler().potential(q), avi::Kepler::potential(q))
+      << "none unless it is given";
 }
 
 TEST(NBody, OneCodePathForBothKindsOfDimension) {

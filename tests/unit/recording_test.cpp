@@ -1,6 +1,6 @@
 #include "avi/autodiff/recording.hpp"
-#include "avi/problems/chain.hpp"
 #include "avi/problems/n_body.hpp"
+#include "common/problems/chain.hpp"
 #include "refusal.hpp"
 
 #include <gtest/gtest.h>
@@ -52,10 +52,10 @@ double gap(const H& h, const VectorX& q, const VectorX& p) {
 
 TEST(Recording, HasTheGradientThatIsSupplied) {
   for (int n : {1, 2, 3, 33, 200}) {
-    auto z = avi::Chain::plucked(n);
+    auto z = experiment::Chain::plucked(n);
     for (int i = 0; i < n; ++i)
       z.p[i] = 0.1 * std::cos(3.0 * i);
-    EXPECT_LT(gap(avi::Chain{}, z.q, z.p), 6.4e-16) << n;
+    EXPECT_LT(gap(experiment::Chain{}, z.q, z.p), 6.4e-16) << n;
   }
   for (int bodies : {2, 3, 9, 20}) {
     VectorX q(2 * bodies), p(2 * bodies);
@@ -70,7 +70,7 @@ TEST(Recording, HasTheGradientThatIsSupplied) {
 // A program grows with the function, not with its square, and gradients cost a small multiple of it.
 TEST(Recording, IsAsLongAsTheFunction) {
   for (int n : {64, 512}) {
-    const Recording recording = avi::record(avi::Chain{}, n);
+    const Recording recording = avi::record(experiment::Chain{}, n);
     EXPECT_LE(recording.gradient().operations(), 8u * n + 8u);
     EXPECT_LE(recording.value_and_gradient().operations(), 16u * n);
     EXPECT_LE(recording.value_and_gradient().slots(), 5u * n);
@@ -193,13 +193,13 @@ TEST(Recording, TakesASuppliedGradientWhereTheFunctionIsUsed) {
 }
 
 TEST(Recording, TakesAGraphThatIsRecordedAlready) {
-  const avi::Chain chain;
+  const experiment::Chain chain;
   const int n = 5;
   avi::ExpressionGraph graph(2 * n);
   const int node = chain(avi::recorded_inputs(graph, 0, n), avi::recorded_inputs(graph, n, n)).node_in(graph);
   const Recording direct = avi::record(chain, n), twice(graph, node);
   (void)graph.unary(avi::Operation::exp, 0);  // the recording has a copy
-  const auto z = avi::Chain::plucked(n);
+  const auto z = experiment::Chain::plucked(n);
   for (const bool gradient : {false, true}) {
     const auto program = [&](const Recording& of) {
       return gradient ? of.gradient() : of.value_and_gradient();

@@ -2,7 +2,7 @@
 
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/problems/kepler.hpp"
-#include "avi/problems/perturbed_kepler.hpp"
+#include "common/problems/perturbed_kepler.hpp"
 
 #include <gtest/gtest.h>
 
@@ -47,8 +47,8 @@ TEST(ExtendedRun, AgreesWithKeplersEquationOverThousandPeriods) {
 
 TEST(ExtendedRun, TheTwoTimesAgreeOnAPerturbedOrbit) {
   const auto start = avi::Kepler::pericentre(0.5);
-  const avi::PerturbedKepler problem(1e-2);
-  ExtendedRun<avi::PerturbedKepler> logarithmic(problem, start, true, 0.1L),
+  const experiment::PerturbedKepler problem(1e-2);
+  ExtendedRun<experiment::PerturbedKepler> logarithmic(problem, start, true, 0.1L),
       physical(problem, start, false, 0.01L);
   logarithmic.run_to(20.0);
   physical.run_to(20.0);

@@ -1,11 +1,11 @@
 #include "avi/core/integrate.hpp"
 #include "avi/diagnostics/order.hpp"
-#include "avi/integrators/adaptive_verlet.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/composition.hpp"
-#include "avi/integrators/hairer_soderlind.hpp"
 #include "avi/integrators/splitting.hpp"
 #include "avi/problems/kepler.hpp"
+#include "common/methods/adaptive_verlet.hpp"
+#include "common/methods/hairer_soderlind.hpp"
 #include "difference.hpp"
 #include "distance.hpp"
 
@@ -17,14 +17,14 @@
 
 namespace c = avi::compositions;
 using avi::Kepler;
-using avi::PowerOfRadius;
 using avi::State;
+using experiment::PowerOfRadius;
 
 namespace reversible_control_test {
 
-const avi::AdaptiveVerlet adaptive_verlet(Kepler{}, PowerOfRadius{1.5});
-const avi::HairerSoderlind controlled(avi::splitting(avi::Separable<Kepler>{}, c::strang),
-                                      PowerOfRadius{1.5});
+const experiment::AdaptiveVerlet adaptive_verlet(Kepler{}, PowerOfRadius{1.5});
+const experiment::HairerSoderlind controlled(avi::splitting(avi::Separable<Kepler>{}, c::strang),
+                                             PowerOfRadius{1.5});
 
 TEST(PowerOfRadius, HasTheRateOfItsReciprocalAlongTheOrbit) {
   EXPECT_EQ(PowerOfRadius{}.alpha, 1.5);
@@ -156,9 +156,9 @@ TEST(ReversibleControl, RefusesADensityOfZero) {
     EXPECT_EQ(method.step(z, 2.0).outcome, outcome);
     EXPECT_TRUE(z.q[0] == 1.0 && z.p[0] == 1.0 && z.t == 0.0);
   };
-  const auto verlet = [](auto monitor) { return avi::AdaptiveVerlet(Free{}, monitor); };
+  const auto verlet = [](auto monitor) { return experiment::AdaptiveVerlet(Free{}, monitor); };
   expect(verlet([](const auto& q, const auto&) { return q[0]; }), avi::Outcome::diverged);
-  expect(avi::HairerSoderlind(avi::splitting(avi::Separable<Free>{}, c::strang), PowerOfRadius{1.0}),
+  expect(experiment::HairerSoderlind(avi::splitting(avi::Separable<Free>{}, c::strang), PowerOfRadius{1.0}),
          avi::Outcome::diverged);
   for (const double g : {-1.0, -0.0, std::numeric_limits<double>::infinity()})
     expect(verlet([=](const auto&, const auto&) { return g; }), avi::Outcome::bad_monitor);

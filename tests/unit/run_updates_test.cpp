@@ -1,16 +1,16 @@
 #include "avi/optim/run_updates.hpp"
-#include "avi/optim/update_rules.hpp"
-#include "avi/problems/correlated_quartic.hpp"
+#include "common/problems/correlated_quartic.hpp"
+#include "common/rules/update_rules.hpp"
 #include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-using avi::GradientDescent;
 using avi::Outcome;
 using avi::run_updates;
 using avi::VectorX;
+using experiment::GradientDescent;
 
 namespace run_updates_test {
 
@@ -91,7 +91,7 @@ TEST(RunUpdates, ReportsDivergenceAtOnce) {
   EXPECT_EQ(run.last.x, VectorX::Constant(2, std::pow(-9.0, 15))) << "the last good one";
   EXPECT_EQ(run.last.value, std::pow(81.0, 15));
   const auto quartic =
-      run_updates(avi::CorrelatedQuartic{}, GradientDescent{.h = 1.0}, VectorX::Constant(50, 5.0));
+      run_updates(experiment::CorrelatedQuartic{}, GradientDescent{.h = 1.0}, VectorX::Constant(50, 5.0));
   EXPECT_EQ(quartic.outcome, Outcome::diverged);
   EXPECT_LT(quartic.iterations, 100);
 }
@@ -133,7 +133,7 @@ TEST(RunUpdates, RefusesBadInput) {
             "Cap on iterations is 0; it must be at least 1.");
   EXPECT_EQ(refusal([&] { run_updates(Bowl{}, GradientDescent{.h = 0.0}, one); }),
             "Step size h is 0; it must be finite and positive.");
-  EXPECT_EQ(refusal([&] { run_updates(avi::CorrelatedQuartic{7}, method, one); }),
+  EXPECT_EQ(refusal([&] { run_updates(experiment::CorrelatedQuartic{7}, method, one); }),
             "Size of x is 1; it must be the objective's dimension, 7.");
   const auto wrong = [](const VectorX&, VectorX& g) { return g.setZero(2), 1.0; };
   EXPECT_EQ(refusal([&] { run_updates(wrong, method, one); }),
@@ -146,7 +146,7 @@ TEST(RunUpdates, RefusesBadInput) {
 TEST(RunUpdates, GivesUpWhereNoStepIsAccepted) {
   // The gradient points uphill, so no radius helps.
   const auto wrong = [](const VectorX& x, VectorX& g) { return g = -x, 0.5 * avi::dot(x, x); };
-  const auto run = run_updates(wrong, avi::TrustRegion{}, VectorX::Ones(2));
+  const auto run = run_updates(wrong, experiment::TrustRegion{}, VectorX::Ones(2));
   EXPECT_EQ(run.outcome, Outcome::not_converged);
   EXPECT_EQ(run.iterations, 1);
 }

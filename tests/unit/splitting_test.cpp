@@ -8,7 +8,7 @@
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/n_body.hpp"
-#include "avi/problems/perturbed_kepler.hpp"
+#include "common/problems/perturbed_kepler.hpp"
 #include "difference.hpp"
 
 #include <gtest/gtest.h>
@@ -17,10 +17,10 @@ namespace c = avi::compositions;
 using avi::HenonHeiles;
 using avi::Kepler;
 using avi::LogHamiltonian;
-using avi::PerturbedKepler;
 using avi::Separable;
 using avi::State;
 using avi::Summation;
+using experiment::PerturbedKepler;
 
 namespace splitting_test {
 

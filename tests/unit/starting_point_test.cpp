@@ -1,5 +1,5 @@
 #include "avi/optim/minimise.hpp"
-#include "avi/optim/update_rules.hpp"
+#include "common/rules/update_rules.hpp"
 #include "refusal.hpp"
 #include "unit/objectives.hpp"
 
@@ -48,7 +48,7 @@ TEST(StartingPoint, ServesBothLoops) {
   EXPECT_NEAR(run.last.x[1], 1.0, 1e-7);
   EXPECT_EQ(avi::minimise(valley, std::vector{-1.2, 1.0}, {.relative = 1e-10}).iterations, run.iterations);
   const auto descent =
-      avi::run_updates(objectives::bowl, avi::GradientDescent{.h = 0.1}, {1.0, 1.0}, {.delta = 1e-4});
+      avi::run_updates(objectives::bowl, experiment::GradientDescent{.h = 0.1}, {1.0, 1.0}, {.delta = 1e-4});
   EXPECT_TRUE(descent.ok()) << descent.message;
   EXPECT_FALSE(avi::minimise(valley, {-1.2, 1.0}, {.iterations = 1}).ok());
 }

@@ -1,5 +1,5 @@
 #include "avi/autodiff/recorded.hpp"
-#include "avi/automatic/terms.hpp"
+#include "beyond/speed/automatic_monitors/terms.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace terms_test {
 
 using avi::ExpressionGraph;
 using avi::Recorded;
-using avi::detail::Terms;
+using experiment::Terms;
 
 /// A formula of two inputs and its terms.
 class Formula {

@@ -1,8 +1,8 @@
 #include "common/frame.hpp"
 #include "common/power_law.hpp"
 
-#include "avi/bregman/bregman_runge_kutta.hpp"
-#include "avi/problems/correlated_quartic.hpp"
+#include "common/problems/correlated_quartic.hpp"
+#include "common/rules/bregman_runge_kutta.hpp"
 
 // f along the exact Bregman dynamics against the bound that its Lyapunov function gives: with
 //   E(t) = |x* - x - t^-p r|^2 / 2 + C t^p (f(x) - f*),
@@ -20,8 +20,8 @@ namespace {
 
 using namespace experiment;
 
-double lyapunov(const avi::BregmanFamily& family, const avi::CorrelatedQuartic& f, const avi::VectorX& q,
-                const avi::VectorX& r, double t) {
+double lyapunov(const avi::BregmanFamily& family, const experiment::CorrelatedQuartic& f,
+                const avi::VectorX& q, const avi::VectorX& r, double t) {
   const avi::VectorX distance = f.minimiser() - q - std::pow(t, -family.p) * r;
   return 0.5 * avi::dot(distance, distance) + family.C * std::pow(t, family.p) * f.value(q);
 }
@@ -35,14 +35,14 @@ int main(int argc, char** argv) {
     table.note("largest_ratio", "of f - f* to its bound E(t_0) / (C t^p), over the run");
     table.note("fitted_rate", "exponent of t of the upper envelope of f, over the last decade of f's fall");
     Table curves = frame.table({"p", "t", "value", "most", "bound", "E"});
-    const avi::CorrelatedQuartic f;
+    const experiment::CorrelatedQuartic f;
     for (double p : {2.0, 4.0, 6.0, 10.0}) {
       const auto family = avi::BregmanFamily::direct(p);
       const avi::BregmanStart from;
       avi::Iterate first{.x = f.start(), .gradient = avi::VectorX::Zero(f.size())};
-      avi::Counted<avi::CorrelatedQuartic> objective(f, f.size());
+      avi::Counted<experiment::CorrelatedQuartic> objective(f, f.size());
       first.evaluate(objective);
-      avi::BregmanRungeKuttaState<avi::DormandPrince> state(first, family, from, 1e-6);
+      experiment::BregmanRungeKuttaState<avi::DormandPrince> state(first, family, from, 1e-6);
       const avi::StepControl control{.rtol = 1e-11, .atol = 1e-11};
       const Eigen::Index n = f.size();
       const double start_energy = lyapunov(family, f, state.z.head(n), state.z.segment(n, n), from.t);

@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
                                "direct_iterations", "distance_100", "distance_1000", "converged"});
     table.note("distance_n", "largest |x_adaptive - x_direct| / |x_direct| over the first n iterations");
     Table curves = frame.table(Curve::columns_after({"curve"}));
-    const avi::CorrelatedQuartic f;
+    const experiment::CorrelatedQuartic f;
     const avi::Stopping stopping{.delta = 1e-10, .iterations = 200'000};
     for (Setting s : p_dependence_settings()) {
       const Setting single = direct("htvi", s.family().order(), s.h);

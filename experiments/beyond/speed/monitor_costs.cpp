@@ -5,6 +5,7 @@
 #include "avi/htvi/htvi.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
+#include "common/methods/printed_htvi.hpp"
 
 #include <cmath>
 
@@ -21,9 +22,9 @@ constexpr avi::Until until{.time = 2.0 * M_PI * orbits, .steps = 3'000'000};
 
 /// HTVI4 with that monitor.
 template <class G>
-Runner runner_with(const G& monitor) {
-  return Runner(Kepler{}, [=](const State2& start) {
-    return avi::type2<3, avi::authors>(avi::poincare<2>(Kepler{}, start, monitor), avi::simpson());
+Method2 runner_with(const G& monitor) {
+  return Method2(Kepler{}, [=](const State2& start) {
+    return avi::type2<3, experiment::Authors>(avi::poincare<2>(Kepler{}, start, monitor), avi::simpson());
   });
 }
 
@@ -58,10 +59,10 @@ int main(int argc, char** argv) {
           if (h != run.row.h) (void)error(h);
           const long n = r.steps;
           const int rounds = frame.quick ? 1 : n > 50'000 ? 2 : 7;  // a long run is an average itself
-          const auto timed = run.runner.prepare(Kepler::pericentre(e));
+          avi::AnyMethod<2> method = run.runner.make(Kepler::pericentre(e));
           const auto least = interleaved_least_seconds({[&] {
                                                          State2 z = Kepler::pericentre(e);
-                                                         (void)timed(z, h, {.steps = n});
+                                                         (void)avi::integrate(method, z, h, {.steps = n});
                                                        }},
                                                        rounds);
           out.row(e, name, target, h, r.energy_error, r.global_error, n / orbits, 1.0 * r.evaluations / n,

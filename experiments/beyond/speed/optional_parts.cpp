@@ -8,6 +8,7 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/time_dependent.hpp"
+#include "common/methods/printed_htvi.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@
 #include <string>
 #include <vector>
 
-// What every optional part of an HTVI step costs, as a ratio to the same run without it. Not by Runner, the
+// What every optional part of an HTVI step costs, as a ratio to the same run without it. Not by Method2, the
 // handle of other experiments: time as a coordinate, observers of steps, dense output and landings are what
 // it leaves out, and in it they would be compiled for every method of every program.
 
@@ -71,12 +72,12 @@ std::vector<Part> parts_of(int order) {
   const auto add = [&](auto&&... what) { parts.push_back(part(what...)); };
 
   // The paper's constructions, Type III, time as a coordinate.
-  const auto constructed = [&]<avi::Construction construction> {
-    return avi::htvi_of_order<avi::Generating::type2, construction>(order - 1, problem,
+  const auto constructed = [&]<class Construction>() {
+    return avi::htvi_of_order<avi::Generating::type2, Construction>(order - 1, problem,
                                                                     avi::gauss(order / 2));
   };
-  add("as printed, of the same order", constructed.operator()<avi::printed>(), start);
-  add("on the energy shell, of the same order", constructed.operator()<avi::authors>(), start);
+  add("as printed, of the same order", constructed.operator()<experiment::Printed>(), start);
+  add("on the energy shell, of the same order", constructed.operator()<experiment::Authors>(), start);
   add("Type III", method_of<avi::Generating::type3>(order, problem), start);
   const auto in_time = avi::time_dependent(
       [](const auto& q, const auto&, const auto& p) { return Kepler{}(q, p); }, start, monitor);

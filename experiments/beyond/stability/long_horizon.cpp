@@ -24,7 +24,7 @@ const std::vector<std::string> columns{
 struct Subject {
   std::string method, monitor;
   double h;
-  Runner run;
+  Method2 run;
   double phase_growth;  ///< Predicted power of time in the phase error.
   double reach;         ///< It goes through this times the horizon: the control is slow, another is fast.
 };
@@ -54,8 +54,9 @@ avi::Run advance(const Subject& subject, Progress& at, long periods) {
   const State2 start = avi::Kepler::pericentre(eccentricity);
   const double energy = subject.run.energy(start), momentum = avi::Kepler::angular_momentum(start);
   bool outwards = at.z.q.dot(at.z.p) >= 0.0;
-  const avi::Run run = subject.run.advance(
-      start, at.z, subject.h, {.time = (1.01 * periods + 10.0) * period}, [&](const State2& z) {
+  avi::AnyMethod<2> method = subject.run.make(start);
+  const avi::Run run = avi::integrate(
+      method, at.z, subject.h, {.time = (1.01 * periods + 10.0) * period}, [&](const State2& z, long) {
         at.energy_now = (subject.run.energy(z) - energy) / energy;
         at.energy_error = std::max(at.energy_error, std::abs(at.energy_now));
         at.momentum_error =

@@ -17,7 +17,7 @@ using namespace experiment;
 
 /// Largest eigenvalue of the map of one step at the fixed point q = p = 0 of Henon and Heiles' problem, in
 /// the plane (x, p_x), where it is a linear oscillator of frequency 1. NaN where the step fails.
-double spectral_radius(const Runner& run, double h) {
+double spectral_radius(const Method2& run, double h) {
   constexpr double small = 1e-9;  // nonlinear terms are as small beside the linear ones
   const Limits one{.time = HUGE_VAL, .steps = 1, .energy_error = HUGE_VAL};
   State2 position{.q = {small, 0.0}, .p = {0.0, 0.0}}, momentum{.q = {0.0, 0.0}, .p = {small, 0.0}};
@@ -36,7 +36,7 @@ struct LinearLimit {
   std::string reason;
 };
 
-LinearLimit linear_limit(const Runner& run) {
+LinearLimit linear_limit(const Method2& run) {
   const auto stable = [&](double h) { return spectral_radius(run, h) <= 1.0 + 1e-6; };
   double low = 0.05, high = low;
   while (high < 20.0 && stable(high))
@@ -49,8 +49,8 @@ LinearLimit linear_limit(const Runner& run) {
 
 struct Case {
   std::string method, monitor;
-  Runner on_kepler;
-  std::optional<Runner> on_henon_heiles;
+  Method2 on_kepler;
+  std::optional<Method2> on_henon_heiles;
 };
 
 std::vector<Case> cases(bool quick) {
@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
     const State2 galaxy = avi::HenonHeiles::on_section(1.0 / 12.0, 0.2, 0.0);
     const State2 oscillator{.q = {1e-6, 0.0}, .p = {0.0, 0.0}};
     const auto all = cases(frame.quick);
-    const auto measure = [&](const std::string& problem, const Case& c, const Runner& run,
+    const auto measure = [&](const std::string& problem, const Case& c, const Method2& run,
                              const State2& start, double bound, LinearLimit linear) {
       const Limits limits{.time = 300.0, .steps = 2'000'000, .energy_error = bound};
       const Largest found = largest_step(run, start, problem == "oscillator" ? 16.0 : 8.0, limits, 0.002);

@@ -1,6 +1,6 @@
 #pragma once
-#include "avi/bregman/bregman_cloning.hpp"
 #include "avi/bregman/bregman_hamiltonian.hpp"
+#include "common/rules/bregman_cloning.hpp"
 
 /// @file
 /// Phase-space cloning with both copies, as the paper prints it: 3, 7 or 19 gradients a step. Kept to test
@@ -14,8 +14,8 @@ namespace experiment {
 /// `clone_sign` = -1 is that; +1 is the printed sign. z does not feel the difference.
 template <avi::Objective F>
 void cloning_printed_step(const avi::BregmanFamily& family, const F& f, double h,
-                          const avi::MergedStages& stages, avi::ExtendedPoint& z, avi::ExtendedPoint& clone,
-                          double clone_sign = -1.0) {
+                          const experiment::MergedStages& stages, avi::ExtendedPoint& z,
+                          avi::ExtendedPoint& clone, double clone_sign = -1.0) {
   avi::VectorX gradient(z.q.size());
   const auto first_flow = [&](double length) {  // of H-bar_1: moves q~, t~ and r
     f(z.q, gradient);

@@ -4,15 +4,15 @@
 
 #include "avi/collocation/collocation.hpp"
 #include "avi/htvi/htvi.hpp"
-#include "avi/integrators/adaptive_verlet.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
-#include "avi/integrators/hairer_soderlind.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/integrators/splitting.hpp"
 #include "avi/integrators/stormer_verlet.hpp"
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/poincare.hpp"
+#include "common/methods/adaptive_verlet.hpp"
+#include "common/methods/hairer_soderlind.hpp"
 
 #include <stdexcept>
 
@@ -38,10 +38,10 @@ auto stationary_on(const Problem& problem, int r, int nodes) {
 }
 
 template <class Problem>
-Runner fixed_step(const std::string& name) {
+Method2 fixed_step(const std::string& name) {
   const Problem problem;
   const auto composed = [&](const auto& coefficients) {
-    return Runner(problem, [=](const State2&) {
+    return Method2(problem, [=](const State2&) {
       return avi::splitting(avi::Separable<Problem>(problem), coefficients);
     });
   };
@@ -49,57 +49,57 @@ Runner fixed_step(const std::string& name) {
   if (name == "yoshida4") return composed(c::yoshida4);
   if (name == "kahan_li8") return composed(c::kahan_li8);
   if (name == "runge_kutta_4")
-    return Runner(problem, [=](const State2&) { return RungeKutta4<2, Problem>(problem); });
+    return Method2(problem, [=](const State2&) { return RungeKutta4<2, Problem>(problem); });
   throw std::invalid_argument("Method '" + name + "' is none of those that methods.hpp names.");
 }
 
 }  // namespace
 
-Runner stationary(int order, PositionMonitor monitor) {
-  return Runner(Kepler{}, [=](const State2& start) {
+Method2 stationary(int order, PositionMonitor monitor) {
+  return Method2(Kepler{}, [=](const State2& start) {
     return stationary_on(kepler(start, monitor), order / 2 - 1, order / 2);
   });
 }
-Runner stationary_r3_gauss2(PositionMonitor monitor) {
-  return Runner(Kepler{}, [=](const State2& start) { return stationary_on(kepler(start, monitor), 3, 2); });
+Method2 stationary_r3_gauss2(PositionMonitor monitor) {
+  return Method2(Kepler{}, [=](const State2& start) { return stationary_on(kepler(start, monitor), 3, 2); });
 }
-Runner stationary_r3_gauss2(MomentumMonitor monitor) {
-  return Runner(Kepler{}, [=](const State2& start) { return stationary_on(kepler(start, monitor), 3, 2); });
+Method2 stationary_r3_gauss2(MomentumMonitor monitor) {
+  return Method2(Kepler{}, [=](const State2& start) { return stationary_on(kepler(start, monitor), 3, 2); });
 }
-Runner stationary_henon_heiles(int order) {
-  return Runner(HenonHeiles{}, [=](const State2& start) {
+Method2 stationary_henon_heiles(int order) {
+  return Method2(HenonHeiles{}, [=](const State2& start) {
     return stationary_on(avi::poincare<2>(HenonHeiles{}, start), order / 2 - 1, order / 2);
   });
 }
 
-Runner collocation(int order, PositionMonitor monitor) {
-  return Runner(Kepler{},
-                [=](const State2& start) { return avi::collocation(kepler(start, monitor), order); });
+Method2 collocation(int order, PositionMonitor monitor) {
+  return Method2(Kepler{},
+                 [=](const State2& start) { return avi::collocation(kepler(start, monitor), order); });
 }
-Runner collocation_henon_heiles(int order) {
-  return Runner(HenonHeiles{}, [=](const State2& start) {
+Method2 collocation_henon_heiles(int order) {
+  return Method2(HenonHeiles{}, [=](const State2& start) {
     return avi::collocation(avi::poincare<2>(HenonHeiles{}, start), order);
   });
 }
 
-Runner explicit_on_kepler(const std::string& name) {
+Method2 explicit_on_kepler(const std::string& name) {
   const Kepler problem;
-  const avi::PowerOfRadius monitor{1.5};
+  const experiment::PowerOfRadius monitor{1.5};
   const auto logarithmic = [&](const auto& coefficients) {
-    return Runner(problem, [=](const State2& start) {
+    return Method2(problem, [=](const State2& start) {
       return avi::splitting(avi::LogHamiltonian<Kepler>(problem, start), coefficients);
     });
   };
   if (name == "log_hamiltonian") return logarithmic(c::strang);
   if (name == "log_hamiltonian_yoshida4") return logarithmic(c::yoshida4);
   if (name == "adaptive_verlet")
-    return Runner(problem, [=](const State2&) { return avi::AdaptiveVerlet(problem, monitor); });
+    return Method2(problem, [=](const State2&) { return experiment::AdaptiveVerlet(problem, monitor); });
   if (name == "hairer_soderlind")
-    return Runner(problem, [=](const State2&) {
-      return avi::HairerSoderlind(avi::splitting(avi::Separable<Kepler>(problem), c::strang), monitor);
+    return Method2(problem, [=](const State2&) {
+      return experiment::HairerSoderlind(avi::splitting(avi::Separable<Kepler>(problem), c::strang), monitor);
     });
   return fixed_step<Kepler>(name);
 }
-Runner explicit_on_henon_heiles(const std::string& name) { return fixed_step<HenonHeiles>(name); }
+Method2 explicit_on_henon_heiles(const std::string& name) { return fixed_step<HenonHeiles>(name); }
 
 }  // namespace experiment

@@ -1,5 +1,5 @@
 #pragma once
-#include "common/methods/runner.hpp"
+#include "common/methods/method_of_orbit.hpp"
 
 #include "avi/core/power.hpp"
 
@@ -56,24 +56,24 @@ struct MomentumMonitor {
 
 /// Type II HTVI of the stationary construction and this even order: Taylor order r = order / 2 - 1, the Gauss
 /// rule of r + 1 nodes. That is avi::htvi<order>() with the order chosen at run time.
-Runner stationary(int order, PositionMonitor monitor);
+Method2 stationary(int order, PositionMonitor monitor);
 /// The stationary construction with r = 3 held to order 4 by two Gauss nodes: Taylor order and order of the
 /// source's HTVI4. It is called stationary_r3_gauss2 in data.
-Runner stationary_r3_gauss2(PositionMonitor monitor);
-Runner stationary_r3_gauss2(MomentumMonitor monitor);
+Method2 stationary_r3_gauss2(PositionMonitor monitor);
+Method2 stationary_r3_gauss2(MomentumMonitor monitor);
 /// The same on Henon and Heiles' problem, without a monitor.
-Runner stationary_henon_heiles(int order);
+Method2 stationary_henon_heiles(int order);
 
 /// Gauss collocation of this order, and the same on Henon and Heiles' problem.
-Runner collocation(int order, PositionMonitor monitor);
-Runner collocation_henon_heiles(int order);
+Method2 collocation(int order, PositionMonitor monitor);
+Method2 collocation_henon_heiles(int order);
 
 /// Explicit methods, by name: stormer_verlet, yoshida4, kahan_li8, runge_kutta_4, and with a step that
 /// follows r^1.5 (the first three) or 1/V: log_hamiltonian, log_hamiltonian_yoshida4, adaptive_verlet,
 /// hairer_soderlind.
 /// @throws std::invalid_argument for another name.
-Runner explicit_on_kepler(const std::string& name);
+Method2 explicit_on_kepler(const std::string& name);
 /// Same, for stormer_verlet, yoshida4, kahan_li8, runge_kutta_4.
-Runner explicit_on_henon_heiles(const std::string& name);
+Method2 explicit_on_henon_heiles(const std::string& name);
 
 }  // namespace experiment

@@ -1,5 +1,5 @@
 #pragma once
-#include "common/methods/runner.hpp"
+#include "common/methods/method_of_orbit.hpp"
 
 #include <cmath>
 #include <functional>
@@ -33,7 +33,7 @@ struct Attempt {
 };
 
 /// A whole run with step h.
-Attempt attempt(const Runner& runner, const State2& start, double h, const Limits& limits);
+Attempt attempt(const Method2& runner, const State2& start, double h, const Limits& limits);
 
 /// What the search for the largest step found.
 struct Largest {
@@ -46,7 +46,7 @@ struct Largest {
 /// The largest step with which a run succeeds: halves h from `coarse` until a run from `start` does, then
 /// bisects in log h until the step is known within `precision` (0.02: two per cent). Ends without a result
 /// where a run meets the cap on steps.
-Largest largest_step(const Runner& runner, const State2& start, double coarse, const Limits& limits,
+Largest largest_step(const Method2& runner, const State2& start, double coarse, const Limits& limits,
                      double precision = 0.02);
 
 /// How the search for a given error goes on.

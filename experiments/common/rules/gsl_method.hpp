@@ -1,6 +1,6 @@
 #pragma once
-#include "avi/bregman/bregman_runge_kutta.hpp"
 #include "avi/core/outcome.hpp"
+#include "common/rules/bregman_runge_kutta.hpp"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
@@ -29,7 +29,7 @@ struct GslMethod {
 
   struct State {
     avi::VectorX z;
-    avi::BregmanField field;
+    experiment::BregmanField field;
     double h;
     double tau = 0.0;
     avi::VectorX at = z, rate = z;

@@ -2,10 +2,10 @@
 
 #include "common/rules/gsl_method.hpp"
 
-#include "avi/bregman/bregman_cloning.hpp"
 #include "avi/bregman/bregman_htvi.hpp"
 #include "avi/bregman/bregman_splitting.hpp"
-#include "avi/optim/update_rules.hpp"
+#include "common/rules/bregman_cloning.hpp"
+#include "common/rules/update_rules.hpp"
 
 #include <stdexcept>
 
@@ -21,28 +21,32 @@ avi::Minimisation run_updates(const Rule& rule, const AnyObjective& f, const avi
   if (name == "htvi") return run(avi::BregmanHtvi{.family = family, .h = h, .from = from, .clock = clock});
   if (name == "heavy_ball") return run(avi::BregmanHeavyBall{.family = family, .h = h, .from = from});
   if (name == "splitting") return run(avi::BregmanSplitting{.family = family, .h = h, .from = from});
-  for (const auto composition :
-       {avi::CloneComposition::strang, avi::CloneComposition::yoshida4, avi::CloneComposition::yoshida6})
-    if (name == avi::clone_name(composition))
-      return run(avi::BregmanCloning{.family = family, .h = h, .composition = composition, .from = from});
+  for (const auto composition : {experiment::CloneComposition::strang, experiment::CloneComposition::yoshida4,
+                                 experiment::CloneComposition::yoshida6})
+    if (name == experiment::clone_name(composition))
+      return run(
+          experiment::BregmanCloning{.family = family, .h = h, .composition = composition, .from = from});
   if (name == "runge_kutta_4")
-    return run(avi::BregmanRungeKutta<avi::ClassicalRungeKutta>{.family = family, .h = h, .from = from});
-  if (name == "dormand_prince")
-    return run(avi::BregmanEmbedded<avi::DormandPrince>{.family = family, .control = control, .from = from});
-  if (name == "bogacki_shampine")
     return run(
-        avi::BregmanEmbedded<avi::BogackiShampine>{.family = family, .control = control, .from = from});
+        experiment::BregmanRungeKutta<avi::ClassicalRungeKutta>{.family = family, .h = h, .from = from});
+  if (name == "dormand_prince")
+    return run(
+        experiment::BregmanEmbedded<avi::DormandPrince>{.family = family, .control = control, .from = from});
+  if (name == "bogacki_shampine")
+    return run(experiment::BregmanEmbedded<avi::BogackiShampine>{
+        .family = family, .control = control, .from = from});
   for (const auto* type : {gsl_odeiv2_step_rkf45, gsl_odeiv2_step_rk8pd})
     if (name == std::string("gsl_") + type->name)
       return run(GslMethod{
           .type = type, .family = family, .rtol = control.rtol, .atol = control.atol, .from = from});
 
-  if (name == "nag") return run(avi::Nag{.h = or_default(avi::Nag{}.h)});
-  if (name == "gradient_descent") return run(avi::GradientDescent{.h = or_default(avi::GradientDescent{}.h)});
-  if (name == "adam") return run(avi::Adam{.rate = or_default(avi::Adam{}.rate)});
-  if (name == "adagrad") return run(avi::AdaGrad{.rate = or_default(avi::AdaGrad{}.rate)});
-  if (name == "rmsprop") return run(avi::RmsProp{.rate = or_default(avi::RmsProp{}.rate)});
-  if (name == "trust_region") return run(avi::TrustRegion{});
+  if (name == "nag") return run(experiment::Nag{.h = or_default(experiment::Nag{}.h)});
+  if (name == "gradient_descent")
+    return run(experiment::GradientDescent{.h = or_default(experiment::GradientDescent{}.h)});
+  if (name == "adam") return run(experiment::Adam{.rate = or_default(experiment::Adam{}.rate)});
+  if (name == "adagrad") return run(experiment::AdaGrad{.rate = or_default(experiment::AdaGrad{}.rate)});
+  if (name == "rmsprop") return run(experiment::RmsProp{.rate = or_default(experiment::RmsProp{}.rate)});
+  if (name == "trust_region") return run(experiment::TrustRegion{});
   throw std::invalid_argument("Method '" + name + "' is none of those that common/rules/rules.hpp names.");
 }
 

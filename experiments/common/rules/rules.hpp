@@ -1,8 +1,8 @@
 #pragma once
 #include "avi/bregman/bregman_family.hpp"
 #include "avi/bregman/bregman_htvi.hpp"
-#include "avi/bregman/bregman_runge_kutta.hpp"
 #include "avi/optim/run_updates.hpp"
+#include "common/rules/bregman_runge_kutta.hpp"
 
 #include <cmath>
 #include <functional>

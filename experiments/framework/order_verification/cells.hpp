@@ -5,6 +5,7 @@
 #include "avi/core/integrate.hpp"
 #include "avi/diagnostics/order.hpp"
 #include "avi/htvi/htvi.hpp"
+#include "common/methods/printed_htvi.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -68,11 +69,13 @@ inline Slopes slopes_of(const std::function<double(int)>& error, double horizon,
 
 /// Adds a row for every Taylor order and rule. The order expected is a lower bound: stationary
 /// min(2r + 2, max(r + 1, s)), others min(r + 1, s).
-template <avi::Generating type, avi::Construction construction, class Problem, class State>
+template <avi::Generating type, class Construction, class Problem, class State>
 void add_cells(Table& table, const std::string& name, const Problem& problem, const State& start,
                double horizon, const std::function<double(const State&)>& error, bool quick) {
-  constexpr bool stationary = construction == avi::stationary;
-  const char* label = stationary ? "stationary" : construction == avi::printed ? "printed" : "authors";
+  constexpr bool stationary = std::is_same_v<Construction, avi::Stationary>;
+  const char* label = stationary                                          ? "stationary"
+                      : std::is_same_v<Construction, experiment::Printed> ? "printed"
+                                                                          : "authors";
   const auto rules = order_rules();
   for (int r = 0; r <= (quick ? 2 : 4); ++r)
     for (const auto& rule : rules) {
@@ -81,7 +84,7 @@ void add_cells(Table& table, const std::string& name, const Problem& problem, co
       // neither.
       if (stationary && rule.order > r + 1 && rule.order < 2 * r + 2) continue;
       const auto error_after = [&](int steps) {
-        auto method = avi::htvi_of_order<type, construction>(r, problem, rule);
+        auto method = avi::htvi_of_order<type, Construction>(r, problem, rule);
         State z = start;
         const auto run = avi::integrate(method, z, horizon / steps, {.steps = steps});
         return run.outcome == avi::Outcome::ok ? error(z) : std::nan("");
@@ -108,8 +111,7 @@ extended_reference(const Problem& problem, const avi::State<Problem::dimension>&
     const avi::Vector<long double, n> q = z.template head<n>(), p = z.template segment<n>(n);
     avi::Vector<long double, n> dq, dp;
     long double dt;
-    problem.template field<avi::Field::full>(q, p, static_cast<long double>(problem.energy_momentum()), dq,
-                                             dp, dt);
+    problem.field(q, p, static_cast<long double>(problem.energy_momentum()), dq, dp, dt);
     ExtendedPoint<n> dz;
     dz << dq, -dp, dt;
     return dz;
@@ -139,15 +141,15 @@ void add_problem(Table& table, const std::string& name, const Problem& problem,
         static_cast<long double>(z.t) - exact_time;
     return static_cast<double>((point - exact).norm());
   };
-  const auto add = [&]<avi::Construction construction> {
+  const auto add = [&]<class Construction>() {
     using avi::Generating;
-    add_cells<Generating::type2, construction>(table, name, problem, start, horizon, error, quick);
-    add_cells<Generating::type3, construction>(table, name, problem, start, horizon, error, quick);
+    add_cells<Generating::type2, Construction>(table, name, problem, start, horizon, error, quick);
+    add_cells<Generating::type3, Construction>(table, name, problem, start, horizon, error, quick);
   };
-  add.template operator()<avi::stationary>();
-  add.template operator()<avi::printed>();
+  add.template operator()<avi::Stationary>();
+  add.template operator()<experiment::Printed>();
   if constexpr (with_authors)
-    if (authors) add.template operator()<avi::authors>();
+    if (authors) add.template operator()<experiment::Authors>();
 }
 
 }  // namespace experiment

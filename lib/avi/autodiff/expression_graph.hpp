@@ -21,10 +21,10 @@ class ExpressionGraph {
  public:
   /// One operation; operands are numbers of earlier nodes, -1 where there is none.
   struct Node {
-    Operation operation;  ///< What is done.
+    Operation operation;  ///< The operation.
     int a = -1;           ///< First operand; the number of the argument of an input.
     int b = -1;           ///< Second operand.
-    double number = 0.0;  ///< Of a constant.
+    double number = 0.0;  ///< Value of a constant.
   };
 
   /// A formula of that many arguments, its first nodes.
@@ -125,6 +125,26 @@ class ExpressionGraph {
     return binary(Operation::power, a, constant(exponent));
   }
 
+  /// The node of an operation of another graph, where its operands have these numbers in this one.
+  int again(const ExpressionGraph& other, int node, const std::vector<int>& place) {
+    const Node& what = other[node];
+    if (what.operation == Operation::constant) return constant(what.number);
+    const int a = place[what.a];
+    if (what.b < 0) return unary(what.operation, a);
+    return what.operation == Operation::power ? power(a, other[what.b].number)
+                                              : binary(what.operation, a, place[what.b]);
+  }
+
+  /// A formula of another graph, or of this one, at other arguments: its node in this graph where input i of
+  /// the other one is the node arguments[i] of this one.
+  int substitute(const ExpressionGraph& other, int node, const std::vector<int>& arguments) {
+    const std::vector<char> part = other.parts(node);
+    std::vector<int> place(part.size(), -1);
+    for (int i = 0; i <= node; ++i)
+      if (part[i]) place[i] = other[i].operation == Operation::input ? arguments[i] : again(other, i, place);
+    return place[node];
+  }
+
   /// Makes room for so many nodes, which saves time where their number is known.
   void reserve(int size) {
     nodes_.reserve(size);
@@ -189,5 +209,29 @@ class ExpressionGraph {
   std::vector<int> places_;     // of nodes, by their hashes; -1 where there is none; a power of 2 of them
   std::vector<int> quotients_;  // see quotient(); of the first nodes
 };
+
+namespace detail {
+
+/// The value of a node at any scalar. @param values of the first nodes, of the inputs at least; those up to
+/// `node` are added
+template <class S>
+S evaluate(const ExpressionGraph& graph, int node, std::vector<S>& values) {
+  values.reserve(static_cast<std::size_t>(node) + 1);
+  for (int i = static_cast<int>(values.size()); i <= node; ++i) {
+    const ExpressionGraph::Node& what = graph[i];
+    if (what.operation == Operation::constant)
+      values.push_back(S(what.number));
+    else if (what.operation == Operation::power)
+      values.push_back(power(values[what.a], graph[what.b].number));
+    else
+      with_operation(what.operation, [&]<Operation known>() {
+        if constexpr (known != Operation::power)
+          values.push_back(apply<known>(values[what.a], values[what.b < 0 ? what.a : what.b]));
+      });
+  }
+  return values[static_cast<std::size_t>(node)];
+}
+
+}  // namespace detail
 
 }  // namespace avi

@@ -6,11 +6,10 @@
 
 // A function of one number a, whose value is f:
 //
-//   ONE(name, pack, series, work, slope)
+//   ONE(name, pack, work, slope)
 //
 // * name: that of <cmath>; its value at a double is std::name(a).
 // * pack: side_by_side where Pack has code of its own, one_by_one where it calls std::name for each number.
-// * series: own where Jet has a recurrence of its own, by_slope where f' = slope a' serves.
 // * work: of a call at a pack, in additions of packs: at_once(k), or each(k) for each of its numbers.
 // * slope: df/da at any scalar, from a and f.
 //
@@ -22,37 +21,37 @@
 // must be tested with are the rows of tests/unit/elementary.hpp.
 /// @cond
 // clang-format off
-#define AVI_FUNCTIONS(ONE, TWO)                                                      \
-  ONE(sqrt, side_by_side, own, at_once(2.0), 0.5 / f)                                \
-  ONE(exp, one_by_one, own, each(4.0), f)                                            \
-  ONE(log, one_by_one, own, each(4.0), 1.0 / a)                                      \
-  ONE(sin, side_by_side, own, each(4.0), cos(a))                                     \
-  ONE(cos, side_by_side, own, each(4.0), -sin(a))                                    \
-  ONE(tan, one_by_one, own, each(4.0), 1.0 + f * f)                                  \
-  ONE(sinh, one_by_one, own, each(4.0), cosh(a))                                     \
-  ONE(cosh, one_by_one, own, each(4.0), sinh(a))                                     \
-  ONE(tanh, one_by_one, own, each(4.0), 1.0 - f * f)                                 \
-  ONE(atan, one_by_one, own, each(4.0), 1.0 / (1.0 + a * a))                         \
-  ONE(abs, side_by_side, own, at_once(1.0), sign_of(a))                              \
-  ONE(asin, one_by_one, by_slope, each(4.0), 1.0 / sqrt((1.0 - a) * (1.0 + a)))      \
-  ONE(acos, one_by_one, by_slope, each(4.0), -1.0 / sqrt((1.0 - a) * (1.0 + a)))     \
-  ONE(asinh, one_by_one, by_slope, each(4.0), 1.0 / hypot(1.0, a))                   \
-  ONE(acosh, one_by_one, by_slope, each(4.0), 1.0 / (sqrt(a - 1.0) * sqrt(a + 1.0))) \
-  ONE(atanh, one_by_one, by_slope, each(4.0), 1.0 / ((1.0 - a) * (1.0 + a)))         \
-  ONE(cbrt, one_by_one, by_slope, each(4.0), 1.0 / (3.0 * (f * f)))                  \
-  ONE(expm1, one_by_one, by_slope, each(4.0), exp(a))                                \
-  ONE(log1p, one_by_one, by_slope, each(4.0), 1.0 / (1.0 + a))                       \
-  ONE(erf, one_by_one, by_slope, each(4.0), M_2_SQRTPI * exp(-(a * a)))              \
-  ONE(erfc, one_by_one, by_slope, each(4.0), -M_2_SQRTPI * exp(-(a * a)))            \
-  TWO(atan2, each(4.0), b / (a * a + b * b), -a / (a * a + b * b))                   \
-  TWO(hypot, each(4.0), a / f, b / f)                                                \
+#define AVI_FUNCTIONS(ONE, TWO)                                            \
+  ONE(sqrt, side_by_side, at_once(2.0), 0.5 / f)                           \
+  ONE(exp, one_by_one, each(4.0), f)                                       \
+  ONE(log, one_by_one, each(4.0), 1.0 / a)                                 \
+  ONE(sin, side_by_side, each(4.0), cos(a))                                \
+  ONE(cos, side_by_side, each(4.0), -sin(a))                               \
+  ONE(tan, one_by_one, each(4.0), 1.0 + f * f)                             \
+  ONE(sinh, one_by_one, each(4.0), cosh(a))                                \
+  ONE(cosh, one_by_one, each(4.0), sinh(a))                                \
+  ONE(tanh, one_by_one, each(4.0), 1.0 - f * f)                            \
+  ONE(atan, one_by_one, each(4.0), 1.0 / (1.0 + a * a))                    \
+  ONE(abs, side_by_side, at_once(1.0), sign_of(a))                         \
+  ONE(asin, one_by_one, each(4.0), 1.0 / sqrt((1.0 - a) * (1.0 + a)))      \
+  ONE(acos, one_by_one, each(4.0), -1.0 / sqrt((1.0 - a) * (1.0 + a)))     \
+  ONE(asinh, one_by_one, each(4.0), 1.0 / hypot(1.0, a))                   \
+  ONE(acosh, one_by_one, each(4.0), 1.0 / (sqrt(a - 1.0) * sqrt(a + 1.0))) \
+  ONE(atanh, one_by_one, each(4.0), 1.0 / ((1.0 - a) * (1.0 + a)))         \
+  ONE(cbrt, one_by_one, each(4.0), 1.0 / (3.0 * (f * f)))                  \
+  ONE(expm1, one_by_one, each(4.0), exp(a))                                \
+  ONE(log1p, one_by_one, each(4.0), 1.0 / (1.0 + a))                       \
+  ONE(erf, one_by_one, each(4.0), M_2_SQRTPI * exp(-(a * a)))              \
+  ONE(erfc, one_by_one, each(4.0), -M_2_SQRTPI * exp(-(a * a)))            \
+  TWO(atan2, each(4.0), b / (a * a + b * b), -a / (a * a + b * b))         \
+  TWO(hypot, each(4.0), a / f, b / f)                                      \
   TWO(pow, each(4.0), b * (f / a), f * log(a))
 // clang-format on
 /// @endcond
 
 namespace avi::detail {
 
-/// What a call costs at a pack, in additions of packs.
+/// Cost of a call at a pack, in additions of packs.
 struct Work {
   double fixed;       ///< Once.
   double per_number;  ///< For each number of the pack.

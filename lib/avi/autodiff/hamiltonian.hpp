@@ -2,8 +2,6 @@
 #include "avi/autodiff/partials.hpp"
 #include "avi/core/vector.hpp"
 
-#include <utility>
-
 /// @file
 /// Derivatives of a Hamiltonian H(q, p): those that it supplies, else automatic ones.
 
@@ -64,25 +62,6 @@ Vector<S, n> d_dq(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
     return h.d_dq(q, p);
   else
     return differentiated<true>(h, q, p).gradient();
-}
-
-/// f(q, p) and \f$p\cdot\partial f/\partial p\f$ at any scalar.
-template <class F, class S, int n>
-std::pair<S, S> value_and_work(const F& f, const Vector<S, n>& q, const Vector<S, n>& p) {
-  if constexpr (SuppliesGradient<F, S, n>) {
-    const Vector<S, n> slope = f.d_dp(q, p);
-    S sum(0.0);
-    for (int i = 0; i < n; ++i)
-      sum += p[i] * slope[i];
-    return {f(q, p), sum};
-  } else {
-    const auto at_q = constants<Partials<S, 1>>(q);
-    Vector<Partials<S, 1>, n> along(p.size());  // differentiated in the direction of p itself
-    for (Eigen::Index i = 0; i < p.size(); ++i)
-      along[i] = Partials<S, 1>::variable(p[i], 0, p[i]);
-    const Partials<S, 1> both = f(at_q, along);
-    return {both.value, both.partial(0)};
-  }
 }
 
 /// A Hamiltonian stripped of what it supplies: only its value is used and every derivative is automatic.

@@ -8,11 +8,11 @@
 #include <type_traits>
 
 /// @file
-/// The operations of a recorded formula: what each of them is, costs and computes.
+/// The operations of a recorded formula: their names, costs and values.
 
 namespace avi {
 
-/// What is done with operands a and b.
+/// An operation on operands a and b.
 enum class Operation : std::uint8_t {
   input,     ///< Argument number a; computes nothing.
   constant,  ///< A number; computes nothing.
@@ -38,7 +38,7 @@ enum class Operation : std::uint8_t {
 /// @cond
 namespace detail {
 
-/// What such an operation is called.
+/// The name of an operation.
 constexpr const char* name(Operation operation) {
   switch (operation) {
 #define AVI_ROW(row, ...)                                                                                    \
@@ -99,11 +99,24 @@ constexpr int operands(Operation operation) {
   return -1;  // any number
 }
 
-/// What it costs at a pack. @param exponent of a power
+/// It is an elementary function of the table.
+constexpr bool is_function(Operation operation) {
+  switch (operation) {
+#define AVI_ROW(row, ...)                                                                                    \
+  case Operation::row:                                                                                       \
+    return true;
+    AVI_FUNCTIONS(AVI_ROW, AVI_ROW)
+#undef AVI_ROW
+  default:
+    return false;
+  }
+}
+
+/// Cost of an operation at a pack. @param exponent of a power
 constexpr Work work(Operation operation, double exponent) {
   using enum Operation;
   switch (operation) {
-#define AVI_ONE(row, pack, series, work, slope)                                                              \
+#define AVI_ONE(row, pack, work, slope)                                                                      \
   case row:                                                                                                  \
     return work;
 #define AVI_TWO(row, work, ...)                                                                              \

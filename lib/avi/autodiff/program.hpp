@@ -2,6 +2,7 @@
 #include "avi/autodiff/operation.hpp"
 #include "avi/core/vector.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -11,6 +12,10 @@
 /// A recorded formula, ready to be evaluated at any scalar.
 
 namespace avi {
+
+namespace detail {
+class StraightLine;
+}
 
 /// A straight line of operations that computes f(x) and chosen derivatives of f; made by Recording. One
 /// program serves every scalar: double, Pack<w>, Partials of them. Operations of one kind are grouped, so
@@ -82,6 +87,7 @@ class Program {
 
  private:
   friend class Schedule;
+  friend class detail::StraightLine;
 
   /// Eight times the number of a slot, so that an addressing mode of the processor finds slots of up to eight
   /// numbers.
@@ -155,5 +161,24 @@ class Program {
   Place value_ = 0;
   std::vector<Place> slopes_;
 };
+
+namespace detail {
+/// A recorded formula of (q, p) and the memory to evaluate it at the stages.
+template <class Scalar>
+struct RecordedFormula {
+  Program program;                      ///< The formula.
+  Program::Room<Scalar> room{program};  ///< Its numbers.
+
+  /// Evaluates it.
+  template <class Vec>
+  void run(const Vec& q, const Vec& p) {
+    std::copy(q.data(), q.data() + q.size(), room.arguments());
+    std::copy(p.data(), p.data() + p.size(), room.arguments() + q.size());
+    program.run(room);
+  }
+  [[nodiscard]] const Scalar& value() const { return program.value(room); }            ///< Of the last run.
+  [[nodiscard]] const Scalar& partial(int i) const { return program.slope(room, i); }  ///< Of the last run.
+};
+}  // namespace detail
 
 }  // namespace avi

@@ -15,7 +15,7 @@ namespace avi {
 class RecordedCondition;
 
 namespace detail {
-/// What may stand beside a recorded number in a formula.
+/// A plain number that may stand beside a recorded one in a formula.
 template <class T>
 concept PlainNumber = std::is_arithmetic_v<T> ||(std::is_enum_v<T>&& std::is_convertible_v<T, double>);
 }  // namespace detail
@@ -191,7 +191,7 @@ class RecordedCondition {
 
   ///@{
 
-  /// Of conditions: both, one at least, not.
+  /// Conjunction, disjunction and negation of conditions.
   friend RecordedCondition operator&&(const RecordedCondition& a, const RecordedCondition& b) {
     return RecordedCondition(when(a.number_, b.number_));
   }
@@ -227,7 +227,7 @@ AVI_WITH_NUMBERS(inline, RecordedCondition, operator>=)
 #undef AVI_WITH_NUMBERS
 /// @endcond
 
-/// What a function is called with when it is recorded: a vector that refuses indices beyond its size, since
+/// The vector that a function is called with when it is recorded. It refuses indices beyond its size, since
 /// memory behind it would be taken for nodes. @tparam n size, or avi::dynamic
 template <int n = dynamic>
 using RecordedVector = detail::Checked<Recorded, n>;

@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/autodiff/recorded_call.hpp"
+#include "avi/autodiff/formula.hpp"
 #include "avi/autodiff/reverse.hpp"
 #include "avi/autodiff/schedule.hpp"
 #include "avi/core/require.hpp"
@@ -46,6 +46,9 @@ class Recording {
     differentiate(node);
   }
 
+  /// The same of a Formula. Its parameters are the last inputs, to be set in the program's room.
+  explicit Recording(const Formula& f) : Recording(f.graph(), f.node()) {}
+
   /// Records f where the gradient of h in f(x, h(x)) is supplied: only what f does with h is differentiated.
   /// @param f called as f(x, h) @param h called as h(x) @param slopes called as slopes(x), returns N numbers
   /// @throws std::invalid_argument for fewer than one input.
@@ -54,11 +57,23 @@ class Recording {
     const Vector<Recorded, dynamic> x = recorded_inputs(graph_, 0, inputs);
     const Recorded inner = h(x), result = f(x, inner);
     const Vector<Recorded, dynamic> supplied = slopes(x);
-    differentiate(result.node_in(graph_), inner.node_in(graph_));
+    std::vector<int> nodes;
     for (int i = 0; i < graph_.inputs(); ++i)
-      slopes_[i] =
-          graph_.binary(Operation::add, slopes_[i],
-                        graph_.binary(Operation::multiply, slopes_.back(), supplied[i].node_in(graph_)));
+      nodes.push_back(supplied[i].node_in(graph_));
+    differentiate(result.node_in(graph_), inner.node_in(graph_), nodes);
+  }
+
+  /// The same of a formula that is recorded already. @param inner node of h @param supplied those of its
+  /// gradient; none: h is differentiated, too
+  /// @throws std::invalid_argument for a graph without inputs, or a node that it has not.
+  Recording(ExpressionGraph graph, int node, int inner, const std::vector<int>& supplied)
+      : graph_(std::move(graph)) {
+    checked(graph_.inputs());
+    require(node >= 0 && node < graph_.size(), "Node to differentiate", node, "a node of the graph");
+    if (supplied.empty())
+      differentiate(node);
+    else
+      differentiate(node, inner, supplied);
   }
 
   [[nodiscard]] int inputs() const { return graph_.inputs(); }  ///< N.
@@ -79,6 +94,12 @@ class Recording {
   [[nodiscard]] Program value() const { return value_and_gradient(0, 0); }
 
  private:
+  void differentiate(int value, int inner, const std::vector<int>& supplied) {
+    differentiate(value, inner);
+    for (std::size_t i = 0; i < supplied.size(); ++i)
+      slopes_[i] = graph_.binary(Operation::add, slopes_[i],
+                                 graph_.binary(Operation::multiply, slopes_.back(), supplied[i]));
+  }
   void differentiate(int value, int inner = -1) {
     value_ = value;
     recorded_ = graph_.size();

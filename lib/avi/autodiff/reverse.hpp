@@ -18,7 +18,7 @@ namespace avi {
 /// so that a slope which is infinite or NaN there does no harm.
 class Reverse {
  public:
-  /// Of `graph`, which grows.
+  /// For nodes of `graph`, which grows.
   explicit Reverse(ExpressionGraph& graph) : graph_(graph) {}
 
   /// The nodes of df/d(input i) for i = 0, 1, ... @param inner an intermediate result that is taken for a

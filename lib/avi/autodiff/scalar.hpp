@@ -7,7 +7,7 @@
 #include <type_traits>
 
 /// @file
-/// What the scalars that formulas are called with have in common.
+/// Operations that all scalars of formulas have in common.
 
 namespace avi {
 
@@ -76,7 +76,7 @@ namespace slopes {
 #define AVI_ROW(name, ...) using std::name;
 AVI_FUNCTIONS(AVI_ROW, AVI_ROW)
 #undef AVI_ROW
-#define AVI_ONE(name, pack, series, work, slope)                                                             \
+#define AVI_ONE(name, pack, work, slope)                                                                     \
   template <class S>                                                                                         \
   S slope_of_##name([[maybe_unused]] const S& a, [[maybe_unused]] const S& f) {                              \
     return slope;                                                                                            \
@@ -130,11 +130,11 @@ struct ChainRule : Scalar<X> {
 #undef AVI_ONE
 #undef AVI_TWO
   /// @endcond
-  friend X sign_of(const X& x) { return X(sign_of(value_of(x))); }  ///< Of the value; its slope is 0.
+  friend X sign_of(const X& x) { return X(sign_of(value_of(x))); }  ///< Sign of the value; its slope is 0.
 
   ///@{
 
-  /// Of the values alone: a formula with derivatives branches as it does without.
+  /// Comparisons of the values alone: a formula with derivatives branches as it does without.
   friend auto operator<(const X& a, const X& b) { return value_of(a) < value_of(b); }
   friend auto operator>(const X& a, const X& b) { return value_of(a) > value_of(b); }
   friend auto operator<=(const X& a, const X& b) { return value_of(a) <= value_of(b); }

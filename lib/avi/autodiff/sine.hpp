@@ -40,7 +40,7 @@ template <class V>
   return !all;
 }
 
-/// What the library makes of sin(x + quarters pi/2), quarters = 0 or 1.
+/// The value of the standard library for sin(x + quarters pi/2), quarters = 0 or 1.
 [[gnu::cold, gnu::noinline]] inline double sine_far_away(double x, int quarters) {
   return quarters == 0 ? std::sin(x) : std::cos(x);
 }

@@ -51,11 +51,11 @@ struct BregmanFamily {
   /// @name Coefficients at physical time t > 0
   /// @{
 
-  /// Of |r|^2 / 2.
+  /// Coefficient of |r|^2 / 2.
   [[nodiscard]] double kinetic(double t) const { return order() * std::pow(t, -p - s()); }
-  /// Of f(q).
+  /// Coefficient of f(q).
   [[nodiscard]] double potential(double t) const { return C * order() * std::pow(t, 2.0 * p - s()); }
-  /// Of r^t: dt/dtau (equation (4.17)).
+  /// Coefficient of r^t: dt/dtau (equation (4.17)).
   [[nodiscard]] double monitor(double t) const { return std::pow(t, 1.0 - s()) / s(); }
   /// @}
 
@@ -78,7 +78,7 @@ struct BregmanFamily {
 /// from its iteration counts, which no other start gives.
 struct BregmanStart {
   double t = 1.0;         ///< Positive.
-  double momentum = 1.0;  ///< Of every entry, finite.
+  double momentum = 1.0;  ///< Momentum of every entry, finite.
 
   /// Checks the ranges. @throws std::invalid_argument for a value out of range.
   void validate() const {

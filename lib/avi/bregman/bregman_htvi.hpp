@@ -31,12 +31,12 @@ struct BregmanHtvi {
   BregmanStart from{};         ///< Time and momentum of the first iterate.
   Clock clock = Clock::euler;  ///< The paper's is Euler's.
 
-  /// What a run carries from step to step.
+  /// The state of a run.
   struct State {
     VectorX momentum;  ///< R.
     double t;          ///< Physical time.
     double power;      ///< t^p.
-    double eta;        ///< Of the coming step.
+    double eta;        ///< eta of the coming step.
   };
 
   /// State of one run. @throws std::invalid_argument for a parameter out of range.
@@ -100,7 +100,7 @@ struct BregmanHeavyBall {
   BregmanStart from{};         ///< Time and momentum of the first iterate.
   Clock clock = Clock::euler;  ///< The paper's is Euler's.
 
-  /// What a run carries from step to step.
+  /// The state of a run.
   struct State {
     VectorX displacement;  ///< v.
     double log_t;          ///< L.

@@ -28,7 +28,7 @@ namespace avi {
 struct BregmanRestarted {
   double P = 2.0;  ///< Order of the dynamics in its own time, positive; P = 2 is Nesterov's k/(k + 3).
 
-  /// What a run carries from step to step.
+  /// The state of a run.
   struct State {
     VectorX x;             ///< x_k.
     VectorX before;        ///< y_{k-1}.
@@ -40,7 +40,7 @@ struct BregmanRestarted {
     double L;              ///< Curvature, the inverse of the step.
     double last_L;         ///< That of the last update.
     double k = 0.0;        ///< Updates since the last restart.
-    long updates = 0;      ///< Of all.
+    long updates = 0;      ///< Number of all updates.
   };
 
   /// State of one run. @throws std::invalid_argument for P out of range.

@@ -21,7 +21,7 @@ struct BregmanSplitting {
   double h = 1e-3;       ///< Fictive step, finite and positive.
   BregmanStart from{};   ///< Time and momentum of the first iterate.
 
-  /// What a run carries from step to step.
+  /// The state of a run.
   struct State {
     VectorX r;                  ///< Momentum, but for the closing kick.
     double t;                   ///< Physical time.

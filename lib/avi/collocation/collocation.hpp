@@ -1,7 +1,8 @@
 #pragma once
-#include "avi/collocation/stages.hpp"
+#include "avi/collocation/gauss_step.hpp"
 #include "avi/core/require.hpp"
 
+#include <memory>
 #include <type_traits>
 #include <variant>
 
@@ -34,30 +35,28 @@ class Collocation {
   /// @throws std::invalid_argument for an order that is odd or out of [2, largest_order], or an improper
   /// setting.
   Collocation(const Problem& problem, int order, SweepSettings settings = {})
-      : order_(order), solver_(make(problem, order, settings)) {}
+      : problem_(problem), order_(order), steps_(make(problem, order, settings)) {}
 
   /// Advances z by the fictive step h, of either sign; leaves z unchanged unless the step ends as ok. The
   /// report counts evaluations of the field at all stages: the sweeps and the one that ends a step.
   /// @throws std::invalid_argument where n is avi::dynamic and z of another size.
   StepReport step(State<n>& z, double h) {
     if constexpr (n == dynamic) {
-      const Eigen::Index size = problem().size(), other = z.q.size() != size ? z.q.size() : z.p.size();
+      const Eigen::Index size = problem_.size(), other = z.q.size() != size ? z.q.size() : z.p.size();
       require(other == size, "Dimension of the state", other, "that of the problem, ", size,
               ", for q and p alike");
     }
-    return with(solver_, [&](auto& solver) { return solver.stages.step(solver.sweeps, z, h); });
+    return with(steps_, [&](auto& steps) { return steps.step(z, h); });
   }
 
   [[nodiscard]] int order() const { return order_; }  ///< 2s.
   /// What is integrated.
-  [[nodiscard]] const Problem& problem() const {
-    return with(solver_, [](const auto& solver) -> const Problem& { return solver.sweeps.problem(); });
-  }
+  [[nodiscard]] const Problem& problem() const { return problem_; }
 
   /// The collocation polynomial of the last step at its fraction c in [0, 1], for dense_output(): of degree s
   /// and error O(h^(s+1)) inside the step, O(h^(2s+1)) at its ends.
   [[nodiscard]] State<n> polynomial(double c, double) const {
-    return with(solver_, [&](const auto& solver) { return solver.stages.polynomial(solver.sweeps, c); });
+    return with(steps_, [&](const auto& steps) { return steps.polynomial(c); });
   }
 
   /// How well the last step is resolved, entry by entry: \f$|\sum_j P_{s-1}(2c_j - 1)\, L_j|\f$ with the
@@ -66,47 +65,41 @@ class Collocation {
   /// 1), so it is nowhere in the step larger than this. Zero before the first step. Allocates nothing.
   /// @param q,p where n numbers each go
   void tail(double* q, double* p) const {
-    with(solver_, [&](const auto& solver) { solver.stages.tail(q, p); });
+    with(steps_, [&](const auto& steps) { steps.tail(q, p); });
   }
 
  private:
   // The narrowest pack that holds all stages is the fastest: 1.6 times at 4 lanes instead of 8.
-  template <int w>
-  struct Solver {
-    Solver(const Problem& problem, const GaussRule& rule, SweepSettings settings)
-        : sweeps(problem, rule), stages(problem.size(), rule, settings) {}
-    SweepsOf<Problem, w> sweeps;
-    Stages<n, w> stages;
-  };
-  template <int... w>
-  using OneOf = std::variant<Solver<w>...>;
-  using AnySolver = std::conditional_t<largest_order <= 8, OneOf<4>,
-                                       std::conditional_t<largest_order <= 16, OneOf<4, 8>, OneOf<4, 8, 16>>>;
-  static AnySolver make(const Problem& problem, int order, SweepSettings settings) {
-    require(order >= 2 && order <= largest_order && order % 2 == 0, "Order of collocation", order,
-            "even and in [2, ", largest_order,
-            largest_order < 32 ? "]; collocation<32>(problem, order) goes up to 32" : "]");
-    require(std::isfinite(settings.tolerance) && settings.tolerance > 0.0, "Tolerance of the sweeps",
-            settings.tolerance, "finite and positive");
-    require(settings.max_sweeps >= 1, "Number of sweeps", settings.max_sweeps, "at least 1");
-    const GaussRule rule(order / 2);
+  using AnySteps = std::conditional_t<
+      largest_order <= 8, std::variant<GaussStep<n, 4>>,
+      std::conditional_t<largest_order <= 16, std::variant<GaussStep<n, 4>, GaussStep<n, 8>>,
+                         std::variant<GaussStep<n, 4>, GaussStep<n, 8>, GaussStep<n, 16>>>>;
+  static AnySteps make(const Problem& problem, int order, SweepSettings settings) {
+    const GaussRule rule = detail::collocation_rule(order, largest_order, settings);
     // Made where they stay: a move would be compiled for each width.
     if constexpr (largest_order > 16)
-      if (order > 16) return AnySolver(std::in_place_index<2>, problem, rule, settings);
+      if (order > 16)
+        return AnySteps(std::in_place_index<2>, field<16>(problem), problem.size(), rule, settings);
     if constexpr (largest_order > 8)
-      if (order > 8) return AnySolver(std::in_place_index<1>, problem, rule, settings);
-    return AnySolver(std::in_place_index<0>, problem, rule, settings);
+      if (order > 8)
+        return AnySteps(std::in_place_index<1>, field<8>(problem), problem.size(), rule, settings);
+    return AnySteps(std::in_place_index<0>, field<4>(problem), problem.size(), rule, settings);
   }
-  /// use(solver), of the width there is; compiles faster than std::visit.
+  template <int w>
+  static std::unique_ptr<StageField<n, w>> field(const Problem& problem) {
+    return std::make_unique<FieldOf<Problem, w>>(problem);
+  }
+  /// use(steps), of the width there is; compiles faster than std::visit.
   template <std::size_t i = 0, class Any, class Use>
   static decltype(auto) with(Any& any, const Use& use) {
-    if constexpr (i + 1 < std::variant_size_v<AnySolver>)
+    if constexpr (i + 1 < std::variant_size_v<AnySteps>)
       if (any.index() != i) return with<i + 1>(any, use);
     return use(*std::get_if<i>(&any));
   }
 
+  Problem problem_;
   int order_;
-  AnySolver solver_;
+  AnySteps steps_;
 };
 
 /// Gauss collocation of the given order, 2, 4, ... 16, for a problem from poincare() or time_dependent(); of

@@ -1,6 +1,6 @@
 #pragma once
 #include "avi/collocation/entry_progress.hpp"
-#include "avi/collocation/sweeps.hpp"
+#include "avi/collocation/stage_equations.hpp"
 #include "avi/core/outcome.hpp"
 
 #include <algorithm>
@@ -17,9 +17,8 @@ namespace avi {
 /// A square matrix and a right-hand side.
 class LinearSystem {
  public:
-  /// For that many unknowns.
-  explicit LinearSystem(Eigen::Index count)
-      : count_(count), matrix_(count * count), right_(count), pivots_(count) {}
+  /// For that many unknowns; its memory comes with clear().
+  explicit LinearSystem(Eigen::Index count) : count_(count) {}
 
   bool decomposed = false;  ///< decompose() was called, and what it found still serves.
 
@@ -29,7 +28,11 @@ class LinearSystem {
   /// The right-hand side; after solve() the solution.
   [[nodiscard]] double* right() { return right_.data(); }
   /// A matrix of zeros.
-  void clear() { std::fill(matrix_.begin(), matrix_.end(), 0.0); }
+  void clear() {
+    matrix_.assign(count_ * count_, 0.0);
+    right_.resize(count_);
+    pivots_.resize(count_);
+  }
 
   /// LU decomposition in place, with pivots by column. A vanishing pivot leaves infinities, which a step
   /// reports.
@@ -75,15 +78,16 @@ class LinearSystem {
 /// differences of its gradients, the equations of the stages \f$z_i = z_0 + h \sum_j a_{ij} f(z_j)\f$ are
 /// solved as if f were linear, by one LU decomposition of \f$I - h A \otimes J\f$. An iteration costs a field
 /// at all stages and \f$(2 n s)^2\f$ products; a decomposition, which serves many steps, a third of its cube.
+/// The first one takes the memory that all need.
 template <int n, int w>
-class Newton {
+class NewtonIteration {
  public:
   using Step = Unknowns<n, w>;  ///< What is solved for.
   /// Largest number of unknowns, twice the dimension times the number of stages.
   static constexpr Eigen::Index most = 256;
 
   /// For problems of this size.
-  Newton(Eigen::Index size, int stages)
+  NewtonIteration(Eigen::Index size, int stages)
       : stages_(stages), possible_(2 * size * stages <= most), system_(possible_ ? 2 * size * stages : 0),
         units_(possible_ ? 2 * size : 0), progress_(size) {}
 
@@ -107,7 +111,7 @@ class Newton {
   /// light one this is anything but small. A matrix costs 4 n + 1 fields at all stages and serves one step.
   /// Two in a row that do not halve the changes are enough. This method converges or meets noise: what stops
   /// improving below `noise` is solved.
-  StepReport solve_at_stages(Sweeps<n, w>& sweeps, Step& step, Step& old, int cap) {
+  StepReport solve_at_stages(StageEquations<n, w>& equations, Step& step, Step& old, int cap) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon(), noise = 1e-7;
     StepReport report{.outcome = Outcome::not_converged};
     system_.decomposed = false;
@@ -115,11 +119,11 @@ class Newton {
     double least = std::numeric_limits<double>::infinity();
     bool fresh = false;
     for (int vain = 0; vain < 2 && report.evaluations < cap;) {
-      if (!fresh) report.evaluations += decompose_at_stages(sweeps, step, old);
+      if (!fresh) report.evaluations += decompose_at_stages(equations, step, old);
       ++report.evaluations;
       old.q = step.q;
       old.p = step.p;
-      sweeps.sweep_at_once(step);
+      equations.sweep_at_once(step);
       const double now = improve(old, step);
       report.residual = now;
       if (!std::isfinite(now)) {
@@ -141,19 +145,19 @@ class Newton {
   /// more than half of the smallest one before them, the step is too long for the motion.
   /// @param old scratch, q and p only @param cap on evaluations of the field @return ok, not_converged or
   ///   non_finite
-  StepReport solve(Sweeps<n, w>& sweeps, Step& step, Step& old, int cap) {
+  StepReport solve(StageEquations<n, w>& equations, Step& step, Step& old, int cap) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     StepReport report{.outcome = Outcome::not_converged};
     const bool known = system_.decomposed;
-    if (!known) report.evaluations = decompose(sweeps, step);
-    sweeps.begin(step);
+    if (!known) report.evaluations = decompose(equations, step);
+    equations.begin(step);
     progress_.restart();
     double least = std::numeric_limits<double>::infinity();
     for (int idle = 0; report.evaluations < cap;) {
       ++report.evaluations;
       old.q = step.q;
       old.p = step.p;
-      sweeps.sweep_at_once(step);
+      equations.sweep_at_once(step);
       const double now = improve(old, step);
       report.residual = now;
       if (!std::isfinite(now)) report.outcome = Outcome::non_finite;
@@ -169,7 +173,7 @@ class Newton {
     system_.decomposed = false;
     if (!known) return report;
     const int spent = report.evaluations;
-    report = solve(sweeps, step, old, cap - spent);  // with the matrix of this start
+    report = solve(equations, step, old, cap - spent);  // with the matrix of this start
     report.evaluations += spent;
     return report;
   }
@@ -177,31 +181,31 @@ class Newton {
  private:
   /// Decomposes the matrix of steps like this one from their start. @param step is used as a scratch
   /// @return evaluations of the field
-  [[gnu::noinline]] int decompose(Sweeps<n, w>& sweeps, Step& step) {
+  [[gnu::noinline]] int decompose(StageEquations<n, w>& equations, Step& step) {
     system_.clear();
-    sweeps.begin(step);
-    sweeps.evaluate(step);
+    equations.begin(step);
+    equations.evaluate(step);
     int evaluations = 1;
     const Eigen::Index size = step.q.size();
     set_units(step);
     for (Eigen::Index first = 0; first < 2 * size; first += stages_) {
       const int columns = static_cast<int>(std::min<Eigen::Index>(stages_, 2 * size - first));
       for (const double side : {1.0, -1.0}) {
-        sweeps.begin(step);
+        equations.begin(step);
         for (int lane = 0; lane < columns; ++lane)
           entry(step.q, step.p, first + lane)
               .set(lane, start(step, first + lane) + side * reach(first + lane));
-        sweeps.evaluate(step);
+        equations.evaluate(step);
         ++evaluations;
         for (int lane = 0; lane < columns; ++lane) {
-          const double scale = -0.5 * side / (reach(first + lane) * sweeps.weight()[lane]);
+          const double scale = -0.5 * side / (reach(first + lane) * equations.weight()[lane]);
           for (Eigen::Index row = 0; row < 2 * size; ++row) {
             const double slope =
                 scale * units_[first + lane] / units_[row] * entry(step.dq, step.dp, row)[lane];
             for (int i = 0; i < stages_; ++i)
               for (int j = 0; j < stages_; ++j)
                 system_.at(row * stages_ + i, (first + lane) * stages_ + j) +=
-                    slope * sweeps.mu(i, j) * sweeps.weight()[j];
+                    slope * equations.rule().mu(i, j) * equations.weight()[j];
           }
         }
       }
@@ -213,9 +217,9 @@ class Newton {
   }
 
   /// Decomposes the matrix at the stages as they are. @param old scratch @return evaluations of the field
-  [[gnu::noinline]] int decompose_at_stages(Sweeps<n, w>& sweeps, Step& step, Step& old) {
+  [[gnu::noinline]] int decompose_at_stages(StageEquations<n, w>& equations, Step& step, Step& old) {
     system_.clear();
-    sweeps.evaluate(step);
+    equations.evaluate(step);
     set_units(step);
     old.q = step.q;
     old.p = step.p;
@@ -223,14 +227,14 @@ class Newton {
     for (Eigen::Index column = 0; column < rows; ++column)
       for (const double side : {1.0, -1.0}) {
         entry(step.q, step.p, column) = entry(old.q, old.p, column) + Pack<w>(side * reach(column));
-        sweeps.evaluate(step);
+        equations.evaluate(step);
         entry(step.q, step.p, column) = entry(old.q, old.p, column);
         for (Eigen::Index row = 0; row < rows; ++row) {
           const double scale = -0.5 * side / reach(column) * (units_[column] / units_[row]);
           const Pack<w> slope = Pack<w>(scale) * entry(step.dq, step.dp, row);
           for (int i = 0; i < stages_; ++i)
             for (int j = 0; j < stages_; ++j)
-              system_.at(row * stages_ + i, column * stages_ + j) += slope[j] * sweeps.mu(i, j);
+              system_.at(row * stages_ + i, column * stages_ + j) += slope[j] * equations.rule().mu(i, j);
         }
       }
     for (Eigen::Index k = 0; k < system_.count(); ++k)

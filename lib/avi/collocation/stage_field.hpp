@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <concepts>
+#include <memory>
 #include <type_traits>
 #include <utility>
 
@@ -14,6 +15,33 @@
 /// Hamilton's equations of a transformed problem at several stages side by side.
 
 namespace avi {
+
+/// Hamilton's equations of \f$\bar H\f$ at w stages side by side, as two functions, of which each computes
+/// only what it needs: a sweep updates the momenta between them.
+template <int n, int w>
+class StageField {
+ public:
+  using Scalar = Pack<w>;       ///< One number for each stage.
+  using Step = Unknowns<n, w>;  ///< The stages, and where the field goes.
+
+  virtual ~StageField() = default;
+  StageField& operator=(const StageField&) = delete;  ///< See clone().
+
+  /// step.dp = -weight \f$\partial \bar H/\partial q\f$.
+  virtual void forces(Step& step, const Scalar& weight) = 0;
+  /// step.dq = weight \f$\partial \bar H/\partial p\f$, at the positions of the last call of forces().
+  virtual void velocities(Step& step, const Scalar& weight) = 0;
+  /// g at the stages of a step that is solved, where velocities() was called last.
+  virtual const Scalar& rate(const Step& step) = 0;
+  /// Physical time, of a problem where it is a coordinate too.
+  [[nodiscard]] virtual double clock(const Vector<double, n>& q, double t) const = 0;
+  /// Another one with memory of its own.
+  [[nodiscard]] virtual std::unique_ptr<StageField> clone() const = 0;
+
+ protected:
+  StageField() = default;
+  StageField(const StageField&) = default;
+};
 
 namespace detail {
 /// In larger dimensions automatic gradients come from a recording: their cost relative to H does not grow
@@ -63,47 +91,34 @@ Recording recorded_rate(const Problem& problem, bool with_energy) {
       problem.size());
 }
 
-/// A recorded formula of (q, p) and the memory to evaluate it at the stages.
-template <class Scalar>
-struct RecordedFormula {
-  Program program;                      ///< The formula.
-  Program::Room<Scalar> room{program};  ///< Its numbers.
-
-  /// Evaluates it.
-  template <class Vec>
-  void run(const Vec& q, const Vec& p) {
-    std::copy(q.data(), q.data() + q.size(), room.arguments());
-    std::copy(p.data(), p.data() + p.size(), room.arguments() + q.size());
-    program.run(room);
-  }
-  [[nodiscard]] const Scalar& value() const { return program.value(room); }            ///< Of the last run.
-  [[nodiscard]] const Scalar& partial(int i) const { return program.slope(room, i); }  ///< Of the last run.
-};
 }  // namespace detail
 
-/// The field of \f$\bar H = g\,(H + p^t)\f$ at w stages, as two functions, of which each computes only what
-/// it needs: a sweep updates the momenta between them. Gradients are those that H supplies, or automatic ones
-/// by forward accumulation; in larger dimensions that of the monitor is recorded.
+/// The field of \f$\bar H = g\,(H + p^t)\f$. Gradients are those that H supplies, or automatic ones by
+/// forward accumulation; in larger dimensions that of the monitor is recorded. The functions of the problem
+/// are flattened: a formula then is worked off in registers, whatever it is made of and whatever else the
+/// program holds.
 template <class Problem, int w>
-class StageField {
+class FieldOf final : public StageField<Problem::dimension, w> {
+  using Base = StageField<Problem::dimension, w>;
+
  public:
   static constexpr int n = Problem::dimension;  ///< Degrees of freedom.
-  using Scalar = Pack<w>;                       ///< One number for each stage.
-  using Step = Unknowns<n, w>;                  ///< The stages, and where the field goes.
+  using typename Base::Scalar, typename Base::Step;
 
-  /// For this problem.
-  explicit StageField(const Problem& problem) : monitor_(recorded(problem)) {}
+  /// For this problem, which is copied.
+  explicit FieldOf(const Problem& problem) : problem_(problem), monitor_(recorded(problem)) {}
 
-  /// step.dp = -weight \f$\partial \bar H/\partial q\f$.
-  void force(const Problem& problem, Step& step, const Scalar& weight) {
-    field<true>(problem, step, -weight, step.dp);
+  [[gnu::flatten, gnu::noinline]] void forces(Step& step, const Scalar& weight) override {
+    field<true>(step, -weight, step.dp);
   }
-  /// step.dq = weight \f$\partial \bar H/\partial p\f$, at the positions of the last call of force().
-  void velocity(const Problem& problem, Step& step, const Scalar& weight) {
-    field<false>(problem, step, weight, step.dq);
+  [[gnu::flatten, gnu::noinline]] void velocities(Step& step, const Scalar& weight) override {
+    field<false>(step, weight, step.dq);
   }
-  /// g, which force() or velocity() has left in the step.
-  [[nodiscard]] static const Scalar& rate(const Step& step) { return step.rate; }
+  const Scalar& rate(const Step& step) override { return step.rate; }
+  [[nodiscard]] double clock(const Vector<double, n>& q, double t) const override {
+    return problem_.clock(q, t);
+  }
+  [[nodiscard]] std::unique_ptr<Base> clone() const override { return std::make_unique<FieldOf>(*this); }
 
  private:
   static constexpr bool many = n > detail::most_partials;
@@ -120,7 +135,8 @@ class StageField {
 
   /// out = weight \f$\partial \bar H/\partial q\f$, or by p.
   template <bool by_q>
-  void field(const Problem& problem, Step& step, const Scalar& weight, Vector<Scalar, n>& out) {
+  void field(Step& step, const Scalar& weight, Vector<Scalar, n>& out) {
+    const Problem& problem = problem_;
     const auto& h = problem.hamiltonian();
     constexpr bool rate_is_known = Problem::unit || (Problem::position_monitor && !by_q);
     Scalar energy;
@@ -161,6 +177,7 @@ class StageField {
     }
   }
 
+  Problem problem_;
   Monitor monitor_;
 };
 
@@ -168,41 +185,41 @@ class StageField {
 /// \f$\bar H\f$, by reverse accumulation, at a cost that does not grow with n.
 template <class Problem, int w>
 requires((Problem::dimension == dynamic || Problem::dimension > detail::most_partials) &&
-         !detail::takes_supplied<Problem, w>) class StageField<Problem, w> {
+         !detail::takes_supplied<Problem, w>) class FieldOf<Problem, w> final
+    : public StageField<Problem::dimension, w> {
+  using Base = StageField<Problem::dimension, w>;
+
  public:
   static constexpr int n = Problem::dimension;  ///< Degrees of freedom, or avi::dynamic.
-  using Scalar = Pack<w>;                       ///< One number for each stage.
-  using Step = Unknowns<n, w>;                  ///< The stages, and where the field goes.
+  using typename Base::Scalar, typename Base::Step;
 
-  /// Records this problem.
-  explicit StageField(const Problem& problem)
-      : StageField(static_cast<int>(problem.size()), detail::recorded_rate(problem, true),
-                   detail::recorded_rate(problem, false)) {}
+  /// Records this problem, which is copied.
+  explicit FieldOf(const Problem& problem)
+      : FieldOf(problem, detail::recorded_rate(problem, true), detail::recorded_rate(problem, false)) {}
 
-  /// step.dp = -weight \f$\partial \bar H/\partial q\f$.
-  void force(const Problem&, Step& step, const Scalar& weight) { field(forces_, step, -weight, step.dp); }
-  /// step.dq = weight \f$\partial \bar H/\partial p\f$.
-  void velocity(const Problem&, Step& step, const Scalar& weight) {
-    field(velocities_, step, weight, step.dq);
-  }
-  /// g of the last call of velocity().
-  [[nodiscard]] const Scalar& rate(const Step&) {
-    const Scalar* last = velocities_.room.arguments();
-    std::copy(last, last + rates_.program.inputs(), rates_.room.arguments());
-    rates_.program.run(rates_.room);
+  void forces(Step& step, const Scalar& weight) override { field(forces_, step, -weight, step.dp); }
+  void velocities(Step& step, const Scalar& weight) override { field(velocities_, step, weight, step.dq); }
+  const Scalar& rate(const Step& step) override {
+    rates_.run(step.q, step.p);
     return rates_.value();
   }
+  [[nodiscard]] double clock(const Vector<double, n>& q, double t) const override {
+    return problem_.clock(q, t);
+  }
+  [[nodiscard]] std::unique_ptr<Base> clone() const override { return std::make_unique<FieldOf>(*this); }
 
  private:
   using Formula = detail::RecordedFormula<Scalar>;
-  StageField(int size, const Recording& transformed, const Recording& rate)
-      : forces_{transformed.gradient(0, size)},
-        velocities_{transformed.gradient(size, size)}, rates_{rate.value()} {}
+  FieldOf(const Problem& problem, const Recording& transformed, const Recording& rate)
+      : problem_(problem), forces_{transformed.gradient(0, size(problem))},
+        velocities_{transformed.gradient(size(problem), size(problem))}, rates_{rate.value()} {}
+  static int size(const Problem& problem) { return static_cast<int>(problem.size()); }
   static void field(Formula& slopes, const Step& step, const Scalar& weight, Vector<Scalar, n>& out) {
     slopes.run(step.q, step.p);
     for (int i = 0; i < slopes.program.slopes(); ++i)
       out[i] = weight * slopes.partial(i);
   }
+  Problem problem_;
   Formula forces_, velocities_, rates_;
 };
 

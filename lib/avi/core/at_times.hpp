@@ -39,11 +39,11 @@ template <class Action>
                         : "beyond the one before it in the direction of the run");
       Answer answer;
       if (t == step.before.t) {
-        answer = detail::answer(detail::ask(action, step.before));
+        answer = detail::answer(detail::notify(action, step.before));
       } else {
         const Located<State> there = step.at(t);
         if (!there.ok()) return {there.report.outcome, there.reason};
-        answer = detail::answer(detail::ask(action, there.state));
+        answer = detail::answer(detail::notify(action, there.state));
       }
       if (answer.outcome != Outcome::ok) {
         ++next;

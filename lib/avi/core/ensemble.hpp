@@ -42,6 +42,53 @@ struct EnsembleSettings {
 };
 
 namespace detail {
+/// Calls follow(i) for every i below `count` on several threads, and fail(i, sentence, error) where that
+/// throws or is cancelled before it began. @throws what settings.progress throws.
+template <class Follow, class Fail>
+void share_out(std::size_t count, const EnsembleSettings& settings, const Follow& follow, const Fail& fail) {
+  std::mutex mutex;
+  std::size_t done = 0;
+  std::exception_ptr thrown;  // by progress
+  const auto report = [&] {
+    const std::lock_guard lock(mutex);
+    ++done;
+    if (!settings.progress || thrown) return;
+    try {
+      settings.progress(done, count);
+    } catch (...) {
+      thrown = std::current_exception();
+    }
+  };
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        if (settings.cancel.stop_requested())
+          fail(i, "The ensemble was cancelled before this run began.", std::exception_ptr());
+        else
+          follow(i);
+      } catch (const std::exception& error) {
+        fail(i, error.what(), std::current_exception());
+      } catch (...) {
+        fail(i, "Something was thrown that is no std::exception.", std::current_exception());
+      }
+      report();
+    }
+  };
+  {
+    const std::size_t most = settings.threads > 0 ? static_cast<std::size_t>(settings.threads)
+                                                  : std::max(1u, std::thread::hardware_concurrency());
+    std::vector<std::jthread> helpers;  // this thread works too
+    try {
+      for (std::size_t k = 1; k < std::min(most, count); ++k)
+        helpers.emplace_back(work);
+    } catch (const std::system_error&) {  // no more threads to be had: those there are do the work
+    }
+    work();
+  }
+  if (thrown) std::rethrow_exception(thrown);
+}
+
 /// The step size of a member: one for all, one of a list, or that of a function of the start.
 template <class Sizes, class State>
 double size_of_step(const Sizes& sizes, const State& start, std::size_t i) {
@@ -132,47 +179,7 @@ template <class State, class Make, class Sizes, class... Observers>
     members[i].run.message = std::move(sentence);
     members[i].error = std::move(error);
   };
-  std::mutex mutex;
-  std::size_t done = 0;
-  std::exception_ptr thrown;  // by progress
-  const auto report = [&] {
-    const std::lock_guard lock(mutex);
-    ++done;
-    if (!settings.progress || thrown) return;
-    try {
-      settings.progress(done, starts.size());
-    } catch (...) {
-      thrown = std::current_exception();
-    }
-  };
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < starts.size(); i = next++) {
-      try {
-        if (settings.cancel.stop_requested())
-          fail(i, "The ensemble was cancelled before this run began.");
-        else
-          follow(i);
-      } catch (const std::exception& error) {
-        fail(i, error.what(), std::current_exception());
-      } catch (...) {
-        fail(i, "Something was thrown that is no std::exception.", std::current_exception());
-      }
-      report();
-    }
-  };
-  {
-    const std::size_t most = settings.threads > 0 ? static_cast<std::size_t>(settings.threads)
-                                                  : std::max(1u, std::thread::hardware_concurrency());
-    std::vector<std::jthread> helpers;  // this thread works too
-    try {
-      for (std::size_t k = 1; k < std::min(most, starts.size()); ++k)
-        helpers.emplace_back(work);
-    } catch (const std::system_error&) {  // no more threads to be had: those there are do the work
-    }
-    work();
-  }
-  if (thrown) std::rethrow_exception(thrown);
+  detail::share_out(starts.size(), settings, follow, fail);
   return members;
 }
 

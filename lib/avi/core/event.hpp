@@ -157,7 +157,7 @@ template <class G, class Action>
     const std::optional<Located<State>> there = watch.look(step, k == 1);
     if (!there) return {};
     if (!there->ok()) return {there->report.outcome, there->reason};
-    return detail::answer(detail::ask(action, there->state));
+    return detail::answer(detail::notify(action, there->state));
   };
 }
 

@@ -217,9 +217,9 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
     };
     [[maybe_unused]] const auto look = [&](auto& observer) {
       if constexpr (of_states<decltype(observer), State>)
-        take(ask(observer, next, run.steps));
+        take(notify(observer, next, run.steps));
       else
-        take(ask(observer, Step<M, State>{before, current, next, size}, run.steps));
+        take(notify(observer, Step<M, State>{before, current, next, size}, run.steps));
     };
     (look(observers), ...);
     current = next;

@@ -50,9 +50,9 @@ void set_time(const M& method, State& z, double t) {
     z.t = t;
 }
 
-/// Shows something to who may answer. @return how the run ends there, unless ok, and why
+/// Calls an observer and converts its return value to an Outcome, or an Answer with a reason.
 template <class Observer, class... Seen>
-decltype(auto) ask(Observer& observer, const Seen&... seen) {
+decltype(auto) notify(Observer& observer, const Seen&... seen) {
   using Result = std::remove_cvref_t<std::invoke_result_t<Observer&, const Seen&...>>;
   if constexpr (std::same_as<Result, Outcome> || std::same_as<Result, Answer>) {
     return observer(seen...);

@@ -14,9 +14,9 @@ namespace avi {
 /// Straight line through a time series and how sure its slope is.
 struct DriftFit {
   double slope = 0.0;           ///< Change per unit of time.
-  double standard_error = 0.0;  ///< Of the slope.
+  double standard_error = 0.0;  ///< Standard error of the slope.
   double t_statistic = 0.0;     ///< slope / standard_error; |t| < 2 is no drift that this series can show.
-  double correlation = 0.0;     ///< Of each residual with the next one, in [-1, 1].
+  double correlation = 0.0;     ///< Correlation of each residual with the next one, in [-1, 1].
   int points = 0;               ///< Points fitted (blocks, when blocks were asked for).
 };
 

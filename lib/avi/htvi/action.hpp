@@ -7,33 +7,19 @@
 #include <vector>
 
 /// @file
-/// What the discrete Hamiltonian of an HTVI is made of: the action of the trial curve, and its variation.
+/// The action of the trial curve of an HTVI, and its variation.
 
 namespace avi {
-
-/// What the action of the discrete Hamiltonian is made of. Every choice gives a symplectic map; they differ
-/// in order and cost.
-enum class Construction {
-  /// The velocity in the action is the derivative of the trial curve: order 2r + 2 (StationaryAction).
-  stationary,
-  /// As the paper prints it (Section 2.2): the velocity is that of the field, the position has order r at the
-  /// nodes of the quadrature. Order r + 1 (PrintedAction).
-  printed,
-  /// What gives the errors printed in Tables 1 and 2: as printed, but the trial curve follows the field with
-  /// H + p^t = 0 inserted, and at the node c = 1 the position has order r + 1.
-  authors
-};
-using enum Construction;
 
 /// The remainder R in \f$\delta A = [p\cdot\delta q]_0^h + R\f$ of a discrete action A on the trial curve of
 /// one step. R vanishes for every variation exactly where the curve makes the action stationary, which is
 /// Hamilton's principle; the right-hand side of the discrete Hamilton's equations consists of R alone
 /// (DiscreteEquations).
-/// @tparam Lane a number with partials along the variations of the curve: of its initial values, and of p^t
-template <class Lane>
+/// @tparam Number a number with partials along the variations of the curve: of its initial values, and of p^t
+template <class Number>
 struct ActionRemainder {
-  Lane variation;  ///< R: its partials (its value means nothing).
-  double time;     ///< dA/dp^t at a fixed curve, less what is in R: t_1 - t_0 in the absence of R.
+  Number variation;  ///< R: its partials (its value means nothing).
+  double time;       ///< dA/dp^t at a fixed curve, less what is in R: t_1 - t_0 in the absence of R.
 };
 
 /// The stationary action \f$A = \int_0^h \tilde p\cdot d\tilde q - h\sum_i b_i\,\bar H(\tilde z(c_i h))\f$ of
@@ -50,8 +36,8 @@ struct ActionRemainder {
 template <class Expansion>
 class StationaryAction {
  public:
-  using Lane = typename Expansion::Lane;  ///< A number with its partials.
-  static constexpr int n = Expansion::n;  ///< Dimension of the problem.
+  using Number = typename Expansion::Number;  ///< A number with its partials.
+  static constexpr int n = Expansion::n;      ///< Dimension of the problem.
 
   /// For this quadrature rule. @throws std::invalid_argument for an improper rule.
   explicit StationaryAction(Quadrature rule) : rule_(std::move(rule)) {
@@ -71,15 +57,16 @@ class StationaryAction {
   [[nodiscard]] const Quadrature& rule() const { return rule_; }  ///< b_i and c_i.
 
   /// R of the last expansion, of step h, and the time it takes.
-  [[nodiscard, gnu::noinline]] ActionRemainder<Lane>
+  [[nodiscard, gnu::noinline]] ActionRemainder<Number>
   remainder(const Expansion& e, const typename Expansion::Increments&, double h) const {
     const int degree = e.order() + 1;
     const auto moments = defect_moments(e, h);
-    Lane sum(0.0);
+    const auto q = e.q(), p = e.p();
+    Number sum(0.0);
     for (int i = 0; i < n; ++i) {
       for (int k = 0; k < degree; ++k)
-        sum += moments.of[k][i] * e.p()[i][k] - moments.of[k][n + i] * e.q()[i][k];
-      sum -= moments.of[degree][n + i] * e.q()[i][degree];
+        sum += moments.of[k][i] * p[i][k] - moments.of[k][n + i] * q[i][k];
+      sum -= moments.of[degree][n + i] * q[i][degree];
     }
     return {sum, moments.time};
   }
@@ -95,10 +82,11 @@ class StationaryAction {
   [[gnu::flatten]] Moments defect_moments(const Expansion& e, double h) const {
     const int degree = e.order() + 1;
     std::array<Point, powers> curve;
+    const auto q_series = e.q(), p_series = e.p();
     for (int k = 0; k <= degree; ++k)
       for (int i = 0; i < n; ++i) {
-        curve[k][i] = e.q()[i][k].value();
-        curve[k][n + i] = k < degree ? e.p()[i][k].value() : 0.0;
+        curve[k][i] = q_series[i][k].value();
+        curve[k][n + i] = k < degree ? p_series[i][k].value() : 0.0;
       }
     Moments moments;
     moments.time = 0.0;
@@ -120,7 +108,7 @@ class StationaryAction {
         p[i] = z[n + i];
       }
       double dt;
-      e.problem().template field<Field::full>(q, p, e.problem().energy_momentum(), dq, dp, dt);
+      e.problem().field(q, p, e.problem().energy_momentum(), dq, dp, dt);
       for (int i = 0; i < n; ++i) {
         z[i] = h * dq[i];
         z[n + i] = -h * dp[i];
@@ -136,50 +124,6 @@ class StationaryAction {
   Quadrature rule_;
   std::vector<std::array<double, powers>> weights_;           // b_i c_i^k
   std::array<std::array<double, powers>, powers> integrals_;  // of j c^(j-1) c^k over [0, 1]
-};
-
-/// The action \f$A = h\sum_i b_i [p\cdot q' + p^t t' - \bar H](c_i h)\f$ of Section 2.2 of the paper, with q'
-/// and t' from the field at the nodes, and not from the curve: it is not stationary on the solution, and its
-/// order is r + 1. Its variation is that of a formula, differentiated automatically.
-template <class Expansion, Construction construction>
-class PrintedAction {
-  static_assert(construction != Construction::stationary);
-
- public:
-  using Lane = typename Expansion::Lane;  ///< A number with its partials.
-  static constexpr int n = Expansion::n;  ///< Dimension of the problem.
-  /// What the trial curve follows.
-  static constexpr Field field = construction == Construction::printed ? Field::full : Field::on_shell;
-
-  /// For this quadrature rule. @throws std::invalid_argument for an improper rule.
-  explicit PrintedAction(Quadrature rule) : rule_(std::move(rule)) { validate(rule_); }
-
-  [[nodiscard]] const Quadrature& rule() const { return rule_; }  ///< b_i and c_i.
-
-  /// R of the last expansion, of step h, whose increments are d.
-  [[nodiscard, gnu::noinline, gnu::flatten]] ActionRemainder<Lane>
-  remainder(const Expansion& e, const typename Expansion::Increments& d, double h) const {
-    const Lane pt = e.energy_momentum();
-    Lane sum(0.0);
-    for (std::size_t j = 0; j < rule_.nodes.size(); ++j) {
-      const double c = rule_.nodes[j];
-      const bool raised = construction == Construction::authors && c == 1.0;
-      Vector<Lane, n> q, p;
-      for (int i = 0; i < n; ++i) {
-        q[i] = e.q()[i][0] + c * Expansion::tail(e.q()[i], e.order() + (raised ? 1 : 0), c);
-        p[i] = e.p()[i][0] + c * Expansion::tail(e.p()[i], e.order(), c);
-      }
-      sum += rule_.weights[j] * e.problem().template action_rate<field>(q, p, pt);
-    }
-    // [p . dq]_0^h = p(h) . d(q(h) - q(0)) + (p(h) - p(0)) . dq(0), and p^t dt(h) where p^t is a variable.
-    Lane remainder = h * sum - e.problem().energy_momentum() * d.t;
-    for (int i = 0; i < n; ++i)
-      remainder -= (e.p()[i][0].value() + d.p[i].value()) * d.q[i] + d.p[i].value() * e.q()[i][0];
-    return {remainder, d.t.value()};
-  }
-
- private:
-  Quadrature rule_;
 };
 
 }  // namespace avi

@@ -14,7 +14,7 @@ enum class Generating {
   type3   ///< H_d^-(q_1, p_0), the discrete left Hamiltonian.
 };
 
-/// What a step adds to the state.
+/// The change of the state by a step.
 template <int n>
 struct StepChange {
   Vector<double, n> q;  ///< q_1 - q_0.
@@ -30,82 +30,55 @@ struct StepChange {
 /// minus that of the curve. See \ref solving.
 template <Generating type, class Expansion>
 class DiscreteEquations {
-  static constexpr bool right = type == Generating::type2;
-  static constexpr double sigma = right ? 1.0 : -1.0;
-  /// On the energy shell the expansion from a point off it follows another orbit: du_0/du is then not the
-  /// identity up to O(h^(r+1)) but has a term of rank one.
-  static constexpr bool shell_terms = !Expansion::energy_lane && !Expansion::unit;
+ protected:
+  static constexpr bool right = type == Generating::type2;  ///< Type II.
+  static constexpr double sigma = right ? 1.0 : -1.0;       ///< Sign of the type.
 
  public:
-  static constexpr int n = Expansion::n;                        ///< Dimension of the problem.
-  using Increments = typename Expansion::Increments;            ///< Of the Taylor method.
-  using Remainder = ActionRemainder<typename Expansion::Lane>;  ///< R.
-  using Vec = Vector<double, n>;                                ///< A vector of n entries.
+  static constexpr int n = Expansion::n;                          ///< Dimension of the problem.
+  using Increments = typename Expansion::Increments;              ///< Increments of the Taylor method.
+  using Remainder = ActionRemainder<typename Expansion::Number>;  ///< R.
+  using Vec = Vector<double, n>;                                  ///< A vector of n entries.
 
   /// Solves the equations at the last expansion of e, whose increments are d.
-  DiscreteEquations(const Expansion& e, const Increments& d, const Remainder& remainder) : d_(d) {
+  DiscreteEquations(const Expansion&, const Increments& d, const Remainder& remainder) : d_(d) {
     const auto& r = remainder.variation;
     Matrix<double, n> x_u;  // transposed
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j)
         x_u(j, i) = own(i).partial(at_u + j) + (i == j ? 1.0 : 0.0);
-    const Matrix<double, n> inverse = avi::inverse<n>(x_u);
+    inverse_ = inverse<n>(x_u);
     Vec y;
     for (int j = 0; j < n; ++j)
       y[j] = -sigma * r.partial(at_u + j);
-    const Vec d_y = inverse.lazyProduct(y);
+    const Vec d_y = inverse_.lazyProduct(y);
     for (int j = 0; j < n; ++j) {
-      wanted[n + j] = d_y[j];
+      corrections[n + j] = d_y[j];
       double d_u = -sigma * r.partial(at_k + j);
       for (int i = 0; i < n; ++i)
         d_u -= own(i).partial(at_k + j) * d_y[i];
-      wanted[j] = -d_u;
+      corrections[j] = -d_u;
       drift[j] = own(j).value();
-      (right ? change.p : change.q)[j] = drift[j] + wanted[j];
+      (right ? change.p : change.q)[j] = drift[j] + corrections[j];
       (right ? change.q : change.p)[j] = other(j).value() + d_y[j];
     }
     change.t = remainder.time;
-    if constexpr (Expansion::energy_lane) {
+    if constexpr (Expansion::energy_partial) {
       change.t -= r.partial(2 * n);
       for (int i = 0; i < n; ++i)
         change.t -= sigma * own(i).partial(2 * n) * d_y[i];
     }
-    wanted[2 * n] = change.t - d.t.value();
-    if constexpr (shell_terms) {
-      // d_u changes with u by v w^T, w = dH/du, beside O(h^(r+1)): off the shell, dR has the terms of the
-      // exact flow and (H + p^t) dt.
-      for (int j = 0; j < n; ++j)
-        y[j] = sigma * d.t.partial(at_u + j);
-      s_ = inverse.lazyProduct(y);
-      for (int j = 0; j < n; ++j) {
-        v_[j] = sigma * d.t.partial(at_k + j);
-        for (int i = 0; i < n; ++i)
-          v_[j] -= own(i).partial(at_k + j) * s_[i];
-      }
-      w_ = e.energy_slope(right);
-    }
+    corrections[2 * n] = change.t - d.t.value();
   }
 
   StepChange<n> change;  ///< The step, if u is right.
-  /// What the equations ask for beside the curve: u - u_0, then D_y, then that of time.
-  Vector<double, 2 * n + 1> wanted;
+  /// Corrections to the Taylor curve: u - u_0, then D_y, then that of time.
+  Vector<double, 2 * n + 1> corrections;
   Vec drift;  ///< Increment of u's own variable along the curve.
 
-  /// The shift of u that a residual wanted - (u - u_0) calls for, up to O(h^(r+1)) of it.
-  [[nodiscard]] Vec newton(const Vec& residual) const {
-    if constexpr (shell_terms) {
-      const double share = w_.dot(residual) / (1.0 + w_.dot(v_));
-      Vec shift;
-      for (int j = 0; j < n; ++j)
-        shift[j] = residual[j] - v_[j] * share;
-      return shift;
-    } else {
-      return residual;
-    }
-  }
-
   /// The step at u + shift, by the derivative of the curve: the true one differs from it by O(h^(r+1)) of the
-  /// shift. @param more difference of what is wanted there from what is wanted at u, where that is known
+  /// shift. @param more difference of what is corrections there from what is corrections at u, where that is
+  /// known
   [[nodiscard]] StepChange<n>
   shifted(const Vec& residual, const Vec& shift,
           const Vector<double, 2 * n + 1>& more = Vector<double, 2 * n + 1>::Zero()) const {
@@ -114,11 +87,6 @@ class DiscreteEquations {
     Vec& conjugate = right ? moved.q : moved.p;
     for (int j = 0; j < n; ++j)
       same[j] += shift[j] - residual[j];
-    if constexpr (shell_terms) {
-      const double along = w_.dot(shift);
-      for (int j = 0; j < n; ++j)
-        conjugate[j] += along * s_[j];
-    }
     for (int j = 0; j < n; ++j) {
       for (int i = 0; i < n; ++i) {
         same[i] += own(i).partial(at_u + j) * shift[j];
@@ -132,14 +100,16 @@ class DiscreteEquations {
     return moved;
   }
 
- private:
-  static constexpr int at_u = right ? n : 0;  // where the variables of the unknown begin
-  static constexpr int at_k = right ? 0 : n;  // and those of the known half
+ protected:
+  static constexpr int at_u = right ? n : 0;  ///< Where the variables of the unknown begin.
+  static constexpr int at_k = right ? 0 : n;  ///< And those of the known half.
+  /// Increment of the unknown's own variable.
   [[nodiscard]] const auto& own(int i) const { return (right ? d_.p : d_.q)[i]; }
+  /// Increment of the other one.
   [[nodiscard]] const auto& other(int i) const { return (right ? d_.q : d_.p)[i]; }
 
-  const Increments& d_;
-  Vec s_, v_, w_;
+  const Increments& d_;        ///< Increments of the expansion.
+  Matrix<double, n> inverse_;  ///< Inverse of dX/du, transposed.
 };
 
 }  // namespace avi

@@ -1,7 +1,8 @@
 #pragma once
-#include "avi/core/inverse.hpp"
+#include "avi/htvi/discrete_equations.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 /// @file
@@ -13,8 +14,7 @@ namespace avi {
 struct SolverSettings {
   double tolerance = 8.0;   ///< Residual accepted, in units of machine epsilon times the size of the unknown.
   int max_iterations = 50;  ///< Expansions in one step before it ends as Outcome::not_converged.
-  bool quasi_newton = true;  ///< Learn from earlier evaluations by Broyden's method; for the paper's
-                             ///< constructions, where the iteration contracts slowly.
+  bool quasi_newton = true;  ///< Learn from earlier evaluations by Broyden's method.
 };
 
 /// First guess of an unknown that changes smoothly from step to step: the line through its values at the last
@@ -43,42 +43,7 @@ class Predictor {
   double last_h_ = 0.0, last_but_one_h_ = 0.0;
 };
 
-/// Broyden's quasi-Newton method for F(u) = 0 where the plain iteration u += F(u) contracts slowly, or not at
-/// all: at large h and for stiff problems. It takes over at the first residual that has not fallen to a
-/// tenth of the one before, and starts from the identity, i.e. from the plain iteration.
-template <int n>
-class Broyden {
- public:
-  /// The shift of u for this residual. @param plain that of the plain iteration
-  Vector<double, n> shift(const Vector<double, n>& residual, const Vector<double, n>& plain, bool slow) {
-    if (slow && !at_work_) {
-      inverse_.setIdentity();
-      at_work_ = true;
-    }
-    if (at_work_) {
-      // The update makes the inverse map the last decrease of the residual to the last shift.
-      const Vector<double, n> image = inverse_ * (last_residual_ - residual);
-      const double scale = last_shift_.dot(image);
-      if (scale != 0.0) {
-        const auto row = (last_shift_.transpose() * inverse_).eval();
-        for (int i = 0; i < n; ++i)
-          for (int j = 0; j < n; ++j)
-            inverse_(i, j) += (last_shift_[i] - image[i]) / scale * row[j];
-      }
-    }
-    last_residual_ = residual;
-    last_shift_ = plain;
-    if (at_work_) last_shift_ = inverse_ * residual;
-    return last_shift_;
-  }
-
- private:
-  Matrix<double, n> inverse_;
-  Vector<double, n> last_residual_, last_shift_;
-  bool at_work_ = false;
-};
-
-/// The derivative J of what the equations ask for, w(u), by the unknown u: learnt from pairs of evaluations
+/// The derivative J of the corrections w(u) by the unknown u: learnt from pairs of evaluations
 /// by Broyden's update, and a good guess for the next step of the same size. It gives the shift of u for
 /// \f$w(u) = u - u_0\f$ as well as the change of w that goes with it.
 /// @tparam m size of w, whose first n entries ask for u - u_0
@@ -108,6 +73,50 @@ class SecantModel {
 
  private:
   Matrix<double, m, n> slope_ = Matrix<double, m, n>::Zero();
+};
+
+/// How far a step's iteration has come.
+struct IterationProgress {
+  double residual;  ///< Largest entry, now.
+  double previous;  ///< One evaluation before; NaN at first.
+  double accepted;  ///< Bound below which the equation counts as solved.
+  bool stagnates;   ///< Rounding holds the residual above that.
+};
+
+/// The iteration of a step for its unknown u, by the derivative of the corrections that a SecantModel has
+/// learnt, in this step and in the last one.
+template <int n>
+class SecantIteration {
+ public:
+  /// For a new step; with what is known where it goes on from the last one.
+  [[nodiscard]] SecantIteration begin(bool goes_on) const {
+    SecantIteration next;
+    if (goes_on) next.model_ = model_;
+    return next;
+  }
+  /// The shift of u at these equations; true where it is exact to what is accepted.
+  template <class Equations>
+  bool propose(const Equations& equations, const Vector<double, n>& residual, const IterationProgress& now,
+               bool quasi_newton) {
+    const double error = first_ ? std::numeric_limits<double>::infinity()
+                                : model_.learn(shift, equations.corrections - before_, quasi_newton);
+    first_ = false;
+    before_ = equations.corrections;
+    shift = model_.shift(residual);
+    return error * shift.norm() <= 0.1 * now.accepted;
+  }
+  /// The step at u + shift.
+  template <class Equations>
+  [[nodiscard]] StepChange<n> step(const Equations& equations, const Vector<double, n>& residual) const {
+    return equations.shifted(residual, shift, model_.change(shift));
+  }
+
+  Vector<double, n> shift;  ///< Shift of u.
+
+ private:
+  SecantModel<n, 2 * n + 1> model_;
+  Vector<double, 2 * n + 1> before_;
+  bool first_ = true;
 };
 
 }  // namespace avi

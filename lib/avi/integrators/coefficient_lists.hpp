@@ -51,14 +51,14 @@ class Lengths {
 /// One step \f$A(a_0 h)\, B(b_0 h)\, A(a_1 h) \cdots B(b_{m-1} h)\, A(a_m h)\f$, applied from left to right;
 /// A is the drift, B the kick. In extended precision, so that a test can tell a wrong digit from rounding.
 struct SplitCoefficients {
-  int order;               ///< Of the method.
-  Lengths<long double> a;  ///< Of the m + 1 drifts, with sum 1.
-  Lengths<long double> b;  ///< Of the m kicks, with sum 1.
+  int order;               ///< Order of the method.
+  Lengths<long double> a;  ///< Lengths of the m + 1 drifts, with sum 1.
+  Lengths<long double> b;  ///< Lengths of the m kicks, with sum 1.
 };
 
 /// A symmetric composition \f$S(c_1 h)\, S(c_2 h) \cdots S(c_m h)\f$ of a symmetric step S of order 2.
 struct CompositionCoefficients {
-  int order;               ///< Of the composition.
+  int order;               ///< Order of the composition.
   Lengths<long double> c;  ///< With sum 1.
 };
 

@@ -16,7 +16,7 @@ namespace avi {
 template <class Base>
 class Composition {
  public:
-  /// Of this base with one of avi::compositions.
+  /// The composition of this base by one of avi::compositions.
   /// @throws std::invalid_argument unless the coefficients are the same read backwards.
   Composition(Base base, const CompositionCoefficients& coefficients)
       : base_(std::move(base)), order_(coefficients.order), c_(coefficients.c) {

@@ -18,7 +18,7 @@ namespace avi {
 template <class Problem>
 class LogHamiltonian {
  public:
-  static constexpr int dimension = Problem::dimension;  ///< Of q and of p.
+  static constexpr int dimension = Problem::dimension;  ///< Entries of q and of p.
   using Vec = Vector<double, dimension>;                ///< A position or a momentum.
 
   /// p_t is the conjugate of time, minus the energy of the orbit.
@@ -33,7 +33,7 @@ class LogHamiltonian {
     require(potential < 0.0, "Potential at the start", potential, "negative for the logarithmic Hamiltonian");
   }
 
-  /// What the drift over h adds to q and t.
+  /// Change of q and t by the drift over h.
   [[nodiscard]] Drift<dimension> drift(const Vec& p, double h) const {
     const double dt = h / (problem_.kinetic(p) + p_t_);
     if constexpr (requires { problem_.velocity(p); })
@@ -42,7 +42,7 @@ class LogHamiltonian {
       return {dt * p, dt};
   }
 
-  /// What the kick over h adds to p.
+  /// Change of p by the kick over h.
   [[nodiscard]] Vec kick(const Vec& q, double h) const {
     if constexpr (requires { problem_.log_potential_gradient(q, h); })
       return problem_.log_potential_gradient(q, h);

@@ -13,7 +13,7 @@
 
 namespace avi {
 
-/// What a drift adds to position and time.
+/// Change of position and time by a drift.
 template <int n>
 struct Drift {
   Vector<double, n> position;  ///< Added to q.
@@ -32,20 +32,20 @@ class Separable {
       "A problem to split must have potential_gradient(q): H = T(p) + V(q), and no time in it.");
 
  public:
-  static constexpr int dimension = Problem::dimension;  ///< Of q and of p.
+  static constexpr int dimension = Problem::dimension;  ///< Entries of q and of p.
   using Vec = Vector<double, dimension>;                ///< A position or a momentum.
 
   /// The flows of this problem.
   explicit Separable(Problem problem = {}) : problem_(std::move(problem)) {}
 
-  /// What the drift over h adds to q and t.
+  /// Change of q and t by the drift over h.
   [[nodiscard]] Drift<dimension> drift(const Vec& p, double h) const {
     if constexpr (requires { problem_.velocity(p); })
       return {h * problem_.velocity(p), h};
     else
       return {h * p, h};
   }
-  /// What the kick over h adds to p.
+  /// Change of p by the kick over h.
   [[nodiscard]] Vec kick(const Vec& q, double h) const { return -h * problem_.potential_gradient(q); }
   [[nodiscard]] bool admits(const State<dimension>&) const { return true; }  ///< Admits every state.
 

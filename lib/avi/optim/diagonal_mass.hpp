@@ -14,12 +14,12 @@ namespace avi {
 /// c = \frac{y \cdot M^{-1} y}{s\cdot y} \f] (Gilbert and Lemarechal 1989). Wherever y = C s with C diagonal,
 /// M comes near to a multiple of C.
 ///
-/// Before a pair is learned, it is foretold: \f$(s \cdot y)^2 / (s\cdot M s \; y\cdot M^{-1} y)\f$ is 1 where
-/// y is parallel to M s and smaller elsewhere. M is worth its passes when that is on average (geometric mean
-/// over the pairs of a lesson) more than \f$\sqrt e\f$ times what M = I would give.
+/// The diagonal is used if it predicted the last pairs better than the identity: the quality of a prediction
+/// is \f$(s \cdot y)^2 / (s\cdot M s \; y\cdot M^{-1} y)\f$, 1 where y is parallel to M s and smaller
+/// elsewhere, and its geometric mean over the pairs has to be more than \f$\sqrt e\f$ times that of M = I.
 class DiagonalMass {
  public:
-  explicit DiagonalMass(Eigen::Index n) : inverse_(n) {}  ///< Of n entries.
+  explicit DiagonalMass(Eigen::Index n) : inverse_(n) {}  ///< For vectors of n entries.
 
   void forget() { known_ = false; }                                        ///< Knows no pair any more.
   [[nodiscard]] const double* inverse() const { return inverse_.data(); }  ///< 1 / M_i, between lessons.

@@ -6,7 +6,7 @@
 #include <limits>
 
 /// @file
-/// What values and slopes at two points of a line say about the minimum between or beyond them.
+/// The minimum of a line between or beyond two points, from values and slopes there.
 
 namespace avi {
 
@@ -29,7 +29,7 @@ struct LineModel {
   double curvature;  ///< kappa.
   double r;          ///< Where the slope vanishes, in units of h; meant for curvature > 0.
   double defect;     ///< nu = |e| / (h max |phi'|), less what rounding of the values explains.
-  double rounding;   ///< What it explains, likewise in units of h max |phi'|.
+  double rounding;   ///< The defect that rounding explains, likewise in units of h max |phi'|.
 
   /// `noise` is what rounding may make of the difference of the values.
   LineModel(const LinePoint& from, const LinePoint& to, double distance, double noise)

@@ -1,7 +1,7 @@
 #pragma once
+#include "avi/optim/minimiser.hpp"
 #include "avi/optim/recorded_objective.hpp"
 #include "avi/optim/starting_point.hpp"
-#include "avi/optim/state_clock.hpp"
 
 /// @file
 /// The front door of the optimisers.
@@ -35,13 +35,14 @@ constexpr void refuse_as_objective() {
 
 }  // namespace detail
 
-/// Minimises f from x0 with the defaults, or with what `options` chooses: the heavy ball of StateClock.
+/// Minimises f from x0 with the defaults, or with what `options` chooses, by L-BFGS, or by
+/// nonlinear conjugate gradients where the memory is 0: see Minimiser.
 ///
 /// f(x, gradient) returns the value and fills the gradient; or f(x) is a formula that is generic in its
-/// scalar, and the gradient is found by automatic differentiation. x0 is whatever StartingPoint takes. Local
-/// minima, saddles and flat ends are all stationary points: the run stops at the first one it meets, and each
-/// iteration lowers f. @code
-/// const auto run = avi::minimise([](const auto& x) { return (x[0] - 1.0) * (x[0] - 1.0) + x[1] * x[1]; },
+/// scalar, or a Formula, and the gradient is found by automatic differentiation. x0 is whatever StartingPoint
+/// takes. Local minima, saddles and flat ends are all stationary points: the run stops at the first one it
+/// meets, and each iteration lowers f. @code const auto run = avi::minimise([](const auto& x) { return (x[0]
+/// - 1.0) * (x[0] - 1.0) + x[1] * x[1]; },
 ///                                {3.0, 4.0});
 /// if (run.ok()) use(run.last.x); @endcode
 /// Outcome::ok: converged; stalled: rounding hides what could still be gained; no_descent: values and
@@ -53,12 +54,16 @@ template <class F>
 [[nodiscard]] Minimisation minimise(const F& f, const StartingPoint& x0,
                                     const MinimiseOptions& options = {}) {
   const VectorX& x = x0.vector();
-  if constexpr (Objective<F>) {
-    return StateClock(std::cref(f), x, options).run();
-  } else if constexpr (Formula<F>) {
+  if constexpr (std::is_same_v<F, Formula>) {
+    require(x.size() == f.inputs(), "Size of x0", x.size(), "the number of arguments of f, ", f.inputs());
+    const RecordedObjective recorded(f);
+    return Minimiser(std::cref(recorded), x, options).run();
+  } else if constexpr (Objective<F>) {
+    return Minimiser(std::cref(f), x, options).run();
+  } else if constexpr (Recordable<F>) {
     require(x.size() > 0, "Size of x0", x.size(), "at least 1");
     const RecordedObjective recorded(f, x.size());
-    return StateClock(std::cref(recorded), x, options).run();
+    return Minimiser(std::cref(recorded), x, options).run();
   } else {
     detail::refuse_as_objective<F>();
     return {};

@@ -6,7 +6,7 @@
 #include <limits>
 
 /// @file
-/// What a caller of avi::minimise() may choose and see. Every default serves every problem.
+/// Options of avi::minimise(), and the progress that its callback sees. Every default serves every problem.
 
 namespace avi {
 

@@ -4,7 +4,7 @@
 #include <concepts>
 
 /// @file
-/// What is minimised, and the counting of its evaluations.
+/// Objectives of a minimisation, and the number of their evaluations.
 
 namespace avi {
 

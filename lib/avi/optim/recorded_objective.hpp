@@ -14,20 +14,25 @@ namespace avi {
 /// what is done to it (Recording, whose rules hold for f: no branches on the entries of x). What returns a
 /// plain number works on numbers alone: Eigen only pretends to turn one kind of vector into another.
 template <class F>
-concept Formula = requires(const F& f, const Vector<Recorded, dynamic>& x) {
+concept Recordable = requires(const F& f, const Vector<Recorded, dynamic>& x) {
   { f(x) } -> std::convertible_to<Recorded>;
   requires !std::is_arithmetic_v<std::remove_cvref_t<decltype(f(x))>>;
 };
 
-/// The objective of a Formula: its gradient by reverse accumulation costs a small multiple of the value,
-/// whatever the dimension. It works in memory that it owns; where several threads call one object at a time,
-/// the first one does, and the others in memory of their own, which costs each of those calls an allocation.
+/// The objective of a Recordable function: its gradient by reverse accumulation costs a small multiple of the
+/// value, whatever the dimension. It works in memory that it owns; where several threads call one object at a
+/// time, the first one does, and the others in memory of their own, which costs each of those calls an
+/// allocation.
 class RecordedObjective {
  public:
   /// Records f in n dimensions. @throws std::invalid_argument for n < 1.
-  template <Formula F>
+  template <Recordable F>
   RecordedObjective(const F& f, Eigen::Index n)
       : program_(Recording(f, n).value_and_gradient()), room_(program_) {}
+
+  /// Of a formula that is recorded already; its parameters have the values that it has.
+  explicit RecordedObjective(const Formula& f)
+      : program_(Recording(f.with_constants()).value_and_gradient()), room_(program_) {}
 
   /// Value and gradient at x, of the n entries that were recorded.
   double operator()(const VectorX& x, VectorX& gradient) const {

@@ -13,7 +13,7 @@ namespace avi {
 struct SlopeByValues {
   double slope;        ///< d . grad f.
   double uncertainty;  ///< By truncation and rounding.
-  double truncation;   ///< Of the uncertainty, what goes with the distance of the values.
+  double truncation;   ///< Part of the uncertainty that falls with the distance of the values.
 
   /// True where the function bends so much between the values that they say nothing of a slope.
   [[nodiscard]] bool depends_on_distance() const { return truncation > 0.1 * std::abs(slope); }

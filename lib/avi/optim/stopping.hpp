@@ -42,7 +42,7 @@ struct Stopping {
   }
 };
 
-/// What a minimisation tells its caller. Outcome::ok means converged.
+/// The result of a minimisation. Outcome::ok means converged.
 struct Minimisation {
   Outcome outcome = Outcome::step_limit;  ///< How the run ended.
   long iterations = 0;                    ///< Updates made.

@@ -15,11 +15,12 @@ namespace detail {
 typedef double Eight __attribute__((vector_size(64)));
 /// The same anywhere in an array of numbers.
 typedef double EightInMemory __attribute__((vector_size(64), aligned(8), may_alias));
-typedef long long EightIntegers __attribute__((vector_size(64)));  ///< What comparisons of them are made of.
+typedef long long EightIntegers
+    __attribute__((vector_size(64)));  ///< Indices of eight lanes, for comparisons.
 
 /// Eight entries at index i of every vector of a pass.
 struct EightEntries {
-  Eigen::Index i;  ///< Of the first of them.
+  Eigen::Index i;  ///< Index of the first of them.
   /// Entries i to i + 7 of a, where they are: a vector that a function returned would be a matter of the
   /// machine's calling convention, about which g++ has a warning.
   [[nodiscard]] const EightInMemory& operator()(const double* a) const {

@@ -2,14 +2,14 @@
 #include "avi/core/vector.hpp"
 
 /// @file
-/// What problems with unit masses have in common.
+/// Problems with unit masses.
 
 namespace avi {
 
 /// Base of a problem \f$H(q, p) = \tfrac12 p\cdot p + V(q)\f$ in n dimensions, which gives potential(q).
 template <class Problem, int n>
 struct UnitMass {
-  static constexpr int dimension = n;  ///< Of q and of p.
+  static constexpr int dimension = n;  ///< Entries of q and of p.
 
   /// Kinetic energy.
   template <class P>

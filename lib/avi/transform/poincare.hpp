@@ -20,15 +20,6 @@ struct Unit {
   }
 };
 
-/// Which terms of Hamilton's equations of H-bar make the Taylor expansion.
-enum class Field {
-  full,      ///< All of them.
-  on_level,  ///< With H + p^t = H-bar / g, where H-bar is the constant that it is along the flow: the same
-             ///< flow without the work of evaluating H on it.
-  on_shell   ///< With H + p^t = 0 inserted, which holds along the solution: the terms (H + p^t) grad g are
-             ///< left out.
-};
-
 namespace detail {
 /// A Hamiltonian may say its dimension.
 template <class H, int n>
@@ -104,23 +95,39 @@ class Poincare {
   /// The same at a state, zero along the exact solution.
   [[nodiscard]] double transformed(const State<n>& z) const { return transformed(z.q, z.p, pt_); }
 
-  /// Hamilton's equations at any scalar: dq = q', dp = -p', dt = t'. Without `forces`, dp is neither needed
-  /// nor computed; its operations come last, so that leaving them out keeps the sequence of the others.
-  /// @param pt p^t, or the constant H-bar of Field::on_level
-  template <Field form, class S>
+  /// Hamilton's equations at any scalar: dq = q', dp = -p', dt = t'. @param pt p^t
+  template <class S>
   void field(const Vector<S, n>& q, const Vector<S, n>& p, const S& pt, Vector<S, n>& dq, Vector<S, n>& dp,
-             S& dt, bool forces = true) const {
-    constexpr bool shell_terms = form != Field::on_shell && !unit;
-    if constexpr (!shell_terms) {
-      const auto g = rate(q, p);
-      dt = g;
-      const Vector<S, n> velocity = d_dp(h_, q, p);
-      for (Eigen::Index i = 0; i < size(); ++i)
-        dq[i] = g * velocity[i];
-      if (!forces) return;
-      const Vector<S, n> force = d_dq(h_, q, p);
-      for (Eigen::Index i = 0; i < size(); ++i)
-        dp[i] = g * force[i];
+             S& dt) const {
+    field_with(q, p, dq, dp, dt, [&](const S& energy, const S&) -> S { return energy + pt; });
+  }
+  /// The same field, with H + p^t = H-bar / g, where H-bar is the constant `level` that it is along the flow:
+  /// without the work of evaluating H on it.
+  template <class S>
+  void field_on_level(const Vector<S, n>& q, const Vector<S, n>& p, const S& level, Vector<S, n>& dq,
+                      Vector<S, n>& dp, S& dt) const {
+    field_with(q, p, dq, dp, dt, [&](const S&, const S& g) -> S { return level / g; });
+  }
+  /// The field with H + p^t = 0 inserted, which holds along the solution: g times that of H.
+  template <class S>
+  void field_on_shell(const Vector<S, n>& q, const Vector<S, n>& p, Vector<S, n>& dq, Vector<S, n>& dp,
+                      S& dt) const {
+    const auto g = rate(q, p);
+    dt = g;
+    const Vector<S, n> velocity = d_dp(h_, q, p), force = d_dq(h_, q, p);
+    for (Eigen::Index i = 0; i < size(); ++i) {
+      dq[i] = g * velocity[i];
+      dp[i] = g * force[i];
+    }
+  }
+
+ private:
+  /// Hamilton's equations where defect(H, g) is H + p^t.
+  template <class S, class Defect>
+  void field_with(const Vector<S, n>& q, const Vector<S, n>& p, Vector<S, n>& dq, Vector<S, n>& dp, S& dt,
+                  const Defect& defect) const {
+    if constexpr (unit) {
+      field_on_shell(q, p, dq, dp, dt);
     } else {
       Partials<S, n> g;  // with derivatives by q, or by p where it depends on p
       if constexpr (position_monitor)
@@ -128,18 +135,12 @@ class Poincare {
       else
         g = value_and_d_dp(g_, q, p);
       dt = g.value;
-      Partials<S, n> energy;  // with derivatives by p, and its value where that is needed
-      if constexpr (form == Field::on_level)
-        energy = {S(0.0), d_dp(h_, q, p)};
-      else
-        energy = value_and_d_dp(h_, q, p);
-      const auto defect = [&]() -> S { return form == Field::on_level ? pt / g.value : energy.value + pt; };
+      const Partials<S, n> energy = value_and_d_dp(h_, q, p);
+      const S across = defect(energy.value, g.value);
       for (int i = 0; i < n; ++i) {
         dq[i] = g.value * energy.partial(i);
-        if constexpr (!position_monitor) dq[i] += defect() * g.partial(i);
+        if constexpr (!position_monitor) dq[i] += across * g.partial(i);
       }
-      if (!forces) return;
-      const S across = defect();
       const Vector<S, n> force = d_dq(h_, q, p);
       if constexpr (!position_monitor) g = {g.value, d_dq(g_, q, p)};
       for (int i = 0; i < n; ++i)
@@ -147,21 +148,6 @@ class Poincare {
     }
   }
 
-  /// Integrand of the printed action, \f$p\cdot q' + p^t t' - \bar H\f$ with q', t' from the same field:
-  /// \f$g\,(p\cdot\partial H/\partial p - H)\f$, and in the full field
-  /// \f$(H + p^t)\, p\cdot\partial g/\partial p\f$ more.
-  template <Field form, class S>
-  [[nodiscard]] S action_rate(const Vector<S, n>& q, const Vector<S, n>& p, const S& pt) const {
-    const auto [energy, work] = value_and_work(h_, q, p);
-    if constexpr (position_monitor || form == Field::on_shell) {
-      return rate(q, p) * (work - energy);
-    } else {
-      const auto [g, g_work] = value_and_work(g_, q, p);
-      return g * (work - energy) + (energy + pt) * g_work;
-    }
-  }
-
- private:
   H h_;
   G g_;
   double pt_;

@@ -1,6 +1,6 @@
 #include "bregman/table.hpp"
 
-#include "avi/optim/update_rules.hpp"
+#include "common/rules/update_rules.hpp"
 #include "common/table.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ using experiment::Setting;
 
 namespace optimisation_counts_test {
 
-const avi::CorrelatedQuartic f;
+const experiment::CorrelatedQuartic f;
 
 /// What a table of the paper prints, by the column that names the row's cells.
 struct PublishedRow {
@@ -125,7 +125,8 @@ TEST(Optimisers, RmsPropCountsAreThePrintedOnesLessTwo) {
             (Counts{276 - 2, 305 - 2, 334 - 2, 363 - 2, 393 - 2, 422 - 2, 452 - 2, 498 - 2, 682 - 2}));
   // The control: epsilon outside the root, as ADAM has it, gives other counts.
   const auto outside = [](const avi::Stopping& stopping, auto&& witness) {
-    return avi::run_updates(f, avi::RmsProp{.rate = 0.1, .epsilon = 1e-16}, f.start(), stopping, witness);
+    return avi::run_updates(f, experiment::RmsProp{.rate = 0.1, .epsilon = 1e-16}, f.start(), stopping,
+                            witness);
   };
   EXPECT_NE(passages_of(outside, 9).back(), 680);
 }

@@ -6,6 +6,7 @@
 #include "avi/integrators/stormer_verlet.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
+#include "common/methods/printed_htvi.hpp"
 #include "common/table.hpp"
 
 #include <gtest/gtest.h>
@@ -52,7 +53,7 @@ bool optimised() {
 void expect_faster(const std::string& stem, double eccentricity, double a, double verlet_h, double factor) {
   constexpr long n = 1000;
   const auto start = avi::Kepler::pericentre(eccentricity);
-  auto htvi = avi::type2<3, avi::authors>(
+  auto htvi = avi::type2<3, experiment::Authors>(
       avi::poincare<2>(avi::Kepler{}, start, avi::bounded(avi::NormSquared{}, a, 8.0)), avi::simpson());
   auto verlet = avi::stormer_verlet<2>(
       [](const avi::Vector<double, 2>& q) { return avi::Kepler::potential_gradient(q); });
@@ -119,8 +120,8 @@ TEST(Speed, AutomaticGradientCostsAtMostFourTimesTheSuppliedOne) {
   const auto start = avi::Kepler::pericentre(0.9);
   const auto monitor = avi::bounded(avi::NormSquared{}, 0.01, 8.0);
   auto supplied =
-      avi::type2<3, avi::authors>(avi::poincare<2>(avi::Kepler{}, start, monitor), avi::simpson());
-  auto automatic = avi::type2<3, avi::authors>(
+      avi::type2<3, experiment::Authors>(avi::poincare<2>(avi::Kepler{}, start, monitor), avi::simpson());
+  auto automatic = avi::type2<3, experiment::Authors>(
       avi::poincare<2>(avi::Automatic{avi::Kepler{}}, start, monitor), avi::simpson());
   auto a = start, b = start;
   const double ratio = time_ratio(

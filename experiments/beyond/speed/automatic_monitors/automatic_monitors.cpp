@@ -1,3 +1,4 @@
+#include "beyond/speed/automatic_monitors/automatic_monitor.hpp"
 #include "beyond/speed/automatic_monitors/cost.hpp"
 #include "beyond/speed/automatic_monitors/promises.hpp"
 #include "common/frame.hpp"
@@ -24,7 +25,7 @@ constexpr Targets all_targets[] = {{4, 1e-4, 1e-5}, {8, 1e-7, 1e-8}, {16, 1e-10,
 /// one would scan, the paper's energy monitor, \f$(p\cdot\partial H/\partial p + c)^{-\alpha}\f$ (twice the
 /// kinetic energy), its inverse Lagrangian, \f$(L^2 + c)^{-\alpha}\f$, and the arclength to other powers.
 std::vector<HandMade> general_monitors(const Scene& scene) {
-  const int n = static_cast<int>(scene.energy.size());
+  const int n = scene.energy.inputs() / 2;
   avi::ExpressionGraph graph(2 * n);
   const V q = avi::recorded_inputs(graph, 0, n), p = avi::recorded_inputs(graph, n, n);
   const Recorded energy = scene.energy(q, p);
@@ -60,11 +61,11 @@ using Counted = std::array<bool, 8>;
 /// All monitors of a scene at an order.
 Counted compare(Table& table, Table& choices, const Arena& arena, const Targets& targets, double factor) {
   const Scene& scene = arena.scene;
-  const avi::PhaseFunction& fixed = arena.menu.entries.front().monitor;
+  const avi::Formula& fixed = arena.menu.entries.front().monitor;
   const std::vector<HandMade> general = general_monitors(scene);
   std::vector<HandMade> hand_made = scene.hand_made;
   hand_made.insert(hand_made.end(), general.begin(), general.end());
-  const auto reach = [&](const avi::PhaseFunction& monitor, double most, double dearest) {
+  const auto reach = [&](const avi::Formula& monitor, double most, double dearest) {
     return cost(arena, monitor, targets, most, dearest, factor);
   };
   const Cost none = reach(fixed, infinity, infinity);
@@ -92,12 +93,12 @@ Counted compare(Table& table, Table& choices, const Arena& arena, const Targets&
   rows("arclength", reach(general.front().monitor, most, dearest));
   const Cost automatic = reach(automatic_monitor(scene.energy, scene.start), most, dearest);
   rows("automatic", automatic);
-  std::optional<avi::MonitorChoice> chosen_by;
+  std::optional<MonitorChoice> chosen_by;
   const double pilot_seconds = seconds([&] {
     chosen_by =
         choose_monitor(scene.energy, scene.start, {.energy_error = targets.energy, .order = targets.order});
   });
-  const avi::MonitorChoice& choice = *chosen_by;
+  const MonitorChoice& choice = *chosen_by;
   const Cost chosen = choice.reached ? reach(choice.monitor, most, dearest) : Cost();
   rows("chosen", chosen);
   // The pilot against ten horizons, and against a hundred turns.
@@ -155,7 +156,7 @@ int main(int argc, char** argv) {
     double done = 0.0;
     for (const Scene& scene : scenes) {
       frame.progress(scene.name, done++, scenes.size());
-      const avi::MonitorChoice exact = finest(scene);
+      const MonitorChoice exact = finest(scene);
       std::optional<Arena> arena;
       if (exact.reached)
         arena.emplace(arena_of(scene, exact));

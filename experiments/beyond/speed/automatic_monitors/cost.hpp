@@ -42,7 +42,7 @@ struct Cost {
 /// A scene with what all its runs share.
 struct Arena {
   const Scene& scene;
-  const avi::detail::Menu menu;
+  const Menu menu;
   const avi::VectorX end;  ///< Position at the end.
   double scale;            ///< Of energy errors.
   double turns;            ///< Of the velocity in phase space, 2 pi each: no fewer than periods.
@@ -50,7 +50,7 @@ struct Arena {
 
 /// The choice with which a whole run of order 16 keeps its energy to 1e-12, or the least above it that
 /// rounding allows.
-inline avi::MonitorChoice finest(const Scene& scene) {
+inline MonitorChoice finest(const Scene& scene) {
   for (double tolerance = 1e-12;; tolerance *= 3.0) {
     auto solution = energy_run(scene.energy, scene.start, scene.time, tolerance);
     solution.choice.reached = solution.run.outcome == avi::Outcome::ok && solution.kept();
@@ -60,9 +60,9 @@ inline avi::MonitorChoice finest(const Scene& scene) {
 
 /// A scene with the position at its end and its turns by order 16 with steps of six tenths of those that it
 /// was chosen with.
-inline Arena arena_of(const Scene& scene, const avi::MonitorChoice& choice) {
-  avi::detail::Menu menu({scene.energy, scene.start});
-  const avi::detail::Curvature curvature({scene.energy, scene.start});
+inline Arena arena_of(const Scene& scene, const MonitorChoice& choice) {
+  Menu menu({scene.energy, scene.start});
+  const Curvature curvature({scene.energy, scene.start});
   auto method = avi::collocation(poincare(scene.energy, scene.start, choice.monitor), 16);
   Point z = scene.start;
   avi::VectorX place(2 * z.q.size()), next = place, way = 0.0 * place;
@@ -70,7 +70,7 @@ inline Arena arena_of(const Scene& scene, const avi::MonitorChoice& choice) {
   double angle = 0.0;
   (void)integrate_to(method, z, 0.6 * choice.h, scene.time, [&](const Point& at, long k) {
     next << at.q, at.p;
-    if (k > 1) angle += curvature.angle(way, next - place, menu.tour->frequency);
+    if (k > 1) angle += curvature.angle(way, next - place, menu.scales->frequency);
     way = next - place;
     place = next;
   });
@@ -78,19 +78,18 @@ inline Arena arena_of(const Scene& scene, const avi::MonitorChoice& choice) {
 }
 
 /// What a sweep costs with a monitor: by count, for counts do not depend on what else the machine does.
-inline double sweep_of(const Arena& arena, const avi::PhaseFunction& monitor, int order) {
-  const avi::PhaseFunction& energy = arena.scene.energy;
+inline double sweep_of(const Arena& arena, const avi::Formula& monitor, int order) {
+  const avi::Formula& energy = arena.scene.energy;
   const double h0 = energy(arena.scene.start.q, arena.scene.start.p);
-  return avi::detail::sweep_work(
-      avi::phase_function([&](const V& q, const V& p) { return monitor(q, p) * (energy(q, p) - h0); },
-                          arena.scene.start.q.size()),
+  return sweep_work(
+      avi::Formula::of_phase([&](const V& q, const V& p) { return monitor(q, p) * (energy(q, p) - h0); },
+                             arena.scene.start.q.size()),
       order);
 }
 
 /// One run.
-inline Measured measure(const Arena& arena, avi::Collocation<avi::detail::Pilot::Problem>& method, double h,
-                        long cap) {
-  const avi::PhaseFunction& energy = arena.scene.energy;
+inline Measured measure(const Arena& arena, avi::Collocation<Pilot::Problem>& method, double h, long cap) {
+  const avi::Formula& energy = arena.scene.energy;
   const double h0 = energy(arena.scene.start.q, arena.scene.start.p);
   Point z = arena.scene.start;
   double worst = 0.0;
@@ -111,16 +110,16 @@ inline Measured measure(const Arena& arena, avi::Collocation<avi::detail::Pilot:
 
 /// More and more steps until both targets are met, or both more than `most` steps and more than `dearest`
 /// work were spent; between two runs what a target takes is interpolated.
-inline Cost cost(const Arena& arena, const avi::PhaseFunction& monitor, const Targets& targets, double most,
+inline Cost cost(const Arena& arena, const avi::Formula& monitor, const Targets& targets, double most,
                  double dearest, double factor) {
   Cost found;
-  const avi::detail::Tour& tour = *arena.menu.tour;
-  const double fictive = tour.fictive_time(monitor, arena.scene.time);
+  const OrbitScales& scales = *arena.menu.scales;
+  const double fictive = scales.fictive_time(monitor, arena.scene.time);
   if (!(fictive > 0.0) || !std::isfinite(fictive)) return found;
   found.sweep = sweep_of(arena, monitor, targets.order);
   auto method = avi::collocation(poincare(arena.scene.energy, arena.scene.start, monitor), targets.order);
   Measured before;
-  const double radians = tour.frequency * arena.scene.time;
+  const double radians = scales.frequency * arena.scene.time;
   for (double steps = 0.06 * radians * std::pow(targets.energy, -1.0 / targets.order); steps < most_steps;
        steps *= factor) {
     const Measured now = measure(arena, method, fictive / steps, static_cast<long>(2.0 * most_steps));

@@ -1,6 +1,6 @@
 #pragma once
-#include "avi/automatic/choose_monitor.hpp"
 #include "avi/core/integrate_to.hpp"
+#include "beyond/speed/automatic_monitors/choose_monitor.hpp"
 
 #include <sstream>
 
@@ -9,7 +9,7 @@
 
 namespace experiment {
 
-using avi::Collocation, avi::MonitorChoice, avi::Outcome, avi::Run, avi::State, avi::dynamic;
+using avi::Collocation, avi::Outcome, avi::Run, avi::State, avi::dynamic;
 
 /// Where an orbit led, how, and how well.
 template <int n>
@@ -49,7 +49,7 @@ inline constexpr int most_restarts = 6;
 
 /// The part of integrate(H, start, t_end, tolerance) that depends neither on the type of H nor on its
 /// dimension.
-inline EnergyRun<dynamic> solve(const avi::detail::Menu& menu, double t_end, double tolerance) {
+inline EnergyRun<dynamic> solve(const Menu& menu, double t_end, double tolerance) {
   EnergyRun<dynamic> solution{
       .state = menu.orbit.start,
       .run = {},
@@ -58,11 +58,8 @@ inline EnergyRun<dynamic> solve(const avi::detail::Menu& menu, double t_end, dou
   const double span = t_end - menu.orbit.start.t;
   if (span == 0.0) return solution;
   // 0: of its usual length
-  const double pilot = !menu.tour                                            ? 0.1 * span
-                       : span < menu.tour->time_of(avi::detail::pilot_angle) ? span
-                                                                             : 0.0;
-  solution.choice =
-      avi::detail::choose(menu, {.energy_error = tolerance, .order = order_for(tolerance), .time = pilot});
+  const double pilot = !menu.scales ? 0.1 * span : span < menu.scales->time_of(pilot_angle) ? span : 0.0;
+  solution.choice = choose(menu, {.energy_error = tolerance, .order = order_for(tolerance), .time = pilot});
   MonitorChoice& choice = solution.choice;
   if (!choice.reached) {
     solution.run.outcome = Outcome::not_converged;
@@ -71,8 +68,8 @@ inline EnergyRun<dynamic> solve(const avi::detail::Menu& menu, double t_end, dou
         "of H, or the tolerance may be below rounding.";
     return solution;
   }
-  Collocation<avi::detail::Pilot::Problem> whole(
-      avi::poincare(menu.orbit.energy, menu.orbit.start, choice.monitor), choice.order);
+  Collocation<Pilot::Problem> whole(avi::poincare(menu.orbit.energy, menu.orbit.start, choice.monitor),
+                                    choice.order);
   const double energy = menu.orbit.energy_at_start();
   for (int restarts = 0;; ++restarts) {
     solution.state = menu.orbit.start;
@@ -112,7 +109,7 @@ template <class H, int n>
   avi::require(std::isfinite(t_end) && t_end >= start.t, "End time", t_end,
                "finite and not before the start");
   avi::require(tolerance >= 1e-13 && tolerance <= 1e-2, "Tolerance", tolerance, "in [1e-13, 1e-2]");
-  EnergyRun<dynamic> found = detail::solve(avi::detail::Menu({hamiltonian, start}), t_end, tolerance);
+  EnergyRun<dynamic> found = detail::solve(Menu({hamiltonian, start}), t_end, tolerance);
   return {.state = {.q = found.state.q, .p = found.state.p, .t = found.state.t},
           .run = std::move(found.run),
           .choice = std::move(found.choice),

@@ -34,7 +34,7 @@ struct Parting {
   /// Neighbours part in proportion to time, growth 2, and have not come to where they part no more.
   [[nodiscard]] bool regular() const { return growth < 3.0 && distance < 3e7; }
 };
-Parting parting(const Scene& scene, const avi::MonitorChoice& choice) {
+Parting parting(const Scene& scene, const MonitorChoice& choice) {
   std::vector<avi::VectorX> orbit;
   const double apart = 1e-9 * (scene.start.q.norm() + 1e-3);
   double most[2] = {0.0, 0.0};
@@ -62,7 +62,7 @@ struct Series : ErrorSeries {
   double worst_first = 0.0, worst_last = 0.0;  ///< In the first and the last tenth.
   double rounding = 0.0;  ///< Half a unit in the last place of the largest kinetic energy, for each step.
 };
-Series follow(const Scene& scene, const avi::MonitorChoice& choice, double end) {
+Series follow(const Scene& scene, const MonitorChoice& choice, double end) {
   Series series;
   auto method = avi::collocation(poincare(scene.energy, scene.start, choice.monitor), choice.order);
   Point z = scene.start;
@@ -94,7 +94,7 @@ void measure_drift(const Frame& frame, const std::vector<Scene>& scenes, int rep
     const double end = repeats * scene.time;
     // The step that keeps the tolerance over a hundred periods; shorter where a step on the way cannot be
     // solved, as energy_run() does it.
-    avi::MonitorChoice choice = energy_run(scene.energy, scene.start, 10.0 * scene.time, 1e-6).choice;
+    MonitorChoice choice = energy_run(scene.energy, scene.start, 10.0 * scene.time, 1e-6).choice;
     Series series;
     for (int attempt = 0; choice.reached && attempt <= detail::most_restarts; ++attempt) {
       if (attempt > 0) choice.h *= 0.7;

@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/automatic/phase_function.hpp"
+#include "avi/autodiff/formula.hpp"
 #include "avi/core/state.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ using avi::Recorded;
 /// A monitor made by hand: a length (or the like) of the problem to a power.
 struct HandMade {
   std::string name;
-  avi::PhaseFunction monitor;
+  avi::Formula monitor;
 };
 
 /// A problem with its orbit. The held-out ones were fixed before any formula was tuned, and not looked at
@@ -28,7 +28,7 @@ struct HandMade {
 struct Scene {
   std::string name;
   bool held_out;
-  avi::PhaseFunction energy;
+  avi::Formula energy;
   avi::State<avi::dynamic> start;
   double time;
   std::vector<HandMade> hand_made;
@@ -54,7 +54,7 @@ class Scenes : public std::vector<Scene> {
     const auto n = static_cast<Eigen::Index>(q.size());
     push_back({name,
                held_out,
-               avi::phase_function(energy, n),
+               avi::Formula::of_phase(energy, n),
                {.q = Eigen::Map<Eigen::VectorXd>(q.data(), n), .p = Eigen::Map<Eigen::VectorXd>(p.data(), n)},
                time,
                {}});
@@ -62,7 +62,8 @@ class Scenes : public std::vector<Scene> {
       for (const double power : scale.powers)
         back().hand_made.push_back(
             {fmt::format("{}^{:.2f}", scale.name, power),
-             avi::phase_function([&](const V& x, const V& y) { return pow(scale.scale(x, y), power); }, n)});
+             avi::Formula::of_phase([&](const V& x, const V& y) { return pow(scale.scale(x, y), power); },
+                                    n)});
   }
 };
 

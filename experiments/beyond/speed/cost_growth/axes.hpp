@@ -11,7 +11,7 @@
 
 namespace experiment {
 
-/// One piece of work to be timed and how it went. (RunnerOf is a method with its run; here the piece may be
+/// One piece of work to be timed and how it went. (MethodOf is a method; here the piece may be
 /// an expansion, a sweep or a gradient as well.)
 struct Measurement {
   std::string subject{};  ///< Method, and monitor where it has one.

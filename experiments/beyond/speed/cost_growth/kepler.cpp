@@ -21,20 +21,21 @@ constexpr double period = 2.0 * M_PI;
 // large at the pericentre, which at 1e-4 would be what limits h.
 constexpr double target = 1e-6, tolerance = 0.03;
 
-Measurement measured(std::string subject, double value, const Runner& runner, const State2& start, double h,
+Measurement measured(std::string subject, double value, const Method2& runner, const State2& start, double h,
                      double time) {
   const Attempt made =
       attempt(runner, start, h, {.time = time, .steps = 10'000'000, .energy_error = HUGE_VAL});
   return {std::move(subject), value, made.run.steps, made.run.evaluations, made.energy_error, [=] {
             State2 z = start;
-            (void)runner.prepare(start)(z, h, {.time = time});
+            avi::AnyMethod<2> method = runner.make(start);
+            (void)avi::integrate(method, z, h, {.time = time});
           }};
 }
 
 /// The step whose largest energy error over one orbit is the target, within `tolerance` where there is one:
 /// halved from `h` until the run comes near, then corrected on logarithms by order 4. NaN where that takes
 /// more than `cap` steps.
-double calibrated(const Runner& runner, const State2& start, double h, long cap) {
+double calibrated(const Method2& runner, const State2& start, double h, long cap) {
   const Limits limits{.time = period, .steps = cap, .energy_error = 100.0 * target};
   const auto error = [&](double tried) {
     const Attempt made = attempt(runner, start, tried, limits);
@@ -67,7 +68,7 @@ Axis along_eccentricity(bool quick) {
   // h r^m <= r^1.5 r^(1/4) there, and h <= 1 at the apocentre; an orbit then takes the integral of r^-m dt /
   // h steps, which grows as r^(1.5 - m) for m > 1.5, and as a logarithm for m = 1.5.
   const auto survey = [&](const std::string& name, const PositionMonitor& monitor, double m, double first) {
-    const Runner runner = stationary_r3_gauss2(monitor);
+    const Method2 runner = stationary_r3_gauss2(monitor);
     const double limited = std::max(0.0, 1.75 - m), power = -limited - std::max(0.0, m - 1.5);
     double h = first;
     // A fixed step soon needs more steps than the cap: its points are closer together.
@@ -98,7 +99,7 @@ Axis along_eccentricity(bool quick) {
 Axis along_horizon(bool quick) {
   Axis axis{"periods"};
   const State2 start = avi::Kepler::pericentre(0.9);
-  const auto survey = [&](const std::string& name, const Runner& runner, double h) {
+  const auto survey = [&](const std::string& name, const Method2& runner, double h) {
     for (double periods : {1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0})
       if (!quick || periods < 50.0)
         axis.runs.push_back(measured(name, periods, runner, start, h, periods * period));
@@ -117,14 +118,16 @@ Axis along_order() {
   constexpr double h = 0.05;
   Axis axis{"order"};
   for (int r = 0; r <= 15; ++r) {
-    const Runner runner = stationary(2 * r + 2, monitor);
+    const Method2 runner = stationary(2 * r + 2, monitor);
     const avi::Until until{.steps = 100};
     State2 z = start;
-    const avi::Run run = runner.prepare(start)(z, h, until);
+    avi::AnyMethod<2> method = runner.make(start);
+    const avi::Run run = avi::integrate(method, z, h, until);
     axis.runs.push_back({"stationary", static_cast<double>(r), run.steps, run.evaluations, unknown,
                          [=] {
                            State2 moved = start;
-                           (void)runner.prepare(start)(moved, h, until);
+                           avi::AnyMethod<2> fresh = runner.make(start);
+                           (void)avi::integrate(fresh, moved, h, until);
                          },
                          static_cast<double>(run.evaluations)});
   }

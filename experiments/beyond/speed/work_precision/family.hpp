@@ -57,7 +57,7 @@ double block_seconds(const Work& work, int repeats) {
   return best / repeats;
 }
 
-enum class Origin { ours_explicit, collocation, htvi, peer };
+enum class Origin { ours_explicit, collocation, htvi, peer, front_door };
 
 /// A method with the list of its settings, from coarse to fine.
 struct Family {

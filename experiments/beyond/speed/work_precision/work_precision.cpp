@@ -5,6 +5,8 @@
 
 #include "common/frame.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -2,7 +2,7 @@
 #include "beyond/stability/bregman_extremes/overflow.hpp"
 #include "common/rules/rules.hpp"
 
-#include "avi/bregman/bregman_cloning.hpp"
+#include "common/rules/bregman_cloning.hpp"
 
 #include <string>
 
@@ -14,7 +14,7 @@ namespace experiment {
 
 /// Largest z = h omega at which the stages of a composition are stable on x'' = -omega^2 x: the least z where
 /// |trace| of the step's matrix exceeds 2.
-inline double linear_limit(const avi::MergedStages& stages) {
+inline double linear_limit(const experiment::MergedStages& stages) {
   const auto stable = [&](double z) {
     double m[2][2] = {{1.0, 0.0}, {0.0, 1.0}};  // columns: images of (x, v) = (1, 0) and (0, 1)
     for (auto& [x, v] : m) {
@@ -35,8 +35,10 @@ inline double linear_limit(const avi::MergedStages& stages) {
 /// leapfrogs it is 2: C h^2 P^2 t^(p-2s) lambda_max < 4.
 inline double linear_limit(const std::string& method) {
   if (method == "runge_kutta_4") return 2.0 * std::sqrt(2.0);  // |R(iz)| = 1
-  for (const auto composition : {avi::CloneComposition::yoshida4, avi::CloneComposition::yoshida6})
-    if (method == avi::clone_name(composition)) return linear_limit(avi::merged_stages(composition));
+  for (const auto composition :
+       {experiment::CloneComposition::yoshida4, experiment::CloneComposition::yoshida6})
+    if (method == experiment::clone_name(composition))
+      return linear_limit(experiment::merged_stages(composition));
   return 2.0;
 }
 

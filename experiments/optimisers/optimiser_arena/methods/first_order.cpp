@@ -1,6 +1,6 @@
 #include "optimisers/optimiser_arena/meter.hpp"
 
-#include "avi/optim/update_rules.hpp"
+#include "common/rules/update_rules.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -85,9 +85,9 @@ void add(std::vector<Method>& all, const std::string& name, double usual) {
 std::vector<Method> first_order_methods() {
   std::vector<Method> all{
       {"nag_restart", {nag_restart}}, {"barzilai_borwein", {barzilai_borwein}}, {"adgd", {adgd}}};
-  add<avi::Adam>(all, "adam", 1e-3);
-  add<avi::AdaGrad>(all, "adagrad", 1e-2);
-  add<avi::RmsProp>(all, "rmsprop", 1e-2);
+  add<experiment::Adam>(all, "adam", 1e-3);
+  add<experiment::AdaGrad>(all, "adagrad", 1e-2);
+  add<experiment::RmsProp>(all, "rmsprop", 1e-2);
   return all;
 }
 

@@ -1,6 +1,6 @@
 #include "optimisers/optimiser_arena/problems/problem.hpp"
 
-#include "avi/problems/correlated_quartic.hpp"
+#include "common/problems/correlated_quartic.hpp"
 
 namespace arena {
 
@@ -36,7 +36,7 @@ Problem quadratic(const std::string& name, double kappa, Index n) {
 }
 
 Problem quartic(const std::string& name, Index n) {
-  const avi::CorrelatedQuartic f(n);
+  const experiment::CorrelatedQuartic f(n);
   return {name, f.start(), f};
 }
 

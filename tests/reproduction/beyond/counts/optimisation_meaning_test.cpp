@@ -43,7 +43,7 @@ TEST(OrderEquivalence, OnlyTheClockTellsAdaptiveFromDirect) {
 
 /// First passage and sustained convergence of a setting.
 experiment::Sustained sustained(const Setting& s) {
-  const avi::CorrelatedQuartic f;
+  const experiment::CorrelatedQuartic f;
   experiment::Sustained seen;
   experiment::run_setting(s, f, f.start(), {.delta = 0.0, .iterations = seen.cap}, seen);
   return seen;

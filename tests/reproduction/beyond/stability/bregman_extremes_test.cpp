@@ -1,6 +1,6 @@
 #include "avi/bregman/bregman_htvi.hpp"
 #include "avi/optim/run_updates.hpp"
-#include "avi/problems/correlated_quartic.hpp"
+#include "common/problems/correlated_quartic.hpp"
 #include "common/table.hpp"
 
 #include <gtest/gtest.h>
@@ -105,7 +105,7 @@ TEST(Runs, AnObjectiveThatSwallowsNanConvergesNowhere) {
 
 TEST(HeavyBall, GivesThePublishedCounts) {
   // They are made with the momentum form; these three do not hang on the last bit.
-  const avi::CorrelatedQuartic f;
+  const experiment::CorrelatedQuartic f;
   const auto count = [&](double p, double p_ring, double h) {
     return avi::run_updates(
                f, avi::BregmanHeavyBall{.family = avi::BregmanFamily::adaptive(p, p_ring), .h = h}, f.start())
@@ -131,7 +131,7 @@ TEST(HeavyBall, StopsWithANameAtItsEndAndKeepsTheLastGoodPoint) {
 
 TEST(HeavyBall, StartsAtAnyTime) {
   // At t = 1e100 the momentum form's t^4 has overflowed; the log clock runs, and slowly descends.
-  const avi::CorrelatedQuartic f;
+  const experiment::CorrelatedQuartic f;
   const avi::BregmanFamily family = avi::BregmanFamily::adaptive(4.0, 1.0);
   const avi::BregmanStart from{.t = 1e100, .momentum = 0.0};
   const double h = 9e-180;

@@ -4,7 +4,7 @@
 
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"
-#include "avi/problems/perturbed_kepler.hpp"
+#include "common/problems/perturbed_kepler.hpp"
 
 #include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
 #include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
@@ -78,7 +78,8 @@ bool added_in_line(Scene& scene, const Equations& equations) {
 
 void add_odeint(Scene& scene, const Equations& equations) {
   const auto called = [](const Equations& its) { return its.field; };
-  if (added_in_line<avi::Kepler>(scene, equations) || added_in_line<avi::PerturbedKepler>(scene, equations) ||
+  if (added_in_line<avi::Kepler>(scene, equations) ||
+      added_in_line<experiment::PerturbedKepler>(scene, equations) ||
       added_in_line<avi::HenonHeiles>(scene, equations) || added_in_line<UnitBodies<3>>(scene, equations) ||
       added_in_line<UnitBodies<7>>(scene, equations) || added_in_line<avi::NBody<6, 3>>(scene, equations))
     return;

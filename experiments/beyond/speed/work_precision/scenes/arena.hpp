@@ -1,7 +1,7 @@
 #pragma once
 #include "beyond/speed/work_precision/family.hpp"
 #include "beyond/speed/work_precision/peers/peers.hpp"
-#include "common/methods/runner.hpp"
+#include "common/methods/method_of_orbit.hpp"
 #include "common/reference.hpp"
 #include "common/table.hpp"
 
@@ -50,7 +50,7 @@ struct Arena {
   template <class Make>
   void add(Scene& scene, Origin origin, std::string method, int order, std::string knob,
            std::vector<double> settings, Make make) const {
-    const RunnerOf<n> runner(problem, [its = problem, make](const auto& z) { return make(its, z); });
+    const MethodOf<n> runner(problem, [its = problem, make](const auto& z) { return make(its, z); });
     scene.families.push_back(
         {std::move(method), order, origin, std::move(knob), std::move(settings),
          [arena = *this, runner](const Request& request) { return arena.run(request, runner); }});
@@ -72,10 +72,21 @@ struct Arena {
 
   /// f, for Equations.
   static int field(double, const double* y, double* f, void* self) {
-    using Vec = avi::Vector<double, n>;
     auto& counted = *static_cast<RightHandSide*>(self);
     ++counted.evaluations;
     const P& its = *static_cast<const P*>(counted.problem);
+    if constexpr (requires { its.rates(y, f); }) {
+      its.rates(y, f);
+      return 0;
+    } else {
+      return field_of(its, y, f);
+    }
+  }
+
+ private:
+  /// f, from the derivatives that P has.
+  static int field_of(const P& its, const double* y, double* f) {
+    using Vec = avi::Vector<double, n>;
     const Vec q = Eigen::Map<const Vec>(y);
     if constexpr (UnitMasses<P>) {
       // Entry by entry: a whole vector that is read just after its entries were written would cost GSL 40 %.
@@ -93,28 +104,26 @@ struct Arena {
     return 0;
   }
 
- private:
   /// One run of a method of ours, as a request wants it.
-  [[nodiscard]] Result run(const Request& request, const RunnerOf<n>& runner) const {
+  [[nodiscard]] Result run(const Request& request, const MethodOf<n>& runner) const {
     const avi::Until until{.time = horizon, .steps = request.step_cap};
     const avi::State<n>& begin = at(request.start);
     avi::State<n> z = begin;
     avi::Run run;
+    avi::AnyMethod<n> method = runner.make(begin);
     Result result;
     if (request.watch_energy) {
       const double energy = runner.energy(begin);
-      run = runner.advance(begin, z, request.setting, until, [&](const avi::State<n>& s) {
+      run = avi::integrate(method, z, request.setting, until, [&](const avi::State<n>& s, long) {
         result.energy_error = std::max(result.energy_error, std::abs(runner.energy(s) - energy));
-        return true;
       });
     } else {
-      const auto timed = runner.prepare(begin);
       // A method that has run begins with what it has learned: what its first run gives counts.
       bool anew = true;
       result.seconds = block_seconds(
           [&] {
             avi::State<n> moved = begin;
-            const avi::Run made = timed(moved, request.setting, until);
+            const avi::Run made = avi::integrate(method, moved, request.setting, until);
             if (std::exchange(anew, false)) z = moved, run = made;
           },
           request.repeats);

@@ -3,15 +3,15 @@
 
 #include "avi/collocation/collocation.hpp"
 #include "avi/htvi/htvi.hpp"
-#include "avi/integrators/adaptive_verlet.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/composition.hpp"
-#include "avi/integrators/hairer_soderlind.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/integrators/splitting.hpp"
 #include "avi/integrators/stormer_verlet.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
+#include "common/methods/adaptive_verlet.hpp"
+#include "common/methods/hairer_soderlind.hpp"
 
 #include <fmt/format.h>
 
@@ -75,16 +75,16 @@ void add_reversible(Scene& scene, const Arena<P>& arena) {
   const auto add = [&](const char* name, int order, double coarse, double ratio, auto make) {
     arena.add(scene, Origin::ours_explicit, name, order, "g=r^1.5 h", geometric(coarse, ratio, 30), make);
   };
-  const avi::PowerOfRadius monitor{1.5};
+  const experiment::PowerOfRadius monitor{1.5};
   const auto reversible = [=](const avi::CompositionCoefficients& list) {
     return [=](const P& problem, const auto&) {
-      return avi::HairerSoderlind(avi::splitting<sum>(avi::Separable<P>(problem), list), monitor);
+      return experiment::HairerSoderlind(avi::splitting<sum>(avi::Separable<P>(problem), list), monitor);
     };
   };
   add("adaptive_verlet", 2, 0.1, 0.6,
-      [=](const P& problem, const auto&) { return avi::AdaptiveVerlet(problem, monitor); });
+      [=](const P& problem, const auto&) { return experiment::AdaptiveVerlet(problem, monitor); });
   add("adaptive_verlet_kahan_li8", 8, 1.0, 0.8, [=](const P& problem, const auto&) {
-    return avi::Composition(avi::AdaptiveVerlet(problem, monitor), c::kahan_li8);
+    return avi::Composition(experiment::AdaptiveVerlet(problem, monitor), c::kahan_li8);
   });
   add("hairer_soderlind", 2, 0.1, 0.6, reversible(c::strang));
   add("hairer_soderlind_kahan_li8", 8, 1.0, 0.8, reversible(c::kahan_li8));

@@ -2,8 +2,8 @@
 #include "beyond/speed/work_precision/scenes/families.hpp"
 #include "beyond/speed/work_precision/scenes/scenes.hpp"
 
-#include "avi/problems/chain.hpp"
-#include "avi/problems/outer_solar_system.hpp"
+#include "common/problems/chain.hpp"
+#include "common/problems/outer_solar_system.hpp"
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ struct PairRates {
 };
 
 /// The chain as T(p) + V(q).
-struct LongChain : avi::Chain {
+struct LongChain : experiment::Chain {
   static constexpr int dimension = 64;
   template <class S>
   avi::Vector<S, 64> potential_gradient(const avi::Vector<S, 64>& q) const {
@@ -66,7 +66,7 @@ Scene star_cluster() {
 }
 
 Scene solar_system(double horizon) {
-  const Arena arena(avi::OuterSolarSystem::problem(), horizon, avi::OuterSolarSystem::start());
+  const Arena arena(experiment::OuterSolarSystem::problem(), horizon, experiment::OuterSolarSystem::start());
   Scene scene{"solar_system", unknown, horizon, fmt::format("{:.0f} days", horizon)};
   set_extended_reference(scene, arena, false, 60.0L);
   add_fixed(scene, arena, 100.0);
@@ -76,7 +76,7 @@ Scene solar_system(double horizon) {
 }
 
 Scene chain() {
-  const avi::State<avi::dynamic> plucked = avi::Chain::plucked(64);
+  const avi::State<avi::dynamic> plucked = experiment::Chain::plucked(64);
   const Arena arena(LongChain{}, 100.0, {.q = plucked.q, .p = plucked.p});
   Scene scene{"chain64", unknown, 100.0, "100"};
   set_extended_reference(scene, arena, false, 0.25L);

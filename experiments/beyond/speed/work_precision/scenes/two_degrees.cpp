@@ -3,10 +3,10 @@
 #include "common/extrapolation.hpp"
 #include "common/reference.hpp"
 
-#include "avi/problems/double_pendulum.hpp"
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"
-#include "avi/problems/perturbed_kepler.hpp"
+#include "common/problems/double_pendulum.hpp"
+#include "common/problems/perturbed_kepler.hpp"
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ void add_kepler_methods(Scene& scene, const Arena<P>& arena) {
 }
 
 /// The double pendulum with its gradient by hand.
-struct Pendulums : avi::DoublePendulum {
+struct Pendulums : experiment::DoublePendulum {
   template <class S>
   avi::Vector<S, 2> d_dq(const avi::Vector<S, 2>& q, const avi::Vector<S, 2>& p) const {
     using std::cos, std::sin;
@@ -55,7 +55,7 @@ Scene kepler(double eccentricity, double horizon, const std::string& horizon_nam
 }
 
 Scene perturbed_kepler(double eccentricity, double horizon, const std::string& horizon_name) {
-  const Arena arena(avi::PerturbedKepler(1e-3), horizon, avi::Kepler::pericentre(eccentricity));
+  const Arena arena(experiment::PerturbedKepler(1e-3), horizon, avi::Kepler::pericentre(eccentricity));
   Scene scene{"perturbed_kepler", eccentricity, horizon, horizon_name};
   set_extended_reference(scene, arena, true, 0.1L);
   add_kepler_methods(scene, arena);
@@ -74,7 +74,7 @@ Scene henon_heiles(double horizon) {
 }
 
 Scene double_pendulum(double horizon) {
-  const Arena arena(Pendulums{}, horizon, avi::DoublePendulum::released(1.2, 0.8));
+  const Arena arena(Pendulums{}, horizon, experiment::DoublePendulum::released(1.2, 0.8));
   Scene scene{"double_pendulum", unknown, horizon, fmt::format("{:g}", horizon)};
   set_reference(scene, arena, [](const avi::State<2>& start, long double fraction) {
     return Extrapolation<Pendulums>({}, start, 0.25L * fraction);

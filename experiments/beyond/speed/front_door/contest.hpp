@@ -1,0 +1,99 @@
+#pragma once
+#include "beyond/speed/work_precision/scenes/arena.hpp"
+#include "common/extrapolation.hpp"
+
+#include "avi/solve.hpp"
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// @file
+/// A problem over a span of time, with everybody who takes part: avi::solve() as a user calls it, and the
+/// integrators of other libraries.
+
+namespace experiment::front_door {
+
+using work_precision::Family;
+using work_precision::Result;
+
+/// One race.
+struct Contest {
+  std::vector<Family> families;  ///< `avi`, `avi_unchecked`, then the peers; settings are tolerances.
+  std::function<double(const Result&)> error;  ///< |q - exact position| at the end.
+  /// A call of avi::solve() once more, for what it reports.
+  std::function<avi::SolutionReport(double tolerance, bool check)> call;
+  double reference_error = 0.0;  ///< Of the exact position: what another step of the reference makes of it.
+};
+
+/// Position at the end by extrapolation of order 20 in long double, which shares nothing with the methods
+/// that race; `steps` are its steps.
+template <class P>
+Eigen::VectorXd extrapolated_end(const P& problem, const avi::State<P::dimension>& start, double span,
+                                 long steps) {
+  using Vec = avi::Vector<long double, 2 * P::dimension>;
+  const auto field = [&](const Vec& y) {
+    Vec f;
+    problem.rates(y.data(), f.data());
+    return f;
+  };
+  Vec y, low = Vec::Zero();
+  y << start.q.template cast<long double>(), start.p.template cast<long double>();
+  const long double h = static_cast<long double>(span) / steps;
+  for (long k = 0; k < steps; ++k)
+    avi::add<avi::Summation::compensated, Vec>(y, low, extrapolated_step<10>(field, y, h) - y);
+  return y.template head<P::dimension>().template cast<double>();
+}
+
+/// avi::solve() as a family: the whole call is timed. Evaluations are those of the field at one stage, trials
+/// included.
+template <class P>
+Family door(const P& problem, const avi::State<P::dimension>& start, double span, bool check) {
+  const auto run = [=](const work_precision::Request& request) {
+    avi::Solution<P::dimension> found;
+    Result result;
+    result.seconds = work_precision::block_seconds(
+        [&] { found = avi::solve(problem, start, span, request.setting, {.check = check}); },
+        request.repeats);
+    result.ok = found.ok();
+    result.q = found.state.q;
+    result.t = found.state.t;
+    result.steps = found.run.steps;
+    result.evaluations = found.run.evaluations * found.choice.order / 2;
+    for (const avi::SolveTrial& trial : found.choice.trials)
+      result.evaluations += trial.sweeps * trial.order / 2;
+    return result;
+  };
+  return {check ? "avi" : "avi_unchecked", 0, work_precision::Origin::front_door, "tolerance", {}, run};
+}
+
+/// The race of `problem` from `start` over `span`; `exact` is the position at its end.
+template <class P>
+Contest contest(const P& problem, const avi::State<P::dimension>& start, double span, Eigen::VectorXd exact) {
+  const work_precision::Arena<P> arena(problem, span, start);
+  work_precision::Scene scene;
+  scene.families = {door(problem, start, span, true), door(problem, start, span, false)};
+  work_precision::add_peers(scene, arena.equations());
+  return {std::move(scene.families),
+          [exact = std::move(exact)](const Result& result) { return (result.q - exact).norm(); },
+          [=](double tolerance, bool check) -> avi::SolutionReport {
+            return avi::solve(problem, start, span, tolerance, {.check = check});
+          }};
+}
+
+/// Same with the extrapolated end, from `h` on; its own error is the difference from three quarters of that.
+template <class P>
+Contest contest(const P& problem, const avi::State<P::dimension>& start, double span, double h) {
+  const auto end = [&](double step) {
+    return extrapolated_end(problem, start, span, static_cast<long>(std::ceil(span / step)));
+  };
+  const Eigen::VectorXd exact = end(h);
+  Contest made = contest(problem, start, span, exact);
+  made.reference_error = (end(0.75 * h) - exact).norm();
+  return made;
+}
+
+}  // namespace experiment::front_door

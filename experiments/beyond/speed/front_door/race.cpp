@@ -1,0 +1,123 @@
+#include "beyond/speed/front_door/race.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace experiment::front_door {
+namespace {
+
+constexpr double finest_target = targets[std::size(targets) - 1];
+
+class Race {
+ public:
+  Race(const Contest& contest, const Budget& budget) : contest_(contest), budget_(budget) {}
+
+  Outcome result() {
+    for (std::size_t i = 0; i < contest_.families.size(); ++i)
+      scan(i);
+    measure();
+    Outcome outcome{points_, {}};
+    for (const double target : targets)
+      outcome.cells.push_back(
+          {target, best(0, 0, target), best(1, 1, target), best(2, contest_.families.size() - 1, target)});
+    return outcome;
+  }
+
+ private:
+  /// One run, and two more where it was short.
+  Point tried(std::size_t family, double setting) {
+    Result result = contest_.families[family].run({.setting = setting, .step_cap = step_cap_});
+    if (result.seconds < 1e-3)
+      for (int again = 0; again < 2; ++again)
+        result.seconds =
+            std::min(result.seconds,
+                     contest_.families[family].run({.setting = setting, .step_cap = step_cap_}).seconds);
+    const double error = result.ok ? contest_.error(result) : std::numeric_limits<double>::infinity();
+    if (family >= 2 && error <= finest_target) needed_ = std::min(needed_, result.seconds);
+    return points_.emplace_back(Point{family, setting,
+                                      std::isnan(error) ? std::numeric_limits<double>::infinity() : error,
+                                      result.seconds, result.evaluations, result.steps});
+  }
+
+  void scan(std::size_t family) {
+    const bool ours = family < 2;
+    const double half = std::sqrt(0.1), finest = ours ? 1e-13 : 1e-15;
+    std::vector<double> passed(std::size(targets), 0.0);  // the first setting that passes
+    double previous = 0.0, least = std::numeric_limits<double>::infinity();
+    int stale = 0;
+    step_cap_ = 300'000;
+    for (double setting = 1e-2; setting > 0.7 * finest; previous = setting, setting *= half) {
+      const Point point = tried(family, setting);
+      for (std::size_t i = 0; i < std::size(targets); ++i)
+        if (passed[i] == 0.0 && point.error <= targets[i]) {
+          passed[i] = setting;
+          if (previous > 0.0 && (i == 0 || passed[i - 1] != setting)) refine(family, previous, setting);
+        }
+      if (point.error <= 0.5 * finest_target || point.seconds > budget_.longest_run) break;
+      if (family >= 2 && point.seconds > 3.0 * needed_) break;           // another peer is there already
+      if (!ours && least < 1e-3 && !(point.error < 1e3 * least)) break;  // where it asks too much, it fails
+      if (setting < 1e-8 && least > 0.1) break;                          // chaos
+      stale = point.error < 0.7 * least ? 0 : stale + 1;
+      if (least = std::min(least, point.error); !ours && least < 1e-3 && stale >= 5) break;  // rounding
+      step_cap_ = std::min(300'000L, 4 * point.steps + 1000);
+    }
+  }
+
+  /// Settings between two.
+  void refine(std::size_t family, double coarse, double fine) {
+    for (int k = 1; k <= budget_.refined; ++k)
+      tried(family, coarse * std::pow(fine / coarse, k / (budget_.refined + 1.0)));
+  }
+
+  /// The three that look cheapest of those that reach a target.
+  std::vector<std::size_t> cheapest(std::size_t first, std::size_t last, double target) const {
+    std::vector<std::size_t> list;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      if (points_[i].family >= first && points_[i].family <= last && points_[i].error <= target)
+        list.push_back(i);
+    std::ranges::sort(list, {}, [&](std::size_t i) { return points_[i].seconds; });
+    if (list.size() > 3) list.resize(3);
+    return list;
+  }
+
+  void measure() {
+    std::vector<std::size_t> chosen;
+    for (const double target : targets)
+      for (const auto& list : {cheapest(0, 0, target), cheapest(1, 1, target),
+                               cheapest(2, contest_.families.size() - 1, target)})
+        chosen.insert(chosen.end(), list.begin(), list.end());
+    std::ranges::sort(chosen);
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+    for (int round = 0; round < budget_.rounds; ++round)
+      for (const std::size_t i : chosen) {
+        Point& point = points_[i];
+        const int repeats = static_cast<int>(std::clamp(budget_.least_block / point.seconds, 1.0, 1e4));
+        const double seconds =
+            contest_.families[point.family].run({.setting = point.setting, .repeats = repeats}).seconds;
+        point.seconds = point.measured ? std::min(point.seconds, seconds) : seconds;
+        point.measured = true;
+      }
+  }
+
+  std::optional<Point> best(std::size_t first, std::size_t last, double target) const {
+    const Point* found = nullptr;
+    for (const Point& point : points_)
+      if (point.measured && point.family >= first && point.family <= last && point.error <= target &&
+          (!found || point.seconds < found->seconds))
+        found = &point;
+    return found ? std::optional(*found) : std::nullopt;
+  }
+
+  const Contest& contest_;
+  const Budget& budget_;
+  std::vector<Point> points_;
+  double needed_ = std::numeric_limits<double>::infinity();  // seconds of a peer that reached the last target
+  long step_cap_ = 0;
+};
+
+}  // namespace
+
+Outcome race(const Contest& contest, const Budget& budget) { return Race(contest, budget).result(); }
+
+}  // namespace experiment::front_door

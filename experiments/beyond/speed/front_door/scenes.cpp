@@ -1,0 +1,123 @@
+#include "beyond/speed/front_door/scenes.hpp"
+#include "beyond/speed/front_door/formulas.hpp"
+#include "beyond/speed/front_door/more_formulas.hpp"
+
+#include "avi/problems/henon_heiles.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/problems/n_body.hpp"
+#include "avi/problems/pendulum.hpp"
+#include "common/problems/outer_solar_system.hpp"
+#include "common/reference.hpp"
+
+#include <fmt/format.h>
+
+namespace experiment::front_door {
+namespace {
+
+const std::vector<double> up_to_a_thousand{1.0, 10.0, 100.0, 1000.0};
+
+Scene kepler(double e) {
+  const avi::State<2> start = avi::Kepler::pericentre(e);
+  return {fmt::format("kepler_{:g}", e), "one body", false, 2.0 * M_PI, up_to_a_thousand, [=](double span) {
+            return contest(Kepler{}, start, span, Eigen::VectorXd(work_precision::exact_kepler(start, span)));
+          }};
+}
+
+/// A scene whose reference has steps of `h`.
+template <class P>
+Scene scene(const char* name, const char* kind, bool held_out, double unit, std::vector<double> horizons,
+            const P& problem, const avi::State<P::dimension>& start, double h) {
+  return {name, kind, held_out, unit, std::move(horizons), [=](double span) {
+            return contest(problem, start, span, h);
+          }};
+}
+
+avi::State<14> cluster() {
+  avi::State<14> z;
+  z.q << 1.0, 0.1, -0.9, 0.4, 0.2, -0.8, -0.3, 0.9, 0.5, 0.6, -0.6, -0.5, 0.1, 0.15;
+  z.p << -0.3, 0.9, 0.2, -0.8, 0.9, 0.1, -0.7, -0.4, -0.5, 0.6, 0.5, -0.7, -0.1, 0.3;
+  return z;
+}
+
+Planets<6> planets() {
+  Planets<6> made{{}, OuterSolarSystem::gravity};
+  for (int i = 0; i < 6; ++i)
+    made.mass[static_cast<std::size_t>(i)] = OuterSolarSystem::problem().masses()[i] / made.gravity;
+  return made;
+}
+
+/// The start with momenta in solar masses, as the problem above has them.
+avi::State<18> planets_start() {
+  avi::State<18> z = OuterSolarSystem::start();
+  z.p /= OuterSolarSystem::gravity;
+  return z;
+}
+
+/// At the equator, where the field is 1, with a velocity across and along the field.
+avi::State<3> trapped() { return {.q = {1.0, 0.0, 0.0}, .p = {0.0, 1.08, 0.03}}; }
+
+/// The lowest mode of the chain with its ends held.
+template <int masses>
+avi::State<masses> lowest_mode(double amplitude) {
+  avi::State<masses> z;
+  for (int i = 0; i < masses; ++i)
+    z.q[i] = amplitude * std::sin(M_PI * (i + 1) / (masses + 1)), z.p[i] = 0.0;
+  return z;
+}
+
+/// A close pair with e = 0.5 and a third body around it, at rest as a whole.
+constexpr std::array triple_masses{1.0, 0.5, 0.3};
+avi::State<9> triple() {
+  avi::State<9> z;
+  z.q << 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 10.0, 0.0, 1.0;
+  z.p << 0.0, 0.0, 0.0, 0.0, 2.1, 0.0, 0.0, 0.9, 0.0;  // velocities
+  avi::Vector<double, 3> drift = avi::Vector<double, 3>::Zero();
+  for (int i = 0; i < 3; ++i)
+    drift += triple_masses[static_cast<std::size_t>(i)] / 1.8 * z.p.segment<3>(3 * i);
+  for (int i = 0; i < 3; ++i)
+    z.p.segment<3>(3 * i) = triple_masses[static_cast<std::size_t>(i)] * (z.p.segment<3>(3 * i) - drift);
+  return z;
+}
+
+}  // namespace
+
+std::vector<Scene> scenes() {
+  constexpr bool seen = false, held_out = true;
+  const std::vector<double> up_to_a_hundred{1.0, 10.0, 100.0};
+  return {
+      kepler(0.0),
+      kepler(0.5),
+      kepler(0.9),
+      scene("henon_heiles", "potential", seen, 2.0 * M_PI, up_to_a_thousand, HenonHeiles{},
+            avi::HenonHeiles::on_section(1.0 / 12.0, 0.1, 0.0), 0.5),
+      scene("pendulum", "pendulum", seen, avi::Pendulum::period(2.0), up_to_a_thousand, Pendulum{},
+            avi::Pendulum::start(2.0), 0.5),
+      scene("figure_eight", "bodies", seen, avi::FigureEight::period, up_to_a_hundred, UnitBodies<3>{},
+            avi::FigureEight::start(), 0.02),
+      scene("seven_bodies", "bodies", seen, 1.0, {1.0}, UnitBodies<7>{}, cluster(), 0.001),
+      scene("outer_planets", "planets", seen, 4332.0, up_to_a_hundred, planets(), planets_start(), 200.0),
+      scene("fput_16", "chain", seen, 2.0 * M_PI, up_to_a_thousand, Fput<16>{}, lowest_mode<16>(1.0), 0.5),
+      scene("dipole", "not separable", seen, 2.0 * M_PI, up_to_a_thousand, Dipole{}, trapped(), 0.2),
+      scene("planet", "one body", held_out, 0.445, up_to_a_thousand, Planet{},
+            {.q = {0.6, 0.5, 0.2}, .p = {-4.5, 3.0, 1.0}}, 0.01),
+      scene("flattened", "one body", held_out, 2.0 * M_PI, up_to_a_thousand, Flattened{},
+            avi::Kepler::pericentre(0.6), 0.06),
+      scene("double_pendulum", "pendulum", held_out, 8.2, up_to_a_thousand, DoublePendulum{},
+            {.q = {0.6, 0.3}, .p = {0.0, 0.0}}, 0.25),
+      scene("galaxy", "potential", held_out, 2.0 * M_PI, up_to_a_thousand, Galaxy{},
+            {.q = {1.0, 0.0}, .p = {0.1, 0.7}}, 0.1),
+      scene("morse", "potential", held_out, 3.6, up_to_a_thousand, Morse{},
+            {.q = {0.0, 1.3}, .p = {0.3, -0.2}}, 0.2),
+      scene("restricted", "not separable", held_out, 2.0, up_to_a_thousand, Restricted{},
+            {.q = {0.5, 0.0}, .p = {0.0, 1.3}}, 0.03),
+      scene("relativistic", "not separable", held_out, 2.0 * M_PI, up_to_a_thousand, Relativistic{},
+            {.q = {1.5, 0.5}, .p = {0.2, 1.0}}, 0.25),
+      scene("triple", "bodies", held_out, 5.1, up_to_a_hundred, Planets<3>{triple_masses, 1.0}, triple(),
+            0.05),
+      scene("toda_32", "chain", held_out, 2.0 * M_PI, up_to_a_hundred, Toda<32>{}, lowest_mode<32>(2.0), 0.5),
+      scene("shaken", "driven", held_out, 2.0 * M_PI, up_to_a_thousand, Shaken{},
+            {.q = {1.0, 0.0}, .p = {0.0, 0.0}}, 0.25),
+  };
+}
+
+}  // namespace experiment::front_door

@@ -1,0 +1,78 @@
+#pragma once
+#include "avi/core/integrate.hpp"
+#include "avi/core/require.hpp"
+#include "avi/core/state.hpp"
+
+#include <limits>
+#include <utility>
+
+/// @file
+/// Time-reversible control of the step size.
+
+namespace experiment {
+
+using avi::State, avi::StepReport, avi::Outcome, avi::Method;
+
+/// Monitor g = |q|^alpha of one body with unit mass, in the form that the control below needs.
+struct PowerOfRadius {
+  double alpha = 1.5;  ///< Power; 3/2 follows Kepler's third law.
+
+  /// g(q, p).
+  template <class Q, class P>
+  double operator()(const Q& q, const P&) const {
+    return std::pow(q.squaredNorm(), 0.5 * alpha);
+  }
+
+  /// \f$d(1/g)/d\tau = -(\nabla g\cdot f)/g = -\alpha\, q\cdot p/|q|^2\f$ along the flow \f$dt = g\,d\tau\f$.
+  template <class Q, class P>
+  double density_rate(const Q& q, const P& p) const {
+    return -alpha * q.dot(p) / q.squaredNorm();
+  }
+};
+
+/// A symmetric method whose step size h / rho follows 1 / g by integrating it instead of evaluating it
+/// (Hairer and Soderlind, Explicit, time reversible, adaptive step size control, 2005).
+/// \f[ \rho_{1/2} = \rho_0 + \tfrac{h}{2} G(q_0, p_0), \quad
+/// (q_1, p_1) = \Phi_{h/\rho_{1/2}}(q_0, p_0), \quad
+/// \rho_1 = \rho_{1/2} + \tfrac{h}{2} G(q_1, p_1), \quad G = -(\nabla g\cdot f)/g. \f]
+///
+/// Explicit when Phi is, symmetric and reversible, of the order of Phi; not symplectic. `Base` is Phi, any
+/// symmetric Method; `Monitor` gives g(q, p) for the start and density_rate(q, p) = G. rho starts anew as 1 /
+/// g when the state is changed from outside.
+template <class Base, class Monitor>
+class HairerSoderlind {
+ public:
+  /// Around a symmetric method, along the monitor.
+  HairerSoderlind(Base base, Monitor monitor) : base_(std::move(base)), monitor_(std::move(monitor)) {}
+
+  /// The order of the base.
+  [[nodiscard]] int order() const { return base_.order(); }
+  static constexpr bool symplectic = false;  ///< Because of the density.
+  static constexpr bool symmetric = true;    ///< With the density as part of the state.
+  static constexpr bool one_step = false;    ///< A step depends on the density, not on the state alone.
+
+  /// A density that is not positive ends the step as Outcome::diverged: h is too large for this monitor.
+  template <int n>
+  StepReport step(State<n>& z, double h) {
+    static_assert(Method<Base, State<n>>, "The base must be a method for states of this dimension.");
+    // If the rate or the time is not what the last step left, the state was changed from outside.
+    const double start_rate = monitor_.density_rate(z.q, z.p);
+    if (start_rate != rate_ || z.t != time_) rho_ = 1.0 / monitor_(z.q, z.p);
+    const double rho = rho_ + 0.5 * h * start_rate;
+    if (!(rho > 0.0)) return {.outcome = Outcome::diverged};
+    const StepReport report = base_.step(z, h / rho);
+    if (report.outcome != Outcome::ok) return report;
+    rate_ = monitor_.density_rate(z.q, z.p);
+    rho_ = rho + 0.5 * h * rate_;
+    time_ = z.t;
+    return report;
+  }
+
+ private:
+  Base base_;
+  Monitor monitor_;
+  double rho_{}, rate_{};
+  double time_ = std::numeric_limits<double>::quiet_NaN();  // equal to no time: neither is known yet
+};
+
+}  // namespace experiment

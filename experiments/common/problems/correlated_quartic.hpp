@@ -1,0 +1,83 @@
+#pragma once
+#include "avi/core/dot.hpp"
+#include "avi/core/require.hpp"
+
+/// @file
+/// The objective of the paper's optimisation experiments.
+
+namespace experiment {
+
+using avi::VectorX, avi::require, avi::dot;
+
+/// z = Sigma y with Sigma_ij = rho^|i-j|, in O(n): z_i = b_i + a_i with the two recurrences
+/// b_i = y_i + rho b_{i-1} (entries up to i) and a_i = rho (y_{i+1} + a_{i+1}) (entries beyond i).
+///
+/// The order of every operation is that of the recurrences, whatever the vector width.
+inline void multiply_by_correlation(double rho, const VectorX& y, VectorX& z) {
+  const Eigen::Index n = y.size();
+  double beyond = 0.0;
+  for (Eigen::Index i = n; i-- > 0;) {
+    z[i] = beyond;
+    beyond = rho * (beyond + y[i]);
+  }
+  double up_to = 0.0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    up_to = y[i] + rho * up_to;
+    z[i] += up_to;
+  }
+}
+
+/// \f$f(x) = \left[(x - 1)^T \Sigma\, (x - 1)\right]^2\f$, \f$\Sigma_{ij} = \rho^{|i-j|}\f$: equation (4.21)
+/// of the paper, where n = 50 and \f$\rho = 0.9\f$. Convex, minimum 0 at x = 1; the Hessian vanishes there,
+/// so that nothing converges geometrically. \f$\nabla f = 4\, (y^T \Sigma y)\, \Sigma y\f$ with y = x - 1.
+///
+/// Works in memory that it owns: one object serves one thread.
+class CorrelatedQuartic {
+ public:
+  /// In dimension n. @throws std::invalid_argument unless n >= 1 and |rho| < 1.
+  explicit CorrelatedQuartic(Eigen::Index n = 50, double rho = 0.9)
+      : rho_(rho), offset_(positive(n)), image_(n) {
+    require(rho > -1.0 && rho < 1.0, "Correlation rho", rho, "in (-1, 1)");
+  }
+
+  [[nodiscard]] Eigen::Index size() const { return offset_.size(); }         ///< n.
+  [[nodiscard]] VectorX minimiser() const { return VectorX::Ones(size()); }  ///< x = 1, the only one.
+  static constexpr double minimum = 0.0;                                     ///< f there.
+
+  /// The start of the paper's runs, every entry 5: not stated there; recovered from its iteration counts.
+  [[nodiscard]] VectorX start() const { return VectorX::Constant(size(), 5.0); }
+
+  /// Value and gradient. @throws std::invalid_argument for an x of another size.
+  double operator()(const VectorX& x, VectorX& gradient) const {
+    const double form = quadratic_form(x, gradient);
+    gradient *= 4.0 * form;
+    return form * form;
+  }
+
+  /// Value alone.
+  [[nodiscard]] double value(const VectorX& x) const {
+    const double form = quadratic_form(x, image_);
+    return form * form;
+  }
+
+ private:
+  /// Checked before any memory is asked for.
+  static Eigen::Index positive(Eigen::Index n) {
+    require(n >= 1, "Dimension", n, "at least 1");
+    return n;
+  }
+
+  /// (x - 1)^T Sigma (x - 1); the image Sigma (x - 1) is left in z.
+  double quadratic_form(const VectorX& x, VectorX& z) const {
+    require(x.size() == size(), "Size of x", x.size(), "the objective's dimension, ", size());
+    z.resize(size());
+    offset_ = x.array() - 1.0;
+    multiply_by_correlation(rho_, offset_, z);
+    return dot(offset_, z);
+  }
+
+  double rho_;
+  mutable VectorX offset_, image_;
+};
+
+}  // namespace experiment

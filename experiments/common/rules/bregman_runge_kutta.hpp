@@ -1,0 +1,136 @@
+#pragma once
+#include "avi/bregman/bregman_family.hpp"
+#include "avi/core/outcome.hpp"
+#include "avi/integrators/runge_kutta.hpp"
+#include "avi/optim/objective.hpp"
+
+/// @file
+/// Bregman dynamics by explicit Runge-Kutta methods: the paper's non-symplectic baselines (Section 4.5.4).
+
+namespace experiment {
+
+using avi::Outcome, avi::VectorX, avi::require_positive, avi::Iterate, avi::BregmanFamily, avi::BregmanStart,
+    avi::validate, avi::StepControl, avi::Tableau, avi::EmbeddedTableau, avi::RungeKuttaStages,
+    avi::controlled_step;
+
+/// Hamilton's equations of \f$\bar H\f$ in fictive time for z = (q, r, t): \f$q' = kinetic(t)\, r\f$,
+/// \f$r' = -potential(t)\, \nabla f(q)\f$, \f$t' = monitor(t)\f$.
+struct BregmanField {
+  BregmanFamily family;  ///< p, p_ring and C.
+  VectorX q;             ///< Working memory: where the objective is evaluated.
+  VectorX gradient;      ///< Working memory: the gradient there.
+
+  /// The field where the gradient is known.
+  void operator()(const VectorX& z, const VectorX& gradient_at_q, VectorX& dz) const {
+    const Eigen::Index n = q.size();
+    const double t = z[2 * n];
+    dz.head(n) = family.kinetic(t) * z.segment(n, n);
+    dz.segment(n, n) = -family.potential(t) * gradient_at_q;
+    dz[2 * n] = family.monitor(t);
+  }
+
+  /// The field with a gradient taken from the objective f, whose value is returned.
+  template <class F>
+  double evaluate(F& f, const VectorX& z, VectorX& dz) {
+    q = z.head(q.size());
+    const double value = f(q, gradient);
+    (*this)(z, gradient, dz);
+    return value;
+  }
+};
+
+/// The initial z at the first iterate.
+inline VectorX bregman_point(const Iterate& first, const BregmanStart& from) {
+  const Eigen::Index n = first.x.size();
+  VectorX z(2 * n + 1);
+  z << first.x, VectorX::Constant(n, from.momentum), from.t;
+  return z;
+}
+
+/// What a run carries from step to step: z, its stages, and the step to try next.
+template <Tableau T>
+struct BregmanRungeKuttaState {
+  VectorX z;                   ///< The current point (q, r, t).
+  BregmanField field;          ///< z'.
+  RungeKuttaStages<T> stages;  ///< Of the step being taken.
+  double h;                    ///< Fictive step to try next.
+
+  /// At the first iterate.
+  BregmanRungeKuttaState(const Iterate& first, const BregmanFamily& family, const BregmanStart& from,
+                         double step)
+      : z(bregman_point(first, from)), field{.family = family, .q = first.x, .gradient = first.gradient},
+        stages(z.size()), h(step) {}
+
+  /// Makes stages.end the current point.
+  void accept(Iterate& now) {
+    z.swap(stages.end);
+    now.x = z.head(now.x.size());
+    now.evaluated = false;
+  }
+};
+
+/// Fixed fictive step h.
+template <Tableau T>
+struct BregmanRungeKutta {
+  BregmanFamily family;  ///< p, p_ring and C.
+  double h = 1e-3;       ///< Finite and positive.
+  BregmanStart from{};   ///< Time and momentum of the first iterate.
+
+  using State = BregmanRungeKuttaState<T>;  ///< What a run carries from step to step.
+
+  /// State of one run. @throws std::invalid_argument for a parameter out of range.
+  State start(const Iterate& first) const {
+    validate(family, from, h);
+    return {first, family, from, h};
+  }
+
+  /// Advances by the fictive step, with a gradient for every stage but the first.
+  template <class F>
+  Outcome update(State& state, Iterate& now, F& f) const {
+    state.field(state.z, now.gradient, state.stages.k[0]);
+    state.stages.advance([&](const VectorX& z, VectorX& dz) { state.field.evaluate(f, z, dz); }, state.z, h);
+    state.accept(now);
+    return Outcome::ok;
+  }
+};
+
+/// Step size under control of the pair's error estimate. An iteration is an accepted step. The gradient of
+/// the last stage, which is taken at the new point, serves the stopping test and the next step.
+template <EmbeddedTableau T>
+struct BregmanEmbedded {
+  BregmanFamily family;      ///< p, p_ring and C.
+  StepControl control{};     ///< Tolerances and factors.
+  double first_step = 1e-6;  ///< Fictive; finite and positive.
+  BregmanStart from{};       ///< Time and momentum of the first iterate.
+
+  using State = BregmanRungeKuttaState<T>;  ///< What a run carries from step to step.
+
+  /// State of one run. @throws std::invalid_argument for a parameter out of range.
+  State start(const Iterate& first) const {
+    family.validate();
+    from.validate();
+    control.validate();
+    require_positive("First step", first_step);
+    return {first, family, from, first_step};
+  }
+
+  /// Advances by one accepted step; Outcome::not_converged where the cap on rejections is met.
+  template <class F>
+  Outcome update(State& state, Iterate& now, F& f) const {
+    double last_value = now.value;
+    state.field(state.z, now.gradient, state.stages.k[0]);
+    const double taken = controlled_step(
+        state.stages, [&](const VectorX& z, VectorX& dz) { last_value = state.field.evaluate(f, z, dz); },
+        state.z, state.h, control);
+    if (taken == 0.0) return Outcome::not_converged;
+    state.accept(now);
+    if (now.x == state.field.q) {
+      now.value = last_value;
+      now.gradient = state.field.gradient;
+      now.evaluated = true;
+    }
+    return Outcome::ok;
+  }
+};
+
+}  // namespace experiment

@@ -1,0 +1,237 @@
+#pragma once
+#include "avi/core/outcome.hpp"
+#include "avi/core/require.hpp"
+#include "avi/optim/objective.hpp"
+
+#include <cmath>
+
+/// @file
+/// Update rules of others for avi::run_updates(): those that the paper compares with, and gradient descent.
+
+namespace experiment {
+
+using avi::Outcome, avi::VectorX, avi::require, avi::require_positive, avi::Iterate, avi::norm;
+
+/// Gradient descent (Cauchy 1847): \f$x_k = x_{k-1} - h\, \nabla f(x_{k-1})\f$.
+struct GradientDescent {
+  double h = 1e-3;  ///< Step size, finite and positive.
+
+  struct State {};  ///< Nothing is carried.
+
+  /// State of one run. @throws std::invalid_argument for h out of range.
+  State start(const Iterate&) const {
+    require_positive("Step size h", h);
+    return {};
+  }
+
+  /// Moves x once, with the gradient at hand; the loop evaluates at the new x.
+  template <class F>
+  Outcome update(State&, Iterate& now, F&) const {
+    now.x -= h * now.gradient;
+    now.evaluated = false;
+    return Outcome::ok;
+  }
+};
+
+/// Nesterov's accelerated gradient method (Nesterov 1983): gradient steps from a point extrapolated along the
+/// last displacement. \f[ x_k = y_{k-1} - h\, \nabla f(y_{k-1}), \quad y_k = x_k + \frac{k}{k+3}\, (x_k -
+/// x_{k-1}), \quad y_0 = x_0. \f] The paper's equation (4.1) has (k-1)/(k+2): the same sequence counted from
+/// k = 1 instead of from 0. It is k/(k+3) that gives the published counts. The gradient is taken at y, the
+/// stopping test at x: two gradients an iteration; the method alone needs one.
+struct Nag {
+  double h = 1e-3;  ///< Step size, finite and positive.
+
+  /// What a run carries from step to step.
+  struct State {
+    VectorX y;         ///< y_k.
+    VectorX gradient;  ///< Gradient at y_k.
+    VectorX previous;  ///< x_{k-1}.
+    long k = 0;        ///< Iterations made.
+  };
+
+  /// State of one run. @throws std::invalid_argument for h out of range.
+  State start(const Iterate& first) const {
+    require_positive("Step size h", h);
+    return {.y = first.x, .gradient = first.gradient, .previous = first.x};
+  }
+
+  /// Moves x once, with a gradient at y from the second iteration on.
+  template <class F>
+  Outcome update(State& state, Iterate& now, F& f) const {
+    if (state.k > 0) f(state.y, state.gradient);
+    state.previous.swap(now.x);
+    now.x = state.y - h * state.gradient;
+    const double k = static_cast<double>(++state.k);
+    state.y = now.x + (k / (k + 3.0)) * (now.x - state.previous);
+    now.evaluated = false;
+    return Outcome::ok;
+  }
+};
+
+/// ADAM (Kingma and Ba 2015, Algorithm 1): steps scaled by decaying means of gradient and squared gradient.
+/// Element by element, \f[ m \leftarrow
+/// \beta_1 m + (1 - \beta_1)\, g, \quad v \leftarrow \beta_2 v + (1 - \beta_2)\, g^2, \quad x \mathrel{-}=
+/// rate\; \frac{m/(1 - \beta_1^k)}{\sqrt{v/(1 - \beta_2^k)} + \epsilon}. \f]
+struct Adam {
+  double rate = 1e-3;     ///< Step size, positive.
+  double beta_1 = 0.9;    ///< Decay of the mean gradient, in [0, 1).
+  double beta_2 = 0.999;  ///< Decay of the mean squared gradient, in [0, 1).
+  double epsilon = 1e-8;  ///< Added outside the root, at least 0.
+
+  /// What a run carries from step to step.
+  struct State {
+    VectorX mean;          ///< m.
+    VectorX square;        ///< v.
+    double power_1 = 1.0;  ///< beta_1^k.
+    double power_2 = 1.0;  ///< beta_2^k.
+  };
+
+  /// State of one run. @throws std::invalid_argument for a parameter out of range.
+  State start(const Iterate& first) const {
+    require_positive("ADAM's rate", rate);
+    require(beta_1 >= 0.0 && beta_1 < 1.0, "ADAM's beta_1", beta_1, "in [0, 1)");
+    require(beta_2 >= 0.0 && beta_2 < 1.0, "ADAM's beta_2", beta_2, "in [0, 1)");
+    require(std::isfinite(epsilon) && epsilon >= 0.0, "ADAM's epsilon", epsilon, "finite and at least 0");
+    const VectorX zero = VectorX::Zero(first.x.size());
+    return {.mean = zero, .square = zero};
+  }
+
+  /// Moves x once, with the gradient at hand; the loop evaluates at the new x.
+  template <class F>
+  Outcome update(State& state, Iterate& now, F&) const {
+    state.power_1 *= beta_1;
+    state.power_2 *= beta_2;
+    const double scale_1 = 1.0 - state.power_1, scale_2 = 1.0 - state.power_2;
+    for (Eigen::Index i = 0; i < now.x.size(); ++i) {
+      const double g = now.gradient[i];
+      state.mean[i] = beta_1 * state.mean[i] + (1.0 - beta_1) * g;
+      state.square[i] = beta_2 * state.square[i] + (1.0 - beta_2) * (g * g);
+      now.x[i] -= rate * (state.mean[i] / scale_1) / (std::sqrt(state.square[i] / scale_2) + epsilon);
+    }
+    now.evaluated = false;
+    return Outcome::ok;
+  }
+};
+
+/// AdaGrad with a diagonal scaling (Duchi, Hazan and Singer 2011): \f$v \mathrel{+}= g^2\f$, \f$x
+/// \mathrel{-}= rate\; g/(\sqrt v + \epsilon)\f$, element by element, with v = 0 at the start.
+struct AdaGrad {
+  double rate = 1.0;      ///< Step size, positive.
+  double epsilon = 1e-8;  ///< Added outside the root, at least 0.
+
+  /// What a run carries from step to step.
+  struct State {
+    VectorX square;  ///< v.
+  };
+
+  /// State of one run. @throws std::invalid_argument for a parameter out of range.
+  State start(const Iterate& first) const {
+    require_positive("AdaGrad's rate", rate);
+    require(std::isfinite(epsilon) && epsilon >= 0.0, "AdaGrad's epsilon", epsilon, "finite and at least 0");
+    return {.square = VectorX::Zero(first.x.size())};
+  }
+
+  /// Moves x once, with the gradient at hand; the loop evaluates at the new x.
+  template <class F>
+  Outcome update(State& state, Iterate& now, F&) const {
+    for (Eigen::Index i = 0; i < now.x.size(); ++i) {
+      const double g = now.gradient[i];
+      state.square[i] += g * g;
+      now.x[i] -= rate * g / (std::sqrt(state.square[i]) + epsilon);
+    }
+    now.evaluated = false;
+    return Outcome::ok;
+  }
+};
+
+/// RMSprop (Tieleman and Hinton 2012, lecture 6.5): \f$v \leftarrow \rho v + (1 - \rho)\, g^2\f$, \f$x
+/// \mathrel{-}= rate\; g/\sqrt{v + \epsilon}\f$, element by element.
+///
+/// \f$\epsilon\f$ stands inside the root. Many programs add it outside; only inside gives the published
+/// counts.
+struct RmsProp {
+  double rate = 1e-2;     ///< Step size, positive.
+  double rho = 0.9;       ///< Decay of the mean squared gradient, in [0, 1).
+  double epsilon = 1e-8;  ///< Added inside the root, at least 0.
+
+  /// What a run carries from step to step.
+  struct State {
+    VectorX square;  ///< v.
+  };
+
+  /// State of one run. @throws std::invalid_argument for a parameter out of range.
+  State start(const Iterate& first) const {
+    require_positive("RMSprop's rate", rate);
+    require(rho >= 0.0 && rho < 1.0, "RMSprop's rho", rho, "in [0, 1)");
+    require(std::isfinite(epsilon) && epsilon >= 0.0, "RMSprop's epsilon", epsilon, "finite and at least 0");
+    return {.square = VectorX::Zero(first.x.size())};
+  }
+
+  /// Moves x once, with the gradient at hand; the loop evaluates at the new x.
+  template <class F>
+  Outcome update(State& state, Iterate& now, F&) const {
+    for (Eigen::Index i = 0; i < now.x.size(); ++i) {
+      const double g = now.gradient[i];
+      state.square[i] = rho * state.square[i] + (1.0 - rho) * (g * g);
+      now.x[i] -= rate * g / std::sqrt(state.square[i] + epsilon);
+    }
+    now.evaluated = false;
+    return Outcome::ok;
+  }
+};
+
+/// Trust region steepest descent: a trust region with the linear model (Nocedal and Wright 2006, Chapter 4).
+///
+/// Step \f$s = -\Delta\, g/|g|\f$, the minimiser of the linear model \f$f + g\cdot s\f$ in the ball
+/// \f$|s| \le \Delta\f$, and ratio = \f$(f(x) - f(x + s))/(\Delta |g|)\f$. The step is taken when ratio >
+/// accept, and Delta grows by `grow` when ratio > expand; otherwise Delta shrinks by `shrink` and the step is
+/// tried again.
+///
+/// An iteration is a step that was taken; each trial costs a function value, each iteration a gradient.
+struct TrustRegion {
+  double radius = 1.0;   ///< Delta at the start, positive.
+  double accept = 0.5;   ///< In [0, 1).
+  double expand = 0.75;  ///< At least accept.
+  double shrink = 0.9;   ///< In (0, 1).
+  double grow = 2.0;     ///< At least 1.
+  int trials = 1000;     ///< Cap on trials in one iteration, at least 1; beyond it: not_converged.
+
+  /// What a run carries from step to step.
+  struct State {
+    VectorX trial;  ///< x + s.
+    double radius;  ///< Delta.
+  };
+
+  /// State of one run. @throws std::invalid_argument for a parameter out of range.
+  State start(const Iterate& first) const {
+    require_positive("Trust region radius", radius);
+    require(accept >= 0.0 && accept < 1.0, "Ratio that accepts", accept, "in [0, 1)");
+    require(expand >= accept, "Ratio that expands", expand, "at least the ratio that accepts");
+    require(shrink > 0.0 && shrink < 1.0, "Factor that shrinks the radius", shrink, "in (0, 1)");
+    require(std::isfinite(grow) && grow >= 1.0, "Factor that grows the radius", grow,
+            "finite and at least 1");
+    require(trials >= 1, "Cap on trials", trials, "at least 1");
+    return {.trial = VectorX::Zero(first.x.size()), .radius = radius};
+  }
+
+  /// Moves x to the first trial that is accepted; Outcome::not_converged after `trials` of them.
+  template <class F>
+  Outcome update(State& state, Iterate& now, F& f) const {
+    const double slope = norm(now.gradient);
+    if (slope == 0.0) return Outcome::ok;  // stationary: the loop's test sees no change and ends the run
+    for (int trial = 0; trial < trials; ++trial) {
+      state.trial = now.x - (state.radius / slope) * now.gradient;
+      const double ratio = (now.value - f.value(state.trial)) / (state.radius * slope);
+      if (ratio > accept) {
+        now.x.swap(state.trial);
+        now.evaluated = false;
+        if (ratio > expand) state.radius *= grow;
+        return Outcome::ok;
+      }
+      state.radius *= shrink;
+    }
+    return Outcome::not_converged;
+  }
+};
+
+}  // namespace experiment

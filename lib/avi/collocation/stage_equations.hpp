@@ -1,0 +1,189 @@
+#pragma once
+#include "avi/collocation/gauss_rule.hpp"
+#include "avi/collocation/stage_field.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+/// @file
+/// The equations of a collocation step, and the sweeps that solve them.
+
+namespace avi {
+
+/// A w x w matrix, stored by columns, each of which is a Pack.
+template <int w>
+class alignas(64) LaneMatrix {
+ public:
+  LaneMatrix() { columns_.fill(Pack<w>(0.0)); }                        ///< Zero.
+  void set(int i, int j, double value) { columns_[j].set(i, value); }  ///< Entry in row i and column j.
+
+  /// Matrix times vector: the sums over columns are added as a tree, in the same order on every machine.
+  [[gnu::always_inline]] Pack<w> operator*(const Pack<w>& x) const { return times(x, Pack<w>(0.0)); }
+  /// Matrix times vector plus another vector, which is added first: it is there before the products are.
+  [[gnu::always_inline]] Pack<w> times(const Pack<w>& x, const Pack<w>& first) const {
+    Pack<w> term[w];
+    for (int j = 0; j < w; ++j)
+      term[j] = columns_[j] * Pack<w>(x[j]);
+    term[0] += first;
+    for (int half = w / 2; half > 0; half /= 2)
+      for (int i = 0; i < half; ++i)
+        term[i] += term[i + half];
+    return term[0];
+  }
+
+ private:
+  std::array<Pack<w>, w> columns_;
+};
+
+/// The equations of the stages of a rule of at most w stages, \f[ z_i = z_0 + \sum_j \mu_{ij} L_j, \qquad L_j
+/// = h b_j f(z_j), \f] whose step ends at \f$z_0 + \sum_j L_j\f$. Lanes beyond the last stage repeat that
+/// stage with weight zero, so the formula is never evaluated at an arbitrary point.
+///
+/// A sweep computes all forces and with them new momenta, then with these all velocities and new positions.
+/// It is a chain of operations of which each waits for the one before; the processor has room for a second
+/// chain. So a step can be swept together with the next one, which begins where the sweeps have the end of
+/// this one so far.
+template <int n, int w>
+class alignas(64) StageEquations {
+ public:
+  using Scalar = Pack<w>;          ///< One number for each stage.
+  using Vec = Vector<Scalar, n>;   ///< One vector for each stage.
+  using Step = Unknowns<n, w>;     ///< What is solved for.
+  using Field = StageField<n, w>;  ///< f.
+
+  /// For this field and this rule.
+  StageEquations(std::unique_ptr<Field> field, const GaussRule& rule)
+      : field_(std::move(field)), rule_(rule) {
+    for (int j = 0; j < rule.stages(); ++j)
+      for (int i = 0; i < w; ++i)
+        mu_.set(i, j, rule.mu(std::min(i, rule.stages() - 1), j));
+  }
+
+  [[nodiscard]] Field& field() { return *field_.its; }              ///< f.
+  [[nodiscard]] const Field& field() const { return *field_.its; }  ///< f.
+  [[nodiscard]] const GaussRule& rule() const { return rule_; }     ///< Nodes, weights and \f$\mu_{ij}\f$.
+
+  /// From now on for steps of size h.
+  void set_step(double h) {
+    for (int j = 0; j < rule_.stages(); ++j)
+      weight_.set(j, h * rule_.weight(j));
+  }
+
+  /// Starting values without a step before: the start itself.
+  static void begin(Step& step) {
+    for (Eigen::Index i = 0; i < step.q.size(); ++i) {
+      step.q[i] = Scalar(step.start.state.q[i]);
+      step.p[i] = Scalar(step.start.state.p[i]);
+    }
+  }
+  /// Starting values from the polynomial of another step with these increments. @param offset fraction of
+  /// that step where this one starts @param ratio of this step's size to that one's
+  void begin(Step& step, const Vec& dq, const Vec& dp, double offset, double ratio) {
+    if (offset != offset_ || ratio != ratio_) continue_at(offset, ratio);
+    Columns continued = continued_;
+    for (Eigen::Index i = 0; i < step.q.size(); ++i) {
+      step.q[i] = Scalar(step.start.state.q[i]) + continued * dq[i];
+      step.p[i] = Scalar(step.start.state.p[i]) + continued * dp[i];
+    }
+  }
+
+  /// The field at the stages.
+  void evaluate(Step& step) {
+    forces(step);
+    field().velocities(step, weight_);
+  }
+  /// The first half of a sweep: the forces.
+  void forces(Step& step) { field().forces(step, weight_); }
+  /// The second half: new momenta, velocities and new positions.
+  [[gnu::noinline]] void stages(Step& step) { renew_all<false>(step); }
+  /// The same. @return at each stage the largest change of an entry of q or p, in the entry's own scale
+  [[gnu::noinline]] Scalar changed_stages(Step& step) { return renew_all<true>(step); }
+  /// All stages from the field at the stages as they are, none of them renewed before.
+  void sweep_at_once(Step& step) {
+    evaluate(step);
+    const State<n>&z = step.start.state, &low = step.start.low;
+    renew<false>(step.q, step.dq, z.q, low.q, step.per.q);
+    renew<false>(step.p, step.dp, z.p, low.p, step.per.p);
+  }
+
+  /// The first half of a sweep of the step that follows, from the polynomial of this one so far.
+  void begin_next(const Step& step, Step& next) {
+    put_behind(step, next);
+    begin(next, step.dq, step.dp, 1.0, 1.0);
+    forces(next);
+  }
+  /// A sweep of the step that follows, between the halves of one of this step: while the one waits for
+  /// divisions and roots, the other one multiplies and adds. stages() ends what the next step has begun.
+  void sweep_next(const Step& step, Step& next) {
+    put_behind(step, next);
+    stages(next);
+    forces(next);
+  }
+
+  /// \f$h b_j\f$.
+  [[nodiscard]] const Scalar& weight() const { return weight_; }
+
+ private:
+  struct Copied {  // with the equations
+    explicit Copied(std::unique_ptr<Field> field) : its(std::move(field)) {}
+    Copied(const Copied& other) : its(other.its->clone()) {}
+    Copied& operator=(const Copied& other) {
+      its = other.its->clone();
+      return *this;
+    }
+    std::unique_ptr<Field> its;
+  };
+  template <bool look>
+  [[gnu::always_inline]] Scalar renew_all(Step& step) {
+    const State<n>&z = step.start.state, &low = step.start.low;
+    const Scalar of_p = renew<look>(step.p, step.dp, z.p, low.p, step.per.p);
+    field().velocities(step, weight_);
+    return max_abs(of_p, renew<look>(step.q, step.dq, z.q, low.q, step.per.q));
+  }
+  /// x = start + low + mu dx. @return the largest change of an entry times `per` at each stage, where that is
+  /// asked for
+  template <bool look, class V, class W>
+  Scalar renew(Vec& x, const Vec& dx, const V& start, const V& low, const W& per) const {
+    Columns mu = mu_;
+    Scalar change(0.0);
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const Scalar next = Scalar(start[i]) + mu.times(dx[i], Scalar(low[i]));
+      if constexpr (look) change = max_abs(change, Scalar((next - x[i]) * Scalar(per[i])));
+      x[i] = next;
+    }
+    return change;
+  }
+
+  // A copy of its own, which nothing else changes, is kept in registers. From 8 columns on it is written by
+  // halves and read whole, which takes as long as several entries: no gain at 18 of them, a tenth at 64.
+  static constexpr bool copied = w >= 8 && (n == dynamic || n > 24);
+  using Columns = std::conditional_t<copied, const LaneMatrix<w>, const LaneMatrix<w>&>;
+  static void put_behind(const Step& step, Step& next) {
+    for (Eigen::Index i = 0; i < step.q.size(); ++i) {
+      next.start.state.q[i] = step.start.state.q[i] + sum(step.dq[i]);
+      next.start.state.p[i] = step.start.state.p[i] + sum(step.dp[i]);
+    }
+  }
+  [[gnu::noinline]] void continue_at(double offset, double ratio) {
+    offset_ = offset;
+    ratio_ = ratio;
+    const GaussRule::Row start = rule_.integrals(offset);
+    for (int i = 0; i < w; ++i) {
+      const GaussRule::Row row =
+          rule_.integrals(offset + ratio * rule_.node(std::min(i, rule_.stages() - 1)));
+      for (int j = 0; j < w; ++j)
+        continued_.set(i, j, row[j] - start[j]);
+    }
+  }
+
+  Copied field_;
+  LaneMatrix<w> mu_, continued_;
+  alignas(64) Scalar weight_{0.0};
+  GaussRule rule_;
+  double offset_ = -1.0, ratio_ = 0.0;
+};
+
+}  // namespace avi

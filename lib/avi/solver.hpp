@@ -1,0 +1,126 @@
+#pragma once
+#include "avi/core/ensemble.hpp"
+#include "avi/solve.hpp"
+
+#include <cstddef>
+#include <exception>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// @file
+/// Many orbits of one H with one choice of monitor, order and step.
+
+namespace avi {
+
+/// One orbit of an ensemble.
+template <int n>
+struct SolverMember {
+  Solution<n> solution;           ///< Stopped, with the sentence, where something was thrown.
+  std::exception_ptr error = {};  ///< What was thrown; usually nothing.
+
+  /// The orbit came to its end.
+  [[nodiscard]] bool ok() const { return solution.ok(); }
+};
+
+/// The orbits of H from many starts, with what solve() chooses for one of them: the choice, which takes a
+/// good part of a short call, is made once, and all orbits are by the same method. Nothing changes in a
+/// Solver: several threads may run it at a time.
+template <int n>
+class Solver {
+ public:
+  /// Chooses for the orbit from `start` to `t_end`: the starts of runs are to be like this one, and runs
+  /// about as long. @param options of all runs; with SolveOptions::check each of them is compared with one of
+  /// a longer step, at 0.8 of its price more, and without it nothing is known of its error
+  /// @throws std::invalid_argument as solve(), and where nothing could be chosen.
+  template <class H>
+  Solver(const H& hamiltonian, const State<n>& start, double t_end, double tolerance,
+         const SolveOptions& options = {})
+      : question_(detail::question_of(hamiltonian, start, t_end, tolerance, options)),
+        sample_(detail::choose_for(question_)) {
+    question_.made = std::make_shared<const Choice>(sample_.choice);
+  }
+
+  /// What was chosen.
+  [[nodiscard]] const Choice& choice() const { return sample_.choice; }
+  /// How the orbit went that it was chosen for.
+  [[nodiscard]] const SolutionReport& sample() const { return sample_; }
+
+  ///@{
+
+  /// The orbit from `start` to a time, or with the states at several times: see solve().
+  /// @throws std::invalid_argument as solve(), and for a start of another dimension.
+  [[nodiscard]] Solution<n> run(const State<n>& start, double t_end) const {
+    return run(start, t_end, {}, {});
+  }
+  [[nodiscard]] Solution<n> run(const State<n>& start, const std::vector<double>& times) const {
+    detail::require_times(start.t, times);
+    return run(start, times.back(), times, {});
+  }
+  ///@}
+  ///@{
+
+  /// The orbits from all starts, on several threads. Each is the same to the last bit on any number of them.
+  /// One that throws, or is cancelled by settings.cancel within a twentieth of a second, ends as
+  /// Outcome::stopped with the sentence; the others go on. SolveOptions::progress is not called.
+  /// @throws std::invalid_argument for a negative number of threads, or improper times; what
+  /// settings.progress throws.
+  [[nodiscard]] std::vector<SolverMember<n>> ensemble(const std::vector<State<n>>& starts, double t_end,
+                                                      const EnsembleSettings& settings = {}) const {
+    return all(starts, t_end, {}, settings);
+  }
+  [[nodiscard]] std::vector<SolverMember<n>> ensemble(const std::vector<State<n>>& starts,
+                                                      const std::vector<double>& times,
+                                                      const EnsembleSettings& settings = {}) const {
+    require(!times.empty(), "Number of output times", times.size(), "at least 1");
+    return all(starts, times.back(), times, settings);
+  }
+  ///@}
+
+ private:
+  Solution<n> run(const State<n>& start, double t_end, const std::vector<double>& times,
+                  std::function<bool(const SolveProgress&)> progress) const {
+    require_dimension(start);
+    const auto count = start.q.size();
+    require(static_cast<std::size_t>(count) == question_.q.size(), "Dimension of the start", count,
+            "that of the Solver, ", question_.q.size());
+    detail::OrbitQuestion question = question_;
+    question.q.assign(start.q.data(), start.q.data() + count);
+    question.p.assign(start.p.data(), start.p.data() + count);
+    question.t = start.t;
+    question.t_end = t_end;
+    question.times = times;
+    if (progress) question.options.progress = std::move(progress);
+    return detail::solution_of<n>(detail::answer(std::move(question)), static_cast<int>(count));
+  }
+
+  std::vector<SolverMember<n>> all(const std::vector<State<n>>& starts, double t_end,
+                                   const std::vector<double>& times, const EnsembleSettings& settings) const {
+    require(settings.threads >= 0, "Number of threads", settings.threads, "at least 0");
+    std::vector<SolverMember<n>> members;
+    members.reserve(starts.size());
+    for (const State<n>& start : starts)
+      members.push_back({Solution<n>{SolutionReport{}, start}});
+    const auto follow = [&](std::size_t i) {
+      if (!times.empty()) detail::require_times(starts[i].t, times);
+      members[i].solution = run(starts[i], t_end, times,
+                                [&](const SolveProgress&) { return !settings.cancel.stop_requested(); });
+    };
+    const auto fail = [&](std::size_t i, std::string sentence, std::exception_ptr error) {
+      members[i].solution.run.outcome = Outcome::stopped;
+      members[i].solution.run.message = std::move(sentence);
+      members[i].error = std::move(error);
+    };
+    detail::share_out(starts.size(), settings, follow, fail);
+    return members;
+  }
+
+  detail::OrbitQuestion question_;
+  SolutionReport sample_;
+};
+/// Solver solver(H, start, t_end, tolerance).
+template <class H, int n, class... More>
+Solver(const H&, const State<n>&, double, double, const More&...) -> Solver<n>;
+
+}  // namespace avi

@@ -1,0 +1,21 @@
+"""Orbits of Hamiltonian systems with adaptive steps and a symplectic method, and minima of functions.
+
+import avi
+
+kepler = lambda q, p: (p @ p) / 2 - 1 / (q @ q) ** 0.5
+orbit = avi.solve(kepler, q=[0.1, 0], p=[0, 19**0.5], t=62.8, tol=1e-10)
+
+A function is called once, with numbers that record what is done to them; from there on all of it runs in the library.
+"""
+
+from . import plot
+from ._avi import Formula, Traced
+from ._formula import hamiltonian, objective
+from ._minimise import Minimum, minimise
+from ._orbits import Orbit, solve
+from ._tracing import functions, maximum, minimum, where
+
+__all__ = [
+    "Formula", "Minimum", "Orbit", "Traced", "functions", "hamiltonian", "maximum", "minimise", "minimum", "objective", "plot", "solve",
+    "where",
+]  # fmt: skip

@@ -1,0 +1,77 @@
+"""minimise(): the least value of a function of many numbers."""
+
+from . import _avi
+from ._formula import trace
+
+
+class Minimum:
+    """Where a minimisation ended, under the names of scipy.optimize.minimize.
+
+    x        the last good point, of the shape of x0
+    fun, jac value and gradient there
+    success  converged
+    status   0: converged; else the number of the outcome, whose name is `outcome`
+    message  one sentence on the end of the run
+    nit, nfev, njev   iterations, evaluations of f and of its gradient
+    history  with history=True, an array of shape (nit + 1, 3): evaluations so far, f, and the norm of its gradient
+    """
+
+    def __init__(self, outcome, message, nit, nfev, x, fun, jac, history=None):
+        self.x, self.fun, self.jac = x, fun, jac
+        self.outcome, self.status, self.success = outcome.name, int(outcome), outcome == _avi.Outcome.ok
+        self.message = message or "Converged."
+        self.nit, self.nfev, self.njev = nit, nfev, nfev
+        self.history = history
+
+    def __repr__(self):
+        import numpy as np
+
+        return (
+            f"{self.message}\n{self.nit} iterations, {self.njev} gradients: "
+            f"f = {self.fun:.17g}, |gradient| = {np.linalg.norm(self.jac):.3g}\nx = {self.x}"
+        )
+
+
+_OPTIONS = ("relative", "absolute", "change", "memory", "iterations", "evaluations", "check_gradient")
+
+
+def minimise(f, x0, *, jac=None, parameters=(), callback=None, history=False, **options):
+    """Minimises f from x0.
+
+    f      called once as f(x), or f(x, c) with parameters, with a traced array of x0's shape; returns one number. Its gradient is
+           found. Or a formula from objective().
+    x0     start, an array of any shape
+    jac    the gradient of an f that cannot be traced: a function of x, or True where f returns (value, gradient); both are called with
+           arrays of x0's shape
+    callback  called as callback(x) after every iteration; what it raises ends the call, StopIteration the run
+    relative, absolute  converged where |gradient| <= max(relative |gradient at x0|, absolute); 1e-6 and 0
+    change    ... and the last iteration changed f by less
+    memory    pairs that make the mass matrix, 7; 0 for none
+    iterations, evaluations   bounds
+    check_gradient  compares the gradient at x0 with differences of values first
+
+    Returns a Minimum. Raises ValueError for an x0 or option out of range, TypeError for an f that cannot be traced.
+    """
+    import numpy as np
+
+    x0 = np.asarray(x0, dtype=float)
+    chosen = _avi.MinimiseOptions()
+    for name, value in options.items():
+        if name not in _OPTIONS:
+            raise TypeError(f"minimise() has no option {name!r}; there are {', '.join(_OPTIONS)}.")
+        setattr(chosen, name, value)
+    if jac is None:
+        function = f if isinstance(f, _avi.Formula) else trace(f, [x0.shape], parameters, "f")
+    else:
+        both = f if jac is True else lambda x: (f(x), jac(x))
+        function = lambda x: _flat(both(x.reshape(x0.shape)))
+    told = None if callback is None else lambda x: callback(x.reshape(x0.shape))
+    outcome, message, nit, nfev, x, fun, jac, rows = _avi.minimise(function, x0.ravel(), chosen, told, history)
+    return Minimum(outcome, message, nit, nfev, x.reshape(x0.shape), fun, jac.reshape(x0.shape), rows if history else None)
+
+
+def _flat(both):
+    import numpy as np
+
+    value, gradient = both
+    return float(value), np.ravel(np.asarray(gradient, dtype=float))

@@ -1,0 +1,242 @@
+"""NumPy's functions and an array's methods for numbers that are being traced (the class itself is in C++)."""
+
+from ._avi import Traced, functions as _names, pool, traced, where as _where
+
+_REFUSED = {
+    "A function is traced with numbers that have no value yet, so float(x), int(x), math.sin(x) and the like cannot take them: write "
+    "np.sin(x), np.sqrt(x) and so on, and make arrays by np.stack([x, y]) instead of filling np.zeros(2).": "float int complex index",
+    "A function is traced once for all arguments, so it cannot branch on them: instead of `if a < b`, `and`, `or`, `not`, min(a, b) and "
+    "max(a, b) write avi.where(a < b, x, y), `&`, `|`, `~`, avi.minimum(a, b) and avi.maximum(a, b).": "bool contains",
+    "A function that asks whether two of its numbers are equal cannot be traced; instead of `==` and `!=` write avi.where(a < b, x, y).": (
+        "eq ne"
+    ),
+    "Rounding and remainders (x // a, x % a, round(x)) cannot be traced: a formula has to have slopes.": (
+        "round floor ceil trunc floordiv rfloordiv mod rmod divmod rdivmod"
+    ),
+    "Traced numbers cannot be assigned to: make a new array by np.stack([x, y]) or np.concatenate([u, v]).": "setitem",
+}
+
+
+def _refusal(sentence):
+    def refuse(self, *args):
+        raise TypeError(sentence)
+
+    return refuse
+
+
+for _sentence, _of in _REFUSED.items():
+    for _name in _of.split():
+        setattr(Traced, f"__{_name}__", _refusal(_sentence))
+Traced.__hash__ = None
+for _name, _of in {
+    "neg": "negative", "pos": "positive", "abs": "absolute", "invert": "invert", "add": "add", "sub": "subtract", "mul": "multiply",
+    "truediv": "divide", "pow": "power", "lt": "less", "le": "less_equal", "gt": "greater", "ge": "greater_equal", "and": "logical_and",
+    "or": "logical_or",
+}.items():  # fmt: skip
+    setattr(Traced, f"__{_name}__", getattr(Traced, _of))
+    if hasattr(float, f"__r{_name}__") or hasattr(int, f"__r{_name}__"):
+        setattr(Traced, f"__r{_name}__", getattr(Traced, f"reversed_{_of}"))
+
+
+def functions():
+    """The names of the functions that can be traced, those of NumPy and scipy.special."""
+    return sorted(_names)
+
+
+def _array_ufunc(self, ufunc, method, *inputs, out=None, axis=0, **options):
+    """NumPy's functions of numbers."""
+    name = ufunc.__name__
+    if out is not None:
+        if getattr(out[0], "dtype", None) != object:
+            raise TypeError("An array of numbers cannot hold traced ones: write a = a + b instead of a += b.")
+        out[0][...] = _objects(getattr(ufunc, method)(*inputs, **options))
+        return out[0]
+    if method == "reduce" and name in _names:
+        return _fold(inputs[0], name, axis)
+    if method == "__call__" and not options:
+        if name == "matmul":
+            return traced(inputs[0]) @ inputs[1]
+        if name in ("equal", "not_equal"):
+            return self == self
+        if name in _names:
+            first, *others = inputs
+            return getattr(Traced, name)(first, *others) if isinstance(first, Traced) else getattr(self, f"reversed_{name}")(first)
+    raise TypeError(f"np.{name} cannot be traced here; avi.functions() lists what can.")
+
+
+def _objects(x):
+    """x as NumPy's array of objects, each a single traced number; lists and tuples entry by entry."""
+    if isinstance(x, Traced):
+        import numpy as np
+
+        array = np.empty(x.size, dtype=object)
+        flat = x._take(np.arange(x.size))
+        array[:] = [flat[i] for i in range(x.size)]
+        return array.reshape(x.shape)
+    return type(x)(_objects(each) for each in x) if isinstance(x, (list, tuple)) else x
+
+
+def _any_traced(*values):
+    return any(isinstance(x, Traced) or getattr(x, "dtype", None) == object for x in values)
+
+
+def where(condition, x, y):
+    """x where the condition holds, else y, entry by entry: what a formula writes instead of `if`.
+
+    Both x and y are evaluated, and differentiated, everywhere. `condition` is a comparison such as `q[0] < 1`, or several joined by
+    `&`, `|` and `~`. Works on plain numbers and arrays, too.
+    """
+    if _any_traced(condition, x, y):
+        return _where(condition, x, y)
+    import numpy as np
+
+    return np.where(condition, x, y)
+
+
+def maximum(a, b):
+    """The larger of a and b, entry by entry."""
+    import numpy as np
+
+    return np.maximum(traced(a) if _any_traced(a, b) else a, b)
+
+
+def minimum(a, b):
+    """The smaller of a and b, entry by entry."""
+    import numpy as np
+
+    return np.minimum(traced(a) if _any_traced(a, b) else a, b)
+
+
+def _fold(x, name, axis=None):
+    """f(f(x0, x1), x2) ... along an axis or several, or of all entries."""
+    x = traced(x)
+    if axis is None:
+        return x.ravel()._folded(name)
+    import numpy as np
+
+    for each in sorted((i % x.ndim for i in np.atleast_1d(axis)), reverse=True):
+        x = x._take(np.moveaxis(x._numbers, each, 0))._folded(name)
+    return x
+
+
+def _folding(name):
+    return lambda x, axis=None: _fold(x, name, axis)
+
+
+_sum = _folding("add")
+
+
+def _matmul(a, b):
+    if not (a.ndim and b.ndim) or max(a.ndim, b.ndim) > 2 or a.shape[-1] != b.shape[0]:
+        raise ValueError(f"The product @ of arrays of shapes {a.shape} and {b.shape} cannot be traced.")
+    return _fold(a[..., :, None] * b, "add", a.ndim - 1) if b.ndim == 2 else _fold(a * b, "add", -1)
+
+
+def _norm(x, ord=None, axis=None):
+    if ord not in (None, 2) or (ord == 2 and axis is None and len(x.shape) > 1):
+        raise TypeError("np.linalg.norm can be traced as the 2-norm; write another norm out with np.abs, np.sum and avi.maximum.")
+    return _sum(x * x, axis).sqrt()
+
+
+def _dot(a, b):
+    a, b = traced(a), traced(b)
+    return a @ b if a.ndim and b.ndim else a * b
+
+
+def _clip(x, a_min=None, a_max=None):
+    x = x if a_min is None else maximum(x, a_min)
+    return x if a_max is None else minimum(x, a_max)
+
+
+def _where_of_numpy(condition, x=None, y=None):
+    if x is None or y is None:
+        raise TypeError("np.where(condition) asks for values, which a traced number does not have; write avi.where(condition, x, y).")
+    return where(condition, x, y)
+
+
+def _mean(x, axis=None):
+    total = _sum(x, axis)
+    return total / (x.size / max(total.size, 1))
+
+
+def _diff(x, n=1, axis=-1):
+    for _ in range(n):
+        x = x.swapaxes(axis, -1)
+        x = (x[..., 1:] - x[..., :-1]).swapaxes(axis, -1)
+    return x
+
+
+_FUNCTIONS = {
+    "diff": _diff,
+    "where": _where_of_numpy,
+    "sum": _sum,
+    "mean": _mean,
+    "prod": _folding("multiply"),
+    "amax": _folding("maximum"),
+    "amin": _folding("minimum"),
+    "dot": _dot,
+    "norm": _norm,
+    "clip": _clip,
+}
+_FUNCTIONS["max"], _FUNCTIONS["min"] = _FUNCTIONS["amax"], _FUNCTIONS["amin"]
+_JOINS = {"concatenate", "stack", "hstack", "vstack", "column_stack", "dstack"}
+_MOVES = {"reshape", "ravel", "transpose", "roll", "flip", "squeeze", "expand_dims", "moveaxis", "swapaxes", "repeat", "tile", "broadcast_to"}
+_FILLED = {"zeros_like", "ones_like", "empty_like", "full_like"}  # stay arrays of objects, which can be filled
+
+
+def _joined(function, parts, *args, **kwargs):
+    """What a function of NumPy makes of several arrays by putting their entries side by side: done to the numbers of the entries."""
+    import numpy as np
+
+    shapes = [np.shape(part) for part in parts]
+    ends = np.cumsum([0] + [int(np.prod(shape)) for shape in shapes])
+    numbers = [np.arange(ends[i], ends[i + 1]).reshape(shape) for i, shape in enumerate(shapes)]
+    return pool(list(parts))._take(function(numbers, *args, **kwargs))
+
+
+def _array_function(self, function, types, args, kwargs):
+    """NumPy's other functions: those above by the graph, the rest (concatenate, stack, cross, outer, diff ...) by what NumPy does with
+    objects."""
+    name = function.__name__
+    known = _FUNCTIONS.get(name)
+    if known:
+        return known(*args, **kwargs)
+    if name in _JOINS:
+        return _joined(function, *args, **kwargs)
+    if name in _MOVES:
+        return args[0]._take(function(args[0]._numbers, *args[1:], **kwargs))
+    try:
+        result = function(*(_objects(x) for x in args), **{key: _objects(x) for key, x in kwargs.items()})
+    except TypeError as error:
+        raise TypeError(f"{function.__module__.replace('numpy', 'np')}.{name} cannot be traced: {error}") from None
+    if name in _FILLED or not _any_traced(result):
+        return result
+    return traced(result)
+
+
+def _no_length():
+    raise TypeError("A single traced number has no length.")
+
+
+def _moved(name):
+    return lambda self, *args, **kwargs: self._take(getattr(self._numbers, name)(*args, **kwargs))
+
+
+Traced.__array_function__ = _array_function
+Traced.__array_ufunc__ = _array_ufunc
+Traced.__len__ = lambda self: self.shape[0] if self.shape else _no_length()
+Traced.__repr__ = lambda self: f"<traced numbers of shape {self.shape}>"
+Traced.ndim = property(lambda self: len(self.shape))
+Traced._fold = _fold
+Traced.sum = _sum
+Traced.mean = _mean
+Traced.prod = _FUNCTIONS["prod"]
+Traced.max = _FUNCTIONS["amax"]
+Traced.min = _FUNCTIONS["amin"]
+Traced.dot = _dot
+Traced.clip = _clip
+Traced.astype = lambda self, *args, **kwargs: self
+Traced.copy = lambda self: self
+Traced.T = property(lambda self: self._take(self._numbers.T))
+for _name in ("reshape", "ravel", "flatten", "transpose", "squeeze", "repeat", "swapaxes"):
+    setattr(Traced, _name, _moved(_name))

@@ -1,0 +1,90 @@
+"""Pictures of orbits and minimisations, one line each, with matplotlib. Every function takes `ax`, the axes to draw into, and returns them."""
+
+from ._minimise import Minimum
+from ._orbits import Orbit, solve
+
+__all__ = ["convergence", "energy_error", "orbit", "step_size", "work_precision"]
+
+
+def _axes(ax, **labels):
+    if ax is None:
+        import matplotlib.pyplot as plt
+
+        ax = plt.subplots(layout="constrained")[1]
+    ax.set(**labels)
+    return ax
+
+
+def _dots(ax, x, y, **style):
+    """A line, with a dot for every point where there are few."""
+    return ax.plot(x, y, marker="." if len(x) < 200 else "", **style)
+
+
+def orbit(found: Orbit, *, i=0, j=1, ax=None, **style):
+    """Coordinate j against coordinate i; of bodies (q of shape (k, d)) a line for each."""
+    q = found.q if found.q.ndim == 3 else found.q[None]
+    ax = _axes(ax, xlabel=f"$q_{i}$", ylabel=f"$q_{j}$")
+    ax.set_aspect("equal", adjustable="datalim")
+    for body in q:
+        _dots(ax, body[i], body[j], **style)
+    return ax
+
+
+def energy_error(found: Orbit, *, ax=None, **style):
+    """|H - H_0| at the times of an orbit, relative to its energy scale, on a logarithmic axis."""
+    import numpy as np
+
+    error = np.abs(found.energy - found.energy[0]) / found.choice.energy_scale
+    ax = _axes(ax, xlabel="$t$", ylabel="energy error, relative", yscale="log")
+    _dots(ax, found.t[1:], np.maximum(error[1:], 1e-17), **style)
+    return ax
+
+
+def step_size(found: Orbit, *, ax=None, **style):
+    """The length of each step in time against the time where it begins, for an orbit made with dense=True."""
+    import numpy as np
+
+    t = found.step_times
+    ax = _axes(ax, xlabel="$t$", ylabel="step", yscale="log")
+    _dots(ax, t[:-1], np.abs(np.diff(t)), **style)
+    return ax
+
+
+def work_precision(H, q, p, t, *, tols=None, slopes=None, ax=None, **style):
+    """The error of the state at the end against the evaluations of the field, at tolerances `tols` (1e-3 ... 1e-11).
+
+    The error is the largest of any coordinate or momentum, compared with a run at the tolerance 1e-13. With `slopes(t, y)`, the right
+    side for scipy.integrate.solve_ivp, its DOP853 is drawn, too.
+    """
+    import numpy as np
+
+    tols = np.logspace(-3, -11, 9) if tols is None else tols
+    exact = solve(H, q, p, t, 1e-13).y[:, -1]
+    ax = _axes(ax, xlabel="evaluations of the field", ylabel="error of the state at the end", xscale="log", yscale="log")
+    runs = {"avi.solve": [solve(H, q, p, t, tol) for tol in tols]}
+    if slopes is not None:
+        from scipy.integrate import solve_ivp
+
+        start = np.concatenate([np.ravel(q), np.ravel(p)])
+        span = (0.0, t) if np.ndim(t) == 0 else (t[0], t[-1])
+        runs["solve_ivp, DOP853"] = [solve_ivp(slopes, span, start, "DOP853", rtol=tol, atol=tol) for tol in np.maximum(tols, 1e-13)]
+    for name, found in runs.items():
+        errors = [max(np.abs(each.y[:, -1] - exact).max(), 1e-17) for each in found]
+        ax.plot([each.nfev for each in found], errors, marker=".", label=name, **style)
+    ax.legend()
+    return ax
+
+
+def convergence(found: Minimum, *, least=None, ax=None, **style):
+    """f above `least` (the least value found), and the norm of its gradient, against evaluations; made with history=True."""
+    import numpy as np
+
+    if found.history is None:
+        raise ValueError("The minimisation was made without history=True, which convergence() draws.")
+    evaluations, f, norm = found.history.T
+    ax = _axes(ax, xlabel="evaluations of the gradient", yscale="log")
+    above = f - (f.min() if least is None else least)
+    ax.plot(evaluations, np.where(above > 0, above, np.nan), label="$f - f_{\\min}$", **style)
+    ax.plot(evaluations, norm, label="$|\\nabla f|$", **style)
+    ax.legend()
+    return ax

@@ -1,0 +1,140 @@
+"""What a traced function may do, and what it is told where it does something else."""
+
+import math
+import unittest
+
+import numpy as np
+
+import avi
+
+
+def everything(q, p):
+    """NumPy as people write it, of q and p with two entries each, away from kinks."""
+    c = np.concatenate([q, p])
+    matrix = np.array([[1.0, 2.0], [3.0, 4.0]])
+    total = np.sum(q) + q.sum() + np.prod(p) + np.mean(c) + np.dot(q, p) + q @ p + (matrix @ q) @ p + q @ matrix @ p + c.max() + np.min(c)
+    total += np.linalg.norm(q) + np.linalg.norm(c.reshape(2, 2), axis=1).sum() + np.linalg.norm(np.array([q[0], p[1]]))
+    total += np.cross(q, p) + (np.outer(q, p) @ p).sum() + np.trace(np.outer(q, p)) + np.diff(c)[0] + np.diff(np.outer(q, p), axis=0)[0, 1] + np.roll(q, 1)[0] + np.var(c)
+    total += np.stack([q[0], 2, p[1]]).sum() + np.hstack([q, 1, p])[2:4].prod() + np.vstack([q, p]).T[1, 0] + np.arange(2) @ q + np.tensordot(q, p, 1) + np.inner(q, q)
+    total += abs(q[0]) ** 3 + 2 ** q[1] + q[0] ** p[0] + np.float64(2) * q[0] / 3 - (-q[1]) + 1 / p[0] + np.sqrt(p).sum() + (+q)[0]
+    for f in (np.sin, np.cos, np.tan, np.exp, np.log, np.sinh, np.cosh, np.tanh, np.arcsin, np.arccos, np.arctan, np.arcsinh, np.arctanh):
+        total += f(q[0])
+    for f in (np.cbrt, np.expm1, np.log1p, np.exp2, np.log2, np.log10, np.square, np.reciprocal, np.abs, np.fabs, np.deg2rad, np.sign):
+        total += f(q).sum()
+    total += np.arctan2(q, p).prod() + np.hypot(q, 2).sum() + np.logaddexp(q[0], 0.0) + np.arccosh(1 + p[0]) + np.power(p, 1.5)[0]
+    total += avi.where(q[0] > p[1], q[0], p[1]) + np.where((q < p) & (q > 0), q, p * p).sum() + avi.where(~(q < 1), q, 2.0).sum()
+    total += np.maximum(q, 0.35).sum() + avi.minimum(q[0], p[0]) + np.clip(q, -1, 0.35).sum() + (q > 0.35).sum()
+    total += (q[::-1] * p).sum() + c[[0, 3]].sum() + c[1:][-1] + sum(e for e in q) + len(q) + q.reshape(2, 1)[1, 0] + np.add.reduce(q)
+    rows = np.zeros_like(q)
+    rows[1] = q[0] * p[1]
+    return total + rows.sum() + q.shape[0] + q.ndim + c.size
+
+
+def H_like(f):
+    return lambda: avi.solve(f, [0.1, 0.0], [0.0, 1.0], 1.0, 1e-6)
+
+
+class Tracing(unittest.TestCase):
+    point = np.array([0.3, 0.4, 0.5, 0.7])
+
+    def test_value_and_gradient_are_those_of_numpy(self):
+        formula = avi.hamiltonian(everything, 2)
+        self.assertAlmostEqual(formula.value(self.point), everything(self.point[:2], self.point[2:]), delta=1e-12)
+        slopes = formula.gradient(self.point)
+        for i, slope in enumerate(slopes):
+            step = 1e-5 * np.eye(4)[i]
+            by_values = (everything(*np.split(self.point + step, 2)) - everything(*np.split(self.point - step, 2))) / 2e-5
+            self.assertAlmostEqual(slope, by_values, delta=1e-6)
+
+    def test_shapes(self):
+        positions, momenta = np.arange(1.0, 7.0).reshape(3, 2), np.ones((3, 2))
+
+        def H(q, p):
+            self.assertEqual((q.shape, p.shape), ((3, 2), (3, 2)))
+            return np.sum(p**2, axis=(0, 1)) + sum(np.linalg.norm(q[i] - q[j]) for i in range(3) for j in range(i)) + q.sum(axis=1)[2]
+
+        formula = avi.hamiltonian(H, (3, 2))
+        self.assertAlmostEqual(formula.value(np.concatenate([positions.ravel(), momenta.ravel()])), H(positions, momenta), delta=1e-13)
+        self.assertEqual(avi.solve(lambda q, p: p**2 - np.cos(q), 1.0, 0.0, 1.0, 1e-6).q.shape, (2,))
+        self.assertEqual(avi.solve(lambda q, p: p**2 - np.cos(q), [1.0], [0.0], 1.0, 1e-6).q.shape, (1, 2))
+
+    def test_scipys_functions(self):
+        try:
+            import scipy.special
+        except ImportError:
+            self.skipTest("SciPy is not there.")
+        f = lambda x: scipy.special.erf(x).sum() + scipy.special.expit(x).sum()
+        self.assertAlmostEqual(avi.objective(f, 4).value(self.point), f(self.point), delta=1e-15)
+
+    def test_slopes_of_logaddexp_where_both_are_equal(self):
+        formula = avi.objective(lambda x: np.logaddexp(x[0], x[1]), 2)
+        for x in ([0.0, 0.0], [-0.0, 0.0], [0.0, -0.0], [1.0, 1.0]):
+            self.assertEqual(formula.gradient(x).tolist(), [0.5, 0.5])
+        self.assertEqual(formula.value([1000.0, 0.0]), 1000.0)
+
+    def test_parameters_change_without_tracing(self):
+        calls = []
+        formula = avi.hamiltonian(lambda q, p, c: calls.append(c) or c[0] * (q @ q) + c[1] * (p @ p), 2, [1.0, 2.0])
+        self.assertEqual(formula.value(np.ones(4)), 6.0)
+        self.assertEqual(formula.with_parameters([3.0, 4.0]).value(np.ones(4)), 14.0)
+        self.assertEqual(len(calls), 1)
+        with self.assertRaises(ValueError):
+            formula.with_parameters([1.0])
+
+    def test_where_of_plain_numbers(self):
+        self.assertEqual(avi.where(np.array([1, 2]) > 1, 5, 6).tolist(), [6, 5])
+        self.assertEqual(avi.maximum(1, 2) + avi.minimum(1, 2), 3)
+
+    def test_what_cannot_be_traced_is_refused(self):
+        for f, words in [
+            (lambda q, p: p @ p if q[0] > 0 else 0, "avi.where(a < b, x, y)"),
+            (lambda q, p: q[0] > 0 and q[1], "`&`"),
+            (lambda q, p: max(q[0], q[1]), "avi.maximum"),
+            (lambda q, p: sorted(q), "cannot branch"),
+            (lambda q, p: 0.5 in q, "cannot"),
+            (lambda q, p: float(q[0]), "float(x)"),
+            (lambda q, p: math.sin(q[0]), "np.sin(x)"),
+            (lambda q, p: range(q[0]), "int(x)"),
+            (lambda q, p: np.zeros(2).__setitem__(0, q[0]), "np.stack([x, y])"),
+            (lambda q, p: q.__setitem__(0, 1.0), "np.stack([x, y])"),
+            (lambda q, p: np.where(q > 0)[0], "avi.where(condition, x, y)"),
+            (lambda q, p: avi.where(q[0], 1, 2), "a comparison"),
+            (lambda q, p: avi.where((q[0] > 0) & q[1], 1, 2), "comparisons"),
+            (lambda q, p: q[0] == 1, "=="),
+            (lambda q, p: q[0] % 1, "remainders"),
+            (lambda q, p: q[0] // 1, "remainders"),
+            (lambda q, p: np.floor(q[0]), "np.floor"),
+            (lambda q, p: np.linalg.det(np.outer(q, p)), "np.linalg.det"),
+            (lambda q, p: np.ones(2).__iadd__(q), "a = a + b"),
+            (lambda q, p: 1j * q[0], "complex"),
+            (lambda q, p: "a" + q[0], "str"),
+            (lambda q, p: None, "`return`"),
+            (lambda q, p: p, "(2,)"),
+            (lambda q, p: "a", "str"),
+        ]:
+            with self.assertRaises(TypeError) as caught:
+                H_like(f)()
+            self.assertIn(words, str(caught.exception))
+
+    def test_wrong_shapes_and_indices(self):
+        for f, error in [
+            (lambda q, p: q[2], IndexError),
+            (lambda q, p: (q * np.zeros(3)).sum(), ValueError),
+            (lambda q, p: q @ np.zeros(3), ValueError),
+        ]:
+            with self.assertRaises(error):
+                H_like(f)()
+
+    def test_own_exceptions_pass(self):
+        with self.assertRaises(ZeroDivisionError):
+            H_like(lambda q, p: 1 / 0)()
+
+    def test_numbers_kept_from_another_call(self):
+        kept = []
+        avi.hamiltonian(lambda q, p: kept.append(q) or q @ p, 2)
+        with self.assertRaisesRegex(ValueError, "must not keep numbers"):
+            avi.hamiltonian(lambda q, p: q @ kept[0], 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,54 @@
+#pragma once
+#include "avi/solve.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+/// @file
+/// What a call of solve() has spent, and who is told how far it has come.
+
+namespace avi::detail {
+
+/// Seconds and sweeps of a call, its bounds on them, and its callback.
+class Budget {
+ public:
+  /// From now on. @param options outlive this
+  explicit Budget(const SolveOptions& options) : options_(options) {}
+
+  SolvePhase phase = SolvePhase::choosing;  ///< What the callback is told.
+  double start = 0.0, end = 1.0;            ///< Times between which the run under way goes.
+  double share = 1.0;                       ///< Part of the bounds that may be spent for now.
+  long sweeps = 0;                          ///< Spent by the runs before it.
+
+  /// The callback has said that the call is to end.
+  [[nodiscard]] bool cancelled() const { return cancelled_; }
+  /// Since the call began.
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(Clock::now() - began_).count();
+  }
+  /// What ends the call where the run under way has come so far, or ok.
+  Outcome met(double t, long steps, long evaluations) {
+    if (cancelled_) return Outcome::stopped;
+    if (static_cast<double>(sweeps + evaluations) >= share * static_cast<double>(options_.sweeps) ||
+        steps >= options_.steps)
+      return Outcome::step_limit;
+    if (!options_.progress && !std::isfinite(options_.seconds)) return Outcome::ok;
+    const double now = seconds();
+    if (now >= share * options_.seconds) return Outcome::time_limit;
+    if (!options_.progress || now < next_) return Outcome::ok;
+    next_ = now + 0.05;
+    const double fraction = std::clamp(std::abs(t - start) / std::abs(end - start), 0.0, 1.0);
+    cancelled_ = !options_.progress({phase, t, fraction, steps, sweeps + evaluations, now});
+    return cancelled_ ? Outcome::stopped : Outcome::ok;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const SolveOptions& options_;
+  Clock::time_point began_ = Clock::now();
+  double next_ = 0.0;  // when the callback is due
+  bool cancelled_ = false;
+};
+
+}  // namespace avi::detail

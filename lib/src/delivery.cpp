@@ -1,0 +1,215 @@
+#include "delivery.hpp"
+
+#include "track.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace avi::detail {
+
+namespace {
+
+/// Steps after which a run that is kept begins anew with its method, which has a memory of the steps before
+/// that is not kept: so that a run that goes on from a file has the same bits as one that was not
+/// interrupted.
+constexpr long block = 4096;
+
+State<dynamic> start_of(const OrbitQuestion& question) {
+  return state_of<dynamic>(question.t, question.q.data(), question.p.data(),
+                           static_cast<int>(question.q.size()));
+}
+
+}  // namespace
+
+Delivery::Delivery(const OrbitQuestion& question, int degrees, const Choice& choice, Budget& budget)
+    : question_(question), degrees_(degrees), budget_(budget),
+      field_(question.graph, question.energy, question.gradient),
+      energy_at_start_(field_.energy(question.q.data(), question.p.data())),
+      candidate_(
+          candidate(choice.name, question.graph, question.energy, energy_at_start_, choice, question.timed)),
+      choice_(choice), h_(question.t_end < question.t ? -choice.h : choice.h),
+      energy_scale_(choice.energy_scale),
+      steps_((candidate_.supplied = question.gradient,
+              candidate_.steps(choice.order, {.tolerance = choice.solved, .most = 60}))),
+      state_(start_of(question)) {
+  for (std::size_t i = 0; i < question.events.size(); ++i)
+    watches_.emplace_back(question.events[i], degrees, i);
+  if (question.options.dense)
+    track_ = std::make_shared<Track>(candidate_.steps(choice.order, {.tolerance = choice.solved, .most = 60}),
+                                     candidate_, field_, h_, degrees_);
+  for (; next_ < question.times.size() && question.times[next_] == question.t; ++next_)
+    add(states_, state_, question.t);
+}
+
+Delivery::~Delivery() = default;
+
+void Delivery::add(OrbitPoints& points, const State<dynamic>& z, double t) const {
+  points.t.push_back(t);
+  points.z.insert(points.z.end(), z.q.data(), z.q.data() + degrees_);
+  points.z.insert(points.z.end(), z.p.data(), z.p.data() + degrees_);
+}
+
+void Delivery::look_at_energy(const State<dynamic>& z) {
+  const double error = std::abs(field_.energy(z.q.data(), z.p.data()) - energy_at_start_) / energy_scale_;
+  energy_error_ = std::max(energy_error_, error);
+}
+
+void Delivery::go(double pause) {
+  const double sense = std::copysign(1.0, h_);
+  const bool kept = !question_.options.checkpoint.empty();
+  while (run_.ok() && !arrived() && sense * (state_.t - pause) < 0.0) {
+    if (kept && run_.steps % block == 0) begin_block();
+    step();
+  }
+  if (!run_.ok() && run_.message.empty())
+    run_.message = describe_end(run_.outcome, state_, run_.steps, 0.0, reason_);
+  if (!kept) return;
+  if (run_.ok() && arrived())
+    std::remove(question_.options.checkpoint.c_str());
+  else if (!written_)
+    write();
+}
+
+void Delivery::begin_block() {
+  steps_ = candidate_.steps(choice_.order, {.tolerance = choice_.solved, .most = 60});
+  block_ = Record();
+  const auto put = [&](const auto&... each) { (block_.put(each), ...); };
+  put(fingerprint(question_), question_.q, question_.p, question_.t, question_.t_end, question_.tolerance,
+      question_.times, static_cast<int>(question_.options.dense));
+  put(choice_.name, choice_.order, choice_.h, choice_.energy_scale, choice_.kinetic, choice_.accelerations,
+      choice_.solved, choice_.time, report_.choice.sweeps, report_.choice.check);
+  put(report_.state_error, report_.energy_rounding, report_.note);
+  put(std::vector<double>(state_.q.begin(), state_.q.end()),
+      std::vector<double>(state_.p.begin(), state_.p.end()), state_.t, run_.steps, run_.evaluations,
+      energy_error_, next_, states_.t, states_.z, events_, event_states_.t, event_states_.z);
+  for (Watch& watch : watches_)
+    put(watch.found());
+  if (track_) track_->put(block_);
+  written_ = false;
+  if (budget_.seconds() >= due_) write();
+}
+
+void Delivery::write() {
+  block_.write(question_.options.checkpoint);
+  written_ = true;
+  due_ = budget_.seconds() + question_.options.checkpoint_seconds;
+}
+
+void Delivery::keep(const SolutionReport& report) { report_ = report; }
+
+Choice choice_in(Record& record, SolutionReport& report) {
+  Choice& choice = report.choice;
+  const auto get = [&](auto&... each) { (record.get(each), ...); };
+  get(choice.name, choice.order, choice.h, choice.energy_scale, choice.kinetic, choice.accelerations,
+      choice.solved, choice.time, choice.sweeps, choice.check);
+  get(report.state_error, report.energy_rounding, report.note);
+  return choice;
+}
+
+std::uint64_t question_in(Record& record, OrbitQuestion& question) {
+  std::uint64_t of_file = 0;
+  int dense = 0;
+  const auto get = [&](auto&... each) { (record.get(each), ...); };
+  get(of_file, question.q, question.p, question.t, question.t_end, question.tolerance, question.times, dense);
+  question.options.dense = dense != 0;
+  return of_file;
+}
+
+void Delivery::restore(Record& record, const SolutionReport& report) {
+  report_ = report;
+  const auto get = [&](auto&... each) { (record.get(each), ...); };
+  std::vector<double> q, p;
+  get(q, p, state_.t, run_.steps, run_.evaluations, energy_error_, next_, states_.t, states_.z, events_,
+      event_states_.t, event_states_.z);
+  std::ranges::copy(q, state_.q.data());
+  std::ranges::copy(p, state_.p.data());
+  for (Watch& watch : watches_)
+    get(watch.found());
+  if (track_) track_->get(record);
+}
+
+void Delivery::step() {
+  const double end = question_.t_end, sense = std::copysign(1.0, h_);
+  const State<dynamic> before = state_;
+  State<dynamic> after = before;
+  spend(steps_->step(after, h_));
+  if (run_.ok() && !after.finite()) run_.outcome = Outcome::non_finite;
+  if (run_.ok() && !(sense * (after.t - before.t) > 0.0)) run_.outcome = Outcome::stalled;
+  if (!run_.ok()) return;
+  State<dynamic> last = after;
+  double part = 1.0;
+  if (sense * (after.t - end) > 0.0) {
+    part = part_at(*steps_, candidate_, before, h_, after.t, end);
+    spend(land(*steps_->clone(), candidate_, field_, before, h_, after.t, end, last));
+    if (!run_.ok()) return;
+  }
+  const Stride stride{*steps_, before, last, h_, part};
+  if (!watches_.empty()) find_events(stride, last);
+  if (run_.ok()) find_outputs(before, after, last);
+  if (!run_.ok()) return;
+  if (track_) track_->add(before, last);
+  state_ = last;
+  ++run_.steps;
+  look_at_energy(state_);
+  if (!arrived()) run_.outcome = budget_.met(state_.t, run_.steps, run_.evaluations);
+}
+
+/// Finds the events of a step up to the first that ends the run, which becomes its end.
+void Delivery::find_events(const Stride& stride, State<dynamic>& last) {
+  const double sense = std::copysign(1.0, h_);
+  std::vector<Hit> hits;
+  for (Watch& watch : watches_)
+    run_.evaluations += watch.look(stride, run_.steps == 0, hits);
+  std::ranges::stable_sort(hits, {}, [&](const Hit& hit) { return sense * hit.state.t; });
+  for (const Hit& hit : hits) {
+    if (hit.outcome != Outcome::ok) {
+      run_.outcome = hit.outcome;
+      reason_ = hit.reason;
+      return;
+    }
+    if (watches_[hit.index].over()) continue;
+    events_.push_back(static_cast<int>(hit.index));
+    add(event_states_, hit.state, hit.state.t);
+    if (watches_[hit.index].take()) {
+      last = hit.state;
+      by_event_ = true;
+      return;
+    }
+  }
+}
+
+void Delivery::find_outputs(const State<dynamic>& before, const State<dynamic>& after,
+                            const State<dynamic>& last) {
+  const double sense = std::copysign(1.0, h_);
+  const std::vector<double>& times = question_.times;
+  for (; next_ < times.size() && sense * (times[next_] - last.t) <= 0.0; ++next_) {
+    const double t = times[next_];
+    if (next_ > 0 && t == times[next_ - 1]) {
+      const std::vector<double> again(states_.z.end() - 2 * degrees_, states_.z.end());
+      states_.t.push_back(t);
+      states_.z.insert(states_.z.end(), again.begin(), again.end());
+    } else if (t == last.t) {
+      add(states_, last, t);
+    } else {
+      State<dynamic> there;
+      spend(land(*steps_->clone(), candidate_, field_, before, h_, after.t, t, there));
+      if (!run_.ok()) return;
+      add(states_, there, t);
+    }
+  }
+}
+
+void Delivery::deliver(OrbitAnswer& answer) const {
+  answer.run = run_;
+  answer.q.assign(state_.q.data(), state_.q.data() + degrees_);
+  answer.p.assign(state_.p.data(), state_.p.data() + degrees_);
+  answer.t = state_.t;
+  answer.energy_error = energy_error_;
+  answer.states = states_;
+  answer.events = events_;
+  answer.event_states = event_states_;
+  answer.curve = track_;
+}
+
+}  // namespace avi::detail

@@ -1,0 +1,286 @@
+#include "avi/core/require.hpp"
+#include "delivery.hpp"
+#include "orbiter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace avi::detail {
+
+namespace {
+
+void require_question(const OrbitQuestion& question) {
+  const SolveOptions& options = question.options;
+  require_finite("Time of the start", question.t);
+  require(std::isfinite(question.t_end), "End time", question.t_end, "finite");
+  require(question.tolerance >= 1e-13 && question.tolerance <= 1e-2, "Tolerance", question.tolerance,
+          "in [1e-13, 1e-2]");
+  require(options.seconds >= 0.0, "Bound on seconds", options.seconds, "at least 0");
+  require(options.sweeps >= 1, "Bound on sweeps", options.sweeps, "at least 1");
+  require(options.steps >= 1, "Bound on steps", options.steps, "at least 1");
+  require(options.order == 0 || (options.order >= 2 && options.order <= 16 && options.order % 2 == 0),
+          "Order", options.order, "even and in [2, 16], or 0 to have it chosen");
+  require(options.monitor.empty() || is_monitor(options.monitor), "Monitor", options.monitor, "one of ",
+          names_of_monitors());
+  require(std::isfinite(options.h) && options.h >= 0.0, "Fictive step h", options.h,
+          "finite and positive, or 0 to have it chosen");
+  require(options.h == 0.0 || !options.monitor.empty(), "Monitor", "not set", "set where h is: one of ",
+          names_of_monitors());
+  require(options.checkpoint_seconds >= 0.0, "Seconds between checkpoints", options.checkpoint_seconds,
+          "at least 0");
+}
+
+}  // namespace
+
+void require_times(double start, const std::vector<double>& times) {
+  require(!times.empty(), "Number of output times", times.size(), "at least 1");
+  require_finite("Time of the start", start);
+  const bool back = times.back() < start;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    require_finite("Output time", times[i]);
+    const double last = i == 0 ? start : times[i - 1];
+    require(back ? times[i] <= last : times[i] >= last, "Output time", times[i],
+            back ? "at most the one before it, " : "at least the one before it, ", last,
+            i == 0 ? ", the start" : "");
+  }
+}
+
+void require_arguments(int inputs, int n) {
+  require(inputs == 2 * n || inputs == 2 * n + 1, "Number of arguments of H", inputs, "", 2 * n, ", or ",
+          2 * n + 1, " where it depends on time");
+}
+
+void add_events(OrbitQuestion& question) {
+  const int n = static_cast<int>(question.q.size());
+  for (const SolveEvent& event : question.options.events) {
+    if (!event.g) throw std::invalid_argument("An event has no function g; avi::when(g) makes one.");
+    const EventRules& rules = event.rules;
+    require(rules.direction >= -1 && rules.direction <= 1, "Direction of an event", rules.direction,
+            "-1, 0 or 1");
+    require(rules.count >= 0, "Count of an event", rules.count, "at least 0");
+    Formula g = event.g(n);
+    require(g.inputs() == 2 * n || g.inputs() == 2 * n + 1, "Number of arguments of an event", g.inputs(), "",
+            2 * n, ", or ", 2 * n + 1, " where it depends on time");
+    question.events.push_back({std::move(g), rules});
+  }
+  question.options.events.clear();
+}
+
+void no_curve() {
+  throw std::logic_error("The solution was made without SolveOptions::dense; it has states at the end and at "
+                         "output times only.");
+}
+
+namespace {
+
+/// Where H depends on time, time is a coordinate and H + p_t the energy, which is zero.
+void extend(OrbitQuestion& question) {
+  const int n = static_cast<int>(question.q.size());
+  if (question.graph.inputs() == 2 * n) return;
+  ExpressionGraph graph(2 * n + 2);
+  std::vector<int> places;
+  std::vector<double> start = question.q;
+  start.insert(start.end(), question.p.begin(), question.p.end());
+  start.push_back(question.t);
+  for (int i = 0; i < n; ++i)
+    places.push_back(i);
+  for (int i = 0; i < n; ++i)
+    places.push_back(n + 1 + i);
+  places.push_back(n);
+  const double energy = evaluate(question.graph, question.energy, start);
+  const int node = graph.substitute(question.graph, question.energy, places);
+  question.energy = graph.binary(Operation::add, node, 2 * n + 1);
+  question.graph = std::move(graph);
+  question.q.push_back(question.t);
+  question.p.push_back(-energy);
+  question.timed = true;
+}
+
+void tell_cancelled(const Budget& budget, OrbitAnswer& answer) {
+  if (!budget.cancelled()) return;
+  answer.run.outcome = Outcome::stopped;
+  answer.run.message = "The run was stopped by the callback that is told of its progress.";
+  answer.state_error = infinity;
+}
+
+/// A call of solve() with something to deliver beside the end.
+class Call {
+ public:
+  Call(const OrbitQuestion& question, int degrees, Budget& budget)
+      : question_(question), degrees_(degrees), budget_(budget) {}
+
+  OrbitAnswer make() {
+    double horizon = question_.t_end;
+    budget_.share = 0.5;
+    if (may_stop() && !question_.made) horizon = scout();
+    for (int round = 0;; ++round) {
+      OrbitAnswer answer = chosen(horizon, question_.tolerance, question_.options.check);
+      if (!(answer.choice.h > 0.0) || budget_.cancelled()) return answer;
+      budget_.share = 1.0;
+      budget_.phase = SolvePhase::running;
+      Delivery delivery(question_, degrees_, answer.choice, budget_);
+      delivery.keep(answer);
+      const bool last = horizon == question_.t_end || round == 60;
+      delivery.go(last ? question_.t_end : beyond(horizon, 1.2));
+      if (delivery.run().ok() && !delivery.arrived()) {
+        // The event comes later than in the first run.
+        spent_ += delivery.run().evaluations;
+        budget_.sweeps += delivery.run().evaluations;
+        horizon = beyond(horizon, 2.0);
+        continue;
+      }
+      const Run planned = answer.run;
+      answer.choice.sweeps += spent_ + planned.evaluations;
+      delivery.deliver(answer);
+      if (!delivery.run().ok()) {
+        answer.state_error = infinity;
+        if (!planned.ok() && planned.outcome == delivery.run().outcome) answer.run.message = planned.message;
+      }
+      return answer;
+    }
+  }
+
+ private:
+  [[nodiscard]] bool may_stop() const {
+    return std::ranges::any_of(question_.events, [](const OrbitEvent& event) { return event.rules.stop; });
+  }
+  /// The time a factor further from the start, or the end.
+  [[nodiscard]] double beyond(double time, double factor) const {
+    const double there = question_.t + factor * (time - question_.t), end = question_.t_end;
+    return end < question_.t ? std::max(there, end) : std::min(there, end);
+  }
+  /// What is known of a run with a choice that is made, before it is.
+  [[nodiscard]] OrbitAnswer made() const {
+    OrbitAnswer answer;
+    answer.choice = *question_.made;
+    answer.choice.trials.clear();
+    answer.choice.sweeps = answer.choice.check = 0;
+    answer.tolerance = question_.tolerance;
+    answer.state_error = infinity;
+    PointField field(question_.graph, question_.energy, question_.gradient);
+    const double energy = field.energy(question_.q.data(), question_.p.data());
+    if (!std::isfinite(energy))
+      throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
+    answer.energy_rounding =
+        std::numeric_limits<double>::epsilon() * (std::abs(energy) / answer.choice.energy_scale + 1.0);
+    return answer;
+  }
+  OrbitAnswer chosen(double end, double tolerance, bool check) {
+    if (question_.made && !check) return made();
+    OrbitQuestion question = question_;
+    question.t_end = end;
+    question.tolerance = tolerance;
+    question.options.check = check;
+    budget_.phase = SolvePhase::choosing;
+    budget_.end = end;
+    OrbitAnswer answer = choose(question, budget_);
+    answer.q.resize(static_cast<std::size_t>(degrees_)), answer.p.resize(static_cast<std::size_t>(degrees_));
+    answer.tolerance = question_.tolerance;
+    return answer;
+  }
+  /// A time that an event which ends the run comes before, by a run with low accuracy: that for which the
+  /// others are chosen.
+  double scout() {
+    const double span = std::abs(question_.t_end - question_.t);
+    PointField field(question_.graph, question_.energy, question_.gradient);
+    VectorX z(static_cast<Eigen::Index>(2 * question_.q.size()));
+    std::ranges::copy(question_.q, z.data());
+    std::ranges::copy(question_.p, z.data() + question_.q.size());
+    field.sense = question_.t_end < question_.t ? -1.0 : 1.0;
+    const Sketch sketch(field, z, span, field.metric(z));
+    const double first = question_.t + field.sense * std::min(span, sketch.time_of(20.0));
+    const OrbitAnswer answer = chosen(first, std::max(question_.tolerance, 1e-4), false);
+    if (!(answer.choice.h > 0.0)) return first;
+    OrbitQuestion events = question_;
+    events.times.clear();
+    events.options.dense = false;
+    events.options.checkpoint.clear();
+    std::erase_if(events.events, [](const OrbitEvent& event) { return !event.rules.stop; });
+    Delivery delivery(events, degrees_, answer.choice, budget_);
+    budget_.end = question_.t_end;
+    delivery.go(question_.t_end);
+    spent_ += answer.choice.sweeps + answer.run.evaluations + delivery.run().evaluations;
+    budget_.sweeps += delivery.run().evaluations;
+    return beyond(delivery.state().t, 1.02);
+  }
+
+  const OrbitQuestion& question_;
+  int degrees_;
+  Budget& budget_;
+  long spent_ = 0;  // on runs that nothing is known from but the horizon
+};
+
+}  // namespace
+
+OrbitAnswer answer(OrbitQuestion&& question) {
+  require_question(question);
+  const int degrees = static_cast<int>(question.q.size());
+  extend(question);
+  const std::vector<double>& times = question.times;
+  const bool end_alone = times.empty() || (times.size() == 1 && times[0] == question.t_end);
+  if (question.made) {
+    question.options.monitor = question.made->name;
+    question.options.order = question.made->order;
+    question.options.h = question.made->h;
+  }
+  const bool more = !end_alone || !question.events.empty() || question.options.dense ||
+                    !question.options.checkpoint.empty() || (question.made && !question.options.check);
+  Budget budget(question.options);
+  budget.start = question.t, budget.end = question.t_end;
+  OrbitAnswer answer = more && question.t_end != question.t ? Call(question, degrees, budget).make()
+                                                            : choose(question, budget);
+  answer.q.resize(question.q.size()), answer.p.resize(question.q.size());
+  answer.q.resize(static_cast<std::size_t>(degrees)), answer.p.resize(static_cast<std::size_t>(degrees));
+  if ((!more || question.t_end == question.t) && answer.ok())
+    for (const double t : times) {
+      answer.states.t.push_back(t);
+      answer.states.z.insert(answer.states.z.end(), answer.q.begin(), answer.q.end());
+      answer.states.z.insert(answer.states.z.end(), answer.p.begin(), answer.p.end());
+    }
+  tell_cancelled(budget, answer);
+  return answer;
+}
+
+OrbitAnswer answer_from(const std::string& file, OrbitQuestion&& question) {
+  Record record(file);
+  const SolveOptions bounds = question.options;
+  const auto degrees = static_cast<std::size_t>(question.q.size());
+  extend(question);
+  const std::size_t size = question.q.size();
+  const std::uint64_t its = question_in(record, question);
+  if (question.q.size() != size || question.p.size() != size || its != fingerprint(question))
+    throw std::invalid_argument("The checkpoint " + file +
+                                " is of another H, of other events, or of another dimension.");
+  question.options.checkpoint = file;
+  require_question(question);
+  OrbitAnswer answer;
+  const Choice choice = choice_in(record, answer);
+  if (!is_monitor(choice.name))
+    throw std::invalid_argument("The checkpoint " + file + " has an unknown monitor.");
+  answer.tolerance = question.tolerance;
+  Budget budget(question.options);
+  budget.phase = SolvePhase::running;
+  budget.start = question.t, budget.end = question.t_end;
+  Delivery delivery(question, static_cast<int>(degrees), choice, budget);
+  delivery.restore(record, answer);
+  delivery.go(question.t_end);
+  delivery.deliver(answer);
+  if (!delivery.run().ok()) answer.state_error = infinity;
+  tell_cancelled(budget, answer);
+  return answer;
+}
+
+SolutionReport choose_for(const OrbitQuestion& question) {
+  OrbitQuestion sample = question;
+  sample.events.clear();
+  sample.options.dense = false;
+  SolutionReport report = answer(std::move(sample));
+  if (!(report.choice.h > 0.0))
+    throw std::invalid_argument(
+        "Nothing could be chosen for the orbit of the Solver: " +
+        (report.run.message.empty() ? "it ends where it starts." : report.run.message));
+  return report;
+}
+
+}  // namespace avi::detail

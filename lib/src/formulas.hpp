@@ -1,0 +1,67 @@
+#pragma once
+#include "avi/autodiff/recording.hpp"
+
+#include "machine_code.hpp"
+
+#include <memory>
+#include <mutex>
+#include <span>
+#include <utility>
+#include <vector>
+
+/// @file
+/// A transformed problem as programs: every Hamiltonian with every monitor is of one type.
+
+namespace avi::detail {
+
+/// The machine code of some programs for several kinds of packs, each made once.
+class CodeStore {
+ public:
+  /// That for a target; null where there is none, or none yet and it is not to be made.
+  std::shared_ptr<const MachineCode> of(std::span<const Program* const> programs, const MachineTarget& target,
+                                        bool make) {
+    const std::lock_guard lock(mutex_);
+    for (const Entry& entry : entries_)
+      if (entry.lanes == target.lanes && entry.avx512 == target.avx512) return entry.code;
+    if (!make) return nullptr;
+    entries_.push_back({target.lanes, target.avx512, MachineCode::of(programs, target)});
+    return entries_.back().code;
+  }
+
+ private:
+  struct Entry {
+    int lanes;
+    bool avx512;
+    std::shared_ptr<const MachineCode> code;
+  };
+  std::mutex mutex_;
+  std::vector<Entry> entries_;
+};
+
+/// The programs of \f$\bar H = g\,(H - H_0)\f$, made once and shared by all methods that run on them.
+struct Formulas {
+  Program forces;      ///< \f$\partial\bar H/\partial q\f$.
+  Program velocities;  ///< \f$\partial\bar H/\partial p\f$.
+  Program rate;        ///< g; empty where `unit`.
+  bool unit = false;   ///< g = 1.
+  Eigen::Index n = 0;  ///< Degrees of freedom.
+  /// Forces, velocities and, unless `unit`, the rate as machine code.
+  std::unique_ptr<CodeStore> code = std::make_unique<CodeStore>();
+
+  /// Of \f$\bar H\f$ and g as nodes of one graph of (q, p).
+  /// @param energy node of H @param supplied those of its gradient, where H has one of its own
+  static std::shared_ptr<const Formulas> of(const ExpressionGraph& graph, int transformed, int rate,
+                                            int energy = -1, const std::vector<int>& supplied = {}) {
+    const int n = graph.inputs() / 2;
+    const Recording recording(graph, transformed, energy, supplied);
+    Formulas made{.forces = recording.gradient(0, n),
+                  .velocities = recording.gradient(n, n),
+                  .rate = {},
+                  .unit = graph.is(rate, 1.0),
+                  .n = n};
+    if (!made.unit) made.rate = Schedule::program(graph, rate, {}, graph.size());
+    return std::make_shared<const Formulas>(std::move(made));
+  }
+};
+
+}  // namespace avi::detail

@@ -1,0 +1,49 @@
+#include "gauss_builds.hpp"
+
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace avi::detail {
+
+std::span<const GaussBuild> gauss_builds() {
+#ifdef AVI_THREE_BUILDS
+  __builtin_cpu_init();
+#define AVI_HAS(instructions) (__builtin_cpu_supports(instructions) != 0)
+#endif
+  static const GaussBuild builds[] = {
+#ifdef AVI_THREE_BUILDS
+      // With the instructions of lib/CMakeLists.txt.
+      {"v4", gauss_steps_v4,
+       AVI_HAS("avx512f") && AVI_HAS("avx512dq") && AVI_HAS("avx512vl") && AVI_HAS("fma") && AVI_HAS("bmi2")},
+      {"v3", gauss_steps_v3, AVI_HAS("avx2") && AVI_HAS("bmi2")},
+#endif
+      {"portable", gauss_steps_portable, true}};
+#undef AVI_HAS
+  return builds;
+}
+
+const GaussBuild& gauss_build(const char* name) {
+  const std::string asked = name ? name : "";
+  std::string names;
+  for (const GaussBuild& build : gauss_builds()) {
+    if (asked.empty() ? build.runs : build.name == asked) {
+      if (build.runs) return build;
+      throw std::invalid_argument(
+          "AVI_INSTRUCTIONS is " + asked +
+          ", which this processor does not have; leave it empty for the best it has.");
+    }
+    names = build.name + (names.empty() ? "" : ", " + names);
+  }
+  throw std::invalid_argument("AVI_INSTRUCTIONS is " + asked + "; this library is built for " + names +
+                              ", of which it must be one.");
+}
+
+std::unique_ptr<GaussSteps> gauss_steps(std::shared_ptr<const Formulas> formulas, int order,
+                                        SweepBounds bounds) {
+  static const GaussBuild& build = gauss_build(std::getenv("AVI_INSTRUCTIONS"));
+  return build.make(std::move(formulas), order, bounds);
+}
+
+}  // namespace avi::detail

@@ -1,0 +1,32 @@
+#pragma once
+#include "gauss.hpp"
+
+#include <span>
+
+/// @file
+/// The builds of the Gauss stepper that a library has.
+
+namespace avi::detail {
+
+/// gauss_steps() for one set of instructions.
+using MakeGaussSteps = std::unique_ptr<GaussSteps>(std::shared_ptr<const Formulas> formulas, int order,
+                                                   SweepBounds bounds);
+
+MakeGaussSteps gauss_steps_portable;  ///< For any processor of this kind.
+MakeGaussSteps gauss_steps_v3;        ///< With AVX2, where the library has it.
+MakeGaussSteps gauss_steps_v4;        ///< With AVX-512, where the library has it.
+
+/// One of them.
+struct GaussBuild {
+  const char* name;      ///< What AVI_INSTRUCTIONS calls it.
+  MakeGaussSteps* make;  ///< Its door.
+  bool runs;             ///< On this processor.
+};
+/// All of this library, the fastest first.
+std::span<const GaussBuild> gauss_builds();
+
+/// The fastest one that runs here, or that of this name. @throws std::invalid_argument where it does not run
+/// here or there is none of this name.
+const GaussBuild& gauss_build(const char* name);
+
+}  // namespace avi::detail

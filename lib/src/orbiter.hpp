@@ -1,0 +1,13 @@
+#pragma once
+#include "budget.hpp"
+
+/// @file
+/// The choice of monitor, order and step for an orbit.
+
+namespace avi::detail {
+
+/// Chooses what takes an orbit to its end within the tolerance, and the end: what was asked for on the way is
+/// not delivered. The question has been checked, and has some time to go.
+OrbitAnswer choose(const OrbitQuestion& question, Budget& budget);
+
+}  // namespace avi::detail

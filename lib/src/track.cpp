@@ -1,0 +1,40 @@
+#include "track.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace avi::detail {
+
+State<dynamic> Track::start(std::size_t k) const {
+  const auto n = static_cast<std::size_t>(field_.size());
+  const double* z = starts_.data() + 2 * n * k;
+  return state_of<dynamic>(times_[k], z, z + n, field_.size());
+}
+
+void Track::at(double t, double* z) const {
+  const double sense = std::copysign(1.0, h_);
+  require(!times_.empty() && sense * (t - times_.front()) >= 0.0 && sense * (t - times_.back()) <= 0.0,
+          "Time of a solution", t, "in the run, from ", times_.empty() ? t : times_.front(), " to ",
+          times_.empty() ? t : times_.back());
+  const auto next =
+      std::ranges::lower_bound(times_, sense * t, {}, [&](double time) { return sense * time; });
+  const auto k = static_cast<std::size_t>(next - times_.begin());
+  State<dynamic> there;
+  if (times_[k] == t) {
+    there = start(k);
+  } else {
+    const State<dynamic> before = start(k - 1);
+    const std::unique_ptr<OrbitSteps> method = pattern_->clone();
+    const std::lock_guard lock(mutex_);
+    State<dynamic> after = before;
+    StepReport report = method->step(after, h_);
+    if (report.ok()) report = land(*method, candidate_, field_, before, h_, after.t, t, there);
+    if (!report.ok())
+      throw std::runtime_error("A step inside the run failed as " + std::string(name(report.outcome)) + ".");
+  }
+  std::copy(there.q.data(), there.q.data() + degrees_, z);
+  std::copy(there.p.data(), there.p.data() + degrees_, z + degrees_);
+}
+
+}  // namespace avi::detail

@@ -1,0 +1,58 @@
+#pragma once
+#include "checkpoint.hpp"
+#include "journey.hpp"
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+/// @file
+/// A run as the starts of its steps.
+
+namespace avi::detail {
+
+/// The starts of the steps of a run, and its end. A state in between is found by repeating the step from its
+/// start, from a constant as first guess, so that it does not depend on what was asked before.
+class Track final : public OrbitCurve {
+ public:
+  /// Of a run with steps h of this method, which has made none.
+  Track(std::unique_ptr<OrbitSteps> pattern, const Candidate& candidate, const PointField& field, double h,
+        int degrees)
+      : pattern_(std::move(pattern)), candidate_(candidate), field_(field), h_(h), degrees_(degrees) {}
+
+  /// One step more, or the part of it that belongs to the run.
+  void add(const State<dynamic>& before, const State<dynamic>& last) {
+    if (starts_.empty()) put(before);
+    put(last);
+  }
+  void at(double t, double* z) const override;
+  /// Into a file.
+  void put(Record& record) const {
+    record.put(times_);
+    record.put(starts_);
+  }
+  /// From a file.
+  void get(Record& record) {
+    record.get(times_);
+    record.get(starts_);
+  }
+
+ private:
+  void put(const State<dynamic>& z) {
+    times_.push_back(z.t);
+    starts_.insert(starts_.end(), z.q.begin(), z.q.end());
+    starts_.insert(starts_.end(), z.p.begin(), z.p.end());
+  }
+  [[nodiscard]] State<dynamic> start(std::size_t k) const;
+
+  std::unique_ptr<OrbitSteps> pattern_;
+  // Both have memory for what they evaluate.
+  mutable std::mutex mutex_;
+  mutable Candidate candidate_;
+  mutable PointField field_;
+  double h_;
+  int degrees_;
+  std::vector<double> times_, starts_;
+};
+
+}  // namespace avi::detail

@@ -1,0 +1,190 @@
+#include "watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace avi::detail {
+
+namespace {
+
+constexpr int parts = 8;  // of a step, at whose ends g is looked at
+
+/// The method as it is after the step, which repeats it in parts.
+struct Repeated {
+  static constexpr bool one_step = false;
+  std::shared_ptr<const OrbitSteps> pattern;
+  std::unique_ptr<OrbitSteps> own{};
+
+  explicit Repeated(std::shared_ptr<const OrbitSteps> steps) : pattern(std::move(steps)) {}
+  Repeated(const Repeated& other) : pattern(other.pattern) {}
+  Repeated& operator=(const Repeated&) = delete;
+  StepReport step(State<dynamic>& z, double h) {
+    if (!own) own = pattern->clone();
+    return own->step(z, h);
+  }
+};
+
+}  // namespace
+
+double Watch::at(const State<dynamic>& z) {
+  double* const x = formula_.room.arguments();
+  std::copy(z.q.data(), z.q.data() + degrees_, x);
+  std::copy(z.p.data(), z.p.data() + degrees_, x + degrees_);
+  if (timed_) x[2 * degrees_] = z.t;
+  formula_.program.run(formula_.room);
+  return formula_.value();
+}
+
+double Watch::on(const Stride& stride, double part) { return at(stride.method.polynomial(part)); }
+
+/// See rounding_of() of Event: what g changes by when the entries of the state change by their rounding.
+double Watch::rounding(const State<dynamic>& z, const State<dynamic>& after) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  State<dynamic> moved = z;
+  const double here = at(z);
+  double sum = 0.0;
+  const auto shift = [&](double& entry, double end) {
+    const double kept = entry;
+    entry += epsilon * std::max(std::abs(kept), std::abs(end - kept));
+    sum += std::abs(at(moved) - here);
+    entry = kept;
+  };
+  for (int i = 0; i < degrees_; ++i) {
+    shift(moved.q[i], after.q[i]);
+    shift(moved.p[i], after.p[i]);
+  }
+  shift(moved.t, after.t);
+  return 8.0 * sum;
+}
+
+/// g along the step; where the run starts on the event, from where g has left it.
+void Watch::sample(const Stride& stride, bool first) {
+  samples_.clear();
+  const double begin = at(stride.before), end = at(stride.last);
+  samples_.push_back({0.0, begin});
+  if (first) {
+    level_ = std::abs(begin) <= 1e-3 * std::abs(end - begin) ? rounding(stride.before, stride.last) : 0.0;
+    leaving_ = std::abs(begin) <= level_;
+  }
+  if (leaving_)
+    for (const double part : {0x1p-26, 0x1p-20, 0x1p-14, 0x1p-8, 0x1p-5})
+      samples_.push_back({part * stride.part, on(stride, part * stride.part)});
+  for (int k = 1; k < parts; ++k) {
+    const double part = stride.part * k / parts;
+    samples_.push_back({part, on(stride, part)});
+  }
+  samples_.push_back({stride.part, end});
+  if (!leaving_) return;
+  const auto left =
+      std::ranges::find_if(samples_, [&](const Sample& it) { return !(std::abs(it.g) <= level_); });
+  leaving_ = left == samples_.end();
+  samples_.erase(samples_.begin(), left);
+}
+
+/// Between two points of one sign there are two zeros more where g turns on the other side of zero.
+void Watch::add_turning_points(const Stride& stride) {
+  std::vector<Sample> more;
+  for (std::size_t k = 0; samples_.size() > 2 && k + 1 < samples_.size(); ++k) {
+    const Sample &a = samples_[k], &b = samples_[k + 1], &c = k > 0 ? samples_[k - 1] : samples_[2];
+    const double sign = std::copysign(1.0, b.g);
+    if (!(sign * a.g > 0.0) || b.g == 0.0) continue;
+    // The parabola through them and the next one says where it may be worth a look.
+    const double slope = (b.g - a.g) / (b.part - a.part);
+    const double bend = ((c.g - b.g) / (c.part - b.part) - slope) / (c.part - a.part);
+    const double turn = 0.5 * (a.part + b.part) - 0.5 * slope / bend, width = b.part - a.part;
+    if (!(sign * bend > 0.0) || !(turn > a.part - 0.5 * width) || !(turn < b.part + 0.5 * width)) continue;
+    const double lowest = a.g + (turn - a.part) * (slope + bend * (turn - b.part));
+    if (sign * lowest > 0.5 * std::min(sign * a.g, sign * b.g)) continue;
+    constexpr double golden = 0.6180339887498949;
+    double low = a.part, high = b.part;
+    for (int i = 0; i < 40; ++i) {
+      const double x = high - golden * (high - low), y = low + golden * (high - low);
+      const double at_x = sign * on(stride, x), at_y = sign * on(stride, y);
+      if (at_x <= 0.0 || at_y <= 0.0) {
+        more.push_back(at_x <= 0.0 ? Sample{x, sign * at_x} : Sample{y, sign * at_y});
+        break;
+      }
+      (at_x < at_y ? high : low) = at_x < at_y ? y : x;
+    }
+  }
+  samples_.insert(samples_.end(), more.begin(), more.end());
+  std::ranges::sort(samples_, {}, &Sample::part);
+}
+
+/// The zero between two points of the step, by steps of the method. @param none there is none: it was the
+/// polynomial's alone
+Hit Watch::locate(const Stride& stride, const Sample& low, const Sample& high, long& evaluations,
+                  bool& none) {
+  const double sign = std::copysign(1.0, high.g == 0.0 ? -low.g : high.g);
+  const double place = bracketed_root([&](double part) { return sign * on(stride, part); }, low.part,
+                                      sign * low.g, high.part, sign * high.g, 0.0)
+                           .x;
+  const auto pattern = std::shared_ptr<const OrbitSteps>(stride.method.clone());
+  const Repeated method(pattern);
+  const Step<Repeated, State<dynamic>> whole{method, stride.before, stride.last, stride.h};
+  const auto there = [&](double part) -> Located<State<dynamic>> {
+    if (part == 0.0) return {.state = stride.before, .report = {.evaluations = 0}};
+    if (part == stride.part) return {.state = stride.last, .report = {.evaluations = 0}};
+    Located<State<dynamic>> found = whole.part(part);
+    evaluations += found.evaluations;
+    return found;
+  };
+  Hit hit{.state = stride.before, .index = index_};
+  const auto fail = [&](const Located<State<dynamic>>& found) {
+    hit.outcome = found.report.outcome;
+    hit.reason = found.reason.empty() ? "a step to g = 0 failed" : found.reason;
+    return hit;
+  };
+  for (double width = 1e-5;; width *= 40.0) {
+    const double from = std::max(low.part, place - width), to = std::min(high.part, place + width);
+    const Located<State<dynamic>> end = there(to), begin = there(from);
+    if (!end.ok()) return fail(end);
+    if (!begin.ok()) return fail(begin);
+    const double at_end = at(end.state), at_begin = at(begin.state);
+    const bool widest = from == low.part && to == high.part;
+    if (sign * at_begin < 0.0 && sign * at_end >= 0.0) {
+      if (at_end == 0.0) {
+        hit.state = end.state;
+        return hit;
+      }
+      const Step<Repeated, State<dynamic>> step{method, stride.before, end.state, to * stride.h};
+      Located<State<dynamic>> found = step.locate_from(
+          from / to, at_begin, [&](const State<dynamic>& z) { return at(z); }, 0.0);
+      evaluations += found.evaluations;
+      if (!found.ok()) return fail(found);
+      hit.state = std::move(found.state);
+      return hit;
+    }
+    if (widest) break;
+  }
+  none = true;
+  return hit;
+}
+
+long Watch::look(const Stride& stride, bool first, std::vector<Hit>& hits) {
+  if (over()) return 0;
+  long evaluations = 0;
+  sample(stride, first);
+  for (const Sample& it : samples_)
+    if (std::isnan(it.g)) {
+      std::ostringstream reason;
+      reason.precision(17);
+      reason << "g of the event is nan at t = " << stride.method.polynomial(it.part).t;
+      hits.push_back({stride.method.polynomial(it.part), index_, Outcome::non_finite, reason.str()});
+      return evaluations;
+    }
+  add_turning_points(stride);
+  for (std::size_t k = 0; k + 1 < samples_.size(); ++k) {
+    if (!crosses(samples_[k].g, samples_[k + 1].g)) continue;
+    bool none = false;
+    Hit hit = locate(stride, samples_[k], samples_[k + 1], evaluations, none);
+    if (none) continue;
+    hits.push_back(std::move(hit));
+    if (hits.back().outcome != Outcome::ok) break;
+  }
+  return evaluations;
+}
+
+}  // namespace avi::detail

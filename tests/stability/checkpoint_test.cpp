@@ -1,0 +1,127 @@
+#include "avi/problems/henon_heiles.hpp"
+#include "avi/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace checkpoint_test {
+
+using avi::HenonHeiles;
+using avi::State;
+
+const State<2> start{.q = {0.0, 0.3}, .p = {0.45, 0.0}};
+const double end = 30000.0;
+
+std::string file_named(const std::string& name) {
+  return (std::filesystem::temp_directory_path() / ("avi_" + std::to_string(getpid()) + name)).string();
+}
+avi::SolveOptions options(const std::string& file) {
+  return {.check = false,
+          .order = 8,
+          .monitor = "fixed",
+          .h = 0.4,
+          .dense = true,
+          .events = {avi::when([](const auto& q, const auto&) { return q[0]; }, {.direction = 1})},
+          .checkpoint = file,
+          .checkpoint_seconds = 0.0};
+}
+const std::vector<double> times{100.0, 15000.0, 20000.0, end};
+
+void expect_same(const avi::Solution<2>& a, const avi::Solution<2>& b) {
+  EXPECT_EQ(a.state, b.state);
+  EXPECT_EQ(a.states, b.states);
+  ASSERT_EQ(a.events.size(), b.events.size());
+  for (std::size_t i = 0; i < a.events.size(); ++i)
+    EXPECT_EQ(a.events[i].state, b.events[i].state);
+  EXPECT_EQ(a.run.steps, b.run.steps);
+  EXPECT_EQ(a.energy_error, b.energy_error);
+  EXPECT_EQ(a(777.7), b(777.7));
+  EXPECT_EQ(a(29999.9), b(29999.9));
+}
+
+TEST(Checkpoint, OfARunThatMetABoundGoesOnWithTheSameBits) {
+  const std::string file = file_named("bound");
+  const auto whole = avi::solve(HenonHeiles(), start, times, 1e-8, options(file));
+  ASSERT_TRUE(whole.ok()) << whole.report();
+  EXPECT_FALSE(std::filesystem::exists(file));
+  auto bounded = options(file);
+  bounded.steps = 50000;
+  const auto part = avi::solve(HenonHeiles(), start, times, 1e-8, bounded);
+  EXPECT_EQ(part.run.outcome, avi::Outcome::step_limit);
+  EXPECT_EQ(part.run.steps, 50000);
+  EXPECT_EQ(part.states.size(), 3u);
+  ASSERT_TRUE(std::filesystem::exists(file));
+  bounded.steps = 60000;
+  const auto more = avi::resume<2>(HenonHeiles(), file, bounded);
+  EXPECT_EQ(more.run.steps, 60000);
+  const auto rest = avi::resume<2>(HenonHeiles(), file, options(file));
+  expect_same(whole, rest);
+  // What the bound forbade to find out is not known.
+  EXPECT_FALSE(rest.kept());
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST(Checkpoint, OfAKilledProcessGoesOnWithTheSameBits) {
+  const std::string file = file_named("killed");
+  const auto whole = avi::solve(HenonHeiles(), start, times, 1e-8, options(file));
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    auto fatal = options(file);
+    fatal.progress = [](const avi::SolveProgress& now) {
+      if (now.phase == avi::SolvePhase::running && now.fraction > 0.5) std::raise(SIGKILL);
+      return true;
+    };
+    (void)avi::solve(HenonHeiles(), start, times, 1e-8, fatal);
+    std::raise(SIGKILL);  // too quick for the callback: there may be no file
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "the run was over before the callback was due";
+  expect_same(whole, avi::resume<2>(HenonHeiles(), file, options(file)));
+}
+
+TEST(Checkpoint, IsRefusedWhereItIsDamagedOrOfSomethingElse) {
+  const std::string file = file_named("damaged");
+  auto bounded = options(file);
+  bounded.steps = 5000;
+  (void)avi::solve(HenonHeiles(), start, times, 1e-8, bounded);
+  const auto refused = [&](const auto& h, const avi::SolveOptions& with) {
+    EXPECT_THROW((void)avi::resume<2>(h, file, with), std::invalid_argument);
+  };
+  refused(HenonHeiles(), {});  // without its event
+  refused([](const auto& q, const auto& p) { return p[0] * p[0] + p[1] * p[1] + q[0] * q[1]; },
+          options(file));
+  const auto size = std::filesystem::file_size(file);
+  {
+    std::fstream bytes(file, std::ios::binary | std::ios::in | std::ios::out);
+    bytes.seekp(static_cast<std::streamoff>(size / 2));
+    bytes.put('x');
+  }
+  refused(HenonHeiles(), options(file));
+  std::filesystem::resize_file(file, size - 8);
+  refused(HenonHeiles(), options(file));
+  std::filesystem::resize_file(file, 4);
+  refused(HenonHeiles(), options(file));
+  std::filesystem::remove(file);
+  refused(HenonHeiles(), options(file));
+}
+
+TEST(Checkpoint, LeavesNoHalfWrittenFileWhereTheCallbackThrows) {
+  const std::string file = file_named("thrown");
+  auto throwing = options(file);
+  throwing.progress = [](const avi::SolveProgress&) -> bool { throw std::domain_error("enough"); };
+  EXPECT_THROW((void)avi::solve(HenonHeiles(), start, times, 1e-8, throwing), std::domain_error);
+  EXPECT_FALSE(std::filesystem::exists(file + ".part"));
+  EXPECT_THROW((void)avi::solve(HenonHeiles(), start, times, 1e-8, options("/nowhere/at/all")),
+               std::runtime_error);
+}
+
+}  // namespace checkpoint_test

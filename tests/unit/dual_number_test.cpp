@@ -1,0 +1,76 @@
+#include "avi/autodiff/dual_number.hpp"
+#include "avi/autodiff/partials.hpp"
+#include "unit/elementary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+using avi::DualNumber;
+using avi::Partials;
+
+namespace dual_number_test {
+
+/// A function of two variables for every operation, generic in its scalar.
+const auto operations =
+    std::tuple_cat(std::tuple{[](const auto& x, const auto& y) { return 2.0 + x - y + 0.5; },
+                              [](const auto& x, const auto& y) { return x * y * 3.0 * x; },
+                              [](const auto& x, const auto& y) { return (x / y) / 4.0 + 1.0 / -y; },
+                              [](const auto& x, const auto& y) {
+                                using std::sqrt;
+                                return sqrt(x * y);
+                              },
+                              [](const auto& x, const auto& y) {
+                                using avi::power, std::pow;
+                                return power(x, -1.5) * pow(y, 0.3) * power(x, 3.0);
+                              }},
+                   elementary);
+
+TEST(DualNumber, PartialsAgreeWithCentralDifferences) {
+  const double x = 0.7, y = 1.3, d = 1e-5;
+  int i = 0;
+  const auto check = [&](const auto& f) {
+    SCOPED_TRACE("operation " + std::to_string(i++));
+    const double value = f(x, y);
+    const DualNumber<2> v = f(DualNumber<2>::variable(x, 0), DualNumber<2>::variable(y, 1));
+    EXPECT_NEAR(v.value(), value, 4e-16 * std::abs(value));
+    EXPECT_NEAR(v.partial(0), (f(x + d, y) - f(x - d, y)) / (2.0 * d), 2e-9);
+    EXPECT_NEAR(v.partial(1), (f(x, y + d) - f(x, y - d)) / (2.0 * d), 2e-9);
+    using P = Partials<double, 2>;
+    const P p = f(P::variable(x, 0), P::variable(y, 1));
+    EXPECT_NEAR(p.value, v.value(), 4e-16 * std::abs(v.value()));
+    EXPECT_NEAR(p.partial(0), v.partial(0), 1e-14);
+    EXPECT_NEAR(p.partial(1), v.partial(1), 1e-14);
+  };
+  std::apply([&](const auto&... f) { (check(f), ...); }, operations);
+}
+
+/// Where the function has a derivative at zero, or one from the right.
+template <class S>
+void check_at_zero(S x) {
+  using std::abs, avi::power;
+  const auto slope = [](const S& f) { return f.partial(0); };
+  EXPECT_EQ(slope(pow(x, 1.0)), 1.0);
+  EXPECT_EQ(slope(pow(x, 1.5)), 0.0);
+  EXPECT_EQ(slope(pow(x, 2.0)), 0.0);
+  EXPECT_EQ(slope(power(x, 3.0)), 0.0);
+  EXPECT_EQ(slope(abs(x)), 1.0) << "to the right of the kink";
+}
+
+TEST(DualNumber, DerivativesAtZero) {
+  check_at_zero(DualNumber<2>::variable(0.0, 0));
+  check_at_zero(Partials<double, 2>::variable(0.0, 0));
+}
+
+TEST(DualNumber, ProductSumIsTheSumOfProducts) {
+  const auto x = DualNumber<3>::variable(1.5, 0), y = DualNumber<3>::variable(-0.25, 2);
+  avi::ProductSum<DualNumber<3>> sum;
+  sum.add(x, y);
+  sum.add(y, y, 2.0);
+  const auto expected = x * y + 2.0 * y * y, result = sum.result();
+  EXPECT_EQ(result.value(), expected.value());
+  for (int i = 0; i < 3; ++i)
+    EXPECT_EQ(result.partial(i), expected.partial(i));
+}
+
+}  // namespace dual_number_test

@@ -1,0 +1,137 @@
+#include "avi/autodiff/schedule.hpp"
+#include "src/machine_code.hpp"
+#include "src/pack_functions.hpp"
+#include "unit/random_graph.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <vector>
+
+using avi::ExpressionGraph;
+using avi::Operation;
+using avi::Pack;
+using avi::Program;
+using avi::detail::MachineCode;
+
+namespace machine_code_test {
+
+bool runs(bool avx512) {
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  return avx512 ? __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                      __builtin_cpu_supports("avx512vl")
+                : __builtin_cpu_supports("avx2") != 0;
+#else
+  return (void)avx512, false;
+#endif
+}
+
+/// Compares all results of a program at packs with those of its machine code.
+template <int w>
+void compare(const Program& program, bool avx512, unsigned seed, const std::string& what) {
+  const Program* const all[] = {&program};
+  const auto code =
+      MachineCode::of(all, {.lanes = w, .avx512 = avx512, .functions = avi::detail::pack_functions<w>()});
+  ASSERT_TRUE(code);
+  Program::Room<Pack<w>> room(program);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> number(-2.0, 2.5);
+  const int n = program.inputs() / 2;
+  for (int i = 0; i < 2 * n; ++i)
+    for (int k = 0; k < w; ++k)
+      room.arguments()[i].set(k, number(random));
+  const Pack<w> factor(0.37);
+  std::vector<Pack<w>> q(room.arguments(), room.arguments() + n),
+      p(room.arguments() + n, room.arguments() + 2 * n);
+  std::vector<Pack<w>> out(static_cast<std::size_t>(std::max(program.slopes(), 1)) + 1, Pack<w>(-77.0));
+  const auto numbers = [](auto& x) { return reinterpret_cast<double*>(x.data()); };
+  (*code)[0](numbers(q), numbers(p), reinterpret_cast<const double*>(&factor), numbers(out));
+  program.run(room);
+  const int count = program.slopes();
+  for (int k = 0; k < w; ++k) {
+    for (int i = 0; i < count; ++i)
+      ASSERT_TRUE(random_graph::alike(out[i][k], Pack<w>(factor * program.slope(room, i))[k]))
+          << what << ", result " << i << ", number " << k << " of " << w;
+    if (count == 0) {
+      ASSERT_TRUE(random_graph::alike(out[0][k], program.value(room)[k])) << what;
+    }
+  }
+  EXPECT_EQ(out.back()[w - 1], -77.0) << what << ": it wrote beyond its results";
+}
+void compare(const Program& program, unsigned seed, const std::string& what) {
+  for (const bool avx512 : {false, true})
+    if (runs(avx512)) {
+      compare<4>(program, avx512, seed, what + (avx512 ? ", AVX-512" : ", AVX2"));
+      compare<8>(program, avx512, seed, what + (avx512 ? ", AVX-512" : ", AVX2"));
+    }
+}
+
+TEST(MachineCode, HasTheBitsOfTheInterpreter) {
+  if (!runs(false)) GTEST_SKIP() << "a processor without AVX2";
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    std::mt19937 random(seed);
+    // Every other one with calls of functions, the others without.
+    std::vector<Operation> without;
+    if (seed % 2)
+      for (const Operation operation : random_graph::operations())
+        if (avi::detail::operands(operation) > 0 && operation >= Operation::sqrt &&
+            operation < Operation::sign && operation != Operation::sqrt && operation != Operation::abs)
+          without.push_back(operation);
+    const ExpressionGraph graph = random_graph::draw(random, 4, without);
+    std::vector<int> slopes;
+    for (int i = static_cast<int>(random() % 7); i > 0; --i)
+      slopes.push_back(static_cast<int>(random() % static_cast<unsigned>(graph.size())));
+    const int value = slopes.empty() ? graph.size() - 1 : -1;
+    compare(avi::Schedule::program(graph, value, slopes, graph.size()), seed, "seed " + std::to_string(seed));
+  }
+}
+
+TEST(MachineCode, KnowsEveryOperation) {
+  if (!runs(false)) GTEST_SKIP() << "a processor without AVX2";
+  for (const Operation operation : random_graph::operations())
+    for (const double exponent : {-8.0, -2.5, -1.75, -1.5, -1.25, -0.75, -0.25, 0.25, 0.75, 1.5, 3.0, 1.1}) {
+      ExpressionGraph graph(2);
+      const int node = operation == Operation::power           ? graph.power(0, exponent)
+                       : avi::detail::operands(operation) == 1 ? graph.unary(operation, 0)
+                                                               : graph.binary(operation, 0, 1);
+      compare(avi::Schedule::program(graph, node, {}, graph.size()), 1, avi::detail::name(operation));
+      if (operation != Operation::power) break;
+    }
+}
+
+// Arguments and numbers as results, one of them twice.
+TEST(MachineCode, PassesOnWhatNeedsNoOperation) {
+  if (!runs(false)) GTEST_SKIP() << "a processor without AVX2";
+  ExpressionGraph graph(4);
+  const int seven = graph.constant(7.0);
+  compare(avi::Schedule::program(graph, -1, {3, seven, 0, 3}, graph.size()), 5, "arguments");
+  compare(avi::Schedule::program(graph, seven, {}, graph.size()), 5, "a number");
+}
+
+TEST(MachineCode, IsSwitchedOffByTheEnvironment) {
+  ExpressionGraph graph(2);
+  const Program program = avi::Schedule::program(graph, 1, {}, graph.size());
+  const Program* const all[] = {&program};
+  const auto make = [&] {
+    return MachineCode::of(all, {.lanes = 4, .avx512 = false, .functions = avi::detail::pack_functions<4>()});
+  };
+  setenv("AVI_MACHINE_CODE", "off", 1);
+  EXPECT_FALSE(make());
+  setenv("AVI_MACHINE_CODE", "of", 1);
+  try {
+    (void)make();
+    ADD_FAILURE() << "not refused";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "AVI_MACHINE_CODE is of; it must be on or off.");
+  }
+  unsetenv("AVI_MACHINE_CODE");
+#if defined(__linux__) && defined(__x86_64__)
+  EXPECT_TRUE(make());
+#endif
+}
+
+}  // namespace machine_code_test

@@ -1,0 +1,83 @@
+#include "avi/problems/henon_heiles.hpp"
+#include "avi/solver.hpp"
+#include "unit/cayley.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <stdexcept>
+#include <stop_token>
+
+namespace orbit_ensemble_test {
+
+using avi::HenonHeiles;
+using avi::State;
+
+std::vector<State<2>> some_starts(int count) {
+  std::vector<State<2>> starts;
+  for (int i = 0; i < count; ++i)
+    starts.push_back({.q = {0.0, 0.1 + 0.002 * i}, .p = {0.2, 0.0}});
+  return starts;
+}
+
+TEST(OrbitEnsemble, HasTheSameBitsOnAnyNumberOfThreadsAndAlone) {
+  const auto starts = some_starts(20);
+  const avi::Solver solver(HenonHeiles(), starts[10], 50.0, 1e-9, {.check = false});
+  const std::vector<double> times{10.0, 20.0, 50.0};
+  const auto one = solver.ensemble(starts, times, {.threads = 1}),
+             three = solver.ensemble(starts, times, {.threads = 3});
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    ASSERT_TRUE(one[i].ok()) << one[i].solution.run.message;
+    EXPECT_EQ(one[i].solution.states, three[i].solution.states);
+    EXPECT_EQ(one[i].solution.state, solver.run(starts[i], 50.0).state);
+    EXPECT_EQ(one[i].solution.choice.h, solver.choice().h);
+    const auto alone = avi::solve(HenonHeiles(), starts[i], 50.0, 1e-11);
+    EXPECT_LE((alone.state.q - one[i].solution.state.q).norm(), 3e-9);
+  }
+}
+
+TEST(OrbitEnsemble, KnowsItsErrorsWhereItIsToCheckThem) {
+  const auto starts = some_starts(4);
+  const avi::Solver solver(HenonHeiles(), starts[0], 50.0, 1e-9);
+  for (const auto& member : solver.ensemble(starts, 50.0))
+    EXPECT_TRUE(member.solution.kept()) << member.solution.report();
+  const avi::Solver unchecked(HenonHeiles(), starts[0], 50.0, 1e-9, {.check = false});
+  EXPECT_FALSE(unchecked.run(starts[1], 50.0).kept());
+  EXPECT_TRUE(unchecked.run(starts[1], 50.0).ok());
+}
+
+TEST(OrbitEnsemble, GoesOnWhereAMemberThrowsOrIsCancelled) {
+  auto starts = some_starts(5);
+  const avi::Solver solver(HenonHeiles(), starts[0], 50.0, 1e-9, {.check = false});
+  starts[2].q[0] = NAN;
+  const auto members = solver.ensemble(starts, 50.0, {.threads = 2});
+  EXPECT_EQ(members[2].solution.run.outcome, avi::Outcome::stopped);
+  EXPECT_TRUE(members[2].error);
+  EXPECT_FALSE(members[2].solution.run.message.empty());
+  for (const int i : {0, 1, 3, 4})
+    EXPECT_TRUE(members[static_cast<std::size_t>(i)].ok());
+  std::stop_source source;
+  const auto cancelled = solver.ensemble(starts, 50.0,
+                                         {.threads = 1,
+                                          .progress =
+                                              [&](std::size_t done, std::size_t) {
+                                                if (done == 1) source.request_stop();
+                                              },
+                                          .cancel = source.get_token()});
+  EXPECT_TRUE(cancelled[0].ok());
+  for (std::size_t i = 1; i < starts.size(); ++i)
+    EXPECT_EQ(cancelled[i].solution.run.outcome, avi::Outcome::stopped);
+}
+
+TEST(OrbitEnsemble, RefusesOtherStarts) {
+  const State<avi::dynamic> start{.q = avi::VectorX::Constant(1, 1.0), .p = avi::VectorX::Constant(1, 0.0)};
+  const avi::Solver solver(spring(), start, 10.0, 1e-8);
+  const State<avi::dynamic> wide{.q = avi::VectorX::Constant(2, 1.0), .p = avi::VectorX::Constant(2, 0.0)};
+  EXPECT_THROW((void)solver.run(wide, 1.0), std::invalid_argument);
+  EXPECT_THROW((void)solver.run(start, std::vector<double>{}), std::invalid_argument);
+  EXPECT_THROW((void)solver.ensemble({start}, 1.0, {.threads = -1}), std::invalid_argument);
+  EXPECT_THROW(avi::Solver(spring(), start, 0.0, 1e-8), std::invalid_argument);
+}
+
+}  // namespace orbit_ensemble_test

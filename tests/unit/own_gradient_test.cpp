@@ -1,0 +1,47 @@
+#include "avi/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace own_gradient_test {
+
+/// A spring whose gradient is that of one of another strength: which of them is followed can be seen.
+struct Spring {
+  double strength = 4.0;
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0];
+  }
+  template <class Q, class P>
+  auto d_dq(const Q& q, const P&) const {
+    Q slope = q;
+    slope[0] = strength * q[0];
+    return slope;
+  }
+  template <class Q, class P>
+  auto d_dp(const Q&, const P& p) const {
+    return p;
+  }
+};
+
+const avi::State<1> start{.q = avi::Vector<double, 1>(1.0), .p = avi::Vector<double, 1>(0.0)};
+
+TEST(OwnGradient, IsFollowed) {
+  const auto orbit = avi::solve(Spring{}, start, 3.0, 1e-10, {.monitor = "fixed", .h = 0.05});
+  EXPECT_NEAR(orbit.state.q[0], std::cos(6.0), 1e-10);
+  const auto delivered =
+      avi::solve(Spring{}, start, std::vector<double>{1.0, 3.0}, 1e-10, {.monitor = "fixed", .h = 0.05});
+  EXPECT_NEAR(delivered.states[0].q[0], std::cos(2.0), 1e-10);
+  EXPECT_EQ(delivered.state, orbit.state);
+}
+
+TEST(OwnGradient, OfHItselfGivesTheSameOrbit) {
+  const auto plain = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0]; };
+  const auto supplied = avi::solve(Spring{1.0}, start, 50.0, 1e-11),
+             found = avi::solve(plain, start, 50.0, 1e-11);
+  EXPECT_EQ(supplied.run.steps, found.run.steps);
+  EXPECT_NEAR(supplied.state.q[0], found.state.q[0], 1e-13);
+}
+
+}  // namespace own_gradient_test

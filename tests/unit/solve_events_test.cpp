@@ -1,0 +1,153 @@
+#include "avi/problems/kepler.hpp"
+#include "avi/solve.hpp"
+#include "unit/cayley.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace solve_events_test {
+
+using avi::Kepler;
+using avi::solve;
+using avi::when;
+
+constexpr double rounding = std::numeric_limits<double>::epsilon();
+constexpr auto position = [](const auto& q, const auto&) { return q[0]; };
+constexpr auto radial = [](const auto& q, const auto& p) { return q[0] * p[0] + q[1] * p[1]; };
+
+// Measured: 4 units of time, at times up to 100.
+TEST(SolveEvents, AreThoseOfARunByHandInMoreDigits) {
+  const double h = 0.1;
+  const auto orbit = solve(spring(), at(1.0, 0.0), 100.0, 1e-13,
+                           {.order = 4, .monitor = "fixed", .h = h, .events = {when(position)}});
+  ASSERT_EQ(orbit.events.size(), 32u);
+  double t = M_PI / 2.0;
+  for (const auto& event : orbit.events) {
+    long double root = event.state.t;
+    for (int i = 0; i < 4; ++i) {  // Newton's method
+      const auto z = by_hand({1.0L, 0.0L}, h, root);
+      root -= z.real() / z.imag();
+    }
+    EXPECT_NEAR(event.state.t, t, 1e-3);
+    EXPECT_LE(std::abs(static_cast<double>(event.state.t - root)), 100.0 * rounding * 100.0);
+    EXPECT_LE(std::abs(event.state.q[0]), 2.0 * rounding);
+    t += M_PI;
+  }
+}
+
+TEST(SolveEvents, KnowDirectionAndCount) {
+  const auto orbit =
+      solve(spring(), at(1.0, 0.0), 100.0, 1e-8,
+            {.events = {when(position, {.direction = 1}), when(position, {.direction = -1, .count = 3})}});
+  int rising = 0, falling = 0;
+  double last = 0.0;
+  for (const auto& event : orbit.events) {
+    EXPECT_GT(event.state.t, last);
+    last = event.state.t;
+    EXPECT_GT(event.index == 0 ? event.state.p[0] : -event.state.p[0], 0.5);
+    ++(event.index == 0 ? rising : falling);
+  }
+  EXPECT_EQ(rising, 16);
+  EXPECT_EQ(falling, 3);
+}
+
+// As the run goes: what rises in time falls in a run that goes back.
+TEST(SolveEvents, HaveTheDirectionOfTheRun) {
+  const auto orbit =
+      solve(spring(), at(1.0, 0.0), -10.0, 1e-8, {.events = {when(position, {.direction = -1})}});
+  ASSERT_EQ(orbit.events.size(), 2u);
+  EXPECT_NEAR(orbit.events[0].state.t, -M_PI / 2.0, 1e-8);
+  EXPECT_NEAR(orbit.events[1].state.t, -2.5 * M_PI, 1e-8);
+}
+
+TEST(SolveEvents, MayDependOnTime) {
+  const auto clock = [](const auto&, const auto& t, const auto&) { return t - 3.25; };
+  const auto orbit = solve(spring(), at(1.0, 0.0), 10.0, 1e-8, {.events = {when(clock)}});
+  ASSERT_EQ(orbit.events.size(), 1u);
+  EXPECT_NEAR(orbit.events[0].state.t, 3.25, 4.0 * rounding);
+}
+
+TEST(SolveEvents, AreSeenTwoInAStep) {
+  // A circle that is left and entered again within a hundredth of a step, and one that is nearly touched.
+  const auto high = [](const auto& q, const auto&) { return q[0] - std::cos(0.01); };
+  const auto above = [](const auto& q, const auto&) { return q[0] - std::cos(0.01) - 1e-4; };
+  const auto orbit = solve(spring(), at(0.0, 1.0), 6.0, 1e-8, {.events = {when(high), when(above)}});
+  ASSERT_EQ(orbit.events.size(), 2u);
+  EXPECT_NEAR(orbit.events[0].state.t, M_PI / 2.0 - 0.01, 1e-6);
+  EXPECT_NEAR(orbit.events[1].state.t, M_PI / 2.0 + 0.01, 1e-6);
+}
+
+TEST(SolveEvents, StopARunAndCostWhatItTakesToTheEvent) {
+  const auto z = Kepler::pericentre(0.9);
+  const double period = 2.0 * M_PI;
+  for (const double end : {20.0, 1e5, 1e12}) {
+    const auto orbit = solve(Kepler(), z, end, 1e-10,
+                             {.events = {when(radial, {.direction = -1, .count = 3, .stop = true})}});
+    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    EXPECT_NEAR(orbit.state.t, 2.5 * period, 1e-8);
+    EXPECT_NEAR(orbit.state.q[0], -1.9, 1e-9);
+    EXPECT_EQ(orbit.events.size(), 3u);
+    EXPECT_LT(orbit.run.evaluations + orbit.choice.sweeps, 20 * 300);
+  }
+}
+
+// Far behind what the first, rough run suggests, or where that finds nothing.
+TEST(SolveEvents, AreFoundThoughTheFirstRunMissesThem) {
+  const auto clock = [](const auto&, const auto& t, const auto&) { return t - 20000.25; };
+  const auto z = Kepler::pericentre(0.6);
+  const auto orbit = solve(Kepler(), z, 1e9, 1e-8, {.events = {when(clock, {.stop = true})}});
+  EXPECT_TRUE(orbit.ok());
+  EXPECT_NEAR(orbit.state.t, 20000.25, 1e-10);
+  const auto never =
+      solve(spring(), at(1.0, 0.0), 50.0, 1e-8,
+            {.events = {when([](const auto& q, const auto&) { return q[0] - 2.0; }, {.stop = true})}});
+  EXPECT_TRUE(never.kept());
+  EXPECT_EQ(never.state.t, 50.0);
+  EXPECT_TRUE(never.events.empty());
+}
+
+TEST(SolveEvents, DoNotBeginARun) {
+  avi::SolveOptions options{.events = {when(position, {.stop = true})}};
+  auto z = at(1.0, 0.0);
+  for (int k = 0; k < 20; ++k) {
+    const auto orbit = solve(spring(), z, z.t + 10.0, 1e-10, options);
+    ASSERT_EQ(orbit.events.size(), 1u) << k;
+    EXPECT_NEAR(orbit.state.t - z.t, k == 0 ? M_PI / 2.0 : M_PI, 1e-8) << k;
+    z = orbit.state;
+  }
+}
+
+TEST(SolveEvents, EndAsInTheLoopWhereThereIsNoZero) {
+  const auto pole = [](const auto& q, const auto&) { return 1.0 / (q[0] - 0.3); };
+  const auto at_pole = solve(spring(), at(1.0, 0.0), 10.0, 1e-8, {.events = {when(pole)}});
+  EXPECT_EQ(at_pole.run.outcome, avi::Outcome::not_converged);
+  EXPECT_NE(at_pole.run.message.find("pole"), std::string::npos) << at_pole.run.message;
+  const auto root = [](const auto& q, const auto&) { return sqrt(q[0]) - 2.0; };
+  const auto at_nan = solve(spring(), at(1.0, 0.0), 10.0, 1e-8, {.events = {when(root)}});
+  EXPECT_EQ(at_nan.run.outcome, avi::Outcome::non_finite);
+  EXPECT_LT(at_nan.state.t, 2.0);
+  EXPECT_FALSE(at_nan.kept());
+}
+
+TEST(SolveEvents, ComeWithTheTimesBeforeThem) {
+  const auto orbit = solve(spring(), at(1.0, 0.0), std::vector<double>{0.5, 1.0, 1.5, 2.0, 2.5}, 1e-10,
+                           {.events = {when(position, {.stop = true})}});
+  EXPECT_EQ(orbit.states.size(), 3u);
+  EXPECT_NEAR(orbit.state.t, M_PI / 2.0, 1e-9);
+}
+
+TEST(SolveEvents, AreRefused) {
+  const auto z = at(1.0, 0.0);
+  EXPECT_THROW((void)solve(spring(), z, 1.0, 1e-6, {.events = {when(position, {.direction = 2})}}),
+               std::invalid_argument);
+  EXPECT_THROW((void)solve(spring(), z, 1.0, 1e-6, {.events = {when(position, {.count = -1})}}),
+               std::invalid_argument);
+  EXPECT_THROW((void)solve(spring(), z, 1.0, 1e-6, {.events = {avi::SolveEvent{}}}), std::invalid_argument);
+  const avi::Formula other = avi::Formula::of_phase(position, 3);
+  EXPECT_THROW((void)solve(spring(), z, 1.0, 1e-6, {.events = {when(other)}}), std::invalid_argument);
+}
+
+}  // namespace solve_events_test

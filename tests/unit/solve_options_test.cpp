@@ -1,0 +1,165 @@
+#include "avi/problems/kepler.hpp"
+#include "avi/solve.hpp"
+#include "unit/cayley.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace solve_options_test {
+
+using avi::Kepler;
+using avi::solve;
+using avi::SolveProgress;
+
+TEST(SolveOptions, FixMonitorOrderAndStep) {
+  const auto z = Kepler::pericentre(0.6);
+  for (const char* name : {"fixed", "energy", "energy^1.5"})
+    for (const int order : {2, 4, 6, 10, 16}) {
+      const auto orbit = solve(Kepler(), z, 10.0, 1e-6, {.order = order, .monitor = name, .h = 0.03});
+      EXPECT_EQ(orbit.choice.name, name);
+      EXPECT_EQ(orbit.choice.order, order);
+      EXPECT_EQ(orbit.choice.h, 0.03);
+      EXPECT_TRUE(orbit.ok());
+      EXPECT_EQ(orbit.kept(), order > 4 || (order == 4 && name != std::string("fixed"))) << orbit.report();
+      const auto chosen = solve(Kepler(), z, 10.0, 1e-6, {.order = order, .monitor = name});
+      EXPECT_EQ(chosen.choice.name, name);
+      EXPECT_EQ(chosen.choice.order, order);
+      EXPECT_TRUE(chosen.kept()) << chosen.report();
+    }
+}
+
+// A run by hand of the same choice: the map of a spring under order 4, whose error at the end is known.
+TEST(SolveOptions, EstimateTheErrorOfAStepThatIsGiven) {
+  const double h = 0.1;
+  const auto orbit = solve(spring(), at(1.0, 0.0), 30.0, 1e-4, {.order = 4, .monitor = "fixed", .h = h});
+  const double error = std::abs(orbit.state.q[0] - std::cos(30.0)) / 2.0;
+  EXPECT_GT(orbit.state_error, 0.3 * error);
+  EXPECT_LT(orbit.state_error, 5.0 * error);
+}
+
+TEST(SolveOptions, AreToldOfTheProgressInOrder) {
+  const auto z = Kepler::pericentre(0.6);
+  std::vector<SolveProgress> seen;
+  const avi::SolveOptions options{.progress = [&](const SolveProgress& now) {
+    seen.push_back(now);
+    return true;
+  }};
+  const auto watched = solve(Kepler(), z, std::vector<double>{1.0, 1e4}, 1e-10, options);
+  EXPECT_TRUE(watched.ok());
+  ASSERT_GT(seen.size(), 2u);
+  double seconds = 0.0;
+  long sweeps = 0;
+  bool running = false;
+  for (const SolveProgress& now : seen) {
+    EXPECT_GE(now.seconds, seconds);
+    EXPECT_GE(now.sweeps, sweeps);
+    EXPECT_GE(now.fraction, 0.0);
+    EXPECT_LE(now.fraction, 1.0);
+    if (now.phase == avi::SolvePhase::running) running = true;
+    EXPECT_EQ(now.phase == avi::SolvePhase::running, running);
+    seconds = now.seconds, sweeps = now.sweeps;
+  }
+  EXPECT_TRUE(running);
+  // At most some twenty calls a second.
+  EXPECT_LE(static_cast<double>(seen.size()), 21.0 * seconds + 2.0);
+  EXPECT_EQ(watched.state, solve(Kepler(), z, std::vector<double>{1.0, 1e4}, 1e-10).state);
+}
+
+TEST(SolveOptions, CancelACallThatKeepsWhatItHas) {
+  const auto z = Kepler::pericentre(0.6);
+  const auto orbit =
+      solve(Kepler(), z, std::vector<double>{1.0, 1e9}, 1e-10,
+            {.order = 16, .monitor = "energy", .h = 0.3, .progress = [](const SolveProgress& now) {
+               return now.phase != avi::SolvePhase::choosing;
+             }});
+  EXPECT_EQ(orbit.run.outcome, avi::Outcome::stopped);
+  EXPECT_FALSE(orbit.kept());
+  EXPECT_NE(orbit.report().find("stopped by the callback"), std::string::npos);
+  const auto thrown = [](const SolveProgress&) -> bool { throw std::domain_error("enough"); };
+  EXPECT_THROW((void)solve(Kepler(), z, 1e9, 1e-10, {.progress = thrown}), std::domain_error);
+}
+
+TEST(SolveOptions, BoundStepsAndKeepWhatWasReached) {
+  const auto z = Kepler::pericentre(0.6);
+  const auto orbit = solve(Kepler(), z, std::vector<double>{1.0, 2.0, 1e6}, 1e-10, {.steps = 500});
+  EXPECT_EQ(orbit.run.outcome, avi::Outcome::step_limit);
+  EXPECT_LE(orbit.run.steps, 500);
+  EXPECT_EQ(orbit.states.size(), 2u);
+  EXPECT_GT(orbit.state.t, 2.0);
+  const auto swept = solve(Kepler(), z, std::vector<double>{1.0, 2.0, 1e9}, 1e-10, {.sweeps = 100000});
+  EXPECT_EQ(swept.run.outcome, avi::Outcome::step_limit);
+  EXPECT_EQ(swept.states.size(), 2u);
+  EXPECT_LE(swept.run.evaluations + swept.choice.sweeps, 100200);
+}
+
+TEST(SolveOptions, LetTheSolutionBeCalled) {
+  const auto z = Kepler::pericentre(0.8);
+  const std::vector<double> times{0.0, 0.1, 3.0, 6.2, 6.3, 19.0, 20.0};
+  const auto orbit = solve(Kepler(), z, times, 1e-10, {.dense = true});
+  const auto called = orbit(times);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    EXPECT_EQ(called[i].t, times[i]);
+    EXPECT_LE((called[i].q - orbit.states[i].q).norm(), 2e-15) << i;
+    EXPECT_LE((called[i].p - orbit.states[i].p).norm(), 2e-14) << i;
+  }
+  EXPECT_EQ(orbit(6.3), called[4]);
+  EXPECT_EQ(orbit(20.0), orbit.state);
+  EXPECT_THROW((void)orbit(20.1), std::invalid_argument);
+  EXPECT_THROW((void)orbit(-0.1), std::invalid_argument);
+  EXPECT_THROW((void)orbit(NAN), std::invalid_argument);
+  EXPECT_THROW((void)solve(Kepler(), z, 1.0, 1e-6)(0.5), std::logic_error);
+}
+
+// q'' = -q + 0.3 cos 2t by hand.
+TEST(SolveOptions, TimeMayBeInH) {
+  const auto driven = [](const auto& q, const auto& t, const auto& p) {
+    return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0] - 0.3 * q[0] * cos(2.0 * t);
+  };
+  auto z = at(1.0, 0.0);
+  z.t = 0.5;
+  const double c = -0.1, a = 1.0 - c * std::cos(1.0), b = 2.0 * c * std::sin(1.0);
+  const auto exact = [&](double t) {
+    return a * std::cos(t - 0.5) + b * std::sin(t - 0.5) + c * std::cos(2.0 * t);
+  };
+  for (const double tolerance : {1e-5, 1e-8, 1e-12}) {
+    const auto orbit = solve(driven, z, std::vector<double>{0.5, 7.0, 100.0}, tolerance);
+    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    EXPECT_EQ(orbit.states[0], z);
+    EXPECT_NEAR(orbit.states[1].q[0], exact(7.0), 3.0 * tolerance);
+    EXPECT_NEAR(orbit.state.q[0], exact(100.0), 3.0 * tolerance);
+    EXPECT_EQ(orbit.state.t, 100.0);
+    const auto back = solve(driven, orbit.state, 0.5, tolerance);
+    EXPECT_NEAR(back.state.q[0], 1.0, 5.0 * tolerance);
+  }
+  const avi::State<avi::dynamic> wide{
+      .q = avi::VectorX::Constant(1, 1.0), .p = avi::VectorX::Constant(1, 0.0), .t = 0.5};
+  EXPECT_NEAR(solve(driven, wide, 7.0, 1e-10).state.q[0], exact(7.0), 1e-9);
+}
+
+TEST(SolveOptions, AreRefusedWithASentence) {
+  const auto z = Kepler::pericentre(0.6);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto refused = [&](const avi::SolveOptions& options, const std::string& part) {
+    try {
+      (void)solve(Kepler(), z, 1.0, 1e-6, options);
+      ADD_FAILURE() << part;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  };
+  refused({.steps = 0}, "Bound on steps is 0");
+  refused({.order = 3}, "Order is 3");
+  refused({.order = 18}, "Order is 18");
+  refused({.order = -2}, "Order is -2");
+  refused({.monitor = "enery"}, "one of fixed, energy, energy^1.5");
+  refused({.h = 0.1}, "Monitor is not set");
+  refused({.monitor = "fixed", .h = -0.1}, "Fictive step h is -0.1");
+  refused({.monitor = "fixed", .h = nan}, "Fictive step h is nan");
+  refused({.checkpoint_seconds = nan}, "Seconds between checkpoints is nan");
+}
+
+}  // namespace solve_options_test
