@@ -48,7 +48,7 @@ help: ## This list
 
 # ---- packages: a no-op without network or rights when all are there --------------------------------------------
 base_packages  := git g++ cmake ninja-build libeigen3-dev libgsl-dev libcli11-dev libfmt-dev libgtest-dev liblbfgs-dev gnuplot-nox
-peers_packages := libboost-dev libsundials-dev
+peers_packages := libboost-dev libsundials-dev libopenmpi-dev openmpi-bin
 paper_packages := latexmk texlive-latex-recommended texlive-latex-extra texlive-science texlive-fonts-recommended \
                   texlive-bibtex-extra lmodern
 docs_packages  := doxygen doxygen-awesome-css libjs-katex python3

@@ -36,8 +36,8 @@ class Budget {
     if (!options_.progress && !std::isfinite(options_.seconds)) return Outcome::ok;
     const double now = seconds();
     if (now >= share * options_.seconds) return Outcome::time_limit;
-    if (!options_.progress || now < next_) return Outcome::ok;
-    next_ = now + 0.05;
+    if (!options_.progress || (now < next_ && phase == told_)) return Outcome::ok;
+    next_ = now + 0.05, told_ = phase;
     const double fraction = std::clamp(std::abs(t - start) / std::abs(end - start), 0.0, 1.0);
     cancelled_ = !options_.progress({phase, t, fraction, steps, sweeps + evaluations, now});
     return cancelled_ ? Outcome::stopped : Outcome::ok;
@@ -48,6 +48,7 @@ class Budget {
   const SolveOptions& options_;
   Clock::time_point began_ = Clock::now();
   double next_ = 0.0;  // when the callback is due
+  SolvePhase told_ = SolvePhase::choosing;
   bool cancelled_ = false;
 };
 

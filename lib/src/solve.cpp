@@ -323,7 +323,8 @@ bool Orbiter::pursue(Setting& setting) {
   }
   fine_.emplace(begin(setting, 1.0));
   for (std::size_t mark = 0; mark < marks_.size(); ++mark) {
-    if (mark < compared_ && !go_on(*coarse_, mark)) return failed(*coarse_, setting);
+    if (mark < compared_ && !go_on(*coarse_, mark) && !(question_.options.h > 0.0))
+      return failed(*coarse_, setting);
     if (!go_on(*fine_, mark)) return failed(*fine_, setting);
     if (mark < compared_) {
       judged_ = mark;
@@ -346,7 +347,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     return true;
   };
   if (question_.options.h > 0.0) {
-    seen_ = compare(*coarse_, *fine_);
+    seen_ = coarse_->ok() ? compare(*coarse_, *fine_) : Comparison();
     return false;
   }
   if (fine_->jumped && round_ < most_rounds) return again(0.4);

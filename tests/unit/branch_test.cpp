@@ -3,6 +3,7 @@
 #include "avi/core/integrate.hpp"
 #include "avi/htvi/htvi.hpp"
 #include "avi/optim/minimise.hpp"
+#include "common/methods/runge_kutta_4.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,19 +39,20 @@ struct Branch {
 };
 
 template <class Method, int n>
-State<n> after(Method method, State<n> z) {
-  EXPECT_EQ(avi::integrate(method, z, 0.01, {.steps = 500}).outcome, avi::Outcome::ok);
+State<n> after(Method method, State<n> z, double h = 0.01, long steps = 500) {
+  EXPECT_EQ(avi::integrate(method, z, h, {.steps = steps}).outcome, avi::Outcome::ok);
   return z;
 }
 
 TEST(Branch, IsAcceptedByEveryMethod) {
   const State<1> z{.q = {0.5}, .p = {1.2}};
   const State<dynamic> x{.q = VectorX{{0.5}}, .p = VectorX{{1.2}}};
-  const auto reference = after(avi::htvi<4>(avi::poincare<1>(Branch{}, z)), z);
+  // A method for doubles alone may branch as they do.
+  const auto reference = after(experiment::RungeKutta4<1, Branch>(Branch{}), z, 1e-3, 5000);
   const auto taylor = after(avi::htvi<4>(avi::poincare<1>(SoftWall{}, z)), z);
   const auto packs = after(avi::collocation(avi::poincare<1>(SoftWall{}, z), 6), z);
   const auto recorded = after(avi::collocation(avi::poincare<dynamic>(SoftWall{}, x), 6), x);
-  EXPECT_NEAR(taylor.q[0], reference.q[0], 1e-12);
+  EXPECT_NEAR(taylor.q[0], reference.q[0], 1e-6);
   EXPECT_NEAR(packs.q[0], reference.q[0], 1e-6);
   EXPECT_NEAR(recorded.q[0], packs.q[0], 1e-12);
   EXPECT_NEAR(SoftWall{}(packs.q, packs.p), Branch{}(z.q, z.p), 1e-7);
