@@ -1,3 +1,4 @@
-# Table 1 as a picture: errors against steps and against time, ours and the paper's.
+# Table 1 as a picture: errors and time of each row, ours and the paper's.
 stem = 'kepler_e090'
+eccentricity = 0.9
 load 'figures/kepler/kepler_table.gp'

@@ -1,13 +1,13 @@
-# A table of HTVI4 and Stormer-Verlet runs (columns of the data contract) beside the paper's cells: energy error above,
-# global error below; steps on the left, time in units of the same source's Stormer-Verlet on the right.
-# Needs `stem`.
-width = 16; height = 7.6
+# The rows of Table 1 or 2: energy error, position error, and time in units of the same source's Stormer-Verlet. A row for
+# each monitor; a mark for each construction beside the printed value. Needs `stem` and `eccentricity`.
+width = 16; height = 5.3
 load 'figures/style.gp'
 ours = data.'/'.stem.'.tsv'
-
-# The paper's cells, row by row: [steps, seconds, energy_error, global_error].
 rows = 5
 array row[rows] = ['HTVI4 gamma', 'HTVI4 energy', 'HTVI4 arclength', 'HTVI4 none', 'SV']
+array shown[rows] = ['gamma', 'energy', 'arclength', 'no monitor', 'Störmer–Verlet']
+place(i) = rows - i
+row_of(list_column) = (position('gamma energy arclength none', strcol(list_column)))
 array steps[rows]; array seconds[rows]; array energy_error[rows]; array global_error[rows]
 cell(i, q) = strcol('row') eq row[i] && strcol('quantity') eq q ? column('published') : NaN
 do for [i = 1:rows] {
@@ -17,54 +17,41 @@ do for [i = 1:rows] {
   stats paper(stem) using (cell(i, 'global_error')) nooutput; global_error[i] = STATS_max
 }
 stats ours using (where('method', 'stormer_verlet', 'seconds')) nooutput; unit = STATS_max
-
-# Looks: a monitor's colour and marker; open for the construction as printed, filled for the authors' own.
-tried = 'gamma energy arclength none'
-look(i) = i == rows ? method('stormer_verlet') : monitor(word(tried, i))
-filled(i) = i == rows ? 2 : i == 1 ? 7 : i == 2 ? 9 : i == 3 ? 5 : 13
-of(i, c, y) = i == rows ? also('method', 'stormer_verlet', y) \
-  : also('construction', c, also('rule', c eq 'stationary' ? 'gauss4' : 'simpson', also('monitor', word(tried, i), y)))
-htvi(i, y) = column('r') == 3 && (strcol('construction') eq 'stationary') == (strcol('rule') eq 'gauss4') ? also('monitor', word(tried, i), y) : NaN
-
-# One point at given coordinates: `plot $here using (x):(y)`.
+# y of a row of the data under a construction; Verlet stands with the authors'.
+line(c, rule) = strcol('method') eq 'stormer_verlet' ? (c eq 'authors' ? place(rows) : NaN) \
+  : strcol('construction') eq c && strcol('rule') eq rule ? place(row_of('monitor')) : NaN
 $here << EOD
 x
 0
 EOD
-
 set multiplot
-page_bottom = 2.3; gap_y = 0.35; gap_x = 0.65
+page_left = 2.6; page_right = 0.4; page_top = 0.6; page_bottom = 1.55; gap_x = 0.5
 unset key
-eval logx; eval logy
-set offsets graph 0.07, graph 0.07, graph 0.09, graph 0.09
-power = '10^{%L}'
-do for [error in 'energy_error global_error'] {
-  bottom = error eq 'global_error'
-  published_error(i) = bottom ? global_error[i] : energy_error[i]
-  set ylabel bottom ? 'position error' : 'energy error' offset 1, 0
-  set format x bottom ? power : ''
-  set xlabel bottom ? 'steps' : ''
-  set format y power; set ytics 100; set yrange [*:*]
-  eval panel(1, bottom ? 2 : 1, 2, 2)
-  plot for [i = 1:rows-1] ours using (htvi(i, column('steps'))):error with lines ls look(i) dt 1 lw 0.8, \
-    for [i = 1:rows-1] ours using (of(i, 'printed', column('steps'))):error with points ls look(i) pt filled(i)-1 ps 0.8, \
-    for [i = 1:rows-1] ours using (of(i, 'stationary', column('steps'))):error with points ls look(i) pt 1 ps 0.8, \
-    for [i = 1:rows] ours using (of(i, 'authors', column('steps'))):error with points ls look(i) pt filled(i) ps 0.9, \
-    for [i = 1:rows] $here using (steps[i]):(published_error(i)) with points ls published
-  set xlabel bottom ? "time in units of Störmer–Verlet's" : ''
-  unset ylabel; set format y ''
-  set yrange [GPVAL_Y_MIN:GPVAL_Y_MAX]
-  eval panel(2, bottom ? 2 : 1, 2, 2)
-  plot for [i = 1:rows] ours using (of(i, 'authors', column('seconds')/unit)):error:(seconds[i]/seconds[rows]-column('seconds')/unit):(0) \
-      with vectors nohead ls guide dt (2,4) notitle, \
-    for [i = 1:rows] ours using (of(i, 'authors', column('seconds')/unit)):error with points ls look(i) pt filled(i) ps 0.9, \
-    for [i = 1:rows] $here using (seconds[i]/seconds[rows]):(published_error(i)) with points ls published
+eval logx
+set mxtics 1
+set yrange [-0.6:rows - 0.4]
+set xtics 1e3
+array axis[3] = ['energy error', 'position error', 'time / Störmer–Verlet']
+do for [k = 1:3] {
+  set title (k == 1 ? sprintf('e = %g:  ', eccentricity) : '').axis[k] offset 0, -0.8
+  unset ytics
+  set ytics scale 0 ('' 0)
+  do for [i = 1:rows] { set ytics add ((k == 1 ? shown[i] : '') place(i)) }
+  if (k < 3) { set xrange [1e-11:2] }
+  if (k == 3) { set xrange [1e-4:1e2] }
+  eval panel(k, 1, 3, 1)
+  published_value(i) = k == 1 ? energy_error[i] : k == 2 ? global_error[i] : seconds[i]/seconds[rows]
+  measured(c) = k == 1 ? column('energy_error') : k == 2 ? column('global_error') : column('seconds')/unit
+  plot ours using (measured('authors')):(line('authors', 'simpson')) with points pt 7 ps 0.8 lc rgb blue, \
+    ours using (measured('printed')):(line('printed', 'simpson')) with points pt 4 ps 0.9 lc rgb vermilion, \
+    ours using (measured('stationary')):(line('stationary', 'gauss4')) with points pt 2 ps 0.8 lc rgb green, \
+    for [i = 1:rows] $here using (published_value(i)):(place(i)) with points ls published
 }
-eval legend(1.25)
-set key samplen 1.5 maxrows 3 width -5
-plot for [i = 1:rows] $here using (2):(2) with points ls look(i) pt filled(i) title \
-    i == rows ? 'Störmer–Verlet' : 'HTVI4, '.label(word(tried, i)), \
-  $here using (2):(2) with points ls published title 'in the paper', \
-  $here using (2):(2) with points ls published lc rgb grey pt 4 ps 0.8 title 'as printed', \
-  $here using (2):(2) with points ls published lc rgb grey pt 1 ps 0.8 title 'stationary, r = 3, Gauss 4'
+unset title
+eval legend(0.9)
+set key maxrows 1 samplen 1 width -4
+plot $here using (2):(2) with points ls published title 'in the source', \
+  $here using (2):(2) with points pt 7 lc rgb blue title "authors' construction", \
+  $here using (2):(2) with points pt 4 lc rgb vermilion title 'as printed', \
+  $here using (2):(2) with points pt 2 lc rgb green title 'stationary, Gauss 4'
 unset multiplot

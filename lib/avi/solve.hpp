@@ -158,6 +158,8 @@ class OrbitCurve {
   virtual ~OrbitCurve() = default;
   /// (q, p), 2n numbers, at the time t. @throws std::invalid_argument where the run has not been.
   virtual void at(double t, double* z) const = 0;
+  /// When its steps ended, and before them when it began.
+  [[nodiscard]] virtual const std::vector<double>& times() const = 0;
 
  protected:
   OrbitCurve() = default;

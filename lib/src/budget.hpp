@@ -34,7 +34,11 @@ class Budget {
         steps >= options_.steps)
       return Outcome::step_limit;
     if (!options_.progress && !std::isfinite(options_.seconds)) return Outcome::ok;
+    if (phase == told_ && ++waited_ < stride_) return Outcome::ok;
     const double now = seconds();
+    stride_ = now - looked_ < 2e-4 ? std::min(2 * stride_, 64) : 1;
+    waited_ = 0;
+    looked_ = now;
     if (now >= share * options_.seconds) return Outcome::time_limit;
     if (!options_.progress || (now < next_ && phase == told_)) return Outcome::ok;
     next_ = now + 0.05, told_ = phase;
@@ -49,6 +53,9 @@ class Budget {
   Clock::time_point began_ = Clock::now();
   double next_ = 0.0;  // when the callback is due
   SolvePhase told_ = SolvePhase::choosing;
+  // The clock costs a good part of a short step: where steps are short it is not looked at after each.
+  double looked_ = 0.0;
+  int stride_ = 1, waited_ = 0;
   bool cancelled_ = false;
 };
 

@@ -26,6 +26,7 @@ class Track final : public OrbitCurve {
     put(last);
   }
   void at(double t, double* z) const override;
+  [[nodiscard]] const std::vector<double>& times() const override { return times_; }
   /// Into a file.
   void put(Record& record) const {
     record.put(times_);

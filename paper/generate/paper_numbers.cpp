@@ -47,7 +47,6 @@ int main(int argc, char** argv) {
         write(tables / "notes.tex", paper::notes_table(card));
         write(tables / "claims.tex", paper::claims_table(claims));
         write(tables / "shares.tex", paper::shares_table(card, claims));
-        write(tables / "provenance.tex", paper::provenance_table(results("manifest")));
         const experiment::Table list = experiment::Table::read(source / "tables.tsv");
         std::set<std::string> names;
         for (const auto& column : scorecard::rows(list))

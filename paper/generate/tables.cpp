@@ -57,16 +57,6 @@ std::string shares_table(const experiment::Table& card, const experiment::Table&
                  lines);
 }
 
-std::string provenance_table(const experiment::Table& manifest) {
-  std::string lines;
-  for (const Row& file : scorecard::rows(manifest))
-    lines += fmt::format("\\texttt{{{}}} & {} & \\texttt{{{}}} & {} & \\texttt{{{}}} \\\\\n",
-                         escaped(file.text("file")), latex_cell(file.text("rows"), "int"),
-                         escaped(file.text("commit")), escaped(file.text("date")),
-                         file.text("content").substr(0, 12));
-  return longtable("lrlll", "file & rows & commit & date & content", lines);
-}
-
 std::string declared_table(const scorecard::Results& data, const experiment::Table& list,
                            const std::string& name) {
   const auto columns = scorecard::rows(list, {{"table", name}});

@@ -35,9 +35,6 @@ std::string claims_table(const experiment::Table& claims);
 /// Verdicts on outcomes and on inputs, and rulings on claims, with their shares.
 std::string shares_table(const experiment::Table& card, const experiment::Table& claims);
 
-/// The files of build/data/manifest.tsv with date, commit and checksum.
-std::string provenance_table(const experiment::Table& manifest);
-
 /// A table that paper/tables.tsv declares: some columns of some rows of a data file.
 std::string declared_table(const scorecard::Results& data, const experiment::Table& list,
                            const std::string& name);

@@ -54,26 +54,26 @@ std::vector<Subject> subjects() {
   std::vector<Subject> all;
   const auto position = [&](const std::string& name, PositionMonitor monitor, double predicted) {
     const bool bounded = std::isfinite(monitor.b);
-    all.push_back({"stationary_r3_gauss2", name, bounded, predicted, implicit_cap, [=](double e) {
+    all.push_back({"stationary8", name, bounded, predicted, implicit_cap, [=](double e) {
                      PositionMonitor own = monitor;
                      // The least value that pays: g at the pericentre.
                      if (bounded && own.a == 0.0) own.a = (1.0 - e) * (1.0 - e);
-                     return stationary_r3_gauss2(own);
+                     return stationary(8, own);
                    }});
   };
   const auto momentum = [&](const std::string& name, MomentumMonitor monitor) {
     const bool bounded = std::isfinite(monitor.b);
-    all.push_back({"stationary_r3_gauss2", name, bounded, unknown, implicit_cap, [=](double e) {
+    all.push_back({"stationary8", name, bounded, unknown, implicit_cap, [=](double e) {
                      MomentumMonitor own = monitor;
                      if (bounded) own.a = 0.25 * (1.0 - e);
-                     return stationary_r3_gauss2(own);
+                     return stationary(8, own);
                    }});
   };
   using P = PositionMonitor;
   using M = MomentumMonitor;
-  position("none", {P::none}, -1.75);
-  position("r", {P::power_of_radius, 1.0}, -0.75);
-  position("r^1.5", {P::power_of_radius, 1.5}, -0.25);
+  position("none", {P::none}, -1.5 - 1.0 / 8.0);
+  position("r", {P::power_of_radius, 1.0}, -0.5 - 1.0 / 8.0);
+  position("r^1.5", {P::power_of_radius, 1.5}, -1.0 / 8.0);
   position("r^2", {P::power_of_radius, 2.0}, -0.5);
   position("arclength", {P::arclength}, unknown);
   position("r^2", {.kind = P::power_of_radius, .exponent = 2.0, .b = 8.0}, unknown);
@@ -144,8 +144,8 @@ void starts(Table& table) {
     Method2 run;
     double h;
   };
-  const std::vector<Case> cases{{"stationary_r3_gauss2", "none", stationary_r3_gauss2(none), 1e-3},
-                                {"stationary_r3_gauss2", "r^1.5", stationary_r3_gauss2(adaptive), 0.02},
+  const std::vector<Case> cases{{"stationary8", "none", stationary(8, none), 1e-3},
+                                {"stationary8", "r^1.5", stationary(8, adaptive), 0.02},
                                 {"collocation16", "none", collocation(16, none), 0.01},
                                 {"collocation16", "r^1.5", collocation(16, adaptive), 0.9},
                                 {"stormer_verlet", "none", explicit_on_kepler("stormer_verlet"), 1e-4},

@@ -60,11 +60,10 @@ Method2 stationary(int order, PositionMonitor monitor) {
     return stationary_on(kepler(start, monitor), order / 2 - 1, order / 2);
   });
 }
-Method2 stationary_r3_gauss2(PositionMonitor monitor) {
-  return Method2(Kepler{}, [=](const State2& start) { return stationary_on(kepler(start, monitor), 3, 2); });
-}
-Method2 stationary_r3_gauss2(MomentumMonitor monitor) {
-  return Method2(Kepler{}, [=](const State2& start) { return stationary_on(kepler(start, monitor), 3, 2); });
+Method2 stationary(int order, MomentumMonitor monitor) {
+  return Method2(Kepler{}, [=](const State2& start) {
+    return stationary_on(kepler(start, monitor), order / 2 - 1, order / 2);
+  });
 }
 Method2 stationary_henon_heiles(int order) {
   return Method2(HenonHeiles{}, [=](const State2& start) {

@@ -57,10 +57,7 @@ struct MomentumMonitor {
 /// Type II HTVI of the stationary construction and this even order: Taylor order r = order / 2 - 1, the Gauss
 /// rule of r + 1 nodes. That is avi::htvi<order>() with the order chosen at run time.
 Method2 stationary(int order, PositionMonitor monitor);
-/// The stationary construction with r = 3 held to order 4 by two Gauss nodes: Taylor order and order of the
-/// source's HTVI4. It is called stationary_r3_gauss2 in data.
-Method2 stationary_r3_gauss2(PositionMonitor monitor);
-Method2 stationary_r3_gauss2(MomentumMonitor monitor);
+Method2 stationary(int order, MomentumMonitor monitor);
 /// The same on Henon and Heiles' problem, without a monitor.
 Method2 stationary_henon_heiles(int order);
 

@@ -122,7 +122,8 @@ Judgement judge_optimisers(const Cell& cell, const experiment::Table& data) {
     judgement.verdict = Verdict::unstated;
     judgement.note = "Not reproduced. p, p_ring and C are not printed; with C = 0.0625 of the other tables "
                      "the printed test cannot give the row, and whether these, the test or the method differ "
-                     "is not known. p = 15, p_ring = 0.1, C = 0.03 comes within a few per cent.";
+                     "is not known: a search that finds most planted rows finds none for this one. p = 15, "
+                     "p_ring = 0.1, C = 0.03 comes within a few per cent.";
   }
   return judgement;
 }

@@ -1,29 +1,27 @@
-# Left: f for Adaptive (4, 1), with Euler's clock as in the paper and with the exact one, beside Direct of order 16. Right:
-# distance of the iterates from those of the Direct method after 100 steps.
+# Left: how far the iterates of Adaptive (p, p_ring) are from those of Direct of order P = p^2 / p_ring, with the exact clock
+# and with Euler's. Right: the iterations of the source's table on p and p_ring against P.
 width = 16; height = 5.4
 load 'figures/style.gp'
-curves = data.'/order_equivalence_curves.tsv'
 table = data.'/order_equivalence.tsv'
 set multiplot
-page_left = 1.85; page_bottom = 1.15; page_top = 0.65; gap_x = 2.2
-eval logy
-set xlabel 'iterations'
-set ylabel 'f − f*'
-set format x '%g'
-set xrange [0:10000]; set xtics 3000
-set yrange [1e-30:1e10]
-set key bottom left Left reverse samplen 3
+page_left = 1.6; page_bottom = 1.15; page_top = 0.35; gap_x = 2.0
+eval logx; eval logy
+set xtics (4, 8, 16, 32, 64, 128); set format x '%g'; set mxtics 1
+set xrange [3:220]
+set xlabel 'order P = p^2/p̊'
+set ylabel 'relative distance of iterates'
+set yrange [1e-15:1]; set ytics 1e3
+set key at graph 0.98, 0.5 right center
 eval panel(1, 1, 2, 1)
-set title 'p = 4, p̊ = 1, h = 2.4·10^{-4}' offset 0, -0.7
-plot curves using (where('curve', 'direct', 'iteration')):'envelope' with lines ls approach('direct') dt 1 lw 3.5 title 'Direct, p = 16', \
-  curves using (where('curve', 'adaptive exact', 'iteration')):'envelope' with lines lc rgb black dt (3,3) lw 1.8 title 'Adaptive, exact clock', \
-  curves using (where('curve', 'adaptive euler', 'iteration')):'envelope' with lines ls approach('adaptive') title "Adaptive, Euler's clock"
-eval logx
-set xtics autofreq; set xrange [3:200]; set yrange [1e-15:1]
-set xlabel 'order P = p^2/p̊'; set ylabel 'distance, 100 steps'
-set key at graph 0.98, 0.48 right center
-eval panel(2, 1, 2, 1)
-unset title
 plot table using (where('clock', 'euler', 'order')):'distance_100' with points ls approach('adaptive') ps 1 title "Euler's clock", \
   table using (where('clock', 'exact', 'order')):'distance_100' with points lc rgb black pt 4 ps 1 title 'exact clock'
+set ylabel 'iterations' offset 1.2, 0
+set xrange [3:260]
+set yrange [2e3:2e5]; set ytics 1e3, 10
+set key at graph 0.98, 0.98 right top
+eval panel(2, 1, 2, 1)
+plot table using (where('clock', 'exact', 'order')):'direct_iterations' with points lc rgb black pt 4 ps 1 title 'Direct of order P', \
+  table using (where('clock', 'euler', 'order')):'adaptive_iterations' with points ls approach('adaptive') ps 1 title 'Adaptive (p, p̊)', \
+  table using (column('p') == 6 ? NaN : where('clock', 'euler', 'order')):'adaptive_iterations':(sprintf('(%g, %g)', column('p'), column('p_ring'))) with labels center offset 0, -0.9 font ',7' notitle, \
+  table using (column('p') == 6 ? where('clock', 'euler', 'order') : NaN):'adaptive_iterations':(sprintf('(%g, %g)', column('p'), column('p_ring'))) with labels left offset 0.7, 0.5 font ',7' notitle
 unset multiplot

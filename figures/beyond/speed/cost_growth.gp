@@ -42,7 +42,7 @@ set title 'seconds of a run, e = 0.9' offset 0, -0.7
 set xlabel 'periods'
 set xrange [0.8:1300]
 set yrange [1e-6:30]; set ytics 100
-plot table using (along('periods', 'stationary_r3_gauss2')):'seconds' with linespoints ls method('htvi') title 'stationary, r = 3, Gauss 2', \
+plot table using (along('periods', 'stationary8')):'seconds' with linespoints ls method('htvi') title 'stationary 8', \
   table using (along('periods', 'stormer_verlet')):'seconds' with linespoints ls method('stormer_verlet') title label('stormer_verlet'), \
   table using (along('periods', 'log_hamiltonian')):'seconds' with linespoints ls method('log_hamiltonian') title 'log. Hamiltonian'
 set format x '%g'; set ytics autofreq

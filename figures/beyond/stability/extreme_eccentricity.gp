@@ -15,7 +15,7 @@ prediction(m, g) = sprintf("stats table using (along('%s', '%s', '0')):'steps_pe
   .sprintf("stats table using (along('%s', '%s', '0') > 0 ? column('predicted_exponent') : NaN) nooutput; power = STATS_max;", m, g) \
   .sprintf("guides = guides.sprintf('%%g*(x/%%g)**%%g%s ls guide, ', steps%s, from, power)", g eq 'r^1.5' ? '*K(x)' : '', g eq 'r^1.5' ? '/K(from)' : '')
 guides = ''
-do for [g in 'none r r^1.5 r^2'] { eval prediction('stationary_r3_gauss2', g) }
+do for [g in 'none r r^1.5 r^2'] { eval prediction('stationary8', g) }
 of_monitors = guides; guides = ''
 eval prediction('stormer_verlet', 'none')
 eval prediction('hairer_soderlind', 'r^1.5')
@@ -35,15 +35,15 @@ eval panel(1, 1, 2, 1)
 set title 'by monitor' offset 0, -0.7
 # g = r lies under energy and 1/|L|: a broad band beneath them.
 set style line 99 lc rgb '#e4b4cd' dt 1 lw 7 pt 0
-eval 'plot '.of_monitors.curve('stationary_r3_gauss2', 'r', 0, 99).', '.curve('stationary_r3_gauss2', 'none', 0, monitor('none')).', ' \
-  .curve('stationary_r3_gauss2', 'r^1.5', 0, method('htvi')).', '.curve('stationary_r3_gauss2', 'r^2', 0, monitor('truncation')).', ' \
-  .curve('stationary_r3_gauss2', 'arclength', 0, family(2)).', '.curve('stationary_r3_gauss2', 'energy', 1, monitor('energy')).', ' \
-  .curve('stationary_r3_gauss2', 'inverse_lagrangian', 0, monitor('truncation_root'))
+eval 'plot '.of_monitors.curve('stationary8', 'r', 0, 99).', '.curve('stationary8', 'none', 0, monitor('none')).', ' \
+  .curve('stationary8', 'r^1.5', 0, method('htvi')).', '.curve('stationary8', 'r^2', 0, monitor('truncation')).', ' \
+  .curve('stationary8', 'arclength', 0, family(2)).', '.curve('stationary8', 'energy', 1, monitor('energy')).', ' \
+  .curve('stationary8', 'inverse_lagrangian', 0, monitor('truncation_root'))
 unset ylabel
 set title 'methods' offset 0, -0.7
 eval panel(2, 1, 2, 1)
 eval 'plot '.guides.curve('stormer_verlet', 'none', 0, method('stormer_verlet')).', '.curve('adaptive_verlet', 'r^1.5', 0, family(4)).', ' \
-  .curve('hairer_soderlind', 'r^1.5', 0, method('splitting')).', '.curve('stationary_r3_gauss2', 'r^1.5', 0, method('htvi')).', ' \
+  .curve('hairer_soderlind', 'r^1.5', 0, method('splitting')).', '.curve('stationary8', 'r^1.5', 0, method('htvi')).', ' \
   .curve('log_hamiltonian', '1/V', 0, method('log_hamiltonian')).', '.curve('collocation16', 'r^1.5', 0, method('collocation')).', ' \
   .curve('collocation16', 'none', 0, family(1))
 eval legend(1.95)

@@ -1,5 +1,7 @@
 """Functions of Python as formulas of the library."""
 
+import inspect
+
 from . import _avi
 
 
@@ -18,13 +20,30 @@ def trace(f, shapes, parameters, name):
         raise
 
 
-def hamiltonian(H, shape, parameters=()):
-    """The formula of H(q, p), or of H(q, p, c) where parameters c are given: H is called once.
+def _arguments(f):
+    """How many arguments f takes by their places; 0 where it takes any number, or does not say."""
+    code = getattr(f, "__code__", None)
+    if code is not None and not code.co_flags & 4:  # *args
+        return code.co_argcount - len(f.__defaults__ or ()) - inspect.ismethod(f)
+    try:
+        parameters = list(inspect.signature(f).parameters.values())
+    except (TypeError, ValueError):
+        return 0
+    if any(x.kind is x.VAR_POSITIONAL for x in parameters):
+        return 0
+    return sum(x.kind in (x.POSITIONAL_ONLY, x.POSITIONAL_OR_KEYWORD) and x.default is x.empty for x in parameters)
+
+
+def hamiltonian(H, shape, parameters=(), name="H"):
+    """The formula of H(q, p) or H(q, t, p), and of parameters c after them where there are any: H is called once.
 
     shape: that of q and of p, as an int or a tuple; () for numbers. The formula serves solve() in the place of H, and
     `formula.with_parameters(c)` is the same formula with other values of c, without a call of H.
     """
-    return trace(H, [_shape(shape)] * 2, parameters, "H")
+    shape = _shape(shape)
+    if _arguments(H) == 3 + (len(parameters) > 0):
+        return trace(lambda q, p, t, *c: H(q, t, p, *c), [shape, shape, ()], parameters, name)
+    return trace(H, [shape, shape], parameters, name)
 
 
 def objective(f, shape, parameters=()):

@@ -2,6 +2,7 @@
 
 from . import _avi
 from ._formula import trace
+from ._orbits import _options
 
 
 class Minimum:
@@ -55,11 +56,7 @@ def minimise(f, x0, *, jac=None, parameters=(), callback=None, history=False, **
     import numpy as np
 
     x0 = np.asarray(x0, dtype=float)
-    chosen = _avi.MinimiseOptions()
-    for name, value in options.items():
-        if name not in _OPTIONS:
-            raise TypeError(f"minimise() has no option {name!r}; there are {', '.join(_OPTIONS)}.")
-        setattr(chosen, name, value)
+    chosen = _options(_avi.MinimiseOptions(), options, _OPTIONS, "minimise")
     if jac is None:
         function = f if isinstance(f, _avi.Formula) else trace(f, [x0.shape], parameters, "f")
     else:

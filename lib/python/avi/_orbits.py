@@ -1,9 +1,13 @@
-"""solve(): an orbit from H, a start, times and a tolerance."""
+"""solve(): an orbit from H, a start, times and a tolerance; ensemble() and Solver: many of them."""
 
+import copy
+import os
+import sys
+import threading
 from types import SimpleNamespace
 
 from . import _avi
-from ._formula import trace
+from ._formula import hamiltonian
 
 
 class Orbit:
@@ -12,25 +16,29 @@ class Orbit:
     t        times, shape (m,); in H's unit of time
     q, p     positions and momenta then, of the shape of the start and one more axis of m: q[..., k] is that at t[k]
     y        both, shape (2 n, m): q above p, as solve_ivp has it
-    success  the last of the times was reached (`ok` in C++)
+    sol      with dense=True, the orbit as a function: sol(t) has the shape (2 n,), or (2 n, k) for k times; sol.times are the ends of
+             its steps, the start first
+    t_events, y_events   for each event the times, shape (k,), and the states, shape (k, 2 n), where it was found
+    success  the last of the times was reached, or an event that ends the run (`ok` in C++)
     kept     it was, with the error of the state and of the energy within ten times the tolerance
-    status   0: the last of the times was reached; -1: it was not
+    status   0: the last of the times was reached; 1: an event ended the run; -1: neither
     message  one sentence on the end of the run
-    nfev     evaluations of the field, those of the choice among them
+    nfev     evaluations of the field, those of the choice among them; nsteps: steps of the run
     choice   monitor, order and step, with the trials that led to them
     state_error, energy_error   of the end, see the report; in units of the ranges of the motion and of the energy scale
+    energy   H at the times, shape (m,)
     """
 
-    def __init__(self, report, t, y, shape):
-        self._report = report
-        self.t, self.y = t, y
+    def __init__(self, report, formula, shape, t, y, sol, t_events, y_events, reached):
+        self._report, self._formula, self._reached = report, formula, reached
+        self.t, self.y, self.sol, self.t_events, self.y_events = t, y, sol, t_events, y_events
         n = len(y) // 2
         self.q, self.p = (y[part].reshape(shape + t.shape) for part in (slice(n), slice(n, 2 * n)))
 
     success = property(lambda self: self._report.run.outcome == _avi.Outcome.ok)
     kept = property(lambda self: self._report.kept())
-    status = property(lambda self: 0 if self.success else -1)
-    message = property(lambda self: self._report.run.message or "The end was reached.")
+    status = property(lambda self: (0 if self._reached else 1) if self.success else -1)
+    message = property(lambda self: self._report.run.message or ("The end was reached.", "An event ended the run.")[self.status])
     nfev = property(
         lambda self: self._report.run.evaluations * self.choice.order // 2
         + sum(trial.sweeps * trial.order // 2 for trial in self.choice.trials)
@@ -42,23 +50,30 @@ class Orbit:
     energy_error = property(lambda self: self._report.energy_error)
     note = property(lambda self: self._report.note)
 
+    @property
+    def energy(self):
+        if isinstance(self._formula, _avi.Formula):
+            import numpy as np
+
+            rows = self.y.T if self._formula.size == len(self.y) else np.column_stack([self.y.T, self.t])
+            self._formula = self._formula.values(rows)
+        return self._formula
+
     def __repr__(self):
         return self._report.report().rstrip()
 
     def __getstate__(self):
-        return {**self.__dict__, "_report": _Report(self._report)}
+        """What is kept in a file: all but sol."""
+        return {**self.__dict__, "_report": _Report(self._report), "_formula": self.energy, "sol": None}
 
 
 class _Report:
     """The report as it is kept in a file: of plain Python."""
 
     def __init__(self, report):
-        text, kept = report.report(), report.kept()
-        self._text, self._kept = text, kept
-        self.run = _plain(report.run)
-        self.choice = _plain(report.choice)
-        for name in ("tolerance", "state_error", "energy_error", "note"):
-            setattr(self, name, getattr(report, name))
+        self._text, self._kept = report.report(), report.kept()
+        for name in ("run", "choice", "tolerance", "state_error", "energy_error", "note"):
+            setattr(self, name, _plain(getattr(report, name)))
 
     def report(self):
         return self._text
@@ -76,36 +91,231 @@ def _plain(x):
     return SimpleNamespace(**{name: _plain(getattr(x, name)) for name in dir(x) if not name.startswith("_")})
 
 
-def solve(H, q, p, t, tol, *, seconds=None, check=True, sweeps=None, parameters=()):
+def event(g, *, direction=0, count=0, stop=False):
+    """An event for solve(): the zeros of g(q, p) or g(q, t, p), which is traced as H is.
+
+    direction  1 where g rises as the run goes, -1 where it falls, 0 for both
+    count      after so many the event is looked for no more; 0 for all
+    stop       the run ends there: at the first, or after `count`
+    """
+    return SimpleNamespace(g=g, direction=direction, count=count, terminal=stop)
+
+
+def _event(g, shape):
+    """An event, or a function with the attributes that solve_ivp knows, as what the library asks for."""
+    function, terminal = getattr(g, "g", g), getattr(g, "terminal", False)
+    count = getattr(g, "count", 0) or (0 if isinstance(terminal, bool) else int(terminal))
+    return hamiltonian(function, shape, name="An event"), int(getattr(g, "direction", 0)), count, bool(terminal)
+
+
+class _Bar:
+    """Progress on one line: of tqdm, where it is there, else by hand."""
+
+    def __init__(self):
+        try:
+            from tqdm.auto import tqdm
+
+            self._bar = tqdm(total=1.0, bar_format="{l_bar}{bar}| {elapsed}<{remaining} {postfix}")
+        except ImportError:
+            self._bar = None
+
+    def __call__(self, now):
+        words = f"{now[1]} done" if len(now) == 2 else f"t = {now[1]:.6g}, {now[2]} steps, {now[3]:.1f} s"
+        if self._bar is not None:
+            self._bar.n = now[0]
+            self._bar.set_postfix_str(words)
+        else:
+            print(f"\r{100 * now[0]:5.1f} %, {words}", end="", file=sys.stderr, flush=True)
+
+    def close(self):
+        self._bar.close() if self._bar is not None else print(file=sys.stderr)
+
+
+_OPTIONS = ("seconds", "sweeps", "steps", "check", "order", "monitor", "h", "dense", "checkpoint", "checkpoint_seconds")
+
+
+def solve(H, q, p, t, tol, *, events=(), progress=None, parameters=(), **options):
     """Integrates the orbit of H from (q, p) with a symplectic method whose monitor, order and step are chosen.
 
-    H      called once as H(q, p), or H(q, p, c) with parameters, with traced arrays of the start's shape; returns one number. Or a
-           formula from hamiltonian().
+    H      called once as H(q, p) or H(q, t, p), and with parameters as a last argument where there are any, with traced arrays of the
+           start's shape; returns one number. Or a formula from hamiltonian().
     q, p   start: arrays of one shape, or numbers
-    t      end of a run from 0; or a sequence of times, of which the first is that of the start
+    t      end of a run from 0; or a sequence of times, rising or falling, of which the first is that of the start
     tol    error of the state at the end, relative to the range through which each coordinate and momentum moves
-    seconds, sweeps   bounds on wall-clock time and on evaluations of all stages; a run that meets one keeps what it has
+    events    functions g(q, p) or g(q, t, p) whose zeros are looked for, from event() or with solve_ivp's attributes
+    progress  True for a line that shows it, or a function called some twenty times a second with (fraction, t, steps, seconds)
+    dense     keeps the orbit between the times, for `sol`
+    seconds, sweeps, steps   bounds on wall-clock time, on evaluations of all stages and on steps; a run that meets one keeps what it has
+    order, monitor, h        of the method, for who does not want them chosen: 2, 4 ... 16; "fixed", "energy", ...; the fictive step
     check  long runs are made twice, so that all of it is compared
+    checkpoint, checkpoint_seconds   a file in which the run is kept, and how often
 
-    Returns an Orbit. Raises ValueError for a start, time, tolerance or bound out of range, TypeError for an H that cannot be traced.
+    Ctrl-C ends the run; the orbit up to there is returned. Raises ValueError for a start, time, tolerance or bound out of range,
+    TypeError for an H that cannot be traced; whatever `progress` raises, but for StopIteration, which ends the run.
     """
     import numpy as np
 
-    q, p, t = (np.asarray(x, dtype=float) for x in (q, p, t))
-    times = np.array([0.0, float(t)]) if t.ndim == 0 else t
-    if times.ndim != 1 or len(times) < 2:
-        raise ValueError(f"t has the shape {times.shape}; it must be an end, or at least two times of which the first is the start's.")
-    if p.shape != q.shape:
-        raise ValueError(f"p has the shape {p.shape}; it must be that of q, {q.shape}.")
-    options = _avi.SolveOptions()
-    options.check = check
-    if seconds is not None:
-        options.seconds = seconds
-    if sweeps is not None:
-        options.sweeps = sweeps
-    formula = H if isinstance(H, _avi.Formula) else trace(H, [q.shape] * 2, parameters, "H")
-    report, t_end, q_end, p_end = _avi.solve(formula, q, p, times[0], times[-1], tol, options)
-    y = np.empty((2 * q.size, 2))
-    y[: q.size, 0], y[q.size :, 0] = q.ravel(), p.ravel()
-    y[: q.size, 1], y[q.size :, 1] = q_end, p_end
-    return Orbit(report, np.array([times[0], t_end]), y, q.shape)
+    q, p = np.asarray(q, dtype=float), np.asarray(p, dtype=float)
+    return _with_bar(_Question(H, q.shape, t, tol, events, parameters, options), q, p, progress)
+
+
+def ensemble(H, q, p, t, tol, *, events=(), progress=None, parameters=(), threads=None, **options):
+    """Many orbits of H, each as by solve(), side by side on all cores (or on so many threads): a list of Orbits in the order of the starts.
+
+    q, p   starts, along the first axis
+    progress  True for a line that shows how many are done, or a function called with (fraction, done) after each
+
+    H and events are traced once. Every orbit has the digits that it has alone. Ctrl-C ends the runs; those that had not begun have the
+    status -1. Other arguments are those of solve().
+    """
+    import numpy as np
+
+    q, p = np.asarray(q, dtype=float), np.asarray(p, dtype=float)
+    return _side_by_side(_Question(H, q.shape[1:], t, tol, events, parameters, options), q, p, progress, threads)
+
+
+class Solver:
+    """Many orbits of one H with one choice of monitor, order and step, which takes a good part of a short call.
+
+    The choice is made for the orbit from (q, p) to the end t: other starts are to be like this one, and other runs about as long. The
+    arguments are those of solve(); `options` and `events` are those of all runs. Several threads may run one Solver.
+
+    choice  monitor, order and step
+    sample  how the orbit went that they were chosen for, as a report
+    """
+
+    def __init__(self, H, q, p, t, tol, *, events=(), parameters=(), **options):
+        import numpy as np
+
+        q, p = np.asarray(q, dtype=float), np.asarray(p, dtype=float)
+        self._question = _Question(H, q.shape, t, tol, events, parameters, options)
+        self._question.made = self._question.asked(q, p, None, choose=True)[0]
+
+    choice = property(lambda self: self._question.made.choice)
+    sample = property(lambda self: self._question.made.report())
+
+    def run(self, q, p, t=None, *, progress=None):
+        """The orbit from (q, p) to the end or with the times t, those of the choice where there are none: an Orbit."""
+        import numpy as np
+
+        return _with_bar(self._question.until(t), np.asarray(q, dtype=float), np.asarray(p, dtype=float), progress)
+
+    def ensemble(self, q, p, t=None, *, progress=None, threads=None):
+        """The orbits from many starts, along the first axis of q and p, side by side on all cores: a list of Orbits, as of ensemble()."""
+        import numpy as np
+
+        return _side_by_side(self._question.until(t), np.asarray(q, dtype=float), np.asarray(p, dtype=float), progress, threads)
+
+
+def _with_bar(question, q, p, progress):
+    bar = _Bar() if progress is True else progress or None
+    try:
+        return question.answer(q, p, bar)
+    finally:
+        if progress is True:
+            bar.close()
+
+
+def _side_by_side(question, q, p, progress, threads):
+    from concurrent.futures import ThreadPoolExecutor, as_completed
+
+    if q.ndim == 0 or q.shape[:1] != p.shape[:1]:
+        raise ValueError(f"p has the shape {p.shape}; it must be that of q, {q.shape}, with one start after the other.")
+    cancelled = threading.Event()
+
+    def unless_cancelled(now):
+        if cancelled.is_set():
+            raise StopIteration
+
+    bar = _Bar() if progress is True else progress or None
+    with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
+        runs = [pool.submit(question.answer, *start, unless_cancelled) for start in zip(q, p)]
+        try:
+            for done, run in enumerate(as_completed(runs) if bar else (), 1):
+                bar((done / len(runs), done))
+            return [run.result() for run in runs]
+        except KeyboardInterrupt:
+            cancelled.set()
+            return [run.result() for run in runs]
+        except BaseException:
+            cancelled.set()
+            raise
+        finally:
+            if progress is True:
+                bar.close()
+
+
+class _Question:
+    """What is asked of an orbit, but for its start: formulas, times, options, and a choice that is made already."""
+
+    made = None
+
+    def __init__(self, H, shape, t, tol, events, parameters, options):
+        self.shape, self.tol = shape, tol
+        self.set_times(t)
+        self.options = _options(_avi.SolveOptions(), options, _OPTIONS, "solve")
+        self.formula = H if isinstance(H, _avi.Formula) else hamiltonian(H, shape, parameters)
+        several = (events,) if callable(events) or hasattr(events, "g") else events
+        self.events = [_event(g, shape) for g in several]
+
+    def set_times(self, t):
+        import numpy as np
+
+        t = np.asarray(t, dtype=float)
+        self.times, self.deliver = (np.array([0.0, float(t)]), False) if t.ndim == 0 else (t, True)
+        if self.times.ndim != 1 or len(self.times) < 2:
+            raise ValueError(f"t has the shape {t.shape}; it must be an end, or at least two times of which the first is the start's.")
+
+    def until(self, t):
+        """The same question for other times, unless there are none."""
+        other = copy.copy(self)
+        if t is not None:
+            other.set_times(t)
+        return other
+
+    def asked(self, q, p, progress, choose=False):
+        for x, name, of in ((q, "q", "the Solver's"), (p, "p", "that of q")):
+            if x.shape != self.shape:
+                raise ValueError(f"{name} has the shape {x.shape}; it must be {of}, {self.shape}.")
+        return _avi.solve(
+            self.formula, q, p, self.times, self.deliver, self.tol, self.options, self.events, progress, self.made, choose
+        )
+
+    def answer(self, q, p, progress):
+        import numpy as np
+
+        found = self.asked(q, p, progress)
+        if not self.deliver:  # the ends are what was asked for
+            found = (found[0], self.times[:1], np.concatenate([q.ravel(), p.ravel()])[None], *found[3:])
+        return _orbit(self.formula, self.shape, self.times, found, len(self.events))
+
+
+def _orbit(formula, shape, times, found, events):
+    """What the library found, as an Orbit; where a run ended before its time, its last state is the last one."""
+    import numpy as np
+
+    report, t, z, t_end, q_end, p_end, which, t_events, z_events, curve = found
+    t, t_events, which = t.ravel(), t_events.ravel(), np.array(which, dtype=int)
+    reached = t_end == times[-1]
+    if len(t) < len(times) and np.isfinite(t_end) and (len(t) == 0 or t[-1] != t_end):
+        t, z = np.append(t, t_end), np.vstack([z, np.concatenate([q_end, p_end])])
+
+    def sol(at):
+        y = curve.at(np.atleast_1d(np.asarray(at, dtype=float)), z.shape[1]).T
+        return y[:, 0] if np.ndim(at) == 0 else y
+
+    sol.times = np.array(curve.times()) if curve else None
+    of_events = [which == i for i in range(events)]
+    return Orbit(
+        report, formula, shape, t, z.T, sol if curve else None, [t_events[i] for i in of_events], [z_events[i] for i in of_events], reached
+    )
+
+
+def _options(chosen, options, names, function):
+    """Sets the fields of these names. Raises TypeError for another one."""
+    for name, value in options.items():
+        if name not in names:
+            raise TypeError(f"{function}() has no option {name!r}; there are {', '.join(names)}.")
+        if value is not None:
+            setattr(chosen, name, value)
+    return chosen

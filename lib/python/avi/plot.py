@@ -21,12 +21,21 @@ def _dots(ax, x, y, **style):
 
 
 def orbit(found: Orbit, *, i=0, j=1, ax=None, **style):
-    """Coordinate j against coordinate i; of bodies (q of shape (k, d)) a line for each."""
-    q = found.q if found.q.ndim == 3 else found.q[None]
+    """Coordinate j against coordinate i; of bodies (q of shape (k, d)) a line for each. With dense=True a smooth line with a dot for every
+    step, else what there is at the times of the orbit."""
+    import numpy as np
+
+    q = dots = found.q
+    if found.sol is not None:
+        between = np.linspace(found.sol.times[:-1], found.sol.times[1:], 10, endpoint=False).T.ravel()
+        half = len(found.y) // 2
+        q, dots = (found.sol(t)[:half].reshape(found.q.shape[:-1] + t.shape) for t in (between, found.sol.times))
     ax = _axes(ax, xlabel=f"$q_{i}$", ylabel=f"$q_{j}$")
     ax.set_aspect("equal", adjustable="datalim")
-    for body in q:
-        _dots(ax, body[i], body[j], **style)
+    for body, steps in zip(*(x if x.ndim == 3 else x[None] for x in (q, dots))):
+        line = ax.plot(body[i], body[j], **{"linewidth": 1, **style})[0]
+        if found.sol is not None:
+            ax.plot(steps[i], steps[j], ".", color=line.get_color(), markersize=6)
     return ax
 
 
@@ -44,7 +53,9 @@ def step_size(found: Orbit, *, ax=None, **style):
     """The length of each step in time against the time where it begins, for an orbit made with dense=True."""
     import numpy as np
 
-    t = found.step_times
+    if found.sol is None:
+        raise ValueError("The orbit was made without dense=True, which keeps the steps that step_size() draws.")
+    t = found.sol.times
     ax = _axes(ax, xlabel="$t$", ylabel="step", yscale="log")
     _dots(ax, t[:-1], np.abs(np.diff(t)), **style)
     return ax

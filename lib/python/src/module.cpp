@@ -70,15 +70,66 @@ Formula trace(const py::object& f, const std::vector<Shape>& shapes, std::vector
   return {*graph, node, std::move(parameters)};
 }
 
-py::tuple solve(const Formula& hamiltonian, const Numbers& q, const Numbers& p, double t, double t_end,
-                double tolerance, const SolveOptions& options) {
-  const State<dynamic> start{.q = vector_of(q), .p = vector_of(p), .t = t};
-  const auto found = [&] {
+/// Numbers that belong to Python from here on, row by row, without a copy.
+py::array given(std::vector<double>&& numbers, py::ssize_t columns) {
+  auto kept = std::make_unique<std::vector<double>>(std::move(numbers));
+  const py::capsule owner(kept.get(), [](void* p) { delete static_cast<std::vector<double>*>(p); });
+  const auto& all = *kept.release();
+  return py::array_t<double>({static_cast<py::ssize_t>(all.size()) / columns, columns}, all.data(), owner);
+}
+
+/// Calls a callback, if there is one. False where it raises StopIteration, or after Ctrl-C.
+template <class Argument>
+bool tell(const py::object& callback, const Argument& argument, Signals& signals) {
+  if (!callback.is_none()) {
+    const py::gil_scoped_acquire locked;
+    try {
+      callback(argument());
+    } catch (const py::error_already_set& error) {
+      if (error.matches(PyExc_StopIteration)) return false;
+      signals.note(error);
+    }
+  }
+  return !signals.interrupted();
+}
+
+/// The orbit from the first to the last of these times, with its states at all of them where `deliver`.
+/// Ctrl-C ends the run as `progress` does. @param made the report of an orbit whose choice is taken over, or
+/// null
+/// @param choose only the choice is made, with what is known of the orbit
+py::tuple solve(const Formula& hamiltonian, const Numbers& q, const Numbers& p, const Numbers& times,
+                bool deliver, double tolerance, SolveOptions options,
+                const std::vector<std::tuple<Formula, int, long, bool>>& events, const py::object& progress,
+                const SolutionReport* made, bool choose) {
+  const State<dynamic> start{.q = vector_of(q), .p = vector_of(p), .t = times.at(0)};
+  Signals signals;
+  options.progress = [&](const SolveProgress& now) {
+    return tell(
+        progress, [&] { return py::make_tuple(now.fraction, now.t, now.steps, now.seconds); }, signals);
+  };
+  detail::OrbitAnswer found = [&] {
     const py::gil_scoped_release unlocked;
-    return avi::solve(hamiltonian, start, t_end, tolerance, options);
+    detail::OrbitQuestion question =
+        detail::question_of(hamiltonian, start, times.at(times.size() - 1), tolerance, options);
+    if (deliver) question.times.assign(times.data(), times.data() + times.size());
+    if (deliver) detail::require_times(start.t, question.times);
+    for (const auto& [g, direction, count, stop] : events) {
+      require(direction >= -1 && direction <= 1, "Direction of an event", direction, "-1, 0 or 1");
+      require(count >= 0, "Count of an event", count, "at least 0");
+      question.events.push_back({g, {.direction = direction, .count = count, .stop = stop}});
+    }
+    if (made) question.made = std::make_shared<const Choice>(made->choice);
+    if (!choose) return detail::answer(std::move(question));
+    detail::OrbitAnswer chosen;
+    static_cast<SolutionReport&>(chosen) = detail::choose_for(question);
+    return chosen;
   }();
-  return py::make_tuple(SolutionReport(found), found.state.t, array_of(found.state.q),
-                        array_of(found.state.p));
+  if (signals.pressed) found.run.message = "Stopped by Ctrl-C. " + found.run.message;
+  const auto n = 2 * q.size();
+  return py::make_tuple(SolutionReport(found), given(std::move(found.states.t), 1),
+                        given(std::move(found.states.z), n), found.t, found.q, found.p, found.events,
+                        given(std::move(found.event_states.t), 1), given(std::move(found.event_states.z), n),
+                        found.curve);
 }
 
 /// A function of Python that returns its value and its gradient; not a number after Ctrl-C.
@@ -100,20 +151,6 @@ struct Called {
   }
 };
 
-/// Calls a callback, if there is one. False where it raises StopIteration, or after Ctrl-C.
-bool tell(const py::object& callback, const VectorX& x, Signals& signals) {
-  if (!callback.is_none()) {
-    const py::gil_scoped_acquire locked;
-    try {
-      callback(array_of(x));
-    } catch (const py::error_already_set& error) {
-      if (error.matches(PyExc_StopIteration)) return false;
-      signals.note(error);
-    }
-  }
-  return !signals.interrupted();
-}
-
 py::tuple minimise(const py::object& f, const Numbers& x0, MinimiseOptions options,
                    const py::object& callback, bool history) {
   const VectorX start = vector_of(x0);
@@ -123,7 +160,8 @@ py::tuple minimise(const py::object& f, const Numbers& x0, MinimiseOptions optio
     if (history)
       rows.insert(rows.end(), {static_cast<double>(progress.gradient_evaluations), progress.value,
                                progress.gradient_norm});
-    return tell(callback, progress.x, signals);
+    return tell(
+        callback, [&] { return array_of(progress.x); }, signals);
   };
   Minimisation run = [&] {
     if (!py::isinstance<Formula>(f)) {
@@ -132,25 +170,12 @@ py::tuple minimise(const py::object& f, const Numbers& x0, MinimiseOptions optio
     }
     const auto& formula = f.cast<const Formula&>();
     const py::gil_scoped_release unlocked;
-    return avi::minimise(RecordedObjective(formula, start.size()), start, options);
+    return avi::minimise(formula, start, options);
   }();
   if (signals.pressed) run.outcome = Outcome::stopped, run.message = "Stopped by Ctrl-C.";
   return py::make_tuple(run.outcome, run.message, run.iterations, run.gradient_evaluations,
                         array_of(run.last.x), run.last.value, array_of(run.last.gradient),
                         Numbers({static_cast<py::ssize_t>(rows.size() / 3), py::ssize_t{3}}, rows.data()));
-}
-
-/// A class of fields. @param fields a name and a member, and so on
-template <class T, class... Fields>
-py::class_<T> record(py::module_& module, const char* name, Fields... fields) {
-  py::class_<T> type(module, name);
-  type.def(py::init<>());
-  const auto add = [&type](auto& self, const char* field, auto member, auto... more) {
-    type.def_readwrite(field, member);
-    if constexpr (sizeof...(more) > 0) self(self, more...);
-  };
-  add(add, fields...);
-  return type;
 }
 
 }  // namespace
@@ -163,32 +188,55 @@ PYBIND11_MODULE(_avi, module) {
   py::enum_<Outcome> outcome(module, "Outcome");
   for (int i = 0; i <= static_cast<int>(Outcome::time_limit); ++i)
     outcome.value(std::string(name(Outcome{i})).c_str(), Outcome{i});
-  py::class_<Formula>(module, "Formula")
+  py::class_<Formula>(module, "Formula",
+                      "A function of Python that was called once, by hamiltonian() or objective(): the "
+                      "arguments of value(x) and "
+                      "gradient(x) are those of the function one after the other, (q, p) or (q, p, t). It "
+                      "can be shared by threads.")
       .def_property_readonly("size", &Formula::inputs)
       .def_property_readonly("parameters", &Formula::parameters)
       .def("with_parameters", &Formula::with)
       .def("value", [](const Formula& f, const Numbers& x) { return f.value(vector_of(x)); })
+      .def("values",
+           [](const Formula& f, const Numbers& rows) {
+             VectorX values(rows.shape(0));
+             for (py::ssize_t i = 0; i < values.size(); ++i)
+               values[i] = f.value(Eigen::Map<const VectorX>(rows.data(i), rows.shape(1)));
+             return array_of(values);
+           })
       .def("gradient", [](const Formula& f, const Numbers& x) { return array_of(f.gradient(vector_of(x))); });
   // clang-format off
-  record<Run>(module, "Run", "outcome", &Run::outcome, "steps", &Run::steps, "evaluations", &Run::evaluations,
-              "message", &Run::message);
-  record<SolveTrial>(module, "Trial", "monitor", &SolveTrial::monitor, "order", &SolveTrial::order, "h", &SolveTrial::h,
-                     "time", &SolveTrial::time, "steps", &SolveTrial::steps, "sweeps", &SolveTrial::sweeps,
-                     "state_error", &SolveTrial::state_error, "outcome", &SolveTrial::outcome);
-  record<Choice>(module, "Choice", "monitor", &Choice::name, "order", &Choice::order, "h", &Choice::h,
-                 "energy_scale", &Choice::energy_scale, "sweeps", &Choice::sweeps, "trials", &Choice::trials);
-  record<SolveOptions>(module, "SolveOptions", "seconds", &SolveOptions::seconds, "check", &SolveOptions::check,
-                       "sweeps", &SolveOptions::sweeps);
-  record<MinimiseOptions>(module, "MinimiseOptions", "relative", &MinimiseOptions::relative,
-                          "absolute", &MinimiseOptions::absolute, "change", &MinimiseOptions::change,
-                          "memory", &MinimiseOptions::memory, "iterations", &MinimiseOptions::iterations,
-                          "evaluations", &MinimiseOptions::evaluations,
-                          "check_gradient", &MinimiseOptions::check_gradient);
-  record<SolutionReport>(module, "Report", "run", &SolutionReport::run, "choice", &SolutionReport::choice,
-                         "tolerance", &SolutionReport::tolerance, "state_error", &SolutionReport::state_error,
-                         "energy_error", &SolutionReport::energy_error, "note", &SolutionReport::note)
-      .def("report", &SolutionReport::report).def("kept", &SolutionReport::kept);
+#define AVI_FIELD(name) .def_readwrite(#name, &In::name)
+  { using In = Run; py::class_<In>(module, "Run")
+    AVI_FIELD(outcome) AVI_FIELD(steps) AVI_FIELD(evaluations) AVI_FIELD(message); }
+  { using In = SolveTrial; py::class_<In>(module, "Trial")
+    AVI_FIELD(monitor) AVI_FIELD(order) AVI_FIELD(h) AVI_FIELD(time) AVI_FIELD(steps) AVI_FIELD(sweeps)
+    AVI_FIELD(state_error) AVI_FIELD(outcome); }
+  { using In = Choice; py::class_<In>(module, "Choice")
+    .def_readonly("monitor", &In::name) AVI_FIELD(order) AVI_FIELD(h) AVI_FIELD(energy_scale) AVI_FIELD(time)
+    AVI_FIELD(sweeps) AVI_FIELD(trials); }
+  { using In = SolutionReport; py::class_<In>(module, "Report").def("report", &In::report).def("kept", &In::kept)
+    AVI_FIELD(run) AVI_FIELD(choice) AVI_FIELD(tolerance) AVI_FIELD(state_error) AVI_FIELD(energy_error)
+    AVI_FIELD(note); }
+  { using In = SolveOptions; py::class_<In>(module, "SolveOptions").def(py::init<>())
+    AVI_FIELD(seconds) AVI_FIELD(check) AVI_FIELD(sweeps) AVI_FIELD(steps) AVI_FIELD(order) AVI_FIELD(monitor)
+    AVI_FIELD(h) AVI_FIELD(dense) AVI_FIELD(checkpoint) AVI_FIELD(checkpoint_seconds); }
+  { using In = MinimiseOptions; py::class_<In>(module, "MinimiseOptions").def(py::init<>())
+    AVI_FIELD(relative) AVI_FIELD(absolute) AVI_FIELD(change) AVI_FIELD(memory) AVI_FIELD(iterations)
+    AVI_FIELD(evaluations) AVI_FIELD(check_gradient); }
+#undef AVI_FIELD
   // clang-format on
+  using Curve = detail::OrbitCurve;
+  py::class_<Curve, std::shared_ptr<Curve>>(module, "Curve")
+      .def("times", &Curve::times)
+      .def("at", [](const Curve& curve, const Numbers& t, py::ssize_t n) {
+        Numbers z({t.size(), n});
+        double* to = z.mutable_data();
+        const py::gil_scoped_release unlocked;
+        for (py::ssize_t i = 0; i < t.size(); ++i)
+          curve.at(t.data()[i], to + i * n);
+        return z;
+      });
   module.def("trace", trace);
   module.def("solve", python::solve);
   module.def("minimise", python::minimise);

@@ -72,6 +72,40 @@ class Tracing(unittest.TestCase):
             self.assertEqual(formula.gradient(x).tolist(), [0.5, 0.5])
         self.assertEqual(formula.value([1000.0, 0.0]), 1000.0)
 
+    def test_comparisons_at_equality(self):
+        for compare in (np.less, np.less_equal, np.greater, np.greater_equal):
+            for of in (compare, lambda a, b: {"less": a < b, "less_equal": a <= b, "greater": a > b, "greater_equal": a >= b}[compare.__name__]):
+                formula = avi.objective(lambda x: avi.where(of(x[0], x[1]), 1.0, 0.0) + avi.where(of(1.0, x[1]), 2.0, 0.0), 2)
+                for x in ([1.0, 1.0], [1.0, 2.0], [2.0, 1.0], [2.0, 2.0]):
+                    self.assertEqual(formula.value(x), compare(x[0], x[1]) + 2.0 * compare(1.0, x[1]))
+
+    def test_means_along_axes(self):
+        f = lambda x: np.mean(x, axis=0)[1] + 10 * np.mean(x, axis=(0, 1)) + 100 * x.mean() + np.mean(x, 1)[0]
+        x = np.arange(6.0).reshape(2, 3)
+        self.assertAlmostEqual(avi.objective(f, (2, 3)).value(x.ravel()), f(x), delta=1e-12)
+
+    def test_arguments_that_count(self):
+        class Of:
+            def method(self, q, p):
+                return q @ p
+
+            def timed(self, q, t, p):
+                return q @ p + t
+
+            def __call__(self, q, p, *, a=1.0):
+                return q @ p
+
+        for H, size in [
+            (lambda q, p, k=1.0: k * (q @ p), 4),
+            (lambda q, t, p: q @ p + t, 5),
+            (lambda q, t, p, k=1.0: q @ p + t, 5),
+            (Of().method, 4),
+            (Of().timed, 5),
+            (Of(), 4),
+            (lambda *z: z[0] @ z[1], 4),
+        ]:
+            self.assertEqual(avi.hamiltonian(H, 2).size, size)
+
     def test_parameters_change_without_tracing(self):
         calls = []
         formula = avi.hamiltonian(lambda q, p, c: calls.append(c) or c[0] * (q @ q) + c[1] * (p @ p), 2, [1.0, 2.0])
@@ -101,6 +135,7 @@ class Tracing(unittest.TestCase):
             (lambda q, p: avi.where(q[0], 1, 2), "a comparison"),
             (lambda q, p: avi.where((q[0] > 0) & q[1], 1, 2), "comparisons"),
             (lambda q, p: q[0] == 1, "=="),
+            (lambda q, p: np.equal(q, 1.0), "=="),
             (lambda q, p: q[0] % 1, "remainders"),
             (lambda q, p: q[0] // 1, "remainders"),
             (lambda q, p: np.floor(q[0]), "np.floor"),

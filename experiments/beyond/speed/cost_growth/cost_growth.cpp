@@ -44,7 +44,7 @@ void report(const Axis& axis, int rounds, Table& runs, Table& fits) {
 int main(int argc, char** argv) {
   return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
     Table runs = frame.table({"axis", "subject", "value", "steps", "evaluations", "energy_error", "seconds"});
-    runs.note("closeness", "1 - e; one Kepler orbit by stationary_r3_gauss2 with g = r^(2 "
+    runs.note("closeness", "1 - e; one Kepler orbit by stationary8 with g = r^(2 "
                            "gamma), the largest energy error "
                            "|H - H_0| / |H_0| being 1e-6");
     runs.note("periods", "of Kepler's problem at e = 0.9, with one step size for each method");

@@ -67,6 +67,7 @@ struct Family {
   std::string knob;              ///< What the setting is: `h`, `tolerance`; monitors are named here, too.
   std::vector<double> settings;  ///< Coarse to fine.
   std::function<Result(const Request&)> run;
+  double weight = 1.0;  ///< Evaluations of the force that one of its own costs about: caps count these.
 };
 
 /// A problem over a horizon.
@@ -78,7 +79,7 @@ struct Scene {
   /// |q - exact position at t| for a run from start k.
   std::function<double(int k, double t, const Eigen::VectorXd& q)> position_error{};
   double reference_error = 0.0;  ///< Estimate of the error of that reference itself.
-  double longest_run = 1.0;      ///< Times what other scenes allow a run.
+  double longest_run = 1.0;      ///< Times what other scenes allow a run, in evaluations: less where they are dear.
   std::vector<Family> families{};
 };
 

@@ -21,15 +21,17 @@ struct Trial {
   long step_cap;
 };
 
-/// As many steps as fit into `seconds`, told from the first few hundred. (An orbit that a coarse setting
+/// Evaluations of the force that a run was worth.
+double work(const Family& family, const Result& result) {
+  return family.weight * static_cast<double>(result.evaluations);
+}
+
+/// As many steps as take that much work, told from the first few hundred. (An orbit that a coarse setting
 /// throws out may take any number of them.)
-long steps_within(double seconds, const Family& family, double setting) {
-  double step = std::numeric_limits<double>::infinity();
-  for (int probe = 0; probe < 3; ++probe) {
-    const Result result = family.run({.setting = setting, .step_cap = 300});
-    step = std::min(step, result.seconds / static_cast<double>(std::max(result.steps, 1L)));
-  }
-  return static_cast<long>(seconds / std::max(step, 1e-9));
+long steps_within(double most, const Family& family, double setting) {
+  const Result result = family.run({.setting = setting, .step_cap = 300});
+  const double step = work(family, result) / static_cast<double>(std::max(result.steps, 1L));
+  return static_cast<long>(most / std::max(step, 1.0));
 }
 
 /// The settings of one family that are worth measuring.
@@ -44,9 +46,10 @@ std::vector<Trial> scout(const Scene& scene, const Family& family, const Budget&
     const long step_cap = steps_within(far_too_long, family, setting);
     const Result result = family.run({.setting = setting, .step_cap = step_cap});
     const double error = result.ok ? scene.position_error(0, result.t, result.q) : std::nan("");
-    spent += (starts + 1) * std::max(result.seconds, budget.least_block);
-    if ((i > 0 && result.seconds > far_too_long) || spent > budget.family) break;
-    if (error < 0.1 && result.seconds <= far_too_long)
+    const double taken = work(family, result);
+    spent += (starts + 1) * std::max(taken, budget.least_run);
+    if ((i > 0 && taken > far_too_long) || spent > budget.family) break;
+    if (error < 0.1 && taken <= far_too_long)
       kept.push_back({&family, setting, result.seconds, 2 * step_cap});
     if (error < 0.7 * best) {
       best = error;
@@ -55,7 +58,7 @@ std::vector<Trial> scout(const Scene& scene, const Family& family, const Budget&
       ++stale;
     }
     if (stale * budget.stride >= 6 || error < 2e-14) break;
-    if (result.seconds > budget.longest_run) break;
+    if (taken > budget.longest_run) break;
   }
   return kept;
 }
@@ -83,14 +86,19 @@ std::vector<Point> measure(const Scene& scene, const Budget& budget,
       if (k == 0) {
         const Result watched =
             trial.family->run({.setting = trial.setting, .watch_energy = true, .step_cap = trial.step_cap});
-        points[i] = {trial.family, trial.setting, result.steps,        result.evaluations,
-                     0.0,          0.0,           watched.energy_error};
+        points[i] = {.family = trial.family,
+                     .setting = trial.setting,
+                     .steps = result.steps,
+                     .evaluations = result.evaluations,
+                     .energy_error = watched.energy_error};
       }
     }
     progress((k + 1.0) / starts);
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].seconds = median(seconds[i]);
+    points[i].least_seconds = std::ranges::min(seconds[i]);
+    points[i].most_seconds = std::ranges::max(seconds[i]);
     points[i].position_error = median(errors[i]);
   }
   std::erase_if(points, [](const Point& p) { return !std::isfinite(p.position_error); });

@@ -51,7 +51,7 @@ TEST(CostGrowth, ComparesRunsOfOneAccuracy) {
 
 TEST(CostGrowth, WithTheHorizonIsLinear) {
   const auto table = data("_fit");
-  for (const char* method : {"stationary_r3_gauss2", "stormer_verlet", "log_hamiltonian"})
+  for (const char* method : {"stationary8", "stormer_verlet", "log_hamiltonian"})
     EXPECT_NEAR(fit(table, method, "steps_exponent"), 1.0, 2e-3) << method;
 }
 

@@ -41,6 +41,7 @@ Scene figure_eight(int periods) {
   const double horizon = periods * avi::FigureEight::period;
   const Arena arena(UnitBodies<3>(), horizon, avi::FigureEight::start());
   Scene scene{"figure_eight", unknown, horizon, fmt::format("{} periods", periods)};
+  scene.longest_run = 0.3;
   set_extended_reference(scene, arena, false, 0.05L);
   add_fixed(scene, arena, 0.05);
   add_logarithmic(scene, arena, 0.1);
@@ -56,7 +57,7 @@ Scene star_cluster() {
   z.p << -0.3, 0.9, 0.2, -0.8, 0.9, 0.1, -0.7, -0.4, -0.5, 0.6, 0.5, -0.7, -0.1, 0.3;
   const Arena arena(UnitBodies<7>(), 1.0, z);
   Scene scene{"star_cluster", unknown, 1.0, "1"};
-  scene.longest_run = 6.0;  // every step is dear
+  scene.longest_run = 0.4;
   set_extended_reference(scene, arena, true, 0.005L);
   add_fixed(scene, arena, 0.01);
   add_logarithmic(scene, arena, 0.1);
@@ -68,6 +69,7 @@ Scene star_cluster() {
 Scene solar_system(double horizon) {
   const Arena arena(experiment::OuterSolarSystem::problem(), horizon, experiment::OuterSolarSystem::start());
   Scene scene{"solar_system", unknown, horizon, fmt::format("{:.0f} days", horizon)};
+  scene.longest_run = 0.2;
   set_extended_reference(scene, arena, false, 60.0L);
   add_fixed(scene, arena, 100.0);
   add_collocation(scene, arena, "g=1", 1500.0, avi::Unit{});

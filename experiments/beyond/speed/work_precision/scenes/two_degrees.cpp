@@ -76,6 +76,7 @@ Scene henon_heiles(double horizon) {
 Scene double_pendulum(double horizon) {
   const Arena arena(Pendulums{}, horizon, experiment::DoublePendulum::released(1.2, 0.8));
   Scene scene{"double_pendulum", unknown, horizon, fmt::format("{:g}", horizon)};
+  scene.longest_run = 0.5;
   set_reference(scene, arena, [](const avi::State<2>& start, long double fraction) {
     return Extrapolation<Pendulums>({}, start, 0.25L * fraction);
   });

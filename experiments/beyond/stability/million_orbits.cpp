@@ -1,0 +1,169 @@
+#include "common/frame.hpp"
+#include "common/power_law.hpp"
+#include "common/timing.hpp"
+
+#include "avi/collocation/collocation.hpp"
+#include "avi/core/integrate.hpp"
+#include "avi/integrators/log_hamiltonian.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/transform/monitors.hpp"
+#include "avi/transform/poincare.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// Rounding over very many orbits: the energy errors of sixteen orbits at every milestone, and what an orbit
+// costs. If the error of each step is random and unbiased, their root mean square grows as the square root of
+// time (Brouwer 1937).
+
+namespace {
+
+using namespace experiment;
+using State2 = avi::State<2>;
+
+constexpr int starts = 16;
+constexpr double period = 2.0 * M_PI;
+
+/// Eccentricities next to 0.9: orbits that share no rounding error.
+State2 start(int k) { return avi::Kepler::pericentre(0.9 + 1e-4 * (k - 7.5)); }
+
+/// H / H_0 - 1 of the first state after each milestone, in periods, that is beyond the mean distance: there
+/// the monitor is largest, and the energy is what the method keeps.
+using Errors = std::vector<double>;
+using Run = std::function<Errors(const State2&, const std::vector<long>&)>;
+
+bool arrived(const State2& z, long periods) { return z.t >= periods * period && z.q.squaredNorm() > 1.0; }
+
+template <class Make>
+Run fixed(double h, Make make) {
+  return [=](const State2& from, const std::vector<long>& milestones) {
+    auto method = make(from);
+    const double first = avi::Kepler()(from.q, from.p);
+    State2 z = from;
+    Errors errors;
+    for (const long mark : milestones) {
+      const auto run = avi::integrate(method, z, h, {.time = (mark + 2) * period},
+                                      [&](const State2& now, long) { return !arrived(now, mark); });
+      if (run.outcome != avi::Outcome::stopped) throw std::runtime_error("A run ended early: " + run.message);
+      errors.push_back(avi::Kepler()(z.q, z.p) / first - 1.0);
+    }
+    return errors;
+  };
+}
+
+int field(double, const double y[], double f[], void*) {
+  const double r2 = y[0] * y[0] + y[1] * y[1], by = -1.0 / (r2 * std::sqrt(r2));
+  f[0] = y[2], f[1] = y[3], f[2] = by * y[0], f[3] = by * y[1];
+  return GSL_SUCCESS;
+}
+
+/// Prince and Dormand's pair of order 8 with error control: the steps of a library that is not symplectic.
+Errors of_gsl(const State2& from, const std::vector<long>& milestones) {
+  constexpr double tolerance = 1e-13;
+  gsl_odeiv2_system system{field, nullptr, 4, nullptr};
+  const std::unique_ptr<gsl_odeiv2_step, void (*)(gsl_odeiv2_step*)> step(
+      gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 4), gsl_odeiv2_step_free);
+  const std::unique_ptr<gsl_odeiv2_control, void (*)(gsl_odeiv2_control*)> control(
+      gsl_odeiv2_control_y_new(tolerance, tolerance), gsl_odeiv2_control_free);
+  const std::unique_ptr<gsl_odeiv2_evolve, void (*)(gsl_odeiv2_evolve*)> evolve(gsl_odeiv2_evolve_alloc(4),
+                                                                                gsl_odeiv2_evolve_free);
+  const double first = avi::Kepler()(from.q, from.p);
+  State2 z = from;
+  double y[4] = {z.q[0], z.q[1], z.p[0], z.p[1]}, h = 1e-4;
+  Errors errors;
+  for (const long mark : milestones) {
+    while (!arrived(z, mark)) {
+      if (gsl_odeiv2_evolve_apply(evolve.get(), control.get(), step.get(), &system, &z.t, (mark + 2) * period,
+                                  &h, y) != GSL_SUCCESS)
+        throw std::runtime_error("A step of GSL failed.");
+      z.q << y[0], y[1];
+    }
+    z.p << y[2], y[3];
+    errors.push_back(avi::Kepler()(z.q, z.p) / first - 1.0);
+  }
+  return errors;
+}
+
+struct Subject {
+  const char* method;
+  Run run;
+  double reach =
+      1.0;  ///< It goes through this part of the horizon: the control is slow, and its law is soon clear.
+};
+
+std::vector<Subject> subjects() {
+  return {{"collocation16", fixed(0.7,
+                                  [](const State2& z) {
+                                    return avi::collocation(avi::poincare(avi::Kepler{}, z, avi::Gamma{0.75}),
+                                                            16);
+                                  })},
+          {"log_hamiltonian10", fixed(0.2,
+                                      [](const State2& z) {
+                                        return avi::splitting<avi::Summation::compensated>(
+                                            avi::LogHamiltonian(avi::Kepler{}, z),
+                                            avi::compositions::sofroniou_spaletta10);
+                                      })},
+          {"gsl_rk8pd", of_gsl, 0.1}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  long periods = 10'000;
+  bool extremes = false;
+  const auto options = [&](CLI::App& app) {
+    add_count(app, "--periods", periods, 1000, 100'000'000, "Periods to run");
+    add_flag(app, "--extremes", extremes, "A million periods, a quarter of an hour");
+  };
+  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
+    if (frame.quick) periods = 1000;
+    if (extremes) periods = 1'000'000;
+    Table table = frame.table({"method", "start", "eccentricity", "periods", "energy_error"});
+    Table growth = frame.table({"method", "periods", "energy_error"});
+    Table summary = frame.table(
+        {"method", "starts", "periods", "energy_error", "exponent", "standard_error", "seconds_per_orbit"});
+    table.note("energy_error",
+               "|H / H_0 - 1| of the first state after the milestone beyond the mean distance");
+    growth.note("energy_error", "root mean square over the starts");
+    summary.note("exponent", "power of time of the root mean square, from ten periods on");
+    double done = 0.0;
+    for (const Subject& subject : subjects()) {
+      const double last = 1.001 * subject.reach * static_cast<double>(periods);
+      std::vector<long> milestones;
+      for (double mark = 1.0; mark < last; mark *= std::pow(10.0, 0.25))
+        if (milestones.empty() || std::lround(mark) > milestones.back())
+          milestones.push_back(std::lround(mark));
+      std::vector<double> squares(milestones.size(), 0.0), seconds;
+      for (int k = 0; k < starts; ++k) {
+        frame.progress(subject.method, done++, 3.0 * starts);
+        const State2 z = start(k);
+        Errors errors;
+        seconds.push_back(experiment::seconds([&] { errors = subject.run(z, milestones); }));
+        for (std::size_t i = 0; i < errors.size(); ++i) {
+          table.row(subject.method, k, 0.9 + 1e-4 * (k - 7.5), milestones[i], std::abs(errors[i]));
+          squares[i] += errors[i] * errors[i] / starts;
+        }
+      }
+      std::vector<double> x, y;
+      for (std::size_t i = 0; i < milestones.size(); ++i) {
+        growth.row(subject.method, milestones[i], std::sqrt(squares[i]));
+        if (milestones[i] < 10) continue;
+        x.push_back(static_cast<double>(milestones[i]));
+        y.push_back(std::sqrt(squares[i]));
+      }
+      const auto fit = power_law(x, y);
+      summary.row(subject.method, starts, milestones.back(), y.back(), fit.slope, fit.standard_error,
+                  rounded(median(seconds) / static_cast<double>(milestones.back())));
+    }
+    frame.write(growth, "growth");
+    frame.write(summary, "summary");
+    frame.write(table);
+  });
+}

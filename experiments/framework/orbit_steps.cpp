@@ -1,0 +1,85 @@
+#include "common/frame.hpp"
+
+#include "avi/collocation/collocation.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/transform/monitors.hpp"
+#include "avi/transform/poincare.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+// One orbit of Kepler's problem with its steps, by monitor: as many steps of the same method, equal in
+// Poincare time.
+
+namespace {
+
+using namespace experiment;
+using State2 = avi::State<2>;
+
+constexpr double eccentricity = 0.9, period = 2.0 * M_PI;
+
+/// The steps of one orbit of fictive length h: calls look(z) at the start and after each; returns how many.
+template <class G, class Look>
+long orbit(const G& monitor, double h, Look look) {
+  State2 z = avi::Kepler::pericentre(eccentricity);
+  auto method = avi::collocation(avi::poincare(avi::Kepler(), z, monitor), 8);
+  look(z);
+  long steps = 0;
+  while (z.t < period * (1.0 - 1e-9)) {
+    if (method.step(z, h).outcome != avi::Outcome::ok || ++steps > 100'000)
+      throw std::runtime_error("A step was not solved.");
+    look(z);
+  }
+  return steps;
+}
+
+/// Fictive time of an orbit, the integral of dt / g along it: by fine steps of |q|^(3/2), each counted with
+/// the value of 1 / g in its middle.
+template <class G>
+double fictive_period(const G& monitor) {
+  double sum = 0.0;
+  State2 before = avi::Kepler::pericentre(eccentricity);
+  orbit(avi::Gamma{0.75}, 0.002, [&](const State2& z) {
+    const double rate = 0.5 * (1.0 / monitor(before) + 1.0 / monitor(z));
+    sum += (z.t - before.t) * rate;
+    before = z;
+  });
+  return sum;
+}
+
+template <class G, class Value>
+void add(Table& table, Table& summary, const char* name, const G& monitor, Value value, long steps) {
+  const double h = fictive_period(value) / static_cast<double>(steps);
+  double worst = 0.0;
+  long step = 0;
+  orbit(monitor, h, [&](const State2& z) {
+    worst = std::max(worst, std::abs(avi::Kepler()(z.q, z.p) / -0.5 - 1.0));
+    table.row(name, step++, z.q[0], z.q[1], z.t);
+  });
+  summary.row(name, step - 1, h, worst);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  long steps = 36;
+  const auto options = [&](CLI::App& app) {
+    add_count(app, "--steps", steps, 16, 10'000, "Steps of an orbit");
+  };
+  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
+    Table table = frame.table({"monitor", "step", "q_1", "q_2", "t"});
+    Table summary = frame.table({"monitor", "steps", "h", "energy_error"});
+    summary.note("eccentricity", eccentricity);
+    const auto power = [](double exponent) {
+      return [exponent](const State2& z) { return std::pow(z.q.norm(), exponent); };
+    };
+    add(
+        table, summary, "none", avi::Unit{}, [](const State2&) { return 1.0; }, steps);
+    add(table, summary, "r", avi::Gamma{0.5}, power(1.0), steps);
+    add(table, summary, "r^1.5", avi::Gamma{0.75}, power(1.5), steps);
+    add(table, summary, "r^2", avi::Gamma{1.0}, power(2.0), steps);
+    frame.write(summary, "summary");
+    frame.write(table);
+  });
+}

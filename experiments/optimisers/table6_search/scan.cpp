@@ -1,0 +1,148 @@
+#include "optimisers/table6_search/scan.hpp"
+
+#include <algorithm>
+
+namespace experiment::table6_search {
+namespace {
+
+/// Whether the test for delta holds at an iterate: `change` is |f_k - f_{k-1}|.
+bool holds(Test test, double change, double slope, double delta, double value_0, double slope_0) {
+  switch (test) {
+  case Test::both:
+    return change < delta && slope < delta;
+  case Test::gradient:
+    return slope < delta;
+  case Test::value:
+    return change < delta;
+  case Test::relative:
+    return change < delta * value_0 && slope < delta * slope_0;
+  }
+  return false;
+}
+
+/// f(z) and |grad f(z)| of eight trajectories, step by step.
+struct History {
+  std::vector<Lane> value, slope;
+};
+
+}  // namespace
+
+std::vector<Scan> scan(const Spectrum& of, const Variant& variant, const Ranges& ranges,
+                       const std::vector<Counts>& wanted) {
+  std::vector<Scan> results(wanted.size());
+  std::vector<int> most(wanted.size(), 1);
+  const auto last_of = [&](int cell) {
+    long last = 0;
+    for (const Counts& row : wanted)
+      last = std::max(last, row[cell] + slack);
+    return last;
+  };
+  std::vector<double> spent(static_cast<std::size_t>(last_of(cells - 1)) + 2,
+                            0.0);  // eta t^(-theta) / eta, summed
+  for (std::size_t k = 1; k < spent.size(); ++k)
+    spent[k] = spent[k - 1] + std::exp(-h * static_cast<double>(k - 1));
+  const double block = std::pow(Ranges::eta_ratio, Ranges::etas);
+  History seen;
+  std::vector<std::array<std::array<long, Ranges::etas>, lanes>> passed(wanted.size());
+  for (double low = ranges.eta_low; low < ranges.eta_high; low *= block) {
+    const double middle = low * std::sqrt(block);
+    std::array<double, Ranges::etas> etas{};
+    for (int j = 0; j < Ranges::etas; ++j)
+      etas[j] = low * std::pow(Ranges::eta_ratio, j + 0.5);
+    for (double first = ranges.u_low; first < ranges.u_high; first *= std::pow(ranges.u_ratio, lanes)) {
+      Lane u;
+      for (int l = 0; l < lanes; ++l)
+        u[l] = first * std::pow(ranges.u_ratio, l);
+      State at;
+      for (int i = 0; i < modes; ++i)
+        at.z[i] = Lane::Constant(variant.away * of.ones[i]),
+        at.s[i] = (variant.momentum * of.ones[i]) * (middle / u);  // R_0 / sqrt(C)
+      const Lane form_0 = at.form(of);
+      seen.value.assign(1, form_0 * form_0);
+      seen.slope.assign(1, at.slope(of, form_0));
+      // Where a row's last cell was passed, for each trajectory and eta; -1 where one was missed.
+      for (std::size_t r = 0; r < wanted.size(); ++r) {
+        passed[r] = {};
+        results[r].points += static_cast<double>(lanes) * Ranges::etas;
+      }
+      bool alive = true;
+      for (int cell = 0; cell < cells && alive; ++cell) {
+        const double delta = std::pow(10.0, -2 - cell);
+        for (long k = static_cast<long>(seen.value.size()); k <= last_of(cell); ++k) {
+          const double shrink = std::exp(-h * static_cast<double>(k - 1));
+          const double grow = std::exp(0.5 * middle * shrink), fall = 1.0 / grow;
+          step(of, variant.form, at, u * shrink, u * shrink);
+          const Lane form = at.form(of);
+          seen.value.push_back(form * form);
+          seen.slope.push_back(at.slope(of, form));
+          for (int i = 0; i < modes; ++i)
+            at.z[i] *= grow, at.s[i] *= fall;
+        }
+        alive = false;
+        for (std::size_t r = 0; r < wanted.size(); ++r)
+          for (int l = 0; l < lanes; ++l)
+            for (int j = 0; j < Ranges::etas; ++j) {
+              long& from = passed[r][l][j];
+              if (from < 0) continue;
+              // z_k is taken before its clock advances: its scale is that of t_{k-1}.
+              const auto hold = [&](long k) {
+                const double at_k = std::exp(-0.5 * etas[j] * spent[k - 1]);
+                const double before = k > 1 ? std::exp(-0.5 * etas[j] * spent[k - 2]) : 1.0;
+                const double f = seen.value[k][l] * at_k * at_k * at_k * at_k,
+                             f_before = seen.value[k - 1][l] * before * before * before * before;
+                return holds(variant.test, std::abs(f - f_before), seen.slope[k][l] * at_k * at_k * at_k,
+                             delta, seen.value[0][l], seen.slope[0][l]);
+              };
+              const long begin = std::max({wanted[r][cell] - slack, from, 1L}), end = wanted[r][cell] + slack;
+              long found = 0;
+              for (long k = begin; k <= end && !found; ++k)
+                if (hold(k)) found = k;
+              for (long k = begin - 1; found && k >= std::max(from, 1L); --k)
+                if (hold(k)) found = 0;
+              from = found ? found : -1;
+              if (!found) continue;
+              alive = true;
+              results[r].with[cell + 1] += 1;
+              if (cell + 1 > most[r]) most[r] = cell + 1, results[r].best.clear();
+              if (cell + 1 == most[r] && results[r].best.size() < 8)
+                results[r].best.push_back({u[l], etas[j], most[r]});
+            }
+      }
+    }
+  }
+  return results;
+}
+
+Counts exact_counts(const Spectrum& of, const Variant& variant, double p, double u, double eta, long cap,
+                    double t_turn) {
+  const double theta = p * h / eta;  // p_ring / p with p^2 / p_ring = eta / h
+  const double C = (u / eta) * (u / eta);
+  double t = 1.0;
+  State at;
+  for (int i = 0; i < modes; ++i)
+    at.z[i] = Lane::Constant(variant.away * of.ones[i]),
+    at.s[i] = Lane::Constant(variant.momentum * of.ones[i]);
+  const double form_0 = at.form(of)[0], slope_0 = at.slope(of, Lane::Constant(form_0))[0];
+  double before = form_0 * form_0;
+  Counts made{};
+  int cell = 0;
+  for (long k = 1; k <= cap && cell < cells; ++k) {
+    const double now = eta * std::pow(t, -theta);
+    step(of, variant.form, at, Lane::Constant(now * C * std::pow(t, p)), Lane::Constant(now));
+    const double next = t * (1.0 + now / p);
+    const double fall = std::pow(t / next, p);
+    for (int i = 0; i < modes; ++i)
+      at.s[i] *= fall;
+    t = next > t_turn ? 1.0 : next;
+    const Lane form = at.form(of);
+    const double value = form[0] * form[0], slope = at.slope(of, form)[0];
+    if (!std::isfinite(value)) break;
+    while (cell < cells && holds(variant.test, std::abs(value - before), slope, std::pow(10.0, -2 - cell),
+                                 form_0 * form_0, slope_0))
+      made[cell++] = k;
+    before = value;
+  }
+  return made;
+}
+
+}  // namespace experiment::table6_search

@@ -1,0 +1,97 @@
+"""The package as a whole: its stubs name what there is, import is quick and needs no NumPy, every picture can be drawn."""
+
+import ast
+import inspect
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import avi
+
+
+def stub(module):
+    """Public names of a stub: of functions their arguments, of classes their members."""
+    names = {}
+    for node in ast.parse(Path(module.__file__).with_suffix(".pyi").read_text()).body:
+        if isinstance(node, ast.FunctionDef):
+            names[node.name] = {x.arg for x in node.args.posonlyargs + node.args.args + node.args.kwonlyargs}
+        elif isinstance(node, ast.ClassDef):
+            members = {getattr(x, "name", None) or getattr(getattr(x, "target", None), "id", None) for x in node.body}
+            names[node.name] = members - {None, "__getattr__"}
+    return names
+
+
+class Package(unittest.TestCase):
+    def test_stubs_name_what_there_is(self):
+        known = stub(avi)
+        self.assertEqual(set(avi.__all__) - {"plot"}, set(known) - {"Event"})
+        orbit = avi.solve(lambda q, p: p**2 / 2 - np.cos(q), 1.0, 0.0, 1.0, 1e-6)
+        least = avi.minimise(lambda x: x**2, 1.0)
+        solver = avi.Solver(lambda q, p: p**2 / 2 - np.cos(q), 1.0, 0.0, 1.0, 1e-6)
+        for one in (orbit, least, solver, avi.hamiltonian(lambda q, p: q * p, ()), avi.Traced):
+            name = one.__name__ if inspect.isclass(one) else type(one).__name__
+            for member in known[name]:
+                self.assertTrue(hasattr(one, member), f"{name}.{member}")
+        options = {"solve": avi._orbits._OPTIONS, "ensemble": avi._orbits._OPTIONS, "minimise": avi._minimise._OPTIONS}
+        for module, names in ((avi, known), (avi.plot, stub(avi.plot))):
+            for name, arguments in names.items():
+                function = getattr(module, name, None)
+                if inspect.isfunction(function):
+                    has = {x.name for x in inspect.signature(function).parameters.values() if x.kind is not x.VAR_KEYWORD}
+                    self.assertEqual(arguments, has | set(options.get(name, ())), name)
+
+    def test_every_name_has_a_docstring(self):
+        for module in (avi, avi.plot):
+            for name in module.__all__:
+                self.assertTrue(inspect.getdoc(getattr(module, name)), name)
+
+    def test_import_needs_no_numpy(self):
+        subprocess.run([sys.executable, "-c", "import sys, avi; assert 'numpy' not in sys.modules"], check=True)
+
+    def test_first_call_is_quick(self):
+        program = """
+from time import perf_counter
+begun = perf_counter()
+import avi
+imported = perf_counter()
+avi.solve(lambda q, p: (p @ p) / 2 - 1 / (q @ q)**.5, [0.1, 0.0], [0.0, 4.35889894], 62.8, 1e-9)
+print(imported - begun, perf_counter() - begun)
+"""
+        times = [[float(x) for x in subprocess.check_output([sys.executable, "-c", program]).split()] for _ in range(5)]
+        imported, answered = np.min(times, axis=0)
+        self.assertLess(imported, 0.1)
+        self.assertLess(answered, 0.3)
+
+    def test_pictures(self):
+        try:
+            import matplotlib
+
+            matplotlib.use("Agg")
+            from matplotlib.axes import Axes
+        except ImportError:
+            self.skipTest("matplotlib is not there.")
+        kepler = lambda q, p: (p @ p) / 2 - 1 / np.sqrt(q @ q)
+        start = [0.5, 0.0], [0.0, np.sqrt(3.0)]
+        orbit = avi.solve(kepler, *start, np.linspace(0, 20, 101), 1e-9, dense=True)
+        least = avi.minimise(lambda x: x @ x, [1.0, 2.0], history=True)
+        for axes, points in [
+            (avi.plot.orbit(orbit), 10 * orbit.nsteps),
+            (avi.plot.orbit(avi.solve(kepler, *start, np.linspace(0, 20, 101), 1e-9)), 101),
+            (avi.plot.energy_error(orbit), 100),
+            (avi.plot.step_size(orbit), orbit.nsteps),
+            (avi.plot.work_precision(kepler, *start, 10.0), 9),
+            (avi.plot.convergence(least), least.nit + 1),
+        ]:
+            self.assertIsInstance(axes, Axes)
+            self.assertTrue(axes.get_xlabel())
+            self.assertEqual(len(axes.lines[0].get_xdata()), points)
+        self.assertIs(avi.plot.orbit(orbit, ax=axes, color="red"), axes)
+        with self.assertRaisesRegex(ValueError, "history=True"):
+            avi.plot.convergence(avi.minimise(lambda x: x @ x, [1.0]))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,28 @@
+#include "common/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+// Rounding over a thousand orbits: random where the method is symplectic, a drift where it is not.
+
+namespace million_orbits_test {
+
+double summary(const std::string& method, const char* column) {
+  static const auto table = experiment::Table::read(AVI_CHECK_DIR "/quick/million_orbits_summary.tsv");
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    if (table.text(i, "method") == method) return table.number(i, column);
+  ADD_FAILURE() << "no row " << method;
+  return 0.0;
+}
+
+TEST(MillionOrbits, EnergyWalksAtRandomOrDrifts) {
+  // Measured over a thousand orbits: 5e-15, 1.2e-14; GSL over a hundred: 3e-12.
+  EXPECT_LT(summary("collocation16", "energy_error"), 1.2e-14);
+  EXPECT_LT(summary("log_hamiltonian10", "energy_error"), 3e-14);
+  EXPECT_GT(summary("gsl_rk8pd", "energy_error"), 1e-12);
+  EXPECT_EQ(summary("collocation16", "starts"), 16.0);
+  EXPECT_EQ(summary("collocation16", "periods"), 1000.0);
+}
+
+}  // namespace million_orbits_test
