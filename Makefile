@@ -5,6 +5,7 @@
 PRESET ?= release
 PREFIX ?= /usr/local
 FUZZ_SECONDS ?= 60
+SITE   ?= build/site
 BUILD  := build/$(PRESET)
 BIN    := $(BUILD)/bin
 
@@ -24,8 +25,8 @@ export SOURCE_DATE_EPOCH := $(shell git log -1 --format=%ct 2>/dev/null || echo 
 # CMake writes down what the calls of experiment() declare (experiments/CMakeLists.txt): the names of all experiments;
 # `timed`, whose seconds are compared; `slow`; `drawn`, with script_of_<name>; with_<mode>, those that know a longer run. Goals
 # that need no experiment do without it. To make it, packages have to be there.
-without_list := help deps deps-peers deps-paper deps-docs deps-python deps-compare deps-instructions deps-fuzz deps-format deps-mutants \
-                programs build check python python-door hostile instructions mutants fuzz levels docs install format clean
+without_list := help deps deps-peers deps-paper deps-docs deps-site deps-python deps-compare deps-instructions deps-fuzz deps-format deps-mutants \
+                programs build check python python-door hostile instructions mutants fuzz levels docs site install format clean
 ifneq ($(filter-out $(without_list),$(or $(MAKECMDGOALS),help)),)
 include $(BUILD)/experiments.mk
 endif
@@ -36,8 +37,8 @@ FIGURES     := $(foreach f,$(drawn),build/figures/$f.pdf build/figures/$f.png)
 PUBLISHED   := $(wildcard paper/published/*.tsv)
 GALLERY     := kepler_e090 euler_b_errors direct_vs_adaptive work_precision
 
-.PHONY: help deps deps-peers deps-paper deps-docs deps-python deps-compare deps-instructions deps-fuzz deps-format deps-mutants programs build data figures scorecard verdicts \
-        check python python-door hostile instructions mutants fuzz levels paper docs install long work-precision arena extremes gallery format clean
+.PHONY: help deps deps-peers deps-paper deps-docs deps-site deps-python deps-compare deps-instructions deps-fuzz deps-format deps-mutants programs build data figures scorecard verdicts \
+        check python python-door hostile instructions mutants fuzz levels paper docs site install long work-precision arena extremes gallery format clean
 
 help: ## This list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1	\2/p' $(MAKEFILE_LIST) | while IFS='	' read -r target text; do \
@@ -50,7 +51,8 @@ base_packages  := git g++ cmake ninja-build libeigen3-dev libgsl-dev libcli11-de
 peers_packages := libboost-dev libsundials-dev libopenmpi-dev openmpi-bin
 paper_packages := latexmk texlive-latex-recommended texlive-latex-extra texlive-science texlive-fonts-recommended \
                   texlive-bibtex-extra lmodern
-docs_packages  := doxygen libjs-mathjax
+docs_packages  := doxygen doxygen-awesome-css libjs-katex python3
+site_packages  := chromium
 python_packages := python3-dev pybind11-dev python3-pybind11 python3-numpy
 compare_packages := python3-scipy python3-matplotlib
 
@@ -79,6 +81,8 @@ deps-paper: deps ## Install TeX
 	$(call install,$(paper_packages))
 deps-docs: deps ## Install Doxygen
 	$(call install,$(docs_packages))
+deps-site: deps-docs
+	$(call install,$(site_packages))
 deps-python: deps ## Install what the Python module needs
 	$(call install,$(python_packages))
 deps-compare: deps-python ## Install SciPy and matplotlib, for the module's examples, plots and comparisons
@@ -181,8 +185,10 @@ $(foreach f,$(drawn),$(eval $(call figure_rule,$f,$(script_of_$f))))
 # One figure draws the data of a second experiment beside its own.
 build/figures/order_verification.pdf build/figures/order_verification.png: build/data/constructions.tsv
 
-gallery: $(patsubst %,build/data/%.tsv,$(GALLERY)) | figures/gallery ## Redraw the README's previews
+gallery: $(patsubst %,build/data/%.tsv,$(GALLERY)) | figures/gallery ## Redraw the pictures of README and of the guide
 	@$(foreach f,$(GALLERY),$(call draw,$f,build/data,figures/gallery/$f,preview,png) &&) true
+	@$(compile) pictures && mkdir -p build/pictures && $(BIN)/pictures build/pictures \
+	  && gnuplot -e "data='build/pictures'; output='lib/docs/pictures'" lib/docs/pictures/pictures.gp
 
 build/data build/figures build/paper figures/gallery:
 	@mkdir -p $@
@@ -210,13 +216,14 @@ build/extremes/%.tsv: $(BIN)/%
 papers := report stationary bregman
 paper: deps-paper deps-peers $(DATA) build/data/manifest.tsv $(FIGURES) build/scorecard.txt | build/paper ## Write the report and the two papers from the data: build/paper/{report,stationary,bregman}.pdf
 	@$(compile) paper_numbers && $(BIN)/paper_numbers --paper paper --data build/data --output build/paper
-	@for each in $(papers); do \
-	  latexmk -cd -pdf -quiet -interaction=nonstopmode -halt-on-error -outdir=$(CURDIR)/build/paper paper/$$each.tex \
-	    >build/paper/latexmk.txt 2>&1 || { tail -n 40 build/paper/latexmk.txt; exit 1; }; \
-	  paper/check_log.sh build/paper/$$each.log || true; echo "build/paper/$$each.pdf"; \
-	done
-docs: deps-docs $(BUILD)/experiments.mk ## Reference, a page for each chapter, gallery of figures (those that are drawn): build/docs/html
-	@mkdir -p build/docs build/figures && lib/docs/gallery.sh $(BUILD)/experiments.tsv build/docs/pages && doxygen lib/Doxyfile && echo "build/docs/html/index.html"
+	@latexmk -cd -pdf -quiet -interaction=nonstopmode -halt-on-error -outdir=$(CURDIR)/build/paper paper/paper.tex \
+	  >build/paper/latexmk.txt 2>&1 || { tail -n 40 build/paper/latexmk.txt; exit 1; }
+	@paper/check_log.sh build/paper/paper.log || true; echo "build/paper/paper.pdf"
+docs: deps-docs $(BUILD)/experiments.mk ## Guide, reference, gallery of figures (those that are drawn): build/docs/html
+	@lib/docs/site/build.sh $(BUILD)/experiments.tsv && python3 lib/docs/site/check.py build/docs/html && echo "build/docs/html/index.html"
+site: deps-site docs ## Publish the docs: SITE=build/site gets them as static files, once a browser has seen every page and formula
+	@python3 lib/docs/site/check.py build/docs/html chromium
+	@mkdir -p $(SITE) && cp -r build/docs/html/. $(SITE) && touch $(SITE)/.nojekyll && echo "$(SITE): put it on any web server"
 format: deps-format ## Apply clang-format
 	git ls-files '*.hpp' '*.cpp' | xargs clang-format -i
 clean: ## Remove everything that was generated

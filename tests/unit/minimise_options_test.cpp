@@ -23,7 +23,7 @@ TEST(MinimiseOptions, HaveTheDocumentedDefaults) {
 }
 
 TEST(MinimiseOptions, HaveTheDefaultsThatTheirPageStates) {
-  const std::string page = text_of(AVI_SOURCE_DIR "/lib/docs/optimisation.md"),
+  const std::string page = text_of(AVI_SOURCE_DIR "/lib/docs/minimise.md"),
                     header = text_of(AVI_SOURCE_DIR "/lib/avi/optim/minimise_options.hpp");
   const std::regex row("\n\\| `([a-z_]+)` \\| `([^`]+)`");
   int rows = 0;

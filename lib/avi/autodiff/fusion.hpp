@@ -18,7 +18,8 @@ struct Line {
   Operation first;   ///< What is done with the first two operands.
   Operation second;  ///< What is done with that result and a third one, if anything.
   int result;        ///< Number of the result: a node, or beyond them a partial sum.
-  int begin, count;  ///< Its operands in those of all lines; pairs for a sum of products.
+  int begin;         ///< Its first operand in those of all lines.
+  int count;         ///< Number of its operands; of pairs for a sum of products.
   int key = -1;      ///< Lines of smaller keys come first.
 };
 

@@ -50,6 +50,7 @@ class TaylorSeries {
     graph_ = ExpressionGraph(0);
     link();
   }
+  /// A copy with a graph of its own.
   TaylorSeries(const TaylorSeries& other)
       : stride_(other.stride_), graph_(0), size_(other.size_), places_(other.places_), steps_(other.steps_),
         first_(other.first_), coefficients_(other.coefficients_) {

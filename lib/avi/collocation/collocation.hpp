@@ -12,7 +12,7 @@
 namespace avi {
 
 /// s-stage Gauss collocation of Hamilton's equations of \f$\bar H\f$ in fictive time, of order 2s, symplectic
-/// and symmetric, for any H and any monitor: see \ref collocation_page. With \f$z = (q, p)\f$, \f[ z_i = z_0
+/// and symmetric, for any H and any monitor: see \ref gauss_collocation. With \f$z = (q, p)\f$, \f[ z_i = z_0
 /// + h \sum_j a_{ij} f(z_j), \qquad z(h) = z_0 + h \sum_j b_j f(z_j), \qquad t(h) = t_0 + h \sum_j b_j\,
 /// g(z_j). \f] It is the Galerkin Hamiltonian variational integrator (Leok and Zhang 2011): HTVI evaluates
 /// the action on a Taylor curve, collocation on the polynomial that makes the action stationary. All stages

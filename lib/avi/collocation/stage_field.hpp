@@ -40,7 +40,7 @@ class StageField {
 
  protected:
   StageField() = default;
-  StageField(const StageField&) = default;
+  StageField(const StageField&) = default;  ///< By derived classes.
 };
 
 namespace detail {

@@ -25,7 +25,7 @@ class AnyMethod {
       : held_(std::make_unique<Held<M>>(std::move(method))) {}
   AnyMethod(const AnyMethod& other) : held_(other.held_->copy()) {}                 ///< A method of its own.
   AnyMethod& operator=(AnyMethod other) { return held_.swap(other.held_), *this; }  ///< Likewise.
-  AnyMethod(AnyMethod&&) noexcept = default;
+  AnyMethod(AnyMethod&&) noexcept = default;  ///< Takes the method over.
   ~AnyMethod() = default;
 
   /// The method's step.
