@@ -3,6 +3,7 @@
 #include "pack_functions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 // Compiled once for each set of instructions, each time under a name of its own; gauss.cpp chooses.
@@ -144,10 +145,18 @@ class Steps final : public GaussSteps {
   State<n> state_;
 };
 
+/// The rules of all orders, made once.
+const GaussRule& known_rule(int order, SweepSettings settings) {
+  require_collocation(order, 16, settings);
+  static const std::array<GaussRule, 8> rules{GaussRule(1), GaussRule(2), GaussRule(3), GaussRule(4),
+                                              GaussRule(5), GaussRule(6), GaussRule(7), GaussRule(8)};
+  return rules[static_cast<std::size_t>(order / 2 - 1)];
+}
+
 template <int n>
 std::unique_ptr<GaussSteps> steps(const std::shared_ptr<const Formulas>& formulas, int order,
                                   SweepBounds bounds) {
-  const GaussRule rule = collocation_rule(order, 16, Steps<n, 4>::settings(bounds));
+  const GaussRule& rule = known_rule(order, Steps<n, 4>::settings(bounds));
   if (order > 8) return std::make_unique<Steps<n, 8>>(formulas, rule, bounds);
   return std::make_unique<Steps<n, 4>>(formulas, rule, bounds);
 }

@@ -22,14 +22,17 @@ struct SweepSettings {
 };
 
 namespace detail {
-/// The rule of an order. @throws std::invalid_argument for an order that is odd or out of [2, largest], or an
-/// improper setting.
-inline GaussRule collocation_rule(int order, int largest, SweepSettings settings) {
+/// @throws std::invalid_argument for an order that is odd or out of [2, largest], or an improper setting.
+inline void require_collocation(int order, int largest, SweepSettings settings) {
   require(order >= 2 && order <= largest && order % 2 == 0, "Order of collocation", order, "even and in [2, ",
           largest, largest < 32 ? "]; collocation<32>(problem, order) goes up to 32" : "]");
   require(std::isfinite(settings.tolerance) && settings.tolerance > 0.0, "Tolerance of the sweeps",
           settings.tolerance, "finite and positive");
   require(settings.max_sweeps >= 1, "Number of sweeps", settings.max_sweeps, "at least 1");
+}
+/// The rule of an order, see require_collocation().
+inline GaussRule collocation_rule(int order, int largest, SweepSettings settings) {
+  require_collocation(order, largest, settings);
   return GaussRule(order / 2);
 }
 }  // namespace detail

@@ -1,0 +1,237 @@
+#include "pair_of_runs.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace avi::detail {
+
+void Orbiter::note_trial(const Journey& journey, double error) {
+  answer_.choice.trials.push_back({.monitor = journey.candidate->name,
+                                   .order = journey.order,
+                                   .h = journey.h,
+                                   .time = std::abs(journey.state.t - question_.t),
+                                   .steps = journey.run.steps,
+                                   .sweeps = journey.run.evaluations,
+                                   .state_error = journey.ok() ? error : infinity,
+                                   .outcome = journey.run.outcome});
+}
+
+Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
+  Comparison seen;
+  const std::size_t marks = std::min(coarse.marks.size(), fine.marks.size());
+  const double ratio = trusted(coarse, fine), until = since_start(marks - 1);
+  double early = 0.0, late = 0.0;  // in the last quarter of the first quarter, and of the whole
+  for (std::size_t i = 0; i < marks; ++i) {
+    const double apart = (*distance_)(coarse.marks[i], fine.marks[i], fine.ranges) / ratio;
+    const double speed = std::max(speed_at(fine.marks[i], fine.ranges), 0.03 * usual_speed_);
+    const double behind = speed > 0.0 ? apart / speed : apart;
+    if (since_start(i) <= 0.251 * until) early = std::max(early, behind);
+    late = std::max(late, behind);
+    seen.error = apart;
+  }
+  seen.behind = late;
+  // How rounding grows says nothing of how an error would.
+  const double rounding = (100.0 * std::numeric_limits<double>::epsilon() + 10.0 * fine.candidate->noise) *
+                          distance_->frequency * until;
+  // Over fewer turns errors waver by more than they grow.
+  const bool seen_long = distance_->frequency * until > 400.0 || late > 1e3 * early;
+  if (seen_long && early > 0.0 && late > 20.0 * early && late * usual_speed_ * ratio > rounding) {
+    seen.growth = std::min(3.0, std::log(late / early) / std::log(4.0));
+    if (late > 60.0 * early) seen.rate = std::log(late / early) / (0.75 * until);
+  }
+  return seen;
+}
+
+double Orbiter::speed_at(const State<dynamic>& z, const Ranges& ranges) {
+  VectorX at(2 * z.q.size()), slope(2 * z.q.size());
+  at << z.q, z.p;
+  field_(at, slope);
+  return (*distance_)(slope, ranges);
+}
+
+/// The error at the time `to` after the start, from what was seen until `from`.
+double Orbiter::foretold(const Comparison& seen, double from, double to, double speed) const {
+  if (!(to > from)) return seen.error;
+  const double behind = seen.rate > 0.0 ? seen.behind * std::exp(std::min(700.0, seen.rate * (to - from)))
+                                        : seen.behind * std::pow(to / from, seen.growth);
+  return behind * std::max(speed, 0.03 * usual_speed_);
+}
+
+Journey Orbiter::begin(const Setting& setting, double factor) {
+  const double h = factor * setting.h;
+  // What sweeps leave adds up with the square of the number of steps at most.
+  const double steps = std::max(1.0, expected_steps(*setting.candidate, h, span_));
+  const double tolerance = std::clamp(0.03 * question_.tolerance / (steps * steps), 6.25e-19, 1e-8);
+  return {*trip_, field_, *setting.candidate, order_, h, {.tolerance = tolerance, .most = 60}};
+}
+
+/// Takes a run to a mark, unless it is there. @return it has not failed
+bool Orbiter::go_on(Journey& journey, std::size_t mark) {
+  if (journey.marks.size() > mark || !journey.ok()) return journey.ok();
+  // Over a hundred times the sweeps that the sketch suggests is something else.
+  journey.most = 1e4 + 3e3 * expected_steps(*journey.candidate, journey.h, since_start(mark));
+  journey.advance(marks_[mark], mark + 1 == marks_.size());
+  return journey.ok();
+}
+
+/// A run ended before its mark. @return there is another setting to try
+bool Orbiter::failed(const Journey& journey, Setting& setting) {
+  note_trial(journey, infinity);
+  if (journey.spent || round_ >= most_rounds || question_.options.h > 0.0) return false;
+  const double reached = std::abs(journey.state.t - question_.t);
+  failures_ = reached > 0.0 && std::abs(reached - failed_at_) <= 1e-2 * reached ? failures_ + 1 : 1;
+  failed_at_ = reached;
+  const bool undefined = journey.run.outcome == Outcome::non_finite && !journey.candidate->fixed();
+  undefined_ += undefined ? 1 : 0;
+  const bool dear = static_cast<double>(budget_.sweeps) * journey.candidate->operations() > 1e9;
+  if (!dear && (failures_ == 4 * static_cast<int>(choice_ + 1) || undefined_ == 2) &&
+      choice_ + 1 < menu_.size()) {
+    // A monitor may have a feature of its own there, or no value at all.
+    ++choice_;
+    undefined_ = 0;
+    coarse_.reset(), fine_.reset();
+    resolved_ = 0.0, before_ = infinity;
+    setting = first_setting();
+    return true;
+  }
+  if (failures_ >= 4 * static_cast<int>(choice_ + 2) || dear) {
+    in_the_way_ = reached;
+    return false;
+  }
+  setting.h *= failures_ > 2 + 4 * static_cast<int>(choice_) ? 0.25 : 0.5;
+  return true;
+}
+
+/// Makes two runs side by side, from mark to mark. @return another setting is to be tried
+bool Orbiter::pursue(Setting& setting) {
+  ++round_;
+  Candidate& it = *setting.candidate;
+  const double ratio = fine_ && fine_->ok() && fine_->candidate == &it ? fine_->h / setting.h : 0.0;
+  if (ratio >= 1.15 && ratio <= 1.04 * std::pow(2.0 * most_trusted, 1.0 / order_)) {
+    coarse_ = std::move(fine_);
+  } else {
+    coarse_.emplace(begin(setting, longer));
+  }
+  fine_.emplace(begin(setting, 1.0));
+  for (std::size_t mark = 0; mark < marks_.size(); ++mark) {
+    if (mark < compared_ && !go_on(*coarse_, mark) && !(question_.options.h > 0.0))
+      return failed(*coarse_, setting);
+    if (!go_on(*fine_, mark)) return failed(*fine_, setting);
+    if (mark < compared_) {
+      judged_ = mark;
+      if (judge(setting, mark)) return true;
+    }
+  }
+  return false;
+}
+
+/// Compares the two runs at a mark. @return the step is to be another one
+bool Orbiter::judge(Setting& setting, std::size_t mark) {
+  const bool last = mark + 1 == marks_.size();
+  const double here = since_start(mark), tolerance = question_.tolerance;
+  const auto again = [&](double factor) {
+    note_trial(*coarse_, infinity);
+    if (factor > 0.87) note_trial(*fine_, seen_.error);
+    setting.h = fine_->h * factor;
+    if (setting.h * longer > longest_step(*setting.candidate))
+      setting.h = longest_step(*setting.candidate) / longer;
+    return true;
+  };
+  if (question_.options.h > 0.0) {
+    seen_ = coarse_->ok() ? compare(*coarse_, *fine_) : Comparison();
+    return false;
+  }
+  if (fine_->jumped && round_ < most_rounds) return again(0.4);
+  seen_ = compare(*coarse_, *fine_);
+  // Where runs agree and their energy errors do not fall with the step, that is rounding of H somewhere on
+  // the way.
+  if (seen_.error < 1e-7 && fine_->energy_error > 0.5 * coarse_->energy_error)
+    answer_.energy_rounding = std::max(answer_.energy_rounding, 0.01 * fine_->energy_error);
+  const bool hidden = fine_->energy_error <= 100.0 * answer_.energy_rounding;
+  const double of_energy = hidden ? 0.0 : fine_->energy_error / (3.0 * tolerance);
+  const double of_state = foretold(seen_, here, span_, high_speed_) / tolerance;
+  if (mark == 0 && !others_tried_ && try_others(setting)) return true;
+  if (resigned_ || round_ >= most_rounds) return false;
+  const double error = std::max(of_state, of_energy);
+  const double factor = std::pow(wanted_part / std::max(error, 1e-300), 1.0 / order_);
+  if (error <= (last ? 3.0 : 2.0)) {
+    if (resolved_ == 0.0) resolved_ = fine_->h;
+    // Where sweeps converge slowly, a shorter step costs less.
+    const long steps = fine_->run.steps;
+    if (!slow_ && mark == 0 && !last && steps >= fewest && fine_->run.evaluations > 20 * steps) {
+      slow_ = true;
+      return again(0.7);
+    }
+    // A longer step pays where enough is left of the run.
+    const double gain = std::min({factor, 2.0, longest_step(*setting.candidate) / (longer * fine_->h)});
+    if (lengthened_ == 2 || mark > 1 || steps < 6 || fine_->run.evaluations > 14 * steps || !(gain > 1.15) ||
+        (1.0 - 1.0 / gain) * (span_ - here) < 2.0 * here)
+      return false;
+    ++lengthened_;
+    return again(gain);
+  }
+  const double spent = static_cast<double>(budget_.sweeps) * setting.candidate->operations();
+  const double pair = span_ / here * setting.candidate->operations() *
+                      static_cast<double>(coarse_->run.evaluations + fine_->run.evaluations);
+  vain_ = mark <= before_at_ && error > 0.3 * before_ ? vain_ + 1 : 0;
+  if (of_energy < of_state) {
+    // Where steps resolve the motion, a third of them has ten million times less error: if that is not
+    // enough, it is chaos, or noise. What is foretold may be wrong as long as it has not come true.
+    const bool beyond = fine_->h * std::max(factor, 0.35) < resolved_ / 3.0 || factor < 0.25;
+    if (resolved_ > 0.0 && beyond && seen_.error <= tolerance && !last) return false;
+    const bool lost = last && marks_.size() > 1 && !(seen_.error < 1e-3);
+    resigned_ = lost || vain_ > 1 || (resolved_ > 0.0 && beyond) || spent > std::max(5e8, 3.0 * pair);
+  } else {
+    // A feature that the steps do not see is worth a while.
+    resigned_ = spent > std::max(1e9, 3.0 * pair);
+  }
+  if (resigned_) return false;
+  before_ = error, before_at_ = mark;
+  // Where errors do not fall by the order yet, by halves.
+  return again(std::clamp(factor, 0.35, vain_ > 0 ? 0.5 : 0.9));
+}
+
+/// Runs the other candidates of the menu to the first mark, where that is a small part of the whole.
+/// @return one of them is taken
+bool Orbiter::try_others(Setting& setting) {
+  others_tried_ = true;
+  const double here = since_start(0);
+  if (!(span_ > 8.0 * here) || menu_.size() < 2) return false;
+  const double behind = std::max(seen_.behind, 1e-300);
+  const double wanted = wanted_part * question_.tolerance * here / span_ / std::max(high_speed_, 1e-300);
+  const auto cost = [&](const Journey& run, double its_behind) {
+    const double longer_step = std::clamp(std::pow(wanted / its_behind, 1.0 / order_), 0.2, 2.0);
+    return static_cast<double>(run.run.evaluations) * run.candidate->operations() / longer_step;
+  };
+  double best = cost(*fine_, behind);
+  const double radians = setting.h * setting.candidate->longest;
+  std::optional<Journey> winner;
+  double its_behind = 0.0;
+  for (Candidate& it : menu_) {
+    if (&it == setting.candidate || it.outlook > 2.5 * menu_.front().outlook || !(it.longest > 0.0)) continue;
+    Journey run = begin({&it, std::min(radians / it.longest, longest_step(it))}, 1.0);
+    run.most = 1e3 + 4.0 * best / it.operations();
+    run.advance(marks_[0], false);
+    if (!run.ok()) {
+      note_trial(run, infinity);
+      continue;
+    }
+    const double apart = (*distance_)(run.marks[0], fine_->marks[0], fine_->ranges);
+    const double speed = std::max(speed_at(fine_->marks[0], fine_->ranges), 0.03 * usual_speed_);
+    const double late = std::max(apart / speed + behind, 1e-300);
+    note_trial(run, apart);
+    if (cost(run, late) < 0.9 * best) {
+      best = cost(run, late);
+      winner.emplace(std::move(run));
+      its_behind = late;
+    }
+  }
+  if (!winner) return false;
+  note_trial(*coarse_, infinity), note_trial(*fine_, seen_.error);
+  setting = {winner->candidate,
+             winner->h * std::clamp(std::pow(wanted / its_behind, 1.0 / order_), 0.35, 1.5)};
+  fine_ = std::move(winner);
+  return true;
+}
+
+}  // namespace avi::detail

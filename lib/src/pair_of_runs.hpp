@@ -1,0 +1,119 @@
+#pragma once
+#include "distance.hpp"
+#include "journey.hpp"
+#include "orbiter.hpp"
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// @file
+/// Two runs with different steps along one orbit, and what they say of its monitor and step.
+
+namespace avi::detail {
+
+/// Runs of fewer steps are not compared: the last step is cut to end in time, and would be the same in both.
+inline constexpr int fewest = 3;
+/// Pairs of runs.
+inline constexpr int most_rounds = 30;
+/// Part of the tolerance for which a step is chosen: what is foretold wavers.
+inline constexpr double wanted_part = 0.2;
+/// Largest factor between the errors of two runs that is believed.
+inline constexpr double most_trusted = 20.0;
+/// The step of the run that another one is compared with, over the step of that.
+inline constexpr double longer = 1.25;
+
+/// What two runs tell about the error of the finer one. Errors of a phase are larger where the motion is
+/// faster, so how they grow is seen from the time by which one run is behind the other.
+struct Comparison {
+  double error = infinity;   ///< At the last mark, relative to the ranges.
+  double behind = infinity;  ///< The largest error divided by the speed there: a time.
+  double growth = 1.0;       ///< Exponent with which that grows in time.
+  double rate = 0.0;         ///< Rate at which it grows exponentially, where it does.
+};
+
+/// Monitor, order and step of a pair of runs.
+struct Setting {
+  Candidate* candidate = nullptr;  ///< The monitor.
+  double h = 0.0;                  ///< Fictive step of the finer run.
+};
+
+/// The error of a run with step h is (h / coarse h)^order of the coarse one's. Half of that is trusted, and a
+/// factor of 20 at most: what is below it is rounding, or a feature that neither run resolves.
+inline double trusted(const Journey& coarse, const Journey& fine) {
+  return std::clamp(0.5 * std::pow(coarse.h / fine.h, fine.order), 1.0, most_trusted);
+}
+
+/// An orbit that is asked for. Two runs with different steps go along it side by side, from mark to mark;
+/// where they are too far apart, or nearer than they need be, the step is another one and they begin anew.
+class Orbiter {
+ public:
+  Orbiter(const OrbitQuestion& question, Budget& budget)
+      : question_(question), budget_(budget), field_(question.graph, question.energy, question.gradient),
+        sense_(question.t_end < question.t ? -1.0 : 1.0), span_(std::abs(question.t_end - question.t)) {}
+
+  OrbitAnswer solve();
+
+ private:
+  void prepare();
+  void set_marks();
+  [[nodiscard]] double since_start(std::size_t mark) const { return std::abs(marks_[mark] - question_.t); }
+  [[nodiscard]] Setting first_setting();
+  Journey begin(const Setting& setting, double factor);
+  bool go_on(Journey& journey, std::size_t mark);
+  bool pursue(Setting& setting);
+  bool failed(const Journey& journey, Setting& setting);
+  bool judge(Setting& setting, std::size_t mark);
+  bool try_others(Setting& setting);
+  Comparison compare(const Journey& coarse, const Journey& fine);
+  double speed_at(const State<dynamic>& z, const Ranges& ranges);
+  [[nodiscard]] double foretold(const Comparison& seen, double from, double to, double speed) const;
+  [[nodiscard]] double longest_step(const Candidate& it) const {
+    return it.fictive > 0.0 ? span_ * it.fictive / std::max(sketch_->time, 1e-300) / fewest : span_ / fewest;
+  }
+  [[nodiscard]] double expected_steps(const Candidate& it, double h, double time) const {
+    return time * it.fictive / std::max(sketch_->time, 1e-300) / h;
+  }
+  void note_trial(const Journey& journey, double error);
+  OrbitAnswer fail(Outcome outcome, std::string message);
+  OrbitAnswer give_up();
+  OrbitAnswer finish();
+
+  const OrbitQuestion& question_;
+  Budget& budget_;
+  PointField field_;
+  double sense_, span_;
+  std::optional<Trip> trip_;
+  std::optional<Sketch> sketch_;
+  std::optional<Distance> distance_;
+  std::optional<SharpFeatures> features_;
+  std::vector<Candidate> menu_;
+  std::size_t choice_ = 0;  // in the menu, of the first candidate that has not failed
+  int order_ = 16;
+  double aim_ = 1e-15;        // error in a radian that is wanted
+  double radians_ = 0.0;      // of the whole
+  double usual_speed_ = 0.0;  // mean over the sketch
+  double high_speed_ = 0.0;   // a speed that the end may have
+  std::vector<double> marks_;
+  std::size_t compared_ = 0;  // marks up to which there are two runs
+  std::optional<Journey> coarse_, fine_;
+  Comparison seen_;
+  std::size_t judged_ = 0;    // mark of that comparison
+  double before_ = infinity;  // the error foretold from the pair of runs before this one, and at which mark
+  std::size_t before_at_ = 0;
+  int vain_ = 0;               // pairs in a row that were not better than the one before
+  int round_ = 0;              // pairs of runs so far
+  int failures_ = 0;           // runs in a row that failed at the same time
+  double failed_at_ = -1.0;    // that time
+  int undefined_ = 0;          // runs whose monitor may have had no value
+  double in_the_way_ = 0.0;    // time at which runs fail, whatever the step
+  double resolved_ = 0.0;      // the first step that was short enough, as far as the first marks
+  bool slow_ = false;          // a step was made shorter for its sweeps
+  int lengthened_ = 0;         // times that a step was made longer
+  bool others_tried_ = false;  // candidates other than the first one
+  bool resigned_ = false;      // shorter steps do not help
+  OrbitAnswer answer_;
+};
+
+}  // namespace avi::detail
