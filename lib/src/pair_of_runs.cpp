@@ -70,6 +70,7 @@ bool Orbiter::go_on(Journey& journey, std::size_t mark) {
   if (journey.marks.size() > mark || !journey.ok()) return journey.ok();
   // Over a hundred times the sweeps that the sketch suggests is something else.
   journey.most = 1e4 + 3e3 * expected_steps(*journey.candidate, journey.h, since_start(mark));
+  if (resolved_ == 0.0) journey.most = std::min(journey.most, 3e8 / journey.candidate->operations());
   journey.advance(marks_[mark], mark + 1 == marks_.size());
   return journey.ok();
 }
@@ -79,11 +80,13 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
   note_trial(journey, infinity);
   if (journey.spent || round_ >= most_rounds || question_.options.h > 0.0) return false;
   const double reached = std::abs(journey.state.t - question_.t);
+  // A run that was stopped for its price has met nothing.
+  if (journey.run.outcome != Outcome::stopped) furthest_ = std::max(furthest_, reached);
   failures_ = reached > 0.0 && std::abs(reached - failed_at_) <= 1e-2 * reached ? failures_ + 1 : 1;
   failed_at_ = reached;
   const bool undefined = journey.run.outcome == Outcome::non_finite && !journey.candidate->fixed();
   undefined_ += undefined ? 1 : 0;
-  const bool dear = static_cast<double>(budget_.sweeps) * journey.candidate->operations() > 1e9;
+  const bool dear = static_cast<double>(budget_.sweeps) * journey.candidate->operations() > 5e8;
   if (!dear && (failures_ == 4 * static_cast<int>(choice_ + 1) || undefined_ == 2) &&
       choice_ + 1 < menu_.size()) {
     // A monitor may have a feature of its own there, or no value at all.
@@ -95,7 +98,7 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
     return true;
   }
   if (failures_ >= 4 * static_cast<int>(choice_ + 2) || dear) {
-    in_the_way_ = reached;
+    in_the_way_ = furthest_;
     return false;
   }
   setting.h *= failures_ > 2 + 4 * static_cast<int>(choice_) ? 0.25 : 0.5;

@@ -107,6 +107,7 @@ class Orbiter {
   int failures_ = 0;           // runs in a row that failed at the same time
   double failed_at_ = -1.0;    // that time
   int undefined_ = 0;          // runs whose monitor may have had no value
+  double furthest_ = 0.0;      // time at which the last of the failed runs failed
   double in_the_way_ = 0.0;    // time at which runs fail, whatever the step
   double resolved_ = 0.0;      // the first step that was short enough, as far as the first marks
   bool slow_ = false;          // a step was made shorter for its sweeps
