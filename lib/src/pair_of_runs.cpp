@@ -81,7 +81,10 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
   if (journey.spent || round_ >= most_rounds || question_.options.h > 0.0) return false;
   const double reached = std::abs(journey.state.t - question_.t);
   // A run that was stopped for its price has met nothing.
-  if (journey.run.outcome != Outcome::stopped) furthest_ = std::max(furthest_, reached);
+  if (journey.run.outcome != Outcome::stopped) {
+    furthest_ = std::max(furthest_, reached);
+    if (std::abs(reached - failed_at_) <= 1e-2 * reached) repeated_ = std::min(repeated_, reached);
+  }
   failures_ = reached > 0.0 && std::abs(reached - failed_at_) <= 1e-2 * reached ? failures_ + 1 : 1;
   failed_at_ = reached;
   const bool undefined = journey.run.outcome == Outcome::non_finite && !journey.candidate->fixed();
@@ -98,7 +101,7 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
     return true;
   }
   if (failures_ >= 4 * static_cast<int>(choice_ + 2) || dear) {
-    in_the_way_ = furthest_;
+    in_the_way_ = std::isfinite(repeated_) ? repeated_ : furthest_;
     return false;
   }
   setting.h *= failures_ > 2 + 4 * static_cast<int>(choice_) ? 0.25 : 0.5;
