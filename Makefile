@@ -216,9 +216,11 @@ build/extremes/%.tsv: $(BIN)/%
 papers := report stationary bregman
 paper: deps-paper deps-peers $(DATA) build/data/manifest.tsv $(FIGURES) build/scorecard.txt | build/paper ## Write the report and the two papers from the data: build/paper/{report,stationary,bregman}.pdf
 	@$(compile) paper_numbers && $(BIN)/paper_numbers --paper paper --data build/data --output build/paper
-	@latexmk -cd -pdf -quiet -interaction=nonstopmode -halt-on-error -outdir=$(CURDIR)/build/paper paper/paper.tex \
-	  >build/paper/latexmk.txt 2>&1 || { tail -n 40 build/paper/latexmk.txt; exit 1; }
-	@paper/check_log.sh build/paper/paper.log || true; echo "build/paper/paper.pdf"
+	@for each in $(papers); do \
+	  latexmk -cd -pdf -quiet -interaction=nonstopmode -halt-on-error -outdir=$(CURDIR)/build/paper paper/$$each.tex \
+	    >build/paper/latexmk.txt 2>&1 || { tail -n 40 build/paper/latexmk.txt; exit 1; }; \
+	  paper/check_log.sh build/paper/$$each.log || true; echo "build/paper/$$each.pdf"; \
+	done
 docs: deps-docs $(BUILD)/experiments.mk ## Guide, reference, gallery of figures (those that are drawn): build/docs/html
 	@lib/docs/site/build.sh $(BUILD)/experiments.tsv && python3 lib/docs/site/check.py build/docs/html && echo "build/docs/html/index.html"
 site: deps-site docs ## Publish the docs: SITE=build/site gets them as static files, once a browser has seen every page and formula
