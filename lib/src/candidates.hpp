@@ -61,7 +61,7 @@ class OrbitSteps {
 /// stays positive where a step has an energy that is a little wrong. One program for all powers of it.
 class Liveliness {
  public:
-  /// Of \f$\ell\f$ as a node of a graph.
+  /// Takes \f$\ell\f$ as a node of a graph.
   Liveliness(const ExpressionGraph& graph, int node)
       : formula_{Recording(graph, node).value_and_gradient()}, inputs_(graph.inputs()) {}
   /// \f$\ell\f$ at z = (q, p), and its gradient for slope() to tell.
@@ -82,7 +82,7 @@ class Liveliness {
 /// fixed steps. What runs on it is made when it is first used.
 class Candidate {
  public:
-  /// Of this power.
+  /// The monitor of this power.
   Candidate(std::string its_name, double alpha, std::shared_ptr<const ExpressionGraph> formula, int energy,
             double energy_at_start, std::shared_ptr<Liveliness> liveliness, int lively)
       : name(std::move(its_name)), alpha_(alpha), graph_(std::move(formula)), energy_(energy),

@@ -1,10 +1,11 @@
 #pragma once
+#include "avi/optim/minimiser.hpp"
 #include "gauss.hpp"
 
 #include <span>
 
 /// @file
-/// The builds of the Gauss stepper that a library has.
+/// The builds of the Gauss stepper and of the minimiser that a library has.
 
 namespace avi::detail {
 
@@ -16,11 +17,17 @@ MakeGaussSteps gauss_steps_portable;  ///< For any processor of this kind.
 MakeGaussSteps gauss_steps_v3;        ///< With AVX2, where the library has it.
 MakeGaussSteps gauss_steps_v4;        ///< With AVX-512, where the library has it.
 
-/// One of them.
+/// minimise_by_calls() for one set of instructions.
+using MinimiseByCalls = MinimiserEnd(MinimiserCalls& calls, Eigen::Index n, const MinimiseOptions& options);
+
+MinimiseByCalls minimise_portable, minimise_v3, minimise_v4;  ///< As above.
+
+/// One build, by its doors.
 struct GaussBuild {
-  const char* name;      ///< What AVI_INSTRUCTIONS calls it.
-  MakeGaussSteps* make;  ///< Its door.
-  bool runs;             ///< On this processor.
+  const char* name;           ///< Its name in AVI_INSTRUCTIONS.
+  MakeGaussSteps* make;       ///< Door of the stepper.
+  MinimiseByCalls* minimise;  ///< Door of the minimiser.
+  bool runs;                  ///< On this processor.
 };
 /// All of this library, the fastest first.
 std::span<const GaussBuild> gauss_builds();

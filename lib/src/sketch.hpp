@@ -13,7 +13,7 @@
 
 namespace avi::detail {
 
-inline constexpr double infinity = std::numeric_limits<double>::infinity();  ///< Of what is not known.
+inline constexpr double infinity = std::numeric_limits<double>::infinity();  ///< Stands for unknown.
 
 /// The field of H, one point at a time.
 class PointField {
@@ -93,7 +93,7 @@ class Sketch {
     VectorX slope;     ///< Its velocity in phase space.
     double h;          ///< Time to the next sample.
     double frequency;  ///< Radians per unit of time here, as the error of the step tells.
-    VectorX errors;    ///< Of the step.
+    VectorX errors;    ///< Errors of the step.
     double energy;     ///< H.
   };
 

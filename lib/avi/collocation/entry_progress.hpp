@@ -18,7 +18,7 @@ namespace avi {
 template <int n, int w>
 class EntryProgress {
  public:
-  using Step = Unknowns<n, w>;  ///< What is solved for.
+  using Step = Unknowns<n, w>;  ///< The unknowns of the equations.
 
   /// For problems of this size.
   explicit EntryProgress(Eigen::Index size) : q_(size), p_(size) {}

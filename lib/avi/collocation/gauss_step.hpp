@@ -49,7 +49,7 @@ class alignas(64) GaussStep {
   static constexpr bool ahead = n != dynamic && n <= 4 && w <= 8;
   using Scalar = Pack<w>;  ///< One number for each stage.
 
-  /// Of this field, with n = `size`, and this rule of at most w stages.
+  /// Takes this field, with n = `size`, and this rule of at most w stages.
   GaussStep(std::unique_ptr<StageField<n, w>> field, Eigen::Index size, const GaussRule& rule,
             SweepSettings settings)
       : equations_(std::move(field), rule), both_{Unknowns<n, w>(size), Unknowns<n, w>(n == dynamic ? 0 : n)},
