@@ -23,6 +23,8 @@ void require_question(const OrbitQuestion& question) {
           "Order", options.order, "even and in [2, 16], or 0 to have it chosen");
   require(options.monitor.empty() || is_monitor(options.monitor), "Monitor", options.monitor, "one of ",
           names_of_monitors());
+  require(options.monitor != splitting || options.order == 0 || options.order == 6, "Order of the splitting",
+          options.order, "6, or 0");
   require(std::isfinite(options.h) && options.h >= 0.0, "Fictive step h", options.h,
           "finite and positive, or 0 to have it chosen");
   require(options.h == 0.0 || !options.monitor.empty(), "Monitor", "not set", "set where h is: one of ",
