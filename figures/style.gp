@@ -6,7 +6,7 @@
 #   load 'figures/style.gp'
 #
 # and then plots, e.g. `plot data.'/x.tsv' using "t":"error" with linespoints ls method('htvi4') title label('htvi4')`.
-# What several figures share besides stands in figures/shared/. The Makefile passes `data` (folder), `output` (file) and `terminal` (pdf, png or preview).
+# The Makefile passes `data` (folder), `output` (file) and `terminal` (pdf, png or preview).
 
 if (!exists('data')) data = 'build/data'
 if (!exists('output')) output = 'build/figures/untitled.png'

@@ -36,7 +36,13 @@ const std::vector<Variant>& variants() {
   return all;
 }
 
-std::string text(const Counts& counts) { return fmt::format("{}", fmt::join(counts, " ")); }
+/// The counts, a hyphen where the test was not met within the cap.
+std::string text(const Counts& counts) {
+  std::string all;
+  for (const auto count : counts)
+    all += fmt::format("{}{}", all.empty() ? "" : " ", count > 0 ? fmt::format("{}", count) : "-");
+  return all;
+}
 
 /// How many leading cells of a row another one hits.
 int leading(const Counts& ours, const Counts& wanted) {

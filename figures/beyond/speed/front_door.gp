@@ -7,7 +7,7 @@ table = data.'/front_door_cells.tsv'
 thousand = int(system("grep -c -P '\t1000(\.0)?\t' ".table.' || true')) > 0
 panels = thousand ? 4 : 2
 array horizon[4] = [1, 10, 100, 1000]
-array title[4] = ['1 characteristic time', '10', '100', '1000']
+array title[4] = ['1', '10', '100', '1000']
 kinds = 8
 array kind[kinds] = ['one body', 'potential', 'pendulum', 'bodies', 'planets', 'chain', 'not separable', 'driven']
 array colour[kinds] = [black, blue, sky, vermilion, orange, green, purple, grey]
@@ -25,7 +25,7 @@ set multiplot
 page_left = 1.45; page_bottom = 2.3; page_top = 0.65; gap_x = 0.4
 do for [i=1:panels] {
   eval panel(i, 1, panels, 1)
-  set title title[i] font ',7' offset 0, -0.7
+  set title title[i].(i == 1 ? ' characteristic time' : panels == 2 ? ' characteristic times' : ' times') font ',7' offset 0, -0.7
   set ylabel i == 1 ? 'time / best of others' : ''
   set format y i == 1 ? '10^{%L}' : ''
   set xlabel 'position error' offset 0, 0.4
