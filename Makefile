@@ -163,9 +163,10 @@ build/scorecard.txt: $(BIN)/scorecard $(DATA) $(PUBLISHED) | build/data
 scorecard: build/scorecard.txt ## Compare every published number and claim with ours
 	@cat $<
 	@cmp -s build/data/scorecard_verdicts.tsv paper/verdicts.tsv || \
-	  echo "Some verdicts are not those of paper/verdicts.tsv, which README states: make verdicts takes these over."
-verdicts: build/scorecard.txt ## Take over today's verdicts as those that README states and the tests compare
+	  echo "Some verdicts are not those of paper/verdicts.tsv, which lib/docs/reproduction.md states: make verdicts takes these over."
+verdicts: build/scorecard.txt ## Take over today's verdicts, and today's numbers into README and the guide, as the tests compare them
 	@cp build/data/scorecard_verdicts.tsv paper/verdicts.tsv
+	@$(compile) page_numbers >/dev/null && $(BIN)/page_numbers
 
 # ---- figures ---------------------------------------------------------------------------------------------------
 # $(call draw,stem,data folder,output without extension,terminal,extension)
