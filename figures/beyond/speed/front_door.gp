@@ -6,6 +6,7 @@ load 'figures/style.gp'
 table = data.'/front_door_cells.tsv'
 thousand = int(system("grep -c -P '\t1000(\.0)?\t' ".table.' || true')) > 0
 panels = thousand ? 4 : 2
+held_out = int(system("awk -F'\t' '!/^#/ && $3 == 1' ".table." | wc -l")) > 0
 array horizon[4] = [1, 10, 100, 1000]
 array title[4] = ['1', '10', '100', '1000']
 kinds = 8
@@ -30,8 +31,7 @@ do for [i=1:panels] {
   set format y i == 1 ? '10^{%L}' : ''
   set xlabel 'position error' offset 0, 0.4
   plot 1 with lines lc rgb black lw 1 notitle, \
-    table using (apart(strcol('kind'))):(cell(i, 0)):(tint(strcol('kind'))) with points lc rgb variable pt 7 ps 0.5 notitle, \
-    table using (apart(strcol('kind'))):(cell(i, 1)):(tint(strcol('kind'))) with points lc rgb variable pt 6 ps 0.5 notitle
+    for [held = 0:held_out] table using (apart(strcol('kind'))):(cell(i, held)):(tint(strcol('kind'))) with points lc rgb variable pt (held ? 6 : 7) ps 0.5 notitle
 }
 eval legend(1)
 set key maxrows 2 samplen 1 width -1 font ',7'
