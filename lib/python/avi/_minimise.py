@@ -1,7 +1,7 @@
 """minimise(): the least value of a function of many numbers."""
 
 from . import _avi
-from ._formula import trace
+from ._formula import formula_of, trace
 from ._orbits import _options
 
 
@@ -58,7 +58,7 @@ def minimise(f, x0, *, jac=None, parameters=(), callback=None, history=False, **
     x0 = np.asarray(x0, dtype=float)
     chosen = _options(_avi.MinimiseOptions(), options, _OPTIONS, "minimise")
     if jac is None:
-        function = f if isinstance(f, _avi.Formula) else trace(f, [x0.shape], parameters, "f")
+        function = formula_of(f, parameters, lambda: trace(f, [x0.shape], parameters, "f"))
     else:
         both = f if jac is True else lambda x: (f(x), jac(x))
         function = lambda x: _flat(both(x.reshape(x0.shape)))

@@ -7,7 +7,7 @@ import threading
 from types import SimpleNamespace
 
 from . import _avi
-from ._formula import hamiltonian
+from ._formula import formula_of, hamiltonian
 
 
 class Orbit:
@@ -254,7 +254,7 @@ class _Question:
         self.shape, self.tol = shape, tol
         self.set_times(t)
         self.options = _options(_avi.SolveOptions(), options, _OPTIONS, "solve")
-        self.formula = H if isinstance(H, _avi.Formula) else hamiltonian(H, shape, parameters)
+        self.formula = formula_of(H, parameters, lambda: hamiltonian(H, shape, parameters))
         several = (events,) if callable(events) or hasattr(events, "g") else events
         self.events = [_event(g, shape) for g in several]
 
@@ -317,5 +317,9 @@ def _options(chosen, options, names, function):
         if name not in names:
             raise TypeError(f"{function}() has no option {name!r}; there are {', '.join(names)}.")
         if value is not None:
-            setattr(chosen, name, value)
+            try:
+                setattr(chosen, name, value)
+            except TypeError:
+                kind = type(getattr(chosen, name)).__name__
+                raise TypeError(f"The option {name} of {function}() is {value!r}; it must be of the type {kind}.") from None
     return chosen

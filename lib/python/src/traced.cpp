@@ -192,7 +192,7 @@ py::object product(const py::object& a, const py::object& b) {
   Traced left_room, right_room;
   const Traced &left = operand(a, left_room), &right = operand(b, right_room);
   if (left.shape.size() != 1 || left.shape != right.shape)
-    return py::module_::import("avi._tracing").attr("_matmul")(left, right);
+    return py::module_::import("avi._algebra").attr("product")(left, right);
   return py::cast(fold("add", apply(twos.at("multiply"), left, right)));
 }
 

@@ -53,6 +53,7 @@ class Minimise(unittest.TestCase):
         formula = avi.objective(lambda x, c: np.sum((x - c) ** 2), 3, [1.0, 2.0, 3.0])
         self.assertLess(np.abs(avi.minimise(formula, np.zeros(3)).x - [1, 2, 3]).max(), 1e-12)
         self.assertLess(np.abs(avi.minimise(formula.with_parameters([4, 5, 6]), np.zeros(3)).x - [4, 5, 6]).max(), 1e-12)
+        self.assertLess(np.abs(avi.minimise(formula, np.zeros(3), parameters=[7, 8, 9]).x - [7, 8, 9]).max(), 1e-12)
 
     def test_history_and_callback(self):
         seen = []
