@@ -93,43 +93,61 @@ bool tell(const py::object& callback, const Argument& argument, Signals& signals
   return !signals.interrupted();
 }
 
-/// The orbit from the first to the last of these times, with its states at all of them where `deliver`.
-/// Ctrl-C ends the run as `progress` does. @param made the report of an orbit whose choice is taken over, or
-/// null
-/// @param choose only the choice is made, with what is known of the orbit
-py::tuple solve(const Formula& hamiltonian, const Numbers& q, const Numbers& p, const Numbers& times,
-                bool deliver, double tolerance, SolveOptions options,
+/// Asks for an orbit of H and gives Python the answer. Ctrl-C ends the run as `progress` does.
+/// @param ask called with the options, without Python's lock
+template <class Ask>
+py::tuple orbit(const Formula& hamiltonian, SolveOptions options,
                 const std::vector<std::tuple<Formula, int, long, bool>>& events, const py::object& progress,
-                const SolutionReport* made, bool choose) {
-  const State<dynamic> start{.q = vector_of(q), .p = vector_of(p), .t = times.at(0)};
+                const Ask& ask) {
   Signals signals;
   options.progress = [&](const SolveProgress& now) {
     return tell(
         progress, [&] { return py::make_tuple(now.fraction, now.t, now.steps, now.seconds); }, signals);
   };
+  for (const auto& [g, direction, count, stop] : events)
+    options.events.push_back(when(g, {.direction = direction, .count = count, .stop = stop}));
   detail::OrbitAnswer found = [&] {
     const py::gil_scoped_release unlocked;
+    return ask(options);
+  }();
+  if (signals.pressed) found.run.message = "Stopped by Ctrl-C. " + found.run.message;
+  const py::ssize_t n = hamiltonian.inputs() / 2 * 2;
+  return py::make_tuple(SolutionReport(found), given(std::move(found.states.t), 1),
+                        given(std::move(found.states.z), n), found.t, found.q, found.p, found.events,
+                        given(std::move(found.event_states.t), 1), given(std::move(found.event_states.z), n),
+                        found.curve);
+}
+
+/// The orbit from the first to the last of these times, with its states at all of them where `deliver`.
+/// @param made the report of an orbit whose choice is taken over, or null
+/// @param choose only the choice is made, with what is known of the orbit
+py::tuple solve(const Formula& hamiltonian, const Numbers& q, const Numbers& p, const Numbers& times,
+                bool deliver, double tolerance, const SolveOptions& options,
+                const std::vector<std::tuple<Formula, int, long, bool>>& events, const py::object& progress,
+                const SolutionReport* made, bool choose) {
+  const State<dynamic> start{.q = vector_of(q), .p = vector_of(p), .t = times.at(0)};
+  return orbit(hamiltonian, options, events, progress, [&](const SolveOptions& all) {
     detail::OrbitQuestion question =
-        detail::question_of(hamiltonian, start, times.at(times.size() - 1), tolerance, options);
+        detail::question_of(hamiltonian, start, times.at(times.size() - 1), tolerance, all);
     if (deliver) question.times.assign(times.data(), times.data() + times.size());
     if (deliver) detail::require_times(start.t, question.times);
-    for (const auto& [g, direction, count, stop] : events) {
-      require(direction >= -1 && direction <= 1, "Direction of an event", direction, "-1, 0 or 1");
-      require(count >= 0, "Count of an event", count, "at least 0");
-      question.events.push_back({g, {.direction = direction, .count = count, .stop = stop}});
-    }
     if (made) question.made = std::make_shared<const Choice>(made->choice);
     if (!choose) return detail::answer(std::move(question));
     detail::OrbitAnswer chosen;
     static_cast<SolutionReport&>(chosen) = detail::choose_for(question);
     return chosen;
-  }();
-  if (signals.pressed) found.run.message = "Stopped by Ctrl-C. " + found.run.message;
-  const auto n = 2 * q.size();
-  return py::make_tuple(SolutionReport(found), given(std::move(found.states.t), 1),
-                        given(std::move(found.states.z), n), found.t, found.q, found.p, found.events,
-                        given(std::move(found.event_states.t), 1), given(std::move(found.event_states.z), n),
-                        found.curve);
+  });
+}
+
+/// The rest of a run that a file holds.
+py::tuple resume(const Formula& hamiltonian, const std::string& file, const SolveOptions& options,
+                 const std::vector<std::tuple<Formula, int, long, bool>>& events,
+                 const py::object& progress) {
+  const VectorX nothing = VectorX::Zero(hamiltonian.inputs() / 2);
+  return orbit(hamiltonian, options, events, progress, [&](const SolveOptions& all) {
+    return detail::answer_from(
+        file, detail::question_of(hamiltonian, State<dynamic>{.q = nothing, .p = nothing}, 0.0, 1e-6, all));
+  });
 }
 
 /// A function of Python that returns its value and its gradient; not a number after Ctrl-C.
@@ -206,6 +224,9 @@ PYBIND11_MODULE(_avi, module) {
            })
       .def("gradient", [](const Formula& f, const Numbers& x) { return array_of(f.gradient(vector_of(x))); });
   // clang-format off
+  py::class_<SolveMonitor>(module, "Monitor").def(py::init<std::string>()).def(py::init<Formula>());
+  py::implicitly_convertible<py::str, SolveMonitor>();
+  py::implicitly_convertible<Formula, SolveMonitor>();
 #define AVI_FIELD(name) .def_readwrite(#name, &In::name)
   { using In = Run; py::class_<In>(module, "Run")
     AVI_FIELD(outcome) AVI_FIELD(steps) AVI_FIELD(evaluations) AVI_FIELD(message); }
@@ -219,7 +240,8 @@ PYBIND11_MODULE(_avi, module) {
     AVI_FIELD(run) AVI_FIELD(choice) AVI_FIELD(tolerance) AVI_FIELD(state_error) AVI_FIELD(energy_error)
     AVI_FIELD(note); }
   { using In = SolveOptions; py::class_<In>(module, "SolveOptions").def(py::init<>())
-    AVI_FIELD(seconds) AVI_FIELD(check) AVI_FIELD(sweeps) AVI_FIELD(steps) AVI_FIELD(order) AVI_FIELD(monitor)
+    .def_property("monitor", nullptr, [](In& options, const SolveMonitor& monitor) { options.monitor = monitor; })
+    AVI_FIELD(seconds) AVI_FIELD(check) AVI_FIELD(sweeps) AVI_FIELD(steps) AVI_FIELD(order)
     AVI_FIELD(h) AVI_FIELD(dense) AVI_FIELD(checkpoint) AVI_FIELD(checkpoint_seconds); }
   { using In = MinimiseOptions; py::class_<In>(module, "MinimiseOptions").def(py::init<>())
     AVI_FIELD(relative) AVI_FIELD(absolute) AVI_FIELD(change) AVI_FIELD(memory) AVI_FIELD(iterations)
@@ -239,5 +261,6 @@ PYBIND11_MODULE(_avi, module) {
       });
   module.def("trace", trace);
   module.def("solve", python::solve);
+  module.def("resume", python::resume);
   module.def("minimise", python::minimise);
 }
