@@ -10,8 +10,8 @@ A function is called once, with numbers that record what is done to them; from t
 
 from . import plot
 from ._avi import Formula, Traced
-from ._formula import hamiltonian, objective
-from ._minimise import Minimum, minimise
+from ._formula import hamiltonian
+from ._minimise import Minimum, minimise, objective
 from ._orbits import Orbit, Solver, ensemble, event, resume, solve
 from ._tracing import functions, maximum, minimum, where
 

@@ -1,6 +1,25 @@
 """Products of traced arrays and linear algebra: what NumPy does in compiled code for numbers alone."""
 
-from ._avi import pool, traced
+from contextvars import ContextVar
+
+from ._avi import Traced, pool, traced
+
+LARGE = 2000  # products of so many numbers are worth a call of a matrix product
+matrices = ContextVar("matrices", default=(0, None))  # of the objective that is being traced the number of its arguments, and its matrices
+
+
+def by_matrix(a, x):
+    """The product of a large matrix of numbers with arguments of a function that is being traced, where that is kept as it is."""
+    size, kept = matrices.get()
+    if kept is None or isinstance(a, Traced) or a.ndim != 2 or a.size * (x.size // len(x)) < LARGE or a.shape[1] != len(x):
+        return None
+    places = x._places
+    if not places or max(places) >= size:  # parameters are not kept as they are
+        return None
+    import numpy as np
+
+    kept.append((np.array(a, dtype=float), np.reshape(places, x.shape)))
+    return x._more(a.shape[:1] + x.shape[1:])
 
 
 def product(a, b):

@@ -5,6 +5,12 @@ import inspect
 from . import _avi
 
 
+_avi.Formula.__doc__ = """A function of Python that was called once, by hamiltonian() or objective().
+
+The arguments of value(x) and gradient(x) are those of the function one after the other, (q, p) or (q, p, t). Threads can share it.
+"""
+
+
 def _shape(x):
     """The shape of an example, or a number of entries as one."""
     return tuple(x.shape) if hasattr(x, "shape") else tuple(x) if isinstance(x, (tuple, list)) else (int(x),)
@@ -20,7 +26,7 @@ def numbers_of(parameters):
 
 def formula_of(f, parameters, traced):
     """f where it is a formula already, with the parameters where there are any; else what `traced` returns."""
-    if not isinstance(f, _avi.Formula):
+    if not hasattr(f, "with_parameters"):
         return traced()
     return f.with_parameters(numbers_of(parameters)) if len(parameters) else f
 
@@ -62,11 +68,3 @@ def hamiltonian(H, shape, parameters=(), name="H"):
             raise TypeError(f"{name} calls its arguments {', '.join(named)}; they are q, t, p, in this order.")
         return trace(lambda q, p, t, *c: H(q, t, p, *c), [shape, shape, ()], parameters, name)
     return trace(H, [shape, shape], parameters, name)
-
-
-def objective(f, shape, parameters=()):
-    """The formula of f(x), or of f(x, c) where parameters c are given: f is called once. It serves minimise() in the place of f.
-
-    shape: that of x, as an int or a tuple.
-    """
-    return trace(f, [_shape(shape)], parameters, "f")

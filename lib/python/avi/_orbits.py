@@ -56,7 +56,7 @@ class Orbit:
             import numpy as np
 
             rows = self.y.T if self._formula.size == len(self.y) else np.column_stack([self.y.T, self.t])
-            self._formula = self._formula.values(rows)
+            self._formula = np.array([self._formula.value(row) for row in rows])
         return self._formula
 
     def __repr__(self):
@@ -335,7 +335,7 @@ def _options(chosen, options, names, function):
             raise TypeError(f"{function}() has no option {name!r}; there are {', '.join(names)}.")
         if value is not None:
             try:
-                setattr(chosen, name, value)
+                setattr(chosen, name, _avi.Monitor(value) if name == "monitor" else value)
             except TypeError:
                 kind = "a name or a function" if name == "monitor" else f"of the type {type(getattr(chosen, name)).__name__}"
                 raise TypeError(f"The option {name} of {function}() is {value!r}; it must be {kind}.") from None

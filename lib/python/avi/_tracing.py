@@ -20,6 +20,12 @@ _REFUSED = {
 }
 
 
+Traced.__doc__ = """Numbers of a function that is being traced, in the shape of an array.
+
+They have no value yet, and what is done with them is recorded.
+"""
+
+
 def _refusal(sentence):
     def refuse(self, *args):
         raise TypeError(sentence)
@@ -61,7 +67,8 @@ def _array_ufunc(self, ufunc, method, *inputs, out=None, axis=0, **options):
         return ufunc(a.reshape(a.shape + (1,) * b.ndim), b)
     if method == "__call__" and not options:
         if name == "matmul":
-            return traced(inputs[0]) @ inputs[1]
+            kept = _algebra.by_matrix(*inputs)
+            return traced(inputs[0]) @ inputs[1] if kept is None else kept
         if name in ("equal", "not_equal"):
             return self == self
         if name in _names:
@@ -139,8 +146,9 @@ _sum, _largest, _least = _folding("add"), _folding("maximum"), _folding("minimum
 
 
 def _dot(a, b):
-    a, b = traced(a), traced(b)
-    return a @ b if a.ndim and b.ndim else a * b
+    import numpy as np
+
+    return a @ b if np.ndim(a) and np.ndim(b) else traced(a) * b
 
 
 def _clip(x, a_min=None, a_max=None):

@@ -19,7 +19,6 @@ namespace {
 
 /// Doubles in C order.
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-using Shape = std::vector<py::ssize_t>;
 
 VectorX vector_of(const Numbers& x) { return Eigen::Map<const VectorX>(x.data(), x.size()); }
 Numbers array_of(const VectorX& x) { return Numbers(x.size(), x.data()); }
@@ -53,21 +52,26 @@ class Signals {
 /// formula.
 Formula trace(const py::object& f, const std::vector<Shape>& shapes, std::vector<double> parameters,
               const char* name) {
-  int count = 0;
+  int count = 0, first = 0;
   for (const Shape& shape : shapes)
     count += static_cast<int>(size_of(shape));
   require(count > 0, "Number of arguments to record", count, "at least 1");
   const auto graph = std::make_shared<ExpressionGraph>(count + static_cast<int>(parameters.size()));
   py::list arguments;
-  int first = 0;
-  for (const Shape& shape : shapes) {
-    arguments.append(inputs(graph, first, shape));
-    first += static_cast<int>(size_of(shape));
-  }
+  for (const Shape& shape : shapes)
+    arguments.append(inputs(graph, std::exchange(first, first + static_cast<int>(size_of(shape))), shape));
   if (!parameters.empty())
     arguments.append(inputs(graph, count, {static_cast<py::ssize_t>(parameters.size())}));
-  const int node = returned_node(f(*arguments), *graph, name);
-  return {*graph, node, std::move(parameters)};
+  const int node = returned_node(f(*arguments), *graph, name), late = graph->late_inputs();
+  if (late == 0) return {*graph, node, std::move(parameters)};
+  // Products of x with matrices come between x and the parameters.
+  const int inputs = graph->inputs();
+  std::vector<int> places;
+  for (int i = 0; i < inputs + late; ++i)
+    places.push_back(i < count ? i : i < inputs ? i + late : i - (inputs - count));
+  ExpressionGraph whole(inputs + late);
+  const int moved = whole.substitute(*graph, node, places);
+  return {std::move(whole), moved, std::move(parameters)};
 }
 
 /// Numbers that belong to Python from here on, row by row, without a copy.
@@ -93,12 +97,13 @@ bool tell(const py::object& callback, const Argument& argument, Signals& signals
   return !signals.interrupted();
 }
 
+using Events = std::vector<std::tuple<Formula, int, long, bool>>;
+
 /// Asks for an orbit of H and gives Python the answer. Ctrl-C ends the run as `progress` does.
 /// @param ask called with the options, without Python's lock
 template <class Ask>
-py::tuple orbit(const Formula& hamiltonian, SolveOptions options,
-                const std::vector<std::tuple<Formula, int, long, bool>>& events, const py::object& progress,
-                const Ask& ask) {
+py::tuple orbit(const Formula& hamiltonian, SolveOptions options, const Events& events,
+                const py::object& progress, const Ask& ask) {
   Signals signals;
   options.progress = [&](const SolveProgress& now) {
     return tell(
@@ -122,9 +127,8 @@ py::tuple orbit(const Formula& hamiltonian, SolveOptions options,
 /// @param made the report of an orbit whose choice is taken over, or null
 /// @param choose only the choice is made, with what is known of the orbit
 py::tuple solve(const Formula& hamiltonian, const Numbers& q, const Numbers& p, const Numbers& times,
-                bool deliver, double tolerance, const SolveOptions& options,
-                const std::vector<std::tuple<Formula, int, long, bool>>& events, const py::object& progress,
-                const SolutionReport* made, bool choose) {
+                bool deliver, double tolerance, const SolveOptions& options, const Events& events,
+                const py::object& progress, const SolutionReport* made, bool choose) {
   const State<dynamic> start{.q = vector_of(q), .p = vector_of(p), .t = times.at(0)};
   return orbit(hamiltonian, options, events, progress, [&](const SolveOptions& all) {
     detail::OrbitQuestion question =
@@ -141,8 +145,7 @@ py::tuple solve(const Formula& hamiltonian, const Numbers& q, const Numbers& p, 
 
 /// The rest of a run that a file holds.
 py::tuple resume(const Formula& hamiltonian, const std::string& file, const SolveOptions& options,
-                 const std::vector<std::tuple<Formula, int, long, bool>>& events,
-                 const py::object& progress) {
+                 const Events& events, const py::object& progress) {
   const VectorX nothing = VectorX::Zero(hamiltonian.inputs() / 2);
   return orbit(hamiltonian, options, events, progress, [&](const SolveOptions& all) {
     return detail::answer_from(
@@ -182,13 +185,10 @@ py::tuple minimise(const py::object& f, const Numbers& x0, MinimiseOptions optio
         callback, [&] { return array_of(progress.x); }, signals);
   };
   Minimisation run = [&] {
-    if (!py::isinstance<Formula>(f)) {
-      const py::gil_scoped_release unlocked;
-      return avi::minimise(Called{f, signals}, start, options);
-    }
-    const auto& formula = f.cast<const Formula&>();
+    const auto* formula = py::isinstance<Formula>(f) ? f.cast<const Formula*>() : nullptr;
     const py::gil_scoped_release unlocked;
-    return avi::minimise(formula, start, options);
+    return formula ? avi::minimise(*formula, start, options)
+                   : avi::minimise(Called{f, signals}, start, options);
   }();
   if (signals.pressed) run.outcome = Outcome::stopped, run.message = "Stopped by Ctrl-C.";
   return py::make_tuple(run.outcome, run.message, run.iterations, run.gradient_evaluations,
@@ -206,27 +206,14 @@ PYBIND11_MODULE(_avi, module) {
   py::enum_<Outcome> outcome(module, "Outcome");
   for (int i = 0; i <= static_cast<int>(Outcome::time_limit); ++i)
     outcome.value(std::string(name(Outcome{i})).c_str(), Outcome{i});
-  py::class_<Formula>(module, "Formula",
-                      "A function of Python that was called once, by hamiltonian() or objective(): the "
-                      "arguments of value(x) and "
-                      "gradient(x) are those of the function one after the other, (q, p) or (q, p, t). It "
-                      "can be shared by threads.")
+  py::class_<Formula>(module, "Formula")
       .def_property_readonly("size", &Formula::inputs)
       .def_property_readonly("parameters", &Formula::parameters)
       .def("with_parameters", &Formula::with)
       .def("value", [](const Formula& f, const Numbers& x) { return f.value(vector_of(x)); })
-      .def("values",
-           [](const Formula& f, const Numbers& rows) {
-             VectorX values(rows.shape(0));
-             for (py::ssize_t i = 0; i < values.size(); ++i)
-               values[i] = f.value(Eigen::Map<const VectorX>(rows.data(i), rows.shape(1)));
-             return array_of(values);
-           })
       .def("gradient", [](const Formula& f, const Numbers& x) { return array_of(f.gradient(vector_of(x))); });
   // clang-format off
   py::class_<SolveMonitor>(module, "Monitor").def(py::init<std::string>()).def(py::init<Formula>());
-  py::implicitly_convertible<py::str, SolveMonitor>();
-  py::implicitly_convertible<Formula, SolveMonitor>();
 #define AVI_FIELD(name) .def_readwrite(#name, &In::name)
   { using In = Run; py::class_<In>(module, "Run")
     AVI_FIELD(outcome) AVI_FIELD(steps) AVI_FIELD(evaluations) AVI_FIELD(message); }
@@ -240,8 +227,7 @@ PYBIND11_MODULE(_avi, module) {
     AVI_FIELD(run) AVI_FIELD(choice) AVI_FIELD(tolerance) AVI_FIELD(state_error) AVI_FIELD(energy_error)
     AVI_FIELD(note); }
   { using In = SolveOptions; py::class_<In>(module, "SolveOptions").def(py::init<>())
-    .def_property("monitor", nullptr, [](In& options, const SolveMonitor& monitor) { options.monitor = monitor; })
-    AVI_FIELD(seconds) AVI_FIELD(check) AVI_FIELD(sweeps) AVI_FIELD(steps) AVI_FIELD(order)
+    AVI_FIELD(seconds) AVI_FIELD(check) AVI_FIELD(sweeps) AVI_FIELD(steps) AVI_FIELD(order) AVI_FIELD(monitor)
     AVI_FIELD(h) AVI_FIELD(dense) AVI_FIELD(checkpoint) AVI_FIELD(checkpoint_seconds); }
   { using In = MinimiseOptions; py::class_<In>(module, "MinimiseOptions").def(py::init<>())
     AVI_FIELD(relative) AVI_FIELD(absolute) AVI_FIELD(change) AVI_FIELD(memory) AVI_FIELD(iterations)
