@@ -49,7 +49,7 @@ def minimise(f, x0, *, jac=None, parameters=(), callback=None, history=False, **
     """Minimises f from x0.
 
     f      called once as f(x), or f(x, c) with parameters, with a traced array of x0's shape; returns one number. Its gradient is
-           found. Or a formula from objective().
+           found. Or a formula from objective(), which says what becomes of products with large matrices.
     x0     start, an array of any shape
     jac    the gradient of an f that cannot be traced: a function of x, or True where f returns (value, gradient); both are called with
            arrays of x0's shape
