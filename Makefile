@@ -116,9 +116,10 @@ check: build ## Build and run every test
 python: deps-compare ## Build the Python module: build/python, for PYTHONPATH
 	@$(configure) -DAVI_PYTHON=ON && $(compile) _avi && cmake --install $(BUILD) --component python --prefix build/python >/dev/null \
 	  && echo "PYTHONPATH=$(CURDIR)/build/python"
-python-door: python ## Measure what the Python module costs beside C++ and SciPy: build/python/python_door.tsv
-	@$(compile) same_digits && PYTHONPATH=build/python OMP_NUM_THREADS=1 /usr/bin/python3 lib/python/measure/python_door.py \
-	  --program $(BIN)/same_digits --output build/python
+python-door: build/data/python_door.tsv ## Measure what the Python module costs beside C++ and SciPy
+build/data/python_door.tsv: lib/python/measure/python_door.py $(wildcard lib/python/avi/*.py lib/python/src/*) | python build/data
+	@$(compile) same_digits && flock --exclusive build/data/.alone env PYTHONPATH=build/python OMP_NUM_THREADS=1 /usr/bin/python3 $< \
+	  --program $(BIN)/same_digits --output build/data
 hostile: programs ## The front door's promise on SYSTEMS=1000 systems drawn at random by SEED=1, at five tolerances: an hour
 	@$(compile) hostile && mkdir -p build/extremes && $(BIN)/hostile --systems $(or $(SYSTEMS),1000) --seed $(or $(SEED),1) \
 	  --output build/extremes/hostile.tsv

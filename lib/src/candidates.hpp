@@ -73,8 +73,9 @@ inline constexpr std::string_view splitting = "splitting";
 /// A monitor of the menu: \f$g = \ell^{-\alpha}\f$ with a rate of change that it follows, where \f$\alpha =
 /// 0\f$ is that of fixed steps. Of the energy it is \f$\ell = \bar T + \frac12(H + H_0) - H(q, 0)\f$ with the
 /// mean kinetic energy \f$\bar T\f$: the kinetic energy and its mean, written such that it stays positive
-/// where a step has an energy that is a little wrong. The method is Gauss collocation, but for the candidate
-/// called `splitting`. What runs on it is made when it is first used.
+/// where a step has an energy that is a little wrong. A given monitor is itself \f$\ell\f$, with \f$\alpha =
+/// -1\f$. The method is Gauss collocation, but for the candidate called `splitting`. What runs on it is made
+/// when it is first used.
 class Candidate {
  public:
   /// Of this power. @param lively node of \f$\ell\f$, or -1 where it is not needed
@@ -118,7 +119,7 @@ class Candidate {
   [[nodiscard]] double rate_of(double lively) const { return power(lively, -alpha_); }
   /// g of a state.
   double rate_at(const State<dynamic>& z) {
-    if (fixed()) return 1.0;
+    if (fixed() || formulas()->unit) return 1.0;
     const Program& program = formulas()->rate;
     if (!room_) room_.emplace(program);
     std::copy(z.q.begin(), z.q.end(), room_->arguments());
@@ -162,18 +163,16 @@ struct Resting {
 std::string names_of_monitors();
 /// There is a monitor of this name.
 bool is_monitor(std::string_view name);
-/// The monitor of this name, which there is, on its own. @param constants of the monitors @param timed see
-/// OrbitQuestion
-Candidate candidate(std::string_view name, const ExpressionGraph& graph, int energy, double energy_at_start,
-                    const Choice& constants, bool timed);
+/// The monitor of this name, which there is, on its own. @param constants of the monitors
+Candidate candidate(std::string_view name, const OrbitQuestion& question, double energy_at_start,
+                    const Choice& constants);
 /// See Choice::accelerations. @param metric diagonal of H_pp @param seen number of coordinates but time
 std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, Eigen::Index seen);
 
-/// The menu for an orbit, the most promising candidate first; fixed steps are always in it.
-/// @param resting H without momenta on the sketch @param metric diagonal of H_pp @param constants of the
-/// monitors
-std::vector<Candidate> candidates(const ExpressionGraph& graph, int energy, double energy_at_start,
-                                  const Sketch& sketch, const Resting& resting, const VectorX& metric,
-                                  const Choice& constants, bool timed);
+/// The menu for an orbit, the most promising candidate first; fixed steps are always in it, and so is a given
+/// monitor where there is one. @param resting H without momenta on the sketch @param metric diagonal of H_pp
+/// @param constants of the monitors
+std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch,
+                                  const Resting& resting, const VectorX& metric, const Choice& constants);
 
 }  // namespace avi::detail

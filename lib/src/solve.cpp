@@ -68,18 +68,23 @@ void Orbiter::prepare() {
   trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, budget_});
   features_.emplace(question_.graph, question_.energy);
   if (!features_->none()) trip_->features = &*features_;
-  menu_ =
-      candidates(question_.graph, question_.energy, energy, sketch, resting, metric, choice, question_.timed);
-  const std::string& wanted = question_.options.monitor;
+  menu_ = candidates(question_, energy, sketch, resting, metric, choice);
+  const std::string& wanted = question_.options.monitor.name;
   if (!wanted.empty()) {
     const std::string_view kept = wanted == splitting ? "fixed" : std::string_view(wanted);
     std::erase_if(menu_, [&](const Candidate& it) { return it.name != kept; });
+    if (question_.given >= 0) {
+      const double g = candidate(wanted, question_, energy, choice).rate_at(z);
+      require(std::isfinite(g) && g > 0.0, "The given monitor at the start", g, "finite and positive");
+      if (menu_.empty())
+        throw std::invalid_argument("The given monitor is not finite and positive along the whole orbit.");
+    }
     if (menu_.empty()) {
       if (!(choice.kinetic > 0.0) && wanted != "acceleration")
         throw std::invalid_argument("Monitor " + wanted +
                                     " has no meaning here: H - H(q, 0) is not positive along the orbit; take "
                                     "monitor fixed.");
-      menu_.push_back(candidate(wanted, question_.graph, question_.energy, energy, choice, question_.timed));
+      menu_.push_back(candidate(wanted, question_, energy, choice));
     }
   } else {
     std::erase_if(menu_, [&](const Candidate& it) {
@@ -143,9 +148,9 @@ Setting Orbiter::first_setting() {
 /// take less time.
 void Orbiter::offer_splitting() {
   const SolveOptions& options = question_.options;
-  const bool asked = options.monitor == splitting;
-  if (!asked && (!options.monitor.empty() || options.order > 0 || menu_.empty() || !menu_.front().fixed() ||
-                 !(aim_ > 1e-13)))
+  const bool asked = options.monitor.name == splitting;
+  if (!asked && (!options.monitor.name.empty() || options.order > 0 || menu_.empty() ||
+                 !menu_.front().fixed() || !(aim_ > 1e-13)))
     return;
   if (!is_nystrom(field_.recording())) {
     if (!asked) return;
