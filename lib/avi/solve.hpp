@@ -24,6 +24,20 @@ constexpr bool takes_time() {
   using Vec = RecordedVector<n>;
   return std::is_invocable_v<const F&, const Vec&, const Recorded&, const Vec&>;
 }
+/// What records g(q), g(q, p) or g(q, t, p) for n degrees of freedom.
+template <class G>
+std::function<Formula(int)> recorder(G g) {
+  return [g = std::move(g)](int n) {
+    if constexpr (std::is_same_v<G, Formula>)
+      return g.with_constants();
+    else if constexpr (takes_time<G>())
+      return Formula::of_phase_and_time(g, n);
+    else if constexpr (std::is_invocable_v<const G&, const RecordedVector<>&>)
+      return Formula::of_phase([&](const auto& q, const auto&) { return g(q); }, n);
+    else
+      return Formula::of_phase(g, n);
+  };
+}
 }  // namespace detail
 
 /// Which zeros of an event function count, and what happens then.
@@ -45,16 +59,27 @@ struct SolveEvent {
 /// as non_finite, as in Event.
 template <class G>
 [[nodiscard]] SolveEvent when(G g, EventRules rules = {}) {
-  return {[g = std::move(g)](int n) {
-            if constexpr (std::is_same_v<G, Formula>)
-              return g.with_constants();
-            else if constexpr (detail::takes_time<G>())
-              return Formula::of_phase_and_time(g, n);
-            else
-              return Formula::of_phase(g, n);
-          },
-          rules};
+  return {detail::recorder(std::move(g)), rules};
 }
+
+/// The monitor of a run, \f$dt = g\,d\tau\f$: one of the menu of solve() by its name, or a function g(q),
+/// g(q, p) or g(q, t, p) of one's own, positive, smooth and called once, as H is; its name is "given".
+struct SolveMonitor {
+  SolveMonitor() = default;  ///< Has it chosen.
+  ///@{
+
+  /// Of this name.
+  SolveMonitor(std::string its_name) : name(std::move(its_name)) {}
+  SolveMonitor(const char* its_name) : name(its_name) {}
+  ///@}
+  /// Of one's own.
+  template <class G>
+  requires(!std::is_convertible_v<G, std::string> && !std::is_same_v<G, SolveMonitor>) SolveMonitor(G its_g)
+      : name("given"), g(detail::recorder(std::move(its_g))) {}
+
+  std::string name = {};               ///< Empty to have it chosen.
+  std::function<Formula(int)> g = {};  ///< Records it for n degrees of freedom.
+};
 
 /// The phase of a call of solve().
 enum class SolvePhase {
@@ -80,8 +105,8 @@ struct SolveOptions {
   bool check = true;            ///< Two runs are compared all the way; see solve().
   long sweeps = 2'000'000'000;  ///< Evaluations of the field at all stages, trials included; at least 1.
   long steps = std::numeric_limits<long>::max();  ///< Steps of a run; at least 1.
-  int order = 0;                        ///< Order of collocation: 2, 4, ... 16; 0 to have it chosen.
-  std::string monitor = {};             ///< Name in the menu of solve(); empty to have it chosen.
+  int order = 0;                                  ///< Of the method: 2, 4, ... 16; 0 to have it chosen.
+  SolveMonitor monitor = {};            ///< Name in the menu of solve(), or a function; see SolveMonitor.
   double h = 0.0;                       ///< Fictive step with that monitor, positive; 0 to have it chosen.
   bool dense = false;                   ///< The solution can be called at any time of the run.
   std::vector<SolveEvent> events = {};  ///< Events to look for on the way; see when().
@@ -98,7 +123,7 @@ struct SolveOptions {
 /// One run that was tried, or tried in vain.
 struct SolveTrial {
   std::string monitor;       ///< Name in the menu, see solve().
-  int order = 0;             ///< Order of collocation.
+  int order = 0;             ///< Of the method.
   double h = 0.0;            ///< Fictive step.
   double time = 0.0;         ///< Physical time that it covered.
   long steps = 0;            ///< Taken.
@@ -109,8 +134,8 @@ struct SolveTrial {
 
 /// The choice for an orbit. From here on all of it is fixed, and the method is a symplectic map.
 struct Choice {
-  std::string name = "fixed";  ///< Name of the monitor, see solve().
-  int order = 0;               ///< Order of collocation.
+  std::string name = "fixed";  ///< Of the monitor, see SolveMonitor.
+  int order = 0;               ///< Of the method.
   double h = 0.0;              ///< Fictive step.
   double energy_scale = 1.0;   ///< Mean of half of \f$|p\cdot\dot q|\f$: what energy errors are relative to.
   double kinetic = 0.0;        ///< Mean kinetic energy of the beginning, a constant of the monitors.
@@ -186,6 +211,7 @@ struct OrbitQuestion {
   std::shared_ptr<const Choice> made = {};  ///< A choice that is made already, unless it is empty.
   bool timed = false;                       ///< Time has been made the last coordinate: not for callers.
   std::vector<int> gradient = {};           ///< Nodes of dH/d(q, p), 2n, where H supplies them; else empty.
+  int given = -1;                           ///< Node of a monitor of one's own, or none.
 };
 
 /// The answer.
@@ -210,9 +236,9 @@ SolutionReport choose_for(const OrbitQuestion& question);
 void require_times(double start, const std::vector<double>& times);
 /// @throws std::invalid_argument unless H is of (q, p) or (q, p, t) with n degrees of freedom.
 void require_arguments(int inputs, int n);
-/// Records the events among the options of a question.
-/// @throws std::invalid_argument for one that was not made by when(), or is of other arguments.
-void add_events(OrbitQuestion& question);
+/// Records the events and the monitor among the options of a question.
+/// @throws std::invalid_argument for an event that was not made by when(), and for one of other arguments.
+void add_functions(OrbitQuestion& question);
 /// @throws std::logic_error where a solution is called that was made without SolveOptions::dense.
 [[noreturn]] void no_curve();
 
@@ -282,7 +308,7 @@ OrbitQuestion question_of(ExpressionGraph&& graph, int energy, const State<n>& s
                          t_end,
                          tolerance,
                          options};
-  add_events(question);
+  add_functions(question);
   return question;
 }
 
@@ -361,10 +387,13 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 /// | fixed | 1 |
 /// | energy, energy^1.5 | \f$(\bar T + \frac12(H + H_0) - H(q, 0))^{-\alpha}\f$, \f$\alpha = 1\f$ or 3/2 |
 /// | acceleration | \f$(1 + \sum_i (w_i\, \partial H/\partial q_i)^2)^{-3/8}\f$ |
+/// | splitting | 1, by an explicit method of order 6 where \f$H = T(p) + V(q)\f$ with T quadratic |
 ///
 /// with the mean kinetic energy \f$\bar T\f$ of the beginning, and \f$w_i = (H_{pp})_{ii}/\bar a L_i\f$ of
 /// its ranges \f$L_i\f$ and a mean of its accelerations: where forces fall with the square of a distance,
-/// this is the time in which two bodies pass each other, whatever their masses.
+/// this is the time in which two bodies pass each other, whatever their masses. The explicit method is the
+/// Runge-Kutta-Nystrom splitting with 14 stages of Blanes and Moan (2002); it is taken where tolerances are
+/// loose, or degrees of freedom many.
 ///
 /// Monitor, order and step are those that take the least work in short trials. The same input gives the same
 /// choice; units and masses do not matter. H is called once, with a scalar that records what is done to it.
@@ -394,9 +423,9 @@ template <class H, int n>
 
 /// Goes on with a run that SolveOptions::checkpoint has kept in a file, with the same bits as if it had not
 /// been interrupted: by a bound, by the callback, by the end of the program. What was asked for is in the
-/// file, but for H and the events, which are to be the same.
+/// file, but for H, the events, and a monitor of one's own, which are to be the same.
 /// @tparam n of the start that the run began with @param n_of_start its value, where n is avi::dynamic
-/// @param options bounds and progress of what is left, and the events; nothing else of them counts
+/// @param options bounds and progress of what is left, events, a monitor of one's own; nothing else counts
 /// @throws std::invalid_argument for a file that cannot be read, is damaged, or is of another H.
 template <int n, class H>
 [[nodiscard]] Solution<n> resume(const H& hamiltonian, const std::string& file,

@@ -81,6 +81,7 @@ std::uint64_t fingerprint(const OrbitQuestion& question) {
   Record record;
   put_graph(record, question.graph, question.energy);
   record.put(question.gradient);
+  if (question.given >= 0) put_graph(record, question.graph, question.given);
   for (const OrbitEvent& event : question.events) {
     put_graph(record, event.g.graph(), event.g.node());
     record.put(event.rules.direction);

@@ -72,7 +72,7 @@ class Record {
   std::size_t read_ = 0;
 };
 
-/// Tells the H and the events of a question from others.
+/// Tells the H, the events and the given monitor of a question from others.
 std::uint64_t fingerprint(const OrbitQuestion& question);
 
 }  // namespace avi::detail

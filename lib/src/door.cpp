@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace avi::detail {
 
@@ -21,11 +22,14 @@ void require_question(const OrbitQuestion& question) {
   require(options.steps >= 1, "Bound on steps", options.steps, "at least 1");
   require(options.order == 0 || (options.order >= 2 && options.order <= 16 && options.order % 2 == 0),
           "Order", options.order, "even and in [2, 16], or 0 to have it chosen");
-  require(options.monitor.empty() || is_monitor(options.monitor), "Monitor", options.monitor, "one of ",
+  const std::string& monitor = options.monitor.name;
+  require(monitor.empty() || question.given >= 0 || is_monitor(monitor), "Monitor", monitor, "one of ",
           names_of_monitors());
+  require(options.monitor.name != splitting || options.order == 0 || options.order == 6,
+          "Order of the splitting", options.order, "6, or 0");
   require(std::isfinite(options.h) && options.h >= 0.0, "Fictive step h", options.h,
           "finite and positive, or 0 to have it chosen");
-  require(options.h == 0.0 || !options.monitor.empty(), "Monitor", "not set", "set where h is: one of ",
+  require(options.h == 0.0 || !monitor.empty(), "Monitor", "not set", "set where h is: one of ",
           names_of_monitors());
   require(options.checkpoint_seconds >= 0.0, "Seconds between checkpoints", options.checkpoint_seconds,
           "at least 0");
@@ -51,8 +55,19 @@ void require_arguments(int inputs, int n) {
           2 * n + 1, " where it depends on time");
 }
 
-void add_events(OrbitQuestion& question) {
+void add_functions(OrbitQuestion& question) {
   const int n = static_cast<int>(question.q.size());
+  SolveMonitor& monitor = question.options.monitor;
+  if (monitor.g) {
+    const Formula g = monitor.g(n);
+    const int most = question.graph.inputs();
+    require(g.inputs() == 2 * n || g.inputs() == most, "Number of arguments of the monitor", g.inputs(), "",
+            2 * n, most == 2 * n ? ", or one more where H depends on time" : ", or one more for time");
+    std::vector<int> arguments(static_cast<std::size_t>(g.inputs()));
+    std::iota(arguments.begin(), arguments.end(), 0);
+    question.given = question.graph.substitute(g.graph(), g.node(), arguments);
+    monitor.g = {};
+  }
   for (const SolveEvent& event : question.options.events) {
     if (!event.g) throw std::invalid_argument("An event has no function g; avi::when(g) makes one.");
     const EventRules& rules = event.rules;
@@ -90,6 +105,7 @@ void extend(OrbitQuestion& question) {
   places.push_back(n);
   const double energy = evaluate(question.graph, question.energy, start);
   const int node = graph.substitute(question.graph, question.energy, places);
+  if (question.given >= 0) question.given = graph.substitute(question.graph, question.given, places);
   question.energy = graph.binary(Operation::add, node, 2 * n + 1);
   question.graph = std::move(graph);
   question.q.push_back(question.t);
@@ -220,7 +236,7 @@ OrbitAnswer answer(OrbitQuestion&& question) {
   const std::vector<double>& times = question.times;
   const bool end_alone = times.empty() || (times.size() == 1 && times[0] == question.t_end);
   if (question.made) {
-    question.options.monitor = question.made->name;
+    question.options.monitor.name = question.made->name;
     question.options.order = question.made->order;
     question.options.h = question.made->h;
   }
@@ -256,7 +272,7 @@ OrbitAnswer answer_from(const std::string& file, OrbitQuestion&& question) {
   require_question(question);
   OrbitAnswer answer;
   const Choice choice = choice_in(record, answer);
-  if (!is_monitor(choice.name))
+  if (question.given < 0 && !is_monitor(choice.name))
     throw std::invalid_argument("The checkpoint " + file + " has an unknown monitor.");
   answer.tolerance = question.tolerance;
   Budget budget(question.options);

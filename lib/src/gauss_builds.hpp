@@ -5,17 +5,24 @@
 #include <span>
 
 /// @file
-/// The builds of the Gauss stepper and of the minimiser that a library has.
+/// The builds of the steppers and of the minimiser that a library has.
 
 namespace avi::detail {
 
 /// gauss_steps() for one set of instructions.
-using MakeGaussSteps = std::unique_ptr<GaussSteps>(std::shared_ptr<const Formulas> formulas, int order,
-                                                   SweepBounds bounds);
+using MakeGaussSteps = std::unique_ptr<Stepper>(std::shared_ptr<const Formulas> formulas, int order,
+                                                SweepBounds bounds);
 
 MakeGaussSteps gauss_steps_portable;  ///< For any processor of this kind.
 MakeGaussSteps gauss_steps_v3;        ///< With AVX2, where the library has it.
 MakeGaussSteps gauss_steps_v4;        ///< With AVX-512, where the library has it.
+
+/// splitting_steps() for one set of instructions.
+using MakeSplittingSteps = std::unique_ptr<Stepper>(std::shared_ptr<const Formulas> formulas);
+
+MakeSplittingSteps splitting_steps_portable;  ///< As above.
+MakeSplittingSteps splitting_steps_v3;        ///< As above.
+MakeSplittingSteps splitting_steps_v4;        ///< As above.
 
 /// minimise_by_calls() for one set of instructions.
 using MinimiseByCalls = MinimiserEnd(MinimiserCalls& calls, Eigen::Index n, const MinimiseOptions& options);
@@ -24,10 +31,11 @@ MinimiseByCalls minimise_portable, minimise_v3, minimise_v4;  ///< As above.
 
 /// One build, by its doors.
 struct GaussBuild {
-  const char* name;           ///< Its name in AVI_INSTRUCTIONS.
-  MakeGaussSteps* make;       ///< Door of the stepper.
-  MinimiseByCalls* minimise;  ///< Door of the minimiser.
-  bool runs;                  ///< On this processor.
+  const char* name;               ///< Its name in AVI_INSTRUCTIONS.
+  MakeGaussSteps* make;           ///< Gauss collocation.
+  MakeSplittingSteps* splitting;  ///< Splitting.
+  MinimiseByCalls* minimise;      ///< Minimiser.
+  bool runs;                      ///< On this processor.
 };
 /// All of this library, the fastest first.
 std::span<const GaussBuild> gauss_builds();

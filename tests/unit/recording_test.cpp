@@ -258,4 +258,14 @@ TEST(Recording, RefusesWhatItCannotServe) {
       "to the next.");
 }
 
+TEST(ExpressionGraph, MovesLateInputsToTheirPlace) {
+  avi::ExpressionGraph graph(2);  // of x, c, and y after an operation: (x + c) y
+  const int sum = graph.binary(avi::Operation::add, 0, 1), y = graph.late_input();
+  const int node = graph.binary(avi::Operation::multiply, sum, y);
+  EXPECT_EQ(graph.late_inputs(), 1);
+  avi::ExpressionGraph moved(3);  // of x, y, c
+  const int there = moved.substitute(graph, node, {0, 2, 1});
+  EXPECT_EQ(avi::Formula(moved, there).value(avi::Vector<double, 3>(2.0, 10.0, 3.0)), 50.0);
+}
+
 }  // namespace recording_test

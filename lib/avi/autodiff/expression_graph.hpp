@@ -34,6 +34,7 @@ class ExpressionGraph {
   }
 
   [[nodiscard]] int inputs() const { return inputs_; }                           ///< Number of arguments.
+  [[nodiscard]] int late_inputs() const { return late_inputs_; }                 ///< See late_input().
   [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }     ///< Number of nodes.
   [[nodiscard]] const Node& operator[](int node) const { return nodes_[node]; }  ///< That node.
   /// It is a number.
@@ -53,6 +54,10 @@ class ExpressionGraph {
           if (operand >= 0) part[operand] = 1;
     return part;
   }
+
+  /// The node of one more argument, with the next number. Programs know arguments that are the first nodes
+  /// alone: substitute() makes such a graph of this one.
+  int late_input() { return find({.operation = Operation::input, .a = inputs_ + late_inputs_++}); }
 
   /// The node of a number.
   int constant(double number) { return find({.operation = Operation::constant, .number = number}); }
@@ -136,12 +141,13 @@ class ExpressionGraph {
   }
 
   /// A formula of another graph, or of this one, at other arguments: its node in this graph where input i of
-  /// the other one is the node arguments[i] of this one.
+  /// the other one, late ones included, is the node arguments[i] of this one.
   int substitute(const ExpressionGraph& other, int node, const std::vector<int>& arguments) {
     const std::vector<char> part = other.parts(node);
     std::vector<int> place(part.size(), -1);
     for (int i = 0; i <= node; ++i)
-      if (part[i]) place[i] = other[i].operation == Operation::input ? arguments[i] : again(other, i, place);
+      if (part[i])
+        place[i] = other[i].operation == Operation::input ? arguments[other[i].a] : again(other, i, place);
     return place[node];
   }
 
@@ -204,7 +210,7 @@ class ExpressionGraph {
     return static_cast<std::size_t>(key >> 32);
   }
 
-  int inputs_;
+  int inputs_, late_inputs_ = 0;
   std::vector<Node> nodes_;
   std::vector<int> places_;     // of nodes, by their hashes; -1 where there is none; a power of 2 of them
   std::vector<int> quotients_;  // see quotient(); of the first nodes

@@ -10,12 +10,12 @@ A function is called once, with numbers that record what is done to them; from t
 
 from . import plot
 from ._avi import Formula, Traced
-from ._formula import hamiltonian, objective
-from ._minimise import Minimum, minimise
-from ._orbits import Orbit, Solver, ensemble, event, solve
+from ._formula import hamiltonian
+from ._minimise import Minimum, minimise, objective
+from ._orbits import Orbit, Solver, ensemble, event, resume, solve
 from ._tracing import functions, maximum, minimum, where
 
 __all__ = [
-    "Formula", "Minimum", "Orbit", "Solver", "Traced", "ensemble", "event", "functions", "hamiltonian", "maximum", "minimise", "minimum", "objective", "plot", "solve",
-    "where",
+    "Formula", "Minimum", "Orbit", "Solver", "Traced", "ensemble", "event", "functions", "hamiltonian", "maximum", "minimise", "minimum", "objective", "plot",
+    "resume", "solve", "where",
 ]  # fmt: skip

@@ -1,4 +1,5 @@
 from collections.abc import Callable, Sequence
+from os import PathLike
 from typing import Any, SupportsIndex, overload
 
 import numpy as np
@@ -7,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import plot as plot
 
 Floats = NDArray[np.float64]
+Monitor = str | Callable[..., Any] | Formula  # a name, or g(q, p) or g(q, t, p)
 
 class Traced:
     """Numbers of a function that is being traced, in the shape of an array."""
@@ -54,7 +56,6 @@ class Formula:
     def parameters(self) -> list[float]: ...
     def with_parameters(self, parameters: Sequence[float]) -> Formula: ...
     def value(self, x: ArrayLike) -> float: ...
-    def values(self, rows: ArrayLike) -> Floats: ...
     def gradient(self, x: ArrayLike) -> Floats: ...
 
 class Orbit:
@@ -131,7 +132,7 @@ class Solver:
         steps: int | None = ...,
         check: bool = ...,
         order: int | None = ...,
-        monitor: str | None = ...,
+        monitor: Monitor | None = ...,
         h: float | None = ...,
         dense: bool = ...,
         checkpoint: str | None = ...,
@@ -170,7 +171,7 @@ def solve(
     steps: int | None = ...,
     check: bool = ...,
     order: int | None = ...,
-    monitor: str | None = ...,
+    monitor: Monitor | None = ...,
     h: float | None = ...,
     dense: bool = ...,
     checkpoint: str | None = ...,
@@ -192,12 +193,26 @@ def ensemble(
     steps: int | None = ...,
     check: bool = ...,
     order: int | None = ...,
-    monitor: str | None = ...,
+    monitor: Monitor | None = ...,
     h: float | None = ...,
     dense: bool = ...,
     checkpoint: str | None = ...,
     checkpoint_seconds: float | None = ...,
 ) -> list[Orbit]: ...
+def resume(
+    H: Callable[..., Any] | Formula,
+    shape: SupportsIndex | tuple[int, ...],
+    file: str | PathLike[str],
+    *,
+    events: Event | Callable[..., Any] | Sequence[Event | Callable[..., Any]] = ...,
+    progress: bool | Callable[[tuple[float, float, int, float]], object] | None = ...,
+    parameters: Sequence[float] = ...,
+    monitor: Monitor | None = ...,
+    seconds: float | None = ...,
+    sweeps: int | None = ...,
+    steps: int | None = ...,
+    checkpoint_seconds: float | None = ...,
+) -> Orbit: ...
 def minimise(
     f: Callable[..., Any] | Formula,
     x0: ArrayLike,

@@ -5,15 +5,36 @@ import inspect
 from . import _avi
 
 
+_avi.Formula.__doc__ = """A function of Python that was called once, by hamiltonian() or objective().
+
+The arguments of value(x) and gradient(x) are those of the function one after the other, (q, p) or (q, p, t). Threads can share it.
+"""
+
+
 def _shape(x):
     """The shape of an example, or a number of entries as one."""
     return tuple(x.shape) if hasattr(x, "shape") else tuple(x) if isinstance(x, (tuple, list)) else (int(x),)
 
 
+def numbers_of(parameters):
+    """Parameters as a list. Raises TypeError for anything but a sequence of numbers."""
+    try:
+        return [float(each) for each in parameters]
+    except TypeError:
+        raise TypeError(f"parameters is {parameters!r}; it must be a sequence of numbers, such as [1.0, 2.0].") from None
+
+
+def formula_of(f, parameters, traced):
+    """f where it is a formula already, with the parameters where there are any; else what `traced` returns."""
+    if not hasattr(f, "with_parameters"):
+        return traced()
+    return f.with_parameters(numbers_of(parameters)) if len(parameters) else f
+
+
 def trace(f, shapes, parameters, name):
     """The formula of f, which is called once with traced arrays of these shapes, and with parameters where there are any."""
     try:
-        return _avi.trace(f, shapes, list(parameters), name)
+        return _avi.trace(f, shapes, numbers_of(parameters), name)
     except ValueError as error:  # NumPy's own words where an array is filled
         if isinstance(error.__cause__, TypeError):
             raise error.__cause__ from None
@@ -40,15 +61,10 @@ def hamiltonian(H, shape, parameters=(), name="H"):
     shape: that of q and of p, as an int or a tuple; () for numbers. The formula serves solve() in the place of H, and
     `formula.with_parameters(c)` is the same formula with other values of c, without a call of H.
     """
-    shape = _shape(shape)
+    shape, parameters = _shape(shape), numbers_of(parameters)
     if _arguments(H) == 3 + (len(parameters) > 0):
+        named = getattr(getattr(H, "__code__", None), "co_varnames", ())[inspect.ismethod(H) :][:3]
+        if "t" in named and named[1] != "t":
+            raise TypeError(f"{name} calls its arguments {', '.join(named)}; they are q, t, p, in this order.")
         return trace(lambda q, p, t, *c: H(q, t, p, *c), [shape, shape, ()], parameters, name)
     return trace(H, [shape, shape], parameters, name)
-
-
-def objective(f, shape, parameters=()):
-    """The formula of f(x), or of f(x, c) where parameters c are given: f is called once. It serves minimise() in the place of f.
-
-    shape: that of x, as an int or a tuple.
-    """
-    return trace(f, [_shape(shape)], parameters, "f")

@@ -1,7 +1,7 @@
 """minimise(): the least value of a function of many numbers."""
 
-from . import _avi
-from ._formula import trace
+from . import _avi, _data
+from ._formula import _shape, formula_of
 from ._orbits import _options
 
 
@@ -36,11 +36,20 @@ class Minimum:
 _OPTIONS = ("relative", "absolute", "change", "memory", "iterations", "evaluations", "check_gradient")
 
 
+def objective(f, shape, parameters=()):
+    """The formula of f(x), or of f(x, c) where parameters c are given: f is called once. It serves minimise() in the place of f.
+
+    shape: that of x, as an int or a tuple. Products A @ x of matrices of over 2000 numbers are not recorded number by number but done by
+    NumPy, with those of the gradient.
+    """
+    return _data.objective(f, _shape(shape), parameters)
+
+
 def minimise(f, x0, *, jac=None, parameters=(), callback=None, history=False, **options):
     """Minimises f from x0.
 
     f      called once as f(x), or f(x, c) with parameters, with a traced array of x0's shape; returns one number. Its gradient is
-           found. Or a formula from objective().
+           found. Or a formula from objective(), which says what becomes of products with large matrices.
     x0     start, an array of any shape
     jac    the gradient of an f that cannot be traced: a function of x, or True where f returns (value, gradient); both are called with
            arrays of x0's shape
@@ -58,7 +67,7 @@ def minimise(f, x0, *, jac=None, parameters=(), callback=None, history=False, **
     x0 = np.asarray(x0, dtype=float)
     chosen = _options(_avi.MinimiseOptions(), options, _OPTIONS, "minimise")
     if jac is None:
-        function = f if isinstance(f, _avi.Formula) else trace(f, [x0.shape], parameters, "f")
+        function = formula_of(f, parameters, lambda: _data.objective(f, x0.shape, parameters))
     else:
         both = f if jac is True else lambda x: (f(x), jac(x))
         function = lambda x: _flat(both(x.reshape(x0.shape)))

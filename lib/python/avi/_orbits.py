@@ -7,7 +7,7 @@ import threading
 from types import SimpleNamespace
 
 from . import _avi
-from ._formula import hamiltonian
+from ._formula import _shape, formula_of, hamiltonian
 
 
 class Orbit:
@@ -29,15 +29,15 @@ class Orbit:
     energy   H at the times, shape (m,)
     """
 
-    def __init__(self, report, formula, shape, t, y, sol, t_events, y_events, reached):
-        self._report, self._formula, self._reached = report, formula, reached
+    def __init__(self, report, formula, shape, t, y, sol, t_events, y_events, stopped):
+        self._report, self._formula, self._stopped = report, formula, stopped
         self.t, self.y, self.sol, self.t_events, self.y_events = t, y, sol, t_events, y_events
         n = len(y) // 2
         self.q, self.p = (y[part].reshape(shape + t.shape) for part in (slice(n), slice(n, 2 * n)))
 
     success = property(lambda self: self._report.run.outcome == _avi.Outcome.ok)
     kept = property(lambda self: self._report.kept())
-    status = property(lambda self: (0 if self._reached else 1) if self.success else -1)
+    status = property(lambda self: int(self._stopped) if self.success else -1)
     message = property(lambda self: self._report.run.message or ("The end was reached.", "An event ended the run.")[self.status])
     nfev = property(
         lambda self: self._report.run.evaluations * self.choice.order // 2
@@ -56,7 +56,7 @@ class Orbit:
             import numpy as np
 
             rows = self.y.T if self._formula.size == len(self.y) else np.column_stack([self.y.T, self.t])
-            self._formula = self._formula.values(rows)
+            self._formula = np.array([self._formula.value(row) for row in rows])
         return self._formula
 
     def __repr__(self):
@@ -146,9 +146,10 @@ def solve(H, q, p, t, tol, *, events=(), progress=None, parameters=(), **options
     progress  True for a line that shows it, or a function called some twenty times a second with (fraction, t, steps, seconds)
     dense     keeps the orbit between the times, for `sol`
     seconds, sweeps, steps   bounds on wall-clock time, on evaluations of all stages and on steps; a run that meets one keeps what it has
-    order, monitor, h        of the method, for who does not want them chosen: 2, 4 ... 16; "fixed", "energy", ...; the fictive step
+    order, monitor, h        of the method, for who does not want them chosen: 2, 4 ... 16; the step in fictive time; "fixed", "energy",
+           "energy^1.5", "acceleration", or a function g(q, p) or g(q, t, p), positive and smooth, which is traced as H is: dt = g dtau
     check  long runs are made twice, so that all of it is compared
-    checkpoint, checkpoint_seconds   a file in which the run is kept, and how often
+    checkpoint, checkpoint_seconds   a file in which the run is kept for resume(), and how often
 
     Ctrl-C ends the run; the orbit up to there is returned. Raises ValueError for a start, time, tolerance or bound out of range,
     TypeError for an H that cannot be traced; whatever `progress` raises, but for StopIteration, which ends the run.
@@ -156,7 +157,22 @@ def solve(H, q, p, t, tol, *, events=(), progress=None, parameters=(), **options
     import numpy as np
 
     q, p = np.asarray(q, dtype=float), np.asarray(p, dtype=float)
-    return _with_bar(_Question(H, q.shape, t, tol, events, parameters, options), q, p, progress)
+    question = _Question(H, q.shape, t, tol, events, parameters, options)
+    return _with_bar(lambda bar: question.answer(q, p, bar), progress)
+
+
+def resume(H, shape, file, *, events=(), progress=None, parameters=(), monitor=None, seconds=None, sweeps=None, steps=None, checkpoint_seconds=None):
+    """Goes on with a run of solve() that was kept in a file, its `checkpoint`: an Orbit with all of the run and the same digits.
+
+    H, shape   as they were, with the shape of q; so are parameters, events and a monitor that is a function. What else was asked for,
+               times and tolerance among it, is in the file.
+    seconds, sweeps, steps, progress   of what is left
+
+    Raises ValueError for a file that cannot be read, is damaged, or is of another H.
+    """
+    bounds = {"monitor": monitor, "seconds": seconds, "sweeps": sweeps, "steps": steps, "checkpoint_seconds": checkpoint_seconds}
+    question = _Question(H, _shape(shape), (0.0, 1.0), 1e-6, events, parameters, bounds)
+    return _with_bar(lambda bar: question.found(_avi.resume(question.formula, str(file), question.options, question.events, bar)), progress)
 
 
 def ensemble(H, q, p, t, tol, *, events=(), progress=None, parameters=(), threads=None, **options):
@@ -198,7 +214,8 @@ class Solver:
         """The orbit from (q, p) to the end or with the times t, those of the choice where there are none: an Orbit."""
         import numpy as np
 
-        return _with_bar(self._question.until(t), np.asarray(q, dtype=float), np.asarray(p, dtype=float), progress)
+        question, q, p = self._question.until(t), np.asarray(q, dtype=float), np.asarray(p, dtype=float)
+        return _with_bar(lambda bar: question.answer(q, p, bar), progress)
 
     def ensemble(self, q, p, t=None, *, progress=None, threads=None):
         """The orbits from many starts, along the first axis of q and p, side by side on all cores: a list of Orbits, as of ensemble()."""
@@ -207,10 +224,10 @@ class Solver:
         return _side_by_side(self._question.until(t), np.asarray(q, dtype=float), np.asarray(p, dtype=float), progress, threads)
 
 
-def _with_bar(question, q, p, progress):
+def _with_bar(run, progress):
     bar = _Bar() if progress is True else progress or None
     try:
-        return question.answer(q, p, bar)
+        return run(bar)
     finally:
         if progress is True:
             bar.close()
@@ -252,9 +269,11 @@ class _Question:
 
     def __init__(self, H, shape, t, tol, events, parameters, options):
         self.shape, self.tol = shape, tol
-        self.set_times(t)
+        if callable(options.get("monitor")):
+            options = {**options, "monitor": hamiltonian(options["monitor"], shape, name="The monitor")}
         self.options = _options(_avi.SolveOptions(), options, _OPTIONS, "solve")
-        self.formula = H if isinstance(H, _avi.Formula) else hamiltonian(H, shape, parameters)
+        self.set_times(t)
+        self.formula = formula_of(H, parameters, lambda: hamiltonian(H, shape, parameters))
         several = (events,) if callable(events) or hasattr(events, "g") else events
         self.events = [_event(g, shape) for g in several]
 
@@ -262,7 +281,7 @@ class _Question:
         import numpy as np
 
         t = np.asarray(t, dtype=float)
-        self.times, self.deliver = (np.array([0.0, float(t)]), False) if t.ndim == 0 else (t, True)
+        self.times, self.deliver = (np.array([0.0, float(t)]), bool(self.options.checkpoint)) if t.ndim == 0 else (t, True)
         if self.times.ndim != 1 or len(self.times) < 2:
             raise ValueError(f"t has the shape {t.shape}; it must be an end, or at least two times of which the first is the start's.")
 
@@ -287,28 +306,26 @@ class _Question:
         found = self.asked(q, p, progress)
         if not self.deliver:  # the ends are what was asked for
             found = (found[0], self.times[:1], np.concatenate([q.ravel(), p.ravel()])[None], *found[3:])
-        return _orbit(self.formula, self.shape, self.times, found, len(self.events))
+        return self.found(found)
 
+    def found(self, answer):
+        """What the library found, as an Orbit; where a run ended before its time, its last state is the last one."""
+        import numpy as np
 
-def _orbit(formula, shape, times, found, events):
-    """What the library found, as an Orbit; where a run ended before its time, its last state is the last one."""
-    import numpy as np
+        report, t, z, t_end, q_end, p_end, which, t_events, z_events, curve = answer
+        t, t_events, which = t.ravel(), t_events.ravel(), np.array(which, dtype=int)
+        if np.isfinite(t_end) and (len(t) == 0 or t[-1] != t_end):
+            t, z = np.append(t, t_end), np.vstack([z, np.concatenate([q_end, p_end])])
 
-    report, t, z, t_end, q_end, p_end, which, t_events, z_events, curve = found
-    t, t_events, which = t.ravel(), t_events.ravel(), np.array(which, dtype=int)
-    reached = t_end == times[-1]
-    if len(t) < len(times) and np.isfinite(t_end) and (len(t) == 0 or t[-1] != t_end):
-        t, z = np.append(t, t_end), np.vstack([z, np.concatenate([q_end, p_end])])
+        def sol(at):
+            y = curve.at(np.atleast_1d(np.asarray(at, dtype=float)), z.shape[1]).T
+            return y[:, 0] if np.ndim(at) == 0 else y
 
-    def sol(at):
-        y = curve.at(np.atleast_1d(np.asarray(at, dtype=float)), z.shape[1]).T
-        return y[:, 0] if np.ndim(at) == 0 else y
-
-    sol.times = np.array(curve.times()) if curve else None
-    of_events = [which == i for i in range(events)]
-    return Orbit(
-        report, formula, shape, t, z.T, sol if curve else None, [t_events[i] for i in of_events], [z_events[i] for i in of_events], reached
-    )
+        sol.times = np.array(curve.times()) if curve else None
+        of_events = [which == i for i in range(len(self.events))]
+        times, states = ([found[i] for i in of_events] for found in (t_events, z_events))
+        stopped = any(event[3] and t_end in found[-1:] for event, found in zip(self.events, times))
+        return Orbit(report, self.formula, self.shape, t, z.T, sol if curve else None, times, states, stopped)
 
 
 def _options(chosen, options, names, function):
@@ -317,5 +334,9 @@ def _options(chosen, options, names, function):
         if name not in names:
             raise TypeError(f"{function}() has no option {name!r}; there are {', '.join(names)}.")
         if value is not None:
-            setattr(chosen, name, value)
+            try:
+                setattr(chosen, name, _avi.Monitor(value) if name == "monitor" else value)
+            except TypeError:
+                kind = "a name or a function" if name == "monitor" else f"of the type {type(getattr(chosen, name)).__name__}"
+                raise TypeError(f"The option {name} of {function}() is {value!r}; it must be {kind}.") from None
     return chosen

@@ -1,10 +1,13 @@
 """NumPy's functions and an array's methods for numbers that are being traced (the class itself is in C++)."""
 
+from . import _algebra
 from ._avi import Traced, functions as _names, pool, traced, where as _where
 
 _REFUSED = {
     "A function is traced with numbers that have no value yet, so float(x), int(x), math.sin(x) and the like cannot take them: write "
-    "np.sin(x), np.sqrt(x) and so on, and make arrays by np.stack([x, y]) instead of filling np.zeros(2).": "float int complex index",
+    "np.sin(x), np.sqrt(x) and so on, and make arrays by np.stack([x, y]) instead of filling np.zeros(2), or fill np.zeros(2, dtype=object).": (
+        "float int complex index"
+    ),
     "A function is traced once for all arguments, so it cannot branch on them: instead of `if a < b`, `and`, `or`, `not`, min(a, b) and "
     "max(a, b) write avi.where(a < b, x, y), `&`, `|`, `~`, avi.minimum(a, b) and avi.maximum(a, b).": "bool contains",
     "A function that asks whether two of its numbers are equal cannot be traced; instead of `==` and `!=` write avi.where(a < b, x, y).": (
@@ -15,6 +18,12 @@ _REFUSED = {
     ),
     "Traced numbers cannot be assigned to: make a new array by np.stack([x, y]) or np.concatenate([u, v]).": "setitem",
 }
+
+
+Traced.__doc__ = """Numbers of a function that is being traced, in the shape of an array.
+
+They have no value yet, and what is done with them is recorded.
+"""
 
 
 def _refusal(sentence):
@@ -52,10 +61,14 @@ def _array_ufunc(self, ufunc, method, *inputs, out=None, axis=0, **options):
         out[0][...] = _objects(getattr(ufunc, method)(*inputs, **options))
         return out[0]
     if method == "reduce" and name in _names:
-        return _fold(inputs[0], name, axis)
+        return _fold(inputs[0], name, axis, **{key: x for key, x in options.items() if key == "keepdims"})
+    if method == "outer" and not options:
+        a, b = (traced(x) for x in inputs)
+        return ufunc(a.reshape(a.shape + (1,) * b.ndim), b)
     if method == "__call__" and not options:
         if name == "matmul":
-            return traced(inputs[0]) @ inputs[1]
+            kept = _algebra.by_matrix(*inputs)
+            return traced(inputs[0]) @ inputs[1] if kept is None else kept
         if name in ("equal", "not_equal"):
             return self == self
         if name in _names:
@@ -107,40 +120,35 @@ def minimum(a, b):
     return np.minimum(traced(a) if _any_traced(a, b) else a, b)
 
 
-def _fold(x, name, axis=None):
+def _fold(x, name, axis=None, keepdims=False):
     """f(f(x0, x1), x2) ... along an axis or several, or of all entries."""
     x = traced(x)
-    if axis is None:
+    if axis is None and not keepdims:
         return x.ravel()._folded(name)
     import numpy as np
 
-    for each in sorted((i % x.ndim for i in np.atleast_1d(axis)), reverse=True):
+    axes = sorted(i % x.ndim for i in np.atleast_1d(range(x.ndim) if axis is None else axis))
+    shape = tuple(1 if i in axes else length for i, length in enumerate(x.shape))
+    for each in reversed(axes):
         x = x._take(np.moveaxis(x._numbers, each, 0))._folded(name)
-    return x
+    return x.reshape(shape) if keepdims else x
 
 
 def _folding(name):
-    return lambda x, axis=None: _fold(x, name, axis)
+    def fold(x, axis=None, *, keepdims=False, dtype=None):
+        return _fold(x, name, axis, keepdims)
+
+    fold.__name__ = fold.__qualname__ = name
+    return fold
 
 
-_sum = _folding("add")
-
-
-def _matmul(a, b):
-    if not (a.ndim and b.ndim) or max(a.ndim, b.ndim) > 2 or a.shape[-1] != b.shape[0]:
-        raise ValueError(f"The product @ of arrays of shapes {a.shape} and {b.shape} cannot be traced.")
-    return _fold(a[..., :, None] * b, "add", a.ndim - 1) if b.ndim == 2 else _fold(a * b, "add", -1)
-
-
-def _norm(x, ord=None, axis=None):
-    if ord not in (None, 2) or (ord == 2 and axis is None and len(x.shape) > 1):
-        raise TypeError("np.linalg.norm can be traced as the 2-norm; write another norm out with np.abs, np.sum and avi.maximum.")
-    return _sum(x * x, axis).sqrt()
+_sum, _largest, _least = _folding("add"), _folding("maximum"), _folding("minimum")
 
 
 def _dot(a, b):
-    a, b = traced(a), traced(b)
-    return a @ b if a.ndim and b.ndim else a * b
+    import numpy as np
+
+    return a @ b if np.ndim(a) and np.ndim(b) else traced(a) * b
 
 
 def _clip(x, a_min=None, a_max=None):
@@ -154,12 +162,22 @@ def _where_of_numpy(condition, x=None, y=None):
     return where(condition, x, y)
 
 
-def _mean(x, axis=None):
-    total = _sum(x, axis)
+def _select(conditions, choices, default=0):
+    for condition, choice in reversed([*zip(conditions, choices)]):
+        default = where(condition, choice, default)
+    return default
+
+
+def _mean(x, axis=None, *, keepdims=False, dtype=None):
+    total = _fold(x, "add", axis, keepdims)
     return total / (x.size / max(total.size, 1))
 
 
-def _diff(x, n=1, axis=-1):
+def _diff(x, n=1, axis=-1, prepend=None, append=None):
+    import numpy as np
+
+    ends = [end if end is None or np.ndim(end) else np.full(x.shape[:axis] + (1,) + x.shape[axis:][1:], end) for end in (prepend, append)]
+    x = np.concatenate([part for part in (ends[0], x, ends[1]) if part is not None], axis)
     for _ in range(n):
         x = x.swapaxes(axis, -1)
         x = (x[..., 1:] - x[..., :-1]).swapaxes(axis, -1)
@@ -172,10 +190,17 @@ _FUNCTIONS = {
     "sum": _sum,
     "mean": _mean,
     "prod": _folding("multiply"),
-    "amax": _folding("maximum"),
-    "amin": _folding("minimum"),
+    "amax": _largest,
+    "amin": _least,
+    "ptp": lambda x, axis=None, *, keepdims=False: _largest(x, axis, keepdims=keepdims) - _least(x, axis, keepdims=keepdims),
+    "einsum": _algebra.einsum,
+    "solve": _algebra.solution,
+    "inv": _algebra.inverse,
+    "det": _algebra.determinant,
+    "select": _select,
+    "real": lambda x: x,
     "dot": _dot,
-    "norm": _norm,
+    "norm": _algebra.norm,
     "clip": _clip,
 }
 _FUNCTIONS["max"], _FUNCTIONS["min"] = _FUNCTIONS["amax"], _FUNCTIONS["amin"]
@@ -218,6 +243,21 @@ def _no_length():
     raise TypeError("A single traced number has no length.")
 
 
+def _dtype():
+    import numpy as np
+
+    return np.dtype(object)
+
+
+def _by_numpy(name):
+    def method(self, *args, **kwargs):
+        import numpy as np
+
+        return getattr(np, name)(self, *args, **kwargs)
+
+    return method
+
+
 def _moved(name):
     return lambda self, *args, **kwargs: self._take(getattr(self._numbers, name)(*args, **kwargs))
 
@@ -237,6 +277,13 @@ Traced.dot = _dot
 Traced.clip = _clip
 Traced.astype = lambda self, *args, **kwargs: self
 Traced.copy = lambda self: self
+Traced.real = property(lambda self: self)
+Traced.dtype = property(lambda self: _dtype())
+Traced.__format__ = lambda self, spec: repr(self)
+Traced.tolist = lambda self: [each.tolist() for each in self] if self.shape else self
+Traced.item = lambda self, i=0: self.ravel()[i]
 Traced.T = property(lambda self: self._take(self._numbers.T))
 for _name in ("reshape", "ravel", "flatten", "transpose", "squeeze", "repeat", "swapaxes"):
     setattr(Traced, _name, _moved(_name))
+for _name in ("cumsum", "diagonal", "ptp", "std", "trace", "var"):
+    setattr(Traced, _name, _by_numpy(_name))

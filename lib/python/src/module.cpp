@@ -19,7 +19,6 @@ namespace {
 
 /// Doubles in C order.
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-using Shape = std::vector<py::ssize_t>;
 
 VectorX vector_of(const Numbers& x) { return Eigen::Map<const VectorX>(x.data(), x.size()); }
 Numbers array_of(const VectorX& x) { return Numbers(x.size(), x.data()); }
@@ -53,21 +52,26 @@ class Signals {
 /// formula.
 Formula trace(const py::object& f, const std::vector<Shape>& shapes, std::vector<double> parameters,
               const char* name) {
-  int count = 0;
+  int count = 0, first = 0;
   for (const Shape& shape : shapes)
     count += static_cast<int>(size_of(shape));
   require(count > 0, "Number of arguments to record", count, "at least 1");
   const auto graph = std::make_shared<ExpressionGraph>(count + static_cast<int>(parameters.size()));
   py::list arguments;
-  int first = 0;
-  for (const Shape& shape : shapes) {
-    arguments.append(inputs(graph, first, shape));
-    first += static_cast<int>(size_of(shape));
-  }
+  for (const Shape& shape : shapes)
+    arguments.append(inputs(graph, std::exchange(first, first + static_cast<int>(size_of(shape))), shape));
   if (!parameters.empty())
     arguments.append(inputs(graph, count, {static_cast<py::ssize_t>(parameters.size())}));
-  const int node = returned_node(f(*arguments), *graph, name);
-  return {*graph, node, std::move(parameters)};
+  const int node = returned_node(f(*arguments), *graph, name), late = graph->late_inputs();
+  if (late == 0) return {*graph, node, std::move(parameters)};
+  // Products of x with matrices come between x and the parameters.
+  const int inputs = graph->inputs();
+  std::vector<int> places;
+  for (int i = 0; i < inputs + late; ++i)
+    places.push_back(i < count ? i : i < inputs ? i + late : i - (inputs - count));
+  ExpressionGraph whole(inputs + late);
+  const int moved = whole.substitute(*graph, node, places);
+  return {std::move(whole), moved, std::move(parameters)};
 }
 
 /// Numbers that belong to Python from here on, row by row, without a copy.
@@ -93,43 +97,60 @@ bool tell(const py::object& callback, const Argument& argument, Signals& signals
   return !signals.interrupted();
 }
 
-/// The orbit from the first to the last of these times, with its states at all of them where `deliver`.
-/// Ctrl-C ends the run as `progress` does. @param made the report of an orbit whose choice is taken over, or
-/// null
-/// @param choose only the choice is made, with what is known of the orbit
-py::tuple solve(const Formula& hamiltonian, const Numbers& q, const Numbers& p, const Numbers& times,
-                bool deliver, double tolerance, SolveOptions options,
-                const std::vector<std::tuple<Formula, int, long, bool>>& events, const py::object& progress,
-                const SolutionReport* made, bool choose) {
-  const State<dynamic> start{.q = vector_of(q), .p = vector_of(p), .t = times.at(0)};
+using Events = std::vector<std::tuple<Formula, int, long, bool>>;
+
+/// Asks for an orbit of H and gives Python the answer. Ctrl-C ends the run as `progress` does.
+/// @param ask called with the options, without Python's lock
+template <class Ask>
+py::tuple orbit(const Formula& hamiltonian, SolveOptions options, const Events& events,
+                const py::object& progress, const Ask& ask) {
   Signals signals;
   options.progress = [&](const SolveProgress& now) {
     return tell(
         progress, [&] { return py::make_tuple(now.fraction, now.t, now.steps, now.seconds); }, signals);
   };
+  for (const auto& [g, direction, count, stop] : events)
+    options.events.push_back(when(g, {.direction = direction, .count = count, .stop = stop}));
   detail::OrbitAnswer found = [&] {
     const py::gil_scoped_release unlocked;
+    return ask(options);
+  }();
+  if (signals.pressed) found.run.message = "Stopped by Ctrl-C. " + found.run.message;
+  const py::ssize_t n = hamiltonian.inputs() / 2 * 2;
+  return py::make_tuple(SolutionReport(found), given(std::move(found.states.t), 1),
+                        given(std::move(found.states.z), n), found.t, found.q, found.p, found.events,
+                        given(std::move(found.event_states.t), 1), given(std::move(found.event_states.z), n),
+                        found.curve);
+}
+
+/// The orbit from the first to the last of these times, with its states at all of them where `deliver`.
+/// @param made the report of an orbit whose choice is taken over, or null
+/// @param choose only the choice is made, with what is known of the orbit
+py::tuple solve(const Formula& hamiltonian, const Numbers& q, const Numbers& p, const Numbers& times,
+                bool deliver, double tolerance, const SolveOptions& options, const Events& events,
+                const py::object& progress, const SolutionReport* made, bool choose) {
+  const State<dynamic> start{.q = vector_of(q), .p = vector_of(p), .t = times.at(0)};
+  return orbit(hamiltonian, options, events, progress, [&](const SolveOptions& all) {
     detail::OrbitQuestion question =
-        detail::question_of(hamiltonian, start, times.at(times.size() - 1), tolerance, options);
+        detail::question_of(hamiltonian, start, times.at(times.size() - 1), tolerance, all);
     if (deliver) question.times.assign(times.data(), times.data() + times.size());
     if (deliver) detail::require_times(start.t, question.times);
-    for (const auto& [g, direction, count, stop] : events) {
-      require(direction >= -1 && direction <= 1, "Direction of an event", direction, "-1, 0 or 1");
-      require(count >= 0, "Count of an event", count, "at least 0");
-      question.events.push_back({g, {.direction = direction, .count = count, .stop = stop}});
-    }
     if (made) question.made = std::make_shared<const Choice>(made->choice);
     if (!choose) return detail::answer(std::move(question));
     detail::OrbitAnswer chosen;
     static_cast<SolutionReport&>(chosen) = detail::choose_for(question);
     return chosen;
-  }();
-  if (signals.pressed) found.run.message = "Stopped by Ctrl-C. " + found.run.message;
-  const auto n = 2 * q.size();
-  return py::make_tuple(SolutionReport(found), given(std::move(found.states.t), 1),
-                        given(std::move(found.states.z), n), found.t, found.q, found.p, found.events,
-                        given(std::move(found.event_states.t), 1), given(std::move(found.event_states.z), n),
-                        found.curve);
+  });
+}
+
+/// The rest of a run that a file holds.
+py::tuple resume(const Formula& hamiltonian, const std::string& file, const SolveOptions& options,
+                 const Events& events, const py::object& progress) {
+  const VectorX nothing = VectorX::Zero(hamiltonian.inputs() / 2);
+  return orbit(hamiltonian, options, events, progress, [&](const SolveOptions& all) {
+    return detail::answer_from(
+        file, detail::question_of(hamiltonian, State<dynamic>{.q = nothing, .p = nothing}, 0.0, 1e-6, all));
+  });
 }
 
 /// A function of Python that returns its value and its gradient; not a number after Ctrl-C.
@@ -164,13 +185,10 @@ py::tuple minimise(const py::object& f, const Numbers& x0, MinimiseOptions optio
         callback, [&] { return array_of(progress.x); }, signals);
   };
   Minimisation run = [&] {
-    if (!py::isinstance<Formula>(f)) {
-      const py::gil_scoped_release unlocked;
-      return avi::minimise(Called{f, signals}, start, options);
-    }
-    const auto& formula = f.cast<const Formula&>();
+    const auto* formula = py::isinstance<Formula>(f) ? f.cast<const Formula*>() : nullptr;
     const py::gil_scoped_release unlocked;
-    return avi::minimise(formula, start, options);
+    return formula ? avi::minimise(*formula, start, options)
+                   : avi::minimise(Called{f, signals}, start, options);
   }();
   if (signals.pressed) run.outcome = Outcome::stopped, run.message = "Stopped by Ctrl-C.";
   return py::make_tuple(run.outcome, run.message, run.iterations, run.gradient_evaluations,
@@ -188,24 +206,14 @@ PYBIND11_MODULE(_avi, module) {
   py::enum_<Outcome> outcome(module, "Outcome");
   for (int i = 0; i <= static_cast<int>(Outcome::time_limit); ++i)
     outcome.value(std::string(name(Outcome{i})).c_str(), Outcome{i});
-  py::class_<Formula>(module, "Formula",
-                      "A function of Python that was called once, by hamiltonian() or objective(): the "
-                      "arguments of value(x) and "
-                      "gradient(x) are those of the function one after the other, (q, p) or (q, p, t). It "
-                      "can be shared by threads.")
+  py::class_<Formula>(module, "Formula")
       .def_property_readonly("size", &Formula::inputs)
       .def_property_readonly("parameters", &Formula::parameters)
       .def("with_parameters", &Formula::with)
       .def("value", [](const Formula& f, const Numbers& x) { return f.value(vector_of(x)); })
-      .def("values",
-           [](const Formula& f, const Numbers& rows) {
-             VectorX values(rows.shape(0));
-             for (py::ssize_t i = 0; i < values.size(); ++i)
-               values[i] = f.value(Eigen::Map<const VectorX>(rows.data(i), rows.shape(1)));
-             return array_of(values);
-           })
       .def("gradient", [](const Formula& f, const Numbers& x) { return array_of(f.gradient(vector_of(x))); });
   // clang-format off
+  py::class_<SolveMonitor>(module, "Monitor").def(py::init<std::string>()).def(py::init<Formula>());
 #define AVI_FIELD(name) .def_readwrite(#name, &In::name)
   { using In = Run; py::class_<In>(module, "Run")
     AVI_FIELD(outcome) AVI_FIELD(steps) AVI_FIELD(evaluations) AVI_FIELD(message); }
@@ -239,5 +247,6 @@ PYBIND11_MODULE(_avi, module) {
       });
   module.def("trace", trace);
   module.def("solve", python::solve);
+  module.def("resume", python::resume);
   module.def("minimise", python::minimise);
 }

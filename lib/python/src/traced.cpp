@@ -10,7 +10,6 @@
 namespace avi::python {
 namespace {
 
-using Shape = std::vector<py::ssize_t>;
 using One = Recorded (*)(const Recorded&);
 using Two = Recorded (*)(const Recorded&, const Recorded&);
 
@@ -192,7 +191,7 @@ py::object product(const py::object& a, const py::object& b) {
   Traced left_room, right_room;
   const Traced &left = operand(a, left_room), &right = operand(b, right_room);
   if (left.shape.size() != 1 || left.shape != right.shape)
-    return py::module_::import("avi._tracing").attr("_matmul")(left, right);
+    return py::module_::import("avi._algebra").attr("product")(left, right);
   return py::cast(fold("add", apply(twos.at("multiply"), left, right)));
 }
 
@@ -211,6 +210,25 @@ Traced item(const Traced& x, const py::object& key) {
   return take(x, py::array(numbers(x)[key]));
 }
 
+/// The numbers of the arguments that the entries are; empty where they are anything else.
+std::vector<int> places(const Traced& x) {
+  std::vector<int> found;
+  for (const Recorded& entry : x.entries) {
+    const int node = x.graph ? entry.node_in(*x.graph) : -1;
+    if (node < 0 || node >= x.graph->inputs()) return {};
+    found.push_back(node);
+  }
+  return found;
+}
+
+/// More arguments beside x: see ExpressionGraph::late_input().
+Traced more(const Traced& x, const Shape& shape) {
+  Traced late{x.graph, {}, shape};
+  for (py::ssize_t i = size_of(shape); i > 0; --i)
+    late.entries.emplace_back(*x.graph, x.graph->late_input());
+  return late;
+}
+
 /// The entries of several arrays, one after the other.
 Traced pool(const std::vector<py::object>& parts) {
   Traced all;
@@ -227,14 +245,13 @@ Traced pool(const std::vector<py::object>& parts) {
 
 }  // namespace
 
-py::ssize_t size_of(const std::vector<py::ssize_t>& shape) {
+py::ssize_t size_of(const Shape& shape) {
   return std::accumulate(shape.begin(), shape.end(), py::ssize_t{1}, std::multiplies<>());
 }
 
-Traced inputs(const std::shared_ptr<ExpressionGraph>& graph, int first, std::vector<py::ssize_t> shape) {
+Traced inputs(const std::shared_ptr<ExpressionGraph>& graph, int first, Shape shape) {
   Traced x{graph, {}, std::move(shape)};
-  const auto count = static_cast<int>(size_of(x.shape));
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < static_cast<int>(size_of(x.shape)); ++i)
     x.entries.emplace_back(*graph, first + i);
   return x;
 }
@@ -253,9 +270,7 @@ int returned_node(const py::object& result, ExpressionGraph& graph, const char* 
 }
 
 void bind_traced(py::module_& module) {
-  py::class_<Traced> traced(module, "Traced",
-                            "Numbers of a function that is being traced, in the shape of an array: they have "
-                            "no value yet, and what is done with them is recorded.");
+  py::class_<Traced> traced(module, "Traced");
   py::list names;
   for (const auto& [name, f] : ones) {
     traced.def(name.data(), [name](const py::object& a) { return call(name, a); });
@@ -274,6 +289,8 @@ void bind_traced(py::module_& module) {
       .def("__getitem__", item)
       .def("_folded", [](const Traced& x, const std::string& name) { return fold(name, x); })
       .def("_take", take)
+      .def("_more", more)
+      .def_property_readonly("_places", places)
       .def_property_readonly("_numbers", numbers)
       .def_property_readonly("shape", [](const Traced& x) { return py::tuple(py::cast(x.shape)); })
       .def_property_readonly("size", [](const Traced& x) { return x.entries.size(); });

@@ -14,6 +14,7 @@
 namespace avi::python {
 
 namespace py = pybind11;
+using Shape = std::vector<py::ssize_t>;  ///< Of an array, as NumPy has it.
 
 /// Recorded numbers in the shape of a NumPy array. NumPy hands its functions over to it (__array_ufunc__,
 /// __array_function__), so that a formula reads as it does for an array of doubles, and every entry of what
@@ -21,15 +22,15 @@ namespace py = pybind11;
 struct Traced {
   std::shared_ptr<ExpressionGraph> graph{};  ///< Keeps the nodes alive; none where all entries are numbers.
   std::vector<Recorded> entries{};           ///< Last index first, as NumPy has them in C order.
-  std::vector<py::ssize_t> shape{};          ///< Empty for a single number.
+  Shape shape{};                             ///< Empty for a single number.
   bool condition = false;                    ///< The entries are 1 or 0, from comparisons.
 };
 
 /// `count` arguments of the graph from `first` on, in a shape of so many entries.
-Traced inputs(const std::shared_ptr<ExpressionGraph>& graph, int first, std::vector<py::ssize_t> shape);
+Traced inputs(const std::shared_ptr<ExpressionGraph>& graph, int first, Shape shape);
 
 /// The number of entries of an array.
-py::ssize_t size_of(const std::vector<py::ssize_t>& shape);
+py::ssize_t size_of(const Shape& shape);
 
 /// What H or f returned, as a node. @throws py::type_error where it is no single number; `what` was called.
 int returned_node(const py::object& result, ExpressionGraph& graph, const char* what);

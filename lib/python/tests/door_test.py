@@ -3,6 +3,7 @@
 import os
 import pickle
 import signal
+import tempfile
 import threading
 import time
 import unittest
@@ -160,6 +161,82 @@ class Running(unittest.TestCase):
 
         with self.assertRaisesRegex(LookupError, "mine"):
             avi.solve(kepler, *START, 1e9, 1e-10, progress=fail)
+
+
+class Monitors(unittest.TestCase):
+    halfway = staticmethod(lambda q, p: (q @ q) ** 0.75)
+    start = [0.1, 0.0], [0.0, np.sqrt(19.0)]
+
+    def test_function(self):
+        given = avi.solve(kepler, *self.start, 20 * np.pi, 1e-10, monitor=self.halfway)
+        named = avi.solve(kepler, *self.start, 20 * np.pi, 1e-10, monitor="energy")
+        self.assertTrue(given.kept and named.kept)
+        self.assertEqual((given.choice.monitor, named.choice.monitor), ("given", "energy"))
+        self.assertLess(np.abs(given.q[:, -1] - self.start[0]).max(), 1e-9)
+        self.assertLess(2 * given.nsteps, named.nsteps)
+        formula = avi.hamiltonian(self.halfway, 2)
+        self.assertEqual(avi.solve(kepler, *self.start, 20 * np.pi, 1e-10, monitor=formula).y.tolist(), given.y.tolist())
+        fixed = avi.solve(kepler, *self.start, 20.0, 1e-6, monitor=self.halfway, order=8, h=0.1)
+        self.assertEqual((fixed.choice.order, fixed.choice.h), (8, 0.1))
+
+    def test_of_time_and_in_a_solver(self):
+        driven = lambda q, t, p: (p @ p + q @ q) / 2 - q[0] * np.sin(2 * t)
+        exact = lambda t: np.cos(t) - np.sin(2 * t) / 3
+        orbit = avi.solve(driven, [1.0], [-2 / 3], 10.0, 1e-10, monitor=lambda q, t, p: (1 + 0.2 * np.sin(t)) / (1 + p @ p))
+        self.assertAlmostEqual(orbit.q[0, -1], exact(10.0), delta=1e-9)
+        solver = avi.Solver(kepler, *self.start, 20.0, 1e-9, monitor=self.halfway)
+        self.assertTrue(solver.run(*self.start).kept)
+        orbits = avi.ensemble(kepler, [self.start[0]] * 3, [self.start[1]] * 3, 20.0, 1e-9, monitor=self.halfway)
+        self.assertEqual({orbit.choice.monitor for orbit in orbits}, {"given"})
+
+    def test_bad(self):
+        for monitor, error, words in [
+            (lambda q, p: -1.0, ValueError, "at the start is -1"),
+            (lambda q, p: q[0], ValueError, "along the whole orbit"),
+            (lambda q, p: q, TypeError, "The monitor returned an array"),
+            (lambda q, p: q[0] if q[0] > 0 else 1.0, TypeError, "branch"),
+            (3, TypeError, "a name or a function"),
+            ("given", ValueError, "one of fixed, energy"),
+        ]:
+            with self.assertRaisesRegex(error, words):
+                avi.solve(kepler, *self.start, 20.0, 1e-6, monitor=monitor)
+
+
+class Checkpoints(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.file = os.path.join(folder.name, "run")
+
+    def test_goes_on_with_the_same_digits(self):
+        times = np.linspace(0, 2e4, 21)
+        crossing = avi.event(lambda q, p: q[1], direction=1, count=5)
+        for t, events in ((2e4, ()), (times, [crossing])):
+            asked = {"check": False, "checkpoint": self.file, "events": events}
+            whole = avi.solve(kepler, *START, t, 1e-9, **asked)
+            self.assertFalse(os.path.exists(self.file))
+            part = avi.solve(kepler, *START, t, 1e-9, steps=whole.nsteps // 2, **asked)
+            self.assertEqual((part.success, part.status, os.path.exists(self.file)), (False, -1, True))
+            again = avi.resume(kepler, 2, self.file, events=events, steps=whole.nsteps * 2 // 3)
+            self.assertFalse(again.success)
+            rest = avi.resume(kepler, 2, self.file, events=events)
+            self.assertEqual((rest.t.tolist(), rest.y.tolist()), (whole.t.tolist(), whole.y.tolist()))
+            self.assertEqual((rest.status, rest.message, rest.tolerance), (0, "The end was reached.", 1e-9))
+            self.assertEqual([x.tolist() for x in rest.t_events], [x.tolist() for x in whole.t_events])
+            self.assertFalse(os.path.exists(self.file))
+
+    def test_bad(self):
+        with self.assertRaisesRegex(ValueError, "cannot be read"):
+            avi.resume(kepler, 2, self.file)
+        avi.solve(kepler, *START, 2e4, 1e-9, check=False, checkpoint=self.file, steps=5000)
+        for H, shape in ((spring, 2), (kepler, 3)):
+            with self.assertRaisesRegex(ValueError, "of another H"):
+                avi.resume(H, shape, self.file)
+        with open(self.file, "r+b") as file:
+            file.seek(100)
+            file.write(b"x")
+        with self.assertRaisesRegex(ValueError, "damaged"):
+            avi.resume(kepler, 2, self.file)
 
 
 class Ensembles(unittest.TestCase):

@@ -53,6 +53,35 @@ class Minimise(unittest.TestCase):
         formula = avi.objective(lambda x, c: np.sum((x - c) ** 2), 3, [1.0, 2.0, 3.0])
         self.assertLess(np.abs(avi.minimise(formula, np.zeros(3)).x - [1, 2, 3]).max(), 1e-12)
         self.assertLess(np.abs(avi.minimise(formula.with_parameters([4, 5, 6]), np.zeros(3)).x - [4, 5, 6]).max(), 1e-12)
+        self.assertLess(np.abs(avi.minimise(formula, np.zeros(3), parameters=[7, 8, 9]).x - [7, 8, 9]).max(), 1e-12)
+
+    def test_data(self):
+        """Products with large matrices are kept as products: values and gradients are those of all numbers recorded, and of NumPy."""
+        random = np.random.default_rng(3)
+        table, classes, x = random.normal(size=(300, 12)), random.normal(size=(300, 3)), random.normal(size=13)
+        of_all = lambda a, x: np.stack([sum(a[i, j] * x[j] for j in range(a.shape[1])) for i in range(len(a))])
+
+        def regression(x, product=np.matmul):
+            return np.mean(np.logaddexp(0, product(table, x[1:]) + x[0]))
+
+        def several(w, product=np.matmul):
+            w = w.reshape(12, -1)
+            return np.sum((product(table, w) - classes) ** 2) + np.sum(np.dot(table[:, ::-1], w[:, 1]) ** 3) + np.sum((table @ w[:, 0] ** 2)[:9])
+
+        for f, x0 in ((regression, x), (several, random.normal(size=36))):
+            kept, recorded = (avi.objective(lambda x, p=p: f(x, p), x0.shape) for p in (np.matmul, of_all))
+            self.assertNotEqual(type(kept), type(avi.objective(lambda x: x @ x, 3)))
+            self.assertEqual(kept.size, x0.size)
+            self.assertAlmostEqual(kept.value(x0), f(x0), delta=1e-11 * abs(f(x0)))
+            self.assertLess(np.abs(kept.gradient(x0) - recorded.gradient(x0)).max(), 1e-11 * np.abs(kept.gradient(x0)).max())
+        found = avi.minimise(lambda x: np.mean((table @ x - classes[:, 0]) ** 2), np.zeros(12), relative=1e-12)
+        self.assertLess(np.abs(found.x - np.linalg.lstsq(table, classes[:, 0], rcond=None)[0]).max(), 1e-11)
+        shifted = avi.objective(lambda x, c: np.mean((table @ x - table @ c) ** 2), 12, np.ones(12))
+        self.assertLess(np.abs(avi.minimise(shifted, np.zeros(12)).x - 1).max(), 1e-5)
+        self.assertLess(np.abs(avi.minimise(shifted, np.zeros(12), parameters=np.arange(12.0)).x - np.arange(12)).max(), 1e-4)
+        for wrong in ([1.0], np.ones((2, 12))):
+            with self.assertRaisesRegex(ValueError, "must be 12"):
+                shifted.value(wrong)
 
     def test_history_and_callback(self):
         seen = []

@@ -43,6 +43,7 @@ class Orbits(unittest.TestCase):
         formula = avi.hamiltonian(lambda q, p, c: (p @ p) / 2 - c[0] / np.sqrt(q @ q), 2, [1.0])
         self.assertEqual(avi.solve(formula, *START, 3.0, 1e-10).y.tolist(), avi.solve(kepler, *START, 3.0, 1e-10).y.tolist())
         heavier = avi.solve(formula.with_parameters([2.0]), *START, 3.0, 1e-10)
+        self.assertEqual(avi.solve(formula, *START, 3.0, 1e-10, parameters=[2.0]).y.tolist(), heavier.y.tolist())
         self.assertEqual(heavier.y.tolist(), avi.solve(lambda q, p: (p @ p) / 2 - 2 / np.sqrt(q @ q), *START, 3.0, 1e-10).y.tolist())
 
     def test_bounds(self):
@@ -77,6 +78,7 @@ class Orbits(unittest.TestCase):
             lambda: avi.solve(lambda x: x, q, p, 1.0, 1e-6),
             lambda: avi.solve(kepler, q, p, 1.0, "a"),
             lambda: avi.solve(kepler, q, p, 1.0, 1e-6, rtol=1e-3),
+            lambda: avi.solve(kepler, q, p, 1.0, 1e-6, order="8"),
             lambda: avi.solve(kepler, [1j, 0], p, 1.0, 1e-6),
         ]:
             with self.assertRaises(TypeError):

@@ -46,6 +46,28 @@ class Tracing(unittest.TestCase):
             by_values = (everything(*np.split(self.point + step, 2)) - everything(*np.split(self.point - step, 2))) / 2e-5
             self.assertAlmostEqual(slope, by_values, delta=1e-6)
 
+    def test_what_numpy_does_with_arrays(self):
+        x = np.linspace(0.2, 1.1, 12)
+        matrix, block = np.arange(16.0).reshape(4, 4), np.ones((2, 3, 4))
+        for f in (
+            lambda x: np.einsum("ij,j->i", matrix, x[:4]).prod() + np.einsum("i,i", x, x) + np.einsum("ii", x[:9].reshape(3, 3)),
+            lambda x: np.einsum("ij,jk->ki", x[:6].reshape(2, 3), x[:6].reshape(3, 2))[1, 0] + np.einsum("ij->j", x.reshape(3, 4))[2],
+            lambda x: np.einsum("i,j,ij", x[:4], x[4:8], matrix) + np.einsum("i,j", x[:2], x[2:5])[1, 2],
+            lambda x: (block @ x.reshape(4, 3)).prod() + (x[:4] @ matrix).prod() + (x.reshape(3, 4) @ x[:4]).prod() + (x[:3] @ block).prod(),
+            lambda x: np.sum(x.reshape(3, 4), axis=1, keepdims=True)[2, 0] + x.reshape(3, 4).mean(axis=0, keepdims=True)[0, 1],
+            lambda x: np.linalg.norm(x.reshape(3, 4), axis=1, keepdims=True)[1, 0] + np.sum(x, dtype=float) + x.sum(keepdims=True)[0],
+            lambda x: np.prod(np.diff(x, prepend=0, append=3)) + np.diff(x.reshape(3, 4), axis=0, prepend=1)[0, 1] + np.diff(x, 2)[3],
+            lambda x: np.subtract.outer(x[:3], x[3:9].reshape(2, 3))[1, 1, 2] + x.cumsum()[4] + x.reshape(3, 4).trace() + np.ptp(x) + x.var(),
+            lambda x: np.linalg.det(x[:9].reshape(3, 3) + 3 * np.eye(3)) + np.linalg.inv(matrix + np.diag(x[:4]) * 20)[1, 2],
+            lambda x: np.linalg.solve(np.outer(x[:4], x[4:8]) + np.eye(4), x[:4])[3] + np.linalg.solve(np.outer(x[:3], x[3:6]) + np.eye(3), np.eye(3))[2, 1],
+            lambda x: np.select([x < 0.5, x < 0.8], [x, x * x], 3.0).sum() + np.real(x).sum() + x.real.sum() + sum(x.tolist()) + x[3].item(),
+        ):
+            formula = avi.objective(f, 12)
+            self.assertAlmostEqual(formula.value(x), float(f(x)), delta=1e-12 * (1 + abs(float(f(x)))))
+        filled = lambda x: (lambda room: (room.__setitem__(1, x[0] * x[1]), room.sum())[1])(np.zeros(3, dtype=x.dtype))
+        self.assertEqual(avi.objective(filled, 12).value(x), x[0] * x[1])
+        avi.objective(lambda x: self.assertIn("traced", f"{x[0]:.3f}") or x[0], 1)
+
     def test_shapes(self):
         positions, momenta = np.arange(1.0, 7.0).reshape(3, 2), np.ones((3, 2))
 
@@ -114,6 +136,9 @@ class Tracing(unittest.TestCase):
         self.assertEqual(len(calls), 1)
         with self.assertRaises(ValueError):
             formula.with_parameters([1.0])
+        for wrong in (1.0, [[1.0], [2.0]], {"a": 1.0}.items()):
+            with self.assertRaisesRegex(TypeError, "a sequence of numbers"):
+                avi.hamiltonian(lambda q, p, c: c[0] * (q @ q), 2, wrong)
 
     def test_where_of_plain_numbers(self):
         self.assertEqual(avi.where(np.array([1, 2]) > 1, 5, 6).tolist(), [6, 5])
@@ -139,7 +164,10 @@ class Tracing(unittest.TestCase):
             (lambda q, p: q[0] % 1, "remainders"),
             (lambda q, p: q[0] // 1, "remainders"),
             (lambda q, p: np.floor(q[0]), "np.floor"),
-            (lambda q, p: np.linalg.det(np.outer(q, p)), "np.linalg.det"),
+            (lambda q, p: np.linalg.svd(np.outer(q, p))[1][0], "np.linalg.svd"),
+            (lambda q, p: np.einsum("i...,i", q, p), "one letter for each axis"),
+            (lambda q, p, t: p @ p + t, "q, t, p, in this order"),
+            (lambda t, q, p: p @ p + t, "q, t, p, in this order"),
             (lambda q, p: np.ones(2).__iadd__(q), "a = a + b"),
             (lambda q, p: 1j * q[0], "complex"),
             (lambda q, p: "a" + q[0], "str"),
@@ -156,6 +184,7 @@ class Tracing(unittest.TestCase):
             (lambda q, p: q[2], IndexError),
             (lambda q, p: (q * np.zeros(3)).sum(), ValueError),
             (lambda q, p: q @ np.zeros(3), ValueError),
+            (lambda q, p: np.linalg.inv(np.stack([q, p, q])).sum(), ValueError),
         ]:
             with self.assertRaises(error):
                 H_like(f)()

@@ -1,0 +1,113 @@
+#include "avi/collocation/collocation.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/solver.hpp"
+#include "avi/transform/monitors.hpp"
+#include "avi/transform/poincare.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace solve_monitor_test {
+
+using avi::Kepler;
+using avi::solve;
+using avi::SolveOptions;
+
+/// The time of Kepler's orbits in which steps are even in the half-way anomaly.
+const auto halfway = [](const auto& q, const auto&) { return pow(q[0] * q[0] + q[1] * q[1], 0.75); };
+
+// The steps are those of the general method with the same monitor.
+TEST(SolveMonitor, OfOnesOwnMakesTheStepsOfCollocation) {
+  const auto z = Kepler::pericentre(0.9);
+  for (const int order : {4, 8, 16}) {
+    const double h = order == 4 ? 0.01 : 0.1;
+    const auto orbit =
+        solve(Kepler(), z, 20.0, 1e-6, {.order = order, .monitor = halfway, .h = h, .dense = true});
+    EXPECT_EQ(orbit.choice.name, "given");
+    auto method = avi::collocation(avi::poincare(Kepler(), z, avi::Gamma{0.75}), order);
+    auto by_hand = z;
+    const std::vector<double>& times = orbit.curve->times();
+    ASSERT_GT(times.size(), 30u);
+    for (std::size_t i = 1; i + 1 < times.size(); ++i) {
+      (void)method.step(by_hand, h);
+      ASSERT_NEAR(times[i], by_hand.t, 1e-11) << i;
+    }
+    EXPECT_LT((orbit(by_hand.t).q - by_hand.q).norm(), 1e-10);
+  }
+}
+
+TEST(SolveMonitor, OfOnesOwnKeepsTheTolerance) {
+  const auto z = Kepler::pericentre(0.9);
+  const auto own = solve(Kepler(), z, 20.0 * M_PI, 1e-10, {.monitor = halfway});
+  EXPECT_TRUE(own.kept()) << own.report();
+  EXPECT_LT((own.state.q - z.q).norm(), 1e-9);
+  EXPECT_LT(2 * own.run.steps, solve(Kepler(), z, 20.0 * M_PI, 1e-10, {.monitor = "energy"}).run.steps);
+  // Of q alone; backwards; even, as fixed steps are.
+  EXPECT_EQ(solve(Kepler(), z, 20.0 * M_PI, 1e-10, {.monitor = avi::Gamma{0.75}}).state.q, own.state.q);
+  EXPECT_LT((solve(Kepler(), z, -20.0 * M_PI, 1e-10, {.monitor = halfway}).state.q - z.q).norm(), 1e-9);
+  const auto even =
+      solve(Kepler(), z, 6.0, 1e-8, {.monitor = [](const auto& q) { return 0.5 + 0.0 * q[0]; }});
+  EXPECT_TRUE(even.kept()) << even.report();
+  EXPECT_NEAR(double(even.run.steps), double(solve(Kepler(), z, 6.0, 1e-8, {.monitor = "fixed"}).run.steps),
+              0.5 * even.run.steps);
+}
+
+TEST(SolveMonitor, OfOnesOwnMayDependOnTime) {
+  const auto driven = [](const auto& q, const auto& t, const auto& p) {
+    return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0] - q[0] * sin(2.0 * t);
+  };
+  const auto exact = [](double t) { return std::cos(t) - std::sin(2.0 * t) / 3.0; };
+  avi::State<1> z;
+  z.q << 1.0, z.p << -2.0 / 3.0;
+  const auto of_time = [](const auto& q, const auto& t, const auto& p) {
+    return (1.0 + 0.2 * sin(t)) / (1.0 + q[0] * q[0] + p[0] * p[0]);
+  };
+  const auto of_state = [](const auto& q, const auto& p) { return 1.0 / (1.0 + q[0] * q[0] + p[0] * p[0]); };
+  for (const SolveOptions& options : {SolveOptions{.monitor = of_time}, SolveOptions{.monitor = of_state}}) {
+    const auto orbit = solve(driven, z, 10.0, 1e-10, options);
+    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    EXPECT_NEAR(orbit.state.q[0], exact(10.0), 1e-9);
+  }
+}
+
+TEST(SolveMonitor, OfOnesOwnServesASolverAndGoesOnFromAFile) {
+  const auto z = Kepler::pericentre(0.9);
+  const std::string file = std::filesystem::temp_directory_path() / "solve_monitor_test.run";
+  const double end = 2000.0 * M_PI;
+  const auto whole = solve(Kepler(), z, end, 1e-10, {.check = false, .monitor = halfway, .checkpoint = file});
+  (void)solve(Kepler(), z, end, 1e-10,
+              {.check = false, .steps = 9000, .monitor = halfway, .checkpoint = file});
+  EXPECT_THROW((void)avi::resume<2>(Kepler(), file), std::invalid_argument);
+  EXPECT_THROW((void)avi::resume<2>(Kepler(), file, {.monitor = avi::Gamma{0.5}}), std::invalid_argument);
+  const auto rest = avi::resume<2>(Kepler(), file, {.monitor = halfway});
+  EXPECT_EQ(rest.state.q, whole.state.q);
+  EXPECT_EQ(rest.state.p, whole.state.p);
+  const avi::Solver solver(Kepler(), z, 20.0, 1e-9, {.monitor = halfway});
+  EXPECT_EQ(solver.choice().name, "given");
+  EXPECT_TRUE(solver.run(z, 20.0).kept());
+  std::remove(file.c_str());
+}
+
+TEST(SolveMonitor, OfOnesOwnIsRefusedWithASentence) {
+  const auto z = Kepler::pericentre(0.9);
+  const auto refused = [&](const avi::SolveMonitor& monitor, const std::string& part) {
+    try {
+      (void)solve(Kepler(), z, 10.0, 1e-6, {.monitor = monitor});
+      ADD_FAILURE() << part;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  };
+  refused([](const auto& q, const auto&) { return -q[0]; }, "at the start is -0.09");
+  refused([](const auto& q, const auto&) { return q[0]; }, "along the whole orbit");
+  refused([](const auto& q, const auto&) { return log(-q[0]); }, "at the start is ");
+  refused([](const auto& q, const auto& t, const auto&) { return q[0] + t; }, "Number of arguments");
+  refused("given", "one of fixed, energy");
+}
+
+}  // namespace solve_monitor_test
