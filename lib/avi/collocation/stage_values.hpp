@@ -71,7 +71,7 @@ struct EntryScales {
 
 /// The unknowns of a step, one number for each stage.
 template <int n, int w>
-struct Unknowns {
+struct StageValues {
   using Vec = Vector<Pack<w>, n>;  ///< One vector for each stage.
   alignas(64) Vec q;               ///< Positions.
   alignas(64) Vec p;               ///< Momenta.
@@ -82,7 +82,7 @@ struct Unknowns {
   EntryScales<n> per;              ///< Factors of its changes, entry by entry.
 
   /// Zero, for n = `size`.
-  explicit Unknowns(Eigen::Index size) : q(size), p(size), dq(size), dp(size), start(size), per(size) {
+  explicit StageValues(Eigen::Index size) : q(size), p(size), dq(size), dp(size), start(size), per(size) {
     for (Vec* each : {&q, &p, &dq, &dp})
       std::fill(each->data(), each->data() + size, Pack<w>(0.0));
   }
