@@ -1,6 +1,9 @@
+#include "avi/collocation/collocation.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/htvi/htvi.hpp"
+#include "avi/optim/minimise.hpp"
 #include "avi/problems/kepler.hpp"
+#include "avi/solve.hpp"
 #include "avi/transform/monitors.hpp"
 #include "common/methods/printed_htvi.hpp"
 
@@ -9,8 +12,8 @@
 #include <map>
 #include <string>
 
-// Fixed work whose instructions are counted (make instructions). Two ways through the library: short formulas
-// with the order known to the compiler, and long ones with the order known at run time.
+// Fixed work whose instructions are counted (make instructions): HTVI with short formulas and the order known
+// to the compiler, and with long ones and the order known at run time; collocation; the two front doors.
 
 namespace {
 
@@ -35,13 +38,38 @@ bool htvi16() {
   return run(avi::htvi_of_order<avi::Generating::type2>(7, problem(), avi::gauss(8)), 0.2, 10.0 * M_PI);
 }
 
+/// A hundred periods by order 8, the formulas inlined.
+bool collocation8() { return run(avi::collocation(problem(), 8), 0.2, 200.0 * M_PI); }
+
+/// The front door over a hundred periods: choosing, two runs side by side, programs in machine code.
+bool solve() {
+  return avi::solve(avi::Kepler{}, avi::Kepler::pericentre(eccentricity), 200.0 * M_PI, 1e-9).ok();
+}
+
+/// Rosenbrock's valley in a hundred dimensions, its gradient by recording, seven pairs.
+bool minimise() {
+  const auto valley = [](const auto& x) {
+    auto sum = 0.0 * x[0];
+    for (Eigen::Index i = 0; i + 1 < x.size(); ++i) {
+      const auto a = 1.0 - x[i], b = x[i + 1] - x[i] * x[i];
+      sum += a * a + 100.0 * b * b;
+    }
+    return sum;
+  };
+  return avi::minimise(valley, avi::VectorX::Constant(100, -1.2)).ok();
+}
+
 }  // namespace
 
 /// By its C name callgrind finds what to count, without the program's start.
 extern "C" [[gnu::noinline]] bool measured(bool (*work)()) { return work(); }
 
 int main(int argc, char** argv) {
-  const std::map<std::string, bool (*)()> works{{"htvi4", &htvi4}, {"htvi16", &htvi16}};
+  const std::map<std::string, bool (*)()> works{{"htvi4", &htvi4},
+                                                {"htvi16", &htvi16},
+                                                {"collocation8", &collocation8},
+                                                {"solve", &solve},
+                                                {"minimise", &minimise}};
   const std::string name = argc == 2 ? argv[1] : "";
   if (name == "--compiler") return std::puts(AVI_COMPILER) < 0;
   if (name == "--list") {
