@@ -67,6 +67,18 @@ class PointField {
       if (!(metric[i] > 0.0) || !std::isfinite(metric[i])) metric[i] = largest > 0.0 ? largest : 1.0;
     return metric;
   }
+  /// What relative errors of the entries of z make of the slope there, which is given, to first order.
+  /// @param draw the signs of those errors
+  VectorX sensitivity(const VectorX& z, const VectorX& slope, unsigned draw) {
+    constexpr double error = 1e-7;
+    VectorX moved = z, there(z.size());
+    for (double& entry : moved) {
+      draw = draw * 1664525u + 1013904223u;
+      entry *= draw >> 31 ? 1.0 + error : 1.0 - error;
+    }
+    (*this)(moved, there);
+    return (there - slope).cwiseAbs() / error;
+  }
   [[nodiscard]] int size() const { return n_; }  ///< n.
 
   double sense = 1.0;  ///< -1 follows the orbit backwards.
