@@ -15,7 +15,7 @@ void Orbiter::prepare() {
   const double energy = field_(start, slope);
   if (!std::isfinite(energy) || !start.allFinite())
     throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
-  const VectorX metric = field_.metric(start);
+  const VectorX& metric = metric_ = field_.metric(start);
   // Of time as a coordinate, and its momentum, nobody asks.
   const int seen = question_.timed ? n - 1 : n;
   distance_.emplace(metric, question_.tolerance, seen);
@@ -23,6 +23,7 @@ void Orbiter::prepare() {
   sketch_.emplace(field_, start, span_, metric);
   field_.sense = 1.0;
   const Sketch& sketch = *sketch_;
+  dead_end_ = sketch.stuck;
   const double time = std::max(sketch.time, 1e-300);
   distance_->frequency = sketch.radians / time;
   radians_ = sketch.radians / time * span_;
@@ -115,13 +116,16 @@ void Orbiter::set_marks() {
 Setting Orbiter::first_setting() {
   aim_ = std::max(question_.tolerance / std::max(radians_, 1.0), 1e-16);
   order_ = question_.options.order > 0 ? question_.options.order : aim_ > 2e-6 ? 8 : 16;
-  Candidate& it = menu_[choice_];
-  if (question_.options.h > 0.0) return {&it, question_.options.h};
-  // Medians of what some hundred systems drawn at random came to. With a monitor the motion is smoother in
-  // fictive time than the radians of its fastest part tell.
+  Candidate& it = menu_.front();
+  return {&it, question_.options.h > 0.0 ? question_.options.h : step_of(it)};
+}
+
+/// The first step to try. Medians of what some hundred systems drawn at random came to: with a monitor the
+/// motion is smoother in fictive time than the radians of its fastest part tell.
+double Orbiter::step_of(const Candidate& it) const {
   const double usual = it.fixed() ? (order_ == 8 ? 6.0 : 7.2) : (order_ == 8 ? 9.5 : 10.5);
   const double radians = std::clamp(usual * std::pow(aim_, 1.0 / order_), 0.05, it.fixed() ? 2.2 : 3.5);
-  return {&it, std::min(it.longest > 0.0 ? radians / it.longest : infinity, longest_step(it) / longer)};
+  return std::min(it.longest > 0.0 ? radians / it.longest : infinity, longest_step(it) / longer);
 }
 
 OrbitAnswer Orbiter::fail(Outcome outcome, std::string message) {
@@ -172,7 +176,7 @@ OrbitAnswer Orbiter::finish() {
   const Candidate& it = *fine.candidate;
   answer_.choice.sweeps = budget_.sweeps - fine.run.evaluations;
   if (coarse_) {
-    note_trial(*coarse_, infinity);
+    if (coarse_->ok()) note_trial(*coarse_, infinity);
     if (compared_ == marks_.size()) answer_.choice.check = coarse_->run.evaluations;
     answer_.choice.sweeps -= answer_.choice.check;
   }
