@@ -59,6 +59,7 @@ class Orbiter {
 
  private:
   void prepare();
+  VectorX rounding_of(const Sketch& sketch, const VectorX& metric);
   void set_marks();
   [[nodiscard]] double since_start(std::size_t mark) const { return std::abs(marks_[mark] - question_.t); }
   void offer_splitting();

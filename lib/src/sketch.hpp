@@ -96,6 +96,17 @@ class PointField {
     }
     return std::sqrt(square);
   }
+  /// What relative errors of the entries of z make of the slope there, which is given, to first order.
+  /// @param draw the signs of those errors
+  VectorX sensitivity(const VectorX& z, const VectorX& slope, unsigned draw) {
+    constexpr double error = 1e-7;
+    VectorX moved = z, there(z.size());
+    for (double& entry : moved) {
+      entry *= 1.0 + sign(draw) * error;
+    }
+    (*this)(moved, there);
+    return (there - slope).cwiseAbs() / error;
+  }
   [[nodiscard]] int size() const { return n_; }                            ///< n.
   [[nodiscard]] const Recording& recording() const { return recording_; }  ///< Of H.
 

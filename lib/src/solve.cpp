@@ -26,6 +26,7 @@ void Orbiter::prepare() {
   const double time = std::max(sketch.time, 1e-300);
   distance_->frequency = sketch.radians / time;
   radians_ = sketch.radians / time * span_;
+  distance_->noise = rounding_of(sketch, metric);
 
   // Means over the sketch: kinetic energy, half of p q', and the speed in phase space.
   double work = 0.0, kinetic = 0.0, highest = 0.0;
@@ -91,6 +92,21 @@ void Orbiter::prepare() {
   aim_ = std::max(question_.tolerance / std::max(radians_, 1.0), 1e-16);
   order_ = question_.options.order > 0 ? question_.options.order : aim_ > 2e-6 ? 8 : 16;
   offer_splitting();
+}
+
+/// How far rounding of the slopes may move each entry in a hundred radians, the errors of all of them in one
+/// sense.
+VectorX Orbiter::rounding_of(const Sketch& sketch, const VectorX& metric) {
+  const Eigen::Index n = metric.size();
+  VectorX slope = VectorX::Zero(2 * n);
+  const std::size_t every = sketch.samples.size() / 8 + 1;
+  for (std::size_t i = 0; i < sketch.samples.size(); i += every)
+    slope = slope.cwiseMax(field_.sensitivity(sketch.samples[i].z, sketch.samples[i].slope, i));
+  slope *= 10.0 * std::numeric_limits<double>::epsilon();
+  const double frequency = distance_->frequency, time = frequency > 0.0 ? 100.0 / frequency : span_;
+  VectorX moved = std::min(time, span_) * slope;
+  moved.head(n) += std::min(time, span_) * metric.cwiseProduct(moved.tail(n));
+  return moved;
 }
 
 /// The times at which two runs are compared: the end, three quarters, a half, three eighths and so on of it,
