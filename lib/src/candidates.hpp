@@ -88,6 +88,8 @@ class Candidate {
   double outlook = 0.0;            ///< Work of all steps where the longest one in radians is of fixed length.
   double fictive = 0.0;            ///< Fictive time of the sketch.
   double longest = 0.0;            ///< Largest g times frequency on the sketch.
+  int failures = 0;                ///< Runs that failed at the place where the last one did.
+  double below = infinity;         ///< Where longer steps have failed, a step to try.
   double noise = 0.0;  ///< Largest relative error of a force that rounding of H makes through grad g.
 
   /// The method, of this order, which is 6 for the splitting.
