@@ -150,7 +150,7 @@ double Orbiter::contracting_step(const Candidate& it) {
   if (fastest_ < 0.0) {
     VectorX start(2 * field_.size());
     start << trip_->start.q, trip_->start.p;
-    fastest_ = field_.fastest(start, field_.metric(start));
+    fastest_ = field_.fastest(start, metric_);
   }
   // What is much faster than the motion is left to Newton's method.
   return fastest_ > 0.0 && fastest_ < 6.0 * it.longest ? 3.1 / fastest_ : infinity;
