@@ -72,14 +72,6 @@ Candidate accelerated(const std::shared_ptr<ExpressionGraph>& graph, int energy,
           lively};
 }
 
-Candidate given(const std::shared_ptr<ExpressionGraph>& graph, const OrbitQuestion& question,
-                double energy_at_start) {
-  return {"given",         -1.0,
-          graph,           question.energy,
-          energy_at_start, std::make_shared<Liveliness>(*graph, question.given),
-          question.given};
-}
-
 }  // namespace
 
 std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, Eigen::Index seen) {
@@ -111,32 +103,33 @@ bool is_monitor(std::string_view name) {
   return std::ranges::any_of(entries, [&](const Entry& entry) { return name == entry.name; });
 }
 
-Candidate candidate(std::string_view name, const OrbitQuestion& question, double energy_at_start,
-                    const Choice& constants) {
-  const auto graph = std::make_shared<ExpressionGraph>(question.graph);
-  const int energy = question.energy;
-  if (question.given >= 0) return given(graph, question, energy_at_start);
+Candidate candidate(std::string_view name, const ExpressionGraph& formula, int energy, double energy_at_start,
+                    const Choice& constants, bool timed, int given) {
+  const auto graph = std::make_shared<ExpressionGraph>(formula);
+  if (given >= 0)
+    return {"given", -1.0, graph, energy, energy_at_start, std::make_shared<Liveliness>(*graph, given),
+            given};
   const Entry& entry = *std::ranges::find_if(entries, [&](const Entry& it) { return name == it.name; });
   if (entry.alpha == 0.0) return {entry.name, 0.0, graph, energy, energy_at_start, nullptr, -1};
   if (name == "acceleration") return accelerated(graph, energy, energy_at_start, constants);
-  const int lively = liveliness_of(*graph, energy, energy_at_start, constants.kinetic, question.timed);
+  const int lively = liveliness_of(*graph, energy, energy_at_start, constants.kinetic, timed);
   return {entry.name, entry.alpha,     graph,
           energy,     energy_at_start, std::make_shared<Liveliness>(*graph, lively),
           lively};
 }
 
-std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch,
-                                  const VectorX& metric, const Choice& constants) {
+std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, double energy_at_start,
+                                  const Sketch& sketch, const VectorX& metric, const Choice& constants,
+                                  bool timed, int given) {
   const double kinetic = constants.kinetic;
-  const int energy = question.energy;
-  const auto graph = std::make_shared<ExpressionGraph>(question.graph);
+  const auto graph = std::make_shared<ExpressionGraph>(formula);
   const double size = 1.6 * energy, overhead = Candidate::overhead(graph->inputs());
   std::vector<Candidate> menu;
   std::vector<double> work;
   menu.emplace_back("fixed", 0.0, graph, energy, energy_at_start, nullptr, -1);
   work.push_back(size + overhead);
   if (kinetic > 0.0 && sketch.samples.size() > 1) {
-    const int lively = liveliness_of(*graph, energy, energy_at_start, kinetic, question.timed);
+    const int lively = liveliness_of(*graph, energy, energy_at_start, kinetic, timed);
     const auto liveliness = std::make_shared<Liveliness>(*graph, lively);
     for (const auto& [name, alpha] : entries) {
       if (alpha < 1.0) continue;
@@ -144,8 +137,8 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
       work.push_back(1.7 * size + 16.0 + overhead);
     }
   }
-  if (question.given >= 0) {
-    menu.push_back(given(graph, question, energy_at_start));
+  if (given >= 0) {
+    menu.push_back(candidate("given", *graph, energy, energy_at_start, constants, timed, given));
     work.push_back(1.7 * size + 16.0 + overhead);
   }
   const VectorX strength = strengths(sketch, metric);
@@ -165,7 +158,7 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
           it.noise = std::max(it.noise, rounding * std::abs(it.slope(i)) / (g * strength[i]));
     }
     it.outlook = cost * it.fictive * it.longest;
-    const bool idle = !it.fixed() && question.given < 0 && !(most > 1.15 * least);
+    const bool idle = !it.fixed() && given < 0 && !(most > 1.15 * least);
     if (!(least > 0.0) || !std::isfinite(it.outlook) || idle) it.outlook = infinity;
     if (it.fixed() && sketch.samples.empty()) it.outlook = 1.0, it.fictive = 1.0;
   };

@@ -79,8 +79,8 @@ class Liveliness {
 };
 
 /// A monitor of the menu: \f$g = \ell^{-\alpha}\f$ with the Liveliness, where \f$\alpha = 0\f$ is that of
-/// fixed steps; a given one is its own Liveliness, with \f$\alpha = -1\f$. What runs on it is made when it is
-/// first used.
+/// fixed steps, and a given one is its own Liveliness with \f$\alpha = -1\f$. What runs on it is made when it
+/// is first used.
 class Candidate {
  public:
   /// Of this power.
@@ -157,15 +157,18 @@ class Candidate {
 std::string names_of_monitors();
 /// There is a monitor of this name.
 bool is_monitor(std::string_view name);
-/// The monitor of this name, which there is, on its own. @param constants of the monitors
-Candidate candidate(std::string_view name, const OrbitQuestion& question, double energy_at_start,
-                    const Choice& constants);
+/// The monitor of this name, which there is, on its own. @param constants of the monitors @param timed see
+/// and given see OrbitQuestion
+Candidate candidate(std::string_view name, const ExpressionGraph& graph, int energy, double energy_at_start,
+                    const Choice& constants, bool timed, int given);
 /// See Choice::accelerations. @param metric diagonal of H_pp @param seen number of coordinates but time
 std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, Eigen::Index seen);
 
-/// The menu for an orbit, the most promising candidate first; fixed steps are always in it, and so is a given
-/// monitor where there is one. @param metric diagonal of H_pp @param constants of the monitors
-std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch,
-                                  const VectorX& metric, const Choice& constants);
+/// The menu for an orbit, the most promising candidate first; fixed steps are always in it, and a given
+/// monitor is where it is positive on the sketch.
+/// @param metric diagonal of H_pp @param constants of the monitors
+std::vector<Candidate> candidates(const ExpressionGraph& graph, int energy, double energy_at_start,
+                                  const Sketch& sketch, const VectorX& metric, const Choice& constants,
+                                  bool timed, int given);
 
 }  // namespace avi::detail

@@ -61,12 +61,15 @@ void Orbiter::prepare() {
   trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, budget_});
   features_.emplace(question_.graph, question_.energy);
   if (!features_->none()) trip_->features = &*features_;
-  menu_ = candidates(question_, energy, sketch, metric, choice);
+  menu_ = candidates(question_.graph, question_.energy, energy, sketch, metric, choice, question_.timed,
+                     question_.given);
   const std::string& wanted = question_.options.monitor.name;
   if (!wanted.empty()) {
     std::erase_if(menu_, [&](const Candidate& it) { return it.name != wanted; });
     if (question_.given >= 0) {
-      const double g = candidate(wanted, question_, energy, choice).rate(start.data());
+      const double g = candidate(wanted, question_.graph, question_.energy, energy, choice, question_.timed,
+                                 question_.given)
+                           .rate(start.data());
       require(std::isfinite(g) && g > 0.0, "The given monitor at the start", g, "finite and positive");
       if (menu_.empty())
         throw std::invalid_argument("The given monitor is not finite and positive along the whole orbit.");
@@ -76,7 +79,8 @@ void Orbiter::prepare() {
         throw std::invalid_argument("Monitor " + wanted +
                                     " has no meaning here: H - H(q, 0) is not positive along the orbit; take "
                                     "monitor fixed.");
-      menu_.push_back(candidate(wanted, question_, energy, choice));
+      menu_.push_back(candidate(wanted, question_.graph, question_.energy, energy, choice, question_.timed,
+                                question_.given));
     }
   } else {
     std::erase_if(menu_, [&](const Candidate& it) {

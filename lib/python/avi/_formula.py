@@ -10,6 +10,8 @@ _avi.Formula.__doc__ = """A function of Python that was called once, by hamilton
 The arguments of value(x) and gradient(x) are those of the function one after the other, (q, p) or (q, p, t). Threads can share it.
 """
 
+_avi.Formula.__repr__ = lambda self: f"<a formula of {self.size} numbers>"
+
 
 def _shape(x):
     """The shape of an example, or a number of entries as one."""

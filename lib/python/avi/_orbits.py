@@ -67,6 +67,10 @@ class Orbit:
         return {**self.__dict__, "_report": _Report(self._report), "_formula": self.energy, "sol": None}
 
 
+_avi.Choice.__repr__ = lambda self: f"monitor {self.monitor}, order {self.order}, h = {self.h:.3g}"
+_avi.Trial.__repr__ = lambda self: f"monitor {self.monitor}, order {self.order}, h = {self.h:.3g}: {self.steps} steps, {self.outcome.name}"
+
+
 class _Report:
     """The report as it is kept in a file: of plain Python."""
 
@@ -209,6 +213,9 @@ class Solver:
 
     choice = property(lambda self: self._question.made.choice)
     sample = property(lambda self: self._question.made.report())
+
+    def __repr__(self):
+        return f"A Solver with {self.choice}"
 
     def run(self, q, p, t=None, *, progress=None):
         """The orbit from (q, p) to the end or with the times t, those of the choice where there are none: an Orbit."""

@@ -123,6 +123,11 @@ print(imported - begun, perf_counter() - begun)
             self.assertTrue(axes.get_xlabel())
             self.assertEqual(len(axes.lines[0].get_xdata()), points)
         self.assertIs(avi.plot.orbit(orbit, ax=axes, color="red"), axes)
+        for q, p in ((1.0, 0.0), ([1.0], [0.0])):  # a single degree of freedom is drawn with its momentum
+            swing = avi.solve(lambda q, p: np.sum(p**2) / 2 - np.sum(np.cos(q)), q, p, np.linspace(0, 10, 11), 1e-8)
+            axes = avi.plot.orbit(swing)
+            self.assertEqual(axes.lines[0].get_ydata().tolist(), swing.y[1].tolist())
+            self.assertEqual(axes.get_ylabel(), "$p$")
         with self.assertRaisesRegex(ValueError, "history=True"):
             avi.plot.convergence(avi.minimise(lambda x: x @ x, [1.0]))
 
