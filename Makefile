@@ -26,7 +26,7 @@ export SOURCE_DATE_EPOCH := $(shell git log -1 --format=%ct 2>/dev/null || echo 
 # `timed`, whose seconds are compared; `slow`; `drawn`, with script_of_<name>; with_<mode>, those that know a longer run. Goals
 # that need no experiment do without it. To make it, packages have to be there.
 without_list := help deps deps-peers deps-paper deps-docs deps-site deps-python deps-compare deps-instructions deps-fuzz deps-format deps-mutants \
-                programs build check python python-door hostile instructions mutants fuzz levels docs site install format clean
+                programs build check python python-door hostile instructions mutants fuzz levels docs site gallery install format clean
 ifneq ($(filter-out $(without_list),$(or $(MAKECMDGOALS),help)),)
 include $(BUILD)/experiments.mk
 endif
@@ -35,7 +35,6 @@ endif
 DATA        := $(patsubst %,build/data/%.tsv,$(timed) $(slow) $(filter-out $(timed) $(slow),$(experiments)))
 FIGURES     := $(foreach f,$(drawn),build/figures/$f.pdf build/figures/$f.png)
 PUBLISHED   := $(wildcard paper/published/*.tsv)
-GALLERY     := kepler_e090 euler_b_errors direct_vs_adaptive work_precision
 
 .PHONY: help deps deps-peers deps-paper deps-docs deps-site deps-python deps-compare deps-instructions deps-fuzz deps-format deps-mutants programs build data figures scorecard verdicts \
         check python python-door hostile instructions mutants fuzz levels paper docs site install long work-precision arena extremes gallery format clean
@@ -164,13 +163,12 @@ build/scorecard.txt: $(BIN)/scorecard $(DATA) $(PUBLISHED) | build/data
 scorecard: build/scorecard.txt ## Compare every published number and claim with ours
 	@cat $<
 	@cmp -s build/data/scorecard_verdicts.tsv paper/verdicts.tsv || \
-	  echo "Some verdicts are not those of paper/verdicts.tsv, which README states: make verdicts takes these over."
-verdicts: build/scorecard.txt ## Take over today's verdicts as those that README states and the tests compare
+	  echo "Some verdicts are not those of paper/verdicts.tsv, which lib/docs/reproduction.md states: make verdicts takes these over."
+verdicts: build/scorecard.txt ## Take over today's verdicts, and today's numbers into README and the guide, as the tests compare them
 	@cp build/data/scorecard_verdicts.tsv paper/verdicts.tsv
+	@$(compile) page_numbers >/dev/null && $(BIN)/page_numbers
 
 # ---- figures ---------------------------------------------------------------------------------------------------
-# $(call draw,stem,data folder,output without extension,terminal,extension)
-draw = gnuplot -e "data='$(2)'; output='$(3).part'; terminal='$(4)'" $(script_of_$(1)) && mv $(3).part $(3).$(5)
 # $(call draw_both,stem,data folder,output without extension): PDF and PNG from one start, in which fonts are looked up once
 draw_both = gnuplot $(foreach t,pdf png,-e "data='$(2)'; output='$(3).part.$t'; terminal='$t'" $(script_of_$(1)) -e "reset session") \
   && mv $(3).part.pdf $(3).pdf && mv $(3).part.png $(3).png
@@ -186,12 +184,11 @@ $(foreach f,$(drawn),$(eval $(call figure_rule,$f,$(script_of_$f))))
 # One figure draws the data of a second experiment beside its own.
 build/figures/order_verification.pdf build/figures/order_verification.png: build/data/constructions.tsv
 
-gallery: $(patsubst %,build/data/%.tsv,$(GALLERY)) | figures/gallery ## Redraw the pictures of README and of the guide
-	@$(foreach f,$(GALLERY),$(call draw,$f,build/data,figures/gallery/$f,preview,png) &&) true
-	@$(compile) pictures && mkdir -p build/pictures && $(BIN)/pictures build/pictures \
+gallery: deps ## Redraw the pictures of README and of the guide
+	@$(configure) && $(compile) pictures && mkdir -p build/pictures && $(BIN)/pictures build/pictures \
 	  && gnuplot -e "data='build/pictures'; output='lib/docs/pictures'" lib/docs/pictures/pictures.gp
 
-build/data build/figures build/paper figures/gallery:
+build/data build/figures build/paper:
 	@mkdir -p $@
 
 # ---- longer runs, each into its own folder, with progress on a terminal -------------------------------------------

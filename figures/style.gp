@@ -6,7 +6,7 @@
 #   load 'figures/style.gp'
 #
 # and then plots, e.g. `plot data.'/x.tsv' using "t":"error" with linespoints ls method('htvi4') title label('htvi4')`.
-# What several figures share besides stands in figures/shared/. The Makefile passes `data` (folder), `output` (file) and `terminal` (pdf, png or preview).
+# The Makefile passes `data` (folder), `output` (file) and `terminal` (pdf or png).
 
 if (!exists('data')) data = 'build/data'
 if (!exists('output')) output = 'build/figures/untitled.png'
@@ -21,7 +21,7 @@ face = 'DejaVu Sans,8'
 if (terminal eq 'pdf') {
   set terminal pdfcairo size width cm, height cm font face fontscale 0.75 linewidth 1 pointscale 0.8 butt enhanced
 } else {
-  dpi = terminal eq 'preview' ? 110 : 200
+  dpi = 200
   set terminal pngcairo size int(width*dpi/2.54), int(height*dpi/2.54) font face fontscale dpi/96.0 \
     linewidth dpi/115.0 pointscale dpi/88.0 butt enhanced background '#ffffff'
 }

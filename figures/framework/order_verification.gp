@@ -17,12 +17,11 @@ set xrange [-0.5:4.5]; set yrange [0:12]
 set xtics 1; set ytics 2
 set xlabel 'Taylor degree r'; set ylabel 'measured order' offset 0.5, 0
 eval box(page_left, page_bottom, 6.3, height - page_bottom - page_top)
+set label 1 '2r + 2' at graph 0.52, graph 0.72 right font ',8'
+set label 2 'r + 1' at graph 0.9, graph 0.33 left font ',8'
 plot x + 1 with lines ls guide, 2*x + 2 with lines ls guide, \
   grid using (column('r') + aside(strcol('problem'), strcol('type'))):(shown('printed')) with points pt 6 ps 0.35 lc rgb vermilion, \
   grid using (column('r') + aside(strcol('problem'), strcol('type'))):(shown('stationary')) with points pt 7 ps 0.35 lc rgb blue
-set label 1 '2r + 2' at graph 0.52, graph 0.72 right font ',8'
-set label 2 'r + 1' at graph 0.9, graph 0.33 left font ',8'
-plot NaN
 unset label
 # Right.
 of(construction, r, rule, y) = also('construction', construction, also('r', r, also('rule', rule, also('monitor', 'gamma', y))))

@@ -7,12 +7,13 @@ namespace avi::detail {
 
 namespace {
 
-/// A name in the menu, and the power of the Liveliness that it stands for.
+/// A name in the menu, and the power that it stands for.
 struct Entry {
   const char* name;
   double alpha;
 };
-constexpr Entry entries[] = {{"fixed", 0.0}, {"energy", 1.0}, {"energy^1.5", 1.5}, {"acceleration", 0.375}};
+constexpr Entry entries[] = {
+    {"fixed", 0.0}, {"energy", 1.0}, {"energy^1.5", 1.5}, {"acceleration", 0.375}, {splitting.data(), 0.0}};
 
 /// H with all momenta put to zero but that of time, in the same graph.
 int at_rest(ExpressionGraph& graph, int energy, bool timed) {
@@ -24,7 +25,7 @@ int at_rest(ExpressionGraph& graph, int energy, bool timed) {
   return graph.substitute(graph, energy, arguments);
 }
 
-/// The node of the Liveliness.
+/// The node of \f$\ell\f$ of the energy.
 int liveliness_of(ExpressionGraph& graph, int energy, double energy_at_start, double kinetic, bool timed) {
   const int half = graph.binary(Operation::multiply, graph.constant(0.5), energy);
   const int moving = graph.binary(Operation::subtract, half, at_rest(graph, energy, timed));
@@ -53,6 +54,50 @@ VectorX strengths(const Sketch& sketch, const VectorX& metric) {
   return strength;
 }
 
+/// The rate of change \f$\ell\f$ of a monitor on a sketch.
+struct Measured {
+  std::vector<double> lively;  ///< At each sample.
+  double steepest = 0.0;       ///< Its largest relative derivative, over the strength of the entry.
+
+  /// At the next sample.
+  void add(double value) { lively.push_back(value); }
+  /// A derivative of the last one.
+  void add_slope(double slope, double strength) {
+    steepest = std::max(steepest, std::abs(slope) / (std::abs(lively.back()) * strength));
+  }
+};
+
+/// Of the energy.
+Measured measure(const Sketch& sketch, const Resting& resting, double energy_at_start, double kinetic,
+                 const VectorX& strength) {
+  Measured measured;
+  const Eigen::Index n = strength.size() / 2;
+  for (std::size_t k = 0; k < sketch.samples.size(); ++k) {
+    const Sketch::Sample& sample = sketch.samples[k];
+    measured.add(kinetic + 0.5 * (sample.energy + energy_at_start) - resting.energy[k]);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double at_rest = resting.forces[k * static_cast<std::size_t>(n) + static_cast<std::size_t>(i)];
+      measured.add_slope(at_rest - 0.5 * sample.slope[n + i], strength[i]);
+      measured.add_slope(0.5 * sample.slope[i], strength[n + i]);
+    }
+  }
+  return measured;
+}
+
+/// Of a node of a graph.
+Measured measure(const Sketch& sketch, const ExpressionGraph& graph, int node, const VectorX& strength) {
+  Measured measured;
+  RecordedFormula<double> formula{Recording(graph, node).value_and_gradient()};
+  for (const Sketch::Sample& sample : sketch.samples) {
+    std::copy(sample.z.begin(), sample.z.end(), formula.room.arguments());
+    formula.program.run(formula.room);
+    measured.add(formula.value());
+    for (int i = 0; i < static_cast<int>(strength.size()); ++i)
+      measured.add_slope(formula.partial(i), strength[i]);
+  }
+  return measured;
+}
+
 /// The node of \f$1 + \sum_i (w_i\, \partial H/\partial q_i)^2\f$.
 int accelerating(ExpressionGraph& graph, int energy, const std::vector<double>& weights) {
   const std::vector<int> slope = Reverse(graph).gradient(energy);
@@ -68,8 +113,7 @@ int accelerating(ExpressionGraph& graph, int energy, const std::vector<double>& 
 Candidate accelerated(const std::shared_ptr<ExpressionGraph>& graph, int energy, double energy_at_start,
                       const Choice& constants) {
   const int lively = accelerating(*graph, energy, constants.accelerations);
-  return {"acceleration", 0.375, graph, energy, energy_at_start, std::make_shared<Liveliness>(*graph, lively),
-          lively};
+  return {"acceleration", 0.375, graph, energy, energy_at_start, lively};
 }
 
 }  // namespace
@@ -77,7 +121,8 @@ Candidate accelerated(const std::shared_ptr<ExpressionGraph>& graph, int energy,
 std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, Eigen::Index seen) {
   std::vector<double> weights(static_cast<std::size_t>(seen), 0.0);
   if (sketch.samples.empty()) return weights;
-  VectorX low = sketch.samples.front().z, high = low;
+  VectorX low = sketch.samples.front().z;
+  VectorX high = low;
   for (const Sketch::Sample& sample : sketch.samples)
     low = low.cwiseMin(sample.z), high = high.cwiseMax(sample.z);
   double root = 0.0;  // mean of the square roots: what is large for a short time counts little
@@ -106,64 +151,55 @@ bool is_monitor(std::string_view name) {
 Candidate candidate(std::string_view name, const ExpressionGraph& formula, int energy, double energy_at_start,
                     const Choice& constants, bool timed, int given) {
   const auto graph = std::make_shared<ExpressionGraph>(formula);
-  if (given >= 0)
-    return {"given", -1.0, graph, energy, energy_at_start, std::make_shared<Liveliness>(*graph, given),
-            given};
+  if (given >= 0) return {"given", -1.0, graph, energy, energy_at_start, given};
   const Entry& entry = *std::ranges::find_if(entries, [&](const Entry& it) { return name == it.name; });
-  if (entry.alpha == 0.0) return {entry.name, 0.0, graph, energy, energy_at_start, nullptr, -1};
+  if (entry.alpha == 0.0) return {entry.name, 0.0, graph, energy, energy_at_start, -1};
   if (name == "acceleration") return accelerated(graph, energy, energy_at_start, constants);
   const int lively = liveliness_of(*graph, energy, energy_at_start, constants.kinetic, timed);
-  return {entry.name, entry.alpha,     graph,
-          energy,     energy_at_start, std::make_shared<Liveliness>(*graph, lively),
-          lively};
+  return {entry.name, entry.alpha, graph, energy, energy_at_start, lively};
 }
 
 std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, double energy_at_start,
-                                  const Sketch& sketch, const VectorX& metric, const Choice& constants,
-                                  bool timed, int given) {
+                                  const Sketch& sketch, const Resting& resting, const VectorX& metric,
+                                  const Choice& constants, bool timed, int given) {
   const double kinetic = constants.kinetic;
   const auto graph = std::make_shared<ExpressionGraph>(formula);
-  const double size = 1.6 * energy, overhead = Candidate::overhead(graph->inputs());
+  const double size = 1.6 * energy;
+  const auto cost = [&](double operations) { return Candidate::price_of_sweep(operations, graph->inputs()); };
   std::vector<Candidate> menu;
-  std::vector<double> work;
-  menu.emplace_back("fixed", 0.0, graph, energy, energy_at_start, nullptr, -1);
-  work.push_back(size + overhead);
+  menu.emplace_back("fixed", 0.0, graph, energy, energy_at_start, -1);
   if (kinetic > 0.0 && sketch.samples.size() > 1) {
     const int lively = liveliness_of(*graph, energy, energy_at_start, kinetic, timed);
-    const auto liveliness = std::make_shared<Liveliness>(*graph, lively);
-    for (const auto& [name, alpha] : entries) {
-      if (alpha < 1.0) continue;
-      menu.emplace_back(name, alpha, graph, energy, energy_at_start, liveliness, lively);
-      work.push_back(1.7 * size + 16.0 + overhead);
-    }
-  }
-  if (given >= 0) {
-    menu.push_back(candidate("given", *graph, energy, energy_at_start, constants, timed, given));
-    work.push_back(1.7 * size + 16.0 + overhead);
+    for (const auto& [name, alpha] : entries)
+      if (alpha >= 1.0) menu.emplace_back(name, alpha, graph, energy, energy_at_start, lively);
   }
   const VectorX strength = strengths(sketch, metric);
   const double rounding =
       std::numeric_limits<double>::epsilon() * std::max(std::abs(energy_at_start), std::abs(kinetic));
-  const auto look = [&](Candidate& it, double cost) {
+  const auto look = [&](Candidate& it, double price, const Measured& measured) {
     double least = infinity, most = 0.0;
-    for (const Sketch::Sample& sample : sketch.samples) {
-      const double g = it.rate(sample.z.data());
+    for (std::size_t k = 0; k < sketch.samples.size() && least > 0.0; ++k) {
+      const Sketch::Sample& sample = sketch.samples[k];
+      const double g = it.fixed() ? 1.0 : it.rate_of(measured.lively[k]);
       it.fictive += sample.h / g;
       it.longest = std::max(it.longest, g * sample.frequency);
       least = g > 0.0 && std::isfinite(g) ? std::min(least, g) : 0.0;
       most = std::max(most, g);
-      if (least == 0.0) break;
-      if (!it.fixed())
-        for (int i = 0; i < static_cast<int>(strength.size()); ++i)
-          it.noise = std::max(it.noise, rounding * std::abs(it.slope(i)) / (g * strength[i]));
     }
-    it.outlook = cost * it.fictive * it.longest;
-    const bool idle = !it.fixed() && given < 0 && !(most > 1.15 * least);
+    it.noise = std::abs(it.alpha()) * rounding * measured.steepest;
+    it.outlook = price * it.fictive * it.longest;
+    const bool idle = it.alpha() > 0.0 && !(most > 1.15 * least);
     if (!(least > 0.0) || !std::isfinite(it.outlook) || idle) it.outlook = infinity;
     if (it.fixed() && sketch.samples.empty()) it.outlook = 1.0, it.fictive = 1.0;
   };
-  for (std::size_t k = 0; k < menu.size(); ++k)
-    look(menu[k], work[k]);
+  Measured measured;
+  if (menu.size() > 1) measured = measure(sketch, resting, energy_at_start, kinetic, strength);
+  for (Candidate& it : menu)
+    look(it, cost(it.fixed() ? size : 1.7 * size + 16.0), measured);
+  if (given >= 0) {
+    menu.emplace_back("given", -1.0, graph, energy, energy_at_start, given);
+    look(menu.back(), cost(1.7 * size + 16.0), measure(sketch, *graph, given, strength));
+  }
   // Where the fastest part of the motion makes all steps many times shorter than the others need be, as when
   // two of many bodies meet.
   double steps = infinity;
@@ -171,7 +207,7 @@ std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, do
     if (std::isfinite(it.outlook)) steps = std::min(steps, it.fictive * it.longest);
   if (sketch.samples.size() > 1 && steps > 5.0 * sketch.radians) {
     menu.push_back(accelerated(graph, energy, energy_at_start, constants));
-    look(menu.back(), 4.0 * size + 16.0 + overhead);
+    look(menu.back(), cost(4.0 * size + 16.0), measure(sketch, *graph, menu.back().rate_node(), strength));
   }
   std::erase_if(menu, [](const Candidate& it) { return !it.fixed() && !std::isfinite(it.outlook); });
   std::ranges::stable_sort(menu, {}, &Candidate::outlook);

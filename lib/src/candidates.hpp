@@ -1,4 +1,5 @@
 #pragma once
+#include "avi/core/power.hpp"
 #include "avi/core/state.hpp"
 #include "avi/solve.hpp"
 #include "gauss.hpp"
@@ -8,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -18,22 +20,31 @@
 
 namespace avi::detail {
 
-/// Gauss collocation of states.
+/// A method at states.
 class OrbitSteps {
  public:
-  /// See gauss_steps().
-  OrbitSteps(const std::shared_ptr<const Formulas>& formulas, int order, SweepBounds bounds)
-      : steps_(gauss_steps(formulas, order, bounds)), n_(formulas->n), z_(2 * n_) {}
+  /// Of n degrees of freedom.
+  OrbitSteps(std::unique_ptr<Stepper> steps, Eigen::Index n) : steps_(std::move(steps)), n_(n), z_(2 * n) {}
 
   /// Advances z by the fictive step h, unless the report says another outcome than ok.
   StepReport step(State<dynamic>& z, double h) {
-    z_ << z.q, z.p;
+    load(z);
     const StepReport report = steps_->step(z_.data(), z.t, h);
-    z.q = z_.head(n_);
-    z.p = z_.tail(n_);
+    store(z);
     return report;
   }
-  /// The collocation polynomial of the last step at its fraction c.
+  /// See Stepper.
+  [[nodiscard]] bool can_go_beside() const { return steps_->can_go_beside(); }
+  /// A step of this orbit and one of another: see Stepper.
+  std::pair<StepReport, StepReport> step_beside(State<dynamic>& z, double h, OrbitSteps& other,
+                                                State<dynamic>& its, double its_h) {
+    load(z), other.load(its);
+    const auto reports =
+        steps_->step_beside({z_.data(), &z.t, h}, *other.steps_, {other.z_.data(), &its.t, its_h});
+    store(z), other.store(its);
+    return reports;
+  }
+  /// The state at the fraction c of the last step: see Stepper.
   [[nodiscard]] State<dynamic> polynomial(double c) const {
     VectorX z(2 * n_);
     State<dynamic> state;
@@ -45,49 +56,33 @@ class OrbitSteps {
 
   /// Another one with the memory of the last step.
   [[nodiscard]] std::unique_ptr<OrbitSteps> clone() const {
-    return std::unique_ptr<OrbitSteps>(new OrbitSteps(steps_->clone(), n_));
+    return std::make_unique<OrbitSteps>(steps_->clone(), n_);
   }
 
  private:
-  OrbitSteps(std::unique_ptr<GaussSteps> steps, Eigen::Index n)
-      : steps_(std::move(steps)), n_(n), z_(2 * n) {}
-  std::unique_ptr<GaussSteps> steps_;
+  void load(const State<dynamic>& z) { z_ << z.q, z.p; }
+  void store(State<dynamic>& z) const { z.q = z_.head(n_), z.p = z_.tail(n_); }
+  std::unique_ptr<Stepper> steps_;
   Eigen::Index n_;
   VectorX z_;  // of the step under way
 };
 
-/// A rate of change that monitors follow. Of the energy it is \f$\ell = \bar T + \frac12(H + H_0) - H(q,
-/// 0)\f$ with the mean kinetic energy \f$\bar T\f$: the kinetic energy and its mean, written such that it
-/// stays positive where a step has an energy that is a little wrong. One program for all powers of it.
-class Liveliness {
- public:
-  /// Of \f$\ell\f$ as a node of a graph.
-  Liveliness(const ExpressionGraph& graph, int node)
-      : formula_{Recording(graph, node).value_and_gradient()}, inputs_(graph.inputs()) {}
-  /// \f$\ell\f$ at z = (q, p), and its gradient for slope() to tell.
-  double operator()(const double* z) {
-    std::copy(z, z + inputs_, formula_.room.arguments());
-    formula_.program.run(formula_.room);
-    return formula_.value();
-  }
-  /// The derivative by entry i of (q, p) at the last point.
-  [[nodiscard]] double slope(int i) const { return formula_.partial(i); }
+/// The name of the candidate with fixed steps and an explicit method.
+inline constexpr std::string_view splitting = "splitting";
 
- private:
-  RecordedFormula<double> formula_;
-  int inputs_;
-};
-
-/// A monitor of the menu: \f$g = \ell^{-\alpha}\f$ with the Liveliness, where \f$\alpha = 0\f$ is that of
-/// fixed steps, and a given one is its own Liveliness with \f$\alpha = -1\f$. What runs on it is made when it
-/// is first used.
+/// A monitor of the menu: \f$g = \ell^{-\alpha}\f$ with a rate of change that it follows, where \f$\alpha =
+/// 0\f$ is that of fixed steps; a given one is its own, with \f$\alpha = -1\f$. Of the energy it is \f$\ell =
+/// \bar T + \frac12(H + H_0) - H(q, 0)\f$ with the mean kinetic energy \f$\bar T\f$: the kinetic energy and
+/// its mean, written such that it stays positive where a step has an energy that is a little wrong. The
+/// method is Gauss collocation, but for the candidate called `splitting`. What runs on it is made when it is
+/// first used.
 class Candidate {
  public:
-  /// Of this power.
+  /// Of this power. @param lively node of \f$\ell\f$, or -1 where it is not needed
   Candidate(std::string its_name, double alpha, std::shared_ptr<const ExpressionGraph> formula, int energy,
-            double energy_at_start, std::shared_ptr<Liveliness> liveliness, int lively)
+            double energy_at_start, int lively)
       : name(std::move(its_name)), alpha_(alpha), graph_(std::move(formula)), energy_(energy),
-        energy_at_start_(energy_at_start), liveliness_(std::move(liveliness)), lively_(lively) {}
+        energy_at_start_(energy_at_start), lively_(lively) {}
 
   std::string name;                ///< In the menu.
   std::vector<int> supplied = {};  ///< Nodes of the gradient of H, where it has one of its own.
@@ -96,36 +91,42 @@ class Candidate {
   double longest = 0.0;            ///< Largest g times frequency on the sketch.
   double noise = 0.0;  ///< Largest relative error of a force that rounding of H makes through grad g.
 
-  /// Gauss collocation of this order.
+  /// The method, of this order, which is 6 for the splitting.
   std::unique_ptr<OrbitSteps> steps(int order, SweepBounds bounds) {
-    return std::make_unique<OrbitSteps>(formulas(), order, bounds);
+    return std::make_unique<OrbitSteps>(
+        splits() ? splitting_steps(formulas()) : gauss_steps(formulas(), order, bounds), formulas()->n);
   }
-  /// Operations of a sweep for one lane: those of the formulas, and about what the stages take.
-  double operations() {
+  /// Its method is the explicit splitting.
+  [[nodiscard]] bool splits() const { return name == splitting; }
+  /// Nanoseconds, about, of one evaluation of the field with all that belongs to it: a sweep of order 16, or
+  /// a kick and a drift, of which two runs side by side are counted half.
+  double price() {
     const auto& f = *formulas();
-    return static_cast<double>(f.forces.operations() + f.velocities.operations()) +
-           overhead(graph_->inputs());
+    const auto size = static_cast<double>(f.forces.operations() + f.velocities.operations());
+    return splits() ? 0.5 * price_of_kick(size, graph_->inputs()) : price_of_sweep(size, graph_->inputs());
   }
-  /// The operations of the stages beside the formulas.
-  static double overhead(int entries) { return 14.0 * entries; }
+  /// Of a sweep: measured from one to sixteen degrees of freedom.
+  static double price_of_sweep(double operations, int entries) { return 20.0 + operations + 4.0 * entries; }
+  /// Of a kick and a drift.
+  static double price_of_kick(double operations, int entries) { return 20.0 + 0.5 * operations + entries; }
   /// g = 1.
   [[nodiscard]] bool fixed() const { return alpha_ == 0.0; }
-  /// g at a point, and its gradient for slope() to tell.
-  double rate(const double* z) {
-    if (fixed()) return 1.0;
-    const double lively = (*liveliness_)(z), g = std::pow(lively, -alpha_);
-    per_slope_ = -alpha_ * g / lively;
-    return g;
-  }
+  /// The power of \f$\ell\f$, with the other sign.
+  [[nodiscard]] double alpha() const { return alpha_; }
+  /// The node of \f$\ell\f$ in the graph.
+  [[nodiscard]] int rate_node() const { return lively_; }
+  /// g where \f$\ell\f$ has this value.
+  [[nodiscard]] double rate_of(double lively) const { return power(lively, -alpha_); }
   /// g of a state.
   double rate_at(const State<dynamic>& z) {
-    if (fixed()) return 1.0;
-    VectorX at(z.q.size() + z.p.size());
-    at << z.q, z.p;
-    return rate(at.data());
+    if (fixed() || formulas()->unit) return 1.0;
+    const Program& program = formulas()->rate;
+    if (!room_) room_.emplace(program);
+    std::copy(z.q.begin(), z.q.end(), room_->arguments());
+    std::copy(z.p.begin(), z.p.end(), room_->arguments() + z.q.size());
+    program.run(*room_);
+    return program.value(*room_);
   }
-  /// The derivative of g by entry i of (q, p) at the last point.
-  [[nodiscard]] double slope(int i) const { return fixed() ? 0.0 : per_slope_ * liveliness_->slope(i); }
 
  private:
   const std::shared_ptr<const Formulas>& formulas() {
@@ -147,10 +148,15 @@ class Candidate {
   std::shared_ptr<const ExpressionGraph> graph_;
   int energy_;
   double energy_at_start_;
-  std::shared_ptr<Liveliness> liveliness_;
-  int lively_;  // its node
-  double per_slope_ = 0.0;
+  int lively_;  // node of l
   std::shared_ptr<const Formulas> formulas_;
+  std::optional<Program::Room<double>> room_;  // of rate_at()
+};
+
+/// H(q, 0) on a sketch, with the momentum of time left as it is where time is a coordinate.
+struct Resting {
+  std::vector<double> energy;  ///< At each sample.
+  std::vector<double> forces;  ///< \f$-\partial H/\partial q\f$ there, n for each.
 };
 
 /// The names in the menu, with commas between them.
@@ -166,9 +172,10 @@ std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, E
 
 /// The menu for an orbit, the most promising candidate first; fixed steps are always in it, and a given
 /// monitor is where it is positive on the sketch.
-/// @param metric diagonal of H_pp @param constants of the monitors
+/// @param resting H without momenta on the sketch @param metric diagonal of H_pp @param constants of the
+/// monitors
 std::vector<Candidate> candidates(const ExpressionGraph& graph, int energy, double energy_at_start,
-                                  const Sketch& sketch, const VectorX& metric, const Choice& constants,
-                                  bool timed, int given);
+                                  const Sketch& sketch, const Resting& resting, const VectorX& metric,
+                                  const Choice& constants, bool timed, int given);
 
 }  // namespace avi::detail

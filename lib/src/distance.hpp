@@ -34,7 +34,11 @@ class Distance {
   }
   /// Of a velocity in phase space, per unit of time.
   double operator()(const VectorX& velocity, const Ranges& ranges) const {
-    const VectorX scale = scales(ranges);
+    return speed(velocity, scales(ranges));
+  }
+  /// The same with scales() that are known.
+  template <class Velocity>
+  double speed(const Velocity& velocity, const VectorX& scale) const {
     double most = 0.0;
     const Eigen::Index n = metric_.size();
     for (Eigen::Index i = 0; i < seen_; ++i)
@@ -42,13 +46,8 @@ class Distance {
     return most;
   }
 
- private:
-  static constexpr double rounding = 1e-14;
-  static double part(double difference, double scale) {
-    if (difference == 0.0) return 0.0;
-    return std::isfinite(difference) ? std::abs(difference) / scale : infinity;
-  }
-  VectorX scales(const Ranges& ranges) const {
+  /// By which differences of entries are divided.
+  [[nodiscard]] VectorX scales(const Ranges& ranges) const {
     const Eigen::Index n = metric_.size();
     VectorX scale = ranges.high - ranges.low;
     // In units of the kinetic energy the largest motion of all; a range 1e-14 of it is rounding.
@@ -70,6 +69,13 @@ class Distance {
       scale[n + i] = std::max({scale[n + i], still_ * size, rounding * of_p / root});
     }
     return scale;
+  }
+
+ private:
+  static constexpr double rounding = 1e-14;
+  static double part(double difference, double scale) {
+    if (difference == 0.0) return 0.0;
+    return std::isfinite(difference) ? std::abs(difference) / scale : infinity;
   }
   VectorX metric_;
   Eigen::Index seen_;

@@ -15,11 +15,11 @@ std::span<const GaussBuild> gauss_builds() {
   static const GaussBuild builds[] = {
 #ifdef AVI_THREE_BUILDS
       // With the instructions of lib/CMakeLists.txt.
-      {"v4", gauss_steps_v4,
+      {"v4", gauss_steps_v4, splitting_steps_v4,
        AVI_HAS("avx512f") && AVI_HAS("avx512dq") && AVI_HAS("avx512vl") && AVI_HAS("fma") && AVI_HAS("bmi2")},
-      {"v3", gauss_steps_v3, AVI_HAS("avx2") && AVI_HAS("bmi2")},
+      {"v3", gauss_steps_v3, splitting_steps_v3, AVI_HAS("avx2") && AVI_HAS("bmi2")},
 #endif
-      {"portable", gauss_steps_portable, true}};
+      {"portable", gauss_steps_portable, splitting_steps_portable, true}};
 #undef AVI_HAS
   return builds;
 }
@@ -40,10 +40,22 @@ const GaussBuild& gauss_build(const char* name) {
                               ", of which it must be one.");
 }
 
-std::unique_ptr<GaussSteps> gauss_steps(std::shared_ptr<const Formulas> formulas, int order,
-                                        SweepBounds bounds) {
+namespace {
+
+const GaussBuild& chosen_build() {
   static const GaussBuild& build = gauss_build(std::getenv("AVI_INSTRUCTIONS"));
-  return build.make(std::move(formulas), order, bounds);
+  return build;
+}
+
+}  // namespace
+
+std::unique_ptr<Stepper> gauss_steps(std::shared_ptr<const Formulas> formulas, int order,
+                                     SweepBounds bounds) {
+  return chosen_build().make(std::move(formulas), order, bounds);
+}
+
+std::unique_ptr<Stepper> splitting_steps(std::shared_ptr<const Formulas> formulas) {
+  return chosen_build().splitting(std::move(formulas));
 }
 
 }  // namespace avi::detail

@@ -1,11 +1,11 @@
 #pragma once
-#include "avi/core/step.hpp"
 #include "formulas.hpp"
+#include "stepper.hpp"
 
 #include <memory>
 
 /// @file
-/// Gauss collocation of recorded formulas, whatever processor it is compiled for.
+/// The methods that run on recorded formulas, whatever processor they are compiled for.
 
 namespace avi::detail {
 
@@ -15,33 +15,16 @@ struct SweepBounds {
   int most = 100;               ///< After so many sweeps a step ends as Outcome::not_converged.
   /// From this step on programs run as machine code, which is made then unless another run of the same
   /// formulas has made it: some 100 ns an operation, and memory. The bits are the same.
-  int code_from_step = 20;
+  int code_from_step = 0;
 };
 
-/// The steps of one orbit by Gauss collocation: see Collocation. Numbers are passed by address and nothing of
-/// another library is, so that what is behind may be compiled for another processor than what is before.
-class GaussSteps {
- public:
-  virtual ~GaussSteps() = default;
-  GaussSteps& operator=(const GaussSteps&) = delete;  ///< See clone().
+/// Gauss collocation of the given order, 2, 4, ... 16. @throws std::invalid_argument for another order, or an
+/// improper bound.
+std::unique_ptr<Stepper> gauss_steps(std::shared_ptr<const Formulas> formulas, int order,
+                                     SweepBounds bounds = {});
 
-  /// Advances z = (q, p), 2n numbers, and t by the fictive step h; leaves both unchanged unless the step ends
-  /// as ok.
-  virtual StepReport step(double* z, double& t, double h) = 0;
-  /// The collocation polynomial of the last step at its fraction c.
-  virtual void polynomial(double c, double* z, double& t) const = 0;
-  /// How well the last step is resolved, entry by entry of (q, p): see Collocation::tail().
-  virtual void tail(double* z) const = 0;
-  /// Another one with the memory of the last step: it goes on with the same bits.
-  [[nodiscard]] virtual std::unique_ptr<GaussSteps> clone() const = 0;
-
- protected:
-  GaussSteps() = default;
-  GaussSteps(const GaussSteps&) = default;
-};
-
-/// Of the given order, 2, 4, ... 16. @throws std::invalid_argument for another order, or an improper bound.
-std::unique_ptr<GaussSteps> gauss_steps(std::shared_ptr<const Formulas> formulas, int order,
-                                        SweepBounds bounds = {});
+/// The explicit splitting of order 6 for formulas with g = 1 whose forces depend on q alone and whose
+/// velocities are linear in p and free of q.
+std::unique_ptr<Stepper> splitting_steps(std::shared_ptr<const Formulas> formulas);
 
 }  // namespace avi::detail

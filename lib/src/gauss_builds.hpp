@@ -4,23 +4,31 @@
 #include <span>
 
 /// @file
-/// The builds of the Gauss stepper that a library has.
+/// The builds of the steppers that a library has.
 
 namespace avi::detail {
 
 /// gauss_steps() for one set of instructions.
-using MakeGaussSteps = std::unique_ptr<GaussSteps>(std::shared_ptr<const Formulas> formulas, int order,
-                                                   SweepBounds bounds);
+using MakeGaussSteps = std::unique_ptr<Stepper>(std::shared_ptr<const Formulas> formulas, int order,
+                                                SweepBounds bounds);
 
 MakeGaussSteps gauss_steps_portable;  ///< For any processor of this kind.
 MakeGaussSteps gauss_steps_v3;        ///< With AVX2, where the library has it.
 MakeGaussSteps gauss_steps_v4;        ///< With AVX-512, where the library has it.
 
+/// splitting_steps() for one set of instructions.
+using MakeSplittingSteps = std::unique_ptr<Stepper>(std::shared_ptr<const Formulas> formulas);
+
+MakeSplittingSteps splitting_steps_portable;  ///< As above.
+MakeSplittingSteps splitting_steps_v3;        ///< As above.
+MakeSplittingSteps splitting_steps_v4;        ///< As above.
+
 /// One of them.
 struct GaussBuild {
-  const char* name;      ///< What AVI_INSTRUCTIONS calls it.
-  MakeGaussSteps* make;  ///< Its door.
-  bool runs;             ///< On this processor.
+  const char* name;               ///< What AVI_INSTRUCTIONS calls it.
+  MakeGaussSteps* make;           ///< Its door,
+  MakeSplittingSteps* splitting;  ///< and the other one.
+  bool runs;                      ///< On this processor.
 };
 /// All of this library, the fastest first.
 std::span<const GaussBuild> gauss_builds();

@@ -1,6 +1,6 @@
 #include "avi/collocation/gauss_step.hpp"
 #include "gauss_builds.hpp"
-#include "pack_functions.hpp"
+#include "splitting_steps.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,57 +9,12 @@
 // Compiled once for each set of instructions, each time under a name of its own; gauss.cpp chooses.
 #ifndef AVI_GAUSS_STEPS
 #define AVI_GAUSS_STEPS gauss_steps_portable
+#define AVI_SPLITTING_STEPS splitting_steps_portable
 #endif
 
 namespace avi::detail {
 
 namespace {
-
-/// The machine that this file is compiled for makes code at run time.
-#if defined(__AVX512VL__) && defined(__AVX512DQ__)
-constexpr bool makes_code = true, has_avx512 = true;
-#elif defined(__AVX2__)
-constexpr bool makes_code = true, has_avx512 = false;
-#else
-constexpr bool makes_code = false, has_avx512 = false;
-#endif
-
-/// A program at packs of w numbers.
-template <int w>
-class StageFormula {
- public:
-  explicit StageFormula(const Program& program) : program_(&program), room_(program) {}
-
-  /// out = factor times its derivatives, or its value where it has none.
-  template <class Vec>
-  [[gnu::always_inline]] void run(const Vec& q, const Vec& p, const Pack<w>& factor, Pack<w>* out) {
-    if (code)
-      code(number(q.data()), number(p.data()), number(&factor), number(out));
-    else
-      interpret(q, p, factor, out);
-  }
-  MachineCode::Function code = nullptr;  ///< Of this program, once there is one.
-
- private:
-  static const double* number(const Pack<w>* x) { return reinterpret_cast<const double*>(x); }
-  static double* number(Pack<w>* x) { return reinterpret_cast<double*>(x); }
-  template <class Vec>
-  [[gnu::noinline]] void interpret(const Vec& q, const Vec& p, const Pack<w>& factor, Pack<w>* out) {
-    Pack<w>* const z = room_.arguments();
-    const Eigen::Index size = q.size();
-    for (Eigen::Index i = 0; i < size; ++i) {
-      z[i] = q[i];
-      z[size + i] = p[i];
-    }
-    program_->run(room_);
-    if (program_->slopes() == 0) out[0] = program_->value(room_);
-    for (int i = 0; i < program_->slopes(); ++i)
-      out[i] = factor * program_->slope(room_, i);
-  }
-
-  const Program* program_;
-  Program::Room<Pack<w>> room_;
-};
 
 /// The field of Formulas at w stages.
 template <int n, int w>
@@ -93,9 +48,7 @@ class FormulaField final : public StageField<n, w> {
  private:
   void use_machine_code(bool make) {
     if constexpr (makes_code) {
-      const Program* const programs[] = {&formulas_->forces, &formulas_->velocities, &formulas_->rate};
-      code_ = formulas_->code->of({programs, formulas_->unit ? 2u : 3u},
-                                  {.lanes = w, .avx512 = has_avx512, .functions = pack_functions<w>()}, make);
+      code_ = machine_code<w>(*formulas_, make);
       if (!code_) return;
       forces_.code = (*code_)[0];
       velocities_.code = (*code_)[1];
@@ -112,7 +65,7 @@ class FormulaField final : public StageField<n, w> {
 
 /// Gauss collocation behind the interface.
 template <int n, int w>
-class Steps final : public GaussSteps {
+class Steps final : public Stepper {
  public:
   Steps(const std::shared_ptr<const Formulas>& formulas, const GaussRule& rule, SweepBounds bounds)
       : step_(std::make_unique<FormulaField<n, w>>(formulas, bounds.code_from_step), formulas->n, rule,
@@ -132,8 +85,7 @@ class Steps final : public GaussSteps {
     return report;
   }
   void polynomial(double c, double* z, double& t) const override { copy(step_.polynomial(c), z, t); }
-  void tail(double* z) const override { step_.tail(z, z + state_.q.size()); }
-  [[nodiscard]] std::unique_ptr<GaussSteps> clone() const override { return std::make_unique<Steps>(*this); }
+  [[nodiscard]] std::unique_ptr<Stepper> clone() const override { return std::make_unique<Steps>(*this); }
 
  private:
   static void copy(const State<n>& state, double* z, double& t) {
@@ -154,8 +106,8 @@ const GaussRule& known_rule(int order, SweepSettings settings) {
 }
 
 template <int n>
-std::unique_ptr<GaussSteps> steps(const std::shared_ptr<const Formulas>& formulas, int order,
-                                  SweepBounds bounds) {
+std::unique_ptr<Stepper> steps(const std::shared_ptr<const Formulas>& formulas, int order,
+                               SweepBounds bounds) {
   const GaussRule& rule = known_rule(order, Steps<n, 4>::settings(bounds));
   if (order > 8) return std::make_unique<Steps<n, 8>>(formulas, rule, bounds);
   return std::make_unique<Steps<n, 4>>(formulas, rule, bounds);
@@ -163,8 +115,8 @@ std::unique_ptr<GaussSteps> steps(const std::shared_ptr<const Formulas>& formula
 
 }  // namespace
 
-std::unique_ptr<GaussSteps> AVI_GAUSS_STEPS(std::shared_ptr<const Formulas> formulas, int order,
-                                            SweepBounds bounds) {
+std::unique_ptr<Stepper> AVI_GAUSS_STEPS(std::shared_ptr<const Formulas> formulas, int order,
+                                         SweepBounds bounds) {
   switch (formulas->n) {
   case 1:
     return steps<1>(formulas, order, bounds);
@@ -177,6 +129,10 @@ std::unique_ptr<GaussSteps> AVI_GAUSS_STEPS(std::shared_ptr<const Formulas> form
   default:
     return steps<dynamic>(formulas, order, bounds);
   }
+}
+
+std::unique_ptr<Stepper> AVI_SPLITTING_STEPS(std::shared_ptr<const Formulas> formulas) {
+  return std::make_unique<SplittingSteps>(std::move(formulas));
 }
 
 }  // namespace avi::detail

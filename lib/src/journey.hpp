@@ -37,11 +37,13 @@ struct Ranges {
     high = low;
   }
   /// Takes in another one.
-  void add(const State<dynamic>& z) {
-    const Eigen::Index n = z.q.size();
+  void add(const State<dynamic>& z) { add(z.q.data(), z.p.data()); }
+  /// The same of n entries each.
+  void add(const double* q, const double* p) {
+    const Eigen::Index n = low.size() / 2;
     for (Eigen::Index i = 0; i < n; ++i) {
-      low[i] = std::min(low[i], z.q[i]), high[i] = std::max(high[i], z.q[i]);
-      low[n + i] = std::min(low[n + i], z.p[i]), high[n + i] = std::max(high[n + i], z.p[i]);
+      low[i] = std::min(low[i], q[i]), high[i] = std::max(high[i], q[i]);
+      low[n + i] = std::min(low[n + i], p[i]), high[n + i] = std::max(high[n + i], p[i]);
     }
   }
 };
@@ -119,6 +121,20 @@ class Journey {
   /// It has not failed.
   [[nodiscard]] bool ok() const { return run.outcome == Outcome::ok; }
 
+  /// Goes with another one of the same candidate as long as both are before the time `mark`: two for the
+  /// price of one where the method can. Each has the bits that it has on its own.
+  void go_beside(Journey& other, double mark) {
+    if (!steps_->can_go_beside()) return;
+    const double sense = trip_->sense;
+    const auto goes = [&](const Journey& it) { return it.ok() && sense * (it.z_.t - mark) < 0.0; };
+    while (goes(*this) && goes(other)) {
+      before_ = z_, other.before_ = other.z_;
+      const auto [mine, its] = steps_->step_beside(z_, sense * h, *other.steps_, other.z_, sense * other.h);
+      made(mine, infinity);
+      other.made(its, infinity);
+    }
+  }
+
   /// Goes on to the time `mark`, by a shorter step from the last one before it.
   /// @param last the run ends there @param limit on the energy error, beyond which it ends as stopped
   void advance(double mark, bool last, double limit = infinity) {
@@ -163,8 +179,12 @@ class Journey {
   }
   void step(double limit) {
     before_ = z_;
+    made(steps_->step(z_, trip_->sense * h), limit);
+  }
+  /// A step has been made.
+  void made(const StepReport& report, double limit) {
     const double sense = trip_->sense;
-    spend(steps_->step(z_, sense * h));
+    spend(report);
     if (ok() && !z_.finite()) run.outcome = Outcome::non_finite;
     if (ok() && !(sense * (z_.t - before_.t) > 0.0)) run.outcome = Outcome::stalled;
     if (!ok()) return;

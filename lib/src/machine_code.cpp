@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 
@@ -27,6 +28,67 @@ bool wanted() {
   throw std::invalid_argument("AVI_MACHINE_CODE is " + word + "; it must be on or off.");
 }
 
+#ifdef AVI_CAN_MAKE_CODE
+/// Memory for code. What is given back is kept for the next one who asks, up to a bound: the system takes
+/// three times as long to map new pages as to change what may be done with known ones.
+class Pages {
+ public:
+  struct Piece {
+    void* at = nullptr;
+    std::size_t size = 0;
+  };
+  /// A piece of at least so many bytes that can be written; null where there is none.
+  Piece take(std::size_t size) {
+    {
+      const std::lock_guard lock(mutex_);
+      for (std::size_t i = kept_.size(); i-- > 0;)
+        if (kept_[i].size >= size && kept_[i].size <= 4 * size + least) {
+          const Piece piece = kept_[i];
+          kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(i));
+          if (mprotect(piece.at, piece.size, PROT_READ | PROT_WRITE) == 0) return piece;
+          unmap(piece);
+        }
+    }
+    // Pages that nobody may touch keep pieces apart: what may be done with two that are neighbours would
+    // otherwise be changed by joining and parting them.
+    size = (size + least - 1) / least * least;
+    void* const whole = mmap(nullptr, size + 2 * least, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (whole == MAP_FAILED) return {};
+    const Piece piece{static_cast<char*>(whole) + least, size};
+    if (mprotect(piece.at, size, PROT_READ | PROT_WRITE) == 0) return piece;
+    unmap(piece);
+    return {};
+  }
+  void give_back(const Piece& piece) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (kept_.size() < most && piece.size <= largest) {
+        kept_.push_back(piece);
+        return;
+      }
+    }
+    unmap(piece);
+  }
+  /// There is one, which outlives all that may still give pieces back.
+  static Pages& all() {
+    static Pages* const pages = new Pages;
+    return *pages;
+  }
+
+ private:
+  static void unmap(const Piece& piece) {
+    munmap(static_cast<char*>(piece.at) - least, piece.size + 2 * least);
+  }
+  static constexpr std::size_t least = 4096, largest = 1 << 16, most = 32;
+  std::mutex mutex_;
+  std::vector<Piece> kept_ = [] {
+    std::vector<Piece> none;
+    none.reserve(most);
+    return none;
+  }();
+};
+#endif
+
 }  // namespace
 
 std::unique_ptr<const MachineCode> MachineCode::of(std::span<const Program* const> programs,
@@ -44,11 +106,11 @@ std::unique_ptr<const MachineCode> MachineCode::of(std::span<const Program* cons
   const auto lanes = static_cast<std::size_t>(assembler.bytes() / 8);
   const std::size_t numbers = (8 * lanes * pool.size() + 63) / 64 * 64,
                     size = numbers + assembler.code.size();
-  void* const memory = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) return nullptr;
   std::unique_ptr<MachineCode> made(new MachineCode);
+  const auto [memory, whole] = Pages::all().take(size);
+  if (!memory) return nullptr;
   made->memory_ = memory;
-  made->size_ = size;
+  made->size_ = whole;
   const auto address = reinterpret_cast<std::uint64_t>(memory);
   for (const std::size_t at : addresses)
     std::memcpy(&assembler.code[at], &address, sizeof(address));
@@ -56,7 +118,7 @@ std::unique_ptr<const MachineCode> MachineCode::of(std::span<const Program* cons
   for (std::size_t i = 0; i < pool.size(); ++i)
     std::fill_n(to + i * lanes, lanes, pool[i]);
   std::memcpy(static_cast<char*>(memory) + numbers, assembler.code.data(), assembler.code.size());
-  if (mprotect(memory, size, PROT_READ | PROT_EXEC) != 0) return nullptr;
+  if (mprotect(memory, whole, PROT_READ | PROT_EXEC) != 0) return nullptr;
   for (const std::size_t begin : begins)
     made->functions_.push_back(reinterpret_cast<Function>(address + numbers + begin));
   return made;
@@ -67,7 +129,7 @@ std::unique_ptr<const MachineCode> MachineCode::of(std::span<const Program* cons
 
 MachineCode::~MachineCode() {
 #ifdef AVI_CAN_MAKE_CODE
-  if (memory_) munmap(memory_, size_);
+  if (memory_) Pages::all().give_back({memory_, size_});
 #endif
 }
 

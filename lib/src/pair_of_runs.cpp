@@ -34,7 +34,7 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   const double rounding = (100.0 * std::numeric_limits<double>::epsilon() + 10.0 * fine.candidate->noise) *
                           distance_->frequency * until;
   // Over fewer turns errors waver by more than they grow.
-  const bool seen_long = distance_->frequency * until > 400.0 || late > 1e3 * early;
+  const bool seen_long = distance_->frequency * until > shortest_growth || late > 1e3 * early;
   if (seen_long && early > 0.0 && late > 20.0 * early && late * usual_speed_ * ratio > rounding) {
     seen.growth = std::min(3.0, std::log(late / early) / std::log(4.0));
     if (late > 60.0 * early) seen.rate = std::log(late / early) / (0.75 * until);
@@ -62,15 +62,25 @@ Journey Orbiter::begin(const Setting& setting, double factor) {
   // What sweeps leave adds up with the square of the number of steps at most.
   const double steps = std::max(1.0, expected_steps(*setting.candidate, h, span_));
   const double tolerance = std::clamp(0.03 * question_.tolerance / (steps * steps), 6.25e-19, 1e-8);
-  return {*trip_, field_, *setting.candidate, order_, h, {.tolerance = tolerance, .most = 60}};
+  return {*trip_,
+          field_,
+          *setting.candidate,
+          order_of(*setting.candidate),
+          h,
+          {.tolerance = tolerance, .most = 60}};
+}
+
+/// Sets how many sweeps a run may take up to a mark.
+void Orbiter::bound(Journey& journey, std::size_t mark) {
+  // Over a hundred times what the sketch suggests is something else.
+  journey.most = 1e4 + 3e3 * expected_steps(*journey.candidate, journey.h, since_start(mark));
+  if (resolved_ == 0.0) journey.most = std::min(journey.most, 3e8 / journey.candidate->price());
 }
 
 /// Takes a run to a mark, unless it is there. @return it has not failed
 bool Orbiter::go_on(Journey& journey, std::size_t mark) {
   if (journey.marks.size() > mark || !journey.ok()) return journey.ok();
-  // Over a hundred times the sweeps that the sketch suggests is something else.
-  journey.most = 1e4 + 3e3 * expected_steps(*journey.candidate, journey.h, since_start(mark));
-  if (resolved_ == 0.0) journey.most = std::min(journey.most, 3e8 / journey.candidate->operations());
+  bound(journey, mark);
   journey.advance(marks_[mark], mark + 1 == marks_.size());
   return journey.ok();
 }
@@ -89,7 +99,7 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
   failed_at_ = reached;
   const bool undefined = journey.run.outcome == Outcome::non_finite && !journey.candidate->fixed();
   undefined_ += undefined ? 1 : 0;
-  const bool dear = static_cast<double>(budget_.sweeps) * journey.candidate->operations() > 5e8;
+  const bool dear = static_cast<double>(budget_.sweeps) * journey.candidate->price() > 5e8;
   if (!dear && (failures_ == 4 * static_cast<int>(choice_ + 1) || undefined_ == 2) &&
       choice_ + 1 < menu_.size()) {
     // A monitor may have a feature of its own there, or no value at all.
@@ -113,13 +123,17 @@ bool Orbiter::pursue(Setting& setting) {
   ++round_;
   Candidate& it = *setting.candidate;
   const double ratio = fine_ && fine_->ok() && fine_->candidate == &it ? fine_->h / setting.h : 0.0;
-  if (ratio >= 1.15 && ratio <= 1.04 * std::pow(2.0 * most_trusted, 1.0 / order_)) {
+  if (ratio >= 1.15 && ratio <= 1.04 * std::pow(2.0 * most_trusted, 1.0 / fine_->order)) {
     coarse_ = std::move(fine_);
   } else {
     coarse_.emplace(begin(setting, longer));
   }
   fine_.emplace(begin(setting, 1.0));
   for (std::size_t mark = 0; mark < marks_.size(); ++mark) {
+    if (mark < compared_ && coarse_->marks.size() == mark) {
+      bound(*coarse_, mark), bound(*fine_, mark);
+      fine_->go_beside(*coarse_, marks_[mark]);
+    }
     if (mark < compared_ && !go_on(*coarse_, mark) && !(question_.options.h > 0.0))
       return failed(*coarse_, setting);
     if (!go_on(*fine_, mark)) return failed(*fine_, setting);
@@ -159,7 +173,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   if (mark == 0 && !others_tried_ && try_others(setting)) return true;
   if (resigned_ || round_ >= most_rounds) return false;
   const double error = std::max(of_state, of_energy);
-  const double factor = std::pow(wanted_part / std::max(error, 1e-300), 1.0 / order_);
+  const double factor = std::pow(wanted_part / std::max(error, 1e-300), 1.0 / fine_->order);
   if (error <= (last ? 3.0 : 2.0)) {
     if (resolved_ == 0.0) resolved_ = fine_->h;
     // Where sweeps converge slowly, a shorter step costs less.
@@ -169,15 +183,16 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
       return again(0.7);
     }
     // A longer step pays where enough is left of the run.
-    const double gain = std::min({factor, 2.0, longest_step(*setting.candidate) / (longer * fine_->h)});
+    const double most = std::min(longest_step(*setting.candidate), contracting_step(*setting.candidate));
+    const double gain = std::min({factor, 2.0, most / (longer * fine_->h)});
     if (lengthened_ == 2 || mark > 1 || steps < 6 || fine_->run.evaluations > 14 * steps || !(gain > 1.15) ||
         (1.0 - 1.0 / gain) * (span_ - here) < 2.0 * here)
       return false;
     ++lengthened_;
     return again(gain);
   }
-  const double spent = static_cast<double>(budget_.sweeps) * setting.candidate->operations();
-  const double pair = span_ / here * setting.candidate->operations() *
+  const double spent = static_cast<double>(budget_.sweeps) * setting.candidate->price();
+  const double pair = span_ / here * setting.candidate->price() *
                       static_cast<double>(coarse_->run.evaluations + fine_->run.evaluations);
   vain_ = mark <= before_at_ && error > 0.3 * before_ ? vain_ + 1 : 0;
   if (of_energy < of_state) {
@@ -205,9 +220,14 @@ bool Orbiter::try_others(Setting& setting) {
   if (!(span_ > 8.0 * here) || menu_.size() < 2) return false;
   const double behind = std::max(seen_.behind, 1e-300);
   const double wanted = wanted_part * question_.tolerance * here / span_ / std::max(high_speed_, 1e-300);
+  // How much longer its steps may be.
+  const auto gain = [&](const Journey& run, double its_behind) {
+    const double most =
+        std::min(run.candidate->splits() ? 3.0 : 2.0, contracting_step(*run.candidate) / (longer * run.h));
+    return std::clamp(std::pow(wanted / its_behind, 1.0 / run.order), 0.2, std::max(most, 0.2));
+  };
   const auto cost = [&](const Journey& run, double its_behind) {
-    const double longer_step = std::clamp(std::pow(wanted / its_behind, 1.0 / order_), 0.2, 2.0);
-    return static_cast<double>(run.run.evaluations) * run.candidate->operations() / longer_step;
+    return static_cast<double>(run.run.evaluations) * run.candidate->price() / gain(run, its_behind);
   };
   double best = cost(*fine_, behind);
   const double radians = setting.h * setting.candidate->longest;
@@ -215,8 +235,9 @@ bool Orbiter::try_others(Setting& setting) {
   double its_behind = 0.0;
   for (Candidate& it : menu_) {
     if (&it == setting.candidate || it.outlook > 2.5 * menu_.front().outlook || !(it.longest > 0.0)) continue;
-    Journey run = begin({&it, std::min(radians / it.longest, longest_step(it))}, 1.0);
-    run.most = 1e3 + 4.0 * best / it.operations();
+    const bool same = it.splits() == setting.candidate->splits();
+    Journey run = begin({&it, same ? std::min(radians / it.longest, longest_step(it)) : first_step(it)}, 1.0);
+    run.most = 1e3 + 4.0 * best / it.price();
     run.advance(marks_[0], false);
     if (!run.ok()) {
       note_trial(run, infinity);
@@ -234,8 +255,8 @@ bool Orbiter::try_others(Setting& setting) {
   }
   if (!winner) return false;
   note_trial(*coarse_, infinity), note_trial(*fine_, seen_.error);
-  setting = {winner->candidate,
-             winner->h * std::clamp(std::pow(wanted / its_behind, 1.0 / order_), 0.35, 1.5)};
+  setting = {winner->candidate, winner->h * std::clamp(gain(*winner, its_behind), 0.35,
+                                                       winner->candidate->splits() ? 2.0 : 1.5)};
   fine_ = std::move(winner);
   return true;
 }

@@ -15,6 +15,8 @@ namespace avi::detail {
 
 /// Runs of fewer steps are not compared: the last step is cut to end in time, and would be the same in both.
 inline constexpr int fewest = 3;
+/// Radians over which errors waver by more than they grow.
+inline constexpr double shortest_growth = 400.0;
 /// Pairs of runs.
 inline constexpr int most_rounds = 30;
 /// Part of the tolerance for which a step is chosen: what is foretold wavers.
@@ -59,7 +61,12 @@ class Orbiter {
   void prepare();
   void set_marks();
   [[nodiscard]] double since_start(std::size_t mark) const { return std::abs(marks_[mark] - question_.t); }
+  void offer_splitting();
+  [[nodiscard]] int order_of(const Candidate& it) const { return it.splits() ? 6 : order_; }
+  [[nodiscard]] double first_step(const Candidate& it);
+  [[nodiscard]] double contracting_step(const Candidate& it);
   [[nodiscard]] Setting first_setting();
+  void bound(Journey& journey, std::size_t mark);
   Journey begin(const Setting& setting, double factor);
   bool go_on(Journey& journey, std::size_t mark);
   bool pursue(Setting& setting);
@@ -89,10 +96,11 @@ class Orbiter {
   std::optional<Distance> distance_;
   std::optional<SharpFeatures> features_;
   std::vector<Candidate> menu_;
-  std::size_t choice_ = 0;  // in the menu, of the first candidate that has not failed
-  int order_ = 16;
+  std::size_t choice_ = 0;    // in the menu, of the first candidate that has not failed
+  int order_ = 16;            // of collocation
   double aim_ = 1e-15;        // error in a radian that is wanted
   double radians_ = 0.0;      // of the whole
+  double fastest_ = -1.0;     // frequency at the start; negative while nobody has asked
   double usual_speed_ = 0.0;  // mean over the sketch
   double high_speed_ = 0.0;   // a speed that the end may have
   std::vector<double> marks_;

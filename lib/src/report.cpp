@@ -20,15 +20,17 @@ std::string SolutionReport::report() const {
   text << "The largest error of the energy is " << energy_error << " of the scale " << choice.energy_scale
        << ".\n";
   if (!note.empty()) text << note << "\n";
-  text << run.steps << " steps, " << run.evaluations << " sweeps: monitor " << choice.name << ", order "
-       << choice.order << ", h = " << choice.h << "; chosen in " << choice.sweeps << " sweeps of "
+  const char* const counted = choice.name == "splitting" ? " kicks" : " sweeps";
+  text << run.steps << " steps, " << run.evaluations << counted << ": monitor " << choice.name << ", order "
+       << choice.order << ", h = " << choice.h << "; chosen in " << choice.sweeps << " of "
        << choice.trials.size() << (choice.trials.size() == 1 ? " trial" : " trials");
   if (choice.check > 0) text << ", checked by a run of " << choice.check;
   text << ".\n";
   for (const SolveTrial& trial : choice.trials)
     text << "  " << trial.monitor << ", order " << trial.order << ": h = " << trial.h << " for " << trial.time
-         << ", " << trial.steps << " steps, " << trial.sweeps << " sweeps, error " << trial.state_error
-         << ", " << name(trial.outcome) << "\n";
+         << ", " << trial.steps << " steps, " << trial.sweeps
+         << (trial.monitor == "splitting" ? " kicks" : " sweeps") << ", error " << trial.state_error << ", "
+         << name(trial.outcome) << "\n";
   return text.str();
 }
 

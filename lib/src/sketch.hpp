@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 /// @file
@@ -35,30 +38,32 @@ class PointField {
   }
   /// H.
   double energy(const double* q, const double* p) {
-    std::copy(q, q + n_, value_room_.arguments());
-    std::copy(p, p + n_, value_room_.arguments() + n_);
-    value_program_.run(value_room_);
-    return value_program_.value(value_room_);
+    // A program of H alone costs as much as some evaluations of H with its gradient.
+    if (energies_ < 40) {
+      ++energies_;
+      std::copy(q, q + n_, room_.arguments());
+      std::copy(p, p + n_, room_.arguments() + n_);
+      program_.run(room_);
+      return program_.value(room_);
+    }
+    if (!value_) value_.emplace(detail::RecordedFormula<double>{recording_.value()});
+    std::copy(q, q + n_, value_->room.arguments());
+    std::copy(p, p + n_, value_->room.arguments() + n_);
+    value_->program.run(value_->room);
+    return value_->value();
   }
   /// The diagonal of H_pp at z, by two probes with signs: exact where H_pp is diagonal, else near. What is
   /// not positive there counts as the largest entry that is.
   VectorX metric(const VectorX& z) {
-    using Dual = Partials<double, 1>;
-    Program::Room<Dual> room(program_);
-    VectorX metric = VectorX::Zero(n_);
+    Duals room(program_);
+    VectorX metric = VectorX::Zero(n_), v = VectorX::Zero(2 * n_), w(2 * n_);
     unsigned bits = 12345u;
-    std::vector<double> sign(static_cast<std::size_t>(n_));
     for (int probe = 0; probe < 2; ++probe) {
-      for (int i = 0; i < n_; ++i) {
-        bits = bits * 1664525u + 1013904223u;
-        sign[static_cast<std::size_t>(i)] = bits >> 31 ? 1.0 : -1.0;
-        room.arguments()[i] = Dual(z[i]);
-        room.arguments()[n_ + i] = Dual::variable(z[n_ + i], 0, sign[static_cast<std::size_t>(i)]);
-      }
-      program_.run(room);
       for (int i = 0; i < n_; ++i)
-        metric[i] =
-            std::max(metric[i], sign[static_cast<std::size_t>(i)] * program_.slope(room, n_ + i).partial(0));
+        v[n_ + i] = sign(bits);
+      linear(room, z, v, w);
+      for (int i = 0; i < n_; ++i)
+        metric[i] = std::max(metric[i], v[n_ + i] * w[i]);
     }
     double largest = 0.0;
     for (int i = 0; i < n_; ++i)
@@ -67,19 +72,60 @@ class PointField {
       if (!(metric[i] > 0.0) || !std::isfinite(metric[i])) metric[i] = largest > 0.0 ? largest : 1.0;
     return metric;
   }
-  [[nodiscard]] int size() const { return n_; }  ///< n.
+  /// The largest frequency of small oscillations about z, by power iteration on the linear field, a little
+  /// less than it; 0 where that is not finite. @param metric diagonal of H_pp
+  double fastest(const VectorX& z, const VectorX& metric) {
+    Duals room(program_);
+    const VectorX root = metric.cwiseSqrt();
+    const auto size = [&](const VectorX& v) {
+      return std::sqrt(v.head(n_).cwiseQuotient(root).squaredNorm() +
+                       v.tail(n_).cwiseProduct(root).squaredNorm());
+    };
+    VectorX v(2 * n_), w(2 * n_);
+    unsigned bits = 6789u;
+    for (int i = 0; i < n_; ++i)
+      v[i] = sign(bits) * root[i], v[n_ + i] = sign(bits) / root[i];
+    double square = 0.0;
+    for (int k = 0; k < 8; ++k) {
+      const double before = size(v);
+      linear(room, z, v, w);
+      linear(room, z, w, v);
+      square = size(v) / before;
+      if (!std::isfinite(square) || !(square > 0.0)) return 0.0;
+      v /= size(v);
+    }
+    return std::sqrt(square);
+  }
+  [[nodiscard]] int size() const { return n_; }                            ///< n.
+  [[nodiscard]] const Recording& recording() const { return recording_; }  ///< Of H.
 
   double sense = 1.0;  ///< -1 follows the orbit backwards.
 
  private:
-  explicit PointField(const Recording& recording)
-      : n_(recording.inputs() / 2), program_(recording.value_and_gradient()), room_(program_),
-        value_program_(recording.value()), value_room_(value_program_) {}
+  using Duals = Program::Room<Partials<double, 1>>;
+  static double sign(unsigned& bits) {
+    bits = bits * 1664525u + 1013904223u;
+    return bits >> 31 ? 1.0 : -1.0;
+  }
+  /// w = the derivative of the field at z along v.
+  void linear(Duals& room, const VectorX& z, const VectorX& v, VectorX& w) {
+    for (int i = 0; i < 2 * n_; ++i)
+      room.arguments()[i] = Partials<double, 1>::variable(z[i], 0, v[i]);
+    program_.run(room);
+    for (int i = 0; i < n_; ++i) {
+      w[i] = program_.slope(room, n_ + i).partial(0);
+      w[n_ + i] = -program_.slope(room, i).partial(0);
+    }
+  }
+  explicit PointField(Recording recording)
+      : recording_(std::move(recording)), n_(recording_.inputs() / 2),
+        program_(recording_.value_and_gradient()), room_(program_) {}
+  Recording recording_;
   int n_;
   Program program_;
   Program::Room<double> room_;
-  Program value_program_;
-  Program::Room<double> value_room_;
+  int energies_ = 0;  // evaluations of H alone, while there is no program of it
+  std::optional<RecordedFormula<double>> value_;
 };
 
 /// Points along the beginning of an orbit, by the pair of Bogacki and Shampine with a loose tolerance on
@@ -89,11 +135,12 @@ class Sketch {
  public:
   /// A point and the step from it.
   struct Sample {
-    VectorX z;         ///< (q, p).
-    VectorX slope;     ///< Its velocity in phase space.
-    double h;          ///< Time to the next sample.
+    using Numbers = Eigen::Map<const VectorX>;  ///< 2n of them, which the sketch holds.
+    Numbers z;                                  ///< (q, p).
+    Numbers slope;                              ///< Its velocity in phase space.
+    Numbers errors;                             ///< Of the step.
+    double h;                                   ///< Time to the next sample.
     double frequency;  ///< Radians per unit of time here, as the error of the step tells.
-    VectorX errors;    ///< Of the step.
     double energy;     ///< H.
   };
 
@@ -101,10 +148,19 @@ class Sketch {
   /// @param metric diagonal of H_pp: what is 1e-10 of the largest motion, masses taken out, sets no step
   Sketch(PointField& field, const VectorX& z, double span, const VectorX& metric, int most = 128) {
     const Eigen::Index size = z.size();
+    numbers_.reset(new double[static_cast<std::size_t>(3 * size * most)]);
+    samples.reserve(static_cast<std::size_t>(most));
+    double* room = numbers_.get();
+    const auto kept = [&](const VectorX& x) {
+      std::copy(x.begin(), x.end(), room);
+      room += size;
+      return Sample::Numbers(room - size, size);
+    };
     RungeKuttaStages<BogackiShampine> step(size);
     VectorX at = z, low = z, high = z, scale(size), errors(size);
     double energy = field(at, step.k[0]), last = energy;
     double h = first_step(field, at, step.k[0], span, metric);
+    int grown = 0;  // samples when an entry left its range last
     for (int tries = 0; time < span && static_cast<int>(samples.size()) < most && tries < 6 * most; ++tries) {
       h = std::min(h, span - time);
       step.advance([&](const VectorX& x, VectorX& dx) { last = field(x, dx); }, at, h);
@@ -128,12 +184,17 @@ class Sketch {
         if (!(h > 1e-14 * span)) break;
         continue;
       }
-      samples.push_back({at, step.k[0], h, 0.0, errors, energy});
+      samples.push_back({kept(at), kept(step.k[0]), kept(errors), h, 0.0, energy});
       energy = last;
       time += h;
       at = step.end;
-      for (Eigen::Index i = 0; i < size; ++i)
+      const auto made = static_cast<int>(samples.size());
+      for (Eigen::Index i = 0; i < size; ++i) {
+        if (std::max(low[i] - at[i], at[i] - high[i]) > 0.01 * (high[i] - low[i])) grown = made;
         low[i] = std::min(low[i], at[i]), high[i] = std::max(high[i], at[i]);
+      }
+      // What has kept within its ranges for as long as it took to fill them comes again.
+      if (made >= enough && grown <= made / 2) break;
       std::swap(step.k[0], step.k[3]);
       h *= std::min(5.0, 0.9 * factor);
     }
@@ -172,6 +233,7 @@ class Sketch {
  private:
   static constexpr double loose = 0.004;  // error of a step
   static constexpr double angle = 0.68;   // of a spring in a step with that error
+  static constexpr int enough = 48;       // samples of an orbit that comes again
 
   /// Raises what is a 1e-10 of the largest entry, masses taken out.
   static void lift(VectorX& scale, const VectorX& metric) {
@@ -208,6 +270,8 @@ class Sketch {
     }
     return h;
   }
+
+  std::unique_ptr<double[]> numbers_;  // of all samples
 };
 
 }  // namespace avi::detail

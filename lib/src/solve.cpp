@@ -1,4 +1,5 @@
 #include "pair_of_runs.hpp"
+#include "separable.hpp"
 
 #include <limits>
 #include <sstream>
@@ -21,7 +22,6 @@ void Orbiter::prepare() {
   distance_.emplace(metric, question_.tolerance, seen);
   field_.sense = sense_;
   sketch_.emplace(field_, start, span_, metric);
-  field_.sense = 1.0;
   const Sketch& sketch = *sketch_;
   const double time = std::max(sketch.time, 1e-300);
   distance_->frequency = sketch.radians / time;
@@ -29,19 +29,26 @@ void Orbiter::prepare() {
 
   // Means over the sketch: kinetic energy, half of p q', and the speed in phase space.
   double work = 0.0, kinetic = 0.0, highest = 0.0;
-  VectorX rest = VectorX::Zero(n);
+  VectorX rest(2 * n), falling(2 * n);
+  Resting resting;
   State<dynamic> z{.q = start.head(n), .p = start.tail(n), .t = question_.t};
   Ranges ranges(z);
   for (const Sketch::Sample& sample : sketch.samples)
-    ranges.add({.q = sample.z.head(n), .p = sample.z.tail(n)});
+    ranges.add(sample.z.data(), sample.z.data() + n);
+  const VectorX scales = distance_->scales(ranges);
   for (const Sketch::Sample& sample : sketch.samples) {
     work += sample.h * 0.5 * std::abs(sample.z.segment(n, seen).dot(sample.slope.head(seen)));
-    if (question_.timed) rest[seen] = sample.z[n + seen];
-    kinetic += sample.h * (sample.energy - field_.energy(sample.z.data(), rest.data()));
-    const double speed = (*distance_)(sample.slope, ranges);
+    rest.head(n) = sample.z.head(n);
+    rest.tail(n).setZero();
+    if (question_.timed) rest[n + seen] = sample.z[n + seen];
+    resting.energy.push_back(field_(rest, falling));
+    resting.forces.insert(resting.forces.end(), falling.begin() + n, falling.end());
+    kinetic += sample.h * (sample.energy - resting.energy.back());
+    const double speed = distance_->speed(sample.slope, scales);
     usual_speed_ += sample.h * speed;
     highest = std::max(highest, speed);
   }
+  field_.sense = 1.0;
   work /= time, kinetic /= time, usual_speed_ /= time;
   Choice& choice = answer_.choice;
   if (question_.made) {
@@ -61,19 +68,19 @@ void Orbiter::prepare() {
   trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, budget_});
   features_.emplace(question_.graph, question_.energy);
   if (!features_->none()) trip_->features = &*features_;
-  menu_ = candidates(question_.graph, question_.energy, energy, sketch, metric, choice, question_.timed,
-                     question_.given);
+  if (question_.given >= 0) {
+    std::vector<double> values(start.begin(), start.end());
+    const double g = evaluate(question_.graph, question_.given, values);
+    require(std::isfinite(g) && g > 0.0, "The given monitor at the start", g, "finite and positive");
+  }
+  menu_ = candidates(question_.graph, question_.energy, energy, sketch, resting, metric, choice,
+                     question_.timed, question_.given);
   const std::string& wanted = question_.options.monitor.name;
   if (!wanted.empty()) {
-    std::erase_if(menu_, [&](const Candidate& it) { return it.name != wanted; });
-    if (question_.given >= 0) {
-      const double g = candidate(wanted, question_.graph, question_.energy, energy, choice, question_.timed,
-                                 question_.given)
-                           .rate(start.data());
-      require(std::isfinite(g) && g > 0.0, "The given monitor at the start", g, "finite and positive");
-      if (menu_.empty())
-        throw std::invalid_argument("The given monitor is not finite and positive along the whole orbit.");
-    }
+    const std::string_view kept = wanted == splitting ? "fixed" : std::string_view(wanted);
+    std::erase_if(menu_, [&](const Candidate& it) { return it.name != kept; });
+    if (menu_.empty() && question_.given >= 0)
+      throw std::invalid_argument("The given monitor is not finite and positive along the whole orbit.");
     if (menu_.empty()) {
       if (!(choice.kinetic > 0.0) && wanted != "acceleration")
         throw std::invalid_argument("Monitor " + wanted +
@@ -89,33 +96,82 @@ void Orbiter::prepare() {
   }
   for (Candidate& it : menu_)
     it.supplied = question_.gradient;
+  aim_ = std::max(question_.tolerance / std::max(radians_, 1.0), 1e-16);
+  order_ = question_.options.order > 0 ? question_.options.order : aim_ > 2e-6 ? 8 : 16;
+  offer_splitting();
 }
 
 /// The times at which two runs are compared: the end, three quarters, a half, three eighths and so on of it,
-/// down to a few turns.
+/// down to a few turns; only every third of them in runs that are too short for growing errors to be seen.
 void Orbiter::set_marks() {
-  for (double part = 1.0; marks_.size() < 80; part *= marks_.size() % 2 == 1 ? 0.75 : 2.0 / 3.0) {
-    if (part < 1.0 && part * radians_ < 25.0) break;
+  const bool is_long = radians_ > shortest_growth;
+  for (double part = 1.0; marks_.size() < 80; part *= !is_long                 ? 0.375
+                                                      : marks_.size() % 2 == 1 ? 0.75
+                                                                               : 2.0 / 3.0) {
+    if (part < 1.0 && part * radians_ < (is_long ? 25.0 : 20.0)) break;
     marks_.push_back(part == 1.0 ? question_.t_end : question_.t + sense_ * part * span_);
   }
   std::ranges::reverse(marks_);
   compared_ = marks_.size();
   // Without a check, over some turns, or the first twenty-fifth of many.
-  if (!question_.options.check && radians_ > 400.0)
+  if (!question_.options.check && radians_ > shortest_growth)
     for (compared_ = 1; compared_ < marks_.size() && since_start(compared_ - 1) < 0.04 * span_;)
       ++compared_;
 }
 
-Setting Orbiter::first_setting() {
-  aim_ = std::max(question_.tolerance / std::max(radians_, 1.0), 1e-16);
-  order_ = question_.options.order > 0 ? question_.options.order : aim_ > 2e-6 ? 8 : 16;
-  Candidate& it = menu_[choice_];
-  if (question_.options.h > 0.0) return {&it, question_.options.h};
+/// The step with which a candidate begins.
+double Orbiter::first_step(const Candidate& it) {
   // Medians of what some hundred systems drawn at random came to. With a monitor the motion is smoother in
   // fictive time than the radians of its fastest part tell.
-  const double usual = it.fixed() ? (order_ == 8 ? 6.0 : 7.2) : (order_ == 8 ? 9.5 : 10.5);
-  const double radians = std::clamp(usual * std::pow(aim_, 1.0 / order_), 0.05, it.fixed() ? 2.2 : 3.5);
-  return {&it, std::min(it.longest > 0.0 ? radians / it.longest : infinity, longest_step(it) / longer)};
+  const int order = order_of(it);
+  const double usual = it.splits() ? 8.0 : it.fixed() ? (order == 8 ? 6.0 : 7.2) : (order == 8 ? 9.5 : 10.5);
+  const double radians = std::clamp(usual * std::pow(aim_, 1.0 / order), 0.01, it.fixed() ? 2.2 : 3.5);
+  return std::min({it.longest > 0.0 ? radians / it.longest : infinity, longest_step(it) / longer,
+                   field_.size() > 4 ? contracting_step(it) / longer : infinity});
+}
+
+/// The longest step whose sweeps contract, where something moves a little faster than what is seen of it.
+double Orbiter::contracting_step(const Candidate& it) {
+  if (!it.fixed() || it.splits()) return infinity;
+  if (fastest_ < 0.0) {
+    VectorX start(2 * field_.size());
+    start << trip_->start.q, trip_->start.p;
+    fastest_ = field_.fastest(start, field_.metric(start));
+  }
+  // What is much faster than the motion is left to Newton's method.
+  return fastest_ > 0.0 && fastest_ < 6.0 * it.longest ? 3.1 / fastest_ : infinity;
+}
+
+Setting Orbiter::first_setting() {
+  Candidate& it = menu_[choice_];
+  return {&it, question_.options.h > 0.0 ? question_.options.h : first_step(it)};
+}
+
+/// Puts the explicit splitting into the menu where fixed steps are the first, and before them where it should
+/// take less time.
+void Orbiter::offer_splitting() {
+  const SolveOptions& options = question_.options;
+  const bool asked = options.monitor.name == splitting;
+  if (!asked && (!options.monitor.name.empty() || options.order > 0 || menu_.empty() ||
+                 !menu_.front().fixed() || !(aim_ > 1e-13)))
+    return;
+  if (!is_nystrom(field_.recording())) {
+    if (!asked) return;
+    throw std::invalid_argument(
+        "Monitor splitting has no meaning here: it is for H = T(p) + V(q) with T quadratic in p.");
+  }
+  if (asked) {
+    menu_.front().name = splitting;
+    return;
+  }
+  menu_.insert(menu_.begin(), menu_.front());
+  menu_.front().name = splitting;
+  // Two runs go side by side for one; ten sweeps are usual.
+  const double split = 14.0 * menu_[0].price() * 2.0 / first_step(menu_[0]);
+  const double other = 10.0 * menu_[1].price() * (order_ == 8 ? 0.6 : 1.0) * 1.8 / first_step(menu_[1]);
+  // How long its steps may be differs by three from orbit to orbit: a long run finds out.
+  if (!(split < other)) std::swap(menu_[0], menu_[1]);
+  if (!(split < 3.0 * other)) menu_.erase(menu_.begin() + 1);
 }
 
 OrbitAnswer Orbiter::fail(Outcome outcome, std::string message) {
@@ -171,7 +227,7 @@ OrbitAnswer Orbiter::finish() {
     answer_.choice.sweeps -= answer_.choice.check;
   }
   answer_.choice.name = it.name;
-  answer_.choice.order = order_;
+  answer_.choice.order = fine.order;
   answer_.choice.h = fine.h;
   answer_.choice.solved = fine.solved;
   answer_.run = fine.run;

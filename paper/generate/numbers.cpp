@@ -57,7 +57,11 @@ double value_of(const scorecard::Results& data, std::string_view term) {
   if (aggregate == "max") return std::ranges::max(values);
   if (aggregate == "min") return std::ranges::min(values);
   if (aggregate == "sum") return std::accumulate(values.begin(), values.end(), 0.0);
-  refuse("There is none of max:, min:, sum: and count:", term);
+  if (aggregate == "median") {
+    std::ranges::sort(values);
+    return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+  }
+  refuse("There is none of max:, min:, sum:, median: and count:", term);
 }
 
 }  // namespace

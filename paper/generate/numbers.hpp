@@ -19,7 +19,7 @@ std::vector<scorecard::Row> selected(const scorecard::Results& data, std::string
 /// a number, or
 ///
 ///   stem[conditions].wanted       the cell of the first row that satisfies the conditions,
-///   max:, min: or sum: before it  over all rows that do (cells that are nan are left out),
+///   max:, min:, sum:, median:     before it: over all rows that do (cells that are nan are left out),
 ///   count:stem[conditions]        how many rows do;
 ///
 /// `wanted` is a column, or two with a colon between them for their ratio, or a minus for their difference.

@@ -20,10 +20,10 @@ namespace branch_test {
 struct SoftWall {
   template <class Q, class P>
   auto operator()(const Q& q, const P& p) const {
-    using avi::select;
     using std::max, std::sqrt, std::log1p;
     const auto depth = q[0] - 1.0, root = sqrt(depth), over = max(depth, 0.0);
-    const auto wall = select(depth > 0.0, root * root * over * over * over * over + 0.0 * log1p(depth), 0.0);
+    const auto wall =
+        avi::select(depth > 0.0, root * root * over * over * over * over + 0.0 * log1p(depth), 0.0);
     return 0.5 * (p[0] * p[0] + q[0] * q[0]) + 40.0 * wall;
   }
 };

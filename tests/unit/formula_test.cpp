@@ -7,7 +7,6 @@
 #include "avi/solve.hpp"
 #include "avi/transform/poincare.hpp"
 
-#include "beyond/speed/automatic_monitors/orbit.hpp"
 #include "refusal.hpp"
 
 #include <gtest/gtest.h>
@@ -135,17 +134,10 @@ TEST(Formula, SaysWhatACallCosts) {
   }
 }
 
-TEST(Orbit, IsRefusedWhereItHasNoFiniteStart) {
-  const auto said = [](const VectorX& q, const VectorX& p, double t) {
-    const auto energy = [](const auto& at, const auto& by) { return 0.5 * by[0] * by[0] - 1.0 / at[0]; };
-    return refusal([&] { experiment::Orbit(energy, State<avi::dynamic>{.q = q, .p = p, .t = t}); });
-  };
-  const VectorX one = VectorX::Ones(1), zero = VectorX::Zero(1);
-  EXPECT_EQ(said(one, one, 0.0), "accepted");
-  const std::string not_finite = "The energy at the start is not finite; an orbit needs one that is.";
-  EXPECT_EQ(said(zero, one, 0.0), not_finite);
-  EXPECT_EQ(said(one, one, HUGE_VAL), not_finite);
-  EXPECT_EQ(said(one, VectorX::Ones(2), 0.0), "Dimension of p at the start is 2; it must be that of q, 1.");
+TEST(Formula, TakesTheSignOfZeroFromItsBit) {
+  const auto sign = Formula::of_phase<1>([](const auto& q, const auto&) { return sign_of(q[0]); });
+  for (const double x : {0.0, -0.0, 2.0, -2.0})
+    EXPECT_EQ(sign(avi::Vector<double, 1>(x), avi::Vector<double, 1>(1.0)), std::copysign(1.0, x)) << x;
 }
 
 TEST(Formula, IsAMonitorOfPositionAndMomentum) {

@@ -281,6 +281,8 @@ TEST(Numbers, FormulasReadCells) {
   EXPECT_EQ(paper::evaluate(data, "runs[method=a].steps / runs[h=0.2].steps + 1"), 3.0);
   EXPECT_EQ(paper::evaluate(data, "max:runs[].steps"), 180.0);
   EXPECT_EQ(paper::evaluate(data, "sum:runs[method=a].steps"), 270.0);
+  EXPECT_EQ(paper::evaluate(data, "median:runs[method=a].steps"), 135.0);
+  EXPECT_EQ(paper::evaluate(data, "median:runs[].h"), 0.1);
   EXPECT_EQ(paper::evaluate(data, "count:runs[h=0.1] * 5"), 10.0);
   EXPECT_EQ(paper::evaluate(data, "min:runs[].steps:h"), 450.0);
   EXPECT_EQ(paper::evaluate(data, "max:runs[].steps-h"), 179.9);

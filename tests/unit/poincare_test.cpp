@@ -4,8 +4,6 @@
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
 #include "avi/transform/time_dependent.hpp"
-#include "beyond/speed/automatic_monitors/automatic_monitor.hpp"
-#include "beyond/speed/automatic_monitors/choose_monitor.hpp"
 #include "common/methods/printed_htvi.hpp"
 #include "refusal.hpp"
 
@@ -133,8 +131,6 @@ TEST(Poincare, RefusesASizeThatIsNotTheDimension) {
     const std::string& sentence = each.second;
     EXPECT_EQ(refusal([&] { (void)avi::poincare(free, start); }), sentence);
     EXPECT_EQ(refusal([&] { (void)avi::time_dependent(in_time, start); }), sentence);
-    EXPECT_EQ(refusal([&] { (void)experiment::automatic_monitor(free, start); }), sentence);
-    EXPECT_EQ(refusal([&] { (void)experiment::choose_monitor(free, start); }), sentence);
     EXPECT_EQ(refusal([&] { (void)avi::solve(free, start, 1.0, 1e-6); }), sentence);
   }
 }

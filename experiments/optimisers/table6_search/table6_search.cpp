@@ -30,13 +30,19 @@ const std::vector<Variant>& variants() {
                                         {.name = "drift-kick-drift", .form = Form::drift_kick},
                                         {.name = "mirror map of Sigma", .form = Form::mirror, .u_by = 4.0},
                                         {.name = "x0 = 0", .away = -1.0, .u_by = 4.0},
-                                        {.name = "t0 < 1: r0 t0^-p = 100", .momentum = 1e2},
-                                        {.name = "t0 < 1: r0 t0^-p = 1e3", .momentum = 1e3, .u_by = 0.5},
+                                        {.name = "t0 < 1: momentum 100", .momentum = 1e2},
+                                        {.name = "t0 < 1: momentum 1000", .momentum = 1e3, .u_by = 0.5},
                                         {.name = "temporal looping", .loop = true}};
   return all;
 }
 
-std::string text(const Counts& counts) { return fmt::format("{}", fmt::join(counts, " ")); }
+/// The counts, a hyphen where the test was not met within the cap.
+std::string text(const Counts& counts) {
+  std::string all;
+  for (const auto count : counts)
+    all += fmt::format("{}{}", all.empty() ? "" : " ", count > 0 ? fmt::format("{}", count) : "-");
+  return all;
+}
 
 /// How many leading cells of a row another one hits.
 int leading(const Counts& ours, const Counts& wanted) {

@@ -88,13 +88,13 @@ Judgement beyond_cap(const Cell& cell, const experiment::Table& data, double cap
     if (at(10.0).text("converged") == "1" && judgement.verdict == Verdict::exact) {
       judgement.verdict = Verdict::within;
       judgement.note = fmt::format("Extrapolated: the run is capped at {:.0e}, and the counts grow by {:.3f} "
-                                   "from cell to cell (10^(2/3) = 4.642); `make long` runs it.",
+                                   "from cell to cell (10^(2/3) = 4.642).",
                                    cap, ratio);
     }
     return judgement;
   }
   Judgement judgement{.reproduced = fmt::format(">{:.0e}", cap), .verdict = Verdict::within, .note = {}};
-  judgement.note = fmt::format("Not reached within our cap of {:.0e} either (`make long` has none).", cap);
+  judgement.note = fmt::format("Not reached within our cap of {:.0e} either.", cap);
   if (method == "nag") {
     const Row shifted = find(data, {{"method", "nag_shifted"}, {"delta", cell.text("delta")}});
     if (shifted.text("converged") == "1")

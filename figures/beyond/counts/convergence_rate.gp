@@ -2,6 +2,7 @@
 # bound E(t_0) / (C t^p) that holds for every convex objective; a quartic falls as t^(-2p), hence t^(-p) here.
 width = 11; height = 5.4
 load 'figures/style.gp'
+array look[4] = [black, blue, green, vermilion]
 curves = data.'/convergence_rate_curves.tsv'
 eval logx; eval logy
 set xrange [1:2e4]; set yrange [1e-9:3]
@@ -14,5 +15,5 @@ do for [i = 1:4] {
   stats curves using (where('p', word(shown, i), 't')):(column('most')/column('bound')) nooutput
   last[i] = STATS_max_x; low[i] = STATS_min_y
 }
-plot for [i = 1:4] curves using (where('p', word(shown, i), 't')):(column('most')/column('bound')) with lines ls family(i) dt 1 lw 2 title 'p = '.word(shown, i), \
+plot for [i = 1:4] curves using (where('p', word(shown, i), 't')):(column('most')/column('bound')) with lines lc rgb look[i] lw 2 title 'p = '.word(shown, i), \
   for [i = 1:4] [t=1:2e4] (t > last[i]/30 && t < last[i] ? 4*low[i]*(t/last[i])**(-real(word(shown, i))) : NaN) with lines ls guide title i == 1 ? 't^{−p}' : ''

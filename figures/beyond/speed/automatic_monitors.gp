@@ -1,4 +1,4 @@
-# How the cost with the monitor that the pilot run chooses spreads over the problems: the share of them on which it is at
+# How the cost with the monitor that solve() chooses spreads over the problems: the share of them on which it is at
 # most so many times that of the best monitor made by hand, for three orders. A run that misses the error counts as none.
 width = 16; height = 6.2
 load 'figures/style.gp'

@@ -6,8 +6,9 @@ load 'figures/style.gp'
 table = data.'/front_door_cells.tsv'
 thousand = int(system("grep -c -P '\t1000(\.0)?\t' ".table.' || true')) > 0
 panels = thousand ? 4 : 2
+held_out = int(system("awk -F'\t' '!/^#/ && $3 == 1' ".table." | wc -l")) > 0
 array horizon[4] = [1, 10, 100, 1000]
-array title[4] = ['1 characteristic time', '10', '100', '1000']
+array title[4] = ['1', '10', '100', '1000']
 kinds = 8
 array kind[kinds] = ['one body', 'potential', 'pendulum', 'bodies', 'planets', 'chain', 'not separable', 'driven']
 array colour[kinds] = [black, blue, sky, vermilion, orange, green, purple, grey]
@@ -25,13 +26,12 @@ set multiplot
 page_left = 1.45; page_bottom = 2.3; page_top = 0.65; gap_x = 0.4
 do for [i=1:panels] {
   eval panel(i, 1, panels, 1)
-  set title title[i] font ',7' offset 0, -0.7
+  set title title[i].(i == 1 ? ' characteristic time' : panels == 2 ? ' characteristic times' : ' times') font ',7' offset 0, -0.7
   set ylabel i == 1 ? 'time / best of others' : ''
   set format y i == 1 ? '10^{%L}' : ''
   set xlabel 'position error' offset 0, 0.4
   plot 1 with lines lc rgb black lw 1 notitle, \
-    table using (apart(strcol('kind'))):(cell(i, 0)):(tint(strcol('kind'))) with points lc rgb variable pt 7 ps 0.5 notitle, \
-    table using (apart(strcol('kind'))):(cell(i, 1)):(tint(strcol('kind'))) with points lc rgb variable pt 6 ps 0.5 notitle
+    for [held = 0:held_out] table using (apart(strcol('kind'))):(cell(i, held)):(tint(strcol('kind'))) with points lc rgb variable pt (held ? 6 : 7) ps 0.5 notitle
 }
 eval legend(1)
 set key maxrows 2 samplen 1 width -1 font ',7'

@@ -36,7 +36,7 @@ do for [i = 1:panels] {
   set title shown[i] font ',8' offset 0, -0.7
   set ylabel i % 4 == 1 ? 'time / best library' : '' offset 0.6, 0
   set format y i % 4 == 1 ? '%g' : ''
-  set xtics (1e-3, 1e-6, 1e-9, 1e-12); set format x i > 4 ? '10^{%L}' : ''
+  set xtics (1e-3, 1e-6, 1e-9); set format x i > 4 ? '10^{%L}' : ''
   set xlabel i > 4 ? 'position error' : '' offset 0, 0.3
   set print $a; print system(ratio(problem[i], ecc[i], horizon[i], solved)); unset print
   set print $b; print system(ratio(problem[i], ecc[i], horizon[i], early)); unset print

@@ -14,6 +14,9 @@ direct(y) = column('p') == column('p_ring') ? y : NaN
 form(f, y) = strcol('form') eq f ? y : NaN
 forms = 'printed momentum heavy_ball'
 array form_title[3] = ['as printed, t^{2p-1}', 'momentum, t^p', 'heavy ball, log t']
+array look[3] = [vermilion, blue, black]
+array mark[3] = [5, 7, 6]
+array size[3] = [0.8, 0.6, 1.3]
 eval panel(1, 1, 2, 1)
 eval logx
 set format x '%g'
@@ -23,8 +26,8 @@ set xlabel 'p' offset 0, 0.5
 set ylabel 'log_{10} t at overflow' offset 0.5, 0
 set title 'Overflow, Direct' offset 0, -0.7
 set key top right
-plot for [i = 1:3] ends using (form(word(forms, i), direct(column('p')))):'log10_t_expected' with lines ls family(i*2-1) lw 1 notitle, \
-  for [i = 1:3] ends using (form(word(forms, i), direct(column('p')))):'log10_t_end' with points ls family(i*2-1) ps 0.8 title form_title[i]
+plot for [i = 1:3] ends using (form(word(forms, i), direct(column('p')))):'log10_t_expected' with lines lc rgb look[i] lw 1 notitle, \
+  for [i = 1:3] ends using (form(word(forms, i), direct(column('p')))):'log10_t_end' with points lc rgb look[i] pt mark[i] ps size[i] title form_title[i]
 
 eval panel(2, 1, 2, 1)
 set xrange [0.8:60]; set xtics (1, 2, 4, 10, 20, 50)

@@ -31,7 +31,7 @@ set xlabel 'microseconds per orbit'
 set xrange [1:1000]; set yrange [1e-16:*]
 eval box(12.0, page_bottom, 3.5, height - page_bottom - page_top)
 plot for [k = 1:3] summary using (where('method', word(names_here, k), 'seconds_per_orbit')*1e6):'energy_error' with points lc rgb look[k] pt mark[k] ps 1.2, \
-  summary using (column('seconds_per_orbit')*1e6*1.35):'energy_error':(sprintf('t^{%.2f}', column('exponent'))) with labels left font ',7'
+  for [k = 1:3] summary using (where('method', word(names_here, k), 'seconds_per_orbit')*1e6):'energy_error':(sprintf('t^{%.2f}', column('exponent'))) with labels center offset 0, k == 2 ? 1.1 : -1.1 font ',7'
 unset title
 eval legend(0.85)
 set key maxrows 2 samplen 2.5 width 0

@@ -92,7 +92,7 @@ class Pack : Scalar<Pack<w>> {
     friend Condition operator!(const Condition& a) {
       return by_part([&](int k) { return ~a.part[k]; });
     }
-    friend Pack select(const Condition& c, const Pack& x, const Pack& y) {
+    friend Pack choose(const Condition& c, const Pack& x, const Pack& y) {
       return Pack::by_part(
           [&](int k) { return (Register)((c.part[k] & (Mask)x.part[k]) | (~c.part[k] & (Mask)y.part[k])); });
     }

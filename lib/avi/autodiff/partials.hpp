@@ -104,7 +104,7 @@ class Partials : ChainRule<Partials<S, N>> {
     return c;
   }
   /// One of them, with its derivatives.
-  friend Partials select(const decltype(S(0.0) < S(0.0))& c, const Partials& x, const Partials& y) {
+  friend Partials choose(const decltype(S(0.0) < S(0.0))& c, const Partials& x, const Partials& y) {
     Partials z(S(select(c, x.value, y.value)));
     if (!x.constant || !y.constant) z.assign([&](int i) { return select(c, x.partial(i), y.partial(i)); });
     return z;

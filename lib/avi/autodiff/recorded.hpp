@@ -203,7 +203,7 @@ class RecordedCondition {
   }
   ///@}
   /// x where the condition holds, else y; 0 for a chosen -0.
-  friend Recorded select(const RecordedCondition& condition, const Recorded& x, const Recorded& y) {
+  friend Recorded choose(const RecordedCondition& condition, const Recorded& x, const Recorded& y) {
     return when(condition.number_, x) + when(1.0 - condition.number_, y);
   }
 

@@ -76,7 +76,9 @@ class Recording {
       differentiate(node, inner, supplied);
   }
 
-  [[nodiscard]] int inputs() const { return graph_.inputs(); }  ///< N.
+  [[nodiscard]] int inputs() const { return graph_.inputs(); }           ///< N.
+  [[nodiscard]] const ExpressionGraph& graph() const { return graph_; }  ///< Of f and its gradient.
+  [[nodiscard]] int slope(int i) const { return slopes_[i]; }            ///< The node of derivative i.
 
   /// The program of the derivatives along `count` entries of x from `first` on.
   /// @throws std::invalid_argument for entries that x has not.

@@ -3,7 +3,6 @@
 #include "avi/core/power.hpp"
 
 #include <cmath>
-#include <concepts>
 #include <type_traits>
 
 /// @file
@@ -25,12 +24,14 @@ inline double value_of(double x) { return x; }
 inline double sign_of(double x) { return std::copysign(1.0, x); }
 
 /// x where the condition holds, else y: what a formula writes instead of a branch on its arguments. Both are
-/// evaluated. Other scalars have conditions of their own, found by the same unqualified call after
-/// `using avi::select;`.
-template <std::same_as<bool> Condition, class X, class Y>
-constexpr std::common_type_t<X, Y> select(Condition condition, const X& x, const Y& y) {
-  if (condition) return x;
-  return y;
+/// evaluated. The condition is a bool, or what comparisons of another scalar give, which brings choose(c, x,
+/// y).
+template <class Condition, class X, class Y>
+constexpr auto select(const Condition& condition, const X& x, const Y& y) {
+  if constexpr (std::is_same_v<Condition, bool>)
+    return condition ? static_cast<std::common_type_t<X, Y>>(x) : static_cast<std::common_type_t<X, Y>>(y);
+  else
+    return choose(condition, x, y);
 }
 
 /// The assignments and choices that follow from a scalar's operations; X derives from it.

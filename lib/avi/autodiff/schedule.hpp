@@ -79,8 +79,9 @@ class Schedule {
       kind[codes[i]] = static_cast<short>(i);
     std::vector<List> ready(codes.size());
     std::vector<int> writer(place_.size(), -1);  // of a result in this window
-    std::vector<int> missing(window), next_ready(window);
-    std::vector<List> users(window);  // of each line, places in `waiting`
+    const std::size_t widest = std::min<std::size_t>(window, lines_.size());
+    std::vector<int> missing(widest), next_ready(widest);
+    std::vector<List> users(widest);  // of each line, places in `waiting`
     std::vector<int> waiting, next_waiting;
     std::vector<Line> sorted;
     sorted.reserve(lines_.size());

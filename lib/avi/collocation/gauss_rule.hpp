@@ -48,6 +48,11 @@ class GaussRule {
   /// j.
   [[nodiscard]] double last_legendre(int j) const { return static_cast<double>(legendre_[j][stages_ - 1]); }
 
+  /// \f$(2k + 1)\, P_k(2 c_j - 1)\f$: the coefficient of \f$P_k\f$ in \f$\ell_j / b_j\f$.
+  [[nodiscard]] double series(int j, int k) const {
+    return static_cast<double>((2 * k + 1) * legendre_[j][k]);
+  }
+
   /// \f$b_j^{-1} \int_0^c \ell_j\f$ for every j, at any real c: the collocation polynomial at the fraction c
   /// of a step is \f$y_0 + \sum_j (h b_j y'_j) \cdot\f$ this.
   [[nodiscard]] Row integrals(long double c) const {

@@ -176,7 +176,8 @@ class alignas(64) GaussStep {
     int slow = 0;
     bool closely = false, scaled = false;
     const bool unknown = place_ == Place::elsewhere;
-    const int first_look = unknown ? 1 : std::max(usual_ - 2, 1);
+    // A step from where the last one began is a little longer or shorter than that, which is a good guess.
+    const int first_look = place_ == Place::end ? std::max(usual_ - 2, 1) : 1;
     StepReport report{.evaluations = begin(h)};
     Unknowns<n, w>&step = both_[now_], &next = both_[1 - now_];
     if (unknown) progress_.restart();

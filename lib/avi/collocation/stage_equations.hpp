@@ -19,6 +19,7 @@ class alignas(64) LaneMatrix {
  public:
   LaneMatrix() { columns_.fill(Pack<w>(0.0)); }                        ///< Zero.
   void set(int i, int j, double value) { columns_[j].set(i, value); }  ///< Entry in row i and column j.
+  void set(int j, const Pack<w>& column) { columns_[j] = column; }     ///< Column j.
 
   /// Matrix times vector: the sums over columns are added as a tree, in the same order on every machine.
   [[gnu::always_inline]] Pack<w> operator*(const Pack<w>& x) const { return times(x, Pack<w>(0.0)); }
@@ -79,8 +80,9 @@ class alignas(64) StageEquations {
       step.p[i] = Scalar(step.start.state.p[i]);
     }
   }
-  /// Starting values from the polynomial of another step with these increments. @param offset fraction of
-  /// that step where this one starts @param ratio of this step's size to that one's
+  /// Starting values from the polynomial of another step with these increments. @param offset 0 or
+  /// 1: whether this one starts where that one does or where it ends @param ratio of this step's size to that
+  /// one's
   void begin(Step& step, const Vec& dq, const Vec& dp, double offset, double ratio) {
     if (offset != offset_ || ratio != ratio_) continue_at(offset, ratio);
     Columns continued = continued_;
@@ -167,15 +169,29 @@ class alignas(64) StageEquations {
       next.start.state.p[i] = step.start.state.p[i] + sum(step.dp[i]);
     }
   }
+  /// The columns of \f$\int_{o}^{o + r c_i} \ell_j / b_j\f$ at the offset o and the ratio r, from Legendre's
+  /// polynomials at all stages side by side; their integrals but the first one vanish at both ends.
   [[gnu::noinline]] void continue_at(double offset, double ratio) {
     offset_ = offset;
     ratio_ = ratio;
-    const GaussRule::Row start = rule_.integrals(offset);
-    for (int i = 0; i < w; ++i) {
-      const GaussRule::Row row =
-          rule_.integrals(offset + ratio * rule_.node(std::min(i, rule_.stages() - 1)));
-      for (int j = 0; j < w; ++j)
-        continued_.set(i, j, row[j] - start[j]);
+    const int s = rule_.stages();
+    Scalar way, integral[w], last(1.0), now;
+    for (int i = 0; i < w; ++i)
+      way.set(i, ratio * rule_.node(std::min(i, s - 1)));
+    const Scalar x = 2.0 * (way + offset) - 1.0;
+    integral[0] = way;
+    now = x;
+    for (int k = 1; k < s; ++k) {
+      const Scalar next = ((2 * k + 1) * x * now - k * last) * (1.0 / (k + 1));
+      integral[k] = (next - last) * (0.5 / (2 * k + 1));
+      last = now;
+      now = next;
+    }
+    for (int j = 0; j < s; ++j) {
+      Scalar sum = rule_.series(j, 0) * integral[0];
+      for (int k = 1; k < s; ++k)
+        sum += rule_.series(j, k) * integral[k];
+      continued_.set(j, sum);
     }
   }
 

@@ -65,6 +65,8 @@ class Pages:
         path = (self.bases[page] / file).resolve() if file else page
         if path in self.ids:
             return f"[{text}](@ref {self.ids[path]}{'_' + section if section else ''})"
+        if path.parent.name == "chapters" and path.suffix == ".md" and path.exists():
+            return f"[{text}](@ref chapter_{path.stem})"  # its page on the site is made by gallery.sh
         if path.parent.name == "examples" and path.suffix == ".cpp":
             return f"[{text}](@ref {path.name})"
         if not path.exists():

@@ -1,11 +1,14 @@
 #pragma once
-#include "beyond/speed/automatic_monitors/energy_run.hpp"
-#include "beyond/speed/automatic_monitors/scenes.hpp"
+#include "avi/collocation/collocation.hpp"
+#include "avi/core/integrate_to.hpp"
+#include "avi/transform/poincare.hpp"
+#include "beyond/speed/automatic_monitors/choice.hpp"
 #include "common/table.hpp"
 #include "common/timing.hpp"
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 /// @file
 /// What a monitor takes to meet a target.
@@ -13,9 +16,11 @@
 namespace experiment {
 
 using Point = avi::State<avi::dynamic>;
+using Problem = avi::Poincare<avi::dynamic, avi::Formula, avi::Formula>;
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// Errors to be reached by collocation of an order.
 struct Targets {
   int order;
   double position, energy;
@@ -28,6 +33,7 @@ struct Measured {
          energy_error = unknown;
   bool ok = false;
 };
+/// What a monitor takes.
 struct Cost {
   Measured position, energy;  ///< For the targets of these errors.
   double sweep = 1.0;         ///< What a sweep costs, in additions.
@@ -39,56 +45,59 @@ struct Cost {
   static double mean(double product) { return std::isnan(product) ? infinity : std::sqrt(product); }
 };
 
-/// A scene with what all its runs share.
+/// A scene with its orbit to near rounding.
 struct Arena {
   const Scene& scene;
-  const Menu menu;
-  const avi::VectorX end;  ///< Position at the end.
-  double scale;            ///< Of energy errors.
-  double turns;            ///< Of the velocity in phase space, 2 pi each: no fewer than periods.
+  double scale;              ///< Of energy errors.
+  std::vector<Point> orbit;  ///< At the steps of a run of order 16.
+
+  /// The fictive time of the orbit with a monitor; infinite or not positive where that is no monitor.
+  [[nodiscard]] double fictive_time(const avi::Formula& monitor) const {
+    double sum = 0.0;
+    for (std::size_t k = 1; k < orbit.size(); ++k) {
+      const Point &a = orbit[k - 1], &b = orbit[k];
+      const double left = monitor(a.q, a.p), right = monitor(b.q, b.p);
+      if (!(left > 0.0) || !(right > 0.0)) return infinity;
+      sum += 0.5 * (b.t - a.t) * (1.0 / left + 1.0 / right);
+    }
+    return sum;
+  }
 };
 
-/// The choice with which a whole run of order 16 keeps its energy to 1e-12, or the least above it that
-/// rounding allows.
-inline MonitorChoice finest(const Scene& scene) {
-  for (double tolerance = 1e-12;; tolerance *= 3.0) {
-    auto solution = energy_run(scene.energy, scene.start, scene.time, tolerance);
-    solution.choice.reached = solution.run.outcome == avi::Outcome::ok && solution.kept();
-    if (solution.choice.reached || 3.0 * tolerance > 1e-9) return solution.choice;
+/// The orbit of a scene by order 16 with six tenths of the steps that keep 1e-12, or the least tolerance
+/// above it that rounding allows. It is empty where none is kept.
+inline Arena arena_of(const Scene& scene) {
+  Arena arena{scene, 1.0, {}};
+  for (double tolerance = 1e-12; tolerance < 1e-7 && arena.orbit.empty(); tolerance *= 10.0) {
+    const avi::SolutionReport found = choose(scene, scene.time, tolerance, 16);
+    if (!found.kept()) continue;
+    arena.scale = found.choice.energy_scale;
+    auto method = avi::collocation(poincare(scene.energy, scene.start, monitor_of(scene, found.choice)), 16);
+    Point z = scene.start;
+    arena.orbit.push_back(z);
+    (void)integrate_to(method, z, 0.6 * found.choice.h, scene.time,
+                       [&](const Point& at, long) { arena.orbit.push_back(at); });
+    arena.orbit.push_back(z);
   }
+  return arena;
 }
 
-/// A scene with the position at its end and its turns by order 16 with steps of six tenths of those that it
-/// was chosen with.
-inline Arena arena_of(const Scene& scene, const MonitorChoice& choice) {
-  Menu menu({scene.energy, scene.start});
-  const Curvature curvature({scene.energy, scene.start});
-  auto method = avi::collocation(poincare(scene.energy, scene.start, choice.monitor), 16);
-  Point z = scene.start;
-  avi::VectorX place(2 * z.q.size()), next = place, way = 0.0 * place;
-  place << z.q, z.p;
-  double angle = 0.0;
-  (void)integrate_to(method, z, 0.6 * choice.h, scene.time, [&](const Point& at, long k) {
-    next << at.q, at.p;
-    if (k > 1) angle += curvature.angle(way, next - place, menu.scales->frequency);
-    way = next - place;
-    place = next;
-  });
-  return {scene, std::move(menu), z.q, choice.energy_scale, angle / (2.0 * M_PI)};
-}
-
-/// What a sweep costs with a monitor: by count, for counts do not depend on what else the machine does.
-inline double sweep_of(const Arena& arena, const avi::Formula& monitor, int order) {
-  const avi::Formula& energy = arena.scene.energy;
-  const double h0 = energy(arena.scene.start.q, arena.scene.start.p);
-  return sweep_work(
-      avi::Formula::of_phase([&](const V& q, const V& p) { return monitor(q, p) * (energy(q, p) - h0); },
-                             arena.scene.start.q.size()),
-      order);
+/// What a sweep costs with a monitor, in additions of all its stages: the gradient of the transformed H, and
+/// the sums over the stages (fitted to measured times). Counted, for counts do not depend on what else the
+/// machine does.
+inline double sweep_of(const Scene& scene, const avi::Formula& monitor, int order) {
+  const avi::Formula& energy = scene.energy;
+  const double h0 = energy(scene.start.q, scene.start.p);
+  const auto n = scene.start.q.size();
+  const int lanes = order <= 8 ? 4 : 8;
+  return 3.0 + 0.85 * static_cast<double>(n) * lanes +
+         avi::Formula::of_phase([&](const V& q, const V& p) { return monitor(q, p) * (energy(q, p) - h0); },
+                                n)
+             .work(lanes);
 }
 
 /// One run.
-inline Measured measure(const Arena& arena, avi::Collocation<Pilot::Problem>& method, double h, long cap) {
+inline Measured measure(const Arena& arena, avi::Collocation<Problem>& method, double h, long cap) {
   const avi::Formula& energy = arena.scene.energy;
   const double h0 = energy(arena.scene.start.q, arena.scene.start.p);
   Point z = arena.scene.start;
@@ -103,7 +112,7 @@ inline Measured measure(const Arena& arena, avi::Collocation<Pilot::Problem>& me
   return {static_cast<double>(run.steps),
           static_cast<double>(run.evaluations),
           time,
-          (z.q - arena.end).norm(),
+          (z.q - arena.orbit.back().q).norm(),
           worst,
           run.outcome == avi::Outcome::ok};
 }
@@ -113,14 +122,13 @@ inline Measured measure(const Arena& arena, avi::Collocation<Pilot::Problem>& me
 inline Cost cost(const Arena& arena, const avi::Formula& monitor, const Targets& targets, double most,
                  double dearest, double factor) {
   Cost found;
-  const OrbitScales& scales = *arena.menu.scales;
-  const double fictive = scales.fictive_time(monitor, arena.scene.time);
+  const double fictive = arena.fictive_time(monitor);
   if (!(fictive > 0.0) || !std::isfinite(fictive)) return found;
-  found.sweep = sweep_of(arena, monitor, targets.order);
+  found.sweep = sweep_of(arena.scene, monitor, targets.order);
   auto method = avi::collocation(poincare(arena.scene.energy, arena.scene.start, monitor), targets.order);
   Measured before;
-  const double radians = scales.frequency * arena.scene.time;
-  for (double steps = 0.06 * radians * std::pow(targets.energy, -1.0 / targets.order); steps < most_steps;
+  const double first = 0.006 * static_cast<double>(arena.orbit.size());
+  for (double steps = first * std::pow(targets.energy, -1.0 / targets.order); steps < most_steps;
        steps *= factor) {
     const Measured now = measure(arena, method, fictive / steps, static_cast<long>(2.0 * most_steps));
     if (now.steps > most && found.sweep * now.sweeps > dearest) break;

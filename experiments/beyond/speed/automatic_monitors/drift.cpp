@@ -1,4 +1,4 @@
-#include "beyond/speed/automatic_monitors/promises.hpp"
+#include "beyond/speed/automatic_monitors/drift.hpp"
 
 #include "beyond/speed/automatic_monitors/cost.hpp"
 #include "beyond/speed/automatic_monitors/drift_verdict.hpp"
@@ -11,21 +11,18 @@
 
 namespace experiment {
 
-void measure_tolerances(const Frame& frame, const std::vector<Scene>& scenes) {
-  Table table = frame.table({"problem", "held_out", "tolerance", "energy_error", "outcome", "order",
-                             "monitor", "steps", "sweeps", "pilot_sweeps"});
-  for (const Scene& scene : scenes)
-    for (int k = 4; k <= 11; ++k) {
-      const double tolerance = std::pow(10.0, -k);
-      const auto solution = energy_run(scene.energy, scene.start, scene.time, tolerance);
-      table.row(scene.name, scene.held_out, tolerance, solution.energy_error, avi::name(solution.run.outcome),
-                solution.choice.order, solution.choice.name, solution.run.steps, solution.run.evaluations,
-                solution.choice.sweeps);
-    }
-  frame.write(table, "tolerance");
-}
-
 namespace {
+
+/// What solve() chose, with the monitor as a formula.
+struct Chosen : avi::Choice {
+  avi::Formula monitor;
+  /// The end of a run with it.
+  template <class... Use>
+  avi::Run run(const Scene& scene, Point start, const avi::Until& until, const Use&... use) const {
+    auto method = avi::collocation(poincare(scene.energy, scene.start, monitor), order);
+    return integrate(method, start, h, until, use...);
+  }
+};
 
 /// How two orbits part that start side by side.
 struct Parting {
@@ -34,16 +31,15 @@ struct Parting {
   /// Neighbours part in proportion to time, growth 2, and have not come to where they part no more.
   [[nodiscard]] bool regular() const { return growth < 3.0 && distance < 3e7; }
 };
-Parting parting(const Scene& scene, const MonitorChoice& choice) {
+Parting parting(const Scene& scene, const Chosen& choice) {
   std::vector<avi::VectorX> orbit;
   const double apart = 1e-9 * (scene.start.q.norm() + 1e-3);
   double most[2] = {0.0, 0.0};
   std::size_t steps = 0;
   for (const bool beside : {false, true}) {
-    auto method = avi::collocation(poincare(scene.energy, scene.start, choice.monitor), choice.order);
     Point z = scene.start;
     if (beside) z.q.array() += apart;
-    (void)integrate(method, z, choice.h, avi::Until{.time = 20.0 * scene.time}, [&](const Point& at, long) {
+    (void)choice.run(scene, z, {.time = 20.0 * scene.time}, [&](const Point& at, long) {
       if (!beside) {
         orbit.push_back(at.q);
       } else if (steps < orbit.size()) {
@@ -62,22 +58,19 @@ struct Series : ErrorSeries {
   double worst_first = 0.0, worst_last = 0.0;  ///< In the first and the last tenth.
   double rounding = 0.0;  ///< Half a unit in the last place of the largest kinetic energy, for each step.
 };
-Series follow(const Scene& scene, const MonitorChoice& choice, double end) {
+Series follow(const Scene& scene, const Chosen& choice, double end) {
   Series series;
-  auto method = avi::collocation(poincare(scene.energy, scene.start, choice.monitor), choice.order);
-  Point z = scene.start;
-  const double h0 = scene.energy(z.q, z.p);
+  const double h0 = scene.energy(scene.start.q, scene.start.p);
   double largest = 0.0;
-  series.run = integrate(
-      method, z, choice.h, avi::Until{.time = end, .steps = 20'000'000}, [&](const Point& at, long) {
-        const double error = (scene.energy(at.q, at.p) - h0) / choice.energy_scale;
-        if (at.t < 0.1 * end) series.worst_first = std::max(series.worst_first, std::abs(error));
-        if (at.t > 0.9 * end) series.worst_last = std::max(series.worst_last, std::abs(error));
-        const double kinetic = std::abs(scene.energy(at.q, at.p) - scene.energy(at.q, 0.0 * at.p));
-        largest = std::max(largest, kinetic / choice.energy_scale);
-        series.times.push_back(at.t);
-        series.errors.push_back(error);
-      });
+  series.run = choice.run(scene, scene.start, {.time = end, .steps = 20'000'000}, [&](const Point& at, long) {
+    const double error = (scene.energy(at.q, at.p) - h0) / choice.energy_scale;
+    if (at.t < 0.1 * end) series.worst_first = std::max(series.worst_first, std::abs(error));
+    if (at.t > 0.9 * end) series.worst_last = std::max(series.worst_last, std::abs(error));
+    const double kinetic = std::abs(scene.energy(at.q, at.p) - scene.energy(at.q, 0.0 * at.p));
+    largest = std::max(largest, kinetic / choice.energy_scale);
+    series.times.push_back(at.t);
+    series.errors.push_back(error);
+  });
   series.rounding = 0x1p-53 * largest * series.run.steps;
   return series;
 }
@@ -93,15 +86,16 @@ void measure_drift(const Frame& frame, const std::vector<Scene>& scenes, int rep
   for (const Scene& scene : scenes) {
     const double end = repeats * scene.time;
     // The step that keeps the tolerance over a hundred periods; shorter where a step on the way cannot be
-    // solved, as energy_run() does it.
-    MonitorChoice choice = energy_run(scene.energy, scene.start, 10.0 * scene.time, 1e-6).choice;
+    // solved.
+    const avi::SolutionReport found = choose(scene, 10.0 * scene.time, 1e-6, 8);
+    Chosen choice{found.choice, monitor_of(scene, found.choice)};
     Series series;
-    for (int attempt = 0; choice.reached && attempt <= detail::most_restarts; ++attempt) {
+    for (int attempt = 0; found.ok() && attempt <= 6; ++attempt) {
       if (attempt > 0) choice.h *= 0.7;
       series = follow(scene, choice, end);
       if (series.run.outcome == avi::Outcome::ok) break;
     }
-    const bool arrived = choice.reached && series.run.outcome == avi::Outcome::ok;
+    const bool arrived = found.ok() && series.run.outcome == avi::Outcome::ok;
     const avi::DriftFit fit =
         series.times.size() > 100 ? avi::fit_drift(series.times, series.errors, 20) : avi::DriftFit{};
     double worst = 0.0;

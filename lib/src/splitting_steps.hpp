@@ -1,0 +1,147 @@
+#pragma once
+#include "avi/collocation/unknowns.hpp"
+#include "avi/integrators/coefficient_lists.hpp"
+#include "stage_formula.hpp"
+#include "stepper.hpp"
+
+#include <memory>
+#include <utility>
+
+/// @file
+/// Explicit steps for H = T(p) + V(q) with T quadratic.
+
+namespace avi::detail {
+
+namespace {
+
+/// The Runge-Kutta-Nystrom splitting of order 6 with 14 kicks of Blanes and Moan (2002), whose drifts
+/// \f$q \mathrel{+}= a h\,\partial T/\partial p\f$ and kicks \f$p \mathrel{-}= b h\,\partial V/\partial q\f$
+/// are exact flows. Rounding errors are kept and added later, as long as each step begins where the last one
+/// ended (see Splitting). Two orbits are stepped for the price of one.
+class SplittingSteps final : public Stepper {
+ public:
+  /// Of these formulas, with g = 1.
+  explicit SplittingSteps(std::shared_ptr<const Formulas> formulas)
+      : formulas_(std::move(formulas)), forces_(formulas_->forces), velocities_(formulas_->velocities),
+        here_(formulas_->n), end_(here_), q_(formulas_->n), p_(q_), low_q_(q_), low_p_(q_), change_(q_) {
+    end_.state.t = std::numeric_limits<double>::quiet_NaN();  // equal to no state: no rounding error is known
+    if constexpr (makes_code) {
+      code_ = machine_code<lanes>(*formulas_, true);
+      if (!code_) return;
+      forces_.code = (*code_)[0];
+      velocities_.code = (*code_)[1];
+    }
+  }
+
+  StepReport step(double* z, double& t, double h) override {
+    begin(z, t);
+    for (int lane = 0; lane < lanes; ++lane)
+      put(lane, here_);
+    move(Scalar(h));
+    return end(0, z, t, h);
+  }
+  [[nodiscard]] bool can_go_beside() const override { return true; }
+  std::pair<StepReport, StepReport> step_beside(const Pace& mine, Stepper& beside, const Pace& its) override {
+    auto& other = static_cast<SplittingSteps&>(beside);
+    begin(mine.z, *mine.t);
+    other.begin(its.z, *its.t);
+    put(0, here_);
+    for (int lane = 1; lane < lanes; ++lane)
+      put(lane, other.here_);
+    Scalar h(its.h);
+    h.set(0, mine.h);
+    move(h);
+    for (Eigen::Index i = 0; i < q_.size(); ++i) {
+      other.q_[i] = q_[i], other.p_[i] = p_[i];
+      other.low_q_[i] = low_q_[i], other.low_p_[i] = low_p_[i];
+    }
+    return {end(0, mine.z, *mine.t, mine.h), other.end(1, its.z, *its.t, its.h)};
+  }
+  /// A step of that part: as accurate as the end.
+  void polynomial(double c, double* z, double& t) const override {
+    SplittingSteps aside(*this);
+    std::copy(here_.state.q.begin(), here_.state.q.end(), z);
+    std::copy(here_.state.p.begin(), here_.state.p.end(), z + here_.state.q.size());
+    t = here_.state.t;
+    aside.end_ = here_;
+    (void)aside.step(z, t, c * h_);
+  }
+  [[nodiscard]] std::unique_ptr<Stepper> clone() const override {
+    return std::make_unique<SplittingSteps>(*this);
+  }
+
+ private:
+  static constexpr int lanes = 4;
+  static constexpr SplitCoefficients coefficients = splittings::blanes_moan6_nystrom;
+  using Scalar = Pack<lanes>;
+  using Vec = Vector<Scalar, dynamic>;
+
+  /// A step begins here, with the rounding error of the one that led here.
+  void begin(const double* z, double t) {
+    const Eigen::Index n = q_.size();
+    const State<dynamic>& last = end_.state;
+    if (last.t == t && std::equal(z, z + n, last.q.data()) && std::equal(z + n, z + 2 * n, last.p.data())) {
+      std::swap(here_, end_);
+      return;
+    }
+    std::copy(z, z + n, here_.state.q.data());
+    std::copy(z + n, z + 2 * n, here_.state.p.data());
+    here_.state.t = t;
+    here_.low.q.setZero();
+    here_.low.p.setZero();
+    here_.low.t = 0.0;
+  }
+  void put(int lane, const PreciseState<dynamic>& from) {
+    for (Eigen::Index i = 0; i < q_.size(); ++i) {
+      q_[i].set(lane, from.state.q[i]);
+      p_[i].set(lane, from.state.p[i]);
+      low_q_[i].set(lane, from.low.q[i]);
+      low_p_[i].set(lane, from.low.p[i]);
+    }
+  }
+  void move(const Scalar& h) {
+    const auto drift = [&](long double a) {
+      velocities_.run(q_, p_, static_cast<double>(a) * h, change_.data());
+      add(q_, low_q_);
+    };
+    for (std::size_t k = 0; k < coefficients.b.size(); ++k) {
+      drift(coefficients.a[k]);
+      forces_.run(q_, p_, static_cast<double>(-coefficients.b[k]) * h, change_.data());
+      add(p_, low_p_);
+    }
+    drift(coefficients.a.back());
+  }
+  /// x += change, with what rounding cut off before (Kahan 1965).
+  void add(Vec& x, Vec& low) const {
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const Scalar change = change_[i] + low[i], next = x[i] + change;
+      low[i] = change - (next - x[i]);
+      x[i] = next;
+    }
+  }
+  StepReport end(int lane, double* z, double& t, double h) {
+    const Eigen::Index n = q_.size();
+    h_ = h;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      z[i] = end_.state.q[i] = q_[i][lane];
+      z[n + i] = end_.state.p[i] = p_[i][lane];
+      end_.low.q[i] = low_q_[i][lane];
+      end_.low.p[i] = low_p_[i][lane];
+    }
+    const double change = h + here_.low.t;
+    t = end_.state.t = here_.state.t + change;
+    end_.low.t = change - (t - here_.state.t);
+    return {.evaluations = static_cast<int>(coefficients.b.size())};
+  }
+
+  std::shared_ptr<const Formulas> formulas_;
+  std::shared_ptr<const MachineCode> code_;
+  StageFormula<lanes> forces_, velocities_;
+  PreciseState<dynamic> here_, end_;  // of the last step
+  double h_ = 0.0;                    // of the last step
+  Vec q_, p_, low_q_, low_p_, change_;
+};
+
+}  // namespace
+
+}  // namespace avi::detail

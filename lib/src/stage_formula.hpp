@@ -1,0 +1,72 @@
+#pragma once
+#include "avi/autodiff/pack.hpp"
+#include "formulas.hpp"
+#include "pack_functions.hpp"
+
+#include <memory>
+
+/// @file
+/// A program at several points side by side, for the files that are compiled once for each set of
+/// instructions: nothing of it is seen outside of them.
+
+namespace avi::detail {
+
+namespace {
+
+/// The machine that this file is compiled for makes code at run time.
+#if defined(__AVX512VL__) && defined(__AVX512DQ__)
+constexpr bool makes_code = true, has_avx512 = true;
+#elif defined(__AVX2__)
+constexpr bool makes_code = true, has_avx512 = false;
+#else
+constexpr bool makes_code = false, has_avx512 = false;
+#endif
+
+/// The machine code of formulas, made unless it is there or not to be made.
+template <int w>
+std::shared_ptr<const MachineCode> machine_code(const Formulas& formulas, bool make) {
+  const Program* const programs[] = {&formulas.forces, &formulas.velocities, &formulas.rate};
+  return formulas.code->of({programs, formulas.unit ? 2u : 3u},
+                           {.lanes = w, .avx512 = has_avx512, .functions = pack_functions<w>()}, make);
+}
+
+/// A program at packs of w numbers.
+template <int w>
+class StageFormula {
+ public:
+  explicit StageFormula(const Program& program) : program_(&program), room_(program) {}
+
+  /// out = factor times its derivatives, or its value where it has none.
+  template <class Vec>
+  [[gnu::always_inline]] void run(const Vec& q, const Vec& p, const Pack<w>& factor, Pack<w>* out) {
+    if (code)
+      code(number(q.data()), number(p.data()), number(&factor), number(out));
+    else
+      interpret(q, p, factor, out);
+  }
+  MachineCode::Function code = nullptr;  ///< Of this program, once there is one.
+
+ private:
+  static const double* number(const Pack<w>* x) { return reinterpret_cast<const double*>(x); }
+  static double* number(Pack<w>* x) { return reinterpret_cast<double*>(x); }
+  template <class Vec>
+  [[gnu::noinline]] void interpret(const Vec& q, const Vec& p, const Pack<w>& factor, Pack<w>* out) {
+    Pack<w>* const z = room_.arguments();
+    const Eigen::Index size = q.size();
+    for (Eigen::Index i = 0; i < size; ++i) {
+      z[i] = q[i];
+      z[size + i] = p[i];
+    }
+    program_->run(room_);
+    if (program_->slopes() == 0) out[0] = program_->value(room_);
+    for (int i = 0; i < program_->slopes(); ++i)
+      out[i] = factor * program_->slope(room_, i);
+  }
+
+  const Program* program_;
+  Program::Room<Pack<w>> room_;
+};
+
+}  // namespace
+
+}  // namespace avi::detail
