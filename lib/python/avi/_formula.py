@@ -41,6 +41,13 @@ def trace(f, shapes, parameters, name):
         if isinstance(error.__cause__, TypeError):
             raise error.__cause__ from None
         raise
+    except TypeError as error:  # of functions of NumPy that have no say where an array holds objects
+        if "dtype('O')" in str(error) and "traced" not in str(error):
+            raise TypeError(
+                "NumPy cannot do this to an array of traced numbers that np.array() has made, as it could to one of np.stack(): write "
+                "np.stack([np.stack([a, b]), np.stack([c, d])]) instead of np.array([[a, b], [c, d]])."
+            ) from error
+        raise
 
 
 def _arguments(f):

@@ -164,6 +164,7 @@ class Tracing(unittest.TestCase):
             (lambda q, p: q[0] % 1, "remainders"),
             (lambda q, p: q[0] // 1, "remainders"),
             (lambda q, p: np.floor(q[0]), "np.floor"),
+            (lambda q, p: np.linalg.inv(np.array([[q[0], 0.0], [0.0, p[0]]]))[0, 0], "np.stack([a, b])"),
             (lambda q, p: np.linalg.svd(np.outer(q, p))[1][0], "np.linalg.svd"),
             (lambda q, p: np.einsum("i...,i", q, p), "one letter for each axis"),
             (lambda q, p, t: p @ p + t, "q, t, p, in this order"),
