@@ -16,7 +16,7 @@ here = Path(__file__).resolve().parent
 class ByCMake(build_ext):
     def build_extension(self, extension):
         target = Path(self.get_ext_fullpath(extension.name)).resolve()
-        build = Path(self.build_temp).resolve()
+        build = here.parents[1] / "build" / f"pip-{sys.implementation.cache_tag}"
         subprocess.run(
             ["cmake", "-S", here, "-B", build, "-DCMAKE_BUILD_TYPE=Release", f"-DPython_EXECUTABLE={sys.executable}",
              f"-Dpybind11_DIR={pybind11.get_cmake_dir()}"], check=True,
