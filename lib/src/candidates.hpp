@@ -78,7 +78,7 @@ inline constexpr std::string_view splitting = "splitting";
 /// when it is first used.
 class Candidate {
  public:
-  /// Of this power. @param lively node of \f$\ell\f$, or -1 where it is not needed
+  /// The monitor of this power. @param lively node of \f$\ell\f$, or -1 where it is not needed
   Candidate(std::string its_name, double alpha, std::shared_ptr<const ExpressionGraph> formula, int energy,
             double energy_at_start, int lively)
       : name(std::move(its_name)), alpha_(alpha), graph_(std::move(formula)), energy_(energy),

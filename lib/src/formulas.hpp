@@ -48,7 +48,7 @@ struct Formulas {
   /// Forces, velocities and, unless `unit`, the rate as machine code.
   std::unique_ptr<CodeStore> code = std::make_unique<CodeStore>();
 
-  /// Of \f$\bar H\f$ and g as nodes of one graph of (q, p).
+  /// The programs of \f$\bar H\f$ and g as nodes of one graph of (q, p).
   /// @param energy node of H @param supplied those of its gradient, where H has one of its own
   static std::shared_ptr<const Formulas> of(const ExpressionGraph& graph, int transformed, int rate,
                                             int energy = -1, const std::vector<int>& supplied = {}) {

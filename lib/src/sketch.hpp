@@ -16,7 +16,7 @@
 
 namespace avi::detail {
 
-inline constexpr double infinity = std::numeric_limits<double>::infinity();  ///< Of what is not known.
+inline constexpr double infinity = std::numeric_limits<double>::infinity();  ///< Stands for unknown.
 
 /// The field of H, one point at a time.
 class PointField {
@@ -150,7 +150,7 @@ class Sketch {
     using Numbers = Eigen::Map<const VectorX>;  ///< 2n of them, which the sketch holds.
     Numbers z;                                  ///< (q, p).
     Numbers slope;                              ///< Its velocity in phase space.
-    Numbers errors;                             ///< Of the step.
+    Numbers errors;                             ///< Errors of the step.
     double h;                                   ///< Time to the next sample.
     double frequency;  ///< Radians per unit of time here, as the error of the step tells.
     double energy;     ///< H.
