@@ -1,5 +1,6 @@
 """Builds the compiled part by CMake, for `pip install ./lib/python` in a checkout: a compiler, CMake and Eigen have to be there."""
 
+import os
 import re
 import subprocess
 import sys
@@ -15,12 +16,12 @@ here = Path(__file__).resolve().parent
 class ByCMake(build_ext):
     def build_extension(self, extension):
         target = Path(self.get_ext_fullpath(extension.name)).resolve()
-        build = Path(self.build_temp).resolve()
+        build = here.parents[1] / "build" / f"pip-{sys.implementation.cache_tag}"
         subprocess.run(
             ["cmake", "-S", here, "-B", build, "-DCMAKE_BUILD_TYPE=Release", f"-DPython_EXECUTABLE={sys.executable}",
              f"-Dpybind11_DIR={pybind11.get_cmake_dir()}"], check=True,
         )  # fmt: skip
-        subprocess.run(["cmake", "--build", build, "--target", "_avi", "--parallel"], check=True)
+        subprocess.run(["cmake", "--build", build, "--target", "_avi", "--parallel", str(os.cpu_count())], check=True)
         self.copy_file(next((build / "avi").glob("_avi*")), target)
 
 

@@ -89,6 +89,8 @@ class Candidate {
   double outlook = 0.0;            ///< Work of all steps where the longest one in radians is of fixed length.
   double fictive = 0.0;            ///< Fictive time of the sketch.
   double longest = 0.0;            ///< Largest g times frequency on the sketch.
+  int failures = 0;                ///< Runs that failed at the place where the last one did.
+  double below = infinity;         ///< Where longer steps have failed, a step to try.
   double noise = 0.0;  ///< Largest relative error of a force that rounding of H makes through grad g.
 
   /// The method, of this order, which is 6 for the splitting.
@@ -119,11 +121,16 @@ class Candidate {
   [[nodiscard]] double rate_of(double lively) const { return power(lively, -alpha_); }
   /// g of a state.
   double rate_at(const State<dynamic>& z) {
+    VectorX at(z.q.size() + z.p.size());
+    at << z.q, z.p;
+    return rate_at(at.data());
+  }
+  /// g at (q, p).
+  double rate_at(const double* z) {
     if (fixed() || formulas()->unit) return 1.0;
     const Program& program = formulas()->rate;
     if (!room_) room_.emplace(program);
-    std::copy(z.q.begin(), z.q.end(), room_->arguments());
-    std::copy(z.p.begin(), z.p.end(), room_->arguments() + z.q.size());
+    std::copy(z, z + graph_->inputs(), room_->arguments());
     program.run(*room_);
     return program.value(*room_);
   }

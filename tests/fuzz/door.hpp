@@ -48,7 +48,7 @@ inline void door(const std::uint8_t* data, std::size_t size) {
                        .monitor = names[in.byte() % 6],
                        .h = in.real(),
                        .dense = (which & 16) != 0};
-  if (which & 32) options.order = 0, options.monitor.clear(), options.h = 0.0;
+  if (which & 32) options.order = 0, options.monitor = {}, options.h = 0.0;
   const EventRules rules{.direction = in.byte() % 4 - 1, .count = in.byte() % 4, .stop = in.byte() % 2 == 0};
   if (which & 4) {
     options.events.push_back(when([=](const auto& q, const auto&) { return q[0] - level; }, rules));

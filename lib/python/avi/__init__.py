@@ -9,7 +9,7 @@ A function is called once, with numbers that record what is done to them; from t
 """
 
 from . import plot
-from ._avi import Formula, Traced
+from ._avi import Formula, Traced, __version__
 from ._formula import hamiltonian
 from ._minimise import Minimum, minimise, objective
 from ._orbits import Orbit, Solver, ensemble, event, resume, solve

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import plot as plot
 
+__version__: str
 Floats = NDArray[np.float64]
 Monitor = str | Callable[..., Any] | Formula  # a name, or g(q, p) or g(q, t, p)
 

@@ -10,6 +10,8 @@ _avi.Formula.__doc__ = """A function of Python that was called once, by hamilton
 The arguments of value(x) and gradient(x) are those of the function one after the other, (q, p) or (q, p, t). Threads can share it.
 """
 
+_avi.Formula.__repr__ = lambda self: f"<a formula of {self.size} numbers>"
+
 
 def _shape(x):
     """The shape of an example, or a number of entries as one."""
@@ -38,6 +40,13 @@ def trace(f, shapes, parameters, name):
     except ValueError as error:  # NumPy's own words where an array is filled
         if isinstance(error.__cause__, TypeError):
             raise error.__cause__ from None
+        raise
+    except TypeError as error:  # of functions of NumPy that have no say where an array holds objects
+        if "dtype('O')" in str(error) and "traced" not in str(error):
+            raise TypeError(
+                "NumPy cannot do this to an array of traced numbers that np.array() has made, as it could to one of np.stack(): write "
+                "np.stack([np.stack([a, b]), np.stack([c, d])]) instead of np.array([[a, b], [c, d]])."
+            ) from error
         raise
 
 

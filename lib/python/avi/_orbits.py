@@ -40,8 +40,8 @@ class Orbit:
     status = property(lambda self: int(self._stopped) if self.success else -1)
     message = property(lambda self: self._report.run.message or ("The end was reached.", "An event ended the run.")[self.status])
     nfev = property(
-        lambda self: self._report.run.evaluations * self.choice.order // 2
-        + sum(trial.sweeps * trial.order // 2 for trial in self.choice.trials)
+        lambda self: _evaluations(self._report.run.evaluations, self.choice)
+        + sum(_evaluations(trial.sweeps, trial) for trial in self.choice.trials)
     )
     nsteps = property(lambda self: self._report.run.steps)
     choice = property(lambda self: self._report.choice)
@@ -65,6 +65,15 @@ class Orbit:
     def __getstate__(self):
         """What is kept in a file: all but sol."""
         return {**self.__dict__, "_report": _Report(self._report), "_formula": self.energy, "sol": None}
+
+
+_avi.Choice.__repr__ = lambda self: f"monitor {self.monitor}, order {self.order}, h = {self.h:.3g}"
+_avi.Trial.__repr__ = lambda self: f"monitor {self.monitor}, order {self.order}, h = {self.h:.3g}: {self.steps} steps, {self.outcome.name}"
+
+
+def _evaluations(sweeps, method):
+    """Of the field: a sweep of order s is s / 2 of them, a kick of the splitting is one."""
+    return sweeps if method.monitor == "splitting" else sweeps * method.order // 2
 
 
 class _Report:
@@ -147,7 +156,7 @@ def solve(H, q, p, t, tol, *, events=(), progress=None, parameters=(), **options
     dense     keeps the orbit between the times, for `sol`
     seconds, sweeps, steps   bounds on wall-clock time, on evaluations of all stages and on steps; a run that meets one keeps what it has
     order, monitor, h        of the method, for who does not want them chosen: 2, 4 ... 16; the step in fictive time; "fixed", "energy",
-           "energy^1.5", "acceleration", or a function g(q, p) or g(q, t, p), positive and smooth, which is traced as H is: dt = g dtau
+           "energy^1.5", "acceleration", "splitting", or a function g(q, p) or g(q, t, p), positive and smooth, which is traced as H is: dt = g dtau
     check  long runs are made twice, so that all of it is compared
     checkpoint, checkpoint_seconds   a file in which the run is kept for resume(), and how often
 
@@ -209,6 +218,9 @@ class Solver:
 
     choice = property(lambda self: self._question.made.choice)
     sample = property(lambda self: self._question.made.report())
+
+    def __repr__(self):
+        return f"A Solver with {self.choice}"
 
     def run(self, q, p, t=None, *, progress=None):
         """The orbit from (q, p) to the end or with the times t, those of the choice where there are none: an Orbit."""

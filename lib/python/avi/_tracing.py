@@ -199,6 +199,9 @@ _FUNCTIONS = {
     "det": _algebra.determinant,
     "select": _select,
     "real": lambda x: x,
+    "shape": lambda x: x.shape,
+    "ndim": lambda x: x.ndim,
+    "size": lambda x: x.size,
     "dot": _dot,
     "norm": _algebra.norm,
     "clip": _clip,
@@ -213,7 +216,7 @@ def _joined(function, parts, *args, **kwargs):
     """What a function of NumPy makes of several arrays by putting their entries side by side: done to the numbers of the entries."""
     import numpy as np
 
-    shapes = [np.shape(part) for part in parts]
+    shapes = [part.shape if isinstance(part, Traced) else np.shape(part) for part in parts]
     ends = np.cumsum([0] + [int(np.prod(shape)) for shape in shapes])
     numbers = [np.arange(ends[i], ends[i + 1]).reshape(shape) for i, shape in enumerate(shapes)]
     return pool(list(parts))._take(function(numbers, *args, **kwargs))

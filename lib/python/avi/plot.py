@@ -21,17 +21,23 @@ def _dots(ax, x, y, **style):
 
 
 def orbit(found: Orbit, *, i=0, j=1, ax=None, **style):
-    """Coordinate j against coordinate i; of bodies (q of shape (k, d)) a line for each. With dense=True a smooth line with a dot for every
-    step, else what there is at the times of the orbit."""
+    """Coordinate j against coordinate i; of bodies (q of shape (k, d)) a line for each; of a single degree of freedom p against q. With
+    dense=True a smooth line with a dot for every step, else what there is at the times of the orbit."""
     import numpy as np
 
-    q = dots = found.q
+    half = len(found.y) // 2
+    single = half == 1
+
+    def places(y):
+        return y if single else y[:half].reshape(found.q.shape[:-1] + y.shape[1:])
+
+    q = dots = places(found.y)
     if found.sol is not None:
         between = np.linspace(found.sol.times[:-1], found.sol.times[1:], 10, endpoint=False).T.ravel()
-        half = len(found.y) // 2
-        q, dots = (found.sol(t)[:half].reshape(found.q.shape[:-1] + t.shape) for t in (between, found.sol.times))
-    ax = _axes(ax, xlabel=f"$q_{i}$", ylabel=f"$q_{j}$")
-    ax.set_aspect("equal", adjustable="datalim")
+        q, dots = places(found.sol(between)), places(found.sol(found.sol.times))
+    ax = _axes(ax, xlabel="$q$" if single else f"$q_{i}$", ylabel="$p$" if single else f"$q_{j}$")
+    if not single:
+        ax.set_aspect("equal", adjustable="datalim")
     for body, steps in zip(*(x if x.ndim == 3 else x[None] for x in (q, dots))):
         line = ax.plot(body[i], body[j], **{"linewidth": 1, **style})[0]
         if found.sol is not None:

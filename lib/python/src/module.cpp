@@ -2,6 +2,7 @@
 
 #include "avi/optim/minimise.hpp"
 #include "avi/solve.hpp"
+#include "avi/version.hpp"
 
 #include <pybind11/stl.h>
 
@@ -245,6 +246,7 @@ PYBIND11_MODULE(_avi, module) {
           curve.at(t.data()[i], to + i * n);
         return z;
       });
+  module.attr("__version__") = version();
   module.def("trace", trace);
   module.def("solve", python::solve);
   module.def("resume", python::resume);

@@ -31,6 +31,9 @@ class Orbits(unittest.TestCase):
         trials = sum(trial.sweeps * trial.order for trial in orbit.choice.trials)
         self.assertEqual(orbit.nfev, (trials + orbit._report.run.evaluations * orbit.choice.order) // 2)
         self.assertGreater(trials, 0)
+        spring = avi.solve(lambda q, p: (p @ p + q @ q) / 2, [1.0], [0.0], 10.0, 1e-6, monitor="splitting")
+        kicks = spring._report.run.evaluations + sum(trial.sweeps for trial in spring.choice.trials)
+        self.assertEqual((spring.nfev, spring.choice.order), (kicks, 6))
         self.assertIn(orbit.choice.monitor, repr(orbit))
         self.assertIn(f"{orbit.nsteps} steps", repr(orbit))
 

@@ -64,6 +64,7 @@ class Tracing(unittest.TestCase):
         ):
             formula = avi.objective(f, 12)
             self.assertAlmostEqual(formula.value(x), float(f(x)), delta=1e-12 * (1 + abs(float(f(x)))))
+        self.assertEqual(avi.objective(lambda x: np.shape(x)[0] + np.ndim(x) + np.size(x) + x[0], 12).value(x), 25 + x[0])
         filled = lambda x: (lambda room: (room.__setitem__(1, x[0] * x[1]), room.sum())[1])(np.zeros(3, dtype=x.dtype))
         self.assertEqual(avi.objective(filled, 12).value(x), x[0] * x[1])
         avi.objective(lambda x: self.assertIn("traced", f"{x[0]:.3f}") or x[0], 1)
@@ -164,6 +165,7 @@ class Tracing(unittest.TestCase):
             (lambda q, p: q[0] % 1, "remainders"),
             (lambda q, p: q[0] // 1, "remainders"),
             (lambda q, p: np.floor(q[0]), "np.floor"),
+            (lambda q, p: np.linalg.inv(np.array([[q[0], 0.0], [0.0, p[0]]]))[0, 0], "np.stack([a, b])"),
             (lambda q, p: np.linalg.svd(np.outer(q, p))[1][0], "np.linalg.svd"),
             (lambda q, p: np.einsum("i...,i", q, p), "one letter for each axis"),
             (lambda q, p, t: p @ p + t, "q, t, p, in this order"),
