@@ -27,7 +27,7 @@ MakeSplittingSteps splitting_steps_v4;        ///< As above.
 /// minimise_by_calls() for one set of instructions.
 using MinimiseByCalls = MinimiserEnd(MinimiserCalls& calls, Eigen::Index n, const MinimiseOptions& options);
 
-MinimiseByCalls minimise_portable, minimise_v3, minimise_v4;  ///< As above.
+MinimiseByCalls minimise_portable, minimise_v4;  ///< As above; with AVX2 the portable one is the faster.
 
 /// One build, by its doors.
 struct GaussBuild {
