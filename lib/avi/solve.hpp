@@ -17,6 +17,11 @@
 
 namespace avi {
 
+/// The mass to write for a body that has none. In H it cannot be 0, of which the momentum m v says nothing;
+/// this one is a power of two, so that p / m is the velocity to the last bit, and what the body does to
+/// others is below their rounding: the orbits are those of test particles, in any units.
+inline constexpr double massless = 0x1p-200;
+
 namespace detail {
 /// f takes a time: f(q, t, p).
 template <class F, int n = dynamic>

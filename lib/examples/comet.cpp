@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstdio>
 
-// Sun, Jupiter, Saturn and a comet like Halley's for 1000 years, the comet as heavy as a planet and as light
-// as a pebble. Units: astronomical units, solar masses, and years over 2 pi, in which the constant of gravity
+// Sun, Jupiter, Saturn and a comet like Halley's for 1000 years, the comet as heavy as a planet and without a
+// mass. Units: astronomical units, solar masses, and years over 2 pi, in which the constant of gravity
 // is 1.
 
 int main() {
-  for (const double comet : {1e-6, 1e-22}) {
+  for (const double comet : {1e-6, avi::massless}) {
     const std::array mass{1.0, 9.5e-4, 2.9e-4, comet};
     const auto bodies = [&](const auto& q, const auto& p) {
       auto energy = 0.0 * q[0];

@@ -116,6 +116,11 @@ Candidate accelerated(const std::shared_ptr<ExpressionGraph>& graph, int energy,
   return {"acceleration", 0.375, graph, energy, energy_at_start, lively};
 }
 
+Candidate given(const std::shared_ptr<ExpressionGraph>& graph, const OrbitQuestion& question,
+                double energy_at_start) {
+  return {"given", -1.0, graph, question.energy, energy_at_start, question.given};
+}
+
 }  // namespace
 
 std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, Eigen::Index seen) {
@@ -148,28 +153,29 @@ bool is_monitor(std::string_view name) {
   return std::ranges::any_of(entries, [&](const Entry& entry) { return name == entry.name; });
 }
 
-Candidate candidate(std::string_view name, const ExpressionGraph& formula, int energy, double energy_at_start,
-                    const Choice& constants, bool timed, int given) {
-  const auto graph = std::make_shared<ExpressionGraph>(formula);
-  if (given >= 0) return {"given", -1.0, graph, energy, energy_at_start, given};
+Candidate candidate(std::string_view name, const OrbitQuestion& question, double energy_at_start,
+                    const Choice& constants) {
+  const auto graph = std::make_shared<ExpressionGraph>(question.graph);
+  const int energy = question.energy;
+  if (question.given >= 0) return given(graph, question, energy_at_start);
   const Entry& entry = *std::ranges::find_if(entries, [&](const Entry& it) { return name == it.name; });
   if (entry.alpha == 0.0) return {entry.name, 0.0, graph, energy, energy_at_start, -1};
   if (name == "acceleration") return accelerated(graph, energy, energy_at_start, constants);
-  const int lively = liveliness_of(*graph, energy, energy_at_start, constants.kinetic, timed);
+  const int lively = liveliness_of(*graph, energy, energy_at_start, constants.kinetic, question.timed);
   return {entry.name, entry.alpha, graph, energy, energy_at_start, lively};
 }
 
-std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, double energy_at_start,
-                                  const Sketch& sketch, const Resting& resting, const VectorX& metric,
-                                  const Choice& constants, bool timed, int given) {
+std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch,
+                                  const Resting& resting, const VectorX& metric, const Choice& constants) {
   const double kinetic = constants.kinetic;
-  const auto graph = std::make_shared<ExpressionGraph>(formula);
+  const int energy = question.energy;
+  const auto graph = std::make_shared<ExpressionGraph>(question.graph);
   const double size = 1.6 * energy;
   const auto cost = [&](double operations) { return Candidate::price_of_sweep(operations, graph->inputs()); };
   std::vector<Candidate> menu;
   menu.emplace_back("fixed", 0.0, graph, energy, energy_at_start, -1);
   if (kinetic > 0.0 && sketch.samples.size() > 1) {
-    const int lively = liveliness_of(*graph, energy, energy_at_start, kinetic, timed);
+    const int lively = liveliness_of(*graph, energy, energy_at_start, kinetic, question.timed);
     for (const auto& [name, alpha] : entries)
       if (alpha >= 1.0) menu.emplace_back(name, alpha, graph, energy, energy_at_start, lively);
   }
@@ -188,7 +194,7 @@ std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, do
     }
     it.noise = std::abs(it.alpha()) * rounding * measured.steepest;
     it.outlook = price * it.fictive * it.longest;
-    const bool idle = it.alpha() > 0.0 && !(most > 1.15 * least);
+    const bool idle = !it.fixed() && it.name != "given" && !(most > 1.15 * least);
     if (!(least > 0.0) || !std::isfinite(it.outlook) || idle) it.outlook = infinity;
     if (it.fixed() && sketch.samples.empty()) it.outlook = 1.0, it.fictive = 1.0;
   };
@@ -196,9 +202,9 @@ std::vector<Candidate> candidates(const ExpressionGraph& formula, int energy, do
   if (menu.size() > 1) measured = measure(sketch, resting, energy_at_start, kinetic, strength);
   for (Candidate& it : menu)
     look(it, cost(it.fixed() ? size : 1.7 * size + 16.0), measured);
-  if (given >= 0) {
-    menu.emplace_back("given", -1.0, graph, energy, energy_at_start, given);
-    look(menu.back(), cost(1.7 * size + 16.0), measure(sketch, *graph, given, strength));
+  if (question.given >= 0) {
+    menu.push_back(given(graph, question, energy_at_start));
+    look(menu.back(), cost(1.7 * size + 16.0), measure(sketch, *graph, question.given, strength));
   }
   // Where the fastest part of the motion makes all steps many times shorter than the others need be, as when
   // two of many bodies meet.

@@ -71,11 +71,11 @@ class OrbitSteps {
 inline constexpr std::string_view splitting = "splitting";
 
 /// A monitor of the menu: \f$g = \ell^{-\alpha}\f$ with a rate of change that it follows, where \f$\alpha =
-/// 0\f$ is that of fixed steps; a given one is its own, with \f$\alpha = -1\f$. Of the energy it is \f$\ell =
-/// \bar T + \frac12(H + H_0) - H(q, 0)\f$ with the mean kinetic energy \f$\bar T\f$: the kinetic energy and
-/// its mean, written such that it stays positive where a step has an energy that is a little wrong. The
-/// method is Gauss collocation, but for the candidate called `splitting`. What runs on it is made when it is
-/// first used.
+/// 0\f$ is that of fixed steps. Of the energy it is \f$\ell = \bar T + \frac12(H + H_0) - H(q, 0)\f$ with the
+/// mean kinetic energy \f$\bar T\f$: the kinetic energy and its mean, written such that it stays positive
+/// where a step has an energy that is a little wrong. A given monitor is itself \f$\ell\f$, with \f$\alpha =
+/// -1\f$. The method is Gauss collocation, but for the candidate called `splitting`. What runs on it is made
+/// when it is first used.
 class Candidate {
  public:
   /// Of this power. @param lively node of \f$\ell\f$, or -1 where it is not needed
@@ -89,6 +89,8 @@ class Candidate {
   double outlook = 0.0;            ///< Work of all steps where the longest one in radians is of fixed length.
   double fictive = 0.0;            ///< Fictive time of the sketch.
   double longest = 0.0;            ///< Largest g times frequency on the sketch.
+  int failures = 0;                ///< Runs that failed at the place where the last one did.
+  double below = infinity;         ///< Where longer steps have failed, a step to try.
   double noise = 0.0;  ///< Largest relative error of a force that rounding of H makes through grad g.
 
   /// The method, of this order, which is 6 for the splitting.
@@ -111,7 +113,7 @@ class Candidate {
   static double price_of_kick(double operations, int entries) { return 20.0 + 0.5 * operations + entries; }
   /// g = 1.
   [[nodiscard]] bool fixed() const { return alpha_ == 0.0; }
-  /// The power of \f$\ell\f$, with the other sign.
+  /// The power of \f$\ell\f$, negative.
   [[nodiscard]] double alpha() const { return alpha_; }
   /// The node of \f$\ell\f$ in the graph.
   [[nodiscard]] int rate_node() const { return lively_; }
@@ -119,11 +121,16 @@ class Candidate {
   [[nodiscard]] double rate_of(double lively) const { return power(lively, -alpha_); }
   /// g of a state.
   double rate_at(const State<dynamic>& z) {
+    VectorX at(z.q.size() + z.p.size());
+    at << z.q, z.p;
+    return rate_at(at.data());
+  }
+  /// g at (q, p).
+  double rate_at(const double* z) {
     if (fixed() || formulas()->unit) return 1.0;
     const Program& program = formulas()->rate;
     if (!room_) room_.emplace(program);
-    std::copy(z.q.begin(), z.q.end(), room_->arguments());
-    std::copy(z.p.begin(), z.p.end(), room_->arguments() + z.q.size());
+    std::copy(z, z + graph_->inputs(), room_->arguments());
     program.run(*room_);
     return program.value(*room_);
   }
@@ -163,19 +170,16 @@ struct Resting {
 std::string names_of_monitors();
 /// There is a monitor of this name.
 bool is_monitor(std::string_view name);
-/// The monitor of this name, which there is, on its own. @param constants of the monitors @param timed see
-/// and given see OrbitQuestion
-Candidate candidate(std::string_view name, const ExpressionGraph& graph, int energy, double energy_at_start,
-                    const Choice& constants, bool timed, int given);
+/// The monitor of this name, which there is, on its own. @param constants of the monitors
+Candidate candidate(std::string_view name, const OrbitQuestion& question, double energy_at_start,
+                    const Choice& constants);
 /// See Choice::accelerations. @param metric diagonal of H_pp @param seen number of coordinates but time
 std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, Eigen::Index seen);
 
-/// The menu for an orbit, the most promising candidate first; fixed steps are always in it, and a given
-/// monitor is where it is positive on the sketch.
-/// @param resting H without momenta on the sketch @param metric diagonal of H_pp @param constants of the
-/// monitors
-std::vector<Candidate> candidates(const ExpressionGraph& graph, int energy, double energy_at_start,
-                                  const Sketch& sketch, const Resting& resting, const VectorX& metric,
-                                  const Choice& constants, bool timed, int given);
+/// The menu for an orbit, the most promising candidate first; fixed steps are always in it, and so is a given
+/// monitor where there is one. @param resting H without momenta on the sketch @param metric diagonal of H_pp
+/// @param constants of the monitors
+std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch,
+                                  const Resting& resting, const VectorX& metric, const Choice& constants);
 
 }  // namespace avi::detail

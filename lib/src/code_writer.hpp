@@ -368,7 +368,10 @@ class CodeWriter {
     out_.address(Assembler::rdi, Assembler::rsp, 0);
     out_.address(Assembler::rsi, Assembler::rsp, 64);
     out_.set(Assembler::rax, reinterpret_cast<std::uint64_t>(target_.functions[static_cast<int>(it.first)]));
-    out_.raw({0xff, 0xd0});  // call rax
+    // Functions of the standard library may have instructions that are many times slower beside full
+    // registers.
+    out_.raw({0xc5, 0xf8, 0x77});  // vzeroupper
+    out_.raw({0xff, 0xd0});        // call rax
     for (int part = first_part; part < end_part; ++part) {
       const int to = take();
       out_.vector(Assembler::load, to, 0, {.pointer = Assembler::rsp, .at = out_.bytes() * part});

@@ -26,10 +26,8 @@ Delivery::Delivery(const OrbitQuestion& question, int degrees, const Choice& cho
     : question_(question), degrees_(degrees), budget_(budget),
       field_(question.graph, question.energy, question.gradient),
       energy_at_start_(field_.energy(question.q.data(), question.p.data())),
-      candidate_(candidate(choice.name, question.graph, question.energy, energy_at_start_, choice,
-                           question.timed, question.given)),
-      choice_(choice), h_(question.t_end < question.t ? -choice.h : choice.h),
-      energy_scale_(choice.energy_scale),
+      candidate_(candidate(choice.name, question, energy_at_start_, choice)), choice_(choice),
+      h_(question.t_end < question.t ? -choice.h : choice.h), energy_scale_(choice.energy_scale),
       steps_((candidate_.supplied = question.gradient,
               candidate_.steps(choice.order, {.tolerance = choice.solved, .most = 60}))),
       state_(start_of(question)) {

@@ -22,6 +22,7 @@ class Distance {
         still_(std::max(1e-8, 30.0 * std::numeric_limits<double>::epsilon() / tolerance)) {}
 
   double frequency = 0.0;  ///< Mean over the sketch.
+  VectorX noise;           ///< How far rounding may move each entry of (q, p); empty where it is not known.
 
   /// Between two states.
   double operator()(const State<dynamic>& a, const State<dynamic>& b, const Ranges& ranges) const {
@@ -50,7 +51,8 @@ class Distance {
   [[nodiscard]] VectorX scales(const Ranges& ranges) const {
     const Eigen::Index n = metric_.size();
     VectorX scale = ranges.high - ranges.low;
-    // In units of the kinetic energy the largest motion of all; a range 1e-14 of it is rounding.
+    // In units of the kinetic energy the largest motion of all; a range 1e-14 of it is rounding, unless the
+    // entry is known to move by more than that, as a body without mass does.
     double of_q = 0.0, of_p = 0.0;
     for (Eigen::Index i = 0; i < n; ++i) {
       of_q = std::max(of_q, scale[i] / std::sqrt(metric_[i]));
@@ -58,7 +60,7 @@ class Distance {
     }
     for (Eigen::Index i = 0; i < n; ++i) {
       const double root = std::sqrt(metric_[i]);
-      scale[i] = std::max(scale[i], rounding * of_q * root);
+      scale[i] = std::max(scale[i], shown(rounding * of_q * root, i));
       // What moves by rounding alone is at rest, and counts by its place.
       const double place = std::max(std::abs(ranges.high[i]), std::abs(ranges.low[i]));
       if (scale[i] <= 1e-12 * place) scale[i] = place;
@@ -66,7 +68,7 @@ class Distance {
         scale[n + i] = frequency * place / metric_[i];
       // A momentum that hardly changes counts by its size, or rounding would be more than the tolerance.
       const double size = std::max(std::abs(ranges.high[n + i]), std::abs(ranges.low[n + i]));
-      scale[n + i] = std::max({scale[n + i], still_ * size, rounding * of_p / root});
+      scale[n + i] = std::max({scale[n + i], still_ * size, shown(rounding * of_p / root, n + i)});
     }
     return scale;
   }
@@ -76,6 +78,9 @@ class Distance {
   static double part(double difference, double scale) {
     if (difference == 0.0) return 0.0;
     return std::isfinite(difference) ? std::abs(difference) / scale : infinity;
+  }
+  [[nodiscard]] double shown(double bound, Eigen::Index i) const {
+    return noise.size() > 0 ? std::min(bound, noise[i]) : bound;
   }
   VectorX metric_;
   Eigen::Index seen_;

@@ -25,8 +25,8 @@ void require_question(const OrbitQuestion& question) {
   const std::string& monitor = options.monitor.name;
   require(monitor.empty() || question.given >= 0 || is_monitor(monitor), "Monitor", monitor, "one of ",
           names_of_monitors());
-  require(monitor != splitting || options.order == 0 || options.order == 6, "Order of the splitting",
-          options.order, "6, or 0");
+  require(options.monitor.name != splitting || options.order == 0 || options.order == 6,
+          "Order of the splitting", options.order, "6, or 0");
   require(std::isfinite(options.h) && options.h >= 0.0, "Fictive step h", options.h,
           "finite and positive, or 0 to have it chosen");
   require(options.h == 0.0 || !monitor.empty(), "Monitor", "not set", "set where h is: one of ",

@@ -5,9 +5,11 @@
 #include "sharp.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 /// @file
@@ -177,6 +179,14 @@ class Journey {
         std::max(energy_error, std::abs(field_->energy(z.q.data(), z.p.data()) - trip_->energy_at_start) /
                                    trip_->energy_scale);
   }
+  /// The latter half of very many steps has led on by less than a millionth of the way, as before a
+  /// singularity.
+  bool hardly_moves() {
+    const auto steps = static_cast<unsigned long>(run.steps + 1);
+    if (!std::has_single_bit(steps)) return false;
+    const double way = std::abs(z_.t - trip_->start.t), latter = way - std::exchange(half_way_, way);
+    return steps > 100'000 && latter < 1e-6 * way;
+  }
   void step(double limit) {
     before_ = z_;
     made(steps_->step(z_, trip_->sense * h), limit);
@@ -186,7 +196,7 @@ class Journey {
     const double sense = trip_->sense;
     spend(report);
     if (ok() && !z_.finite()) run.outcome = Outcome::non_finite;
-    if (ok() && !(sense * (z_.t - before_.t) > 0.0)) run.outcome = Outcome::stalled;
+    if (ok() && (!(sense * (z_.t - before_.t) > 0.0) || hardly_moves())) run.outcome = Outcome::stalled;
     if (!ok()) return;
     if (trip_->features && !jumped) jumped = trip_->features->jumped(*steps_, before_, z_);
     ++run.steps;
@@ -204,6 +214,7 @@ class Journey {
   Trip* trip_;
   PointField* field_;
   std::unique_ptr<OrbitSteps> steps_;
+  double half_way_ = 0.0;      // time after half of the steps, or fewer
   State<dynamic> z_, before_;  // after the last whole step, and before it
 };
 

@@ -74,7 +74,9 @@ Journey Orbiter::begin(const Setting& setting, double factor) {
 void Orbiter::bound(Journey& journey, std::size_t mark) {
   // Over a hundred times what the sketch suggests is something else.
   journey.most = 1e4 + 3e3 * expected_steps(*journey.candidate, journey.h, since_start(mark));
-  if (resolved_ == 0.0) journey.most = std::min(journey.most, 3e8 / journey.candidate->price());
+  // So is a run that takes long for what is but a hundred steps of the sketch.
+  if (resolved_ == 0.0 || std::abs(journey.state.t - question_.t) < sketch_->time)
+    journey.most = std::min(journey.most, patience / journey.candidate->price());
 }
 
 /// Takes a run to a mark, unless it is there. @return it has not failed
@@ -85,36 +87,66 @@ bool Orbiter::go_on(Journey& journey, std::size_t mark) {
   return journey.ok();
 }
 
+/// Goes on from where a run failed with a sketch of its own: what is met there sets steps from here on.
+void Orbiter::look_from(const State<dynamic>& z) {
+  VectorX from(2 * z.q.size());
+  from << z.q, z.p;
+  field_.sense = sense_;
+  const Sketch there(field_, from, std::abs(question_.t_end - z.t), metric_, 512,
+                     std::abs(z.t - question_.t));
+  field_.sense = 1.0;
+  dead_end_ = there.stuck;
+  for (Candidate& it : menu_) {
+    it.failures = 0;
+    double longest = it.longest;
+    for (const Sketch::Sample& sample : there.samples)
+      longest = std::max(longest, it.rate_at(sample.z.data()) * sample.frequency);
+    if (!(it.longest > 0.0) || !std::isfinite(longest)) continue;
+    longest =
+        std::min(longest, 30.0 * it.longest);  // a sketch is not exact, and a step may be shortened again
+    it.outlook *= longest / it.longest;
+    it.longest = longest;
+  }
+}
+
 /// A run ended before its mark. @return there is another setting to try
 bool Orbiter::failed(const Journey& journey, Setting& setting) {
   note_trial(journey, infinity);
   if (journey.spent || round_ >= most_rounds || question_.options.h > 0.0) return false;
   const double reached = std::abs(journey.state.t - question_.t);
+  const bool again = std::abs(reached - failed_at_) <= 1e-2 * reached;
   // A run that was stopped for its price has met nothing.
   if (journey.run.outcome != Outcome::stopped) {
     furthest_ = std::max(furthest_, reached);
-    if (std::abs(reached - failed_at_) <= 1e-2 * reached) repeated_ = std::min(repeated_, reached);
+    if (again) repeated_ = std::min(repeated_, reached);
+    if (!again) look_from(journey.state);
   }
-  failures_ = reached > 0.0 && std::abs(reached - failed_at_) <= 1e-2 * reached ? failures_ + 1 : 1;
   failed_at_ = reached;
-  const bool undefined = journey.run.outcome == Outcome::non_finite && !journey.candidate->fixed();
-  undefined_ += undefined ? 1 : 0;
-  const bool dear = static_cast<double>(budget_.sweeps) * journey.candidate->price() > 5e8;
-  if (!dear && (failures_ == 4 * static_cast<int>(choice_ + 1) || undefined_ == 2) &&
-      choice_ + 1 < menu_.size()) {
-    // A monitor may have a feature of its own there, or no value at all.
-    ++choice_;
-    undefined_ = 0;
-    coarse_.reset(), fine_.reset();
-    resolved_ = 0.0, before_ = infinity;
-    setting = first_setting();
-    return true;
+  Candidate& it = *setting.candidate;
+  // A monitor may have a feature of its own there, or no value at all.
+  const bool undefined = journey.run.outcome == Outcome::non_finite && !it.fixed();
+  it.failures += undefined ? 2 : 1;
+  it.below = setting.h * (it.failures > 2 ? 0.25 : 0.5);
+  // What promises the least work now, with steps that have not failed. Where a sketch ends too, monitors that
+  // the singularity makes many times dearer do not pass it either.
+  const auto work = [&](const Candidate& each) {
+    return each.outlook * std::max(1.0, first_step(each) / each.below);
+  };
+  const double least = std::ranges::min_element(menu_, {}, &Candidate::outlook)->outlook;
+  Candidate* best = nullptr;
+  for (Candidate& each : menu_) {
+    const bool hopeless = each.failures >= (dead_end_ ? 2 : 4) || (dead_end_ && each.outlook > 30.0 * least);
+    if (!hopeless && !(best && work(each) >= work(*best))) best = &each;
   }
-  if (failures_ >= 4 * static_cast<int>(choice_ + 2) || dear) {
+  if (!best || static_cast<double>(budget_.sweeps) * it.price() > patience) {
     in_the_way_ = std::isfinite(repeated_) ? repeated_ : furthest_;
     return false;
   }
-  setting.h *= failures_ > 2 + 4 * static_cast<int>(choice_) ? 0.25 : 0.5;
+  if (best != &it) {
+    coarse_.reset(), fine_.reset();
+    resolved_ = 0.0, before_ = infinity;
+  }
+  setting = {best, std::min(first_step(*best), best->below)};
   return true;
 }
 
@@ -195,16 +227,16 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   const double pair = span_ / here * setting.candidate->price() *
                       static_cast<double>(coarse_->run.evaluations + fine_->run.evaluations);
   vain_ = mark <= before_at_ && error > 0.3 * before_ ? vain_ + 1 : 0;
-  if (of_energy < of_state) {
+  if (of_energy < of_state && of_energy <= 3.0) {
     // Where steps resolve the motion, a third of them has ten million times less error: if that is not
     // enough, it is chaos, or noise. What is foretold may be wrong as long as it has not come true.
     const bool beyond = fine_->h * std::max(factor, 0.35) < resolved_ / 3.0 || factor < 0.25;
     if (resolved_ > 0.0 && beyond && seen_.error <= tolerance && !last) return false;
     const bool lost = last && marks_.size() > 1 && !(seen_.error < 1e-3);
-    resigned_ = lost || vain_ > 1 || (resolved_ > 0.0 && beyond) || spent > std::max(5e8, 3.0 * pair);
+    resigned_ = lost || vain_ > 1 || (resolved_ > 0.0 && beyond) || spent > std::max(patience, 3.0 * pair);
   } else {
-    // A feature that the steps do not see is worth a while.
-    resigned_ = spent > std::max(1e9, 3.0 * pair);
+    // A feature that the steps do not see, or not yet resolve, is worth a while.
+    resigned_ = vain_ > 3 || spent > std::max(2.0 * patience, 3.0 * pair);
   }
   if (resigned_) return false;
   before_ = error, before_at_ = mark;
@@ -236,7 +268,8 @@ bool Orbiter::try_others(Setting& setting) {
   for (Candidate& it : menu_) {
     if (&it == setting.candidate || it.outlook > 2.5 * menu_.front().outlook || !(it.longest > 0.0)) continue;
     const bool same = it.splits() == setting.candidate->splits();
-    Journey run = begin({&it, same ? std::min(radians / it.longest, longest_step(it)) : first_step(it)}, 1.0);
+    const double first = same ? radians / it.longest : first_step(it);
+    Journey run = begin({&it, std::min({first, longest_step(it), it.below})}, 1.0);
     run.most = 1e3 + 4.0 * best / it.price();
     run.advance(marks_[0], false);
     if (!run.ok()) {

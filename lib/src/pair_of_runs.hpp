@@ -35,6 +35,10 @@ struct Comparison {
   double rate = 0.0;         ///< Rate at which it grows exponentially, where it does.
 };
 
+/// Nanoseconds, see Candidate::price(), that may be spent in vain: on runs that fail, or that no shorter step
+/// makes better.
+inline constexpr double patience = 5e8;
+
 /// Monitor, order and step of a pair of runs.
 struct Setting {
   Candidate* candidate = nullptr;  ///< The monitor.
@@ -59,6 +63,7 @@ class Orbiter {
 
  private:
   void prepare();
+  VectorX rounding_of(const Sketch& sketch, const VectorX& metric);
   void set_marks();
   [[nodiscard]] double since_start(std::size_t mark) const { return std::abs(marks_[mark] - question_.t); }
   void offer_splitting();
@@ -70,6 +75,7 @@ class Orbiter {
   Journey begin(const Setting& setting, double factor);
   bool go_on(Journey& journey, std::size_t mark);
   bool pursue(Setting& setting);
+  void look_from(const State<dynamic>& z);
   bool failed(const Journey& journey, Setting& setting);
   bool judge(Setting& setting, std::size_t mark);
   bool try_others(Setting& setting);
@@ -93,10 +99,10 @@ class Orbiter {
   double sense_, span_;
   std::optional<Trip> trip_;
   std::optional<Sketch> sketch_;
+  VectorX metric_;  // diagonal of H_pp at the start
   std::optional<Distance> distance_;
   std::optional<SharpFeatures> features_;
   std::vector<Candidate> menu_;
-  std::size_t choice_ = 0;    // in the menu, of the first candidate that has not failed
   int order_ = 16;            // of collocation
   double aim_ = 1e-15;        // error in a radian that is wanted
   double radians_ = 0.0;      // of the whole
@@ -112,9 +118,8 @@ class Orbiter {
   std::size_t before_at_ = 0;
   int vain_ = 0;                // pairs in a row that were not better than the one before
   int round_ = 0;               // pairs of runs so far
-  int failures_ = 0;            // runs in a row that failed at the same time
-  double failed_at_ = -1.0;     // that time
-  int undefined_ = 0;           // runs whose monitor may have had no value
+  double failed_at_ = -1.0;     // time at which the last run failed
+  bool dead_end_ = false;       // a sketch from there could not go on
   double furthest_ = 0.0;       // time at which the last of the failed runs failed
   double repeated_ = infinity;  // the earliest at which two in a row did
   double in_the_way_ = 0.0;     // time at which runs fail, whatever the step

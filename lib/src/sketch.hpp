@@ -96,6 +96,18 @@ class PointField {
     }
     return std::sqrt(square);
   }
+  /// What relative errors of the entries of z make of the slope there, which is given, to first order.
+  /// @param draw the signs of those errors
+  VectorX sensitivity(const VectorX& z, const VectorX& slope, unsigned draw) {
+    constexpr double error = 1e-7;
+    VectorX moved = z, there(z.size());
+    for (double& entry : moved) {
+      draw = draw * 1664525u + 1013904223u;
+      entry *= draw >> 31 ? 1.0 + error : 1.0 - error;
+    }
+    (*this)(moved, there);
+    return (there - slope).cwiseAbs() / error;
+  }
   [[nodiscard]] int size() const { return n_; }                            ///< n.
   [[nodiscard]] const Recording& recording() const { return recording_; }  ///< Of H.
 
@@ -146,7 +158,9 @@ class Sketch {
 
   /// Along the orbit of `field` from z for `span`, or for at most `most` steps.
   /// @param metric diagonal of H_pp: what is 1e-10 of the largest motion, masses taken out, sets no step
-  Sketch(PointField& field, const VectorX& z, double span, const VectorX& metric, int most = 128) {
+  /// @param before time that has passed already; else the sketch ends where the orbit comes again
+  Sketch(PointField& field, const VectorX& z, double span, const VectorX& metric, int most = 128,
+         double before = 0.0) {
     const Eigen::Index size = z.size();
     numbers_.reset(new double[static_cast<std::size_t>(3 * size * most)]);
     samples.reserve(static_cast<std::size_t>(most));
@@ -181,7 +195,8 @@ class Sketch {
       const double factor = std::isfinite(worst) ? std::cbrt(loose / std::max(worst, 1e-3 * loose)) : 0.1;
       if (factor < 0.8) {
         h *= std::max(0.1, 0.9 * factor);
-        if (!(h > 1e-14 * span)) break;
+        const double way = before + time;
+        if (stuck = !(h > 1e-14 * (way > 0.0 ? way : span)); stuck) break;
         continue;
       }
       samples.push_back({kept(at), kept(step.k[0]), kept(errors), h, 0.0, energy});
@@ -194,7 +209,7 @@ class Sketch {
         low[i] = std::min(low[i], at[i]), high[i] = std::max(high[i], at[i]);
       }
       // What has kept within its ranges for as long as it took to fill them comes again.
-      if (made >= enough && grown <= made / 2) break;
+      if (before == 0.0 && made >= enough && grown <= made / 2) break;
       std::swap(step.k[0], step.k[3]);
       h *= std::min(5.0, 0.9 * factor);
     }
@@ -217,6 +232,7 @@ class Sketch {
   std::vector<Sample> samples;  ///< In the order of time.
   double time = 0.0;            ///< Its length.
   double radians = 0.0;         ///< Integral of the frequency.
+  bool stuck = false;           ///< It could not go on: its steps became too short, as before a singularity.
 
   /// The time in which the phase goes through so many radians; beyond the sketch as on it.
   [[nodiscard]] double time_of(double phase) const {

@@ -16,16 +16,18 @@ void Orbiter::prepare() {
   const double energy = field_(start, slope);
   if (!std::isfinite(energy) || !start.allFinite())
     throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
-  const VectorX metric = field_.metric(start);
+  const VectorX& metric = metric_ = field_.metric(start);
   // Of time as a coordinate, and its momentum, nobody asks.
   const int seen = question_.timed ? n - 1 : n;
   distance_.emplace(metric, question_.tolerance, seen);
   field_.sense = sense_;
   sketch_.emplace(field_, start, span_, metric);
   const Sketch& sketch = *sketch_;
+  dead_end_ = sketch.stuck;
   const double time = std::max(sketch.time, 1e-300);
   distance_->frequency = sketch.radians / time;
   radians_ = sketch.radians / time * span_;
+  distance_->noise = rounding_of(sketch, metric);
 
   // Means over the sketch: kinetic energy, half of p q', and the speed in phase space.
   double work = 0.0, kinetic = 0.0, highest = 0.0;
@@ -68,26 +70,23 @@ void Orbiter::prepare() {
   trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, budget_});
   features_.emplace(question_.graph, question_.energy);
   if (!features_->none()) trip_->features = &*features_;
-  if (question_.given >= 0) {
-    std::vector<double> values(start.begin(), start.end());
-    const double g = evaluate(question_.graph, question_.given, values);
-    require(std::isfinite(g) && g > 0.0, "The given monitor at the start", g, "finite and positive");
-  }
-  menu_ = candidates(question_.graph, question_.energy, energy, sketch, resting, metric, choice,
-                     question_.timed, question_.given);
+  menu_ = candidates(question_, energy, sketch, resting, metric, choice);
   const std::string& wanted = question_.options.monitor.name;
   if (!wanted.empty()) {
     const std::string_view kept = wanted == splitting ? "fixed" : std::string_view(wanted);
     std::erase_if(menu_, [&](const Candidate& it) { return it.name != kept; });
-    if (menu_.empty() && question_.given >= 0)
-      throw std::invalid_argument("The given monitor is not finite and positive along the whole orbit.");
+    if (question_.given >= 0) {
+      const double g = candidate(wanted, question_, energy, choice).rate_at(z);
+      require(std::isfinite(g) && g > 0.0, "The given monitor at the start", g, "finite and positive");
+      if (menu_.empty())
+        throw std::invalid_argument("The given monitor is not finite and positive along the whole orbit.");
+    }
     if (menu_.empty()) {
       if (!(choice.kinetic > 0.0) && wanted != "acceleration")
         throw std::invalid_argument("Monitor " + wanted +
                                     " has no meaning here: H - H(q, 0) is not positive along the orbit; take "
                                     "monitor fixed.");
-      menu_.push_back(candidate(wanted, question_.graph, question_.energy, energy, choice, question_.timed,
-                                question_.given));
+      menu_.push_back(candidate(wanted, question_, energy, choice));
     }
   } else {
     std::erase_if(menu_, [&](const Candidate& it) {
@@ -99,6 +98,21 @@ void Orbiter::prepare() {
   aim_ = std::max(question_.tolerance / std::max(radians_, 1.0), 1e-16);
   order_ = question_.options.order > 0 ? question_.options.order : aim_ > 2e-6 ? 8 : 16;
   offer_splitting();
+}
+
+/// How far rounding of the slopes may move each entry in a hundred radians, the errors of all of them in one
+/// sense.
+VectorX Orbiter::rounding_of(const Sketch& sketch, const VectorX& metric) {
+  const Eigen::Index n = metric.size();
+  VectorX slope = VectorX::Zero(2 * n);
+  const std::size_t every = sketch.samples.size() / 8 + 1;
+  for (std::size_t i = 0; i < sketch.samples.size(); i += every)
+    slope = slope.cwiseMax(field_.sensitivity(sketch.samples[i].z, sketch.samples[i].slope, i));
+  slope *= 10.0 * std::numeric_limits<double>::epsilon();
+  const double frequency = distance_->frequency, time = frequency > 0.0 ? 100.0 / frequency : span_;
+  VectorX moved = std::min(time, span_) * slope;
+  moved.head(n) += std::min(time, span_) * metric.cwiseProduct(moved.tail(n));
+  return moved;
 }
 
 /// The times at which two runs are compared: the end, three quarters, a half, three eighths and so on of it,
@@ -136,14 +150,14 @@ double Orbiter::contracting_step(const Candidate& it) {
   if (fastest_ < 0.0) {
     VectorX start(2 * field_.size());
     start << trip_->start.q, trip_->start.p;
-    fastest_ = field_.fastest(start, field_.metric(start));
+    fastest_ = field_.fastest(start, metric_);
   }
   // What is much faster than the motion is left to Newton's method.
   return fastest_ > 0.0 && fastest_ < 6.0 * it.longest ? 3.1 / fastest_ : infinity;
 }
 
 Setting Orbiter::first_setting() {
-  Candidate& it = menu_[choice_];
+  Candidate& it = menu_.front();
   return {&it, question_.options.h > 0.0 ? question_.options.h : first_step(it)};
 }
 
@@ -222,7 +236,7 @@ OrbitAnswer Orbiter::finish() {
   const Candidate& it = *fine.candidate;
   answer_.choice.sweeps = budget_.sweeps - fine.run.evaluations;
   if (coarse_) {
-    note_trial(*coarse_, infinity);
+    if (coarse_->ok()) note_trial(*coarse_, infinity);
     if (compared_ == marks_.size()) answer_.choice.check = coarse_->run.evaluations;
     answer_.choice.sweeps -= answer_.choice.check;
   }

@@ -33,6 +33,7 @@ Answer ask(const System& system, double tolerance) {
     answer.energy_error = solution.energy_error;
     answer.outcome = avi::name(solution.run.outcome);
     answer.message = solution.run.message;
+    answer.report = solution.report();
     answer.steps = solution.run.steps, answer.evaluations = solution.run.evaluations;
     answer.q.assign(solution.state.q.begin(), solution.state.q.end());
     answer.p.assign(solution.state.p.begin(), solution.state.p.end());
@@ -79,7 +80,7 @@ class Parcel {
 void send(const Answer& answer, int to) {
   Parcel parcel;
   parcel.put(answer.returned), parcel.put(answer.ok), parcel.put(answer.kept);
-  parcel.put(answer.outcome), parcel.put(answer.message.substr(0, 1000));
+  parcel.put(answer.outcome), parcel.put(answer.message.substr(0, 1000)), parcel.put(answer.report);
   parcel.put(answer.state_error), parcel.put(answer.energy_error);
   parcel.put(answer.steps), parcel.put(answer.evaluations), parcel.put(answer.t);
   parcel.put(answer.q.size());
@@ -98,6 +99,7 @@ Answer received(Parcel& parcel) {
   Answer answer;
   answer.returned = parcel.get<bool>(), answer.ok = parcel.get<bool>(), answer.kept = parcel.get<bool>();
   answer.outcome = parcel.get_text(), answer.message = parcel.get_text();
+  answer.report = parcel.get_text();
   answer.state_error = parcel.get<double>(), answer.energy_error = parcel.get<double>();
   answer.steps = parcel.get<long>(), answer.evaluations = parcel.get<long>(), answer.t = parcel.get<double>();
   const auto size = parcel.get<std::size_t>();

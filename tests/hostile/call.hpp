@@ -19,6 +19,7 @@ struct Answer {
   bool kept = false;             ///< The promise is given.
   std::string outcome = "none";  ///< Of the run.
   std::string message;           ///< Of the run, of the exception, or about the signal.
+  std::string report;            ///< Of the solution.
   double state_error = 0.0, energy_error = 0.0;
   long steps = 0, evaluations = 0;
   std::vector<double> q, p;  ///< Last state.

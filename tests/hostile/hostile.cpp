@@ -124,7 +124,10 @@ int go(const Options& options) {
            {&by_family[system.family], &by_tolerance[fmt::format("{:.0e}", tolerance)], &all["all"]})
         ++(*counts)[verdict];
       lines.push_back({index, system, tolerance, answer, found});
-      if (options.only >= 0) describe(lines.back(), options.seed);
+      if (options.only >= 0) {
+        describe(lines.back(), options.seed);
+        fmt::print("{}\n", answer.report);
+      }
       std::string message = answer.message;
       std::replace(message.begin(), message.end(), '\n', ' ');
       if (tsv.is_open())

@@ -10,6 +10,9 @@
 #include <random>
 #include <string>
 #include <vector>
+#if defined(__x86_64__)
+#include <cpuid.h>
+#endif
 
 using avi::ExpressionGraph;
 using avi::Operation;
@@ -110,6 +113,49 @@ TEST(MachineCode, PassesOnWhatNeedsNoOperation) {
   const int seven = graph.constant(7.0);
   compare(avi::Schedule::program(graph, -1, {3, seven, 0, 3}, graph.size()), 5, "arguments");
   compare(avi::Schedule::program(graph, seven, {}, graph.size()), 5, "a number");
+}
+
+/// The upper parts of vector registers are in use, as far as the processor tells.
+bool upper_parts_in_use() {
+#if defined(__x86_64__)
+  unsigned low = 0, high = 0;
+  __asm__ volatile("xgetbv" : "=a"(low), "=d"(high) : "c"(1));
+  return (low & 4) != 0;
+#else
+  return false;
+#endif
+}
+bool tells_what_is_in_use() {
+#if defined(__x86_64__)
+  unsigned a = 0, b = 0, c = 0, d = 0;
+  return runs(false) && __get_cpuid_count(0xd, 1, &a, &b, &c, &d) && (a & 4) != 0;
+#else
+  return false;
+#endif
+}
+
+// Beside them, instructions of the standard library that know only the lower parts take thirty times as long.
+TEST(MachineCode, ClearsRegistersBeforeACall) {
+  if (!tells_what_is_in_use()) GTEST_SKIP() << "the processor does not tell";
+  static bool in_use;
+  in_use = false;
+  std::vector<avi::detail::PackFunction> functions(
+      static_cast<std::size_t>(Operation::sum_of_products),
+      [](double*, const double*) { in_use = in_use || upper_parts_in_use(); });
+  ExpressionGraph graph(2);
+  const int square = graph.binary(Operation::multiply, 0, 0),
+            node = graph.binary(Operation::hypot, square, 1);
+  const Program program = avi::Schedule::program(graph, node, {}, graph.size());
+  const Program* const all[] = {&program};
+  for (const bool avx512 : {false, true}) {
+    if (!runs(avx512)) continue;
+    const auto code = MachineCode::of(all, {.lanes = 8, .avx512 = avx512, .functions = functions.data()});
+    ASSERT_TRUE(code);
+    Pack<8> q(3.0), p(4.0), factor(1.0), out(0.0);
+    const auto number = [](Pack<8>& x) { return reinterpret_cast<double*>(&x); };
+    (*code)[0](number(q), number(p), number(factor), number(out));
+    EXPECT_FALSE(in_use) << avx512;
+  }
 }
 
 TEST(MachineCode, IsSwitchedOffByTheEnvironment) {
