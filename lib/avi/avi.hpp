@@ -23,6 +23,7 @@
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/integrators/runge_kutta.hpp"
 #include "avi/integrators/stormer_verlet.hpp"
+#include "avi/optim/line_model.hpp"
 #include "avi/optim/minimise.hpp"
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"

@@ -86,7 +86,7 @@ struct SolveMonitor {
   std::function<Formula(int)> g = {};  ///< Records it for n degrees of freedom.
 };
 
-/// What a call of solve() is doing.
+/// The phase of a call of solve().
 enum class SolvePhase {
   choosing,  ///< Monitor, order and step; where runs are compared, with them.
   running,   ///< The run whose states are delivered.
@@ -95,26 +95,26 @@ enum class SolvePhase {
 
 /// How far a call of solve() has come, for SolveOptions::progress.
 struct SolveProgress {
-  SolvePhase phase = SolvePhase::choosing;  ///< What is being done.
+  SolvePhase phase = SolvePhase::choosing;  ///< Phase of the call.
   double t = 0.0;                           ///< Physical time of the run under way.
-  double fraction = 0.0;                    ///< Of its way to the end.
-  long steps = 0;                           ///< Of that run.
-  long sweeps = 0;                          ///< Of the whole call.
+  double fraction = 0.0;                    ///< Share of its way to the end.
+  long steps = 0;                           ///< Steps of that run.
+  long sweeps = 0;                          ///< Sweeps of the whole call.
   double seconds = 0.0;                     ///< Since the call began.
 };
 
-/// What else is asked for, bounds on what it may cost, and what is fixed rather than chosen. A call that
-/// meets a bound ends with an outcome that says so and keeps what it had reached.
+/// Further wishes for a call of solve(), bounds on its cost, and settings that are fixed rather than chosen.
+/// A call that meets a bound ends with an outcome that says so and keeps what it had reached.
 struct SolveOptions {
   double seconds = std::numeric_limits<double>::infinity();  ///< Wall-clock time; at least 0.
   bool check = true;            ///< Two runs are compared all the way; see solve().
   long sweeps = 2'000'000'000;  ///< Evaluations of the field at all stages, trials included; at least 1.
-  long steps = std::numeric_limits<long>::max();  ///< Of a run; at least 1.
+  long steps = std::numeric_limits<long>::max();  ///< Steps of a run; at least 1.
   int order = 0;                                  ///< Of the method: 2, 4, ... 16; 0 to have it chosen.
   SolveMonitor monitor = {};            ///< Name in the menu of solve(), or a function; see SolveMonitor.
   double h = 0.0;                       ///< Fictive step with that monitor, positive; 0 to have it chosen.
   bool dense = false;                   ///< The solution can be called at any time of the run.
-  std::vector<SolveEvent> events = {};  ///< What is looked for on the way; see when().
+  std::vector<SolveEvent> events = {};  ///< Events to look for on the way; see when().
   /// Called some twenty times a second from the thread of the call; false ends the call as stopped. What it
   /// throws leaves the call, which then has changed nothing.
   std::function<bool(const SolveProgress&)> progress = {};
@@ -133,11 +133,11 @@ struct SolveTrial {
   double time = 0.0;         ///< Physical time that it covered.
   long steps = 0;            ///< Taken.
   long sweeps = 0;           ///< Evaluations of all stages.
-  double state_error = 0.0;  ///< Of the state at its end, as far as known then; infinite where it failed.
+  double state_error = 0.0;  ///< Error of the state at its end, as far as known then; infinite on failure.
   Outcome outcome = Outcome::ok;  ///< How it ended.
 };
 
-/// What was chosen for an orbit. From here on all of it is fixed, and the method is a symplectic map.
+/// The choice for an orbit. From here on all of it is fixed, and the method is a symplectic map.
 struct Choice {
   std::string name = "fixed";  ///< Of the monitor, see SolveMonitor.
   int order = 0;               ///< Of the method.
@@ -157,10 +157,10 @@ struct SolutionReport {
   Run run;                       ///< How the run ended; its steps and sweeps.
   Choice choice;                 ///< Monitor, order and step, and the trials that led to them.
   double tolerance = 0.0;        ///< Asked for.
-  double state_error = 0.0;      ///< Of the state at the end, see solve(); infinite where nothing is known.
+  double state_error = 0.0;      ///< Error of the state at the end, see solve(); infinite where unknown.
   double energy_error = 0.0;     ///< Largest |H - H_0| of the run, over choice.energy_scale.
   double energy_rounding = 0.0;  ///< Rounding error of one evaluation of H, in the same unit.
-  std::string note;              ///< What else a reader should know, in sentences; often empty.
+  std::string note;              ///< Warnings for the reader, in sentences; often empty.
 
   /// The run reached what was asked for: its end.
   [[nodiscard]] bool ok() const { return run.outcome == Outcome::ok; }
@@ -170,7 +170,7 @@ struct SolutionReport {
     return ok() && state_error <= 10.0 * tolerance &&
            energy_error <= 10.0 * tolerance + 100.0 * energy_rounding;
   }
-  /// What came of it, what was promised, what was chosen, and the trials as a table.
+  /// The result, the promise, the choice, and the trials as a table.
   [[nodiscard]] std::string report() const;
 };
 
@@ -199,20 +199,20 @@ class OrbitCurve {
 
 /// An event that is looked for.
 struct OrbitEvent {
-  Formula g;         ///< Of (q, p), or of (q, p, t).
+  Formula g;         ///< Function of (q, p), or of (q, p, t).
   EventRules rules;  ///< Which zeros count.
 };
 
 /// An orbit that is asked for. Holds no vector of another library, so that it may cross into code that is
 /// compiled for another processor.
 struct OrbitQuestion {
-  ExpressionGraph graph;                ///< Of (q, p), 2n inputs; or of (q, p, t), where H depends on time.
-  int energy;                           ///< Node of H.
-  std::vector<double> q, p;             ///< Start, n numbers each.
-  double t, t_end, tolerance;           ///< Start, end, tolerance.
-  SolveOptions options;                 ///< Bounds, and what is fixed; its events are those below.
-  std::vector<double> times = {};       ///< Where states are wanted, from the start to the end.
-  std::vector<OrbitEvent> events = {};  ///< What is looked for on the way.
+  ExpressionGraph graph;           ///< Inputs are (q, p), 2n of them; or (q, p, t), where H depends on time.
+  int energy;                      ///< Node of H.
+  std::vector<double> q, p;        ///< Start, n numbers each.
+  double t, t_end, tolerance;      ///< Start, end, tolerance.
+  SolveOptions options;            ///< Bounds, and what is fixed; its events are those below.
+  std::vector<double> times = {};  ///< Where states are wanted, from the start to the end.
+  std::vector<OrbitEvent> events = {};      ///< Events to look for on the way.
   std::shared_ptr<const Choice> made = {};  ///< A choice that is made already, unless it is empty.
   bool timed = false;                       ///< Time has been made the last coordinate: not for callers.
   std::vector<int> gradient = {};           ///< Nodes of dH/d(q, p), 2n, where H supplies them; else empty.
@@ -265,7 +265,7 @@ State<n> state_of(double t, const double* q, const double* p, int count) {
 /// An event that was found.
 template <int n>
 struct FoundEvent {
-  int index;       ///< Of the event in SolveOptions::events.
+  int index;       ///< Place of the event in SolveOptions::events.
   State<n> state;  ///< On g = 0 or beyond it, to rounding, as accurate as the run; its t is the time.
 };
 
@@ -275,7 +275,7 @@ struct Solution : SolutionReport {
   State<n> state;  ///< At the end, or the last good one; not a number where no run was begun.
   std::vector<State<n>> states = {};       ///< At the times asked for, whose t are those times to the bit.
   std::vector<FoundEvent<n>> events = {};  ///< In the order in which the run met them.
-  std::shared_ptr<const detail::OrbitCurve> curve = {};  ///< What operator() looks at.
+  std::shared_ptr<const detail::OrbitCurve> curve = {};  ///< The orbit that operator() evaluates.
 
   /// The state at any time of the run, where SolveOptions::dense was set: by a symplectic step from the last
   /// step before it, as accurate as the ends of steps. Several threads may call it at a time.
@@ -317,7 +317,7 @@ OrbitQuestion question_of(ExpressionGraph&& graph, int energy, const State<n>& s
   return question;
 }
 
-/// Of H that is recorded already.
+/// Takes H that is recorded already.
 template <int n>
 OrbitQuestion question_of(const Formula& hamiltonian, const State<n>& start, double t_end, double tolerance,
                           const SolveOptions& options) {

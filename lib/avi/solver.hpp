@@ -18,7 +18,7 @@ namespace avi {
 template <int n>
 struct SolverMember {
   Solution<n> solution;           ///< Stopped, with the sentence, where something was thrown.
-  std::exception_ptr error = {};  ///< What was thrown; usually nothing.
+  std::exception_ptr error = {};  ///< The exception that was thrown, if any.
 
   /// The orbit came to its end.
   [[nodiscard]] bool ok() const { return solution.ok(); }
@@ -42,7 +42,7 @@ class Solver {
     question_.made = std::make_shared<const Choice>(sample_.choice);
   }
 
-  /// What was chosen.
+  /// The choice that all runs take.
   [[nodiscard]] const Choice& choice() const { return sample_.choice; }
   /// How the orbit went that it was chosen for.
   [[nodiscard]] const SolutionReport& sample() const { return sample_; }

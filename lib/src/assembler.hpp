@@ -33,14 +33,14 @@ class Assembler {
     divide = 0x5e,
     compare = 0xc2
   };
-  enum Comparison : std::uint8_t { less = 1, less_equal = 2 };  ///< What `compare` asks.
+  enum Comparison : std::uint8_t { less = 1, less_equal = 2 };  ///< The question of `compare`.
 
   /// For registers of 4 numbers, or of 8.
   explicit Assembler(int numbers) : bytes_(8 * numbers) {}
 
   std::vector<std::uint8_t> code;  ///< So far.
 
-  [[nodiscard]] int bytes() const { return bytes_; }  ///< Of a register.
+  [[nodiscard]] int bytes() const { return bytes_; }  ///< Size of a register.
 
   /// to = first instruction second. @param mask lanes that it is done for, the others become 0: the number of
   /// a mask register, or 0 for all

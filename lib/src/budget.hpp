@@ -6,7 +6,7 @@
 #include <cmath>
 
 /// @file
-/// What a call of solve() has spent, and who is told how far it has come.
+/// The cost of a call of solve() so far, and the callback that is told how far it has come.
 
 namespace avi::detail {
 
@@ -16,7 +16,7 @@ class Budget {
   /// From now on. @param options outlive this
   explicit Budget(const SolveOptions& options) : options_(options) {}
 
-  SolvePhase phase = SolvePhase::choosing;  ///< What the callback is told.
+  SolvePhase phase = SolvePhase::choosing;  ///< Phase of the call, for the callback.
   double start = 0.0, end = 1.0;            ///< Times between which the run under way goes.
   double share = 1.0;                       ///< Part of the bounds that may be spent for now.
   long sweeps = 0;                          ///< Spent by the runs before it.
@@ -27,7 +27,7 @@ class Budget {
   [[nodiscard]] double seconds() const {
     return std::chrono::duration<double>(Clock::now() - began_).count();
   }
-  /// What ends the call where the run under way has come so far, or ok.
+  /// The outcome that ends the call where the run under way has come so far, or ok.
   Outcome met(double t, long steps, long evaluations) {
     if (cancelled_) return Outcome::stopped;
     if (static_cast<double>(sweeps + evaluations) >= share * static_cast<double>(options_.sweeps) ||

@@ -78,7 +78,7 @@ inline constexpr std::string_view splitting = "splitting";
 /// when it is first used.
 class Candidate {
  public:
-  /// Of this power. @param lively node of \f$\ell\f$, or -1 where it is not needed
+  /// The monitor of this power. @param lively node of \f$\ell\f$, or -1 where it is not needed
   Candidate(std::string its_name, double alpha, std::shared_ptr<const ExpressionGraph> formula, int energy,
             double energy_at_start, int lively)
       : name(std::move(its_name)), alpha_(alpha), graph_(std::move(formula)), energy_(energy),
@@ -86,12 +86,13 @@ class Candidate {
 
   std::string name;                ///< In the menu.
   std::vector<int> supplied = {};  ///< Nodes of the gradient of H, where it has one of its own.
-  double outlook = 0.0;            ///< Work of all steps where the longest one in radians is of fixed length.
-  double fictive = 0.0;            ///< Fictive time of the sketch.
-  double longest = 0.0;            ///< Largest g times frequency on the sketch.
-  int failures = 0;                ///< Runs that failed at the place where the last one did.
-  double below = infinity;         ///< Where longer steps have failed, a step to try.
-  double noise = 0.0;  ///< Largest relative error of a force that rounding of H makes through grad g.
+  std::shared_ptr<const Recording> recording = {};  ///< Of H with its gradient, where somebody has it.
+  double outlook = 0.0;     ///< Work of all steps where the longest one in radians is of fixed length.
+  double fictive = 0.0;     ///< Fictive time of the sketch.
+  double longest = 0.0;     ///< Largest g times frequency on the sketch.
+  int failures = 0;         ///< Runs that failed at the place where the last one did.
+  double below = infinity;  ///< Where longer steps have failed, a step to try.
+  double noise = 0.0;       ///< Largest relative error of a force that rounding of H makes through grad g.
 
   /// The method, of this order, which is 6 for the splitting.
   std::unique_ptr<OrbitSteps> steps(int order, SweepBounds bounds) {
@@ -137,7 +138,9 @@ class Candidate {
 
  private:
   const std::shared_ptr<const Formulas>& formulas() {
-    if (!formulas_) {
+    if (!formulas_ && fixed() && recording) {
+      formulas_ = std::make_shared<const Formulas>(Formulas::fixed(*recording));
+    } else if (!formulas_) {
       ExpressionGraph graph = *graph_;
       int transformed = energy_, rate = graph.constant(1.0);
       if (!fixed()) {

@@ -18,8 +18,8 @@ class Record {
  public:
   /// Nothing yet.
   Record() = default;
-  /// What a file holds. @throws std::invalid_argument for one that is none of ours, of another version, or
-  /// damaged.
+  /// The content of a file. @throws std::invalid_argument for one that is none of ours, of another version,
+  /// or damaged.
   explicit Record(const std::string& file);
   /// Writes it into a file beside that one, which then takes its name: the file is there whole or as before.
   /// @throws std::runtime_error where it cannot be written.

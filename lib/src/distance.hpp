@@ -33,7 +33,7 @@ class Distance {
       most = std::max({most, part(a.q[i] - b.q[i], scale[i]), part(a.p[i] - b.p[i], scale[n + i])});
     return most;
   }
-  /// Of a velocity in phase space, per unit of time.
+  /// Size of a velocity in phase space, per unit of time.
   double operator()(const VectorX& velocity, const Ranges& ranges) const {
     return speed(velocity, scales(ranges));
   }

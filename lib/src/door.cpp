@@ -166,7 +166,7 @@ class Call {
     const double there = question_.t + factor * (time - question_.t), end = question_.t_end;
     return end < question_.t ? std::max(there, end) : std::min(there, end);
   }
-  /// What is known of a run with a choice that is made, before it is.
+  /// Knowledge of a run with a choice that is made, before it begins.
   [[nodiscard]] OrbitAnswer made() const {
     OrbitAnswer answer;
     answer.choice = *question_.made;

@@ -48,19 +48,23 @@ struct Formulas {
   /// Forces, velocities and, unless `unit`, the rate as machine code.
   std::unique_ptr<CodeStore> code = std::make_unique<CodeStore>();
 
-  /// Of \f$\bar H\f$ and g as nodes of one graph of (q, p).
+  /// The programs of \f$\bar H\f$ and g as nodes of one graph of (q, p).
   /// @param energy node of H @param supplied those of its gradient, where H has one of its own
   static std::shared_ptr<const Formulas> of(const ExpressionGraph& graph, int transformed, int rate,
                                             int energy = -1, const std::vector<int>& supplied = {}) {
-    const int n = graph.inputs() / 2;
-    const Recording recording(graph, transformed, energy, supplied);
-    Formulas made{.forces = recording.gradient(0, n),
-                  .velocities = recording.gradient(n, n),
-                  .rate = {},
-                  .unit = graph.is(rate, 1.0),
-                  .n = n};
+    Formulas made = fixed(Recording(graph, transformed, energy, supplied));
+    made.unit = graph.is(rate, 1.0);
     if (!made.unit) made.rate = Schedule::program(graph, rate, {}, graph.size());
     return std::make_shared<const Formulas>(std::move(made));
+  }
+  /// Of H with g = 1.
+  static Formulas fixed(const Recording& recording) {
+    const int n = recording.inputs() / 2;
+    return {.forces = recording.gradient(0, n),
+            .velocities = recording.gradient(n, n),
+            .rate = {},
+            .unit = true,
+            .n = n};
   }
 };
 

@@ -15,11 +15,11 @@ std::span<const GaussBuild> gauss_builds() {
   static const GaussBuild builds[] = {
 #ifdef AVI_THREE_BUILDS
       // With the instructions of lib/CMakeLists.txt.
-      {"v4", gauss_steps_v4, splitting_steps_v4,
+      {"v4", gauss_steps_v4, splitting_steps_v4, minimise_v4,
        AVI_HAS("avx512f") && AVI_HAS("avx512dq") && AVI_HAS("avx512vl") && AVI_HAS("fma") && AVI_HAS("bmi2")},
-      {"v3", gauss_steps_v3, splitting_steps_v3, AVI_HAS("avx2") && AVI_HAS("bmi2")},
+      {"v3", gauss_steps_v3, splitting_steps_v3, minimise_v3, AVI_HAS("avx2") && AVI_HAS("bmi2")},
 #endif
-      {"portable", gauss_steps_portable, splitting_steps_portable, true}};
+      {"portable", gauss_steps_portable, splitting_steps_portable, minimise_portable, true}};
 #undef AVI_HAS
   return builds;
 }
@@ -56,6 +56,10 @@ std::unique_ptr<Stepper> gauss_steps(std::shared_ptr<const Formulas> formulas, i
 
 std::unique_ptr<Stepper> splitting_steps(std::shared_ptr<const Formulas> formulas) {
   return chosen_build().splitting(std::move(formulas));
+}
+
+MinimiserEnd minimise_by_calls(MinimiserCalls& calls, Eigen::Index n, const MinimiseOptions& options) {
+  return chosen_build().minimise(calls, n, options);
 }
 
 }  // namespace avi::detail

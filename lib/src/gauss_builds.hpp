@@ -1,10 +1,11 @@
 #pragma once
+#include "avi/optim/minimiser.hpp"
 #include "gauss.hpp"
 
 #include <span>
 
 /// @file
-/// The builds of the steppers that a library has.
+/// The builds of the steppers and of the minimiser that a library has.
 
 namespace avi::detail {
 
@@ -23,11 +24,17 @@ MakeSplittingSteps splitting_steps_portable;  ///< As above.
 MakeSplittingSteps splitting_steps_v3;        ///< As above.
 MakeSplittingSteps splitting_steps_v4;        ///< As above.
 
-/// One of them.
+/// minimise_by_calls() for one set of instructions.
+using MinimiseByCalls = MinimiserEnd(MinimiserCalls& calls, Eigen::Index n, const MinimiseOptions& options);
+
+MinimiseByCalls minimise_portable, minimise_v3, minimise_v4;  ///< As above.
+
+/// One build, by its doors.
 struct GaussBuild {
-  const char* name;               ///< What AVI_INSTRUCTIONS calls it.
-  MakeGaussSteps* make;           ///< Its door,
-  MakeSplittingSteps* splitting;  ///< and the other one.
+  const char* name;               ///< Its name in AVI_INSTRUCTIONS.
+  MakeGaussSteps* make;           ///< Gauss collocation.
+  MakeSplittingSteps* splitting;  ///< Splitting.
+  MinimiseByCalls* minimise;      ///< Minimiser.
   bool runs;                      ///< On this processor.
 };
 /// All of this library, the fastest first.

@@ -17,15 +17,15 @@
 
 namespace avi::detail {
 
-/// What is the same for all runs along an orbit.
+/// The data that all runs along an orbit share.
 struct Trip {
-  const ExpressionGraph& graph;       ///< Of (q, p).
+  const ExpressionGraph& graph;       ///< Graph of formulas of (q, p).
   int energy;                         ///< Node of H.
   State<dynamic> start;               ///< Where it begins.
   double energy_at_start;             ///< H_0.
-  double energy_scale;                ///< Of energy errors.
+  double energy_scale;                ///< Unit of energy errors.
   double sense;                       ///< 1, or -1 where the end lies before the start.
-  Budget& budget;                     ///< Of the call.
+  Budget& budget;                     ///< Budget of the call.
   SharpFeatures* features = nullptr;  ///< Looked for, if there are any.
 };
 
@@ -108,14 +108,14 @@ class Journey {
         z_(trip.start), before_(trip.start) {}
 
   Candidate* candidate;               ///< Its monitor.
-  int order;                          ///< Of its method.
+  int order;                          ///< Order of its method.
   double h;                           ///< Fictive step, positive.
   double solved;                      ///< See Choice.
   double most = infinity;             ///< Sweeps that it may take.
   Run run;                            ///< How it ended, or ok.
   State<dynamic> state;               ///< Where it is: at the last mark, or the last good state.
   std::vector<State<dynamic>> marks;  ///< Where it was at the times that it was sent to.
-  Ranges ranges;                      ///< Of all states.
+  Ranges ranges;                      ///< Ranges of all states.
   double energy_error = 0.0;          ///< Largest |H - H_0| over the scale.
   bool spent = false;                 ///< It met a bound of the call.
   bool jumped = false;                ///< A step went over a feature of H that it did not see.

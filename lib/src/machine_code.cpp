@@ -19,7 +19,7 @@ namespace avi::detail {
 
 namespace {
 
-/// What AVI_MACHINE_CODE says.
+/// The setting of AVI_MACHINE_CODE.
 bool wanted() {
   const char* const said = std::getenv("AVI_MACHINE_CODE");
   const std::string word = said ? said : "";

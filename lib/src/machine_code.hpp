@@ -14,7 +14,7 @@ namespace avi::detail {
 /// a = operation(a, b) of two packs; of one alone where the operation has one operand.
 using PackFunction = void (*)(double* a, const double* b);
 
-/// What machine code is made for.
+/// The target of machine code.
 struct MachineTarget {
   int lanes;                      ///< Numbers in a pack.
   bool avx512;                    ///< Else AVX2.

@@ -6,7 +6,7 @@
 #include <array>
 
 /// @file
-/// What machine code calls.
+/// The functions that machine code calls.
 
 namespace avi::detail {
 

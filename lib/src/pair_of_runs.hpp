@@ -26,8 +26,8 @@ inline constexpr double most_trusted = 20.0;
 /// The step of the run that another one is compared with, over the step of that.
 inline constexpr double longer = 1.25;
 
-/// What two runs tell about the error of the finer one. Errors of a phase are larger where the motion is
-/// faster, so how they grow is seen from the time by which one run is behind the other.
+/// The estimate that two runs give of the error of the finer one. Errors of a phase are larger where the
+/// motion is faster, so how they grow is seen from the time by which one run is behind the other.
 struct Comparison {
   double error = infinity;   ///< At the last mark, relative to the ranges.
   double behind = infinity;  ///< The largest error divided by the speed there: a time.

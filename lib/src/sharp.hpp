@@ -17,7 +17,7 @@ namespace avi::detail {
 /// a passage through zero between two points can be found from them.
 class SharpFeatures {
  public:
-  /// Of H as a node of a graph.
+  /// Takes H as a node of a graph.
   SharpFeatures(const ExpressionGraph& graph, int energy) {
     const std::vector<char> part = graph.parts(energy);
     for (int i = 0; i <= energy; ++i) {

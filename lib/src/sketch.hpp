@@ -16,7 +16,7 @@
 
 namespace avi::detail {
 
-inline constexpr double infinity = std::numeric_limits<double>::infinity();  ///< Of what is not known.
+inline constexpr double infinity = std::numeric_limits<double>::infinity();  ///< Stands for unknown.
 
 /// The field of H, one point at a time.
 class PointField {
@@ -24,7 +24,8 @@ class PointField {
   /// Of H as a node of a graph of (q, p).
   /// @param supplied nodes of its gradient, where H has one of its own
   PointField(const ExpressionGraph& graph, int energy, const std::vector<int>& supplied)
-      : PointField(Recording(graph, energy, energy, supplied)) {}
+      : recording_(std::make_shared<const Recording>(graph, energy, energy, supplied)),
+        n_(recording_->inputs() / 2), program_(recording_->value_and_gradient()), room_(program_) {}
 
   /// dz = J grad H at z = (q, p); returns H.
   double operator()(const VectorX& z, VectorX& dz) {
@@ -46,7 +47,7 @@ class PointField {
       program_.run(room_);
       return program_.value(room_);
     }
-    if (!value_) value_.emplace(detail::RecordedFormula<double>{recording_.value()});
+    if (!value_) value_.emplace(detail::RecordedFormula<double>{recording_->value()});
     std::copy(q, q + n_, value_->room.arguments());
     std::copy(p, p + n_, value_->room.arguments() + n_);
     value_->program.run(value_->room);
@@ -108,8 +109,9 @@ class PointField {
     (*this)(moved, there);
     return (there - slope).cwiseAbs() / error;
   }
-  [[nodiscard]] int size() const { return n_; }                            ///< n.
-  [[nodiscard]] const Recording& recording() const { return recording_; }  ///< Of H.
+  [[nodiscard]] int size() const { return n_; }  ///< n.
+  /// Of H.
+  [[nodiscard]] const std::shared_ptr<const Recording>& recording() const { return recording_; }
 
   double sense = 1.0;  ///< -1 follows the orbit backwards.
 
@@ -129,10 +131,7 @@ class PointField {
       w[n_ + i] = -program_.slope(room, i).partial(0);
     }
   }
-  explicit PointField(Recording recording)
-      : recording_(std::move(recording)), n_(recording_.inputs() / 2),
-        program_(recording_.value_and_gradient()), room_(program_) {}
-  Recording recording_;
+  std::shared_ptr<const Recording> recording_;
   int n_;
   Program program_;
   Program::Room<double> room_;
@@ -150,7 +149,7 @@ class Sketch {
     using Numbers = Eigen::Map<const VectorX>;  ///< 2n of them, which the sketch holds.
     Numbers z;                                  ///< (q, p).
     Numbers slope;                              ///< Its velocity in phase space.
-    Numbers errors;                             ///< Of the step.
+    Numbers errors;                             ///< Errors of the step.
     double h;                                   ///< Time to the next sample.
     double frequency;  ///< Radians per unit of time here, as the error of the step tells.
     double energy;     ///< H.

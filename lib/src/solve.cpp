@@ -94,7 +94,7 @@ void Orbiter::prepare() {
     });
   }
   for (Candidate& it : menu_)
-    it.supplied = question_.gradient;
+    it.supplied = question_.gradient, it.recording = field_.recording();
   aim_ = std::max(question_.tolerance / std::max(radians_, 1.0), 1e-16);
   order_ = question_.options.order > 0 ? question_.options.order : aim_ > 2e-6 ? 8 : 16;
   offer_splitting();
@@ -169,7 +169,7 @@ void Orbiter::offer_splitting() {
   if (!asked && (!options.monitor.name.empty() || options.order > 0 || menu_.empty() ||
                  !menu_.front().fixed() || !(aim_ > 1e-13)))
     return;
-  if (!is_nystrom(field_.recording())) {
+  if (!is_nystrom(*field_.recording())) {
     if (!asked) return;
     throw std::invalid_argument(
         "Monitor splitting has no meaning here: it is for H = T(p) + V(q) with T quadratic in p.");

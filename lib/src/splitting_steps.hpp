@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/collocation/unknowns.hpp"
+#include "avi/collocation/stage_values.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
 #include "stage_formula.hpp"
 #include "stepper.hpp"

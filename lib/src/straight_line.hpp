@@ -100,7 +100,7 @@ class StraightLine {
   int append(Operation operation, int a, int b = -1) {
     return append({.first = operation, .second = Operation::nothing, .a = a, .b = b});
   }
-  /// What is computed once for all powers of a value.
+  /// The results that all powers of a value share.
   int known(std::vector<int>& of, int value, Operation operation, int a, int b = -1) {
     of.resize(std::max<std::size_t>(of.size(), value + 1), -1);
     if (of[value] < 0) of[value] = append(operation, a, b);

@@ -15,7 +15,7 @@ namespace avi::detail {
 /// start, from a constant as first guess, so that it does not depend on what was asked before.
 class Track final : public OrbitCurve {
  public:
-  /// Of a run with steps h of this method, which has made none.
+  /// The track of a run with steps h of this method, which has made none.
   Track(std::unique_ptr<OrbitSteps> pattern, const Candidate& candidate, const PointField& field, double h,
         int degrees)
       : pattern_(std::move(pattern)), candidate_(candidate), field_(field), h_(h), degrees_(degrees) {}

@@ -25,7 +25,7 @@ struct Stride {
 /// An event that was found in a step, or why the search failed.
 struct Hit {
   State<dynamic> state;           ///< On g = 0, or beyond it.
-  std::size_t index = 0;          ///< Of the event.
+  std::size_t index = 0;          ///< Number of the event.
   Outcome outcome = Outcome::ok;  ///< Unless ok, there is no state.
   std::string reason = {};        ///< Then why.
 };

@@ -11,7 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 // Every method x problem (autonomous, of time) x monitor (none, g(q), g(q, p), time in it) x what is done
@@ -143,6 +146,56 @@ struct Worst {
   double stored = 0.0;  ///< Of a stored trajectory between its states.
 };
 
+/// A method behind a type that knows only whether it has a polynomial and a memory: what is done with runs is
+/// compiled once for all of them.
+template <int n, bool dense, bool without_memory>
+class Erased {
+ public:
+  static constexpr bool one_step = without_memory;
+
+  template <class M>
+  requires(!std::is_same_v<M, Erased>) explicit Erased(M method)
+      : held_(std::make_unique<Held<M>>(std::move(method))) {}
+  Erased(const Erased& other) : held_(other.held_->copy()) {}
+  Erased& operator=(Erased other) { return held_.swap(other.held_), *this; }
+  avi::StepReport step(State<n>& z, double h) { return held_->step(z, h); }
+  [[nodiscard]] State<n> polynomial(double c, double t) const requires dense {
+    return held_->polynomial(c, t);
+  }
+  /// Of a problem of time, which sets the time among its coordinates.
+  [[nodiscard]] const Erased& problem() const requires(n == 2) { return *this; }
+  void set_time(State<n>& z, double t) const requires(n == 2) { held_->set_time(z, t); }
+
+ private:
+  struct Base {
+    virtual ~Base() = default;
+    [[nodiscard]] virtual std::unique_ptr<Base> copy() const = 0;
+    virtual avi::StepReport step(State<n>& z, double h) = 0;
+    [[nodiscard]] virtual State<n> polynomial(double c, double t) const = 0;
+    virtual void set_time(State<n>& z, double t) const = 0;
+  };
+  template <class M>
+  struct Held final : Base {
+    explicit Held(M its) : method(std::move(its)) {}
+    [[nodiscard]] std::unique_ptr<Base> copy() const override { return std::make_unique<Held>(method); }
+    avi::StepReport step(State<n>& z, double h) override { return method.step(z, h); }
+    [[nodiscard]] State<n> polynomial([[maybe_unused]] double c, [[maybe_unused]] double t) const override {
+      if constexpr (dense)
+        return method.polynomial(c, t);
+      else
+        return {};
+    }
+    void set_time(State<n>& z, double t) const override {
+      if constexpr (n == 2)
+        method.problem().set_time(z, t);
+      else
+        z.t = t;
+    }
+    M method;
+  };
+  std::unique_ptr<Base> held_;
+};
+
 template <class M, int n>
 Worst use(const M& method, const State<n>& z0, double h) {
   Worst worst;
@@ -201,8 +254,10 @@ Worst use(const M& method, const State<n>& z0, double h) {
 
 /// @param bound on the errors of states @param inside on those of dense output
 template <class M, int n>
-void check(const char* name, const M& method, const State<n>& z0, double step, double bound,
+void check(const char* name, const M& its, const State<n>& z0, double step, double bound,
            double inside = 0.0) {
+  constexpr bool dense = requires { its.polynomial(0.5, 0.0); };
+  const Erased<n, dense, avi::detail::one_step<M>> method(its);
   for (const double h : {step, -step}) {
     SCOPED_TRACE(std::string(name) + (h > 0.0 ? "" : ", backwards"));
     const Worst worst = use(method, z0, h);

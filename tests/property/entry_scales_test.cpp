@@ -177,7 +177,7 @@ TEST(EntryScales, AreTwiceTheStartAndItsIncrements) {
 }
 
 TEST(EntryProgress, GoesOnWhileAnyEntryImproves) {
-  avi::Unknowns<2, 2> old(2), step(2);
+  avi::StageValues<2, 2> old(2), step(2);
   step.per.q.setConstant(0.5);
   step.per.p.setConstant(0.5);
   avi::EntryProgress<2, 2> progress(2);

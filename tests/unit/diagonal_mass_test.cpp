@@ -1,4 +1,4 @@
-#include "avi/optim/diagonal_mass.hpp"
+#include "src/diagonal_mass.hpp"
 
 #include <gtest/gtest.h>
 

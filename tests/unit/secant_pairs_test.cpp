@@ -1,4 +1,4 @@
-#include "avi/optim/secant_pairs.hpp"
+#include "src/secant_pairs.hpp"
 
 #include <Eigen/LU>
 

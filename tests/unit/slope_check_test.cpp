@@ -1,4 +1,4 @@
-#include "avi/optim/slope_check.hpp"
+#include "src/slope_check.hpp"
 
 #include <gtest/gtest.h>
 

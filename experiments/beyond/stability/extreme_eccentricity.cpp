@@ -53,19 +53,19 @@ std::vector<Subject> subjects() {
   constexpr long implicit_cap = 200'000, explicit_cap = 2'000'000;
   std::vector<Subject> all;
   const auto position = [&](const std::string& name, PositionMonitor monitor, double predicted) {
-    const bool bounded = std::isfinite(monitor.b);
+    const bool bounded = std::isfinite(monitor.bounds.b);
     all.push_back({"stationary8", name, bounded, predicted, implicit_cap, [=](double e) {
                      PositionMonitor own = monitor;
                      // The least value that pays: g at the pericentre.
-                     if (bounded && own.a == 0.0) own.a = (1.0 - e) * (1.0 - e);
+                     if (bounded && own.bounds.a == 0.0) own.bounds.a = (1.0 - e) * (1.0 - e);
                      return stationary(8, own);
                    }});
   };
   const auto momentum = [&](const std::string& name, MomentumMonitor monitor) {
-    const bool bounded = std::isfinite(monitor.b);
+    const bool bounded = std::isfinite(monitor.bounds.b);
     all.push_back({"stationary8", name, bounded, unknown, implicit_cap, [=](double e) {
                      MomentumMonitor own = monitor;
-                     if (bounded) own.a = 0.25 * (1.0 - e);
+                     if (bounded) own.bounds.a = 0.25 * (1.0 - e);
                      return stationary(8, own);
                    }});
   };
@@ -76,12 +76,13 @@ std::vector<Subject> subjects() {
   position("r^1.5", {P::power_of_radius, 1.5}, -1.0 / 8.0);
   position("r^2", {P::power_of_radius, 2.0}, -0.5);
   position("arclength", {P::arclength}, unknown);
-  position("r^2", {.kind = P::power_of_radius, .exponent = 2.0, .b = 8.0}, unknown);
-  position("r^2, a = 0.01", {.kind = P::power_of_radius, .exponent = 2.0, .a = 0.01, .b = 8.0}, unknown);
+  position("r^2", {.kind = P::power_of_radius, .exponent = 2.0, .bounds = {.b = 8.0}}, unknown);
+  position("r^2, a = 0.01", {.kind = P::power_of_radius, .exponent = 2.0, .bounds = {.a = 0.01, .b = 8.0}},
+           unknown);
   momentum("energy", {M::energy});
-  momentum("energy", {.kind = M::energy, .b = 2.0});
+  momentum("energy", {.kind = M::energy, .bounds = {.b = 2.0}});
   momentum("inverse_lagrangian", {M::inverse_lagrangian});
-  momentum("inverse_energy_error", {.kind = M::inverse_energy_error, .b = 2.0});
+  momentum("inverse_energy_error", {.kind = M::inverse_energy_error, .bounds = {.b = 2.0}});
   const auto curve = [&](const std::string& name, PositionMonitor monitor, double predicted) {
     all.push_back({"collocation16", name, false, predicted, implicit_cap,
                    [=](double) { return collocation(16, monitor); }});

@@ -1,7 +1,8 @@
 #pragma once
 #include "common/methods/method_of_orbit.hpp"
 
-#include "avi/core/power.hpp"
+#include "avi/problems/kepler.hpp"
+#include "avi/transform/monitors.hpp"
 
 #include <cmath>
 #include <limits>
@@ -10,47 +11,47 @@
 
 /// @file
 /// The methods that are driven to their limits. Those on Kepler's problem take p^t from the start. Their
-/// monitors are those of avi/transform/monitors.hpp, chosen at run time: one compiled method for all of them.
+/// monitors are chosen at run time: one compiled method for all of them.
 
 namespace experiment {
 
-/// g(q) of one kind, bounded to b (g + a) / (g + b) where b is finite.
+/// A monitor of avi/transform/monitors.hpp, bounded by avi::Bounded's formula where b is finite.
+struct Bounds {
+  double a = 0.0, b = std::numeric_limits<double>::infinity();
+  template <class S>
+  S operator()(const S& g) const {
+    return std::isfinite(b) ? S(b * (g + a) / (g + b)) : g;
+  }
+};
+
+/// g(q) of one kind.
 struct PositionMonitor {
   enum Kind { none, power_of_radius, arclength } kind = none;
   double exponent = 1.0;  ///< Of r = |q|.
   double energy = -0.5;   ///< H_0.
-  double a = 0.0, b = std::numeric_limits<double>::infinity();
+  Bounds bounds = {};
 
   template <class Q>
   auto operator()(const Q& q) const {
     using S = std::decay_t<decltype(q[0] * q[0])>;
     if (kind == none) return S(1.0);
-    const S square = q[0] * q[0] + q[1] * q[1];
-    const S g =
-        kind == power_of_radius
-            ? S(avi::power(square, 0.5 * exponent))
-            : S(avi::power(2.0 * energy + 2.0 * avi::power(square, -0.5) + avi::power(square, -2.0), -0.5));
-    return std::isfinite(b) ? S(b * (g + a) / (g + b)) : g;
+    return bounds(kind == power_of_radius ? S(avi::Gamma{0.5 * exponent}(q))
+                                          : S(avi::Arclength(avi::Kepler{}, energy)(q)));
   }
 };
 
-/// g(q, p) of one kind, bounded likewise; L = T - V is the Lagrangian.
+/// g(q, p) of one kind.
 struct MomentumMonitor {
   enum Kind { energy, inverse_lagrangian, inverse_energy_error } kind = energy;
   double energy_momentum = 0.5;  ///< p^t = -H_0.
-  double a = 0.0, b = std::numeric_limits<double>::infinity();
+  Bounds bounds = {};
 
   template <class Q, class P>
   auto operator()(const Q& q, const P& p) const {
     using std::abs;
     using S = std::decay_t<decltype(q[0] * p[0])>;
-    const S kinetic = 0.5 * (p[0] * p[0] + p[1] * p[1]);
-    const S potential = -avi::power(q[0] * q[0] + q[1] * q[1], -0.5);
-    const S lagrangian = kinetic - potential;
-    const S g = 1.0 / abs(kind == energy               ? S(energy_momentum - lagrangian)
-                          : kind == inverse_lagrangian ? lagrangian
-                                                       : S(energy_momentum + kinetic + potential));
-    return std::isfinite(b) ? S(b * (g + a) / (g + b)) : g;
+    if (kind == inverse_energy_error) return bounds(S(1.0 / abs(energy_momentum + avi::Kepler{}(q, p))));
+    return bounds(S(avi::Energy(avi::Kepler{}, kind == energy ? energy_momentum : 0.0)(q, p)));
   }
 };
 

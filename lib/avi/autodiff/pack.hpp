@@ -100,7 +100,7 @@ class Pack : Scalar<Pack<w>> {
   };
 
   Pack() = default;
-  // Written out so that a copy is register moves; see Lanes.
+  // Written out so that a copy is register moves.
   /// Register by register.
   Pack(const Pack& other) {
     for (int k = 0; k < parts; ++k)

@@ -52,7 +52,7 @@ class Reverse {
     Factor bar;
     int condition = -1;
   };
-  struct Part {
+  struct Contribution {
     double number;
     int node, condition;
     int next = -1;  // of the same node, in the order in which they came; or of those that are free
@@ -74,7 +74,7 @@ class Reverse {
     const int node = written(a.bar);
     return a.condition < 0 ? node : graph_.binary(Operation::when, a.condition, node);
   }
-  Factor factor(const Part& a) { return {graph_, a.number, a.node}; }
+  Factor factor(const Contribution& a) { return {graph_, a.number, a.node}; }
 
   /// Whether one at least of the conditions of these parts holds.
   int any_condition(int first) {
@@ -222,7 +222,7 @@ class Reverse {
 
   ExpressionGraph& graph_;
   std::vector<Uses> uses_;  // of each node
-  std::vector<Part> parts_;
+  std::vector<Contribution> parts_;
   int free_ = -1;  // the first of the parts that serve no more
 };
 

@@ -62,7 +62,7 @@ struct BregmanFamily {
   /// @name Derivatives with respect to t
   /// @{
 
-  /// Of the coefficient of that name.
+  /// Derivative of the coefficient of that name by t.
   [[nodiscard]] double kinetic_rate(double t) const { return -(p + s()) * kinetic(t) / t; }
   [[nodiscard]] double potential_rate(double t) const { return (2.0 * p - s()) * potential(t) / t; }
   [[nodiscard]] double monitor_rate(double t) const { return (1.0 - s()) * monitor(t) / t; }

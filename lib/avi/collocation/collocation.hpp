@@ -50,7 +50,7 @@ class Collocation {
   }
 
   [[nodiscard]] int order() const { return order_; }  ///< 2s.
-  /// What is integrated.
+  /// The problem that is integrated.
   [[nodiscard]] const Problem& problem() const { return problem_; }
 
   /// The collocation polynomial of the last step at its fraction c in [0, 1], for dense_output(): of degree s

@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/collocation/unknowns.hpp"
+#include "avi/collocation/stage_values.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -18,7 +18,7 @@ namespace avi {
 template <int n, int w>
 class EntryProgress {
  public:
-  using Step = Unknowns<n, w>;  ///< What is solved for.
+  using Step = StageValues<n, w>;  ///< The unknowns of the equations.
 
   /// For problems of this size.
   explicit EntryProgress(Eigen::Index size) : q_(size), p_(size) {}

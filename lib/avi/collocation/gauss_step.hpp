@@ -49,10 +49,11 @@ class alignas(64) GaussStep {
   static constexpr bool ahead = n != dynamic && n <= 4 && w <= 8;
   using Scalar = Pack<w>;  ///< One number for each stage.
 
-  /// Of this field, with n = `size`, and this rule of at most w stages.
+  /// Takes this field, with n = `size`, and this rule of at most w stages.
   GaussStep(std::unique_ptr<StageField<n, w>> field, Eigen::Index size, const GaussRule& rule,
             SweepSettings settings)
-      : equations_(std::move(field), rule), both_{Unknowns<n, w>(size), Unknowns<n, w>(n == dynamic ? 0 : n)},
+      : equations_(std::move(field), rule), both_{StageValues<n, w>(size),
+                                                  StageValues<n, w>(n == dynamic ? 0 : n)},
         last_(size), settings_(settings), end_(size), start_(size), change_(Vector<double, n>::Zero(size)),
         progress_(size), newton_(size, rule.stages()) {
     for (int j = 0; j < rule.stages(); ++j)
@@ -150,7 +151,7 @@ class alignas(64) GaussStep {
       equations_.stages(both_[now_]);
       return begun;
     }
-    Unknowns<n, w>& step = both_[now_];
+    StageValues<n, w>& step = both_[now_];
     step.start = start_;
     if (place_ != Place::elsewhere && std::abs(h / h_) <= 2.0)
       equations_.begin(step, last_.dq, last_.dp, place_ == Place::end ? 1.0 : 0.0, h / h_);
@@ -160,7 +161,7 @@ class alignas(64) GaussStep {
   }
 
   /// A sweep of which every entry is looked at, in the scale it has after it. @return the largest change
-  [[gnu::noinline]] double sweep_closely(Unknowns<n, w>& step) {
+  [[gnu::noinline]] double sweep_closely(StageValues<n, w>& step) {
     last_.q = step.q;
     last_.p = step.p;
     equations_.stages(step);
@@ -179,7 +180,7 @@ class alignas(64) GaussStep {
     // A step from where the last one began is a little longer or shorter than that, which is a good guess.
     const int first_look = place_ == Place::end ? std::max(usual_ - 2, 1) : 1;
     StepReport report{.evaluations = begin(h)};
-    Unknowns<n, w>&step = both_[now_], &next = both_[1 - now_];
+    StageValues<n, w>&step = both_[now_], &next = both_[1 - now_];
     if (unknown) progress_.restart();
     while (report.evaluations < settings_.max_sweeps) {
       const int k = ++report.evaluations;
@@ -204,7 +205,7 @@ class alignas(64) GaussStep {
         change = sweep_closely(step);
       } else {
         if (k == first_look || (k == 2 && !scaled)) {
-          const Unknowns<n, w>& known = k == 1 ? last_ : step;
+          const StageValues<n, w>& known = k == 1 ? last_ : step;
           scaled = step.per.set(step.start.state, known.dq, known.dp);
         }
         change = largest(equations_.changed_stages(step));
@@ -245,7 +246,7 @@ class alignas(64) GaussStep {
 
   [[gnu::noinline]] StepReport by_newton(State<n>& z, double h) {
     begun_ = 0;
-    Unknowns<n, w>& step = both_[now_];
+    StageValues<n, w>& step = both_[now_];
     step.start = start_;
     StepReport report = newton_.solve(equations_, step, last_, settings_.max_sweeps);
     if (report.outcome == Outcome::ok) report = finish(z, h, step, report);
@@ -265,7 +266,7 @@ class alignas(64) GaussStep {
     return report;
   }
 
-  StepReport finish(State<n>& z, double h, const Unknowns<n, w>& step, StepReport report) {
+  StepReport finish(State<n>& z, double h, const StageValues<n, w>& step, StepReport report) {
     const Scalar rate = equations_.field().rate(step), dt = rate * equations_.weight();
     for (Eigen::Index i = 0; i < z.q.size(); ++i)
       change_[i] = sum(step.dq[i]);
@@ -292,10 +293,10 @@ class alignas(64) GaussStep {
   }
 
   StageEquations<n, w> equations_;
-  Unknowns<n, w> both_[2];  // this step and the next one
-  int now_ = 0;             // which of them is this step
-  Unknowns<n, w> last_;     // start and increments of the last step; its q and p are Newton's scratch
-  Scalar dt_{0.0};          // of the last step
+  StageValues<n, w> both_[2];  // this step and the next one
+  int now_ = 0;                // which of them is this step
+  StageValues<n, w> last_;     // start and increments of the last step; its q and p are Newton's scratch
+  Scalar dt_{0.0};             // of the last step
   Scalar last_legendre_{0.0};
   SweepSettings settings_;
   PreciseState<n> end_, start_;  // of the last step, of this one

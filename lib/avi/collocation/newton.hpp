@@ -82,7 +82,7 @@ class LinearSystem {
 template <int n, int w>
 class NewtonIteration {
  public:
-  using Step = Unknowns<n, w>;  ///< What is solved for.
+  using Step = StageValues<n, w>;  ///< The unknowns of the equations.
   /// Largest number of unknowns, twice the dimension times the number of stages.
   static constexpr Eigen::Index most = 256;
 

@@ -52,7 +52,7 @@ class alignas(64) StageEquations {
  public:
   using Scalar = Pack<w>;          ///< One number for each stage.
   using Vec = Vector<Scalar, n>;   ///< One vector for each stage.
-  using Step = Unknowns<n, w>;     ///< What is solved for.
+  using Step = StageValues<n, w>;  ///< The unknowns of the equations.
   using Field = StageField<n, w>;  ///< f.
 
   /// For this field and this rule.

@@ -2,7 +2,7 @@
 #include "avi/autodiff/hamiltonian.hpp"
 #include "avi/autodiff/pack.hpp"
 #include "avi/autodiff/recording.hpp"
-#include "avi/collocation/unknowns.hpp"
+#include "avi/collocation/stage_values.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,8 +21,8 @@ namespace avi {
 template <int n, int w>
 class StageField {
  public:
-  using Scalar = Pack<w>;       ///< One number for each stage.
-  using Step = Unknowns<n, w>;  ///< The stages, and where the field goes.
+  using Scalar = Pack<w>;          ///< One number for each stage.
+  using Step = StageValues<n, w>;  ///< The stages, and where the field goes.
 
   virtual ~StageField() = default;
   StageField& operator=(const StageField&) = delete;  ///< See clone().

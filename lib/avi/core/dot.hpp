@@ -27,10 +27,13 @@ inline double dot(const double* a, const double* b, Eigen::Index n) {
   return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
 
+/// A vector to read, wherever its entries lie.
+using VectorView = Eigen::Ref<const VectorX>;
+
 /// Inner product of two vectors of equal size.
-inline double dot(const VectorX& a, const VectorX& b) { return dot(a.data(), b.data(), a.size()); }
+inline double dot(const VectorView& a, const VectorView& b) { return dot(a.data(), b.data(), a.size()); }
 
 /// Euclidean norm.
-inline double norm(const VectorX& a) { return std::sqrt(dot(a, a)); }
+inline double norm(const VectorView& a) { return std::sqrt(dot(a, a)); }
 
 }  // namespace avi

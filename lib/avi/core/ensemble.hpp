@@ -27,7 +27,7 @@ template <class State>
 struct Member {
   State state;  ///< Where it ended: the last good state; the start, where something was thrown.
   Run run{};    ///< How. Outcome::stopped, with the sentence, where something was thrown.
-  std::exception_ptr error{};  ///< What was thrown: by make, by H, by an observer; usually nothing.
+  std::exception_ptr error{};  ///< The exception that was thrown, if any: by make, by H, by an observer.
 
   /// True where the run came to its end.
   [[nodiscard]] bool ok() const { return run.ok(); }

@@ -126,7 +126,7 @@ class Lookout {
   long clock_ = std::isfinite(seconds_) ? 1 : std::numeric_limits<long>::max();
 };
 
-/// What can be refused before a run without its state.
+/// Refuses bad arguments that show before a run, without its state.
 inline void require_run(double h, const Until& until) {
   require(std::isfinite(h) && h != 0.0, "Step size h", h, "finite and not zero");
   require(!std::isnan(until.time), "End time", until.time, "a number");

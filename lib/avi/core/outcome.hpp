@@ -33,23 +33,23 @@ constexpr std::string_view name(Outcome outcome) {
   return names[static_cast<int>(outcome)];
 }
 
-/// What one step tells the run loop.
+/// The report of one step to the run loop.
 struct [[nodiscard]] StepReport {
   Outcome outcome = Outcome::ok;  ///< Unless ok, the state is as it was.
   int evaluations = 1;            ///< Evaluations of the vector field or of its Taylor expansion.
-  double residual = 0.0;          ///< Of the implicit equation that remains (0 for explicit steps).
+  double residual = 0.0;          ///< Residual of the implicit equation (0 for explicit steps).
 
   /// True for Outcome::ok alone.
   [[nodiscard]] bool ok() const { return outcome == Outcome::ok; }
 };
 
-/// What an observer may answer: how a run ends there unless ok, and why.
+/// An observer's answer: how a run ends there unless ok, and why.
 struct [[nodiscard]] Answer {
   Outcome outcome = Outcome::ok;  ///< Unless ok, the run ends.
   std::string reason{};           ///< A clause for the message of the run, such as "g is nan".
 };
 
-/// What a run tells its caller.
+/// The report of a run to its caller.
 struct [[nodiscard]] Run {
   Outcome outcome = Outcome::ok;  ///< ok when the end asked for was reached.
   long steps = 0;                 ///< Steps that were accepted.

@@ -30,7 +30,7 @@ struct SingleEntry : Vector<double, 1> {
 template <int n>
 using Entries = std::conditional_t<n == 1, SingleEntry, Vector<double, n>>;
 
-/// What q and p are as long as they are not given: NaN, so that one that was forgotten is refused.
+/// The value of q and p as long as they are not given: NaN, so that one that was forgotten is refused.
 template <int n>
 Entries<n> not_given() {
   if constexpr (n == dynamic)

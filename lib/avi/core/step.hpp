@@ -32,8 +32,8 @@ template <class State>
 struct Located {
   State state;           ///< At the zero.
   double h = 0.0;        ///< The step that leads there from the beginning of the whole one.
-  StepReport report{};   ///< Of that step; unless it is ok, `state` means nothing.
-  long evaluations = 0;  ///< Of all the steps that were tried.
+  StepReport report{};   ///< Report of that step; unless it is ok, `state` means nothing.
+  long evaluations = 0;  ///< Evaluations in all the steps that were tried.
   std::string reason{};  ///< Why there is no state: a clause for the message of a run.
 
   /// True where the state was found.

@@ -109,8 +109,8 @@ Vector<S, n> part(const Vector<S, dynamic>& x, Eigen::Index first, Eigen::Index 
 }
 
 /// Largest magnitude of an entry; NaN where one is.
-template <int n>
-double largest_entry(const Vector<double, n>& x) {
+template <class V>
+double largest_entry(const V& x) {
   double most = 0.0;
   for (Eigen::Index i = 0; i < x.size(); ++i)
     most = std::abs(x[i]) <= most || most != most ? most : std::abs(x[i]);

@@ -53,7 +53,7 @@ Matrix<double, dynamic> difference_jacobian(Map&& map, const VectorX& z, Spacing
           coarse[i] += weight(pairs - 1, k) * slope;  // zero for the last pair
         }
       }
-      const double doubt = largest_entry<dynamic>(fine - coarse);
+      const double doubt = largest_entry(fine - coarse);
       if (!(doubt < best)) continue;
       best = doubt;
       for (Eigen::Index i = 0; i < z.size(); ++i)

@@ -1,9 +1,9 @@
 #pragma once
-#include "avi/autodiff/recording.hpp"
-#include "avi/core/dot.hpp"
+#include "avi/autodiff/formula.hpp"
 
-#include <algorithm>
-#include <atomic>
+#include <concepts>
+#include <memory>
+#include <type_traits>
 
 /// @file
 /// A formula as an objective: value and gradient by automatic differentiation.
@@ -20,55 +20,29 @@ concept Recordable = requires(const F& f, const Vector<Recorded, dynamic>& x) {
 };
 
 /// The objective of a Recordable function: its gradient by reverse accumulation costs a small multiple of the
-/// value, whatever the dimension. It works in memory that it owns; where several threads call one object at a
-/// time, the first one does, and the others in memory of their own, which costs each of those calls an
-/// allocation.
+/// value, whatever the dimension. It works in memory that it owns and its copies share; where several threads
+/// call at a time, the first one does, and the others in memory of their own, which costs each of those calls
+/// an allocation.
 class RecordedObjective {
  public:
   /// Records f in n dimensions. @throws std::invalid_argument for n < 1.
   template <Recordable F>
-  RecordedObjective(const F& f, Eigen::Index n)
-      : program_(Recording(f, n).value_and_gradient()), room_(program_) {}
+  RecordedObjective(const F& f, Eigen::Index n) : RecordedObjective(Formula::of_point(f, n)) {}
 
-  /// Of a formula that is recorded already; its parameters have the values that it has.
-  explicit RecordedObjective(const Formula& f)
-      : program_(Recording(f.with_constants()).value_and_gradient()), room_(program_) {}
+  /// Takes a formula that is recorded already; its parameters have the values that it has.
+  explicit RecordedObjective(const Formula& f);
 
   /// Value and gradient at x, of the n entries that were recorded.
   double operator()(const VectorX& x, VectorX& gradient) const {
-    if (in_use_.flag.exchange(true, std::memory_order_acquire)) {
-      Program::Room<double> room(program_);
-      return evaluate(room, x, gradient);
-    }
-    const Release at_the_end{in_use_.flag};
-    return evaluate(room_, x, gradient);
+    gradient.resize(x.size());
+    return evaluate(x.data(), gradient.data());
   }
 
  private:
-  /// A copy is not in use.
-  struct InUse {
-    std::atomic<bool> flag = false;
-    InUse() = default;
-    InUse(const InUse&) {}
-    InUse& operator=(const InUse&) { return *this; }
-  };
-  struct Release {
-    std::atomic<bool>& flag;
-    ~Release() { flag.store(false, std::memory_order_release); }
-  };
-
-  double evaluate(Program::Room<double>& room, const VectorX& x, VectorX& gradient) const {
-    std::copy_n(x.data(), x.size(), room.arguments());
-    program_.run(room);
-    gradient.resize(x.size());
-    for (int i = 0; i < program_.slopes(); ++i)
-      gradient[i] = program_.slope(room, i);
-    return program_.value(room);
-  }
-
-  Program program_;
-  mutable Program::Room<double> room_;
-  mutable InUse in_use_;
+  struct Work;
+  // Vectors of another library are not passed on: the library may be compiled for another processor.
+  double evaluate(const double* x, double* gradient) const;
+  std::shared_ptr<Work> work_;
 };
 
 }  // namespace avi

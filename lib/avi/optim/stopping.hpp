@@ -12,7 +12,7 @@
 namespace avi {
 
 /// |a|, also where the squares of its entries underflow.
-inline double length(const VectorX& a) {
+inline double length(const VectorView& a) {
   const double unscaled = norm(a);
   if (!(unscaled < 1e-150)) return unscaled;
   const double largest = largest_entry(a);

@@ -1,6 +1,6 @@
 #include "optimisers/optimiser_arena/problems/problem.hpp"
 
-#include "avi/optim/slope_check.hpp"
+#include "src/slope_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,8 @@
 
 namespace experiment {
 
-/// The monitor of that name in the menu of solve(), with the constants that its choice holds.
+/// The monitor of that name in the menu of solve(), with the constants that its choice holds; 1 where steps
+/// are fixed.
 inline avi::Formula monitor_of(const Scene& scene, const avi::Choice& choice) {
   const int n = scene.energy.inputs() / 2;
   avi::ExpressionGraph graph(2 * n);
@@ -23,7 +24,7 @@ inline avi::Formula monitor_of(const Scene& scene, const avi::Choice& choice) {
     for (std::size_t i = 0; i < choice.accelerations.size(); ++i)
       sum += square(choice.accelerations[i] * Recorded(graph, slopes[i]));
     g = pow(sum, -0.375);
-  } else if (choice.name != "fixed") {
+  } else if (choice.name.starts_with("energy")) {
     const double at_start = scene.energy(scene.start.q, scene.start.p);
     const V rest = V::Constant(n, Recorded(0.0));
     const Recorded lively = choice.kinetic + 0.5 * (energy + at_start) - scene.energy(q, rest);

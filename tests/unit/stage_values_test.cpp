@@ -1,11 +1,11 @@
-#include "avi/collocation/unknowns.hpp"
+#include "avi/collocation/stage_values.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-namespace unknowns_test {
+namespace stage_values_test {
 
 // Against a type of twice the digits.
 template <int w>
@@ -46,4 +46,4 @@ TEST(AddWithRest, LosesNothingWhicheverIsLarger) {
   }
 }
 
-}  // namespace unknowns_test
+}  // namespace stage_values_test

@@ -66,7 +66,7 @@ bool lost_in_rounding(Phi&& phi, double value, double slope, double resolution) 
 
 /// A direction in which every entry takes part, by its size and with a weight of either sign between 1/2 and
 /// 3/2.
-inline void mixed_direction(const VectorX& x, VectorX& d) {
+inline void mixed_direction(const VectorView& x, VectorX& d) {
   const double largest = largest_entry(x);
   std::uint64_t bits = 1;
   for (Eigen::Index i = 0; i < x.size(); ++i) {

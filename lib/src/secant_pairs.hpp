@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/optim/diagonal_mass.hpp"
+#include "diagonal_mass.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -15,7 +15,7 @@ namespace avi {
 template <int n>
 struct PreciseState {
   State<n> state;  ///< As a caller sees it.
-  State<n> low;    ///< What rounding cut off.
+  State<n> low;    ///< The digits that rounding cut off.
 
   /// Zero.
   explicit PreciseState(Eigen::Index size)
@@ -25,8 +25,8 @@ struct PreciseState {
 /// One over the size of every entry of q and p in a step, so that changes are measured in its own scale.
 template <int n>
 struct EntryScales {
-  Vector<double, n> q;  ///< Of positions.
-  Vector<double, n> p;  ///< Of momenta.
+  Vector<double, n> q;  ///< Factors of positions.
+  Vector<double, n> p;  ///< Factors of momenta.
 
   /// Zero: no change counts.
   explicit EntryScales(Eigen::Index size)
@@ -71,7 +71,7 @@ struct EntryScales {
 
 /// The unknowns of a step, one number for each stage.
 template <int n, int w>
-struct Unknowns {
+struct StageValues {
   using Vec = Vector<Pack<w>, n>;  ///< One vector for each stage.
   alignas(64) Vec q;               ///< Positions.
   alignas(64) Vec p;               ///< Momenta.
@@ -79,10 +79,10 @@ struct Unknowns {
   alignas(64) Vec dp;              ///< \f$h b_j \dot p_j\f$.
   Pack<w> rate{1.0};               ///< The monitor, where StageField keeps it.
   PreciseState<n> start;           ///< Where the step begins.
-  EntryScales<n> per;              ///< What its changes are multiplied by.
+  EntryScales<n> per;              ///< Factors of its changes, entry by entry.
 
   /// Zero, for n = `size`.
-  explicit Unknowns(Eigen::Index size) : q(size), p(size), dq(size), dp(size), start(size), per(size) {
+  explicit StageValues(Eigen::Index size) : q(size), p(size), dq(size), dp(size), start(size), per(size) {
     for (Vec* each : {&q, &p, &dq, &dp})
       std::fill(each->data(), each->data() + size, Pack<w>(0.0));
   }

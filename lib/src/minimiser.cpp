@@ -1,0 +1,465 @@
+#include "avi/optim/minimiser.hpp"
+#include "avi/optim/line_model.hpp"
+#include "secant_pairs.hpp"
+#include "slope_check.hpp"
+
+#include <string_view>
+
+// Compiled once for each set of instructions, each time under a name of its own; gauss.cpp chooses.
+#ifndef AVI_MINIMISE
+#define AVI_MINIMISE minimise_portable
+#endif
+
+namespace avi::detail {
+
+namespace {
+
+using View = Eigen::Map<VectorX>;
+
+/// A run of Minimiser, whose vectors f sees; the others are its own.
+class MinimiserRun {
+ public:
+  /// Makes the memory of a run: a vector, and 2 m + 1 more if m > 0.
+  MinimiserRun(MinimiserCalls& calls, Eigen::Index n, const MinimiseOptions& options)
+      : calls_(calls), options_(options), n_(n), pairs_(options.memory, n) {
+    d_.setZero(n);
+    int number = 0;
+    for (Point* at : {&base_, &trial_, &best_}) {
+      at->x = {number, calls_.position(number)};
+      at->g = {number, calls_.gradient(number)};
+      at->with_pairs.setZero(pairs_.products());
+      ++number;
+    }
+    change_.setZero(pairs_.products());
+  }
+
+  /// Minimises. To be called once.
+  MinimiserEnd run() {
+    if (!evaluate(base_)) return end(failure_, reason_);
+    norm_ = std::sqrt(square_);
+    const double steepness = largest_entry(view(base_.g));
+    if (!std::isfinite(steepness))
+      return end(Outcome::non_finite, "the gradient at x0 is not finite, or f did not fill it");
+    if (!std::isfinite(norm_)) return out_of_range(" at x0");
+    if (!std::isfinite(base_.f)) return end(Outcome::non_finite, "f(x0) is not finite");
+    scale_ = std::abs(base_.f);
+    norm0_ = length(view(base_.g));
+    target_ = std::max(options_.relative * norm0_, options_.absolute);
+    if (underflows()) return out_of_range(" at x0");
+    floor_ = -std::min(1e30 * std::max(1.0, scale_), std::numeric_limits<double>::max());
+    if (options_.check_gradient && !gradient_agrees()) return end(failure_, reason_);
+    steepest();
+    if (!report()) return end(Outcome::stopped, "the callback asked to stop");
+    if (norm_ <= target_) return end(Outcome::ok);
+    while (iterations_ < options_.iterations) {
+      const double before = base_.f;
+      if (!line()) return end(failure_, reason_);
+      ++iterations_;
+      if (underflows()) return out_of_range();
+      bool done = norm_ <= target_ && std::abs(base_.f - before) < options_.change;
+      if (done && !exact_) {
+        settle();
+        done = norm_ <= target_;
+      }
+      if (!report()) return end(Outcome::stopped, "the callback asked to stop");
+      if (done) return end(Outcome::ok);
+      if (!gains()) return end(failure_, reason_);
+    }
+    return end(Outcome::step_limit, "the cap on iterations was reached");
+  }
+
+ private:
+  /// A vector of the caller.
+  struct Entries {
+    int number;
+    double* data;
+  };
+  /// A point with the value and gradient of f, evaluated or interpolated.
+  struct Point {
+    Entries x;           ///< Position.
+    Entries g;           ///< Gradient.
+    VectorX with_pairs;  ///< Its products with the pairs of the mass matrix.
+    double f = 0.0;      ///< Value.
+  };
+
+  /// Whether the gradient at the base is so small that the squares of its entries underflow, and not small
+  /// enough to be done: what norms say of it is not to be trusted, then. A run
+  /// without a tolerance, which has come that far from somewhere else, goes on until the norm is 0.
+  bool underflows() {
+    if (!(norm_ < 1e-150)) return false;
+    if (!exact_) settle();
+    const double by_scale = length(view(base_.g));
+    if (target_ == 0.0 && by_scale < 1e-100 * norm0_) return false;
+    norm_ = by_scale;
+    return norm_ > target_ && norm_ < 1e-150;
+  }
+
+  MinimiserEnd out_of_range(std::string_view where = {}) {
+    return end(Outcome::non_finite, "the square of the gradient" + std::string(where) +
+                                        " is beyond the range of numbers; scale f");
+  }
+
+  /// One iteration: trials along d until one of them gives the next point. False sets failure_.
+  bool line() {
+    LinePoint start{base_.f, down_};
+    double moved = 0.0, high = std::numeric_limits<double>::infinity();
+    const double sigma = options_.memory == 0 ? 0.7 : 0.8;
+    bool restarted = false;
+    for (int trials = 1, since_start = 1;; ++trials, ++since_start) {
+      if (evaluations_ >= options_.evaluations)
+        return fail(Outcome::step_limit, "the cap on evaluations was reached");
+      place_trial(alpha_);
+      const bool stands = view(trial_.x) == view(base_.x);
+      if (trials > 40 || stands || !(alpha_ > 0.0)) {  // nothing on this line: steepest descent, once
+        if (restarted) return judge();
+        restarted = true;
+        if (!exact_) settle();
+        if (norm_ <= target_) return true;
+        steepest();
+        start = {base_.f, down_};
+        moved = 0.0, high = std::numeric_limits<double>::infinity();
+        trials = since_start = 1;
+        place_trial(alpha_);
+      }
+      if (!evaluate(trial_)) return false;
+      if (trial_.f < floor_) return fail(Outcome::diverged, "f has no lower bound along a line");
+      if (!std::isfinite(trial_.f) || !std::isfinite(square_)) {
+        high = alpha_;
+        alpha_ *= 0.1;
+        continue;
+      }
+      const LineModel model({base_.f, down_}, {trial_.f, slope_}, alpha_, rounding(base_.f, trial_.f));
+      const bool falls = trial_.f <= start.value + 1e-4 * (moved + alpha_) * start.slope;
+      const bool level = trial_.f <= start.value + rounding(start.value, trial_.f);
+      const bool flat = std::abs(slope_) <= sigma * std::abs(start.slope);
+      if (level && std::sqrt(square_) <= target_) return advance(1.0, moved), true;
+      // an error of an interpolated base is carried on with the factor 1 - r; where the values cannot show
+      // one, it must not be carried too far
+      const double off = std::abs(model.r - 1.0);
+      const double undetected =
+          (exact_ ? 0.0 : off * undetected_) + (model.blind() ? off * std::max(1.0, model.r) : 0.0);
+      const bool recovers = model.trusted() && (exact_ || undetected <= 30.0);
+      if (recovers && !(falls && off < 1e-6)) {
+        undetected_ = undetected;
+        return advance(model.r, moved, base_.f + 0.5 * model.r * alpha_ * down_), true;
+      }
+      if ((falls || level) && flat) return advance(1.0, moved), true;
+      const bool doubtful = model.defect > 0.3 || (model.trusted() && !recovers);
+      if (!exact_ && since_start == 1 && doubtful) {  // the interpolated base may be to blame
+        const double length = alpha_ * std::sqrt(length2_);
+        settle();
+        if (options_.memory == 0) alpha_ = length / std::sqrt(length2_);
+        start = {base_.f, down_};
+        continue;
+      }
+      if (slope_ < 0.0 && (falls || level)) {  // go on from here
+        std::swap(base_, trial_);
+        norm_ = std::sqrt(square_);
+        exact_ = true;
+        down_ = slope_;
+        moved += alpha_;
+        high -= alpha_;
+        alpha_ *= model.beyond() - 1.0;
+        if (std::isinf(high)) trials = 0;
+        if (alpha_ >= high) alpha_ = 0.5 * high;
+      } else {
+        high = alpha_;
+        alpha_ *= model.cubic();
+      }
+      // so near to each other the points differ by what the slopes say; what else the values do is noise
+      if (trials >= 5) {
+        scale_ = std::max(scale_, std::abs(start.value));
+        noise_ = std::max(noise_, std::min(4.0 * std::abs(model.trapezium()), 1e-8 * scale_));
+      }
+    }
+  }
+
+  /// False where for long neither the value nor an evaluated gradient has come lower than ever before, and
+  /// values contradict the slope, as at a kink; or for so long that it is rounding that moves the run. (Hard
+  /// valleys waited five times for their next gain.)
+  bool gains() {
+    if (base_.f < lowest_ - rounding(base_.f, lowest_) || square_ < gentlest_) {
+      lowest_ = std::min(lowest_, base_.f);
+      gentlest_ = std::min(gentlest_, square_);
+      idle_ = waits_ = 0;
+    }
+    if (++idle_ <= 200) return true;
+    if (!exact_) settle();
+    idle_ = 0;
+    return judge() || (agrees_ && ++waits_ < 20);
+  }
+
+  /// The entries of a vector of the caller.
+  [[nodiscard]] View view(const Entries& x) const { return {x.data, n_}; }
+
+  /// f on the line, as a function of alpha.
+  auto values_along_d() {
+    return [this](double alpha) {
+      place_trial(alpha);
+      return value_at(trial_);
+    };
+  }
+
+  SlopeByValues slope_along_d(double nearer = 1.0) {
+    const double length = std::sqrt(length2_), size = std::max(norm(view(base_.x)), alpha_ * length);
+    return slope_by_values(values_along_d(), nearer * 1e-4 * (size > 0.0 ? size / length : 1.0));
+  }
+
+  /// Why steepest descent found nothing: rounding hides the fall, or the gradient is not that of f. Always
+  /// false.
+  bool judge() {
+    if (!std::isfinite(trial_.f) || !std::isfinite(square_))
+      return fail(Outcome::non_finite, "f or its gradient is not finite wherever the run turns");
+    const SlopeByValues by = slope_along_d();
+    agrees_ = by.agrees_with(down_, 0.1 * std::abs(down_));
+    if (agrees_) return fail(Outcome::stalled, "rounding of f hides what could still be gained");
+    const double resolution =
+        std::numeric_limits<double>::epsilon() * norm(view(base_.x)) / std::sqrt(length2_);
+    if (lost_in_rounding(values_along_d(), base_.f, down_, resolution))
+      return fail(Outcome::stalled, "rounding of x hides what could still be gained");
+    return fail(Outcome::no_descent, by.against(down_));
+  }
+
+  /// The check on request, at the start. Where the slope by values depends on the distance at which they are
+  /// taken, they are taken nearer to each other.
+  bool gradient_agrees() {
+    mixed_direction(view(base_.x), d_);
+    measure_direction();
+    SlopeByValues by = slope_along_d();
+    for (double nearer = 1.0 / 64.0; by.depends_on_distance() && nearer > 1e-9; nearer /= 64.0)
+      by = slope_along_d(nearer);
+    if (by.agrees_with(down_, 1e-7 * view(base_.g).cwiseProduct(d_).lpNorm<1>())) return true;
+    return fail(Outcome::wrong_gradient, by.against(down_));
+  }
+
+  /// Where the run is, as its caller sees it.
+  [[nodiscard]] MinimiserCalls::Place place(const Point& at) const {
+    return {at.x.number, at.g.number, at.f, norm_, iterations_, evaluations_, exact_};
+  }
+  /// Tells the callback; false where it asks to stop.
+  bool report() { return calls_.report(place(base_)); }
+
+  /// Hands out the base, or the best evaluated point where the base is interpolated.
+  MinimiserEnd end(Outcome outcome, std::string_view reason = {}) {
+    const Point& last = exact_ ? base_ : best_;
+    Iterate at;
+    at.value = last.f;
+    return {outcome, place(last),
+            outcome == Outcome::ok ? std::string() : describe_end(outcome, iterations_, at, reason)};
+  }
+
+  /// Notes why the run ends. Always false.
+  bool fail(Outcome outcome, std::string reason) {
+    failure_ = outcome;
+    reason_ = std::move(reason);
+    return false;
+  }
+
+  /// Value, with the gradient in at.g; counted. It is remembered when the gradient has another size.
+  double value_at(Point& at) {
+    ++evaluations_;
+    const auto [value, entries] = calls_.evaluate(at.x.number, at.g.number);
+    at.g.data = calls_.gradient(at.g.number);
+    entries_ = entries;
+    return value;
+  }
+
+  /// Value and gradient, slope along d and square of the gradient. False for a gradient of another size.
+  bool evaluate(Point& at) {
+    at.f = value_at(at);
+    if (entries_ != n_)
+      return fail(Outcome::wrong_gradient, "the gradient has " + std::to_string(entries_) +
+                                               " entries where x has " + std::to_string(n_));
+    const auto sums = sweep<2>(n_, [g = at.g.data, d = d_.data()](auto e, auto& sum) {
+      const auto entry = e(g);
+      sum[0] += entry * e(d);
+      sum[1] += entry * entry;
+    });
+    slope_ = sums[0], square_ = sums[1];
+    pairs_.multiply(at.g.data, at.with_pairs.data());
+    return true;
+  }
+
+  /// d = -grad f, and the pairs are forgotten.
+  void steepest() {
+    pairs_.clear();
+    quasi_newton();
+  }
+
+  /// d = -H grad f, or steepest descent where that is not downhill, and the length of its first trial.
+  void quasi_newton() {
+    const auto sums = pairs_.direction(base_.g.data, base_.with_pairs.data(), d_.data());
+    down_ = sums[0], length2_ = sums[1];
+    if (pairs_.size() > 0 && !(down_ < 0.0)) return steepest();
+    alpha_ = pairs_.size() > 0 ? 1.0 : first_step();
+  }
+
+  /// Slope and square of d; true where d goes downhill.
+  bool measure_direction() {
+    const auto sums = sweep<2>(n_, [g = base_.g.data, d = d_.data()](auto e, auto& sum) {
+      const auto entry = e(d);
+      sum[0] += e(g) * entry;
+      sum[1] += entry * entry;
+    });
+    down_ = sums[0], length2_ = sums[1];
+    return down_ < 0.0;
+  }
+
+  /// The way to where a linear f would vanish, or one hundredth of x, whichever is longer.
+  [[nodiscard]] double first_step() const {
+    const double x = largest_entry(view(base_.x)), g = largest_entry(view(base_.g));
+    const double length = std::max(0.01 * x / g, std::abs(base_.f) / (norm_ * norm_));
+    return length > 0.0 ? length : 1.0 / g;
+  }
+
+  /// Evaluates at an interpolated base, goes back to the best evaluated point if f rose, and renews d.
+  void settle() {
+    std::swap(trial_.x, base_.x);
+    const bool sized = evaluate(trial_);
+    std::swap(trial_.x, base_.x);
+    exact_ = true;
+    if (sized && std::isfinite(square_) && trial_.f <= best_.f + rounding(trial_.f, best_.f)) {
+      if (options_.memory == 0) d_ += view(base_.g) - view(trial_.g);  // d is -gradient + beta (old d)
+      std::swap(base_.g, trial_.g);
+      base_.f = trial_.f;
+    } else {
+      std::swap(base_, best_);
+      if (options_.memory == 0) d_ = -view(base_.g);
+    }
+    norm_ = norm(view(base_.g));
+    if (options_.memory > 0) {
+      pairs_.multiply(base_.g.data, base_.with_pairs.data());
+      quasi_newton();
+    } else if (!measure_direction()) {
+      steepest();
+    }
+  }
+
+  /// Bound on the rounding error of the difference of two values.
+  [[nodiscard]] double rounding(double one, double other) const {
+    return noise_ + 1e-14 * (std::abs(one) + std::abs(other));
+  }
+
+  /// trial = base + alpha d.
+  void place_trial(double alpha) {
+    sweep<0>(n_, [alpha, x = base_.x.data, d = d_.data(), t = trial_.x.data](auto e, auto&) {
+      e.set(t, e(x) + alpha * e(d));
+    });
+  }
+
+  /// Moves to base + r alpha d, of value `interpolated`, or for r = 1 to the trial, and makes the next d and
+  /// alpha.
+  void advance(double r, double moved, double interpolated = std::numeric_limits<double>::quiet_NaN()) {
+    const bool recovers = !std::isnan(interpolated);
+    // The old base or the trial, whichever is the better point that was evaluated, is kept; the new one is
+    // written over the third.
+    const bool keeps_base = recovers && exact_ && base_.f < trial_.f;
+    const bool keeps_trial = recovers && !keeps_base && (exact_ || trial_.f <= best_.f);
+    Point& into = !recovers || keeps_base ? trial_ : keeps_trial ? best_ : base_;
+    const double step = r * alpha_, value = recovers ? interpolated : trial_.f;
+    const bool pairs = options_.memory > 0;
+    if (pairs) {  // before the points change places
+      change_ = r * (trial_.with_pairs - base_.with_pairs);
+      into.with_pairs = base_.with_pairs + change_;
+    }
+    double* s_out = pairs ? pairs_.next_s() : nullptr;
+    double* y_out = pairs ? pairs_.next_y() : nullptr;
+    const auto sums = sweep<6>(n_, [=, x = base_.x.data, g = base_.g.data, gt = trial_.g.data, d = d_.data(),
+                                    x_out = into.x.data, g_out = into.g.data](auto e, auto& sum) {
+      const auto old = e(g), along = e(d);
+      const auto now = (1.0 - r) * old + r * e(gt), y = now - old, s = step * along;
+      e.set(x_out, e(x) + s);
+      e.set(g_out, now);
+      if (pairs) {
+        e.set(s_out, s);
+        e.set(y_out, y);
+      }
+      sum[0] += now * now;
+      sum[1] += now * old;
+      sum[2] += now * along;
+      sum[3] += now * y;
+      sum[4] += y * along;
+      sum[5] += y * y;
+    });
+    if (&into == &best_) {
+      std::swap(base_, best_);
+      std::swap(best_, trial_);
+    } else if (&into == &trial_) {
+      std::swap(base_, trial_);
+      if (keeps_base) std::swap(best_, trial_);
+    }
+    const auto [gg, g_old, gd, gy, dy, yy] = sums;
+    base_.f = value;
+    norm_ = std::sqrt(gg);
+    exact_ = !recovers;
+    if (pairs) {
+      if (step * dy > 1e-12 * step * std::sqrt(length2_ * yy))
+        pairs_.commit(base_.g.data, step * dy, yy, change_.data(), base_.with_pairs.data(), step * gd, gy);
+      else
+        pairs_.discard();
+      return quasi_newton();
+    }
+    double beta = 0.0;
+    alpha_ = moved + step;
+    if (dy > 0.0) {
+      if (std::abs(g_old) <= 0.5 * gg)
+        beta = std::max(gy / dy - (yy / dy) * (gd / dy), 0.5 * down_ / length2_);
+      // the step that the least curvature along y asks for; across gradients minima are farther
+      alpha_ = (beta == 0.0 ? 1.0 : 1.5) * step * dy / yy;
+    }
+    const auto now = sweep<2>(n_, [beta, g = base_.g.data, d = d_.data()](auto e, auto& sum) {
+      const auto entry = beta * e(d) - e(g);
+      e.set(d, entry);
+      sum[0] += entry * e(g);
+      sum[1] += entry * entry;
+    });
+    down_ = now[0], length2_ = now[1];
+    if (!(down_ < 0.0)) {
+      const double length = dy > 0.0 ? step * dy / yy : alpha_;
+      steepest();
+      alpha_ = length;
+    }
+  }
+
+  MinimiserCalls& calls_;                     ///< The objective, and the vectors that it sees.
+  const MinimiseOptions& options_;            ///< As given.
+  long evaluations_ = 0;                      ///< Number of evaluations of value and gradient.
+  Eigen::Index n_;                            ///< Size of x.
+  SecantPairs pairs_;                         ///< The mass matrix.
+  Point base_;                                ///< Where the line begins.
+  Point trial_;                               ///< The last evaluated point on it.
+  Point best_;                                ///< The best evaluated point, while the base is interpolated.
+  VectorX d_;                                 ///< Direction of the line.
+  VectorX change_;                            ///< Products of the newest y with the pairs.
+  double down_ = 0.0;                         ///< d . gradient at the base.
+  double length2_ = 0.0;                      ///< Square of d.
+  double slope_ = 0.0;                        ///< d . gradient at the last evaluation.
+  double square_ = 0.0;                       ///< Square of the gradient there.
+  double norm_ = 0.0;                         ///< Norm of the gradient at the base.
+  double target_ = 0.0;                       ///< Norm of the gradient that ends the run.
+  double alpha_ = 0.0;                        ///< Where the next trial is.
+  double floor_ = 0.0;                        ///< Lower bound of f; a run below it has diverged.
+  double noise_ = 0.0;                        ///< Error of values as seen where a line was stuck.
+  bool exact_ = true;                         ///< Whether value and gradient at the base were evaluated.
+  Outcome failure_ = Outcome::ok;             ///< Why the run ends.
+  std::string reason_;                        ///< The same in words.
+  long iterations_ = 0;                       ///< Iterations made.
+  Eigen::Index entries_ = 0;                  ///< Size of the gradient that f left last.
+  double norm0_ = 0.0;                        ///< Norm of the gradient at x0.
+  double scale_ = 0.0;                        ///< Largest |f| of the start and of where lines were stuck.
+  double lowest_ = 1e300, gentlest_ = 1e300;  ///< Least value, and square of an evaluated gradient, so far.
+  long idle_ = 0;        ///< Iterations since either came down, or since values were asked.
+  int waits_ = 0;        ///< Times they were asked since.
+  bool agrees_ = false;  ///< Whether values agreed with the slope when they were last asked.
+  /// Bound on the undetected error of the interpolated gradient, in units of the rounding error of one
+  /// evaluation.
+  double undetected_ = 0.0;
+};
+
+}  // namespace
+
+MinimiserEnd AVI_MINIMISE(MinimiserCalls& calls, Eigen::Index n, const MinimiseOptions& options) {
+  return MinimiserRun(calls, n, options).run();
+}
+
+}  // namespace avi::detail
