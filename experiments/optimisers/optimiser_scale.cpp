@@ -2,6 +2,7 @@
 #include "common/timing.hpp"
 
 #include "avi/optim/minimise.hpp"
+#include "avi/optim/sweep.hpp"
 #include "common/problems/correlated_quartic.hpp"
 
 #include <malloc.h>

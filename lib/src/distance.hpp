@@ -60,15 +60,15 @@ class Distance {
     }
     for (Eigen::Index i = 0; i < n; ++i) {
       const double root = std::sqrt(metric_[i]);
-      scale[i] = std::max(scale[i], shown(rounding * of_q * root, i));
       // What moves by rounding alone is at rest, and counts by its place.
       const double place = std::max(std::abs(ranges.high[i]), std::abs(ranges.low[i]));
-      if (scale[i] <= 1e-12 * place) scale[i] = place;
+      const bool rests = std::max(scale[i], bound(of_q * root, i)) <= 1e-12 * place;
+      scale[i] = rests ? place : shown(scale[i], of_q * root, i);
       if (scale[n + i] <= 1e-12 * frequency * place / metric_[i])
         scale[n + i] = frequency * place / metric_[i];
       // A momentum that hardly changes counts by its size, or rounding would be more than the tolerance.
       const double size = std::max(std::abs(ranges.high[n + i]), std::abs(ranges.low[n + i]));
-      scale[n + i] = std::max({scale[n + i], still_ * size, shown(rounding * of_p / root, n + i)});
+      scale[n + i] = std::max(shown(scale[n + i], of_p / root, n + i), still_ * size);
     }
     return scale;
   }
@@ -79,8 +79,15 @@ class Distance {
     if (difference == 0.0) return 0.0;
     return std::isfinite(difference) ? std::abs(difference) / scale : infinity;
   }
-  [[nodiscard]] double shown(double bound, Eigen::Index i) const {
-    return noise.size() > 0 ? std::min(bound, noise[i]) : bound;
+  /// A range that may be rounding where the largest motion of all is `most`.
+  [[nodiscard]] double bound(double most, Eigen::Index i) const {
+    return noise.size() > 0 ? std::min(rounding * most, noise[i]) : rounding * most;
+  }
+  /// The scale of an entry with this range: what rounding is known to move, as the node of a vibration,
+  /// counts as the largest motion does.
+  [[nodiscard]] double shown(double range, double most, Eigen::Index i) const {
+    const double least = bound(most, i);
+    return noise.size() > 0 && range <= least ? most : std::max(range, least);
   }
   VectorX metric_;
   Eigen::Index seen_;
