@@ -87,7 +87,7 @@ void measure_drift(const Frame& frame, const std::vector<Scene>& scenes, int rep
     const double end = repeats * scene.time;
     // The step that keeps the tolerance over a hundred periods; shorter where a step on the way cannot be
     // solved.
-    const avi::SolutionReport found = choose(scene, 10.0 * scene.time, 1e-6, 8);
+    const avi::SolutionReport found = choose(scene, 10.0 * scene.time, 1e-3, 8);
     Chosen choice{found.choice, monitor_of(scene, found.choice)};
     Series series;
     for (int attempt = 0; found.ok() && attempt <= 6; ++attempt) {
