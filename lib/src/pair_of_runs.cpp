@@ -236,7 +236,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     resigned_ = lost || vain_ > 1 || (resolved_ > 0.0 && beyond) || spent > std::max(patience, 3.0 * pair);
   } else {
     // A feature that the steps do not see, or not yet resolve, is worth a while.
-    resigned_ = vain_ > 3 || spent > std::max(2.0 * patience, 3.0 * pair);
+    resigned_ = spent > std::max(2.0 * patience, 3.0 * pair);
   }
   if (resigned_) return false;
   before_ = error, before_at_ = mark;
