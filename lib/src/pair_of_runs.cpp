@@ -115,6 +115,7 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
   if (journey.spent || round_ >= most_rounds || question_.options.h > 0.0) return false;
   const double reached = std::abs(journey.state.t - question_.t);
   const bool again = std::abs(reached - failed_at_) <= 1e-2 * reached;
+  if (reached > 1.01 * repeated_) repeated_ = infinity;  // it is not in the way of this one
   // A run that was stopped for its price has met nothing.
   if (journey.run.outcome != Outcome::stopped) {
     furthest_ = std::max(furthest_, reached);
@@ -139,7 +140,7 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
     if (!hopeless && !(best && work(each) >= work(*best))) best = &each;
   }
   if (!best || static_cast<double>(budget_.sweeps) * it.price() > patience) {
-    in_the_way_ = std::isfinite(repeated_) ? repeated_ : furthest_;
+    in_the_way_ = std::isfinite(repeated_) ? repeated_ : best ? 0.0 : furthest_;
     return false;
   }
   if (best != &it) {
@@ -236,7 +237,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     resigned_ = lost || vain_ > 1 || (resolved_ > 0.0 && beyond) || spent > std::max(patience, 3.0 * pair);
   } else {
     // A feature that the steps do not see, or not yet resolve, is worth a while.
-    resigned_ = vain_ > 3 || spent > std::max(2.0 * patience, 3.0 * pair);
+    resigned_ = spent > std::max(2.0 * patience, 3.0 * pair);
   }
   if (resigned_) return false;
   before_ = error, before_at_ = mark;

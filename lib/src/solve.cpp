@@ -247,7 +247,7 @@ OrbitAnswer Orbiter::finish() {
   answer_.run = fine.run;
   if (fine.ok() && fine.state.t != question_.t_end) {
     const Outcome bound = budget_.met(question_.t, 0, 0);
-    answer_.run.outcome = bound != Outcome::ok ? bound : Outcome::step_limit;
+    answer_.run.outcome = bound != Outcome::ok ? bound : Outcome::stopped;
   }
   answer_.energy_error = fine.energy_error;
   const double here = since_start(judged_);

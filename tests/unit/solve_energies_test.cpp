@@ -1,0 +1,70 @@
+#include "avi/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+/// @file
+/// Orbits of whose errors H says little, or whose start says little of what comes.
+
+namespace solve_energies_test {
+
+using avi::solve;
+using avi::State;
+
+State<1> at(double q, double p) { return {.q = avi::Vector<double, 1>(q), .p = avi::Vector<double, 1>(p)}; }
+
+// An ulp of m c^2 is more than all the rest of H, whose motion is Newton's to rounding.
+TEST(SolveEnergies, MayBeHiddenByTheRestEnergy) {
+  const double c = 3e8;
+  const auto well = [](const auto& q) { return 0.5 * q[0] * q[0] + 0.25 * q[0] * q[0] * q[0] * q[0]; };
+  const auto relativistic = [=](const auto& q, const auto& p) {
+    return c * sqrt(c * c + p[0] * p[0]) + well(q);
+  };
+  const auto newton = [=](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + well(q); };
+  const auto truth = solve(newton, at(2.0, 0.0), 40.0, 1e-12).state;
+  for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+    const auto orbit = solve(relativistic, at(2.0, 0.0), 40.0, tolerance);
+    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    EXPECT_NEAR(orbit.state.q[0], truth.q[0], 4.0 * tolerance);
+    EXPECT_NEAR(orbit.state.p[0], truth.p[0], 6.0 * tolerance);
+  }
+}
+
+// Near the speed of light H_pp is nothing like an inverse mass.
+TEST(SolveEnergies, AreKeptNearTheSpeedOfLight) {
+  const auto energy = [](const auto& q, const auto& p) {
+    return sqrt(1.0 + p[0] * p[0]) + 0.5 * q[0] * q[0];
+  };
+  for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+    const auto orbit = solve(energy, at(0.0, 100.0), 200.0, tolerance);
+    const double q = orbit.state.q[0], p = orbit.state.p[0];
+    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    EXPECT_NEAR(std::sqrt(1.0 + p * p) + 0.5 * q * q, std::sqrt(1.0 + 1e4), 500.0 * tolerance);
+  }
+}
+
+TEST(SolveEnergies, SayNothingOfWhatComesFromAfar) {
+  const auto repelled = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + 1.0 / q[0]; };
+  EXPECT_TRUE(solve(repelled, at(1e4, -1.0), 2e4, 1e-6).kept());
+  const auto wall = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + exp(q[0]); };
+  EXPECT_TRUE(solve(wall, at(-3.0, 2.0), 40.0, 1e-6).kept());
+  const auto hinge = [](const auto& q, const auto& p) { return sqrt(1.0 + p[0] * p[0]) + 0.5 * q[0] * q[0]; };
+  EXPECT_TRUE(solve(hinge, at(300.0, 0.0), 2000.0, 1e-6).kept());
+  const auto barrier = [](const auto& q, const auto& p) {
+    return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0] + 1e-8 / (q[0] * q[0]);
+  };
+  EXPECT_TRUE(solve(barrier, at(1.0, 0.0), 20.0, 1e-6).kept());
+  const auto rest = [](const auto& q, const auto& p) {
+    return 0.5 * p[0] * p[0] + 4.0 * (pow(q[0], -12.0) - pow(q[0], -6.0));
+  };
+  EXPECT_TRUE(solve(rest, at(1.122462048309373, 0.0), 50.0, 1e-6).kept());
+  const auto dipole = [](const auto& q, const auto& p) {
+    const auto cube = pow(q.squaredNorm(), -1.5), a = p[0] + q[1] * cube, b = p[1] - q[0] * cube;
+    return 0.5 * (a * a + b * b + p[2] * p[2]);
+  };
+  for (const double end : {5.0, 20.0})
+    EXPECT_TRUE(solve(dipole, State<3>{.q = {0.9, 0.1, 0.25}, .p = {0.05, -0.95, 0.12}}, end, 1e-6).kept());
+}
+
+}  // namespace solve_energies_test
