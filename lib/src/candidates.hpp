@@ -54,6 +54,9 @@ class OrbitSteps {
     return state;
   }
 
+  /// See Stepper. @param z of 2n entries
+  void tail(VectorX& z) const { steps_->tail(z.data(), static_cast<int>(z.size())); }
+
   /// Another one with the memory of the last step.
   [[nodiscard]] std::unique_ptr<OrbitSteps> clone() const {
     return std::make_unique<OrbitSteps>(steps_->clone(), n_);

@@ -85,6 +85,7 @@ class Steps final : public Stepper {
     return report;
   }
   void polynomial(double c, double* z, double& t) const override { copy(step_.polynomial(c), z, t); }
+  void tail(double* z, int) const override { step_.tail(z, z + state_.q.size()); }
   [[nodiscard]] std::unique_ptr<Stepper> clone() const override { return std::make_unique<Steps>(*this); }
 
  private:

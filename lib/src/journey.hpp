@@ -117,8 +117,11 @@ class Journey {
   std::vector<State<dynamic>> marks;  ///< Where it was at the times that it was sent to.
   Ranges ranges;                      ///< Ranges of all states.
   double energy_error = 0.0;          ///< Largest |H - H_0| over the scale.
+  VectorX tails;                      ///< Largest tail of each entry, see Stepper, in the first `few` steps.
   bool spent = false;                 ///< It met a bound of the call.
   bool jumped = false;                ///< A step went over a feature of H that it did not see.
+
+  static constexpr int few = 12;  ///< See above.
 
   /// It has not failed.
   [[nodiscard]] bool ok() const { return run.outcome == Outcome::ok; }
@@ -187,6 +190,11 @@ class Journey {
     const double way = std::abs(z_.t - trip_->start.t), latter = way - std::exchange(half_way_, way);
     return steps > 100'000 && latter < 1e-6 * way;
   }
+  void look_at_tail() {
+    if (tails.size() == 0) tails = VectorX::Zero(ranges.low.size()), tail_ = tails;
+    steps_->tail(tail_);
+    tails = tails.cwiseMax(tail_);
+  }
   void step(double limit) {
     before_ = z_;
     made(steps_->step(z_, trip_->sense * h), limit);
@@ -200,6 +208,7 @@ class Journey {
     if (!ok()) return;
     if (trip_->features && !jumped) jumped = trip_->features->jumped(*steps_, before_, z_);
     ++run.steps;
+    if (run.steps <= few) look_at_tail();
     ranges.add(z_);
     look_at_energy(z_);
     if (const Outcome bound = trip_->budget.met(z_.t, run.steps, 0); bound != Outcome::ok) {
@@ -216,6 +225,7 @@ class Journey {
   std::unique_ptr<OrbitSteps> steps_;
   double half_way_ = 0.0;      // time after half of the steps, or fewer
   State<dynamic> z_, before_;  // after the last whole step, and before it
+  VectorX tail_;
 };
 
 }  // namespace avi::detail

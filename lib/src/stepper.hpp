@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/core/step.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -35,6 +36,9 @@ class Stepper {
   }
   /// The state at the fraction c of the last step: the collocation polynomial, where there is one.
   virtual void polynomial(double c, double* z, double& t) const = 0;
+  /// How much the last term of the polynomial of the last step adds to each entry of (q, p) at most; zero
+  /// where there is none.
+  virtual void tail(double* z, int entries) const { std::fill_n(z, entries, 0.0); }
   /// Another one with the memory of the last step: it goes on with the same bits.
   [[nodiscard]] virtual std::unique_ptr<Stepper> clone() const = 0;
 

@@ -169,18 +169,29 @@ class alignas(64) StageEquations {
       next.start.state.p[i] = step.start.state.p[i] + sum(step.dp[i]);
     }
   }
-  /// The columns of \f$\int_{o}^{o + r c_i} \ell_j / b_j\f$ at the offset o and the ratio r, from Legendre's
-  /// polynomials at all stages side by side; their integrals but the first one vanish at both ends.
+  /// The columns of \f$\int_{o}^{o + r c_i} \ell_j / b_j\f$ at the offset o and the ratio r.
   [[gnu::noinline]] void continue_at(double offset, double ratio) {
     offset_ = offset;
     ratio_ = ratio;
     const int s = rule_.stages();
-    Scalar way, integral[w], last(1.0), now;
+    // Once for all steps of a size.
+    if (ratio == 1.0) {
+      const GaussRule::Row start = rule_.integrals(offset);
+      for (int i = 0; i < w; ++i) {
+        const GaussRule::Row row = rule_.integrals(offset + rule_.node(std::min(i, s - 1)));
+        for (int j = 0; j < w; ++j)
+          continued_.set(i, j, row[j] - start[j]);
+      }
+      return;
+    }
+    // Quickly where each step may have another size, from Legendre's polynomials at all stages side by side;
+    // their integrals but the first one vanish at both ends.
+    Scalar way, integral[w], last(1.0);
     for (int i = 0; i < w; ++i)
       way.set(i, ratio * rule_.node(std::min(i, s - 1)));
     const Scalar x = 2.0 * (way + offset) - 1.0;
     integral[0] = way;
-    now = x;
+    Scalar now = x;
     for (int k = 1; k < s; ++k) {
       const Scalar next = ((2 * k + 1) * x * now - k * last) * (1.0 / (k + 1));
       integral[k] = (next - last) * (0.5 / (2 * k + 1));
