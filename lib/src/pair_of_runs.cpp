@@ -19,7 +19,11 @@ void Orbiter::note_trial(const Journey& journey, double error) {
 Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   Comparison seen;
   const std::size_t marks = std::min(coarse.marks.size(), fine.marks.size());
-  const double ratio = trusted(coarse, fine), until = since_start(marks - 1);
+  // Where energy errors are seen they tell how fast errors fall: slower than by the order where steps do not
+  // resolve all of the way.
+  const bool seen_to_fall = fine.energy_error > 1e3 * answer_.energy_rounding;
+  const double falls = seen_to_fall ? std::max(1.0, 0.5 * coarse.energy_error / fine.energy_error) : infinity;
+  const double ratio = std::min(trusted(coarse, fine), falls), until = since_start(marks - 1);
   double early = 0.0, late = 0.0;  // in the last quarter of the first quarter, and of the whole
   for (std::size_t i = 0; i < marks; ++i) {
     const double apart = (*distance_)(coarse.marks[i], fine.marks[i], fine.ranges) / ratio;
@@ -280,7 +284,8 @@ bool Orbiter::try_others(Setting& setting) {
     const bool same = it.splits() == setting.candidate->splits();
     const double first = same ? radians / it.longest : first_step(it);
     Journey run = begin({&it, std::min({first, longest_step(it), it.below})}, 1.0);
-    run.most = 1e3 + 4.0 * best / it.price();
+    // Nothing that takes more can win, however much longer its steps may be made.
+    run.most = 50.0 + (it.splits() ? 2.7 : 1.8) * best / it.price();
     run.advance(marks_[0], false);
     if (!run.ok()) {
       note_trial(run, infinity);

@@ -183,9 +183,9 @@ void Orbiter::offer_splitting() {
   // Two runs go side by side for one; ten sweeps are usual.
   const double split = 14.0 * menu_[0].price() * 2.0 / first_step(menu_[0]);
   const double other = 10.0 * menu_[1].price() * (order_ == 8 ? 0.6 : 1.0) * 1.8 / first_step(menu_[1]);
-  // How long its steps may be differs by three from orbit to orbit: a long run finds out.
+  // How long its steps may be differs by two from orbit to orbit: a long run finds out.
   if (!(split < other)) std::swap(menu_[0], menu_[1]);
-  if (!(split < 3.0 * other)) menu_.erase(menu_.begin() + 1);
+  if (!(split < 2.0 * other)) menu_.erase(menu_.begin() + 1);
 }
 
 OrbitAnswer Orbiter::fail(Outcome outcome, std::string message) {
