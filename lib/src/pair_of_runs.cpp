@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+/// @file
+/// Where solve() decides: two runs with different steps, what their difference says, and which setting is
+/// next.
+
 namespace avi::detail {
 
 void Orbiter::note_trial(const Journey& journey, double error) {

@@ -26,11 +26,14 @@ std::string SolutionReport::report() const {
        << choice.trials.size() << (choice.trials.size() == 1 ? " trial" : " trials");
   if (choice.check > 0) text << ", checked by a run of " << choice.check;
   text << ".\n";
-  for (const SolveTrial& trial : choice.trials)
+  for (const SolveTrial& trial : choice.trials) {
     text << "  " << trial.monitor << ", order " << trial.order << ": h = " << trial.h << " for " << trial.time
          << ", " << trial.steps << " steps, " << trial.sweeps
-         << (trial.monitor == "splitting" ? " kicks" : " sweeps") << ", error " << trial.state_error << ", "
-         << name(trial.outcome) << "\n";
+         << (trial.monitor == "splitting" ? " kicks" : " sweeps");
+    // Of the longer step of two nothing is known.
+    if (std::isfinite(trial.state_error)) text << ", error " << trial.state_error;
+    text << ", " << name(trial.outcome) << "\n";
+  }
   return text.str();
 }
 
