@@ -32,7 +32,7 @@ Finding symplectic_adaptivity(const Results& data) {
     cases.add(row.number("defect") < round_off, row.number("defect"));
   return finding(
       theorem(cases),
-      "One step of HTVI4 and of Euler-B misses a symplectic map by at most {:.0e}, whatever h: round-off.",
+      "One step of HTVI4 and of Euler-B misses a symplectic map by at most {:.1e}, whatever h: round-off.",
       cases.most);
 }
 

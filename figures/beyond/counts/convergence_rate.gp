@@ -7,7 +7,7 @@ curves = data.'/convergence_rate_curves.tsv'
 eval logx; eval logy
 set xrange [1:2e4]; set yrange [1e-9:3]
 set xlabel 'time t'
-set ylabel '(f − f*) / bound'
+set ylabel '(f − f*) / bound' offset -0.8, 0
 set key at graph 1.0, 1.0 right top
 shown = '2 4 6 10'
 array last[4]; array low[4]

@@ -15,7 +15,7 @@ set key at graph 0.98, 0.5 right center
 eval panel(1, 1, 2, 1)
 plot table using (where('clock', 'euler', 'order')):'distance_100' with points ls approach('adaptive') ps 1 title "Euler's clock", \
   table using (where('clock', 'exact', 'order')):'distance_100' with points lc rgb black pt 4 ps 1 title 'exact clock'
-set ylabel 'iterations' offset 1.2, 0
+set ylabel 'iterations' offset -0.6, 0
 set xrange [3:260]
 set yrange [2e3:2e5]; set ytics 1e3, 10
 set key at graph 0.98, 0.98 right top
