@@ -29,7 +29,7 @@ constexpr bool takes_time() {
   using Vec = RecordedVector<n>;
   return std::is_invocable_v<const F&, const Vec&, const Recorded&, const Vec&>;
 }
-/// What records g(q), g(q, p) or g(q, t, p) for n degrees of freedom.
+/// A function that records g(q), g(q, p) or g(q, t, p) for n degrees of freedom.
 template <class G>
 std::function<Formula(int)> recorder(G g) {
   return [g = std::move(g)](int n) {
@@ -73,11 +73,11 @@ struct SolveMonitor {
   SolveMonitor() = default;  ///< Has it chosen.
   ///@{
 
-  /// Of this name.
+  /// The monitor of this name.
   SolveMonitor(std::string its_name) : name(std::move(its_name)) {}
   SolveMonitor(const char* its_name) : name(its_name) {}
   ///@}
-  /// Of one's own.
+  /// A monitor of one's own.
   template <class G>
   requires(!std::is_convertible_v<G, std::string> && !std::is_same_v<G, SolveMonitor>) SolveMonitor(G its_g)
       : name("given"), g(detail::recorder(std::move(its_g))) {}
@@ -110,7 +110,7 @@ struct SolveOptions {
   bool check = true;            ///< Two runs are compared all the way; see solve().
   long sweeps = 2'000'000'000;  ///< Evaluations of the field at all stages, trials included; at least 1.
   long steps = std::numeric_limits<long>::max();  ///< Steps of a run; at least 1.
-  int order = 0;                                  ///< Of the method: 2, 4, ... 16; 0 to have it chosen.
+  int order = 0;                                  ///< Order of the method: 2, 4, ... 16; 0 to have it chosen.
   SolveMonitor monitor = {};            ///< Name in the menu of solve(), or a function; see SolveMonitor.
   double h = 0.0;                       ///< Fictive step with that monitor, positive; 0 to have it chosen.
   bool dense = false;                   ///< The solution can be called at any time of the run.
@@ -128,7 +128,7 @@ struct SolveOptions {
 /// One run that was tried, or tried in vain.
 struct SolveTrial {
   std::string monitor;       ///< Name in the menu, see solve().
-  int order = 0;             ///< Of the method.
+  int order = 0;             ///< Order of the method.
   double h = 0.0;            ///< Fictive step.
   double time = 0.0;         ///< Physical time that it covered.
   long steps = 0;            ///< Taken.
@@ -139,8 +139,8 @@ struct SolveTrial {
 
 /// The choice for an orbit. From here on all of it is fixed, and the method is a symplectic map.
 struct Choice {
-  std::string name = "fixed";  ///< Of the monitor, see SolveMonitor.
-  int order = 0;               ///< Of the method.
+  std::string name = "fixed";  ///< Name of the monitor, see SolveMonitor.
+  int order = 0;               ///< Order of the method.
   double h = 0.0;              ///< Fictive step.
   double energy_scale = 1.0;   ///< Mean of half of \f$|p\cdot\dot q|\f$: what energy errors are relative to.
   double kinetic = 0.0;        ///< Mean kinetic energy of the beginning, a constant of the monitors.

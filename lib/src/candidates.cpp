@@ -67,7 +67,7 @@ struct Measured {
   }
 };
 
-/// Of the energy.
+/// The rate that energy monitors follow.
 Measured measure(const Sketch& sketch, const Resting& resting, double energy_at_start, double kinetic,
                  const VectorX& strength) {
   Measured measured;
@@ -84,7 +84,7 @@ Measured measure(const Sketch& sketch, const Resting& resting, double energy_at_
   return measured;
 }
 
-/// Of a node of a graph.
+/// The rate at a node of a graph.
 Measured measure(const Sketch& sketch, const ExpressionGraph& graph, int node, const VectorX& strength) {
   Measured measured;
   RecordedFormula<double> formula{Recording(graph, node).value_and_gradient()};

@@ -23,7 +23,7 @@ namespace avi::detail {
 /// A method at states.
 class OrbitSteps {
  public:
-  /// Of n degrees of freedom.
+  /// A method for n degrees of freedom.
   OrbitSteps(std::unique_ptr<Stepper> steps, Eigen::Index n) : steps_(std::move(steps)), n_(n), z_(2 * n) {}
 
   /// Advances z by the fictive step h, unless the report says another outcome than ok.
@@ -89,7 +89,7 @@ class Candidate {
 
   std::string name;                ///< In the menu.
   std::vector<int> supplied = {};  ///< Nodes of the gradient of H, where it has one of its own.
-  std::shared_ptr<const Recording> recording = {};  ///< Of H with its gradient, where somebody has it.
+  std::shared_ptr<const Recording> recording = {};  ///< That of H with its gradient, where it is made.
   double outlook = 0.0;     ///< Work of all steps where the longest one in radians is of fixed length.
   double fictive = 0.0;     ///< Fictive time of the sketch.
   double longest = 0.0;     ///< Largest g times frequency on the sketch.
@@ -111,9 +111,9 @@ class Candidate {
     const auto size = static_cast<double>(f.forces.operations() + f.velocities.operations());
     return splits() ? 0.5 * price_of_kick(size, graph_->inputs()) : price_of_sweep(size, graph_->inputs());
   }
-  /// Of a sweep: measured from one to sixteen degrees of freedom.
+  /// The price of a sweep: measured from one to sixteen degrees of freedom.
   static double price_of_sweep(double operations, int entries) { return 20.0 + operations + 4.0 * entries; }
-  /// Of a kick and a drift.
+  /// The price of a kick and a drift.
   static double price_of_kick(double operations, int entries) { return 20.0 + 0.5 * operations + entries; }
   /// g = 1.
   [[nodiscard]] bool fixed() const { return alpha_ == 0.0; }

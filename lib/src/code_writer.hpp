@@ -18,7 +18,7 @@
 
 namespace avi::detail {
 
-/// What every pool begins with.
+/// The numbers that every pool begins with.
 enum Pooled : std::size_t { one, zero, sign_bit, magnitude };
 
 /// Writes one program. Registers are given up by what is needed last (Belady 1966).

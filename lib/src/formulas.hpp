@@ -57,7 +57,7 @@ struct Formulas {
     if (!made.unit) made.rate = Schedule::program(graph, rate, {}, graph.size());
     return std::make_shared<const Formulas>(std::move(made));
   }
-  /// Of H with g = 1.
+  /// The programs of H with g = 1.
   static Formulas fixed(const Recording& recording) {
     const int n = recording.inputs() / 2;
     return {.forces = recording.gradient(0, n),

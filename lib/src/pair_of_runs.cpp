@@ -4,7 +4,7 @@
 #include <limits>
 
 /// @file
-/// Where solve() decides: two runs with different steps, what their difference says, and which setting is
+/// How solve() decides: two runs with different steps, what their difference says, and which setting is
 /// next.
 
 namespace avi::detail {
@@ -288,8 +288,8 @@ bool Orbiter::try_others(Setting& setting) {
     const bool same = it.splits() == setting.candidate->splits();
     const double first = same ? radians / it.longest : first_step(it);
     Journey run = begin({&it, std::min({first, longest_step(it), it.below})}, 1.0);
-    // What takes far more does not win, however much longer its steps may be made.
-    run.most = 50.0 + 4.0 * best / it.price();
+    // Nothing that takes more can win, however much longer its steps may be made.
+    run.most = 50.0 + (it.splits() ? 2.7 : 1.8) * best / it.price();
     run.advance(marks_[0], false);
     if (!run.ok()) {
       note_trial(run, infinity);

@@ -5,7 +5,7 @@
 #include <vector>
 
 /// @file
-/// What an explicit splitting may be used for, read from the graph.
+/// Hamiltonians that an explicit splitting is for, read from the graph.
 
 namespace avi::detail {
 

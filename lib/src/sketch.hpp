@@ -21,7 +21,7 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();  ///
 /// The field of H, one point at a time.
 class PointField {
  public:
-  /// Of H as a node of a graph of (q, p).
+  /// The field of H as a node of a graph of (q, p).
   /// @param supplied nodes of its gradient, where H has one of its own
   PointField(const ExpressionGraph& graph, int energy, const std::vector<int>& supplied)
       : recording_(std::make_shared<const Recording>(graph, energy, energy, supplied)),
@@ -97,20 +97,18 @@ class PointField {
     }
     return std::sqrt(square);
   }
-  /// What relative errors of the entries of z make of the slope there, which is given, to first order.
+  /// The change of the slope at z, which is given, per relative error of the entries of z, to first order.
   /// @param draw the signs of those errors
   VectorX sensitivity(const VectorX& z, const VectorX& slope, unsigned draw) {
     constexpr double error = 1e-7;
     VectorX moved = z, there(z.size());
-    for (double& entry : moved) {
-      draw = draw * 1664525u + 1013904223u;
-      entry *= draw >> 31 ? 1.0 + error : 1.0 - error;
-    }
+    for (double& entry : moved)
+      entry *= 1.0 + sign(draw) * error;
     (*this)(moved, there);
     return (there - slope).cwiseAbs() / error;
   }
   [[nodiscard]] int size() const { return n_; }  ///< n.
-  /// Of H.
+  /// The recording of H.
   [[nodiscard]] const std::shared_ptr<const Recording>& recording() const { return recording_; }
 
   double sense = 1.0;  ///< -1 follows the orbit backwards.

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 /// @file
-/// Where solve() decides: a sketch of the orbit, the menu, the marks at which runs are compared, the first
+/// How solve() decides: a sketch of the orbit, the menu, the marks at which runs are compared, the first
 /// setting, and the answer. What two runs say of a setting is in pair_of_runs.cpp.
 
 namespace avi::detail {

@@ -4,6 +4,9 @@
 #include "stage_formula.hpp"
 #include "stepper.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -20,7 +23,7 @@ namespace {
 /// ended (see Splitting). Two orbits are stepped for the price of one.
 class SplittingSteps final : public Stepper {
  public:
-  /// Of these formulas, with g = 1.
+  /// Steps of these formulas, with g = 1.
   explicit SplittingSteps(std::shared_ptr<const Formulas> formulas)
       : formulas_(std::move(formulas)), forces_(formulas_->forces), velocities_(formulas_->velocities),
         here_(formulas_->n), end_(here_), q_(formulas_->n), p_(q_), low_q_(q_), low_p_(q_), change_(q_) {
@@ -121,6 +124,10 @@ class SplittingSteps final : public Stepper {
   }
   StepReport end(int lane, double* z, double& t, double h) {
     const Eigen::Index n = q_.size();
+    const StepReport report{.evaluations = static_cast<int>(coefficients.b.size())};
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (!std::isfinite(q_[i][lane]) || !std::isfinite(p_[i][lane]))
+        return {.outcome = Outcome::non_finite, .evaluations = report.evaluations};
     h_ = h;
     for (Eigen::Index i = 0; i < n; ++i) {
       z[i] = end_.state.q[i] = q_[i][lane];
@@ -131,7 +138,7 @@ class SplittingSteps final : public Stepper {
     const double change = h + here_.low.t;
     t = end_.state.t = here_.state.t + change;
     end_.low.t = change - (t - here_.state.t);
-    return {.evaluations = static_cast<int>(coefficients.b.size())};
+    return report;
   }
 
   std::shared_ptr<const Formulas> formulas_;

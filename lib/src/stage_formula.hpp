@@ -44,7 +44,7 @@ class StageFormula {
     else
       interpret(q, p, factor, out);
   }
-  MachineCode::Function code = nullptr;  ///< Of this program, once there is one.
+  MachineCode::Function code = nullptr;  ///< This program's, once there is some.
 
  private:
   static const double* number(const Pack<w>* x) { return reinterpret_cast<const double*>(x); }

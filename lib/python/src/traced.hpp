@@ -9,12 +9,12 @@
 #include <vector>
 
 /// @file
-/// What a Python function is called with while its formula is recorded.
+/// The numbers that a Python function is called with while its formula is recorded.
 
 namespace avi::python {
 
 namespace py = pybind11;
-using Shape = std::vector<py::ssize_t>;  ///< Of an array, as NumPy has it.
+using Shape = std::vector<py::ssize_t>;  ///< The shape of an array, as NumPy has it.
 
 /// Recorded numbers in the shape of a NumPy array. NumPy hands its functions over to it (__array_ufunc__,
 /// __array_function__), so that a formula reads as it does for an array of doubles, and every entry of what
@@ -32,7 +32,8 @@ Traced inputs(const std::shared_ptr<ExpressionGraph>& graph, int first, Shape sh
 /// The number of entries of an array.
 py::ssize_t size_of(const Shape& shape);
 
-/// What H or f returned, as a node. @throws py::type_error where it is no single number; `what` was called.
+/// The value that H or f returned, as a node. @throws py::type_error where it is no single number; `what` was
+/// called.
 int returned_node(const py::object& result, ExpressionGraph& graph, const char* what);
 
 /// Adds the class to the module.
