@@ -128,6 +128,7 @@ void Orbiter::look_from(const State<dynamic>& z) {
 /// A run ended before its mark. @return there is another setting to try
 bool Orbiter::failed(const Journey& journey, Setting& setting) {
   note_trial(journey, infinity);
+  if (journey.spent) bound_ = journey.run.outcome;
   if (journey.spent || round_ >= most_rounds || question_.options.h > 0.0) return false;
   const double reached = std::abs(journey.state.t - question_.t);
   const bool again = std::abs(reached - failed_at_) <= 1e-2 * reached;

@@ -116,18 +116,19 @@ class Orbiter {
   std::size_t judged_ = 0;    // mark of that comparison
   double before_ = infinity;  // the error foretold from the pair of runs before this one, and at which mark
   std::size_t before_at_ = 0;
-  int vain_ = 0;                // pairs in a row that were not better than the one before
-  int round_ = 0;               // pairs of runs so far
-  double failed_at_ = -1.0;     // time at which the last run failed
-  bool dead_end_ = false;       // a sketch from there could not go on
-  double furthest_ = 0.0;       // time at which the last of the failed runs failed
-  double repeated_ = infinity;  // the earliest at which two in a row did
-  double in_the_way_ = 0.0;     // time at which runs fail, whatever the step
-  double resolved_ = 0.0;       // the first step that was short enough, as far as the first marks
-  bool slow_ = false;           // a step was made shorter for its sweeps
-  int lengthened_ = 0;          // times that a step was made longer
-  bool others_tried_ = false;   // candidates other than the first one
-  bool resigned_ = false;       // shorter steps do not help
+  int vain_ = 0;                 // pairs in a row that were not better than the one before
+  int round_ = 0;                // pairs of runs so far
+  double failed_at_ = -1.0;      // time at which the last run failed
+  bool dead_end_ = false;        // a sketch from there could not go on
+  double furthest_ = 0.0;        // time at which the last of the failed runs failed
+  double repeated_ = infinity;   // the earliest at which two in a row did
+  double in_the_way_ = 0.0;      // time at which runs fail, whatever the step
+  Outcome bound_ = Outcome::ok;  // of the call, that a run has met
+  double resolved_ = 0.0;        // the first step that was short enough, as far as the first marks
+  bool slow_ = false;            // a step was made shorter for its sweeps
+  int lengthened_ = 0;           // times that a step was made longer
+  bool others_tried_ = false;    // candidates other than the first one
+  bool resigned_ = false;        // shorter steps do not help
   OrbitAnswer answer_;
 };
 

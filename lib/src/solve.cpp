@@ -203,10 +203,9 @@ OrbitAnswer Orbiter::fail(Outcome outcome, std::string message) {
 OrbitAnswer Orbiter::give_up() {
   std::ostringstream text;
   text.precision(6);
-  const Outcome bound = budget_.met(question_.t, 0, 0);
-  if (bound != Outcome::ok) {
+  if (bound_ != Outcome::ok) {
     text << "A bound of the call was met while monitor and step were being chosen.";
-    return fail(bound, text.str());
+    return fail(bound_, text.str());
   }
   if (in_the_way_ > 0.0)
     text << "Runs fail at t = " << question_.t + sense_ * in_the_way_
@@ -249,10 +248,8 @@ OrbitAnswer Orbiter::finish() {
   answer_.choice.h = fine.h;
   answer_.choice.solved = fine.solved;
   answer_.run = fine.run;
-  if (fine.ok() && fine.state.t != question_.t_end) {
-    const Outcome bound = budget_.met(question_.t, 0, 0);
-    answer_.run.outcome = bound != Outcome::ok ? bound : Outcome::stopped;
-  }
+  if (fine.ok() && fine.state.t != question_.t_end)
+    answer_.run.outcome = bound_ != Outcome::ok ? bound_ : Outcome::stopped;
   answer_.energy_error = fine.energy_error;
   const double here = since_start(judged_);
   // What rounding leaves grows with the phase.

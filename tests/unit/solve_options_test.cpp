@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace solve_options_test {
@@ -94,6 +95,19 @@ TEST(SolveOptions, BoundStepsAndKeepWhatWasReached) {
   EXPECT_EQ(swept.run.outcome, avi::Outcome::step_limit);
   EXPECT_EQ(swept.states.size(), 2u);
   EXPECT_LE(swept.run.evaluations + swept.choice.sweeps, 100200);
+}
+
+// Whichever of two runs meets a bound, the outcome is that of the bound and the message is about it.
+TEST(SolveOptions, AreNamedWhenABoundIsMet) {
+  const auto z = Kepler::pericentre(0.6);
+  for (int k = 0; k < 12; ++k) {
+    const auto timed = solve(Kepler(), z, 1e9, 1e-10, {.seconds = 0.01 + 0.003 * k});
+    EXPECT_EQ(timed.run.outcome, avi::Outcome::time_limit) << timed.run.message;
+    const auto swept = solve(Kepler(), z, 1e9, 1e-10, {.sweeps = 100'000 + 1234 * k});
+    EXPECT_EQ(swept.run.outcome, avi::Outcome::step_limit) << swept.run.message;
+    for (const auto& orbit : {timed, swept})
+      EXPECT_EQ(orbit.run.message.find("over a hundred times"), std::string::npos) << orbit.run.message;
+  }
 }
 
 TEST(SolveOptions, LetTheSolutionBeCalled) {
