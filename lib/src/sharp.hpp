@@ -17,8 +17,8 @@ namespace avi::detail {
 /// a passage through zero between two points can be found from them.
 class SharpFeatures {
  public:
-  /// Takes H as a node of a graph.
-  SharpFeatures(const ExpressionGraph& graph, int energy) {
+  /// Takes H as a node of a graph. @param sketch of the orbit, where it begins
+  SharpFeatures(const ExpressionGraph& graph, int energy, const Sketch& sketch) {
     const std::vector<char> part = graph.parts(energy);
     for (int i = 0; i <= energy; ++i) {
       using enum Operation;
@@ -28,6 +28,8 @@ class SharpFeatures {
       if (!part[static_cast<std::size_t>(i)] || !(peak || passage)) continue;
       const int n = graph.inputs() / 2;
       arguments_.push_back({peak, n, {Recording(graph, graph[i].a).value()}});
+      for (const Sketch::Sample& sample : sketch.samples)
+        arguments_.back().add(arguments_.back()(sample.z.data(), sample.z.data() + n));
     }
   }
 
@@ -36,7 +38,12 @@ class SharpFeatures {
 
   /// Some feature lies inside the last step of `method`, between points that do not show it.
   bool jumped(const OrbitSteps& method, const State<dynamic>& before, const State<dynamic>& after) {
-    if (arguments_.empty()) return false;
+    bool any = false;
+    for (Argument& argument : arguments_) {
+      argument.add(argument(after));
+      any = any || argument.moves();
+    }
+    if (!any) return false;
     constexpr int parts = 4;
     std::array<State<dynamic>, parts + 1> on_the_way;
     for (int k = 1; k < parts; ++k)
@@ -44,6 +51,7 @@ class SharpFeatures {
     on_the_way[0] = before;
     on_the_way[parts] = after;
     for (Argument& argument : arguments_) {
+      if (!argument.moves()) continue;
       std::array<double, parts + 1> at;
       for (int k = 0; k <= parts; ++k)
         at[k] = argument(on_the_way[k]);
@@ -71,12 +79,18 @@ class SharpFeatures {
     bool peak;
     int n;
     RecordedFormula<double> formula;
-    double operator()(const State<dynamic>& z) {
-      std::copy(z.q.data(), z.q.data() + n, formula.room.arguments());
-      std::copy(z.p.data(), z.p.data() + n, formula.room.arguments() + n);
+    double low = infinity, high = -infinity;  // on the sketch and after all steps
+
+    double operator()(const State<dynamic>& z) { return (*this)(z.q.data(), z.p.data()); }
+    double operator()(const double* q, const double* p) {
+      std::copy(q, q + n, formula.room.arguments());
+      std::copy(p, p + n, formula.room.arguments() + n);
       formula.program.run(formula.room);
       return formula.value();
     }
+    void add(double value) { low = std::min(low, value), high = std::max(high, value); }
+    // So far by so much that a step might hide a change that is wide.
+    [[nodiscard]] bool moves() const { return !(high - low <= wide / 3.0); }
   };
 
   /// Where it is largest in a part of the step, by golden section.

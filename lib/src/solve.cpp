@@ -72,7 +72,7 @@ void Orbiter::prepare() {
   choice.energy_scale = scale;
   answer_.energy_rounding = std::numeric_limits<double>::epsilon() * (std::abs(energy) / scale + 1.0);
   trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, budget_});
-  features_.emplace(question_.graph, question_.energy);
+  features_.emplace(question_.graph, question_.energy, sketch);
   if (!features_->none()) trip_->features = &*features_;
   menu_ = candidates(question_, energy, sketch, resting, metric, choice);
   const std::string& wanted = question_.options.monitor.name;

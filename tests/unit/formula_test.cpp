@@ -127,7 +127,8 @@ TEST(Formula, SaysWhatACallCosts) {
     EXPECT_EQ(work_of([](const auto& q, const auto& p) { return (q[0] - p[0]) * q[0]; }, numbers), 2.0);
     EXPECT_EQ(work_of([](const auto& q, const auto& p) { return q[0] / p[0]; }, numbers), 2.0);
     EXPECT_EQ(work_of([](const auto& q, const auto&) { return sqrt(q[0]); }, numbers), 2.0);
-    EXPECT_EQ(work_of([](const auto& q, const auto&) { return exp(q[0]); }, numbers), one_by_one);
+    EXPECT_EQ(work_of([](const auto& q, const auto&) { return tanh(q[0]); }, numbers), one_by_one);
+    EXPECT_EQ(work_of([](const auto& q, const auto&) { return exp(q[0]); }, numbers), 20.0);
     EXPECT_EQ(work_of([](const auto& q, const auto&) { return pow(q[0], 1.25); }, numbers), 4.0) << "roots";
     EXPECT_EQ(work_of([](const auto& q, const auto&) { return pow(q[0], 1.3); }, numbers), one_by_one);
     EXPECT_EQ(work_of([](const auto& q, const auto&) { return q[0]; }, numbers), 0.0);

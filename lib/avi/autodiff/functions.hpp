@@ -23,10 +23,10 @@
 // clang-format off
 #define AVI_FUNCTIONS(ONE, TWO)                                            \
   ONE(sqrt, side_by_side, at_once(2.0), 0.5 / f)                           \
-  ONE(exp, one_by_one, each(4.0), f)                                       \
-  ONE(log, one_by_one, each(4.0), 1.0 / a)                                 \
-  ONE(sin, side_by_side, each(4.0), cos(a))                                \
-  ONE(cos, side_by_side, each(4.0), -sin(a))                               \
+  ONE(exp, side_by_side, at_once(20.0), f)                                 \
+  ONE(log, side_by_side, at_once(25.0), 1.0 / a)                           \
+  ONE(sin, side_by_side, at_once(30.0), cos(a))                            \
+  ONE(cos, side_by_side, at_once(30.0), -sin(a))                           \
   ONE(tan, one_by_one, each(4.0), 1.0 + f * f)                             \
   ONE(sinh, one_by_one, each(4.0), cosh(a))                                \
   ONE(cosh, one_by_one, each(4.0), sinh(a))                                \

@@ -1,6 +1,6 @@
 #pragma once
 #include "avi/autodiff/partials.hpp"
-#include "avi/autodiff/sine.hpp"
+#include "avi/autodiff/vector_functions.hpp"
 #include "avi/core/instructions.hpp"
 
 #include <algorithm>
@@ -177,8 +177,9 @@ class Pack : Scalar<Pack<w>> {
 
   ///@{
 
-  /// Number by number; root, sine and cosine (to one unit in the last place, the same bits on every machine
-  /// up to |x| = 8e5) by the vector unit, the others by the functions of the standard library.
+  /// Number by number; root, sine and cosine (up to |x| = 8e5), exponential (where it is a normal number) and
+  /// logarithm (of normal numbers) by the vector unit, to one unit in the last place, with the same bits on
+  /// every machine; the others by the functions of the standard library.
   friend Pack sqrt(const Pack& x) {
 #if defined(__AVX512F__)
     if constexpr (lanes == 8)
@@ -196,6 +197,14 @@ class Pack : Scalar<Pack<w>> {
   }
   friend Pack sin(const Pack& x) { return detail::turned(x, 0); }
   friend Pack cos(const Pack& x) { return detail::turned(x, 1); }
+  friend Pack exp(const Pack& x) {
+    return detail::by_register(x, detail::least_exponent, detail::most_exponent,
+                               detail::exponential<Register>, detail::library_exp);
+  }
+  friend Pack log(const Pack& x) {
+    return detail::by_register(x, detail::least_number, detail::most_number, detail::logarithm<Register>,
+                               detail::library_log);
+  }
   friend Pack abs(const Pack& x) {
     return by_part([&](int k) { return (Register)detail::magnitude(x.part[k]); });
   }
