@@ -1,11 +1,12 @@
 # The whole call of solve(), choosing and checking included, beside the best of other libraries at equal error of the
-# position at the end: the ratio of times, below 1 where solve() is ahead, over 1 and 10 characteristic times, with longer data to 1000.
+# position at the end: the ratio of times, below 1 where solve() is ahead, over 1, 10 and 100 characteristic times, with longer data to 1000.
 # Hollow marks: problems on which nobody tunes.
 width = 16; height = 6.4
 load 'figures/style.gp'
 table = data.'/front_door_cells.tsv'
 thousand = int(system("grep -c -P '\t1000(\.0)?\t' ".table.' || true')) > 0
-panels = thousand ? 4 : 2
+hundred = int(system("grep -c -P '\t100(\.0)?\t' ".table.' || true')) > 0
+panels = thousand ? 4 : hundred ? 3 : 2
 held_out = int(system("awk -F'\t' '!/^#/ && $3 == 1' ".table." | wc -l")) > 0
 array horizon[4] = [1, 10, 100, 1000]
 array title[4] = ['1', '10', '100', '1000']
@@ -26,7 +27,7 @@ set multiplot
 page_left = 1.45; page_bottom = 2.3; page_top = 0.65; gap_x = 0.4
 do for [i=1:panels] {
   eval panel(i, 1, panels, 1)
-  set title title[i].(i == 1 ? ' characteristic time' : panels == 2 ? ' characteristic times' : ' times') font ',7' offset 0, -0.7
+  set title title[i].(i == 1 ? ' characteristic time' : panels < 4 ? ' characteristic times' : ' times') font ',7' offset 0, -0.7
   set ylabel i == 1 ? 'time / best of others' : ''
   set format y i == 1 ? '10^{%L}' : ''
   set xlabel 'position error' offset 0, 0.4

@@ -233,7 +233,7 @@ class alignas(64) GaussStep {
       slow = before > 0.0 && change > 0.5 * before && (closely ? progress_.visible() : change) > 1e-10
                  ? slow + 1
                  : 0;
-      if (slow == 3 && k > 6 && !patient_) break;
+      if (slow >= 3 && k > 6 && !patient_ && !few_more(change, before, settings_.max_sweeps - k)) break;
       if (before > 0.0 && !falls && !closely) {
         closely = true;
         progress_.restart();
@@ -242,6 +242,11 @@ class alignas(64) GaussStep {
     }
     report.outcome = Outcome::not_converged;
     return report;
+  }
+
+  /// So slow sweeps as the last one come to an end before a matrix of Newton's method would be worth it.
+  [[nodiscard]] bool few_more(double change, double before, int at_most) const {
+    return change < before && std::log(limit_ / change) > std::min(40, at_most) * std::log(change / before);
   }
 
   [[gnu::noinline]] StepReport by_newton(State<n>& z, double h) {

@@ -50,10 +50,10 @@ int main(int argc, char** argv) {
   };
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
     Budget budget;
-    budget.longest_run = 0.002;
+    budget.longest_run = 0.005;
     if (full)
       budget = {.longest_run = 0.5, .least_block = 1e-3, .rounds = 7, .ratio = std::sqrt(0.1), .refined = 4};
-    const double longest = full ? 1000.0 : 10.0;
+    const double longest = full ? 1000.0 : frame.quick ? 10.0 : 100.0;
     Table table = frame.table({"scene", "kind", "held_out", "horizon", "method", "setting", "error",
                                "seconds", "steps", "evaluations"});
     Table cells = frame.table({"scene",
