@@ -1,3 +1,5 @@
+#include "avi/solve.hpp"
+
 #include "avi/core/require.hpp"
 #include "delivery.hpp"
 #include "orbiter.hpp"
