@@ -59,4 +59,25 @@ TEST(SolveErrors, AreNearTheTruth) {
   EXPECT_LT(ratios.back(), 50.0);
 }
 
+// Chaos, and rounding of a large angle: 5 and 8 runs are tried before it is said.
+TEST(SolveErrors, EndTheChoiceWhereShorterStepsAreInVain) {
+  const auto pendulums = [](const auto& q, const auto& p) {
+    const auto c = cos(q[0] - q[1]);
+    return (p[0] * p[0] + 2.0 * p[1] * p[1] - 2.0 * p[0] * p[1] * c) / (2.0 * (2.0 - c * c)) -
+           2.0 * cos(q[0]) - cos(q[1]);
+  };
+  const auto chaos = solve(pendulums, State<2>{.q = {2.0, 2.5}, .p = {0.0, 0.0}}, 200.0, 1e-13);
+  EXPECT_TRUE(chaos.ok());
+  EXPECT_FALSE(chaos.kept());
+  EXPECT_GT(chaos.state_error, 1e-3);
+  EXPECT_LE(chaos.choice.trials.size(), 10u);
+  const auto far = [](const auto& q, const auto& p) {
+    return 0.5 * p[0] * p[0] + 10.0 * cos(q[0] + 1e5) + 0.5 * q[0] * q[0];
+  };
+  const auto rounded = solve(far, State<1>{.q = {2.0}, .p = {0.0}}, 400.0, 1e-13);
+  EXPECT_TRUE(rounded.ok());
+  EXPECT_FALSE(rounded.kept());
+  EXPECT_LE(rounded.choice.trials.size(), 16u);
+}
+
 }  // namespace
