@@ -148,8 +148,11 @@ class Tests:
         run(["ar", "rcs", str(self.library), *map(str, parts)], 600)
 
     def including(self, header, name):
-        """The tests that include the header: its own first, then those that speak of `name`, then the nearest and smallest."""
-        return self.nearest(self.included, [header], header.stem, name)[:MOST_TESTS]
+        """The tests that include the header: its own first, then those of headers that include it, then those that speak of `name`, then
+        the nearest and smallest."""
+        tests = self.nearest(self.included, [header], header.stem, name)
+        above = {f"{file.stem}_test" for steps in self.included.values() for file in steps if header in included(file)}
+        return sorted(tests, key=lambda test: 0 if test.stem == header.stem + "_test" else 1 if test.stem in above else 2)[:MOST_TESTS]
 
     def calling(self, changed, users, name):
         """The tests that are linked with one of the library's sources that include the file, in that order."""
