@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Do the tests notice a wrong token? (make mutants N=60)
 
-Changes one token of lib/avi at random - an operator, a comparison, a constant - and compiles and runs the unit
-and property tests that include the file until one fails: the nearest first, at most MOST_TESTS of them. A mutant
-that none of them notices is printed as SURVIVED. One that does not compile is replaced by another. The library
-is not touched: the changed header lies in a folder of its own that the compiler searches first. As many changes
-are tried at a time as there are processors.
+Changes one token of lib/avi or lib/src at random - an operator, a comparison, a constant - and compiles and runs the unit,
+property and stability tests that include the file until one fails: the nearest first, at most MOST_TESTS of them. Where the
+library's own sources are or include the file, these are compiled with the change, linked before what the library has
+unchanged, and tried by the tests that call them, the short hostile draw among them. A mutant that none of them notices is
+printed as SURVIVED. One that does not compile is replaced by another. The library is not touched: the changed file lies in a
+folder of its own that the compiler searches first. As many changes are tried at a time as there are processors.
 """
 import argparse
 import functools
@@ -22,6 +23,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 LIB, BUILD = ROOT / "lib", ROOT / "build" / "mutants"
+SOURCES = sorted((LIB / "src").glob("*.cpp"))
+HOSTILE = ROOT / "tests/hostile/hostile.cpp"
 EIGEN = "/usr/include/eigen3"
 # With the checks of Eigen and of the standard library, which notice an index that is out of range.
 FLAGS = ["-std=c++20", "-ffp-contract=off", "--param=ggc-min-heapsize=1000000", "-D_GLIBCXX_ASSERTIONS", "-w", "-Wno-psabi",
@@ -30,7 +33,9 @@ FLAGS = ["-std=c++20", "-ffp-contract=off", "--param=ggc-min-heapsize=1000000", 
            {"SOURCE_DIR": ROOT, "CHECK_DIR": BUILD, "BUILD_DIR": BUILD, "BIN_DIR": BUILD,
             "PUBLISHED_DIR": ROOT / "paper" / "published"}.items())]
 
-MOST_TESTS = 8  # what the nearest ones let pass, the others let pass as a rule
+MOST_TESTS = 6  # what the nearest ones let pass, the others let pass as a rule
+MOST_CALLERS = 20  # these are compiled once for all changes
+PATIENCE = 60  # seconds for one test
 
 # A compiler cache does not notice that a header now lies earlier in the search path.
 ENVIRONMENT = {**os.environ, "CCACHE_DISABLE": "1"}
@@ -91,67 +96,119 @@ def run(command, patience):
 def included(file):
     """The files of this repository that a file includes."""
     names = re.findall(r'^#include "(.*)"', file.read_text(), re.MULTILINE)
-    return [folder / name for name in names for folder in (LIB, ROOT / "tests", ROOT / "experiments", ROOT / "paper")
+    return [folder / name for name in names for folder in (LIB, file.parent, ROOT / "tests", ROOT / "experiments", ROOT / "paper")
             if (folder / name).exists()]
 
 
+@functools.cache
+def defined_in(header):
+    """The library's sources that define what a header declares: they have its name, or include it first."""
+    return [source for source in SOURCES if source.stem == header.stem or included(source)[0] == header]
+
+
+def steps_from(file, linked=False):
+    """Every file that a file includes - and that is linked with it - and how many includes lead to it."""
+    steps, level, count = {file: 0}, {file}, 0
+    while level:
+        count += 1
+        level = {below for above in level for below in included(above) + (defined_in(above) if linked else [])} - steps.keys()
+        steps |= dict.fromkeys(level, count)
+    return steps
+
+
 def is_linked(header):
-    """Whether it declares what a source beside it defines."""
-    return header.suffix == ".hpp" and header.with_suffix(".cpp").exists()
+    """Whether it declares what a source beside it defines, outside the library."""
+    return header.suffix == ".hpp" and header.with_suffix(".cpp").exists() and LIB not in header.parents
 
 
 class Tests:
-    """The unit and property tests, and what each includes. Left out are those that compare times or link more than the library."""
+    """The tests, and what each includes. Left out are those that compare times or link more than the library."""
 
     def __init__(self, compiler):
-        self.compiler, self.turn = compiler, threading.Lock()
+        self.compiler, self.turn, self.seconds = compiler, threading.Lock(), {}
         for level in ("-O0", "-O1"):  # precompiled: half of the time of a small test
             common = BUILD / level / "common.hpp"
             common.parent.mkdir(parents=True, exist_ok=True)
             common.write_text("".join(f"#include <{name}>\n" for name in COMMON))
-            run(compiler + FLAGS + [level, "-x", "c++-header", str(common), "-o", f"{common}.gch"], 600)
+            if not Path(f"{common}.gch").exists():
+                run(compiler + FLAGS + [level, "-x", "c++-header", str(common), "-o", f"{common}.gch"], 600)
         cmake = (ROOT / "tests/CMakeLists.txt").read_text()  # which says what is optimised or compares times
         self.slow = set(re.search(r"set\(slow_tests ([^)]*)\)", cmake).group(1).split())
         timed = re.findall(r"a_test\(LABEL \w+ NAME (\w+) ALONE", cmake)
-        sources = [file for label in ("unit", "property") for file in sorted(ROOT.glob(f"tests/{label}/*_test.cpp"))]
-        all_steps = {source: self.steps_from(source) for source in sources}
-        self.tests = {source: steps for source, steps in all_steps.items()
-                      if source.stem.removesuffix("_test") not in timed and not any(map(is_linked, steps))}
+        found = [file for label in ("unit", "property", "stability") for file in sorted(ROOT.glob(f"tests/{label}/*_test.cpp"))]
+        self.included = {test: steps_from(test) for test in found if test.stem.removesuffix("_test") not in timed}
+        self.included = {test: steps for test, steps in self.included.items() if not any(map(is_linked, steps))}
+        self.linked = {test: steps_from(test, linked=True) for test in self.included}
+        self.linked[HOSTILE] = steps_from(HOSTILE.with_name("call.cpp"), linked=True)
+        self.within = {source: steps_from(source) for source in SOURCES}
+        parts = [self.object_of(source, BUILD, []) for source in SOURCES]
+        assert all(parts), "the library does not compile"
+        self.library = BUILD / "libavi.a"
+        self.library.unlink(missing_ok=True)
+        run(["ar", "rcs", str(self.library), *map(str, parts)], 600)
 
-    def steps_from(self, test):
-        """Every file that a test includes, and how many includes lead to it."""
-        steps, level, count = {test: 0}, {test}, 0
-        while level:
-            count += 1
-            level = {file for above in level for file in included(above)} - steps.keys()
-            steps |= dict.fromkeys(level, count)
-        return steps
+    def including(self, header, name):
+        """The tests that include the header: its own first, then those of headers that include it, then those that speak of `name`, then
+        the nearest and smallest."""
+        tests = self.nearest(self.included, [header], header.stem, name)
+        above = {f"{file.stem}_test" for steps in self.included.values() for file in steps if header in included(file)}
+        return sorted(tests, key=lambda test: 0 if test.stem == header.stem + "_test" else 1 if test.stem in above else 2)[:MOST_TESTS]
 
-    def of(self, header, name):
-        """Those that include the header: its own first, then those that speak of `name`, then the nearest and smallest."""
-        mine = [test for test, steps in self.tests.items() if header in steps]
-        return sorted(mine, key=lambda test: (test.stem != header.stem + "_test",
-                                              name is None or not re.search(rf"\b{name}\b", test.read_text()),
-                                              self.tests[test][header], len(self.tests[test])))
+    def calling(self, changed, users, name):
+        """The tests that are linked with one of the library's sources that include the file, in that order."""
+        callers = self.nearest(self.linked, users, changed.stem, name)
+        return [test for test in callers if test != HOSTILE][:MOST_CALLERS] + [HOSTILE] * (HOSTILE in callers)
 
-    def fails(self, test, folder, overlay=()):
-        """Compiles a test in `folder`, with what the overlay changes, and runs it. None where it does not compile."""
-        program, level = folder / test.stem, "-O1" if test.stem.removesuffix("_test") in self.slow else "-O0"
-        command = self.compiler + [*overlay, *FLAGS, level, "-include", str(BUILD / level / "common.hpp"), str(test),
-                                   "-o", str(program), "-lgtest_main", "-lgtest", "-lgsl", "-lgslcblas"]
-        if run(command, 1800) != 0:
+    def nearest(self, all_steps, files, stem, name):
+        def rank(test):
+            text = test.read_text()
+            return (test.stem != stem + "_test", name is None or not re.search(rf"\b{name}\b", text), stem not in text,
+                    min(all_steps[test].get(file, 99) for file in files), len(all_steps[test]))
+
+        return sorted((test for test, steps in all_steps.items() if not steps.keys().isdisjoint(files)), key=rank)
+
+    def object_of(self, source, folder, overlay):
+        """A source compiled in `folder`, anew where what it includes has changed; None where it does not compile."""
+        result = folder / f"{source.stem}.o"
+        newest = max(file.stat().st_mtime for file in steps_from(source))
+        if overlay or not result.exists() or result.stat().st_mtime < newest:
+            is_test = source.parent.name in ("unit", "property", "stability")
+            level = "-O1" if not is_test or source.stem.removesuffix("_test") in self.slow else "-O0"
+            common = ["-include", str(BUILD / level / "common.hpp")] if is_test else []
+            place = folder / source.relative_to(LIB) if overlay and source in SOURCES else source
+            if run(self.compiler + [*overlay, *FLAGS, level, *common, "-c", str(place), "-o", str(result)], 1800) != 0:
+                result.unlink(missing_ok=True)
+                return None
+        return result
+
+    def fails(self, test, folder, overlay=(), changed=(), patience=PATIENCE):
+        """Compiles a test in `folder` with what the overlay changes, or as it is but linked with changed parts of the library,
+        and runs it. None where it does not compile."""
+        sources = sorted(test.parent.glob("*.cpp")) if test == HOSTILE else [test]
+        sources = [source for source in sources if source.stem != "reference_test"]
+        objects = [self.object_of(source, folder if overlay else BUILD, list(overlay)) for source in sources]
+        program = folder / test.stem
+        libraries = ["-lfmt"] if test == HOSTILE else ["-lgtest_main", "-lgtest", "-lgsl", "-lgslcblas"]
+        if not all(objects) or run(self.compiler + [*map(str, [*changed, *objects, self.library]), "-o", str(program), *libraries,
+                                                    "-lpthread"], 600) != 0:
             return None
-        return run([str(program), "--gtest_fail_fast"], 120) != 0
+        draw = "--systems 40 --seed 11 --tolerances 1e-4,1e-8,1e-12 --longest 10 --work 2e7 --seconds 30 --quiet".split()
+        begin = time.time()
+        failed = run([str(program), *(draw if test == HOSTILE else ["--gtest_fail_fast"])], patience) != 0
+        self.seconds[test] = time.time() - begin
+        return failed
 
     def passes_unchanged(self, test):
-        """Whether the test passes with the library as it is; found out once for each state of its headers."""
-        passed, newest = BUILD / f"{test.stem}.passed", max(file.stat().st_mtime for file in self.tests[test])
+        """Whether the test passes with the library as it is, then the seconds that it takes; found out once for each state of its files."""
+        passed, newest = BUILD / f"{test.stem}.passed", max(file.stat().st_mtime for file in self.linked[test])
         with self.turn:
             if not passed.exists() or passed.stat().st_mtime < newest:
                 passed.unlink(missing_ok=True)
-                if self.fails(test, BUILD) is False:
-                    passed.touch()
-            return passed.exists()
+                folder = BUILD / "unchanged"
+                folder.mkdir(exist_ok=True)
+                if self.fails(test, folder, patience=4 * PATIENCE) is False:
+                    passed.write_text(str(self.seconds[test]))
+            return max(float(passed.read_text()), 0.01) if passed.exists() else None
 
 
 def judged(tests, rng_state, place):
@@ -165,22 +222,33 @@ def judged(tests, rng_state, place):
     lines[number] = lines[number][:first] + new + lines[number][last:]
     folder = BUILD / f"changed_{drawn}"
     changed = folder / path.relative_to(LIB)
+    shutil.copytree(LIB / "src", folder / "src")  # what is included by quotes is looked for beside the file first
     changed.parent.mkdir(parents=True, exist_ok=True)
     changed.write_text("".join(lines))
-    begin, noticed, tried = time.time(), None, 0
-    for test in tests.of(path, enclosing_name(lines, number)):
-        failed = tests.fails(test, folder, [f"-I{folder}"])
+    begin, noticed, tried, name = time.time(), None, 0, enclosing_name(lines, number)
+    overlay, is_none = [f"-I{folder}"], False
+    for test in tests.including(path, name) if path.suffix == ".hpp" else []:
+        failed = tests.fails(test, folder, overlay)
         if failed is None:
-            if not tests.passes_unchanged(test):
+            if tests.passes_unchanged(test) is None:
                 continue
-            if tried > 0:
-                noticed = f"{test.stem}, which does not compile"
-            break  # a token that does not compile where it is used first is no mutant
-        tried += 1
-        if failed and tests.passes_unchanged(test):
-            noticed = test.stem
-        if noticed or tried == MOST_TESTS:
+            noticed = f"{test.stem}, which does not compile" if tried > 0 else None
+            is_none = tried == 0  # a token that does not compile where it is used first is no mutant
             break
+        tried += 1
+        if failed and tests.passes_unchanged(test) is not None:
+            noticed = test.stem
+            break
+    users = [source for source in SOURCES if path in tests.within[source]]
+    if users and not noticed and not is_none:
+        parts = [tests.object_of(source, folder, overlay) for source in users]
+        for test in tests.calling(path, users, name) if all(parts) else []:
+            if (seconds := tests.passes_unchanged(test)) is None:
+                continue
+            tried += 1
+            if tests.fails(test, folder, changed=parts, patience=PATIENCE if test == HOSTILE else 10 + 10 * seconds):
+                noticed = test.stem
+                break
     shutil.rmtree(folder)
     where = f"{path.relative_to(ROOT)}:{number + 1}: {old} -> {new}"
     return (where, time.time() - begin, noticed, f"{tried} tests: {''.join(lines[number]).strip()}") if tried else None
@@ -197,8 +265,8 @@ def main():
     rng = random.Random(options.seed)
     launcher = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER")
     tests = Tests(([launcher] if launcher else []) + [os.environ.get("CXX", "g++")])
-    places = [(path, *token) for path in sorted(LIB.rglob("*.hpp")) if options.only in str(path) and path.name != "avi.hpp"
-              for token in tokens_of(path)]
+    files = [path for path in sorted(LIB.rglob("*.?pp")) if path.relative_to(LIB).parts[0] in ("avi", "src")]
+    places = [(path, *token) for path in files if options.only in str(path) and path.name != "avi.hpp" for token in tokens_of(path)]
     rng.shuffle(places)
     drawn = list(enumerate(places, 1))[options.after:]
     done, survivors = 0, []

@@ -1,3 +1,5 @@
+#include "avi/solve.hpp"
+
 #include "avi/core/require.hpp"
 #include "delivery.hpp"
 #include "orbiter.hpp"
@@ -33,6 +35,14 @@ void require_question(const OrbitQuestion& question) {
           names_of_monitors());
   require(options.checkpoint_seconds >= 0.0, "Seconds between checkpoints", options.checkpoint_seconds,
           "at least 0");
+}
+
+/// Names what is not finite, or was forgotten.
+void require_entries(const char* name, const std::vector<double>& entries) {
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    if (!std::isfinite(entries[i]))
+      require(false, "At the start " + std::string(name) + "[" + std::to_string(i) + "]", entries[i],
+              "finite", std::isnan(entries[i]) ? ", and what is not given is nan" : "");
 }
 
 }  // namespace
@@ -176,8 +186,7 @@ class Call {
     answer.state_error = infinity;
     PointField field(question_.graph, question_.energy, question_.gradient);
     const double energy = field.energy(question_.q.data(), question_.p.data());
-    if (!std::isfinite(energy))
-      throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
+    require_energy(energy, question_);
     answer.energy_rounding =
         std::numeric_limits<double>::epsilon() * (std::abs(energy) / answer.choice.energy_scale + 1.0);
     return answer;
@@ -231,6 +240,7 @@ class Call {
 
 OrbitAnswer answer(OrbitQuestion&& question) {
   require_question(question);
+  require_entries("q", question.q), require_entries("p", question.p);
   const int degrees = static_cast<int>(question.q.size());
   extend(question);
   const std::vector<double>& times = question.times;

@@ -1,5 +1,6 @@
-#include "avi/collocation/gauss_step.hpp"
 #include "gauss_builds.hpp"
+
+#include "avi/collocation/gauss_step.hpp"
 #include "splitting_steps.hpp"
 
 #include <algorithm>

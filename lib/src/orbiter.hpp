@@ -10,4 +10,7 @@ namespace avi::detail {
 /// not delivered. The question has been checked, and has some time to go.
 OrbitAnswer choose(const OrbitQuestion& question, Budget& budget);
 
+/// @throws std::invalid_argument, with H and where it is taken, unless the energy at the start is finite.
+void require_energy(double energy, const OrbitQuestion& question);
+
 }  // namespace avi::detail

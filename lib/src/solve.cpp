@@ -1,4 +1,6 @@
 #include "pair_of_runs.hpp"
+
+#include "avi/core/require.hpp"
 #include "separable.hpp"
 
 #include <limits>
@@ -11,6 +13,22 @@
 
 namespace avi::detail {
 
+void require_energy(double energy, const OrbitQuestion& question) {
+  if (std::isfinite(energy)) return;
+  std::ostringstream text;
+  const auto point = [&](const char* name, const std::vector<double>& entries) {
+    const std::size_t n = entries.size() - (question.timed ? 1 : 0);
+    for (std::size_t i = 0; i < std::min<std::size_t>(n, 6); ++i)
+      text << (i == 0 ? name : ", ") << entries[i];
+    text << (n > 6 ? ", ...)" : ")");
+  };
+  text << "H is " << (question.timed ? -question.p.back() : energy) << " at the start, where ";
+  point("q = (", question.q), point(", p = (", question.p);
+  if (question.timed) text << ", t = " << question.t;
+  text << "; an orbit needs an energy that is finite.";
+  throw std::invalid_argument(text.str());
+}
+
 /// Scales, sketch and menu.
 void Orbiter::prepare() {
   const int n = field_.size();
@@ -18,8 +36,12 @@ void Orbiter::prepare() {
   std::copy(question_.q.begin(), question_.q.end(), start.data());
   std::copy(question_.p.begin(), question_.p.end(), start.data() + n);
   const double energy = field_(start, slope);
-  if (!std::isfinite(energy) || !start.allFinite())
-    throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
+  require_energy(energy, question_);
+  for (int i = 0; i < 2 * n; ++i)
+    require(std::isfinite(slope[i]),
+            "The derivative of H by " + std::string(i < n ? "p[" : "q[") + std::to_string(i % n) +
+                "] at the start",
+            i < n ? slope[i] : -slope[i], "finite");
   const VectorX& metric = metric_ = field_.metric(start);
   // Of time as a coordinate, and its momentum, nobody asks.
   const int seen = question_.timed ? n - 1 : n;
@@ -233,8 +255,7 @@ OrbitAnswer Orbiter::solve() {
   answer_.tolerance = question_.tolerance;
   answer_.q = question_.q, answer_.p = question_.p, answer_.t = question_.t;
   if (span_ == 0.0) {
-    if (!std::isfinite(field_.energy(question_.q.data(), question_.p.data())))
-      throw std::invalid_argument("The energy at the start is not finite; an orbit needs one that is.");
+    require_energy(field_.energy(question_.q.data(), question_.p.data()), question_);
     return answer_;
   }
   std::ranges::fill(answer_.q, std::numeric_limits<double>::quiet_NaN());

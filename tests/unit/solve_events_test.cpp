@@ -150,4 +150,15 @@ TEST(SolveEvents, AreRefused) {
   EXPECT_THROW((void)solve(spring(), z, 1.0, 1e-6, {.events = {when(other)}}), std::invalid_argument);
 }
 
+// A body that has just left a singularity: what is tried for a choice lies between the start and the event.
+TEST(SolveEvents, ThatStopARunAreLookedForAheadOfIt) {
+  const auto H = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - 1.0 / q[0]; };
+  const auto far = [](const auto& q, const auto&) { return q[0] - 1.0; };
+  const auto orbit = solve(H, avi::State<1>{.q = {0.01}, .p = {std::sqrt(200.0)}}, 1e3, 1e-8,
+                           {.events = {when(far, {.stop = true})}});
+  EXPECT_TRUE(orbit.kept());
+  ASSERT_EQ(orbit.events.size(), 1u);
+  EXPECT_NEAR(orbit.state.t, 0.999 * M_SQRT2 / 3.0, 1e-8);
+}
+
 }  // namespace solve_events_test

@@ -150,7 +150,7 @@ constexpr Work work(Operation operation, double exponent) {
   return at_once(0.0);
 }
 
-/// std::exp for Operation::exp, and so on: a function that packs call one number after the other. Null for
+/// std::exp for Operation::exp, and so on: a function that packs call one number after the other. Nothing for
 /// all other operations.
 template <Operation operation>
 constexpr auto one_by_one() {
@@ -168,10 +168,6 @@ constexpr auto one_by_one() {
 #undef AVI_TWO
 #undef AVI_one_by_one
 #undef AVI_side_by_side
-  if constexpr (operands(operation) == 1)
-    return static_cast<One>(nullptr);
-  else
-    return static_cast<Two>(nullptr);
 }
 
 /// The exponent of a power, which is the same number in all lanes.

@@ -66,7 +66,7 @@ class Program {
                     group.second, [&]<Operation second>() __attribute__((always_inline)) {
                       compute<first, second>(slots, next, end);
                     });
-              else if constexpr (by_number<S> && detail::one_by_one<first>() != nullptr)
+              else if constexpr (by_number<S> && !std::is_void_v<decltype(detail::one_by_one<first>())>)
                 compute_each(detail::one_by_one<first>(), slots, next, end);
               else
                 compute<first, nothing>(slots, next, end);

@@ -44,6 +44,15 @@ template <class V>
   return quarters == 0 ? std::sin(x) : std::cos(x);
 }
 
+/// A register of integers beside one of numbers: of those without sign, whose sums wrap round where a number
+/// out of bounds, or NaN, is worked on in vain.
+template <class V>
+struct UnsignedBeside {
+  typedef unsigned long long Type __attribute__((vector_size(sizeof(V))));  ///< The register.
+};
+template <class V>
+using UnsignedOf = typename UnsignedBeside<V>::Type;
+
 /// sin(x + quarters pi/2) of every number of a register with |x| up to most_angle, to less than one unit in
 /// the last place: the polynomials of Sun's fdlibm (k_sin.c, k_cos.c, 1993) at x less the nearest multiple of
 /// pi/2.
@@ -53,7 +62,7 @@ template <class V>
 /// error wherever most of x cancels.
 template <class V>
 [[gnu::always_inline]] inline V sine(V x, int quarters) {
-  using Integers = decltype(x < x);
+  using Integers = UnsignedOf<V>;
   constexpr double round = 0x1.8p52, per_quarter = 0x1.45f306dc9c883p-1;  // 2/pi
   const V shifted = x * per_quarter + round, k = shifted - round;  // its last two bits count quarter turns
   const V first = x - k * 0x1.921fb544p0;
@@ -85,7 +94,7 @@ inline constexpr double least_exponent = -708.0, most_exponent = 709.0;
 /// rational function of Sun's fdlibm (e_exp.c, 1993) at x less the nearest multiple of log 2.
 template <class V>
 [[gnu::always_inline]] inline V exponential(V x) {
-  using Integers = decltype(x < x);
+  using Integers = UnsignedOf<V>;
   constexpr double round = 0x1.8p52, per_log_2 = 0x1.71547652b82fep0;
   const V shifted = x * per_log_2 + round, k = shifted - round;
   // The first part of log 2 has 33 bits, so that its product with an integer of 11 bits is exact.
@@ -106,10 +115,11 @@ inline constexpr double least_number = 0x1p-1022, most_number = 0x1.ffffffffffff
 /// fdlibm (e_log.c, 1993), with \f$x = 2^k(1+f)\f$ and \f$\sqrt{1/2} < 1+f < \sqrt 2\f$.
 template <class V>
 [[gnu::always_inline]] inline V logarithm(V x) {
-  using Integers = decltype(x < x);
-  constexpr long long root_half = 0x3fe6a09e00000000, one = 0x3ff0000000000000, fraction = 0xfffffffffffff;
-  const Integers moved = (Integers)x + (one - root_half);  // positive
-  constexpr long long as_integer = 0x4330000000000000;     // 2^52, whose last bit counts ones
+  using Integers = UnsignedOf<V>;
+  constexpr unsigned long long root_half = 0x3fe6a09e00000000, one = 0x3ff0000000000000,
+                               fraction = 0xfffffffffffff;
+  const Integers moved = (Integers)x + (one - root_half);        // positive
+  constexpr unsigned long long as_integer = 0x4330000000000000;  // 2^52, whose last bit counts ones
   const V k = (V)(((moved >> 52) & 0xfff) | as_integer) - (0x1p52 + 1023.0);
   const V f = (V)((moved & fraction) + root_half) - 1.0;
   const V s = f / (2.0 + f), z = s * s, w = z * z;

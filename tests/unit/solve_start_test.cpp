@@ -1,0 +1,60 @@
+#include "avi/solve.hpp"
+#include "avi/solver.hpp"
+#include "refusal.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using avi::solve, avi::State;
+
+const auto kepler = [](const auto& q, const auto& p) {
+  return 0.5 * (p[0] * p[0] + p[1] * p[1]) - pow(q[0] * q[0] + q[1] * q[1], -0.5);
+};
+
+TEST(SolveStart, NamesWhatWasForgotten) {
+  const std::string forgotten = " is nan; it must be finite, and what is not given is nan.";
+  const auto said = [](const State<2>& start, double end = 6.0) {
+    return refusal([&] { (void)solve(kepler, start, end, 1e-8); });
+  };
+  EXPECT_EQ(said({.q = {0.1, 0.0}}), "At the start p[0]" + forgotten);
+  EXPECT_EQ(said({.q = {0.1, 0.0}}, 0.0), "At the start p[0]" + forgotten);
+  EXPECT_EQ(said({.p = {0.1, 0.0}}), "At the start q[0]" + forgotten);
+  EXPECT_EQ(said({.q = {1.0, 0.0}, .p = {0.0, HUGE_VAL}}), "At the start p[1] is inf; it must be finite.");
+  const auto in_time = [](const auto& q, const auto& t, const auto& p) {
+    return 0.5 * p[0] * p[0] + q[0] * sin(t);
+  };
+  EXPECT_EQ(refusal([&] { (void)solve(in_time, State<1>{.q = {0.1}}, 6.0, 1e-8); }),
+            "At the start p[0]" + forgotten);
+  const avi::Solver solver(kepler, State<2>{.q = {1.0, 0.0}, .p = {0.0, 1.0}}, 6.0, 1e-8, {.check = false});
+  EXPECT_EQ(refusal([&] { (void)solver.run({.q = {1.0, 0.0}}, 6.0); }), "At the start p[0]" + forgotten);
+}
+
+TEST(SolveStart, SaysWhereTheEnergyIsNotFinite) {
+  const State<2> centre{.q = {0.0, 0.0}, .p = {1.0, 0.5}};
+  const std::string sentence =
+      "H is -inf at the start, where q = (0, 0), p = (1, 0.5); an orbit needs an energy that is finite.";
+  EXPECT_EQ(refusal([&] { (void)solve(kepler, centre, 6.0, 1e-8); }), sentence);
+  EXPECT_EQ(refusal([&] { (void)solve(kepler, centre, 0.0, 1e-8); }), sentence);
+  const avi::Solver solver(kepler, State<2>{.q = {1.0, 0.0}, .p = {0.0, 1.0}}, 6.0, 1e-8, {.check = false});
+  EXPECT_EQ(refusal([&] { (void)solver.run(centre, 6.0); }), sentence);
+  const auto in_time = [](const auto& q, const auto& t, const auto& p) {
+    return 0.5 * p[0] * p[0] + q[0] / (t - 1.0);
+  };
+  EXPECT_EQ(refusal([&] { (void)solve(in_time, State<1>{.q = {2.0}, .p = {0.0}, .t = 1.0}, 6.0, 1e-8); }),
+            "H is inf at the start, where q = (2), p = (0), t = 1; an orbit needs an energy that is finite.");
+  // The force is infinite, not the energy.
+  const auto root = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + sqrt(q[0]); };
+  EXPECT_EQ(refusal([&] { (void)solve(root, State<1>{.q = {0.0}, .p = {1.0}}, 6.0, 1e-8); }),
+            "The derivative of H by q[0] at the start is inf; it must be finite.");
+}
+
+TEST(SolveStart, NeedsNoMomentumInH) {
+  const auto still = [](const auto& q, const auto&) { return 0.5 * q[0] * q[0]; };
+  const auto orbit = solve(still, State<1>{.q = {1.0}, .p = {1.0}}, 6.0, 1e-8);
+  EXPECT_TRUE(orbit.kept());
+  EXPECT_EQ(orbit.state.q[0], 1.0);
+  EXPECT_NEAR(orbit.state.p[0], -5.0, 1e-14);
+}
+
+}  // namespace
