@@ -145,6 +145,9 @@ struct Choice {
   double energy_scale = 1.0;   ///< Mean of half of \f$|p\cdot\dot q|\f$: what energy errors are relative to.
   double kinetic = 0.0;        ///< Mean kinetic energy of the beginning, a constant of the monitors.
   std::vector<double> accelerations = {};  ///< Weights \f$w_i\f$ of the monitor of that name, see solve().
+  /// \f$(H_{pp})_{ii}\f$ where something moves that has no momenta, as in a magnetic field or a frame that
+  /// turns; else empty.
+  std::vector<double> drifts = {};
   double solved = 6.25e-19;        ///< Relative change of a sweep below which a step counts as solved.
   double time = 0.0;               ///< Physical time of the short trials.
   long sweeps = 0;                 ///< Evaluations of all stages in all trials.
@@ -390,11 +393,13 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 /// | name | g |
 /// | --- | --- |
 /// | fixed | 1 |
-/// | energy, energy^1.5 | \f$(\bar T + \frac12(H + H_0) - H(q, 0))^{-\alpha}\f$, \f$\alpha = 1\f$ or 3/2 |
+/// | energy, energy^1.5 | \f$(\bar T + \frac12(H + H_0) - V(q))^{-\alpha}\f$, \f$\alpha = 1\f$ or 3/2 |
 /// | acceleration | \f$(1 + \sum_i (w_i\, \partial H/\partial q_i)^2)^{-3/8}\f$ |
 /// | splitting | 1, by an explicit method of order 6 where \f$H = T(p) + V(q)\f$ with T quadratic |
 ///
-/// with the mean kinetic energy \f$\bar T\f$ of the beginning, and \f$w_i = (H_{pp})_{ii}/\bar a L_i\f$ of
+/// with \f$V(q) = H(q, p^*)\f$ at the momenta where nothing moves, \f$p^* = 0\f$ or, in a magnetic field or a
+/// frame that turns, \f$p^*_i = -\partial H/\partial p_i(q, 0)/(H_{pp})_{ii}\f$; the mean kinetic energy
+/// \f$\bar T\f$, of H - V, of the beginning; and \f$w_i = (H_{pp})_{ii}/\bar a L_i\f$ of
 /// its ranges \f$L_i\f$ and a mean of its accelerations: where forces fall with the square of a distance,
 /// this is the time in which two bodies pass each other, whatever their masses. The explicit method is the
 /// Runge-Kutta-Nystrom splitting with 14 stages of Blanes and Moan (2002); it is taken where tolerances are

@@ -15,21 +15,30 @@ struct Entry {
 constexpr Entry entries[] = {
     {"fixed", 0.0}, {"energy", 1.0}, {"energy^1.5", 1.5}, {"acceleration", 0.375}, {splitting.data(), 0.0}};
 
-/// H with all momenta put to zero but that of time, in the same graph.
-int at_rest(ExpressionGraph& graph, int energy, bool timed) {
+/// V: H at the momenta where nothing moves, with that of time left as it is. @param drifts see Choice
+int at_rest(ExpressionGraph& graph, int energy, bool timed, const std::vector<double>& drifts) {
   const auto n = static_cast<std::size_t>(graph.inputs()) / 2;
   std::vector<int> arguments(n);
   std::iota(arguments.begin(), arguments.end(), 0);
   arguments.resize(2 * n, graph.constant(0.0));
   if (timed) arguments.back() = graph.inputs() - 1;
+  if (!drifts.empty()) {
+    const std::vector<int> slope = Reverse(graph).gradient(energy);
+    std::vector<int> momenta;
+    for (std::size_t i = 0; i < drifts.size(); ++i)
+      momenta.push_back(graph.binary(Operation::multiply, graph.constant(-1.0 / drifts[i]),
+                                     graph.substitute(graph, slope[n + i], arguments)));
+    std::ranges::copy(momenta, arguments.begin() + static_cast<std::ptrdiff_t>(n));
+  }
   return graph.substitute(graph, energy, arguments);
 }
 
 /// The node of \f$\ell\f$ of the energy.
-int liveliness_of(ExpressionGraph& graph, int energy, double energy_at_start, double kinetic, bool timed) {
+int liveliness_of(ExpressionGraph& graph, int energy, double energy_at_start, bool timed,
+                  const Choice& constants) {
   const int half = graph.binary(Operation::multiply, graph.constant(0.5), energy);
-  const int moving = graph.binary(Operation::subtract, half, at_rest(graph, energy, timed));
-  return graph.binary(Operation::add, moving, graph.constant(0.5 * energy_at_start + kinetic));
+  const int moving = graph.binary(Operation::subtract, half, at_rest(graph, energy, timed, constants.drifts));
+  return graph.binary(Operation::add, moving, graph.constant(0.5 * energy_at_start + constants.kinetic));
 }
 
 /// The largest derivative of H by each entry on the way; what is 1e-14 of the others, masses taken out, is
@@ -161,7 +170,7 @@ Candidate candidate(std::string_view name, const OrbitQuestion& question, double
   const Entry& entry = *std::ranges::find_if(entries, [&](const Entry& it) { return name == it.name; });
   if (entry.alpha == 0.0) return {entry.name, 0.0, graph, energy, energy_at_start, -1};
   if (name == "acceleration") return accelerated(graph, energy, energy_at_start, constants);
-  const int lively = liveliness_of(*graph, energy, energy_at_start, constants.kinetic, question.timed);
+  const int lively = liveliness_of(*graph, energy, energy_at_start, question.timed, constants);
   return {entry.name, entry.alpha, graph, energy, energy_at_start, lively};
 }
 
@@ -175,7 +184,7 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
   std::vector<Candidate> menu;
   menu.emplace_back("fixed", 0.0, graph, energy, energy_at_start, -1);
   if (kinetic > 0.0 && sketch.samples.size() > 1) {
-    const int lively = liveliness_of(*graph, energy, energy_at_start, kinetic, question.timed);
+    const int lively = liveliness_of(*graph, energy, energy_at_start, question.timed, constants);
     for (const auto& [name, alpha] : entries)
       if (alpha >= 1.0) menu.emplace_back(name, alpha, graph, energy, energy_at_start, lively);
   }

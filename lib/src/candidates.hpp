@@ -74,7 +74,7 @@ class OrbitSteps {
 inline constexpr std::string_view splitting = "splitting";
 
 /// A monitor of the menu: \f$g = \ell^{-\alpha}\f$ with a rate of change that it follows, where \f$\alpha =
-/// 0\f$ is that of fixed steps. Of the energy it is \f$\ell = \bar T + \frac12(H + H_0) - H(q, 0)\f$ with the
+/// 0\f$ is that of fixed steps. Of the energy it is \f$\ell = \bar T + \frac12(H + H_0) - V(q)\f$ with the
 /// mean kinetic energy \f$\bar T\f$: the kinetic energy and its mean, written such that it stays positive
 /// where a step has an energy that is a little wrong. A given monitor is itself \f$\ell\f$, with \f$\alpha =
 /// -1\f$. The method is Gauss collocation, but for the candidate called `splitting`. What runs on it is made
@@ -166,10 +166,10 @@ class Candidate {
   std::optional<Program::Room<double>> room_;  // of rate_at()
 };
 
-/// H(q, 0) on a sketch, with the momentum of time left as it is where time is a coordinate.
+/// V, see Candidate, on a sketch.
 struct Resting {
   std::vector<double> energy;  ///< At each sample.
-  std::vector<double> forces;  ///< \f$-\partial H/\partial q\f$ there, n for each.
+  std::vector<double> forces;  ///< \f$-\partial V/\partial q\f$ there, n for each.
 };
 
 /// The names in the menu, with commas between them.

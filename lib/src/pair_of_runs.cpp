@@ -234,9 +234,10 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
       return again(0.7);
     }
     // A longer step pays where enough is left of the run.
-    const double most = std::min(longest_step(*setting.candidate), contracting_step(*setting.candidate));
-    const double gain = std::min({factor, 2.0, most / (longer * fine_->h)});
-    if (lengthened_ == 2 || mark > 1 || steps < 6 || fine_->run.evaluations > 14 * steps || !(gain > 1.15) ||
+    const double most = std::min(longest_step(*setting.candidate), stable_step(*setting.candidate));
+    const double gain = std::min({0.9 * factor, 2.0, most / (longer * fine_->h)});
+    const bool laborious = !setting.candidate->splits() && fine_->run.evaluations > 14 * steps;
+    if (lengthened_ == 2 || mark > 1 || steps < 6 || laborious || !(gain > 1.15) ||
         (1.0 - 1.0 / gain) * (span_ - here) < 2.0 * here)
       return false;
     ++lengthened_;
@@ -251,7 +252,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     // enough, it is chaos, or noise. What is foretold may be wrong as long as it has not come true.
     const bool beyond = fine_->h * std::max(factor, 0.35) < resolved_ / 3.0 || factor < 0.25;
     if (resolved_ > 0.0 && beyond && seen_.error <= tolerance && !last) return false;
-    const bool lost = last && marks_.size() > 1 && !(seen_.error < 1e-3);
+    const bool lost = last && marks_.size() > 1 && !(seen_.error < 1e-3) && !(fine_->h > resolved_);
     resigned_ = lost || vain_ > 1 || (resolved_ > 0.0 && beyond) || spent > std::max(patience, 3.0 * pair);
   } else {
     // A feature that the steps do not see, or not yet resolve, is worth a while.
@@ -274,7 +275,7 @@ bool Orbiter::try_others(Setting& setting) {
   // How much longer its steps may be.
   const auto gain = [&](const Journey& run, double its_behind) {
     const double most =
-        std::min(run.candidate->splits() ? 3.0 : 2.0, contracting_step(*run.candidate) / (longer * run.h));
+        std::min(run.candidate->splits() ? 3.0 : 2.0, stable_step(*run.candidate) / (longer * run.h));
     return std::clamp(std::pow(wanted / its_behind, 1.0 / run.order), 0.2, std::max(most, 0.2));
   };
   const auto cost = [&](const Journey& run, double its_behind) {

@@ -69,7 +69,7 @@ class Orbiter {
   void offer_splitting();
   [[nodiscard]] int order_of(const Candidate& it) const { return it.splits() ? 6 : order_; }
   [[nodiscard]] double first_step(const Candidate& it);
-  [[nodiscard]] double contracting_step(const Candidate& it);
+  [[nodiscard]] double stable_step(const Candidate& it);
   [[nodiscard]] Setting first_setting();
   void bound(Journey& journey, std::size_t mark);
   Journey begin(const Setting& setting, double factor);

@@ -37,6 +37,7 @@ void Orbiter::prepare() {
   double work = 0.0, kinetic = 0.0, highest = 0.0;
   VectorX rest(2 * n), falling(2 * n);
   Resting resting;
+  bool drifting = false;  // something moves that has no momenta
   State<dynamic> z{.q = start.head(n), .p = start.tail(n), .t = question_.t};
   Ranges ranges(z);
   for (const Sketch::Sample& sample : sketch.samples)
@@ -47,7 +48,14 @@ void Orbiter::prepare() {
     rest.head(n) = sample.z.head(n);
     rest.tail(n).setZero();
     if (question_.timed) rest[n + seen] = sample.z[n + seen];
-    resting.energy.push_back(field_(rest, falling));
+    double potential = field_(rest, falling);
+    if (drifting || !falling.head(seen).isZero(0.0)) {
+      // Where H is quadratic in p with a diagonal, its forces there are those of V.
+      drifting = true;
+      rest.segment(n, seen) = -sense_ * falling.head(seen).cwiseQuotient(metric.head(seen));
+      potential = field_(rest, falling);
+    }
+    resting.energy.push_back(potential);
     resting.forces.insert(resting.forces.end(), falling.begin() + n, falling.end());
     kinetic += sample.h * (sample.energy - resting.energy.back());
     const double speed = distance_->speed(sample.slope, scales);
@@ -60,9 +68,11 @@ void Orbiter::prepare() {
   if (question_.made) {
     choice.kinetic = question_.made->kinetic;
     choice.accelerations = question_.made->accelerations;
+    choice.drifts = question_.made->drifts;
   } else {
     choice.kinetic = kinetic;
     choice.accelerations = accelerations(sketch, metric, seen);
+    if (drifting) choice.drifts.assign(metric.begin(), metric.begin() + seen);
   }
   high_speed_ = std::min(highest, 20.0 * usual_speed_);
   if (!(high_speed_ > 0.0)) high_speed_ = usual_speed_ = 1.0 / span_;
@@ -87,9 +97,10 @@ void Orbiter::prepare() {
     }
     if (menu_.empty()) {
       if (!(choice.kinetic > 0.0) && wanted != "acceleration")
-        throw std::invalid_argument("Monitor " + wanted +
-                                    " has no meaning here: H - H(q, 0) is not positive along the orbit; take "
-                                    "monitor fixed.");
+        throw std::invalid_argument(
+            "Monitor " + wanted +
+            " has no meaning here: its kinetic energy is not positive along the orbit; "
+            "take monitor fixed.");
       menu_.push_back(candidate(wanted, question_, energy, choice));
     }
   } else {
@@ -145,17 +156,20 @@ double Orbiter::first_step(const Candidate& it) {
   const double usual = it.splits() ? 8.0 : it.fixed() ? (order == 8 ? 6.0 : 7.2) : (order == 8 ? 9.5 : 10.5);
   const double radians = std::clamp(usual * std::pow(aim_, 1.0 / order), 0.01, it.fixed() ? 2.2 : 3.5);
   return std::min({it.longest > 0.0 ? radians / it.longest : infinity, longest_step(it) / longer,
-                   field_.size() > 4 ? contracting_step(it) / longer : infinity});
+                   field_.size() > 4 ? stable_step(it) / longer : infinity});
 }
 
-/// The longest step whose sweeps contract, where something moves a little faster than what is seen of it.
-double Orbiter::contracting_step(const Candidate& it) {
-  if (!it.fixed() || it.splits()) return infinity;
+/// The longest fixed step whose sweeps contract, where something moves a little faster than what is seen of
+/// it; or, of the splitting, for which small oscillations stay small.
+double Orbiter::stable_step(const Candidate& it) {
+  if (!it.fixed()) return infinity;
   if (fastest_ < 0.0) {
     VectorX start(2 * field_.size());
     start << trip_->start.q, trip_->start.p;
     fastest_ = field_.fastest(start, metric_);
   }
+  // The first step that doubles an oscillation is 6.16 over its frequency.
+  if (it.splits()) return fastest_ > 0.0 ? 5.5 / fastest_ : infinity;
   // What is much faster than the motion is left to Newton's method.
   return fastest_ > 0.0 && fastest_ < 6.0 * it.longest ? 3.1 / fastest_ : infinity;
 }

@@ -4,6 +4,8 @@
 #include "beyond/speed/automatic_monitors/scenes.hpp"
 
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 /// @file
 /// The monitor, order and step that solve() chooses for a scene, and the monitor as a formula.
@@ -26,7 +28,16 @@ inline avi::Formula monitor_of(const Scene& scene, const avi::Choice& choice) {
     g = pow(sum, -0.375);
   } else if (choice.name.starts_with("energy")) {
     const double at_start = scene.energy(scene.start.q, scene.start.p);
-    const V rest = V::Constant(n, Recorded(0.0));
+    V rest = V::Constant(n, Recorded(0.0));
+    if (!choice.drifts.empty()) {
+      const std::vector<int> slopes = avi::Reverse(graph).gradient(energy.node_in(graph));
+      std::vector<int> arguments(slopes.size(), graph.constant(0.0));
+      std::iota(arguments.begin(), arguments.begin() + n, 0);
+      for (int i = 0; i < n; ++i)
+        rest[i] =
+            (-1.0 / choice.drifts[static_cast<std::size_t>(i)]) *
+            Recorded(graph, graph.substitute(graph, slopes[static_cast<std::size_t>(n + i)], arguments));
+    }
     const Recorded lively = choice.kinetic + 0.5 * (energy + at_start) - scene.energy(q, rest);
     g = pow(lively, choice.name == "energy" ? -1.0 : -1.5);
   }
