@@ -175,12 +175,17 @@ Candidate candidate(std::string_view name, const OrbitQuestion& question, double
 }
 
 std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch,
-                                  const Resting& resting, const VectorX& metric, const Choice& constants) {
+                                  const Resting& resting, const VectorX& metric, const Choice& constants,
+                                  double operations) {
   const double kinetic = constants.kinetic;
   const int energy = question.energy;
   const auto graph = std::make_shared<ExpressionGraph>(question.graph);
-  const double size = 1.6 * energy;
-  const auto cost = [&](double operations) { return Candidate::price_of_sweep(operations, graph->inputs()); };
+  // Operations of a sweep, about: measured on eight Hamiltonians of 1 to 32 degrees of freedom, within a
+  // quarter. What is made of a graph is known when it has been made.
+  const double nodes = energy - graph->inputs(), plain = std::max(operations - 0.45 * nodes, 0.0);
+  const double monitored =
+      plain + 30.0 + (constants.drifts.empty() ? 1.2 : 2.4) * nodes + 2.0 * graph->inputs();
+  const auto cost = [&](double count) { return Candidate::price_of_sweep(count, graph->inputs()); };
   std::vector<Candidate> menu;
   menu.emplace_back("fixed", 0.0, graph, energy, energy_at_start, -1);
   if (kinetic > 0.0 && sketch.samples.size() > 1) {
@@ -210,10 +215,10 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
   Measured measured;
   if (menu.size() > 1) measured = measure(sketch, resting, energy_at_start, kinetic, strength);
   for (Candidate& it : menu)
-    look(it, cost(it.fixed() ? size : 1.7 * size + 16.0), measured);
+    look(it, cost(it.fixed() ? plain : monitored), measured);
   if (question.given >= 0) {
     menu.push_back(given(graph, question, energy_at_start));
-    look(menu.back(), cost(1.7 * size + 16.0), measure(sketch, *graph, question.given, strength));
+    look(menu.back(), cost(monitored), measure(sketch, *graph, question.given, strength));
   }
   // Where the fastest part of the motion makes all steps many times shorter than the others need be, as when
   // two of many bodies meet.
@@ -222,7 +227,7 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
     if (std::isfinite(it.outlook)) steps = std::min(steps, it.fictive * it.longest);
   if (sketch.samples.size() > 1 && steps > 5.0 * sketch.radians) {
     menu.push_back(accelerated(graph, energy, energy_at_start, constants));
-    look(menu.back(), cost(4.0 * size + 16.0), measure(sketch, *graph, menu.back().rate_node(), strength));
+    look(menu.back(), cost(4.0 * plain + 50.0), measure(sketch, *graph, menu.back().rate_node(), strength));
   }
   std::erase_if(menu, [](const Candidate& it) { return !it.fixed() && !std::isfinite(it.outlook); });
   std::ranges::stable_sort(menu, {}, &Candidate::outlook);

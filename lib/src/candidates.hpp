@@ -184,8 +184,9 @@ std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, E
 
 /// The menu for an orbit, the most promising candidate first; fixed steps are always in it, and so is a given
 /// monitor where there is one. @param resting H without momenta on the sketch @param metric diagonal of H_pp
-/// @param constants of the monitors
+/// @param constants of the monitors @param operations of H with its gradient
 std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch,
-                                  const Resting& resting, const VectorX& metric, const Choice& constants);
+                                  const Resting& resting, const VectorX& metric, const Choice& constants,
+                                  double operations);
 
 }  // namespace avi::detail

@@ -108,6 +108,8 @@ class PointField {
     return (there - slope).cwiseAbs() / error;
   }
   [[nodiscard]] int size() const { return n_; }  ///< n.
+  /// Operations of H with its gradient.
+  [[nodiscard]] double operations() const { return static_cast<double>(program_.operations()); }
   /// The recording of H.
   [[nodiscard]] const std::shared_ptr<const Recording>& recording() const { return recording_; }
 

@@ -84,7 +84,7 @@ void Orbiter::prepare() {
   trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, budget_});
   features_.emplace(question_.graph, question_.energy, sketch);
   if (!features_->none()) trip_->features = &*features_;
-  menu_ = candidates(question_, energy, sketch, resting, metric, choice);
+  menu_ = candidates(question_, energy, sketch, resting, metric, choice, field_.operations());
   const std::string& wanted = question_.options.monitor.name;
   if (!wanted.empty()) {
     const std::string_view kept = wanted == splitting ? "fixed" : std::string_view(wanted);

@@ -67,4 +67,41 @@ TEST(SolveEnergies, SayNothingOfWhatComesFromAfar) {
     EXPECT_TRUE(solve(dipole, State<3>{.q = {0.9, 0.1, 0.25}, .p = {0.05, -0.95, 0.12}}, end, 1e-6).kept());
 }
 
+// An orbit of eccentricity 0.9 in a frame that turns, and by momenta that a gauge has moved: the kinetic
+// energy is that of the motion, and the choice that of the frame at rest.
+TEST(SolveEnergies, AreThoseOfTheMotionInEveryFrameAndGauge) {
+  const double turns = 0.3, t = 40.0;
+  const auto kepler = [](const auto& q, const auto& p) {
+    return 0.5 * (p[0] * p[0] + p[1] * p[1]) - 1.0 / sqrt(q[0] * q[0] + q[1] * q[1]);
+  };
+  const auto turning = [=](const auto& q, const auto& p) {
+    return kepler(q, p) - turns * (q[0] * p[1] - q[1] * p[0]);
+  };
+  // The gradient of 2 q0 q1 + q1^3 is added to p.
+  const auto gauged = [](const auto& q, const auto& p) {
+    const auto a = p[0] - 2.0 * q[1], b = p[1] - 2.0 * q[0] - 3.0 * q[1] * q[1];
+    return 0.5 * (a * a + b * b) - 1.0 / sqrt(q[0] * q[0] + q[1] * q[1]);
+  };
+  const double q0 = 0.1, p1 = std::sqrt(19.0);
+  const State<2> start{.q = {q0, 0.0}, .p = {0.0, p1}};
+  const auto truth = solve(kepler, start, t, 1e-12);
+  const auto still = solve(kepler, start, t, 1e-7);
+  const auto turned = solve(turning, start, t, 1e-7);
+  const auto moved = solve(gauged, State<2>{.q = {q0, 0.0}, .p = {0.0, p1 + 2.0 * q0}}, t, 1e-7);
+  for (const auto* orbit : {&still, &turned, &moved}) {
+    EXPECT_TRUE(orbit->kept()) << orbit->report();
+    EXPECT_TRUE(orbit->choice.name.starts_with("energy")) << orbit->report();
+    EXPECT_LT(orbit->run.steps, 3 * still.run.steps);                                      // up to 1.9 times
+    EXPECT_NEAR(orbit->choice.kinetic, still.choice.kinetic, 0.4 * still.choice.kinetic);  // of rough runs
+  }
+  EXPECT_TRUE(still.choice.drifts.empty());
+  const double c = std::cos(turns * t), s = std::sin(turns * t);
+  const double x = c * turned.state.q[0] - s * turned.state.q[1],
+               y = s * turned.state.q[0] + c * turned.state.q[1];
+  EXPECT_NEAR(x, truth.state.q[0], 1e-7);
+  EXPECT_NEAR(y, truth.state.q[1], 1e-7);
+  EXPECT_NEAR(moved.state.q[0], truth.state.q[0], 1e-7);
+  EXPECT_NEAR(moved.state.q[1], truth.state.q[1], 1e-7);
+}
+
 }  // namespace solve_energies_test
