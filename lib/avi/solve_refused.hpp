@@ -22,10 +22,12 @@ template <class H = void, class Start = void, class End = void, class Tolerance 
           class Options = SolveOptions, class... More>
 struct SolveCall {
   static constexpr bool h_first = !IsState<H>, start = IsState<Start>,
-                        end = std::is_convertible_v<End, double> ||
-                              std::is_convertible_v<End, std::vector<double>>,
+                        end = std::disjunction_v<std::is_convertible<End, double>,
+                                                 std::is_convertible<End, std::vector<double>>>,
                         tolerance = std::is_convertible_v<Tolerance, double>,
-                        options = std::is_convertible_v<Options, SolveOptions> && sizeof...(More) == 0,
+                        options = std::disjunction_v<std::is_same<Options, SolveOptions>,
+                                                     std::is_convertible<Options, SolveOptions>> &&
+                                  sizeof...(More) == 0,
                         right = h_first && start && end && tolerance && options;
 };
 struct StateInBraces {
