@@ -38,7 +38,7 @@ std::function<Formula(int)> recorder(G g) {
     else if constexpr (takes_time<G>())
       return Formula::of_phase_and_time(g, n);
     else if constexpr (std::is_invocable_v<const G&, const RecordedVector<>&>)
-      return Formula::of_phase([&](const auto& q, const auto&) { return g(q); }, n);
+      return Formula::of_phase([&](const auto& q, const auto&) { return recorded_call(g, q); }, n);
     else
       return Formula::of_phase(g, n);
   };
@@ -54,6 +54,17 @@ struct EventRules {
 
 /// A function of the state whose zeros are looked for along an orbit; made by when().
 struct SolveEvent {
+  SolveEvent() = default;  ///< Of nothing.
+  /// Takes what records g, and the rules.
+  SolveEvent(std::function<Formula(int)> its_g, EventRules its_rules)
+      : g(std::move(its_g)), rules(its_rules) {}
+  /// Says to whom gives a function alone that when() makes an event of it.
+  template <class G>
+  requires(!std::is_same_v<G, SolveEvent> && !std::is_same_v<G, std::vector<SolveEvent>>)
+      SolveEvent(const G&) {
+    static_assert(std::is_void_v<G>, "An event is made by when(): {.events = {avi::when(g)}}.");
+  }
+
   std::function<Formula(int)> g;  ///< Records it for n degrees of freedom: of (q, p), or (q, p, t).
   EventRules rules;               ///< Which zeros count.
 };
@@ -324,7 +335,7 @@ OrbitQuestion question_of(ExpressionGraph&& graph, int energy, const State<n>& s
 template <int n>
 OrbitQuestion question_of(const Formula& hamiltonian, const State<n>& start, double t_end, double tolerance,
                           const SolveOptions& options) {
-  require_dimension(start);
+  require_start(start);
   require_arguments(hamiltonian.inputs(), static_cast<int>(start.q.size()));
   const Formula energy = hamiltonian.with_constants();
   return question_of(ExpressionGraph(energy.graph()), energy.node(), start, t_end, tolerance, options);
@@ -335,7 +346,7 @@ template <int n, class H>
 OrbitQuestion question_of(const H& hamiltonian, const State<n>& start, double t_end, double tolerance,
                           const SolveOptions& options) {
   using Vec = RecordedVector<n>;
-  require_dimension(start);
+  require_start(start);
   const int count = static_cast<int>(start.q.size());
   if constexpr (takes_time<H, n>()) {
     return question_of(Formula::of_phase_and_time<n>(hamiltonian, count), start, t_end, tolerance, options);
@@ -447,3 +458,5 @@ template <int n, class H>
 }
 
 }  // namespace avi
+
+#include "avi/solve_refused.hpp"

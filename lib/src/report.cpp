@@ -22,7 +22,7 @@ std::string SolutionReport::report() const {
   if (!note.empty()) text << note << "\n";
   const char* const counted = choice.name == "splitting" ? " kicks" : " sweeps";
   text << run.steps << " steps, " << run.evaluations << counted << ": monitor " << choice.name << ", order "
-       << choice.order << ", h = " << choice.h << "; chosen in " << choice.sweeps << " of "
+       << choice.order << ", h = " << choice.h << "; choosing took " << choice.sweeps << " in "
        << choice.trials.size() << (choice.trials.size() == 1 ? " trial" : " trials");
   if (choice.check > 0) text << ", checked by a run of " << choice.check;
   text << ".\n";

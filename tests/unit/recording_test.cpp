@@ -255,7 +255,7 @@ TEST(Recording, RefusesWhatItCannotServe) {
   EXPECT_EQ(
       refusal([&] { Recording([&](const auto& x) { return x[0] + kept; }, 1); }),
       "A recorded function mixes the arguments of two recordings; it must not keep numbers from one call "
-      "to the next.");
+      "to the next, nor an expression of Eigen in `auto`: (...).eval() makes a vector of it.");
 }
 
 TEST(ExpressionGraph, MovesLateInputsToTheirPlace) {

@@ -16,4 +16,4 @@ do for [i = 1:4] {
   last[i] = STATS_max_x; low[i] = STATS_min_y
 }
 plot for [i = 1:4] curves using (where('p', word(shown, i), 't')):(column('most')/column('bound')) with lines lc rgb look[i] lw 2 title 'p = '.word(shown, i), \
-  for [i = 1:4] [t=1:2e4] (t > last[i]/30 && t < last[i] ? 4*low[i]*(t/last[i])**(-real(word(shown, i))) : NaN) with lines ls guide title i == 1 ? 't^{−p}' : ''
+  for [i = 1:4] [t=1:2e4] (t > last[i]**0.5 && t < last[i] ? 4*low[i]*(t/last[i])**(-real(word(shown, i))) : NaN) with lines ls guide title i == 1 ? 't^{−p}' : ''

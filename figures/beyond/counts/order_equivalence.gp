@@ -16,12 +16,12 @@ eval panel(1, 1, 2, 1)
 plot table using (where('clock', 'euler', 'order')):'distance_100' with points ls approach('adaptive') ps 1 title "Euler's clock", \
   table using (where('clock', 'exact', 'order')):'distance_100' with points lc rgb black pt 4 ps 1 title 'exact clock'
 set ylabel 'iterations' offset -0.6, 0
-set xrange [3:260]
+set xrange [2.2:300]
 set yrange [2e3:2e5]; set ytics 1e3, 10
 set key at graph 0.98, 0.98 right top
 eval panel(2, 1, 2, 1)
 plot table using (where('clock', 'exact', 'order')):'direct_iterations' with points lc rgb black pt 4 ps 1 title 'Direct of order P', \
   table using (where('clock', 'euler', 'order')):'adaptive_iterations' with points ls approach('adaptive') ps 1 title 'Adaptive (p, p̊)', \
-  table using (column('p') == 6 ? NaN : where('clock', 'euler', 'order')):'adaptive_iterations':(sprintf('(%g, %g)', column('p'), column('p_ring'))) with labels center offset 0, -0.9 font ',7' notitle, \
+  table using (column('p') == 6 ? NaN : where('clock', 'euler', 'order')):'adaptive_iterations':(sprintf('(%g, %g)', column('p'), column('p_ring'))) with labels center offset 0, -0.95 font ',7' notitle, \
   table using (column('p') == 6 ? where('clock', 'euler', 'order') : NaN):'adaptive_iterations':(sprintf('(%g, %g)', column('p'), column('p_ring'))) with labels left offset 0.7, 0.5 font ',7' notitle
 unset multiplot

@@ -48,7 +48,7 @@ do for [i = 1:panels] {
   }
 }
 eval legend(0.7)
-set key maxrows 1 samplen 2.5 width -5
-plot 2 with lines lc rgb blue lw 2 title 'collocation, solved to rounding', 2 with lines lc rgb orange dt (9,3) lw 1.6 title 'sweeps may end at a tolerance', \
+set key maxrows 1 samplen 2
+plot 2 with lines lc rgb blue lw 2 title 'solved to rounding', 2 with lines lc rgb orange dt (9,3) lw 1.6 title 'sweeps may end early', \
   2 with lines lc rgb black lw 1 title 'best other library'
 unset multiplot

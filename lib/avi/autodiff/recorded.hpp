@@ -43,7 +43,8 @@ class Recorded : Scalar<Recorded> {
     if (!graph_) return graph.constant(number_);
     if (graph_ != &graph)
       throw std::invalid_argument("A recorded function mixes the arguments of two recordings; it must not "
-                                  "keep numbers from one call to the next.");
+                                  "keep numbers from one call to the next, nor an expression of Eigen in "
+                                  "`auto`: (...).eval() makes a vector of it.");
     return node_;
   }
 

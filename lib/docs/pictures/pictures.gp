@@ -66,11 +66,11 @@ set output picture("kepler")
 plot file("kepler") with linespoints pt 7 ps 0.4 lc rgb blue
 
 set output picture("own_problem")
-set xlabel "step h"; set ylabel "error of the energy"; set logscale x; set key left top
+set xlabel "step h"; set ylabel "error of the energy"; set logscale x; set key default; set key noautotitle left top reverse Left; set xrange [0.095:0.45]
 set xtics (0.1, 0.2, 0.4)
 plot file("own_problem") index 0 with linespoints pt 7 ps 0.8 lc rgb red title "three nodes", \
   "" index 1 with linespoints pt 5 ps 0.8 lc rgb blue title "six nodes"
-unset logscale; set format; unset key; set xtics auto
+unset logscale; set format; unset key; set xrange [*:*]; set xtics auto
 
 set output picture("minimise")
 set xlabel "x_0"; set ylabel "x_1"; unset colorbox; set palette gray; set cbrange [-5:4]

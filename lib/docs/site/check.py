@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """check.py SITE [BROWSER]: is a folder of web pages whole? Prints what is not and ends with status 1.
 
-Every link and every picture of every page leads to a file of the folder, every anchor to a place in it; nothing is loaded
-from elsewhere, neither from the network nor from this disk. With a BROWSER (chromium) every page with formulas, every
+Every link and every picture of every page leads to a file of the folder, every anchor to a place in it; no reference is left
+as Doxygen reads it; nothing is loaded from elsewhere, neither from the network nor from this disk. With a BROWSER (chromium) every page with formulas, every
 guide page and every note is opened in a window of 390 pixels, served over http: formulas have to be set, without an error, no
 text may stand out to the right, no picture may be missing. The front page is opened once more from the disk.
 """
@@ -25,8 +25,11 @@ class Page(html.parser.HTMLParser):
 
     def __init__(self, text):
         super().__init__()
-        self.links, self.loaded, self.anchors = [], [], set()
+        self.links, self.loaded, self.anchors, self.unresolved = [], [], set(), False
         self.feed(text)
+
+    def handle_data(self, text):
+        self.unresolved |= "@ref " in text
 
     def handle_starttag(self, tag, attributes):
         for name, value in attributes:
@@ -44,6 +47,8 @@ def link_problems(site):
     """What is wrong with links and with what pages load."""
     pages = {path.name: Page(path.read_text(errors="replace")) for path in site.glob("*.html")}
     for name, page in sorted(pages.items()):
+        if page.unresolved and not name.endswith("_source.html"):
+            yield f"{name} has a reference that Doxygen left as it is"
         for target in page.links + page.loaded:
             url = urllib.parse.urlsplit(target)
             if url.scheme in ("http", "https", "mailto", "javascript"):

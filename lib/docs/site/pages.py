@@ -111,6 +111,7 @@ class Pages:
         text = re.sub(r"<!--.*?-->\n?(?=```)|<!--.*?-->", "", page.read_text(), flags=re.S)
         name, out, fenced, formula = self.ids[page], [], False, False
         for number, line in enumerate(text.splitlines()):
+            program = None
             if line.lstrip().startswith("```"):
                 fenced = not fenced
             elif not fenced and line.strip() == "$$":
@@ -120,10 +121,15 @@ class Pages:
                 heading = re.match(r"(#+) (.+?)(\s*\{#.*\})?$", line)
                 line = re.sub(r"\$\$(.+?)\$\$", r"\\f[\1\\f]", line)
                 line = self.line(page, line)
+                program = re.fullmatch(r"(#+) \[(.+?)\]\(@ref (.+\.cpp)\)", line)  # Doxygen knows no link in a heading
+                if program:
+                    line = f"{program[1]} {program[2]}"
                 if heading and not heading[3]:
                     label = name if number == 0 else f"{name}_{slug(heading[2])}"
                     line += "" if label == "index" else f" {{#{label}}}"
             out.append(line)
+            if program:
+                out.append(f"\n[The program](@ref {program[3]})")
         return "\n".join(out) + self.onward(page) + "\n"
 
     def onward(self, page):
