@@ -125,11 +125,7 @@ class NewtonIteration {
     for (int vain = 0; vain < 2 && report.evaluations < cap;) {
       if (!fresh) report.evaluations += decompose_at_stages(equations, step, old);
       ++report.evaluations;
-      old.q = step.q;
-      old.p = step.p;
-      equations.sweep_at_once(step);
-      const double now = improve(old, step);
-      report.residual = now;
+      const double now = report.residual = improve(equations, step, old);
       if (!std::isfinite(now)) {
         report.outcome = Outcome::non_finite;
         return report;
@@ -160,11 +156,7 @@ class NewtonIteration {
     double least = std::numeric_limits<double>::infinity();
     for (int idle = 0; report.evaluations < cap;) {
       ++report.evaluations;
-      old.q = step.q;
-      old.p = step.p;
-      equations.sweep_at_once(step);
-      const double now = improve(old, step);
-      report.residual = now;
+      const double now = report.residual = improve(equations, step, old);
       if (!std::isfinite(now)) report.outcome = Outcome::non_finite;
       idle = now <= 0.5 * least ? 0 : idle + 1;
       if (now <= epsilon || (idle > 0 && now <= 16.0 * epsilon) || progress_.settled(2)) {
@@ -249,9 +241,11 @@ class NewtonIteration {
     return static_cast<int>(2 * rows + 1);
   }
 
-  /// From what a sweep makes of the old (q, p), which is in the step, to the next iterate. @return relative
-  /// change
-  [[gnu::noinline]] double improve(const Step& old, Step& step) {
+  /// The next iterate, from a sweep. @param old gets q and p of the last one @return relative change
+  [[gnu::noinline]] double improve(StageEquations<n, w>& equations, Step& step, Step& old) {
+    old.q = step.q;
+    old.p = step.p;
+    equations.sweep_at_once(step);
     const Eigen::Index rows = 2 * old.q.size();
     double* const x = system_.right();
     for (Eigen::Index v = 0; v < rows; ++v)
