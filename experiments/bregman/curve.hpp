@@ -35,7 +35,7 @@ class Curve {
     bin.most = std::max(bin.most, at.value);
   }
 
-  /// What a row is, for the table's head.
+  /// The meaning of a row, for the table's head.
   static constexpr const char* rows =
       "f at the end of each bin of iterations, its least and largest value in the bin, its largest from "
       "there on; envelope: the same without the last twentieth of the iterations";

@@ -18,7 +18,7 @@ struct Setting {
   double p;
   double p_ring;                         ///< Equal to p for the Direct approach.
   double h;                              ///< Fictive step.
-  avi::Clock clock = avi::Clock::euler;  ///< Of htvi.
+  avi::Clock clock = avi::Clock::euler;  ///< Clock of htvi.
 
   bool operator==(const Setting&) const = default;
   [[nodiscard]] bool is_direct() const { return p_ring == p; }

@@ -22,7 +22,7 @@ int iteration_table(int argc, char** argv, const std::string& shows, const std::
 
 /// How far an iteration count moves with the last bit of the start.
 struct PerturbedCounts {
-  std::vector<long> counts;  ///< Of the runs that converged, in ascending order.
+  std::vector<long> counts;  ///< Counts of the runs that converged, in ascending order.
   long failed = 0;           ///< Runs that did not converge.
 
   [[nodiscard]] long least() const { return counts.empty() ? 0 : counts.front(); }

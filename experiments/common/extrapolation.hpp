@@ -9,27 +9,59 @@
 
 namespace experiment {
 
-/// y a step h on, y' = field(y), by Gragg's midpoint rule with 2, 4, ..., 2 `columns` substeps, extrapolated
-/// to order 2 `columns` (Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, Section
-/// II.9).
-template <int columns, class Vec, class Field>
-Vec extrapolated_step(const Field& field, const Vec& y, long double h) {
-  std::array<Vec, columns> row;  // of Neville's scheme in the square of the substep, backwards
-  for (int j = 0; j < columns; ++j) {
-    const long double part = h / (2 * (j + 1));
-    Vec before = y, now = y + part * field(y);
-    for (int i = 1; i < 2 * (j + 1); ++i) {
-      const Vec next = before + 2.0L * part * field(now);
-      before = now;
-      now = next;
-    }
-    row[j] = 0.5L * (before + now + part * field(now));
-    for (int k = j; k > 0; --k) {
-      const long double ratio = (j + 1.0L) / k;
-      row[k - 1] = row[k] + (row[k] - row[k - 1]) / (ratio * ratio - 1.0L);
+/// A step of y' = f(y) by Gragg's midpoint rule with 2, 4, ..., 2 `rows` substeps, extrapolated to order
+/// 2 `rows` (Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, Section II.9).
+template <int rows, class Vec>
+class ExtrapolatedStep {
+ public:
+  /// For vectors of the size of `any`.
+  explicit ExtrapolatedStep(const Vec& any) : before_(any), now_(any), point_(any), slope_(any) {
+    column_.fill(any);
+  }
+
+  /// Finds the increment of y over h. @param field field(y, slope) fills the slope @param slope at y
+  template <class Field>
+  void find(const Field& field, const Vec& y, const Vec& slope, long double h) {
+    const auto size = y.size();
+    for (int row = 0; row < rows; ++row) {
+      const int pieces = 2 * (row + 1);
+      const long double piece = h / pieces;
+      for (auto i = 0 * size; i < size; ++i)
+        before_[i] = 0.0L, now_[i] = piece * slope[i];
+      for (int j = 1; j < pieces; ++j) {
+        for (auto i = 0 * size; i < size; ++i)
+          point_[i] = y[i] + now_[i];
+        field(point_, slope_);
+        for (auto i = 0 * size; i < size; ++i) {
+          const long double next = before_[i] + 2 * piece * slope_[i];
+          before_[i] = now_[i];
+          now_[i] = next;
+        }
+      }
+      // Neville's scheme in place: column_[j] holds the entry of column row - j of this row.
+      column_[row] = now_;
+      for (int j = row - 1; j >= 0; --j) {
+        const long double ratio = (row + 1.0L) / (j + 1.0L), weight = 1 / (ratio * ratio - 1);
+        for (auto i = 0 * size; i < size; ++i)
+          column_[j][i] = column_[j + 1][i] + (column_[j + 1][i] - column_[j][i]) * weight;
+      }
     }
   }
-  return row[0];
+
+  [[nodiscard]] const Vec& increment() const { return column_[0]; }  ///< That of order 2 `rows`.
+  [[nodiscard]] const Vec& coarser() const { return column_[1]; }    ///< That without the coarsest row.
+
+ private:
+  std::array<Vec, rows> column_;
+  Vec before_, now_, point_, slope_;
+};
+
+/// y a step h on, y' = field(y), by an extrapolated step of order 2 `columns`.
+template <int columns, class Vec, class Field>
+Vec extrapolated_step(const Field& field, const Vec& y, long double h) {
+  ExtrapolatedStep<columns, Vec> step(y);
+  step.find([&](const Vec& at, Vec& slope) { slope = field(at); }, y, field(y), h);
+  return y + step.increment();
 }
 
 /// A run of order 20 in extended precision. `Problem` gives d_dq(q, p) and d_dp(q, p).

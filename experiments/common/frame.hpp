@@ -7,7 +7,7 @@
 #include <string_view>
 
 /// @file
-/// What every experiment shares: options, output folder, provenance, progress and exit status, so that an
+/// The frame of every experiment: options, output folder, provenance, progress and exit status, so that an
 /// experiment is its settings and its loop.
 
 namespace CLI {

@@ -27,7 +27,7 @@ struct KeplerTable {
   int rounds = 1;  ///< of the interleaved timing
 };
 
-/// What one run of a method gives. The errors are infinite where it does not reach its end.
+/// The result of one run of a method. Its errors are infinite where it does not reach its end.
 struct KeplerResult {
   double min_step = HUGE_VAL, max_step = 0.0;
   double energy_error = 0.0;          ///< max over the steps of |H - H_0|
@@ -36,7 +36,7 @@ struct KeplerResult {
   long steps = 0, evaluations = 0;
 };
 
-/// What tells one integrator of the tables from another.
+/// The key of an integrator of the tables.
 struct HtviName {
   std::string method;                ///< htvi4, the source's; htvi, ours; or stormer_verlet
   std::string construction = "nan";  ///< authors, printed or stationary
@@ -55,7 +55,7 @@ struct KeplerRun {
   [[nodiscard]] KeplerResult measure() const;
   /// Shows every state.
   [[nodiscard]] avi::Run observe(const std::function<void(const State2&)>& observer) const;
-  /// What is timed. @throws std::runtime_error when the run does not reach its end.
+  /// The run that is timed. @throws std::runtime_error when the run does not reach its end.
   void run() const;
 };
 

@@ -72,7 +72,7 @@ struct Stream {
 struct Cost {
   double iteration = 0.0;    ///< Seconds of one, the objective left out.
   double evaluation = 0.0;   ///< Seconds of one.
-  double evaluations = 0.0;  ///< Of an iteration.
+  double evaluations = 0.0;  ///< Evaluations of an iteration.
   double vectors = 0.0;      ///< Memory in units of x, without the caller's x0.
 };
 

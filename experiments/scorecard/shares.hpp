@@ -11,7 +11,7 @@
 
 namespace scorecard {
 
-/// What a published number is: a setting that the run is given, a result, or seconds of another machine.
+/// The kind of a published number: a setting that the run is given, a result, or seconds of another machine.
 enum class Kind { outcome, input, seconds };
 
 /// The name used in data files.
@@ -21,7 +21,7 @@ std::string_view name(Kind kind);
 /// steps.
 Kind kind_of(std::string_view row, std::string_view quantity);
 
-/// Whether a number is that of the steps of a row with fixed steps.
+/// True for a number that is that of the steps of a row with fixed steps.
 bool counts_fixed_steps(std::string_view row, std::string_view quantity);
 
 /// The rows of a table with columns `row` and `quantity` whose numbers are of one kind.

@@ -11,7 +11,7 @@ namespace {
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 }
 
-Reference::Reference(const System& system) : tape_(2 * system.n), size_(2 * system.n) {
+Reference::Reference(const System& system) : tape_(2 * system.n), size_(2 * system.n), step_(Vector(size_)) {
   std::vector<Number> q, p;
   for (int i = 0; i < system.n; ++i)
     q.emplace_back(tape_, i), p.emplace_back(tape_, system.n + i);
@@ -23,10 +23,7 @@ Reference::Reference(const System& system) : tape_(2 * system.n), size_(2 * syst
   for (const double unit : system.unit)
     reach_.push_back(static_cast<Real>(system.reach) * unit);
   span_ = static_cast<Real>(system.t_end) - static_cast<Real>(system.t);
-  for (Vector* x : {&before_, &now_, &point_, &slope_, &increment_, &doubt_, &carry_})
-    x->resize(size_);
-  for (Vector& row : table_)
-    row.resize(size_);
+  carry_.resize(size_);
   z_double_.resize(size_), slope_double_.resize(size_);
 }
 
@@ -44,48 +41,14 @@ void Reference::field(const Vector& z, Vector& slope) {
     slope[i] = -slope[i];
 }
 
-// The increment over h by the midpoint rule with 2, 4, 6, ... pieces, extrapolated; doubt_ is its last
-// correction.
-void Reference::step(const Vector& z, const Vector& slope, Real h) {
-  for (int row = 0; row < rows; ++row) {
-    const int pieces = 2 * (row + 1);
-    const Real piece = h / pieces;
-    std::fill(before_.begin(), before_.end(), Real(0));
-    for (int i = 0; i < size_; ++i)
-      now_[i] = piece * slope[i];
-    for (int j = 1; j < pieces; ++j) {
-      for (int i = 0; i < size_; ++i)
-        point_[i] = z[i] + now_[i];
-      field(point_, slope_);
-      for (int i = 0; i < size_; ++i) {
-        const Real next = before_[i] + 2 * piece * slope_[i];
-        before_[i] = now_[i];
-        now_[i] = next;
-      }
-    }
-    // Neville's scheme in place: table_[j] holds the entry of column row - j of this row.
-    Vector& fresh = table_[row];
-    fresh = now_;
-    for (int j = row - 1; j >= 0; --j) {
-      const Real ratio = static_cast<Real>(row + 1) / static_cast<Real>(j + 1);
-      const Real weight = 1 / (ratio * ratio - 1);
-      for (int i = 0; i < size_; ++i)
-        table_[j][i] = table_[j + 1][i] + (table_[j + 1][i] - table_[j][i]) * weight;
-    }
-  }
-  for (int i = 0; i < size_; ++i) {
-    increment_[i] = table_[0][i];
-    doubt_[i] = table_[0][i] - table_[1][i];
-  }
-}
-
 Real Reference::error(const Vector& z, Real tolerance, const Orbit& orbit) const {
   Real worst = 0;
   for (int i = 0; i < size_; ++i) {
     const Real allowed =
         tolerance * std::max(orbit.high[i] - orbit.low[i], scale_[i]) + 2 * epsilon * std::abs(z[i]);
-    const Real ratio = std::abs(doubt_[i]) / allowed;
-    if (!std::isfinite(increment_[i]) || std::isnan(ratio)) return std::numeric_limits<Real>::infinity();
+    const Real increment = step_.increment()[i];
+    const Real ratio = std::abs(increment - step_.coarser()[i]) / allowed;
+    if (!std::isfinite(increment) || std::isnan(ratio)) return std::numeric_limits<Real>::infinity();
     worst = std::max(worst, ratio);
   }
   return worst;
@@ -109,7 +72,7 @@ void Reference::begin(Orbit& orbit, const Vector& start) {
 // Adds the increment, with what rounding has lost so far.
 void Reference::go_on(Orbit& orbit, Real h) {
   for (int i = 0; i < size_; ++i) {
-    const Real add = increment_[i] + carry_[i], sum = orbit.end[i] + add;
+    const Real add = step_.increment()[i] + carry_[i], sum = orbit.end[i] + add;
     carry_[i] = add - (sum - orbit.end[i]);
     orbit.end[i] = sum;
     orbit.low[i] = std::min(orbit.low[i], sum);
@@ -132,7 +95,7 @@ Orbit Reference::run(Real tolerance, double most) {
     h = std::min(h, longest(orbit));
     const bool last = done + h >= span_;
     const Real length = last ? span_ - done : h;
-    step(orbit.end, orbit.slope, length);
+    step_.find([this](const Vector& z, Vector& slope) { field(z, slope); }, orbit.end, orbit.slope, length);
     orbit.work += of_step;
     const Real ratio = error(orbit.end, tolerance, orbit);
     const Real factor =
@@ -154,7 +117,7 @@ Orbit Reference::repeat(const Vector& start, const Vector& steps, bool in_double
   Orbit orbit;
   begin(orbit, start);
   for (const Real h : steps) {
-    step(orbit.end, orbit.slope, h);
+    step_.find([this](const Vector& z, Vector& slope) { field(z, slope); }, orbit.end, orbit.slope, h);
     go_on(orbit, h);
   }
   for (const Real x : orbit.end)

@@ -2,6 +2,8 @@
 #include "hostile/system.hpp"
 #include "hostile/tape.hpp"
 
+#include "common/extrapolation.hpp"
+
 #include <vector>
 
 /// @file
@@ -50,7 +52,6 @@ class Reference {
   static constexpr int rows = 11;  // order 22
 
   void field(const Vector& z, Vector& slope);
-  void step(const Vector& z, const Vector& slope, Real h);
   [[nodiscard]] Real error(const Vector& z, Real tolerance, const Orbit& orbit) const;
   [[nodiscard]] Real longest(const Orbit& orbit) const;
   void begin(Orbit& orbit, const Vector& start);
@@ -62,8 +63,8 @@ class Reference {
   Vector reach_;  // of each coordinate, n
   Real span_;
   bool in_double_ = false;
-  std::vector<Vector> table_ = std::vector<Vector>(rows);
-  Vector before_, now_, point_, slope_, increment_, doubt_, carry_, value_, adjoint_;
+  experiment::ExtrapolatedStep<rows, Vector> step_;
+  Vector carry_, value_, adjoint_;
   std::vector<double> z_double_, slope_double_, value_double_, adjoint_double_;
 };
 

@@ -46,7 +46,7 @@ struct Subject {
   double predicted;
   long cap;  ///< On steps of one run.
   std::function<Method2(double e)> make;
-  std::string precision = "double";  ///< Of the state between steps.
+  std::string precision = "double";  ///< Precision of the state between steps.
 };
 
 std::vector<Subject> subjects() {

@@ -27,7 +27,7 @@ struct Bounds {
 /// g(q) of one kind.
 struct PositionMonitor {
   enum Kind { none, power_of_radius, arclength } kind = none;
-  double exponent = 1.0;  ///< Of r = |q|.
+  double exponent = 1.0;  ///< The power of r = |q|.
   double energy = -0.5;   ///< H_0.
   Bounds bounds = {};
 

@@ -207,7 +207,8 @@ class ShellEquations : public DiscreteEquations<type, Expansion> {
   Vec s_, v_, w_;
 };
 
-/// What gives the errors printed in Tables 1 and 2: as printed, but the trial curve follows the field with H
+/// The construction whose errors are those printed in Tables 1 and 2: as printed, but the trial curve follows
+/// the field with H
 /// + p^t = 0 inserted, and at the node c = 1 the position has order r + 1.
 struct Authors : Printed {
   static constexpr bool energy_is_variable = false, on_shell = true, raises_the_end = true;

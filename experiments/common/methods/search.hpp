@@ -15,7 +15,7 @@ struct Limits {
   double time;
   long steps;
   double energy_error;            ///< |H - H_0| / |H_0| beyond which the run is given up.
-  double phase_error = HUGE_VAL;  ///< Of the end, on Kepler's problem, in radians.
+  double phase_error = HUGE_VAL;  ///< Error of the phase at the end, on Kepler's problem, in radians.
 };
 
 /// How a run ended.
@@ -35,7 +35,7 @@ struct Attempt {
 /// A whole run with step h.
 Attempt attempt(const Method2& runner, const State2& start, double h, const Limits& limits);
 
-/// What the search for the largest step found.
+/// The result of the search for the largest step.
 struct Largest {
   double h = std::nan("");  ///< NaN where every run failed down to the one that met the cap on steps.
   Attempt at;               ///< The run with h.

@@ -62,10 +62,10 @@ inline MergedStages merged_stages(CloneComposition composition) {
 struct BregmanCloning {
   BregmanFamily family;                                     ///< p, p_ring and C.
   double h = 1e-3;                                          ///< Fictive step, finite and positive.
-  CloneComposition composition = CloneComposition::strang;  ///< Of the two flows.
+  CloneComposition composition = CloneComposition::strang;  ///< Order in which the two flows are composed.
   BregmanStart from{};                                      ///< Time and momentum of the first iterate.
 
-  /// What a run carries from step to step.
+  /// The state of a run between two steps.
   struct State {
     VectorX r;            ///< Momentum of the copy that is read.
     double t;             ///< Its physical time.

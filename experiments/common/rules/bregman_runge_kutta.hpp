@@ -47,12 +47,12 @@ inline VectorX bregman_point(const Iterate& first, const BregmanStart& from) {
   return z;
 }
 
-/// What a run carries from step to step: z, its stages, and the step to try next.
+/// The state of a run between two steps: z, its stages, and the step to try next.
 template <Tableau T>
 struct BregmanRungeKuttaState {
   VectorX z;                   ///< The current point (q, r, t).
   BregmanField field;          ///< z'.
-  RungeKuttaStages<T> stages;  ///< Of the step being taken.
+  RungeKuttaStages<T> stages;  ///< Stages of the step being taken.
   double h;                    ///< Fictive step to try next.
 
   /// At the first iterate.
@@ -76,7 +76,7 @@ struct BregmanRungeKutta {
   double h = 1e-3;       ///< Finite and positive.
   BregmanStart from{};   ///< Time and momentum of the first iterate.
 
-  using State = BregmanRungeKuttaState<T>;  ///< What a run carries from step to step.
+  using State = BregmanRungeKuttaState<T>;  ///< The state of a run between two steps.
 
   /// State of one run. @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
@@ -103,7 +103,7 @@ struct BregmanEmbedded {
   double first_step = 1e-6;  ///< Fictive; finite and positive.
   BregmanStart from{};       ///< Time and momentum of the first iterate.
 
-  using State = BregmanRungeKuttaState<T>;  ///< What a run carries from step to step.
+  using State = BregmanRungeKuttaState<T>;  ///< The state of a run between two steps.
 
   /// State of one run. @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {

@@ -65,9 +65,9 @@ struct Rule {
   std::string method;
   avi::BregmanFamily family{};
   double h = std::nan("");               ///< Step or rate; NaN: what the method has as its default.
-  avi::BregmanStart from{};              ///< Of Bregman dynamics.
-  avi::Clock clock = avi::Clock::euler;  ///< Of htvi.
-  avi::StepControl control{};            ///< Of Runge-Kutta pairs.
+  avi::BregmanStart from{};              ///< Start of Bregman dynamics.
+  avi::Clock clock = avi::Clock::euler;  ///< Clock of htvi.
+  avi::StepControl control{};            ///< Step control of Runge-Kutta pairs.
 };
 
 /// Minimises f from x0. @throws std::invalid_argument for a method that Rule does not name, and as

@@ -41,7 +41,7 @@ struct GradientDescent {
 struct Nag {
   double h = 1e-3;  ///< Step size, finite and positive.
 
-  /// What a run carries from step to step.
+  /// The state of a run between two steps.
   struct State {
     VectorX y;         ///< y_k.
     VectorX gradient;  ///< Gradient at y_k.
@@ -78,7 +78,7 @@ struct Adam {
   double beta_2 = 0.999;  ///< Decay of the mean squared gradient, in [0, 1).
   double epsilon = 1e-8;  ///< Added outside the root, at least 0.
 
-  /// What a run carries from step to step.
+  /// The state of a run between two steps.
   struct State {
     VectorX mean;          ///< m.
     VectorX square;        ///< v.
@@ -119,7 +119,7 @@ struct AdaGrad {
   double rate = 1.0;      ///< Step size, positive.
   double epsilon = 1e-8;  ///< Added outside the root, at least 0.
 
-  /// What a run carries from step to step.
+  /// The state of a run between two steps.
   struct State {
     VectorX square;  ///< v.
   };
@@ -154,7 +154,7 @@ struct RmsProp {
   double rho = 0.9;       ///< Decay of the mean squared gradient, in [0, 1).
   double epsilon = 1e-8;  ///< Added inside the root, at least 0.
 
-  /// What a run carries from step to step.
+  /// The state of a run between two steps.
   struct State {
     VectorX square;  ///< v.
   };
@@ -196,7 +196,7 @@ struct TrustRegion {
   double grow = 2.0;     ///< At least 1.
   int trials = 1000;     ///< Cap on trials in one iteration, at least 1; beyond it: not_converged.
 
-  /// What a run carries from step to step.
+  /// The state of a run between two steps.
   struct State {
     VectorX trial;  ///< x + s.
     double radius;  ///< Delta.

@@ -15,7 +15,7 @@ namespace arena {
 /// The two tolerances: |g| <= delta |g_0|.
 inline constexpr std::array<double, 2> tolerances{1e-6, 1e-10};
 
-/// What a method had done when the test first held, or when it ended.
+/// The work of a method up to where the test first held, or to its end.
 struct Passage {
   long iterations = 0;
   long gradients = 0;

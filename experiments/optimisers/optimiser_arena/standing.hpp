@@ -5,7 +5,7 @@
 #include <map>
 
 /// @file
-/// Who wins: means, profiles and losses.
+/// The standing of the methods: means, profiles and losses.
 
 namespace arena {
 

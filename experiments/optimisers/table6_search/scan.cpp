@@ -5,7 +5,7 @@
 namespace experiment::table6_search {
 namespace {
 
-/// Whether the test for delta holds at an iterate: `change` is |f_k - f_{k-1}|.
+/// True where the test for delta holds at an iterate: `change` is |f_k - f_{k-1}|.
 bool holds(Test test, double change, double slope, double delta, double value_0, double slope_0) {
   switch (test) {
   case Test::both:

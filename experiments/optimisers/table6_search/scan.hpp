@@ -23,7 +23,7 @@ namespace experiment::table6_search {
 constexpr int cells = 9;
 using Counts = std::array<long, cells>;  ///< Updates until delta = 1e-2, ..., 1e-10.
 
-/// What is searched: ratios are steps of geometric grids.
+/// The ranges of the search: ratios are steps of geometric grids.
 struct Ranges {
   double u_low = 2e-4, u_high = 1.25e-3, u_ratio = 1.00001;
   double eta_low = 0.0038, eta_high = 0.0066;
@@ -31,7 +31,7 @@ struct Ranges {
   static constexpr int etas = 16;  ///< Values of eta that one trajectory serves.
 };
 
-/// What a run does.
+/// The outcome of a run.
 struct Variant {
   const char* name;
   Form form = Form::type_2;

@@ -96,7 +96,7 @@ Power power_of(const Spectrum& of, const Variant& variant, const Ranges& ranges,
   return made;
 }
 
-/// What cannot be scanned, as one trajectory serves one setting only: runs at settings drawn at random.
+/// Runs at settings drawn at random, where one trajectory serves one setting only.
 struct Sample {
   double runs = 0;
   int best = 0;  ///< Leading cells.

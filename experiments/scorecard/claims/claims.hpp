@@ -15,7 +15,7 @@
 
 namespace scorecard {
 
-/// What became of a claim.
+/// The ruling on a claim.
 enum class Ruling {
   holds,       ///< In every case that the data contain.
   consistent,  ///< The claim is a theorem; data cannot show that it holds, and no case contradicts it.
@@ -81,7 +81,7 @@ std::vector<Comparison> comparisons(const experiment::Table& table,
 Cases more_than(double bound, const std::vector<Comparison>& comparisons, std::string_view column,
                 std::string_view monitor, std::string_view other);
 
-/// What decides claims, by their keys.
+/// The functions that decide claims, by their keys.
 using Decisions = std::map<std::string, Finding (*)(const Results&)>;
 Decisions euler_b_decisions();    ///< Section 3.3, symplectic Euler-B.
 Decisions htvi_decisions();       ///< Sections 2.2 and 3.3, HTVI.

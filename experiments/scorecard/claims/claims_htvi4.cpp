@@ -5,7 +5,7 @@
 namespace scorecard {
 namespace {
 
-/// What a slope over four steps may miss the order by.
+/// Distance from the order that a slope over four steps may have.
 constexpr double order_tolerance = 0.35;
 
 /// Every cell of the construction as printed, but for those whose slope could not be measured. A slope that

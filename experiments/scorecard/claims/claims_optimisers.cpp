@@ -36,7 +36,7 @@ Finding rk4_fails(const Results& data) {
                                                       fmt::join(seen, ", "))};
 }
 
-/// What every run of an embedded pair that converged for good takes, over what HTVI takes in the same
+/// Gradients of every run of an embedded pair that converged for good, over those of HTVI in the same
 /// approach.
 Cases against_pairs(const Results& data, double (*cost)(const Row&)) {
   Cases cases;

@@ -78,9 +78,9 @@ Judgement outcome(const Cell& cell, const Row& run) {
   return compare(cell, run.number(cell.quantity()));
 }
 
-/// Whether it takes more than what is printed to get a row's outcome: another setting of the row, for HTVI4
-/// the authors' construction where the printed one does not give the number. What the source does not print
-/// at all is in the table of its numbers.
+/// True where it takes more than what is printed to get a row's outcome: another setting of the row, for
+/// HTVI4 the authors' construction where the printed one does not give the number. What the source does not
+/// print at all is in the table of its numbers.
 bool recovered(const Cell& cell, const Row& run, const experiment::Table& data) {
   for (const char* input : {"h", "g_min", "g_max"})
     if (const std::string printed = cell.sibling(input);

@@ -10,7 +10,7 @@
 
 namespace scorecard {
 
-/// What became of a published number.
+/// The verdict on a published number.
 enum class Verdict {
   exact,     ///< Ours, rounded to the printed digits, is the printed number.
   within,    ///< Inside a tolerance that the note declares.
@@ -52,20 +52,21 @@ class Cell : public Row {
   [[nodiscard]] const std::string& quantity() const { return text("quantity"); }
   [[nodiscard]] const std::string& published() const { return text("published"); }
 
-  /// What the same row of the paper's table prints for another quantity; empty where it prints nothing.
+  /// The number that the same row of the paper's table prints for another quantity; empty where it prints
+  /// nothing.
   [[nodiscard]] std::string sibling(std::string_view quantity) const {
     return elsewhere(text("row"), quantity);
   }
 
-  /// What another row of the paper's table prints; empty where it prints nothing.
+  /// The number that another row of the paper's table prints; empty where it prints nothing.
   [[nodiscard]] std::string elsewhere(std::string_view row, std::string_view quantity) const;
 };
 
 /// Judges every cell of one published table.
 struct Sheet {
-  std::string stem;   ///< Of paper/published/<stem>.tsv and of the data file.
+  std::string stem;   ///< Name of paper/published/<stem>.tsv and of the data file.
   std::string title;  ///< For people.
-  /// What it throws (a row that is not there, a cell that is no number) becomes the verdict `missing`.
+  /// An exception of it (a row that is not there, a cell that is no number) becomes the verdict `missing`.
   std::function<Judgement(const Cell&, const experiment::Table& data)> judge;
 };
 

@@ -14,6 +14,8 @@ inline namespace AVI_INSTRUCTIONS {
 
 /// Value (lane 0) and N first partials (lanes 1 to N) of a function of N variables; the chain rule is applied
 /// by every operation (forward-mode automatic differentiation; Griewank and Walther 2008, chapter 3).
+/// It is Partials<double, N> in one register: with that in its place HTVI takes a fifth more instructions and
+/// 1.4 times the time (Kepler's problem, orders 4 and 16).
 template <int N>
 class DualNumber : ChainRule<DualNumber<N>> {
  public:

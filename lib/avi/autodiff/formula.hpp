@@ -103,9 +103,13 @@ class Formula {
   [[nodiscard]] Formula with_constants() const;
 
   /// f at x = (x_1 ... x_N). @throws std::invalid_argument for a vector of another size.
-  [[nodiscard]] double value(const VectorX& x) const { return at(x); }
+  template <class = void>  // so that who does not call it need not compile it
+  [[nodiscard]] double value(const VectorX& x) const {
+    return at(x);
+  }
   /// The gradient there, by reverse accumulation; the first call finds its formula.
   /// @throws std::invalid_argument for a vector of another size.
+  template <class = void>
   [[nodiscard]] VectorX gradient(const VectorX& x) const {
     check_entries(x.size());
     VectorX slopes(x.size());

@@ -67,7 +67,7 @@ class alignas(64) GaussStep {
       equations_.set_step(size_ = h);
       newton_.forget();
       stiff_ = 0;
-      patient_ = !newton_.possible();
+      newton_failed_ = !newton_.possible();
     }
     StepReport report{.outcome = Outcome::not_converged};
     const auto unsolved = [&] {
@@ -83,7 +83,7 @@ class alignas(64) GaussStep {
     if (stiff_ == 0) report = attempt(z, h);
     // The polynomial of the last step may have been a bad guess.
     if (stiff_ == 0 && known && unsolved()) from_a_constant(&GaussStep::attempt);
-    if (!patient_ && unsolved()) {
+    if (!newton_failed_ && unsolved()) {
       from_a_constant(&GaussStep::by_newton);
       // Elsewhere such a step is too long.
       if (unsolved() && newton_.wide()) {
@@ -93,7 +93,7 @@ class alignas(64) GaussStep {
         report.evaluations += spent;
       }
       if (unsolved()) {
-        patient_ = true;
+        newton_failed_ = true;
         from_a_constant(&GaussStep::attempt);
       }
     }
@@ -233,7 +233,7 @@ class alignas(64) GaussStep {
       slow = before > 0.0 && change > 0.5 * before && (closely ? progress_.visible() : change) > 1e-10
                  ? slow + 1
                  : 0;
-      if (slow >= 3 && k > 6 && !patient_ && !few_more(change, before, settings_.max_sweeps - k)) break;
+      if (slow >= 3 && k > 6 && !newton_failed_ && !few_more(change, before, settings_.max_sweeps - k)) break;
       if (before > 0.0 && !falls && !closely) {
         closely = true;
         progress_.restart();
@@ -313,7 +313,7 @@ class alignas(64) GaussStep {
   // a period). At the level of rounding that makes no difference; at loose tolerances a sixteenth keeps the
   // error of a run near the tolerance.
   double limit_ = settings_.tolerance > 1e-15 ? settings_.tolerance / 16.0 : settings_.tolerance;
-  bool patient_ = false;         // no other iteration than sweeps will do at this h
+  bool newton_failed_ = false;   // at this h, or cannot be tried: only sweeps are left
   double h_ = 0.0, size_ = 0.0;  // of the last step; of the sweeps
   Place place_ = Place::elsewhere;
   int usual_ = 1;  // sweeps of the last step

@@ -2,7 +2,9 @@
 #include "avi/core/finite_math.hpp"
 
 #include <cmath>
-#include <sstream>
+#include <concepts>
+#include <initializer_list>
+#include <iosfwd>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -14,15 +16,30 @@
 namespace avi {
 
 namespace detail {
-template <class Value, class... More>
-[[noreturn]] void reject(std::string_view what, const Value& value, std::string_view admissible,
-                         const More&... more) {
-  std::ostringstream sentence;
-  sentence.precision(17);
-  sentence << what << " is " << value << "; it must be " << admissible;
-  (sentence << ... << more) << ".";
-  throw std::invalid_argument(sentence.str());
-}
+/// A number or a text of a sentence. One type for all, so that the sentences are put together in the library
+/// and not in every file that checks something.
+class Piece {
+ public:
+  ///@{
+
+  /// A number, or a text that outlives it.
+  template <std::integral Whole>
+  Piece(Whole number) : kind_(std::signed_integral<Whole> ? whole : natural), bits_(number) {}  // NOLINT
+  Piece(double number) : kind_(real), real_(number) {}                                          // NOLINT
+  Piece(std::string_view text) : kind_(words), text_(text) {}                                   // NOLINT
+  Piece(const std::string& text) : Piece(std::string_view(text)) {}                             // NOLINT
+  Piece(const char* text) : Piece(std::string_view(text)) {}                                    // NOLINT
+  ///@}
+  void write(std::ostream& out) const;  ///< Numbers with the precision of `out`.
+
+ private:
+  enum Kind { whole, natural, real, words } kind_;
+  unsigned long long bits_ = 0;
+  double real_ = 0.0;
+  std::string_view text_;
+};
+/// @throws std::invalid_argument with a sentence of all that.
+[[noreturn]] void reject(std::string_view what, const Piece& value, std::initializer_list<Piece> admissible);
 }  // namespace detail
 
 /// Throws unless `holds`; NaN never holds a comparison and so is always refused. What is admissible may be
@@ -30,7 +47,7 @@ template <class Value, class... More>
 template <class Value, class... More>
 constexpr void require(bool holds, std::string_view what, const Value& value, std::string_view admissible,
                        const More&... more) {
-  if (!holds) detail::reject(what, value, admissible, more...);
+  if (!holds) detail::reject(what, value, {admissible, more...});
 }
 
 /// Throws unless value is finite and > 0; returns it.

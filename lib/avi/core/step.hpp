@@ -34,7 +34,7 @@ struct Located {
   double h = 0.0;        ///< The step that leads there from the beginning of the whole one.
   StepReport report{};   ///< Report of that step; unless it is ok, `state` means nothing.
   long evaluations = 0;  ///< Evaluations in all the steps that were tried.
-  std::string reason{};  ///< Why there is no state: a clause for the message of a run.
+  std::string reason{};  ///< Reason for which there is no state: a clause for the message of a run.
 
   /// True where the state was found.
   [[nodiscard]] bool ok() const { return report.ok(); }

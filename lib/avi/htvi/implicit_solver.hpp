@@ -22,7 +22,7 @@ struct SolverSettings {
 template <int n>
 class Predictor {
  public:
-  /// Whether the last step had this size and led to this point.
+  /// True where the last step had this size and led to this point.
   [[nodiscard]] bool goes_on(double h, const Vector<double, n>& start) const {
     return h == last_h_ && std::equal(start.begin(), start.end(), end_.begin());
   }

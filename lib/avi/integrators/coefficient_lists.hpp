@@ -38,7 +38,7 @@ class Lengths {
   [[nodiscard]] constexpr const Number* end() const { return values_.data() + size_; }  ///< Behind the last.
   [[nodiscard]] constexpr const Number& back() const { return values_[size_ - 1]; }     ///< The last.
 
-  /// Whether the list is the same read backwards.
+  /// True for a list that reads the same backwards.
   [[nodiscard]] constexpr bool symmetric() const {
     return std::equal(begin(), end(), std::make_reverse_iterator(end()));
   }

@@ -22,7 +22,7 @@ struct Measurement {
   double units = 1.0;             ///< Seconds are divided by it.
 };
 
-/// What is expected of the value as it goes to its limit; NaN where there is nothing to expect.
+/// Expected power of the value as it goes to its limit; NaN where there is nothing to expect.
 struct Expected {
   std::string subject;
   double steps, seconds;  ///< Powers of the value in the limit.

@@ -15,7 +15,7 @@ const Point* cheapest(const std::vector<Point>& points, Origin origin, double ta
   return best;
 }
 
-/// Whether the equations of its steps are solved to rounding, as those of a symplectic run have to be.
+/// True where the equations of its steps are solved to rounding, as those of a symplectic run have to be.
 bool solved(const Point& p) { return p.family->knob.find("tolerance=") == std::string::npos; }
 
 std::string method(const Point* p) {

@@ -10,7 +10,7 @@
 #include <vector>
 
 /// @file
-/// What the comparison knows of a method and of a problem, whatever library they come from.
+/// A method and a problem as the comparison sees them, whatever library they come from.
 
 namespace experiment::work_precision {
 
@@ -24,9 +24,9 @@ struct Result {
   Eigen::VectorXd q;  ///< Position at the end.
   double t = 0.0;     ///< The method's own time there, at or after the horizon.
   long steps = 0;
-  long evaluations = 0;  ///< Of the force, or of the Taylor expansion.
+  long evaluations = 0;  ///< Evaluations of the force, or of the Taylor expansion.
   double energy_error = 0.0;
-  double seconds = 0.0;  ///< Of one integration, set-up left out.
+  double seconds = 0.0;  ///< Seconds of one integration, set-up left out.
 };
 
 /// How a run is to be made.
@@ -64,7 +64,7 @@ struct Family {
   std::string method;
   int order = 0;
   Origin origin = Origin::ours_explicit;
-  std::string knob;              ///< What the setting is: `h`, `tolerance`; monitors are named here, too.
+  std::string knob;              ///< Name of the setting: `h`, `tolerance`; monitors are named here, too.
   std::vector<double> settings;  ///< Coarse to fine.
   std::function<Result(const Request&)> run;
   double weight = 1.0;  ///< Evaluations of the force that one of its own costs about: caps count these.

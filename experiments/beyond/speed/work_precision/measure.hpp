@@ -25,7 +25,7 @@ struct Point {
   [[nodiscard]] std::string label() const;  ///< `g=r^1.5 h=0.2`.
 };
 
-/// What may be spent, in evaluations of the force: so the machine's speed does not decide what is measured. A
+/// The budget in evaluations of the force: so the machine's speed does not decide what is measured. A
 /// Taylor expansion counts as some, see Family::weight.
 struct Budget {
   double longest_run = 47'000;  ///< A family ends with the first setting that takes more.

@@ -60,7 +60,7 @@ void add_front(Table& table, const Scene& scene, std::vector<Point> points, doub
               p.label(), rounded(p.seconds / unit), p.position_error);
 }
 
-/// What was measured of a scene, with the unit before and after it.
+/// The measurements of a scene, with the unit before and after it.
 struct Measured {
   std::vector<Point> unit_point, points;
   double unit;   ///< Seconds: the mean of the two.

@@ -16,7 +16,7 @@ namespace {
 using namespace experiment;
 using Orders = std::vector<std::pair<double, double>>;  // (p, p_ring)
 
-/// What goes wrong at one evaluation. The value and the gradient are otherwise the quartic's.
+/// A fault at one evaluation. The value and the gradient are otherwise the quartic's.
 constexpr std::array<std::string_view, 10> fault_kinds{
     "value_nan",     "value_inf",     "value_minus_inf",        "gradient_nan",  "gradient_inf",
     "gradient_huge", "gradient_zero", "gradient_zero_for_good", "one_entry_nan", "nan_swallowed"};

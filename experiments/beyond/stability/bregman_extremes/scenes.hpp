@@ -17,7 +17,7 @@ namespace experiment {
 
 /// One run.
 struct Scene {
-  std::string scene;  ///< What is extreme: order, conditioning, dimension, start, clock, step or fault.
+  std::string scene;  ///< The extreme: order, conditioning, dimension, start, clock, step or fault.
   std::string method;
   double p = 4.0, p_ring = 1.0;
   double h = 0.0;  ///< Fictive step; 0: 0.3 of the linear limit at the start.
@@ -54,7 +54,7 @@ inline double step_of(const Scene& s) {
 
 /// How a run ended, for the table.
 struct Judged {
-  std::string outcome{};  ///< Of the run, or `refused`.
+  std::string outcome{};  ///< Outcome of the run, or `refused`.
   std::string verdict{};  ///< correct, named, told or silent.
   long iterations = 0;
   double value = std::nan("");

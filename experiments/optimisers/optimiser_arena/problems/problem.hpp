@@ -9,7 +9,7 @@
 #include <vector>
 
 /// @file
-/// What the arena's problems have in common.
+/// A problem of the arena, and the pieces that several problems share.
 
 namespace arena {
 

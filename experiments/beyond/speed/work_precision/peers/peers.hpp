@@ -7,8 +7,8 @@
 #include <vector>
 
 /// @file
-/// What other libraries see of a problem, and their integrators as families. They take y, f and a tolerance
-/// that is both relative and absolute.
+/// The view that other libraries have of a problem, and their integrators as families. They take y, f and a
+/// tolerance that is both relative and absolute.
 
 namespace experiment::work_precision {
 
@@ -21,7 +21,7 @@ struct Equations {
   std::vector<std::vector<double>> start{};
 };
 
-/// What f is called with, and how often it was.
+/// The arguments of f, and the number of its calls.
 struct RightHandSide {
   const void* problem;
   long evaluations = 0;

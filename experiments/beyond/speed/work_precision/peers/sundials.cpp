@@ -19,7 +19,7 @@ int field(double t, N_Vector y, N_Vector f, void* self) {
 /// A run that fails is an outcome here, not a message.
 void silent(int, const char*, const char*, char*, void*) {}
 
-/// What both solvers need, freed at the end.
+/// The objects that both solvers need, freed at the end.
 struct Workspace {
   SUNContext context = nullptr;
   N_Vector y = nullptr;

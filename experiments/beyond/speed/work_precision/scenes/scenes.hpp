@@ -22,10 +22,10 @@ Scene solar_system(double horizon);
 /// 64 masses on a line.
 Scene chain();
 
-/// What the comparison covers.
+/// The extent of the comparison.
 enum class Grid {
   quick,    ///< One short scene, for tests.
-  reduced,  ///< What `make figures` runs.
+  reduced,  ///< The part that `make figures` runs.
   full
 };
 

@@ -13,7 +13,7 @@
 namespace experiment::work_precision {
 namespace {
 
-/// What runs on an eccentric orbit, disturbed or not.
+/// The methods for an eccentric orbit, disturbed or not.
 template <class P>
 void add_kepler_methods(Scene& scene, const Arena<P>& arena) {
   add_fixed(scene, arena, 0.02);
