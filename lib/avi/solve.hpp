@@ -335,7 +335,7 @@ OrbitQuestion question_of(ExpressionGraph&& graph, int energy, const State<n>& s
 template <int n>
 OrbitQuestion question_of(const Formula& hamiltonian, const State<n>& start, double t_end, double tolerance,
                           const SolveOptions& options) {
-  require_start(start);
+  require_dimension(start);
   require_arguments(hamiltonian.inputs(), static_cast<int>(start.q.size()));
   const Formula energy = hamiltonian.with_constants();
   return question_of(ExpressionGraph(energy.graph()), energy.node(), start, t_end, tolerance, options);
@@ -346,7 +346,7 @@ template <int n, class H>
 OrbitQuestion question_of(const H& hamiltonian, const State<n>& start, double t_end, double tolerance,
                           const SolveOptions& options) {
   using Vec = RecordedVector<n>;
-  require_start(start);
+  require_dimension(start);
   const int count = static_cast<int>(start.q.size());
   if constexpr (takes_time<H, n>()) {
     return question_of(Formula::of_phase_and_time<n>(hamiltonian, count), start, t_end, tolerance, options);
