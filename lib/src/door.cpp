@@ -38,11 +38,11 @@ void require_question(const OrbitQuestion& question) {
 }
 
 /// Names what is not finite, or was forgotten.
-void require_entries(const char* name, const std::vector<double>& entries) {
-  for (std::size_t i = 0; i < entries.size(); ++i)
-    if (!std::isfinite(entries[i]))
-      require(false, "At the start " + std::string(name) + "[" + std::to_string(i) + "]", entries[i],
-              "finite", std::isnan(entries[i]) ? ", and what is not given is nan" : "");
+void require_entries(const char* name, const std::vector<double>& numbers) {
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (!std::isfinite(numbers[i]))
+      require(false, "At the start " + std::string(name) + "[" + std::to_string(i) + "]", numbers[i],
+              "finite", std::isnan(numbers[i]) ? ", and what is not given is nan" : "");
 }
 
 }  // namespace
