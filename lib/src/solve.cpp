@@ -16,10 +16,10 @@ namespace avi::detail {
 void require_energy(double energy, const OrbitQuestion& question) {
   if (std::isfinite(energy)) return;
   std::ostringstream text;
-  const auto point = [&](const char* name, const std::vector<double>& entries) {
-    const std::size_t n = entries.size() - (question.timed ? 1 : 0);
+  const auto point = [&](const char* name, const std::vector<double>& numbers) {
+    const std::size_t n = numbers.size() - (question.timed ? 1 : 0);
     for (std::size_t i = 0; i < std::min<std::size_t>(n, 6); ++i)
-      text << (i == 0 ? name : ", ") << entries[i];
+      text << (i == 0 ? name : ", ") << numbers[i];
     text << (n > 6 ? ", ...)" : ")");
   };
   text << "H is " << (question.timed ? -question.p.back() : energy) << " at the start, where ";
