@@ -60,7 +60,7 @@ class Orbits(unittest.TestCase):
             (lambda: avi.solve(kepler, q, [0.0, 1.0, 2.0], 1.0, 1e-6), "that of q"),
             (lambda: avi.solve(kepler, [], [], 1.0, 1e-6), "at least 1"),
             (lambda: avi.solve(kepler, [np.nan, 0.0], p, 1.0, 1e-6), "finite"),
-            (lambda: avi.solve(kepler, [0.0, 0.0], p, 1.0, 1e-6), "not finite"),
+            (lambda: avi.solve(kepler, [0.0, 0.0], p, 1.0, 1e-6), "an energy that is finite"),
             (lambda: avi.solve(kepler, q, p, np.inf, 1e-6), "finite"),
             (lambda: avi.solve(kepler, q, p, np.nan, 1e-6), "finite"),
             (lambda: avi.solve(kepler, q, p, [[1.0]], 1e-6), "at least two times"),
