@@ -80,9 +80,9 @@ class LinearSystem {
 /// at all stages and \f$(2 n s)^2\f$ products; a decomposition, which serves many steps, a third of its cube.
 /// The first one takes the memory that all need.
 ///
-/// Second derivatives from the formula would save nothing: with derivatives that are exact to 1e-12, stiff
-/// springs (omega = 50, 2500 and 1250 steps of h omega = 4 and 8) take 25562 and 12759 iterations for 25547
-/// and 12759 with differences, whose matrix is taken once.
+/// More exact second derivatives would save nothing: with differences of order 4, right to about 1e-12, stiff
+/// springs (omega = 50) take 25562, 12759 and 7214 iterations at orders 4, 8 and 16 for 25547, 12759 and 6936
+/// with these.
 template <int n, int w>
 class NewtonIteration {
  public:
