@@ -180,8 +180,8 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
   const double kinetic = constants.kinetic;
   const int energy = question.energy;
   const auto graph = std::make_shared<ExpressionGraph>(question.graph);
-  // Operations of a sweep, about: measured on eight Hamiltonians of 1 to 32 degrees of freedom, within a
-  // quarter. What is made of a graph is known when it has been made.
+  // Operations of a sweep, about: counted on eight Hamiltonians of 2 to 32 degrees of freedom; the price is
+  // right within a quarter. What is made of a graph is known when it has been made.
   const double nodes = energy - graph->inputs(), plain = std::max(operations - 0.45 * nodes, 0.0);
   const double monitored =
       plain + 30.0 + (constants.drifts.empty() ? 1.2 : 2.4) * nodes + 2.0 * graph->inputs();

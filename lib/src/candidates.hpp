@@ -183,7 +183,7 @@ Candidate candidate(std::string_view name, const OrbitQuestion& question, double
 std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, Eigen::Index seen);
 
 /// The menu for an orbit, the most promising candidate first; fixed steps are always in it, and so is a given
-/// monitor where there is one. @param resting H without momenta on the sketch @param metric diagonal of H_pp
+/// monitor where there is one. @param resting V on the sketch @param metric diagonal of H_pp
 /// @param constants of the monitors @param operations of H with its gradient
 std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch,
                                   const Resting& resting, const VectorX& metric, const Choice& constants,

@@ -64,15 +64,6 @@ Formula Formula::with_constants() const {
   return {std::move(own), its_node};
 }
 
-double Formula::work(int numbers) const {
-  double sum = 0.0;
-  for (int i = graph().inputs(); i < graph().size(); ++i) {
-    const auto& [operation, a, b, number] = graph()[i];
-    sum += detail::work(operation, operation == Operation::power ? graph()[b].number : 0.0).at(numbers);
-  }
-  return sum;
-}
-
 void Formula::gradient(const double* x, double* slopes) const {
   Gradient& gradient = *shared_->gradient;
   std::call_once(gradient.made, [&] { gradient.program = Recording(graph(), node()).gradient(0, inputs()); });

@@ -39,6 +39,25 @@ TEST(Step, AllocatesNothing) {
   EXPECT_EQ(allocations_in_steps(avi::stormer_verlet<2>(&avi::Kepler::potential_gradient<double>), 1e-4), 0);
 }
 
+// A charge in a dipole's field, whose sweeps converge by 0.6 each: a matrix of Newton's method, which comes
+// with memory, would cost more than the few that are left.
+TEST(Step, IsSolvedBySweepsThatAreNearlyThere) {
+  const auto dipole = [](const auto& q, const auto& p) {
+    const auto square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2], b = pow(square, -1.5);
+    const auto x = p[0] + b * q[1], y = p[1] - b * q[0];
+    return 0.5 * (x * x + y * y + p[2] * p[2]);
+  };
+  const avi::State<3> start{.q = {1.0, 0.0, 0.0}, .p = {0.0, 1.08, 0.03}};
+  auto method = avi::collocation(avi::poincare(dipole, start), 16, {.tolerance = 1e-9});
+  for (const double h : {1.15, 1.25}) {
+    auto z = start;
+    const long before = allocations;
+    for (int k = 0; k < 40; ++k)
+      EXPECT_EQ(method.step(z, h).outcome, avi::Outcome::ok);
+    EXPECT_EQ(allocations - before, 0);
+  }
+}
+
 TEST(Step, AllocatesNothingInCollocationEither) {
   const auto z = avi::Kepler::pericentre(0.9);
   const auto chain = experiment::Chain::plucked(12);  // its dimension is known at run time only

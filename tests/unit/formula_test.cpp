@@ -115,26 +115,6 @@ TEST(Formula, MayChoose) {
   }
 }
 
-template <class F>
-double work_of(const F& f, int numbers) {
-  return Formula::of_phase<1>(f).work(numbers);
-}
-
-TEST(Formula, SaysWhatACallCosts) {
-  for (const int numbers : {1, 4, 8}) {
-    const double one_by_one = 4.0 * numbers;
-    EXPECT_EQ(work_of([](const auto& q, const auto& p) { return q[0] + p[0]; }, numbers), 1.0);
-    EXPECT_EQ(work_of([](const auto& q, const auto& p) { return (q[0] - p[0]) * q[0]; }, numbers), 2.0);
-    EXPECT_EQ(work_of([](const auto& q, const auto& p) { return q[0] / p[0]; }, numbers), 2.0);
-    EXPECT_EQ(work_of([](const auto& q, const auto&) { return sqrt(q[0]); }, numbers), 2.0);
-    EXPECT_EQ(work_of([](const auto& q, const auto&) { return tanh(q[0]); }, numbers), one_by_one);
-    EXPECT_EQ(work_of([](const auto& q, const auto&) { return exp(q[0]); }, numbers), 20.0);
-    EXPECT_EQ(work_of([](const auto& q, const auto&) { return pow(q[0], 1.25); }, numbers), 4.0) << "roots";
-    EXPECT_EQ(work_of([](const auto& q, const auto&) { return pow(q[0], 1.3); }, numbers), one_by_one);
-    EXPECT_EQ(work_of([](const auto& q, const auto&) { return q[0]; }, numbers), 0.0);
-  }
-}
-
 TEST(Formula, TakesTheSignOfZeroFromItsBit) {
   const auto sign = Formula::of_phase<1>([](const auto& q, const auto&) { return sign_of(q[0]); });
   for (const double x : {0.0, -0.0, 2.0, -2.0})

@@ -1,3 +1,4 @@
+#include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/splitting.hpp"
 #include "avi/solve.hpp"
 #include "src/gauss_builds.hpp"
@@ -218,6 +219,47 @@ TEST(SplittingSteps, AreRefusedWhereTheyHaveNoMeaning) {
             std::string::npos)
       << sentence(spring, {.order = 8, .monitor = "splitting"});
   EXPECT_EQ(sentence(spring, {.order = 6, .monitor = "splitting"}), "accepted");
+}
+
+/// Half the trace of a step for a spring, x radians of it: oscillations grow where it is beyond 1.
+double half_trace(double x) {
+  const auto& [order, a, b] = avi::splittings::blanes_moan6_nystrom;
+  double q[] = {1.0, 0.0}, p[] = {0.0, 1.0};
+  for (int k = 0; k < 2; ++k)
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      q[k] += static_cast<double>(a[i]) * x * p[k];
+      if (i < b.size()) p[k] -= static_cast<double>(b[i]) * x * q[k];
+    }
+  return 0.5 * (q[0] + p[1]);
+}
+
+// The step that solve() takes at most is 5.5 over the fastest frequency.
+TEST(SplittingSteps, KeepSmallOscillationsSmallUpToSixRadians) {
+  double most = 0.0;
+  for (double x = 1e-3; x < 5.5; x += 1e-4)
+    most = std::fmax(most, std::abs(half_trace(x)) - 1.0);
+  EXPECT_LT(most, 4e-7);  // 1.8e-7, within 1e-3 of pi: a growth by 6e-4 a step
+  EXPECT_GT(most, 1e-8);
+  EXPECT_GT(std::abs(half_trace(6.2)), 1.0 + 1e-4);
+}
+
+// What moves slowly in a chain is resolved by steps that its fastest part bounds.
+TEST(SplittingSteps, AreAsLongAsAChainIsStable) {
+  const auto chain = [](const auto& q, const auto& p) {
+    auto energy = 0.5 * (q[0] * q[0] + q[15] * q[15]) + 0.5 * p[0] * p[0];
+    for (int i = 1; i < 16; ++i)
+      energy += 0.5 * p[i] * p[i] + 0.5 * (q[i] - q[i - 1]) * (q[i] - q[i - 1]);
+    return energy;
+  };
+  State<dynamic> start{.q = VectorX::Zero(16), .p = VectorX::Zero(16)};
+  const double slow = 2.0 * std::sin(0.5 * M_PI / 17.0);
+  for (int i = 0; i < 16; ++i)
+    start.q[i] = std::sin(M_PI * (i + 1) / 17.0);
+  const auto orbit = avi::solve(chain, start, 2000.0, 1e-3, {.monitor = "splitting"});
+  EXPECT_TRUE(orbit.kept()) << orbit.report();
+  EXPECT_NEAR(orbit.state.q[8], start.q[8] * std::cos(slow * 2000.0), 1e-3);
+  EXPECT_GT(1.99 * orbit.choice.h, 3.5) << orbit.report();  // radians of the fastest part
+  EXPECT_LT(1.99 * orbit.choice.h, 5.5) << orbit.report();
 }
 
 }  // namespace splitting_steps_test

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <random>
 
 // Against the functions of long double, which the library computes to 64 bits.
@@ -102,18 +103,35 @@ const auto logarithm = [](auto x) {
   return log(x);
 };
 
-TEST(Exponential, IsRightToAUnitInTheLastPlace) {
+/// The largest error at x = at(a) for many a at random, and at some edges.
+template <class F, class At>
+double worst_error(F f, At at, std::initializer_list<double> edges) {
   std::mt19937_64 random(2);
   double worst = 0.0;
   for (const double range : {1e-9, 0.3, 2.0, 30.0, 708.0}) {
-    std::uniform_real_distribution<double> exponents(-range, range);
+    std::uniform_real_distribution<double> numbers(-range, range);
     for (int i = 0; i < 40'000; ++i)
-      worst = std::fmax(worst, error_of(exponential, exponents(random)));
+      worst = std::fmax(worst, error_of(f, at(numbers(random))));
   }
-  for (const double edge : {-708.0, 709.0, std::log(2.0) / 2.0, -std::log(2.0) / 2.0, 0.0, -0.0, 5e-324})
-    worst = std::fmax(worst, error_of(exponential, edge));
-  EXPECT_LT(worst, 0.95);
+  for (const double edge : edges)
+    worst = std::fmax(worst, error_of(f, edge));
+  return worst;
+}
+
+TEST(Exponential, IsRightToAUnitInTheLastPlace) {
+  const double ln2 = std::log(2.0);
+  const double worst = worst_error(exponential, [](double a) { return a; },
+                                   {-708.0, 709.0, ln2 / 2.0, -ln2 / 2.0, 0.0, -0.0, 5e-324});
+  EXPECT_LT(worst, 0.95);  // 0.89 was measured, with four million points in each range
   EXPECT_GT(worst, 0.5);
+}
+
+TEST(Logarithm, IsRightToAUnitInTheLastPlace) {
+  const double worst = worst_error(logarithm, [](double a) { return std::exp(a); },
+                                   {0x1p-1022, 0x1.fffffffffffffp1023, std::sqrt(0.5), std::sqrt(2.0), 2.0});
+  EXPECT_LT(worst, 0.95);  // 0.84
+  EXPECT_GT(worst, 0.5);
+  EXPECT_EQ(log(Pack<2>(1.0))[1], 0.0);
 }
 
 TEST(Exponential, BeyondItsBoundsIsThatOfTheLibrary) {
@@ -126,21 +144,6 @@ TEST(Exponential, BeyondItsBoundsIsThatOfTheLibrary) {
   EXPECT_EQ(exp(x)[2], INFINITY);
   EXPECT_TRUE(std::isnan(exp(x)[3]));
   EXPECT_EQ(exp(Pack<4>(-INFINITY))[3], 0.0);
-}
-
-TEST(Logarithm, IsRightToAUnitInTheLastPlace) {
-  std::mt19937_64 random(3);
-  double worst = 0.0;
-  for (const double range : {1e-9, 0.3, 2.0, 30.0, 708.0}) {
-    std::uniform_real_distribution<double> exponents(-range, range);
-    for (int i = 0; i < 40'000; ++i)
-      worst = std::fmax(worst, error_of(logarithm, std::exp(exponents(random))));
-  }
-  for (const double edge : {0x1p-1022, 0x1.fffffffffffffp1023, std::sqrt(0.5), std::sqrt(2.0), 2.0})
-    worst = std::fmax(worst, error_of(logarithm, edge));
-  EXPECT_LT(worst, 0.95);
-  EXPECT_GT(worst, 0.5);
-  EXPECT_EQ(log(Pack<2>(1.0))[1], 0.0);
 }
 
 TEST(Logarithm, BeyondItsBoundsIsThatOfTheLibrary) {

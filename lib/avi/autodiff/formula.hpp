@@ -92,9 +92,6 @@ class Formula {
   /// N, the number of arguments: inputs of the graph but for the parameters.
   [[nodiscard]] int inputs() const { return graph().inputs() - static_cast<int>(parameters_.size()); }
   [[nodiscard]] const std::vector<double>& parameters() const { return parameters_; }  ///< Their values.
-  /// Cost of an evaluation at so many numbers side by side, in additions of all of them: a division or a root
-  /// is about 2, a function that goes number by number 4 for each (measured with 4 and 8).
-  [[nodiscard]] double work(int numbers) const;
 
   /// The same formula at other values of its parameters; the graph is shared.
   /// @throws std::invalid_argument for another number of them.

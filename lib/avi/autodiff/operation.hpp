@@ -8,7 +8,7 @@
 #include <type_traits>
 
 /// @file
-/// The operations of a recorded formula: their names, costs and values.
+/// The operations of a recorded formula: their names and values.
 
 namespace avi {
 
@@ -110,44 +110,6 @@ constexpr bool is_function(Operation operation) {
   default:
     return false;
   }
-}
-
-/// Cost of an operation at a pack. @param exponent of a power
-constexpr Work work(Operation operation, double exponent) {
-  using enum Operation;
-  switch (operation) {
-#define AVI_ONE(row, pack, work, slope)                                                                      \
-  case row:                                                                                                  \
-    return work;
-#define AVI_TWO(row, work, ...)                                                                              \
-  case row:                                                                                                  \
-    return work;
-    AVI_FUNCTIONS(AVI_ONE, AVI_TWO)
-#undef AVI_ONE
-#undef AVI_TWO
-  case add:
-  case subtract:
-  case subtract_from:
-  case multiply:
-  case sign:
-  case less:
-  case less_equal:
-  case when:
-    return at_once(1.0);
-  case divide:
-    return at_once(2.0);
-  case power: {  // with quarters of an integer: roots and products
-    const double four = 4.0 * exponent;
-    return std::abs(four) < 1e15 && four == static_cast<double>(static_cast<long long>(four)) ? at_once(4.0)
-                                                                                              : each(4.0);
-  }
-  case input:
-  case constant:
-  case nothing:
-  case sum_of_products:
-    break;
-  }
-  return at_once(0.0);
 }
 
 /// std::exp for Operation::exp, and so on: a function that packs call one number after the other. Nothing for

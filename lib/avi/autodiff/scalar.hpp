@@ -77,12 +77,12 @@ namespace slopes {
 #define AVI_ROW(name, ...) using std::name;
 AVI_FUNCTIONS(AVI_ROW, AVI_ROW)
 #undef AVI_ROW
-#define AVI_ONE(name, pack, work, slope)                                                                     \
+#define AVI_ONE(name, pack, slope)                                                                           \
   template <class S>                                                                                         \
   S slope_of_##name([[maybe_unused]] const S& a, [[maybe_unused]] const S& f) {                              \
     return slope;                                                                                            \
   }
-#define AVI_TWO(name, work, along_a, along_b)                                                                \
+#define AVI_TWO(name, along_a, along_b)                                                                      \
   template <int operand, class S>                                                                            \
   S slopes_of_##name([[maybe_unused]] const S& a, [[maybe_unused]] const S& b,                               \
                      [[maybe_unused]] const S& f) {                                                          \

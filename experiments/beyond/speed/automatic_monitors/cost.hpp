@@ -1,4 +1,5 @@
 #pragma once
+#include "avi/autodiff/recording.hpp"
 #include "avi/collocation/collocation.hpp"
 #include "avi/core/integrate_to.hpp"
 #include "avi/transform/poincare.hpp"
@@ -36,7 +37,7 @@ struct Measured {
 /// What a monitor takes.
 struct Cost {
   Measured position, energy;  ///< For the targets of these errors.
-  double sweep = 1.0;         ///< What a sweep costs, in additions.
+  double sweep = 1.0;         ///< What a sweep costs, in operations.
   /// Geometric mean over both targets; infinite where one was not reached.
   [[nodiscard]] double steps() const { return mean(position.steps * energy.steps); }
   [[nodiscard]] double work() const { return sweep * mean(position.sweeps * energy.sweeps); }
@@ -82,18 +83,17 @@ inline Arena arena_of(const Scene& scene) {
   return arena;
 }
 
-/// What a sweep costs with a monitor, in additions of all its stages: the gradient of the transformed H, and
-/// the sums over the stages (fitted to measured times). Counted, for counts do not depend on what else the
-/// machine does.
-inline double sweep_of(const Scene& scene, const avi::Formula& monitor, int order) {
+/// What a sweep costs with a monitor, in operations: those of the gradient of the transformed H, and what
+/// belongs to each entry (of four in five monitors and scenes it is proportional to the time within a third).
+/// Counted, for counts do not depend on what else the machine does.
+inline double sweep_of(const Scene& scene, const avi::Formula& monitor) {
   const avi::Formula& energy = scene.energy;
   const double h0 = energy(scene.start.q, scene.start.p);
   const auto n = scene.start.q.size();
-  const int lanes = order <= 8 ? 4 : 8;
-  return 3.0 + 0.85 * static_cast<double>(n) * lanes +
-         avi::Formula::of_phase([&](const V& q, const V& p) { return monitor(q, p) * (energy(q, p) - h0); },
-                                n)
-             .work(lanes);
+  const auto transformed =
+      avi::Formula::of_phase([&](const V& q, const V& p) { return monitor(q, p) * (energy(q, p) - h0); }, n);
+  const auto gradient = avi::Recording(transformed).gradient(0, transformed.inputs());
+  return 20.0 + 8.0 * static_cast<double>(n) + static_cast<double>(gradient.operations());
 }
 
 /// One run.
@@ -124,7 +124,7 @@ inline Cost cost(const Arena& arena, const avi::Formula& monitor, const Targets&
   Cost found;
   const double fictive = arena.fictive_time(monitor);
   if (!(fictive > 0.0) || !std::isfinite(fictive)) return found;
-  found.sweep = sweep_of(arena.scene, monitor, targets.order);
+  found.sweep = sweep_of(arena.scene, monitor);
   auto method = avi::collocation(poincare(arena.scene.energy, arena.scene.start, monitor), targets.order);
   Measured before;
   const double first = 0.006 * static_cast<double>(arena.orbit.size());
