@@ -80,4 +80,16 @@ TEST(SolveErrors, EndTheChoiceWhereShorterStepsAreInVain) {
   EXPECT_LE(rounded.choice.trials.size(), 16u);
 }
 
+// A step that was made longer after the first part of the orbit and proves too long for the whole is made
+// shorter again; it is not taken for chaos.
+TEST(SolveErrors, OfAStepThatWasTooLongAreMended) {
+  const avi::HenonHeiles energy;
+  const State<2> start{.q = {0.24, 0.2}, .p = {0.3, 0.06}};
+  const auto truth = solve(energy, start, 628.0, 1e-10);
+  const auto orbit = solve(energy, start, 628.0, 3e-3);
+  ASSERT_TRUE(truth.kept()) << truth.report();
+  EXPECT_TRUE(orbit.kept()) << orbit.report();
+  EXPECT_LT((orbit.state.q - truth.state.q).norm(), 3e-3);
+}
+
 }  // namespace
