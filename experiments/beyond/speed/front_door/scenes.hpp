@@ -14,7 +14,7 @@ namespace experiment::front_door {
 struct Scene {
   std::string name;
   std::string kind;
-  bool held_out;                 ///< Nobody tunes on it; `--quick` leaves it out.
+  bool held_out;                 ///< Drawn up after the menu was made; run by `--all` and `--full` only.
   double unit;                   ///< Characteristic time.
   std::vector<double> horizons;  ///< In characteristic times; where motion is regular enough for a reference.
   std::function<Contest(double span)> make;
