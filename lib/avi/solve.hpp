@@ -156,6 +156,8 @@ struct Choice {
   double energy_scale = 1.0;   ///< Mean of half of \f$|p\cdot\dot q|\f$: what energy errors are relative to.
   double kinetic = 0.0;        ///< Mean kinetic energy of the beginning, a constant of the monitors.
   std::vector<double> accelerations = {};  ///< Weights \f$w_i\f$ of the monitor of that name, see solve().
+  std::vector<double> poles =
+      {};  ///< Weights \f$w_0, w_1 \ldots\f$ of the monitor of that name, see solve().
   /// \f$(H_{pp})_{ii}\f$ where something moves that has no momenta, as in a magnetic field or a frame that
   /// turns; else empty.
   std::vector<double> drifts = {};
@@ -165,6 +167,11 @@ struct Choice {
   long check = 0;                  ///< Those of the run with a longer step that goes along the whole orbit.
   std::vector<SolveTrial> trials;  ///< In their order.
 };
+
+/// The monitor g(q, p) of a choice, for a method by hand: `poincare(H, start, monitor_of(choice, H, H_0))`.
+/// @param hamiltonian H of (q, p), for which the choice was made @param energy_at_start \f$H_0\f$
+/// @throws std::invalid_argument for H(q, t, p), and for a monitor of one's own, which is known already.
+[[nodiscard]] Formula monitor_of(const Choice& choice, const Formula& hamiltonian, double energy_at_start);
 
 /// Where an orbit led, how, and how well: the part that does not depend on the dimension.
 struct SolutionReport {
@@ -405,16 +412,19 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 /// | --- | --- |
 /// | fixed | 1 |
 /// | energy, energy^1.5 | \f$(\bar T + \frac12(H + H_0) - V(q))^{-\alpha}\f$, \f$\alpha = 1\f$ or 3/2 |
+/// | poles | \f$\bigl(w_0 + \sum_k (1 + (1 + a_k/2)(H - H_0)/2E)\, w_k s_k^{-1-a_k/2}\bigr)^{-1}\f$ |
 /// | acceleration | \f$(1 + \sum_i (w_i\, \partial H/\partial q_i)^2)^{-3/8}\f$ |
 /// | splitting | 1, by an explicit method of order 6 where \f$H = T(p) + V(q)\f$ with T quadratic |
 ///
 /// with \f$V(q) = H(q, p^*)\f$ at the momenta where nothing moves, \f$p^* = 0\f$ or, in a magnetic field or a
 /// frame that turns, \f$p^*_i = -\partial H/\partial p_i(q, 0)/(H_{pp})_{ii}\f$; the mean kinetic energy
-/// \f$\bar T\f$, of H - V, of the beginning; and \f$w_i = (H_{pp})_{ii}/\bar a L_i\f$ of
-/// its ranges \f$L_i\f$ and a mean of its accelerations: where forces fall with the square of a distance,
-/// this is the time in which two bodies pass each other, whatever their masses. The explicit method is the
-/// Runge-Kutta-Nystrom splitting with 14 stages of Blanes and Moan (2002); it is taken where tolerances are
-/// loose, or degrees of freedom many.
+/// \f$\bar T\f$, of H - V, of the beginning; the distances \f$s_k\f$ to the poles of H, functions of q that
+/// it divides by or has the logarithm of, near which it is of the order \f$s_k^{-a_k}\f$: there
+/// \f$w_k s_k^{-1-a_k/2}\f$ is the frequency of what moves, and \f$E = e_0 + \sum_k e_k s_k^{-a_k}\f$ an energy;
+/// and \f$w_i = (H_{pp})_{ii}/\bar a L_i\f$ of its ranges \f$L_i\f$ and a mean of its accelerations: where
+/// forces fall with the square of a distance, this is the time in which two bodies pass each other, whatever
+/// their masses. The explicit method is the Runge-Kutta-Nystrom splitting with 14 stages of Blanes and Moan
+/// (2002); it is taken where tolerances are loose, or degrees of freedom many.
 ///
 /// Monitor, order and step are those that take the least work in short trials. The same input gives the same
 /// choice; units and masses do not matter. H is called once, with a scalar that records what is done to it.

@@ -1,5 +1,8 @@
 #include "candidates.hpp"
 
+#include "avi/core/require.hpp"
+#include "poles.hpp"
+
 #include <limits>
 #include <numeric>
 
@@ -12,8 +15,8 @@ struct Entry {
   const char* name;
   double alpha;
 };
-constexpr Entry entries[] = {
-    {"fixed", 0.0}, {"energy", 1.0}, {"energy^1.5", 1.5}, {"acceleration", 0.375}, {splitting.data(), 0.0}};
+constexpr Entry entries[] = {{"fixed", 0.0}, {"energy", 1.0},         {"energy^1.5", 1.5},
+                             {"poles", 1.0}, {"acceleration", 0.375}, {splitting.data(), 0.0}};
 
 /// V: H at the momenta where nothing moves, with that of time left as it is. @param drifts see Choice
 int at_rest(ExpressionGraph& graph, int energy, bool timed, const std::vector<double>& drifts) {
@@ -125,6 +128,33 @@ Candidate accelerated(const std::shared_ptr<ExpressionGraph>& graph, int energy,
   return {"acceleration", 0.375, graph, energy, energy_at_start, lively};
 }
 
+/// The frequency near poles and a constant one: see Choice::poles.
+Candidate polar(const std::shared_ptr<ExpressionGraph>& graph, int energy, double energy_at_start,
+                const Choice& constants) {
+  const int lively = constants.poles.empty()
+                         ? graph->constant(1.0)
+                         : Poles(*graph, energy).rate(*graph, energy_at_start, constants.poles);
+  return {"poles", 1.0, graph, energy, energy_at_start, lively};
+}
+
+/// The constant frequency beside that near poles with which steps are fewest, where the longest one in
+/// radians is of fixed length.
+double background(const Sketch& sketch, const std::vector<double>& near) {
+  double mean = 0.0, best = 0.0, fewest = infinity;
+  for (std::size_t k = 0; k < near.size(); ++k)
+    mean += sketch.samples[k].h * near[k] / sketch.time;
+  for (const double part : {0.0, 0.1, 0.3, 1.0, 3.0}) {
+    double fictive = 0.0, longest = 0.0;
+    for (std::size_t k = 0; k < near.size(); ++k) {
+      const double frequency = near[k] + part * mean;
+      fictive += sketch.samples[k].h * frequency;
+      longest = std::max(longest, sketch.samples[k].frequency / frequency);
+    }
+    if (fictive * longest < fewest) fewest = fictive * longest, best = part * mean;
+  }
+  return best;
+}
+
 Candidate given(const std::shared_ptr<ExpressionGraph>& graph, const OrbitQuestion& question,
                 double energy_at_start) {
   return {"given", -1.0, graph, question.energy, energy_at_start, question.given};
@@ -170,13 +200,15 @@ Candidate candidate(std::string_view name, const OrbitQuestion& question, double
   const Entry& entry = *std::ranges::find_if(entries, [&](const Entry& it) { return name == it.name; });
   if (entry.alpha == 0.0) return {entry.name, 0.0, graph, energy, energy_at_start, -1};
   if (name == "acceleration") return accelerated(graph, energy, energy_at_start, constants);
+  if (name == "poles") return polar(graph, energy, energy_at_start, constants);
   const int lively = liveliness_of(*graph, energy, energy_at_start, question.timed, constants);
   return {entry.name, entry.alpha, graph, energy, energy_at_start, lively};
 }
 
 std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch,
-                                  const Resting& resting, const VectorX& metric, const Choice& constants,
-                                  double operations) {
+                                  double radians, const Resting& resting, const VectorX& metric,
+                                  Choice& constants, double operations) {
+  const Eigen::Index seen = metric.size() - (question.timed ? 1 : 0);
   const double kinetic = constants.kinetic;
   const int energy = question.energy;
   const auto graph = std::make_shared<ExpressionGraph>(question.graph);
@@ -191,7 +223,8 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
   if (kinetic > 0.0 && sketch.samples.size() > 1) {
     const int lively = liveliness_of(*graph, energy, energy_at_start, question.timed, constants);
     for (const auto& [name, alpha] : entries)
-      if (alpha >= 1.0) menu.emplace_back(name, alpha, graph, energy, energy_at_start, lively);
+      if (std::string_view(name).starts_with("energy"))
+        menu.emplace_back(name, alpha, graph, energy, energy_at_start, lively);
   }
   const VectorX strength = strengths(sketch, metric);
   const double rounding =
@@ -220,11 +253,45 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
     menu.push_back(given(graph, question, energy_at_start));
     look(menu.back(), cost(monitored), measure(sketch, *graph, question.given, strength));
   }
+  double steps = infinity;
+  const auto count_steps = [&] {
+    for (const Candidate& it : menu)
+      if (std::isfinite(it.outlook)) steps = std::min(steps, it.fictive * it.longest);
+  };
+  count_steps();
+  // Where steps might be fewer, and, as it takes some microseconds to know, many would be saved.
+  const bool asked = question.options.monitor.name == "poles";
+  const bool promising = steps > (radians > 100.0 ? 1.2 : 1.5) * sketch.radians;
+  if (sketch.samples.size() > 1 && (asked || promising)) {
+    const Poles poles(*graph, energy);
+    if (!poles.none()) {
+      const double others = std::ranges::min_element(menu, {}, &Candidate::outlook)->outlook;
+      const bool known = !constants.poles.empty();
+      std::vector<double> beside = constants.poles;  // of the monitor without a constant frequency
+      if (!known) {
+        beside = poles.constants(sketch, metric, seen);
+        beside.insert(beside.begin(), {0.0, kinetic > 0.0 ? kinetic : constants.energy_scale});
+      }
+      beside.front() = 0.0;
+      const int near = poles.rate(*graph, energy_at_start, beside);
+      Measured frequency = measure(sketch, *graph, near, strength);
+      if (!known) {
+        constants.poles = beside;
+        constants.poles.front() = background(sketch, frequency.lively);
+      }
+      for (double& each : frequency.lively)
+        each += constants.poles.front();
+      menu.push_back(polar(graph, energy, energy_at_start, constants));
+      look(menu.back(),
+           cost(plain + 30.0 + 18.0 * static_cast<double>(poles.size()) + nodes + 2.0 * graph->inputs()),
+           frequency);
+      // Beside another one that is as good it would only be one more to try.
+      if (!asked && !known && !(menu.back().outlook <= others)) menu.pop_back();
+      count_steps();
+    }
+  }
   // Where the fastest part of the motion makes all steps many times shorter than the others need be, as when
   // two of many bodies meet.
-  double steps = infinity;
-  for (const Candidate& it : menu)
-    if (std::isfinite(it.outlook)) steps = std::min(steps, it.fictive * it.longest);
   if (sketch.samples.size() > 1 && steps > 5.0 * sketch.radians) {
     menu.push_back(accelerated(graph, energy, energy_at_start, constants));
     look(menu.back(), cost(4.0 * plain + 50.0), measure(sketch, *graph, menu.back().rate_node(), strength));
@@ -235,3 +302,23 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
 }
 
 }  // namespace avi::detail
+
+namespace avi {
+
+Formula monitor_of(const Choice& choice, const Formula& hamiltonian, double energy_at_start) {
+  const Formula h = hamiltonian.with_constants();
+  require(h.inputs() % 2 == 0, "Number of arguments of H", h.inputs(), "even: those of H(q, p)");
+  require(choice.name != "given", "Monitor", choice.name, "one of ", detail::names_of_monitors(),
+          "; a monitor of one's own is known already");
+  const detail::OrbitQuestion question{.graph = h.graph(),
+                                       .energy = h.node(),
+                                       .q = {},
+                                       .p = {},
+                                       .t = 0.0,
+                                       .t_end = 0.0,
+                                       .tolerance = 0.0,
+                                       .options = {}};
+  return detail::candidate(choice.name, question, energy_at_start, choice).formula();
+}
+
+}  // namespace avi

@@ -121,6 +121,12 @@ class Candidate {
   [[nodiscard]] double alpha() const { return alpha_; }
   /// The node of \f$\ell\f$ in the graph.
   [[nodiscard]] int rate_node() const { return lively_; }
+  /// g as a formula of (q, p).
+  [[nodiscard]] Formula formula() const {
+    ExpressionGraph graph = *graph_;
+    const int rate = fixed() ? graph.constant(1.0) : graph.power(lively_, -alpha_);
+    return {std::move(graph), rate};
+  }
   /// g where \f$\ell\f$ has this value.
   [[nodiscard]] double rate_of(double lively) const { return power(lively, -alpha_); }
   /// g of a state.
@@ -183,10 +189,11 @@ Candidate candidate(std::string_view name, const OrbitQuestion& question, double
 std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, Eigen::Index seen);
 
 /// The menu for an orbit, the most promising candidate first; fixed steps are always in it, and so is a given
-/// monitor where there is one. @param resting V on the sketch @param metric diagonal of H_pp
-/// @param constants of the monitors @param operations of H with its gradient
+/// monitor where there is one. @param radians of the whole orbit @param resting V on the sketch
+/// @param metric diagonal of H_pp @param constants of the monitors; those of `poles` are found where they are
+/// needed @param operations of H with its gradient
 std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch,
-                                  const Resting& resting, const VectorX& metric, const Choice& constants,
-                                  double operations);
+                                  double radians, const Resting& resting, const VectorX& metric,
+                                  Choice& constants, double operations);
 
 }  // namespace avi::detail

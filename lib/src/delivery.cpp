@@ -76,7 +76,7 @@ void Delivery::begin_block() {
   put(fingerprint(question_), question_.q, question_.p, question_.t, question_.t_end, question_.tolerance,
       question_.times, static_cast<int>(question_.options.dense));
   put(choice_.name, choice_.order, choice_.h, choice_.energy_scale, choice_.kinetic, choice_.accelerations,
-      choice_.drifts, choice_.solved, choice_.time, report_.choice.sweeps, report_.choice.check);
+      choice_.poles, choice_.drifts, choice_.solved, choice_.time, report_.choice.sweeps, report_.choice.check);
   put(report_.state_error, report_.energy_rounding, report_.note);
   put(std::vector<double>(state_.q.begin(), state_.q.end()),
       std::vector<double>(state_.p.begin(), state_.p.end()), state_.t, run_.steps, run_.evaluations,
@@ -100,7 +100,7 @@ Choice choice_in(Record& record, SolutionReport& report) {
   Choice& choice = report.choice;
   const auto get = [&](auto&... each) { (record.get(each), ...); };
   get(choice.name, choice.order, choice.h, choice.energy_scale, choice.kinetic, choice.accelerations,
-      choice.drifts, choice.solved, choice.time, choice.sweeps, choice.check);
+      choice.poles, choice.drifts, choice.solved, choice.time, choice.sweeps, choice.check);
   get(report.state_error, report.energy_rounding, report.note);
   return choice;
 }

@@ -90,6 +90,7 @@ void Orbiter::prepare() {
   if (question_.made) {
     choice.kinetic = question_.made->kinetic;
     choice.accelerations = question_.made->accelerations;
+    choice.poles = question_.made->poles;
     choice.drifts = question_.made->drifts;
   } else {
     choice.kinetic = kinetic;
@@ -106,7 +107,7 @@ void Orbiter::prepare() {
   trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, budget_});
   features_.emplace(question_.graph, question_.energy, sketch);
   if (!features_->none()) trip_->features = &*features_;
-  menu_ = candidates(question_, energy, sketch, resting, metric, choice, field_.operations());
+  menu_ = candidates(question_, energy, sketch, radians_, resting, metric, choice, field_.operations());
   const std::string& wanted = question_.options.monitor.name;
   if (!wanted.empty()) {
     const std::string_view kept = wanted == splitting ? "fixed" : std::string_view(wanted);
@@ -118,7 +119,11 @@ void Orbiter::prepare() {
         throw std::invalid_argument("The given monitor is not finite and positive along the whole orbit.");
     }
     if (menu_.empty()) {
-      if (!(choice.kinetic > 0.0) && wanted != "acceleration")
+      if (wanted == "poles" && choice.poles.empty())
+        throw std::invalid_argument(
+            "Monitor poles has no meaning here: H divides by no function of q alone, nor takes its logarithm; "
+            "take monitor fixed.");
+      if (!(choice.kinetic > 0.0) && wanted.starts_with("energy"))
         throw std::invalid_argument(
             "Monitor " + wanted +
             " has no meaning here: its kinetic energy is not positive along the orbit; "

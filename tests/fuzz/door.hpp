@@ -40,12 +40,12 @@ inline void door(const std::uint8_t* data, std::size_t size) {
   std::vector<double> times;
   for (int i = in.byte() % 4; i > 0; --i)
     times.push_back(in.real());
-  constexpr const char* names[] = {"", "fixed", "energy", "energy^1.5", "acceleration", "none"};
+  constexpr const char* names[] = {"", "fixed", "energy", "energy^1.5", "poles", "acceleration", "none"};
   SolveOptions options{.check = (which & 8) != 0,
                        .sweeps = 20000,
                        .steps = 200,
                        .order = in.byte() % 20 - 1,
-                       .monitor = names[in.byte() % 6],
+                       .monitor = names[in.byte() % 7],
                        .h = in.real(),
                        .dense = (which & 16) != 0};
   if (which & 32) options.order = 0, options.monitor = {}, options.h = 0.0;

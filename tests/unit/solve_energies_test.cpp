@@ -86,8 +86,9 @@ TEST(SolveEnergies, AreThoseOfTheMotionInEveryFrameAndGauge) {
   const State<2> start{.q = {q0, 0.0}, .p = {0.0, p1}};
   const auto truth = solve(kepler, start, t, 1e-12);
   const auto still = solve(kepler, start, t, 1e-7);
-  const auto turned = solve(turning, start, t, 1e-7);
-  const auto moved = solve(gauged, State<2>{.q = {q0, 0.0}, .p = {0.0, p1 + 2.0 * q0}}, t, 1e-7);
+  const avi::SolveOptions by_energy{.monitor = "energy^1.5"};
+  const auto turned = solve(turning, start, t, 1e-7, by_energy);
+  const auto moved = solve(gauged, State<2>{.q = {q0, 0.0}, .p = {0.0, p1 + 2.0 * q0}}, t, 1e-7, by_energy);
   for (const auto* orbit : {&still, &turned, &moved}) {
     EXPECT_TRUE(orbit->kept()) << orbit->report();
     EXPECT_TRUE(orbit->choice.name.starts_with("energy")) << orbit->report();

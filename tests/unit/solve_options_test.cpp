@@ -169,7 +169,7 @@ TEST(SolveOptions, AreRefusedWithASentence) {
   refused({.order = 3}, "Order is 3");
   refused({.order = 18}, "Order is 18");
   refused({.order = -2}, "Order is -2");
-  refused({.monitor = "enery"}, "one of fixed, energy, energy^1.5, acceleration");
+  refused({.monitor = "enery"}, "one of fixed, energy, energy^1.5, poles, acceleration");
   refused({.h = 0.1}, "Monitor is not set");
   refused({.monitor = "fixed", .h = -0.1}, "Fictive step h is -0.1");
   refused({.monitor = "fixed", .h = nan}, "Fictive step h is nan");

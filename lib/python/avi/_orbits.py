@@ -156,7 +156,7 @@ def solve(H, q, p, t, tol, *, events=(), progress=None, parameters=(), **options
     dense     keeps the orbit between the times, for `sol`
     seconds, sweeps, steps   bounds on wall-clock time, on evaluations of all stages and on steps; a run that meets one keeps what it has
     order, monitor, h        of the method, for who does not want them chosen: 2, 4 ... 16; the step in fictive time; "fixed", "energy",
-           "energy^1.5", "acceleration", "splitting", or a function g(q, p) or g(q, t, p), positive and smooth, which is traced as H is: dt = g dtau
+           "energy^1.5", "poles", "acceleration", "splitting", or a function g(q, p) or g(q, t, p), positive and smooth, which is traced as H is: dt = g dtau
     check  long runs are made twice, so that all of it is compared
     checkpoint, checkpoint_seconds   a file in which the run is kept for resume(), and how often
 

@@ -1,0 +1,238 @@
+#include "poles.hpp"
+
+#include "avi/autodiff/reverse.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace avi::detail {
+
+namespace {
+
+// Of a logarithm, beside sums: smaller than any power that has a meaning.
+constexpr double nearly_none = 1e-9;
+
+/// f(a) vanishes as a does.
+bool vanishes_with(Operation operation) {
+  switch (operation) {
+    using enum Operation;
+  case abs:
+  case sin:
+  case tan:
+  case asin:
+  case atan:
+  case sinh:
+  case tanh:
+  case asinh:
+  case atanh:
+  case expm1:
+  case log1p:
+  case erf:
+    return true;
+  default:
+    return false;
+  }
+}
+
+}  // namespace
+
+int Poles::Pole::steepness() const {
+  // Steeper ones gain nothing: the steps that they save elsewhere are those that take the most sweeps.
+  return static_cast<int>(std::min(std::round(-power * degree), 6.0));
+}
+
+Poles::Poles(const ExpressionGraph& graph, int energy) : graph_(&graph), energy_(energy) {
+  const int n = graph.inputs() / 2;
+  const std::vector<char> part = graph.parts(energy);
+  moves_.assign(part.size(), 0);
+  for (int i = 0; i <= energy; ++i) {
+    const ExpressionGraph::Node& what = graph[i];
+    if (what.operation == Operation::input)
+      moves_[i] = what.a < n ? 1 : 2;
+    else
+      for (const int operand : {what.a, what.b})
+        if (operand >= 0) moves_[i] = std::max(moves_[i], moves_[operand]);
+  }
+  for (int i = 0; i <= energy && poles_.size() <= most; ++i) {
+    const ExpressionGraph::Node& what = graph[i];
+    if (!part[i]) continue;
+    if (what.operation == Operation::divide)
+      divisors(what.b, 1.0);
+    else if (what.operation == Operation::log)
+      divisors(what.a, 1.0);
+    else if (what.operation == Operation::power && graph[what.b].number < 0.0)
+      divisors(what.a, 1.0);
+  }
+  for (Pole& pole : poles_)
+    pole.power = power_in(energy, pole.node);
+  std::erase_if(poles_, [](const Pole& pole) { return !(pole.power < 0.0); });
+  if (poles_.size() > most) poles_.clear();
+}
+
+/// Takes in what a node is a product of powers of, where it depends on coordinates alone.
+void Poles::divisors(int node, double exponent) {
+  const ExpressionGraph::Node& what = (*graph_)[node];
+  if (moves_[node] != 1) return;
+  switch (what.operation) {
+    using enum Operation;
+  case sqrt:
+  case abs:
+    return divisors(what.a, exponent);
+  case power:
+    return divisors(what.a, exponent * (*graph_)[what.b].number);
+  case multiply:
+    divisors(what.a, exponent);
+    if (what.a != what.b) divisors(what.b, exponent);
+    return;
+  case divide:
+    divisors(what.a, exponent);
+    return;
+  case exp:  // never vanish
+  case cosh:
+    return;
+  default:
+    break;
+  }
+  const bool known = std::ranges::any_of(poles_, [&](const Pole& pole) { return pole.node == node; });
+  if (exponent > 0.0 && !known) poles_.push_back({node, degree(node), 0.0});
+}
+
+/// The power of u in a node as u vanishes.
+double Poles::power_in(int node, int base) const {
+  std::vector<double> powers(static_cast<std::size_t>(node) + 1, 0.0);
+  powers[base] = 1.0;
+  for (int i = base + 1; i <= node; ++i) {
+    const ExpressionGraph::Node& what = (*graph_)[i];
+    if (what.operation == Operation::input || what.operation == Operation::constant) continue;
+    const double a = powers[what.a], b = what.b < 0 ? 0.0 : powers[what.b];
+    switch (what.operation) {
+      using enum Operation;
+    case add:
+    case subtract:
+      powers[i] = std::min(a, b);
+      break;
+    case multiply:
+      powers[i] = a + b;
+      break;
+    case divide:
+      powers[i] = a - b;
+      break;
+    case power:
+      powers[i] = a * (*graph_)[what.b].number;
+      break;
+    case sqrt:
+      powers[i] = 0.5 * a;
+      break;
+    case log:
+      powers[i] = a > 0.0 ? -nearly_none : 0.0;
+      break;
+    case when:
+      powers[i] = b;
+      break;
+    default:
+      powers[i] = vanishes_with(what.operation) && a > 0.0 ? a : 0.0;
+    }
+  }
+  return powers[node];
+}
+
+/// The degree of a node in the coordinates, where constants count as 0 beside others.
+double Poles::degree(int node) const {
+  std::vector<double> degrees(static_cast<std::size_t>(node) + 1, 0.0);
+  for (int i = 0; i <= node; ++i) {
+    const ExpressionGraph::Node& what = (*graph_)[i];
+    if (what.operation == Operation::input) degrees[i] = 1.0;
+    if (what.operation == Operation::input || what.operation == Operation::constant) continue;
+    const double a = degrees[what.a], b = what.b < 0 ? 0.0 : degrees[what.b];
+    switch (what.operation) {
+      using enum Operation;
+    case multiply:
+      degrees[i] = a + b;
+      break;
+    case divide:
+      degrees[i] = a - b;
+      break;
+    case power:
+      degrees[i] = a * (*graph_)[what.b].number;
+      break;
+    case sqrt:
+      degrees[i] = 0.5 * a;
+      break;
+    default:
+      degrees[i] = std::max(a, b);
+    }
+  }
+  return degrees[node] >= 1.0 ? degrees[node] : 1.0;
+}
+
+std::vector<double> Poles::constants(const Sketch& sketch, const VectorX& metric, Eigen::Index seen) const {
+  std::vector<double> constants(2 * poles_.size(), 0.0);
+  ExpressionGraph graph = *graph_;
+  std::vector<int> slopes;  // nodes of the sum of (H_pp)_ii (du/dq_i)^2
+  for (const Pole& pole : poles_) {
+    const std::vector<int> slope = Reverse(graph).gradient(pole.node);
+    int sum = graph.constant(0.0);
+    for (Eigen::Index i = 0; i < seen; ++i) {
+      const int square = graph.binary(Operation::multiply, slope[i], slope[i]);
+      sum = graph.binary(Operation::add, sum,
+                         graph.binary(Operation::multiply, graph.constant(metric[i]), square));
+    }
+    slopes.push_back(sum);
+  }
+  const std::size_t every = sketch.samples.size() / 6 + 1;
+  std::vector<double> at, moved;
+  for (std::size_t i = 0; i < sketch.samples.size(); i += every) {
+    const Sketch::Sample& sample = sketch.samples[i];
+    at.assign(sample.z.begin(), sample.z.end());
+    evaluate(graph, graph.size() - 1, at);
+    for (std::size_t k = 0; k < poles_.size(); ++k) {
+      const Pole& pole = poles_[k];
+      constexpr double part = 0x1p-20;
+      const double u = at[pole.node];
+      moved.assign(at.begin(), at.begin() + std::max(pole.node + 1, graph.inputs()));
+      moved[pole.node] *= 1.0 + part;
+      const int a = pole.steepness();
+      const double change = pole.degree * std::abs(evaluate(graph, energy_, moved) - at[energy_]) / part;
+      const double frequency = std::sqrt(change * (1.0 + a) * at[slopes[k]]) / (pole.degree * std::abs(u));
+      const double s = std::pow(std::abs(u), 1.0 / pole.degree), root = std::pow(s, 0.5 * a);
+      if (!std::isfinite(frequency * s * root)) continue;
+      constants[2 * k] = std::max(constants[2 * k], frequency * s * root);
+      constants[2 * k + 1] = std::max(constants[2 * k + 1], change * root * root);
+    }
+  }
+  return constants;
+}
+
+int Poles::rate(ExpressionGraph& graph, double energy_at_start, const std::vector<double>& constants) const {
+  Factor frequency = 0.0, slope = 0.0, change = constants[1];
+  const auto add = [](Factor& sum, const Factor& part) { sum = sum.number == 0.0 ? part : sum + part; };
+  for (std::size_t k = 0; k < poles_.size(); ++k) {
+    const double w = constants[2 * k + 2], e = constants[2 * k + 3];
+    if (!(w > 0.0)) continue;
+    const Pole& pole = poles_[k];
+    Factor length(graph, pole.node);
+    if (pole.degree == 2.0)
+      length = sqrt(length);
+    else if (pole.degree == 1.0)
+      length = abs(length);
+    else
+      length = {graph, graph.power(abs(length).in(graph), 1.0 / pole.degree)};
+    const Factor near = length.reciprocal();
+    Factor whole = 1.0;  // s^-a
+    const int a = pole.steepness();
+    for (int i = 0; i < a; ++i)
+      whole = whole * near;
+    Factor rate = w * near;
+    for (int i = 0; i < a / 2; ++i)
+      rate = rate * near;
+    if (a % 2 == 1) rate = rate * sqrt(near);
+    add(frequency, rate);
+    add(slope, (0.5 + 0.25 * a) * rate);
+    change = change + e * whole;
+  }
+  if (frequency.node < 0) return graph.constant(1.0);
+  const Factor error = Factor(graph, energy_) - energy_at_start;
+  return (constants.front() + frequency + error * (slope / change)).in(graph);
+}
+
+}  // namespace avi::detail

@@ -1,0 +1,144 @@
+#include "avi/core/integrate.hpp"
+#include "avi/solve.hpp"
+#include "src/poles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// The monitor that is made of the poles of H.
+
+namespace {
+
+using avi::dynamic;
+using avi::State;
+using avi::VectorX;
+using avi::detail::PointField;
+using avi::detail::Poles;
+using avi::detail::Sketch;
+
+/// The constants w, e of all poles of H(q, p), found on an orbit of some radians.
+template <class H>
+std::vector<double> constants(const H& hamiltonian, const std::vector<double>& start) {
+  const auto n = static_cast<Eigen::Index>(start.size() / 2);
+  const avi::Formula h = avi::Formula::of_phase(hamiltonian, n);
+  PointField field(h.graph(), h.node(), {});
+  const VectorX z = Eigen::Map<const VectorX>(start.data(), 2 * n), metric = field.metric(z);
+  const Sketch sketch(field, z, 5.0, metric);
+  return Poles(h.graph(), h.node()).constants(sketch, metric, n);
+}
+
+void expect_near(const std::vector<double>& found, const std::vector<double>& wanted) {
+  ASSERT_EQ(found.size(), wanted.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    EXPECT_NEAR(found[i], wanted[i], 1e-5 * wanted[i]) << i;
+}
+
+}  // namespace
+
+// d^2 H / ds^2 over the reduced mass is w^2 s^-2-a, |s dH/ds| is e s^-a: closed forms of each, however it is
+// written.
+TEST(Poles, HaveTheFrequencyAndEnergyOfTheirTerm) {
+  const double mu = 3.0;
+  const auto kepler = [=](const auto& q, const auto& p) {
+    return 0.5 * (p[0] * p[0] + p[1] * p[1]) - mu / sqrt(q[0] * q[0] + q[1] * q[1]);
+  };
+  expect_near(constants(kepler, {1.0, 0.2, 0.1, 1.5}), {std::sqrt(2.0 * mu), mu});
+  const auto by_power = [=](const auto& q, const auto& p) {
+    return 0.5 * (p[0] * p[0] + p[1] * p[1]) - mu * pow(q[0] * q[0] + q[1] * q[1], -0.5);
+  };
+  expect_near(constants(by_power, {1.0, 0.2, 0.1, 1.5}), {std::sqrt(2.0 * mu), mu});
+  // Two bodies on a line: the reduced mass is m M / (m + M).
+  const double m = 1e-6, M = 2.0;
+  const auto bodies = [=](const auto& q, const auto& p) {
+    return p[0] * p[0] / (2.0 * m) + p[1] * p[1] / (2.0 * M) + m * M / (q[1] - q[0]);
+  };
+  expect_near(constants(bodies, {0.0, 1.0, 0.0, 0.0}), {std::sqrt(2.0 * (m + M)), m * M});
+  // An angle from a pole of the coordinates: p^2 / 2 sin^2, a = 2.
+  const auto angle = [](const auto& q, const auto& p) {
+    const auto x = p[1] / sin(q[0]);
+    return 0.5 * p[0] * p[0] + 0.5 * x * x;
+  };
+  EXPECT_NEAR(constants(angle, {M_PI / 2, 0.0, 0.0, 0.5})[1], 0.25, 1e-5);
+  // A logarithm: w^2 s^-2, and the same energy everywhere.
+  const auto logarithm = [](const auto& q, const auto& p) {
+    return 0.5 * (p[0] * p[0] + p[1] * p[1]) + 0.7 * log(q[0] * q[0] + 0.01 + q[1] * q[1]);
+  };
+  EXPECT_NEAR(constants(logarithm, {1.0, 0.2, 0.1, 0.5})[1], 1.4, 1e-5);
+}
+
+TEST(Poles, AreThoseOfPositionsAlone) {
+  const auto none = [](const auto& hamiltonian) {
+    const avi::Formula h = avi::Formula::of_phase(hamiltonian, 2);
+    return Poles(h.graph(), h.node()).none();
+  };
+  EXPECT_TRUE(
+      none([](const auto& q, const auto& p) { return p[0] * p[0] + p[1] / 3.0 + q[0] * q[1] * q[1]; }));
+  EXPECT_TRUE(
+      none([](const auto& q, const auto& p) { return q[0] / sqrt(1.0 + p[0] * p[0]) + q[1] * p[1]; }));
+  EXPECT_TRUE(none([](const auto& q, const auto& p) { return p[0] * p[1] + q[1] / exp(q[0]); }));
+  EXPECT_FALSE(none([](const auto& q, const auto& p) { return p[0] * p[1] + 1.0 / q[0]; }));
+  // A factor that vanishes as fast takes the pole away.
+  EXPECT_TRUE(none([](const auto& q, const auto& p) { return p[0] * p[1] + q[0] * q[0] / q[0]; }));
+}
+
+// Arenstorf's orbit in a turning frame: energies know nothing of the moon (fifty steps against eight times as
+// many).
+TEST(Poles, AreTakenWhereTheyPay) {
+  const double mu = 0.012277471;
+  const auto h = [=](const auto& q, const auto& p) {
+    const auto a = q[0] + mu, b = q[0] - (1.0 - mu);
+    return 0.5 * (p[0] * p[0] + p[1] * p[1]) + q[1] * p[0] - q[0] * p[1] -
+           (1.0 - mu) / sqrt(a * a + q[1] * q[1]) - mu / sqrt(b * b + q[1] * q[1]);
+  };
+  const State<2> start{.q = {0.994, 0.0}, .p = {0.0, -2.00158510637908252 + 0.994}};
+  const double period = 17.06521656015796255;
+  const auto orbit = solve(h, start, period, 1e-9);
+  EXPECT_TRUE(orbit.kept()) << orbit.report();
+  EXPECT_EQ(orbit.choice.name, "poles");
+  EXPECT_NEAR((orbit.state.q - start.q).norm(), 0.0,
+              2e-6);  // unstable: it moves 4e5 times a change of the start
+  const auto by_energy = solve(h, start, period, 1e-9, {.monitor = "energy^1.5"});
+  EXPECT_LT(3 * orbit.run.steps, by_energy.run.steps) << by_energy.report();
+  // The monitor by hand: along the orbit 1/(w_0 + sum of w_k s_k^-1.5).
+  const avi::Formula g = monitor_of(orbit.choice, avi::Formula::of_phase<2>(h), h(start.q, start.p));
+  const std::vector<double>& c = orbit.choice.poles;
+  ASSERT_EQ(c.size(), 6u);
+  const double earth = std::pow(start.q[0] + mu, -1.5),
+               moon = std::pow(std::abs(start.q[0] - (1.0 - mu)), -1.5);
+  const bool moon_first = c[3] < c[5];  // as the compiler has it
+  EXPECT_NEAR(1.0 / g(start.q, start.p),
+              c[0] + c[2] * (moon_first ? moon : earth) + c[4] * (moon_first ? earth : moon), 1e-9);
+  EXPECT_EQ(solve(h, start, period, 1e-9, {.monitor = "poles"}).choice.poles, c);
+}
+
+TEST(Poles, AreRefusedWhereThereAreNone) {
+  const auto spring = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
+  try {
+    (void)solve(spring, State<1>{.q = 1.0, .p = 0.0}, 10.0, 1e-6, {.monitor = "poles"});
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("divides by no function of q alone"), std::string::npos);
+  }
+}
+
+// In other units of length, time and mass: the same steps.
+TEST(Poles, FollowUnits) {
+  const auto in = [](double length, double time, double mass) {
+    const double mu = length * length * length / (time * time), l = length;
+    const auto h = [=](const auto& q, const auto& p) {
+      const auto a = q[0] + 0.1 * l, b = q[0] - 0.9 * l;
+      return (p[0] * p[0] + p[1] * p[1]) / (2.0 * mass) -
+             mass * mu * (0.9 / sqrt(a * a + q[1] * q[1]) + 0.1 / sqrt(b * b + q[1] * q[1]));
+    };
+    const double v = length / time;
+    return solve(h, State<2>{.q = {0.5 * l, 0.1 * l}, .p = {0.0, 0.9 * mass * v}}, 200.0 * time, 1e-6,
+                 {.check = false, .monitor = "poles"});
+  };
+  const auto here = in(1.0, 1.0, 1.0), there = in(0x1p40, 0x1p-30, 0x1p-20);
+  EXPECT_EQ(here.run.steps, there.run.steps);
+  EXPECT_NEAR(there.choice.h / here.choice.h, 1.0, 1e-6);
+}
