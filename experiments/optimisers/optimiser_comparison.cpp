@@ -53,10 +53,10 @@ void settings(Table& list, double adagrad, double rmsprop) {
   const avi::BregmanStart from;
   const Adam adam;
   const TrustRegion trust;
-  list.row("all", "every entry of the start", CorrelatedQuartic().start()[0]);
-  list.row("Bregman dynamics", "every entry of r_0", from.momentum);
-  list.row("Bregman dynamics", "t_0", from.t);
-  list.row("Bregman dynamics", "C", avi::BregmanFamily::direct(4).C);
+  list.row("all methods", "every entry of x", CorrelatedQuartic().start()[0]);
+  list.row("Bregman", "every entry of the momentum", from.momentum);
+  list.row("Bregman", "start of time", from.t);
+  list.row("Bregman", "weight C", avi::BregmanFamily::direct(4).C);
   list.row("NAG", "k of the first update", Nag{}.first);
   list.row("ADAM", "rate", adam.rate);
   list.row("ADAM", "decay of the mean", adam.beta_1);
