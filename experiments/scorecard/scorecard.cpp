@@ -86,7 +86,8 @@ int main(int argc, char** argv) {
     require_sheets(published);
     const Results results({data});
     Table cells = frame.table({"source", "row", "quantity", "published", "reproduced", "verdict", "note",
-                               "kind", "settings", "unprinted"});
+                               "kind", "settings", "unprinted", "sensitive"});
+    cells.note("sensitive", "starts moved by 1e-14 give other counts");
     cells.note("settings",
                "customary: of the run's settings only the start and the horizon are not printed; recovered: "
                "another one was found by printed outcomes");
@@ -94,7 +95,8 @@ int main(int argc, char** argv) {
       Table lines(cells.columns);
       for (const auto& [source, row, quantity, printed, judgement] : judge(sheet, published, results))
         lines.row(source, row, quantity, printed, judgement.reproduced, name(judgement.verdict),
-                  judgement.note, name(kind_of(row, quantity)), judgement.settings, judgement.unprinted);
+                  judgement.note, name(kind_of(row, quantity)), judgement.settings, judgement.unprinted,
+                  judgement.sensitive);
       fmt::print("{}", report(sheet.title, lines));
       cells.rows.insert(cells.rows.end(), lines.rows.begin(), lines.rows.end());
     }

@@ -13,10 +13,10 @@ eval panel(1, 1, 1, 2)
 set ylabel 'energy error' offset 1, 0
 set format x ''
 set key top right vertical
-set yrange [1e-6:1e4]; set ytics 100
+set yrange [1e-6:1e3]; set ytics 100
 plot for [m in shown] curve using (where('monitor', m, 't')):'energy_error' with lines ls monitor(m) dt 1 lw 1.2 title named(m)
 eval panel(1, 2, 1, 2)
-set ylabel 'ang. momentum' offset 1, 0
+set ylabel 'ang. mom. error' offset 1, 0
 set xlabel 'time (one period is 2π)'
 set format x '%g'
 unset key

@@ -17,7 +17,7 @@ do for [i = 1:rows] {
   stats paper(stem) using (cell(i, 'global_error')) nooutput; global_error[i] = STATS_max
 }
 stats ours using (where('method', 'stormer_verlet', 'seconds')) nooutput; unit = STATS_max
-# y of a row of the data under a construction; Verlet stands with the authors'.
+# y of a row of the data under a construction; Verlet stands with the recovered one.
 line(c, rule) = strcol('method') eq 'stormer_verlet' ? (c eq 'authors' ? place(rows) : NaN) \
   : strcol('construction') eq c && strcol('rule') eq rule ? place(row_of('monitor')) : NaN
 $here << EOD
@@ -51,7 +51,7 @@ unset title
 eval legend(0.9)
 set key maxrows 1 samplen 1 width -4
 plot $here using (2):(2) with points ls published title 'in the source', \
-  $here using (2):(2) with points pt 7 lc rgb blue title "authors' construction", \
-  $here using (2):(2) with points pt 4 lc rgb vermilion title 'as printed', \
+  $here using (2):(2) with points pt 7 lc rgb blue title 'recovered', \
+  $here using (2):(2) with points pt 4 lc rgb vermilion title 'printed construction', \
   $here using (2):(2) with points pt 2 lc rgb green title 'stationary, Gauss 4'
 unset multiplot

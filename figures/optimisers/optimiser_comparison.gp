@@ -17,4 +17,4 @@ plot for [m in 'adagrad nag adam htvi rmsprop trust_region'] table using (reache
     title label(m).(m eq 'htvi' ? ' (nearest found)' : ''), \
   table using (reached('nag_shifted', column('delta'))):'iterations' with lines ls guide title 'NAG in x − 1', \
   paper('optimiser_comparison') using 'delta':'published' \
-    with points ls published lw 0.8 title 'in the paper'
+    with points ls published lw 0.8 title 'in the source'

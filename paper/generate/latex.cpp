@@ -158,6 +158,7 @@ std::string display_name(std::string_view name) {
       {"HTVI4 none", "HTVI4, none"},
       {"SV", "St\\\"ormer--Verlet"},
       {"stormer_verlet", "St\\\"ormer--Verlet"},
+      {"authors", "recovered"},
       {"simpson", "Simpson"},
       {"gauss2", "Gauss, 2"},
       {"gauss4", "Gauss, 4"},

@@ -18,6 +18,7 @@ std::string mark(const std::string& verdict) {
                                                         {"erratum", "$\\,^{\\dagger}$"},
                                                         {"unstated", "$\\,^{\\S}$"},
                                                         {"chaotic", "$\\,^{\\ddagger}$"},
+                                                        {"short run", "$\\,^{\\P}$"},
                                                         {"differs", "$\\,^{\\times}$"},
                                                         {"missing", "$\\,^{?}$"}};
   return marks.at(verdict);
@@ -111,8 +112,10 @@ std::string iteration_table(const experiment::Table& published, const experiment
         lines += mark(verdict) + " (" + latex_number(cell.number("reproduced"), "g2") + ")";
     }
     const Row cell = line_of(card, source, row, "iterations");
-    lines += fmt::format(" & {} & {}{} \\\\\n", latex_printed(cell.text("published")),
-                         latex_printed(cell.text("reproduced")), mark(cell.text("verdict")));
+    lines += fmt::format(
+        " & {} & {}{} \\\\\n", latex_printed(cell.text("published")), latex_printed(cell.text("reproduced")),
+        mark(cell.text("verdict")) +
+            (cell.text("verdict") == "exact" && cell.text("sensitive") == "1" ? "$\\,^{(\\ddagger)}$" : ""));
   }
   return tabular("lrrrrr", " & $p$ & $\\mathring p$ & $h$ & printed & ours", lines);
 }
@@ -148,9 +151,10 @@ std::string notes_table(const experiment::Table& card) {
     if (verdict == "exact" || line->text("quantity") == "seconds") continue;
     const auto header =
         std::ranges::find(headers, line->text("quantity"), &std::pair<std::string, std::string>::first);
-    lines += fmt::format("{} & {}, {} & {} & {} & \\textit{{{}}}\\\\*\n", line->text("source").substr(5),
-                         latex(line->text("row")), header->second, latex_printed(line->text("published")),
-                         latex_printed(line->text("reproduced")), verdict);
+    lines +=
+        fmt::format("{} & {}, {} & {} & {} & \\textit{{{}}}\\\\*\n", "S" + line->text("source").substr(5),
+                    latex(line->text("row")), header->second, latex_printed(line->text("published")),
+                    latex_printed(line->text("reproduced")), verdict);
     if (line + 1 == all.end() || (line + 1)->text("note") != note)
       lines += fmt::format(" & \\multicolumn{{4}}{{p{{0.88\\textwidth}}}}{{\\footnotesize {}}}\\\\[3pt]\n",
                            latex(note));

@@ -32,7 +32,7 @@ std::string claims_table(const experiment::Table& claims) {
     lines += fmt::format("{} & {} \\textcolor{{grey}}{{({})}} & \\textit{{{}}} & {} \\\\[2pt]\n", ++number,
                          latex(claim.text("claim")), latex(claim.text("source")), latex(claim.text("ruling")),
                          latex(claim.text("evidence")));
-  return longtable("r>{\\raggedright}p{0.33\\textwidth}lp{0.47\\textwidth}", " & claim & ruling & evidence",
+  return longtable("r>{\\raggedright}p{0.32\\textwidth}lp{0.46\\textwidth}", " & claim & ruling & evidence",
                    lines);
 }
 

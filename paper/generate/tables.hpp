@@ -19,11 +19,11 @@ std::string longtable(const std::string& alignment, const std::string& head, con
 /// build/data/scorecard.tsv.
 std::string published_table(const experiment::Table& published, const experiment::Table& card);
 
-/// Tables 3 to 5, one line for each row: settings, printed count and ours, verdict of the count; a setting
-/// that is a slip has ours in parentheses.
+/// Tables S3 to S5, one line for each row: settings, printed count and ours, verdict of the count, a mark
+/// where an exact one moves with the last bits; a setting that is a slip has ours in parentheses.
 std::string iteration_table(const experiment::Table& published, const experiment::Table& card);
 
-/// Table 6: methods against tolerances.
+/// Table S6: methods against tolerances.
 std::string optimiser_table(const experiment::Table& published, const experiment::Table& card);
 
 /// Every cell that is not exact, seconds left out, with the note that says why.

@@ -42,6 +42,10 @@ TEST(Nag, FirstSteps) {
   // y_1 = x_1 + (x_1 - x_0)/4 = (2.625, 0.5); x_2 = (2.3625, 0.3); y_2 = x_2 + 0.4 (x_2 - x_1).
   const double y_x = 2.3625 + 0.4 * (2.3625 - 2.7), y_y = 0.3 + 0.4 * (0.3 - 0.6);
   expect_path(path(experiment::Nag{.h = 0.1}, 3), {2.7, 0.6, 2.3625, 0.3, 0.9 * y_x, 0.6 * y_y});
+  // With k = 1 at the first update y_1 = x_1 = (2.7, 0.6), x_2 = (2.43, 0.36), y_2 = x_2 + (x_2 - x_1)/4.
+  const double later_x = 2.43 + 0.25 * (2.43 - 2.7), later_y = 0.36 + 0.25 * (0.36 - 0.6);
+  expect_path(path(experiment::Nag{.h = 0.1, .first = 1.0}, 3),
+              {2.7, 0.6, 2.43, 0.36, 0.9 * later_x, 0.6 * later_y});
 }
 
 TEST(Adam, FirstSteps) {
@@ -147,6 +151,7 @@ TEST(Optimisers, RefuseBadParameters) {
   EXPECT_THROW(run_updates(ellipse, experiment::TrustRegion{.shrink = 0.0}, x0), std::invalid_argument);
   EXPECT_THROW(run_updates(ellipse, experiment::Nag{.h = -1.0}, x0), std::invalid_argument);
   EXPECT_THROW(run_updates(ellipse, experiment::Nag{.h = std::nan("")}, x0), std::invalid_argument);
+  EXPECT_THROW(run_updates(ellipse, experiment::Nag{.h = 0.1, .first = 0.5}, x0), std::invalid_argument);
   EXPECT_THROW(run_updates(ellipse, experiment::Adam{.rate = 0.0}, x0), std::invalid_argument);
   EXPECT_THROW(run_updates(ellipse, experiment::Adam{.beta_1 = 1.0}, x0), std::invalid_argument);
   EXPECT_THROW(run_updates(ellipse, experiment::Adam{.beta_2 = -0.1}, x0), std::invalid_argument);

@@ -41,6 +41,7 @@ avi::Minimisation run_updates(const Rule& rule, const AnyObjective& f, const avi
           .type = type, .family = family, .rtol = control.rtol, .atol = control.atol, .from = from});
 
   if (name == "nag") return run(experiment::Nag{.h = or_default(experiment::Nag{}.h)});
+  if (name == "nag_from_1") return run(experiment::Nag{.h = or_default(experiment::Nag{}.h), .first = 1.0});
   if (name == "gradient_descent")
     return run(experiment::GradientDescent{.h = or_default(experiment::GradientDescent{}.h)});
   if (name == "adam") return run(experiment::Adam{.rate = or_default(experiment::Adam{}.rate)});

@@ -60,8 +60,8 @@ class AnyWitness {
 /// A method and its hyper-parameters; each method uses those that it has.
 struct Rule {
   /// Bregman dynamics: htvi, heavy_ball, splitting, clone_strang, clone_y4, clone_y6, runge_kutta_4,
-  /// dormand_prince, bogacki_shampine, gsl_rkf45, gsl_rk8pd; others: nag, adam, adagrad, rmsprop,
-  /// trust_region, gradient_descent.
+  /// dormand_prince, bogacki_shampine, gsl_rkf45, gsl_rk8pd; others: nag, nag_from_1, adam, adagrad,
+  /// rmsprop, trust_region, gradient_descent.
   std::string method;
   avi::BregmanFamily family{};
   double h = std::nan("");               ///< Step or rate; NaN: what the method has as its default.

@@ -34,12 +34,14 @@ struct GradientDescent {
 };
 
 /// Nesterov's accelerated gradient method (Nesterov 1983): gradient steps from a point extrapolated along the
-/// last displacement. \f[ x_k = y_{k-1} - h\, \nabla f(y_{k-1}), \quad y_k = x_k + \frac{k}{k+3}\, (x_k -
-/// x_{k-1}), \quad y_0 = x_0. \f] The paper's equation (4.1) has (k-1)/(k+2): the same sequence counted from
-/// k = 1 instead of from 0. It is k/(k+3) that gives the published counts. The gradient is taken at y, the
-/// stopping test at x: two gradients an iteration; the method alone needs one.
+/// last displacement. \f[ x_k = y_{k-1} - h\, \nabla f(y_{k-1}), \quad y_k = x_k + \frac{k-1}{k+2}\, (x_k -
+/// x_{k-1}), \f] the paper's equation (4.1), which does not say what k is at the first update. With 1, the
+/// usual reading, the first update has no momentum, and the counts are not the published ones; with 2, that
+/// is k/(k+3) at the k-th update, they are. The gradient is taken at y, the stopping test at x: two gradients
+/// an iteration; the method alone needs one.
 struct Nag {
-  double h = 1e-3;  ///< Step size, finite and positive.
+  double h = 1e-3;   ///< Step size, finite and positive.
+  double first = 2;  ///< k of the first update, finite and at least 1.
 
   /// The state of a run between two steps.
   struct State {
@@ -49,10 +51,11 @@ struct Nag {
     long k = 0;        ///< Iterations made.
   };
 
-  /// State of one run. @throws std::invalid_argument for h out of range.
-  State start(const Iterate& first) const {
+  /// State of one run. @throws std::invalid_argument for h or first out of range.
+  State start(const Iterate& begin) const {
     require_positive("Step size h", h);
-    return {.y = first.x, .gradient = first.gradient, .previous = first.x};
+    require(std::isfinite(first) && first >= 1.0, "NAG's first k", first, "finite and at least 1");
+    return {.y = begin.x, .gradient = begin.gradient, .previous = begin.x};
   }
 
   /// Moves x once, with a gradient at y from the second iteration on.
@@ -61,8 +64,8 @@ struct Nag {
     if (state.k > 0) f(state.y, state.gradient);
     state.previous.swap(now.x);
     now.x = state.y - h * state.gradient;
-    const double k = static_cast<double>(++state.k);
-    state.y = now.x + (k / (k + 3.0)) * (now.x - state.previous);
+    const double k = first + static_cast<double>(state.k++);
+    state.y = now.x + ((k - 1.0) / (k + 2.0)) * (now.x - state.previous);
     now.evaluated = false;
     return Outcome::ok;
   }

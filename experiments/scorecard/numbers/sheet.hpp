@@ -12,17 +12,19 @@ namespace scorecard {
 
 /// The verdict on a published number.
 enum class Verdict {
-  exact,     ///< Ours, rounded to the printed digits, is the printed number.
-  within,    ///< Inside a tolerance that the note declares.
-  differs,   ///< Neither.
-  erratum,   ///< Evidence that the printed value or setting is a slip.
-  unstated,  ///< Depends on a setting that the source does not give and that was not recovered.
-  chaotic,  ///< Moves with the last bit; the note says whether the printed value lies in the perturbed range.
-  missing   ///< No data to judge it by.
+  exact,      ///< Ours, rounded to the printed digits, is the printed number.
+  within,     ///< Inside a tolerance that the note declares.
+  differs,    ///< Neither.
+  erratum,    ///< Evidence that the printed value or setting is a slip.
+  unstated,   ///< Depends on a setting that the source does not give and that was not recovered.
+  chaotic,    ///< Moves with the last bits; the note says whether the printed value lies in the perturbed
+              ///< range.
+  short_run,  ///< Our run is shorter than the printed count or bound, which it neither confirms nor refutes.
+  missing     ///< No data to judge it by.
 };
 /// Their names in data files.
-inline constexpr std::array<std::string_view, 7> verdicts{"exact",    "within",  "differs", "erratum",
-                                                          "unstated", "chaotic", "missing"};
+inline constexpr std::array<std::string_view, 8> verdicts{"exact",    "within",  "differs",   "erratum",
+                                                          "unstated", "chaotic", "short run", "missing"};
 inline std::string_view name(Verdict verdict) { return verdicts.at(static_cast<std::size_t>(verdict)); }
 
 /// Our number and what it makes of the published one.
@@ -33,6 +35,8 @@ struct Judgement {
   /// Our run has a setting other than the printed one, or a choice of construction that the printed formulas
   /// do not show, found with printed outcomes as the judge.
   bool recovered = false;
+  /// Starts moved by 1e-14 give other counts.
+  bool sensitive = false;
   /// printed, customary or recovered: see settings_of().
   std::string settings = "printed";
   std::string unprinted = "-";  ///< Settings that the source prints nowhere.

@@ -3,16 +3,16 @@
 width = 16; height = 6.4
 load 'figures/style.gp'
 table = data.'/monitor_costs.tsv'
-list = 'none gamma gamma_three_quarters arclength energy truncation_root inverse_lagrangian'
-array shown[7] = ['no monitor', 'gamma = 1', 'gamma = 3/4', 'arclength', 'energy', 'truncation, root', 'inverse Lagr.']
+list = 'none gamma gamma_three_quarters gamma_half arclength energy truncation_root inverse_lagrangian'
+array shown[8] = ['no monitor', 'gamma = 1', 'gamma = 3/4', 'gamma = 1/2', 'arclength', 'energy', 'truncation, root', 'inverse Lagr.']
 set multiplot
 page_left = 1.45; page_bottom = 2.9; gap_x = 1.55; page_top = 0.65
 unset key
 eval logy
 set offsets 0, 0, graph 0.1, graph 0.1
-set xrange [0.4:7.6]
+set xrange [0.4:8.6]
 set xtics scale 0 rotate by 60 right
-unset xtics; set xtics scale 0 rotate by 60 right; do for [i=1:7] { set xtics add (shown[i] i) }
+unset xtics; set xtics scale 0 rotate by 60 right; do for [i=1:8] { set xtics add (shown[i] i) }
 cell(c, e, t) = column('eccentricity') == e && column('target') == t ? column(c) : NaN
 at(k) = position(list, strcol('monitor')) + 0.11 * k
 set title 'steps per orbit' offset 0, -0.6

@@ -106,6 +106,10 @@ using Counts = std::vector<long>;
 TEST(Optimisers, NagCountsAreThePrintedOnes) {
   const Counts printed{4143, 10949, 27660, 65724, 154258, 341928, 745292};
   EXPECT_EQ(passages({.method = "nag", .h = 2e-6}, 7), printed);
+  // With k = 1 at the first update, the usual reading of the printed momentum, none is.
+  const Counts from_1 = passages({.method = "nag_from_1", .h = 2e-6}, 7);
+  for (std::size_t i = 0; i < printed.size(); ++i)
+    EXPECT_NE(from_1[i], printed[i]) << i;
 }
 
 // The paper's counts are two more than the number of updates.

@@ -46,13 +46,12 @@ TEST(Claims, EachNamesItsExperimentAndATest) {
 }
 
 /// Rulings do not hang on the length of a run, but for these: some rest on seconds, and the shortened runs
-/// stop before NAG converges in shifted variables and before Taylor order 3, and leave out most tolerances of
-/// the Runge-Kutta pairs.
+/// stop before Taylor order 3 and leave out most tolerances of the Runge-Kutta pairs.
 TEST(Claims, RulingsAreThoseOfTheWholeData) {
   const std::set<std::string> timed{"euler_b_costs_most",  "norm_squared_fastest",     "arclength_costs_most",
                                     "arclength_behind",    "gradient_free_is_cheaper", "adaptivity_pays",
                                     "gamma_most_efficient"};
-  const std::set<std::string> shortened{"nag_never_reaches", "htvi4_is_fourth_order"};
+  const std::set<std::string> shortened{"htvi4_is_fourth_order"};
   const auto lines = ledger({check / "data", check / "quick"});
   const experiment::Table stated =
       experiment::Table::read(fs::path(AVI_PUBLISHED_DIR).parent_path() / "verdicts.tsv");
