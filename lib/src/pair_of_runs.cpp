@@ -90,7 +90,8 @@ Journey Orbiter::begin(const Setting& setting, double factor) {
 void Orbiter::bound(Journey& journey, std::size_t mark) {
   // Over a hundred times what the sketch suggests is something else.
   journey.most = 1e4 + 3e3 * expected_steps(*journey.candidate, journey.h, since_start(mark));
-  // So is a run that takes long for what is but a hundred steps of the sketch.
+  // So is a run that takes long for what is but a hundred steps of the sketch, unless its step is given.
+  if (question_.options.h > 0.0) return;
   if (resolved_ == 0.0 || std::abs(journey.state.t - question_.t) < sketch_->time)
     journey.most = std::min(journey.most, patience / journey.candidate->price());
 }
