@@ -49,8 +49,9 @@ void Delivery::add(OrbitPoints& points, const State<dynamic>& z, double t) const
 }
 
 void Delivery::look_at_energy(const State<dynamic>& z) {
-  const double error = std::abs(field_.energy(z.q.data(), z.p.data()) - energy_at_start_) / energy_scale_;
-  energy_error_ = std::max(energy_error_, error);
+  const double energy = field_.energy(z.q.data(), z.p.data());
+  if (std::isnan(energy)) run_.outcome = Outcome::non_finite;
+  energy_error_ = std::max(energy_error_, std::abs(energy - energy_at_start_) / energy_scale_);
 }
 
 void Delivery::go(double pause) {
@@ -76,7 +77,8 @@ void Delivery::begin_block() {
   put(fingerprint(question_), question_.q, question_.p, question_.t, question_.t_end, question_.tolerance,
       question_.times, static_cast<int>(question_.options.dense));
   put(choice_.name, choice_.order, choice_.h, choice_.energy_scale, choice_.kinetic, choice_.accelerations,
-      choice_.poles, choice_.drifts, choice_.solved, choice_.time, report_.choice.sweeps, report_.choice.check);
+      choice_.poles, choice_.drifts, choice_.solved, choice_.time, report_.choice.sweeps,
+      report_.choice.check);
   put(report_.state_error, report_.energy_rounding, report_.note);
   put(std::vector<double>(state_.q.begin(), state_.q.end()),
       std::vector<double>(state_.p.begin(), state_.p.end()), state_.t, run_.steps, run_.evaluations,

@@ -138,6 +138,8 @@ class Journey {
       made(mine, infinity);
       other.made(its, infinity);
     }
+    if (!ok()) state = before_;
+    if (!other.ok()) other.state = other.before_;
   }
 
   /// Goes on to the time `mark`, by a shorter step from the last one before it.
@@ -178,9 +180,9 @@ class Journey {
     trip_->budget.sweeps += report.evaluations;
   }
   void look_at_energy(const State<dynamic>& z) {
-    energy_error =
-        std::max(energy_error, std::abs(field_->energy(z.q.data(), z.p.data()) - trip_->energy_at_start) /
-                                   trip_->energy_scale);
+    const double energy = field_->energy(z.q.data(), z.p.data());
+    if (std::isnan(energy)) run.outcome = Outcome::non_finite;
+    energy_error = std::max(energy_error, std::abs(energy - trip_->energy_at_start) / trip_->energy_scale);
   }
   /// The latter half of very many steps has led on by less than a millionth of the way, as before a
   /// singularity.
@@ -211,6 +213,7 @@ class Journey {
     if (run.steps <= few) look_at_tail();
     ranges.add(z_);
     look_at_energy(z_);
+    if (!ok()) return;
     if (const Outcome bound = trip_->budget.met(z_.t, run.steps, 0); bound != Outcome::ok) {
       run.outcome = bound;
       spent = true;

@@ -28,12 +28,13 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   const bool seen_to_fall = fine.energy_error > 1e3 * answer_.energy_rounding;
   const double falls = seen_to_fall ? std::max(1.0, 0.5 * coarse.energy_error / fine.energy_error) : infinity;
   const double ratio = std::min(trusted(coarse, fine), falls), until = since_start(marks - 1);
-  double early = 0.0, late = 0.0;  // in the last quarter of the first quarter, and of the whole
+  double early = 0.0,
+         late = 0.0;  // in the first quarter, or three eighths where marks are few, and on the whole
   for (std::size_t i = 0; i < marks; ++i) {
     const double apart = (*distance_)(coarse.marks[i], fine.marks[i], fine.ranges) / ratio;
     const double speed = std::max(speed_at(fine.marks[i], fine.ranges), 0.03 * usual_speed_);
     const double behind = speed > 0.0 ? apart / speed : apart;
-    if (since_start(i) <= 0.251 * until) early = std::max(early, behind);
+    if (since_start(i) <= (compared_ > 3 ? 0.251 : 0.376) * until) early = std::max(early, behind);
     late = std::max(late, behind);
     seen.error = apart;
   }
@@ -51,9 +52,15 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
                           distance_->frequency * until;
   // Over fewer turns errors waver by more than they grow.
   const bool seen_long = distance_->frequency * until > shortest_growth || late > 1e3 * early;
-  if (seen_long && early > 0.0 && late > 20.0 * early && late * usual_speed_ * ratio > rounding) {
-    seen.growth = std::min(3.0, std::log(late / early) / std::log(4.0));
-    if (late > 60.0 * early) seen.rate = std::log(late / early) / (0.75 * until);
+  if (early > 0.0 && late > 20.0 * early) {
+    if (seen_long && late * usual_speed_ * ratio > rounding) {
+      seen.growth = std::min(3.0, std::log(late / early) / std::log(4.0));
+      if (late > 60.0 * early) seen.rate = std::log(late / early) / (0.75 * until);
+    }
+    // What grows so much may have begun as what sweeps left, or as rounding, which no order makes smaller.
+    unstable_ = true;
+    const double doubted = std::min(ratio, late / (20.0 * early));
+    if (!seen_to_fall) seen.error *= doubted, seen.behind *= doubted;
   }
   return seen;
 }
@@ -75,9 +82,11 @@ double Orbiter::foretold(const Comparison& seen, double from, double to, double 
 
 Journey Orbiter::begin(const Setting& setting, double factor) {
   const double h = factor * setting.h;
-  // What sweeps leave adds up with the square of the number of steps at most.
+  // What sweeps leave adds up with the square of the number of steps at most, unless small errors grow
+  // faster.
   const double steps = std::max(1.0, expected_steps(*setting.candidate, h, span_));
-  const double tolerance = std::clamp(0.03 * question_.tolerance / (steps * steps), 6.25e-19, 1e-8);
+  const double usual = std::clamp(0.03 * question_.tolerance / (steps * steps), 6.25e-19, 1e-8);
+  const double tolerance = unstable_ ? 6.25e-19 : usual;
   return {*trip_,
           field_,
           *setting.candidate,
@@ -253,8 +262,9 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     // enough, it is chaos, or noise. What is foretold may be wrong as long as it has not come true.
     const bool beyond = fine_->h * std::max(factor, 0.35) < resolved_ / 3.0 || factor < 0.25;
     if (resolved_ > 0.0 && beyond && seen_.error <= tolerance && !last) return false;
-    const bool lost = last && marks_.size() > 1 && !(seen_.error < 1e-3) && !(fine_->h > resolved_);
-    resigned_ = lost || vain_ > 1 || (resolved_ > 0.0 && beyond) || spent > std::max(patience, 3.0 * pair);
+    const bool lost = hidden && last && marks_.size() > 1 && !(seen_.error < 1e-3) && !(fine_->h > resolved_);
+    resigned_ =
+        lost || vain_ > 1 || (hidden && resolved_ > 0.0 && beyond) || spent > std::max(patience, 3.0 * pair);
   } else {
     // A feature that the steps do not see, or not yet resolve, is worth a while.
     resigned_ = spent > std::max(2.0 * patience, 3.0 * pair);

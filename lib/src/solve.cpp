@@ -120,9 +120,9 @@ void Orbiter::prepare() {
     }
     if (menu_.empty()) {
       if (wanted == "poles" && choice.poles.empty())
-        throw std::invalid_argument(
-            "Monitor poles has no meaning here: H divides by no function of q alone, nor takes its logarithm; "
-            "take monitor fixed.");
+        throw std::invalid_argument("Monitor poles has no meaning here: H divides by no function of q alone, "
+                                    "nor takes its logarithm; "
+                                    "take monitor fixed.");
       if (!(choice.kinetic > 0.0) && wanted.starts_with("energy"))
         throw std::invalid_argument(
             "Monitor " + wanted +
@@ -164,7 +164,7 @@ void Orbiter::set_marks() {
   for (double part = 1.0; marks_.size() < 80; part *= !is_long                 ? 0.375
                                                       : marks_.size() % 2 == 1 ? 0.75
                                                                                : 2.0 / 3.0) {
-    if (part < 1.0 && part * radians_ < (is_long ? 25.0 : 20.0)) break;
+    if (part < 1.0 && part * radians_ < (is_long ? 25.0 : field_.size() > 1 ? 12.0 : 20.0)) break;
     marks_.push_back(part == 1.0 ? question_.t_end : question_.t + sense_ * part * span_);
   }
   std::ranges::reverse(marks_);
@@ -316,9 +316,14 @@ OrbitAnswer Orbiter::finish() {
       answer_.run.message = describe_end(answer_.run.outcome, fine.state, fine.run.steps, 0.0, "");
     }
   }
-  if (seen_.rate > 0.0 || (seen_.error > 1e-3 && resigned_))
+  if (!answer_.kept() && seen_.rate > 0.0)
     answer_.note += "Neighbouring orbits move apart exponentially here: the state at the end depends on more "
                     "digits than the tolerance has. ";
+  else if (!answer_.kept() && seen_.error > 1e-3 && resigned_)
+    answer_.note +=
+        "Two runs stay apart, however short their steps: the state at the end depends on more digits "
+        "than there are. ";
+  if (!answer_.note.empty()) answer_.note.pop_back();  // the blank behind the last sentence
   std::copy(fine.state.q.begin(), fine.state.q.end(), answer_.q.begin());
   std::copy(fine.state.p.begin(), fine.state.p.end(), answer_.p.begin());
   answer_.t = fine.state.t;
