@@ -13,7 +13,7 @@ set key font ',7' samplen 2 spacing 1.05 noopaque
 direct(y) = column('p') == column('p_ring') ? y : NaN
 form(f, y) = strcol('form') eq f ? y : NaN
 forms = 'printed momentum heavy_ball'
-array form_title[3] = ['as printed, t^{2p-1}', 'momentum, t^p', 'heavy ball, log t']
+array form_title[3] = ['as printed, h t^{2p−1}', 'momentum, t^p', 'heavy ball, h^2 t^{p−2}']
 array look[3] = [vermilion, blue, black]
 array mark[3] = [5, 7, 6]
 array size[3] = [0.8, 0.6, 1.3]
