@@ -1,7 +1,7 @@
 # Where Bregman dynamics break. Left: the time at which each form of the HTVI leaves double precision, against what its
 # formula says (lines). Right: the largest stable step over linear theory, sqrt(C lambda) P h t^(p/2-s) < 2 for HTVI (Runge-
 # Kutta 4 is higher: below its limit it damps).
-width = 16; height = 5.2
+width = 16; height = 4.8
 load 'figures/style.gp'
 ends = data.'/bregman_extremes_overflow.tsv'
 limits = data.'/bregman_extremes_limits.tsv'
