@@ -29,7 +29,7 @@ unset arrow 1; unset title
 page_left = 6.9; page_top = 4.6; page_bottom = 1.1
 eval panel(1, 1, 1, 1)
 unset logscale y; eval logx
-set format y '%s'; set ytics autofreq font ',7'
+set format y '%s'; set ytics autofreq font ',6'
 set xrange [4e3:2e6]
 set yrange [*:*] reverse
 set xlabel 'iterations until the stopping test holds'
