@@ -248,7 +248,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     const double most = std::min(longest_step(*setting.candidate), stable_step(*setting.candidate));
     const double gain = std::min({0.9 * factor, 2.0, most / (longer * fine_->h)});
     const bool laborious = !setting.candidate->splits() && fine_->run.evaluations > 14 * steps;
-    if (lengthened_ == 2 || mark > 1 || steps < 6 || laborious || !(gain > 1.15) ||
+    if (lengthened_ == most_lengthened || mark > 1 || steps < 6 || laborious || !(gain > 1.15) ||
         (1.0 - 1.0 / gain) * (span_ - here) < 2.0 * here)
       return false;
     ++lengthened_;
@@ -271,6 +271,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     resigned_ = spent > std::max(2.0 * patience, 3.0 * pair);
   }
   if (resigned_) return false;
+  if (mark > 0) lengthened_ = most_lengthened;  // what the first mark promises has not come true
   before_ = error, before_at_ = mark;
   // Where errors do not fall by the order yet, by halves.
   return again(std::clamp(factor, 0.35, vain_ > 0 ? 0.5 : 0.9));
