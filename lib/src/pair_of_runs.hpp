@@ -78,6 +78,7 @@ class Orbiter {
   bool go_on(Journey& journey, std::size_t mark);
   bool pursue(Setting& setting);
   void look_from(const State<dynamic>& z);
+  void stay_near(Candidate& it, const Sketch& there);
   bool failed(const Journey& journey, Setting& setting);
   bool judge(Setting& setting, std::size_t mark);
   bool try_others(Setting& setting);
