@@ -119,6 +119,20 @@ TEST_F(ChangedData, ChangesTheRuling) {
                          std::to_string(20 * std::stol(row[table.column("iterations")]));
                    }),
             Ruling::holds);
+  EXPECT_EQ(ruling("cloning_is_behind", "variants",
+                   [](const experiment::Table& table, auto& row) {
+                     if (row[table.column("variant")] == "kick_first")
+                       row[table.column("gradients_per_step")] = "100";
+                   }),
+            Ruling::holds);
+  for (const auto& [key, changed] :
+       {std::pair{"beats_popular_methods", Ruling::fails}, {"not_the_most_efficient", Ruling::holds}})
+    EXPECT_EQ(ruling(key, "optimiser_comparison",
+                     [](const experiment::Table& table, auto& row) {
+                       row[table.column("converged")] = "1";
+                       row[table.column("iterations")] = "100";
+                     }),
+              changed);
 }
 
 /// Where a claim speaks of cost or efficiency, seconds count beside steps.
