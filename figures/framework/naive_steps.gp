@@ -6,7 +6,7 @@ file = data.'/naive_steps.tsv'
 eval logx
 eval logy
 set xlabel 'orbits'
-set ylabel 'largest relative energy error so far' offset -0.3, 0
+set ylabel 'largest energy error so far' offset -0.3, 0
 set yrange [1e-8:10]
 set key bottom right noopaque
 only(m) = strcol('method') eq m ? column('energy_error') : NaN

@@ -147,7 +147,7 @@ Finding cloning_needs(const Results& data) {
     gradients.push_back(count);
   return finding(in_cases(cases),
                  "As defined, with both copies advanced, it does. The copy that is read never sees the "
-                 "other: the same iterates take {:.0f} gradients a step.",
+                 "other: the same iterates take {:.0f} gradients a step, and the stopping test one more.",
                  fmt::join(gradients, ", "));
 }
 

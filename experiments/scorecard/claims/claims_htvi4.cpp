@@ -169,7 +169,7 @@ Finding adaptivity_pays(const Results& data) {
     }
   const Cases fixed = more_than(1.0, at_matched_error(data), "seconds", "none", "gamma");
   return finding(in_cases(cases + fixed),
-                 "The source's own Table S1 says the opposite of Stormer-Verlet (26.9 against 1.9 seconds). "
+                 "The source's own S1 says the opposite of Stormer-Verlet (26.9 against 1.9 seconds). "
                  "Compiled and at equal energy error, gamma is {:.0f} times faster than it, and at least "
                  "{:.1f} times faster than fixed HTVI4.",
                  fmt::join(seen, " and "), fixed.least);

@@ -59,7 +59,7 @@ plot STATS_max_y*(x/STATS_max_x)**growth ls guide title sprintf('r^{%.1f}', grow
   table using (along('order', 'stationary')):(1e6*column('seconds')) with linespoints ls method('htvi') title 'with derivatives'
 eval legend(0.9)
 eval box(0.1, page_bottom + cell_h(2) + 0.7, width - 0.2, 0.9)
-set key maxrows 2 samplen 2 width -3 font ',8'
+set key maxrows 2 samplen 2 width 0 font ',8'
 plot 2 with linespoints ls monitor('none') title 'fixed step', \
   for [i=1:5] 2 with linespoints ls family(i) title 'γ = '.word(gammas, i), 2 with lines ls guide title 'theory'
 unset multiplot

@@ -21,7 +21,7 @@ plot table using (cell('steps_per_orbit', 0.9, 1e-5)):(at(-1)) with points pt 7 
      table using (cell('steps_per_orbit', 0.99, 1e-5)):(at(1)) with points pt 5 lc rgb orange, \
      table using (cell('steps_per_orbit', 0.99, 1e-7)):(at(2)) with points pt 5 lc rgb vermilion
 set title 'seconds per orbit' offset 0, -0.6
-set format y ''
+unset ytics; set ytics scale 0; do for [i=1:8] { set ytics add ('' i) }
 eval panel(2, 1, 2, 1)
 plot table using (cell('seconds', 0.9, 1e-5)):(at(-1)) with points pt 7 lc rgb sky, \
      table using (cell('seconds', 0.9, 1e-7)):(at(0)) with points pt 7 lc rgb blue, \

@@ -23,8 +23,7 @@ array problem[panels] = ['kepler', 'kepler', 'kepler', 'kepler', 'perturbed_kepl
 array ecc[panels] = [0.9, 0.99, 0.999, 0.9, 0.9, -1, -1, -1, -1, -1, -1]
 array horizon[panels] = ['10', '10', '10', orbits, '10', '10 periods', '1', '200000 days', sections, sections, sections]
 array shown[panels] = ['Kepler 0.9, t = 10', 'Kepler 0.99, t = 10', 'Kepler 0.999, t = 10', 'Kepler 0.9, '.orbits, 'quadrupole 0.9, t = 10', \
-  'figure eight, 10 periods', 'seven bodies, t = 1', 'outer planets', 'Hénon–Heiles, t = '.sections, 'double pendulum, t = '.sections, \
-  'chain of 64, t = '.sections]
+  'figure eight, 10 periods', 'seven bodies, t = 1', 'outer planets', 'Hénon–Heiles', 'double pendulum', 'chain of 64']
 unset datafile columnheaders
 set datafile separator whitespace
 eval logx; eval logy

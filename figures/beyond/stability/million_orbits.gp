@@ -25,7 +25,7 @@ set xrange [1:last]; set yrange [1e-17:*]; set ytics 100
 eval box(1.7, page_bottom, 8.6, height - page_bottom - page_top)
 plot for [k = 1:3] for [s = 0:15] table using (where('method', word(names_here, k), 'periods')):(column('start') == s ? column('energy_error') : NaN) with lines lc rgb tint[k] lw 0.5, \
   for [k = 1:3] growth using (where('method', word(names_here, k), 'periods')):'energy_error' with linespoints lc rgb look[k] lw 2 pt mark[k] ps 0.6 pointinterval 4, \
-  begin*sqrt(x) with lines lc rgb purple dt (6,4) lw 2.2
+  begin*sqrt(x) with lines lc rgb purple dt (6,4) lw 3
 set title 'at the end, against time' offset 0, -0.7
 set xlabel 'microseconds per orbit'
 set xrange [1:1000]; set yrange [1e-16:*]
