@@ -88,6 +88,8 @@ class Pages:
         """Inline code; a name of the library becomes a link."""
         if re.fullmatch(r"avi(::\w+)+(\(\))?", text):
             return f"<tt>{html.escape(text)}</tt>"
+        if "'" in text and "`" not in text:
+            return f"``{text}``"  # Doxygen takes `text' for a quotation
         return None
 
     def line(self, page, text):
