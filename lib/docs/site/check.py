@@ -5,8 +5,8 @@ Every link and every picture of every page leads to a file of the folder, every 
 as Doxygen reads it, and no mark of code; nothing is loaded from elsewhere, neither from the network nor from this disk. With a
 BROWSER (chromium) every page with formulas, every guide page and every note is opened in a window of 390 pixels, served over
 http: formulas have to be set, without an error, no text may stand out to the right, no picture may be missing, and tables of
-guide pages have to fit, but for those with formulas. Guide pages are opened in one of 1280 pixels, too, in which no line of
-code is cut off, and one page once more from the disk.
+guide pages have to fit, but for those with formulas. Guide pages are opened in one of 1280 pixels, too, where no line of
+code is cut off either, and one page once more from the disk.
 """
 import html.parser
 import http.server
@@ -82,11 +82,10 @@ async function opened(page, width) {
   await wait(150);
   return [frame, frame.contentDocument.querySelector("div.contents") || frame.contentDocument.body];
 }
-async function lookAtCode(page) {
-  const [frame, body] = await opened(page, 1280);
-  for (const node of body.querySelectorAll(".fragment"))
-    if (node.scrollWidth > node.clientWidth + 1) problems.push(page + ": code is cut off: " + node.textContent.slice(0, 60));
-  frame.remove();
+function cutOff(page, width, body, kinds) {
+  for (const node of body.querySelectorAll(kinds))
+    if (node.scrollWidth > node.clientWidth + 1 && !node.querySelector(".katex"))
+      problems.push(page + ": cut off at " + width + " pixels: " + node.textContent.trim().slice(0, 60));
 }
 async function look(page) {
   const [frame, body] = await opened(page, 390);
@@ -100,10 +99,13 @@ async function look(page) {
   }
   const set = body.querySelectorAll(".katex").length;
   const guide = frame.contentDocument.querySelector("nav.onward");
-  if (guide) for (const node of body.querySelectorAll("div.wide"))
-    if (!node.querySelector(".katex") && node.scrollWidth > node.clientWidth + 1) problems.push(page + ": a table is cut off: " + node.textContent.slice(0, 60));
+  if (guide) cutOff(page, 390, body, "div.wide");
   frame.remove();
-  if (guide) await lookAtCode(page);
+  if (guide) {
+    const [wide, text] = await opened(page, 1280);
+    cutOff(page, 1280, text, "div.wide, .fragment");
+    wide.remove();
+  }
   return set;
 }
 (async () => {
