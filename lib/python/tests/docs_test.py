@@ -35,6 +35,11 @@ class Docs(unittest.TestCase):
         for front in (PAGE.parents[2] / "README.md", PAGE.parent / "README.md"):
             self.assertIn(first, front.read_text(), front)
 
+    def test_mass_of_a_test_particle(self):
+        header = (PAGE.parents[1] / "avi/solve.hpp").read_text()
+        massless = float.fromhex(re.search(r"double massless = (\S+);", header)[1])
+        self.assertEqual(eval(re.search(r"A test particle has the mass `([^`]+)`", self.text)[1]), massless)
+
     def test_files(self):
         for link in re.findall(r"\]\(([^)#]+)\)", self.text):
             self.assertTrue((PAGE.parent / link).exists(), link)
