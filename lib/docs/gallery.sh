@@ -2,7 +2,7 @@
 # gallery.sh EXPERIMENTS FOLDER: pages for `make docs`, from the table that CMake writes (experiments.tsv): FOLDER/gallery.md
 # with every figure, its caption and the command that makes it, and a page for each chapter, whose introduction is
 # lib/docs/chapters/<chapter>.md. A caption is what the figure's script says first. Pictures are shown where they have
-# been drawn.
+# been drawn, and those that are missing are said to be.
 set -eu
 here=$(dirname "$0")
 top=$here/../..
@@ -16,7 +16,11 @@ entry() {
   [ -z "$3" ] || printf '%s of the paper. ' "$3"
   printf 'Shows %s.\n\n' "$5"
   if [ -n "$4" ]; then
-    [ ! -e "$top/build/figures/$1.png" ] || printf '![%s](%s.png)\n\n' "$1" "$1"
+    if [ -e "$top/build/figures/$1.png" ]; then
+      printf '![%s](%s.png)\n\n' "$1" "$1"
+    else
+      printf 'It has not been drawn yet.\n\n'
+    fi
     printf '*%s*\n\n`make build/figures/%s.pdf`; drawn by `%s`, ' "$(caption "$4")" "$1" "$4"
   else
     printf '`make build/data/%s.tsv`; ' "$1"

@@ -264,6 +264,26 @@ TEST(Guide, SaysEverySentenceOfTheCompiler) {
   }
 }
 
+/// Designated initialisers have to stand in the order of their declaration.
+TEST(Guide, ListsOptionsInTheOrderOfTheirDeclaration) {
+  const auto names_in = [](const std::string& text, const std::regex& pattern) {
+    std::vector<std::string> names;
+    for (std::sregex_iterator i(text.begin(), text.end(), pattern), end; i != end; ++i)
+      names.push_back((*i)[1]);
+    return names;
+  };
+  const std::string header = text_of(source / "lib/avi/solve.hpp");
+  const auto begin = header.find("struct SolveOptions {");
+  ASSERT_NE(begin, std::string::npos);
+  const auto declared = names_in(header.substr(begin, header.find("\n};", begin) - begin),
+                                 std::regex("\n  [\\w:<>&() ]+ (\\w+) = [^;]+;"));
+  std::string column;
+  for (const auto& line : lines_of(text_of(docs / "times_and_events.md")))
+    if (line.starts_with("| `")) column += line.substr(0, line.find('|', 1));
+  EXPECT_EQ(names_in(column, std::regex("`(\\w+)`")), declared);
+  EXPECT_GE(declared.size(), 12u);
+}
+
 /// The map from names to headers: each name is declared in the header beside it.
 TEST(Guide, MapsNamesToTheirHeaders) {
   const std::regex row("\\| `avi::([\\w:<>]+)(\\(\\))?`[^|]*\\|[^|]*\\| `<(avi/[\\w/.]+)>` \\|");

@@ -2,9 +2,11 @@
 """check.py SITE [BROWSER]: is a folder of web pages whole? Prints what is not and ends with status 1.
 
 Every link and every picture of every page leads to a file of the folder, every anchor to a place in it; no reference is left
-as Doxygen reads it; nothing is loaded from elsewhere, neither from the network nor from this disk. With a BROWSER (chromium) every page with formulas, every
-guide page and every note is opened in a window of 390 pixels, served over http: formulas have to be set, without an error, no
-text may stand out to the right, no picture may be missing. The front page is opened once more from the disk.
+as Doxygen reads it, and no mark of code; nothing is loaded from elsewhere, neither from the network nor from this disk. With a
+BROWSER (chromium) every page with formulas, every guide page and every note is opened in a window of 390 pixels, served over
+http: formulas have to be set, without an error, no text may stand out to the right, no picture may be missing, and tables of
+guide pages have to fit, but for those with formulas. Guide pages are opened in one of 1280 pixels, too, where no line of
+code is cut off either, and one page once more from the disk.
 """
 import html.parser
 import http.server
@@ -29,7 +31,7 @@ class Page(html.parser.HTMLParser):
         self.feed(text)
 
     def handle_data(self, text):
-        self.unresolved |= "@ref " in text
+        self.unresolved |= "@ref " in text or "`" in text
 
     def handle_starttag(self, tag, attributes):
         for name, value in attributes:
@@ -48,7 +50,7 @@ def link_problems(site):
     pages = {path.name: Page(path.read_text(errors="replace")) for path in site.glob("*.html")}
     for name, page in sorted(pages.items()):
         if page.unresolved and not name.endswith("_source.html"):
-            yield f"{name} has a reference that Doxygen left as it is"
+            yield f"{name} has a reference or a mark of code that Doxygen left as it is"
         for target in page.links + page.loaded:
             url = urllib.parse.urlsplit(target)
             if url.scheme in ("http", "https", "mailto", "javascript"):
@@ -70,15 +72,23 @@ def link_problems(site):
 LOOK = """<!DOCTYPE html><meta charset="utf-8"><body><script>
 const pages = %s, problems = [];
 const wait = (ms) => new Promise((done) => setTimeout(done, ms));
-async function look(page) {
+async function opened(page, width) {
   const frame = document.createElement("iframe");
-  frame.width = 390; frame.height = 800;
+  frame.width = width; frame.height = 800;
   const loaded = new Promise((done) => { frame.onload = done; });
   frame.src = page;
   document.body.append(frame);
   await loaded;
   await wait(150);
-  const body = frame.contentDocument.querySelector("div.contents") || frame.contentDocument.body;
+  return [frame, frame.contentDocument.querySelector("div.contents") || frame.contentDocument.body];
+}
+function cutOff(page, width, body, kinds) {
+  for (const node of body.querySelectorAll(kinds))
+    if (node.scrollWidth > node.clientWidth + 1 && !node.querySelector(".katex"))
+      problems.push(page + ": cut off at " + width + " pixels: " + node.textContent.trim().slice(0, 60));
+}
+async function look(page) {
+  const [frame, body] = await opened(page, 390);
   const copy = body.cloneNode(true);
   copy.querySelectorAll("pre, code, .fragment, .katex, script").forEach((node) => node.remove());
   if (/\\\\[(\\[]/.test(copy.textContent)) problems.push(page + ": a formula is not set");
@@ -88,7 +98,14 @@ async function look(page) {
     if (node.getBoundingClientRect().right > 392) { problems.push(page + ": <" + node.tagName + "> stands out: " + node.textContent.slice(0, 60)); break; }
   }
   const set = body.querySelectorAll(".katex").length;
+  const guide = frame.contentDocument.querySelector("nav.onward");
+  if (guide) cutOff(page, 390, body, "div.wide");
   frame.remove();
+  if (guide) {
+    const [wide, text] = await opened(page, 1280);
+    cutOff(page, 1280, text, "div.wide, .fragment");
+    wide.remove();
+  }
   return set;
 }
 (async () => {

@@ -48,9 +48,9 @@ class Pages:
         self.notes = self.linked(notes, lambda target: target.parent == notes.parent.resolve())
 
     def linked(self, index, wanted):
-        """The pages that a list of contents links to, each once, in order."""
+        """The pages that the entries of a list of contents begin with, in order."""
         found = []
-        for target in re.findall(r"\]\(([\w/.-]+\.md)\)", index.read_text()):
+        for target in re.findall(r"^(?:\d+\.|\*) \[[^\]]+\]\(([\w/.-]+\.md)\)", index.read_text(), re.M):
             path = (index.parent / target).resolve()
             if path in self.ids and wanted(path) and path not in found:
                 found.append(path)
@@ -88,6 +88,8 @@ class Pages:
         """Inline code; a name of the library becomes a link."""
         if re.fullmatch(r"avi(::\w+)+(\(\))?", text):
             return f"<tt>{html.escape(text)}</tt>"
+        if "'" in text and "`" not in text:
+            return f"``{text}``"  # Doxygen takes `text' for a quotation
         return None
 
     def line(self, page, text):
@@ -120,7 +122,7 @@ class Pages:
             elif not fenced and not formula:
                 heading = re.match(r"(#+) (.+?)(\s*\{#.*\})?$", line)
                 line = re.sub(r"\$\$(.+?)\$\$", r"\\f[\1\\f]", line)
-                line = self.line(page, line)
+                line = self.line(page, line.replace("`", "") if heading else line)  # nor code in a heading's entry
                 program = re.fullmatch(r"(#+) \[(.+?)\]\(@ref (.+\.cpp)\)", line)  # Doxygen knows no link in a heading
                 if program:
                     line = f"{program[1]} {program[2]}"

@@ -103,7 +103,7 @@ def _plain(x):
 
 
 def event(g, *, direction=0, count=0, stop=False):
-    """An event for solve(): the zeros of g(q, p) or g(q, t, p), which is traced as H is.
+    """An event for solve(): the zeros of g(q, p) or g(q, t, p), which is traced as H is; never of (t, y), as solve_ivp has it.
 
     direction  1 where g rises as the run goes, -1 where it falls, 0 for both
     count      after so many the event is looked for no more; 0 for all

@@ -29,6 +29,17 @@ class Docs(unittest.TestCase):
         self.assertEqual(lines[3:5], ["-1.0", "1.0"])
         self.assertEqual(lines[5:], ["200 True", "1", "True True"])
 
+    def test_front_pages(self):
+        """README and the front page of the site show the first program of the page."""
+        first = re.search(r"```python\n.*?```", self.text, re.S)[0]
+        for front in (PAGE.parents[2] / "README.md", PAGE.parent / "README.md"):
+            self.assertIn(first, front.read_text(), front)
+
+    def test_mass_of_a_test_particle(self):
+        header = (PAGE.parents[1] / "avi/solve.hpp").read_text()
+        massless = float.fromhex(re.search(r"double massless = (\S+);", header)[1])
+        self.assertEqual(eval(re.search(r"A test particle has the mass `([^`]+)`", self.text)[1]), massless)
+
     def test_files(self):
         for link in re.findall(r"\]\(([^)#]+)\)", self.text):
             self.assertTrue((PAGE.parent / link).exists(), link)

@@ -2,8 +2,10 @@
 
 import ast
 import inspect
+import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 from operator import attrgetter
 from pathlib import Path
@@ -57,6 +59,20 @@ class Package(unittest.TestCase):
 
     def test_import_needs_no_numpy(self):
         subprocess.run([sys.executable, "-c", "import sys, avi; assert 'numpy' not in sys.modules"], check=True)
+
+    def test_another_interpreter_is_told_so(self):
+        with tempfile.TemporaryDirectory() as folder:
+            copy = Path(folder) / "avi"
+            copy.mkdir()
+            for file in Path(avi.__file__).parent.glob("*.py"):
+                shutil.copy(file, copy)
+            (copy / "_avi.cpython-30-x86_64-linux-gnu.so").touch()
+            program = f"import sys; sys.path.insert(0, {folder!r}); import avi"
+            run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+        said = run.stderr.splitlines()[-1]
+        self.assertIn(f"not there for this interpreter, {sys.executable}", said)
+        self.assertIn("there is _avi.cpython-30-x86_64-linux-gnu.so", said)
+        self.assertIn("pip install ./lib/python", said)
 
     def test_first_call_is_quick(self):
         program = """
