@@ -22,7 +22,13 @@ void require_energy(double energy, const OrbitQuestion& question) {
       text << (i == 0 ? name : ", ") << numbers[i];
     text << (n > 6 ? ", ...)" : ")");
   };
-  text << "H is " << (question.timed ? -question.p.back() : energy) << " at the start, where ";
+  const double value = question.timed ? -question.p.back() : energy;
+  text << "H is ";
+  if (std::isnan(value))
+    text << "nan";  // which may have a sign
+  else
+    text << value;
+  text << " at the start, where ";
   point("q = (", question.q), point(", p = (", question.p);
   if (question.timed) text << ", t = " << question.t;
   text << "; an orbit needs an energy that is finite.";
