@@ -30,11 +30,6 @@ const VectorX metric = vector({1.0, 4.0});
 /// Ranges of 2 and 1/2 of positions, 4 and 1 of momenta.
 const Ranges usual = between(state({-1.0, 3.5}, {0.0, 2.0}), state({1.0, 3.0}, {4.0, 1.0}));
 
-TEST(Ranges, AreOfTheSmallestAndTheLargestEntries) {
-  EXPECT_EQ(usual.low, vector({-1.0, 3.0, 0.0, 1.0}));
-  EXPECT_EQ(usual.high, vector({1.0, 3.5, 4.0, 2.0}));
-}
-
 TEST(Distance, IsTheLargestDifferenceByTheRangeOfItsEntry) {
   const Distance distance(metric, 1e-6, 2);
   EXPECT_EQ(distance.scales(usual), vector({2.0, 0.5, 4.0, 1.0}));
