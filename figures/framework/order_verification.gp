@@ -43,6 +43,6 @@ set key inside center center vertical Left reverse maxrows 2 spacing 1.1 samplen
 plot 2 with points pt 6 lc rgb vermilion title 'as printed', 2 with points pt 7 lc rgb blue title 'stationary', 2 with lines ls guide title 'theory'
 eval box(7.6, 0.1, 8.3, 1.2)
 set key maxrows 3 samplen 2 width -3 font ',7'
-plot for [i = 1:5] 2 with linespoints lc rgb look[i] pt mark[i] ps 0.7 title word("'authors, r = 3, Simpson' 'printed, r = 3, Simpson' 'stationary, r = 1, Gauss 2' 'stationary, r = 3, Simpson' 'stationary, r = 3, Gauss 4'", i), \
+plot for [i = 1:5] 2 with linespoints lc rgb look[i] pt mark[i] ps 0.7 title word("'recovered, r = 3, Simpson' 'printed, r = 3, Simpson' 'stationary, r = 1, Gauss 2' 'stationary, r = 3, Simpson' 'stationary, r = 3, Gauss 4'", i), \
   2 with lines ls guide title 'h^4, h^8'
 unset multiplot

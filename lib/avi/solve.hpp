@@ -420,11 +420,11 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 /// frame that turns, \f$p^*_i = -\partial H/\partial p_i(q, 0)/(H_{pp})_{ii}\f$; the mean kinetic energy
 /// \f$\bar T\f$, of H - V, of the beginning; the distances \f$s_k\f$ to the poles of H, functions of q that
 /// it divides by or has the logarithm of, near which it is of the order \f$s_k^{-a_k}\f$: there
-/// \f$w_k s_k^{-1-a_k/2}\f$ is the frequency of what moves, and \f$E = e_0 + \sum_k e_k s_k^{-a_k}\f$ an energy;
-/// and \f$w_i = (H_{pp})_{ii}/\bar a L_i\f$ of its ranges \f$L_i\f$ and a mean of its accelerations: where
-/// forces fall with the square of a distance, this is the time in which two bodies pass each other, whatever
-/// their masses. The explicit method is the Runge-Kutta-Nystrom splitting with 14 stages of Blanes and Moan
-/// (2002); it is taken where tolerances are loose, or degrees of freedom many.
+/// \f$w_k s_k^{-1-a_k/2}\f$ is the frequency of what moves, and \f$E = e_0 + \sum_k e_k s_k^{-a_k}\f$ an
+/// energy; and \f$w_i = (H_{pp})_{ii}/\bar a L_i\f$ of its ranges \f$L_i\f$ and a mean of its accelerations:
+/// where forces fall with the square of a distance, this is the time in which two bodies pass each other,
+/// whatever their masses. The explicit method is the Runge-Kutta-Nystrom splitting with 14 stages of Blanes
+/// and Moan (2002); it is taken where tolerances are loose, or degrees of freedom many.
 ///
 /// Monitor, order and step are those that take the least work in short trials. The same input gives the same
 /// choice; units and masses do not matter. H is called once, with a scalar that records what is done to it.

@@ -54,7 +54,7 @@ int main() {
   };
 
   const auto run = avi::minimise(loss, avi::VectorX::Zero(words), {.relative = 1e-6, .check_gradient = true});
-  if (!run.converged()) {
+  if (!run.ok()) {
     std::printf("%s\n", run.message.c_str());
     return 1;
   }

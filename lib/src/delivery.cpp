@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 namespace avi::detail {
 
@@ -210,6 +211,11 @@ void Delivery::deliver(OrbitAnswer& answer) const {
   answer.events = events_;
   answer.event_states = event_states_;
   answer.curve = track_;
+  if (!by_event_) return;
+  std::ostringstream text;
+  text << (answer.note.empty() ? "" : " ") << "Event " << events_.back()
+       << " ended the run at t = " << state_.t << ".";
+  answer.note += text.str();
 }
 
 }  // namespace avi::detail

@@ -121,7 +121,7 @@ void Orbiter::look_from(const State<dynamic>& z) {
   const Sketch there(field_, from, std::abs(question_.t_end - z.t), metric_, 512,
                      std::abs(z.t - question_.t));
   field_.sense = 1.0;
-  dead_end_ = there.stuck;
+  dead_end_ = there.stuck ? std::abs(z.t - question_.t) + there.time : 0.0;
   for (Candidate& it : menu_) {
     it.failures = 0;
     double longest = it.longest;
@@ -163,7 +163,8 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
   const double least = std::ranges::min_element(menu_, {}, &Candidate::outlook)->outlook;
   Candidate* best = nullptr;
   for (Candidate& each : menu_) {
-    const bool hopeless = each.failures >= (dead_end_ ? 2 : 4) || (dead_end_ && each.outlook > 30.0 * least);
+    const bool hopeless =
+        each.failures >= (dead_end_ > 0.0 ? 2 : 4) || (dead_end_ > 0.0 && each.outlook > 30.0 * least);
     if (!hopeless && !(best && work(each) >= work(*best))) best = &each;
   }
   if (!best || static_cast<double>(budget_.sweeps) * it.price() > patience) {

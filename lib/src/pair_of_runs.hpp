@@ -91,6 +91,7 @@ class Orbiter {
   void note_trial(const Journey& journey, double error);
   OrbitAnswer fail(Outcome outcome, std::string message);
   OrbitAnswer give_up();
+  OrbitAnswer too_far();
   OrbitAnswer finish();
 
   const OrbitQuestion& question_;
@@ -119,7 +120,7 @@ class Orbiter {
   int vain_ = 0;                 // pairs in a row that were not better than the one before
   int round_ = 0;                // pairs of runs so far
   double failed_at_ = -1.0;      // time at which the last run failed
-  bool dead_end_ = false;        // a sketch from there could not go on
+  double dead_end_ = 0.0;        // time at which a sketch could not go on, if it was so
   double furthest_ = 0.0;        // time at which the last of the failed runs failed
   double repeated_ = infinity;   // the earliest at which two in a row did
   double in_the_way_ = 0.0;      // time at which runs fail, whatever the step

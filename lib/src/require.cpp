@@ -1,5 +1,6 @@
 #include "avi/core/require.hpp"
 
+#include <cmath>
 #include <sstream>
 
 namespace avi::detail {
@@ -13,7 +14,10 @@ void Piece::write(std::ostream& out) const {
     out << bits_;
     break;
   case real:
-    out << real_;
+    if (std::isnan(real_))
+      out << "nan";  // which may have a sign
+    else
+      out << real_;
     break;
   case words:
     out << text_;

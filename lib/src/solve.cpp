@@ -49,7 +49,7 @@ void Orbiter::prepare() {
   field_.sense = sense_;
   sketch_.emplace(field_, start, span_, metric);
   const Sketch& sketch = *sketch_;
-  dead_end_ = sketch.stuck;
+  dead_end_ = sketch.stuck ? sketch.time : 0.0;
   const double time = std::max(sketch.time, 1e-300);
   distance_->frequency = sketch.radians / time;
   radians_ = sketch.radians / time * span_;
@@ -257,6 +257,17 @@ OrbitAnswer Orbiter::give_up() {
   return fail(Outcome::not_converged, text.str());
 }
 
+/// The end is so far that the rounding of its time is more than a radian.
+OrbitAnswer Orbiter::too_far() {
+  std::ostringstream text;
+  text.precision(6);
+  text << "The end, t = " << question_.t_end << ", is some " << radians_
+       << " radians of the fastest motion away: the rounding of such a time alone hides where in its motion "
+          "the "
+          "system is.";
+  return fail(Outcome::stalled, text.str());
+}
+
 OrbitAnswer Orbiter::solve() {
   answer_.tolerance = question_.tolerance;
   answer_.q = question_.q, answer_.p = question_.p, answer_.t = question_.t;
@@ -267,6 +278,7 @@ OrbitAnswer Orbiter::solve() {
   std::ranges::fill(answer_.q, std::numeric_limits<double>::quiet_NaN());
   std::ranges::fill(answer_.p, std::numeric_limits<double>::quiet_NaN());
   prepare();
+  if (radians_ > 0.5 / std::numeric_limits<double>::epsilon()) return too_far();
   set_marks();
   answer_.choice.time = since_start(0);
   for (Setting setting = first_setting(); pursue(setting);) {
@@ -276,11 +288,14 @@ OrbitAnswer Orbiter::solve() {
 }
 
 OrbitAnswer Orbiter::finish() {
+  // Where a bound is met what was reached is the end: by the run that has come further.
+  if (bound_ != Outcome::ok && coarse_ && sense_ * (coarse_->state.t - fine_->state.t) > 0.0)
+    std::swap(coarse_, fine_);
   const Journey& fine = *fine_;
   const Candidate& it = *fine.candidate;
   answer_.choice.sweeps = budget_.sweeps - fine.run.evaluations;
   if (coarse_) {
-    if (coarse_->ok()) note_trial(*coarse_, infinity);
+    if (coarse_->ok() && coarse_->run.steps > 0) note_trial(*coarse_, infinity);
     if (compared_ == marks_.size()) answer_.choice.check = coarse_->run.evaluations;
     answer_.choice.sweeps -= answer_.choice.check;
   }
@@ -308,9 +323,16 @@ OrbitAnswer Orbiter::finish() {
     if (in_the_way_ > 0.0) {
       (void)give_up();
     } else if (answer_.run.outcome == Outcome::stopped) {
-      answer_.run.message =
-          "The run was given up: it takes over a hundred times the steps that its beginning "
-          "suggests; the orbit may come near a singularity of H.";
+      std::ostringstream text;
+      text.precision(6);
+      if (dead_end_ > 0.0)
+        text << "The run was given up: from t = " << question_.t + sense_ * dead_end_
+             << " on no step is short enough; the orbit meets a singularity of H there, or leaves where H is "
+                "a number.";
+      else
+        text << "The run was given up: it takes over a hundred times the steps that its beginning suggests; "
+                "the orbit may come near a singularity of H.";
+      answer_.run.message = text.str();
       answer_.run.outcome = Outcome::step_limit;
     } else {
       answer_.run.message = describe_end(answer_.run.outcome, fine.state, fine.run.steps, 0.0, "");
@@ -323,6 +345,8 @@ OrbitAnswer Orbiter::finish() {
     answer_.note +=
         "Two runs stay apart, however short their steps: the state at the end depends on more digits "
         "than there are. ";
+  if (question_.made && !answer_.kept())
+    answer_.note += "Monitor, order and step were chosen for another start; solve() chooses for this one. ";
   if (!answer_.note.empty()) answer_.note.pop_back();  // the blank behind the last sentence
   std::copy(fine.state.q.begin(), fine.state.q.end(), answer_.q.begin());
   std::copy(fine.state.p.begin(), fine.state.p.end(), answer_.p.begin());

@@ -27,7 +27,7 @@ template <class H, int n>
 double gradient_defect(const H& h, const State<n>& z, const Vector<double, n>& d_dq,
                        const Vector<double, n>& d_dp) {
   double worst = 0.0;
-  const auto along = [&](Vector<double, n> State<n>::*part, Eigen::Index i) {
+  const auto along = [&](auto State<n>::*part, Eigen::Index i) {
     const double d = 1e-3 * ((z.*part).cwiseAbs().maxCoeff());
     const auto at = [&](double shift) {
       State<n> moved = z;

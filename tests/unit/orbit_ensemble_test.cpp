@@ -70,6 +70,17 @@ TEST(OrbitEnsemble, GoesOnWhereAMemberThrowsOrIsCancelled) {
     EXPECT_EQ(cancelled[i].solution.run.outcome, avi::Outcome::stopped);
 }
 
+// A pendulum near its top, by what was chosen for small swings.
+TEST(OrbitEnsemble, SaysThatTheChoiceWasMadeForAnotherStart) {
+  const auto pendulum = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - cos(q[0]); };
+  const avi::Solver solver(pendulum, State<1>{.q = {0.0}, .p = {0.01}}, 40.0, 1e-10);
+  const auto like = solver.run({.q = {0.0}, .p = {0.011}}, 40.0);
+  EXPECT_TRUE(like.kept()) << like.report();
+  const auto other = solver.run({.q = {0.0}, .p = {1.9999}}, 40.0);
+  EXPECT_FALSE(other.kept()) << other.report();
+  EXPECT_NE(other.report().find("chosen for another start"), std::string::npos) << other.report();
+}
+
 TEST(OrbitEnsemble, RefusesOtherStarts) {
   const State<avi::dynamic> start{.q = avi::VectorX::Constant(1, 1.0), .p = avi::VectorX::Constant(1, 0.0)};
   const avi::Solver solver(spring(), start, 10.0, 1e-8);

@@ -90,6 +90,7 @@ TEST(SolveEvents, StopARunAndCostWhatItTakesToTheEvent) {
     EXPECT_NEAR(orbit.state.t, 2.5 * period, 1e-8);
     EXPECT_NEAR(orbit.state.q[0], -1.9, 1e-9);
     EXPECT_EQ(orbit.events.size(), 3u);
+    EXPECT_EQ(orbit.note, "Event 0 ended the run at t = 15.708.");
     EXPECT_LT(orbit.run.evaluations + orbit.choice.sweeps, 20 * 300);
   }
 }

@@ -113,6 +113,20 @@ TEST(SolveOptions, BoundStepsAndKeepWhatWasReached) {
   EXPECT_EQ(swept.run.outcome, avi::Outcome::step_limit);
   EXPECT_EQ(swept.states.size(), 2u);
   EXPECT_LE(swept.run.evaluations + swept.choice.sweeps, 100200);
+  // While monitor and step are being chosen, too.
+  const auto early = solve(Kepler(), z, 100.0, 1e-8, {.steps = 20});
+  EXPECT_EQ(early.run.outcome, avi::Outcome::step_limit);
+  EXPECT_EQ(early.run.steps, 20);
+  EXPECT_GT(early.state.t, 5.0);
+  EXPECT_TRUE(early.state.finite());
+}
+
+TEST(SolveOptions, DoNotHelpWhereTheEndIsBeyondTheDigitsOfTime) {
+  const auto orbit = solve(Kepler(), Kepler::pericentre(0.6), 1e30, 1e-8);
+  EXPECT_EQ(orbit.run.outcome, avi::Outcome::stalled);
+  EXPECT_NE(orbit.run.message.find("The end, t = 1e+30, is some"), std::string::npos) << orbit.run.message;
+  EXPECT_FALSE(orbit.state.finite());
+  EXPECT_LT(orbit.choice.sweeps, 100);
 }
 
 // Whichever of two runs meets a bound, the outcome is that of the bound and the message is about it.

@@ -59,6 +59,30 @@ TEST(State, TakesBracesInEveryDimension) {
   EXPECT_EQ(sizeof(avi::State<1>), 3 * sizeof(double));
   const avi::State<4> four{.q = {1.0, 2.0, 3.0, 4.0}, .p = {5.0, 6.0, 7.0, 8.0}};
   EXPECT_EQ(four.q[3], 4.0);
+  // Of a vector of run-time size two whole numbers were its rows and columns.
+  const avi::State<avi::dynamic> whole{.q = {2, 1}, .p = {0, 3}};
+  ASSERT_EQ(whole.q.size(), 2);
+  EXPECT_EQ(whole.q[0], 2.0);
+  EXPECT_EQ(whole.q[1], 1.0);
+  EXPECT_EQ(whole.p[1], 3.0);
+  avi::State<avi::dynamic> later;
+  EXPECT_EQ(later.q.size(), 0);
+  later.q = {4, 5, 6};
+  EXPECT_EQ(later.q[2], 6.0);
+}
+
+TEST(State, CountsTheNumbersInBraces) {
+  EXPECT_EQ(refusal([] {
+              (void)avi::State<3>{.q = {3, 1}};
+            }),
+            "Number of entries of q or p is 2; it must be 3, the dimension of the State.");
+  EXPECT_EQ(refusal([] { (void)avi::State<2>{.q = {3}}; }),
+            "Number of entries of q or p is 1; it must be 2, the dimension of the State.");
+  avi::State<2> z;
+  EXPECT_EQ(refusal([&] {
+              z.p = {1.0, 2.0, 3.0};
+            }),
+            "Number of entries of q or p is 3; it must be 2, the dimension of the State.");
 }
 
 TEST(State, IsRefusedWhereAPartWasForgotten) {

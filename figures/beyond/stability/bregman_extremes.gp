@@ -1,7 +1,7 @@
 # Where Bregman dynamics break. Left: the time at which each form of the HTVI leaves double precision, against what its
 # formula says (lines). Right: the largest stable step over linear theory, sqrt(C lambda) P h t^(p/2-s) < 2 for HTVI (Runge-
 # Kutta 4 is higher: below its limit it damps).
-width = 16; height = 5.2
+width = 16; height = 4.8
 load 'figures/style.gp'
 ends = data.'/bregman_extremes_overflow.tsv'
 limits = data.'/bregman_extremes_limits.tsv'
@@ -13,7 +13,7 @@ set key font ',7' samplen 2 spacing 1.05 noopaque
 direct(y) = column('p') == column('p_ring') ? y : NaN
 form(f, y) = strcol('form') eq f ? y : NaN
 forms = 'printed momentum heavy_ball'
-array form_title[3] = ['as printed, t^{2p-1}', 'momentum, t^p', 'heavy ball, log t']
+array form_title[3] = ['as printed, h t^{2p−1}', 'momentum, t^p', 'heavy ball, h^2 t^{p−2}']
 array look[3] = [vermilion, blue, black]
 array mark[3] = [5, 7, 6]
 array size[3] = [0.8, 0.6, 1.3]

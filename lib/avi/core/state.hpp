@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 
 /// @file
 /// The point in phase space that every integrator moves.
@@ -15,29 +15,30 @@
 namespace avi {
 
 namespace detail {
-/// The one entry of q or p in one dimension: a Vector<double, 1> that can be written as {0.5}, as those of
-/// more entries can.
-struct SingleEntry : Vector<double, 1> {
-  SingleEntry() = default;
-  SingleEntry(double entry) : Vector<double, 1>(entry) {}  // NOLINT: implicit, for {.q = {0.5}}
+/// The type of q and p: a Vector<double, n> that is written as its numbers in braces, whole ones among them.
+/// Entries that are not given are NaN, so that one that was forgotten is refused.
+template <int n>
+struct Entries : Vector<double, n> {
+  Entries() {
+    if constexpr (n != dynamic) this->setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+  /// @throws std::invalid_argument unless there are n numbers.
+  Entries(std::initializer_list<double> numbers) {
+    const auto count = static_cast<Eigen::Index>(numbers.size());
+    if constexpr (n == dynamic)
+      this->resize(count);
+    else
+      require(count == n, "Number of entries of q or p", count, "", n, ", the dimension of the State");
+    std::copy(numbers.begin(), numbers.end(), this->data());
+  }
+  Entries(double number) requires(n == 1) : Entries({number}) {}  // NOLINT: implicit, for {.q = 0.5}
   template <class Derived>
-  SingleEntry(const Eigen::MatrixBase<Derived>& other)
-      : Vector<double, 1>(other) {}  // NOLINT: as Eigen's own
-  using Vector<double, 1>::operator=;
+  Entries(const Eigen::MatrixBase<Derived>& other)
+      : Vector<double, n>(other) {}  // NOLINT: implicit, as Eigen's own
+  using Vector<double, n>::operator=;
+  /// @throws std::invalid_argument unless there are n numbers.
+  Entries& operator=(std::initializer_list<double> numbers) { return *this = Entries(numbers); }
 };
-
-/// The type of q and p.
-template <int n>
-using Entries = std::conditional_t<n == 1, SingleEntry, Vector<double, n>>;
-
-/// The value of q and p as long as they are not given: NaN, so that one that was forgotten is refused.
-template <int n>
-Entries<n> not_given() {
-  if constexpr (n == dynamic)
-    return {};
-  else
-    return Vector<double, n>::Constant(std::numeric_limits<double>::quiet_NaN());
-}
 }  // namespace detail
 
 /// Position q, momentum p (n entries each) and physical time t. The library uses the sign convention
@@ -45,10 +46,10 @@ Entries<n> not_given() {
 /// Entries that are not given are NaN, which poincare() and a run refuse.
 template <int n>
 struct State {
-  static constexpr int dimension = n;             ///< n, or avi::dynamic.
-  detail::Entries<n> q = detail::not_given<n>();  ///< Position, a Vector<double, n>.
-  detail::Entries<n> p = detail::not_given<n>();  ///< Momentum, conjugate to q.
-  double t = 0.0;                                 ///< Physical time.
+  static constexpr int dimension = n;  ///< n, or avi::dynamic.
+  detail::Entries<n> q = {};           ///< Position, a Vector<double, n>.
+  detail::Entries<n> p = {};           ///< Momentum, conjugate to q.
+  double t = 0.0;                      ///< Physical time.
 
   /// True when every entry of q, p and t is finite.
   [[nodiscard]] bool finite() const {

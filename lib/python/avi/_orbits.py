@@ -1,6 +1,8 @@
 """solve(): an orbit from H, a start, times and a tolerance; ensemble() and Solver: many of them."""
 
 import copy
+import itertools
+import numbers
 import os
 import sys
 import threading
@@ -256,9 +258,15 @@ def _side_by_side(question, q, p, progress, threads):
         if cancelled.is_set():
             raise StopIteration
 
+    def answer(number, *start):
+        try:
+            return question.answer(*start, unless_cancelled)
+        except ValueError as error:
+            raise ValueError(f"Start number {number}: {error}") from None
+
     bar = _Bar() if progress is True else progress or None
     with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
-        runs = [pool.submit(question.answer, *start, unless_cancelled) for start in zip(q, p)]
+        runs = [pool.submit(answer, *start) for start in zip(itertools.count(), q, p)]
         try:
             for done, run in enumerate(as_completed(runs) if bar else (), 1):
                 bar((done / len(runs), done))
@@ -280,7 +288,9 @@ class _Question:
     made = None
 
     def __init__(self, H, shape, t, tol, events, parameters, options):
-        self.shape, self.tol = shape, tol
+        if not isinstance(tol, numbers.Real):
+            raise TypeError(f"tol is {tol!r}; it must be a number.")
+        self.shape, self.tol = shape, float(tol)
         if callable(options.get("monitor")):
             options = {**options, "monitor": hamiltonian(options["monitor"], shape, name="The monitor")}
         self.options = _options(_avi.SolveOptions(), options, _OPTIONS, "solve")

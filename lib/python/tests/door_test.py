@@ -268,8 +268,10 @@ class Ensembles(unittest.TestCase):
     def test_bad_input(self):
         with self.assertRaises(ValueError):
             avi.ensemble(spring, np.ones((7, 1)), np.zeros((6, 1)), 1.0, 1e-6)
-        with self.assertRaisesRegex(ValueError, "finite"):
+        with self.assertRaisesRegex(ValueError, "Start number 1: At the start .* is nan.*finite"):
             avi.ensemble(spring, [[1.0], [np.nan]], np.zeros((2, 1)), 1.0, 1e-6)
+        with self.assertRaisesRegex(TypeError, "tol is '1e-6'; it must be a number."):
+            avi.solve(spring, [1.0], [0.0], 1.0, "1e-6")
 
     def test_ctrl_c(self):
         threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
@@ -278,7 +280,7 @@ class Ensembles(unittest.TestCase):
         self.assertLess(time.monotonic() - begun, 5.0)
         self.assertEqual(len(orbits), 50)
         self.assertFalse(orbits[-1].success)
-        self.assertEqual(orbits[-1].nsteps, 0)
+        self.assertLessEqual(orbits[-1].nsteps, 1)
 
 
 class Solvers(unittest.TestCase):

@@ -22,13 +22,13 @@ TEST(AutomaticMonitors, AreNearTheBestMadeByHand) {
     // Measured: at most 1.07 times the least work by hand and 1.5 times the fewest steps; choosing of 0.05 to
     // 0.38 of the sweeps of some hundred periods.
     EXPECT_LT(table.number(i, "choosing_share"), 0.6) << which;
-    // Nothing in the menu is made for Lennard-Jones, where a power of r takes a third of the work of fixed
-    // steps: these are chosen. At order 4 the comparison ends before it has found their error.
-    if (table.text(i, "problem") == "lennard_jones") {
-      EXPECT_EQ(table.text(i, "choice"), "fixed") << which;
-      continue;
+    // The poles of Lennard-Jones' potential cost 1.6 times what a power of r does, and fixed steps three
+    // times.
+    const bool by_poles = table.text(i, "problem") == "lennard_jones";
+    if (by_poles) {
+      EXPECT_EQ(table.text(i, "choice"), "poles") << which;
     }
-    EXPECT_LT(table.number(i, "chosen_work_ratio"), 1.5) << which;
+    EXPECT_LT(table.number(i, "chosen_work_ratio"), by_poles ? 2.0 : 1.5) << which;
     EXPECT_LT(table.number(i, "chosen_ratio"), 2.5) << which;
     EXPECT_LT(table.number(i, "chosen_work_ratio"), 1.1 * table.number(i, "none_work_ratio")) << which;
   }
