@@ -6,12 +6,12 @@
 #include <thread>
 #include <vector>
 
+namespace budget_test {
+
 using avi::Outcome;
 using avi::SolvePhase;
 using avi::SolveProgress;
 using avi::detail::Budget;
-
-namespace budget_test {
 
 TEST(Budget, EndsWhereAllSweepsOrStepsAreSpent) {
   const avi::SolveOptions options{.sweeps = 100, .steps = 10};

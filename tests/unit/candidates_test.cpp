@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
+namespace candidates_test {
+
 using avi::VectorX;
 using avi::detail::Candidate;
 using avi::detail::infinity;
-
-namespace candidates_test {
 
 /// The menu for an orbit, and what it was made of.
 struct Menu {

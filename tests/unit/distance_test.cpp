@@ -5,12 +5,12 @@
 #include <cmath>
 #include <initializer_list>
 
+namespace distance_test {
+
 using avi::VectorX;
 using avi::detail::Distance;
 using avi::detail::Ranges;
 using State = avi::State<avi::dynamic>;
-
-namespace distance_test {
 
 VectorX vector(std::initializer_list<double> entries) {
   VectorX x(static_cast<Eigen::Index>(entries.size()));

@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <vector>
 
+namespace expression_graph_test {
+
 using avi::ExpressionGraph;
 using avi::Operation;
-
-namespace expression_graph_test {
 
 /// The value of a node at (x, y) = (3, 0.7).
 double value(const ExpressionGraph& graph, int node) {

@@ -8,6 +8,8 @@
 #include <memory>
 #include <string>
 
+namespace journey_test {
+
 using avi::Outcome;
 using avi::VectorX;
 using avi::detail::Budget;
@@ -17,8 +19,6 @@ using avi::detail::PointField;
 using avi::detail::Ranges;
 using avi::detail::Trip;
 using State = avi::State<avi::dynamic>;
-
-namespace journey_test {
 
 VectorX vector(std::initializer_list<double> entries) {
   VectorX x(static_cast<Eigen::Index>(entries.size()));

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <memory>
 
+namespace sharp_test {
+
 using avi::VectorX;
 using avi::detail::SharpFeatures;
 using State = avi::State<avi::dynamic>;
-
-namespace sharp_test {
 
 /// A step of size 1 from q to q + 1, nearly.
 template <class H>

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <initializer_list>
 
+namespace sketch_test {
+
 using avi::VectorX;
 using avi::detail::PointField;
 using avi::detail::Sketch;
-
-namespace sketch_test {
 
 /// The field of H(q, p) of n degrees of freedom.
 template <class H>

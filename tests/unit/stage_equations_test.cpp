@@ -6,9 +6,9 @@
 #include <cmath>
 #include <memory>
 
-using avi::GaussRule;
-
 namespace stage_equations_test {
+
+using avi::GaussRule;
 
 /// Starting values from the polynomial of a step of size 1 whose velocity is tau^k at tau in [0, 1], which a
 /// rule of more than k stages has exactly, against its integral. @return the largest difference
