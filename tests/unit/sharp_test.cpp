@@ -47,6 +47,7 @@ TEST(SharpFeatures, AreJumpedOverBetweenStages) {
     EXPECT_TRUE(jumped(bell(1e-5), q)) << q;
     EXPECT_TRUE(jumped(wall(1e-3), q)) << q;
   }
+  EXPECT_TRUE(jumped(wall(1e-3), 0.5)) << "in the middle of the step, where the argument is 0";
   double far = 0.0;
   EXPECT_TRUE(jumped(bell(1e-3), 0.4, &far));
   EXPECT_NEAR(far, 1.4, 1e-6) << "the step has not seen it";
