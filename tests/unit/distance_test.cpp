@@ -72,10 +72,10 @@ TEST(Distance, CountsWhatIsAtRestByItsPlace) {
 TEST(Distance, TakesTheRangeOfRoundingForNone) {
   // Near the origin, where its place says nothing, an entry moves by 1e-18.
   const Ranges ranges = between(state({-1.0, 0.0}, {0.0, 0.0}), state({1.0, 1e-18}, {4.0, 1e-18}));
-  Distance distance(metric, 1e-6, 2);
-  EXPECT_DOUBLE_EQ(distance.scales(ranges)[1], 1e-14 * 2.0 * 2.0)
+  Distance distance(vector({4.0, 16.0}), 1e-6, 2);
+  EXPECT_DOUBLE_EQ(distance.scales(ranges)[1], 1e-14 * (2.0 / 2.0) * 4.0)
       << "of the largest motion, masses taken out";
-  EXPECT_DOUBLE_EQ(distance.scales(ranges)[3], 1e-14 * 4.0 / 2.0);
+  EXPECT_DOUBLE_EQ(distance.scales(ranges)[3], 1e-14 * (4.0 * 2.0) / 4.0);
   // Where rounding is known to be less, that is a motion; where more, the largest motion is its scale.
   distance.noise = vector({0.0, 1e-19, 0.0, 1e-19});
   EXPECT_DOUBLE_EQ(distance.scales(ranges)[1], 1e-18);

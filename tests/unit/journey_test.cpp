@@ -157,4 +157,17 @@ TEST(Journey, EndsAtItsBounds) {
   EXPECT_EQ(short_one.state.t, 5.5);
 }
 
+TEST(Journey, IsStalledWhereTimeDoesNotGoOn) {
+  Spring spring;
+  PointField field = spring.field();
+  spring.lively = avi::Recorded(1e-30).node_in(*spring.graph);
+  Candidate candidate = spring.given();
+  Trip trip = spring.trip(1.0);
+  Journey journey(trip, field, candidate, 8, 0.5, {});
+  journey.advance(3.0, true);
+  EXPECT_EQ(journey.run.outcome, Outcome::stalled);
+  EXPECT_EQ(journey.run.steps, 0);
+  EXPECT_EQ(journey.state, spring.start);
+}
+
 }  // namespace journey_test
