@@ -95,6 +95,9 @@ TEST(Solve, OfNoTimeIsTheStart) {
   EXPECT_TRUE(orbit.kept());
   EXPECT_EQ(orbit.state.q, Kepler::pericentre(0.5).q);
   EXPECT_EQ(orbit.run.steps, 0);
+  EXPECT_EQ(orbit.choice.sweeps, 0);
+  EXPECT_EQ(orbit.choice.check, 0);
+  EXPECT_EQ(orbit.run.evaluations, 0);
 }
 
 TEST(Solve, StaysAtAnEquilibrium) {
