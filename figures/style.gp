@@ -85,7 +85,7 @@ set style line 31 lc rgb blue      dt 1          lw 1.8 pt 7   # htvi
 set style line 32 lc rgb blue      dt 1          lw 1.8 pt 7   # htvi4
 set style line 33 lc rgb vermilion dt (9,3)      lw 1.8 pt 5   # stormer_verlet
 set style line 34 lc rgb black     dt 1          lw 1.8 pt 2   # symplectic_euler_b
-set style line 35 lc rgb green     dt (14,4)     lw 1.8 pt 9   # log_hamiltonian
+set style line 35 lc rgb green     dt (14,4)     lw 1.8 pt 10  # log_hamiltonian
 set style line 36 lc rgb orange    dt (9,3)      lw 1.8 pt 5   # splitting
 set style line 37 lc rgb sky       dt (3,3)      lw 1.8 pt 8   # clone_strang
 set style line 38 lc rgb green     dt (9,3,2,3)  lw 1.8 pt 9   # clone_y4

@@ -3,6 +3,7 @@
 
 #include "avi/integrators/runge_kutta.hpp"
 #include "common/problems/correlated_quartic.hpp"
+#include "common/rules/bregman_cloning.hpp"
 
 #include <gsl/gsl_eigen.h>
 
@@ -10,7 +11,9 @@
 #include <cmath>
 
 // Variants that the paper mentions without numbers: the limit equation of Nesterov's method, Type III of
-// order zero (a proximal step), Tao's binding of the two copies, and a mirror map on the simplex.
+// order zero (a proximal step), Tao's binding of the two copies, and a mirror map on the simplex. Beside them
+// what they are to be compared with: proximal points without momentum, and the copy of Strang's cloning that
+// is not read.
 
 namespace {
 
@@ -66,21 +69,25 @@ class DiagonalQuartic {
 
 /// A run of iterates, followed until the stopping test has held for good, f is no number, or a cap is
 /// reached.
-template <class Step>
-Sustained followed(const DiagonalQuartic& f, VectorX q, long cap, Step step) {
-  Sustained seen;
+struct Followed : Sustained {
+  bool diverged = false;
+};
+template <class F, class Step>
+Followed followed(const F& f, VectorX q, long cap, Step step) {
+  Followed seen;
   avi::Iterate at;
   for (long k = 1; k <= cap; ++k) {
     step(q);
     at.value = f(q, at.gradient);
-    if (!std::isfinite(at.value) || at.value > 1e30) break;
+    seen.diverged = !std::isfinite(at.value) || at.value > 1e30;
+    if (seen.diverged) break;
     if (!seen(at, k, k)) break;
   }
   return seen;
 }
 
 /// Adaptive (4, 1) at the published start, by Type II or Type III.
-Sustained proximal(const DiagonalQuartic& f, bool third, double h, long cap) {
+Followed proximal(const DiagonalQuartic& f, bool third, double h, long cap) {
   constexpr double p = 4.0, s = 0.25, big_p = 16.0, c = 0.0625;
   VectorX r = f.turned(1.0), gradient;
   double t = 1.0;
@@ -95,9 +102,43 @@ Sustained proximal(const DiagonalQuartic& f, bool third, double h, long cap) {
   });
 }
 
+/// Proximal points x <- prox of lambda f, lambda that of `proximal` at the same iteration: Type III without
+/// its momentum.
+Followed proximal_points(const DiagonalQuartic& f, double h, long cap) {
+  constexpr double p = 4.0, s = 0.25, big_p = 16.0, c = 0.0625;
+  double t = 1.0;
+  return followed(f, f.turned(4.0), cap, [&](VectorX& q) {
+    const double eta = big_p * h * std::pow(t, -s);
+    q = f.prox(eta * eta * c * std::pow(t, p), q);
+    t += h / s * std::pow(t, 1.0 - s);
+  });
+}
+
+/// The other copy of Strang's cloning at the published start: the flow of H-bar_2 kicks it, that of H-bar_1
+/// moves it, so its step is kick, drift, kick, and the gradient at its end serves the stopping test and the
+/// next step.
+Followed kicked_first(const BregmanFamily& family, double h, long cap) {
+  const experiment::CorrelatedQuartic f;
+  VectorX r = VectorX::Constant(50, 1.0), gradient(50);
+  double t = 1.0, t_read = 1.0;  // its clock, and that of the copy that the source reads
+  const VectorX start = VectorX::Constant(50, 5.0);
+  f(start, gradient);
+  return followed(f, start, cap, [&](VectorX& q) {
+    const auto kick = [&] {
+      r -= (0.5 * h * family.potential(t)) * gradient;
+      t_read += 0.5 * h * family.monitor(t);
+    };
+    kick();
+    q += (h * family.kinetic(t_read)) * r;
+    t += h * family.monitor(t_read);
+    f(q, gradient);
+    kick();
+  });
+}
+
 /// Direct p = 4 by two copies that omega binds (Strang); gradient of the read copy is the stopping test's,
 /// too.
-Sustained bound(const DiagonalQuartic& f, double omega, double h, long cap) {
+Followed bound(const DiagonalQuartic& f, double omega, double h, long cap) {
   constexpr double p = 4.0, c = 0.0625;
   VectorX x = f.turned(4.0), r = f.turned(1.0), y = r, g;  // (q, r) and (x, y)
   double t = 1.0;
@@ -185,30 +226,42 @@ double mirror(double h) {
 
 int main(int argc, char** argv) {
   return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
-    Table table = frame.table(
-        {"variant", "parameter", "setting", "first_passage", "sustained", "gradients_per_step", "value"});
+    Table table = frame.table({"variant", "parameter", "setting", "first_passage", "sustained",
+                               "gradients_per_step", "value", "end"});
     table.note("type_2, type_3",
                "Adaptive (4, 1), h in units of the published 2.4e-4; a proximal step counts as one gradient");
-    table.note("binding", "Direct p = 4, h = 9.7e-4, two copies bound by omega");
+    table.note("proximal_points", "Type III's proximal steps without its momentum");
+    table.note("kick_first",
+               "Strang's cloning with p = 4, p_ring = 1, read from the copy that is kicked first");
+    table.note("binding",
+               "Direct p = 4, h = 9.7e-4, two copies bound by omega; t of both frozen at mid-step");
     table.note("nag_limit", "largest distance to the limit equation up to t = 4");
     table.note("mirror", "largest ratio of f - f* to its bound on the simplex, entropy");
     const DiagonalQuartic f;
-    const auto row = [&](const char* variant, const char* parameter, double setting, const Sustained& s,
+    const auto row = [&](const char* variant, const char* parameter, double setting, const Followed& s,
                          double gradients_per_step) {
       table.row(variant, parameter, setting, s.first > 0 ? s.first : unknown,
-                s.confirmed ? s.sustained() : unknown, gradients_per_step, unknown);
+                s.confirmed ? s.sustained() : unknown, gradients_per_step, unknown,
+                s.diverged    ? "diverges"
+                : s.confirmed ? "converges"
+                              : "at the cap");
     };
-    const long cap = frame.quick ? 40'000 : 400'000;
+    const long cap = frame.quick ? 160'000 : 1'600'000;
+    table.note("cap", cap);
     for (double factor : {1.0, 10.0, 100.0, 1000.0}) {
       row("type_2", "h", factor, proximal(f, false, factor * 2.4e-4, cap), 1.0);
       row("type_3", "h", factor, proximal(f, true, factor * 2.4e-4, cap), 1.0);
     }
+    for (double factor : {1.0, 10.0, 100.0, 1000.0})
+      row("proximal_points", "h", factor, proximal_points(f, factor * 2.4e-4, cap), 1.0);
+    row("kick_first", "direct", 9.7e-4, kicked_first(BregmanFamily::direct(4.0), 9.7e-4, cap), 1.0);
+    row("kick_first", "adaptive", 2.4e-4, kicked_first(BregmanFamily::adaptive(4.0, 1.0), 2.4e-4, cap), 1.0);
     for (double omega : {0.0, 1e-4, 1e-2, 1.0, 100.0})
-      row("binding", "omega", omega, bound(f, omega, 9.7e-4, 4 * cap), omega == 0.0 ? 1.0 : 3.0);
+      row("binding", "omega", omega, bound(f, omega, 9.7e-4, cap), omega == 0.0 ? 1.0 : 3.0);
     for (double h : {1e-2, 2.5e-3, 6.25e-4, 1.5625e-4})
-      table.row("nag_limit", "h", h, unknown, unknown, unknown, distance_to_limit(h));
+      table.row("nag_limit", "h", h, unknown, unknown, unknown, distance_to_limit(h), "nan");
     for (double h : {0.1, 0.01, 0.001})
-      table.row("mirror", "h", h, unknown, unknown, unknown, mirror(h));
+      table.row("mirror", "h", h, unknown, unknown, unknown, mirror(h), "nan");
     frame.write(table);
   });
 }

@@ -28,8 +28,9 @@ int main(int argc, char** argv) {
                   run.row.h, made.steps, made.energy_error, made.global_error);
         }
     };
-    for (const char* construction : {"authors", "printed"})
-      sweep([&](const KeplerTable& table) { return htvi4_runs(construction, table, horizon); });
+    for (const char* rule : {"simpson", "gauss4"})
+      for (const char* construction : {"authors", "printed"})
+        sweep([&](const KeplerTable& table) { return htvi4_runs(construction, table, horizon, rule); });
     sweep([&](const KeplerTable& table) { return stationary_runs(table, horizon); });
     frame.write(out);
   });

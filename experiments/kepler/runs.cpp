@@ -43,10 +43,12 @@ std::vector<KeplerRun> runs_of(const HtviName& name, const avi::Quadrature& quad
 
 }  // namespace
 
-std::vector<KeplerRun> htvi4_runs(const std::string& construction, const KeplerTable& table, double horizon) {
-  const HtviName name{"htvi4", construction, 3, "simpson"};
-  if (construction == "authors") return runs_of<3, experiment::Authors>(name, avi::simpson(), table, horizon);
-  if (construction == "printed") return runs_of<3, experiment::Printed>(name, avi::simpson(), table, horizon);
+std::vector<KeplerRun> htvi4_runs(const std::string& construction, const KeplerTable& table, double horizon,
+                                  const std::string& rule) {
+  const HtviName name{"htvi4", construction, 3, rule};
+  const auto nodes = rule == "gauss4" ? avi::gauss(4) : avi::simpson();
+  if (construction == "authors") return runs_of<3, experiment::Authors>(name, nodes, table, horizon);
+  if (construction == "printed") return runs_of<3, experiment::Printed>(name, nodes, table, horizon);
   throw std::invalid_argument("Construction '" + construction + "' is neither authors nor printed.");
 }
 

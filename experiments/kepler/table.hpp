@@ -64,9 +64,11 @@ struct KeplerRun {
 KeplerTable table1();
 KeplerTable table2();
 
-/// The runs of the source's HTVI4, r = 3 with Simpson's rule, by the construction `authors` or `printed`.
-/// @throws std::invalid_argument for another one.
-std::vector<KeplerRun> htvi4_runs(const std::string& construction, const KeplerTable& table, double horizon);
+/// The runs of the source's HTVI4, r = 3 with Simpson's rule, by the construction `authors` or `printed`;
+/// with the rule `gauss4`, four Gauss nodes, the control that tells the rule from the velocity.
+/// @throws std::invalid_argument for another construction.
+std::vector<KeplerRun> htvi4_runs(const std::string& construction, const KeplerTable& table, double horizon,
+                                  const std::string& rule = "simpson");
 
 /// The stationary construction at the same settings: r = 3 with four Gauss nodes, which is the default and
 /// has order 8; with Simpson's rule, order 4; and r = 1 with two Gauss nodes, order 4.

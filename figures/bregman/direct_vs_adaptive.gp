@@ -24,10 +24,10 @@ do for [m in 'htvi clone_y4'] {
       with filledcurves fc rgb tint(a) fs transparent solid 0.15 noborder, \
     for [a in 'direct adaptive'] for [p in '4 10'] curves using (is(m, a, also('p', p, column('iteration')))):'envelope' \
       with lines ls approach(a) dt dash(p) lw 1.5, \
-    for [a in 'direct adaptive'] table using (is(m, a, column('iterations'))):(1e-15) with points ls approach(a) ps 1
+    for [a in 'direct adaptive'] for [p in '4 10'] table using (is(m, a, also('p', p, column('iterations')))):(1e-15) with points ls approach(a) pt (a eq 'adaptive' ? 7 : 5) - (p eq '10' ? 1 : 0) ps 1
 }
 eval legend(0.9)
 set key maxrows 2 samplen 2 width -3
-plot 2 notitle, for [a in 'direct adaptive'] for [p in '4 10'] keyentry with lines ls approach(a) dt dash(p) lw 1.5 \
+plot 2 notitle, for [a in 'direct adaptive'] for [p in '4 10'] keyentry with linespoints ls approach(a) dt dash(p) lw 1.5 pt (a eq 'adaptive' ? 7 : 5) - (p eq '10' ? 1 : 0) ps 1 \
   title label(a).', p = '.p.(a eq 'adaptive' ? ', p̊ = 0.5' : '')
 unset multiplot

@@ -7,7 +7,7 @@ eval logx
 eval logy
 set xlabel 'orbits'
 set ylabel 'largest energy error so far' offset -0.3, 0
-set yrange [1e-9:10]
+set yrange [1e-8:10]
 set key bottom right noopaque
 only(m) = strcol('method') eq m ? column('energy_error') : NaN
 plot file using 'periods':(only('naive')) with linespoints lw 1.8 pt 5 lc rgb vermilion title 'variable steps put in by hand', \

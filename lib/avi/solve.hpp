@@ -412,7 +412,7 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 /// | --- | --- |
 /// | fixed | 1 |
 /// | energy, energy^1.5 | \f$(\bar T + \frac12(H + H_0) - V(q))^{-\alpha}\f$, \f$\alpha = 1\f$ or 3/2 |
-/// | poles | \f$\bigl(w_0 + \sum_k (1 + (1 + a_k/2)(H - H_0)/2E)\, w_k s_k^{-1-a_k/2}\bigr)^{-1}\f$ |
+/// | poles | \f$\bigl(\rho^2 + (\rho/\sqrt\phi)\, \psi\, (H - H_0)/2E\bigr)^{-1}\f$ |
 /// | acceleration | \f$(1 + \sum_i (w_i\, \partial H/\partial q_i)^2)^{-3/8}\f$ |
 /// | splitting | 1, by an explicit method of order 6 where \f$H = T(p) + V(q)\f$ with T quadratic |
 ///
@@ -420,11 +420,13 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 /// frame that turns, \f$p^*_i = -\partial H/\partial p_i(q, 0)/(H_{pp})_{ii}\f$; the mean kinetic energy
 /// \f$\bar T\f$, of H - V, of the beginning; the distances \f$s_k\f$ to the poles of H, functions of q that
 /// it divides by or has the logarithm of, near which it is of the order \f$s_k^{-a_k}\f$: there
-/// \f$w_k s_k^{-1-a_k/2}\f$ is the frequency of what moves, and \f$E = e_0 + \sum_k e_k s_k^{-a_k}\f$ an
-/// energy; and \f$w_i = (H_{pp})_{ii}/\bar a L_i\f$ of its ranges \f$L_i\f$ and a mean of its accelerations:
-/// where forces fall with the square of a distance, this is the time in which two bodies pass each other,
-/// whatever their masses. The explicit method is the Runge-Kutta-Nystrom splitting with 14 stages of Blanes
-/// and Moan (2002); it is taken where tolerances are loose, or degrees of freedom many.
+/// \f$\phi_k = w_k s_k^{-1-a_k/2}\f$ is the frequency of what moves, \f$\phi = \sum_k \phi_k\f$,
+/// \f$\psi = \sum_k (1 + a_k/2)\, \phi_k\f$, \f$\rho = \sqrt{w_0} + \sqrt\phi\f$ with a constant for free
+/// motion, and \f$E = e_0 + \sum_k e_k s_k^{-a_k}\f$ an energy; and \f$w_i = (H_{pp})_{ii}/\bar a L_i\f$ of
+/// its ranges \f$L_i\f$ and a mean of its accelerations: where forces fall with the square of a distance,
+/// this is the time in which two bodies pass each other, whatever their masses. The explicit method is the
+/// Runge-Kutta-Nystrom splitting with 14 stages of Blanes and Moan (2002); it is taken where tolerances are
+/// loose, or degrees of freedom many.
 ///
 /// Monitor, order and step are those that take the least work in short trials. The same input gives the same
 /// choice; units and masses do not matter. H is called once, with a scalar that records what is done to it.

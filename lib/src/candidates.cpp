@@ -3,6 +3,7 @@
 #include "avi/core/require.hpp"
 #include "poles.hpp"
 
+#include <array>
 #include <limits>
 #include <numeric>
 
@@ -69,7 +70,10 @@ VectorX strengths(const Sketch& sketch, const VectorX& metric) {
 /// The rate of change \f$\ell\f$ of a monitor on a sketch.
 struct Measured {
   std::vector<double> lively;  ///< At each sample.
-  double steepest = 0.0;       ///< Its largest relative derivative, over the strength of the entry.
+  /// Of a rate near poles, its value and size of its derivative by time at the samples, and in the middle
+  /// between each and the next one, which may be far where it moves freely.
+  std::vector<std::array<double, 2>> changes = {};
+  double steepest = 0.0;  ///< Its largest relative derivative, over the strength of the entry.
 
   /// At the next sample.
   void add(double value) { lively.push_back(value); }
@@ -97,15 +101,36 @@ Measured measure(const Sketch& sketch, const Resting& resting, double energy_at_
 }
 
 /// The rate at a node of a graph.
-Measured measure(const Sketch& sketch, const ExpressionGraph& graph, int node, const VectorX& strength) {
+Measured measure(const Sketch& sketch, const ExpressionGraph& graph, int node, const VectorX& strength,
+                 bool with_changes = false) {
   Measured measured;
   RecordedFormula<double> formula{Recording(graph, node).value_and_gradient()};
-  for (const Sketch::Sample& sample : sketch.samples) {
-    std::copy(sample.z.begin(), sample.z.end(), formula.room.arguments());
+  const auto at = [&](const auto& z) {
+    std::copy(z.begin(), z.end(), formula.room.arguments());
     formula.program.run(formula.room);
-    measured.add(formula.value());
+    return formula.value();
+  };
+  const auto along = [&](const auto& slope) {
+    double change = 0.0;
+    for (Eigen::Index i = 0; i < slope.size(); ++i)
+      change += formula.partial(static_cast<int>(i)) * slope[i];
+    return std::abs(change);
+  };
+  VectorX middle, slope;
+  for (std::size_t k = 0; k < sketch.samples.size(); ++k) {
+    const Sketch::Sample& sample = sketch.samples[k];
+    measured.add(at(sample.z));
     for (int i = 0; i < static_cast<int>(strength.size()); ++i)
       measured.add_slope(formula.partial(i), strength[i]);
+    if (!with_changes) continue;
+    measured.changes.push_back({measured.lively.back(), along(sample.slope)});
+    if (k + 1 == sketch.samples.size()) continue;
+    // Of the cubic polynomial between them.
+    const Sketch::Sample& next = sketch.samples[k + 1];
+    middle = 0.5 * (sample.z + next.z) + 0.125 * sample.h * (sample.slope - next.slope);
+    slope = 1.5 / sample.h * (next.z - sample.z) - 0.25 * (sample.slope + next.slope);
+    const double value = at(middle);
+    measured.changes.push_back({value, along(slope)});
   }
   return measured;
 }
@@ -137,16 +162,32 @@ Candidate polar(const std::shared_ptr<ExpressionGraph>& graph, int energy, doubl
   return {"poles", 1.0, graph, energy, energy_at_start, lively};
 }
 
+/// The rate \f$(\sqrt{w_0} + \sqrt\phi)^2\f$ of a frequency \f$\phi\f$ near poles and a constant one.
+double with_constant(double near, double constant) {
+  const double root = std::sqrt(near) + std::sqrt(constant);
+  return root * root;
+}
+
+/// The largest relative change of that rate in its unit of fictive time.
+double fastest_change(const Measured& near, double constant) {
+  double most = 0.0;
+  for (const auto& [value, change] : near.changes) {
+    const double rate = with_constant(value, constant);
+    most = std::max(most, change / (rate * std::sqrt(value * rate)));
+  }
+  return most;
+}
+
 /// The constant frequency beside that near poles with which steps are fewest, where the longest one in
-/// radians is of fixed length.
-double background(const Sketch& sketch, const std::vector<double>& near) {
+/// radians is of fixed length; a monitor that changes as \f$1/(\tau - \tau_0)\f$ counts as a frequency, too.
+double background(const Sketch& sketch, const Measured& near) {
   double mean = 0.0, best = 0.0, fewest = infinity;
-  for (std::size_t k = 0; k < near.size(); ++k)
-    mean += sketch.samples[k].h * near[k] / sketch.time;
-  for (const double part : {0.0, 0.1, 0.3, 1.0, 3.0}) {
-    double fictive = 0.0, longest = 0.0;
-    for (std::size_t k = 0; k < near.size(); ++k) {
-      const double frequency = near[k] + part * mean;
+  for (std::size_t k = 0; k < near.lively.size(); ++k)
+    mean += sketch.samples[k].h * near.lively[k] / sketch.time;
+  for (const double part : {0.0, 0.1, 0.3, 1.0, 3.0, 10.0}) {
+    double fictive = 0.0, longest = fastest_change(near, part * mean);
+    for (std::size_t k = 0; k < near.lively.size(); ++k) {
+      const double frequency = with_constant(near.lively[k], part * mean);
       fictive += sketch.samples[k].h * frequency;
       longest = std::max(longest, sketch.samples[k].frequency / frequency);
     }
@@ -239,6 +280,8 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
       least = g > 0.0 && std::isfinite(g) ? std::min(least, g) : 0.0;
       most = std::max(most, g);
     }
+    if (!measured.changes.empty())
+      it.longest = std::max(it.longest, fastest_change(measured, constants.poles.front()));
     it.noise = std::abs(it.alpha()) * rounding * measured.steepest;
     it.outlook = price * it.fictive * it.longest;
     const bool idle = !it.fixed() && it.name != "given" && !(most > 1.15 * least);
@@ -274,13 +317,13 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
       }
       beside.front() = 0.0;
       const int near = poles.rate(*graph, energy_at_start, beside);
-      Measured frequency = measure(sketch, *graph, near, strength);
+      Measured frequency = measure(sketch, *graph, near, strength, true);
       if (!known) {
         constants.poles = beside;
-        constants.poles.front() = background(sketch, frequency.lively);
+        constants.poles.front() = background(sketch, frequency);
       }
       for (double& each : frequency.lively)
-        each += constants.poles.front();
+        each = with_constant(each, constants.poles.front());
       menu.push_back(polar(graph, energy, energy_at_start, constants));
       look(menu.back(),
            cost(plain + 30.0 + 18.0 * static_cast<double>(poles.size()) + nodes + 2.0 * graph->inputs()),

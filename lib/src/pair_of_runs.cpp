@@ -97,8 +97,10 @@ Journey Orbiter::begin(const Setting& setting, double factor) {
 
 /// Sets how many sweeps a run may take up to a mark.
 void Orbiter::bound(Journey& journey, std::size_t mark) {
-  // Over a hundred times what the sketch suggests is something else.
-  journey.most = 1e4 + 3e3 * expected_steps(*journey.candidate, journey.h, since_start(mark));
+  // Over a hundred times what the sketch suggests is something else; over ten times, another monitor may be
+  // better.
+  const bool first = journey.candidate->failures == 0 && menu_.size() > 1;
+  journey.most = 1e4 + (first ? 3e2 : 3e3) * expected_steps(*journey.candidate, journey.h, since_start(mark));
   // So is a run that takes long for what is but a hundred steps of the sketch, unless its step is given.
   if (question_.options.h > 0.0) return;
   if (resolved_ == 0.0 || std::abs(journey.state.t - question_.t) < sketch_->time)
@@ -113,6 +115,26 @@ bool Orbiter::go_on(Journey& journey, std::size_t mark) {
   return journey.ok();
 }
 
+/// Far from all poles, in a frame that turns, say, something goes on that the beginning did not show: gives
+/// the monitor of poles the constant with which its steps there are not longer than they were.
+void Orbiter::stay_near(Candidate& it, const Sketch& there) {
+  Choice& choice = answer_.choice;
+  if (question_.made || choice.poles.empty() || !(it.longest > 0.0)) return;
+  const double usual = distance_->frequency, before = std::sqrt(choice.poles.front());
+  double root = before;
+  for (const Sketch::Sample& sample : there.samples) {
+    if (sample.frequency > usual) continue;  // near a pole
+    const double near = std::sqrt(1.0 / it.rate_at(sample.z.data())) - before;
+    root = std::max(root, std::sqrt(sample.frequency / it.longest) - near);
+  }
+  if (!(root > 1.1 * before)) return;
+  choice.poles.front() = root * root;
+  Candidate other = candidate(it.name, question_, trip_->energy_at_start, choice);
+  other.supplied = it.supplied, other.recording = it.recording;
+  other.outlook = it.outlook, other.fictive = it.fictive, other.longest = it.longest, other.noise = it.noise;
+  it = std::move(other);
+}
+
 /// Goes on from where a run failed with a sketch of its own: what is met there sets steps from here on.
 void Orbiter::look_from(const State<dynamic>& z) {
   VectorX from(2 * z.q.size());
@@ -124,13 +146,20 @@ void Orbiter::look_from(const State<dynamic>& z) {
   dead_end_ = there.stuck ? std::abs(z.t - question_.t) + there.time : 0.0;
   for (Candidate& it : menu_) {
     it.failures = 0;
-    double longest = it.longest;
-    for (const Sketch::Sample& sample : there.samples)
-      longest = std::max(longest, it.rate_at(sample.z.data()) * sample.frequency);
+    if (it.name == "poles") stay_near(it, there);
+    double longest = it.longest, fictive = it.fictive;
+    for (const Sketch::Sample& sample : there.samples) {
+      const double g = it.rate_at(sample.z.data());
+      longest = std::max(longest, g * sample.frequency);
+      fictive += sample.h / g;
+    }
     if (!(it.longest > 0.0) || !std::isfinite(longest)) continue;
     longest =
         std::min(longest, 30.0 * it.longest);  // a sketch is not exact, and a step may be shortened again
     it.outlook *= longest / it.longest;
+    // A monitor that suits the beginning may be far too small here.
+    const double slower = fictive / it.fictive * sketch_->time / (sketch_->time + there.time);
+    if (std::isfinite(slower)) it.outlook *= slower;
     it.longest = longest;
   }
 }
@@ -143,18 +172,19 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
   const double reached = std::abs(journey.state.t - question_.t);
   const bool again = std::abs(reached - failed_at_) <= 1e-2 * reached;
   if (reached > 1.01 * repeated_) repeated_ = infinity;  // it is not in the way of this one
-  // A run that was stopped for its price has met nothing.
-  if (journey.run.outcome != Outcome::stopped) {
+  Candidate& it = *setting.candidate;
+  // A run that was stopped for its price has met nothing, but others may be cheaper there.
+  const bool stopped = journey.run.outcome == Outcome::stopped;
+  if (!stopped) {
     furthest_ = std::max(furthest_, reached);
     if (again) repeated_ = std::min(repeated_, reached);
-    if (!again) look_from(journey.state);
   }
+  if (stopped ? it.failures == 0 && menu_.size() > 1 : !again) look_from(journey.state);
   failed_at_ = reached;
-  Candidate& it = *setting.candidate;
   // A monitor may have a feature of its own there, or no value at all.
   const bool undefined = journey.run.outcome == Outcome::non_finite && !it.fixed();
   it.failures += undefined ? 2 : 1;
-  it.below = setting.h * (it.failures > 2 ? 0.25 : 0.5);
+  if (!stopped) it.below = setting.h * (it.failures > 2 ? 0.25 : 0.5);
   // What promises the least work now, with steps that have not failed. Where a sketch ends too, monitors that
   // the singularity makes many times dearer do not pass it either.
   const auto work = [&](const Candidate& each) {
@@ -248,7 +278,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     const double most = std::min(longest_step(*setting.candidate), stable_step(*setting.candidate));
     const double gain = std::min({0.9 * factor, 2.0, most / (longer * fine_->h)});
     const bool laborious = !setting.candidate->splits() && fine_->run.evaluations > 14 * steps;
-    if (lengthened_ == 2 || mark > 1 || steps < 6 || laborious || !(gain > 1.15) ||
+    if (lengthened_ == most_lengthened || mark > 1 || steps < 6 || laborious || !(gain > 1.15) ||
         (1.0 - 1.0 / gain) * (span_ - here) < 2.0 * here)
       return false;
     ++lengthened_;
@@ -271,6 +301,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     resigned_ = spent > std::max(2.0 * patience, 3.0 * pair);
   }
   if (resigned_) return false;
+  if (mark > 0) lengthened_ = most_lengthened;  // what the first mark promises has not come true
   before_ = error, before_at_ = mark;
   // Where errors do not fall by the order yet, by halves.
   return again(std::clamp(factor, 0.35, vain_ > 0 ? 0.5 : 0.9));

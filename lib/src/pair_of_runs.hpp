@@ -19,6 +19,8 @@ inline constexpr int fewest = 3;
 inline constexpr double shortest_growth = 400.0;
 /// Pairs of runs.
 inline constexpr int most_rounds = 30;
+/// Times that a step is made longer.
+inline constexpr int most_lengthened = 2;
 /// Part of the tolerance for which a step is chosen: what is foretold wavers.
 inline constexpr double wanted_part = 0.2;
 /// Largest factor between the errors of two runs that is believed.
@@ -76,6 +78,7 @@ class Orbiter {
   bool go_on(Journey& journey, std::size_t mark);
   bool pursue(Setting& setting);
   void look_from(const State<dynamic>& z);
+  void stay_near(Candidate& it, const Sketch& there);
   bool failed(const Journey& journey, Setting& setting);
   bool judge(Setting& setting, std::size_t mark);
   bool try_others(Setting& setting);

@@ -232,7 +232,9 @@ int Poles::rate(ExpressionGraph& graph, double energy_at_start, const std::vecto
   }
   if (frequency.node < 0) return graph.constant(1.0);
   const Factor error = Factor(graph, energy_) - energy_at_start;
-  return (constants.front() + frequency + error * (slope / change)).in(graph);
+  if (constants.front() == 0.0) return (frequency + error * (slope / change)).in(graph);
+  const Factor near = sqrt(frequency), root = std::sqrt(constants.front()) + near;
+  return (root * root + error * (slope * root / (near * change))).in(graph);
 }
 
 }  // namespace avi::detail

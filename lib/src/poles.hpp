@@ -15,10 +15,13 @@ namespace avi::detail {
 /// squares), H is of the order \f$s_k^{-a_k}\f$ near a pole, and what moves there changes with the frequency
 /// \f$\phi_k = w_k s_k^{-1-a_k/2}\f$, where \f$w_k\f$ hardly depends on the place: in free fall towards a
 /// mass \f$\mu\f$ at the distance r it is \f$\sqrt{2\mu}\, r^{-3/2}\f$. The monitor is \f$g = 1/\ell\f$ with
-/// \f[ \ell = w_0 + \sum_k \phi_k + \frac{H - H_0}{2E} \sum_k \Bigl(1 + \frac{a_k}{2}\Bigr) \phi_k, \qquad
-/// E = e_0 + \sum_k |s_k\, \partial H/\partial s_k| = e_0 + \sum_k e_k s_k^{-a_k} \f]
-/// and a mean kinetic energy \f$e_0\f$. The last term of \f$\ell\f$ vanishes along the orbit. It replaces
-/// half of the potential energy by half of the kinetic one, which takes a step half as many sweeps.
+/// \f[ \ell = \rho^2 + \frac{\rho}{\sqrt\phi}\, \frac{H - H_0}{2E} \sum_k \Bigl(1 + \frac{a_k}{2}\Bigr)
+/// \phi_k, \qquad \rho = \sqrt{w_0} + \sqrt\phi, \qquad \phi = \sum_k \phi_k, \qquad E = e_0 + \sum_k |s_k\,
+/// \partial H/\partial s_k| = e_0 + \sum_k e_k s_k^{-a_k} \f] and a mean kinetic energy \f$e_0\f$. The
+/// constant \f$w_0\f$ is for orbits that move freely between poles; \f$w_0 + \phi\f$ would vanish at complex
+/// times near those at which the two are equal, and cost twice the steps. The last term of \f$\ell\f$
+/// vanishes along the orbit. It replaces half of the potential energy by half of the kinetic one, which takes
+/// a step half as many sweeps.
 class Poles {
  public:
   /// Those of H as a node of a graph of (q, p), `most` of them at most: with more, none.

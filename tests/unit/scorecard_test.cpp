@@ -37,6 +37,8 @@ TEST(Printed, EqualsWhatRoundsToItsDigits) {
   EXPECT_THROW(Printed("12 000"), std::invalid_argument);
   EXPECT_EQ(scorecard::beside("1.43E-05", 1.42901e-5), "1.4290E-05");
   EXPECT_EQ(scorecard::beside("181", 180.0), "180");
+  EXPECT_EQ(scorecard::beside("5E-05", 4.50007e-5), "4.5001E-05") << "4.50 would round either way";
+  EXPECT_EQ(scorecard::beside("5E-05", 4.5e-5), "4.50E-05");
 }
 
 TEST(Published, EveryTableHasItsCellsOnceAndAsNumbers) {

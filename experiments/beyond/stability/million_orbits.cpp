@@ -31,6 +31,22 @@ using State2 = avi::State<2>;
 constexpr int starts = 16;
 constexpr double period = 2.0 * M_PI;
 
+/// sqrt(random^2 t + bias^2 t^2), t in periods: a walk whose steps are random and biased, fitted to the
+/// squares y^2 by least squares of the relative deviation.
+struct Walk {
+  double random, bias;
+};
+Walk walk(const std::vector<double>& t, const std::vector<double>& y) {
+  double aa = 0.0, ab = 0.0, bb = 0.0, a1 = 0.0, b1 = 0.0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const double a = t[i] / (y[i] * y[i]), b = a * t[i];
+    aa += a * a, ab += a * b, bb += b * b, a1 += a, b1 += b;
+  }
+  const double determinant = aa * bb - ab * ab;
+  const auto root = [&](double square) { return square > 0.0 ? std::sqrt(square) : 0.0; };
+  return {root((a1 * bb - b1 * ab) / determinant), root((aa * b1 - ab * a1) / determinant)};
+}
+
 /// Eccentricities next to 0.9: orbits that share no rounding error.
 State2 start(int k) { return avi::Kepler::pericentre(0.9 + 1e-4 * (k - 7.5)); }
 
@@ -126,13 +142,17 @@ int main(int argc, char** argv) {
     if (frame.quick) periods = 1000;
     if (extremes) periods = 1'000'000;
     Table table = frame.table({"method", "start", "eccentricity", "periods", "energy_error"});
-    Table growth = frame.table({"method", "periods", "energy_error"});
-    Table summary = frame.table(
-        {"method", "starts", "periods", "energy_error", "exponent", "standard_error", "seconds_per_orbit"});
+    Table growth = frame.table({"method", "periods", "energy_error", "mean"});
+    Table summary = frame.table({"method", "starts", "periods", "energy_error", "exponent", "standard_error",
+                                 "exponent_before", "exponent_after", "random", "bias", "seconds_per_orbit"});
     table.note("energy_error",
                "|H / H_0 - 1| of the first state after the milestone beyond the mean distance");
     growth.note("energy_error", "root mean square over the starts");
+    growth.note("mean", "mean of H / H_0 - 1 over the starts");
     summary.note("exponent", "power of time of the root mean square, from ten periods on");
+    summary.note("exponent_before, exponent_after", "the same up to 562 periods and from there on");
+    summary.note("random, bias",
+                 "of sqrt(random^2 t + bias^2 t^2), t in periods, fitted from ten periods on");
     double done = 0.0;
     for (const Subject& subject : subjects()) {
       const double last = 1.001 * subject.reach * static_cast<double>(periods);
@@ -140,7 +160,7 @@ int main(int argc, char** argv) {
       for (double mark = 1.0; mark < last; mark *= std::pow(10.0, 0.25))
         if (milestones.empty() || std::lround(mark) > milestones.back())
           milestones.push_back(std::lround(mark));
-      std::vector<double> squares(milestones.size(), 0.0), seconds;
+      std::vector<double> squares(milestones.size(), 0.0), means(milestones.size(), 0.0), seconds;
       for (int k = 0; k < starts; ++k) {
         frame.progress(subject.method, done++, 3.0 * starts);
         const State2 z = start(k);
@@ -149,17 +169,26 @@ int main(int argc, char** argv) {
         for (std::size_t i = 0; i < errors.size(); ++i) {
           table.row(subject.method, k, 0.9 + 1e-4 * (k - 7.5), milestones[i], std::abs(errors[i]));
           squares[i] += errors[i] * errors[i] / starts;
+          means[i] += errors[i] / starts;
         }
       }
       std::vector<double> x, y;
       for (std::size_t i = 0; i < milestones.size(); ++i) {
-        growth.row(subject.method, milestones[i], std::sqrt(squares[i]));
+        growth.row(subject.method, milestones[i], std::sqrt(squares[i]), means[i]);
         if (milestones[i] < 10) continue;
         x.push_back(static_cast<double>(milestones[i]));
         y.push_back(std::sqrt(squares[i]));
       }
       const auto fit = power_law(x, y);
+      const auto part = [&](bool before) {
+        std::vector<double> part_x, part_y;
+        for (std::size_t i = 0; i < x.size(); ++i)
+          if (before ? x[i] <= 562.0 : x[i] >= 562.0) part_x.push_back(x[i]), part_y.push_back(y[i]);
+        return power_law(part_x, part_y).slope;
+      };
+      const Walk fitted = walk(x, y);
       summary.row(subject.method, starts, milestones.back(), y.back(), fit.slope, fit.standard_error,
+                  part(true), part(false), fitted.random, fitted.bias,
                   rounded(median(seconds) / static_cast<double>(milestones.back())));
     }
     frame.write(growth, "growth");

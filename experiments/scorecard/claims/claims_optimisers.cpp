@@ -131,38 +131,48 @@ double count(const Results& data, const char* method, const char* delta) {
   const Row run = find(data("optimiser_comparison"), {{"method", method}, {"delta", delta}});
   return run.text("converged") == "1" ? run.number("iterations") : HUGE_VAL;
 }
-constexpr std::array deltas{"0.01", "1e-4", "1e-6", "1e-8", "1e-10"};
+
+/// HTVI's row there is not reproduced, and its settings in our data were chosen to come near it: to judge by
+/// them would be circular. Tables 3 and 5 have runs of Adaptive HTVI on the same objective, from the same
+/// start, to the tightest of the tolerances, with p, p_ring and h as printed. The least count of these is the
+/// rival.
+double reproduced_htvi(const Results& data) {
+  double least = HUGE_VAL;
+  for (const char* stem : {"direct_vs_adaptive", "p_dependence"})
+    for (const Row& run : data.rows(stem, {{"method", "htvi"}, {"approach", "adaptive"}, {"converged", "1"}}))
+      least = std::min(least, run.number("iterations"));
+  if (!std::isfinite(least)) throw std::out_of_range("The data hold no Adaptive run of HTVI.");
+  return least;
+}
 
 Finding beats(const Results& data) {
+  const double ours = reproduced_htvi(data);
   Cases cases;
-  std::vector<double> first;
-  std::vector<const char*> growing;
+  std::vector<std::string> seen;
   for (const auto& [method, shown] : {std::pair{"nag", "NAG"}, {"adam", "ADAM"}, {"adagrad", "AdaGrad"}}) {
-    std::vector<double> more;
-    for (const char* delta : deltas) {
-      more.push_back(count(data, method, delta) / count(data, "htvi", delta));
-      cases.add(more.back() > 1.5);
-    }
-    first.push_back(more.front());
-    if (more.back() > more.front()) growing.push_back(shown);
+    const double theirs = count(data, method, "1e-10");
+    cases.add(theirs > 1.5 * ours);
+    seen.push_back(std::isfinite(theirs) ? fmt::format("{} takes {:.0f}", shown, theirs)
+                                         : fmt::format("{} does not stop", shown));
   }
-  return finding(in_cases(cases),
-                 "To the first passage NAG, ADAM and AdaGrad take {:.1f}, {:.0f} and {:.0f} times as many "
-                 "iterations at delta = 1e-2, and the gap grows for {}.",
-                 first[0], first[1], first[2],
-                 growing.empty() ? "none" : fmt::format("{}", fmt::join(growing, " and ")));
+  return finding(
+      in_cases(cases),
+      "HTVI's row of S6 is not reproduced, and ours is a fit, so neither is used. At delta = 1e-10 the "
+      "best of the runs of S3 and S5, whose steps are printed, takes {:.0f} iterations to the first "
+      "passage; {} in our runs. Their rates are those of S6, ADAM's the default: no tuned rivals.",
+      ours, fmt::join(seen, ", "));
 }
 
 Finding not_the_best(const Results& data) {
+  const double ours = reproduced_htvi(data), rmsprop = count(data, "rmsprop", "1e-10"),
+               trust = count(data, "trust_region", "1e-10");
   Cases cases;
-  for (const char* delta : deltas)
-    cases.add(std::min(count(data, "rmsprop", delta), count(data, "trust_region", delta)) <
-              count(data, "htvi", delta));
-  return finding(in_cases(cases),
-                 "To the first passage at delta = 1e-10 RMSprop takes {:.0f} and TRUST {:.0f} iterations "
-                 "where HTVI takes {:.0f}.",
-                 count(data, "rmsprop", "1e-10"), count(data, "trust_region", "1e-10"),
-                 count(data, "htvi", "1e-10"));
+  cases.add(std::min(rmsprop, trust) < ours);
+  return finding(
+      in_cases(cases),
+      "To the first passage at delta = 1e-10 RMSprop takes {:.0f} and TRUST {:.0f} iterations, where the "
+      "best run of HTVI in S3 and S5 takes {:.0f}.",
+      rmsprop, trust, ours);
 }
 
 Finding gradients_equal_iterations(const Results& data) {

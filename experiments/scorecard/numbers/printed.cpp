@@ -34,8 +34,17 @@ double Printed::units_off(double ours) const { return std::abs(ours - value) / u
 std::string beside(std::string_view printed, double ours) {
   const Printed p(printed);
   if (!std::isfinite(ours)) return "nan";
-  if (p.scientific) return fmt::format("{:.{}E}", ours, p.decimals + 2);
-  return fmt::format("{:.{}f}", ours, ours == std::round(ours) && p.decimals == 0 ? 0 : p.decimals + 2);
+  if (!p.scientific && p.decimals == 0 && ours == std::round(ours)) return fmt::format("{:.0f}", ours);
+  // Two digits more than printed; more where these stand half way between two printed numbers.
+  const auto with = [&](int more) {
+    return p.scientific ? fmt::format("{:.{}E}", ours, p.decimals + more)
+                        : fmt::format("{:.{}f}", ours, p.decimals + more);
+  };
+  for (int more = 2; more <= 6; ++more) {
+    const double shown = std::abs(*experiment::number_in(with(more))) / p.unit;
+    if (std::abs(shown - std::floor(shown) - 0.5) > 1e-6) return with(more);
+  }
+  return with(2);
 }
 
 }  // namespace scorecard

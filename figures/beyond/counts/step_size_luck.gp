@@ -21,7 +21,7 @@ EOD
 # Two Direct runs with p = 4 are in the file: the one with h = 8e-4 is shown.
 shown(y) = strcol('row') eq 'htvi direct 4' && column('h')/column('relative_h') > 8.5e-4 ? NaN : y
 set logscale y 2
-set yrange [0.6:6]
+set yrange [0.6:6.2]
 do for [i = 1:8] {
   set ylabel i == 1 || i == 5 ? 'count / published' : '' offset 0.3, 0
   set format y i == 1 || i == 5 ? '%g' : ''
@@ -31,7 +31,7 @@ do for [i = 1:8] {
   set title (words(runs[i]) > 3 ? '' : 'Direct, ').'p = '.word(runs[i], 3).(words(runs[i]) > 3 ? ', p̊ = '.word(runs[i], 4) : '') offset 0, -0.8
   counted = printed(i)
   plot 1 with lines ls guide, \
-    grid using (shown(also('row', runs[i], column('relative_h')))):(column('iterations')/counted) with linespoints ls approach(word(runs[i], 2)) dt 1 lw 0.8 ps 0.5, \
+    grid using (shown(also('row', runs[i], column('relative_h')))):(column('iterations')/counted > 6 ? 6 : column('iterations')/counted) with linespoints ls approach(word(runs[i], 2)) dt 1 lw 0.8 ps 0.5, \
     $here using 'x':'x' with points ls published
 }
 unset multiplot

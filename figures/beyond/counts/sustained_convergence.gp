@@ -1,13 +1,13 @@
 # Above: f around the first passage of the stopping test. Below: iterations until the test first holds (open) and until it
 # holds for good (filled), for every run of the paper's tables: method, p and p_ring (Direct has p alone), h.
-width = 16; height = 12.2
+width = 16; height = 14
 load 'figures/style.gp'
 curves = data.'/sustained_convergence_curves.tsv'
 table = data.'/sustained_convergence.tsv'
 
 set multiplot
 eval logy
-page_left = 1.85; page_top = 0.65; page_bottom = 8.9; gap_x = 1.75
+page_left = 1.85; page_top = 0.65; page_bottom = 10.7; gap_x = 1.75
 unset key
 set yrange [1e-18:1e0]; set ytics 1e4
 set xlabel 'iterations / first passage'
@@ -26,10 +26,10 @@ do for [i = 1:2] {
   set ylabel ''
 }
 unset arrow 1; unset title
-page_left = 6.9; page_top = 4.6; page_bottom = 1.1
+page_left = 7.4; page_top = 4.6; page_bottom = 1.1
 eval panel(1, 1, 1, 1)
 unset logscale y; eval logx
-set format y '%s'; set ytics autofreq font ',6'
+set format y '%s'; set ytics autofreq font ',7'
 set xrange [4e3:2e6]
 set yrange [*:*] reverse
 set xlabel 'iterations until the stopping test holds'

@@ -1,14 +1,14 @@
 # How the cost of a run grows: steps and time of one orbit with 1 - e for g = r^(2 gamma); time with the horizon and the
 # Taylor order. Grey, drawn through the last point: the expected powers of 1 - e, and the power of the order fitted to the
 # data (both in cost_growth_fit).
-width = 16; height = 9
+width = 16; height = 9.4
 load 'figures/style.gp'
 table = data.'/cost_growth.tsv'
 fit = data.'/cost_growth_fit.tsv'
 # A column of the fits for a curve: `eval fitted(...)`, then STATS_max.
 fitted(axis, name, c) = sprintf("stats fit using (strcol('axis') eq '%s' && strcol('subject') eq '%s' ? column('%s') : NaN) nooutput", axis, name, c)
 set multiplot
-page_left = 1.25; page_bottom = 2.05; page_top = 0.65; gap_x = 1.45; gap_y = 1.7
+page_left = 1.25; page_bottom = 1.1; page_top = 0.65; gap_x = 1.45; gap_y = 3.0
 along(axis, name) = strcol('axis') eq axis && strcol('subject') eq name ? column('value') : NaN
 gammas = '0.5 0.625 0.75 0.875 1'
 array guided = ['none', 'gamma = 0.5', 'gamma = 0.75', 'gamma = 1']
@@ -56,9 +56,10 @@ set mxtics 1
 eval fitted('order', 'stationary', 'seconds_exponent'); growth = STATS_max
 stats table using (along('order', 'stationary')):(1e6*column('seconds')) nooutput
 plot STATS_max_y*(x/STATS_max_x)**growth ls guide title sprintf('r^{%.1f}', growth), \
-  table using (along('order', 'stationary')):(1e6*column('seconds')) with linespoints ls method('htvi') title 'with partials'
+  table using (along('order', 'stationary')):(1e6*column('seconds')) with linespoints ls method('htvi') title 'with derivatives'
 eval legend(0.9)
-set key maxrows 2 samplen 2 width -3
+eval box(0.1, page_bottom + cell_h(2) + 0.7, width - 0.2, 0.9)
+set key maxrows 2 samplen 2 width 0 font ',8'
 plot 2 with linespoints ls monitor('none') title 'fixed step', \
-  for [i=1:5] 2 with linespoints ls family(i) title 'γ = '.word(gammas, i), 2 with lines ls guide title 'expected, fitted'
+  for [i=1:5] 2 with linespoints ls family(i) title 'γ = '.word(gammas, i), 2 with lines ls guide title 'theory'
 unset multiplot

@@ -23,7 +23,7 @@ set format x '%g'
 set xrange [1.7:60]; set xtics (2, 4, 10, 20, 50)
 set yrange [2:900]; eval logy; set format y '%g'
 set xlabel 'p' offset 0, 0.5
-set ylabel 'log_{10} t at overflow' offset 0.5, 0
+set ylabel 'log_{10} t at overflow (log. axis)' offset 0.5, 0
 set title 'Overflow, Direct' offset 0, -0.7
 set key top right
 plot for [i = 1:3] ends using (form(word(forms, i), direct(column('p')))):'log10_t_expected' with lines lc rgb look[i] lw 1 notitle, \

@@ -47,7 +47,9 @@ eval 'plot '.guides.curve('stormer_verlet', 'none', 0, method('stormer_verlet'))
   .curve('log_hamiltonian', '1/V', 0, method('log_hamiltonian')).', '.curve('collocation16', 'r^1.5', 0, method('collocation')).', ' \
   .curve('collocation16', 'none', 0, family(1))
 eval legend(1.95)
-set key maxrows 5 samplen 1.8
+key_box(i) = box(0.1 + (i - 1)*0.5*width, 0.1, 0.5*width - 0.2, 1.95)
+eval key_box(1)
+set key maxrows 4 samplen 1.8
 plot 2 with linespoints ls monitor('none') title 'fixed step', \
   2 with linespoints ls 99 title 'g = |q|', \
   2 with linespoints ls method('htvi') title 'g = |q|^{1.5}', \
@@ -55,9 +57,12 @@ plot 2 with linespoints ls monitor('none') title 'fixed step', \
   2 with linespoints ls family(2) title 'arclength', \
   2 with linespoints ls monitor('energy') title 'energy', \
   2 with linespoints ls monitor('truncation_root') title '1/|L|', \
-  2 with linespoints ls method('stormer_verlet') title 'Störmer–Verlet', \
+  2 with lines ls guide title 'predicted'
+eval key_box(2)
+plot 2 with linespoints ls method('stormer_verlet') title 'Störmer–Verlet', \
   2 with linespoints ls family(4) title 'adaptive Verlet', \
   2 with linespoints ls method('splitting') title 'Hairer–Söderlind', \
+  2 with linespoints ls method('htvi') title 'stationary 8, g = |q|^{1.5}', \
   2 with linespoints ls method('log_hamiltonian') title 'log. Hamiltonian', \
   2 with linespoints ls family(1) title 'collocation, fixed step', \
   2 with linespoints ls method('collocation') title 'collocation, g = |q|^{1.5}', \

@@ -24,16 +24,15 @@ set xlabel 'orbits'
 set xrange [1:last]; set yrange [1e-17:*]; set ytics 100
 eval box(1.7, page_bottom, 8.6, height - page_bottom - page_top)
 plot for [k = 1:3] for [s = 0:15] table using (where('method', word(names_here, k), 'periods')):(column('start') == s ? column('energy_error') : NaN) with lines lc rgb tint[k] lw 0.5, \
-  begin*sqrt(x) with lines ls guide lw 1.6, \
-  for [k = 1:3] growth using (where('method', word(names_here, k), 'periods')):'energy_error' with linespoints lc rgb look[k] lw 2 pt mark[k] ps 0.6 pointinterval 4
+  for [k = 1:3] growth using (where('method', word(names_here, k), 'periods')):'energy_error' with linespoints lc rgb look[k] lw 2 pt mark[k] ps 0.6 pointinterval 4, \
+  begin*sqrt(x) with lines lc rgb purple dt (6,4) lw 3
 set title 'at the end, against time' offset 0, -0.7
 set xlabel 'microseconds per orbit'
 set xrange [1:1000]; set yrange [1e-16:*]
 eval box(12.0, page_bottom, 3.5, height - page_bottom - page_top)
-plot for [k = 1:3] summary using (where('method', word(names_here, k), 'seconds_per_orbit')*1e6):'energy_error' with points lc rgb look[k] pt mark[k] ps 1.2, \
-  for [k = 1:3] summary using (where('method', word(names_here, k), 'seconds_per_orbit')*1e6):'energy_error':(sprintf('t^{%.2f}', column('exponent'))) with labels center offset 0, k == 2 ? 1.1 : -1.1 font ',7'
+plot for [k = 1:3] summary using (where('method', word(names_here, k), 'seconds_per_orbit')*1e6):'energy_error' with points lc rgb look[k] pt mark[k] ps 1.2
 unset title
 eval legend(0.85)
 set key maxrows 2 samplen 2.5 width 0
-plot for [k = 1:3] 2 with linespoints lc rgb look[k] lw 2 pt mark[k] title shown[k], 2 with lines ls guide lw 1.6 title "square root of time (Brouwer's law)"
+plot for [k = 1:3] 2 with linespoints lc rgb look[k] lw 2 pt mark[k] title shown[k], 2 with lines lc rgb purple dt (6,4) lw 2.2 title "square root of time (Brouwer's law)"
 unset multiplot

@@ -113,12 +113,26 @@ TEST_F(ChangedData, ChangesTheRuling) {
                      if (row[table.column("monitor")] == "energy") row[table.column("max_step")] = "1.0";
                    }),
             Ruling::in_part);
+  EXPECT_EQ(ruling("cloning_is_behind", "variants",
+                   [](const experiment::Table& table, auto& row) {
+                     if (row[table.column("variant")] == "kick_first")
+                       row[table.column("gradients_per_step")] = "100";
+                   }),
+            Ruling::holds);
   EXPECT_EQ(ruling("cloning_needs_3_7_19", "method_comparison",
                    [](const experiment::Table& table, auto& row) {
                      row[table.column("gradient_evaluations")] =
                          std::to_string(20 * std::stol(row[table.column("iterations")]));
                    }),
             Ruling::holds);
+  for (const auto& [key, changed] :
+       {std::pair{"beats_popular_methods", Ruling::fails}, {"not_the_most_efficient", Ruling::holds}})
+    EXPECT_EQ(ruling(key, "optimiser_comparison",
+                     [](const experiment::Table& table, auto& row) {
+                       row[table.column("converged")] = "1";
+                       row[table.column("iterations")] = "100";
+                     }),
+              changed);
 }
 
 /// Where a claim speaks of cost or efficiency, seconds count beside steps.
