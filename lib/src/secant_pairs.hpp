@@ -24,7 +24,7 @@ class SecantPairs {
  public:
   /// Room for m pairs of size n.
   SecantPairs(int m, Eigen::Index n)
-      : n_(n), m_(m), pairs_(m), sy_(m * m), yy_(sy_), weights_(m), u_(m), mass_(m > 0 ? n : 0),
+      : n_(n), m_(m), pairs_(m), sy_(m * m), yy_(sy_), weights_(m), u_(m), mass_(m >= lesson ? n : 0),
         ones_(std::min(block, n), 1.0) {
     for (Pair& pair : pairs_) {
       pair.s.resize(n);

@@ -66,8 +66,8 @@ class SharpFeatures {
         for (const double side : {std::max(place - 0.125, 0.0), std::min(place + 0.125, 1.0)})
           if (top > -40.0 && top - argument(method.polynomial(side)) > 12.0) return true;
       } else {
-        for (int k = 0; k < parts; ++k)
-          if (at[k] * at[k + 1] < 0.0 && std::abs(at[k + 1] - at[k]) > 8.0) return true;
+        for (int k = 0; k < parts; ++k)  // a point may lie on the zero itself
+          if (at[k] * at[k + 1] <= 0.0 && std::abs(at[k + 1] - at[k]) > 8.0) return true;
       }
     }
     return false;

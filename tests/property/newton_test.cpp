@@ -35,7 +35,9 @@ TEST(LinearSystem, SolvesWithEveryPivot) {
         system.at(i, j) = matrix(i, j);
         system.right()[i] += matrix(i, j) * x[j];
       }
+    EXPECT_FALSE(system.decomposed);
     system.decompose();
+    EXPECT_TRUE(system.decomposed);
     system.solve();
     for (int i = 0; i < 3; ++i)
       EXPECT_NEAR(system.right()[i], x[i], 1e-14);

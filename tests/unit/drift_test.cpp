@@ -88,6 +88,8 @@ TEST(FitDrift, SeesNoDriftWhereNothingMoves) {
   const auto fit = avi::fit_drift(std::vector{0.0, 1.0, 2.0}, std::vector{0.0, 0.0, 0.0});
   EXPECT_EQ(fit.t_statistic, 0.0);
   EXPECT_EQ(avi::corrected_t(fit), 0.0);
+  EXPECT_EQ(fit.points, 3);
+  EXPECT_EQ(avi::DriftFit{}.points, 0) << "of no series";
 }
 
 TEST(FitDrift, RefusesBadInput) {

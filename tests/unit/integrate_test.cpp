@@ -210,4 +210,15 @@ TEST(Integrate, EndsARunThatWouldNeverArrive) {
   }
 }
 
+// About every millisecond: of steps that take no time at all, of ever fewer.
+TEST(Integrate, ReadsTheClockAfterManyShortSteps) {
+  avi::detail::Lookout lookout(1000.0);
+  EXPECT_EQ(lookout.next(), 1);
+  for (int reads = 0; reads < 30; ++reads)
+    EXPECT_FALSE(lookout.time_is_up(lookout.next()));
+  EXPECT_GT(lookout.next(), 1000);
+  EXPECT_LE(lookout.next(), avi::detail::Lookout::patience);
+  EXPECT_FALSE(lookout.time_is_up(1)) << "not read yet";
+}
+
 }  // namespace integrate_test

@@ -145,6 +145,17 @@ TEST(NBody, TwoBodiesMoveAsKeplersProblem) {
       1e-14);
 }
 
+TEST(NBody, AddsUpTheMomentaOfAllBodies) {
+  Vector<double, 4> q, p;
+  q << 1.0, 2.0, 3.0, 5.0;
+  p << 7.0, 11.0, 13.0, 17.0;
+  const State<4> z{.q = q, .p = p};
+  EXPECT_EQ(avi::NBody<2>::momentum(z), (Vector<double, 2>(20.0, 28.0)));
+  const double moment = (1.0 * 11.0 - 2.0 * 7.0) + (3.0 * 17.0 - 5.0 * 13.0);
+  EXPECT_EQ(avi::NBody<2>::angular_momentum(z), moment) << "about the only axis unless another is named";
+  EXPECT_EQ(avi::NBody<2>::angular_momentum(z, 1, 0), -moment);
+}
+
 TEST(FigureEight, ClosesAfterOnePeriodAndPermutesAfterAThird) {
   const auto problem = FigureEight::problem();
   const auto start = FigureEight::start();

@@ -268,4 +268,25 @@ TEST(ExpressionGraph, MovesLateInputsToTheirPlace) {
   EXPECT_EQ(avi::Formula(moved, there).value(avi::Vector<double, 3>(2.0, 10.0, 3.0)), 50.0);
 }
 
+TEST(Recording, MayBeAnArgumentOrANumber) {
+  for (const int i : {0, 1}) {
+    const Program program =
+        Recording([&](const auto& x) -> Recorded { return x[i]; }, 2).value_and_gradient();
+    Program::Room<double> room(program);
+    room.arguments()[0] = 3.0, room.arguments()[1] = 5.0;
+    program.run(room);
+    EXPECT_EQ(program.value(room), i == 0 ? 3.0 : 5.0);
+    EXPECT_EQ(program.slope(room, i), 1.0);
+    EXPECT_EQ(program.slope(room, 1 - i), 0.0);
+  }
+}
+
+TEST(RecordedFormula, TakesPositionsAndMomenta) {
+  const auto h = [](const auto& q, const auto& p) { return q[0] - 2.0 * q[1] + 4.0 * p[0] - 8.0 * p[1]; };
+  avi::detail::RecordedFormula<double> formula{avi::record<2>(h).value_and_gradient()};
+  formula.run(Vector<double, 2>(1.0, 3.0), Vector<double, 2>(5.0, 7.0));
+  EXPECT_EQ(formula.value(), 1.0 - 6.0 + 20.0 - 56.0);
+  EXPECT_EQ(formula.partial(3), -8.0);
+}
+
 }  // namespace recording_test

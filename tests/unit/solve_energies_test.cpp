@@ -1,4 +1,5 @@
 #include "avi/solve.hpp"
+#include "avi/solver.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,6 +30,19 @@ TEST(SolveEnergies, MayBeHiddenByTheRestEnergy) {
     EXPECT_NEAR(orbit.state.q[0], truth.q[0], 4.0 * tolerance);
     EXPECT_NEAR(orbit.state.p[0], truth.p[0], 6.0 * tolerance);
   }
+}
+
+// An ulp of H and of what moves, in the unit of energy errors.
+TEST(SolveEnergies, AreToldTheRoundingOfH) {
+  const auto spring = [](const auto& q, const auto& p) {
+    return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0] - 1000.0;
+  };
+  const auto orbit = solve(spring, at(1.0, 0.0), 40.0, 1e-6);
+  EXPECT_NEAR(orbit.choice.energy_scale, 0.25, 0.1) << "the mean of p^2/2 in a rough run";
+  EXPECT_NEAR(orbit.energy_rounding / 0x1p-52, 999.5 / orbit.choice.energy_scale + 1.0, 1e-9);
+  const avi::Solver<1> solver(spring, at(1.0, 0.0), 40.0, 1e-6, {.check = false});
+  EXPECT_EQ(solver.run(at(1.0, 0.0), 40.0).energy_rounding, solver.sample().energy_rounding)
+      << "with a choice that is made already, too";
 }
 
 // Near the speed of light H_pp is nothing like an inverse mass.

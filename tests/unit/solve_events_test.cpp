@@ -121,6 +121,18 @@ TEST(SolveEvents, DoNotBeginARun) {
   }
 }
 
+// From one zero to another within a fiftieth of the first step, whole or cut short by the end.
+TEST(SolveEvents, AreSeenSoonAfterAZeroThatARunBeginsOn) {
+  const auto twice = [](const auto& q, const auto&) { return q[0] * (q[0] - 0.002); };
+  for (const double h : {0.1, 1.0}) {
+    const auto orbit = solve(spring(), at(0.0, 1.0), 0.1, 1e-8,
+                             {.order = 8, .monitor = "fixed", .h = h, .events = {when(twice)}});
+    ASSERT_EQ(orbit.events.size(), 1u) << h;
+    EXPECT_NEAR(orbit.events[0].state.t, std::asin(0.002), 1e-8) << h;
+    EXPECT_LE(orbit.run.evaluations, 45) << h;  // 27 and 31; 61 where the first look is at other places
+  }
+}
+
 TEST(SolveEvents, EndAsInTheLoopWhereThereIsNoZero) {
   const auto pole = [](const auto& q, const auto&) { return 1.0 / (q[0] - 0.3); };
   const auto at_pole = solve(spring(), at(1.0, 0.0), 10.0, 1e-8, {.events = {when(pole)}});

@@ -208,4 +208,27 @@ TEST(SolveOptions, AreRefusedWithASentence) {
   refused({.checkpoint_seconds = nan}, "Seconds between checkpoints is nan");
 }
 
+TEST(SolveOptions, MayBeTheEndsOfTheirRanges) {
+  const auto outcome = [](double tolerance, const avi::SolveOptions& options = {}) {
+    return solve(spring(), at(1.0, 0.0), 5.0, tolerance, options).run.outcome;
+  };
+  using enum avi::Outcome;
+  EXPECT_EQ(outcome(1e-2), ok);
+  EXPECT_EQ(outcome(1e-13), ok);
+  EXPECT_EQ(outcome(1e-3, {.seconds = 0.0}), time_limit);
+  EXPECT_EQ(outcome(1e-3, {.sweeps = 1}), step_limit);
+  EXPECT_EQ(outcome(1e-3, {.steps = 1}), step_limit);
+  EXPECT_EQ(outcome(1e-3, {.order = 2}), ok);
+  EXPECT_EQ(outcome(1e-3, {.order = 16}), ok);
+  EXPECT_EQ(outcome(1e-3, {.order = 6, .monitor = "splitting"}), ok);
+  for (const double tolerance : {0.99e-13, 1.01e-2})
+    EXPECT_THROW(outcome(tolerance), std::invalid_argument) << tolerance;
+  for (const avi::SolveOptions& beyond :
+       {avi::SolveOptions{.seconds = -1e-300}, avi::SolveOptions{.sweeps = 0}, avi::SolveOptions{.steps = 0},
+        avi::SolveOptions{.order = 1}, avi::SolveOptions{.order = 18}, avi::SolveOptions{.order = -2},
+        avi::SolveOptions{.order = 8, .monitor = "splitting"},
+        avi::SolveOptions{.monitor = "fixed", .h = -0.1}, avi::SolveOptions{.h = 0.1}})
+    EXPECT_THROW(outcome(1e-3, beyond), std::invalid_argument);
+}
+
 }  // namespace solve_options_test

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace solve_test {
 
@@ -95,6 +96,9 @@ TEST(Solve, OfNoTimeIsTheStart) {
   EXPECT_TRUE(orbit.kept());
   EXPECT_EQ(orbit.state.q, Kepler::pericentre(0.5).q);
   EXPECT_EQ(orbit.run.steps, 0);
+  EXPECT_EQ(orbit.choice.sweeps, 0);
+  EXPECT_EQ(orbit.choice.check, 0);
+  EXPECT_EQ(orbit.run.evaluations, 0);
 }
 
 TEST(Solve, StaysAtAnEquilibrium) {
@@ -232,6 +236,17 @@ TEST(Solve, KeepsItsBounds) {
   EXPECT_FALSE(orbit.kept());
   const auto timed = solve(Kepler(), Kepler::pericentre(0.5), 1e12, 1e-8, {.seconds = 0.05});
   EXPECT_FALSE(timed.ok());
+}
+
+// Where q has fallen to 0, beyond which H is no number: after 10/3 from there on, after 7/6 before.
+TEST(Solve, SaysWhenRunsFail) {
+  const auto root = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + sqrt(q[0]); };
+  for (const auto& [end, sentence] :
+       {std::pair{7.0, "Runs fail at t = 5.3333"}, std::pair{-3.0, "Runs fail at t = 0.8333"}}) {
+    const auto orbit = solve(root, State<1>{.q = {1.0}, .p = {0.5}, .t = 2.0}, end, 1e-6);
+    EXPECT_EQ(orbit.run.outcome, avi::Outcome::not_converged);
+    EXPECT_TRUE(orbit.run.message.starts_with(sentence)) << orbit.run.message;
+  }
 }
 
 TEST(Solve, RefusesWhatCannotBe) {

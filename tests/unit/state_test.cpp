@@ -8,8 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <new>
 
 namespace state_test {
 
@@ -83,6 +86,18 @@ TEST(State, CountsTheNumbersInBraces) {
               z.p = {1.0, 2.0, 3.0};
             }),
             "Number of entries of q or p is 3; it must be 2, the dimension of the State.");
+}
+
+TEST(State, IsNotANumberWhereNothingIsGiven) {
+  // Whatever was in its memory before.
+  alignas(avi::State<2>) unsigned char memory[sizeof(avi::State<2>)];
+  std::fill(std::begin(memory), std::end(memory), static_cast<unsigned char>(0x3f));
+  const auto* z = new (memory) avi::State<2>;
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_TRUE(std::isnan(z->q[i]));
+    EXPECT_TRUE(std::isnan(z->p[i]));
+  }
+  EXPECT_EQ(z->t, 0.0);
 }
 
 TEST(State, IsRefusedWhereAPartWasForgotten) {

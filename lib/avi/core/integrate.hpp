@@ -90,9 +90,8 @@ struct EventGoal : EventWatch<G> {
 /// When the run looks up from its steps: to see whether time goes on, and to read the clock on the wall.
 class Lookout {
  public:
-  explicit Lookout(double seconds) : seconds_(seconds), began_(now()), last_(began_) {
-    require(seconds > 0.0, "Number of seconds", seconds, "positive");
-  }
+  /// For so many seconds, positive: see require_run().
+  explicit Lookout(double seconds) : seconds_(seconds), began_(now()), last_(began_) {}
   static constexpr long patience = 1 << 20;  ///< Steps after which time must have gone on.
   /// The number of steps at which to look next.
   [[nodiscard]] long next() const { return std::min(stall_, clock_); }

@@ -86,11 +86,13 @@ template <int n, class H, class G>
 State<extended_dimension(n)> extended(const TimeDependent<n, H, G>& problem, const State<n>& z) {
   require_start(z);
   const detail::Checked<double, n> q(z.q), p(z.p);
+  // Before it is written down: Eigen ends the program where a list of entries is broken off by an exception.
+  const double energy =
+      require_finite("H at the start", static_cast<double>(problem.hamiltonian().hamiltonian(q, z.t, p)));
   State<extended_dimension(n)> bar{.q = Vector<double, extended_dimension(n)>(z.q.size() + 1),
                                    .p = Vector<double, extended_dimension(n)>(z.q.size() + 1)};
   bar.q << z.q, z.t;
-  bar.p << z.p,
-      -require_finite("H at the start", static_cast<double>(problem.hamiltonian().hamiltonian(q, z.t, p)));
+  bar.p << z.p, -energy;
   bar.t = z.t;
   return bar;
 }

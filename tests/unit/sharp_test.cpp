@@ -1,0 +1,84 @@
+#include "src/sharp.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+namespace sharp_test {
+
+using avi::VectorX;
+using avi::detail::SharpFeatures;
+using State = avi::State<avi::dynamic>;
+
+/// A step of size 1 from q to q + 1, nearly.
+template <class H>
+bool jumped(const H& hamiltonian, double q, double* far = nullptr) {
+  const auto graph = std::make_shared<avi::ExpressionGraph>(2);
+  const auto x = avi::recorded_inputs(*graph, 0, 1), p = avi::recorded_inputs(*graph, 1, 1);
+  const int energy = avi::Recorded(hamiltonian(x[0], p[0])).node_in(*graph);
+  avi::detail::PointField field(*graph, energy, {});
+  const VectorX start = Eigen::Vector2d(q, 1.0);
+  const avi::detail::Sketch sketch(field, start, 1e-3, VectorX::Ones(1));
+  SharpFeatures features(*graph, energy, sketch);
+  const auto method = avi::detail::Candidate("fixed", 0.0, graph, energy, 0.5, -1).steps(8, {});
+  State z{.q = VectorX::Constant(1, q), .p = VectorX::Ones(1)};
+  const State before = z;
+  EXPECT_TRUE(method->step(z, 1.0).ok());
+  if (far) *far = z.q[0];
+  return features.jumped(*method, before, z);
+}
+
+/// A bell at q = 1, so low that nothing else is felt of it.
+auto bell(double width) {
+  return [=](const auto& q, const auto& p) {
+    const auto x = (q - 1.0) / width;
+    return 0.5 * p * p + 1e-9 * exp(-x * x);
+  };
+}
+/// A wall at q = 1.
+auto wall(double width) {
+  return [=](const auto& q, const auto& p) { return 0.5 * p * p + 1e-9 * tanh((q - 1.0) / width); };
+}
+
+TEST(SharpFeatures, AreJumpedOverBetweenStages) {
+  for (const double q : {0.4, 0.1, 0.9}) {
+    EXPECT_TRUE(jumped(bell(1e-3), q)) << q;
+    EXPECT_TRUE(jumped(bell(1e-5), q)) << q;
+    EXPECT_TRUE(jumped(wall(1e-3), q)) << q;
+  }
+  EXPECT_TRUE(jumped(wall(1e-3), 0.5)) << "in the middle of the step, where the argument is 0";
+  double far = 0.0;
+  EXPECT_TRUE(jumped(bell(1e-3), 0.4, &far));
+  EXPECT_NEAR(far, 1.4, 1e-6) << "the step has not seen it";
+}
+
+TEST(SharpFeatures, AreNotJumpedOverElsewhere) {
+  for (const double q : {-1.5, 1.2}) {
+    EXPECT_FALSE(jumped(bell(1e-3), q)) << q << ", before or after it";
+    EXPECT_FALSE(jumped(wall(1e-3), q)) << q << ", before or after it";
+  }
+  EXPECT_FALSE(jumped(bell(0.5), 0.4)) << "broad";
+  EXPECT_FALSE(jumped(bell(0.1), 0.4)) << "stages see it";
+  EXPECT_FALSE(jumped(wall(0.5), 0.4)) << "broad";
+  EXPECT_FALSE(jumped([](const auto&, const auto& p) { return 0.5 * p * p; }, 0.4));
+}
+
+TEST(SharpFeatures, AreThoseOfH) {
+  avi::ExpressionGraph graph(2);
+  const auto q = avi::recorded_inputs(graph, 0, 1), p = avi::recorded_inputs(graph, 1, 1);
+  const int other = exp(q[0]).node_in(graph);
+  const int energy = avi::Recorded(0.5 * (p[0] * p[0] + q[0] * q[0])).node_in(graph);
+  avi::detail::PointField field(graph, energy, {});
+  const avi::detail::Sketch sketch(field, Eigen::Vector2d(1.0, 0.0), 1.0, VectorX::Ones(1));
+  EXPECT_TRUE(SharpFeatures(graph, energy, sketch).none());
+  const int with = graph.binary(avi::Operation::add, energy, other);
+  EXPECT_FALSE(SharpFeatures(graph, with, sketch).none());
+  for (const auto operation : {avi::Operation::tanh, avi::Operation::cosh, avi::Operation::sinh,
+                               avi::Operation::erf, avi::Operation::erfc})
+    EXPECT_FALSE(SharpFeatures(graph, graph.unary(operation, 0), sketch).none())
+        << avi::detail::name(operation);
+  EXPECT_TRUE(SharpFeatures(graph, graph.unary(avi::Operation::sin, 0), sketch).none());
+}
+
+}  // namespace sharp_test
