@@ -280,7 +280,7 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
       least = g > 0.0 && std::isfinite(g) ? std::min(least, g) : 0.0;
       most = std::max(most, g);
     }
-    if (!measured.changes.empty())
+    if (!measured.changes.empty() && constants.poles.front() > 0.0)
       it.longest = std::max(it.longest, fastest_change(measured, constants.poles.front()));
     it.noise = std::abs(it.alpha()) * rounding * measured.steepest;
     it.outlook = price * it.fictive * it.longest;
