@@ -59,10 +59,14 @@ class SharpFeatures {
       if (!(*most - *least > wide)) continue;
       if (argument.peak) {
         const auto k = static_cast<int>(most - at.begin());
+        // From e^-40 on it may be felt. A smooth top lies hardly further above three points than they differ.
+        const int first = std::clamp(k - 1, 0, parts - 2);
+        const double low = std::min({at[first], at[first + 1], at[first + 2]});
+        if (*most + 2.0 * (*most - low) < -40.0) continue;
         const double place = highest(method, argument, std::max(k - 1, 0) / static_cast<double>(parts),
                                      std::min(k + 1, parts) / static_cast<double>(parts));
         const double top = argument(method.polynomial(place));
-        // From e^-40 on it may be felt; stages an eighth of a step away would have to see something of it.
+        // Stages an eighth of a step away would have to see something of it.
         for (const double side : {std::max(place - 0.125, 0.0), std::min(place + 0.125, 1.0)})
           if (top > -40.0 && top - argument(method.polynomial(side)) > 12.0) return true;
       } else {

@@ -42,7 +42,7 @@ auto wall(double width) {
 }
 
 TEST(SharpFeatures, AreJumpedOverBetweenStages) {
-  for (const double q : {0.4, 0.1, 0.9}) {
+  for (const double q : {0.4, 0.1, 0.9, 0.875, 0.125}) {
     EXPECT_TRUE(jumped(bell(1e-3), q)) << q;
     EXPECT_TRUE(jumped(bell(1e-5), q)) << q;
     EXPECT_TRUE(jumped(wall(1e-3), q)) << q;
@@ -62,6 +62,45 @@ TEST(SharpFeatures, AreNotJumpedOverElsewhere) {
   EXPECT_FALSE(jumped(bell(0.1), 0.4)) << "stages see it";
   EXPECT_FALSE(jumped(wall(0.5), 0.4)) << "broad";
   EXPECT_FALSE(jumped([](const auto&, const auto& p) { return 0.5 * p * p; }, 0.4));
+}
+
+/// Moves freely along q, and counts how often it is asked for a point on its way.
+struct FreeMotion final : avi::detail::Stepper {
+  double from = 0.0, h = 0.0;
+  std::shared_ptr<int> asked = std::make_shared<int>(0);
+
+  avi::StepReport step(double* z, double& t, double size) override {
+    from = z[0], h = size, z[0] += h, t += h;
+    return {};
+  }
+  void polynomial(double c, double* z, double& t) const override {
+    ++*asked;
+    z[0] = from + c * h, z[1] = 1.0, t = c * h;
+  }
+  [[nodiscard]] std::unique_ptr<Stepper> clone() const override {
+    return std::make_unique<FreeMotion>(*this);
+  }
+};
+
+TEST(SharpFeatures, AreNotSearchedForFarAway) {
+  avi::ExpressionGraph graph(2);
+  const auto q = avi::recorded_inputs(graph, 0, 1), p = avi::recorded_inputs(graph, 1, 1);
+  const int energy = avi::Recorded(bell(1e-3)(q[0], p[0])).node_in(graph);
+  avi::detail::PointField field(graph, energy, {});
+  const avi::detail::Sketch sketch(field, Eigen::Vector2d(0.0, 1.0), 1e-3, VectorX::Ones(1));
+  const auto asked = [&](double start, bool there) {
+    SharpFeatures features(graph, energy, sketch);
+    auto motion = std::make_unique<FreeMotion>();
+    const auto count = motion->asked;
+    avi::detail::OrbitSteps method(std::move(motion), 1);
+    State z{.q = VectorX::Constant(1, start), .p = VectorX::Ones(1)};
+    const State before = z;
+    EXPECT_TRUE(method.step(z, 1.0).ok());
+    EXPECT_EQ(features.jumped(method, before, z), there) << start;
+    return *count;
+  };
+  EXPECT_LE(asked(-5.0, false), 3) << "the points that every step is looked at";
+  EXPECT_GT(asked(0.4, true), 30);
 }
 
 TEST(SharpFeatures, AreThoseOfH) {

@@ -133,8 +133,8 @@ template <class V>
          ((half_square - (s * (half_square + (odd + even)) + k * 1.90821492927058770002e-10)) - f);
 }
 
-/// The values of the standard library.
-[[gnu::cold, gnu::noinline]] inline double library_exp(double x) { return std::exp(x); }
+/// The values of the standard library, which takes long to say zero.
+[[gnu::cold, gnu::noinline]] inline double library_exp(double x) { return x < -746.0 ? 0.0 : std::exp(x); }
 [[gnu::cold, gnu::noinline]] inline double library_log(double x) { return std::log(x); }
 
 /// f of every register of a pack; where a number is not between the bounds, far_away of every number.
