@@ -1,7 +1,7 @@
 #pragma once
 #include "avi/core/instructions.hpp"
 
-#include "avi/core/finite_math.hpp"
+#include "avi/core/compiler.hpp"
 
 #include <cmath>
 #if defined(__SSE2__)

@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/core/finite_math.hpp"
+#include "avi/core/compiler.hpp"
 
 /// @file
 /// How increments are added to a state over many steps.
