@@ -1,8 +1,11 @@
+#include "avi/collocation/collocation.hpp"
 #include "avi/solve.hpp"
+#include "avi/transform/poincare.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 namespace own_gradient_test {
 
@@ -42,6 +45,21 @@ TEST(OwnGradient, OfHItselfGivesTheSameOrbit) {
              found = avi::solve(plain, start, 50.0, 1e-11);
   EXPECT_EQ(supplied.run.steps, found.run.steps);
   EXPECT_NEAR(supplied.state.q[0], found.state.q[0], 1e-13);
+}
+
+/// With the checks of Eigen on, a list that is filled when something is thrown ends the program.
+struct Thrower : Spring {
+  template <class Q, class P>
+  auto d_dp(const Q&, const P& p) const {
+    if (p.size() > 0) throw std::domain_error("no slope");
+    return p;
+  }
+};
+
+TEST(OwnGradient, MayThrow) {
+  const avi::State<avi::dynamic> z{.q = {1.0}, .p = {0.0}};
+  EXPECT_THROW((void)avi::solve(Thrower{}, z, 3.0, 1e-8), std::domain_error);
+  EXPECT_THROW((void)avi::collocation(avi::poincare(Thrower{}, z), 8), std::domain_error);
 }
 
 }  // namespace own_gradient_test

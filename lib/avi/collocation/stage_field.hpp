@@ -71,7 +71,8 @@ Recording recorded_with_supplied(const Problem& problem) {
           apart([&](const Vec& q, const Vec& p) -> Recorded { return h(q, p); }),
           apart([&](const Vec& q, const Vec& p) {
             Vec slopes(2 * n);
-            slopes << h.d_dq(q, p), h.d_dp(q, p);
+            slopes.head(n) = h.d_dq(q, p);
+            slopes.tail(n) = h.d_dp(q, p);
             return slopes;
           }),
           2 * n};
