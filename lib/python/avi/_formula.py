@@ -71,9 +71,11 @@ def hamiltonian(H, shape, parameters=(), name="H"):
     `formula.with_parameters(c)` is the same formula with other values of c, without a call of H.
     """
     shape, parameters = _shape(shape), numbers_of(parameters)
-    if _arguments(H) == 3 + (len(parameters) > 0):
-        named = getattr(getattr(H, "__code__", None), "co_varnames", ())[inspect.ismethod(H) :][:3]
-        if "t" in named and named[1] != "t":
-            raise TypeError(f"{name} calls its arguments {', '.join(named)}; they are q, t, p, in this order.")
+    timed = _arguments(H) == 3 + (len(parameters) > 0)
+    named = getattr(getattr(H, "__code__", None), "co_varnames", ())[inspect.ismethod(H) :][: 3 if timed else 2]
+    if "t" in named and not (timed and named[1] == "t"):  # as the functions (t, y) of other solvers
+        meant = "q, t, p" if timed else "q, p, or q, t, p where time counts"
+        raise TypeError(f"{name} calls its arguments {', '.join(named)}; they are {meant}, in this order.")
+    if timed:
         return trace(lambda q, p, t, *c: H(q, t, p, *c), [shape, shape, ()], parameters, name)
     return trace(H, [shape, shape], parameters, name)

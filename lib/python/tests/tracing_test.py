@@ -170,6 +170,7 @@ class Tracing(unittest.TestCase):
             (lambda q, p: np.einsum("i...,i", q, p), "one letter for each axis"),
             (lambda q, p, t: p @ p + t, "q, t, p, in this order"),
             (lambda t, q, p: p @ p + t, "q, t, p, in this order"),
+            (lambda t, y: y[0], "t, y; they are q, p, or q, t, p"),
             (lambda q, p: np.ones(2).__iadd__(q), "a = a + b"),
             (lambda q, p: 1j * q[0], "complex"),
             (lambda q, p: "a" + q[0], "str"),
