@@ -75,8 +75,8 @@ double Orbiter::speed_at(const State<dynamic>& z, const Ranges& ranges) {
 /// The error at the time `to` after the start, from what was seen until `from`.
 double Orbiter::foretold(const Comparison& seen, double from, double to, double speed) const {
   if (!(to > from)) return seen.error;
-  const double behind = seen.rate > 0.0 ? seen.behind * std::exp(std::min(700.0, seen.rate * (to - from)))
-                                        : seen.behind * std::pow(to / from, seen.growth);
+  const double behind =
+      seen.behind * (seen.rate > 0.0 ? std::exp(seen.rate * (to - from)) : std::pow(to / from, seen.growth));
   return behind * std::max(speed, 0.03 * usual_speed_);
 }
 
@@ -304,7 +304,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   if (mark > 0) lengthened_ = most_lengthened;  // what the first mark promises has not come true
   before_ = error, before_at_ = mark;
   // Where errors do not fall by the order yet, by halves.
-  return again(std::clamp(factor, 0.35, vain_ > 0 ? 0.5 : 0.9));
+  return again(std::max(vain_ > 0 ? std::min(factor, 0.5) : factor, 0.35));
 }
 
 /// Runs the other candidates of the menu to the first mark, where that is a small part of the whole.
