@@ -227,7 +227,8 @@ class Call {
     delivery.go(question_.t_end);
     spent_ += answer.choice.sweeps + answer.run.evaluations + delivery.run().evaluations;
     budget_.sweeps += delivery.run().evaluations;
-    return beyond(delivery.state().t, 1.02);
+    const double reached = delivery.state().t;  // the start, where the first step failed
+    return reached == question_.t ? first : beyond(reached, 1.02);
   }
 
   const OrbitQuestion& question_;
