@@ -294,8 +294,10 @@ OrbitAnswer Orbiter::solve() {
 }
 
 OrbitAnswer Orbiter::finish() {
-  // Where a bound is met what was reached is the end: by the run that has come further.
-  if (bound_ != Outcome::ok && coarse_ && sense_ * (coarse_->state.t - fine_->state.t) > 0.0)
+  // Where a bound is met what was reached is the end: by the run that has come further, unless a step is
+  // given.
+  if (bound_ != Outcome::ok && coarse_ && !(question_.options.h > 0.0) &&
+      sense_ * (coarse_->state.t - fine_->state.t) > 0.0)
     std::swap(coarse_, fine_);
   const Journey& fine = *fine_;
   const Candidate& it = *fine.candidate;
@@ -310,7 +312,7 @@ OrbitAnswer Orbiter::finish() {
   answer_.choice.h = fine.h;
   answer_.choice.solved = fine.solved;
   answer_.run = fine.run;
-  if (fine.ok() && fine.state.t != question_.t_end)
+  if (fine.ok() && (bound_ != Outcome::ok || fine.state.t != question_.t_end))
     answer_.run.outcome = bound_ != Outcome::ok ? bound_ : Outcome::stopped;
   answer_.energy_error = fine.energy_error;
   const double here = since_start(judged_);
@@ -340,6 +342,10 @@ OrbitAnswer Orbiter::finish() {
                 "the orbit may come near a singularity of H.";
       answer_.run.message = text.str();
       answer_.run.outcome = Outcome::step_limit;
+    } else if (fine.state.t == question_.t_end) {
+      answer_.run.message = "A bound of the call was met by the run with the shorter step; the state is that "
+                            "of the one with the "
+                            "longer step.";
     } else {
       answer_.run.message = describe_end(answer_.run.outcome, fine.state, fine.run.steps, 0.0, "");
     }
