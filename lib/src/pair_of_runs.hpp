@@ -94,7 +94,7 @@ class Orbiter {
   void note_trial(const Journey& journey, double error);
   OrbitAnswer fail(Outcome outcome, std::string message);
   OrbitAnswer give_up();
-  OrbitAnswer too_far();
+  OrbitAnswer too_far(const char* what, double t, double radians);
   OrbitAnswer finish();
 
   const OrbitQuestion& question_;

@@ -263,14 +263,13 @@ OrbitAnswer Orbiter::give_up() {
   return fail(Outcome::not_converged, text.str());
 }
 
-/// The end is so far that the rounding of its time is more than a radian.
-OrbitAnswer Orbiter::too_far() {
+/// The start or the end is so far that the rounding of its time is more than a radian.
+OrbitAnswer Orbiter::too_far(const char* what, double t, double radians) {
   std::ostringstream text;
   text.precision(6);
-  text << "The end, t = " << question_.t_end << ", is some " << radians_
+  text << what << t << ", is some " << radians
        << " radians of the fastest motion away: the rounding of such a time alone hides where in its motion "
-          "the "
-          "system is.";
+          "the system is.";
   return fail(Outcome::stalled, text.str());
 }
 
@@ -284,7 +283,10 @@ OrbitAnswer Orbiter::solve() {
   std::ranges::fill(answer_.q, std::numeric_limits<double>::quiet_NaN());
   std::ranges::fill(answer_.p, std::numeric_limits<double>::quiet_NaN());
   prepare();
-  if (radians_ > 0.5 / std::numeric_limits<double>::epsilon()) return too_far();
+  const double since_zero = distance_->frequency * std::abs(question_.t);
+  constexpr double most = 0.5 / std::numeric_limits<double>::epsilon();
+  if (radians_ > most) return too_far("The end, t = ", question_.t_end, radians_);
+  if (since_zero > most) return too_far("The zero of time, seen from t = ", question_.t, since_zero);
   set_marks();
   answer_.choice.time = since_start(0);
   for (Setting setting = first_setting(); pursue(setting);) {
@@ -316,9 +318,13 @@ OrbitAnswer Orbiter::finish() {
     answer_.run.outcome = bound_ != Outcome::ok ? bound_ : Outcome::stopped;
   answer_.energy_error = fine.energy_error;
   const double here = since_start(judged_);
-  // What rounding leaves grows with the phase.
-  answer_.state_error = foretold(seen_, here, span_, speed_at(fine.state, fine.ranges)) +
-                        (it.noise + std::numeric_limits<double>::epsilon()) * radians_;
+  const double speed = speed_at(fine.state, fine.ranges), epsilon = std::numeric_limits<double>::epsilon();
+  // What rounding leaves grows with the phase; that of a clock which does not begin near zero moves the end
+  // along the orbit.
+  const double of_clock = question_.t == 0.0 ? 0.0 : 0.5 * epsilon * std::abs(question_.t) * speed;
+  answer_.state_error = foretold(seen_, here, span_, speed) + (it.noise + epsilon) * radians_ + of_clock;
+  if (of_clock > question_.tolerance)
+    answer_.note += "Time is so far from zero that its rounding is more than the tolerance. ";
   if (fine.energy_error > 10.0 * question_.tolerance + 100.0 * answer_.energy_rounding)
     answer_.state_error = std::max(answer_.state_error, fine.energy_error);
   if (fine.jumped) {
