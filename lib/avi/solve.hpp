@@ -161,11 +161,11 @@ struct Choice {
   /// \f$(H_{pp})_{ii}\f$ where something moves that has no momenta, as in a magnetic field or a frame that
   /// turns; else empty.
   std::vector<double> drifts = {};
-  double solved = 6.25e-19;        ///< Relative change of a sweep below which a step counts as solved.
-  double time = 0.0;               ///< Physical time of the short trials.
-  long sweeps = 0;                 ///< Evaluations of all stages in all trials.
-  long check = 0;                  ///< Those of the run with a longer step that goes along the whole orbit.
-  std::vector<SolveTrial> trials;  ///< In their order.
+  double solved = 6.25e-19;  ///< Relative change of a sweep below which a step counts as solved.
+  double time = 0.0;         ///< Physical time of the short trials.
+  long sweeps = 0;           ///< Evaluations of all stages in all trials.
+  long check = 0;            ///< Those of the run with a longer step that goes along the whole orbit.
+  std::vector<SolveTrial> trials = {};  ///< In their order.
 };
 
 /// The monitor g(q, p) of a choice, for a method by hand: `poincare(H, start, monitor_of(choice, H, H_0))`.
