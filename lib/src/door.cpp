@@ -93,8 +93,9 @@ void add_functions(OrbitQuestion& question) {
 }
 
 void no_curve() {
-  throw std::logic_error("The solution was made without SolveOptions::dense; it has states at the end and at "
-                         "output times only.");
+  throw std::logic_error(
+      "The solution was made without SolveOptions::dense, or no run was begun; it has states "
+      "at the end and at output times only.");
 }
 
 namespace {
@@ -302,6 +303,7 @@ SolutionReport choose_for(const OrbitQuestion& question) {
   OrbitQuestion sample = question;
   sample.events.clear();
   sample.options.dense = false;
+  sample.options.checkpoint.clear();
   SolutionReport report = answer(std::move(sample));
   if (!(report.choice.h > 0.0))
     throw std::invalid_argument(
