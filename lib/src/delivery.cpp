@@ -28,7 +28,7 @@ Delivery::Delivery(const OrbitQuestion& question, int degrees, const Choice& cho
       field_(question.graph, question.energy, question.gradient),
       energy_at_start_(field_.energy(question.q.data(), question.p.data())),
       candidate_(candidate(choice.name, question, energy_at_start_, choice)), choice_(choice),
-      h_(question.t_end < question.t ? -choice.h : choice.h), energy_scale_(choice.energy_scale),
+      h_(question.t_end < question.t ? -choice.h : choice.h),
       steps_((candidate_.supplied = question.gradient,
               candidate_.steps(choice.order, {.tolerance = choice.solved, .most = 60}))),
       state_(start_of(question)) {
@@ -52,7 +52,7 @@ void Delivery::add(OrbitPoints& points, const State<dynamic>& z, double t) const
 void Delivery::look_at_energy(const State<dynamic>& z) {
   const double energy = field_.energy(z.q.data(), z.p.data());
   if (std::isnan(energy)) run_.outcome = Outcome::non_finite;
-  energy_error_ = std::max(energy_error_, std::abs(energy - energy_at_start_) / energy_scale_);
+  energy_error_ = std::max(energy_error_, std::abs(energy - energy_at_start_) / choice_.energy_scale);
 }
 
 void Delivery::go(double pause) {

@@ -201,7 +201,6 @@ class Call {
     budget_.phase = SolvePhase::choosing;
     budget_.end = end;
     OrbitAnswer answer = choose(question, budget_);
-    answer.q.resize(static_cast<std::size_t>(degrees_)), answer.p.resize(static_cast<std::size_t>(degrees_));
     answer.tolerance = question_.tolerance;
     return answer;
   }
@@ -258,7 +257,6 @@ OrbitAnswer answer(OrbitQuestion&& question) {
   budget.start = question.t, budget.end = question.t_end;
   OrbitAnswer answer = more && question.t_end != question.t ? Call(question, degrees, budget).make()
                                                             : choose(question, budget);
-  answer.q.resize(question.q.size()), answer.p.resize(question.q.size());
   answer.q.resize(static_cast<std::size_t>(degrees)), answer.p.resize(static_cast<std::size_t>(degrees));
   if ((!more || question.t_end == question.t) && answer.ok())
     for (const double t : times) {
@@ -272,7 +270,6 @@ OrbitAnswer answer(OrbitQuestion&& question) {
 
 OrbitAnswer answer_from(const std::string& file, OrbitQuestion&& question) {
   Record record(file);
-  const SolveOptions bounds = question.options;
   const auto degrees = static_cast<std::size_t>(question.q.size());
   extend(question);
   const std::size_t size = question.q.size();

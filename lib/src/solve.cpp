@@ -110,7 +110,7 @@ void Orbiter::prepare() {
   if (!(scale > 0.0)) scale = 1.0;
   choice.energy_scale = scale;
   answer_.energy_rounding = std::numeric_limits<double>::epsilon() * (std::abs(energy) / scale + 1.0);
-  trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, budget_});
+  trip_.emplace(Trip{z, energy, scale, sense_, budget_});
   features_.emplace(question_.graph, question_.energy, sketch);
   if (!features_->none()) trip_->features = &*features_;
   menu_ = candidates(question_, energy, sketch, radians_, resting, metric, choice, field_.operations());
