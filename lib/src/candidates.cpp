@@ -106,8 +106,7 @@ Measured measure(const Sketch& sketch, const ExpressionGraph& graph, int node, c
   Measured measured;
   RecordedFormula<double> formula{Recording(graph, node).value_and_gradient()};
   const auto at = [&](const auto& z) {
-    std::copy(z.begin(), z.end(), formula.room.arguments());
-    formula.program.run(formula.room);
+    formula.run(z.data(), z.data() + z.size() / 2, z.size() / 2);
     return formula.value();
   };
   const auto along = [&](const auto& slope) {

@@ -87,9 +87,7 @@ class SharpFeatures {
 
     double operator()(const State<dynamic>& z) { return (*this)(z.q.data(), z.p.data()); }
     double operator()(const double* q, const double* p) {
-      std::copy(q, q + n, formula.room.arguments());
-      std::copy(p, p + n, formula.room.arguments() + n);
-      formula.program.run(formula.room);
+      formula.run(q, p, n);
       return formula.value();
     }
     void add(double value) { low = std::min(low, value), high = std::max(high, value); }
