@@ -40,6 +40,9 @@ class Delivery {
   void deliver(OrbitAnswer& answer) const;
 
  private:
+  [[nodiscard]] std::unique_ptr<OrbitSteps> method() {
+    return candidate_.steps(choice_.order, {.tolerance = choice_.solved, .most = 60});
+  }
   void step();
   void find_events(const Stride& stride, State<dynamic>& last);
   void find_outputs(const State<dynamic>& before, const State<dynamic>& after, const State<dynamic>& last);
