@@ -115,6 +115,18 @@ TEST(Poles, AreTakenWhereTheyPay) {
   EXPECT_EQ(solve(h, start, period, 1e-9, {.monitor = "poles"}).choice.poles, c);
 }
 
+// Each product has its factor twice: as many ways lead to the first one as 2 to the power of 60.
+TEST(Poles, OfLongProductsAreFoundOnce) {
+  const auto h = [](const auto& q, const auto& p) {
+    auto product = q[0];
+    for (int k = 0; k < 60; ++k)
+      product = product * (product * cos(q[0]));
+    return 0.5 * p[0] * p[0] + 1.0 / product;
+  };
+  const avi::Formula formula = avi::Formula::of_phase<1>(h);
+  EXPECT_EQ(avi::detail::Poles(formula.graph(), formula.node()).size(), 2u);
+}
+
 TEST(Poles, OfAChoiceAreRefusedForAnotherHamiltonian) {
   const auto h = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + 1.0 / q[0]; };
   const avi::Formula line = avi::Formula::of_phase<1>(h);
