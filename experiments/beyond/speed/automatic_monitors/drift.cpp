@@ -78,10 +78,8 @@ Series follow(const Scene& scene, const Chosen& choice, double end) {
 }  // namespace
 
 void measure_drift(const Frame& frame, const std::vector<Scene>& scenes, int repeats) {
-  Table table =
-      frame.table({"problem", "held_out", "horizons", "monitor", "outcome", "energy_error",
-                   "slope_times_horizon", "t_statistic", "correlation", "corrected_t", "parting", "distance",
-                   "rounding", "first_tenth", "last_tenth", "again_times_horizon", "again_t"});
+  Table table = frame.table({"problem", "held_out", "horizons", "monitor", "outcome", "energy_error",
+                             "slope_times_horizon", "corrected_t", "rounding", "first_tenth", "last_tenth"});
   int regular = 0, still = 0, small = 0, twice = 0;
   for (const Scene& scene : scenes) {
     const double end = repeats * scene.time;
@@ -112,9 +110,7 @@ void measure_drift(const Frame& frame, const std::vector<Scene>& scenes, int rep
       small += change < 0.02 * worst;
     }
     table.row(scene.name, scene.held_out, repeats, choice.name, avi::name(series.run.outcome), worst,
-              fit.slope * end, fit.t_statistic, fit.correlation, avi::corrected_t(fit), parted.growth,
-              parted.distance, series.rounding, series.worst_first, series.worst_last,
-              verdict.again.slope * end, avi::corrected_t(verdict.again));
+              fit.slope * end, avi::corrected_t(fit), series.rounding, series.worst_first, series.worst_last);
   }
   fmt::print(
       "{} of {} problems regular; no drift (slope within three of its standard errors, correlation "
