@@ -4,12 +4,8 @@
 
 int main(int argc, char** argv) {
   using namespace experiment;
-  long starts = 16;
-  const auto options = [&](CLI::App& app) {
-    add_count(app, "--starts", starts, 2, 1000, "Moved starts for each setting and size");
-  };
-  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
-    if (frame.quick) starts = std::min(starts, 4L);
+  return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
+    const long starts = frame.quick ? 4 : 16;
     Table table = frame.table({"setting", "method", "approach", "p", "p_ring", "h", "iterations", "moved_by",
                                "starts", "least", "most", "failed", "chaotic"});
     table.note("chaotic", "the counts of the moved starts differ, or some runs fail");
