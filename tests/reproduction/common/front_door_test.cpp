@@ -145,7 +145,7 @@ TEST_F(Scorecard, FailsWhereATableHasNoSheet) {
 
 // What they say is that of one frame: programs with options of every kind, and one without.
 INSTANTIATE_TEST_SUITE_P(Experiments, FrontDoor,
-                         testing::Values("scorecard", "long_horizon", "euler_b_errors", "p_dependence"),
+                         testing::Values("scorecard", "long_horizon", "euler_b_errors"),
                          [](const auto& instance) { return std::string(instance.param); });
 
 }  // namespace front_door_test

@@ -111,7 +111,7 @@ inline Measured measure(const Arena& arena, avi::Collocation<Problem>& method, d
 /// More and more steps until both targets are met, or both more than `most` steps and more than `dearest`
 /// work were spent; between two runs what a target takes is interpolated.
 inline Cost cost(const Arena& arena, const avi::Formula& monitor, const Targets& targets, double most,
-                 double dearest, double factor) {
+                 double dearest) {
   Cost found;
   const double fictive = arena.fictive_time(monitor);
   if (!(fictive > 0.0) || !std::isfinite(fictive)) return found;
@@ -120,7 +120,7 @@ inline Cost cost(const Arena& arena, const avi::Formula& monitor, const Targets&
   Measured before;
   const double first = 0.006 * static_cast<double>(arena.orbit.size());
   for (double steps = first * std::pow(targets.energy, -1.0 / targets.order); steps < most_steps;
-       steps *= factor) {
+       steps *= 1.4) {
     const Measured now = measure(arena, method, fictive / steps, static_cast<long>(2.0 * most_steps));
     if (now.steps > most && found.sweep * now.sweeps > dearest) break;
     const auto look = [&](Measured& reached, double target, double Measured::*error) {

@@ -17,7 +17,6 @@ struct Point {
   long steps = 0;
   long evaluations = 0;
   double seconds = 0.0;
-  double least_seconds = 0.0, most_seconds = 0.0;  ///< Over the starts.
   double position_error = 0.0;
   double energy_error = 0.0;  ///< Largest over the steps, from start 0.
   bool front = false;         ///< No other point is both faster and at least as accurate.

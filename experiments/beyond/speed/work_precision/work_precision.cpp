@@ -31,24 +31,11 @@ Scene reference_scene() {
   return scene;
 }
 
-/// The scenes whose name contains `text`.
-std::vector<Listed> chosen(std::vector<Listed> list, const std::string& text) {
-  std::string names;
-  for (const Listed& one : list)
-    names += (names.empty() ? "" : ", ") + one.label;
-  std::erase_if(list, [&](const Listed& one) { return one.label.find(text) == std::string::npos; });
-  if (list.empty())
-    throw std::invalid_argument("--scene is '" + text +
-                                "'; it must be part of the name of one of these: " + names + ".");
-  return list;
-}
-
 void add_rows(Table& table, const Scene& scene, const std::vector<Point>& points, double unit) {
   for (const Point& p : points)
     table.row(scene.problem, scene.eccentricity, scene.horizon_name, p.family->method, p.family->order,
               p.label(), p.steps, p.evaluations, rounded(p.seconds), p.position_error, p.energy_error,
-              rounded(p.seconds / unit), p.front, rounded(p.least_seconds / unit),
-              rounded(p.most_seconds / unit));
+              rounded(p.seconds / unit), p.front);
 }
 
 /// The front in its order along the curve, one index block per scene.
@@ -97,11 +84,7 @@ Measured measured_with_unit(const Scene& unit_scene, const Scene& scene, const B
 
 int main(int argc, char** argv) {
   bool full = false;
-  std::string only;
-  const auto options = [&](CLI::App& app) {
-    add_flag(app, "--full", full, "The whole grid, some minutes");
-    add_text(app, "--scene", only, "Only scenes whose name contains this, as `kepler 0.9`");
-  };
+  const auto options = [&](CLI::App& app) { add_flag(app, "--full", full, "The whole grid, some minutes"); };
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
     const Grid grid = frame.quick ? Grid::quick : full ? Grid::full : Grid::reduced;
     const Budget base =
@@ -109,15 +92,14 @@ int main(int argc, char** argv) {
         : full      ? Budget{.longest_run = 1.2e6, .least_run = 3e4, .least_block = 0.0005, .stride = 1}
                     : Budget{};
     Table table = frame.table({"problem", "eccentricity", "horizon", "method", "order", "setting", "steps",
-                               "evaluations", "seconds", "position_error", "energy_error", "cost", "front",
-                               "least_cost", "most_cost"});
+                               "evaluations", "seconds", "position_error", "energy_error", "cost", "front"});
     Table front = frame.table(
         {"problem", "eccentricity", "horizon", "method", "order", "setting", "cost", "position_error"});
     Table advice = advice_table(frame);
     table.note("peers", peers_present());
     advice.note("peers", peers_present());
     const Scene unit_scene = reference_scene();
-    const auto list = chosen(scenes(grid), only);
+    const auto list = scenes(grid);
     for (std::size_t i = 0; i < list.size(); ++i) {
       const std::string& label = list[i].label;
       const Scene scene = list[i].make();
