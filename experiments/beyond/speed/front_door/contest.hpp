@@ -24,8 +24,6 @@ using work_precision::Result;
 struct Contest {
   std::vector<Family> families;                ///< `avi`, then the peers; settings are tolerances.
   std::function<double(const Result&)> error;  ///< |q - exact position| at the end.
-  /// A call of avi::solve() once more, for what it reports.
-  std::function<avi::SolutionReport(double tolerance)> call;
   double reference_error = 0.0;  ///< Of the exact position: what another step of the reference makes of it.
 };
 
@@ -75,10 +73,8 @@ Contest contest(const P& problem, const avi::State<P::dimension>& start, double 
   work_precision::Scene scene;
   scene.families = {door(problem, start, span)};
   work_precision::add_peers(scene, arena.equations());
-  return {
-      std::move(scene.families),
-      [exact = std::move(exact)](const Result& result) { return (result.q - exact).norm(); },
-      [=](double tolerance) -> avi::SolutionReport { return avi::solve(problem, start, span, tolerance); }};
+  return {std::move(scene.families),
+          [exact = std::move(exact)](const Result& result) { return (result.q - exact).norm(); }};
 }
 
 /// Same with the extrapolated end, from `h` on; its own error is the difference from three quarters of that.

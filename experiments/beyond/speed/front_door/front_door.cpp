@@ -29,9 +29,9 @@ int main(int argc, char** argv) {
     const double longest = full ? 1000.0 : frame.quick ? 10.0 : 100.0;
     Table table = frame.table({"scene", "kind", "held_out", "horizon", "method", "setting", "error",
                                "seconds", "steps", "evaluations"});
-    Table cells = frame.table({"scene", "kind", "held_out", "horizon", "target", "ours", "best_peer",
-                               "best_peer_name", "ratio", "ours_evaluations", "peer_evaluations",
-                               "ours_setting", "peer_setting", "run_sweeps", "monitor", "order", "steps"});
+    Table cells =
+        frame.table({"scene", "kind", "held_out", "horizon", "target", "ours", "best_peer", "best_peer_name",
+                     "ratio", "ours_evaluations", "peer_evaluations", "ours_setting", "peer_setting"});
     table.note("peers", work_precision::peers_present());
     cells.note("peers", work_precision::peers_present());
     double done = 0.0;
@@ -52,7 +52,6 @@ int main(int argc, char** argv) {
                     p.evaluations);
         for (const auto& [target, ours, peer] : outcome.cells) {
           if (!ours && !peer) continue;
-          const avi::SolutionReport report = ours ? contest.call(ours->setting) : avi::SolutionReport();
           const auto of = [](const std::optional<Point>& p, auto Point::*number) {
             return p ? static_cast<double>((*p).*number) : unknown;
           };
@@ -61,9 +60,7 @@ int main(int argc, char** argv) {
                     peer ? contest.families[peer->family].method : "none",
                     rounded(of(ours, &Point::seconds) / of(peer, &Point::seconds), 4),
                     of(ours, &Point::evaluations), of(peer, &Point::evaluations),
-                    rounded(of(ours, &Point::setting), 4), rounded(of(peer, &Point::setting), 4),
-                    report.run.evaluations, ours ? report.choice.name : "none", report.choice.order,
-                    report.run.steps);
+                    rounded(of(ours, &Point::setting), 4), rounded(of(peer, &Point::setting), 4));
         }
       }
     }

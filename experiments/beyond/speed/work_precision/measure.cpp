@@ -97,17 +97,12 @@ std::vector<Point> measure(const Scene& scene, const Budget& budget,
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].seconds = median(seconds[i]);
+    points[i].least_seconds = std::ranges::min(seconds[i]);
+    points[i].most_seconds = std::ranges::max(seconds[i]);
     points[i].position_error = median(errors[i]);
   }
   std::erase_if(points, [](const Point& p) { return !std::isfinite(p.position_error); });
   return points;
-}
-
-void mark_front(std::vector<Point>& points) {
-  for (Point& p : points)
-    p.front = std::ranges::none_of(points, [&](const Point& other) {
-      return other.seconds < p.seconds && other.position_error <= p.position_error;
-    });
 }
 
 }  // namespace experiment::work_precision

@@ -35,16 +35,7 @@ void add_rows(Table& table, const Scene& scene, const std::vector<Point>& points
   for (const Point& p : points)
     table.row(scene.problem, scene.eccentricity, scene.horizon_name, p.family->method, p.family->order,
               p.label(), p.steps, p.evaluations, rounded(p.seconds), p.position_error, p.energy_error,
-              rounded(p.seconds / unit), p.front);
-}
-
-/// The front in its order along the curve, one index block per scene.
-void add_front(Table& table, const Scene& scene, std::vector<Point> points, double unit) {
-  std::erase_if(points, [](const Point& p) { return !p.front; });
-  std::ranges::sort(points, {}, &Point::seconds);
-  for (const Point& p : points)
-    table.row(scene.problem, scene.eccentricity, scene.horizon_name, p.family->method, p.family->order,
-              p.label(), rounded(p.seconds / unit), p.position_error);
+              rounded(p.seconds / unit), rounded(p.least_seconds / unit), rounded(p.most_seconds / unit));
 }
 
 /// The measurements of a scene, with the unit before and after it.
@@ -92,9 +83,8 @@ int main(int argc, char** argv) {
         : full      ? Budget{.longest_run = 1.2e6, .least_run = 3e4, .least_block = 0.0005, .stride = 1}
                     : Budget{};
     Table table = frame.table({"problem", "eccentricity", "horizon", "method", "order", "setting", "steps",
-                               "evaluations", "seconds", "position_error", "energy_error", "cost", "front"});
-    Table front = frame.table(
-        {"problem", "eccentricity", "horizon", "method", "order", "setting", "cost", "position_error"});
+                               "evaluations", "seconds", "position_error", "energy_error", "cost",
+                               "least_cost", "most_cost"});
     Table advice = advice_table(frame);
     table.note("peers", peers_present());
     advice.note("peers", peers_present());
@@ -120,13 +110,10 @@ int main(int argc, char** argv) {
             "The unit of time moved by {:.0f} % while '{}' was measured: its costs are not to be used.\n",
             100.0 * made.drift, label);
       auto& [unit_point, points, unit, drift] = made;
-      mark_front(points);
       if (i == 0) add_rows(table, unit_scene, unit_point, unit);
       add_rows(table, scene, points, unit);
-      add_front(front, scene, points, unit);
       advise(advice, scene, points, unit, drift);
     }
-    frame.write(front, "front");
     frame.write(advice, "advice");
     frame.write(table);
   });
