@@ -44,10 +44,6 @@ int run(int argc, char** argv, const std::string& shows, const std::function<voi
 /// Same for an experiment without options of its own.
 int run(int argc, char** argv, const std::string& shows, const std::function<void(Frame&)>& body);
 
-/// Adds an integer option in [low, high].
-void add_count(CLI::App& app, const std::string& flag, long& value, long low, long high,
-               const std::string& description);
-
 /// Adds a switch.
 void add_flag(CLI::App& app, const std::string& flag, bool& value, const std::string& description);
 

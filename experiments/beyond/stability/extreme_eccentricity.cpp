@@ -128,7 +128,8 @@ void survey(Frame& frame, Table& table, const Subject& subject) {
     const double steps = found.at.run.steps;
     table.row(subject.method, subject.monitor, subject.precision, subject.bounded, 1.0 - gap, gap, found.h,
               ok ? steps / 3.0 : unknown, ok ? found.at.energy_error : unknown,
-              ok ? phase_error(start, found.at.end) : unknown, subject.predicted, std::isnan(found.h_beyond) ? "nan" : found.beyond.ending());
+              ok ? phase_error(start, found.at.end) : unknown, subject.predicted,
+              std::isnan(found.h_beyond) ? "nan" : found.beyond.ending());
     if (!ok && found.beyond.run.outcome == avi::Outcome::step_limit) return;
   }
 }
