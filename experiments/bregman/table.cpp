@@ -12,16 +12,12 @@ std::string label_of(const Setting& s) {
 }
 
 int iteration_table(int argc, char** argv, const std::string& shows, const std::vector<Setting>& settings) {
-  long starts = 16;
-  const auto options = [&](CLI::App& app) {
-    add_count(app, "--starts", starts, 1, 1000, "Starts moved by 1e-14 for each setting");
-  };
-  return run(argc, argv, shows, options, [&](Frame& frame) {
-    if (frame.quick) starts = std::min(starts, 4L);
+  return run(argc, argv, shows, [&](Frame& frame) {
+    const long starts = frame.quick ? 4 : 16;
     const avi::Stopping stopping{.delta = 1e-10, .iterations = 1'000'000};
-    Table table = frame.table({"method", "approach", "p", "p_ring", "h", "C", "iterations",
-                               "gradient_evaluations", "converged", "perturbed_least", "perturbed_median",
-                               "perturbed_most", "perturbed_failed", "seconds"});
+    Table table =
+        frame.table({"method", "approach", "p", "p_ring", "h", "C", "iterations", "gradient_evaluations",
+                     "converged", "perturbed_least", "perturbed_most", "perturbed_failed", "seconds"});
     table.note("delta", stopping.delta);
     table.note("perturbed", "counts from " + std::to_string(starts) + " starts moved by up to 1e-14");
     Table curves = frame.table(Curve::columns_after({"curve", "method", "approach", "p", "p_ring"}));
@@ -34,8 +30,8 @@ int iteration_table(int argc, char** argv, const std::string& shows, const std::
       PerturbedCounts counts;
       if (result.converged()) counts = perturbed_counts(s, starts, 1e-14, stopping);
       table.row(s.method, s.approach(), s.p, s.p_ring_or_nan(), s.h, s.family().C, result.iterations,
-                result.gradient_evaluations, result.converged(), counts.least(), counts.median(),
-                counts.most(), counts.failed, rounded(time));
+                result.gradient_evaluations, result.converged(), counts.least(), counts.most(), counts.failed,
+                rounded(time));
       if (result.converged())
         curve.append(curves, {label_of(s), s.method, s.approach(), exact(s.p), exact(s.p_ring_or_nan())});
     });

@@ -26,10 +26,7 @@ struct PerturbedCounts {
   long failed = 0;           ///< Runs that did not converge.
 
   [[nodiscard]] long least() const { return counts.empty() ? 0 : counts.front(); }
-  [[nodiscard]] long median() const { return counts.empty() ? 0 : counts[(counts.size() - 1) / 2]; }
   [[nodiscard]] long most() const { return counts.empty() ? 0 : counts.back(); }
-  /// Runs whose count is n.
-  [[nodiscard]] long equal_to(long n) const { return std::count(counts.begin(), counts.end(), n); }
 };
 
 /// Counts of runs whose starts differ from the paper's by up to `size` in every entry; the same starts for

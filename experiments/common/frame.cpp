@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <stdexcept>
@@ -103,35 +102,6 @@ int run(int argc, char** argv, const std::string& shows, const std::function<voi
 int run(int argc, char** argv, const std::string& shows, const std::function<void(Frame&)>& body) {
   const auto no_options = [](CLI::App&) {};
   return run(argc, argv, shows, no_options, body);
-}
-
-void add_number(CLI::App& app, const std::string& flag, double& value, Range range,
-                const std::string& description) {
-  const std::string interval = fmt::format("{}{}, {}{}", range.low_open ? "(" : "[", range.low, range.high,
-                                           range.high_open ? ")" : "]");
-  app.add_option(flag, value, description)
-      ->option_text(fmt::format("NUMBER in {}", interval))
-      ->capture_default_str()
-      ->check([=](const std::string& text) -> std::string {
-        double number = std::nan("");
-        const bool parsed = CLI::detail::lexical_cast(text, number);
-        const bool above = range.low_open ? number > range.low : number >= range.low;
-        const bool below = range.high_open ? number < range.high : number <= range.high;
-        if (parsed && std::isfinite(number) && above && below) return {};
-        return fmt::format("value {} is not a finite number in {}.", text, interval);
-      });
-}
-
-void add_count(CLI::App& app, const std::string& flag, long& value, long low, long high,
-               const std::string& description) {
-  app.add_option(flag, value, description)
-      ->option_text(fmt::format("INTEGER in [{}, {}]", low, high))
-      ->capture_default_str()
-      ->check([=](const std::string& text) -> std::string {
-        long number = 0;
-        if (CLI::detail::lexical_cast(text, number) && number >= low && number <= high) return {};
-        return fmt::format("value {} is not an integer in [{}, {}].", text, low, high);
-      });
 }
 
 void add_flag(CLI::App& app, const std::string& flag, bool& value, const std::string& description) {

@@ -44,20 +44,6 @@ int run(int argc, char** argv, const std::string& shows, const std::function<voi
 /// Same for an experiment without options of its own.
 int run(int argc, char** argv, const std::string& shows, const std::function<void(Frame&)>& body);
 
-/// An interval; either end may be excluded.
-struct Range {
-  double low, high;
-  bool low_open = false, high_open = false;
-};
-
-/// Adds a real-valued option that must be finite and lie in the range.
-void add_number(CLI::App& app, const std::string& flag, double& value, Range range,
-                const std::string& description);
-
-/// Adds an integer option in [low, high].
-void add_count(CLI::App& app, const std::string& flag, long& value, long low, long high,
-               const std::string& description);
-
 /// Adds a switch.
 void add_flag(CLI::App& app, const std::string& flag, bool& value, const std::string& description);
 

@@ -6,16 +6,9 @@
 // step sizes.
 int main(int argc, char** argv) {
   using namespace experiment;
-  double eccentricity = 0.9, horizon = 100.0, h = 1e-3;
-  const auto options = [&](CLI::App& app) {
-    add_number(app, "--eccentricity", eccentricity, {.low = 0.0, .high = 1.0, .high_open = true},
-               "Eccentricity e of the orbit");
-    add_number(app, "--horizon", horizon, {.low = 0.0, .high = 1e5, .low_open = true},
-               "Physical time T to reach");
-    add_number(app, "--h", h, {.low = 0.0, .high = 1.0, .low_open = true}, "Step of the fixed-step run");
-  };
-  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
-    if (frame.quick) horizon = std::min(horizon, 10.0);
+  constexpr double eccentricity = 0.9, h = 1e-3;
+  return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
+    const double horizon = frame.quick ? 10.0 : 100.0;
     // Equally many steps: the count is inversely proportional to the size.
     const double fixed_steps = std::ceil(horizon / h);
     double size = h;

@@ -106,12 +106,8 @@ double equal_work() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  long periods = 10'000;
-  const auto options = [&](CLI::App& app) {
-    add_count(app, "--periods", periods, 10, 1'000'000, "Periods to run");
-  };
-  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
-    if (frame.quick) periods = std::min(periods, 1000L);
+  return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
+    const long periods = frame.quick ? 1000 : 10'000;
     Table table = frame.table({"method", "monitor", "periods", "energy_error"});
     const double h = fictive_period() / steps_per_orbit, last = static_cast<double>(periods);
     const State2 start = avi::Kepler::pericentre(eccentricity);

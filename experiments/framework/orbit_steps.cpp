@@ -63,11 +63,8 @@ void add(Table& table, Table& summary, const char* name, const G& monitor, Value
 }  // namespace
 
 int main(int argc, char** argv) {
-  long steps = 36;
-  const auto options = [&](CLI::App& app) {
-    add_count(app, "--steps", steps, 16, 10'000, "Steps of an orbit");
-  };
-  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
+  constexpr long steps = 36;  // of an orbit
+  return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
     Table table = frame.table({"monitor", "step", "q_1", "q_2", "t"});
     Table summary = frame.table({"monitor", "steps", "h", "energy_error"});
     summary.note("eccentricity", eccentricity);

@@ -4,12 +4,7 @@
 // printed one to an eighth of it.
 int main(int argc, char** argv) {
   using namespace experiment;
-  double horizon = 10.0;
-  const auto options = [&](CLI::App& app) {
-    add_number(app, "--horizon", horizon, {.low = 0.0, .high = 1e4, .low_open = true},
-               "Physical time T to reach");
-  };
-  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
+  return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
     experiment::Table out = frame.table(
         {"method", "construction", "r", "rule", "monitor", "h", "steps", "energy_error", "global_error"});
     out.note("eccentricity", 0.9);
@@ -30,8 +25,8 @@ int main(int argc, char** argv) {
     };
     for (const char* rule : {"simpson", "gauss4"})
       for (const char* construction : {"authors", "printed"})
-        sweep([&](const KeplerTable& table) { return htvi4_runs(construction, table, horizon, rule); });
-    sweep([&](const KeplerTable& table) { return stationary_runs(table, horizon); });
+        sweep([&](const KeplerTable& table) { return htvi4_runs(construction, table, rule); });
+    sweep([&](const KeplerTable& table) { return stationary_runs(table); });
     frame.write(out);
   });
 }

@@ -3,15 +3,10 @@
 // Physical steps of HTVI4 in time for the monitors of Table 1, at its settings (e = 0.9).
 int main(int argc, char** argv) {
   using namespace experiment;
-  double horizon = 10.0;
-  const auto options = [&](CLI::App& app) {
-    add_number(app, "--horizon", horizon, {.low = 0.0, .high = 1e4, .low_open = true},
-               "Physical time T to reach");
-  };
-  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
+  return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
     experiment::Table out = frame.table({"monitor", "t", "step", "radius"});
     out.note("eccentricity", 0.9);
-    for (const KeplerRun& run : htvi4_runs("authors", table1(), horizon)) {
+    for (const KeplerRun& run : htvi4_runs("authors", table1())) {
       if (run.row.monitor == "none") continue;
       double before = 0.0;
       const avi::Run done = run.observe([&](const avi::State<2>& z) {

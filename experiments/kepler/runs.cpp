@@ -17,7 +17,7 @@ namespace {
 /// Type II integrators of one Construction, Taylor order r and rule, for every row of a table.
 template <int r, class Construction>
 std::vector<KeplerRun> runs_of(const HtviName& name, const avi::Quadrature& quadrature,
-                               const KeplerTable& table, double horizon) {
+                               const KeplerTable& table) {
   const auto start = avi::Kepler::pericentre(table.eccentricity);
   const avi::Kepler kepler;
   const double energy = kepler(start.q, start.p);
@@ -26,7 +26,7 @@ std::vector<KeplerRun> runs_of(const HtviName& name, const avi::Quadrature& quad
     const auto make = [=](const State2& from) {
       return avi::type2<r, Construction>(avi::poincare<2>(kepler, from, monitor), quadrature);
     };
-    runs.push_back({name, row, Method2(kepler, make), table.eccentricity, {.time = horizon}});
+    runs.push_back({name, row, Method2(kepler, make), table.eccentricity, {.time = table.horizon}});
   };
   for (const KeplerRow& row : table.htvi) {
     if (row.monitor == "gamma")
@@ -43,22 +43,22 @@ std::vector<KeplerRun> runs_of(const HtviName& name, const avi::Quadrature& quad
 
 }  // namespace
 
-std::vector<KeplerRun> htvi4_runs(const std::string& construction, const KeplerTable& table, double horizon,
+std::vector<KeplerRun> htvi4_runs(const std::string& construction, const KeplerTable& table,
                                   const std::string& rule) {
   const HtviName name{"htvi4", construction, 3, rule};
   const auto nodes = rule == "gauss4" ? avi::gauss(4) : avi::simpson();
-  if (construction == "authors") return runs_of<3, experiment::Authors>(name, nodes, table, horizon);
-  if (construction == "printed") return runs_of<3, experiment::Printed>(name, nodes, table, horizon);
+  if (construction == "authors") return runs_of<3, experiment::Authors>(name, nodes, table);
+  if (construction == "printed") return runs_of<3, experiment::Printed>(name, nodes, table);
   throw std::invalid_argument("Construction '" + construction + "' is neither authors nor printed.");
 }
 
-std::vector<KeplerRun> stationary_runs(const KeplerTable& table, double horizon) {
+std::vector<KeplerRun> stationary_runs(const KeplerTable& table) {
   std::vector<KeplerRun> all;
   const auto append = [&](std::vector<KeplerRun> runs) { std::ranges::move(runs, std::back_inserter(all)); };
   // The default rule, r + 1 Gauss nodes, first.
-  append(runs_of<3, avi::Stationary>({"htvi", "stationary", 3, "gauss4"}, avi::gauss(4), table, horizon));
-  append(runs_of<3, avi::Stationary>({"htvi", "stationary", 3, "simpson"}, avi::simpson(), table, horizon));
-  append(runs_of<1, avi::Stationary>({"htvi", "stationary", 1, "gauss2"}, avi::gauss(2), table, horizon));
+  append(runs_of<3, avi::Stationary>({"htvi", "stationary", 3, "gauss4"}, avi::gauss(4), table));
+  append(runs_of<3, avi::Stationary>({"htvi", "stationary", 3, "simpson"}, avi::simpson(), table));
+  append(runs_of<1, avi::Stationary>({"htvi", "stationary", 1, "gauss2"}, avi::gauss(2), table));
   return all;
 }
 

@@ -34,33 +34,28 @@ KeplerTable table2() {
 
 namespace {
 
-KeplerRun verlet_run(const KeplerTable& table, double horizon) {
+KeplerRun verlet_run(const KeplerTable& table) {
   const Method2 verlet(avi::Kepler{}, [](const State2&) {
     return avi::stormer_verlet<2>(
         [](const avi::Vector<double, 2>& q) { return avi::Kepler::potential_gradient(q); });
   });
   const KeplerRow row{.monitor = "none", .h = table.verlet_h, .a = unknown, .b = unknown};
   // A fixed step is counted, not summed: the sum of 2e7 rounded steps need not end where N h does.
-  const avi::Until until{.steps = std::lround(horizon / table.verlet_h)};
+  const avi::Until until{.steps = std::lround(table.horizon / table.verlet_h)};
   return {{"stormer_verlet"}, row, verlet, table.eccentricity, until};
 }
 
 }  // namespace
 
 int kepler_table(int argc, char** argv, const std::string& shows, const KeplerTable& table) {
-  double horizon = 10.0;
-  const auto options = [&](CLI::App& app) {
-    add_number(app, "--horizon", horizon, {.low = 0.0, .high = 1e4, .low_open = true},
-               "Physical time T to reach");
-  };
-  return run(argc, argv, shows, options, [&](Frame& frame) {
+  return run(argc, argv, shows, [&](Frame& frame) {
     std::vector<KeplerRun> runs;
     for (const char* construction : {"authors", "printed"})
-      for (auto& run : htvi4_runs(construction, table, horizon))
+      for (auto& run : htvi4_runs(construction, table))
         runs.push_back(std::move(run));
-    for (auto& run : stationary_runs(table, horizon))
+    for (auto& run : stationary_runs(table))
       runs.push_back(std::move(run));
-    runs.push_back(verlet_run(table, horizon));
+    runs.push_back(verlet_run(table));
 
     std::vector<KeplerResult> results;
     for (const auto& run : runs) {
@@ -77,7 +72,7 @@ int kepler_table(int argc, char** argv, const std::string& shows, const KeplerTa
         frame.table({"method", "construction", "r", "rule", "monitor", "h", "g_min", "g_max", "min_step",
                      "max_step", "energy_error", "global_error", "global_error_shifted", "steps", "seconds"});
     out.note("eccentricity", table.eccentricity);
-    out.note("horizon", horizon);
+    out.note("horizon", table.horizon);
     out.note("rounds", table.rounds);
     for (std::size_t i = 0; i < runs.size(); ++i) {
       const KeplerRow& row = runs[i].row;

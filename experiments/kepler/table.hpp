@@ -24,7 +24,8 @@ struct KeplerTable {
   double eccentricity;
   std::vector<KeplerRow> htvi;
   double verlet_h = unknown;
-  int rounds = 1;  ///< of the interleaved timing
+  int rounds = 1;         ///< of the interleaved timing
+  double horizon = 10.0;  ///< Physical time T to reach.
 };
 
 /// The result of one run of a method. Its errors are infinite where it does not reach its end.
@@ -67,12 +68,12 @@ KeplerTable table2();
 /// The runs of the source's HTVI4, r = 3 with Simpson's rule, by the construction `authors` or `printed`;
 /// with the rule `gauss4`, four Gauss nodes, the control that tells the rule from the velocity.
 /// @throws std::invalid_argument for another construction.
-std::vector<KeplerRun> htvi4_runs(const std::string& construction, const KeplerTable& table, double horizon,
+std::vector<KeplerRun> htvi4_runs(const std::string& construction, const KeplerTable& table,
                                   const std::string& rule = "simpson");
 
 /// The stationary construction at the same settings: r = 3 with four Gauss nodes, which is the default and
 /// has order 8; with Simpson's rule, order 4; and r = 1 with two Gauss nodes, order 4.
-std::vector<KeplerRun> stationary_runs(const KeplerTable& table, double horizon);
+std::vector<KeplerRun> stationary_runs(const KeplerTable& table);
 
 /// main() of kepler_e090 and kepler_e099.
 int kepler_table(int argc, char** argv, const std::string& shows, const KeplerTable& table);

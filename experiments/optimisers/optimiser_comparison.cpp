@@ -78,14 +78,12 @@ void settings(Table& list, double adagrad, double rmsprop) {
 
 int main(int argc, char** argv) {
   bool full = false;
-  double cap = 6e7;
   const auto options = [&](CLI::App& app) {
     add_flag(app, "--long", full,
              "No cap below what the paper prints: AdaGrad to 2.5e8, NAG to 1e10 (an hour)");
-    add_number(app, "--cap", cap, {.low = 1.0, .high = 1e11}, "Iterations at which AdaGrad is given up");
   };
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
-    if (frame.quick) cap = std::min(cap, 1e6);
+    const double cap = frame.quick ? 1e6 : 6e7;  // on iterations of AdaGrad
     const double nag_cap = full ? 1e10 : std::min(cap, 5e6);
     const experiment::CorrelatedQuartic f;
     const avi::VectorX x0 = f.start(), y0 = x0.array() - 1.0;

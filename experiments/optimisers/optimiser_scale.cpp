@@ -8,7 +8,6 @@
 #include <malloc.h>
 
 #include <limits>
-#include <thread>
 
 // What an iteration of avi::minimise() costs beside the objective: at d = 50 against an evaluation of the
 // paper's quartic, at large d against the vectors that it has to read and to write, at the speed at which
@@ -37,35 +36,28 @@ struct Quadratic {
 };
 
 /// Seconds to read one vector of n entries, and to read and write it in place, each over eight vectors that
-/// the next use finds outside the cache, as an iteration does; and how much faster two threads read.
+/// the next use finds outside the cache, as an iteration does.
 struct Stream {
-  double read, update, two_threads;
+  double read, update;
 
   explicit Stream(Eigen::Index n) {
     std::vector<VectorX> v(8, VectorX::Ones(n));
-    double sums[2]{};
-    const auto sum = [&](double& all, Eigen::Index from, Eigen::Index count) {
-      for (std::size_t k = 0; k < 8; k += 4)
-        all +=
-            avi::sweep<1>(count, [a = v[k].data() + from, b = v[k + 1].data() + from,
-                                  c = v[k + 2].data() + from, d = v[k + 3].data() + from](
-                                     auto at, auto& total) { total[0] += at(a) * at(b) + at(c) * at(d); })[0];
-    };
+    double total = 0.0;
     const auto least = interleaved_least_seconds(
-        {[&] { sum(sums[0], 0, n); },
+        {[&] {
+           for (std::size_t k = 0; k < 8; k += 4)
+             total += avi::sweep<1>(n, [a = v[k].data(), b = v[k + 1].data(), c = v[k + 2].data(),
+                                        d = v[k + 3].data()](auto at, auto& sum) {
+               sum[0] += at(a) * at(b) + at(c) * at(d);
+             })[0];
+         },
          [&] {
            for (VectorX& x : v)
              avi::sweep<0>(n, [out = x.data()](auto at, auto&) { at.set(out, at(out) * 0.0 + 1.0); });
-         },
-         [&] {
-           std::thread other([&] { sum(sums[1], 0, n / 2); });
-           sum(sums[0], n / 2, n - n / 2);
-           other.join();
          }},
         5);
-    read = sums[0] + sums[1] > 0.0 ? least[0] / 8.0 : 0.0;  // the sums are used
+    read = total > 0.0 ? least[0] / 8.0 : 0.0;  // the sum is used
     update = least[1] / 8.0;
-    two_threads = least[0] / least[2];
   }
 };
 
@@ -131,10 +123,10 @@ int main(int argc, char** argv) {
     // Memory that was given back is used again: fresh pages take the system longer than what is measured.
     mallopt(M_MMAP_MAX, 0);
     mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-    Table table = frame.table({"objective", "dimension", "memory", "evaluation_seconds", "own_seconds",
-                               "evaluations_per_iteration", "own_in_evaluations", "vectors_read",
-                               "vectors_written", "read_seconds", "update_seconds", "own_over_needed",
-                               "peak_vectors", "two_threads_speedup"});
+    Table table =
+        frame.table({"objective", "dimension", "memory", "evaluation_seconds", "own_seconds",
+                     "evaluations_per_iteration", "own_in_evaluations", "vectors_read", "vectors_written",
+                     "read_seconds", "update_seconds", "own_over_needed", "peak_vectors"});
     table.note(
         "own_seconds",
         "of one iteration, the objective left out; the least of twice seven, of forty rounds at d = 50");
@@ -143,13 +135,11 @@ int main(int argc, char** argv) {
                "own_seconds over the time to read and write the vectors that an iteration needs, "
                "by loops that do nothing else");
     table.note("peak_vectors", "memory of a run in units of x, the caller's x0 left out");
-    table.note("two_threads_speedup", "of the reading loop");
     for (int memory : {0, 7}) {
       frame.progress("d = 50", 0.0);
       const Cost cost = small(memory);
       table.row("quartic", 50, memory, cost.evaluation, cost.iteration, cost.evaluations,
-                cost.iteration / cost.evaluation, unknown, unknown, unknown, unknown, unknown, unknown,
-                unknown);
+                cost.iteration / cost.evaluation, unknown, unknown, unknown, unknown, unknown, unknown);
     }
     for (double n : {1e5, 1e7}) {
       if (frame.quick && n > 1e6) continue;
@@ -164,7 +154,7 @@ int main(int argc, char** argv) {
         const double needed = (read - written) * stream.read + written * stream.update;
         table.row("quadratic", n, memory, cost.evaluation, cost.iteration, cost.evaluations,
                   cost.iteration / cost.evaluation, read, written, stream.read, stream.update,
-                  cost.iteration / needed, n > 1e6 ? cost.vectors : unknown, stream.two_threads);
+                  cost.iteration / needed, n > 1e6 ? cost.vectors : unknown);
       }
     }
     frame.write(table);

@@ -9,13 +9,11 @@ int main(int argc, char** argv) {
     Table table = frame.table({"p", "p_ring", "order", "h", "clock", "adaptive_iterations",
                                "direct_iterations", "distance_100", "distance_1000", "converged"});
     table.note("distance_n", "largest |x_adaptive - x_direct| / |x_direct| over the first n iterations");
-    Table curves = frame.table(Curve::columns_after({"curve"}));
     const experiment::CorrelatedQuartic f;
     const avi::Stopping stopping{.delta = 1e-10, .iterations = 200'000};
     for (Setting s : p_dependence_settings()) {
       const Setting single = direct("htvi", s.family().order(), s.h);
-      Curve alone(20.0);
-      const auto reference = run_setting(single, f, f.start(), stopping, alone);
+      const auto reference = run_setting(single, f, f.start(), stopping);
       std::vector<avi::VectorX> path;
       run_setting(single, f, f.start(), {.delta = 0.0, .iterations = 1000},
                   [&](const avi::Iterate& at, long, long) { path.push_back(at.x); });
@@ -29,18 +27,13 @@ int main(int argc, char** argv) {
                       if (k <= 100) distance[0] = std::max(distance[0], apart);
                       distance[1] = std::max(distance[1], apart);
                     });
-        Curve curve(20.0);
-        const auto result = run_setting(s, f, f.start(), stopping, curve);
+        const auto result = run_setting(s, f, f.start(), stopping);
         const bool is_exact = clock == avi::Clock::exact;
         table.row(s.p, s.p_ring, s.family().order(), s.h, is_exact ? "exact" : "euler", result.iterations,
                   reference.iterations, distance[0], distance[1],
                   result.converged() && reference.converged());
-        if (s.p != 4 || s.p_ring != 1) continue;
-        curve.append(curves, {is_exact ? "adaptive exact" : "adaptive euler"});
-        if (is_exact) alone.append(curves, {"direct"});
       }
     }
-    frame.write(curves, "curves");
     frame.write(table);
   });
 }

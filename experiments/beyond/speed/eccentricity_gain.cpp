@@ -9,17 +9,11 @@
 
 int main(int argc, char** argv) {
   using namespace experiment;
-  double target = 1e-6, horizon = 10.0;
-  const auto options = [&](CLI::App& app) {
-    add_number(app, "--error", target, {.low = 1e-10, .high = 1e-4},
-               "Position error at which the runs are compared");
-    add_number(app, "--horizon", horizon, {.low = 1.0, .high = 1e3}, "Physical time T to reach");
-  };
-  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
+  constexpr double target = 1e-6;  // of the position
+  return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
     Table out = frame.table(
         {"eccentricity", "monitor", "h", "steps", "min_step", "max_step", "energy_error", "global_error"});
     out.note("target", target);
-    out.note("horizon", horizon);
     for (int tenths = 0; tenths <= 9; ++tenths) {
       const double e = tenths / 10.0;
       frame.progress("e = " + rounded(e), e);
@@ -31,7 +25,7 @@ int main(int argc, char** argv) {
         KeplerResult r;
         const auto error = [&](double h) {
           row.h = h;
-          r = htvi4_runs("authors", {.eccentricity = e, .htvi = {row}}, horizon).front().measure();
+          r = htvi4_runs("authors", {.eccentricity = e, .htvi = {row}}).front().measure();
           return r.global_error;
         };
         (void)error(matched_step(error, target, row.h, {.order = 4.0, .tries = 12}));

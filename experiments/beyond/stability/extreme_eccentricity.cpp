@@ -2,7 +2,6 @@
 #include "common/methods/methods.hpp"
 #include "common/methods/phase.hpp"
 #include "common/methods/search.hpp"
-#include "common/timing.hpp"
 
 #include "avi/problems/kepler.hpp"
 
@@ -127,12 +126,10 @@ void survey(Frame& frame, Table& table, const Subject& subject) {
     const Largest found = largest_step(runner, start, 16.0, limits);
     const bool ok = found.h > 0.0;
     const double steps = found.at.run.steps;
-    const double time = ok ? seconds([&] { attempt(runner, start, found.h, limits); }) : unknown;
     table.row(subject.method, subject.monitor, subject.precision, subject.bounded, 1.0 - gap, gap, found.h,
               ok ? steps / 3.0 : unknown, ok ? found.at.energy_error : unknown,
-              ok ? phase_error(start, found.at.end) : unknown, ok ? found.at.least_step : unknown,
-              ok ? found.at.run.evaluations / steps : unknown, rounded(1e6 * time / 3.0), subject.predicted,
-              found.h_beyond, std::isnan(found.h_beyond) ? "nan" : found.beyond.ending());
+              ok ? phase_error(start, found.at.end) : unknown, subject.predicted,
+              std::isnan(found.h_beyond) ? "nan" : found.beyond.ending());
     if (!ok && found.beyond.run.outcome == avi::Outcome::step_limit) return;
   }
 }
@@ -187,13 +184,12 @@ int main(int argc, char** argv) {
   return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
     Table table =
         frame.table({"method", "monitor", "precision", "bounded", "eccentricity", "closeness", "h",
-                     "steps_per_orbit", "energy_error", "phase_error", "least_step", "evaluations_per_step",
-                     "microseconds_per_orbit", "predicted_exponent", "h_beyond", "beyond"});
+                     "steps_per_orbit", "energy_error", "phase_error", "predicted_exponent", "beyond"});
     table.note(
         "h", "largest step that holds |H - H_0| / |H_0| below 1e-2 for three periods and ends within 0.1 rad "
              "of the exact mean longitude, known to 2 %");
     table.note("closeness", "1 - eccentricity");
-    table.note("beyond", "how the run with the next larger step h_beyond ends; nan: none failed");
+    table.note("beyond", "how the run with the next larger step ends; nan: none failed");
     const auto all = subjects();
     for (std::size_t i = 0; i < all.size(); ++i) {
       frame.progress(all[i].method + " " + all[i].monitor, i, all.size());

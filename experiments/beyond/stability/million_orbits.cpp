@@ -132,15 +132,12 @@ std::vector<Subject> subjects() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  long periods = 10'000;
   bool extremes = false;
   const auto options = [&](CLI::App& app) {
-    add_count(app, "--periods", periods, 1000, 100'000'000, "Periods to run");
     add_flag(app, "--extremes", extremes, "A million periods, a quarter of an hour");
   };
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
-    if (frame.quick) periods = 1000;
-    if (extremes) periods = 1'000'000;
+    const long periods = frame.quick ? 1000 : extremes ? 1'000'000 : 10'000;
     Table table = frame.table({"method", "start", "eccentricity", "periods", "energy_error"});
     Table growth = frame.table({"method", "periods", "energy_error", "mean"});
     Table summary = frame.table({"method", "starts", "periods", "energy_error", "exponent", "standard_error",

@@ -15,13 +15,9 @@ std::string Attempt::ending() const {
 Attempt attempt(const Method2& runner, const State2& start, double h, const Limits& limits) {
   Attempt made{.run = {}, .end = start};
   const double first = runner.energy(start);
-  double before = start.t, step = HUGE_VAL;
   avi::AnyMethod<2> method = runner.make(start);
   made.run = avi::integrate(method, made.end, h, {.time = limits.time, .steps = limits.steps},
                             [&](const State2& z, long) {
-                              made.least_step = std::min(made.least_step, step);
-                              step = z.t - before;
-                              before = z.t;
                               const double error = std::abs((runner.energy(z) - first) / first);
                               if (!(error <= made.energy_error)) made.energy_error = error;
                               return error <= limits.energy_error;

@@ -23,7 +23,6 @@ struct Attempt {
   avi::Run run;
   State2 end;                    ///< The last good state.
   double energy_error = 0.0;     ///< Largest |H - H_0| / |H_0| after any step.
-  double least_step = HUGE_VAL;  ///< In physical time, the last step left out.
   bool late = false;             ///< Reached the end, but elsewhere on its orbit.
 
   /// Reached the end within every bound.

@@ -64,11 +64,12 @@ int main(int argc, char** argv) {
     const std::vector<Method> methods = arena::all_methods();
     const std::vector<Problem> problems = arena::all_problems(full, full);
     constexpr long cap = 20'000, slow_cap = 1000;
-    Table table = frame.table({"problem", "dimension", "held_out", "method", "delta", "iterations",
-                               "gradient_evaluations", "function_evaluations", "converged", "seconds", "kind",
-                               "group"});
-    table.note("group", "tuned: the defaults were fixed on them; looked_at: held out for earlier ones");
-    table.note("held_out", "1: not looked at until the defaults of avi::minimise() were final");
+    Table table =
+        frame.table({"problem", "dimension", "method", "delta", "iterations", "gradient_evaluations",
+                     "function_evaluations", "converged", "seconds", "group"});
+    table.note("group",
+               "tuned: the defaults were fixed on them; looked_at: held out for earlier ones; held_out: not "
+               "looked at until the defaults of avi::minimise() were final");
     table.note("function_evaluations",
                "calls that ask for the value alone; gradient evaluations give it too");
     table.note("cap", fmt::format("{} evaluations, {} for methods of fixed or adapted learning rates, {} for "
@@ -99,8 +100,8 @@ int main(int argc, char** argv) {
         }
         for (std::size_t k = 0; k < arena::tolerances.size(); ++k) {
           const Passage p = median_of(runs, k);
-          table.row(problem.name, n, problem.group == "held_out", method.name, arena::tolerances[k],
-                    p.iterations, p.gradients, p.values, p.converged, p.seconds, problem.kind, problem.group);
+          table.row(problem.name, n, method.name, arena::tolerances[k], p.iterations, p.gradients, p.values,
+                    p.converged, p.seconds, problem.group);
           instances[instances.size() - arena::tolerances.size() + k].by_method[method.name] = p;
         }
       }

@@ -36,12 +36,10 @@ struct Mean {
 void write_summary(const experiment::Frame& frame, const std::vector<Instance>& instances,
                    const std::vector<Method>& methods) {
   experiment::Table table = frame.table(
-      {"group", "method", "instances", "failures", "gradient_mean", "evaluation_mean", "per_iteration",
-       "ratio_to_lbfgs", "ratio_to_best_cg", "evaluations_to_best_cg", "within_1", "within_2", "with_lbfgs"});
-  table.note("means",
-             "geometric; of gradients, and of gradients and values, over the instances that it solved");
+      {"group", "method", "instances", "failures", "per_iteration", "ratio_to_lbfgs", "ratio_to_best_cg", "evaluations_to_best_cg", "within_2"});
+  table.note("per_iteration", "geometric mean of gradients and values over the instances that it solved");
   table.note("ratio_to_lbfgs",
-             "geometric mean of the ratio of gradients where both converged, which are with_lbfgs instances");
+             "geometric mean of the ratio of gradients where both converged");
   table.note(
       "ratio_to_best_cg",
       "likewise to the conjugate gradients that needed fewest; evaluations_to_best_cg counts values too");
@@ -50,8 +48,8 @@ void write_summary(const experiment::Frame& frame, const std::vector<Instance>& 
       "share of instances where no method needed fewer than half as many evaluations, values alone included");
   for (const std::string group : {"all", "tuned", "looked_at", "held_out"})
     for (const auto& [method, runs, slow] : methods) {
-      Mean gradients, evaluations, iteration, lbfgs, cg, cg_all;
-      long count = 0, failures = 0, within_1 = 0, within_2 = 0, with_lbfgs = 0;
+      Mean iteration, lbfgs, cg, cg_all;
+      long count = 0, failures = 0, within_2 = 0;
       for (const Instance& instance : instances) {
         if (group != "all" && instance.group != group) continue;
         const auto found = instance.by_method.find(method);
@@ -63,11 +61,9 @@ void write_summary(const experiment::Frame& frame, const std::vector<Instance>& 
           continue;
         }
         const double spent = static_cast<double>(own.gradients), with_values = cost(own);
-        gradients.add(spent), evaluations.add(with_values);
         if (own.iterations > 0) iteration.add(with_values / own.iterations);
-        within_1 += with_values <= best(instance), within_2 += with_values <= 2.0 * best(instance);
-        if (const double other = cost(instance, "lbfgs"); other < infinity)
-          lbfgs.add(spent / other), ++with_lbfgs;
+        within_2 += with_values <= 2.0 * best(instance);
+        if (const double other = cost(instance, "lbfgs"); other < infinity) lbfgs.add(spent / other);
         double other = infinity, other_all = infinity;
         for (const char* name : {"cg_pr", "cg_hz", "gsl_conjugate_fr", "gsl_conjugate_pr"})
           if (cost(instance, name) < infinity) {
@@ -78,9 +74,8 @@ void write_summary(const experiment::Frame& frame, const std::vector<Instance>& 
         if (other < infinity) cg.add(spent / other), cg_all.add(with_values / other_all);
       }
       if (count == 0) continue;
-      const double all = count;
-      table.row(group, method, count, failures, gradients.value(), evaluations.value(), iteration.value(),
-                lbfgs.value(), cg.value(), cg_all.value(), within_1 / all, within_2 / all, with_lbfgs);
+      table.row(group, method, count, failures, iteration.value(), lbfgs.value(), cg.value(), cg_all.value(),
+                within_2 / static_cast<double>(count));
     }
   frame.write(table, "summary");
 }
@@ -115,28 +110,12 @@ void write_profiles(const experiment::Frame& frame, const std::vector<Instance>&
   frame.write(data, "budgets");
 }
 
-void write_losses(const experiment::Frame& frame, const std::vector<Instance>& instances) {
-  experiment::Table table = frame.table(
-      {"problem", "dimension", "held_out", "delta", "evaluations", "best_method", "best", "ratio"});
-  for (const Instance& instance : instances) {
-    const double own = cost(instance, "minimise_m7"), least = best(instance);
-    if (!(own > least)) continue;
-    std::string winner;
-    for (const auto& [method, passage] : instance.by_method)
-      if (cost(passage) == least) winner = method;
-    table.row(instance.problem, instance.dimension, instance.group == "held_out", instance.delta, own, winner,
-              least, own / least);
-  }
-  frame.write(table, "losses");
-}
-
 }  // namespace
 
 void write_standing(const experiment::Frame& frame, const std::vector<Instance>& instances,
                     const std::vector<Method>& methods) {
   write_summary(frame, instances, methods);
   write_profiles(frame, instances, methods);
-  write_losses(frame, instances);
 }
 
 }  // namespace arena

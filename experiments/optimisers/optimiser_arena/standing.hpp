@@ -5,7 +5,7 @@
 #include <map>
 
 /// @file
-/// The standing of the methods: means, profiles and losses.
+/// The standing of the methods: means and profiles.
 
 namespace arena {
 
@@ -19,7 +19,7 @@ struct Instance {
 };
 
 /// Writes optimiser_arena_summary (means and failures by method), _profiles and _budgets (performance and
-/// data profiles) and _losses (where minimise_m7 is not the best).
+/// data profiles).
 void write_standing(const experiment::Frame& frame, const std::vector<Instance>& instances,
                     const std::vector<Method>& methods);
 

@@ -132,7 +132,6 @@ int main(int argc, char** argv) {
     Table table =
         frame.table({"variant", "u_low", "u_high", "u_ratio", "eta_low", "eta_high", "eta_ratio", "points",
                      "planted", "found", "confirmed", "leading", "leading_by_chance", "u", "eta", "counts"});
-    Table misses = frame.table({"variant", "delta", "printed", "counts"});
     table.note("printed", text(printed));
     table.note("leading", "how many of the first cells the best point hits within 3");
     table.note("leading_by_chance",
@@ -173,10 +172,7 @@ int main(int argc, char** argv) {
       table.row(variant.name, ranges.u_low, ranges.u_high, ranges.u_ratio, ranges.eta_low, ranges.eta_high,
                 Ranges::eta_ratio, found.points, power.planted, power.found, power.confirmed, best.leading,
                 chance, best.u, best.eta, best.leading ? text(counts) : std::string("-"));
-      for (int i = 0; i < cells; ++i)
-        misses.row(variant.name, std::pow(10.0, -2 - i), printed[i], counts[i]);
     }
-    frame.write(misses, "misses");
     frame.write(table);
   });
 }

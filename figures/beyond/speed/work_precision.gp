@@ -6,8 +6,8 @@ file = data.'/work_precision.tsv'
 
 # Cheapest setting by target, ten in a decade of error pairs: target, cost, least, most, for the rows that match.
 scene(p, e, h) = sprintf('$1 == "%s" && $3 == "%s"', p, h).(e < 0 ? '' : sprintf(' && $2 > %g && $2 < %g', e - 1e-6, e + 1e-6))
-ratio(p, e, h, ours) = "awk -F'\t' '!/^#/ && ".scene(p, e, h)." && $10 == $10 + 0 {peer = $4 ~ /^(gsl_|odeint_|sundials_)/; own = ".ours."; " \
-  ."if (peer || own) {n++; err[n] = $10; c[n] = $12; lo[n] = $14; hi[n] = $15; who[n] = peer}} " \
+ratio(p, e, h, ours) = "awk -F'\t' '$1 == \"problem\" {for (i = 1; i <= NF; i++) at[$i] = i} !/^#/ && ".scene(p, e, h)." && $10 == $10 + 0 {peer = $4 ~ /^(gsl_|odeint_|sundials_)/; own = ".ours."; " \
+  ."if (peer || own) {n++; err[n] = $10; c[n] = $12; lo[n] = $at[\"least_cost\"]; hi[n] = $at[\"most_cost\"]; who[n] = peer}} " \
   ."END {for (d = -4; d >= -24; d--) {t = 10^(d/2); bp = bo = 0; for (i = 1; i <= n; i++) if (err[i] <= t) {" \
   ."if (who[i]) {if (!bp || c[i] < c[bp]) bp = i} else {if (!bo || c[i] < c[bo]) bo = i}} " \
   ."if (bp && bo) print t, c[bo]/c[bp], lo[bo]/hi[bp], hi[bo]/lo[bp]}}' '".file."'"

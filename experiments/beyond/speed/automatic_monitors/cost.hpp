@@ -5,7 +5,6 @@
 #include "avi/transform/poincare.hpp"
 #include "beyond/speed/automatic_monitors/choice.hpp"
 #include "common/table.hpp"
-#include "common/timing.hpp"
 
 #include <cmath>
 #include <limits>
@@ -30,8 +29,7 @@ inline constexpr double most_steps = 40000.0;
 
 /// What a run took and its errors; or what it would take to just reach a target.
 struct Measured {
-  double steps = unknown, sweeps = unknown, seconds = unknown, position_error = unknown,
-         energy_error = unknown;
+  double steps = unknown, sweeps = unknown, position_error = unknown, energy_error = unknown;
   bool ok = false;
 };
 /// What a monitor takes.
@@ -102,25 +100,18 @@ inline Measured measure(const Arena& arena, avi::Collocation<Problem>& method, d
   const double h0 = energy(arena.scene.start.q, arena.scene.start.p);
   Point z = arena.scene.start;
   double worst = 0.0;
-  avi::Run run;
-  const double time = seconds([&] {
-    run = integrate_to(method, z, h, arena.scene.time, [&](const Point& at, long k) {
-      worst = std::max(worst, std::abs(energy(at.q, at.p) - h0) / arena.scale);
-      return k < cap && worst < 1e3;
-    });
+  const avi::Run run = integrate_to(method, z, h, arena.scene.time, [&](const Point& at, long k) {
+    worst = std::max(worst, std::abs(energy(at.q, at.p) - h0) / arena.scale);
+    return k < cap && worst < 1e3;
   });
-  return {static_cast<double>(run.steps),
-          static_cast<double>(run.evaluations),
-          time,
-          (z.q - arena.orbit.back().q).norm(),
-          worst,
-          run.outcome == avi::Outcome::ok};
+  return {static_cast<double>(run.steps), static_cast<double>(run.evaluations),
+          (z.q - arena.orbit.back().q).norm(), worst, run.outcome == avi::Outcome::ok};
 }
 
 /// More and more steps until both targets are met, or both more than `most` steps and more than `dearest`
 /// work were spent; between two runs what a target takes is interpolated.
 inline Cost cost(const Arena& arena, const avi::Formula& monitor, const Targets& targets, double most,
-                 double dearest, double factor) {
+                 double dearest) {
   Cost found;
   const double fictive = arena.fictive_time(monitor);
   if (!(fictive > 0.0) || !std::isfinite(fictive)) return found;
@@ -129,7 +120,7 @@ inline Cost cost(const Arena& arena, const avi::Formula& monitor, const Targets&
   Measured before;
   const double first = 0.006 * static_cast<double>(arena.orbit.size());
   for (double steps = first * std::pow(targets.energy, -1.0 / targets.order); steps < most_steps;
-       steps *= factor) {
+       steps *= 1.4) {
     const Measured now = measure(arena, method, fictive / steps, static_cast<long>(2.0 * most_steps));
     if (now.steps > most && found.sweep * now.sweeps > dearest) break;
     const auto look = [&](Measured& reached, double target, double Measured::*error) {
@@ -137,10 +128,8 @@ inline Cost cost(const Arena& arena, const avi::Formula& monitor, const Targets&
       reached = now;
       if (!(before.*error > target && now.*error > 0.0)) return;
       const double share = std::log(before.*error / target) / std::log(before.*error / now.*error);
-      const double sweeps = std::pow(now.sweeps / before.sweeps, share - 1.0);  // over those of this run
       reached.steps *= std::pow(now.steps / before.steps, share - 1.0);
-      reached.sweeps *= sweeps;
-      reached.seconds *= sweeps;
+      reached.sweeps *= std::pow(now.sweeps / before.sweeps, share - 1.0);
     };
     if (now.ok) {
       look(found.position, targets.position, &Measured::position_error);

@@ -16,7 +16,7 @@ namespace experiment {
 struct Measurement {
   std::string subject{};  ///< Method, and monitor where it has one.
   double value = 0.0;     ///< Along the axis.
-  long steps = 0, evaluations = 0;
+  long steps = 0;
   double energy_error = unknown;  ///< Largest |H - H_0| / |H_0| during the run, where it was observed.
   std::function<void()> run;      ///< The run alone, not observed.
   double units = 1.0;             ///< Seconds are divided by it.
@@ -25,8 +25,8 @@ struct Measurement {
 /// Expected power of the value as it goes to its limit; NaN where there is nothing to expect.
 struct Expected {
   std::string subject;
-  double steps, seconds;  ///< Powers of the value in the limit.
-  double from, to;        ///< Range of the value that is fitted.
+  double steps;     ///< Power of the value in the limit.
+  double from, to;  ///< Range of the value that is fitted.
   /// Steps at a value that is not at its limit yet, but for a factor.
   std::function<double(double)> steps_at = [power = steps](double value) { return std::pow(value, power); };
 };

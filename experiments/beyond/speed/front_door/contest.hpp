@@ -22,10 +22,8 @@ using work_precision::Result;
 
 /// One race.
 struct Contest {
-  std::vector<Family> families;  ///< `avi`, `avi_unchecked`, then the peers; settings are tolerances.
+  std::vector<Family> families;                ///< `avi`, then the peers; settings are tolerances.
   std::function<double(const Result&)> error;  ///< |q - exact position| at the end.
-  /// A call of avi::solve() once more, for what it reports.
-  std::function<avi::SolutionReport(double tolerance, bool check)> call;
   double reference_error = 0.0;  ///< Of the exact position: what another step of the reference makes of it.
 };
 
@@ -51,13 +49,12 @@ Eigen::VectorXd extrapolated_end(const P& problem, const avi::State<P::dimension
 /// avi::solve() as a family: the whole call is timed. Evaluations are those of the field at one stage, trials
 /// included.
 template <class P>
-Family door(const P& problem, const avi::State<P::dimension>& start, double span, bool check) {
+Family door(const P& problem, const avi::State<P::dimension>& start, double span) {
   const auto run = [=](const work_precision::Request& request) {
     avi::Solution<P::dimension> found;
     Result result;
     result.seconds = work_precision::block_seconds(
-        [&] { found = avi::solve(problem, start, span, request.setting, {.check = check}); },
-        request.repeats);
+        [&] { found = avi::solve(problem, start, span, request.setting); }, request.repeats);
     result.ok = found.ok();
     result.q = found.state.q;
     result.t = found.state.t;
@@ -66,7 +63,7 @@ Family door(const P& problem, const avi::State<P::dimension>& start, double span
         (found.choice.sweeps + found.choice.check + found.run.evaluations) * found.choice.order / 2;
     return result;
   };
-  return {check ? "avi" : "avi_unchecked", 0, work_precision::Origin::front_door, "tolerance", {}, run};
+  return {"avi", 0, work_precision::Origin::front_door, "tolerance", {}, run};
 }
 
 /// The race of `problem` from `start` over `span`; `exact` is the position at its end.
@@ -74,13 +71,10 @@ template <class P>
 Contest contest(const P& problem, const avi::State<P::dimension>& start, double span, Eigen::VectorXd exact) {
   const work_precision::Arena<P> arena(problem, span, start);
   work_precision::Scene scene;
-  scene.families = {door(problem, start, span, true), door(problem, start, span, false)};
+  scene.families = {door(problem, start, span)};
   work_precision::add_peers(scene, arena.equations());
   return {std::move(scene.families),
-          [exact = std::move(exact)](const Result& result) { return (result.q - exact).norm(); },
-          [=](double tolerance, bool check) -> avi::SolutionReport {
-            return avi::solve(problem, start, span, tolerance, {.check = check});
-          }};
+          [exact = std::move(exact)](const Result& result) { return (result.q - exact).norm(); }};
 }
 
 /// Same with the extrapolated end, from `h` on; its own error is the difference from three quarters of that.

@@ -1,4 +1,6 @@
 #pragma once
+#include "common/problems/double_pendulum.hpp"
+
 #include <array>
 #include <cmath>
 
@@ -46,16 +48,8 @@ struct Flattened {
   }
 };
 
-/// Two pendulums of unit length and mass, one hanging from the other.
-struct DoublePendulum {
-  static constexpr int dimension = 2;
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
-    using std::cos, std::sin;
-    const auto s = sin(q[0] - q[1]);
-    const auto square = p[0] * p[0] + 2.0 * p[1] * p[1] - 2.0 * p[0] * p[1] * cos(q[0] - q[1]);
-    return 0.5 * square / (1.0 + s * s) - 2.0 * cos(q[0]) - cos(q[1]);
-  }
+/// Two pendulums, with their rates.
+struct DoublePendulum : experiment::DoublePendulum {
   template <class S>
   static void rates(const S* y, S* f) {
     const S s = std::sin(y[0] - y[1]), c = std::cos(y[0] - y[1]), rest = 1 / (1 + s * s);

@@ -17,14 +17,15 @@ class Race {
     for (std::size_t i = 0; i < contest_.families.size(); ++i)
       scan(i);
     measure();
-    Outcome outcome{points_, {}, cut_short_};
+    Outcome outcome{points_, {}};
     for (const double target : targets)
-      outcome.cells.push_back(
-          {target, best(0, 0, target), best(1, 1, target), best(2, contest_.families.size() - 1, target)});
+      outcome.cells.push_back({target, best(true, target), best(false, target)});
     return outcome;
   }
 
  private:
+  static bool is_ours(std::size_t family) { return family == 0; }
+
   /// One run, and two more where it was short.
   Point tried(std::size_t family, double setting) {
     Result result = contest_.families[family].run({.setting = setting, .step_cap = step_cap_});
@@ -34,14 +35,14 @@ class Race {
             std::min(result.seconds,
                      contest_.families[family].run({.setting = setting, .step_cap = step_cap_}).seconds);
     const double error = result.ok ? contest_.error(result) : std::numeric_limits<double>::infinity();
-    if (family >= 2 && error <= finest_target) needed_ = std::min(needed_, result.seconds);
+    if (!is_ours(family) && error <= finest_target) needed_ = std::min(needed_, result.seconds);
     return points_.emplace_back(Point{family, setting,
                                       std::isnan(error) ? std::numeric_limits<double>::infinity() : error,
                                       result.seconds, result.evaluations, result.steps});
   }
 
   void scan(std::size_t family) {
-    const bool ours = family < 2;
+    const bool ours = is_ours(family);
     const double finest = ours ? 1e-13 : 1e-15;
     std::vector<double> passed(std::size(targets), 0.0);  // the first setting that passes
     double previous = 0.0, least = std::numeric_limits<double>::infinity();
@@ -55,11 +56,8 @@ class Race {
           if (previous > 0.0 && (i == 0 || passed[i - 1] != setting)) refine(family, previous, setting);
         }
       if (point.error <= 0.5 * finest_target) break;
-      if (point.seconds > budget_.longest_run * (ours ? 4.0 : 1.0)) {
-        cut_short_ |= ours;
-        break;
-      }
-      if (family >= 2 && point.seconds > 3.0 * needed_) break;           // another peer is there already
+      if (point.seconds > budget_.longest_run * (ours ? 4.0 : 1.0)) break;
+      if (!ours && point.seconds > 3.0 * needed_) break;                 // another peer is there already
       if (!ours && least < 1e-3 && !(point.error < 1e3 * least)) break;  // where it asks too much, it fails
       if (setting < 1e-8 && least > 0.1) break;                          // chaos
       stale = point.error < 0.7 * least ? 0 : stale + 1;
@@ -75,11 +73,10 @@ class Race {
   }
 
   /// The three that look cheapest of those that reach a target.
-  std::vector<std::size_t> cheapest(std::size_t first, std::size_t last, double target) const {
+  std::vector<std::size_t> cheapest(bool ours, double target) const {
     std::vector<std::size_t> list;
     for (std::size_t i = 0; i < points_.size(); ++i)
-      if (points_[i].family >= first && points_[i].family <= last && points_[i].error <= target)
-        list.push_back(i);
+      if (is_ours(points_[i].family) == ours && points_[i].error <= target) list.push_back(i);
     std::ranges::sort(list, {}, [&](std::size_t i) { return points_[i].seconds; });
     if (list.size() > 3) list.resize(3);
     return list;
@@ -88,8 +85,7 @@ class Race {
   void measure() {
     std::vector<std::size_t> chosen;
     for (const double target : targets)
-      for (const auto& list : {cheapest(0, 0, target), cheapest(1, 1, target),
-                               cheapest(2, contest_.families.size() - 1, target)})
+      for (const auto& list : {cheapest(true, target), cheapest(false, target)})
         chosen.insert(chosen.end(), list.begin(), list.end());
     std::ranges::sort(chosen);
     chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
@@ -104,10 +100,10 @@ class Race {
       }
   }
 
-  std::optional<Point> best(std::size_t first, std::size_t last, double target) const {
+  std::optional<Point> best(bool ours, double target) const {
     const Point* found = nullptr;
     for (const Point& point : points_)
-      if (point.measured && point.family >= first && point.family <= last && point.error <= target &&
+      if (point.measured && is_ours(point.family) == ours && point.error <= target &&
           (!found || point.seconds < found->seconds))
         found = &point;
     return found ? std::optional(*found) : std::nullopt;
@@ -118,7 +114,6 @@ class Race {
   std::vector<Point> points_;
   double needed_ = std::numeric_limits<double>::infinity();  // seconds of a peer that reached the last target
   long step_cap_ = 0;
-  bool cut_short_ = false;
 };
 
 }  // namespace

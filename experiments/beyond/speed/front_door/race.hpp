@@ -36,13 +36,12 @@ struct Point {
 /// The cheapest settings that reach a target; nullopt where none does.
 struct Cell {
   double target = 0.0;
-  std::optional<Point> ours, unchecked, peer;
+  std::optional<Point> ours, peer;
 };
 
 struct Outcome {
   std::vector<Point> points;  ///< Every setting that was tried and came through.
   std::vector<Cell> cells;    ///< One for each target.
-  bool cut_short = false;     ///< The budget ended a family of ours: a target not reached says nothing.
 };
 
 /// Each family is run from coarse to fine tolerances, and between the last that fails and the

@@ -33,20 +33,14 @@ Scene scene(const char* name, const char* kind, bool held_out, double unit, std:
           }};
 }
 
-avi::State<14> cluster() {
-  avi::State<14> z;
-  z.q << 1.0, 0.1, -0.9, 0.4, 0.2, -0.8, -0.3, 0.9, 0.5, 0.6, -0.6, -0.5, 0.1, 0.15;
-  z.p << -0.3, 0.9, 0.2, -0.8, 0.9, 0.1, -0.7, -0.4, -0.5, 0.6, 0.5, -0.7, -0.1, 0.3;
-  return z;
-}
-
 /// Its encounters are too close for fixed steps in time: the reference takes those of the logarithmic
 /// Hamiltonian.
 Scene seven_bodies() {
   return {"seven_bodies", "bodies", false, 1.0, {1.0}, [](double span) {
-            work_precision::ExtendedRun<work_precision::UnitBodies<7>> reference({}, cluster(), true, 0.005L);
+            const avi::State<14> start = work_precision::star_cluster_start();
+            work_precision::ExtendedRun<work_precision::UnitBodies<7>> reference({}, start, true, 0.005L);
             reference.run_to(span);
-            return contest(UnitBodies<7>{}, cluster(), span, Eigen::VectorXd(reference.position(span)));
+            return contest(UnitBodies<7>{}, start, span, Eigen::VectorXd(reference.position(span)));
           }};
 }
 

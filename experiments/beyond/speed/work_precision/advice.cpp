@@ -38,28 +38,11 @@ bool unsure(double ratio, bool elsewhere) {
 Table advice_table(const Frame& frame) {
   Table table = frame.table(
       {"problem", "eccentricity", "horizon", "target", "method", "setting", "cost", "energy_error"});
-  table.columns.insert(table.columns.end(), {"htvi",
-                                             "htvi_setting",
-                                             "htvi_cost",
-                                             "peer",
-                                             "peer_setting",
-                                             "peer_cost",
-                                             "elsewhere",
-                                             "elsewhere_cost",
-                                             "ratio",
-                                             "verdict",
-                                             "htvi_ratio",
-                                             "collocation",
-                                             "collocation_setting",
-                                             "collocation_cost",
-                                             "collocation_ratio",
-                                             "collocation_solved",
-                                             "solved",
-                                             "solved_setting",
-                                             "solved_cost",
-                                             "solved_ratio",
-                                             "unsure",
-                                             "drift"});
+  table.columns.insert(table.columns.end(),
+                       {"htvi", "peer", "peer_cost", "elsewhere", "elsewhere_cost", "ratio", "verdict",
+                        "htvi_ratio", "collocation", "collocation_setting", "collocation_cost",
+                        "collocation_ratio", "collocation_solved", "solved", "solved_setting", "solved_cost",
+                        "solved_ratio", "unsure", "drift"});
   return table;
 }
 
@@ -96,12 +79,11 @@ void advise(Table& table, const Scene& scene, const std::vector<Point>& points, 
                                               : "behind";
     table.row(scene.problem, scene.eccentricity, scene.horizon_name, target, method(best), setting(best),
               rounded(cost(best), 3), rounded(best ? best->energy_error : unknown, 3), method(htvi),
-              setting(htvi), rounded(cost(htvi), 3), method(peer), setting(peer), rounded(cost(peer), 3),
-              other, rounded(other_cost, 3), rounded(ratio, 3), verdict, rounded(cost(htvi) / rival, 3),
-              method(curve), setting(curve), rounded(cost(curve), 3), rounded(cost(curve) / rival, 3),
-              curve && solved(*curve) ? 1 : 0, method(exact), setting(exact), rounded(cost(exact), 3),
-              rounded(cost(exact) / rival, 3), unsure(cost(exact) / rival, rival == other_cost) ? 1 : 0,
-              rounded(drift, 3));
+              method(peer), rounded(cost(peer), 3), other, rounded(other_cost, 3), rounded(ratio, 3), verdict,
+              rounded(cost(htvi) / rival, 3), method(curve), setting(curve), rounded(cost(curve), 3),
+              rounded(cost(curve) / rival, 3), curve && solved(*curve) ? 1 : 0, method(exact), setting(exact),
+              rounded(cost(exact), 3), rounded(cost(exact) / rival, 3),
+              unsure(cost(exact) / rival, rival == other_cost) ? 1 : 0, rounded(drift, 3));
   }
 }
 

@@ -105,11 +105,4 @@ std::vector<Point> measure(const Scene& scene, const Budget& budget,
   return points;
 }
 
-void mark_front(std::vector<Point>& points) {
-  for (Point& p : points)
-    p.front = std::ranges::none_of(points, [&](const Point& other) {
-      return other.seconds < p.seconds && other.position_error <= p.position_error;
-    });
-}
-
 }  // namespace experiment::work_precision

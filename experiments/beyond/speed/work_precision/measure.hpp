@@ -20,7 +20,6 @@ struct Point {
   double least_seconds = 0.0, most_seconds = 0.0;  ///< Over the starts.
   double position_error = 0.0;
   double energy_error = 0.0;  ///< Largest over the steps, from start 0.
-  bool front = false;         ///< No other point is both faster and at least as accurate.
 
   [[nodiscard]] std::string label() const;  ///< `g=r^1.5 h=0.2`.
 };
@@ -41,8 +40,5 @@ struct Budget {
 /// meets all alike. `progress` is told the fraction done.
 std::vector<Point> measure(const Scene& scene, const Budget& budget,
                            const std::function<void(double)>& progress);
-
-/// Marks the Pareto front.
-void mark_front(std::vector<Point>& points);
 
 }  // namespace experiment::work_precision

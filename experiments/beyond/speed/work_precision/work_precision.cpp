@@ -31,33 +31,11 @@ Scene reference_scene() {
   return scene;
 }
 
-/// The scenes whose name contains `text`.
-std::vector<Listed> chosen(std::vector<Listed> list, const std::string& text) {
-  std::string names;
-  for (const Listed& one : list)
-    names += (names.empty() ? "" : ", ") + one.label;
-  std::erase_if(list, [&](const Listed& one) { return one.label.find(text) == std::string::npos; });
-  if (list.empty())
-    throw std::invalid_argument("--scene is '" + text +
-                                "'; it must be part of the name of one of these: " + names + ".");
-  return list;
-}
-
 void add_rows(Table& table, const Scene& scene, const std::vector<Point>& points, double unit) {
   for (const Point& p : points)
     table.row(scene.problem, scene.eccentricity, scene.horizon_name, p.family->method, p.family->order,
               p.label(), p.steps, p.evaluations, rounded(p.seconds), p.position_error, p.energy_error,
-              rounded(p.seconds / unit), p.front, rounded(p.least_seconds / unit),
-              rounded(p.most_seconds / unit));
-}
-
-/// The front in its order along the curve, one index block per scene.
-void add_front(Table& table, const Scene& scene, std::vector<Point> points, double unit) {
-  std::erase_if(points, [](const Point& p) { return !p.front; });
-  std::ranges::sort(points, {}, &Point::seconds);
-  for (const Point& p : points)
-    table.row(scene.problem, scene.eccentricity, scene.horizon_name, p.family->method, p.family->order,
-              p.label(), rounded(p.seconds / unit), p.position_error);
+              rounded(p.seconds / unit), rounded(p.least_seconds / unit), rounded(p.most_seconds / unit));
 }
 
 /// The measurements of a scene, with the unit before and after it.
@@ -97,11 +75,7 @@ Measured measured_with_unit(const Scene& unit_scene, const Scene& scene, const B
 
 int main(int argc, char** argv) {
   bool full = false;
-  std::string only;
-  const auto options = [&](CLI::App& app) {
-    add_flag(app, "--full", full, "The whole grid, some minutes");
-    add_text(app, "--scene", only, "Only scenes whose name contains this, as `kepler 0.9`");
-  };
+  const auto options = [&](CLI::App& app) { add_flag(app, "--full", full, "The whole grid, some minutes"); };
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
     const Grid grid = frame.quick ? Grid::quick : full ? Grid::full : Grid::reduced;
     const Budget base =
@@ -109,15 +83,13 @@ int main(int argc, char** argv) {
         : full      ? Budget{.longest_run = 1.2e6, .least_run = 3e4, .least_block = 0.0005, .stride = 1}
                     : Budget{};
     Table table = frame.table({"problem", "eccentricity", "horizon", "method", "order", "setting", "steps",
-                               "evaluations", "seconds", "position_error", "energy_error", "cost", "front",
+                               "evaluations", "seconds", "position_error", "energy_error", "cost",
                                "least_cost", "most_cost"});
-    Table front = frame.table(
-        {"problem", "eccentricity", "horizon", "method", "order", "setting", "cost", "position_error"});
     Table advice = advice_table(frame);
     table.note("peers", peers_present());
     advice.note("peers", peers_present());
     const Scene unit_scene = reference_scene();
-    const auto list = chosen(scenes(grid), only);
+    const auto list = scenes(grid);
     for (std::size_t i = 0; i < list.size(); ++i) {
       const std::string& label = list[i].label;
       const Scene scene = list[i].make();
@@ -138,13 +110,10 @@ int main(int argc, char** argv) {
             "The unit of time moved by {:.0f} % while '{}' was measured: its costs are not to be used.\n",
             100.0 * made.drift, label);
       auto& [unit_point, points, unit, drift] = made;
-      mark_front(points);
       if (i == 0) add_rows(table, unit_scene, unit_point, unit);
       add_rows(table, scene, points, unit);
-      add_front(front, scene, points, unit);
       advise(advice, scene, points, unit, drift);
     }
-    frame.write(front, "front");
     frame.write(advice, "advice");
     frame.write(table);
   });

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <limits>
-#include <map>
 #include <utility>
 
 // Bregman dynamics where they break: the time at which each form of the HTVI overflows, the largest stable
@@ -67,9 +66,6 @@ Judged meet(const Scene& s, std::string_view kind, long at, long cap) {
   return result;
 }
 
-/// Tells how many runs of each scene had each verdict.
-using Tally = std::map<std::pair<std::string, std::string>, long>;
-
 void write_overflow(Frame& frame) {
   Table table = frame.table({"form", "p", "p_ring", "h", "log10_t_end", "log10_t_expected", "steps",
                              "distance_from_printed", "steps_compared"});
@@ -94,7 +90,7 @@ void write_overflow(Frame& frame) {
   frame.write(table, "overflow");
 }
 
-void write_limits(Frame& frame, Tally& tally) {
+void write_limits(Frame& frame) {
   Table table = frame.table({"method", "p", "p_ring", "t_end", "h_expected", "h_measured", "ratio",
                              "beyond_outcome", "beyond_iterations", "beyond_message"});
   table.note("objective", "|x|^2 / 2, C = 1e9; stable: f stays below 1000 f(x0) from t = 1 to t_end");
@@ -107,7 +103,6 @@ void write_limits(Frame& frame, Tally& tally) {
       const Limit limit = largest_stable_step(method, p, p_ring, T);
       table.row(method, p, p_ring, T, limit.expected, limit.measured, limit.measured / limit.expected,
                 name(limit.beyond.outcome), limit.beyond.iterations, limit.beyond.message);
-      ++tally[{"beyond", verdict_of(limit.beyond, Bowl{1.0}, 0.0)}];
     }
   frame.write(table, "limits");
 }
@@ -121,7 +116,6 @@ int main(int argc, char** argv) {
              "Dimensions to 1e7 and the caps of large dimensions raised 250-fold (minutes)");
   };
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
-    Tally tally;
     Table table =
         frame.table({"scene", "method", "p", "p_ring", "h", "C", "dimension", "one_less_rho", "away", "t0",
                      "fault", "fault_at", "iterations", "value", "outcome", "verdict", "seconds"});
@@ -134,12 +128,11 @@ int main(int argc, char** argv) {
       table.row(s.scene, s.method, s.p, s.p_ring, h, s.C, s.dimension, 1.0 - s.rho, s.away, s.from.t, fault,
                 static_cast<double>(at), end.iterations, end.value, end.outcome, end.verdict,
                 rounded(time, 3));
-      ++tally[{s.scene, end.verdict}];
     };
     frame.progress("overflow", 0.0);
     write_overflow(frame);
     frame.progress("limits", 0.1);
-    write_limits(frame, tally);
+    write_limits(frame);
     const auto all = plan(frame.quick, extremes);
     for (std::size_t i = 0; i < all.size(); ++i) {
       frame.progress(all[i].scene, 0.2 + 0.7 * i / all.size());
@@ -153,14 +146,6 @@ int main(int argc, char** argv) {
           const Scene s{.scene = "fault", .method = method, .p = 10.0, .p_ring = 0.5, .h = h};
           add(s, 0.0, kind, at, [&] { return meet(s, kind, at, frame.quick ? 1000 : 15'000); });
         }
-    Table counts = frame.table({"scene", "verdict", "runs"});
-    long runs = 0;
-    for (const auto& [key, n] : tally) {
-      counts.row(key.first, key.second, n);
-      runs += n;
-    }
-    frame.write(counts, "verdicts");
-    table.note("runs", runs);
     frame.write(table);
   });
 }

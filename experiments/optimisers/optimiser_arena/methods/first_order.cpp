@@ -53,42 +53,13 @@ void barzilai_borwein(Meter& f) {
   }
 }
 
-/// Gradient descent with the adaptive step of Malitsky and Mishchenko (2020).
-void adgd(Meter& f) {
-  VectorX x = f.x0, g(x.size()), next, next_g(x.size());
-  double length = first_length(x, g, f(x, g)), ratio = 1e9;
-  while (!f.over) {
-    next = x - length * g;
-    f(next, next_g);
-    const double dx = avi::norm(next - x), dg = avi::norm(next_g - g);
-    const double grown = std::sqrt(1.0 + ratio) * length;
-    const double now = dg > 0.0 ? std::min(grown, 0.5 * dx / dg) : grown;
-    ratio = now / length, length = now;
-    x.swap(next), g.swap(next_g);
-    ++f.iterations;
-    if (!std::isfinite(dx)) return;
-  }
-}
-
-/// At the usual rate, and at the best of six.
-template <class Rule>
-void add(std::vector<Method>& all, const std::string& name, double usual) {
-  const auto with = [](double rate) { return [rate](Meter& meter) { follow(meter, Rule{.rate = rate}); }; };
-  all.push_back({name, {with(usual)}, true});
-  all.push_back({name + "_best", {}, true});
-  for (double rate : {1e-4, 1e-3, 1e-2, 1e-1, 1.0, 10.0})
-    all.back().runs.push_back(with(rate));
-}
-
 }  // namespace
 
 std::vector<Method> first_order_methods() {
-  std::vector<Method> all{
-      {"nag_restart", {nag_restart}}, {"barzilai_borwein", {barzilai_borwein}}, {"adgd", {adgd}}};
-  add<experiment::Adam>(all, "adam", 1e-3);
-  add<experiment::AdaGrad>(all, "adagrad", 1e-2);
-  add<experiment::RmsProp>(all, "rmsprop", 1e-2);
-  return all;
+  Method rmsprop{.name = "rmsprop_best", .runs = {}, .slow = true};  // at the best of six rates
+  for (const double rate : {1e-4, 1e-3, 1e-2, 1e-1, 1.0, 10.0})
+    rmsprop.runs.push_back([rate](Meter& meter) { follow(meter, experiment::RmsProp{.rate = rate}); });
+  return {{"nag_restart", {nag_restart}}, {"barzilai_borwein", {barzilai_borwein}}, rmsprop};
 }
 
 }  // namespace arena

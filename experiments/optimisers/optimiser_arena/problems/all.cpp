@@ -11,26 +11,26 @@ namespace arena {
 std::vector<Problem> all_problems(bool large, bool again) {
   std::vector<Problem> all;
   std::string group = "tuned", suffix;
-  const auto add = [&](const char* kind, std::vector<Problem> problems) {
+  const auto add = [&](std::vector<Problem> problems) {
     for (Problem& problem : problems) {
-      problem.name += suffix, problem.kind = kind, problem.group = group;
+      problem.name += suffix, problem.group = group;
       all.push_back(std::move(problem));
     }
   };
   const auto add_drawn = [&](Index k, unsigned long seed) {
-    add("statistics", statistics_problems(k, seed));
-    add("non_convex", drawn_non_convex_problems(k, seed));
+    add(statistics_problems(k, seed));
+    add(drawn_non_convex_problems(k, seed));
   };
-  add("convex", convex_problems(large));
-  add("statistics", statistics_problems(1, 0));
-  add("classic", classic_problems());
-  add("non_convex", drawn_non_convex_problems(1, 0));
-  add("non_convex", other_non_convex_problems());
-  add("degenerate", degenerate_problems(large));
+  add(convex_problems(large));
+  add(statistics_problems(1, 0));
+  add(classic_problems());
+  add(drawn_non_convex_problems(1, 0));
+  add(other_non_convex_problems());
+  add(degenerate_problems(large));
   group = "looked_at", suffix = "_again";
   if (again) add_drawn(2, 1000);
   suffix = "";
-  add("classic", remaining_classic_problems());
+  add(remaining_classic_problems());
   group = "held_out", suffix = "_fresh";
   add_drawn(2, 3000);
   return all;

@@ -21,15 +21,14 @@ struct Problem {
   std::string name;                                   ///< As in the data file.
   VectorX x0;                                         ///< The usual start.
   std::function<double(const VectorX&, VectorX&)> f;  ///< Value; fills the gradient.
-  std::string kind{};   ///< convex, statistics, classic, non_convex or degenerate.
-  std::string group{};  ///< tuned, looked_at or held_out (all.cpp).
+  std::string group{};                                ///< tuned, looked_at or held_out (all.cpp).
 };
 
 /// Every problem, in the order of the data file. `large` adds and enlarges those of dimension up to 1e6,
 /// `again` adds the draws that were held out for earlier defaults.
 std::vector<Problem> all_problems(bool large, bool again);
 
-/// @name One kind each, without kind and group
+/// @name One kind each, without group
 /// Where data or starts are drawn at random, dimension and number of data are k times the usual, and `seed`
 /// is added to each class's own.
 /// @{

@@ -43,7 +43,6 @@ TEST(FrontDoorRace, CellsHoldTheCheapestRowsThatReachTheirTargets) {
                  ratio = cells.number(i, "ratio");
     if (std::isfinite(ours) && std::isfinite(peer)) {
       EXPECT_NEAR(ratio, ours / peer, 1e-3 * ratio);
-      EXPECT_GT(cells.number(i, "run_sweeps"), 0.0);
     } else {
       EXPECT_TRUE(std::isnan(ratio));
     }
@@ -64,7 +63,7 @@ TEST(FrontDoorRace, EvaluationsAreCounted) {
   const Table cells = data("front_door_cells");
   for (std::size_t i = 0; i < cells.rows.size(); ++i)
     if (std::isfinite(cells.number(i, "ratio"))) {
-      EXPECT_GT(cells.number(i, "ours_evaluations"), cells.number(i, "run_sweeps"));
+      EXPECT_GT(cells.number(i, "ours_evaluations"), 0.0);
       EXPECT_GT(cells.number(i, "peer_evaluations"), 0.0);
     }
 }

@@ -85,15 +85,6 @@ TEST(WorkPrecision, AdviceHasCollocationSolvedToRoundingBesideTheCheapest) {
   EXPECT_GE(solved, 2);
 }
 
-TEST(WorkPrecision, TheFrontIsAFront) {
-  const Table front = data("work_precision_front");
-  ASSERT_GE(front.rows.size(), 3u);
-  for (std::size_t i = 1; i < front.rows.size(); ++i) {
-    EXPECT_GE(front.number(i, "cost"), front.number(i - 1, "cost"));
-    EXPECT_LT(front.number(i, "position_error"), front.number(i - 1, "position_error"));
-  }
-}
-
 TEST(WorkPrecision, ItsAdviceReachesTheTargetsAheadOfEveryPeer) {
 #if !defined(__OPTIMIZE__) || defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "not optimised, as the other libraries are";

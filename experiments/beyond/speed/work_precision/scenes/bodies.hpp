@@ -19,4 +19,12 @@ struct UnitBodies : private avi::NBody<bodies> {
   }
 };
 
+/// Seven of them, with encounters down to a hundredth of the cluster's size.
+inline avi::State<14> star_cluster_start() {
+  avi::State<14> z;
+  z.q << 1.0, 0.1, -0.9, 0.4, 0.2, -0.8, -0.3, 0.9, 0.5, 0.6, -0.6, -0.5, 0.1, 0.15;
+  z.p << -0.3, 0.9, 0.2, -0.8, 0.9, 0.1, -0.7, -0.4, -0.5, 0.6, 0.5, -0.7, -0.1, 0.3;
+  return z;
+}
+
 }  // namespace experiment::work_precision

@@ -52,10 +52,7 @@ Scene figure_eight(int periods) {
 }
 
 Scene star_cluster() {
-  avi::State<14> z;
-  z.q << 1.0, 0.1, -0.9, 0.4, 0.2, -0.8, -0.3, 0.9, 0.5, 0.6, -0.6, -0.5, 0.1, 0.15;
-  z.p << -0.3, 0.9, 0.2, -0.8, 0.9, 0.1, -0.7, -0.4, -0.5, 0.6, 0.5, -0.7, -0.1, 0.3;
-  const Arena arena(UnitBodies<7>(), 1.0, z);
+  const Arena arena(UnitBodies<7>(), 1.0, star_cluster_start());
   Scene scene{"star_cluster", unknown, 1.0, "1"};
   scene.longest_run = 0.4;
   set_extended_reference(scene, arena, true, 0.005L);
