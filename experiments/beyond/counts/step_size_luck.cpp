@@ -23,7 +23,8 @@ std::vector<double> two_digit_numbers(double low, double high) {
 
 int main(int argc, char** argv) {
   return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
-    Table table = frame.table({"method", "approach", "p", "p_ring", "h", "iterations", "least", "median", "most", "printed_is_best"});
+    Table table = frame.table({"method", "approach", "p", "p_ring", "h", "iterations", "least", "median",
+                               "most", "printed_is_best"});
     table.note("grid", "two-digit steps from 0.6 to 1.3 times the published one");
     Table grid = frame.table(
         {"row", "method", "approach", "p", "p_ring", "h", "relative_h", "iterations", "converged"});
@@ -46,7 +47,8 @@ int main(int argc, char** argv) {
         best &= result.iterations >= printed || std::abs(h / s.h - 1.0) <= 1e-9;
       }
       std::ranges::sort(counts);
-      table.row(s.method, s.approach(), s.p, s.p_ring_or_nan(), s.h, printed, counts.front(), median(counts), counts.back(), best);
+      table.row(s.method, s.approach(), s.p, s.p_ring_or_nan(), s.h, printed, counts.front(), median(counts),
+                counts.back(), best);
     });
     frame.write(grid, "grid");
     frame.write(table);

@@ -21,9 +21,9 @@ struct Limits {
 /// How a run ended.
 struct Attempt {
   avi::Run run;
-  State2 end;                    ///< The last good state.
-  double energy_error = 0.0;     ///< Largest |H - H_0| / |H_0| after any step.
-  bool late = false;             ///< Reached the end, but elsewhere on its orbit.
+  State2 end;                 ///< The last good state.
+  double energy_error = 0.0;  ///< Largest |H - H_0| / |H_0| after any step.
+  bool late = false;          ///< Reached the end, but elsewhere on its orbit.
 
   /// Reached the end within every bound.
   [[nodiscard]] bool good() const { return run.outcome == avi::Outcome::ok && !late; }

@@ -35,11 +35,11 @@ struct Mean {
 
 void write_summary(const experiment::Frame& frame, const std::vector<Instance>& instances,
                    const std::vector<Method>& methods) {
-  experiment::Table table = frame.table(
-      {"group", "method", "instances", "failures", "per_iteration", "ratio_to_lbfgs", "ratio_to_best_cg", "evaluations_to_best_cg", "within_2"});
+  experiment::Table table =
+      frame.table({"group", "method", "instances", "failures", "per_iteration", "ratio_to_lbfgs",
+                   "ratio_to_best_cg", "evaluations_to_best_cg", "within_2"});
   table.note("per_iteration", "geometric mean of gradients and values over the instances that it solved");
-  table.note("ratio_to_lbfgs",
-             "geometric mean of the ratio of gradients where both converged");
+  table.note("ratio_to_lbfgs", "geometric mean of the ratio of gradients where both converged");
   table.note(
       "ratio_to_best_cg",
       "likewise to the conjugate gradients that needed fewest; evaluations_to_best_cg counts values too");
