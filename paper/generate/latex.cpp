@@ -183,7 +183,6 @@ std::string display_name(std::string_view name) {
       {"log_hamiltonian_suzuki4", "LogH Suzuki 4"},
       {"log_hamiltonian_kahan_li6", "LogH KL 6"},
       {"log_hamiltonian_kahan_li8", "LogH KL 8"},
-      {"log_hamiltonian_kahan_li8_plain", "LogH KL 8"},
       {"log_hamiltonian_sofroniou_spaletta10", "LogH SS 10"},
       {"verlet_sofroniou_spaletta10", "Verlet SS 10"},
       {"blanes_moan6_nystrom", "RKN BM 6"},

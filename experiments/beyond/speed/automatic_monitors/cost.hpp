@@ -2,8 +2,9 @@
 #include "avi/autodiff/recording.hpp"
 #include "avi/collocation/collocation.hpp"
 #include "avi/core/integrate_to.hpp"
+#include "avi/solve.hpp"
 #include "avi/transform/poincare.hpp"
-#include "beyond/speed/automatic_monitors/choice.hpp"
+#include "beyond/speed/automatic_monitors/scenes.hpp"
 #include "common/table.hpp"
 
 #include <cmath>
@@ -19,6 +20,16 @@ using Point = avi::State<avi::dynamic>;
 using Problem = avi::Poincare<avi::dynamic, avi::Formula, avi::Formula>;
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The monitor of a choice for a scene; 1 where steps are fixed.
+inline avi::Formula monitor_of(const Scene& scene, const avi::Choice& choice) {
+  return avi::monitor_of(choice, scene.energy, scene.energy(scene.start.q, scene.start.p));
+}
+
+/// What a short call of solve() chooses. @param order 0 to have it chosen
+inline avi::SolutionReport choose(const Scene& scene, double time, double tolerance, int order) {
+  return avi::solve(scene.energy, scene.start, time, tolerance, {.check = false, .order = order});
+}
 
 /// Errors to be reached by collocation of an order.
 struct Targets {

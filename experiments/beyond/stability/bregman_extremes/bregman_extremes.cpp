@@ -110,12 +110,7 @@ void write_limits(Frame& frame) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  bool extremes = false;
-  const auto options = [&](CLI::App& app) {
-    add_flag(app, "--extremes", extremes,
-             "Dimensions to 1e7 and the caps of large dimensions raised 250-fold (minutes)");
-  };
-  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
+  return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
     Table table =
         frame.table({"scene", "method", "p", "p_ring", "h", "C", "dimension", "one_less_rho", "away", "t0",
                      "fault", "fault_at", "iterations", "value", "outcome", "verdict", "seconds"});
@@ -133,7 +128,7 @@ int main(int argc, char** argv) {
     write_overflow(frame);
     frame.progress("limits", 0.1);
     write_limits(frame);
-    const auto all = plan(frame.quick, extremes);
+    const auto all = plan(frame.quick);
     for (std::size_t i = 0; i < all.size(); ++i) {
       frame.progress(all[i].scene, 0.2 + 0.7 * i / all.size());
       const double h = step_of(all[i]);

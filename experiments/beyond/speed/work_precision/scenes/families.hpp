@@ -4,14 +4,11 @@
 #include "avi/collocation/collocation.hpp"
 #include "avi/htvi/htvi.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
-#include "avi/integrators/composition.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/integrators/splitting.hpp"
 #include "avi/integrators/stormer_verlet.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
-#include "common/methods/adaptive_verlet.hpp"
-#include "common/methods/hairer_soderlind.hpp"
 
 #include <fmt/format.h>
 
@@ -52,13 +49,12 @@ void add_fixed(Scene& scene, const Arena<P>& arena, double stage) {
 /// The logarithmic Hamiltonian; `stage` is the coarsest fictive step per force evaluation.
 template <class P>
 void add_logarithmic(Scene& scene, const Arena<P>& arena, double stage) {
-  const auto add = [&]<avi::Summation summation = sum>(
-      const char* name, const avi::CompositionCoefficients& composition, double ratio) {
+  const auto add = [&](const char* name, const avi::CompositionCoefficients& composition, double ratio) {
     const auto list = split(composition);
     const double coarse = stage * list.b.size();
     arena.add(scene, Origin::ours_explicit, name, list.order, "h", geometric(coarse, ratio, 40),
               [=](const P& problem, const auto& start) {
-                return avi::splitting<summation>(avi::LogHamiltonian<P>(problem, start), list);
+                return avi::splitting<sum>(avi::LogHamiltonian<P>(problem, start), list);
               });
   };
   add("log_hamiltonian", c::strang, 0.6);
@@ -66,28 +62,6 @@ void add_logarithmic(Scene& scene, const Arena<P>& arena, double stage) {
   add("log_hamiltonian_kahan_li6", c::kahan_li6, 0.8);
   add("log_hamiltonian_kahan_li8", c::kahan_li8, 0.85);
   add("log_hamiltonian_sofroniou_spaletta10", c::sofroniou_spaletta10, 0.87);
-  add.template operator()<avi::Summation::plain>("log_hamiltonian_kahan_li8_plain", c::kahan_li8, 0.85);
-}
-
-/// The reversible, not symplectic rivals with g = |q|^(3/2).
-template <class P>
-void add_reversible(Scene& scene, const Arena<P>& arena) {
-  const auto add = [&](const char* name, int order, double coarse, double ratio, auto make) {
-    arena.add(scene, Origin::ours_explicit, name, order, "g=r^1.5 h", geometric(coarse, ratio, 30), make);
-  };
-  const experiment::PowerOfRadius monitor{1.5};
-  const auto reversible = [=](const avi::CompositionCoefficients& list) {
-    return [=](const P& problem, const auto&) {
-      return experiment::HairerSoderlind(avi::splitting<sum>(avi::Separable<P>(problem), list), monitor);
-    };
-  };
-  add("adaptive_verlet", 2, 0.1, 0.6,
-      [=](const P& problem, const auto&) { return experiment::AdaptiveVerlet(problem, monitor); });
-  add("adaptive_verlet_kahan_li8", 8, 1.0, 0.8, [=](const P& problem, const auto&) {
-    return avi::Composition(experiment::AdaptiveVerlet(problem, monitor), c::kahan_li8);
-  });
-  add("hairer_soderlind", 2, 0.1, 0.6, reversible(c::strang));
-  add("hairer_soderlind_kahan_li8", 8, 1.0, 0.8, reversible(c::kahan_li8));
 }
 
 /// g = |q|^(3/2).

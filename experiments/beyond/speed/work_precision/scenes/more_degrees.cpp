@@ -5,8 +5,6 @@
 #include "common/problems/chain.hpp"
 #include "common/problems/outer_solar_system.hpp"
 
-#include <fmt/format.h>
-
 namespace experiment::work_precision {
 namespace {
 
@@ -37,10 +35,10 @@ struct LongChain : experiment::Chain {
 
 }  // namespace
 
-Scene figure_eight(int periods) {
-  const double horizon = periods * avi::FigureEight::period;
+Scene figure_eight() {
+  constexpr double horizon = 10.0 * avi::FigureEight::period;
   const Arena arena(UnitBodies<3>(), horizon, avi::FigureEight::start());
-  Scene scene{"figure_eight", unknown, horizon, fmt::format("{} periods", periods)};
+  Scene scene{"figure_eight", unknown, horizon, "10 periods"};
   scene.longest_run = 0.3;
   set_extended_reference(scene, arena, false, 0.05L);
   add_fixed(scene, arena, 0.05);
@@ -63,9 +61,10 @@ Scene star_cluster() {
   return scene;
 }
 
-Scene solar_system(double horizon) {
+Scene solar_system() {
+  constexpr double horizon = 200'000.0;  // days
   const Arena arena(experiment::OuterSolarSystem::problem(), horizon, experiment::OuterSolarSystem::start());
-  Scene scene{"solar_system", unknown, horizon, fmt::format("{:.0f} days", horizon)};
+  Scene scene{"solar_system", unknown, horizon, "200000 days"};
   scene.longest_run = 0.2;
   set_extended_reference(scene, arena, false, 60.0L);
   add_fixed(scene, arena, 100.0);

@@ -25,9 +25,8 @@ std::vector<Listed> scenes(Grid grid) {
     return Listed{fmt::format("kepler {} 10", e), [=] { return kepler(e, 10.0, "10"); }};
   };
   if (grid == Grid::quick) return {orbit(0.9)};
-  const auto periods = [](int number) { return fmt::format("{} periods", number); };
   const auto orbits = [&](double e, int number) {
-    const std::string name = periods(number);
+    const std::string name = fmt::format("{} periods", number);
     return Listed{fmt::format("kepler {} {}", e, name),
                   [=] { return thinned(kepler(e, number * 2.0 * M_PI, name)); }};
   };
@@ -35,17 +34,14 @@ std::vector<Listed> scenes(Grid grid) {
   if (full) {
     list.push_back(orbits(0.99, 1000));
     list.push_back(orbits(0.999, 1000));
-    list.push_back({"perturbed_kepler 1000 periods",
-                    [=] { return thinned(perturbed_kepler(0.9, 2000.0 * M_PI, "1000 periods")); }});
-    list.push_back({"figure_eight 100 periods", [] { return thinned(figure_eight(100)); }});
   }
-  list.push_back({"perturbed_kepler 10", [] { return perturbed_kepler(0.9, 10.0, "10"); }});
+  list.push_back({"perturbed_kepler", perturbed_kepler});
   list.push_back({"henon_heiles", [=] { return henon_heiles(full ? 1000.0 : 100.0); }});
-  list.push_back({"double_pendulum", [] { return double_pendulum(100.0); }});
-  list.push_back({"figure_eight 10 periods", [] { return figure_eight(10); }});
-  list.push_back({"star_cluster", [] { return star_cluster(); }});
-  list.push_back({"solar_system", [] { return solar_system(200'000.0); }});
-  list.push_back({"chain", [] { return chain(); }});
+  list.push_back({"double_pendulum", double_pendulum});
+  list.push_back({"figure_eight", figure_eight});
+  list.push_back({"star_cluster", star_cluster});
+  list.push_back({"solar_system", solar_system});
+  list.push_back({"chain", chain});
   return list;
 }
 

@@ -11,14 +11,14 @@
 namespace experiment::work_precision {
 
 Scene kepler(double eccentricity, double horizon, const std::string& horizon_name);
-Scene perturbed_kepler(double eccentricity, double horizon, const std::string& horizon_name);
+Scene perturbed_kepler();
 Scene henon_heiles(double horizon);
-Scene double_pendulum(double horizon);
-Scene figure_eight(int periods);
+Scene double_pendulum();
+Scene figure_eight();
 /// Seven unit masses, with encounters down to a hundredth of the cluster's size.
 Scene star_cluster();
-/// The Sun and five planets over a horizon in days.
-Scene solar_system(double horizon);
+/// The Sun and five planets.
+Scene solar_system();
 /// 64 masses on a line.
 Scene chain();
 

@@ -18,7 +18,6 @@ template <class P>
 void add_kepler_methods(Scene& scene, const Arena<P>& arena) {
   add_fixed(scene, arena, 0.02);
   add_logarithmic(scene, arena, 0.15);
-  add_reversible(scene, arena);
   add_collocation(scene, arena, "g=r^1.5", 1.7, ThreeHalves{}, arena.horizon < 100.0);
   add_htvi(scene, arena, "g=r^1.5", 1.0, avi::Gamma{0.75});
   add_peers(scene, arena.equations());
@@ -54,9 +53,9 @@ Scene kepler(double eccentricity, double horizon, const std::string& horizon_nam
   return scene;
 }
 
-Scene perturbed_kepler(double eccentricity, double horizon, const std::string& horizon_name) {
-  const Arena arena(experiment::PerturbedKepler(1e-3), horizon, avi::Kepler::pericentre(eccentricity));
-  Scene scene{"perturbed_kepler", eccentricity, horizon, horizon_name};
+Scene perturbed_kepler() {
+  const Arena arena(experiment::PerturbedKepler(1e-3), 10.0, avi::Kepler::pericentre(0.9));
+  Scene scene{"perturbed_kepler", 0.9, 10.0, "10"};
   set_extended_reference(scene, arena, true, 0.1L);
   add_kepler_methods(scene, arena);
   return scene;
@@ -73,9 +72,9 @@ Scene henon_heiles(double horizon) {
   return scene;
 }
 
-Scene double_pendulum(double horizon) {
-  const Arena arena(Pendulums{}, horizon, experiment::DoublePendulum::released(1.2, 0.8));
-  Scene scene{"double_pendulum", unknown, horizon, fmt::format("{:g}", horizon)};
+Scene double_pendulum() {
+  const Arena arena(Pendulums{}, 100.0, experiment::DoublePendulum::released(1.2, 0.8));
+  Scene scene{"double_pendulum", unknown, 100.0, "100"};
   scene.longest_run = 0.5;
   set_reference(scene, arena, [](const avi::State<2>& start, long double fraction) {
     return Extrapolation<Pendulums>({}, start, 0.25L * fraction);
