@@ -363,10 +363,12 @@ OrbitAnswer Orbiter::finish() {
     answer_.note +=
         "Two runs stay apart, however short their steps: the state at the end depends on more digits "
         "than there are. ";
-  if (!answer_.kept() && steady_ && fine.energy_error >= most_rounding)
-    answer_.note +=
-        "The energy errs alike however short the steps: the gradient that H supplies is not its own, or "
-        "H has a jump. ";
+  if (answer_.ok() && !answer_.kept() && steady_ && fine.energy_error >= most_rounding) {
+    answer_.note += "The energy errs alike however short the steps: ";
+    answer_.note += question_.gradient.empty()
+                        ? "H has a jump, or rounds by so much. "
+                        : "the gradient that H supplies is not its own, or H has a jump. ";
+  }
   if (question_.made && !answer_.kept())
     answer_.note += "Monitor, order and step were chosen for another start; solve() chooses for this one. ";
   if (!answer_.note.empty()) answer_.note.pop_back();  // the blank behind the last sentence
