@@ -161,16 +161,17 @@ struct Choice {
   /// \f$(H_{pp})_{ii}\f$ where something moves that has no momenta, as in a magnetic field or a frame that
   /// turns; else empty.
   std::vector<double> drifts = {};
-  double solved = 6.25e-19;        ///< Relative change of a sweep below which a step counts as solved.
-  double time = 0.0;               ///< Physical time of the short trials.
-  long sweeps = 0;                 ///< Evaluations of all stages in all trials.
-  long check = 0;                  ///< Those of the run with a longer step that goes along the whole orbit.
-  std::vector<SolveTrial> trials;  ///< In their order.
+  double solved = 6.25e-19;  ///< Relative change of a sweep below which a step counts as solved.
+  double time = 0.0;         ///< Physical time of the short trials.
+  long sweeps = 0;           ///< Evaluations of all stages in all trials.
+  long check = 0;            ///< Those of the run with a longer step that goes along the whole orbit.
+  std::vector<SolveTrial> trials = {};  ///< In their order.
 };
 
 /// The monitor g(q, p) of a choice, for a method by hand: `poincare(H, start, monitor_of(choice, H, H_0))`.
 /// @param hamiltonian H of (q, p), for which the choice was made @param energy_at_start \f$H_0\f$
-/// @throws std::invalid_argument for H(q, t, p), and for a monitor of one's own, which is known already.
+/// @throws std::invalid_argument for H(q, t, p), for a monitor of one's own, which is known already, and
+/// where the constants of the choice are not those of this H.
 [[nodiscard]] Formula monitor_of(const Choice& choice, const Formula& hamiltonian, double energy_at_start);
 
 /// Where an orbit led, how, and how well: the part that does not depend on the dimension.
@@ -265,7 +266,7 @@ void require_arguments(int inputs, int n);
 /// Records the events and the monitor among the options of a question.
 /// @throws std::invalid_argument for an event that was not made by when(), and for one of other arguments.
 void add_functions(OrbitQuestion& question);
-/// @throws std::logic_error where a solution is called that was made without SolveOptions::dense.
+/// @throws std::logic_error where a solution is called that has no curve.
 [[noreturn]] void no_curve();
 
 /// q and p of n numbers each as a state.
@@ -301,7 +302,7 @@ struct Solution : SolutionReport {
   /// The state at any time of the run, where SolveOptions::dense was set: by a symplectic step from the last
   /// step before it, as accurate as the ends of steps. Several threads may call it at a time.
   /// @throws std::invalid_argument for a time where the run has not been.
-  /// @throws std::logic_error where the run was made without SolveOptions::dense.
+  /// @throws std::logic_error where the run was made without SolveOptions::dense, or none was begun.
   [[nodiscard]] State<n> operator()(double t) const {
     if (!curve) detail::no_curve();
     const int count = static_cast<int>(state.q.size());
@@ -458,7 +459,8 @@ template <class H, int n>
 /// been interrupted: by a bound, by the callback, by the end of the program. What was asked for is in the
 /// file, but for H, the events, and a monitor of one's own, which are to be the same.
 /// @tparam n of the start that the run began with @param n_of_start its value, where n is avi::dynamic
-/// @param options bounds and progress of what is left, events, a monitor of one's own; nothing else counts
+/// @param options seconds and progress of what is left, bounds on sweeps and steps of the whole run, events,
+/// a monitor of one's own; nothing else counts
 /// @throws std::invalid_argument for a file that cannot be read, is damaged, or is of another H.
 template <int n, class H>
 [[nodiscard]] Solution<n> resume(const H& hamiltonian, const std::string& file,

@@ -64,8 +64,8 @@ class Solver {
   /// The orbits from all starts, on several threads. Each is the same to the last bit on any number of them.
   /// One that throws, or is cancelled by settings.cancel within a twentieth of a second, ends as
   /// Outcome::stopped with the sentence; the others go on. SolveOptions::progress is not called.
-  /// @throws std::invalid_argument for a negative number of threads, or improper times; what
-  /// settings.progress throws.
+  /// @throws std::invalid_argument for a negative number of threads, improper times, or a Solver with
+  /// SolveOptions::checkpoint, whose file holds one run; what settings.progress throws.
   [[nodiscard]] std::vector<SolverMember<n>> ensemble(const std::vector<State<n>>& starts, double t_end,
                                                       const EnsembleSettings& settings = {}) const {
     return all(starts, t_end, {}, settings);
@@ -98,6 +98,8 @@ class Solver {
   std::vector<SolverMember<n>> all(const std::vector<State<n>>& starts, double t_end,
                                    const std::vector<double>& times, const EnsembleSettings& settings) const {
     require(settings.threads >= 0, "Number of threads", settings.threads, "at least 0");
+    require(question_.options.checkpoint.empty(), "Checkpoint of an ensemble", question_.options.checkpoint,
+            "empty, for a file holds one run");
     std::vector<SolverMember<n>> members;
     members.reserve(starts.size());
     for (const State<n>& start : starts)

@@ -106,8 +106,7 @@ Measured measure(const Sketch& sketch, const ExpressionGraph& graph, int node, c
   Measured measured;
   RecordedFormula<double> formula{Recording(graph, node).value_and_gradient()};
   const auto at = [&](const auto& z) {
-    std::copy(z.begin(), z.end(), formula.room.arguments());
-    formula.program.run(formula.room);
+    formula.run(z.data(), z.data() + z.size() / 2, z.size() / 2);
     return formula.value();
   };
   const auto along = [&](const auto& slope) {
@@ -351,8 +350,14 @@ namespace avi {
 Formula monitor_of(const Choice& choice, const Formula& hamiltonian, double energy_at_start) {
   const Formula h = hamiltonian.with_constants();
   require(h.inputs() % 2 == 0, "Number of arguments of H", h.inputs(), "even: those of H(q, p)");
-  require(choice.name != "given", "Monitor", choice.name, "one of ", detail::names_of_monitors(),
+  require(detail::is_monitor(choice.name), "Monitor", choice.name, "one of ", detail::names_of_monitors(),
           "; a monitor of one's own is known already");
+  const auto n = static_cast<std::size_t>(h.inputs() / 2), poles = detail::Poles(h.graph(), h.node()).size();
+  const auto fits = [](const std::vector<double>& constants, std::size_t size) {
+    return constants.empty() || constants.size() == size;
+  };
+  require(fits(choice.accelerations, n) && fits(choice.drifts, n) && fits(choice.poles, 2 * poles + 2),
+          "H of a monitor", "another one", "that for which the choice was made");
   const detail::OrbitQuestion question{.graph = h.graph(),
                                        .energy = h.node(),
                                        .q = {},

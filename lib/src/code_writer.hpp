@@ -45,6 +45,12 @@ class CodeWriter {
     return address_at;
   }
 
+  /// Bytes of the stack that the code takes.
+  [[nodiscard]] std::size_t frame() const {
+    return static_cast<std::size_t>(scratch) +
+           static_cast<std::size_t>(slots_) * static_cast<std::size_t>(out_.bytes());
+  }
+
  private:
   using Place = Assembler::Place;
   static constexpr int never = std::numeric_limits<int>::max();
@@ -95,7 +101,7 @@ class CodeWriter {
   }
   void end() {
     out_.raw({0xc5, 0xf8, 0x77});  // vzeroupper
-    const auto size = static_cast<std::int32_t>(scratch + slots_ * out_.bytes());
+    const auto size = static_cast<std::int32_t>(frame());
     std::memcpy(out_.code.data() + frame_size_at_, &size, sizeof(size));
     if (calls_) {
       out_.address(Assembler::rsp, Assembler::rbp, -40);

@@ -28,15 +28,12 @@ Delivery::Delivery(const OrbitQuestion& question, int degrees, const Choice& cho
       field_(question.graph, question.energy, question.gradient),
       energy_at_start_(field_.energy(question.q.data(), question.p.data())),
       candidate_(candidate(choice.name, question, energy_at_start_, choice)), choice_(choice),
-      h_(question.t_end < question.t ? -choice.h : choice.h), energy_scale_(choice.energy_scale),
-      steps_((candidate_.supplied = question.gradient,
-              candidate_.steps(choice.order, {.tolerance = choice.solved, .most = 60}))),
-      state_(start_of(question)) {
+      h_(question.t_end < question.t ? -choice.h : choice.h), state_(start_of(question)) {
   for (std::size_t i = 0; i < question.events.size(); ++i)
     watches_.emplace_back(question.events[i], degrees, i);
-  if (question.options.dense)
-    track_ = std::make_shared<Track>(candidate_.steps(choice.order, {.tolerance = choice.solved, .most = 60}),
-                                     candidate_, field_, h_, degrees_);
+  candidate_.supplied = question.gradient;
+  steps_ = method();
+  if (question.options.dense) track_ = std::make_shared<Track>(method(), candidate_, field_, h_, degrees_);
   for (; next_ < question.times.size() && question.times[next_] == question.t; ++next_)
     add(states_, state_, question.t);
 }
@@ -52,7 +49,7 @@ void Delivery::add(OrbitPoints& points, const State<dynamic>& z, double t) const
 void Delivery::look_at_energy(const State<dynamic>& z) {
   const double energy = field_.energy(z.q.data(), z.p.data());
   if (std::isnan(energy)) run_.outcome = Outcome::non_finite;
-  energy_error_ = std::max(energy_error_, std::abs(energy - energy_at_start_) / energy_scale_);
+  energy_error_ = std::max(energy_error_, std::abs(energy - energy_at_start_) / choice_.energy_scale);
 }
 
 void Delivery::go(double pause) {
@@ -72,7 +69,7 @@ void Delivery::go(double pause) {
 }
 
 void Delivery::begin_block() {
-  steps_ = candidate_.steps(choice_.order, {.tolerance = choice_.solved, .most = 60});
+  steps_ = method();
   block_ = Record();
   const auto put = [&](const auto&... each) { (block_.put(each), ...); };
   put(fingerprint(question_), question_.q, question_.p, question_.t, question_.t_end, question_.tolerance,

@@ -28,8 +28,6 @@ class Delivery {
   void go(double pause);
   /// It is at the end, or at the event that ends it.
   [[nodiscard]] bool arrived() const { return by_event_ || state_.t == question_.t_end; }
-  /// An event has ended it.
-  [[nodiscard]] bool stopped_by_event() const { return by_event_; }
   /// Where it is.
   [[nodiscard]] const State<dynamic>& state() const { return state_; }
   /// How it ended.
@@ -42,6 +40,9 @@ class Delivery {
   void deliver(OrbitAnswer& answer) const;
 
  private:
+  [[nodiscard]] std::unique_ptr<OrbitSteps> method() {
+    return candidate_.steps(choice_.order, {.tolerance = choice_.solved, .most = 60});
+  }
   void step();
   void find_events(const Stride& stride, State<dynamic>& last);
   void find_outputs(const State<dynamic>& before, const State<dynamic>& after, const State<dynamic>& last);
@@ -61,7 +62,7 @@ class Delivery {
   double energy_at_start_;
   Candidate candidate_;
   Choice choice_;
-  double h_, energy_scale_;
+  double h_;
   std::unique_ptr<OrbitSteps> steps_;
   std::vector<Watch> watches_;
   State<dynamic> state_;

@@ -93,8 +93,9 @@ void add_functions(OrbitQuestion& question) {
 }
 
 void no_curve() {
-  throw std::logic_error("The solution was made without SolveOptions::dense; it has states at the end and at "
-                         "output times only.");
+  throw std::logic_error(
+      "The solution was made without SolveOptions::dense, or no run was begun; it has states "
+      "at the end and at output times only.");
 }
 
 namespace {
@@ -200,7 +201,6 @@ class Call {
     budget_.phase = SolvePhase::choosing;
     budget_.end = end;
     OrbitAnswer answer = choose(question, budget_);
-    answer.q.resize(static_cast<std::size_t>(degrees_)), answer.p.resize(static_cast<std::size_t>(degrees_));
     answer.tolerance = question_.tolerance;
     return answer;
   }
@@ -227,7 +227,8 @@ class Call {
     delivery.go(question_.t_end);
     spent_ += answer.choice.sweeps + answer.run.evaluations + delivery.run().evaluations;
     budget_.sweeps += delivery.run().evaluations;
-    return beyond(delivery.state().t, 1.02);
+    const double reached = delivery.state().t;  // the start, where the first step failed
+    return reached == question_.t ? first : beyond(reached, 1.02);
   }
 
   const OrbitQuestion& question_;
@@ -256,7 +257,6 @@ OrbitAnswer answer(OrbitQuestion&& question) {
   budget.start = question.t, budget.end = question.t_end;
   OrbitAnswer answer = more && question.t_end != question.t ? Call(question, degrees, budget).make()
                                                             : choose(question, budget);
-  answer.q.resize(question.q.size()), answer.p.resize(question.q.size());
   answer.q.resize(static_cast<std::size_t>(degrees)), answer.p.resize(static_cast<std::size_t>(degrees));
   if ((!more || question.t_end == question.t) && answer.ok())
     for (const double t : times) {
@@ -270,7 +270,6 @@ OrbitAnswer answer(OrbitQuestion&& question) {
 
 OrbitAnswer answer_from(const std::string& file, OrbitQuestion&& question) {
   Record record(file);
-  const SolveOptions bounds = question.options;
   const auto degrees = static_cast<std::size_t>(question.q.size());
   extend(question);
   const std::size_t size = question.q.size();
@@ -301,6 +300,7 @@ SolutionReport choose_for(const OrbitQuestion& question) {
   OrbitQuestion sample = question;
   sample.events.clear();
   sample.options.dense = false;
+  sample.options.checkpoint.clear();
   SolutionReport report = answer(std::move(sample));
   if (!(report.choice.h > 0.0))
     throw std::invalid_argument(

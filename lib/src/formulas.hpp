@@ -17,13 +17,12 @@ namespace avi::detail {
 /// The machine code of some programs for several kinds of packs, each made once.
 class CodeStore {
  public:
-  /// That for a target; null where there is none, or none yet and it is not to be made.
-  std::shared_ptr<const MachineCode> of(std::span<const Program* const> programs, const MachineTarget& target,
-                                        bool make) {
+  /// That for a target; null where none can be made.
+  std::shared_ptr<const MachineCode> of(std::span<const Program* const> programs,
+                                        const MachineTarget& target) {
     const std::lock_guard lock(mutex_);
     for (const Entry& entry : entries_)
       if (entry.lanes == target.lanes && entry.avx512 == target.avx512) return entry.code;
-    if (!make) return nullptr;
     entries_.push_back({target.lanes, target.avx512, MachineCode::of(programs, target)});
     return entries_.back().code;
   }

@@ -13,9 +13,6 @@ namespace avi::detail {
 struct SweepBounds {
   double tolerance = 6.25e-19;  ///< See SweepSettings.
   int most = 100;               ///< After so many sweeps a step ends as Outcome::not_converged.
-  /// From this step on programs run as machine code, which is made then unless another run of the same
-  /// formulas has made it: some 100 ns an operation, and memory. The bits are the same.
-  int code_from_step = 0;
 };
 
 /// Gauss collocation of the given order, 2, 4, ... 16. @throws std::invalid_argument for another order, or an

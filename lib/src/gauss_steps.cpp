@@ -26,10 +26,16 @@ class FormulaField final : public StageField<n, w> {
   using typename Base::Scalar, typename Base::Step;
 
   /// With memory of its own for each program.
-  FormulaField(std::shared_ptr<const Formulas> formulas, int code_from_step)
+  explicit FormulaField(std::shared_ptr<const Formulas> formulas)
       : formulas_(std::move(formulas)), forces_(formulas_->forces), velocities_(formulas_->velocities),
-        rates_(formulas_->rate), steps_left_(code_from_step) {
-    use_machine_code(steps_left_ <= 0);
+        rates_(formulas_->rate) {
+    if constexpr (makes_code) {
+      code_ = machine_code<w>(*formulas_);
+      if (!code_) return;
+      forces_.code = (*code_)[0];
+      velocities_.code = (*code_)[1];
+      if (!formulas_->unit) rates_.code = (*code_)[2];
+    }
   }
 
   void forces(Step& step, const Scalar& weight) override {
@@ -39,7 +45,6 @@ class FormulaField final : public StageField<n, w> {
     velocities_.run(step.q, step.p, weight, step.dq.data());
   }
   const Scalar& rate(const Step& step) override {
-    if (steps_left_ > 0 && --steps_left_ == 0) use_machine_code(true);
     if (!formulas_->unit) rates_.run(step.q, step.p, rate_, &rate_);
     return rate_;
   }
@@ -47,21 +52,10 @@ class FormulaField final : public StageField<n, w> {
   [[nodiscard]] std::unique_ptr<Base> clone() const override { return std::make_unique<FormulaField>(*this); }
 
  private:
-  void use_machine_code(bool make) {
-    if constexpr (makes_code) {
-      code_ = machine_code<w>(*formulas_, make);
-      if (!code_) return;
-      forces_.code = (*code_)[0];
-      velocities_.code = (*code_)[1];
-      if (!formulas_->unit) rates_.code = (*code_)[2];
-    }
-  }
-
   std::shared_ptr<const Formulas> formulas_;
   std::shared_ptr<const MachineCode> code_;
   StageFormula<w> forces_, velocities_, rates_;
   Scalar rate_{1.0};
-  int steps_left_;  // until there is machine code
 };
 
 /// Gauss collocation behind the interface.
@@ -69,8 +63,7 @@ template <int n, int w>
 class Steps final : public Stepper {
  public:
   Steps(const std::shared_ptr<const Formulas>& formulas, const GaussRule& rule, SweepBounds bounds)
-      : step_(std::make_unique<FormulaField<n, w>>(formulas, bounds.code_from_step), formulas->n, rule,
-              settings(bounds)),
+      : step_(std::make_unique<FormulaField<n, w>>(formulas), formulas->n, rule, settings(bounds)),
         state_{.q = Vector<double, n>::Zero(formulas->n), .p = Vector<double, n>::Zero(formulas->n)} {}
 
   static SweepSettings settings(SweepBounds bounds) {

@@ -19,8 +19,6 @@ namespace avi::detail {
 
 /// The data that all runs along an orbit share.
 struct Trip {
-  const ExpressionGraph& graph;       ///< Graph of formulas of (q, p).
-  int energy;                         ///< Node of H.
   State<dynamic> start;               ///< Where it begins.
   double energy_at_start;             ///< H_0.
   double energy_scale;                ///< Unit of energy errors.
@@ -135,19 +133,19 @@ class Journey {
     while (goes(*this) && goes(other)) {
       before_ = z_, other.before_ = other.z_;
       const auto [mine, its] = steps_->step_beside(z_, sense * h, *other.steps_, other.z_, sense * other.h);
-      made(mine, infinity);
-      other.made(its, infinity);
+      made(mine);
+      other.made(its);
     }
     if (!ok()) state = before_;
     if (!other.ok()) other.state = other.before_;
   }
 
   /// Goes on to the time `mark`, by a shorter step from the last one before it.
-  /// @param last the run ends there @param limit on the energy error, beyond which it ends as stopped
-  void advance(double mark, bool last, double limit = infinity) {
+  /// @param last the run ends there
+  void advance(double mark, bool last) {
     const double sense = trip_->sense;
     while (ok() && sense * (z_.t - mark) < 0.0)
-      step(limit);
+      step();
     if (!ok()) {
       state = before_;
       return;
@@ -197,12 +195,12 @@ class Journey {
     steps_->tail(tail_);
     tails = tails.cwiseMax(tail_);
   }
-  void step(double limit) {
+  void step() {
     before_ = z_;
-    made(steps_->step(z_, trip_->sense * h), limit);
+    made(steps_->step(z_, trip_->sense * h));
   }
   /// A step has been made.
-  void made(const StepReport& report, double limit) {
+  void made(const StepReport& report) {
     const double sense = trip_->sense;
     spend(report);
     if (ok() && !z_.finite()) run.outcome = Outcome::non_finite;
@@ -217,7 +215,7 @@ class Journey {
     if (const Outcome bound = trip_->budget.met(z_.t, run.steps, 0); bound != Outcome::ok) {
       run.outcome = bound;
       spent = true;
-    } else if (static_cast<double>(run.evaluations) > most || energy_error > limit) {
+    } else if (static_cast<double>(run.evaluations) > most) {
       run.outcome = Outcome::stopped;
     }
     if (!ok()) before_ = z_;

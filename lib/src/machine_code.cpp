@@ -29,6 +29,9 @@ bool wanted() {
 }
 
 #ifdef AVI_CAN_MAKE_CODE
+/// Bytes of the stack that a program may take: the gradient of a long formula needs all that came before.
+constexpr std::size_t most_frame = 1 << 20;
+
 /// Memory for code. What is given back is kept for the next one who asks, up to a bound: the system takes
 /// three times as long to map new pages as to change what may be done with known ones.
 class Pages {
@@ -101,7 +104,10 @@ std::unique_ptr<const MachineCode> MachineCode::of(std::span<const Program* cons
   for (const Program* program : programs) {
     assembler.code.resize((assembler.code.size() + 15) / 16 * 16, 0xcc);
     begins.push_back(assembler.code.size());
-    addresses.push_back(CodeWriter(StraightLine(*program), target, pool, assembler).write());
+    const StraightLine line(*program);
+    CodeWriter writer(line, target, pool, assembler);
+    addresses.push_back(writer.write());
+    if (writer.frame() > most_frame) return nullptr;
   }
   const auto lanes = static_cast<std::size_t>(assembler.bytes() / 8);
   const std::size_t numbers = (8 * lanes * pool.size() + 63) / 64 * 64,

@@ -29,8 +29,8 @@ class MachineCode {
   /// derivatives. @param q,p the first and second half of its arguments
   using Function = void (*)(const double* q, const double* p, const double* factor, double* out);
 
-  /// Null where the system does not let code be made, the processor is another one, or the environment
-  /// variable AVI_MACHINE_CODE is "off".
+  /// Null where the system does not let code be made, the processor is another one, the code would take more
+  /// than a mebibyte of the stack, or the environment variable AVI_MACHINE_CODE is "off".
   /// @throws std::invalid_argument where that variable is neither "on" nor "off" nor empty.
   static std::unique_ptr<const MachineCode> of(std::span<const Program* const> programs,
                                                const MachineTarget& target);

@@ -393,7 +393,7 @@ class MinimiserRun {
     norm_ = std::sqrt(gg);
     exact_ = !recovers;
     if (pairs) {
-      if (step * dy > 1e-12 * step * std::sqrt(length2_ * yy))
+      if (step * dy > 1e-12 * step * (std::sqrt(length2_) * std::sqrt(yy)))
         pairs_.commit(base_.g.data, step * dy, yy, change_.data(), base_.with_pairs.data(), step * gd, gy);
       else
         pairs_.discard();

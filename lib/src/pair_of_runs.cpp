@@ -256,8 +256,9 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   seen_ = compare(*coarse_, *fine_);
   // Where runs agree and their energy errors do not fall with the step, that is rounding of H somewhere on
   // the way; or chance, in few of them.
-  if (seen_.error < 1e-7 && fine_->run.steps > Journey::few &&
-      fine_->energy_error > 0.5 * coarse_->energy_error)
+  const bool steady = seen_.error < 1e-7 && fine_->run.steps > Journey::few &&
+                      fine_->energy_error > 0.5 * coarse_->energy_error;
+  if (steady && fine_->energy_error < most_rounding)
     answer_.energy_rounding = std::max(answer_.energy_rounding, 0.01 * fine_->energy_error);
   const bool hidden = fine_->energy_error <= 100.0 * answer_.energy_rounding;
   const double of_energy = hidden ? 0.0 : fine_->energy_error / (3.0 * tolerance);
@@ -297,9 +298,11 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     resigned_ =
         lost || vain_ > 1 || (hidden && resolved_ > 0.0 && beyond) || spent > std::max(patience, 3.0 * pair);
   } else {
-    // A feature that the steps do not see, or not yet resolve, is worth a while.
-    resigned_ = spent > std::max(2.0 * patience, 3.0 * pair);
+    // A feature that the steps do not see, or not yet resolve, is worth a while, unless they say the same
+    // again.
+    resigned_ = (steady && steady_) || spent > std::max(2.0 * patience, 3.0 * pair);
   }
+  steady_ = steady;
   if (resigned_) return false;
   if (mark > 0) lengthened_ = most_lengthened;  // what the first mark promises has not come true
   before_ = error, before_at_ = mark;

@@ -37,6 +37,9 @@ struct Comparison {
   double rate = 0.0;         ///< Rate at which it grows exponentially, where it does.
 };
 
+/// An energy error that is more than rounding of H, whatever cancels in it.
+inline constexpr double most_rounding = 1e-6;
+
 /// Nanoseconds, see Candidate::price(), that may be spent in vain: on runs that fail, or that no shorter step
 /// makes better.
 inline constexpr double patience = 5e8;
@@ -94,7 +97,7 @@ class Orbiter {
   void note_trial(const Journey& journey, double error);
   OrbitAnswer fail(Outcome outcome, std::string message);
   OrbitAnswer give_up();
-  OrbitAnswer too_far();
+  OrbitAnswer too_far(const char* what, double t, double radians);
   OrbitAnswer finish();
 
   const OrbitQuestion& question_;
@@ -134,6 +137,8 @@ class Orbiter {
   int lengthened_ = 0;           // times that a step was made longer
   bool others_tried_ = false;    // candidates other than the first one
   bool resigned_ = false;        // shorter steps do not help
+  // The last two runs agreed, and their energy errors did not fall with the step.
+  bool steady_ = false;
   OrbitAnswer answer_;
 };
 

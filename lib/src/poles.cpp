@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace avi::detail {
 
@@ -53,15 +54,16 @@ Poles::Poles(const ExpressionGraph& graph, int energy) : graph_(&graph), energy_
       for (const int operand : {what.a, what.b})
         if (operand >= 0) moves_[i] = std::max(moves_[i], moves_[operand]);
   }
+  std::array<std::vector<char>, 2> seen{std::vector<char>(part.size(), 0), std::vector<char>(part.size(), 0)};
   for (int i = 0; i <= energy && poles_.size() <= most; ++i) {
     const ExpressionGraph::Node& what = graph[i];
     if (!part[i]) continue;
     if (what.operation == Operation::divide)
-      divisors(what.b, 1.0);
+      divisors(what.b, seen);
     else if (what.operation == Operation::log)
-      divisors(what.a, 1.0);
+      divisors(what.a, seen);
     else if (what.operation == Operation::power && graph[what.b].number < 0.0)
-      divisors(what.a, 1.0);
+      divisors(what.a, seen);
   }
   for (Pole& pole : poles_)
     pole.power = power_in(energy, pole.node);
@@ -70,31 +72,34 @@ Poles::Poles(const ExpressionGraph& graph, int energy) : graph_(&graph), energy_
 }
 
 /// Takes in what a node is a product of powers of, where it depends on coordinates alone.
-void Poles::divisors(int node, double exponent) {
-  const ExpressionGraph::Node& what = (*graph_)[node];
-  if (moves_[node] != 1) return;
-  switch (what.operation) {
-    using enum Operation;
-  case sqrt:
-  case abs:
-    return divisors(what.a, exponent);
-  case power:
-    return divisors(what.a, exponent * (*graph_)[what.b].number);
-  case multiply:
-    divisors(what.a, exponent);
-    if (what.a != what.b) divisors(what.b, exponent);
-    return;
-  case divide:
-    divisors(what.a, exponent);
-    return;
-  case exp:  // never vanish
-  case cosh:
-    return;
-  default:
-    break;
+/// @param seen nodes that have been looked at, as divisors and as what divides these
+void Poles::divisors(int node, std::array<std::vector<char>, 2>& seen) {
+  std::vector<std::pair<int, bool>> open{{node, true}};
+  while (!open.empty() && poles_.size() <= most) {
+    const auto [at, divides] = open.back();
+    open.pop_back();
+    if (moves_[at] != 1 || std::exchange(seen[divides][at], 1)) continue;
+    const ExpressionGraph::Node& what = (*graph_)[at];
+    switch (what.operation) {
+      using enum Operation;
+    case power:
+      open.emplace_back(what.a, divides == ((*graph_)[what.b].number > 0.0));
+      break;
+    case multiply:
+      open.emplace_back(what.b, divides);
+      [[fallthrough]];
+    case sqrt:
+    case abs:
+    case divide:
+      open.emplace_back(what.a, divides);
+      break;
+    case exp:  // never vanish
+    case cosh:
+      break;
+    default:
+      if (divides) poles_.push_back({at, degree(at), 0.0});
+    }
   }
-  const bool known = std::ranges::any_of(poles_, [&](const Pole& pole) { return pole.node == node; });
-  if (exponent > 0.0 && !known) poles_.push_back({node, degree(node), 0.0});
 }
 
 /// The power of u in a node as u vanishes.

@@ -2,6 +2,7 @@
 #include "avi/autodiff/expression_graph.hpp"
 #include "sketch.hpp"
 
+#include <array>
 #include <vector>
 
 /// @file
@@ -49,7 +50,7 @@ class Poles {
     double power;                         // of u in H, negative; of a logarithm nearly 0
     [[nodiscard]] int steepness() const;  // a, a whole number
   };
-  void divisors(int node, double exponent);
+  void divisors(int node, std::array<std::vector<char>, 2>& seen);
   [[nodiscard]] double power_in(int node, int base) const;
   [[nodiscard]] double degree(int node) const;
 

@@ -25,38 +25,29 @@ class PointField {
   /// @param supplied nodes of its gradient, where H has one of its own
   PointField(const ExpressionGraph& graph, int energy, const std::vector<int>& supplied)
       : recording_(std::make_shared<const Recording>(graph, energy, energy, supplied)),
-        n_(recording_->inputs() / 2), program_(recording_->value_and_gradient()), room_(program_) {}
+        n_(recording_->inputs() / 2), formula_{recording_->value_and_gradient()} {}
 
   /// dz = J grad H at z = (q, p); returns H.
   double operator()(const VectorX& z, VectorX& dz) {
-    std::copy(z.data(), z.data() + 2 * n_, room_.arguments());
-    program_.run(room_);
+    formula_.run(z.data(), z.data() + n_, n_);
     for (int i = 0; i < n_; ++i) {
-      dz[i] = sense * program_.slope(room_, n_ + i);
-      dz[n_ + i] = -sense * program_.slope(room_, i);
+      dz[i] = sense * formula_.partial(n_ + i);
+      dz[n_ + i] = -sense * formula_.partial(i);
     }
-    return program_.value(room_);
+    return formula_.value();
   }
   /// H.
   double energy(const double* q, const double* p) {
     // A program of H alone costs as much as some evaluations of H with its gradient.
-    if (energies_ < 40) {
-      ++energies_;
-      std::copy(q, q + n_, room_.arguments());
-      std::copy(p, p + n_, room_.arguments() + n_);
-      program_.run(room_);
-      return program_.value(room_);
-    }
-    if (!value_) value_.emplace(detail::RecordedFormula<double>{recording_->value()});
-    std::copy(q, q + n_, value_->room.arguments());
-    std::copy(p, p + n_, value_->room.arguments() + n_);
-    value_->program.run(value_->room);
-    return value_->value();
+    if (!value_ && ++energies_ > 40) value_.emplace(RecordedFormula<double>{recording_->value()});
+    RecordedFormula<double>& formula = value_ ? *value_ : formula_;
+    formula.run(q, p, n_);
+    return formula.value();
   }
   /// The diagonal of H_pp at z, by two probes with signs: exact where H_pp is diagonal, else near. What is
   /// not positive there counts as the largest entry that is.
   VectorX metric(const VectorX& z) {
-    Duals room(program_);
+    Duals room(formula_.program);
     VectorX metric = VectorX::Zero(n_), v = VectorX::Zero(2 * n_), w(2 * n_);
     unsigned bits = 12345u;
     for (int probe = 0; probe < 2; ++probe) {
@@ -76,7 +67,7 @@ class PointField {
   /// The largest frequency of small oscillations about z, by power iteration on the linear field, a little
   /// less than it; 0 where that is not finite. @param metric diagonal of H_pp
   double fastest(const VectorX& z, const VectorX& metric) {
-    Duals room(program_);
+    Duals room(formula_.program);
     const VectorX root = metric.cwiseSqrt();
     const auto size = [&](const VectorX& v) {
       return std::sqrt(v.head(n_).cwiseQuotient(root).squaredNorm() +
@@ -109,7 +100,7 @@ class PointField {
   }
   [[nodiscard]] int size() const { return n_; }  ///< n.
   /// Operations of H with its gradient.
-  [[nodiscard]] double operations() const { return static_cast<double>(program_.operations()); }
+  [[nodiscard]] double operations() const { return static_cast<double>(formula_.program.operations()); }
   /// The recording of H.
   [[nodiscard]] const std::shared_ptr<const Recording>& recording() const { return recording_; }
 
@@ -125,17 +116,16 @@ class PointField {
   void linear(Duals& room, const VectorX& z, const VectorX& v, VectorX& w) {
     for (int i = 0; i < 2 * n_; ++i)
       room.arguments()[i] = Partials<double, 1>::variable(z[i], 0, v[i]);
-    program_.run(room);
+    formula_.program.run(room);
     for (int i = 0; i < n_; ++i) {
-      w[i] = program_.slope(room, n_ + i).partial(0);
-      w[n_ + i] = -program_.slope(room, i).partial(0);
+      w[i] = formula_.program.slope(room, n_ + i).partial(0);
+      w[n_ + i] = -formula_.program.slope(room, i).partial(0);
     }
   }
   std::shared_ptr<const Recording> recording_;
   int n_;
-  Program program_;
-  Program::Room<double> room_;
-  int energies_ = 0;  // evaluations of H alone, while there is no program of it
+  RecordedFormula<double> formula_;  // with its gradient
+  int energies_ = 0;                 // evaluations of H alone, while there is no program of it
   std::optional<RecordedFormula<double>> value_;
 };
 

@@ -110,7 +110,7 @@ void Orbiter::prepare() {
   if (!(scale > 0.0)) scale = 1.0;
   choice.energy_scale = scale;
   answer_.energy_rounding = std::numeric_limits<double>::epsilon() * (std::abs(energy) / scale + 1.0);
-  trip_.emplace(Trip{question_.graph, question_.energy, z, energy, scale, sense_, budget_});
+  trip_.emplace(Trip{z, energy, scale, sense_, budget_});
   features_.emplace(question_.graph, question_.energy, sketch);
   if (!features_->none()) trip_->features = &*features_;
   menu_ = candidates(question_, energy, sketch, radians_, resting, metric, choice, field_.operations());
@@ -263,14 +263,13 @@ OrbitAnswer Orbiter::give_up() {
   return fail(Outcome::not_converged, text.str());
 }
 
-/// The end is so far that the rounding of its time is more than a radian.
-OrbitAnswer Orbiter::too_far() {
+/// The start or the end is so far that the rounding of its time is more than a radian.
+OrbitAnswer Orbiter::too_far(const char* what, double t, double radians) {
   std::ostringstream text;
   text.precision(6);
-  text << "The end, t = " << question_.t_end << ", is some " << radians_
+  text << what << t << ", is some " << radians
        << " radians of the fastest motion away: the rounding of such a time alone hides where in its motion "
-          "the "
-          "system is.";
+          "the system is.";
   return fail(Outcome::stalled, text.str());
 }
 
@@ -284,7 +283,10 @@ OrbitAnswer Orbiter::solve() {
   std::ranges::fill(answer_.q, std::numeric_limits<double>::quiet_NaN());
   std::ranges::fill(answer_.p, std::numeric_limits<double>::quiet_NaN());
   prepare();
-  if (radians_ > 0.5 / std::numeric_limits<double>::epsilon()) return too_far();
+  const double since_zero = distance_->frequency * std::abs(question_.t);
+  constexpr double most = 0.5 / std::numeric_limits<double>::epsilon();
+  if (radians_ > most) return too_far("The end, t = ", question_.t_end, radians_);
+  if (since_zero > most) return too_far("The zero of time, seen from t = ", question_.t, since_zero);
   set_marks();
   answer_.choice.time = since_start(0);
   for (Setting setting = first_setting(); pursue(setting);) {
@@ -294,8 +296,10 @@ OrbitAnswer Orbiter::solve() {
 }
 
 OrbitAnswer Orbiter::finish() {
-  // Where a bound is met what was reached is the end: by the run that has come further.
-  if (bound_ != Outcome::ok && coarse_ && sense_ * (coarse_->state.t - fine_->state.t) > 0.0)
+  // Where a bound is met what was reached is the end: by the run that has come further, unless a step is
+  // given.
+  if (bound_ != Outcome::ok && coarse_ && !(question_.options.h > 0.0) &&
+      sense_ * (coarse_->state.t - fine_->state.t) > 0.0)
     std::swap(coarse_, fine_);
   const Journey& fine = *fine_;
   const Candidate& it = *fine.candidate;
@@ -310,13 +314,17 @@ OrbitAnswer Orbiter::finish() {
   answer_.choice.h = fine.h;
   answer_.choice.solved = fine.solved;
   answer_.run = fine.run;
-  if (fine.ok() && fine.state.t != question_.t_end)
+  if (fine.ok() && (bound_ != Outcome::ok || fine.state.t != question_.t_end))
     answer_.run.outcome = bound_ != Outcome::ok ? bound_ : Outcome::stopped;
   answer_.energy_error = fine.energy_error;
   const double here = since_start(judged_);
-  // What rounding leaves grows with the phase.
-  answer_.state_error = foretold(seen_, here, span_, speed_at(fine.state, fine.ranges)) +
-                        (it.noise + std::numeric_limits<double>::epsilon()) * radians_;
+  const double speed = speed_at(fine.state, fine.ranges), epsilon = std::numeric_limits<double>::epsilon();
+  // What rounding leaves grows with the phase; that of a clock which does not begin near zero moves the end
+  // along the orbit.
+  const double of_clock = question_.t == 0.0 ? 0.0 : 0.5 * epsilon * std::abs(question_.t) * speed;
+  answer_.state_error = foretold(seen_, here, span_, speed) + (it.noise + epsilon) * radians_ + of_clock;
+  if (of_clock > question_.tolerance)
+    answer_.note += "Time is so far from zero that its rounding is more than the tolerance. ";
   if (fine.energy_error > 10.0 * question_.tolerance + 100.0 * answer_.energy_rounding)
     answer_.state_error = std::max(answer_.state_error, fine.energy_error);
   if (fine.jumped) {
@@ -340,6 +348,10 @@ OrbitAnswer Orbiter::finish() {
                 "the orbit may come near a singularity of H.";
       answer_.run.message = text.str();
       answer_.run.outcome = Outcome::step_limit;
+    } else if (fine.state.t == question_.t_end) {
+      answer_.run.message = "A bound of the call was met by the run with the shorter step; the state is that "
+                            "of the one with the "
+                            "longer step.";
     } else {
       answer_.run.message = describe_end(answer_.run.outcome, fine.state, fine.run.steps, 0.0, "");
     }
@@ -351,6 +363,12 @@ OrbitAnswer Orbiter::finish() {
     answer_.note +=
         "Two runs stay apart, however short their steps: the state at the end depends on more digits "
         "than there are. ";
+  if (answer_.ok() && !answer_.kept() && steady_ && fine.energy_error >= most_rounding) {
+    answer_.note += "The energy errs alike however short the steps: ";
+    answer_.note += question_.gradient.empty()
+                        ? "H has a jump, or rounds by so much. "
+                        : "the gradient that H supplies is not its own, or H has a jump. ";
+  }
   if (question_.made && !answer_.kept())
     answer_.note += "Monitor, order and step were chosen for another start; solve() chooses for this one. ";
   if (!answer_.note.empty()) answer_.note.pop_back();  // the blank behind the last sentence

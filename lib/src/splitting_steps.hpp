@@ -29,7 +29,7 @@ class SplittingSteps final : public Stepper {
         here_(formulas_->n), end_(here_), q_(formulas_->n), p_(q_), low_q_(q_), low_p_(q_), change_(q_) {
     end_.state.t = std::numeric_limits<double>::quiet_NaN();  // equal to no state: no rounding error is known
     if constexpr (makes_code) {
-      code_ = machine_code<lanes>(*formulas_, true);
+      code_ = machine_code<lanes>(*formulas_);
       if (!code_) return;
       forces_.code = (*code_)[0];
       velocities_.code = (*code_)[1];

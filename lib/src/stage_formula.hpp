@@ -22,12 +22,12 @@ constexpr bool makes_code = true, has_avx512 = false;
 constexpr bool makes_code = false, has_avx512 = false;
 #endif
 
-/// The machine code of formulas, made unless it is there or not to be made.
+/// The machine code of formulas, made unless it is there.
 template <int w>
-std::shared_ptr<const MachineCode> machine_code(const Formulas& formulas, bool make) {
+std::shared_ptr<const MachineCode> machine_code(const Formulas& formulas) {
   const Program* const programs[] = {&formulas.forces, &formulas.velocities, &formulas.rate};
   return formulas.code->of({programs, formulas.unit ? 2u : 3u},
-                           {.lanes = w, .avx512 = has_avx512, .functions = pack_functions<w>()}, make);
+                           {.lanes = w, .avx512 = has_avx512, .functions = pack_functions<w>()});
 }
 
 /// A program at packs of w numbers.

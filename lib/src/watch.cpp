@@ -29,11 +29,8 @@ struct Repeated {
 }  // namespace
 
 double Watch::at(const State<dynamic>& z) {
-  double* const x = formula_.room.arguments();
-  std::copy(z.q.data(), z.q.data() + degrees_, x);
-  std::copy(z.p.data(), z.p.data() + degrees_, x + degrees_);
-  if (timed_) x[2 * degrees_] = z.t;
-  formula_.program.run(formula_.room);
+  if (timed_) formula_.room.arguments()[2 * degrees_] = z.t;
+  formula_.run(z.q.data(), z.p.data(), degrees_);
   return formula_.value();
 }
 

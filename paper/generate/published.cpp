@@ -80,8 +80,8 @@ std::string published_table(const experiment::Table& published, const experiment
       const Row& cell = cells.front();
       const std::string verdict = cell.text("verdict");
       if (quantity == "seconds") {
-        printed += latex_number(cell.number("published") / unit("published"), "g3");
-        ours += latex_number(cell.number("reproduced") / unit("reproduced"), "g3");
+        printed += latex_number(cell.number("published") / unit("published"), "g2");
+        ours += latex_number(cell.number("reproduced") / unit("reproduced"), "g2");
       } else if (cell.text("kind") == "input") {
         printed += given(cell.text("published"));
         ours += given(cell.text(verdict == "exact" ? "published" : "reproduced")) + mark(verdict);

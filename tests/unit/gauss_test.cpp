@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <vector>
@@ -91,7 +92,7 @@ TEST(Gauss, HasTheBitsOfCollocationByHand) {
       const VectorX z = start(n);
       State<dynamic> by_hand{.q = z.head(n), .p = z.tail(n)};
       auto method = avi::collocation(avi::poincare(Row{}, by_hand, Lively{}), order);
-      const auto steps = avi::detail::gauss_steps(formulas(n, Lively{}), order, {.code_from_step = 3});
+      const auto steps = avi::detail::gauss_steps(formulas(n, Lively{}), order);
       Orbit run{z};
       for (int k = 0; k < 8; ++k) {
         const avi::StepReport report = method.step(by_hand, 0.2);
@@ -155,7 +156,7 @@ TEST(Gauss, HasTheBitsOfCollocationByHandWithFewDegreesOfFreedom) {
       State<n> by_hand{.q = Vector<double, n>(z.head(n)), .p = Vector<double, n>(z.tail(n))};
       auto method = avi::collocation(avi::poincare(RecordedRow<n>(*its), by_hand), order);
       Orbit run{z};
-      const auto steps = avi::detail::gauss_steps(its, order, {.code_from_step = 5});
+      const auto steps = avi::detail::gauss_steps(its, order);
       for (int k = 0; k < 20; ++k) {
         ASSERT_TRUE(method.step(by_hand, 0.3).ok());
         run = advance(*steps, run, 0.3, 1);
@@ -176,12 +177,14 @@ TEST(Gauss, HasTheSameBitsWhateverItIsBuiltFor) {
   for (const int n : {1, 2, 3, 4, 6})
     for (const int order : {2, 6, 8, 14, 16}) {
       const auto its = formulas(n, Lively{});
-      const auto reference = avi::detail::gauss_steps_portable(its, order, {.code_from_step = 1000});
+      const auto reference = avi::detail::gauss_steps_portable(its, order, {});
       const Orbit expected = advance(*reference, {start(n)}, 0.25, 40);
       for (const auto& build : avi::detail::gauss_builds())
-        for (const int from : {0, 7}) {
+        for (const char* code : {"on", "off"}) {
           if (!build.runs) continue;
-          const auto steps = build.make(formulas(n, Lively{}), order, {.code_from_step = from});
+          setenv("AVI_MACHINE_CODE", code, 1);
+          const auto steps = build.make(formulas(n, Lively{}), order, {});
+          unsetenv("AVI_MACHINE_CODE");
           EXPECT_EQ(advance(*steps, {start(n)}, 0.25, 40), expected)
               << build.name << ", " << n << ", order " << order;
         }
@@ -190,7 +193,7 @@ TEST(Gauss, HasTheSameBitsWhateverItIsBuiltFor) {
 
 TEST(Gauss, CloneGoesOnWithTheSameBits) {
   for (const int n : {2, 6}) {
-    const auto steps = avi::detail::gauss_steps(formulas(n, Lively{}), 8, {.code_from_step = 15});
+    const auto steps = avi::detail::gauss_steps(formulas(n, Lively{}), 8);
     const Orbit half = advance(*steps, {start(n)}, 0.25, 10);
     const auto clone = steps->clone();
     const Orbit expected = advance(*steps, half, 0.25, 10);

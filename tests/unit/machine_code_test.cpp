@@ -1,3 +1,4 @@
+#include "avi/autodiff/recording.hpp"
 #include "avi/autodiff/schedule.hpp"
 #include "src/machine_code.hpp"
 #include "src/pack_functions.hpp"
@@ -156,6 +157,24 @@ TEST(MachineCode, ClearsRegistersBeforeACall) {
     (*code)[0](number(q), number(p), number(factor), number(out));
     EXPECT_FALSE(in_use) << avx512;
   }
+}
+
+// The gradient of a long chain of products needs all of them.
+TEST(MachineCode, IsNotMadeWhereItWouldTakeTheWholeStack) {
+  const auto made = [](int length) {
+    const auto chain = [=](const auto& x) {
+      auto y = x[0];
+      for (int k = 0; k < length; ++k)
+        y = y * (1.0 - 1e-7 * y * x[1]);
+      return y;
+    };
+    const Program program = avi::Recording(chain, 2).gradient();
+    const Program* const all[] = {&program};
+    return MachineCode::of(
+               all, {.lanes = 4, .avx512 = false, .functions = avi::detail::pack_functions<4>()}) != nullptr;
+  };
+  EXPECT_EQ(made(1000), made(1));
+  EXPECT_FALSE(made(100'000));
 }
 
 TEST(MachineCode, IsSwitchedOffByTheEnvironment) {

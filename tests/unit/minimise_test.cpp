@@ -27,6 +27,18 @@ TEST(Minimise, FindsMinimaWithItsDefaults) {
   EXPECT_LT(valley.gradient_evaluations, 75);  // measured 49
 }
 
+TEST(Minimise, TakesTheSameWayInLargeUnits) {
+  const auto in_units = [](double unit) {
+    const auto f = [unit](const VectorX& x, VectorX& gradient) {
+      const double value = unit * rosenbrock(x, gradient);
+      gradient *= unit;
+      return value;
+    };
+    return minimise(f, {-1.2, 1.0}).iterations;
+  };
+  EXPECT_EQ(in_units(0x1p330), in_units(1.0));
+}
+
 TEST(Minimise, SolvesAQuadraticOfNEigenvaluesInAboutNIterations) {
   // Exact line searches on a quadratic: the iterates of conjugate gradients, for m = 0 and for m > 0.
   for (int m : {0, 7}) {

@@ -6,8 +6,11 @@
 
 #include <atomic>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <stop_token>
+#include <string>
 
 namespace orbit_ensemble_test {
 
@@ -89,6 +92,17 @@ TEST(OrbitEnsemble, RefusesOtherStarts) {
   EXPECT_THROW((void)solver.run(start, std::vector<double>{}), std::invalid_argument);
   EXPECT_THROW((void)solver.ensemble({start}, 1.0, {.threads = -1}), std::invalid_argument);
   EXPECT_THROW(avi::Solver(spring(), start, 0.0, 1e-8), std::invalid_argument);
+}
+
+TEST(OrbitEnsemble, HasNoFileForItsRuns) {
+  const std::string file = std::filesystem::temp_directory_path() / "orbit_ensemble_test.run";
+  std::ofstream(file) << "of another run";
+  const auto starts = some_starts(2);
+  const avi::Solver solver(HenonHeiles(), starts[0], 50.0, 1e-9, {.check = false, .checkpoint = file});
+  EXPECT_TRUE(std::filesystem::exists(file));  // the orbit that is chosen for is nobody's
+  EXPECT_THROW((void)solver.ensemble(starts, 50.0), std::invalid_argument);
+  EXPECT_TRUE(solver.run(starts[1], 50.0).ok());
+  std::filesystem::remove(file);
 }
 
 }  // namespace orbit_ensemble_test

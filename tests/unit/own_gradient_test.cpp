@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace own_gradient_test {
 
@@ -45,6 +47,16 @@ TEST(OwnGradient, OfHItselfGivesTheSameOrbit) {
              found = avi::solve(plain, start, 50.0, 1e-11);
   EXPECT_EQ(supplied.run.steps, found.run.steps);
   EXPECT_NEAR(supplied.state.q[0], found.state.q[0], 1e-13);
+}
+
+TEST(OwnGradient, ThatIsNotThatOfHIsNotCalledRounding) {
+  for (const double strength : {1.001, 4.0}) {
+    const auto orbit = avi::solve(Spring{strength}, start, 50.0, 1e-8);
+    EXPECT_FALSE(orbit.kept()) << orbit.report();
+    EXPECT_GT(orbit.energy_error, 1e-4);
+    EXPECT_LT(orbit.energy_rounding, 1e-14);
+    EXPECT_NE(orbit.note.find("is not its own"), std::string::npos) << orbit.report();
+  }
 }
 
 /// With the checks of Eigen on, a list that is filled when something is thrown ends the program.

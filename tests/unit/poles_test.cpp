@@ -115,6 +115,32 @@ TEST(Poles, AreTakenWhereTheyPay) {
   EXPECT_EQ(solve(h, start, period, 1e-9, {.monitor = "poles"}).choice.poles, c);
 }
 
+// Each product has its factor twice: as many ways lead to the first one as 2 to the power of 60.
+TEST(Poles, OfLongProductsAreFoundOnce) {
+  const auto h = [](const auto& q, const auto& p) {
+    auto product = q[0];
+    for (int k = 0; k < 60; ++k)
+      product = product * (product * cos(q[0]));
+    return 0.5 * p[0] * p[0] + 1.0 / product;
+  };
+  const avi::Formula formula = avi::Formula::of_phase<1>(h);
+  EXPECT_EQ(avi::detail::Poles(formula.graph(), formula.node()).size(), 2u);
+}
+
+TEST(Poles, OfAChoiceAreRefusedForAnotherHamiltonian) {
+  const auto h = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + 1.0 / q[0]; };
+  const avi::Formula line = avi::Formula::of_phase<1>(h);
+  const auto refused = [&](const avi::Choice& choice) {
+    EXPECT_THROW((void)monitor_of(choice, line, 1.0), std::invalid_argument) << choice.name;
+  };
+  refused({.name = "pole"});
+  refused({.name = "given"});
+  refused({.name = "poles", .poles = {1.0, 1.0}});
+  refused({.name = "acceleration", .accelerations = {1.0, 1.0, 1.0}});
+  refused({.name = "energy", .drifts = {1.0, 1.0, 1.0}});
+  EXPECT_EQ(monitor_of({.name = "fixed"}, line, 1.0).inputs(), 2);
+}
+
 // A ball between two walls, free for most of its way: without a constant beside the poles, and the root of
 // it, as many steps as fixed ones.
 TEST(Poles, HaveAConstantBesideThemWhereTheOrbitIsFree) {

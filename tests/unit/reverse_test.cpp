@@ -108,6 +108,22 @@ TEST(Reverse, HasTheSlopesOfPowersAtZero) {
   }
 }
 
+// The force k q / |q|^3 in any units: powers of two change no digit of it.
+TEST(Reverse, DoesNotLeaveTheRangeOfNumbersOnTheWay) {
+  const auto force = [](double unit) {
+    const double k = unit * unit * unit;
+    const auto h = [k](const auto& x, const auto& y) { return -k / sqrt(x * x + y * y); };
+    const Program program = recorded(h).gradient();
+    Program::Room<double> room(program);
+    room.arguments()[0] = 0.3 * unit;
+    room.arguments()[1] = 0.4 * unit;
+    program.run(room);
+    return program.slope(room, 0) / unit;
+  };
+  for (const int exponent : {-330, -250, -150, -50, 50, 150, 250, 330})
+    EXPECT_NEAR(force(std::ldexp(1.0, exponent)), force(1.0), 1e-14) << exponent;
+}
+
 TEST(Reverse, HasTheGradientOfFiniteDifferences) {
   int i = 0;
   for_each_formula([&](const auto& f) {

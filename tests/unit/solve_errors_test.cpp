@@ -145,4 +145,24 @@ TEST(SolveErrors, OfAStepThatWasTooLongAreMended) {
   EXPECT_LT((orbit.state.q - truth.state.q).norm(), 3e-3);
 }
 
+// Two runs round alike at the end, but the clock has no more digits there.
+TEST(SolveErrors, KnowTheRoundingOfATimeThatIsFarFromZero) {
+  const auto z = avi::Kepler::pericentre(0.2);
+  const auto near = solve(avi::Kepler(), z, 64.0, 1e-12);
+  for (const double t : {1e8, 1e10, 1e12, 1e14}) {
+    State<2> late = z;
+    late.t = t;
+    const auto orbit = solve(avi::Kepler(), late, t + 64.0, 1e-11);
+    EXPECT_TRUE(orbit.ok()) << orbit.report();
+    EXPECT_FALSE(orbit.kept()) << orbit.report();
+    EXPECT_GE(orbit.state_error, 0.5 * (orbit.state.q - near.state.q).norm()) << orbit.report();
+    EXPECT_NE(orbit.note.find("far from zero"), std::string::npos) << orbit.report();
+  }
+  State<2> late = z;
+  late.t = 1e16;
+  const auto lost = solve(avi::Kepler(), late, 1e16 + 64.0, 1e-11);
+  EXPECT_EQ(lost.run.outcome, avi::Outcome::stalled) << lost.report();
+  EXPECT_NE(lost.run.message.find("The zero of time, seen from t = 1e+16"), std::string::npos);
+}
+
 }  // namespace

@@ -143,6 +143,11 @@ TEST(SolveEvents, EndAsInTheLoopWhereThereIsNoZero) {
   EXPECT_EQ(at_nan.run.outcome, avi::Outcome::non_finite);
   EXPECT_LT(at_nan.state.t, 2.0);
   EXPECT_FALSE(at_nan.kept());
+  const auto nowhere = [](const auto& q, const auto&) { return sqrt(q[0] - 2.0); };
+  for (const bool stop : {false, true}) {
+    const auto orbit = solve(spring(), at(1.0, 0.0), 10.0, 1e-8, {.events = {when(nowhere, {.stop = stop})}});
+    EXPECT_EQ(orbit.run.outcome, avi::Outcome::non_finite) << orbit.report();
+  }
 }
 
 TEST(SolveEvents, ComeWithTheTimesBeforeThem) {

@@ -129,6 +129,24 @@ TEST(SolveOptions, DoNotHelpWhereTheEndIsBeyondTheDigitsOfTime) {
   EXPECT_LT(orbit.choice.sweeps, 100);
 }
 
+// The run with the longer step comes to the end where that with the shorter one meets the bound.
+TEST(SolveOptions, DoNotCallAnEndKeptThatABoundForbadeToReach) {
+  const auto z = Kepler::pericentre(0.2);
+  const auto whole = solve(Kepler(), z, 100.0, 1e-8);
+  const long bound = whole.run.steps - 2;
+  const auto orbit = solve(Kepler(), z, 100.0, 1e-8, {.steps = bound});
+  EXPECT_EQ(orbit.run.outcome, avi::Outcome::step_limit) << orbit.report();
+  EXPECT_EQ(orbit.state.t, 100.0);
+  EXPECT_GT(orbit.choice.h, whole.choice.h);
+  EXPECT_NE(orbit.run.message.find("with the longer step"), std::string::npos) << orbit.run.message;
+  const avi::SolveOptions given{
+      .steps = bound, .order = whole.choice.order, .monitor = whole.choice.name, .h = whole.choice.h};
+  const auto by_hand = solve(Kepler(), z, 100.0, 1e-8, given);
+  EXPECT_EQ(by_hand.run.outcome, avi::Outcome::step_limit) << by_hand.report();
+  EXPECT_EQ(by_hand.run.steps, bound);
+  EXPECT_EQ(by_hand.choice.h, whole.choice.h);
+}
+
 // Whichever of two runs meets a bound, the outcome is that of the bound and the message is about it.
 TEST(SolveOptions, AreNamedWhenABoundIsMet) {
   const auto z = Kepler::pericentre(0.6);

@@ -81,7 +81,8 @@ Finding adaptive_steps_outgrow(const Results& data) {
     seen.push_back(adaptive.last_step() / direct.last_step());
     cases.add(seen.back() > 1.0);
   }
-  return finding(in_cases(cases), "At the end they are {:.1f} times as long.", fmt::join(seen, ", "));
+  return finding(in_cases(cases), "At the first passage they are {:.1f} times as long.",
+                 fmt::join(seen, ", "));
 }
 
 Finding same_order_of_magnitude(const Results& data) {

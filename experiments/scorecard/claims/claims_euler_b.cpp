@@ -101,8 +101,8 @@ Finding norm_squared_fastest(const Results& data) {
   return finding(
       decided ? in_cases(cases) : Ruling::undecided,
       "At an energy error of 1e-3, by the least time of the rounds, {}; a sign test over the "
-      "rounds at 1 % decides. The first two are one monitor (claim 5), so the times are those of its "
-      "formulas in our code, and a few per cent are not the monitors'.",
+      "rounds at 1 % decides. The first two are one monitor (claim 5): the factor between them is the price "
+      "of its two formulas in our code.",
       fmt::join(seen, ", "));
 }
 

@@ -153,7 +153,7 @@ Finding beats(const Results& data) {
     const double theirs = count(data, method, "1e-10");
     cases.add(theirs > 1.5 * ours);
     seen.push_back(std::isfinite(theirs) ? fmt::format("{} takes {:.0f}", shown, theirs)
-                                         : fmt::format("{} does not stop", shown));
+                                         : fmt::format("{} does not stop within our cap", shown));
   }
   return finding(
       in_cases(cases),

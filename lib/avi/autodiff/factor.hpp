@@ -56,13 +56,14 @@ class Factor {
 #undef AVI_TWO
   /// @endcond
 
-  /// One over it, from a quotient that the formula has where there is one.
+  /// One over it, from a quotient that the formula has where there is one, unless products of its numerator
+  /// may leave the range of numbers.
   [[nodiscard]] Factor reciprocal() const {
     if (node < 0) return {1.0 / number, -1, graph};
     int quotient = graph->quotient(node);
     if (quotient >= 0) {
-      const double factor = 1.0 / (*graph)[(*graph)[quotient].a].number;
-      if (std::isfinite(factor)) return {factor / number, quotient, graph};
+      const double numerator = (*graph)[(*graph)[quotient].a].number, size = std::abs(numerator);
+      if (size >= 0x1p-256 && size <= 0x1p256) return {1.0 / numerator / number, quotient, graph};
     }
     quotient = graph->binary(Operation::divide, graph->constant(1.0), node);
     return {1.0 / number, quotient, graph};

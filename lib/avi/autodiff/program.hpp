@@ -169,13 +169,18 @@ struct RecordedFormula {
   Program program;                      ///< The formula.
   Program::Room<Scalar> room{program};  ///< Its numbers.
 
+  ///@{
+
   /// Evaluates it.
-  template <class Vec>
-  void run(const Vec& q, const Vec& p) {
-    std::copy(q.data(), q.data() + q.size(), room.arguments());
-    std::copy(p.data(), p.data() + p.size(), room.arguments() + q.size());
+  void run(const Scalar* q, const Scalar* p, Eigen::Index n) {
+    std::copy_n(p, n, std::copy_n(q, n, room.arguments()));
     program.run(room);
   }
+  template <class Vec>
+  void run(const Vec& q, const Vec& p) {
+    run(q.data(), p.data(), q.size());
+  }
+  ///@}
   [[nodiscard]] const Scalar& value() const { return program.value(room); }            ///< Of the last run.
   [[nodiscard]] const Scalar& partial(int i) const { return program.slope(room, i); }  ///< Of the last run.
 };

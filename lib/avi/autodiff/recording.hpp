@@ -38,12 +38,14 @@ class Recording {
   }
 
   /// Takes a formula that is recorded already: no function is called. @param graph of N inputs @param node
-  /// the value
+  /// the value @param inner node of an h whose gradient is supplied @param supplied nodes of that; none: h is
+  /// differentiated, too
   /// @throws std::invalid_argument for a graph without inputs, or a node that it has not.
-  Recording(ExpressionGraph graph, int node) : graph_(std::move(graph)) {
+  Recording(ExpressionGraph graph, int node, int inner = -1, const std::vector<int>& supplied = {})
+      : graph_(std::move(graph)) {
     checked(graph_.inputs());
     require(node >= 0 && node < graph_.size(), "Node to differentiate", node, "a node of the graph");
-    differentiate(node);
+    differentiate(node, supplied.empty() ? -1 : inner, supplied);
   }
 
   /// The same of a Formula. Its parameters are the last inputs, to be set in the program's room.
@@ -61,19 +63,6 @@ class Recording {
     for (int i = 0; i < graph_.inputs(); ++i)
       nodes.push_back(supplied[i].node_in(graph_));
     differentiate(result.node_in(graph_), inner.node_in(graph_), nodes);
-  }
-
-  /// The same of a formula that is recorded already. @param inner node of h @param supplied those of its
-  /// gradient; none: h is differentiated, too
-  /// @throws std::invalid_argument for a graph without inputs, or a node that it has not.
-  Recording(ExpressionGraph graph, int node, int inner, const std::vector<int>& supplied)
-      : graph_(std::move(graph)) {
-    checked(graph_.inputs());
-    require(node >= 0 && node < graph_.size(), "Node to differentiate", node, "a node of the graph");
-    if (supplied.empty())
-      differentiate(node);
-    else
-      differentiate(node, inner, supplied);
   }
 
   [[nodiscard]] int inputs() const { return graph_.inputs(); }           ///< N.
@@ -96,16 +85,13 @@ class Recording {
   [[nodiscard]] Program value() const { return value_and_gradient(0, 0); }
 
  private:
-  void differentiate(int value, int inner, const std::vector<int>& supplied) {
-    differentiate(value, inner);
-    for (std::size_t i = 0; i < supplied.size(); ++i)
-      slopes_[i] = graph_.binary(Operation::add, slopes_[i],
-                                 graph_.binary(Operation::multiply, slopes_.back(), supplied[i]));
-  }
-  void differentiate(int value, int inner = -1) {
+  void differentiate(int value, int inner = -1, const std::vector<int>& supplied = {}) {
     value_ = value;
     recorded_ = graph_.size();
     slopes_ = Reverse(graph_).gradient(value_, inner);
+    for (std::size_t i = 0; i < supplied.size(); ++i)
+      slopes_[i] = graph_.binary(Operation::add, slopes_[i],
+                                 graph_.binary(Operation::multiply, slopes_.back(), supplied[i]));
   }
   [[nodiscard]] Program program(int value, int first, int count) const {
     require(first >= 0 && first <= inputs(), "First entry to differentiate by", first, "an entry of x");

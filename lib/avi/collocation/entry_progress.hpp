@@ -51,8 +51,6 @@ class EntryProgress {
   [[nodiscard]] double change() const { return change_; }
   /// The same of those entries whose changes are more than rounding beside the largest entry.
   [[nodiscard]] double visible() const { return visible_; }
-  /// Looks in a row at which no entry improved.
-  [[nodiscard]] int idle() const { return idle_; }
   /// Every entry has converged, or it has not improved for so many looks, and what is left is noise: small in
   /// its own scale, or, if small only beside the largest entry, seen for six looks and not growing: sweeps
   /// may also part slowly.
