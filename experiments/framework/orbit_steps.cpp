@@ -1,6 +1,7 @@
 #include "common/frame.hpp"
 
 #include "avi/collocation/collocation.hpp"
+#include "avi/core/integrate.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
@@ -19,19 +20,15 @@ using State2 = avi::State<2>;
 
 constexpr double eccentricity = 0.9, period = 2.0 * M_PI;
 
-/// The steps of one orbit of fictive length h: calls look(z) at the start and after each; returns how many.
+/// The steps of one orbit of fictive length h: calls look(z) at the start and after each.
 template <class G, class Look>
-long orbit(const G& monitor, double h, Look look) {
+void orbit(const G& monitor, double h, Look look) {
   State2 z = avi::Kepler::pericentre(eccentricity);
   auto method = avi::collocation(avi::poincare(avi::Kepler(), z, monitor), 8);
   look(z);
-  long steps = 0;
-  while (z.t < period * (1.0 - 1e-9)) {
-    if (method.step(z, h).outcome != avi::Outcome::ok || ++steps > 100'000)
-      throw std::runtime_error("A step was not solved.");
-    look(z);
-  }
-  return steps;
+  const avi::Run run = avi::integrate(method, z, h, {.time = period * (1.0 - 1e-9), .steps = 100'000},
+                                      [&](const State2& now, long) { look(now); });
+  if (run.outcome != avi::Outcome::ok) throw std::runtime_error(run.message);
 }
 
 /// Fictive time of an orbit, the integral of dt / g along it: by fine steps of |q|^(3/2), each counted with

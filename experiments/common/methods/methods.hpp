@@ -29,14 +29,13 @@ struct PositionMonitor {
   enum Kind { none, power_of_radius, arclength } kind = none;
   double exponent = 1.0;  ///< The power of r = |q|.
   double energy = -0.5;   ///< H_0.
-  Bounds bounds = {};
 
   template <class Q>
   auto operator()(const Q& q) const {
     using S = std::decay_t<decltype(q[0] * q[0])>;
     if (kind == none) return S(1.0);
-    return bounds(kind == power_of_radius ? S(avi::Gamma{0.5 * exponent}(q))
-                                          : S(avi::Arclength(avi::Kepler{}, energy)(q)));
+    return kind == power_of_radius ? S(avi::Gamma{0.5 * exponent}(q))
+                                   : S(avi::Arclength(avi::Kepler{}, energy)(q));
   }
 };
 

@@ -73,9 +73,6 @@ template <avi::Generating type, class Construction, class Problem, class State>
 void add_cells(Table& table, const std::string& name, const Problem& problem, const State& start,
                double horizon, const std::function<double(const State&)>& error, bool quick) {
   constexpr bool stationary = std::is_same_v<Construction, avi::Stationary>;
-  const char* label = stationary                                          ? "stationary"
-                      : std::is_same_v<Construction, experiment::Printed> ? "printed"
-                                                                          : "authors";
   const auto rules = order_rules();
   for (int r = 0; r <= (quick ? 2 : 4); ++r)
     for (const auto& rule : rules) {
@@ -93,7 +90,7 @@ void add_cells(Table& table, const std::string& name, const Problem& problem, co
       const int expected =
           stationary ? std::min(2 * r + 2, std::max(rule.order, r + 1)) : std::min(r + 1, rule.order);
       table.row(name, type == avi::Generating::type2 ? "II" : "III", r, rule.name, expected, finest.order,
-                label, finest.points, limit);
+                stationary ? "stationary" : "printed", finest.points, limit);
     }
 }
 
@@ -124,12 +121,10 @@ extended_reference(const Problem& problem, const avi::State<Problem::dimension>&
   return z;
 }
 
-/// Both types, stationary and as printed; `with_authors` compiles the authors' construction, too, and
-/// `authors` says whether it is measured. The error is that of (q, p, t).
-template <bool with_authors = false, class Problem>
+/// Both types, stationary and as printed. The error is that of (q, p, t).
+template <class Problem>
 void add_problem(Table& table, const std::string& name, const Problem& problem,
-                 const avi::State<Problem::dimension>& start, double horizon, bool quick,
-                 bool authors = with_authors) {
+                 const avi::State<Problem::dimension>& start, double horizon, bool quick) {
   constexpr int n = Problem::dimension;
   ExtendedPoint<n> exact = extended_reference(problem, start, horizon);
   // Where time is a coordinate, q holds it.
@@ -148,8 +143,6 @@ void add_problem(Table& table, const std::string& name, const Problem& problem,
   };
   add.template operator()<avi::Stationary>();
   add.template operator()<experiment::Printed>();
-  if constexpr (with_authors)
-    if (authors) add.template operator()<experiment::Authors>();
 }
 
 }  // namespace experiment

@@ -75,18 +75,18 @@ struct SlowWhenFast {
 void add_without_monitor(Table& table, bool quick) {
   const avi::State<2> star{.q = {0.1, -0.3}, .p = {0.4, 0.2}}, orbit = avi::Kepler::pericentre(0.3);
   const avi::State<1> swing{.q = avi::Vector<double, 1>(0.7), .p = avi::Vector<double, 1>(0.9)};
-  add_problem<true>(table, "henon_heiles", avi::poincare<2>(Plane{false}, star), star, 2.5, quick, false);
+  add_problem(table, "henon_heiles", avi::poincare<2>(Plane{false}, star), star, 2.5, quick);
   add_problem(table, "relativistic", avi::poincare<1>(Line{true}, swing), swing, 2.0, quick);
   add_problem(table, "non_separable", avi::poincare<1>(Line{false}, swing), swing, 2.0, quick);
-  add_problem<true>(table, "kepler", avi::poincare<2>(Plane{true}, orbit), orbit, 5.0, quick);
+  add_problem(table, "kepler", avi::poincare<2>(Plane{true}, orbit), orbit, 5.0, quick);
 }
 
 /// Kepler's problem with monitors of the position.
 void add_monitors(Table& table, bool quick) {
   const auto orbit = avi::Kepler::pericentre(0.3);
   for (const bool square : {true, false})
-    add_problem<true>(table, square ? "kepler_gamma" : "kepler_gamma_075",
-                      avi::poincare<2>(avi::Kepler{}, orbit, Radius{square}), orbit, 5.0, quick, square);
+    add_problem(table, square ? "kepler_gamma" : "kepler_gamma_075",
+                avi::poincare<2>(avi::Kepler{}, orbit, Radius{square}), orbit, 5.0, quick);
 }
 
 /// A monitor of position and momentum, and a Hamiltonian that depends on time.

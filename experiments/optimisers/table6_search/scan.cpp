@@ -30,7 +30,6 @@ struct History {
 std::vector<Scan> scan(const Spectrum& of, const Variant& variant, const Ranges& ranges,
                        const std::vector<Counts>& wanted) {
   std::vector<Scan> results(wanted.size());
-  std::vector<int> most(wanted.size(), 1);
   const auto last_of = [&](int cell) {
     long last = 0;
     for (const Counts& row : wanted)
@@ -103,9 +102,7 @@ std::vector<Scan> scan(const Spectrum& of, const Variant& variant, const Ranges&
               if (!found) continue;
               alive = true;
               results[r].with[cell + 1] += 1;
-              if (cell + 1 > most[r]) most[r] = cell + 1, results[r].best.clear();
-              if (cell + 1 == most[r] && results[r].best.size() < 8)
-                results[r].best.push_back({u[l], etas[j], most[r]});
+              if (cell + 1 > results[r].best.leading) results[r].best = {u[l], etas[j], cell + 1};
             }
       }
     }

@@ -51,7 +51,7 @@ struct Hit {
 struct Scan {
   double points = 0;
   std::array<double, cells + 1> with{};  ///< Points by how many leading cells they hit.
-  std::vector<Hit> best;                 ///< The first of those with most.
+  Hit best;                              ///< The first of those with most.
 };
 
 constexpr long slack = 3;

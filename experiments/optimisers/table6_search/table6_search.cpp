@@ -167,7 +167,7 @@ int main(int argc, char** argv) {
       for (std::size_t r = 1; r < scans.size(); ++r)
         for (int i = 1; i <= cells; ++i)
           if (scans[r].with[i] > 0.0) chance = std::max(chance, i);
-      const Hit best = found.best.empty() ? Hit{} : found.best.front();
+      const Hit& best = found.best;
       const Counts counts = best.leading ? exact_counts(of, variant, 15.0, best.u, best.eta) : Counts{};
       table.row(variant.name, ranges.u_low, ranges.u_high, ranges.u_ratio, ranges.eta_low, ranges.eta_high,
                 Ranges::eta_ratio, found.points, power.planted, power.found, power.confirmed, best.leading,

@@ -5,8 +5,6 @@
 #include "avi/solve.hpp"
 
 #include <cmath>
-#include <functional>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,12 +18,8 @@ namespace experiment::front_door {
 using work_precision::Family;
 using work_precision::Result;
 
-/// One race.
-struct Contest {
-  std::vector<Family> families;                ///< `avi`, then the peers; settings are tolerances.
-  std::function<double(const Result&)> error;  ///< |q - exact position| at the end.
-  double reference_error = 0.0;  ///< Of the exact position: what another step of the reference makes of it.
-};
+/// One race. Its families are `avi`, then the peers; settings are tolerances.
+using Contest = work_precision::Scene;
 
 /// Position at the end by extrapolation of order 20 in long double, which shares nothing with the methods
 /// that race; `steps` are its steps.
@@ -70,11 +64,13 @@ Family door(const P& problem, const avi::State<P::dimension>& start, double span
 template <class P>
 Contest contest(const P& problem, const avi::State<P::dimension>& start, double span, Eigen::VectorXd exact) {
   const work_precision::Arena<P> arena(problem, span, start);
-  work_precision::Scene scene;
-  scene.families = {door(problem, start, span)};
-  work_precision::add_peers(scene, arena.equations());
-  return {std::move(scene.families),
-          [exact = std::move(exact)](const Result& result) { return (result.q - exact).norm(); }};
+  Contest made{"", unknown, span, ""};
+  made.position_error = [exact = std::move(exact)](int, double, const Eigen::VectorXd& q) {
+    return (q - exact).norm();
+  };
+  made.families = {door(problem, start, span)};
+  work_precision::add_peers(made, arena.equations());
+  return made;
 }
 
 /// Same with the extrapolated end, from `h` on; its own error is the difference from three quarters of that.

@@ -34,7 +34,8 @@ class Race {
         result.seconds =
             std::min(result.seconds,
                      contest_.families[family].run({.setting = setting, .step_cap = step_cap_}).seconds);
-    const double error = result.ok ? contest_.error(result) : std::numeric_limits<double>::infinity();
+    const double error =
+        result.ok ? contest_.position_error(0, result.t, result.q) : std::numeric_limits<double>::infinity();
     if (!is_ours(family) && error <= finest_target) needed_ = std::min(needed_, result.seconds);
     return points_.emplace_back(Point{family, setting,
                                       std::isnan(error) ? std::numeric_limits<double>::infinity() : error,
