@@ -63,7 +63,7 @@ class Factor {
     int quotient = graph->quotient(node);
     if (quotient >= 0) {
       const double numerator = (*graph)[(*graph)[quotient].a].number, size = std::abs(numerator);
-      if (size >= 0x1p-256 && size <= 0x1p256) return {1.0 / numerator / number, quotient, graph};
+      if (size >= 0x1p-340 && size <= 0x1p340) return {1.0 / numerator / number, quotient, graph};
     }
     quotient = graph->binary(Operation::divide, graph->constant(1.0), node);
     return {1.0 / number, quotient, graph};
