@@ -132,4 +132,11 @@ TEST(Accelerations, AreOfTheSizeOfOneOnTheWay) {
   EXPECT_NEAR(weight[0] * (high[0] - low[0]), weight[1] * (high[1] - low[1]), 1e-14) << "of equal masses";
 }
 
+TEST(Accelerations, MakeTheMonitorOfTheirName) {
+  const avi::Formula h = avi::Formula::of_phase<2>(avi::Kepler{});
+  const avi::Formula g = monitor_of({.name = "acceleration", .accelerations = {2.0, 3.0}}, h, -0.5);
+  const Eigen::Vector2d q(0.6, 0.8), p(0.1, 1.0);  // where dH/dq = q
+  EXPECT_NEAR(g(q, p), std::pow(1.0 + 1.2 * 1.2 + 2.4 * 2.4, -0.375), 1e-15);
+}
+
 }  // namespace candidates_test
