@@ -40,7 +40,7 @@ tables() {
   # Written in hexadecimal: equal or not.
   "${rest%-*}" -std=c++20 -w "-${rest##*-}" $march $flags \
     -ffp-contract=off -fno-math-errno -Ilib -Iexperiments -isystem /usr/include/eigen3 tests/levels/collocation_bits.cpp \
-    -o "$build/bin/collocation_bits" >&2 || return
+    -o "$build/bin/collocation_bits" "$build/lib/libavi.a" -pthread >&2 || return
   "$build/bin/collocation_bits"
 }
 
