@@ -72,6 +72,18 @@ double Orbiter::speed_at(const State<dynamic>& z, const Ranges& ranges) {
   return (*distance_)(slope, ranges);
 }
 
+/// The energy error that rounding of the entries of a state makes: more than its own, far out on a saddle,
+/// where H is a small difference.
+double Orbiter::rounding_of_energy(const State<dynamic>& z) {
+  VectorX at(2 * z.q.size()), slope(2 * z.q.size());
+  at << z.q, z.p;
+  field_(at, slope);
+  const Eigen::Index n = z.q.size();
+  const double moved =
+      z.q.cwiseProduct(slope.tail(n)).cwiseAbs().sum() + z.p.cwiseProduct(slope.head(n)).cwiseAbs().sum();
+  return std::numeric_limits<double>::epsilon() * moved / trip_->energy_scale;
+}
+
 /// The error at the time `to` after the start, from what was seen until `from`.
 double Orbiter::foretold(const Comparison& seen, double from, double to, double speed) const {
   if (!(to > from)) return seen.error;
@@ -256,10 +268,12 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   seen_ = compare(*coarse_, *fine_);
   // Where runs agree and their energy errors do not fall with the step, that is rounding of H somewhere on
   // the way; or chance, in few of them.
-  const bool steady = seen_.error < 1e-7 && fine_->run.steps > Journey::few &&
-                      fine_->energy_error > 0.5 * coarse_->energy_error;
-  if (steady && fine_->energy_error < most_rounding)
+  bool steady = seen_.error < 1e-7 && fine_->run.steps > Journey::few &&
+                fine_->energy_error > 0.5 * coarse_->energy_error;
+  if (steady && fine_->energy_error < std::max(most_rounding, 100.0 * rounding_of_energy(fine_->state))) {
     answer_.energy_rounding = std::max(answer_.energy_rounding, 0.01 * fine_->energy_error);
+    steady = false;
+  }
   const bool hidden = fine_->energy_error <= 100.0 * answer_.energy_rounding;
   const double of_energy = hidden ? 0.0 : fine_->energy_error / (3.0 * tolerance);
   const double of_state = foretold(seen_, here, span_, high_speed_) / tolerance;

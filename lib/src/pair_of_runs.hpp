@@ -37,7 +37,7 @@ struct Comparison {
   double rate = 0.0;         ///< Rate at which it grows exponentially, where it does.
 };
 
-/// An energy error that is more than rounding of H, whatever cancels in it.
+/// An energy error that is more than rounding of H, but where its terms are far larger than it.
 inline constexpr double most_rounding = 1e-6;
 
 /// Nanoseconds, see Candidate::price(), that may be spent in vain: on runs that fail, or that no shorter step
@@ -87,6 +87,7 @@ class Orbiter {
   bool try_others(Setting& setting);
   Comparison compare(const Journey& coarse, const Journey& fine);
   double speed_at(const State<dynamic>& z, const Ranges& ranges);
+  double rounding_of_energy(const State<dynamic>& z);
   [[nodiscard]] double foretold(const Comparison& seen, double from, double to, double speed) const;
   [[nodiscard]] double longest_step(const Candidate& it) const {
     return it.fictive > 0.0 ? span_ * it.fictive / std::max(sketch_->time, 1e-300) / fewest : span_ / fewest;
@@ -137,7 +138,7 @@ class Orbiter {
   int lengthened_ = 0;           // times that a step was made longer
   bool others_tried_ = false;    // candidates other than the first one
   bool resigned_ = false;        // shorter steps do not help
-  // The last two runs agreed, and their energy errors did not fall with the step.
+  // The last two runs agreed, and their energy errors, more than rounding, did not fall with the step.
   bool steady_ = false;
   OrbitAnswer answer_;
 };
