@@ -35,7 +35,7 @@ struct PositionMonitor {
     using S = std::decay_t<decltype(q[0] * q[0])>;
     if (kind == none) return S(1.0);
     return kind == power_of_radius ? S(avi::Gamma{0.5 * exponent}(q))
-                                   : S(avi::Arclength(avi::Kepler{}, energy)(q));
+                                   : S(avi::Arclength{avi::Kepler{}, energy}(q));
   }
 };
 
@@ -50,7 +50,7 @@ struct MomentumMonitor {
     using std::abs;
     using S = std::decay_t<decltype(q[0] * p[0])>;
     if (kind == inverse_energy_error) return bounds(S(1.0 / abs(energy_momentum + avi::Kepler{}(q, p))));
-    return bounds(S(avi::Energy(avi::Kepler{}, kind == energy ? energy_momentum : 0.0)(q, p)));
+    return bounds(S(avi::Energy{avi::Kepler{}, kind == energy ? energy_momentum : 0.0}(q, p)));
   }
 };
 
