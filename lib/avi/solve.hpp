@@ -54,7 +54,7 @@ struct EventRules {
 
 /// A function of the state whose zeros are looked for along an orbit; made by when().
 struct SolveEvent {
-  SolveEvent() = default;  ///< Of nothing.
+  SolveEvent() = default;  ///< An event without a function, which solve() refuses.
   /// Takes what records g, and the rules.
   SolveEvent(std::function<Formula(int)> its_g, EventRules its_rules)
       : g(std::move(its_g)), rules(its_rules) {}

@@ -7,8 +7,8 @@
 #include <vector>
 
 /// @file
-/// What calls of solve() and resume() with other arguments than theirs come upon, so that the compiler says
-/// in a sentence what is wrong with them.
+/// Overloads that calls of solve() and resume() with other arguments than theirs come upon, so that the
+/// compiler says in a sentence what is wrong with them.
 
 namespace avi {
 

@@ -70,7 +70,7 @@ VectorX strengths(const Sketch& sketch, const VectorX& metric) {
 /// The rate of change \f$\ell\f$ of a monitor on a sketch.
 struct Measured {
   std::vector<double> lively;  ///< At each sample.
-  /// Of a rate near poles, its value and size of its derivative by time at the samples, and in the middle
+  /// Value of a rate near poles and size of its derivative by time, at the samples, and in the middle
   /// between each and the next one, which may be far where it moves freely.
   std::vector<std::array<double, 2>> changes = {};
   double steepest = 0.0;  ///< Its largest relative derivative, over the strength of the entry.

@@ -225,7 +225,8 @@ class CodeWriter {
         }
       }
     }
-  }  /// What a line reads stays where it is until it has been read.
+  }
+  /// Keeps the operands of a line where they are until they have been read.
   void pin_operands(const StraightLine::Line& it, int first_part, int end_part) {
     std::ranges::fill(pinned_, 0);
     for (int part = first_part; part < end_part; ++part)

@@ -41,7 +41,7 @@ class Poles {
   /// @param constants \f$w_0, e_0\f$, then those of the poles
   int rate(ExpressionGraph& graph, double energy_at_start, const std::vector<double>& constants) const;
 
-  static constexpr std::size_t most = 24;  ///< Of one H that are looked at.
+  static constexpr std::size_t most = 24;  ///< Largest number of poles of one H that are looked at.
 
  private:
   struct Pole {

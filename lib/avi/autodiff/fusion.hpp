@@ -15,8 +15,8 @@ namespace avi {
 
 /// One line of a program before it is placed.
 struct Line {
-  Operation first;   ///< What is done with the first two operands.
-  Operation second;  ///< What is done with that result and a third one, if anything.
+  Operation first;   ///< The operation on the first two operands.
+  Operation second;  ///< The operation on that result and a third operand, or none.
   int result;        ///< Number of the result: a node, or beyond them a partial sum.
   int begin;         ///< Its first operand in those of all lines.
   int count;         ///< Number of its operands; of pairs for a sum of products.
@@ -29,8 +29,8 @@ struct Line {
 /// bit.
 class Fusion {
  public:
-  /// Of `graph`. @param recorded nodes before this one keep their order; the others come as soon as their
-  /// operands are there
+  /// The lines of `graph`. @param recorded nodes before this one keep their order; the others come as soon as
+  /// their operands are there
   Fusion(const ExpressionGraph& graph, const std::vector<int>& results, int recorded)
       : graph_(graph), nodes_(graph.size()), recorded_(recorded), uses_(nodes_, 0), absorbed_(nodes_, 0),
         sum_of_(nodes_, -1), keys_(nodes_, -1) {
@@ -60,7 +60,7 @@ class Fusion {
     return result < nodes_ ? graph_[result].number : numbers_[result - nodes_].number;
   }
   [[nodiscard]] const std::vector<Line>& lines() const { return lines_; }  ///< In an order that can be run.
-  /// Of a line: numbers of results, inputs or constants.
+  /// The operands of a line: numbers of results, inputs or constants.
   [[nodiscard]] std::span<const int> operands(const Line& line) const {
     return {operands_.data() + line.begin, static_cast<std::size_t>(line.count)};
   }

@@ -181,8 +181,10 @@ struct RecordedFormula {
     run(q.data(), p.data(), q.size());
   }
   ///@}
-  [[nodiscard]] const Scalar& value() const { return program.value(room); }            ///< Of the last run.
-  [[nodiscard]] const Scalar& partial(int i) const { return program.slope(room, i); }  ///< Of the last run.
+  [[nodiscard]] const Scalar& value() const { return program.value(room); }  ///< Value at the last point.
+  [[nodiscard]] const Scalar& partial(int i) const {
+    return program.slope(room, i);
+  }  ///< Slope by argument i there.
 };
 }  // namespace detail
 

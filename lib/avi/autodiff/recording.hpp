@@ -66,7 +66,7 @@ class Recording {
   }
 
   [[nodiscard]] int inputs() const { return graph_.inputs(); }           ///< N.
-  [[nodiscard]] const ExpressionGraph& graph() const { return graph_; }  ///< Of f and its gradient.
+  [[nodiscard]] const ExpressionGraph& graph() const { return graph_; }  ///< The graph of f and its gradient.
   [[nodiscard]] int slope(int i) const { return slopes_[i]; }            ///< The node of derivative i.
 
   /// The program of the derivatives along `count` entries of x from `first` on.
