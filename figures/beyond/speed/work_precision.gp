@@ -28,8 +28,22 @@ unset datafile columnheaders
 set datafile separator whitespace
 eval logx; eval logy
 unset key
-set xrange [1e-2:1e-12]; set yrange [0.03:40]
-set xtics font ',7'; set mxtics 1; set ytics (0.1, 1, 10) font ',7'
+# One range for all panels, which holds every curve and band.
+lowest = 0.05; highest = 20
+do for [i = 1:panels] {
+  do for [ours in 'solved early'] {
+    set print $a; print system(ratio(problem[i], ecc[i], horizon[i], value(ours))); unset print
+    if (|$a| > 0 && strlen($a[1]) > 0) {
+      do for [c = 2:(ours eq 'solved' ? 4 : 2)] {
+        stats $a using c nooutput
+        if (STATS_min < lowest) {lowest = STATS_min}
+        if (STATS_max > highest) {highest = STATS_max}
+      }
+    }
+  }
+}
+set xrange [1e-2:1e-12]; set yrange [lowest/1.3:1.3*highest]
+set xtics font ',7'; set mxtics 1; set ytics (0.1, 1, 10, 100) font ',7'
 set multiplot
 page_left = 1.5; page_right = 0.5; page_bottom = 1.95; page_top = 0.65; gap_x = 0.4; gap_y = 0.85
 do for [i = 1:panels] {
