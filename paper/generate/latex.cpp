@@ -115,6 +115,7 @@ std::string latex(std::string_view text) {
        std::initializer_list<std::pair<const char*, const char*>>{{"Stormer-Verlet", "St\\\"ormer--Verlet"},
                                                                   {"Runge-Kutta", "Runge--Kutta"},
                                                                   {"Dormand-Prince", "Dormand--Prince"},
+                                                                  {"Bogacki-Shampine", "Bogacki--Shampine"},
                                                                   {"^", "\\textasciicircum{}"},
                                                                   {"<", "$<$"},
                                                                   {">", "$>$"},
