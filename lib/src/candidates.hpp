@@ -96,6 +96,8 @@ class Candidate {
   int failures = 0;         ///< Runs that failed at the place where the last one did.
   double below = infinity;  ///< Where longer steps have failed, a step to try.
   double noise = 0.0;       ///< Largest relative error of a force that rounding of H makes through grad g.
+  bool aside =
+      false;  ///< Its noise is more than the tolerance bears: it waits until no other one keeps that.
 
   /// The method, of this order, which is 6 for the splitting.
   std::unique_ptr<OrbitSteps> steps(int order, SweepBounds bounds) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 /// @file
 /// How solve() decides: two runs with different steps, what their difference says, and which setting is
@@ -181,6 +182,13 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
   note_trial(journey, infinity);
   if (journey.spent) bound_ = journey.run.outcome;
   if (journey.spent || round_ >= most_rounds || question_.options.h > 0.0) return false;
+  if (instead_of_.candidate) {  // it does no better than what it was taken for
+    setting = std::exchange(instead_of_, {});
+    coarse_.reset(), fine_.reset();
+    resolved_ = setting.h;
+    resigned_ = true;
+    return true;
+  }
   const double reached = std::abs(journey.state.t - question_.t);
   const bool again = std::abs(reached - failed_at_) <= 1e-2 * reached;
   if (reached > 1.01 * repeated_) repeated_ = infinity;  // it is not in the way of this one
@@ -202,9 +210,12 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
   const auto work = [&](const Candidate& each) {
     return each.outlook * std::max(1.0, first_step(each) / each.below);
   };
-  const double least = std::ranges::min_element(menu_, {}, &Candidate::outlook)->outlook;
+  double least = infinity;
+  for (const Candidate& each : menu_)
+    if (!each.aside) least = std::min(least, each.outlook);
   Candidate* best = nullptr;
   for (Candidate& each : menu_) {
+    if (each.aside) continue;
     const bool hopeless =
         each.failures >= (dead_end_ > 0.0 ? 2 : 4) || (dead_end_ > 0.0 && each.outlook > 30.0 * least);
     if (!hopeless && !(best && work(each) >= work(*best))) best = &each;
@@ -317,11 +328,31 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     resigned_ = (steady && steady_) || spent > std::max(2.0 * patience, 3.0 * pair);
   }
   steady_ = steady;
-  if (resigned_) return false;
+  if (resigned_) return !last && take_from_aside(setting, 0.3 * pair);
   if (mark > 0) lengthened_ = most_lengthened;  // what the first mark promises has not come true
   before_ = error, before_at_ = mark;
   // Where errors do not fall by the order yet, by halves.
   return again(std::max(vain_ > 0 ? std::min(factor, 0.5) : factor, 0.35));
+}
+
+/// Where no candidate keeps the tolerance, one whose noise does not either will do, unless it fails.
+/// @param others work of the pair of runs that it has to be cheaper than @return one is taken
+bool Orbiter::take_from_aside(Setting& setting, double others) {
+  const auto work = [&](Candidate& it) {
+    return 2.0 * 10.0 * it.price() * expected_steps(it, first_step(it), span_);
+  };
+  Candidate* best = nullptr;
+  for (Candidate& it : menu_)
+    if (it.aside && work(it) < (best ? work(*best) : others)) best = &it;
+  if (!best) return false;
+  if (coarse_ && coarse_->ok()) note_trial(*coarse_, infinity);
+  if (fine_ && fine_->ok()) note_trial(*fine_, seen_.error);
+  coarse_.reset(), fine_.reset();
+  best->aside = false;
+  instead_of_ = std::exchange(setting, {best, first_step(*best)});
+  resigned_ = steady_ = false;
+  resolved_ = 0.0, before_ = infinity, vain_ = 0;
+  return true;
 }
 
 /// Runs the other candidates of the menu to the first mark, where that is a small part of the whole.
@@ -346,7 +377,8 @@ bool Orbiter::try_others(Setting& setting) {
   std::optional<Journey> winner;
   double its_behind = 0.0;
   for (Candidate& it : menu_) {
-    if (&it == setting.candidate || it.outlook > 2.5 * menu_.front().outlook || !(it.longest > 0.0)) continue;
+    const bool dear = it.outlook > 2.5 * menu_.front().outlook;
+    if (&it == setting.candidate || it.aside || dear || !(it.longest > 0.0)) continue;
     const bool same = it.splits() == setting.candidate->splits();
     const double first = same ? radians / it.longest : first_step(it);
     Journey run = begin({&it, std::min({first, longest_step(it), it.below})}, 1.0);

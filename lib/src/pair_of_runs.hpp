@@ -85,6 +85,7 @@ class Orbiter {
   bool failed(const Journey& journey, Setting& setting);
   bool judge(Setting& setting, std::size_t mark);
   bool try_others(Setting& setting);
+  bool take_from_aside(Setting& setting, double others);
   Comparison compare(const Journey& coarse, const Journey& fine);
   double speed_at(const State<dynamic>& z, const Ranges& ranges);
   double rounding_of_energy(const State<dynamic>& z);
@@ -120,6 +121,7 @@ class Orbiter {
   std::vector<double> marks_;
   std::size_t compared_ = 0;  // marks up to which there are two runs
   std::optional<Journey> coarse_, fine_;
+  Setting instead_of_;  // what a candidate from aside was taken for
   Comparison seen_;
   std::size_t judged_ = 0;    // mark of that comparison
   double before_ = infinity;  // the error foretold from the pair of runs before this one, and at which mark

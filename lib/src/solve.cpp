@@ -137,9 +137,9 @@ void Orbiter::prepare() {
       menu_.push_back(candidate(wanted, question_, energy, choice));
     }
   } else {
-    std::erase_if(menu_, [&](const Candidate& it) {
-      return it.noise * radians_ > std::max(0.3 * question_.tolerance, 3e-15 * radians_);
-    });
+    for (Candidate& it : menu_)
+      it.aside = it.noise * radians_ > std::max(0.3 * question_.tolerance, 3e-15 * radians_);
+    std::ranges::stable_partition(menu_, [](const Candidate& it) { return !it.aside; });
   }
   for (Candidate& it : menu_)
     it.supplied = question_.gradient, it.recording = field_.recording();

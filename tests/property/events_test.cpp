@@ -186,10 +186,10 @@ TEST(Events, OfEveryMonotoneFunctionAreFound) {
 TEST(Events, ThatAreJumpsEndARunWithAReason) {
   State<1> z = swing(0.0, 1.2);
   auto method = avi::collocation(avi::poincare<1>(pendulum, z), 16);
-  const Event jump{[](const State<1>& at) { return at.q[0] < 0.5 ? -1.0 : 1.0; }};
+  const Event jump{[](const State<1>& at) { return at.q[0] < 0.5 ? -2.0 : 4.0; }};
   const auto run = avi::integrate(method, z, 0.1, {.time = 1.0}, avi::on_event(jump, [](const State<1>&) {}));
   EXPECT_EQ(run.outcome, Outcome::not_converged);
-  EXPECT_NE(run.message.find("from -1 to 1, where |g| is not small"), std::string::npos) << run.message;
+  EXPECT_NE(run.message.find("from -2 to 4, where |g| is not small"), std::string::npos) << run.message;
 }
 
 TEST(Events, OfAFunctionThatIsZeroButForRoundingEndNothing) {
@@ -206,6 +206,9 @@ TEST(Events, OfAFunctionThatIsZeroButForRoundingEndNothing) {
   const auto run =
       avi::integrate(method, z, 0.1, {.time = 50.0}, avi::on_event(across, [&](const State<3>&) { ++seen; }));
   EXPECT_TRUE(run.ok()) << run.message;
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  EXPECT_EQ(avi::detail::rounding_of_entries(State<2>{.q = {1.0, -8.0}, .p = {2.0, 0.5}}), 8.0 * epsilon);
+  EXPECT_EQ(avi::detail::rounding_of_entries(State<1>{.q = {0.25}, .p = {-0.5}}), 0.5 * epsilon);
 }
 
 template <class M, class S>

@@ -100,6 +100,10 @@ TEST(Candidates, AreWhatTheMenuSaysOfThem) {
   Menu eccentric(avi::Kepler{}, avi::Kepler::pericentre(0.9), 100.0);
   EXPECT_EQ(eccentric.names(), "energy^1.5 energy fixed");
   expect_what_it_is(eccentric);
+  Menu nearly_a_circle(avi::Kepler{}, avi::Kepler::pericentre(0.01), 100.0);
+  EXPECT_EQ(nearly_a_circle.names().substr(0, 5), "fixed");
+  for (const Candidate& it : nearly_a_circle.candidates)
+    EXPECT_TRUE(it.fixed() || it.outlook == infinity) << it.name << ", which hardly changes";
   Menu near(avi::Kepler{}, avi::Kepler::pericentre(0.9999), 100.0, {.monitor = "poles"});
   EXPECT_NE(near.names().find("poles"), std::string::npos) << near.names();
   expect_what_it_is(near);
