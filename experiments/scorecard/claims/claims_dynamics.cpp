@@ -146,10 +146,11 @@ Finding cloning_needs(const Results& data) {
   std::vector<double> gradients;
   for (const auto& [method, count] : useful)
     gradients.push_back(count);
-  return finding(in_cases(cases),
-                 "As defined, with both copies advanced, it does. The copy that is read never sees the "
-                 "other: the same iterates take {:.0f} gradients a step, and the stopping test one more.",
-                 fmt::join(gradients, ", "));
+  return finding(
+      in_cases(cases),
+      "As defined, with both copies advanced, it does. The copy that is read sees of the other only "
+      "its clock: the same iterates take {:.0f} gradients a step, and the stopping test one more.",
+      fmt::join(gradients, ", "));
 }
 
 /// Runs along a sweep of p at p_ring = 1, or of falling p_ring at p = 4.
@@ -203,10 +204,11 @@ Finding physical_steps_stay(const Results& data) {
   Cases cases;
   for (const bool of_p : {true, false})
     cases.add(change(of_p) > 0.5);
-  return finding(in_cases(cases),
-                 "The mean physical step changes by a factor {:.2g} as p goes from 2 to 8, by a factor "
-                 "{:.2g} as p_ring from 2 to 0.1.",
-                 change(true), change(false));
+  return finding(
+      in_cases(cases),
+      "The mean physical step, until the stopping test holds for good, changes by a factor {:.2g} as p "
+      "goes from 2 to 8, by a factor {:.2g} as p_ring from 2 to 0.1.",
+      change(true), change(false));
 }
 
 }  // namespace

@@ -29,10 +29,10 @@ Finding order_theorem(const Results& data) {
       "(tolerance {}).",
       followed.all, cells.all, std::max(0.0, -followed.least), order_tolerance);
   if (extrapolated.all > 0)
-    evidence +=
-        fmt::format(" Of the other {}, where two terms of the error cancel at the steps used, the lowest is "
-                    "{:.2f} below; a line through the last two slopes leads to at least {:.2f} above.",
-                    extrapolated.all, -cells.least, extrapolated.least);
+    evidence += fmt::format(
+        " Of the other {}, where two terms of the error cancel at the steps used, the lowest is "
+        "{:.2f} below; a line through the last two slopes leads to at least {:.2f} above the bound.",
+        extrapolated.all, -cells.least, extrapolated.least);
   return {theorem(cells), evidence};
 }
 
