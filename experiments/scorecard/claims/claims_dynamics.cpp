@@ -127,7 +127,7 @@ Finding cloning_is_behind(const Results& data) {
                  "gradients of the slower of HTVI and splitting, of a cloning step only those counted that "
                  "its iterates and the test depend on. But read from the other copy, which is kicked first, "
                  "Strang's cloning shares its gradient with the test and takes {:.2f} to {:.2f} times "
-                 "theirs.",
+                 "those of the slower one.",
                  read.holding, read.all, read.least, other.least, other.most);
 }
 
