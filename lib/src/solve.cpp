@@ -3,6 +3,7 @@
 #include "avi/core/require.hpp"
 #include "separable.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -139,7 +140,7 @@ void Orbiter::prepare() {
   } else {
     for (Candidate& it : menu_)
       it.aside = it.noise * radians_ > std::max(0.3 * question_.tolerance, 3e-15 * radians_);
-    std::ranges::stable_partition(menu_, [](const Candidate& it) { return !it.aside; });
+    std::stable_partition(menu_.begin(), menu_.end(), [](const Candidate& it) { return !it.aside; });
   }
   for (Candidate& it : menu_)
     it.supplied = question_.gradient, it.recording = field_.recording();
