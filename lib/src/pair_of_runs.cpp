@@ -112,7 +112,7 @@ Journey Orbiter::begin(const Setting& setting, double factor) {
 void Orbiter::bound(Journey& journey, std::size_t mark) {
   // Over a hundred times what the sketch suggests is something else; over ten times, another monitor may be
   // better.
-  const bool first = journey.candidate->failures == 0 && menu_.size() > 1;
+  const bool first = journey.candidate->failures == 0 && has_a_choice();
   journey.most = 1e4 + (first ? 3e2 : 3e3) * expected_steps(*journey.candidate, journey.h, since_start(mark));
   // So is a run that takes long for what is but a hundred steps of the sketch, unless its step is given.
   if (question_.options.h > 0.0) return;
@@ -144,7 +144,8 @@ void Orbiter::stay_near(Candidate& it, const Sketch& there) {
   choice.poles.front() = root * root;
   Candidate other = candidate(it.name, question_, trip_->energy_at_start, choice);
   other.supplied = it.supplied, other.recording = it.recording;
-  other.outlook = it.outlook, other.fictive = it.fictive, other.longest = it.longest, other.noise = it.noise;
+  other.outlook = it.outlook, other.fictive = it.fictive, other.longest = it.longest, other.noise = it.noise,
+  other.aside = it.aside;
   it = std::move(other);
 }
 
@@ -183,9 +184,10 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
   if (journey.spent) bound_ = journey.run.outcome;
   if (journey.spent || round_ >= most_rounds || question_.options.h > 0.0) return false;
   if (instead_of_.candidate) {  // it does no better than what it was taken for
+    setting.candidate->aside = true;
     setting = std::exchange(instead_of_, {});
     coarse_.reset(), fine_.reset();
-    resolved_ = setting.h;
+    resolved_ = setting.h;  // what was run before is not stopped for its price
     resigned_ = true;
     return true;
   }
@@ -199,7 +201,7 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
     furthest_ = std::max(furthest_, reached);
     if (again) repeated_ = std::min(repeated_, reached);
   }
-  if (stopped ? it.failures == 0 && menu_.size() > 1 : !again) look_from(journey.state);
+  if (stopped ? it.failures == 0 && has_a_choice() : !again) look_from(journey.state);
   failed_at_ = reached;
   // A monitor may have a feature of its own there, or no value at all.
   const bool undefined = journey.run.outcome == Outcome::non_finite && !it.fixed();
@@ -360,7 +362,7 @@ bool Orbiter::take_from_aside(Setting& setting, double others) {
 bool Orbiter::try_others(Setting& setting) {
   others_tried_ = true;
   const double here = since_start(0);
-  if (!(span_ > 8.0 * here) || menu_.size() < 2) return false;
+  if (!(span_ > 8.0 * here) || !has_a_choice()) return false;
   const double behind = std::max(seen_.behind, 1e-300);
   const double wanted = wanted_part * question_.tolerance * here / span_ / std::max(high_speed_, 1e-300);
   // How much longer its steps may be.

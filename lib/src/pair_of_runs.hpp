@@ -3,6 +3,7 @@
 #include "journey.hpp"
 #include "orbiter.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -74,6 +75,9 @@ class Orbiter {
   void offer_splitting();
   [[nodiscard]] int order_of(const Candidate& it) const { return it.splits() ? 6 : order_; }
   [[nodiscard]] double first_step(const Candidate& it);
+  [[nodiscard]] bool has_a_choice() const {  // of candidates that are not aside
+    return std::ranges::count(menu_, false, &Candidate::aside) > 1;
+  }
   [[nodiscard]] double stable_step(const Candidate& it);
   [[nodiscard]] Setting first_setting();
   void bound(Journey& journey, std::size_t mark);
