@@ -119,7 +119,8 @@ Finding slow_start(const Results& data) {
   return finding(in_cases(slow) == Ruling::holds   ? Ruling::holds
                  : in_cases(even) == Ruling::holds ? Ruling::fails
                                                    : Ruling::undecided,
-                 "In the first tenth of the iterations the envelope of f falls through {}; an even fall "
+                 "In the first tenth of the iterations of the Adaptive runs the envelope of f falls through "
+                 "{}; an even fall "
                  "would be 10 %, and the source gives no measure of a start.",
                  fmt::join(seen, ", "));
 }
