@@ -4,7 +4,8 @@
 Changes one token of lib/avi or lib/src at random - an operator, a comparison, a constant - and compiles and runs the unit,
 property and stability tests that include the file until one fails: the nearest first, at most MOST_TESTS of them. Where the
 library's own sources are or include the file, these are compiled with the change, linked before what the library has
-unchanged to one program of all tests, and tried by those that call them, the nearest first, the short hostile draw last. A mutant
+unchanged to one program of all tests, and tried by those that call them, the nearest first, then by the ways of solve()
+through systems drawn at random, the others, the short hostile draw last. A mutant
 that none of them notices is printed as SURVIVED. One that does not compile is replaced by another, and so is one that cannot be
 noticed by construction: where the compiler makes the same instructions of it. The library is not touched: the changed file lies
 in a folder of its own that the compiler searches first. As many changes are tried at a time as there are processors.
@@ -25,7 +26,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 LIB, BUILD = ROOT / "lib", ROOT / "build" / "mutants"
 SOURCES = sorted((LIB / "src").glob("*.cpp"))
-HOSTILE = ROOT / "tests/hostile/hostile.cpp"
+HOSTILE, WAYS = ROOT / "tests/hostile/hostile.cpp", ROOT / "tests/hostile/ways.cpp"
 EIGEN = "/usr/include/eigen3"
 # With the checks of Eigen and of the standard library, which notice an index that is out of range.
 FLAGS = ["-std=c++20", "-ffp-contract=off", "--param=ggc-min-heapsize=1000000", "-D_GLIBCXX_ASSERTIONS", "-w", "-Wno-psabi",
@@ -40,7 +41,8 @@ PATIENCE = 60  # seconds for one test
 # A compiler cache does not notice that a header now lies earlier in the search path.
 ENVIRONMENT = {**os.environ, "CCACHE_DISABLE": "1"}
 GTEST = ["-lgtest_main", "-lgtest", "-lgsl", "-lgslcblas"]
-DRAW = "--systems 40 --seed 11 --tolerances 1e-4,1e-8,1e-12 --longest 10 --work 2e7 --seconds 30 --quiet".split()
+ARGUMENTS = {HOSTILE: "--systems 40 --seed 11 --tolerances 1e-4,1e-8,1e-12 --longest 10 --work 2e7 --seconds 30 --quiet".split(),
+             WAYS: [str(WAYS.with_suffix(".tsv"))]}
 COMMON = ["Eigen/Core", "Eigen/LU", "gtest/gtest.h", "algorithm", "cmath", "functional", "string", "vector"]
 
 # Binary operators stand between blanks (clang-format sees to that); template brackets do not.
@@ -150,7 +152,7 @@ class Tests:
         self.included = {test: steps_from(test) for test in found if test.stem.removesuffix("_test") not in timed}
         self.included = {test: steps for test, steps in self.included.items() if not any(map(is_linked, steps))}
         self.linked = {test: steps_from(test, linked=True) for test in self.included}
-        self.linked[HOSTILE] = steps_from(HOSTILE.with_name("call.cpp"), linked=True)
+        self.linked[HOSTILE] = self.linked[WAYS] = steps_from(HOSTILE.with_name("call.cpp"), linked=True)
         self.together = [test for test in self.included if ROOT / "tests/allocations.hpp" not in self.linked[test]]  # these count theirs alone
         self.within = {source: steps_from(source) for source in SOURCES}
         with ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -174,7 +176,8 @@ class Tests:
     def calling(self, changed, users, name):
         """The tests that are linked with one of the library's sources that include the file, in that order."""
         callers = self.nearest(self.linked, users, changed.stem, name)
-        return [test for test in callers if test != HOSTILE] + [HOSTILE] * (HOSTILE in callers)
+        others = [test for test in callers if test not in (HOSTILE, WAYS)]
+        return others[:1] + [WAYS] * (WAYS in callers) + others[1:] + [HOSTILE] * (HOSTILE in callers)
 
     def nearest(self, all_steps, files, stem, name):
         def rank(test):
@@ -207,15 +210,16 @@ class Tests:
                                                              *GTEST[1:], "-lpthread"], 600) != 0:
                 return None
             return self.timed(test, [str(program), test.stem, "--gtest_fail_fast"], patience)
-        sources = sorted(test.parent.glob("*.cpp")) if test == HOSTILE else [test]
-        sources = [source for source in sources if source.stem != "reference_test"]
+        sources = [test]
+        if test in (HOSTILE, WAYS):  # each a program of its own, with what both draw from
+            sources += [source for source in sorted(test.parent.glob("*.cpp")) if source.stem not in ("hostile", "ways", "reference_test")]
         objects = [self.object_of(source, folder if overlay else BUILD, list(overlay)) for source in sources]
         program = folder / test.stem
-        libraries = ["-lfmt"] if test == HOSTILE else GTEST
+        libraries = ["-lfmt"] if test in (HOSTILE, WAYS) else GTEST
         if not all(objects) or run(self.compiler + [*map(str, [*changed, *objects, self.library]), "-o", str(program), *libraries,
                                                     "-lpthread"], 600) != 0:
             return None
-        return self.timed(test, [str(program), *(DRAW if test == HOSTILE else ["--gtest_fail_fast"])], patience)
+        return self.timed(test, [str(program), *ARGUMENTS.get(test, ["--gtest_fail_fast"])], patience)
 
     def timed(self, test, command, patience):
         begin = time.time()
