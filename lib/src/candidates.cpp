@@ -302,7 +302,8 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
   };
   count_steps();
   // Where steps might be fewer, and, as it takes some microseconds to know, many would be saved.
-  const bool asked = question.options.monitor.name == "poles";
+  const std::string& wanted = question.options.monitor.name;
+  const bool asked = wanted == "poles";
   const bool promising = steps > (radians > 100.0 ? 1.2 : 1.5) * sketch.radians;
   if (sketch.samples.size() > 1 && (asked || promising)) {
     const Poles poles(*graph, energy);
@@ -334,11 +335,15 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
   }
   // Where the fastest part of the motion makes all steps many times shorter than the others need be, as when
   // two of many bodies meet.
-  if (sketch.samples.size() > 1 && steps > 5.0 * sketch.radians) {
+  if (sketch.samples.size() > 1 && (wanted == "acceleration" || steps > 5.0 * sketch.radians)) {
     menu.push_back(accelerated(graph, energy, energy_at_start, constants));
     look(menu.back(), cost(4.0 * plain + 50.0), measure(sketch, *graph, menu.back().rate_node(), strength));
   }
-  std::erase_if(menu, [](const Candidate& it) { return !it.fixed() && !std::isfinite(it.outlook); });
+  std::erase_if(menu, [&](const Candidate& it) {
+    const bool named =
+        it.name == wanted && it.name != "given" && it.longest > 0.0 && std::isfinite(it.longest);
+    return !it.fixed() && !named && !std::isfinite(it.outlook);
+  });
   std::ranges::stable_sort(menu, {}, &Candidate::outlook);
   return menu;
 }

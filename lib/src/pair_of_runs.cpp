@@ -114,8 +114,10 @@ void Orbiter::bound(Journey& journey, std::size_t mark) {
   // better.
   const bool first = journey.candidate->failures == 0 && has_a_choice();
   journey.most = 1e4 + (first ? 3e2 : 3e3) * expected_steps(*journey.candidate, journey.h, since_start(mark));
-  // So is a run that takes long for what is but a hundred steps of the sketch, unless its step is given.
-  if (question_.options.h > 0.0) return;
+  // So is a run that takes long for what is but a hundred steps of the sketch, unless its step is given, or a
+  // low order, which takes many.
+  const SolveOptions& options = question_.options;
+  if (options.h > 0.0 || (options.order > 0 && options.order < 6)) return;
   if (resolved_ == 0.0 || std::abs(journey.state.t - question_.t) < sketch_->time)
     journey.most = std::min(journey.most, patience / journey.candidate->price());
 }
@@ -132,7 +134,7 @@ bool Orbiter::go_on(Journey& journey, std::size_t mark) {
 /// the monitor of poles the constant with which its steps there are not longer than they were.
 void Orbiter::stay_near(Candidate& it, const Sketch& there) {
   Choice& choice = answer_.choice;
-  if (question_.made || choice.poles.empty() || !(it.longest > 0.0)) return;
+  if (question_.made || !(it.longest > 0.0)) return;
   const double usual = distance_->frequency, before = std::sqrt(choice.poles.front());
   double root = before;
   for (const Sketch::Sample& sample : there.samples) {

@@ -188,7 +188,8 @@ double Orbiter::first_step(const Candidate& it) {
   // fictive time than the radians of its fastest part tell.
   const int order = order_of(it);
   const double usual = it.splits() ? 8.0 : it.fixed() ? (order == 8 ? 6.0 : 7.2) : (order == 8 ? 9.5 : 10.5);
-  const double radians = std::clamp(usual * std::pow(aim_, 1.0 / order), 0.01, it.fixed() ? 2.2 : 3.5);
+  const double radians =
+      std::clamp(usual * std::pow(aim_, 1.0 / order), order < 6 ? 1e-5 : 0.01, it.fixed() ? 2.2 : 3.5);
   return std::min({it.longest > 0.0 ? radians / it.longest : infinity, longest_step(it) / longer,
                    field_.size() > 4 ? stable_step(it) / longer : infinity});
 }
@@ -344,6 +345,11 @@ OrbitAnswer Orbiter::finish() {
         text << "The run was given up: from t = " << question_.t + sense_ * dead_end_
              << " on no step is short enough; the orbit meets a singularity of H there, or leaves where H is "
                 "a number.";
+      else if (const std::string& named = question_.options.monitor.name; !named.empty())
+        text << "The run was given up: with monitor " << named
+             << ", as asked for, it takes over a hundred times the steps that its beginning suggests; where "
+                "none "
+                "is named, one that suits the orbit is chosen.";
       else
         text << "The run was given up: it takes over a hundred times the steps that its beginning suggests; "
                 "the orbit may come near a singularity of H.";

@@ -67,6 +67,39 @@ TEST(Checkpoint, OfARunThatMetABoundGoesOnWithTheSameBits) {
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
+/// The distance in Kepler's problem with unit angular momentum.
+const auto distance = [](const auto& q, const auto& p) {
+  return 0.5 * p[0] * p[0] + 0.5 / (q[0] * q[0]) - 1.0 / q[0];
+};
+const auto disturbed = [](const auto& q, const auto& t, const auto& p) {
+  return distance(q, p) + 0.01 * q[0] * cos(0.3 * t);
+};
+
+TEST(Checkpoint, OfEveryMonitorGoesOnWithTheSameBits) {
+  const std::string file = file_named("monitor");
+  const State<1> near{.q = {0.6}, .p = {0.0}};
+  const auto goes_on = [&](const auto& h, const avi::SolveMonitor& monitor) {
+    const double step = avi::solve(h, near, 200.0, 1e-8, {.check = false, .monitor = monitor}).choice.h;
+    avi::SolveOptions all{.check = false, .monitor = monitor, .h = step, .checkpoint = file}, some = all;
+    some.steps = 300;
+    const auto whole = avi::solve(h, near, 2000.0, 1e-8, all);
+    ASSERT_TRUE(whole.ok()) << whole.report();
+    const auto part = avi::solve(h, near, 2000.0, 1e-8, some);
+    EXPECT_EQ(part.run.outcome, avi::Outcome::step_limit) << monitor.name;
+    const auto rest = avi::resume<1>(h, file, all);
+    EXPECT_TRUE(rest.ok()) << rest.report();
+    EXPECT_EQ(rest.state, whole.state) << monitor.name;
+    EXPECT_EQ(rest.run.steps, whole.run.steps) << monitor.name;
+    EXPECT_EQ(rest.choice.name, whole.choice.name);
+  };
+  for (const char* const name : {"fixed", "energy", "energy^1.5", "poles", "acceleration", "splitting"})
+    goes_on(distance, name);
+  goes_on(disturbed, "energy");
+  goes_on(distance, avi::SolveMonitor([](const auto& q) { return q[0]; }));
+  goes_on(disturbed,
+          avi::SolveMonitor([](const auto& q, const auto& t, const auto&) { return q[0] + 0.0 * t; }));
+}
+
 TEST(Checkpoint, OfAKilledProcessGoesOnWithTheSameBits) {
   const std::string file = file_named("killed");
   const auto whole = avi::solve(HenonHeiles(), start, times, 1e-8, options(file));

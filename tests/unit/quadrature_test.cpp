@@ -72,6 +72,8 @@ TEST(Quadrature, RefusesWhatIsNoRule) {
   EXPECT_THROW(avi::validate({"empty", 1, {}, {}}), std::invalid_argument);
   EXPECT_THROW(avi::validate({"odd", 1, {0.0, 1.0}, {1.0}}), std::invalid_argument);
   EXPECT_THROW(avi::validate({"heavy", 1, {0.5}, {2.0}}), std::invalid_argument);
+  EXPECT_THROW(avi::validate({"a little heavy", 1, {0.5}, {1.0 + 1.2e-12}}), std::invalid_argument);
+  EXPECT_NO_THROW(avi::validate({"rounded", 1, {0.5}, {1.0 + 8e-13}}));
   EXPECT_THROW(avi::validate({"nan", 1, {std::nan("")}, {1.0}}), std::invalid_argument);
 }
 
