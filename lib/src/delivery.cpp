@@ -138,9 +138,10 @@ void Delivery::step() {
   State<dynamic> last = after;
   double part = 1.0;
   if (sense * (after.t - end) > 0.0) {
-    part = part_at(*steps_, candidate_, before, h_, after.t, end);
-    spend(land(*steps_->clone(), candidate_, field_, before, h_, after.t, end, last));
+    double size = h_;
+    spend(land(*steps_->clone(), candidate_, field_, before, h_, after.t, end, last, &size));
     if (!run_.ok()) return;
+    part = size / h_;
   }
   const Stride stride{*steps_, before, last, h_, part};
   if (!watches_.empty()) find_events(stride, last);

@@ -67,11 +67,13 @@ inline double part_at(const OrbitSteps& method, Candidate& candidate, const Stat
 /// The state at the time t, of a step from `before` that passes it and was the last one of `method`: by
 /// shorter steps of that from there, of the size at which its polynomial has the time t, then by Newton's
 /// method for dt/dtau = g, and a straight line for the last 1e-9 of the step.
-/// @return outcome of the last step
+/// @param its_size gets the size of the last step @return outcome of it
 inline StepReport land(OrbitSteps& method, Candidate& candidate, PointField& field,
-                       const State<dynamic>& before, double h, double after, double t, State<dynamic>& z) {
+                       const State<dynamic>& before, double h, double after, double t, State<dynamic>& z,
+                       double* its_size = nullptr) {
   StepReport report{.evaluations = 0};
   double size = h * part_at(method, candidate, before, h, after, t);
+  if (its_size) *its_size = size;
   z = before;
   for (int k = 0; k < 12 && size != 0.0; ++k) {
     z = before;
@@ -79,6 +81,7 @@ inline StepReport land(OrbitSteps& method, Candidate& candidate, PointField& fie
     report.outcome = step.outcome;
     report.evaluations += step.evaluations;
     if (step.outcome != Outcome::ok) return report;
+    if (its_size) *its_size = size;
     if (std::abs(t - z.t) <= 1e-9 * std::abs(after - before.t)) break;
     const double next = size + (t - z.t) / candidate.rate_at(z);
     size = next / h > 0.0 && next / h < 1.0 ? next : size * (t - before.t) / (z.t - before.t);

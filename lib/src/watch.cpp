@@ -110,10 +110,22 @@ void Watch::add_turning_points(const Stride& stride) {
   std::ranges::sort(samples_, {}, &Sample::part);
 }
 
-/// The zero between two points of the step, by steps of the method. @param none there is none: it was the
-/// polynomial's alone
-Hit Watch::locate(const Stride& stride, const Sample& low, const Sample& high, long& evaluations,
-                  bool& none) {
+/// The state on g = 0 in the straight piece with which a landing ends. @param begin of that piece
+State<dynamic> Watch::between(const State<dynamic>& begin, const State<dynamic>& end) {
+  const double at_begin = at(begin), at_end = at(end), part = at_begin / (at_begin - at_end);
+  State<dynamic> there = begin;
+  there.q += part * (end.q - begin.q);
+  there.p += part * (end.p - begin.p);
+  there.t += part * (end.t - begin.t);
+  return at(there) * at_end >= 0.0 ? there : end;
+}
+
+/// The zero between the points number k and k + 1 of the step, by steps of the method; or beside them, as the
+/// polynomial of a step is not quite its states. @param none there is none: it was the polynomial's alone
+Hit Watch::locate(const Stride& stride, std::size_t k, long& evaluations, bool& none) {
+  const Sample &low = samples_[k], &high = samples_[k + 1];
+  const double lowest = samples_[std::max<std::size_t>(k, 1) - 1].part,
+               highest = samples_[std::min(k + 2, samples_.size() - 1)].part;
   const double sign = std::copysign(1.0, high.g == 0.0 ? -low.g : high.g);
   const double place = bracketed_root([&](double part) { return sign * on(stride, part); }, low.part,
                                       sign * low.g, high.part, sign * high.g, 0.0)
@@ -135,13 +147,26 @@ Hit Watch::locate(const Stride& stride, const Sample& low, const Sample& high, l
     return hit;
   };
   for (double width = 1e-5;; width *= 40.0) {
-    const double from = std::max(low.part, place - width), to = std::min(high.part, place + width);
-    const Located<State<dynamic>> end = there(to), begin = there(from);
+    const double from = std::max(lowest, place - width), to = std::min(highest, place + width);
+    Located<State<dynamic>> end = there(to);
+    const Located<State<dynamic>> begin = there(from);
     if (!end.ok()) return fail(end);
     if (!begin.ok()) return fail(begin);
-    const double at_end = at(end.state), at_begin = at(begin.state);
-    const bool widest = from == low.part && to == high.part;
+    double at_end = at(end.state);
+    const double at_begin = at(begin.state);
+    const bool widest = from == lowest && to == highest;
     if (sign * at_begin < 0.0 && sign * at_end >= 0.0) {
+      if (to == stride.part && stride.part < 1.0) {
+        Located<State<dynamic>> landed = whole.part(to);
+        evaluations += landed.evaluations;
+        if (!landed.ok()) return fail(landed);
+        if (sign * at(landed.state) < 0.0) {
+          hit.state = between(landed.state, end.state);
+          return hit;
+        }
+        end = std::move(landed);
+        at_end = at(end.state);
+      }
       if (at_end == 0.0) {
         hit.state = end.state;
         return hit;
@@ -176,7 +201,7 @@ long Watch::look(const Stride& stride, bool first, std::vector<Hit>& hits) {
   for (std::size_t k = 0; k + 1 < samples_.size(); ++k) {
     if (!crosses(samples_[k].g, samples_[k + 1].g)) continue;
     bool none = false;
-    Hit hit = locate(stride, samples_[k], samples_[k + 1], evaluations, none);
+    Hit hit = locate(stride, k, evaluations, none);
     if (none) continue;
     hits.push_back(std::move(hit));
     if (hits.back().outcome != Outcome::ok) break;

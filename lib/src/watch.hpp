@@ -64,7 +64,8 @@ class Watch {
   }
   void sample(const Stride& stride, bool first);
   void add_turning_points(const Stride& stride);
-  Hit locate(const Stride& stride, const Sample& low, const Sample& high, long& evaluations, bool& none);
+  State<dynamic> between(const State<dynamic>& begin, const State<dynamic>& end);
+  Hit locate(const Stride& stride, std::size_t k, long& evaluations, bool& none);
 
   RecordedFormula<double> formula_;
   EventRules rules_;

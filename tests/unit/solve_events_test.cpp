@@ -133,6 +133,38 @@ TEST(SolveEvents, AreSeenSoonAfterAZeroThatARunBeginsOn) {
   }
 }
 
+// Over whole periods zeros lie on the points at which a step is looked at, where its polynomial and its
+// states may have different signs.
+TEST(SolveEvents, AreSeenOnThePointsThatAreLookedAt) {
+  for (const double tolerance : {1e-2, 1e-4, 3e-5, 1e-6, 3e-7, 1e-8, 1e-9})
+    for (int half_turns = 1; half_turns <= 6; ++half_turns)
+      for (const int order : {0, 8}) {
+        const double end = half_turns * M_PI;
+        const auto found =
+            solve(spring(), at(1.0, 0.0), end, tolerance, {.order = order, .events = {when(position)}});
+        EXPECT_EQ(static_cast<int>(found.events.size()), half_turns) << tolerance << " " << found.report();
+        const auto from_zero =
+            solve(spring(), at(0.0, 1.0), end - 1.0, tolerance, {.order = order, .events = {when(position)}});
+        EXPECT_EQ(static_cast<int>(from_zero.events.size()), half_turns - 1) << tolerance;
+      }
+}
+
+// A run lands on its end by a straight line from a state that is a little off.
+TEST(SolveEvents, MayLieOnTheEnd) {
+  for (const double tolerance : {1e-4, 1e-6, 1e-9, 1e-11})
+    for (int half_turns = 1; half_turns <= 2; ++half_turns)
+      for (const double e : {0.1, 0.5, 0.9}) {
+        const auto found = solve(Kepler(), Kepler::pericentre(e), half_turns * M_PI, tolerance,
+                                 {.events = {when([](const auto& q, const auto&) { return q[1]; })}});
+        EXPECT_TRUE(found.kept()) << found.report();
+        EXPECT_GE(static_cast<int>(found.events.size()), half_turns - 1);
+        for (std::size_t i = 0; i < found.events.size(); ++i) {
+          EXPECT_NEAR(found.events[i].state.t, (static_cast<double>(i) + 1.0) * M_PI, 1e2 * tolerance);
+          EXPECT_NEAR(found.events[i].state.q[1], 0.0, 1e-14);
+        }
+      }
+}
+
 TEST(SolveEvents, EndAsInTheLoopWhereThereIsNoZero) {
   const auto pole = [](const auto& q, const auto&) { return 1.0 / (q[0] - 0.3); };
   const auto at_pole = solve(spring(), at(1.0, 0.0), 10.0, 1e-8, {.events = {when(pole)}});
