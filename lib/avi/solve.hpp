@@ -132,7 +132,9 @@ struct SolveOptions {
   std::function<bool(const SolveProgress&)> progress = {};
   /// File in which the run is kept for resume() until it has come to its end; empty for none. So that a run
   /// that goes on has the same bits, the method begins anew every 4096 steps, each time with a rounding
-  /// error.
+  /// error. It is that of the states delivered, which begins when all is chosen: with `check`, when two runs
+  /// have come to the end. Until then there is no file, and a bound that is met leaves what was chosen so
+  /// far.
   std::string checkpoint = {};
   double checkpoint_seconds = 60.0;  ///< After which the file is written anew; at least 0.
 };

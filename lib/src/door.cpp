@@ -162,7 +162,8 @@ class Call {
       delivery.deliver(answer);
       if (!delivery.run().ok()) {
         answer.state_error = infinity;
-        if (!planned.ok() && planned.outcome == delivery.run().outcome) answer.run.message = planned.message;
+        const bool same = planned.outcome == delivery.run().outcome && planned.steps == delivery.run().steps;
+        if (!planned.ok() && same) answer.run.message = planned.message;
       }
       return answer;
     }

@@ -97,4 +97,17 @@ TEST(OutputTimes, AreRefusedOutOfOrder) {
     EXPECT_THROW((void)solve(spring(), z, times, 1e-6), std::invalid_argument);
 }
 
+// The sentence is of the run that is delivered, though others met the bound before it.
+TEST(OutputTimes, EndAtABoundWithTheStepsThatWereTaken) {
+  for (const long most : {100, 300, 700}) {
+    const auto found =
+        avi::solve(avi::Kepler(), avi::Kepler::pericentre(0.5), std::vector<double>{200.0, 1000.0}, 1e-9,
+                   {.steps = most, .monitor = "fixed"});
+    ASSERT_EQ(found.run.outcome, avi::Outcome::step_limit);
+    EXPECT_NE(found.run.message.find("after " + std::to_string(found.run.steps) + " steps"),
+              std::string::npos)
+        << found.run.message;
+  }
+}
+
 }  // namespace output_times_test
