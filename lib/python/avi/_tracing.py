@@ -104,7 +104,7 @@ def _array_ufunc(self, ufunc, method, *inputs, out=None, axis=0, **options):
         raise TypeError(f"np.{name}: {_ROUNDING}")
     if method != "__call__" or options:
         words = [f"with {', '.join(options)}="] * bool(options) + [f"as np.{name}.{method}"] * (method != "__call__")
-        raise TypeError(f"np.{name} cannot be traced {' '.join(words)}; it can be as np.{name}(x).")
+        raise TypeError(f"np.{name} cannot be traced {' '.join(words)}.")
     raise TypeError(f"np.{name} cannot be traced here; avi.functions() lists what can.")
 
 
@@ -251,6 +251,7 @@ _EQUAL = "It would ask whether numbers that have no value yet are equal: write a
 _NOT_HERE = {
     **dict.fromkeys(("fill_diagonal", "put", "copyto", "putmask", "place", "put_along_axis"), _ASSIGN),
     **dict.fromkeys(("array_equal", "array_equiv", "allclose", "isclose"), _EQUAL),
+    "piecewise": "Write avi.where(condition, x, y), or np.select([a < b, c < d], [x, y], z).",
     **dict.fromkeys(("round", "around", "round_", "fix"), _ROUNDING),
 }
 _NOT_HERE["fill_diagonal"] += " A diagonal is taken away by a * (1 - np.eye(n)) and put in by + np.eye(n) * b."
