@@ -188,6 +188,8 @@ def solve(
     monitor: Monitor | None = ...,
     h: float | None = ...,
     dense: bool = ...,
+    checkpoint: str | PathLike[str] | None = ...,
+    checkpoint_seconds: float | None = ...,
 ) -> Orbit: ...
 def ensemble(
     H: Callable[..., Any] | Formula,

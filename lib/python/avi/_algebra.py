@@ -54,7 +54,8 @@ def einsum(subscripts, *operands, optimize=False):
     import numpy as np
 
     if len(terms) == 1 and set(output) == set(letters):  # nothing is summed: a view
-        return given[0]._view(np.einsum(f"{terms[0]}->{output}", given[0]._numbers)) if isinstance(given[0], Traced) else np.einsum(subscripts, *given)
+        moved = lambda x: np.einsum(f"{terms[0]}->{output}", x)
+        return given[0]._view(moved(given[0]._numbers)) if isinstance(given[0], Traced) else moved(given[0])
     result = 1.0
     for term, x in zip(terms, operands):
         own = sorted(set(term))
@@ -148,6 +149,10 @@ def determinant(a):
 
 
 def norm(x, ord=None, axis=None, keepdims=False):
-    if ord not in (None, 2, "fro") or (ord == 2 and (len(x.shape) > 1 if axis is None else hasattr(axis, "__len__") and len(axis) > 1)):
-        raise TypeError("np.linalg.norm can be traced as the 2-norm of vectors, and as the root of the sum of squares of a matrix; write another norm out with np.abs, np.sum and avi.maximum.")
+    of_matrix = len(x.shape) > 1 if axis is None else hasattr(axis, "__len__") and len(axis) > 1
+    if ord not in (None, 2, "fro") or (ord == 2 and of_matrix):
+        raise TypeError(
+            "np.linalg.norm can be traced as the 2-norm of vectors, and as the root of the sum of squares of a matrix; write another norm out "
+            "with np.abs, np.sum and avi.maximum."
+        )
     return (x * x).sum(axis=axis, keepdims=keepdims).sqrt()

@@ -76,9 +76,8 @@ class Orbit:
 
     def __deepcopy__(self, memo):
         """Arrays of its own; sol and what the library reported cannot be changed, and are shared."""
-        other, y = self.__copy__(), self.y.copy()
-        other.__init__(self._report, self.energy.copy(), self.q.shape[:-1], self.t.copy(), y, self.sol, *copy.deepcopy((self.t_events, self.y_events)), self._stopped)
-        return other
+        t, y, energy, events = self.t.copy(), self.y.copy(), self.energy.copy(), copy.deepcopy((self.t_events, self.y_events), memo)
+        return Orbit(self._report, energy, self.q.shape[:-1], t, y, self.sol, *events, self._stopped)
 
 
 _avi.Choice.__repr__ = lambda self: f"monitor {self.monitor}, order {self.order}, h = {self.h:.3g}"
@@ -206,7 +205,8 @@ def solve(H, q, p, t, tol, *, events=(), progress=None, parameters=(), **options
     dense     keeps the orbit between the times, for `sol`
     seconds, sweeps, steps   bounds on wall-clock time, on evaluations of all stages and on steps; a run that meets one keeps what it has
     order, monitor, h        of the method, for who does not want them chosen: 2, 4 ... 16; the step in fictive time; "fixed", "energy",
-           "energy^1.5", "poles", "acceleration", "splitting", or a function g(q, p) or g(q, t, p), positive and smooth, which is traced as H is: dt = g dtau
+           "energy^1.5", "poles", "acceleration", "splitting", or a function g(q, p), positive and smooth, which is traced as H is: dt = g dtau;
+           g(q, t, p) where H is H(q, t, p). A step is given together with a monitor
     check  long runs are made twice, so that all of it is compared
     checkpoint, checkpoint_seconds   a file in which the run is kept for resume(), and how often
 
@@ -240,8 +240,8 @@ def ensemble(H, q, p, t, tol, *, events=(), progress=None, parameters=(), thread
     q, p   starts, along the first axis
     progress  True for a line that shows how many are done, or a function called with (fraction, done) after each
 
-    H and events are traced once. Every orbit has the digits that it has alone. Ctrl-C ends the runs, as a StopIteration of `progress` does; those that had not begun have the
-    status -1. Other arguments are those of solve(), but for checkpoint=, which is for one run.
+    H and events are traced once. Every orbit has the digits that it has alone. Ctrl-C ends the runs, and so does a StopIteration of
+    `progress`; those that had not begun have the status -1. Other arguments are those of solve(), but for checkpoint=, which is for one run.
     """
     import numpy as np
 
@@ -415,7 +415,12 @@ class _Question:
         return Orbit(report, self.formula, self.shape, t, z.T, sol if curve else None, times, states, stopped)
 
 
-_KINDS = {"monitor": "a name or a function", "checkpoint": "a path", "seconds": "a number", "sweeps": "a whole number", "steps": "a whole number"}
+_KINDS = {
+    "monitor": "a name or a function",
+    "checkpoint": "a path",
+    **dict.fromkeys(("seconds", "h", "checkpoint_seconds"), "a number"),
+    **dict.fromkeys(("sweeps", "steps", "order"), "a whole number"),
+}
 
 
 def _options(chosen, options, names, function):
