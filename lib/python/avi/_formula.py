@@ -148,7 +148,7 @@ def _is_timed(f, more, name):
     if of[:1] + of[-1:] == ("p", "q"):
         raise TypeError(f"{name} calls its arguments {called}; {order}")
     if timed and of[1] == "p" and of[2] != "p":
-        asked = "" if more else f", and {of[2]} comes where parameters=[...] are given"
+        asked = "" if more or name != "H" else f", and {of[2]} comes where parameters=[...] are given"
         raise TypeError(f"{name} calls its arguments {called}; {order[:-1]}{asked}.")
     return timed
 

@@ -134,6 +134,8 @@ def event(g, *, direction=0, count=0, stop=False):
     """
     if direction not in (-1, 0, 1):
         raise _wrong(direction, numbers.Real)(f"The direction of an event is {direction!r}; it must be 1, -1, or 0 for both.")
+    if not isinstance(stop, bool) and getattr(getattr(stop, "dtype", None), "kind", "") != "b":
+        raise TypeError(f"stop of an event is {stop!r}; it must be True or False, beside count=2 where the second is to end the run.")
     return Event(g, int(direction), _whole(count, "The count of an event", 0), bool(stop))
 
 

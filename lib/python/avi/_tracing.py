@@ -303,7 +303,9 @@ def _array_function(self, function, types, args, kwargs):
     try:
         result = function(*objects, **{key: _objects(x) for key, x in kwargs.items()})
     except (TypeError, ValueError) as error:
-        raise (ValueError if isinstance(error, ValueError) else TypeError)(f"{full} cannot be traced: {error}") from None
+        of_ours = isinstance(error.__cause__, TypeError)  # where NumPy has words of its own for it
+        kind = TypeError if of_ours or isinstance(error, TypeError) else ValueError
+        raise kind(f"{full} cannot be traced: {error.__cause__ if of_ours else error}") from None
     if name in _FILLED:
         room = np.empty(result.shape, dtype=object)
         for i in np.ndindex(result.shape):

@@ -171,12 +171,21 @@ const Traced& operand(py::handle x, Traced& room) {
     return room;
   }
   const py::array array = py::array::ensure(x);
-  const char kind = array ? array.dtype().kind() : '?';
+  char kind = array ? array.dtype().kind() : '?';
+  if (kind == 'O' && array.ndim() == 0 && !py::isinstance<py::array>(x)) {  // an object that is no array
+    const double number = PyFloat_AsDouble(x.ptr());                        // of a Fraction, for one
+    if (!PyErr_Occurred()) {
+      room.entries.assign(1, number);
+      return room;
+    }
+    kind = '?';
+  }
   if (!array || std::string_view("biufO").find(kind) == std::string_view::npos) {
     PyErr_Clear();
-    throw py::type_error("A traced number meets a " +
-                         std::string(py::str(py::type::handle_of(x).attr("__name__"))) +
-                         (kind == 'c' ? " of complex numbers" : "") +
+    throw py::type_error("A traced number meets " +
+                         (kind == 'c'
+                              ? "complex numbers"
+                              : "a " + std::string(py::str(py::type::handle_of(x).attr("__name__")))) +
                          "; it can be combined with real numbers and arrays of them.");
   }
   if (py::hasattr(x, "mask"))
@@ -188,9 +197,11 @@ const Traced& operand(py::handle x, Traced& room) {
   if (kind == 'O') {
     room.condition = array.size() > 0;
     for (const py::handle each : array.attr("ravel")()) {
-      if (py::isinstance<py::array>(each)) throw py::type_error("Rows of an array are of different lengths.");
       Traced own;
       const Traced& entry = operand(each, own);
+      if (py::isinstance<py::array>(each) || !entry.shape.empty())
+        throw py::type_error(
+            "An entry of an array of objects is an array; np.stack([u, v]) makes one array of several.");
       if (entry.graph) room.graph = entry.graph;
       room.condition = room.condition && entry.condition;
       room.entries.push_back(entry.entries[0]);

@@ -1,6 +1,7 @@
 """What is refused, each with the words that say what to write instead; and what is taken although it is unusual."""
 
 import copy
+import fractions
 import pathlib
 import tempfile
 import unittest
@@ -86,6 +87,11 @@ class Refused(unittest.TestCase):
             self.check([(traced(lambda q, p: f(q)), TypeError, "no other way to write them.*np.sin and np.cos take it")])
 
     def test_arrays(self):
+        def rows_as_objects(p):
+            rows = np.empty(2, dtype=object)
+            rows[0], rows[1] = p, p
+            return rows
+
         left = lambda f: lambda q, p: np.sum(f(np.zeros(2, dtype=q.dtype)))
         self.check(
             [
@@ -97,6 +103,11 @@ class Refused(unittest.TestCase):
                 (traced(lambda q, p: np.sin(q, where=[True, False])[0]), TypeError, "np.sin cannot be traced with where="),
                 (traced(lambda q, p: np.sum(q * np.ma.masked_array([1.0, 2.0], [0, 1]))), TypeError, "mask"),
                 (traced(lambda q, p: np.sum(q * np.array([1j, 2]))), TypeError, "complex numbers"),
+                (traced(lambda q, p: q * {1: 2}), TypeError, "meets a dict; it can be combined with real numbers"),
+                (traced(lambda q, p: q * None), TypeError, "meets a NoneType"),
+                (traced(lambda q, p: np.sum(q * rows_as_objects(p))), TypeError, "An entry of an array of objects is an array"),
+                (traced(lambda q, p: np.sum(q * np.array([[1], [2, 3]], dtype=object))), TypeError, "An entry of an array of objects is an array"),
+                (traced(lambda q, p: np.gradient(q)[0]), TypeError, "np.gradient cannot be traced: .*fill"),
                 (traced(lambda q, p: np.piecewise(q, [q < 0], [0, 1])[0]), TypeError, "np.select"),
                 (solved(q=np.array([0.5 + 1j, 0.0])), TypeError, "q is complex; it must be a real number"),
                 (solved(p=np.ma.masked_array([1.0, 2.0], [0, 1])), TypeError, "p is an array with a mask"),
@@ -108,6 +119,7 @@ class Refused(unittest.TestCase):
                 (solved(tol=None), TypeError, "tol is None; it must be a number"),
             ]
         )
+        self.assertEqual(avi.objective(lambda x: fractions.Fraction(1, 4) * x[0] + np.array([fractions.Fraction(1, 2)])[0] * x[0], 1).value([1.0]), 0.75)
         room = np.zeros(2, dtype=object)
         for f in (lambda z, x: np.sum(avi.where(x > z, x, z)), lambda z, x: np.sum(avi.maximum(z, x)), lambda z, x: np.sum(avi.minimum(z, x) ** 2)):
             self.assertEqual(avi.objective(lambda x: f(room, x), 2).value([0.5, -0.5]), float(f(np.zeros(2), np.array([0.5, -0.5]))))
@@ -144,6 +156,7 @@ class Refused(unittest.TestCase):
                 (lambda: avi.event(zero, count=-1), ValueError, "between 0 and"),
                 (lambda: avi.event(zero, direction=0.5), ValueError, "direction of an event is 0.5; it must be 1, -1, or 0"),
                 (lambda: avi.event(zero, direction="up"), TypeError, "direction of an event is 'up'"),
+                (lambda: avi.event(zero, stop=2), TypeError, "stop of an event is 2; .* beside count=2"),
                 (solved(events=marked(direction="up")), TypeError, "direction of an event is 'up'"),
                 (solved(events=marked(terminal=2.5)), TypeError, "terminal of an event is 2.5"),
                 (solved(events=["q"]), TypeError, "An event is 'q'; it must be a function"),
