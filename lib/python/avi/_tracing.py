@@ -242,7 +242,7 @@ _FUNCTIONS["max"], _FUNCTIONS["min"] = _FUNCTIONS["amax"], _FUNCTIONS["amin"]
 _JOINS = {"concatenate", "stack", "hstack", "vstack", "column_stack", "dstack"}
 _MOVES = {"roll", "repeat", "tile", "copy"}
 _VIEWS = set(
-    "reshape ravel transpose flip fliplr flipud squeeze expand_dims moveaxis rollaxis swapaxes broadcast_to diagonal atleast_1d atleast_2d "
+    "transpose flip fliplr flipud squeeze expand_dims moveaxis rollaxis swapaxes broadcast_to diagonal atleast_1d atleast_2d "
     "atleast_3d rot90 split array_split hsplit vsplit dsplit matrix_transpose permute_dims unstack".split()
 )
 _FILLED = {"zeros_like", "ones_like", "empty_like", "full_like"}  # stay arrays of objects, which can be filled
@@ -293,6 +293,8 @@ def _array_function(self, function, types, args, kwargs):
         return known(*args, **kwargs)
     if name in _JOINS:
         return _joined(function, *args, **kwargs)
+    if name in ("reshape", "ravel") and args[:1] and args[0] is self:
+        return _reshaped(name)(self, *args[1:], **kwargs)
     if name in _MOVES | _VIEWS and args[:1] and args[0] is self and not (name.startswith("atleast") and len(args) > 1):
         moved = function(args[0]._numbers, *args[1:], **kwargs)
         return args[0]._take(moved) if name in _MOVES else _of_view(args[0], moved)
@@ -343,6 +345,24 @@ def _moved(name, take):
     return lambda self, *args, **kwargs: getattr(self, take)(getattr(self._numbers, name)(*args, **kwargs))
 
 
+def _reshaped(name):
+    def reshape(self, *args, **kwargs):
+        """A view where NumPy makes one, a copy where it has to; where that is not known, neither array is assigned to any more."""
+        import numpy as np
+
+        numbers = self._numbers
+        moved = getattr(numbers, name)(*args, **kwargs)
+        if self._regular and np.may_share_memory(moved, numbers):
+            return self._view(moved)
+        result = self._take(moved)
+        if not self._regular:
+            self._fix()
+            result._fix()
+        return result
+
+    return reshape
+
+
 def _array(self):
     """What np.asarray() makes of several numbers: an array of objects that cannot be changed, as it is a copy."""
     if not self.shape:
@@ -387,7 +407,8 @@ Traced.__format__ = lambda self, spec: repr(self)
 Traced.tolist = lambda self: [each.tolist() for each in self] if self.shape else self
 Traced.item = lambda self, i=0: self.ravel()[i]
 Traced.T = property(lambda self: self._view(self._numbers.T))
-for _name in ("reshape", "ravel", "transpose", "squeeze", "swapaxes", "diagonal"):
+Traced.reshape, Traced.ravel = _reshaped("reshape"), _reshaped("ravel")
+for _name in ("transpose", "squeeze", "swapaxes", "diagonal"):
     setattr(Traced, _name, _moved(_name, "_view"))
 for _name in ("flatten", "repeat"):
     setattr(Traced, _name, _moved(_name, "_take"))

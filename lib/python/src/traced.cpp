@@ -99,7 +99,7 @@ py::object numbers(const Traced& x) {
 
 /// The entries with these numbers, in the shape of the numbers.
 Traced take(const Traced& x, const Places& which) {
-  Traced result{x.graph, {}, {which.shape(), which.shape() + which.ndim()}, x.condition};
+  Traced result{x.graph, {}, {which.shape(), which.shape() + which.ndim()}, x.condition, x.regular};
   for (py::ssize_t i = 0; i < which.size(); ++i)
     result.entries.push_back(x.entries.at(static_cast<std::size_t>(which.data()[i])));
   return result;
@@ -127,6 +127,12 @@ Cells& cells_of(Traced& x) {
 /// As take(), with entries that are those of x whatever is assigned to either.
 Traced view(Traced& x, const Places& which) {
   Traced result = take(current(x), which);
+  const auto steps_alike = [at = which.data(), count = which.size()] {
+    for (py::ssize_t i = 2; i < count; ++i)
+      if (at[i] - at[i - 1] != at[1] - at[0]) return false;
+    return true;
+  };
+  result.regular = which.ndim() < 2 || (x.regular && steps_alike());
   result.seen = cells_of(x).version, result.cells = x.cells;
   for (py::ssize_t i = 0; i < which.size(); ++i)
     result.places.push_back(x.places[static_cast<std::size_t>(which.data()[i])]);
@@ -144,9 +150,9 @@ void assign(Traced& x, const Traced& value) {
     std::vector<std::size_t> once = x.places;
     std::sort(once.begin(), once.end());
     if (x.cells->fixed || std::adjacent_find(once.begin(), once.end()) != once.end())
-      throw py::type_error("This array cannot be changed, since np.asarray(), np.array() or "
-                           "np.broadcast_to() has made another of it "
-                           "that would not follow: write a = a + b instead of a += b.");
+      throw py::type_error("This array cannot be changed, since np.asarray(), np.broadcast_to() or a "
+                           "reshape() that may be a copy has made "
+                           "another of it that would not follow: write a = a + b instead of a += b.");
     x.cells->graph = x.graph ? x.graph : value.graph, x.seen = ++x.cells->version;
     for (std::size_t i = 0; i < x.places.size(); ++i)
       x.cells->entries[x.places[i]] = value.entries[i];
@@ -193,6 +199,7 @@ const Traced& operand(py::handle x, Traced& room) {
         "A traced number meets an array with a mask, which would be lost: write a.filled(0.0) "
         "or a.data.");
   room.shape.assign(array.shape(), array.shape() + array.ndim());
+  room.regular = (array.flags() & py::array::c_style) != 0 || array.ndim() < 2;
   room.entries.reserve(static_cast<std::size_t>(array.size()));
   if (kind == 'O') {
     room.condition = array.size() > 0;
@@ -215,7 +222,7 @@ const Traced& operand(py::handle x, Traced& room) {
 }
 
 Traced apply(One f, const Traced& a) {
-  Traced result{a.graph, {}, a.shape};
+  Traced result{a.graph, {}, a.shape, false, a.regular};
   result.entries.reserve(a.entries.size());
   for (const Recorded& x : a.entries)
     result.entries.push_back(f(x));
@@ -224,6 +231,7 @@ Traced apply(One f, const Traced& a) {
 
 Traced apply(Two f, const Traced& a, const Traced& b) {
   Traced result{a.graph ? a.graph : b.graph, {}, a.shape.empty() ? b.shape : a.shape}, left_room, right_room;
+  result.regular = a.regular && b.regular;
   if (!a.shape.empty() && !b.shape.empty() && a.shape != b.shape)
     result.shape = numpy("broadcast_shapes")(a.shape, b.shape).cast<Shape>();
   const auto& left = a.shape.empty() ? a.entries : broadcast(a, result.shape, left_room).entries;
@@ -262,7 +270,7 @@ Traced fold(std::string_view name, const Traced& x) {
   const auto length = static_cast<std::size_t>(x.shape.at(0));
   if (length == 0 && name != "add" && name != "multiply")
     throw py::value_error("There is no largest entry of none.");
-  Traced result{x.graph, {}, {x.shape.begin() + 1, x.shape.end()}};
+  Traced result{x.graph, {}, {x.shape.begin() + 1, x.shape.end()}, false, x.regular};
   const auto each = static_cast<std::size_t>(size_of(result.shape));
   for (std::size_t i = 0; i < each; ++i) {
     Recorded total = length > 0 ? x.entries[i] : Recorded(name == "multiply" ? 1.0 : 0.0);
@@ -345,6 +353,7 @@ Traced pool(const std::vector<py::object>& parts) {
     const Traced& x = operand(part, room);
     if (x.graph) all.graph = x.graph;
     all.condition = all.condition && x.condition;
+    all.regular = all.regular && x.regular;
     all.entries.insert(all.entries.end(), x.entries.begin(), x.entries.end());
   }
   all.shape = {static_cast<py::ssize_t>(all.entries.size())};
@@ -409,6 +418,7 @@ void bind_traced(py::module_& module) {
            })
       .def("_fix", [](Traced& x) { cells_of(x).fixed = true; })
       .def("_more", more)
+      .def_readonly("_regular", &Traced::regular)
       .def_property_readonly("_is_view", [](const Traced& x) { return x.cells != nullptr; })
       .def_property_readonly("_places", [](Traced& x) { return places(current(x)); })
       .def_property_readonly("_numbers", numbers)
@@ -419,7 +429,7 @@ void bind_traced(py::module_& module) {
   module.def("traced", [](const py::object& x) {
     Traced room;
     const Traced& value = operand(x, room);
-    return Traced{value.graph, value.entries, value.shape, value.condition};
+    return Traced{value.graph, value.entries, value.shape, value.condition, value.regular};
   });
 }
 

@@ -32,9 +32,10 @@ struct Traced {
   std::vector<Recorded> entries{};           ///< Last index first, as NumPy has them in C order.
   Shape shape{};                             ///< Empty for a single number.
   bool condition = false;                    ///< The entries are 1 or 0, from comparisons.
-  std::shared_ptr<Cells> cells{};            ///< Of an array that has views, and of these.
-  std::vector<std::size_t> places{};         ///< Where in the cells the entries are.
-  long seen = 0;                             ///< The version of the cells that the entries are of.
+  bool regular = true;             ///< NumPy reshapes it without a copy: its entries lie at equal distances.
+  std::shared_ptr<Cells> cells{};  ///< Of an array that has views, and of these.
+  std::vector<std::size_t> places{};  ///< Where in the cells the entries are.
+  long seen = 0;                      ///< The version of the cells that the entries are of.
 };
 
 /// `count` arguments of the graph from `first` on, in a shape of so many entries.

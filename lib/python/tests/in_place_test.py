@@ -1,6 +1,7 @@
 """What changes an array in its place: the views of a traced array change with it, or the function is refused; never is a change lost."""
 
 import copy
+import operator
 import unittest
 
 import numpy as np
@@ -117,6 +118,55 @@ class InPlace(unittest.TestCase):
             return np.sum(avi.where(c, x, 0.0))
 
         self.same(f)
+
+    def test_programs_drawn_at_random(self):
+        """Of arrays, their views and views of these, assigned to in any order."""
+        makers = [
+            lambda a: a[1:],
+            lambda a: a[::-1],
+            lambda a: a[..., 0],
+            lambda a: a[0],
+            lambda a: a.T,
+            lambda a: a[None],
+            lambda a: a.reshape(-1),
+            lambda a: np.flip(a),
+            lambda a: np.split(a, [1])[-1],
+            lambda a: a,
+            lambda a: a * 0.5,
+            lambda a: a.copy(),
+            lambda a: np.stack([a, a]),
+            lambda a: a[[0]],
+            lambda a: np.diff(a, prepend=0.1),
+        ]
+        changes = [operator.iadd, operator.isub, operator.imul, operator.itruediv]
+
+        def program(seed, x):
+            random = np.random.default_rng(seed)
+            arrays = [x.reshape(3, 4) * 1.0]
+            for _ in range(25):
+                chosen = arrays[random.integers(len(arrays))]
+                if random.random() < 0.5 and np.size(chosen) > 1 and len(chosen):
+                    arrays.append(makers[random.integers(len(makers))](chosen))
+                else:
+                    number, other = random.uniform(0.5, 1.5), arrays[random.integers(len(arrays))]
+                    alike = np.shape(other) == np.shape(chosen)
+                    changed = changes[random.integers(4)](chosen, number * (np.tanh(other) + 1.2 if alike else 1.0))
+                    if np.shape(chosen):
+                        assert changed is chosen
+            return sum(np.sum(np.sin((k + 1) * a)) for k, a in enumerate(arrays))
+
+        refused = 0
+        for seed in range(500):
+            with self.subTest(seed):
+                try:
+                    formula = avi.objective(lambda x: program(seed, x), 12)
+                except TypeError as error:  # NumPy decides by the layout of its memory what is a view
+                    self.assertIn("a reshape() that may be a copy", str(error))
+                    refused += 1
+                else:
+                    value = program(seed, X)
+                    self.assertAlmostEqual(formula.value(X), value, delta=1e-6 * (1 + abs(value)))
+        self.assertLess(refused, 100)
 
     def test_arrays_of_objects(self):
         def f(x):
