@@ -1,5 +1,6 @@
 """Functions of Python as formulas of the library."""
 
+import functools
 import inspect
 import operator
 import threading
@@ -45,7 +46,7 @@ def reals(x, name):
     import numpy as np
 
     array = np.asarray(x)
-    if x is None or array.dtype.kind == "c" or hasattr(x, "mask"):
+    if x is None or array.dtype.kind == "c" or hasattr(x, "hardmask"):
         what = "None" if x is None else "complex" if array.dtype.kind == "c" else "an array with a mask"
         raise TypeError(f"{name} is {what}; it must be a real number or an array of them.")
     return np.asarray(array, dtype=float)
@@ -69,11 +70,17 @@ def formula_of(f, parameters, traced):
 _one_at_a_time = threading.RLock()
 
 
-def _trace(f, shapes, parameters, name):
-    """_avi.trace(); where NumPy before 1.25 would only warn that two arrays of objects cannot be compared, and say False, it raises."""
+@functools.lru_cache(maxsize=None)
+def _numpy_only_warns():
+    """Whether NumPy warns where two arrays of objects cannot be compared, and says False: so did it before 1.25."""
     import numpy as np
 
-    if np.lib.NumpyVersion(np.__version__) >= "1.25.0":
+    return np.lib.NumpyVersion(np.__version__) < "1.25.0"
+
+
+def _trace(f, shapes, parameters, name):
+    """_avi.trace(), with an exception where NumPy only warns."""
+    if not _numpy_only_warns():
         return _avi.trace(f, shapes, parameters, name)
     import warnings
 

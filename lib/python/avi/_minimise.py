@@ -75,7 +75,7 @@ def minimise(f, x0, *, jac=None, parameters=(), callback=None, history=False, **
         both = f if jac is True else lambda x: (f(x), jac(x))
         function = lambda x: _flat(both(x.reshape(x0.shape)))
     told = None if callback is None else lambda x: callback(x.reshape(x0.shape))
-    outcome, message, nit, nfev, x, fun, jac, rows = _avi.minimise(function, x0.ravel(), chosen, told, history)
+    outcome, message, nit, nfev, x, fun, jac, rows = _avi.minimise(function, x0.ravel(), chosen, told, bool(history))
     if outcome == _avi.Outcome.ok and not message:
         message = _reached(jac, chosen)
     return Minimum(outcome, message, nit, nfev, x.reshape(x0.shape), fun, jac.reshape(x0.shape), rows if history else None)
@@ -93,5 +93,9 @@ def _reached(gradient, options):
 def _flat(both):
     import numpy as np
 
+    if not isinstance(both, (tuple, list)) or len(both) != 2:
+        raise TypeError(f"f returned a {type(both).__name__}; with jac=True it must return a pair, (value, gradient).")
     value, gradient = both
-    return float(value), np.ravel(np.asarray(gradient, dtype=float))
+    if isinstance(value, (bool, np.bool_)):
+        raise TypeError("f returned a comparison; it must return a number.")
+    return float(value), np.ravel(reals(gradient, "The gradient"))

@@ -165,7 +165,8 @@ def _event(g, shape):
             raise TypeError(f"The direction of an event is {direction!r}; it must be a number, whose sign counts.")
         count = 0 if isinstance(terminal, bool) or not terminal else _whole(terminal, "The attribute terminal of an event", 0)
         g = Event(g, (direction > 0) - (direction < 0), count, bool(terminal))
-    return formula_of(g.g, (), lambda: hamiltonian(g.g, shape, name="An event")), g.direction, g.count, g.terminal
+    formula = g.g if isinstance(g.g, _avi.Formula) else hamiltonian(g.g, shape, name="An event")
+    return formula, g.direction, g.count, g.terminal
 
 
 class _Bar:
@@ -363,7 +364,7 @@ class _Question:
             raise TypeError("H is a formula from objective() with products of large matrices; hamiltonian() makes one for orbits.")
         if isinstance(monitor, _avi.Formula) and monitor.size % 2 > self.formula.size % 2:
             raise ValueError("The monitor depends on time and H does not: write H as H(q, t, p), too.")
-        alone = callable(events) or isinstance(events, (Event, _avi.Formula))
+        alone = callable(events) or isinstance(events, (Event, _avi.Formula)) or not (events is None or hasattr(events, "__iter__"))
         self.events = [_event(g, shape) for g in ((events,) if alone else () if events is None else events)]
 
     def set_times(self, t):

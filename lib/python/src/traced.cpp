@@ -194,7 +194,7 @@ const Traced& operand(py::handle x, Traced& room) {
                               : "a " + std::string(py::str(py::type::handle_of(x).attr("__name__")))) +
                          "; it can be combined with real numbers and arrays of them.");
   }
-  if (py::hasattr(x, "mask"))
+  if (py::hasattr(x, "hardmask"))
     throw py::type_error(
         "A traced number meets an array with a mask, which would be lost: write a.filled(0.0) "
         "or a.data.");

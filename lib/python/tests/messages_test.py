@@ -159,6 +159,8 @@ class Refused(unittest.TestCase):
                 (lambda: avi.event(zero, stop=2), TypeError, "stop of an event is 2; .* beside count=2"),
                 (solved(events=marked(direction="up")), TypeError, "direction of an event is 'up'"),
                 (solved(events=marked(terminal=2.5)), TypeError, "terminal of an event is 2.5"),
+                (solved(events=5), TypeError, "An event is 5; it must be a function"),
+                (solved(events=avi.objective(lambda x: np.sum((np.ones((1000, 4)) @ x) ** 2), 4)), TypeError, "An event takes the arguments x"),
                 (solved(events=["q"]), TypeError, "An event is 'q'; it must be a function"),
             ]
         )
@@ -214,6 +216,10 @@ class Refused(unittest.TestCase):
         self.check(
             [
                 (lambda: avi.minimise(f, [1.0], jac=2), TypeError, "jac is 2; it must be a function, or True where f returns both"),
+                (lambda: avi.minimise(f, [1.0], jac=lambda x: 2j * x), TypeError, "The gradient is complex"),
+                (lambda: avi.minimise(f, [1.0], jac=lambda x: None), TypeError, "The gradient is None"),
+                (lambda: avi.minimise(f, [1.0], jac=True), TypeError, r"f returned a float64; with jac=True it must return a pair"),
+                (lambda: avi.minimise(lambda x: (x @ x > 1, 2 * x), [1.0], jac=True), TypeError, "f returned a comparison"),
                 (lambda: avi.minimise(f, [1.0], callback=3), TypeError, "callback is 3; it must be a function"),
             ]
         )
