@@ -102,6 +102,11 @@ def trace(f, shapes, parameters, name):
     except ValueError as error:  # NumPy's own words where an array is filled
         if isinstance(error.__cause__, TypeError):
             raise error.__cause__ from None
+        if "read-only" in str(error):
+            raise TypeError(
+                f"NumPy says '{error}': what np.asarray() and the like make of traced numbers is a copy, and a change of it would be "
+                "lost. Write a = a + b instead of a += b, or make a new array by avi.where(condition, x, y) or np.stack([x, y])."
+            ) from error
         raise
     except TypeError as error:  # of functions of NumPy that have no say where an array holds objects
         words = str(error)
