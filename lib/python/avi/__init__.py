@@ -26,10 +26,10 @@ except ModuleNotFoundError as error:
 from . import plot
 from ._formula import hamiltonian
 from ._minimise import Minimum, minimise, objective
-from ._orbits import Orbit, Solver, ensemble, event, resume, solve
+from ._orbits import Event, Orbit, Solver, ensemble, event, resume, solve
 from ._tracing import functions, maximum, minimum, where
 
 __all__ = [
-    "Formula", "Minimum", "Orbit", "Solver", "Traced", "ensemble", "event", "functions", "hamiltonian", "maximum", "minimise", "minimum", "objective", "plot",
+    "Event", "Formula", "Minimum", "Orbit", "Solver", "Traced", "ensemble", "event", "functions", "hamiltonian", "maximum", "minimise", "minimum", "objective", "plot",
     "resume", "solve", "where",
 ]  # fmt: skip

@@ -1,6 +1,6 @@
 from collections.abc import Callable, Sequence
 from os import PathLike
-from typing import Any, SupportsIndex, overload
+from typing import Any, Protocol, SupportsIndex, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -9,6 +9,7 @@ from . import plot as plot
 
 __version__: str
 Floats = NDArray[np.float64]
+Events = Event | Callable[..., Any] | Formula | Sequence[Event | Callable[..., Any] | Formula] | None
 Monitor = str | Callable[..., Any] | Formula  # a name, or g(q, p) or g(q, t, p)
 
 class Traced:
@@ -59,6 +60,12 @@ class Formula:
     def value(self, x: ArrayLike) -> float: ...
     def gradient(self, x: ArrayLike) -> Floats: ...
 
+class _Between(Protocol):
+    """The orbit at any time; the ends of its steps."""
+
+    times: Floats
+    def __call__(self, t: ArrayLike) -> Floats: ...
+
 class Orbit:
     """An orbit of H, under the names of scipy.integrate.solve_ivp where they mean the same."""
 
@@ -66,7 +73,7 @@ class Orbit:
     y: Floats
     q: Floats
     p: Floats
-    sol: Callable[[ArrayLike], Floats] | None
+    sol: _Between | None
     t_events: list[Floats]
     y_events: list[Floats]
     @property
@@ -109,7 +116,13 @@ class Minimum:
     njev: int
     history: Floats | None
 
-class Event: ...
+class Event:
+    """What event() returns."""
+
+    g: Callable[..., Any] | Formula
+    direction: int
+    count: int
+    terminal: bool
 
 class Solver:
     """Many orbits of one H with one choice of monitor, order and step."""
@@ -126,7 +139,7 @@ class Solver:
         t: ArrayLike,
         tol: float,
         *,
-        events: Event | Callable[..., Any] | Sequence[Event | Callable[..., Any]] = ...,
+        events: Events = ...,
         parameters: Sequence[float] = ...,
         seconds: float | None = ...,
         sweeps: int | None = ...,
@@ -136,7 +149,7 @@ class Solver:
         monitor: Monitor | None = ...,
         h: float | None = ...,
         dense: bool = ...,
-        checkpoint: str | None = ...,
+        checkpoint: str | PathLike[str] | None = ...,
         checkpoint_seconds: float | None = ...,
     ) -> None: ...
     def run(
@@ -164,7 +177,7 @@ def solve(
     t: ArrayLike,
     tol: float,
     *,
-    events: Event | Callable[..., Any] | Sequence[Event | Callable[..., Any]] = ...,
+    events: Events = ...,
     progress: bool | Callable[[tuple[float, float, int, float]], object] | None = ...,
     parameters: Sequence[float] = ...,
     seconds: float | None = ...,
@@ -175,7 +188,7 @@ def solve(
     monitor: Monitor | None = ...,
     h: float | None = ...,
     dense: bool = ...,
-    checkpoint: str | None = ...,
+    checkpoint: str | PathLike[str] | None = ...,
     checkpoint_seconds: float | None = ...,
 ) -> Orbit: ...
 def ensemble(
@@ -185,7 +198,7 @@ def ensemble(
     t: ArrayLike,
     tol: float,
     *,
-    events: Event | Callable[..., Any] | Sequence[Event | Callable[..., Any]] = ...,
+    events: Events = ...,
     progress: bool | Callable[[tuple[float, int]], object] | None = ...,
     parameters: Sequence[float] = ...,
     threads: int | None = ...,
@@ -197,15 +210,13 @@ def ensemble(
     monitor: Monitor | None = ...,
     h: float | None = ...,
     dense: bool = ...,
-    checkpoint: str | None = ...,
-    checkpoint_seconds: float | None = ...,
 ) -> list[Orbit]: ...
 def resume(
     H: Callable[..., Any] | Formula,
     shape: SupportsIndex | tuple[int, ...],
     file: str | PathLike[str],
     *,
-    events: Event | Callable[..., Any] | Sequence[Event | Callable[..., Any]] = ...,
+    events: Events = ...,
     progress: bool | Callable[[tuple[float, float, int, float]], object] | None = ...,
     parameters: Sequence[float] = ...,
     monitor: Monitor | None = ...,
@@ -230,7 +241,7 @@ def minimise(
     evaluations: int = ...,
     check_gradient: bool = ...,
 ) -> Minimum: ...
-def event(g: Callable[..., Any], *, direction: int = ..., count: int = ..., stop: bool = ...) -> Event: ...
+def event(g: Callable[..., Any] | Formula, *, direction: int = ..., count: int = ..., stop: bool = ...) -> Event: ...
 def hamiltonian(
     H: Callable[..., Any], shape: SupportsIndex | tuple[int, ...], parameters: Sequence[float] = ..., name: str = ...
 ) -> Formula: ...

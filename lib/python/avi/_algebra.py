@@ -2,7 +2,9 @@
 
 from contextvars import ContextVar
 
-from ._avi import Traced, pool, traced
+from ._avi import Traced, pool, traced, where
+
+matmul = Traced.__matmul__
 
 LARGE = 2000  # products of so many numbers are worth a call of a matrix product
 matrices = ContextVar("matrices", default=(0, None))  # of the objective that is being traced the number of its arguments, and its matrices
@@ -22,6 +24,14 @@ def by_matrix(a, x):
     return x._more(a.shape[:1] + x.shape[1:])
 
 
+def times(a, b):
+    """a @ b, with a traced."""
+    if isinstance(b, Traced) or getattr(b, "size", 0) < LARGE or b.ndim != 2 or a.ndim not in (1, 2):
+        return matmul(a, b)
+    kept = by_matrix(b.T, a.T)
+    return matmul(a, b) if kept is None else kept.T
+
+
 def product(a, b):
     if not (a.ndim and b.ndim) or a.shape[-1] != b.shape[-2 if b.ndim > 1 else 0]:
         raise ValueError(f"The product @ of arrays of shapes {a.shape} and {b.shape} cannot be traced: the inner lengths have to agree.")
@@ -30,8 +40,10 @@ def product(a, b):
     return ((a[..., :, None] if a.ndim > 1 else a[:, None]) * (b[..., None, :, :] if a.ndim > 1 else b)).sum(axis=-2)
 
 
-def einsum(subscripts, *operands):
-    operands = [traced(x) for x in operands]
+def einsum(subscripts, *operands, optimize=False):
+    if not isinstance(subscripts, str):
+        raise TypeError("np.einsum can be traced with subscripts as a string first, such as 'ij,j->i'.")
+    given, operands = operands, [traced(x) for x in operands]
     inputs, _, output = subscripts.replace(" ", "").partition("->")
     terms = inputs.split(",")
     letters = sorted(set(inputs) - {","})
@@ -41,6 +53,9 @@ def einsum(subscripts, *operands):
         raise TypeError(f"np.einsum({subscripts!r}) cannot be traced: give one letter for each axis of every array.")
     import numpy as np
 
+    if len(terms) == 1 and set(output) == set(letters):  # nothing is summed: a view
+        moved = lambda x: np.einsum(f"{terms[0]}->{output}", x)
+        return given[0]._view(moved(given[0]._numbers)) if isinstance(given[0], Traced) else moved(given[0])
     result = 1.0
     for term, x in zip(terms, operands):
         own = sorted(set(term))
@@ -51,26 +66,51 @@ def einsum(subscripts, *operands):
     return result.sum(axis=tuple(range(len(order) - len(output)))) if len(order) > len(output) else result
 
 
-def _eliminated(a, b):
-    """The pivots of a square matrix a and the rows of a^-1 b, by elimination without exchanges: right where a is positive definite."""
+def _square(a):
+    """The rows of a square matrix as lists of numbers."""
     a = traced(a)
     if a.ndim != 2 or a.shape[0] != a.shape[1]:
         raise ValueError(f"A matrix has the shape {a.shape}; it must be square, and one alone, to be traced.")
-    n = len(a)
-    rows, right = list(a), list(b)
-    for k in range(n):
-        for i in range(k + 1, n):
-            factor = rows[i][k] / rows[k][k]
-            rows[i], right[i] = rows[i] - factor * rows[k], right[i] - factor * right[k]
-    for k in reversed(range(n)):
-        right[k] = (right[k] - sum(rows[k][j] * right[j] for j in range(k + 1, n))) / rows[k][k]
-    return [rows[k][k] for k in range(n)], right
+    return [list(row) for row in a]
+
+
+def _in_order(swap, a, b):
+    """(a, b), or (b, a) where they are to change places."""
+    return where(swap, b, a), where(swap, a, b)
+
+
+def _with_pivot(rows, k):
+    """The rows, in whose k-th column the entry of largest magnitude has come to the k-th row; the order is found with the numbers."""
+    largest = abs(rows[k][k])
+    for i in range(k + 1, len(rows)):
+        swap = largest < abs(rows[i][k])
+        largest = where(swap, abs(rows[i][k]), largest)
+        for j in range(k, len(rows[k])):
+            rows[k][j], rows[i][j] = _in_order(swap, rows[k][j], rows[i][j])
+
+
+def _eliminate(rows, k):
+    for i in range(k + 1, len(rows)):
+        factor = rows[i][k] / rows[k][k]
+        for j in range(k + 1, len(rows[k])):
+            rows[i][j] = rows[i][j] - factor * rows[k][j]
 
 
 def solution(a, b):
-    import numpy as np
-
-    return np.stack(_eliminated(a, traced(b))[1])
+    """a^-1 b by elimination with row exchanges."""
+    rows, b = _square(a), traced(b)
+    n = len(rows)
+    if b.ndim not in (1, 2) or len(b) != n:
+        raise ValueError(f"np.linalg.solve(a, b) of a matrix of {n} rows has b of the shape {b.shape}; it must be ({n},) or ({n}, m).")
+    for row, right in zip(rows, b.reshape(n, -1)):
+        row += list(right)
+    for k in range(n):
+        _with_pivot(rows, k)
+        _eliminate(rows, k)
+    for k in reversed(range(n)):
+        for j in range(n, len(rows[k])):
+            rows[k][j] = (rows[k][j] - sum(rows[k][i] * rows[i][j] for i in range(k + 1, n))) / rows[k][k]
+    return pool([x for row in rows for x in row[n:]]).reshape(b.shape)
 
 
 def inverse(a):
@@ -80,10 +120,39 @@ def inverse(a):
 
 
 def determinant(a):
-    return pool(_eliminated(a, [0.0] * len(a))[0]).prod()
+    """Written out up to 3 x 3, so that a singular matrix has its slopes; larger ones by elimination with exchanges of rows and columns,
+    of which a pivot that is zero says that a block of at least 4 x 4 is: then all slopes are zero, too."""
+    rows, result = _square(a), 1.0
+    while len(rows) > 3:
+        for i in range(1, len(rows)):
+            size, other = (pool([abs(x) for x in row]).max() for row in (rows[0], rows[i]))
+            swap = size < other
+            pairs = [_in_order(swap, x, y) for x, y in zip(rows[0], rows[i])]
+            rows[0], rows[i] = [x for x, _ in pairs], [where(swap, -y, y) for _, y in pairs]
+        for j in range(1, len(rows)):
+            swap = abs(rows[0][0]) < abs(rows[0][j])
+            for row in rows:
+                row[0], other = _in_order(swap, row[0], row[j])
+                row[j] = where(swap, -other, other)
+        pivot = rows[0][0]
+        result = result * pivot
+        rows[0][0] = where(abs(pivot) > 0.0, pivot, 1.0)
+        _eliminate(rows, 0)
+        rows = [row[1:] for row in rows[1:]]
+    if len(rows) == 1:
+        return result * rows[0][0]
+    if len(rows) == 2:
+        (a, b), (c, d) = rows
+        return result * (a * d - b * c)
+    (a, b, c), (d, e, f), (g, h, i) = rows
+    return result * (a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g))
 
 
 def norm(x, ord=None, axis=None, keepdims=False):
-    if ord not in (None, 2, "fro") or (ord == 2 and axis is None and len(x.shape) > 1):
-        raise TypeError("np.linalg.norm can be traced as the 2-norm; write another norm out with np.abs, np.sum and avi.maximum.")
+    of_matrix = len(x.shape) > 1 if axis is None else hasattr(axis, "__len__") and len(axis) > 1
+    if ord not in (None, 2, "fro") or (ord == 2 and of_matrix):
+        raise TypeError(
+            "np.linalg.norm can be traced as the 2-norm of vectors, and as the root of the sum of squares of a matrix; write another norm out "
+            "with np.abs, np.sum and avi.maximum."
+        )
     return (x * x).sum(axis=axis, keepdims=keepdims).sqrt()

@@ -1,6 +1,9 @@
 """Functions of Python as formulas of the library."""
 
+import functools
 import inspect
+import operator
+import threading
 
 from . import _avi
 
@@ -10,12 +13,43 @@ _avi.Formula.__doc__ = """A function of Python that was called once, by hamilton
 The arguments of value(x) and gradient(x) are those of the function one after the other, (q, p) or (q, p, t). Threads can share it.
 """
 
+
+def _of_one_array(method):
+    def evaluate(self, *x):
+        if len(x) != 1:
+            raise TypeError(f"A formula takes its arguments as one array, one after the other: formula.{method.__name__}(np.concatenate([q, p])).")
+        return method(self, reals(x[0], "The argument of a formula"))
+
+    return evaluate
+
+
+_avi.Formula.value = _of_one_array(_avi.Formula.value)
+_avi.Formula.gradient = _of_one_array(_avi.Formula.gradient)
 _avi.Formula.__repr__ = lambda self: f"<a formula of {self.size} numbers>"
 
 
 def _shape(x):
     """The shape of an example, or a number of entries as one."""
-    return tuple(x.shape) if hasattr(x, "shape") else tuple(x) if isinstance(x, (tuple, list)) else (int(x),)
+    if hasattr(x, "shape"):
+        return tuple(x.shape)
+    try:
+        shape = tuple(operator.index(n) for n in (x if isinstance(x, (tuple, list)) else (x,)))
+    except TypeError:
+        raise TypeError(f"shape is {x!r}; it must be that of q: an int, a tuple of ints, or an array that has it.") from None
+    if min(shape, default=0) < 0:
+        raise ValueError(f"shape is {x!r}; its lengths must be at least 0.")
+    return shape
+
+
+def reals(x, name):
+    """x as an array of doubles. Raises TypeError where something would be lost on the way."""
+    import numpy as np
+
+    array = np.asarray(x)
+    if x is None or array.dtype.kind == "c" or hasattr(x, "hardmask"):
+        what = "None" if x is None else "complex" if array.dtype.kind == "c" else "an array with a mask"
+        raise TypeError(f"{name} is {what}; it must be a real number or an array of them.")
+    return np.asarray(array, dtype=float)
 
 
 def numbers_of(parameters):
@@ -33,16 +67,55 @@ def formula_of(f, parameters, traced):
     return f.with_parameters(numbers_of(parameters)) if len(parameters) else f
 
 
+_one_at_a_time = threading.RLock()
+
+
+@functools.lru_cache(maxsize=None)
+def _numpy_only_warns():
+    """Whether NumPy warns where two arrays of objects cannot be compared, and says False: so did it before 1.25."""
+    import numpy as np
+
+    return np.lib.NumpyVersion(np.__version__) < "1.25.0"
+
+
+def _trace(f, shapes, parameters, name):
+    """_avi.trace(), with an exception where NumPy only warns."""
+    if not _numpy_only_warns():
+        return _avi.trace(f, shapes, parameters, name)
+    import warnings
+
+    with _one_at_a_time, warnings.catch_warnings():  # which is for one thread
+        warnings.filterwarnings("error", "elementwise comparison failed", DeprecationWarning)
+        return _avi.trace(f, shapes, parameters, name)
+
+
 def trace(f, shapes, parameters, name):
     """The formula of f, which is called once with traced arrays of these shapes, and with parameters where there are any."""
+    if not callable(f):
+        raise TypeError(f"{name} is {f!r}; it must be a function, or a formula of one.")
     try:
-        return _avi.trace(f, shapes, numbers_of(parameters), name)
-    except ValueError as error:  # NumPy's own words where an array is filled
+        return _trace(f, shapes, numbers_of(parameters), name)
+    except DeprecationWarning as error:
         if isinstance(error.__cause__, TypeError):
             raise error.__cause__ from None
         raise
+    except ValueError as error:  # NumPy's own words where an array is filled
+        if isinstance(error.__cause__, TypeError):
+            raise error.__cause__ from None
+        if "read-only" in str(error):
+            raise TypeError(
+                f"NumPy says '{error}': what np.asarray() and the like make of traced numbers is a copy, and a change of it would be "
+                "lost. Write a = a + b instead of a += b, or make a new array by avi.where(condition, x, y) or np.stack([x, y])."
+            ) from error
+        raise
     except TypeError as error:  # of functions of NumPy that have no say where an array holds objects
-        if "dtype('O')" in str(error) and "traced" not in str(error):
+        words = str(error)
+        if "which has no callable" in words:
+            raise TypeError(
+                f"NumPy cannot take np.{words.split()[-2]}() of the plain numbers in an array of objects, as np.zeros(2, dtype=q.dtype) leaves "
+                "them: fill all of it, begin with np.zeros_like(q), or make the array by np.stack([x, y])."
+            ) from error
+        if "dtype('O')" in words and "traced" not in words:
             raise TypeError(
                 "NumPy cannot do this to an array of traced numbers that np.array() has made, as it could to one of np.stack(): write "
                 "np.stack([np.stack([a, b]), np.stack([c, d])]) instead of np.array([[a, b], [c, d]])."
@@ -50,18 +123,46 @@ def trace(f, shapes, parameters, name):
         raise
 
 
-def _arguments(f):
-    """How many arguments f takes by their places; 0 where it takes any number, or does not say."""
+def _names(f):
+    """The names of the arguments that f takes by their places, and how many of them have to be given; None where any number is taken,
+    or f does not say."""
     code = getattr(f, "__code__", None)
     if code is not None and not code.co_flags & 4:  # *args
-        return code.co_argcount - len(f.__defaults__ or ()) - inspect.ismethod(f)
+        names = code.co_varnames[: code.co_argcount][inspect.ismethod(f) :]
+        return names, len(names) - len(f.__defaults__ or ())
     try:
         parameters = list(inspect.signature(f).parameters.values())
     except (TypeError, ValueError):
-        return 0
+        return None
     if any(x.kind is x.VAR_POSITIONAL for x in parameters):
-        return 0
-    return sum(x.kind in (x.POSITIONAL_ONLY, x.POSITIONAL_OR_KEYWORD) and x.default is x.empty for x in parameters)
+        return None
+    placed = [x for x in parameters if x.kind in (x.POSITIONAL_ONLY, x.POSITIONAL_OR_KEYWORD)]
+    return tuple(x.name for x in placed), sum(x.default is x.empty for x in placed)
+
+
+def _is_timed(f, more, name):
+    """Whether f is a function of q, t, p, not of q, p, with so many arguments after them. Raises TypeError where it is of neither, or
+    where names say that it means other arguments than it would get."""
+    taken = _names(f)
+    if taken is None:
+        return False
+    names, needed = taken
+    timed = needed == 3 + more
+    called, after = ", ".join(names[:needed]), ", and parameters, as one array, after them" if more else ""
+    order = f"they are q, p, or q, t, p where time counts, in this order{after}."
+    if not timed and not needed <= 2 + more <= len(names):
+        asked = "" if more or name != "H" else ", and one more comes where parameters=[...] are given"
+        raise TypeError(f"{name} takes the arguments {called or 'none'}; {order[:-1]}{asked}.")
+    of = names[: 3 if timed else 2]
+    if "t" in of and not (timed and of[1] == "t"):  # as the functions (t, y) of other solvers
+        meant = "q, t, p" if timed else "q, p, or q, t, p where time counts"
+        raise TypeError(f"{name} calls its arguments {', '.join(of)}; they are {meant}, in this order.")
+    if of[:1] + of[-1:] == ("p", "q"):
+        raise TypeError(f"{name} calls its arguments {called}; {order}")
+    if timed and of[1] == "p" and of[2] != "p":
+        asked = "" if more or name != "H" else f", and {of[2]} comes where parameters=[...] are given"
+        raise TypeError(f"{name} calls its arguments {called}; {order[:-1]}{asked}.")
+    return timed
 
 
 def hamiltonian(H, shape, parameters=(), name="H"):
@@ -71,11 +172,7 @@ def hamiltonian(H, shape, parameters=(), name="H"):
     `formula.with_parameters(c)` is the same formula with other values of c, without a call of H.
     """
     shape, parameters = _shape(shape), numbers_of(parameters)
-    timed = _arguments(H) == 3 + (len(parameters) > 0)
-    named = getattr(getattr(H, "__code__", None), "co_varnames", ())[inspect.ismethod(H) :][: 3 if timed else 2]
-    if "t" in named and not (timed and named[1] == "t"):  # as the functions (t, y) of other solvers
-        meant = "q, t, p" if timed else "q, p, or q, t, p where time counts"
-        raise TypeError(f"{name} calls its arguments {', '.join(named)}; they are {meant}, in this order.")
+    timed = callable(H) and _is_timed(H, len(parameters) > 0, name)
     if timed:
         return trace(lambda q, p, t, *c: H(q, t, p, *c), [shape, shape, ()], parameters, name)
     return trace(H, [shape, shape], parameters, name)

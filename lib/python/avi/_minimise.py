@@ -1,7 +1,7 @@
 """minimise(): the least value of a function of many numbers."""
 
 from . import _avi, _data
-from ._formula import _shape, formula_of
+from ._formula import _shape, formula_of, reals
 from ._orbits import _options
 
 
@@ -20,7 +20,7 @@ class Minimum:
     def __init__(self, outcome, message, nit, nfev, x, fun, jac, history=None):
         self.x, self.fun, self.jac = x, fun, jac
         self.outcome, self.status, self.success = outcome.name, int(outcome), outcome == _avi.Outcome.ok
-        self.message = message or "Converged."
+        self.message = message
         self.nit, self.nfev, self.njev = nit, nfev, nfev
         self.history = history
 
@@ -53,8 +53,10 @@ def minimise(f, x0, *, jac=None, parameters=(), callback=None, history=False, **
     x0     start, an array of any shape
     jac    the gradient of an f that cannot be traced: a function of x, or True where f returns (value, gradient); both are called with
            arrays of x0's shape
-    callback  called as callback(x) after every iteration; what it raises ends the call, StopIteration the run
-    relative, absolute  converged where |gradient| <= max(relative |gradient at x0|, absolute); 1e-6 and 0
+    callback  called as callback(x) at x0 and after every iteration; what it raises ends the call, StopIteration the run
+    relative, absolute  converged where |gradient| <= max(relative |gradient at x0|, absolute); 1e-6 and 0. The first is a matter of
+              the start: where the gradient at x0 is huge, as that of x - log x at 1e-8, 1e-6 of it is still large, and the run ends far
+              from the minimum. `message` says which of both was met; a smaller `relative`, or 0 beside an `absolute`, goes on
     change    ... and the last iteration changed f by less
     memory    pairs that make the mass matrix, 7; 0 for none
     iterations, evaluations   bounds
@@ -62,22 +64,38 @@ def minimise(f, x0, *, jac=None, parameters=(), callback=None, history=False, **
 
     Returns a Minimum. Raises ValueError for an x0 or option out of range, TypeError for an f that cannot be traced.
     """
-    import numpy as np
-
-    x0 = np.asarray(x0, dtype=float)
+    x0 = reals(x0, "x0")
     chosen = _options(_avi.MinimiseOptions(), options, _OPTIONS, "minimise")
-    if jac is None:
+    for each, name, also in ((jac, "jac", "True where f returns both"), (callback, "callback", "None")):
+        if not (each is None or callable(each) or (name == "jac" and isinstance(each, bool))):
+            raise TypeError(f"{name} is {each!r}; it must be a function, or {also}.")
+    if jac is None or jac is False:
         function = formula_of(f, parameters, lambda: _data.objective(f, x0.shape, parameters))
     else:
         both = f if jac is True else lambda x: (f(x), jac(x))
         function = lambda x: _flat(both(x.reshape(x0.shape)))
     told = None if callback is None else lambda x: callback(x.reshape(x0.shape))
-    outcome, message, nit, nfev, x, fun, jac, rows = _avi.minimise(function, x0.ravel(), chosen, told, history)
+    outcome, message, nit, nfev, x, fun, jac, rows = _avi.minimise(function, x0.ravel(), chosen, told, bool(history))
+    if outcome == _avi.Outcome.ok and not message:
+        message = _reached(jac, chosen)
     return Minimum(outcome, message, nit, nfev, x.reshape(x0.shape), fun, jac.reshape(x0.shape), rows if history else None)
+
+
+def _reached(gradient, options):
+    """The criterion that was met."""
+    import numpy as np
+
+    if np.linalg.norm(gradient) <= options.absolute:
+        return f"Converged: |gradient| is at most {options.absolute:g}" + (", which was asked for." if options.absolute else ".")
+    return f"Converged: |gradient| fell to at most {options.relative:g} of that at the start."
 
 
 def _flat(both):
     import numpy as np
 
+    if not isinstance(both, (tuple, list)) or len(both) != 2:
+        raise TypeError(f"f returned a {type(both).__name__}; with jac=True it must return a pair, (value, gradient).")
     value, gradient = both
-    return float(value), np.ravel(np.asarray(gradient, dtype=float))
+    if isinstance(value, (bool, np.bool_)):
+        raise TypeError("f returned a comparison; it must return a number.")
+    return float(value), np.ravel(reals(gradient, "The gradient"))

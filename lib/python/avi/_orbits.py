@@ -3,13 +3,14 @@
 import copy
 import itertools
 import numbers
+import operator
 import os
 import sys
 import threading
 from types import SimpleNamespace
 
 from . import _avi
-from ._formula import _shape, formula_of, hamiltonian
+from ._formula import _shape, formula_of, hamiltonian, reals
 
 
 class Orbit:
@@ -68,6 +69,16 @@ class Orbit:
         """What is kept in a file: all but sol."""
         return {**self.__dict__, "_report": _Report(self._report), "_formula": self.energy, "sol": None}
 
+    def __copy__(self):
+        other = object.__new__(Orbit)
+        other.__dict__.update(self.__dict__)
+        return other
+
+    def __deepcopy__(self, memo):
+        """Arrays of its own; sol and what the library reported cannot be changed, and are shared."""
+        t, y, energy, events = self.t.copy(), self.y.copy(), self.energy.copy(), copy.deepcopy((self.t_events, self.y_events), memo)
+        return Orbit(self._report, energy, self.q.shape[:-1], t, y, self.sol, *events, self._stopped)
+
 
 _avi.Choice.__repr__ = lambda self: f"monitor {self.monitor}, order {self.order}, h = {self.h:.3g}"
 _avi.Trial.__repr__ = lambda self: f"monitor {self.monitor}, order {self.order}, h = {self.h:.3g}: {self.steps} steps, {self.outcome.name}"
@@ -102,21 +113,60 @@ def _plain(x):
     return SimpleNamespace(**{name: _plain(getattr(x, name)) for name in dir(x) if not name.startswith("_")})
 
 
+class Event:
+    """What event() returns: g with its direction, count and whether it ends the run."""
+
+    def __init__(self, g, direction, count, stop):
+        self.g, self.direction, self.count, self.terminal = g, direction, count, stop
+
+    def __repr__(self):
+        return f"<an event, direction {self.direction}, count {self.count}{', stop' * self.terminal}>"
+
+
 def event(g, *, direction=0, count=0, stop=False):
     """An event for solve(): the zeros of g(q, p) or g(q, t, p), which is traced as H is; never of (t, y), as solve_ivp has it.
 
     direction  1 where g rises as the run goes, -1 where it falls, 0 for both
     count      after so many the event is looked for no more; 0 for all
     stop       the run ends there: at the first, or after `count`
+
+    Raises TypeError or ValueError for a direction or a count of another kind.
     """
-    return SimpleNamespace(g=g, direction=direction, count=count, terminal=stop)
+    if direction not in (-1, 0, 1):
+        raise _wrong(direction, numbers.Real)(f"The direction of an event is {direction!r}; it must be 1, -1, or 0 for both.")
+    if not isinstance(stop, bool) and getattr(getattr(stop, "dtype", None), "kind", "") != "b":
+        raise TypeError(f"stop of an event is {stop!r}; it must be True or False, beside count=2 where the second is to end the run.")
+    return Event(g, int(direction), _whole(count, "The count of an event", 0), bool(stop))
+
+
+def _wrong(x, kind):
+    """The error for a number that is out of range, or for what is none."""
+    return ValueError if isinstance(x, kind) else TypeError
+
+
+def _whole(x, name, least):
+    """x as an int that C++ can hold."""
+    try:
+        number = operator.index(x)
+    except TypeError:
+        number = None
+    if number is None or not least <= number < 2**31:
+        raise _wrong(x, numbers.Integral)(f"{name} is {x!r}; it must be a whole number between {least} and {2**31 - 1}.")
+    return number
 
 
 def _event(g, shape):
     """An event, or a function with the attributes that solve_ivp knows, as what the library asks for."""
-    function, terminal = getattr(g, "g", g), getattr(g, "terminal", False)
-    count = getattr(g, "count", 0) or (0 if isinstance(terminal, bool) else int(terminal))
-    return hamiltonian(function, shape, name="An event"), int(getattr(g, "direction", 0)), count, bool(terminal)
+    if not isinstance(g, Event):
+        if not (callable(g) or isinstance(g, _avi.Formula)):
+            raise TypeError(f"An event is {g!r}; it must be a function g(q, p) or g(q, t, p), or what avi.event() makes of one.")
+        direction, terminal = getattr(g, "direction", 0), getattr(g, "terminal", False)
+        if not isinstance(direction, numbers.Real):
+            raise TypeError(f"The direction of an event is {direction!r}; it must be a number, whose sign counts.")
+        count = 0 if isinstance(terminal, bool) or not terminal else _whole(terminal, "The attribute terminal of an event", 0)
+        g = Event(g, (direction > 0) - (direction < 0), count, bool(terminal))
+    formula = g.g if isinstance(g.g, _avi.Formula) else hamiltonian(g.g, shape, name="An event")
+    return formula, g.direction, g.count, g.terminal
 
 
 class _Bar:
@@ -158,7 +208,8 @@ def solve(H, q, p, t, tol, *, events=(), progress=None, parameters=(), **options
     dense     keeps the orbit between the times, for `sol`
     seconds, sweeps, steps   bounds on wall-clock time, on evaluations of all stages and on steps; a run that meets one keeps what it has
     order, monitor, h        of the method, for who does not want them chosen: 2, 4 ... 16; the step in fictive time; "fixed", "energy",
-           "energy^1.5", "poles", "acceleration", "splitting", or a function g(q, p) or g(q, t, p), positive and smooth, which is traced as H is: dt = g dtau
+           "energy^1.5", "poles", "acceleration", "splitting", or a function g(q, p), positive and smooth, which is traced as H is: dt = g dtau;
+           g(q, t, p) where H is H(q, t, p). A step is given together with a monitor
     check  long runs are made twice, so that all of it is compared
     checkpoint, checkpoint_seconds   a file in which the run is kept for resume(), and how often
 
@@ -167,7 +218,7 @@ def solve(H, q, p, t, tol, *, events=(), progress=None, parameters=(), **options
     """
     import numpy as np
 
-    q, p = np.asarray(q, dtype=float), np.asarray(p, dtype=float)
+    q, p = reals(q, "q"), reals(p, "p")
     question = _Question(H, q.shape, t, tol, events, parameters, options)
     return _with_bar(lambda bar: question.answer(q, p, bar), progress)
 
@@ -183,7 +234,7 @@ def resume(H, shape, file, *, events=(), progress=None, parameters=(), monitor=N
     """
     bounds = {"monitor": monitor, "seconds": seconds, "sweeps": sweeps, "steps": steps, "checkpoint_seconds": checkpoint_seconds}
     question = _Question(H, _shape(shape), (0.0, 1.0), 1e-6, events, parameters, bounds)
-    return _with_bar(lambda bar: question.found(_avi.resume(question.formula, str(file), question.options, question.events, bar)), progress)
+    return _with_bar(lambda bar: question.found(_avi.resume(question.formula, os.fspath(file), question.options, question.events, bar)), progress)
 
 
 def ensemble(H, q, p, t, tol, *, events=(), progress=None, parameters=(), threads=None, **options):
@@ -192,12 +243,12 @@ def ensemble(H, q, p, t, tol, *, events=(), progress=None, parameters=(), thread
     q, p   starts, along the first axis
     progress  True for a line that shows how many are done, or a function called with (fraction, done) after each
 
-    H and events are traced once. Every orbit has the digits that it has alone. Ctrl-C ends the runs; those that had not begun have the
-    status -1. Other arguments are those of solve().
+    H and events are traced once. Every orbit has the digits that it has alone. Ctrl-C ends the runs, and so does a StopIteration of
+    `progress`; those that had not begun have the status -1. Other arguments are those of solve(), but for checkpoint=, which is for one run.
     """
     import numpy as np
 
-    q, p = np.asarray(q, dtype=float), np.asarray(p, dtype=float)
+    q, p = reals(q, "q"), reals(p, "p")
     return _side_by_side(_Question(H, q.shape[1:], t, tol, events, parameters, options), q, p, progress, threads)
 
 
@@ -214,7 +265,7 @@ class Solver:
     def __init__(self, H, q, p, t, tol, *, events=(), parameters=(), **options):
         import numpy as np
 
-        q, p = np.asarray(q, dtype=float), np.asarray(p, dtype=float)
+        q, p = reals(q, "q"), reals(p, "p")
         self._question = _Question(H, q.shape, t, tol, events, parameters, options)
         self._question.made = self._question.asked(q, p, None, choose=True)[0]
 
@@ -228,18 +279,24 @@ class Solver:
         """The orbit from (q, p) to the end or with the times t, those of the choice where there are none: an Orbit."""
         import numpy as np
 
-        question, q, p = self._question.until(t), np.asarray(q, dtype=float), np.asarray(p, dtype=float)
+        question, q, p = self._question.until(t), reals(q, "q"), reals(p, "p")
         return _with_bar(lambda bar: question.answer(q, p, bar), progress)
 
     def ensemble(self, q, p, t=None, *, progress=None, threads=None):
         """The orbits from many starts, along the first axis of q and p, side by side on all cores: a list of Orbits, as of ensemble()."""
         import numpy as np
 
-        return _side_by_side(self._question.until(t), np.asarray(q, dtype=float), np.asarray(p, dtype=float), progress, threads)
+        return _side_by_side(self._question.until(t), reals(q, "q"), reals(p, "p"), progress, threads)
+
+
+def _bar(progress):
+    if not (progress is None or isinstance(progress, bool) or callable(progress)):
+        raise TypeError(f"progress is {progress!r}; it must be True or a function.")
+    return _Bar() if progress is True else progress or None
 
 
 def _with_bar(run, progress):
-    bar = _Bar() if progress is True else progress or None
+    bar = _bar(progress)
     try:
         return run(bar)
     finally:
@@ -252,6 +309,10 @@ def _side_by_side(question, q, p, progress, threads):
 
     if q.ndim == 0 or q.shape[:1] != p.shape[:1]:
         raise ValueError(f"p has the shape {p.shape}; it must be that of q, {q.shape}, with one start after the other.")
+    if question.options.checkpoint:
+        raise ValueError("checkpoint= keeps one run, and the runs of an ensemble would all write to its file: give each solve() a file of its own.")
+    if threads is not None:
+        threads = _whole(threads, "threads", 1)
     cancelled = threading.Event()
 
     def unless_cancelled(now):
@@ -264,14 +325,14 @@ def _side_by_side(question, q, p, progress, threads):
         except ValueError as error:
             raise ValueError(f"Start number {number}: {error}") from None
 
-    bar = _Bar() if progress is True else progress or None
+    bar = _bar(progress)
     with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
         runs = [pool.submit(answer, *start) for start in zip(itertools.count(), q, p)]
         try:
             for done, run in enumerate(as_completed(runs) if bar else (), 1):
                 bar((done / len(runs), done))
             return [run.result() for run in runs]
-        except KeyboardInterrupt:
+        except (KeyboardInterrupt, StopIteration):
             cancelled.set()
             return [run.result() for run in runs]
         except BaseException:
@@ -288,21 +349,28 @@ class _Question:
     made = None
 
     def __init__(self, H, shape, t, tol, events, parameters, options):
+        tol = tol.item() if getattr(tol, "shape", None) == () else tol
         if not isinstance(tol, numbers.Real):
             raise TypeError(f"tol is {tol!r}; it must be a number.")
         self.shape, self.tol = shape, float(tol)
-        if callable(options.get("monitor")):
-            options = {**options, "monitor": hamiltonian(options["monitor"], shape, name="The monitor")}
+        monitor = options.get("monitor")
+        if callable(monitor):
+            monitor = hamiltonian(monitor, shape, name="The monitor")
+            options = {**options, "monitor": monitor}
         self.options = _options(_avi.SolveOptions(), options, _OPTIONS, "solve")
         self.set_times(t)
         self.formula = formula_of(H, parameters, lambda: hamiltonian(H, shape, parameters))
-        several = (events,) if callable(events) or hasattr(events, "g") else events
-        self.events = [_event(g, shape) for g in several]
+        if not isinstance(self.formula, _avi.Formula):
+            raise TypeError("H is a formula from objective() with products of large matrices; hamiltonian() makes one for orbits.")
+        if isinstance(monitor, _avi.Formula) and monitor.size % 2 > self.formula.size % 2:
+            raise ValueError("The monitor depends on time and H does not: write H as H(q, t, p), too.")
+        alone = callable(events) or isinstance(events, (Event, _avi.Formula)) or not (events is None or hasattr(events, "__iter__"))
+        self.events = [_event(g, shape) for g in ((events,) if alone else () if events is None else events)]
 
     def set_times(self, t):
         import numpy as np
 
-        t = np.asarray(t, dtype=float)
+        t = reals(t, "t")
         self.times, self.deliver = (np.array([0.0, float(t)]), bool(self.options.checkpoint)) if t.ndim == 0 else (t, True)
         if self.times.ndim != 1 or len(self.times) < 2:
             raise ValueError(f"t has the shape {t.shape}; it must be an end, or at least two times of which the first is the start's.")
@@ -350,15 +418,23 @@ class _Question:
         return Orbit(report, self.formula, self.shape, t, z.T, sol if curve else None, times, states, stopped)
 
 
+_KINDS = {
+    "monitor": "a name or a function",
+    "checkpoint": "a path",
+    **dict.fromkeys(("seconds", "h", "checkpoint_seconds"), "a number"),
+    **dict.fromkeys(("sweeps", "steps", "order"), "a whole number"),
+}
+
+
 def _options(chosen, options, names, function):
     """Sets the fields of these names. Raises TypeError for another one."""
     for name, value in options.items():
         if name not in names:
             raise TypeError(f"{function}() has no option {name!r}; there are {', '.join(names)}.")
         if value is not None:
+            kind = _KINDS.get(name) or f"of the type {type(getattr(chosen, name)).__name__}"
             try:
-                setattr(chosen, name, _avi.Monitor(value) if name == "monitor" else value)
+                setattr(chosen, name, _avi.Monitor(value) if name == "monitor" else os.fspath(value) if name == "checkpoint" else value)
             except TypeError:
-                kind = "a name or a function" if name == "monitor" else f"of the type {type(getattr(chosen, name)).__name__}"
                 raise TypeError(f"The option {name} of {function}() is {value!r}; it must be {kind}.") from None
     return chosen

@@ -1,8 +1,16 @@
 """NumPy's functions and an array's methods for numbers that are being traced (the class itself is in C++)."""
 
+import functools
+import inspect
+import operator
+
 from . import _algebra
 from ._avi import Traced, functions as _names, pool, traced, where as _where
 
+_ROUNDING = (
+    "Rounding and remainders (x // a, x % a, round(x), np.floor(x)) cannot be traced, and there is no other way to write them: a formula has "
+    "to have slopes. An angle needs none, since np.sin and np.cos take it as it is."
+)
 _REFUSED = {
     "A function is traced with numbers that have no value yet, so float(x), int(x), math.sin(x) and the like cannot take them: write "
     "np.sin(x), np.sqrt(x) and so on, and make arrays by np.stack([x, y]) instead of filling np.zeros(2), or fill np.zeros(2, dtype=object).": (
@@ -13,9 +21,7 @@ _REFUSED = {
     "A function that asks whether two of its numbers are equal cannot be traced; instead of `==` and `!=` write avi.where(a < b, x, y).": (
         "eq ne"
     ),
-    "Rounding and remainders (x // a, x % a, round(x)) cannot be traced: a formula has to have slopes.": (
-        "round floor ceil trunc floordiv rfloordiv mod rmod divmod rdivmod"
-    ),
+    _ROUNDING: "round floor ceil trunc floordiv rfloordiv mod rmod divmod rdivmod ifloordiv imod",
     "Traced numbers cannot be assigned to: make a new array by np.stack([x, y]) or np.concatenate([u, v]).": "setitem",
 }
 
@@ -37,6 +43,18 @@ for _sentence, _of in _REFUSED.items():
     for _name in _of.split():
         setattr(Traced, f"__{_name}__", _refusal(_sentence))
 Traced.__hash__ = None
+
+def _assigned(of):
+    def assign(self, other):
+        """a += b: of an array, its views change with it; a single number is another one then, as in NumPy."""
+        if not self.shape and not self._is_view:
+            return NotImplemented
+        self._assign(getattr(self, of)(other))
+        return self
+
+    return assign
+
+
 for _name, _of in {
     "neg": "negative", "pos": "positive", "abs": "absolute", "invert": "invert", "add": "add", "sub": "subtract", "mul": "multiply",
     "truediv": "divide", "pow": "power", "lt": "less", "le": "less_equal", "gt": "greater", "ge": "greater_equal", "and": "logical_and",
@@ -45,11 +63,17 @@ for _name, _of in {
     setattr(Traced, f"__{_name}__", getattr(Traced, _of))
     if hasattr(float, f"__r{_name}__") or hasattr(int, f"__r{_name}__"):
         setattr(Traced, f"__r{_name}__", getattr(Traced, f"reversed_{_of}"))
+    if hasattr(operator, f"__i{_name}__"):
+        setattr(Traced, f"__i{_name}__", _assigned(f"__{_name}__"))
+Traced.__imatmul__ = _assigned("__matmul__")
 
 
 def functions():
     """The names of the functions that can be traced, those of NumPy and scipy.special."""
     return sorted(_names)
+
+
+_ROUND = {"floor", "ceil", "trunc", "rint", "remainder", "fmod", "divmod", "floor_divide", "modf"}
 
 
 def _array_ufunc(self, ufunc, method, *inputs, out=None, axis=0, **options):
@@ -67,13 +91,20 @@ def _array_ufunc(self, ufunc, method, *inputs, out=None, axis=0, **options):
         return ufunc(a.reshape(a.shape + (1,) * b.ndim), b)
     if method == "__call__" and not options:
         if name == "matmul":
+            if isinstance(inputs[0], Traced):
+                return _algebra.times(*inputs)
             kept = _algebra.by_matrix(*inputs)
-            return traced(inputs[0]) @ inputs[1] if kept is None else kept
+            return _algebra.matmul(traced(inputs[0]), inputs[1]) if kept is None else kept
         if name in ("equal", "not_equal"):
             return self == self
         if name in _names:
             first, *others = inputs
             return getattr(Traced, name)(first, *others) if isinstance(first, Traced) else getattr(self, f"reversed_{name}")(first)
+    if name in _ROUND:
+        raise TypeError(f"np.{name}: {_ROUNDING}")
+    if method != "__call__" or options:
+        words = [f"with {', '.join(options)}="] * bool(options) + [f"as np.{name}.{method}"] * (method != "__call__")
+        raise TypeError(f"np.{name} cannot be traced {' '.join(words)}.")
     raise TypeError(f"np.{name} cannot be traced here; avi.functions() lists what can.")
 
 
@@ -152,7 +183,7 @@ def _dot(a, b):
 
 
 def _clip(x, a_min=None, a_max=None):
-    x = x if a_min is None else maximum(x, a_min)
+    x = traced(x) if a_min is None else maximum(x, a_min)
     return x if a_max is None else minimum(x, a_max)
 
 
@@ -199,6 +230,7 @@ _FUNCTIONS = {
     "det": _algebra.determinant,
     "select": _select,
     "real": lambda x: x,
+    "sinc": lambda x: x.sinc(),
     "shape": lambda x: x.shape,
     "ndim": lambda x: x.ndim,
     "size": lambda x: x.size,
@@ -208,8 +240,21 @@ _FUNCTIONS = {
 }
 _FUNCTIONS["max"], _FUNCTIONS["min"] = _FUNCTIONS["amax"], _FUNCTIONS["amin"]
 _JOINS = {"concatenate", "stack", "hstack", "vstack", "column_stack", "dstack"}
-_MOVES = {"reshape", "ravel", "transpose", "roll", "flip", "squeeze", "expand_dims", "moveaxis", "swapaxes", "repeat", "tile", "broadcast_to"}
+_MOVES = {"roll", "repeat", "tile", "copy"}
+_VIEWS = set(
+    "transpose flip fliplr flipud squeeze expand_dims moveaxis rollaxis swapaxes broadcast_to diagonal atleast_1d atleast_2d "
+    "atleast_3d rot90 split array_split hsplit vsplit dsplit matrix_transpose permute_dims unstack".split()
+)
 _FILLED = {"zeros_like", "ones_like", "empty_like", "full_like"}  # stay arrays of objects, which can be filled
+_ASSIGN = "It would change an array in its place: make a new one by avi.where(condition, x, y), np.stack([x, y]) or np.concatenate([u, v])."
+_EQUAL = "It would ask whether numbers that have no value yet are equal: write avi.where(np.abs(a - b) < tolerance, x, y)."
+_NOT_HERE = {
+    **dict.fromkeys(("fill_diagonal", "put", "copyto", "putmask", "place", "put_along_axis"), _ASSIGN),
+    **dict.fromkeys(("array_equal", "array_equiv", "allclose", "isclose"), _EQUAL),
+    "piecewise": "Write avi.where(condition, x, y), or np.select([a < b, c < d], [x, y], z).",
+    **dict.fromkeys(("round", "around", "round_", "fix"), _ROUNDING),
+}
+_NOT_HERE["fill_diagonal"] += " A diagonal is taken away by a * (1 - np.eye(n)) and put in by + np.eye(n) * b."
 
 
 def _joined(function, parts, *args, **kwargs):
@@ -222,24 +267,59 @@ def _joined(function, parts, *args, **kwargs):
     return pool(list(parts))._take(function(numbers, *args, **kwargs))
 
 
+def _of_view(x, numbers):
+    """Views of x from those of the numbers of its entries."""
+    return type(numbers)(_of_view(x, each) for each in numbers) if isinstance(numbers, (list, tuple)) else x._view(numbers)
+
+
+@functools.lru_cache(maxsize=None)
+def _taken(known):
+    return inspect.signature(known).parameters.keys()
+
+
 def _array_function(self, function, types, args, kwargs):
-    """NumPy's other functions: those above by the graph, the rest (concatenate, stack, cross, outer, diff ...) by what NumPy does with
-    objects."""
+    """NumPy's other functions: those above by the graph, the rest (cross, outer, trace ...) by what NumPy does with objects."""
+    import numpy as np
+
     name = function.__name__
+    full = f"{function.__module__.replace('numpy', 'np')}.{name}"
     known = _FUNCTIONS.get(name)
+    if name in _NOT_HERE:
+        raise TypeError(f"{full} cannot be traced. {_NOT_HERE[name]}")
     if known:
+        for option in kwargs:
+            if option not in _taken(known):
+                raise TypeError(f"{full} cannot be traced with {option}=; it takes {', '.join(_taken(known))}.")
         return known(*args, **kwargs)
     if name in _JOINS:
         return _joined(function, *args, **kwargs)
-    if name in _MOVES:
-        return args[0]._take(function(args[0]._numbers, *args[1:], **kwargs))
+    if name in ("reshape", "ravel") and args[:1] and args[0] is self:
+        return _reshaped(name)(self, *args[1:], **kwargs)
+    if name in _MOVES | _VIEWS and args[:1] and args[0] is self and not (name.startswith("atleast") and len(args) > 1):
+        moved = function(args[0]._numbers, *args[1:], **kwargs)
+        return args[0]._take(moved) if name in _MOVES else _of_view(args[0], moved)
+    objects = [_objects(x) for x in args]
+    for x, each in zip(args, objects):
+        if isinstance(x, Traced):
+            each.flags.writeable = False  # it is a copy, which must not be changed in the place of what it was made of
     try:
-        result = function(*(_objects(x) for x in args), **{key: _objects(x) for key, x in kwargs.items()})
-    except TypeError as error:
-        raise TypeError(f"{function.__module__.replace('numpy', 'np')}.{name} cannot be traced: {error}") from None
-    if name in _FILLED or not _any_traced(result):
-        return result
-    return traced(result)
+        result = function(*objects, **{key: _objects(x) for key, x in kwargs.items()})
+    except (TypeError, ValueError) as error:
+        of_ours = isinstance(error.__cause__, TypeError)  # where NumPy has words of its own for it
+        kind = TypeError if of_ours or isinstance(error, TypeError) else ValueError
+        raise kind(f"{full} cannot be traced: {error.__cause__ if of_ours else error}") from None
+    if name in _FILLED:
+        room = np.empty(result.shape, dtype=object)
+        for i in np.ndindex(result.shape):
+            room[i] = traced(result[i])
+        return room
+    several = isinstance(result, (list, tuple))
+    for x, each in zip(args, objects):
+        if isinstance(x, Traced) and any(np.may_share_memory(each, part) for part in (result if several else [result])):
+            if x is args[0] and not several:
+                return x._view(function(x._numbers, *args[1:], **kwargs))
+            x._fix()
+    return traced(result) if _any_traced(result) else result
 
 
 def _no_length():
@@ -261,10 +341,48 @@ def _by_numpy(name):
     return method
 
 
-def _moved(name):
-    return lambda self, *args, **kwargs: self._take(getattr(self._numbers, name)(*args, **kwargs))
+def _moved(name, take):
+    return lambda self, *args, **kwargs: getattr(self, take)(getattr(self._numbers, name)(*args, **kwargs))
 
 
+def _reshaped(name):
+    def reshape(self, *args, **kwargs):
+        """A view where NumPy makes one, a copy where it has to; where that is not known, neither array is assigned to any more."""
+        import numpy as np
+
+        numbers = self._numbers
+        moved = getattr(numbers, name)(*args, **kwargs)
+        if self._regular and np.may_share_memory(moved, numbers):
+            return self._view(moved)
+        result = self._take(moved)
+        if not self._regular:
+            self._fix()
+            result._fix()
+        return result
+
+    return reshape
+
+
+def _array(self):
+    """What np.asarray() makes of several numbers: an array of objects that cannot be changed, as it is a copy."""
+    if not self.shape:
+        raise AttributeError("__array__")  # one number is one object
+
+    def array(dtype=None, copy=None):
+        import numpy as np
+
+        if dtype is not None and np.dtype(dtype) != object:
+            self.__float__()
+        objects = _objects(self)
+        if not copy:
+            objects.flags.writeable = False
+            self._fix()
+        return objects
+
+    return array
+
+
+Traced.__matmul__ = _algebra.times
 Traced.__array_function__ = _array_function
 Traced.__array_ufunc__ = _array_ufunc
 Traced.__len__ = lambda self: self.shape[0] if self.shape else _no_length()
@@ -278,15 +396,21 @@ Traced.max = _FUNCTIONS["amax"]
 Traced.min = _FUNCTIONS["amin"]
 Traced.dot = _dot
 Traced.clip = _clip
-Traced.astype = lambda self, *args, **kwargs: self
-Traced.copy = lambda self: self
+Traced.astype = lambda self, dtype=None, **options: self if options.get("copy") is False else self.copy()
+Traced.copy = lambda self, order=None: traced(self)
+Traced.__copy__ = lambda self: traced(self)
+Traced.__deepcopy__ = lambda self, memo: traced(self)
+Traced.__array__ = property(_array)
 Traced.real = property(lambda self: self)
 Traced.dtype = property(lambda self: _dtype())
 Traced.__format__ = lambda self, spec: repr(self)
 Traced.tolist = lambda self: [each.tolist() for each in self] if self.shape else self
 Traced.item = lambda self, i=0: self.ravel()[i]
-Traced.T = property(lambda self: self._take(self._numbers.T))
-for _name in ("reshape", "ravel", "flatten", "transpose", "squeeze", "repeat", "swapaxes"):
-    setattr(Traced, _name, _moved(_name))
-for _name in ("cumsum", "diagonal", "ptp", "std", "trace", "var"):
+Traced.T = property(lambda self: self._view(self._numbers.T))
+Traced.reshape, Traced.ravel = _reshaped("reshape"), _reshaped("ravel")
+for _name in ("transpose", "squeeze", "swapaxes", "diagonal"):
+    setattr(Traced, _name, _moved(_name, "_view"))
+for _name in ("flatten", "repeat"):
+    setattr(Traced, _name, _moved(_name, "_take"))
+for _name in ("cumsum", "ptp", "std", "trace", "var"):
     setattr(Traced, _name, _by_numpy(_name))

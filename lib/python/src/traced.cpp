@@ -12,6 +12,7 @@ namespace {
 
 using One = Recorded (*)(const Recorded&);
 using Two = Recorded (*)(const Recorded&, const Recorded&);
+using Places = py::array_t<py::ssize_t, py::array::c_style | py::array::forcecast>;
 
 constexpr const char* no_condition =
     "`&`, `|` and `~` take comparisons such as (a < b) & (c < d), each in brackets.";
@@ -20,6 +21,23 @@ constexpr const char* no_condition =
 Recorded logaddexp(const Recorded& a, const Recorded& b) {
   const Recorded larger = select(a < b, b, a), smaller = select(a < b, a, b);
   return larger + log1p(exp(smaller - larger));
+}
+
+/// 1 / (1 + exp(-a)), and exp(a) / (1 + exp(a)) where a is negative: no power overflows, nor do the slopes.
+Recorded expit(const Recorded& a) {
+  const Recorded e = exp(select(a < 0.0, a, -a));
+  return select(a < 0.0, e, 1.0) / (1.0 + e);
+}
+
+/// sin(y) / y, by its series where |y| < 1: next to zero the slopes of the quotient are differences of large
+/// numbers.
+Recorded sinc(const Recorded& y) {
+  const Recorded square = y * y;
+  Recorded series = 1.0;
+  for (double k = 20.0; k > 0.0; k -= 2.0)
+    series = 1.0 - square * series / (k * (k + 1.0));
+  const Recorded away = select(square < 1.0, 1.0, y);
+  return select(square < 1.0, series, sin(away) / away);
 }
 
 // clang-format off
@@ -39,7 +57,7 @@ const std::map<std::string_view, One> ones = {
   AVI_ROW(exp2, exp(M_LN2 * a)) AVI_ROW(log2, log(a) / M_LN2) AVI_ROW(log10, log(a) / M_LN10)
   AVI_ROW(deg2rad, (M_PI / 180.0) * a) AVI_ROW(radians, (M_PI / 180.0) * a)
   AVI_ROW(rad2deg, (180.0 / M_PI) * a) AVI_ROW(degrees, (180.0 / M_PI) * a)
-  AVI_ROW(expit, 1.0 / (1.0 + exp(-a)))
+  AVI_ROW(expit, expit(a)) AVI_ROW(sinc, sinc(M_PI * a))
   AVI_ROW(logical_not, 1.0 - a) AVI_ROW(invert, 1.0 - a)
 #undef AVI_ROW
 };
@@ -72,18 +90,75 @@ bool gives_conditions(std::string_view name) {
 
 py::object numpy(const char* name) { return py::module_::import("numpy").attr(name); }
 
+std::string text(const Shape& shape) { return py::str(py::tuple(py::cast(shape))); }
+
 /// The numbers of the entries, in x's shape: what NumPy does with them can be done with x.
 py::object numbers(const Traced& x) {
   return numpy("arange")(x.entries.size()).attr("reshape")(py::cast(x.shape));
 }
 
 /// The entries with these numbers, in the shape of the numbers.
-Traced take(const Traced& x,
-            const py::array_t<py::ssize_t, py::array::c_style | py::array::forcecast>& which) {
-  Traced result{x.graph, {}, {which.shape(), which.shape() + which.ndim()}, x.condition};
+Traced take(const Traced& x, const Places& which) {
+  Traced result{x.graph, {}, {which.shape(), which.shape() + which.ndim()}, x.condition, x.regular};
   for (py::ssize_t i = 0; i < which.size(); ++i)
     result.entries.push_back(x.entries.at(static_cast<std::size_t>(which.data()[i])));
   return result;
+}
+
+/// x with what has been assigned to it, as a view or through one.
+const Traced& current(Traced& x) {
+  if (!x.cells || x.seen == x.cells->version) return x;
+  x.graph = x.cells->graph, x.seen = x.cells->version;
+  for (std::size_t i = 0; i < x.entries.size(); ++i)
+    x.entries[i] = x.cells->entries[x.places[i]];
+  return x;
+}
+
+/// The cells of x, made for the first of its views.
+Cells& cells_of(Traced& x) {
+  if (!x.cells) {
+    x.cells = std::make_shared<Cells>(Cells{x.graph, x.entries});
+    x.places.resize(x.entries.size());
+    std::iota(x.places.begin(), x.places.end(), std::size_t{0});
+  }
+  return *x.cells;
+}
+
+/// As take(), with entries that are those of x whatever is assigned to either.
+Traced view(Traced& x, const Places& which) {
+  Traced result = take(current(x), which);
+  const auto steps_alike = [at = which.data(), count = which.size()] {
+    for (py::ssize_t i = 2; i < count; ++i)
+      if (at[i] - at[i - 1] != at[1] - at[0]) return false;
+    return true;
+  };
+  result.regular = which.ndim() < 2 || (x.regular && steps_alike());
+  result.seen = cells_of(x).version, result.cells = x.cells;
+  for (py::ssize_t i = 0; i < which.size(); ++i)
+    result.places.push_back(x.places[static_cast<std::size_t>(which.data()[i])]);
+  return result;
+}
+
+/// x, with other entries: what x += y does to an array.
+void assign(Traced& x, const Traced& value) {
+  if (value.shape != x.shape)
+    throw py::value_error("An array of the shape " + text(x.shape) + " cannot hold one of the shape " +
+                          text(value.shape) + ": write a = a + b instead of a += b.");
+  if (value.condition != x.condition)
+    throw py::type_error("An array of comparisons cannot hold numbers: write a = a + b instead of a += b.");
+  if (x.cells) {
+    std::vector<std::size_t> once = x.places;
+    std::sort(once.begin(), once.end());
+    if (x.cells->fixed || std::adjacent_find(once.begin(), once.end()) != once.end())
+      throw py::type_error("This array cannot be changed, since np.asarray(), np.broadcast_to() or a "
+                           "reshape() that may be a copy has made "
+                           "another of it that would not follow: write a = a + b instead of a += b.");
+    x.cells->graph = x.graph ? x.graph : value.graph, x.seen = ++x.cells->version;
+    for (std::size_t i = 0; i < x.places.size(); ++i)
+      x.cells->entries[x.places[i]] = value.entries[i];
+  }
+  if (!x.graph) x.graph = value.graph;
+  x.entries = value.entries;
 }
 
 /// x in another shape, by NumPy's rules; x itself where it has that shape.
@@ -93,30 +168,49 @@ const Traced& broadcast(const Traced& x, const Shape& shape, Traced& room) {
 
 /// A traced array, number, array or list as an operand; `room` holds it where it was none.
 const Traced& operand(py::handle x, Traced& room) {
-  if (py::isinstance<Traced>(x)) return x.cast<const Traced&>();
+  if (py::isinstance<Traced>(x)) return current(x.cast<Traced&>());
   if (PyFloat_Check(x.ptr()) || PyLong_Check(x.ptr())) {
     const double number = PyFloat_AsDouble(x.ptr());
     if (PyErr_Occurred()) throw py::error_already_set();
     room.entries.assign(1, number);
+    room.condition = PyBool_Check(x.ptr());
     return room;
   }
   const py::array array = py::array::ensure(x);
-  const char kind = array ? array.dtype().kind() : '?';
+  char kind = array ? array.dtype().kind() : '?';
+  if (kind == 'O' && array.ndim() == 0 && !py::isinstance<py::array>(x)) {  // an object that is no array
+    const double number = PyFloat_AsDouble(x.ptr());                        // of a Fraction, for one
+    if (!PyErr_Occurred()) {
+      room.entries.assign(1, number);
+      return room;
+    }
+    kind = '?';
+  }
   if (!array || std::string_view("biufO").find(kind) == std::string_view::npos) {
     PyErr_Clear();
-    throw py::type_error("A traced number meets a " +
-                         std::string(py::str(py::type::handle_of(x).attr("__name__"))) +
+    throw py::type_error("A traced number meets " +
+                         (kind == 'c'
+                              ? "complex numbers"
+                              : "a " + std::string(py::str(py::type::handle_of(x).attr("__name__")))) +
                          "; it can be combined with real numbers and arrays of them.");
   }
+  if (py::hasattr(x, "hardmask"))
+    throw py::type_error(
+        "A traced number meets an array with a mask, which would be lost: write a.filled(0.0) "
+        "or a.data.");
   room.shape.assign(array.shape(), array.shape() + array.ndim());
+  room.regular = (array.flags() & py::array::c_style) != 0 || array.ndim() < 2;
   room.entries.reserve(static_cast<std::size_t>(array.size()));
   if (kind == 'O') {
+    room.condition = array.size() > 0;
     for (const py::handle each : array.attr("ravel")()) {
-      if (py::isinstance<py::array>(each)) throw py::type_error("Rows of an array are of different lengths.");
       Traced own;
       const Traced& entry = operand(each, own);
+      if (py::isinstance<py::array>(each) || !entry.shape.empty())
+        throw py::type_error(
+            "An entry of an array of objects is an array; np.stack([u, v]) makes one array of several.");
       if (entry.graph) room.graph = entry.graph;
-      room.condition = entry.condition;
+      room.condition = room.condition && entry.condition;
       room.entries.push_back(entry.entries[0]);
     }
   } else {
@@ -128,7 +222,7 @@ const Traced& operand(py::handle x, Traced& room) {
 }
 
 Traced apply(One f, const Traced& a) {
-  Traced result{a.graph, {}, a.shape};
+  Traced result{a.graph, {}, a.shape, false, a.regular};
   result.entries.reserve(a.entries.size());
   for (const Recorded& x : a.entries)
     result.entries.push_back(f(x));
@@ -137,6 +231,7 @@ Traced apply(One f, const Traced& a) {
 
 Traced apply(Two f, const Traced& a, const Traced& b) {
   Traced result{a.graph ? a.graph : b.graph, {}, a.shape.empty() ? b.shape : a.shape}, left_room, right_room;
+  result.regular = a.regular && b.regular;
   if (!a.shape.empty() && !b.shape.empty() && a.shape != b.shape)
     result.shape = numpy("broadcast_shapes")(a.shape, b.shape).cast<Shape>();
   const auto& left = a.shape.empty() ? a.entries : broadcast(a, result.shape, left_room).entries;
@@ -175,7 +270,7 @@ Traced fold(std::string_view name, const Traced& x) {
   const auto length = static_cast<std::size_t>(x.shape.at(0));
   if (length == 0 && name != "add" && name != "multiply")
     throw py::value_error("There is no largest entry of none.");
-  Traced result{x.graph, {}, {x.shape.begin() + 1, x.shape.end()}};
+  Traced result{x.graph, {}, {x.shape.begin() + 1, x.shape.end()}, false, x.regular};
   const auto each = static_cast<std::size_t>(size_of(result.shape));
   for (std::size_t i = 0; i < each; ++i) {
     Recorded total = length > 0 ? x.entries[i] : Recorded(name == "multiply" ? 1.0 : 0.0);
@@ -195,7 +290,22 @@ py::object product(const py::object& a, const py::object& b) {
   return py::cast(fold("add", apply(twos.at("multiply"), left, right)));
 }
 
-Traced item(const Traced& x, const py::object& key) {
+/// Whether NumPy answers x[key] with a view.
+bool gives_view(const py::handle& key) {
+  if (py::isinstance<py::tuple>(key)) {
+    const auto parts = py::reinterpret_borrow<py::tuple>(key);
+    return std::all_of(parts.begin(), parts.end(), gives_view);
+  }
+  return py::isinstance<py::slice>(key) || py::isinstance<py::ellipsis>(key) || key.is_none() ||
+         (PyIndex_Check(key.ptr()) && !PyBool_Check(key.ptr()) && !py::isinstance<py::array>(key));
+}
+
+bool names_ellipsis(const py::handle& key) {
+  return py::isinstance<py::ellipsis>(key) ||
+         (py::isinstance<py::tuple>(key) && std::any_of(key.begin(), key.end(), names_ellipsis));
+}
+
+Traced item(Traced& x, const py::object& key) {
   if (PyLong_Check(key.ptr()) && !x.shape.empty()) {
     py::ssize_t i = key.cast<py::ssize_t>();
     const py::ssize_t length = x.shape[0];
@@ -203,11 +313,16 @@ Traced item(const Traced& x, const py::object& key) {
       throw py::index_error("Index " + std::to_string(i) + " of an array of " + std::to_string(length) +
                             " entries.");
     if (i < 0) i += length;
-    const auto each = static_cast<py::ssize_t>(x.entries.size()) / length;
-    const auto first = x.entries.begin() + i * each;
-    return {x.graph, {first, first + each}, {x.shape.begin() + 1, x.shape.end()}, x.condition};
+    if (x.shape.size() > 1) return view(x, py::array(numbers(x)[key]));
+    return {x.graph, {current(x).entries[static_cast<std::size_t>(i)]}, {}, x.condition};
   }
-  return take(x, py::array(numbers(x)[key]));
+  if (py::isinstance<Traced>(key))
+    throw py::type_error(
+        "x[a < b] asks which entries there are, which depends on numbers that have no value yet: "
+        "write avi.where(a < b, x, 0.0), with as many entries as x.");
+  const py::array which = numbers(x)[key];
+  return gives_view(key) && (which.ndim() > 0 || names_ellipsis(key)) ? view(x, which)
+                                                                      : take(current(x), which);
 }
 
 /// The numbers of the arguments that the entries are; empty where they are anything else.
@@ -232,11 +347,13 @@ Traced more(const Traced& x, const Shape& shape) {
 /// The entries of several arrays, one after the other.
 Traced pool(const std::vector<py::object>& parts) {
   Traced all;
+  all.condition = !parts.empty();
   for (const py::object& part : parts) {
     Traced room;
     const Traced& x = operand(part, room);
     if (x.graph) all.graph = x.graph;
-    all.condition = x.condition;
+    all.condition = all.condition && x.condition;
+    all.regular = all.regular && x.regular;
     all.entries.insert(all.entries.end(), x.entries.begin(), x.entries.end());
   }
   all.shape = {static_cast<py::ssize_t>(all.entries.size())};
@@ -262,9 +379,13 @@ int returned_node(const py::object& result, ExpressionGraph& graph, const char* 
                          " returned None; it must return one number: is `return` missing?");
   Traced room;
   const Traced& value = operand(result, room);
+  if (value.condition)
+    throw py::type_error(
+        std::string(what) +
+        " returned a comparison; it must return a number: avi.where(a < b, x, y) makes one of "
+        "it, and an event is the zero of a difference, such as a - b.");
   if (value.entries.size() != 1)
-    throw py::type_error(std::string(what) + " returned an array of shape " +
-                         std::string(py::str(py::tuple(py::cast(value.shape)))) +
+    throw py::type_error(std::string(what) + " returned an array of shape " + text(value.shape) +
                          "; it must return one number: is np.sum() missing?");
   return value.entries[0].node_in(graph);
 }
@@ -287,10 +408,19 @@ void bind_traced(py::module_& module) {
   traced.def("__matmul__", product)
       .def("__rmatmul__", [](const py::object& b, const py::object& a) { return product(a, b); })
       .def("__getitem__", item)
-      .def("_folded", [](const Traced& x, const std::string& name) { return fold(name, x); })
-      .def("_take", take)
+      .def("_folded", [](Traced& x, const std::string& name) { return fold(name, current(x)); })
+      .def("_take", [](Traced& x, const Places& which) { return take(current(x), which); })
+      .def("_view", view)
+      .def("_assign",
+           [](Traced& x, const py::object& value) {
+             Traced room;
+             assign(x, operand(value, room));
+           })
+      .def("_fix", [](Traced& x) { cells_of(x).fixed = true; })
       .def("_more", more)
-      .def_property_readonly("_places", places)
+      .def_readonly("_regular", &Traced::regular)
+      .def_property_readonly("_is_view", [](const Traced& x) { return x.cells != nullptr; })
+      .def_property_readonly("_places", [](Traced& x) { return places(current(x)); })
       .def_property_readonly("_numbers", numbers)
       .def_property_readonly("shape", [](const Traced& x) { return py::tuple(py::cast(x.shape)); })
       .def_property_readonly("size", [](const Traced& x) { return x.entries.size(); });
@@ -298,7 +428,8 @@ void bind_traced(py::module_& module) {
   module.def("pool", pool);
   module.def("traced", [](const py::object& x) {
     Traced room;
-    return Traced(operand(x, room));
+    const Traced& value = operand(x, room);
+    return Traced{value.graph, value.entries, value.shape, value.condition, value.regular};
   });
 }
 

@@ -16,6 +16,14 @@ namespace avi::python {
 namespace py = pybind11;
 using Shape = std::vector<py::ssize_t>;  ///< The shape of an array, as NumPy has it.
 
+/// What an array and its views share, so that each sees what is assigned to the other.
+struct Cells {
+  std::shared_ptr<ExpressionGraph> graph{};  ///< As of Traced.
+  std::vector<Recorded> entries{};           ///< Those of the array itself.
+  long version = 0;                          ///< How often something was assigned.
+  bool fixed = false;                        ///< NumPy has a copy, which would not see an assignment.
+};
+
 /// Recorded numbers in the shape of a NumPy array. NumPy hands its functions over to it (__array_ufunc__,
 /// __array_function__), so that a formula reads as it does for an array of doubles, and every entry of what
 /// comes out is one node of the graph.
@@ -24,6 +32,10 @@ struct Traced {
   std::vector<Recorded> entries{};           ///< Last index first, as NumPy has them in C order.
   Shape shape{};                             ///< Empty for a single number.
   bool condition = false;                    ///< The entries are 1 or 0, from comparisons.
+  bool regular = true;             ///< NumPy reshapes it without a copy: its entries lie at equal distances.
+  std::shared_ptr<Cells> cells{};  ///< Of an array that has views, and of these.
+  std::vector<std::size_t> places{};  ///< Where in the cells the entries are.
+  long seen = 0;                      ///< The version of the cells that the entries are of.
 };
 
 /// `count` arguments of the graph from `first` on, in a shape of so many entries.

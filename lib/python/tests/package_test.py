@@ -34,15 +34,16 @@ def stub(module):
 class Package(unittest.TestCase):
     def test_stubs_name_what_there_is(self):
         known = stub(avi)
-        self.assertEqual(set(avi.__all__) - {"plot"}, {name for name in known if "." not in name} - {"Event"})
-        orbit = avi.solve(lambda q, p: p**2 / 2 - np.cos(q), 1.0, 0.0, 1.0, 1e-6)
+        self.assertEqual(set(avi.__all__) - {"plot"}, {name for name in known if "." not in name and name[0] != "_"})
+        orbit = avi.solve(lambda q, p: p**2 / 2 - np.cos(q), 1.0, 0.0, 1.0, 1e-6, dense=True)
+        self.assertEqual([hasattr(orbit.sol, name) for name in known["_Between"]], [True] * 2)
         least = avi.minimise(lambda x: x**2, 1.0)
         solver = avi.Solver(lambda q, p: p**2 / 2 - np.cos(q), 1.0, 0.0, 1.0, 1e-6)
-        for one in (orbit, least, solver, avi.hamiltonian(lambda q, p: q * p, ()), avi.Traced):
+        for one in (orbit, least, solver, avi.hamiltonian(lambda q, p: q * p, ()), avi.event(abs), avi.Traced):
             name = one.__name__ if inspect.isclass(one) else type(one).__name__
             for member in known[name]:
                 self.assertTrue(hasattr(one, member), f"{name}.{member}")
-        options = {name: avi._orbits._OPTIONS for name in ("solve", "ensemble", "Solver.__init__")} | {"minimise": avi._minimise._OPTIONS}
+        options = {name: avi._orbits._OPTIONS for name in ("solve", "Solver.__init__")} | {"ensemble": avi._orbits._OPTIONS[:-2]} | {"minimise": avi._minimise._OPTIONS}
         for module, names in ((avi, known), (avi.plot, stub(avi.plot))):
             for name, arguments in names.items():
                 function = attrgetter(name)(module) if isinstance(arguments, tuple) else None

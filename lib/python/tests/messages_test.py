@@ -1,0 +1,255 @@
+"""What is refused, each with the words that say what to write instead; and what is taken although it is unusual."""
+
+import copy
+import fractions
+import pathlib
+import tempfile
+import unittest
+
+import numpy as np
+
+import avi
+
+
+def kepler(q, p):
+    return (p @ p) / 2 - 1 / np.sqrt(q @ q)
+
+
+def spring(q, p):
+    return (p @ p + q @ q) / 2
+
+
+START = [0.5, 0.0], [0.0, np.sqrt(3.0)]
+
+
+def solved(H=kepler, q=START[0], p=START[1], t=1.0, tol=1e-6, **options):
+    return lambda: avi.solve(H, q, p, t, tol, **options)
+
+
+def traced(f, size=2, parameters=()):
+    return lambda: avi.hamiltonian(f, size, parameters)
+
+
+class Refused(unittest.TestCase):
+    def check(self, cases):
+        for call, error, words in cases:
+            with self.assertRaisesRegex(error, words):
+                call()
+
+    def test_comparisons(self):
+        falls = lambda q, p: q[0] > 0
+        self.check(
+            [
+                (solved(falls), TypeError, r"H returned a comparison.*avi.where\(a < b, x, y\)"),
+                (solved(events=falls), TypeError, "An event returned a comparison.*difference"),
+                (solved(events=avi.event(falls)), TypeError, "An event returned a comparison"),
+                (solved(monitor=falls), TypeError, "The monitor returned a comparison"),
+                (lambda: avi.minimise(lambda x: x[0] < 1, [1.0]), TypeError, "f returned a comparison"),
+                (traced(lambda q, p: (q > 0)[0] & (p > 0)[0]), TypeError, "a comparison"),
+                (traced(lambda q, p: True), TypeError, "a comparison"),
+                (traced(lambda q, p: np.stack([1.0, q[0] > 0])[0] & (q[1] > 0)), TypeError, "take comparisons"),
+                (traced(lambda q, p: np.array_equal(q, [1.0, 2.0]) + p @ p), TypeError, "np.array_equal cannot.*np.abs"),
+                (traced(lambda q, p: np.allclose(q, p) + p @ p), TypeError, "np.allclose cannot"),
+                (traced(lambda q, p: np.any(np.array([q[0], 1]) == np.zeros(2, dtype=object)) + p @ p), TypeError, "instead of `=="),
+            ]
+        )
+        self.assertEqual(traced(lambda q, p: avi.where(q[0] > 0, 1.0, 0.0) + (q > 0).sum())().value(np.ones(4)), 3.0)
+
+    def test_order_of_arguments(self):
+        self.check(
+            [
+                (traced(lambda q, p, k: k * (p @ p)), TypeError, r"H calls its arguments q, p, k; they are q, p, or q, t, p .*parameters=\[...\]"),
+                (traced(lambda p, q: p @ p / 2 + q[0]), TypeError, "H calls its arguments p, q; they are q, p"),
+                (traced(lambda p, s, q: p @ p / 2 + q[0]), TypeError, "H calls its arguments p, s, q; they are q, p"),
+                (solved(events=lambda p, q: q[0]), TypeError, "An event calls its arguments p, q"),
+                (solved(monitor=lambda p, q: q @ q), TypeError, "The monitor calls its arguments p, q"),
+                (traced(lambda q, t, p, c: c * p @ p), TypeError, r"H takes the arguments q, t, p, c; .*parameters=\[...\] are given"),
+                (traced(lambda q: q @ q), TypeError, "H takes the arguments q; they are q, p"),
+                (traced(lambda q, p, a, b: a * b, parameters=[1.0, 2.0]), TypeError, "q, p, a, b; .* parameters, as one array"),
+                (traced(lambda q, p: q @ p, parameters=[1.0, 2.0]), TypeError, "q, p; .* parameters, as one array"),
+                (traced(lambda q, t, p: q @ p, parameters=[1.0]), TypeError, "q, t"),
+            ]
+        )
+        self.assertEqual(traced(lambda x, time, v: x @ v + time)().size, 5)
+        self.assertEqual(traced(lambda q, p, c=None: q @ p * c[0], parameters=[2.0])().value([1, 1, 1, 1]), 4.0)
+
+    def test_rounding(self):
+        for f in (
+            lambda q: q[0] % 1,
+            lambda q: q[0] // 1,
+            lambda q: round(q[0]),
+            lambda q: np.floor(q)[0],
+            lambda q: np.mod(q, 1)[0],
+            lambda q: np.round(q)[0],
+            lambda q: np.rint(q[0]),
+            lambda q: np.fix(q)[0],
+        ):
+            self.check([(traced(lambda q, p: f(q)), TypeError, "no other way to write them.*np.sin and np.cos take it")])
+
+    def test_arrays(self):
+        def rows_as_objects(p):
+            rows = np.empty(2, dtype=object)
+            rows[0], rows[1] = p, p
+            return rows
+
+        left = lambda f: lambda q, p: np.sum(f(np.zeros(2, dtype=q.dtype)))
+        self.check(
+            [
+                (traced(left(np.exp)), TypeError, r"np.exp\(\) of the plain numbers.*np.zeros_like"),
+                (traced(left(np.sqrt)), TypeError, r"np.sqrt\(\) of the plain numbers.*np.zeros_like"),
+                (traced(lambda q, p: np.maximum(np.array([q[0], 0]), 0.5)[0]), TypeError, "avi.maximum"),
+                (traced(lambda q, p: q[q > 0.5].sum()), TypeError, r"avi.where\(a < b, x, 0.0\)"),
+                (traced(lambda q, p: np.sum(q, where=[True, False])), TypeError, "np.sum cannot be traced with where="),
+                (traced(lambda q, p: np.sin(q, where=[True, False])[0]), TypeError, "np.sin cannot be traced with where="),
+                (traced(lambda q, p: np.sum(q * np.ma.masked_array([1.0, 2.0], [0, 1]))), TypeError, "mask"),
+                (traced(lambda q, p: np.sum(q * np.array([1j, 2]))), TypeError, "complex numbers"),
+                (traced(lambda q, p: q * {1: 2}), TypeError, "meets a dict; it can be combined with real numbers"),
+                (traced(lambda q, p: q * None), TypeError, "meets a NoneType"),
+                (traced(lambda q, p: np.sum(q * rows_as_objects(p))), TypeError, "An entry of an array of objects is an array"),
+                (traced(lambda q, p: np.sum(q * np.array([[1], [2, 3]], dtype=object))), TypeError, "An entry of an array of objects is an array"),
+                (traced(lambda q, p: np.gradient(q)[0]), TypeError, "np.gradient cannot be traced: .*fill"),
+                (traced(lambda q, p: np.piecewise(q, [q < 0], [0, 1])[0]), TypeError, "np.select"),
+                (solved(q=np.array([0.5 + 1j, 0.0])), TypeError, "q is complex; it must be a real number"),
+                (solved(p=np.ma.masked_array([1.0, 2.0], [0, 1])), TypeError, "p is an array with a mask"),
+                (solved(q=None), TypeError, "q is None"),
+                (solved(t=None), TypeError, "t is None"),
+                (lambda: avi.minimise(lambda x: x @ x, None), TypeError, "x0 is None"),
+                (lambda: avi.ensemble(kepler, None, None, 1.0, 1e-6), TypeError, "q is None"),
+                (solved(tol=np.array([1e-8])), TypeError, "tol is"),
+                (solved(tol=None), TypeError, "tol is None; it must be a number"),
+            ]
+        )
+        self.assertEqual(avi.objective(lambda x: fractions.Fraction(1, 4) * x[0] + np.array([fractions.Fraction(1, 2)])[0] * x[0], 1).value([1.0]), 0.75)
+        room = np.zeros(2, dtype=object)
+        for f in (lambda z, x: np.sum(avi.where(x > z, x, z)), lambda z, x: np.sum(avi.maximum(z, x)), lambda z, x: np.sum(avi.minimum(z, x) ** 2)):
+            self.assertEqual(avi.objective(lambda x: f(room, x), 2).value([0.5, -0.5]), float(f(np.zeros(2), np.array([0.5, -0.5]))))
+
+    def test_formulas(self):
+        formula = avi.hamiltonian(kepler, 2)
+        of_data = avi.objective(lambda x: np.sum((np.ones((1000, 4)) @ x) ** 2), 4)
+        self.check(
+            [
+                (traced(kepler, [0.5, 0]), TypeError, r"shape is \[0.5, 0\]; it must be that of q"),
+                (traced(kepler, -1), ValueError, "shape is -1"),
+                (lambda: formula.value(*START), TypeError, r"formula.value\(np.concatenate\(\[q, p\]\)\)"),
+                (lambda: formula.gradient(*START), TypeError, r"formula.gradient\(np.concatenate"),
+                (lambda: formula.value([1j] * 4), TypeError, "complex"),
+                (solved(of_data), TypeError, "hamiltonian\\(\\) makes one"),
+                (solved(3.0), TypeError, "H is 3.0; it must be a function"),
+                (lambda: avi.minimise(3.0, [1.0]), TypeError, "f is 3.0; it must be a function"),
+            ]
+        )
+
+    def test_events(self):
+        zero = lambda q, p: q[0]
+
+        def marked(**attributes):
+            g = lambda q, p: q[0]
+            g.__dict__.update(attributes)
+            return g
+
+        self.check(
+            [
+                (lambda: avi.event(zero, count=2.5), TypeError, "The count of an event is 2.5; it must be a whole number"),
+                (lambda: avi.event(zero, count="2"), TypeError, "The count of an event is '2'"),
+                (lambda: avi.event(zero, count=10**30), ValueError, "between 0 and"),
+                (lambda: avi.event(zero, count=-1), ValueError, "between 0 and"),
+                (lambda: avi.event(zero, direction=0.5), ValueError, "direction of an event is 0.5; it must be 1, -1, or 0"),
+                (lambda: avi.event(zero, direction="up"), TypeError, "direction of an event is 'up'"),
+                (lambda: avi.event(zero, stop=2), TypeError, "stop of an event is 2; .* beside count=2"),
+                (solved(events=marked(direction="up")), TypeError, "direction of an event is 'up'"),
+                (solved(events=marked(terminal=2.5)), TypeError, "terminal of an event is 2.5"),
+                (solved(events=5), TypeError, "An event is 5; it must be a function"),
+                (solved(events=avi.objective(lambda x: np.sum((np.ones((1000, 4)) @ x) ** 2), 4)), TypeError, "An event takes the arguments x"),
+                (solved(events=["q"]), TypeError, "An event is 'q'; it must be a function"),
+            ]
+        )
+        self.assertEqual(solved(events=None)().t_events, [])
+        times = [solved(spring, [1.0], [0.0], 20.0, 1e-9, events=g)().t_events[0].tolist() for g in (zero, avi.hamiltonian(zero, 1), [avi.event(avi.hamiltonian(zero, 1))])]
+        self.assertEqual(times, [times[0]] * 3)
+        rising = avi.event(zero, direction=1)
+        self.assertIsInstance(rising, avi.Event)
+        self.assertIn("direction 1", repr(rising))
+        as_scipy, ours = (solved(spring, [1.0], [0.0], 20.0, 1e-9, events=g)().t_events[0].tolist() for g in (marked(direction=0.5), rising))
+        self.assertEqual(as_scipy, ours)
+
+    def test_monitors(self):
+        timed = lambda q, t, p: 1 + q @ q + 0.1 * np.sin(t)
+        self.check([(solved(monitor=timed), ValueError, "write H as H\\(q, t, p\\), too"), (solved(h=0.1), ValueError, "Monitor is not set")])
+        H = lambda q, t, p: kepler(q, p)
+        exact = solved(tol=1e-12)().y[:, -1]
+        for monitor in (timed, lambda q, p: q @ q):
+            self.assertLess(np.abs(solved(H, monitor=monitor)().y[:, -1] - exact).max(), 1e-6)
+
+    def test_runs(self):
+        starts = np.ones((4, 1)), np.zeros((4, 1))
+        solver = avi.Solver(spring, [1.0], [0.0], 1.0, 1e-6, checkpoint="run")
+        self.check(
+            [
+                (lambda: avi.ensemble(spring, *starts, 1.0, 1e-6, checkpoint="run"), ValueError, "checkpoint= keeps one run"),
+                (lambda: solver.ensemble(*starts), ValueError, "checkpoint= keeps one run"),
+                (lambda: avi.ensemble(spring, *starts, 1.0, 1e-6, threads="2"), TypeError, "threads is '2'; it must be a whole number"),
+                (lambda: avi.ensemble(spring, *starts, 1.0, 1e-6, threads=0), ValueError, "threads is 0"),
+                (solved(progress=3), TypeError, "progress is 3; it must be True or a function"),
+                (solved(steps=2.5), TypeError, "steps of solve.. is 2.5; it must be a whole number"),
+                (solved(checkpoint=3), TypeError, "checkpoint of solve.. is 3; it must be a path"),
+            ]
+        )
+
+        def stop(now):
+            raise StopIteration
+
+        orbits = avi.ensemble(kepler, np.tile(START[0], (8, 1)), np.tile(START[1], (8, 1)), 1e4, 1e-9, progress=stop, threads=1)
+        self.assertEqual((len(orbits), orbits[-1].status), (8, -1))
+        self.assertEqual(solved(tol=np.array(1e-8))().tolerance, 1e-8)
+
+    def test_checkpoint_as_a_path(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "run"
+            part = avi.solve(kepler, *START, 1e4, 1e-9, check=False, checkpoint=file, steps=500)
+            self.assertFalse(part.success)
+            self.assertTrue(file.exists())
+            self.assertTrue(avi.resume(kepler, 2, file).success)
+
+    def test_minimise(self):
+        f = lambda x: x @ x
+        self.check(
+            [
+                (lambda: avi.minimise(f, [1.0], jac=2), TypeError, "jac is 2; it must be a function, or True where f returns both"),
+                (lambda: avi.minimise(f, [1.0], jac=lambda x: 2j * x), TypeError, "The gradient is complex"),
+                (lambda: avi.minimise(f, [1.0], jac=lambda x: None), TypeError, "The gradient is None"),
+                (lambda: avi.minimise(f, [1.0], jac=True), TypeError, r"f returned a float64; with jac=True it must return a pair"),
+                (lambda: avi.minimise(lambda x: (x @ x > 1, 2 * x), [1.0], jac=True), TypeError, "f returned a comparison"),
+                (lambda: avi.minimise(f, [1.0], callback=3), TypeError, "callback is 3; it must be a function"),
+            ]
+        )
+        self.assertEqual(avi.minimise(f, [1.0, 2.0], jac=False).x.tolist(), avi.minimise(f, [1.0, 2.0]).x.tolist())
+
+
+class Criterion(unittest.TestCase):
+    def test_message_says_what_was_met(self):
+        barrier = lambda x: x[0] - np.log(x[0])
+        far = avi.minimise(barrier, [1e-8])
+        self.assertTrue(far.success)
+        self.assertGreater(abs(far.x[0] - 1), 1e-3)  # the gradient at the start is 1e8
+        self.assertEqual(far.message, "Converged: |gradient| fell to at most 1e-06 of that at the start.")
+        near = avi.minimise(barrier, [1e-8], relative=0.0, absolute=1e-6)
+        self.assertEqual(near.message, "Converged: |gradient| is at most 1e-06, which was asked for.")
+        self.assertLess(abs(near.x[0] - 1), 1e-5)
+        self.assertEqual(avi.minimise(lambda x: x @ x, [0.0]).message, "Converged: |gradient| is at most 0.")
+
+
+class Copies(unittest.TestCase):
+    def test_orbits_keep_what_is_between(self):
+        orbit = avi.solve(spring, [1.0], [0.0], 5.0, 1e-9, dense=True, events=lambda q, p: q[0])
+        for again in (copy.copy(orbit), copy.deepcopy(orbit)):
+            self.assertEqual(again.sol(2.0).tolist(), orbit.sol(2.0).tolist())
+            self.assertEqual(repr(again), repr(orbit))
+            self.assertEqual(again.energy.tolist(), orbit.energy.tolist())
+            self.assertEqual(again.t_events[0].tolist(), orbit.t_events[0].tolist())
+        again.y[0, 0] = 7.0
+        self.assertEqual((again.q[0, 0], orbit.q[0, 0]), (7.0, 1.0))
+
+
+if __name__ == "__main__":
+    unittest.main()
