@@ -24,6 +24,8 @@ struct Trip {
   double energy_scale;                ///< Unit of energy errors.
   double sense;                       ///< 1, or -1 where the end lies before the start.
   Budget& budget;                     ///< Budget of the call.
+  double felt = infinity;             ///< A change of H inside a step that is not its error.
+  double span = infinity;             ///< Time from the start to the end.
   SharpFeatures* features = nullptr;  ///< Looked for, if there are any.
 };
 
@@ -202,6 +204,22 @@ class Journey {
     before_ = z_;
     made(steps_->step(z_, trip_->sense * h));
   }
+  /// Inside the last step is something that its stages do not show.
+  bool passes_over() {
+    const auto felt = [&](const State<dynamic>& z) {
+      return !(std::abs(field_->energy(z.q.data(), z.p.data()) - trip_->energy_at_start) <= trip_->felt);
+    };
+    if (!trip_->features) return false;
+    if (trip_->features->jumped(*steps_, before_, z_, felt)) return true;
+    if (!trip_->features->hides()) return false;
+    // Where no force acts, one may all the same between the stages of what are long steps then.
+    if ((z_.p - before_.p).cwiseAbs().maxCoeff() > 1e-6 * z_.p.cwiseAbs().maxCoeff()) return false;
+    const auto points =
+        static_cast<int>(std::min(looks * std::abs(z_.t - before_.t) / trip_->span, looks / 4.0));
+    for (int k = 1; k < points; ++k)
+      if (felt(steps_->polynomial(static_cast<double>(k) / points))) return true;
+    return false;
+  }
   /// A step has been made.
   void made(const StepReport& report) {
     const double sense = trip_->sense;
@@ -209,7 +227,7 @@ class Journey {
     if (ok() && !z_.finite()) run.outcome = Outcome::non_finite;
     if (ok() && (!(sense * (z_.t - before_.t) > 0.0) || hardly_moves())) run.outcome = Outcome::stalled;
     if (!ok()) return;
-    if (trip_->features && !jumped) jumped = trip_->features->jumped(*steps_, before_, z_);
+    if (!jumped) jumped = passes_over();
     ++run.steps;
     if (run.steps <= few) look_at_tail();
     ranges.add(z_);
@@ -223,6 +241,8 @@ class Journey {
     }
     if (!ok()) before_ = z_;
   }
+
+  static constexpr double looks = 1000.0;  // at H in a run on which nothing happens
 
   Trip* trip_;
   PointField* field_;

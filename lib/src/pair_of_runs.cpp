@@ -28,7 +28,8 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   // resolve all of the way.
   const bool seen_to_fall = fine.energy_error > 1e3 * answer_.energy_rounding;
   const double falls = seen_to_fall ? std::max(1.0, 0.5 * coarse.energy_error / fine.energy_error) : infinity;
-  const double ratio = std::min(trusted(coarse, fine), falls), until = since_start(marks - 1);
+  const double ratio = features_->bends() ? 1.0 : std::min(trusted(coarse, fine), falls),
+               until = since_start(marks - 1);
   double early = 0.0,
          late = 0.0;  // in the first quarter, or three eighths where marks are few, and on the whole
   for (std::size_t i = 0; i < marks; ++i) {
@@ -318,18 +319,20 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   const double pair = span_ / here * setting.candidate->price() *
                       static_cast<double>(coarse_->run.evaluations + fine_->run.evaluations);
   vain_ = mark <= before_at_ && error > 0.3 * before_ ? vain_ + 1 : 0;
+  // Beyond a kink errors fall by chance, and slowly: there is no end to shorter steps.
+  const bool endless = features_->bends() && pair > 0.5 * patience * std::max(factor, 0.35);
   if (of_energy < of_state && of_energy <= 3.0) {
     // Where steps resolve the motion, a third of them has ten million times less error: if that is not
     // enough, it is chaos, or noise. What is foretold may be wrong as long as it has not come true.
     const bool beyond = fine_->h * std::max(factor, 0.35) < resolved_ / 3.0 || factor < 0.25;
     if (resolved_ > 0.0 && beyond && seen_.error <= tolerance && !last) return false;
     const bool lost = hidden && last && marks_.size() > 1 && !(seen_.error < 1e-3) && !(fine_->h > resolved_);
-    resigned_ =
-        lost || vain_ > 1 || (hidden && resolved_ > 0.0 && beyond) || spent > std::max(patience, 3.0 * pair);
+    resigned_ = lost || vain_ > (features_->bends() ? 3 : 1) || (hidden && resolved_ > 0.0 && beyond) ||
+                endless || spent > std::max(patience, 3.0 * pair);
   } else {
     // A feature that the steps do not see, or not yet resolve, is worth a while, unless they say the same
     // again.
-    resigned_ = (steady && steady_) || spent > std::max(2.0 * patience, 3.0 * pair);
+    resigned_ = (steady && steady_) || endless || spent > std::max(2.0 * patience, 3.0 * pair);
   }
   steady_ = steady;
   if (resigned_) return !last && take_from_aside(setting, 0.3 * pair);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -15,22 +16,42 @@
 namespace avi::detail {
 
 /// The arguments of all functions in H that change within a narrow range of their argument only: exp, tanh,
-/// cosh, erf and the like. The arguments are smooth on the way where the functions are not, so that a peak or
-/// a passage through zero between two points can be found from them.
+/// cosh, erf and the like, and what the conditions of its branches compare. The arguments are smooth on the
+/// way where the functions are not, so that a peak or a passage through zero between two points can be found
+/// from them.
 class SharpFeatures {
  public:
+  /// Whether something is felt at a state inside the last step, which the energy of the step does not show.
+  using Felt = std::function<bool(const State<dynamic>&)>;
+
   /// Takes H as a node of a graph. @param sketch of the orbit, where it begins
   SharpFeatures(const ExpressionGraph& graph, int energy, const Sketch& sketch) : n_(graph.inputs() / 2) {
     const std::vector<char> part = graph.parts(energy);
+    std::vector<char> moving(part.size(), 0);  // it depends on q
     std::vector<int> nodes;
     for (int i = 0; i <= energy; ++i) {
       using enum Operation;
       const Operation what = graph[i].operation;
-      const bool peak = what == exp,
+      char& moves = moving[static_cast<std::size_t>(i)];
+      if (what == input)
+        moves = graph[i].a < n_;
+      else
+        for (const int operand : {graph[i].a, graph[i].b})
+          moves = moves || (operand >= 0 && moving[static_cast<std::size_t>(operand)]);
+      if (part[static_cast<std::size_t>(i)]) {
+        bends_ = bends_ || what == less || what == less_equal || what == abs || what == sign;
+        hides_ = hides_ || (moves && (is_function(what) || what == divide || what == power || what == less ||
+                                      what == less_equal || what == sign));
+      }
+      const bool peak = what == exp, condition = what == less || what == less_equal,
                  passage = what == tanh || what == cosh || what == sinh || what == erf || what == erfc;
-      if (!part[static_cast<std::size_t>(i)] || !(peak || passage)) continue;
-      arguments_.push_back({peak});
+      if (!part[static_cast<std::size_t>(i)] || !(peak || passage || condition)) continue;
+      arguments_.push_back({peak      ? Kind::peak
+                            : passage ? Kind::passage
+                                      : Kind::condition,
+                            static_cast<int>(nodes.size())});
       nodes.push_back(graph[i].a);
+      if (condition) nodes.push_back(graph[i].b);
     }
     if (none()) return;
     formula_.emplace(RecordedFormula<double>{Schedule::program(graph, -1, nodes, graph.size())});
@@ -42,9 +63,15 @@ class SharpFeatures {
 
   /// H has no such function.
   [[nodiscard]] bool none() const { return arguments_.empty(); }
+  /// H has a kink or a branch, where errors of a step do not fall by its order.
+  [[nodiscard]] bool bends() const { return bends_; }
+  /// H is no polynomial in q: there may be something where nothing is felt of it elsewhere.
+  [[nodiscard]] bool hides() const { return hides_; }
 
-  /// Some feature lies inside the last step of `method`, between points that do not show it.
-  bool jumped(const OrbitSteps& method, const State<dynamic>& before, const State<dynamic>& after) {
+  /// Some feature lies inside the last step of `method`, between points that do not show it; that of a
+  /// condition where it is felt, too.
+  bool jumped(const OrbitSteps& method, const State<dynamic>& before, const State<dynamic>& after,
+              const Felt& felt) {
     if (none()) return false;
     run(after);
     if (!take_in()) return false;
@@ -57,15 +84,19 @@ class SharpFeatures {
       const Argument& argument = arguments_[i];
       if (!argument.moves()) continue;
       const std::array<double, parts + 1>& at = argument.at;
+      if (argument.kind == Kind::condition) {
+        if (flips(method, i, felt)) return true;
+        continue;
+      }
       const auto [least, most] = std::ranges::minmax_element(at);
       if (!(*most - *least > wide)) continue;
-      if (argument.peak) {
+      if (argument.kind == Kind::peak) {
         const auto k = static_cast<int>(most - at.begin());
         // From e^-40 on it may be felt. A smooth top lies hardly further above three points than they differ.
         const int first = std::clamp(k - 1, 0, parts - 2);
         const double low = std::min({at[first], at[first + 1], at[first + 2]});
         if (*most + 2.0 * (*most - low) < -40.0) continue;
-        const double place = highest(method, i, std::max(k - 1, 0) / static_cast<double>(parts),
+        const double place = highest(method, i, 1.0, std::max(k - 1, 0) / static_cast<double>(parts),
                                      std::min(k + 1, parts) / static_cast<double>(parts));
         const double top = on(method, i, place);
         // Stages an eighth of a step away would have to see something of it.
@@ -82,18 +113,26 @@ class SharpFeatures {
  private:
   static constexpr double wide = 30.0;  // a change of the argument that a step may not make unseen
   static constexpr int parts = 4;       // of a step, at whose ends arguments are looked at
+  enum class Kind { peak, passage, condition };
   struct Argument {
-    bool peak;
+    Kind kind;
+    int node;                                 // number of its node, or of the first of two, in the formula
     double low = infinity, high = -infinity;  // on the sketch and after all steps
     std::array<double, parts + 1> at{};       // in the step under way
 
     // So far by so much that a step might hide a change that is wide.
-    [[nodiscard]] bool moves() const { return !(high - low <= wide / 3.0); }
+    [[nodiscard]] bool moves() const {
+      return kind == Kind::condition ? high > low : !(high - low <= wide / 3.0);
+    }
   };
 
   void run(const State<dynamic>& z) { formula_->run(z.q.data(), z.p.data(), n_); }
   /// Argument i, at the last point.
-  [[nodiscard]] double value(std::size_t i) const { return formula_->partial(static_cast<int>(i)); }
+  [[nodiscard]] double value(std::size_t i) const {
+    const Argument& argument = arguments_[i];
+    const double first = formula_->partial(argument.node);
+    return argument.kind == Kind::condition ? first - formula_->partial(argument.node + 1) : first;
+  }
   /// The same at a part of the last step.
   double on(const OrbitSteps& method, std::size_t i, double place) {
     run(method.polynomial(place));
@@ -110,26 +149,45 @@ class SharpFeatures {
     return any;
   }
 
-  /// Where it is largest in a part of the step, by golden section.
-  double highest(const OrbitSteps& method, std::size_t argument, double low, double high) {
+  /// A condition is another one for a part of the step that stages may not see, and that is felt.
+  bool flips(const OrbitSteps& method, std::size_t i, const Felt& felt) {
+    const Argument& argument = arguments_[i];
+    for (const double sense : {1.0, -1.0}) {
+      // Where it is most on one side of zero, and an eighth of a step before and behind it on the other.
+      const auto most = std::ranges::max_element(argument.at, {}, [&](double x) { return sense * x; });
+      const auto k = static_cast<int>(most - argument.at.begin());
+      if (k == 0 || k == parts) continue;
+      const double place = highest(method, i, sense, (k - 1) / static_cast<double>(parts),
+                                   (k + 1) / static_cast<double>(parts));
+      if (!(sense * on(method, i, place) > 0.0)) continue;
+      const bool narrow = sense * on(method, i, std::max(place - 0.125, 0.0)) < 0.0 &&
+                          sense * on(method, i, std::min(place + 0.125, 1.0)) < 0.0;
+      if (narrow && felt(method.polynomial(place))) return true;
+    }
+    return false;
+  }
+
+  /// Where it, times `sense`, is largest in a part of the step, by golden section.
+  double highest(const OrbitSteps& method, std::size_t argument, double sense, double low, double high) {
     constexpr double golden = 0.6180339887498949;
     double a = high - golden * (high - low), b = low + golden * (high - low);
-    double at_a = on(method, argument, a), at_b = on(method, argument, b);
+    double at_a = sense * on(method, argument, a), at_b = sense * on(method, argument, b);
     for (int i = 0; i < 30; ++i) {
       if (at_a > at_b) {
         high = b, b = a, at_b = at_a;
         a = high - golden * (high - low);
-        at_a = on(method, argument, a);
+        at_a = sense * on(method, argument, a);
       } else {
         low = a, a = b, at_a = at_b;
         b = low + golden * (high - low);
-        at_b = on(method, argument, b);
+        at_b = sense * on(method, argument, b);
       }
     }
     return 0.5 * (low + high);
   }
 
   Eigen::Index n_;
+  bool bends_ = false, hides_ = false;
   std::vector<Argument> arguments_;
   std::optional<RecordedFormula<double>> formula_;  // of all arguments, as derivatives of nothing
 };

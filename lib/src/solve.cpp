@@ -112,8 +112,12 @@ void Orbiter::prepare() {
   choice.energy_scale = scale;
   answer_.energy_rounding = std::numeric_limits<double>::epsilon() * (std::abs(energy) / scale + 1.0);
   trip_.emplace(Trip{z, energy, scale, sense_, budget_});
+  // Inside a step a polynomial has half of the digits that its end has.
+  const double inside = std::max(0.1 * std::sqrt(question_.tolerance), 10.0 * question_.tolerance);
+  trip_->felt = std::max(inside, 1e3 * answer_.energy_rounding) * scale;
+  trip_->span = span_;
   features_.emplace(question_.graph, question_.energy, sketch);
-  if (!features_->none()) trip_->features = &*features_;
+  if (!features_->none() || features_->hides()) trip_->features = &*features_;
   menu_ = candidates(question_, energy, sketch, radians_, resting, metric, choice, field_.operations());
   const std::string& wanted = question_.options.monitor.name;
   if (!wanted.empty()) {

@@ -26,7 +26,7 @@ bool jumped(const H& hamiltonian, double q, double* far = nullptr) {
   const State before = z;
   EXPECT_TRUE(method->step(z, 1.0).ok());
   if (far) *far = z.q[0];
-  return features.jumped(*method, before, z);
+  return features.jumped(*method, before, z, [](const State&) { return true; });
 }
 
 /// A bell at q = 1, so low that nothing else is felt of it.
@@ -96,7 +96,7 @@ TEST(SharpFeatures, AreNotSearchedForFarAway) {
     State z{.q = VectorX::Constant(1, start), .p = VectorX::Ones(1)};
     const State before = z;
     EXPECT_TRUE(method.step(z, 1.0).ok());
-    EXPECT_EQ(features.jumped(method, before, z), there) << start;
+    EXPECT_EQ(features.jumped(method, before, z, [](const State&) { return true; }), there) << start;
     return *count;
   };
   EXPECT_LE(asked(-5.0, false), 3) << "the points that every step is looked at";

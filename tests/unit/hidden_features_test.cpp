@@ -1,0 +1,95 @@
+#include "avi/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+/// @file
+/// Walls, bells and contacts that are thin against the steps of a free flight, and kinks.
+
+namespace hidden_features_test {
+
+using avi::solve;
+using avi::State;
+
+const State<1> flying{.q = {-1.0}, .p = {1.0}};
+
+// A soft wall that stops it at 1980.7, after a way on which nothing acts.
+TEST(HiddenFeatures, AWallWithABranch) {
+  const auto wall = [](const auto& q, const auto& p) {
+    const auto d = max(0.0 * q[0], 20.0 - abs(q[0] - 2000.0));
+    return 0.5 * p[0] * p[0] + d * d;
+  };
+  for (const double tolerance : {1e-4, 1e-6}) {
+    const auto found = solve(wall, flying, 5000.0, tolerance);
+    EXPECT_TRUE(found.kept()) << found.report();
+    // In it, half of an oscillation of frequency sqrt(2): to 1980 and back in 2 (1981) + pi / sqrt(2).
+    EXPECT_NEAR(found.state.q[0], 1980.0 - (5000.0 - 1981.0 - M_PI / std::sqrt(2.0)), 1e4 * tolerance);
+    EXPECT_NEAR(found.state.p[0], -1.0, 10.0 * tolerance);
+  }
+}
+
+// Two discs that touch: from far away they part as from near by, where steps see the contact.
+TEST(HiddenFeatures, AContact) {
+  const auto discs = [](const auto& q, const auto& p) {
+    const auto x = q[0] - q[2], y = q[1] - q[3];
+    const auto d = max(0.0 * x, 1.0 - sqrt(x * x + y * y));
+    return 0.5 * p.squaredNorm() + 50.0 * d * d;
+  };
+  const auto from = [&](double far) {
+    return solve(discs, State<4>{.q = {-far, 0.1, far, -0.1}, .p = {0.5, 0.0, -0.5, 0.0}}, 4.0 * far, 1e-4);
+  };
+  const auto near = from(5.0), far = from(250.0);
+  EXPECT_TRUE(near.kept()) << near.report();
+  EXPECT_TRUE(far.kept()) << far.report();
+  EXPECT_LT(near.state.p[0], -0.4);
+  EXPECT_LT((near.state.p - far.state.p).norm(), 1e-3);
+}
+
+// Energies of 10 that a body with 1/2 cannot pass; a function of q that is no exponential.
+TEST(HiddenFeatures, ABellWithoutAnExponential) {
+  const auto bell = [](const auto& q, const auto& p) {
+    const auto d = 0.05 * (q[0] - 2000.0);
+    return 0.5 * p[0] * p[0] + 10.0 * pow(1.0 + d * d, -16.0);
+  };
+  const auto found = solve(bell, flying, 5000.0, 1e-8);
+  EXPECT_TRUE(found.kept()) << found.report();
+  EXPECT_NEAR(found.state.p[0], -1.0, 1e-7);
+}
+
+// A push between t = 29.99 and 30.01, for an oscillation that takes long steps: found, or said.
+TEST(HiddenFeatures, AWindowInTime) {
+  const auto pushed = [](const auto& q, const auto& t, const auto& p) {
+    return 0.5 * (p[0] * p[0] + q[0] * q[0]) - q[0] * select(abs(t - 30.0) < 0.01, 50.0 + 0.0 * t, 0.0 * t);
+  };
+  const auto found = solve(pushed, State<1>{.q = {1.0}, .p = {0.0}}, 60.0, 1e-4, {.sweeps = 100'000});
+  const double push = 2.0 * 50.0 * std::sin(0.01);  // of momentum, seen from t = 30
+  const double q = std::cos(60.0) + push * std::sin(30.0);
+  EXPECT_TRUE(!found.kept() || std::abs(found.state.q[0] - q) < 2e-3) << found.report();
+}
+
+// Between two soft walls, where errors of a step do not fall by its order.
+TEST(HiddenFeatures, AKinkIsErredAtAsIsSaid) {
+  int kept = 0;
+  for (const double stiffness : {4.7, 23.5, 100.0})
+    for (const double end : {24.9, 37.3, 40.6})
+      for (const double tolerance : {1e-4, 1e-6}) {
+        const auto walls = [=](const auto& q, const auto& p) {
+          const auto d = max(0.0 * q[0], abs(q[0]) - 1.0);
+          return 0.5 * p[0] * p[0] + 0.5 * stiffness * d * d;
+        };
+        const auto found = solve(walls, State<1>{.q = {0.0}, .p = {1.0}}, end, tolerance);
+        const double w = std::sqrt(stiffness), half = M_PI / w, period = half + 2.0;
+        const double turns = std::floor((end - 1.0) / period), rest = end - 1.0 - turns * period;
+        const double side = std::fmod(turns, 2.0) == 0.0 ? 1.0 : -1.0;
+        const double q = rest < half ? side * (1.0 + std::sin(w * rest) / w) : side * (1.0 - (rest - half));
+        const double error = std::abs(found.state.q[0] - q) / (2.0 + 2.0 / w);
+        if (found.kept()) {
+          ++kept;
+          EXPECT_LT(error, 10.0 * tolerance) << stiffness << " to " << end << "\n" << found.report();
+        }
+      }
+  EXPECT_GE(kept, 16);
+}
+
+}  // namespace hidden_features_test
