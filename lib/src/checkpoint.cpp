@@ -1,5 +1,6 @@
 #include "checkpoint.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -9,7 +10,7 @@ namespace avi::detail {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x3174696272'6f6976ull;  // "viorbit1": the last digit is the version
+constexpr std::uint64_t magic = 0x3274696272'6f6976ull;  // "viorbit2": the last digit is the version
 
 [[noreturn]] void damaged(const std::string& why) {
   throw std::invalid_argument("The checkpoint " + why + ".");
@@ -81,6 +82,8 @@ std::uint64_t fingerprint(const OrbitQuestion& question) {
   Record record;
   put_graph(record, question.graph, question.energy);
   record.put(question.gradient);
+  if (!question.gradient.empty())
+    put_graph(record, question.graph, *std::ranges::max_element(question.gradient));
   if (question.given >= 0) put_graph(record, question.graph, question.given);
   for (const OrbitEvent& event : question.events) {
     put_graph(record, event.g.graph(), event.g.node());

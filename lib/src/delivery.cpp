@@ -77,7 +77,7 @@ void Delivery::begin_block() {
   put(choice_.name, choice_.order, choice_.h, choice_.energy_scale, choice_.kinetic, choice_.accelerations,
       choice_.poles, choice_.drifts, choice_.solved, choice_.time, report_.choice.sweeps,
       report_.choice.check);
-  put(report_.state_error, report_.energy_rounding, report_.note);
+  put(report_.state_error, report_.energy_rounding, report_.note, horizon_);
   put(std::vector<double>(state_.q.begin(), state_.q.end()),
       std::vector<double>(state_.p.begin(), state_.p.end()), state_.t, run_.steps, run_.evaluations,
       energy_error_, next_, states_.t, states_.z, events_, event_states_.t, event_states_.z);
@@ -94,7 +94,10 @@ void Delivery::write() {
   due_ = budget_.seconds() + question_.options.checkpoint_seconds;
 }
 
-void Delivery::keep(const SolutionReport& report) { report_ = report; }
+void Delivery::keep(const SolutionReport& report, double horizon) {
+  report_ = report;
+  horizon_ = horizon;
+}
 
 Choice choice_in(Record& record, SolutionReport& report) {
   Choice& choice = report.choice;
@@ -114,8 +117,8 @@ std::uint64_t question_in(Record& record, OrbitQuestion& question) {
   return of_file;
 }
 
-void Delivery::restore(Record& record, const SolutionReport& report) {
-  report_ = report;
+void Delivery::restore(Record& record, const SolutionReport& report, double horizon) {
+  keep(report, horizon);
   const auto get = [&](auto&... each) { (record.get(each), ...); };
   std::vector<double> q, p;
   get(q, p, state_.t, run_.steps, run_.evaluations, energy_error_, next_, states_.t, states_.z, events_,

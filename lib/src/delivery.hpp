@@ -32,10 +32,11 @@ class Delivery {
   [[nodiscard]] const State<dynamic>& state() const { return state_; }
   /// How it ended.
   [[nodiscard]] const Run& run() const { return run_; }
-  /// With SolveOptions::checkpoint, `report` goes into the file, too.
-  void keep(const SolutionReport& report);
-  /// Goes on from a file, of which question_in() and choice_in() have been read.
-  void restore(Record& record, const SolutionReport& report);
+  /// With SolveOptions::checkpoint, `report` goes into the file, too, and the time for which the choice was
+  /// made.
+  void keep(const SolutionReport& report, double horizon);
+  /// Goes on from a file, of which question_in(), choice_in() and the horizon have been read.
+  void restore(Record& record, const SolutionReport& report, double horizon);
   /// Puts what was found into the answer.
   void deliver(OrbitAnswer& answer) const;
 
@@ -75,9 +76,10 @@ class Delivery {
   std::vector<int> events_;
   std::shared_ptr<Track> track_;
   SolutionReport report_;  // what was known before the run
-  Record block_;           // the run at the beginning of the block of steps under way
-  bool written_ = false;   // as it is now in the file
-  double due_ = 0.0;       // when it is to be written, in seconds of the call
+  double horizon_ = 0.0;
+  Record block_;          // the run at the beginning of the block of steps under way
+  bool written_ = false;  // as it is now in the file
+  double due_ = 0.0;      // when it is to be written, in seconds of the call
 };
 
 /// Reads the question of a kept run. @return fingerprint() of what was asked then

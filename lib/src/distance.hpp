@@ -47,6 +47,15 @@ class Distance {
     return most;
   }
 
+  /// The largest rounding of an entry, relative to its range.
+  [[nodiscard]] double rounding_of(const State<dynamic>& z, const Ranges& ranges) const {
+    const VectorX scale = scales(ranges);
+    const Eigen::Index n = z.q.size();
+    double most = 0.0;
+    for (Eigen::Index i = 0; i < seen_; ++i)
+      most = std::max({most, part(z.q[i], scale[i]), part(z.p[i], scale[n + i])});
+    return std::numeric_limits<double>::epsilon() * most;
+  }
   /// By which differences of entries are divided.
   [[nodiscard]] VectorX scales(const Ranges& ranges) const {
     const Eigen::Index n = metric_.size();
@@ -62,9 +71,9 @@ class Distance {
       const double root = std::sqrt(metric_[i]);
       // What moves by rounding alone is at rest, and counts by its place.
       const double place = std::max(std::abs(ranges.high[i]), std::abs(ranges.low[i]));
-      const bool rests = std::max(scale[i], bound(of_q * root, i)) <= 1e-12 * place;
+      const bool rests = std::max(scale[i], bound(of_q * root, i)) <= few_digits * place;
       scale[i] = rests ? place : shown(scale[i], of_q * root, i);
-      if (scale[n + i] <= 1e-12 * frequency * place / metric_[i])
+      if (scale[n + i] <= few_digits * frequency * place / metric_[i])
         scale[n + i] = frequency * place / metric_[i];
       // A momentum that hardly changes counts by its size, or rounding would be more than the tolerance.
       const double size = std::max(std::abs(ranges.high[n + i]), std::abs(ranges.low[n + i]));
@@ -75,6 +84,7 @@ class Distance {
 
  private:
   static constexpr double rounding = 1e-14;
+  static constexpr double few_digits = 8.0 * std::numeric_limits<double>::epsilon();
   static double part(double difference, double scale) {
     if (difference == 0.0) return 0.0;
     return std::isfinite(difference) ? std::abs(difference) / scale : infinity;

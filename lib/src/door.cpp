@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <numeric>
 
@@ -131,6 +132,12 @@ void tell_cancelled(const Budget& budget, OrbitAnswer& answer) {
   answer.state_error = infinity;
 }
 
+/// The time a factor further from the start, or the end.
+double beyond(const OrbitQuestion& question, double time, double factor) {
+  const double there = question.t + factor * (time - question.t), end = question.t_end;
+  return end < question.t ? std::max(there, end) : std::min(there, end);
+}
+
 /// A call of solve() with something to deliver beside the end.
 class Call {
  public:
@@ -138,23 +145,25 @@ class Call {
       : question_(question), degrees_(degrees), budget_(budget) {}
 
   OrbitAnswer make() {
-    double horizon = question_.t_end;
     budget_.share = 0.5;
-    if (may_stop() && !question_.made) horizon = scout();
+    return make_for(may_stop() && !question_.made ? scout() : question_.t_end);
+  }
+  /// The same, where the end or an event that stops the run is expected at this time.
+  OrbitAnswer make_for(double horizon) {
     for (int round = 0;; ++round) {
       OrbitAnswer answer = chosen(horizon, question_.tolerance, question_.options.check);
       if (!(answer.choice.h > 0.0) || budget_.cancelled()) return answer;
       budget_.share = 1.0;
       budget_.phase = SolvePhase::running;
       Delivery delivery(question_, degrees_, answer.choice, budget_);
-      delivery.keep(answer);
-      const bool last = horizon == question_.t_end || round == 60;
-      delivery.go(last ? question_.t_end : beyond(horizon, 1.2));
+      if (round == 60) horizon = question_.t_end;
+      delivery.keep(answer, horizon);
+      delivery.go(beyond(question_, horizon, 1.2));
       if (delivery.run().ok() && !delivery.arrived()) {
         // The event comes later than in the first run.
         spent_ += delivery.run().evaluations;
         budget_.sweeps += delivery.run().evaluations;
-        horizon = beyond(horizon, 2.0);
+        horizon = beyond(question_, horizon, 2.0);
         continue;
       }
       const Run planned = answer.run;
@@ -172,11 +181,6 @@ class Call {
  private:
   [[nodiscard]] bool may_stop() const {
     return std::ranges::any_of(question_.events, [](const OrbitEvent& event) { return event.rules.stop; });
-  }
-  /// The time a factor further from the start, or the end.
-  [[nodiscard]] double beyond(double time, double factor) const {
-    const double there = question_.t + factor * (time - question_.t), end = question_.t_end;
-    return end < question_.t ? std::max(there, end) : std::min(there, end);
   }
   /// Knowledge of a run with a choice that is made, before it begins.
   [[nodiscard]] OrbitAnswer made() const {
@@ -229,7 +233,7 @@ class Call {
     spent_ += answer.choice.sweeps + answer.run.evaluations + delivery.run().evaluations;
     budget_.sweeps += delivery.run().evaluations;
     const double reached = delivery.state().t;  // the start, where the first step failed
-    return reached == question_.t ? first : beyond(reached, 1.02);
+    return reached == question_.t ? first : beyond(question_, reached, 1.02);
   }
 
   const OrbitQuestion& question_;
@@ -254,6 +258,9 @@ OrbitAnswer answer(OrbitQuestion&& question) {
   }
   const bool more = !end_alone || !question.events.empty() || question.options.dense ||
                     !question.options.checkpoint.empty() || (question.made && !question.options.check);
+  // Nobody is to go on with the run of another call.
+  if (std::filesystem::is_regular_file(question.options.checkpoint))
+    std::filesystem::remove(question.options.checkpoint);
   Budget budget(question.options);
   budget.start = question.t, budget.end = question.t_end;
   OrbitAnswer answer = more && question.t_end != question.t ? Call(question, degrees, budget).make()
@@ -284,13 +291,17 @@ OrbitAnswer answer_from(const std::string& file, OrbitQuestion&& question) {
   const Choice choice = choice_in(record, answer);
   if (question.given < 0 && !is_monitor(choice.name))
     throw std::invalid_argument("The checkpoint " + file + " has an unknown monitor.");
+  double horizon = question.t_end;
+  record.get(horizon);
   answer.tolerance = question.tolerance;
   Budget budget(question.options);
   budget.phase = SolvePhase::running;
   budget.start = question.t, budget.end = question.t_end;
   Delivery delivery(question, static_cast<int>(degrees), choice, budget);
-  delivery.restore(record, answer);
-  delivery.go(question.t_end);
+  delivery.restore(record, answer, horizon);
+  delivery.go(beyond(question, horizon, 1.2));
+  if (delivery.run().ok() && !delivery.arrived())  // as in a run that was not interrupted
+    return Call(question, static_cast<int>(degrees), budget).make_for(beyond(question, horizon, 2.0));
   delivery.deliver(answer);
   if (!delivery.run().ok()) answer.state_error = infinity;
   tell_cancelled(budget, answer);

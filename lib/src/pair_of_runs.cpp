@@ -295,6 +295,12 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   const double of_state = foretold(seen_, here, span_, high_speed_) / tolerance;
   if (mark == 0 && !others_tried_ && try_others(setting)) return true;
   if (resigned_ || round_ >= most_rounds) return false;
+  // No step makes the digits of distant coordinates more.
+  const double digits = distance_->rounding_of(fine_->state, fine_->ranges);
+  if (digits > tolerance && seen_.error <= 1e3 * digits) {
+    resigned_ = true;
+    return false;
+  }
   const double error = std::max(of_state, of_energy);
   const double factor = std::pow(wanted_part / std::max(error, 1e-300), 1.0 / fine_->order);
   if (error <= (last ? 3.0 : 2.0)) {

@@ -328,7 +328,10 @@ OrbitAnswer Orbiter::finish() {
   // What rounding leaves grows with the phase; that of a clock which does not begin near zero moves the end
   // along the orbit.
   const double of_clock = question_.t == 0.0 ? 0.0 : 0.5 * epsilon * std::abs(question_.t) * speed;
-  answer_.state_error = foretold(seen_, here, span_, speed) + (it.noise + epsilon) * radians_ + of_clock;
+  answer_.state_error = foretold(seen_, here, span_, speed) + (it.noise + epsilon) * radians_ + of_clock +
+                        distance_->rounding_of(fine.state, fine.ranges);
+  if (distance_->rounding_of(fine.state, fine.ranges) > 10.0 * question_.tolerance)
+    answer_.note += "Something is so far from zero that its rounding is more than the tolerance. ";
   if (of_clock > question_.tolerance)
     answer_.note += "Time is so far from zero that its rounding is more than the tolerance. ";
   if (fine.energy_error > 10.0 * question_.tolerance + 100.0 * answer_.energy_rounding)

@@ -100,6 +100,66 @@ TEST(Checkpoint, OfEveryMonitorGoesOnWithTheSameBits) {
           avi::SolveMonitor([](const auto& q, const auto& t, const auto&) { return q[0] + 0.0 * t; }));
 }
 
+/// An oscillator whose gradient is a little wrong.
+struct Wrong {
+  double by;
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    return 0.5 * (p[0] * p[0] + q[0] * q[0]);
+  }
+  template <class Q, class P>
+  auto d_dq(const Q& q, const P&) const -> Q {
+    return Q(q * by);
+  }
+  template <class Q, class P>
+  auto d_dp(const Q&, const P& p) const -> P {
+    return p;
+  }
+};
+
+TEST(Checkpoint, OfAnotherGradientIsRefused) {
+  const std::string file = file_named("gradient");
+  const State<1> z{.q = {1.0}, .p = {0.0}};
+  avi::SolveOptions some{.check = false, .steps = 300, .monitor = "fixed", .h = 0.1, .checkpoint = file};
+  some.order = 8;
+  (void)avi::solve(Wrong{1.0000001}, z, 1e3, 1e-6, some);
+  ASSERT_TRUE(std::filesystem::exists(file));
+  EXPECT_THROW((void)avi::resume<1>(Wrong{1.000001}, file, {}), std::invalid_argument);
+  EXPECT_TRUE(avi::resume<1>(Wrong{1.0000001}, file, {}).ok());
+}
+
+// What an earlier call left is not taken for the run of one that was stopped before its own began.
+TEST(Checkpoint, IsNotOfAnEarlierCall) {
+  const std::string file = file_named("stale");
+  auto bounded = options(file);
+  bounded.steps = 5000;
+  (void)avi::solve(HenonHeiles(), start, times, 1e-8, bounded);
+  ASSERT_TRUE(std::filesystem::exists(file));
+  avi::SolveOptions stopped{.progress = [](const avi::SolveProgress&) { return false; }, .checkpoint = file};
+  EXPECT_EQ(avi::solve(HenonHeiles(), start, 1e6, 1e-8, stopped).run.outcome, avi::Outcome::stopped);
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+// Where an event is not met that a choice was made for, another one is made, with an interruption as without.
+TEST(Checkpoint, BeforeAnEventThatDoesNotComeGoesOnAsWithout) {
+  const auto pendulum = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - cos(q[0]); };
+  const double turn = std::acos(0.5) + 1e-6;
+  const std::string file = file_named("horizon");
+  avi::SolveOptions all{
+      .events = {avi::when([=](const auto& q, const auto&) { return q[0] - turn; }, {.stop = true})},
+      .checkpoint = file};
+  avi::SolveOptions stopped = all;
+  stopped.progress = [](const avi::SolveProgress& now) { return now.phase != avi::SolvePhase::running; };
+  const State<1> z{.q = {0.0}, .p = {1.0}};
+  const auto whole = avi::solve(pendulum, z, 2e4, 1e-9, all);
+  (void)avi::solve(pendulum, z, 2e4, 1e-9, stopped);
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "the run was over before the callback was due";
+  const auto rest = avi::resume<1>(pendulum, file, all);
+  EXPECT_EQ(rest.state, whole.state);
+  EXPECT_EQ(rest.choice.h, whole.choice.h);
+  EXPECT_EQ(rest.kept(), whole.kept());
+}
+
 TEST(Checkpoint, OfAKilledProcessGoesOnWithTheSameBits) {
   const std::string file = file_named("killed");
   const auto whole = avi::solve(HenonHeiles(), start, times, 1e-8, options(file));

@@ -165,4 +165,25 @@ TEST(SolveErrors, KnowTheRoundingOfATimeThatIsFarFromZero) {
   EXPECT_NE(lost.run.message.find("The zero of time, seen from t = 1e+16"), std::string::npos);
 }
 
+// So far from zero, an oscillator moves by few of the numbers there are; what rests there, or is somewhere
+// else, has all of its digits.
+TEST(SolveErrors, KnowTheRoundingOfPlacesThatAreFarFromZero) {
+  for (const double far : {1e6, 1e8, 1e10, 1e12, 1e14, 1e15}) {
+    const auto spring = [=](const auto& q, const auto& p) {
+      const auto x = q[0] - far;
+      return 0.5 * (p[0] * p[0] + x * x);
+    };
+    const auto found = solve(spring, avi::State<1>{.q = {far + 1.0}, .p = {0.0}}, 100.0, 1e-8);
+    const double error = 0.5 * std::abs(found.state.q[0] - far - std::cos(100.0));
+    EXPECT_LT(error, 3.0 * found.state_error) << far;
+    EXPECT_EQ(found.kept(), far < 1e9) << found.report();
+    const auto beside = [](const auto& q, const auto& p) {
+      const auto x = q[1] - q[2];
+      return 0.5 * (p.squaredNorm() + q[0] * q[0] + x * x);
+    };
+    EXPECT_TRUE(solve(beside, avi::State<3>{.q = {1.0, far, far}, .p = {0.0, 0.0, 0.0}}, 100.0, 1e-8).kept())
+        << far;
+  }
+}
+
 }  // namespace
