@@ -71,9 +71,10 @@ struct SolveEvent {
 
 /// The zeros of g(q, p) or g(q, t, p) along an orbit, for SolveOptions::events. g is called once, with
 /// vectors of a scalar that records what is done to it, as H is. It is looked at in nine points of every
-/// step: of zeros that are closer together, an even number may be missed. An orbit that starts on a zero does
-/// not begin with it. Where g changes its sign by a jump or a pole the run ends as not_converged, where it is
-/// NaN as non_finite, as in Event.
+/// step, and in more, a thousand at most, where it is no smooth curve through them; a run in which it changes
+/// its sign more often than they can show ends as not_converged. An orbit that starts on a zero does not
+/// begin with it. Where g changes its sign by a jump or a pole the run ends as not_converged, where it is NaN
+/// as non_finite, as in Event.
 template <class G>
 [[nodiscard]] SolveEvent when(G g, EventRules rules = {}) {
   return {detail::recorder(std::move(g)), rules};

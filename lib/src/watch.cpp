@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <sstream>
 
 namespace avi::detail {
 
 namespace {
 
-constexpr int parts = 8;  // of a step, at whose ends g is looked at
+// Parts of a step, at whose ends g is looked at: more where g is no smooth curve through them.
+constexpr int fewest_parts = 8, most_parts = 1024;
 
 /// The method as it is after the step, which repeats it in parts.
 struct Repeated {
@@ -56,6 +58,48 @@ double Watch::rounding(const State<dynamic>& z, const State<dynamic>& after) {
   return 8.0 * sum;
 }
 
+/// Looks at g in twice as many points until those between are where a cubic through the others has them.
+/// @param soon so many points after the start belong to no such grid
+void Watch::refine(const Stride& stride, std::size_t soon) {
+  double noise = -1.0;
+  for (int parts = fewest_parts; parts < most_parts; parts *= 2) {
+    const auto value = [&](int k) { return samples_[k == 0 ? 0 : soon + static_cast<std::size_t>(k)].g; };
+    double least = value(0), most = least, apart = 0.0;
+    for (int k = 1; k <= parts; ++k)
+      least = std::min(least, value(k)), most = std::max(most, value(k));
+    for (int k = 1; k < parts; k += 2) {
+      const double between =
+          k == 1 ? (5.0 * value(0) + 15.0 * value(2) - 5.0 * value(4) + value(6)) / 16.0
+          : k + 1 == parts
+              ? (5.0 * value(parts) + 15.0 * value(parts - 2) - 5.0 * value(parts - 4) + value(parts - 6)) /
+                    16.0
+              : (9.0 * (value(k - 1) + value(k + 1)) - value(k - 3) - value(k + 3)) / 16.0;
+      apart = std::max(apart, std::abs(value(k) - between));
+    }
+    // What is as fast as the grid may look slow on it, but not beside it.
+    constexpr double aside = 0.381966, l0 = -aside * (aside - 1.0) * (aside - 2.0) / 6.0,
+                     l1 = (aside + 1.0) * (aside - 1.0) * (aside - 2.0) / 2.0,
+                     l2 = -(aside + 1.0) * aside * (aside - 2.0) / 2.0,
+                     l3 = (aside + 1.0) * aside * (aside - 1.0) / 6.0;
+    for (const int k : {parts / 8, 3 * parts / 8, 6 * parts / 8}) {
+      const double here = on(stride, stride.part * (k + aside) / parts);
+      least = std::min(least, here), most = std::max(most, here);
+      const double between = l0 * value(k - 1) + l1 * value(k) + l2 * value(k + 1) + l3 * value(k + 2);
+      apart = std::max(apart, std::abs(here - between));
+    }
+    if (!(apart > 0.1 * (most - least))) return;
+    if (noise < 0.0) noise = rounding(stride.before, stride.last);
+    if (!(most - least > 100.0 * noise)) return;
+    std::vector<Sample> finer(samples_.begin(), samples_.begin() + static_cast<std::ptrdiff_t>(soon) + 1);
+    for (int k = 1; k <= 2 * parts; ++k) {
+      const double part = stride.part * k / (2 * parts);
+      finer.push_back(k % 2 == 0 ? samples_[soon + static_cast<std::size_t>(k / 2)]
+                                 : Sample{part, on(stride, part)});
+    }
+    samples_ = std::move(finer);
+  }
+}
+
 /// g along the step; where the run starts on the event, from where g has left it.
 void Watch::sample(const Stride& stride, bool first) {
   samples_.clear();
@@ -68,11 +112,13 @@ void Watch::sample(const Stride& stride, bool first) {
   if (leaving_)
     for (const double part : {0x1p-26, 0x1p-20, 0x1p-14, 0x1p-8, 0x1p-5})
       samples_.push_back({part * stride.part, on(stride, part * stride.part)});
-  for (int k = 1; k < parts; ++k) {
-    const double part = stride.part * k / parts;
+  const std::size_t soon = samples_.size() - 1;  // the points just after the start
+  for (int k = 1; k < fewest_parts; ++k) {
+    const double part = stride.part * k / fewest_parts;
     samples_.push_back({part, on(stride, part)});
   }
   samples_.push_back({stride.part, end});
+  refine(stride, soon);
   if (!leaving_) return;
   const auto left =
       std::ranges::find_if(samples_, [&](const Sample& it) { return !(std::abs(it.g) <= level_); });
@@ -93,7 +139,9 @@ void Watch::add_turning_points(const Stride& stride) {
     const double turn = 0.5 * (a.part + b.part) - 0.5 * slope / bend, width = b.part - a.part;
     if (!(sign * bend > 0.0) || !(turn > a.part - 0.5 * width) || !(turn < b.part + 0.5 * width)) continue;
     const double lowest = a.g + (turn - a.part) * (slope + bend * (turn - b.part));
-    if (sign * lowest > 0.5 * std::min(sign * a.g, sign * b.g)) continue;
+    const double spread =
+        std::max(std::abs(b.g - a.g), std::abs(c.g - a.g));  // the parabola errs by part of it
+    if (sign * lowest > 0.5 * std::min(sign * a.g, sign * b.g) + 0.1 * spread) continue;
     constexpr double golden = 0.6180339887498949;
     double low = a.part, high = b.part;
     for (int i = 0; i < 40; ++i) {
@@ -198,6 +246,14 @@ long Watch::look(const Stride& stride, bool first, std::vector<Hit>& hits) {
       return evaluations;
     }
   add_turning_points(stride);
+  const auto changes =
+      std::ranges::count_if(std::views::iota(std::size_t{1}, samples_.size()),
+                            [&](std::size_t k) { return samples_[k - 1].g * samples_[k].g < 0.0; });
+  if (samples_.size() > most_parts && changes > most_parts / 8) {
+    hits.push_back({stride.before, index_, Outcome::not_converged,
+                    "g of the event changes its sign more often in a step than can be told apart"});
+    return evaluations;
+  }
   for (std::size_t k = 0; k + 1 < samples_.size(); ++k) {
     if (!crosses(samples_[k].g, samples_[k + 1].g)) continue;
     bool none = false;

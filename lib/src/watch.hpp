@@ -63,6 +63,7 @@ class Watch {
            (first > 0.0 && last <= 0.0 && rules_.direction <= 0);
   }
   void sample(const Stride& stride, bool first);
+  void refine(const Stride& stride, std::size_t soon);
   void add_turning_points(const Stride& stride);
   State<dynamic> between(const State<dynamic>& begin, const State<dynamic>& end);
   Hit locate(const Stride& stride, std::size_t k, long& evaluations, bool& none);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace solve_events_test {
 
@@ -163,6 +164,33 @@ TEST(SolveEvents, MayLieOnTheEnd) {
           EXPECT_NEAR(found.events[i].state.q[1], 0.0, 1e-14);
         }
       }
+}
+
+// Steps follow the motion, not g; also where 8 points of a step see a fast g as a slow one.
+TEST(SolveEvents, MayBeFasterThanTheMotion) {
+  for (const double w : {1.0, 5.0, 20.0, 33.1, 50.0, 100.0}) {
+    const auto fast = [=](const auto&, const auto& t, const auto&) { return sin(w * t); };
+    const auto found = solve(spring(), at(1.0, 0.0), 20.3, 1e-8, {.events = {when(fast)}});
+    ASSERT_EQ(found.events.size(), static_cast<std::size_t>(20.3 * w / M_PI)) << w;
+    for (std::size_t i = 0; i < found.events.size(); ++i)
+      ASSERT_NEAR(found.events[i].state.t, static_cast<double>(i + 1) * M_PI / w, 1e-9);
+  }
+  const auto faster = [](const auto&, const auto& t, const auto&) { return sin(1e4 * t); };
+  EXPECT_EQ(solve(spring(), at(1.0, 0.0), 20.3, 1e-8, {.events = {when(faster)}}).run.outcome,
+            avi::Outcome::not_converged);
+  const auto hundredth = [](const auto&, const auto& t, const auto&) { return sin(40.0 * t + 0.3); };
+  const auto stopped = solve(spring(), at(1.0, 0.0), 1000.0, 1e-8,
+                             {.events = {when(hundredth, {.count = 100, .stop = true})}});
+  EXPECT_NEAR(stopped.state.t, (100.0 * M_PI - 0.3) / 40.0, 1e-9);
+}
+
+// Two zeros close to the top of g, wherever the points of a step lie.
+TEST(SolveEvents, AreSeenInGrazingPairs) {
+  for (const auto& [below, tolerance] : {std::pair{1e-3, 1e-4}, {3e-5, 1e-6}, {1e-6, 1e-10}}) {
+    const auto near_top = [below = below](const auto& q, const auto&) { return q[0] - (1.0 - below); };
+    const auto found = solve(spring(), at(-1.0, 0.0), 400.0 * M_PI, tolerance, {.events = {when(near_top)}});
+    EXPECT_EQ(found.events.size(), 400u) << below;
+  }
 }
 
 TEST(SolveEvents, EndAsInTheLoopWhereThereIsNoZero) {
