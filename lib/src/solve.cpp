@@ -352,6 +352,13 @@ OrbitAnswer Orbiter::finish() {
         text << "The run was given up: from t = " << question_.t + sense_ * dead_end_
              << " on no step is short enough; the orbit meets a singularity of H there, or leaves where H is "
                 "a number.";
+      else if (!(fine.h > 0.0) || !std::isfinite(fine.h))
+        text << "Its numbers are beyond those of a double, 1e-308 to 1e308: other units of time, length or "
+                "energy "
+                "will do.";
+      else if (fine.run.steps == 0 && answer_.choice.trials.back().outcome == Outcome::stalled)
+        text << "The time of the run is a few units of the rounding of t = " << question_.t
+             << ": no step is shorter than that and moves the clock.";
       else if (const std::string& named = question_.options.monitor.name; !named.empty())
         text << "The run was given up: with monitor " << named
              << ", as asked for, it takes over a hundred times the steps that its beginning suggests; where "
@@ -370,6 +377,7 @@ OrbitAnswer Orbiter::finish() {
       answer_.run.message = describe_end(answer_.run.outcome, fine.state, fine.run.steps, 0.0, "");
     }
   }
+  if (std::isnan(answer_.state_error)) answer_.state_error = infinity;
   if (!answer_.kept() && seen_.rate > 0.0)
     answer_.note += "Neighbouring orbits move apart exponentially here: the state at the end depends on more "
                     "digits than the tolerance has. ";

@@ -59,10 +59,10 @@ double Watch::rounding(const State<dynamic>& z, const State<dynamic>& after) {
 }
 
 /// Looks at g in twice as many points until those between are where a cubic through the others has them.
-/// @param soon so many points after the start belong to no such grid
-void Watch::refine(const Stride& stride, std::size_t soon) {
+/// @param soon so many points after the start belong to no such grid @return they are
+bool Watch::refine(const Stride& stride, std::size_t soon) {
   double noise = -1.0;
-  for (int parts = fewest_parts; parts < most_parts; parts *= 2) {
+  for (int parts = fewest_parts;; parts *= 2) {
     const auto value = [&](int k) { return samples_[k == 0 ? 0 : soon + static_cast<std::size_t>(k)].g; };
     double least = value(0), most = least, apart = 0.0;
     for (int k = 1; k <= parts; ++k)
@@ -87,9 +87,10 @@ void Watch::refine(const Stride& stride, std::size_t soon) {
       const double between = l0 * value(k - 1) + l1 * value(k) + l2 * value(k + 1) + l3 * value(k + 2);
       apart = std::max(apart, std::abs(here - between));
     }
-    if (!(apart > 0.1 * (most - least))) return;
+    if (!(apart > 0.1 * (most - least))) return true;
     if (noise < 0.0) noise = rounding(stride.before, stride.last);
-    if (!(most - least > 100.0 * noise)) return;
+    if (!(most - least > 100.0 * noise)) return true;
+    if (parts == most_parts) return false;
     std::vector<Sample> finer(samples_.begin(), samples_.begin() + static_cast<std::ptrdiff_t>(soon) + 1);
     for (int k = 1; k <= 2 * parts; ++k) {
       const double part = stride.part * k / (2 * parts);
@@ -118,7 +119,7 @@ void Watch::sample(const Stride& stride, bool first) {
     samples_.push_back({part, on(stride, part)});
   }
   samples_.push_back({stride.part, end});
-  refine(stride, soon);
+  smooth_ = refine(stride, soon);
   if (!leaving_) return;
   const auto left =
       std::ranges::find_if(samples_, [&](const Sample& it) { return !(std::abs(it.g) <= level_); });
@@ -249,7 +250,7 @@ long Watch::look(const Stride& stride, bool first, std::vector<Hit>& hits) {
   const auto changes =
       std::ranges::count_if(std::views::iota(std::size_t{1}, samples_.size()),
                             [&](std::size_t k) { return samples_[k - 1].g * samples_[k].g < 0.0; });
-  if (samples_.size() > most_parts && changes > most_parts / 8) {
+  if (!smooth_ && changes > 8) {  // a jump changes it once
     hits.push_back({stride.before, index_, Outcome::not_converged,
                     "g of the event changes its sign more often in a step than can be told apart"});
     return evaluations;

@@ -63,7 +63,7 @@ class Watch {
            (first > 0.0 && last <= 0.0 && rules_.direction <= 0);
   }
   void sample(const Stride& stride, bool first);
-  void refine(const Stride& stride, std::size_t soon);
+  bool refine(const Stride& stride, std::size_t soon);
   void add_turning_points(const Stride& stride);
   State<dynamic> between(const State<dynamic>& begin, const State<dynamic>& end);
   Hit locate(const Stride& stride, std::size_t k, long& evaluations, bool& none);
@@ -76,6 +76,7 @@ class Watch {
   long found_ = 0;
   double level_ = 0.0;    // |g| that counts as zero where the run starts
   bool leaving_ = false;  // g has not left it yet
+  bool smooth_ = true;    // g in the step, see refine()
   std::vector<Sample> samples_;
 };
 

@@ -186,4 +186,18 @@ TEST(SolveErrors, KnowTheRoundingOfPlacesThatAreFarFromZero) {
   }
 }
 
+// A run that cannot be says why: there is no singularity.
+TEST(SolveErrors, SayWhereNumbersEnd) {
+  const auto spring = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
+  const auto message = [&](double t, double end) {
+    return solve(spring, avi::State<1>{.q = {1.0}, .p = {0.0}, .t = t}, end, 1e-6).run.message;
+  };
+  EXPECT_NE(message(1.0, std::nextafter(1.0, 2.0)).find("rounding of t = 1"), std::string::npos);
+  EXPECT_NE(message(0.0, 1e300).find("those of a double"), std::string::npos);
+  EXPECT_NE(message(0.0, 1e-300).find("those of a double"), std::string::npos);
+  const auto slow = [](const auto& q, const auto& p) { return 1e-300 * (p[0] * p[0] + q[0] * q[0]); };
+  const auto found = solve(slow, avi::State<1>{.q = {1.0}, .p = {0.0}}, 1e300, 1e-6);
+  EXPECT_FALSE(std::isnan(found.state_error));
+}
+
 }  // namespace
