@@ -95,6 +95,39 @@ TEST(Reverse, HasTheGradientOfForwardDifferentiation) {
   });
 }
 
+// 1 - tanh(x)^2 is lost in rounding from x = 19.07 on.
+TEST(Reverse, HasTheSlopeOfTanhWhereItIsNearlyOne) {
+  const auto f = [](const auto& x, const auto& y) {
+    using std::tanh;
+    return y * tanh(x);
+  };
+  const Program program = recorded(f).gradient();
+  Program::Room<double> room(program);
+  Program::Room<Pack<4>> rooms(program);
+  for (const double x : {0.0, 1e-9, 0.3, 1.0, 3.0, 9.0, 15.0, 19.0, 20.0, 40.0, 300.0, 350.0})
+    for (const double sign : {1.0, -1.0}) {
+      room.arguments()[0] = sign * x, rooms.arguments()[0] = sign * x;
+      room.arguments()[1] = 1.0, rooms.arguments()[1] = 1.0;
+      program.run(room);
+      program.run(rooms);
+      const double slope = 1.0 / std::cosh(x) / std::cosh(x);
+      EXPECT_NEAR(program.slope(room, 0), slope, 2e-15 * slope) << sign * x;
+      EXPECT_NEAR(program.slope(rooms, 0)[2], slope, 2e-15 * slope) << sign * x;
+      using One = avi::Partials<double, 1>;
+      using Two = avi::Partials<One, 1>;
+      const Two twice = f(Two::variable(One::variable(sign * x, 0), 0, One(1.0)), Two(1.0));
+      const double second = -2.0 * std::tanh(sign * x) * slope;
+      EXPECT_NEAR(twice.partial(0).value, slope, 2e-15 * slope) << sign * x;
+      EXPECT_NEAR(twice.partial(0).partial(0), second, 4e-15 * std::abs(second) + 6e-16 * (x < 1.0))
+          << sign * x;
+    }
+  for (const double x : {400.0, 1e10, 1e300}) {
+    room.arguments()[0] = x;
+    program.run(room);
+    EXPECT_EQ(program.slope(room, 0), 0.0) << x;
+  }
+}
+
 TEST(Reverse, HasTheSlopesOfPowersAtZero) {
   for (const double exponent : {1.0, 1.25, 1.5, 2.0, 2.3, 3.0, 7.0}) {
     const Program program =

@@ -29,7 +29,7 @@
   ONE(tan, one_by_one, 1.0 + f * f)                             \
   ONE(sinh, one_by_one, cosh(a))                                \
   ONE(cosh, one_by_one, sinh(a))                                \
-  ONE(tanh, one_by_one, 1.0 - f * f)                            \
+  ONE(tanh, one_by_one, one_over_cosh_squared(a))               \
   ONE(atan, one_by_one, 1.0 / (1.0 + a * a))                    \
   ONE(abs, side_by_side, sign_of(a))                            \
   ONE(asin, one_by_one, 1.0 / sqrt((1.0 - a) * (1.0 + a)))      \
