@@ -157,6 +157,36 @@ TEST(Reverse, DoesNotLeaveTheRangeOfNumbersOnTheWay) {
     EXPECT_NEAR(force(std::ldexp(1.0, exponent)), force(1.0), 1e-14) << exponent;
 }
 
+TEST(Reverse, TakesAReciprocalFromAQuotientOnlyWhereThatIsInRange) {
+  const auto slope = [](const auto& f, double at) {
+    const Program program = recorded(f).gradient();
+    Program::Room<double> room(program);
+    room.arguments()[0] = at;
+    room.arguments()[1] = 1.0;
+    program.run(room);
+    return program.slope(room, 0);
+  };
+  const auto tiny = [](const auto& x, const auto&) { return 1e-100 / x + 1e200 * log(x); };
+  for (const double x : {1e190, 1e220, 1e230, 1e280})
+    EXPECT_NEAR(slope(tiny, x), 1e200 / x, 1e-15 * (1e200 / x)) << x;
+  const auto huge = [](const auto& x, const auto&) {
+    return avi::select(x < 1e-200, 0.0 * x, 1e100 / x) + log(x);
+  };
+  EXPECT_NEAR(slope(huge, 1e-215), 1e215, 1e200);
+}
+
+TEST(Reverse, HasTheSlopesOfAnAngleAtAnyDistance) {
+  const Program program = recorded([](const auto& x, const auto& y) { return atan2(x, y); }).gradient();
+  Program::Room<double> room(program);
+  for (const double r : {1e-300, 1e-155, 1.0, 1e160, 1e300}) {
+    room.arguments()[0] = r;
+    room.arguments()[1] = r;
+    program.run(room);
+    EXPECT_NEAR(program.slope(room, 0), 0.5 / r, 1e-15 / r) << r;
+    EXPECT_NEAR(program.slope(room, 1), -0.5 / r, 1e-15 / r) << r;
+  }
+}
+
 TEST(Reverse, HasTheGradientOfFiniteDifferences) {
   int i = 0;
   for_each_formula([&](const auto& f) {
