@@ -141,6 +141,26 @@ TEST(Reverse, HasTheSlopesOfPowersAtZero) {
   }
 }
 
+TEST(Reverse, HasTheSlopesOfPowersOfAnArgumentAtZero) {
+  const auto f = [](const auto& x, const auto& y) {
+    using std::pow;
+    return pow(x, y);
+  };
+  const Program program = recorded(f).gradient();
+  Program::Room<double> room(program);
+  for (const double exponent : {1.0, 1.5, 2.0, 2.3, 3.0}) {
+    room.arguments()[0] = 0.0;
+    room.arguments()[1] = exponent;
+    program.run(room);
+    using P = avi::Partials<double, 2>;
+    const P forward = f(P::variable(0.0, 0), P::variable(exponent, 1));
+    EXPECT_EQ(program.slope(room, 0), exponent == 1.0 ? 1.0 : 0.0) << exponent;
+    EXPECT_EQ(program.slope(room, 1), 0.0) << exponent;
+    EXPECT_EQ(forward.d[0], exponent == 1.0 ? 1.0 : 0.0) << exponent;
+    EXPECT_EQ(forward.d[1], 0.0) << exponent;
+  }
+}
+
 // The force k q / |q|^3 in any units: powers of two change no digit of it.
 TEST(Reverse, DoesNotLeaveTheRangeOfNumbersOnTheWay) {
   const auto force = [](double unit) {

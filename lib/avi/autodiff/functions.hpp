@@ -16,6 +16,8 @@
 //
 //   TWO(name, slope along a, slope along b)
 //
+// Slopes of pow are right at a = 0, too: there 0 * log(5e-324) is 0, where 0 * log(0) would be NaN.
+//
 // Another row is another function: recording, gradients, programs, packs and series have it at once. What it
 // must be tested with are the rows of tests/unit/elementary.hpp.
 /// @cond
@@ -44,6 +46,6 @@
   ONE(erfc, one_by_one, -M_2_SQRTPI * exp(-(a * a)))                        \
   TWO(atan2, b / hypot(a, b) / hypot(a, b), -a / hypot(a, b) / hypot(a, b)) \
   TWO(hypot, a / f, b / f)                                                  \
-  TWO(pow, b * (f / a), f * log(a))
+  TWO(pow, b * pow(a, b - 1.0), f * log(a + 5e-324))
 // clang-format on
 /// @endcond

@@ -122,6 +122,11 @@ class TaylorSeries {
   std::array<int, 2> slope_nodes(int node, const ExpressionGraph::Node& what) {
     using detail::Factor;
     const Factor a(graph_, what.a), f(graph_, node);
+    if (what.operation == Operation::pow) {  // from f: another power would have a slope of its own, and so on
+      const Factor b(graph_, what.b);
+      return {graph_.is_constant(what.a) ? -1 : (b * (f / a)).in(graph_),
+              graph_.is_constant(what.b) ? -1 : (f * log(a)).in(graph_)};
+    }
     switch (what.operation) {
 #define AVI_ONE(name, ...)                                                                                   \
   case Operation::name:                                                                                      \
