@@ -154,6 +154,19 @@ TEST(TaylorSeries, TanhIsTheSameOnBothSidesOfZero) {
   }
 }
 
+TEST(TaylorSeries, WholePowersHaveASeriesAtZero) {
+  for (const int n : {3, 4, 5, 6, 7, 8, 9, 12, 64})
+    for (const double at : {0.0, 1e-30, -1e-8, 0.7}) {
+      const auto c = expand([n](Scalar x) { return pow(x, static_cast<double>(n)); }, line(at));
+      double binomial = 1.0;
+      for (int k = 0; k <= R; ++k) {
+        const double exact = k > n ? 0.0 : binomial * std::pow(at, n - k);
+        EXPECT_NEAR(c[k], exact, 1e-14 * (1.0 + n) * std::abs(exact)) << n << ", " << at << ", " << k;
+        binomial *= static_cast<double>(n - k) / (k + 1);
+      }
+    }
+}
+
 TEST(TaylorSeries, ChoosesByTheValuesOfEachStart) {
   using avi::select;
   const auto f = [](Scalar x) {
