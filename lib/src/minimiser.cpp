@@ -42,6 +42,7 @@ class MinimiserRun {
       return end(Outcome::non_finite, "the gradient at x0 is not finite, or f did not fill it");
     if (!std::isfinite(norm_)) return out_of_range(" at x0");
     if (!std::isfinite(base_.f)) return end(Outcome::non_finite, "f(x0) is not finite");
+    first_ = base_.f;
     scale_ = std::abs(base_.f);
     norm0_ = length(view(base_.g));
     target_ = std::max(options_.relative * norm0_, options_.absolute);
@@ -130,7 +131,7 @@ class MinimiserRun {
       }
       const LineModel model({base_.f, down_}, {trial_.f, slope_}, alpha_, rounding(base_.f, trial_.f));
       const bool falls = trial_.f <= start.value + 1e-4 * (moved + alpha_) * start.slope;
-      const bool level = trial_.f <= start.value + rounding(start.value, trial_.f);
+      const bool level = is_level(start.value);
       const bool flat = std::abs(slope_) <= sigma * std::abs(start.slope);
       if (level && std::sqrt(square_) <= target_) return advance(1.0, moved), true;
       // an error of an interpolated base is carried on with the factor 1 - r; where the values cannot show
@@ -166,12 +167,18 @@ class MinimiserRun {
         high = alpha_;
         alpha_ *= model.cubic();
       }
-      // so near to each other the points differ by what the slopes say; what else the values do is noise
-      if (trials >= 5) {
-        scale_ = std::max(scale_, std::abs(start.value));
-        noise_ = std::max(noise_, std::min(4.0 * std::abs(model.trapezium()), 1e-8 * scale_));
-      }
+      if (trials >= 5) learn(model, start.value);
     }
+  }
+
+  /// Takes what a line was stuck at for noise of the values, where they differ by more than the slopes allow,
+  /// or where the slopes ask for hardly more than rounding, as close to a kink. Farther off it may be f.
+  void learn(const LineModel& model, double value) {
+    scale_ = std::max(scale_, std::abs(value));
+    const double most = 1e-8 * scale_, otherwise = std::abs(model.trapezium());
+    const double by_slopes = model.h * std::max(std::abs(model.base.slope), std::abs(model.trial.slope));
+    if (by_slopes <= std::max(std::min(otherwise, most), 1e-11 * scale_))
+      noise_ = std::max(noise_, std::min(4.0 * otherwise, most));
   }
 
   /// False where for long neither the value nor an evaluated gradient has come lower than ever before, and
@@ -318,7 +325,7 @@ class MinimiserRun {
     const bool sized = evaluate(trial_);
     std::swap(trial_.x, base_.x);
     exact_ = true;
-    if (sized && std::isfinite(square_) && trial_.f <= best_.f + rounding(trial_.f, best_.f)) {
+    if (sized && std::isfinite(square_) && is_level(best_.f)) {
       if (options_.memory == 0) d_ += view(base_.g) - view(trial_.g);  // d is -gradient + beta (old d)
       std::swap(base_.g, trial_.g);
       base_.f = trial_.f;
@@ -338,6 +345,13 @@ class MinimiserRun {
   /// Bound on the rounding error of the difference of two values.
   [[nodiscard]] double rounding(double one, double other) const {
     return noise_ + 1e-14 * (std::abs(one) + std::abs(other));
+  }
+
+  /// The trial is as low as this value, for all that can be told, and not above f(x0): what was taken for
+  /// noise may have been a rise.
+  [[nodiscard]] bool is_level(double value) const {
+    return trial_.f <= value + rounding(value, trial_.f) &&
+           trial_.f <= first_ + 1e-14 * (std::abs(first_) + std::abs(trial_.f));
   }
 
   /// trial = base + alpha d.
@@ -446,6 +460,7 @@ class MinimiserRun {
   long iterations_ = 0;                       ///< Iterations made.
   Eigen::Index entries_ = 0;                  ///< Size of the gradient that f left last.
   double norm0_ = 0.0;                        ///< Norm of the gradient at x0.
+  double first_ = 0.0;                        ///< f(x0).
   double scale_ = 0.0;                        ///< Largest |f| of the start and of where lines were stuck.
   double lowest_ = 1e300, gentlest_ = 1e300;  ///< Least value, and square of an evaluated gradient, so far.
   long idle_ = 0;        ///< Iterations since either came down, or since values were asked.

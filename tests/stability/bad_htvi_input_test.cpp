@@ -106,6 +106,36 @@ TEST(BadHtvi, StepsTooLargeKeepTheLastGoodState) {
   EXPECT_NE(integrate(bold, z, 1e100, {.steps = 1}).outcome, Outcome::ok);
 }
 
+TEST(BadHtvi, AStepOfNoLengthChangesNothing) {
+  for (const int order : {0, 3, 7})
+    for (const double h : {0.0, -0.0, 5e-324, -5e-324, 1e-320, 1e-300}) {
+      auto good = method(order, gauss(4)), other = method(order, gauss(4));
+      State<2> z = start;
+      EXPECT_EQ(good.step(z, h).outcome, Outcome::ok) << order << ' ' << h;
+      const double moved = largest_entry(z.q - start.q) + largest_entry(z.p - start.p) + std::abs(z.t);
+      EXPECT_LE(moved, 10.0 * std::abs(h)) << order << ' ' << h;
+      EXPECT_EQ(good.step(z, h).outcome, Outcome::ok);
+      State<2> once = start;
+      EXPECT_EQ(good.step(z, 0.01).outcome, Outcome::ok);
+      EXPECT_EQ(other.step(once, 0.01).outcome, Outcome::ok);
+      EXPECT_LT((z.q - once.q).norm() + (z.p - once.p).norm(), 1e-13) << order << ' ' << h;
+      auto vanishing = method(order, gauss(4), {}, 0.0);
+      EXPECT_NE(vanishing.step(z, 0.01).outcome, Outcome::ok);
+    }
+}
+
+TEST(BadHtvi, APowerThatVanishesIsNoReasonToFail) {
+  const auto quartic = [](const auto& q, const auto& p) {
+    using std::pow;
+    return 0.5 * p[0] * p[0] + 0.25 * pow(q[0], 4.0);
+  };
+  const State<1> middle{.q = {0.0}, .p = {1.0}};
+  auto good = htvi<8>(poincare<1>(quartic, middle));
+  State<1> z = middle;
+  EXPECT_EQ(integrate(good, z, 0.05, {.steps = 40}).outcome, Outcome::ok);
+  EXPECT_NEAR(quartic(z.q, z.p), 0.5, 1e-11);
+}
+
 TEST(BadHtvi, LandingAndDenseOutput) {
   auto good = method();
   State<2> z = start;

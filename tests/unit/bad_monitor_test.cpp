@@ -64,6 +64,21 @@ void expect(Outcome outcome, const G& monitor) {
 TEST(BadMonitor, ThatVanishesAtTheStartLetsNoTimePass) { expect(Outcome::bad_monitor, Vanishing()); }
 TEST(BadMonitor, ThatIsInfiniteAtTheStartIsNotFinite) { expect(Outcome::non_finite, Infinite()); }
 TEST(BadMonitor, ThatIsNotANumberIsNotFinite) { expect(Outcome::non_finite, NotANumber()); }
+TEST(BadMonitor, IsNotBlamedForAStepOfNoLength) {
+  const auto distance = [](const auto& q) { return q[0] * q[0] + q[1] * q[1]; };
+  const auto start = Kepler::pericentre(0.5);
+  for (const double h : {0.0, 5e-324, -5e-324, 1e-320, 1e-300}) {
+    auto method = avi::collocation(avi::poincare<2>(Kepler{}, start, distance), 8);
+    auto z = start;
+    EXPECT_EQ(method.step(z, h).outcome, Outcome::ok) << h;
+    EXPECT_LE(avi::largest_entry(z.q - start.q) + avi::largest_entry(z.p - start.p) + std::abs(z.t),
+              10.0 * std::abs(h))
+        << h;
+    auto vanishing = avi::collocation(avi::poincare<2>(Kepler{}, start, Vanishing{}), 8);
+    EXPECT_NE(vanishing.step(z, h == 0.0 ? 1e-300 : h).outcome, Outcome::ok) << h;
+  }
+}
+
 TEST(BadMonitor, ThatIsNegativeLetsNoTimePass) { expect(Outcome::bad_monitor, Negative()); }
 
 }  // namespace bad_monitor_test

@@ -97,6 +97,20 @@ TEST(FitDrift, RefusesBadInput) {
   EXPECT_THROW(avi::fit_drift(two, two), std::invalid_argument);
   EXPECT_THROW(avi::fit_drift(three, two), std::invalid_argument);
   EXPECT_THROW(avi::fit_drift(same, three), std::invalid_argument);
+  // Their mean is not one of them.
+  for (const double t : {0.1, 0.7, 1e9 + 0.3, 1e-200}) {
+    for (const std::size_t n : {3u, 6u, 7u, 100u}) {
+      const std::vector<double> times(n, t);
+      std::vector<double> values(n);
+      for (std::size_t i = 0; i < n; ++i)
+        values[i] = static_cast<double>(i % 5);
+      for (const int blocks : {0, 3})
+        EXPECT_THROW(avi::fit_drift(times, values, blocks), std::invalid_argument) << t << ' ' << n;
+    }
+    const std::vector<double> near{t, t * (1.0 + 1e-12), t * (1.0 + 2e-12)};
+    if (t < 1e-100) continue;  // the square of such a spread is 0
+    EXPECT_NO_THROW(avi::fit_drift(near, three)) << t;
+  }
   for (const int blocks : {-1, 1, 2, 4})
     EXPECT_THROW(avi::fit_drift(three, three, blocks), std::invalid_argument) << blocks;
 }

@@ -190,6 +190,38 @@ TEST(Minimise, OffsetAndNoiseDoNotStopIt) {
   }
 }
 
+TEST(Minimise, NeverEndsAboveTheStartHoweverLargeTheOffset) {
+  // The first trial is where a linear f would vanish: at 1e10 from the minimum, on ground that is level.
+  struct Hill {
+    const char* name;
+    double (*value)(double x);
+    double (*slope)(double x);
+  };
+  const Hill hills[] = {
+      {"log(1 + x^2)", [](double x) { return std::log(1.0 + x * x); },
+       [](double x) { return 2.0 * x / (1.0 + x * x); }},
+      {"-exp(-x^2/2)", [](double x) { return -std::exp(-0.5 * x * x); },
+       [](double x) { return x * std::exp(-0.5 * x * x); }},
+      {"waves", [](double x) { return std::sin(x) + 0.01 * x * x; },
+       [](double x) { return std::cos(x) + 0.02 * x; }},
+  };
+  for (const Hill& hill : hills)
+    for (const double offset : {0.0, 1e4, 2e7, 1e10, -1e10, 6.7e10, 1e11})
+      for (const double x0 : {0.02, 0.5, 2.0, -4.2})
+        for (const int memory : {0, 1, 7}) {
+          const auto f = [&](const VectorX& x, VectorX& g) {
+            g[0] = hill.slope(x[0]);
+            return offset + hill.value(x[0]);
+          };
+          const auto run = minimise(f, VectorX::Constant(1, x0), {.memory = memory});
+          EXPECT_LE(run.last.value, offset + hill.value(x0) + 2e-14 * std::abs(offset))
+              << hill.name << " + " << offset << " from " << x0 << ", " << memory << ": " << run.message;
+        }
+  const auto run = minimise([](const auto& x) { return 1e10 + log(1.0 + x[0] * x[0]); }, {0.5});
+  EXPECT_TRUE(run.converged()) << run.message;
+  EXPECT_NEAR(run.last.x[0], 0.0, 1e-5);
+}
+
 TEST(Minimise, TakesAFormulaAndFindsItsGradient) {
   const auto formula = [](const auto& x) {
     auto sum = x[0] * 0.0;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace power_test {
@@ -23,6 +24,21 @@ TEST(Power, IsPow) {
   }
   EXPECT_GT(otherwise, 20);
   EXPECT_EQ(avi::power(2.0L, 0.5), std::sqrt(2.0L)) << "other scalars by their own pow";
+}
+
+TEST(Power, IsWithinTheErrorThatItStates) {
+  double worst = 0.0, worst_negative = 0.0;
+  for (double x = 0.01; x < 100.0; x *= 1.00213)
+    for (double exponent = -8.0; exponent <= 8.0; exponent += 0.5) {
+      const long double exact = std::pow(static_cast<long double>(x), static_cast<long double>(exponent));
+      const double ours = avi::power(x, exponent), ulp = std::nextafter(ours, 1e300) - ours;
+      double& most = exponent < 0.0 ? worst_negative : worst;
+      most = std::max(most, std::abs(static_cast<double>(ours - exact)) / ulp);
+    }
+  EXPECT_LT(worst, 6.0);
+  EXPECT_LT(worst_negative, 7.0);
+  EXPECT_GT(worst_negative, 3.0);
+  EXPECT_EQ(avi::power(1e39, -8.0), 0.0);
 }
 
 TEST(AccuratePower, IsTheNearestNumber) {

@@ -95,6 +95,39 @@ TEST(Reverse, HasTheGradientOfForwardDifferentiation) {
   });
 }
 
+// 1 - tanh(x)^2 is lost in rounding from x = 19.07 on.
+TEST(Reverse, HasTheSlopeOfTanhWhereItIsNearlyOne) {
+  const auto f = [](const auto& x, const auto& y) {
+    using std::tanh;
+    return y * tanh(x);
+  };
+  const Program program = recorded(f).gradient();
+  Program::Room<double> room(program);
+  Program::Room<Pack<4>> rooms(program);
+  for (const double x : {0.0, 1e-9, 0.3, 1.0, 3.0, 9.0, 15.0, 19.0, 20.0, 40.0, 300.0, 350.0})
+    for (const double sign : {1.0, -1.0}) {
+      room.arguments()[0] = sign * x, rooms.arguments()[0] = sign * x;
+      room.arguments()[1] = 1.0, rooms.arguments()[1] = 1.0;
+      program.run(room);
+      program.run(rooms);
+      const double slope = 1.0 / std::cosh(x) / std::cosh(x);
+      EXPECT_NEAR(program.slope(room, 0), slope, 2e-15 * slope) << sign * x;
+      EXPECT_NEAR(program.slope(rooms, 0)[2], slope, 2e-15 * slope) << sign * x;
+      using One = avi::Partials<double, 1>;
+      using Two = avi::Partials<One, 1>;
+      const Two twice = f(Two::variable(One::variable(sign * x, 0), 0, One(1.0)), Two(1.0));
+      const double second = -2.0 * std::tanh(sign * x) * slope;
+      EXPECT_NEAR(twice.partial(0).value, slope, 2e-15 * slope) << sign * x;
+      EXPECT_NEAR(twice.partial(0).partial(0), second, 4e-15 * std::abs(second) + 6e-16 * (x < 1.0))
+          << sign * x;
+    }
+  for (const double x : {400.0, 1e10, 1e300}) {
+    room.arguments()[0] = x;
+    program.run(room);
+    EXPECT_EQ(program.slope(room, 0), 0.0) << x;
+  }
+}
+
 TEST(Reverse, HasTheSlopesOfPowersAtZero) {
   for (const double exponent : {1.0, 1.25, 1.5, 2.0, 2.3, 3.0, 7.0}) {
     const Program program =
@@ -105,6 +138,26 @@ TEST(Reverse, HasTheSlopesOfPowersAtZero) {
     program.run(room);
     EXPECT_EQ(program.slope(room, 0), exponent == 1.0 ? 1.0 : 0.0) << exponent;
     EXPECT_EQ(program.slope(room, 1), 0.0) << exponent;
+  }
+}
+
+TEST(Reverse, HasTheSlopesOfPowersOfAnArgumentAtZero) {
+  const auto f = [](const auto& x, const auto& y) {
+    using std::pow;
+    return pow(x, y);
+  };
+  const Program program = recorded(f).gradient();
+  Program::Room<double> room(program);
+  for (const double exponent : {1.0, 1.5, 2.0, 2.3, 3.0}) {
+    room.arguments()[0] = 0.0;
+    room.arguments()[1] = exponent;
+    program.run(room);
+    using P = avi::Partials<double, 2>;
+    const P forward = f(P::variable(0.0, 0), P::variable(exponent, 1));
+    EXPECT_EQ(program.slope(room, 0), exponent == 1.0 ? 1.0 : 0.0) << exponent;
+    EXPECT_EQ(program.slope(room, 1), 0.0) << exponent;
+    EXPECT_EQ(forward.d[0], exponent == 1.0 ? 1.0 : 0.0) << exponent;
+    EXPECT_EQ(forward.d[1], 0.0) << exponent;
   }
 }
 
@@ -122,6 +175,36 @@ TEST(Reverse, DoesNotLeaveTheRangeOfNumbersOnTheWay) {
   };
   for (const int exponent : {-330, -250, -150, -50, 50, 150, 250, 330})
     EXPECT_NEAR(force(std::ldexp(1.0, exponent)), force(1.0), 1e-14) << exponent;
+}
+
+TEST(Reverse, TakesAReciprocalFromAQuotientOnlyWhereThatIsInRange) {
+  const auto slope = [](const auto& f, double at) {
+    const Program program = recorded(f).gradient();
+    Program::Room<double> room(program);
+    room.arguments()[0] = at;
+    room.arguments()[1] = 1.0;
+    program.run(room);
+    return program.slope(room, 0);
+  };
+  const auto tiny = [](const auto& x, const auto&) { return 1e-100 / x + 1e200 * log(x); };
+  for (const double x : {1e190, 1e220, 1e230, 1e280})
+    EXPECT_NEAR(slope(tiny, x), 1e200 / x, 1e-15 * (1e200 / x)) << x;
+  const auto huge = [](const auto& x, const auto&) {
+    return avi::select(x < 1e-200, 0.0 * x, 1e100 / x) + log(x);
+  };
+  EXPECT_NEAR(slope(huge, 1e-215), 1e215, 1e200);
+}
+
+TEST(Reverse, HasTheSlopesOfAnAngleAtAnyDistance) {
+  const Program program = recorded([](const auto& x, const auto& y) { return atan2(x, y); }).gradient();
+  Program::Room<double> room(program);
+  for (const double r : {1e-300, 1e-155, 1.0, 1e160, 1e300}) {
+    room.arguments()[0] = r;
+    room.arguments()[1] = r;
+    program.run(room);
+    EXPECT_NEAR(program.slope(room, 0), 0.5 / r, 1e-15 / r) << r;
+    EXPECT_NEAR(program.slope(room, 1), -0.5 / r, 1e-15 / r) << r;
+  }
 }
 
 TEST(Reverse, HasTheGradientOfFiniteDifferences) {

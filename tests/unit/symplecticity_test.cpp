@@ -84,6 +84,17 @@ TEST(SymplecticityDefect, VanishesForStormerVerlet) {
   }
 }
 
+TEST(SymplecticityDefect, IsTheSameInAnyUnits) {
+  for (const double unit : {1e-6, 1e-3, 1.0, 1e3, 1e6}) {  // of length; that of velocity is 1
+    const auto kepler = avi::stormer_verlet<2>([unit](const avi::Vector<double, 2>& q) {
+      return avi::Vector<double, 2>(avi::Kepler::potential_gradient<double>(q / unit) / unit);
+    });
+    auto z = avi::Kepler::pericentre(0.3);
+    z.q *= unit;
+    EXPECT_LT(avi::symplecticity_defect(kepler, z, 0.1 * unit), 1e-11) << unit;
+  }
+}
+
 TEST(SymplecticityDefect, GrowsWithTheStepOfAMethodThatIsNot) {
   const double coarse = avi::symplecticity_defect(Heun{}, avi::Pendulum::start(1.5), 0.2);
   const double fine = avi::symplecticity_defect(Heun{}, avi::Pendulum::start(1.5), 0.1);

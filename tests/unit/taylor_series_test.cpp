@@ -140,6 +140,33 @@ TEST(TaylorSeries, BoundedFunctionsStayBounded) {
     EXPECT_EQ(c[k], 0.0);
 }
 
+TEST(TaylorSeries, TanhIsTheSameOnBothSidesOfZero) {
+  const auto at_zero = expand([](Scalar x) { return tanh(x); }, line(0.0));
+  const double series[] = {0.0, 1.0, 0.0, -1.0 / 3.0, 0.0, 2.0 / 15.0, 0.0, -17.0 / 315.0};
+  for (int k = 0; k <= std::min(R, 7); ++k)
+    EXPECT_NEAR(at_zero[k], series[k], 1e-15) << k;
+  const auto left = expand([](Scalar x) { return tanh(x); }, line(-20.0));
+  const auto right = expand([](Scalar x) { return tanh(x); }, line(20.0));
+  const auto far = expand([](Scalar x) { return -2.0 * exp(-2.0 * x); }, line(20.0));  // tanh - 1, nearly
+  for (int k = 1; k <= R; ++k) {
+    EXPECT_EQ(left[k], k % 2 ? right[k] : -right[k]) << k;
+    EXPECT_NEAR(right[k], far[k], 4e-14 * std::abs(far[k])) << k;
+  }
+}
+
+TEST(TaylorSeries, WholePowersHaveASeriesAtZero) {
+  for (const int n : {3, 4, 5, 6, 7, 8, 9, 12, 64})
+    for (const double at : {0.0, 1e-30, -1e-8, 0.7}) {
+      const auto c = expand([n](Scalar x) { return pow(x, static_cast<double>(n)); }, line(at));
+      double binomial = 1.0;
+      for (int k = 0; k <= R; ++k) {
+        const double exact = k > n ? 0.0 : binomial * std::pow(at, n - k);
+        EXPECT_NEAR(c[k], exact, 1e-14 * (1.0 + n) * std::abs(exact)) << n << ", " << at << ", " << k;
+        binomial *= static_cast<double>(n - k) / (k + 1);
+      }
+    }
+}
+
 TEST(TaylorSeries, ChoosesByTheValuesOfEachStart) {
   using avi::select;
   const auto f = [](Scalar x) {

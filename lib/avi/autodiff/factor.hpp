@@ -56,14 +56,15 @@ class Factor {
 #undef AVI_TWO
   /// @endcond
 
-  /// One over it, from a quotient that the formula has where there is one, unless products of its numerator
-  /// may leave the range of numbers.
+  /// One over it, from a quotient that the formula has where there is one, unless that leaves the range of
+  /// numbers long before 1 / b does, or its products with the numerator do. Between 1e-284 and 1e284 it makes
+  /// no difference.
   [[nodiscard]] Factor reciprocal() const {
     if (node < 0) return {1.0 / number, -1, graph};
     int quotient = graph->quotient(node);
     if (quotient >= 0) {
       const double numerator = (*graph)[(*graph)[quotient].a].number, size = std::abs(numerator);
-      if (size >= 0x1p-340 && size <= 0x1p340) return {1.0 / numerator / number, quotient, graph};
+      if (size >= 0x1p-80 && size <= 0x1p80) return {1.0 / numerator / number, quotient, graph};
     }
     quotient = graph->binary(Operation::divide, graph->constant(1.0), node);
     return {1.0 / number, quotient, graph};

@@ -77,6 +77,13 @@ namespace slopes {
 #define AVI_ROW(name, ...) using std::name;
 AVI_FUNCTIONS(AVI_ROW, AVI_ROW)
 #undef AVI_ROW
+/// 1 - tanh(a)^2 without its cancellation: 4 u / (1 + u)^2 with u = exp(-2 |a|), of which nothing overflows.
+/// It is even, so that the side that |a| is taken on changes no derivative.
+template <class S>
+S one_over_cosh_squared(const S& a) {
+  const S u = exp(-2.0 * abs(a)), inverse = 1.0 / (1.0 + u);
+  return 4.0 * (u * (inverse * inverse));
+}
 #define AVI_ONE(name, pack, slope)                                                                           \
   template <class S>                                                                                         \
   S slope_of_##name([[maybe_unused]] const S& a, [[maybe_unused]] const S& f) {                              \

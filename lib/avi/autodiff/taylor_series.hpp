@@ -18,10 +18,10 @@ namespace avi {
 ///
 /// The Taylor coefficients of a solution of \f$z' = f(z)\f$ follow from \f$z_{k+1} = f_k/(k + 1)\f$, where
 /// \f$f_k\f$ needs \f$z_0\f$ to \f$z_k\f$ only: run(k) adds coefficient k to every node, from coefficients 0
-/// to k of the inputs. Sums and products follow Cauchy's rule, quotients and powers the recurrences of Jorba
-/// and Zou (2005, Proposition 1), all other functions \f$k c_k = \sum_j j a_j s_{k-j}\f$ from the series s of
-/// their slope (c' = slope(a) a'), which is a formula of the same graph. A product costs k + 1
-/// multiplications at order k, hence O(r^2) in all.
+/// to k of the inputs. Sums and products, and powers with whole exponents, follow Cauchy's rule, quotients
+/// and other powers the recurrences of Jorba and Zou (2005, Proposition 1), all other functions \f$k c_k =
+/// \sum_j j a_j s_{k-j}\f$ from the series s of their slope (c' = slope(a) a'), which is a formula of the
+/// same graph. A product costs k + 1 multiplications at order k, hence O(r^2) in all.
 /// @tparam T a number with partial derivatives, DualNumber
 template <class T>
 class TaylorSeries {
@@ -122,6 +122,11 @@ class TaylorSeries {
   std::array<int, 2> slope_nodes(int node, const ExpressionGraph::Node& what) {
     using detail::Factor;
     const Factor a(graph_, what.a), f(graph_, node);
+    if (what.operation == Operation::pow) {  // from f: another power would have a slope of its own, and so on
+      const Factor b(graph_, what.b);
+      return {graph_.is_constant(what.a) ? -1 : (b * (f / a)).in(graph_),
+              graph_.is_constant(what.b) ? -1 : (f * log(a)).in(graph_)};
+    }
     switch (what.operation) {
 #define AVI_ONE(name, ...)                                                                                   \
   case Operation::name:                                                                                      \
@@ -178,9 +183,36 @@ class TaylorSeries {
   void add_steps(const std::vector<char>& wanted) {
     for (int node = graph_.inputs(); node < static_cast<int>(wanted.size()); ++node)
       if (wanted[node] && places_[node] < 0 && !graph_.is_constant(node)) {
+        if (is_whole_power(node)) {
+          places_[node] = add_products(node);
+          continue;
+        }
         steps_.push_back(step_of(node));
         places_[node] = steps_.back().c_at;
       }
+  }
+  /// A power that has a series where its base is 0, too; the recurrence of all others divides by the base.
+  [[nodiscard]] bool is_whole_power(int node) const {
+    if (graph_[node].operation != Operation::power) return false;
+    const double exponent = graph_[graph_[node].b].number;
+    return exponent >= 1.0 && exponent <= 64.0 && exponent == std::round(exponent);
+  }
+  /// The steps of such a power, products in the order of power(); where the last one's result is.
+  int add_products(int node) {
+    const auto times = [&](int a, int b) {
+      steps_.push_back({.rule = a == b ? Rule::square : Rule::product,
+                        .operation = Operation::multiply,
+                        .node = node,
+                        .c_at = allocate(),
+                        .a_at = a,
+                        .b_at = b});
+      return steps_.back().c_at;
+    };
+    int square = places_[graph_[node].a], product = -1;
+    for (int n = static_cast<int>(graph_[graph_[node].b].number);; square = times(square, square)) {
+      if (n % 2) product = product < 0 ? square : times(product, square);
+      if ((n /= 2) == 0) return product;
+    }
   }
   Step step_of(int node) {
     const auto& [operation, a, b, unused] = graph_[node];

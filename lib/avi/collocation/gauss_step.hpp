@@ -275,7 +275,9 @@ class alignas(64) GaussStep {
     const Scalar rate = equations_.field().rate(step), dt = rate * equations_.weight();
     for (Eigen::Index i = 0; i < z.q.size(); ++i)
       change_[i] = sum(step.dq[i]);
-    double least = equations_.field().clock(change_, sum(dt)) / h;  // also where time is a coordinate
+    double least = std::numeric_limits<double>::infinity();
+    if (!detail::underflows(h))
+      least = equations_.field().clock(change_, sum(dt)) / h;  // also where time is a coordinate
     for (int i = 0; i < equations_.rule().stages(); ++i)
       least = !(rate[i] >= least) ? rate[i] : least;
     if (!(least > 0.0)) {

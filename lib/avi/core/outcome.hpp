@@ -1,6 +1,8 @@
 #pragma once
 #include "avi/core/compiler.hpp"
 
+#include <cmath>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -59,5 +61,14 @@ struct [[nodiscard]] Run {
   /// True for Outcome::ok alone: the end asked for was reached.
   [[nodiscard]] bool ok() const { return outcome == Outcome::ok; }
 };
+
+/// @cond
+namespace detail {
+/// So small a step h may lead to no change of time at all, whatever the monitor.
+inline bool underflows(double h) {
+  return std::abs(h) < std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
+}
+}  // namespace detail
+/// @endcond
 
 }  // namespace avi

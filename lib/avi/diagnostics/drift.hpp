@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -56,7 +57,14 @@ inline DriftFit fit_drift(std::span<const double> times, std::span<const double>
     mean_t += t[k] / n, mean_x += x[k] / n;
   for (std::size_t k = 0; k < count; ++k)
     tt += (t[k] - mean_t) * (t[k] - mean_t), tx += (t[k] - mean_t) * (x[k] - mean_x);
-  require(tt > 0.0, "Spread of the times", tt, "positive");
+  // Averages of equal times differ by their rounding.
+  const auto [first, last] = std::minmax_element(t.begin(), t.end());
+  const double length = std::ceil(static_cast<double>(times.size()) / n);
+  const double rounding = blocks > 0 ? length * std::numeric_limits<double>::epsilon() *
+                                           std::max(std::abs(*first), std::abs(*last))
+                                     : 0.0;
+  const double spread = *last - *first <= rounding ? 0.0 : *last - *first;
+  require(spread > 0.0 && tt > 0.0, "Spread of the times", spread, "positive, and its square, too");
   DriftFit fit{.slope = tx / tt, .points = static_cast<int>(count)};
   double before = 0.0, together = 0.0;
   const double intercept = mean_x - fit.slope * mean_t;

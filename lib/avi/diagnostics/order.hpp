@@ -32,7 +32,8 @@ struct OrderFit {
 /// below options.floor, is not finite, or lies on a local slope of less than half the steepest one so far:
 /// there round-off has taken over. Errors at larger h that are not finite (the method broke down) are
 /// skipped.
-/// @throws std::invalid_argument when h and error differ in length or a step size is zero or not finite.
+/// @throws std::invalid_argument when h and error differ in length, a step size is zero or not finite, or two
+/// have the same |h|.
 inline OrderFit fit_order(std::span<const double> h, std::span<const double> error,
                           OrderOptions options = {}) {
   require(h.size() == error.size(), "Number of errors", error.size(), "the number of step sizes");
@@ -43,6 +44,9 @@ inline OrderFit fit_order(std::span<const double> h, std::span<const double> err
     all.emplace_back(std::log(std::abs(h[i])), error[i]);
   }
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (std::size_t i = 1; i < all.size(); ++i)
+    require(all[i].first < all[i - 1].first, "Second step size of one length", std::exp(all[i].first),
+            "different from the others");
   double steepest = 0.0;
   for (const auto& [x, value] : all) {
     if (!std::isfinite(value) && kept.empty()) continue;

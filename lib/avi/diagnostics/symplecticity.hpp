@@ -3,6 +3,7 @@
 #include "avi/core/require.hpp"
 #include "avi/core/state.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -85,26 +86,38 @@ double symplecticity_defect(Map&& map, const VectorX& z, Spacings spacings = {})
   return std::sqrt(squares);
 }
 
-/// The defect of one step h of `method` at z, as a map of (q, p) at fixed start time. Each evaluation steps
-/// a fresh copy of the method, so that nothing carried between steps (a kept gradient, a controller's state)
-/// leaks from one to the next.
+/// The defect of one step h of `method` at z, as a map of (q, p) at fixed start time, in units of the point:
+/// powers of two next to the largest entry of q, and of p, at either end of the step, which are symplectic
+/// units up to a factor. Each evaluation steps a fresh copy of the method, so that nothing carried between
+/// steps (a kept gradient, a controller's state) leaks from one to the next.
 template <int n, Method<State<n>> M>
 double symplecticity_defect(const M& method, const State<n>& z, double h) {
   const Eigen::Index m = z.q.size();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  State<n> end = z;
+  if (M fresh = method; fresh.step(end, h).outcome != Outcome::ok) return nan;
+  const auto unit = [](double one, double other) {
+    const double size = std::max(one, other);
+    return size > 0.0 && std::isfinite(size) ? std::ldexp(1.0, std::ilogb(size)) : 1.0;
+  };
+  const double of_q = unit(largest_entry(z.q), largest_entry(end.q)),
+               of_p = unit(largest_entry(z.p), largest_entry(end.p));
   VectorX start(2 * m);
-  start << z.q, z.p;
+  start << z.q / of_q, z.p / of_p;
   const auto map = [&](const VectorX& point) {
     M fresh = method;
     State<n> moved = z;
     for (Eigen::Index i = 0; i < m; ++i) {
-      moved.q[i] = point[i];
-      moved.p[i] = point[m + i];
+      moved.q[i] = point[i] * of_q;
+      moved.p[i] = point[m + i] * of_p;
     }
-    VectorX image = VectorX::Constant(2 * m, std::numeric_limits<double>::quiet_NaN());
-    if (fresh.step(moved, h).outcome == Outcome::ok) image << moved.q, moved.p;
+    VectorX image = VectorX::Constant(2 * m, nan);
+    if (fresh.step(moved, h).outcome == Outcome::ok) image << moved.q / of_q, moved.p / of_p;
     return image;
   };
-  return symplecticity_defect(map, start);
+  Spacings spacings;  // far from the origin the map may still change within a distance of 1
+  spacings.smallest /= std::max({1.0, of_q, of_p});
+  return symplecticity_defect(map, start, spacings);
 }
 
 }  // namespace avi

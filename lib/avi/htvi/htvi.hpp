@@ -64,8 +64,9 @@ class Htvi {
   /// The order that theory promises.
   [[nodiscard]] int order() const { return Construction::order(expansion_.order(), action_.rule().order); }
 
-  /// Advances z by the fictive step h; leaves z unchanged unless the step ends as ok.
+  /// Advances z by the fictive step h, which may be 0; leaves z unchanged unless the step ends as ok.
   [[gnu::noinline]] StepReport step(State<n>& z, double h) {
+    if (h == 0.0) return {.evaluations = 0};
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     const Vector<double, n> start = right ? z.p : z.q;
     Vector<double, n> correction = predictor_.guess(h, start);  // u - u_0
@@ -91,7 +92,9 @@ class Htvi {
       report.residual = largest_entry(residual);
       if (!std::isfinite(report.residual))
         report.outcome = Outcome::non_finite;
-      else if (!(problem().clock(equations.change.q, increments.t.value()) * std::copysign(1.0, h) > 0.0))
+      else if (const double forward =
+                   problem().clock(equations.change.q, increments.t.value()) * std::copysign(1.0, h);
+               !(forward > 0.0 || (forward == 0.0 && detail::underflows(h))))
         report.outcome = Outcome::bad_monitor;
       if (report.outcome != Outcome::ok) return report;
       const double accepted =
