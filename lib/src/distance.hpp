@@ -71,7 +71,7 @@ class Distance {
       const double root = std::sqrt(metric_[i]);
       // What moves by rounding alone is at rest, and counts by its place.
       const double place = std::max(std::abs(ranges.high[i]), std::abs(ranges.low[i]));
-      const bool rests = std::max(scale[i], bound(of_q * root, i)) <= few_digits * place;
+      const bool rests = scale[i] <= few_digits * place && bound(of_q * root, i) <= 1e-12 * place;
       scale[i] = rests ? place : shown(scale[i], of_q * root, i);
       if (scale[n + i] <= few_digits * frequency * place / metric_[i])
         scale[n + i] = frequency * place / metric_[i];
