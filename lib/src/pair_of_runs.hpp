@@ -68,6 +68,7 @@ class Orbiter {
   OrbitAnswer solve();
 
  private:
+  [[nodiscard]] bool late() const;
   void prepare();
   VectorX rounding_of(const Sketch& sketch, const VectorX& metric);
   void set_marks();

@@ -36,6 +36,11 @@ void require_energy(double energy, const OrbitQuestion& question) {
   throw std::invalid_argument(text.str());
 }
 
+/// What is done once for an H of many thousand operations takes longer than the call may.
+bool Orbiter::late() const {
+  return field_.operations() > 1e5 && budget_.seconds() > question_.options.seconds;
+}
+
 /// Scales, sketch and menu.
 void Orbiter::prepare() {
   const int n = field_.size();
@@ -55,6 +60,7 @@ void Orbiter::prepare() {
   distance_.emplace(metric, question_.tolerance, seen);
   field_.sense = sense_;
   sketch_.emplace(field_, start, span_, metric);
+  if (late()) return;
   const Sketch& sketch = *sketch_;
   dead_end_ = sketch.stuck ? sketch.time : 0.0;
   const double time = std::max(sketch.time, 1e-300);
@@ -288,7 +294,8 @@ OrbitAnswer Orbiter::solve() {
   }
   std::ranges::fill(answer_.q, std::numeric_limits<double>::quiet_NaN());
   std::ranges::fill(answer_.p, std::numeric_limits<double>::quiet_NaN());
-  prepare();
+  if (!late()) prepare();
+  if (late()) return fail(Outcome::time_limit, "The bound on seconds was met while the run was prepared.");
   const double since_zero = distance_->frequency * std::abs(question_.t);
   constexpr double most = 0.5 / std::numeric_limits<double>::epsilon();
   if (radians_ > most) return too_far("The end, t = ", question_.t_end, radians_);

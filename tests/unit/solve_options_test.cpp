@@ -249,4 +249,25 @@ TEST(SolveOptions, MayBeTheEndsOfTheirRanges) {
     EXPECT_THROW(outcome(1e-3, beyond), std::invalid_argument);
 }
 
+// A formula of two hundred thousand operations, whose preparation alone takes longer.
+TEST(SolveOptions, BoundTheSecondsOfThePreparationToo) {
+  const auto row = [](const auto& q, const auto& p) {
+    auto sum = 0.5 * p[0] * p[0];
+    for (Eigen::Index i = 1; i < p.size(); ++i)
+      sum += 0.5 * p[i] * p[i];
+    for (Eigen::Index i = 0; i < q.size(); ++i)
+      for (Eigen::Index j = 0; j < i; ++j) {
+        const auto x = q[i] - q[j];
+        sum += 1.0 / sqrt(1e-2 + x * x);
+      }
+    return sum;
+  };
+  const avi::State<avi::dynamic> start{.q = avi::VectorX::LinSpaced(300, -1.0, 1.0),
+                                       .p = avi::VectorX::Zero(300)};
+  const auto found = solve(row, start, 1.0, 1e-6, {.seconds = 1e-3});
+  EXPECT_EQ(found.run.outcome, avi::Outcome::time_limit);
+  EXPECT_EQ(found.run.message, "The bound on seconds was met while the run was prepared.");
+  EXPECT_TRUE(std::isnan(found.state.q[0]));
+}
+
 }  // namespace solve_options_test
