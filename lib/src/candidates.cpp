@@ -1,5 +1,6 @@
 #include "candidates.hpp"
 
+#include "avi/core/dot.hpp"
 #include "avi/core/require.hpp"
 #include "poles.hpp"
 
@@ -215,7 +216,7 @@ std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, E
   const Eigen::Map<const VectorX> weight(weights.data(), seen);
   for (const Sketch::Sample& sample : sketch.samples)
     root += sample.h / sketch.time *
-            std::sqrt(weight.cwiseProduct(sample.slope.segment(metric.size(), seen)).norm());
+            std::sqrt(norm(VectorX(weight.cwiseProduct(sample.slope.segment(metric.size(), seen)))));
   for (double& each : weights)
     each /= root * root > 0.0 ? root * root : 1.0;
   return weights;

@@ -1,5 +1,7 @@
 #include "pair_of_runs.hpp"
 
+#include "avi/core/dot.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -81,8 +83,8 @@ double Orbiter::rounding_of_energy(const State<dynamic>& z) {
   at << z.q, z.p;
   field_(at, slope);
   const Eigen::Index n = z.q.size();
-  const double moved =
-      z.q.cwiseProduct(slope.tail(n)).cwiseAbs().sum() + z.p.cwiseProduct(slope.head(n)).cwiseAbs().sum();
+  const double moved = dot(z.q.cwiseAbs().eval(), slope.tail(n).cwiseAbs().eval()) +
+                       dot(z.p.cwiseAbs().eval(), slope.head(n).cwiseAbs().eval());
   return std::numeric_limits<double>::epsilon() * moved / trip_->energy_scale;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/autodiff/partials.hpp"
 #include "avi/autodiff/recording.hpp"
+#include "avi/core/dot.hpp"
 #include "avi/integrators/runge_kutta.hpp"
 
 #include <algorithm>
@@ -68,10 +69,12 @@ class PointField {
   /// less than it; 0 where that is not finite. @param metric diagonal of H_pp
   double fastest(const VectorX& z, const VectorX& metric) {
     Duals room(formula_.program);
-    const VectorX root = metric.cwiseSqrt();
+    VectorX root = metric, scaled(2 * n_);
+    for (double& each : root)
+      each = std::sqrt(each);
     const auto size = [&](const VectorX& v) {
-      return std::sqrt(v.head(n_).cwiseQuotient(root).squaredNorm() +
-                       v.tail(n_).cwiseProduct(root).squaredNorm());
+      scaled << v.head(n_).cwiseQuotient(root), v.tail(n_).cwiseProduct(root);
+      return norm(scaled);
     };
     VectorX v(2 * n_), w(2 * n_);
     unsigned bits = 6789u;

@@ -1,5 +1,6 @@
 #include "pair_of_runs.hpp"
 
+#include "avi/core/dot.hpp"
 #include "avi/core/require.hpp"
 #include "separable.hpp"
 
@@ -79,7 +80,7 @@ void Orbiter::prepare() {
     ranges.add(sample.z.data(), sample.z.data() + n);
   const VectorX scales = distance_->scales(ranges);
   for (const Sketch::Sample& sample : sketch.samples) {
-    work += sample.h * 0.5 * std::abs(sample.z.segment(n, seen).dot(sample.slope.head(seen)));
+    work += sample.h * 0.5 * std::abs(dot(sample.z.segment(n, seen), sample.slope.head(seen)));
     rest.head(n) = sample.z.head(n);
     rest.tail(n).setZero();
     if (question_.timed) rest[n + seen] = sample.z[n + seen];
