@@ -167,18 +167,12 @@ class MinimiserRun {
         high = alpha_;
         alpha_ *= model.cubic();
       }
-      if (trials >= 5) learn(model, start.value);
+      // so near to each other the points differ by what the slopes say; what else the values do is noise
+      if (trials >= 5) {
+        scale_ = std::max(scale_, std::abs(start.value));
+        noise_ = std::max(noise_, std::min(4.0 * std::abs(model.trapezium()), 1e-8 * scale_));
+      }
     }
-  }
-
-  /// Takes what a line was stuck at for noise of the values, where they differ by more than the slopes allow,
-  /// or where the slopes ask for hardly more than rounding, as close to a kink. Farther off it may be f.
-  void learn(const LineModel& model, double value) {
-    scale_ = std::max(scale_, std::abs(value));
-    const double most = 1e-8 * scale_, otherwise = std::abs(model.trapezium());
-    const double by_slopes = model.h * std::max(std::abs(model.base.slope), std::abs(model.trial.slope));
-    if (by_slopes <= std::max(std::min(otherwise, most), 1e-11 * scale_))
-      noise_ = std::max(noise_, std::min(4.0 * otherwise, most));
   }
 
   /// False where for long neither the value nor an evaluated gradient has come lower than ever before, and
