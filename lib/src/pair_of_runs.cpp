@@ -30,7 +30,7 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   // resolve all of the way.
   const bool seen_to_fall = fine.energy_error > 1e3 * answer_.energy_rounding;
   const double falls = seen_to_fall ? std::max(1.0, 0.5 * coarse.energy_error / fine.energy_error) : infinity;
-  const double ratio = features_->bends() ? 1.0 : std::min(trusted(coarse, fine), falls),
+  const double ratio = features_->bends() || coarse_grained_ ? 1.0 : std::min(trusted(coarse, fine), falls),
                until = since_start(marks - 1);
   double early = 0.0,
          late = 0.0;  // in the first quarter, or three eighths where marks are few, and on the whole
@@ -290,6 +290,8 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
                 fine_->energy_error > 0.5 * coarse_->energy_error;
   if (steady && fine_->energy_error < std::max(most_rounding, 100.0 * rounding_of_energy(fine_->state))) {
     answer_.energy_rounding = std::max(answer_.energy_rounding, 0.01 * fine_->energy_error);
+    // Above the tolerance it may be more than that: then nor does what it makes of the state fall.
+    coarse_grained_ = coarse_grained_ || fine_->energy_error > 3.0 * tolerance;
     steady = false;
   }
   const bool hidden = fine_->energy_error <= 100.0 * answer_.energy_rounding;

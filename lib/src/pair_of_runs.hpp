@@ -141,6 +141,7 @@ class Orbiter {
   Outcome bound_ = Outcome::ok;  // of the call, that a run has met
   double resolved_ = 0.0;        // the first step that was short enough, as far as the first marks
   bool unstable_ = false;        // small errors grow by more than an order of magnitude
+  bool coarse_grained_ = false;  // energies err alike whatever the step
   bool slow_ = false;            // a step was made shorter for its sweeps
   int lengthened_ = 0;           // times that a step was made longer
   bool others_tried_ = false;    // candidates other than the first one
