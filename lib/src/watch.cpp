@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 #include <sstream>
 
 namespace avi::detail {
@@ -247,9 +246,9 @@ long Watch::look(const Stride& stride, bool first, std::vector<Hit>& hits) {
       return evaluations;
     }
   add_turning_points(stride);
-  const auto changes =
-      std::ranges::count_if(std::views::iota(std::size_t{1}, samples_.size()),
-                            [&](std::size_t k) { return samples_[k - 1].g * samples_[k].g < 0.0; });
+  int changes = 0;
+  for (std::size_t k = 1; k < samples_.size(); ++k)
+    changes += samples_[k - 1].g * samples_[k].g < 0.0 ? 1 : 0;
   if (!smooth_ && changes > 8) {  // a jump changes it once
     hits.push_back({stride.before, index_, Outcome::not_converged,
                     "g of the event changes its sign more often in a step than can be told apart"});
