@@ -42,10 +42,6 @@ tables() {
     -ffp-contract=off -fno-math-errno -Ilib -Iexperiments -isystem /usr/include/eigen3 tests/levels/collocation_bits.cpp \
     -o "$build/bin/collocation_bits" "$build/lib/libavi.a" -pthread >&2 || return
   "$build/bin/collocation_bits"
-  # The ways of solve() are in a file: every digit of them has to be the same, too.
-  "${rest%-*}" -std=c++20 -w -O0 -ffp-contract=off -Ilib -Itests -Iexperiments -isystem /usr/include/eigen3 tests/hostile/ways.cpp \
-    tests/hostile/draw.cpp tests/hostile/oscillators.cpp tests/hostile/particles.cpp -o "$build/bin/hostile_ways" "$build/lib/libavi.a" \
-    -lfmt -pthread >&2 && "$build/bin/hostile_ways" tests/hostile/ways.tsv >&2
 }
 
 # compare FIRST OTHER: files of tables() of the same shape
