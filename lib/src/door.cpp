@@ -259,8 +259,9 @@ OrbitAnswer answer(OrbitQuestion&& question) {
   const bool more = !end_alone || !question.events.empty() || question.options.dense ||
                     !question.options.checkpoint.empty() || (question.made && !question.options.check);
   // Nobody is to go on with the run of another call.
-  if (std::filesystem::is_regular_file(question.options.checkpoint))
-    std::filesystem::remove(question.options.checkpoint);
+  std::error_code unreadable;  // which writing it will say
+  if (std::filesystem::is_regular_file(question.options.checkpoint, unreadable))
+    std::filesystem::remove(question.options.checkpoint, unreadable);
   Budget budget(question.options);
   budget.start = question.t, budget.end = question.t_end;
   OrbitAnswer answer = more && question.t_end != question.t ? Call(question, degrees, budget).make()

@@ -152,14 +152,24 @@ class SharpFeatures {
   /// A condition is another one for a part of the step that stages may not see, and that is felt.
   bool flips(const OrbitSteps& method, std::size_t i, const Felt& felt) {
     const Argument& argument = arguments_[i];
+    double fastest = 0.0;  // from point to point: what is farther from zero does not get there between two
+    for (int k = 0; k < parts; ++k)
+      fastest = std::max(fastest, std::abs(argument.at[k + 1] - argument.at[k]));
     for (const double sense : {1.0, -1.0}) {
       // Where it is most on one side of zero, and an eighth of a step before and behind it on the other.
       const auto most = std::ranges::max_element(argument.at, {}, [&](double x) { return sense * x; });
       const auto k = static_cast<int>(most - argument.at.begin());
-      if (k == 0 || k == parts) continue;
-      const double place = highest(method, i, sense, (k - 1) / static_cast<double>(parts),
-                                   (k + 1) / static_cast<double>(parts));
-      if (!(sense * on(method, i, place) > 0.0)) continue;
+      const int left = std::max(k - 1, 0), right = std::min(k + 1, parts);
+      double place = k / static_cast<double>(parts);
+      if (sense * *most > 0.0) {
+        if ((left < k && sense * argument.at[left] > 0.0) || (right > k && sense * argument.at[right] > 0.0))
+          continue;
+      } else {
+        if (-sense * *most > fastest) continue;
+        place =
+            highest(method, i, sense, left / static_cast<double>(parts), right / static_cast<double>(parts));
+        if (!(sense * on(method, i, place) > 0.0)) continue;
+      }
       const bool narrow = sense * on(method, i, std::max(place - 0.125, 0.0)) < 0.0 &&
                           sense * on(method, i, std::min(place + 0.125, 1.0)) < 0.0;
       if (narrow && felt(method.polynomial(place))) return true;

@@ -199,6 +199,7 @@ double Orbiter::first_step(const Candidate& it) {
   // fictive time than the radians of its fastest part tell.
   const int order = order_of(it);
   const double usual = it.splits() ? 8.0 : it.fixed() ? (order == 8 ? 6.0 : 7.2) : (order == 8 ? 9.5 : 10.5);
+  // Low orders need steps that are far shorter.
   const double radians =
       std::clamp(usual * std::pow(aim_, 1.0 / order), order < 6 ? 1e-5 : 0.01, it.fixed() ? 2.2 : 3.5);
   return std::min({it.longest > 0.0 ? radians / it.longest : infinity, longest_step(it) / longer,
@@ -362,16 +363,14 @@ OrbitAnswer Orbiter::finish() {
                 "a number.";
       else if (!(fine.h > 0.0) || !std::isfinite(fine.h))
         text << "Its numbers are beyond those of a double, 1e-308 to 1e308: other units of time, length or "
-                "energy "
-                "will do.";
+                "energy will do.";
       else if (fine.run.steps == 0 && answer_.choice.trials.back().outcome == Outcome::stalled)
         text << "The time of the run is a few units of the rounding of t = " << question_.t
              << ": no step is shorter than that and moves the clock.";
       else if (const std::string& named = question_.options.monitor.name; !named.empty())
         text << "The run was given up: with monitor " << named
-             << ", as asked for, it takes over a hundred times the steps that its beginning suggests; where "
-                "none "
-                "is named, one that suits the orbit is chosen.";
+             << ", as asked for, it takes over a hundred times the steps that its beginning suggests; "
+                "where none is named, one that suits the orbit is chosen.";
       else
         text << "The run was given up: it takes over a hundred times the steps that its beginning suggests; "
                 "the orbit may come near a singularity of H.";

@@ -68,6 +68,25 @@ TEST(HiddenFeatures, AWindowInTime) {
   EXPECT_TRUE(!found.kept() || std::abs(found.state.q[0] - q) < 2e-3) << found.report();
 }
 
+// Found or said, wherever in a step they lie.
+TEST(HiddenFeatures, WallsAndWindowsAnywhere) {
+  for (int place = 1; place <= 40; ++place) {
+    const double middle = 123.7 * place, time = 1.47 * place;
+    const auto wall = [=](const auto& q, const auto& p) {
+      const auto d = max(0.0 * q[0], 2.0 - abs(q[0] - middle));
+      return 0.5 * p[0] * p[0] + 5.0 * d * d;
+    };
+    const auto flight = solve(wall, flying, 5001.0, 1e-3, {.sweeps = 50'000});
+    EXPECT_FALSE(flight.kept() && flight.state.p[0] > 0.0) << middle << "\n" << flight.report();
+    const auto pushed = [=](const auto& q, const auto& t, const auto& p) {
+      return 0.5 * (p[0] * p[0] + q[0] * q[0]) - q[0] * select(abs(t - time) < 0.02, 50.0 + 0.0 * t, 0.0 * t);
+    };
+    const auto swing = solve(pushed, State<1>{.q = {1.0}, .p = {0.0}}, 60.0, 1e-3, {.sweeps = 20'000});
+    const double q = std::cos(60.0) + 100.0 * std::sin(0.02) * std::sin(60.0 - time);
+    EXPECT_FALSE(swing.kept() && std::abs(swing.state.q[0] - q) > 0.1) << time << "\n" << swing.report();
+  }
+}
+
 // Between two soft walls, where errors of a step do not fall by its order.
 TEST(HiddenFeatures, AKinkIsErredAtAsIsSaid) {
   int kept = 0;
