@@ -18,12 +18,12 @@
 
 namespace avi::detail {
 
-/// The numbers that every pool begins with.
-enum Pooled : std::size_t { one, zero, sign_bit, magnitude };
-
 /// Writes one program. Registers are given up by what is needed last (Belady 1966).
 class CodeWriter {
  public:
+  /// The numbers that every pool begins with.
+  enum Pooled : std::size_t { one, zero, sign_bit, magnitude };
+
   CodeWriter(const StraightLine& line, const MachineTarget& target, std::vector<double>& pool, Assembler& out)
       : line_(line), target_(target), pool_(pool), out_(out), parts_(8 * target.lanes / out.bytes()),
         holds_(target.avx512 ? 32 : 16, -1), pinned_(holds_.size(), 0), first_number_(pool.size()) {

@@ -1,7 +1,9 @@
+#include "digest.hpp"
 #include "hostile/formulas.hpp"
 #include "hostile/system.hpp"
 
-#include "avi/solve.hpp"
+#include "avi/optim/minimise.hpp"
+#include "avi/solver.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -9,47 +11,23 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <exception>
 #include <fstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 /// @file
-/// The way of solve() through systems drawn at random - what was chosen, what it cost, every bit of what came
-/// out - beside a file of how it was: no rule and no number of the choice changes unseen.
+/// The way of solve(), of a Solver and of minimise() through systems drawn at random - what was chosen, what
+/// it cost, every bit of what came out - beside a file of how it was: no rule and no number changes unseen.
 
 namespace {
 
 using namespace hostile;
 
 constexpr std::uint64_t seed = 20261125;
-constexpr int systems = 150;
+constexpr int systems = 320;
 constexpr std::array<double, 3> tolerances{1e-4, 1e-8, 1e-12};
-
-/// FNV-1a (Fowler, Noll and Vo, 1991), of numbers by their bits.
-class Digest {
- public:
-  void add(const void* bytes, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i)
-      value_ = (value_ ^ static_cast<const unsigned char*>(bytes)[i]) * 0x100000001b3U;
-  }
-  void add(double x) { add(&x, sizeof x); }
-  void add(const std::string& text) { add(text.data(), text.size()); }
-  template <class State>
-  void add_state(const State& z) {
-    add(z.t);
-    for (Eigen::Index i = 0; i < z.q.size(); ++i)
-      add(z.q[i]), add(z.p[i]);
-  }
-  /// Eight digits.
-  [[nodiscard]] std::string text() const {
-    return fmt::format("{:08x}", (value_ >> 32U) ^ (value_ & 0xffffffffU));
-  }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325U;
-};
 
 /// Of the functions of this machine's mathematical library: with others, all later digits are others.
 std::string functions() {
@@ -79,61 +57,168 @@ std::string drawn() {
   return all.text();
 }
 
-/// What is asked besides the end, by turns.
-struct Wish {
-  const char* name;
-  void (*of)(avi::SolveOptions&);
-  int times;  ///< Output times.
+/// What is asked of a system, by turns.
+enum class Wish {
+  end,
+  times,
+  back,
+  dense,
+  unchecked,
+  events,
+  order,
+  fixed,
+  timed,
+  stop,
+  menu,
+  given,
+  solver,
+  minimum,
+  bound,
+  fast_events
 };
-constexpr std::array<Wish, 8> wishes{
-    Wish{"end", [](avi::SolveOptions&) {}, 0},
-    Wish{"times", [](avi::SolveOptions&) {}, 7},
-    Wish{"end", [](avi::SolveOptions&) {}, 0},
-    Wish{"dense", [](avi::SolveOptions& options) { options.dense = true; }, 0},
-    Wish{"unchecked", [](avi::SolveOptions& options) { options.check = false; }, 0},
-    Wish{"events",
-         [](avi::SolveOptions& options) {
-           options.events = {avi::when([](const auto&, const auto& p) { return p[0]; }, {.count = 20})};
-         },
-         0},
-    Wish{"order 8", [](avi::SolveOptions& options) { options.order = 8; }, 0},
-    Wish{"fixed", [](avi::SolveOptions& options) { options.monitor = "fixed"; }, 3}};
+constexpr std::array<const char*, 16> names{"end",    "times",   "back",  "dense",      "unchecked", "events",
+                                            "order",  "fixed",   "timed", "stop",       "menu",      "given",
+                                            "solver", "minimum", "bound", "fast events"};
 
-std::string way(const System& system, const Wish& wish, double tolerance) {
-  avi::State<avi::dynamic> start;
+using State = avi::State<avi::dynamic>;
+
+/// Options of a wish; those of the menu differ from system to system.
+avi::SolveOptions options_of(Wish wish, int index, const System& system) {
+  avi::SolveOptions options{.sweeps = 200'000};
+  const double q_scale = system.q_scale[0], p_scale = system.p_scale[0], q_start = system.q[0];
+  const auto momentum = [](const auto&, const auto& p) { return p[0]; };
+  switch (wish) {
+  case Wish::dense:
+    options.dense = true;
+    break;
+  case Wish::unchecked:
+    options.check = false;
+    break;
+  case Wish::events:
+    options.events = {avi::when(momentum, {.count = 20}),
+                      avi::when([q_start](const auto& q) { return q[0] - q_start; }, {.direction = 1})};
+    break;
+  case Wish::order:
+    options.order = std::array{2, 4, 8, 12, 16}[static_cast<std::size_t>(index / 16) % 5];
+    break;
+  case Wish::fixed:
+    options.monitor = "fixed";
+    break;
+  case Wish::stop:
+    options.events = {avi::when(momentum, {.direction = -1, .count = 3, .stop = true})};
+    break;
+  case Wish::menu:
+    options.monitor = std::array{"energy", "energy^1.5", "poles", "acceleration",
+                                 "splitting"}[static_cast<std::size_t>(index / 16) % 5];
+    break;
+  case Wish::given:
+    options.monitor = [p_scale](const auto&, const auto& p) {
+      return 1.0 / (1.0 + p[0] * p[0] * (1.0 / (p_scale * p_scale)));
+    };
+    break;
+  case Wish::bound:
+    options.steps = 40;
+    break;
+  case Wish::fast_events:
+    options.events = {avi::when(
+        [q_scale, q_start](const auto& q) { return sin((q[0] - q_start) * (40.0 / q_scale)) - 0.999; },
+        {.count = 300})};
+    break;
+  default:
+    break;
+  }
+  return options;
+}
+
+/// What came of a call, in nine columns. @param energy H as it was solved, of (q, p), where its monitor is to
+/// be made for use by hand
+std::string described(const avi::Solution<avi::dynamic>& found, const avi::Formula* energy,
+                      double energy_at_start) {
+  Digest all;
+  all.add(found.report());
+  all.add_state(found.state);
+  for (const auto& state : found.states)
+    all.add_state(state);
+  for (const auto& event : found.events)
+    all.add_state(event.state);
+  if (found.curve) {
+    const double begin = found.curve->times().front();
+    for (const double part : {0.03, 0.31, 0.77})
+      all.add_state(found(begin + part * (found.state.t - begin)));
+  }
+  const avi::Choice& choice = found.choice;
+  if (energy != nullptr && found.ok())
+    all.add(avi::monitor_of(choice, *energy, energy_at_start).at(found.state.q, found.state.p));
+  return fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{:.2e}\t{:.2e}\t{}", avi::name(found.run.outcome), choice.name,
+                     choice.order, choice.trials.size(), found.run.steps,
+                     found.run.evaluations + choice.sweeps + choice.check, found.state_error,
+                     found.energy_error, all.text());
+}
+
+/// The least H in phase space from the start on, or where that ends.
+std::string minimum(const System& system, int index, double tolerance) {
+  avi::VectorX start(2 * system.n);
+  for (int i = 0; i < system.n; ++i)
+    start[i] = system.q[i], start[system.n + i] = system.p[i];
+  const auto f = [&system](const auto& x) {
+    using S = std::decay_t<decltype(x[0])>;
+    std::vector<S> q, p;
+    for (int i = 0; i < system.n; ++i)
+      q.push_back(x[i]), p.push_back(x[system.n + i]);
+    return system(q, p);
+  };
+  const avi::Minimisation found = avi::minimise(f, start,
+                                                {.relative = tolerance,
+                                                 .memory = index % 3 == 0 ? 0 : 7,
+                                                 .evaluations = 3000,
+                                                 .check_gradient = index % 2 == 0});
+  Digest all;
+  all.add(found.message);
+  all.add(found.last.value);
+  for (const double x : found.last.x)
+    all.add(x);
+  return fmt::format("{}\t\t\t\t{}\t{}\t\t\t{}", avi::name(found.outcome), found.iterations,
+                     found.gradient_evaluations, all.text());
+}
+
+std::string way(const System& system, int index, Wish wish, double tolerance) {
+  if (wish == Wish::minimum) return minimum(system, index, tolerance);
+  State start;
   start.q = Eigen::Map<const Eigen::VectorXd>(system.q.data(), system.n);
   start.p = Eigen::Map<const Eigen::VectorXd>(system.p.data(), system.n);
   start.t = system.t;
-  avi::SolveOptions options{.sweeps = 2'000'000};
-  wish.of(options);
   const auto h = [&system](const auto& q, const auto& p) { return system(q, p); };
   const double span = system.t_end - system.t;
+  const avi::SolveOptions options = options_of(wish, index, system);
+  if (wish == Wish::timed) {
+    const auto moving = [&](const auto& q, const auto& t, const auto& p) {
+      return system(q, p) * (1.0 + 0.05 * cos((t - system.t) * (20.0 / span)));
+    };
+    return described(avi::solve(moving, start, system.t_end, tolerance, options), nullptr, 0.0);
+  }
+  const avi::Formula energy = avi::Formula::of_phase(h, system.n);
+  const double energy_at_start = energy.at(start.q, start.p);
+  const avi::Formula* const by_hand = wish == Wish::given ? nullptr : &energy;
+  if (wish == Wish::times || wish == Wish::fixed) {
+    std::vector<double> times;
+    for (int i = 1; i < 7; ++i)
+      times.push_back(system.t + span * i / 7);
+    times.push_back(system.t_end);
+    return described(avi::solve(energy, start, times, tolerance, options), by_hand, energy_at_start);
+  }
+  if (wish == Wish::solver) {
+    const avi::Solver solver(energy, start, system.t_end, tolerance, options);
+    start.q *= 1.001;
+    return described(solver.run(start, system.t_end), by_hand, energy_at_start);
+  }
+  const double end = wish == Wish::back ? system.t - span : system.t_end;
+  return described(avi::solve(energy, start, end, tolerance, options), by_hand, energy_at_start);
+}
+
+/// The same where it is an exception.
+std::string way_or_exception(const System& system, int index, Wish wish, double tolerance) {
   try {
-    avi::Solution<avi::dynamic> found;
-    if (wish.times > 0) {
-      std::vector<double> times;
-      for (int i = 1; i < wish.times; ++i)
-        times.push_back(system.t + span * i / wish.times);
-      times.push_back(system.t_end);
-      found = avi::solve(h, start, times, tolerance, options);
-    } else {
-      found = avi::solve(h, start, system.t_end, tolerance, options);
-    }
-    Digest all;
-    all.add(found.report());
-    all.add_state(found.state);
-    for (const auto& state : found.states)
-      all.add_state(state);
-    for (const auto& event : found.events)
-      all.add_state(event.state);
-    if (options.dense && found.curve)
-      for (const double part : {0.03, 0.31, 0.77})
-        all.add_state(found(system.t + part * (found.state.t - system.t)));
-    const avi::Choice& choice = found.choice;
-    return fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{:.2e}\t{:.2e}\t{}", avi::name(found.run.outcome),
-                       choice.name, choice.order, choice.trials.size(), found.run.steps,
-                       found.run.evaluations + choice.sweeps + choice.check, found.state_error,
-                       found.energy_error, all.text());
+    return way(system, index, wish, tolerance);
   } catch (const std::exception& error) {
     Digest all;
     all.add(std::string(error.what()));
@@ -164,10 +249,11 @@ int main(int argc, char** argv) {
   }
   for (int index = 0; index < systems; ++index) {
     const System system = draw(seed, index, 30.0);
-    const Wish& wish = wishes[static_cast<std::size_t>(index) % wishes.size()];
+    const auto wish = static_cast<std::size_t>(index) % names.size();
     for (const double tolerance : tolerances)
-      lines.push_back(fmt::format("{}\t{}\t{}\t{}\t{:.0e}\t{}", index, system.family, system.n, wish.name,
-                                  tolerance, way(system, wish, tolerance)));
+      lines.push_back(fmt::format("{}\t{}\t{}\t{}\t{:.0e}\t{}", index, system.family, system.n, names[wish],
+                                  tolerance,
+                                  way_or_exception(system, index, static_cast<Wish>(wish), tolerance)));
   }
   if (write) {
     std::ofstream out(file);

@@ -41,6 +41,25 @@ TEST(BracketedRoot, EndsAtItsTolerance) {
   }
 }
 
+// Where the side matters, f has to be within the tolerance on that side.
+TEST(BracketedRoot, EndsAtItsToleranceOnTheSideThatIsAskedFor) {
+  for (const double shift : {-0.4, -0.1, 0.2, 0.7, 1.3}) {
+    const auto f = [&](double x) { return x * x * x + x - shift; };
+    for (const double tolerance : {0.3, 1e-2, 1e-5}) {
+      const auto find = [&](avi::Side side) {
+        return avi::bracketed_root(f, -2.0, f(-2.0), 2.0, f(2.0), tolerance, side);
+      };
+      const avi::Root beyond = find(avi::Side::beyond), either = find(avi::Side::either),
+                      exact = avi::bracketed_root(f, -2.0, f(-2.0), 2.0, f(2.0), 0.0);
+      EXPECT_TRUE(beyond.met && beyond.value >= 0.0 && beyond.value <= tolerance)
+          << shift << " " << tolerance;
+      EXPECT_TRUE(either.met && std::abs(either.value) <= tolerance) << shift << " " << tolerance;
+      EXPECT_LE(either.evaluations, beyond.evaluations);
+      EXPECT_LT(beyond.evaluations, exact.evaluations);
+    }
+  }
+}
+
 TEST(BracketedRoot, EndsWhereFIsNoNumberAndAtAJump) {
   int count = 0;
   (void)avi::bracketed_root(

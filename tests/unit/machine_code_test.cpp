@@ -1,5 +1,7 @@
 #include "avi/autodiff/recording.hpp"
 #include "avi/autodiff/schedule.hpp"
+#include "digest.hpp"
+#include "src/code_writer.hpp"
 #include "src/machine_code.hpp"
 #include "src/pack_functions.hpp"
 #include "unit/random_graph.hpp"
@@ -7,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <random>
 #include <string>
@@ -92,6 +96,41 @@ TEST(MachineCode, HasTheBitsOfTheInterpreter) {
     const int value = slopes.empty() ? graph.size() - 1 : -1;
     compare(avi::Schedule::program(graph, value, slopes, graph.size()), seed, "seed " + std::to_string(seed));
   }
+}
+
+/// The bytes of the code of 200 formulas and a digest of them; what is called has a made-up address.
+std::string bytes(int lanes, bool avx512) {
+  std::vector<avi::detail::PackFunction> functions;
+  for (std::uintptr_t i = 0; i < static_cast<std::uintptr_t>(Operation::sum_of_products); ++i)
+    functions.push_back(reinterpret_cast<avi::detail::PackFunction>(0x10000 + 16 * i));
+  Digest all;
+  std::size_t count = 0;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    std::mt19937 random(seed);
+    const ExpressionGraph graph = random_graph::draw(random, 4);
+    std::vector<int> slopes;
+    for (int i = 0; i < static_cast<int>(seed % 7); ++i)
+      slopes.push_back(graph.size() - 1 - 3 * i % graph.size());
+    const Program program =
+        avi::Schedule::program(graph, slopes.empty() ? graph.size() - 1 : -1, slopes, graph.size());
+    const avi::detail::StraightLine line(program);
+    avi::detail::Assembler assembler(avx512 ? lanes : 4);
+    std::vector<double> pool{1.0, 0.0, -0.0, 1.0};
+    avi::detail::CodeWriter writer(line, {.lanes = lanes, .avx512 = avx512, .functions = functions.data()},
+                                   pool, assembler);
+    writer.write();
+    count += assembler.code.size();
+    all.add(assembler.code.data(), assembler.code.size());
+  }
+  return std::to_string(count) + " " + all.text();
+}
+
+// Which register holds what is nothing that results depend on: a change of it has to be meant.
+TEST(MachineCode, IsTheCodeThatItWas) {
+  EXPECT_EQ(bytes(4, false), "1021487 b309a839");
+  EXPECT_EQ(bytes(8, false), "2004433 e429e457");
+  EXPECT_EQ(bytes(4, true), "1005261 9180db2d");
+  EXPECT_EQ(bytes(8, true), "950151 0b55fb7a");
 }
 
 TEST(MachineCode, KnowsEveryOperation) {

@@ -244,6 +244,8 @@ TEST(Recording, RefusesWhatItCannotServe) {
             "branch write select(a < b, x, y), min(x, y), max(x, y) or abs(x).");
   EXPECT_EQ(refusal([&] { Recording([](const auto& x) { return x[1] + x[2]; }, 2); }),
             "Index of an entry is 2; it must be at least 0 and below 2, the size of the vector.");
+  EXPECT_EQ(refusal([&] { avi::record([](const auto& q, const auto&) { return q[0]; }, 0); }),
+            "Number of degrees of freedom to record is 0; it must be at least 1.");
   EXPECT_EQ(refusal([&] { avi::record<2>([](const auto& q, const auto& p) { return q[0] * p(-1); }); }),
             "Index of an entry is -1; it must be at least 0 and below 2, the size of the vector.");
   EXPECT_EQ(refusal([&] { Recording([](const auto& x) { return x.segment(1, 2).sum(); }, 2); }),

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -90,6 +91,13 @@ struct Embedded : T {
   static constexpr int order = T::embedded_order;
   static constexpr auto b = T::embedded;
 };
+
+struct WeightsAlone {
+  static constexpr int embedded_order = 2;
+  static constexpr std::array<double, 1> embedded{1.0};
+};
+static_assert(avi::EmbeddedTableau<avi::DormandPrince> && !avi::EmbeddedTableau<avi::ClassicalRungeKutta> &&
+              !avi::EmbeddedTableau<WeightsAlone>);
 
 template <class T>
 void expect_measured_order(int order, double off = 0.035) {
