@@ -229,6 +229,8 @@ struct OrbitEvent {
   EventRules rules;  ///< Which zeros count.
 };
 
+struct Prepared;
+
 /// An orbit that is asked for. Holds no vector of another library, so that it may cross into code that is
 /// compiled for another processor.
 struct OrbitQuestion {
@@ -238,30 +240,33 @@ struct OrbitQuestion {
   double t, t_end, tolerance;      ///< Start, end, tolerance.
   SolveOptions options;            ///< Bounds, and what is fixed; its events are those below.
   std::vector<double> times = {};  ///< Where states are wanted, from the start to the end.
-  std::vector<OrbitEvent> events = {};      ///< Events to look for on the way.
-  std::shared_ptr<const Choice> made = {};  ///< A choice that is made already, unless it is empty.
-  bool timed = false;                       ///< Time has been made the last coordinate: not for callers.
-  std::vector<int> gradient = {};           ///< Nodes of dH/d(q, p), 2n, where H supplies them; else empty.
-  int given = -1;                           ///< Node of a monitor of one's own, or none.
+  std::vector<OrbitEvent> events = {};            ///< Events to look for on the way.
+  std::shared_ptr<const Choice> made = {};        ///< A choice that is made already, unless it is empty,
+  std::shared_ptr<const Prepared> prepared = {};  ///< and what is made of H for it.
+  bool timed = false;              ///< Time has been made the last coordinate: not for callers.
+  std::vector<int> gradient = {};  ///< Nodes of dH/d(q, p), 2n, where H supplies them; else empty.
+  int given = -1;                  ///< Node of a monitor of one's own, or none.
 };
 
 /// The answer.
 struct OrbitAnswer : SolutionReport {
-  std::vector<double> q, p;                 ///< State.
-  double t = 0.0;                           ///< Its time.
-  OrbitPoints states;                       ///< At the times asked for, as far as the run came.
-  std::vector<int> events;                  ///< Number of the event, for each that was found,
-  OrbitPoints event_states;                 ///< and where.
-  std::shared_ptr<const OrbitCurve> curve;  ///< With SolveOptions::dense.
+  std::vector<double> q, p;                  ///< State.
+  double t = 0.0;                            ///< Its time.
+  OrbitPoints states;                        ///< At the times asked for, as far as the run came.
+  std::vector<int> events;                   ///< Number of the event, for each that was found,
+  OrbitPoints event_states;                  ///< and where.
+  std::shared_ptr<const OrbitCurve> curve;   ///< With SolveOptions::dense.
+  std::shared_ptr<const Prepared> prepared;  ///< What was made of H for the choice.
 };
 
 /// solve() without types that depend on H or n.
 OrbitAnswer answer(OrbitQuestion&& question);
 /// resume() without types that depend on H or n; of the question H, events, bounds and the dimension count.
 OrbitAnswer answer_from(const std::string& file, OrbitQuestion&& question);
-/// The choice of solve() for a Solver, with what is known of the orbit that it is made for.
+/// Puts the choice of solve() into the question of a Solver.
+/// @return what is known of the orbit that it is made for
 /// @throws std::invalid_argument where nothing could be chosen, too.
-SolutionReport choose_for(const OrbitQuestion& question);
+SolutionReport choose_for(OrbitQuestion& question);
 
 /// @throws std::invalid_argument unless there are times, finite, in one direction from the start on.
 void require_times(double start, const std::vector<double>& times);

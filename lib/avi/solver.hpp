@@ -38,9 +38,7 @@ class Solver {
   Solver(const H& hamiltonian, const State<n>& start, double t_end, double tolerance,
          const SolveOptions& options = {})
       : question_(detail::question_of(hamiltonian, start, t_end, tolerance, options)),
-        sample_(detail::choose_for(question_)) {
-    question_.made = std::make_shared<const Choice>(sample_.choice);
-  }
+        sample_(detail::choose_for(question_)) {}
 
   /// The choice that all runs take.
   [[nodiscard]] const Choice& choice() const { return sample_.choice; }

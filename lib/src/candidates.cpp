@@ -39,11 +39,14 @@ int at_rest(ExpressionGraph& graph, int energy, bool timed, const std::vector<do
 }
 
 /// The node of \f$\ell\f$ of the energy.
-int liveliness_of(ExpressionGraph& graph, int energy, double energy_at_start, bool timed,
+int liveliness_of(ExpressionGraph& graph, int energy, const EnergyAtStart& energy_at_start, bool timed,
                   const Choice& constants) {
   const int half = graph.binary(Operation::multiply, graph.constant(0.5), energy);
   const int moving = graph.binary(Operation::subtract, half, at_rest(graph, energy, timed, constants.drifts));
-  return graph.binary(Operation::add, moving, graph.constant(0.5 * energy_at_start + constants.kinetic));
+  const int level = energy_at_start.is_open()
+                        ? energy_at_start.level
+                        : graph.constant(0.5 * energy_at_start.value + constants.kinetic);
+  return graph.binary(Operation::add, moving, level);
 }
 
 /// The largest derivative of H by each entry on the way; what is 1e-14 of the others, masses taken out, is
@@ -147,18 +150,19 @@ int accelerating(ExpressionGraph& graph, int energy, const std::vector<double>& 
 }
 
 /// The power 3/8 of the sum of squares: see Choice::accelerations.
-Candidate accelerated(const std::shared_ptr<ExpressionGraph>& graph, int energy, double energy_at_start,
-                      const Choice& constants) {
+Candidate accelerated(const std::shared_ptr<ExpressionGraph>& graph, int energy,
+                      EnergyAtStart energy_at_start, const Choice& constants) {
   const int lively = accelerating(*graph, energy, constants.accelerations);
   return {"acceleration", 0.375, graph, energy, energy_at_start, lively};
 }
 
 /// The frequency near poles and a constant one: see Choice::poles.
-Candidate polar(const std::shared_ptr<ExpressionGraph>& graph, int energy, double energy_at_start,
+Candidate polar(const std::shared_ptr<ExpressionGraph>& graph, int energy, EnergyAtStart energy_at_start,
                 const Choice& constants) {
-  const int lively = constants.poles.empty()
-                         ? graph->constant(1.0)
-                         : Poles(*graph, energy).rate(*graph, energy_at_start, constants.poles);
+  const Factor start =
+      energy_at_start.is_open() ? Factor(*graph, energy_at_start.node) : energy_at_start.value;
+  const int lively = constants.poles.empty() ? graph->constant(1.0)
+                                             : Poles(*graph, energy).rate(*graph, start, constants.poles);
   return {"poles", 1.0, graph, energy, energy_at_start, lively};
 }
 
@@ -197,7 +201,7 @@ double background(const Sketch& sketch, const Measured& near) {
 }
 
 Candidate given(const std::shared_ptr<ExpressionGraph>& graph, const OrbitQuestion& question,
-                double energy_at_start) {
+                EnergyAtStart energy_at_start) {
   return {"given", -1.0, graph, question.energy, energy_at_start, question.given};
 }
 
@@ -233,17 +237,47 @@ bool is_monitor(std::string_view name) {
   return std::ranges::any_of(entries, [&](const Entry& entry) { return name == entry.name; });
 }
 
-Candidate candidate(std::string_view name, const OrbitQuestion& question, double energy_at_start,
-                    const Choice& constants) {
-  const auto graph = std::make_shared<ExpressionGraph>(question.graph);
+namespace {
+
+const Entry& entry_of(std::string_view name) {
+  return *std::ranges::find_if(entries, [&](const Entry& it) { return name == it.name; });
+}
+
+/// @param graph that of the question, to which monitors are added
+Candidate candidate_in(const std::shared_ptr<ExpressionGraph>& graph, std::string_view name,
+                       const OrbitQuestion& question, EnergyAtStart energy_at_start,
+                       const Choice& constants) {
   const int energy = question.energy;
   if (question.given >= 0) return given(graph, question, energy_at_start);
-  const Entry& entry = *std::ranges::find_if(entries, [&](const Entry& it) { return name == it.name; });
+  const Entry& entry = entry_of(name);
   if (entry.alpha == 0.0) return {entry.name, 0.0, graph, energy, energy_at_start, -1};
   if (name == "acceleration") return accelerated(graph, energy, energy_at_start, constants);
   if (name == "poles") return polar(graph, energy, energy_at_start, constants);
   const int lively = liveliness_of(*graph, energy, energy_at_start, question.timed, constants);
   return {entry.name, entry.alpha, graph, energy, energy_at_start, lively};
+}
+
+}  // namespace
+
+Candidate candidate(std::string_view name, const OrbitQuestion& question, double energy_at_start,
+                    const Choice& constants) {
+  return candidate_in(std::make_shared<ExpressionGraph>(question.graph), name, question, energy_at_start,
+                      constants);
+}
+
+Candidate candidate(std::string_view name, const OrbitQuestion& question,
+                    std::shared_ptr<const Formulas> formulas) {
+  if (question.given >= 0) return {"given", -1.0, std::move(formulas)};
+  return {std::string(name), entry_of(name).alpha, std::move(formulas)};
+}
+
+std::shared_ptr<const Formulas> formulas_of(const Choice& choice, const OrbitQuestion& question) {
+  const auto graph = std::make_shared<ExpressionGraph>(question.graph);
+  const bool fixed = question.given < 0 && entry_of(choice.name).alpha == 0.0;
+  Candidate it =
+      candidate_in(graph, choice.name, question, fixed ? EnergyAtStart(0.0) : EnergyAtStart(*graph), choice);
+  it.supplied = question.gradient;
+  return it.formulas();
 }
 
 std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch,

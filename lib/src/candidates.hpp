@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -73,6 +74,26 @@ class OrbitSteps {
 /// The name of the candidate with fixed steps and an explicit method.
 inline constexpr std::string_view splitting = "splitting";
 
+/// The energy at the start, \f$H_0\f$, as a number of the formulas; or, where orbits from many starts are to
+/// share them, as their parameters.
+struct EnergyAtStart {
+  /// A number.
+  EnergyAtStart(double number) : value(number) {}  // NOLINT: implicit, as most of them are
+  /// Two parameters: late inputs of a graph.
+  explicit EnergyAtStart(ExpressionGraph& graph) : node(graph.late_input()), level(graph.late_input()) {}
+
+  double value = 0.0;  ///< \f$H_0\f$, where it is a number.
+  int node = -1;       ///< \f$H_0\f$, where it is a parameter.
+  int level = -1;      ///< \f$\bar T + \frac12 H_0\f$, likewise.
+
+  /// The values of these parameters. @param kinetic see Choice
+  static std::vector<double> parameters(double energy, double kinetic) {
+    return {energy, 0.5 * energy + kinetic};
+  }
+  /// It is a parameter.
+  [[nodiscard]] bool is_open() const { return node >= 0; }
+};
+
 /// A monitor of the menu: \f$g = \ell^{-\alpha}\f$ with a rate of change that it follows, where \f$\alpha =
 /// 0\f$ is that of fixed steps. Of the energy it is \f$\ell = \bar T + \frac12(H + H_0) - V(q)\f$ with the
 /// mean kinetic energy \f$\bar T\f$: the kinetic energy and its mean, written such that it stays positive
@@ -83,9 +104,13 @@ class Candidate {
  public:
   /// The monitor of this power. @param lively node of \f$\ell\f$, or -1 where it is not needed
   Candidate(std::string its_name, double alpha, std::shared_ptr<const ExpressionGraph> formula, int energy,
-            double energy_at_start, int lively)
+            EnergyAtStart energy_at_start, int lively)
       : name(std::move(its_name)), alpha_(alpha), graph_(std::move(formula)), energy_(energy),
         energy_at_start_(energy_at_start), lively_(lively) {}
+  /// A monitor whose formulas are made already.
+  Candidate(std::string its_name, double alpha, std::shared_ptr<const Formulas> formulas)
+      : name(std::move(its_name)), alpha_(alpha), energy_(-1), energy_at_start_(0.0), lively_(-1),
+        formulas_(std::move(formulas)) {}
 
   std::string name;                ///< In the menu.
   std::vector<int> supplied = {};  ///< Nodes of the gradient of H, where it has one of its own.
@@ -111,7 +136,8 @@ class Candidate {
   double price() {
     const auto& f = *formulas();
     const auto size = static_cast<double>(f.forces.operations() + f.velocities.operations());
-    return splits() ? 0.5 * price_of_kick(size, graph_->inputs()) : price_of_sweep(size, graph_->inputs());
+    const int entries = 2 * static_cast<int>(f.n);
+    return splits() ? 0.5 * price_of_kick(size, entries) : price_of_sweep(size, entries);
   }
   /// The price of a sweep: measured from one to sixteen degrees of freedom.
   static double price_of_sweep(double operations, int entries) { return 20.0 + operations + 4.0 * entries; }
@@ -141,13 +167,15 @@ class Candidate {
   double rate_at(const double* z) {
     if (fixed() || formulas()->unit) return 1.0;
     const Program& program = formulas()->rate;
-    if (!room_) room_.emplace(program);
-    std::copy(z, z + graph_->inputs(), room_->arguments());
+    if (!room_) {
+      room_.emplace(program);
+      std::ranges::copy(formulas_->parameters, room_->arguments() + 2 * formulas_->n);
+    }
+    std::copy(z, z + 2 * formulas_->n, room_->arguments());
     program.run(*room_);
     return program.value(*room_);
   }
-
- private:
+  /// What its methods run on, made at the first call.
   const std::shared_ptr<const Formulas>& formulas() {
     if (!formulas_ && fixed() && recording) {
       formulas_ = std::make_shared<const Formulas>(Formulas::fixed(*recording));
@@ -156,19 +184,38 @@ class Candidate {
       int transformed = energy_, rate = graph.constant(1.0);
       if (!fixed()) {
         rate = graph.power(lively_, -alpha_);
+        const int start =
+            energy_at_start_.is_open() ? energy_at_start_.node : graph.constant(energy_at_start_.value);
         transformed =
-            graph.binary(Operation::multiply, rate,
-                         graph.binary(Operation::subtract, energy_, graph.constant(energy_at_start_)));
+            graph.binary(Operation::multiply, rate, graph.binary(Operation::subtract, energy_, start));
       }
-      formulas_ = Formulas::of(graph, transformed, rate, energy_, supplied);
+      formulas_ = energy_at_start_.is_open() ? of_parameters(graph, transformed, rate)
+                                             : Formulas::of(graph, transformed, rate, energy_, supplied);
     }
     return formulas_;
+  }
+  /// Has formulas of the same monitor that are made already.
+  void take(std::shared_ptr<const Formulas> formulas) { formulas_ = std::move(formulas); }
+
+ private:
+  /// With late inputs as parameters.
+  [[nodiscard]] std::shared_ptr<const Formulas> of_parameters(const ExpressionGraph& graph, int transformed,
+                                                              int rate) const {
+    const int inputs = graph.inputs() + graph.late_inputs();
+    ExpressionGraph open(inputs);
+    std::vector<int> arguments(static_cast<std::size_t>(inputs)), slopes;
+    std::iota(arguments.begin(), arguments.end(), 0);
+    const auto in_open = [&](int node) { return open.substitute(graph, node, arguments); };
+    const int all = in_open(transformed);  // first, so that operations keep their order
+    for (const int slope : supplied)
+      slopes.push_back(in_open(slope));
+    return Formulas::of(open, all, in_open(rate), in_open(energy_), slopes, graph.late_inputs());
   }
 
   double alpha_;
   std::shared_ptr<const ExpressionGraph> graph_;
   int energy_;
-  double energy_at_start_;
+  EnergyAtStart energy_at_start_;
   int lively_;  // node of l
   std::shared_ptr<const Formulas> formulas_;
   std::optional<Program::Room<double>> room_;  // of rate_at()
@@ -187,6 +234,11 @@ bool is_monitor(std::string_view name);
 /// The monitor of this name, which there is, on its own. @param constants of the monitors
 Candidate candidate(std::string_view name, const OrbitQuestion& question, double energy_at_start,
                     const Choice& constants);
+/// The same with formulas that are made already.
+Candidate candidate(std::string_view name, const OrbitQuestion& question,
+                    std::shared_ptr<const Formulas> formulas);
+/// The formulas of a choice at any energy at the start, see EnergyAtStart::parameters().
+std::shared_ptr<const Formulas> formulas_of(const Choice& choice, const OrbitQuestion& question);
 /// See Choice::accelerations. @param metric diagonal of H_pp @param seen number of coordinates but time
 std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, Eigen::Index seen);
 

@@ -126,7 +126,9 @@ class CodeWriter {
   /// Where a value that is in no register can be read.
   Place memory(int v, int part) {
     if (v < line_.inputs) {
-      const int half = line_.inputs / 2, i = v < half ? v : v - half;
+      const int half = (line_.inputs - target_.parameters) / 2, i = v < half ? v : v - half;
+      if (i >= half)
+        return {.pointer = factor_, .at = 8 * target_.lanes * (1 + i - half) + out_.bytes() * part};
       return {.pointer = v < half ? q_ : p_, .at = 8 * target_.lanes * i + out_.bytes() * part};
     }
     if (v < line_.first_result()) return pooled(first_number_ + static_cast<std::size_t>(v - line_.inputs));

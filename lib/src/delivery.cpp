@@ -23,12 +23,15 @@ State<dynamic> start_of(const OrbitQuestion& question) {
 
 }  // namespace
 
-Delivery::Delivery(const OrbitQuestion& question, int degrees, const Choice& choice, Budget& budget)
+Delivery::Delivery(const OrbitQuestion& question, int degrees, const Choice& choice, Budget& budget,
+                   const Prepared* prepared)
     : question_(question), degrees_(degrees), budget_(budget),
-      field_(question.graph, question.energy, question.gradient),
+      field_(prepared ? prepared->field : PointField(question.graph, question.energy, question.gradient)),
       energy_at_start_(field_.energy(question.q.data(), question.p.data())),
-      candidate_(candidate(choice.name, question, energy_at_start_, choice)), choice_(choice),
-      h_(question.t_end < question.t ? -choice.h : choice.h), state_(start_of(question)) {
+      candidate_(
+          prepared ? candidate(choice.name, question, prepared->formulas_at(energy_at_start_, choice.kinetic))
+                   : candidate(choice.name, question, energy_at_start_, choice)),
+      choice_(choice), h_(question.t_end < question.t ? -choice.h : choice.h), state_(start_of(question)) {
   for (std::size_t i = 0; i < question.events.size(); ++i)
     watches_.emplace_back(question.events[i], degrees, i);
   candidate_.supplied = question.gradient;

@@ -2,6 +2,7 @@
 #include "budget.hpp"
 #include "checkpoint.hpp"
 #include "journey.hpp"
+#include "prepared.hpp"
 #include "watch.hpp"
 
 #include <memory>
@@ -19,7 +20,9 @@ class Track;
 class Delivery {
  public:
   /// From the start of the question on. @param degrees n of the states that the user sees
-  Delivery(const OrbitQuestion& question, int degrees, const Choice& choice, Budget& budget);
+  /// @param prepared what is made of H for the choice, or null
+  Delivery(const OrbitQuestion& question, int degrees, const Choice& choice, Budget& budget,
+           const Prepared* prepared);
   ~Delivery();
   Delivery(const Delivery&) = delete;
   Delivery& operator=(const Delivery&) = delete;

@@ -155,7 +155,7 @@ class Call {
       if (!(answer.choice.h > 0.0) || budget_.cancelled()) return answer;
       budget_.share = 1.0;
       budget_.phase = SolvePhase::running;
-      Delivery delivery(question_, degrees_, answer.choice, budget_);
+      Delivery delivery(question_, degrees_, answer.choice, budget_, answer.prepared.get());
       if (round == 60) horizon = question_.t_end;
       delivery.keep(answer, horizon);
       delivery.go(beyond(question_, horizon, 1.2));
@@ -186,11 +186,12 @@ class Call {
   [[nodiscard]] OrbitAnswer made() const {
     OrbitAnswer answer;
     answer.choice = *question_.made;
+    answer.prepared = question_.prepared;
     answer.choice.trials.clear();
     answer.choice.sweeps = answer.choice.check = 0;
     answer.tolerance = question_.tolerance;
     answer.state_error = infinity;
-    PointField field(question_.graph, question_.energy, question_.gradient);
+    PointField field = field_of(question_);
     const double energy = field.energy(question_.q.data(), question_.p.data());
     require_energy(energy, question_);
     answer.energy_rounding =
@@ -213,7 +214,7 @@ class Call {
   /// others are chosen.
   double scout() {
     const double span = std::abs(question_.t_end - question_.t);
-    PointField field(question_.graph, question_.energy, question_.gradient);
+    PointField field = field_of(question_);
     VectorX z(static_cast<Eigen::Index>(2 * question_.q.size()));
     std::ranges::copy(question_.q, z.data());
     std::ranges::copy(question_.p, z.data() + question_.q.size());
@@ -227,7 +228,7 @@ class Call {
     events.options.dense = false;
     events.options.checkpoint.clear();
     std::erase_if(events.events, [](const OrbitEvent& event) { return !event.rules.stop; });
-    Delivery delivery(events, degrees_, answer.choice, budget_);
+    Delivery delivery(events, degrees_, answer.choice, budget_, answer.prepared.get());
     budget_.end = question_.t_end;
     delivery.go(question_.t_end);
     spent_ += answer.choice.sweeps + answer.run.evaluations + delivery.run().evaluations;
@@ -298,7 +299,7 @@ OrbitAnswer answer_from(const std::string& file, OrbitQuestion&& question) {
   Budget budget(question.options);
   budget.phase = SolvePhase::running;
   budget.start = question.t, budget.end = question.t_end;
-  Delivery delivery(question, static_cast<int>(degrees), choice, budget);
+  Delivery delivery(question, static_cast<int>(degrees), choice, budget, nullptr);
   delivery.restore(record, answer, horizon);
   delivery.go(beyond(question, horizon, 1.2));
   if (delivery.run().ok() && !delivery.arrived())  // as in a run that was not interrupted
@@ -309,17 +310,23 @@ OrbitAnswer answer_from(const std::string& file, OrbitQuestion&& question) {
   return answer;
 }
 
-SolutionReport choose_for(const OrbitQuestion& question) {
+SolutionReport choose_for(OrbitQuestion& question) {
   OrbitQuestion sample = question;
   sample.events.clear();
   sample.options.dense = false;
   sample.options.checkpoint.clear();
-  SolutionReport report = answer(std::move(sample));
+  OrbitAnswer report = answer(OrbitQuestion(sample));
   if (!(report.choice.h > 0.0))
     throw std::invalid_argument(
         "Nothing could be chosen for the orbit of the Solver: " +
         (report.run.message.empty() ? "it ends where it starts." : report.run.message));
-  return report;
+  question.made = std::make_shared<const Choice>(report.choice);
+  if (report.prepared) {
+    extend(sample);
+    question.prepared = std::make_shared<const Prepared>(
+        Prepared{report.prepared->field, formulas_of(report.choice, sample)});
+  }
+  return SolutionReport(std::move(report));
 }
 
 }  // namespace avi::detail

@@ -37,33 +37,43 @@ class CodeStore {
   std::vector<Entry> entries_;
 };
 
-/// The programs of \f$\bar H = g\,(H - H_0)\f$, made once and shared by all methods that run on them.
+/// The programs of \f$\bar H = g\,(H - H_0)\f$, made once and shared by all methods that run on them. Their
+/// arguments are (q, p), then the parameters.
 struct Formulas {
-  Program forces;      ///< \f$\partial\bar H/\partial q\f$.
-  Program velocities;  ///< \f$\partial\bar H/\partial p\f$.
-  Program rate;        ///< g; empty where `unit`.
-  bool unit = false;   ///< g = 1.
-  Eigen::Index n = 0;  ///< Degrees of freedom.
-  /// Forces, velocities and, unless `unit`, the rate as machine code.
-  std::unique_ptr<CodeStore> code = std::make_unique<CodeStore>();
+  Program forces;                       ///< \f$\partial\bar H/\partial q\f$.
+  Program velocities;                   ///< \f$\partial\bar H/\partial p\f$.
+  Program rate;                         ///< g; empty where `unit`.
+  bool unit = false;                    ///< g = 1.
+  Eigen::Index n = 0;                   ///< Degrees of freedom.
+  std::vector<double> parameters = {};  ///< Their values.
+  /// Forces, velocities and, unless `unit`, the rate as machine code, whatever the parameters.
+  std::shared_ptr<CodeStore> code = std::make_shared<CodeStore>();
 
-  /// The programs of \f$\bar H\f$ and g as nodes of one graph of (q, p).
+  /// The programs of \f$\bar H\f$ and g as nodes of one graph of (q, p) and so many parameters.
   /// @param energy node of H @param supplied those of its gradient, where H has one of its own
   static std::shared_ptr<const Formulas> of(const ExpressionGraph& graph, int transformed, int rate,
-                                            int energy = -1, const std::vector<int>& supplied = {}) {
-    Formulas made = fixed(Recording(graph, transformed, energy, supplied));
+                                            int energy = -1, const std::vector<int>& supplied = {},
+                                            int parameters = 0) {
+    Formulas made = fixed(Recording(graph, transformed, energy, supplied), parameters);
     made.unit = graph.is(rate, 1.0);
     if (!made.unit) made.rate = Schedule::program(graph, rate, {}, graph.size());
     return std::make_shared<const Formulas>(std::move(made));
   }
   /// The programs of H with g = 1.
-  static Formulas fixed(const Recording& recording) {
-    const int n = recording.inputs() / 2;
+  static Formulas fixed(const Recording& recording, int parameters = 0) {
+    const int n = (recording.inputs() - parameters) / 2;
     return {.forces = recording.gradient(0, n),
             .velocities = recording.gradient(n, n),
             .rate = {},
             .unit = true,
-            .n = n};
+            .n = n,
+            .parameters = std::vector<double>(static_cast<std::size_t>(parameters))};
+  }
+  /// The same programs with other parameters, as many.
+  [[nodiscard]] std::shared_ptr<const Formulas> with(std::vector<double> values) const {
+    Formulas other = *this;
+    other.parameters = std::move(values);
+    return std::make_shared<const Formulas>(std::move(other));
   }
 };
 

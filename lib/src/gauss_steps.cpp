@@ -27,8 +27,9 @@ class FormulaField final : public StageField<n, w> {
 
   /// With memory of its own for each program.
   explicit FormulaField(std::shared_ptr<const Formulas> formulas)
-      : formulas_(std::move(formulas)), forces_(formulas_->forces), velocities_(formulas_->velocities),
-        rates_(formulas_->rate) {
+      : formulas_(std::move(formulas)), forces_(formulas_->forces, formulas_->parameters),
+        velocities_(formulas_->velocities, formulas_->parameters),
+        rates_(formulas_->rate, formulas_->parameters) {
     if constexpr (makes_code) {
       code_ = machine_code<w>(*formulas_);
       if (!code_) return;

@@ -19,6 +19,7 @@ struct MachineTarget {
   int lanes;                      ///< Numbers in a pack.
   bool avx512;                    ///< Else AVX2.
   const PackFunction* functions;  ///< For each Operation, called where it is not a few instructions.
+  int parameters = 0;             ///< The last arguments, which lie behind the factor.
 };
 
 /// Programs as straight lines of the processor's instructions: intermediate results live in registers and
@@ -26,7 +27,7 @@ struct MachineTarget {
 class MachineCode {
  public:
   /// One program at packs: out[i] = factor times its derivative i, or out[0] = its value where it has no
-  /// derivatives. @param q,p the first and second half of its arguments
+  /// derivatives. @param q,p the first and second half of its arguments @param factor and the parameters
   using Function = void (*)(const double* q, const double* p, const double* factor, double* out);
 
   /// Null where the system does not let code be made, the processor is another one, the code would take more

@@ -2,6 +2,7 @@
 #include "distance.hpp"
 #include "journey.hpp"
 #include "orbiter.hpp"
+#include "prepared.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +63,7 @@ inline double trusted(const Journey& coarse, const Journey& fine) {
 class Orbiter {
  public:
   Orbiter(const OrbitQuestion& question, Budget& budget)
-      : question_(question), budget_(budget), field_(question.graph, question.energy, question.gradient),
+      : question_(question), budget_(budget), field_(field_of(question)),
         sense_(question.t_end < question.t ? -1.0 : 1.0), span_(std::abs(question.t_end - question.t)) {}
 
   OrbitAnswer solve();

@@ -208,7 +208,8 @@ std::vector<double> Poles::constants(const Sketch& sketch, const VectorX& metric
   return constants;
 }
 
-int Poles::rate(ExpressionGraph& graph, double energy_at_start, const std::vector<double>& constants) const {
+int Poles::rate(ExpressionGraph& graph, const Factor& energy_at_start,
+                const std::vector<double>& constants) const {
   Factor frequency = 0.0, slope = 0.0, change = constants[1];
   const auto add = [](Factor& sum, const Factor& part) { sum = sum.number == 0.0 ? part : sum + part; };
   for (std::size_t k = 0; k < poles_.size(); ++k) {

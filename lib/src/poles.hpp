@@ -1,5 +1,6 @@
 #pragma once
 #include "avi/autodiff/expression_graph.hpp"
+#include "avi/autodiff/factor.hpp"
 #include "sketch.hpp"
 
 #include <array>
@@ -39,7 +40,7 @@ class Poles {
                                               Eigen::Index seen) const;
   /// The node of \f$\ell\f$ in a graph that H is a part of as in the constructor.
   /// @param constants \f$w_0, e_0\f$, then those of the poles
-  int rate(ExpressionGraph& graph, double energy_at_start, const std::vector<double>& constants) const;
+  int rate(ExpressionGraph& graph, const Factor& energy_at_start, const std::vector<double>& constants) const;
 
   static constexpr std::size_t most = 24;  ///< Largest number of poles of one H that are looked at.
 

@@ -158,6 +158,9 @@ void Orbiter::prepare() {
   aim_ = std::max(question_.tolerance / std::max(radians_, 1.0), 1e-16);
   order_ = question_.options.order > 0 ? question_.options.order : aim_ > 2e-6 ? 8 : 16;
   offer_splitting();
+  if (question_.prepared)
+    for (Candidate& it : menu_)
+      it.take(question_.prepared->formulas_at(energy, choice.kinetic));
 }
 
 /// How far rounding of the slopes may move each entry in a hundred radians, the errors of all of them in one
@@ -404,6 +407,8 @@ OrbitAnswer Orbiter::finish() {
   std::copy(fine.state.q.begin(), fine.state.q.end(), answer_.q.begin());
   std::copy(fine.state.p.begin(), fine.state.p.end(), answer_.p.begin());
   answer_.t = fine.state.t;
+  answer_.prepared =
+      std::make_shared<const Prepared>(Prepared{std::move(field_), fine_->candidate->formulas()});
   return answer_;
 }
 

@@ -27,22 +27,33 @@ template <int w>
 std::shared_ptr<const MachineCode> machine_code(const Formulas& formulas) {
   const Program* const programs[] = {&formulas.forces, &formulas.velocities, &formulas.rate};
   return formulas.code->of({programs, formulas.unit ? 2u : 3u},
-                           {.lanes = w, .avx512 = has_avx512, .functions = pack_functions<w>()});
+                           {.lanes = w,
+                            .avx512 = has_avx512,
+                            .functions = pack_functions<w>(),
+                            .parameters = static_cast<int>(formulas.parameters.size())});
 }
 
 /// A program at packs of w numbers.
 template <int w>
 class StageFormula {
  public:
-  explicit StageFormula(const Program& program) : program_(&program), room_(program) {}
+  /// @param parameters its last arguments
+  StageFormula(const Program& program, const std::vector<double>& parameters)
+      : program_(&program), room_(program) {
+    if (parameters.empty() || program.inputs() == 0) return;
+    factors_.assign(1, Pack<w>(1.0));
+    factors_.insert(factors_.end(), parameters.begin(), parameters.end());
+    std::copy(factors_.begin() + 1, factors_.end(),
+              room_.arguments() + program.inputs() - static_cast<int>(parameters.size()));
+  }
 
   /// out = factor times its derivatives, or its value where it has none.
   template <class Vec>
   [[gnu::always_inline]] void run(const Vec& q, const Vec& p, const Pack<w>& factor, Pack<w>* out) {
-    if (code)
-      code(number(q.data()), number(p.data()), number(&factor), number(out));
-    else
-      interpret(q, p, factor, out);
+    if (!code) return interpret(q, p, factor, out);
+    const Pack<w>* factors = &factor;
+    if (!factors_.empty()) factors_[0] = factor, factors = factors_.data();
+    code(number(q.data()), number(p.data()), number(factors), number(out));
   }
   MachineCode::Function code = nullptr;  ///< This program's, once there is some.
 
@@ -65,6 +76,7 @@ class StageFormula {
 
   const Program* program_;
   Program::Room<Pack<w>> room_;
+  std::vector<Pack<w>, Eigen::aligned_allocator<Pack<w>>> factors_;  // the factor and the parameters, if any
 };
 
 }  // namespace

@@ -84,6 +84,29 @@ TEST(OrbitEnsemble, SaysThatTheChoiceWasMadeForAnotherStart) {
   EXPECT_NE(other.report().find("chosen for another start"), std::string::npos) << other.report();
 }
 
+// What is made of H for a Solver knows the energy at the start, and whatever is made of it, as parameters.
+TEST(OrbitEnsemble, FollowsStartsOfAnyEnergy) {
+  const auto kepler = [](const auto& q, const auto& p) {
+    return 0.5 * (p[0] * p[0] + p[1] * p[1]) - 1.0 / sqrt(q[0] * q[0] + q[1] * q[1]);
+  };
+  const auto own = [](const auto& q, const auto&) { return q[0] * q[0] + q[1] * q[1] + 0.01; };
+  const auto start = [](double speed) { return State<2>{.q = {0.3, 0.0}, .p = {0.0, speed}}; };
+  const std::vector<avi::SolveMonitor> monitors{"fixed",        "energy", "energy^1.5", "poles",
+                                                "acceleration", own,      "splitting"};
+  for (const auto& monitor : monitors)
+    for (const bool check : {true, false}) {
+      const avi::Solver solver(kepler, start(2.3), 8.0, 1e-7, {.check = check, .monitor = monitor});
+      for (const double speed : {2.2, 2.35, 2.3}) {
+        const auto exact = avi::solve(kepler, start(speed), {3.0, 8.0}, 1e-12);
+        const auto run = solver.run(start(speed), std::vector<double>{3.0, 8.0});
+        ASSERT_TRUE(exact.kept() && run.ok()) << monitor.name;
+        for (const int i : {0, 1})
+          EXPECT_LE((run.states[i].q - exact.states[i].q).norm(), 1e-6) << monitor.name << " " << speed;
+        EXPECT_LE((solver.run(start(speed), 8.0).state.q - exact.state.q).norm(), 1e-6) << monitor.name;
+      }
+    }
+}
+
 TEST(OrbitEnsemble, RefusesOtherStarts) {
   const State<avi::dynamic> start{.q = avi::VectorX::Constant(1, 1.0), .p = avi::VectorX::Constant(1, 0.0)};
   const avi::Solver solver(spring(), start, 10.0, 1e-8);

@@ -1,0 +1,30 @@
+#pragma once
+#include "candidates.hpp"
+
+#include <memory>
+#include <utility>
+
+/// @file
+/// What is made of H once, for all that a call does with it and for all runs of a Solver.
+
+namespace avi::detail {
+
+/// The field of H and the formulas of the monitor that was chosen.
+struct Prepared {
+  PointField field;                          ///< Of H, forwards in time; to be copied.
+  std::shared_ptr<const Formulas> formulas;  ///< With two parameters, see EnergyAtStart, or none.
+
+  /// The formulas for an orbit of this energy. @param kinetic see Choice
+  [[nodiscard]] std::shared_ptr<const Formulas> formulas_at(double energy, double kinetic) const {
+    return formulas->parameters.empty() ? formulas
+                                        : formulas->with(EnergyAtStart::parameters(energy, kinetic));
+  }
+};
+
+/// The field of H, copied where it is prepared.
+inline PointField field_of(const OrbitQuestion& question) {
+  return question.prepared ? question.prepared->field
+                           : PointField(question.graph, question.energy, question.gradient);
+}
+
+}  // namespace avi::detail
