@@ -49,11 +49,13 @@ class OrbitSteps {
   [[nodiscard]] State<dynamic> polynomial(double c) const {
     VectorX z(2 * n_);
     State<dynamic> state;
-    steps_->polynomial(c, z.data(), state.t);
+    polynomial(c, z, state.t);
     state.q = z.head(n_);
     state.p = z.tail(n_);
     return state;
   }
+  /// The same as 2n entries and a time.
+  void polynomial(double c, VectorX& z, double& t) const { steps_->polynomial(c, z.data(), t); }
 
   /// See Stepper. @param z of 2n entries
   void tail(VectorX& z) const { steps_->tail(z.data(), static_cast<int>(z.size())); }

@@ -29,13 +29,19 @@ struct Repeated {
 
 }  // namespace
 
-double Watch::at(const State<dynamic>& z) {
-  if (timed_) formula_.room.arguments()[2 * degrees_] = z.t;
-  formula_.run(z.q.data(), z.p.data(), degrees_);
+double Watch::at(const double* q, const double* p, double t) {
+  if (timed_) formula_.room.arguments()[2 * degrees_] = t;
+  formula_.run(q, p, degrees_);
   return formula_.value();
 }
 
-double Watch::on(const Stride& stride, double part) { return at(stride.method.polynomial(part)); }
+double Watch::on(const Stride& stride, double part) {
+  const Eigen::Index n = stride.before.q.size();
+  double t = 0.0;
+  inside_.resize(2 * n);
+  stride.method.polynomial(part, inside_, t);
+  return at(inside_.data(), inside_.data() + n, t);
+}
 
 /// See rounding_of() of Event: what g changes by when the entries of the state change by their rounding.
 double Watch::rounding(const State<dynamic>& z, const State<dynamic>& after) {

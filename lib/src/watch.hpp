@@ -55,7 +55,8 @@ class Watch {
   struct Sample {
     double part, g;
   };
-  double at(const State<dynamic>& z);
+  double at(const double* q, const double* p, double t);
+  double at(const State<dynamic>& z) { return at(z.q.data(), z.p.data(), z.t); }
   double on(const Stride& stride, double part);
   double rounding(const State<dynamic>& z, const State<dynamic>& after);
   [[nodiscard]] bool crosses(double first, double last) const {
@@ -78,6 +79,7 @@ class Watch {
   bool leaving_ = false;  // g has not left it yet
   bool smooth_ = true;    // g in the step, see refine()
   std::vector<Sample> samples_;
+  VectorX inside_;  // (q, p) in the step
 };
 
 }  // namespace avi::detail

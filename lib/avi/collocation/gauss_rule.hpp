@@ -46,12 +46,10 @@ class GaussRule {
 
   /// \f$P_{s-1}(2 c_j - 1)\f$, Legendre's polynomial of the highest degree in the velocity of a step, at node
   /// j.
-  [[nodiscard]] double last_legendre(int j) const { return static_cast<double>(legendre_[j][stages_ - 1]); }
+  [[nodiscard]] double last_legendre(int j) const { return last_legendre_[j]; }
 
   /// \f$(2k + 1)\, P_k(2 c_j - 1)\f$: the coefficient of \f$P_k\f$ in \f$\ell_j / b_j\f$.
-  [[nodiscard]] double series(int j, int k) const {
-    return static_cast<double>((2 * k + 1) * legendre_[j][k]);
-  }
+  [[nodiscard]] double series(int j, int k) const { return static_cast<double>(series_[j][k]); }
 
   /// \f$b_j^{-1} \int_0^c \ell_j\f$ for every j, at any real c: the collocation polynomial at the fraction c
   /// of a step is \f$y_0 + \sum_j (h b_j y'_j) \cdot\f$ this.
@@ -66,7 +64,7 @@ class GaussRule {
     for (int j = 0; j < stages_; ++j) {
       long double sum = 0;
       for (int k = 0; k < stages_; ++k)
-        sum += (2 * k + 1) * legendre_[j][k] * integral[k];
+        sum += series_[j][k] * integral[k];
       row[j] = static_cast<double>(sum);
     }
     return row;
@@ -92,13 +90,16 @@ class GaussRule {
     exact_node_[i] = (1 + x) / 2;
     node_[i] = static_cast<double>(exact_node_[i]);
     weight_[i] = static_cast<double>(1 / ((1 - x * x) * slope * slope));
-    legendre_[i] = legendre(x);
+    const Polynomials p = legendre(x);
+    last_legendre_[i] = static_cast<double>(p[stages_ - 1]);
+    for (int k = 0; k < stages_; ++k)
+      series_[i][k] = (2 * k + 1) * p[k];
   }
 
   int stages_;
   std::array<long double, most> exact_node_{};
-  std::array<Polynomials, most> legendre_{};
-  Row node_{}, weight_{};
+  std::array<std::array<long double, most>, most> series_{};
+  Row node_{}, weight_{}, last_legendre_{};
   std::array<Row, most> mu_{};
 };
 

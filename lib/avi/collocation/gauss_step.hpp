@@ -177,6 +177,8 @@ class alignas(64) GaussStep {
     int slow = 0;
     bool closely = false, scaled = false;
     const bool unknown = place_ == Place::elsewhere;
+    // Who steps again from where the last step began looks for a point on the way.
+    [[maybe_unused]] const bool goes_on = place_ != Place::begin;
     // A step from where the last one began is a little longer or shorter than that, which is a good guess.
     const int first_look = place_ == Place::end ? std::max(usual_ - 2, 1) : 1;
     StepReport report{.evaluations = begin(h)};
@@ -185,7 +187,7 @@ class alignas(64) GaussStep {
     while (report.evaluations < settings_.max_sweeps) {
       const int k = ++report.evaluations;
       if constexpr (ahead) {
-        if (begun_ == 0 && usual_ >= worth_it && k > usual_ / 2) {
+        if (begun_ == 0 && usual_ >= worth_it && k > usual_ / 2 && goes_on) {
           equations_.begin_next(step, next);
           begun_ = 1;
         }
