@@ -2,6 +2,7 @@
 #include "avi/core/integrate_to.hpp"
 #include "budget.hpp"
 #include "candidates.hpp"
+#include "pauses.hpp"
 #include "sharp.hpp"
 
 #include <algorithm>
@@ -19,14 +20,16 @@ namespace avi::detail {
 
 /// The data that all runs along an orbit share.
 struct Trip {
-  State<dynamic> start;               ///< Where it begins.
-  double energy_at_start;             ///< H_0.
-  double energy_scale;                ///< Unit of energy errors.
-  double sense;                       ///< 1, or -1 where the end lies before the start.
-  Budget& budget;                     ///< Budget of the call.
-  double felt = infinity;             ///< A change of H inside a step that is not its error.
-  double span = infinity;             ///< Time from the start to the end.
-  SharpFeatures* features = nullptr;  ///< Looked for, if there are any.
+  State<dynamic> start;                                ///< Where it begins.
+  double energy_at_start;                              ///< H_0.
+  double energy_scale;                                 ///< Unit of energy errors.
+  double sense;                                        ///< 1, or -1 where the end lies before the start.
+  Budget& budget;                                      ///< Budget of the call.
+  double felt = infinity;                              ///< A change of H inside a step that is not its error.
+  double span = infinity;                              ///< Time from the start to the end.
+  VectorX ranges = VectorX::Zero(2 * start.q.size());  ///< Of the entries of (q, p) on the sketch.
+  Eigen::Index seen = start.q.size();                  ///< Coordinates but time.
+  SharpFeatures* features = nullptr;                   ///< Looked for, if there are any.
 };
 
 /// The smallest and largest value of every entry of (q, p) on the way.
@@ -107,8 +110,8 @@ class Journey {
   Journey(Trip& trip, PointField& field, Candidate& its_candidate, int its_order, double step,
           SweepBounds bounds)
       : candidate(&its_candidate), order(its_order), h(step), solved(bounds.tolerance), state(trip.start),
-        ranges(trip.start), trip_(&trip), field_(&field), steps_(its_candidate.steps(its_order, bounds)),
-        z_(trip.start), before_(trip.start) {}
+        ranges(trip.start), pauses(trip.ranges, trip.seen), trip_(&trip), field_(&field),
+        steps_(its_candidate.steps(its_order, bounds)), z_(trip.start), before_(trip.start) {}
 
   Candidate* candidate;               ///< Its monitor.
   int order;                          ///< Order of its method.
@@ -119,6 +122,7 @@ class Journey {
   State<dynamic> state;               ///< Where it is: at the last mark, or the last good state.
   std::vector<State<dynamic>> marks;  ///< Where it was at the times that it was sent to.
   Ranges ranges;                      ///< Ranges of all states.
+  Pauses pauses;                      ///< Where it all but stops.
   double energy_error = 0.0;          ///< Largest |H - H_0| over the scale.
   VectorX tails;                      ///< Largest tail of each entry, see Stepper, in the first `few` steps.
   bool spent = false;                 ///< It met a bound of the call.
@@ -182,10 +186,13 @@ class Journey {
     run.evaluations += report.evaluations;
     trip_->budget.sweeps += report.evaluations;
   }
-  void look_at_energy(const State<dynamic>& z) {
+  /// @return the error of the energy
+  double look_at_energy(const State<dynamic>& z) {
     const double energy = field_->energy(z.q.data(), z.p.data());
     if (std::isnan(energy)) run.outcome = Outcome::non_finite;
-    energy_error = std::max(energy_error, std::abs(energy - trip_->energy_at_start) / trip_->energy_scale);
+    const double error = std::abs(energy - trip_->energy_at_start) / trip_->energy_scale;
+    energy_error = std::max(energy_error, error);
+    return error;
   }
   /// The latter half of very many steps has led on by less than a millionth of the way, as before a
   /// singularity.
@@ -231,7 +238,7 @@ class Journey {
     ++run.steps;
     if (run.steps <= few) look_at_tail();
     ranges.add(z_);
-    look_at_energy(z_);
+    pauses.add(before_, z_, ranges.low, ranges.high, look_at_energy(z_));
     if (!ok()) return;
     if (const Outcome bound = trip_->budget.met(z_.t, run.steps, 0); bound != Outcome::ok) {
       run.outcome = bound;

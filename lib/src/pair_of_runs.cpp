@@ -50,6 +50,14 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
     seen.error = std::max(seen.error, lacking * lacking);
     late = std::max(late, speed > 0.0 ? lacking * lacking / speed : lacking * lacking);
   }
+  // Who leaves a point of rest earlier or later may come to another one, where all are near each other again;
+  // and how much later is no matter of the order.
+  const double parted = parted_by(coarse.pauses, fine.pauses, question_.t, marks_[marks - 1]);
+  lost_ = parted > 1.0 || fine.pauses.undecided;
+  if (lost_)
+    seen.error = std::max(seen.error, 1.0), late = std::max(late, 1.0 / usual_speed_);
+  else if (parted > 0.3)
+    seen.error *= ratio, late *= ratio;
   seen.behind = late;
   // How rounding grows says nothing of how an error would.
   const double rounding = (100.0 * std::numeric_limits<double>::epsilon() + 10.0 * fine.candidate->noise) *

@@ -147,6 +147,7 @@ class Orbiter {
   int lengthened_ = 0;           // times that a step was made longer
   bool others_tried_ = false;    // candidates other than the first one
   bool resigned_ = false;        // shorter steps do not help
+  bool lost_ = false;            // the two runs part at a point of rest
   // The last two runs agreed, and their energy errors, more than rounding, did not fall with the step.
   bool steady_ = false;
   OrbitAnswer answer_;

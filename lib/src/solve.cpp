@@ -123,6 +123,8 @@ void Orbiter::prepare() {
   const double inside = std::max(0.1 * std::sqrt(question_.tolerance), 10.0 * question_.tolerance);
   trip_->felt = std::max(inside, 1e3 * answer_.energy_rounding) * scale;
   trip_->span = span_;
+  trip_->ranges = ranges.high - ranges.low;
+  trip_->seen = seen;
   features_.emplace(question_.graph, question_.energy, sketch);
   if (!features_->none() || features_->hides()) trip_->features = &*features_;
   menu_ = candidates(question_, energy, sketch, radians_, resting, metric, choice, field_.operations());
@@ -395,6 +397,9 @@ OrbitAnswer Orbiter::finish() {
     answer_.note +=
         "Two runs stay apart, however short their steps: the state at the end depends on more digits "
         "than there are. ";
+  if (answer_.ok() && !answer_.kept() && lost_)
+    answer_.note += "The orbit all but stops at a saddle, and how it goes on depends on more digits than the "
+                    "tolerance has. ";
   if (answer_.ok() && !answer_.kept() && steady_ && fine.energy_error >= most_rounding) {
     answer_.note += "The energy errs alike however short the steps: ";
     answer_.note += question_.gradient.empty()

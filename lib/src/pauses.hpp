@@ -1,0 +1,127 @@
+#pragma once
+#include "avi/core/state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+/// @file
+/// Where an orbit all but stops, and for how long.
+
+namespace avi::detail {
+
+/// The pauses of a run: times at which all changes ten times more slowly than it did, as near a saddle. There
+/// orbits stay the longer the nearer they come, by the logarithm of the distance, so that a small error
+/// decides when they leave, and where to. A pause ends where the speed is three tenths of the largest again.
+class Pauses {
+ public:
+  /// The end of one. Speeds are over the largest before the pause.
+  struct End {
+    double t;        ///< When.
+    double rate;     ///< At which the speed grew at last.
+    double step;     ///< Length of the step, in time.
+    double slowest;  ///< Speed in the pause.
+    double fastest;  ///< Speed after it.
+    double length;   ///< Time since it was slowest.
+    double error;    ///< Error of the energy then, over its scale.
+    /// The speed has grown exponentially, as it does from a saddle, over some steps; in a fall it grows
+    /// faster at last.
+    [[nodiscard]] bool is_at_saddle() const {
+      return length > 2.5 * step && rate * length < 2.0 * std::log(1.0 / slowest);
+    }
+    /// Another run, with other steps, sees it too.
+    [[nodiscard]] bool is_plain() const { return slowest < 0.02 && fastest > 0.6 && is_at_saddle(); }
+    /// The energy that is left at a saddle, by the square of the speed, is less than its error, or than
+    /// rounding: that decides on which side the orbit leaves, and when.
+    [[nodiscard]] bool is_undecided() const {
+      constexpr double rounding = 10.0 * std::numeric_limits<double>::epsilon();
+      return slowest < 0.03 && is_at_saddle() && std::max(error, rounding) > 0.2 * slowest * slowest;
+    }
+    /// Time in which the speed grew by e, on average.
+    [[nodiscard]] double time() const { return length / std::log(0.3 / slowest); }
+    /// By how much the times may differ at which two runs see it.
+    [[nodiscard]] double doubt() const { return std::max(time(), step); }
+  };
+
+  /// @param ranges of the 2n entries of (q, p), as far as they are known before @param seen so many of the
+  /// first coordinates and momenta count
+  explicit Pauses(VectorX ranges, Eigen::Index seen) : ranges_(std::move(ranges)), seen_(seen) {}
+
+  /// A step between two states. @param low,high ranges of the entries of (q, p) so far @param error of the
+  /// energy after it
+  void add(const State<dynamic>& before, const State<dynamic>& after, const VectorX& low, const VectorX& high,
+           double error) {
+    const Eigen::Index n = before.q.size();
+    const double step = std::abs(after.t - before.t), middle = 0.5 * (before.t + after.t);
+    double speed = 0.0;
+    const auto look = [&](Eigen::Index i, double change) {
+      const double range = std::max(high[i] - low[i], ranges_[i]);
+      if (range > 0.0) speed = std::max(speed, std::abs(change) / (range * step));
+    };
+    for (Eigen::Index i = 0; i < seen_; ++i) {
+      look(i, after.q[i] - before.q[i]);
+      look(n + i, after.p[i] - before.p[i]);
+    }
+    const double part = fastest_ > 0.0 ? speed / fastest_ : 1.0;
+    if (pauses_ && part > 0.3) {
+      pauses_ = false;
+      const double rate = std::log(speed / last_) / std::abs(middle - middle_);
+      if (ends.size() < most && std::isfinite(rate)) {
+        const double late = std::copysign(std::log(part / 0.3) / rate, after.t - before.t);
+        ends.push_back({.t = middle - late,
+                        .rate = rate,
+                        .step = step,
+                        .slowest = slowest_,
+                        .fastest = part,
+                        .length = std::abs(middle - since_),
+                        .error = error_});
+        undecided = undecided || ends.back().is_undecided();
+      }
+    }
+    pauses_ = pauses_ || part < 0.1;
+    if (!pauses_)
+      slowest_ = 1.0;
+    else if (part < slowest_)
+      slowest_ = part, since_ = middle, error_ = error;
+    if (!pauses_ && !ends.empty()) ends.back().fastest = std::max(ends.back().fastest, part);
+    fastest_ = std::max(fastest_, speed);
+    last_ = speed;
+    middle_ = middle;
+  }
+
+  std::vector<End> ends;   ///< In their order.
+  bool undecided = false;  ///< One of them was, see End.
+
+  static constexpr std::size_t most = 400;  ///< Ends that are kept.
+
+ private:
+  VectorX ranges_;
+  Eigen::Index seen_;
+  double fastest_ = 0.0, last_ = 0.0, middle_ = 0.0;  // speeds, over the ranges; time of the last one
+  bool pauses_ = false;
+  double slowest_ = 1.0, since_ = 0.0, error_ = 0.0;  // in the pause; when, and of the energy
+};
+
+/// How far apart in time two runs along one orbit left their pauses, as far as the time `until`, in units of
+/// the time in which a distance grows by e; infinite where one saw a pause that the other did not.
+inline double parted_by(const Pauses& a, const Pauses& b, double start, double until) {
+  double seen = std::abs(until - start), most = 0.0;
+  for (const Pauses* run : {&a, &b})
+    if (run->ends.size() == Pauses::most) seen = std::min(seen, std::abs(run->ends.back().t - start));
+  const auto compare = [&](const Pauses& one, const Pauses& other) {
+    for (const Pauses::End& end : one.ends) {
+      if (!end.is_plain() || std::abs(end.t - start) + 2.0 * end.doubt() > seen) continue;
+      double lag = std::numeric_limits<double>::infinity();
+      for (const Pauses::End& its : other.ends)
+        if (std::abs(its.t - end.t) <= std::max(end.doubt(), its.doubt()))
+          lag = std::min(lag, std::abs(its.t - end.t) / std::max(end.time(), its.time()));
+      most = std::max(most, lag);
+    }
+  };
+  compare(a, b), compare(b, a);
+  return most;
+}
+
+}  // namespace avi::detail
