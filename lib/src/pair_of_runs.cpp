@@ -53,7 +53,7 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   // Who leaves a point of rest earlier or later may come to another one, where all are near each other again;
   // and how much later is no matter of the order.
   const double parted = parted_by(coarse.pauses, fine.pauses, question_.t, marks_[marks - 1]);
-  lost_ = parted > 1.0 || fine.pauses.undecided;
+  lost_ = parted > 1.0 || (fine.pauses.undecided && !question_.timed);
   if (lost_)
     seen.error = std::max(seen.error, 1.0), late = std::max(late, 1.0 / usual_speed_);
   else if (parted > 0.3)
@@ -296,7 +296,10 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   // the way; or chance, in few of them.
   bool steady = seen_.error < 1e-7 && fine_->run.steps > Journey::few &&
                 fine_->energy_error > 0.5 * coarse_->energy_error;
-  if (steady && fine_->energy_error < std::max(most_rounding, 100.0 * rounding_of_energy(fine_->state))) {
+  const double rounding = 100.0 * rounding_of_energy(fine_->state);
+  // A gradient that H supplies may be the one of another energy.
+  if (steady &&
+      fine_->energy_error < (question_.gradient.empty() ? std::max(most_rounding, rounding) : rounding)) {
     answer_.energy_rounding = std::max(answer_.energy_rounding, 0.01 * fine_->energy_error);
     // Above the tolerance it may be more than that: then nor does what it makes of the state fall.
     coarse_grained_ = coarse_grained_ || fine_->energy_error > 3.0 * tolerance;

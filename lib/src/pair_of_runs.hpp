@@ -97,10 +97,12 @@ class Orbiter {
   double rounding_of_energy(const State<dynamic>& z);
   [[nodiscard]] double foretold(const Comparison& seen, double from, double to, double speed) const;
   [[nodiscard]] double longest_step(const Candidate& it) const {
-    return it.fictive > 0.0 ? span_ * it.fictive / std::max(sketch_->time, 1e-300) / fewest : span_ / fewest;
+    // Where the sketch has not left the start, nothing is known.
+    return it.fictive > 0.0 && sketch_->time > 0.0 ? span_ * it.fictive / sketch_->time / fewest
+                                                   : span_ / fewest;
   }
   [[nodiscard]] double expected_steps(const Candidate& it, double h, double time) const {
-    return time * it.fictive / std::max(sketch_->time, 1e-300) / h;
+    return sketch_->time > 0.0 ? time * it.fictive / sketch_->time / h : time / h;
   }
   void note_trial(const Journey& journey, double error);
   OrbitAnswer fail(Outcome outcome, std::string message);

@@ -80,6 +80,7 @@ class SharpFeatures {
       for (std::size_t i = 0; i < arguments_.size(); ++i)
         arguments_[i].at[k] = value(i);
     }
+    if (has_narrow_gap(method, felt)) return true;
     for (std::size_t i = 0; i < arguments_.size(); ++i) {
       const Argument& argument = arguments_[i];
       if (!argument.moves()) continue;
@@ -149,6 +150,34 @@ class SharpFeatures {
     return any;
   }
 
+  /// Between the zeros of two conditions is a part of the step that stages may not see, and that is felt: as
+  /// a push that begins by one of them and ends by the other.
+  bool has_narrow_gap(const OrbitSteps& method, const Felt& felt) {
+    zeros_.clear();
+    for (std::size_t i = 0; i < arguments_.size(); ++i) {
+      const Argument& argument = arguments_[i];
+      if (argument.kind != Kind::condition || !argument.moves()) continue;
+      for (int k = 0; k < parts; ++k)
+        if (argument.at[k] * argument.at[k + 1] < 0.0) zeros_.push_back(zero(method, i, k));
+    }
+    std::ranges::sort(zeros_);
+    for (std::size_t k = 1; k < zeros_.size(); ++k)
+      if (zeros_[k] > zeros_[k - 1] && zeros_[k] < zeros_[k - 1] + 0.125 &&
+          felt(method.polynomial(0.5 * (zeros_[k - 1] + zeros_[k]))))
+        return true;
+    return false;
+  }
+  /// Where condition i changes its sign between the points k and k + 1, by halves.
+  double zero(const OrbitSteps& method, std::size_t i, int k) {
+    double low = k / static_cast<double>(parts), high = (k + 1) / static_cast<double>(parts);
+    const double sense = std::copysign(1.0, arguments_[i].at[k]);
+    for (int halves = 0; halves < 40; ++halves) {
+      const double middle = 0.5 * (low + high);
+      (sense * on(method, i, middle) > 0.0 ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+  }
+
   /// A condition is another one for a part of the step that stages may not see, and that is felt.
   bool flips(const OrbitSteps& method, std::size_t i, const Felt& felt) {
     const Argument& argument = arguments_[i];
@@ -199,6 +228,7 @@ class SharpFeatures {
   Eigen::Index n_;
   bool bends_ = false, hides_ = false;
   std::vector<Argument> arguments_;
+  std::vector<double> zeros_;                       // of conditions in the step under way
   std::optional<RecordedFormula<double>> formula_;  // of all arguments, as derivatives of nothing
 };
 

@@ -167,6 +167,8 @@ class Sketch {
     double energy = field(at, step.k[0]), last = energy;
     double h = first_step(field, at, step.k[0], span, metric);
     int grown = 0;  // samples when an entry left its range last
+    int alike = 0;  // refused steps in a row with errors as large as before, relative to what moves
+    double refused = 0.0;
     for (int tries = 0; time < span && static_cast<int>(samples.size()) < most && tries < 6 * most; ++tries) {
       h = std::min(h, span - time);
       step.advance([&](const VectorX& x, VectorX& dx) { last = field(x, dx); }, at, h);
@@ -185,7 +187,12 @@ class Sketch {
         if (!std::isfinite(errors[i])) worst = infinity;
       }
       const double factor = std::isfinite(worst) ? std::cbrt(loose / std::max(worst, 1e-3 * loose)) : 0.1;
-      if (factor < 0.8) {
+      alike = factor < 0.8 && worst > 0.7 * refused && std::isfinite(worst) ? alike + 1 : 0;
+      refused = factor < 0.8 ? worst : 0.0;
+      // What begins to move from rest by a power of time is as wrong in a shorter step, relative to its
+      // range.
+      const bool begins = alike > 3 && samples.empty();
+      if (factor < 0.8 && !begins) {
         h *= std::max(0.1, 0.9 * factor);
         const double way = before + time;
         if (stuck = !(h > 1e-14 * (way > 0.0 ? way : span)); stuck) break;
@@ -203,7 +210,7 @@ class Sketch {
       // What has kept within its ranges for as long as it took to fill them comes again.
       if (before == 0.0 && made >= enough && grown <= made / 2) break;
       std::swap(step.k[0], step.k[3]);
-      h *= std::min(5.0, 0.9 * factor);
+      h *= begins ? 2.0 : std::min(5.0, 0.9 * factor);
     }
     // At first the ranges were small: frequencies are found when all of them are known. Steps that were far
     // too short, as the first ones, tell of rounding: they take the frequency of the next one.

@@ -50,10 +50,12 @@ void Orbiter::prepare() {
   std::copy(question_.p.begin(), question_.p.end(), start.data() + n);
   const double energy = field_(start, slope);
   require_energy(energy, question_);
+  const auto name = [&](int i) {
+    if (question_.timed && i == 2 * n - 1) return std::string("t");
+    return (i < n ? "p[" : "q[") + std::to_string(i % n) + "]";
+  };
   for (int i = 0; i < 2 * n; ++i)
-    require(std::isfinite(slope[i]),
-            "The derivative of H by " + std::string(i < n ? "p[" : "q[") + std::to_string(i % n) +
-                "] at the start",
+    require(std::isfinite(slope[i]), "The derivative of H by " + name(i) + " at the start",
             i < n ? slope[i] : -slope[i], "finite");
   const VectorX& metric = metric_ = field_.metric(start);
   // Of time as a coordinate, and its momentum, nobody asks.
@@ -378,7 +380,7 @@ OrbitAnswer Orbiter::finish() {
                 "where none is named, one that suits the orbit is chosen.";
       else
         text << "The run was given up: it takes over a hundred times the steps that its beginning suggests; "
-                "the orbit may come near a singularity of H.";
+                "something on the way is far faster, as near a singularity of H.";
       answer_.run.message = text.str();
       answer_.run.outcome = Outcome::step_limit;
     } else if (fine.state.t == question_.t_end) {
@@ -390,7 +392,9 @@ OrbitAnswer Orbiter::finish() {
     }
   }
   if (std::isnan(answer_.state_error)) answer_.state_error = infinity;
-  if (!answer_.kept() && seen_.rate > 0.0)
+  if (!answer_.kept() && seen_.rate > 0.0 && features_->bends())
+    answer_.note += "H has a kink, a jump or a branch, beyond which errors are larger than before. ";
+  else if (!answer_.kept() && seen_.rate > 0.0)
     answer_.note += "Neighbouring orbits move apart exponentially here: the state at the end depends on more "
                     "digits than the tolerance has. ";
   else if (!answer_.kept() && seen_.error > 1e-3 && resigned_)

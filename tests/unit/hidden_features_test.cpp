@@ -68,6 +68,28 @@ TEST(HiddenFeatures, AWindowInTime) {
   EXPECT_TRUE(!found.kept() || std::abs(found.state.q[0] - q) < 2e-3) << found.report();
 }
 
+// The same push, which begins by one condition and ends by another; and a smooth hill in such a window of
+// space.
+TEST(HiddenFeatures, AWindowOfTwoConditions) {
+  for (const double time : {7.3, 30.0, 51.1}) {
+    const auto pushed = [=](const auto& q, const auto& t, const auto& p) {
+      return 0.5 * (p[0] * p[0] + q[0] * q[0]) -
+             q[0] * select(t > time - 0.02 && t < time + 0.02, 50.0 + 0.0 * t, 0.0 * t);
+    };
+    const auto swing = solve(pushed, State<1>{.q = {1.0}, .p = {0.0}}, 60.0, 1e-3, {.sweeps = 20'000});
+    const double q = std::cos(60.0) + 100.0 * std::sin(0.02) * std::sin(60.0 - time);
+    EXPECT_FALSE(swing.kept() && std::abs(swing.state.q[0] - q) > 0.1) << time << "\n" << swing.report();
+  }
+  for (const double width : {0.05, 0.01}) {
+    const auto hill = [=](const auto& q, const auto& p) {
+      const auto x = (q[0] - 1.0) * (1.0 / width), y = 1.0 - x;
+      return 0.5 * (p[0] * p[0] + q[0] * q[0]) + select(x > 0.0 && x < 1.0, 80.0 * x * x * y * y, 0.0 * x);
+    };
+    const auto back = solve(hill, State<1>{.q = {-2.0}, .p = {0.0}}, 4.0, 1e-4);
+    EXPECT_FALSE(back.kept() && back.state.q[0] > 0.0) << width << "\n" << back.report();
+  }
+}
+
 // Found or said, wherever in a step they lie.
 TEST(HiddenFeatures, WallsAndWindowsAnywhere) {
   for (int place = 1; place <= 40; ++place) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace own_gradient_test {
@@ -56,6 +57,15 @@ TEST(OwnGradient, ThatIsNotThatOfHIsNotCalledRounding) {
     EXPECT_GT(orbit.energy_error, 1e-4);
     EXPECT_LT(orbit.energy_rounding, 1e-14);
     EXPECT_NE(orbit.note.find("is not its own"), std::string::npos) << orbit.report();
+  }
+}
+
+// By as little as H might round in another formula.
+TEST(OwnGradient, ThatIsNearlyThatOfHIsNotCalledRounding) {
+  for (const auto& [more, tolerance] :
+       {std::pair{1e-8, 1e-12}, std::pair{1e-9, 1e-12}, std::pair{1e-9, 1e-11}}) {
+    const auto orbit = avi::solve(Spring{1.0 + more}, start, 50.0, tolerance);
+    EXPECT_FALSE(orbit.kept()) << orbit.report();
   }
 }
 

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string>
+
 namespace {
 
 using avi::solve, avi::State;
@@ -47,6 +50,11 @@ TEST(SolveStart, SaysWhereTheEnergyIsNotFinite) {
   const auto root = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + sqrt(q[0]); };
   EXPECT_EQ(refusal([&] { (void)solve(root, State<1>{.q = {0.0}, .p = {1.0}}, 6.0, 1e-8); }),
             "The derivative of H by q[0] at the start is inf; it must be finite.");
+  const auto begins = [](const auto& q, const auto& t, const auto& p) {
+    return 0.5 * p[0] * p[0] + q[0] * sqrt(t);
+  };
+  EXPECT_EQ(refusal([&] { (void)solve(begins, State<1>{.q = {2.0}, .p = {0.0}}, 6.0, 1e-8); }),
+            "The derivative of H by t at the start is inf; it must be finite.");
 }
 
 TEST(SolveStart, NeedsNoMomentumInH) {
@@ -55,6 +63,32 @@ TEST(SolveStart, NeedsNoMomentumInH) {
   EXPECT_TRUE(orbit.kept());
   EXPECT_EQ(orbit.state.q[0], 1.0);
   EXPECT_NEAR(orbit.state.p[0], -5.0, 1e-14);
+}
+
+// From rest, by a power of time: relative to its range the first step is as wrong as any shorter one.
+TEST(SolveStart, MayBeAtRestWhereNothingActsYet) {
+  const State<1> rest{.q = {0.0}, .p = {0.0}};
+  const auto pulled = [](const auto& q, const auto& t, const auto& p) {
+    return 0.5 * p[0] * p[0] - q[0] * t * t;
+  };
+  const auto first = solve(pulled, rest, 5.0, 1e-8);
+  EXPECT_TRUE(first.kept()) << first.report();
+  EXPECT_NEAR(first.state.q[0], 5.0 * 5.0 * 5.0 * 5.0 / 12.0, 1e-6);
+  const auto pushed = [](const auto& q, const auto& t, const auto& p) {
+    return 0.5 * (p[0] * p[0] + q[0] * q[0]) - q[0] * sin(t) * sin(t);
+  };
+  const auto second = solve(pushed, rest, 50.0, 1e-8);
+  EXPECT_TRUE(second.kept()) << second.report();
+  EXPECT_NEAR(second.state.q[0], (3.0 - 4.0 * std::cos(50.0) + std::cos(100.0)) / 6.0, 1e-8);
+  // A coordinate that moves by the square of another one.
+  const auto valley = [](const auto& q, const auto& p) {
+    const auto d = q[1] - q[0] * q[0];
+    return 0.5 * (p[0] * p[0] + p[1] * p[1] + d * d);
+  };
+  const State<2> bottom{.q = {0.0, 0.0}, .p = {1.0, 0.0}};
+  const auto third = solve(valley, bottom, 10.0, 1e-8), exact = solve(valley, bottom, 10.0, 1e-12);
+  EXPECT_TRUE(third.kept() && exact.kept()) << third.report();
+  EXPECT_NEAR((third.state.q - exact.state.q).norm(), 0.0, 1e-6);
 }
 
 }  // namespace
