@@ -278,7 +278,8 @@ OrbitAnswer Orbiter::give_up() {
   }
   if (in_the_way_ > 0.0)
     text << "Runs fail at t = " << question_.t + sense_ * in_the_way_
-         << " with every step: the orbit meets a singularity of H there, or comes too near one.";
+         << " with every step: the orbit meets a singularity of H "
+         << (question_.given >= 0 ? "or of the monitor " : "") << "there, or comes too near one.";
   else
     text << "No run came to the end, with any step that was tried.";
   return fail(Outcome::not_converged, text.str());
@@ -388,7 +389,12 @@ OrbitAnswer Orbiter::finish() {
                             "of the one with the "
                             "longer step.";
     } else {
-      answer_.run.message = describe_end(answer_.run.outcome, fine.state, fine.run.steps, 0.0, "");
+      State<dynamic> there = fine.state;
+      if (question_.timed)
+        there.q.conservativeResize(field_.size() - 1), there.p.conservativeResize(field_.size() - 1);
+      const bool unsolved = answer_.run.outcome == Outcome::not_converged;
+      answer_.run.message = describe_end(answer_.run.outcome, there, fine.run.steps, 0.0,
+                                         unsolved ? "the equations of a step were not solved" : "");
     }
   }
   if (std::isnan(answer_.state_error)) answer_.state_error = infinity;
