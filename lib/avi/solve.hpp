@@ -408,7 +408,8 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 /// Integrates the orbit of H from `start` to the physical time `t_end`.
 ///
 /// The tolerance is that of the state at the end: every coordinate and every momentum is right to about
-/// `tolerance` times the range through which it moves. SolutionReport::state_error says what came of it: the
+/// `tolerance` times the range through which it moves, or 1e-8 times that of another one of about its mass
+/// where that is more. SolutionReport::state_error says what came of it: the
 /// difference to a second run with a longer step, reduced by the order of the method. Runs of more than some
 /// sixty turns find their step from the errors of the first sixteenth, which grow linearly in time where
 /// motion is regular; without SolveOptions::check that is all there is of the second run, at a half of the

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 /// @file
@@ -19,7 +20,8 @@ class Distance {
   /// @param seen so many of the first coordinates and momenta count
   Distance(VectorX metric, double tolerance, Eigen::Index seen)
       : metric_(std::move(metric)), seen_(seen),
-        still_(std::max(1e-8, 30.0 * std::numeric_limits<double>::epsilon() / tolerance)) {}
+        still_(std::max(1e-8, 30.0 * std::numeric_limits<double>::epsilon() / tolerance)),
+        alike_(alike(metric_, seen)) {}
 
   double frequency = 0.0;  ///< Mean over the sketch.
   VectorX noise;           ///< How far rounding may move each entry of (q, p); empty where it is not known.
@@ -79,15 +81,38 @@ class Distance {
       const double size = std::max(std::abs(ranges.high[n + i]), std::abs(ranges.low[n + i]));
       scale[n + i] = std::max(shown(scale[n + i], of_p / root, n + i), still_ * size);
     }
+    // The far end of a chain, before a wave has come there, is not what steps are for.
+    for (const std::vector<Eigen::Index>& entries : alike_)
+      for (const Eigen::Index first : {Eigen::Index{0}, n}) {
+        double most = 0.0;
+        for (const Eigen::Index i : entries)
+          most = std::max(most, ranges.high[first + i] - ranges.low[first + i]);
+        for (const Eigen::Index i : entries)
+          scale[first + i] = std::max(scale[first + i], unnoticed * most);
+      }
     return scale;
   }
 
  private:
   static constexpr double rounding = 1e-14;
+  static constexpr double unnoticed = 1e-8;  // part of the largest range of entries alike
   static constexpr double few_digits = 8.0 * std::numeric_limits<double>::epsilon();
   static double part(double difference, double scale) {
     if (difference == 0.0) return 0.0;
     return std::isfinite(difference) ? std::abs(difference) / scale : infinity;
+  }
+  /// Coordinates of about the same mass, together.
+  static std::vector<std::vector<Eigen::Index>> alike(const VectorX& metric, Eigen::Index seen) {
+    std::vector<Eigen::Index> order(static_cast<std::size_t>(seen));
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Eigen::Index i, Eigen::Index j) { return metric[i] < metric[j]; });
+    std::vector<std::vector<Eigen::Index>> groups;
+    for (const Eigen::Index i : order) {
+      if (groups.empty() || metric[i] > 2.0 * metric[groups.back().back()]) groups.emplace_back();
+      groups.back().push_back(i);
+    }
+    return groups;
   }
   /// A range that may be rounding where the largest motion of all is `most`.
   [[nodiscard]] double bound(double most, Eigen::Index i) const {
@@ -102,6 +127,7 @@ class Distance {
   VectorX metric_;
   Eigen::Index seen_;
   double still_;  // part of its size by which a momentum has to move
+  std::vector<std::vector<Eigen::Index>> alike_;
 };
 
 }  // namespace avi::detail

@@ -204,6 +204,15 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
     resigned_ = true;
     return true;
   }
+  // A step that was made longer than one that did.
+  if (lengthened_ > 0 && resolved_ > 0.0 && setting.h > 1.05 * resolved_ &&
+      setting.candidate == lengthened_for_) {
+    setting.h = resolved_;
+    lengthened_ = most_lengthened;
+    lengthened_for_ = nullptr;
+    coarse_.reset(), fine_.reset();
+    return true;
+  }
   const double reached = std::abs(journey.state.t - question_.t);
   const bool again = std::abs(reached - failed_at_) <= 1e-2 * reached;
   if (reached > 1.01 * repeated_) repeated_ = infinity;  // it is not in the way of this one
@@ -297,9 +306,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   bool steady = seen_.error < 1e-7 && fine_->run.steps > Journey::few &&
                 fine_->energy_error > 0.5 * coarse_->energy_error;
   const double rounding = 100.0 * rounding_of_energy(fine_->state);
-  // A gradient that H supplies may be the one of another energy.
-  if (steady &&
-      fine_->energy_error < (question_.gradient.empty() ? std::max(most_rounding, rounding) : rounding)) {
+  if (steady && fine_->energy_error < (foreign_gradient_ ? rounding : std::max(most_rounding, rounding))) {
     answer_.energy_rounding = std::max(answer_.energy_rounding, 0.01 * fine_->energy_error);
     // Above the tolerance it may be more than that: then nor does what it makes of the state fall.
     coarse_grained_ = coarse_grained_ || fine_->energy_error > 3.0 * tolerance;
@@ -334,6 +341,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
         (1.0 - 1.0 / gain) * (span_ - here) < 2.0 * here)
       return false;
     ++lengthened_;
+    lengthened_for_ = setting.candidate;
     return again(gain);
   }
   const double spent = static_cast<double>(budget_.sweeps) * setting.candidate->price();

@@ -70,6 +70,7 @@ void Orbiter::prepare() {
   distance_->frequency = sketch.radians / time;
   radians_ = sketch.radians / time * span_;
   distance_->noise = rounding_of(sketch, metric);
+  foreign_gradient_ = follows_another_gradient(sketch);
 
   // Means over the sketch: kinetic energy, half of p q', and the speed in phase space.
   double work = 0.0, kinetic = 0.0, highest = 0.0;
@@ -180,6 +181,26 @@ VectorX Orbiter::rounding_of(const Sketch& sketch, const VectorX& metric) {
   VectorX moved = std::min(time, span_) * slope;
   moved.head(n) += std::min(time, span_) * metric.cwiseProduct(moved.tail(n));
   return moved;
+}
+
+/// The gradient that H supplies differs from that of its formula by more than rounding.
+bool Orbiter::follows_another_gradient(const Sketch& sketch) const {
+  if (question_.gradient.empty()) return false;
+  const int n = field_.size();
+  RecordedFormula<double> formula{Recording(question_.graph, question_.energy).gradient()};
+  VectorX apart = VectorX::Zero(2 * n), size = apart;
+  for (const Sketch::Sample& sample : sketch.samples) {
+    formula.run(sample.z.data(), sample.z.data() + n, n);
+    for (int i = 0; i < 2 * n; ++i) {
+      const double own = i < n ? sense_ * formula.partial(n + i) : -sense_ * formula.partial(i - n);
+      apart[i] = std::max(apart[i], std::abs(sample.slope[i] - own));
+      size[i] = std::max(size[i], std::abs(own));
+    }
+  }
+  constexpr double rounding = 3e-12;
+  for (int i = 0; i < 2 * n; ++i)
+    if (apart[i] > rounding * size[i]) return true;
+  return false;
 }
 
 /// The times at which two runs are compared: the end, three quarters, a half, three eighths and so on of it,
