@@ -102,7 +102,7 @@ class alignas(64) GaussStep {
 
   /// The collocation polynomial of the last step at its fraction c.
   [[nodiscard]] State<n> polynomial(const double c) const {
-    const GaussRule::Row row = equations_.rule().integrals(c);
+    const GaussRule::Row row = equations_.rule().quick_integrals(c);
     Scalar part(0.0);
     for (int j = 0; j < equations_.rule().stages(); ++j)
       part.set(j, row[j]);
