@@ -106,6 +106,8 @@ class MinimiserRun {
     double moved = 0.0, high = std::numeric_limits<double>::infinity();
     const double sigma = options_.memory == 0 ? 0.7 : 0.8;
     bool restarted = false;
+    const double noise = noise_;
+    LineMisses misses;
     for (int trials = 1, since_start = 1;; ++trials, ++since_start) {
       if (evaluations_ >= options_.evaluations)
         return fail(Outcome::step_limit, "the cap on evaluations was reached");
@@ -167,10 +169,11 @@ class MinimiserRun {
         high = alpha_;
         alpha_ *= model.cubic();
       }
-      // so near to each other the points differ by what the slopes say; what else the values do is noise
-      if (trials >= 5) {
+      misses.add(model);
+      if (trials >= 5) {  // so near to each other the points differ by what the slopes say, or f bends
         scale_ = std::max(scale_, std::abs(start.value));
-        noise_ = std::max(noise_, std::min(4.0 * std::abs(model.trapezium()), 1e-8 * scale_));
+        const double seen = std::min(4.0 * misses.size(), 1e-8 * scale_);
+        noise_ = misses.bends(model, seen, 1e-13 * scale_) ? noise : std::max(noise_, seen);
       }
     }
   }
