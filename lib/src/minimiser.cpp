@@ -205,13 +205,15 @@ class MinimiserRun {
   }
 
   SlopeByValues slope_along_d(double nearer = 1.0) {
-    const double length = std::sqrt(length2_), size = std::max(norm(view(base_.x)), alpha_ * length);
+    const double length = std::sqrt(length2_), x = norm(view(base_.x)), size = x > 0.0 ? x : alpha_ * length;
     return slope_by_values(values_along_d(), nearer * 1e-4 * (size > 0.0 ? size / length : 1.0));
   }
 
-  /// Why steepest descent found nothing: rounding hides the fall, or the gradient is not that of f. Always
-  /// false.
+  /// Why steepest descent found nothing: rounding hides the fall, or the gradient is not that of f; or
+  /// without a tolerance its square underflows, and it is as good as 0. Always false.
   bool judge() {
+    agrees_ = false;
+    if (target_ == 0.0 && norm_ < 1e-150) return fail(Outcome::ok, {});
     if (!std::isfinite(trial_.f) || !std::isfinite(square_))
       return fail(Outcome::non_finite, "f or its gradient is not finite wherever the run turns");
     const SlopeByValues by = slope_along_d();
@@ -312,7 +314,8 @@ class MinimiserRun {
   /// The way to where a linear f would vanish, or one hundredth of x, whichever is longer.
   [[nodiscard]] double first_step() const {
     const double x = largest_entry(view(base_.x)), g = largest_entry(view(base_.g));
-    const double length = std::max(0.01 * x / g, std::abs(base_.f) / (norm_ * norm_));
+    const double by_value = std::abs(base_.f) / (norm_ * norm_);
+    const double length = std::max(0.01 * x / g, std::isfinite(by_value) ? by_value : 0.0);
     return length > 0.0 ? length : 1.0 / g;
   }
 

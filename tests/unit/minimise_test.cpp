@@ -275,6 +275,43 @@ TEST(Minimise, WithoutATolerance) {
   }
 }
 
+TEST(Minimise, WithoutATolerance_AGradientWhoseSquareUnderflowsIsTheEnd) {
+  for (const int memory : {0, 1, 7}) {
+    const auto steep = [](const auto& x) { return x[0] * x[0] + 1e6 * x[1] * x[1]; };
+    const auto offset = [](const auto& x) {
+      return x[0] * x[0] + 1e-10 * cos(100.0 * x[0]) + 0.5 * x[1] * x[1];
+    };
+    const auto run = minimise(steep, {3.0, 4.0}, {.relative = 0.0, .memory = memory});
+    EXPECT_TRUE(run.ok()) << memory << ": " << run.message;
+    EXPECT_LT(run.last.gradient.norm(), 1e-150);
+    const auto other = minimise(offset, {30.0, 20.0}, {.relative = 0.0, .memory = memory});
+    EXPECT_TRUE(other.ok()) << memory << ": " << other.message;
+    EXPECT_LT(other.last.gradient.norm(), 1e-150);
+  }
+}
+
+TEST(Minimise, WithoutATolerance_RoundingAccusesNoGradient) {
+  // Where |g| is all rounding, |f| / |g|^2 is far from everywhere, and the slope there is another one.
+  const int n = 20;
+  for (unsigned state = 1; state <= 6; ++state) {
+    const auto random = [bits = 7919 * state]() mutable {
+      return static_cast<double>(bits = bits * 1664525u + 1013904223u) * 0x1p-31 - 1.0;
+    };
+    Eigen::MatrixXd a(2 * n, n);
+    std::generate(a.reshaped().begin(), a.reshaped().end(), random);
+    const VectorX b = a.rowwise().sum();
+    const auto robust = [&](const VectorX& x, VectorX& g) {
+      VectorX z = a * x - b.cwiseAbs2();
+      const double value = (1.0 + z.array().square()).log().sum();
+      z = 2.0 * z.array() / (1.0 + z.array().square());
+      g = a.transpose() * z;
+      return value;
+    };
+    const auto run = minimise(robust, VectorX::Zero(n), {.relative = 0.0, .memory = 0});
+    EXPECT_NE(run.outcome, avi::Outcome::no_descent) << run.message;
+  }
+}
+
 TEST(Minimise, RefusesBadInputWithASentence) {
   const auto refused = [](const VectorX& x0, const MinimiseOptions& options) {
     return refusal([&] { (void)minimise(bowl, x0, options); });

@@ -25,7 +25,8 @@ struct Progress {
 /// Choices of avi::minimise(). A run has converged when \f$\|\nabla f(x)\| \le \max(relative\,\|\nabla
 /// f(x_0)\|, absolute)\f$ and the last iteration changed f by less than `change`; that is always decided on
 /// an evaluated gradient, never on an interpolated one. With `relative` and `absolute` both 0 the run goes on
-/// until rounding ends it or the gradient is 0, or so small that its square is.
+/// until rounding ends it or the gradient is 0, or so small that its square underflows: that is converged,
+/// too.
 struct MinimiseOptions {
   double relative = 1e-6;                                   ///< In [0, 1).
   double absolute = 0.0;                                    ///< At least 0.
