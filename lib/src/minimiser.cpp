@@ -43,6 +43,7 @@ class MinimiserRun {
     if (!std::isfinite(norm_)) return out_of_range(" at x0");
     if (!std::isfinite(base_.f)) return end(Outcome::non_finite, "f(x0) is not finite");
     first_ = base_.f;
+    size0_ = norm(view(base_.x));
     scale_ = std::abs(base_.f);
     norm0_ = length(view(base_.g));
     target_ = std::max(options_.relative * norm0_, options_.absolute);
@@ -204,9 +205,12 @@ class MinimiserRun {
     };
   }
 
-  SlopeByValues slope_along_d(double nearer = 1.0) {
-    const double length = std::sqrt(length2_), x = norm(view(base_.x)), size = x > 0.0 ? x : alpha_ * length;
-    return slope_by_values(values_along_d(), nearer * 1e-4 * (size > 0.0 ? size / length : 1.0));
+  /// How far along d values are asked for a slope, in units of d: by a part of the size of x, or of x0, as a
+  /// kink is at 0 more often than elsewhere. The next trial may be much too far.
+  [[nodiscard]] double asked_at() const {
+    const double length = std::sqrt(length2_), x = std::max(norm(view(base_.x)), size0_);
+    const double size = x > 0.0 ? x : alpha_ * length;
+    return 1e-4 * (size > 0.0 ? size / length : 1.0);
   }
 
   /// Why steepest descent found nothing: rounding hides the fall, or the gradient is not that of f; or
@@ -216,8 +220,16 @@ class MinimiserRun {
     if (target_ == 0.0 && norm_ < 1e-150) return fail(Outcome::ok, {});
     if (!std::isfinite(trial_.f) || !std::isfinite(square_))
       return fail(Outcome::non_finite, "f or its gradient is not finite wherever the run turns");
-    const SlopeByValues by = slope_along_d();
-    agrees_ = by.agrees_with(down_, 0.1 * std::abs(down_));
+    double most = 0.0;
+    const auto phi = [&](double alpha) {
+      const double value = values_along_d()(alpha);
+      most = std::max(most, std::abs(value - base_.f));
+      return value;
+    };
+    const SlopeByValues by = slope_by_values(phi, asked_at());
+    // beside what f does there the gradient is as good as 0: that f is not even says nothing of it
+    const bool small = std::abs(down_) * asked_at() < 1e-8 * most;
+    agrees_ = small || by.agrees_with(down_, 0.1 * std::abs(down_));
     if (agrees_) return fail(Outcome::stalled, "rounding of f hides what could still be gained");
     const double resolution =
         std::numeric_limits<double>::epsilon() * norm(view(base_.x)) / std::sqrt(length2_);
@@ -231,9 +243,9 @@ class MinimiserRun {
   bool gradient_agrees() {
     mixed_direction(view(base_.x), d_);
     measure_direction();
-    SlopeByValues by = slope_along_d();
+    SlopeByValues by = slope_by_values(values_along_d(), asked_at());
     for (double nearer = 1.0 / 64.0; by.depends_on_distance() && nearer > 1e-9; nearer /= 64.0)
-      by = slope_along_d(nearer);
+      by = slope_by_values(values_along_d(), nearer * asked_at());
     if (by.agrees_with(down_, 1e-7 * view(base_.g).cwiseProduct(d_).lpNorm<1>())) return true;
     return fail(Outcome::wrong_gradient, by.against(down_));
   }
@@ -461,6 +473,7 @@ class MinimiserRun {
   Eigen::Index entries_ = 0;                  ///< Size of the gradient that f left last.
   double norm0_ = 0.0;                        ///< Norm of the gradient at x0.
   double first_ = 0.0;                        ///< f(x0).
+  double size0_ = 0.0;                        ///< Norm of x0.
   double scale_ = 0.0;                        ///< Largest |f| of the start and of where lines were stuck.
   double lowest_ = 1e300, gentlest_ = 1e300;  ///< Least value, and square of an evaluated gradient, so far.
   long idle_ = 0;        ///< Iterations since either came down, or since values were asked.

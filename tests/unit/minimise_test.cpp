@@ -307,9 +307,21 @@ TEST(Minimise, WithoutATolerance_RoundingAccusesNoGradient) {
       g = a.transpose() * z;
       return value;
     };
-    const auto run = minimise(robust, VectorX::Zero(n), {.relative = 0.0, .memory = 0});
-    EXPECT_NE(run.outcome, avi::Outcome::no_descent) << run.message;
+    for (const double start : {0.0, 1e4}) {  // far out f is not a parabola
+      const auto run = minimise(robust, VectorX::Constant(n, start), {.relative = 0.0, .memory = 0});
+      EXPECT_NE(run.outcome, avi::Outcome::no_descent) << start << ": " << run.message;
+    }
   }
+}
+
+TEST(Minimise, AKinkAtZeroIsAContradiction) {
+  for (const double offset : {0.0, 1.0})
+    for (const int memory : {0, 1, 7}) {
+      const auto kinks = [=](const auto& x) { return offset + abs(x[0]) + 2.0 * abs(x[1]); };
+      const auto run = minimise(kinks, {3.0, 4.1}, {.memory = memory});
+      EXPECT_EQ(run.outcome, avi::Outcome::no_descent) << offset << ", " << memory << ": " << run.message;
+      EXPECT_LT(run.gradient_evaluations, 4500);  // measured 2114; 9800 where the next trial said how far
+    }
 }
 
 TEST(Minimise, RefusesBadInputWithASentence) {
