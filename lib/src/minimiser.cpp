@@ -42,7 +42,7 @@ class MinimiserRun {
       return end(Outcome::non_finite, "the gradient at x0 is not finite, or f did not fill it");
     if (!std::isfinite(norm_)) return out_of_range(" at x0");
     if (!std::isfinite(base_.f)) return end(Outcome::non_finite, "f(x0) is not finite");
-    first_ = base_.f;
+    first_ = level_ = base_.f;
     size0_ = norm(view(base_.x));
     scale_ = std::abs(base_.f);
     norm0_ = length(view(base_.g));
@@ -183,6 +183,7 @@ class MinimiserRun {
   /// values contradict the slope, as at a kink; or for so long that it is rounding that moves the run. (Hard
   /// valleys waited five times for their next gain.)
   bool gains() {
+    if (exact_) level_ = std::min(level_, base_.f);
     if (base_.f < lowest_ - rounding(base_.f, lowest_) || square_ < gentlest_) {
       lowest_ = std::min(lowest_, base_.f);
       gentlest_ = std::min(gentlest_, square_);
@@ -359,10 +360,11 @@ class MinimiserRun {
     return noise_ + 1e-14 * (std::abs(one) + std::abs(other));
   }
 
-  /// The trial is as low as this value, for all that can be told, and not above f(x0): what was taken for
-  /// noise may have been a rise.
+  /// The trial is as low as this value and as every evaluated iterate, for all that can be told, and not
+  /// above f(x0): what was taken for noise may have been a rise, and rises must not add up.
   [[nodiscard]] bool is_level(double value) const {
-    return trial_.f <= value + rounding(value, trial_.f) &&
+    const double least = std::min(value, level_);
+    return trial_.f <= least + rounding(least, trial_.f) &&
            trial_.f <= first_ + 1e-14 * (std::abs(first_) + std::abs(trial_.f));
   }
 
@@ -473,6 +475,7 @@ class MinimiserRun {
   Eigen::Index entries_ = 0;                  ///< Size of the gradient that f left last.
   double norm0_ = 0.0;                        ///< Norm of the gradient at x0.
   double first_ = 0.0;                        ///< f(x0).
+  double level_ = 0.0;                        ///< Least f of an evaluated iterate.
   double size0_ = 0.0;                        ///< Norm of x0.
   double scale_ = 0.0;                        ///< Largest |f| of the start and of where lines were stuck.
   double lowest_ = 1e300, gentlest_ = 1e300;  ///< Least value, and square of an evaluated gradient, so far.
