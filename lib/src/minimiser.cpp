@@ -42,7 +42,8 @@ class MinimiserRun {
       return end(Outcome::non_finite, "the gradient at x0 is not finite, or f did not fill it");
     if (!std::isfinite(norm_)) return out_of_range(" at x0");
     if (!std::isfinite(base_.f)) return end(Outcome::non_finite, "f(x0) is not finite");
-    first_ = base_.f;
+    first_ = level_ = base_.f;
+    size0_ = norm(view(base_.x));
     scale_ = std::abs(base_.f);
     norm0_ = length(view(base_.g));
     target_ = std::max(options_.relative * norm0_, options_.absolute);
@@ -106,6 +107,8 @@ class MinimiserRun {
     double moved = 0.0, high = std::numeric_limits<double>::infinity();
     const double sigma = options_.memory == 0 ? 0.7 : 0.8;
     bool restarted = false;
+    const double noise = noise_;
+    LineMisses misses;
     for (int trials = 1, since_start = 1;; ++trials, ++since_start) {
       if (evaluations_ >= options_.evaluations)
         return fail(Outcome::step_limit, "the cap on evaluations was reached");
@@ -167,10 +170,11 @@ class MinimiserRun {
         high = alpha_;
         alpha_ *= model.cubic();
       }
-      // so near to each other the points differ by what the slopes say; what else the values do is noise
-      if (trials >= 5) {
+      misses.add(model);
+      if (trials >= 5) {  // so near to each other the points differ by what the slopes say, or f bends
         scale_ = std::max(scale_, std::abs(start.value));
-        noise_ = std::max(noise_, std::min(4.0 * std::abs(model.trapezium()), 1e-8 * scale_));
+        const double seen = std::min(4.0 * misses.size(), 1e-8 * scale_);
+        noise_ = misses.bends(model, seen, 1e-13 * scale_) ? noise : std::max(noise_, seen);
       }
     }
   }
@@ -179,6 +183,7 @@ class MinimiserRun {
   /// values contradict the slope, as at a kink; or for so long that it is rounding that moves the run. (Hard
   /// valleys waited five times for their next gain.)
   bool gains() {
+    if (exact_) level_ = std::min(level_, base_.f);
     if (base_.f < lowest_ - rounding(base_.f, lowest_) || square_ < gentlest_) {
       lowest_ = std::min(lowest_, base_.f);
       gentlest_ = std::min(gentlest_, square_);
@@ -201,18 +206,31 @@ class MinimiserRun {
     };
   }
 
-  SlopeByValues slope_along_d(double nearer = 1.0) {
-    const double length = std::sqrt(length2_), size = std::max(norm(view(base_.x)), alpha_ * length);
-    return slope_by_values(values_along_d(), nearer * 1e-4 * (size > 0.0 ? size / length : 1.0));
+  /// How far along d values are asked for a slope, in units of d: by a part of the size of x, or of x0, as a
+  /// kink is at 0 more often than elsewhere. The next trial may be much too far.
+  [[nodiscard]] double asked_at() const {
+    const double length = std::sqrt(length2_), x = std::max(norm(view(base_.x)), size0_);
+    const double size = x > 0.0 ? x : alpha_ * length;
+    return 1e-4 * (size > 0.0 ? size / length : 1.0);
   }
 
-  /// Why steepest descent found nothing: rounding hides the fall, or the gradient is not that of f. Always
-  /// false.
+  /// Why steepest descent found nothing: rounding hides the fall, or the gradient is not that of f; or
+  /// without a tolerance its square underflows, and it is as good as 0. Always false.
   bool judge() {
+    agrees_ = false;
+    if (target_ == 0.0 && norm_ < 1e-150) return fail(Outcome::ok, {});
     if (!std::isfinite(trial_.f) || !std::isfinite(square_))
       return fail(Outcome::non_finite, "f or its gradient is not finite wherever the run turns");
-    const SlopeByValues by = slope_along_d();
-    agrees_ = by.agrees_with(down_, 0.1 * std::abs(down_));
+    double most = 0.0;
+    const auto phi = [&](double alpha) {
+      const double value = values_along_d()(alpha);
+      most = std::max(most, std::abs(value - base_.f));
+      return value;
+    };
+    const SlopeByValues by = slope_by_values(phi, asked_at());
+    // beside what f does there the gradient is as good as 0: that f is not even says nothing of it
+    const bool small = std::abs(down_) * asked_at() < 1e-8 * most;
+    agrees_ = small || by.agrees_with(down_, 0.1 * std::abs(down_));
     if (agrees_) return fail(Outcome::stalled, "rounding of f hides what could still be gained");
     const double resolution =
         std::numeric_limits<double>::epsilon() * norm(view(base_.x)) / std::sqrt(length2_);
@@ -226,9 +244,9 @@ class MinimiserRun {
   bool gradient_agrees() {
     mixed_direction(view(base_.x), d_);
     measure_direction();
-    SlopeByValues by = slope_along_d();
+    SlopeByValues by = slope_by_values(values_along_d(), asked_at());
     for (double nearer = 1.0 / 64.0; by.depends_on_distance() && nearer > 1e-9; nearer /= 64.0)
-      by = slope_along_d(nearer);
+      by = slope_by_values(values_along_d(), nearer * asked_at());
     if (by.agrees_with(down_, 1e-7 * view(base_.g).cwiseProduct(d_).lpNorm<1>())) return true;
     return fail(Outcome::wrong_gradient, by.against(down_));
   }
@@ -309,7 +327,8 @@ class MinimiserRun {
   /// The way to where a linear f would vanish, or one hundredth of x, whichever is longer.
   [[nodiscard]] double first_step() const {
     const double x = largest_entry(view(base_.x)), g = largest_entry(view(base_.g));
-    const double length = std::max(0.01 * x / g, std::abs(base_.f) / (norm_ * norm_));
+    const double by_value = std::abs(base_.f) / (norm_ * norm_);
+    const double length = std::max(0.01 * x / g, std::isfinite(by_value) ? by_value : 0.0);
     return length > 0.0 ? length : 1.0 / g;
   }
 
@@ -341,10 +360,11 @@ class MinimiserRun {
     return noise_ + 1e-14 * (std::abs(one) + std::abs(other));
   }
 
-  /// The trial is as low as this value, for all that can be told, and not above f(x0): what was taken for
-  /// noise may have been a rise.
+  /// The trial is as low as this value and as every evaluated iterate, for all that can be told, and not
+  /// above f(x0): what was taken for noise may have been a rise, and rises must not add up.
   [[nodiscard]] bool is_level(double value) const {
-    return trial_.f <= value + rounding(value, trial_.f) &&
+    const double least = std::min(value, level_);
+    return trial_.f <= least + rounding(least, trial_.f) &&
            trial_.f <= first_ + 1e-14 * (std::abs(first_) + std::abs(trial_.f));
   }
 
@@ -455,6 +475,8 @@ class MinimiserRun {
   Eigen::Index entries_ = 0;                  ///< Size of the gradient that f left last.
   double norm0_ = 0.0;                        ///< Norm of the gradient at x0.
   double first_ = 0.0;                        ///< f(x0).
+  double level_ = 0.0;                        ///< Least f of an evaluated iterate.
+  double size0_ = 0.0;                        ///< Norm of x0.
   double scale_ = 0.0;                        ///< Largest |f| of the start and of where lines were stuck.
   double lowest_ = 1e300, gentlest_ = 1e300;  ///< Least value, and square of an evaluated gradient, so far.
   long idle_ = 0;        ///< Iterations since either came down, or since values were asked.

@@ -69,4 +69,22 @@ TEST(LineModel, GoesFurtherWhereItStillFalls) {
   EXPECT_EQ(LineModel({0.0, -1.0}, {-1.0, -0.999}, 1.0, 0.0).beyond(), 10.0);
 }
 
+TEST(LineMisses, TellsABendFromNoise) {
+  const auto root = [](double t) {
+    const double value = std::sqrt(1.0 + (t - 3.0) * (t - 3.0));
+    return LinePoint{value, (t - 3.0) / value};
+  };
+  avi::LineMisses bend, noise;
+  for (double h = 1e5; h > 15.0; h *= 0.1) {
+    bend.add(LineModel(root(0.0), root(h), h, 0.0));
+    noise.add(LineModel({0.0, -1.0}, {1e3 - h, -1.0}, h, 0.0));
+  }
+  const LineModel at_bend(root(0.0), root(10.0), 10.0, 0.0);
+  EXPECT_TRUE(bend.bends(at_bend, 100.0, 1e-6));
+  EXPECT_FALSE(bend.bends(at_bend, 0.01, 1e-6)) << "noise of that size hides nothing";
+  EXPECT_FALSE(bend.bends(at_bend, 100.0, 1e3)) << "rounding may be larger than that";
+  EXPECT_FALSE(noise.bends(LineModel({0.0, -1.0}, {990.0, -1.0}, 10.0, 0.0), 100.0, 1e-6));
+  EXPECT_NEAR(noise.size(), 1e3, 1e-9);
+}
+
 }  // namespace line_model_test

@@ -127,6 +127,23 @@ TEST(Minimise, EveryEvaluatedValueFalls) {
   EXPECT_TRUE(std::is_sorted(values.rbegin(), values.rend()));
 }
 
+TEST(Minimise, WhatIsTakenForNoiseDoesNotAddUp) {
+  // The ripples are 1e-8 high, and 1e-8 of f(x0) is what may be noise.
+  const auto ripples = [](const auto& x) { return x[0] * x[0] + 1e-8 * cos(1e6 * x[0]); };
+  for (const int memory : {0, 1, 7}) {
+    double least = 9.0, rise = 0.0;
+    const auto look = [&](const avi::Progress& at) {
+      if (!at.exact) return true;
+      rise = std::max(rise, at.value - least);
+      least = std::min(least, at.value);
+      return true;
+    };
+    const auto run = minimise(ripples, {3.0}, {.relative = 0.0, .memory = memory, .callback = look});
+    EXPECT_LE(rise, 9.1e-8) << memory;  // measured 3.2e-8; 6.8e-7 where only the last iterate counted
+    EXPECT_LE(run.last.value, least + 9.1e-8);
+  }
+}
+
 TEST(Minimise, ALineEndsWhereATrialDoesNotMove) {
   VectorX last = VectorX::Zero(2);
   int again = 0;
@@ -221,6 +238,27 @@ TEST(Minimise, NeverEndsAboveTheStartHoweverLargeTheOffset) {
   EXPECT_TRUE(!run.ok() || std::abs(run.last.x[0]) < 1e-5) << run.message;
 }
 
+TEST(Minimise, TakesNoBendOfFForNoiseHoweverLargeTheOffset) {
+  // The first trial is at |f| / |g|^2, up to 1e12: what f does on the way back from there is not noise.
+  for (const double offset : {1e9, 1e10, -1e10, 1e11, 1e12})
+    for (const int memory : {0, 1, 7}) {
+      for (const double x0 : {3.0, -2.0, 0.7}) {
+        const auto bend = [=](const auto& x) { return offset + sqrt(1.0 + (x[0] - 0.3) * (x[0] - 0.3)); };
+        const auto run = minimise(bend, {x0}, {.memory = memory});
+        EXPECT_TRUE(run.ok()) << offset << " from " << x0 << ", " << memory << ": " << run.message;
+        EXPECT_NEAR(run.last.x[0], 0.3, 1e-6);
+        EXPECT_LE(run.gradient_evaluations, 60);  // measured 31; 2421 where it failed
+      }
+      const auto two = [=](const auto& x) {
+        return offset + sqrt(1.0 + x[0] * x[0]) + 0.1 * sqrt(1.0 + 100.0 * x[1] * x[1]);
+      };
+      const auto run = minimise(two, {3.0, 2.0}, {.memory = memory});
+      EXPECT_TRUE(run.ok()) << offset << ", " << memory << ": " << run.message;
+      EXPECT_LT(run.last.x.lpNorm<Eigen::Infinity>(), 1e-6);
+      EXPECT_LE(run.gradient_evaluations, 60);
+    }
+}
+
 TEST(Minimise, TakesAFormulaAndFindsItsGradient) {
   const auto formula = [](const auto& x) {
     auto sum = x[0] * 0.0;
@@ -252,6 +290,55 @@ TEST(Minimise, WithoutATolerance) {
     EXPECT_TRUE(run.converged()) << memory << ": " << run.message;
     EXPECT_EQ(run.last.gradient.norm(), 0.0);
   }
+}
+
+TEST(Minimise, WithoutATolerance_AGradientWhoseSquareUnderflowsIsTheEnd) {
+  for (const int memory : {0, 1, 7}) {
+    const auto steep = [](const auto& x) { return x[0] * x[0] + 1e6 * x[1] * x[1]; };
+    const auto offset = [](const auto& x) {
+      return x[0] * x[0] + 1e-10 * cos(100.0 * x[0]) + 0.5 * x[1] * x[1];
+    };
+    const auto run = minimise(steep, {3.0, 4.0}, {.relative = 0.0, .memory = memory});
+    EXPECT_TRUE(run.ok()) << memory << ": " << run.message;
+    EXPECT_LT(run.last.gradient.norm(), 1e-150);
+    const auto other = minimise(offset, {30.0, 20.0}, {.relative = 0.0, .memory = memory});
+    EXPECT_TRUE(other.ok()) << memory << ": " << other.message;
+    EXPECT_LT(other.last.gradient.norm(), 1e-150);
+  }
+}
+
+TEST(Minimise, WithoutATolerance_RoundingAccusesNoGradient) {
+  // Where |g| is all rounding, |f| / |g|^2 is far from everywhere, and the slope there is another one.
+  const int n = 20;
+  for (unsigned state = 1; state <= 6; ++state) {
+    const auto random = [bits = 7919 * state]() mutable {
+      return static_cast<double>(bits = bits * 1664525u + 1013904223u) * 0x1p-31 - 1.0;
+    };
+    Eigen::MatrixXd a(2 * n, n);
+    std::generate(a.reshaped().begin(), a.reshaped().end(), random);
+    const VectorX b = a.rowwise().sum();
+    const auto robust = [&](const VectorX& x, VectorX& g) {
+      VectorX z = a * x - b.cwiseAbs2();
+      const double value = (1.0 + z.array().square()).log().sum();
+      z = 2.0 * z.array() / (1.0 + z.array().square());
+      g = a.transpose() * z;
+      return value;
+    };
+    for (const double start : {0.0, 1e4}) {  // far out f is not a parabola
+      const auto run = minimise(robust, VectorX::Constant(n, start), {.relative = 0.0, .memory = 0});
+      EXPECT_NE(run.outcome, avi::Outcome::no_descent) << start << ": " << run.message;
+    }
+  }
+}
+
+TEST(Minimise, AKinkAtZeroIsAContradiction) {
+  for (const double offset : {0.0, 1.0})
+    for (const int memory : {0, 1, 7}) {
+      const auto kinks = [=](const auto& x) { return offset + abs(x[0]) + 2.0 * abs(x[1]); };
+      const auto run = minimise(kinks, {3.0, 4.1}, {.memory = memory});
+      EXPECT_EQ(run.outcome, avi::Outcome::no_descent) << offset << ", " << memory << ": " << run.message;
+      EXPECT_LT(run.gradient_evaluations, 4500);  // measured 2114; 9800 where the next trial said how far
+    }
 }
 
 TEST(Minimise, RefusesBadInputWithASentence) {

@@ -6,7 +6,7 @@
 #include <limits>
 
 /// @file
-/// The minimum of a line between or beyond two points, from values and slopes there.
+/// The minimum of a line between or beyond two points, from values and slopes there; noise of the values.
 
 namespace avi {
 
@@ -70,6 +70,30 @@ struct LineModel {
  private:
   /// Error of the slope at r h, in units of the larger slope, that a defect of nu stands for.
   [[nodiscard]] double wrong_by(double nu) const { return 6.0 * nu * std::max(1.0, r) * std::abs(r - 1.0); }
+};
+
+/// What the values of a line do beside the slopes, |e|, from trial to trial: a bend of f or noise.
+class LineMisses {
+ public:
+  /// The next trial of the line.
+  void add(const LineModel& model) {
+    const double now = std::abs(model.trapezium());
+    falls_ = now * at_ <= 1.2 * size_ * model.h ? falls_ + 1 : 0;
+    size_ = now, at_ = model.h;
+  }
+
+  [[nodiscard]] double size() const { return size_; }  ///< |e| of the last trial.
+
+  /// True where noise of the size `seen` would hide what the slopes say, and yet |e| is above what rounding
+  /// may be and fell, three times in a row, at least as fast as the distance. Noise does not fall with it.
+  [[nodiscard]] bool bends(const LineModel& last, double seen, double rounding) const {
+    const double by_slopes = last.h * std::max(std::abs(last.base.slope), std::abs(last.trial.slope));
+    return falls_ >= 3 && size_ > rounding && seen > 0.01 * by_slopes;
+  }
+
+ private:
+  double size_ = 0.0, at_ = 1.0;  ///< Of the last trial.
+  int falls_ = 0;                 ///< Trials in a row of which that is true.
 };
 
 }  // namespace avi

@@ -41,14 +41,19 @@ constexpr void refuse_as_objective() {
 /// f(x, gradient) returns the value and fills the gradient; or f(x) is a formula that is generic in its
 /// scalar, or a Formula, and the gradient is found by automatic differentiation. x0 is whatever StartingPoint
 /// takes. Local minima, saddles and flat ends are all stationary points: the run stops at the first one it
-/// meets, and each iteration lowers f. @code const auto run = avi::minimise([](const auto& x) { return (x[0]
-/// - 1.0) * (x[0] - 1.0) + x[1] * x[1]; },
+/// meets. Each iteration lowers f as far as that can be told: an evaluated iterate is above f(x0) by no more
+/// than rounding, and above an earlier one by no more than that and what was taken for noise of f where a
+/// line was stuck, at most 1e-8 of the largest |f| of x0 and of such places.
+/// @code
+/// const auto run = avi::minimise([](const auto& x) { return (x[0] - 1.0) * (x[0] - 1.0) + x[1] * x[1]; },
 ///                                {3.0, 4.0});
-/// if (run.ok()) use(run.last.x); @endcode
+/// if (run.ok()) use(run.last.x);
+/// @endcode
 /// Outcome::ok: converged; stalled: rounding hides what could still be gained; no_descent: values and
-/// gradient contradict each other; wrong_gradient: seen by the check on request, or a gradient of another
-/// size; diverged: f fell below -1e30 max(1, |f(x0)|); non_finite; step_limit; stopped. Whichever it is,
-/// `last` is the last good point that was evaluated.
+/// gradient contradict each other, as at a kink; wrong_gradient: seen by the check on request, or a gradient
+/// of another size; diverged: f fell below -1e30 max(1, |f(x0)|); non_finite; step_limit; stopped. Whichever
+/// it is, `last` is the last good point that was evaluated, which need not be the one with the least f of all
+/// trials.
 /// @throws std::invalid_argument for options out of range or an empty or non-finite x0.
 template <class F>
 [[nodiscard]] Minimisation minimise(const F& f, const StartingPoint& x0,
