@@ -68,14 +68,16 @@ struct NoGoal {
   static constexpr std::string_view missed = "the cap on steps came before the end time";
 };
 
-/// A physical time to end at, exactly.
+/// A physical time to end at, exactly. A step that ends within the rounding of the clock before it has
+/// arrived: another one would be of the size of that rounding.
 struct Arrival {
   double time;   ///< To end at.
   double sense;  ///< 1, or -1 where time runs backwards.
   static constexpr std::string_view missed = "the cap on steps came before the end time";
   template <class M, class State>
   std::optional<Located<State>> look(const Step<M, State>& step, bool) const {
-    if (!(sense * step.after.t >= sense * time)) return {};
+    const double rounding = rounding_of_time(step.before.t, step.after.t);
+    if (!(sense * (time - step.after.t) <= rounding)) return {};
     return step.at(time);
   }
 };
@@ -198,9 +200,11 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
         next = there->state;
         size = there->h;
         // The method, too, is to have taken the shorter step: dense output asks it for its polynomial.
-        if constexpr (!one_step<M>) method = before;
-        State again = current;
-        run.evaluations += method.step(again, size).evaluations;
+        if (size != h) {
+          if constexpr (!one_step<M>) method = before;
+          State again = current;
+          run.evaluations += method.step(again, size).evaluations;
+        }
       }
     }
     ++run.steps;
