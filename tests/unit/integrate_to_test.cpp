@@ -76,6 +76,16 @@ TEST(IntegrateTo, TakesNoStepOfTheSizeOfRounding) {
     }
 }
 
+TEST(IntegrateTo, LooksAtItsStartWhereThatIsTheEnd) {
+  State<1> z{.q = {std::nan("")}, .p = {0.0}, .t = 2.0};
+  Clock method;
+  EXPECT_EQ(avi::integrate_to(method, z, 0.25, 2.0).outcome, avi::Outcome::non_finite);
+  z.q[0] = 1.0;
+  const auto run = avi::integrate_to(method, z, 0.25, 2.0);
+  EXPECT_TRUE(run.ok()) << run.message;
+  EXPECT_EQ(run.steps, 0);
+}
+
 TEST(IntegrateTo, RefusesATimeThatLiesTheOtherWay) {
   auto z = Kepler::pericentre(0.9);
   auto method = method_for(z);

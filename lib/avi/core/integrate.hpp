@@ -150,6 +150,7 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
                 "An observer must be callable as observer(state, k) or as observer(step, k).");
   require_run(h, until);
   require_finite("Time of the start", state.t);
+  if constexpr (requires { require_dimension(state); }) require_dimension(state);
   constexpr bool aims = !std::same_as<Goal, NoGoal>;
   constexpr bool looks_inside = aims || !(of_states<Observers, State> && ...);
   const bool timed = std::isfinite(until.time);
@@ -244,7 +245,9 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
     }
   }
   reason = Goal::missed;
-  return end(aims || (timed && sense * current.t < end_time) ? Outcome::step_limit : Outcome::ok);
+  constexpr bool any_time_is_short = aims && !std::same_as<Goal, Arrival>;  // of an event
+  return end(any_time_is_short || (timed && sense * current.t < end_time) ? Outcome::step_limit
+                                                                          : Outcome::ok);
 }
 }  // namespace detail
 
@@ -258,7 +261,8 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
 /// the rounding of that time, or a method without a check of its own has a monitor that is not positive.
 /// Nothing loops for ever; until.seconds ends what would take too long.
 /// @throws std::invalid_argument for h that is zero, not finite or leads away from until.time, an `until`
-/// that sets no end, or a start whose time is not finite.
+/// that sets no end, a start whose time is not finite, or, where the dimension is given at run time, whose q
+/// and p differ in their number of entries or have none.
 template <class State, class M, class... Observers>
 [[nodiscard]] Run integrate(M& method, State& state, double h, Until until, Observers&&... observers) {
   return detail::run(method, state, h, until, detail::NoGoal{}, observers...);
