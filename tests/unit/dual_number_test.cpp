@@ -50,6 +50,7 @@ template <class S>
 void check_at_zero(S x) {
   using std::abs, avi::power;
   const auto slope = [](const S& f) { return f.partial(0); };
+  EXPECT_EQ(slope(pow(x, 0.0)), 0.0);
   EXPECT_EQ(slope(pow(x, 1.0)), 1.0);
   EXPECT_EQ(slope(pow(x, 1.5)), 0.0);
   EXPECT_EQ(slope(pow(x, 2.0)), 0.0);

@@ -67,6 +67,11 @@ TEST(EulerB, LeavesTheStateWhereThereIsNoStep) {
          avi::Outcome::bad_monitor);
   expect(avi::euler_b(Kepler{}, start, [](const auto& q) { return -1.0 * q[0] * q[0]; }), 0.1,
          avi::Outcome::bad_monitor);
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL})
+    expect(avi::euler_b(Kepler{}, start, [bad](const auto& q) { return bad + q[0]; }), 0.1,
+           avi::Outcome::non_finite);
+  expect(avi::euler_b(Kepler{}, start, [](const auto& q) { return 1.0 + pow(q[0] - q[0], 0.5); }), 0.1,
+         avi::Outcome::non_finite);  // its slope is
 }
 
 TEST(EulerB, BiggestStepIsWhereTheDiscriminantEnds) {

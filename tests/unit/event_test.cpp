@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -121,6 +122,45 @@ TEST(Event, EndsARunExactly) {
             avi::Outcome::step_limit)
       << "no event on the way";
   EXPECT_GE(z.t, 5.0);
+}
+
+/// A state of which the clock alone moves.
+struct Clock {
+  avi::StepReport step(State<1>& z, double h) const {
+    z.t += h;
+    return {};
+  }
+};
+
+TEST(Event, AtAPoleIsNone) {
+  // One over the time to 3, which is infinite at the end of a step; a bounded search meets it, too.
+  for (const double sign : {1.0, -1.0})
+    for (const double h : {0.25, 0.4}) {
+      State<1> z{.q = {1.0}, .p = {0.0}};
+      Clock clock;
+      const Event pole{[sign](const State<1>& s) { return sign / (s.t - 3.0); }};
+      const auto run = avi::integrate_to(clock, z, h, pole, {.time = 6.0});
+      EXPECT_EQ(run.outcome, avi::Outcome::not_converged) << h;
+      EXPECT_LT(z.t, 3.0);
+    }
+}
+
+TEST(Event, InTimeIsFoundWhereTheClockIsCoarse) {
+  for (const double t0 : {0.0, 1e6, 1e7, 1e8, 1.7e9, -1e9, 1e15})
+    for (const double slope : {1.0, 1e-6, 1e6}) {
+      const double step = std::max(0.3, 1e-12 * t0), after = 4.123 * step;  // no number of the clock
+      State<1> z{.q = {1.0}, .p = {0.0}, .t = t0};
+      Clock clock;
+      const Event time{[&](const State<1>& s) { return slope * (s.t - t0 - after); }};
+      const auto run = avi::integrate_to(clock, z, step, time, {.steps = 100});
+      EXPECT_TRUE(run.ok()) << run.message;
+      EXPECT_NEAR(z.t, t0 + after, 4e-16 * std::abs(t0) + 1e-15);
+      // A jump there is one still.
+      z.t = t0;
+      const Event jump{[&](const State<1>& s) { return s.t - t0 < after ? -1.0 : 1.0; }};
+      EXPECT_EQ(avi::integrate_to(clock, z, step, jump, {.steps = 100}).outcome, avi::Outcome::not_converged)
+          << t0;
+    }
 }
 
 TEST(Event, ToleranceEndsTheSearchEarly) {

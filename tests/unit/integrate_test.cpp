@@ -39,6 +39,21 @@ State<1> zero(double t = 0.0) {
   return {.q = avi::Vector<double, 1>(0.0), .p = avi::Vector<double, 1>(0.0), .t = t};
 }
 
+TEST(Integrate, RefusesEntriesThatAreNotPairs) {
+  struct Pairs {
+    avi::StepReport step(State<avi::dynamic>& z, double h) const {
+      z.t += h;
+      return {};
+    }
+  } method;
+  for (State<avi::dynamic> z : {State<avi::dynamic>{.q = {1.0, 2.0, 3.0}, .p = {0.0}},
+                                {.q = {1.0}, .p = {0.0, 1.0}},
+                                State<avi::dynamic>{}}) {
+    EXPECT_THROW((void)avi::integrate(method, z, 0.1, {.steps = 3}), std::invalid_argument);
+    EXPECT_THROW((void)avi::integrate_to(method, z, 0.1, 1.0), std::invalid_argument);
+  }
+}
+
 TEST(Integrate, EndsAfterStepsOrWhenATimeIsReached) {
   for (const double sense : {1.0, -1.0}) {
     Counter method;

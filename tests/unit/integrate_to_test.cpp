@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 using avi::Kepler;
 using avi::State;
@@ -48,6 +49,41 @@ TEST(IntegrateTo, LandsOnZeroFromBothSides) {
   EXPECT_LT(std::abs(z.t), 1e-15);
   ASSERT_EQ(avi::integrate_to(method, z, 0.1, 2.0).outcome, avi::Outcome::ok);
   EXPECT_LT((z.q - start.q).norm(), 1e-10) << "there and back";
+}
+
+/// A clock of so many ticks in each step.
+struct Clock {
+  double off = 0.0;
+  avi::StepReport step(State<1>& z, double h) const {
+    z.t += h;
+    z.t = std::nextafter(z.t, z.t + off);
+    return {};
+  }
+};
+
+TEST(IntegrateTo, TakesNoStepOfTheSizeOfRounding) {
+  for (const double sense : {1.0, -1.0})
+    for (const double off : {-1.0, 0.0, 1.0}) {
+      State<1> z{.q = {1.0}, .p = {0.0}, .t = 2.0 * sense};
+      Clock method{sense * off};
+      std::vector<double> times;
+      const auto run = avi::integrate_to(method, z, 0.25 * sense, 2.25 * sense,
+                                         [&](const State<1>& s, long) { times.push_back(s.t); });
+      EXPECT_TRUE(run.ok()) << run.message;
+      EXPECT_EQ(run.steps, 1) << "one tick before the end is the end";
+      EXPECT_EQ(z.t, 2.25 * sense) << "to the bit";
+      EXPECT_EQ(times, std::vector<double>{2.25 * sense});
+    }
+}
+
+TEST(IntegrateTo, LooksAtItsStartWhereThatIsTheEnd) {
+  State<1> z{.q = {std::nan("")}, .p = {0.0}, .t = 2.0};
+  Clock method;
+  EXPECT_EQ(avi::integrate_to(method, z, 0.25, 2.0).outcome, avi::Outcome::non_finite);
+  z.q[0] = 1.0;
+  const auto run = avi::integrate_to(method, z, 0.25, 2.0);
+  EXPECT_TRUE(run.ok()) << run.message;
+  EXPECT_EQ(run.steps, 0);
 }
 
 TEST(IntegrateTo, RefusesATimeThatLiesTheOtherWay) {

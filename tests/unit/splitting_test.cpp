@@ -157,6 +157,30 @@ TEST(LogHamiltonian, SaysSoOutsideItsDomain) {
   EXPECT_EQ(z.q, start.q);
 }
 
+/// A spring whose potential is negative near the origin only.
+struct Well {
+  static constexpr int dimension = 1;
+  using Vec = avi::Vector<double, 1>;
+  static double kinetic(const Vec& p) { return 0.5 * p[0] * p[0]; }
+  static double potential(const Vec& q) { return 0.5 * q[0] * q[0] - 1.0; }
+  static Vec potential_gradient(const Vec& q) { return q; }
+};
+
+TEST(LogHamiltonian, SaysSoWhereThePotentialIsNotNegative) {
+  // With energy 1 the orbit, q = 2 sin t, comes to V = 0 at t = pi / 4; with -0.5 it turns before.
+  for (const auto& list : {avi::split(c::strang), avi::split(c::kahan_li8)})
+    for (const double h : {0.001, 0.01, 0.1, 0.2, 0.5}) {
+      State<1> z{.q = {0.0}, .p = {2.0}};
+      auto method = avi::splitting(LogHamiltonian<Well>({}, z), list);
+      EXPECT_EQ(avi::integrate(method, z, h, {.time = 3.0, .steps = 100000}).outcome, avi::Outcome::diverged)
+          << h;
+      EXPECT_LT(Well::potential(z.q), 0.0);
+      z = {.q = {0.0}, .p = {1.0}};
+      method = avi::splitting(LogHamiltonian<Well>({}, z), list);
+      EXPECT_TRUE(avi::integrate(method, z, h, {.time = 3.0, .steps = 100000}).ok()) << h;
+    }
+}
+
 TEST(CompensatedSummation, KeepsTheEnergyBetterThanPlainSummation) {
   const auto worst = [](auto method) {
     auto z = henon_start;

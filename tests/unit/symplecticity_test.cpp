@@ -1,4 +1,5 @@
 #include "avi/diagnostics/symplecticity.hpp"
+#include "avi/integrators/splitting.hpp"
 #include "avi/integrators/stormer_verlet.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/pendulum.hpp"
@@ -7,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 using avi::State;
@@ -24,6 +27,14 @@ struct Heun {
     z.p[0] = p - 0.5 * h * (std::sin(q) + std::sin(q1));
     return {};
   }
+};
+
+/// Of this mass in a field with this gradient of its potential.
+struct Heavy {
+  static constexpr int dimension = 2;
+  double mass;
+  std::function<avi::Vector<double, 2>(const avi::Vector<double, 2>&)> potential_gradient;
+  [[nodiscard]] avi::Vector<double, 2> velocity(const avi::Vector<double, 2>& p) const { return p / mass; }
 };
 
 TEST(DifferenceJacobian, MatchesAClosedForm) {
@@ -69,6 +80,14 @@ TEST(DifferenceJacobian, TakesTheSpacingWhereTheFormulasAgreeBest) {
   EXPECT_EQ(*std::min_element(tried.begin(), tried.end()), 1.0 / 8192.0);
 }
 
+TEST(DifferenceJacobian, DoesNotTrustASpacingAtWhichTheMapStandsStill) {
+  // The second entry changes by less than its rounding at the small spacings: there all slopes of it are
+  // zero.
+  const auto weak = [](const Point& z) -> Point { return Point{{z[0], 1e6 + 1e-3 * std::sin(z[0])}}; };
+  EXPECT_NEAR(avi::difference_jacobian(weak, Point{{0.3, 1.0}}, {.smallest = 0x1p-40})(1, 0),
+              1e-3 * std::cos(0.3), 1e-8);
+}
+
 TEST(DifferenceJacobian, RefusesSpacingsOutOfOrder) {
   const auto map = [](const Point& z) { return z; };
   for (const avi::Spacings bad : {avi::Spacings{0.1, 0.0}, {0.1, 0.2}, {HUGE_VAL, 0.1}, {0.1, std::nan("")}})
@@ -93,6 +112,36 @@ TEST(SymplecticityDefect, IsTheSameInAnyUnits) {
     z.q *= unit;
     EXPECT_LT(avi::symplecticity_defect(kepler, z, 0.1 * unit), 1e-11) << unit;
   }
+}
+
+TEST(SymplecticityDefect, IsTheSameInUnitsOfAnySize) {
+  // The Earth round the Sun in metres, kilograms and seconds, where momenta are 1e29, and powers of ten.
+  for (const auto& [length, mass] : {std::pair{1.496e11, 5.972e24},
+                                     {1.0, 1e30},
+                                     {1e30, 1.0},
+                                     {1e-30, 1e30},
+                                     {1e30, 1e-30},
+                                     {1e60, 1e60}}) {
+    const double time = length * 2e-5;
+    const auto gradient = [&](const avi::Vector<double, 2>& q) {
+      return avi::Vector<double, 2>(avi::Kepler::potential_gradient<double>(q / length) *
+                                    (mass * length / (time * time)));
+    };
+    const avi::Separable flows(Heavy{mass, gradient});
+    auto z = avi::Kepler::pericentre(0.3);
+    z.q *= length;
+    z.p *= mass * length / time;
+    EXPECT_LT(avi::symplecticity_defect(avi::splitting(flows, avi::compositions::strang), z, 0.1 * time),
+              1e-11)
+        << length << ' ' << mass;
+  }
+}
+
+TEST(SymplecticityDefect, IsThatOfAPointAtRest) {
+  // Where all of q or of p is zero at both ends its unit is 1.
+  const auto free = avi::stormer_verlet<1>([](const avi::Vector<double, 1>& q) { return 0.0 * q; });
+  EXPECT_LT(avi::symplecticity_defect(free, State<1>{.q = {1.0}, .p = {0.0}}, 0.1), 1e-12);
+  EXPECT_LT(avi::symplecticity_defect(free, State<1>{.q = {0.0}, .p = {0.0}}, 0.1), 1e-12);
 }
 
 TEST(SymplecticityDefect, GrowsWithTheStepOfAMethodThatIsNot) {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -60,6 +61,45 @@ TEST(Trajectory, GoesThroughItsStatesAndTakesFewOfThem) {
   const auto two = path(0.3, 0.01);
   ASSERT_EQ(two.states().size(), 2u);
   EXPECT_LT((two.at(0.005).q - Kepler::exact(0.6, 0.005).q).norm(), 2e-4) << "the line through them";
+}
+
+/// The circle q = cos t, p = -sin t by its exact flow.
+struct Circle {
+  avi::StepReport step(State<1>& z, double h) const {
+    const double q = z.q[0], p = z.p[0];
+    z.q[0] = std::cos(h) * q + std::sin(h) * p;
+    z.p[0] = std::cos(h) * p - std::sin(h) * q;
+    z.t += h;
+    return {};
+  }
+};
+
+TEST(Trajectory, PassesOverStatesMuchNearerThanOthers) {
+  // Steps that differ by any factor, as runs that continue each other and events leave them. Errors are those
+  // of equal steps of the widest of them.
+  for (const std::vector<double>& pattern : {std::vector<double>{0.1, 0.1, 0.1, 0.1, 0.1},
+                                             {0.1, 0.1, 1e-17, 0.1, 0.1},
+                                             {0.1, 1e-15, 0.1, 1e-9},
+                                             {0.1, 1e-12, 1e-4, 0.1, 1e-12, 0.1},
+                                             {0.1, 0.1, 1e-3, 1e-3, 1e-3, 1e-3, 1e-3},
+                                             {1e-13, 0.1, 1e-13},
+                                             {0.1, 0.1, 0.1, 0.1, 0.1, 0.013, 0.1, 0.1, 0.1, 0.1, 0.013}})
+    for (const double sense : {1.0, -1.0}) {
+      State<1> z{.q = {1.0}, .p = {0.0}};
+      avi::Trajectory<1> kept;
+      Circle circle;
+      for (int k = 0; k < 60; ++k)
+        for (const double h : pattern)
+          ASSERT_TRUE(avi::integrate(circle, z, sense * h, {.steps = 1}, kept).ok());
+      double worst = 0.0;
+      for (int k = 0; k <= 3000; ++k) {
+        const double t = z.t * k / 3000.0, error = std::abs(kept.at(t).q[0] - std::cos(t));
+        if (!(error <= worst)) worst = error;
+      }
+      EXPECT_LT(worst, 6e-10) << pattern.size() << " steps, the third " << pattern[2];  // measured 3e-10
+      for (const State<1>& there : kept.states())
+        EXPECT_NEAR(kept.at(there.t).q[0], there.q[0], 4e-16);
+    }
 }
 
 TEST(Trajectory, RefusesTimesOutside) {

@@ -45,6 +45,8 @@ class Factor {
   friend Factor operator+(const Factor& a, const Factor& b) { return combine(Operation::add, a, b); }
   friend Factor operator-(const Factor& a, const Factor& b) { return combine(Operation::subtract, a, b); }
   friend Factor sign_of(const Factor& a) { return a.through(Operation::sign); }
+  friend Factor less(const Factor& a, const Factor& b) { return combine(Operation::less, a, b); }
+  friend Factor when(const Factor& a, const Factor& b) { return combine(Operation::when, a, b); }
   ///@}
   /// @cond
 #define AVI_ONE(name, ...)                                                                                   \

@@ -16,7 +16,8 @@
 //
 //   TWO(name, slope along a, slope along b)
 //
-// Slopes of pow are right at a = 0, too: there 0 * log(5e-324) is 0, where 0 * log(0) would be NaN.
+// Slopes of pow are right at a = 0, too: there 0 * log(5e-324) is 0, where 0 * log(0) would be NaN, and
+// slope_of_power(), b a^(b - 1), is 0 where b is.
 //
 // Another row is another function: recording, gradients, programs, packs and series have it at once. What it
 // must be tested with are the rows of tests/unit/elementary.hpp.
@@ -46,6 +47,6 @@
   ONE(erfc, one_by_one, -M_2_SQRTPI * exp(-(a * a)))                        \
   TWO(atan2, b / hypot(a, b) / hypot(a, b), -a / hypot(a, b) / hypot(a, b)) \
   TWO(hypot, a / f, b / f)                                                  \
-  TWO(pow, b * pow(a, b - 1.0), f * log(a + 5e-324))
+  TWO(pow, slope_of_power(a, b), f * log(a + 5e-324))
 // clang-format on
 /// @endcond

@@ -84,6 +84,11 @@ S one_over_cosh_squared(const S& a) {
   const S u = exp(-2.0 * abs(a)), inverse = 1.0 / (1.0 + u);
   return 4.0 * (u * (inverse * inverse));
 }
+/// b a^(b - 1), and 0 where b is 0, whatever a.
+template <class S>
+S slope_of_power(const S& a, const S& b) {
+  return when(less(S(0.0), abs(b)), b * pow(a, b - 1.0));
+}
 #define AVI_ONE(name, pack, slope)                                                                           \
   template <class S>                                                                                         \
   S slope_of_##name([[maybe_unused]] const S& a, [[maybe_unused]] const S& f) {                              \
@@ -113,6 +118,7 @@ struct ChainRule : Scalar<X> {
   /// By the chain rule.
   friend X pow(const X& x, double exponent) {
     const auto value = value_of(x), f = power(value, exponent);
+    if (exponent == 0.0) return X(f);
     // At zero the quotient f / x is undefined where the derivative may well exist.
     if constexpr (std::is_same_v<decltype(value), const double>)
       if (value != 0.0) return x.chain(f, [&] { return exponent * f / value; });

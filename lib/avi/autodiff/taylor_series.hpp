@@ -195,7 +195,7 @@ class TaylorSeries {
   [[nodiscard]] bool is_whole_power(int node) const {
     if (graph_[node].operation != Operation::power) return false;
     const double exponent = graph_[graph_[node].b].number;
-    return exponent >= 1.0 && exponent <= 64.0 && exponent == std::round(exponent);
+    return exponent >= 1.0 && exponent <= 0x1p30 && exponent == std::round(exponent);
   }
   /// The steps of such a power, products in the order of power(); where the last one's result is.
   int add_products(int node) {

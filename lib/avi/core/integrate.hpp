@@ -68,14 +68,16 @@ struct NoGoal {
   static constexpr std::string_view missed = "the cap on steps came before the end time";
 };
 
-/// A physical time to end at, exactly.
+/// A physical time to end at, exactly. A step that ends within the rounding of the clock before it has
+/// arrived: another one would be of the size of that rounding.
 struct Arrival {
   double time;   ///< To end at.
   double sense;  ///< 1, or -1 where time runs backwards.
   static constexpr std::string_view missed = "the cap on steps came before the end time";
   template <class M, class State>
   std::optional<Located<State>> look(const Step<M, State>& step, bool) const {
-    if (!(sense * step.after.t >= sense * time)) return {};
+    const double rounding = rounding_of_time(step.before.t, step.after.t);
+    if (!(sense * (time - step.after.t) <= rounding)) return {};
     return step.at(time);
   }
 };
@@ -148,6 +150,7 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
                 "An observer must be callable as observer(state, k) or as observer(step, k).");
   require_run(h, until);
   require_finite("Time of the start", state.t);
+  if constexpr (requires { require_dimension(state); }) require_dimension(state);
   constexpr bool aims = !std::same_as<Goal, NoGoal>;
   constexpr bool looks_inside = aims || !(of_states<Observers, State> && ...);
   const bool timed = std::isfinite(until.time);
@@ -198,9 +201,11 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
         next = there->state;
         size = there->h;
         // The method, too, is to have taken the shorter step: dense output asks it for its polynomial.
-        if constexpr (!one_step<M>) method = before;
-        State again = current;
-        run.evaluations += method.step(again, size).evaluations;
+        if (size != h) {
+          if constexpr (!one_step<M>) method = before;
+          State again = current;
+          run.evaluations += method.step(again, size).evaluations;
+        }
       }
     }
     ++run.steps;
@@ -240,7 +245,9 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
     }
   }
   reason = Goal::missed;
-  return end(aims || (timed && sense * current.t < end_time) ? Outcome::step_limit : Outcome::ok);
+  constexpr bool any_time_is_short = aims && !std::same_as<Goal, Arrival>;  // of an event
+  return end(any_time_is_short || (timed && sense * current.t < end_time) ? Outcome::step_limit
+                                                                          : Outcome::ok);
 }
 }  // namespace detail
 
@@ -254,7 +261,8 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
 /// the rounding of that time, or a method without a check of its own has a monitor that is not positive.
 /// Nothing loops for ever; until.seconds ends what would take too long.
 /// @throws std::invalid_argument for h that is zero, not finite or leads away from until.time, an `until`
-/// that sets no end, or a start whose time is not finite.
+/// that sets no end, a start whose time is not finite, or, where the dimension is given at run time, whose q
+/// and p differ in their number of entries or have none.
 template <class State, class M, class... Observers>
 [[nodiscard]] Run integrate(M& method, State& state, double h, Until until, Observers&&... observers) {
   return detail::run(method, state, h, until, detail::NoGoal{}, observers...);

@@ -38,8 +38,10 @@ constexpr std::string_view name(Outcome outcome) {
 /// The report of one step to the run loop.
 struct [[nodiscard]] StepReport {
   Outcome outcome = Outcome::ok;  ///< Unless ok, the state is as it was.
-  int evaluations = 1;            ///< Evaluations of the vector field or of its Taylor expansion.
-  double residual = 0.0;          ///< Residual of the implicit equation (0 for explicit steps).
+  /// Evaluations of the vector field or of its Taylor expansion; one that is kept for the next step counts
+  /// there alone, so that the one at the start of a run does not.
+  int evaluations = 1;
+  double residual = 0.0;  ///< Residual of the implicit equation (0 for explicit steps).
 
   /// True for Outcome::ok alone.
   [[nodiscard]] bool ok() const { return outcome == Outcome::ok; }
@@ -55,8 +57,10 @@ struct [[nodiscard]] Answer {
 struct [[nodiscard]] Run {
   Outcome outcome = Outcome::ok;  ///< ok when the end asked for was reached.
   long steps = 0;                 ///< Steps that were accepted.
-  long evaluations = 0;           ///< Sum over those steps.
-  std::string message;            ///< Empty for ok; else one sentence with step, time and reason.
+  /// Sum over those steps, and those that were tried to end the run where it does; what observers try, as an
+  /// event on the way, is not in it.
+  long evaluations = 0;
+  std::string message;  ///< Empty for ok; else one sentence with step, time and reason.
 
   /// True for Outcome::ok alone: the end asked for was reached.
   [[nodiscard]] bool ok() const { return outcome == Outcome::ok; }

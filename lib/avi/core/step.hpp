@@ -183,10 +183,13 @@ struct Step {
     // The sign changes between neighbouring states. They lie on a zero where f is small against its values at
     // the ends, or has shrunk with the distance from it, as that of a continuous function does.
     const double gap = root.f_high - root.f_low;
-    bool zero = root.closed && (gap <= 1e-8 * std::min(std::abs(f_begin), std::abs(last)) ||
-                                gap <= 16.0 * detail::rounding_of_entries(found.state));
-    if (root.closed && !zero) {
-      constexpr double wide = 0x1p-30;
+    const bool narrow = root.closed && std::isfinite(gap);  // a pole may be infinite at one of them
+    bool zero = narrow && (gap <= 1e-8 * std::min(std::abs(f_begin), std::abs(last)) ||
+                           gap <= 16.0 * detail::rounding_of_entries(found.state));
+    if (narrow && !zero) {
+      // So far from it that the clock, too, has many numbers in between.
+      const double tick = detail::rounding_of_time(before.t, after.t) / std::abs(after.t - before.t);
+      const double wide = std::max(0x1p-30, 16.0 * tick);
       const double down = std::max(begin, root.low - wide), up = std::min(1.0, root.high + wide);
       const Located<State> kept = found;
       const double f_down = down > begin ? value(down) : sign * f_begin,

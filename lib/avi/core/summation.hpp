@@ -25,4 +25,19 @@ void add(Value& sum, [[maybe_unused]] Low& low, const Increment& increment) {
   }
 }
 
+/// Adds the time of steps to a clock, whose rounding error is kept for the next step: the clock of a long run
+/// is right to its last digits, as the state may be. A time that was set from outside begins anew.
+class ClockSum {
+ public:
+  /// t += increment.
+  void add(double& t, double increment) {
+    if (t != at_) low_ = 0.0;
+    avi::add(t, low_, increment);
+    at_ = t;
+  }
+
+ private:
+  double at_ = 0.0, low_ = 0.0;  // the time after the last step, and what rounding left of it
+};
+
 }  // namespace avi

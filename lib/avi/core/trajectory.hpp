@@ -5,6 +5,8 @@
 #include "avi/core/step.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <ostream>
 #include <vector>
@@ -24,18 +26,19 @@ class Trajectory {
   void operator()(const Step<M, State<n>>& step, long) {
     if (states_.empty()) {
       states_.push_back(step.before);
-      tau_.push_back(0.0);
+      steps_.push_back(0.0);
     }
     require(step.before.t == states_.back().t, "Begin of the next step", step.before.t,
             "where the trajectory ends, at t = ", states_.back().t);
     states_.push_back(step.after);
-    tau_.push_back(tau_.back() + step.h);
+    steps_.push_back(step.h);
   }
 
   [[nodiscard]] const std::vector<State<n>>& states() const { return states_; }  ///< In the order of the run.
 
   /// The state at physical time t, by the polynomial of degree 7 through the nearest states in fictive time,
-  /// where a monitor makes the motion even. Its error is O(h^8) for a smooth motion.
+  /// where a monitor makes the motion even. Its error is O(h^8) for a smooth motion. States that lie much
+  /// nearer to the next one than others do, as the last one of a run may, are passed over.
   /// @throws std::invalid_argument for t outside the run.
   [[nodiscard]] State<n> at(double t) const {
     require(states_.size() > 1, "Number of stored states", states_.size(), "at least 2 to evaluate between");
@@ -46,27 +49,27 @@ class Trajectory {
         std::upper_bound(states_.begin() + 1, states_.end() - 1, t,
                          [&](double time, const State<n>& z) { return sense * time < sense * z.t; });
     const auto k = static_cast<std::size_t>(later - states_.begin());  // t in [k - 1, k]
-    const std::size_t count = std::min(points, states_.size());
-    const std::size_t first = std::clamp(k, count / 2, states_.size() - (count - count / 2)) - count / 2;
-    State<n> z = states_[first];
+    const Nodes nodes = around(k);
+    State<n> z = states_[k];
     const auto move_to = [&](double tau) {  // leaves in z.t the time there less t
       z.q.setZero();
       z.p.setZero();
       z.t = 0.0;
-      for (std::size_t i = first; i < first + count; ++i) {
+      for (std::size_t i = 0; i < nodes.count; ++i) {
         double weight = 1.0;  // Lagrange's polynomial i
-        for (std::size_t j = first; j < first + count; ++j)
-          if (j != i) weight *= (tau - tau_[j]) / (tau_[i] - tau_[j]);
-        z.q += weight * states_[i].q;
-        z.p += weight * states_[i].p;
-        z.t += weight * (states_[i].t - t);
+        for (std::size_t j = 0; j < nodes.count; ++j)
+          if (j != i) weight *= (tau - nodes.tau[j]) / (nodes.tau[i] - nodes.tau[j]);
+        const State<n>& there = states_[nodes.state[i]];
+        z.q += weight * there.q;
+        z.p += weight * there.p;
+        z.t += weight * (there.t - t);
       }
       return sense * z.t;
     };
     const double from = sense * (states_[k - 1].t - t), to = sense * (states_[k].t - t);
-    const auto tau_at = [&](double c) { return tau_[k - 1] + c * (tau_[k] - tau_[k - 1]); };
+    const auto tau_at = [&](double c) { return c * steps_[k]; };
     if (from == 0.0 || to == 0.0)
-      move_to(tau_at(from == 0.0 ? 0.0 : 1.0));
+      z = states_[from == 0.0 ? k - 1 : k];
     else
       move_to(
           tau_at(bracketed_root([&](double c) { return move_to(tau_at(c)); }, 0.0, from, 1.0, to, 0.0).x));
@@ -96,8 +99,56 @@ class Trajectory {
 
  private:
   static constexpr std::size_t points = 8;
+  static constexpr double near = 0.125;  // so far apart, in widest gaps, two nodes are at least
+  /// Those of the polynomial in the order of the run, at fictive times from the beginning of the step.
+  struct Nodes {
+    std::size_t count = 0;
+    std::array<std::size_t, points> state{};
+    std::array<double, points> tau{};
+  };
+
+  /// Those of step k: its ends, and what is nearest on both sides. A state that is much nearer to the last
+  /// node than nodes are to each other is passed over, as one beside the end of a run or an event: the
+  /// difference of such two is rounding. Times are summed from the step outwards, so that the age of the run
+  /// is not in their rounding.
+  [[nodiscard]] Nodes around(std::size_t k) const {
+    Nodes left, right;
+    const auto add = [](Nodes& nodes, std::size_t state, double tau) {
+      nodes.state[nodes.count] = state;
+      nodes.tau[nodes.count++] = tau;
+    };
+    add(left, k - 1, 0.0);
+    double tau = 0.0, gap = 0.0, widest = std::abs(steps_[k]);
+    for (std::size_t i = k - 1; i > 0 && left.count < points; --i) {
+      tau -= steps_[i];
+      gap += steps_[i];
+      if (std::abs(gap) < near * widest) continue;
+      add(left, i - 1, tau);
+      widest = std::max(widest, std::abs(gap));
+      gap = 0.0;
+    }
+    add(right, k, steps_[k]);
+    tau = steps_[k], gap = 0.0, widest = std::abs(steps_[k]);
+    for (std::size_t i = k + 1; i < states_.size() && right.count < points; ++i) {
+      tau += steps_[i];
+      gap += steps_[i];
+      if (std::abs(gap) < near * widest) continue;
+      add(right, i, tau);
+      widest = std::max(widest, std::abs(gap));
+      gap = 0.0;
+    }
+    const std::size_t count = std::min(points, left.count + right.count), half = count / 2;
+    const std::size_t before = std::clamp(half, count - std::min(count, right.count), left.count);
+    Nodes nodes;
+    for (std::size_t i = before; i-- > 0;)
+      add(nodes, left.state[i], left.tau[i]);
+    for (std::size_t i = 0; i < count - before; ++i)
+      add(nodes, right.state[i], right.tau[i]);
+    return nodes;
+  }
+
   std::vector<State<n>> states_;
-  std::vector<double> tau_;  // fictive time
+  std::vector<double> steps_;  // in fictive time, to each state from the one before it
 };
 
 }  // namespace avi

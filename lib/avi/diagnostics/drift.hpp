@@ -55,8 +55,6 @@ inline DriftFit fit_drift(std::span<const double> times, std::span<const double>
   double mean_t = 0.0, mean_x = 0.0, tt = 0.0, tx = 0.0, rest = 0.0;
   for (std::size_t k = 0; k < count; ++k)
     mean_t += t[k] / n, mean_x += x[k] / n;
-  for (std::size_t k = 0; k < count; ++k)
-    tt += (t[k] - mean_t) * (t[k] - mean_t), tx += (t[k] - mean_t) * (x[k] - mean_x);
   // Averages of equal times differ by their rounding.
   const auto [first, last] = std::minmax_element(t.begin(), t.end());
   const double length = std::ceil(static_cast<double>(times.size()) / n);
@@ -64,19 +62,32 @@ inline DriftFit fit_drift(std::span<const double> times, std::span<const double>
                                            std::max(std::abs(*first), std::abs(*last))
                                      : 0.0;
   const double spread = *last - *first <= rounding ? 0.0 : *last - *first;
-  require(spread > 0.0 && tt > 0.0, "Spread of the times", spread, "positive, and its square, too");
-  DriftFit fit{.slope = tx / tt, .points = static_cast<int>(count)};
+  require(spread > 0.0 && std::isfinite(spread), "Spread of the times", spread, "positive and finite");
+  // In units of their size, powers of two: their squares are numbers whatever these units are.
+  const auto centre = [&](std::vector<double>& of, double mean) {
+    double size = 0.0;
+    for (double& number : of)
+      size = std::max(size, std::abs(number -= mean));
+    const double unit = size > 0.0 && std::isfinite(size) ? std::ldexp(1.0, std::ilogb(size)) : 1.0;
+    for (double& number : of)
+      number /= unit;
+    return unit;
+  };
+  const double unit_t = centre(t, mean_t), unit_x = centre(x, mean_x);
+  for (std::size_t k = 0; k < count; ++k)
+    tt += t[k] * t[k], tx += t[k] * x[k];
+  const double slope = tx / tt;
   double before = 0.0, together = 0.0;
-  const double intercept = mean_x - fit.slope * mean_t;
   for (std::size_t k = 0; k < count; ++k) {
-    const double residual = x[k] - intercept - fit.slope * t[k];
+    const double residual = x[k] - slope * t[k];
     together += residual * before;
     before = residual;
     rest += residual * residual;
   }
+  const double error = std::sqrt(rest / (n - 2.0) / tt), unit = unit_x / unit_t;
+  DriftFit fit{.slope = slope * unit, .standard_error = error * unit, .points = static_cast<int>(count)};
+  if (slope != 0.0) fit.t_statistic = slope / error;
   if (rest > 0.0) fit.correlation = together / rest;
-  fit.standard_error = std::sqrt(rest / (n - 2.0) / tt);
-  if (fit.slope != 0.0) fit.t_statistic = fit.slope / fit.standard_error;
   return fit;
 }
 

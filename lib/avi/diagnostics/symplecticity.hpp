@@ -23,7 +23,9 @@ struct Spacings {
 /// \f$w_k = 2\,(-1)^{k+1}\, (m!)^2 / ((m - k)!\, (m + k)!)\f$ (Fornberg 1988).
 ///
 /// Every column takes, among the spacings, the one at which the formulas of order 14 and 16 agree best: there
-/// truncation and round-off balance, at a relative error of about 1e-14 for a smooth map.
+/// truncation and round-off balance, at a relative error of about 1e-14 for a smooth map. They count as no
+/// nearer to each other than rounding of the map would leave them: where its values do not change at all in
+/// so small a spacing, the formulas agree on a slope that says nothing.
 template <class Map>
 Matrix<double, dynamic> difference_jacobian(Map&& map, const VectorX& z, Spacings spacings = {}) {
   require_positive("Smallest spacing", spacings.smallest);
@@ -42,11 +44,13 @@ Matrix<double, dynamic> difference_jacobian(Map&& map, const VectorX& z, Spacing
     double best = std::numeric_limits<double>::infinity();
     for (double s = spacings.largest; s >= spacings.smallest; s *= 0.5) {
       VectorX fine = VectorX::Zero(z.size()), coarse = fine;
+      double size = 0.0;
       for (int k = 1; k <= pairs; ++k) {
         VectorX ahead = z, behind = z;
         ahead[j] += k * s;
         behind[j] -= k * s;
         const VectorX front = map(ahead), back = map(behind);
+        size = std::max(size, largest_entry(front));
         for (Eigen::Index i = 0; i < z.size(); ++i) {
           // Divided by the distance that rounding left between the two points, not by the one meant.
           const double slope = (front[i] - back[i]) / (ahead[j] - behind[j]);
@@ -54,7 +58,9 @@ Matrix<double, dynamic> difference_jacobian(Map&& map, const VectorX& z, Spacing
           coarse[i] += weight(pairs - 1, k) * slope;  // zero for the last pair
         }
       }
-      const double doubt = largest_entry(fine - coarse);
+      // Rounding to eps / 2 of every value makes the formulas differ by about eps / 64 of them over s.
+      const double rounding = std::numeric_limits<double>::epsilon() / 64.0 * size / s;
+      const double doubt = std::max(largest_entry(fine - coarse), rounding);
       if (!(doubt < best)) continue;
       best = doubt;
       for (Eigen::Index i = 0; i < z.size(); ++i)
@@ -115,8 +121,10 @@ double symplecticity_defect(const M& method, const State<n>& z, double h) {
     if (fresh.step(moved, h).outcome == Outcome::ok) image << moved.q / of_q, moved.p / of_p;
     return image;
   };
-  Spacings spacings;  // far from the origin the map may still change within a distance of 1
-  spacings.smallest /= std::max({1.0, of_q, of_p});
+  // Far from the origin the map may still change within a distance of 1. Nothing is left of a slope where the
+  // spacing is near the rounding of the point.
+  Spacings spacings;
+  spacings.smallest = std::max(spacings.smallest / std::max({1.0, of_q, of_p}), 0x1p-44);
   return symplecticity_defect(map, start, spacings);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include "avi/core/outcome.hpp"
+#include "avi/core/summation.hpp"
 #include "avi/htvi/implicit_solver.hpp"
 
 #include <algorithm>
@@ -75,7 +76,8 @@ class Htvi {
     const auto accept = [&](const StepChange<n>& change) {
       z.q += change.q;
       z.p += change.p;
-      z.t = problem().clock(z.q, z.t + change.t);
+      clock_.add(z.t, change.t);
+      z.t = problem().clock(z.q, z.t);
       predictor_.remember(correction, h, right ? z.p : z.q);
       iteration_ = iteration;
       return report;
@@ -130,6 +132,7 @@ class Htvi {
   SolverSettings solver_;
   Predictor<n> predictor_;
   Iteration iteration_;
+  ClockSum clock_;
 };
 
 /// Type II HTVI of Taylor order r; its order is 2r + 2 with a rule of that order, such as Gauss with r + 1

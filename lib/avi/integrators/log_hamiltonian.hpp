@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/integrators/splitting.hpp"
 
+#include <limits>
 #include <utility>
 
 /// @file
@@ -14,7 +15,8 @@ namespace avi {
 /// \frac{h}{T + p^t}; \qquad \text{kick: } p \mathrel{+}= h \nabla U/U, \f] both exact: an explicit adaptive
 /// symplectic integrator, with the step in physical time h / U on the orbit. On Kepler's problem its leapfrog
 /// stays on the exact ellipse and errs in time only. `Problem` gives kinetic(p), potential(q),
-/// potential_gradient(q); with log_potential_gradient(q, s) = s grad log U it saves the root that U needs.
+/// potential_gradient(q); with log_potential_gradient(q, s) = s grad log U it saves the root that U needs. A
+/// run ends as Outcome::diverged where U = 0, which no orbit in fictive time passes.
 template <class Problem>
 class LogHamiltonian {
  public:
@@ -42,18 +44,29 @@ class LogHamiltonian {
       return {dt * p, dt};
   }
 
-  /// Change of p by the kick over h.
+  /// Change of p by the kick over h; NaN, which no state admits, where U is not positive.
   [[nodiscard]] Vec kick(const Vec& q, double h) const {
-    if constexpr (requires { problem_.log_potential_gradient(q, h); })
+    if constexpr (shortcut) {
       return problem_.log_potential_gradient(q, h);
-    else
-      return (h / problem_.potential(q)) * problem_.potential_gradient(q);
+    } else {
+      const double potential = problem_.potential(q);
+      return (potential < 0.0 ? h / potential : std::numeric_limits<double>::quiet_NaN()) *
+             problem_.potential_gradient(q);
+    }
   }
 
-  /// T + p^t is positive on every orbit; where it is not, h was too large.
-  [[nodiscard]] bool admits(const State<dimension>& z) const { return problem_.kinetic(z.p) + p_t_ > 0.0; }
+  /// T + p^t and U are positive on every orbit; where one of them is not, h was too large, or the orbit leads
+  /// to U = 0, where its fictive time ends. Problems with a logarithm of their own are taken to have U > 0.
+  [[nodiscard]] bool admits(const State<dimension>& z) const {
+    bool inside = problem_.kinetic(z.p) + p_t_ > 0.0;
+    if constexpr (!shortcut) inside = inside && problem_.potential(z.q) < 0.0;
+    return inside;
+  }
 
  private:
+  static constexpr bool shortcut = requires(const Problem& problem, const Vec& q) {
+    problem.log_potential_gradient(q, 1.0);
+  };
   Problem problem_;
   double p_t_;
 };

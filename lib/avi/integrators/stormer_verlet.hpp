@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/core/outcome.hpp"
 #include "avi/core/state.hpp"
+#include "avi/core/summation.hpp"
 
 #include <limits>
 #include <utility>
@@ -35,7 +36,7 @@ class StormerVerlet {
     force_ = gradient_(z.q);
     at_ = z.q;
     z.p -= (0.5 * h) * force_;
-    z.t += h;
+    clock_.add(z.t, h);
     return {};
   }
 
@@ -43,6 +44,7 @@ class StormerVerlet {
   Gradient gradient_;
   Vector<double, n> at_;
   Vector<double, n> force_;
+  ClockSum clock_;
 };
 
 /// Deduces everything but the dimension: stormer_verlet<2>(gradient).

@@ -39,8 +39,9 @@ class EulerB {
   static constexpr bool symplectic = true;    ///< As a map of (q, p) at this p^t.
   static constexpr bool symmetric = false;    ///< Its adjoint is Euler-A.
 
-  /// Advances z by the fictive step h. Ends as bad_monitor where g is not positive and as not_converged where
-  /// h is too large, with z as it was.
+  /// Advances z by the fictive step h. Ends as bad_monitor where g is not positive, as non_finite where g,
+  /// its gradient or that of the potential is not finite, and as not_converged where h is too large, with z
+  /// as it was.
   StepReport step(State<n>& z, double h) const {
     if constexpr (std::same_as<G, Unit>) {
       z.p -= h * problem_.potential_gradient(z.q);
@@ -49,6 +50,7 @@ class EulerB {
       return {};
     } else {
       const Partials<double, n> g = value_and_gradient(g_, z.q);
+      if (!std::isfinite(g.value)) return {.outcome = Outcome::non_finite, .residual = g.value};
       if (!(g.value > 0.0)) return {.outcome = Outcome::bad_monitor, .residual = g.value};
       const double hg = h * g.value;
       const Vector<double, n> slope = g.gradient();
@@ -56,6 +58,7 @@ class EulerB {
           z.p - hg * problem_.potential_gradient(z.q) - (h * (problem_.potential(z.q) + pt_)) * slope;
       const double a2 = a.squaredNorm(), b = 1.0 + h * a.dot(slope);
       const double discriminant = b * b - h * h * slope.squaredNorm() * a2;
+      if (std::isnan(discriminant)) return {.outcome = Outcome::non_finite, .residual = discriminant};
       // B > 0 need not be checked: where h A . grad g <= -1 the discriminant is below zero (Cauchy-Schwarz).
       if (!(discriminant >= 0.0)) return {.outcome = Outcome::not_converged, .residual = discriminant};
       z.p = a - (h * a2 / (b + std::sqrt(discriminant))) * slope;

@@ -8,7 +8,8 @@
 
 /// @file
 /// Monitor functions g = dt/dtau. Each is generic in its scalar and positive wherever it is finite; where it
-/// is not finite, a step ends as avi::Outcome::non_finite. Mechanical ones take a problem with kinetic(p),
+/// is not finite, a step ends as avi::Outcome::non_finite. A monitor of one's own must not vanish anywhere on
+/// the orbit: see avi::Poincare. Mechanical ones take a problem with kinetic(p),
 /// potential(q) and potential_gradient(q), \f$H = T(p) + V(q)\f$, \f$T = \tfrac12 p\cdot p\f$ (unit masses).
 /// The page \ref monitors says which pays where.
 

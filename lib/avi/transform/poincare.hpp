@@ -37,6 +37,11 @@ inline constexpr bool dimension_fits<H, n> = H::dimension == n || H::dimension =
 /// constant; only q and p are unknowns, t follows by summation. A monitor is called as g(q) or as g(q, p),
 /// with vectors of any scalar; the first kind is known not to depend on p, and then nothing is spent on
 /// dg/dp.
+///
+/// The monitor has to stay away from zero on the whole orbit. No orbit in fictive time reaches a place where
+/// it vanishes: what steps keep is \f$\bar H\f$, to some small \f$\delta\f$, and there the energy is off
+/// by \f$\delta/g\f$, until the motion turns back. Every g on the way may be positive and every step end
+/// as ok; the energy along the run shows it, not the one at the end, where g may be large again.
 template <int n, class H, class G = Unit>
 class Poincare {
   static_assert(std::invocable<const H&, const Vector<double, n>&, const Vector<double, n>&>,
