@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -190,6 +191,45 @@ TEST(SolveEvents, AreSeenInGrazingPairs) {
     const auto near_top = [below = below](const auto& q, const auto&) { return q[0] - (1.0 - below); };
     const auto found = solve(spring(), at(-1.0, 0.0), 400.0 * M_PI, tolerance, {.events = {when(near_top)}});
     EXPECT_EQ(found.events.size(), 400u) << below;
+  }
+}
+
+// Two or more zeros between two of the points at which a step is looked at, also where g bends both ways.
+TEST(SolveEvents, AreSeenCloseToOneAnother) {
+  for (int k = 0; k < 50; ++k) {
+    const double c = 50.0 + 0.1247 * k;
+    const auto cubic = [=](const auto&, const auto& t, const auto&) {
+      return (t - c) * (t - c - 0.09) * (t - c - 0.22);
+    };
+    const auto quartic = [=](const auto&, const auto& t, const auto&) {
+      return (t - c) * (t - c - 0.09) * (t - c - 0.3) * (t - c - 1.5);
+    };
+    const auto corner = [=](const auto&, const auto& t, const auto&) { return abs(t - c) - 0.01; };
+    const auto found = solve(spring(), at(0.0, 1.0), 100.0, 1e-8,
+                             {.check = false, .events = {when(cubic), when(quartic), when(corner)}});
+    EXPECT_EQ(found.events.size(), 9u) << c;
+    for (const auto& event : found.events) {
+      const double late = event.state.t - c;
+      EXPECT_LE(std::min({std::abs(late), std::abs(late - 0.09), std::abs(late - 0.22), std::abs(late - 0.3),
+                          std::abs(late - 1.5), std::abs(std::abs(late) - 0.01)}),
+                1e-10)
+          << c;
+    }
+  }
+}
+
+// Inside a step its polynomial has half of the digits: near zero steps of the method say what is there.
+TEST(SolveEvents, AreSeenInPairsCloserThanThePolynomialIsRight) {
+  for (const double below : {1e-8, 1e-10}) {
+    const auto near_top = [=](const auto& q, const auto&) { return q[0] - (1.0 - below); };
+    const auto found = solve(spring(), at(0.0, 1.0), 200.0, 1e-10, {.events = {when(near_top)}});
+    EXPECT_EQ(found.events.size(), 64u) << below;
+  }
+  for (const double apart : {1e-3, 1e-4, 1e-5}) {
+    const double a = std::sin(0.7), b = std::cos(0.7 + apart);
+    const auto both = [=](const auto& q, const auto& p) { return (q[0] - a) * (p[0] - b); };
+    const auto found = solve(spring(), at(0.0, 1.0), 628.0, 1e-10, {.events = {when(both)}});
+    EXPECT_EQ(found.events.size(), 400u) << apart;
   }
 }
 
