@@ -16,6 +16,9 @@ namespace {
 /// interrupted.
 constexpr long block = 4096;
 
+/// Steps before which no run is given up.
+constexpr long least_steps = 16384;
+
 State<dynamic> start_of(const OrbitQuestion& question) {
   return state_of<dynamic>(question.t, question.q.data(), question.p.data(),
                            static_cast<int>(question.q.size()));
@@ -31,7 +34,8 @@ Delivery::Delivery(const OrbitQuestion& question, int degrees, const Choice& cho
       candidate_(
           prepared ? candidate(choice.name, question, prepared->formulas_at(energy_at_start_, choice.kinetic))
                    : candidate(choice.name, question, energy_at_start_, choice)),
-      choice_(choice), h_(question.t_end < question.t ? -choice.h : choice.h), state_(start_of(question)) {
+      choice_(choice), h_(question.t_end < question.t ? -choice.h : choice.h), state_(start_of(question)),
+      time_then_(question.t) {
   for (std::size_t i = 0; i < question.events.size(); ++i)
     watches_.emplace_back(question.events[i], degrees, i);
   candidate_.supplied = question.gradient;
@@ -55,10 +59,26 @@ void Delivery::look_at_energy(const State<dynamic>& z) {
   energy_error_ = std::max(energy_error_, std::abs(energy - energy_at_start_) / choice_.energy_scale);
 }
 
+/// Steps that a monitor makes ever shorter never pass a singularity: the run is given up where as many as
+/// before have taken next to no time. No run is known then that has come further.
+void Delivery::look_at_pace() {
+  if (most_ < std::numeric_limits<long>::max() || run_.steps < 2 * looked_) return;
+  const double before = std::abs(time_then_ - question_.t), since = std::abs(state_.t - time_then_);
+  looked_ = run_.steps, time_then_ = state_.t;
+  if (run_.steps < least_steps || !(since < 1e-8 * before)) return;
+  std::ostringstream text;
+  text.precision(6);
+  text << "The run was given up near t = " << state_.t << ", after " << run_.steps
+       << " steps, which take next to no time there: the orbit meets a singularity of H, or comes too near "
+          "one.";
+  run_.outcome = Outcome::step_limit;
+  run_.message = text.str();
+}
+
 void Delivery::go(double pause) {
   const double sense = std::copysign(1.0, h_);
   const bool kept = !question_.options.checkpoint.empty();
-  while (run_.ok() && !arrived() && sense * (state_.t - pause) < 0.0) {
+  while (run_.ok() && !arrived() && run_.steps < most_ && sense * (state_.t - pause) < 0.0) {
     if (kept && run_.steps % block == 0) begin_block();
     step();
   }
@@ -126,6 +146,7 @@ void Delivery::restore(Record& record, const SolutionReport& report, double hori
   std::vector<double> q, p;
   get(q, p, state_.t, run_.steps, run_.evaluations, energy_error_, next_, states_.t, states_.z, events_,
       event_states_.t, event_states_.z);
+  looked_ = std::max(run_.steps, 1L), time_then_ = state_.t;
   std::ranges::copy(q, state_.q.data());
   std::ranges::copy(p, state_.p.data());
   for (Watch& watch : watches_)
@@ -157,7 +178,9 @@ void Delivery::step() {
   state_ = last;
   ++run_.steps;
   look_at_energy(state_);
-  if (!arrived()) run_.outcome = budget_.met(state_.t, run_.steps, run_.evaluations);
+  if (arrived()) return;
+  run_.outcome = budget_.met(state_.t, run_.steps, run_.evaluations);
+  if (run_.ok()) look_at_pace();
 }
 
 /// Finds the events of a step up to the first that ends the run, which becomes its end.

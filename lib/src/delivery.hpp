@@ -5,6 +5,7 @@
 #include "prepared.hpp"
 #include "watch.hpp"
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -27,6 +28,8 @@ class Delivery {
   Delivery(const Delivery&) = delete;
   Delivery& operator=(const Delivery&) = delete;
 
+  /// It makes no more steps than that: the run that it repeats has come further.
+  void bound(long most) { most_ = most; }
   /// Goes on to the end, to an event that ends the run, or to the first step beyond the time `pause`.
   void go(double pause);
   /// It is at the end, or at the event that ends it.
@@ -58,6 +61,7 @@ class Delivery {
     if (!report.ok()) run_.outcome = report.outcome;
   }
   void look_at_energy(const State<dynamic>& z);
+  void look_at_pace();
 
   const OrbitQuestion& question_;
   int degrees_;
@@ -71,6 +75,8 @@ class Delivery {
   std::vector<Watch> watches_;
   State<dynamic> state_;
   Run run_;
+  long most_ = std::numeric_limits<long>::max(), looked_ = 1;  // steps
+  double time_then_ = 0.0;                                     // after so many of them
   std::string reason_;
   bool by_event_ = false;
   std::size_t next_ = 0;  // output time

@@ -279,4 +279,40 @@ TEST(SolveEvents, ThatStopARunAreLookedForAheadOfIt) {
   EXPECT_NEAR(orbit.state.t, 0.999 * M_SQRT2 / 3.0, 1e-8);
 }
 
+// What is chosen for the time behind a singularity is of no use before it.
+TEST(SolveEvents, ThatStopARunBeforeASingularityAreKept) {
+  const auto fall = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - 1.0 / q[0]; };
+  for (const double near : {0.1, 0.01}) {
+    const auto close = [=](const auto& q, const auto&) { return q[0] - near; };
+    const auto orbit =
+        solve(fall, at(1.0, 0.0), 5.0, 1e-10, {.seconds = 60.0, .events = {when(close, {.stop = true})}});
+    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    EXPECT_NEAR(orbit.state.t, (std::acos(std::sqrt(near)) + std::sqrt(near * (1.0 - near))) / M_SQRT2, 1e-9);
+  }
+}
+
+TEST(SolveEvents, BeforeASingularityAreFoundThoughTheRunFails) {
+  const auto H = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + log(q[0]); };
+  const auto half = [](const auto& q, const auto&) { return q[0] - 0.5; };
+  const auto orbit = solve(H, at(1.0, 0.0), 2.0, 1e-10, {.seconds = 10.0, .events = {when(half)}});
+  EXPECT_FALSE(orbit.ok());
+  EXPECT_NE(orbit.run.outcome, avi::Outcome::time_limit);
+  EXPECT_NE(orbit.run.message.find("singularity"), std::string::npos) << orbit.run.message;
+  ASSERT_EQ(orbit.events.size(), 1u) << orbit.report();
+  EXPECT_NEAR(orbit.events[0].state.t, std::sqrt(M_PI / 2.0) * std::erf(std::sqrt(std::log(2.0))), 1e-8);
+}
+
+// The bound is met where steps that grow ever shorter are gone on with.
+TEST(SolveEvents, BeforeABlowUpAreFoundAndTheRunEnds) {
+  const auto H = [](const auto& q, const auto& p) { return p[0] * (1.0 + q[0] * q[0]); };
+  const auto one = [](const auto& q, const auto&) { return q[0] - 1.0; };
+  const auto orbit =
+      solve(H, at(0.0, 1.0), 1.6, 1e-10, {.sweeps = 100'000'000, .dense = true, .events = {when(one)}});
+  EXPECT_FALSE(orbit.ok());
+  EXPECT_NE(orbit.run.message.find("singularity"), std::string::npos) << orbit.run.message;
+  ASSERT_EQ(orbit.events.size(), 1u) << orbit.report();
+  EXPECT_NEAR(orbit.events[0].state.t, M_PI / 4.0, 1e-9);
+  EXPECT_NEAR(orbit(1.5).q[0] / std::tan(1.5), 1.0, 1e-8);
+}
+
 }  // namespace solve_events_test
