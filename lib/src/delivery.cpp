@@ -93,26 +93,43 @@ void Delivery::go(double pause) {
 
 void Delivery::begin_block() {
   steps_ = method();
-  block_ = Record();
-  const auto put = [&](const auto&... each) { (block_.put(each), ...); };
-  put(fingerprint(question_), question_.q, question_.p, question_.t, question_.t_end, question_.tolerance,
-      question_.times, static_cast<int>(question_.options.dense));
-  put(choice_.name, choice_.order, choice_.h, choice_.energy_scale, choice_.kinetic, choice_.accelerations,
-      choice_.poles, choice_.drifts, choice_.solved, choice_.time, report_.choice.sweeps,
-      report_.choice.check);
-  put(report_.state_error, report_.energy_rounding, report_.note, horizon_);
-  put(std::vector<double>(state_.q.begin(), state_.q.end()),
-      std::vector<double>(state_.p.begin(), state_.p.end()), state_.t, run_.steps, run_.evaluations,
-      energy_error_, next_, states_.t, states_.z, events_, event_states_.t, event_states_.z);
+  block_ = {.state = state_,
+            .steps = run_.steps,
+            .evaluations = run_.evaluations,
+            .energy_error = energy_error_,
+            .next = next_,
+            .states = states_.t.size(),
+            .events = events_.size(),
+            .track = track_ ? track_->times().size() : 0,
+            .found = {}};
   for (Watch& watch : watches_)
-    put(watch.found());
-  if (track_) track_->put(block_);
+    block_.found.push_back(watch.found());
   written_ = false;
   if (budget_.seconds() >= due_) write();
 }
 
 void Delivery::write() {
-  block_.write(question_.options.checkpoint);
+  Record record;
+  const auto put = [&](const auto&... each) { (record.put(each), ...); };
+  put(fingerprint(question_), question_.q, question_.p, question_.t, question_.t_end, question_.tolerance,
+      question_.times, static_cast<int>(question_.options.dense));
+  const SolveOptions& asked = question_.options;  // where another choice is to be made
+  put(asked.order, asked.monitor.name, asked.h, static_cast<int>(asked.check));
+  put(choice_.name, choice_.order, choice_.h, choice_.energy_scale, choice_.kinetic, choice_.accelerations,
+      choice_.poles, choice_.drifts, choice_.solved, choice_.time, report_.choice.sweeps,
+      report_.choice.check);
+  put(report_.state_error, report_.energy_rounding, report_.note, horizon_);
+  const State<dynamic>& z = block_.state;
+  put(std::vector<double>(z.q.begin(), z.q.end()), std::vector<double>(z.p.begin(), z.p.end()), z.t,
+      block_.steps, block_.evaluations, block_.energy_error, block_.next);
+  const std::size_t entries = 2 * static_cast<std::size_t>(degrees_);
+  record.put(states_.t, block_.states), record.put(states_.z, block_.states * entries);
+  record.put(events_, block_.events);
+  record.put(event_states_.t, block_.events), record.put(event_states_.z, block_.events * entries);
+  for (const long found : block_.found)
+    put(found);
+  if (track_) track_->put(record, block_.track);
+  record.write(question_.options.checkpoint);
   written_ = true;
   due_ = budget_.seconds() + question_.options.checkpoint_seconds;
 }
@@ -133,10 +150,12 @@ Choice choice_in(Record& record, SolutionReport& report) {
 
 std::uint64_t question_in(Record& record, OrbitQuestion& question) {
   std::uint64_t of_file = 0;
-  int dense = 0;
+  int dense = 0, check = 0;
   const auto get = [&](auto&... each) { (record.get(each), ...); };
   get(of_file, question.q, question.p, question.t, question.t_end, question.tolerance, question.times, dense);
-  question.options.dense = dense != 0;
+  SolveOptions& asked = question.options;
+  get(asked.order, asked.monitor.name, asked.h, check);
+  asked.dense = dense != 0, asked.check = check != 0;
   return of_file;
 }
 

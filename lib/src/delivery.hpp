@@ -86,7 +86,16 @@ class Delivery {
   std::shared_ptr<Track> track_;
   SolutionReport report_;  // what was known before the run
   double horizon_ = 0.0;
-  Record block_;          // the run at the beginning of the block of steps under way
+  /// The run at the beginning of the block of steps under way. Of what only grows it has the length: to copy
+  /// all of it each time would take the square of the steps.
+  struct Block {
+    State<dynamic> state;
+    long steps = 0, evaluations = 0;
+    double energy_error = 0.0;
+    std::size_t next = 0, states = 0, events = 0, track = 0;
+    std::vector<long> found;
+  };
+  Block block_;
   bool written_ = false;  // as it is now in the file
   double due_ = 0.0;      // when it is to be written, in seconds of the call
 };

@@ -38,6 +38,7 @@ void require_question(const OrbitQuestion& question) {
           names_of_monitors());
   require(options.checkpoint_seconds >= 0.0, "Seconds between checkpoints", options.checkpoint_seconds,
           "at least 0");
+  if (!options.checkpoint.empty()) require_regular(options.checkpoint);
 }
 
 /// Names what is not finite, or was forgotten.
