@@ -59,17 +59,18 @@ void Delivery::look_at_energy(const State<dynamic>& z) {
   energy_error_ = std::max(energy_error_, std::abs(energy - energy_at_start_) / choice_.energy_scale);
 }
 
-/// Steps that a monitor makes ever shorter never pass a singularity: the run is given up where as many as
-/// before have taken next to no time. No run is known then that has come further.
+/// Steps that a monitor makes ever shorter never pass a singularity: the run is given up where each time
+/// twice the steps add less to the time, which then has a limit. No run is known then that has come further.
 void Delivery::look_at_pace() {
   if (most_ < std::numeric_limits<long>::max() || run_.steps < 2 * looked_) return;
-  const double before = std::abs(time_then_ - question_.t), since = std::abs(state_.t - time_then_);
-  looked_ = run_.steps, time_then_ = state_.t;
-  if (run_.steps < least_steps || !(since < 1e-8 * before)) return;
+  const double gain = std::abs(state_.t - time_then_);
+  fading_ = gain < 0.9 * gained_ ? fading_ + 1 : 0;
+  looked_ = run_.steps, time_then_ = state_.t, gained_ = gain;
+  if (run_.steps < least_steps || fading_ < 4) return;
   std::ostringstream text;
   text.precision(6);
   text << "The run was given up near t = " << state_.t << ", after " << run_.steps
-       << " steps, which take next to no time there: the orbit meets a singularity of H, or comes too near "
+       << " steps, which become shorter all the time: the orbit meets a singularity of H, or comes too near "
           "one.";
   run_.outcome = Outcome::step_limit;
   run_.message = text.str();

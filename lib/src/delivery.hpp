@@ -76,7 +76,8 @@ class Delivery {
   State<dynamic> state_;
   Run run_;
   long most_ = std::numeric_limits<long>::max(), looked_ = 1;  // steps
-  double time_then_ = 0.0;                                     // after so many of them
+  double time_then_ = 0.0, gained_ = 0.0;  // after so many of them, and in the second half of them
+  int fading_ = 0;                         // how often that was less than before
   std::string reason_;
   bool by_event_ = false;
   std::size_t next_ = 0;  // output time

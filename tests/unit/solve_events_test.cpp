@@ -1,5 +1,6 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/solve.hpp"
+#include "avi/solver.hpp"
 #include "unit/cayley.hpp"
 
 #include <gtest/gtest.h>
@@ -313,6 +314,20 @@ TEST(SolveEvents, BeforeABlowUpAreFoundAndTheRunEnds) {
   ASSERT_EQ(orbit.events.size(), 1u) << orbit.report();
   EXPECT_NEAR(orbit.events[0].state.t, M_PI / 4.0, 1e-9);
   EXPECT_NEAR(orbit(1.5).q[0] / std::tan(1.5), 1.0, 1e-8);
+}
+
+// No run is known then that has come further, and steps in an even time of their own have no end.
+TEST(SolveEvents, BeforeABlowUpAreFoundByASolverToo) {
+  const auto H = [](const auto& q, const auto& p) { return p[0] * (1.0 + q[0] * q[0]); };
+  const auto one = [](const auto& q, const auto&) { return q[0] - 1.0; };
+  const avi::Solver solver(
+      H, at(0.0, 1.0), 1.5, 1e-8,
+      avi::SolveOptions{.check = false, .sweeps = 3'000'000, .monitor = "energy", .events = {when(one)}});
+  const auto orbit = solver.run(at(0.0, 1.1), 2.0);
+  EXPECT_FALSE(orbit.ok());
+  EXPECT_NE(orbit.run.message.find("singularity"), std::string::npos) << orbit.run.message;
+  ASSERT_EQ(orbit.events.size(), 1u);
+  EXPECT_NEAR(orbit.events[0].state.t, M_PI / 4.0, 1e-7);
 }
 
 }  // namespace solve_events_test
