@@ -135,6 +135,8 @@ void Dips::split(const Point& a, const Point& b, int depth, bool trusted, std::v
   const double most = std::max(std::abs(first), std::abs(last)), sense = std::copysign(1.0, rise);
   const bool at_end = depth == deepest || left_ <= 0;
   const bool one_way = sense * first >= 0.0 && sense * last >= 0.0 && sense * middle >= 0.1 * most;
+  // Nearly straight, of which no middle has to be seen.
+  if (one_way && std::max(std::abs(first - rise), std::abs(last - rise)) <= 0.4 * std::abs(rise)) return;
   if (a.g * b.g > 0.0) {
     const double sign = std::copysign(1.0, a.g), low = std::min(sign * a.g, sign * b.g);
     const bool falls = sign * first<0.0, rises = sign * last> 0.0;
