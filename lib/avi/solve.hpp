@@ -72,7 +72,9 @@ struct SolveEvent {
 /// The zeros of g(q, p) or g(q, t, p) along an orbit, for SolveOptions::events. g is called once, with
 /// vectors of a scalar that records what is done to it, as H is. It is looked at in nine points of every
 /// step, and in more, a thousand at most, where it is no smooth curve through them; a run in which it changes
-/// its sign more often than they can show ends as not_converged. An orbit that starts on a zero does not
+/// its sign more often than they can show ends as not_converged. Between two points near zero its slopes say
+/// whether it turns there, so that zeros close to one another are found, and where it nearly touches zero
+/// steps of the method say on which side it stays. An orbit that starts on a zero does not
 /// begin with it. Where g changes its sign by a jump or a pole the run ends as not_converged, where it is NaN
 /// as non_finite, as in Event.
 template <class G>
@@ -467,7 +469,8 @@ template <class H, int n>
 
 /// Goes on with a run that SolveOptions::checkpoint has kept in a file, with the same bits as if it had not
 /// been interrupted: by a bound, by the callback, by the end of the program. What was asked for is in the
-/// file, but for H, the events, and a monitor of one's own, which are to be the same.
+/// file, order, monitor and h included, but for H, the events, and a monitor of one's own, which are to be
+/// the same.
 /// @tparam n of the start that the run began with @param n_of_start its value, where n is avi::dynamic
 /// @param options seconds and progress of what is left, bounds on sweeps and steps of the whole run, events,
 /// a monitor of one's own; nothing else counts

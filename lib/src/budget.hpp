@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 /// @file
 /// The cost of a call of solve() so far, and the callback that is told how far it has come.
@@ -19,8 +20,11 @@ class Budget {
   SolvePhase phase = SolvePhase::choosing;  ///< Phase of the call, for the callback.
   double start = 0.0, end = 1.0;            ///< Times between which the run under way goes.
   double share = 1.0;                       ///< Part of the bounds that may be spent for now.
-  long sweeps = 0;                          ///< Spent by the runs before it.
+  long sweeps = 0;                          ///< Spent by the runs of this choice before it.
+  long earlier = 0;                         ///< Spent by other choices and on runs with them.
 
+  /// A bound was met since this was last called, or the callback has ended the call.
+  bool was_met() { return std::exchange(met_, false) || cancelled_; }
   /// The callback has said that the call is to end.
   [[nodiscard]] bool cancelled() const { return cancelled_; }
   /// Since the call began.
@@ -29,8 +33,16 @@ class Budget {
   }
   /// The outcome that ends the call where the run under way has come so far, or ok.
   Outcome met(double t, long steps, long evaluations) {
+    const Outcome outcome = found(t, steps, evaluations);
+    if (outcome != Outcome::ok) met_ = true;
+    return outcome;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Outcome found(double t, long steps, long evaluations) {
     if (cancelled_) return Outcome::stopped;
-    if (static_cast<double>(sweeps + evaluations) >= share * static_cast<double>(options_.sweeps) ||
+    if (static_cast<double>(earlier + sweeps + evaluations) >= share * static_cast<double>(options_.sweeps) ||
         steps >= options_.steps)
       return Outcome::step_limit;
     if (!options_.progress && !std::isfinite(options_.seconds)) return Outcome::ok;
@@ -43,12 +55,9 @@ class Budget {
     if (!options_.progress || (now < next_ && phase == told_)) return Outcome::ok;
     next_ = now + 0.05, told_ = phase;
     const double fraction = std::clamp(std::abs(t - start) / std::abs(end - start), 0.0, 1.0);
-    cancelled_ = !options_.progress({phase, t, fraction, steps, sweeps + evaluations, now});
+    cancelled_ = !options_.progress({phase, t, fraction, steps, earlier + sweeps + evaluations, now});
     return cancelled_ ? Outcome::stopped : Outcome::ok;
   }
-
- private:
-  using Clock = std::chrono::steady_clock;
   const SolveOptions& options_;
   Clock::time_point began_ = Clock::now();
   double next_ = 0.0;  // when the callback is due
@@ -56,7 +65,7 @@ class Budget {
   // The clock costs a good part of a short step: where steps are short it is not looked at after each.
   double looked_ = 0.0;
   int stride_ = 1, waited_ = 0;
-  bool cancelled_ = false;
+  bool cancelled_ = false, met_ = false;
 };
 
 }  // namespace avi::detail

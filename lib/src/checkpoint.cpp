@@ -10,7 +10,7 @@ namespace avi::detail {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x3274696272'6f6976ull;  // "viorbit2": the last digit is the version
+constexpr std::uint64_t magic = 0x3374696272'6f6976ull;  // "viorbit3": the last digit is the version
 
 [[noreturn]] void damaged(const std::string& why) {
   throw std::invalid_argument("The checkpoint " + why + ".");
@@ -48,6 +48,7 @@ std::size_t Record::size() {
 }
 
 Record::Record(const std::string& file) {
+  require_regular(file);
   std::ifstream in(file, std::ios::binary);
   if (!in) damaged(file + " cannot be read");
   std::uint64_t head[3];
@@ -64,6 +65,7 @@ Record::Record(const std::string& file) {
 }
 
 void Record::write(const std::string& file) const {
+  require_regular(file);
   const std::string beside = file + ".part";
   const std::uint64_t head[3] = {magic, words_.size(), sum()};
   std::ofstream out(beside, std::ios::binary | std::ios::trunc);
@@ -76,6 +78,13 @@ void Record::write(const std::string& file) const {
     std::remove(beside.c_str());
     throw std::runtime_error("The checkpoint " + file + " cannot be written.");
   }
+}
+
+void require_regular(const std::string& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw std::invalid_argument("The checkpoint " + file + " is to be a file, and is a device or a folder.");
 }
 
 std::uint64_t fingerprint(const OrbitQuestion& question) {

@@ -36,9 +36,13 @@ class Record {
   void put(const std::string& text) { put(std::vector<char>(text.begin(), text.end())); }
   template <class T>
   void put(const std::vector<T>& list) {
-    put(list.size());
-    for (const T& each : list)
-      put(each);
+    put(list, list.size());
+  }
+  template <class T>
+  void put(const std::vector<T>& list, std::size_t first) {
+    put(first);
+    for (std::size_t i = 0; i < first; ++i)
+      put(list[i]);
   }
   ///@}
   ///@{
@@ -71,6 +75,9 @@ class Record {
   std::vector<std::uint64_t> words_;
   std::size_t read_ = 0;
 };
+
+/// What is no file, as a device, would be replaced by one. @throws std::invalid_argument
+void require_regular(const std::string& file);
 
 /// Tells the H, the events and the given monitor of a question from others.
 std::uint64_t fingerprint(const OrbitQuestion& question);

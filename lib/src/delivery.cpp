@@ -16,6 +16,9 @@ namespace {
 /// interrupted.
 constexpr long block = 4096;
 
+/// Steps before which no run is given up.
+constexpr long least_steps = 16384;
+
 State<dynamic> start_of(const OrbitQuestion& question) {
   return state_of<dynamic>(question.t, question.q.data(), question.p.data(),
                            static_cast<int>(question.q.size()));
@@ -31,7 +34,8 @@ Delivery::Delivery(const OrbitQuestion& question, int degrees, const Choice& cho
       candidate_(
           prepared ? candidate(choice.name, question, prepared->formulas_at(energy_at_start_, choice.kinetic))
                    : candidate(choice.name, question, energy_at_start_, choice)),
-      choice_(choice), h_(question.t_end < question.t ? -choice.h : choice.h), state_(start_of(question)) {
+      choice_(choice), h_(question.t_end < question.t ? -choice.h : choice.h), state_(start_of(question)),
+      time_then_(question.t) {
   for (std::size_t i = 0; i < question.events.size(); ++i)
     watches_.emplace_back(question.events[i], degrees, i);
   candidate_.supplied = question.gradient;
@@ -55,10 +59,27 @@ void Delivery::look_at_energy(const State<dynamic>& z) {
   energy_error_ = std::max(energy_error_, std::abs(energy - energy_at_start_) / choice_.energy_scale);
 }
 
+/// Steps that a monitor makes ever shorter never pass a singularity: the run is given up where each time
+/// twice the steps add less to the time, which then has a limit. No run is known then that has come further.
+void Delivery::look_at_pace() {
+  if (most_ < std::numeric_limits<long>::max() || run_.steps < 2 * looked_) return;
+  const double gain = std::abs(state_.t - time_then_);
+  fading_ = gain < 0.9 * gained_ ? fading_ + 1 : 0;
+  looked_ = run_.steps, time_then_ = state_.t, gained_ = gain;
+  if (run_.steps < least_steps || fading_ < 4) return;
+  std::ostringstream text;
+  text.precision(6);
+  text << "The run was given up near t = " << state_.t << ", after " << run_.steps
+       << " steps, which become shorter all the time: the orbit meets a singularity of H, or comes too near "
+          "one.";
+  run_.outcome = Outcome::step_limit;
+  run_.message = text.str();
+}
+
 void Delivery::go(double pause) {
   const double sense = std::copysign(1.0, h_);
   const bool kept = !question_.options.checkpoint.empty();
-  while (run_.ok() && !arrived() && sense * (state_.t - pause) < 0.0) {
+  while (run_.ok() && !arrived() && run_.steps < most_ && sense * (state_.t - pause) < 0.0) {
     if (kept && run_.steps % block == 0) begin_block();
     step();
   }
@@ -73,26 +94,43 @@ void Delivery::go(double pause) {
 
 void Delivery::begin_block() {
   steps_ = method();
-  block_ = Record();
-  const auto put = [&](const auto&... each) { (block_.put(each), ...); };
-  put(fingerprint(question_), question_.q, question_.p, question_.t, question_.t_end, question_.tolerance,
-      question_.times, static_cast<int>(question_.options.dense));
-  put(choice_.name, choice_.order, choice_.h, choice_.energy_scale, choice_.kinetic, choice_.accelerations,
-      choice_.poles, choice_.drifts, choice_.solved, choice_.time, report_.choice.sweeps,
-      report_.choice.check);
-  put(report_.state_error, report_.energy_rounding, report_.note, horizon_);
-  put(std::vector<double>(state_.q.begin(), state_.q.end()),
-      std::vector<double>(state_.p.begin(), state_.p.end()), state_.t, run_.steps, run_.evaluations,
-      energy_error_, next_, states_.t, states_.z, events_, event_states_.t, event_states_.z);
+  block_ = {.state = state_,
+            .steps = run_.steps,
+            .evaluations = run_.evaluations,
+            .energy_error = energy_error_,
+            .next = next_,
+            .states = states_.t.size(),
+            .events = events_.size(),
+            .track = track_ ? track_->times().size() : 0,
+            .found = {}};
   for (Watch& watch : watches_)
-    put(watch.found());
-  if (track_) track_->put(block_);
+    block_.found.push_back(watch.found());
   written_ = false;
   if (budget_.seconds() >= due_) write();
 }
 
 void Delivery::write() {
-  block_.write(question_.options.checkpoint);
+  Record record;
+  const auto put = [&](const auto&... each) { (record.put(each), ...); };
+  put(fingerprint(question_), question_.q, question_.p, question_.t, question_.t_end, question_.tolerance,
+      question_.times, static_cast<int>(question_.options.dense));
+  const SolveOptions& asked = question_.options;  // where another choice is to be made
+  put(asked.order, asked.monitor.name, asked.h, static_cast<int>(asked.check));
+  put(choice_.name, choice_.order, choice_.h, choice_.energy_scale, choice_.kinetic, choice_.accelerations,
+      choice_.poles, choice_.drifts, choice_.solved, choice_.time, report_.choice.sweeps,
+      report_.choice.check);
+  put(report_.state_error, report_.energy_rounding, report_.note, horizon_);
+  const State<dynamic>& z = block_.state;
+  put(std::vector<double>(z.q.begin(), z.q.end()), std::vector<double>(z.p.begin(), z.p.end()), z.t,
+      block_.steps, block_.evaluations, block_.energy_error, block_.next);
+  const std::size_t entries = 2 * static_cast<std::size_t>(degrees_);
+  record.put(states_.t, block_.states), record.put(states_.z, block_.states * entries);
+  record.put(events_, block_.events);
+  record.put(event_states_.t, block_.events), record.put(event_states_.z, block_.events * entries);
+  for (const long found : block_.found)
+    put(found);
+  if (track_) track_->put(record, block_.track);
+  record.write(question_.options.checkpoint);
   written_ = true;
   due_ = budget_.seconds() + question_.options.checkpoint_seconds;
 }
@@ -113,10 +151,12 @@ Choice choice_in(Record& record, SolutionReport& report) {
 
 std::uint64_t question_in(Record& record, OrbitQuestion& question) {
   std::uint64_t of_file = 0;
-  int dense = 0;
+  int dense = 0, check = 0;
   const auto get = [&](auto&... each) { (record.get(each), ...); };
   get(of_file, question.q, question.p, question.t, question.t_end, question.tolerance, question.times, dense);
-  question.options.dense = dense != 0;
+  SolveOptions& asked = question.options;
+  get(asked.order, asked.monitor.name, asked.h, check);
+  asked.dense = dense != 0, asked.check = check != 0;
   return of_file;
 }
 
@@ -126,6 +166,7 @@ void Delivery::restore(Record& record, const SolutionReport& report, double hori
   std::vector<double> q, p;
   get(q, p, state_.t, run_.steps, run_.evaluations, energy_error_, next_, states_.t, states_.z, events_,
       event_states_.t, event_states_.z);
+  looked_ = std::max(run_.steps, 1L), time_then_ = state_.t;
   std::ranges::copy(q, state_.q.data());
   std::ranges::copy(p, state_.p.data());
   for (Watch& watch : watches_)
@@ -157,7 +198,9 @@ void Delivery::step() {
   state_ = last;
   ++run_.steps;
   look_at_energy(state_);
-  if (!arrived()) run_.outcome = budget_.met(state_.t, run_.steps, run_.evaluations);
+  if (arrived()) return;
+  run_.outcome = budget_.met(state_.t, run_.steps, run_.evaluations);
+  if (run_.ok()) look_at_pace();
 }
 
 /// Finds the events of a step up to the first that ends the run, which becomes its end.

@@ -5,6 +5,7 @@
 #include "prepared.hpp"
 #include "watch.hpp"
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -27,6 +28,8 @@ class Delivery {
   Delivery(const Delivery&) = delete;
   Delivery& operator=(const Delivery&) = delete;
 
+  /// It makes no more steps than that: the run that it repeats has come further.
+  void bound(long most) { most_ = most; }
   /// Goes on to the end, to an event that ends the run, or to the first step beyond the time `pause`.
   void go(double pause);
   /// It is at the end, or at the event that ends it.
@@ -58,6 +61,7 @@ class Delivery {
     if (!report.ok()) run_.outcome = report.outcome;
   }
   void look_at_energy(const State<dynamic>& z);
+  void look_at_pace();
 
   const OrbitQuestion& question_;
   int degrees_;
@@ -71,6 +75,9 @@ class Delivery {
   std::vector<Watch> watches_;
   State<dynamic> state_;
   Run run_;
+  long most_ = std::numeric_limits<long>::max(), looked_ = 1;  // steps
+  double time_then_ = 0.0, gained_ = 0.0;  // after so many of them, and in the second half of them
+  int fading_ = 0;                         // how often that was less than before
   std::string reason_;
   bool by_event_ = false;
   std::size_t next_ = 0;  // output time
@@ -80,7 +87,16 @@ class Delivery {
   std::shared_ptr<Track> track_;
   SolutionReport report_;  // what was known before the run
   double horizon_ = 0.0;
-  Record block_;          // the run at the beginning of the block of steps under way
+  /// The run at the beginning of the block of steps under way. Of what only grows it has the length: to copy
+  /// all of it each time would take the square of the steps.
+  struct Block {
+    State<dynamic> state;
+    long steps = 0, evaluations = 0;
+    double energy_error = 0.0;
+    std::size_t next = 0, states = 0, events = 0, track = 0;
+    std::vector<long> found;
+  };
+  Block block_;
   bool written_ = false;  // as it is now in the file
   double due_ = 0.0;      // when it is to be written, in seconds of the call
 };

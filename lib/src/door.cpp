@@ -5,10 +5,12 @@
 #include "orbiter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace avi::detail {
 
@@ -36,6 +38,7 @@ void require_question(const OrbitQuestion& question) {
           names_of_monitors());
   require(options.checkpoint_seconds >= 0.0, "Seconds between checkpoints", options.checkpoint_seconds,
           "at least 0");
+  if (!options.checkpoint.empty()) require_regular(options.checkpoint);
 }
 
 /// Names what is not finite, or was forgotten.
@@ -150,26 +153,47 @@ class Call {
   }
   /// The same, where the end or an event that stops the run is expected at this time.
   OrbitAnswer make_for(double horizon) {
+    OrbitAnswer failure;  // of the choice for all the way; then it is made for what comes before
+    int shortened = 0;
     for (int round = 0;; ++round) {
+      (void)budget_.was_met();
       OrbitAnswer answer = chosen(horizon, question_.tolerance, question_.options.check);
       if (!(answer.choice.h > 0.0) || budget_.cancelled()) return answer;
+      const bool given_up = !answer.ok() && !repeats() && !budget_.was_met();
+      if (given_up) {
+        if (shortened == 0) failure = answer;
+        horizon = before_failure(answer, horizon, shortened++);
+        if (horizon == question_.t) return failure;
+        spent_ += answer.choice.sweeps + answer.choice.check + answer.run.evaluations;
+        continue;
+      }
       budget_.share = 1.0;
       budget_.phase = SolvePhase::running;
       Delivery delivery(question_, degrees_, answer.choice, budget_, answer.prepared.get());
       if (round == 60) horizon = question_.t_end;
+      // In steps of the same size the run cannot take many more.
+      if (answer.ok() && !repeats()) delivery.bound(3 * answer.run.steps + 1000);
       delivery.keep(answer, horizon);
-      delivery.go(beyond(question_, horizon, 1.2));
-      if (delivery.run().ok() && !delivery.arrived()) {
+      delivery.go(shortened > 0 && !may_stop() ? horizon : beyond(question_, horizon, 1.2));
+      const bool paused = delivery.run().ok() && !delivery.arrived();
+      if (paused && shortened == 0 && horizon != question_.t_end) {
         // The event comes later than in the first run.
         spent_ += delivery.run().evaluations;
         budget_.sweeps += delivery.run().evaluations;
         horizon = beyond(question_, horizon, 2.0);
+        event_ = question_.t;
         continue;
       }
       const Run planned = answer.run;
       answer.choice.sweeps += spent_ + planned.evaluations;
       delivery.deliver(answer);
-      if (!delivery.run().ok()) {
+      if (paused) {
+        answer.run.outcome = shortened > 0 ? failure.run.outcome : Outcome::step_limit;
+        answer.run.message = shortened > 0 ? failure.run.message
+                                           : "The run was given up: it takes several times the steps of the "
+                                             "run that it repeats.";
+      }
+      if (!answer.run.ok()) {
         answer.state_error = infinity;
         const bool same = planned.outcome == delivery.run().outcome && planned.steps == delivery.run().steps;
         if (!planned.ok() && same) answer.run.message = planned.message;
@@ -181,6 +205,25 @@ class Call {
  private:
   [[nodiscard]] bool may_stop() const {
     return std::ranges::any_of(question_.events, [](const OrbitEvent& event) { return event.rules.stop; });
+  }
+  /// No run is made before that which is delivered.
+  [[nodiscard]] bool repeats() const { return question_.made && !question_.options.check; }
+  /// A time for which something can be chosen where that failed: the event before it, or, at each try, a
+  /// smaller part of the way that was gone; the start, where nothing is to be delivered before.
+  [[nodiscard]] double before_failure(const OrbitAnswer& answer, double horizon, int tries) const {
+    const double sense = question_.t_end < question_.t ? -1.0 : 1.0;
+    if (tries == 0 && event_ != question_.t && sense * (event_ - horizon) < 0.0) return event_;
+    constexpr std::array<double, 4> parts{0.99, 0.9, 0.6, 0.3};
+    if (tries >= static_cast<int>(parts.size())) return question_.t;
+    double reached = std::max(std::abs(answer.t - question_.t), sketched().time);
+    for (const SolveTrial& trial : answer.choice.trials)
+      reached = std::max(reached, trial.time);
+    reached = std::min(reached, std::abs(horizon - question_.t)) * parts[static_cast<std::size_t>(tries)];
+    if (question_.options.dense || !question_.events.empty()) return question_.t + sense * reached;
+    double last = question_.t;
+    for (const double t : question_.times)
+      if (std::abs(t - question_.t) <= reached) last = t;
+    return last;
   }
   /// Knowledge of a run with a choice that is made, before it begins.
   [[nodiscard]] OrbitAnswer made() const {
@@ -205,22 +248,26 @@ class Call {
     question.tolerance = tolerance;
     question.options.check = check;
     budget_.phase = SolvePhase::choosing;
+    budget_.earlier += std::exchange(budget_.sweeps, 0);
     budget_.end = end;
     OrbitAnswer answer = choose(question, budget_);
     answer.tolerance = question_.tolerance;
     return answer;
   }
-  /// A time that an event which ends the run comes before, by a run with low accuracy: that for which the
-  /// others are chosen.
-  double scout() {
-    const double span = std::abs(question_.t_end - question_.t);
+  [[nodiscard]] Sketch sketched() const {
     PointField field = field_of(question_);
     VectorX z(static_cast<Eigen::Index>(2 * question_.q.size()));
     std::ranges::copy(question_.q, z.data());
     std::ranges::copy(question_.p, z.data() + question_.q.size());
     field.sense = question_.t_end < question_.t ? -1.0 : 1.0;
-    const Sketch sketch(field, z, span, field.metric(z));
-    const double first = question_.t + field.sense * std::min(span, sketch.time_of(20.0));
+    return {field, z, std::abs(question_.t_end - question_.t), field.metric(z)};
+  }
+  /// A time that an event which ends the run comes before, by a run with low accuracy: that for which the
+  /// others are chosen.
+  double scout() {
+    const double span = std::abs(question_.t_end - question_.t);
+    const double sense = question_.t_end < question_.t ? -1.0 : 1.0;
+    const double first = question_.t + sense * std::min(span, sketched().time_of(20.0));
     const OrbitAnswer answer = chosen(first, std::max(question_.tolerance, 1e-4), false);
     if (!(answer.choice.h > 0.0)) return first;
     OrbitQuestion events = question_;
@@ -233,14 +280,18 @@ class Call {
     delivery.go(question_.t_end);
     spent_ += answer.choice.sweeps + answer.run.evaluations + delivery.run().evaluations;
     budget_.sweeps += delivery.run().evaluations;
+    // A bound says nothing of where the event is: what is chosen then is for all the way.
+    if (budget_.was_met()) return question_.t_end;
     const double reached = delivery.state().t;  // the start, where the first step failed
+    if (delivery.run().ok()) event_ = reached;
     return reached == question_.t ? first : beyond(question_, reached, 1.02);
   }
 
   const OrbitQuestion& question_;
   int degrees_;
   Budget& budget_;
-  long spent_ = 0;  // on runs that nothing is known from but the horizon
+  long spent_ = 0;              // on runs that nothing is known from but the horizon
+  double event_ = question_.t;  // that ends the first run, or the start
 };
 
 }  // namespace

@@ -27,10 +27,10 @@ class Track final : public OrbitCurve {
   }
   void at(double t, double* z) const override;
   [[nodiscard]] const std::vector<double>& times() const override { return times_; }
-  /// Into a file.
-  void put(Record& record) const {
-    record.put(times_);
-    record.put(starts_);
+  /// The first of its times into a file.
+  void put(Record& record, std::size_t times) const {
+    record.put(times_, times);
+    record.put(starts_, times * 2 * static_cast<std::size_t>(field_.size()));
   }
   /// From a file.
   void get(Record& record) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 namespace avi::detail {
@@ -25,6 +26,26 @@ struct Repeated {
     if (!own) own = pattern->clone();
     return own->step(z, h);
   }
+};
+
+/// States of the method inside a step.
+class Exact {
+ public:
+  explicit Exact(const Stride& stride)
+      : stride_(stride), method_(std::shared_ptr<const OrbitSteps>(stride.method.clone())) {}
+  [[nodiscard]] Step<Repeated, State<dynamic>> step() const {
+    return {method_, stride_.before, stride_.last, stride_.h};
+  }
+  [[nodiscard]] Located<State<dynamic>> at(double part) const {
+    if (part == 0.0) return {.state = stride_.before, .report = {.evaluations = 0}};
+    if (part == stride_.part) return {.state = stride_.last, .report = {.evaluations = 0}};
+    return step().part(part);
+  }
+  [[nodiscard]] const Repeated& method() const { return method_; }
+
+ private:
+  const Stride& stride_;
+  Repeated method_;
 };
 
 }  // namespace
@@ -132,34 +153,34 @@ void Watch::sample(const Stride& stride, bool first) {
   samples_.erase(samples_.begin(), left);
 }
 
-/// Between two points of one sign there are two zeros more where g turns on the other side of zero.
-void Watch::add_turning_points(const Stride& stride) {
-  std::vector<Sample> more;
-  for (std::size_t k = 0; samples_.size() > 2 && k + 1 < samples_.size(); ++k) {
-    const Sample &a = samples_[k], &b = samples_[k + 1], &c = k > 0 ? samples_[k - 1] : samples_[2];
-    const double sign = std::copysign(1.0, b.g);
-    if (!(sign * a.g > 0.0) || b.g == 0.0) continue;
-    // The parabola through them and the next one says where it may be worth a look.
-    const double slope = (b.g - a.g) / (b.part - a.part);
-    const double bend = ((c.g - b.g) / (c.part - b.part) - slope) / (c.part - a.part);
-    const double turn = 0.5 * (a.part + b.part) - 0.5 * slope / bend, width = b.part - a.part;
-    if (!(sign * bend > 0.0) || !(turn > a.part - 0.5 * width) || !(turn < b.part + 0.5 * width)) continue;
-    const double lowest = a.g + (turn - a.part) * (slope + bend * (turn - b.part));
-    const double spread =
-        std::max(std::abs(b.g - a.g), std::abs(c.g - a.g));  // the parabola errs by part of it
-    if (sign * lowest > 0.5 * std::min(sign * a.g, sign * b.g) + 0.1 * spread) continue;
-    constexpr double golden = 0.6180339887498949;
-    double low = a.part, high = b.part;
-    for (int i = 0; i < 40; ++i) {
-      const double x = high - golden * (high - low), y = low + golden * (high - low);
-      const double at_x = sign * on(stride, x), at_y = sign * on(stride, y);
-      if (at_x <= 0.0 || at_y <= 0.0) {
-        more.push_back(at_x <= 0.0 ? Sample{x, sign * at_x} : Sample{y, sign * at_y});
-        break;
-      }
-      (at_x < at_y ? high : low) = at_x < at_y ? y : x;
+/// Samples in between, where zeros lie between two of them that those do not show.
+void Watch::add_turning_points(const Stride& stride, long& evaluations) {
+  std::optional<Dips> dips;
+  const auto look_here = [&](double variation) {
+    if (!dips) {
+      noise_ = rounding(stride.before, stride.last);
+      const auto exact = [&](double part) {
+        const Located<State<dynamic>> there = Exact(stride).at(part);
+        evaluations += there.evaluations;
+        return there.ok() ? at(there.state) : std::numeric_limits<double>::quiet_NaN();
+      };
+      dips.emplace([&](double part) { return on(stride, part); }, exact, stride.part, noise_, 300);
     }
+    return variation > 100.0 * noise_;
+  };
+  for (std::size_t k = samples_.size() - 1; k-- > 1;) {
+    if (!Dips::grazes(samples_, k)) continue;
+    if (!look_here(std::max(std::abs(samples_[k - 1].g), std::abs(samples_[k + 1].g)))) continue;
+    samples_[k - 1].turns = true;
+    samples_.erase(samples_.begin() + static_cast<std::ptrdiff_t>(k));
   }
+  std::vector<Sample> more;
+  for (std::size_t k = 0; k + 1 < samples_.size(); ++k) {
+    const Sample &a = samples_[k], &b = samples_[k + 1];
+    if (a.g == 0.0 || b.g == 0.0 || !Dips::may_hide(samples_, k)) continue;
+    if (look_here(std::max(std::abs(a.g), std::abs(b.g)))) dips->look(a, b, more);
+  }
+  if (more.empty()) return;
   samples_.insert(samples_.end(), more.begin(), more.end());
   std::ranges::sort(samples_, {}, &Sample::part);
 }
@@ -178,19 +199,15 @@ State<dynamic> Watch::between(const State<dynamic>& begin, const State<dynamic>&
 /// polynomial of a step is not quite its states. @param none there is none: it was the polynomial's alone
 Hit Watch::locate(const Stride& stride, std::size_t k, long& evaluations, bool& none) {
   const Sample &low = samples_[k], &high = samples_[k + 1];
-  const double lowest = samples_[std::max<std::size_t>(k, 1) - 1].part,
-               highest = samples_[std::min(k + 2, samples_.size() - 1)].part;
+  const double lowest = low.exact ? low.part : samples_[std::max<std::size_t>(k, 1) - 1].part,
+               highest = high.exact ? high.part : samples_[std::min(k + 2, samples_.size() - 1)].part;
   const double sign = std::copysign(1.0, high.g == 0.0 ? -low.g : high.g);
   const double place = bracketed_root([&](double part) { return sign * on(stride, part); }, low.part,
                                       sign * low.g, high.part, sign * high.g, 0.0)
                            .x;
-  const auto pattern = std::shared_ptr<const OrbitSteps>(stride.method.clone());
-  const Repeated method(pattern);
-  const Step<Repeated, State<dynamic>> whole{method, stride.before, stride.last, stride.h};
-  const auto there = [&](double part) -> Located<State<dynamic>> {
-    if (part == 0.0) return {.state = stride.before, .report = {.evaluations = 0}};
-    if (part == stride.part) return {.state = stride.last, .report = {.evaluations = 0}};
-    Located<State<dynamic>> found = whole.part(part);
+  const Exact exact(stride);
+  const auto there = [&](double part) {
+    Located<State<dynamic>> found = exact.at(part);
     evaluations += found.evaluations;
     return found;
   };
@@ -211,7 +228,7 @@ Hit Watch::locate(const Stride& stride, std::size_t k, long& evaluations, bool& 
     const bool widest = from == lowest && to == highest;
     if (sign * at_begin < 0.0 && sign * at_end >= 0.0) {
       if (to == stride.part && stride.part < 1.0) {
-        Located<State<dynamic>> landed = whole.part(to);
+        Located<State<dynamic>> landed = exact.step().part(to);
         evaluations += landed.evaluations;
         if (!landed.ok()) return fail(landed);
         if (sign * at(landed.state) < 0.0) {
@@ -225,7 +242,7 @@ Hit Watch::locate(const Stride& stride, std::size_t k, long& evaluations, bool& 
         hit.state = end.state;
         return hit;
       }
-      const Step<Repeated, State<dynamic>> step{method, stride.before, end.state, to * stride.h};
+      const Step<Repeated, State<dynamic>> step{exact.method(), stride.before, end.state, to * stride.h};
       Located<State<dynamic>> found = step.locate_from(
           from / to, at_begin, [&](const State<dynamic>& z) { return at(z); }, 0.0);
       evaluations += found.evaluations;
@@ -251,7 +268,7 @@ long Watch::look(const Stride& stride, bool first, std::vector<Hit>& hits) {
       hits.push_back({stride.method.polynomial(it.part), index_, Outcome::non_finite, reason.str()});
       return evaluations;
     }
-  add_turning_points(stride);
+  add_turning_points(stride, evaluations);
   int changes = 0;
   for (std::size_t k = 1; k < samples_.size(); ++k)
     changes += samples_[k - 1].g * samples_[k].g < 0.0 ? 1 : 0;

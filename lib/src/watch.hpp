@@ -3,6 +3,7 @@
 #include "avi/core/step.hpp"
 #include "avi/solve.hpp"
 #include "candidates.hpp"
+#include "dips.hpp"
 
 #include <memory>
 #include <string>
@@ -52,9 +53,6 @@ class Watch {
   long& found() { return found_; }
 
  private:
-  struct Sample {
-    double part, g;
-  };
   double at(const double* q, const double* p, double t);
   double at(const State<dynamic>& z) { return at(z.q.data(), z.p.data(), z.t); }
   double on(const Stride& stride, double part);
@@ -65,7 +63,7 @@ class Watch {
   }
   void sample(const Stride& stride, bool first);
   bool refine(const Stride& stride, std::size_t soon);
-  void add_turning_points(const Stride& stride);
+  void add_turning_points(const Stride& stride, long& evaluations);
   State<dynamic> between(const State<dynamic>& begin, const State<dynamic>& end);
   Hit locate(const Stride& stride, std::size_t k, long& evaluations, bool& none);
 
@@ -78,6 +76,7 @@ class Watch {
   double level_ = 0.0;    // |g| that counts as zero where the run starts
   bool leaving_ = false;  // g has not left it yet
   bool smooth_ = true;    // g in the step, see refine()
+  double noise_ = 0.0;    // of g in it, see rounding()
   std::vector<Sample> samples_;
   VectorX inside_;  // (q, p) in the step
 };

@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -158,6 +161,54 @@ TEST(Checkpoint, BeforeAnEventThatDoesNotComeGoesOnAsWithout) {
   EXPECT_EQ(rest.state, whole.state);
   EXPECT_EQ(rest.choice.h, whole.choice.h);
   EXPECT_EQ(rest.kept(), whole.kept());
+}
+
+// What was asked for is in the file, and a bound that the first look for the event meets changes nothing of
+// it.
+TEST(Checkpoint, BeforeAnEventGoesOnWithWhatWasAskedFor) {
+  const auto pendulum = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - cos(q[0]); };
+  const std::string file = file_named("asked");
+  const State<1> z{.q = {0.0}, .p = {1.9}};
+  avi::SolveOptions all{
+      .check = false,
+      .order = 8,
+      .monitor = "fixed",
+      .h = 0.05,
+      .events = {avi::when([](const auto& q, const auto&) { return q[0]; }, {.count = 60, .stop = true})},
+      .checkpoint = file};
+  const auto whole = avi::solve(pendulum, z, 1e5, 1e-8, all);
+  avi::SolveOptions some = all;
+  some.steps = 1000;
+  (void)avi::solve(pendulum, z, 1e5, 1e-8, some);
+  const auto rest = avi::resume<1>(pendulum, file, {.events = all.events});
+  EXPECT_EQ(rest.choice.order, 8);
+  EXPECT_EQ(rest.choice.h, 0.05);
+  EXPECT_EQ(rest.choice.name, "fixed");
+  EXPECT_EQ(rest.run.steps, whole.run.steps);
+  EXPECT_NEAR(rest.state.t, whole.state.t, 1e-11);
+}
+
+// Seconds of a run with a file over those of one without, where nothing is written but its beginning.
+TEST(Checkpoint, OfADenseRunCostsNoSquareOfItsSteps) {
+  avi::SolveOptions dense{.check = false, .order = 8, .monitor = "fixed", .h = 0.4, .dense = true};
+  avi::SolveOptions kept = dense;
+  kept.checkpoint = file_named("dense");
+  const auto seconds = [](const avi::SolveOptions& options) {
+    const auto begin = std::chrono::steady_clock::now();
+    (void)avi::solve(HenonHeiles(), start, 4e5, 1e-8, options);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  const double without = std::min(seconds(dense), seconds(dense));
+  EXPECT_LE(std::min(seconds(kept), seconds(kept)), 1.5 * without);
+}
+
+TEST(Checkpoint, IsNothingButAFile) {
+  const std::string pipe = file_named("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THROW((void)avi::solve(HenonHeiles(), start, times, 1e-8, options(pipe)), std::invalid_argument);
+  EXPECT_THROW((void)avi::resume<2>(HenonHeiles(), pipe, options(pipe)), std::invalid_argument);
+  EXPECT_EQ(std::filesystem::status(pipe).type(), std::filesystem::file_type::fifo);
+  std::filesystem::remove(pipe);
 }
 
 TEST(Checkpoint, OfAKilledProcessGoesOnWithTheSameBits) {

@@ -110,4 +110,21 @@ TEST(OutputTimes, EndAtABoundWithTheStepsThatWereTaken) {
   }
 }
 
+// H falls to a singularity at t = 1.2533: the states before it are delivered, with the sentence of the
+// failure.
+TEST(OutputTimes, BeforeASingularityAreDelivered) {
+  const auto H = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + log(q[0]); };
+  const auto time_of = [](double q) { return std::sqrt(M_PI / 2.0) * std::erf(std::sqrt(-std::log(q))); };
+  const auto found = solve(H, at(1.0, 0.0), std::vector<double>{time_of(0.8), time_of(0.4), 2.0}, 1e-10,
+                           {.seconds = 10.0, .dense = true});
+  EXPECT_FALSE(found.ok());
+  EXPECT_FALSE(found.kept());
+  EXPECT_NE(found.run.outcome, avi::Outcome::time_limit);
+  EXPECT_NE(found.run.message.find("singularity"), std::string::npos) << found.run.message;
+  ASSERT_EQ(found.states.size(), 2u) << found.report();
+  EXPECT_NEAR(found.states[0].q[0], 0.8, 1e-8);
+  EXPECT_NEAR(found.states[1].q[0], 0.4, 1e-8);
+  EXPECT_NEAR(found(time_of(0.6)).q[0], 0.6, 1e-8);
+}
+
 }  // namespace output_times_test

@@ -1,9 +1,11 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/solve.hpp"
+#include "avi/solver.hpp"
 #include "unit/cayley.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -193,6 +195,45 @@ TEST(SolveEvents, AreSeenInGrazingPairs) {
   }
 }
 
+// Two or more zeros between two of the points at which a step is looked at, also where g bends both ways.
+TEST(SolveEvents, AreSeenCloseToOneAnother) {
+  for (int k = 0; k < 50; ++k) {
+    const double c = 50.0 + 0.1247 * k;
+    const auto cubic = [=](const auto&, const auto& t, const auto&) {
+      return (t - c) * (t - c - 0.09) * (t - c - 0.22);
+    };
+    const auto quartic = [=](const auto&, const auto& t, const auto&) {
+      return (t - c) * (t - c - 0.09) * (t - c - 0.3) * (t - c - 1.5);
+    };
+    const auto corner = [=](const auto&, const auto& t, const auto&) { return abs(t - c) - 0.01; };
+    const auto found = solve(spring(), at(0.0, 1.0), 100.0, 1e-8,
+                             {.check = false, .events = {when(cubic), when(quartic), when(corner)}});
+    EXPECT_EQ(found.events.size(), 9u) << c;
+    for (const auto& event : found.events) {
+      const double late = event.state.t - c;
+      EXPECT_LE(std::min({std::abs(late), std::abs(late - 0.09), std::abs(late - 0.22), std::abs(late - 0.3),
+                          std::abs(late - 1.5), std::abs(std::abs(late) - 0.01)}),
+                1e-10)
+          << c;
+    }
+  }
+}
+
+// Inside a step its polynomial has half of the digits: near zero steps of the method say what is there.
+TEST(SolveEvents, AreSeenInPairsCloserThanThePolynomialIsRight) {
+  for (const double below : {1e-8, 1e-10}) {
+    const auto near_top = [=](const auto& q, const auto&) { return q[0] - (1.0 - below); };
+    const auto found = solve(spring(), at(0.0, 1.0), 200.0, 1e-10, {.events = {when(near_top)}});
+    EXPECT_EQ(found.events.size(), 64u) << below;
+  }
+  for (const double apart : {1e-3, 1e-4, 1e-5}) {
+    const double a = std::sin(0.7), b = std::cos(0.7 + apart);
+    const auto both = [=](const auto& q, const auto& p) { return (q[0] - a) * (p[0] - b); };
+    const auto found = solve(spring(), at(0.0, 1.0), 628.0, 1e-10, {.events = {when(both)}});
+    EXPECT_EQ(found.events.size(), 400u) << apart;
+  }
+}
+
 TEST(SolveEvents, EndAsInTheLoopWhereThereIsNoZero) {
   const auto pole = [](const auto& q, const auto&) { return 1.0 / (q[0] - 0.3); };
   const auto at_pole = solve(spring(), at(1.0, 0.0), 10.0, 1e-8, {.events = {when(pole)}});
@@ -237,6 +278,56 @@ TEST(SolveEvents, ThatStopARunAreLookedForAheadOfIt) {
   EXPECT_TRUE(orbit.kept());
   ASSERT_EQ(orbit.events.size(), 1u);
   EXPECT_NEAR(orbit.state.t, 0.999 * M_SQRT2 / 3.0, 1e-8);
+}
+
+// What is chosen for the time behind a singularity is of no use before it.
+TEST(SolveEvents, ThatStopARunBeforeASingularityAreKept) {
+  const auto fall = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - 1.0 / q[0]; };
+  for (const double near : {0.1, 0.01}) {
+    const auto close = [=](const auto& q, const auto&) { return q[0] - near; };
+    const auto orbit =
+        solve(fall, at(1.0, 0.0), 5.0, 1e-10, {.seconds = 60.0, .events = {when(close, {.stop = true})}});
+    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    EXPECT_NEAR(orbit.state.t, (std::acos(std::sqrt(near)) + std::sqrt(near * (1.0 - near))) / M_SQRT2, 1e-9);
+  }
+}
+
+TEST(SolveEvents, BeforeASingularityAreFoundThoughTheRunFails) {
+  const auto H = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + log(q[0]); };
+  const auto half = [](const auto& q, const auto&) { return q[0] - 0.5; };
+  const auto orbit = solve(H, at(1.0, 0.0), 2.0, 1e-10, {.seconds = 10.0, .events = {when(half)}});
+  EXPECT_FALSE(orbit.ok());
+  EXPECT_NE(orbit.run.outcome, avi::Outcome::time_limit);
+  EXPECT_NE(orbit.run.message.find("singularity"), std::string::npos) << orbit.run.message;
+  ASSERT_EQ(orbit.events.size(), 1u) << orbit.report();
+  EXPECT_NEAR(orbit.events[0].state.t, std::sqrt(M_PI / 2.0) * std::erf(std::sqrt(std::log(2.0))), 1e-8);
+}
+
+// The bound is met where steps that grow ever shorter are gone on with.
+TEST(SolveEvents, BeforeABlowUpAreFoundAndTheRunEnds) {
+  const auto H = [](const auto& q, const auto& p) { return p[0] * (1.0 + q[0] * q[0]); };
+  const auto one = [](const auto& q, const auto&) { return q[0] - 1.0; };
+  const auto orbit =
+      solve(H, at(0.0, 1.0), 1.6, 1e-10, {.sweeps = 100'000'000, .dense = true, .events = {when(one)}});
+  EXPECT_FALSE(orbit.ok());
+  EXPECT_NE(orbit.run.message.find("singularity"), std::string::npos) << orbit.run.message;
+  ASSERT_EQ(orbit.events.size(), 1u) << orbit.report();
+  EXPECT_NEAR(orbit.events[0].state.t, M_PI / 4.0, 1e-9);
+  EXPECT_NEAR(orbit(1.5).q[0] / std::tan(1.5), 1.0, 1e-8);
+}
+
+// No run is known then that has come further, and steps in an even time of their own have no end.
+TEST(SolveEvents, BeforeABlowUpAreFoundByASolverToo) {
+  const auto H = [](const auto& q, const auto& p) { return p[0] * (1.0 + q[0] * q[0]); };
+  const auto one = [](const auto& q, const auto&) { return q[0] - 1.0; };
+  const avi::Solver solver(
+      H, at(0.0, 1.0), 1.5, 1e-8,
+      avi::SolveOptions{.check = false, .sweeps = 3'000'000, .monitor = "energy", .events = {when(one)}});
+  const auto orbit = solver.run(at(0.0, 1.1), 2.0);
+  EXPECT_FALSE(orbit.ok());
+  EXPECT_NE(orbit.run.message.find("singularity"), std::string::npos) << orbit.run.message;
+  ASSERT_EQ(orbit.events.size(), 1u);
+  EXPECT_NEAR(orbit.events[0].state.t, M_PI / 4.0, 1e-7);
 }
 
 }  // namespace solve_events_test
