@@ -390,7 +390,7 @@ class CodeWriter {
   }
 
   const StraightLine& line_;
-  const MachineTarget& target_;
+  const MachineTarget target_;
   std::vector<double>& pool_;
   Assembler& out_;
   int parts_;                           // registers of a pack
