@@ -17,8 +17,8 @@ struct Entry {
   const char* name;
   double alpha;
 };
-constexpr Entry entries[] = {{"fixed", 0.0}, {"energy", 1.0},         {"energy^1.5", 1.5},
-                             {"poles", 1.0}, {"acceleration", 0.375}, {splitting.data(), 0.0}};
+constexpr Entry known_monitors[] = {{"fixed", 0.0}, {"energy", 1.0},         {"energy^1.5", 1.5},
+                                    {"poles", 1.0}, {"acceleration", 0.375}, {splitting.data(), 0.0}};
 
 /// V: H at the momenta where nothing moves, with that of time left as it is. @param drifts see Choice
 int at_rest(ExpressionGraph& graph, int energy, bool timed, const std::vector<double>& drifts) {
@@ -228,19 +228,19 @@ std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, E
 
 std::string names_of_monitors() {
   std::string names;
-  for (const Entry& entry : entries)
+  for (const Entry& entry : known_monitors)
     names += (names.empty() ? "" : ", ") + std::string(entry.name);
   return names;
 }
 
 bool is_monitor(std::string_view name) {
-  return std::ranges::any_of(entries, [&](const Entry& entry) { return name == entry.name; });
+  return std::ranges::any_of(known_monitors, [&](const Entry& entry) { return name == entry.name; });
 }
 
 namespace {
 
 const Entry& entry_of(std::string_view name) {
-  return *std::ranges::find_if(entries, [&](const Entry& it) { return name == it.name; });
+  return *std::ranges::find_if(known_monitors, [&](const Entry& it) { return name == it.name; });
 }
 
 /// @param graph that of the question, to which monitors are added
@@ -297,7 +297,7 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
   menu.emplace_back("fixed", 0.0, graph, energy, energy_at_start, -1);
   if (kinetic > 0.0 && sketch.samples.size() > 1) {
     const int lively = liveliness_of(*graph, energy, energy_at_start, question.timed, constants);
-    for (const auto& [name, alpha] : entries)
+    for (const auto& [name, alpha] : known_monitors)
       if (std::string_view(name).starts_with("energy"))
         menu.emplace_back(name, alpha, graph, energy, energy_at_start, lively);
   }
