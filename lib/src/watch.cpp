@@ -168,7 +168,7 @@ void Watch::add_turning_points(const Stride& stride, long& evaluations) {
     }
     return variation > 100.0 * noise_;
   };
-  for (std::size_t k = samples_.size() - 1; k-- > 1;) {
+  for (std::size_t k = samples_.size(); k-- > 1;) {  // there may be none
     if (!Dips::grazes(samples_, k)) continue;
     if (!look_here(std::max(std::abs(samples_[k - 1].g), std::abs(samples_[k + 1].g)))) continue;
     samples_[k - 1].turns = true;
