@@ -177,7 +177,7 @@ class Candidate {
     program.run(*room_);
     return program.value(*room_);
   }
-  /// What its methods run on, made at the first call.
+  /// The programs that its methods run on, made at the first call.
   const std::shared_ptr<const Formulas>& formulas() {
     if (!formulas_ && fixed() && recording) {
       formulas_ = std::make_shared<const Formulas>(Formulas::fixed(*recording));

@@ -76,7 +76,7 @@ class Record {
   std::size_t read_ = 0;
 };
 
-/// What is no file, as a device, would be replaced by one. @throws std::invalid_argument
+/// Refuses a device or a folder, which a file would replace. @throws std::invalid_argument
 void require_regular(const std::string& file);
 
 /// Tells the H, the events and the given monitor of a question from others.

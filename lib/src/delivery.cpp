@@ -31,10 +31,8 @@ Delivery::Delivery(const OrbitQuestion& question, int degrees, const Choice& cho
     : question_(question), degrees_(degrees), budget_(budget),
       field_(prepared ? prepared->field : PointField(question.graph, question.energy, question.gradient)),
       energy_at_start_(field_.energy(question.q.data(), question.p.data())),
-      candidate_(
-          prepared ? candidate(choice.name, question, prepared->formulas_at(energy_at_start_, choice.kinetic))
-                   : candidate(choice.name, question, energy_at_start_, choice)),
-      choice_(choice), h_(question.t_end < question.t ? -choice.h : choice.h), state_(start_of(question)),
+      candidate_(candidate_of(choice.name, question, energy_at_start_, choice, prepared)), choice_(choice),
+      h_(question.t_end < question.t ? -choice.h : choice.h), state_(start_of(question)),
       time_then_(question.t) {
   for (std::size_t i = 0; i < question.events.size(); ++i)
     watches_.emplace_back(question.events[i], degrees, i);

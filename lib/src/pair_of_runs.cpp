@@ -96,6 +96,24 @@ double Orbiter::rounding_of_energy(const State<dynamic>& z) {
   return std::numeric_limits<double>::epsilon() * moved / trip_->energy_scale;
 }
 
+/// The gradient that H supplies differs from that of its formula by more than rounding.
+bool Orbiter::follows_another_gradient() {
+  if (foreign_gradient_ || question_.gradient.empty()) return foreign_gradient_.value_or(false);
+  const int n = field_.size();
+  RecordedFormula<double> formula{Recording(question_.graph, question_.energy).gradient()};
+  VectorX apart = VectorX::Zero(2 * n), size = apart;
+  for (const Sketch::Sample& sample : sketch_->samples) {
+    formula.run(sample.z.data(), sample.z.data() + n, n);
+    for (int i = 0; i < 2 * n; ++i) {
+      const double own = i < n ? sense_ * formula.partial(n + i) : -sense_ * formula.partial(i - n);
+      apart[i] = std::max(apart[i], std::abs(sample.slope[i] - own));
+      size[i] = std::max(size[i], std::abs(own));
+    }
+  }
+  constexpr double rounding = 3e-12;
+  return *(foreign_gradient_ = (apart.array() > rounding * size.array()).any());
+}
+
 /// The error at the time `to` after the start, from what was seen until `from`.
 double Orbiter::foretold(const Comparison& seen, double from, double to, double speed) const {
   if (!(to > from)) return seen.error;
@@ -305,8 +323,8 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   // the way; or chance, in few of them.
   bool steady = seen_.error < 1e-7 && fine_->run.steps > Journey::few &&
                 fine_->energy_error > 0.5 * coarse_->energy_error;
-  const double rounding = 100.0 * rounding_of_energy(fine_->state);
-  if (steady && fine_->energy_error < (foreign_gradient_ ? rounding : std::max(most_rounding, rounding))) {
+  if (steady && (fine_->energy_error < 100.0 * rounding_of_energy(fine_->state) ||
+                 (fine_->energy_error < most_rounding && !follows_another_gradient()))) {
     answer_.energy_rounding = std::max(answer_.energy_rounding, 0.01 * fine_->energy_error);
     // Above the tolerance it may be more than that: then nor does what it makes of the state fall.
     coarse_grained_ = coarse_grained_ || fine_->energy_error > 3.0 * tolerance;

@@ -72,7 +72,7 @@ class Orbiter {
   [[nodiscard]] bool late() const;
   void prepare();
   VectorX rounding_of(const Sketch& sketch, const VectorX& metric);
-  [[nodiscard]] bool follows_another_gradient(const Sketch& sketch) const;
+  bool follows_another_gradient();
   void set_marks();
   [[nodiscard]] double since_start(std::size_t mark) const { return std::abs(marks_[mark] - question_.t); }
   void offer_splitting();
@@ -133,24 +133,24 @@ class Orbiter {
   std::size_t judged_ = 0;    // mark of that comparison
   double before_ = infinity;  // the error foretold from the pair of runs before this one, and at which mark
   std::size_t before_at_ = 0;
-  int vain_ = 0;                   // pairs in a row that were not better than the one before
-  int round_ = 0;                  // pairs of runs so far
-  double failed_at_ = -1.0;        // time at which the last run failed
-  double dead_end_ = 0.0;          // time at which a sketch could not go on, if it was so
-  double furthest_ = 0.0;          // time at which the last of the failed runs failed
-  double repeated_ = infinity;     // the earliest at which two in a row did
-  double in_the_way_ = 0.0;        // time at which runs fail, whatever the step
-  Outcome bound_ = Outcome::ok;    // of the call, that a run has met
-  double resolved_ = 0.0;          // the first step that was short enough, as far as the first marks
-  bool unstable_ = false;          // small errors grow by more than an order of magnitude
-  bool coarse_grained_ = false;    // energies err alike whatever the step
-  bool foreign_gradient_ = false;  // H supplies one that is not its own
-  bool slow_ = false;              // a step was made shorter for its sweeps
-  int lengthened_ = 0;             // times that a step was made longer
-  Candidate* lengthened_for_ = nullptr;
-  bool others_tried_ = false;  // candidates other than the first one
-  bool resigned_ = false;      // shorter steps do not help
-  bool lost_ = false;          // the two runs part at a point of rest
+  int vain_ = 0;                          // pairs in a row that were not better than the one before
+  int round_ = 0;                         // pairs of runs so far
+  double failed_at_ = -1.0;               // time at which the last run failed
+  double dead_end_ = 0.0;                 // time at which a sketch could not go on, if it was so
+  double furthest_ = 0.0;                 // time at which the last of the failed runs failed
+  double repeated_ = infinity;            // the earliest at which two in a row did
+  double in_the_way_ = 0.0;               // time at which runs fail, whatever the step
+  Outcome bound_ = Outcome::ok;           // of the call, that a run has met
+  double resolved_ = 0.0;                 // the first step that was short enough, as far as the first marks
+  bool unstable_ = false;                 // small errors grow by more than an order of magnitude
+  bool coarse_grained_ = false;           // energies err alike whatever the step
+  std::optional<bool> foreign_gradient_;  // H supplies one that is not its own, where that has been asked
+  bool slow_ = false;                     // a step was made shorter for its sweeps
+  int lengthened_ = 0;                    // times that a step was made longer
+  Candidate* lengthened_for_ = nullptr;   // of this one, last
+  bool others_tried_ = false;             // candidates other than the first one
+  bool resigned_ = false;                 // shorter steps do not help
+  bool lost_ = false;                     // the two runs part at a point of rest
   // The last two runs agreed, and their energy errors, more than rounding, did not fall with the step.
   bool steady_ = false;
   OrbitAnswer answer_;

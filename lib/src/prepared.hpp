@@ -2,10 +2,11 @@
 #include "candidates.hpp"
 
 #include <memory>
+#include <string>
 #include <utility>
 
 /// @file
-/// What is made of H once, for all that a call does with it and for all runs of a Solver.
+/// Programs and formulas that are made of H once, for all of a call and for all runs of a Solver.
 
 namespace avi::detail {
 
@@ -20,6 +21,14 @@ struct Prepared {
                                         : formulas->with(EnergyAtStart::parameters(energy, kinetic));
   }
 };
+
+/// The monitor of this name on its own, with formulas that are prepared, or of its own.
+/// @param prepared or null @param constants of the monitors
+inline Candidate candidate_of(const std::string& name, const OrbitQuestion& question, double energy,
+                              const Choice& constants, const Prepared* prepared) {
+  return prepared ? candidate(name, question, prepared->formulas_at(energy, constants.kinetic))
+                  : candidate(name, question, energy, constants);
+}
 
 /// The field of H, copied where it is prepared.
 inline PointField field_of(const OrbitQuestion& question) {

@@ -37,7 +37,7 @@ void require_energy(double energy, const OrbitQuestion& question) {
   throw std::invalid_argument(text.str());
 }
 
-/// What is done once for an H of many thousand operations takes longer than the call may.
+/// Preparing an H of many thousand operations takes longer than the call may.
 bool Orbiter::late() const {
   return field_.operations() > 1e5 && budget_.seconds() > question_.options.seconds;
 }
@@ -70,7 +70,6 @@ void Orbiter::prepare() {
   distance_->frequency = sketch.radians / time;
   radians_ = sketch.radians / time * span_;
   distance_->noise = rounding_of(sketch, metric);
-  foreign_gradient_ = follows_another_gradient(sketch);
 
   // Means over the sketch: kinetic energy, half of p q', and the speed in phase space.
   double work = 0.0, kinetic = 0.0, highest = 0.0;
@@ -136,7 +135,7 @@ void Orbiter::prepare() {
     const std::string_view kept = wanted == splitting ? "fixed" : std::string_view(wanted);
     std::erase_if(menu_, [&](const Candidate& it) { return it.name != kept; });
     if (question_.given >= 0) {
-      const double g = candidate(wanted, question_, energy, choice).rate_at(z);
+      const double g = candidate_of(wanted, question_, energy, choice, question_.prepared.get()).rate_at(z);
       require(std::isfinite(g) && g > 0.0, "The given monitor at the start", g, "finite and positive");
       if (menu_.empty())
         throw std::invalid_argument("The given monitor is not finite and positive along the whole orbit.");
@@ -181,26 +180,6 @@ VectorX Orbiter::rounding_of(const Sketch& sketch, const VectorX& metric) {
   VectorX moved = std::min(time, span_) * slope;
   moved.head(n) += std::min(time, span_) * metric.cwiseProduct(moved.tail(n));
   return moved;
-}
-
-/// The gradient that H supplies differs from that of its formula by more than rounding.
-bool Orbiter::follows_another_gradient(const Sketch& sketch) const {
-  if (question_.gradient.empty()) return false;
-  const int n = field_.size();
-  RecordedFormula<double> formula{Recording(question_.graph, question_.energy).gradient()};
-  VectorX apart = VectorX::Zero(2 * n), size = apart;
-  for (const Sketch::Sample& sample : sketch.samples) {
-    formula.run(sample.z.data(), sample.z.data() + n, n);
-    for (int i = 0; i < 2 * n; ++i) {
-      const double own = i < n ? sense_ * formula.partial(n + i) : -sense_ * formula.partial(i - n);
-      apart[i] = std::max(apart[i], std::abs(sample.slope[i] - own));
-      size[i] = std::max(size[i], std::abs(own));
-    }
-  }
-  constexpr double rounding = 3e-12;
-  for (int i = 0; i < 2 * n; ++i)
-    if (apart[i] > rounding * size[i]) return true;
-  return false;
 }
 
 /// The times at which two runs are compared: the end, three quarters, a half, three eighths and so on of it,

@@ -72,7 +72,7 @@ struct LineModel {
   [[nodiscard]] double wrong_by(double nu) const { return 6.0 * nu * std::max(1.0, r) * std::abs(r - 1.0); }
 };
 
-/// What the values of a line do beside the slopes, |e|, from trial to trial: a bend of f or noise.
+/// The defect |e| of the values of a line beside its slopes, from trial to trial: a bend of f or noise.
 class LineMisses {
  public:
   /// The next trial of the line.

@@ -16,7 +16,7 @@ namespace avi::python {
 namespace py = pybind11;
 using Shape = std::vector<py::ssize_t>;  ///< The shape of an array, as NumPy has it.
 
-/// What an array and its views share, so that each sees what is assigned to the other.
+/// The numbers that an array and its views share, so that each sees what is assigned to the other.
 struct Cells {
   std::shared_ptr<ExpressionGraph> graph{};  ///< As of Traced.
   std::vector<Recorded> entries{};           ///< Those of the array itself.

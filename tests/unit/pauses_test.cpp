@@ -1,0 +1,78 @@
+#include "src/pauses.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace pauses_test {
+
+using avi::dynamic;
+using avi::State;
+using avi::VectorX;
+using avi::detail::parted_by;
+using avi::detail::Pauses;
+
+State<dynamic> at(double t, double q, double p) {
+  return {.q = VectorX::Constant(1, q), .p = VectorX::Constant(1, p), .t = t};
+}
+
+/// Pauses of a motion with ranges of 2, seen in steps of this length. @param error of the energy
+Pauses of(const std::function<State<dynamic>(double)>& motion, double end, double step, double error) {
+  const VectorX low = VectorX::Constant(2, -1.0), high = VectorX::Constant(2, 1.0);
+  Pauses pauses(VectorX::Constant(2, 2.0), 1);
+  for (double t = 0.0; t < end; t += step)
+    pauses.add(motion(t), motion(t + step), low, high, error);
+  return pauses;
+}
+/// It comes to a saddle as exp(-t), leaves it at this time, and swings on.
+State<dynamic> by_saddle(double t, double leaves) {
+  const double away = std::exp(-t) + std::exp(t - leaves);
+  return t < leaves ? at(t, 1.0 - away, std::exp(t - leaves) - std::exp(-t))
+                    : at(t, -std::cos(t - leaves), std::sin(t - leaves));
+}
+
+TEST(Pauses, EndWhereAnOrbitLeavesASaddle) {
+  for (const double step : {0.1, 0.4, 0.5}) {
+    const Pauses one = of([](double t) { return by_saddle(t, 16.0); }, 24.0, step, 1e-12);
+    ASSERT_EQ(one.ends.size(), 1u) << step;
+    const Pauses::End& end = one.ends[0];
+    EXPECT_NEAR(end.t, 16.0 - std::log(1.0 / 0.3), 0.5) << step;
+    EXPECT_NEAR(end.time(), 1.0, 0.4) << step;
+    EXPECT_NEAR(std::log(end.slowest), -8.0, 1.0) << step;
+    EXPECT_TRUE(end.is_at_saddle() && end.is_plain()) << step;
+    // Of the energy about exp(-16) is left there.
+    EXPECT_FALSE(one.undecided) << step;
+    EXPECT_TRUE(of([](double t) { return by_saddle(t, 16.0); }, 24.0, step, 1e-6).undecided) << step;
+    EXPECT_TRUE(of([](double t) { return by_saddle(t, 40.0); }, 48.0, step, 0.0).undecided) << step;
+  }
+}
+
+TEST(Pauses, TellRunsThatLeaveAtDifferentTimes) {
+  const auto run = [](double leaves, double step) {
+    return of([=](double t) { return by_saddle(t, leaves); }, 40.0, step, 1e-12);
+  };
+  const Pauses fine = run(20.0, 0.4);
+  EXPECT_LT(parted_by(run(20.0, 0.5), fine, 0.0, 40.0), 0.2);
+  EXPECT_NEAR(parted_by(run(20.6, 0.5), fine, 0.0, 40.0), 0.6, 0.2);
+  EXPECT_GT(parted_by(run(23.0, 0.5), fine, 0.0, 40.0), 1.0);
+  EXPECT_GT(parted_by(of([](double t) { return at(t, std::cos(t), std::sin(t)); }, 40.0, 0.5, 0.0), fine, 0.0,
+                      40.0),
+            1.0);
+  // Not yet, where one of them may not have come so far.
+  EXPECT_EQ(parted_by(run(23.0, 0.5), fine, 0.0, 20.0), 0.0);
+}
+
+// In free fall the speed grows faster and faster; a spring never pauses.
+TEST(Pauses, OfAFallAreNotThoseOfASaddle) {
+  const auto fall = [](double t) { return at(t, std::cbrt(std::min(t, 20.0 - t) + 1e-3) / 3.0, 0.0); };
+  const Pauses falling = of(fall, 19.97, 0.02, 1.0);
+  EXPECT_FALSE(falling.ends.empty());
+  for (const Pauses::End& end : falling.ends)
+    EXPECT_FALSE(end.is_at_saddle());
+  const Pauses spring = of([](double t) { return at(t, std::cos(t), std::sin(t)); }, 100.0, 0.4, 1.0);
+  EXPECT_TRUE(spring.ends.empty());
+}
+
+}  // namespace pauses_test
