@@ -14,7 +14,8 @@
 
 namespace avi {
 
-/// A square matrix and a right-hand side.
+/// A square matrix, stored by columns, and a right-hand side. Every loop inside adds a multiple of one column:
+/// numbers that do not wait for each other, in the same order whatever the width of a vector.
 class LinearSystem {
  public:
   /// For that many unknowns; its memory comes with clear().
@@ -24,7 +25,7 @@ class LinearSystem {
 
   [[nodiscard]] Eigen::Index count() const { return count_; }  ///< Number of unknowns.
   /// An entry of the matrix.
-  [[nodiscard]] double& at(Eigen::Index row, Eigen::Index column) { return matrix_[row * count_ + column]; }
+  [[nodiscard]] double& at(Eigen::Index row, Eigen::Index column) { return matrix_[column * count_ + row]; }
   /// The right-hand side; after solve() the solution.
   [[nodiscard]] double* right() { return right_.data(); }
   /// A matrix of zeros.
@@ -43,13 +44,15 @@ class LinearSystem {
       for (Eigen::Index i = k + 1; i < count_; ++i)
         if (std::abs(at(i, k)) > std::abs(at(best, k))) best = i;
       pivots_[k] = best;
-      if (best != k) std::swap_ranges(&at(k, 0), &at(k, 0) + count_, &at(best, 0));
-      for (Eigen::Index i = k + 1; i < count_; ++i) {
-        const double factor = at(i, k) /= at(k, k);
-        if (factor != 0.0)
-          for (Eigen::Index j = k + 1; j < count_; ++j)
-            at(i, j) -= factor * at(k, j);
-      }
+      if (best != k)
+        for (Eigen::Index j = 0; j < count_; ++j)
+          std::swap(at(k, j), at(best, j));
+      double* const factors = &at(0, k);
+      const double pivot = factors[k];
+      for (Eigen::Index i = k + 1; i < count_; ++i)
+        factors[i] /= pivot;
+      for (Eigen::Index j = k + 1; j < count_; ++j)
+        subtract(at(k, j), factors, &at(0, j), k + 1, count_);
     }
   }
 
@@ -58,17 +61,23 @@ class LinearSystem {
     double* const x = right_.data();
     for (Eigen::Index k = 0; k < count_; ++k)
       std::swap(x[k], x[pivots_[k]]);
-    for (Eigen::Index i = 1; i < count_; ++i)
-      for (Eigen::Index k = 0; k < i; ++k)
-        x[i] -= at(i, k) * x[k];
+    for (Eigen::Index k = 0; k < count_; ++k)
+      subtract(x[k], &at(0, k), x, k + 1, count_);
     for (Eigen::Index k = count_; k-- > 0;) {
-      for (Eigen::Index i = k + 1; i < count_; ++i)
-        x[k] -= at(k, i) * x[i];
       x[k] /= at(k, k);
+      subtract(x[k], &at(0, k), x, 0, k);
     }
   }
 
  private:
+  /// to -= factor * from, in the rows from `first` to before `last`.
+  static void subtract(double factor, const double* __restrict from, double* __restrict to,
+                       Eigen::Index first, Eigen::Index last) {
+    if (factor == 0.0) return;
+    for (Eigen::Index i = first; i < last; ++i)
+      to[i] -= factor * from[i];
+  }
+
   Eigen::Index count_;
   std::vector<double> matrix_, right_;
   std::vector<Eigen::Index> pivots_;
@@ -199,8 +208,8 @@ class NewtonIteration {
           for (Eigen::Index row = 0; row < 2 * size; ++row) {
             const double slope =
                 scale * units_[first + lane] / units_[row] * entry(step.dq, step.dp, row)[lane];
-            for (int i = 0; i < stages_; ++i)
-              for (int j = 0; j < stages_; ++j)
+            for (int j = 0; j < stages_; ++j)
+              for (int i = 0; i < stages_; ++i)
                 system_.at(row * stages_ + i, (first + lane) * stages_ + j) +=
                     slope * equations.rule().mu(i, j) * equations.weight()[j];
           }
@@ -229,8 +238,8 @@ class NewtonIteration {
         for (Eigen::Index row = 0; row < rows; ++row) {
           const double scale = -0.5 * side / reach(column) * (units_[column] / units_[row]);
           const Pack<w> slope = Pack<w>(scale) * entry(step.dq, step.dp, row);
-          for (int i = 0; i < stages_; ++i)
-            for (int j = 0; j < stages_; ++j)
+          for (int j = 0; j < stages_; ++j)
+            for (int i = 0; i < stages_; ++i)
               system_.at(row * stages_ + i, column * stages_ + j) += slope[j] * equations.rule().mu(i, j);
         }
       }
