@@ -276,13 +276,11 @@ double sum(const Pack<w>& x) {
   if constexpr (w > 2) return sum(Pack<w / 2>(x.half(0) + x.half(1)));
 }
 
-/// Largest of the numbers; NaN where one of them is.
+/// The largest magnitude of the numbers, NaN where one of them is: by halves, without a branch.
 template <int w>
 double largest(const Pack<w>& x) {
-  double most = x[0];
-  for (int i = 1; i < w; ++i)
-    most = x[i] <= most || most != most ? most : x[i];
-  return most;
+  if constexpr (w == 2) return max_abs(x, Pack<2>(x[1]))[0];
+  if constexpr (w > 2) return largest(max_abs(x.half(0), x.half(1)));
 }
 
 /// @cond

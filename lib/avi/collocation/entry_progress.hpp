@@ -61,14 +61,6 @@ class EntryProgress {
  private:
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
   using Vec = Vector<Pack<w>, n>;
-  /// The largest magnitude, NaN where one of them is: by halves, faster than largest().
-  template <int v>
-  static double most(const Pack<v>& x) {
-    if constexpr (v > 2)
-      return most(max_abs(x.half(0), x.half(1)));
-    else
-      return largest(abs(x));
-  }
   static constexpr int window = 3;  // looks whose largest changes are compared with those before
   /// The changes of entries of q, or of p: the smallest, the largest of this window and of the last one.
   struct Record {
@@ -84,7 +76,7 @@ class EntryProgress {
     const double of_largest = EntryScales<n>::of_largest(per);
     const bool complete = looks_ >= 2 * window && looks_ % window == 0;
     for (Eigen::Index i = 0; i < now.size(); ++i) {
-      const double moved = most(Pack<w>(now[i] - old[i]));
+      const double moved = largest(Pack<w>(now[i] - old[i]));
       const double own = moved * per[i], beside = moved * of_largest;
       change_ = own <= change_ || change_ != change_ ? change_ : own;
       const bool seen = !(beside <= 1e3 * epsilon);
