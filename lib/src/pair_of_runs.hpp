@@ -3,6 +3,7 @@
 #include "journey.hpp"
 #include "orbiter.hpp"
 #include "prepared.hpp"
+#include "separable.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -119,6 +120,7 @@ class Orbiter {
   std::optional<Distance> distance_;
   std::optional<SharpFeatures> features_;
   std::vector<Candidate> menu_;
+  Parts parts_ = Parts::coupled;
   int order_ = 16;            // of collocation
   double aim_ = 1e-15;        // error in a radian that is wanted
   double radians_ = 0.0;      // of the whole

@@ -5,14 +5,20 @@
 #include <vector>
 
 /// @file
-/// Hamiltonians that an explicit splitting is for, read from the graph.
+/// How positions and momenta meet in a Hamiltonian, read from the graph.
 
 namespace avi::detail {
 
-/// H = T(p) + V(q) with T of degree 2 at most in p: no force depends on p, no velocity on q, and velocities
-/// are linear in p. What only looks otherwise, as q - q + p, counts as it looks.
+/// What H is made of.
+enum class Parts {
+  coupled,   ///< Some force depends on p, or some velocity on q.
+  separate,  ///< H = T(p) + V(q).
+  nystrom    ///< The same with T of degree 2 at most: velocities are linear in p.
+};
+
+/// What H is made of. What only looks otherwise, as q - q + p, counts as it looks.
 /// @param recording of H as a function of (q, p), with its gradient
-inline bool is_nystrom(const Recording& recording) {
+inline Parts parts_of(const Recording& recording) {
   const ExpressionGraph& graph = recording.graph();
   const int n = graph.inputs() / 2;
   struct Kind {
@@ -46,12 +52,14 @@ inline bool is_nystrom(const Recording& recording) {
       kind.degree = first.degree + second.degree > 0 ? 2 : 0;
     }
   }
+  Parts parts = Parts::nystrom;
   for (int i = 0; i < n; ++i) {
-    if (kinds[static_cast<std::size_t>(recording.slope(i))].degree > 0) return false;
     const Kind& velocity = kinds[static_cast<std::size_t>(recording.slope(n + i))];
-    if (velocity.of_q || velocity.degree > 1) return false;
+    if (velocity.of_q || kinds[static_cast<std::size_t>(recording.slope(i))].degree > 0)
+      return Parts::coupled;
+    if (velocity.degree > 1) parts = Parts::separate;
   }
-  return true;
+  return parts;
 }
 
 }  // namespace avi::detail

@@ -126,26 +126,33 @@ TEST(SplittingSteps, AreKnownInsideAsAtTheirEnds) {
   EXPECT_EQ(inside, run);
 }
 
-TEST(SplittingSteps, AreForSumsOfAQuadraticAndAPotentialOnly) {
-  const auto splits = [](const auto& h) { return avi::detail::is_nystrom(recording(h, 2)); };
-  EXPECT_TRUE(splits(Coupled{}));
-  EXPECT_TRUE(splits([](const auto& q, const auto& p) {  // a full mass matrix
-    return p[0] * p[0] + 0.3 * p[0] * p[1] + p[1] * p[1] / 3.0 + q[0] * q[0] * q[1];
-  }));
-  EXPECT_TRUE(splits([](const auto& q, const auto& p) {  // a time and its momentum
-    return 0.5 * p[0] * p[0] + cos(q[0] - q[1]) + p[1];
-  }));
-  EXPECT_FALSE(splits([](const auto& q, const auto& p) {  // a magnetic field
-    return 0.5 * ((p[0] - q[1]) * (p[0] - q[1]) + p[1] * p[1]) + q[0] * q[0];
-  }));
-  EXPECT_FALSE(splits([](const auto& q, const auto& p) {  // on a surface
-    return 0.5 * p[0] * p[0] / (1.0 + q[0] * q[0]) + 0.5 * p[1] * p[1] + q[1];
-  }));
-  EXPECT_FALSE(splits([](const auto& q, const auto& p) {  // of special relativity
-    return sqrt(1.0 + p[0] * p[0] + p[1] * p[1]) + q[0] * q[0] + q[1] * q[1];
-  }));
-  EXPECT_FALSE(splits(
-      [](const auto& q, const auto& p) { return p[0] * p[0] * p[0] * p[0] + p[1] * p[1] + q[0] * q[1]; }));
+TEST(Parts, AreReadFromTheFormula) {
+  using enum avi::detail::Parts;
+  const auto of = [](const auto& h) { return avi::detail::parts_of(recording(h, 2)); };
+  EXPECT_EQ(of(Coupled{}), nystrom);
+  EXPECT_EQ(of([](const auto& q, const auto& p) {  // a full mass matrix
+              return p[0] * p[0] + 0.3 * p[0] * p[1] + p[1] * p[1] / 3.0 + q[0] * q[0] * q[1];
+            }),
+            nystrom);
+  EXPECT_EQ(of([](const auto& q, const auto& p) {  // a time and its momentum
+              return 0.5 * p[0] * p[0] + cos(q[0] - q[1]) + p[1];
+            }),
+            nystrom);
+  EXPECT_EQ(of([](const auto& q, const auto& p) {  // a magnetic field
+              return 0.5 * ((p[0] - q[1]) * (p[0] - q[1]) + p[1] * p[1]) + q[0] * q[0];
+            }),
+            coupled);
+  EXPECT_EQ(of([](const auto& q, const auto& p) {  // on a surface
+              return 0.5 * p[0] * p[0] / (1.0 + q[0] * q[0]) + 0.5 * p[1] * p[1] + q[1];
+            }),
+            coupled);
+  EXPECT_EQ(of([](const auto& q, const auto& p) {  // of special relativity
+              return sqrt(1.0 + p[0] * p[0] + p[1] * p[1]) + q[0] * q[0] + q[1] * q[1];
+            }),
+            separate);
+  EXPECT_EQ(
+      of([](const auto& q, const auto& p) { return p[0] * p[0] * p[0] * p[0] + p[1] * p[1] + q[0] * q[1]; }),
+      separate);
 }
 
 TEST(SplittingSteps, CanBeAskedFor) {

@@ -1,0 +1,102 @@
+#include "avi/problems/kepler.hpp"
+#include "avi/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <ostream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace solve_units_test {
+
+using avi::SolutionReport;
+using avi::solve;
+using avi::State;
+
+State<1> at(double q, double p) { return {.q = {q}, .p = {p}}; }
+
+const auto spring = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
+const auto well = [](const auto& q, const auto& p) {
+  return 0.5 * p[0] * p[0] - 0.5 * q[0] * q[0] + 0.25 * q[0] * q[0] * q[0] * q[0];
+};
+const auto stiff = [](const auto& q, const auto& p) {
+  const auto x = q[0] - q[1];
+  return 0.5 * (p[0] * p[0] + p[1] * p[1]) + 0.5 * q[0] * q[0] + 1250.0 * q[1] * q[1] + 0.25 * x * x * x * x;
+};
+const auto turning = [](const auto& q, const auto& p) {
+  return 0.5 * (p[0] * p[0] + p[1] * p[1]) - 1.0 / sqrt(q[0] * q[0] + q[1] * q[1]) -
+         0.3 * (q[0] * p[1] - q[1] * p[0]);
+};
+const auto centres = [](const auto& q, const auto& p) {
+  const auto x = q[0] - 1.0, y = q[0] + 1.0;
+  return 0.5 * (p[0] * p[0] + p[1] * p[1]) - 1.0 / sqrt(x * x + q[1] * q[1]) -
+         0.5 / sqrt(y * y + q[1] * q[1]);
+};
+/// What was chosen, and what it cost.
+struct Way {
+  std::string monitor;
+  int order;
+  std::size_t trials;
+  long steps, sweeps;
+  bool operator==(const Way&) const = default;
+};
+/// As it stands in the table below.
+void PrintTo(const Way& way, std::ostream* out) {
+  *out << "{\"" << way.monitor << "\", " << way.order << ", " << way.trials << ", " << way.steps << ", "
+       << way.sweeps << "}";
+}
+
+Way way_of(const SolutionReport& found) {
+  const avi::Choice& choice = found.choice;
+  return {choice.name, choice.order, choice.trials.size(), found.run.steps,
+          found.run.evaluations + choice.sweeps + choice.check};
+}
+
+/// The way of an orbit in units of time and of length that are so many times as long.
+template <class H, int n>
+Way in_units(const H& hamiltonian, const State<n>& start, double end, double time, double length) {
+  const auto other = [=](const auto& q, const auto& p) {
+    std::decay_t<decltype(q)> there = q;
+    std::decay_t<decltype(p)> moving = p;
+    for (Eigen::Index i = 0; i < q.size(); ++i)
+      there[i] = length * q[i], moving[i] = p[i] * (1.0 / length);
+    return hamiltonian(there, moving) * time;
+  };
+  return way_of(solve(other, State<n>{.q = start.q / length, .p = start.p * length}, end / time, 1e-7));
+}
+template <class H, int n>
+void expect_same_in_other_units(const char* name, const H& hamiltonian, const State<n>& start, double end) {
+  const Way way = in_units(hamiltonian, start, end, 0x1p-4, 0x1p-5);
+  for (const double unit : {0x1p-12, 0x1p12}) {
+    EXPECT_EQ(in_units(hamiltonian, start, end, unit, 0x1p-5), way) << name << " in other units of time";
+    EXPECT_EQ(in_units(hamiltonian, start, end, 0x1p-4, unit), way) << name << " in other units of length";
+  }
+}
+
+/// A ring of eight masses, two of which rest but for rounding.
+const auto ring = [](const auto& q, const auto& p) {
+  auto sum = 0.5 * (p[0] * p[0] + (q[7] - q[0]) * (q[7] - q[0]));
+  for (int i = 1; i < 8; ++i) {
+    const auto gap = q[i] - q[i - 1];
+    sum += 0.5 * (p[i] * p[i] + gap * gap) + 0.25 * gap * gap * gap * gap;
+  }
+  return sum;
+};
+
+// Powers of 4 leave all bits as they are, those of square roots too.
+TEST(SolveWay, IsTheSameInOtherUnits) {
+  expect_same_in_other_units("spring", spring, at(1.0, 0.5), 100.0);
+  expect_same_in_other_units("well", well, at(0.1, 0.0), 300.0);
+  expect_same_in_other_units("stiff", stiff, State<2>{.q = {1.0, 0.02}, .p = {0.0, 0.0}}, 60.0);
+  expect_same_in_other_units("eccentric", avi::Kepler(), avi::Kepler::pericentre(0.9), 200.0);
+  expect_same_in_other_units("turning", turning, State<2>{.q = {0.2, 0.0}, .p = {0.0, 3.0}}, 60.0);
+  expect_same_in_other_units("centres", centres, State<2>{.q = {0.3, 0.8}, .p = {0.4, 0.0}}, 40.0);
+  State<avi::dynamic> wave{.q = avi::VectorX::Zero(8), .p = avi::VectorX::Zero(8)};
+  for (int i = 0; i < 8; ++i)
+    wave.q[i] = std::sin(M_PI / 4.0 * (i + 1));
+  expect_same_in_other_units("ring", ring, wave, 1000.0);
+}
+
+}  // namespace solve_units_test
