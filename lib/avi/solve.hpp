@@ -170,7 +170,7 @@ struct Choice {
   double solved = 6.25e-19;  ///< Relative change of a sweep below which a step counts as solved.
   double time = 0.0;         ///< Physical time of the short trials.
   long sweeps = 0;           ///< Evaluations of all stages in all trials.
-  long check = 0;            ///< Those of the run with a longer step that goes along the whole orbit.
+  long check = 0;  ///< Those of the run with a longer step, which goes along until the two are apart.
   std::vector<SolveTrial> trials = {};  ///< In their order.
 };
 

@@ -285,17 +285,19 @@ bool Orbiter::pursue(Setting& setting) {
     coarse_.emplace(begin(setting, longer));
   }
   fine_.emplace(begin(setting, 1.0));
+  parted_ = false;
   for (std::size_t mark = 0; mark < marks_.size(); ++mark) {
-    if (mark < compared_ && coarse_->marks.size() == mark) {
+    const bool compared = mark < compared_ && !parted_;
+    if (compared && coarse_->marks.size() == mark) {
       bound(*coarse_, mark), bound(*fine_, mark);
       fine_->go_beside(*coarse_, marks_[mark]);
     }
-    if (mark < compared_ && !go_on(*coarse_, mark) && !(question_.options.h > 0.0))
-      return failed(*coarse_, setting);
+    if (compared && !go_on(*coarse_, mark) && !(question_.options.h > 0.0)) return failed(*coarse_, setting);
     if (!go_on(*fine_, mark)) return failed(*fine_, setting);
-    if (mark < compared_) {
+    if (compared) {
       judged_ = mark;
       if (judge(setting, mark)) return true;
+      parted_ = resigned_ && seen_.error > 1.0;
     }
   }
   return false;

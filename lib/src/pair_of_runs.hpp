@@ -152,7 +152,8 @@ class Orbiter {
   Candidate* lengthened_for_ = nullptr;   // of this one, last
   bool others_tried_ = false;             // candidates other than the first one
   bool resigned_ = false;                 // shorter steps do not help
-  bool lost_ = false;                     // the two runs part at a point of rest
+  bool parted_ = false;  // and the two runs are as far apart as the motion goes: only one goes on
+  bool lost_ = false;    // the two runs part at a point of rest
   // The last two runs agreed, and their energy errors, more than rounding, did not fall with the step.
   bool steady_ = false;
   OrbitAnswer answer_;

@@ -350,8 +350,9 @@ OrbitAnswer Orbiter::finish() {
   // What rounding leaves grows with the phase; that of a clock which does not begin near zero moves the end
   // along the orbit.
   const double of_clock = question_.t == 0.0 ? 0.0 : 0.5 * epsilon * std::abs(question_.t) * speed;
-  answer_.state_error = foretold(seen_, here, span_, speed) + (it.noise + epsilon) * radians_ + of_clock +
-                        distance_->rounding_of(fine.state, fine.ranges);
+  const double seen = parted_ ? seen_.error : foretold(seen_, here, span_, speed);
+  answer_.state_error =
+      seen + (it.noise + epsilon) * radians_ + of_clock + distance_->rounding_of(fine.state, fine.ranges);
   if (distance_->rounding_of(fine.state, fine.ranges) > 10.0 * question_.tolerance)
     answer_.note += "Something is so far from zero that its rounding is more than the tolerance. ";
   if (of_clock > question_.tolerance)
