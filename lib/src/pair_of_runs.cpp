@@ -34,14 +34,26 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
                until = since_start(marks - 1);
   double early = 0.0,
          late = 0.0;  // in the first quarter, or three eighths where marks are few, and on the whole
+  constexpr double few_times = 4.0;
+  double furthest = 0.0, least = infinity;
+  bool runaway = false;  // at some time differences have grown faster than by a power of time
   for (std::size_t i = 0; i < marks; ++i) {
-    const double apart = (*distance_)(coarse.marks[i], fine.marks[i], fine.ranges) / ratio;
+    const double whole = (*distance_)(coarse.marks[i], fine.marks[i], fine.ranges), apart = whole / ratio;
     const double speed = std::max(speed_at(fine.marks[i], fine.ranges), 0.03 * usual_speed_);
     const double behind = speed > 0.0 ? apart / speed : apart;
-    if (since_start(i) <= (compared_ > 3 ? 0.251 : 0.376) * until) early = std::max(early, behind);
+    const double since = since_start(i);
+    if (since <= (compared_ > 3 ? 0.251 : 0.376) * until) early = std::max(early, behind);
     late = std::max(late, behind);
+    runaway = runaway || late > 10.0 * least * since * since;
+    least = std::min(least, late / (since * since));
+    furthest = std::max(furthest, whole);
     seen.error = apart;
   }
+  // After that, or where they are as large as the motion, no order makes an error smaller.
+  if ((runaway && furthest > 0.02) || furthest > 0.3)
+    seen.error = furthest, late *= ratio;
+  else if (runaway && ratio > few_times)
+    seen.error *= ratio / few_times, late *= ratio / few_times;
   // Few steps may err alike. The error of the action, and with it that of the end, is of second order in what
   // the curve lacks, which is about the last term of its polynomial: measured, 1 to 20 times its square.
   if (fine.run.steps <= Journey::few && fine.tails.size() > 0) {
