@@ -14,8 +14,8 @@
 
 namespace avi {
 
-/// A square matrix, stored by columns, and a right-hand side. Every loop inside adds a multiple of one column:
-/// numbers that do not wait for each other, in the same order whatever the width of a vector.
+/// A square matrix, stored by columns, and a right-hand side. Every loop inside adds a multiple of one
+/// column: numbers that do not wait for each other, in the same order whatever the width of a vector.
 class LinearSystem {
  public:
   /// For that many unknowns; its memory comes with clear().
