@@ -159,6 +159,7 @@ class Tests:
             parts = list(pool.map(lambda source: self.object_of(source, BUILD, []), SOURCES))
             objects = list(pool.map(lambda test: self.object_of(test, BUILD, []), self.together))
         assert all(parts), "the library does not compile"
+        self.parts = parts
         self.library = BUILD / "libavi.a"
         self.library.unlink(missing_ok=True)
         run(["ar", "rcs", str(self.library), *map(str, parts)], 600)
@@ -203,10 +204,12 @@ class Tests:
 
     def fails(self, test, folder, overlay=(), changed=(), patience=PATIENCE):
         """Compiles a test in `folder` with what the overlay changes, or takes it as it is from the program of all tests, which is linked
-        once with changed parts of the library, and runs it. None where it does not compile."""
+        once with changed parts of the library, and runs it. None where it does not compile. The library comes first: of inline functions
+        the linker keeps the first one, and those of tests are not optimised."""
         if not overlay and test in self.together:
             program = folder / "all_tests"
-            if not program.exists() and run(self.compiler + [*map(str, [*changed, self.main, *self.objects, self.library]), "-o", str(program),
+            parts = [*changed, *(part for part in self.parts if part.name not in {it.name for it in changed})]
+            if not program.exists() and run(self.compiler + [*map(str, [*parts, self.main, *self.objects]), "-o", str(program),
                                                              *GTEST[1:], "-lpthread"], 600) != 0:
                 return None
             return self.timed(test, [str(program), test.stem, "--gtest_fail_fast"], patience)
