@@ -26,18 +26,17 @@ class Pauses {
     double fastest;  ///< Speed after it.
     double length;   ///< Time since it was slowest.
     double error;    ///< Error of the energy then, over its scale.
-    /// The speed has grown exponentially, as it does from a saddle, over some steps; in a fall it grows
-    /// faster at last.
-    [[nodiscard]] bool is_at_saddle() const {
-      return length > 2.5 * step && rate * length < 2.0 * std::log(1.0 / slowest);
-    }
+    /// The speed has grown exponentially, as it does from a saddle; in a fall it grows faster at last.
+    [[nodiscard]] bool is_at_saddle() const { return rate * length < 2.0 * std::log(1.0 / slowest); }
     /// Another run, with other steps, sees it too.
-    [[nodiscard]] bool is_plain() const { return slowest < 0.02 && fastest > 0.6 && is_at_saddle(); }
+    [[nodiscard]] bool is_plain() const {
+      return slowest < 0.02 && fastest > 0.6 && length > 2.5 * step && is_at_saddle();
+    }
     /// The energy that is left at a saddle, by the square of the speed, is less than its error, or than
     /// rounding: that decides on which side the orbit leaves, and when.
     [[nodiscard]] bool is_undecided() const {
       constexpr double rounding = 10.0 * std::numeric_limits<double>::epsilon();
-      return slowest < 0.03 && is_at_saddle() && std::max(error, rounding) > 0.2 * slowest * slowest;
+      return is_at_saddle() && std::max(error, rounding) > 0.2 * slowest * slowest;
     }
     /// Time in which the speed grew by e, on average.
     [[nodiscard]] double time() const { return length / std::log(0.3 / slowest); }
