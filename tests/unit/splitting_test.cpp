@@ -37,6 +37,7 @@ TEST(Splitting, IsTheCompositionOfItsBaseStep) {
   EXPECT_NEAR(z.t, 5.0, 3e-14);
   EXPECT_NEAR(w.t, 5.0, 3e-14);
   EXPECT_EQ(run.evaluations, 450);
+  EXPECT_EQ(merged.step(z, 0.1).residual, 0.0);  // of an explicit step
 }
 
 /// The leapfrog as a map of extended phase space (q, t, p, p^t).
