@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -225,8 +226,17 @@ TEST(Integrate, EndsARunThatWouldNeverArrive) {
   }
 }
 
-// About every millisecond: of steps that take no time at all, of ever fewer.
+// About every millisecond: after ever more steps that take no time at all, and after fewer where they do.
 TEST(Integrate, ReadsTheClockAfterManyShortSteps) {
+  avi::detail::Lookout slow(1000.0);
+  for (int reads = 0; reads < 10; ++reads)
+    EXPECT_FALSE(slow.time_is_up(slow.next()));
+  const long first = slow.next();
+  EXPECT_FALSE(slow.time_is_up(first));
+  const long second = slow.next();
+  std::this_thread::sleep_for(std::chrono::milliseconds(4));
+  EXPECT_FALSE(slow.time_is_up(second));
+  EXPECT_LT(slow.next() - second, std::max(second - first, 2L));
   avi::detail::Lookout lookout(1000.0);
   EXPECT_EQ(lookout.next(), 1);
   for (int reads = 0; reads < 30; ++reads)

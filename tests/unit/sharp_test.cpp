@@ -29,6 +29,25 @@ bool jumped(const H& hamiltonian, double q, double* far = nullptr) {
   return features.jumped(*method, before, z, [](const State&) { return true; });
 }
 
+/// H has a kink, a jump or a branch.
+template <class H>
+bool bends(const H& hamiltonian) {
+  const auto graph = std::make_shared<avi::ExpressionGraph>(2);
+  const auto x = avi::recorded_inputs(*graph, 0, 1), p = avi::recorded_inputs(*graph, 1, 1);
+  const int energy = avi::Recorded(hamiltonian(x[0], p[0])).node_in(*graph);
+  avi::detail::PointField field(*graph, energy, {});
+  const avi::detail::Sketch sketch(field, VectorX(Eigen::Vector2d(0.3, 1.0)), 1e-3, VectorX::Ones(1));
+  return SharpFeatures(*graph, energy, sketch).bends();
+}
+
+TEST(SharpFeatures, KnowWhatBends) {
+  EXPECT_TRUE(bends([](const auto& q, const auto& p) { return p * p + abs(q); }));
+  EXPECT_TRUE(bends([](const auto& q, const auto& p) { return p * p + max(q, 0.0 * q); }));
+  EXPECT_TRUE(bends([](const auto& q, const auto& p) { return p * p + select(q < 0.5, q, q * q); }));
+  EXPECT_TRUE(bends([](const auto& q, const auto& p) { return p * p + select(q <= 0.5, q, q * q); }));
+  EXPECT_FALSE(bends([](const auto& q, const auto& p) { return p * p + exp(q) / (1.0 + q * q); }));
+}
+
 /// A bell at q = 1, so low that nothing else is felt of it.
 auto bell(double width) {
   return [=](const auto& q, const auto& p) {

@@ -35,6 +35,28 @@ double said_over_true(const H& hamiltonian, const State<n>& start, double end, d
   return orbit.state_error / error;
 }
 
+// Ten tolerances of the state and of the energy, and what rounding of H hides.
+TEST(SolveErrors, AreKeptUpToTenTolerances) {
+  avi::SolutionReport report;
+  report.tolerance = 1e-6;
+  EXPECT_TRUE(report.kept());
+  for (const auto error : {&avi::SolutionReport::state_error, &avi::SolutionReport::energy_error}) {
+    report.*error = 0.99e-5;
+    EXPECT_TRUE(report.kept());
+    report.*error = 1.01e-5;
+    EXPECT_FALSE(report.kept());
+    report.*error = 0.0;
+  }
+  report.energy_rounding = 1e-8;
+  report.energy_error = 1.09e-5;
+  EXPECT_TRUE(report.kept());
+  report.energy_error = 1.11e-5;
+  EXPECT_FALSE(report.kept());
+  report.energy_error = 0.0;
+  report.run.outcome = avi::Outcome::stopped;
+  EXPECT_FALSE(report.kept());
+}
+
 // What is said is no bound, but near the truth: seen were a twentieth (where two runs agree by chance) to 20
 // times it, half of them between 1.4 and 4 times.
 TEST(SolveErrors, AreNearTheTruth) {
