@@ -93,6 +93,21 @@ TEST(Layers, ExperimentsUseNoTests) {
           << file << " includes " << include;
 }
 
+// Several are compiled as one file: what one of them names, another one must not come to rely on.
+TEST(Layers, TestsHaveNamespacesOfTheirOwn) {
+  for (const char* folder : {"unit", "property", "stability"})
+    for (const auto& entry : fs::directory_iterator(source / "tests" / folder)) {
+      const std::string stem = entry.path().stem().string();
+      if (!stem.ends_with("_test")) continue;
+      int own = 0;
+      for (const std::string& line : lines_of(entry.path())) {
+        own += line == "namespace " + stem + " {";
+        EXPECT_NE(line, "namespace {") << entry.path();
+      }
+      EXPECT_EQ(own, 1) << entry.path();
+    }
+}
+
 TEST(Layers, FilesStayShort) {
   for (const char* folder : {"lib", "experiments", "paper", "tests"})
     for (const fs::path& file : files_under(source / folder))

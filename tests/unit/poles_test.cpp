@@ -11,7 +11,7 @@
 
 // The monitor that is made of the poles of H.
 
-namespace {
+namespace poles_test {
 
 using avi::dynamic;
 using avi::State;
@@ -36,8 +36,6 @@ void expect_near(const std::vector<double>& found, const std::vector<double>& wa
   for (std::size_t i = 0; i < found.size(); ++i)
     EXPECT_NEAR(found[i], wanted[i], 1e-5 * wanted[i]) << i;
 }
-
-}  // namespace
 
 // d^2 H / ds^2 over the reduced mass is w^2 s^-2-a, |s dH/ds| is e s^-a: closed forms of each, however it is
 // written.
@@ -208,3 +206,5 @@ TEST(Poles, FollowUnits) {
   EXPECT_EQ(here.run.steps, there.run.steps);
   EXPECT_NEAR(there.choice.h / here.choice.h, 1.0, 1e-6);
 }
+
+}  // namespace poles_test

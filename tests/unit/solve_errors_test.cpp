@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace solve_errors_test {
 
 using avi::solve, avi::State;
 
@@ -274,4 +274,4 @@ TEST(SolveErrors, KnowWhatIsLostAtASaddle) {
   EXPECT_GE(kept, 60);
 }
 
-}  // namespace
+}  // namespace solve_errors_test

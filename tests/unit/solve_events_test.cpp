@@ -335,7 +335,7 @@ TEST(SolveEvents, AreNoneWhereTheFunctionIsZeroAllTheWay) {
     return 0.5 * (p[0] * p[0] + p[1] * p[1] + q[0] * q[0] + q[1] * q[1]);
   };
   const auto still = [](const auto& q, const auto&) { return q[1]; };
-  const State<2> start{.q = {1.0, 0.0}, .p = {0.0, 0.0}};
+  const avi::State<2> start{.q = {1.0, 0.0}, .p = {0.0, 0.0}};
   const auto orbit = solve(springs, start, 10.0, 1e-8, {.events = {avi::when(still)}});
   EXPECT_TRUE(orbit.kept()) << orbit.report();
   EXPECT_TRUE(orbit.events.empty());

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace {
+namespace solve_start_test {
 
 using avi::solve, avi::State;
 
@@ -91,4 +91,4 @@ TEST(SolveStart, MayBeAtRestWhereNothingActsYet) {
   EXPECT_NEAR((third.state.q - exact.state.q).norm(), 0.0, 1e-6);
 }
 
-}  // namespace
+}  // namespace solve_start_test
