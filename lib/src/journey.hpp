@@ -238,7 +238,8 @@ class Journey {
     ++run.steps;
     if (run.steps <= few) look_at_tail();
     ranges.add(z_);
-    pauses.add(before_, z_, ranges.low, ranges.high, look_at_energy(z_));
+    const double error = look_at_energy(z_);
+    pauses.add(before_, z_, ranges.low, ranges.high, error > rounding_ ? error : 0.0);
     if (!ok()) return;
     if (const Outcome bound = trip_->budget.met(z_.t, run.steps, 0); bound != Outcome::ok) {
       run.outcome = bound;
@@ -254,6 +255,9 @@ class Journey {
   Trip* trip_;
   PointField* field_;
   std::unique_ptr<OrbitSteps> steps_;
+  // Of H, over the scale: some evaluations of it.
+  double rounding_ = 10.0 * std::numeric_limits<double>::epsilon() *
+                     (std::abs(trip_->energy_at_start) / trip_->energy_scale + 1.0);
   double half_way_ = 0.0;      // time after half of the steps, or fewer
   State<dynamic> z_, before_;  // after the last whole step, and before it
   VectorX tail_;

@@ -25,7 +25,7 @@ class Pauses {
     double slowest;  ///< Speed in the pause.
     double fastest;  ///< Speed after it.
     double length;   ///< Time since it was slowest.
-    double error;    ///< Error of the energy then, over its scale.
+    double error;    ///< Error of the energy then, over its scale; 0 where rounding of H hides it.
     /// The speed has grown exponentially, as it does from a saddle; in a fall it grows faster at last.
     [[nodiscard]] bool is_at_saddle() const { return rate * length < 2.0 * std::log(1.0 / slowest); }
     /// Another run, with other steps, sees it too.
@@ -49,7 +49,7 @@ class Pauses {
   explicit Pauses(VectorX ranges, Eigen::Index seen) : ranges_(std::move(ranges)), seen_(seen) {}
 
   /// A step between two states. @param low,high ranges of the entries of (q, p) so far @param error of the
-  /// energy after it
+  /// energy after it, 0 where rounding of H hides it
   void add(const State<dynamic>& before, const State<dynamic>& after, const VectorX& low, const VectorX& high,
            double error) {
     const Eigen::Index n = before.q.size();
