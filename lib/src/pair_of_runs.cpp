@@ -52,7 +52,7 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   // After that, or where they are as large as the motion, no order makes an error smaller.
   if ((runaway && furthest > 0.02) || furthest > 0.3)
     seen.error = furthest, late *= ratio;
-  else if (runaway && ratio > few_times && furthest > 1e-9)  // else rounding grows
+  else if (runaway && ratio > few_times)
     seen.error *= ratio / few_times, late *= ratio / few_times;
   // Few steps may err alike. The error of the action, and with it that of the end, is of second order in what
   // the curve lacks, which is about the last term of its polynomial: measured, 1 to 20 times its square.
