@@ -122,7 +122,7 @@ struct SolveProgress {
 /// A call that meets a bound ends with an outcome that says so and keeps what it had reached.
 struct SolveOptions {
   double seconds = std::numeric_limits<double>::infinity();  ///< Wall-clock time; at least 0.
-  bool check = true;            ///< Two runs are compared all the way; see solve().
+  bool check = true;            ///< Two runs are compared, all the way or until they part; see solve().
   long sweeps = 2'000'000'000;  ///< Evaluations of the field at all stages, trials included; at least 1.
   long steps = std::numeric_limits<long>::max();  ///< Steps of a run; at least 1.
   int order = 0;                                  ///< Order of the method: 2, 4, ... 16; 0 to have it chosen.

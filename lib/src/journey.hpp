@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -25,6 +24,7 @@ struct Trip {
   double energy_scale;                                 ///< Unit of energy errors.
   double sense;                                        ///< 1, or -1 where the end lies before the start.
   Budget& budget;                                      ///< Budget of the call.
+  double rounding = 0.0;                               ///< Of one evaluation of H, in that unit.
   double felt = infinity;                              ///< A change of H inside a step that is not its error.
   double span = infinity;                              ///< Time from the start to the end.
   VectorX ranges = VectorX::Zero(2 * start.q.size());  ///< Of the entries of (q, p) on the sketch.
@@ -239,7 +239,7 @@ class Journey {
     if (run.steps <= few) look_at_tail();
     ranges.add(z_);
     const double error = look_at_energy(z_);
-    pauses.add(before_, z_, ranges.low, ranges.high, error > rounding_ ? error : 0.0);
+    pauses.add(before_, z_, ranges.low, ranges.high, error > 10.0 * trip_->rounding ? error : 0.0);
     if (!ok()) return;
     if (const Outcome bound = trip_->budget.met(z_.t, run.steps, 0); bound != Outcome::ok) {
       run.outcome = bound;
@@ -255,9 +255,6 @@ class Journey {
   Trip* trip_;
   PointField* field_;
   std::unique_ptr<OrbitSteps> steps_;
-  // Of H, over the scale: some evaluations of it.
-  double rounding_ = 10.0 * std::numeric_limits<double>::epsilon() *
-                     (std::abs(trip_->energy_at_start) / trip_->energy_scale + 1.0);
   double half_way_ = 0.0;      // time after half of the steps, or fewer
   State<dynamic> z_, before_;  // after the last whole step, and before it
   VectorX tail_;

@@ -112,6 +112,7 @@ TEST(Pack, SumsAndLargestSeeEveryNumber) {
     x.set(i, 9.0);
     EXPECT_EQ(avi::sum(x), 16.0);
     EXPECT_EQ(avi::largest(x), 9.0);
+    EXPECT_EQ(avi::largest(-x), 9.0);
     EXPECT_EQ(avi::sum(max_abs(x, Pack<8>(-2.0))), 9.0 + 7 * 2.0);
     x.set(i, std::nan(""));
     EXPECT_TRUE(std::isnan(avi::largest(x)));

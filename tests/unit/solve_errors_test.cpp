@@ -149,6 +149,10 @@ TEST(SolveErrors, AreNotMadeSmallByTheOrderInChaos) {
     EXPECT_TRUE(orbit.ok());
     EXPECT_FALSE(orbit.kept()) << energy << ", " << y << ": " << orbit.report();
     EXPECT_GT(orbit.state_error, 0.1) << energy << ", " << y << ": " << orbit.report();
+    // Of the run itself, 0.17 and 0.08 at the highest energy; 0.87 where the other one goes on.
+    if (energy == 0.165) {
+      EXPECT_LT(static_cast<double>(orbit.choice.check), 0.35 * static_cast<double>(orbit.run.evaluations));
+    }
   }
   // Shorter steps help here.
   const auto start = avi::HenonHeiles::on_section(0.14, 0.1, 0.1);

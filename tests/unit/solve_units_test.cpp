@@ -34,6 +34,7 @@ const auto centres = [](const auto& q, const auto& p) {
   return 0.5 * (p[0] * p[0] + p[1] * p[1]) - 1.0 / sqrt(x * x + q[1] * q[1]) -
          0.5 / sqrt(y * y + q[1] * q[1]);
 };
+
 /// What was chosen, and what it cost.
 struct Way {
   std::string monitor;
@@ -42,7 +43,7 @@ struct Way {
   long steps, sweeps;
   bool operator==(const Way&) const = default;
 };
-/// As it stands in the table below.
+/// For messages.
 void PrintTo(const Way& way, std::ostream* out) {
   *out << "{\"" << way.monitor << "\", " << way.order << ", " << way.trials << ", " << way.steps << ", "
        << way.sweeps << "}";
@@ -86,7 +87,7 @@ const auto ring = [](const auto& q, const auto& p) {
 };
 
 // Powers of 4 leave all bits as they are, those of square roots too.
-TEST(SolveWay, IsTheSameInOtherUnits) {
+TEST(SolveUnits, ChangeNothing) {
   expect_same_in_other_units("spring", spring, at(1.0, 0.5), 100.0);
   expect_same_in_other_units("well", well, at(0.1, 0.0), 300.0);
   expect_same_in_other_units("stiff", stiff, State<2>{.q = {1.0, 0.02}, .p = {0.0, 0.0}}, 60.0);
