@@ -9,10 +9,13 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -26,7 +29,7 @@ namespace {
 using namespace hostile;
 
 constexpr std::uint64_t seed = 20261125;
-constexpr int systems = 320;
+constexpr int systems = 380;
 constexpr std::array<double, 3> tolerances{1e-4, 1e-8, 1e-12};
 
 /// Of the functions of this machine's mathematical library: with others, all later digits are others.
@@ -74,11 +77,15 @@ enum class Wish {
   solver,
   minimum,
   bound,
-  fast_events
+  fast_events,
+  loose,
+  saddle,
+  resumed
 };
-constexpr std::array<const char*, 16> names{"end",    "times",   "back",  "dense",      "unchecked", "events",
-                                            "order",  "fixed",   "timed", "stop",       "menu",      "given",
-                                            "solver", "minimum", "bound", "fast events"};
+constexpr std::array<const char*, 19> names{
+    "end",  "times", "back",   "dense",   "unchecked", "events",      "order", "fixed",  "timed",  "stop",
+    "menu", "given", "solver", "minimum", "bound",     "fast events", "loose", "saddle", "resumed"};
+constexpr int count = static_cast<int>(names.size());
 
 using State = avi::State<avi::dynamic>;
 
@@ -99,7 +106,7 @@ avi::SolveOptions options_of(Wish wish, int index, const System& system) {
                       avi::when([q_start](const auto& q) { return q[0] - q_start; }, {.direction = 1})};
     break;
   case Wish::order:
-    options.order = std::array{2, 4, 8, 12, 16}[static_cast<std::size_t>(index / 16) % 5];
+    options.order = std::array{2, 4, 8, 12, 16}[static_cast<std::size_t>(index / count) % 5];
     break;
   case Wish::fixed:
     options.monitor = "fixed";
@@ -109,7 +116,7 @@ avi::SolveOptions options_of(Wish wish, int index, const System& system) {
     break;
   case Wish::menu:
     options.monitor = std::array{"energy", "energy^1.5", "poles", "acceleration",
-                                 "splitting"}[static_cast<std::size_t>(index / 16) % 5];
+                                 "splitting"}[static_cast<std::size_t>(index / count) % 5];
     break;
   case Wish::given:
     options.monitor = [p_scale](const auto&, const auto& p) {
@@ -118,6 +125,14 @@ avi::SolveOptions options_of(Wish wish, int index, const System& system) {
     break;
   case Wish::bound:
     options.steps = 40;
+    break;
+  case Wish::resumed:
+    options.check = false;
+    options.steps = 40;
+    options.checkpoint =
+        (std::filesystem::temp_directory_path() /
+         fmt::format("avi_ways_{}", std::chrono::steady_clock::now().time_since_epoch().count()))
+            .string();
     break;
   case Wish::fast_events:
     options.events = {avi::when(
@@ -147,6 +162,15 @@ std::string described(const avi::Solution<avi::dynamic>& found, const avi::Formu
       all.add_state(found(begin + part * (found.state.t - begin)));
   }
   const avi::Choice& choice = found.choice;
+  for (const avi::SolveTrial& trial : choice.trials)
+    for (const double x : {trial.h, trial.time, trial.state_error, static_cast<double>(trial.sweeps)})
+      all.add(x);
+  for (const auto* weights : {&choice.accelerations, &choice.poles, &choice.drifts})
+    for (const double x : *weights)
+      all.add(x);
+  for (const double x :
+       {choice.h, choice.energy_scale, choice.kinetic, choice.solved, choice.time, found.energy_rounding})
+    all.add(x);
   if (energy != nullptr && found.ok())
     all.add(avi::monitor_of(choice, *energy, energy_at_start).at(found.state.q, found.state.p));
   return fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{:.2e}\t{:.2e}\t{}", avi::name(found.run.outcome), choice.name,
@@ -181,8 +205,24 @@ std::string minimum(const System& system, int index, double tolerance) {
                      found.gradient_evaluations, all.text());
 }
 
+/// A pendulum that is let go near its highest place, or sent there with nearly the energy to pass it.
+std::string saddle(int index, double tolerance) {
+  const int turn = index / count;
+  const double off = std::pow(10.0, -1 - turn % 8);
+  const auto h = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - cos(q[0]); };
+  State start;
+  start.q = start.p = Eigen::VectorXd::Zero(1);
+  if (turn % 2 == 0)
+    start.q[0] = std::numbers::pi - off;
+  else
+    start.p[0] = 2.0 + off;
+  return described(avi::solve(h, start, 40.0, tolerance), nullptr, 0.0);
+}
+
 std::string way(const System& system, int index, Wish wish, double tolerance) {
   if (wish == Wish::minimum) return minimum(system, index, tolerance);
+  if (wish == Wish::saddle) return saddle(index, 100.0 * tolerance);
+  if (wish == Wish::loose) tolerance *= 100.0;
   State start;
   start.q = Eigen::Map<const Eigen::VectorXd>(system.q.data(), system.n);
   start.p = Eigen::Map<const Eigen::VectorXd>(system.p.data(), system.n);
@@ -210,6 +250,13 @@ std::string way(const System& system, int index, Wish wish, double tolerance) {
     const avi::Solver solver(energy, start, system.t_end, tolerance, options);
     start.q *= 1.001;
     return described(solver.run(start, system.t_end), by_hand, energy_at_start);
+  }
+  if (wish == Wish::resumed) {
+    auto found = avi::solve(energy, start, system.t_end, tolerance, options);
+    if (found.run.outcome == avi::Outcome::step_limit)
+      found = avi::resume<avi::dynamic>(energy, options.checkpoint, {.sweeps = options.sweeps}, system.n);
+    std::filesystem::remove(options.checkpoint);
+    return described(found, by_hand, energy_at_start);
   }
   const double end = wish == Wish::back ? system.t - span : system.t_end;
   return described(avi::solve(energy, start, end, tolerance, options), by_hand, energy_at_start);
@@ -250,9 +297,10 @@ int main(int argc, char** argv) {
   for (int index = 0; index < systems; ++index) {
     const System system = draw(seed, index, 30.0);
     const auto wish = static_cast<std::size_t>(index) % names.size();
+    const bool own = static_cast<Wish>(wish) == Wish::saddle;
     for (const double tolerance : tolerances)
-      lines.push_back(fmt::format("{}\t{}\t{}\t{}\t{:.0e}\t{}", index, system.family, system.n, names[wish],
-                                  tolerance,
+      lines.push_back(fmt::format("{}\t{}\t{}\t{}\t{:.0e}\t{}", index, own ? "pendulum" : system.family,
+                                  own ? 1 : system.n, names[wish], tolerance,
                                   way_or_exception(system, index, static_cast<Wish>(wish), tolerance)));
   }
   if (write) {
