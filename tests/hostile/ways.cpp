@@ -2,8 +2,11 @@
 #include "hostile/formulas.hpp"
 #include "hostile/system.hpp"
 
+#include "avi/collocation/collocation.hpp"
+#include "avi/core/integrate.hpp"
 #include "avi/optim/minimise.hpp"
 #include "avi/solver.hpp"
+#include "avi/transform/poincare.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -29,7 +32,7 @@ namespace {
 using namespace hostile;
 
 constexpr std::uint64_t seed = 20261125;
-constexpr int systems = 380;
+constexpr int systems = 400;
 constexpr std::array<double, 3> tolerances{1e-4, 1e-8, 1e-12};
 
 /// Of the functions of this machine's mathematical library: with others, all later digits are others.
@@ -80,11 +83,13 @@ enum class Wish {
   fast_events,
   loose,
   saddle,
-  resumed
+  resumed,
+  by_hand
 };
-constexpr std::array<const char*, 19> names{
-    "end",  "times", "back",   "dense",   "unchecked", "events",      "order", "fixed",  "timed",  "stop",
-    "menu", "given", "solver", "minimum", "bound",     "fast events", "loose", "saddle", "resumed"};
+constexpr std::array<const char*, 20> names{"end",         "times", "back",   "dense",   "unchecked",
+                                            "events",      "order", "fixed",  "timed",   "stop",
+                                            "menu",        "given", "solver", "minimum", "bound",
+                                            "fast events", "loose", "saddle", "resumed", "by hand"};
 constexpr int count = static_cast<int>(names.size());
 
 using State = avi::State<avi::dynamic>;
@@ -219,6 +224,24 @@ std::string saddle(int index, double tolerance) {
   return described(avi::solve(h, start, 40.0, tolerance), nullptr, 0.0);
 }
 
+/// Steps of collocation by hand, some of them longer than can be solved for.
+std::string by_hand(const System& system, State start, int index, double tolerance) {
+  const auto h = [&system](const auto& q, const auto& p) { return system(q, p); };
+  const int order = std::array{2, 4, 8, 12, 16}[static_cast<std::size_t>(index / count) % 5];
+  Digest all;
+  long sweeps = 0, steps = 0;
+  for (const double parts : {300.0, 50.0, 10.0, 2.0}) {
+    State z = start;
+    auto method = avi::collocation(avi::poincare(h, z), order, {.tolerance = tolerance * 1e-3});
+    const avi::Run run = avi::integrate(method, z, (system.t_end - system.t) / parts, {.steps = 12});
+    all.add(run.message);
+    all.add(static_cast<double>(run.evaluations));
+    all.add_state(z);
+    sweeps += run.evaluations, steps += run.steps;
+  }
+  return fmt::format("\t\t{}\t\t{}\t{}\t\t\t{}", order, steps, sweeps, all.text());
+}
+
 std::string way(const System& system, int index, Wish wish, double tolerance) {
   if (wish == Wish::minimum) return minimum(system, index, tolerance);
   if (wish == Wish::saddle) return saddle(index, 100.0 * tolerance);
@@ -227,6 +250,7 @@ std::string way(const System& system, int index, Wish wish, double tolerance) {
   start.q = Eigen::Map<const Eigen::VectorXd>(system.q.data(), system.n);
   start.p = Eigen::Map<const Eigen::VectorXd>(system.p.data(), system.n);
   start.t = system.t;
+  if (wish == Wish::by_hand) return by_hand(system, start, index, tolerance);
   const auto h = [&system](const auto& q, const auto& p) { return system(q, p); };
   const double span = system.t_end - system.t;
   const avi::SolveOptions options = options_of(wish, index, system);
@@ -238,28 +262,28 @@ std::string way(const System& system, int index, Wish wish, double tolerance) {
   }
   const avi::Formula energy = avi::Formula::of_phase(h, system.n);
   const double energy_at_start = energy.at(start.q, start.p);
-  const avi::Formula* const by_hand = wish == Wish::given ? nullptr : &energy;
+  const avi::Formula* const known = wish == Wish::given ? nullptr : &energy;
   if (wish == Wish::times || wish == Wish::fixed) {
     std::vector<double> times;
     for (int i = 1; i < 7; ++i)
       times.push_back(system.t + span * i / 7);
     times.push_back(system.t_end);
-    return described(avi::solve(energy, start, times, tolerance, options), by_hand, energy_at_start);
+    return described(avi::solve(energy, start, times, tolerance, options), known, energy_at_start);
   }
   if (wish == Wish::solver) {
     const avi::Solver solver(energy, start, system.t_end, tolerance, options);
     start.q *= 1.001;
-    return described(solver.run(start, system.t_end), by_hand, energy_at_start);
+    return described(solver.run(start, system.t_end), known, energy_at_start);
   }
   if (wish == Wish::resumed) {
     auto found = avi::solve(energy, start, system.t_end, tolerance, options);
     if (found.run.outcome == avi::Outcome::step_limit)
       found = avi::resume<avi::dynamic>(energy, options.checkpoint, {.sweeps = options.sweeps}, system.n);
     std::filesystem::remove(options.checkpoint);
-    return described(found, by_hand, energy_at_start);
+    return described(found, known, energy_at_start);
   }
   const double end = wish == Wish::back ? system.t - span : system.t_end;
-  return described(avi::solve(energy, start, end, tolerance, options), by_hand, energy_at_start);
+  return described(avi::solve(energy, start, end, tolerance, options), known, energy_at_start);
 }
 
 /// The same where it is an exception.
