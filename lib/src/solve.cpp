@@ -257,6 +257,7 @@ void Orbiter::offer_splitting() {
     menu_.front().name = splitting;
     return;
   }
+  (void)menu_.front().formulas();  // made once for both
   menu_.insert(menu_.begin(), menu_.front());
   menu_.front().name = splitting;
   // Two runs go side by side for one; ten sweeps are usual.
