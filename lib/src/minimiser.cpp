@@ -48,7 +48,7 @@ class MinimiserRun {
     norm0_ = length(view(base_.g));
     target_ = std::max(options_.relative * norm0_, options_.absolute);
     if (underflows()) return out_of_range(" at x0");
-    floor_ = -std::min(1e30 * std::max(1.0, scale_), std::numeric_limits<double>::max());
+    floor_ = scale_ < 1e270 ? -1e300 : -std::numeric_limits<double>::max();
     if (options_.check_gradient && !gradient_agrees()) return end(failure_, reason_);
     steepest();
     if (!report()) return end(Outcome::stopped, "the callback asked to stop");
@@ -86,12 +86,15 @@ class MinimiserRun {
 
   /// Whether the gradient at the base is so small that the squares of its entries underflow, and not small
   /// enough to be done: what norms say of it is not to be trusted, then. A run
-  /// without a tolerance, which has come that far from somewhere else, goes on until the norm is 0.
+  /// without a tolerance, which has come that far from somewhere else, is done.
   bool underflows() {
     if (!(norm_ < 1e-150)) return false;
     if (!exact_) settle();
     const double by_scale = length(view(base_.g));
-    if (target_ == 0.0 && by_scale < 1e-100 * norm0_) return false;
+    if (target_ == 0.0 && by_scale < std::min(1e-150, 1e-30 * norm0_)) {
+      target_ = by_scale;
+      return false;
+    }
     norm_ = by_scale;
     return norm_ > target_ && norm_ < 1e-150;
   }
@@ -126,7 +129,7 @@ class MinimiserRun {
         place_trial(alpha_);
       }
       if (!evaluate(trial_)) return false;
-      if (trial_.f < floor_) return fail(Outcome::diverged, "f has no lower bound along a line");
+      if (trial_.f < floor_) return fail(Outcome::diverged, "f falls below -1e300 along a line");
       if (!std::isfinite(trial_.f) || !std::isfinite(square_)) {
         high = alpha_;
         alpha_ *= 0.1;
@@ -179,19 +182,20 @@ class MinimiserRun {
     }
   }
 
-  /// False where for long neither the value nor an evaluated gradient has come lower than ever before, and
-  /// values contradict the slope, as at a kink; or for so long that it is rounding that moves the run. (Hard
-  /// valleys waited five times for their next gain.)
+  /// False where for long neither an evaluated value nor an evaluated gradient has come lower than ever
+  /// before, and values contradict the slope, as at a kink; or for so long that it is rounding that moves the
+  /// run. (Hard valleys waited five times for their next gain.)
   bool gains() {
     if (exact_) level_ = std::min(level_, base_.f);
-    if (base_.f < lowest_ - rounding(base_.f, lowest_) || square_ < gentlest_) {
-      lowest_ = std::min(lowest_, base_.f);
+    if ((exact_ && base_.f < lowest_ - rounding(base_.f, lowest_)) || square_ < gentlest_) {
+      if (exact_) lowest_ = std::min(lowest_, base_.f);
       gentlest_ = std::min(gentlest_, square_);
       idle_ = waits_ = 0;
     }
     if (++idle_ <= 200) return true;
     if (!exact_) settle();
     idle_ = 0;
+    if (waits_ == 0) noise_ = 0.0;  // too large it would hide what is gained: it is looked at anew
     return judge() || (agrees_ && ++waits_ < 20);
   }
 
