@@ -87,6 +87,8 @@ def _reached(gradient, options):
 
     if np.linalg.norm(gradient) <= options.absolute:
         return f"Converged: |gradient| is at most {options.absolute:g}" + (", which was asked for." if options.absolute else ".")
+    if not options.relative:
+        return f"Converged: |gradient| fell to {np.linalg.norm(gradient):.2g}, the square of which is no number any more."
     return f"Converged: |gradient| fell to at most {options.relative:g} of that at the start."
 
 

@@ -268,6 +268,8 @@ class Solver:
         q, p = reals(q, "q"), reals(p, "p")
         self._question = _Question(H, q.shape, t, tol, events, parameters, options)
         self._question.made = self._question.asked(q, p, None, choose=True)[0]
+        if self._question.made.run.message.startswith("Stopped by Ctrl-C"):
+            raise KeyboardInterrupt("The choice of a Solver was not finished.")
 
     choice = property(lambda self: self._question.made.choice)
     sample = property(lambda self: self._question.made.report())

@@ -165,8 +165,16 @@ def _fold(x, name, axis=None, keepdims=False):
     return x.reshape(shape) if keepdims else x
 
 
+def _require_reals(dtype):
+    import numpy as np
+
+    if dtype is not None and np.dtype(dtype).kind not in "fO":
+        raise TypeError(f"A traced number cannot be made one of the type {np.dtype(dtype)}: it stays real, with no value yet.")
+
+
 def _folding(name):
     def fold(x, axis=None, *, keepdims=False, dtype=None):
+        _require_reals(dtype)
         return _fold(x, name, axis, keepdims)
 
     fold.__name__ = fold.__qualname__ = name
@@ -199,7 +207,13 @@ def _select(conditions, choices, default=0):
     return default
 
 
+def _astype(x, dtype=None, **options):
+    _require_reals(dtype)
+    return x if options.get("copy") is False else x.copy()
+
+
 def _mean(x, axis=None, *, keepdims=False, dtype=None):
+    _require_reals(dtype)
     total = _fold(x, "add", axis, keepdims)
     return total / (x.size / max(total.size, 1))
 
@@ -396,7 +410,7 @@ Traced.max = _FUNCTIONS["amax"]
 Traced.min = _FUNCTIONS["amin"]
 Traced.dot = _dot
 Traced.clip = _clip
-Traced.astype = lambda self, dtype=None, **options: self if options.get("copy") is False else self.copy()
+Traced.astype = _astype
 Traced.copy = lambda self, order=None: traced(self)
 Traced.__copy__ = lambda self: traced(self)
 Traced.__deepcopy__ = lambda self, memo: traced(self)

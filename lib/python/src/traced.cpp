@@ -255,11 +255,16 @@ Traced call(std::string_view name, py::handle a, py::handle b = {}) {
   return result;
 }
 
-/// x where the condition holds, else y: what select() of the library records.
+/// x where the condition holds, else y: what select() of the library records. A number that is not traced
+/// holds unless it is 0.
 Traced where(py::handle condition, py::handle x, py::handle y) {
   Traced c_room, x_room, y_room;
-  const Traced& c = operand(condition, c_room);
-  if (!c.condition && c.graph) throw py::type_error("where() takes a comparison first, such as a < b.");
+  operand(condition, c_room);
+  const py::object holds = py::isinstance<Traced>(condition) || c_room.graph || c_room.condition
+                               ? py::reinterpret_borrow<py::object>(condition)
+                               : py::object(numpy("not_equal")(condition, 0));
+  const Traced& c = operand(holds, c_room = {});
+  if (!c.condition) throw py::type_error("where() takes a comparison first, such as a < b.");
   const Two both = twos.at("logical_and"), sum = twos.at("add");
   return apply(sum, apply(both, c, operand(x, x_room)),
                apply(both, apply(ones.at("invert"), c), operand(y, y_room)));

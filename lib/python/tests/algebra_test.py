@@ -108,6 +108,13 @@ class Matrices(unittest.TestCase):
             self.assertAlmostEqual(kept.value(x), f(x, np.matmul), delta=1e-13)
             self.assertLess(np.abs(kept.gradient(x) - recorded.gradient(x)).max(), 1e-13)
 
+    def test_large_matrices_are_of_real_numbers(self):
+        table = np.arange(5000.0).reshape(100, 50)
+        for matrix, word in ((table * 1j, "complex"), (np.ma.array(table, mask=table > 9), "mask")):
+            for product in (lambda x: matrix @ x, lambda x: x @ matrix.T):
+                with self.assertRaisesRegex(TypeError, word):
+                    avi.objective(lambda x: np.sum(product(x) ** 2), 50)
+
     def test_einsum_with_a_way(self):
         x = np.arange(6.0)
         f = lambda x: np.einsum("ij,j->i", np.ones((2, 6)), x, optimize=True)[1]

@@ -284,6 +284,11 @@ class Ensembles(unittest.TestCase):
 
 
 class Solvers(unittest.TestCase):
+    def test_ctrl_c_leaves_no_unfinished_choice(self):
+        threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+        with self.assertRaises(KeyboardInterrupt):
+            avi.Solver(kepler, *START, 1e8, 1e-10)
+
     def test_one_choice_for_many(self):
         solver = avi.Solver(kepler, *START, 20.0, 1e-9)
         alone = avi.solve(kepler, *START, 20.0, 1e-9)

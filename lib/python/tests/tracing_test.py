@@ -143,6 +143,18 @@ class Tracing(unittest.TestCase):
 
     def test_where_of_plain_numbers(self):
         self.assertEqual(avi.where(np.array([1, 2]) > 1, 5, 6).tolist(), [6, 5])
+
+    def test_where_of_plain_conditions_is_that_of_numpy(self):
+        for condition in (4 & 6, 0, 0.5, math.nan, True, [2, 0], np.array([0.0, -1.0]), np.array([False, True]), np.array([3, 0], dtype=object)):
+            with self.subTest(condition=condition):
+                formula = avi.objective(lambda x: avi.where(condition, x, 10.0 * x).sum(), 2)
+                self.assertEqual(formula.value([1.0, 2.0]), np.where(condition, [1.0, 2.0], [10.0, 20.0]).sum())
+
+    def test_no_other_type_is_made_of_a_traced_number(self):
+        for f in (lambda x: x.astype(int), lambda x: x.astype(bool), lambda x: x.astype(complex), lambda x: np.sum(x, dtype=int), lambda x: x.mean(dtype=int)):
+            with self.assertRaisesRegex(TypeError, "stays real"):
+                avi.objective(lambda x: f(x).sum(), 2)
+        self.assertEqual(avi.objective(lambda x: x.astype(float).sum(dtype=float), 2).value([1.5, 2.0]), 3.5)
         self.assertEqual(avi.maximum(1, 2) + avi.minimum(1, 2), 3)
 
     def test_what_cannot_be_traced_is_refused(self):
