@@ -125,7 +125,8 @@ TEST(CollocationSteps, NamesWhatEndsAStep) {
     EXPECT_THROW((void)avi::collocation(problem, order), std::invalid_argument) << order;
   EXPECT_THROW((void)avi::collocation<8>(problem, 10), std::invalid_argument);
   EXPECT_THROW((void)avi::collocation<32>(problem, 34), std::invalid_argument);
-  EXPECT_THROW((void)avi::collocation(problem, 4, {.tolerance = 0.0}), std::invalid_argument);
+  for (const double tolerance : {0.0, std::nan(""), HUGE_VAL})
+    EXPECT_THROW((void)avi::collocation(problem, 4, {.tolerance = tolerance}), std::invalid_argument);
   EXPECT_THROW((void)avi::collocation(problem, 4, {.max_sweeps = 0}), std::invalid_argument);
   EXPECT_NO_THROW((void)avi::collocation(problem, 4, {.max_sweeps = 1}));
   EXPECT_EQ(

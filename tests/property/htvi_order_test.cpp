@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 using avi::Kepler;
@@ -70,15 +69,6 @@ TEST(TypeIII, HasTheOrderOfTypeII) {
                   },
                   0.05),
               2.0, 0.3);
-}
-
-TEST(Htvi, StopsAtAMonitorThatIsNotPositive) {
-  auto z = Kepler::pericentre(0.5);
-  const auto negative = [](const auto& q) { return -1.0 * (q[0] * q[0]); };
-  auto method = avi::type2<2>(avi::poincare<2>(kepler, z, negative), avi::simpson());
-  const auto run = avi::integrate(method, z, 0.1, {.time = 1.0});
-  EXPECT_EQ(run.outcome, avi::Outcome::bad_monitor);
-  EXPECT_NE(run.message.find("bad_monitor"), std::string::npos);
 }
 
 TEST(TypeII, QuadratureLimitsTheOrder) {

@@ -1,4 +1,3 @@
-#include "avi/collocation/collocation.hpp"
 #include "avi/core/integrate_to.hpp"
 #include "avi/diagnostics/order.hpp"
 #include "avi/diagnostics/symplecticity.hpp"
@@ -9,7 +8,6 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/euler_b.hpp"
 #include "avi/transform/monitors.hpp"
-#include "avi/transform/poincare.hpp"
 #include "common/methods/adaptive_verlet.hpp"
 #include "common/methods/hairer_soderlind.hpp"
 #include "distance.hpp"
@@ -129,13 +127,6 @@ TEST(Traits, OfAdaptiveMethods) {
         experiment::HairerSoderlind(avi::splitting(separable, avi::splittings::blanes_moan4), radius), 4);
   check("hairer_soderlind of order 6",
         experiment::HairerSoderlind(avi::splitting(separable, avi::compositions::kahan_li6), radius), 6);
-}
-
-TEST(Traits, OfCollocation) {
-  const auto method = avi::collocation(avi::poincare<2>(Kepler{}, start, avi::NormSquared{}), 8);
-  static_assert(decltype(method)::symplectic && decltype(method)::symmetric);
-  EXPECT_LT(avi::symplecticity_defect(method, start, 0.1), 1e-11);
-  EXPECT_LT(there_and_back(method), 1e-13);
 }
 
 // One gradient a step: the closing kick's is the next opening kick's.

@@ -1,5 +1,4 @@
-#include "avi/core/dense_output.hpp"
-#include "avi/core/integrate_to.hpp"
+#include "avi/core/integrate.hpp"
 #include "avi/htvi/htvi.hpp"
 #include "avi/problems/kepler.hpp"
 #include "refusal.hpp"
@@ -134,21 +133,6 @@ TEST(BadHtvi, APowerThatVanishesIsNoReasonToFail) {
   State<1> z = middle;
   EXPECT_EQ(integrate(good, z, 0.05, {.steps = 40}).outcome, Outcome::ok);
   EXPECT_NEAR(quartic(z.q, z.p), 0.5, 1e-11);
-}
-
-TEST(BadHtvi, LandingAndDenseOutput) {
-  auto good = method();
-  State<2> z = start;
-  for (const double t : {nan, inf, -1.0})
-    EXPECT_NE(refusal([&] { (void)integrate_to(good, z, 0.1, t); }).find("End time is "), std::string::npos);
-  EXPECT_NE(refusal([&] { (void)integrate_to(good, z, -0.1, 1.0); }).find("End time is "), std::string::npos);
-  for (const double h : {0.0, nan, inf})
-    EXPECT_NE(refusal([&] { (void)integrate_to(good, z, h, 1.0); }).find("Step size h is "),
-              std::string::npos);
-  EXPECT_EQ(good.step(z, 0.1).outcome, Outcome::ok);
-  for (const double t : {-1.0, z.t + 1.0, nan})
-    EXPECT_NE(refusal([&] { (void)dense_output(good, start, z, t); }).find("Time of dense output is "),
-              std::string::npos);
 }
 
 }  // namespace bad_htvi_input_test

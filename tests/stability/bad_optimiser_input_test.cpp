@@ -37,20 +37,30 @@ TEST(BadOptimiserInput, OfOptimisers) {
   tries::all("r0", tries::not_finite,
              [&](double r) { run(BregmanHeavyBall{.family = family, .from = {.momentum = r}}); });
   tries::all("p", tries::not_positive, [&](double p) { BregmanFamily::direct(p); });
+  tries::all("p", tries::not_positive, [&](double p) { run(BregmanHtvi{.family = {.p = p}}); });
   tries::all("C", tries::not_positive, [&](double C) { BregmanFamily::direct(2.0, C); });
   tries::all("p_ring", std::vector{0.0, -1.0, tries::nan, tries::inf, 2.1},
              [&](double p) { BregmanFamily::adaptive(2.0, p); });
   tries::one("P", tries::inf, [] { BregmanFamily::adaptive(50.0, 1e-320); });
   tries::one("P", 0.0, [] { BregmanFamily::adaptive(1e-200, 1e-200); });
   tries::all("h of NAG", tries::not_positive, [&](double h) { run(Nag{.h = h}); });
+  tries::all("first k of NAG", std::vector{0.5, tries::nan, tries::inf},
+             [&](double k) { run(Nag{.first = k}); });
   tries::all("rate of ADAM", tries::not_positive, [&](double rate) { run(Adam{.rate = rate}); });
-  tries::all("beta_1", std::vector{-0.1, 1.0, tries::nan}, [&](double b) { run(Adam{.beta_1 = b}); });
-  tries::all("beta_2", std::vector{-0.1, 1.0, tries::nan}, [&](double b) { run(Adam{.beta_2 = b}); });
-  tries::all("epsilon", std::vector{-1.0, tries::nan, tries::inf},
-             [&](double e) { run(Adam{.epsilon = e}); });
+  const std::vector not_a_ratio{-0.1, 1.0, tries::nan}, not_small{-1.0, tries::nan, tries::inf};
+  tries::all("beta_1", not_a_ratio, [&](double b) { run(Adam{.beta_1 = b}); });
+  tries::all("beta_2", not_a_ratio, [&](double b) { run(Adam{.beta_2 = b}); });
+  tries::all("epsilon", not_small, [&](double e) { run(Adam{.epsilon = e}); });
   tries::all("rate of AdaGrad", tries::not_positive, [&](double rate) { run(AdaGrad{.rate = rate}); });
+  tries::all("epsilon of AdaGrad", not_small, [&](double e) { run(AdaGrad{.epsilon = e}); });
   tries::all("rate of RMSprop", tries::not_positive, [&](double rate) { run(RmsProp{.rate = rate}); });
+  tries::all("rho of RMSprop", not_a_ratio, [&](double r) { run(RmsProp{.rho = r}); });
+  tries::all("epsilon of RMSprop", not_small, [&](double e) { run(RmsProp{.epsilon = e}); });
   tries::all("radius", tries::not_positive, [&](double r) { run(TrustRegion{.radius = r}); });
+  tries::all("accept", not_a_ratio, [&](double a) { run(TrustRegion{.accept = a}); });
+  tries::all("expand", std::vector{0.1, tries::nan}, [&](double e) { run(TrustRegion{.expand = e}); });
+  tries::all("grow", std::vector{0.5, tries::nan, tries::inf},
+             [&](double g) { run(TrustRegion{.grow = g}); });
   tries::all("shrink", std::vector{0.0, 1.0, tries::nan}, [&](double s) { run(TrustRegion{.shrink = s}); });
   tries::all("trials", std::vector{0, -1}, [&](int n) { run(TrustRegion{.trials = n}); });
   using Pair = BregmanEmbedded<DormandPrince>;
@@ -62,26 +72,15 @@ TEST(BadOptimiserInput, OfOptimisers) {
              [&](double h) { run(Pair{.family = family, .first_step = h}); });
 }
 
+// What else the loop refuses is in run_updates_test.cpp.
 TEST(BadOptimiserInput, OfTheirLoop) {
   const Nag method{.h = 1e-6};
-  tries::all("delta", std::vector{-1.0, tries::nan, tries::inf},
-             [&](double d) { (void)run_updates(f, method, x0, {.delta = d}); });
-  tries::all("cap", std::vector{0L, -1L},
-             [&](long n) { (void)run_updates(f, method, x0, {.iterations = n}); });
+  tries::one("delta", tries::inf, [&] { (void)run_updates(f, method, x0, {.delta = tries::inf}); });
   tries::all("growth", std::vector{0.0, tries::nan},
              [&](double g) { (void)run_updates(f, method, x0, {.growth = g}); });
-  tries::all("x0", std::vector{tries::nan, tries::inf},
-             [&](double x) { (void)run_updates(f, method, VectorX::Constant(3, x)); });
-  tries::all("sizes", std::vector{1, 2, 4, 100},
-             [&](int n) { (void)run_updates(f, method, VectorX::Ones(n)); });
-  tries::one("size", 0, [&] { (void)run_updates(f, method, VectorX()); });
-  tries::all("f(x0)", tries::not_finite, [&](double v) {
-    (void)run_updates([v](const VectorX& x, VectorX& g) { return g = x, v; }, method, x0);
-  });
-  tries::all("gradient at x0", std::vector{tries::nan, tries::inf}, [&](double v) {
-    (void)run_updates([v](const VectorX&, VectorX& g) { return g.setConstant(v), 1.0; }, method, x0);
-  });
+  tries::one("x0", tries::inf, [&] { (void)run_updates(f, method, VectorX::Constant(3, tries::inf)); });
   tries::all("dimension", std::vector{0, -1}, [](int n) { CorrelatedQuartic{n}; });
+  EXPECT_NO_THROW(CorrelatedQuartic(1));
   tries::all("rho", std::vector{1.0, -1.0, tries::nan, 1.5}, [](double rho) { CorrelatedQuartic(3, rho); });
 }
 

@@ -66,13 +66,4 @@ TEST(CorrelatedQuartic, IsThatOfThePaperUnlessToldOtherwise) {
   EXPECT_NEAR(f.value(f.start()), form * form, 1e-12 * form * form);
 }
 
-TEST(CorrelatedQuartic, RefusesBadInput) {
-  EXPECT_THROW(CorrelatedQuartic(0), std::invalid_argument);
-  EXPECT_NO_THROW(CorrelatedQuartic(1));
-  EXPECT_THROW(CorrelatedQuartic(5, 1.0), std::invalid_argument);
-  EXPECT_THROW(CorrelatedQuartic(5, -1.0), std::invalid_argument);
-  EXPECT_THROW(CorrelatedQuartic(5, std::nan("")), std::invalid_argument);
-  EXPECT_THROW((void)CorrelatedQuartic(5).value(VectorX::Ones(4)), std::invalid_argument);
-}
-
 }  // namespace correlated_quartic_test

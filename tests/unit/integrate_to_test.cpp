@@ -92,6 +92,7 @@ TEST(IntegrateTo, RefusesATimeThatLiesTheOtherWay) {
   EXPECT_THROW((void)avi::integrate_to(method, z, 0.05, -1.0), std::invalid_argument);
   EXPECT_THROW((void)avi::integrate_to(method, z, -0.05, 1.0), std::invalid_argument);
   EXPECT_THROW((void)avi::integrate_to(method, z, 0.05, INFINITY), std::invalid_argument);
+  EXPECT_THROW((void)avi::integrate_to(method, z, 0.05, NAN), std::invalid_argument);
   EXPECT_THROW((void)avi::integrate_to(method, z, 0.0, 1.0), std::invalid_argument);
 }
 

@@ -142,31 +142,4 @@ TEST(TrustRegion, EndsWhereNothingMoves) {
   EXPECT_EQ(run_updates(ellipse, once, Eigen::Vector2d(3.0, 1.0)).outcome, avi::Outcome::not_converged);
 }
 
-TEST(Optimisers, RefuseBadParameters) {
-  const VectorX x0 = VectorX::Ones(2);
-  EXPECT_THROW(run_updates(ellipse, experiment::AdaGrad{.epsilon = -1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::Adam{.beta_1 = -0.1}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::Adam{.beta_2 = 1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::TrustRegion{.accept = -0.1}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::TrustRegion{.shrink = 0.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::Nag{.h = -1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::Nag{.h = std::nan("")}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::Nag{.h = 0.1, .first = 0.5}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::Adam{.rate = 0.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::Adam{.beta_1 = 1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::Adam{.beta_2 = -0.1}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::Adam{.epsilon = -1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::AdaGrad{.rate = -1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::RmsProp{.rho = 1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::RmsProp{.rho = -0.1}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::RmsProp{.rate = 0.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::RmsProp{.epsilon = -1e-9}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::TrustRegion{.radius = 0.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::TrustRegion{.accept = 1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::TrustRegion{.expand = 0.1}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::TrustRegion{.shrink = 1.0}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::TrustRegion{.grow = 0.5}, x0), std::invalid_argument);
-  EXPECT_THROW(run_updates(ellipse, experiment::TrustRegion{.trials = 0}, x0), std::invalid_argument);
-}
-
 }  // namespace optimisers_test

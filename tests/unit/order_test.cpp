@@ -101,9 +101,9 @@ TEST(FitOrder, TakesAsFewPointsAsItIsTold) {
 }
 
 TEST(FitOrder, RefusesBadInput) {
-  const std::vector<double> h{0.1, 0.0}, error{1.0, 1.0};
-  EXPECT_THROW(avi::fit_order(h, error), std::invalid_argument);
-  EXPECT_THROW(avi::fit_order(h, std::vector<double>{1.0}), std::invalid_argument);
+  for (const double h : {0.0, std::nan(""), HUGE_VAL, -HUGE_VAL})
+    EXPECT_THROW(avi::fit_order(std::vector{0.1, h}, std::vector{1.0, 1.0}), std::invalid_argument) << h;
+  EXPECT_THROW(avi::fit_order(std::vector{0.1, 0.2}, std::vector{1.0}), std::invalid_argument);
   const std::vector<double> three{1.0, 0.5, 0.2};
   EXPECT_THROW(avi::fit_order(std::vector{0.1, 0.1, 0.1}, three), std::invalid_argument);
   EXPECT_THROW(avi::fit_order(std::vector{0.2, 0.1, -0.1}, three), std::invalid_argument);
