@@ -1,27 +1,21 @@
 #include "bregman/printed/cloning_printed.hpp"
 #include "common/problems/correlated_quartic.hpp"
-#include "common/table.hpp"
+#include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
+#include <string>
 #include <vector>
 
 // Variants of Bregman methods that the paper mentions: what theory says of each.
 
 namespace variants_test {
 
-const experiment::Table& table() {  // read when it is there: this source shares a program with others
-  static const auto data =
-      experiment::Table::read(std::filesystem::path(AVI_CHECK_DIR) / "quick/variants.tsv");
-  return data;
-}
-
 std::vector<double> column(const std::string& variant, const char* name) {
   std::vector<double> found;
-  for (std::size_t i = 0; i < table().rows.size(); ++i)
-    if (table().text(i, "variant") == variant) found.push_back(table().number(i, name));
+  for (const auto& row : data::quick.rows("variants", {{"variant", variant}}))
+    found.push_back(row.number(name));
   return found;
 }
 

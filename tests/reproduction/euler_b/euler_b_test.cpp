@@ -1,6 +1,6 @@
 #include "euler_b/euler_b_runs.hpp"
 
-#include "common/table.hpp"
+#include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ TEST(EulerB, AngularMomentumIsKeptToRoundOff) {
 }
 
 TEST(EulerB, CostAtMatchedErrorRanksTheMonitors) {
-  const auto cost = experiment::Table::read(std::string(AVI_CHECK_DIR) + "/quick/euler_b_cost.tsv");
+  const auto& cost = data::quick("euler_b_cost");
   std::map<std::string, double> steps;
   for (std::size_t i = 0; i < cost.rows.size(); ++i) {
     EXPECT_NEAR(cost.number(i, "energy_error") / cost.number(i, "target"), 1.0, 0.02);
@@ -49,7 +49,7 @@ TEST(EulerB, CostAtMatchedErrorRanksTheMonitors) {
 }
 
 TEST(EulerB, LargestStepsAtEqualErrorAreThoseOfBothFirstMonitors) {
-  const auto sizes = experiment::Table::read(std::string(AVI_CHECK_DIR) + "/quick/euler_b_step_sizes.tsv");
+  const auto& sizes = data::quick("euler_b_step_sizes");
   std::map<std::string, double> largest;
   for (std::size_t i = 0; i < sizes.rows.size(); ++i)
     largest[sizes.text(i, "monitor")] = sizes.number(i, "max_step");

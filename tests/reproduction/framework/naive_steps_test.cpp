@@ -1,4 +1,4 @@
-#include "common/table.hpp"
+#include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace naive_steps_test {
 
 TEST(NaiveSteps, DriftAndTheTransformedProblemDoesNot) {
-  const auto table = experiment::Table::read(AVI_CHECK_DIR "/quick/naive_steps.tsv");
+  const auto& table = data::quick("naive_steps");
   std::map<std::string, std::map<int, double>> error;  // by method and whole decades of periods
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const double decade = std::log10(table.number(i, "periods"));

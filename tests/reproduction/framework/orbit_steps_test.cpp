@@ -1,4 +1,4 @@
-#include "common/table.hpp"
+#include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace orbit_steps_test {
 
 TEST(OrbitSteps, CloseTheOrbitInAsManySteps) {
-  const auto summary = experiment::Table::read(AVI_CHECK_DIR "/quick/orbit_steps_summary.tsv");
+  const auto& summary = data::quick("orbit_steps_summary");
   std::map<std::string, double> error;
   for (std::size_t i = 0; i < summary.rows.size(); ++i) {
     EXPECT_EQ(summary.number(i, "steps"), 36.0);
@@ -22,7 +22,7 @@ TEST(OrbitSteps, CloseTheOrbitInAsManySteps) {
   EXPECT_LT(error.at("r"), 9e-9);
   EXPECT_LT(error.at("r^1.5"), 1.6e-10);
   EXPECT_LT(error.at("r^2"), 1.8e-7);
-  const auto table = experiment::Table::read(AVI_CHECK_DIR "/quick/orbit_steps.tsv");
+  const auto& table = data::quick("orbit_steps");
   std::map<std::string, double> last;  // distance of the last point from the pericentre
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     last[table.text(i, "monitor")] = std::hypot(table.number(i, "q_1") - 0.1, table.number(i, "q_2"));

@@ -1,10 +1,8 @@
+#include "reproduction/data.hpp"
 #include "scorecard/numbers/printed.hpp"
-
-#include "common/table.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <map>
 #include <set>
 #include <string>
@@ -13,20 +11,11 @@ using experiment::Table;
 
 namespace kepler_tables_test {
 
-Table data(const std::string& stem) {
-  return Table::read(std::string(AVI_CHECK_DIR) + "/data/" + stem + ".tsv");
-}
-
-/// Row of the authors' construction (or of Stormer-Verlet, for monitor "verlet").
-std::size_t row_of(const Table& table, const std::string& monitor) {
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const bool verlet = table.text(i, "method") == "stormer_verlet";
-    if (monitor == "verlet"
-            ? verlet
-            : table.text(i, "construction") == "authors" && table.text(i, "monitor") == monitor)
-      return i;
-  }
-  throw std::runtime_error("no row " + monitor);
+/// Row of the authors' construction, or of Stormer-Verlet.
+scorecard::Row row_of(const std::string& stem, const std::string& monitor) {
+  const Table& table = data::whole(stem);
+  return monitor == "verlet" ? scorecard::find(table, {{"method", "stormer_verlet"}})
+                             : scorecard::find(table, {{"construction", "authors"}, {"monitor", monitor}});
 }
 
 /// The published cells: source, row, quantity -> text as printed.
@@ -48,59 +37,52 @@ class Tables : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Tables, AdaptiveRowsAgreeInEveryPrintedDigit) {
   const std::string stem = GetParam();
-  const Table ours = data(stem);
   const auto paper = published(stem);
   for (const std::string monitor : {"gamma", "energy", "arclength"}) {
-    const std::size_t i = row_of(ours, monitor);
+    const auto ours = row_of(stem, monitor);
     for (const std::string quantity : {"min_step", "max_step", "energy_error", "global_error"})
-      EXPECT_TRUE(prints_as(ours.number(i, quantity), paper.at("HTVI4 " + monitor + " " + quantity)))
+      EXPECT_TRUE(prints_as(ours.number(quantity), paper.at("HTVI4 " + monitor + " " + quantity)))
           << monitor << ' ' << quantity;
-    EXPECT_EQ(ours.number(i, "steps") + 1, std::stod(paper.at("HTVI4 " + monitor + " steps")))
+    EXPECT_EQ(ours.number("steps") + 1, std::stod(paper.at("HTVI4 " + monitor + " steps")))
         << "the paper counts points";
   }
 }
 
 TEST_P(Tables, FixedStepRowsAgree) {
   const std::string stem = GetParam();
-  const Table ours = data(stem);
   const auto paper = published(stem);
-  const std::size_t none = row_of(ours, "none"), verlet = row_of(ours, "verlet");
-  EXPECT_TRUE(prints_as(ours.number(none, "energy_error"), paper.at("HTVI4 none energy_error")));
+  const auto none = row_of(stem, "none"), verlet = row_of(stem, "verlet");
+  EXPECT_TRUE(prints_as(none.number("energy_error"), paper.at("HTVI4 none energy_error")));
   if (stem == "kepler_e090")
-    EXPECT_TRUE(prints_as(ours.number(none, "global_error"), paper.at("HTVI4 none global_error")));
+    EXPECT_TRUE(prints_as(none.number("global_error"), paper.at("HTVI4 none global_error")));
   else
-    EXPECT_NEAR(ours.number(none, "global_error"), 0.7823, 0.0002)
-        << "0.783 is printed; pericentre is unresolved";
-  EXPECT_TRUE(prints_as(ours.number(verlet, "energy_error"), paper.at("SV energy_error")));
+    EXPECT_NEAR(none.number("global_error"), 0.7823, 0.0002) << "0.783 is printed; pericentre is unresolved";
+  EXPECT_TRUE(prints_as(verlet.number("energy_error"), paper.at("SV energy_error")));
   // The printed global error compares the state after N - 1 steps with the exact one at N h.
-  EXPECT_TRUE(prints_as(ours.number(verlet, "global_error_shifted"), paper.at("SV global_error")));
+  EXPECT_TRUE(prints_as(verlet.number("global_error_shifted"), paper.at("SV global_error")));
   EXPECT_FALSE(stem == "kepler_e090" &&
-               prints_as(ours.number(verlet, "global_error"), paper.at("SV global_error")));
+               prints_as(verlet.number("global_error"), paper.at("SV global_error")));
 }
 
 TEST_P(Tables, OnShellFieldImprovesTheEnergyMonitor) {
-  const Table ours = data(GetParam());
-  double error[2] = {0.0, 0.0};
-  for (std::size_t i = 0; i < ours.rows.size(); ++i)
-    if (ours.text(i, "monitor") == "energy") {
-      if (ours.text(i, "construction") == "authors") error[0] = ours.number(i, "energy_error");
-      if (ours.text(i, "construction") == "printed") error[1] = ours.number(i, "energy_error");
-    }
-  EXPECT_GT(error[1] / error[0], 250.0);  // measured: 301 and 568
+  const auto error = [](const char* construction) {
+    return data::whole.number(GetParam(), {{"construction", construction}, {"monitor", "energy"}},
+                              "energy_error");
+  };
+  EXPECT_GT(error("printed") / error("authors"), 250.0);  // measured: 301 and 568
 }
 
 /// One name for each integrator: construction, Taylor order and rule are columns, and no two rows of a
 /// monitor have the same; HTVI4 is the source's alone.
 TEST_P(Tables, TellTheConstructionsApart) {
-  const Table ours = data(GetParam());
   std::set<std::string> seen;
-  for (std::size_t i = 0; i < ours.rows.size(); ++i) {
+  for (const auto& ours : data::whole.rows(GetParam())) {
     std::string name;
     for (const char* column : {"method", "construction", "r", "rule", "monitor"})
-      name += ours.text(i, column) + ' ';
+      name += ours.text(column) + ' ';
     EXPECT_TRUE(seen.insert(name).second) << name;
-    EXPECT_EQ(ours.text(i, "method") == "htvi4",
-              ours.text(i, "construction") == "authors" || ours.text(i, "construction") == "printed")
+    EXPECT_EQ(ours.text("method") == "htvi4",
+              ours.text("construction") == "authors" || ours.text("construction") == "printed")
         << name;
   }
   EXPECT_EQ(seen.count("htvi4 authors 3 simpson gamma "), 1U);
@@ -110,14 +92,11 @@ TEST_P(Tables, TellTheConstructionsApart) {
 /// At the settings of the tables the stationary construction with its own rule is ahead of the authors' with
 /// every monitor. Measured at e = 0.9: 2.3e5, 7.1, 3.2e3 and 1.7e3 times.
 TEST(Constructions, TheStationaryOneIsTheMoreAccurate) {
-  const Table ours = data("kepler_e090");
-  const auto error = [&](const std::string& construction, const std::string& rule,
-                         const std::string& monitor) {
-    for (std::size_t i = 0; i < ours.rows.size(); ++i)
-      if (ours.text(i, "construction") == construction && ours.text(i, "rule") == rule &&
-          ours.text(i, "r") == "3" && ours.text(i, "monitor") == monitor)
-        return ours.number(i, "energy_error");
-    return std::nan("");
+  const auto error = [](const std::string& construction, const std::string& rule,
+                        const std::string& monitor) {
+    return data::whole.number(
+        "kepler_e090", {{"construction", construction}, {"r", "3"}, {"rule", rule}, {"monitor", monitor}},
+        "energy_error");
   };
   for (const auto& [monitor, gain] :
        std::map<std::string, double>{{"gamma", 1e5}, {"energy", 3.5}, {"arclength", 1.6e3}, {"none", 8e2}})

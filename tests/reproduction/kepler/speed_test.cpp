@@ -7,7 +7,7 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
 #include "common/methods/printed_htvi.hpp"
-#include "common/table.hpp"
+#include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,14 +19,11 @@
 
 namespace speed_test {
 
-double cell(const std::string& stem, const std::string& method, const std::string& monitor,
-            const std::string& column) {
-  const auto table = experiment::Table::read(std::string(AVI_CHECK_DIR) + "/data/" + stem + ".tsv");
-  for (std::size_t i = 0; i < table.rows.size(); ++i)
-    if (table.text(i, "method") == method && table.text(i, "monitor") == monitor &&
-        (method != "htvi4" || table.text(i, "construction") == "authors"))
-      return table.number(i, column);
-  throw std::runtime_error("no row " + method + " " + monitor);
+/// Of HTVI4 with the gamma monitor, or of Stormer-Verlet.
+double cell(const std::string& stem, const std::string& method, const char* column) {
+  return method == "htvi4"
+             ? data::whole.number(stem, {{"construction", "authors"}, {"monitor", "gamma"}}, column)
+             : data::whole.number(stem, {{"method", method}}, column);
 }
 
 /// Least time of `subject` over that of `control`, measured in turns until it is below `bound` or half a
@@ -57,7 +54,7 @@ void expect_faster(const std::string& stem, double eccentricity, double a, doubl
       avi::poincare<2>(avi::Kepler{}, start, avi::bounded(avi::NormSquared{}, a, 8.0)), avi::simpson());
   auto verlet = avi::stormer_verlet<2>(
       [](const avi::Vector<double, 2>& q) { return avi::Kepler::potential_gradient(q); });
-  const double fewer = cell(stem, "stormer_verlet", "none", "steps") / cell(stem, "htvi4", "gamma", "steps");
+  const double fewer = cell(stem, "stormer_verlet", "steps") / cell(stem, "htvi4", "steps");
   auto x = start, y = start;
   const double step = time_ratio([&] { (void)avi::integrate(htvi, x, 0.1, {.steps = n}); },
                                  [&] { (void)avi::integrate(verlet, y, verlet_h, {.steps = n}); },
@@ -93,11 +90,10 @@ void expect_far_faster(const std::string& stem, double eccentricity, double verl
                            })
                 .outcome,
             avi::Outcome::ok);
-  EXPECT_LT(energy_error, cell(stem, "htvi4", "gamma", "energy_error")) << stem;
-  EXPECT_LT((x.q - avi::Kepler::exact(eccentricity, x.t).q).norm(),
-            cell(stem, "htvi4", "gamma", "global_error"))
+  EXPECT_LT(energy_error, cell(stem, "htvi4", "energy_error")) << stem;
+  EXPECT_LT((x.q - avi::Kepler::exact(eccentricity, x.t).q).norm(), cell(stem, "htvi4", "global_error"))
       << stem;
-  const double runs = cell(stem, "stormer_verlet", "none", "steps") / n;
+  const double runs = cell(stem, "stormer_verlet", "steps") / n;
   const double part = time_ratio(
       [&] {
         x = start;

@@ -1,4 +1,4 @@
-#include "common/table.hpp"
+#include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,18 +9,8 @@
 
 namespace optimiser_arena_test {
 
-const experiment::Table& summary() {
-  static const experiment::Table table =
-      experiment::Table::read(AVI_CHECK_DIR "/data/optimiser_arena_summary.tsv");
-  return table;
-}
-
-double of(const std::string& group, const std::string& method, const std::string& column) {
-  for (std::size_t i = 0; i < summary().rows.size(); ++i)
-    if (summary().text(i, "group") == group && summary().text(i, "method") == method)
-      return summary().number(i, column);
-  ADD_FAILURE() << "no row " << group << " " << method;
-  return 0.0;
+double of(const std::string& group, const std::string& method, const char* column) {
+  return data::whole.number("optimiser_arena_summary", {{"group", group}, {"method", method}}, column);
 }
 
 TEST(OptimiserArena, TheDefaultsNeverFail) {

@@ -1,23 +1,18 @@
-#include "common/table.hpp"
+#include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 // minimise() on the paper's problem, with the paper's stopping test, beside the methods of Table 6.
 
 namespace optimiser_comparison_test {
 
-const experiment::Table& table() {
-  static const experiment::Table read =
-      experiment::Table::read(AVI_CHECK_DIR "/quick/optimiser_comparison.tsv");
-  return read;
-}
-
 double gradients(const std::string& method, double delta) {
-  for (std::size_t i = 0; i < table().rows.size(); ++i)
-    if (table().text(i, "method") == method && std::abs(table().number(i, "delta") / delta - 1.0) < 1e-9)
-      return table().text(i, "converged") == "1" ? table().number(i, "gradient_evaluations") : 1e99;
+  for (const auto& row : data::quick.rows("optimiser_comparison", {{"method", method}}))
+    if (std::abs(row.number("delta") / delta - 1.0) < 1e-9)
+      return row.text("converged") == "1" ? row.number("gradient_evaluations") : 1e99;
   ADD_FAILURE() << "no row " << method << " " << delta;
   return 0.0;
 }

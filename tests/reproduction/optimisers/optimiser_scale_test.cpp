@@ -1,4 +1,4 @@
-#include "common/table.hpp"
+#include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,28 +6,23 @@
 
 namespace optimiser_scale_test {
 
-double of(double dimension, double memory, const std::string& column) {
-  static const experiment::Table table = experiment::Table::read(AVI_CHECK_DIR "/data/optimiser_scale.tsv");
-  for (std::size_t i = 0; i < table.rows.size(); ++i)
-    if (table.number(i, "dimension") == dimension && table.number(i, "memory") == memory)
-      return table.number(i, column);
-  ADD_FAILURE() << "no row " << dimension << " " << memory;
-  return 0.0;
+double of(const char* dimension, const char* memory, const char* column) {
+  return data::whole.number("optimiser_scale", {{"dimension", dimension}, {"memory", memory}}, column);
 }
 
 TEST(OptimiserScale, AtTenMillionAnIterationIsBoundByMemory) {
-  EXPECT_LT(of(1e7, 0, "own_over_needed"), 2.5);  // measured 1.17 to 1.37
-  EXPECT_LT(of(1e7, 7, "own_over_needed"), 2.7);  // measured 1.30; 1.51 beside other programs
+  EXPECT_LT(of("1e7", "0", "own_over_needed"), 2.5);  // measured 1.17 to 1.37
+  EXPECT_LT(of("1e7", "7", "own_over_needed"), 2.7);  // measured 1.30; 1.51 beside other programs
 }
 
 TEST(OptimiserScale, MemoryIsTwoVectorsForAPairAndEight) {
-  EXPECT_NEAR(of(1e7, 0, "peak_vectors"), 7.0, 0.1);
-  EXPECT_NEAR(of(1e7, 7, "peak_vectors"), 2.0 * 7.0 + 8.0, 0.1);
+  EXPECT_NEAR(of("1e7", "0", "peak_vectors"), 7.0, 0.1);
+  EXPECT_NEAR(of("1e7", "7", "peak_vectors"), 2.0 * 7.0 + 8.0, 0.1);
 }
 
 TEST(OptimiserScale, AtFiftyTheBookkeepingCostsLessThanThis) {
-  EXPECT_LT(of(50, 0, "own_in_evaluations"), 2.5);  // measured 1.44 to 1.50
-  EXPECT_LT(of(50, 7, "own_in_evaluations"), 6.5);  // measured 3.33 to 3.45
+  EXPECT_LT(of("50", "0", "own_in_evaluations"), 2.5);  // measured 1.44 to 1.50
+  EXPECT_LT(of("50", "7", "own_in_evaluations"), 6.5);  // measured 3.33 to 3.45
 }
 
 }  // namespace optimiser_scale_test

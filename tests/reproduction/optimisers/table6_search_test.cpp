@@ -1,4 +1,4 @@
-#include "common/table.hpp"
+#include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 namespace table6_search_test {
 
 TEST(Table6Search, FindsPlantedRowsAndTheLibraryConfirmsThem) {
-  const auto table = experiment::Table::read(AVI_CHECK_DIR "/quick/table6_search.tsv");
+  const auto& table = data::quick("table6_search");
   ASSERT_EQ(table.rows.size(), 1u);
   EXPECT_EQ(table.text(0, "variant"), "as printed");
   EXPECT_EQ(table.number(0, "planted"), 6.0);

@@ -1,7 +1,7 @@
 #include "beyond/counts/sustained.hpp"
 #include "bregman/table.hpp"
 
-#include "common/table.hpp"
+#include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,8 @@ using experiment::Setting;
 
 namespace optimisation_meaning_test {
 
-const std::string data = AVI_CHECK_DIR "/data/";
-
 TEST(ConvergenceRate, StaysBelowItsBoundAndFallsTwiceAsFast) {
-  const auto table = experiment::Table::read(data + "convergence_rate.tsv");
+  const auto& table = data::whole("convergence_rate");
   ASSERT_EQ(table.rows.size(), 4u);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const double p = table.number(i, "p");
@@ -27,7 +25,7 @@ TEST(ConvergenceRate, StaysBelowItsBoundAndFallsTwiceAsFast) {
 }
 
 TEST(OrderEquivalence, OnlyTheClockTellsAdaptiveFromDirect) {
-  const auto table = experiment::Table::read(data + "order_equivalence.tsv");
+  const auto& table = data::whole("order_equivalence");
   int exact = 0;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     EXPECT_EQ(table.number(i, "order"), std::pow(table.number(i, "p"), 2) / table.number(i, "p_ring"));

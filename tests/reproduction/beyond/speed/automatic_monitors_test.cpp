@@ -1,4 +1,4 @@
-#include "common/table.hpp"
+#include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,8 @@
 
 namespace automatic_monitors_test {
 
-const std::string quick = AVI_CHECK_DIR "/quick";
-
 TEST(AutomaticMonitors, AreNearTheBestMadeByHand) {
-  const auto table = experiment::Table::read(quick + "/automatic_monitors_choices.tsv");
+  const auto& table = data::quick("automatic_monitors_choices");
   std::set<std::string> problems;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     problems.insert(table.text(i, "problem"));
@@ -36,7 +34,7 @@ TEST(AutomaticMonitors, AreNearTheBestMadeByHand) {
 }
 
 TEST(AutomaticMonitors, HaveTheErrorsOfTheirTargets) {
-  const auto table = experiment::Table::read(quick + "/automatic_monitors.tsv");
+  const auto& table = data::quick("automatic_monitors");
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     if (table.text(i, "problem") == "lennard_jones" && table.number(i, "order") == 4.0) continue;
     const double order = table.number(i, "order"), position = order == 4 ? 1e-4 : order == 8 ? 1e-7 : 1e-10;
@@ -49,7 +47,7 @@ TEST(AutomaticMonitors, HaveTheErrorsOfTheirTargets) {
 }
 
 TEST(AutomaticMonitors, DoNotDriftOverTenThousandPeriods) {
-  const auto table = experiment::Table::read(quick + "/automatic_monitors_drift.tsv");
+  const auto& table = data::quick("automatic_monitors_drift");
   ASSERT_EQ(table.rows.size(), 5u);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const std::string problem = table.text(i, "problem");

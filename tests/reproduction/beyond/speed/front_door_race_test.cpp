@@ -1,4 +1,4 @@
-#include "common/table.hpp"
+#include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,13 +11,9 @@ using experiment::Table;
 
 namespace front_door_race_test {
 
-Table data(const std::string& stem) {
-  return Table::read(std::string(AVI_CHECK_DIR) + "/quick/" + stem + ".tsv");
-}
-
 /// The references are right: methods that share nothing come to within 1e-9 of them where motion is calm.
 TEST(FrontDoorRace, SolveAndOtherLibrariesMeetAtTheReference) {
-  const Table table = data("front_door");
+  const Table& table = data::quick("front_door");
   std::map<std::string, std::map<std::string, double>> least;  // of each scene, by library
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     if (table.number(i, "horizon") > 1.0) continue;
@@ -36,7 +32,7 @@ TEST(FrontDoorRace, SolveAndOtherLibrariesMeetAtTheReference) {
 }
 
 TEST(FrontDoorRace, CellsHoldTheCheapestRowsThatReachTheirTargets) {
-  const Table cells = data("front_door_cells"), table = data("front_door");
+  const Table &cells = data::quick("front_door_cells"), &table = data::quick("front_door");
   ASSERT_GE(cells.rows.size(), 40u);
   for (std::size_t i = 0; i < cells.rows.size(); ++i) {
     const double ours = cells.number(i, "ours"), peer = cells.number(i, "best_peer"),
@@ -60,7 +56,7 @@ TEST(FrontDoorRace, CellsHoldTheCheapestRowsThatReachTheirTargets) {
 /// What seconds say is not due to how an evaluation is written: counts of evaluations, which no load moves,
 /// are of the same size.
 TEST(FrontDoorRace, EvaluationsAreCounted) {
-  const Table cells = data("front_door_cells");
+  const Table& cells = data::quick("front_door_cells");
   for (std::size_t i = 0; i < cells.rows.size(); ++i)
     if (std::isfinite(cells.number(i, "ratio"))) {
       EXPECT_GT(cells.number(i, "ours_evaluations"), 0.0);

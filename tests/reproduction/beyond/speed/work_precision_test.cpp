@@ -1,4 +1,4 @@
-#include "common/table.hpp"
+#include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,8 @@ using experiment::Table;
 
 namespace work_precision_test {
 
-Table data(const std::string& stem) {
-  return Table::read(std::string(AVI_CHECK_DIR) + "/quick/" + stem + ".tsv");
-}
-
 TEST(WorkPrecision, HoldsTheReferenceRun) {
-  const Table table = data("work_precision");
+  const Table& table = data::quick("work_precision");
   ASSERT_FALSE(table.rows.empty());
   EXPECT_EQ(table.text(0, "method"), "stormer_verlet");
   EXPECT_NEAR(table.number(0, "steps"), 200000, 1);
@@ -24,7 +20,7 @@ TEST(WorkPrecision, HoldsTheReferenceRun) {
 }
 
 TEST(WorkPrecision, ErrorsFallWithTheStepUntilRoundOff) {
-  const Table table = data("work_precision");
+  const Table& table = data::quick("work_precision");
   std::map<std::string, double> last;
   int pairs = 0;
   for (std::size_t i = 1; i < table.rows.size(); ++i) {
@@ -44,7 +40,7 @@ TEST(WorkPrecision, ErrorsFallWithTheStepUntilRoundOff) {
 }
 
 TEST(WorkPrecision, SweepsThatEndEarlySaveWorkAndErrAsTheirToleranceAllows) {
-  const Table table = data("work_precision");
+  const Table& table = data::quick("work_precision");
   std::map<std::string, std::size_t> solved;  // rows whose sweeps go on to round-off
   int rows = 0;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
@@ -70,7 +66,7 @@ TEST(WorkPrecision, SweepsThatEndEarlySaveWorkAndErrAsTheirToleranceAllows) {
 /// Solved to rounding, and beside it whatever ends the sweeps: the latter is never dearer, and the same where
 /// its setting has no tolerance.
 TEST(WorkPrecision, AdviceHasCollocationSolvedToRoundingBesideTheCheapest) {
-  const Table advice = data("work_precision_advice");
+  const Table& advice = data::quick("work_precision_advice");
   int solved = 0;
   for (std::size_t i = 0; i < advice.rows.size(); ++i) {
     EXPECT_EQ(advice.text(i, "solved_setting").find("tolerance="), std::string::npos);
@@ -89,7 +85,7 @@ TEST(WorkPrecision, ItsAdviceReachesTheTargetsAheadOfEveryPeer) {
 #if !defined(__OPTIMIZE__) || defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "not optimised, as the other libraries are";
 #endif
-  const Table advice = data("work_precision_advice");
+  const Table& advice = data::quick("work_precision_advice");
   ASSERT_EQ(advice.rows.size(), 5u);
   for (std::size_t i = 0; i < advice.rows.size(); ++i) {
     EXPECT_EQ(advice.text(i, "verdict"), "ahead") << advice.text(i, "target");

@@ -1,7 +1,7 @@
 #include "avi/bregman/bregman_htvi.hpp"
 #include "avi/optim/run_updates.hpp"
 #include "common/problems/correlated_quartic.hpp"
-#include "common/table.hpp"
+#include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,12 +18,8 @@ using experiment::Table;
 
 namespace bregman_extremes_test {
 
-Table data(const std::string& curve) {
-  return Table::read(std::string(AVI_CHECK_DIR) + "/quick/bregman_extremes" + curve + ".tsv");
-}
-
 TEST(Overflow, EachFormEndsWhereItsLargestCoefficientDoes) {
-  const Table ends = data("_overflow");
+  const Table& ends = data::quick("bregman_extremes_overflow");
   std::map<std::pair<double, double>, std::map<std::string, double>> end;
   for (std::size_t i = 0; i < ends.rows.size(); ++i) {
     const double measured = ends.number(i, "log10_t_end"), expected = ends.number(i, "log10_t_expected");
@@ -43,7 +39,7 @@ TEST(Overflow, EachFormEndsWhereItsLargestCoefficientDoes) {
 }
 
 TEST(Overflow, TheFormsAgreeWhereverBothAreFinite) {
-  const Table ends = data("_overflow");
+  const Table& ends = data::quick("bregman_extremes_overflow");
   double momentum = 0.0, heavy_ball = 0.0;
   for (std::size_t i = 0; i < ends.rows.size(); ++i) {
     EXPECT_GT(ends.number(i, "steps_compared"), 1900.0) << "the whole way to the printed form's end";
@@ -55,7 +51,7 @@ TEST(Overflow, TheFormsAgreeWhereverBothAreFinite) {
 }
 
 TEST(Limit, LinearTheoryHoldsForEveryMethod) {
-  const Table limits = data("_limits");
+  const Table& limits = data::quick("bregman_extremes_limits");
   std::set<std::string> methods;
   for (std::size_t i = 0; i < limits.rows.size(); ++i) {
     const std::string method = limits.text(i, "method");
@@ -72,7 +68,7 @@ TEST(Limit, LinearTheoryHoldsForEveryMethod) {
 }
 
 TEST(Runs, NoneIsSilentlyWrong) {
-  const Table table = data("");
+  const Table& table = data::quick("bregman_extremes");
   std::map<std::string, int> verdicts;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     ++verdicts[table.text(i, "verdict")];

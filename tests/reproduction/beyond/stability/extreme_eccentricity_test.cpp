@@ -1,4 +1,4 @@
-#include "common/table.hpp"
+#include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,15 +10,11 @@
 
 namespace extreme_eccentricity_test {
 
-experiment::Table data(const std::string& curve = "") {
-  return experiment::Table::read(std::string(AVI_CHECK_DIR) + "/quick/extreme_eccentricity" + curve + ".tsv");
-}
-
 const std::set<std::string> failures{"energy",     "phase",       "step_limit", "not_converged",
                                      "non_finite", "bad_monitor", "diverged",   "refused"};
 
 TEST(ExtremeEccentricity, EveryRunIsGoodOrNamed) {
-  const auto table = data();
+  const auto& table = data::quick("extreme_eccentricity");
   ASSERT_GT(table.rows.size(), 30U);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     if (std::isnan(table.number(i, "h"))) {
@@ -32,13 +28,12 @@ TEST(ExtremeEccentricity, EveryRunIsGoodOrNamed) {
 }
 
 /// Steps per orbit of a method and monitor at 1 - e = closeness; NaN where there are none.
-double steps(const experiment::Table& table, const std::string& method, const std::string& monitor,
-             double closeness, const std::string& precision = "double") {
-  for (std::size_t i = 0; i < table.rows.size(); ++i)
-    if (table.text(i, "method") == method && table.text(i, "monitor") == monitor &&
-        table.text(i, "bounded") == "0" && table.text(i, "precision") == precision &&
-        std::abs(table.number(i, "closeness") / closeness - 1.0) < 1e-9)
-      return table.number(i, "steps_per_orbit");
+double steps(const std::string& method, const std::string& monitor, double closeness,
+             const std::string& precision = "double") {
+  for (const auto& row : data::quick.rows(
+           "extreme_eccentricity",
+           {{"method", method}, {"monitor", monitor}, {"bounded", "0"}, {"precision", precision}}))
+    if (std::abs(row.number("closeness") / closeness - 1.0) < 1e-9) return row.number("steps_per_orbit");
   return std::nan("");
 }
 
@@ -46,10 +41,8 @@ double steps(const experiment::Table& table, const std::string& method, const st
 double K(double closeness) { return std::log(4.0 / std::sqrt(0.5 * closeness)); }
 
 TEST(ExtremeEccentricity, CostGrowsAsPredicted) {
-  const auto table = data();
   const auto growth = [&](const char* method, const char* monitor, double from, double to) {
-    return std::log(steps(table, method, monitor, to) / steps(table, method, monitor, from)) /
-           std::log(to / from);
+    return std::log(steps(method, monitor, to) / steps(method, monitor, from)) / std::log(to / from);
   };
   // Measured -0.615, -0.097, -0.505 and 0.001; the largest step is known to 2 %, hence a power over one
   // decade to 0.01. Beyond 1 - e = 1e-5 order 8 with r^1.5 is limited by more than its order.
@@ -69,23 +62,20 @@ TEST(ExtremeEccentricity, RoundingAtTheApocentreIsAmplifiedAtThePericentre) {
   // Rounding moves the conserved g (H + p^t); a change made at the apocentre is (2 / (1 - e))^1.5 times as
   // large an energy at the pericentre. In single precision that is 1e-7 x 90 = 1e-5 at 1 - e = 0.1, and 9e-3
   // at 1e-3, nearly all that is allowed.
-  const auto table = data();
-  EXPECT_NEAR(steps(table, "stationary8", "r^1.5", 0.1, "single") / steps(table, "stationary8", "r^1.5", 0.1),
-              1.0, 0.05);
-  EXPECT_TRUE(std::isnan(steps(table, "stationary8", "r^1.5", 1e-3, "single")));
-  EXPECT_GT(steps(table, "stationary8", "r^1.5", 1e-7), 0.0);
+  EXPECT_NEAR(steps("stationary8", "r^1.5", 0.1, "single") / steps("stationary8", "r^1.5", 0.1), 1.0, 0.05);
+  EXPECT_TRUE(std::isnan(steps("stationary8", "r^1.5", 1e-3, "single")));
+  EXPECT_GT(steps("stationary8", "r^1.5", 1e-7), 0.0);
   // The logarithmic Hamiltonian conserves log(T + p^t) - log U, which has no such ratio.
-  EXPECT_GT(steps(table, "log_hamiltonian", "1/V", 1e-7, "single"), 0.0);
+  EXPECT_GT(steps("log_hamiltonian", "1/V", 1e-7, "single"), 0.0);
 }
 
 TEST(ExtremeEccentricity, OnACircleAdaptivityCostsNothing) {
-  const auto table = data();
-  EXPECT_LT(steps(table, "stationary8", "r^1.5", 1.0), 1.1 * steps(table, "stationary8", "none", 1.0));
-  EXPECT_LT(steps(table, "stationary8", "r^2", 1.0), 1.1 * steps(table, "stationary8", "none", 1.0));
+  EXPECT_LT(steps("stationary8", "r^1.5", 1.0), 1.1 * steps("stationary8", "none", 1.0));
+  EXPECT_LT(steps("stationary8", "r^2", 1.0), 1.1 * steps("stationary8", "none", 1.0));
 }
 
 TEST(ExtremeEccentricity, StartAndSenseDoNotMatterAndCollisionsHaveNames) {
-  const auto table = data("_starts");
+  const auto& table = data::quick("extreme_eccentricity_starts");
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const std::string& start = table.text(i, "start");
     const std::string where = table.text(i, "method") + " " + table.text(i, "monitor") + " from " + start;

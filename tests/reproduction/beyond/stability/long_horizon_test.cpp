@@ -1,4 +1,4 @@
-#include "common/table.hpp"
+#include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,8 @@
 
 namespace long_horizon_test {
 
-const std::string quick = AVI_CHECK_DIR "/quick";
-
 TEST(LongHorizon, ErrorsGrowAsTheory) {
-  const auto laws = experiment::Table::read(quick + "/long_horizon_laws.tsv");
+  const auto& laws = data::quick("long_horizon_laws");
   for (std::size_t i = 0; i < laws.rows.size(); ++i) {
     const std::string& method = laws.text(i, "method");
     if (method == "runge_kutta_4") {
@@ -33,7 +31,7 @@ TEST(LongHorizon, ErrorsGrowAsTheory) {
 }
 
 TEST(LongHorizon, SymplecticRunsKeepEnergyAndAngularMomentum) {
-  const auto table = experiment::Table::read(quick + "/long_horizon.tsv");
+  const auto& table = data::quick("long_horizon");
   // Twice what was measured after 100 periods; rounding is another with and without vector units (stationary
   // 12: from 2e-13 to 9e-13 seen).
   const std::map<std::string, double> energy{{"stationary4", 4.2e-6},
@@ -52,25 +50,21 @@ TEST(LongHorizon, SymplecticRunsKeepEnergyAndAngularMomentum) {
 }
 
 TEST(LongHorizon, CollocationHasRoundingErrorsOnly) {
-  const auto table = experiment::Table::read(quick + "/long_horizon.tsv");
   double periods = 0.0;
-  for (std::size_t i = 0; i < table.rows.size(); ++i)
-    if (table.text(i, "method") == "collocation16") {
-      periods = table.number(i, "periods");
-      // At the apocentre; 7e-15 and 7.2e-11 were measured, 8e-14 where a step ends without its last
-      // evaluation.
-      EXPECT_LT(std::abs(table.number(i, "energy_now")), 1.4e-14) << periods;
-      EXPECT_LT(std::abs(table.number(i, "phase_error")), 1.5e-10) << periods;
-    }
+  for (const auto& row : data::quick.rows("long_horizon", {{"method", "collocation16"}})) {
+    periods = row.number("periods");
+    // At the apocentre; 7e-15 and 7.2e-11 were measured, 8e-14 where a step ends without its last evaluation.
+    EXPECT_LT(std::abs(row.number("energy_now")), 1.4e-14) << periods;
+    EXPECT_LT(std::abs(row.number("phase_error")), 1.5e-10) << periods;
+  }
   EXPECT_EQ(periods, 10'000.0);
 }
 
 TEST(LongHorizon, PhasesEndWhereTheyDid) {
-  const auto table = experiment::Table::read(quick + "/long_horizon.tsv");
   // Radians, at the end: 100 periods, 10 for the control.
   std::map<std::string, double> phase;
-  for (std::size_t i = 0; i < table.rows.size(); ++i)
-    phase[table.text(i, "method")] = table.number(i, "phase_error");
+  for (const auto& row : data::quick.rows("long_horizon"))
+    phase[row.text("method")] = row.number("phase_error");
   for (const auto& [method, measured] :
        std::map<std::string, double>{{"stationary4", -5.91948e-4},
                                      {"stormer_verlet", -1.0214},

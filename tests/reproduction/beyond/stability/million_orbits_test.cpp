@@ -1,4 +1,4 @@
-#include "common/table.hpp"
+#include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,7 @@
 namespace million_orbits_test {
 
 double summary(const std::string& method, const char* column) {
-  static const auto table = experiment::Table::read(AVI_CHECK_DIR "/quick/million_orbits_summary.tsv");
-  for (std::size_t i = 0; i < table.rows.size(); ++i)
-    if (table.text(i, "method") == method) return table.number(i, column);
-  ADD_FAILURE() << "no row " << method;
-  return 0.0;
+  return data::quick.number("million_orbits_summary", {{"method", method}}, column);
 }
 
 TEST(MillionOrbits, EnergyWalksAtRandomOrDrifts) {

@@ -1,4 +1,4 @@
-#include "common/table.hpp"
+#include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,48 +11,39 @@
 
 namespace step_breakdown_test {
 
-class StepBreakdown : public testing::Test {
- protected:
-  const experiment::Table table = experiment::Table::read(AVI_CHECK_DIR "/quick/step_breakdown.tsv");
+scorecard::Row row(const std::string& problem, const std::string& method,
+                   const std::string& monitor = "none") {
+  return scorecard::find(data::quick("step_breakdown"),
+                         {{"problem", problem}, {"method", method}, {"monitor", monitor}});
+}
 
-  [[nodiscard]] std::size_t row(const std::string& problem, const std::string& method,
-                                const std::string& monitor = "none") const {
-    for (std::size_t i = 0; i < table.rows.size(); ++i)
-      if (table.text(i, "problem") == problem && table.text(i, "method") == method &&
-          table.text(i, "monitor") == monitor)
-        return i;
-    throw std::runtime_error("no row " + problem + " " + method);
-  }
-};
-
-TEST_F(StepBreakdown, LinearTheoryIsMetOnTheOscillator) {
+TEST(StepBreakdown, LinearTheoryIsMetOnTheOscillator) {
   // Stormer-Verlet: 2; the classical Runge-Kutta method: sqrt(8); the triple jump: 1.573 (Yoshida 1990);
   // stationary 4 has to break where the eigenvalues of its step say, wherever that is.
-  EXPECT_NEAR(table.number(row("oscillator", "stormer_verlet"), "h_linear"), 2.0, 1e-3);
-  EXPECT_NEAR(table.number(row("oscillator", "runge_kutta_4"), "h_linear"), std::sqrt(8.0), 1e-3);
-  EXPECT_NEAR(table.number(row("oscillator", "yoshida4"), "h_linear"), 1.573, 1e-3);
+  EXPECT_NEAR(row("oscillator", "stormer_verlet").number("h_linear"), 2.0, 1e-3);
+  EXPECT_NEAR(row("oscillator", "runge_kutta_4").number("h_linear"), std::sqrt(8.0), 1e-3);
+  EXPECT_NEAR(row("oscillator", "yoshida4").number("h_linear"), 1.573, 1e-3);
   for (const char* method : {"stormer_verlet", "yoshida4", "runge_kutta_4", "stationary4"})
-    EXPECT_NEAR(table.number(row("oscillator", method), "h") /
-                    table.number(row("oscillator", method), "h_linear"),
-                1.0, 0.01)
+    EXPECT_NEAR(row("oscillator", method).number("h") / row("oscillator", method).number("h_linear"), 1.0,
+                0.01)
         << method;
 }
 
-TEST_F(StepBreakdown, CollocationIsStableAtEveryStep) {
+TEST(StepBreakdown, CollocationIsStableAtEveryStep) {
   // Where sweeps do not contract, from 3.03 and 9.4 on, Newton's method solves the oscillator, up to the
   // largest step that is tried. Measured: Henon-Heiles 4.7, Kepler 1.9.
   for (const std::string method : {"collocation4", "collocation16"}) {
-    const auto i = row("oscillator", method);
-    EXPECT_EQ(table.text(i, "linear_reason"), "none") << method;
-    EXPECT_EQ(table.number(i, "h"), 16.0) << method;
-    EXPECT_EQ(table.text(i, "beyond"), "none") << method;
-    EXPECT_LT(table.number(i, "energy_error"), 1e-9) << method;
+    const auto its = row("oscillator", method);
+    EXPECT_EQ(its.text("linear_reason"), "none") << method;
+    EXPECT_EQ(its.number("h"), 16.0) << method;
+    EXPECT_EQ(its.text("beyond"), "none") << method;
+    EXPECT_LT(its.number("energy_error"), 1e-9) << method;
   }
-  EXPECT_GT(table.number(row("henon_heiles", "collocation16"), "h"), 4.0);
-  EXPECT_GT(table.number(row("kepler", "collocation16", "r^1.5"), "h"), 1.6);
+  EXPECT_GT(row("henon_heiles", "collocation16").number("h"), 4.0);
+  EXPECT_GT(row("kepler", "collocation16", "r^1.5").number("h"), 1.6);
 }
 
-TEST_F(StepBreakdown, LargestStepsAreThoseMeasured) {
+TEST(StepBreakdown, LargestStepsAreThoseMeasured) {
   struct Limit {
     const char *problem, *method, *monitor;
     double h;
@@ -74,24 +65,23 @@ TEST_F(StepBreakdown, LargestStepsAreThoseMeasured) {
                                                     {"kepler", "hairer_soderlind", "r^1.5", 0.1332},
                                                     {"kepler", "stationary4", "r^1.5", 0.4076},
                                                     {"kepler", "stationary8", "r^1.5", 0.5978}})
-    EXPECT_NEAR(table.number(row(problem, method, monitor), "h") / h, 1.0, 0.03) << problem << ' ' << method;
+    EXPECT_NEAR(row(problem, method, monitor).number("h") / h, 1.0, 0.03) << problem << ' ' << method;
 }
 
-TEST_F(StepBreakdown, OneNotchBeyondEveryRunEndsWithItsReason) {
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const std::string where =
-        table.text(i, "problem") + " " + table.text(i, "method") + " " + table.text(i, "monitor");
-    const std::string& beyond = table.text(i, "beyond");
-    if (table.text(i, "method") == "log_hamiltonian") {
+TEST(StepBreakdown, OneNotchBeyondEveryRunEndsWithItsReason) {
+  for (const auto& its : data::quick.rows("step_breakdown")) {
+    const std::string where = its.text("problem") + " " + its.text("method") + " " + its.text("monitor");
+    const std::string& beyond = its.text("beyond");
+    if (its.text("method") == "log_hamiltonian") {
       EXPECT_EQ(beyond, "none") << "its leapfrog stays on the ellipse whatever the step";
       continue;
     }
-    if (table.text(i, "linear_reason") == "none" && table.text(i, "problem") == "oscillator") continue;
+    if (its.text("linear_reason") == "none" && its.text("problem") == "oscillator") continue;
     EXPECT_TRUE(beyond == "energy" || beyond == "not_converged" || beyond == "non_finite" ||
                 beyond == "bad_monitor" || beyond == "diverged")
         << where << " " << beyond;
-    EXPECT_LT(table.number(i, "h_beyond"), 1.003 * table.number(i, "h")) << where;
-    EXPECT_LT(table.number(i, "time_reached"), 310.0) << where;
+    EXPECT_LT(its.number("h_beyond"), 1.003 * its.number("h")) << where;
+    EXPECT_LT(its.number("time_reached"), 310.0) << where;
   }
 }
 
