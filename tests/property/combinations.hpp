@@ -136,7 +136,9 @@ inline State<1> plain(const State<2>& bar) {
 template <int n>
 double error(const State<n>& z, bool of_time) {
   const State<1> here = plain(z), there = exact(here.t, of_time);
-  return std::hypot(here.q[0] - there.q[0], here.p[0] - there.p[0]);
+  double energy = 0.0;  // whose momentum, p^t, is minus H
+  if constexpr (n == 2) energy = z.p[1] + QuarticInTime{}(there.q, there.t, there.p);
+  return std::hypot(here.q[0] - there.q[0], here.p[0] - there.p[0], energy);
 }
 
 /// The largest errors of all that can be done with a run.

@@ -1,14 +1,11 @@
 #include "avi/transform/time_dependent.hpp"
 
-#include "avi/core/integrate_to.hpp"
-#include "avi/diagnostics/order.hpp"
+#include "avi/core/integrate.hpp"
 #include "avi/htvi/htvi.hpp"
-#include "common/methods/printed_htvi.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <vector>
 
 // Physical time of a problem that depends on time: it is a coordinate, and fictive time is another thing.
 
@@ -80,56 +77,6 @@ TEST(TimeDependent, TakesTheMonitorsOfAutonomousProblems) {
   EXPECT_TRUE(x.q == z.q && x.p == z.p && x.t == z.t);
   EXPECT_TRUE(y.q == z.q && y.p == z.p && y.t == z.t);
   EXPECT_LT(z.t, 0.25 + 0.9) << "the monitor slows time down";
-}
-
-/// An oscillator whose frequency varies, H = p^2 / 2 + (1 + t) q^2 / 2: q = Ai(-(1 + t)) solves q'' = -(1 +
-/// t) q. Its reference is a run with small steps of another method, so that the two routes share nothing.
-struct AiryOscillator {
-  template <class Q, class S, class P>
-  S operator()(const Q& q, const S& t, const P& p) const {
-    return 0.5 * (p[0] * p[0]) + 0.5 * (1.0 + t) * (q[0] * q[0]);
-  }
-};
-
-avi::State<1> runge_kutta(avi::State<1> z, double t_end, int steps) {
-  const double h = (t_end - z.t) / steps;
-  const auto force = [](double t, double q) { return -(1.0 + t) * q; };
-  for (int k = 0; k < steps; ++k) {
-    const double q = z.q[0], p = z.p[0], t = z.t;
-    const double a1 = p, b1 = force(t, q);
-    const double a2 = p + 0.5 * h * b1, b2 = force(t + 0.5 * h, q + 0.5 * h * a1);
-    const double a3 = p + 0.5 * h * b2, b3 = force(t + 0.5 * h, q + 0.5 * h * a2);
-    const double a4 = p + h * b3, b4 = force(t + h, q + h * a3);
-    z.q[0] += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
-    z.p[0] += h / 6.0 * (b1 + 2.0 * b2 + 2.0 * b3 + b4);
-    z.t += h;
-  }
-  return z;
-}
-
-TEST(TimeDependent, FollowsAnOscillatorOfVaryingFrequency) {
-  const avi::State<1> origin{.q = avi::Vector<double, 1>(1.0), .p = avi::Vector<double, 1>(0.0), .t = 0.0};
-  const auto exact = runge_kutta(origin, 3.0, 20000);
-  const auto monitor = [](const auto&, const auto& t, const auto&) {
-    using std::sqrt;
-    return 1.0 / sqrt(1.0 + t);
-  };
-  const auto problem = avi::time_dependent(AiryOscillator{}, origin, monitor);
-  std::vector<double> steps, errors;
-  for (double h : {0.2, 0.1, 0.05}) {
-    auto z = avi::extended(problem, origin);
-    auto method = avi::type2<3, experiment::Printed>(problem, avi::gauss(2));
-    const auto run = avi::integrate_to(method, z, h, 3.0);
-    ASSERT_EQ(run.outcome, avi::Outcome::ok) << run.message;
-    const auto end = avi::reduced(z);
-    EXPECT_NEAR(end.t, 3.0, 1e-14);
-    EXPECT_NEAR(z.p[1], -AiryOscillator{}(end.q, end.t, end.p), 20.0 * std::pow(h, 4))
-        << "p^t is minus the energy";
-    steps.push_back(h);
-    errors.push_back(std::hypot(end.q[0] - exact.q[0], end.p[0] - exact.p[0]));
-  }
-  EXPECT_LT(errors.back(), 1e-5);
-  EXPECT_NEAR(avi::fit_order(steps, errors).order, 4.0, 0.5);
 }
 
 }  // namespace time_dependent_test
