@@ -1,9 +1,9 @@
 #include "beyond/counts/sustained.hpp"
+#include "bregman/printed/cloning_printed.hpp"
 #include "common/frame.hpp"
 
 #include "avi/integrators/runge_kutta.hpp"
 #include "common/problems/correlated_quartic.hpp"
-#include "common/rules/bregman_cloning.hpp"
 
 #include <gsl/gsl_eigen.h>
 
@@ -115,24 +115,15 @@ Followed proximal_points(const DiagonalQuartic& f, double h, long cap) {
 }
 
 /// The other copy of Strang's cloning at the published start: the flow of H-bar_2 kicks it, that of H-bar_1
-/// moves it, so its step is kick, drift, kick, and the gradient at its end serves the stopping test and the
-/// next step.
+/// moves it, so its step is kick, drift, kick, and the gradient at its end would serve the stopping test and
+/// the next step.
 Followed kicked_first(const BregmanFamily& family, double h, long cap) {
   const experiment::CorrelatedQuartic f;
-  VectorX r = VectorX::Constant(50, 1.0), gradient(50);
-  double t = 1.0, t_read = 1.0;  // its clock, and that of the copy that the source reads
-  const VectorX start = VectorX::Constant(50, 5.0);
-  f(start, gradient);
-  return followed(f, start, cap, [&](VectorX& q) {
-    const auto kick = [&] {
-      r -= (0.5 * h * family.potential(t)) * gradient;
-      t_read += 0.5 * h * family.monitor(t);
-    };
-    kick();
-    q += (h * family.kinetic(t_read)) * r;
-    t += h * family.monitor(t_read);
-    f(q, gradient);
-    kick();
+  const MergedStages stages = merged_stages(CloneComposition::strang);
+  avi::ExtendedPoint z{.q = f.start(), .t = 1.0, .r = VectorX::Constant(50, 1.0)}, clone = z;
+  return followed(f, clone.q, cap, [&](VectorX& q) {
+    cloning_printed_step(family, f, h, stages, z, clone);
+    q = clone.q;
   });
 }
 

@@ -1,5 +1,3 @@
-#include "bregman/printed/cloning_printed.hpp"
-#include "common/problems/correlated_quartic.hpp"
 #include "reproduction/data.hpp"
 
 #include <gtest/gtest.h>
@@ -40,26 +38,6 @@ TEST(Variants, MomentumDoesNotSpeedProximalStepsUp) {
   ASSERT_EQ(without.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_LT(without[i], with[i]);
-}
-
-/// The copy that is kicked first is the clone of the printed scheme: the same first passage, to the last bit.
-TEST(Variants, TheOtherCopyOfTheCloningIsTheClone) {
-  const experiment::CorrelatedQuartic f;
-  const auto family = avi::BregmanFamily::direct(4.0);
-  const auto stages = experiment::merged_stages(experiment::CloneComposition::strang);
-  avi::ExtendedPoint z{.q = avi::VectorX::Constant(50, 5.0), .t = 1.0, .r = avi::VectorX::Constant(50, 1.0)},
-      clone = z;
-  avi::VectorX gradient(50);
-  double before = f(clone.q, gradient);
-  long k = 0;
-  for (bool done = false; !done && k < 100'000;) {
-    ++k;
-    experiment::cloning_printed_step(family, f, 9.7e-4, stages, z, clone);
-    const double now = f(clone.q, gradient);
-    done = std::abs(now - before) < 1e-10 && gradient.norm() < 1e-10;
-    before = now;
-  }
-  EXPECT_EQ(column("kick_first", "first_passage")[0], static_cast<double>(k));
 }
 
 /// The distance to the limit equation is of the order of the square root of h.
