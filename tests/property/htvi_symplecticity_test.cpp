@@ -4,6 +4,7 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
 #include "common/methods/printed_htvi.hpp"
+#include "framework/step_defects.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,34 +15,13 @@ namespace htvi_symplecticity_test {
 
 const Kepler kepler;
 
-/// A point off the axes, e = 0.6, some way past pericentre.
-State<2> somewhere() { return Kepler::exact(0.6, 0.9); }
-
-/// Defect of one step as a map of (q, t, p, p^t): p^t is a variable like the others.
-template <int r, class Construction, class G>
-double extended_defect(const G& monitor, double h) {
-  const State<2> z = somewhere();
-  avi::Vector<double, avi::dynamic> point(6);
-  point << z.q, 0.3, z.p, -kepler(z.q, z.p) + 0.02;  // off the energy shell: symplecticity must not need it
-  return avi::symplecticity_defect(
-      [&](const avi::Vector<double, avi::dynamic>& x) -> avi::Vector<double, avi::dynamic> {
-        const avi::Poincare<2, Kepler, G> problem(kepler, monitor, x[5]);
-        auto method = avi::type2<r, Construction>(problem, avi::simpson());
-        State<2> s{.q = x.head<2>(), .p = x.segment<2>(3), .t = x[2]};
-        EXPECT_EQ(method.step(s, h).outcome, avi::Outcome::ok);
-        avi::Vector<double, avi::dynamic> image(6);
-        image << s.q, s.t, s.p, x[5];
-        return image;
-      },
-      point);
-}
-
-/// Defect of one step as a map of (q, p).
-template <int r, class Construction, class G>
+/// Defect of one step as a map of (q, p), beside kepler_defect of (q, t, p, p^t): p^t is a variable like the
+/// others.
+template <class Construction, class G>
 double defect(const G& monitor, double h) {
-  const State<2> z = somewhere();
+  const State<2> z = experiment::kepler_point();
   return avi::symplecticity_defect(
-      avi::type2<r, Construction>(avi::poincare<2>(kepler, z, monitor), avi::simpson()), z, h);
+      avi::type2<3, Construction>(avi::poincare<2>(kepler, z, monitor), avi::simpson()), z, h);
 }
 
 // The differences that measure it are good to about 1e-12; a method of order 4 that is not symplectic shows
@@ -51,8 +31,8 @@ constexpr double round_off = 2e-11;
 template <class Construction, class G>
 void expect_symplectic(const G& monitor) {
   for (double h : {0.1, 0.05}) {
-    EXPECT_LT((defect<3, Construction>(monitor, h)), round_off) << h;
-    EXPECT_LT((extended_defect<3, Construction>(monitor, h)), round_off) << h;
+    EXPECT_LT((defect<Construction>(monitor, h)), round_off) << h;
+    EXPECT_LT(experiment::kepler_defect<Construction>(monitor, h), round_off) << h;
   }
 }
 
@@ -74,7 +54,7 @@ TEST(TypeII, StationaryConstructionIsSymplecticInBothForms) {
 }
 
 TEST(TypeIII, IsSymplectic) {
-  const State<2> z = somewhere();
+  const State<2> z = experiment::kepler_point();
   const auto problem = avi::poincare<2>(kepler, z, gamma_monitor);
   const auto unmonitored = avi::poincare<2>(avi::Automatic{kepler}, z);
   for (double h : {0.1, 0.05}) {
