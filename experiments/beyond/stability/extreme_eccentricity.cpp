@@ -125,50 +125,6 @@ void survey(Frame& frame, Table& table, const Subject& subject) {
   }
 }
 
-/// Where and which way round an orbit starts must not matter; a fall into the centre must end with a name.
-void starts(Table& table) {
-  const PositionMonitor none{PositionMonitor::none}, adaptive{PositionMonitor::power_of_radius, 1.5};
-  struct Case {
-    std::string method, monitor;
-    Method2 run;
-    double h;
-  };
-  const std::vector<Case> cases{{"stationary8", "none", stationary(8, none), 1e-3},
-                                {"stationary8", "r^1.5", stationary(8, adaptive), 0.02},
-                                {"collocation16", "none", collocation(16, none), 0.01},
-                                {"collocation16", "r^1.5", collocation(16, adaptive), 0.9},
-                                {"stormer_verlet", "none", explicit_on_kepler("stormer_verlet"), 1e-4},
-                                {"log_hamiltonian", "1/V", explicit_on_kepler("log_hamiltonian"), 0.02},
-                                {"adaptive_verlet", "r^1.5", explicit_on_kepler("adaptive_verlet"), 2e-3},
-                                {"hairer_soderlind", "r^1.5", explicit_on_kepler("hairer_soderlind"), 2e-3}};
-  const double e = 0.9;
-  State2 apocentre = avi::Kepler::exact(e, M_PI), between = avi::Kepler::exact(e, 1.0);
-  apocentre.t = between.t = 0.0;
-  State2 retrograde = avi::Kepler::pericentre(e);
-  retrograde.p = -retrograde.p;
-  const std::vector<std::pair<std::string, State2>> from{{"pericentre", avi::Kepler::pericentre(e)},
-                                                         {"apocentre", apocentre},
-                                                         {"t = 1", between},
-                                                         {"retrograde", retrograde},
-                                                         {"circle", avi::Kepler::pericentre(0.0)},
-                                                         {"falling", {.q = {1.0, 0.0}, .p = {0.0, 0.0}}},
-                                                         {"collision", {.q = {0.0, 0.0}, .p = {0.0, 1.0}}}};
-  for (const auto& [method, monitor, run, h] : cases)
-    for (const auto& [name, start] : from) {
-      std::string ending;
-      Attempt made;
-      try {
-        made = attempt(run, start, h, {.time = 10.0 * period, .steps = 1'000'000, .energy_error = 1e3});
-        ending = made.ending();
-      } catch (const std::invalid_argument&) {
-        ending = "refused";
-      }
-      const bool ok = ending == "ok";
-      table.row(method, monitor, name, h, ending, made.run.steps, ok ? made.energy_error : unknown,
-                ok ? phase_error(start, made.end) : unknown);
-    }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -186,11 +142,6 @@ int main(int argc, char** argv) {
       frame.progress(all[i].method + " " + all[i].monitor, i, all.size());
       survey(frame, table, all[i]);
     }
-    Table from =
-        frame.table({"method", "monitor", "start", "h", "ending", "steps", "energy_error", "phase_error"});
-    from.note("start", "on the orbit with e = 0.9, ten periods; falling: at rest; collision: at q = 0");
-    starts(from);
-    frame.write(from, "starts");
     frame.write(table);
   });
 }
