@@ -239,7 +239,12 @@ class Journey {
     if (run.steps <= few) look_at_tail();
     ranges.add(z_);
     const double error = look_at_energy(z_);
-    pauses.add(before_, z_, ranges.low, ranges.high, error > 10.0 * trip_->rounding ? error : 0.0);
+    pauses.add(before_, z_, ranges.low, ranges.high, error > 10.0 * trip_->rounding ? error : 0.0,
+               [&]() -> const VectorX& {
+                 at_ << z_.q, z_.p;
+                 (*field_)(at_, slope_);
+                 return slope_;
+               });
     if (!ok()) return;
     if (const Outcome bound = trip_->budget.met(z_.t, run.steps, 0); bound != Outcome::ok) {
       run.outcome = bound;
@@ -258,6 +263,7 @@ class Journey {
   double half_way_ = 0.0;      // time after half of the steps, or fewer
   State<dynamic> z_, before_;  // after the last whole step, and before it
   VectorX tail_;
+  VectorX at_ = VectorX::Zero(2 * z_.q.size()), slope_ = at_;  // scratch
 };
 
 }  // namespace avi::detail

@@ -49,19 +49,27 @@ class Pauses {
   explicit Pauses(VectorX ranges, Eigen::Index seen) : ranges_(std::move(ranges)), seen_(seen) {}
 
   /// A step between two states. @param low,high ranges of the entries of (q, p) so far @param error of the
-  /// energy after it, 0 where rounding of H hides it
+  /// energy after it, 0 where rounding of H hides it @param slope called for the slope of (q, p) after it
+  template <class Slope>
   void add(const State<dynamic>& before, const State<dynamic>& after, const VectorX& low, const VectorX& high,
-           double error) {
+           double error, Slope&& slope) {
     const Eigen::Index n = before.q.size();
     const double step = std::abs(after.t - before.t), middle = 0.5 * (before.t + after.t);
     double speed = 0.0;
     const auto look = [&](Eigen::Index i, double change) {
       const double range = std::max(high[i] - low[i], ranges_[i]);
-      if (range > 0.0) speed = std::max(speed, std::abs(change) / (range * step));
+      if (range > 0.0) speed = std::max(speed, std::abs(change) / range);
     };
     for (Eigen::Index i = 0; i < seen_; ++i) {
-      look(i, after.q[i] - before.q[i]);
-      look(n + i, after.p[i] - before.p[i]);
+      look(i, (after.q[i] - before.q[i]) / step);
+      look(n + i, (after.p[i] - before.p[i]) / step);
+    }
+    // What turns by a half in each step comes back to where it was, however fast it is.
+    if (const double chord = speed; fastest_ > 0.0 && chord < 0.1 * fastest_) {
+      const VectorX& now = slope();
+      for (Eigen::Index i = 0; i < seen_; ++i)
+        look(i, now[i]), look(n + i, now[n + i]);
+      if (speed < 0.3 * fastest_) speed = chord;
     }
     const double part = fastest_ > 0.0 ? speed / fastest_ : 1.0;
     if (pauses_ && part > 0.3) {

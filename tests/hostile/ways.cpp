@@ -1,4 +1,5 @@
 #include "digest.hpp"
+#include "hostile/dice.hpp"
 #include "hostile/formulas.hpp"
 #include "hostile/system.hpp"
 
@@ -32,7 +33,7 @@ namespace {
 using namespace hostile;
 
 constexpr std::uint64_t seed = 20261125;
-constexpr int systems = 400;
+constexpr int systems = 528;
 constexpr std::array<double, 3> tolerances{1e-4, 1e-8, 1e-12};
 
 /// Of the functions of this machine's mathematical library: with others, all later digits are others.
@@ -84,12 +85,14 @@ enum class Wish {
   loose,
   saddle,
   resumed,
-  by_hand
+  by_hand,
+  curves,
+  branches
 };
-constexpr std::array<const char*, 20> names{"end",         "times", "back",   "dense",   "unchecked",
-                                            "events",      "order", "fixed",  "timed",   "stop",
-                                            "menu",        "given", "solver", "minimum", "bound",
-                                            "fast events", "loose", "saddle", "resumed", "by hand"};
+constexpr std::array<const char*, 22> names{
+    "end",   "times",  "back",    "dense",   "unchecked", "events",  "order", "fixed",
+    "timed", "stop",   "menu",    "given",   "solver",    "minimum", "bound", "fast events",
+    "loose", "saddle", "resumed", "by hand", "curves",    "branches"};
 constexpr int count = static_cast<int>(names.size());
 
 using State = avi::State<avi::dynamic>;
@@ -210,18 +213,68 @@ std::string minimum(const System& system, int index, double tolerance) {
                      found.gradient_evaluations, all.text());
 }
 
+/// One degree of freedom, let go here.
+State at_rest(double q) {
+  State start;
+  start.q = avi::VectorX::Constant(1, q);
+  start.p = avi::VectorX::Zero(1);
+  return start;
+}
+
 /// A pendulum that is let go near its highest place, or sent there with nearly the energy to pass it.
 std::string saddle(int index, double tolerance) {
   const int turn = index / count;
   const double off = std::pow(10.0, -1 - turn % 8);
   const auto h = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - cos(q[0]); };
-  State start;
-  start.q = start.p = Eigen::VectorXd::Zero(1);
-  if (turn % 2 == 0)
-    start.q[0] = std::numbers::pi - off;
-  else
-    start.p[0] = 2.0 + off;
+  State start = at_rest(turn % 2 == 0 ? std::numbers::pi - off : 0.0);
+  if (turn % 2 != 0) start.p[0] = 2.0 + off;
   return described(avi::solve(h, start, 40.0, tolerance), nullptr, 0.0);
+}
+
+/// Events of a spring: zeros alone, in pairs and in clusters, that touch, that nearly do; jumps and poles.
+std::string curves(int index, double tolerance) {
+  Dice dice(seed, static_cast<std::uint64_t>(index));
+  const auto spring = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
+  avi::SolveOptions options{.sweeps = 200'000};
+  for (int kind = 0; kind < 4; ++kind) {
+    const double at = dice.between(-0.9, 0.9), apart = dice.decades(1e-9, 0.3),
+                 fast = dice.decades(1.0, 60.0),
+                 off = dice.chance(0.3) ? 0.0 : dice.sign() * dice.decades(1e-12, 1e-2);
+    const auto product = [=](const auto& q) { return (q[0] - at) * (q[0] - at - apart) * (q[0] + at); };
+    const auto touching = [=](const auto& q) { return (q[0] - at) * (q[0] - at) + off; };
+    const auto wave = [=](const auto& q, const auto& p) { return cos(fast * q[0]) * p[0] - at + off; };
+    const auto in_time = [=](const auto&, const auto& t, const auto&) {
+      return sin(fast * t) - 1.0 + 1e-3 * off;
+    };
+    options.events.push_back(kind == 0   ? avi::when(product, {.count = 90})
+                             : kind == 1 ? avi::when(touching)
+                             : kind == 2 ? avi::when(wave, {.direction = dice.chance(0.5) ? 1 : 0})
+                                         : avi::when(in_time));
+  }
+  const double wall = dice.between(-0.9, 0.9);
+  if (index / count % 6 == 4)
+    options.events = {avi::when([=](const auto& q) { return avi::select(q[0] < wall, -1.0, 1.0); })};
+  if (index / count % 6 == 5)
+    options.events = {avi::when([=](const auto& q) { return 1.0 / (q[0] - wall); })};
+  return described(avi::solve(spring, at_rest(1.0), 12.0, tolerance, options), nullptr, 0.0);
+}
+
+/// A spring that is felt beyond a wall, in a band, and in a corner of phase space, some of them narrow.
+std::string branches(int index, double tolerance) {
+  Dice dice(seed + 1, static_cast<std::uint64_t>(index));
+  const double wall = dice.between(-0.5, 0.9), hard = dice.decades(0.1, 1e3), left = dice.between(-0.9, 0.5),
+               wide = dice.decades(1e-5, 0.3), high = dice.decades(1e-4, 1.0), fast = dice.between(-0.5, 0.9);
+  const double walls = index / count % 3 == 0 ? hard : 0.0, bands = index / count % 3 == 1 ? high : 0.0,
+               corners = index / count % 3 == 2 ? 1.0 : 0.0;
+  const auto h = [=](const auto& q, const auto& p) {
+    const auto beyond = q[0] - wall, in = (q[0] - left) * (left + wide - q[0]) / (wide * wide),
+               over = p[0] - fast;
+    return 0.5 * (p[0] * p[0] + q[0] * q[0]) +
+           walls * avi::select(beyond > 0.0, beyond * beyond * beyond, 0.0) +
+           bands * avi::select(in > 0.0, in * in, 0.0) +
+           corners * avi::select(over > 0.0, 0.1 * over * over, 0.0);
+  };
+  return described(avi::solve(h, at_rest(-1.0), 7.0, 100.0 * tolerance, {.sweeps = 200'000}), nullptr, 0.0);
 }
 
 /// Steps of collocation by hand, some of them longer than can be solved for.
@@ -245,6 +298,8 @@ std::string by_hand(const System& system, State start, int index, double toleran
 std::string way(const System& system, int index, Wish wish, double tolerance) {
   if (wish == Wish::minimum) return minimum(system, index, tolerance);
   if (wish == Wish::saddle) return saddle(index, 100.0 * tolerance);
+  if (wish == Wish::curves) return curves(index, tolerance);
+  if (wish == Wish::branches) return branches(index, tolerance);
   if (wish == Wish::loose) tolerance *= 100.0;
   State start;
   start.q = Eigen::Map<const Eigen::VectorXd>(system.q.data(), system.n);
@@ -321,11 +376,16 @@ int main(int argc, char** argv) {
   for (int index = 0; index < systems; ++index) {
     const System system = draw(seed, index, 30.0);
     const auto wish = static_cast<std::size_t>(index) % names.size();
-    const bool own = static_cast<Wish>(wish) == Wish::saddle;
+    const auto asked = static_cast<Wish>(wish);
+    const bool spring = asked == Wish::curves || asked == Wish::branches,
+               own = spring || asked == Wish::saddle;
     for (const double tolerance : tolerances)
-      lines.push_back(fmt::format("{}\t{}\t{}\t{}\t{:.0e}\t{}", index, own ? "pendulum" : system.family,
+      lines.push_back(fmt::format("{}\t{}\t{}\t{}\t{:.0e}\t{}", index,
+                                  spring ? "spring"
+                                  : own  ? "pendulum"
+                                         : system.family,
                                   own ? 1 : system.n, names[wish], tolerance,
-                                  way_or_exception(system, index, static_cast<Wish>(wish), tolerance)));
+                                  way_or_exception(system, index, asked, tolerance)));
   }
   if (write) {
     std::ofstream out(file);

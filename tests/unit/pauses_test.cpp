@@ -22,8 +22,13 @@ State<dynamic> at(double t, double q, double p) {
 Pauses of(const std::function<State<dynamic>(double)>& motion, double end, double step, double error) {
   const VectorX low = VectorX::Constant(2, -1.0), high = VectorX::Constant(2, 1.0);
   Pauses pauses(VectorX::Constant(2, 2.0), 1);
+  VectorX slope(2);
   for (double t = 0.0; t < end; t += step)
-    pauses.add(motion(t), motion(t + step), low, high, error);
+    pauses.add(motion(t), motion(t + step), low, high, error, [&]() -> const VectorX& {
+      const State<dynamic> one = motion(t + step - 1e-6), other = motion(t + step + 1e-6);
+      slope << (other.q - one.q) / 2e-6, (other.p - one.p) / 2e-6;
+      return slope;
+    });
   return pauses;
 }
 /// It comes to a saddle as exp(-t), leaves it at this time, and swings on.
@@ -73,6 +78,15 @@ TEST(Pauses, OfAFallAreNotThoseOfASaddle) {
     EXPECT_FALSE(end.is_at_saddle());
   const Pauses spring = of([](double t) { return at(t, std::cos(t), std::sin(t)); }, 100.0, 0.4, 1.0);
   EXPECT_TRUE(spring.ends.empty());
+}
+
+// What is moved by a turning body, seen after each half turn, creeps: 35 of 81 pendulums that turn over were
+// refused.
+TEST(Pauses, AreNotSeenWhereStepsAreHalfTurns) {
+  for (const double turn : {0.96, 0.99, 1.003, 1.02, 2.01})
+    EXPECT_TRUE(
+        of([](double t) { return at(t, 0.01 * t, std::sin(M_PI * t)); }, 400.0, turn, 0.0).ends.empty())
+        << turn;
 }
 
 }  // namespace pauses_test

@@ -130,7 +130,10 @@ class alignas(64) GaussStep {
 
   /// The start of a step at z, with the rounding error of the last step if that led to z.
   void start_at(const State<n>& z) {
-    place_ = z == end_.state ? Place::end : z == last_.start.state ? Place::begin : Place::elsewhere;
+    place_ = h_ == 0.0                ? Place::elsewhere  // there is no last step, whatever z is
+             : z == end_.state        ? Place::end
+             : z == last_.start.state ? Place::begin
+                                      : Place::elsewhere;
     if (place_ == Place::elsewhere) {
       start_.low.q.setZero();
       start_.low.p.setZero();
