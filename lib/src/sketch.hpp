@@ -207,10 +207,10 @@ class Sketch {
         if (std::max(low[i] - at[i], at[i] - high[i]) > 0.01 * (high[i] - low[i])) grown = made;
         low[i] = std::min(low[i], at[i]), high[i] = std::max(high[i], at[i]);
       }
-      // What has kept within its ranges for as long as it took to fill them comes again. A sixteenth of a
-      // short way has to do: the rest of it is hardly more than a longer sketch.
+      // What has kept within its ranges for as long as it took to fill them comes again. A quarter of a short
+      // way has to do: all of it is hardly more than a longer sketch.
       if (before == 0.0 && made >= enough && grown <= made / 2) break;
-      if (made >= most / 2 && time >= span / 16.0) break;
+      if (made >= most / 2 && time >= 0.25 * span) break;
       std::swap(step.k[0], step.k[3]);
       h *= begins ? 2.0 : std::min(5.0, 0.9 * factor);
     }
