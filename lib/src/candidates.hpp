@@ -117,6 +117,7 @@ class Candidate {
   std::string name;                ///< In the menu.
   std::vector<int> supplied = {};  ///< Nodes of the gradient of H, where it has one of its own.
   std::shared_ptr<const Recording> recording = {};  ///< That of H with its gradient, where it is made.
+  bool brief = false;       ///< Its run is over before machine code has paid for itself.
   double outlook = 0.0;     ///< Work of all steps where the longest one in radians is of fixed length.
   double fictive = 0.0;     ///< Fictive time of the sketch.
   double longest = 0.0;     ///< Largest g times frequency on the sketch.
@@ -180,7 +181,9 @@ class Candidate {
   /// The programs that its methods run on, made at the first call.
   const std::shared_ptr<const Formulas>& formulas() {
     if (!formulas_ && fixed() && recording) {
-      formulas_ = std::make_shared<const Formulas>(Formulas::fixed(*recording));
+      Formulas made = Formulas::fixed(*recording);
+      if (brief) made.code = nullptr;
+      formulas_ = std::make_shared<const Formulas>(std::move(made));
     } else if (!formulas_) {
       ExpressionGraph graph = *graph_;
       int transformed = energy_, rate = graph.constant(1.0);

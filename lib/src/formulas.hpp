@@ -46,7 +46,8 @@ struct Formulas {
   bool unit = false;                    ///< g = 1.
   Eigen::Index n = 0;                   ///< Degrees of freedom.
   std::vector<double> parameters = {};  ///< Their values.
-  /// Forces, velocities and, unless `unit`, the rate as machine code, whatever the parameters.
+  /// Forces, velocities and, unless `unit`, the rate as machine code, whatever the parameters; null for what
+  /// is evaluated less often than pays for it.
   std::shared_ptr<CodeStore> code = std::make_shared<CodeStore>();
 
   /// The programs of \f$\bar H\f$ and g as nodes of one graph of (q, p) and so many parameters.

@@ -241,6 +241,7 @@ class Journey {
     const double error = look_at_energy(z_);
     pauses.add(before_, z_, ranges.low, ranges.high, error > 10.0 * trip_->rounding ? error : 0.0,
                [&]() -> const VectorX& {
+                 at_.resize(2 * z_.q.size()), slope_.resize(at_.size());
                  at_ << z_.q, z_.p;
                  (*field_)(at_, slope_);
                  return slope_;
@@ -263,7 +264,7 @@ class Journey {
   double half_way_ = 0.0;      // time after half of the steps, or fewer
   State<dynamic> z_, before_;  // after the last whole step, and before it
   VectorX tail_;
-  VectorX at_ = VectorX::Zero(2 * z_.q.size()), slope_ = at_;  // scratch
+  VectorX at_, slope_;  // scratch
 };
 
 }  // namespace avi::detail

@@ -22,9 +22,10 @@ constexpr bool makes_code = true, has_avx512 = false;
 constexpr bool makes_code = false, has_avx512 = false;
 #endif
 
-/// The machine code of formulas, made unless it is there.
+/// The machine code of formulas, made unless it is there; null where none is wanted.
 template <int w>
 std::shared_ptr<const MachineCode> machine_code(const Formulas& formulas) {
+  if (!formulas.code) return nullptr;
   const Program* const programs[] = {&formulas.forces, &formulas.velocities, &formulas.rate};
   return formulas.code->of({programs, formulas.unit ? 2u : 3u},
                            {.lanes = w,
