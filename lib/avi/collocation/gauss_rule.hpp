@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 
 /// @file
 /// Coefficients of Gauss collocation.
@@ -21,56 +22,30 @@ class GaussRule {
   /// The rule of s stages. @throws std::invalid_argument unless 1 <= s <= 16.
   explicit GaussRule(int s) : stages_(s) {
     require(s >= 1 && s <= most, "Number of stages", s, "in [1, 16]");
-    for (int i = 0; i < s; ++i)
-      find_node(i);
-    for (int i = 0; i < s; ++i) {
-      const Row row = integrals(exact_node_[i]);
-      for (int j = 0; j < s; ++j)
-        mu_[i][j] = row[j];
-    }
-    // The larger number of each pair is at least 1/2, so one minus it is exact.
-    for (int i = 0; i < s; ++i) {
-      mu_[i][i] = 0.5;
-      for (int j = 0; j < i; ++j)
-        if (mu_[i][j] >= mu_[j][i])
-          mu_[j][i] = 1.0 - mu_[i][j];
-        else
-          mu_[i][j] = 1.0 - mu_[j][i];
-    }
+    table_ = std::make_shared<const Table>(s);
   }
 
-  [[nodiscard]] int stages() const { return stages_; }               ///< s.
-  [[nodiscard]] double node(int i) const { return node_[i]; }        ///< c_i, rising.
-  [[nodiscard]] double weight(int i) const { return weight_[i]; }    ///< b_i.
-  [[nodiscard]] double mu(int i, int j) const { return mu_[i][j]; }  ///< a_ij / b_j.
+  [[nodiscard]] int stages() const { return stages_; }                      ///< s.
+  [[nodiscard]] double node(int i) const { return table_->node[i]; }        ///< c_i, rising.
+  [[nodiscard]] double weight(int i) const { return table_->weight[i]; }    ///< b_i.
+  [[nodiscard]] double mu(int i, int j) const { return table_->mu[i][j]; }  ///< a_ij / b_j.
 
   /// \f$P_{s-1}(2 c_j - 1)\f$, Legendre's polynomial of the highest degree in the velocity of a step, at node
   /// j.
-  [[nodiscard]] double last_legendre(int j) const { return last_legendre_[j]; }
+  [[nodiscard]] double last_legendre(int j) const { return table_->last_legendre[j]; }
 
   /// \f$(2k + 1)\, P_k(2 c_j - 1)\f$: the coefficient of \f$P_k\f$ in \f$\ell_j / b_j\f$.
-  [[nodiscard]] double series(int j, int k) const { return static_cast<double>(series_[j][k]); }
+  [[nodiscard]] double series(int j, int k) const { return static_cast<double>(table_->series[j][k]); }
 
   /// \f$b_j^{-1} \int_0^c \ell_j\f$ for every j, at any real c: the collocation polynomial at the fraction c
   /// of a step is \f$y_0 + \sum_j (h b_j y'_j) \cdot\f$ this.
-  [[nodiscard]] Row integrals(long double c) const {
-    // l_j / b_j = sum_k (2 k + 1) P_k(c_j) P_k, with shifted Legendre polynomials P_k, since the rule is
-    // exact.
-    const Polynomials p = legendre(2 * c - 1);
-    std::array<long double, most> integral{c};
-    for (int k = 1; k < stages_; ++k)
-      integral[k] = (p[k + 1] - p[k - 1]) / (2 * (2 * k + 1));
-    Row row{};
-    for (int j = 0; j < stages_; ++j) {
-      long double sum = 0;
-      for (int k = 0; k < stages_; ++k)
-        sum += series_[j][k] * integral[k];
-      row[j] = static_cast<double>(sum);
-    }
-    return row;
-  }
+  [[nodiscard]] Row integrals(long double c) const { return table_->integrals(c); }
 
-  /// The same in double precision, for points inside a step: four times as fast.
+  /// \f$b_j^{-1} \int_1^{1 + c_i} \ell_j\f$ for every j: how the polynomial of a step goes on to stage i of
+  /// the next one.
+  [[nodiscard]] const Row& ahead(int i) const { return table_->ahead[i]; }
+
+  /// The integrals in double precision, for points inside a step: four times as fast.
   [[nodiscard]] Row quick_integrals(double c) const {
     // int_0^c P_k = 2 c (c - 1) P_k'(2 c - 1) / (k (k + 1)) keeps its digits at both ends.
     const double x = 2.0 * c - 1.0;
@@ -78,7 +53,7 @@ class GaussRule {
     Row row{};
     for (int k = 1; k < stages_; ++k) {
       for (int j = 0; j < stages_; ++j)
-        row[j] += slopes_[k][j] * slope;
+        row[j] += table_->slopes[k][j] * slope;
       const double next = ratio_[k][0] * x * now - ratio_[k][1] * before;
       const double next_slope = slope_before + (2 * k + 1) * now;
       before = now, now = next;
@@ -90,38 +65,83 @@ class GaussRule {
   }
 
  private:
-  using Polynomials = std::array<long double, most + 1>;
-  /// Legendre's polynomials P_0 ... P_s at x in [-1, 1].
-  [[nodiscard]] Polynomials legendre(long double x) const {
-    Polynomials p{1, x};
-    for (int k = 1; k < stages_; ++k)
-      p[k + 1] = ((2 * k + 1) * x * p[k] - k * p[k - 1]) / (k + 1);
-    return p;
-  }
-  /// Node, weight and P_k(c_i) of stage i, by Newton's method on P_s.
-  void find_node(int i) {
-    long double x = -std::cos(M_PI * (i + 0.75) / (stages_ + 0.5)), slope = 1;
-    for (int iteration = 0; iteration < 10; ++iteration) {
-      const Polynomials p = legendre(x);
-      slope = stages_ * (x * p[stages_] - p[stages_ - 1]) / (x * x - 1);
-      x -= p[stages_] / slope;
+  /// All numbers, which copies of a rule share.
+  struct Table {
+    explicit Table(int s) : stages(s) {
+      for (int i = 0; i < s; ++i)
+        find_node(i);
+      const Row end = integrals(1);
+      for (int i = 0; i < s; ++i) {
+        const Row row = integrals(exact_node[i]), next = integrals(1.0 + node[i]);
+        for (int j = 0; j < s; ++j) {
+          mu[i][j] = row[j];
+          ahead[i][j] = next[j] - end[j];
+        }
+      }
+      // The larger number of each pair is at least 1/2, so one minus it is exact.
+      for (int i = 0; i < s; ++i) {
+        mu[i][i] = 0.5;
+        for (int j = 0; j < i; ++j)
+          if (mu[i][j] >= mu[j][i])
+            mu[j][i] = 1.0 - mu[i][j];
+          else
+            mu[i][j] = 1.0 - mu[j][i];
+      }
     }
-    exact_node_[i] = (1 + x) / 2;
-    node_[i] = static_cast<double>(exact_node_[i]);
-    weight_[i] = static_cast<double>(1 / ((1 - x * x) * slope * slope));
-    const Polynomials p = legendre(x);
-    last_legendre_[i] = static_cast<double>(p[stages_ - 1]);
-    for (int k = 0; k < stages_; ++k)
-      series_[i][k] = (2 * k + 1) * p[k];
-    for (int k = 1; k < stages_; ++k)
-      slopes_[k][i] = static_cast<double>(2 * series_[i][k] / (k * (k + 1)));
-  }
+    [[nodiscard]] Row integrals(long double c) const {
+      // l_j / b_j = sum_k (2 k + 1) P_k(c_j) P_k, with shifted Legendre polynomials P_k, since the rule is
+      // exact.
+      const Polynomials p = legendre(2 * c - 1);
+      std::array<long double, most> integral{c};
+      for (int k = 1; k < stages; ++k)
+        integral[k] = (p[k + 1] - p[k - 1]) / (2 * (2 * k + 1));
+      Row row{};
+      for (int j = 0; j < stages; ++j) {
+        long double sum = 0;
+        for (int k = 0; k < stages; ++k)
+          sum += series[j][k] * integral[k];
+        row[j] = static_cast<double>(sum);
+      }
+      return row;
+    }
+
+    int stages;
+    std::array<long double, most> exact_node{};
+    std::array<std::array<long double, most>, most> series{};
+    Row node{}, weight{}, last_legendre{};
+    std::array<Row, most> mu{}, slopes{}, ahead{};
+
+   private:
+    using Polynomials = std::array<long double, most + 1>;
+    /// Legendre's polynomials P_0 ... P_s at x in [-1, 1].
+    [[nodiscard]] Polynomials legendre(long double x) const {
+      Polynomials p{1, x};
+      for (int k = 1; k < stages; ++k)
+        p[k + 1] = ((2 * k + 1) * x * p[k] - k * p[k - 1]) / (k + 1);
+      return p;
+    }
+    /// Node, weight and P_k(c_i) of stage i, by Newton's method on P_s.
+    void find_node(int i) {
+      long double x = -std::cos(M_PI * (i + 0.75) / (stages + 0.5)), slope = 1;
+      for (int iteration = 0; iteration < 10; ++iteration) {
+        const Polynomials p = legendre(x);
+        slope = stages * (x * p[stages] - p[stages - 1]) / (x * x - 1);
+        x -= p[stages] / slope;
+      }
+      exact_node[i] = (1 + x) / 2;
+      node[i] = static_cast<double>(exact_node[i]);
+      weight[i] = static_cast<double>(1 / ((1 - x * x) * slope * slope));
+      const Polynomials p = legendre(x);
+      last_legendre[i] = static_cast<double>(p[stages - 1]);
+      for (int k = 0; k < stages; ++k)
+        series[i][k] = (2 * k + 1) * p[k];
+      for (int k = 1; k < stages; ++k)
+        slopes[k][i] = static_cast<double>(2 * series[i][k] / (k * (k + 1)));
+    }
+  };
 
   int stages_;
-  std::array<long double, most> exact_node_{};
-  std::array<std::array<long double, most>, most> series_{};
-  Row node_{}, weight_{}, last_legendre_{};
-  std::array<Row, most> mu_{}, slopes_{};
+  std::shared_ptr<const Table> table_;
   // (2 k + 1) / (k + 1) and k / (k + 1).
   static constexpr std::array<std::array<double, 2>, most> ratio_ = [] {
     std::array<std::array<double, 2>, most> all{};

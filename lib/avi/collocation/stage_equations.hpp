@@ -188,18 +188,14 @@ class alignas(64) StageEquations {
     offset_ = offset;
     ratio_ = ratio;
     const int s = rule_.stages();
-    // Once for all steps of a size.
-    if (ratio == 1.0) {
-      const GaussRule::Row start = rule_.integrals(offset);
-      for (int i = 0; i < w; ++i) {
-        const GaussRule::Row row = rule_.integrals(offset + rule_.node(std::min(i, s - 1)));
+    if (offset == 1.0 && ratio == 1.0) {
+      for (int i = 0; i < w; ++i)
         for (int j = 0; j < w; ++j)
-          continued_.set(i, j, row[j] - start[j]);
-      }
+          continued_.set(i, j, rule_.ahead(std::min(i, s - 1))[static_cast<std::size_t>(j)]);
       return;
     }
-    // Quickly where each step may have another size, from Legendre's polynomials at all stages side by side;
-    // their integrals but the first one vanish at both ends.
+    // From Legendre's polynomials at all stages side by side, whose integrals but the first one vanish at
+    // both ends.
     Scalar way, integral[w], last(1.0);
     for (int i = 0; i < w; ++i)
       way.set(i, ratio * rule_.node(std::min(i, s - 1)));
