@@ -1,6 +1,7 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/solve.hpp"
 #include "avi/solver.hpp"
+#include "refusal.hpp"
 #include "unit/cayley.hpp"
 
 #include <gtest/gtest.h>
@@ -339,6 +340,19 @@ TEST(SolveEvents, AreNoneWhereTheFunctionIsZeroAllTheWay) {
   const auto orbit = solve(springs, start, 10.0, 1e-8, {.events = {avi::when(still)}});
   EXPECT_TRUE(orbit.kept()) << orbit.report();
   EXPECT_TRUE(orbit.events.empty());
+}
+
+TEST(SolveEvents, RefuseWhatIsNone) {
+  const auto said = [](const avi::SolveEvent& event) {
+    return refusal([&] { (void)solve(spring(), at(1.0, 0.0), 1.0, 1e-6, {.events = {event}}); });
+  };
+  EXPECT_EQ(said({}), "An event has no function g; avi::when(g) makes one.");
+  EXPECT_EQ(said(when(position, {.direction = 2})), "Direction of an event is 2; it must be -1, 0 or 1.");
+  EXPECT_EQ(said(when(position, {.direction = -2})), "Direction of an event is -2; it must be -1, 0 or 1.");
+  EXPECT_EQ(said(when(position, {.count = -1})), "Count of an event is -1; it must be at least 0.");
+  const auto of_two = [](int) { return avi::Formula::of_phase(position, 2); };
+  EXPECT_EQ(said({of_two, {}}),
+            "Number of arguments of an event is 4; it must be 2, or 3 where it depends on time.");
 }
 
 }  // namespace solve_events_test
