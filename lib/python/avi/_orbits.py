@@ -334,9 +334,13 @@ def _side_by_side(question, q, p, progress, threads):
             for done, run in enumerate(as_completed(runs) if bar else (), 1):
                 bar((done / len(runs), done))
             return [run.result() for run in runs]
-        except (KeyboardInterrupt, StopIteration):
+        except (KeyboardInterrupt, StopIteration) as end:
             cancelled.set()
-            return [run.result() for run in runs]
+            orbits = [run.result() for run in runs]
+            for orbit in orbits:
+                if isinstance(end, KeyboardInterrupt) and orbit._report.run.outcome == _avi.Outcome.stopped:
+                    orbit._report.run.message = "Stopped by Ctrl-C."
+            return orbits
         except BaseException:
             cancelled.set()
             raise
@@ -373,7 +377,7 @@ class _Question:
         import numpy as np
 
         t = reals(t, "t")
-        self.times, self.deliver = (np.array([0.0, float(t)]), bool(self.options.checkpoint)) if t.ndim == 0 else (t, True)
+        self.times, self.deliver = (np.array([0.0, float(t)]), bool(self.options.checkpoint)) if t.ndim == 0 else (t.copy(), True)
         if self.times.ndim != 1 or len(self.times) < 2:
             raise ValueError(f"t has the shape {t.shape}; it must be an end, or at least two times of which the first is the start's.")
 

@@ -281,9 +281,16 @@ class Ensembles(unittest.TestCase):
         self.assertEqual(len(orbits), 50)
         self.assertFalse(orbits[-1].success)
         self.assertLessEqual(orbits[-1].nsteps, 1)
+        self.assertEqual(orbits[-1].message, "Stopped by Ctrl-C.")
 
 
 class Solvers(unittest.TestCase):
+    def test_keeps_times_of_its_own(self):
+        times = np.array([0.0, 5.0, 10.0])
+        solver = avi.Solver(spring, [1.0], [0.0], times, 1e-8)
+        times[:] = 1.0
+        self.assertEqual(solver.run([1.0], [0.0]).t.tolist(), [0.0, 5.0, 10.0])
+
     def test_ctrl_c_leaves_no_unfinished_choice(self):
         threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
         with self.assertRaises(KeyboardInterrupt):
