@@ -42,14 +42,15 @@ class AdaptiveVerlet {
   /// A density that is not positive ends the step as Outcome::diverged: h is too large for this monitor.
   StepReport step(State<n>& z, double h) {
     double rho = rho_;
+    Vector<double, n> force = force_;
     if (!(z == after_)) {
       rho = 1.0 / monitor_(z.q, z.p);
       if (!(rho > 0.0)) return {.outcome = Outcome::bad_monitor};
-      force_ = problem_.potential_gradient(z.q);
+      force = problem_.potential_gradient(z.q);
     }
     State<n> w = z;
     const double before = 0.5 * h / rho;
-    w.p -= before * force_;
+    w.p -= before * force;
     w.q += before * w.p;
     rho = 2.0 / monitor_(w.q, w.p) - rho;
     if (!(rho > 0.0)) return {.outcome = Outcome::diverged};

@@ -57,8 +57,8 @@ class HairerSoderlind {
     static_assert(Method<Base, State<n>>, "The base must be a method for states of this dimension.");
     // If the rate or the time is not what the last step left, the state was changed from outside.
     const double start_rate = monitor_.density_rate(z.q, z.p);
-    if (start_rate != rate_ || z.t != time_) rho_ = 1.0 / monitor_(z.q, z.p);
-    const double rho = rho_ + 0.5 * h * start_rate;
+    const bool known = start_rate == rate_ && z.t == time_;
+    const double rho = (known ? rho_ : 1.0 / monitor_(z.q, z.p)) + 0.5 * h * start_rate;
     if (!(rho > 0.0)) return {.outcome = Outcome::diverged};
     const StepReport report = base_.step(z, h / rho);
     if (report.outcome != Outcome::ok) return report;

@@ -63,8 +63,9 @@ class alignas(64) GaussStep {
   /// Advances z by h; leaves z unchanged unless the step ends as ok.
   StepReport step(State<n>& z, double h) {
     start_at(z);
-    if (h != size_) {
-      equations_.set_step(size_ = h);
+    if (h != size_) equations_.set_step(h);
+    if (h != size_ || place_ == Place::elsewhere) {  // what is known of Newton's method is of this orbit
+      size_ = h;
       newton_.forget();
       stiff_ = 0;
       newton_failed_ = !newton_.possible();
@@ -148,19 +149,35 @@ class alignas(64) GaussStep {
   /// nothing. @return sweeps that it has had
   int begin(double h) {
     const int begun = std::exchange(begun_, 0);
+    if (place_ != Place::end || h != h_) scaled_[0] = scaled_[1] = false;
     if (ahead && begun > 0 && place_ == Place::end && h == h_) {
       now_ = 1 - now_;
-      both_[now_].start = start_;
-      equations_.stages(both_[now_]);
+      StageValues<n, w>& step = both_[now_];
+      step.start = start_;
+      equations_.stages(step);
+      if (!std::exchange(scaled_[now_], true)) step.per.set(step.start.state, step.dq, step.dp);
       return begun;
     }
     StageValues<n, w>& step = both_[now_];
     step.start = start_;
-    if (place_ != Place::elsewhere && std::abs(h / h_) <= 2.0)
+    if (is_like_the_last(h) && !(place_ == Place::begin && was_wild()))
       equations_.begin(step, last_.dq, last_.dp, place_ == Place::end ? 1.0 : 0.0, h / h_);
     else
       equations_.begin(step);
     return 0;
+  }
+
+  /// The last step says where this one leads, and how far.
+  [[nodiscard]] bool is_like_the_last(double h) const {
+    return place_ != Place::elsewhere && std::abs(h / h_) <= 2.0 && std::abs(h / h_) >= 1e-3;
+  }
+  /// The last step led far beyond the size of its start: it was too long, and says nothing of a shorter one.
+  [[nodiscard]] bool was_wild() const {
+    Scalar q(0.0), p(0.0);
+    for (Eigen::Index i = 0; i < last_.dq.size(); ++i)
+      q = max_abs(q, last_.dq[i]), p = max_abs(p, last_.dp[i]);
+    return largest(q) > 1e3 * largest_entry(start_.state.q) ||
+           largest(p) > 1e3 * largest_entry(start_.state.p);
   }
 
   /// A sweep of which every entry is looked at, in the scale it has after it. @return the largest change
@@ -179,7 +196,7 @@ class alignas(64) GaussStep {
     double before = 0.0, ratio = 0.0;
     int slow = 0;
     bool closely = false, scaled = false;
-    const bool unknown = place_ == Place::elsewhere;
+    const bool unknown = !is_like_the_last(h);
     // Who steps again from where the last step began looks for a point on the way.
     [[maybe_unused]] const bool goes_on = place_ != Place::begin;
     // A step from where the last one began is a little longer or shorter than that, which is a good guess.
@@ -211,7 +228,7 @@ class alignas(64) GaussStep {
       } else {
         if (k == first_look || (k == 2 && !scaled)) {
           const StageValues<n, w>& known = k == 1 ? last_ : step;
-          scaled = step.per.set(step.start.state, known.dq, known.dp);
+          scaled = scaled_[now_] = step.per.set(step.start.state, known.dq, known.dp);
         }
         change = largest(equations_.changed_stages(step));
       }
@@ -323,8 +340,9 @@ class alignas(64) GaussStep {
   bool newton_failed_ = false;   // at this h, or cannot be tried: only sweeps are left
   double h_ = 0.0, size_ = 0.0;  // of the last step; of the sweeps
   Place place_ = Place::elsewhere;
-  int usual_ = 1;  // sweeps of the last step
-  int begun_ = 0;  // those that the next one has had
+  int usual_ = 1;                    // sweeps of the last step
+  int begun_ = 0;                    // those that the next one has had
+  bool scaled_[2] = {false, false};  // the scales of both_ are those of this orbit
 };
 
 }  // namespace avi

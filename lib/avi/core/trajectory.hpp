@@ -21,7 +21,8 @@ namespace avi {
 template <int n>
 class Trajectory {
  public:
-  /// Stores a step. @throws std::invalid_argument unless it begins where the last one ended.
+  /// Stores a step. @throws std::invalid_argument unless it begins where the last one ended and leads on in
+  /// the same direction of time.
   template <class M>
   void operator()(const Step<M, State<n>>& step, long) {
     if (states_.empty()) {
@@ -30,6 +31,11 @@ class Trajectory {
     }
     require(step.before.t == states_.back().t, "Begin of the next step", step.before.t,
             "where the trajectory ends, at t = ", states_.back().t);
+    require(step.before == states_.back(), "Begin of the next step", "another state",
+            "that in which the trajectory ends, at t = ", states_.back().t);
+    if (states_.size() > 1)
+      require((step.after.t > step.before.t) == (states_[1].t > states_[0].t), "Time after the next step",
+              step.after.t, "on the side of t = ", step.before.t, " to which the trajectory leads");
     states_.push_back(step.after);
     steps_.push_back(step.h);
   }

@@ -71,14 +71,15 @@ class Htvi {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     const Vector<double, n> start = right ? z.p : z.q;
     Vector<double, n> correction = predictor_.guess(h, start);  // u - u_0
-    Iteration iteration = iteration_.begin(predictor_.goes_on(h, start));
+    const bool goes_on = predictor_.goes_on(h, start);
+    Iteration iteration = iteration_.begin(goes_on);
     StepReport report{.evaluations = 0};
     const auto accept = [&](const StepChange<n>& change) {
       z.q += change.q;
       z.p += change.p;
       clock_.add(z.t, change.t);
       z.t = problem().clock(z.q, z.t);
-      predictor_.remember(correction, h, right ? z.p : z.q);
+      predictor_.remember(correction, h, right ? z.p : z.q, goes_on);
       iteration_ = iteration;
       return report;
     };

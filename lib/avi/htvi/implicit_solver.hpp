@@ -31,8 +31,10 @@ class Predictor {
     if (!goes_on(h, start) || h != last_but_one_h_) return Vector<double, n>::Zero();
     return 2.0 * last_ - last_but_one_;
   }
-  /// Stores the value that a step h found, and the point where the step ended.
-  void remember(const Vector<double, n>& value, double h, const Vector<double, n>& end) {
+  /// Stores the value that a step h found, the point where the step ended, and whether it went on from the
+  /// one before.
+  void remember(const Vector<double, n>& value, double h, const Vector<double, n>& end, bool went_on) {
+    if (!went_on) last_h_ = 0.0;
     last_but_one_ = std::exchange(last_, value);
     last_but_one_h_ = std::exchange(last_h_, h);
     end_ = end;

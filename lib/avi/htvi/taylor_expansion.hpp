@@ -182,7 +182,7 @@ class TaylorExpansion {
   const Problem problem_;
   const int order_;
   RecordedField field_;
-  Series t_;
+  Series t_{};
 };
 
 }  // namespace avi

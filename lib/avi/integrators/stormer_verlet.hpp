@@ -30,7 +30,10 @@ class StormerVerlet {
 
   /// Advances z by h.
   StepReport step(State<n>& z, double h) {
-    if (at_.size() != z.q.size() || z.q != at_) force_ = gradient_(z.q);
+    if (at_.size() != z.q.size() || z.q != at_) {
+      force_ = gradient_(z.q);
+      at_ = z.q;  // at once, in case that the next gradient throws
+    }
     z.p -= (0.5 * h) * force_;
     z.q += h * z.p;
     force_ = gradient_(z.q);
