@@ -80,16 +80,18 @@ TEST(Predictor, ContinuesTheLineThroughTheLastTwoValues) {
   const Vec zero = Vec::Zero(), here(1.0, 2.0), there(3.0, 4.0), first(0.5, -0.25), second(0.75, 1.0);
   avi::Predictor<2> predictor;
   EXPECT_FALSE(predictor.goes_on(0.1, zero));
-  predictor.remember(first, 0.1, here);
+  predictor.remember(first, 0.1, here, false);
   EXPECT_TRUE(predictor.goes_on(0.1, here));
   EXPECT_EQ(predictor.guess(0.1, here), zero) << "one value is no line";
-  predictor.remember(second, 0.1, there);
+  predictor.remember(second, 0.1, there, true);
   EXPECT_EQ(predictor.guess(0.1, there), Vec(1.0, 2.25));
   EXPECT_FALSE(predictor.goes_on(0.2, there) || predictor.goes_on(0.1, here));
   EXPECT_EQ(predictor.guess(0.2, there), zero);
   EXPECT_EQ(predictor.guess(0.1, here), zero);
-  predictor.remember(first, 0.2, here);
+  predictor.remember(first, 0.2, here, false);
   EXPECT_EQ(predictor.guess(0.2, here), zero) << "the step before had another size";
+  predictor.remember(second, 0.2, there, false);
+  EXPECT_EQ(predictor.guess(0.2, there), zero) << "the step before was of another orbit";
 }
 
 TEST(Broyden, SolvesALinearSystemInTwiceAsManyStepsAsItHasUnknowns) {
