@@ -64,12 +64,16 @@ class Pauses {
       look(i, (after.q[i] - before.q[i]) / step);
       look(n + i, (after.p[i] - before.p[i]) / step);
     }
-    // What turns by a half in each step comes back to where it was, however fast it is.
+    // What turns by a half in each step comes back to where it was: it is fast at both ends.
     if (const double chord = speed; fastest_ > 0.0 && chord < 0.1 * fastest_) {
       const VectorX& now = slope();
       for (Eigen::Index i = 0; i < seen_; ++i)
         look(i, now[i]), look(n + i, now[n + i]);
-      if (speed < 0.3 * fastest_) speed = chord;
+      const bool fast = speed >= 0.3 * fastest_;
+      if (!fast || !was_fast_) speed = chord;
+      was_fast_ = fast;
+    } else {
+      was_fast_ = true;
     }
     const double part = fastest_ > 0.0 ? speed / fastest_ : 1.0;
     if (pauses_ && part > 0.3) {
@@ -107,7 +111,7 @@ class Pauses {
   VectorX ranges_;
   Eigen::Index seen_;
   double fastest_ = 0.0, last_ = 0.0, middle_ = 0.0;  // speeds, over the ranges; time of the last one
-  bool pauses_ = false;
+  bool pauses_ = false, was_fast_ = true;
   double slowest_ = 1.0, since_ = 0.0, error_ = 0.0;  // in the pause; when, and of the energy
 };
 
