@@ -116,8 +116,15 @@ TEST(Trajectory, ContinuesARunAndNoOther) {
   EXPECT_EQ(avi::integrate_to(method, z, 0.1, 1.0, kept).outcome, avi::Outcome::ok);
   EXPECT_EQ(avi::integrate_to(method, z, 0.1, 2.0, kept).outcome, avi::Outcome::ok);
   EXPECT_LT((kept.at(1.5).q - Kepler::exact(0.6, 1.5).q).norm(), 1e-7);
+  const auto end = z;
   z = Kepler::pericentre(0.6);
   EXPECT_THROW((void)avi::integrate_to(method, z, 0.1, 1.0, kept), std::invalid_argument);
+  // Nor does it turn round, which gave nan between its states, or bear a kick.
+  z = end;
+  EXPECT_THROW((void)avi::integrate(method, z, -0.1, {.steps = 1}, kept), std::invalid_argument);
+  z = end;
+  z.p[0] += 1.0;
+  EXPECT_THROW((void)avi::integrate(method, z, 0.1, {.steps = 1}, kept), std::invalid_argument);
 }
 
 TEST(Trajectory, IsWrittenWithEveryDigit) {

@@ -33,9 +33,9 @@ class Trajectory {
             "where the trajectory ends, at t = ", states_.back().t);
     require(step.before == states_.back(), "Begin of the next step", "another state",
             "that in which the trajectory ends, at t = ", states_.back().t);
-    if (states_.size() > 1)
-      require((step.after.t > step.before.t) == (states_[1].t > states_[0].t), "Time after the next step",
-              step.after.t, "on the side of t = ", step.before.t, " to which the trajectory leads");
+    const double whole = states_.back().t - states_.front().t;
+    require(whole * (step.after.t - step.before.t) >= 0.0, "Time after the next step", step.after.t,
+            "on the side of t = ", step.before.t, " to which the trajectory leads");
     states_.push_back(step.after);
     steps_.push_back(step.h);
   }
