@@ -40,6 +40,19 @@ TEST(MethodMemory, HasNoMatrixOfAnotherOrbit) {
   }
 }
 
+// Where Newton's method had failed once it was not tried again, from whatever state.
+TEST(MethodMemory, TriesNewtonsMethodAnewElsewhere) {
+  const auto stiff = [](const auto& q, const auto& p) {
+    return 0.5 * (p[0] * p[0] + p[1] * p[1] + 1e6 * q[0] * q[0]) + 1e-3 * log(q[1]);
+  };
+  State<2> z{.q = {1e-3, 1.0}, .p = {0.1, 0.0}}, hopeless = z;
+  hopeless.q[1] = 0.0;
+  const auto fresh = [&] { return avi::collocation(avi::poincare(stiff, z), 8); };
+  auto used = fresh();
+  ASSERT_FALSE(used.step(hopeless, 0.01).ok());
+  EXPECT_LT(apart(used, fresh(), z, 0.01), 1e-13);
+}
+
 // Steps that are begun ahead were looked at in the scales of an orbit a billion times as large, or in none.
 TEST(MethodMemory, HasNoScalesOfAnotherOrbit) {
   for (const int order : {2, 4, 8, 16}) {
@@ -66,7 +79,9 @@ TEST(MethodMemory, ForgetsStepsOfAnotherSize) {
     ASSERT_TRUE(used.step(z, 1e-300).ok());
     EXPECT_LT(apart(used, avi::collocation(problem, order), z, 1.0), 1e-14) << order;
     for (const double h : {10.0, 20.0, 100.0}) {
-      State<2> start{.q = {1.0, 0.0}, .p = {0.0, 1.0}}, far = start;
+      State<2> start{.q = {0.98006657784991635, 0.1986693281215571},
+                     .p = {-0.19866933343437193, 0.98006657783949824}},
+          far = start;
       const auto fresh = [&] {
         return avi::collocation(avi::poincare(kepler, start, avi::Energy{avi::Kepler{}, 0.5}), order);
       };

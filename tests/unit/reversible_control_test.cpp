@@ -97,6 +97,23 @@ TEST(ReversibleControl, StartsAnewWhereTheStateIsChangedFromOutside) {
   check(controlled);
 }
 
+// Nor does a step that failed elsewhere change what is known of the last good state.
+TEST(ReversibleControl, OutlivesAStepThatFails) {
+  const auto check = [](const auto& method) {
+    auto used = method;
+    State<2> z = Kepler::pericentre(0.5);
+    ASSERT_EQ(used.step(z, 0.05).outcome, avi::Outcome::ok);
+    auto other = used;
+    State<2> far{.q = {1e-3, 0.0}, .p = {40.0, 0.0}, .t = z.t}, a = z, b = z;
+    ASSERT_EQ(used.step(far, 5.0).outcome, avi::Outcome::diverged);
+    ASSERT_EQ(used.step(a, 0.05).outcome, avi::Outcome::ok);
+    ASSERT_EQ(other.step(b, 0.05).outcome, avi::Outcome::ok);
+    EXPECT_EQ(distance(a, b), 0.0);
+  };
+  check(adaptive_verlet);
+  check(controlled);
+}
+
 // Its error is uneven from step size to step size, as its density alternates.
 TEST(AdaptiveVerlet, HasOrderFourWhereComposed) {
   std::vector<double> h, error;

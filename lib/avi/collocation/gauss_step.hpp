@@ -167,9 +167,9 @@ class alignas(64) GaussStep {
     return 0;
   }
 
-  /// The last step says where this one leads, and how far.
+  /// The last step says where this one leads, and how far: it was half as long at least.
   [[nodiscard]] bool is_like_the_last(double h) const {
-    return place_ != Place::elsewhere && std::abs(h / h_) <= 2.0 && std::abs(h / h_) >= 1e-3;
+    return place_ != Place::elsewhere && std::abs(h / h_) <= 2.0;
   }
   /// The last step led far beyond the size of its start: it was too long, and says nothing of a shorter one.
   [[nodiscard]] bool was_wild() const {
