@@ -35,7 +35,7 @@ class Assembler {
   };
   enum Comparison : std::uint8_t { less = 1, less_equal = 2 };  ///< The question of `compare`.
 
-  /// For registers of 4 numbers, or of 8.
+  /// For registers of 2 numbers, of 4 or of 8.
   explicit Assembler(int numbers) : bytes_(8 * numbers) {}
 
   std::vector<std::uint8_t> code;  ///< So far.
@@ -50,7 +50,8 @@ class Assembler {
     else
       short_form(what, to, first, second);
   }
-  /// Which lanes of two registers compare so, as all bits of a lane or none of a register of 4 numbers.
+  /// Which lanes of two registers compare so, as all bits of a lane or none of a register of at most 4
+  /// numbers.
   void compare_lanes(Comparison how, int to, int first, const Place& second) {
     short_form(compare, to, first, second);
     code.push_back(how);
@@ -104,7 +105,8 @@ class Assembler {
   }
   void short_form(Instruction what, int to, int first, const Place& second) {
     const int base = second.vector >= 0 ? second.vector : second.pointer;
-    raw({0xc4, bit(to, 3) << 7 | 1 << 6 | bit(base, 3) << 5 | 1, (~first & 15) << 3 | 1 << 2 | 1, what});
+    raw({0xc4, bit(to, 3) << 7 | 1 << 6 | bit(base, 3) << 5 | 1, (~first & 15) << 3 | (bytes_ == 32) << 2 | 1,
+         what});
     operand(to, second, 1);
   }
   void long_form(Instruction what, int to, int first, const Place& second, int mask) {
@@ -113,7 +115,7 @@ class Assembler {
     raw({0x62,
          bit(to, 3) << 7 | (in_register ? bit(base, 4) : 1) << 6 | bit(base, 3) << 5 | bit(to, 4) << 4 | 1,
          1 << 7 | (~first & 15) << 3 | 1 << 2 | 1,
-         (mask != 0) << 7 | (bytes_ == 64 ? 2 : 1) << 5 | bit(first, 4) << 3 | mask, what});
+         (mask != 0) << 7 | bytes_ / 32 << 5 | bit(first, 4) << 3 | mask, what});
     operand(to, second, bytes_);
   }
 

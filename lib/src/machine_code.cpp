@@ -98,7 +98,7 @@ std::unique_ptr<const MachineCode> MachineCode::of(std::span<const Program* cons
                                                    const MachineTarget& target) {
   if (!wanted()) return nullptr;
 #ifdef AVI_CAN_MAKE_CODE
-  Assembler assembler(target.avx512 ? target.lanes : 4);
+  Assembler assembler(std::min(target.lanes, target.avx512 ? 8 : 4));
   std::vector<double> pool{1.0, 0.0, -0.0, std::bit_cast<double>(~std::uint64_t{0} >> 1)};
   std::vector<std::size_t> begins, addresses;
   for (const Program* program : programs) {

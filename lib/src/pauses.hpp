@@ -61,9 +61,10 @@ class Pauses {
       if (range > 0.0) speed = std::max(speed, std::abs(change) / range);
     };
     for (Eigen::Index i = 0; i < seen_; ++i) {
-      look(i, (after.q[i] - before.q[i]) / step);
-      look(n + i, (after.p[i] - before.p[i]) / step);
+      look(i, after.q[i] - before.q[i]);
+      look(n + i, after.p[i] - before.p[i]);
     }
+    speed /= step;
     // What turns by a half in each step comes back to where it was: it is fast at both ends.
     if (const double chord = speed; fastest_ > 0.0 && chord < 0.1 * fastest_) {
       const VectorX& now = slope();

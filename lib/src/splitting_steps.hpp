@@ -39,27 +39,20 @@ class SplittingSteps final : public Stepper {
 
   StepReport step(double* z, double& t, double h) override {
     begin(z, t);
-    for (int lane = 0; lane < lanes; ++lane)
-      put(lane, here_);
+    put(0, here_), put(1, here_);
     move(Scalar(h));
-    return end(0, z, t, h);
+    return end(*this, 0, z, t, h);
   }
   [[nodiscard]] bool can_go_beside() const override { return true; }
   std::pair<StepReport, StepReport> step_beside(const Pace& mine, Stepper& beside, const Pace& its) override {
     auto& other = static_cast<SplittingSteps&>(beside);
     begin(mine.z, *mine.t);
     other.begin(its.z, *its.t);
-    put(0, here_);
-    for (int lane = 1; lane < lanes; ++lane)
-      put(lane, other.here_);
+    put(0, here_), put(1, other.here_);
     Scalar h(its.h);
     h.set(0, mine.h);
     move(h);
-    for (Eigen::Index i = 0; i < q_.size(); ++i) {
-      other.q_[i] = q_[i], other.p_[i] = p_[i];
-      other.low_q_[i] = low_q_[i], other.low_p_[i] = low_p_[i];
-    }
-    return {end(0, mine.z, *mine.t, mine.h), other.end(1, its.z, *its.t, its.h)};
+    return {end(*this, 0, mine.z, *mine.t, mine.h), other.end(*this, 1, its.z, *its.t, its.h)};
   }
   /// A step of that part: as accurate as the end.
   void polynomial(double c, double* z, double& t) const override {
@@ -75,7 +68,7 @@ class SplittingSteps final : public Stepper {
   }
 
  private:
-  static constexpr int lanes = 4;
+  static constexpr int lanes = 2;  // one for each orbit
   static constexpr SplitCoefficients coefficients = splittings::blanes_moan6_nystrom;
   using Scalar = Pack<lanes>;
   using Vec = Vector<Scalar, dynamic>;
@@ -115,26 +108,32 @@ class SplittingSteps final : public Stepper {
     }
     drift(coefficients.a.back());
   }
-  /// x += change, with what rounding cut off before (Kahan 1965).
+  /// x += change, with what rounding cut off before (Kahan 1965), number by number: whole registers at a
+  /// time.
   void add(Vec& x, Vec& low) const {
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-      const Scalar change = change_[i] + low[i], next = x[i] + change;
-      low[i] = change - (next - x[i]);
-      x[i] = next;
+    const auto numbers = [](auto& vec) { return reinterpret_cast<double*>(vec.data()); };
+    double* __restrict const to = numbers(x), * __restrict const lost = numbers(low);
+    const double* __restrict const changes = reinterpret_cast<const double*>(change_.data());
+    const Eigen::Index size = lanes * x.size();
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const double change = changes[i] + lost[i], next = to[i] + change;
+      lost[i] = change - (next - to[i]);
+      to[i] = next;
     }
   }
-  StepReport end(int lane, double* z, double& t, double h) {
+  /// The step that `moved` has made in a lane ends here.
+  StepReport end(const SplittingSteps& moved, int lane, double* z, double& t, double h) {
     const Eigen::Index n = q_.size();
     const StepReport report{.evaluations = static_cast<int>(coefficients.b.size())};
     for (Eigen::Index i = 0; i < n; ++i)
-      if (!std::isfinite(q_[i][lane]) || !std::isfinite(p_[i][lane]))
+      if (!std::isfinite(moved.q_[i][lane]) || !std::isfinite(moved.p_[i][lane]))
         return {.outcome = Outcome::non_finite, .evaluations = report.evaluations};
     h_ = h;
     for (Eigen::Index i = 0; i < n; ++i) {
-      z[i] = end_.state.q[i] = q_[i][lane];
-      z[n + i] = end_.state.p[i] = p_[i][lane];
-      end_.low.q[i] = low_q_[i][lane];
-      end_.low.p[i] = low_p_[i][lane];
+      z[i] = end_.state.q[i] = moved.q_[i][lane];
+      z[n + i] = end_.state.p[i] = moved.p_[i][lane];
+      end_.low.q[i] = moved.low_q_[i][lane];
+      end_.low.p[i] = moved.low_p_[i][lane];
     }
     const double change = h + here_.low.t;
     t = end_.state.t = here_.state.t + change;

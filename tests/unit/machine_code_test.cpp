@@ -77,6 +77,7 @@ void compare(const Program& program, bool avx512, unsigned seed, const std::stri
 void compare(const Program& program, unsigned seed, const std::string& what, int parameters = 0) {
   for (const bool avx512 : {false, true})
     if (runs(avx512)) {
+      compare<2>(program, avx512, seed, what + (avx512 ? ", AVX-512" : ", AVX2"), parameters);
       compare<4>(program, avx512, seed, what + (avx512 ? ", AVX-512" : ", AVX2"), parameters);
       compare<8>(program, avx512, seed, what + (avx512 ? ", AVX-512" : ", AVX2"), parameters);
     }
@@ -119,7 +120,7 @@ std::string bytes(int lanes, bool avx512) {
     const Program program =
         avi::Schedule::program(graph, slopes.empty() ? graph.size() - 1 : -1, slopes, graph.size());
     const avi::detail::StraightLine line(program);
-    avi::detail::Assembler assembler(avx512 ? lanes : 4);
+    avi::detail::Assembler assembler(std::min(lanes, avx512 ? 8 : 4));
     std::vector<double> pool{1.0, 0.0, -0.0, 1.0};
     avi::detail::CodeWriter writer(line, {.lanes = lanes, .avx512 = avx512, .functions = functions.data()},
                                    pool, assembler);
@@ -132,6 +133,8 @@ std::string bytes(int lanes, bool avx512) {
 
 // Which register holds what is nothing that results depend on: a change of it has to be meant.
 TEST(MachineCode, IsTheCodeThatItWas) {
+  EXPECT_EQ(bytes(2, false), "1012736 9c7c8249");
+  EXPECT_EQ(bytes(2, true), "998856 c2e1bf04");
   EXPECT_EQ(bytes(4, false), "1021487 b309a839");
   EXPECT_EQ(bytes(8, false), "2004433 e429e457");
   EXPECT_EQ(bytes(4, true), "1005261 9180db2d");
