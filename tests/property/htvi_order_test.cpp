@@ -93,6 +93,28 @@ TEST(Htvi, KnowsItsOrder) {
   EXPECT_EQ((avi::type2<3, experiment::Authors>(problem, avi::midpoint()).order()), 2);
 }
 
+/// Two springs with a bond, of which every unit of length and momentum makes the same problem.
+struct Springs {
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    return 0.5 * (p[0] * p[0] + p[1] * p[1] + q[0] * q[0] + q[1] * q[1]) + 0.25 * q[0] * q[1];
+  }
+};
+
+// Squares of numbers below 1e-154 are not normal ones.
+TEST(Htvi, HasTheSameBitsInEveryUnit) {
+  const auto run = [](int exponent) {
+    const double unit = std::ldexp(1.0, exponent);
+    State<2> z{.q = {0.7 * unit, -0.3 * unit}, .p = {0.2 * unit, 0.9 * unit}};
+    auto method = avi::htvi<4>(avi::poincare(Springs{}, z));
+    EXPECT_EQ(avi::integrate(method, z, 0.1, {.steps = 50}).outcome, avi::Outcome::ok) << exponent;
+    return std::vector<double>{z.q[0] / unit, z.q[1] / unit, z.p[0] / unit, z.p[1] / unit};
+  };
+  const auto known = run(0);
+  for (const int exponent : {-900, -530, -515, -300, 500})
+    EXPECT_EQ(run(exponent), known) << exponent;
+}
+
 TEST(Htvi, TakesTheGaussRuleOfItsOrderUnlessToldOtherwise) {
   const auto start = Kepler::pericentre(0.5);
   const auto problem = avi::poincare<2>(kepler, start, avi::NormSquared{});

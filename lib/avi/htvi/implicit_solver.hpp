@@ -2,6 +2,7 @@
 #include "avi/htvi/discrete_equations.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -55,12 +56,17 @@ class SecantModel {
   /// Learns from a shift of u that changed w by `change`, unless J is to stay as it is.
   /// @return the error that J had along that shift, relative to its size
   double learn(const Vector<double, n>& shift, const Vector<double, m>& change, bool update) {
-    const Vector<double, m> miss = change - slope_ * shift;
-    const double square = shift.squaredNorm();
+    // By a power of two, so that squares of shifts below 1e-154 are not lost.
+    const double largest = shift.template lpNorm<Eigen::Infinity>();
+    if (!(largest > 0.0)) return std::numeric_limits<double>::infinity();
+    const double unit = std::ldexp(1.0, std::min(-std::ilogb(largest), 1000));
+    const Vector<double, n> along = unit * shift;
+    const Vector<double, m> miss = unit * (change - slope_ * shift);
+    const double square = along.squaredNorm();
     for (int i = 0; update && i < m; ++i)
       for (int j = 0; j < n; ++j)
-        slope_(i, j) += miss[i] / square * shift[j];
-    return miss.norm() / shift.norm();
+        slope_(i, j) += miss[i] / square * along[j];
+    return miss.norm() / along.norm();
   }
   /// The shift of u for this residual.
   [[nodiscard]] Vector<double, n> shift(const Vector<double, n>& residual) const {
@@ -105,7 +111,7 @@ class SecantIteration {
     first_ = false;
     before_ = equations.corrections;
     shift = model_.shift(residual);
-    return error * shift.norm() <= 0.1 * now.accepted;
+    return error * shift.stableNorm() <= 0.1 * now.accepted;
   }
   /// The step at u + shift.
   template <class Equations>

@@ -80,7 +80,7 @@ class TaylorExpansion {
     if constexpr (energy_partial)
       *series.input(2 * n) = Construction::on_level ? level(q, p) : energy_momentum();
     for (int k = 0; k <= order(); ++k) {
-      const bool forces = k < order() || k == 0;  // not needed at the last order, but once at least
+      const bool forces = k < order();  // not needed at the last order
       series.run(k, forces);
       const double factor = h / (k + 1);
       for (int i = 0; i < n; ++i)
