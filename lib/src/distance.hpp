@@ -88,14 +88,13 @@ class Distance {
         for (const Eigen::Index i : entries)
           most = std::max(most, ranges.high[first + i] - ranges.low[first + i]);
         for (const Eigen::Index i : entries)
-          scale[first + i] = std::max(scale[first + i], unnoticed * most);
+          scale[first + i] = std::max(scale[first + i], still_ * most);
       }
     return scale;
   }
 
  private:
   static constexpr double rounding = 1e-14;
-  static constexpr double unnoticed = 1e-8;  // part of the largest range of entries alike
   static constexpr double few_digits = 8.0 * std::numeric_limits<double>::epsilon();
   static double part(double difference, double scale) {
     if (difference == 0.0) return 0.0;
@@ -126,7 +125,9 @@ class Distance {
   }
   VectorX metric_;
   Eigen::Index seen_;
-  double still_;  // part of its size by which a momentum has to move
+  // Part of its size by which a momentum has to move, and an entry of the largest range of those alike: the
+  // tolerance of less would be rounding.
+  double still_;
   std::vector<std::vector<Eigen::Index>> alike_;
 };
 

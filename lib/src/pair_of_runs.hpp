@@ -37,7 +37,8 @@ struct Comparison {
   double error = infinity;   ///< At the last mark, relative to the ranges.
   double behind = infinity;  ///< The largest error divided by the speed there: a time.
   double growth = 1.0;       ///< Exponent with which that grows in time.
-  double rate = 0.0;         ///< Rate at which it grows exponentially, where it does.
+  double rate = 0.0;         ///< Rate at which it grows exponentially, where it may.
+  bool exponential = false;  ///< It is seen to grow so, faster than by any power of time.
 };
 
 /// An energy error that is more than rounding of H, but where its terms are far larger than it.

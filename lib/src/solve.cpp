@@ -354,7 +354,9 @@ OrbitAnswer Orbiter::finish() {
   // What rounding leaves grows with the phase; that of a clock which does not begin near zero moves the end
   // along the orbit.
   const double of_clock = question_.t == 0.0 ? 0.0 : 0.5 * epsilon * std::abs(question_.t) * speed;
-  const double seen = parted_ ? seen_.error : foretold(seen_, here, span_, speed);
+  // What is foretold is at most as far as the motion goes.
+  const double seen =
+      parted_ ? seen_.error : std::min(foretold(seen_, here, span_, speed), std::max(seen_.error, 1.0));
   answer_.state_error =
       seen + (it.noise + epsilon) * radians_ + of_clock + distance_->rounding_of(fine.state, fine.ranges);
   if (distance_->rounding_of(fine.state, fine.ranges) > 10.0 * question_.tolerance)
@@ -408,12 +410,13 @@ OrbitAnswer Orbiter::finish() {
     }
   }
   if (std::isnan(answer_.state_error)) answer_.state_error = infinity;
-  if (!answer_.kept() && seen_.rate > 0.0 && features_->bends())
+  const bool apart = seen_.error > 1e-3;
+  if (!answer_.kept() && features_->bends() && (seen_.rate > 0.0 || resigned_))
     answer_.note += "H has a kink, a jump or a branch, beyond which errors are larger than before. ";
-  else if (!answer_.kept() && seen_.rate > 0.0)
+  else if (!answer_.kept() && seen_.rate > 0.0 && (seen_.exponential || apart))
     answer_.note += "Neighbouring orbits move apart exponentially here: the state at the end depends on more "
                     "digits than the tolerance has. ";
-  else if (!answer_.kept() && seen_.error > 1e-3 && resigned_)
+  else if (!answer_.kept() && apart && resigned_)
     answer_.note +=
         "Two runs stay apart, however short their steps: the state at the end depends on more digits "
         "than there are. ";
@@ -426,6 +429,10 @@ OrbitAnswer Orbiter::finish() {
                         ? "H has a jump, or rounds by so much. "
                         : "the gradient that H supplies is not its own, or H has a jump. ";
   }
+  const bool adds_up = resigned_ || seen_.growth > 1.0 || answer_.state_error > 2.0 * seen;
+  if (answer_.ok() && !answer_.kept() && answer_.note.empty() && adds_up && !question_.made &&
+      !(question_.options.h > 0.0))
+    answer_.note += "Shorter steps do not help: rounding adds up over the run to more than the tolerance. ";
   if (question_.made && !answer_.kept())
     answer_.note += "Monitor, order and step were chosen for another start; solve() chooses for this one. ";
   if (!answer_.note.empty()) answer_.note.pop_back();  // the blank behind the last sentence

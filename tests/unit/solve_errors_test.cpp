@@ -184,6 +184,39 @@ TEST(SolveErrors, EndTheChoiceWhereShorterStepsAreInVain) {
   EXPECT_LE(rounded.choice.trials.size(), 16u);
 }
 
+// Chaos is said of what is seen to grow faster than by a power of time; of an angle that grows, whose
+// rounding does, it was said that 4e46 ranges are foretold.
+TEST(SolveErrors, AboveTheToleranceHaveAReason) {
+  const auto expect = [](const auto& orbit, const std::string& said) {
+    EXPECT_TRUE(orbit.ok());
+    EXPECT_FALSE(orbit.kept());
+    EXPECT_LE(orbit.state_error, 20.0);
+    EXPECT_EQ(orbit.note.substr(0, said.size()), said) << orbit.report();
+  };
+  const std::string rounding = "Shorter steps do not help: rounding adds up";
+  const auto pendulum = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - cos(q[0]); };
+  expect(solve(pendulum, State<1>{.q = 0.0, .p = 2.1}, 3e4, 1e-11, {.check = false}), rounding);
+  const auto spring = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
+  expect(solve(spring, State<1>{.q = 1.0, .p = 0.0}, 1e5, 1e-13), rounding);
+  const auto ramp = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + abs(q[0]); };
+  expect(solve(ramp, State<1>{.q = 1.0, .p = 0.0}, 40.0, 1e-8), "H has a kink");
+  expect(solve(avi::HenonHeiles{}, avi::HenonHeiles::on_section(0.165, 0.1, 0.1), 300.0, 1e-12),
+         "Neighbouring orbits move apart exponentially");
+}
+
+// The middle one of three rests by symmetry, and moves by rounding alone.
+TEST(SolveErrors, OfWhatRestsBySymmetryAreRounding) {
+  const auto toda = [](const auto& q, const auto& p) {
+    return 0.5 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) + exp(q[0] - q[1]) + exp(q[1] - q[2]) +
+           exp(q[2] - q[0]);
+  };
+  const State<3> start{.q = {0.0, 0.1, 0.2}, .p = {1.0, 0.0, -1.0}};
+  for (const double tolerance : {1e-8, 1e-9, 1e-11}) {
+    const auto orbit = solve(toda, start, 1000.0, tolerance);
+    EXPECT_TRUE(orbit.kept()) << orbit.report();
+  }
+}
+
 // A step that was made longer after the first part of the orbit and proves too long for the whole is made
 // shorter again; it is not taken for chaos.
 TEST(SolveErrors, OfAStepThatWasTooLongAreMended) {
