@@ -91,6 +91,23 @@ class PointField {
     }
     return std::sqrt(square);
   }
+  /// The largest frequency, by the second derivative of momenta in time, of what moves and is pushed by no
+  /// force at z, as in the middle of a well; 0 where there is nothing of that kind. @param dz the slope at z
+  double frequency_of_unpushed(const VectorX& z, const VectorX& dz, const VectorX& metric) {
+    const auto unpushed = [&](Eigen::Index i) { return dz[n_ + i] == 0.0 && dz[i] != 0.0; };
+    double square = 0.0;
+    VectorX change;
+    for (Eigen::Index i = 0; i < n_; ++i)
+      if (unpushed(i)) {
+        if (change.size() == 0) {
+          Duals room(formula_.program);
+          change.resize(2 * n_);
+          linear(room, z, dz, change);
+        }
+        square = std::max(square, std::abs(change[n_ + i] / dz[i]) * metric[i]);
+      }
+    return std::isfinite(square) ? std::sqrt(square) : 0.0;
+  }
   /// The change of the slope at z, which is given, per relative error of the entries of z, to first order.
   /// @param draw the signs of those errors
   VectorX sensitivity(const VectorX& z, const VectorX& slope, unsigned draw) {
@@ -165,7 +182,9 @@ class Sketch {
     RungeKuttaStages<BogackiShampine> step(size);
     VectorX at = z, low = z, high = z, scale(size), errors(size);
     double energy = field(at, step.k[0]), last = energy;
-    double h = first_step(field, at, step.k[0], span, metric);
+    // A long step may lead to where no force is left, as there is none here.
+    const double unpushed = field.frequency_of_unpushed(at, step.k[0], metric);
+    double h = std::min(first_step(field, at, step.k[0], span, metric), 1.0 / unpushed);
     int grown = 0;  // samples when an entry left its range last
     int alike = 0;  // refused steps in a row with errors as large as before, relative to what moves
     double refused = 0.0;

@@ -84,6 +84,27 @@ PointField spring() {
 }
 const VectorX unit = point({1.0});
 
+// In the middle of a well no force acts, and after a long step none is left.
+TEST(Sketch, OfWhatNoForcePushesAtFirstFollowsTheMotion) {
+  PointField springs = oscillators();
+  VectorX dz(4);
+  const VectorX metric = point({4.0, 1.0 / 9.0}), z = point({0.0, 2.0, 0.5, 18.0});
+  springs(z, dz);
+  EXPECT_DOUBLE_EQ(springs.frequency_of_unpushed(z, dz, metric), 2.0);
+  springs(point({1.0, 2.0, 0.5, 18.0}), dz);
+  EXPECT_EQ(springs.frequency_of_unpushed(point({1.0, 2.0, 0.5, 18.0}), dz, metric), 0.0);
+  const auto morse = [](const auto& q, const auto& p) {
+    const auto x = 1.0 - exp(-q[0]);
+    return 0.5 * p[0] * p[0] + x * x;
+  };
+  for (const double span : {5e4, 1e9}) {
+    PointField field = field_of(1, morse);
+    const Sketch sketch(field, point({0.0, 1.3}), span, point({1.0}));
+    EXPECT_LT(sketch.time, 100.0) << span;
+    EXPECT_GT(sketch.radians, 6.0) << span;
+  }
+}
+
 TEST(Sketch, CountsTheRadiansOfASpring) {
   PointField field = spring();
   const Sketch sketch(field, point({1.0, 0.0}), 3.0, unit);
