@@ -135,9 +135,9 @@ struct SolveOptions {
   std::function<bool(const SolveProgress&)> progress = {};
   /// File in which the run is kept for resume() until it has come to its end; empty for none. So that a run
   /// that goes on has the same bits, the method begins anew every 4096 steps, each time with a rounding
-  /// error. It is that of the states delivered, which begins when all is chosen: with `check`, when two runs
-  /// have come to the end. Until then there is no file, and a bound that is met leaves what was chosen so
-  /// far.
+  /// error. It is that of the states delivered, the last of the call: until one run, or with `check` two,
+  /// have come to the end there is no file, and a bound or a cancel that comes before leaves what was chosen
+  /// so far.
   std::string checkpoint = {};
   double checkpoint_seconds = 60.0;  ///< After which the file is written anew; at least 0.
 };

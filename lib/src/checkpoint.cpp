@@ -49,6 +49,9 @@ std::size_t Record::size() {
 
 Record::Record(const std::string& file) {
   require_regular(file);
+  std::error_code unknown;  // then reading it will say more
+  if (std::filesystem::status(file, unknown).type() == std::filesystem::file_type::not_found)
+    throw std::invalid_argument("There is no checkpoint " + file + ".");
   std::ifstream in(file, std::ios::binary);
   if (!in) damaged(file + " cannot be read");
   std::uint64_t head[3];

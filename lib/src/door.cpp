@@ -158,7 +158,9 @@ class Call {
     for (int round = 0;; ++round) {
       (void)budget_.was_met();
       OrbitAnswer answer = chosen(horizon, question_.tolerance, question_.options.check);
-      if (!(answer.choice.h > 0.0) || budget_.cancelled()) return answer;
+      // A call that is to be resumed goes on as far as the file.
+      const bool ends = budget_.cancelled() && question_.options.checkpoint.empty();
+      if (!(answer.choice.h > 0.0) || ends) return answer;
       const bool given_up = !answer.ok() && !repeats() && !budget_.was_met();
       if (given_up) {
         if (shortened == 0) failure = answer;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -100,6 +101,28 @@ TEST(SolveOptions, CancelACallThatKeepsWhatItHas) {
   EXPECT_NE(orbit.report().find("stopped by the callback"), std::string::npos);
   const auto thrown = [](const SolveProgress&) -> bool { throw std::domain_error("enough"); };
   EXPECT_THROW((void)solve(Kepler(), z, 1e9, 1e-10, {.progress = thrown}), std::domain_error);
+}
+
+// Before the run that is kept has begun, too.
+TEST(SolveOptions, CancelACallThatIsResumed) {
+  const auto z = Kepler::pericentre(0.6);
+  const std::string file = std::filesystem::temp_directory_path() / "solve_options_test.run";
+  const auto early = [](const SolveProgress& now) {
+    EXPECT_EQ(now.phase, avi::SolvePhase::choosing);
+    return now.steps < 100;
+  };
+  const auto part = solve(Kepler(), z, 1e5, 1e-8, {.check = false, .progress = early, .checkpoint = file});
+  EXPECT_EQ(part.run.outcome, avi::Outcome::stopped);
+  EXPECT_NE(part.report().find("stopped by the callback"), std::string::npos);
+  const auto rest = avi::resume<2>(Kepler(), file);
+  EXPECT_TRUE(rest.ok()) << rest.report();
+  EXPECT_EQ(rest.state.t, 1e5);
+  try {
+    (void)avi::resume<2>(Kepler(), file);
+    ADD_FAILURE() << "not refused";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(error.what(), "There is no checkpoint " + file + ".");
+  }
 }
 
 TEST(SolveOptions, BoundStepsAndKeepWhatWasReached) {

@@ -226,7 +226,7 @@ class Checkpoints(unittest.TestCase):
             self.assertFalse(os.path.exists(self.file))
 
     def test_bad(self):
-        with self.assertRaisesRegex(ValueError, "cannot be read"):
+        with self.assertRaisesRegex(ValueError, "There is no checkpoint"):
             avi.resume(kepler, 2, self.file)
         avi.solve(kepler, *START, 2e4, 1e-9, check=False, checkpoint=self.file, steps=5000)
         for H, shape in ((spring, 2), (kepler, 3)):
