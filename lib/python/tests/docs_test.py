@@ -6,8 +6,6 @@ import re
 import unittest
 from pathlib import Path
 
-import numpy as np
-
 import avi
 
 PAGE = Path(__file__).resolve().parents[2] / "docs/python.md"
@@ -21,13 +19,9 @@ class Docs(unittest.TestCase):
         with contextlib.redirect_stdout(printed):
             for program in re.findall(r"```python\n(.*?)```", self.text, re.S):
                 exec(program, names)
-        lines = printed.getvalue().splitlines()
-        self.assertEqual(lines[0].split()[:2], ["True", "True"])
-        self.assertEqual(lines[1], "(2, 401) (4, 401)")
-        self.assertEqual(lines[2], "[1. 3. 5.]")
-        self.assertLess(np.abs(names["at_pi"][:2] - [-1.9, 0]).max(), 1e-9)
-        self.assertEqual(lines[3:5], ["-1.0", "1.0"])
-        self.assertEqual(lines[5:], ["200 True", "1", "True True"])
+        said = re.findall(r"^ *print\(.*\) +# ([^:\n]+)", self.text, re.M)
+        self.assertEqual(len(said), self.text.count("print(") - self.text.count("`print("))
+        self.assertEqual(printed.getvalue().splitlines(), [line for each in said for line in each.split(", then ")])
 
     def test_front_pages(self):
         """README and the front page of the site show the first program of the page."""
