@@ -202,6 +202,7 @@ def solve(H, q, p, t, tol, *, events=(), progress=None, parameters=(), **options
            start's shape; returns one number. Or a formula from hamiltonian().
     q, p   start: arrays of one shape, or numbers
     t      end of a run from 0; or a sequence of times, rising or falling, of which the first is that of the start
+           An end alone gives two points, the start and the end
     tol    error of the state at the end, relative to the range through which each coordinate and momentum moves
     events    functions g(q, p) or g(q, t, p) whose zeros are looked for, from event() or with solve_ivp's attributes
     progress  True for a line that shows it, or a function called some twenty times a second with (fraction, t, steps, seconds)
