@@ -124,12 +124,13 @@ def trace(f, shapes, parameters, name):
 
 
 def _names(f):
-    """The names of the arguments that f takes by their places, and how many of them have to be given; None where any number is taken,
-    or f does not say."""
+    """The names of the arguments that f takes by their places, how many of them have to be given, and the names of all that need not be;
+    None where any number is taken, or f does not say."""
     code = getattr(f, "__code__", None)
     if code is not None and not code.co_flags & 4:  # *args
         names = code.co_varnames[: code.co_argcount][inspect.ismethod(f) :]
-        return names, len(names) - len(f.__defaults__ or ())
+        needed = len(names) - len(f.__defaults__ or ())
+        return names, needed, names[needed:] + tuple(f.__kwdefaults__ or ())
     try:
         parameters = list(inspect.signature(f).parameters.values())
     except (TypeError, ValueError):
@@ -137,7 +138,16 @@ def _names(f):
     if any(x.kind is x.VAR_POSITIONAL for x in parameters):
         return None
     placed = [x for x in parameters if x.kind in (x.POSITIONAL_ONLY, x.POSITIONAL_OR_KEYWORD)]
-    return tuple(x.name for x in placed), sum(x.default is x.empty for x in placed)
+    needed = sum(x.default is x.empty for x in placed)
+    return tuple(x.name for x in placed), needed, tuple(x.name for x in parameters if x.default is not x.empty)
+
+
+_TIME = {"t", "time"}
+
+
+def _in_another_order(first, last):
+    """Whether names of the first and the last of two or three arguments say that momenta come first, as (p, x), (x, q), (px, x) do."""
+    return first == "p" or last == "q" or first in (f"p{last}", f"p_{last}")
 
 
 def _is_timed(f, more, name):
@@ -146,18 +156,23 @@ def _is_timed(f, more, name):
     taken = _names(f)
     if taken is None:
         return False
-    names, needed = taken
+    names, needed, optional = taken
     timed = needed == 3 + more
     called, after = ", ".join(names[:needed]), ", and parameters, as one array, after them" if more else ""
     order = f"they are q, p, or q, t, p where time counts, in this order{after}."
     if not timed and not needed <= 2 + more <= len(names):
         asked = "" if more or name != "H" else ", and one more comes where parameters=[...] are given"
         raise TypeError(f"{name} takes the arguments {called or 'none'}; {order[:-1]}{asked}.")
+    if not timed and _TIME & {*optional}:
+        raise TypeError(
+            f"{name} has a default for {', '.join(_TIME & {*optional})}, which no other value would ever replace: take the arguments q, t, p where "
+            "time counts, and give a constant another name."
+        )
     of = names[: 3 if timed else 2]
-    if "t" in of and not (timed and of[1] == "t"):  # as the functions (t, y) of other solvers
+    if _TIME & {*of[:1], *of[1 + timed :]}:  # as the functions (t, y) of other solvers
         meant = "q, t, p" if timed else "q, p, or q, t, p where time counts"
         raise TypeError(f"{name} calls its arguments {', '.join(of)}; they are {meant}, in this order.")
-    if of[:1] + of[-1:] == ("p", "q"):
+    if _in_another_order(of[0].lower(), of[-1].lower()):
         raise TypeError(f"{name} calls its arguments {called}; {order}")
     if timed and of[1] == "p" and of[2] != "p":
         asked = "" if more or name != "H" else f", and {of[2]} comes where parameters=[...] are given"

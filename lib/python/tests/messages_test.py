@@ -68,8 +68,20 @@ class Refused(unittest.TestCase):
                 (traced(lambda q, p, a, b: a * b, parameters=[1.0, 2.0]), TypeError, "q, p, a, b; .* parameters, as one array"),
                 (traced(lambda q, p: q @ p, parameters=[1.0, 2.0]), TypeError, "q, p; .* parameters, as one array"),
                 (traced(lambda q, t, p: q @ p, parameters=[1.0]), TypeError, "q, t"),
+                (traced(lambda P, Q: P @ P / 2 + Q[0]), TypeError, "H calls its arguments P, Q; they are q, p"),
+                (traced(lambda px, x: px @ px / 2 + x[0]), TypeError, "H calls its arguments px, x; they are q, p"),
+                (traced(lambda p_phi, phi: p_phi @ phi), TypeError, "H calls its arguments p_phi, phi; they are q, p"),
+                (traced(lambda p, x: p @ p / 2 + x[0]), TypeError, "H calls its arguments p, x; they are q, p"),
+                (traced(lambda v, q: v @ v / 2 + q[0]), TypeError, "H calls its arguments v, q; they are q, p"),
+                (traced(lambda time, y: time[0] + y[0]), TypeError, "H calls its arguments time, y; they are q, p, or q, t, p"),
+                (traced(lambda q, p, t=0: q @ p * t), TypeError, "H has a default for t, .* q, t, p where time counts"),
+                (traced(lambda q, p, *, time=0: q @ p * time), TypeError, "H has a default for time, "),
+                (traced(lambda q, p, c, t=0: q @ p * c[0] * t, parameters=[1.0]), TypeError, "H has a default for t, "),
+                (solved(events=lambda q, p, t=0: q[0] - t), TypeError, "An event has a default for t, "),
             ]
         )
+        for f in (lambda x, v: x @ v, lambda phi, p_phi: phi @ p_phi, lambda position, momentum: position @ momentum, lambda q, p, T=2.0: q @ p * T):
+            self.assertEqual(traced(f)().size, 4)
         self.assertEqual(traced(lambda x, time, v: x @ v + time)().size, 5)
         self.assertEqual(traced(lambda q, p, c=None: q @ p * c[0], parameters=[2.0])().value([1, 1, 1, 1]), 4.0)
 
