@@ -393,9 +393,12 @@ class _Question:
         for x, name, of in ((q, "q", "the Solver's"), (p, "p", "that of q")):
             if x.shape != self.shape:
                 raise ValueError(f"{name} has the shape {x.shape}; it must be {of}, {self.shape}.")
-        return _avi.solve(
-            self.formula, q, p, self.times, self.deliver, self.tol, self.options, self.events, progress, self.made, choose
-        )
+        try:
+            return _avi.solve(self.formula, q, p, self.times, self.deliver, self.tol, self.options, self.events, progress, self.made, choose)
+        except ValueError as error:
+            if not str(error).startswith("The derivative of H") or " is nan" not in str(error):
+                raise
+            raise ValueError(f"{error} Is there a root of 0 in H, as np.linalg.norm(p) is at rest? It has no slope; p @ p, its square, has one.") from None
 
     def answer(self, q, p, progress):
         import numpy as np

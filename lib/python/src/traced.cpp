@@ -244,12 +244,49 @@ Traced apply(Two f, const Traced& a, const Traced& b) {
   return result;
 }
 
+/// Whether a node is a sum of squares and of numbers that are not negative; no where it takes long to see.
+bool is_sum_of_squares(const ExpressionGraph& graph, int node) {
+  std::vector<int> parts{node};
+  for (int left = graph.size(); !parts.empty() && left > 0; --left) {
+    const ExpressionGraph::Node& part = graph[parts.back()];
+    parts.pop_back();
+    const bool square = part.operation == Operation::multiply && part.a == part.b;
+    if (part.operation == Operation::add)
+      parts.insert(parts.end(), {part.a, part.b});
+    else if (!square && !(part.operation == Operation::constant && part.number >= 0.0))
+      return false;
+  }
+  return parts.empty();
+}
+
+/// The square of x. That of a norm is the sum below its root, as the root has no slopes at 0, where a body is
+/// at rest.
+Recorded square(const Recorded& x, ExpressionGraph& graph) {
+  const ExpressionGraph::Node node = graph[x.node_in(graph)];
+  if (node.operation == Operation::sqrt && is_sum_of_squares(graph, node.a)) return {graph, node.a};
+  if (node.operation != Operation::hypot) return x * x;
+  const Recorded a(graph, node.a), b(graph, node.b);
+  return a * a + b * b;
+}
+
+/// Whether a function of the tables is the square of its first operand.
+bool is_square(std::string_view name, const Traced& left, const Traced& right) {
+  return left.graph && (name == "square" || ((name == "power" || name == "float_power") && !right.graph &&
+                                             right.shape.empty() && right.entries[0] == 2.0));
+}
+
 /// A function of the tables at its operands.
 Traced call(std::string_view name, py::handle a, py::handle b = {}) {
   Traced left_room, right_room;
   const Traced& left = operand(a, left_room);
   const Traced& right = b ? operand(b, right_room) : right_room;
   if (of_conditions(name) && !(left.condition && (!b || right.condition))) throw py::type_error(no_condition);
+  if (is_square(name, left, right)) {
+    Traced squares{left.graph, {}, left.shape, false, left.regular};
+    for (const Recorded& x : left.entries)
+      squares.entries.push_back(square(x, *left.graph));
+    return squares;
+  }
   Traced result = b ? apply(twos.find(name)->second, left, right) : apply(ones.find(name)->second, left);
   result.condition = gives_conditions(name);
   return result;

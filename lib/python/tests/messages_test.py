@@ -129,6 +129,7 @@ class Refused(unittest.TestCase):
                 (lambda: avi.ensemble(kepler, None, None, 1.0, 1e-6), TypeError, "q is None"),
                 (solved(tol=np.array([1e-8])), TypeError, "tol is"),
                 (solved(tol=None), TypeError, "tol is None; it must be a number"),
+                (solved(lambda q, p: np.linalg.norm(p) ** 3 + q @ q, p=[0.0, 0.0]), ValueError, r"by p\[0\] at the start is nan.*root of 0.*p @ p"),
             ]
         )
         self.assertEqual(avi.objective(lambda x: fractions.Fraction(1, 4) * x[0] + np.array([fractions.Fraction(1, 2)])[0] * x[0], 1).value([1.0]), 0.75)

@@ -1,5 +1,6 @@
 """What a traced function may do, and what it is told where it does something else."""
 
+import functools
 import math
 import unittest
 
@@ -45,6 +46,27 @@ class Tracing(unittest.TestCase):
             step = 1e-5 * np.eye(4)[i]
             by_values = (everything(*np.split(self.point + step, 2)) - everything(*np.split(self.point - step, 2))) / 2e-5
             self.assertAlmostEqual(slope, by_values, delta=1e-6)
+
+    def test_squares_of_norms_have_slopes_at_rest(self):
+        for f in (
+            lambda x: np.linalg.norm(x) ** 2,
+            lambda x: np.sqrt(x @ x) ** 2.0,
+            lambda x: np.square(np.linalg.norm(x)),
+            lambda x: np.hypot(x[0], x[1]) ** 2 + x[2] ** 2,
+            lambda x: (np.linalg.norm(x.reshape(3, 1), axis=1) ** 2).sum(),
+        ):
+            formula = avi.objective(f, 3)
+            for x in (np.zeros(3), np.array([0.3, -0.4, 0.5])):
+                self.assertAlmostEqual(formula.value(x), x @ x, delta=1e-15)
+                self.assertEqual(formula.gradient(x).tolist(), (2 * x).tolist())
+        shifted = avi.objective(lambda x: np.linalg.norm(np.stack([x[0], 2.0])) ** 2, 1)
+        self.assertEqual((shifted.value([0.5]), shifted.gradient([0.5]).tolist()), (4.25, [1.0]))
+        self.assertTrue(np.isnan(avi.objective(lambda x: np.sqrt(x[0]) ** 2, 1).value([-1.0])))  # as in NumPy
+        doubled = avi.objective(lambda x: np.sqrt(functools.reduce(lambda s, _: s + s, range(60), x @ x)) ** 2, 2)
+        self.assertAlmostEqual(doubled.value([0.6, 0.8]) / 2**60, 1.0, delta=1e-15)
+        of_views = avi.objective(lambda x: (lambda y: (y[:1] ** 2).sum() + y.sum())(x * 1.0), 2)
+        self.assertEqual(of_views.value([3.0, 4.0]), 16.0)
+        self.assertTrue(avi.solve(lambda q, p: np.linalg.norm(p) ** 2 / 2 + q @ q / 2, [1.0, 0.0], [0.0, 0.0], 1.0, 1e-8).kept)
 
     def test_what_numpy_does_with_arrays(self):
         x = np.linspace(0.2, 1.1, 12)
