@@ -217,9 +217,7 @@ def solve(H, q, p, t, tol, *, events=(), progress=None, parameters=(), **options
     Ctrl-C ends the run; the orbit up to there is returned. Raises ValueError for a start, time, tolerance or bound out of range,
     TypeError for an H that cannot be traced; whatever `progress` raises, but for StopIteration, which ends the run.
     """
-    import numpy as np
-
-    q, p = reals(q, "q"), reals(p, "p")
+    q, p = _start(q, p)
     question = _Question(H, q.shape, t, tol, events, parameters, options)
     return _with_bar(lambda bar: question.answer(q, p, bar), progress)
 
@@ -247,9 +245,7 @@ def ensemble(H, q, p, t, tol, *, events=(), progress=None, parameters=(), thread
     H and events are traced once. Every orbit has the digits that it has alone. Ctrl-C ends the runs, and so does a StopIteration of
     `progress`; those that had not begun have the status -1. Other arguments are those of solve(), but for checkpoint=, which is for one run.
     """
-    import numpy as np
-
-    q, p = reals(q, "q"), reals(p, "p")
+    q, p = _starts(q, p)
     return _side_by_side(_Question(H, q.shape[1:], t, tol, events, parameters, options), q, p, progress, threads)
 
 
@@ -264,9 +260,7 @@ class Solver:
     """
 
     def __init__(self, H, q, p, t, tol, *, events=(), parameters=(), **options):
-        import numpy as np
-
-        q, p = reals(q, "q"), reals(p, "p")
+        q, p = _start(q, p)
         self._question = _Question(H, q.shape, t, tol, events, parameters, options)
         self._question.made = self._question.asked(q, p, None, choose=True)[0]
         if self._question.made.run.message.startswith("Stopped by Ctrl-C"):
@@ -280,16 +274,28 @@ class Solver:
 
     def run(self, q, p, t=None, *, progress=None):
         """The orbit from (q, p) to the end or with the times t, those of the choice where there are none: an Orbit."""
-        import numpy as np
-
-        question, q, p = self._question.until(t), reals(q, "q"), reals(p, "p")
+        question, (q, p) = self._question.until(t), _start(q, p)
         return _with_bar(lambda bar: question.answer(q, p, bar), progress)
 
     def ensemble(self, q, p, t=None, *, progress=None, threads=None):
         """The orbits from many starts, along the first axis of q and p, side by side on all cores: a list of Orbits, as of ensemble()."""
-        import numpy as np
+        return _side_by_side(self._question.until(t), *_starts(q, p), progress, threads)
 
-        return _side_by_side(self._question.until(t), reals(q, "q"), reals(p, "p"), progress, threads)
+
+def _start(q, p):
+    """Both as arrays of one shape, before anything is called with it."""
+    q, p = reals(q, "q"), reals(p, "p")
+    if p.shape != q.shape:
+        raise ValueError(f"p has the shape {p.shape}; it must be that of q, {q.shape}.")
+    return q, p
+
+
+def _starts(q, p):
+    """Starts along the first axis."""
+    q, p = _start(q, p)
+    if q.ndim == 0:
+        raise ValueError("q and p have the shape (); they must have one start after the other, along their first axis.")
+    return q, p
 
 
 def _bar(progress):
@@ -310,8 +316,6 @@ def _with_bar(run, progress):
 def _side_by_side(question, q, p, progress, threads):
     from concurrent.futures import ThreadPoolExecutor, as_completed
 
-    if q.ndim == 0 or q.shape[:1] != p.shape[:1]:
-        raise ValueError(f"p has the shape {p.shape}; it must be that of q, {q.shape}, with one start after the other.")
     if question.options.checkpoint:
         raise ValueError("checkpoint= keeps one run, and the runs of an ensemble would all write to its file: give each solve() a file of its own.")
     if threads is not None:
@@ -390,9 +394,8 @@ class _Question:
         return other
 
     def asked(self, q, p, progress, choose=False):
-        for x, name, of in ((q, "q", "the Solver's"), (p, "p", "that of q")):
-            if x.shape != self.shape:
-                raise ValueError(f"{name} has the shape {x.shape}; it must be {of}, {self.shape}.")
+        if q.shape != self.shape:
+            raise ValueError(f"q has the shape {q.shape}; it must be the Solver's, {self.shape}.")
         try:
             return _avi.solve(self.formula, q, p, self.times, self.deliver, self.tol, self.options, self.events, progress, self.made, choose)
         except ValueError as error:

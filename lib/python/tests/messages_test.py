@@ -137,6 +137,22 @@ class Refused(unittest.TestCase):
         for f in (lambda z, x: np.sum(avi.where(x > z, x, z)), lambda z, x: np.sum(avi.maximum(z, x)), lambda z, x: np.sum(avi.minimum(z, x) ** 2)):
             self.assertEqual(avi.objective(lambda x: f(room, x), 2).value([0.5, -0.5]), float(f(np.zeros(2), np.array([0.5, -0.5]))))
 
+    def test_shapes(self):
+        """Before H is called with arrays of shapes that would not go together."""
+        first = lambda q, p: p @ p / 2 - np.cos(q[0])
+        solver = avi.Solver(first, [0.0], [1.0], 1.0, 1e-6)
+        self.check(
+            [
+                (solved(first, 0, [1.0]), ValueError, r"p has the shape \(1,\); it must be that of q, \(\)"),
+                (lambda: avi.Solver(first, 0, [1.0], 1.0, 1e-6), ValueError, r"p has the shape \(1,\); it must be that of q, \(\)"),
+                (lambda: avi.ensemble(first, [0.0], np.ones((200, 1)), 1.0, 1e-6), ValueError, r"p has the shape \(200, 1\); it must be that of q, \(1,\)"),
+                (lambda: avi.ensemble(first, 0.0, 1.0, 1.0, 1e-6), ValueError, "one start after the other"),
+                (lambda: solver.ensemble(np.zeros((3, 1)), np.ones((2, 1))), ValueError, r"p has the shape \(2, 1\); it must be that of q, \(3, 1\)"),
+                (lambda: solver.run([0.0], [1.0, 2.0]), ValueError, r"p has the shape \(2,\); it must be that of q, \(1,\)"),
+                (lambda: solver.run([0.0, 1.0], [1.0, 2.0]), ValueError, r"q has the shape \(2,\); it must be the Solver's, \(1,\)"),
+            ]
+        )
+
     def test_formulas(self):
         formula = avi.hamiltonian(kepler, 2)
         of_data = avi.objective(lambda x: np.sum((np.ones((1000, 4)) @ x) ** 2), 4)
