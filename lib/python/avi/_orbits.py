@@ -123,7 +123,7 @@ class Event:
         return f"<an event, direction {self.direction}, count {self.count}{', stop' * self.terminal}>"
 
 
-def event(g, *, direction=0, count=0, stop=False):
+def event(g, *, direction=0, count=0, stop=False, **others):
     """An event for solve(): the zeros of g(q, p) or g(q, t, p), which is traced as H is; never of (t, y), as solve_ivp has it.
 
     direction  1 where g rises as the run goes, -1 where it falls, 0 for both
@@ -132,6 +132,8 @@ def event(g, *, direction=0, count=0, stop=False):
 
     Raises TypeError or ValueError for a direction or a count of another kind.
     """
+    for name in others:
+        raise _unknown(name, ("direction", "count", "stop"), "event")
     if direction not in (-1, 0, 1):
         raise _wrong(direction, numbers.Real)(f"The direction of an event is {direction!r}; it must be 1, -1, or 0 for both.")
     if not isinstance(stop, bool) and getattr(getattr(stop, "dtype", None), "kind", "") != "b":
@@ -368,7 +370,7 @@ class _Question:
         if callable(monitor):
             monitor = hamiltonian(monitor, shape, name="The monitor")
             options = {**options, "monitor": monitor}
-        self.options = _options(_avi.SolveOptions(), options, _OPTIONS, "solve")
+        self.options = _options(_avi.SolveOptions(), options, _OPTIONS, "solve", ("t", "tol", "events", "progress", "parameters"))
         self.set_times(t)
         self.formula = formula_of(H, parameters, lambda: hamiltonian(H, shape, parameters))
         if not isinstance(self.formula, _avi.Formula):
@@ -439,11 +441,23 @@ _KINDS = {
 }
 
 
-def _options(chosen, options, names, function):
-    """Sets the fields of these names. Raises TypeError for another one."""
+_HERE = {
+    **{"t_eval": "t", "dense_output": "dense", "rtol": "tol", "atol": "tol", "terminal": "stop", "args": "parameters"},
+    **{"maxiter": "iterations", "gtol": "absolute", "tol": "relative"},
+}
+
+
+def _unknown(name, names, function):
+    """The error for an option that there is not, with its name here where SciPy has it under another."""
+    here = f", which is {_HERE[name]}= here" if _HERE.get(name) in names else ""
+    return TypeError(f"{function}() has no option {name!r}{here}; there are {', '.join(names)}.")
+
+
+def _options(chosen, options, names, function, further):
+    """Sets the fields of these names. Raises TypeError for another one, with the function's further arguments."""
     for name, value in options.items():
         if name not in names:
-            raise TypeError(f"{function}() has no option {name!r}; there are {', '.join(names)}.")
+            raise _unknown(name, (*further, *names), function)
         if value is not None:
             kind = _KINDS.get(name) or f"of the type {type(getattr(chosen, name)).__name__}"
             try:

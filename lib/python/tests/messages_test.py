@@ -202,6 +202,22 @@ class Refused(unittest.TestCase):
         as_scipy, ours = (solved(spring, [1.0], [0.0], 20.0, 1e-9, events=g)().t_events[0].tolist() for g in (marked(direction=0.5), rising))
         self.assertEqual(as_scipy, ours)
 
+    def test_names_of_options(self):
+        zero = lambda q, p: q[0]
+        self.check(
+            [
+                (solved(event=zero), TypeError, r"solve\(\) has no option 'event'; there are t, tol, events, progress, parameters, seconds, "),
+                (solved(t_eval=[0.0, 1.0]), TypeError, r"no option 't_eval', which is t= here; there are"),
+                (solved(dense_output=True), TypeError, "'dense_output', which is dense= here"),
+                (solved(args=(1.0,)), TypeError, "'args', which is parameters= here"),
+                (solved(rtol=1e-6), TypeError, "'rtol', which is tol= here"),
+                (solved(maxiter=3), TypeError, "no option 'maxiter'; there are"),
+                (lambda: avi.minimise(lambda x: x @ x, [1.0], maxiter=3), TypeError, "'maxiter', which is iterations= here; there are jac, parameters"),
+                (lambda: avi.minimise(lambda x: x @ x, [1.0], tol=1e-6), TypeError, "'tol', which is relative= here"),
+                (lambda: avi.event(zero, terminal=True), TypeError, r"event\(\) has no option 'terminal', which is stop= here; there are direction"),
+            ]
+        )
+
     def test_monitors(self):
         timed = lambda q, t, p: 1 + q @ q + 0.1 * np.sin(t)
         self.check([(solved(monitor=timed), ValueError, "write H as H\\(q, t, p\\), too"), (solved(h=0.1), ValueError, "Monitor is not set")])
