@@ -3,6 +3,7 @@
 import functools
 import inspect
 import operator
+import reprlib
 import threading
 
 from . import _avi
@@ -41,22 +42,35 @@ def _shape(x):
     return shape
 
 
+_short = reprlib.Repr()
+_short.maxother = 80
+
+
 def reals(x, name):
     """x as an array of doubles. Raises TypeError where something would be lost on the way."""
     import numpy as np
 
-    array = np.asarray(x)
-    if x is None or array.dtype.kind == "c" or hasattr(x, "hardmask"):
-        what = "None" if x is None else "complex" if array.dtype.kind == "c" else "an array with a mask"
-        raise TypeError(f"{name} is {what}; it must be a real number or an array of them.")
-    return np.asarray(array, dtype=float)
+    wrong = lambda what: TypeError(f"{name} is {what}; it must be a real number or an array of them.")
+    if x is None:
+        raise wrong("None")
+    if hasattr(x, "hardmask"):
+        raise wrong("an array with a mask")
+    kind = "?"
+    try:
+        array = np.asarray(x)
+        kind = array.dtype.kind
+        if kind in "biufO":  # NumPy makes numbers of strings and dates, too
+            return np.asarray(array, dtype=float)
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise wrong("complex" if kind == "c" else _short.repr(x))
 
 
 def numbers_of(parameters):
     """Parameters as a list. Raises TypeError for anything but a sequence of numbers."""
     try:
         return [float(each) for each in parameters]
-    except TypeError:
+    except (TypeError, ValueError):
         raise TypeError(f"parameters is {parameters!r}; it must be a sequence of numbers, such as [1.0, 2.0].") from None
 
 

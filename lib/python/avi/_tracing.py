@@ -13,7 +13,7 @@ _ROUNDING = (
 )
 _REFUSED = {
     "A function is traced with numbers that have no value yet, so float(x), int(x), math.sin(x) and the like cannot take them: write "
-    "np.sin(x), np.sqrt(x) and so on, and make arrays by np.stack([x, y]) instead of filling np.zeros(2), or fill np.zeros(2, dtype=object).": (
+    "np.sin(x), np.sqrt(x) and so on, and make arrays by np.stack([x, y]) instead of filling np.zeros(2), or fill np.zeros(2, dtype=q.dtype).": (
         "float int complex index"
     ),
     "A function is traced once for all arguments, so it cannot branch on them: instead of `if a < b`, `and`, `or`, `not`, min(a, b) and "
@@ -105,7 +105,10 @@ def _array_ufunc(self, ufunc, method, *inputs, out=None, axis=0, **options):
     if method != "__call__" or options:
         words = [f"with {', '.join(options)}="] * bool(options) + [f"as np.{name}.{method}"] * (method != "__call__")
         raise TypeError(f"np.{name} cannot be traced {' '.join(words)}.")
-    raise TypeError(f"np.{name} cannot be traced here; avi.functions() lists what can.")
+    import numpy as np
+
+    full = f"np.{name}" if getattr(np, name, None) is ufunc else name
+    raise TypeError(f"{full} cannot be traced here; avi.functions() lists what can.")
 
 
 def _objects(x):
@@ -265,6 +268,7 @@ _EQUAL = "It would ask whether numbers that have no value yet are equal: write a
 _NOT_HERE = {
     **dict.fromkeys(("fill_diagonal", "put", "copyto", "putmask", "place", "put_along_axis"), _ASSIGN),
     **dict.fromkeys(("array_equal", "array_equiv", "allclose", "isclose"), _EQUAL),
+    "interp": "A table cannot be looked up by a number that has no value yet: take a polynomial (np.polyval) or a sum of np.exp that fits it.",
     "piecewise": "Write avi.where(condition, x, y), or np.select([a < b, c < d], [x, y], z).",
     **dict.fromkeys(("round", "around", "round_", "fix"), _ROUNDING),
 }
@@ -325,7 +329,7 @@ def _array_function(self, function, types, args, kwargs):
     if name in _FILLED:
         room = np.empty(result.shape, dtype=object)
         for i in np.ndindex(result.shape):
-            room[i] = traced(result[i])
+            room[i] = traced(0.0 if result[i] is None else result[i])  # None is what is empty
         return room
     several = isinstance(result, (list, tuple))
     for x, each in zip(args, objects):

@@ -126,7 +126,7 @@ class Minimise(unittest.TestCase):
             (lambda: avi.minimise(rosenbrock, self.start, jac=lambda x: x[:3]), None, "wrong_gradient"),
             (lambda: avi.minimise(rosenbrock, self.start, jac=lambda x: x, check_gradient=True), None, "wrong_gradient"),
             (lambda: avi.minimise(lambda x: float(x[0]), [1.0]), TypeError, "np.sin"),
-            (lambda: avi.minimise(rosenbrock, ["a"]), ValueError, "convert"),
+            (lambda: avi.minimise(rosenbrock, ["a"]), TypeError, "x0 is ['a']; it must be a real number"),
         ]:
             if error:
                 with self.assertRaises(error) as caught:

@@ -26,8 +26,10 @@ def everything(q, p):
     total += avi.where(q[0] > p[1], q[0], p[1]) + np.where((q < p) & (q > 0), q, p * p).sum() + avi.where(~(q < 1), q, 2.0).sum()
     total += np.maximum(q, 0.35).sum() + avi.minimum(q[0], p[0]) + np.clip(q, -1, 0.35).sum() + (q > 0.35).sum()
     total += (q[::-1] * p).sum() + c[[0, 3]].sum() + c[1:][-1] + sum(e for e in q) + len(q) + q.reshape(2, 1)[1, 0] + np.add.reduce(q)
-    rows = np.zeros_like(q)
+    rows, others = np.zeros_like(q), np.empty_like(q)
     rows[1] = q[0] * p[1]
+    others[:] = rows + q
+    total += (others * p).sum()
     return total + rows.sum() + q.shape[0] + q.ndim + c.size
 
 
