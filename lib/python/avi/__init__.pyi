@@ -60,6 +60,29 @@ class Formula:
     def value(self, x: ArrayLike) -> float: ...
     def gradient(self, x: ArrayLike) -> Floats: ...
 
+class _Trial(Protocol):
+    """A short run by which the method was chosen."""
+
+    monitor: str
+    order: int
+    h: float
+    time: float
+    steps: int
+    sweeps: int
+    state_error: float
+    outcome: Any
+
+class _Choice(Protocol):
+    """Monitor, order and step of an orbit, and the trials that led to them."""
+
+    monitor: str
+    order: int
+    h: float
+    energy_scale: float
+    time: float
+    sweeps: int
+    trials: Sequence[_Trial]
+
 class _Between(Protocol):
     """The orbit at any time; the ends of its steps."""
 
@@ -89,7 +112,7 @@ class Orbit:
     @property
     def nsteps(self) -> int: ...
     @property
-    def choice(self) -> Any: ...
+    def choice(self) -> _Choice: ...
     @property
     def tolerance(self) -> float: ...
     @property
@@ -128,7 +151,7 @@ class Solver:
     """Many orbits of one H with one choice of monitor, order and step."""
 
     @property
-    def choice(self) -> Any: ...
+    def choice(self) -> _Choice: ...
     @property
     def sample(self) -> str: ...
     def __init__(

@@ -19,16 +19,18 @@ class Orbit:
     t        times, shape (m,); in H's unit of time
     q, p     positions and momenta then, of the shape of the start and one more axis of m: q[..., k] is that at t[k]
     y        both, shape (2 n, m): q above p, as solve_ivp has it
-    sol      with dense=True, the orbit as a function: sol(t) has the shape (2 n,), or (2 n, k) for k times; sol.times are the ends of
-             its steps, the start first
+    sol      with dense=True, the orbit as a function: sol(t) has the shape (2 n,), and the axes of t after that where t is an array;
+             sol.times are the ends of its steps, the start first
     t_events, y_events   for each event the times, shape (k,), and the states, shape (k, 2 n), where it was found
     success  the last of the times was reached, or an event that ends the run (`ok` in C++)
     kept     it was, with the error of the state and of the energy within ten times the tolerance
     status   0: the last of the times was reached; 1: an event ended the run; -1: neither
     message  one sentence on the end of the run
     nfev     evaluations of the field, those of the choice among them; nsteps: steps of the run
-    choice   monitor, order and step, with the trials that led to them
+    choice   monitor, order and step h, with the trials that led to them
+    tolerance   what was asked for
     state_error, energy_error   of the end, see the report; in units of the ranges of the motion and of the energy scale
+    note     warnings, which the report has, too; often empty
     energy   H at the times, shape (m,)
     """
 
@@ -80,6 +82,29 @@ class Orbit:
         return Orbit(self._report, energy, self.q.shape[:-1], t, y, self.sol, *events, self._stopped)
 
 
+class _Between:
+    """The orbit as a function of time, between the ends `times` of its steps, of which the first is the start."""
+
+    def __init__(self, curve, rows):
+        import numpy as np
+
+        self._curve, self._rows, self.times = curve, rows, np.array(curve.times())
+
+    def __call__(self, t):
+        t = reals(t, "t")
+        return self._curve.at(t.ravel(), self._rows).T.reshape((self._rows, *t.shape))
+
+    def __repr__(self):
+        return f"<an orbit from t = {self.times[0]:g} to {self.times[-1]:g} as a function>"
+
+
+_avi.Choice.__doc__ = """Monitor, order and step of an orbit, and how they were chosen.
+
+monitor, order, h   of the method; h is the step in fictive time
+energy_scale        what energy errors are relative to
+time, sweeps        of the trials, together
+trials              in their order: monitor, order, h, time, steps, sweeps, state_error and outcome of each
+"""
 _avi.Choice.__repr__ = lambda self: f"monitor {self.monitor}, order {self.order}, h = {self.h:.3g}"
 _avi.Trial.__repr__ = lambda self: f"monitor {self.monitor}, order {self.order}, h = {self.h:.3g}: {self.steps} steps, {self.outcome.name}"
 
@@ -422,15 +447,11 @@ class _Question:
         if np.isfinite(t_end) and (len(t) == 0 or t[-1] != t_end):
             t, z = np.append(t, t_end), np.vstack([z, np.concatenate([q_end, p_end])])
 
-        def sol(at):
-            y = curve.at(np.atleast_1d(np.asarray(at, dtype=float)), z.shape[1]).T
-            return y[:, 0] if np.ndim(at) == 0 else y
-
-        sol.times = np.array(curve.times()) if curve else None
+        sol = _Between(curve, z.shape[1]) if curve else None
         of_events = [which == i for i in range(len(self.events))]
         times, states = ([found[i] for i in of_events] for found in (t_events, z_events))
         stopped = any(event[3] and t_end in found[-1:] for event, found in zip(self.events, times))
-        return Orbit(report, self.formula, self.shape, t, z.T, sol if curve else None, times, states, stopped)
+        return Orbit(report, self.formula, self.shape, t, z.T, sol, times, states, stopped)
 
 
 _KINDS = {

@@ -54,8 +54,13 @@ class Times(unittest.TestCase):
         self.assertEqual((orbit.sol(times).shape, orbit.sol(1.0).shape), ((2, 77), (2,)))
         self.assertLess(np.abs(orbit.sol(times)[0] - np.cos(times)).max(), 1e-9)
         self.assertEqual(len(orbit.sol.times), orbit.nsteps + 1)
+        table = orbit.sol(times[:6].reshape(2, 3))
+        self.assertEqual((table.shape, table.tolist()), ((2, 2, 3), orbit.sol(times[:6]).reshape(2, 2, 3).tolist()))
+        self.assertEqual(repr(orbit.sol), "<an orbit from t = 0 to 20 as a function>")
         with self.assertRaisesRegex(ValueError, "20"):
             orbit.sol(21.0)
+        with self.assertRaisesRegex(TypeError, "t is None"):
+            orbit.sol(None)
         self.assertIsNone(avi.solve(spring, [1.0], [0.0], 1.0, 1e-8).sol)
         self.assertIsNone(pickle.loads(pickle.dumps(orbit)).sol)
 

@@ -36,7 +36,8 @@ class Package(unittest.TestCase):
         known = stub(avi)
         self.assertEqual(set(avi.__all__) - {"plot"}, {name for name in known if "." not in name and name[0] != "_"})
         orbit = avi.solve(lambda q, p: p**2 / 2 - np.cos(q), 1.0, 0.0, 1.0, 1e-6, dense=True)
-        self.assertEqual([hasattr(orbit.sol, name) for name in known["_Between"]], [True] * 2)
+        for one, name in ((orbit.sol, "_Between"), (orbit.choice, "_Choice"), (orbit.choice.trials[0], "_Trial")):
+            self.assertEqual([member for member in known[name] if not hasattr(one, member)], [])
         least = avi.minimise(lambda x: x**2, 1.0)
         solver = avi.Solver(lambda q, p: p**2 / 2 - np.cos(q), 1.0, 0.0, 1.0, 1e-6)
         for one in (orbit, least, solver, avi.hamiltonian(lambda q, p: q * p, ()), avi.event(abs), avi.Traced):
@@ -57,6 +58,14 @@ class Package(unittest.TestCase):
         for module in (avi, avi.plot):
             for name in module.__all__:
                 self.assertTrue(inspect.getdoc(getattr(module, name)), name)
+
+    def test_docstrings_name_what_there_is(self):
+        """Every public attribute of what a call returns stands in its docstring, whatever completion shows."""
+        orbit = avi.solve(lambda q, p: p**2 / 2 - np.cos(q), 1.0, 0.0, 1.0, 1e-6)
+        for one in (orbit, orbit.choice, avi.minimise(lambda x: x**2, 1.0)):
+            for name in dir(one):
+                if name[0] != "_":
+                    self.assertRegex(inspect.getdoc(one), rf"\b{name}\b")
 
     def test_import_needs_no_numpy(self):
         subprocess.run([sys.executable, "-c", "import sys, avi; assert 'numpy' not in sys.modules"], check=True)
