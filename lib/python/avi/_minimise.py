@@ -57,10 +57,10 @@ def minimise(f, x0, *, jac=None, parameters=(), callback=None, history=False, **
     relative, absolute  converged where |gradient| <= max(relative |gradient at x0|, absolute); 1e-6 and 0. The first is a matter of
               the start: where the gradient at x0 is huge, as that of x - log x at 1e-8, 1e-6 of it is still large, and the run ends far
               from the minimum. `message` says which of both was met; a smaller `relative`, or 0 beside an `absolute`, goes on
-    change    ... and the last iteration changed f by less
+    change    ... and the last iteration changed f by less; infinite, so that it does not count
     memory    pairs that make the mass matrix, 7; 0 for none
-    iterations, evaluations   bounds
-    check_gradient  compares the gradient at x0 with differences of values first
+    iterations, evaluations   bounds, ten million each
+    check_gradient  compares the gradient at x0 with differences of values first; False
 
     Returns a Minimum. Raises ValueError for an x0 or option out of range, TypeError for an f that cannot be traced.
     """
@@ -86,7 +86,7 @@ def _reached(gradient, options):
     import numpy as np
 
     if np.linalg.norm(gradient) <= options.absolute:
-        return f"Converged: |gradient| is at most {options.absolute:g}" + (", which was asked for." if options.absolute else ".")
+        return f"Converged: |gradient| is at most {options.absolute:g}, which was asked for." if options.absolute else "Converged: the gradient is 0."
     if not options.relative:
         return f"Converged: |gradient| fell to {np.linalg.norm(gradient):.2g}, the square of which is no number any more."
     return f"Converged: |gradient| fell to at most {options.relative:g} of that at the start."

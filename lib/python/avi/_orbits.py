@@ -155,10 +155,14 @@ def event(g, *, direction=0, count=0, stop=False, **others):
     count      after so many the event is looked for no more; 0 for all
     stop       the run ends there: at the first, or after `count`
 
-    Raises TypeError or ValueError for a direction or a count of another kind.
+    Raises TypeError or ValueError for a direction or a count of another kind, and for a g with the attributes of solve_ivp, which solve()
+    reads where g itself is the event.
     """
     for name in others:
         raise _unknown(name, ("direction", "count", "stop"), "event")
+    for name in ("terminal", "direction"):
+        if getattr(g, name, 0):
+            raise ValueError(f"g has the attribute {name}, as solve_ivp reads it: give g itself as an event, or say it by direction=, count= and stop= alone.")
     if direction not in (-1, 0, 1):
         raise _wrong(direction, numbers.Real)(f"The direction of an event is {direction!r}; it must be 1, -1, or 0 for both.")
     if not isinstance(stop, bool) and getattr(getattr(stop, "dtype", None), "kind", "") != "b":

@@ -199,6 +199,9 @@ class Refused(unittest.TestCase):
                 (lambda: avi.event(zero, direction=0.5), ValueError, "direction of an event is 0.5; it must be 1, -1, or 0"),
                 (lambda: avi.event(zero, direction="up"), TypeError, "direction of an event is 'up'"),
                 (lambda: avi.event(zero, stop=2), TypeError, "stop of an event is 2; .* beside count=2"),
+                (lambda: avi.event(marked(terminal=True)), ValueError, "g has the attribute terminal.*give g itself as an event"),
+                (lambda: avi.event(avi.event(zero, stop=True)), ValueError, "g has the attribute terminal"),
+                (lambda: avi.event(marked(direction=-1), stop=True), ValueError, "g has the attribute direction"),
                 (solved(events=marked(direction="up")), TypeError, "direction of an event is 'up'"),
                 (solved(events=marked(terminal=2.5)), TypeError, "terminal of an event is 2.5"),
                 (solved(events=5), TypeError, "An event is 5; it must be a function"),
@@ -294,7 +297,7 @@ class Criterion(unittest.TestCase):
         near = avi.minimise(barrier, [1e-8], relative=0.0, absolute=1e-6)
         self.assertEqual(near.message, "Converged: |gradient| is at most 1e-06, which was asked for.")
         self.assertLess(abs(near.x[0] - 1), 1e-5)
-        self.assertEqual(avi.minimise(lambda x: x @ x, [0.0]).message, "Converged: |gradient| is at most 0.")
+        self.assertEqual(avi.minimise(lambda x: x @ x, [0.0]).message, "Converged: the gradient is 0.")
 
 
 class Copies(unittest.TestCase):
