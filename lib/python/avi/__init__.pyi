@@ -61,7 +61,7 @@ class Formula:
     def gradient(self, x: ArrayLike) -> Floats: ...
 
 class _Trial(Protocol):
-    """A short run by which the method was chosen."""
+    """A run by which the method was chosen."""
 
     monitor: str
     order: int
