@@ -138,8 +138,8 @@ def trace(f, shapes, parameters, name):
 
 
 def _names(f):
-    """The names of the arguments that f takes by their places, how many of them have to be given, and the names of all that need not be;
-    None where any number is taken, or f does not say."""
+    """The names of the arguments that f takes by their places, how many of them have to be given, and the names of those with a default of
+    f's own, not of a partial(); None where any number is taken, or f does not say."""
     code = getattr(f, "__code__", None)
     if code is not None and not code.co_flags & 4:  # *args
         names = code.co_varnames[: code.co_argcount][inspect.ismethod(f) :]
@@ -153,7 +153,8 @@ def _names(f):
         return None
     placed = [x for x in parameters if x.kind in (x.POSITIONAL_ONLY, x.POSITIONAL_OR_KEYWORD)]
     needed = sum(x.default is x.empty for x in placed)
-    return tuple(x.name for x in placed), needed, tuple(x.name for x in parameters if x.default is not x.empty)
+    names = tuple(x.name for x in placed)
+    return names, needed, names[needed:]
 
 
 _TIME = {"t", "time"}

@@ -246,7 +246,7 @@ def solve(H, q, p, t, tol, *, events=(), progress=None, parameters=(), **options
     checkpoint, checkpoint_seconds   a file in which the run is kept for resume(), and how often
 
     Ctrl-C ends the run; the orbit up to there is returned. Raises ValueError for a start, time, tolerance or bound out of range,
-    TypeError for an H that cannot be traced; whatever `progress` raises, but for StopIteration, which ends the run.
+    TypeError for what is no number and for an H that cannot be traced; whatever `progress` raises, but for StopIteration, which ends the run.
     """
     q, p = _start(q, p)
     question = _Question(H, q.shape, t, tol, events, parameters, options)
@@ -466,10 +466,10 @@ _KINDS = {
 }
 
 
-_HERE = {
-    **{"t_eval": "t", "dense_output": "dense", "rtol": "tol", "atol": "tol", "terminal": "stop", "args": "parameters"},
-    **{"maxiter": "iterations", "gtol": "absolute", "tol": "relative"},
-}
+_HERE = {  # SciPy's names of options
+    "t_eval": "t", "dense_output": "dense", "rtol": "tol", "atol": "tol", "terminal": "stop", "args": "parameters", "maxiter": "iterations",
+    "gtol": "absolute", "tol": "relative",
+}  # fmt: skip
 
 
 def _unknown(name, names, function):

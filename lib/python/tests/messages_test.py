@@ -2,6 +2,7 @@
 
 import copy
 import fractions
+import functools
 import pathlib
 import tempfile
 import unittest
@@ -82,6 +83,8 @@ class Refused(unittest.TestCase):
         )
         for f in (lambda x, v: x @ v, lambda phi, p_phi: phi @ p_phi, lambda position, momentum: position @ momentum, lambda q, p, T=2.0: q @ p * T):
             self.assertEqual(traced(f)().size, 4)
+        frozen = functools.partial(lambda q, p, t: q @ p * t, t=2.0)  # on purpose
+        self.assertEqual(traced(frozen)().value(np.ones(4)), 4.0)
         self.assertEqual(traced(lambda x, time, v: x @ v + time)().size, 5)
         self.assertEqual(traced(lambda q, p, c=None: q @ p * c[0], parameters=[2.0])().value([1, 1, 1, 1]), 4.0)
 
