@@ -80,7 +80,8 @@ inline StepReport land(OrbitSteps& method, Candidate& candidate, PointField& fie
   double size = h * part_at(method, candidate, before, h, after, t);
   if (its_size) *its_size = size;
   z = before;
-  for (int k = 0; k < 12 && size != 0.0; ++k) {
+  double low = 0.0, high = 1.0;  // parts of h between which the time is t
+  for (int k = 0; k < 60 && size != 0.0; ++k) {
     z = before;
     const StepReport step = method.step(z, size);
     report.outcome = step.outcome;
@@ -88,14 +89,16 @@ inline StepReport land(OrbitSteps& method, Candidate& candidate, PointField& fie
     if (step.outcome != Outcome::ok) return report;
     if (its_size) *its_size = size;
     if (std::abs(t - z.t) <= 1e-9 * std::abs(after - before.t)) break;
-    const double next = size + (t - z.t) / candidate.rate_at(z);
-    size = next / h > 0.0 && next / h < 1.0 ? next : size * (t - before.t) / (z.t - before.t);
+    ((z.t - t) * (after - before.t) > 0.0 ? high : low) = size / h;
+    const double next = (size + (t - z.t) / candidate.rate_at(z)) / h;
+    size = h * (next > low && next < high ? next : 0.5 * (low + high));
   }
   const Eigen::Index n = z.q.size();
   VectorX at(2 * n), slope(2 * n);
   at << z.q, z.p;
   field(at, slope);
   const double late = t - z.t;
+  if (!(std::abs(late) <= 1e-6 * std::abs(after - before.t))) report.outcome = Outcome::not_converged;
   z.q += late * slope.head(n);
   z.p += late * slope.tail(n);
   z.t = t;

@@ -265,4 +265,25 @@ TEST(Solve, RefusesWhatCannotBe) {
   EXPECT_THROW((void)solve(Kepler(), centre, 1.0, 1e-6), std::invalid_argument);
 }
 
+// At its perihelion a comet goes through most of a step of the monitor in a moment: where a shorter step ends
+// at a given time is not found by Newton's method alone. Of 3118 orbits 162 had states that were wrong by
+// more than the orbit, with kept(), and 194 ended or threw.
+TEST(Solve, FindsStatesInsideAStepThatBeginsAtThePerihelion) {
+  const auto kepler = [](const auto& q, const auto& p) {
+    return 0.5 * (p[0] * p[0] + p[1] * p[1]) - 1.0 / sqrt(q[0] * q[0] + q[1] * q[1]);
+  };
+  for (const double near : {0.002, 0.005, 0.02}) {
+    const State<2> start{.q = {near, 0.0}, .p = {0.0, std::sqrt(2.0 / near - 1.0)}};
+    const auto dense = solve(kepler, start, 5.0, 1e-4, {.dense = true});
+    ASSERT_TRUE(dense.kept());
+    for (const double t : {0.002, 0.004, 0.006, 0.008, 0.02, 0.1}) {
+      const auto exact = solve(kepler, start, t, 1e-10);
+      const auto orbit = solve(kepler, start, std::vector<double>{t, 5.0}, 1e-4);
+      ASSERT_TRUE(orbit.kept()) << t;
+      EXPECT_LT((orbit.states[0].q - exact.state.q).norm(), 2e-3) << near << ", " << t;
+      EXPECT_LT((dense(t).q - exact.state.q).norm(), 2e-3) << near << ", " << t;
+    }
+  }
+}
+
 }  // namespace solve_test
