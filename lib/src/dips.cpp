@@ -75,6 +75,8 @@ bool Dips::may_hide(const std::vector<Sample>& samples, std::size_t k) {
   if (a.g * b.g > 0.0 &&
       std::min(std::abs(a.g), std::abs(b.g)) > (b.part - a.part) * std::max(most, std::abs(here)))
     return false;
+  // Near zero a quartic may dip below it where the secants say that it rises all the way.
+  if (a.g * b.g > 0.0 && std::min(std::abs(a.g), std::abs(b.g)) < 0.25 * std::abs(b.g - a.g)) return true;
   // A cubic with these secants rises, or falls, all the way; up to seven times. What lies beside the first
   // and the last is not known.
   return !(k > 0 && k < last && one * here > 0.0 && other * here > 0.0 && most <= 3.0 * std::abs(here));
@@ -142,7 +144,7 @@ void Dips::split(const Point& a, const Point& b, int depth, bool trusted, std::v
     const bool falls = sign * first<0.0, rises = sign * last> 0.0;
     // Where it bends one way all along it is above its tangents.
     const double turn = (last - rise) / (last - first);
-    if (falls && rises && sign * first <= sign * middle && sign * middle <= sign * last &&
+    if (trusted && falls && rises && sign * first <= sign * middle && sign * middle <= sign * last &&
         sign * (a.g + turn * first) > 0.2 * low)
       return;
     if (falls && rises && (trusted || at_end)) return look_low({a.x, a.g}, {b.x, b.g}, more);

@@ -153,6 +153,20 @@ void Watch::sample(const Stride& stride, bool first) {
   samples_.erase(samples_.begin(), left);
 }
 
+/// A sample that is zero by chance has no sign; those beside it have, and another zero may be there.
+void Watch::add_beside_zeros(const Stride& stride) {
+  std::vector<Sample> beside;
+  for (std::size_t k = 0; k + 1 < samples_.size(); ++k) {
+    const Sample &a = samples_[k], &b = samples_[k + 1];
+    if ((a.g == 0.0) == (b.g == 0.0)) continue;
+    const double from = a.g == 0.0 ? a.part : b.part, part = from + 1e-6 * (a.part + b.part - 2.0 * from);
+    beside.push_back({part, on(stride, part)});
+  }
+  if (beside.empty()) return;
+  samples_.insert(samples_.end(), beside.begin(), beside.end());
+  std::ranges::sort(samples_, {}, &Sample::part);
+}
+
 /// Samples in between, where zeros lie between two of them that those do not show.
 void Watch::add_turning_points(const Stride& stride, long& evaluations) {
   std::optional<Dips> dips;
@@ -174,6 +188,7 @@ void Watch::add_turning_points(const Stride& stride, long& evaluations) {
     samples_[k - 1].turns = true;
     samples_.erase(samples_.begin() + static_cast<std::ptrdiff_t>(k));
   }
+  add_beside_zeros(stride);
   std::vector<Sample> more;
   for (std::size_t k = 0; k + 1 < samples_.size(); ++k) {
     const Sample &a = samples_[k], &b = samples_[k + 1];
@@ -260,14 +275,18 @@ long Watch::look(const Stride& stride, bool first, std::vector<Hit>& hits) {
   if (over()) return 0;
   long evaluations = 0;
   sample(stride, first);
-  for (const Sample& it : samples_)
-    if (std::isnan(it.g)) {
-      std::ostringstream reason;
-      reason.precision(17);
-      reason << "g of the event is nan at t = " << stride.method.polynomial(it.part).t;
-      hits.push_back({stride.method.polynomial(it.part), index_, Outcome::non_finite, reason.str()});
-      return evaluations;
-    }
+  // An event may come before g is nan all the same, however shortly.
+  const auto undefined = std::ranges::find_if(samples_, [](const Sample& it) { return std::isnan(it.g); });
+  std::optional<double> ends;
+  if (undefined != samples_.end()) ends = undefined->part;
+  samples_.erase(undefined, samples_.end());
+  for (int k = 0; k < 40 && ends && !samples_.empty(); ++k) {
+    const double part = 0.5 * (samples_.back().part + *ends), g = on(stride, part);
+    if (std::isnan(g))
+      ends = part;
+    else
+      samples_.push_back({part, g});
+  }
   add_turning_points(stride, evaluations);
   int changes = 0;
   for (std::size_t k = 1; k < samples_.size(); ++k)
@@ -283,7 +302,14 @@ long Watch::look(const Stride& stride, bool first, std::vector<Hit>& hits) {
     Hit hit = locate(stride, k, evaluations, none);
     if (none) continue;
     hits.push_back(std::move(hit));
-    if (hits.back().outcome != Outcome::ok) break;
+    if (hits.back().outcome != Outcome::ok) return evaluations;
+  }
+  if (ends) {
+    std::ostringstream reason;
+    reason.precision(17);
+    const State<dynamic> there = stride.method.polynomial(*ends);
+    reason << "g of the event is nan at t = " << there.t;
+    hits.push_back({there, index_, Outcome::non_finite, reason.str()});
   }
   return evaluations;
 }

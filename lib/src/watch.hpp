@@ -63,6 +63,7 @@ class Watch {
   }
   void sample(const Stride& stride, bool first);
   bool refine(const Stride& stride, std::size_t soon);
+  void add_beside_zeros(const Stride& stride);
   void add_turning_points(const Stride& stride, long& evaluations);
   State<dynamic> between(const State<dynamic>& begin, const State<dynamic>& end);
   Hit locate(const Stride& stride, std::size_t k, long& evaluations, bool& none);

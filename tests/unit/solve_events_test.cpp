@@ -11,6 +11,7 @@
 #include <limits>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace solve_events_test {
 
@@ -170,6 +171,52 @@ TEST(SolveEvents, MayLieOnTheEnd) {
 }
 
 // Steps follow the motion, not g; also where 8 points of a step see a fast g as a slow one.
+/// Times of the events of a body that moves freely for T: zeros of the product of t - root.
+std::vector<double> found_of(const std::vector<double>& roots, double T, int direction = 0) {
+  const auto g = [&](const auto&, const auto& t, const auto&) {
+    auto product = t - roots[0];
+    for (std::size_t i = 1; i < roots.size(); ++i)
+      product = product * (t - roots[i]);
+    return product;
+  };
+  const auto free = [](const auto&, const auto& p) { return 0.5 * p[0] * p[0]; };
+  const auto run = solve(free, at(0.0, 1.0), T, 1e-8, {.events = {when(g, {.direction = direction})}});
+  EXPECT_TRUE(run.kept());
+  std::vector<double> times;
+  for (const auto& event : run.events)
+    times.push_back(event.state.t);
+  return times;
+}
+
+// A sample that is zero by chance, at the end of a step or of the run, has no sign.
+TEST(SolveEvents, AreSeenBesideOneOnTheEndOfAStep) {
+  const auto expect = [](const std::vector<double>& found, const std::vector<double>& wanted) {
+    ASSERT_EQ(found.size(), wanted.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+      EXPECT_NEAR(found[i], wanted[i], 1e-12);
+  };
+  for (const double root : {3.0, 4.0, 5.0, 6.0, 7.0, 10.0})
+    for (const double other : {root - 0.2, root + 0.2})
+      expect(found_of({root, other}, 15.0), {std::min(root, other), std::max(root, other)});
+  expect(found_of({0.999, 1.0}, 1.0, 1), {1.0});
+  expect(found_of({0.999, 1.0}, 1.0, -1), {0.999});
+  // Three of its four lie in two neighbouring pieces.
+  expect(found_of({0.02477, 0.04543, 0.0662, 0.13989}, 1.0), {0.02477, 0.04543, 0.0662, 0.13989});
+}
+
+// g is no number beyond the event that ends the run, in the same step.
+TEST(SolveEvents, ComeBeforeTheFunctionIsNoNumber) {
+  const auto ball = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + 9.81 * q[0]; };
+  const auto root = when([](const auto& q) { return sqrt(q[0]) - 0.5; }, {.stop = true});
+  const auto run = solve(ball, at(10.0, 0.0), 3.0, 1e-8, {.events = {root}});
+  EXPECT_TRUE(run.kept()) << run.report();
+  EXPECT_NEAR(run.state.t, std::sqrt(2.0 * 9.75 / 9.81), 1e-12);
+  const auto below = when([](const auto& q) { return sqrt(q[0]) + 0.5; }, {.stop = true});
+  const auto none = solve(ball, at(10.0, 0.0), 3.0, 1e-8, {.events = {below}});
+  EXPECT_EQ(none.run.outcome, avi::Outcome::non_finite);
+  EXPECT_NE(none.run.message.find("g of the event is nan at t = 1.427"), std::string::npos) << none.report();
+}
+
 TEST(SolveEvents, MayBeFasterThanTheMotion) {
   for (const double w : {1.0, 5.0, 20.0, 33.1, 50.0, 100.0}) {
     const auto fast = [=](const auto&, const auto& t, const auto&) { return sin(w * t); };
