@@ -131,13 +131,13 @@ struct SolveOptions {
   bool dense = false;                   ///< The solution can be called at any time of the run.
   std::vector<SolveEvent> events = {};  ///< Events to look for on the way; see when().
   /// Called some twenty times a second from the thread of the call; false ends the call as stopped. What it
-  /// throws leaves the call, which then has changed nothing.
+  /// throws leaves the call, which then has changed nothing but a checkpoint.
   std::function<bool(const SolveProgress&)> progress = {};
   /// File in which the run is kept for resume() until it has come to its end; empty for none. So that a run
   /// that goes on has the same bits, the method begins anew every 4096 steps, each time with a rounding
   /// error. It is that of the states delivered, the last of the call: until one run, or with `check` two,
-  /// have come to the end there is no file, and a bound or a cancel that comes before leaves what was chosen
-  /// so far.
+  /// have come to the end there is no file, and that of an earlier call is removed; a bound or a cancel that
+  /// comes before leaves what was chosen so far.
   std::string checkpoint = {};
   double checkpoint_seconds = 60.0;  ///< After which the file is written anew; at least 0.
 };
@@ -475,11 +475,17 @@ template <class H, int n>
 /// @tparam n of the start that the run began with @param n_of_start its value, where n is avi::dynamic
 /// @param options seconds and progress of what is left, bounds on sweeps and steps of the whole run, events,
 /// a monitor of one's own; nothing else counts
-/// @throws std::invalid_argument for a file that cannot be read, is damaged, or is of another H.
+/// @throws std::invalid_argument for a file that cannot be read, is damaged, or is of another H, and for
+/// n_of_start below 1, or other than n.
 template <int n, class H>
 [[nodiscard]] Solution<n> resume(const H& hamiltonian, const std::string& file,
                                  const SolveOptions& options = {}, int n_of_start = n) {
-  const std::vector<double> nothing(static_cast<std::size_t>(std::max(n_of_start, 0)));
+  if (n_of_start < 1 || (n != dynamic && n_of_start != n))
+    throw std::invalid_argument("The degrees of freedom of a run to be resumed are " +
+                                std::to_string(n_of_start) +
+                                (n == dynamic ? "; they must be at least 1: the last argument of resume()."
+                                              : "; they must be " + std::to_string(n) + "."));
+  const std::vector<double> nothing(static_cast<std::size_t>(n_of_start));
   const State<n> start = detail::state_of<n>(0.0, nothing.data(), nothing.data(), n_of_start);
   return detail::solution_of<n>(
       detail::answer_from(file, detail::question_of(hamiltonian, start, 0.0, 1e-6, options)), n_of_start);

@@ -10,7 +10,7 @@ namespace avi::detail {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x3374696272'6f6976ull;  // "viorbit3": the last digit is the version
+constexpr std::uint64_t magic = 0x3474696272'6f6976ull;  // "viorbit4": the last digit is the version
 
 [[noreturn]] void damaged(const std::string& why) {
   throw std::invalid_argument("The checkpoint " + why + ".");
@@ -88,6 +88,20 @@ void require_regular(const std::string& file) {
   const auto status = std::filesystem::status(file, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
     throw std::invalid_argument("The checkpoint " + file + " is to be a file, and is a device or a folder.");
+}
+
+void remove_earlier(const std::string& file) {
+  std::error_code unreadable;  // which writing it will say
+  if (!std::filesystem::is_regular_file(file, unreadable)) return;
+  std::ifstream in(file, std::ios::binary);
+  std::uint64_t head = 0;
+  const bool whole = static_cast<bool>(in.read(reinterpret_cast<char*>(&head), sizeof(head)));
+  const bool ours = whole && (head ^ magic) << 8 == 0;  // in any version, the highest byte
+  if (!ours && in.gcount() > 0)
+    throw std::invalid_argument("The file " + file +
+                                " is no checkpoint, and would be replaced by one; name another file.");
+  in.close();
+  std::filesystem::remove(file, unreadable);
 }
 
 std::uint64_t fingerprint(const OrbitQuestion& question) {

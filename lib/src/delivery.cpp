@@ -32,8 +32,9 @@ Delivery::Delivery(const OrbitQuestion& question, int degrees, const Choice& cho
       field_(prepared ? prepared->field : PointField(question.graph, question.energy, question.gradient)),
       energy_at_start_(field_.energy(question.q.data(), question.p.data())),
       candidate_(candidate_of(choice.name, question, energy_at_start_, choice, prepared)), choice_(choice),
-      h_(question.t_end < question.t ? -choice.h : choice.h), state_(start_of(question)),
-      time_then_(question.t) {
+      h_(question.t_end < question.t ? -choice.h : choice.h),
+      state_(start_of(question)), plan_{.horizon = question.t_end, .pause = question.t_end} {
+  pace_.time = question.t;
   for (std::size_t i = 0; i < question.events.size(); ++i)
     watches_.emplace_back(question.events[i], degrees, i);
   candidate_.supplied = question.gradient;
@@ -58,13 +59,15 @@ void Delivery::look_at_energy(const State<dynamic>& z) {
 }
 
 /// Steps that a monitor makes ever shorter never pass a singularity: the run is given up where each time
-/// twice the steps add less to the time, which then has a limit. No run is known then that has come further.
+/// twice the steps add less to the time, which then has a limit. Not where a run is known that has come
+/// further, nor with a monitor of one's own, which may be what makes them short.
 void Delivery::look_at_pace() {
-  if (most_ < std::numeric_limits<long>::max() || run_.steps < 2 * looked_) return;
-  const double gain = std::abs(state_.t - time_then_);
-  fading_ = gain < 0.9 * gained_ ? fading_ + 1 : 0;
-  looked_ = run_.steps, time_then_ = state_.t, gained_ = gain;
-  if (run_.steps < least_steps || fading_ < 4) return;
+  const bool known = plan_.most < std::numeric_limits<long>::max();
+  if (known || question_.given >= 0 || run_.steps < 2 * pace_.steps) return;
+  const double gain = std::abs(state_.t - pace_.time);
+  const int fading = gain < 0.9 * pace_.gained ? pace_.fading + 1 : 0;
+  pace_ = {run_.steps, state_.t, gain, fading};
+  if (run_.steps < least_steps || fading < 4) return;
   std::ostringstream text;
   text.precision(6);
   text << "The run was given up near t = " << state_.t << ", after " << run_.steps
@@ -74,15 +77,18 @@ void Delivery::look_at_pace() {
   run_.message = text.str();
 }
 
-void Delivery::go(double pause) {
+void Delivery::go() {
   const double sense = std::copysign(1.0, h_);
   const bool kept = !question_.options.checkpoint.empty();
-  while (run_.ok() && !arrived() && run_.steps < most_ && sense * (state_.t - pause) < 0.0) {
+  while (run_.ok() && !arrived() && run_.steps < plan_.most && sense * (state_.t - plan_.pause) < 0.0) {
     if (kept && run_.steps % block == 0) begin_block();
     step();
   }
   if (!run_.ok() && run_.message.empty())
-    run_.message = describe_end(run_.outcome, state_, run_.steps, 0.0, reason_);
+    run_.message = describe_end(run_.outcome, state_, run_.steps, 0.0,
+                                run_.outcome == Outcome::not_converged && reason_.empty()
+                                    ? "the equations of a step were not solved"
+                                    : reason_);
   if (!kept) return;
   if (run_.ok() && arrived())
     std::remove(question_.options.checkpoint.c_str());
@@ -100,9 +106,10 @@ void Delivery::begin_block() {
             .states = states_.t.size(),
             .events = events_.size(),
             .track = track_ ? track_->times().size() : 0,
-            .found = {}};
+            .watches = {},
+            .pace = pace_};
   for (Watch& watch : watches_)
-    block_.found.push_back(watch.found());
+    block_.watches.push_back(watch.memory());
   written_ = false;
   if (budget_.seconds() >= due_) write();
 }
@@ -117,25 +124,27 @@ void Delivery::write() {
   put(choice_.name, choice_.order, choice_.h, choice_.energy_scale, choice_.kinetic, choice_.accelerations,
       choice_.poles, choice_.drifts, choice_.solved, choice_.time, report_.choice.sweeps,
       report_.choice.check);
-  put(report_.state_error, report_.energy_rounding, report_.note, horizon_);
+  put(report_.state_error, report_.energy_rounding, report_.note);
+  put(plan_.horizon, plan_.pause, plan_.most, static_cast<int>(plan_.failure), plan_.message);
   const State<dynamic>& z = block_.state;
   put(std::vector<double>(z.q.begin(), z.q.end()), std::vector<double>(z.p.begin(), z.p.end()), z.t,
       block_.steps, block_.evaluations, block_.energy_error, block_.next);
+  put(block_.pace.steps, block_.pace.time, block_.pace.gained, block_.pace.fading);
   const std::size_t entries = 2 * static_cast<std::size_t>(degrees_);
   record.put(states_.t, block_.states), record.put(states_.z, block_.states * entries);
   record.put(events_, block_.events);
   record.put(event_states_.t, block_.events), record.put(event_states_.z, block_.events * entries);
-  for (const long found : block_.found)
-    put(found);
+  for (const Watch::Memory& it : block_.watches)
+    put(it.found, it.level, it.leaving);
   if (track_) track_->put(record, block_.track);
   record.write(question_.options.checkpoint);
   written_ = true;
   due_ = budget_.seconds() + question_.options.checkpoint_seconds;
 }
 
-void Delivery::keep(const SolutionReport& report, double horizon) {
+void Delivery::follow(const SolutionReport& report, Plan plan) {
   report_ = report;
-  horizon_ = horizon;
+  plan_ = std::move(plan);
 }
 
 Choice choice_in(Record& record, SolutionReport& report) {
@@ -158,17 +167,22 @@ std::uint64_t question_in(Record& record, OrbitQuestion& question) {
   return of_file;
 }
 
-void Delivery::restore(Record& record, const SolutionReport& report, double horizon) {
-  keep(report, horizon);
+void Delivery::restore(Record& record, const SolutionReport& report) {
+  report_ = report;
   const auto get = [&](auto&... each) { (record.get(each), ...); };
+  int failure = 0;
+  get(plan_.horizon, plan_.pause, plan_.most, failure, plan_.message);
+  plan_.failure = static_cast<Outcome>(failure);
   std::vector<double> q, p;
-  get(q, p, state_.t, run_.steps, run_.evaluations, energy_error_, next_, states_.t, states_.z, events_,
-      event_states_.t, event_states_.z);
-  looked_ = std::max(run_.steps, 1L), time_then_ = state_.t;
+  get(q, p, state_.t, run_.steps, run_.evaluations, energy_error_, next_);
+  get(pace_.steps, pace_.time, pace_.gained, pace_.fading);
+  get(states_.t, states_.z, events_, event_states_.t, event_states_.z);
   std::ranges::copy(q, state_.q.data());
   std::ranges::copy(p, state_.p.data());
-  for (Watch& watch : watches_)
-    get(watch.found());
+  for (Watch& watch : watches_) {
+    Watch::Memory& it = watch.memory();
+    get(it.found, it.level, it.leaving);
+  }
   if (track_) track_->get(record);
 }
 
@@ -255,7 +269,15 @@ void Delivery::deliver(OrbitAnswer& answer) const {
   answer.states = states_;
   answer.events = events_;
   answer.event_states = event_states_;
-  answer.curve = track_;
+  if (track_ && !track_->times().empty()) answer.curve = track_;
+  if (run_.ok() && !arrived()) {
+    const bool failed = plan_.failure != Outcome::ok;
+    answer.run.outcome = failed ? plan_.failure : Outcome::step_limit;
+    answer.run.message = failed ? plan_.message
+                                : "The run was given up: it takes several times the steps of the run that it "
+                                  "repeats.";
+  }
+  if (!answer.run.ok()) answer.state_error = infinity;
   if (!by_event_) return;
   std::ostringstream text;
   text << (answer.note.empty() ? "" : " ") << "Event " << events_.back()

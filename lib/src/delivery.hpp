@@ -7,6 +7,7 @@
 
 #include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
 /// @file
@@ -16,6 +17,15 @@ namespace avi::detail {
 
 /// The starts of the steps of a run, from which the states in between are found.
 class Track;
+
+/// What is known of a run before it is made, by runs before it.
+struct Plan {
+  double horizon;  ///< Time for which the choice was made.
+  double pause;    ///< Beyond this time another choice has to be made, or none can be.
+  long most = std::numeric_limits<long>::max();  ///< Steps: the run that it repeats has come further.
+  Outcome failure = Outcome::ok;                 ///< Of the runs that went beyond the pause.
+  std::string message = {};                      ///< Why they failed.
+};
 
 /// A run with a choice that is made: output times, events, dense output.
 class Delivery {
@@ -28,22 +38,22 @@ class Delivery {
   Delivery(const Delivery&) = delete;
   Delivery& operator=(const Delivery&) = delete;
 
-  /// It makes no more steps than that: the run that it repeats has come further.
-  void bound(long most) { most_ = most; }
-  /// Goes on to the end, to an event that ends the run, or to the first step beyond the time `pause`.
-  void go(double pause);
+  /// Goes on to the end, to an event that ends the run, or to the first step beyond the pause of the plan.
+  void go();
   /// It is at the end, or at the event that ends it.
   [[nodiscard]] bool arrived() const { return by_event_ || state_.t == question_.t_end; }
   /// Where it is.
   [[nodiscard]] const State<dynamic>& state() const { return state_; }
   /// How it ended.
   [[nodiscard]] const Run& run() const { return run_; }
-  /// With SolveOptions::checkpoint, `report` goes into the file, too, and the time for which the choice was
-  /// made.
-  void keep(const SolutionReport& report, double horizon);
-  /// Goes on from a file, of which question_in(), choice_in() and the horizon have been read.
-  void restore(Record& record, const SolutionReport& report, double horizon);
-  /// Puts what was found into the answer.
+  /// Follows this plan; without one it goes to the end. With SolveOptions::checkpoint it goes into the file,
+  /// and `report`, too.
+  void follow(const SolutionReport& report, Plan plan);
+  /// The plan.
+  [[nodiscard]] const Plan& plan() const { return plan_; }
+  /// Goes on from a file, of which question_in() and choice_in() have been read.
+  void restore(Record& record, const SolutionReport& report);
+  /// Puts what was found into the answer, and why the run ended where it is not at its end.
   void deliver(OrbitAnswer& answer) const;
 
  private:
@@ -75,9 +85,14 @@ class Delivery {
   std::vector<Watch> watches_;
   State<dynamic> state_;
   Run run_;
-  long most_ = std::numeric_limits<long>::max(), looked_ = 1;  // steps
-  double time_then_ = 0.0, gained_ = 0.0;  // after so many of them, and in the second half of them
-  int fading_ = 0;                         // how often that was less than before
+  /// How far the run had come after so many steps, in the second half of them, and how often that was less
+  /// than before.
+  struct Pace {
+    long steps = 1;
+    double time = 0.0, gained = 0.0;
+    int fading = 0;
+  };
+  Pace pace_;
   std::string reason_;
   bool by_event_ = false;
   std::size_t next_ = 0;  // output time
@@ -86,7 +101,7 @@ class Delivery {
   std::vector<int> events_;
   std::shared_ptr<Track> track_;
   SolutionReport report_;  // what was known before the run
-  double horizon_ = 0.0;
+  Plan plan_;
   /// The run at the beginning of the block of steps under way. Of what only grows it has the length: to copy
   /// all of it each time would take the square of the steps.
   struct Block {
@@ -94,7 +109,8 @@ class Delivery {
     long steps = 0, evaluations = 0;
     double energy_error = 0.0;
     std::size_t next = 0, states = 0, events = 0, track = 0;
-    std::vector<long> found;
+    std::vector<Watch::Memory> watches;
+    Pace pace;
   };
   Block block_;
   bool written_ = false;  // as it is now in the file

@@ -171,37 +171,37 @@ class Call {
       }
       budget_.share = 1.0;
       budget_.phase = SolvePhase::running;
-      Delivery delivery(question_, degrees_, answer.choice, budget_, answer.prepared.get());
       if (round == 60) horizon = question_.t_end;
+      Plan plan{.horizon = horizon, .pause = beyond(question_, horizon, 1.2)};
       // In steps of the same size the run cannot take many more.
-      if (answer.ok() && !repeats()) delivery.bound(3 * answer.run.steps + 1000);
-      delivery.keep(answer, horizon);
-      delivery.go(shortened > 0 && !may_stop() ? horizon : beyond(question_, horizon, 1.2));
-      const bool paused = delivery.run().ok() && !delivery.arrived();
-      if (paused && shortened == 0 && horizon != question_.t_end) {
-        // The event comes later than in the first run.
+      if (answer.ok() && !repeats()) plan.most = 3 * answer.run.steps + 1000;
+      if (shortened > 0) {
+        if (!may_stop()) plan.pause = horizon;
+        plan.failure = failure.run.outcome, plan.message = failure.run.message;
+      }
+      const Run planned = answer.run;
+      answer.choice.sweeps += spent_ + planned.evaluations;
+      Delivery delivery(question_, degrees_, answer.choice, budget_, answer.prepared.get());
+      delivery.follow(answer, plan);
+      delivery.go();
+      if (comes_later(delivery)) {
         spent_ += delivery.run().evaluations;
         budget_.sweeps += delivery.run().evaluations;
         horizon = beyond(question_, horizon, 2.0);
         event_ = question_.t;
         continue;
       }
-      const Run planned = answer.run;
-      answer.choice.sweeps += spent_ + planned.evaluations;
       delivery.deliver(answer);
-      if (paused) {
-        answer.run.outcome = shortened > 0 ? failure.run.outcome : Outcome::step_limit;
-        answer.run.message = shortened > 0 ? failure.run.message
-                                           : "The run was given up: it takes several times the steps of the "
-                                             "run that it repeats.";
-      }
-      if (!answer.run.ok()) {
-        answer.state_error = infinity;
-        const bool same = planned.outcome == delivery.run().outcome && planned.steps == delivery.run().steps;
-        if (!planned.ok() && same) answer.run.message = planned.message;
-      }
+      const bool same = planned.outcome == delivery.run().outcome && planned.steps == delivery.run().steps;
+      if (!answer.run.ok() && !planned.ok() && same) answer.run.message = planned.message;
       return answer;
     }
+  }
+  /// The event that ends the run comes later than in the first run.
+  [[nodiscard]] bool comes_later(const Delivery& delivery) const {
+    const Plan& plan = delivery.plan();
+    return delivery.run().ok() && !delivery.arrived() && plan.failure == Outcome::ok &&
+           plan.horizon != question_.t_end;
   }
 
  private:
@@ -279,7 +279,7 @@ class Call {
     std::erase_if(events.events, [](const OrbitEvent& event) { return !event.rules.stop; });
     Delivery delivery(events, degrees_, answer.choice, budget_, answer.prepared.get());
     budget_.end = question_.t_end;
-    delivery.go(question_.t_end);
+    delivery.go();
     spent_ += answer.choice.sweeps + answer.run.evaluations + delivery.run().evaluations;
     budget_.sweeps += delivery.run().evaluations;
     // A bound says nothing of where the event is: what is chosen then is for all the way.
@@ -312,10 +312,7 @@ OrbitAnswer answer(OrbitQuestion&& question) {
   }
   const bool more = !end_alone || !question.events.empty() || question.options.dense ||
                     !question.options.checkpoint.empty() || (question.made && !question.options.check);
-  // Nobody is to go on with the run of another call.
-  std::error_code unreadable;  // which writing it will say
-  if (std::filesystem::is_regular_file(question.options.checkpoint, unreadable))
-    std::filesystem::remove(question.options.checkpoint, unreadable);
+  if (!question.options.checkpoint.empty()) remove_earlier(question.options.checkpoint);
   Budget budget(question.options);
   budget.start = question.t, budget.end = question.t_end;
   OrbitAnswer answer = more && question.t_end != question.t ? Call(question, degrees, budget).make()
@@ -346,19 +343,17 @@ OrbitAnswer answer_from(const std::string& file, OrbitQuestion&& question) {
   const Choice choice = choice_in(record, answer);
   if (question.given < 0 && !is_monitor(choice.name))
     throw std::invalid_argument("The checkpoint " + file + " has an unknown monitor.");
-  double horizon = question.t_end;
-  record.get(horizon);
   answer.tolerance = question.tolerance;
   Budget budget(question.options);
   budget.phase = SolvePhase::running;
   budget.start = question.t, budget.end = question.t_end;
   Delivery delivery(question, static_cast<int>(degrees), choice, budget, nullptr);
-  delivery.restore(record, answer, horizon);
-  delivery.go(beyond(question, horizon, 1.2));
-  if (delivery.run().ok() && !delivery.arrived())  // as in a run that was not interrupted
-    return Call(question, static_cast<int>(degrees), budget).make_for(beyond(question, horizon, 2.0));
+  delivery.restore(record, answer);
+  delivery.go();
+  Call call(question, static_cast<int>(degrees), budget);
+  if (call.comes_later(delivery))  // as in a run that was not interrupted
+    return call.make_for(beyond(question, delivery.plan().horizon, 2.0));
   delivery.deliver(answer);
-  if (!delivery.run().ok()) answer.state_error = infinity;
   tell_cancelled(budget, answer);
   return answer;
 }

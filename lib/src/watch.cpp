@@ -133,10 +133,11 @@ void Watch::sample(const Stride& stride, bool first) {
   const double begin = at(stride.before), end = at(stride.last);
   samples_.push_back({0.0, begin});
   if (first) {
-    level_ = std::abs(begin) <= 1e-3 * std::abs(end - begin) ? rounding(stride.before, stride.last) : 0.0;
-    leaving_ = std::abs(begin) <= level_;
+    memory_.level =
+        std::abs(begin) <= 1e-3 * std::abs(end - begin) ? rounding(stride.before, stride.last) : 0.0;
+    memory_.leaving = std::abs(begin) <= memory_.level;
   }
-  if (leaving_)
+  if (memory_.leaving)
     for (const double part : {0x1p-26, 0x1p-20, 0x1p-14, 0x1p-8, 0x1p-5})
       samples_.push_back({part * stride.part, on(stride, part * stride.part)});
   const std::size_t soon = samples_.size() - 1;  // the points just after the start
@@ -146,10 +147,10 @@ void Watch::sample(const Stride& stride, bool first) {
   }
   samples_.push_back({stride.part, end});
   smooth_ = refine(stride, soon);
-  if (!leaving_) return;
+  if (!memory_.leaving) return;
   const auto left =
-      std::ranges::find_if(samples_, [&](const Sample& it) { return !(std::abs(it.g) <= level_); });
-  leaving_ = left == samples_.end();
+      std::ranges::find_if(samples_, [&](const Sample& it) { return !(std::abs(it.g) <= memory_.level); });
+  memory_.leaving = left == samples_.end();
   samples_.erase(samples_.begin(), left);
 }
 

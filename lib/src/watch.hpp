@@ -46,11 +46,16 @@ class Watch {
   /// @param first the run begins with this step @return evaluations of the field
   long look(const Stride& stride, bool first, std::vector<Hit>& hits);
   /// One of the events counts. @return the run ends there
-  bool take() { return ++found_ == rules_.count && rules_.stop; }
+  bool take() { return ++memory_.found == rules_.count && rules_.stop; }
   /// All that count have been found.
-  [[nodiscard]] bool over() const { return rules_.count > 0 && found_ >= rules_.count; }
-  /// How many have been found, to go on from a checkpoint.
-  long& found() { return found_; }
+  [[nodiscard]] bool over() const { return rules_.count > 0 && memory_.found >= rules_.count; }
+  /// What it keeps from step to step, to go on from a checkpoint.
+  struct Memory {
+    long found = 0;        ///< Events that count.
+    double level = 0.0;    ///< |g| that counts as zero where the run starts.
+    bool leaving = false;  ///< g has not left it yet.
+  };
+  [[nodiscard]] Memory& memory() { return memory_; }  ///< See there.
 
  private:
   double at(const double* q, const double* p, double t);
@@ -73,11 +78,9 @@ class Watch {
   int degrees_;
   bool timed_;
   std::size_t index_;
-  long found_ = 0;
-  double level_ = 0.0;    // |g| that counts as zero where the run starts
-  bool leaving_ = false;  // g has not left it yet
-  bool smooth_ = true;    // g in the step, see refine()
-  double noise_ = 0.0;    // of g in it, see rounding()
+  Memory memory_;
+  bool smooth_ = true;  // g in the step, see refine()
+  double noise_ = 0.0;  // of g in it, see rounding()
   std::vector<Sample> samples_;
   VectorX inside_;  // (q, p) in the step
 };

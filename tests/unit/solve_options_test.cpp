@@ -1,11 +1,13 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/solve.hpp"
+#include "avi/solver.hpp"
 #include "unit/cayley.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -123,6 +125,67 @@ TEST(SolveOptions, CancelACallThatIsResumed) {
   } catch (const std::invalid_argument& error) {
     EXPECT_EQ(error.what(), "There is no checkpoint " + file + ".");
   }
+}
+
+/// A run that goes on from a file after so many steps has the bits of the whole one.
+template <int n, class H>
+void expect_same_resumed(const H& hamiltonian, const avi::State<n>& start, double end, double tolerance,
+                         avi::SolveOptions options, long steps) {
+  const std::string file = std::filesystem::temp_directory_path() / "solve_options_test_same.run";
+  options.checkpoint = file;
+  const auto whole = solve(hamiltonian, start, end, tolerance, options);
+  avi::SolveOptions bounded = options;
+  bounded.progress = [&](const SolveProgress& now) {
+    return now.phase != avi::SolvePhase::running || now.steps < steps;
+  };
+  if (options.h > 0.0) bounded.steps = steps;  // no run is made before it
+  (void)solve(hamiltonian, start, end, tolerance, bounded);
+  ASSERT_TRUE(std::filesystem::exists(file));
+  const auto rest = avi::resume<n>(hamiltonian, file, options);
+  EXPECT_EQ(rest.state, whole.state);
+  EXPECT_EQ(rest.states.size(), whole.states.size());
+  EXPECT_EQ(rest.events.size(), whole.events.size());
+  EXPECT_EQ(rest.run.steps, whole.run.steps);
+  EXPECT_EQ(rest.run.message, whole.run.message);
+  std::filesystem::remove(file);
+}
+
+TEST(SolveOptions, ResumeAsIfNothingHadHappened) {
+  // On its own level, which the energy leaves by rounding alone, that is not found again.
+  const auto spring = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
+  const auto off = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]) - 0.5; };
+  expect_same_resumed(spring, avi::State<1>{.q = 1.0, .p = 0.0}, 3000.0, 1e-8,
+                      {.order = 16, .monitor = "fixed", .h = 0.2, .events = {avi::when(off)}}, 6000);
+  // A monitor of one's own makes steps ever shorter on purpose.
+  const auto ever_shorter = [](const auto&, const auto& t, const auto&) { return (1.02 - t) * (1.02 - t); };
+  const auto timed = [](const auto& q, const auto&, const auto& p) {
+    return 0.5 * (p[0] * p[0] + q[0] * q[0]);
+  };
+  expect_same_resumed(timed, avi::State<1>{.q = 1.0, .p = 0.0}, 1.0, 1e-8,
+                      {.order = 4, .monitor = ever_shorter, .h = 0.001}, 3000);
+  const avi::Solver solver(timed, avi::State<1>{.q = 1.0, .p = 0.0}, 1.0, 1e-8,
+                           {.check = false, .order = 4, .monitor = ever_shorter, .h = 0.001});
+  EXPECT_TRUE(solver.run(avi::State<1>{.q = 1.0, .p = 0.0}, 1.0).ok());
+}
+
+TEST(SolveOptions, OfACheckpointAreRefused) {
+  const std::string file = std::filesystem::temp_directory_path() / "solve_options_test_other.run";
+  std::ofstream(file) << "a thesis";
+  const auto z = Kepler::pericentre(0.6);
+  const auto refused = [](const auto& call, const std::string& part) {
+    try {
+      (void)call();
+      ADD_FAILURE() << "not refused: " << part;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  };
+  refused([&] { return solve(Kepler(), z, 10.0, 1e-8, {.checkpoint = file}); }, "is no checkpoint");
+  EXPECT_EQ(std::filesystem::file_size(file), 8u);
+  refused([&] { return avi::resume<2>(Kepler(), file, {}, -5); }, "are -5; they must be 2.");
+  refused([&] { return avi::resume<2>(Kepler(), file, {}, 3); }, "are 3; they must be 2.");
+  refused([&] { return avi::resume<avi::dynamic>(Kepler(), file); }, "are -1; they must be at least 1");
+  std::filesystem::remove(file);
 }
 
 TEST(SolveOptions, BoundStepsAndKeepWhatWasReached) {
