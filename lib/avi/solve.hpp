@@ -313,7 +313,8 @@ struct Solution : SolutionReport {
   /// The state at any time of the run, where SolveOptions::dense was set: by a symplectic step from the last
   /// step before it, as accurate as the ends of steps. Several threads may call it at a time.
   /// @throws std::invalid_argument for a time where the run has not been.
-  /// @throws std::logic_error where the run was made without SolveOptions::dense, or none was begun.
+  /// @throws std::logic_error where the run was made without SolveOptions::dense, or the call ended before
+  /// it.
   [[nodiscard]] State<n> operator()(double t) const {
     if (!curve) detail::no_curve();
     const int count = static_cast<int>(state.q.size());

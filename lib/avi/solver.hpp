@@ -72,6 +72,7 @@ class Solver {
                                                       const std::vector<double>& times,
                                                       const EnsembleSettings& settings = {}) const {
     require(!times.empty(), "Number of output times", times.size(), "at least 1");
+    detail::require_times(times.front(), times);
     return all(starts, times.back(), times, settings);
   }
   ///@}
@@ -104,12 +105,19 @@ class Solver {
       members.push_back({Solution<n>{SolutionReport{}, start}});
     const auto follow = [&](std::size_t i) {
       if (!times.empty()) detail::require_times(starts[i].t, times);
-      members[i].solution = run(starts[i], t_end, times,
-                                [&](const SolveProgress&) { return !settings.cancel.stop_requested(); });
+      Solution<n>& solution = members[i].solution;
+      bool cancelled = false;
+      solution = run(starts[i], t_end, times,
+                     [&](const SolveProgress&) { return !(cancelled = settings.cancel.stop_requested()); });
+      if (cancelled) solution.run.message = "The ensemble was cancelled during this run.";
     };
     const auto fail = [&](std::size_t i, std::string sentence, std::exception_ptr error) {
-      members[i].solution.run.outcome = Outcome::stopped;
-      members[i].solution.run.message = std::move(sentence);
+      Solution<n>& solution = members[i].solution;
+      solution.run.outcome = Outcome::stopped;
+      solution.run.message = std::move(sentence);
+      solution.state_error = std::numeric_limits<double>::infinity();
+      solution.state.q.setConstant(std::numeric_limits<double>::quiet_NaN());
+      solution.state.p.setConstant(std::numeric_limits<double>::quiet_NaN());
       members[i].error = std::move(error);
     };
     detail::share_out(starts.size(), settings, follow, fail);

@@ -98,8 +98,8 @@ void add_functions(OrbitQuestion& question) {
 
 void no_curve() {
   throw std::logic_error(
-      "The solution was made without SolveOptions::dense, or no run was begun; it has states "
-      "at the end and at output times only.");
+      "The solution has no curve: it was made without SolveOptions::dense, or ended before the run that is "
+      "delivered; it has states at the end and at output times only.");
 }
 
 namespace {

@@ -101,6 +101,14 @@ double Orbiter::speed_at(const State<dynamic>& z, const Ranges& ranges) {
   return (*distance_)(slope, ranges);
 }
 
+/// How far along the orbit the rounding of time moves a state; a clock that begins near zero has no less
+/// digits than the phase.
+double Orbiter::rounding_of_clock(const Journey& journey) {
+  if (question_.t == 0.0) return 0.0;
+  return 0.5 * std::numeric_limits<double>::epsilon() * std::abs(question_.t) *
+         speed_at(journey.state, journey.ranges);
+}
+
 /// The energy error that rounding of the entries of a state makes: more than its own, far out on a saddle,
 /// where H is a small difference.
 double Orbiter::rounding_of_energy(const State<dynamic>& z) {
@@ -354,8 +362,9 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   const double of_state = foretold(seen_, here, span_, high_speed_) / tolerance;
   if (mark == 0 && !others_tried_ && try_others(setting)) return true;
   if (resigned_ || round_ >= most_rounds) return false;
-  // No step makes the digits of distant coordinates more.
-  const double digits = distance_->rounding_of(fine_->state, fine_->ranges);
+  // No step makes the digits of distant coordinates, or of a distant clock, more.
+  const double digits =
+      std::max(distance_->rounding_of(fine_->state, fine_->ranges), rounding_of_clock(*fine_));
   if (digits > tolerance && seen_.error <= 1e3 * digits) {
     resigned_ = true;
     return false;

@@ -97,6 +97,7 @@ class Orbiter {
   bool take_from_aside(Setting& setting, double others);
   Comparison compare(const Journey& coarse, const Journey& fine);
   double speed_at(const State<dynamic>& z, const Ranges& ranges);
+  double rounding_of_clock(const Journey& journey);
   double rounding_of_energy(const State<dynamic>& z);
   [[nodiscard]] double foretold(const Comparison& seen, double from, double to, double speed) const;
   [[nodiscard]] double longest_step(const Candidate& it) const {

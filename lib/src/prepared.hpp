@@ -32,8 +32,10 @@ inline Candidate candidate_of(const std::string& name, const OrbitQuestion& ques
 
 /// The field of H, copied where it is prepared.
 inline PointField field_of(const OrbitQuestion& question) {
-  return question.prepared ? question.prepared->field
-                           : PointField(question.graph, question.energy, question.gradient);
+  PointField field = question.prepared ? question.prepared->field
+                                       : PointField(question.graph, question.energy, question.gradient);
+  field.timed = question.timed;
+  return field;
 }
 
 }  // namespace avi::detail

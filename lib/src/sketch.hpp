@@ -125,6 +125,7 @@ class PointField {
   [[nodiscard]] const std::shared_ptr<const Recording>& recording() const { return recording_; }
 
   double sense = 1.0;  ///< -1 follows the orbit backwards.
+  bool timed = false;  ///< The last coordinate is time, which has a unit of its own.
 
  private:
   using Duals = Program::Room<Partials<double, 1>>;
@@ -197,7 +198,7 @@ class Sketch {
             std::max({std::abs(step.k[0][i]), std::abs(step.k[1][i]), std::abs(step.k[2][i])});
         scale[i] = std::max(std::max(high[i], step.end[i]) - std::min(low[i], step.end[i]), h * fastest);
       }
-      lift(scale, metric);
+      lift(scale, metric, field.timed);
       for (Eigen::Index i = 0; i < size; ++i) {
         errors[i] = h * std::abs((2.0 / 9.0 - 7.0 / 24.0) * step.k[0][i] + (1.0 / 3.0 - 0.25) * step.k[1][i] +
                                  (4.0 / 9.0 - 1.0 / 3.0) * step.k[2][i] - 0.125 * step.k[3][i]);
@@ -240,7 +241,7 @@ class Sketch {
       double worst = 0.0;
       for (Eigen::Index i = 0; i < size; ++i)
         scale[i] = std::max(high[i] - low[i], sample->h * std::abs(sample->slope[i]));
-      lift(scale, metric);
+      lift(scale, metric, field.timed);
       for (Eigen::Index i = 0; i < size; ++i)
         if (sample->errors[i] > 0.0) worst = std::max(worst, sample->errors[i] / scale[i]);
       if (worst > 1e-4 * loose) next = angle / sample->h * std::cbrt(worst / loose);
@@ -271,27 +272,29 @@ class Sketch {
   static constexpr double angle = 0.68;   // of a spring in a step with that error
   static constexpr int enough = 48;       // samples of an orbit that comes again
 
-  /// Raises what is a 1e-10 of the largest entry, masses taken out.
-  static void lift(VectorX& scale, const VectorX& metric) {
-    const Eigen::Index n = metric.size();
+  /// Raises what is a 1e-10 of the largest entry, masses taken out; the momentum of time, to that of an
+  /// energy.
+  static void lift(VectorX& scale, const VectorX& metric, bool timed) {
+    const Eigen::Index n = metric.size(), seen = timed ? n - 1 : n;
     double of_q = 0.0, of_p = 0.0;
-    for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index i = 0; i < seen; ++i) {
       const double root = std::sqrt(metric[i]);
       of_q = std::max(of_q, scale[i] / root);
       of_p = std::max(of_p, scale[n + i] * root);
     }
-    for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index i = 0; i < seen; ++i) {
       const double root = std::sqrt(metric[i]);
       scale[i] = std::max(scale[i], 1e-10 * of_q * root);
       scale[n + i] = std::max(scale[n + i], 1e-10 * of_p / root);
     }
+    if (timed) scale[2 * n - 1] = std::max(scale[2 * n - 1], 1e-10 * of_p * of_p);
   }
 
   /// A step in which no entry of the field changes by much, or, where the field vanishes, the span.
   static double first_step(PointField& field, const VectorX& z, const VectorX& dz, double span,
                            const VectorX& metric) {
     VectorX ahead(z.size()), there(z.size()), scale = dz.cwiseAbs();
-    lift(scale, metric);
+    lift(scale, metric, field.timed);
     double h = 1e-3 * span;
     for (int i = 0; i < 60; ++i, h *= 0.1) {
       ahead = z + h * dz;

@@ -351,9 +351,8 @@ OrbitAnswer Orbiter::finish() {
   answer_.energy_error = fine.energy_error;
   const double here = since_start(judged_);
   const double speed = speed_at(fine.state, fine.ranges), epsilon = std::numeric_limits<double>::epsilon();
-  // What rounding leaves grows with the phase; that of a clock which does not begin near zero moves the end
-  // along the orbit.
-  const double of_clock = question_.t == 0.0 ? 0.0 : 0.5 * epsilon * std::abs(question_.t) * speed;
+  // What rounding leaves grows with the phase.
+  const double of_clock = rounding_of_clock(fine);
   // What is foretold is at most as far as the motion goes.
   const double seen =
       parted_ ? seen_.error : std::min(foretold(seen_, here, span_, speed), std::max(seen_.error, 1.0));
@@ -433,7 +432,7 @@ OrbitAnswer Orbiter::finish() {
   if (answer_.ok() && !answer_.kept() && answer_.note.empty() && adds_up && !question_.made &&
       !(question_.options.h > 0.0))
     answer_.note += "Shorter steps do not help: rounding adds up over the run to more than the tolerance. ";
-  if (question_.made && !answer_.kept())
+  if (answer_.ok() && question_.made && !answer_.kept())
     answer_.note += "Monitor, order and step were chosen for another start; solve() chooses for this one. ";
   if (!answer_.note.empty()) answer_.note.pop_back();  // the blank behind the last sentence
   std::copy(fine.state.q.begin(), fine.state.q.end(), answer_.q.begin());

@@ -100,4 +100,21 @@ TEST(SolveUnits, ChangeNothing) {
   expect_same_in_other_units("ring", ring, wave, 1000.0);
 }
 
+// Time is a coordinate there, with a unit of its own: 27 steps, and 3 million where it is taken for a length.
+TEST(SolveUnits, ChangeNothingOfABodyAtRestInADrive) {
+  const auto way = [](double length, double time) {
+    const auto driven = [=](const auto& q, const auto& t, const auto& p) {
+      return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0] / (time * time) -
+             0.3 * length / (time * time) * q[0] * cos(2.0 * t / time);
+    };
+    State<1> start = at(0.0, 0.0);
+    start.t = 0.5 * time;
+    return solve(driven, start, 20.0 * time, 1e-8, {.sweeps = 100'000}).run.steps;
+  };
+  const long known = way(1.0, 1.0);
+  EXPECT_LT(known, 60);
+  for (const int power : {-60, 20, 40, 60, 80})
+    EXPECT_EQ(way(std::ldexp(1.0, power), std::ldexp(1.0, -power / 2)), known) << power;
+}
+
 }  // namespace solve_units_test
