@@ -3,6 +3,7 @@
 #include "avi/core/state.hpp"
 
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 /// @file
@@ -13,7 +14,8 @@ namespace avi {
 /// N bodies that attract each other in the plane or in space. \f[ H(q, p) = \sum_i \frac{|p_i|^2}{2 m_i} -
 /// \sum_{i<j} \frac{m_i m_j}{|q_i - q_j|} \f] with \f$q = (x_1, y_1, x_2, y_2, \ldots)\f$ in \f$R^{dN}\f$,
 /// d = `space` = 2 or 3, and unit gravitational constant: for another one, G, give masses \f$G m_i\f$ and
-/// momenta \f$G m_i v_i\f$; H then is G times the energy. `bodies`, N, may be avi::dynamic.
+/// momenta \f$G m_i v_i\f$; H then is G times the energy. `bodies`, N, may be avi::dynamic; then energies and
+/// their gradients throw std::invalid_argument for q or p of another number of entries than dN.
 template <int bodies, int space = 2>
 class NBody {
   static_assert(space == 2 || space == 3, "Bodies move in the plane or in space.");
@@ -35,6 +37,7 @@ class NBody {
   /// Kinetic energy.
   template <class P>
   auto kinetic(const P& p) const {
+    require_entries("Number of entries of p", p);
     const auto square = [&](Eigen::Index i) {
       auto sum = p[space * i] * p[space * i];
       for (int k = 1; k < space; ++k)
@@ -50,6 +53,7 @@ class NBody {
   /// Velocity dT/dp = (p_i / m_i).
   template <class S>
   Vector<S, dimension> velocity(const Vector<S, dimension>& p) const {
+    require_entries("Number of entries of p", p);
     Vector<S, dimension> v = p;
     for (Eigen::Index i = 0; i < p.size(); ++i)
       v[i] = p[i] / masses_[i / space];
@@ -60,6 +64,7 @@ class NBody {
   template <class Q>
   auto potential(const Q& q) const {
     using std::sqrt;
+    require_entries("Number of entries of q", q);
     auto sum = -(masses_[0] * masses_[1]) / sqrt(distance_squared(q, 0, 1));
     for (Eigen::Index j = 2; j < masses_.size(); ++j)
       for (Eigen::Index i = 0; i < j; ++i)
@@ -77,6 +82,7 @@ class NBody {
   template <class S>
   Vector<S, dimension> potential_gradient(const Vector<S, dimension>& q) const {
     using std::sqrt;
+    require_entries("Number of entries of q", q);
     Vector<S, dimension> gradient = q - q;
     for (Eigen::Index j = 1; j < masses_.size(); ++j)
       for (Eigen::Index i = 0; i < j; ++i) {
@@ -135,6 +141,13 @@ class NBody {
   }
 
  private:
+  template <class X>
+  void require_entries(std::string_view what, const X& x) const {
+    if constexpr (bodies == dynamic)
+      require(x.size() == space * masses_.size(), what, x.size(), "", space, " for each of ", masses_.size(),
+              " bodies");
+  }
+
   Masses masses_;
 };
 
