@@ -124,10 +124,10 @@ TEST(SecantModel, KnowsALinearFunctionFromAsManyShiftsAsItHasVariables) {
     return a * u + avi::Vector<double, 3>(0.7, -0.4, 0.1);
   };
   avi::SecantModel<2, 3> model;
-  const avi::Vector<double, 2> x(1.0, 0.0), y(0.0, 1.0);
-  EXPECT_NEAR(model.learn(x, w(x) - w(0.0 * x), true), a.col(0).norm(), 1e-15) << "it knew nothing";
-  EXPECT_NEAR(model.learn(y, w(y) - w(0.0 * y), true), a.col(1).norm(), 1e-15);
-  EXPECT_NEAR(model.learn(x + y, w(x + y) - w(0.0 * x), true), 0.0, 1e-15);
+  const avi::Vector<double, 2> x(1.0, 0.0), y(0.0, 1.0), unit(1.0, 1.0);
+  EXPECT_NEAR(model.learn(x, w(x) - w(0.0 * x), unit, true), a.col(0).norm(), 1e-15) << "it knew nothing";
+  EXPECT_NEAR(model.learn(y, w(y) - w(0.0 * y), unit, true), a.col(1).norm(), 1e-15);
+  EXPECT_NEAR(model.learn(x + y, w(x + y) - w(0.0 * x), unit, true), 0.0, 1e-15);
   const avi::Vector<double, 2> u(0.3, 0.8), shift = model.shift(w(u).head<2>() - u);
   EXPECT_NEAR((w(u + shift).head<2>() - u - shift).norm(), 0.0, 1e-15);
   EXPECT_NEAR((w(u + shift) - w(u) - model.change(shift)).norm(), 0.0, 1e-15);

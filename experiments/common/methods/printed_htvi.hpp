@@ -127,7 +127,7 @@ class BroydenIteration {
  public:
   [[nodiscard]] BroydenIteration begin(bool) const { return {}; }
   template <class Equations>
-  bool propose(const Equations& equations, const Vector<double, n>& residual, const IterationProgress& now,
+  bool propose(const Equations& equations, const Vector<double, n>& residual, const IterationProgress<n>& now,
                bool quasi_newton) {
     const bool slow = quasi_newton && now.residual > 0.1 * now.previous;
     Vector<double, n> plain = residual;

@@ -84,6 +84,9 @@ class Htvi {
       return report;
     };
     double previous = std::numeric_limits<double>::quiet_NaN();  // compared with it, nothing holds
+    double least = std::numeric_limits<double>::infinity();
+    Vector<double, n> unit;
+    int idle = 0;  // iterations in a row that have not halved the residual
     for (int k = 1; k <= solver_.max_iterations; ++k) {
       const Vector<double, n> unknown = start + correction;
       correction = unknown - start;  // after rounding
@@ -92,7 +95,9 @@ class Htvi {
       const Equations equations(expansion_, increments, action_.remainder(expansion_, increments, h));
       ++report.evaluations;
       const Vector<double, n> residual = equations.corrections.template head<n>() - correction;
-      report.residual = largest_entry(residual);
+      const double largest = largest_entry(start) + largest_entry(equations.drift);
+      if (k == 1) unit = solver_units<n>(start.cwiseAbs() + equations.drift.cwiseAbs(), largest);
+      report.residual = largest_entry(residual.cwiseProduct(unit));
       if (!std::isfinite(report.residual))
         report.outcome = Outcome::non_finite;
       else if (const double forward =
@@ -100,13 +105,16 @@ class Htvi {
                !(forward > 0.0 || (forward == 0.0 && detail::underflows(h))))
         report.outcome = Outcome::bad_monitor;
       if (report.outcome != Outcome::ok) return report;
-      const double accepted =
-          solver_.tolerance * epsilon * (largest_entry(start) + largest_entry(equations.drift));
+      const double accepted = solver_.tolerance * epsilon * largest;
       if (report.residual <= accepted) return accept(equations.change);
+      // What is small because terms cancel may have no more digits than the largest entry leaves it.
+      idle = report.residual <= 0.5 * least ? 0 : idle + 1;
+      least = std::min(least, report.residual);
+      if (idle >= 3 && largest_entry(residual) <= accepted) return accept(equations.change);
       // Rounding may hold the residual above the tolerance; it then stops falling far below what matters.
       const bool stagnates = report.residual >= 0.5 * previous && report.residual <= 100.0 * accepted;
       const bool exact = iteration.propose(
-          equations, residual, {report.residual, previous, accepted, stagnates}, solver_.quasi_newton);
+          equations, residual, {unit, report.residual, previous, accepted, stagnates}, solver_.quasi_newton);
       correction += iteration.shift;
       if (stagnates || exact) return accept(iteration.step(equations, residual));
       previous = report.residual;

@@ -54,18 +54,22 @@ template <int n, int m>
 class SecantModel {
  public:
   /// Learns from a shift of u that changed w by `change`, unless J is to stay as it is.
-  /// @return the error that J had along that shift, relative to its size
-  double learn(const Vector<double, n>& shift, const Vector<double, m>& change, bool update) {
+  /// @param unit of the entries of u, see solver_units() @return the error that J had along that shift,
+  /// relative to its size
+  double learn(const Vector<double, n>& shift, const Vector<double, m>& change, const Vector<double, n>& unit,
+               bool update) {
     // By a power of two, so that squares of shifts below 1e-154 are not lost.
-    const double largest = shift.template lpNorm<Eigen::Infinity>();
+    Vector<double, n> along = shift.cwiseProduct(unit);
+    const double largest = largest_entry(along);
     if (!(largest > 0.0)) return std::numeric_limits<double>::infinity();
-    const double unit = std::ldexp(1.0, std::min(-std::ilogb(largest), 1000));
-    const Vector<double, n> along = unit * shift;
-    const Vector<double, m> miss = unit * (change - slope_ * shift);
+    const double scale = std::ldexp(1.0, std::min(-std::ilogb(largest), 1000));
+    along *= scale;
+    Vector<double, m> miss = scale * (change - slope_ * shift);
     const double square = along.squaredNorm();
     for (int i = 0; update && i < m; ++i)
       for (int j = 0; j < n; ++j)
-        slope_(i, j) += miss[i] / square * along[j];
+        slope_(i, j) += miss[i] / square * along[j] * unit[j];
+    miss.template head<n>() = miss.template head<n>().cwiseProduct(unit);
     return miss.norm() / along.norm();
   }
   /// The shift of u for this residual.
@@ -83,12 +87,28 @@ class SecantModel {
   Matrix<double, m, n> slope_ = Matrix<double, m, n>::Zero();
 };
 
+/// For each entry of the unknown a power of two: 1, or what makes it about as large as the largest one where
+/// it is less than a thousandth of that, as the momentum of a light body. So every entry is solved for.
+/// @param size of each entry @param largest of them
+template <int n>
+Vector<double, n> solver_units(const Vector<double, n>& size, double largest) {
+  Vector<double, n> unit;
+  for (int i = 0; i < n; ++i) {
+    const double ratio = largest / size[i];
+    unit[i] =
+        ratio > 1024.0 && std::isfinite(ratio) ? std::ldexp(1.0, std::min(std::ilogb(ratio), 1000)) : 1.0;
+  }
+  return unit;
+}
+
 /// How far a step's iteration has come.
+template <int n>
 struct IterationProgress {
-  double residual;  ///< Largest entry, now.
-  double previous;  ///< One evaluation before; NaN at first.
-  double accepted;  ///< Bound below which the equation counts as solved.
-  bool stagnates;   ///< Rounding holds the residual above that.
+  Vector<double, n> unit;  ///< Of the entries, see solver_units().
+  double residual;         ///< Largest entry in its unit, now.
+  double previous;         ///< One evaluation before; NaN at first.
+  double accepted;         ///< Bound below which the equation counts as solved.
+  bool stagnates;          ///< Rounding holds the residual above that.
 };
 
 /// The iteration of a step for its unknown u, by the derivative of the corrections that a SecantModel has
@@ -104,14 +124,20 @@ class SecantIteration {
   }
   /// The shift of u at these equations; true where it is exact to what is accepted.
   template <class Equations>
-  bool propose(const Equations& equations, const Vector<double, n>& residual, const IterationProgress& now,
+  bool propose(const Equations& equations, const Vector<double, n>& residual, const IterationProgress<n>& now,
                bool quasi_newton) {
-    const double error = first_ ? std::numeric_limits<double>::infinity()
-                                : model_.learn(shift, equations.corrections - before_, quasi_newton);
+    const double error = first_
+                             ? std::numeric_limits<double>::infinity()
+                             : model_.learn(shift, equations.corrections - before_, now.unit, quasi_newton);
     first_ = false;
     before_ = equations.corrections;
     shift = model_.shift(residual);
-    return error * shift.stableNorm() <= 0.1 * now.accepted;
+    const Vector<double, n> moved = shift.cwiseProduct(now.unit);
+    const double plain = moved.norm(), size = plain > 1e-150 ? plain : moved.stableNorm();
+    if (!(error * size <= 0.1 * now.accepted)) return false;
+    // Where I - J is nearly singular the shift may be no solution of its own equations.
+    const Vector<double, n> left = shift - model_.change(shift).template head<n>() - residual;
+    return largest_entry(left.cwiseProduct(now.unit)) <= 0.1 * now.accepted;
   }
   /// The step at u + shift.
   template <class Equations>
