@@ -252,9 +252,7 @@ class alignas(64) GaussStep {
         return finish(z, h, step, report);
       }
       // What is noise beside the largest entry does not fall by another iteration either.
-      slow = before > 0.0 && change > 0.5 * before && (closely ? progress_.visible() : change) > 1e-10
-                 ? slow + 1
-                 : 0;
+      slow = before > 0.0 && change > 0.5 * before && change > 1e-10 ? slow + 1 : 0;
       if (slow >= 3 && k > 6 && !newton_failed_ && !few_more(change, before, settings_.max_sweeps - k)) break;
       if (before > 0.0 && !falls && !closely) {
         closely = true;
