@@ -23,7 +23,8 @@ struct RecordedObjective::Work {
   std::atomic<bool> in_use = false;
 };
 
-RecordedObjective::RecordedObjective(const Formula& f) : work_(std::make_shared<Work>(f.with_constants())) {}
+RecordedObjective::RecordedObjective(const Formula& f)
+    : work_(std::make_shared<Work>(f.with_constants())), n_(f.inputs()) {}
 
 double RecordedObjective::evaluate(const double* x, double* gradient) const {
   if (work_->in_use.exchange(true, std::memory_order_acquire)) {

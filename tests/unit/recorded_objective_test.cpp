@@ -1,8 +1,12 @@
 #include "avi/optim/recorded_objective.hpp"
 
+#include "avi/optim/minimise.hpp"
+#include "refusal.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -45,6 +49,15 @@ TEST(RecordedObjective, ACopyMadeDuringACallIsNotInUse) {
   VectorX g, h;
   EXPECT_EQ(first(VectorX::Ones(3), g), second(VectorX::Ones(3), h));
   EXPECT_EQ(g, h);
+}
+
+TEST(RecordedObjective, RefusesAPointOfAnotherSize) {
+  const avi::RecordedObjective f(valley, 3);
+  VectorX g;
+  for (const int n : {0, 2, 4})
+    EXPECT_EQ(refusal([&] { (void)f(VectorX::Ones(n), g); }),
+              "Size of x is " + std::to_string(n) + "; it must be the number of arguments of f, 3.");
+  EXPECT_NE(refusal([&] { (void)avi::minimise(f, {1.0, 2.0}); }), "accepted");
 }
 
 }  // namespace recorded_objective_test

@@ -1,5 +1,6 @@
 #pragma once
 #include "avi/autodiff/formula.hpp"
+#include "avi/core/require.hpp"
 
 #include <concepts>
 #include <memory>
@@ -33,7 +34,9 @@ class RecordedObjective {
   explicit RecordedObjective(const Formula& f);
 
   /// Value and gradient at x, of the n entries that were recorded.
+  /// @throws std::invalid_argument for an x of another size.
   double operator()(const VectorX& x, VectorX& gradient) const {
+    require(x.size() == n_, "Size of x", x.size(), "the number of arguments of f, ", n_);
     gradient.resize(x.size());
     return evaluate(x.data(), gradient.data());
   }
@@ -43,6 +46,7 @@ class RecordedObjective {
   // Vectors of another library are not passed on: the library may be compiled for another processor.
   double evaluate(const double* x, double* gradient) const;
   std::shared_ptr<Work> work_;
+  Eigen::Index n_;
 };
 
 }  // namespace avi
