@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 // What a method keeps of its last step serves the next one of the same orbit. From any other state a used
 // method has to do what a new one does.
@@ -118,6 +119,34 @@ TEST(MethodMemory, OutlivesAGradientThatThrows) {
   ASSERT_TRUE(used.step(z, 0.1).ok());
   EXPECT_THROW((void)used.step(other, 0.1), std::domain_error);
   EXPECT_EQ(apart(used, avi::stormer_verlet<1>(gradient), z, 0.1), 0.0);
+}
+
+template <int n, class Method>
+void expect_to_outlive_a_move(Method method, const State<n>& start) {
+  State<n> z = start, moved = start, other = start;
+  ASSERT_TRUE(method.step(z, 0.1).ok());
+  Method fresh = method, takes = std::move(method);
+  z = moved = other;
+  EXPECT_TRUE(fresh.step(other, 0.1).ok());
+  EXPECT_TRUE(takes.step(z, 0.1).ok());
+  EXPECT_TRUE(method.step(moved, 0.1).ok());  // NOLINT: after the move
+  EXPECT_EQ(z, other);
+  EXPECT_EQ(moved, other);
+  if constexpr (std::is_move_assignable_v<Method>) {
+    fresh = std::move(method);
+    EXPECT_TRUE(fresh.step(z, 0.1).ok());
+    EXPECT_TRUE(method.step(moved, 0.1).ok());  // NOLINT: after the move
+    EXPECT_EQ(moved, z);
+  }
+}
+
+TEST(MethodMemory, OutlivesAMove) {
+  const State<1> start{.q = {1.0}, .p = {0.0}};
+  const State<avi::dynamic> any{.q = {1.0}, .p = {0.0}};
+  expect_to_outlive_a_move(avi::collocation(avi::poincare(oscillator, start), 8), start);
+  expect_to_outlive_a_move(avi::collocation(avi::poincare(oscillator, any), 16), any);
+  expect_to_outlive_a_move(avi::htvi<8>(avi::poincare(oscillator, start)), start);
+  expect_to_outlive_a_move(avi::AnyMethod<1>(avi::htvi<4>(avi::poincare(oscillator, start))), start);
 }
 
 }  // namespace method_memory_test

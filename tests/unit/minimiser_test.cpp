@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 // Made of +, -, *, / and roots alone, objectives have the same bits on every machine, and so has the run.
@@ -162,6 +163,12 @@ TEST(Minimiser, NamesAGradientThatLosesAnEntryOnTheWay) {
     EXPECT_EQ(run.gradient_evaluations, at);
     EXPECT_EQ(run.last.gradient.size(), 5);
   }
+}
+
+TEST(Minimiser, RefusesToRunTwice) {
+  avi::Minimiser once(wells, VectorX::Ones(2), {});
+  EXPECT_TRUE(once.run().ok());
+  EXPECT_THROW((void)once.run(), std::logic_error);
 }
 
 }  // namespace minimiser_test

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace recorded_objective_test {
@@ -48,6 +49,14 @@ TEST(RecordedObjective, ACopyMadeDuringACallIsNotInUse) {
   second = first;
   VectorX g, h;
   EXPECT_EQ(first(VectorX::Ones(3), g), second(VectorX::Ones(3), h));
+  EXPECT_EQ(g, h);
+}
+
+TEST(RecordedObjective, OutlivesAMove) {
+  avi::RecordedObjective first(valley, 3);
+  const avi::RecordedObjective second = std::move(first);
+  VectorX g, h;
+  EXPECT_EQ(first(VectorX::Ones(3), g), second(VectorX::Ones(3), h));  // NOLINT: after the move
   EXPECT_EQ(g, h);
 }
 

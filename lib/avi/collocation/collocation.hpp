@@ -36,6 +36,8 @@ class Collocation {
   /// setting.
   Collocation(const Problem& problem, int order, SweepSettings settings = {})
       : problem_(problem), order_(order), steps_(make(problem, order, settings)) {}
+  Collocation(const Collocation&) = default;             ///< Also for a move: what is moved from steps on.
+  Collocation& operator=(const Collocation&) = default;  ///< Likewise.
 
   /// Advances z by the fictive step h, of either sign; leaves z unchanged unless the step ends as ok. The
   /// report counts evaluations of the field at all stages: the sweeps and the one that ends a step.

@@ -23,9 +23,9 @@ class AnyMethod {
   template <class M>
   requires(Method<M, State<n>> && !std::is_same_v<M, AnyMethod>) AnyMethod(M method)  // NOLINT: implicit
       : held_(std::make_unique<Held<M>>(std::move(method))) {}
-  AnyMethod(const AnyMethod& other) : held_(other.held_->copy()) {}                 ///< A method of its own.
+  /// A method of its own; also for a move, so that there is always a method.
+  AnyMethod(const AnyMethod& other) : held_(other.held_->copy()) {}
   AnyMethod& operator=(AnyMethod other) { return held_.swap(other.held_), *this; }  ///< Likewise.
-  AnyMethod(AnyMethod&&) noexcept = default;  ///< Takes the method over.
   ~AnyMethod() = default;
 
   /// The method's step.

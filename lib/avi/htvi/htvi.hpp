@@ -61,6 +61,7 @@ class Htvi {
             "finite and at least 1 epsilon");
     require(solver.max_iterations >= 1, "Iteration cap", solver.max_iterations, "at least 1");
   }
+  Htvi(const Htvi&) = default;  ///< Also for a move: what is moved from steps on.
 
   /// The order that theory promises.
   [[nodiscard]] int order() const { return Construction::order(expansion_.order(), action_.rule().order); }

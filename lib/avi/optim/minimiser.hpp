@@ -4,6 +4,7 @@
 
 #include <array>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -87,8 +88,10 @@ class Minimiser final : detail::MinimiserCalls {
     g_[0].setConstant(n_, std::numeric_limits<double>::quiet_NaN());  // f that does not fill it is noticed
   }
 
-  /// Minimises. To be called once.
+  /// Minimises. To be called once. @throws std::logic_error for another call.
   Minimisation run() {
+    if (std::exchange(ran_, true))
+      throw std::logic_error("The run of this Minimiser is over; another one takes another Minimiser.");
     detail::MinimiserEnd end = detail::minimise_by_calls(*this, n_, options_);
     const Place& at = end.place;
     return {.outcome = end.outcome,
@@ -120,6 +123,7 @@ class Minimiser final : detail::MinimiserCalls {
   Function f_;
   Eigen::Index n_;
   std::array<VectorX, 3> x_, g_;
+  bool ran_ = false;
 };
 
 }  // namespace avi

@@ -32,6 +32,8 @@ class RecordedObjective {
 
   /// Takes a formula that is recorded already; its parameters have the values that it has.
   explicit RecordedObjective(const Formula& f);
+  RecordedObjective(const RecordedObjective&) = default;             ///< Also for a move.
+  RecordedObjective& operator=(const RecordedObjective&) = default;  ///< Likewise.
 
   /// Value and gradient at x, of the n entries that were recorded.
   /// @throws std::invalid_argument for an x of another size.
