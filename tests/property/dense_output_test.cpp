@@ -7,10 +7,12 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
 #include "common/methods/printed_htvi.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 using avi::Kepler;
@@ -83,6 +85,33 @@ TEST(DenseOutput, IsContinuousFromStepToStep) {
   expect_continuous(method_for(start), start);
   expect_continuous(avi::type3<2>(problem, avi::simpson()), start);
   expect_continuous(avi::collocation(problem, 4), start);
+}
+
+template <class Method>
+void expect_of_the_last_step_alone(Method method, const State<1>& before) {
+  State<1> after = before;
+  const Method never = method;
+  ASSERT_TRUE(method.step(after, 0.5).ok());
+  const auto middle = [&](const Method& of) { (void)avi::dense_output(of, before, after, 0.25); };
+  EXPECT_EQ(refusal([&] { middle(method); }), "accepted");
+  const std::string sentence =
+      "Last step of the method of dense output is another one; it must be that from `before` to `after`.";
+  EXPECT_EQ(refusal([&] { middle(never); }), sentence);
+  State<1> later = after;
+  ASSERT_TRUE(method.step(later, 0.5).ok());
+  EXPECT_EQ(refusal([&] { middle(method); }), sentence);
+}
+
+TEST(DenseOutput, IsOfTheLastStepOfTheMethodAlone) {
+  const auto oscillator = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
+  for (const State<1>& start : {State<1>{.q = {1.0}, .p = {0.0}}, State<1>{.q = {0.0}, .p = {1.0}}}) {
+    const auto problem = avi::poincare(oscillator, start);
+    expect_of_the_last_step_alone(avi::collocation(problem, 8), start);
+    expect_of_the_last_step_alone(avi::type2<0>(problem), start);
+    expect_of_the_last_step_alone(avi::type2<3>(problem), start);
+    expect_of_the_last_step_alone(avi::type3<0>(problem), start);
+    expect_of_the_last_step_alone(avi::type3<3>(problem), start);
+  }
 }
 
 }  // namespace dense_output_test

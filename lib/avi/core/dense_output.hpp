@@ -18,7 +18,8 @@ namespace avi {
 /// r; Step::locate() costs some steps and is as accurate as the run.
 /// @param method one that has just stepped from `before` to `after`
 /// @param t between the two ends of that step
-/// @throws std::invalid_argument when t lies outside the step.
+/// @throws std::invalid_argument when t lies outside the step, or strictly inside one that is not the last
+/// step of the method.
 template <class M, class State>
 [[nodiscard]] State dense_output(const M& method, const State& before, const State& after, double t) {
   static_assert(
@@ -26,7 +27,18 @@ template <class M, class State>
       "Dense output needs a method with a polynomial; at_times() serves every method.");
   const auto [first, last] = std::minmax(before.t, after.t);
   require(t >= first && t <= last, "Time of dense output", t, "in the last step, [", first, ", ", last, "]");
+  if (t == before.t) return before;
+  if (t == after.t) return after;
   const State begin = method.polynomial(0.0, before.t), end = method.polynomial(1.0, before.t);
+  // The curve of an HTVI is the step to the bit only at one end of q and, to what its solver leaves, at the
+  // other one of p.
+  const auto is_near = [](const auto& x, const auto& y, double tolerance) {
+    return largest_entry(x - y) <= tolerance * (largest_entry(x) + largest_entry(y));
+  };
+  constexpr double loose = 1e-3;
+  require((is_near(begin.q, before.q, 0.0) && is_near(end.p, after.p, loose)) ||
+              (is_near(begin.p, before.p, 0.0) && is_near(end.q, after.q, loose)),
+          "Last step of the method of dense output", "another one", "that from `before` to `after`");
   const auto at = [&](double c) {
     State z = method.polynomial(c, before.t);
     z.q += (1.0 - c) * (before.q - begin.q) + c * (after.q - end.q);
@@ -34,8 +46,6 @@ template <class M, class State>
     z.t += (1.0 - c) * (before.t - begin.t) + c * (after.t - end.t);
     return z;
   };
-  if (t == before.t) return before;
-  if (t == after.t) return after;
   const double sense = std::copysign(1.0, after.t - before.t);
   const double c =
       bracketed_root([&](double x) { return sense * (at(x).t - t); }, 0.0, sense * (before.t - t), 1.0,
