@@ -2,6 +2,7 @@
 
 #include "avi/core/integrate.hpp"
 #include "avi/htvi/htvi.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -77,6 +78,19 @@ TEST(TimeDependent, TakesTheMonitorsOfAutonomousProblems) {
   EXPECT_TRUE(x.q == z.q && x.p == z.p && x.t == z.t);
   EXPECT_TRUE(y.q == z.q && y.p == z.p && y.t == z.t);
   EXPECT_LT(z.t, 0.25 + 0.9) << "the monitor slows time down";
+}
+
+TEST(TimeDependent, RefusesAStartWithTwoTimes) {
+  auto m = method(Slower{});
+  const auto answer = [&](double t) {
+    avi::State<2> z = extended(m.problem(), start);
+    z.t = t;
+    return refusal([&] { (void)avi::integrate(m, z, 0.1, {.time = 7.0}); });
+  };
+  EXPECT_EQ(answer(5.0), "Time t of the start is 5; it must be that among its coordinates, 0.25.");
+  EXPECT_EQ(answer(-5.0), "Time t of the start is -5; it must be that among its coordinates, 0.25.");
+  EXPECT_EQ(answer(start.t), "accepted");
+  EXPECT_EQ(answer(std::nextafter(start.t, 1.0)), "accepted");
 }
 
 }  // namespace time_dependent_test

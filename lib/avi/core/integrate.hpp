@@ -138,6 +138,15 @@ inline void require_run(double h, const Until& until) {
           "End of the run", "not set", "a time or a number of steps");
 }
 
+/// Refuses a start whose time is not that among its coordinates, where the problem has it there. Both agree
+/// to rounding only after output inside a step, and rounding of a time near 0 is that of a step.
+template <class M, class State>
+void require_clock(const M& method, const State& state, double h) {
+  const double inside = method.problem().clock(state.q, state.t);
+  require(!(std::abs(inside - state.t) > 1e-8 * (std::abs(state.t) + std::abs(h))), "Time t of the start",
+          state.t, "that among its coordinates, ", inside);
+}
+
 /// The loop of integrate() and integrate_to(). Where the step crosses the goal, it is replaced by the shorter
 /// one that ends there, and the run is over.
 template <class Goal, class State, class M, class... Observers>
@@ -151,6 +160,7 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
   require_run(h, until);
   require_finite("Time of the start", state.t);
   if constexpr (requires { require_dimension(state); }) require_dimension(state);
+  if constexpr (requires { method.problem().clock(state.q, state.t); }) require_clock(method, state, h);
   constexpr bool aims = !std::same_as<Goal, NoGoal>;
   constexpr bool looks_inside = aims || !(of_states<Observers, State> && ...);
   const bool timed = std::isfinite(until.time);
@@ -261,8 +271,9 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
 /// the rounding of that time, or a method without a check of its own has a monitor that is not positive.
 /// Nothing loops for ever; until.seconds ends what would take too long.
 /// @throws std::invalid_argument for h that is zero, not finite or leads away from until.time, an `until`
-/// that sets no end, a start whose time is not finite, or, where the dimension is given at run time, whose q
-/// and p differ in their number of entries or have none.
+/// that sets no end, a start whose time is not finite or, in a problem of time_dependent(), not the one among
+/// its coordinates, or, where the dimension is given at run time, whose q and p differ in their number of
+/// entries or have none.
 template <class State, class M, class... Observers>
 [[nodiscard]] Run integrate(M& method, State& state, double h, Until until, Observers&&... observers) {
   return detail::run(method, state, h, until, detail::NoGoal{}, observers...);
