@@ -11,10 +11,14 @@
 namespace avi {
 
 /// \f$S(c_1 h)\, S(c_2 h) \cdots S(c_m h)\f$: makes of a symmetric method S of order 2 one of
-/// coefficients.order, which is symmetric, symplectic and reversible where S is. The base may carry variables
-/// of its own (an adaptive one does).
+/// coefficients.order, which is symmetric, and symplectic and reversible where S is. The base may carry
+/// variables of its own (an adaptive one does).
 template <class Base>
 class Composition {
+  static_assert(
+      requires { requires Base::symmetric; }, "The base of a composition must declare that it is symmetric: "
+                                              "of another one the order stays what it is.");
+
  public:
   /// The composition of this base by one of avi::compositions.
   /// @throws std::invalid_argument unless the coefficients are the same read backwards.
@@ -25,7 +29,7 @@ class Composition {
 
   [[nodiscard]] int order() const { return order_; }        ///< That of the coefficients.
   static constexpr bool symplectic = Base::symplectic;      ///< As the base is.
-  static constexpr bool symmetric = Base::symmetric;        ///< As the base is.
+  static constexpr bool symmetric = true;                   ///< As the base is.
   static constexpr bool one_step = detail::one_step<Base>;  ///< As the base is.
 
   /// m steps of the base; their evaluations are added, the largest residual is kept. Where one of them fails
