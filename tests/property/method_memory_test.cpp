@@ -117,7 +117,9 @@ TEST(MethodMemory, OutlivesAGradientThatThrows) {
   State<1> z{.q = {1.0}, .p = {0.0}}, other{.q = {4.9}, .p = {9.0}};
   auto used = avi::stormer_verlet<1>(gradient);
   ASSERT_TRUE(used.step(z, 0.1).ok());
+  const State<1> before = other;
   EXPECT_THROW((void)used.step(other, 0.1), std::domain_error);
+  EXPECT_EQ(other, before);
   EXPECT_EQ(apart(used, avi::stormer_verlet<1>(gradient), z, 0.1), 0.0);
 }
 

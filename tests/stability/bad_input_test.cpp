@@ -3,7 +3,9 @@
 #include "avi/core/integrate.hpp"
 #include "avi/diagnostics/order.hpp"
 #include "avi/diagnostics/symplecticity.hpp"
+#include "avi/integrators/composition.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
+#include "avi/integrators/splitting.hpp"
 #include "avi/integrators/stormer_verlet.hpp"
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"
@@ -16,6 +18,7 @@
 
 #include "tries.hpp"
 
+#include <utility>
 #include <vector>
 
 // Entry points of the library against arguments that they cannot use, where a test of their own does not try
@@ -92,6 +95,36 @@ TEST(BadInput, DiagnosticsOfWhatIsNotANumber) {
   EXPECT_TRUE(std::isnan(symplecticity_defect(broken, VectorX(VectorX::Ones(2)))));
   EXPECT_TRUE(std::isnan(
       fit_order(std::vector{1.0, 2.0, 3.0}, std::vector{tries::nan, tries::nan, tries::nan}).order));
+}
+
+void expect_to_end_as_non_finite(const char* name, auto method) {
+  const State<2> at_rest{.q = {0.0, 0.0}, .p = {0.0, 0.0}}, good = Kepler::pericentre(0.5);
+  for (const auto& [start, h] : {std::pair{at_rest, 0.1}, {good, tries::nan}, {good, tries::inf}}) {
+    State<2> z = start;
+    EXPECT_EQ(method.step(z, h).outcome, Outcome::non_finite) << name << ", h = " << h;
+    EXPECT_EQ(z, start) << name << ", h = " << h;
+  }
+  State<2> z = good, other = good;
+  z.q[1] = tries::nan;
+  EXPECT_EQ(method.step(z, 0.1).outcome, Outcome::non_finite) << name;
+  auto fresh = method;
+  ASSERT_TRUE(method.step(other, 0.1).ok());
+  z = good;
+  ASSERT_TRUE(fresh.step(z, 0.1).ok());
+  EXPECT_EQ(z, other) << name;
+}
+
+TEST(BadInput, OfExplicitSteps) {
+  const auto force = [](const Vector<double, 2>& q) { return Kepler::potential_gradient(q); };
+  const auto verlet = stormer_verlet<2>(force);
+  expect_to_end_as_non_finite("stormer_verlet", verlet);
+  expect_to_end_as_non_finite("composition", Composition(verlet, compositions::yoshida4));
+  expect_to_end_as_non_finite("splitting", splitting(Separable(Kepler()), compositions::suzuki4));
+  expect_to_end_as_non_finite("in more digits",
+                              splitting<Summation::compensated>(Separable(Kepler()), compositions::suzuki4));
+  expect_to_end_as_non_finite("euler_b", EulerB<2, Kepler>(Kepler(), Unit(), 0.0));
+  expect_to_end_as_non_finite("with a monitor",
+                              EulerB<2, Kepler, Monitor>(Kepler(), {.a = 1.0, .inverse = false}, 0.5));
 }
 
 }  // namespace bad_input_test

@@ -79,7 +79,7 @@ class Splitting {
   static constexpr bool symmetric = true;   ///< The coefficients are the same read backwards.
 
   /// Advances z by h, with one evaluation of the gradient for each kick. Ends as Outcome::diverged, with z as
-  /// it was, in a state that the flows do not admit.
+  /// it was, in a state that the flows do not admit, and as non_finite in one that is not finite.
   StepReport step(State<n>& z, double h) {
     State<n> moved = z;
     // A state changed from outside has no kept rounding error.
@@ -92,15 +92,23 @@ class Splitting {
       add<summation>(moved.p, low.p, flows_.kick(moved.q, b_[i] * h));
     }
     drift(moved, low, clock, a_.back() * h);
-    if (!flows_.admits(moved))
-      return {.outcome = Outcome::diverged, .evaluations = static_cast<int>(b_.size())};
-    z = moved;
+    StepReport report{.evaluations = static_cast<int>(b_.size())};
+    if (!flows_.admits(moved)) {
+      report.outcome = Outcome::diverged;
+      return report;
+    }
+    std::swap(z, moved);
+    if (!z.finite()) {  // asked of z, where a run asks the same: one test of the two is left
+      z = moved;
+      report.outcome = Outcome::non_finite;
+      return report;
+    }
     clock_ = clock;
     if constexpr (compensated) {
       low_ = low;
-      after_ = moved;
+      after_ = z;
     }
-    return {.evaluations = static_cast<int>(b_.size())};
+    return report;
   }
 
  private:

@@ -28,18 +28,23 @@ class StormerVerlet {
   static constexpr bool symplectic = true;    ///< A product of exact flows.
   static constexpr bool symmetric = true;     ///< The same read backwards.
 
-  /// Advances z by h.
+  /// Advances z by h. Ends as non_finite, with z as it was, where the step leads to what is no number.
   StepReport step(State<n>& z, double h) {
     if (at_.size() != z.q.size() || z.q != at_) {
       force_ = gradient_(z.q);
       at_ = z.q;  // at once, in case that the next gradient throws
     }
-    z.p -= (0.5 * h) * force_;
-    z.q += h * z.p;
-    force_ = gradient_(z.q);
-    at_ = z.q;
-    z.p -= (0.5 * h) * force_;
-    clock_.add(z.t, h);
+    State<n> moved = z;
+    moved.p -= (0.5 * h) * force_;
+    moved.q += h * moved.p;
+    force_ = gradient_(moved.q);
+    at_ = moved.q;
+    moved.p -= (0.5 * h) * force_;
+    ClockSum clock = clock_;
+    clock.add(moved.t, h);
+    if (!moved.finite()) return {.outcome = Outcome::non_finite};
+    z = moved;
+    clock_ = clock;
     return {};
   }
 

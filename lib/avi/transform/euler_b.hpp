@@ -40,14 +40,14 @@ class EulerB {
   static constexpr bool symmetric = false;    ///< Its adjoint is Euler-A.
 
   /// Advances z by the fictive step h. Ends as bad_monitor where g is not positive, as non_finite where g,
-  /// its gradient or that of the potential is not finite, and as not_converged where h is too large, with z
-  /// as it was.
+  /// its gradient, that of the potential or what follows from them is not finite, and as not_converged where
+  /// h is too large, with z as it was.
   StepReport step(State<n>& z, double h) const {
+    State<n> moved = z;
     if constexpr (std::same_as<G, Unit>) {
-      z.p -= h * problem_.potential_gradient(z.q);
-      z.q += h * z.p;
-      z.t += h;
-      return {};
+      moved.p -= h * problem_.potential_gradient(z.q);
+      moved.q += h * moved.p;
+      moved.t += h;
     } else {
       const Partials<double, n> g = value_and_gradient(g_, z.q);
       if (!std::isfinite(g.value)) return {.outcome = Outcome::non_finite, .residual = g.value};
@@ -61,11 +61,13 @@ class EulerB {
       if (std::isnan(discriminant)) return {.outcome = Outcome::non_finite, .residual = discriminant};
       // B > 0 need not be checked: where h A . grad g <= -1 the discriminant is below zero (Cauchy-Schwarz).
       if (!(discriminant >= 0.0)) return {.outcome = Outcome::not_converged, .residual = discriminant};
-      z.p = a - (h * a2 / (b + std::sqrt(discriminant))) * slope;
-      z.q += hg * z.p;
-      z.t += hg;
-      return {};
+      moved.p = a - (h * a2 / (b + std::sqrt(discriminant))) * slope;
+      moved.q += hg * moved.p;
+      moved.t += hg;
     }
+    if (!moved.finite()) return {.outcome = Outcome::non_finite};
+    z = moved;
+    return {};
   }
 
  private:
