@@ -11,6 +11,7 @@
 #include "common/methods/adaptive_verlet.hpp"
 #include "common/methods/hairer_soderlind.hpp"
 #include "distance.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -158,6 +159,18 @@ TEST(Traits, UnsymmetricCoefficientsAreRefused) {
   auto lengths = avi::splittings::blanes_moan4;
   lengths.b[0] += 0.01L;
   EXPECT_THROW((void)avi::splitting(separable, lengths), std::invalid_argument);
+}
+
+TEST(Traits, CoefficientsThatMakeNoWholeStepAreRefused) {
+  auto list = avi::compositions::yoshida4;
+  list.c[1] += 1.0L;
+  EXPECT_NE(refusal([&] { (void)avi::Composition(verlet, list); }), "accepted");
+  EXPECT_NE(refusal([&] { (void)avi::splitting(separable, list); }), "accepted");
+  EXPECT_NE(refusal([&] { (void)avi::Composition(verlet, {4, avi::Lengths<long double>(0)}); }), "accepted");
+  auto lengths = split(avi::compositions::strang);
+  lengths.b[0] = 2.0L;
+  EXPECT_EQ(refusal([&] { (void)avi::splitting(separable, lengths); }),
+            "List of kicks is 2; it must be 1 in sum.");
 }
 
 }  // namespace traits_test

@@ -55,7 +55,7 @@ TEST(BadHtvi, Arguments) {
   EXPECT_EQ(refusal([] {
               method(3, {"nowhere", 1, {inf}, {1.0}});
             }),
-            "A quadrature node is inf; it must be finite.");
+            "A quadrature node is inf; it must be in [0, 1].");
   for (const auto& [call, least] :
        std::vector<std::pair<Quadrature (*)(int), int>>{{gauss, 1}, {lobatto, 2}, {radau, 1}})
     for (const int m : {least - 1, -5, 17})

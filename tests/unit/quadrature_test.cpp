@@ -1,5 +1,7 @@
 #include "avi/htvi/quadrature.hpp"
 
+#include "refusal.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -74,6 +76,16 @@ TEST(Quadrature, RefusesWhatIsNoRule) {
   EXPECT_THROW(avi::validate({"heavy", 1, {0.5}, {2.0}}), std::invalid_argument);
   EXPECT_THROW(avi::validate({"a little heavy", 1, {0.5}, {1.0 + 1.2e-12}}), std::invalid_argument);
   EXPECT_NO_THROW(avi::validate({"rounded", 1, {0.5}, {1.0 + 8e-13}}));
+  for (const double node : {-0.1, 1.1, 7.0})
+    EXPECT_THROW(avi::validate({"outside", 1, {node}, {1.0}}), std::invalid_argument) << node;
+  for (const int order : {-1, 0, 5, 99})
+    EXPECT_THROW(avi::validate({"gauss2", order, avi::gauss(2).nodes, {0.5, 0.5}}), std::invalid_argument)
+        << order;
+  EXPECT_EQ(
+      refusal([] {
+        avi::validate({"left", 2, {0.0}, {1.0}});
+      }),
+      "Order of the quadrature is 2; it must be at most 1, the first power that it does not integrate.");
   EXPECT_THROW(avi::validate({"nan", 1, {std::nan("")}, {1.0}}), std::invalid_argument);
 }
 

@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 namespace c = avi::compositions;
 using avi::HenonHeiles;
 using avi::Kepler;
@@ -217,7 +218,10 @@ TEST(CompensatedSummation, ForgetsWhenTheStateIsChangedFromOutside) {
 TEST(Splitting, RefusesListsThatDoNotAlternate) {
   const auto of = [](std::size_t drifts, std::size_t kicks) {
     using Lengths = avi::Lengths<long double>;
-    (void)avi::splitting(Separable<HenonHeiles>{}, {.order = 2, .a = Lengths(drifts), .b = Lengths(kicks)});
+    Lengths a(drifts), b(kicks);
+    std::fill_n(&a[0], drifts, 1.0L / static_cast<long double>(drifts));
+    std::fill_n(&b[0], kicks, 1.0L / static_cast<long double>(kicks));
+    (void)avi::splitting(Separable<HenonHeiles>{}, {.order = 2, .a = a, .b = b});
   };
   EXPECT_NO_THROW(of(3, 2));
   EXPECT_THROW(of(2, 2), std::invalid_argument);

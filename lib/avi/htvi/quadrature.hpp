@@ -2,6 +2,8 @@
 #include "avi/core/require.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -113,18 +115,26 @@ inline Quadrature radau(int m) {
 }
 /// @}
 
-/// Checks a rule. @throws std::invalid_argument for one without nodes, with unequal counts, or with weights
-/// that do not add to 1.
+/// Checks a rule. @throws std::invalid_argument for one without nodes, with unequal counts, with a node that
+/// is not in [0, 1], or with an order that it has not: it must integrate the powers below it to rounding.
 inline void validate(const Quadrature& rule) {
   require(!rule.nodes.empty(), "Number of quadrature nodes", rule.nodes.size(), "at least 1");
   require(rule.nodes.size() == rule.weights.size(), "Number of quadrature weights", rule.weights.size(),
           "the number of nodes, ", rule.nodes.size());
-  double sum = 0.0;
-  for (double b : rule.weights)
-    sum += b;
-  require(std::abs(sum - 1.0) < 1e-12, "Sum of the quadrature weights", sum, "1");
   for (double c : rule.nodes)
-    require_finite("A quadrature node", c);
+    require(c >= 0.0 && c <= 1.0, "A quadrature node", c, "in [0, 1]");
+  const std::size_t most = 2 * rule.nodes.size();
+  require(rule.order >= 1 && static_cast<std::size_t>(rule.order) <= most, "Order of the quadrature",
+          rule.order, "at least 1 and at most twice the number of nodes, ", most);
+  std::vector<double> terms = rule.weights;
+  for (int k = 1; k <= rule.order; ++k) {
+    const double sum = std::accumulate(terms.begin(), terms.end(), 0.0);
+    if (k == 1) require(std::abs(sum - 1.0) < 1e-12, "Sum of the quadrature weights", sum, "1");
+    require(std::abs(sum - 1.0 / k) < 1e-12, "Order of the quadrature", rule.order, "at most ", k - 1,
+            ", the first power that it does not integrate");
+    for (std::size_t i = 0; i < terms.size(); ++i)
+      terms[i] *= rule.nodes[i];
+  }
 }
 
 }  // namespace avi

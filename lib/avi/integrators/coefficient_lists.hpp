@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <iterator>
+#include <numeric>
+#include <string_view>
 
 /// @file
 /// Coefficient lists of methods that alternate two exact flows, and the published ones; a test verifies the
@@ -38,9 +41,13 @@ class Lengths {
   [[nodiscard]] constexpr const Number* end() const { return values_.data() + size_; }  ///< Behind the last.
   [[nodiscard]] constexpr const Number& back() const { return values_[size_ - 1]; }     ///< The last.
 
-  /// True for a list that reads the same backwards.
-  [[nodiscard]] constexpr bool symmetric() const {
-    return std::equal(begin(), end(), std::make_reverse_iterator(end()));
+  /// Checks that the parts make one step, the same read backwards. @param what of which they are
+  /// @throws std::invalid_argument unless the list is symmetric and its sum is 1 to the rounding of a double.
+  void validate(std::string_view what) const {
+    require(std::equal(begin(), end(), std::make_reverse_iterator(end())), what, "not symmetric",
+            "the same read backwards");
+    const auto sum = static_cast<double>(std::accumulate(begin(), end(), Number{}));
+    require(std::abs(sum - 1.0) < 1e-12, what, sum, "1 in sum");
   }
 
  private:

@@ -21,10 +21,10 @@ class Composition {
 
  public:
   /// The composition of this base by one of avi::compositions.
-  /// @throws std::invalid_argument unless the coefficients are the same read backwards.
+  /// @throws std::invalid_argument unless the coefficients are the same read backwards, with sum 1.
   Composition(Base base, const CompositionCoefficients& coefficients)
       : base_(std::move(base)), order_(coefficients.order), c_(coefficients.c) {
-    require(c_.symmetric(), "List of composition coefficients", "not symmetric", "the same read backwards");
+    c_.validate("List of composition coefficients");
   }
 
   [[nodiscard]] int order() const { return order_; }        ///< That of the coefficients.

@@ -65,11 +65,14 @@ class Splitting {
   static constexpr int n = Flows::dimension;  ///< Dimension of the problem.
 
   /// @param flows with drift(p, h), kick(q, h) and admits(state) @param coefficients one of avi::splittings
-  /// @throws std::invalid_argument unless the coefficients are the same read backwards.
+  /// @throws std::invalid_argument unless both lists are the same read backwards, with sum 1, and there is
+  /// one drift more than there are kicks.
   Splitting(Flows flows, const SplitCoefficients& coefficients)
       : flows_(std::move(flows)), order_(coefficients.order), a_(coefficients.a), b_(coefficients.b) {
-    require(a_.symmetric() && b_.symmetric() && a_.size() == b_.size() + 1, "List of splitting coefficients",
-            "not symmetric", "the same read backwards");
+    require(a_.size() == b_.size() + 1, "Number of drifts", a_.size(), "one more than that of the kicks, ",
+            b_.size());
+    a_.validate("List of drifts");
+    b_.validate("List of kicks");
     after_.t = std::numeric_limits<double>::quiet_NaN();  // Equal to no state: no rounding error is kept yet.
   }
 
