@@ -4,10 +4,14 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/n_body.hpp"
 #include "avi/problems/pendulum.hpp"
+#include "avi/transform/poincare.hpp"
 #include "common/problems/perturbed_kepler.hpp"
 #include "difference.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
+
+#include <string>
 
 using avi::dynamic;
 using avi::FigureEight;
@@ -129,6 +133,18 @@ TEST(NBody, OneCodePathForBothKindsOfDimension) {
   EXPECT_THROW(avi::NBody<2>(Vector<double, 2>(1.0, -1.0)), std::invalid_argument);
   EXPECT_THROW(avi::NBody<dynamic>(Vector<double, dynamic>::Ones(1)), std::invalid_argument);
   EXPECT_NO_THROW(avi::NBody<dynamic>(Vector<double, dynamic>::Ones(2)));
+}
+
+TEST(NBody, RefusesAStateOfAnotherNumberOfBodies) {
+  const avi::NBody<dynamic> three(Vector<double, dynamic>::Ones(3));
+  const std::string of_q = "Number of entries of q is 8; it must be 2 for each of 3 bodies.",
+                    of_p = "Number of entries of p is 8; it must be 2 for each of 3 bodies.";
+  const Vector<double, dynamic> x = Vector<double, dynamic>::LinSpaced(8, 0.0, 1.0);
+  EXPECT_EQ(refusal([&] { (void)three.potential(x); }), of_q);
+  EXPECT_EQ(refusal([&] { (void)three.potential_gradient(x); }), of_q);
+  EXPECT_EQ(refusal([&] { (void)three.kinetic(x); }), of_p);
+  EXPECT_EQ(refusal([&] { (void)three.velocity(x); }), of_p);
+  EXPECT_NE(refusal([&] { (void)avi::poincare(three, State<dynamic>{.q = x, .p = x}); }), "accepted");
 }
 
 TEST(NBody, TwoBodiesMoveAsKeplersProblem) {
