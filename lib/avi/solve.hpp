@@ -411,9 +411,10 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 /// Integrates the orbit of H from `start` to the physical time `t_end`.
 ///
 /// The tolerance is that of the state at the end: every coordinate and every momentum is right to about
-/// `tolerance` times the range through which it moves. What hardly moves is taken for something that moves by
-/// 1e-8, or by thirty last digits over the tolerance, of the range of another one of about its mass, or of
-/// its own size where it is a momentum, as that of a fast rotor. SolutionReport::state_error says what came
+/// `tolerance` times the range through which it moves, or 1e-8 times that of another one of about its mass
+/// where that is more. What hardly changes, as the momentum of a fast rotor, or what rests by symmetry and
+/// wanders by rounding, is taken for something that moves by 1e-8 of its size, or of that other range, or by
+/// thirty of its last digits over the tolerance. SolutionReport::state_error says what came
 /// of it: the difference to a second run with a longer step, reduced by the order of the method. Runs of more
 /// than some sixty turns find their step from the errors of the first sixteenth, which grow linearly in time
 /// where motion is regular; without SolveOptions::check that is all there is of the second run, at a half of

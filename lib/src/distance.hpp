@@ -87,14 +87,18 @@ class Distance {
         double most = 0.0;
         for (const Eigen::Index i : entries)
           most = std::max(most, ranges.high[first + i] - ranges.low[first + i]);
-        for (const Eigen::Index i : entries)
-          scale[first + i] = std::max(scale[first + i], still_ * most);
+        for (const Eigen::Index i : entries) {
+          // What rests by symmetry wanders by the rounding of the others.
+          const bool rests = ranges.high[first + i] - ranges.low[first + i] <= 1e-11 * most;
+          scale[first + i] = std::max(scale[first + i], (rests ? still_ : unnoticed) * most);
+        }
       }
     return scale;
   }
 
  private:
   static constexpr double rounding = 1e-14;
+  static constexpr double unnoticed = 1e-8;  // part of the largest range of entries alike
   static constexpr double few_digits = 8.0 * std::numeric_limits<double>::epsilon();
   static double part(double difference, double scale) {
     if (difference == 0.0) return 0.0;
@@ -125,7 +129,7 @@ class Distance {
   }
   VectorX metric_;
   Eigen::Index seen_;
-  // Part of its size by which a momentum has to move, and an entry of the largest range of those alike: the
+  // Part of its size by which a momentum has to move, and of the largest range of those alike what rests: the
   // tolerance of less would be rounding.
   double still_;
   std::vector<std::vector<Eigen::Index>> alike_;

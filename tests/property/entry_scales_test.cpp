@@ -188,22 +188,22 @@ TEST(EntryProgress, GoesOnWhileAnyEntryImproves) {
     step.q[0] = avi::Pack<2>(1e-12);  // noise
     step.p[1] = avi::Pack<2>(light);
     progress.look(old, step);
-    EXPECT_FALSE(progress.settled(1)) << k;
+    EXPECT_FALSE(progress.settled(1, true)) << k;
     EXPECT_EQ(progress.change(), 0.5 * light);
   }
   step.p[1] = avi::Pack<2>(2e-12);
   progress.look(old, step);
-  EXPECT_FALSE(progress.settled(1)) << "it has just improved";
+  EXPECT_FALSE(progress.settled(1, true)) << "it has just improved";
   progress.look(old, step);
-  EXPECT_TRUE(progress.settled(1));
-  EXPECT_FALSE(progress.settled(2)) << "one sweep of grace more";
+  EXPECT_TRUE(progress.settled(1, true));
+  EXPECT_FALSE(progress.settled(2, true)) << "one sweep of grace more";
   step.p[1] = avi::Pack<2>(1e-6);
   progress.look(old, step);
-  EXPECT_FALSE(progress.settled(1)) << "it grows";
+  EXPECT_FALSE(progress.settled(1, true)) << "it grows";
   step.p[1] = avi::Pack<2>(0.0);
   step.q[0] = avi::Pack<2>(1e-17);
   progress.look(old, step);
-  EXPECT_TRUE(progress.settled(9)) << "below rounding";
+  EXPECT_TRUE(progress.settled(9, true)) << "below rounding";
 }
 
 /// A spring, and a body that flies far away and knows nothing of it.

@@ -119,7 +119,7 @@ TEST(OrbitEnsemble, RefusesOtherStarts) {
 
 TEST(OrbitEnsemble, HasNoFileForItsRuns) {
   const std::string file = std::filesystem::temp_directory_path() / "orbit_ensemble_test.run";
-  std::ofstream(file) << "of another run";
+  std::ofstream(file) << "viorbit4 of another run";
   const auto starts = some_starts(2);
   const avi::Solver solver(HenonHeiles(), starts[0], 50.0, 1e-9, {.check = false, .checkpoint = file});
   EXPECT_TRUE(std::filesystem::exists(file));  // the orbit that is chosen for is nobody's

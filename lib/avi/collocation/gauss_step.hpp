@@ -245,7 +245,8 @@ class alignas(64) GaussStep {
       ratio = change / before;
       const bool stagnates =
           before > 0.0 && !falls && change <= 16.0 * epsilon && (k <= many || change <= epsilon);
-      if (change == 0.0 || solved || stagnates || (closely && progress_.settled(k <= many ? 3 : 4))) {
+      if (change == 0.0 || solved || stagnates ||
+          (closely && progress_.settled(k <= many ? 3 : 4, newton_failed_))) {
         // The forces are from before the sweep, the velocities from its middle: energy would drift.
         usual_ = report.evaluations++;
         equations_.evaluate(step);

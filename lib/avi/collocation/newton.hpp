@@ -139,7 +139,7 @@ class NewtonIteration {
         report.outcome = Outcome::non_finite;
         return report;
       }
-      if (now <= epsilon || progress_.settled(2)) {
+      if (now <= epsilon || progress_.settled(2, true)) {
         report.outcome = Outcome::ok;
         return report;
       }
@@ -168,7 +168,7 @@ class NewtonIteration {
       const double now = report.residual = improve(equations, step, old);
       if (!std::isfinite(now)) report.outcome = Outcome::non_finite;
       idle = now <= 0.5 * least ? 0 : idle + 1;
-      if (now <= epsilon || (idle > 0 && now <= 16.0 * epsilon) || progress_.settled(2)) {
+      if (now <= epsilon || (idle > 0 && now <= 16.0 * epsilon) || progress_.settled(2, true)) {
         report.outcome = Outcome::ok;
         system_.decomposed = report.evaluations - of_matrix <= 12;
         return report;
