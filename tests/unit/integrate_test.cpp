@@ -2,6 +2,10 @@
 
 #include "avi/core/integrate_to.hpp"
 #include "avi/core/state.hpp"
+#include "avi/integrators/composition.hpp"
+#include "avi/integrators/splitting.hpp"
+#include "avi/integrators/stormer_verlet.hpp"
+#include "avi/transform/euler_b.hpp"
 #include "refusal.hpp"
 
 #include <gtest/gtest.h>
@@ -177,6 +181,40 @@ TEST(Integrate, KeepsTheLastGoodState) {
                 "residual 0.125.");
     }
   }
+}
+
+/// Free up to a half, where the force is infinite.
+struct Wall {
+  static constexpr int dimension = 1;
+  using Vec = avi::Vector<double, 1>;
+  static double potential(const Vec&) { return 0.0; }
+  static Vec potential_gradient(const Vec& q) { return Vec(q[0] > 0.5 ? HUGE_VAL : 0.0); }
+};
+struct Nowhere : Wall {
+  static Vec potential_gradient(const Vec&) { return Vec(HUGE_VAL); }
+};
+
+TEST(Integrate, SaysWhyAStepFailed) {
+  const auto message = [](auto method) {
+    State<1> z{.q = {0.0}, .p = {1.0}};
+    return avi::integrate(method, z, 1.0, {.steps = 10}).message;
+  };
+  const auto failed = [](const char* outcome, const char* why) {
+    return std::string("The run ended as ") + outcome + " after 0 steps, at t = 0: " + why + ".";
+  };
+  const auto end = [&](Outcome outcome) { return message(Counter{.bad = 1, .end = outcome}); };
+  EXPECT_EQ(end(Outcome::bad_monitor), failed("bad_monitor", "g = dt/dtau is not positive in the next step"));
+  EXPECT_EQ(end(Outcome::diverged),
+            failed("diverged", "the next step leads where the method is not defined"));
+  EXPECT_EQ(end(Outcome::non_finite), failed("non_finite", "a number in the next step is not finite"));
+  const std::string in_p = failed("non_finite", "after the next step p[0] is not finite");
+  const auto verlet = avi::stormer_verlet<1>(&Wall::potential_gradient);
+  EXPECT_EQ(message(verlet), in_p);
+  EXPECT_EQ(message(avi::Composition(verlet, avi::compositions::strang)), in_p);
+  // Of several the first.
+  const std::string in_q = failed("non_finite", "after the next step q[0] is not finite");
+  EXPECT_EQ(message(avi::splitting(avi::Separable(Wall{}), avi::compositions::yoshida4)), in_q);
+  EXPECT_EQ(message(avi::EulerB<1, Nowhere>(Nowhere{}, avi::Unit{}, 0.0)), in_q);
 }
 
 TEST(Integrate, SaysWhereItEndedWithEveryDigit) {

@@ -57,6 +57,19 @@ std::string describe_end(Outcome outcome, const State& state, long steps, double
   return sentence.str();
 }
 
+/// Why a step failed, as a clause; of one that did not converge its residual says enough.
+template <class State>
+std::string reason_of(const StepReport& report, [[maybe_unused]] const State& z) {
+  if (report.outcome == Outcome::bad_monitor) return "g = dt/dtau is not positive in the next step";
+  if (report.outcome == Outcome::diverged) return "the next step leads where the method is not defined";
+  if (report.outcome != Outcome::non_finite) return {};
+  if constexpr (requires { not_finite(z); })
+    if (std::isfinite(report.residual) && report.residual < 0.0)
+      return "after the next step " + name_of_entry(z, static_cast<Eigen::Index>(-1.0 - report.residual)) +
+             " is not finite";
+  return "a number in the next step is not finite";
+}
+
 template <class Observer, class State>
 inline constexpr bool of_states = std::invocable<Observer&, const State&, long>;
 /// An observer of a method's run; one of states is not tried on a step, of which its body may ask too much.
@@ -192,7 +205,10 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
     // A copy only where the step depends on more than the state and may have to be repeated.
     const std::conditional_t<looks_inside && !one_step<M>, M, M&> before = method;
     const StepReport report = method.step(next, h);
-    if (report.outcome != Outcome::ok) return end(report.outcome, report.residual);
+    if (report.outcome != Outcome::ok) {
+      reason = reason_of(report, current);
+      return end(report.outcome, report.residual);
+    }
     if (!next.finite()) {
       if constexpr (requires { not_finite(next); }) reason = "after the next step " + not_finite(next);
       return end(Outcome::non_finite);

@@ -41,7 +41,9 @@ struct [[nodiscard]] StepReport {
   /// Evaluations of the vector field or of its Taylor expansion; one that is kept for the next step counts
   /// there alone, so that the one at the start of a run does not.
   int evaluations = 1;
-  double residual = 0.0;  ///< Residual of the implicit equation (0 for explicit steps).
+  /// Residual of the implicit equation, 0 for explicit steps. One of these that ends as non_finite has -k
+  /// here where entry k of (q, p, t), counted from 1, is the first that is not finite.
+  double residual = 0.0;
 
   /// True for Outcome::ok alone.
   [[nodiscard]] bool ok() const { return outcome == Outcome::ok; }

@@ -1,4 +1,5 @@
 #pragma once
+#include "avi/core/outcome.hpp"
 #include "avi/core/require.hpp"
 #include "avi/core/vector.hpp"
 
@@ -79,21 +80,37 @@ void require_dimension([[maybe_unused]] const State<n>& start) {
 }
 
 namespace detail {
+/// Entry k of (q, p, t).
+template <int n>
+double entry(const State<n>& z, Eigen::Index k) {
+  return k < z.q.size() ? z.q[k] : k < z.q.size() + z.p.size() ? z.p[k - z.q.size()] : z.t;
+}
+/// The name of entry k of (q, p, t).
+template <int n>
+std::string name_of_entry(const State<n>& z, Eigen::Index k) {
+  if (k >= z.q.size() + z.p.size()) return "t";
+  return k < z.q.size() ? "q[" + std::to_string(k) + "]" : "p[" + std::to_string(k - z.q.size()) + "]";
+}
+/// Which entry of (q, p, t) is the first that is infinite or NaN; one beyond t where there is none.
+template <int n>
+Eigen::Index first_not_finite(const State<n>& z) {
+  Eigen::Index k = 0;
+  while (k <= z.q.size() + z.p.size() && std::isfinite(entry(z, k)))
+    ++k;
+  return k;
+}
 /// The first entry that is infinite or NaN, in words; empty where there is none.
 template <int n>
 std::string not_finite(const State<n>& z) {
-  const auto is = [](double x) {
-    return std::string(std::isnan(x) ? " is nan" : x > 0.0 ? " is inf" : " is -inf");
-  };
-  const auto among = [&](const char* name, const auto& x) -> std::string {
-    for (Eigen::Index i = 0; i < x.size(); ++i)
-      if (!std::isfinite(x[i])) return std::string(name) + "[" + std::to_string(i) + "]" + is(x[i]);
-    return {};
-  };
-  const std::string in_q = among("q", z.q), in_p = among("p", z.p);
-  if (!in_q.empty()) return in_q;
-  if (!in_p.empty()) return in_p;
-  return std::isfinite(z.t) ? "" : "t" + is(z.t);
+  const Eigen::Index k = first_not_finite(z);
+  if (k > z.q.size() + z.p.size()) return {};
+  const double x = entry(z, k);
+  return name_of_entry(z, k) + (std::isnan(x) ? " is nan" : x > 0.0 ? " is inf" : " is -inf");
+}
+/// The report of an explicit step that led here, where not every entry is finite.
+template <int n>
+StepReport lost_at(const State<n>& z, int evaluations = 1) {
+  return {Outcome::non_finite, evaluations, -1.0 - static_cast<double>(first_not_finite(z))};
 }
 }  // namespace detail
 

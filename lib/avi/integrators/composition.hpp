@@ -33,7 +33,7 @@ class Composition {
   static constexpr bool one_step = detail::one_step<Base>;  ///< As the base is.
 
   /// m steps of the base; their evaluations are added, the largest residual is kept. Where one of them fails
-  /// the state is that before the first.
+  /// the state is that before the first, and the outcome and the residual are its own.
   template <class State>
   requires Method<Base, State> StepReport step(State& z, double h) {
     const State start = z;
@@ -45,6 +45,7 @@ class Composition {
       if (part.outcome != Outcome::ok) {
         z = start;
         total.outcome = part.outcome;
+        total.residual = part.residual;
         return total;
       }
     }

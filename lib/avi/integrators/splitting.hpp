@@ -102,8 +102,8 @@ class Splitting {
     }
     std::swap(z, moved);
     if (!z.finite()) {  // asked of z, where a run asks the same: one test of the two is left
+      report = detail::lost_at(z, report.evaluations);
       z = moved;
-      report.outcome = Outcome::non_finite;
       return report;
     }
     clock_ = clock;

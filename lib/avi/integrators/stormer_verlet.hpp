@@ -42,7 +42,7 @@ class StormerVerlet {
     moved.p -= (0.5 * h) * force_;
     ClockSum clock = clock_;
     clock.add(moved.t, h);
-    if (!moved.finite()) return {.outcome = Outcome::non_finite};
+    if (!moved.finite()) return detail::lost_at(moved);
     z = moved;
     clock_ = clock;
     return {};

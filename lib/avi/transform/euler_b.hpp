@@ -65,7 +65,7 @@ class EulerB {
       moved.q += hg * moved.p;
       moved.t += hg;
     }
-    if (!moved.finite()) return {.outcome = Outcome::non_finite};
+    if (!moved.finite()) return detail::lost_at(moved);
     z = moved;
     return {};
   }
