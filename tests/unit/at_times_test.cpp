@@ -81,8 +81,23 @@ TEST(AtTimes, ActionMayEndTheRun) {
       avi::integrate(method, z, 0.3, {.time = 9.0},
                      avi::at_times({0.0, 1.0, 1.01, 1.02, 5.0}, [&](const State<2>&) { return ++seen < 3; }));
   EXPECT_EQ(run.outcome, avi::Outcome::stopped);
-  EXPECT_EQ(seen, 3);
+  EXPECT_EQ(seen, 4) << "those of the same step are passed, too";
   EXPECT_LT(z.t, 2.0);
+}
+
+TEST(AtTimes, GoesOnWithARunThatItsActionHasEnded) {
+  const std::vector<double> times{0.1, 0.2, 1.0};
+  auto z = Kepler::pericentre(0.7);
+  auto method = avi::splitting(avi::LogHamiltonian(Kepler{}, z), avi::compositions::kahan_li8);
+  std::vector<double> seen;
+  auto output = avi::at_times(times, [&](const State<2>& s) {
+    seen.push_back(s.t);
+    return seen.size() != 1;
+  });
+  EXPECT_EQ(avi::integrate(method, z, 1.0, {.time = 2.0}, output).outcome, avi::Outcome::stopped);
+  ASSERT_GT(z.t, times[1]) << "one step passes both";
+  EXPECT_TRUE(avi::integrate(method, z, 0.1, {.time = 2.0}, output).ok());
+  EXPECT_EQ(seen, times);
 }
 
 TEST(AtTimes, RefusesTimesOutOfOrder) {

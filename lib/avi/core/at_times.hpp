@@ -16,7 +16,9 @@ namespace avi {
 /// Observer for integrate(): action(state) is called at each of the times that the run passes, with a state
 /// as accurate as the run, whose t is that time to the bit as Step::at() has it; the run itself is not
 /// touched. Times decrease where h < 0; one that equals the start is reported with the first step. The
-/// action answers as an observer of integrate() does, and may so end the run at the end of that step.
+/// action answers as an observer of integrate() does, and may so end the run at the end of that step; it is
+/// called at the other times of the step all the same, and a run that goes on from there with this observer
+/// at those that are left.
 /// @throws std::invalid_argument unless the times are finite and strictly monotonic; the observer, where one
 /// lies before the start, or they go the other way than the run.
 template <class Action>
@@ -31,6 +33,7 @@ template <class Action>
           next = std::size_t{0}]<class M, class State>(const Step<M, State>& step, long) mutable -> Answer {
     const double sense = std::copysign(1.0, step.h);  // of time, which may stand still
     const double rounding = detail::rounding_of_time(step.before.t, step.after.t);
+    Answer first;  // that is not ok; a run that goes on later begins after all of this step
     for (; next < times.size() && sense * (times[next] - step.after.t) <= rounding; ++next) {
       const double t = times[next];
       // Later ones follow the one before them unless the run goes the other way.
@@ -42,15 +45,12 @@ template <class Action>
         answer = detail::answer(detail::notify(action, step.before));
       } else {
         const Located<State> there = step.at(t);
-        if (!there.ok()) return {there.report.outcome, there.reason};
-        answer = detail::answer(detail::notify(action, there.state));
+        answer = there.ok() ? detail::answer(detail::notify(action, there.state))
+                            : Answer{there.report.outcome, there.reason};
       }
-      if (answer.outcome != Outcome::ok) {
-        ++next;
-        return answer;
-      }
+      if (first.outcome == Outcome::ok) first = std::move(answer);
     }
-    return {};
+    return first;
   };
 }
 
