@@ -244,6 +244,30 @@ TEST(Landing, IsOnTheTimeToTheBit) {
       }
 }
 
+TEST(Landing, InsideAStepOnly) {
+  for (const double h : {0.3, -0.3}) {
+    State<2> z = Kepler::pericentre(0.6);
+    auto method = avi::splitting(avi::Separable(Kepler{}), avi::compositions::strang);
+    const auto look = [&](const avi::Step<decltype(method), State<2>>& step, long k) {
+      if (k == 1) return;
+      for (const double t : {0.9, -0.9, double{NAN}, HUGE_VAL, step.before.t - step.h * 1e-9}) {
+        const std::string sentence = refusal([&] { (void)step.at(t); });
+        EXPECT_TRUE(sentence.starts_with("Time inside the step is ")) << sentence;
+        EXPECT_NE(sentence.find("; it must be between its ends, "), std::string::npos) << sentence;
+      }
+      for (const double part : {-1.0, 2.0, 1.0 + 1e-15, -1e-300, double{NAN}})
+        EXPECT_NE(refusal([&] { (void)step.part(part); }).find("it must be in [0, 1]."), std::string::npos);
+      for (const State<2>* end : {&step.before, &step.after}) {
+        EXPECT_EQ(step.at(end->t).state, *end);
+        EXPECT_EQ(step.part(end == &step.before ? 0.0 : 1.0).state, *end);
+      }
+      const double beyond = std::nextafter(step.after.t, 2.0 * step.after.t);
+      EXPECT_EQ(step.at(beyond).state.t, beyond);
+    };
+    EXPECT_TRUE(avi::integrate(method, z, h, {.steps = 2}, look).ok());
+  }
+}
+
 TEST(Landing, KeepsTimeAndItsCoordinateTogether) {
   const auto H = [](const auto& q, const auto& t, const auto& p) {
     return 0.5 * p[0] * p[0] - (1.0 + 0.1 * cos(t)) * cos(q[0]);

@@ -101,7 +101,8 @@ struct Step {
   /// A function that changes its sign without a zero, by a jump or a pole, ends as not_converged, one that is
   /// NaN as non_finite; `reason` has the numbers.
   /// @param f continuous function of the state @param tolerance |f| that is small enough; 0 for round-off
-  /// @throws std::invalid_argument for a tolerance that is negative, infinite or NaN.
+  /// @throws std::invalid_argument for a tolerance that is negative, infinite or NaN, and where f has the same
+  /// sign at both ends.
   template <class F>
   [[nodiscard]] Located<State> locate(F&& f, double tolerance = 0.0) const {
     return locate_from(0.0, f(before), f, tolerance);
@@ -117,17 +118,23 @@ struct Step {
 
   /// The state inside the step at physical time t, to the bit wherever the clock of the method runs evenly to
   /// rounding; found as by locate().
-  /// @param t between the times of the two ends
+  /// @param t between the times of the two ends, or beyond `after` by no more than the rounding of the clock
+  /// @throws std::invalid_argument for another t.
   [[nodiscard]] Located<State> at(double t) const {
     const double rounding = detail::rounding_of_time(before.t, after.t);
+    const auto [first, last] = std::minmax(before.t, after.t);
+    require((t >= first && t <= last) || std::abs(t - after.t) <= rounding, "Time inside the step", t,
+            "between its ends, ", before.t, " and ", after.t);
+    if (t == before.t) return {.state = before, .report = {.evaluations = 0}};
     const auto late = [t](const State& z) { return z.t - t; };
     Located<State> found = search(0.0, late(before), late, rounding, Side::either);
     if (found.ok() && std::abs(late(found.state)) <= rounding) detail::set_time(method, found.state, t);
     return found;
   }
 
-  /// The state after the given part of the step, in [0, 1].
+  /// The state after the given part of the step. @throws std::invalid_argument unless it is in [0, 1].
   [[nodiscard]] Located<State> part(double fraction) const {
+    require(fraction >= 0.0 && fraction <= 1.0, "Part of the step", fraction, "in [0, 1]");
     std::optional<M> repeated;
     Located<State> there{.state = before};
     take(repeated, fraction, there);
