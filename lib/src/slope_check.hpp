@@ -15,8 +15,9 @@ struct SlopeByValues {
   double uncertainty;  ///< By truncation and rounding.
   double truncation;   ///< Part of the uncertainty that falls with the distance of the values.
 
-  /// True where the function bends so much between the values that they say nothing of a slope.
-  [[nodiscard]] bool depends_on_distance() const { return truncation > 0.1 * std::abs(slope); }
+  /// True where the function bends so much between the values that they say nothing of a slope. So do values
+  /// that are all the same: what bends may lie between them.
+  [[nodiscard]] bool depends_on_distance() const { return truncation >= 0.1 * std::abs(slope); }
 
   /// True where `by_gradient`, which may be off by `allowed`, cannot be told from it.
   [[nodiscard]] bool agrees_with(double by_gradient, double allowed) const {

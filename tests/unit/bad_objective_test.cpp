@@ -126,6 +126,21 @@ TEST(BadObjective, IsAccusedWhereItsGradientIsWrongOnAWaveToo) {
   EXPECT_EQ(minimise(flipped, {1.0}, {.check_gradient = true}).outcome, Outcome::wrong_gradient);
 }
 
+// Of one value wherever the check asks first, as a well that is narrow beside that distance.
+TEST(BadObjective, IsNotAccusedWhereItIsFlatAroundAWell) {
+  for (const double width : {1e-2, 1e-4, 1e-5, 2e-6, 1e-7, 1e-10})
+    for (const double sign : {1.0, -1.0}) {
+      const auto well = [&](const VectorX& x, VectorX& g) {
+        const double y = x[0] / width - 1.0, depth = std::exp(-y * y);
+        g[0] = sign * 2.0 * y / width * depth;
+        return 1.0 - depth;
+      };
+      const auto run = minimise(well, {0.0}, {.check_gradient = true});
+      EXPECT_EQ(run.outcome, sign > 0.0 ? Outcome::ok : Outcome::wrong_gradient)
+          << width << ": " << run.message;
+    }
+}
+
 TEST(BadObjective, GoesRoundAWallOfInfinity) {
   // log barrier: infinite for x <= 0, where the first steps of a far start may land
   const auto barrier = [](const VectorX& x, VectorX& g) {
