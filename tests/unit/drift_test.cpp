@@ -1,4 +1,5 @@
 #include "avi/diagnostics/drift.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -134,6 +135,12 @@ TEST(FitDrift, RefusesBadInput) {
   }
   for (const int blocks : {-1, 1, 2, 4})
     EXPECT_THROW(avi::fit_drift(three, three, blocks), std::invalid_argument) << blocks;
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::vector<double> times = three;
+    times[i] = std::nan("");
+    EXPECT_EQ(refusal([&] { (void)avi::fit_drift(times, three); }),
+              "Time of a point is nan; it must be finite.");
+  }
 }
 
 }  // namespace drift_test

@@ -105,6 +105,8 @@ TEST(FitOrder, RefusesBadInput) {
     EXPECT_THROW(avi::fit_order(std::vector{0.1, h}, std::vector{1.0, 1.0}), std::invalid_argument) << h;
   EXPECT_THROW(avi::fit_order(std::vector{0.1, 0.2}, std::vector{1.0}), std::invalid_argument);
   const std::vector<double> three{1.0, 0.5, 0.2};
+  for (const int most : {0, -1})
+    EXPECT_THROW(avi::fit_order(three, three, {.at_most = most}), std::invalid_argument) << most;
   EXPECT_THROW(avi::fit_order(std::vector{0.1, 0.1, 0.1}, three), std::invalid_argument);
   EXPECT_THROW(avi::fit_order(std::vector{0.2, 0.1, -0.1}, three), std::invalid_argument);
 }

@@ -202,6 +202,14 @@ TEST(StepControl, RefusesWhatIsOutOfRange) {
   EXPECT_NO_THROW((avi::StepControl{.safety = 0.001, .shrink = 0.001}.validate()));
 }
 
+TEST(StepControl, IsLookedAtBeforeAStep) {
+  EXPECT_THROW(along_exponential(1.0, 0.1, {.rtol = -1.0, .atol = -1.0}), std::invalid_argument);
+  EXPECT_THROW(along_exponential(1.0, 0.1, {.rejections = -5}), std::invalid_argument);
+  EXPECT_THROW(along_exponential(1.0, 0.0, {}), std::invalid_argument) << "no step of no size";
+  EXPECT_THROW(along_exponential(1.0, std::nan(""), {}), std::invalid_argument);
+  EXPECT_EQ(along_exponential(1.0, -0.1, {}).second, -0.1);
+}
+
 TEST(EmbeddedRungeKutta, GivesUpOnWhatCannotBeStepped) {
   avi::RungeKuttaStages<avi::DormandPrince> stages(1);
   int calls = 0;

@@ -165,6 +165,10 @@ TEST(SymplecticityDefect, ServesAPlainCallable) {
   EXPECT_NEAR(avi::symplecticity_defect(shear, z), 0.5 * std::sqrt(2.0), 1e-11);
   EXPECT_THROW(avi::symplecticity_defect(swell, Point{{1.0, 2.0, 3.0}}), std::invalid_argument);
   EXPECT_THROW(avi::symplecticity_defect(swell, Point()), std::invalid_argument);
+  for (const int size : {2, 6}) {
+    const auto other = [=](const Point&) -> Point { return Point::Ones(size); };
+    EXPECT_THROW(avi::symplecticity_defect(other, z), std::invalid_argument) << size;
+  }
 }
 
 TEST(SymplecticityDefect, IsNaNWhereTheStepFails) {

@@ -35,14 +35,16 @@ inline double corrected_t(const DriftFit& fit) {
 /// `blocks` > 0 the series is first averaged over that many equal blocks, each of which should span many
 /// oscillations. Where blocks still hang together (an orbit that comes back to the same phases of its steps
 /// after many blocks), corrected_t() takes it into account.
-/// @throws std::invalid_argument when lengths differ, fewer than 3 points (or blocks) are left, or all times
-/// are the same.
+/// @throws std::invalid_argument when lengths differ, fewer than 3 points (or blocks) are left, a time is not
+/// finite, or all times are the same.
 inline DriftFit fit_drift(std::span<const double> times, std::span<const double> values, int blocks = 0) {
   require(times.size() == values.size(), "Number of values", values.size(), "the number of times");
   require(blocks >= 0, "Number of blocks", blocks, "at least 0");
   const std::size_t count = blocks > 0 ? static_cast<std::size_t>(blocks) : times.size();
   require(count >= 3 && count <= times.size(), "Number of points", count,
           "at least 3 and at most the length of the series");
+  for (const double time : times)
+    require_finite("Time of a point", time);
   std::vector<double> t(count), x(count);
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t begin = k * times.size() / count, end = (k + 1) * times.size() / count;

@@ -17,7 +17,7 @@ namespace avi {
 struct OrderOptions {
   double floor = 0.0;  ///< Errors at or below it are round-off and are dropped.
   int at_least = 3;    ///< With fewer points left there is no order: the fit says NaN.
-  int at_most = 1000;  ///< Only that many of the smallest step sizes left are fitted.
+  int at_most = 1000;  ///< Only that many of the smallest step sizes left are fitted; at least 1.
 };
 
 /// A measured order and what it rests on.
@@ -32,12 +32,13 @@ struct OrderFit {
 /// below options.floor, is not finite, or lies on a local slope of less than half the steepest one so far:
 /// there round-off has taken over. Errors at larger h that are not finite (the method broke down) are
 /// skipped.
-/// @throws std::invalid_argument when h and error differ in length, a step size is zero or not finite, or two
-/// have the same |h|.
+/// @throws std::invalid_argument when h and error differ in length, a step size is zero or not finite, two
+/// have the same |h|, or for at_least below 2 or at_most below 1.
 inline OrderFit fit_order(std::span<const double> h, std::span<const double> error,
                           OrderOptions options = {}) {
   require(h.size() == error.size(), "Number of errors", error.size(), "the number of step sizes");
   require(options.at_least >= 2, "Least number of points", options.at_least, "at least 2");
+  require(options.at_most >= 1, "Largest number of points", options.at_most, "at least 1");
   std::vector<std::pair<double, double>> all, kept;
   for (std::size_t i = 0; i < h.size(); ++i) {
     require(std::isfinite(h[i]) && h[i] != 0.0, "Step size h", h[i], "finite and not zero");

@@ -26,6 +26,8 @@ struct Spacings {
 /// truncation and round-off balance, at a relative error of about 1e-14 for a smooth map. They count as no
 /// nearer to each other than rounding of the map would leave them: where its values do not change at all in
 /// so small a spacing, the formulas agree on a slope that says nothing.
+/// @throws std::invalid_argument for a value of the map that has another size than z, and spacings out of
+/// order.
 template <class Map>
 Matrix<double, dynamic> difference_jacobian(Map&& map, const VectorX& z, Spacings spacings = {}) {
   require_positive("Smallest spacing", spacings.smallest);
@@ -50,6 +52,9 @@ Matrix<double, dynamic> difference_jacobian(Map&& map, const VectorX& z, Spacing
         ahead[j] += k * s;
         behind[j] -= k * s;
         const VectorX front = map(ahead), back = map(behind);
+        for (const VectorX* value : {&front, &back})
+          require(value->size() == z.size(), "Size of the value of the map", value->size(),
+                  "that of the point, ", z.size());
         size = std::max(size, largest_entry(front));
         for (Eigen::Index i = 0; i < z.size(); ++i) {
           // Divided by the distance that rounding left between the two points, not by the one meant.
@@ -74,7 +79,7 @@ Matrix<double, dynamic> difference_jacobian(Map&& map, const VectorX& z, Spacing
 /// \f$\Omega = \left(\begin{smallmatrix} 0 & I \\ -I & 0 \end{smallmatrix}\right)\f$, J by
 /// difference_jacobian(). Zero for a symplectic map; NaN when the map fails. The plain callable serves
 /// extended phase spaces, (q, t, p, p^t), as well.
-/// @throws std::invalid_argument when z has an odd number of entries.
+/// @throws std::invalid_argument when z has an odd number of entries, or the map's value another one.
 template <class Map>
 double symplecticity_defect(Map&& map, const VectorX& z, Spacings spacings = {}) {
   require(z.size() > 0 && z.size() % 2 == 0, "Dimension of phase space", z.size(), "even and positive");

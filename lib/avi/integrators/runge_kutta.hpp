@@ -129,10 +129,12 @@ struct StepControl {
 /// h the size to try next. stages.end is the new point. A step is accepted where the root mean square over
 /// the components of (step of T - step of the embedded method) / (atol + rtol |z|), |z| the larger of the
 /// magnitudes at both ends, is at most 1. @return the size of the step taken, 0 when the cap on rejections
-/// was met
+/// was met @throws std::invalid_argument for h that is 0 or NaN, and for a control out of range.
 template <EmbeddedTableau T, class Field>
 double controlled_step(RungeKuttaStages<T>& stages, Field&& field, const VectorX& z, double& h,
                        const StepControl& control) {
+  control.validate();
+  require(h > 0.0 || h < 0.0, "Step size h", h, "a number other than 0");
   constexpr double exponent = 1.0 / (1.0 + std::min(T::order, T::embedded_order));
   for (int trial = 0; trial <= control.rejections; ++trial) {
     stages.advance(field, z, h);
