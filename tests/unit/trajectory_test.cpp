@@ -54,6 +54,32 @@ TEST(Trajectory, IsEvaluatedBetweenTheSteps) {
   EXPECT_LT(worst_between(path(-0.05, -10.0)), 1e-6) << "backwards";
 }
 
+/// q is the given power of time.
+struct PowerOfTime {
+  int exponent;
+  avi::StepReport step(State<1>& z, double h) const {
+    z.t += h;
+    z.q[0] = std::pow(z.t, exponent);
+    return {};
+  }
+};
+
+TEST(Trajectory, HasTheDegreeThatItsStatesAllow) {
+  for (int states = 2; states <= 10; ++states)
+    for (int exponent = 1; exponent <= 9; ++exponent) {
+      PowerOfTime method{exponent};
+      State<1> z{.q = {0.0}, .p = {0.0}};
+      avi::Trajectory<1> kept;
+      ASSERT_TRUE(avi::integrate(method, z, 1.0, {.steps = states - 1}, kept).ok());
+      const double exact = std::pow(0.5, exponent), off = std::abs(kept.at(0.5).q[0] - exact);
+      if (exponent < std::min(states, 8)) {
+        EXPECT_LT(off, 1e-9) << states << ' ' << exponent;
+      } else {
+        EXPECT_GT(off, 1e-2) << states << ' ' << exponent;
+      }
+    }
+}
+
 TEST(Trajectory, GoesThroughItsStatesAndTakesFewOfThem) {
   const auto kept = path(0.3, 5.0);
   for (const auto& z : kept.states())

@@ -42,9 +42,10 @@ class Trajectory {
 
   [[nodiscard]] const std::vector<State<n>>& states() const { return states_; }  ///< In the order of the run.
 
-  /// The state at physical time t, by the polynomial of degree 7 through the nearest states in fictive time,
-  /// where a monitor makes the motion even. Its error is O(h^8) for a smooth motion. States that lie much
-  /// nearer to the next one than others do, as the last one of a run may, are passed over.
+  /// The state at physical time t, by the polynomial of degree 7 through the nearest 8 states in fictive
+  /// time, where a monitor makes the motion even. Its error is O(h^8) for a smooth motion. States that lie
+  /// much nearer to the next one than others do, as the last one of a run may, are passed over. Where no more
+  /// than m < 8 states are there, the degree is m - 1 and the error O(h^m): after one step a straight line.
   /// @throws std::invalid_argument for t outside the run.
   [[nodiscard]] State<n> at(double t) const {
     require(states_.size() > 1, "Number of stored states", states_.size(), "at least 2 to evaluate between");
