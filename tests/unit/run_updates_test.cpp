@@ -96,6 +96,17 @@ TEST(RunUpdates, ReportsDivergenceAtOnce) {
   EXPECT_LT(quartic.iterations, 100);
 }
 
+TEST(RunUpdates, BoundsTheValueAndNotX) {
+  const auto level = [](const VectorX& x, VectorX& g) {
+    g[0] = -1.0 / (1.0 + x[0] * x[0]);
+    return -std::atan(x[0]);
+  };
+  const auto run = run_updates(level, GradientDescent{.h = 10.0}, VectorX::Zero(1),
+                               {.delta = 0.0, .iterations = 2000, .growth = 10.0});
+  EXPECT_EQ(run.outcome, Outcome::step_limit);
+  EXPECT_GT(run.last.x[0], 30.0);
+}
+
 TEST(RunUpdates, AnInfiniteValueIsOutOfEveryBound) {
   // f starts at a thousandth of the largest double, so that 1e30 times it, the bound, overflows.
   const auto steep = [](const VectorX& x, VectorX& g) { return g = x, 0.5e305 * avi::dot(x, x); };
@@ -138,6 +149,13 @@ TEST(RunUpdates, RefusesBadInput) {
   const auto wrong = [](const VectorX&, VectorX& g) { return g.setZero(2), 1.0; };
   EXPECT_EQ(refusal([&] { run_updates(wrong, method, one); }),
             "Size of the gradient is 2; it must be the size of x0, 1.");
+  int calls = 0;
+  const auto changing = [&](const VectorX& x, VectorX& g) {
+    g = 2.0 * x.head(++calls > 3 ? 1 : 3);
+    return avi::dot(x, x);
+  };
+  EXPECT_EQ(refusal([&] { run_updates(changing, GradientDescent{.h = 0.1}, VectorX::Ones(3)); }),
+            "Size of the gradient is 1; it must be the size of x0, 3.");
   const auto forgotten = [](const VectorX& x, VectorX&) { return x[0]; };
   EXPECT_EQ(refusal([&] { run_updates(forgotten, method, one); }),
             "Norm of the gradient at x0 is nan; it must be finite.");

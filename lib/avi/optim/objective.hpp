@@ -1,5 +1,6 @@
 #pragma once
 #include "avi/core/dot.hpp"
+#include "avi/core/require.hpp"
 
 #include <concepts>
 
@@ -27,10 +28,14 @@ class Counted {
   Counted(const F& f, Eigen::Index size) : f_(f), unused_(size) {}
 
   /// Value at x; the gradient goes to `gradient`.
+  /// @throws std::invalid_argument where the objective makes it another size.
   double operator()(const VectorX& x, VectorX& gradient) {
     ++values;
     ++gradients;
-    return f_(x, gradient);
+    const double value = f_(x, gradient);
+    require(gradient.size() == unused_.size(), "Size of the gradient", gradient.size(), "the size of x0, ",
+            unused_.size());
+    return value;
   }
 
   /// Value at x alone. It costs a gradient too when the objective has no member value(x).

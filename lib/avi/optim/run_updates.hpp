@@ -64,7 +64,8 @@ inline void describe_failure(Minimisation& run, double x_bound) {
 /// `witness(iterate, k, gradient_evaluations)` is called for k = 0 at the start and after every update; when
 /// it returns bool, false ends the run as Outcome::stopped.
 /// @throws std::invalid_argument for a stopping rule or hyper-parameters out of range, an empty or non-finite
-/// x0, or an objective that is not finite at x0 or whose gradient has another size or is not filled.
+/// x0, an objective that is not finite at x0 or does not fill its gradient there, or a gradient of another
+/// size, there or later.
 template <Objective F, OptimisationMethod<F> M, class Witness = NoWitness>
 Minimisation run_updates(const F& f, const M& method, const StartingPoint& start,
                          const Stopping& stopping = {}, Witness&& witness = {}) {
@@ -78,8 +79,6 @@ Minimisation run_updates(const F& f, const M& method, const StartingPoint& start
   now.x = x0;
   now.gradient.setConstant(x0.size(), std::numeric_limits<double>::quiet_NaN());  // f has to fill it
   now.evaluate(objective);
-  require(now.gradient.size() == x0.size(), "Size of the gradient", now.gradient.size(), "the size of x0, ",
-          x0.size());
   require_finite("Value of the objective at x0", now.value);
   require_finite("Norm of the gradient at x0", norm(now.gradient));
   typename M::State state = method.start(now);

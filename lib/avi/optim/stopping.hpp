@@ -25,8 +25,9 @@ inline double length(const VectorView& a) {
 struct Stopping {
   double delta = 1e-10;          ///< At least 0; with 0 the test never holds and the run goes on to the cap.
   long iterations = 10'000'000;  ///< Cap on updates, at least 1.
-  /// The run has diverged when f exceeds growth max(1, |f(x_0)|), or an entry of x exceeds
-  /// growth max(1, |x_0|_inf). At least 1.
+  /// The run has diverged when |f| exceeds growth max(1, |f(x_0)|): x itself may go wherever f stays within
+  /// that. Where f is NaN it has diverged if an entry of x exceeds growth max(1, |x_0|_inf), and met what is
+  /// not a number if none does. At least 1.
   double growth = 1e30;
 
   /// Checks the ranges. @throws std::invalid_argument for values outside the ranges above.
