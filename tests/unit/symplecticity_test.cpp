@@ -137,6 +137,38 @@ TEST(SymplecticityDefect, IsTheSameInUnitsOfAnySize) {
   }
 }
 
+/// Two pendulums that do not know of each other, one with this mass.
+struct Pair {
+  static constexpr int dimension = 2;
+  using Vec = avi::Vector<double, 2>;
+  double mass;
+  [[nodiscard]] Vec potential_gradient(const Vec& q) const { return {std::sin(q[0]), mass * std::sin(q[1])}; }
+  [[nodiscard]] Vec velocity(const Vec& p) const { return {p[0], p[1] / mass}; }
+};
+/// Heun's method for them.
+struct PairByHeun {
+  Pair pair;
+  avi::StepReport step(State<2>& z, double h) const {
+    const Pair::Vec v = pair.velocity(z.p), f = -pair.potential_gradient(z.q);
+    const Pair::Vec q = z.q + h * v, p = z.p + h * f;
+    z.q += 0.5 * h * (v + pair.velocity(p));
+    z.p += 0.5 * h * (f - pair.potential_gradient(q));
+    return {};
+  }
+};
+
+TEST(SymplecticityDefect, IsThatOfALightBodyBesideAHeavyOne) {
+  const auto start = [](double mass) { return State<2>{.q = {0.3, 2.0}, .p = {1.0, 0.5 * mass}}; };
+  const double of_heun = avi::symplecticity_defect(PairByHeun{{1.0}}, start(1.0), 0.2);
+  EXPECT_GT(of_heun, 1e-4);
+  // At 1e-3 and at 1e-4 the second one turns by 2 pi and by 20 pi, nearly, in the largest spacing.
+  for (const double mass : {1e8, 1e4, 1.0, 1e-2, 1e-3, 1e-4, 2e-4, 1e-5, 1e-6, 1e-8, 1e-12}) {
+    const auto leapfrog = avi::splitting(avi::Separable(Pair{mass}), avi::compositions::strang);
+    EXPECT_LT(avi::symplecticity_defect(leapfrog, start(mass), 0.2), 1e-13) << mass;
+    EXPECT_NEAR(avi::symplecticity_defect(PairByHeun{{mass}}, start(mass), 0.2), of_heun, 1e-12) << mass;
+  }
+}
+
 TEST(SymplecticityDefect, IsThatOfAPointAtRest) {
   // Where all of q or of p is zero at both ends its unit is 1.
   const auto free = avi::stormer_verlet<1>([](const avi::Vector<double, 1>& q) { return 0.0 * q; });
@@ -169,6 +201,14 @@ TEST(SymplecticityDefect, ServesAPlainCallable) {
     const auto other = [=](const Point&) -> Point { return Point::Ones(size); };
     EXPECT_THROW(avi::symplecticity_defect(other, z), std::invalid_argument) << size;
   }
+}
+
+TEST(SymplecticityDefect, RefusesAPointWithoutPairs) {
+  struct Stands {
+    avi::StepReport step(State<avi::dynamic>&, double) const { return {}; }
+  };
+  for (const State<avi::dynamic>& z : {State<avi::dynamic>{}, {.q = {1.0, 2.0}, .p = {1.0}}})
+    EXPECT_THROW(avi::symplecticity_defect(Stands{}, z, 0.1), std::invalid_argument);
 }
 
 TEST(SymplecticityDefect, IsNaNWhereTheStepFails) {

@@ -75,16 +75,10 @@ Matrix<double, dynamic> difference_jacobian(Map&& map, const VectorX& z, Spacing
   return jacobian;
 }
 
-/// \f$\|J^T \Omega J - \Omega\|_F\f$ of a map of phase space \f$R^{2m} \to R^{2m}\f$ with z = (q, p),
-/// \f$\Omega = \left(\begin{smallmatrix} 0 & I \\ -I & 0 \end{smallmatrix}\right)\f$, J by
-/// difference_jacobian(). Zero for a symplectic map; NaN when the map fails. The plain callable serves
-/// extended phase spaces, (q, t, p, p^t), as well.
-/// @throws std::invalid_argument when z has an odd number of entries, or the map's value another one.
-template <class Map>
-double symplecticity_defect(Map&& map, const VectorX& z, Spacings spacings = {}) {
-  require(z.size() > 0 && z.size() % 2 == 0, "Dimension of phase space", z.size(), "even and positive");
-  const Eigen::Index m = z.size() / 2;
-  const Matrix<double, dynamic> jacobian = difference_jacobian(map, z, spacings);
+namespace detail {
+/// \f$\|J^T \Omega J - \Omega\|_F\f$.
+inline double symplecticity_defect_of(const Matrix<double, dynamic>& jacobian) {
+  const Eigen::Index m = jacobian.cols() / 2;
   // The matrix is antisymmetric. Loops: Eigen's products of matrices take a second to compile.
   double squares = 0.0;
   for (Eigen::Index b = 0; b < 2 * m; ++b)
@@ -96,13 +90,29 @@ double symplecticity_defect(Map&& map, const VectorX& z, Spacings spacings = {})
     }
   return std::sqrt(squares);
 }
+}  // namespace detail
+
+/// \f$\|J^T \Omega J - \Omega\|_F\f$ of a map of phase space \f$R^{2m} \to R^{2m}\f$ with z = (q, p),
+/// \f$\Omega = \left(\begin{smallmatrix} 0 & I \\ -I & 0 \end{smallmatrix}\right)\f$, J by
+/// difference_jacobian(). Zero for a symplectic map; NaN when the map fails. The plain callable serves
+/// extended phase spaces, (q, t, p, p^t), as well.
+/// @throws std::invalid_argument when z has an odd number of entries, or the map's value another one.
+template <class Map>
+double symplecticity_defect(Map&& map, const VectorX& z, Spacings spacings = {}) {
+  require(z.size() > 0 && z.size() % 2 == 0, "Dimension of phase space", z.size(), "even and positive");
+  return detail::symplecticity_defect_of(difference_jacobian(map, z, spacings));
+}
 
 /// The defect of one step h of `method` at z, as a map of (q, p) at fixed start time, in units of the point:
 /// powers of two next to the largest entry of q, and of p, at either end of the step, which are symplectic
-/// units up to a factor. Each evaluation steps a fresh copy of the method, so that nothing carried between
+/// units up to a factor. Rounding of a heavy body leaves to a light one, c times lighter and coupled to it,
+/// about 1e-16 c. Each evaluation steps a fresh copy of the method, so that nothing carried between
 /// steps (a kept gradient, a controller's state) leaks from one to the next.
+/// @throws std::invalid_argument where q and p, of a dimension given at run time, differ in size or are
+/// empty.
 template <int n, Method<State<n>> M>
 double symplecticity_defect(const M& method, const State<n>& z, double h) {
+  require_dimension(z);
   const Eigen::Index m = z.q.size();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   State<n> end = z;
@@ -113,24 +123,41 @@ double symplecticity_defect(const M& method, const State<n>& z, double h) {
   };
   const double of_q = unit(largest_entry(z.q), largest_entry(end.q)),
                of_p = unit(largest_entry(z.p), largest_entry(end.p));
-  VectorX start(2 * m);
-  start << z.q / of_q, z.p / of_p;
+  VectorX start(2 * m), units(2 * m);
+  start << z.q, z.p;
+  units << VectorX::Constant(m, of_q), VectorX::Constant(m, of_p);
   const auto map = [&](const VectorX& point) {
     M fresh = method;
     State<n> moved = z;
     for (Eigen::Index i = 0; i < m; ++i) {
-      moved.q[i] = point[i] * of_q;
-      moved.p[i] = point[m + i] * of_p;
+      moved.q[i] = point[i] * units[i];
+      moved.p[i] = point[m + i] * units[m + i];
     }
     VectorX image = VectorX::Constant(2 * m, nan);
-    if (fresh.step(moved, h).outcome == Outcome::ok) image << moved.q / of_q, moved.p / of_p;
+    if (fresh.step(moved, h).outcome == Outcome::ok)
+      image << moved.q.cwiseQuotient(units.head(m)), moved.p.cwiseQuotient(units.tail(m));
     return image;
   };
   // Far from the origin the map may still change within a distance of 1. Nothing is left of a slope where the
   // spacing is near the rounding of the point.
   Spacings spacings;
   spacings.smallest = std::max(spacings.smallest / std::max({1.0, of_q, of_p}), 0x1p-44);
-  return symplecticity_defect(map, start, spacings);
+  Matrix<double, dynamic> jacobian = difference_jacobian(map, start.cwiseQuotient(units), spacings);
+  // An entry far smaller than the others of q or of p, as the momentum of a light body, moves the image far
+  // within a spacing: its differences are taken in a unit of its own.
+  VectorX finer = VectorX::Ones(2 * m);
+  for (Eigen::Index j = 0; j < 2 * m; ++j)
+    if (const double steepest = largest_entry(jacobian.col(j));
+        std::isfinite(steepest) && steepest * spacings.largest > 1.0)
+      finer[j] = std::ldexp(1.0, std::ilogb(steepest));
+  if (largest_entry(finer) > 1.0) {
+    units = units.cwiseQuotient(finer);
+    jacobian = difference_jacobian(map, start.cwiseQuotient(units), spacings);
+    for (Eigen::Index j = 0; j < 2 * m; ++j)
+      for (Eigen::Index i = 0; i < 2 * m; ++i)
+        jacobian(i, j) *= finer[j] / finer[i];
+  }
+  return detail::symplecticity_defect_of(jacobian);
 }
 
 }  // namespace avi
