@@ -101,8 +101,8 @@ struct Step {
   /// A function that changes its sign without a zero, by a jump or a pole, ends as not_converged, one that is
   /// NaN as non_finite; `reason` has the numbers.
   /// @param f continuous function of the state @param tolerance |f| that is small enough; 0 for round-off
-  /// @throws std::invalid_argument for a tolerance that is negative, infinite or NaN, and where f has the same
-  /// sign at both ends.
+  /// @throws std::invalid_argument for a tolerance that is negative, infinite or NaN, and where f has the
+  /// same sign at both ends.
   template <class F>
   [[nodiscard]] Located<State> locate(F&& f, double tolerance = 0.0) const {
     return locate_from(0.0, f(before), f, tolerance);
