@@ -169,8 +169,9 @@ class Sketch {
   /// Along the orbit of `field` from z for `span`, or for at most `most` steps.
   /// @param metric diagonal of H_pp: what is 1e-10 of the largest motion, masses taken out, sets no step
   /// @param before time that has passed already; else the sketch ends where the orbit comes again
+  /// @param longest step
   Sketch(PointField& field, const VectorX& z, double span, const VectorX& metric, int most = 128,
-         double before = 0.0) {
+         double before = 0.0, double longest = infinity) {
     const Eigen::Index size = z.size();
     numbers_.reset(new double[static_cast<std::size_t>(3 * size * most)]);
     samples.reserve(static_cast<std::size_t>(most));
@@ -180,6 +181,10 @@ class Sketch {
       room += size;
       return Sample::Numbers(room - size, size);
     };
+    // A force that changes nothing of the momenta but their last digits sets no step either.
+    double largest = 0.0;
+    for (Eigen::Index i = 0; i < metric.size() - (field.timed ? 1 : 0); ++i)
+      largest = std::max(largest, std::abs(z[metric.size() + i]) * std::sqrt(metric[i]));
     RungeKuttaStages<BogackiShampine> step(size);
     VectorX at = z, low = z, high = z, scale(size), errors(size);
     double energy = field(at, step.k[0]), last = energy;
@@ -190,7 +195,7 @@ class Sketch {
     int alike = 0;  // refused steps in a row with errors as large as before, relative to what moves
     double refused = 0.0;
     for (int tries = 0; time < span && static_cast<int>(samples.size()) < most && tries < 6 * most; ++tries) {
-      h = std::min(h, span - time);
+      h = std::min({h, span - time, longest});
       step.advance([&](const VectorX& x, VectorX& dx) { last = field(x, dx); }, at, h);
       double worst = 0.0;
       for (Eigen::Index i = 0; i < size; ++i) {
@@ -198,7 +203,7 @@ class Sketch {
             std::max({std::abs(step.k[0][i]), std::abs(step.k[1][i]), std::abs(step.k[2][i])});
         scale[i] = std::max(std::max(high[i], step.end[i]) - std::min(low[i], step.end[i]), h * fastest);
       }
-      lift(scale, metric, field.timed);
+      lift(scale, metric, field.timed, 1e-12 * largest);
       for (Eigen::Index i = 0; i < size; ++i) {
         errors[i] = h * std::abs((2.0 / 9.0 - 7.0 / 24.0) * step.k[0][i] + (1.0 / 3.0 - 0.25) * step.k[1][i] +
                                  (4.0 / 9.0 - 1.0 / 3.0) * step.k[2][i] - 0.125 * step.k[3][i]);
@@ -274,7 +279,8 @@ class Sketch {
 
   /// Raises what is a 1e-10 of the largest entry, masses taken out; the momentum of time, to that of an
   /// energy.
-  static void lift(VectorX& scale, const VectorX& metric, bool timed) {
+  /// @param change of the largest momentum, masses taken out, that is less than its digits
+  static void lift(VectorX& scale, const VectorX& metric, bool timed, double change = 0.0) {
     const Eigen::Index n = metric.size(), seen = timed ? n - 1 : n;
     double of_q = 0.0, of_p = 0.0;
     for (Eigen::Index i = 0; i < seen; ++i) {
@@ -285,7 +291,7 @@ class Sketch {
     for (Eigen::Index i = 0; i < seen; ++i) {
       const double root = std::sqrt(metric[i]);
       scale[i] = std::max(scale[i], 1e-10 * of_q * root);
-      scale[n + i] = std::max(scale[n + i], 1e-10 * of_p / root);
+      scale[n + i] = std::max(scale[n + i], std::max(1e-10 * of_p, change) / root);
     }
     if (timed) scale[2 * n - 1] = std::max(scale[2 * n - 1], 1e-10 * of_p * of_p);
   }

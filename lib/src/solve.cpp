@@ -62,6 +62,9 @@ void Orbiter::prepare() {
   distance_.emplace(metric, question_.tolerance, seen);
   field_.sense = sense_;
   sketch_.emplace(field_, start, span_, metric);
+  // Where nothing happens on the way, something may that long steps go over.
+  if (sketch_->radians < 1e-4 && sketch_->time == span_)
+    sketch_.emplace(field_, start, span_, metric, 512, 0.0, span_ / 256.0);
   if (late()) return;
   const Sketch& sketch = *sketch_;
   dead_end_ = sketch.stuck ? sketch.time : 0.0;

@@ -286,4 +286,19 @@ TEST(Solve, FindsStatesInsideAStepThatBeginsAtThePerihelion) {
   }
 }
 
+// From far away no force is felt, and long first steps go over what is on the way: equal steps for all of it
+// took 8 seconds here, or were given up.
+TEST(Solve, SeesFromAfarWhatIsOnTheWay) {
+  const auto centres = [](const auto& q, const auto& p) {
+    const auto r = sqrt(q[0] * q[0] + q[1] * q[1] + 1e-4);
+    return 0.5 * (p[0] * p[0] + p[1] * p[1]) - exp(-r) / r;
+  };
+  const State<2> start{.q = {-90.0, 0.05}, .p = {0.5, 0.0}};
+  for (const double tolerance : {1e-4, 1e-8, 1e-11}) {
+    const auto orbit = solve(centres, start, 400.0, tolerance);
+    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    EXPECT_LT(orbit.run.evaluations + orbit.choice.sweeps, 60'000) << orbit.report();
+  }
+}
+
 }  // namespace solve_test
