@@ -97,7 +97,7 @@ class PointField {
     const auto unpushed = [&](Eigen::Index i) { return dz[n_ + i] == 0.0 && dz[i] != 0.0; };
     double square = 0.0;
     VectorX change;
-    for (Eigen::Index i = 0; i < n_; ++i)
+    for (Eigen::Index i = 0; i < n_ - (timed ? 1 : 0); ++i)
       if (unpushed(i)) {
         if (change.size() == 0) {
           Duals room(formula_.program);
@@ -301,6 +301,7 @@ class Sketch {
                            const VectorX& metric) {
     VectorX ahead(z.size()), there(z.size()), scale = dz.cwiseAbs();
     lift(scale, metric, field.timed);
+    if (field.timed) scale[scale.size() - 1] = 0.0;  // the momentum of time moves nothing
     double h = 1e-3 * span;
     for (int i = 0; i < 60; ++i, h *= 0.1) {
       ahead = z + h * dz;

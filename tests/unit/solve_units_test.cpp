@@ -7,6 +7,7 @@
 #include <ostream>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace solve_units_test {
@@ -100,21 +101,26 @@ TEST(SolveUnits, ChangeNothing) {
   expect_same_in_other_units("ring", ring, wave, 1000.0);
 }
 
-// Time is a coordinate there, with a unit of its own: 27 steps, and 3 million where it is taken for a length.
-TEST(SolveUnits, ChangeNothingOfABodyAtRestInADrive) {
-  const auto way = [](double length, double time) {
+// Time is a coordinate there, with a unit of its own: at rest 27 steps, and 3 million where it is taken for a
+// length.
+TEST(SolveUnits, ChangeNothingOfABodyInADrive) {
+  const auto way = [](double length, double time, double place) {
     const auto driven = [=](const auto& q, const auto& t, const auto& p) {
       return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0] / (time * time) -
              0.3 * length / (time * time) * q[0] * cos(2.0 * t / time);
     };
-    State<1> start = at(0.0, 0.0);
-    start.t = 0.5 * time;
-    return solve(driven, start, 20.0 * time, 1e-8, {.sweeps = 100'000}).run.steps;
+    State<1> start = at(place * length, 0.2 * place * length / time);
+    start.t = place == 0.0 ? 0.5 * time : 0.0;  // where the drive is 0, or largest
+    const auto found = solve(driven, start, 20.0 * time, 1e-8, {.sweeps = 100'000});
+    // The scale is a mean over all that was looked at before the runs.
+    return std::pair{found.run.steps, found.choice.energy_scale * (time / length) * (time / length)};
   };
-  const long known = way(1.0, 1.0);
-  EXPECT_LT(known, 60);
-  for (const int power : {-60, 20, 40, 60, 80})
-    EXPECT_EQ(way(std::ldexp(1.0, power), std::ldexp(1.0, -power / 2)), known) << power;
+  for (const double place : {0.0, 1.0}) {
+    const auto known = way(1.0, 1.0, place);
+    EXPECT_LT(known.first, 60);
+    for (const int power : {-60, 20, 40, 60, 80})
+      EXPECT_EQ(way(std::ldexp(1.0, power), std::ldexp(1.0, -power / 2), place), known) << power;
+  }
 }
 
 }  // namespace solve_units_test
