@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 namespace orbit_ensemble_test {
 
@@ -58,6 +59,9 @@ TEST(OrbitEnsemble, GoesOnWhereAMemberThrowsOrIsCancelled) {
   EXPECT_EQ(members[2].solution.run.outcome, avi::Outcome::stopped);
   EXPECT_TRUE(members[2].error);
   EXPECT_FALSE(members[2].solution.run.message.empty());
+  EXPECT_TRUE(std::isinf(members[2].solution.state_error));
+  EXPECT_TRUE(std::isnan(members[2].solution.state.q[1])) << "the start is not what a run reached";
+  EXPECT_THROW((void)solver.ensemble(starts, std::vector{2.0, 1.0, 3.0}), std::invalid_argument);
   for (const int i : {0, 1, 3, 4})
     EXPECT_TRUE(members[static_cast<std::size_t>(i)].ok());
   std::stop_source source;
@@ -71,6 +75,17 @@ TEST(OrbitEnsemble, GoesOnWhereAMemberThrowsOrIsCancelled) {
   EXPECT_TRUE(cancelled[0].ok());
   for (std::size_t i = 1; i < starts.size(); ++i)
     EXPECT_EQ(cancelled[i].solution.run.outcome, avi::Outcome::stopped);
+}
+
+// By a choice for another orbit, whose first step leads to where H is no number here.
+TEST(OrbitEnsemble, HasNoCurveWhereNoStepWasMade) {
+  const auto root = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - sqrt(q[0]); };
+  const avi::Solver solver(root, State<1>{.q = 5.0, .p = 1.0}, 20.0, 1e-8, {.check = false, .dense = true});
+  const auto lost = solver.run({.q = 1e-9, .p = -1.0}, 1.0);
+  EXPECT_FALSE(lost.ok());
+  ASSERT_EQ(lost.run.steps, 0) << lost.report();
+  EXPECT_FALSE(lost.curve);
+  EXPECT_THROW((void)lost(0.5), std::logic_error);
 }
 
 // A pendulum near its top, by what was chosen for small swings.

@@ -247,6 +247,16 @@ TEST(SolveErrors, KnowTheRoundingOfATimeThatIsFarFromZero) {
   const auto lost = solve(avi::Kepler(), late, 1e16 + 64.0, 1e-11);
   EXPECT_EQ(lost.run.outcome, avi::Outcome::stalled) << lost.report();
   EXPECT_NE(lost.run.message.find("The zero of time, seen from t = 1e+16"), std::string::npos);
+  // A drive far from zero, over two million roundings of its time: 43 million kicks went by in vain.
+  const double unit = 7.25e29, from = 4.1285100201766142e38;
+  const auto driven = [=](const auto& q, const auto& t, const auto& p) {
+    return 0.5 * p[0] * p[0] + 0.18 * q[0] * q[0] / (unit * unit) - 2.4e-62 * q[0] * cos(1.2 * t / unit);
+  };
+  State<1> start{.q = {0.3}, .p = {0.4 / unit}};
+  start.t = from;
+  const auto drive = solve(driven, start, from + 1.5e29, 4e-12, {.sweeps = 10'000});
+  EXPECT_TRUE(drive.ok()) << drive.report();
+  EXPECT_NE(drive.note.find("Time is so far from zero"), std::string::npos) << drive.report();
 }
 
 // So far from zero, an oscillator moves by few of the numbers there are; what rests there, or is somewhere
