@@ -18,7 +18,7 @@ namespace avi::detail {
 /// The starts of the steps of a run, from which the states in between are found.
 class Track;
 
-/// What is known of a run before it is made, by runs before it.
+/// The plan of a run, from the runs before it.
 struct Plan {
   double horizon;  ///< Time for which the choice was made.
   double pause;    ///< Beyond this time another choice has to be made, or none can be.

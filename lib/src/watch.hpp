@@ -49,7 +49,7 @@ class Watch {
   bool take() { return ++memory_.found == rules_.count && rules_.stop; }
   /// All that count have been found.
   [[nodiscard]] bool over() const { return rules_.count > 0 && memory_.found >= rules_.count; }
-  /// What it keeps from step to step, to go on from a checkpoint.
+  /// The memory from step to step, which goes into a checkpoint.
   struct Memory {
     long found = 0;        ///< Events that count.
     double level = 0.0;    ///< |g| that counts as zero where the run starts.
