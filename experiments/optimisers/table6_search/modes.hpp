@@ -1,5 +1,6 @@
 #pragma once
-#include <Eigen/Core>
+#include "avi/autodiff/pack.hpp"
+
 #include <Eigen/Eigenvalues>
 
 #include <array>
@@ -53,28 +54,28 @@ enum class Test {
 
 /// A lane of numbers: as many trajectories as a vector register holds, side by side.
 constexpr int lanes = 8;
-using Lane = Eigen::Array<double, lanes, 1>;
+using Lane = avi::Pack<lanes>;
 
 struct State {
   std::array<Lane, modes> z, s;
 
   [[nodiscard]] Lane form(const Spectrum& of) const {
-    Lane sum = Lane::Zero();
+    Lane sum = 0.0;
     for (int i = 0; i < modes; ++i)
       sum += of.lambda[i] * z[i] * z[i];
     return sum;
   }
   /// |grad f|.
   [[nodiscard]] Lane slope(const Spectrum& of, const Lane& form_here) const {
-    Lane sum = Lane::Zero();
+    Lane sum = 0.0;
     for (int i = 0; i < modes; ++i)
       sum += (of.lambda[i] * of.lambda[i]) * z[i] * z[i];
-    return 4.0 * form_here * sum.sqrt();
+    return 4.0 * form_here * sqrt(sum);
   }
   void kick(const Spectrum& of, const Lane& nu, const Lane& form_here, bool preconditioned = false) {
     const Lane factor = 4.0 * nu * form_here;
     for (int i = 0; i < modes; ++i)
-      s[i] -= (preconditioned ? factor : Lane(factor * of.lambda[i])) * z[i];
+      s[i] -= (preconditioned ? factor : factor * of.lambda[i]) * z[i];
   }
   void drift(const Lane& eta) {
     for (int i = 0; i < modes; ++i)
@@ -85,17 +86,21 @@ struct State {
 /// The form y' Sigma y at the proximal point y_i = z_i / (1 + 4 lambda_i w), w = nu eta form(y): monotone in
 /// the form, by Newton's method from below.
 inline Lane proximal_form(const Spectrum& of, const State& at, const Lane& strength) {
-  Lane form = Lane::Zero();
+  Lane form = 0.0;
   for (int pass = 0; pass < 12; ++pass) {
-    Lane value = Lane::Zero(), slope = Lane::Zero();
+    Lane value = 0.0, slope = 0.0;
     for (int i = 0; i < modes; ++i) {
       const Lane by = 1.0 / (1.0 + 4.0 * of.lambda[i] * strength * form);
       const Lane part = of.lambda[i] * at.z[i] * at.z[i] * by * by;
       value += part;
       slope -= 8.0 * of.lambda[i] * strength * part * by;
     }
-    form = form - (form - value) / (1.0 - slope);
-    form = form.max(0.0);
+    const Lane next = max(form - (form - value) / (1.0 - slope), Lane(0.0));
+    bool settled = true;
+    for (int l = 0; l < lanes; ++l)
+      settled = settled && next[l] - form[l] <= 1e-14 * next[l];
+    form = next;
+    if (settled) break;
   }
   return form;
 }

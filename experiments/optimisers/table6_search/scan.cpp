@@ -43,18 +43,25 @@ std::vector<Scan> scan(const Spectrum& of, const Variant& variant, const Ranges&
   const double block = std::pow(Ranges::eta_ratio, Ranges::etas);
   History seen;
   std::vector<std::array<std::array<long, Ranges::etas>, lanes>> passed(wanted.size());
+  std::array<std::vector<double>, Ranges::etas> scale;  // from z_k to x_k - 1, for each eta
+  for (std::vector<double>& each : scale)
+    each.resize(spent.size());
   for (double low = ranges.eta_low; low < ranges.eta_high; low *= block) {
     const double middle = low * std::sqrt(block);
     std::array<double, Ranges::etas> etas{};
     for (int j = 0; j < Ranges::etas; ++j)
       etas[j] = low * std::pow(Ranges::eta_ratio, j + 0.5);
+    // z_k is taken before its clock advances: its scale is that of t_{k-1}.
+    for (int j = 0; j < Ranges::etas; ++j)
+      for (std::size_t k = 0; k < spent.size(); ++k)
+        scale[j][k] = k > 0 ? std::exp(-0.5 * etas[j] * spent[k - 1]) : 1.0;
     for (double first = ranges.u_low; first < ranges.u_high; first *= std::pow(ranges.u_ratio, lanes)) {
       Lane u;
       for (int l = 0; l < lanes; ++l)
-        u[l] = first * std::pow(ranges.u_ratio, l);
+        u.set(l, first * std::pow(ranges.u_ratio, l));
       State at;
       for (int i = 0; i < modes; ++i)
-        at.z[i] = Lane::Constant(variant.away * of.ones[i]),
+        at.z[i] = Lane(variant.away * of.ones[i]),
         at.s[i] = (variant.momentum * of.ones[i]) * (middle / u);  // R_0 / sqrt(C)
       const Lane form_0 = at.form(of);
       seen.value.assign(1, form_0 * form_0);
@@ -83,10 +90,8 @@ std::vector<Scan> scan(const Spectrum& of, const Variant& variant, const Ranges&
             for (int j = 0; j < Ranges::etas; ++j) {
               long& from = passed[r][l][j];
               if (from < 0) continue;
-              // z_k is taken before its clock advances: its scale is that of t_{k-1}.
               const auto hold = [&](long k) {
-                const double at_k = std::exp(-0.5 * etas[j] * spent[k - 1]);
-                const double before = k > 1 ? std::exp(-0.5 * etas[j] * spent[k - 2]) : 1.0;
+                const double at_k = scale[j][k], before = scale[j][k - 1];
                 const double f = seen.value[k][l] * at_k * at_k * at_k * at_k,
                              f_before = seen.value[k - 1][l] * before * before * before * before;
                 return holds(variant.test, std::abs(f - f_before), seen.slope[k][l] * at_k * at_k * at_k,
@@ -117,15 +122,14 @@ Counts exact_counts(const Spectrum& of, const Variant& variant, double p, double
   double t = 1.0;
   State at;
   for (int i = 0; i < modes; ++i)
-    at.z[i] = Lane::Constant(variant.away * of.ones[i]),
-    at.s[i] = Lane::Constant(variant.momentum * of.ones[i]);
-  const double form_0 = at.form(of)[0], slope_0 = at.slope(of, Lane::Constant(form_0))[0];
+    at.z[i] = Lane(variant.away * of.ones[i]), at.s[i] = Lane(variant.momentum * of.ones[i]);
+  const double form_0 = at.form(of)[0], slope_0 = at.slope(of, Lane(form_0))[0];
   double before = form_0 * form_0;
   Counts made{};
   int cell = 0;
   for (long k = 1; k <= cap && cell < cells; ++k) {
     const double now = eta * std::pow(t, -theta);
-    step(of, variant.form, at, Lane::Constant(now * C * std::pow(t, p)), Lane::Constant(now));
+    step(of, variant.form, at, Lane(now * C * std::pow(t, p)), Lane(now));
     const double next = t * (1.0 + now / p);
     const double fall = std::pow(t / next, p);
     for (int i = 0; i < modes; ++i)
