@@ -14,16 +14,14 @@ using avi::VectorX, avi::require, avi::dot;
 ///
 /// The order of every operation is that of the recurrences, whatever the vector width.
 inline void multiply_by_correlation(double rho, const VectorX& y, VectorX& z) {
-  const Eigen::Index n = y.size();
-  double beyond = 0.0;
-  for (Eigen::Index i = n; i-- > 0;) {
-    z[i] = beyond;
-    beyond = rho * (beyond + y[i]);
-  }
-  double up_to = 0.0;
-  for (Eigen::Index i = 0; i < n; ++i) {
+  // Both at once from both ends, as neither waits for the other: the second to come to an entry adds its
+  // part.
+  double up_to = 0.0, beyond = 0.0;
+  for (Eigen::Index i = 0, j = y.size() - 1; j >= 0; ++i, --j) {
     up_to = y[i] + rho * up_to;
-    z[i] += up_to;
+    z[i] = i > j ? z[i] + up_to : up_to;
+    z[j] = i < j ? beyond : z[j] + beyond;
+    beyond = rho * (beyond + y[j]);
   }
 }
 
