@@ -17,9 +17,9 @@
 
 namespace avi {
 
-/// The mass to write for a body that has none. In H it cannot be 0, of which the momentum m v says nothing;
-/// this one is a power of two, so that p / m is the velocity to the last bit, and what the body does to
-/// others is below their rounding: the orbits are those of test particles, in any units.
+/// The mass of a test particle. It cannot be 0, by which H would divide; this one is a power of two, so that
+/// p / m is the velocity to the last bit, and so small that what the body does to others is below their
+/// rounding, in any units.
 inline constexpr double massless = 0x1p-200;
 
 namespace detail {
@@ -45,11 +45,11 @@ std::function<Formula(int)> recorder(G g) {
 }
 }  // namespace detail
 
-/// Which zeros of an event function count, and what happens then.
+/// Which zeros of an event function count, and whether one of them ends the run.
 struct EventRules {
   int direction = 0;  ///< 1 where it rises as the run goes, -1 where it falls, 0 for both.
-  long count = 0;     ///< After so many the event is looked for no more; 0 for all, or the first of a stop.
-  bool stop = false;  ///< The run ends there, as ok, with the state on the last of them.
+  long count = 0;     ///< How many to look for; 0 for all, or for the first where `stop` is set.
+  bool stop = false;  ///< The run ends on the last of them, as ok.
 };
 
 /// A function of the state whose zeros are looked for along an orbit; made by when().
@@ -58,41 +58,40 @@ struct SolveEvent {
   /// Takes what records g, and the rules.
   SolveEvent(std::function<Formula(int)> its_g, EventRules its_rules)
       : g(std::move(its_g)), rules(its_rules) {}
-  /// Says to whom gives a function alone that when() makes an event of it.
+  /// Refuses a function alone: when() makes an event of it.
   template <class G>
   requires(!std::is_same_v<G, SolveEvent> && !std::is_same_v<G, std::vector<SolveEvent>>)
       SolveEvent(const G&) {
     static_assert(std::is_void_v<G>, "An event is made by when(): {.events = {avi::when(g)}}.");
   }
 
-  std::function<Formula(int)> g;  ///< Records it for n degrees of freedom: of (q, p), or (q, p, t).
+  std::function<Formula(int)> g;  ///< Records g for n degrees of freedom: of (q, p), or (q, p, t).
   EventRules rules;               ///< Which zeros count.
 };
 
-/// The zeros of g(q, p) or g(q, t, p) along an orbit, for SolveOptions::events. g is called once, with
+/// The zeros of g(q), g(q, p) or g(q, t, p) along an orbit, for SolveOptions::events. g is called once, with
 /// vectors of a scalar that records what is done to it, as H is. It is looked at in nine points of every
 /// step, and in more, a thousand at most, where it is no smooth curve through them; a run in which it changes
 /// its sign more often than they can show ends as not_converged. Between two points near zero its slopes say
 /// whether it turns there, so that zeros close to one another are found, and where it nearly touches zero
-/// steps of the method say on which side it stays. An orbit that starts on a zero does not
-/// begin with it. Where g changes its sign by a jump or a pole the run ends as not_converged, where it is NaN
-/// as non_finite, as in Event.
+/// steps of the method say on which side it stays. A zero at the start does not count. Where g changes its
+/// sign by a jump or a pole the run ends as not_converged, where it is NaN as non_finite, as in Event.
 template <class G>
 [[nodiscard]] SolveEvent when(G g, EventRules rules = {}) {
   return {detail::recorder(std::move(g)), rules};
 }
 
 /// The monitor of a run, \f$dt = g\,d\tau\f$: one of the menu of solve() by its name, or a function g(q),
-/// g(q, p) or g(q, t, p) of one's own, positive, smooth and called once, as H is; its name is "given".
+/// g(q, p) or g(q, t, p) of your own, positive, smooth and called once, as H is; its name is "given".
 struct SolveMonitor {
-  SolveMonitor() = default;  ///< Has it chosen.
+  SolveMonitor() = default;  ///< Leaves the choice to solve().
   ///@{
 
   /// The monitor of this name.
   SolveMonitor(std::string its_name) : name(std::move(its_name)) {}
   SolveMonitor(const char* its_name) : name(its_name) {}
   ///@}
-  /// A monitor of one's own.
+  /// A monitor of your own.
   template <class G>
   requires(!std::is_convertible_v<G, std::string> && !std::is_same_v<G, SolveMonitor>) SolveMonitor(G its_g)
       : name("given"), g(detail::recorder(std::move(its_g))) {}
@@ -103,16 +102,16 @@ struct SolveMonitor {
 
 /// The phase of a call of solve().
 enum class SolvePhase {
-  choosing,  ///< Monitor, order and step; where runs are compared, with them.
+  choosing,  ///< Monitor, order and step are chosen; where runs are compared, this includes them.
   running,   ///< The run whose states are delivered.
-  checking   ///< A run with a longer step, which tells how wrong it is.
+  checking   ///< A run with a longer step, which tells how wrong the other one is.
 };
 
 /// How far a call of solve() has come, for SolveOptions::progress.
 struct SolveProgress {
   SolvePhase phase = SolvePhase::choosing;  ///< Phase of the call.
   double t = 0.0;                           ///< Physical time of the run under way.
-  double fraction = 0.0;                    ///< Share of its way to the end.
+  double fraction = 0.0;                    ///< Share of its way to the end, in [0, 1].
   long steps = 0;                           ///< Steps of that run.
   long sweeps = 0;                          ///< Sweeps of the whole call.
   double seconds = 0.0;                     ///< Since the call began.
@@ -135,20 +134,20 @@ struct SolveOptions {
   std::function<bool(const SolveProgress&)> progress = {};
   /// File in which the run is kept for resume() until it has come to its end; empty for none. So that a run
   /// that goes on has the same bits, the method begins anew every 4096 steps, each time with a rounding
-  /// error. It is that of the states delivered, the last of the call: until one run, or with `check` two,
-  /// have come to the end there is no file, and that of an earlier call is removed; a bound or a cancel that
-  /// comes before leaves what was chosen so far.
+  /// error. The run that is kept is the last one of the call, which delivers the states. Before it one run,
+  /// or two with `check`, go to the end: until then there is no file, and that of an earlier call is removed.
+  /// A bound or a cancel that comes before leaves what was chosen so far.
   std::string checkpoint = {};
-  double checkpoint_seconds = 60.0;  ///< After which the file is written anew; at least 0.
+  double checkpoint_seconds = 60.0;  ///< Seconds after which the file is written anew; at least 0.
 };
 
-/// One run that was tried, or tried in vain.
+/// One run that was tried, whether it failed or not.
 struct SolveTrial {
   std::string monitor;       ///< Name in the menu, see solve().
   int order = 0;             ///< Order of the method.
   double h = 0.0;            ///< Fictive step.
   double time = 0.0;         ///< Physical time that it covered.
-  long steps = 0;            ///< Taken.
+  long steps = 0;            ///< Steps taken.
   long sweeps = 0;           ///< Evaluations of all stages.
   double state_error = 0.0;  ///< Error of the state at its end, as far as known then; infinite on failure.
   Outcome outcome = Outcome::ok;  ///< How it ended.
@@ -170,35 +169,36 @@ struct Choice {
   double solved = 6.25e-19;  ///< Relative change of a sweep below which a step counts as solved.
   double time = 0.0;         ///< Physical time of the short trials.
   long sweeps = 0;           ///< Evaluations of all stages in all trials.
-  long check = 0;  ///< Those of the run with a longer step, which goes along until the two are apart.
-  std::vector<SolveTrial> trials = {};  ///< In their order.
+  long check = 0;  ///< Evaluations of the run with a longer step, which goes along until the two are apart.
+  std::vector<SolveTrial> trials = {};  ///< All trials, in their order.
 };
 
 /// The monitor g(q, p) of a choice, for a method by hand: `poincare(H, start, monitor_of(choice, H, H_0))`.
 /// @param hamiltonian H of (q, p), for which the choice was made @param energy_at_start \f$H_0\f$
-/// @throws std::invalid_argument for H(q, t, p), for a monitor of one's own, which is known already, and
+/// @throws std::invalid_argument for H(q, t, p), for a monitor of your own, which you have already, and
 /// where the constants of the choice are not those of this H.
 [[nodiscard]] Formula monitor_of(const Choice& choice, const Formula& hamiltonian, double energy_at_start);
 
-/// Where an orbit led, how, and how well: the part that does not depend on the dimension.
+/// How a run ended, what was chosen for it and how good its end is: the part of a Solution that is the same
+/// in every dimension.
 struct SolutionReport {
   Run run;                       ///< How the run ended; its steps and sweeps.
   Choice choice;                 ///< Monitor, order and step, and the trials that led to them.
-  double tolerance = 0.0;        ///< Asked for.
+  double tolerance = 0.0;        ///< The tolerance that was asked for.
   double state_error = 0.0;      ///< Error of the state at the end, see solve(); infinite where unknown.
   double energy_error = 0.0;     ///< Largest |H - H_0| of the run, over choice.energy_scale.
   double energy_rounding = 0.0;  ///< Rounding error of one evaluation of H, in the same unit.
   std::string note;              ///< Warnings for the reader, in sentences; often empty.
 
-  /// The run reached what was asked for: its end.
+  /// True where the run reached what was asked for: its end, or an event that ends it.
   [[nodiscard]] bool ok() const { return run.outcome == Outcome::ok; }
-  /// It did, and the error of the state is within ten times the tolerance, as far as two runs with different
-  /// steps can tell; that of the energy too, unless rounding of H hides it.
+  /// True where ok() is, and the error of the state is within ten times the tolerance, as far as two runs
+  /// with different steps can tell; that of the energy too, unless rounding of H hides it.
   [[nodiscard]] bool kept() const {
     return ok() && state_error <= 10.0 * tolerance &&
            energy_error <= 10.0 * tolerance + 100.0 * energy_rounding;
   }
-  /// The result, the promise, the choice, and the trials as a table.
+  /// In a few lines: whether the tolerance was kept and if not why, the choice, and the trials.
   [[nodiscard]] std::string report() const;
 };
 
@@ -302,10 +302,10 @@ struct FoundEvent {
   State<n> state;  ///< On g = 0 or beyond it, to rounding, as accurate as the run; its t is the time.
 };
 
-/// Where an orbit led, how, and how well.
+/// The end of an orbit, what was asked for on the way, and how good they are.
 template <int n>
 struct Solution : SolutionReport {
-  State<n> state;  ///< At the end, or the last good one; not a number where no run was begun.
+  State<n> state;                          ///< At the end, or the last good one; NaN where no run was begun.
   std::vector<State<n>> states = {};       ///< At the times asked for, whose t are those times to the bit.
   std::vector<FoundEvent<n>> events = {};  ///< In the order in which the run met them.
   std::shared_ptr<const detail::OrbitCurve> curve = {};  ///< The orbit that operator() evaluates.
@@ -410,7 +410,7 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 
 /// Integrates the orbit of H from `start` to the physical time `t_end`.
 ///
-/// The tolerance is that of the state at the end: every coordinate and every momentum is right to about
+/// The tolerance is for the state at the end: every coordinate and every momentum is right to about
 /// `tolerance` times the range through which it moves, or 1e-8 times that of another one of about its mass
 /// where that is more. What hardly changes, as the momentum of a fast rotor, or what rests by symmetry and
 /// wanders by rounding, is taken for something that moves by 1e-8 of its size, or of that other range, or by
@@ -458,7 +458,8 @@ template <class H, int n>
 
 /// The same with the states at `times`, the last of which is the end: any number of them, in the direction of
 /// the run, the start and equal ones included. Each is found by a symplectic step from the last step before
-/// it, so that it is as accurate as the run, which does not see it; it costs about as much as such a step.
+/// it, so that it is as accurate as the run, whose steps do not depend on it; it costs about as much as a
+/// step.
 /// @throws std::invalid_argument as the other one, and for times that are none, not finite or out of order.
 template <class H, int n>
 [[nodiscard]] Solution<n> solve(const H& hamiltonian, const State<n>& start, const std::vector<double>& times,
@@ -472,11 +473,11 @@ template <class H, int n>
 
 /// Goes on with a run that SolveOptions::checkpoint has kept in a file, with the same bits as if it had not
 /// been interrupted: by a bound, by the callback, by the end of the program. What was asked for is in the
-/// file, order, monitor and h included, but for H, the events, and a monitor of one's own, which are to be
+/// file, order, monitor and h included, but for H, the events, and a monitor of your own, which have to be
 /// the same.
 /// @tparam n of the start that the run began with @param n_of_start its value, where n is avi::dynamic
 /// @param options seconds and progress of what is left, bounds on sweeps and steps of the whole run, events,
-/// a monitor of one's own; nothing else counts
+/// a monitor of your own; nothing else counts
 /// @throws std::invalid_argument for a file that cannot be read, is damaged, or is of another H, and for
 /// n_of_start below 1, or other than n.
 template <int n, class H>

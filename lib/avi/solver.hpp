@@ -17,16 +17,16 @@ namespace avi {
 /// One orbit of an ensemble.
 template <int n>
 struct SolverMember {
-  Solution<n> solution;           ///< Stopped, with the sentence, where something was thrown.
+  Solution<n> solution;           ///< Stopped, with the message of the exception, where one was thrown.
   std::exception_ptr error = {};  ///< The exception that was thrown, if any.
 
-  /// The orbit came to its end.
+  /// True where the orbit came to its end.
   [[nodiscard]] bool ok() const { return solution.ok(); }
 };
 
-/// The orbits of H from many starts, with what solve() chooses for one of them: the choice, which takes a
-/// good part of a short call, is made once, and all orbits are by the same method. Nothing changes in a
-/// Solver: several threads may run it at a time.
+/// The orbits of H from many starts, with what solve() chooses for one of them. The choice, which takes a
+/// good part of a short call, is made once, and all orbits are by the same method. Several threads may run a
+/// Solver at a time.
 template <int n>
 class Solver {
  public:
