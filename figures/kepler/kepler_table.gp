@@ -49,7 +49,7 @@ do for [k = 1:3] {
 }
 unset title
 eval legend(0.9)
-set key maxrows 1 samplen 1 width -4
+set key maxrows 1 samplen 1 width -2
 plot $here using (2):(2) with points ls published title 'in the source', \
   $here using (2):(2) with points pt 7 lc rgb blue title 'recovered', \
   $here using (2):(2) with points pt 4 lc rgb vermilion title 'printed construction', \

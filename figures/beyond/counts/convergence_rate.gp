@@ -1,4 +1,4 @@
-# f along the exact Bregman dynamics (Direct) on the source's quartic, at the upper ends of its oscillation, in units of the
+# f along the exact Bregman dynamics (Direct) on the paper's quartic, at the upper ends of its oscillation, in units of the
 # bound E(t_0) / (C t^p) that holds for every convex objective; a quartic falls as t^(-2p), hence t^(-p) here.
 width = 11; height = 5.4
 load 'figures/style.gp'

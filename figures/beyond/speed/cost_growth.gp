@@ -25,7 +25,7 @@ eval panel(1, 1, 2, 2)
 set title 'steps of one orbit with energy error 10^{-6}' offset 0, -0.7
 set xrange [0.15:6e-7]
 set yrange [20:6e4]
-set xlabel 'distance 1 - e from a parabola' offset 0, 0.2
+set xlabel 'distance 1 − e from a parabola' offset 0, 0.2
 plot for [i=1:4] steps[i]*(x/last[i])**power[i] ls guide, \
   table using (along('closeness', 'none')):'steps' with linespoints ls monitor('none'), \
   for [i=1:5] table using (along('closeness', 'gamma = '.word(gammas, i))):'steps' with linespoints ls family(i)

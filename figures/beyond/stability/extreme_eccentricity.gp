@@ -27,7 +27,7 @@ eval logx
 eval logy
 set xrange [2:5e-9]
 set yrange [1:5e5]
-set xlabel "distance 1 - e from a parabola"
+set xlabel "distance 1 − e from a parabola"
 set ylabel "steps per orbit" offset 0, 0
 unset key
 set xtics (1, 1e-2, 1e-4, 1e-6, 1e-8)
@@ -58,7 +58,7 @@ plot 2 with linespoints ls monitor('none') title 'fixed step', \
   2 with linespoints ls monitor('energy') title 'energy', \
   2 with linespoints ls monitor('truncation_root') title '1/|L|', \
   2 with lines ls guide title 'predicted'
-eval key_box(2)
+eval key_box(1.97)
 plot 2 with linespoints ls method('stormer_verlet') title 'Störmer–Verlet', \
   2 with linespoints ls family(4) title 'adaptive Verlet', \
   2 with linespoints ls method('splitting') title 'Hairer–Söderlind', \
