@@ -1,4 +1,4 @@
-# The front door. `make help` lists the targets; each one installs its own Debian packages first, builds what it
+# `make help` lists the targets; each one installs its own Debian packages first, builds what it
 # needs and recomputes nothing that is up to date. CMake and Ninja know how programs are made; this file knows
 # the way from programs to data, figures and verdicts.
 
@@ -120,7 +120,7 @@ python-door: build/data/python_door.tsv ## Measure what the Python module costs 
 build/data/python_door.tsv: lib/python/measure/python_door.py $(wildcard lib/python/avi/*.py lib/python/src/*) | python build/data
 	@$(compile) same_digits && flock --exclusive build/data/.alone env PYTHONPATH=build/python OMP_NUM_THREADS=1 /usr/bin/python3 $< \
 	  --program $(BIN)/same_digits --output build/data
-hostile: programs ## The front door's promise on SYSTEMS=1000 systems drawn at random by SEED=1, at five tolerances: an hour
+hostile: programs ## Does avi::solve() keep its promise? SYSTEMS=1000 systems drawn at random by SEED=1, at five tolerances: an hour
 	@$(compile) hostile && mkdir -p build/extremes && $(BIN)/hostile --systems $(or $(SYSTEMS),1000) --seed $(or $(SEED),1) \
 	  --output build/extremes/hostile.tsv
 instructions: deps-instructions ## Count the instructions of fixed work, warn where they grew by over 10 % (ACCEPT=1 takes the counts over)

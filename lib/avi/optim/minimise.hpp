@@ -4,7 +4,7 @@
 #include "avi/optim/starting_point.hpp"
 
 /// @file
-/// The front door of the optimisers.
+/// A local minimum of a function: minimise().
 
 namespace avi {
 
