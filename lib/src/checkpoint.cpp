@@ -87,7 +87,7 @@ void require_regular(const std::string& file) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    throw std::invalid_argument("The checkpoint " + file + " is to be a file, and is a device or a folder.");
+    throw std::invalid_argument("The checkpoint " + file + " must be a file; it is a device or a folder.");
 }
 
 void remove_earlier(const std::string& file) {

@@ -12,9 +12,10 @@ std::string SolutionReport::report() const {
   if (!ok())
     text << run.message << "\nNothing is promised of the state: the run did not come to its end.\n";
   else if (std::isfinite(state_error))
-    text << (kept() ? "Kept" : "Not kept") << ": the state at the end was to be right to about " << tolerance
-         << " of the range of every coordinate and momentum; two runs with different steps "
-         << (choice.check > 0 ? "say " : "along its beginning foretell ") << state_error << ".\n";
+    text << (kept() ? "Kept" : "Not kept") << ": the state at the end errs by " << state_error
+         << " of the range of a coordinate or momentum, as two runs with different steps "
+         << (choice.check > 0 ? "show" : "foretell from their beginning") << "; the tolerance is "
+         << tolerance << ".\n";
   else
     text << "Nothing is promised of the state at the end: its error is not known.\n";
   text << "The largest error of the energy is " << energy_error << " of the scale " << choice.energy_scale
@@ -22,9 +23,9 @@ std::string SolutionReport::report() const {
   if (!note.empty()) text << note << "\n";
   const char* const counted = choice.name == "splitting" ? " kicks" : " sweeps";
   text << run.steps << " steps, " << run.evaluations << counted << ": monitor " << choice.name << ", order "
-       << choice.order << ", h = " << choice.h << "; choosing took " << choice.sweeps;
-  if (choice.check > 0) text << ", the run that it was compared with " << choice.check;
-  text << (choice.trials.empty() ? ".\n" : ". On the way:\n");
+       << choice.order << ", h = " << choice.h << ". Choosing took " << choice.sweeps;
+  if (choice.check > 0) text << ", the second run " << choice.check;
+  text << (choice.trials.empty() ? ".\n" : ". Runs on the way:\n");
   for (const SolveTrial& trial : choice.trials) {
     text << "  " << trial.monitor << ", order " << trial.order << ": h = " << trial.h << " for " << trial.time
          << ", " << trial.steps << " steps, " << trial.sweeps
