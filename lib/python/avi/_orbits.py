@@ -23,7 +23,7 @@ class Orbit:
              sol.times are the ends of its steps, the start first
     t_events, y_events   for each event the times, shape (k,), and the states, shape (k, 2 n), where it was found
     success  the last of the times was reached, or an event that ends the run (`ok` in C++)
-    kept     it was, with the error of the state and of the energy within ten times the tolerance
+    kept     success, and the errors of the state and of the energy are within ten times the tolerance
     status   0: the last of the times was reached; 1: an event ended the run; -1: neither
     message  one sentence on the end of the run
     nfev     evaluations of the field, those of the choice among them; nsteps: steps of the run
@@ -152,8 +152,8 @@ def event(g, *, direction=0, count=0, stop=False, **others):
     """An event for solve(): the zeros of g(q, p) or g(q, t, p), which is traced as H is; never of (t, y), as solve_ivp has it.
 
     direction  1 where g rises as the run goes, -1 where it falls, 0 for both
-    count      after so many the event is looked for no more; 0 for all
-    stop       the run ends there: at the first, or after `count`
+    count      how many zeros to look for; 0 for all
+    stop       whether the run ends on the last of them, or on the first where there is no count
 
     Raises TypeError or ValueError for a direction or a count of another kind, and for a g with the attributes of solve_ivp, which solve()
     reads where g itself is the event.
@@ -239,10 +239,10 @@ def solve(H, q, p, t, tol, *, events=(), progress=None, parameters=(), **options
     progress  True for a line that shows it, or a function called some twenty times a second with (fraction, t, steps, seconds)
     dense     keeps the orbit between the times, for `sol`
     seconds, sweeps, steps   bounds on wall-clock time, on evaluations of all stages and on steps; a run that meets one keeps what it has
-    order, monitor, h        of the method, for who does not want them chosen: 2, 4 ... 16; the step in fictive time; "fixed", "energy",
-           "energy^1.5", "poles", "acceleration", "splitting", or a function g(q, p), positive and smooth, which is traced as H is: dt = g dtau;
-           g(q, t, p) where H is H(q, t, p). A step is given together with a monitor
-    check  long runs are made twice, so that all of it is compared
+    order, monitor, h        to fix these rather than have them chosen. order: 2, 4 ... 16. monitor: "fixed", "energy", "energy^1.5",
+           "poles", "acceleration", "splitting", or a function g(q, p), positive and smooth, which is traced as H is: dt = g dtau;
+           g(q, t, p) where H is H(q, t, p). h: the step in fictive time, together with a monitor
+    check  True: the second run, which measures the error, goes all the way; False: along the beginning only
     checkpoint, checkpoint_seconds   a file in which the run is kept for resume(), and how often
 
     Ctrl-C ends the run; the orbit up to there is returned. Raises ValueError for a start, time, tolerance or bound out of range,
