@@ -1,7 +1,7 @@
 # Has a stranger's program compile, link and run with the library in one of the ways there are:
 #   installed         find_package() and a plain line of the compiler, from the static library that is built already
-#   shared            the same from a shared one, built here with nothing but a compiler, CMake and Eigen
-#   add_subdirectory, fetch_content   the library as a part of the stranger's project (parent/CMakeLists.txt)
+#   fetch_content     the static library as a part of the stranger's project (parent/CMakeLists.txt), which installs nothing of it
+#   add_subdirectory  the same with the shared one, which the project installs with its own, to be found as what is installed above
 #   eigen_versions    3.4 and 5 are taken, 3.3 is refused in one sentence: by package files that hold nothing but a version
 # cmake -DWAY=<way> -DBUILD=<build folder> -DCOMPILER=<c++> -DFLAGS=<how the library there is compiled> -P run.cmake
 set(here ${CMAKE_CURRENT_LIST_DIR})
@@ -14,17 +14,17 @@ function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 set(configure ${CMAKE_COMMAND} -DCMAKE_CXX_COMPILER=${COMPILER})
-# Not optimised, which saves time; none of the packages of experiments and tests is there.
-set(alone ${configure} -DCMAKE_BUILD_TYPE=Debug)
+# Not optimised and without symbols, which saves time; none of the packages of experiments and tests is there.
+set(alone ${configure} -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0)
 foreach(package IN ITEMS GSL CLI11 fmt GTest Boost SUNDIALS)
   list(APPEND alone -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 
 # consume(<option>...): the installed package by CMake, by a line of the compiler, and by one with pkg-config where there is one.
 function(consume)
-  run(${configure} -S ${here}/installed -B ${scratch}/build -DCMAKE_PREFIX_PATH=${prefix} "-DCMAKE_CXX_FLAGS=${FLAGS}" ${ARGN})
-  run(${CMAKE_COMMAND} --build ${scratch}/build)
-  run(${scratch}/build/pendulum)
+  run(${configure} -S ${here}/installed -B ${scratch}/found -DCMAKE_PREFIX_PATH=${prefix} "-DCMAKE_CXX_FLAGS=${FLAGS}" ${ARGN})
+  run(${CMAKE_COMMAND} --build ${scratch}/found)
+  run(${scratch}/found/pendulum)
   file(GLOB_RECURSE library ${prefix}/libavi.*)
   list(GET library 0 library)
   cmake_path(GET library PARENT_PATH folder)
@@ -48,24 +48,26 @@ endfunction()
 if(WAY STREQUAL "installed")
   run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
   consume(-DEVERYTHING=ON)
-elseif(WAY STREQUAL "shared")
-  set(FLAGS "")
-  run(${alone} -S ${source} -B ${scratch}/library -DBUILD_SHARED_LIBS=ON)
-  run(${CMAKE_COMMAND} --build ${scratch}/library)
-  run(${CMAKE_COMMAND} --install ${scratch}/library --prefix ${prefix})
-  consume()
 elseif(WAY STREQUAL "add_subdirectory" OR WAY STREQUAL "fetch_content")
   set(parent -S ${here}/parent -B ${scratch}/build -DAVI_SOURCE=${source} -DWAY=${WAY})
+  if(WAY STREQUAL "add_subdirectory")
+    list(APPEND parent -DBUILD_SHARED_LIBS=ON -DAVI_INSTALL=ON)
+  endif()
   run(${configure} ${parent})  # of no build type, which has to stay so
   run(${alone} ${parent})
   run(${CMAKE_COMMAND} --build ${scratch}/build)
   run(${scratch}/build/pendulum)
-  run(${CMAKE_COMMAND} --install ${scratch}/build --prefix ${prefix})
-  file(GLOB_RECURSE installed RELATIVE ${prefix} ${prefix}/*)
   # A program with -m options that the library does not have.
   run(${COMPILER} -std=c++20 -O0 -march=native ${here}/pendulum.cpp -I${source}/lib -I${EIGEN} -L${scratch}/build/avi/lib
-    -L${scratch}/build/_deps/avi-build/lib -lavi -o ${scratch}/native)
+    -L${scratch}/build/_deps/avi-build/lib -lavi -Wl,-rpath,${scratch}/build/avi/lib -o ${scratch}/native)
   run(${scratch}/native)
+  run(${CMAKE_COMMAND} --install ${scratch}/build --prefix ${prefix})
+  if(WAY STREQUAL "add_subdirectory")
+    set(FLAGS "")
+    consume()
+    return()
+  endif()
+  file(GLOB_RECURSE installed RELATIVE ${prefix} ${prefix}/*)
   if(NOT installed STREQUAL "bin/pendulum")
     message(FATAL_ERROR "The library has installed itself with the project that it is a part of: ${installed}")
   endif()

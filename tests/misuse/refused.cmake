@@ -1,13 +1,24 @@
 # Passes when the compiler refuses SOURCE with the sentence of its first line, `// error: sentence`.
-# cmake -DCOMPILER=<c++> -DSOURCE=<file> "-DINCLUDES=<folder>;<folder>" -P refused.cmake
-file(STRINGS ${SOURCE} first LIMIT_COUNT 1)
-string(REGEX REPLACE "^// error: " "" sentence "${first}")
-string(REPLACE "\\;" ";" sentence "${sentence}")  # file(STRINGS) escapes them
+# cmake -DCOMPILER=<c++> -DSOURCE=<file> "-DINCLUDES=<folder>;<folder>" -DFIRST=<file> -P refused.cmake
+# FIRST is a header that is read before, or FIRST.gch, in which it is compiled; the same call without SOURCE makes both.
 set(folders)
 foreach(folder IN LISTS INCLUDES)
   list(APPEND folders -isystem ${folder})
 endforeach()
-execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only ${folders} ${SOURCE} ERROR_VARIABLE said RESULT_VARIABLE status)
+set(compile ${COMPILER} -std=c++20 ${folders})
+if(NOT SOURCE)
+  file(WRITE ${FIRST} "#include <avi/avi.hpp>\n")
+  execute_process(COMMAND ${compile} -x c++-header ${FIRST} -o ${FIRST}.gch COMMAND_ERROR_IS_FATAL ANY)
+  return()
+endif()
+file(STRINGS ${SOURCE} first LIMIT_COUNT 1)
+string(REGEX REPLACE "^// error: " "" sentence "${first}")
+string(REPLACE "\\;" ";" sentence "${sentence}")  # file(STRINGS) escapes them
+file(STRINGS ${SOURCE} undone REGEX "^#undef")  # what headers look at must be so from the beginning
+if(NOT undone)
+  list(APPEND compile -include ${FIRST})
+endif()
+execute_process(COMMAND ${compile} -fsyntax-only ${SOURCE} ERROR_VARIABLE said RESULT_VARIABLE status)
 string(FIND "${said}" "${sentence}" found)
 if(status EQUAL 0 OR found EQUAL -1)
   message(FATAL_ERROR "Expected the compiler to refuse ${SOURCE} with \"${sentence}\"; status ${status}, it said:\n${said}")

@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
             State2 z = Kepler::pericentre(e);
             (void)avi::integrate(each.method, z, each.h, {.steps = each.result.steps});
           });
-        const auto least = interleaved_least_seconds(works, frame.quick ? 1 : 25);
+        const auto least = interleaved_least_seconds(works, frame.quick ? 1 : 10);
         for (std::size_t i = 0; i < costs.size(); ++i) {
           const auto& [name, h, r, method] = costs[i];
           const double n = static_cast<double>(r.steps);
