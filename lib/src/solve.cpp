@@ -362,7 +362,8 @@ OrbitAnswer Orbiter::finish() {
   answer_.state_error =
       seen + (it.noise + epsilon) * radians_ + of_clock + distance_->rounding_of(fine.state, fine.ranges);
   if (distance_->rounding_of(fine.state, fine.ranges) > 10.0 * question_.tolerance)
-    answer_.note += "Something is so far from zero that its rounding is more than the tolerance. ";
+    answer_.note +=
+        "A coordinate or momentum is so far from zero that its rounding is more than the tolerance. ";
   if (of_clock > question_.tolerance)
     answer_.note += "Time is so far from zero that its rounding is more than the tolerance. ";
   if (fine.energy_error > 10.0 * question_.tolerance + 100.0 * answer_.energy_rounding)

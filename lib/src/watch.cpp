@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <sstream>
 
 namespace avi::detail {
 
@@ -306,11 +305,8 @@ long Watch::look(const Stride& stride, bool first, std::vector<Hit>& hits) {
     if (hits.back().outcome != Outcome::ok) return evaluations;
   }
   if (ends) {
-    std::ostringstream reason;
-    reason.precision(17);
     const State<dynamic> there = stride.method.polynomial(*ends);
-    reason << "g of the event is nan at t = " << there.t;
-    hits.push_back({there, index_, Outcome::non_finite, reason.str()});
+    hits.push_back({there, index_, Outcome::non_finite, joined({"g of the event is nan at t = ", there.t})});
   }
   return evaluations;
 }

@@ -199,7 +199,7 @@ TEST(Solver, SaysWithStateAndResidualWhenNothingConverges) {
   EXPECT_EQ(run.steps, 0);
   EXPECT_EQ(z.q, start.q) << "the last good state";
   const std::string expected = "The run ended as not_converged after 0 steps, at t = 0, q = "
-                               "(0.29999999999999999), p = (0.10000000000000001), with residual ";
+                               "(0.3), p = (0.1), with residual ";
   EXPECT_TRUE(run.message.starts_with(expected)) << run.message;
   EXPECT_GT(std::stod(run.message.substr(expected.size())), 1e-12) << run.message;
 }

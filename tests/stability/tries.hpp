@@ -22,7 +22,7 @@ inline constexpr double not_finite[] = {nan, inf, -inf};
 
 std::string written(const auto& value) {
   std::ostringstream text;
-  text.precision(17);
+  text.precision(15);
   text << value;
   return text.str();
 }

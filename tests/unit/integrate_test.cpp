@@ -223,8 +223,8 @@ TEST(Integrate, SaysWhereItEndedWithEveryDigit) {
   } method;
   State<2> z{.q = {0.1, 2.0}, .p = {3.0, 4.0}, .t = 0.1};
   EXPECT_EQ(avi::integrate(method, z, 0.5, {.steps = 10}).message,
-            "The run ended as not_converged after 0 steps, at t = 0.10000000000000001, q = "
-            "(0.10000000000000001 2), p = (3 4), with residual 0.10000000000000001.");
+            "The run ended as not_converged after 0 steps, at t = 0.1, q = (0.1 2), "
+            "p = (3 4), with residual 0.1.");
 }
 
 TEST(Integrate, AsksEveryObserver) {

@@ -15,6 +15,14 @@ TEST(Require, NamesTheValueToItsLastBitAndTheRange) {
   EXPECT_EQ(refusal([] { avi::require(false, "Order", 3, "even"); }), "Order is 3; it must be even.");
 }
 
+TEST(Require, WritesNoMoreDigitsThanTellANumberFromAllOthers) {
+  using avi::detail::joined;
+  EXPECT_EQ(joined({0.1, " ", 0.0, " ", -0.0, " ", 3e6, " ", 1e300, " ", std::nan(""), " ", -HUGE_VAL}),
+            "0.1 0 -0 3000000 1e+300 nan -inf");
+  for (const double number : {0.1 + 0.2, 1.0 / 3.0, 2.2250738585072014e-308, 1e15 + 0.125, -M_PI * 1e-9})
+    EXPECT_EQ(std::stod(joined({number})), number);
+}
+
 TEST(Require, HoldsForNoNaN) {
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   for (const double value : {nan, infinity, -infinity, 0.0, -1.0}) {

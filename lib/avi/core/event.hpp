@@ -8,7 +8,6 @@
 #include <concepts>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -95,7 +94,7 @@ class EventWatch {
     if (std::isnan(begin) || std::isnan(end)) {
       const State& where = std::isnan(begin) ? step.before : step.after;
       Located<State> none{.state = where, .report = {.outcome = Outcome::non_finite, .evaluations = 0}};
-      none.reason = "g of the event is nan at t = " + text(where.t);
+      none.reason = detail::joined({"g of the event is nan at t = ", where.t});
       return none;
     }
     if (first) {
@@ -111,13 +110,6 @@ class EventWatch {
   }
 
  private:
-  static std::string text(double number) {
-    std::ostringstream out;
-    out.precision(17);
-    out << number;
-    return out.str();
-  }
-
   /// The step begins on the event: only what comes after the sign with which g leaves it counts.
   template <class M, class State>
   std::optional<Located<State>> leave(const Step<M, State>& step, double end) {

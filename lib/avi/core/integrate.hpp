@@ -9,7 +9,6 @@
 #include <concepts>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -39,22 +38,20 @@ namespace detail {
 template <class State>
 std::string describe_end(Outcome outcome, const State& state, long steps, double residual,
                          const std::string& reason) {
-  std::ostringstream sentence;
-  sentence.precision(17);
-  sentence << "The run ended as " << name(outcome) << " after " << steps << " steps, at t = " << state.t;
-  [[maybe_unused]] const auto list = [&](const char* what, const auto& x) {  // faster to compile than Eigen's
+  std::string sentence =
+      joined({"The run ended as ", name(outcome), " after ", steps, " steps, at t = ", state.t});
+  [[maybe_unused]] const auto list = [&](const char* what, const auto& x) {
     for (decltype(x.size()) i = 0; i < x.size(); ++i)
-      sentence << (i == 0 ? what : " ") << x[i];
-    sentence << ")";
+      sentence += joined({i == 0 ? what : " ", static_cast<double>(x[i])});
+    sentence += ")";
   };
   if constexpr (requires { state.q.size(), state.p.size(); })
     if (outcome == Outcome::not_converged) list(", q = (", state.q), list(", p = (", state.p);
   if (!reason.empty())
-    sentence << ": " << reason;
+    sentence += ": " + reason;
   else if (outcome == Outcome::not_converged)
-    sentence << ", with residual " << residual;
-  sentence << ".";
-  return sentence.str();
+    sentence += joined({", with residual ", residual});
+  return sentence + ".";
 }
 
 /// Why a step failed, as a clause; of one that did not converge its residual says enough.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <concepts>
 #include <initializer_list>
-#include <iosfwd>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -17,7 +16,7 @@ namespace avi {
 
 namespace detail {
 /// A number or a text of a sentence. One type for all, so that the sentences are put together in the library
-/// and not in every file that checks something.
+/// and not in every file that says something.
 class Piece {
  public:
   ///@{
@@ -30,7 +29,7 @@ class Piece {
   Piece(const std::string& text) : Piece(std::string_view(text)) {}                             // NOLINT
   Piece(const char* text) : Piece(std::string_view(text)) {}                                    // NOLINT
   ///@}
-  void write(std::ostream& out) const;  ///< Numbers with the precision of `out`.
+  void add_to(std::string& text) const;  ///< Real numbers with as few digits as tell them from all others.
 
  private:
   enum Kind { whole, natural, real, words } kind_;
@@ -38,6 +37,8 @@ class Piece {
   double real_ = 0.0;
   std::string_view text_;
 };
+/// The pieces, one after the other.
+[[nodiscard]] std::string joined(std::initializer_list<Piece> pieces);
 /// @throws std::invalid_argument with a sentence of all that.
 [[noreturn]] void reject(std::string_view what, const Piece& value, std::initializer_list<Piece> admissible);
 }  // namespace detail

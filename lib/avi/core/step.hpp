@@ -9,7 +9,6 @@
 #include <concepts>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <type_traits>
 
@@ -154,16 +153,13 @@ struct Step {
   Located<State> search(double begin, double f_begin, const F& f, double tolerance, Side side) const {
     const double last = f(after);
     Located<State> found{.state = after, .h = h};
-    const auto fail = [&](Outcome outcome, auto&&... clause) {
+    const auto fail = [&](Outcome outcome, std::initializer_list<detail::Piece> reason) {
       found.report.outcome = outcome;
-      std::ostringstream reason;
-      reason.precision(17);
-      (reason << ... << clause);
-      found.reason = reason.str();
+      found.reason = detail::joined(reason);
       return found;
     };
     if (std::isnan(f_begin) || std::isnan(last))
-      return fail(Outcome::non_finite, "g is nan at t = ", std::isnan(f_begin) ? before.t : after.t);
+      return fail(Outcome::non_finite, {"g is nan at t = ", std::isnan(f_begin) ? before.t : after.t});
     if (std::abs(last) <= tolerance) return found;
     const double sign = std::copysign(1.0, last);
     require(sign * f_begin < 0.0, "f at the beginning of the step", f_begin,
@@ -181,7 +177,7 @@ struct Step {
     if (root.x < root.high) found = under;
     found.evaluations = tried.evaluations;
     if (std::isnan(root.value)) {
-      if (tried.ok()) return fail(Outcome::non_finite, "g is nan at t = ", tried.state.t);
+      if (tried.ok()) return fail(Outcome::non_finite, {"g is nan at t = ", tried.state.t});
       found.report = tried.report;
       found.reason = "a step to g = 0 failed";
       return found;
@@ -206,9 +202,10 @@ struct Step {
       zero = f_up - f_down >= 4.0 * gap;
     }
     if (zero) return found;
-    return fail(Outcome::not_converged, "g changes its sign near t = ", found.state.t,
-                ", but not through zero: from ", sign * root.f_low, " to ", sign * root.f_high,
-                ", where |g| is not small, as at a jump or a pole");
+    return fail(Outcome::not_converged,
+                {"g changes its sign near t = ", found.state.t, ", but not through zero: from ",
+                 sign * root.f_low, " to ", sign * root.f_high,
+                 ", where |g| is not small, as at a jump or a pole"});
   }
 };
 

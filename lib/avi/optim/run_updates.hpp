@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <concepts>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 /// @file
@@ -34,11 +33,8 @@ struct NoWitness {
 namespace detail {
 
 inline std::string describe_end(Outcome outcome, long k, const Iterate& at, std::string_view reason) {
-  std::ostringstream sentence;
-  sentence.precision(17);
-  sentence << "The run ended as " << name(outcome) << " at iteration " << k << ", where f = " << at.value
-           << ": " << reason << ".";
-  return sentence.str();
+  return joined(
+      {"The run ended as ", name(outcome), " at iteration ", k, ", where f = ", at.value, ": ", reason, "."});
 }
 
 /// Tells a run that left its bounds from one that met something that is not a number on the way.

@@ -83,7 +83,9 @@ void add_peers(Scene& scene, const Equations& equations) {
 }
 
 std::string peers_present() {
-  return "GSL " GSL_VERSION ", Boost.odeint " BOOST_LIB_VERSION ", SUNDIALS " SUNDIALS_VERSION;
+  std::string boost = BOOST_LIB_VERSION;
+  std::ranges::replace(boost, '_', '.');
+  return "GSL " GSL_VERSION ", Boost.odeint " + boost + ", SUNDIALS " SUNDIALS_VERSION;
 }
 
 }  // namespace experiment::work_precision
