@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <malloc.h>
+#include <tuple>
+#include <utility>
 
 using avi::minimise;
 using avi::MinimiseOptions;
@@ -27,16 +29,23 @@ TEST(Minimise, FindsMinimaWithItsDefaults) {
   EXPECT_LT(valley.gradient_evaluations, 75);  // measured 49
 }
 
-TEST(Minimise, TakesTheSameWayInLargeUnits) {
-  const auto in_units = [](double unit) {
-    const auto f = [unit](const VectorX& x, VectorX& gradient) {
-      const double value = unit * rosenbrock(x, gradient);
-      gradient *= unit;
+TEST(Minimise, TakesTheSameWayInAnyUnits) {
+  // Powers of two: products with them are exact, and the run is the same to the last bit.
+  const auto in_units = [](double of_f, double of_x, int memory) {
+    const auto f = [=](const VectorX& x, VectorX& gradient) {
+      const double value = of_f * rosenbrock(x / of_x, gradient);
+      gradient *= of_f / of_x;
       return value;
     };
-    return minimise(f, {-1.2, 1.0}).iterations;
+    const auto run = minimise(f, VectorX(Eigen::Vector2d(-1.2, 1.0) * of_x), {.memory = memory});
+    EXPECT_TRUE(run.ok()) << run.message;
+    return std::tuple(run.gradient_evaluations, run.last.value / of_f, run.last.x[0] / of_x);
   };
-  EXPECT_EQ(in_units(0x1p330), in_units(1.0));
+  for (int memory : {0, 7})
+    for (auto [of_f, of_x] : {std::pair(0x1p330, 1.0), std::pair(0x1p-330, 1.0), std::pair(1.0, 0x1p330),
+                              std::pair(1.0, 0x1p-330), std::pair(0x1p800, 0x1p450)})
+      EXPECT_EQ(in_units(of_f, of_x, memory), in_units(1.0, 1.0, memory))
+          << memory << ' ' << of_f << ' ' << of_x;
 }
 
 TEST(Minimise, SolvesAQuadraticOfNEigenvaluesInAboutNIterations) {

@@ -23,18 +23,16 @@ struct LinePoint {
 /// values: the trapezium rule misses phi_1 - phi_0 by e = -a h^3 / 2, and the slope at r h is wrong by
 /// 6 (e/h) r (r - 1). So e tells whether the linear interpolation may be trusted.
 struct LineModel {
-  LinePoint base;    ///< At alpha = 0.
-  LinePoint trial;   ///< At alpha = h.
-  double h;          ///< Distance of the trial, positive.
-  double curvature;  ///< kappa.
-  double r;          ///< Where the slope vanishes, in units of h; meant for curvature > 0.
-  double defect;     ///< nu = |e| / (h max |phi'|), less what rounding of the values explains.
-  double rounding;   ///< The defect that rounding explains, likewise in units of h max |phi'|.
+  LinePoint base;   ///< At alpha = 0.
+  LinePoint trial;  ///< At alpha = h.
+  double h;         ///< Distance of the trial, positive.
+  double r;         ///< Where the slope vanishes, in units of h; meant for a line that is convex().
+  double defect;    ///< nu = |e| / (h max |phi'|), less what rounding of the values explains.
+  double rounding;  ///< The defect that rounding explains, likewise in units of h max |phi'|.
 
   /// `noise` is what rounding may make of the difference of the values.
   LineModel(const LinePoint& from, const LinePoint& to, double distance, double noise)
-      : base(from), trial(to), h(distance), curvature((to.slope - from.slope) / distance),
-        r(-from.slope / (to.slope - from.slope)) {
+      : base(from), trial(to), h(distance), r(-from.slope / (to.slope - from.slope)) {
     const double unit = h * std::max(std::abs(from.slope), std::abs(to.slope));
     rounding = noise / unit;
     defect = std::max(0.0, std::abs(trapezium()) / unit - rounding);
@@ -45,9 +43,12 @@ struct LineModel {
     return trial.value - base.value - 0.5 * h * (base.slope + trial.slope);
   }
 
+  /// True for kappa > 0, whose size leaves the range of numbers in distant units of x and f.
+  [[nodiscard]] bool convex() const { return trial.slope > base.slope; }
+
   /// True where the minimum of the line and the gradient there may be taken from the interpolation.
   [[nodiscard]] bool trusted() const {
-    return curvature > 0.0 && defect <= 0.3 && r >= 0.02 && r <= 10.0 && wrong_by(defect) <= 0.04;
+    return convex() && defect <= 0.3 && r >= 0.02 && r <= 10.0 && wrong_by(defect) <= 0.04;
   }
 
   /// True where that rests on slopes alone, because rounding would hide a defect.
@@ -56,16 +57,20 @@ struct LineModel {
   /// Minimum of the cubic through both points, in units of h; for a trial beyond the minimum. In [0.05,
   /// 0.95], one half where the cubic has none.
   [[nodiscard]] double cubic() const {
-    const double secant = 3.0 * (base.value - trial.value) / h + base.slope + trial.slope;
-    const double square = secant * secant - base.slope * trial.slope;
+    // In units of the slopes, a power of two: squares are numbers whatever the units of x and f.
+    const double largest = std::max(std::abs(base.slope), std::abs(trial.slope));
+    const double unit = largest > 0.0 && std::isfinite(largest) ? std::ldexp(1.0, std::ilogb(largest)) : 1.0;
+    const double before = base.slope / unit, after = trial.slope / unit;
+    const double secant = 3.0 * (base.value - trial.value) / h / unit + before + after;
+    const double square = secant * secant - before * after;
     if (!(square >= 0.0)) return 0.5;
     const double root = std::sqrt(square);
-    const double at = 1.0 - (trial.slope + root - secant) / (trial.slope - base.slope + 2.0 * root);
+    const double at = 1.0 - (after + root - secant) / (after - before + 2.0 * root);
     return std::isfinite(at) ? std::clamp(at, 0.05, 0.95) : 0.5;
   }
 
   /// Next trial beyond one that still goes downhill, in units of h.
-  [[nodiscard]] double beyond() const { return curvature > 0.0 ? std::clamp(r, 1.5, 10.0) : 5.0; }
+  [[nodiscard]] double beyond() const { return convex() ? std::clamp(r, 1.5, 10.0) : 5.0; }
 
  private:
   /// Error of the slope at r h, in units of the larger slope, that a defect of nu stands for.
