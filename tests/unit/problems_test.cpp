@@ -172,6 +172,18 @@ TEST(NBody, AddsUpTheMomentaOfAllBodies) {
   EXPECT_EQ(avi::NBody<2>::angular_momentum(z, 1, 0), -moment);
 }
 
+TEST(NBody, HasAngularMomentaOfItsCoordinatesAlone) {
+  // Entry 2 of a body in the plane would be the first one of the next body.
+  const auto z = FigureEight::start();
+  EXPECT_EQ(refusal([&] { avi::NBody<3>::angular_momentum(z, 0, 2); }),
+            "Coordinate of a body is 2; it must be at least 0 and below 2.");
+  EXPECT_THROW(avi::NBody<3>::angular_momentum(z, -1, 1), std::invalid_argument);
+  const State<dynamic> short_of_p{.q = Vector<double, dynamic>::Ones(6),
+                                  .p = Vector<double, dynamic>::Ones(3)};
+  EXPECT_EQ(refusal([&] { avi::NBody<dynamic, 3>::angular_momentum(short_of_p, 0, 2); }),
+            "Number of entries of p is 3; it must be that of q, 6.");
+}
+
 TEST(FigureEight, ClosesAfterOnePeriodAndPermutesAfterAThird) {
   const auto problem = FigureEight::problem();
   const auto start = FigureEight::start();

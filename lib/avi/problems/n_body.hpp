@@ -133,7 +133,12 @@ class NBody {
 
   /// Angular momentum about the axis at right angles to coordinates k and l, in the plane the only one:
   /// \f$\sum_i x_{i,k} p_{i,l} - x_{i,l} p_{i,k}\f$, conserved.
+  /// @throws std::invalid_argument for a coordinate that a body does not have, and q and p of different size.
   static double angular_momentum(const State<dimension>& z, int k = 0, int l = 1) {
+    for (const int coordinate : {k, l})
+      require(coordinate >= 0 && coordinate < space, "Coordinate of a body", coordinate,
+              "at least 0 and below ", space);
+    require(z.p.size() == z.q.size(), "Number of entries of p", z.p.size(), "that of q, ", z.q.size());
     double sum = 0.0;
     for (Eigen::Index i = 0; i + space <= z.q.size(); i += space)
       sum += z.q[i + k] * z.p[i + l] - z.q[i + l] * z.p[i + k];
