@@ -110,6 +110,23 @@ TEST(BregmanRestarted, FindsCurvaturesBelowOne) {
   EXPECT_NEAR(least, 0.01, 1e-6);
 }
 
+TEST(BregmanRestarted, FindsCurvaturesInDistantUnits) {
+  for (const double unit : {1.0, 1e100, 1e-100}) {  // of x: curvatures of 1e-200 and 1e200 have no squares
+    const auto bowl = [unit](const VectorX& x, VectorX& gradient) {
+      double sum = 0.0;
+      for (Eigen::Index i = 0; i < x.size(); ++i) {
+        const double c = static_cast<double>(i + 1), at = x[i] / unit - 1.0;
+        gradient[i] = c * at / unit;
+        sum += 0.5 * c * at * at;
+      }
+      return sum;
+    };
+    const auto run = avi::run_updates(bowl, avi::BregmanRestarted{}, VectorX::Constant(10, 3.0 * unit),
+                                      {.delta = 1e-10 / unit, .iterations = 200});
+    EXPECT_TRUE(run.ok()) << unit << ": " << run.message;  // measured 75 to 105
+  }
+}
+
 TEST(BregmanRestarted, RefusesAnOrderThatIsNotPositive) {
   const avi::Iterate now{.x = VectorX::Ones(2), .gradient = VectorX::Ones(2), .value = 1.0};
   for (const double P : {0.0, -1.0, std::nan("")})

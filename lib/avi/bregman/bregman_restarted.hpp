@@ -126,9 +126,15 @@ struct BregmanRestarted {
       e.set(dg0, dg);
     });
     double L = 0.7 * state.L;
-    if (sums[0] > 0.0) L = std::max(L, std::sqrt(sums[1] / sums[0]));
-    if (state.updates > 1 && own[0] > 0.0) L = std::max(L, std::sqrt(own[1] / own[0]));
+    if (sums[0] > 0.0) L = std::max(L, root_of_quotient(sums[1], sums[0]));
+    if (state.updates > 1 && own[0] > 0.0) L = std::max(L, root_of_quotient(own[1], own[0]));
     if (std::isfinite(L) && L > 0.0) state.L = L;
+  }
+
+  /// sqrt(a / b), also where the quotient is beyond the range of numbers, as in distant units of x.
+  static double root_of_quotient(double a, double b) {
+    const double quotient = a / b;
+    return std::isnormal(quotient) ? std::sqrt(quotient) : std::sqrt(a) / std::sqrt(b);
   }
 };
 
