@@ -51,7 +51,8 @@ if(WAY STREQUAL "installed")
 elseif(WAY STREQUAL "add_subdirectory" OR WAY STREQUAL "fetch_content")
   set(parent -S ${here}/parent -B ${scratch}/build -DAVI_SOURCE=${source} -DWAY=${WAY})
   if(WAY STREQUAL "add_subdirectory")
-    list(APPEND parent -DBUILD_SHARED_LIBS=ON -DAVI_INSTALL=ON)
+    # For /usr, where distributions may have libraries in lib/<machine>.
+    list(APPEND parent -DBUILD_SHARED_LIBS=ON -DAVI_INSTALL=ON -DCMAKE_INSTALL_PREFIX=/usr)
   endif()
   run(${configure} ${parent})  # of no build type, which has to stay so
   run(${alone} ${parent})
