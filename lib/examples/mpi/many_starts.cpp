@@ -42,14 +42,14 @@ void run(const char* file) {
 
   if (rank != 0) return;
   std::FILE* out = std::fopen(file, "w");
-  if (!out) {
+  for (std::size_t i = 0; out && i < all; ++i)
+    std::fprintf(out, "%a\t%a\t%a\t%a\n", ends[4 * i], ends[4 * i + 1], ends[4 * i + 2], ends[4 * i + 3]);
+  bool written = out && std::ferror(out) == 0;
+  if (out && std::fclose(out) != 0) written = false;  // where a full disk may show first
+  if (!written) {
     std::fprintf(stderr, "%s cannot be written\n", file);
     MPI_Abort(MPI_COMM_WORLD, 1);
-    return;
   }
-  for (std::size_t i = 0; i < all; ++i)
-    std::fprintf(out, "%a\t%a\t%a\t%a\n", ends[4 * i], ends[4 * i + 1], ends[4 * i + 2], ends[4 * i + 3]);
-  std::fclose(out);
 }
 
 }  // namespace
