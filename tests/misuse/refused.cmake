@@ -14,8 +14,8 @@ endif()
 file(STRINGS ${SOURCE} first LIMIT_COUNT 1)
 string(REGEX REPLACE "^// error: " "" sentence "${first}")
 string(REPLACE "\\;" ";" sentence "${sentence}")  # file(STRINGS) escapes them
-file(STRINGS ${SOURCE} undone REGEX "^#undef")  # what headers look at must be so from the beginning
-if(NOT undone)
+file(STRINGS ${SOURCE} flags REGEX "^#define __")  # what headers look at must be so from the beginning
+if(NOT flags)
   list(APPEND compile -include ${FIRST})
 endif()
 execute_process(COMMAND ${compile} -fsyntax-only ${SOURCE} ERROR_VARIABLE said RESULT_VARIABLE status)
