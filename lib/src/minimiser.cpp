@@ -90,12 +90,8 @@ class MinimiserRun {
   bool underflows() {
     if (!(norm_ < 1e-150)) return false;
     if (!exact_) settle();
-    const double by_scale = length(view(base_.g));
-    if (target_ == 0.0 && by_scale < std::min(1e-150, 1e-30 * norm0_)) {
-      target_ = by_scale;
-      return false;
-    }
-    norm_ = by_scale;
+    norm_ = length(view(base_.g));
+    if (target_ == 0.0 && norm_ < std::min(1e-150, 1e-30 * norm0_)) target_ = norm_;
     return norm_ > target_ && norm_ < 1e-150;
   }
 

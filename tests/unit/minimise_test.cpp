@@ -326,6 +326,24 @@ TEST(Minimise, WithoutATolerance_AGradientWhoseSquareUnderflowsIsTheEnd) {
   }
 }
 
+TEST(Minimise, WithoutATolerance_TheNormToldIsThatOfTheGradient) {
+  // Steps that are too short by a factor of ten end at a gradient of 4e-163.
+  const auto steeper = [](const VectorX& x, VectorX& gradient) {
+    gradient = 20.0 * x;
+    return x.squaredNorm();
+  };
+  double told = 0.0;
+  const auto run = minimise(steeper, {1.0, 2.0}, {.relative = 0.0, .callback = [&](const avi::Progress& at) {
+                                                    told = at.gradient_norm;
+                                                    return true;
+                                                  }});
+  EXPECT_TRUE(run.ok()) << run.message;
+  const double least = avi::largest_entry(run.last.gradient);
+  EXPECT_GT(least, 0.0);
+  EXPECT_EQ(least * least, 0.0);
+  EXPECT_DOUBLE_EQ(told, avi::length(run.last.gradient));
+}
+
 TEST(Minimise, WithoutATolerance_RoundingAccusesNoGradient) {
   // Where |g| is all rounding, |f| / |g|^2 is far from everywhere, and the slope there is another one.
   const int n = 20;
