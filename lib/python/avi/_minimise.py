@@ -25,11 +25,9 @@ class Minimum:
         self.history = history
 
     def __repr__(self):
-        import numpy as np
-
         return (
             f"{self.message}\n{self.nit} iterations, {self.njev} gradients: "
-            f"f = {self.fun:.17g}, |gradient| = {np.linalg.norm(self.jac):.3g}\nx = {self.x}"
+            f"f = {self.fun:.17g}, |gradient| = {_length(self.jac):.3g}\nx = {self.x}"
         )
 
 
@@ -83,13 +81,20 @@ def minimise(f, x0, *, jac=None, parameters=(), callback=None, history=False, **
 
 def _reached(gradient, options):
     """The criterion that was met."""
-    import numpy as np
-
-    if np.linalg.norm(gradient) <= options.absolute:
+    length = _length(gradient)
+    if length <= options.absolute:
         return f"Converged: |gradient| is at most {options.absolute:g}, which was asked for." if options.absolute else "Converged: the gradient is 0."
     if not options.relative:
-        return f"Converged: |gradient| fell to {np.linalg.norm(gradient):.2g}, the square of which is no number any more."
+        return f"Converged: |gradient| fell to {length:.2g}, the square of which is no number any more."
     return f"Converged: |gradient| fell to at most {options.relative:g} of that at the start."
+
+
+def _length(gradient):
+    """|gradient|, also where the squares of its entries underflow."""
+    import numpy as np
+
+    largest = np.abs(gradient).max()
+    return largest * np.linalg.norm(gradient / largest) if 0.0 < largest < 1e-150 else np.linalg.norm(gradient)
 
 
 def _flat(both):

@@ -301,6 +301,10 @@ class Criterion(unittest.TestCase):
         self.assertEqual(near.message, "Converged: |gradient| is at most 1e-06, which was asked for.")
         self.assertLess(abs(near.x[0] - 1), 1e-5)
         self.assertEqual(avi.minimise(lambda x: x @ x, [0.0]).message, "Converged: the gradient is 0.")
+        tiny = avi.minimise(lambda x: float(x @ x), [1.0, 2.0], jac=lambda x: 20 * x, relative=0.0)
+        self.assertEqual(np.square(tiny.jac).tolist(), [0.0, 0.0])
+        self.assertEqual(tiny.message, "Converged: |gradient| fell to 4e-163, the square of which is no number any more.")
+        self.assertIn("|gradient| = 4e-163", repr(tiny))
 
 
 class Copies(unittest.TestCase):
