@@ -14,7 +14,8 @@ class Minimum:
     status   0: converged; else the number of the outcome, whose name is `outcome`
     message  one sentence on the end of the run
     nit, nfev, njev   iterations, evaluations of f and of its gradient
-    history  with history=True, an array of shape (nit + 1, 3): evaluations so far, f, and the norm of its gradient
+    history  with history=True, an array of shape (nit + 1, 3): evaluations so far, f, and the norm of its gradient; (0, 3) where f or its
+             gradient was found wrong at x0
     """
 
     def __init__(self, outcome, message, nit, nfev, x, fun, jac, history=None):

@@ -98,6 +98,8 @@ def convergence(found: Minimum, *, least=None, ax=None, **style):
 
     if found.history is None:
         raise ValueError("The minimisation was made without history=True, which convergence() draws.")
+    if not len(found.history):
+        raise ValueError(f"The minimisation could not begin, so there is nothing to draw. {found.message}")
     evaluations, f, norm = found.history.T
     ax = _axes(ax, xlabel="evaluations of the gradient", yscale="log")
     above = f - (f.min() if least is None else least)

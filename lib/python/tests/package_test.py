@@ -162,6 +162,8 @@ print(imported - begun, perf_counter() - begun)
             self.assertEqual(axes.get_ylabel(), "$p$")
         with self.assertRaisesRegex(ValueError, "history=True"):
             avi.plot.convergence(avi.minimise(lambda x: x @ x, [1.0]))
+        with self.assertRaisesRegex(ValueError, "nothing to draw. The run ended as non_finite"):
+            avi.plot.convergence(avi.minimise(lambda x: x @ np.log(x - 2.0), [1.0], history=True))
 
 
 if __name__ == "__main__":
