@@ -207,11 +207,12 @@ class MinimiserRun {
   }
 
   /// How far along d values are asked for a slope, in units of d: by a part of the size of x, or of x0, as a
-  /// kink is at 0 more often than elsewhere. The next trial may be much too far.
+  /// kink is at 0 more often than elsewhere. The next trial may be much too far. Where both are 0, f and its
+  /// gradient alone tell of a size.
   [[nodiscard]] double asked_at() const {
     const double length = std::sqrt(length2_), x = std::max(norm(view(base_.x)), size0_);
-    const double size = x > 0.0 ? x : alpha_ * length;
-    return 1e-4 * (size > 0.0 ? size / length : 1.0);
+    const double size = x > 0.0 ? x : alpha_ > 0.0 ? alpha_ * length : first_step() * norm_;
+    return 1e-4 * (size / length);
   }
 
   /// Why steepest descent found nothing: rounding hides the fall, or the gradient is not that of f; or
@@ -239,16 +240,13 @@ class MinimiserRun {
     return fail(Outcome::no_descent, by.against(down_));
   }
 
-  /// The check on request, at the start. Where the slope by values depends on the distance at which they are
-  /// taken, they are taken nearer to each other.
+  /// The check on request, at the start.
   bool gradient_agrees() {
     mixed_direction(view(base_.x), d_);
     measure_direction();
-    SlopeByValues by = slope_by_values(values_along_d(), asked_at());
-    for (double nearer = 1.0 / 64.0; by.depends_on_distance() && nearer > 1e-9; nearer /= 64.0)
-      by = slope_by_values(values_along_d(), nearer * asked_at());
-    if (by.agrees_with(down_, 1e-7 * view(base_.g).cwiseProduct(d_).lpNorm<1>())) return true;
-    return fail(Outcome::wrong_gradient, by.against(down_));
+    const double allowed = 1e-7 * view(base_.g).cwiseProduct(d_).lpNorm<1>();
+    const SlopeByValues by = slope_to_compare(values_along_d(), asked_at(), down_, allowed);
+    return by.agrees_with(down_, allowed) || fail(Outcome::wrong_gradient, by.against(down_));
   }
 
   /// Where the run is, as its caller sees it.

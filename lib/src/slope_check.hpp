@@ -48,6 +48,24 @@ SlopeByValues slope_by_values(Phi&& phi, double h) {
   return {slopes[1], truncation + rounding, truncation};
 }
 
+/// The slope to compare `by_gradient`, which may be off by `allowed`, with. Where it depends on the distance
+/// of the values, they are taken nearer to each other, down to 1e-9 of the `farthest`. So they are once more
+/// before it contradicts: values that are waves apart may seem not to depend on it, and then they say
+/// something else. At most 20 values.
+template <class Phi>
+SlopeByValues slope_to_compare(Phi&& phi, double farthest, double by_gradient, double allowed) {
+  SlopeByValues before{};
+  bool counts = false;
+  for (double part = 1.0; part > 1e-9; part /= 64.0) {
+    const SlopeByValues by = slope_by_values(phi, part * farthest);
+    if (counts && by.agrees_with(before.slope, before.uncertainty)) break;
+    before = by;
+    counts = !by.depends_on_distance();
+    if (counts && by.agrees_with(by_gradient, allowed)) break;
+  }
+  return before;
+}
+
 /// Whether a slope by the gradient is no more than what rounding of x makes of it: phi, of the given value at
 /// 0, is a parabola there whose slope changes by as much within eight units of the `resolution`, the distance
 /// at which x + h d is told from x. Asks at a thousand of those, and at half of that: second differences are

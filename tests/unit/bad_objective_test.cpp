@@ -141,6 +141,28 @@ TEST(BadObjective, IsNotAccusedWhereItIsFlatAroundAWell) {
     }
 }
 
+// Where x0 is 0, only f and its gradient tell how far away it is something else.
+TEST(BadObjective, IsCheckedAtZeroInItsOwnUnits) {
+  for (const double unit : {1e-20, 1e-6, 1.0, 1e6, 1e20})
+    for (const double sign : {1.0, -1.0}) {
+      const auto cone = [&](const VectorX& x, VectorX& g) {
+        const double y = x[0] / unit - 0.7, f = std::sqrt(1.0 + y * y);
+        g[0] = sign * y / f / unit;
+        return f;
+      };
+      const auto run = minimise(cone, {0.0}, {.check_gradient = true});
+      EXPECT_EQ(run.outcome, sign > 0.0 ? Outcome::ok : Outcome::wrong_gradient)
+          << unit << ": " << run.message;
+      const auto offset_waves = [&](const VectorX& x, VectorX& g) {
+        const double y = x[0] / unit - 0.7;
+        g[0] = sign * (2.0 * y + 5.0 * std::cos(50.0 * y)) / unit;
+        return 1e4 + y * y + 0.1 * std::sin(50.0 * y);
+      };
+      const auto other = minimise(offset_waves, {0.0}, {.check_gradient = true});
+      EXPECT_EQ(other.outcome == Outcome::wrong_gradient, sign < 0.0) << unit << ": " << other.message;
+    }
+}
+
 TEST(BadObjective, GoesRoundAWallOfInfinity) {
   // log barrier: infinite for x <= 0, where the first steps of a far start may land
   const auto barrier = [](const VectorX& x, VectorX& g) {
