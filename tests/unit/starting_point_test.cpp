@@ -53,6 +53,14 @@ TEST(StartingPoint, ServesBothLoops) {
   EXPECT_FALSE(avi::minimise(valley, {-1.2, 1.0}, {.iterations = 1}).ok());
 }
 
+TEST(StartingPoint, IsNoMatrixOfWhichOneColumnWouldBeTaken) {
+  const Eigen::MatrixXd six = Eigen::MatrixXd::Ones(2, 3);
+  EXPECT_EQ(refusal([&] { (void)avi::minimise(objectives::bowl, six); }),
+            "Number of columns of x0 is 3; it must be 1.");
+  EXPECT_EQ(taken(Eigen::MatrixXd(six.col(1))), VectorX::Ones(2));
+  EXPECT_EQ(taken(six.row(1)), VectorX::Ones(3));
+}
+
 TEST(StartingPoint, OfNoNumbersIsRefused) {
   EXPECT_EQ(refusal([] { (void)avi::minimise(objectives::bowl, std::vector<double>{}); }),
             "Size of x0 is 0; it must be at least 1.");
