@@ -81,6 +81,26 @@ TEST(TypeII, StationaryConstructionHasTwiceTheOrder) {
   EXPECT_NEAR((htvi_order<1, avi::Stationary>(avi::gauss(2), avi::Unit{}, 0.1)), 4.0, 0.3);
 }
 
+// The force q_2 q_1^(q_2 - 1) is zero at the start, and not a moment later.
+TEST(Htvi, HasItsOrderWhereAnExponentBeginsAtZero) {
+  const auto power = [](const auto& q, const auto& p) {
+    using std::pow;
+    return 0.5 * (p[0] * p[0] + p[1] * p[1]) + pow(q[0], q[1]);
+  };
+  const auto exponential = [](const auto& q, const auto& p) {
+    using std::exp, std::log;
+    return 0.5 * (p[0] * p[0] + p[1] * p[1]) + exp(q[1] * log(q[0]));
+  };
+  const State<2> start{.q = {2.0, 0.0}, .p = {0.1, 1.0}};
+  const auto end = [&](const auto& h) {
+    auto method = avi::htvi<6>(avi::poincare(h, start));
+    State<2> z = start;
+    EXPECT_TRUE(avi::integrate(method, z, 0.05, {.steps = 20}).ok());
+    return z.q;
+  };
+  EXPECT_LT((end(power) - end(exponential)).norm(), 1e-14);
+}
+
 TEST(Htvi, KnowsItsOrder) {
   const auto problem = avi::poincare<2>(kepler, Kepler::pericentre(0.5));
   EXPECT_EQ(avi::htvi<8>(problem).order(), 8);

@@ -162,6 +162,27 @@ TEST(Reverse, HasTheSlopesOfPowersOfAnArgumentAtZero) {
   }
 }
 
+// Where an exponent passes through zero, the slope by the base is zero but does not stay so.
+TEST(Reverse, HasTheSecondDerivativesOfPowersOfExponentZero) {
+  const auto f = [](const auto& x, const auto& y) {
+    using std::pow;
+    return pow(x, y);
+  };
+  const Program program = recorded(f).gradient();
+  using P = avi::Partials<double, 2>;
+  Program::Room<P> room(program);
+  for (const double base : {0.5, 1.0, 3.0}) {
+    room.arguments()[0] = P::variable(base, 0);
+    room.arguments()[1] = P::variable(0.0, 1);
+    program.run(room);
+    EXPECT_EQ(program.slope(room, 0).value, 0.0) << base;
+    EXPECT_EQ(program.slope(room, 0).d[0], 0.0) << base;
+    EXPECT_NEAR(program.slope(room, 0).d[1], 1.0 / base, 1e-15) << base;
+    EXPECT_NEAR(program.slope(room, 1).d[0], 1.0 / base, 1e-15) << base;
+    EXPECT_NEAR(program.slope(room, 1).d[1], std::pow(std::log(base), 2), 1e-15) << base;
+  }
+}
+
 // The force k q / |q|^3 in any units: powers of two change no digit of it.
 TEST(Reverse, DoesNotLeaveTheRangeOfNumbersOnTheWay) {
   const auto force = [](double unit) {

@@ -17,7 +17,7 @@
 //   TWO(name, slope along a, slope along b)
 //
 // Slopes of pow are right at a = 0, too: there 0 * log(5e-324) is 0, where 0 * log(0) would be NaN, and
-// slope_of_power(), b a^(b - 1), is 0 where b is.
+// slope_of_power(), b a^(b - 1), is 0 where b is 0 as well.
 //
 // Another row is another function: recording, gradients, programs, packs and series have it at once. What it
 // must be tested with are the rows of tests/unit/elementary.hpp.

@@ -84,10 +84,10 @@ S one_over_cosh_squared(const S& a) {
   const S u = exp(-2.0 * abs(a)), inverse = 1.0 / (1.0 + u);
   return 4.0 * (u * (inverse * inverse));
 }
-/// b a^(b - 1), and 0 where b is 0, whatever a.
+/// b a^(b - 1), and 0 where a and b are 0. Where b alone is 0 it has a slope of its own, 1 / a by b.
 template <class S>
 S slope_of_power(const S& a, const S& b) {
-  return when(less(S(0.0), abs(b)), b * pow(a, b - 1.0));
+  return when(less(S(0x1p-1022), abs(a) + abs(b)), b * pow(a, b - 1.0));  // below it 1 / a may be infinite
 }
 #define AVI_ONE(name, pack, slope)                                                                           \
   template <class S>                                                                                         \
