@@ -183,6 +183,26 @@ TEST(Reverse, HasTheSecondDerivativesOfPowersOfExponentZero) {
   }
 }
 
+// Numbers are kept apart from what they multiply, and their quotients need not be numbers of the machine.
+TEST(Reverse, AddsWhatIsMultipliedByNumbersFarApart) {
+  struct Case {
+    double a, b;
+  };
+  for (const Case& by : {Case{1e200, 1e-200}, Case{1e-200, 1e200}, Case{1e-309, 1.0}, Case{1.0, 1e-309}}) {
+    const Program program =
+        Recording([&](const auto& x) { return by.a * (x[0] * x[1]) + by.b * (x[0] * x[2]) + by.b * x[0]; }, 3)
+            .gradient();
+    Program::Room<double> room(program);
+    const auto slope = [&](double y, double z) {
+      room.arguments()[0] = 1.0, room.arguments()[1] = y, room.arguments()[2] = z;
+      program.run(room);
+      return program.slope(room, 0);
+    };
+    EXPECT_EQ(slope(2.0, 3.0), by.a * 2.0 + by.b * 3.0 + by.b) << by.a;
+    EXPECT_EQ(slope(0.0, 3.0), by.b * 3.0 + by.b) << by.a;
+  }
+}
+
 // The force k q / |q|^3 in any units: powers of two change no digit of it.
 TEST(Reverse, DoesNotLeaveTheRangeOfNumbersOnTheWay) {
   const auto force = [](double unit) {

@@ -99,6 +99,11 @@ class Reverse {
     double scale = 0.0;  // of the first part that is not a number
     double numbers = 0.0;
     int sum = -1;
+    // What is added is a part of the scale, unless one of the two is nothing beside the other.
+    const auto in_scale = [&](double number) {
+      if (!std::isnormal(number / scale)) sum = written({graph_, std::exchange(scale, 1.0), sum});
+      return number / scale;
+    };
     for (int i = first; i >= 0; i = parts_[i].next) {
       const Factor part =
           alike || parts_[i].condition < 0
@@ -110,7 +115,7 @@ class Reverse {
         sum = part.node;
         scale = part.number;
       } else {
-        const double ratio = part.number / scale;
+        const double ratio = in_scale(part.number);
         if (ratio == -1.0)
           sum = graph_.binary(Operation::subtract, sum, part.node);
         else
@@ -119,7 +124,10 @@ class Reverse {
     }
     parts_[uses_[node].last].next = std::exchange(free_, first);
     if (sum < 0) return {.bar = numbers, .condition = common};
-    if (numbers != 0.0) sum = graph_.binary(Operation::add, sum, graph_.constant(numbers / scale));
+    if (numbers != 0.0) {
+      const int rest = graph_.constant(in_scale(numbers));
+      sum = graph_.binary(Operation::add, sum, rest);
+    }
     // What is passed on to two operands is multiplied by its factor once, here, unless that is a power of 2.
     const Operation use = graph_[node].operation;
     int exponent = 0;
