@@ -260,6 +260,19 @@ TEST(Recording, RefusesWhatItCannotServe) {
       "to the next, nor an expression of Eigen in `auto`: (...).eval() makes a vector of it.");
 }
 
+// The graph of the next recording may lie where that of the last one did.
+TEST(Recording, RefusesNumbersOfOneThatIsGone) {
+  const std::string mixes =
+      "A recorded function mixes the arguments of two recordings; it must not keep numbers from one call "
+      "to the next, nor an expression of Eigen in `auto`: (...).eval() makes a vector of it.";
+  Recorded kept;
+  const auto record = [&](const auto& f) { return refusal([&] { (void)avi::Formula::of_point(f, 2); }); };
+  EXPECT_EQ(record([&](const auto& x) { return kept = x[0] * x[0]; }), "accepted");
+  EXPECT_EQ(record([&](const auto& x) { return kept + x[1]; }), mixes);
+  EXPECT_EQ(record([&](const auto& x) { return x[1] / kept; }), mixes);
+  EXPECT_EQ(record([&](const auto&) { return kept; }), mixes);
+}
+
 TEST(ExpressionGraph, MovesLateInputsToTheirPlace) {
   avi::ExpressionGraph graph(2);  // of x, c, and y after an operation: (x + c) y
   const int sum = graph.binary(avi::Operation::add, 0, 1), y = graph.late_input();

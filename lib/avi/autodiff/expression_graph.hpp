@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/autodiff/operation.hpp"
 
+#include <atomic>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +34,9 @@ class ExpressionGraph {
       find({.operation = Operation::input, .a = i});
   }
 
+  /// A number that no other graph has, copies of this one aside: it tells this graph from what lay in its
+  /// place before.
+  [[nodiscard]] std::uint32_t identity() const { return identity_; }
   [[nodiscard]] int inputs() const { return inputs_; }                           ///< Number of arguments.
   [[nodiscard]] int late_inputs() const { return late_inputs_; }                 ///< See late_input().
   [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }     ///< Number of nodes.
@@ -164,6 +168,10 @@ class ExpressionGraph {
   }
 
  private:
+  static std::uint32_t next_identity() {
+    static std::atomic<std::uint32_t> last{0};
+    return ++last;
+  }
   static void check(Operation operation, int operands) {
     if (detail::operands(operation) != operands)
       throw std::logic_error(std::string("An operation does not have so many operands: ") +
@@ -210,6 +218,7 @@ class ExpressionGraph {
     return static_cast<std::size_t>(key >> 32);
   }
 
+  std::uint32_t identity_ = next_identity();
   int inputs_, late_inputs_ = 0;
   std::vector<Node> nodes_;
   std::vector<int> places_;     // of nodes, by their hashes; -1 where there is none; a power of 2 of them

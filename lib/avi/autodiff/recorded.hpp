@@ -4,6 +4,7 @@
 #include "avi/core/vector.hpp"
 
 #include <concepts>
+#include <cstdint>
 #include <stdexcept>
 #include <type_traits>
 
@@ -35,13 +36,14 @@ class Recorded : Scalar<Recorded> {
     } else {
       graph_ = &graph;
       node_ = node;
+      recording_ = graph.identity();
     }
   }
 
   /// The node of this value in `graph`. @throws std::invalid_argument where it belongs to another one.
   [[nodiscard]] int node_in(ExpressionGraph& graph) const {
     if (!graph_) return graph.constant(number_);
-    if (graph_ != &graph)
+    if (graph_ != &graph || recording_ != graph.identity())
       throw std::invalid_argument("A recorded function mixes the arguments of two recordings; it must not "
                                   "keep numbers from one call to the next, nor an expression of Eigen in "
                                   "`auto`: (...).eval() makes a vector of it.");
@@ -87,7 +89,7 @@ class Recorded : Scalar<Recorded> {
   friend Recorded operator/(const Recorded& a, const Recorded& b) { return combine(Operation::divide, a, b); }
   friend Recorded pow(const Recorded& a, double exponent) {
     if (!a.graph_) return power(a.number_, exponent);
-    return {*a.graph_, a.graph_->power(a.node_, exponent)};
+    return {*a.graph_, a.graph_->power(a.node_in(*a.graph_), exponent)};
   }
   friend Recorded sign_of(const Recorded& a) { return a.through(Operation::sign); }
   friend Recorded less(const Recorded& a, const Recorded& b) { return combine(Operation::less, a, b); }
@@ -160,10 +162,11 @@ class Recorded : Scalar<Recorded> {
  private:
   [[nodiscard]] Recorded through(Operation operation) const {
     if (!graph_) return detail::evaluate(operation, number_, 0.0);
-    return {*graph_, graph_->unary(operation, node_)};
+    return {*graph_, graph_->unary(operation, node_in(*graph_))};
   }
   static Recorded combine(Operation operation, const Recorded& a, const Recorded& b) {
-    ExpressionGraph* graph = a.graph_ ? a.graph_ : b.graph_;
+    // That of b, so that a graph which is gone is not looked into before it is told from another one.
+    ExpressionGraph* graph = b.graph_ ? b.graph_ : a.graph_;
     if (!graph) return detail::evaluate(operation, a.number_, b.number_);
     const int left = a.node_in(*graph), right = b.node_in(*graph);
     return {*graph, graph->binary(operation, left, right)};
@@ -171,6 +174,7 @@ class Recorded : Scalar<Recorded> {
 
   ExpressionGraph* graph_ = nullptr;  // none for a number
   int node_ = -1;
+  std::uint32_t recording_ = 0;  // identity of the graph: another one may come to lie in its place
   double number_ = 0.0;
 };
 
