@@ -166,6 +166,17 @@ TEST(Formula, RefusesWhatDoesNotFit) {
             "Number of arguments of a formula is 3; it must be 2.");
   EXPECT_EQ(refusal([&] { (void)f.gradient(VectorX::Ones(1)); }),
             "Number of arguments of a formula is 1; it must be 2.");
+  EXPECT_EQ(refusal([&] {
+              (void)Formula::of_phase([](const auto& q, const auto& p) { return q[0] * p[0]; },
+                                      2)(VectorX::Ones(1), VectorX::Ones(3));
+            }),
+            "Number of momenta of a formula is 3; it must be that of the positions, 1.");
+  EXPECT_EQ(refusal([&] {
+              (void)Formula::of_phase_and_time(
+                  [](const auto& q, const auto& t, const auto& p) { return q[0] * t * p[0]; }, 2)
+                  .at(VectorX::Ones(3), 0.0, VectorX::Ones(1));
+            }),
+            "Number of momenta of a formula is 1; it must be that of the positions, 3.");
   EXPECT_EQ(refusal([&] { (void)f.with({1.0}); }), "Number of parameters is 1; it must be 0.");
   EXPECT_EQ(refusal([&] { Formula(f.graph(), f.graph().size()); }),
             "Node of a formula is 3; it must be a node of the graph.");

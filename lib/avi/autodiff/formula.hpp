@@ -117,13 +117,15 @@ class Formula {
   ///@{
 
   /// The value at vectors of any scalar: double, Pack, Partials, Recorded. Each thread keeps its working
-  /// memory from call to call.
+  /// memory from call to call. @throws std::invalid_argument unless there are as many entries as arguments,
+  /// and as many in p as in q.
   template <class Q>
   typename Q::Scalar at(const Q& x) const {
     return evaluate<typename Q::Scalar>(x.size(), [&](auto& values) { append(values, x); });
   }
   template <class Q, class P>
   typename Q::Scalar at(const Q& q, const P& p) const {
+    check_halves(q.size(), p.size());
     return evaluate<typename Q::Scalar>(q.size() + p.size(), [&](auto& values) {
       append(values, q);
       append(values, p);
@@ -131,6 +133,7 @@ class Formula {
   }
   template <class Q, class T, class P>
   typename Q::Scalar at(const Q& q, const T& t, const P& p) const {
+    check_halves(q.size(), p.size());
     return evaluate<typename Q::Scalar>(q.size() + 1 + p.size(), [&](auto& values) {
       append(values, q);
       append(values, p);
@@ -153,6 +156,9 @@ class Formula {
   static int checked(Eigen::Index inputs);
   void check_entries(Eigen::Index entries) const {
     require(entries == inputs(), "Number of arguments of a formula", entries, "", inputs());
+  }
+  static void check_halves(Eigen::Index q, Eigen::Index p) {
+    require(p == q, "Number of momenta of a formula", p, "that of the positions, ", q);
   }
   static RecordedVector<> parameters_in(ExpressionGraph& graph, int first) {
     return recorded_inputs(graph, first, graph.inputs() - first);
