@@ -154,6 +154,14 @@ TEST(TaylorSeries, TanhIsTheSameOnBothSidesOfZero) {
   }
 }
 
+TEST(TaylorSeries, TakesTheSideOfAZeroFromItsBit) {
+  for (const double zero : {0.0, -0.0}) {
+    const auto c = expand([](Scalar x) { return abs(x); }, line(zero));
+    EXPECT_FALSE(std::signbit(c[0])) << zero;
+    EXPECT_EQ(c[1], std::copysign(1.0, zero)) << zero;
+  }
+}
+
 TEST(TaylorSeries, WholePowersHaveASeriesAtZero) {
   for (const int n : {3, 4, 5, 6, 7, 8, 9, 12, 64, 65, 100, 1023})
     for (const double at : {0.0, 1e-30, -1e-8, 0.7}) {

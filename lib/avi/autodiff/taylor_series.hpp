@@ -340,7 +340,7 @@ class TaylorSeries {
       c[k] = k == 0 ? exp(a[0]) : convolution_weighted(a, c, k, 1.0, 0.0);
       break;
     case Rule::absolute:
-      c[k] = value_of(a[0]) < 0.0 ? -a[k] : a[k];
+      c[k] = std::signbit(value_of(a[0])) ? -a[k] : a[k];
       break;
     case Rule::choice:
       if (!(value_of(a[0]) > 0.0))
