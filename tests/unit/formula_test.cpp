@@ -2,6 +2,7 @@
 
 #include "avi/autodiff/pack.hpp"
 #include "avi/autodiff/partials.hpp"
+#include "avi/autodiff/recording.hpp"
 #include "avi/optim/minimise.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/solve.hpp"
@@ -177,6 +178,16 @@ TEST(Formula, RefusesWhatDoesNotFit) {
                   .at(VectorX::Ones(3), 0.0, VectorX::Ones(1));
             }),
             "Number of momenta of a formula is 1; it must be that of the positions, 3.");
+  const auto energy = [](const auto& q, const auto& p) { return p[0] * p[0] + q[0]; };
+  EXPECT_EQ(refusal([&] { (void)Formula::of_phase<3>(energy, 2); }),
+            "Number of degrees of freedom to record is 2; it must be 3.");
+  EXPECT_EQ(refusal([&] { (void)avi::record<2>(energy, 3); }),
+            "Number of degrees of freedom to record is 3; it must be 2.");
+  EXPECT_EQ(refusal([&] {
+              (void)Formula::of_phase_and_time([](const auto&, const auto& t, const auto&) { return t * t; },
+                                               0);
+            }),
+            "Number of degrees of freedom to record is 0; it must be at least 1.");
   EXPECT_EQ(refusal([&] { (void)f.with({1.0}); }), "Number of parameters is 1; it must be 0.");
   EXPECT_EQ(refusal([&] { Formula(f.graph(), f.graph().size()); }),
             "Node of a formula is 3; it must be a node of the graph.");

@@ -51,7 +51,7 @@ class Formula {
   ///@{
 
   /// H(q, p), or H(q, p, c), with n degrees of freedom; arguments are (q, p).
-  /// @tparam d n, where it is known at compile time @throws std::invalid_argument for n < 1.
+  /// @tparam d n, where it is known at compile time @throws std::invalid_argument for n < 1, or another d.
   template <int d = dynamic, class F>
   static Formula of_phase(const F& f, Eigen::Index n = d) {
     return record(2 * n, {}, [&](ExpressionGraph& graph, int count) {
@@ -70,17 +70,17 @@ class Formula {
   ///@{
 
   /// H(q, t, p), or H(q, t, p, c), with n degrees of freedom; arguments are (q, p, t), time last.
-  /// @tparam d n, where it is known at compile time @throws std::invalid_argument for n < 1.
+  /// @tparam d n, where it is known at compile time @throws std::invalid_argument for n < 1, or another d.
   template <int d = dynamic, class F>
   static Formula of_phase_and_time(const F& f, Eigen::Index n = d) {
-    return record(2 * n + 1, {}, [&](ExpressionGraph& graph, int count) {
+    return record(with_time(n), {}, [&](ExpressionGraph& graph, int count) {
       return detail::recorded_call(f, recorded_inputs<d>(graph, 0, n), Recorded(graph, count - 1),
                                    recorded_inputs<d>(graph, count / 2, n));
     });
   }
   template <int d = dynamic, class F>
   static Formula of_phase_and_time(const F& f, Eigen::Index n, std::vector<double> c) {
-    return record(2 * n + 1, std::move(c), [&](ExpressionGraph& graph, int count) {
+    return record(with_time(n), std::move(c), [&](ExpressionGraph& graph, int count) {
       return detail::recorded_call(f, recorded_inputs<d>(graph, 0, n), Recorded(graph, count - 1),
                                    recorded_inputs<d>(graph, count / 2, n), parameters_in(graph, count));
     });
@@ -154,6 +154,10 @@ class Formula {
   // Vectors of another library are not passed on: the library may be compiled for another processor.
   void gradient(const double* x, double* slopes) const;
   static int checked(Eigen::Index inputs);
+  static Eigen::Index with_time(Eigen::Index n) {
+    require(n >= 1, "Number of degrees of freedom to record", n, "at least 1");
+    return 2 * n + 1;
+  }
   void check_entries(Eigen::Index entries) const {
     require(entries == inputs(), "Number of arguments of a formula", entries, "", inputs());
   }

@@ -238,8 +238,10 @@ template <int n = dynamic>
 using RecordedVector = detail::Checked<Recorded, n>;
 
 /// `count` arguments of a formula from the one numbered `first` on. @tparam n count, or avi::dynamic
+/// @throws std::invalid_argument where n is another number than `count`.
 template <int n = dynamic>
 RecordedVector<n> recorded_inputs(ExpressionGraph& graph, int first, Eigen::Index count) {
+  require(n == dynamic || count == n, "Number of degrees of freedom to record", count, "", n);
   RecordedVector<n> x(count);
   for (int i = 0; i < count; ++i)
     x[i] = Recorded(graph, first + i);

@@ -112,7 +112,7 @@ class Recording {
 
 /// The recording of a Hamiltonian or monitor f(q, p) with vectors of n entries, whose arguments are (q, p):
 /// 2n entries. @param size n, where it is avi::dynamic
-/// @throws std::invalid_argument where n is less than 1.
+/// @throws std::invalid_argument where n is less than 1, or the size another one.
 template <int n = dynamic, class F>
 Recording record(const F& f, Eigen::Index size = n) {
   require(size >= 1, "Number of degrees of freedom to record", size, "at least 1");
