@@ -39,7 +39,8 @@ const auto formulas = std::tuple_cat(
             sum = i % 3 ? sum + (0.1 * i) * (x * (y + 1.0 * i))
                         : sum - (x + 0.3 * i) * y - 2.0 * (x * (0.1 * i));
           return sum + sum * x;
-        }});
+        },
+        [](const auto& x, const auto& y) { return +x * +(x - y); }});
 
 /// use(formula) for each of them.
 template <class Use>

@@ -52,6 +52,7 @@ struct Scalar {
   friend X min(const X& a, const X& b) { return select(b < a, b, a); }
   friend X max(const X& a, const X& b) { return select(a < b, b, a); }
   friend X fabs(const X& a) { return abs(a); }
+  friend X operator+(const X& a) { return a; }
   ///@}
 };
 
