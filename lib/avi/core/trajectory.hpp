@@ -17,7 +17,9 @@
 namespace avi {
 
 /// Observer of steps that stores every state of a run, the start included, to be read, written or evaluated
-/// in between: `Trajectory<2> path; integrate(method, z, h, until, path);`. Storing allocates.
+/// in between: `Trajectory<2> path; integrate(method, z, h, until, path);`. Storing allocates. Several runs
+/// that go on from each other are one, as long as fictive time is the same: with one monitor. Where another
+/// one takes over, a Trajectory of its own is due, for at() takes fictive time to be smooth.
 template <int n>
 class Trajectory {
  public:
