@@ -374,7 +374,8 @@ OrbitQuestion question_of(const H& hamiltonian, const State<n>& start, double t_
     ExpressionGraph graph(2 * count);
     const Vec q = recorded_inputs<n>(graph, 0, count), p = recorded_inputs<n>(graph, count, count);
     const int energy = recorded_call(hamiltonian, q, p).node_in(graph);
-    const Vector<Recorded, n> by_q = hamiltonian.d_dq(q, p), by_p = hamiltonian.d_dp(q, p);
+    const Vector<Recorded, n> by_q = sized("Number of entries of d_dq", hamiltonian.d_dq(q, p), count),
+                              by_p = sized("Number of entries of d_dp", hamiltonian.d_dp(q, p), count);
     std::vector<int> gradient;
     for (const auto* slopes : {&by_q, &by_p})
       for (int i = 0; i < count; ++i)

@@ -2,6 +2,8 @@
 #include "avi/solve.hpp"
 #include "avi/transform/poincare.hpp"
 
+#include "refusal.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -82,6 +84,40 @@ TEST(OwnGradient, MayThrow) {
   const avi::State<avi::dynamic> z{.q = {1.0}, .p = {0.0}};
   EXPECT_THROW((void)avi::solve(Thrower{}, z, 3.0, 1e-8), std::domain_error);
   EXPECT_THROW((void)avi::collocation(avi::poincare(Thrower{}, z), 8), std::domain_error);
+}
+
+/// Its slopes by q are of another number than its positions.
+struct Misfit {
+  Eigen::Index size;
+  template <class Q, class P>
+  auto operator()(const Q& q, const P& p) const {
+    return 0.5 * p.squaredNorm() + 0.5 * q.squaredNorm();
+  }
+  template <class Q, class P>
+  auto d_dq(const Q& q, const P&) const {
+    avi::Vector<typename Q::Scalar, avi::dynamic> slopes(size);
+    for (Eigen::Index i = 0; i < size; ++i)
+      slopes[i] = q[0];
+    return slopes;
+  }
+  template <class Q, class P>
+  auto d_dp(const Q&, const P& p) const {
+    return p;
+  }
+};
+
+TEST(OwnGradient, HasAsManyEntriesAsThereAreDegreesOfFreedom) {
+  const avi::State<avi::dynamic> z{.q = {1.0, 2.0, 3.0}, .p = {0.0, 0.0, 0.0}};
+  const avi::State<3> same{.q = z.q, .p = z.p};
+  for (const Eigen::Index size : {2, 4}) {
+    const Misfit misfit{size};
+    const std::string sentence =
+        "Number of entries of d_dq is " + std::to_string(size) + "; it must be that of q and of p, 3.";
+    EXPECT_EQ(refusal([&] { (void)avi::solve(misfit, z, 1.0, 1e-8); }), sentence);
+    EXPECT_EQ(refusal([&] { (void)avi::solve(misfit, same, 1.0, 1e-8); }), sentence);
+    EXPECT_EQ(refusal([&] { (void)avi::poincare(misfit, z); }), sentence);
+    EXPECT_EQ(refusal([&] { (void)avi::poincare(misfit, same); }), sentence);
+  }
 }
 
 }  // namespace own_gradient_test

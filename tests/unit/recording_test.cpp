@@ -252,6 +252,11 @@ TEST(Recording, RefusesWhatItCannotServe) {
             "Number of entries is 2; it must be at least 0 and at most 1, for the vector has not more.");
   EXPECT_EQ(refusal([&] { Recording([](const auto& x) { return x.head(3).sum(); }, 2); }),
             "Number of entries is 3; it must be at least 0 and at most 2, for the vector has not more.");
+  EXPECT_EQ(refusal([&] {
+              Recording([](const auto&, const auto& h) { return h; }, first,
+                        [](const auto& x) { return x.head(1).eval(); }, 2);
+            }),
+            "Number of supplied derivatives is 1; it must be that of the inputs, 2.");
   Recorded kept;
   const Recording keeps([&](const auto& x) -> Recorded { return kept = x[0]; }, 1);
   EXPECT_EQ(

@@ -53,12 +53,14 @@ class Recording {
 
   /// Records f where the gradient of h in f(x, h(x)) is supplied: only what f does with h is differentiated.
   /// @param f called as f(x, h) @param h called as h(x) @param slopes called as slopes(x), returns N numbers
-  /// @throws std::invalid_argument for fewer than one input.
+  /// @throws std::invalid_argument for fewer than one input, or another number of slopes.
   template <class F, class H, class Slopes>
   Recording(const F& f, const H& h, const Slopes& slopes, Eigen::Index inputs) : graph_(checked(inputs)) {
     const Vector<Recorded, dynamic> x = recorded_inputs(graph_, 0, inputs);
     const Recorded inner = h(x), result = f(x, inner);
     const Vector<Recorded, dynamic> supplied = slopes(x);
+    require(supplied.size() == inputs, "Number of supplied derivatives", supplied.size(),
+            "that of the inputs, ", inputs);
     std::vector<int> nodes;
     for (int i = 0; i < graph_.inputs(); ++i)
       nodes.push_back(supplied[i].node_in(graph_));

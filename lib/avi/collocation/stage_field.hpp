@@ -71,8 +71,8 @@ Recording recorded_with_supplied(const Problem& problem) {
           apart([&](const Vec& q, const Vec& p) -> Recorded { return h(q, p); }),
           apart([&](const Vec& q, const Vec& p) {
             Vec slopes(2 * n);
-            slopes.head(n) = h.d_dq(q, p);
-            slopes.tail(n) = h.d_dp(q, p);
+            slopes.head(n) = sized("Number of entries of d_dq", h.d_dq(q, p), n);
+            slopes.tail(n) = sized("Number of entries of d_dp", h.d_dp(q, p), n);
             return slopes;
           }),
           2 * n};

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <string_view>
 #include <type_traits>
 
 /// @file
@@ -81,6 +82,14 @@ class Checked : public Vector<S, n> {
             "at least 0 and at most ", this->size() - first, ", for the vector has not more");
   }
 };
+
+/// What a function of the user gives for q or p. @throws std::invalid_argument unless it has as many entries.
+template <class V>
+const V& sized(std::string_view what, const V& v, Eigen::Index size) {
+  if constexpr (V::SizeAtCompileTime == dynamic)
+    require(v.size() == size, what, v.size(), "that of q and of p, ", size);
+  return v;
+}
 
 /// |v|^2 at any scalar.
 template <class V>

@@ -161,12 +161,17 @@ class Poincare {
 
 /// The transformed problem of an orbit through `start`: \f$p^t = -H(q(0), p(0))\f$, the paper's common choice
 /// (Section 3.1). @throws std::invalid_argument where the start or H there is not finite, q and p are of
-/// different size or empty, or H or g reads an entry that they do not have.
+/// different size or empty, H or g reads an entry that they do not have, or H supplies a gradient of another
+/// size.
 template <int n, class H, class G = Unit>
 Poincare<n, H, G> poincare(H hamiltonian, const State<n>& start, G monitor = {}) {
   require_start(start);
   const detail::Checked<double, n> q(start.q), p(start.p);
   const double pt = -require_finite("H at the start", static_cast<double>(hamiltonian(q, p)));
+  if constexpr (SuppliesGradient<H, double, n>) {
+    (void)detail::sized("Number of entries of d_dq", std::as_const(hamiltonian).d_dq(q, p), q.size());
+    (void)detail::sized("Number of entries of d_dp", std::as_const(hamiltonian).d_dp(q, p), q.size());
+  }
   if constexpr (std::invocable<const G&, const detail::Checked<double, n>&>)
     (void)std::as_const(monitor)(q);
   else
