@@ -5,11 +5,13 @@
 #include "avi/integrators/composition.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/integrators/splitting.hpp"
+#include "avi/integrators/stormer_verlet.hpp"
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/n_body.hpp"
 #include "common/problems/perturbed_kepler.hpp"
 #include "difference.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -237,6 +239,22 @@ TEST(Splitting, TakesTheDimensionAtRunTime) {
   EXPECT_EQ(avi::integrate(fixed, z, 0.1, {.steps = 60}).outcome, avi::Outcome::ok);
   EXPECT_EQ(avi::integrate(free, w, 0.1, {.steps = 60}).outcome, avi::Outcome::ok);
   EXPECT_LT((z.q - w.q).norm(), 1e-13);
+}
+
+/// A spring of any size whose gradient has two entries.
+struct TwoSlopes {
+  static constexpr int dimension = avi::dynamic;
+  avi::VectorX potential_gradient(const avi::VectorX& q) const { return avi::VectorX::Constant(2, q[0]); }
+};
+
+TEST(Splitting, RefusesAGradientOfAnotherSize) {
+  const std::string sentence = "Number of entries of the gradient is 2; it must be that of q and of p, 3.";
+  State<avi::dynamic> z{.q = {1.0, 2.0, 3.0}, .p = {0.0, 0.0, 0.0}};
+  auto leapfrog = avi::splitting(Separable<TwoSlopes>{}, c::strang);
+  EXPECT_EQ(refusal([&] { (void)avi::integrate(leapfrog, z, 0.1, {.steps = 1}); }), sentence);
+  auto verlet = avi::stormer_verlet<avi::dynamic>(
+      [](const avi::VectorX& q) { return TwoSlopes().potential_gradient(q); });
+  EXPECT_EQ(refusal([&] { (void)avi::integrate(verlet, z, 0.1, {.steps = 1}); }), sentence);
 }
 
 }  // namespace splitting_test

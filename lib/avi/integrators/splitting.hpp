@@ -41,12 +41,14 @@ class Separable {
   /// Change of q and t by the drift over h.
   [[nodiscard]] Drift<dimension> drift(const Vec& p, double h) const {
     if constexpr (requires { problem_.velocity(p); })
-      return {h * problem_.velocity(p), h};
+      return {h * detail::sized("Number of entries of the velocity", problem_.velocity(p), p.size()), h};
     else
       return {h * p, h};
   }
   /// Change of p by the kick over h.
-  [[nodiscard]] Vec kick(const Vec& q, double h) const { return -h * problem_.potential_gradient(q); }
+  [[nodiscard]] Vec kick(const Vec& q, double h) const {
+    return -h * detail::sized("Number of entries of the gradient", problem_.potential_gradient(q), q.size());
+  }
   [[nodiscard]] bool admits(const State<dimension>&) const { return true; }  ///< Admits every state.
 
  private:

@@ -4,6 +4,7 @@
 #include "avi/core/summation.hpp"
 
 #include <limits>
+#include <string_view>
 #include <utility>
 
 /// @file
@@ -29,15 +30,16 @@ class StormerVerlet {
   static constexpr bool symmetric = true;     ///< The same read backwards.
 
   /// Advances z by h. Ends as non_finite, with z as it was, where the step leads to what is no number.
+  /// @throws std::invalid_argument where the gradient has not as many entries as q.
   StepReport step(State<n>& z, double h) {
     if (at_.size() != z.q.size() || z.q != at_) {
-      force_ = gradient_(z.q);
+      force_ = detail::sized(entries, gradient_(z.q), z.q.size());
       at_ = z.q;  // at once, in case that the next gradient throws
     }
     State<n> moved = z;
     moved.p -= (0.5 * h) * force_;
     moved.q += h * moved.p;
-    force_ = gradient_(moved.q);
+    force_ = detail::sized(entries, gradient_(moved.q), z.q.size());
     at_ = moved.q;
     moved.p -= (0.5 * h) * force_;
     ClockSum clock = clock_;
@@ -49,6 +51,8 @@ class StormerVerlet {
   }
 
  private:
+  static constexpr std::string_view entries = "Number of entries of the gradient";
+
   Gradient gradient_;
   Vector<double, n> at_;
   Vector<double, n> force_;
