@@ -419,8 +419,8 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 /// difference to a second run with a longer step, reduced by the order of the method. Runs of more than some
 /// sixty turns find their step from the errors of the first sixteenth, which grow linearly in time where
 /// motion is regular; without SolveOptions::check that is all there is of the second run, at a half of the
-/// price. Where the motion does not allow the tolerance (chaos, rounding, a wall thinner than a step), kept()
-/// is false and report() says why.
+/// price, and chaos that begins later is not seen. Where the motion does not allow the tolerance (chaos,
+/// rounding, a wall thinner than a step), kept() is false and report() says why.
 ///
 /// The method is Gauss collocation with constant steps in the fictive time of one of these monitors,
 /// symplectic but for the last, shorter step that ends at t_end:

@@ -242,7 +242,7 @@ def solve(H, q, p, t, tol, *, events=(), progress=None, parameters=(), **options
     order, monitor, h        to fix these rather than have them chosen. order: 2, 4 ... 16. monitor: "fixed", "energy", "energy^1.5",
            "poles", "acceleration", "splitting", or a function g(q, p), positive and smooth, which is traced as H is: dt = g dtau;
            g(q, t, p) where H is H(q, t, p). h: the step in fictive time, together with a monitor
-    check  True: the second run, which measures the error, goes all the way; False: along the beginning only
+    check  True: the second run, which measures the error, goes all the way; False: along the beginning only, where it does not see chaos that begins later
     checkpoint, checkpoint_seconds   a file in which the run is kept for resume(), and how often
 
     Ctrl-C ends the run; the orbit up to there is returned. Raises ValueError for a start, time, tolerance or bound out of range,
