@@ -193,8 +193,8 @@ build/data build/figures build/paper:
 
 # ---- longer runs, each into its own folder, with progress on a terminal -------------------------------------------
 long: $(patsubst %,build/long/%.tsv,$(with_long)) ## Run to their end what `figures` runs under a cap
-build/long/%.tsv: $(BIN)/%
-	$(BIN)/$* --long --output build/long
+build/long/%.tsv: $(BIN)/% | build/data
+	$(call alone,$*) $(BIN)/$* --long --output build/long
 # $(call draw_all,stems,kind): those figures from build/<kind>, as build/figures/<stem>_<kind>
 draw_all = $(foreach f,$(1),$(call draw_both,$f,build/$(2),build/figures/$(f)_$(2)) &&) true
 work-precision: deps-peers build/full/work_precision.tsv build/full/front_door.tsv | build/figures ## The whole grid of speed and accuracy
@@ -205,8 +205,8 @@ build/full/%.tsv: $(BIN)/% | build/data
 	$(call alone,$*) $(BIN)/$* --full --output build/full
 extremes: $(patsubst %,build/extremes/%.tsv,$(with_extremes)) | build/figures ## The long stability runs
 	@$(call draw_all,$(with_extremes),extremes)
-build/extremes/%.tsv: $(BIN)/%
-	$(BIN)/$* --extremes --output build/extremes
+build/extremes/%.tsv: $(BIN)/% | build/data
+	$(call alone,$*) $(BIN)/$* --extremes --output build/extremes
 
 # ---- paper, documentation, housekeeping ---------------------------------------------------------------------------
 # What TeX only warns of (references, glyphs, boxes that stand out) is shown; only the tests fail for it.
