@@ -169,8 +169,10 @@ verdicts: build/scorecard.txt ## Take over today's verdicts, and today's numbers
 	@$(compile) page_numbers >/dev/null && $(BIN)/page_numbers
 
 # ---- figures ---------------------------------------------------------------------------------------------------
-# $(call draw_both,stem,data folder,output without extension): PDF and PNG from one start, in which fonts are looked up once
+# $(call draw_both,stem,data folder,output without extension): PDF and PNG from one start, in which fonts are looked up once.
+# gnuplot does not notice a disk that fills up, so the ends of both are looked at.
 draw_both = gnuplot $(foreach t,pdf png,-e "data='$(2)'; output='$(3).part.$t'; terminal='$t'" $(script_of_$(1)) -e "reset session") \
+  && { tail -c 8 $(3).part.pdf | grep -aq EOF && tail -c 8 $(3).part.png | grep -aq IEND || { echo "Figure $(1) is cut off: no space left?" >&2; false; }; } \
   && mv $(3).part.pdf $(3).pdf && mv $(3).part.png $(3).png
 
 figures: $(DATA) build/data/manifest.tsv $(FIGURES) scorecard ## Build, run, draw every figure, print the scorecard (the main job)
