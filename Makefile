@@ -217,7 +217,7 @@ papers := report stationary bregman
 paper: deps-paper deps-peers $(DATA) build/data/manifest.tsv $(FIGURES) build/scorecard.txt | build/paper ## Write the report and the two papers from the data: build/paper/{report,stationary,bregman}.pdf
 	@$(compile) paper_numbers && $(BIN)/paper_numbers --paper paper --data build/data --output build/paper
 	@for each in $(papers); do \
-	  latexmk -cd -pdf -quiet -interaction=nonstopmode -halt-on-error -outdir=$(CURDIR)/build/paper paper/$$each.tex \
+	  latexmk -cd -pdf -quiet -interaction=nonstopmode -halt-on-error -outdir=../build/paper paper/$$each.tex \
 	    >build/paper/latexmk.txt 2>&1 || { tail -n 40 build/paper/latexmk.txt; exit 1; }; \
 	  paper/check_log.sh build/paper/$$each.log || true; echo "build/paper/$$each.pdf"; \
 	done
