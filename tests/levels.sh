@@ -25,7 +25,7 @@ tables() {
   O[0-3]-native) preset=release ;;
   O[0-3]-portable) preset=portable march= ;;
   O[0-3]-nofma) preset=release flags='-mno-fma -mno-avx512f' ;;
-  *) echo "levels.sh: configuration is '$1'; it must be like g++-O2-native or clang++-14-O0-portable." >&2; exit 2 ;;
+  *) echo "levels.sh: configuration is '$1'; it must be like g++-O2-native or clang++-14-O0-portable." >&2; return 2 ;;
   esac
   build=build/levels/$1
   # At -O0 a source with a level of its own cannot read headers precompiled without.
