@@ -93,7 +93,9 @@ int go(const Options& options) {
     tsv.open(options.output);
     tsv << "seed\tindex\tfamily\tn\ttolerance\tverdict\treference\toutcome\tkept\tstate_error\tenergy_"
            "error\terror\tblamed\trounding\tnorm\tsteps\t"
-           "evaluations\tseconds\tnote\tmessage\n";
+           "evaluations\tseconds\tnote\tmessage\n"
+        << std::flush;
+    if (!tsv) return fmt::print(stderr, "hostile: Cannot write '{}'.\n", options.output), 2;
   }
   double in_reference = 0.0, in_calls = 0.0;
   const int first = options.only >= 0 ? options.only : options.first;
@@ -175,7 +177,10 @@ int go(const Options& options) {
     }
     fmt::print("\n{} calls, {:.0f} s; the reference took {:.0f} s\n", lines.size(), in_calls, in_reference);
   }
-  const double calls = static_cast<double>(std::max<std::size_t>(lines.size(), 1));
+  if (lines.empty())
+    return fmt::print(stderr, "hostile: No system of family '{}' was drawn.\n", options.family), 2;
+  if (!tsv) return fmt::print(stderr, "hostile: Cannot write all of '{}'.\n", options.output), 2;
+  const double calls = static_cast<double>(lines.size());
   // Who says nothing is never wrong: most of what a reference solves must be promised too.
   const int silent = number(Verdict::shy) + number(Verdict::said) + number(Verdict::told_less);
   int broken = 0;
