@@ -14,8 +14,10 @@ namespace {
 /// `git describe --always --dirty` of the source folder, or "unknown".
 std::string commit() {
   // Asked at run time: compiled in, a new commit would relink and so re-run every experiment.
+  // Of a release without .git that lies in another repository, that one's commit would say nothing.
   const std::string command =
-      "git -C '" AVI_SOURCE_DIR "' describe --always --dirty --exclude='*' 2>/dev/null";
+      "cd '" AVI_SOURCE_DIR "' && git ls-files --error-unmatch CMakeLists.txt >/dev/null 2>&1 && "
+      "git describe --always --dirty --exclude='*' 2>/dev/null";
   std::array<char, 128> line{};
   if (FILE* pipe = ::popen(command.c_str(), "r")) {
     if (!std::fgets(line.data(), line.size(), pipe)) line[0] = '\0';
