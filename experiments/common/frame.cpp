@@ -87,7 +87,7 @@ int run(int argc, char** argv, const std::string& shows, const std::function<voi
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return refuse(name, fmt::format("{} Run with --help for the options.", error.what()));
+    return refuse(name, fmt::format("{}. Run with --help for the options.", error.what()));
   } catch (const std::invalid_argument& error) {
     return refuse(name, error.what());
   } catch (const FileError& error) {
@@ -120,7 +120,7 @@ void add_folder(CLI::App& app, const std::string& flag, std::filesystem::path& v
       ->check([](const std::string& text) -> std::string {
         std::error_code unreachable;
         if (std::filesystem::is_directory(text, unreachable)) return {};
-        return fmt::format("folder {} does not exist.", text);
+        return fmt::format("folder {} does not exist", text);
       });
 }
 

@@ -72,6 +72,7 @@ TEST_P(FrontDoor, Helps) {
 TEST_P(FrontDoor, RefusesUnknownOptionsAndArguments) {
   for (const char* arguments : {"--nonsense", "stray", "--quick=maybe", "-z"})
     expect_refused(quick() + arguments);
+  EXPECT_NE(run("--nonsense").err.find(": --nonsense. Run with --help"), std::string::npos);
   expect_refused("--output");
 }
 
