@@ -93,7 +93,7 @@ deps-mutants: deps
 deps-fuzz: deps
 	$(call install,clang-14 libclang-rt-14-dev)
 deps-format:
-	$(call install,git clang-format)
+	$(call install,clang-format)
 
 # ---- programs --------------------------------------------------------------------------------------------------
 configure = cmake --preset $(PRESET) >/dev/null
@@ -227,6 +227,6 @@ site: deps-site docs ## Publish the docs: SITE=build/site gets them as static fi
 	@python3 lib/docs/site/check.py build/docs/html chromium
 	@mkdir -p $(SITE) && cp -r build/docs/html/. $(SITE) && touch $(SITE)/.nojekyll && echo "$(SITE): put it on any web server"
 format: deps-format ## Apply clang-format
-	git ls-files '*.hpp' '*.cpp' | xargs clang-format -i
+	find lib experiments paper tests -name '*.?pp' | xargs clang-format -i
 clean: ## Remove everything that was generated
 	rm -rf build
