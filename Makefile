@@ -8,6 +8,8 @@ FUZZ_SECONDS ?= 60
 SITE   ?= build/site
 BUILD  := build/$(PRESET)
 BIN    := $(BUILD)/bin
+# A path that the user gives, blanks and all, for the shell, which still reads ~.
+path    = $(subst $() $(),\ ,$(1))
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
@@ -138,7 +140,7 @@ levels: deps-fuzz ## Compare the numbers of g++ and clang++ at -O0, -O2 and -O3,
 install: ## Install the library under PREFIX: needs a compiler, CMake and Eigen (CMAKE_ARGS=-DBUILD_SHARED_LIBS=ON: the shared one)
 	@cmake -S . -B build/install $(CMAKE_ARGS) >/dev/null
 	+@cmake --build build/install
-	cmake --install build/install --prefix $(PREFIX)
+	cmake --install build/install --prefix $(call path,$(PREFIX))
 
 # ---- data ------------------------------------------------------------------------------------------------------
 # A shared lock is held by every experiment, an exclusive one by the timed: they run alone, whatever -j says.
@@ -225,7 +227,7 @@ docs: deps-docs $(BUILD)/experiments.mk ## Guide, reference, gallery of figures 
 	@lib/docs/site/build.sh $(BUILD)/experiments.tsv && python3 lib/docs/site/check.py build/docs/html && echo "build/docs/html/index.html"
 site: deps-site docs ## Publish the docs: SITE=build/site gets them as static files, once a browser has seen every page and formula
 	@python3 lib/docs/site/check.py build/docs/html chromium
-	@mkdir -p $(SITE) && cp -r build/docs/html/. $(SITE) && touch $(SITE)/.nojekyll && echo "$(SITE): put it on any web server"
+	@mkdir -p $(call path,$(SITE)) && cp -r build/docs/html/. $(call path,$(SITE)) && touch $(call path,$(SITE)/.nojekyll) && echo "$(SITE): put it on any web server"
 format: deps-format ## Apply clang-format
 	find lib experiments paper tests -name '*.?pp' | xargs clang-format -i
 clean: ## Remove everything that was generated
