@@ -70,14 +70,19 @@ int run(int argc, char** argv, const std::string& shows, const std::function<voi
   const std::string name = std::filesystem::path(argv[0]).filename();
   Frame frame{.name = name, .output = "build/data"};
   CLI::App app(shows, name);
-  app.add_option("--output", frame.output, "Folder of the data files, made where it is missing")
-      ->option_text("DIR")
-      ->default_str("build/data");
+  const auto* output = app.add_option("--output", frame.output,
+                                      "Folder of the data files, made where it is missing: build/data, of a "
+                                      "shorter or longer run build/quick, build/long ...")
+                           ->option_text("DIR");
   app.add_flag("--quick", frame.quick, "A shortened run for tests: same columns, fewer or shorter rows");
   options(app);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of the write, not the end
   try {
     app.parse(argc, argv);
+    for (const char* mode : {"full", "extremes", "long", "quick"})  // not to be taken for the data
+      if (const auto* flag = app.get_option_no_throw(std::string("--") + mode);
+          flag && flag->count() > 0 && output->count() == 0)
+        frame.output = std::filesystem::path("build") / mode;
     require_writable(frame.output);
     body(frame);
     if (frame.line_open) {

@@ -76,6 +76,16 @@ TEST_P(FrontDoor, RefusesUnknownOptionsAndArguments) {
   expect_refused("--output");
 }
 
+/// Else `make` would take its data for those of the whole run.
+TEST_P(FrontDoor, PutsAShortenedRunIntoAFolderOfItsOwn) {
+  if (GetParam() == "scorecard") return;  // It has no data there.
+  const std::string command =
+      "cd '" + scratch.string() + "' && '" AVI_BIN_DIR "/" + GetParam() + "' --quick >/dev/null 2>&1";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_TRUE(fs::exists(scratch / "build/quick" / (GetParam() + ".tsv")));
+  EXPECT_FALSE(fs::exists(scratch / "build/data"));
+}
+
 TEST_P(FrontDoor, RefusesAFolderItCannotWrite) {
   expect_refused("--quick --output /dev/null/nowhere");
   std::ofstream(scratch / "file") << "no folder";
