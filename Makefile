@@ -107,14 +107,14 @@ programs: deps $(if $(filter work-precision paper,$(MAKECMDGOALS)),deps-peers) $
 # Goals that need the list have it made before anything else.
 $(BUILD)/experiments.mk: CMakeLists.txt CMakePresets.json $(shell find experiments -name CMakeLists.txt) | deps
 	@$(configure)
-build: programs ## Build everything: experiments, tests and checks
-	@$(compile) all
+build: programs | build/data ## Build everything: experiments, tests and checks
+	@$(call alone,all) $(compile) all
 # Made by `programs`; the empty command has make look at the file again, so only a relinked program reruns.
 $(patsubst %,$(BIN)/%,$(experiments) scorecard): programs
 	@:
 
 check: build ## Build and run every test
-	ctest --test-dir $(BUILD) --output-on-failure --parallel $(shell nproc)
+	flock --exclusive build/data/.alone ctest --test-dir $(BUILD) --output-on-failure --parallel $(shell nproc)
 python: deps-compare ## Build the Python module: build/python, for PYTHONPATH
 	@$(configure) -DAVI_PYTHON=ON && $(compile) _avi && cmake --install $(BUILD) --component python --prefix build/python >/dev/null \
 	  && echo "PYTHONPATH=$(CURDIR)/build/python"
@@ -143,7 +143,8 @@ install: ## Install the library under PREFIX: needs a compiler, CMake and Eigen 
 	cmake --install build/install --prefix $(call path,$(PREFIX))
 
 # ---- data ------------------------------------------------------------------------------------------------------
-# A shared lock is held by every experiment, an exclusive one by the timed: they run alone, whatever -j says.
+# A shared lock is held by every experiment and by who builds all, an exclusive one by the timed and by the tests: they run alone,
+# whatever -j and `make figures check` say.
 alone = flock $(if $(filter $(timed),$(1)),--exclusive,--shared) build/data/.alone
 
 # `make paper` alone takes the timed data that are there: a machine that is busy now must not change what was measured
