@@ -1,5 +1,9 @@
 #include "common/frame.hpp"
 
+#include <Eigen/Core>
+#include <fmt/format.h>
+#include <gsl/gsl_version.h>
+
 #include <array>
 #include <cstdio>
 #include <cstring>
@@ -58,6 +62,8 @@ Table Frame::table(std::vector<std::string> columns) const {
   table.note("commit", commit());
   table.note("compiler", AVI_COMPILER);
   table.note("flags", flags(name));
+  table.note("libraries", fmt::format("Eigen {}.{}.{}, GSL " GSL_VERSION, EIGEN_WORLD_VERSION,
+                                      EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION));
   table.note("machine", machine());
   table.note("date", date());
   table.note("quick", quick);

@@ -86,6 +86,16 @@ TEST_P(FrontDoor, PutsAShortenedRunIntoAFolderOfItsOwn) {
   EXPECT_FALSE(fs::exists(scratch / "build/data"));
 }
 
+TEST(DataFiles, TellWhatMadeThem) {
+  const fs::path scratch = fs::temp_directory_path() / ("avi_head_" + std::to_string(::getpid()));
+  const std::string command = "'" AVI_BIN_DIR "/euler_b_errors' --quick --output '" + scratch.string() + "'";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const std::string file = slurp(scratch / "euler_b_errors.tsv");
+  for (const char* note : {"commit: ", "compiler: ", "flags: ", "libraries: Eigen ", "machine: ", "date: "})
+    EXPECT_NE(file.find(std::string("\n# ") + note), std::string::npos) << note;
+  fs::remove_all(scratch);
+}
+
 TEST_P(FrontDoor, RefusesAFolderItCannotWrite) {
   expect_refused("--quick --output /dev/null/nowhere");
   std::ofstream(scratch / "file") << "no folder";
