@@ -113,7 +113,7 @@ class Journey {
   Journey(Trip& trip, PointField& field, Candidate& its_candidate, int its_order, double step,
           SweepBounds bounds)
       : candidate(&its_candidate), order(its_order), h(step), solved(bounds.tolerance), state(trip.start),
-        ranges(trip.start), pauses(trip.ranges, trip.seen), trip_(&trip), field_(&field),
+        ranges(trip.start), pauses(trip.ranges, trip.seen), worst(trip.start), trip_(&trip), field_(&field),
         steps_(its_candidate.steps(its_order, bounds)), z_(trip.start), before_(trip.start) {}
 
   Candidate* candidate;               ///< Its monitor.
@@ -126,7 +126,8 @@ class Journey {
   std::vector<State<dynamic>> marks;  ///< Where it was at the times that it was sent to.
   Ranges ranges;                      ///< Ranges of all states.
   Pauses pauses;                      ///< Where it all but stops.
-  double energy_error = 0.0;          ///< Largest |H - H_0| over the scale.
+  double energy_error = 0.0;          ///< Largest |H - H_0| over the scale,
+  State<dynamic> worst;               ///< and where it is.
   VectorX tails;                      ///< Largest tail of each entry, see Stepper, in the first `few` steps.
   bool spent = false;                 ///< It met a bound of the call.
   bool jumped = false;                ///< A step went over a feature of H that it did not see.
@@ -194,7 +195,7 @@ class Journey {
     const double energy = field_->energy(z.q.data(), z.p.data());
     if (std::isnan(energy)) run.outcome = Outcome::non_finite;
     const double error = std::abs(energy - trip_->energy_at_start) / trip_->energy_scale;
-    energy_error = std::max(energy_error, error);
+    if (error > energy_error) energy_error = error, worst = z;
     return error;
   }
   /// The latter half of very many steps has led on by less than a millionth of the way, as before a

@@ -125,6 +125,30 @@ double Orbiter::rounding_of_energy(const State<dynamic>& z) {
   return std::numeric_limits<double>::epsilon() * moved / trip_->energy_scale;
 }
 
+/// The same where H rounds by more than its entries tell, as differences of large numbers do: what it is
+/// beside a straight line where the state moves a little, where it errs most in a run, at its marks and in
+/// the sketch.
+double Orbiter::scatter_of_energy(const Journey& journey) {
+  const Eigen::Index n = field_.size();
+  double most = 0.0;
+  VectorX at(2 * n), slope(2 * n), moved(2 * n);
+  const auto look = [&](const VectorX& z) {
+    const double here = field_(z, slope);
+    const double along =
+        dot(z.tail(n).eval(), slope.head(n).eval()) - dot(z.head(n).eval(), slope.tail(n).eval());
+    for (const double part : {0.9e-8, 1.1e-8, 1.7e-8, 2.3e-8}) {
+      moved = (1.0 + part) * z;
+      most = std::max(most, std::abs(field_.energy(moved.data(), moved.data() + n) - here - part * along));
+    }
+  };
+  at << journey.worst.q, journey.worst.p, look(at);
+  for (const State<dynamic>& mark : journey.marks)
+    at << mark.q, mark.p, look(at);
+  for (const Sketch::Sample& sample : sketch_->samples)
+    look(sample.z);
+  return most / trip_->energy_scale;
+}
+
 /// The gradient that H supplies differs from that of its formula by more than rounding.
 bool Orbiter::follows_another_gradient() {
   if (foreign_gradient_ || question_.gradient.empty()) return foreign_gradient_.value_or(false);
@@ -351,11 +375,13 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   if (fine_->jumped && round_ < most_rounds) return again(0.4);
   seen_ = compare(*coarse_, *fine_);
   // Where runs agree and their energy errors do not fall with the step, that is rounding of H somewhere on
-  // the way; or chance, in few of them.
+  // the way, or chance. What is over ten tolerances has to be seen to be rounding.
   bool steady = seen_.error < 1e-7 && fine_->run.steps > Journey::few &&
                 fine_->energy_error > 0.5 * coarse_->energy_error;
   if (steady && (fine_->energy_error < 100.0 * rounding_of_energy(fine_->state) ||
-                 (fine_->energy_error < most_rounding && !follows_another_gradient()))) {
+                 (fine_->energy_error < most_rounding && !follows_another_gradient() &&
+                  (fine_->energy_error <= 10.0 * tolerance || features_->bends() ||
+                   fine_->energy_error < 1e3 * scatter_of_energy(*fine_))))) {
     answer_.energy_rounding = std::max(answer_.energy_rounding, 0.01 * fine_->energy_error);
     // Above the tolerance it may be more than that: then nor does what it makes of the state fall.
     coarse_grained_ = coarse_grained_ || fine_->energy_error > 3.0 * tolerance;
