@@ -84,8 +84,9 @@ def _array_ufunc(self, ufunc, method, *inputs, out=None, axis=0, **options):
             raise TypeError("An array of numbers cannot hold traced ones: write a = a + b instead of a += b.")
         out[0][...] = _objects(getattr(ufunc, method)(*inputs, **options))
         return out[0]
-    if method == "reduce" and name in _names:
-        return _fold(inputs[0], name, axis, **{key: x for key, x in options.items() if key == "keepdims"})
+    options = {key: x for key, x in options.items() if x is not None}
+    if method == "reduce" and name in _names and options.keys() <= {"keepdims"}:
+        return _fold(inputs[0], name, axis, **options)
     if method == "outer" and not options:
         a, b = (traced(x) for x in inputs)
         return ufunc(a.reshape(a.shape + (1,) * b.ndim), b)
