@@ -296,6 +296,22 @@ class Call {
   double event_ = question_.t;  // that ends the first run, or the start
 };
 
+/// The curve of a run whose end is its start.
+class Point final : public OrbitCurve {
+ public:
+  explicit Point(const OrbitAnswer& answer) : times_{answer.t}, z_(answer.q) {
+    z_.insert(z_.end(), answer.p.begin(), answer.p.end());
+  }
+  void at(double t, double* z) const override {
+    require(t == times_[0], "Time of a solution", t, "that of the run, ", times_[0]);
+    std::ranges::copy(z_, z);
+  }
+  [[nodiscard]] const std::vector<double>& times() const override { return times_; }
+
+ private:
+  std::vector<double> times_, z_;
+};
+
 }  // namespace
 
 OrbitAnswer answer(OrbitQuestion&& question) {
@@ -324,6 +340,7 @@ OrbitAnswer answer(OrbitQuestion&& question) {
       answer.states.z.insert(answer.states.z.end(), answer.q.begin(), answer.q.end());
       answer.states.z.insert(answer.states.z.end(), answer.p.begin(), answer.p.end());
     }
+  if (question.options.dense && question.t_end == question.t) answer.curve = std::make_shared<Point>(answer);
   tell_cancelled(budget, answer);
   return answer;
 }

@@ -262,6 +262,11 @@ TEST(SolveOptions, LetTheSolutionBeCalled) {
   EXPECT_THROW((void)orbit(-0.1), std::invalid_argument);
   EXPECT_THROW((void)orbit(NAN), std::invalid_argument);
   EXPECT_THROW((void)solve(Kepler(), z, 1.0, 1e-6)(0.5), std::logic_error);
+  // Where the end is the start, too.
+  const auto still = solve(Kepler(), z, z.t, 1e-6, {.dense = true});
+  ASSERT_TRUE(still.curve);
+  EXPECT_EQ(still(z.t), z);
+  EXPECT_THROW((void)still(z.t + 1.0), std::invalid_argument);
 }
 
 // q'' = -q + 0.3 cos 2t by hand.
