@@ -454,7 +454,7 @@ class _Question:
         sol = _Between(curve, z.shape[1]) if curve else None
         of_events = [which == i for i in range(len(self.events))]
         times, states = ([found[i] for i in of_events] for found in (t_events, z_events))
-        stopped = any(event[3] and t_end in found[-1:] for event, found in zip(self.events, times))
+        stopped = any(stop and len(found) == max(count, 1) for (_, _, count, stop), found in zip(self.events, times))
         return Orbit(report, self.formula, self.shape, t, z.T, sol, times, states, stopped)
 
 

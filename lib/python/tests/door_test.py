@@ -93,6 +93,12 @@ class Events(unittest.TestCase):
         self.assertLess(np.abs(orbit.y_events[0][:, 0]).max(), 1e-9)
         self.assertEqual(orbit.status, 0)
 
+    def test_event_at_the_end(self):
+        """It ends the run where it is the last one that was asked for; of two there is another one to come."""
+        for count in (1, 2):
+            orbit = avi.solve(lambda q, p: p[0] + 0 * q[0], [0.0], [0.0], 2.0, 1e-8, events=avi.event(lambda q, p: q[0] - 2.0, count=count, stop=True))
+            self.assertEqual((orbit.t_events[0].tolist(), orbit.status), ([2.0], 2 - count))
+
     def test_stop(self):
         falls = lambda q, p: q[0]
         falls.terminal, falls.direction = True, -1  # as solve_ivp has it
