@@ -11,6 +11,8 @@ std::string SolutionReport::report() const {
   // What came of it, and of what was promised.
   if (!ok())
     text << run.message << "\nNothing is promised of the state: the run did not come to its end.\n";
+  else if (run.steps == 0)
+    return "Kept: the end is the start, and no step was made.\n";
   else if (std::isfinite(state_error))
     text << (kept() ? "Kept" : "Not kept") << ": the state at the end errs by " << state_error
          << " of the range of a coordinate or momentum, as two runs with different steps "

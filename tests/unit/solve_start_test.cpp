@@ -124,4 +124,13 @@ TEST(SolveStart, MayBeAtRestWhereNothingActsYet) {
   EXPECT_NEAR((third.state.q - exact.state.q).norm(), 0.0, 1e-6);
 }
 
+// It was said that two runs tell how much the state errs, and that a method was chosen.
+TEST(SolveStart, MayBeTheEnd) {
+  const State<2> start{.q = {1.0, 0.0}, .p = {0.0, 1.0}};
+  const auto still = solve(kepler, start, 0.0, 1e-8);
+  EXPECT_TRUE(still.kept());
+  EXPECT_EQ(still.state, start);
+  EXPECT_EQ(still.report(), "Kept: the end is the start, and no step was made.\n");
+}
+
 }  // namespace solve_start_test
