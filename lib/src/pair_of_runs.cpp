@@ -1,14 +1,10 @@
 #include "pair_of_runs.hpp"
 
-#include "avi/core/dot.hpp"
-
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 /// @file
-/// How solve() decides: two runs with different steps, what their difference says, and which setting is
-/// next.
+/// How solve() decides: two runs with different steps, and which setting is next.
 
 namespace avi::detail {
 
@@ -21,158 +17,6 @@ void Orbiter::note_trial(const Journey& journey, double error) {
                                    .sweeps = journey.run.evaluations,
                                    .state_error = journey.ok() ? error : infinity,
                                    .outcome = journey.run.outcome});
-}
-
-Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
-  Comparison seen;
-  const std::size_t marks = std::min(coarse.marks.size(), fine.marks.size());
-  // Where energy errors are seen they tell how fast errors fall: slower than by the order where steps do not
-  // resolve all of the way.
-  const bool seen_to_fall = fine.energy_error > 1e3 * answer_.energy_rounding;
-  const double falls = seen_to_fall ? std::max(1.0, 0.5 * coarse.energy_error / fine.energy_error) : infinity;
-  const double ratio = features_->bends() || coarse_grained_ ? 1.0 : std::min(trusted(coarse, fine), falls),
-               until = since_start(marks - 1);
-  // In the first quarter, or three eighths where marks are few, in the first half, and on the whole.
-  double early = 0.0, halfway = 0.0, late = 0.0;
-  double furthest = 0.0, least = infinity;
-  bool runaway = false;  // at some time differences have grown faster than by a power of time
-  for (std::size_t i = 0; i < marks; ++i) {
-    const double whole = (*distance_)(coarse.marks[i], fine.marks[i], fine.ranges), apart = whole / ratio;
-    const double speed = std::max(speed_at(fine.marks[i], fine.ranges), 0.03 * usual_speed_);
-    const double behind = speed > 0.0 ? apart / speed : apart;
-    const double since = since_start(i);
-    if (since <= (compared_ > 3 ? 0.251 : 0.376) * until) early = std::max(early, behind);
-    if (since <= 0.501 * until) halfway = std::max(halfway, behind);
-    late = std::max(late, behind);
-    runaway = runaway || late > 10.0 * least * since * since;
-    least = std::min(least, late / (since * since));
-    furthest = std::max(furthest, whole);
-    seen.error = apart;
-  }
-  // By a power of time it would grow as much from a half to the whole as from a quarter to a half. Rounding,
-  // which may be small by chance at first, is not taken for it.
-  seen.exponential = furthest > 1e-7 && std::log(late / halfway) > 1.4 * std::log(halfway / early);
-  // Where orbits run away from each other, all errors come to lie in one direction, in which the two may meet
-  // by chance: they are k times as large as their difference once in about k times, whatever the order. Once
-  // they are no longer small they meet anywhere. Of 6000 orbits of Henon and Heiles near escape, over 30 to
-  // 100 turns at 1e-2 to 1e-6, 24 of 3075 kept were wrong by more than ten tolerances, now 3 of 2799.
-  constexpr double by_chance = 3.0, few_times = 4.0;
-  if (runaway && furthest > 0.01)
-    seen.error = std::max(furthest, 1.0), late *= ratio;
-  else if (furthest > 0.1)
-    seen.error = furthest, late *= ratio;
-  else if (runaway)
-    seen.error *= by_chance * ratio, late *= std::max(1.0, ratio / few_times);
-  // Few steps may err alike. The error of the action, and with it that of the end, is of second order in what
-  // the curve lacks, which is about the last term of its polynomial: measured, 1 to 20 times its square.
-  if (fine.run.steps <= Journey::few && fine.tails.size() > 0) {
-    const double lacking = distance_->speed(fine.tails, distance_->scales(fine.ranges));
-    const double speed = std::max(speed_at(fine.state, fine.ranges), 0.03 * usual_speed_);
-    seen.error = std::max(seen.error, lacking * lacking);
-    late = std::max(late, speed > 0.0 ? lacking * lacking / speed : lacking * lacking);
-  }
-  // Who leaves a point of rest earlier or later may come to another one, where all are near each other again;
-  // and how much later is no matter of the order.
-  const double parted = parted_by(coarse.pauses, fine.pauses, question_.t, marks_[marks - 1]);
-  lost_ = parted > 1.0 || (fine.pauses.undecided && !question_.timed);
-  if (lost_)
-    seen.error = std::max(seen.error, 1.0), late = std::max(late, 1.0 / usual_speed_);
-  else if (parted > 0.3)
-    seen.error *= ratio, late *= ratio;
-  seen.behind = late;
-  // How rounding grows says nothing of how an error would.
-  const double rounding = (100.0 * std::numeric_limits<double>::epsilon() + 10.0 * fine.candidate->noise) *
-                          distance_->frequency * until;
-  // Over fewer turns errors waver by more than they grow.
-  const bool seen_long = distance_->frequency * until > shortest_growth || late > 1e3 * early;
-  if (early > 0.0 && late > 20.0 * early) {
-    if (seen_long && late * usual_speed_ * ratio > rounding) {
-      seen.growth = std::min(3.0, std::log(late / early) / std::log(4.0));
-      if (late > 60.0 * early) seen.rate = std::log(late / early) / (0.75 * until);
-    }
-    // What grows so much may have begun as what sweeps left, or as rounding, which no order makes smaller.
-    unstable_ = true;
-    const double doubted = std::min(ratio, late / (20.0 * early));
-    if (!seen_to_fall) seen.error *= doubted, seen.behind *= doubted;
-  }
-  return seen;
-}
-
-double Orbiter::speed_at(const State<dynamic>& z, const Ranges& ranges) {
-  VectorX at(2 * z.q.size()), slope(2 * z.q.size());
-  at << z.q, z.p;
-  field_(at, slope);
-  return (*distance_)(slope, ranges);
-}
-
-/// How far along the orbit the rounding of time moves a state; a clock that begins near zero has no less
-/// digits than the phase.
-double Orbiter::rounding_of_clock(const Journey& journey) {
-  if (question_.t == 0.0) return 0.0;
-  return 0.5 * std::numeric_limits<double>::epsilon() * std::abs(question_.t) *
-         speed_at(journey.state, journey.ranges);
-}
-
-/// The energy error that rounding of the entries of a state makes: more than its own, far out on a saddle,
-/// where H is a small difference.
-double Orbiter::rounding_of_energy(const State<dynamic>& z) {
-  VectorX at(2 * z.q.size()), slope(2 * z.q.size());
-  at << z.q, z.p;
-  field_(at, slope);
-  const Eigen::Index n = z.q.size();
-  const double moved = dot(z.q.cwiseAbs().eval(), slope.tail(n).cwiseAbs().eval()) +
-                       dot(z.p.cwiseAbs().eval(), slope.head(n).cwiseAbs().eval());
-  return std::numeric_limits<double>::epsilon() * moved / trip_->energy_scale;
-}
-
-/// The same where H rounds by more than its entries tell, as differences of large numbers do: what it is
-/// beside a straight line where the state moves a little, where it errs most in a run, at its marks and in
-/// the sketch.
-double Orbiter::scatter_of_energy(const Journey& journey) {
-  const Eigen::Index n = field_.size();
-  double most = 0.0;
-  VectorX at(2 * n), slope(2 * n), moved(2 * n);
-  const auto look = [&](const VectorX& z) {
-    const double here = field_(z, slope);
-    const double along =
-        dot(z.tail(n).eval(), slope.head(n).eval()) - dot(z.head(n).eval(), slope.tail(n).eval());
-    for (const double part : {0.9e-8, 1.1e-8, 1.7e-8, 2.3e-8}) {
-      moved = (1.0 + part) * z;
-      most = std::max(most, std::abs(field_.energy(moved.data(), moved.data() + n) - here - part * along));
-    }
-  };
-  at << journey.worst.q, journey.worst.p, look(at);
-  for (const State<dynamic>& mark : journey.marks)
-    at << mark.q, mark.p, look(at);
-  for (const Sketch::Sample& sample : sketch_->samples)
-    look(sample.z);
-  return most / trip_->energy_scale;
-}
-
-/// The gradient that H supplies differs from that of its formula by more than rounding.
-bool Orbiter::follows_another_gradient() {
-  if (foreign_gradient_ || question_.gradient.empty()) return foreign_gradient_.value_or(false);
-  const int n = field_.size();
-  RecordedFormula<double> formula{Recording(question_.graph, question_.energy).gradient()};
-  VectorX apart = VectorX::Zero(2 * n), size = apart;
-  for (const Sketch::Sample& sample : sketch_->samples) {
-    formula.run(sample.z.data(), sample.z.data() + n, n);
-    for (int i = 0; i < 2 * n; ++i) {
-      const double own = i < n ? sense_ * formula.partial(n + i) : -sense_ * formula.partial(i - n);
-      apart[i] = std::max(apart[i], std::abs(sample.slope[i] - own));
-      size[i] = std::max(size[i], std::abs(own));
-    }
-  }
-  constexpr double rounding = 3e-12;
-  return *(foreign_gradient_ = (apart.array() > rounding * size.array()).any());
-}
-
-/// The error at the time `to` after the start, from what was seen until `from`.
-double Orbiter::foretold(const Comparison& seen, double from, double to, double speed) const {
-  if (!(to > from)) return seen.error;
-  const double behind =
-      seen.behind * (seen.rate > 0.0 ? std::exp(seen.rate * (to - from)) : std::pow(to / from, seen.growth));
-  return behind * std::max(speed, 0.03 * usual_speed_);
 }
 
 Journey Orbiter::begin(const Setting& setting, double factor) {

@@ -10,7 +10,8 @@
 
 /// @file
 /// How solve() decides: a sketch of the orbit, the menu, the marks at which runs are compared, the first
-/// setting, and the answer. What two runs say of a setting is in pair_of_runs.cpp.
+/// setting, and the answer. What two runs say of a setting is in comparison.cpp, what comes next in
+/// pair_of_runs.cpp.
 
 namespace avi::detail {
 
