@@ -414,7 +414,7 @@ Traced.prod = _FUNCTIONS["prod"]
 Traced.max = _FUNCTIONS["amax"]
 Traced.min = _FUNCTIONS["amin"]
 Traced.dot = _dot
-Traced.clip = _clip
+Traced.clip = lambda self, min=None, max=None: _clip(self, min, max)
 Traced.astype = _astype
 Traced.copy = lambda self, order=None: traced(self)
 Traced.__copy__ = lambda self: traced(self)
@@ -429,7 +429,7 @@ Traced.T = property(lambda self: self._view(self._numbers.T))
 Traced.reshape, Traced.ravel = _reshaped("reshape"), _reshaped("ravel")
 for _name in ("transpose", "squeeze", "swapaxes", "diagonal"):
     setattr(Traced, _name, _moved(_name, "_view"))
-for _name in ("flatten", "repeat"):
+for _name in ("flatten", "repeat", "take"):
     setattr(Traced, _name, _moved(_name, "_take"))
 for _name in ("cumsum", "ptp", "std", "trace", "var"):
     setattr(Traced, _name, _by_numpy(_name))

@@ -49,6 +49,10 @@ class Tracing(unittest.TestCase):
             by_values = (everything(*np.split(self.point + step, 2)) - everything(*np.split(self.point - step, 2))) / 2e-5
             self.assertAlmostEqual(slope, by_values, delta=1e-6)
 
+    def test_methods_take_the_arguments_of_an_array(self):
+        for f in (lambda x: x.clip(min=0.35).sum(), lambda x: x.clip(0.35, max=0.6).prod(), lambda x: x.take([2, 0]) @ x[1:3]):
+            self.assertAlmostEqual(avi.objective(f, 4).value(self.point), f(self.point), delta=1e-15)
+
     def test_squares_of_norms_have_slopes_at_rest(self):
         for f in (
             lambda x: np.linalg.norm(x) ** 2,
