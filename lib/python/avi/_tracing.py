@@ -176,16 +176,16 @@ def _require_reals(dtype):
         raise TypeError(f"A traced number cannot be made one of the type {np.dtype(dtype)}: it stays real, with no value yet.")
 
 
-def _folding(name):
+def _folding(name, called):
     def fold(x, axis=None, *, keepdims=False, dtype=None):
         _require_reals(dtype)
         return _fold(x, name, axis, keepdims)
 
-    fold.__name__ = fold.__qualname__ = name
+    fold.__name__ = fold.__qualname__ = called
     return fold
 
 
-_sum, _largest, _least = _folding("add"), _folding("maximum"), _folding("minimum")
+_sum, _largest, _least = _folding("add", "sum"), _folding("maximum", "max"), _folding("minimum", "min")
 
 
 def _dot(a, b):
@@ -238,7 +238,7 @@ _FUNCTIONS = {
     "where": _where_of_numpy,
     "sum": _sum,
     "mean": _mean,
-    "prod": _folding("multiply"),
+    "prod": _folding("multiply", "prod"),
     "amax": _largest,
     "amin": _least,
     "ptp": lambda x, axis=None, *, keepdims=False: _largest(x, axis, keepdims=keepdims) - _least(x, axis, keepdims=keepdims),
