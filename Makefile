@@ -191,7 +191,9 @@ build/figures/order_verification.pdf build/figures/order_verification.png: build
 
 gallery: deps ## Redraw the pictures of README and of the guide
 	@$(configure) && $(compile) pictures && mkdir -p build/pictures && $(BIN)/pictures build/pictures \
-	  && gnuplot -e "data='build/pictures'; output='lib/docs/pictures'" lib/docs/pictures/pictures.gp
+	  && gnuplot -e "data='build/pictures'; output='build/pictures'" lib/docs/pictures/pictures.gp
+	@for each in build/pictures/*.png; do tail -c 8 $$each | grep -aq IEND || { echo "$$each is cut off: no space left?" >&2; exit 1; }; done
+	@cp build/pictures/*.png lib/docs/pictures
 
 build/data build/figures build/paper:
 	@mkdir -p $@

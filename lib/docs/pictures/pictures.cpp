@@ -13,11 +13,18 @@
 namespace {
 
 std::string folder;
+bool written = true;
 
 /// One file of numbers.
 class Table {
  public:
   explicit Table(const char* name) : file_(folder + "/" + name + ".dat") { file_.precision(10); }
+  ~Table() {
+    file_.close();
+    if (!file_) written = false;
+  }
+  Table(const Table&) = delete;
+  Table& operator=(const Table&) = delete;
   template <class... Numbers>
   void row(const Numbers&... numbers) {
     ((file_ << numbers << ' '), ...);
@@ -252,4 +259,5 @@ int main(int argc, char** argv) {
   eccentric_steps();
   orders();
   valleys();
+  if (!written) return std::fprintf(stderr, "pictures: Cannot write all of '%s'.\n", folder.c_str()), 2;
 }
