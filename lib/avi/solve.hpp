@@ -258,7 +258,7 @@ struct OrbitAnswer : SolutionReport {
   std::vector<int> events;                   ///< Number of the event, for each that was found,
   OrbitPoints event_states;                  ///< and where.
   std::shared_ptr<const OrbitCurve> curve;   ///< With SolveOptions::dense.
-  std::shared_ptr<const Prepared> prepared;  ///< What was made of H for the choice.
+  std::shared_ptr<const Prepared> prepared;  ///< Field of H and formulas of the choice.
 };
 
 /// solve() without types that depend on H or n.

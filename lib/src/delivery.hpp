@@ -23,7 +23,7 @@ struct Plan {
   double horizon;  ///< Time for which the choice was made.
   double pause;    ///< Beyond this time another choice has to be made, or none can be.
   long most = std::numeric_limits<long>::max();  ///< Steps: the run that it repeats has come further.
-  Outcome failure = Outcome::ok;                 ///< Of the runs that went beyond the pause.
+  Outcome failure = Outcome::ok;                 ///< How the runs ended that went beyond it.
   std::string message = {};                      ///< Why they failed.
 };
 

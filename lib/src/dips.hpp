@@ -11,7 +11,7 @@ namespace avi::detail {
 struct Sample {
   double part;         ///< Part of the step, in [0, 1].
   double g;            ///< Value there.
-  bool exact = false;  ///< Of the method's state, not of its polynomial.
+  bool exact = false;  ///< Taken at a state of the method, not of its polynomial.
   bool turns = false;  ///< The function turns before the next one.
 };
 
@@ -21,7 +21,7 @@ struct Sample {
 /// of its ends, is corrected by steps of the method.
 class Dips {
  public:
-  using Function = std::function<double(double)>;  ///< Of a part of the step.
+  using Function = std::function<double(double)>;  ///< g at a part of the step.
 
   /// @param on by the polynomial @param exact by steps of the method, or nan @param end of the last interval
   /// @param noise of the function @param evaluations of `on`

@@ -24,10 +24,10 @@ struct Trip {
   double energy_scale;                                 ///< Unit of energy errors.
   double sense;                                        ///< 1, or -1 where the end lies before the start.
   Budget& budget;                                      ///< Budget of the call.
-  double rounding = 0.0;                               ///< Of one evaluation of H, in that unit.
+  double rounding = 0.0;                               ///< Rounding of one evaluation of H, in that unit.
   double felt = infinity;                              ///< A change of H inside a step that is not its error.
   double span = infinity;                              ///< Time from the start to the end.
-  VectorX ranges = VectorX::Zero(2 * start.q.size());  ///< Of the entries of (q, p) on the sketch.
+  VectorX ranges = VectorX::Zero(2 * start.q.size());  ///< Ranges of (q, p) on the sketch.
   Eigen::Index seen = start.q.size();                  ///< Coordinates but time.
   SharpFeatures* features = nullptr;                   ///< Looked for, if there are any.
 };

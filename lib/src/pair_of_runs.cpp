@@ -267,7 +267,10 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   const double spent = static_cast<double>(budget_.sweeps) * setting.candidate->price();
   const double pair = span_ / here * setting.candidate->price() *
                       static_cast<double>(coarse_->run.evaluations + fine_->run.evaluations);
-  vain_ = mark <= before_at_ && error > 0.3 * before_ ? vain_ + 1 : 0;
+  // Errors that rounding decides go up and down, so a pair is in vain that is not better than the best one.
+  // Without a check, what pairs foretell stands for all of the run, and each is compared with the one before.
+  const bool in_vain = mark <= before_at_ && error > 0.3 * before_;
+  vain_ = in_vain ? vain_ + 1 : 0;
   // Beyond a kink errors fall by chance, and slowly: there is no end to shorter steps.
   const bool endless = features_->bends() && pair > 0.5 * patience * std::max(factor, 0.35);
   if (of_energy < of_state && of_energy <= 3.0) {
@@ -286,7 +289,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   steady_ = steady;
   if (resigned_) return !last && take_from_aside(setting, 0.3 * pair);
   if (mark > 0) lengthened_ = most_lengthened;  // what the first mark promises has not come true
-  before_ = error, before_at_ = mark;
+  before_ = in_vain && question_.options.check ? std::min(before_, error) : error, before_at_ = mark;
   // Where errors do not fall by the order yet, by halves.
   return again(std::max(vain_ > 0 ? std::min(factor, 0.5) : factor, 0.35));
 }

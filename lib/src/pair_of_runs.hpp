@@ -136,7 +136,7 @@ class Orbiter {
   Setting instead_of_;  // what a candidate from aside was taken for
   Comparison seen_;
   std::size_t judged_ = 0;    // mark of that comparison
-  double before_ = infinity;  // the error foretold from the pair of runs before this one, and at which mark
+  double before_ = infinity;  // the error foretold from the best of the last pairs of runs, and at which mark
   std::size_t before_at_ = 0;
   int vain_ = 0;                          // pairs in a row that were not better than the one before
   int round_ = 0;                         // pairs of runs so far

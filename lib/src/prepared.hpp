@@ -12,7 +12,7 @@ namespace avi::detail {
 
 /// The field of H and the formulas of the monitor that was chosen.
 struct Prepared {
-  PointField field;                          ///< Of H, forwards in time; to be copied.
+  PointField field;                          ///< Field of H, forwards in time; to be copied.
   std::shared_ptr<const Formulas> formulas;  ///< With two parameters, see EnergyAtStart, or none.
 
   /// The formulas for an orbit of this energy. @param kinetic see Choice

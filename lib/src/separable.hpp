@@ -9,14 +9,14 @@
 
 namespace avi::detail {
 
-/// What H is made of.
+/// The parts that H is made of.
 enum class Parts {
   coupled,   ///< Some force depends on p, or some velocity on q.
   separate,  ///< H = T(p) + V(q).
   nystrom    ///< The same with T of degree 2 at most: velocities are linear in p.
 };
 
-/// What H is made of. What only looks otherwise, as q - q + p, counts as it looks.
+/// The parts that H is made of, as it is written: q - q + p depends on q.
 /// @param recording of H as a function of (q, p), with its gradient
 inline Parts parts_of(const Recording& recording) {
   const ExpressionGraph& graph = recording.graph();

@@ -83,7 +83,8 @@ class Checked : public Vector<S, n> {
   }
 };
 
-/// What a function of the user gives for q or p. @throws std::invalid_argument unless it has as many entries.
+/// The vector v, which a function of the user gave for q or p.
+/// @throws std::invalid_argument unless it has `size` entries.
 template <class V>
 const V& sized(std::string_view what, const V& v, Eigen::Index size) {
   if constexpr (V::SizeAtCompileTime == dynamic)

@@ -104,7 +104,7 @@ Vector<double, n> solver_units(const Vector<double, n>& size, double largest) {
 /// How far a step's iteration has come.
 template <int n>
 struct IterationProgress {
-  Vector<double, n> unit;  ///< Of the entries, see solver_units().
+  Vector<double, n> unit;  ///< Units of the entries, see solver_units().
   double residual;         ///< Largest entry in its unit, now.
   double previous;         ///< One evaluation before; NaN at first.
   double accepted;         ///< Bound below which the equation counts as solved.

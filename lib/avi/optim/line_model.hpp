@@ -97,7 +97,7 @@ class LineMisses {
   }
 
  private:
-  double size_ = 0.0, at_ = 1.0;  ///< Of the last trial.
+  double size_ = 0.0, at_ = 1.0;  ///< |e| and h of the last trial.
   int falls_ = 0;                 ///< Trials in a row of which that is true.
 };
 

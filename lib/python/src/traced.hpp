@@ -33,7 +33,7 @@ struct Traced {
   Shape shape{};                             ///< Empty for a single number.
   bool condition = false;                    ///< The entries are 1 or 0, from comparisons.
   bool regular = true;             ///< NumPy reshapes it without a copy: its entries lie at equal distances.
-  std::shared_ptr<Cells> cells{};  ///< Of an array that has views, and of these.
+  std::shared_ptr<Cells> cells{};  ///< Cells of an array that has views, and of these.
   std::vector<std::size_t> places{};  ///< Where in the cells the entries are.
   long seen = 0;                      ///< The version of the cells that the entries are of.
 };
