@@ -3,6 +3,7 @@
 #include "avi/core/dot.hpp"
 #include "avi/core/require.hpp"
 #include "poles.hpp"
+#include "reverse.hpp"
 
 #include <array>
 #include <limits>

@@ -54,22 +54,9 @@ struct Formulas {
   /// @param energy node of H @param supplied those of its gradient, where H has one of its own
   static std::shared_ptr<const Formulas> of(const ExpressionGraph& graph, int transformed, int rate,
                                             int energy = -1, const std::vector<int>& supplied = {},
-                                            int parameters = 0) {
-    Formulas made = fixed(Recording(graph, transformed, energy, supplied), parameters);
-    made.unit = graph.is(rate, 1.0);
-    if (!made.unit) made.rate = Schedule::program(graph, rate, {}, graph.size());
-    return std::make_shared<const Formulas>(std::move(made));
-  }
+                                            int parameters = 0);
   /// The programs of H with g = 1.
-  static Formulas fixed(const Recording& recording, int parameters = 0) {
-    const int n = (recording.inputs() - parameters) / 2;
-    return {.forces = recording.gradient(0, n),
-            .velocities = recording.gradient(n, n),
-            .rate = {},
-            .unit = true,
-            .n = n,
-            .parameters = std::vector<double>(static_cast<std::size_t>(parameters))};
-  }
+  static Formulas fixed(const Recording& recording, int parameters = 0);
   /// The same programs with other parameters, as many.
   [[nodiscard]] std::shared_ptr<const Formulas> with(std::vector<double> values) const {
     Formulas other = *this;

@@ -1,6 +1,6 @@
 #include "poles.hpp"
 
-#include "avi/autodiff/reverse.hpp"
+#include "reverse.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 #include "avi/autodiff/expression_graph.hpp"
-#include "avi/autodiff/factor.hpp"
+#include "factor.hpp"
 #include "sketch.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 #include "avi/autodiff/program.hpp"
-#include "avi/autodiff/schedule.hpp"
 #include "candidates.hpp"
+#include "schedule.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "avi/autodiff/factor.hpp"
+#include "src/factor.hpp"
 
 #include <gtest/gtest.h>
 

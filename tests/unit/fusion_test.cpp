@@ -1,4 +1,4 @@
-#include "avi/autodiff/fusion.hpp"
+#include "src/fusion.hpp"
 #include "unit/random_graph.hpp"
 
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <vector>
 
 using avi::ExpressionGraph;
-using avi::Fusion;
-using avi::Line;
 using avi::Operation;
+using avi::detail::Fusion;
+using avi::detail::Line;
 
 namespace fusion_test {
 

@@ -1,9 +1,9 @@
 #include "avi/autodiff/recording.hpp"
-#include "avi/autodiff/schedule.hpp"
 #include "digest.hpp"
 #include "src/code_writer.hpp"
 #include "src/machine_code.hpp"
 #include "src/pack_functions.hpp"
+#include "src/schedule.hpp"
 #include "unit/random_graph.hpp"
 
 #include <gtest/gtest.h>
@@ -99,8 +99,8 @@ TEST(MachineCode, HasTheBitsOfTheInterpreter) {
     for (int i = static_cast<int>(random() % 7); i > 0; --i)
       slopes.push_back(static_cast<int>(random() % static_cast<unsigned>(graph.size())));
     const int value = slopes.empty() ? graph.size() - 1 : -1;
-    compare(avi::Schedule::program(graph, value, slopes, graph.size()), seed, "seed " + std::to_string(seed),
-            seed % 3 == 0 ? 2 : 0);
+    compare(avi::detail::Schedule::program(graph, value, slopes, graph.size()), seed,
+            "seed " + std::to_string(seed), seed % 3 == 0 ? 2 : 0);
   }
 }
 
@@ -118,7 +118,7 @@ std::string bytes(int lanes, bool avx512) {
     for (int i = 0; i < static_cast<int>(seed % 7); ++i)
       slopes.push_back(graph.size() - 1 - 3 * i % graph.size());
     const Program program =
-        avi::Schedule::program(graph, slopes.empty() ? graph.size() - 1 : -1, slopes, graph.size());
+        avi::detail::Schedule::program(graph, slopes.empty() ? graph.size() - 1 : -1, slopes, graph.size());
     const avi::detail::StraightLine line(program);
     avi::detail::Assembler assembler(std::min(lanes, avx512 ? 8 : 4));
     std::vector<double> pool{1.0, 0.0, -0.0, 1.0};
@@ -149,7 +149,7 @@ TEST(MachineCode, KnowsEveryOperation) {
       const int node = operation == Operation::power           ? graph.power(0, exponent)
                        : avi::detail::operands(operation) == 1 ? graph.unary(operation, 0)
                                                                : graph.binary(operation, 0, 1);
-      compare(avi::Schedule::program(graph, node, {}, graph.size()), 1, avi::detail::name(operation));
+      compare(avi::detail::Schedule::program(graph, node, {}, graph.size()), 1, avi::detail::name(operation));
       if (operation != Operation::power) break;
     }
 }
@@ -159,8 +159,8 @@ TEST(MachineCode, PassesOnWhatNeedsNoOperation) {
   if (!runs(false)) GTEST_SKIP() << "a processor without AVX2";
   ExpressionGraph graph(4);
   const int seven = graph.constant(7.0);
-  compare(avi::Schedule::program(graph, -1, {3, seven, 0, 3}, graph.size()), 5, "arguments");
-  compare(avi::Schedule::program(graph, seven, {}, graph.size()), 5, "a number");
+  compare(avi::detail::Schedule::program(graph, -1, {3, seven, 0, 3}, graph.size()), 5, "arguments");
+  compare(avi::detail::Schedule::program(graph, seven, {}, graph.size()), 5, "a number");
 }
 
 /// The upper parts of vector registers are in use, as far as the processor tells.
@@ -193,7 +193,7 @@ TEST(MachineCode, ClearsRegistersBeforeACall) {
   ExpressionGraph graph(2);
   const int square = graph.binary(Operation::multiply, 0, 0),
             node = graph.binary(Operation::hypot, square, 1);
-  const Program program = avi::Schedule::program(graph, node, {}, graph.size());
+  const Program program = avi::detail::Schedule::program(graph, node, {}, graph.size());
   const Program* const all[] = {&program};
   for (const bool avx512 : {false, true}) {
     if (!runs(avx512)) continue;
@@ -226,7 +226,7 @@ TEST(MachineCode, IsNotMadeWhereItWouldTakeTheWholeStack) {
 
 TEST(MachineCode, IsSwitchedOffByTheEnvironment) {
   ExpressionGraph graph(2);
-  const Program program = avi::Schedule::program(graph, 1, {}, graph.size());
+  const Program program = avi::detail::Schedule::program(graph, 1, {}, graph.size());
   const Program* const all[] = {&program};
   const auto make = [&] {
     return MachineCode::of(all, {.lanes = 4, .avx512 = false, .functions = avi::detail::pack_functions<4>()});

@@ -1,6 +1,6 @@
 #include "avi/autodiff/pack.hpp"
-#include "avi/autodiff/reverse.hpp"
-#include "avi/autodiff/schedule.hpp"
+#include "src/reverse.hpp"
+#include "src/schedule.hpp"
 #include "unit/random_graph.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using avi::ExpressionGraph;
 using avi::Operation;
 using avi::Pack;
 using avi::Program;
-using avi::Schedule;
+using avi::detail::Schedule;
 
 namespace schedule_test {
 
@@ -106,7 +106,7 @@ TEST(Schedule, TakesFormulasOfAnyDepth) {
     sum = graph.binary(Operation::add, sum, graph.binary(Operation::multiply, deep, 0));
   }
   const int recorded = graph.size();
-  const std::vector<int> slopes = avi::Reverse(graph).gradient(sum);
+  const std::vector<int> slopes = avi::detail::Reverse(graph).gradient(sum);
   EXPECT_LE(graph.size(), 4 * recorded);
   const Program program = Schedule::program(graph, sum, slopes, recorded);
   Program::Room<double> room(program);

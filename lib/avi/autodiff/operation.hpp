@@ -3,8 +3,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 
 /// @file
@@ -192,10 +190,7 @@ constexpr bool pairs(Operation first) {
 }
 
 /// There is nothing to compute, so that an evaluation that comes here is wrong.
-[[noreturn, gnu::cold, gnu::noinline]] inline void computes_nothing(Operation operation) {
-  throw std::logic_error(std::string("An operation of a recorded formula cannot be evaluated: ") +
-                         name(operation) + ".");
-}
+[[noreturn, gnu::cold]] void computes_nothing(Operation operation);
 
 /// use.template operator()<operation>() for one of these operations, known at run time. Inlined, with all
 /// that it calls: the choice is made some ten times in an evaluation of a few dozen nanoseconds.
@@ -233,11 +228,7 @@ template <class Use>
 }
 
 /// The result at numbers, for an operation known at run time. @throws std::logic_error where there is none
-inline double evaluate(Operation operation, double a, double b) {
-  double result = 0.0;
-  with_operation(operation, [&]<Operation known>() { result = apply<known>(a, b); });
-  return result;
-}
+double evaluate(Operation operation, double a, double b);
 
 }  // namespace detail
 /// @endcond

@@ -14,8 +14,9 @@
 namespace avi {
 
 namespace detail {
+class Schedule;
 class StraightLine;
-}
+}  // namespace detail
 
 /// A straight line of operations that computes f(x) and chosen derivatives of f; made by Recording. One
 /// program serves every scalar: double, Pack<w>, Partials of them. Operations of one kind are grouped, so
@@ -86,7 +87,7 @@ class Program {
   }
 
  private:
-  friend class Schedule;
+  friend class detail::Schedule;
   friend class detail::StraightLine;
 
   /// Eight times the number of a slot, so that an addressing mode of the processor finds slots of up to eight

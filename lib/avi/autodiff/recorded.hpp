@@ -41,14 +41,7 @@ class Recorded : Scalar<Recorded> {
   }
 
   /// The node of this value in `graph`. @throws std::invalid_argument where it belongs to another one.
-  [[nodiscard]] int node_in(ExpressionGraph& graph) const {
-    if (!graph_) return graph.constant(number_);
-    if (graph_ != &graph || recording_ != graph.identity())
-      throw std::invalid_argument("A recorded function mixes the arguments of two recordings; it must not "
-                                  "keep numbers from one call to the next, nor an expression of Eigen in "
-                                  "`auto`: (...).eval() makes a vector of it.");
-    return node_;
-  }
+  [[nodiscard]] int node_in(ExpressionGraph& graph) const;
 
   ///@{
 
@@ -160,17 +153,8 @@ class Recorded : Scalar<Recorded> {
   /// @endcond
 
  private:
-  [[nodiscard]] Recorded through(Operation operation) const {
-    if (!graph_) return detail::evaluate(operation, number_, 0.0);
-    return {*graph_, graph_->unary(operation, node_in(*graph_))};
-  }
-  static Recorded combine(Operation operation, const Recorded& a, const Recorded& b) {
-    // That of b, so that a graph which is gone is not looked into before it is told from another one.
-    ExpressionGraph* graph = b.graph_ ? b.graph_ : a.graph_;
-    if (!graph) return detail::evaluate(operation, a.number_, b.number_);
-    const int left = a.node_in(*graph), right = b.node_in(*graph);
-    return {*graph, graph->binary(operation, left, right)};
-  }
+  [[nodiscard]] Recorded through(Operation operation) const;
+  static Recorded combine(Operation operation, const Recorded& a, const Recorded& b);
 
   ExpressionGraph* graph_ = nullptr;  // none for a number
   int node_ = -1;

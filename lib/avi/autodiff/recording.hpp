@@ -1,7 +1,6 @@
 #pragma once
 #include "avi/autodiff/formula.hpp"
-#include "avi/autodiff/reverse.hpp"
-#include "avi/autodiff/schedule.hpp"
+#include "avi/autodiff/program.hpp"
 #include "avi/core/require.hpp"
 
 #include <type_traits>
@@ -41,12 +40,7 @@ class Recording {
   /// the value @param inner node of an h whose gradient is supplied @param supplied nodes of that; none: h is
   /// differentiated, too
   /// @throws std::invalid_argument for a graph without inputs, or a node that it has not.
-  Recording(ExpressionGraph graph, int node, int inner = -1, const std::vector<int>& supplied = {})
-      : graph_(std::move(graph)) {
-    checked(graph_.inputs());
-    require(node >= 0 && node < graph_.size(), "Node to differentiate", node, "a node of the graph");
-    differentiate(node, supplied.empty() ? -1 : inner, supplied);
-  }
+  Recording(ExpressionGraph graph, int node, int inner = -1, const std::vector<int>& supplied = {});
 
   /// The same of a Formula. Its parameters are the last inputs, to be set in the program's room.
   explicit Recording(const Formula& f) : Recording(f.graph(), f.node()) {}
@@ -87,25 +81,9 @@ class Recording {
   [[nodiscard]] Program value() const { return value_and_gradient(0, 0); }
 
  private:
-  void differentiate(int value, int inner = -1, const std::vector<int>& supplied = {}) {
-    value_ = value;
-    recorded_ = graph_.size();
-    slopes_ = Reverse(graph_).gradient(value_, inner);
-    for (std::size_t i = 0; i < supplied.size(); ++i)
-      slopes_[i] = graph_.binary(Operation::add, slopes_[i],
-                                 graph_.binary(Operation::multiply, slopes_.back(), supplied[i]));
-  }
-  [[nodiscard]] Program program(int value, int first, int count) const {
-    require(first >= 0 && first <= inputs(), "First entry to differentiate by", first, "an entry of x");
-    require(count >= 0 && count <= inputs() - first, "Number of derivatives", count,
-            "at most that of the entries left");
-    return Schedule::program(graph_, value, {slopes_.begin() + first, slopes_.begin() + first + count},
-                             recorded_);
-  }
-  static int checked(Eigen::Index inputs) {
-    require(inputs >= 1, "Number of arguments to record", inputs, "at least 1");
-    return static_cast<int>(inputs);
-  }
+  void differentiate(int value, int inner = -1, const std::vector<int>& supplied = {});
+  [[nodiscard]] Program program(int value, int first, int count) const;
+  static int checked(Eigen::Index inputs);
   ExpressionGraph graph_;
   int value_ = -1;
   int recorded_ = 0;

@@ -1,11 +1,10 @@
 #pragma once
 #include "avi/autodiff/dual_number.hpp"
-#include "avi/autodiff/factor.hpp"
+#include "avi/autodiff/taylor_steps.hpp"
 
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -29,33 +28,14 @@ class TaylorSeries {
   /// Series up to coefficient `order` of all that these nodes of the graph need.
   /// @param first nodes that run() gives without the rest @param rest further ones
   TaylorSeries(ExpressionGraph graph, const std::vector<int>& first, const std::vector<int>& rest, int order)
-      : stride_(order + 2), graph_(std::move(graph)), size_(graph_.inputs() * stride_) {
-    find_slopes(first);
-    find_slopes(rest);
-    places_.resize(graph_.size(), -1);
-    for (int i = 0; i < graph_.inputs(); ++i)
-      places_[i] = i * stride_;
-    add_steps(parts_of(first));
-    first_ = steps_.size();
-    add_steps(needed_);
-    for (Step& step : steps_)
-      for (int k = 0; k < 2; ++k)
-        if (const int slope = slopes_[step.node][k]; slope >= 0) step.slopes[k] = series(slope);
-    for (const std::vector<int>* outputs : {&first, &rest})
-      for (const int node : *outputs)
-        (void)series(node);
-    coefficients_.assign(size_, T(0.0));
-    for (const auto& [at, number] : numbers_)
+      : made_(std::make_shared<const TaylorSteps>(std::move(graph), first, rest, order)),
+        coefficients_(made_->size, T(0.0)) {
+    for (const auto& [at, number] : made_->numbers)
       coefficients_[at] = T(number);
-    graph_ = ExpressionGraph(0);
     link();
   }
-  /// A copy with a graph of its own.
-  TaylorSeries(const TaylorSeries& other)
-      : stride_(other.stride_), graph_(0), size_(other.size_), places_(other.places_), steps_(other.steps_),
-        first_(other.first_), coefficients_(other.coefficients_) {
-    link();
-  }
+  /// A copy with coefficients of its own.
+  TaylorSeries(const TaylorSeries& other) : made_(other.made_), coefficients_(other.coefficients_) { link(); }
   TaylorSeries& operator=(const TaylorSeries&) = delete;
 
   ///@{
@@ -65,14 +45,14 @@ class TaylorSeries {
   [[nodiscard]] const T* input(int i) const { return coefficients_.data() + i * stride_; }
   ///@}
   /// Where output `node` is, for output().
-  [[nodiscard]] int place(int node) const { return places_[node]; }
+  [[nodiscard]] int place(int node) const { return made_->places[node]; }
   /// The coefficients of an output, up to the order.
   [[nodiscard]] const T* output(int place) const { return coefficients_.data() + place; }
 
   /// Coefficient k of all nodes, or of those alone that the first outputs need; coefficients 0 to k - 1 of
   /// all, and k of the inputs, are known.
   void run(int k, bool all) {
-    const std::size_t count = all ? steps_.size() : first_;
+    const std::size_t count = all ? steps_.size() : made_->first;
     const bool done = [&]<int... known>(std::integer_sequence<int, known...>) {
       return ((k == known && (run_order<known>(k, count), true)) || ...);
     }
@@ -81,201 +61,20 @@ class TaylorSeries {
   }
 
  private:
-  /// How the coefficients c of a node follow from those of its operands a and b; `number` stands for the one
-  /// that is constant.
-  enum class Rule : std::uint8_t {
-    sum,          // a + b
-    difference,   // a - b
-    shift,        // a + number
-    turned,       // number - b
-    scaled,       // number a
-    product,      // a b
-    square,       // a^2
-    quotient,     // a / b
-    reciprocal,   // number / b
-    root,         // c^2 = a
-    power,        // a^number: a c' = number c a'
-    exponential,  // c' = c a'
-    absolute,     // a or -a, by the sign of its value
-    jump,         // of the values alone, constant in time
-    choice,       // b, or 0 where the value of a is
-    function      // c' = slope a' + slope b'
+  using Rule = TaylorSteps::Rule;
+  struct Step : TaylorSteps::Step {
+    T* c;  // its series, in memory
+    const T *a, *b;
   };
-  struct Step {
-    Rule rule = Rule::function;
-    Operation operation;
-    int node;
-    int c_at, a_at = -1, b_at = -1;  // where the coefficients of the result and of the operands begin
-    std::array<int, 2> slopes{-1, -1};
-    T* c = nullptr;  // these, in memory
-    const T *a = nullptr, *b = nullptr;
-    double number = 0.0;
-  };
-
-  // ---- the steps of a graph
-
-  static constexpr bool has_slope_rule(Operation operation) {
-    return detail::is_function(operation) && operation != Operation::sqrt && operation != Operation::exp &&
-           operation != Operation::abs;
-  }
-  /// The nodes of the slopes of a function; -1 for a constant operand.
-  std::array<int, 2> slope_nodes(int node, const ExpressionGraph::Node& what) {
-    using detail::Factor;
-    const Factor a(graph_, what.a), f(graph_, node);
-    if (what.operation == Operation::pow) {  // from f: another power would have a slope of its own, and so on
-      const Factor b(graph_, what.b);
-      return {graph_.is_constant(what.a) ? -1 : (b * (f / a)).in(graph_),
-              graph_.is_constant(what.b) ? -1 : (f * log(a)).in(graph_)};
-    }
-    switch (what.operation) {
-#define AVI_ONE(name, ...)                                                                                   \
-  case Operation::name:                                                                                      \
-    return {detail::slopes::slope_of_##name(a, f).in(graph_), -1};
-#define AVI_TWO(name, ...)                                                                                   \
-  case Operation::name: {                                                                                    \
-    const Factor b(graph_, what.b);                                                                          \
-    return {graph_.is_constant(what.a) ? -1 : detail::slopes::slopes_of_##name<0>(a, b, f).in(graph_),       \
-            graph_.is_constant(what.b) ? -1 : detail::slopes::slopes_of_##name<1>(a, b, f).in(graph_)};      \
-  }
-      AVI_FUNCTIONS(AVI_ONE, AVI_TWO)
-#undef AVI_ONE
-#undef AVI_TWO
-    default:
-      return {-1, -1};
-    }
-  }
-  /// Marks all nodes that these outputs need, slopes of functions among them, which it adds to the graph.
-  void find_slopes(std::vector<int> open) {
-    while (!open.empty()) {
-      const int node = open.back();
-      open.pop_back();
-      needed_.resize(graph_.size(), 0);
-      slopes_.resize(graph_.size(), {-1, -1});
-      if (needed_[node]) continue;
-      needed_[node] = 1;
-      const ExpressionGraph::Node what = graph_[node];  // a copy: the graph grows
-      if (what.operation == Operation::input || what.operation == Operation::constant) continue;
-      if (has_slope_rule(what.operation)) slopes_[node] = slope_nodes(node, what);
-      for (const int other : {what.a, what.b, slopes_[node][0], slopes_[node][1]})
-        if (other >= 0) open.push_back(other);
-    }
-    needed_.resize(graph_.size(), 0);
-  }
-  [[nodiscard]] std::vector<char> parts_of(const std::vector<int>& outputs) const {
-    std::vector<char> parts(graph_.size(), 0);
-    for (const int output : outputs) {
-      const std::vector<char> its = graph_.parts(output);
-      for (std::size_t i = 0; i < its.size(); ++i)
-        parts[i] |= its[i];
-    }
-    return parts;
-  }
-  /// Where the coefficients of a node are; those of a constant are made.
-  int series(int node) {
-    int& place = places_[node];
-    if (place < 0) {
-      place = allocate();
-      numbers_.push_back({place, graph_[node].number});
-    }
-    return place;
-  }
-  int allocate() { return std::exchange(size_, size_ + stride_); }
-  void add_steps(const std::vector<char>& wanted) {
-    for (int node = graph_.inputs(); node < static_cast<int>(wanted.size()); ++node)
-      if (wanted[node] && places_[node] < 0 && !graph_.is_constant(node)) {
-        if (is_whole_power(node)) {
-          places_[node] = add_products(node);
-          continue;
-        }
-        steps_.push_back(step_of(node));
-        places_[node] = steps_.back().c_at;
-      }
-  }
-  /// A power that has a series where its base is 0, too; the recurrence of all others divides by the base.
-  [[nodiscard]] bool is_whole_power(int node) const {
-    if (graph_[node].operation != Operation::power) return false;
-    const double exponent = graph_[graph_[node].b].number;
-    return exponent >= 1.0 && exponent <= 0x1p30 && exponent == std::round(exponent);
-  }
-  /// The steps of such a power, products in the order of power(); where the last one's result is.
-  int add_products(int node) {
-    const auto times = [&](int a, int b) {
-      steps_.push_back({.rule = a == b ? Rule::square : Rule::product,
-                        .operation = Operation::multiply,
-                        .node = node,
-                        .c_at = allocate(),
-                        .a_at = a,
-                        .b_at = b});
-      return steps_.back().c_at;
-    };
-    int square = places_[graph_[node].a], product = -1;
-    for (int n = static_cast<int>(graph_[graph_[node].b].number);; square = times(square, square)) {
-      if (n % 2) product = product < 0 ? square : times(product, square);
-      if ((n /= 2) == 0) return product;
-    }
-  }
-  Step step_of(int node) {
-    const auto& [operation, a, b, unused] = graph_[node];
-    const bool constant_a = graph_.is_constant(a), constant_b = b >= 0 && graph_.is_constant(b);
-    Step step{.operation = operation, .node = node, .c_at = allocate()};
-    if (constant_a) step.number = graph_[a].number;
-    if (constant_b) step.number = graph_[b].number;
-    if (!constant_a) step.a_at = places_[a];
-    if (b >= 0 && !constant_b) step.b_at = places_[b];
-    switch (operation) {
-    case Operation::add:
-      step.rule = constant_a || constant_b ? Rule::shift : Rule::sum;
-      break;
-    case Operation::subtract:
-      step.rule = constant_a ? Rule::turned : constant_b ? Rule::shift : Rule::difference;
-      if (constant_b) step.number = -step.number;
-      break;
-    case Operation::multiply:
-      step.rule = constant_a || constant_b ? Rule::scaled : a == b ? Rule::square : Rule::product;
-      break;
-    case Operation::divide:
-      step.rule = constant_a ? Rule::reciprocal : constant_b ? Rule::scaled : Rule::quotient;
-      if (constant_b) step.number = 1.0 / step.number;
-      break;
-    case Operation::power:
-      step.rule = Rule::power;
-      break;
-    case Operation::sqrt:
-      step.rule = Rule::root;
-      break;
-    case Operation::exp:
-      step.rule = Rule::exponential;
-      break;
-    case Operation::abs:
-      step.rule = Rule::absolute;
-      break;
-    case Operation::sign:
-    case Operation::less:
-    case Operation::less_equal:
-      step.rule = Rule::jump;
-      break;
-    case Operation::when:
-      step.rule = Rule::choice;
-      break;
-    default:  // Rule::function
-      break;
-    }
-    if ((step.rule == Rule::shift || step.rule == Rule::scaled) && step.a_at < 0)
-      std::swap(step.a_at, step.b_at);
-    return step;
-  }
 
   /// Turns places into addresses.
   void link() {
     T* const base = coefficients_.data();
-    for (Step& step : steps_) {
-      step.c = base + step.c_at;
-      step.a = step.a_at >= 0 ? base + step.a_at : nullptr;
-      step.b = step.b_at >= 0 ? base + step.b_at : nullptr;
-    }
+    for (const TaylorSteps::Step& step : made_->steps)
+      steps_.push_back({step, base + step.c_at, step.a_at >= 0 ? base + step.a_at : nullptr,
+                        step.b_at >= 0 ? base + step.b_at : nullptr});
+    stride_ = made_->stride;
   }
-
-  // ---- their coefficients
 
   /// Compiled once for each low order: its sums are straight lines. @tparam known the order, or -1
   template <int known>
@@ -395,16 +194,10 @@ class TaylorSeries {
     return (1.0 / k) * s.result();
   }
 
-  int stride_;             // numbers of a node: its coefficients, and one more
-  ExpressionGraph graph_;  // while steps are made
-  int size_;               // numbers of all nodes
-  std::vector<char> needed_;
-  std::vector<std::array<int, 2>> slopes_;
-  std::vector<int> places_;
-  std::vector<std::pair<int, double>> numbers_;  // series of constants
-  std::vector<Step> steps_;
-  std::size_t first_ = 0;
+  std::shared_ptr<const TaylorSteps> made_;  // copies share them
   std::vector<T> coefficients_;
+  std::vector<Step> steps_;
+  int stride_ = 0;
 };
 
 }  // namespace avi

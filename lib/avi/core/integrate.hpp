@@ -9,9 +9,11 @@
 #include <concepts>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 /// @file
 /// The only time loop of the library.
@@ -35,23 +37,19 @@ concept Method = requires(M& method, State& state, double h) {
 };
 
 namespace detail {
+/// What Run::message says. @param q, p where the run ended; none: it is not said
+[[nodiscard]] std::string describe_end(Outcome outcome, double t, long steps, double residual,
+                                       const std::string& reason, std::span<const double> q,
+                                       std::span<const double> p);
 template <class State>
-std::string describe_end(Outcome outcome, const State& state, long steps, double residual,
-                         const std::string& reason) {
-  std::string sentence =
-      joined({"The run ended as ", name(outcome), " after ", steps, " steps, at t = ", state.t});
-  [[maybe_unused]] const auto list = [&](const char* what, const auto& x) {
-    for (decltype(x.size()) i = 0; i < x.size(); ++i)
-      sentence += joined({i == 0 ? what : " ", static_cast<double>(x[i])});
-    sentence += ")";
-  };
-  if constexpr (requires { state.q.size(), state.p.size(); })
-    if (outcome == Outcome::not_converged) list(", q = (", state.q), list(", p = (", state.p);
-  if (!reason.empty())
-    sentence += ": " + reason;
-  else if (outcome == Outcome::not_converged)
-    sentence += joined({", with residual ", residual});
-  return sentence + ".";
+[[gnu::cold]] std::string describe_end(Outcome outcome, const State& state, long steps, double residual,
+                                       const std::string& reason) {
+  std::vector<double> q, p;
+  if constexpr (requires { state.q.begin(), state.p.begin(); }) {
+    q.assign(state.q.begin(), state.q.end());
+    p.assign(state.p.begin(), state.p.end());
+  }
+  return describe_end(outcome, static_cast<double>(state.t), steps, residual, reason, q, p);
 }
 
 /// Why a step failed, as a clause; of one that did not converge its residual says enough.
@@ -138,15 +136,7 @@ class Lookout {
 };
 
 /// Refuses bad arguments that show before a run, without its state.
-inline void require_run(double h, const Until& until) {
-  require(std::isfinite(h) && h != 0.0, "Step size h", h, "finite and not zero");
-  require(!std::isnan(until.time), "End time", until.time, "a number");
-  require(until.steps >= 0, "Number of steps", until.steps, "at least 0");
-  require(until.seconds > 0.0, "Number of seconds", until.seconds, "positive");
-  require(std::isfinite(until.time) || until.steps < std::numeric_limits<long>::max() ||
-              std::isfinite(until.seconds),
-          "End of the run", "not set", "a time or a number of steps");
-}
+void require_run(double h, const Until& until);
 
 /// Refuses a start whose time is not that among its coordinates, where the problem has it there. Both agree
 /// to rounding only after output inside a step, and rounding of a time near 0 is that of a step.

@@ -21,15 +21,16 @@ constexpr Targets all_targets[] = {{4, 1e-4, 1e-5}, {8, 1e-7, 1e-8}, {16, 1e-10,
 /// kinetic energy), its inverse Lagrangian, \f$(L^2 + c)^{-\alpha}\f$, and the arclength to other powers.
 std::vector<HandMade> general_monitors(const Scene& scene) {
   const int n = scene.energy.inputs() / 2;
-  avi::ExpressionGraph graph(2 * n);
+  const avi::Recording recording(scene.energy);
+  avi::ExpressionGraph graph = recording.graph();
   const V q = avi::recorded_inputs(graph, 0, n), p = avi::recorded_inputs(graph, n, n);
   const Recorded energy = scene.energy(q, p);
-  const std::vector<int> slopes = avi::Reverse(graph).gradient(energy.node_in(graph));  // dH/dq, dH/dp
+  const auto slope = [&](int i) { return Recorded(graph, recording.slope(i)); };  // dH/dq, dH/dp
   Recorded squared_speed = 0.0, work = 0.0;
-  for (const int slope : slopes)
-    squared_speed += square(Recorded(graph, slope));
+  for (int i = 0; i < 2 * n; ++i)
+    squared_speed += square(slope(i));
   for (int i = 0; i < n; ++i)
-    work += p[i] * Recorded(graph, slopes[n + i]);
+    work += p[i] * slope(n + i);
 
   std::vector<HandMade> made;
   const auto add = [&](const char* name, const Recorded& base, double alpha) {

@@ -11,7 +11,7 @@
 /// From nodes of a graph to lines of a program: drops nodes that are not needed, and joins products with the
 /// sums that use them.
 
-namespace avi {
+namespace avi::detail {
 
 /// One line of a program before it is placed.
 struct Line {
@@ -40,7 +40,7 @@ class Fusion {
       if (needed(node)) {
         if (additions_[node] >= shortest)
           plan_sum(node);
-        else if (detail::pairs(operation(node)))
+        else if (pairs(operation(node)))
           plan_pair(node);
       }
     one_ = constant(1.0);
@@ -140,7 +140,7 @@ class Fusion {
   /// A sum or product takes in one operand that is a sum or product and serves nothing else.
   void plan_pair(int node) {
     for (const int x : {graph_[node].b, graph_[node].a})
-      if (uses_[x] == 1 && detail::pairs(operation(x)) && additions_[x] < shortest) {
+      if (uses_[x] == 1 && pairs(operation(x)) && additions_[x] < shortest) {
         absorbed_[x] = true;
         return;
       }
@@ -150,7 +150,7 @@ class Fusion {
     if (sum_of_[node] >= 0) return write_sum(node);
     const ExpressionGraph::Node& what = graph_[node];
     const int key = node < recorded_ ? node : -1;
-    if (detail::pairs(what.operation))
+    if (pairs(what.operation))
       for (const bool last : {true, false}) {
         const int x = last ? what.b : what.a;
         if (!absorbed_[x]) continue;
@@ -210,4 +210,4 @@ class Fusion {
   int one_ = -1;
 };
 
-}  // namespace avi
+}  // namespace avi::detail

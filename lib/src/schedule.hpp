@@ -1,7 +1,7 @@
 #pragma once
 #include "avi/autodiff/expression_graph.hpp"
-#include "avi/autodiff/fusion.hpp"
 #include "avi/autodiff/program.hpp"
+#include "fusion.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -12,7 +12,7 @@
 /// @file
 /// From a graph to a program: in which order, and where results live.
 
-namespace avi {
+namespace avi::detail {
 
 /// Makes a Program of the nodes that chosen results need. Each operation comes as soon as its operands are
 /// known, so that derivatives follow what they are derivatives of. Within a window of lines, operations of
@@ -189,4 +189,4 @@ class Schedule {
   std::vector<Line> lines_;  // of the fusion, in the order of the program
 };
 
-}  // namespace avi
+}  // namespace avi::detail

@@ -1,5 +1,5 @@
 #pragma once
-#include "avi/autodiff/factor.hpp"
+#include "factor.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -9,7 +9,7 @@
 /// @file
 /// Reverse accumulation on the graph: the gradient of a recorded formula as further operations of it.
 
-namespace avi {
+namespace avi::detail {
 
 /// Writes the gradient of a node into its graph. With \f$\bar z = \partial f/\partial z\f$ for each
 /// intermediate result z, \f$\bar z = \sum_u \bar u\,\partial u/\partial z\f$ over the operations u that use
@@ -46,7 +46,6 @@ class Reverse {
 
  private:
   /// @cond
-  using Factor = detail::Factor;
   /// A contribution to a derivative: 0 where its condition, if it has one, does not hold.
   struct Term {
     Factor bar;
@@ -156,7 +155,6 @@ class Reverse {
 
   /// Passes bar on to the operands of a node, times the derivatives of its operation.
   void pass_on(int node, const ExpressionGraph::Node& what, const Term& bar) {
-    using detail::Factor;
     const int a = what.a, b = what.b;
     const auto times = [&](const Factor& slope) {
       return Term{.bar = bar.bar * slope, .condition = bar.condition};
@@ -200,14 +198,14 @@ class Reverse {
     }
 #define AVI_ONE(name, ...)                                                                                   \
   case Operation::name:                                                                                      \
-    give(a, times(detail::slopes::slope_of_##name(factor(a), factor(node))));                                \
+    give(a, times(slopes::slope_of_##name(factor(a), factor(node))));                                        \
     break;
 #define AVI_TWO(name, ...)                                                                                   \
   case Operation::name:                                                                                      \
     if (!graph_.is_constant(a))                                                                              \
-      give(a, times(detail::slopes::slopes_of_##name<0>(factor(a), factor(b), factor(node))));               \
+      give(a, times(slopes::slopes_of_##name<0>(factor(a), factor(b), factor(node))));                       \
     if (!graph_.is_constant(b))                                                                              \
-      give(b, times(detail::slopes::slopes_of_##name<1>(factor(a), factor(b), factor(node))));               \
+      give(b, times(slopes::slopes_of_##name<1>(factor(a), factor(b), factor(node))));                       \
     break;
       AVI_FUNCTIONS(AVI_ONE, AVI_TWO)
 #undef AVI_ONE
@@ -222,7 +220,7 @@ class Reverse {
     case Operation::nothing:  // these are in programs only
     case Operation::subtract_from:
     case Operation::sum_of_products:
-      detail::computes_nothing(what.operation);
+      computes_nothing(what.operation);
     }
   }
 
@@ -234,4 +232,4 @@ class Reverse {
   int free_ = -1;  // the first of the parts that serve no more
 };
 
-}  // namespace avi
+}  // namespace avi::detail

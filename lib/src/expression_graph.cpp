@@ -1,0 +1,171 @@
+#include "avi/autodiff/expression_graph.hpp"
+
+#include <atomic>
+#include <bit>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace avi {
+
+void detail::computes_nothing(Operation operation) {
+  throw std::logic_error(std::string("An operation of a recorded formula cannot be evaluated: ") +
+                         name(operation) + ".");
+}
+
+double detail::evaluate(Operation operation, double a, double b) {
+  double result = 0.0;
+  with_operation(operation, [&]<Operation known>() { result = apply<known>(a, b); });
+  return result;
+}
+
+namespace {
+
+void check(Operation operation, int operands) {
+  if (detail::operands(operation) != operands)
+    throw std::logic_error(std::string("An operation does not have so many operands: ") +
+                           detail::name(operation) + ".");
+}
+
+std::size_t hash(const ExpressionGraph::Node& node) {
+  std::uint64_t key = static_cast<std::uint32_t>(node.a) | std::uint64_t{static_cast<std::uint32_t>(node.b)}
+                                                               << 32;
+  key = (key ^ std::bit_cast<std::uint64_t>(node.number)) * 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio
+  key = (key ^ (key >> 32) ^ static_cast<std::uint64_t>(node.operation)) * 0x9e3779b97f4a7c15;
+  return static_cast<std::size_t>(key >> 32);
+}
+
+}  // namespace
+
+std::uint32_t ExpressionGraph::next_identity() {
+  static std::atomic<std::uint32_t> last{0};
+  return ++last;
+}
+
+std::vector<char> ExpressionGraph::parts(int node) const {
+  std::vector<char> part(static_cast<std::size_t>(node) + 1, 0);
+  part[node] = 1;
+  for (int i = node; i >= 0; --i)
+    if (part[i] && nodes_[i].operation != Operation::input)
+      for (const int operand : {nodes_[i].a, nodes_[i].b})
+        if (operand >= 0) part[operand] = 1;
+  return part;
+}
+
+int ExpressionGraph::unary(Operation operation, int a) {
+  check(operation, 1);
+  if (is_constant(a)) return constant(detail::evaluate(operation, nodes_[a].number, 0.0));
+  return find({.operation = operation, .a = a});
+}
+
+int ExpressionGraph::binary(Operation operation, int a, int b) {
+  check(operation, 2);
+  if (is_constant(a) && is_constant(b))
+    return constant(detail::evaluate(operation, nodes_[a].number, nodes_[b].number));
+  switch (operation) {
+  case Operation::add:
+    if (is(a, 0.0)) return b;
+    if (is(b, 0.0)) return a;
+    if (b < a) std::swap(a, b);
+    break;
+  case Operation::subtract:
+    if (is(b, 0.0)) return a;
+    if (a == b) return constant(0.0);
+    if (is(a, 0.0)) return binary(Operation::multiply, constant(-1.0), b);
+    break;
+  case Operation::multiply:
+    if (is(a, 0.0) || is(b, 0.0)) return constant(0.0);
+    if (is(a, 1.0)) return b;
+    if (is(b, 1.0)) return a;
+    if (b < a) std::swap(a, b);
+    break;
+  case Operation::divide:
+    if (is(a, 0.0)) return a;
+    if (is(b, 1.0)) return a;
+    break;
+  case Operation::pow:
+    if (is_constant(b)) return power(a, nodes_[b].number);
+    break;
+  case Operation::when:
+    if (is_constant(a)) return is(a, 0.0) ? a : b;
+    if (is(b, 0.0)) return b;
+    if (is(b, 1.0)) return a;
+    break;
+  default:  // no shorter way
+    break;
+  }
+  const int node = find({.operation = operation, .a = a, .b = b});
+  if (operation == Operation::divide && is_constant(a)) {
+    if (quotients_.size() <= static_cast<std::size_t>(b)) quotients_.resize(node, -1);
+    if (quotients_[b] < 0) quotients_[b] = node;
+  }
+  return node;
+}
+
+int ExpressionGraph::power(int a, double exponent) {
+  if (exponent == 0.0) return constant(1.0);
+  if (exponent == 1.0) return a;
+  if (exponent == 2.0) return binary(Operation::multiply, a, a);
+  if (exponent == 0.5) return unary(Operation::sqrt, a);
+  if (exponent == -1.0 || exponent == -0.5)
+    return binary(Operation::divide, constant(1.0), power(a, -exponent));
+  return binary(Operation::power, a, constant(exponent));
+}
+
+int ExpressionGraph::again(const ExpressionGraph& other, int node, const std::vector<int>& place) {
+  const Node& what = other[node];
+  if (what.operation == Operation::constant) return constant(what.number);
+  const int a = place[what.a];
+  if (what.b < 0) return unary(what.operation, a);
+  return what.operation == Operation::power ? power(a, other[what.b].number)
+                                            : binary(what.operation, a, place[what.b]);
+}
+
+int ExpressionGraph::substitute(const ExpressionGraph& other, int node, const std::vector<int>& arguments) {
+  const std::vector<char> part = other.parts(node);
+  std::vector<int> place(part.size(), -1);
+  for (int i = 0; i <= node; ++i)
+    if (part[i])
+      place[i] = other[i].operation == Operation::input ? arguments[other[i].a] : again(other, i, place);
+  return place[node];
+}
+
+void ExpressionGraph::reserve(int size) {
+  nodes_.reserve(size);
+  if (2 * places_.size() <= 3 * static_cast<std::size_t>(size))
+    enlarge(3 * static_cast<std::size_t>(size) / 2);
+}
+
+int ExpressionGraph::find(const Node& node) {
+  if (2 * places_.size() <= 3 * nodes_.size()) enlarge(64 + 2 * places_.size());
+  int& known = places_[place_of(node)];
+  if (known < 0) {
+    known = size();
+    nodes_.push_back(node);
+  }
+  return known;
+}
+
+std::size_t ExpressionGraph::place_of(const Node& node) const {
+  for (std::size_t place = hash(node);; ++place) {
+    place &= places_.size() - 1;
+    const int known = places_[place];
+    if (known < 0) return place;
+    const Node& other = nodes_[known];
+    if (other.operation == node.operation && other.a == node.a && other.b == node.b &&
+        std::bit_cast<std::uint64_t>(other.number) == std::bit_cast<std::uint64_t>(node.number))
+      return place;
+  }
+}
+
+void ExpressionGraph::enlarge(std::size_t least) {
+  places_.assign(std::bit_ceil(least), -1);
+  for (int i = 0; i < size(); ++i) {
+    std::size_t place = hash(nodes_[i]);
+    while (places_[place &= places_.size() - 1] >= 0)
+      ++place;
+    places_[place] = i;
+  }
+}
+
+}  // namespace avi

@@ -1,0 +1,61 @@
+#include "avi/autodiff/recording.hpp"
+
+#include "reverse.hpp"
+#include "schedule.hpp"
+
+#include <stdexcept>
+
+namespace avi {
+
+int Recorded::node_in(ExpressionGraph& graph) const {
+  if (!graph_) return graph.constant(number_);
+  if (graph_ != &graph || recording_ != graph.identity())
+    throw std::invalid_argument("A recorded function mixes the arguments of two recordings; it must not "
+                                "keep numbers from one call to the next, nor an expression of Eigen in "
+                                "`auto`: (...).eval() makes a vector of it.");
+  return node_;
+}
+
+Recorded Recorded::through(Operation operation) const {
+  if (!graph_) return detail::evaluate(operation, number_, 0.0);
+  return {*graph_, graph_->unary(operation, node_in(*graph_))};
+}
+
+Recorded Recorded::combine(Operation operation, const Recorded& a, const Recorded& b) {
+  // That of b, so that a graph which is gone is not looked into before it is told from another one.
+  ExpressionGraph* graph = b.graph_ ? b.graph_ : a.graph_;
+  if (!graph) return detail::evaluate(operation, a.number_, b.number_);
+  const int left = a.node_in(*graph), right = b.node_in(*graph);
+  return {*graph, graph->binary(operation, left, right)};
+}
+
+Recording::Recording(ExpressionGraph graph, int node, int inner, const std::vector<int>& supplied)
+    : graph_(std::move(graph)) {
+  checked(graph_.inputs());
+  require(node >= 0 && node < graph_.size(), "Node to differentiate", node, "a node of the graph");
+  differentiate(node, supplied.empty() ? -1 : inner, supplied);
+}
+
+void Recording::differentiate(int value, int inner, const std::vector<int>& supplied) {
+  value_ = value;
+  recorded_ = graph_.size();
+  slopes_ = detail::Reverse(graph_).gradient(value_, inner);
+  for (std::size_t i = 0; i < supplied.size(); ++i)
+    slopes_[i] = graph_.binary(Operation::add, slopes_[i],
+                               graph_.binary(Operation::multiply, slopes_.back(), supplied[i]));
+}
+
+Program Recording::program(int value, int first, int count) const {
+  require(first >= 0 && first <= inputs(), "First entry to differentiate by", first, "an entry of x");
+  require(count >= 0 && count <= inputs() - first, "Number of derivatives", count,
+          "at most that of the entries left");
+  return detail::Schedule::program(graph_, value, {slopes_.begin() + first, slopes_.begin() + first + count},
+                                   recorded_);
+}
+
+int Recording::checked(Eigen::Index inputs) {
+  require(inputs >= 1, "Number of arguments to record", inputs, "at least 1");
+  return static_cast<int>(inputs);
+}
+
+}  // namespace avi
