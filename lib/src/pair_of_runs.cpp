@@ -270,18 +270,23 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   // Errors that rounding decides go up and down, so a pair is in vain that is not better than the best one.
   // Without a check, what pairs foretell stands for all of the run, and each is compared with the one before.
   const bool in_vain = mark <= before_at_ && error > 0.3 * before_;
-  vain_ = in_vain ? vain_ + 1 : 0;
   // Beyond a kink errors fall by chance, and slowly: there is no end to shorter steps.
   const bool endless = features_->bends() && pair > 0.5 * patience * std::max(factor, 0.35);
   if (of_energy < of_state && of_energy <= 3.0) {
     // Where steps resolve the motion, a third of them has ten million times less error: if that is not
     // enough, it is chaos, or noise. What is foretold may be wrong as long as it has not come true.
     const bool beyond = fine_->h * std::max(factor, 0.35) < resolved_ / 3.0 || factor < 0.25;
+    // Nor is it counted: a mark on the way that foretells less than the one beyond it says nothing of that.
     if (resolved_ > 0.0 && beyond && seen_.error <= tolerance && !last) return false;
+    vain_ = in_vain ? vain_ + 1 : 0;
     const bool lost = hidden && last && marks_.size() > 1 && !(seen_.error < 1e-3) && !(fine_->h > resolved_);
-    resigned_ = lost || vain_ > (features_->bends() ? 3 : 1) || (hidden && resolved_ > 0.0 && beyond) ||
+    // Energy errors that do not fall with the step, and are as small, are rounding on the way.
+    const bool rounds = hidden || (fine_->energy_error > 0.5 * coarse_->energy_error &&
+                                   fine_->energy_error < 1e4 * answer_.energy_rounding);
+    resigned_ = lost || vain_ > (features_->bends() ? 3 : 1) || (rounds && resolved_ > 0.0 && beyond) ||
                 endless || spent > std::max(patience, 3.0 * pair);
   } else {
+    vain_ = in_vain ? vain_ + 1 : 0;
     // A feature that the steps do not see, or not yet resolve, is worth a while, unless they say the same
     // again.
     resigned_ = (steady && steady_) || endless || spent > std::max(2.0 * patience, 3.0 * pair);

@@ -381,4 +381,31 @@ TEST(SolveErrors, OfTheEnergyAreRoundingOnlyWhereHRounds) {
   EXPECT_GT(rounded.energy_error, 1e-9) << rounded.report();
 }
 
+// Chaos that rounding decides, with a monitor: pairs of runs part at one mark and then at another, which is
+// no gain. 60 and 40 million sweeps went by, and the reason given was a singularity.
+TEST(SolveErrors, ArePutDownToChaosBeforeLong) {
+  const avi::SolveOptions options{.sweeps = 2'000'000};
+  const auto expect_chaos = [](const auto& orbit) {
+    EXPECT_TRUE(orbit.ok());
+    EXPECT_FALSE(orbit.kept());
+    EXPECT_NE(orbit.note.find("depends on more digits"), std::string::npos) << orbit.report();
+  };
+  // A charge in the field of a dipole, near its equator.
+  const auto dipole = [](const auto& q, const auto& p) {
+    const auto square = q[0] * q[0] + q[1] * q[1];
+    const auto moved = 1.0 / q[0] - q[0] / (square * sqrt(square));
+    return 0.5 * (p[0] * p[0] + p[1] * p[1] + moved * moved);
+  };
+  const State<2> equator{.q = {1.0, 0.0}, .p = {0.001, 0.12}};
+  for (const double tolerance : {1e-3, 1e-4})
+    expect_chaos(solve(dipole, equator, 1000.0, tolerance, options));
+  // A body on the axis of two others, whose distance comes and goes.
+  const auto axis = [](const auto& q, const auto& t, const auto& p) {
+    const auto r = 0.5 * (1.0 - 0.3 * cos(t) + 0.045 * (1.0 - cos(2.0 * t)));
+    return 0.5 * p[0] * p[0] - 1.0 / sqrt(q[0] * q[0] + r * r);
+  };
+  for (const double tolerance : {1e-3, 1e-6})
+    expect_chaos(solve(axis, State<1>{.q = {0.0}, .p = {1.95}}, 1000.0, tolerance, options));
+}
+
 }  // namespace solve_errors_test
