@@ -288,8 +288,10 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   } else {
     vain_ = in_vain ? vain_ + 1 : 0;
     // A feature that the steps do not see, or not yet resolve, is worth a while, unless they say the same
-    // again.
-    resigned_ = (steady && steady_) || endless || spent > std::max(2.0 * patience, 3.0 * pair);
+    // again. As each pair takes three times as long as the one before, all of them are never over three
+    // pairs.
+    resigned_ = (steady && steady_) || endless || (vain_ > 1 && spent > 0.2 * patience) ||
+                spent > std::max(2.0 * patience, 3.0 * pair);
   }
   steady_ = steady;
   if (resigned_) return !last && take_from_aside(setting, 0.3 * pair);

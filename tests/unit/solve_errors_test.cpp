@@ -408,4 +408,18 @@ TEST(SolveErrors, ArePutDownToChaosBeforeLong) {
     expect_chaos(solve(axis, State<1>{.q = {0.0}, .p = {1.95}}, 1000.0, tolerance, options));
 }
 
+// Friction for so long that the rounding of a place at rest, times its growing mass, is more than the energy:
+// no step makes that less, and a call went on for minutes.
+TEST(SolveErrors, EndWhereTheEnergyIsRoundingAlone) {
+  const auto well = [](const auto& q, const auto& t, const auto& p) {
+    const auto square = q[0] * q[0];
+    return 0.5 * p[0] * p[0] * exp(-0.1 * t) + exp(0.1 * t) * (0.25 * square * square - 0.5 * square);
+  };
+  for (const double tolerance : {1e-3, 1e-6}) {
+    const avi::SolveOptions options{.sweeps = 15'000'000};
+    const auto orbit = solve(well, State<1>{.q = {2.5}, .p = {0.0}}, 600.0, tolerance, options);
+    EXPECT_TRUE(orbit.ok()) << orbit.report();
+  }
+}
+
 }  // namespace solve_errors_test
