@@ -137,6 +137,16 @@ double Orbiter::scatter_of_energy(const Journey& journey) {
   return most / trip_->energy_scale;
 }
 
+/// The energy errs most where the monitor is small, and by no more than rounding makes of it there: what
+/// stays is g (H - H_0), so that it errs by as much less where g is large again.
+bool Orbiter::passes(const Journey& journey) const {
+  Candidate& it = *journey.candidate;
+  double usual = it.rate_at(journey.state);
+  for (const State<dynamic>& mark : journey.marks)
+    usual = std::max(usual, it.rate_at(mark));
+  return journey.energy_error * it.rate_at(journey.worst) < 1e3 * trip_->rounding * usual;
+}
+
 /// The gradient that H supplies differs from that of its formula by more than rounding.
 bool Orbiter::follows_another_gradient() {
   if (foreign_gradient_ || question_.gradient.empty()) return foreign_gradient_.value_or(false);

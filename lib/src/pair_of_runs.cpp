@@ -222,7 +222,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   // the way, or chance. What is over ten tolerances has to be seen to be rounding.
   bool steady = seen_.error < 1e-7 && fine_->run.steps > Journey::few &&
                 fine_->energy_error > 0.5 * coarse_->energy_error;
-  if (steady && (fine_->energy_error < 100.0 * rounding_of_energy(fine_->state) ||
+  if (steady && (fine_->energy_error < 100.0 * rounding_of_energy(fine_->state) || passes(*fine_) ||
                  (fine_->energy_error < most_rounding && !follows_another_gradient() &&
                   (fine_->energy_error <= 10.0 * tolerance || features_->bends() ||
                    fine_->energy_error < 1e3 * scatter_of_energy(*fine_))))) {

@@ -100,6 +100,7 @@ class Orbiter {
   double rounding_of_clock(const Journey& journey);
   double rounding_of_energy(const State<dynamic>& z);
   double scatter_of_energy(const Journey& journey);
+  [[nodiscard]] bool passes(const Journey& journey) const;
   [[nodiscard]] double foretold(const Comparison& seen, double from, double to, double speed) const;
   [[nodiscard]] double longest_step(const Candidate& it) const {
     return it.fictive > 0.0 ? span_ * it.fictive / std::max(sketch_->time, 1e-300) / fewest : span_ / fewest;
