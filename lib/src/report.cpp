@@ -13,6 +13,9 @@ std::string SolutionReport::report() const {
     text << run.message << "\nNothing is promised of the state: the run did not come to its end.\n";
   else if (run.steps == 0)
     return "Kept: the end is the start, and no step was made.\n";
+  else if (!kept() && std::isfinite(energy_error) && state_error == energy_error)  // in place of its own
+    text << "Not kept: the energy errs by more than ten tolerances, so no more is promised of the end; "
+         << "the tolerance is " << tolerance << ".\n";
   else if (std::isfinite(state_error))
     text << (kept() ? "Kept" : "Not kept") << ": the state at the end errs by " << state_error
          << " of the range of a coordinate or momentum, as two runs with different steps "

@@ -294,7 +294,9 @@ OrbitAnswer Orbiter::give_up() {
          << " with every step: the orbit meets a singularity of H "
          << (question_.given >= 0 ? "or of the monitor " : "") << "there, or comes too near one.";
   else
-    text << "No run came to the end, with any step that was tried.";
+    text << (question_.made ? "No run came to the end with a step that was chosen for another start; solve() "
+                              "chooses for this one."
+                            : "No run came to the end, with any step that was tried.");
   return fail(Outcome::not_converged, text.str());
 }
 

@@ -133,6 +133,12 @@ TEST(SolveEnergies, MayErrInAPassageByWhatTheMonitorMakesOfRounding) {
   EXPECT_GT(orbit.energy_error, 1e-5);
   EXPECT_NEAR(orbit.state.q[0], 1.30777032, 3e-7);  // in 33 digits
   EXPECT_NEAR(orbit.state.q[1], -0.52045163, 3e-7);
+  // With a step that is given it stays refused; the report does not say that two runs show it.
+  const auto given =
+      avi::solve(centres, start, 600.0, 1e-6, {.order = 16, .monitor = "energy^1.5", .h = 0.3});
+  EXPECT_FALSE(given.kept());
+  EXPECT_EQ(given.report().find("as two runs"), std::string::npos) << given.report();
+  EXPECT_NE(given.report().find("the energy errs by more than ten tolerances"), std::string::npos);
 }
 
 }  // namespace solve_energies_test
