@@ -219,9 +219,11 @@ std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, E
   for (Eigen::Index i = 0; i < seen; ++i)
     if (high[i] > low[i]) weights[static_cast<std::size_t>(i)] = metric[i] / (high[i] - low[i]);
   const Eigen::Map<const VectorX> weight(weights.data(), seen);
-  for (const Sketch::Sample& sample : sketch.samples)
-    root += sample.h / sketch.time *
-            std::sqrt(norm(VectorX(weight.cwiseProduct(sample.slope.segment(metric.size(), seen)))));
+  VectorX weighted(seen);
+  for (const Sketch::Sample& sample : sketch.samples) {
+    weighted = weight.cwiseProduct(sample.slope.segment(metric.size(), seen));
+    root += sample.h / sketch.time * std::sqrt(norm(weighted));
+  }
   for (double& each : weights)
     each /= root * root > 0.0 ? root * root : 1.0;
   return weights;

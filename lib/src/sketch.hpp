@@ -260,6 +260,16 @@ class Sketch {
   double radians = 0.0;         ///< Integral of the frequency.
   bool stuck = false;           ///< It could not go on: its steps became too short, as before a singularity.
 
+  /// When the motion is fastest, and how many times faster than at its slowest.
+  [[nodiscard]] std::pair<double, double> fastest() const {
+    double t = 0.0, at = 0.0, most = 0.0, least = infinity;
+    for (const Sample& sample : samples) {
+      if (sample.frequency > most) at = t, most = sample.frequency;
+      if (sample.frequency > 0.0) least = std::min(least, sample.frequency);
+      t += sample.h;
+    }
+    return {at, most / least};
+  }
   /// The time in which the phase goes through so many radians; beyond the sketch as on it.
   [[nodiscard]] double time_of(double phase) const {
     double t = 0.0, seen = 0.0;

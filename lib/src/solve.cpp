@@ -397,6 +397,9 @@ OrbitAnswer Orbiter::finish() {
         text << "The run was given up: with monitor " << named
              << ", as asked for, it takes over a hundred times the steps that its beginning suggests; "
                 "where none is named, one that suits the orbit is chosen.";
+      else if (const auto [when, faster] = sketch_->fastest(); faster > 1e4)
+        text << "The run was given up: near t = " << question_.t + sense_ * when
+             << " something is so much faster than at the start that H seems to have a singularity there.";
       else
         text << "The run was given up: it takes over a hundred times the steps that its beginning suggests; "
                 "something on the way is far faster, as near a singularity of H.";

@@ -26,4 +26,11 @@ TEST(Singularity, IsWhereTheRunSays) {
   expect_says(edge, State<1>{.q = {1.0}, .p = {3.1}, .t = 5.0}, "from t = 5.3346");
 }
 
+// Where q grows beyond all bounds, 1 / (1 - t) here, no step is refused: what is told is where the motion is
+// fastest.
+TEST(Singularity, IsWhereTheMotionHasNoBound) {
+  const auto away = [](const auto& q, const auto& p) { return q[0] * q[0] * p[0]; };
+  expect_says(away, State<1>{.q = {1.0}, .p = {1.0}, .t = 5.0}, "near t = 6.00");
+}
+
 }  // namespace singularity_test
