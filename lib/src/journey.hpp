@@ -2,6 +2,7 @@
 #include "avi/core/integrate_to.hpp"
 #include "budget.hpp"
 #include "candidates.hpp"
+#include "near_passes.hpp"
 #include "pauses.hpp"
 #include "sharp.hpp"
 
@@ -30,6 +31,7 @@ struct Trip {
   VectorX ranges = VectorX::Zero(2 * start.q.size());  ///< Ranges of (q, p) on the sketch.
   Eigen::Index seen = start.q.size();                  ///< Coordinates but time.
   SharpFeatures* features = nullptr;                   ///< Looked for, if there are any.
+  NearPasses* passes = nullptr;                        ///< The same.
 };
 
 /// The smallest and largest value of every entry of (q, p) on the way.
@@ -131,6 +133,7 @@ class Journey {
   VectorX tails;                      ///< Largest tail of each entry, see Stepper, in the first `few` steps.
   bool spent = false;                 ///< It met a bound of the call.
   bool jumped = false;                ///< A step went over a feature of H that it did not see.
+  bool compares = false;              ///< Another run is compared with it, and looked at so closely.
 
   static constexpr int few = 12;  ///< See above.
 
@@ -192,7 +195,9 @@ class Journey {
   }
   /// @return the error of the energy
   double look_at_energy(const State<dynamic>& z) {
-    const double energy = field_->energy(z.q.data(), z.p.data());
+    return look_at_energy(z, field_->energy(z.q.data(), z.p.data()));
+  }
+  double look_at_energy(const State<dynamic>& z, double energy) {
     if (std::isnan(energy)) run.outcome = Outcome::non_finite;
     const double error = std::abs(energy - trip_->energy_at_start) / trip_->energy_scale;
     if (error > energy_error) energy_error = error, worst = z;
@@ -214,6 +219,12 @@ class Journey {
   void step() {
     before_ = z_;
     made(steps_->step(z_, trip_->sense * h));
+  }
+  /// Finds dz/dt at the end of the last step. @return H there
+  double find_slope() {
+    at_.resize(2 * z_.q.size()), slope_.resize(at_.size());
+    at_ << z_.q, z_.p;
+    return (*field_)(at_, slope_);
   }
   /// Inside the last step is something that its stages do not show.
   bool passes_over() {
@@ -242,12 +253,13 @@ class Journey {
     ++run.steps;
     if (run.steps <= few) look_at_tail();
     ranges.add(z_);
-    const double error = look_at_energy(z_);
+    const bool closely = trip_->passes && !compares;
+    const double error = closely ? look_at_energy(z_, find_slope()) : look_at_energy(z_);
+    if (closely && !jumped)
+      jumped = trip_->passes->unseen(*steps_, *candidate, order, sense * h, before_, z_, slope_, distances_);
     pauses.add(before_, z_, ranges.low, ranges.high, error > 10.0 * trip_->rounding ? error : 0.0,
                [&]() -> const VectorX& {
-                 at_.resize(2 * z_.q.size()), slope_.resize(at_.size());
-                 at_ << z_.q, z_.p;
-                 (*field_)(at_, slope_);
+                 if (!closely) find_slope();
                  return slope_;
                });
     if (!ok()) return;
@@ -269,6 +281,7 @@ class Journey {
   State<dynamic> z_, before_;  // after the last whole step, and before it
   VectorX tail_;
   VectorX at_, slope_;  // scratch
+  NearPasses::Distances distances_;
 };
 
 }  // namespace avi::detail

@@ -180,6 +180,7 @@ bool Orbiter::pursue(Setting& setting) {
     coarse_ = std::move(fine_);
   } else {
     coarse_.emplace(begin(setting, longer));
+    coarse_->compares = true;
   }
   fine_.emplace(begin(setting, 1.0));
   parted_ = false;
@@ -216,7 +217,10 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     seen_ = coarse_->ok() ? compare(*coarse_, *fine_) : Comparison();
     return false;
   }
-  if (fine_->jumped && round_ < most_rounds) return again(0.4);
+  if (fine_->jumped && round_ < most_rounds) {
+    thin_ = true;
+    return again(0.4);
+  }
   seen_ = compare(*coarse_, *fine_);
   // Where runs agree and their energy errors do not fall with the step, that is rounding of H somewhere on
   // the way, or chance. What is over ten tolerances has to be seen to be rounding.
@@ -283,8 +287,8 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     // Energy errors that do not fall with the step, and are as small, are rounding on the way.
     const bool rounds = hidden || (fine_->energy_error > 0.5 * coarse_->energy_error &&
                                    fine_->energy_error < 1e4 * answer_.energy_rounding);
-    resigned_ = lost || vain_ > (features_->bends() ? 3 : 1) || (rounds && resolved_ > 0.0 && beyond) ||
-                endless || spent > std::max(patience, 3.0 * pair);
+    resigned_ = lost || vain_ > (features_->bends() || thin_ ? 3 : 1) ||
+                (rounds && resolved_ > 0.0 && beyond) || endless || spent > std::max(patience, 3.0 * pair);
   } else {
     vain_ = in_vain ? vain_ + 1 : 0;
     // A feature that the steps do not see, or not yet resolve, is worth a while, unless they say the same

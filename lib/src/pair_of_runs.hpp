@@ -123,6 +123,7 @@ class Orbiter {
   VectorX metric_;  // diagonal of H_pp at the start
   std::optional<Distance> distance_;
   std::optional<SharpFeatures> features_;
+  std::optional<NearPasses> passes_;
   std::vector<Candidate> menu_;
   Parts parts_ = Parts::coupled;
   int order_ = 16;            // of collocation
@@ -152,10 +153,11 @@ class Orbiter {
   bool coarse_grained_ = false;           // energies err alike whatever the step
   std::optional<bool> foreign_gradient_;  // H supplies one that is not its own, where that has been asked
   bool slow_ = false;                     // a step was made shorter for its sweeps
-  int lengthened_ = 0;                    // times that a step was made longer
-  Candidate* lengthened_for_ = nullptr;   // of this one, last
-  bool others_tried_ = false;             // candidates other than the first one
-  bool resigned_ = false;                 // shorter steps do not help
+  bool thin_ = false;                    // a step went over a feature of H, which shorter ones resolve slowly
+  int lengthened_ = 0;                   // times that a step was made longer
+  Candidate* lengthened_for_ = nullptr;  // of this one, last
+  bool others_tried_ = false;            // candidates other than the first one
+  bool resigned_ = false;                // shorter steps do not help
   bool parted_ = false;  // and the two runs are as far apart as the motion goes: only one goes on
   bool lost_ = false;    // the two runs part at a point of rest
   // The last two runs agreed, and their energy errors, more than rounding, did not fall with the step.

@@ -170,6 +170,33 @@ double Poles::degree(int node) const {
   return degrees[node] >= 1.0 ? degrees[node] : 1.0;
 }
 
+double Poles::change(std::size_t pole, const std::vector<double>& at) const {
+  constexpr double part = 0x1p-20;
+  const auto& [node, degree, power] = poles_[pole];
+  std::vector<double> moved(at.begin(), at.begin() + std::max(node + 1, graph_->inputs()));
+  moved[node] *= 1.0 + part;
+  return degree * std::abs(evaluate(*graph_, energy_, moved) - at[energy_]) / part;
+}
+
+std::vector<Poles::Light> Poles::unfelt(const Sketch& sketch, double felt) const {
+  std::vector<double> most_felt(poles_.size(), 0.0), strength = most_felt, at;
+  const std::size_t every = sketch.samples.size() / 2 + 1;
+  for (std::size_t i = 0; i < sketch.samples.size(); i += every) {
+    at.assign(sketch.samples[i].z.begin(), sketch.samples[i].z.end());
+    evaluate(*graph_, energy_, at);
+    for (std::size_t k = 0; k < poles_.size(); ++k) {
+      const double here = change(k, at);
+      most_felt[k] = std::max(most_felt[k], here);
+      strength[k] = std::max(strength[k], here * std::pow(at[poles_[k].node], 0.5 * poles_[k].steepness()));
+    }
+  }
+  std::vector<Light> light;
+  for (std::size_t k = 0; k < poles_.size(); ++k)
+    if (poles_[k].degree == 2.0 && most_felt[k] < felt)
+      light.push_back({k, poles_[k].node, strength[k], poles_[k].steepness()});
+  return light;
+}
+
 std::vector<double> Poles::constants(const Sketch& sketch, const VectorX& metric, Eigen::Index seen) const {
   std::vector<double> constants(2 * poles_.size(), 0.0);
   ExpressionGraph graph = *graph_;
@@ -185,19 +212,15 @@ std::vector<double> Poles::constants(const Sketch& sketch, const VectorX& metric
     slopes.push_back(sum);
   }
   const std::size_t every = sketch.samples.size() / 6 + 1;
-  std::vector<double> at, moved;
+  std::vector<double> at;
   for (std::size_t i = 0; i < sketch.samples.size(); i += every) {
     const Sketch::Sample& sample = sketch.samples[i];
     at.assign(sample.z.begin(), sample.z.end());
     evaluate(graph, graph.size() - 1, at);
     for (std::size_t k = 0; k < poles_.size(); ++k) {
       const Pole& pole = poles_[k];
-      constexpr double part = 0x1p-20;
-      const double u = at[pole.node];
-      moved.assign(at.begin(), at.begin() + std::max(pole.node + 1, graph.inputs()));
-      moved[pole.node] *= 1.0 + part;
+      const double u = at[pole.node], change = this->change(k, at);
       const int a = pole.steepness();
-      const double change = pole.degree * std::abs(evaluate(graph, energy_, moved) - at[energy_]) / part;
       const double frequency = std::sqrt(change * (1.0 + a) * at[slopes[k]]) / (pole.degree * std::abs(u));
       const double s = std::pow(std::abs(u), 1.0 / pole.degree), root = std::pow(s, 0.5 * a);
       if (!std::isfinite(frequency * s * root)) continue;

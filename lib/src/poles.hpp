@@ -38,6 +38,17 @@ class Poles {
   /// number of coordinates but time
   [[nodiscard]] std::vector<double> constants(const Sketch& sketch, const VectorX& metric,
                                               Eigen::Index seen) const;
+  /// A pole whose u is the square of a length s.
+  struct Light {
+    std::size_t pole;  ///< Its number.
+    int node;          ///< u.
+    double strength;   ///< |dH/d ln s| at s = 1,
+    int steepness;     ///< which changes with this power of 1/s.
+  };
+  /// Those that are felt nowhere on a sketch: |dH/d ln s| is less than `felt`.
+  [[nodiscard]] std::vector<Light> unfelt(const Sketch& sketch, double felt) const;
+  /// |dH/d ln s| of a pole where all nodes up to H have these values.
+  [[nodiscard]] double change(std::size_t pole, const std::vector<double>& at) const;
   /// The node of \f$\ell\f$ in a graph that H is a part of as in the constructor.
   /// @param constants \f$w_0, e_0\f$, then those of the poles
   int rate(ExpressionGraph& graph, const Factor& energy_at_start, const std::vector<double>& constants) const;
