@@ -1,5 +1,7 @@
 #include "watch.hpp"
 
+#include "avi/core/event.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -63,24 +65,8 @@ double Watch::on(const Stride& stride, double part) {
   return at(inside_.data(), inside_.data() + n, t);
 }
 
-/// See rounding_of() of Event: what g changes by when the entries of the state change by their rounding.
 double Watch::rounding(const State<dynamic>& z, const State<dynamic>& after) {
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  State<dynamic> moved = z;
-  const double here = at(z);
-  double sum = 0.0;
-  const auto shift = [&](double& entry, double end) {
-    const double kept = entry;
-    entry += epsilon * std::max(std::abs(kept), std::abs(end - kept));
-    sum += std::abs(at(moved) - here);
-    entry = kept;
-  };
-  for (int i = 0; i < degrees_; ++i) {
-    shift(moved.q[i], after.q[i]);
-    shift(moved.p[i], after.p[i]);
-  }
-  shift(moved.t, after.t);
-  return 8.0 * sum;
+  return rounding_of([this](const State<dynamic>& there) { return at(there); }, z, after);
 }
 
 /// Looks at g in twice as many points until those between are where a cubic through the others has them.
