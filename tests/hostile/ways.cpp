@@ -21,6 +21,7 @@
 #include <fstream>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -65,98 +66,51 @@ std::string drawn() {
 }
 
 /// What is asked of a system, by turns.
-enum class Wish {
-  end,
-  times,
-  back,
-  dense,
-  unchecked,
-  events,
-  order,
-  fixed,
-  timed,
-  stop,
-  menu,
-  given,
-  solver,
-  minimum,
-  bound,
-  fast_events,
-  loose,
-  saddle,
-  resumed,
-  by_hand,
-  curves,
-  branches
-};
-constexpr std::array<const char*, 22> names{
+constexpr std::array<std::string_view, 22> wishes{
     "end",   "times",  "back",    "dense",   "unchecked", "events",  "order", "fixed",
     "timed", "stop",   "menu",    "given",   "solver",    "minimum", "bound", "fast events",
     "loose", "saddle", "resumed", "by hand", "curves",    "branches"};
-constexpr int count = static_cast<int>(names.size());
+constexpr int count = static_cast<int>(wishes.size());
 
 using State = avi::State<avi::dynamic>;
 
 /// Options of a wish; those of the menu differ from system to system.
-avi::SolveOptions options_of(Wish wish, int index, const System& system) {
+avi::SolveOptions options_of(std::string_view wish, int index, const System& system) {
   avi::SolveOptions options{.sweeps = 200'000};
   const double q_scale = system.q_scale[0], p_scale = system.p_scale[0], q_start = system.q[0];
+  const auto turn = static_cast<std::size_t>(index / count) % 5;
   const auto momentum = [](const auto&, const auto& p) { return p[0]; };
-  switch (wish) {
-  case Wish::dense:
-    options.dense = true;
-    break;
-  case Wish::unchecked:
-    options.check = false;
-    break;
-  case Wish::events:
-    options.events = {avi::when(momentum, {.count = 20}),
-                      avi::when([q_start](const auto& q) { return q[0] - q_start; }, {.direction = 1})};
-    break;
-  case Wish::order:
-    options.order = std::array{2, 4, 8, 12, 16}[static_cast<std::size_t>(index / count) % 5];
-    break;
-  case Wish::fixed:
-    options.monitor = "fixed";
-    break;
-  case Wish::stop:
-    options.events = {avi::when(momentum, {.direction = -1, .count = 3, .stop = true})};
-    break;
-  case Wish::menu:
-    options.monitor = std::array{"energy", "energy^1.5", "poles", "acceleration",
-                                 "splitting"}[static_cast<std::size_t>(index / count) % 5];
-    break;
-  case Wish::given:
+  if (wish == "dense") options.dense = true;
+  if (wish == "unchecked" || wish == "resumed") options.check = false;
+  if (wish == "bound" || wish == "resumed") options.steps = 40;
+  if (wish == "order") options.order = std::array{2, 4, 8, 12, 16}[turn];
+  if (wish == "fixed") options.monitor = "fixed";
+  if (wish == "menu")
+    options.monitor = std::array{"energy", "energy^1.5", "poles", "acceleration", "splitting"}[turn];
+  if (wish == "given")
     options.monitor = [p_scale](const auto&, const auto& p) {
       return 1.0 / (1.0 + p[0] * p[0] * (1.0 / (p_scale * p_scale)));
     };
-    break;
-  case Wish::bound:
-    options.steps = 40;
-    break;
-  case Wish::resumed:
-    options.check = false;
-    options.steps = 40;
+  if (wish == "stop") options.events = {avi::when(momentum, {.direction = -1, .count = 3, .stop = true})};
+  if (wish == "events")
+    options.events = {avi::when(momentum, {.count = 20}),
+                      avi::when([q_start](const auto& q) { return q[0] - q_start; }, {.direction = 1})};
+  if (wish == "fast events")
+    options.events = {avi::when(
+        [q_scale, q_start](const auto& q) { return sin((q[0] - q_start) * (40.0 / q_scale)) - 0.999; },
+        {.count = 300})};
+  if (wish == "resumed")
     options.checkpoint =
         (std::filesystem::temp_directory_path() /
          fmt::format("avi_ways_{}", std::chrono::steady_clock::now().time_since_epoch().count()))
             .string();
-    break;
-  case Wish::fast_events:
-    options.events = {avi::when(
-        [q_scale, q_start](const auto& q) { return sin((q[0] - q_start) * (40.0 / q_scale)) - 0.999; },
-        {.count = 300})};
-    break;
-  default:
-    break;
-  }
   return options;
 }
 
 /// What came of a call, in nine columns. @param energy H as it was solved, of (q, p), where its monitor is to
 /// be made for use by hand
-std::string described(const avi::Solution<avi::dynamic>& found, const avi::Formula* energy,
-                      double energy_at_start) {
+std::string described(const avi::Solution<avi::dynamic>& found, const avi::Formula* energy = nullptr,
+                      double energy_at_start = 0.0) {
   Digest all;
   all.add(found.report());
   all.add_state(found.state);
@@ -228,7 +182,7 @@ std::string saddle(int index, double tolerance) {
   const auto h = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - cos(q[0]); };
   State start = at_rest(turn % 2 == 0 ? std::numbers::pi - off : 0.0);
   if (turn % 2 != 0) start.p[0] = 2.0 + off;
-  return described(avi::solve(h, start, 40.0, tolerance), nullptr, 0.0);
+  return described(avi::solve(h, start, 40.0, tolerance));
 }
 
 /// Events of a spring: zeros alone, in pairs and in clusters, that touch, that nearly do; jumps and poles.
@@ -256,7 +210,7 @@ std::string curves(int index, double tolerance) {
     options.events = {avi::when([=](const auto& q) { return avi::select(q[0] < wall, -1.0, 1.0); })};
   if (index / count % 6 == 5)
     options.events = {avi::when([=](const auto& q) { return 1.0 / (q[0] - wall); })};
-  return described(avi::solve(spring, at_rest(1.0), 12.0, tolerance, options), nullptr, 0.0);
+  return described(avi::solve(spring, at_rest(1.0), 12.0, tolerance, options));
 }
 
 /// A spring that is felt beyond a wall, in a band, and in a corner of phase space, some of them narrow.
@@ -274,7 +228,7 @@ std::string branches(int index, double tolerance) {
            bands * avi::select(in > 0.0, in * in, 0.0) +
            corners * avi::select(over > 0.0, 0.1 * over * over, 0.0);
   };
-  return described(avi::solve(h, at_rest(-1.0), 7.0, 100.0 * tolerance, {.sweeps = 200'000}), nullptr, 0.0);
+  return described(avi::solve(h, at_rest(-1.0), 7.0, 100.0 * tolerance, {.sweeps = 200'000}));
 }
 
 /// Steps of collocation by hand, some of them longer than can be solved for.
@@ -295,54 +249,54 @@ std::string by_hand(const System& system, State start, int index, double toleran
   return fmt::format("\t\t{}\t\t{}\t{}\t\t\t{}", order, steps, sweeps, all.text());
 }
 
-std::string way(const System& system, int index, Wish wish, double tolerance) {
-  if (wish == Wish::minimum) return minimum(system, index, tolerance);
-  if (wish == Wish::saddle) return saddle(index, 100.0 * tolerance);
-  if (wish == Wish::curves) return curves(index, tolerance);
-  if (wish == Wish::branches) return branches(index, tolerance);
-  if (wish == Wish::loose) tolerance *= 100.0;
+std::string way(const System& system, int index, std::string_view wish, double tolerance) {
+  if (wish == "minimum") return minimum(system, index, tolerance);
+  if (wish == "saddle") return saddle(index, 100.0 * tolerance);
+  if (wish == "curves") return curves(index, tolerance);
+  if (wish == "branches") return branches(index, tolerance);
+  if (wish == "loose") tolerance *= 100.0;
   State start;
   start.q = Eigen::Map<const Eigen::VectorXd>(system.q.data(), system.n);
   start.p = Eigen::Map<const Eigen::VectorXd>(system.p.data(), system.n);
   start.t = system.t;
-  if (wish == Wish::by_hand) return by_hand(system, start, index, tolerance);
+  if (wish == "by hand") return by_hand(system, start, index, tolerance);
   const auto h = [&system](const auto& q, const auto& p) { return system(q, p); };
   const double span = system.t_end - system.t;
   const avi::SolveOptions options = options_of(wish, index, system);
-  if (wish == Wish::timed) {
+  if (wish == "timed") {
     const auto moving = [&](const auto& q, const auto& t, const auto& p) {
       return system(q, p) * (1.0 + 0.05 * cos((t - system.t) * (20.0 / span)));
     };
-    return described(avi::solve(moving, start, system.t_end, tolerance, options), nullptr, 0.0);
+    return described(avi::solve(moving, start, system.t_end, tolerance, options));
   }
   const avi::Formula energy = avi::Formula::of_phase(h, system.n);
   const double energy_at_start = energy.at(start.q, start.p);
-  const avi::Formula* const known = wish == Wish::given ? nullptr : &energy;
-  if (wish == Wish::times || wish == Wish::fixed) {
+  const avi::Formula* const known = wish == "given" ? nullptr : &energy;
+  if (wish == "times" || wish == "fixed") {
     std::vector<double> times;
     for (int i = 1; i < 7; ++i)
       times.push_back(system.t + span * i / 7);
     times.push_back(system.t_end);
     return described(avi::solve(energy, start, times, tolerance, options), known, energy_at_start);
   }
-  if (wish == Wish::solver) {
+  if (wish == "solver") {
     const avi::Solver solver(energy, start, system.t_end, tolerance, options);
     start.q *= 1.001;
     return described(solver.run(start, system.t_end), known, energy_at_start);
   }
-  if (wish == Wish::resumed) {
+  if (wish == "resumed") {
     auto found = avi::solve(energy, start, system.t_end, tolerance, options);
     if (found.run.outcome == avi::Outcome::step_limit)
       found = avi::resume<avi::dynamic>(energy, options.checkpoint, {.sweeps = options.sweeps}, system.n);
     std::filesystem::remove(options.checkpoint);
     return described(found, known, energy_at_start);
   }
-  const double end = wish == Wish::back ? system.t - span : system.t_end;
+  const double end = wish == "back" ? system.t - span : system.t_end;
   return described(avi::solve(energy, start, end, tolerance, options), known, energy_at_start);
 }
 
 /// The same where it is an exception.
-std::string way_or_exception(const System& system, int index, Wish wish, double tolerance) {
+std::string way_or_exception(const System& system, int index, std::string_view wish, double tolerance) {
   try {
     return way(system, index, wish, tolerance);
   } catch (const std::exception& error) {
@@ -375,17 +329,15 @@ int main(int argc, char** argv) {
   }
   for (int index = 0; index < systems; ++index) {
     const System system = draw(seed, index, 30.0);
-    const auto wish = static_cast<std::size_t>(index) % names.size();
-    const auto asked = static_cast<Wish>(wish);
-    const bool spring = asked == Wish::curves || asked == Wish::branches,
-               own = spring || asked == Wish::saddle;
+    const std::string_view wish = wishes[static_cast<std::size_t>(index) % wishes.size()];
+    const bool spring = wish == "curves" || wish == "branches", own = spring || wish == "saddle";
     for (const double tolerance : tolerances)
       lines.push_back(fmt::format("{}\t{}\t{}\t{}\t{:.0e}\t{}", index,
                                   spring ? "spring"
                                   : own  ? "pendulum"
                                          : system.family,
-                                  own ? 1 : system.n, names[wish], tolerance,
-                                  way_or_exception(system, index, asked, tolerance)));
+                                  own ? 1 : system.n, wish, tolerance,
+                                  way_or_exception(system, index, wish, tolerance)));
   }
   if (write) {
     std::ofstream out(file);
