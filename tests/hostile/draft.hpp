@@ -58,31 +58,10 @@ inline int dimension(Dice& dice, int most) {
   return std::min(most, static_cast<int>(dice.decades(1.0, most + 1.0)));
 }
 
-void anharmonic(Dice& dice, Draft& s);
-void henon(Dice& dice, Draft& s);
-void springs(Dice& dice, Draft& s);
-void pendula(Dice& dice, Draft& s);
-void charge(Dice& dice, Draft& s);
-void bodies(Dice& dice, Draft& s);
-void relativistic(Dice& dice, Draft& s);
-void metric(Dice& dice, Draft& s);
-void surface(Dice& dice, Draft& s);
-void toda(Dice& dice, Draft& s);
-void morse(Dice& dice, Draft& s);
-void growth(Dice& dice, Draft& s);
-void lennard_jones(Dice& dice, Draft& s);
-void repulsion(Dice& dice, Draft& s);
-void dense(Dice& dice, Draft& s);
-void chain(Dice& dice, Draft& s);
-void double_pendulum(Dice& dice, Draft& s);
-void well(Dice& dice, Draft& s);
-void wall(Dice& dice, Draft& s);
-void scattering(Dice& dice, Draft& s);
-void driven(Dice& dice, Draft& s);
-void three_body(Dice& dice, Draft& s);
-void kepler(Dice& dice, Draft& s);
-void odd(Dice& dice, Draft& s);
-void top(Dice& dice, Draft& s);
+using Family = void(Dice&, Draft&);
+Family anharmonic, henon, springs, pendula, charge, bodies, relativistic, metric, surface, toda, morse,
+    growth, lennard_jones, repulsion, dense, chain, double_pendulum, well, wall, scattering, driven,
+    three_body, kepler, odd, top;
 }  // namespace families
 
 }  // namespace hostile

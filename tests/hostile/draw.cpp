@@ -8,7 +8,7 @@ namespace {
 
 struct Named {
   const char* name;
-  void (*family)(Dice&, Draft&);
+  families::Family* family;
   int share;  // of the draws
 };
 constexpr Named all_families[] = {{"anharmonic", families::anharmonic, 4},

@@ -349,55 +349,20 @@ auto System::operator()(const Q& q_given, const Q& p_given) const {
   for (int i = 0; i < n; ++i)
     x[i] = unit[i] == 1.0 ? q_given[i] : S(q_given[i] * (1.0 / unit[i])),
     y[i] = unit[i] == action ? p_given[i] : S(p_given[i] * (unit[i] / action));
-  const auto value = [&]() -> S {
-    switch (formula) {
-    case Formula::polynomial:
-      return formulas::polynomial(*this, x, y);
-    case Formula::pendula:
-      return formulas::pendula(*this, x, y);
-    case Formula::charge:
-      return formulas::charge(*this, x, y);
-    case Formula::bodies:
-      return formulas::bodies(*this, x, y);
-    case Formula::relativistic:
-      return formulas::relativistic(*this, x, y);
-    case Formula::metric:
-      return formulas::metric(*this, x, y);
-    case Formula::surface:
-      return formulas::surface(*this, x, y);
-    case Formula::toda:
-      return formulas::toda(*this, x, y);
-    case Formula::morse:
-      return formulas::morse(*this, x, y);
-    case Formula::growth:
-      return formulas::growth(*this, x, y);
-    case Formula::lennard_jones:
-      return formulas::lennard_jones(*this, x, y);
-    case Formula::repulsion:
-      return formulas::repulsion(*this, x, y);
-    case Formula::chain:
-      return formulas::chain(*this, x, y);
-    case Formula::double_pendulum:
-      return formulas::double_pendulum(*this, x, y);
-    case Formula::well:
-      return formulas::well(*this, x, y);
-    case Formula::wall:
-      return formulas::wall(*this, x, y);
-    case Formula::scatterers:
-      return formulas::scatterers(*this, x, y);
-    case Formula::driven:
-      return formulas::driven(*this, x, y);
-    case Formula::three_body:
-      return formulas::three_body(*this, x, y);
-    case Formula::kepler:
-      return formulas::kepler(*this, x, y);
-    case Formula::odd:
-      return formulas::odd(*this, x, y);
-    case Formula::top:
-      break;
-    }
-    return formulas::top(*this, x, y);
-  }();
+  // As they are numbered.
+  constexpr S (*all[])(const System&, const std::vector<S>&,
+                       const std::vector<S>&) = {formulas::polynomial<S>,    formulas::pendula<S>,
+                                                 formulas::charge<S>,        formulas::bodies<S>,
+                                                 formulas::relativistic<S>,  formulas::metric<S>,
+                                                 formulas::surface<S>,       formulas::toda<S>,
+                                                 formulas::morse<S>,         formulas::growth<S>,
+                                                 formulas::lennard_jones<S>, formulas::repulsion<S>,
+                                                 formulas::chain<S>,         formulas::double_pendulum<S>,
+                                                 formulas::well<S>,          formulas::wall<S>,
+                                                 formulas::scatterers<S>,    formulas::driven<S>,
+                                                 formulas::three_body<S>,    formulas::kepler<S>,
+                                                 formulas::odd<S>,           formulas::top<S>};
+  const S value = all[static_cast<std::size_t>(formula)](*this, x, y);
   return energy == 1.0 ? value : S(value * energy);
 }
 
