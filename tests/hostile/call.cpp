@@ -4,6 +4,7 @@
 
 #include "avi/solve.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
@@ -54,21 +55,25 @@ class Parcel {
     bytes.insert(bytes.end(), from, from + sizeof value);
   }
   template <class T>
-  T get() {
-    T value{};
+  void get(T& value) {
     if (at_ + sizeof value <= bytes.size()) std::memcpy(&value, bytes.data() + at_, sizeof value);
     at_ += sizeof value;
-    return value;
   }
-  void put(const std::string& text) {
-    put(text.size());
-    bytes.insert(bytes.end(), text.begin(), text.end());
+  template <class List>
+  requires requires(List list) { list.resize(1); }
+  void put(const List& list) {
+    put(list.size());
+    for (const auto& each : list)
+      put(each);
   }
-  std::string get_text() {
-    std::string text(get<std::size_t>(), ' ');
-    for (char& letter : text)
-      letter = get<char>();
-    return text;
+  template <class List>
+  requires requires(List list) { list.resize(1); }
+  void get(List& list) {
+    std::size_t size = 0;
+    get(size);
+    list.resize(size);
+    for (auto& each : list)
+      get(each);
   }
 
   std::vector<char> bytes;
@@ -77,36 +82,23 @@ class Parcel {
   std::size_t at_ = 0;
 };
 
-void send(const Answer& answer, int to) {
+/// put() or get() of all that goes through the pipe.
+void each(auto& answer, const auto& act) {
+  act(answer.returned), act(answer.ok), act(answer.kept), act(answer.outcome), act(answer.message);
+  act(answer.report), act(answer.state_error), act(answer.energy_error), act(answer.steps);
+  act(answer.evaluations), act(answer.t), act(answer.q), act(answer.p);
+}
+
+void send(Answer answer, int to) {
+  answer.message.resize(std::min<std::size_t>(answer.message.size(), 1000));
   Parcel parcel;
-  parcel.put(answer.returned), parcel.put(answer.ok), parcel.put(answer.kept);
-  parcel.put(answer.outcome), parcel.put(answer.message.substr(0, 1000)), parcel.put(answer.report);
-  parcel.put(answer.state_error), parcel.put(answer.energy_error);
-  parcel.put(answer.steps), parcel.put(answer.evaluations), parcel.put(answer.t);
-  parcel.put(answer.q.size());
-  for (const auto* x : {&answer.q, &answer.p})
-    for (const double number : *x)
-      parcel.put(number);
+  each(answer, [&](const auto& entry) { parcel.put(entry); });
   const char* at = parcel.bytes.data();
   for (std::size_t left = parcel.bytes.size(); left > 0;) {
     const ssize_t sent = write(to, at, left);
     if (sent <= 0) return;
     at += sent, left -= static_cast<std::size_t>(sent);
   }
-}
-
-Answer received(Parcel& parcel) {
-  Answer answer;
-  answer.returned = parcel.get<bool>(), answer.ok = parcel.get<bool>(), answer.kept = parcel.get<bool>();
-  answer.outcome = parcel.get_text(), answer.message = parcel.get_text();
-  answer.report = parcel.get_text();
-  answer.state_error = parcel.get<double>(), answer.energy_error = parcel.get<double>();
-  answer.steps = parcel.get<long>(), answer.evaluations = parcel.get<long>(), answer.t = parcel.get<double>();
-  const auto size = parcel.get<std::size_t>();
-  for (auto* x : {&answer.q, &answer.p})
-    for (std::size_t i = 0; i < size; ++i)
-      x->push_back(parcel.get<double>());
-  return answer;
 }
 
 void bound(int resource, double most) {
@@ -146,7 +138,7 @@ Answer call(const System& system, double tolerance, double seconds) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   };
   if (WIFEXITED(status) && !parcel.bytes.empty()) {
-    answer = received(parcel);
+    each(answer, [&](auto& entry) { parcel.get(entry); });
   } else {
     const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     answer.too_slow = signal == SIGXCPU || signal == SIGKILL || signal == SIGALRM;
