@@ -1,4 +1,6 @@
 #pragma once
+#include <gtest/gtest.h>
+
 #include <stdexcept>
 #include <string>
 
@@ -10,4 +12,10 @@ std::string refusal(const auto& call) {
     return error.what();
   }
   return "accepted";
+}
+
+/// A part of that sentence.
+void expect_refusal(const auto& call, const std::string& part) {
+  const std::string sentence = refusal(call);
+  EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
 }

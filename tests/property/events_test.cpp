@@ -259,7 +259,7 @@ TEST(Landing, InsideAStepOnly) {
         EXPECT_NE(sentence.find("; it must be between its ends, "), std::string::npos) << sentence;
       }
       for (const double part : {-1.0, 2.0, 1.0 + 1e-15, -1e-300, double{NAN}})
-        EXPECT_NE(refusal([&] { (void)step.part(part); }).find("it must be in [0, 1]."), std::string::npos);
+        expect_refusal([&] { (void)step.part(part); }, "it must be in [0, 1].");
       for (const State<2>* end : {&step.before, &step.after}) {
         EXPECT_EQ(step.at(end->t).state, *end);
         EXPECT_EQ(step.part(end == &step.before ? 0.0 : 1.0).state, *end);

@@ -1,12 +1,12 @@
 #pragma once
 #include "avi/core/integrate.hpp"
+#include "refusal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 
 /// @file
@@ -30,15 +30,10 @@ std::string written(const auto& value) {
 /// The call refuses this value of an argument.
 void one(const std::string& argument, const auto& value, const std::function<void()>& call) {
   const std::string where = argument + " = " + written(value);
-  try {
-    call();
-    ADD_FAILURE() << where << " was taken";
-  } catch (const std::invalid_argument& error) {
-    const std::string sentence = error.what();
-    EXPECT_TRUE(sentence.ends_with(".")) << where << ": " << sentence;
-    EXPECT_NE(sentence.find(" is " + written(value) + "; it must be "), std::string::npos)
-        << where << ": " << sentence;
-  }
+  const std::string sentence = refusal(call);
+  EXPECT_TRUE(sentence.ends_with(".")) << where << ": " << sentence;
+  EXPECT_NE(sentence.find(" is " + written(value) + "; it must be "), std::string::npos)
+      << where << ": " << sentence;
 }
 /// call(value) refuses each of these values.
 void all(const std::string& argument, const auto& values, const auto& call) {

@@ -121,13 +121,9 @@ TEST(AtTimes, AcceptsTimesAsNearAsNumbersAre) {
 }
 
 TEST(AtTimes, BlamesTheOrderOfTimesNotTheStart) {
-  const auto sentence = [](double h, double t_end, const std::vector<double>& times) {
-    return refusal([&] { (void)output(h, t_end, times); });
-  };
-  const std::string order = "beyond the one before it", start = "not before the start";
-  EXPECT_NE(sentence(0.3, 2.0, {1.5, 0.5}).find(order), std::string::npos);
-  EXPECT_NE(sentence(-0.3, -2.0, {-1.5, -0.5}).find(order), std::string::npos);
-  EXPECT_NE(sentence(0.3, 2.0, {-1.0, 1.0}).find(start), std::string::npos);
+  expect_refusal([] { (void)output(0.3, 2.0, {1.5, 0.5}); }, "beyond the one before it");
+  expect_refusal([] { (void)output(-0.3, -2.0, {-1.5, -0.5}); }, "beyond the one before it");
+  expect_refusal([] { (void)output(0.3, 2.0, {-1.0, 1.0}); }, "not before the start");
 }
 
 }  // namespace at_times_test
