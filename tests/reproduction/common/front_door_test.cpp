@@ -1,4 +1,5 @@
 #include "common/table.hpp"
+#include "text_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,6 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
-#include <sstream>
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -25,12 +25,6 @@ struct Answer {
   std::string out, err;
 };
 
-std::string slurp(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
-
 class FrontDoor : public testing::TestWithParam<std::string> {
  protected:
   const fs::path scratch =
@@ -45,7 +39,7 @@ class FrontDoor : public testing::TestWithParam<std::string> {
     const std::string command = "'" AVI_BIN_DIR "/" + GetParam() + "' " + arguments + " >'" +
                                 (scratch / "out").string() + "' 2>'" + (scratch / "err").string() + "'";
     const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(scratch / "out"), slurp(scratch / "err")};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(scratch / "out"), text_of(scratch / "err")};
   }
 
   void expect_refused(const std::string& arguments) const {
@@ -90,7 +84,7 @@ TEST(DataFiles, TellWhatMadeThem) {
   const fs::path scratch = fs::temp_directory_path() / ("avi_head_" + std::to_string(::getpid()));
   const std::string command = "'" AVI_BIN_DIR "/euler_b_errors' --quick --output '" + scratch.string() + "'";
   ASSERT_EQ(std::system(command.c_str()), 0);
-  const std::string file = slurp(scratch / "euler_b_errors.tsv");
+  const std::string file = text_of(scratch / "euler_b_errors.tsv");
   for (const char* note : {"commit: ", "compiler: ", "flags: ", "libraries: Eigen ", "machine: ", "date: "})
     EXPECT_NE(file.find(std::string("\n# ") + note), std::string::npos) << note;
   fs::remove_all(scratch);
@@ -139,7 +133,7 @@ TEST_F(Scorecard, FailsWhereDataAreMissing) {
   EXPECT_GT(card.rows.size(), 200u);
   for (std::size_t i = 0; i < card.rows.size(); ++i)
     EXPECT_EQ(card.text(i, "verdict"), "missing");
-  EXPECT_NE(slurp(scratch / "out").find("kepler_e090.tsv"), std::string::npos);
+  EXPECT_NE(text_of(scratch / "out").find("kepler_e090.tsv"), std::string::npos);
 }
 
 /// So is a published table that no sheet judges.
@@ -147,7 +141,7 @@ TEST_F(Scorecard, FailsWhereATableHasNoSheet) {
   fs::copy(AVI_PUBLISHED_DIR, scratch / "published");
   std::ofstream(scratch / "published" / "table7.tsv") << "source\trow\n";
   EXPECT_EQ(status_of(scratch / "published"), 1);
-  EXPECT_NE(slurp(scratch / "out").find("table7.tsv"), std::string::npos) << slurp(scratch / "out");
+  EXPECT_NE(text_of(scratch / "out").find("table7.tsv"), std::string::npos) << text_of(scratch / "out");
 }
 
 // What they say is that of one frame: programs with options of every kind, and one without.

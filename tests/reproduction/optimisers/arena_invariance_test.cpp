@@ -91,7 +91,6 @@ TEST(ArenaInvariance, OtherScalesMoveCountsNoFurtherThanRounding) {
     }
     std::printf("m = %d: %d of %d outside\n", memory, outside, runs);
     // the four scales of a problem share its control, so the variance is taken four times a binomial one
-    // the four scales of a problem share its control, so the variance is taken four times a binomial one
     EXPECT_LE(outside, 0.125 * runs + 2.33 * std::sqrt(4.0 * runs * 0.125 * 0.875));
   }
 }

@@ -71,6 +71,15 @@ class ChangedData : public testing::Test {
   void SetUp() override { fs::create_directories(folder); }
   void TearDown() override { fs::remove_all(folder); }
 
+  /// The change of these cells, in rows whose `column` begins with `cell`.
+  static auto with(std::map<std::string, std::string> cells, const char* column = nullptr,
+                   const char* cell = nullptr) {
+    return [=](const experiment::Table& table, auto& row) {
+      if (column && !row[table.column(column)].starts_with(cell)) return;
+      for (const auto& [name, text] : cells)
+        row[table.column(name)] = text;
+    };
+  }
   /// The ruling on `key` after `change` of one table.
   template <class Change>
   Ruling ruling(const std::string& key, const std::string& stem, Change change) {
@@ -85,40 +94,21 @@ class ChangedData : public testing::Test {
 };
 
 TEST_F(ChangedData, ChangesTheRuling) {
-  EXPECT_EQ(ruling("rk4_fails", "runge_kutta_baselines",
-                   [](const auto& table, auto& row) { row[table.column("sustained")] = "nan"; }),
+  EXPECT_EQ(ruling("rk4_fails", "runge_kutta_baselines", with({{"sustained", "nan"}})), Ruling::holds);
+  EXPECT_EQ(ruling("adaptive_has_lower_order", "order_equivalence", with({{"distance_100", "0.1"}})),
             Ruling::holds);
-  EXPECT_EQ(
-      ruling("adaptive_has_lower_order", "order_equivalence",
-             [](const experiment::Table& table, auto& row) { row[table.column("distance_100")] = "0.1"; }),
-      Ruling::holds);
-  EXPECT_EQ(
-      ruling("rate_bound", "convergence_rate",
-             [](const experiment::Table& table, auto& row) { row[table.column("largest_ratio")] = "1.5"; }),
-      Ruling::fails);
+  EXPECT_EQ(ruling("rate_bound", "convergence_rate", with({{"largest_ratio", "1.5"}})), Ruling::fails);
   EXPECT_EQ(ruling("truncation_fewest_steps", "euler_b_cost",
-                   [](const experiment::Table& table, auto& row) {
-                     if (row[table.column("monitor")] == "norm_squared")
-                       row[table.column("steps")] = "99999999";
-                   }),
+                   with({{"steps", "99999999"}}, "monitor", "norm_squared")),
             Ruling::holds);
   EXPECT_EQ(ruling("order_theorem", "order_verification",
-                   [](const experiment::Table& table, auto& row) {
-                     for (const char* column : {"measured_order", "limit_order"})
-                       row[table.column(column)] = "0.5";
-                   }),
+                   with({{"measured_order", "0.5"}, {"limit_order", "0.5"}})),
             Ruling::fails);
-  EXPECT_EQ(ruling("energy_not_extreme", "kepler_e090",
-                   [](const experiment::Table& table, auto& row) {
-                     if (row[table.column("monitor")] == "energy") row[table.column("max_step")] = "1.0";
-                   }),
+  EXPECT_EQ(ruling("energy_not_extreme", "kepler_e090", with({{"max_step", "1.0"}}, "monitor", "energy")),
             Ruling::in_part);
-  EXPECT_EQ(ruling("cloning_is_behind", "variants",
-                   [](const experiment::Table& table, auto& row) {
-                     if (row[table.column("variant")] == "kick_first")
-                       row[table.column("gradients_per_step")] = "100";
-                   }),
-            Ruling::holds);
+  EXPECT_EQ(
+      ruling("cloning_is_behind", "variants", with({{"gradients_per_step", "100"}}, "variant", "kick_first")),
+      Ruling::holds);
   EXPECT_EQ(ruling("cloning_needs_3_7_19", "method_comparison",
                    [](const experiment::Table& table, auto& row) {
                      row[table.column("gradient_evaluations")] =
@@ -127,23 +117,17 @@ TEST_F(ChangedData, ChangesTheRuling) {
             Ruling::holds);
   for (const auto& [key, changed] :
        {std::pair{"beats_popular_methods", Ruling::fails}, {"not_the_most_efficient", Ruling::holds}})
-    EXPECT_EQ(ruling(key, "optimiser_comparison",
-                     [](const experiment::Table& table, auto& row) {
-                       row[table.column("converged")] = "1";
-                       row[table.column("iterations")] = "100";
-                     }),
+    EXPECT_EQ(ruling(key, "optimiser_comparison", with({{"converged", "1"}, {"iterations", "100"}})),
               changed);
 }
 
 /// Where a claim speaks of cost or efficiency, seconds count beside steps.
 TEST_F(ChangedData, SecondsCountWhereCostIsClaimed) {
   const auto with_seconds = [&](const char* key, const char* monitor, const char* seconds) {
-    return ruling(key, "monitor_costs", [&](const experiment::Table& table, auto& row) {
-      // gamma = 1/2 and 3/4 with gamma = 1
-      if (row[table.column("monitor")].starts_with(monitor)) row[table.column("seconds")] = seconds;
-    });
+    return ruling(key, "monitor_costs", with({{"seconds", seconds}}, "monitor", monitor));
   };
-  EXPECT_EQ(with_seconds("gamma_most_efficient", "gamma", "10"), Ruling::fails);
+  EXPECT_EQ(with_seconds("gamma_most_efficient", "gamma", "10"),
+            Ruling::fails);  // 1/2 and 3/4 with gamma = 1
   EXPECT_EQ(with_seconds("gamma_most_efficient", "gamma", "1e-9"), Ruling::in_part);
   EXPECT_EQ(with_seconds("arclength_behind", "arclength", "1e-9"), Ruling::in_part);
 }
