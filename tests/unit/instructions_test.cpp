@@ -1,11 +1,11 @@
 #include "common/table.hpp"
+#include "text_of.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <unistd.h>
 
@@ -40,9 +40,7 @@ Ran compare(const std::string& collected, const std::string& accept = "") {
       std::system(("VALGRIND='" + at + "valgrind' '" AVI_SOURCE_DIR "/tests/instructions/compare.sh' '" + at +
                    "workload' '" + at + "counts.tsv' " + accept + " >'" + said + "' 2>&1")
                       .c_str());
-  std::ostringstream text;
-  text << std::ifstream(said).rdbuf();
-  return {status, text.str()};
+  return {status, text_of(said)};
 }
 
 TEST(Instructions, WarnAboveTenPerCent) {

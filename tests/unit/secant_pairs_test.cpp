@@ -8,6 +8,17 @@ using avi::VectorX;
 
 namespace secant_pairs_test {
 
+/// Stores a pair, with the products of a gradient.
+void add_pair(avi::SecantPairs& pairs, const VectorX& s, const VectorX& y, const VectorX& g,
+              VectorX& with_pairs) {
+  VectorX change(pairs.products());
+  Eigen::Map<VectorX>(pairs.next_s(), s.size()) = s;
+  Eigen::Map<VectorX>(pairs.next_y(), s.size()) = y;
+  pairs.multiply(y.data(), change.data());
+  pairs.multiply(g.data(), with_pairs.data());
+  pairs.commit(g.data(), s.dot(y), y.squaredNorm(), change.data(), with_pairs.data(), s.dot(g), y.dot(g));
+}
+
 /// The BFGS inverse, formed: H+ = (I - rho s y^T) H (I - rho y s^T) + rho s s^T.
 TEST(SecantPairs, GiveTheDirectionOfTheFormedMatrix) {
   constexpr Eigen::Index n = 11;
@@ -18,7 +29,7 @@ TEST(SecantPairs, GiveTheDirectionOfTheFormedMatrix) {
       a(i, j) += 1.0 / static_cast<double>(i + j + 1);
   avi::SecantPairs pairs(m, n);
   const VectorX g = VectorX::LinSpaced(n, -1.0, 2.0);
-  VectorX d(n), with_pairs(pairs.products()), change(pairs.products());
+  VectorX d(n), with_pairs(pairs.products());
   const auto direction_of = [&](const VectorX& gradient) {
     pairs.multiply(gradient.data(), with_pairs.data());
     const auto [slope, square] = pairs.direction(gradient.data(), with_pairs.data(), d.data());
@@ -33,11 +44,7 @@ TEST(SecantPairs, GiveTheDirectionOfTheFormedMatrix) {
     for (Eigen::Index i = 0; i < n; ++i)
       s[i] = std::sin(1.0 + static_cast<double>(i * (k + 1)));
     const VectorX y = a * s;
-    Eigen::Map<VectorX>(pairs.next_s(), n) = s;
-    Eigen::Map<VectorX>(pairs.next_y(), n) = y;
-    pairs.multiply(y.data(), change.data());
-    with_pairs.setZero();
-    pairs.commit(y.data(), s.dot(y), y.squaredNorm(), change.data(), with_pairs.data(), 0.0, 0.0);
+    add_pair(pairs, s, y, y, with_pairs);
     stored.emplace_back(s, y);
     if (stored.size() > m) stored.erase(stored.begin());
     Eigen::MatrixXd h = Eigen::MatrixXd::Identity(n, n) * (s.dot(y) / y.squaredNorm());
@@ -61,18 +68,14 @@ TEST(SecantPairs, GiveTheDirectionOfTheFormedMatrix) {
 TEST(SecantPairs, SatisfyTheSecantEquationInEveryBlock) {
   constexpr Eigen::Index n = 9000;
   avi::SecantPairs pairs(3, n);
-  VectorX d(n), with_pairs(pairs.products()), change(pairs.products());
+  VectorX d(n), with_pairs(pairs.products());
   const VectorX curvatures = VectorX::LinSpaced(n, 1.0, 3.0);
   for (int k = 1; k <= 3; ++k) {
     VectorX s(n);
     for (Eigen::Index i = 0; i < n; ++i)
       s[i] = std::sin(1.0 + static_cast<double>(i * k));
     const VectorX y = curvatures.cwiseProduct(s);
-    Eigen::Map<VectorX>(pairs.next_s(), n) = s;
-    Eigen::Map<VectorX>(pairs.next_y(), n) = y;
-    pairs.multiply(y.data(), change.data());
-    with_pairs.setZero();
-    pairs.commit(y.data(), s.dot(y), y.squaredNorm(), change.data(), with_pairs.data(), 0.0, 0.0);
+    add_pair(pairs, s, y, y, with_pairs);
     const auto direction_of = [&](const VectorX& g) {
       pairs.multiply(g.data(), with_pairs.data());
       pairs.direction(g.data(), with_pairs.data(), d.data());
@@ -95,11 +98,8 @@ struct Axes {
     Eigen::Map<VectorX>(pairs.next_y(), n) = VectorX::Unit(n, axis) * static_cast<double>(axis + 1);
   }
   void store(Eigen::Index axis) {
-    write(axis);
-    const double c = static_cast<double>(axis + 1);
-    VectorX change(pairs.products());
-    pairs.multiply(pairs.next_y(), change.data());
-    pairs.commit(pairs.next_y(), c, c * c, change.data(), with_pairs.data(), 0.0, 0.0);
+    const VectorX s = VectorX::Unit(n, axis), y = s * static_cast<double>(axis + 1);
+    add_pair(pairs, s, y, y, with_pairs);
   }
   VectorX direction(const VectorX& g) {
     pairs.multiply(g.data(), with_pairs.data());
@@ -115,7 +115,7 @@ TEST(SecantPairs, TakeTheMassesWhereTheyForetellPairs) {
   constexpr Eigen::Index n = 4800, every = 400;
   constexpr int m = 5;
   avi::SecantPairs pairs(m, n);
-  VectorX curvatures(n), d(n), g(n), with_pairs(pairs.products()), change(pairs.products());
+  VectorX curvatures(n), d(n), g(n), with_pairs(pairs.products());
   for (Eigen::Index i = 0; i < n; ++i)
     curvatures[i] = std::pow(1e4, static_cast<double>(i) / static_cast<double>(n - 1));
   int count = 0;
@@ -126,11 +126,7 @@ TEST(SecantPairs, TakeTheMassesWhereTheyForetellPairs) {
       s[i] = std::sin(1.0 + static_cast<double>(i / every * (count + 1))) / std::sqrt(curvatures[i]);
     ++count;
     const VectorX y = against ? VectorX(s.cwiseQuotient(curvatures)) : VectorX(s.cwiseProduct(curvatures));
-    Eigen::Map<VectorX>(pairs.next_s(), n) = s;
-    Eigen::Map<VectorX>(pairs.next_y(), n) = y;
-    pairs.multiply(y.data(), change.data());
-    pairs.multiply(g.data(), with_pairs.data());
-    pairs.commit(g.data(), s.dot(y), y.squaredNorm(), change.data(), with_pairs.data(), s.dot(g), y.dot(g));
+    add_pair(pairs, s, y, g, with_pairs);
     stored.emplace_back(s, y);
     if (stored.size() > m) stored.erase(stored.begin());
     pairs.direction(g.data(), with_pairs.data(), d.data());  // with the products as commit() left them

@@ -11,33 +11,41 @@ using avi::VectorX;
 using avi::detail::SharpFeatures;
 using State = avi::State<avi::dynamic>;
 
+/// H of one degree of freedom, with the motion seen from (q, p).
+struct Seen {
+  template <class H>
+  Seen(const H& hamiltonian, double at, double moving = 1.0, double time = 1e-3)
+      : graph(std::make_shared<avi::ExpressionGraph>(2)), q(avi::recorded_inputs(*graph, 0, 1)[0]),
+        p(avi::recorded_inputs(*graph, 1, 1)[0]), energy(avi::Recorded(hamiltonian(q, p)).node_in(*graph)),
+        field(*graph, energy, {}),
+        sketch(field, VectorX(Eigen::Vector2d(at, moving)), time, VectorX::Ones(1)) {}
+
+  std::shared_ptr<avi::ExpressionGraph> graph;
+  avi::Recorded q, p;
+  int energy;
+  avi::detail::PointField field;
+  avi::detail::Sketch sketch;
+};
+
+State moving(double q) { return {.q = VectorX::Constant(1, q), .p = VectorX::Ones(1)}; }
+
 /// A step of size 1 from q to q + 1, nearly.
 template <class H>
 bool jumped(const H& hamiltonian, double q, double* far = nullptr) {
-  const auto graph = std::make_shared<avi::ExpressionGraph>(2);
-  const auto x = avi::recorded_inputs(*graph, 0, 1), p = avi::recorded_inputs(*graph, 1, 1);
-  const int energy = avi::Recorded(hamiltonian(x[0], p[0])).node_in(*graph);
-  avi::detail::PointField field(*graph, energy, {});
-  const VectorX start = Eigen::Vector2d(q, 1.0);
-  const avi::detail::Sketch sketch(field, start, 1e-3, VectorX::Ones(1));
-  SharpFeatures features(*graph, energy, sketch);
-  const auto method = avi::detail::Candidate("fixed", 0.0, graph, energy, 0.5, -1).steps(8, {});
-  State z{.q = VectorX::Constant(1, q), .p = VectorX::Ones(1)};
-  const State before = z;
+  const Seen seen(hamiltonian, q);
+  SharpFeatures features(*seen.graph, seen.energy, seen.sketch);
+  const auto method = avi::detail::Candidate("fixed", 0.0, seen.graph, seen.energy, 0.5, -1).steps(8, {});
+  State z = moving(q);
   EXPECT_TRUE(method->step(z, 1.0).ok());
   if (far) *far = z.q[0];
-  return features.jumped(*method, before, z, [](const State&) { return true; });
+  return features.jumped(*method, moving(q), z, [](const State&) { return true; });
 }
 
 /// H has a kink, a jump or a branch.
 template <class H>
 bool bends(const H& hamiltonian) {
-  const auto graph = std::make_shared<avi::ExpressionGraph>(2);
-  const auto x = avi::recorded_inputs(*graph, 0, 1), p = avi::recorded_inputs(*graph, 1, 1);
-  const int energy = avi::Recorded(hamiltonian(x[0], p[0])).node_in(*graph);
-  avi::detail::PointField field(*graph, energy, {});
-  const avi::detail::Sketch sketch(field, VectorX(Eigen::Vector2d(0.3, 1.0)), 1e-3, VectorX::Ones(1));
-  return SharpFeatures(*graph, energy, sketch).bends();
+  const Seen seen(hamiltonian, 0.3);
+  return SharpFeatures(*seen.graph, seen.energy, seen.sketch).bends();
 }
 
 TEST(SharpFeatures, KnowWhatBends) {
@@ -102,20 +110,15 @@ struct FreeMotion final : avi::detail::Stepper {
 };
 
 TEST(SharpFeatures, AreNotSearchedForFarAway) {
-  avi::ExpressionGraph graph(2);
-  const auto q = avi::recorded_inputs(graph, 0, 1), p = avi::recorded_inputs(graph, 1, 1);
-  const int energy = avi::Recorded(bell(1e-3)(q[0], p[0])).node_in(graph);
-  avi::detail::PointField field(graph, energy, {});
-  const avi::detail::Sketch sketch(field, Eigen::Vector2d(0.0, 1.0), 1e-3, VectorX::Ones(1));
+  const Seen seen(bell(1e-3), 0.0);
   const auto asked = [&](double start, bool there) {
-    SharpFeatures features(graph, energy, sketch);
+    SharpFeatures features(*seen.graph, seen.energy, seen.sketch);
     auto motion = std::make_unique<FreeMotion>();
     const auto count = motion->asked;
     avi::detail::OrbitSteps method(std::move(motion), 1);
-    State z{.q = VectorX::Constant(1, start), .p = VectorX::Ones(1)};
-    const State before = z;
+    State z = moving(start);
     EXPECT_TRUE(method.step(z, 1.0).ok());
-    EXPECT_EQ(features.jumped(method, before, z, [](const State&) { return true; }), there) << start;
+    EXPECT_EQ(features.jumped(method, moving(start), z, [](const State&) { return true; }), there) << start;
     return *count;
   };
   EXPECT_LE(asked(-5.0, false), 3) << "the points that every step is looked at";
@@ -123,14 +126,11 @@ TEST(SharpFeatures, AreNotSearchedForFarAway) {
 }
 
 TEST(SharpFeatures, AreThoseOfH) {
-  avi::ExpressionGraph graph(2);
-  const auto q = avi::recorded_inputs(graph, 0, 1), p = avi::recorded_inputs(graph, 1, 1);
-  const int other = exp(q[0]).node_in(graph);
-  const int energy = avi::Recorded(0.5 * (p[0] * p[0] + q[0] * q[0])).node_in(graph);
-  avi::detail::PointField field(graph, energy, {});
-  const avi::detail::Sketch sketch(field, Eigen::Vector2d(1.0, 0.0), 1.0, VectorX::Ones(1));
-  EXPECT_TRUE(SharpFeatures(graph, energy, sketch).none());
-  const int with = graph.binary(avi::Operation::add, energy, other);
+  const Seen seen([](const auto& q, const auto& p) { return 0.5 * (p * p + q * q); }, 1.0, 0.0, 1.0);
+  const auto& sketch = seen.sketch;
+  avi::ExpressionGraph& graph = *seen.graph;
+  EXPECT_TRUE(SharpFeatures(graph, seen.energy, sketch).none());
+  const int with = graph.binary(avi::Operation::add, seen.energy, exp(seen.q).node_in(graph));
   EXPECT_FALSE(SharpFeatures(graph, with, sketch).none());
   for (const auto operation : {avi::Operation::tanh, avi::Operation::cosh, avi::Operation::sinh,
                                avi::Operation::erf, avi::Operation::erfc})
