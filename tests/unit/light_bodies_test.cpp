@@ -1,4 +1,5 @@
 #include "avi/solve.hpp"
+#include "common/extrapolation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,10 +20,10 @@ std::array<double, bodies> speeds() {
   return {0.0, std::sqrt(1.0 / 5.2), -std::sqrt(1.0 / 9.5), std::sqrt((1.0 + 0.967) / 0.587)};
 }
 
-/// Extrapolation after Gragg, Bulirsch and Stoer in long double of accelerations, in which a mass may be 0.
+/// By extrapolation in long double of accelerations, in which a mass may be 0.
 class Reference {
  public:
-  using Numbers = std::array<long double, 4 * bodies>;  // positions, velocities
+  using Numbers = avi::Vector<long double, 4 * bodies>;  // positions, velocities
 
   /// @param comet its mass @param part of the time in which the comet would fall into the Sun, for a step
   Reference(double comet, long double part) : mass_(masses(comet)), part_(part) {
@@ -34,16 +35,15 @@ class Reference {
     for (long double t = 0.0L; t < time;) {
       const long double r = std::hypot(z_[6] - z_[0], z_[7] - z_[1]);
       const long double h = std::min({part_ * r * std::sqrt(r), part_ * 10.0L, time - t});
-      step(h);
+      z_ = experiment::extrapolated_step<9>([this](const Numbers& z) { return slope(z); }, z_, h);
       t = h < time - t ? t + h : time;
     }
     return {static_cast<double>(z_[6] - z_[0]), static_cast<double>(z_[7] - z_[1])};
   }
 
  private:
-  static constexpr int columns = 9;
   [[nodiscard]] Numbers slope(const Numbers& z) const {
-    Numbers dz{};
+    Numbers dz = Numbers::Zero();
     for (int i = 0; i < bodies; ++i)
       for (int a = 0; a < 2; ++a) {
         dz[2 * i + a] = z[2 * (bodies + i) + a];
@@ -56,38 +56,10 @@ class Reference {
       }
     return dz;
   }
-  void step(long double h) {
-    std::array<Numbers, columns> table;
-    for (int row = 0; row < columns; ++row) {
-      const int parts = 2 * (row + 1);
-      const long double part = h / parts;
-      Numbers before = z_, now = z_, speed = slope(z_);
-      for (std::size_t i = 0; i < now.size(); ++i)
-        now[i] += part * speed[i];
-      for (int k = 1; k < parts; ++k) {
-        speed = slope(now);
-        for (std::size_t i = 0; i < now.size(); ++i) {
-          const long double next = before[i] + 2.0L * part * speed[i];
-          before[i] = now[i], now[i] = next;
-        }
-      }
-      Numbers last = now;
-      for (int column = 1; column <= row; ++column) {
-        const long double ratio =
-            static_cast<long double>(parts) / static_cast<long double>(2 * (row - column + 1));
-        Numbers better;
-        for (std::size_t i = 0; i < now.size(); ++i)
-          better[i] = last[i] + (last[i] - table[column - 1][i]) / (ratio * ratio - 1.0L);
-        table[column - 1] = last, last = better;
-      }
-      table[row] = last;
-    }
-    z_ = table[columns - 1];
-  }
 
   std::array<double, bodies> mass_;
   long double part_;
-  Numbers z_{};
+  Numbers z_ = Numbers::Zero();
 };
 
 avi::Solution<2 * bodies> solved(double comet, double tolerance, const avi::SolveOptions& options = {}) {
