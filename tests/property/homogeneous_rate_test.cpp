@@ -1,3 +1,5 @@
+#include "common/power_law.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +18,7 @@ namespace homogeneous_rate_test {
 double measured_rate(double k, double p, double t_end) {
   const double C = 1.0;
   double t = 1.0, x = 1.0, r = 0.3, most = 0.0, most_at = 1.0, next = 1.0, amplitude = 1.0, window = 0.0;
-  std::vector<double> log_t, log_f;
+  std::vector<double> times, maxima;
   const auto fx = [&](double at, double rr) { return p * std::pow(at, -p - 1.0) * rr; };
   const auto fr = [&](double at, double xx) {
     return -C * p * std::pow(at, 2.0 * p - 1.0) * std::pow(std::abs(xx), k - 2.0) * xx;
@@ -36,18 +38,14 @@ double measured_rate(double k, double p, double t_end) {
     const double f = std::pow(std::abs(x), k) / k;
     if (f > most) most = f, most_at = t;
     if (t >= next) {
-      log_t.push_back(std::log(most_at)), log_f.push_back(std::log(most));
+      if (std::log(most_at) > 0.5 * std::log(t_end))  // the second half
+        times.push_back(most_at), maxima.push_back(most);
       amplitude = window;
       window = most = 0.0;
       next = k == 4.0 ? 10.0 * t : 1.3 * t;  // at k = 4 a period is long in log t, and stays so
     }
   }
-  // least squares over the second half of log t
-  double sx = 0, sy = 0, sxx = 0, sxy = 0, count = 0;
-  for (std::size_t i = 0; i < log_t.size(); ++i)
-    if (log_t[i] > 0.5 * std::log(t_end))
-      sx += log_t[i], sy += log_f[i], sxx += log_t[i] * log_t[i], sxy += log_t[i] * log_f[i], ++count;
-  return -(count * sxy - sx * sy) / (count * sxx - sx * sx);
+  return -experiment::power_law(times, maxima).slope;
 }
 
 double law(double k, double p) { return k <= 4.0 ? 3.0 * p * k / (k + 2.0) : p * k / (k - 2.0); }
