@@ -64,7 +64,7 @@ class Record {
 template <class Problem, class Length>
 void run_steps(const Problem& problem, Record record, Length length) {
   State2 z = avi::Kepler::pericentre(eccentricity);
-  auto method = avi::collocation(problem, 4);
+  auto method = avi::collocation<6>(problem, 4);
   do {
     if (method.step(z, length(z)).outcome != avi::Outcome::ok)
       throw std::runtime_error("A step was not solved.");
@@ -75,8 +75,8 @@ void run_steps(const Problem& problem, Record record, Length length) {
 template <class Look>
 long controlled(double tolerance, Look&& look) {
   State2 z = avi::Kepler::pericentre(eccentricity);
-  auto method = avi::collocation(avi::poincare(avi::Kepler(), z), 4);
-  auto better = avi::collocation(avi::poincare(avi::Kepler(), z), 6);
+  auto method = avi::collocation<6>(avi::poincare(avi::Kepler(), z), 4);
+  auto better = avi::collocation<6>(avi::poincare(avi::Kepler(), z), 6);
   double h = 1e-3;
   for (long steps = 0;;) {
     State2 a = z, b = z;

@@ -24,7 +24,7 @@ constexpr double eccentricity = 0.9, period = 2.0 * M_PI;
 template <class G, class Look>
 void orbit(const G& monitor, double h, Look look) {
   State2 z = avi::Kepler::pericentre(eccentricity);
-  auto method = avi::collocation(avi::poincare(avi::Kepler(), z, monitor), 8);
+  auto method = avi::collocation<8>(avi::poincare(avi::Kepler(), z, monitor), 8);
   look(z);
   const avi::Run run = avi::integrate(method, z, h, {.time = period * (1.0 - 1e-9), .steps = 100'000},
                                       [&](const State2& now, long) { look(now); });
