@@ -28,12 +28,7 @@ class Distance {
 
   /// Between two states.
   double operator()(const State<dynamic>& a, const State<dynamic>& b, const Ranges& ranges) const {
-    const VectorX scale = scales(ranges);
-    const Eigen::Index n = a.q.size();
-    double most = 0.0;
-    for (Eigen::Index i = 0; i < seen_; ++i)
-      most = std::max({most, part(a.q[i] - b.q[i], scale[i]), part(a.p[i] - b.p[i], scale[n + i])});
-    return most;
+    return speed((VectorX(2 * a.q.size()) << a.q - b.q, a.p - b.p).finished(), scales(ranges));
   }
   /// Size of a velocity in phase space, per unit of time.
   double operator()(const VectorX& velocity, const Ranges& ranges) const {
@@ -51,12 +46,8 @@ class Distance {
 
   /// The largest rounding of an entry, relative to its range.
   [[nodiscard]] double rounding_of(const State<dynamic>& z, const Ranges& ranges) const {
-    const VectorX scale = scales(ranges);
-    const Eigen::Index n = z.q.size();
-    double most = 0.0;
-    for (Eigen::Index i = 0; i < seen_; ++i)
-      most = std::max({most, part(z.q[i], scale[i]), part(z.p[i], scale[n + i])});
-    return std::numeric_limits<double>::epsilon() * most;
+    return std::numeric_limits<double>::epsilon() *
+           speed((VectorX(2 * z.q.size()) << z.q, z.p).finished(), scales(ranges));
   }
   /// By which differences of entries are divided.
   [[nodiscard]] VectorX scales(const Ranges& ranges) const {

@@ -102,20 +102,16 @@ void Poles::divisors(int node, std::array<std::vector<char>, 2>& seen) {
   }
 }
 
-/// The power of u in a node as u vanishes.
-double Poles::power_in(int node, int base) const {
-  std::vector<double> powers(static_cast<std::size_t>(node) + 1, 0.0);
-  powers[base] = 1.0;
-  for (int i = base + 1; i <= node; ++i) {
-    const ExpressionGraph::Node& what = (*graph_)[i];
+/// The power of something in each node from one on, by the rules for products and powers.
+/// @param otherwise of another operation, from the powers in its arguments
+void Poles::follow(std::vector<double>& powers, std::size_t from,
+                   double (*otherwise)(Operation, double, double)) const {
+  for (std::size_t i = from; i < powers.size(); ++i) {
+    const ExpressionGraph::Node& what = (*graph_)[static_cast<int>(i)];
     if (what.operation == Operation::input || what.operation == Operation::constant) continue;
     const double a = powers[what.a], b = what.b < 0 ? 0.0 : powers[what.b];
     switch (what.operation) {
       using enum Operation;
-    case add:
-    case subtract:
-      powers[i] = std::min(a, b);
-      break;
     case multiply:
       powers[i] = a + b;
       break;
@@ -128,45 +124,32 @@ double Poles::power_in(int node, int base) const {
     case sqrt:
       powers[i] = 0.5 * a;
       break;
-    case log:
-      powers[i] = a > 0.0 ? -nearly_none : 0.0;
-      break;
-    case when:
-      powers[i] = b;
-      break;
     default:
-      powers[i] = vanishes_with(what.operation) && a > 0.0 ? a : 0.0;
+      powers[i] = otherwise(what.operation, a, b);
     }
   }
+}
+
+/// The power of u in a node as u vanishes.
+double Poles::power_in(int node, int base) const {
+  std::vector<double> powers(static_cast<std::size_t>(node) + 1, 0.0);
+  powers[base] = 1.0;
+  follow(powers, static_cast<std::size_t>(base) + 1, [](Operation operation, double a, double b) {
+    using enum Operation;
+    if (operation == add || operation == subtract) return std::min(a, b);
+    if (operation == log) return a > 0.0 ? -nearly_none : 0.0;
+    if (operation == when) return b;
+    return vanishes_with(operation) && a > 0.0 ? a : 0.0;
+  });
   return powers[node];
 }
 
 /// The degree of a node in the coordinates, where constants count as 0 beside others.
 double Poles::degree(int node) const {
-  std::vector<double> degrees(static_cast<std::size_t>(node) + 1, 0.0);
-  for (int i = 0; i <= node; ++i) {
-    const ExpressionGraph::Node& what = (*graph_)[i];
-    if (what.operation == Operation::input) degrees[i] = 1.0;
-    if (what.operation == Operation::input || what.operation == Operation::constant) continue;
-    const double a = degrees[what.a], b = what.b < 0 ? 0.0 : degrees[what.b];
-    switch (what.operation) {
-      using enum Operation;
-    case multiply:
-      degrees[i] = a + b;
-      break;
-    case divide:
-      degrees[i] = a - b;
-      break;
-    case power:
-      degrees[i] = a * (*graph_)[what.b].number;
-      break;
-    case sqrt:
-      degrees[i] = 0.5 * a;
-      break;
-    default:
-      degrees[i] = std::max(a, b);
-    }
-  }
+  std::vector<double> degrees;
+  for (int i = 0; i <= node; ++i)
+    degrees.push_back((*graph_)[i].operation == Operation::input ? 1.0 : 0.0);
+  follow(degrees, 0, [](Operation, double a, double b) { return std::max(a, b); });
   return degrees[node] >= 1.0 ? degrees[node] : 1.0;
 }
 

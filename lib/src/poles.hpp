@@ -63,6 +63,8 @@ class Poles {
     [[nodiscard]] int steepness() const;  // a, a whole number
   };
   void divisors(int node, std::array<std::vector<char>, 2>& seen);
+  void follow(std::vector<double>& powers, std::size_t from,
+              double (*otherwise)(Operation, double, double)) const;
   [[nodiscard]] double power_in(int node, int base) const;
   [[nodiscard]] double degree(int node) const;
 
