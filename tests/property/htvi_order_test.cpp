@@ -34,10 +34,11 @@ avi::OrderFit kepler_order(double e, double h, MethodFor method_for) {
   return avi::fit_order(steps, errors, {.floor = 1e-12, .at_least = 3, .at_most = 3});
 }
 
-template <int r, class Construction, class G>
+template <int r, class Construction, avi::Generating type = avi::Generating::type2, class G>
 double htvi_order(const avi::Quadrature& rule, const G& monitor, double h) {
   const auto fit = kepler_order(0.5, h, [&](const State<2>& z) {
-    return avi::type2<r, Construction>(avi::poincare<2>(kepler, z, monitor), rule);
+    const auto problem = avi::poincare<2>(kepler, z, monitor);
+    return avi::Htvi<type, std::remove_const_t<decltype(problem)>, r, Construction>(problem, rule);
   });
   EXPECT_GE(fit.points, 3);
   return fit.order;
@@ -55,20 +56,9 @@ TEST(TypeII, AuthorsConstructionHasOrderFour) {
 }
 
 TEST(TypeIII, HasTheOrderOfTypeII) {
-  const auto order = [](auto method_for, double h) { return kepler_order(0.5, h, method_for).order; };
-  EXPECT_NEAR(order(
-                  [](const State<2>& z) {
-                    return avi::type3<3, experiment::Authors>(avi::poincare<2>(kepler, z, avi::NormSquared{}),
-                                                              avi::simpson());
-                  },
-                  0.1),
-              4.0, 0.3);
-  EXPECT_NEAR(order(
-                  [](const State<2>& z) {
-                    return avi::type3<1, experiment::Printed>(avi::poincare<2>(kepler, z), avi::simpson());
-                  },
-                  0.05),
-              2.0, 0.3);
+  constexpr auto type3 = avi::Generating::type3;
+  EXPECT_NEAR((htvi_order<3, experiment::Authors, type3>(avi::simpson(), avi::NormSquared{}, 0.1)), 4.0, 0.3);
+  EXPECT_NEAR((htvi_order<1, experiment::Printed, type3>(avi::simpson(), avi::Unit{}, 0.05)), 2.0, 0.3);
 }
 
 TEST(TypeII, QuadratureLimitsTheOrder) {
