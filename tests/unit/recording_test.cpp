@@ -230,6 +230,10 @@ TEST(Recording, TakesAGraphThatIsRecordedAlready) {
             "Number of arguments to record is 0; it must be at least 1.");
 }
 
+const std::string mixes =
+    "A recorded function mixes the arguments of two recordings; it must not keep numbers from one call "
+    "to the next, nor an expression of Eigen in `auto`: (...).eval() makes a vector of it.";
+
 TEST(Recording, RefusesWhatItCannotServe) {
   const auto first = [](const auto& x) -> Recorded { return x[0]; };
   EXPECT_EQ(refusal([&] { Recording(first, 0); }),
@@ -259,17 +263,11 @@ TEST(Recording, RefusesWhatItCannotServe) {
             "Number of supplied derivatives is 1; it must be that of the inputs, 2.");
   Recorded kept;
   const Recording keeps([&](const auto& x) -> Recorded { return kept = x[0]; }, 1);
-  EXPECT_EQ(
-      refusal([&] { Recording([&](const auto& x) { return x[0] + kept; }, 1); }),
-      "A recorded function mixes the arguments of two recordings; it must not keep numbers from one call "
-      "to the next, nor an expression of Eigen in `auto`: (...).eval() makes a vector of it.");
+  EXPECT_EQ(refusal([&] { Recording([&](const auto& x) { return x[0] + kept; }, 1); }), mixes);
 }
 
 // The graph of the next recording may lie where that of the last one did.
 TEST(Recording, RefusesNumbersOfOneThatIsGone) {
-  const std::string mixes =
-      "A recorded function mixes the arguments of two recordings; it must not keep numbers from one call "
-      "to the next, nor an expression of Eigen in `auto`: (...).eval() makes a vector of it.";
   Recorded kept;
   const auto record = [&](const auto& f) { return refusal([&] { (void)avi::Formula::of_point(f, 2); }); };
   EXPECT_EQ(record([&](const auto& x) { return kept = x[0] * x[0]; }), "accepted");

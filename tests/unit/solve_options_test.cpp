@@ -316,10 +316,8 @@ TEST(SolveOptions, MayBeTheEndsOfTheirRanges) {
   for (const double tolerance : {0.99e-13, 1.01e-2})
     EXPECT_THROW(outcome(tolerance), std::invalid_argument) << tolerance;
   for (const avi::SolveOptions& beyond :
-       {avi::SolveOptions{.seconds = -1e-300}, avi::SolveOptions{.sweeps = 0}, avi::SolveOptions{.steps = 0},
-        avi::SolveOptions{.order = 1}, avi::SolveOptions{.order = 18}, avi::SolveOptions{.order = -2},
-        avi::SolveOptions{.order = 8, .monitor = "splitting"},
-        avi::SolveOptions{.monitor = "fixed", .h = -0.1}, avi::SolveOptions{.h = 0.1}})
+       {avi::SolveOptions{.seconds = -1e-300}, avi::SolveOptions{.sweeps = 0}, avi::SolveOptions{.order = 1},
+        avi::SolveOptions{.order = 8, .monitor = "splitting"}})
     EXPECT_THROW(outcome(1e-3, beyond), std::invalid_argument);
 }
 

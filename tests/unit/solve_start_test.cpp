@@ -130,6 +130,8 @@ TEST(SolveStart, MayBeTheEnd) {
   const auto still = solve(kepler, start, 0.0, 1e-8);
   EXPECT_TRUE(still.kept());
   EXPECT_EQ(still.state, start);
+  EXPECT_EQ(still.run.steps, 0);
+  EXPECT_EQ(still.run.evaluations + still.choice.sweeps + still.choice.check, 0);
   EXPECT_EQ(still.report(), "Kept: the end is the start, and no step was made.\n");
 }
 

@@ -91,16 +91,6 @@ TEST(Solve, GoesBackToo) {
   EXPECT_NEAR(back.state.p[0], 0.45, 1e-10);
 }
 
-TEST(Solve, OfNoTimeIsTheStart) {
-  const auto orbit = solve(Kepler(), Kepler::pericentre(0.5), 0.0, 1e-6);
-  EXPECT_TRUE(orbit.kept());
-  EXPECT_EQ(orbit.state.q, Kepler::pericentre(0.5).q);
-  EXPECT_EQ(orbit.run.steps, 0);
-  EXPECT_EQ(orbit.choice.sweeps, 0);
-  EXPECT_EQ(orbit.choice.check, 0);
-  EXPECT_EQ(orbit.run.evaluations, 0);
-}
-
 TEST(Solve, StaysAtAnEquilibrium) {
   const auto orbit = solve(avi::Pendulum(), at(0.0, 0.0), 3.0, 1e-6);
   EXPECT_TRUE(orbit.kept()) << orbit.report();
@@ -253,16 +243,10 @@ TEST(Solve, RefusesWhatCannotBe) {
   const auto start = Kepler::pericentre(0.5);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW((void)solve(Kepler(), start, nan, 1e-6), std::invalid_argument);
-  EXPECT_THROW((void)solve(Kepler(), start, 1.0, 0.0), std::invalid_argument);
-  EXPECT_THROW((void)solve(Kepler(), start, 1.0, 0.5), std::invalid_argument);
   EXPECT_THROW((void)solve(Kepler(), start, 1.0, 1e-6, {.seconds = nan}), std::invalid_argument);
-  EXPECT_THROW((void)solve(Kepler(), start, 1.0, 1e-6, {.sweeps = 0}), std::invalid_argument);
   auto timeless = start;
   timeless.t = nan;
   EXPECT_THROW((void)solve(Kepler(), timeless, 1.0, 1e-6), std::invalid_argument);
-  auto centre = start;
-  centre.q.setZero();
-  EXPECT_THROW((void)solve(Kepler(), centre, 1.0, 1e-6), std::invalid_argument);
 }
 
 // At its perihelion a comet goes through most of a step of the monitor in a moment: where a shorter step ends
