@@ -72,19 +72,27 @@ TEST(Sine, OfSmallNumbersZerosAndWhatIsNotANumber) {
     EXPECT_LE(error(edge), 0.85) << edge;
 }
 
-TEST(Sine, HasTheSameBitsInPacksOfEveryWidth) {
-  std::uint64_t bits[2] = {0, 0};
-  const auto take = [&]<int w>(Pack<w> x, std::uint64_t& sum) {
-    for (int i = 0; i < 2000; ++i, x += Pack<w>(0.37)) {
-      sum = 31 * sum + std::bit_cast<std::uint64_t>(sin(x)[1]);
-      sum = 31 * sum + std::bit_cast<std::uint64_t>(cos(x)[1]);
+/// One after the other of two functions of x and of x + apart, from x on, in packs of every width.
+void expect_the_same_bits(const auto& one, const auto& other, double x, double apart,
+                          std::uint64_t expected) {
+  const auto bits = [&](auto at) {
+    std::uint64_t sum = 0;
+    for (int i = 0; i < 2000; ++i, at += decltype(at)(0.37)) {
+      sum = 31 * sum + std::bit_cast<std::uint64_t>(one(at)[1]);
+      sum = 31 * sum + std::bit_cast<std::uint64_t>(other(at + apart)[1]);
     }
+    return sum;
   };
-  take(Pack<2>(-40.0), bits[0]);
-  take(Pack<16>(-40.0), bits[1]);
-  EXPECT_EQ(bits[0], bits[1]);
-  // From g++ and clang++, with and without vector units.
-  EXPECT_EQ(bits[0], 11435245501632831496u);
+  EXPECT_EQ(bits(Pack<2>(x)), expected);
+  EXPECT_EQ(bits(Pack<16>(x)), expected);
+}
+
+// From g++ and clang++, with and without vector units.
+TEST(Functions, HaveTheSameBitsInPacksOfEveryWidth) {
+  expect_the_same_bits([](const auto& x) { return sin(x); }, [](const auto& x) { return cos(x); }, -40.0, 0.0,
+                       11435245501632831496u);
+  expect_the_same_bits([](const auto& x) { return exp(x); }, [](const auto& x) { return log(x); }, -400.0,
+                       401.0, 18414034011676480847u);
 }
 
 /// The error of a function at x in one number of a pack, in units in the last place.
@@ -157,21 +165,6 @@ TEST(Logarithm, BeyondItsBoundsIsThatOfTheLibrary) {
   EXPECT_TRUE(std::isnan(log(x)[3]));
   EXPECT_EQ(log(Pack<4>(INFINITY))[3], INFINITY);
   EXPECT_TRUE(std::isnan(log(Pack<4>(NAN))[3]));
-}
-
-TEST(ExponentialAndLogarithm, HaveTheSameBitsInPacksOfEveryWidth) {
-  std::uint64_t bits[2] = {0, 0};
-  const auto take = [&]<int w>(Pack<w> x, std::uint64_t& sum) {
-    for (int i = 0; i < 2000; ++i, x += Pack<w>(0.37)) {
-      sum = 31 * sum + std::bit_cast<std::uint64_t>(exp(x)[1]);
-      sum = 31 * sum + std::bit_cast<std::uint64_t>(log(x + 401.0)[1]);
-    }
-  };
-  take(Pack<2>(-400.0), bits[0]);
-  take(Pack<16>(-400.0), bits[1]);
-  EXPECT_EQ(bits[0], bits[1]);
-  // From g++ and clang++, with and without vector units.
-  EXPECT_EQ(bits[0], 18414034011676480847u);
 }
 
 }  // namespace vector_functions_test
