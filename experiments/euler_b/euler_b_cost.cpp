@@ -1,7 +1,6 @@
 #include "common/frame.hpp"
 #include "euler_b/euler_b_runs.hpp"
 
-#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>

@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <string>
-#include <utility>
 
 /// @file
 /// Programs and formulas that are made of H once, for all of a call and for all runs of a Solver.

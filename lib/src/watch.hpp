@@ -5,7 +5,6 @@
 #include "candidates.hpp"
 #include "dips.hpp"
 
-#include <memory>
 #include <string>
 #include <vector>
 

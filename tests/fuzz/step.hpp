@@ -13,8 +13,6 @@
 #include "common/methods/adaptive_verlet.hpp"
 #include "common/problems/correlated_quartic.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>

@@ -2,8 +2,6 @@
 #include "hostile/call.hpp"
 #include "hostile/reference.hpp"
 
-#include <string>
-
 /// @file
 /// What is true about an orbit, and whether an answer keeps what it promises.
 

@@ -8,7 +8,6 @@
 #include "common/methods/printed_htvi.hpp"
 
 #include <cstdio>
-#include <functional>
 #include <map>
 #include <string>
 

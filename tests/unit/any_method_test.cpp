@@ -8,8 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <vector>
-
 namespace any_method_test {
 
 using avi::AnyMethod, avi::Kepler, avi::State;

@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 using avi::Kepler;

@@ -16,7 +16,6 @@
 #include <vector>
 
 using avi::BregmanFamily;
-using avi::ExtendedPoint;
 using avi::VectorX;
 using experiment::CorrelatedQuartic;
 

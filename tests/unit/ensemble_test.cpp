@@ -20,12 +20,10 @@
 #include <set>
 #include <stdexcept>
 #include <stop_token>
-#include <string>
 #include <thread>
 #include <vector>
 
 using avi::Kepler;
-using avi::Member;
 using avi::Outcome;
 using avi::State;
 

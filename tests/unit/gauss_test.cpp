@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <memory>
 #include <string>
-#include <vector>
 
 using avi::dynamic;
 using avi::Program;

@@ -5,11 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
 #include <tuple>
 
 using avi::Pack;
-using avi::Partials;
 using avi::Vector;
 
 namespace pack_test {

@@ -7,14 +7,12 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 // The monitor that is made of the poles of H.
 
 namespace poles_test {
 
-using avi::dynamic;
 using avi::State;
 using avi::VectorX;
 using avi::detail::PointField;

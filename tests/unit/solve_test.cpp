@@ -2,7 +2,6 @@
 
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"
-#include "avi/problems/n_body.hpp"
 #include "avi/problems/pendulum.hpp"
 
 #include <gtest/gtest.h>

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <new>
 
 namespace state_test {
 

@@ -16,7 +16,6 @@
 #include <functional>
 #include <memory>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 // Rounding over very many orbits: the energy errors of sixteen orbits at every milestone, and what an orbit

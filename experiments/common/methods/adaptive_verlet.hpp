@@ -1,6 +1,5 @@
 #pragma once
 #include "avi/core/outcome.hpp"
-#include "avi/core/require.hpp"
 #include "avi/core/state.hpp"
 
 #include <limits>

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <vector>
 
 /// @file
 /// The paper's quartic f(x) = [(x - 1)' Sigma (x - 1)]^2 in the eigenvectors of Sigma that a start with equal

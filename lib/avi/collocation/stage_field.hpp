@@ -4,9 +4,7 @@
 #include "avi/autodiff/recording.hpp"
 #include "avi/collocation/stage_values.hpp"
 
-#include <algorithm>
 #include <array>
-#include <concepts>
 #include <memory>
 #include <type_traits>
 #include <utility>

@@ -2,9 +2,7 @@
 #include "avi/core/require.hpp"
 #include "avi/core/step.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 

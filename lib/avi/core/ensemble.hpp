@@ -8,13 +8,11 @@
 #include <exception>
 #include <functional>
 #include <mutex>
-#include <optional>
 #include <stop_token>
 #include <string>
 #include <system_error>
 #include <thread>
 #include <tuple>
-#include <type_traits>
 #include <vector>
 
 /// @file

@@ -5,11 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <concepts>
 #include <limits>
 #include <optional>
-#include <string>
-#include <type_traits>
 #include <utility>
 
 /// @file

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 /// @file
 /// The minimum of a line between or beyond two points, from values and slopes there; noise of the values.

@@ -7,7 +7,6 @@
 #include <map>
 #include <string>
 
-using experiment::EulerBSetting;
 using experiment::run_euler_b;
 
 namespace euler_b_test {

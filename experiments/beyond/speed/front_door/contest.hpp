@@ -5,9 +5,7 @@
 #include "avi/solve.hpp"
 
 #include <cmath>
-#include <string>
 #include <utility>
-#include <vector>
 
 /// @file
 /// A problem over a span of time, with everybody who takes part: avi::solve() as a user calls it, and the

@@ -1,7 +1,6 @@
 #pragma once
 #include "common/problems/double_pendulum.hpp"
 
-#include <array>
 #include <cmath>
 
 /// @file

@@ -2,7 +2,6 @@
 #include "beyond/speed/front_door/contest.hpp"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 /// @file

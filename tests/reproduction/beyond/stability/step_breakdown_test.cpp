@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 #include <string>
 
 // Every integrator breaks and says how: on the oscillator where linear theory says, unless further windows of
