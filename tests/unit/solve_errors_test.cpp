@@ -332,7 +332,8 @@ TEST(SolveErrors, SayWhereTheSingularityIs) {
   expect_says(edge, State<1>{.q = {1.0}, .p = {3.1}, .t = 5.0}, "from t = 5.3346");
   // Where q grows beyond all bounds, as 1 / (1 - t), no step is refused: the motion is fastest there.
   const auto away = [](const auto& q, const auto& p) { return q[0] * q[0] * p[0]; };
-  expect_says(away, State<1>{.q = {1.0}, .p = {1.0}, .t = 5.0}, "near t = 6.00");
+  const auto orbit = solve(away, State<1>{.q = {1.0}, .p = {1.0}, .t = 5.0}, 7.0, 1e-6);
+  EXPECT_NE(orbit.run.message.find("near t = 6.00"), std::string::npos) << orbit.run.message;
 }
 
 // A run that cannot be says why: there is no singularity.
