@@ -194,9 +194,7 @@ class Journey {
     trip_->budget.sweeps += report.evaluations;
   }
   /// @return the error of the energy
-  double look_at_energy(const State<dynamic>& z) {
-    return look_at_energy(z, field_->energy(z.q.data(), z.p.data()));
-  }
+  double look_at_energy(const State<dynamic>& z) { return look_at_energy(z, energy_at(z)); }
   double look_at_energy(const State<dynamic>& z, double energy) {
     if (std::isnan(energy)) run.outcome = Outcome::non_finite;
     const double error = std::abs(energy - trip_->energy_at_start) / trip_->energy_scale;
@@ -220,11 +218,26 @@ class Journey {
     before_ = z_;
     made(steps_->step(z_, trip_->sense * h));
   }
-  /// Finds dz/dt at the end of the last step. @return H there
-  double find_slope() {
-    at_.resize(2 * z_.q.size()), slope_.resize(at_.size());
-    at_ << z_.q, z_.p;
+  [[nodiscard]] double energy_at(const State<dynamic>& z) { return field_->energy(z.q.data(), z.p.data()); }
+  /// Finds dz/dt. @return H
+  double find_slope(const State<dynamic>& z) {
+    at_.resize(2 * z.q.size()), slope_.resize(at_.size());
+    at_ << z.q, z.p;
     return (*field_)(at_, slope_);
+  }
+  /// Whether the last step misses the kick of a body. @return H at its end
+  double look_for_passes() {
+    NearPasses& passes = *trip_->passes;
+    const auto look = [&](const State<dynamic>& z) {
+      const double energy = find_slope(z);
+      passes.look(*candidate, trip_->sense * h, z, slope_, now_);
+      return energy;
+    };
+    if (run.steps == 1) look(before_);
+    std::swap(last_, now_);
+    const double energy = look(z_);
+    jumped = jumped || passes.unseen(*steps_, order, std::abs(z_.t - before_.t), last_, now_);
+    return energy;
   }
   /// Inside the last step is something that its stages do not show.
   bool passes_over() {
@@ -254,12 +267,10 @@ class Journey {
     if (run.steps <= few) look_at_tail();
     ranges.add(z_);
     const bool closely = trip_->passes && !compares;
-    const double error = closely ? look_at_energy(z_, find_slope()) : look_at_energy(z_);
-    if (closely && !jumped)
-      jumped = trip_->passes->unseen(*steps_, *candidate, order, sense * h, before_, z_, slope_, distances_);
+    const double error = look_at_energy(z_, closely ? look_for_passes() : energy_at(z_));
     pauses.add(before_, z_, ranges.low, ranges.high, error > 10.0 * trip_->rounding ? error : 0.0,
                [&]() -> const VectorX& {
-                 if (!closely) find_slope();
+                 if (!closely) find_slope(z_);
                  return slope_;
                });
     if (!ok()) return;
@@ -281,7 +292,7 @@ class Journey {
   State<dynamic> z_, before_;  // after the last whole step, and before it
   VectorX tail_;
   VectorX at_, slope_;  // scratch
-  NearPasses::Distances distances_;
+  NearPasses::Distances last_, now_;
 };
 
 }  // namespace avi::detail

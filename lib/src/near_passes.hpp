@@ -19,16 +19,18 @@ namespace avi::detail {
 /// both miss the kick of such a pole agree, and are both wrong.
 class NearPasses {
  public:
-  /// The squares u of the distances at the end of a step, and how they change in time.
+  /// The squares u of the distances at an end of a step, and how they change with the part of the step.
   struct Distances {
     std::vector<double> u, rate;
   };
 
   /// Takes H as a node of a graph, which outlives it. @param sketch of the orbit, where it begins
-  /// @param scale of its energies @param kick part of the momenta that is felt at the end of the run
-  NearPasses(const ExpressionGraph& graph, int energy, const Sketch& sketch, double scale, double kick)
-      : graph_(&graph), energy_(energy), scale_(scale), kick_(kick), poles_(graph, energy) {
-    if (poles_.size() < 2) return;  // one alone is felt everywhere
+  /// @param scale of its energies @param frequency of the motion, in radians @param kick part of the momenta
+  /// that is felt at the end of the run
+  NearPasses(const ExpressionGraph& graph, int energy, const Sketch& sketch, double scale, double frequency,
+             double kick)
+      : graph_(&graph), energy_(energy), scale_(scale), frequency_(frequency), kick_(kick),
+        poles_(graph, energy) {
     light_ = poles_.unfelt(sketch, 0.01 * scale);
     std::vector<int> nodes;
     for (const Poles::Light& each : light_)
@@ -41,30 +43,31 @@ class NearPasses {
 
   /// There is none.
   [[nodiscard]] bool none() const { return light_.empty(); }
-  /// A body goes by unseen in the last step, of the size h, of a method of that order.
-  /// @param slope dz/dt at its end @param last distances at its beginning; gets those at its end
-  bool unseen(const OrbitSteps& method, Candidate& candidate, int order, double h,
-              const State<dynamic>& before, const State<dynamic>& after, const VectorX& slope,
-              Distances& last) {
+  /// The distances at an end of a step of the fictive size h. @param slope dz/dt there
+  void look(Candidate& candidate, double h, const State<dynamic>& z, const VectorX& slope, Distances& now) {
     Along* const at = moving_->room.arguments();
-    const Eigen::Index n = after.q.size();
+    const Eigen::Index n = z.q.size();
     for (Eigen::Index i = 0; i < n; ++i) {
-      at[i] = Along::variable(after.q[i], 0, slope[i]);
-      at[n + i] = Along::variable(after.p[i], 0, slope[n + i]);
+      at[i] = Along::variable(z.q[i], 0, slope[i]);
+      at[n + i] = Along::variable(z.p[i], 0, slope[n + i]);
     }
     moving_->program.run(moving_->room);
-    const double rate = candidate.fixed() ? h : h * candidate.rate_at(after);
-    last.u.resize(light_.size(), 0.0), last.rate.resize(light_.size(), 0.0);
-    bool any = false;
+    const double rate = candidate.fixed() ? h : h * candidate.rate_at(z);
+    now.u.resize(light_.size()), now.rate.resize(light_.size());
     for (std::size_t k = 0; k < light_.size(); ++k) {
-      const double u = moving_->partial(static_cast<int>(k)).value,
-                   change = rate * moving_->partial(static_cast<int>(k)).partial(0);
-      if (!any && last.rate[k] < 0.0 && change > 0.0)
-        any = misses(method, light_[k], order, (after.q - before.q).norm(),
-                     {last.u[k], last.rate[k], u, change});
-      last.u[k] = u, last.rate[k] = change;
+      const Along& u = moving_->partial(static_cast<int>(k));
+      now.u[k] = u.value, now.rate[k] = rate * u.partial(0);
     }
-    return any;
+  }
+  /// A body goes by unseen in the last step, of a method of that order, which took so much time.
+  bool unseen(const OrbitSteps& method, int order, double time, const Distances& before,
+              const Distances& after) {
+    for (std::size_t k = 0; k < light_.size(); ++k)
+      if (before.rate[k] < 0.0 && after.rate[k] > 0.0 &&
+          misses(method, k, order, light_[k].reach * frequency_ * time,
+                 {before.u[k], before.rate[k], after.u[k], after.rate[k]}))
+        return true;
+    return false;
   }
 
  private:
@@ -89,9 +92,11 @@ class NearPasses {
   /// What Gauss's rule misses of a function with a pole at the distance y from its interval [-1, 1].
   static double missed(double y, int order) { return std::pow(y + std::sqrt(1.0 + y * y), -order); }
 
-  /// The part of a kick that a step misses may be felt. @param way of all bodies in the step @param u the
-  /// square of the distance
-  bool misses(const OrbitSteps& method, const Poles::Light& light, int order, double way, const Cubic& u) {
+  /// The part of a kick that a step misses may be felt: of 2 w / v, where w is the energy of the two at
+  /// their smallest distance and v the speed at which they pass. @param way of what is kicked in the step, by
+  /// the motion as a whole @param u the square of distance k
+  bool misses(const OrbitSteps& method, std::size_t k, int order, double way, const Cubic& u) {
+    const Poles::Light& light = light_[k];
     const double place = u.lowest(), curvature = u.bend() + 3.0 * place * u.twist();
     if (!(curvature > 0.0)) return false;
     const double passes = std::sqrt(curvature);  // the way by the body, were it straight
@@ -102,7 +107,6 @@ class NearPasses {
     // The cubic is wrong by some hundredths of what the square changes by.
     const double nearest = std::max(u.at(place) - 0.03 * curvature, 0.0);
     if (!felt(light.strength * std::pow(nearest, -0.5 * light.steepness), nearest)) return false;
-    const std::size_t k = static_cast<std::size_t>(&light - light_.data());
     const State<dynamic> there = method.polynomial(lowest(method, k, place));
     values_.assign(there.q.begin(), there.q.end());
     values_.insert(values_.end(), there.p.begin(), there.p.end());
@@ -137,7 +141,7 @@ class NearPasses {
 
   const ExpressionGraph* graph_;
   int energy_;
-  double scale_, kick_;
+  double scale_, frequency_, kick_;
   Poles poles_;
   std::vector<Poles::Light> light_;
   std::optional<RecordedFormula<Along>> moving_;  // squares of the distances

@@ -162,21 +162,21 @@ double Poles::change(std::size_t pole, const std::vector<double>& at) const {
 }
 
 std::vector<Poles::Light> Poles::unfelt(const Sketch& sketch, double felt) const {
-  std::vector<double> most_felt(poles_.size(), 0.0), strength = most_felt, at;
+  std::vector<Light> light;
+  for (std::size_t k = 0; k < poles_.size(); ++k)
+    light.push_back({k, poles_[k].node, 0.0, poles_[k].steepness(), 0.0});
+  std::vector<double> at;
   const std::size_t every = sketch.samples.size() / 2 + 1;
   for (std::size_t i = 0; i < sketch.samples.size(); i += every) {
     at.assign(sketch.samples[i].z.begin(), sketch.samples[i].z.end());
     evaluate(*graph_, energy_, at);
-    for (std::size_t k = 0; k < poles_.size(); ++k) {
-      const double here = change(k, at);
-      most_felt[k] = std::max(most_felt[k], here);
-      strength[k] = std::max(strength[k], here * std::pow(at[poles_[k].node], 0.5 * poles_[k].steepness()));
-    }
+    std::erase_if(light, [&](Light& each) {
+      const double here = change(each.pole, at), s = std::sqrt(at[each.node]);
+      each.strength = std::max(each.strength, here * std::pow(s, each.steepness));
+      each.reach = std::max(each.reach, 0.5 * s);
+      return poles_[each.pole].degree != 2.0 || !(here < felt);
+    });
   }
-  std::vector<Light> light;
-  for (std::size_t k = 0; k < poles_.size(); ++k)
-    if (poles_[k].degree == 2.0 && most_felt[k] < felt)
-      light.push_back({k, poles_[k].node, strength[k], poles_[k].steepness()});
   return light;
 }
 

@@ -44,6 +44,7 @@ class Poles {
     int node;          ///< u.
     double strength;   ///< |dH/d ln s| at s = 1,
     int steepness;     ///< which changes with this power of 1/s.
+    double reach;      ///< Half of the largest s on the sketch.
   };
   /// Those that are felt nowhere on a sketch: |dH/d ln s| is less than `felt`.
   [[nodiscard]] std::vector<Light> unfelt(const Sketch& sketch, double felt) const;

@@ -135,7 +135,7 @@ void Orbiter::prepare() {
   if (!features_->none() || features_->hides()) trip_->features = &*features_;
   // What is kicked by so much is elsewhere at the end, after so many radians.
   const double kick = std::max(question_.tolerance / std::max(radians_, 1.0), 30.0 * answer_.energy_rounding);
-  passes_.emplace(question_.graph, question_.energy, sketch, scale, kick);
+  passes_.emplace(question_.graph, question_.energy, sketch, scale, distance_->frequency, kick);
   if (!passes_->none()) trip_->passes = &*passes_;
   menu_ = candidates(question_, energy, sketch, radians_, resting, metric, choice, field_.operations());
   const std::string& wanted = question_.options.monitor.name;
