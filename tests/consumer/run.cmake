@@ -1,6 +1,7 @@
 # Has a stranger's program compile, link and run with the library in one of the ways there are:
 #   installed         find_package() and a plain line of the compiler, from the static library that is built already
-#   fetch_content     the static library as a part of the stranger's project (parent/CMakeLists.txt), which installs nothing of it
+#   fetch_content     the static library as a part of the stranger's project (parent/CMakeLists.txt), which installs nothing of it;
+#                     as where builds for several processors cannot be kept apart
 #   add_subdirectory  the same with the shared one, which the project installs with its own, to be found as what is installed above
 #   eigen_versions    3.4 and 5 are taken, 3.3 is refused in one sentence: by package files that hold nothing but a version
 # cmake -DWAY=<way> -DBUILD=<build folder> -DCOMPILER=<c++> -DFLAGS=<how the library there is compiled> -P run.cmake
@@ -53,17 +54,19 @@ elseif(WAY STREQUAL "add_subdirectory" OR WAY STREQUAL "fetch_content")
   if(WAY STREQUAL "add_subdirectory")
     # For /usr, where distributions may have libraries in lib/<machine>.
     list(APPEND parent -DBUILD_SHARED_LIBS=ON -DAVI_INSTALL=ON -DCMAKE_INSTALL_PREFIX=/usr)
+  else()
+    list(APPEND parent -DCMAKE_OBJCOPY=OFF)
   endif()
   run(${configure} ${parent})  # of no build type, which has to stay so
   run(${alone} ${parent})
   run(${CMAKE_COMMAND} --build ${scratch}/build)
   run(${scratch}/build/pendulum)
-  # A program with -m options that the library does not have.
-  run(${COMPILER} -std=c++20 -O0 -march=native ${here}/pendulum.cpp -I${source}/lib -I${EIGEN} -L${scratch}/build/avi/lib
-    -L${scratch}/build/_deps/avi-build/lib -lavi -Wl,-rpath,${scratch}/build/avi/lib -o ${scratch}/native)
-  run(${scratch}/native)
   run(${CMAKE_COMMAND} --install ${scratch}/build --prefix ${prefix})
   if(WAY STREQUAL "add_subdirectory")
+    # A program with -m options that the library does not have.
+    run(${COMPILER} -std=c++20 -O0 -march=native ${here}/pendulum.cpp -I${source}/lib -I${EIGEN} -L${scratch}/build/avi/lib -lavi
+      -Wl,-rpath,${scratch}/build/avi/lib -o ${scratch}/native)
+    run(${scratch}/native)
     set(FLAGS "")
     consume()
     return()
