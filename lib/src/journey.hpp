@@ -32,6 +32,7 @@ struct Trip {
   Eigen::Index seen = start.q.size();                  ///< Coordinates but time.
   SharpFeatures* features = nullptr;                   ///< Looked for, if there are any.
   NearPasses* passes = nullptr;                        ///< The same.
+  VectorX masses = {};                                 ///< Where q' is a diagonal times p, that diagonal.
 };
 
 /// The smallest and largest value of every entry of (q, p) on the way.
@@ -194,8 +195,8 @@ class Journey {
     trip_->budget.sweeps += report.evaluations;
   }
   /// @return the error of the energy
-  double look_at_energy(const State<dynamic>& z) { return look_at_energy(z, energy_at(z)); }
-  double look_at_energy(const State<dynamic>& z, double energy) {
+  double look_at_energy(const State<dynamic>& z) {
+    const double energy = field_->energy(z.q.data(), z.p.data());
     if (std::isnan(energy)) run.outcome = Outcome::non_finite;
     const double error = std::abs(energy - trip_->energy_at_start) / trip_->energy_scale;
     if (error > energy_error) energy_error = error, worst = z;
@@ -218,26 +219,28 @@ class Journey {
     before_ = z_;
     made(steps_->step(z_, trip_->sense * h));
   }
-  [[nodiscard]] double energy_at(const State<dynamic>& z) { return field_->energy(z.q.data(), z.p.data()); }
-  /// Finds dz/dt. @return H
-  double find_slope(const State<dynamic>& z) {
+  /// Finds dz/dt.
+  void find_slope(const State<dynamic>& z) {
     at_.resize(2 * z.q.size()), slope_.resize(at_.size());
     at_ << z.q, z.p;
-    return (*field_)(at_, slope_);
+    (*field_)(at_, slope_);
   }
-  /// Whether the last step misses the kick of a body. @return H at its end
-  double look_for_passes() {
+  /// Whether the last step misses the kick of a body.
+  void look_for_passes() {
     NearPasses& passes = *trip_->passes;
     const auto look = [&](const State<dynamic>& z) {
-      const double energy = find_slope(z);
+      if (trip_->masses.size() == 0) {
+        find_slope(z);
+      } else {
+        slope_.setZero(2 * z.q.size());
+        slope_.head(z.q.size()) = trip_->masses.cwiseProduct(z.p);
+      }
       passes.look(*candidate, trip_->sense * h, z, slope_, now_);
-      return energy;
     };
     if (run.steps == 1) look(before_);
     std::swap(last_, now_);
-    const double energy = look(z_);
+    look(z_);
     jumped = jumped || passes.unseen(*steps_, order, std::abs(z_.t - before_.t), last_, now_);
-    return energy;
   }
   /// Inside the last step is something that its stages do not show.
   bool passes_over() {
@@ -267,10 +270,11 @@ class Journey {
     if (run.steps <= few) look_at_tail();
     ranges.add(z_);
     const bool closely = trip_->passes && !compares;
-    const double error = look_at_energy(z_, closely ? look_for_passes() : energy_at(z_));
+    const double error = look_at_energy(z_);
+    if (closely) look_for_passes();
     pauses.add(before_, z_, ranges.low, ranges.high, error > 10.0 * trip_->rounding ? error : 0.0,
                [&]() -> const VectorX& {
-                 if (!closely) find_slope(z_);
+                 find_slope(z_);
                  return slope_;
                });
     if (!ok()) return;

@@ -136,7 +136,14 @@ void Orbiter::prepare() {
   // What is kicked by so much is elsewhere at the end, after so many radians.
   const double kick = std::max(question_.tolerance / std::max(radians_, 1.0), 30.0 * answer_.energy_rounding);
   passes_.emplace(question_.graph, question_.energy, sketch, scale, distance_->frequency, kick);
-  if (!passes_->none()) trip_->passes = &*passes_;
+  if (!passes_->none()) {
+    trip_->passes = &*passes_;
+    const auto& moves = sketch.samples.front().slope;
+    const bool diagonal = parts_of(*field_.recording()) == Parts::nystrom &&
+                          (moves.head(n) - sense_ * metric.cwiseProduct(z.p)).cwiseAbs().maxCoeff() <=
+                              1e-9 * moves.head(n).cwiseAbs().maxCoeff();
+    if (diagonal) trip_->masses = metric;
+  }
   menu_ = candidates(question_, energy, sketch, radians_, resting, metric, choice, field_.operations());
   const std::string& wanted = question_.options.monitor.name;
   if (!wanted.empty()) {
