@@ -163,6 +163,7 @@ double Poles::change(std::size_t pole, const std::vector<double>& at) const {
 
 std::vector<Poles::Light> Poles::unfelt(const Sketch& sketch, double felt) const {
   std::vector<Light> light;
+  if (sketch.samples.empty()) return light;
   for (std::size_t k = 0; k < poles_.size(); ++k)
     light.push_back({k, poles_[k].node, 0.0, poles_[k].steepness(), 0.0});
   std::vector<double> at;

@@ -41,7 +41,9 @@ class TaylorSteps {
     Rule rule = Rule::function;         ///< The rule.
     Operation operation;                ///< The operation of the node.
     int node;                           ///< The node.
-    int c_at, a_at = -1, b_at = -1;     ///< Where the coefficients of the result and of the operands begin.
+    int c_at;                           ///< Where the coefficients of the result begin,
+    int a_at = -1;                      ///< those of the first operand,
+    int b_at = -1;                      ///< and those of the second one.
     std::array<int, 2> slopes{-1, -1};  ///< Where those of the slopes of a function begin; -1: none.
     double number = 0.0;                ///< The operand that is constant.
   };
