@@ -31,8 +31,8 @@ struct Trip {
   VectorX ranges = VectorX::Zero(2 * start.q.size());  ///< Ranges of (q, p) on the sketch.
   Eigen::Index seen = start.q.size();                  ///< Coordinates but time.
   SharpFeatures* features = nullptr;                   ///< Looked for, if there are any.
-  NearPasses* passes = nullptr;                        ///< The same.
-  VectorX masses = {};                                 ///< Where q' is a diagonal times p, that diagonal.
+  NearPasses* passes = nullptr;                        ///< Of light bodies, if there are any.
+  VectorX inverse_masses = {};                         ///< Where q' is a diagonal times p, that diagonal.
 };
 
 /// The smallest and largest value of every entry of (q, p) on the way.
@@ -134,7 +134,7 @@ class Journey {
   VectorX tails;                      ///< Largest tail of each entry, see Stepper, in the first `few` steps.
   bool spent = false;                 ///< It met a bound of the call.
   bool jumped = false;                ///< A step went over a feature of H that it did not see.
-  bool compares = false;              ///< Another run is compared with it, and looked at so closely.
+  bool coarse = false;  ///< A finer run is compared with it, in which near passes are looked for.
 
   static constexpr int few = 12;  ///< See above.
 
@@ -229,11 +229,11 @@ class Journey {
   void look_for_passes() {
     NearPasses& passes = *trip_->passes;
     const auto look = [&](const State<dynamic>& z) {
-      if (trip_->masses.size() == 0) {
+      if (trip_->inverse_masses.size() == 0) {
         find_slope(z);
       } else {
         slope_.setZero(2 * z.q.size());
-        slope_.head(z.q.size()) = trip_->masses.cwiseProduct(z.p);
+        slope_.head(z.q.size()) = trip_->inverse_masses.cwiseProduct(z.p);
       }
       passes.look(*candidate, trip_->sense * h, z, slope_, now_);
     };
@@ -269,7 +269,7 @@ class Journey {
     ++run.steps;
     if (run.steps <= few) look_at_tail();
     ranges.add(z_);
-    const bool closely = trip_->passes && !compares;
+    const bool closely = trip_->passes && !coarse;
     const double error = look_at_energy(z_);
     if (closely) look_for_passes();
     pauses.add(before_, z_, ranges.low, ranges.high, error > 10.0 * trip_->rounding ? error : 0.0,

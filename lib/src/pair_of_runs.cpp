@@ -180,7 +180,7 @@ bool Orbiter::pursue(Setting& setting) {
     coarse_ = std::move(fine_);
   } else {
     coarse_.emplace(begin(setting, longer));
-    coarse_->compares = true;
+    coarse_->coarse = true;
   }
   fine_.emplace(begin(setting, 1.0));
   parted_ = false;

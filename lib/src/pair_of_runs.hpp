@@ -140,7 +140,7 @@ class Orbiter {
   std::size_t judged_ = 0;    // mark of that comparison
   double before_ = infinity;  // the error foretold from the best of the last pairs of runs, and at which mark
   std::size_t before_at_ = 0;
-  int vain_ = 0;                          // pairs in a row that were not better than the one before
+  int vain_ = 0;                          // pairs in a row that were not better than the best one
   int round_ = 0;                         // pairs of runs so far
   double failed_at_ = -1.0;               // time at which the last run failed
   double dead_end_ = 0.0;                 // time at which a sketch could not go on, if it was so

@@ -133,16 +133,17 @@ void Orbiter::prepare() {
   trip_->seen = seen;
   features_.emplace(question_.graph, question_.energy, sketch);
   if (!features_->none() || features_->hides()) trip_->features = &*features_;
+  parts_ = parts_of(*field_.recording());
   // What is kicked by so much is elsewhere at the end, after so many radians.
   const double kick = std::max(question_.tolerance / std::max(radians_, 1.0), 30.0 * answer_.energy_rounding);
   passes_.emplace(question_.graph, question_.energy, sketch, scale, distance_->frequency, kick);
   if (!passes_->none()) {
     trip_->passes = &*passes_;
     const auto& moves = sketch.samples.front().slope;
-    const bool diagonal = parts_of(*field_.recording()) == Parts::nystrom &&
+    const bool diagonal = parts_ == Parts::nystrom &&
                           (moves.head(n) - sense_ * metric.cwiseProduct(z.p)).cwiseAbs().maxCoeff() <=
                               1e-9 * moves.head(n).cwiseAbs().maxCoeff();
-    if (diagonal) trip_->masses = metric;
+    if (diagonal) trip_->inverse_masses = metric;
   }
   menu_ = candidates(question_, energy, sketch, radians_, resting, metric, choice, field_.operations());
   const std::string& wanted = question_.options.monitor.name;
@@ -172,7 +173,6 @@ void Orbiter::prepare() {
       it.aside = it.noise * radians_ > std::max(0.3 * question_.tolerance, 3e-15 * radians_);
     std::stable_partition(menu_.begin(), menu_.end(), [](const Candidate& it) { return !it.aside; });
   }
-  parts_ = parts_of(*field_.recording());
   for (Candidate& it : menu_) {
     it.supplied = question_.gradient, it.recording = field_.recording();
     it.brief = radians_ < 8.0 && parts_ != Parts::coupled;  // 90 sweeps take as long with code as without
