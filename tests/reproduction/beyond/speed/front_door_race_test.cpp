@@ -38,7 +38,7 @@ TEST(FrontDoorRace, CellsHoldTheCheapestRowsThatReachTheirTargets) {
     const double ours = cells.number(i, "ours"), peer = cells.number(i, "best_peer"),
                  ratio = cells.number(i, "ratio");
     if (std::isfinite(ours) && std::isfinite(peer)) {
-      EXPECT_NEAR(ratio, ours / peer, 1e-3 * ratio);
+      EXPECT_NEAR(ratio, ours / peer, 1.6e-3 * ratio) << "three numbers of four digits, up to 5e-4 off each";
     } else {
       EXPECT_TRUE(std::isnan(ratio));
     }
