@@ -15,7 +15,8 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   const std::size_t marks = std::min(coarse.marks.size(), fine.marks.size());
   // Where energy errors are seen they tell how fast errors fall: slower than by the order where steps do not
   // resolve all of the way.
-  const bool seen_to_fall = fine.energy_error > 1e3 * answer_.energy_rounding;
+  const bool seen_to_fall =
+      fine.energy_error > std::max(1e3 * answer_.energy_rounding, energy_left_by_sweeps(fine));
   const double falls = seen_to_fall ? std::max(1.0, 0.5 * coarse.energy_error / fine.energy_error) : infinity;
   const double ratio = features_->bends() || coarse_grained_ ? 1.0 : std::min(trusted(coarse, fine), falls),
                until = since_start(marks - 1);
@@ -36,6 +37,9 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
     furthest = std::max(furthest, whole);
     seen.error = apart;
   }
+  // No order makes smaller what the sweeps left.
+  const double left = left_by_sweeps(fine);
+  seen.error = std::max(seen.error, std::min(left, ratio * seen.error));
   // By a power of time it would grow as much from a half to the whole as from a quarter to a half. Rounding,
   // which may be small by chance at first, is not taken for it.
   seen.exponential = furthest > 1e-7 && std::log(late / halfway) > 1.4 * std::log(halfway / early);
@@ -64,7 +68,7 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   const double parted = parted_by(coarse.pauses, fine.pauses, question_.t, marks_[marks - 1]);
   lost_ = parted > 1.0 || (fine.pauses.undecided && !question_.timed);
   if (lost_)
-    seen.error = std::max(seen.error, 1.0), late = std::max(late, 1.0 / usual_speed_);
+    seen.error = std::max(seen.error, 1.0), late = std::max(late, 1.0 / usual_speed_), unstable_ = true;
   else if (parted > 0.3)
     seen.error *= ratio, late *= ratio;
   seen.behind = late;
@@ -73,7 +77,9 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
                           distance_->frequency * until;
   // Over fewer turns errors waver by more than they grow.
   const bool seen_long = distance_->frequency * until > shortest_growth || late > 1e3 * early;
-  if (early > 0.0 && late > 20.0 * early) {
+  // Nor what sweeps leave, which grows with the square of time.
+  const bool grows = late > 20.0 * early && (furthest > 10.0 * left || late > 1e3 * early);
+  if (early > 0.0 && grows) {
     if (seen_long && late * usual_speed_ * ratio > rounding) {
       seen.growth = std::min(3.0, std::log(late / early) / std::log(4.0));
       if (late > 60.0 * early) seen.rate = std::log(late / early) / (0.75 * until);

@@ -21,11 +21,10 @@ void Orbiter::note_trial(const Journey& journey, double error) {
 
 Journey Orbiter::begin(const Setting& setting, double factor) {
   const double h = factor * setting.h;
-  // What sweeps leave adds up with the square of the number of steps at most, unless small errors grow
-  // faster.
+  // What sweeps leave is to be a thirtieth of the tolerance, see left_by_sweeps, unless small errors grow.
   const double steps = std::max(1.0, expected_steps(*setting.candidate, h, span_));
-  const double usual = std::clamp(0.03 * question_.tolerance / (steps * steps), 6.25e-19, 1e-8);
-  const double tolerance = unstable_ ? 6.25e-19 : usual;
+  const double usual = std::clamp(question_.tolerance / (10.0 + 0.1 * steps * steps), least_of_sweeps, 1e-6);
+  const double tolerance = unstable_ ? least_of_sweeps : usual;
   return {*trip_,
           field_,
           *setting.candidate,
@@ -225,7 +224,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   // Where runs agree and their energy errors do not fall with the step, that is rounding of H somewhere on
   // the way, or chance. What is over ten tolerances has to be seen to be rounding.
   bool steady = seen_.error < 1e-7 && fine_->run.steps > Journey::few &&
-                fine_->energy_error > 0.5 * coarse_->energy_error;
+                fine_->energy_error > std::max(0.5 * coarse_->energy_error, energy_left_by_sweeps(*fine_));
   if (steady && (fine_->energy_error < 100.0 * rounding_of_energy(fine_->state) || passes(*fine_) ||
                  (fine_->energy_error < most_rounding && !follows_another_gradient() &&
                   (fine_->energy_error <= 10.0 * tolerance || features_->bends() ||
@@ -268,6 +267,8 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     lengthened_for_ = setting.candidate;
     return again(gain);
   }
+  // At a point of rest runs may part by what the sweeps left: first the same steps, solved to the last digit.
+  if (lost_ && fine_->solved > least_of_sweeps) return again(1.0);
   const double spent = static_cast<double>(budget_.sweeps) * setting.candidate->price();
   const double pair = span_ / here * setting.candidate->price() *
                       static_cast<double>(coarse_->run.evaluations + fine_->run.evaluations);

@@ -28,7 +28,7 @@ TEST(SolveMonitor, OfOnesOwnMakesTheStepsOfCollocation) {
   for (const int order : {4, 8, 16}) {
     const double h = order == 4 ? 0.01 : 0.1;
     const auto orbit =
-        solve(Kepler(), z, 20.0, 1e-6, {.order = order, .monitor = halfway, .h = h, .dense = true});
+        solve(Kepler(), z, 20.0, 1e-8, {.order = order, .monitor = halfway, .h = h, .dense = true});
     EXPECT_EQ(orbit.choice.name, "given");
     auto method = avi::collocation(avi::poincare(Kepler(), z, avi::Gamma{0.75}), order);
     auto by_hand = z;
