@@ -191,6 +191,7 @@ bool Orbiter::pursue(Setting& setting) {
     }
     if (compared && !go_on(*coarse_, mark) && !(question_.options.h > 0.0)) return failed(*coarse_, setting);
     if (!go_on(*fine_, mark)) return failed(*fine_, setting);
+    if (mark == 0 && passes_over_start(*fine_)) fine_->jumped = true;
     if (compared) {
       judged_ = mark;
       if (judge(setting, mark)) return true;
@@ -198,6 +199,37 @@ bool Orbiter::pursue(Setting& setting) {
     }
   }
   return false;
+}
+
+/// The first step goes over what changes with time alone soon after the start, as coefficients do near a
+/// singularity of them. What begins there is gone after that step, so that a longer one errs alike: the two
+/// runs agree. It is seen by the same step in parts, each as long as all that come before it.
+bool Orbiter::passes_over_start(const Journey& run) {
+  if (!question_.timed) return false;
+  const State<dynamic>& start = trip_->start;
+  if (rate_ < 0.0) {
+    VectorX at(2 * field_.size()), slope(at.size());
+    at << start.q, start.p;
+    field_(at, slope);
+    rate_ = field_.rate_in_time(at, slope);
+  }
+  constexpr double resolved = 10.0;
+  const double changes = rate_ * run.h * run.candidate->rate_at(start);
+  if (!(changes > resolved)) return false;
+  State<dynamic> whole = start, parts = start;
+  const auto advance = [&](OrbitSteps& method, State<dynamic>& z, double size) {
+    const StepReport report = method.step(z, sense_ * size);
+    budget_.sweeps += report.evaluations;
+    return report.ok() && z.finite();
+  };
+  const auto method = [&] { return run.candidate->steps(run.order, {.tolerance = run.solved, .most = 60}); };
+  if (!advance(*method(), whole, run.h)) return false;
+  const int halves = std::min(40, static_cast<int>(std::ceil(std::log2(changes))) + 1);
+  double size = std::ldexp(run.h, -halves);
+  const auto in_parts = method();
+  for (int k = 0; k <= halves; ++k, size *= k > 1 ? 2.0 : 1.0)
+    if (!advance(*in_parts, parts, size)) return false;
+  return (*distance_)(whole, parts, run.ranges) > question_.tolerance;
 }
 
 /// Compares the two runs at a mark. @return the step is to be another one

@@ -108,6 +108,7 @@ class Orbiter {
   void stay_near(Candidate& it, const Sketch& there);
   bool failed(const Journey& journey, Setting& setting);
   bool judge(Setting& setting, std::size_t mark);
+  bool passes_over_start(const Journey& run);
   bool try_others(Setting& setting);
   bool take_from_aside(Setting& setting, double others);
   Comparison compare(const Journey& coarse, const Journey& fine);
@@ -145,6 +146,7 @@ class Orbiter {
   double aim_ = 1e-15;        // error in a radian that is wanted
   double radians_ = 0.0;      // of the whole
   double fastest_ = -1.0;     // frequency at the start; negative while nobody has asked
+  double rate_ = -1.0;        // of the slope there, with time alone; likewise
   double usual_speed_ = 0.0;  // mean over the sketch
   double high_speed_ = 0.0;   // a speed that the end may have
   std::vector<double> marks_;

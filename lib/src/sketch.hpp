@@ -108,6 +108,20 @@ class PointField {
       }
     return std::isfinite(square) ? std::sqrt(square) : 0.0;
   }
+  /// How fast the slope at z, which is given, changes with time alone, relative to each of its entries: as
+  /// coefficients do near a singularity of them. @return 0 where that is not finite, or H is free of time
+  double rate_in_time(const VectorX& z, const VectorX& dz) {
+    if (!timed) return 0.0;
+    Duals room(formula_.program);
+    VectorX along = VectorX::Zero(2 * n_), change(2 * n_);
+    along[n_ - 1] = 1.0;
+    linear(room, z, along, change);
+    double rate = 0.0;
+    for (int i = 0; i < n_ - 1; ++i)
+      for (const int k : {i, n_ + i})
+        if (dz[k] != 0.0) rate = std::max(rate, std::abs(change[k] / dz[k]));
+    return std::isfinite(rate) ? rate : 0.0;
+  }
   /// The change of the slope at z, which is given, per relative error of the entries of z, to first order.
   /// @param draw the signs of those errors
   VectorX sensitivity(const VectorX& z, const VectorX& slope, unsigned draw) {

@@ -3,6 +3,7 @@
 #include "avi/core/event.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -87,12 +88,16 @@ bool Watch::refine(const Stride& stride, std::size_t soon) {
               : (9.0 * (value(k - 1) + value(k + 1)) - value(k - 3) - value(k + 3)) / 16.0;
       apart = std::max(apart, std::abs(value(k) - between));
     }
-    // What is as fast as the grid may look slow on it, but not beside it.
-    constexpr double aside = 0.381966, l0 = -aside * (aside - 1.0) * (aside - 2.0) / 6.0,
-                     l1 = (aside + 1.0) * (aside - 1.0) * (aside - 2.0) / 2.0,
-                     l2 = -(aside + 1.0) * aside * (aside - 2.0) / 2.0,
-                     l3 = (aside + 1.0) * aside * (aside - 1.0) / 6.0;
-    for (const int k : {parts / 8, 3 * parts / 8, 6 * parts / 8}) {
+    // What is as fast as the grid may look slow on it, but not beside it. A single part of a cell would not
+    // do: where a cell holds 13, 21 or 34 periods, a golden section of it lies near a whole number of them.
+    constexpr std::array<double, 5> asides{0.381966, 0.414214, 0.267949, 0.302776, 0.449490};
+    constexpr std::array<int, 5> eighths{1, 2, 3, 5, 6};
+    for (std::size_t i = 0; i < asides.size(); ++i) {
+      const double aside = asides[i], l0 = -aside * (aside - 1.0) * (aside - 2.0) / 6.0,
+                   l1 = (aside + 1.0) * (aside - 1.0) * (aside - 2.0) / 2.0,
+                   l2 = -(aside + 1.0) * aside * (aside - 2.0) / 2.0,
+                   l3 = (aside + 1.0) * aside * (aside - 1.0) / 6.0;
+      const int k = eighths[i] * parts / 8;
       const double here = on(stride, stride.part * (k + aside) / parts);
       least = std::min(least, here), most = std::max(most, here);
       const double between = l0 * value(k - 1) + l1 * value(k) + l2 * value(k + 1) + l3 * value(k + 2);
@@ -218,7 +223,11 @@ Hit Watch::locate(const Stride& stride, std::size_t k, long& evaluations, bool& 
     hit.reason = found.reason.empty() ? "a step to g = 0 failed" : found.reason;
     return hit;
   };
-  for (double width = 1e-5;; width *= 40.0) {
+  // Where time is far from zero, so wide that its clock has numbers beside the zero: by how g changes over
+  // them a zero is told from a jump.
+  const double tick = rounding_of_time(stride.before.t, stride.last.t) * stride.part /
+                      std::abs(stride.last.t - stride.before.t);
+  for (double width = std::max(1e-5, 32.0 * tick);; width *= 40.0) {
     const double from = std::max(lowest, place - width), to = std::min(highest, place + width);
     Located<State<dynamic>> end = there(to);
     const Located<State<dynamic>> begin = there(from);

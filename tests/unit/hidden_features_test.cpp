@@ -105,6 +105,24 @@ TEST(HiddenFeatures, WallsAndWindowsAnywhere) {
   }
 }
 
+// q'' + (2 / t) q' + q = 0 from near its singularity: what begins there with (cos t) / t is gone before the
+// end of a first step, so that two runs agreed on an error of more than a thousand tolerances.
+TEST(HiddenFeatures, AStartThatTimeChangesFast) {
+  const auto radial = [](const auto& q, const auto& t, const auto& p) {
+    return 0.5 * p[0] * p[0] / (t * t) + 0.5 * t * t * q[0] * q[0];
+  };
+  for (const double t : {0.1, 0.01, 0.004, 1e-3, 1e-4, 1e-5, 1e-8}) {
+    const double a = t * std::sin(t) + std::cos(t), b = t * std::cos(t) - std::sin(t), end = 10.0;
+    const double exact = (a * std::sin(end) + b * std::cos(end)) / end;
+    for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) {
+      const auto orbit = solve(radial, State<1>{.q = {1.0}, .p = {0.0}, .t = t}, end, tolerance);
+      EXPECT_TRUE(orbit.kept()) << t << ' ' << tolerance << '\n' << orbit.report();
+      EXPECT_LE(std::abs(orbit.state.q[0] - exact), 2.0 * tolerance) << t << ' ' << tolerance;
+      EXPECT_LT(orbit.run.steps, 100'000) << t << ' ' << tolerance;
+    }
+  }
+}
+
 // Between two soft walls, where errors of a step do not fall by its order.
 TEST(HiddenFeatures, AKinkIsErredAtAsIsSaid) {
   int kept = 0;

@@ -74,6 +74,20 @@ TEST(SolveEvents, MayDependOnTime) {
   EXPECT_NEAR(orbit.events[0].state.t, 3.25, 4.0 * rounding);
 }
 
+// The clock has few numbers in a step, and none but the two beside the zero in a hundred-thousandth of it.
+TEST(SolveEvents, MayDependOnATimeThatIsFarFromZero) {
+  for (int k = 0; k < 40; ++k) {
+    const double begin = 1.7e9 * (1.0 + 0.05 * k), w = 20.0 + k;
+    const auto fast = [=](const auto&, const auto& t, const auto&) { return sin(w * (t - begin) - 1.0); };
+    avi::State<1> start = at(1.0, 0.0);
+    start.t = begin;
+    const auto orbit = solve(spring(), start, begin + 0.2, 1e-4, {.events = {when(fast)}});
+    ASSERT_TRUE(orbit.ok()) << k << ' ' << orbit.run.message;
+    ASSERT_EQ(orbit.events.size(), static_cast<std::size_t>((0.2 * w - 1.0) / M_PI) + 1) << k;
+    EXPECT_NEAR(orbit.events[0].state.t - begin, 1.0 / w, 4.0 * rounding * begin) << k;
+  }
+}
+
 TEST(SolveEvents, AreSeenTwoInAStep) {
   // A circle that is left and entered again within a hundredth of a step, and one that is nearly touched.
   const auto high = [](const auto& q, const auto&) { return q[0] - std::cos(0.01); };
@@ -231,6 +245,25 @@ TEST(SolveEvents, MayBeFasterThanTheMotion) {
   const auto stopped = solve(spring(), at(1.0, 0.0), 1000.0, 1e-8,
                              {.events = {when(hundredth, {.count = 100, .stop = true})}});
   EXPECT_NEAR(stopped.state.t, (100.0 * M_PI - 0.3) / 40.0, 1e-9);
+}
+
+// A grid that is some periods of g wide has a slow curve through it. Before, a third of these zeros was lost.
+TEST(SolveEvents, AreSeenWhereAGridMakesThemLookSlow) {
+  for (const double w : {1500.0, 2000.0, 2500.0}) {
+    const auto fast = [=](const auto&, const auto& t, const auto&) { return sin(w * t); };
+    for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
+      const auto found = solve(Kepler(), Kepler::pericentre(0.5), 2.0, tolerance, {.events = {when(fast)}});
+      if (found.ok()) {
+        EXPECT_EQ(found.events.size(), static_cast<std::size_t>(2.0 * w / M_PI)) << w << ' ' << tolerance;
+      }
+    }
+  }
+  for (int k = 0; k < 100; ++k) {  // some hundred periods in a step are more than can be told apart
+    const double w = 4000.0 * (1.0 + 0.0371 * k);
+    const auto faster = [=](const auto&, const auto& t, const auto&) { return sin(w * t); };
+    const auto lost = solve(spring(), at(1.0, 0.0), 3.0, 1e-8, {.events = {when(faster)}});
+    EXPECT_EQ(lost.run.outcome, avi::Outcome::not_converged) << w;
+  }
 }
 
 // Two zeros close to the top of g, wherever the points of a step lie.
