@@ -49,6 +49,7 @@ class MinimiserRun {
     target_ = std::max(options_.relative * norm0_, options_.absolute);
     if (underflows()) return out_of_range(" at x0");
     floor_ = scale_ < 1e270 ? -1e300 : -std::numeric_limits<double>::max();
+    if (const double first = first_step() * norm_; first > 0.0 && std::isfinite(first)) first_trial_ = first;
     if (options_.check_gradient && !gradient_agrees()) return end(failure_, reason_);
     steepest();
     if (!report()) return end(Outcome::stopped, "the callback asked to stop");
@@ -207,12 +208,11 @@ class MinimiserRun {
   }
 
   /// How far along d values are asked for a slope, in units of d: by a part of the size of x, or of x0, as a
-  /// kink is at 0 more often than elsewhere. The next trial may be much too far. Where both are 0, f and its
-  /// gradient alone tell of a size.
+  /// kink is at 0 more often than elsewhere. The next trial may be much too far. Where both are 0, or as good
+  /// as 0 since all trials from there failed, f and its gradient alone tell of a size.
   [[nodiscard]] double asked_at() const {
     const double length = std::sqrt(length2_), x = std::max(norm(view(base_.x)), size0_);
-    const double size = x > 0.0 ? x : alpha_ > 0.0 ? alpha_ * length : first_step() * norm_;
-    return 1e-4 * (size / length);
+    return 1e-4 * ((x > 1e-9 * first_trial_ ? x : first_trial_) / length);
   }
 
   /// Why steepest descent found nothing: rounding hides the fall, or the gradient is not that of f; or
@@ -475,6 +475,7 @@ class MinimiserRun {
   double first_ = 0.0;                        ///< f(x0).
   double level_ = 0.0;                        ///< Least f of an evaluated iterate.
   double size0_ = 0.0;                        ///< Norm of x0.
+  double first_trial_ = 1.0;                  ///< How far the first trial is from x0.
   double scale_ = 0.0;                        ///< Largest |f| of the start and of where lines were stuck.
   double lowest_ = 1e300, gentlest_ = 1e300;  ///< Least value, and square of an evaluated gradient, so far.
   long idle_ = 0;        ///< Iterations since either came down, or since values were asked.

@@ -210,6 +210,22 @@ TEST(BadObjective, NamesAGradientThatIsWrong) {
   EXPECT_TRUE(minimise(cosine, VectorX::Zero(1), {.check_gradient = true}).converged());
 }
 
+// The start of most runs, where trials that all fail leave an x that is nearly 0, too.
+TEST(BadObjective, NamesAGradientThatIsWrongAtZero) {
+  for (const double unit : {1e-20, 1.0, 1e20})
+    for (const double factor : {-1.0, 0.0}) {
+      const auto wrong = [&](const VectorX& x, VectorX& g) {
+        g = factor * 2.0 / unit * (x.array() / unit - 1.0);
+        return (x.array() / unit - 1.0).square().sum();
+      };
+      const auto checked = minimise(wrong, VectorX::Zero(3), {.check_gradient = true});
+      // a gradient of 0 tells of no size, so that 1 is taken, and f is even where its unit is much longer
+      EXPECT_EQ(checked.outcome == Outcome::wrong_gradient, factor != 0.0 || unit <= 1.0) << checked.message;
+      const auto run = minimise(wrong, VectorX::Zero(3));
+      EXPECT_EQ(run.outcome, factor == 0.0 ? Outcome::ok : Outcome::no_descent) << run.message;
+    }
+}
+
 TEST(BadObjective, NamesAGradientOfAnotherSize) {
   const auto short_one = [](const VectorX& x, VectorX& g) {
     g.resize(2);

@@ -13,7 +13,7 @@ matrices = ContextVar("matrices", default=(0, None))  # of the objective that is
 def by_matrix(a, x):
     """The product of a large matrix of numbers with arguments of a function that is being traced, where that is kept as it is."""
     size, kept = matrices.get()
-    if kept is None or isinstance(a, Traced) or a.dtype.kind not in "biuf" or hasattr(a, "hardmask") or a.ndim != 2 or a.size * (x.size // len(x)) < LARGE or a.shape[1] != len(x):
+    if kept is None or isinstance(a, Traced) or a.dtype.kind not in "biuf" or hasattr(a, "hardmask") or hasattr(a, "getA1") or a.ndim != 2 or a.size * (x.size // len(x)) < LARGE or a.shape[1] != len(x):
         return None
     places = x._places
     if not places or max(places) >= size:  # parameters are not kept as they are

@@ -24,6 +24,11 @@ def _of_one_array(method):
     return evaluate
 
 
+def _of_numbers(method):
+    return lambda self, parameters: method(self, numbers_of(parameters))
+
+
+_avi.Formula.with_parameters = _of_numbers(_avi.Formula.with_parameters)
 _avi.Formula.value = _of_one_array(_avi.Formula.value)
 _avi.Formula.gradient = _of_one_array(_avi.Formula.gradient)
 _avi.Formula.__repr__ = lambda self: f"<a formula of {self.size} numbers>"
@@ -103,6 +108,27 @@ def _trace(f, shapes, parameters, name):
         return _avi.trace(f, shapes, parameters, name)
 
 
+def _in_scipy(error):
+    """The part of SciPy that was called where its own code, or ours from there, raised an error, such as scipy.sparse; else None."""
+    at, part = error.__traceback__, None
+    while at is not None:
+        package, *rest = at.tb_frame.f_globals.get("__name__", "").split(".")
+        if package == "scipy" and rest:
+            part = part or f"scipy.{rest[0]}"
+        elif package not in ("numpy", "avi"):  # a function that was given to SciPy raises what is its own
+            part = None
+        at = at.tb_next
+    return part
+
+
+def _refused_by_scipy(error, part):
+    """Its words are of arrays of objects, or ours of float(), neither of which the function has."""
+    return TypeError(
+        f"{part} cannot take traced numbers: its code is compiled, or asks for values. Write a.toarray() instead of a sparse matrix, a polynomial "
+        "(np.polyval) or a sum of np.exp instead of a spline, np.linalg instead of scipy.linalg, and the rest with what avi.functions() lists."
+    )
+
+
 def trace(f, shapes, parameters, name):
     """The formula of f, which is called once with traced arrays of these shapes, and with parameters where there are any."""
     if not callable(f):
@@ -114,8 +140,16 @@ def trace(f, shapes, parameters, name):
             raise error.__cause__ from None
         raise
     except ValueError as error:  # NumPy's own words where an array is filled
+        part = _in_scipy(error)
+        if part and ("object" in str(error) or isinstance(error.__cause__, TypeError)):
+            raise _refused_by_scipy(error, part) from error
         if isinstance(error.__cause__, TypeError):
             raise error.__cause__ from None
+        if "two recordings" in str(error):  # which goes on about C++
+            raise ValueError(
+                f"{name} mixes numbers of this call with traced ones of an earlier one: it must not keep numbers from one call to the next, as in a cache or "
+                "an attribute."
+            ) from None
         if "read-only" in str(error):
             raise TypeError(
                 f"NumPy says '{error}': what np.asarray() and the like make of traced numbers is a copy, and a change of it would be "
@@ -124,12 +158,15 @@ def trace(f, shapes, parameters, name):
         raise
     except TypeError as error:  # of functions of NumPy that have no say where an array holds objects
         words = str(error)
+        part = _in_scipy(error)
+        if part and "traced here" not in words:
+            raise _refused_by_scipy(error, part) from error
         if "which has no callable" in words:
             raise TypeError(
                 f"NumPy cannot take np.{words.split()[-2]}() of the plain numbers in an array of objects, as np.zeros(2, dtype=q.dtype) leaves "
                 "them: fill all of it, begin with np.zeros_like(q), or make the array by np.stack([x, y])."
             ) from error
-        if "dtype('O')" in words and "traced" not in words:
+        if any(of in words for of in ("dtype('O')", "data type for einsum", "not supported for the input types")) and "traced" not in words:
             raise TypeError(
                 "NumPy cannot do this to an array of traced numbers that np.array() has made, as it could to one of np.stack(): write "
                 "np.stack([np.stack([a, b]), np.stack([c, d])]) instead of np.array([[a, b], [c, d]])."

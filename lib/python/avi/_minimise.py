@@ -1,7 +1,7 @@
 """minimise(): the least value of a function of many numbers."""
 
 from . import _avi, _data
-from ._formula import _shape, formula_of, reals
+from ._formula import _shape, formula_of, numbers_of, reals
 from ._orbits import _options
 
 
@@ -51,7 +51,7 @@ def minimise(f, x0, *, jac=None, parameters=(), callback=None, history=False, **
            found. Or a formula from objective(), which says what becomes of products with large matrices.
     x0     start, an array of any shape
     jac    the gradient of an f that cannot be traced: a function of x, or True where f returns (value, gradient); both are called with
-           arrays of x0's shape
+           arrays of x0's shape, and without parameters
     callback  called as callback(x) at x0 and after every iteration; what it raises ends the call, StopIteration the run
     relative, absolute  converged where |gradient| <= max(relative |gradient at x0|, absolute); 1e-6 and 0. The first is a matter of
               the start: where the gradient at x0 is huge, as that of x - log x at 1e-8, 1e-6 of it is still large, and the run ends far
@@ -71,6 +71,12 @@ def minimise(f, x0, *, jac=None, parameters=(), callback=None, history=False, **
     if jac is None or jac is False:
         function = formula_of(f, parameters, lambda: _data.objective(f, x0.shape, parameters))
     else:
+        if hasattr(f, "with_parameters"):
+            raise TypeError("f is a formula, whose gradient is known: leave jac= out.")
+        if len(numbers_of(parameters)):
+            raise TypeError(
+                "parameters= are for an f that is traced, and with jac= none is: let f and jac have them themselves, as functools.partial() does."
+            )
         both = f if jac is True else lambda x: (f(x), jac(x))
         function = lambda x: _flat(both(x.reshape(x0.shape)))
     told = None if callback is None else lambda x: callback(x.reshape(x0.shape))
@@ -106,4 +112,7 @@ def _flat(both):
     value, gradient = both
     if isinstance(value, (bool, np.bool_)):
         raise TypeError("f returned a comparison; it must return a number.")
-    return float(value), np.ravel(reals(gradient, "The gradient"))
+    value = reals(value, "The value of f")
+    if value.size != 1:
+        raise TypeError(f"f returned an array of shape {value.shape}; it must return one number.")
+    return value.item(), np.ravel(reals(gradient, "The gradient"))

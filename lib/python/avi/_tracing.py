@@ -162,7 +162,8 @@ def _fold(x, name, axis=None, keepdims=False):
         return x.ravel()._folded(name)
     import numpy as np
 
-    axes = sorted(i % x.ndim for i in np.atleast_1d(range(x.ndim) if axis is None else axis))
+    np.zeros((0,) * x.ndim).sum(axis=axis)  # raises what NumPy says of an axis that is not there, or is there twice
+    axes = sorted(i % x.ndim for i in np.atleast_1d(range(x.ndim) if axis is None else axis)) if x.ndim else []
     shape = tuple(1 if i in axes else length for i, length in enumerate(x.shape))
     for each in reversed(axes):
         x = x._take(np.moveaxis(x._numbers, each, 0))._folded(name)
@@ -177,9 +178,9 @@ def _require_reals(dtype):
 
 
 def _folding(name, called):
-    def fold(x, axis=None, *, keepdims=False, dtype=None):
+    def fold(a, axis=None, *, keepdims=False, dtype=None):
         _require_reals(dtype)
-        return _fold(x, name, axis, keepdims)
+        return _fold(a, name, axis, keepdims)
 
     fold.__name__ = fold.__qualname__ = called
     return fold
@@ -194,8 +195,8 @@ def _dot(a, b):
     return a @ b if np.ndim(a) and np.ndim(b) else traced(a) * b
 
 
-def _clip(x, a_min=None, a_max=None):
-    x = traced(x) if a_min is None else maximum(x, a_min)
+def _clip(a, a_min=None, a_max=None):
+    x = traced(a) if a_min is None else maximum(a, a_min)
     return x if a_max is None else minimum(x, a_max)
 
 
@@ -216,15 +217,16 @@ def _astype(x, dtype=None, **options):
     return x if options.get("copy") is False else x.copy()
 
 
-def _mean(x, axis=None, *, keepdims=False, dtype=None):
+def _mean(a, axis=None, *, keepdims=False, dtype=None):
     _require_reals(dtype)
-    total = _fold(x, "add", axis, keepdims)
-    return total / (x.size / max(total.size, 1))
+    total = _fold(a, "add", axis, keepdims)
+    return total / (a.size / max(total.size, 1))
 
 
-def _diff(x, n=1, axis=-1, prepend=None, append=None):
+def _diff(a, n=1, axis=-1, prepend=None, append=None):
     import numpy as np
 
+    x = a
     ends = [end if end is None or np.ndim(end) else np.full(x.shape[:axis] + (1,) + x.shape[axis:][1:], end) for end in (prepend, append)]
     x = np.concatenate([part for part in (ends[0], x, ends[1]) if part is not None], axis)
     for _ in range(n):
@@ -241,7 +243,7 @@ _FUNCTIONS = {
     "prod": _folding("multiply", "prod"),
     "amax": _largest,
     "amin": _least,
-    "ptp": lambda x, axis=None, *, keepdims=False: _largest(x, axis, keepdims=keepdims) - _least(x, axis, keepdims=keepdims),
+    "ptp": lambda a, axis=None, *, keepdims=False: _largest(a, axis, keepdims=keepdims) - _least(a, axis, keepdims=keepdims),
     "einsum": _algebra.einsum,
     "solve": _algebra.solution,
     "inv": _algebra.inverse,
@@ -371,7 +373,7 @@ def _reshaped(name):
 
         numbers = self._numbers
         moved = getattr(numbers, name)(*args, **kwargs)
-        if self._regular and np.may_share_memory(moved, numbers):
+        if self._regular and np.may_share_memory(moved, numbers) and (name == "reshape" or self._in_a_row):
             return self._view(moved)
         result = self._take(moved)
         if not self._regular:
@@ -380,6 +382,11 @@ def _reshaped(name):
         return result
 
     return reshape
+
+
+def _item(self, *place):
+    number = self._numbers.item(*place)  # the place as NumPy takes it, which refuses none where there are several entries
+    return self._take(number)
 
 
 def _array(self):
@@ -424,7 +431,7 @@ Traced.real = property(lambda self: self)
 Traced.dtype = property(lambda self: _dtype())
 Traced.__format__ = lambda self, spec: repr(self)
 Traced.tolist = lambda self: [each.tolist() for each in self] if self.shape else self
-Traced.item = lambda self, i=0: self.ravel()[i]
+Traced.item = _item
 Traced.T = property(lambda self: self._view(self._numbers.T))
 Traced.reshape, Traced.ravel = _reshaped("reshape"), _reshaped("ravel")
 for _name in ("transpose", "squeeze", "swapaxes", "diagonal"):

@@ -17,7 +17,7 @@ def _axes(ax, **labels):
 
 def _dots(ax, x, y, **style):
     """A line, with a dot for every point where there are few."""
-    return ax.plot(x, y, marker="." if len(x) < 200 else "", **style)
+    return ax.plot(x, y, **{"marker": "." if len(x) < 200 else "", **style})
 
 
 def orbit(found: Orbit, *, i=0, j=1, ax=None, **style):
@@ -39,7 +39,7 @@ def orbit(found: Orbit, *, i=0, j=1, ax=None, **style):
     if not single:
         ax.set_aspect("equal", adjustable="datalim")
     for body, steps in zip(*(x if x.ndim == 3 else x[None] for x in (q, dots))):
-        line = ax.plot(body[i], body[j], **{"linewidth": 1, **style})[0]
+        line = ax.plot(body[i], body[j], **{**({} if "lw" in style else {"linewidth": 1}), **style})[0]
         if found.sol is not None:
             ax.plot(steps[i], steps[j], ".", color=line.get_color(), markersize=6)
     return ax
@@ -87,7 +87,7 @@ def work_precision(H, q, p, t, *, tols=None, slopes=None, ax=None, **style):
         runs["solve_ivp, DOP853"] = [solve_ivp(slopes, span, start, "DOP853", rtol=tol, atol=tol) for tol in np.maximum(tols, 1e-13)]
     for name, found in runs.items():
         errors = [max(np.abs(each.y[:, -1] - exact).max(), 1e-17) for each in found]
-        ax.plot([each.nfev for each in found], errors, marker=".", label=name, **style)
+        ax.plot([each.nfev for each in found], errors, **{"marker": ".", "label": name, **style})
     ax.legend()
     return ax
 

@@ -7,7 +7,9 @@
 #include <pybind11/stl.h>
 
 #include <chrono>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -53,10 +55,13 @@ class Signals {
 /// formula.
 Formula trace(const py::object& f, const std::vector<Shape>& shapes, std::vector<double> parameters,
               const char* name) {
-  int count = 0, first = 0;
+  double numbers = 0.0;  // of any shape, which an integer may not hold
   for (const Shape& shape : shapes)
-    count += static_cast<int>(size_of(shape));
-  require(count > 0, "Number of arguments to record", count, "at least 1");
+    numbers += std::accumulate(shape.begin(), shape.end(), 1.0, std::multiplies<>());
+  require(numbers > 0.0, "Number of arguments to record", numbers, "at least 1");
+  require(numbers < 1e9, "Number of arguments to record", numbers, "less than 1e9");
+  const int count = static_cast<int>(numbers);
+  int first = 0;
   const auto graph = std::make_shared<ExpressionGraph>(count + static_cast<int>(parameters.size()));
   py::list arguments;
   for (const Shape& shape : shapes)

@@ -81,6 +81,10 @@ const std::map<std::string_view, Two> twos = {
 };
 // clang-format on
 
+constexpr const char* no_count = "NumPy takes a + b and a @ b of comparisons for one comparison, not for how "
+                                 "many hold: write `|` for that, "
+                                 "or 1.0 * (a < b) for a number.";
+
 bool of_conditions(std::string_view name) {
   return name.starts_with("logical") || name.starts_with("bitwise") || name == "invert";
 }
@@ -133,10 +137,21 @@ Traced view(Traced& x, const Places& which) {
     return true;
   };
   result.regular = which.ndim() < 2 || (x.regular && steps_alike());
+  if (x.shape.empty() && !x.cells) {  // a number of NumPy never changes: an array of it is a copy
+    cells_of(result);
+    return result;
+  }
   result.seen = cells_of(x).version, result.cells = x.cells;
   for (py::ssize_t i = 0; i < which.size(); ++i)
     result.places.push_back(x.places[static_cast<std::size_t>(which.data()[i])]);
   return result;
+}
+
+/// Whether the entries lie side by side, in their order: only then is ravel() a view.
+bool in_a_row(const Traced& x) {
+  for (std::size_t i = 1; i < x.places.size(); ++i)
+    if (x.places[i] != x.places[0] + i) return false;
+  return x.regular;
 }
 
 /// x, with other entries: what x += y does to an array.
@@ -198,6 +213,10 @@ const Traced& operand(py::handle x, Traced& room) {
     throw py::type_error(
         "A traced number meets an array with a mask, which would be lost: write a.filled(0.0) "
         "or a.data.");
+  if (py::hasattr(x, "getA1"))
+    throw py::type_error(
+        "A traced number meets an np.matrix, whose * and ** are products of matrices, and would not be here: "
+        "write np.asarray(a), and a @ b for products.");
   room.shape.assign(array.shape(), array.shape() + array.ndim());
   room.regular = (array.flags() & py::array::c_style) != 0 || array.ndim() < 2;
   room.entries.reserve(static_cast<std::size_t>(array.size()));
@@ -281,6 +300,8 @@ Traced call(std::string_view name, py::handle a, py::handle b = {}) {
   const Traced& left = operand(a, left_room);
   const Traced& right = b ? operand(b, right_room) : right_room;
   if (of_conditions(name) && !(left.condition && (!b || right.condition))) throw py::type_error(no_condition);
+  if ((name == "add" || name == "subtract") && left.condition && right.condition)
+    throw py::type_error(no_count);
   if (is_square(name, left, right)) {
     Traced squares{left.graph, {}, left.shape, false, left.regular};
     for (const Recorded& x : left.entries)
@@ -327,6 +348,7 @@ Traced fold(std::string_view name, const Traced& x) {
 py::object product(const py::object& a, const py::object& b) {
   Traced left_room, right_room;
   const Traced &left = operand(a, left_room), &right = operand(b, right_room);
+  if (left.condition && right.condition) throw py::type_error(no_count);
   if (left.shape.size() != 1 || left.shape != right.shape)
     return py::module_::import("avi._algebra").attr("product")(left, right);
   return py::cast(fold("add", apply(twos.at("multiply"), left, right)));
@@ -348,8 +370,9 @@ bool names_ellipsis(const py::handle& key) {
 }
 
 Traced item(Traced& x, const py::object& key) {
-  if (PyLong_Check(key.ptr()) && !x.shape.empty()) {
-    py::ssize_t i = key.cast<py::ssize_t>();
+  if (PyLong_Check(key.ptr()) && !PyBool_Check(key.ptr()) && !x.shape.empty()) {
+    py::ssize_t i = PyNumber_AsSsize_t(key.ptr(), PyExc_IndexError);
+    if (PyErr_Occurred()) throw py::error_already_set();
     const py::ssize_t length = x.shape[0];
     if (i < -length || i >= length)
       throw py::index_error("Index " + std::to_string(i) + " of an array of " + std::to_string(length) +
@@ -458,9 +481,13 @@ void bind_traced(py::module_& module) {
              Traced room;
              assign(x, operand(value, room));
            })
-      .def("_fix", [](Traced& x) { cells_of(x).fixed = true; })
+      .def("_fix",
+           [](Traced& x) {
+             if (!x.shape.empty() || x.cells) cells_of(x).fixed = true;
+           })
       .def("_more", more)
       .def_readonly("_regular", &Traced::regular)
+      .def_property_readonly("_in_a_row", in_a_row)
       .def_property_readonly("_is_view", [](const Traced& x) { return x.cells != nullptr; })
       .def_property_readonly("_places", [](Traced& x) { return places(current(x)); })
       .def_property_readonly("_numbers", numbers)

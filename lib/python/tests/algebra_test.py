@@ -110,7 +110,7 @@ class Matrices(unittest.TestCase):
 
     def test_large_matrices_are_of_real_numbers(self):
         table = np.arange(5000.0).reshape(100, 50)
-        for matrix, word in ((table * 1j, "complex"), (np.ma.array(table, mask=table > 9), "mask")):
+        for matrix, word in ((table * 1j, "complex"), (np.ma.array(table, mask=table > 9), "mask"), (np.asmatrix(table), "np.matrix")):
             for product in (lambda x: matrix @ x, lambda x: x @ matrix.T):
                 with self.assertRaisesRegex(TypeError, word):
                     avi.objective(lambda x: np.sum(product(x) ** 2), 50)

@@ -110,6 +110,52 @@ class InPlace(unittest.TestCase):
 
         self.same(f)
 
+    def test_ravel_is_a_copy_of_what_does_not_lie_side_by_side(self):
+        for make in (
+            lambda d: d[::2].ravel(),
+            lambda d: d[::-1].ravel(),
+            lambda d: np.ravel(d[1::3])[1:],
+            lambda d: d.reshape(3, 4)[:, 1].ravel(),
+            lambda d: d.reshape(3, 4)[:, :1].ravel(),
+            lambda d: d[:9].reshape(3, 3).diagonal().ravel(),
+            # views
+            lambda d: d[3:].ravel(),
+            lambda d: d[4:5].ravel(),
+            lambda d: d.reshape(3, 4)[1:].ravel()[2:],
+            lambda d: d.reshape(3, 4)[1:, 2].reshape(-1),
+            lambda d: d[::2].reshape(2, 3)[1],
+        ):
+            self.same(through_a_view(make))
+            self.same(of_the_whole(make))
+
+    def test_an_array_of_a_number_does_not_change_with_it(self):
+        for array in (
+            lambda a: a[None],
+            lambda a: a[..., None],
+            lambda a: a.reshape(1),
+            lambda a: np.atleast_1d(a),
+            lambda a: np.expand_dims(a, 0),
+            lambda a: np.broadcast_to(a, (3,)),
+            lambda a: np.broadcast_arrays(a, np.ones(3))[0],
+        ):
+            for number in (lambda x: x[1], lambda x: x @ x, lambda x: np.sum(x), lambda x: x.reshape(3, 4)[1, 2]):
+
+                def f(x):
+                    a = number(x)
+                    b = array(a)
+                    a += 1.0
+                    a *= 3.0
+                    return a + 10.0 * np.sum(b)
+
+                def changed(x):
+                    b = array(number(x)) * 1.0
+                    whole = b[...]
+                    whole *= 3.0
+                    return np.sum(b)
+
+                self.same(f)
+                self.same(changed)
+
     def test_conditions(self):
         def f(x):
             c = x > 0.5

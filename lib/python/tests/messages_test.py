@@ -101,6 +101,29 @@ class Refused(unittest.TestCase):
         ):
             self.check([(traced(lambda q, p: f(q)), TypeError, "no other way to write them.*np.sin and np.cos take it")])
 
+    def test_scipys_compiled_code(self):
+        try:
+            from scipy import interpolate, linalg, optimize, sparse, special
+            from scipy.spatial import distance
+        except ImportError:
+            self.skipTest("SciPy is not there.")
+        spline, chain = interpolate.CubicSpline([0.0, 1.0, 2.0], [0.0, 1.0, 4.0]), sparse.eye(2).tocsr()
+
+        def own(x):
+            raise TypeError("my own words")
+
+        for f, words in (
+            (lambda q: spline(q[0]), "^scipy.interpolate cannot take traced numbers.*np.polyval"),
+            (lambda q: q @ (chain @ q), r"^scipy.sparse cannot.*a.toarray\(\)"),
+            (lambda q: q @ chain.dot(q), r"^scipy.sparse cannot.*a.toarray\(\)"),
+            (lambda q: special.logsumexp(q), "^scipy.special cannot take"),
+            (lambda q: linalg.solve(np.eye(2), q) @ q, "^scipy.linalg cannot.*np.linalg"),
+            (lambda q: distance.pdist(q[:, None])[0], "^scipy.spatial cannot take"),
+            (lambda q: optimize.brentq(own, -9.0, 9.0), "^my own words$"),
+            (lambda q: special.jv(0, q[0]), r"^jv cannot be traced here; avi.functions\(\)"),
+        ):
+            self.check([(traced(lambda q, p: f(q)), TypeError, words)])
+
     def test_arrays(self):
         def rows_as_objects(p):
             rows = np.empty(2, dtype=object)
@@ -113,6 +136,8 @@ class Refused(unittest.TestCase):
                 (traced(left(np.exp)), TypeError, r"np.exp\(\) of the plain numbers.*np.zeros_like"),
                 (traced(left(np.sqrt)), TypeError, r"np.sqrt\(\) of the plain numbers.*np.zeros_like"),
                 (traced(lambda q, p: np.maximum(np.array([q[0], 0]), 0.5)[0]), TypeError, "avi.maximum"),
+                (traced(lambda q, p: np.einsum("i,i", np.array([q[0], 0]), np.array([p[0], 1]))), TypeError, "np.stack"),
+                (traced(lambda q, p: np.logaddexp(np.array([q[0], 0]), np.array([p[0], 1]))[0]), TypeError, "np.stack"),
                 (traced(lambda q, p: q[q > 0.5].sum()), TypeError, r"avi.where\(a < b, x, 0.0\)"),
                 (traced(lambda q, p: np.sum(q, where=[True, False])), TypeError, "np.sum cannot be traced with where="),
                 (traced(lambda q, p: np.sin(q, where=[True, False])[0]), TypeError, "np.sin cannot be traced with where="),
@@ -120,6 +145,11 @@ class Refused(unittest.TestCase):
                 (traced(lambda q, p: q.sum(initial=1.0)), TypeError, r"^sum\(\) got an unexpected keyword argument 'initial'"),
                 (traced(lambda q, p: np.maximum.reduce(q, initial=9.0)), TypeError, "np.maximum cannot be traced with initial= as np.maximum.reduce"),
                 (traced(lambda q, p: np.sum(q * np.ma.masked_array([1.0, 2.0], [0, 1]))), TypeError, "mask"),
+                (traced(lambda q, p: (p * np.asmatrix([[2.0, 1.0], [0.0, 3.0]])).sum()), TypeError, r"an np.matrix.*np.asarray\(a\), and a @ b"),
+                (traced(lambda q, p: (np.asmatrix([[2.0, 1.0], [0.0, 3.0]]) * q.reshape(2, 1)).sum()), TypeError, "an np.matrix"),
+                (traced(lambda q, p: np.sum((q > 0) + (p > 0))), TypeError, r"NumPy takes a \+ b.*write `\|`.*1.0 \* \(a < b\)"),
+                (traced(lambda q, p: (q[0] > 0) + (p[0] > 0)), TypeError, "for one comparison"),
+                (traced(lambda q, p: (q > 0) @ (p > 0)), TypeError, "for one comparison"),
                 (traced(lambda q, p: np.sum(q * np.array([1j, 2]))), TypeError, "complex numbers"),
                 (traced(lambda q, p: q * {1: 2}), TypeError, "meets a dict; it can be combined with real numbers"),
                 (traced(lambda q, p: q * None), TypeError, "meets a NoneType"),
@@ -285,6 +315,11 @@ class Refused(unittest.TestCase):
                 (lambda: avi.minimise(f, [1.0], jac=2), TypeError, "jac is 2; it must be a function, or True where f returns both"),
                 (lambda: avi.minimise(f, [1.0], jac=lambda x: 2j * x), TypeError, "The gradient is complex"),
                 (lambda: avi.minimise(f, [1.0], jac=lambda x: None), TypeError, "The gradient is None"),
+                (lambda: avi.minimise(lambda x: None, [1.0], jac=lambda x: 2 * x), TypeError, "The value of f is None"),
+                (lambda: avi.minimise(lambda x: "1.0", [1.0], jac=lambda x: 2 * x), TypeError, "The value of f is '1.0'"),
+                (lambda: avi.minimise(lambda x: x, [1.0, 2.0], jac=lambda x: 2 * x), TypeError, r"f returned an array of shape \(2,\)"),
+                (lambda: avi.minimise(lambda x, c=1.0: c * f(x), [1.0], jac=lambda x: 2 * x, parameters=[2.0]), TypeError, r"parameters= .*functools.partial\(\)"),
+                (lambda: avi.minimise(avi.objective(f, 1), [1.0], jac=lambda x: 2 * x), TypeError, "f is a formula.*leave jac= out"),
                 (lambda: avi.minimise(f, [1.0], jac=True), TypeError, r"f returned a float64; with jac=True it must return a pair"),
                 (lambda: avi.minimise(lambda x: (x @ x > 1, 2 * x), [1.0], jac=True), TypeError, "f returned a comparison"),
                 (lambda: avi.minimise(f, [1.0], callback=3), TypeError, "callback is 3; it must be a function"),

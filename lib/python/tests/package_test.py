@@ -155,6 +155,10 @@ print(imported - begun, perf_counter() - begun)
             self.assertTrue(axes.get_xlabel())
             self.assertEqual(len(axes.lines[0].get_xdata()), points)
         self.assertIs(avi.plot.orbit(orbit, ax=axes, color="red"), axes)
+        self.assertEqual(avi.plot.orbit(orbit, lw=3).lines[0].get_linewidth(), 3)
+        for draw in (avi.plot.energy_error, avi.plot.step_size):
+            self.assertEqual(draw(orbit, marker="x").lines[0].get_marker(), "x")
+        self.assertEqual(avi.plot.work_precision(kepler, *start, 10.0, tols=[1e-4, 1e-6], marker="x").lines[0].get_marker(), "x")
         for q, p in ((1.0, 0.0), ([1.0], [0.0])):  # a single degree of freedom is drawn with its momentum
             swing = avi.solve(lambda q, p: np.sum(p**2) / 2 - np.sum(np.cos(q)), q, p, np.linspace(0, 10, 11), 1e-8)
             axes = avi.plot.orbit(swing)

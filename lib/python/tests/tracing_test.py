@@ -53,6 +53,48 @@ class Tracing(unittest.TestCase):
         for f in (lambda x: x.clip(min=0.35).sum(), lambda x: x.clip(0.35, max=0.6).prod(), lambda x: x.take([2, 0]) @ x[1:3]):
             self.assertAlmostEqual(avi.objective(f, 4).value(self.point), f(self.point), delta=1e-15)
 
+    def test_an_axis_that_is_not_there_is_no_other_one(self):
+        # The masses of bodies with q of the shape (4,): another axis would give another H.
+        for f in (
+            lambda x: np.sum(x, axis=1),
+            lambda x: np.sum(np.sum(x**2, axis=1) / np.array([1.0, 2.0])),
+            lambda x: x.mean(axis=-2),
+            lambda x: np.max(x, 1),
+            lambda x: np.prod(x, axis=1),
+            lambda x: np.linalg.norm(x, axis=1),
+            lambda x: np.outer(x, x).sum(axis=(0, 2)).sum(),
+            lambda x: np.outer(x, x).sum(axis=(0, 0)).sum(),
+        ):
+            with self.assertRaises(ValueError):
+                f(self.point)
+            with self.assertRaises(ValueError):
+                avi.objective(f, 4)
+        self.assertEqual(avi.objective(lambda x: np.sum(x[0], axis=0) + np.sum(x[1], keepdims=True), 4).value(self.point), 0.7)
+
+    def test_true_is_no_place(self):
+        f = lambda x: x[True].sum(axis=1)[0] + 10 * x[True].ndim + x[False].sum()
+        self.assertEqual(avi.objective(f, 4).value(self.point), f(self.point))
+        with self.assertRaises(IndexError):
+            avi.objective(lambda x: x[10**30], 4)
+
+    def test_shapes_of_more_numbers_than_can_be_counted_are_refused(self):
+        for shape in (2**31, 2**32 + 1, (2**40, 2**40)):  # of which the last bits alone are 0, 1 or 2 numbers
+            with self.assertRaisesRegex(ValueError, "less than 1e9"):
+                avi.hamiltonian(lambda q, p: q[5] * q[5], shape)
+
+    def test_the_array_may_be_given_by_its_name(self):
+        for f in (
+            lambda x: np.sum(a=x) + np.prod(a=x) + np.max(a=x) + np.ptp(a=x),
+            lambda x: np.mean(a=x, axis=0) + np.clip(a=x, a_min=0.35, a_max=0.6).sum() + np.diff(a=x, n=2)[1],
+        ):
+            self.assertAlmostEqual(avi.objective(f, 4).value(self.point), f(self.point), delta=1e-15)
+
+    def test_items(self):
+        f = lambda x: x.item(2) + 10 * x.reshape(2, 2).item(1, 0) + 100 * x.reshape(2, 2).item((0, -1)) + 1000 * x[:1].item() + x[1].item()
+        self.assertEqual(avi.objective(f, 4).value(self.point), f(self.point))
+        with self.assertRaisesRegex(ValueError, "size 1"):
+            avi.objective(lambda x: x.item(), 4)
+
     def test_squares_of_norms_have_slopes_at_rest(self):
         for f in (
             lambda x: np.linalg.norm(x) ** 2,
@@ -168,6 +210,8 @@ class Tracing(unittest.TestCase):
         for wrong in (1.0, [[1.0], [2.0]], {"a": 1.0}.items()):
             with self.assertRaisesRegex(TypeError, "a sequence of numbers"):
                 avi.hamiltonian(lambda q, p, c: c[0] * (q @ q), 2, wrong)
+            with self.assertRaisesRegex(TypeError, "a sequence of numbers"):
+                formula.with_parameters(wrong)
 
     def test_where_of_plain_numbers(self):
         self.assertEqual(avi.where(np.array([1, 2]) > 1, 5, 6).tolist(), [6, 5])
@@ -239,7 +283,7 @@ class Tracing(unittest.TestCase):
     def test_numbers_kept_from_another_call(self):
         kept = []
         avi.hamiltonian(lambda q, p: kept.append(q) or q @ p, 2)
-        with self.assertRaisesRegex(ValueError, "must not keep numbers"):
+        with self.assertRaisesRegex(ValueError, "^[Hf] mixes.*must not keep numbers.*an attribute.$"):
             avi.hamiltonian(lambda q, p: q @ kept[0], 2)
 
 
