@@ -1,7 +1,7 @@
 #include "traced.hpp"
+#include "named_functions.hpp"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <string>
 #include <string_view>
@@ -10,76 +10,10 @@
 namespace avi::python {
 namespace {
 
-using One = Recorded (*)(const Recorded&);
-using Two = Recorded (*)(const Recorded&, const Recorded&);
 using Places = py::array_t<py::ssize_t, py::array::c_style | py::array::forcecast>;
 
 constexpr const char* no_condition =
     "`&`, `|` and `~` take comparisons such as (a < b) & (c < d), each in brackets.";
-
-/// log(exp(a) + exp(b)), also where they are large; the slopes are right where a = b, too.
-Recorded logaddexp(const Recorded& a, const Recorded& b) {
-  const Recorded larger = select(a < b, b, a), smaller = select(a < b, a, b);
-  return larger + log1p(exp(smaller - larger));
-}
-
-/// 1 / (1 + exp(-a)), and exp(a) / (1 + exp(a)) where a is negative: no power overflows, nor do the slopes.
-Recorded expit(const Recorded& a) {
-  const Recorded e = exp(select(a < 0.0, a, -a));
-  return select(a < 0.0, e, 1.0) / (1.0 + e);
-}
-
-/// sin(y) / y, by its series where |y| < 1: next to zero the slopes of the quotient are differences of large
-/// numbers.
-Recorded sinc(const Recorded& y) {
-  const Recorded square = y * y;
-  Recorded series = 1.0;
-  for (double k = 20.0; k > 0.0; k -= 2.0)
-    series = 1.0 - square * series / (k * (k + 1.0));
-  const Recorded away = select(square < 1.0, 1.0, y);
-  return select(square < 1.0, series, sin(away) / away);
-}
-
-// clang-format off
-/// Functions of one number by their names in the library, in NumPy and in scipy.special.
-const std::map<std::string_view, One> ones = {
-#define AVI_ROW(name, value) {#name, [](const Recorded& a) -> Recorded { return value; }},
-#define AVI_ONE(name, ...) AVI_ROW(name, name(a))
-#define AVI_TWO(...)
-  AVI_FUNCTIONS(AVI_ONE, AVI_TWO)
-#undef AVI_ONE
-#undef AVI_TWO
-  AVI_ROW(arcsin, asin(a)) AVI_ROW(arccos, acos(a)) AVI_ROW(arctan, atan(a))
-  AVI_ROW(arcsinh, asinh(a)) AVI_ROW(arccosh, acosh(a)) AVI_ROW(arctanh, atanh(a))
-  AVI_ROW(absolute, abs(a)) AVI_ROW(fabs, abs(a)) AVI_ROW(sign, less(0.0, a) - less(a, 0.0))
-  AVI_ROW(negative, -a) AVI_ROW(positive, a) AVI_ROW(conjugate, a)
-  AVI_ROW(square, a * a) AVI_ROW(reciprocal, 1.0 / a)
-  AVI_ROW(exp2, exp(M_LN2 * a)) AVI_ROW(log2, log(a) / M_LN2) AVI_ROW(log10, log(a) / M_LN10)
-  AVI_ROW(deg2rad, (M_PI / 180.0) * a) AVI_ROW(radians, (M_PI / 180.0) * a)
-  AVI_ROW(rad2deg, (180.0 / M_PI) * a) AVI_ROW(degrees, (180.0 / M_PI) * a)
-  AVI_ROW(expit, expit(a)) AVI_ROW(sinc, sinc(M_PI * a))
-  AVI_ROW(logical_not, 1.0 - a) AVI_ROW(invert, 1.0 - a)
-#undef AVI_ROW
-};
-/// Functions of two.
-const std::map<std::string_view, Two> twos = {
-#define AVI_ROW(name, value) {#name, [](const Recorded& a, const Recorded& b) -> Recorded { return value; }},
-#define AVI_ONE(...)
-#define AVI_TWO(name, ...) AVI_ROW(name, name(a, b))
-  AVI_FUNCTIONS(AVI_ONE, AVI_TWO)
-#undef AVI_ONE
-#undef AVI_TWO
-  AVI_ROW(add, a + b) AVI_ROW(subtract, a - b) AVI_ROW(multiply, a * b) AVI_ROW(divide, a / b)
-  AVI_ROW(power, pow(a, b)) AVI_ROW(float_power, pow(a, b)) AVI_ROW(arctan2, atan2(a, b))
-  AVI_ROW(maximum, max(a, b)) AVI_ROW(minimum, min(a, b)) AVI_ROW(fmax, max(a, b)) AVI_ROW(fmin, min(a, b))
-  AVI_ROW(logaddexp, logaddexp(a, b))
-  AVI_ROW(less, less(a, b)) AVI_ROW(less_equal, less_equal(a, b))
-  AVI_ROW(greater, less(b, a)) AVI_ROW(greater_equal, less_equal(b, a))
-  AVI_ROW(logical_and, when(a, b)) AVI_ROW(bitwise_and, when(a, b))
-  AVI_ROW(logical_or, max(a, b)) AVI_ROW(bitwise_or, max(a, b))
-#undef AVI_ROW
-};
-// clang-format on
 
 constexpr const char* no_count = "NumPy takes a + b and a @ b of comparisons for one comparison, not for how "
                                  "many hold: write `|` for that, "
