@@ -77,7 +77,7 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
                           distance_->frequency * until;
   // Over fewer turns errors waver by more than they grow.
   const bool seen_long = distance_->frequency * until > shortest_growth || late > 1e3 * early;
-  // Nor what sweeps leave, which grows with the square of time.
+  // What sweeps leave grows with the square of time: that says nothing of errors either.
   const bool grows = late > 20.0 * early && (furthest > 10.0 * left || late > 1e3 * early);
   if (early > 0.0 && grows) {
     if (seen_long && late * usual_speed_ * ratio > rounding) {
