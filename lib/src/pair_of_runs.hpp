@@ -32,7 +32,7 @@ inline constexpr double most_trusted = 20.0;
 inline constexpr double longer = 1.25;
 
 /// Where sweeps end that are to leave rounding alone, see SweepSettings.
-inline constexpr double least_of_sweeps = 6.25e-19;
+inline constexpr double least_of_sweeps = SweepBounds{}.tolerance;
 /// What the sweeps of a run leave moves its end by so much, relative to the ranges: as a drift of the energy
 /// does, with the square of the number of steps. Measured on runs of 30 to 10 000 steps of order 16, of half
 /// a radian to two, whose sweeps end at 1e-6 to 1e-12: a fiftieth to five times as much.
@@ -41,7 +41,7 @@ inline double left_by_sweeps(const Journey& run) {
   return (0.5 + 5e-4 * steps * steps) * run.solved;
 }
 /// More than they leave of the energy, over its scale, which does not fall with the step: three times the
-/// most that was measured there.
+/// most that was seen, an orbit of Kepler's with e = 0.9.
 inline double energy_left_by_sweeps(const Journey& run) {
   return (10.0 + 0.1 * static_cast<double>(run.run.steps)) * run.solved;
 }
