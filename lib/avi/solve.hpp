@@ -233,8 +233,7 @@ struct OrbitEvent {
 
 struct Prepared;
 
-/// An orbit that is asked for. Holds no vector of another library, so that it may cross into code that is
-/// compiled for another processor.
+/// An orbit that is asked for. Holds no vector of another library: the processor may be another one there.
 struct OrbitQuestion {
   ExpressionGraph graph;           ///< Inputs are (q, p), 2n of them; or (q, p, t), where H depends on time.
   int energy;                      ///< Node of H.
@@ -245,7 +244,8 @@ struct OrbitQuestion {
   std::vector<OrbitEvent> events = {};            ///< Events to look for on the way.
   std::shared_ptr<const Choice> made = {};        ///< A choice that is made already, unless it is empty,
   std::shared_ptr<const Prepared> prepared = {};  ///< and what is made of H for it.
-  bool timed = false;              ///< Time has been made the last coordinate: not for callers.
+  bool timed = false;  ///< Time has been made the last coordinate: not for callers.
+  std::shared_ptr<const class Switches> switches = {};  ///< Of H with time, if it has any; likewise.
   std::vector<int> gradient = {};  ///< Nodes of dH/d(q, p), 2n, where H supplies them; else empty.
   int given = -1;                  ///< Node of a monitor of one's own, or none.
 };

@@ -3,6 +3,7 @@
 #include "avi/core/state.hpp"
 #include "avi/solve.hpp"
 #include "gauss.hpp"
+#include "orbit_steps.hpp"
 #include "sketch.hpp"
 
 #include <algorithm>
@@ -17,58 +18,6 @@
 /// The monitors that are candidates for an orbit, and what a sketch of the orbit says of their cost.
 
 namespace avi::detail {
-
-/// A method at states.
-class OrbitSteps {
- public:
-  /// A method for n degrees of freedom.
-  OrbitSteps(std::unique_ptr<Stepper> steps, Eigen::Index n) : steps_(std::move(steps)), n_(n), z_(2 * n) {}
-
-  /// Advances z by the fictive step h, unless the report says another outcome than ok.
-  StepReport step(State<dynamic>& z, double h) {
-    load(z);
-    const StepReport report = steps_->step(z_.data(), z.t, h);
-    store(z);
-    return report;
-  }
-  /// See Stepper.
-  [[nodiscard]] bool can_go_beside() const { return steps_->can_go_beside(); }
-  /// A step of this orbit and one of another: see Stepper.
-  std::pair<StepReport, StepReport> step_beside(State<dynamic>& z, double h, OrbitSteps& other,
-                                                State<dynamic>& its, double its_h) {
-    load(z), other.load(its);
-    const auto reports =
-        steps_->step_beside({z_.data(), &z.t, h}, *other.steps_, {other.z_.data(), &its.t, its_h});
-    store(z), other.store(its);
-    return reports;
-  }
-  /// The state at the fraction c of the last step: see Stepper.
-  [[nodiscard]] State<dynamic> polynomial(double c) const {
-    VectorX z(2 * n_);
-    State<dynamic> state;
-    polynomial(c, z, state.t);
-    state.q = z.head(n_);
-    state.p = z.tail(n_);
-    return state;
-  }
-  /// The same as 2n entries and a time.
-  void polynomial(double c, VectorX& z, double& t) const { steps_->polynomial(c, z.data(), t); }
-
-  /// See Stepper. @param z of 2n entries
-  void tail(VectorX& z) const { steps_->tail(z.data(), static_cast<int>(z.size())); }
-
-  /// Another one with the memory of the last step.
-  [[nodiscard]] std::unique_ptr<OrbitSteps> clone() const {
-    return std::make_unique<OrbitSteps>(steps_->clone(), n_);
-  }
-
- private:
-  void load(const State<dynamic>& z) { z_ << z.q, z.p; }
-  void store(State<dynamic>& z) const { z.q = z_.head(n_), z.p = z_.tail(n_); }
-  std::unique_ptr<Stepper> steps_;
-  Eigen::Index n_;
-  VectorX z_;  // of the step under way
-};
 
 /// The name of the candidate with fixed steps and an explicit method.
 inline constexpr std::string_view splitting = "splitting";
@@ -114,20 +63,24 @@ class Candidate {
   std::string name;                ///< In the menu.
   std::vector<int> supplied = {};  ///< Nodes of the gradient of H, where it has one of its own.
   std::shared_ptr<const Recording> recording = {};  ///< That of H with its gradient, where it is made.
-  bool brief = false;       ///< Its run is over before machine code has paid for itself.
-  double outlook = 0.0;     ///< Work of all steps where the longest one in radians is of fixed length.
-  double fictive = 0.0;     ///< Fictive time of the sketch.
-  double longest = 0.0;     ///< Largest g times frequency on the sketch.
-  int failures = 0;         ///< Runs that failed at the place where the last one did.
-  double below = infinity;  ///< Where longer steps have failed, a step to try.
-  double noise = 0.0;       ///< Largest relative error of a force that rounding of H makes through grad g.
+  std::shared_ptr<const Switches> switches = {};    ///< At which steps end, if H has any.
+  bool brief = false;         ///< Its run is over before machine code has paid for itself.
+  double outlook = 0.0;       ///< Work of all steps where the longest one in radians is of fixed length.
+  double fictive = 0.0;       ///< Fictive time of the sketch.
+  double longest = 0.0;       ///< Largest g times frequency on the sketch.
+  int failures = 0;           ///< Runs that failed at the place where the last one did.
+  double below = infinity;    ///< Where longer steps have failed, a step to try.
+  double between = infinity;  ///< Steps that are longer would nearly all be cut by switches.
+  double noise = 0.0;         ///< Largest relative error of a force that rounding of H makes through grad g.
   bool aside =
       false;  ///< Its noise is more than the tolerance bears: it waits until no other one keeps that.
 
   /// The method, of this order, which is 6 for the splitting.
   std::unique_ptr<OrbitSteps> steps(int order, SweepBounds bounds) {
-    return std::make_unique<OrbitSteps>(
+    auto made = std::make_unique<OrbitSteps>(
         splits() ? splitting_steps(formulas()) : gauss_steps(formulas(), order, bounds), formulas()->n);
+    if (switches) made->end_at(*switches, fixed());
+    return made;
   }
   /// Its method is the explicit splitting.
   [[nodiscard]] bool splits() const { return name == splitting; }

@@ -37,7 +37,7 @@ Delivery::Delivery(const OrbitQuestion& question, int degrees, const Choice& cho
   pace_.time = question.t;
   for (std::size_t i = 0; i < question.events.size(); ++i)
     watches_.emplace_back(question.events[i], degrees, i);
-  candidate_.supplied = question.gradient;
+  candidate_.supplied = question.gradient, candidate_.switches = question.switches;
   steps_ = method();
   if (question.options.dense) track_ = std::make_shared<Track>(method(), candidate_, field_, h_, degrees_);
   for (; next_ < question.times.size() && question.times[next_] == question.t; ++next_)
@@ -197,12 +197,12 @@ void Delivery::step() {
   State<dynamic> last = after;
   double part = 1.0;
   if (sense * (after.t - end) > 0.0) {
-    double size = h_;
-    spend(land(*steps_->clone(), candidate_, field_, before, h_, after.t, end, last, &size));
+    double size = 0.0;
+    spend(land(*steps_->clone(), candidate_, field_, before, steps_->size(), after.t, end, last, &size));
     if (!run_.ok()) return;
-    part = size / h_;
+    part = size / steps_->size();
   }
-  const Stride stride{*steps_, before, last, h_, part};
+  const Stride stride{*steps_, before, last, steps_->size(), part};
   if (!watches_.empty()) find_events(stride, last);
   if (run_.ok()) find_outputs(before, after, last);
   if (!run_.ok()) return;
@@ -253,7 +253,7 @@ void Delivery::find_outputs(const State<dynamic>& before, const State<dynamic>& 
       add(states_, last, t);
     } else {
       State<dynamic> there;
-      spend(land(*steps_->clone(), candidate_, field_, before, h_, after.t, t, there));
+      spend(land(*steps_->clone(), candidate_, field_, before, steps_->size(), after.t, t, there));
       if (!run_.ok()) return;
       add(states_, there, t);
     }

@@ -3,6 +3,7 @@
 #include "avi/core/require.hpp"
 #include "delivery.hpp"
 #include "orbiter.hpp"
+#include "switches.hpp"
 
 #include <algorithm>
 #include <array>
@@ -103,6 +104,12 @@ void no_curve() {
 
 namespace {
 
+/// Of H with time as a coordinate, in the run that is asked for.
+void find_switches(OrbitQuestion& question) {
+  if (question.timed)
+    question.switches = Switches::of(question.graph, question.energy, question.t, question.t_end);
+}
+
 /// Where H depends on time, time is a coordinate and H + p_t the energy, which is zero.
 void extend(OrbitQuestion& question) {
   const int n = static_cast<int>(question.q.size());
@@ -125,6 +132,7 @@ void extend(OrbitQuestion& question) {
   question.q.push_back(question.t);
   question.p.push_back(-energy);
   question.timed = true;
+  find_switches(question);
 }
 
 void tell_cancelled(const Budget& budget, OrbitAnswer& answer) {
@@ -355,6 +363,7 @@ OrbitAnswer answer_from(const std::string& file, OrbitQuestion&& question) {
                                 " is of another H, of other events, or of another dimension.");
   question.options.checkpoint = file;
   require_question(question);
+  find_switches(question);
   OrbitAnswer answer;
   const Choice choice = choice_in(record, answer);
   if (question.given < 0 && !is_monitor(choice.name))

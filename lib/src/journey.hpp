@@ -135,6 +135,8 @@ class Journey {
   bool spent = false;                 ///< It met a bound of the call.
   bool jumped = false;                ///< A step went over a feature of H that it did not see.
   bool coarse = false;  ///< A finer run is compared with it, in which near passes are looked for.
+  long whole = 0;       ///< Steps that no switch has made shorter.
+  double gone = 0.0;    ///< Sum of all steps.
 
   static constexpr int few = 12;  ///< See above.
 
@@ -174,7 +176,7 @@ class Journey {
       std::unique_ptr<OrbitSteps> aside;
       if (!last) aside = steps_->clone();
       const StepReport landed =
-          land(last ? *steps_ : *aside, *candidate, *field_, before_, sense * h, z_.t, mark, state);
+          land(last ? *steps_ : *aside, *candidate, *field_, before_, steps_->size(), z_.t, mark, state);
       spend(landed);
       if (!ok()) {
         state = before_;
@@ -235,7 +237,7 @@ class Journey {
         slope_.setZero(2 * z.q.size());
         slope_.head(z.q.size()) = trip_->inverse_masses.cwiseProduct(z.p);
       }
-      passes.look(*candidate, trip_->sense * h, z, slope_, now_);
+      passes.look(*candidate, steps_->size(), z, slope_, now_);
     };
     if (run.steps == 1) look(before_);
     std::swap(last_, now_);
@@ -267,6 +269,9 @@ class Journey {
     if (!ok()) return;
     if (!jumped) jumped = passes_over();
     ++run.steps;
+    const double size = std::abs(steps_->size());
+    gone += size;
+    if (size == h) ++whole;
     if (run.steps <= few) look_at_tail();
     ranges.add(z_);
     const bool closely = trip_->passes && !coarse;

@@ -71,7 +71,7 @@ void Orbiter::stay_near(Candidate& it, const Sketch& there) {
   if (!(root > 1.1 * before)) return;
   choice.poles.front() = root * root;
   Candidate other = candidate(it.name, question_, trip_->energy_at_start, choice);
-  other.supplied = it.supplied, other.recording = it.recording;
+  other.supplied = it.supplied, other.recording = it.recording, other.switches = it.switches;
   other.outlook = it.outlook, other.fictive = it.fictive, other.longest = it.longest, other.noise = it.noise,
   other.aside = it.aside;
   it = std::move(other);
@@ -245,9 +245,16 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
       setting.h = longest_step(*setting.candidate) / longer;
     return true;
   };
+  // Steps that switches cut are the same in both runs, which then say nothing of each other.
+  const bool cut = 4 * coarse_->whole < coarse_->run.steps;
   if (question_.options.h > 0.0) {
-    seen_ = coarse_->ok() ? compare(*coarse_, *fine_) : Comparison();
+    seen_ = coarse_->ok() && !cut ? compare(*coarse_, *fine_) : Comparison();
     return false;
+  }
+  if (cut && round_ < most_rounds) {
+    const double mean = coarse_->gone / static_cast<double>(coarse_->run.steps);
+    setting.candidate->between = std::min(0.9 * mean, 0.8 * coarse_->h);
+    return again(setting.candidate->between / (longer * fine_->h));
   }
   if (fine_->jumped && round_ < most_rounds) {
     thin_ = true;

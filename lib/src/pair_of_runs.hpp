@@ -119,7 +119,8 @@ class Orbiter {
   [[nodiscard]] bool passes(const Journey& journey) const;
   [[nodiscard]] double foretold(const Comparison& seen, double from, double to, double speed) const;
   [[nodiscard]] double longest_step(const Candidate& it) const {
-    return it.fictive > 0.0 ? span_ * it.fictive / std::max(sketch_->time, 1e-300) / fewest : span_ / fewest;
+    const double fictive = it.fictive > 0.0 ? span_ * it.fictive / std::max(sketch_->time, 1e-300) : span_;
+    return std::min(it.between, fictive / fewest);
   }
   [[nodiscard]] double expected_steps(const Candidate& it, double h, double time) const {
     return time * it.fictive / std::max(sketch_->time, 1e-300) / h;

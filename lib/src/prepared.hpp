@@ -34,6 +34,7 @@ inline PointField field_of(const OrbitQuestion& question) {
   PointField field = question.prepared ? question.prepared->field
                                        : PointField(question.graph, question.energy, question.gradient);
   field.timed = question.timed;
+  field.switches = question.switches;
   return field;
 }
 

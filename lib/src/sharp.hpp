@@ -25,8 +25,12 @@ class SharpFeatures {
   using Felt = std::function<bool(const State<dynamic>&)>;
 
   /// Takes H as a node of a graph. @param sketch of the orbit, where it begins
-  SharpFeatures(const ExpressionGraph& graph, int energy, const Sketch& sketch) : n_(graph.inputs() / 2) {
+  /// @param timed the last coordinate is time: at what depends on it alone steps end, see Switches
+  SharpFeatures(const ExpressionGraph& graph, int energy, const Sketch& sketch, bool timed = false)
+      : n_(graph.inputs() / 2) {
     const std::vector<char> part = graph.parts(energy);
+    std::vector<char> known(part.size(), 0);
+    if (timed) known = Switches::of_time_alone(graph, energy);
     std::vector<char> moving(part.size(), 0);  // it depends on q
     std::vector<int> nodes;
     for (int i = 0; i <= energy; ++i) {
@@ -39,13 +43,15 @@ class SharpFeatures {
         for (const int operand : {graph[i].a, graph[i].b})
           moves = moves || (operand >= 0 && moving[static_cast<std::size_t>(operand)]);
       if (part[static_cast<std::size_t>(i)]) {
-        bends_ = bends_ || what == less || what == less_equal || what == abs || what == sign;
+        bends_ = bends_ || (!known[static_cast<std::size_t>(i)] &&
+                            (what == less || what == less_equal || what == abs || what == sign));
         hides_ = hides_ || (moves && (is_function(what) || what == divide || what == power || what == less ||
                                       what == less_equal || what == sign));
       }
       const bool peak = what == exp, condition = what == less || what == less_equal,
                  passage = what == tanh || what == cosh || what == sinh || what == erf || what == erfc;
       if (!part[static_cast<std::size_t>(i)] || !(peak || passage || condition)) continue;
+      if (condition && known[static_cast<std::size_t>(i)]) continue;
       arguments_.push_back({peak      ? Kind::peak
                             : passage ? Kind::passage
                                       : Kind::condition,

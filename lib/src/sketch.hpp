@@ -3,6 +3,7 @@
 #include "avi/autodiff/recording.hpp"
 #include "avi/core/dot.hpp"
 #include "avi/integrators/runge_kutta.hpp"
+#include "switches.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -140,6 +141,7 @@ class PointField {
 
   double sense = 1.0;  ///< -1 follows the orbit backwards.
   bool timed = false;  ///< The last coordinate is time, which has a unit of its own.
+  std::shared_ptr<const Switches> switches = {};  ///< Of H with time, if there are any.
 
  private:
   using Duals = Program::Room<Partials<double, 1>>;
@@ -199,8 +201,15 @@ class Sketch {
     double largest = 0.0;
     for (Eigen::Index i = 0; i < metric.size() - (field.timed ? 1 : 0); ++i)
       largest = std::max(largest, std::abs(z[metric.size() + i]) * std::sqrt(metric[i]));
+    std::optional<Switches> switches;
+    if (field.switches) switches.emplace(*field.switches);
     RungeKuttaStages<BogackiShampine> step(size);
-    VectorX at = z, low = z, high = z, scale(size), errors(size);
+    VectorX at = z;
+    if (switches) {
+      double none = 0.0;
+      (void)to_switch(*switches, at, field.sense, none);  // it may be at one already
+    }
+    VectorX low = at, high = at, scale(size), errors(size);
     double energy = field(at, step.k[0]), last = energy;
     // A long step may lead to where no force is left, as there is none here.
     const double unpushed = field.frequency_of_unpushed(at, step.k[0], metric);
@@ -210,6 +219,9 @@ class Sketch {
     double refused = 0.0;
     for (int tries = 0; time < span && static_cast<int>(samples.size()) < most && tries < 6 * most; ++tries) {
       h = std::min({h, span - time, longest});
+      const double usual = h;
+      std::optional<Switches::Switch> at_end;
+      if (switches) at_end = to_switch(*switches, at, field.sense, h);
       step.advance([&](const VectorX& x, VectorX& dx) { last = field(x, dx); }, at, h);
       double worst = 0.0;
       for (Eigen::Index i = 0; i < size; ++i) {
@@ -251,6 +263,12 @@ class Sketch {
       if (before == 0.0 && made >= enough && grown <= made / 2) break;
       if (made >= most / 2 && time >= 0.25 * span) break;
       std::swap(step.k[0], step.k[3]);
+      if (at_end) {
+        pass(*switches, *at_end, at);
+        energy = field(at, step.k[0]);
+        h = usual;
+        continue;
+      }
       h *= begins ? 2.0 : std::min(5.0, 0.9 * factor);
     }
     // At first the ranges were small: frequencies are found when all of them are known. Steps that were far
@@ -300,6 +318,23 @@ class Sketch {
   static constexpr double loose = 0.004;  // error of a step
   static constexpr double angle = 0.68;   // of a spring in a step with that error
   static constexpr int enough = 48;       // samples of an orbit that comes again
+
+  /// Goes over the switches at z, then shortens a step h from there to the next one, which it returns, where
+  /// there is one in it.
+  static std::optional<Switches::Switch> to_switch(Switches& switches, VectorX& z, double sense, double& h) {
+    double& t = z[z.size() / 2 - 1];
+    while (const auto here = switches.at(t, sense))
+      pass(switches, *here, z);
+    const auto next = switches.next(t, t + sense * h);
+    if (next) h = std::abs(next->before - t);
+    return next;
+  }
+  /// Goes over a switch.
+  static void pass(Switches& switches, const Switches::Switch& at, VectorX& z) {
+    const Eigen::Index n = z.size() / 2;
+    z[2 * n - 1] += switches.fall(z.data(), z.data() + n, at);
+    z[n - 1] = at.after;
+  }
 
   /// Raises what is a 1e-10 of the largest entry, masses taken out; the momentum of time, to that of an
   /// energy.

@@ -131,7 +131,7 @@ void Orbiter::prepare() {
   trip_->span = span_;
   trip_->ranges = ranges.high - ranges.low;
   trip_->seen = seen;
-  features_.emplace(question_.graph, question_.energy, sketch);
+  features_.emplace(question_.graph, question_.energy, sketch, question_.timed);
   if (!features_->none() || features_->hides()) trip_->features = &*features_;
   parts_ = parts_of(*field_.recording());
   // What is kicked by so much is elsewhere at the end, after so many radians.
@@ -174,7 +174,7 @@ void Orbiter::prepare() {
     std::stable_partition(menu_.begin(), menu_.end(), [](const Candidate& it) { return !it.aside; });
   }
   for (Candidate& it : menu_) {
-    it.supplied = question_.gradient, it.recording = field_.recording();
+    it.supplied = question_.gradient, it.recording = field_.recording(), it.switches = question_.switches;
     it.brief = radians_ < 8.0 && parts_ != Parts::coupled;  // 90 sweeps take as long with code as without
   }
   aim_ = std::max(question_.tolerance / std::max(radians_, 1.0), 1e-16);

@@ -29,7 +29,7 @@ void Track::at(double t, double* z) const {
     const std::lock_guard lock(mutex_);
     State<dynamic> after = before;
     StepReport report = method->step(after, h_);
-    if (report.ok()) report = land(*method, candidate_, field_, before, h_, after.t, t, there);
+    if (report.ok()) report = land(*method, candidate_, field_, before, method->size(), after.t, t, there);
     if (!report.ok())
       throw std::runtime_error("A step inside the run failed as " + std::string(name(report.outcome)) + ".");
   }

@@ -74,6 +74,7 @@ inline const std::map<std::string_view, Two> twos = {
   AVI_ROW(greater, less(b, a)) AVI_ROW(greater_equal, less_equal(b, a))
   AVI_ROW(logical_and, when(a, b)) AVI_ROW(bitwise_and, when(a, b))
   AVI_ROW(logical_or, max(a, b)) AVI_ROW(bitwise_or, max(a, b))
+  AVI_ROW(heaviside, select(a < 0.0, 0.0, select(0.0 < a, 1.0, b)))
 #undef AVI_ROW
 };
 // clang-format on

@@ -157,7 +157,7 @@ class Refused(unittest.TestCase):
                 (traced(lambda q, p: np.sum(q * np.array([[1], [2, 3]], dtype=object))), TypeError, "An entry of an array of objects is an array"),
                 (traced(lambda q, p: np.interp(q[0], [0.0, 1.0], [1.0, 2.0])), TypeError, "np.interp cannot be traced. A table .*np.polyval"),
                 (traced(lambda q, p: np.interp(q, [0.0, 1.0], [1.0, 2.0])[0]), TypeError, "np.interp cannot be traced. A table .*np.polyval"),
-                (traced(lambda q, p: np.heaviside(q[0], 0.5)), TypeError, "^np.heaviside cannot be traced here"),
+                (traced(lambda q, p: np.nextafter(q[0], 0.5)), TypeError, "^np.nextafter cannot be traced here"),
                 (traced(lambda q, p: np.frompyfunc(lambda x: x, 1, 1)(q)[0]), TypeError, r"^<lambda> \(vectorized\) cannot be traced here"),
                 (traced(lambda q, p: float(q[0])), TypeError, r"fill np.zeros\(2, dtype=q.dtype\)"),
                 (traced(lambda q, p: np.gradient(q)[0]), TypeError, "np.gradient cannot be traced: .*fill"),

@@ -37,6 +37,21 @@ class Orbits(unittest.TestCase):
         self.assertIn(orbit.choice.monitor, repr(orbit))
         self.assertIn(f"{orbit.nsteps} steps", repr(orbit))
 
+    def test_a_drive_that_switches(self):
+        pushes = (
+            lambda t: avi.where(np.sin(3 * t) < 0, -1.0, 1.0),
+            lambda t: np.where(np.sin(3 * t) < 0, -1.0, 1.0),
+            lambda t: np.sign(np.sin(3 * t)),
+            lambda t: 2 * np.heaviside(np.sin(3 * t), 1.0) - 1,
+        )
+        ends = []
+        for push in pushes:
+            orbit = avi.solve(lambda q, t, p: (p @ p + q @ q) / 2 + 0.3 * q[0] * push(t), [1.0], [0.0], 50.0, 1e-10)
+            self.assertTrue(orbit.kept)
+            self.assertLess(orbit.nsteps, 500)
+            ends.append(orbit.q[0, -1])
+        self.assertLess(np.ptp(ends), 1e-12)
+
     def test_time_of_the_start(self):
         orbit = avi.solve(kepler, *START, (5.0, 5.0 + PERIOD), 1e-10)
         self.assertEqual(orbit.t.tolist(), [5.0, 5.0 + PERIOD])

@@ -172,6 +172,11 @@ class Tracing(unittest.TestCase):
                 for x in ([1.0, 1.0], [1.0, 2.0], [2.0, 1.0], [2.0, 2.0]):
                     self.assertEqual(formula.value(x), compare(x[0], x[1]) + 2.0 * compare(1.0, x[1]))
 
+    def test_the_step_of_heaviside(self):
+        formula = avi.objective(lambda x: np.heaviside(x[0] - x[1], 0.25 * x[1]), 2)
+        for x in ([1.0, 1.0], [1.0, 2.0], [2.0, 1.0], [0.0, 0.0]):
+            self.assertEqual(formula.value(x), np.heaviside(x[0] - x[1], 0.25 * x[1]))
+
     def test_means_along_axes(self):
         f = lambda x: np.mean(x, axis=0)[1] + 10 * np.mean(x, axis=(0, 1)) + 100 * x.mean() + np.mean(x, 1)[0]
         x = np.arange(6.0).reshape(2, 3)

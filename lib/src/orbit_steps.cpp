@@ -1,0 +1,87 @@
+#include "orbit_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace avi::detail {
+
+/// A step from a state to a time before which H does not switch, or the whole step h where that does not come
+/// so far: sizes by the secant method, from below and above.
+StepReport OrbitSteps::land(const State<dynamic>& from, double h, double time, State<dynamic>& z) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const double sense = std::copysign(1.0, h), most = std::abs(h), way = std::abs(time - from.t);
+  const double near = 4.0 * epsilon * std::max(std::abs(time), way);
+  StepReport report{.evaluations = 0};
+  double low = 0.0, high = 2.0 * most;  // sizes between which it is
+  const double due = way > 4.0 * std::abs(ahead_) ? ahead_ : 0.0;
+  double size = std::min((way - sense * due) / rate_, most), last = 0.0, last_late = way;
+  for (int k = 0; k < 60; ++k) {
+    z = from;
+    const StepReport step = whole_step(z, sense * size);
+    report.outcome = step.outcome;
+    report.evaluations += step.evaluations;
+    size_ = sense * size;
+    double next = 0.5 * (low + size);
+    if (step.ok()) {
+      const double late = sense * (time - z.t - (fixed_ ? 0.0 : due));
+      if (!fixed_) rate_ = std::abs(z.t - from.t) / size;
+      if (late > near && size == most) return report;
+      if (std::abs(late) <= near || (high - low <= 4.0 * epsilon * size && std::abs(late) <= 100.0 * near)) {
+        ahead_ -= fixed_ ? due : due + sense * late;
+        z.t = z.q[n_ - 1] = time;
+        return report;
+      }
+      (late > 0.0 ? low : high) = size;
+      next = size + late * (size - last) / (last_late - late);
+      last = size, last_late = late;
+    } else {
+      high = size;
+    }
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    size = std::min(next, most);
+  }
+  if (report.ok()) report.outcome = Outcome::not_converged;
+  return report;
+}
+
+/// A step up to the next switch, where there is one in it: a step over one would hardly be solved.
+StepReport OrbitSteps::step_to_switch(State<dynamic>& z, double h) {
+  StepReport report{.evaluations = 0};
+  const auto spend = [&](const StepReport& step) {
+    report.outcome = step.outcome;
+    report.evaluations += step.evaluations;
+  };
+  State<dynamic> from = z, to;
+  // It has ended at a switch, or at several. The time stays: to go on to the first one behind it without the
+  // system would make the clock of a long run fast.
+  double behind = z.t;
+  while (const auto here = switches_->at(behind, std::copysign(1.0, h))) {
+    from.p[n_ - 1] += switches_->fall(from.q.data(), from.p.data(), *here);
+    behind = here->after;
+  }
+  if (!(rate_ > 0.0)) {
+    to = from;
+    spend(clone()->whole_step(to, 1e-6 * h));
+    if (!report.ok()) return report;
+    rate_ = std::abs((to.t - from.t) / (1e-6 * h));
+  }
+  auto ahead = switches_->next(behind, from.t + h * rate_);
+  if (!ahead) {
+    to = from;
+    size_ = h;
+    spend(whole_step(to, h));
+    ahead = switches_->next(behind, report.ok() ? to.t : from.t + 2.0 * h * rate_);
+    if (!ahead && report.ok()) {
+      if (fixed_)
+        ahead_ += h - (to.t - from.t);
+      else
+        rate_ = std::abs((to.t - from.t) / h);
+    }
+  }
+  if (ahead) spend(land(from, h, ahead->before, to));
+  if (report.ok()) z = to;
+  return report;
+}
+
+}  // namespace avi::detail

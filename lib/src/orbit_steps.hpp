@@ -1,0 +1,95 @@
+#pragma once
+#include "avi/core/state.hpp"
+#include "stepper.hpp"
+#include "switches.hpp"
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+/// @file
+/// The steps of an orbit, of any method.
+
+namespace avi::detail {
+
+/// A method at states, whose steps end where H switches with time.
+class OrbitSteps {
+ public:
+  /// A method for n degrees of freedom.
+  OrbitSteps(std::unique_ptr<Stepper> steps, Eigen::Index n) : steps_(std::move(steps)), n_(n), z_(2 * n) {}
+
+  /// No step goes on beyond a switch: it ends at the last time before it, and the next one begins there with
+  /// the momentum of time behind it. @param fixed dt by d tau is 1
+  void end_at(const Switches& switches, bool fixed) {
+    switches_ = std::make_unique<Switches>(switches);
+    fixed_ = fixed;
+    rate_ = fixed ? 1.0 : 0.0;
+  }
+
+  /// Advances z by the fictive step h, or by a shorter one to a switch, unless the report says another
+  /// outcome than ok.
+  StepReport step(State<dynamic>& z, double h) {
+    if (switches_) return step_to_switch(z, h);
+    size_ = h;
+    return whole_step(z, h);
+  }
+  /// The fictive size of the last step.
+  [[nodiscard]] double size() const { return size_; }
+  /// See Stepper.
+  [[nodiscard]] bool can_go_beside() const { return !switches_ && steps_->can_go_beside(); }
+  /// A step of this orbit and one of another: see Stepper.
+  std::pair<StepReport, StepReport> step_beside(State<dynamic>& z, double h, OrbitSteps& other,
+                                                State<dynamic>& its, double its_h) {
+    size_ = h, other.size_ = its_h;
+    load(z), other.load(its);
+    const auto reports =
+        steps_->step_beside({z_.data(), &z.t, h}, *other.steps_, {other.z_.data(), &its.t, its_h});
+    store(z), other.store(its);
+    return reports;
+  }
+  /// The state at the fraction c of the last step: see Stepper.
+  [[nodiscard]] State<dynamic> polynomial(double c) const {
+    VectorX z(2 * n_);
+    State<dynamic> state;
+    polynomial(c, z, state.t);
+    state.q = z.head(n_);
+    state.p = z.tail(n_);
+    return state;
+  }
+  /// The same as 2n entries and a time.
+  void polynomial(double c, VectorX& z, double& t) const { steps_->polynomial(c, z.data(), t); }
+
+  /// See Stepper. @param z of 2n entries
+  void tail(VectorX& z) const { steps_->tail(z.data(), static_cast<int>(z.size())); }
+
+  /// Another one with the memory of the last step.
+  [[nodiscard]] std::unique_ptr<OrbitSteps> clone() const {
+    auto other = std::make_unique<OrbitSteps>(steps_->clone(), n_);
+    if (switches_) other->switches_ = std::make_unique<Switches>(*switches_);
+    other->size_ = size_, other->fixed_ = fixed_, other->rate_ = rate_, other->ahead_ = ahead_;
+    return other;
+  }
+
+ private:
+  StepReport whole_step(State<dynamic>& z, double h) {
+    load(z);
+    const StepReport report = steps_->step(z_.data(), z.t, h);
+    store(z);
+    return report;
+  }
+  StepReport step_to_switch(State<dynamic>& z, double h);
+  StepReport land(const State<dynamic>& from, double h, double time, State<dynamic>& z);
+  void load(const State<dynamic>& z) { z_ << z.q, z.p; }
+  void store(State<dynamic>& z) const { z.q = z_.head(n_), z.p = z_.tail(n_); }
+  std::unique_ptr<Stepper> steps_;
+  Eigen::Index n_;
+  VectorX z_;  // of the step under way
+  double size_ = 0.0;
+  std::unique_ptr<Switches> switches_;
+  bool fixed_ = false;
+  double rate_ = 0.0;  // mean dt by d tau of the last step, or 0 where there was none
+  double ahead_ =
+      0.0;  // of the clock, which rounding has set back at the steps since the last switch and there
+};
+
+}  // namespace avi::detail

@@ -1,0 +1,117 @@
+#include "avi/autodiff/formula.hpp"
+#include "src/switches.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace switches_test {
+
+using avi::detail::Switches;
+
+/// The switches of an H that is f(t), of one degree of freedom and time, from one time to another.
+template <class F>
+std::vector<Switches::Switch> all(const F& f, double from, double to) {
+  const auto h =
+      avi::Formula::of_phase([&](const auto& q, const auto& p) { return f(q[1]) * q[0] + p[1]; }, 2);
+  const auto none = Switches::of(h.graph(), h.node(), from, to);
+  std::vector<Switches::Switch> found;
+  if (!none) return found;
+  Switches switches = *none;
+  double t = from;
+  while (const auto next = switches.next(t, to)) {
+    found.push_back(*next);
+    t = next->after;
+  }
+  return found;
+}
+
+/// They hold these times, and nothing but rounding beside them.
+void expect_at(const std::vector<Switches::Switch>& found, const std::vector<double>& times) {
+  ASSERT_EQ(found.size(), times.size());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double size = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(times[i]);
+    EXPECT_NEAR(found[i].before, times[i], size);
+    EXPECT_NEAR(found[i].after, times[i], size);
+    EXPECT_NE(found[i].before, found[i].after);
+  }
+}
+
+TEST(Switches, AreTheZerosOfWhatDependsOnTimeAlone) {
+  std::vector<double> zeros;
+  for (int k = 1; k <= 954; ++k)
+    zeros.push_back(k * M_PI / 3.0);
+  expect_at(all([](const auto& t) { return avi::select(sin(3.0 * t) < 0.0, 1.0, 2.0); }, 0.5, 999.1), zeros);
+  expect_at(all([](const auto& t) { return abs(sin(3.0 * t)); }, 0.5, 999.1), zeros);
+  expect_at(all([](const auto& t) { return max(sin(3.0 * t), 0.0 * t); }, 0.5, 999.1), zeros);
+  std::ranges::reverse(zeros);
+  expect_at(all([](const auto& t) { return avi::select(sin(3.0 * t) <= 0.0, 1.0, 2.0); }, 999.1, 0.5), zeros);
+}
+
+TEST(Switches, AreNotWhatDependsOnTheStateToo) {
+  const auto h = avi::Formula::of_phase(
+      [](const auto& q, const auto& p) { return avi::select(q[0] < sin(q[1]), 1.0, 2.0) + abs(q[0]) + p[1]; },
+      2);
+  EXPECT_EQ(Switches::of(h.graph(), h.node(), 0.0, 10.0), nullptr);
+  const auto smooth =
+      avi::Formula::of_phase([](const auto& q, const auto& p) { return q[0] * sin(q[1]) + p[1]; }, 2);
+  EXPECT_EQ(Switches::of(smooth.graph(), smooth.node(), 0.0, 10.0), nullptr);
+}
+
+// On one side of a comparison with its bound, exactly.
+TEST(Switches, EndOnBothSidesOfABound) {
+  const auto below = [](const auto& t) { return avi::select(t < 5.0, 1.0, 2.0); };
+  const auto up_to = [](const auto& t) { return avi::select(t <= 5.0, 1.0, 2.0); };
+  for (const double sense : {1.0, -1.0}) {
+    const double from = 5.0 - 5.0 * sense, to = 5.0 + 5.0 * sense;
+    const auto first = all(below, from, to), second = all(up_to, from, to);
+    ASSERT_EQ(first.size(), 1u);
+    ASSERT_EQ(second.size(), 1u);
+    EXPECT_EQ(first[0].before<5.0, sense> 0.0);
+    EXPECT_EQ(first[0].after < 5.0, sense < 0.0);
+    EXPECT_EQ(second[0].before <= 5.0, sense > 0.0);
+    EXPECT_EQ(second[0].after <= 5.0, sense < 0.0);
+  }
+}
+
+// Pulses that are on for a thousandth of their period, by a comparison with what hardly gets there.
+TEST(Switches, AreFoundWhereTheyAreNear) {
+  const double half = 0.001 * M_PI, level = std::cos(half);
+  std::vector<double> times;
+  for (int k = 1; k <= 159; ++k) {
+    times.push_back(2.0 * M_PI * k - half);
+    times.push_back(2.0 * M_PI * k + half);
+  }
+  const auto found = all([&](const auto& t) { return avi::select(cos(t) < level, 0.0, 1.0); }, 1.0, 1000.0);
+  ASSERT_EQ(found.size(), times.size());
+  for (std::size_t i = 0; i < times.size(); ++i)  // cos() is flat there: the bound is not known better
+    EXPECT_NEAR(found[i].before, times[i], 1e-13 * (1.0 + times[i]) / half);
+}
+
+TEST(Switches, OfTwoComparisonsAtOneTimeAreOne) {
+  const auto found = all(
+      [](const auto& t) {
+        return avi::select(sin(t) < 0.0, 1.0, 2.0) + avi::select(0.0 <= sin(t), 3.0, 4.0) + abs(sin(t));
+      },
+      1.0, 100.0);
+  ASSERT_EQ(found.size(), 31u);
+}
+
+// H falls by what it is less behind the switch.
+TEST(Switches, TellByHowMuchHFalls) {
+  const auto h = avi::Formula::of_phase(
+      [](const auto& q, const auto& p) { return avi::select(q[1] < 5.0, 1.0, 3.5) * q[0] + p[0] + p[1]; }, 2);
+  Switches switches = *Switches::of(h.graph(), h.node(), 0.0, 10.0);
+  const auto next = switches.next(0.0, 10.0);
+  ASSERT_TRUE(next);
+  const double q[] = {2.0, 5.0}, p[] = {1.0, 7.0};
+  EXPECT_EQ(switches.fall(q, p, *next), -5.0);
+  EXPECT_FALSE(switches.next(0.0, 4.9));
+  EXPECT_FALSE(switches.next(5.1, 10.0));
+  EXPECT_TRUE(switches.next(next->before, next->before));
+}
+
+}  // namespace switches_test
