@@ -43,8 +43,9 @@ class SharpFeatures {
         for (const int operand : {graph[i].a, graph[i].b})
           moves = moves || (operand >= 0 && moving[static_cast<std::size_t>(operand)]);
       if (part[static_cast<std::size_t>(i)]) {
-        bends_ = bends_ || (!known[static_cast<std::size_t>(i)] &&
-                            (what == less || what == less_equal || what == abs || what == sign));
+        bends_ =
+            bends_ || (!known[static_cast<std::size_t>(i)] &&
+                       (what == less || what == less_equal || what == abs || what == sign || what == floor));
         hides_ = hides_ || (moves && (is_function(what) || what == divide || what == power || what == less ||
                                       what == less_equal || what == sign));
       }

@@ -14,31 +14,38 @@ namespace avi::detail {
 
 namespace {
 
-/// Nodes that make H switch where they become negative, or no longer are; added to the graph.
-std::vector<int> differences(ExpressionGraph& graph, int energy) {
+/// What makes H switch, its nodes added to the graph.
+std::vector<Switches::Cause> causes_of(ExpressionGraph& graph, int energy) {
   using enum Operation;
   const std::vector<char> part = graph.parts(energy), timed = Switches::of_time_alone(graph, energy);
-  std::vector<int> nodes;
+  std::vector<Switches::Cause> causes;
   for (int i = 0; i <= energy; ++i) {
     const ExpressionGraph::Node node = graph[i];
     if (!part[static_cast<std::size_t>(i)] || !timed[static_cast<std::size_t>(i)]) continue;
-    int difference = -1;
+    Switches::Cause cause;
     if (node.operation == less)
-      difference = graph.binary(subtract, node.a, node.b);
+      cause.node = cause.bends = graph.binary(subtract, node.a, node.b);
     else if (node.operation == less_equal)  // which is wrong where b < a
-      difference = graph.binary(subtract, node.b, node.a);
+      cause.node = cause.bends = graph.binary(subtract, node.b, node.a);
     else if (node.operation == abs || node.operation == sign)
-      difference = node.a;
-    if (difference >= 0 && std::ranges::find(nodes, difference) == nodes.end()) nodes.push_back(difference);
+      cause.node = cause.bends = node.a;
+    else if (node.operation == floor)
+      cause = {node.a, graph.unary(sin, graph.binary(multiply, graph.constant(M_PI), node.a)), true};
+    const bool known = std::ranges::find(causes, cause) != causes.end();
+    if (cause.node >= 0 && !known) causes.push_back(cause);
   }
-  return nodes;
+  return causes;
 }
 
-/// A time in which each of these functions of time bends a few times at most: the low half of its Taylor
-/// series has more than the high one. @param inputs of the graph, the last coordinate time
-double time_of_bends(const ExpressionGraph& graph, const std::vector<int>& nodes, double from, double span) {
+/// A time in which what each of them compares bends a few times at most: the low half of its Taylor series
+/// has more than the high one.
+double time_of_bends(const ExpressionGraph& graph, const std::vector<Switches::Cause>& causes, double from,
+                     double span) {
   using Number = DualNumber<1>;
   constexpr int order = 8, looks = 64;
+  std::vector<int> nodes;
+  for (const Switches::Cause& cause : causes)
+    nodes.push_back(cause.bends);
   TaylorSeries<Number> series(graph, {}, nodes, order);
   double radius = std::abs(span);
   for (int look = 0; look < looks; ++look) {
@@ -66,6 +73,13 @@ double time_of_bends(const ExpressionGraph& graph, const std::vector<int>& nodes
     }
   }
   return radius;
+}
+
+Program program_of(const ExpressionGraph& graph, const std::vector<Switches::Cause>& causes) {
+  std::vector<int> nodes;
+  for (const Switches::Cause& cause : causes)
+    nodes.push_back(cause.node);
+  return Schedule::program(graph, -1, nodes, graph.size());
 }
 
 }  // namespace
@@ -96,32 +110,32 @@ std::vector<char> Switches::of_time_alone(const ExpressionGraph& graph, int ener
 std::shared_ptr<const Switches> Switches::of(const ExpressionGraph& graph, int energy, double from,
                                              double to) {
   ExpressionGraph more = graph;
-  const std::vector<int> nodes = differences(more, energy);
-  if (nodes.empty() || from == to) return nullptr;
+  std::vector<Cause> causes = causes_of(more, energy);
+  if (causes.empty() || from == to) return nullptr;
   const double far = std::max(std::abs(from), std::abs(to)), span = std::abs(to - from);
-  const double cell = std::max(0.5 * std::min(time_of_bends(more, nodes, from, to - from), 0.125 * span),
+  const double cell = std::max(0.5 * std::min(time_of_bends(more, causes, from, to - from), 0.125 * span),
                                64.0 * std::numeric_limits<double>::epsilon() * far);
-  return std::shared_ptr<const Switches>(new Switches(more, energy, nodes, from, cell));
+  return std::shared_ptr<const Switches>(new Switches(more, energy, std::move(causes), from, cell));
 }
 
-Switches::Switches(const ExpressionGraph& graph, int energy, const std::vector<int>& differences, double from,
+Switches::Switches(const ExpressionGraph& graph, int energy, std::vector<Cause> causes, double from,
                    double cell)
-    : n_(graph.inputs() / 2), from_(from),
-      cell_(cell), differences_{Schedule::program(graph, -1, differences, graph.size())},
-      energy_{Schedule::program(graph, energy, {}, graph.size())}, at_(static_cast<std::size_t>(2 * n_), 0.0),
-      seen_(std::numeric_limits<double>::quiet_NaN()) {}
+    : n_(graph.inputs() / 2), from_(from), cell_(cell), causes_(std::move(causes)),
+      compared_{program_of(graph, causes_)}, energy_{Schedule::program(graph, energy, {}, graph.size())},
+      at_(static_cast<std::size_t>(2 * n_), 0.0), seen_(std::numeric_limits<double>::quiet_NaN()),
+      points_(causes_.size()) {}
 
-/// A difference at a time.
-double Switches::value(std::size_t difference, double t) {
+/// What a cause compares with zero, or with whole numbers, at a time.
+double Switches::value(std::size_t cause, double t) {
   at_[static_cast<std::size_t>(n_ - 1)] = t;
-  differences_.run(at_.data(), at_.data() + n_, n_);
-  return differences_.partial(static_cast<int>(difference));
+  compared_.run(at_.data(), at_.data() + n_, n_);
+  return compared_.partial(static_cast<int>(cause));
 }
 
-/// Where a difference, times its sign, is lowest between two times, by golden section.
-double Switches::lowest(std::size_t difference, double sign, double low, double high) {
+/// The point where that, times a sign, is lowest between two times, by golden section.
+Switches::Point Switches::lowest(std::size_t cause, double sign, double low, double high) {
   constexpr double golden = 0.6180339887498949;
-  const auto size = [&](double t) { return sign * value(difference, t); };
+  const auto size = [&](double t) { return sign * value(cause, t); };
   double a = high - golden * (high - low), b = low + golden * (high - low), at_a = size(a), at_b = size(b);
   for (int i = 0; i < 40; ++i) {
     if (at_a < at_b) {
@@ -132,19 +146,26 @@ double Switches::lowest(std::size_t difference, double sign, double low, double 
       b = low + golden * (high - low), at_b = size(b);
     }
   }
-  return 0.5 * (low + high);
+  const double t = 0.5 * (low + high);
+  return {t, value(cause, t)};
 }
 
-/// Adds where a difference becomes negative, or no longer is, between two times.
-void Switches::add_zero(std::size_t difference, const Point& low, const Point& high) {
-  const bool falls = high.value < 0.0;
-  if ((low.value < 0.0) == falls) return;
-  constexpr double least =
-      std::numeric_limits<double>::denorm_min();  // of what is zero, on the side it counts to
-  const auto rising = [&](double x) { return !falls ? x : x == 0.0 ? -least : -x; };
-  if (!std::isfinite(low.value) || !std::isfinite(high.value)) return;
-  const auto f = [&](double t) { return rising(value(difference, t)); };
-  const Root zero = bracketed_root(f, low.t, rising(low.value), high.t, rising(high.value), -1.0);
+/// Adds where a cause becomes less than what it is compared with, or no longer is, between two points.
+void Switches::add_between(std::size_t cause, const Point& low, const Point& high) {
+  if (!causes_[cause].whole) return add_zero(cause, 0.0, low, high);
+  constexpr int most = 1000;  // of whole numbers, of which cells of that size have a few
+  const double least = std::floor(std::min(low.value, high.value)), last = std::max(low.value, high.value);
+  for (int k = 1; k <= most && least + k <= last; ++k)
+    add_zero(cause, least + k, low, high);
+}
+void Switches::add_zero(std::size_t cause, double bound, const Point& low, const Point& high) {
+  const double first = low.value - bound, last = high.value - bound;
+  const bool falls = last < 0.0;
+  if ((first < 0.0) == falls || !std::isfinite(first) || !std::isfinite(last)) return;
+  // What is zero is on the side that it counts to.
+  const auto rising = [&](double x) { return !falls ? x : x == 0.0 ? -0x1p-1074 : -x; };
+  const auto f = [&](double t) { return rising(value(cause, t) - bound); };
+  const Root zero = bracketed_root(f, low.t, rising(first), high.t, rising(last), -1.0);
   if (!zero.closed) return;
   // A run may begin at any of the few numbers that are left.
   Switch found{zero.low, zero.high};
@@ -159,42 +180,45 @@ void Switches::add_zero(std::size_t difference, const Point& low, const Point& h
   inside_.push_back(found);
 }
 
+/// Adds what is passed twice between three points, there and back.
+void Switches::add_turn(std::size_t cause, const Point& before, const Point& here, const Point& after) {
+  const double in = here.value - before.value, out = after.value - here.value;
+  if (!(in * out <= 0.0) || out == 0.0) return;
+  // Where it turns, at most so much further.
+  const double sign = out > 0.0 ? 1.0 : -1.0, further = here.value - sign * (std::abs(in) + std::abs(out));
+  const bool reaches = causes_[cause].whole ? std::floor(further) != std::floor(here.value)
+                                            : (further < 0.0) != (here.value < 0.0);
+  if (!reaches) return;
+  const Point turn = lowest(cause, sign, before.t, after.t);
+  add_between(cause, before, turn), add_between(cause, turn, after);
+}
+
 /// Finds the switches of a cell.
 void Switches::look_into(double cell) {
   if (cell == seen_) return;
   seen_ = cell;
   inside_.clear();
   const double low = edge(cell), high = edge(cell + 1.0), step = (high - low) / parts;
-  const auto count = static_cast<std::size_t>(differences_.program.slopes());
-  // One more at each side, for what comes near zero at the edges.
-  std::array<double, parts + 3> times;
-  points_.resize(count);
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    times[k] = k == 1 ? low : k == parts + 1 ? high : low + (static_cast<double>(k) - 1.0) * step;
-    (void)value(0, times[k]);
-    for (std::size_t i = 0; i < count; ++i)
-      points_[i][k] = {times[k], differences_.partial(static_cast<int>(i))};
+  // One more at each side, for what turns at the edges.
+  for (std::size_t k = 0; k < parts + 3; ++k) {
+    const double t = k == 1 ? low : k == parts + 1 ? high : low + (static_cast<double>(k) - 1.0) * step;
+    (void)value(0, t);
+    for (std::size_t i = 0; i < causes_.size(); ++i)
+      points_[i][k] = {t, compared_.partial(static_cast<int>(i))};
   }
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < causes_.size(); ++i) {
     const auto& at = points_[i];
     for (std::size_t k = 1; k <= parts; ++k)
-      add_zero(i, at[k], at[k + 1]);
-    for (std::size_t k = 1; k <= parts + 1; ++k) {
-      const double before = at[k - 1].value, here = at[k].value, after = at[k + 1].value;
-      const bool dips = before * here > 0.0 && here * after > 0.0 && std::abs(here) <= std::abs(before) &&
-                        std::abs(here) < std::abs(after);
-      if (!dips) continue;
-      const double t = lowest(i, std::copysign(1.0, here), at[k - 1].t, at[k + 1].t);
-      const Point there{t, value(i, t)};
-      add_zero(i, at[k - 1], there), add_zero(i, there, at[k + 1]);
-    }
+      add_between(i, at[k], at[k + 1]);
+    for (std::size_t k = 1; k <= parts + 1; ++k)
+      add_turn(i, at[k - 1], at[k], at[k + 1]);
   }
-  // Of two cells that have found the same one keeps it; several at one time are one.
+  // Of two cells that have found the same one keeps it. Several that only rounding tells apart are one.
   std::erase_if(inside_, [&](const Switch& it) { return it.before < low || it.after > high; });
   std::ranges::sort(inside_, {}, &Switch::before);
   std::size_t last = 0;
   for (std::size_t k = 1; k < inside_.size(); ++k)
-    if (inside_[k].before <= inside_[last].after)
+    if (inside_[k].before <= inside_[last].after + 64.0 * rounding(inside_[k].before))
       inside_[last].after = std::max(inside_[last].after, inside_[k].after);
     else
       inside_[++last] = inside_[k];
@@ -226,8 +250,10 @@ std::optional<Switches::Switch> Switches::next(double t, double to) {
 }
 
 std::optional<Switches::Switch> Switches::at(double t, double sense) {
-  const double near = std::numeric_limits<double>::epsilon() * std::max(std::abs(t), cell_);
-  return next(t, t + sense * near);
+  // One that it is in the middle of is found from before.
+  const auto found = next(t - 64.0 * sense * rounding(t), t + sense * rounding(t));
+  if (!found || !(sense * (found->after - t) > 0.0)) return {};
+  return Switch{t, found->after};
 }
 
 double Switches::fall(const double* q, const double* p, const Switch& at) {
@@ -237,8 +263,9 @@ double Switches::fall(const double* q, const double* p, const Switch& at) {
     energy_.run(there.data(), p, n_);
     return energy_.value();
   };
-  const double before = energy(at.before);
-  return before - energy(at.after);
+  // Next to a switch H may be rounded to what it is nowhere else, as the floor of 1 - 1e-17.
+  const double aside = 16.0 * std::copysign(rounding(at.after), at.after - at.before);
+  return energy(at.before) - (2.0 * energy(at.after + aside) - energy(at.after + 2.0 * aside));
 }
 
 }  // namespace avi::detail

@@ -3,8 +3,11 @@
 #include "avi/autodiff/program.hpp"
 #include "avi/core/state.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -15,9 +18,9 @@
 namespace avi::detail {
 
 /// The times at which H, of (q, t, p) with time as the last coordinate, switches: at which a comparison of
-/// two functions of time alone becomes true or false, or such a function whose absolute value H takes goes
-/// through zero. A step ends there, so that H is smooth in every one, and the momentum of time changes by
-/// what H does, which keeps \f$H + p^t\f$ as it is.
+/// two functions of time alone becomes true or false, or such a function goes through zero whose absolute
+/// value H takes, or through a whole number where H takes its floor. A step ends there, so that H is smooth
+/// in every one, and the momentum of time changes by what H does, which keeps \f$H + p^t\f$ as it is.
 ///
 /// Time is divided into cells in which those functions bend a few times at most, as the Taylor series of them
 /// at many points tell; in a cell changes of sign are looked for between 9 points, and where a function
@@ -31,6 +34,13 @@ class Switches {
   /// For each node up to that of H, whether it is a function of the last coordinate alone.
   static std::vector<char> of_time_alone(const ExpressionGraph& graph, int energy);
 
+  /// A function of time that makes H switch.
+  struct Cause {
+    int node = -1;       ///< It itself: H switches where it becomes negative, or no longer is.
+    int bends = -1;      ///< What has a zero for each switch.
+    bool whole = false;  ///< H switches where its floor changes.
+    bool operator==(const Cause&) const = default;
+  };
   /// A switch: the last time before it and the first one behind it, in the direction of the run.
   struct Switch {
     double before, after;
@@ -45,15 +55,20 @@ class Switches {
   double fall(const double* q, const double* p, const Switch& at);
 
  private:
-  Switches(const ExpressionGraph& graph, int energy, const std::vector<int>& differences, double from,
-           double cell);
-  [[nodiscard]] double edge(double cell) const { return from_ + cell * cell_; }
+  Switches(const ExpressionGraph& graph, int energy, std::vector<Cause> causes, double from, double cell);
+  // A run begins in the middle of a cell: there may be a switch at its start.
+  [[nodiscard]] double edge(double cell) const { return from_ + (cell - 0.381966) * cell_; }
+  [[nodiscard]] double rounding(double t) const {
+    return std::numeric_limits<double>::epsilon() * std::max(std::abs(t), cell_);
+  }
   struct Point {
     double t, value;
   };
-  double value(std::size_t difference, double t);
-  double lowest(std::size_t difference, double sign, double low, double high);
-  void add_zero(std::size_t difference, const Point& low, const Point& high);
+  double value(std::size_t cause, double t);
+  Point lowest(std::size_t cause, double sign, double low, double high);
+  void add_between(std::size_t cause, const Point& low, const Point& high);
+  void add_zero(std::size_t cause, double bound, const Point& low, const Point& high);
+  void add_turn(std::size_t cause, const Point& before, const Point& here, const Point& after);
   void look_into(double cell);
 
   static constexpr std::size_t parts = 8;     // of a cell
@@ -61,11 +76,12 @@ class Switches {
 
   Eigen::Index n_;
   double from_, cell_;
-  RecordedFormula<double> differences_, energy_;
+  std::vector<Cause> causes_;
+  RecordedFormula<double> compared_, energy_;
   std::vector<double> at_;                            // (q, p), all but time zero
   double seen_;                                       // cell that is known
   std::vector<Switch> inside_;                        // its switches, forwards
-  std::vector<std::array<Point, parts + 3>> points_;  // scratch: of each difference
+  std::vector<std::array<Point, parts + 3>> points_;  // scratch: of each cause
 };
 
 }  // namespace avi::detail

@@ -40,6 +40,10 @@ inline const auto elementary =
                  return erf(x) * erfc(x - y);
                },
                [](const auto& x, const auto& y) {
+                 using std::floor;
+                 return floor(3.0 * x) * y + floor(x - 2.7 * y) * x;
+               },
+               [](const auto& x, const auto& y) {
                  using std::atan2, std::hypot, std::pow;
                  return atan2(x, -y) + atan2(2.0, x) + hypot(x, y) + hypot(1.0, y) -
                         pow(x, y) * pow(2.0, x) * pow(y, 1.7);

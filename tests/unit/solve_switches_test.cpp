@@ -62,6 +62,25 @@ TEST(SolveSwitches, StepsEndWhereHJumpsWithTime) {
       }
 }
 
+// The same wave in other words.
+TEST(SolveSwitches, APeriodMayBeWrittenByAFloor) {
+  const double period = 2.0 * M_PI / 3.0;
+  const auto wave = [&](const auto& t) { return t / period - floor(t / period); };
+  const auto halves = [&](const auto& q, const auto& t, const auto& p) {
+    return 0.5 * (p[0] * p[0] + q[0] * q[0]) + strength * q[0] * avi::select(wave(t) < 0.5, 1.0, -1.0);
+  };
+  const auto steps = [&](const auto& q, const auto& t, const auto& p) {
+    return 0.5 * (p[0] * p[0] + q[0] * q[0]) + strength * q[0] * (1.0 - 2.0 * floor(2.0 * wave(t)));
+  };
+  for (const double t_end : {50.0, -50.0}) {
+    for (const auto& orbit : {solve(halves, start(), t_end, 1e-10), solve(steps, start(), t_end, 1e-10)}) {
+      EXPECT_TRUE(orbit.kept());
+      EXPECT_LE(error(orbit.state, 3.0), 1e-11);
+      EXPECT_LE(orbit.run.steps, 500);
+    }
+  }
+}
+
 // To the end and from there back to the start.
 TEST(SolveSwitches, TheWayBackLeadsToTheStart) {
   const auto there = solve(driven(3.0), start(), 40.0, 1e-13);

@@ -91,6 +91,36 @@ TEST(Switches, AreFoundWhereTheyAreNear) {
     EXPECT_NEAR(found[i].before, times[i], 1e-13 * (1.0 + times[i]) / half);
 }
 
+// A ramp that begins anew, and a staircase that goes up and down: near its top a step is as long as it is not
+// high.
+TEST(Switches, AreWhereAFloorChanges) {
+  std::vector<double> times;
+  for (int k = 2; k <= 141; ++k)
+    times.push_back(0.7 * k);
+  const auto ramp = [](const auto& t) { return t - 0.7 * floor(t / 0.7); };
+  expect_at(all(ramp, 0.75, 99.0), times);
+  std::ranges::reverse(times);
+  expect_at(all(ramp, 99.0, 0.75), times);
+  times.clear();
+  const double height = 2.000001;
+  for (int k = 0; k < 20; ++k)
+    for (const double level : {0.0, 1.0, 2.0}) {
+      const double angle = std::asin(level / height);
+      times.push_back(2.0 * M_PI * k + angle);
+      times.push_back((2.0 * k + 1.0) * M_PI - angle);
+      if (level > 0.0) {
+        times.push_back((2.0 * k + 1.0) * M_PI + angle);
+        times.push_back((2.0 * k + 2.0) * M_PI - angle);
+      }
+    }
+  std::ranges::sort(times);
+  times.erase(times.begin());  // the start
+  const auto found = all([&](const auto& t) { return floor(height * sin(t)); }, 1e-3, 40.0 * M_PI - 1e-3);
+  ASSERT_EQ(found.size(), times.size());
+  for (std::size_t i = 0; i < times.size(); ++i)
+    EXPECT_NEAR(found[i].before, times[i], 1e-11);
+}
+
 TEST(Switches, OfTwoComparisonsAtOneTimeAreOne) {
   const auto found = all(
       [](const auto& t) {

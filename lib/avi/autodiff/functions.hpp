@@ -45,6 +45,7 @@
   ONE(log1p, one_by_one, 1.0 / (1.0 + a))                                   \
   ONE(erf, one_by_one, M_2_SQRTPI * exp(-(a * a)))                          \
   ONE(erfc, one_by_one, -M_2_SQRTPI * exp(-(a * a)))                        \
+  ONE(floor, one_by_one, 0.0 * a)                                           \
   TWO(atan2, b / hypot(a, b) / hypot(a, b), -a / hypot(a, b) / hypot(a, b)) \
   TWO(hypot, a / f, b / f)                                                  \
   TWO(pow, slope_of_power(a, b), f * log(a + 5e-324))

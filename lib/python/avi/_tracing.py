@@ -7,10 +7,6 @@ import operator
 from . import _algebra
 from ._avi import Traced, functions as _names, pool, traced, where as _where
 
-_ROUNDING = (
-    "Rounding and remainders (x // a, x % a, round(x), np.floor(x)) cannot be traced, and there is no other way to write them: a formula has "
-    "to have slopes. An angle needs none, since np.sin and np.cos take it as it is."
-)
 _REFUSED = {
     "A function is traced with numbers that have no value yet, so float(x), int(x), math.sin(x) and the like cannot take them: write "
     "np.sin(x), np.sqrt(x) and so on, and make arrays by np.stack([x, y]) instead of filling np.zeros(2), or fill np.zeros(2, dtype=q.dtype).": (
@@ -21,7 +17,7 @@ _REFUSED = {
     "A function that asks whether two of its numbers are equal cannot be traced; instead of `==` and `!=` write avi.where(a < b, x, y).": (
         "eq ne"
     ),
-    _ROUNDING: "round floor ceil trunc floordiv rfloordiv mod rmod divmod rdivmod ifloordiv imod",
+    "divmod() gives two numbers, which a traced one cannot be: write x // a and x % a.": "divmod rdivmod",
     "Traced numbers cannot be assigned to: make a new array by np.stack([x, y]) or np.concatenate([u, v]).": "setitem",
 }
 
@@ -58,7 +54,7 @@ def _assigned(of):
 for _name, _of in {
     "neg": "negative", "pos": "positive", "abs": "absolute", "invert": "invert", "add": "add", "sub": "subtract", "mul": "multiply",
     "truediv": "divide", "pow": "power", "lt": "less", "le": "less_equal", "gt": "greater", "ge": "greater_equal", "and": "logical_and",
-    "or": "logical_or",
+    "or": "logical_or", "mod": "remainder", "floordiv": "floor_divide", "floor": "floor", "ceil": "ceil", "trunc": "trunc",
 }.items():  # fmt: skip
     setattr(Traced, f"__{_name}__", getattr(Traced, _of))
     if hasattr(float, f"__r{_name}__") or hasattr(int, f"__r{_name}__"):
@@ -68,12 +64,16 @@ for _name, _of in {
 Traced.__imatmul__ = _assigned("__matmul__")
 
 
+def _round(a, decimals=0):
+    return a.rint() if not decimals else (a * 10.0**decimals).rint() / 10.0**decimals
+
+
+Traced.__round__ = _round
+
+
 def functions():
     """The names of the functions that can be traced, those of NumPy and scipy.special."""
     return sorted(_names)
-
-
-_ROUND = {"floor", "ceil", "trunc", "rint", "remainder", "fmod", "divmod", "floor_divide", "modf"}
 
 
 def _array_ufunc(self, ufunc, method, *inputs, out=None, axis=0, **options):
@@ -101,8 +101,6 @@ def _array_ufunc(self, ufunc, method, *inputs, out=None, axis=0, **options):
         if name in _names:
             first, *others = inputs
             return getattr(Traced, name)(first, *others) if isinstance(first, Traced) else getattr(self, f"reversed_{name}")(first)
-    if name in _ROUND:
-        raise TypeError(f"np.{name}: {_ROUNDING}")
     if method != "__call__" or options:
         words = [f"with {', '.join(options)}="] * bool(options) + [f"as np.{name}.{method}"] * (method != "__call__")
         raise TypeError(f"np.{name} cannot be traced {' '.join(words)}.")
@@ -257,6 +255,8 @@ _FUNCTIONS = {
     "dot": _dot,
     "norm": _algebra.norm,
     "clip": _clip,
+    **dict.fromkeys(("round", "around", "round_"), _round),
+    "fix": lambda x: x.trunc(),
 }
 _FUNCTIONS["max"], _FUNCTIONS["min"] = _FUNCTIONS["amax"], _FUNCTIONS["amin"]
 _JOINS = {"concatenate", "stack", "hstack", "vstack", "column_stack", "dstack"}
@@ -273,7 +273,6 @@ _NOT_HERE = {
     **dict.fromkeys(("array_equal", "array_equiv", "allclose", "isclose"), _EQUAL),
     "interp": "A table cannot be looked up by a number that has no value yet: take a polynomial (np.polyval) or a sum of np.exp that fits it.",
     "piecewise": "Write avi.where(condition, x, y), or np.select([a < b, c < d], [x, y], z).",
-    **dict.fromkeys(("round", "around", "round_", "fix"), _ROUNDING),
 }
 _NOT_HERE["fill_diagonal"] += " A diagonal is taken away by a * (1 - np.eye(n)) and put in by + np.eye(n) * b."
 

@@ -37,6 +37,13 @@ inline Recorded sinc(const Recorded& y) {
   return select(square < 1.0, series, sin(away) / away);
 }
 
+/// The nearest whole number, of two the even one, as everywhere in IEEE 754; all numbers are whole from 2^52
+/// on.
+inline Recorded rint(const Recorded& a) {
+  const Recorded near = floor(a + 0.5), odd = near - 2.0 * floor(0.5 * near);
+  return select(abs(a) < 0x1p52, select(0.5 <= near - a, near - odd, near), a);
+}
+
 // clang-format off
 /// Functions of one number.
 inline const std::map<std::string_view, One> ones = {
@@ -56,6 +63,7 @@ inline const std::map<std::string_view, One> ones = {
   AVI_ROW(rad2deg, (180.0 / M_PI) * a) AVI_ROW(degrees, (180.0 / M_PI) * a)
   AVI_ROW(expit, expit(a)) AVI_ROW(sinc, sinc(M_PI * a))
   AVI_ROW(logical_not, 1.0 - a) AVI_ROW(invert, 1.0 - a)
+  AVI_ROW(ceil, -floor(-a)) AVI_ROW(trunc, select(a < 0.0, -floor(-a), floor(a))) AVI_ROW(rint, rint(a))
 #undef AVI_ROW
 };
 /// Functions of two.
@@ -74,6 +82,7 @@ inline const std::map<std::string_view, Two> twos = {
   AVI_ROW(greater, less(b, a)) AVI_ROW(greater_equal, less_equal(b, a))
   AVI_ROW(logical_and, when(a, b)) AVI_ROW(bitwise_and, when(a, b))
   AVI_ROW(logical_or, max(a, b)) AVI_ROW(bitwise_or, max(a, b))
+  AVI_ROW(remainder, a - b * floor(a / b)) AVI_ROW(floor_divide, floor(a / b))
   AVI_ROW(heaviside, select(a < 0.0, 0.0, select(0.0 < a, 1.0, b)))
 #undef AVI_ROW
 };

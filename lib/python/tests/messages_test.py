@@ -88,18 +88,10 @@ class Refused(unittest.TestCase):
         self.assertEqual(traced(lambda x, time, v: x @ v + time)().size, 5)
         self.assertEqual(traced(lambda q, p, c=None: q @ p * c[0], parameters=[2.0])().value([1, 1, 1, 1]), 4.0)
 
-    def test_rounding(self):
-        for f in (
-            lambda q: q[0] % 1,
-            lambda q: q[0] // 1,
-            lambda q: round(q[0]),
-            lambda q: np.floor(q)[0],
-            lambda q: np.mod(q, 1)[0],
-            lambda q: np.round(q)[0],
-            lambda q: np.rint(q[0]),
-            lambda q: np.fix(q)[0],
-        ):
-            self.check([(traced(lambda q, p: f(q)), TypeError, "no other way to write them.*np.sin and np.cos take it")])
+    def test_two_numbers_at_once(self):
+        self.check([(traced(lambda q, p: divmod(q[0], 2)), TypeError, "x // a and x % a")])
+        for f in (np.divmod, np.modf, np.fmod):
+            self.check([(traced(lambda q, p: f(*[q[0], 2.0][: f.nin])), TypeError, f"np.{f.__name__} cannot be traced here")])
 
     def test_scipys_compiled_code(self):
         try:

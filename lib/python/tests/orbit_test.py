@@ -43,6 +43,8 @@ class Orbits(unittest.TestCase):
             lambda t: np.where(np.sin(3 * t) < 0, -1.0, 1.0),
             lambda t: np.sign(np.sin(3 * t)),
             lambda t: 2 * np.heaviside(np.sin(3 * t), 1.0) - 1,
+            lambda t: np.where(t % (np.pi / 1.5) < np.pi / 3, 1.0, -1.0),
+            lambda t: 1 - 2 * (t // (np.pi / 3) % 2),
         )
         ends = []
         for push in pushes:

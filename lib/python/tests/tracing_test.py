@@ -172,6 +172,32 @@ class Tracing(unittest.TestCase):
                 for x in ([1.0, 1.0], [1.0, 2.0], [2.0, 1.0], [2.0, 2.0]):
                     self.assertEqual(formula.value(x), compare(x[0], x[1]) + 2.0 * compare(1.0, x[1]))
 
+    def test_rounding_and_remainders(self):
+        import math
+
+        numbers = np.array([-3.0, -2.5, -1.75, -0.5, -0.2, 0.0, 0.2, 0.5, 0.49999999999999994, 1.5, 2.5, 3.0, 7.25, 2.0**52 + 1, 1e300])
+        for f in (
+            np.floor, np.ceil, np.trunc, np.fix, np.rint, np.round, lambda x: np.around(x, 1), lambda x: x % 2, lambda x: np.mod(x, -1.5),
+            lambda x: x // 0.75, lambda x: np.remainder(7.0, x + 0.13), lambda x: 5.5 // (x - 0.3), lambda x: 5.5 % (x - 0.3),
+            lambda x: x - np.floor(x / 2) * 2,
+        ):  # fmt: skip
+            few = numbers if f in (np.floor, np.ceil, np.trunc, np.fix, np.rint, np.round) else numbers[:-2]
+            for x in few:
+                self.assertAlmostEqual(avi.objective(lambda x: f(x)[0] + 0 * x[0], 1).value([x]), f(x), delta=1e-14)
+        for f in (round, math.floor, math.ceil, math.trunc):
+            for x in numbers[:-2]:
+                self.assertEqual(avi.objective(lambda x: f(x[0]) + x[0], 1).value([x]), f(x) + x)
+
+        def in_place(x):
+            x = x * 1.0
+            x %= 2.0
+            x //= 0.5
+            return x.sum()
+
+        self.assertEqual(avi.objective(in_place, 2).value([5.25, -0.25]), in_place(np.array([5.25, -0.25])))
+        formula = avi.objective(lambda x: (x % 2.0).sum() * x[0], 2)
+        self.assertEqual(formula.gradient([5.25, -0.25]).tolist(), [3.0 + 5.25, 5.25])
+
     def test_the_step_of_heaviside(self):
         formula = avi.objective(lambda x: np.heaviside(x[0] - x[1], 0.25 * x[1]), 2)
         for x in ([1.0, 1.0], [1.0, 2.0], [2.0, 1.0], [0.0, 0.0]):
@@ -251,9 +277,7 @@ class Tracing(unittest.TestCase):
             (lambda q, p: avi.where((q[0] > 0) & q[1], 1, 2), "comparisons"),
             (lambda q, p: q[0] == 1, "=="),
             (lambda q, p: np.equal(q, 1.0), "=="),
-            (lambda q, p: q[0] % 1, "remainders"),
-            (lambda q, p: q[0] // 1, "remainders"),
-            (lambda q, p: np.floor(q[0]), "np.floor"),
+            (lambda q, p: np.modf(q[0]), "np.modf"),
             (lambda q, p: np.linalg.inv(np.array([[q[0], 0.0], [0.0, p[0]]]))[0, 0], "np.stack([a, b])"),
             (lambda q, p: np.linalg.svd(np.outer(q, p))[1][0], "np.linalg.svd"),
             (lambda q, p: np.einsum("i...,i", q, p), "one letter for each axis"),
