@@ -246,7 +246,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     return true;
   };
   // Steps that switches cut are the same in both runs, which then say nothing of each other.
-  const bool cut = 4 * coarse_->whole < coarse_->run.steps;
+  const bool cut = question_.switches && 4 * coarse_->whole < coarse_->run.steps;
   if (question_.options.h > 0.0) {
     seen_ = coarse_->ok() && !cut ? compare(*coarse_, *fine_) : Comparison();
     return false;
