@@ -3,7 +3,6 @@
 #include "avi/core/outcome.hpp"
 #include "avi/core/state.hpp"
 
-#include <algorithm>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -235,12 +234,12 @@ struct Prepared;
 
 /// An orbit that is asked for. Holds no vector of another library: the processor may be another one there.
 struct OrbitQuestion {
-  ExpressionGraph graph;           ///< Inputs are (q, p), 2n of them; or (q, p, t), where H depends on time.
-  int energy;                      ///< Node of H.
-  std::vector<double> q, p;        ///< Start, n numbers each.
-  double t, t_end, tolerance;      ///< Start, end, tolerance.
-  SolveOptions options;            ///< Bounds, and what is fixed; its events are those below.
-  std::vector<double> times = {};  ///< Where states are wanted, from the start to the end.
+  ExpressionGraph graph;  ///< Inputs are (q, p), 2n of them; or (q, p, t), where H depends on time.
+  int energy;             ///< Node of H.
+  std::vector<double> q = {}, p = {};             ///< Start, n numbers each.
+  double t = 0.0, t_end = 0.0, tolerance = 0.0;   ///< Start, end, tolerance.
+  SolveOptions options = {};                      ///< Bounds, and what is fixed; its events are those below.
+  std::vector<double> times = {};                 ///< Where states are wanted, from the start to the end.
   std::vector<OrbitEvent> events = {};            ///< Events to look for on the way.
   std::shared_ptr<const Choice> made = {};        ///< A choice that is made already, unless it is empty,
   std::shared_ptr<const Prepared> prepared = {};  ///< and what is made of H for it.
@@ -374,12 +373,7 @@ OrbitQuestion question_of(const H& hamiltonian, const State<n>& start, double t_
     ExpressionGraph graph(2 * count);
     const Vec q = recorded_inputs<n>(graph, 0, count), p = recorded_inputs<n>(graph, count, count);
     const int energy = recorded_call(hamiltonian, q, p).node_in(graph);
-    const Vector<Recorded, n> by_q = sized("Number of entries of d_dq", hamiltonian.d_dq(q, p), count),
-                              by_p = sized("Number of entries of d_dp", hamiltonian.d_dp(q, p), count);
-    std::vector<int> gradient;
-    for (const auto* slopes : {&by_q, &by_p})
-      for (int i = 0; i < count; ++i)
-        gradient.push_back((*slopes)[i].node_in(graph));
+    std::vector<int> gradient = supplied_gradient(hamiltonian, q, p, graph);
     OrbitQuestion question = question_of(std::move(graph), energy, start, t_end, tolerance, options);
     question.gradient = std::move(gradient);
     return question;

@@ -80,8 +80,6 @@ struct Measured {
   std::vector<std::array<double, 2>> changes = {};
   double steepest = 0.0;  ///< Its largest relative derivative, over the strength of the entry.
 
-  /// At the next sample.
-  void add(double value) { lively.push_back(value); }
   /// A derivative of the last one.
   void add_slope(double slope, double strength) {
     steepest = std::max(steepest, std::abs(slope) / (std::abs(lively.back()) * strength));
@@ -95,7 +93,7 @@ Measured measure(const Sketch& sketch, const Resting& resting, double energy_at_
   const Eigen::Index n = strength.size() / 2;
   for (std::size_t k = 0; k < sketch.samples.size(); ++k) {
     const Sketch::Sample& sample = sketch.samples[k];
-    measured.add(kinetic + 0.5 * (sample.energy + energy_at_start) - resting.energy[k]);
+    measured.lively.push_back(kinetic + 0.5 * (sample.energy + energy_at_start) - resting.energy[k]);
     for (Eigen::Index i = 0; i < n; ++i) {
       const double at_rest = resting.forces[k * static_cast<std::size_t>(n) + static_cast<std::size_t>(i)];
       measured.add_slope(at_rest - 0.5 * sample.slope[n + i], strength[i]);
@@ -123,7 +121,7 @@ Measured measure(const Sketch& sketch, const ExpressionGraph& graph, int node, c
   VectorX middle, slope;
   for (std::size_t k = 0; k < sketch.samples.size(); ++k) {
     const Sketch::Sample& sample = sketch.samples[k];
-    measured.add(at(sample.z));
+    measured.lively.push_back(at(sample.z));
     for (int i = 0; i < static_cast<int>(strength.size()); ++i)
       measured.add_slope(formula.partial(i), strength[i]);
     if (!with_changes) continue;
@@ -139,22 +137,16 @@ Measured measure(const Sketch& sketch, const ExpressionGraph& graph, int node, c
   return measured;
 }
 
-/// The node of \f$1 + \sum_i (w_i\, \partial H/\partial q_i)^2\f$.
-int accelerating(ExpressionGraph& graph, int energy, const std::vector<double>& weights) {
-  const std::vector<int> slope = Reverse(graph).gradient(energy);
-  int sum = graph.constant(1.0);
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    const int a = graph.binary(Operation::multiply, graph.constant(weights[i]), slope[i]);
-    sum = graph.binary(Operation::add, sum, graph.binary(Operation::multiply, a, a));
-  }
-  return sum;
-}
-
-/// The power 3/8 of the sum of squares: see Choice::accelerations.
+/// The power 3/8 of \f$1 + \sum_i (w_i\, \partial H/\partial q_i)^2\f$: see Choice::accelerations.
 Candidate accelerated(const std::shared_ptr<ExpressionGraph>& graph, int energy,
                       EnergyAtStart energy_at_start, const Choice& constants) {
-  const int lively = accelerating(*graph, energy, constants.accelerations);
-  return {"acceleration", 0.375, graph, energy, energy_at_start, lively};
+  const std::vector<int> slope = Reverse(*graph).gradient(energy);
+  int sum = graph->constant(1.0);
+  for (std::size_t i = 0; i < constants.accelerations.size(); ++i) {
+    const int a = graph->binary(Operation::multiply, graph->constant(constants.accelerations[i]), slope[i]);
+    sum = graph->binary(Operation::add, sum, graph->binary(Operation::multiply, a, a));
+  }
+  return {"acceleration", 0.375, graph, energy, energy_at_start, sum};
 }
 
 /// The frequency near poles and a constant one: see Choice::poles.
@@ -401,14 +393,7 @@ Formula monitor_of(const Choice& choice, const Formula& hamiltonian, double ener
   };
   require(fits(choice.accelerations, n) && fits(choice.drifts, n) && fits(choice.poles, 2 * poles + 2),
           "H of a monitor", "another one", "that for which the choice was made");
-  const detail::OrbitQuestion question{.graph = h.graph(),
-                                       .energy = h.node(),
-                                       .q = {},
-                                       .p = {},
-                                       .t = 0.0,
-                                       .t_end = 0.0,
-                                       .tolerance = 0.0,
-                                       .options = {}};
+  const detail::OrbitQuestion question{.graph = h.graph(), .energy = h.node()};
   return detail::candidate(choice.name, question, energy_at_start, choice).formula();
 }
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -76,9 +75,9 @@ class Candidate {
       false;  ///< Its noise is more than the tolerance bears: it waits until no other one keeps that.
 
   /// The method, of this order, which is 6 for the splitting.
-  std::unique_ptr<OrbitSteps> steps(int order, SweepBounds bounds) {
+  std::unique_ptr<OrbitSteps> steps(int order, SweepSettings sweeps) {
     auto made = std::make_unique<OrbitSteps>(
-        splits() ? splitting_steps(formulas()) : gauss_steps(formulas(), order, bounds), formulas()->n);
+        splits() ? splitting_steps(formulas()) : gauss_steps(formulas(), order, sweeps), formulas()->n);
     if (switches) made->end_at(*switches, fixed());
     return made;
   }
@@ -90,12 +89,10 @@ class Candidate {
     const auto& f = *formulas();
     const auto size = static_cast<double>(f.forces.operations() + f.velocities.operations());
     const int entries = 2 * static_cast<int>(f.n);
-    return splits() ? 0.5 * price_of_kick(size, entries) : price_of_sweep(size, entries);
+    return splits() ? 0.5 * (20.0 + 0.5 * size + entries) : price_of_sweep(size, entries);
   }
   /// The price of a sweep: measured from one to sixteen degrees of freedom.
   static double price_of_sweep(double operations, int entries) { return 20.0 + operations + 4.0 * entries; }
-  /// The price of a kick and a drift.
-  static double price_of_kick(double operations, int entries) { return 20.0 + 0.5 * operations + entries; }
   /// g = 1.
   [[nodiscard]] bool fixed() const { return alpha_ == 0.0; }
   /// The power of \f$\ell\f$, negative.
@@ -111,11 +108,7 @@ class Candidate {
   /// g where \f$\ell\f$ has this value.
   [[nodiscard]] double rate_of(double lively) const { return power(lively, -alpha_); }
   /// g of a state.
-  double rate_at(const State<dynamic>& z) {
-    VectorX at(z.q.size() + z.p.size());
-    at << z.q, z.p;
-    return rate_at(at.data());
-  }
+  double rate_at(const State<dynamic>& z) { return rate_at(joined(z).data()); }
   /// g at (q, p).
   double rate_at(const double* z) {
     if (fixed() || formulas()->unit) return 1.0;
@@ -156,11 +149,9 @@ class Candidate {
   /// With late inputs as parameters.
   [[nodiscard]] std::shared_ptr<const Formulas> of_parameters(const ExpressionGraph& graph, int transformed,
                                                               int rate) const {
-    const int inputs = graph.inputs() + graph.late_inputs();
-    ExpressionGraph open(inputs);
-    std::vector<int> arguments(static_cast<std::size_t>(inputs)), slopes;
-    std::iota(arguments.begin(), arguments.end(), 0);
-    const auto in_open = [&](int node) { return open.substitute(graph, node, arguments); };
+    ExpressionGraph open(graph.inputs() + graph.late_inputs());
+    std::vector<int> slopes;
+    const auto in_open = [&](int node) { return open.substitute(graph, node); };
     const int all = in_open(transformed);  // first, so that operations keep their order
     for (const int slope : supplied)
       slopes.push_back(in_open(slope));

@@ -115,7 +115,7 @@ std::uint64_t fingerprint(const OrbitQuestion& question) {
     put_graph(record, event.g.graph(), event.g.node());
     record.put(event.rules.direction);
     record.put(event.rules.count);
-    record.put(static_cast<int>(event.rules.stop));
+    record.put(event.rules.stop);
   }
   return record.sum();
 }

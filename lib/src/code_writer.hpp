@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -113,13 +112,12 @@ class CodeWriter {
   }
   [[nodiscard]] Place frame(int slot) const {
     return {.pointer = Assembler::rsp, .at = scratch + slot * out_.bytes()};
-  }  /// Where number i of the pool is.
+  }
+  /// Where number i of the pool is.
   [[nodiscard]] Place pooled(std::size_t i) const {
     return {.pointer = numbers_, .at = static_cast<std::int32_t>(static_cast<std::size_t>(out_.bytes()) * i)};
   }
 
-  // ---- where values are
-  // ------------------------------------------------------------------------------------
   Value& value(int v, int part) {
     return values_[static_cast<std::size_t>(v * parts_now_ + part - first_part_)];
   }
@@ -196,8 +194,6 @@ class CodeWriter {
     if (it.spilled >= 0) free_slots_.push_back(std::exchange(it.spilled, -1));
   }
 
-  // ---- lines
-  // -----------------------------------------------------------------------------------------------
   void compute(int first_part, int end_part) {
     first_part_ = first_part;
     parts_now_ = end_part - first_part;
@@ -251,15 +247,6 @@ class CodeWriter {
         if (const int v = operand(it, j); v >= 0) seen[v] = k;
     }
   }
-  /// to = x what y.
-  void two(Assembler::Instruction what, int to, const Place& x, const Place& y) {
-    if (x.vector >= 0)
-      out_.vector(what, to, x.vector, y);
-    else if (y.vector >= 0 && (what == Assembler::add || what == Assembler::multiply))
-      out_.vector(what, to, y.vector, x);
-    else
-      throw std::logic_error("The first operand of an instruction has to be in a register.");
-  }
   void compute(const StraightLine::Line& it, int result, int part) {
     using enum Operation;
     if (it.out >= 0) {
@@ -306,8 +293,9 @@ class CodeWriter {
     case multiply: {
       Place a = anywhere(it.a, part), b = anywhere(it.b, part);
       if (a.vector < 0 && b.vector < 0) a = {.vector = in_register(it.a, part)};
+      if (a.vector < 0) std::swap(a, b);
       const int to = take();
-      two(instruction(it.first), to, a, b);
+      out_.vector(instruction(it.first), to, a.vector, b);
       return to;
     }
     case subtract:

@@ -93,9 +93,8 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
 }
 
 double Orbiter::speed_at(const State<dynamic>& z, const Ranges& ranges) {
-  VectorX at(2 * z.q.size()), slope(2 * z.q.size());
-  at << z.q, z.p;
-  field_(at, slope);
+  VectorX slope(2 * z.q.size());
+  field_(z, slope);
   return (*distance_)(slope, ranges);
 }
 
@@ -110,9 +109,8 @@ double Orbiter::rounding_of_clock(const Journey& journey) {
 /// The energy error that rounding of the entries of a state makes: more than its own, far out on a saddle,
 /// where H is a small difference.
 double Orbiter::rounding_of_energy(const State<dynamic>& z) {
-  VectorX at(2 * z.q.size()), slope(2 * z.q.size());
-  at << z.q, z.p;
-  field_(at, slope);
+  VectorX slope(2 * z.q.size());
+  field_(z, slope);
   const Eigen::Index n = z.q.size();
   const double moved = dot(z.q.cwiseAbs().eval(), slope.tail(n).cwiseAbs().eval()) +
                        dot(z.p.cwiseAbs().eval(), slope.head(n).cwiseAbs().eval());
@@ -125,7 +123,7 @@ double Orbiter::rounding_of_energy(const State<dynamic>& z) {
 double Orbiter::scatter_of_energy(const Journey& journey) {
   const Eigen::Index n = field_.size();
   double most = 0.0;
-  VectorX at(2 * n), slope(2 * n), moved(2 * n);
+  VectorX slope(2 * n), moved(2 * n);
   const auto look = [&](const VectorX& z) {
     const double here = field_(z, slope);
     const double along =
@@ -135,9 +133,9 @@ double Orbiter::scatter_of_energy(const Journey& journey) {
       most = std::max(most, std::abs(field_.energy(moved.data(), moved.data() + n) - here - part * along));
     }
   };
-  at << journey.worst.q, journey.worst.p, look(at);
+  look(joined(journey.worst));
   for (const State<dynamic>& mark : journey.marks)
-    at << mark.q, mark.p, look(at);
+    look(joined(mark));
   for (const Sketch::Sample& sample : sketch_->samples)
     look(sample.z);
   return most / trip_->energy_scale;

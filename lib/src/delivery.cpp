@@ -32,7 +32,7 @@ Delivery::Delivery(const OrbitQuestion& question, int degrees, const Choice& cho
       field_(prepared ? prepared->field : PointField(question.graph, question.energy, question.gradient)),
       energy_at_start_(field_.energy(question.q.data(), question.p.data())),
       candidate_(candidate_of(choice.name, question, energy_at_start_, choice, prepared)), choice_(choice),
-      h_(question.t_end < question.t ? -choice.h : choice.h),
+      sense_(question.t_end < question.t ? -1.0 : 1.0), h_(sense_ * choice.h),
       state_(start_of(question)), plan_{.horizon = question.t_end, .pause = question.t_end} {
   pace_.time = question.t;
   for (std::size_t i = 0; i < question.events.size(); ++i)
@@ -43,8 +43,6 @@ Delivery::Delivery(const OrbitQuestion& question, int degrees, const Choice& cho
   for (; next_ < question.times.size() && question.times[next_] == question.t; ++next_)
     add(states_, state_, question.t);
 }
-
-Delivery::~Delivery() = default;
 
 void Delivery::add(OrbitPoints& points, const State<dynamic>& z, double t) const {
   points.t.push_back(t);
@@ -69,7 +67,6 @@ void Delivery::look_at_pace() {
   pace_ = {run_.steps, state_.t, gain, fading};
   if (run_.steps < least_steps || fading < 4) return;
   std::ostringstream text;
-  text.precision(6);
   text << "The run was given up near t = " << state_.t << ", after " << run_.steps
        << " steps, which become shorter all the time: the orbit meets a singularity of H, or comes too near "
           "one.";
@@ -78,9 +75,8 @@ void Delivery::look_at_pace() {
 }
 
 void Delivery::go() {
-  const double sense = std::copysign(1.0, h_);
   const bool kept = !question_.options.checkpoint.empty();
-  while (run_.ok() && !arrived() && run_.steps < plan_.most && sense * (state_.t - plan_.pause) < 0.0) {
+  while (run_.ok() && !arrived() && run_.steps < plan_.most && sense_ * (state_.t - plan_.pause) < 0.0) {
     if (kept && run_.steps % block == 0) begin_block();
     step();
   }
@@ -118,9 +114,9 @@ void Delivery::write() {
   Record record;
   const auto put = [&](const auto&... each) { (record.put(each), ...); };
   put(fingerprint(question_), question_.q, question_.p, question_.t, question_.t_end, question_.tolerance,
-      question_.times, static_cast<int>(question_.options.dense));
+      question_.times, question_.options.dense);
   const SolveOptions& asked = question_.options;  // where another choice is to be made
-  put(asked.order, asked.monitor.name, asked.h, static_cast<int>(asked.check));
+  put(asked.order, asked.monitor.name, asked.h, asked.check);
   put(choice_.name, choice_.order, choice_.h, choice_.energy_scale, choice_.kinetic, choice_.accelerations,
       choice_.poles, choice_.drifts, choice_.solved, choice_.time, report_.choice.sweeps,
       report_.choice.check);
@@ -158,12 +154,10 @@ Choice choice_in(Record& record, SolutionReport& report) {
 
 std::uint64_t question_in(Record& record, OrbitQuestion& question) {
   std::uint64_t of_file = 0;
-  int dense = 0, check = 0;
-  const auto get = [&](auto&... each) { (record.get(each), ...); };
-  get(of_file, question.q, question.p, question.t, question.t_end, question.tolerance, question.times, dense);
   SolveOptions& asked = question.options;
-  get(asked.order, asked.monitor.name, asked.h, check);
-  asked.dense = dense != 0, asked.check = check != 0;
+  const auto get = [&](auto&... each) { (record.get(each), ...); };
+  get(of_file, question.q, question.p, question.t, question.t_end, question.tolerance, question.times,
+      asked.dense, asked.order, asked.monitor.name, asked.h, asked.check);
   return of_file;
 }
 
@@ -187,16 +181,16 @@ void Delivery::restore(Record& record, const SolutionReport& report) {
 }
 
 void Delivery::step() {
-  const double end = question_.t_end, sense = std::copysign(1.0, h_);
+  const double end = question_.t_end;
   const State<dynamic> before = state_;
   State<dynamic> after = before;
   spend(steps_->step(after, h_));
   if (run_.ok() && !after.finite()) run_.outcome = Outcome::non_finite;
-  if (run_.ok() && !(sense * (after.t - before.t) > 0.0)) run_.outcome = Outcome::stalled;
+  if (run_.ok() && !(sense_ * (after.t - before.t) > 0.0)) run_.outcome = Outcome::stalled;
   if (!run_.ok()) return;
   State<dynamic> last = after;
   double part = 1.0;
-  if (sense * (after.t - end) > 0.0) {
+  if (sense_ * (after.t - end) > 0.0) {
     double size = 0.0;
     spend(land(*steps_->clone(), candidate_, field_, before, steps_->size(), after.t, end, last, &size));
     if (!run_.ok()) return;
@@ -217,11 +211,10 @@ void Delivery::step() {
 
 /// Finds the events of a step up to the first that ends the run, which becomes its end.
 void Delivery::find_events(const Stride& stride, State<dynamic>& last) {
-  const double sense = std::copysign(1.0, h_);
   std::vector<Hit> hits;
   for (Watch& watch : watches_)
     run_.evaluations += watch.look(stride, run_.steps == 0, hits);
-  std::ranges::stable_sort(hits, {}, [&](const Hit& hit) { return sense * hit.state.t; });
+  std::ranges::stable_sort(hits, {}, [&](const Hit& hit) { return sense_ * hit.state.t; });
   for (const Hit& hit : hits) {
     if (hit.outcome != Outcome::ok) {
       run_.outcome = hit.outcome;
@@ -241,9 +234,8 @@ void Delivery::find_events(const Stride& stride, State<dynamic>& last) {
 
 void Delivery::find_outputs(const State<dynamic>& before, const State<dynamic>& after,
                             const State<dynamic>& last) {
-  const double sense = std::copysign(1.0, h_);
   const std::vector<double>& times = question_.times;
-  for (; next_ < times.size() && sense * (times[next_] - last.t) <= 0.0; ++next_) {
+  for (; next_ < times.size() && sense_ * (times[next_] - last.t) <= 0.0; ++next_) {
     const double t = times[next_];
     if (next_ > 0 && t == times[next_ - 1]) {
       const std::vector<double> again(states_.z.end() - 2 * degrees_, states_.z.end());

@@ -15,7 +15,6 @@
 
 namespace avi::detail {
 
-/// The starts of the steps of a run, from which the states in between are found.
 class Track;
 
 /// The plan of a run, from the runs before it.
@@ -34,9 +33,6 @@ class Delivery {
   /// @param prepared what is made of H for the choice, or null
   Delivery(const OrbitQuestion& question, int degrees, const Choice& choice, Budget& budget,
            const Prepared* prepared);
-  ~Delivery();
-  Delivery(const Delivery&) = delete;
-  Delivery& operator=(const Delivery&) = delete;
 
   /// Goes on to the end, to an event that ends the run, or to the first step beyond the pause of the plan.
   void go();
@@ -58,7 +54,7 @@ class Delivery {
 
  private:
   [[nodiscard]] std::unique_ptr<OrbitSteps> method() {
-    return candidate_.steps(choice_.order, {.tolerance = choice_.solved, .most = 60});
+    return candidate_.steps(choice_.order, {.tolerance = choice_.solved, .max_sweeps = 60});
   }
   void step();
   void find_events(const Stride& stride, State<dynamic>& last);
@@ -80,7 +76,7 @@ class Delivery {
   double energy_at_start_;
   Candidate candidate_;
   Choice choice_;
-  double h_;
+  double sense_, h_;
   std::unique_ptr<OrbitSteps> steps_;
   std::vector<Watch> watches_;
   State<dynamic> state_;

@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace avi::detail {
@@ -77,9 +76,7 @@ void add_functions(OrbitQuestion& question) {
     const int most = question.graph.inputs();
     require(g.inputs() == 2 * n || g.inputs() == most, "Number of arguments of the monitor", g.inputs(), "",
             2 * n, most == 2 * n ? ", or one more where H depends on time" : ", or one more for time");
-    std::vector<int> arguments(static_cast<std::size_t>(g.inputs()));
-    std::iota(arguments.begin(), arguments.end(), 0);
-    question.given = question.graph.substitute(g.graph(), g.node(), arguments);
+    question.given = question.graph.substitute(g.graph(), g.node());
     monitor.g = {};
   }
   for (const SolveEvent& event : question.options.events) {
@@ -220,15 +217,14 @@ class Call {
   /// A time for which something can be chosen where that failed: the event before it, or, at each try, a
   /// smaller part of the way that was gone; the start, where nothing is to be delivered before.
   [[nodiscard]] double before_failure(const OrbitAnswer& answer, double horizon, int tries) const {
-    const double sense = question_.t_end < question_.t ? -1.0 : 1.0;
-    if (tries == 0 && event_ != question_.t && sense * (event_ - horizon) < 0.0) return event_;
+    if (tries == 0 && event_ != question_.t && sense_ * (event_ - horizon) < 0.0) return event_;
     constexpr std::array<double, 4> parts{0.99, 0.9, 0.6, 0.3};
     if (tries >= static_cast<int>(parts.size())) return question_.t;
     double reached = std::max(std::abs(answer.t - question_.t), sketched().time);
     for (const SolveTrial& trial : answer.choice.trials)
       reached = std::max(reached, trial.time);
     reached = std::min(reached, std::abs(horizon - question_.t)) * parts[static_cast<std::size_t>(tries)];
-    if (question_.options.dense || !question_.events.empty()) return question_.t + sense * reached;
+    if (question_.options.dense || !question_.events.empty()) return question_.t + sense_ * reached;
     double last = question_.t;
     for (const double t : question_.times)
       if (std::abs(t - question_.t) <= reached) last = t;
@@ -268,15 +264,14 @@ class Call {
     VectorX z(static_cast<Eigen::Index>(2 * question_.q.size()));
     std::ranges::copy(question_.q, z.data());
     std::ranges::copy(question_.p, z.data() + question_.q.size());
-    field.sense = question_.t_end < question_.t ? -1.0 : 1.0;
+    field.sense = sense_;
     return {field, z, std::abs(question_.t_end - question_.t), field.metric(z)};
   }
   /// A time that an event which ends the run comes before, by a run with low accuracy: that for which the
   /// others are chosen.
   double scout() {
     const double span = std::abs(question_.t_end - question_.t);
-    const double sense = question_.t_end < question_.t ? -1.0 : 1.0;
-    const double first = question_.t + sense * std::min(span, sketched().time_of(20.0));
+    const double first = question_.t + sense_ * std::min(span, sketched().time_of(20.0));
     const OrbitAnswer answer = chosen(first, std::max(question_.tolerance, 1e-4), false);
     if (!(answer.choice.h > 0.0)) return first;
     OrbitQuestion events = question_;
@@ -299,7 +294,8 @@ class Call {
   const OrbitQuestion& question_;
   int degrees_;
   Budget& budget_;
-  long spent_ = 0;              // on runs that nothing is known from but the horizon
+  long spent_ = 0;  // on runs that nothing is known from but the horizon
+  double sense_ = question_.t_end < question_.t ? -1.0 : 1.0;
   double event_ = question_.t;  // that ends the first run, or the start
 };
 

@@ -1,7 +1,9 @@
 #include "avi/autodiff/expression_graph.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -42,10 +44,13 @@ std::uint32_t ExpressionGraph::next_identity() {
   return ++last;
 }
 
-std::vector<char> ExpressionGraph::parts(int node) const {
-  std::vector<char> part(static_cast<std::size_t>(node) + 1, 0);
-  part[node] = 1;
-  for (int i = node; i >= 0; --i)
+std::vector<char> ExpressionGraph::parts(const std::vector<int>& nodes) const {
+  std::vector<char> part;
+  for (const int node : nodes) {
+    part.resize(std::max(part.size(), static_cast<std::size_t>(node) + 1), 0);
+    part[node] = 1;
+  }
+  for (auto i = static_cast<int>(part.size()) - 1; i >= 0; --i)
     if (part[i] && nodes_[i].operation != Operation::input)
       for (const int operand : {nodes_[i].a, nodes_[i].b})
         if (operand >= 0) part[operand] = 1;
@@ -128,6 +133,12 @@ int ExpressionGraph::substitute(const ExpressionGraph& other, int node, const st
     if (part[i])
       place[i] = other[i].operation == Operation::input ? arguments[other[i].a] : again(other, i, place);
   return place[node];
+}
+
+int ExpressionGraph::substitute(const ExpressionGraph& other, int node) {
+  std::vector<int> arguments(static_cast<std::size_t>(other.inputs() + other.late_inputs()));
+  std::iota(arguments.begin(), arguments.end(), 0);
+  return substitute(other, node, arguments);
 }
 
 void ExpressionGraph::reserve(int size) {

@@ -14,17 +14,6 @@ struct Formula::Gradient {
   Program program;
 };
 
-namespace {
-
-/// The nodes 0, 1, ... count - 1.
-std::vector<int> first_nodes(int count) {
-  std::vector<int> nodes(static_cast<std::size_t>(count));
-  std::iota(nodes.begin(), nodes.end(), 0);
-  return nodes;
-}
-
-}  // namespace
-
 Formula::Formula(ExpressionGraph&& graph, int node, std::vector<double> parameters)
     : parameters_(std::move(parameters)) {
   require(node >= 0 && node < graph.size(), "Node of a formula", node, "a node of the graph");
@@ -34,16 +23,10 @@ Formula::Formula(ExpressionGraph&& graph, int node, std::vector<double> paramete
   if (node + 1 < graph.size() ||
       std::find(part.begin() + std::min(graph.inputs(), node), part.end(), 0) != part.end()) {
     ExpressionGraph own(graph.inputs());
-    node = own.substitute(graph, node, first_nodes(graph.inputs()));
-    shared_ = std::make_shared<const Shared>(Shared{std::move(own), node, std::make_shared<Gradient>()});
-    return;
+    node = own.substitute(graph, node);
+    graph = std::move(own);
   }
   shared_ = std::make_shared<const Shared>(Shared{std::move(graph), node, std::make_shared<Gradient>()});
-}
-
-int Formula::checked(Eigen::Index inputs) {
-  require(inputs >= 1, "Number of arguments to record", inputs, "at least 1");
-  return static_cast<int>(inputs);
 }
 
 Formula Formula::with(std::vector<double> parameters) const {
@@ -57,7 +40,8 @@ Formula Formula::with(std::vector<double> parameters) const {
 Formula Formula::with_constants() const {
   if (parameters_.empty()) return *this;
   ExpressionGraph own(inputs());
-  std::vector<int> arguments = first_nodes(inputs());
+  std::vector<int> arguments(static_cast<std::size_t>(inputs()));
+  std::iota(arguments.begin(), arguments.end(), 0);
   for (const double c : parameters_)
     arguments.push_back(own.constant(c));
   const int its_node = own.substitute(graph(), node(), arguments);

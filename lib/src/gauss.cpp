@@ -50,8 +50,8 @@ const GaussBuild& chosen_build() {
 }  // namespace
 
 std::unique_ptr<Stepper> gauss_steps(std::shared_ptr<const Formulas> formulas, int order,
-                                     SweepBounds bounds) {
-  return chosen_build().make(std::move(formulas), order, bounds);
+                                     SweepSettings sweeps) {
+  return chosen_build().make(std::move(formulas), order, sweeps);
 }
 
 std::unique_ptr<Stepper> splitting_steps(std::shared_ptr<const Formulas> formulas) {

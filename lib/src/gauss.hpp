@@ -1,4 +1,5 @@
 #pragma once
+#include "avi/collocation/gauss_rule.hpp"
 #include "formulas.hpp"
 #include "stepper.hpp"
 
@@ -9,16 +10,10 @@
 
 namespace avi::detail {
 
-/// When the sweeps of a step have solved it.
-struct SweepBounds {
-  double tolerance = 6.25e-19;  ///< See SweepSettings.
-  int most = 100;               ///< After so many sweeps a step ends as Outcome::not_converged.
-};
-
 /// Gauss collocation of the given order, 2, 4, ... 16. @throws std::invalid_argument for another order, or an
 /// improper bound.
 std::unique_ptr<Stepper> gauss_steps(std::shared_ptr<const Formulas> formulas, int order,
-                                     SweepBounds bounds = {});
+                                     SweepSettings sweeps = {});
 
 /// The explicit splitting of order 6 for formulas with g = 1 whose forces depend on q alone and whose
 /// velocities are linear in p and free of q.

@@ -11,7 +11,7 @@ namespace avi::detail {
 
 /// gauss_steps() for one set of instructions.
 using MakeGaussSteps = std::unique_ptr<Stepper>(std::shared_ptr<const Formulas> formulas, int order,
-                                                SweepBounds bounds);
+                                                SweepSettings sweeps);
 
 MakeGaussSteps gauss_steps_portable;  ///< For any processor of this kind.
 MakeGaussSteps gauss_steps_v3;        ///< With AVX2, where the library has it.

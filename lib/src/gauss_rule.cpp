@@ -1,6 +1,7 @@
 #include "avi/collocation/gauss_rule.hpp"
 
 #include <cmath>
+#include <vector>
 
 namespace avi {
 
@@ -96,6 +97,21 @@ void GaussRule::Table::find_node(int i) {
     series[i][k] = (2 * k + 1) * p[k];
   for (int k = 1; k < stages; ++k)
     slopes[k][i] = static_cast<double>(2 * series[i][k] / (k * (k + 1)));
+}
+
+const GaussRule& detail::collocation_rule(int order, int largest, SweepSettings settings) {
+  require(order >= 2 && order <= largest && order % 2 == 0, "Order of collocation", order, "even and in [2, ",
+          largest, largest < 32 ? "]; collocation<32>(problem, order) goes up to 32" : "]");
+  require(std::isfinite(settings.tolerance) && settings.tolerance > 0.0, "Tolerance of the sweeps",
+          settings.tolerance, "finite and positive");
+  require(settings.max_sweeps >= 1, "Number of sweeps", settings.max_sweeps, "at least 1");
+  static const std::vector<GaussRule> rules = [] {
+    std::vector<GaussRule> all;
+    for (int s = 1; s <= GaussRule::most; ++s)
+      all.emplace_back(s);
+    return all;
+  }();
+  return rules[static_cast<std::size_t>(order / 2 - 1)];
 }
 
 }  // namespace avi

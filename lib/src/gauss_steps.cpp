@@ -4,7 +4,6 @@
 #include "splitting_steps.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 // Compiled once for each set of instructions, each time under a name of its own; gauss.cpp chooses.
@@ -63,13 +62,10 @@ class FormulaField final : public StageField<n, w> {
 template <int n, int w>
 class Steps final : public Stepper {
  public:
-  Steps(const std::shared_ptr<const Formulas>& formulas, const GaussRule& rule, SweepBounds bounds)
-      : step_(std::make_unique<FormulaField<n, w>>(formulas), formulas->n, rule, settings(bounds)),
+  Steps(const std::shared_ptr<const Formulas>& formulas, const GaussRule& rule, SweepSettings sweeps)
+      : step_(std::make_unique<FormulaField<n, w>>(formulas), formulas->n, rule, sweeps),
         state_{.q = Vector<double, n>::Zero(formulas->n), .p = Vector<double, n>::Zero(formulas->n)} {}
 
-  static SweepSettings settings(SweepBounds bounds) {
-    return {.tolerance = bounds.tolerance, .max_sweeps = bounds.most};
-  }
   StepReport step(double* z, double& t, double h) override {
     const Eigen::Index size = state_.q.size();
     std::copy(z, z + size, state_.q.data());
@@ -93,37 +89,29 @@ class Steps final : public Stepper {
   State<n> state_;
 };
 
-/// The rules of all orders, made once.
-const GaussRule& known_rule(int order, SweepSettings settings) {
-  require_collocation(order, 16, settings);
-  static const std::array<GaussRule, 8> rules{GaussRule(1), GaussRule(2), GaussRule(3), GaussRule(4),
-                                              GaussRule(5), GaussRule(6), GaussRule(7), GaussRule(8)};
-  return rules[static_cast<std::size_t>(order / 2 - 1)];
-}
-
 template <int n>
 std::unique_ptr<Stepper> steps(const std::shared_ptr<const Formulas>& formulas, int order,
-                               SweepBounds bounds) {
-  const GaussRule& rule = known_rule(order, Steps<n, 4>::settings(bounds));
-  if (order > 8) return std::make_unique<Steps<n, 8>>(formulas, rule, bounds);
-  return std::make_unique<Steps<n, 4>>(formulas, rule, bounds);
+                               SweepSettings sweeps) {
+  const GaussRule& rule = collocation_rule(order, 16, sweeps);
+  if (order > 8) return std::make_unique<Steps<n, 8>>(formulas, rule, sweeps);
+  return std::make_unique<Steps<n, 4>>(formulas, rule, sweeps);
 }
 
 }  // namespace
 
 std::unique_ptr<Stepper> AVI_GAUSS_STEPS(std::shared_ptr<const Formulas> formulas, int order,
-                                         SweepBounds bounds) {
+                                         SweepSettings sweeps) {
   switch (formulas->n) {
   case 1:
-    return steps<1>(formulas, order, bounds);
+    return steps<1>(formulas, order, sweeps);
   case 2:
-    return steps<2>(formulas, order, bounds);
+    return steps<2>(formulas, order, sweeps);
   case 3:
-    return steps<3>(formulas, order, bounds);
+    return steps<3>(formulas, order, sweeps);
   case 4:
-    return steps<4>(formulas, order, bounds);
+    return steps<4>(formulas, order, sweeps);
   default:
-    return steps<dynamic>(formulas, order, bounds);
+    return steps<dynamic>(formulas, order, sweeps);
   }
 }
 

@@ -40,10 +40,7 @@ struct Ranges {
   VectorX low, high;  ///< 2n entries each.
 
   /// Begins with a state.
-  explicit Ranges(const State<dynamic>& z) : low(2 * z.q.size()), high(low.size()) {
-    low << z.q, z.p;
-    high = low;
-  }
+  explicit Ranges(const State<dynamic>& z) : low(joined(z)), high(low) {}
   /// Takes in another one.
   void add(const State<dynamic>& z) { add(z.q.data(), z.p.data()); }
   /// The same of n entries each.
@@ -97,9 +94,8 @@ inline StepReport land(OrbitSteps& method, Candidate& candidate, PointField& fie
     size = h * (next > low && next < high ? next : 0.5 * (low + high));
   }
   const Eigen::Index n = z.q.size();
-  VectorX at(2 * n), slope(2 * n);
-  at << z.q, z.p;
-  field(at, slope);
+  VectorX slope(2 * n);
+  field(z, slope);
   const double late = t - z.t;
   if (!(std::abs(late) <= 1e-6 * std::abs(after - before.t))) report.outcome = Outcome::not_converged;
   z.q += late * slope.head(n);
@@ -114,10 +110,10 @@ class Journey {
  public:
   /// From the start of the trip with the fictive step h > 0.
   Journey(Trip& trip, PointField& field, Candidate& its_candidate, int its_order, double step,
-          SweepBounds bounds)
-      : candidate(&its_candidate), order(its_order), h(step), solved(bounds.tolerance), state(trip.start),
+          SweepSettings sweeps)
+      : candidate(&its_candidate), order(its_order), h(step), solved(sweeps.tolerance), state(trip.start),
         ranges(trip.start), pauses(trip.ranges, trip.seen), worst(trip.start), trip_(&trip), field_(&field),
-        steps_(its_candidate.steps(its_order, bounds)), z_(trip.start), before_(trip.start) {}
+        steps_(its_candidate.steps(its_order, sweeps)), z_(trip.start), before_(trip.start) {}
 
   Candidate* candidate;               ///< Its monitor.
   int order;                          ///< Order of its method.
@@ -223,9 +219,8 @@ class Journey {
   }
   /// Finds dz/dt.
   void find_slope(const State<dynamic>& z) {
-    at_.resize(2 * z.q.size()), slope_.resize(at_.size());
-    at_ << z.q, z.p;
-    (*field_)(at_, slope_);
+    slope_.resize(2 * z.q.size());
+    (*field_)(z, slope_);
   }
   /// Whether the last step misses the kick of a body.
   void look_for_passes() {
@@ -299,8 +294,7 @@ class Journey {
   std::unique_ptr<OrbitSteps> steps_;
   double half_way_ = 0.0;      // time after half of the steps, or fewer
   State<dynamic> z_, before_;  // after the last whole step, and before it
-  VectorX tail_;
-  VectorX at_, slope_;  // scratch
+  VectorX tail_, slope_;       // scratch
   NearPasses::Distances last_, now_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/autodiff/partials.hpp"
 #include "avi/autodiff/program.hpp"
+#include "avi/core/bracketed_root.hpp"
 #include "candidates.hpp"
 #include "poles.hpp"
 #include "schedule.hpp"
@@ -81,12 +82,8 @@ class NearPasses {
     [[nodiscard]] double at(double c) const { return value + c * (slope + c * (bend() + c * twist())); }
     /// Where it is least, as it falls at 0 and rises at 1.
     [[nodiscard]] double lowest() const {
-      double low = 0.0, high = 1.0;
-      for (int i = 0; i < 20; ++i) {
-        const double c = 0.5 * (low + high);
-        (slope + c * (2.0 * bend() + 3.0 * c * twist()) < 0.0 ? low : high) = c;
-      }
-      return 0.5 * (low + high);
+      const auto rise = [this](double c) { return slope + c * (2.0 * bend() + 3.0 * c * twist()); };
+      return bracketed_root(rise, 0.0, slope, 1.0, end_slope, 0.0).x;
     }
   };
 

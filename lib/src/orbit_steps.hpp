@@ -4,7 +4,6 @@
 #include "switches.hpp"
 
 #include <memory>
-#include <optional>
 #include <utility>
 
 /// @file

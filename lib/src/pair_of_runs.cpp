@@ -31,7 +31,7 @@ Journey Orbiter::begin(const Setting& setting, double factor) {
           *setting.candidate,
           order_of(*setting.candidate),
           h,
-          {.tolerance = tolerance, .most = 60}};
+          {.tolerance = tolerance, .max_sweeps = 60}};
 }
 
 /// Sets how many sweeps a run may take up to a mark.
@@ -79,10 +79,8 @@ void Orbiter::stay_near(Candidate& it, const Sketch& there) {
 
 /// Goes on from where a run failed with a sketch of its own: what is met there sets steps from here on.
 void Orbiter::look_from(const State<dynamic>& z) {
-  VectorX from(2 * z.q.size());
-  from << z.q, z.p;
   field_.sense = sense_;
-  const Sketch there(field_, from, std::abs(question_.t_end - z.t), metric_, 512,
+  const Sketch there(field_, joined(z), std::abs(question_.t_end - z.t), metric_, 512,
                      std::abs(z.t - question_.t));
   field_.sense = 1.0;
   dead_end_ = there.stuck ? std::abs(z.t - question_.t) + there.time : 0.0;
@@ -209,10 +207,9 @@ bool Orbiter::passes_over_start(const Journey& run) {
   if (!question_.timed) return false;
   const State<dynamic>& start = trip_->start;
   if (rate_ < 0.0) {
-    VectorX at(2 * field_.size()), slope(at.size());
-    at << start.q, start.p;
-    field_(at, slope);
-    rate_ = field_.rate_in_time(at, slope);
+    VectorX slope(2 * field_.size());
+    field_(start, slope);
+    rate_ = field_.rate_in_time(joined(start), slope);
   }
   constexpr double resolved = 10.0;
   const double changes = rate_ * run.h * run.candidate->rate_at(start);
@@ -223,7 +220,9 @@ bool Orbiter::passes_over_start(const Journey& run) {
     budget_.sweeps += report.evaluations;
     return report.ok() && z.finite();
   };
-  const auto method = [&] { return run.candidate->steps(run.order, {.tolerance = run.solved, .most = 60}); };
+  const auto method = [&] {
+    return run.candidate->steps(run.order, {.tolerance = run.solved, .max_sweeps = 60});
+  };
   if (!advance(*method(), whole, run.h)) return false;
   const int halves = std::min(40, static_cast<int>(std::ceil(std::log2(changes))) + 1);
   double size = std::ldexp(run.h, -halves);

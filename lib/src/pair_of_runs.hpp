@@ -32,7 +32,7 @@ inline constexpr double most_trusted = 20.0;
 inline constexpr double longer = 1.25;
 
 /// Where sweeps end that are to leave rounding alone, see SweepSettings.
-inline constexpr double least_of_sweeps = SweepBounds{}.tolerance;
+inline constexpr double least_of_sweeps = SweepSettings{}.tolerance;
 /// What the sweeps of a run leave moves its end by so much, relative to the ranges: as a drift of the energy
 /// does, with the square of the number of steps. Measured on runs of 30 to 10 000 steps of order 16, of half
 /// a radian to two, whose sweeps end at 1e-6 to 1e-12: a fiftieth to five times as much.
@@ -99,7 +99,6 @@ class Orbiter {
     return std::ranges::count(menu_, false, &Candidate::aside) > 1;
   }
   [[nodiscard]] double stable_step(const Candidate& it);
-  [[nodiscard]] Setting first_setting();
   void bound(Journey& journey, std::size_t mark);
   Journey begin(const Setting& setting, double factor);
   bool go_on(Journey& journey, std::size_t mark);

@@ -1,6 +1,7 @@
 #include "poles.hpp"
 
 #include "reverse.hpp"
+#include "separable.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,18 +43,9 @@ int Poles::Pole::steepness() const {
   return static_cast<int>(std::min(std::round(-power * degree), 6.0));
 }
 
-Poles::Poles(const ExpressionGraph& graph, int energy) : graph_(&graph), energy_(energy) {
-  const int n = graph.inputs() / 2;
+Poles::Poles(const ExpressionGraph& graph, int energy)
+    : graph_(&graph), energy_(energy), on_(dependences(graph, energy)) {
   const std::vector<char> part = graph.parts(energy);
-  moves_.assign(part.size(), 0);
-  for (int i = 0; i <= energy; ++i) {
-    const ExpressionGraph::Node& what = graph[i];
-    if (what.operation == Operation::input)
-      moves_[i] = what.a < n ? 1 : 2;
-    else
-      for (const int operand : {what.a, what.b})
-        if (operand >= 0) moves_[i] = std::max(moves_[i], moves_[operand]);
-  }
   std::array<std::vector<char>, 2> seen{std::vector<char>(part.size(), 0), std::vector<char>(part.size(), 0)};
   for (int i = 0; i <= energy && poles_.size() <= most; ++i) {
     const ExpressionGraph::Node& what = graph[i];
@@ -78,7 +70,7 @@ void Poles::divisors(int node, std::array<std::vector<char>, 2>& seen) {
   while (!open.empty() && poles_.size() <= most) {
     const auto [at, divides] = open.back();
     open.pop_back();
-    if (moves_[at] != 1 || std::exchange(seen[divides][at], 1)) continue;
+    if (on_[at] == 0 || (on_[at] & on_p) != 0 || std::exchange(seen[divides][at], 1)) continue;
     const ExpressionGraph::Node& what = (*graph_)[at];
     switch (what.operation) {
       using enum Operation;

@@ -71,7 +71,7 @@ class Poles {
 
   const ExpressionGraph* graph_;
   int energy_;
-  std::vector<char> moves_;  // whether a node depends on momenta: 2, on coordinates alone: 1
+  std::vector<unsigned char> on_;  // see dependences()
   std::vector<Pole> poles_;
 };
 

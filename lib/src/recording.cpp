@@ -30,16 +30,10 @@ Recorded Recorded::combine(Operation operation, const Recorded& a, const Recorde
 }
 
 Recording::Recording(ExpressionGraph graph, int node, int inner, const std::vector<int>& supplied)
-    : graph_(std::move(graph)) {
-  checked(graph_.inputs());
+    : graph_(std::move(graph)), value_(node), recorded_(graph_.size()) {
+  require(inputs() >= 1, "Number of arguments to record", inputs(), "at least 1");
   require(node >= 0 && node < graph_.size(), "Node to differentiate", node, "a node of the graph");
-  differentiate(node, supplied.empty() ? -1 : inner, supplied);
-}
-
-void Recording::differentiate(int value, int inner, const std::vector<int>& supplied) {
-  value_ = value;
-  recorded_ = graph_.size();
-  slopes_ = detail::Reverse(graph_).gradient(value_, inner);
+  slopes_ = detail::Reverse(graph_).gradient(node, supplied.empty() ? -1 : inner);
   for (std::size_t i = 0; i < supplied.size(); ++i)
     slopes_[i] = graph_.binary(Operation::add, slopes_[i],
                                graph_.binary(Operation::multiply, slopes_.back(), supplied[i]));
@@ -51,11 +45,6 @@ Program Recording::program(int value, int first, int count) const {
           "at most that of the entries left");
   return detail::Schedule::program(graph_, value, {slopes_.begin() + first, slopes_.begin() + first + count},
                                    recorded_);
-}
-
-int Recording::checked(Eigen::Index inputs) {
-  require(inputs >= 1, "Number of arguments to record", inputs, "at least 1");
-  return static_cast<int>(inputs);
 }
 
 }  // namespace avi

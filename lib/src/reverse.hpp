@@ -65,12 +65,8 @@ class Reverse {
     x.number *= number;
     return x;
   }
-  int written(const Factor& a) {
-    const int number = graph_.constant(a.number);
-    return a.node < 0 ? number : graph_.binary(Operation::multiply, number, a.node);
-  }
   int written(const Term& a) {
-    const int node = written(a.bar);
+    const int node = a.bar.in(graph_);
     return a.condition < 0 ? node : graph_.binary(Operation::when, a.condition, node);
   }
   Factor factor(const Contribution& a) { return {graph_, a.number, a.node}; }
@@ -100,14 +96,13 @@ class Reverse {
     int sum = -1;
     // What is added is a part of the scale, unless one of the two is nothing beside the other.
     const auto in_scale = [&](double number) {
-      if (!std::isnormal(number / scale)) sum = written({graph_, std::exchange(scale, 1.0), sum});
+      if (!std::isnormal(number / scale)) sum = Factor(graph_, std::exchange(scale, 1.0), sum).in(graph_);
       return number / scale;
     };
     for (int i = first; i >= 0; i = parts_[i].next) {
-      const Factor part =
-          alike || parts_[i].condition < 0
-              ? factor(parts_[i])
-              : factor(written(Term{.bar = factor(parts_[i]), .condition = parts_[i].condition}));
+      const Factor part = alike || parts_[i].condition < 0
+                              ? factor(parts_[i])
+                              : factor(written({.bar = factor(parts_[i]), .condition = parts_[i].condition}));
       if (part.node < 0) {
         numbers += part.number;
       } else if (sum < 0) {
@@ -118,7 +113,7 @@ class Reverse {
         if (ratio == -1.0)
           sum = graph_.binary(Operation::subtract, sum, part.node);
         else
-          sum = graph_.binary(Operation::add, sum, written({graph_, ratio, part.node}));
+          sum = graph_.binary(Operation::add, sum, Factor(graph_, ratio, part.node).in(graph_));
       }
     }
     parts_[uses_[node].last].next = std::exchange(free_, first);
@@ -132,7 +127,7 @@ class Reverse {
     int exponent = 0;
     if ((use == Operation::add || use == Operation::subtract) &&
         std::abs(std::frexp(scale, &exponent)) != 0.5) {
-      sum = written({graph_, scale, sum});
+      sum = Factor(graph_, scale, sum).in(graph_);
       scale = 1.0;
     }
     return {.bar = {graph_, scale, sum}, .condition = common};

@@ -2,12 +2,29 @@
 #include "avi/autodiff/recording.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 /// @file
 /// How positions and momenta meet in a Hamiltonian, read from the graph.
 
 namespace avi::detail {
+
+/// What a node depends on: coordinates but the last one, that one, which may be time, and momenta.
+enum Dependence : unsigned char { on_q = 1, on_last = 2, on_p = 4 };
+
+/// For each node of a graph of (q, p) up to this one, what it depends on, as it is written.
+inline std::vector<unsigned char> dependences(const ExpressionGraph& graph, int node) {
+  const int n = graph.inputs() / 2;
+  std::vector<unsigned char> on(static_cast<std::size_t>(node) + 1, 0);
+  for (int i = 0; i <= node; ++i)
+    if (const ExpressionGraph::Node& what = graph[i]; what.operation == Operation::input)
+      on[i] = what.a >= n ? on_p : what.a == n - 1 ? on_last : on_q;
+    else
+      for (const int operand : {what.a, what.b})
+        if (operand >= 0) on[i] |= on[operand];
+  return on;
+}
 
 /// The parts that H is made of.
 enum class Parts {
@@ -21,43 +38,33 @@ enum class Parts {
 inline Parts parts_of(const Recording& recording) {
   const ExpressionGraph& graph = recording.graph();
   const int n = graph.inputs() / 2;
-  struct Kind {
-    bool of_q = false;
-    int degree = 0;  // in p; 2 stands for any that is not 0 or 1
-  };
-  std::vector<Kind> kinds(static_cast<std::size_t>(graph.size()));
+  const std::vector<unsigned char> on = dependences(graph, graph.size() - 1);
+  std::vector<int> degree(on.size(), 0);  // in p; 2 stands for any that is not 0 or 1
   for (int i = 0; i < graph.size(); ++i) {
     const auto& [operation, a, b, number] = graph[i];
-    Kind& kind = kinds[static_cast<std::size_t>(i)];
-    if (operation == Operation::input) {
-      kind = {.of_q = a < n, .degree = a < n ? 0 : 1};
-      continue;
-    }
     if (operation == Operation::constant) continue;
-    const Kind& first = kinds[static_cast<std::size_t>(a)];
-    const Kind second = b < 0 ? Kind{} : kinds[static_cast<std::size_t>(b)];
-    kind.of_q = first.of_q || second.of_q;
+    const int first = operation == Operation::input ? a >= n : degree[a], second = b < 0 ? 0 : degree[b];
     switch (operation) {
+    case Operation::input:
     case Operation::add:
     case Operation::subtract:
-      kind.degree = std::max(first.degree, second.degree);
+      degree[i] = std::max(first, second);
       break;
     case Operation::multiply:
-      kind.degree = std::min(2, first.degree + second.degree);
+      degree[i] = std::min(2, first + second);
       break;
     case Operation::divide:
-      kind.degree = second.degree > 0 ? 2 : first.degree;
+      degree[i] = second > 0 ? 2 : first;
       break;
     default:
-      kind.degree = first.degree + second.degree > 0 ? 2 : 0;
+      degree[i] = first + second > 0 ? 2 : 0;
     }
   }
   Parts parts = Parts::nystrom;
   for (int i = 0; i < n; ++i) {
-    const Kind& velocity = kinds[static_cast<std::size_t>(recording.slope(n + i))];
-    if (velocity.of_q || kinds[static_cast<std::size_t>(recording.slope(i))].degree > 0)
-      return Parts::coupled;
-    if (velocity.degree > 1) parts = Parts::separate;
+    const int velocity = recording.slope(n + i);
+    if ((on[velocity] & (on_q | on_last)) != 0 || degree[recording.slope(i)] > 0) return Parts::coupled;
+    if (degree[velocity] > 1) parts = Parts::separate;
   }
   return parts;
 }

@@ -1,7 +1,10 @@
 #pragma once
 #include "avi/autodiff/program.hpp"
+#include "avi/core/bracketed_root.hpp"
 #include "candidates.hpp"
+#include "dips.hpp"
 #include "schedule.hpp"
+#include "separable.hpp"
 
 #include <algorithm>
 #include <array>
@@ -29,30 +32,19 @@ class SharpFeatures {
   SharpFeatures(const ExpressionGraph& graph, int energy, const Sketch& sketch, bool timed = false)
       : n_(graph.inputs() / 2) {
     const std::vector<char> part = graph.parts(energy);
-    std::vector<char> known(part.size(), 0);
-    if (timed) known = Switches::of_time_alone(graph, energy);
-    std::vector<char> moving(part.size(), 0);  // it depends on q
+    const std::vector<unsigned char> on = dependences(graph, energy);
     std::vector<int> nodes;
     for (int i = 0; i <= energy; ++i) {
       using enum Operation;
+      if (!part[i]) continue;
       const Operation what = graph[i].operation;
-      char& moves = moving[static_cast<std::size_t>(i)];
-      if (what == input)
-        moves = graph[i].a < n_;
-      else
-        for (const int operand : {graph[i].a, graph[i].b})
-          moves = moves || (operand >= 0 && moving[static_cast<std::size_t>(operand)]);
-      if (part[static_cast<std::size_t>(i)]) {
-        bends_ =
-            bends_ || (!known[static_cast<std::size_t>(i)] &&
-                       (what == less || what == less_equal || what == abs || what == sign || what == floor));
-        hides_ = hides_ || (moves && (is_function(what) || what == divide || what == power || what == less ||
-                                      what == less_equal || what == sign));
-      }
+      const bool moves = (on[i] & (on_q | on_last)) != 0, known = timed && on[i] == on_last;
       const bool peak = what == exp, condition = what == less || what == less_equal,
                  passage = what == tanh || what == cosh || what == sinh || what == erf || what == erfc;
-      if (!part[static_cast<std::size_t>(i)] || !(peak || passage || condition)) continue;
-      if (condition && known[static_cast<std::size_t>(i)]) continue;
+      bends_ = bends_ || (!known && (condition || what == abs || what == sign || what == floor));
+      hides_ = hides_ ||
+               (moves && (is_function(what) || what == divide || what == power || condition || what == sign));
+      if (!(peak || passage || (condition && !known))) continue;
       arguments_.push_back({peak      ? Kind::peak
                             : passage ? Kind::passage
                                       : Kind::condition,
@@ -174,15 +166,12 @@ class SharpFeatures {
         return true;
     return false;
   }
-  /// Where condition i changes its sign between the points k and k + 1, by halves.
+  /// Where condition i changes its sign between the points k and k + 1.
   double zero(const OrbitSteps& method, std::size_t i, int k) {
-    double low = k / static_cast<double>(parts), high = (k + 1) / static_cast<double>(parts);
-    const double sense = std::copysign(1.0, arguments_[i].at[k]);
-    for (int halves = 0; halves < 40; ++halves) {
-      const double middle = 0.5 * (low + high);
-      (sense * on(method, i, middle) > 0.0 ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
+    const double sense = -std::copysign(1.0, arguments_[i].at[k]), width = 1.0 / parts;
+    return bracketed_root([&](double place) { return sense * on(method, i, place); }, k * width,
+                          sense * arguments_[i].at[k], (k + 1) * width, sense * arguments_[i].at[k + 1], 0.0)
+        .x;
   }
 
   /// A condition is another one for a part of the step that stages may not see, and that is felt.
@@ -215,21 +204,7 @@ class SharpFeatures {
 
   /// Where it, times `sense`, is largest in a part of the step, by golden section.
   double highest(const OrbitSteps& method, std::size_t argument, double sense, double low, double high) {
-    constexpr double golden = 0.6180339887498949;
-    double a = high - golden * (high - low), b = low + golden * (high - low);
-    double at_a = sense * on(method, argument, a), at_b = sense * on(method, argument, b);
-    for (int i = 0; i < 30; ++i) {
-      if (at_a > at_b) {
-        high = b, b = a, at_b = at_a;
-        a = high - golden * (high - low);
-        at_a = sense * on(method, argument, a);
-      } else {
-        low = a, a = b, at_a = at_b;
-        b = low + golden * (high - low);
-        at_b = sense * on(method, argument, b);
-      }
-    }
-    return 0.5 * (low + high);
+    return golden_section([&](double place) { return -sense * on(method, argument, place); }, low, high, 30);
   }
 
   Eigen::Index n_;

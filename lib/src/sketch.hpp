@@ -20,6 +20,9 @@ namespace avi::detail {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();  ///< Stands for unknown.
 
+/// (q, p) as one vector.
+inline VectorX joined(const State<dynamic>& z) { return (VectorX(2 * z.q.size()) << z.q, z.p).finished(); }
+
 /// The field of H, one point at a time.
 class PointField {
  public:
@@ -30,8 +33,12 @@ class PointField {
         n_(recording_->inputs() / 2), formula_{recording_->value_and_gradient()} {}
 
   /// dz = J grad H at z = (q, p); returns H.
-  double operator()(const VectorX& z, VectorX& dz) {
-    formula_.run(z.data(), z.data() + n_, n_);
+  double operator()(const VectorX& z, VectorX& dz) { return (*this)(z.data(), z.data() + n_, dz); }
+  /// The same at a state.
+  double operator()(const State<dynamic>& z, VectorX& dz) { return (*this)(z.q.data(), z.p.data(), dz); }
+  /// The same at n entries each.
+  double operator()(const double* q, const double* p, VectorX& dz) {
+    formula_.run(q, p, n_);
     for (int i = 0; i < n_; ++i) {
       dz[i] = sense * formula_.partial(n_ + i);
       dz[n_ + i] = -sense * formula_.partial(i);

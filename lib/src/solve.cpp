@@ -240,21 +240,12 @@ double Orbiter::first_step(const Candidate& it) {
 /// it; or, of the splitting, for which small oscillations stay small.
 double Orbiter::stable_step(const Candidate& it) {
   if (!it.fixed()) return infinity;
-  if (fastest_ < 0.0) {
-    VectorX start(2 * field_.size());
-    start << trip_->start.q, trip_->start.p;
-    fastest_ = field_.fastest(start, metric_);
-  }
+  if (fastest_ < 0.0) fastest_ = field_.fastest(joined(trip_->start), metric_);
   // From 6.15 over its frequency on an oscillation grows; near 3.14 it does by 6e-4 a step at most, and only
   // one of two runs can be there.
   if (it.splits()) return fastest_ > 0.0 ? 5.5 / fastest_ : infinity;
   // What is much faster than the motion is left to Newton's method.
   return fastest_ > 0.0 && fastest_ < 6.0 * it.longest ? 3.1 / fastest_ : infinity;
-}
-
-Setting Orbiter::first_setting() {
-  Candidate& it = menu_.front();
-  return {&it, question_.options.h > 0.0 ? question_.options.h : first_step(it)};
 }
 
 /// Puts the explicit splitting into the menu where fixed steps are the first, and before them where it should
@@ -295,7 +286,6 @@ OrbitAnswer Orbiter::fail(Outcome outcome, std::string message) {
 /// No run came to the end.
 OrbitAnswer Orbiter::give_up() {
   std::ostringstream text;
-  text.precision(6);
   if (bound_ != Outcome::ok) {
     text << "A bound of the call was met while monitor and step were being chosen.";
     return fail(bound_, text.str());
@@ -314,7 +304,6 @@ OrbitAnswer Orbiter::give_up() {
 /// The start or the end is so far that the rounding of its time is more than a radian.
 OrbitAnswer Orbiter::too_far(const char* what, double t, double radians) {
   std::ostringstream text;
-  text.precision(6);
   text << what << t << ", is some " << radians
        << " radians of the fastest motion away: the rounding of such a time alone hides where in its motion "
           "the system is.";
@@ -338,7 +327,9 @@ OrbitAnswer Orbiter::solve() {
   if (since_zero > most) return too_far("The zero of time, seen from t = ", question_.t, since_zero);
   set_marks();
   answer_.choice.time = since_start(0);
-  for (Setting setting = first_setting(); pursue(setting);) {
+  Setting setting{&menu_.front(),
+                  question_.options.h > 0.0 ? question_.options.h : first_step(menu_.front())};
+  while (pursue(setting)) {
   }
   if (!fine_ || (!fine_->ok() && fine_->run.steps == 0)) return give_up();
   return finish();
@@ -393,7 +384,6 @@ OrbitAnswer Orbiter::finish() {
       (void)give_up();
     } else if (answer_.run.outcome == Outcome::stopped) {
       std::ostringstream text;
-      text.precision(6);
       if (dead_end_ > 0.0)
         text << "The run was given up: from t = " << question_.t + sense_ * dead_end_
              << " on no step is short enough; the orbit meets a singularity of H there, or leaves where H is "

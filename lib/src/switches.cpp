@@ -2,13 +2,14 @@
 
 #include "avi/autodiff/taylor_series.hpp"
 #include "avi/core/bracketed_root.hpp"
+#include "dips.hpp"
 #include "schedule.hpp"
+#include "separable.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace avi::detail {
 
@@ -17,11 +18,12 @@ namespace {
 /// What makes H switch, its nodes added to the graph.
 std::vector<Switches::Cause> causes_of(ExpressionGraph& graph, int energy) {
   using enum Operation;
-  const std::vector<char> part = graph.parts(energy), timed = Switches::of_time_alone(graph, energy);
+  const std::vector<char> part = graph.parts(energy);
+  const std::vector<unsigned char> on = dependences(graph, energy);
   std::vector<Switches::Cause> causes;
   for (int i = 0; i <= energy; ++i) {
     const ExpressionGraph::Node node = graph[i];
-    if (!part[static_cast<std::size_t>(i)] || !timed[static_cast<std::size_t>(i)]) continue;
+    if (!part[i] || on[i] != on_last) continue;
     Switches::Cause cause;
     if (node.operation == less)
       cause.node = cause.bends = graph.binary(subtract, node.a, node.b);
@@ -84,29 +86,6 @@ Program program_of(const ExpressionGraph& graph, const std::vector<Switches::Cau
 
 }  // namespace
 
-std::vector<char> Switches::of_time_alone(const ExpressionGraph& graph, int energy) {
-  std::vector<char> fixed(static_cast<std::size_t>(energy) + 1), timed(fixed.size());
-  const int time = graph.inputs() / 2 - 1;
-  for (int i = 0; i <= energy; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const ExpressionGraph::Node& node = graph[i];
-    if (node.operation == Operation::input) {
-      timed[at] = node.a == time;
-      continue;
-    }
-    bool others = false, time_in_it = false;
-    for (const int operand : {node.a, node.b})
-      if (operand >= 0 && node.operation != Operation::constant) {
-        const auto it = static_cast<std::size_t>(operand);
-        time_in_it = time_in_it || timed[it];
-        others = others || !(timed[it] || fixed[it]);
-      }
-    timed[at] = time_in_it && !others;
-    fixed[at] = !time_in_it && !others;
-  }
-  return timed;
-}
-
 std::shared_ptr<const Switches> Switches::of(const ExpressionGraph& graph, int energy, double from,
                                              double to) {
   ExpressionGraph more = graph;
@@ -130,24 +109,6 @@ double Switches::value(std::size_t cause, double t) {
   at_[static_cast<std::size_t>(n_ - 1)] = t;
   compared_.run(at_.data(), at_.data() + n_, n_);
   return compared_.partial(static_cast<int>(cause));
-}
-
-/// The point where that, times a sign, is lowest between two times, by golden section.
-Switches::Point Switches::lowest(std::size_t cause, double sign, double low, double high) {
-  constexpr double golden = 0.6180339887498949;
-  const auto size = [&](double t) { return sign * value(cause, t); };
-  double a = high - golden * (high - low), b = low + golden * (high - low), at_a = size(a), at_b = size(b);
-  for (int i = 0; i < 40; ++i) {
-    if (at_a < at_b) {
-      high = b, b = a, at_b = at_a;
-      a = high - golden * (high - low), at_a = size(a);
-    } else {
-      low = a, a = b, at_a = at_b;
-      b = low + golden * (high - low), at_b = size(b);
-    }
-  }
-  const double t = 0.5 * (low + high);
-  return {t, value(cause, t)};
 }
 
 /// Adds where a cause becomes less than what it is compared with, or no longer is, between two points.
@@ -189,7 +150,9 @@ void Switches::add_turn(std::size_t cause, const Point& before, const Point& her
   const bool reaches = causes_[cause].whole ? std::floor(further) != std::floor(here.value)
                                             : (further < 0.0) != (here.value < 0.0);
   if (!reaches) return;
-  const Point turn = lowest(cause, sign, before.t, after.t);
+  const double t =
+      golden_section([&](double place) { return sign * value(cause, place); }, before.t, after.t, 40);
+  const Point turn{t, value(cause, t)};
   add_between(cause, before, turn), add_between(cause, turn, after);
 }
 

@@ -31,9 +31,6 @@ class Switches {
   /// Of H as a node of a graph, in a run from one time to another. @return null where there are none
   static std::shared_ptr<const Switches> of(const ExpressionGraph& graph, int energy, double from, double to);
 
-  /// For each node up to that of H, whether it is a function of the last coordinate alone.
-  static std::vector<char> of_time_alone(const ExpressionGraph& graph, int energy);
-
   /// A function of time that makes H switch.
   struct Cause {
     int node = -1;       ///< It itself: H switches where it becomes negative, or no longer is.
@@ -65,7 +62,6 @@ class Switches {
     double t, value;
   };
   double value(std::size_t cause, double t);
-  Point lowest(std::size_t cause, double sign, double low, double high);
   void add_between(std::size_t cause, const Point& low, const Point& high);
   void add_zero(std::size_t cause, double bound, const Point& low, const Point& high);
   void add_turn(std::size_t cause, const Point& before, const Point& here, const Point& after);

@@ -20,7 +20,7 @@ class TaylorBuilder {
     made_.places.resize(graph_.size(), -1);
     for (int i = 0; i < graph_.inputs(); ++i)
       made_.places[i] = i * made_.stride;
-    add_steps(parts_of(outputs));
+    add_steps(graph_.parts(outputs));
     made_.first = made_.steps.size();
     add_steps(needed_);
     for (auto& step : made_.steps)
@@ -80,15 +80,6 @@ class TaylorBuilder {
         if (other >= 0) open.push_back(other);
     }
     needed_.resize(graph_.size(), 0);
-  }
-  [[nodiscard]] std::vector<char> parts_of(const std::vector<int>& outputs) const {
-    std::vector<char> parts(graph_.size(), 0);
-    for (const int output : outputs) {
-      const std::vector<char> its = graph_.parts(output);
-      for (std::size_t i = 0; i < its.size(); ++i)
-        parts[i] |= its[i];
-    }
-    return parts;
   }
   /// Where the coefficients of a node are; those of a constant are made.
   int series(int node) {

@@ -72,7 +72,7 @@ TEST(Event, OnAStartDoesNotCount) {
 
 TEST(Event, AtTheEndOfAStepBelongsToThatStep) {
   const auto seen = [](Crossing crossing, double before, double after) {
-    return Event{[](double x) { return x; }, crossing}.crossed(before, after);
+    return Event{[](double x) { return x; }, crossing}.crosses(before, after);
   };
   EXPECT_TRUE(seen(Crossing::rising, -1.0, 0.0) && seen(Crossing::falling, 1.0, 0.0));
   EXPECT_FALSE(seen(Crossing::either, 0.0, 1.0) || seen(Crossing::either, 0.0, -1.0));

@@ -204,7 +204,7 @@ TEST(Gauss, CloneGoesOnWithTheSameBits) {
 }
 
 TEST(Gauss, StaysWhereItIsUnlessAStepIsOk) {
-  const auto steps = avi::detail::gauss_steps(formulas(3, Steady{}), 8, {.most = 2});
+  const auto steps = avi::detail::gauss_steps(formulas(3, Steady{}), 8, {.max_sweeps = 2});
   const VectorX z = start(3);
   VectorX moved = z;
   double t = 0.5;
@@ -218,7 +218,7 @@ TEST(Gauss, RefusesWhatCollocationRefuses) {
   EXPECT_THROW((void)avi::detail::gauss_steps(its, 7), std::invalid_argument);
   EXPECT_THROW((void)avi::detail::gauss_steps(its, 18), std::invalid_argument);
   EXPECT_THROW((void)avi::detail::gauss_steps(its, 8, {.tolerance = 0.0}), std::invalid_argument);
-  EXPECT_THROW((void)avi::detail::gauss_steps(its, 8, {.most = 0}), std::invalid_argument);
+  EXPECT_THROW((void)avi::detail::gauss_steps(its, 8, {.max_sweeps = 0}), std::invalid_argument);
 }
 
 /// The sentence of a refusal.

@@ -43,11 +43,4 @@ TEST(Checked, HasAsManyEntriesInARowAsThereAre) {
   EXPECT_EQ(refusal([&] { (void)v.tail(4); }), count("4", "3"));
 }
 
-TEST(Part, IsTheEntriesFromTheFirstOn) {
-  avi::VectorX x(4);
-  x << 1.0, 2.0, 4.0, 8.0;
-  EXPECT_EQ(avi::part(x, 1, 2), avi::VectorX(x.segment(1, 2)));
-  EXPECT_EQ((avi::part<3>(x, 1, 3)), (avi::Vector<double, 3>(2.0, 4.0, 8.0)));
-}
-
 }  // namespace vector_test

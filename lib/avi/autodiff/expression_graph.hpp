@@ -43,8 +43,10 @@ class ExpressionGraph {
     return is_constant(node) && nodes_[node].number == number;
   }
 
-  /// For every node up to this one, whether it is a part of its formula, as the node itself is.
-  [[nodiscard]] std::vector<char> parts(int node) const;
+  /// For every node up to the last of these, whether it is a part of one of their formulas, as they are.
+  [[nodiscard]] std::vector<char> parts(const std::vector<int>& nodes) const;
+  /// The same of one node.
+  [[nodiscard]] std::vector<char> parts(int node) const { return parts(std::vector<int>{node}); }
 
   /// The node of one more argument, with the next number. Programs know arguments that are the first nodes
   /// alone: substitute() makes such a graph of this one.
@@ -73,6 +75,8 @@ class ExpressionGraph {
   /// A formula of another graph, or of this one, at other arguments: its node in this graph where input i of
   /// the other one, late ones included, is the node arguments[i] of this one.
   int substitute(const ExpressionGraph& other, int node, const std::vector<int>& arguments);
+  /// The same at the first inputs of this graph.
+  int substitute(const ExpressionGraph& other, int node);
 
   /// Makes room for so many nodes, which saves time where their number is known.
   void reserve(int size);

@@ -27,6 +27,7 @@ class Formula {
   /// @param parameters values of the last inputs of the graph; none: all inputs are arguments
   /// @throws std::invalid_argument for a node that the graph has not, or more parameters than inputs.
   Formula(ExpressionGraph&& graph, int node, std::vector<double> parameters = {});
+  // A copy is made only here, as the argument for `node` may add that to the graph.
   Formula(const ExpressionGraph& graph, int node, std::vector<double> parameters = {})
       : Formula(ExpressionGraph(graph), node, std::move(parameters)) {}
   ///@}
@@ -54,14 +55,14 @@ class Formula {
   /// @tparam d n, where it is known at compile time @throws std::invalid_argument for n < 1, or another d.
   template <int d = dynamic, class F>
   static Formula of_phase(const F& f, Eigen::Index n = d) {
-    return record(2 * n, {}, [&](ExpressionGraph& graph, int count) {
+    return record(2 * degrees(n), {}, [&](ExpressionGraph& graph, int count) {
       return detail::recorded_call(f, recorded_inputs<d>(graph, 0, n),
                                    recorded_inputs<d>(graph, count / 2, n));
     });
   }
   template <int d = dynamic, class F>
   static Formula of_phase(const F& f, Eigen::Index n, std::vector<double> c) {
-    return record(2 * n, std::move(c), [&](ExpressionGraph& graph, int count) {
+    return record(2 * degrees(n), std::move(c), [&](ExpressionGraph& graph, int count) {
       return detail::recorded_call(f, recorded_inputs<d>(graph, 0, n),
                                    recorded_inputs<d>(graph, count / 2, n), parameters_in(graph, count));
     });
@@ -73,14 +74,14 @@ class Formula {
   /// @tparam d n, where it is known at compile time @throws std::invalid_argument for n < 1, or another d.
   template <int d = dynamic, class F>
   static Formula of_phase_and_time(const F& f, Eigen::Index n = d) {
-    return record(with_time(n), {}, [&](ExpressionGraph& graph, int count) {
+    return record(2 * degrees(n) + 1, {}, [&](ExpressionGraph& graph, int count) {
       return detail::recorded_call(f, recorded_inputs<d>(graph, 0, n), Recorded(graph, count - 1),
                                    recorded_inputs<d>(graph, count / 2, n));
     });
   }
   template <int d = dynamic, class F>
   static Formula of_phase_and_time(const F& f, Eigen::Index n, std::vector<double> c) {
-    return record(with_time(n), std::move(c), [&](ExpressionGraph& graph, int count) {
+    return record(2 * degrees(n) + 1, std::move(c), [&](ExpressionGraph& graph, int count) {
       return detail::recorded_call(f, recorded_inputs<d>(graph, 0, n), Recorded(graph, count - 1),
                                    recorded_inputs<d>(graph, count / 2, n), parameters_in(graph, count));
     });
@@ -153,10 +154,9 @@ class Formula {
 
   // Vectors of another library are not passed on: the library may be compiled for another processor.
   void gradient(const double* x, double* slopes) const;
-  static int checked(Eigen::Index inputs);
-  static Eigen::Index with_time(Eigen::Index n) {
+  static Eigen::Index degrees(Eigen::Index n) {
     require(n >= 1, "Number of degrees of freedom to record", n, "at least 1");
-    return 2 * n + 1;
+    return n;
   }
   void check_entries(Eigen::Index entries) const {
     require(entries == inputs(), "Number of arguments of a formula", entries, "", inputs());
@@ -169,7 +169,8 @@ class Formula {
   }
   template <class Call>
   static Formula record(Eigen::Index inputs, std::vector<double> parameters, const Call& call) {
-    const int count = checked(inputs);
+    require(inputs >= 1, "Number of arguments to record", inputs, "at least 1");
+    const int count = static_cast<int>(inputs);
     ExpressionGraph graph(count + static_cast<int>(parameters.size()));
     const Recorded result = call(graph, count);
     const int node = result.node_in(graph);

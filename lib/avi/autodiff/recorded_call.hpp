@@ -2,6 +2,7 @@
 #include "avi/autodiff/recorded.hpp"
 
 #include <type_traits>
+#include <vector>
 
 /// @file
 /// The call that records a function, and what the compiler says where it cannot be made.
@@ -78,6 +79,19 @@ Recorded recorded_call(const F& f, const Vectors&... x) {
       if constexpr (gives_number) return f(x...);
     }
   }
+}
+
+/// The nodes of the gradient that H supplies, by q and by p. @throws std::invalid_argument for another size.
+template <class H, class Vec>
+std::vector<int> supplied_gradient(const H& h, const Vec& q, const Vec& p, ExpressionGraph& graph) {
+  using Slopes = Vector<Recorded, Vec::SizeAtCompileTime>;
+  const Slopes by_q = sized("Number of entries of d_dq", h.d_dq(q, p), q.size()),
+               by_p = sized("Number of entries of d_dp", h.d_dp(q, p), q.size());
+  std::vector<int> nodes;
+  for (const Slopes* slopes : {&by_q, &by_p})
+    for (const Recorded& slope : *slopes)
+      nodes.push_back(slope.node_in(graph));
+  return nodes;
 }
 
 }  // namespace avi::detail

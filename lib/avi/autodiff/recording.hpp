@@ -32,9 +32,7 @@ class Recording {
   /// @throws std::invalid_argument for fewer than one input.
   template <class F>
   requires(!std::is_same_v<F, ExpressionGraph>) Recording(const F& f, Eigen::Index inputs)
-      : graph_(checked(inputs)) {
-    differentiate(detail::recorded_call(f, recorded_inputs(graph_, 0, inputs)).node_in(graph_));
-  }
+      : Recording(Formula::of_point(f, inputs)) {}
 
   /// Takes a formula that is recorded already: no function is called. @param graph of N inputs @param node
   /// the value @param inner node of an h whose gradient is supplied @param supplied nodes of that; none: h is
@@ -44,22 +42,6 @@ class Recording {
 
   /// The same of a Formula. Its parameters are the last inputs, to be set in the program's room.
   explicit Recording(const Formula& f) : Recording(f.graph(), f.node()) {}
-
-  /// Records f where the gradient of h in f(x, h(x)) is supplied: only what f does with h is differentiated.
-  /// @param f called as f(x, h) @param h called as h(x) @param slopes called as slopes(x), returns N numbers
-  /// @throws std::invalid_argument for fewer than one input, or another number of slopes.
-  template <class F, class H, class Slopes>
-  Recording(const F& f, const H& h, const Slopes& slopes, Eigen::Index inputs) : graph_(checked(inputs)) {
-    const Vector<Recorded, dynamic> x = recorded_inputs(graph_, 0, inputs);
-    const Recorded inner = h(x), result = f(x, inner);
-    const Vector<Recorded, dynamic> supplied = slopes(x);
-    require(supplied.size() == inputs, "Number of supplied derivatives", supplied.size(),
-            "that of the inputs, ", inputs);
-    std::vector<int> nodes;
-    for (int i = 0; i < graph_.inputs(); ++i)
-      nodes.push_back(supplied[i].node_in(graph_));
-    differentiate(result.node_in(graph_), inner.node_in(graph_), nodes);
-  }
 
   [[nodiscard]] int inputs() const { return graph_.inputs(); }           ///< N.
   [[nodiscard]] const ExpressionGraph& graph() const { return graph_; }  ///< The graph of f and its gradient.
@@ -81,12 +63,9 @@ class Recording {
   [[nodiscard]] Program value() const { return value_and_gradient(0, 0); }
 
  private:
-  void differentiate(int value, int inner = -1, const std::vector<int>& supplied = {});
   [[nodiscard]] Program program(int value, int first, int count) const;
-  static int checked(Eigen::Index inputs);
   ExpressionGraph graph_;
-  int value_ = -1;
-  int recorded_ = 0;
+  int value_, recorded_;
   std::vector<int> slopes_;
 };
 
@@ -95,13 +74,7 @@ class Recording {
 /// @throws std::invalid_argument where n is less than 1, or the size another one.
 template <int n = dynamic, class F>
 Recording record(const F& f, Eigen::Index size = n) {
-  require(size >= 1, "Number of degrees of freedom to record", size, "at least 1");
-  const int count = static_cast<int>(size);
-  ExpressionGraph graph(2 * count);
-  const Recorded value =
-      detail::recorded_call(f, recorded_inputs<n>(graph, 0, count), recorded_inputs<n>(graph, count, count));
-  const int node = value.node_in(graph);
-  return {std::move(graph), node};
+  return Recording(Formula::of_phase<n>(f, size));
 }
 
 }  // namespace avi

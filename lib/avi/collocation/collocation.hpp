@@ -77,7 +77,7 @@ class Collocation {
       std::conditional_t<largest_order <= 16, std::variant<GaussStep<n, 4>, GaussStep<n, 8>>,
                          std::variant<GaussStep<n, 4>, GaussStep<n, 8>, GaussStep<n, 16>>>>;
   static AnySteps make(const Problem& problem, int order, SweepSettings settings) {
-    const GaussRule rule = detail::collocation_rule(order, largest_order, settings);
+    const GaussRule& rule = detail::collocation_rule(order, largest_order, settings);
     // Made where they stay: a move would be compiled for each width.
     if constexpr (largest_order > 16)
       if (order > 16)

@@ -71,4 +71,18 @@ class GaussRule {
   std::shared_ptr<const Table> table_;
 };
 
+/// When a step counts as solved.
+struct SweepSettings {
+  /// Relative change that one more sweep would make, in the scale of every entry (see EntryScales). At 1e-17
+  /// the energy drifts, 3e-14 in 10 000 periods.
+  double tolerance = 6.25e-19;
+  int max_sweeps = 100;  ///< After so many a step ends as Outcome::not_converged.
+};
+
+namespace detail {
+/// The rule of an order, made once.
+/// @throws std::invalid_argument for an order that is odd or out of [2, largest], or an improper setting.
+const GaussRule& collocation_rule(int order, int largest, SweepSettings settings);
+}  // namespace detail
+
 }  // namespace avi

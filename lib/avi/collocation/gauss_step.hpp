@@ -13,30 +13,6 @@
 
 namespace avi {
 
-/// When a step counts as solved.
-struct SweepSettings {
-  /// Relative change that one more sweep would make, in the scale of every entry (see EntryScales). At 1e-17
-  /// the energy drifts, 3e-14 in 10 000 periods.
-  double tolerance = 6.25e-19;
-  int max_sweeps = 100;  ///< After so many a step ends as Outcome::not_converged.
-};
-
-namespace detail {
-/// @throws std::invalid_argument for an order that is odd or out of [2, largest], or an improper setting.
-inline void require_collocation(int order, int largest, SweepSettings settings) {
-  require(order >= 2 && order <= largest && order % 2 == 0, "Order of collocation", order, "even and in [2, ",
-          largest, largest < 32 ? "]; collocation<32>(problem, order) goes up to 32" : "]");
-  require(std::isfinite(settings.tolerance) && settings.tolerance > 0.0, "Tolerance of the sweeps",
-          settings.tolerance, "finite and positive");
-  require(settings.max_sweeps >= 1, "Number of sweeps", settings.max_sweeps, "at least 1");
-}
-/// The rule of an order, see require_collocation().
-inline GaussRule collocation_rule(int order, int largest, SweepSettings settings) {
-  require_collocation(order, largest, settings);
-  return GaussRule(order / 2);
-}
-}  // namespace detail
-
 /// Gauss collocation with at most w stages: a step starts from the polynomial of the last one, is solved by
 /// sweeps or where they do not contract by Newton's method, and is added up in about twice the digits of a
 /// double. For few degrees of freedom, where a sweep

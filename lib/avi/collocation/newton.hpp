@@ -21,9 +21,6 @@ class LinearSystem {
   /// For that many unknowns; its memory comes with clear().
   explicit LinearSystem(Eigen::Index count) : count_(count) {}
 
-  bool decomposed = false;  ///< decompose() was called, and what it found still serves.
-
-  [[nodiscard]] Eigen::Index count() const { return count_; }  ///< Number of unknowns.
   /// An entry of the matrix.
   [[nodiscard]] double& at(Eigen::Index row, Eigen::Index column) { return matrix_[column * count_ + row]; }
   /// The right-hand side; after solve() the solution.
@@ -35,10 +32,11 @@ class LinearSystem {
     pivots_.resize(count_);
   }
 
-  /// LU decomposition in place, with pivots by column. A vanishing pivot leaves infinities, which a step
-  /// reports.
+  /// LU decomposition of the matrix plus 1, in place, with pivots by column. A vanishing pivot leaves
+  /// infinities, which a step reports.
   void decompose() {
-    decomposed = true;
+    for (Eigen::Index k = 0; k < count_; ++k)
+      at(k, k) += 1.0;
     for (Eigen::Index k = 0; k < count_; ++k) {
       Eigen::Index best = k;
       for (Eigen::Index i = k + 1; i < count_; ++i)
@@ -116,7 +114,7 @@ class NewtonIteration {
   }
 
   /// The step size is another one.
-  void forget() { system_.decomposed = false; }
+  void forget() { known_ = false; }
 
   /// Solves for the stages of a step from those it has, with the Jacobian matrix of every stage, taken again
   /// where changes do not fall. It sees what the matrix at the start does not: a monitor multiplies its
@@ -127,7 +125,7 @@ class NewtonIteration {
   StepReport solve_at_stages(StageEquations<n, w>& equations, Step& step, Step& old, int cap) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon(), noise = 1e-7;
     StepReport report{.outcome = Outcome::not_converged};
-    system_.decomposed = false;
+    known_ = false;
     progress_.restart(noise);
     double least = std::numeric_limits<double>::infinity();
     bool fresh = false;
@@ -157,7 +155,7 @@ class NewtonIteration {
   StepReport solve(StageEquations<n, w>& equations, Step& step, Step& old, int cap) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     StepReport report{.outcome = Outcome::not_converged};
-    const bool known = system_.decomposed;
+    const bool known = std::exchange(known_, false);
     const int of_matrix = known ? 0 : decompose(equations, step);
     report.evaluations = of_matrix;
     equations.begin(step);
@@ -170,13 +168,12 @@ class NewtonIteration {
       idle = now <= 0.5 * least ? 0 : idle + 1;
       if (now <= epsilon || (idle > 0 && now <= 16.0 * epsilon) || progress_.settled(2, true)) {
         report.outcome = Outcome::ok;
-        system_.decomposed = report.evaluations - of_matrix <= 12;
+        known_ = report.evaluations - of_matrix <= 12;
         return report;
       }
       if (idle == 8 || report.outcome == Outcome::non_finite) break;
       least = std::min(least, now);
     }
-    system_.decomposed = false;
     if (!known) return report;
     const int spent = report.evaluations;
     report = solve(equations, step, old, cap - spent);  // with the matrix of this start
@@ -216,8 +213,6 @@ class NewtonIteration {
         }
       }
     }
-    for (Eigen::Index k = 0; k < system_.count(); ++k)
-      system_.at(k, k) += 1.0;
     system_.decompose();
     return evaluations;
   }
@@ -243,10 +238,7 @@ class NewtonIteration {
               system_.at(row * stages_ + i, column * stages_ + j) += slope[j] * equations.rule().mu(i, j);
         }
       }
-    for (Eigen::Index k = 0; k < system_.count(); ++k)
-      system_.at(k, k) += 1.0;
     system_.decompose();
-    system_.decomposed = false;
     return static_cast<int>(2 * rows + 1);
   }
 
@@ -296,7 +288,7 @@ class NewtonIteration {
   [[nodiscard]] double reach(Eigen::Index v) const { return 6e-6 * units_[v]; }
 
   int stages_;
-  bool possible_;
+  bool possible_, known_ = false;  // the matrix that is decomposed serves the next step
   LinearSystem system_;
   std::vector<double> units_;
   EntryProgress<n, w> progress_;

@@ -56,24 +56,14 @@ inline constexpr bool
 /// The recording of \f$\bar H = g\,(H + p^t)\f$ with the gradient that H supplies for recorded numbers.
 template <class Problem>
 Recording recorded_with_supplied(const Problem& problem) {
-  using Vec = Vector<Recorded, dynamic>;
-  const Eigen::Index n = problem.size();
-  const auto apart = [n](const auto& use) {
-    return [use, n](const Vec& z) { return use(part(z, 0, n), part(z, n, n)); };
-  };
-  const auto& h = problem.hamiltonian();
-  return {[&](const Vec& z, const Recorded& energy) -> Recorded {
-            const Vec q = part(z, 0, n), p = part(z, n, n);
-            return problem.rate(q, p) * (energy + problem.energy_momentum());
-          },
-          apart([&](const Vec& q, const Vec& p) -> Recorded { return h(q, p); }),
-          apart([&](const Vec& q, const Vec& p) {
-            Vec slopes(2 * n);
-            slopes.head(n) = sized("Number of entries of d_dq", h.d_dq(q, p), n);
-            slopes.tail(n) = sized("Number of entries of d_dp", h.d_dp(q, p), n);
-            return slopes;
-          }),
-          2 * n};
+  const auto n = static_cast<int>(problem.size());
+  ExpressionGraph graph(2 * n);
+  const RecordedVector<> q = recorded_inputs(graph, 0, n), p = recorded_inputs(graph, n, n);
+  const Recorded energy = problem.hamiltonian()(q, p);
+  const Recorded value = problem.rate(q, p) * (energy + problem.energy_momentum());
+  const int inner = energy.node_in(graph), outer = value.node_in(graph);
+  const std::vector<int> supplied = supplied_gradient(problem.hamiltonian(), q, p, graph);
+  return {std::move(graph), outer, inner, supplied};
 }
 
 /// The recording of g, or of \f$\bar H = g\,(H + p^t)\f$: made once for all widths.

@@ -38,14 +38,9 @@ template <class Action>
       require(sense * t >= sense * step.before.t, "Output time", t,
               next == 0 ? "not before the start of the run"
                         : "beyond the one before it in the direction of the run");
-      Answer answer;
-      if (t == step.before.t) {
-        answer = detail::answer(detail::notify(action, step.before));
-      } else {
-        const Located<State> there = step.at(t);
-        answer = there.ok() ? detail::answer(detail::notify(action, there.state))
-                            : Answer{there.report.outcome, there.reason};
-      }
+      const Located<State> there = step.at(t);
+      Answer answer = there.ok() ? detail::answer(detail::notify(action, there.state))
+                                 : Answer{there.report.outcome, there.reason};
       if (first.outcome == Outcome::ok) first = std::move(answer);
     }
     return first;

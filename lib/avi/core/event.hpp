@@ -33,11 +33,6 @@ struct Event {
   Crossing crossing = Crossing::either;  ///< Which events count.
   double tolerance = 0.0;                ///< |g| that is small enough; 0 for round-off.
 
-  /// True where the event lies in (before, after].
-  template <class State>
-  [[nodiscard]] bool crossed(const State& before, const State& after) const {
-    return crosses(g(before), g(after));
-  }
   /// True where the event lies between two such values, the second one included.
   [[nodiscard]] bool crosses(double first, double last) const {
     const bool rises = first < 0.0 && last >= 0.0, falls = first > 0.0 && last <= 0.0;

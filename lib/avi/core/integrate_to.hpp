@@ -35,7 +35,6 @@ template <class State, class M, class... Observers>
           until.time,
           h > 0.0 ? "finite and not before the start where h > 0"
                   : "finite and not after the start where h < 0");
-  detail::require_run(h, until);
   return detail::run(method, state, h, until, detail::Arrival{until.time, std::copysign(1.0, h)},
                      observers...);
 }

@@ -121,31 +121,26 @@ class Trajectory {
   /// difference of such two is rounding. Times are summed from the step outwards, so that the age of the run
   /// is not in their rounding.
   [[nodiscard]] Nodes around(std::size_t k) const {
-    Nodes left, right;
     const auto add = [](Nodes& nodes, std::size_t state, double tau) {
       nodes.state[nodes.count] = state;
       nodes.tau[nodes.count++] = tau;
     };
-    add(left, k - 1, 0.0);
-    double tau = 0.0, gap = 0.0, widest = std::abs(steps_[k]);
-    for (std::size_t i = k - 1; i > 0 && left.count < points; --i) {
-      tau -= steps_[i];
-      gap += steps_[i];
-      if (std::abs(gap) < near * widest) continue;
-      add(left, i - 1, tau);
-      widest = std::max(widest, std::abs(gap));
-      gap = 0.0;
-    }
-    add(right, k, steps_[k]);
-    tau = steps_[k], gap = 0.0, widest = std::abs(steps_[k]);
-    for (std::size_t i = k + 1; i < states_.size() && right.count < points; ++i) {
-      tau += steps_[i];
-      gap += steps_[i];
-      if (std::abs(gap) < near * widest) continue;
-      add(right, i, tau);
-      widest = std::max(widest, std::abs(gap));
-      gap = 0.0;
-    }
+    const auto side = [&](std::size_t state, double tau, bool back) {
+      Nodes nodes;
+      add(nodes, state, tau);
+      double gap = 0.0, widest = std::abs(steps_[k]);
+      while (nodes.count < points && (back ? state > 0 : state + 1 < states_.size())) {
+        const double step = back ? -steps_[state--] : steps_[++state];
+        tau += step;
+        gap += step;
+        if (std::abs(gap) < near * widest) continue;
+        add(nodes, state, tau);
+        widest = std::max(widest, std::abs(gap));
+        gap = 0.0;
+      }
+      return nodes;
+    };
+    const Nodes left = side(k - 1, 0.0, true), right = side(k, steps_[k], false);
     const std::size_t count = std::min(points, left.count + right.count), half = count / 2;
     const std::size_t before = std::clamp(half, count - std::min(count, right.count), left.count);
     Nodes nodes;

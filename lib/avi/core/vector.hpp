@@ -109,15 +109,6 @@ using VectorX = Vector<double, dynamic>;
 template <class S, int m, int n = m>
 using Matrix = Eigen::Matrix<S, m, n, detail::storage<S>>;
 
-/// Entries first, first + 1, ... of x. A loop compiles faster than Eigen's segments.
-template <int n = dynamic, class S>
-Vector<S, n> part(const Vector<S, dynamic>& x, Eigen::Index first, Eigen::Index count) {
-  Vector<S, n> y(count);
-  for (Eigen::Index i = 0; i < count; ++i)
-    y[i] = x[first + i];
-  return y;
-}
-
 /// Largest magnitude of an entry; NaN where one is.
 template <class V>
 double largest_entry(const V& x) {

@@ -122,10 +122,7 @@ class TaylorExpansion {
  private:
   /// The recorded field.
   struct RecordedField {
-    RecordedField(const Problem& problem, int order)
-        : RecordedField(problem, order, ExpressionGraph(variables)) {}
-    RecordedField(const Problem& problem, int order, ExpressionGraph graph)
-        : RecordedField{recorded(problem, graph), order, std::move(graph)} {}  // braces: from left to right
+    RecordedField(const Problem& problem, int order) : RecordedField(Nodes(problem), order) {}
 
     TaylorSeries<Number> series;
     std::array<int, n> dq, dp;  // places
@@ -133,25 +130,23 @@ class TaylorExpansion {
 
    private:
     struct Nodes {
+      explicit Nodes(const Problem& problem) {
+        const Vector<Recorded, n> q = recorded_inputs<n>(graph, 0, n), p = recorded_inputs<n>(graph, n, n);
+        const Recorded pt = energy_partial ? Recorded(graph, 2 * n) : Recorded(problem.energy_momentum());
+        Vector<Recorded, n> dq, dp;
+        Recorded dt;
+        Construction::field(problem, q, p, pt, dq, dp, dt);
+        for (int i = 0; i < n; ++i) {
+          velocities.push_back(dq[i].node_in(graph));
+          forces.push_back(dp[i].node_in(graph));
+        }
+        velocities.push_back(dt.node_in(graph));
+      }
+      ExpressionGraph graph{variables};
       std::vector<int> velocities, forces;  // of q and t; of p
     };
-    static Nodes recorded(const Problem& problem, ExpressionGraph& graph) {
-      const Vector<Recorded, n> q = recorded_inputs<n>(graph, 0, n), p = recorded_inputs<n>(graph, n, n);
-      const Recorded pt = energy_partial ? Recorded(graph, 2 * n) : Recorded(problem.energy_momentum());
-      Vector<Recorded, n> dq, dp;
-      Recorded dt;
-      Construction::field(problem, q, p, pt, dq, dp, dt);
-      Nodes nodes;
-      for (int i = 0; i < n; ++i) {
-        nodes.velocities.push_back(dq[i].node_in(graph));
-        nodes.forces.push_back(dp[i].node_in(graph));
-      }
-      nodes.velocities.push_back(dt.node_in(graph));
-      return nodes;
-    }
-    RecordedField(const Nodes& nodes, int order, ExpressionGraph graph)
-        : series(std::move(graph), nodes.velocities, nodes.forces, order),
-          dt(series.place(nodes.velocities[n])) {
+    RecordedField(const Nodes& nodes, int order)
+        : series(nodes.graph, nodes.velocities, nodes.forces, order), dt(series.place(nodes.velocities[n])) {
       for (int i = 0; i < n; ++i) {
         dq[i] = series.place(nodes.velocities[i]);
         dp[i] = series.place(nodes.forces[i]);

@@ -89,7 +89,7 @@ class Splitting {
     State<n> moved = z;
     // A state changed from outside has no kept rounding error.
     if constexpr (compensated)
-      if (!(moved == after_)) forget(moved);
+      if (!(moved == after_)) low_.q.setZero(z.q.size()), low_.p.setZero(z.p.size());
     State<n> low = low_;
     ClockSum clock = clock_;
     for (std::size_t i = 0; i < b_.size(); ++i) {
@@ -123,11 +123,6 @@ class Splitting {
     const Drift<n> d = flows_.drift(z.p, h);
     add<summation>(z.q, low.q, d.position);
     clock.add(z.t, d.time);
-  }
-
-  void forget(const State<n>& z) {
-    low_.q.setZero(z.q.size());
-    low_.p.setZero(z.p.size());
   }
 
   Flows flows_;

@@ -104,14 +104,11 @@ class Bounded {
   /// The bounded form of g(q) or g(q, p).
   template <class... Arguments>
   auto operator()(const Arguments&... at) const requires std::invocable<const G&, const Arguments&...> {
-    return bound(g_(at...));
+    const auto g = g_(at...);
+    return b_ * (g + a_) / (g + b_);
   }
 
  private:
-  template <class S>
-  S bound(const S& g) const {
-    return b_ * (g + a_) / (g + b_);
-  }
   G g_;
   double a_, b_;
 };
