@@ -296,7 +296,9 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
       if (std::string_view(name).starts_with("energy"))
         menu.emplace_back(name, alpha, graph, energy, energy_at_start, lively);
   }
-  const VectorX strength = strengths(sketch, metric);
+  VectorX strength = strengths(sketch, metric);
+  // What switches with time is pushed at times that no sketch sees; of the momentum of time nobody asks.
+  if (question.switches) strength[metric.size() - 1] = infinity;
   const double rounding =
       std::numeric_limits<double>::epsilon() * std::max(std::abs(energy_at_start), std::abs(kinetic));
   const auto look = [&](Candidate& it, double price, const Measured& measured) {

@@ -80,8 +80,10 @@ void Delivery::go() {
     if (kept && run_.steps % block == 0) begin_block();
     step();
   }
+  State<dynamic> there = state_;
+  there.q.conservativeResize(degrees_), there.p.conservativeResize(degrees_);
   if (!run_.ok() && run_.message.empty())
-    run_.message = describe_end(run_.outcome, state_, run_.steps, 0.0,
+    run_.message = describe_end(run_.outcome, there, run_.steps, 0.0,
                                 run_.outcome == Outcome::not_converged && reason_.empty()
                                     ? "the equations of a step were not solved"
                                     : reason_);
@@ -203,7 +205,7 @@ void Delivery::step() {
   if (track_) track_->add(before, last);
   state_ = last;
   ++run_.steps;
-  look_at_energy(state_);
+  if (!arrived() || !steps_->is_at_switch(state_.t)) look_at_energy(state_);
   if (arrived()) return;
   run_.outcome = budget_.met(state_.t, run_.steps, run_.evaluations);
   if (run_.ok()) look_at_pace();

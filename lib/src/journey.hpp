@@ -180,7 +180,7 @@ class Journey {
       }
       if (last) {
         ranges.add(state);
-        look_at_energy(state);
+        if (!steps_->is_at_switch(state.t)) look_at_energy(state);
       }
     }
     marks.push_back(state);

@@ -32,6 +32,8 @@ class OrbitSteps {
     size_ = h;
     return whole_step(z, h);
   }
+  /// The energy at this time says nothing: H switches there.
+  [[nodiscard]] bool is_at_switch(double t) const { return switches_ && switches_->is_near(t); }
   /// The fictive size of the last step.
   [[nodiscard]] double size() const { return size_; }
   /// See Stepper.

@@ -247,6 +247,10 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   // Steps that switches cut are the same in both runs, which then say nothing of each other.
   const bool cut = question_.switches && 4 * coarse_->whole < coarse_->run.steps;
   if (question_.options.h > 0.0) {
+    if (cut && last)
+      answer_.note +=
+          "Most steps are cut where H switches with time, alike in both runs, which say nothing of the error "
+          "then: take a shorter h. ";
     seen_ = coarse_->ok() && !cut ? compare(*coarse_, *fine_) : Comparison();
     return false;
   }

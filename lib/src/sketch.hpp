@@ -333,7 +333,12 @@ class Sketch {
     while (const auto here = switches.at(t, sense))
       pass(switches, *here, z);
     const auto next = switches.next(t, t + sense * h);
-    if (next) h = std::abs(next->before - t);
+    if (next) {
+      // The field is asked for at the end, too, which is to be before it.
+      const double way = std::abs(next->before - t);
+      const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(next->before);
+      h = std::max(way - std::max(1e-9 * way, rounding), 0.5 * way);
+    }
     return next;
   }
   /// Goes over a switch.

@@ -1,8 +1,6 @@
 #include "switches.hpp"
 
-#include "avi/autodiff/taylor_series.hpp"
 #include "avi/core/bracketed_root.hpp"
-#include "dips.hpp"
 #include "schedule.hpp"
 #include "separable.hpp"
 
@@ -39,28 +37,50 @@ std::vector<Switches::Cause> causes_of(ExpressionGraph& graph, int energy) {
   return causes;
 }
 
+/// The Taylor series of what a cause compares, and the arguments in it of functions that are flat away from
+/// where they change: they say nothing of that.
+Switches::Expansion expansion_of(const ExpressionGraph& graph, const Switches::Cause& cause) {
+  using enum Operation;
+  const std::vector<char> part = graph.parts(cause.node);
+  std::vector<int> nodes{cause.node};
+  std::vector<char> falls;
+  for (int i = 0; i <= cause.node; ++i) {
+    const Operation what = graph[i].operation;
+    if (!part[i] || !(what == exp || what == tanh || what == erf || what == erfc)) continue;
+    nodes.push_back(graph[i].a);
+    falls.push_back(what == exp);
+  }
+  TaylorSeries<DualNumber<1>> series(graph, {}, nodes, Switches::order);
+  for (int& node : nodes)
+    node = series.place(node);
+  return {std::move(series), std::move(nodes), std::move(falls)};
+}
+
+void expand(TaylorSeries<DualNumber<1>>& series, int inputs, double t) {
+  for (int i = 0; i < inputs; ++i)
+    std::fill_n(series.input(i), Switches::order + 2, DualNumber<1>(0.0));
+  DualNumber<1>* const time = series.input(inputs / 2 - 1);
+  time[0] = t, time[1] = 1.0;
+  for (int k = 0; k <= Switches::order; ++k)
+    series.run(k, true);
+}
+
 /// A time in which what each of them compares bends a few times at most: the low half of its Taylor series
 /// has more than the high one.
 double time_of_bends(const ExpressionGraph& graph, const std::vector<Switches::Cause>& causes, double from,
                      double span) {
-  using Number = DualNumber<1>;
-  constexpr int order = 8, looks = 64;
+  constexpr int order = Switches::order, looks = 64;
   std::vector<int> nodes;
   for (const Switches::Cause& cause : causes)
     nodes.push_back(cause.bends);
-  TaylorSeries<Number> series(graph, {}, nodes, order);
+  TaylorSeries<DualNumber<1>> series(graph, {}, nodes, order);
   double radius = std::abs(span);
   for (int look = 0; look < looks; ++look) {
     // Not at equal distances, which a period may divide.
     const double place = look * 0.6180339887498949;
-    for (int i = 0; i < graph.inputs(); ++i)
-      std::fill_n(series.input(i), order + 2, Number(0.0));
-    Number* const time = series.input(graph.inputs() / 2 - 1);
-    time[0] = Number(from + span * (place - std::floor(place))), time[1] = Number(1.0);
-    for (int k = 0; k <= order; ++k)
-      series.run(k, true);
+    expand(series, graph.inputs(), from + span * (place - std::floor(place)));
     for (const int node : nodes) {
-      const Number* const c = series.output(series.place(node));
+      const DualNumber<1>* const c = series.output(series.place(node));
       const auto bends = [&] {
         double low = 0.0, high = 0.0, power = 1.0;
         for (int k = 1; k <= order; ++k) {
@@ -92,7 +112,7 @@ std::shared_ptr<const Switches> Switches::of(const ExpressionGraph& graph, int e
   std::vector<Cause> causes = causes_of(more, energy);
   if (causes.empty() || from == to) return nullptr;
   const double far = std::max(std::abs(from), std::abs(to)), span = std::abs(to - from);
-  const double cell = std::max(0.5 * std::min(time_of_bends(more, causes, from, to - from), 0.125 * span),
+  const double cell = std::max(std::min(32.0 * time_of_bends(more, causes, from, to - from), 0.125 * span),
                                64.0 * std::numeric_limits<double>::epsilon() * far);
   return std::shared_ptr<const Switches>(new Switches(more, energy, std::move(causes), from, cell));
 }
@@ -101,8 +121,10 @@ Switches::Switches(const ExpressionGraph& graph, int energy, std::vector<Cause> 
                    double cell)
     : n_(graph.inputs() / 2), from_(from), cell_(cell), causes_(std::move(causes)),
       compared_{program_of(graph, causes_)}, energy_{Schedule::program(graph, energy, {}, graph.size())},
-      at_(static_cast<std::size_t>(2 * n_), 0.0), seen_(std::numeric_limits<double>::quiet_NaN()),
-      points_(causes_.size()) {}
+      at_(static_cast<std::size_t>(2 * n_), 0.0), seen_(std::numeric_limits<double>::quiet_NaN()) {
+  for (const Cause& cause : causes_)
+    expansions_.push_back(expansion_of(graph, cause));
+}
 
 /// What a cause compares with zero, or with whole numbers, at a time.
 double Switches::value(std::size_t cause, double t) {
@@ -141,51 +163,73 @@ void Switches::add_zero(std::size_t cause, double bound, const Point& low, const
   inside_.push_back(found);
 }
 
-/// Adds what is passed twice between three points, there and back.
-void Switches::add_turn(std::size_t cause, const Point& before, const Point& here, const Point& after) {
-  const double in = here.value - before.value, out = after.value - here.value;
-  if (!(in * out <= 0.0) || out == 0.0) return;
-  // Where it turns, at most so much further.
-  const double sign = out > 0.0 ? 1.0 : -1.0, further = here.value - sign * (std::abs(in) + std::abs(out));
-  const bool reaches = causes_[cause].whole ? std::floor(further) != std::floor(here.value)
-                                            : (further < 0.0) != (here.value < 0.0);
-  if (!reaches) return;
-  const double t =
-      golden_section([&](double place) { return sign * value(cause, place); }, before.t, after.t, 40);
-  const Point turn{t, value(cause, t)};
-  add_between(cause, before, turn), add_between(cause, turn, after);
+/// What the series of a cause says of it as far from a time as this.
+Switches::Outlook Switches::outlook(std::size_t cause, double t, double distance) {
+  Expansion& its = expansions_[cause];
+  expand(its.series, static_cast<int>(2 * n_), t);
+  const auto spread = [&](const DualNumber<1>* c, int from, bool of_slope = false) {
+    double sum = 0.0, power = of_slope ? 1.0 : distance;
+    for (int k = 1; k <= order; ++k, power *= distance)
+      if (k >= from) sum += std::abs(value_of(c[k])) * power * (of_slope ? k : 1);
+    return sum;
+  };
+  const DualNumber<1>* const c = its.series.output(its.places[0]);
+  const double middle = value_of(c[0]), around = spread(c, 1), rest = spread(c, order - 1);
+  bool known = std::isfinite(middle) && rest <= 0.1 * std::max(std::abs(middle), around);
+  for (std::size_t k = 1; k < its.places.size() && known; ++k) {
+    const DualNumber<1>* const a = its.series.output(its.places[k]);
+    const double argument = value_of(a[0]), change = spread(a, 1);
+    const bool flat = its.falls[k - 1] ? argument + change < -50.0 : std::abs(argument) - change > 20.0;
+    known = flat || change <= 8.0;
+  }
+  const double turning = 1.1 * spread(c, 2, true);
+  return {known, middle - 1.1 * around, middle + 1.1 * around, std::abs(value_of(c[1])) > turning};
 }
 
-/// Finds the switches of a cell.
+/// Finds where a cause switches between two points: by halves, until its series has no zero in one of them,
+/// or one at most.
+void Switches::search(std::size_t cause, const Point& low, const Point& high) {
+  const double half = 0.5 * (high.t - low.t), middle = low.t + half;
+  if (!(half > 32.0 * rounding(middle)) || looks_ > most_looks) return add_between(cause, low, high);
+  ++looks_;
+  const auto side = [&](double x) { return causes_[cause].whole ? std::floor(x) : x < 0.0 ? -1.0 : 0.0; };
+  if (const Outlook it = outlook(cause, middle, half); it.known) {
+    const double first = side(low.value);
+    if (side(it.least) == side(it.most) && side(it.least) == first && side(high.value) == first) return;
+    if (it.monotone) return add_between(cause, low, high);
+  }
+  const Point between{middle, value(cause, middle)};
+  search(cause, low, between);
+  search(cause, between, high);
+}
+
+/// Finds the switches of a cell, of one cause after the other: what one compares may jump where an earlier
+/// one switches.
 void Switches::look_into(double cell) {
   if (cell == seen_) return;
   seen_ = cell;
   inside_.clear();
-  const double low = edge(cell), high = edge(cell + 1.0), step = (high - low) / parts;
-  // One more at each side, for what turns at the edges.
-  for (std::size_t k = 0; k < parts + 3; ++k) {
-    const double t = k == 1 ? low : k == parts + 1 ? high : low + (static_cast<double>(k) - 1.0) * step;
-    (void)value(0, t);
-    for (std::size_t i = 0; i < causes_.size(); ++i)
-      points_[i][k] = {t, compared_.partial(static_cast<int>(i))};
-  }
   for (std::size_t i = 0; i < causes_.size(); ++i) {
-    const auto& at = points_[i];
-    for (std::size_t k = 1; k <= parts; ++k)
-      add_between(i, at[k], at[k + 1]);
-    for (std::size_t k = 1; k <= parts + 1; ++k)
-      add_turn(i, at[k - 1], at[k], at[k + 1]);
+    const std::vector<Switch> known = inside_;
+    double low = edge(cell);
+    const auto search_to = [&](double high) {
+      if (low < high) search(i, {low, value(i, low)}, {high, value(i, high)});
+    };
+    for (const Switch& it : known) {
+      search_to(it.before);
+      low = it.after;
+    }
+    search_to(edge(cell + 1.0));
+    std::ranges::sort(inside_, {}, &Switch::before);
+    // Several that only rounding tells apart are one.
+    std::size_t last = 0;
+    for (std::size_t k = 1; k < inside_.size(); ++k)
+      if (inside_[k].before <= inside_[last].after + 64.0 * rounding(inside_[k].before))
+        inside_[last].after = std::max(inside_[last].after, inside_[k].after);
+      else
+        inside_[++last] = inside_[k];
+    if (!inside_.empty()) inside_.resize(last + 1);
   }
-  // Of two cells that have found the same one keeps it. Several that only rounding tells apart are one.
-  std::erase_if(inside_, [&](const Switch& it) { return it.before < low || it.after > high; });
-  std::ranges::sort(inside_, {}, &Switch::before);
-  std::size_t last = 0;
-  for (std::size_t k = 1; k < inside_.size(); ++k)
-    if (inside_[k].before <= inside_[last].after + 64.0 * rounding(inside_[k].before))
-      inside_[last].after = std::max(inside_[last].after, inside_[k].after);
-    else
-      inside_[++last] = inside_[k];
-  if (!inside_.empty()) inside_.resize(last + 1);
 }
 
 std::optional<Switches::Switch> Switches::next(double t, double to) {
@@ -196,7 +240,7 @@ std::optional<Switches::Switch> Switches::next(double t, double to) {
     --cell;
   while (t >= edge(cell + 1.0))
     ++cell;
-  for (int cells = 0; cells < most_cells; ++cells, cell += back ? -1.0 : 1.0) {
+  for (looks_ = 0; looks_ <= most_looks; ++looks_, cell += back ? -1.0 : 1.0) {
     look_into(cell);
     if (back) {
       for (auto it = inside_.rbegin(); it != inside_.rend(); ++it)

@@ -1,10 +1,10 @@
 #pragma once
 #include "avi/autodiff/expression_graph.hpp"
 #include "avi/autodiff/program.hpp"
+#include "avi/autodiff/taylor_series.hpp"
 #include "avi/core/state.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -22,10 +22,10 @@ namespace avi::detail {
 /// value H takes, or through a whole number where H takes its floor. A step ends there, so that H is smooth
 /// in every one, and the momentum of time changes by what H does, which keeps \f$H + p^t\f$ as it is.
 ///
-/// Time is divided into cells in which those functions bend a few times at most, as the Taylor series of them
-/// at many points tell; in a cell changes of sign are looked for between 9 points, and where a function
-/// comes near zero between them. Which cells there are depends on H and the run alone: so all runs along an
-/// orbit meet the same switches, to the last bit. A copy may work beside the others.
+/// Time is divided into cells, in which zeros are looked for by halves until the Taylor series of such a
+/// function in the middle of a half tells that it has none there, or one at most. Which cells there are
+/// depends on H and the run alone: so all runs along an orbit meet the same switches, to the last bit. A copy
+/// may work beside the others.
 class Switches {
  public:
   /// Of H as a node of a graph, in a run from one time to another. @return null where there are none
@@ -38,6 +38,14 @@ class Switches {
     bool whole = false;  ///< H switches where its floor changes.
     bool operator==(const Cause&) const = default;
   };
+  /// The series of a cause, where in it the coefficients are: of the cause, and of arguments of functions
+  /// that are flat where the argument is large; and for each of these whether it has to be negative.
+  struct Expansion {
+    TaylorSeries<DualNumber<1>> series;
+    std::vector<int> places;
+    std::vector<char> falls;
+  };
+  static constexpr int order = 8;  ///< Of the series.
   /// A switch: the last time before it and the first one behind it, in the direction of the run.
   struct Switch {
     double before, after;
@@ -47,6 +55,9 @@ class Switches {
 
   /// The one at t, or so near behind it that no step leads there. @param sense 1, or -1 in a run backwards
   std::optional<Switch> at(double t, double sense);
+
+  /// A time is so near one that H may be that of neither side.
+  bool is_near(double t) { return next(t - 64.0 * rounding(t), t + 64.0 * rounding(t)).has_value(); }
 
   /// How much H falls at a switch where the system is there; (q, p) of n numbers each.
   double fall(const double* q, const double* p, const Switch& at);
@@ -64,20 +75,26 @@ class Switches {
   double value(std::size_t cause, double t);
   void add_between(std::size_t cause, const Point& low, const Point& high);
   void add_zero(std::size_t cause, double bound, const Point& low, const Point& high);
-  void add_turn(std::size_t cause, const Point& before, const Point& here, const Point& after);
+  struct Outlook {
+    bool known;  // what follows is right
+    double least, most;
+    bool monotone;
+  };
+  Outlook outlook(std::size_t cause, double t, double distance);
+  void search(std::size_t cause, const Point& low, const Point& high);
   void look_into(double cell);
 
-  static constexpr std::size_t parts = 8;     // of a cell
-  static constexpr int most_cells = 100'000;  // in which one switch is looked for: some ten milliseconds
+  static constexpr int most_looks = 100'000;  // for one switch: some tenth of a second
 
   Eigen::Index n_;
   double from_, cell_;
   std::vector<Cause> causes_;
   RecordedFormula<double> compared_, energy_;
-  std::vector<double> at_;                            // (q, p), all but time zero
-  double seen_;                                       // cell that is known
-  std::vector<Switch> inside_;                        // its switches, forwards
-  std::vector<std::array<Point, parts + 3>> points_;  // scratch: of each cause
+  std::vector<double> at_;      // (q, p), all but time zero
+  double seen_;                 // cell that is known
+  std::vector<Switch> inside_;  // its switches, forwards
+  std::vector<Expansion> expansions_;
+  int looks_ = 0;
 };
 
 }  // namespace avi::detail

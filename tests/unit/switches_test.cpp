@@ -91,6 +91,36 @@ TEST(Switches, AreFoundWhereTheyAreNear) {
     EXPECT_NEAR(found[i].before, times[i], 1e-13 * (1.0 + times[i]) / half);
 }
 
+// Of what nothing is seen from where it is flat, four zeros near each other, and zeros at round numbers.
+TEST(Switches, AreFoundWhereverTheyAre) {
+  const double half = 0.1 * std::sqrt(std::log(2.0));
+  const auto bell = [](const auto& t) {
+    const auto x = (t - 570.0) / 0.1;
+    return avi::select(exp(-(x * x)) > 0.5, 1.0, 0.0);
+  };
+  expect_at(all(bell, 0.0, 1000.0), {570.0 - half, 570.0 + half});
+  const auto pair = [](const auto& t) {
+    return avi::select((t - 24.1) * (t - 24.13) * (t - 24.6) * (t - 24.63) < 0.0, 1.0, 0.0);
+  };
+  const auto found = all(pair, 0.0, 50.0);
+  ASSERT_EQ(found.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i)  // as good as the product is there
+    EXPECT_NEAR(found[i].before, std::vector<double>({24.1, 24.13, 24.6, 24.63})[i], 1e-13);
+  const auto round = [](const auto& t) { return avi::select(abs(t - 50.25) < 0.25, 1.0, 0.0); };
+  expect_at(all(round, 0.0, 100.0), {50.0, 50.25, 50.5});
+  const auto window = [](const auto& t) {
+    auto s = t - 0.0;
+    for (int k = 1; k <= 25; ++k)
+      s = s - avi::select(t < 4.0 * k, 0.0, 4.0);
+    return avi::select(s < 0.5, 1.0, 0.0);
+  };
+  std::vector<double> times;
+  for (int k = 0; k < 25; ++k)
+    times.insert(times.end(), {4.0 * k + 0.5, 4.0 * k + 4.0});
+  times.pop_back();
+  expect_at(all(window, 0.1, 99.9), times);
+}
+
 // A ramp that begins anew, and a staircase that goes up and down: near its top a step is as long as it is not
 // high.
 TEST(Switches, AreWhereAFloorChanges) {

@@ -236,7 +236,7 @@ def solve(H, q, p, t, tol, *, events=(), progress=None, parameters=(), **options
            An end alone gives two points, the start and the end
     tol    error of the state at the end, relative to the range through which each coordinate and momentum moves
     events    functions g(q, p) or g(q, t, p) whose zeros are looked for, from event() or with solve_ivp's attributes
-    progress  True for a line that shows it, or a function called some twenty times a second with (fraction, t, steps, seconds)
+    progress  True for a line that shows it, or a function called some twenty times a second with one tuple, (fraction, t, steps, seconds)
     dense     keeps the orbit between the times, for `sol`
     seconds, sweeps, steps   bounds on wall-clock time, on evaluations of all stages and on steps; a run that meets one keeps what it has
     order, monitor, h        to fix these rather than have them chosen. order: 2, 4 ... 16. monitor: "fixed", "energy", "energy^1.5",
