@@ -56,6 +56,7 @@ Switches::Expansion expansion_of(const ExpressionGraph& graph, const Switches::C
   return {std::move(series), std::move(nodes), std::move(falls)};
 }
 
+/// Makes the series in time, from this one on.
 void expand(TaylorSeries<DualNumber<1>>& series, int inputs, double t) {
   for (int i = 0; i < inputs; ++i)
     std::fill_n(series.input(i), Switches::order + 2, DualNumber<1>(0.0));
@@ -208,6 +209,7 @@ void Switches::search(std::size_t cause, const Point& low, const Point& high) {
 void Switches::look_into(double cell) {
   if (cell == seen_) return;
   seen_ = cell;
+  looks_ = 0;
   inside_.clear();
   for (std::size_t i = 0; i < causes_.size(); ++i) {
     const std::vector<Switch> known = inside_;
@@ -240,8 +242,9 @@ std::optional<Switches::Switch> Switches::next(double t, double to) {
     --cell;
   while (t >= edge(cell + 1.0))
     ++cell;
-  for (looks_ = 0; looks_ <= most_looks; ++looks_, cell += back ? -1.0 : 1.0) {
+  for (int looks = 0; looks <= most_looks; cell += back ? -1.0 : 1.0) {
     look_into(cell);
+    looks += looks_ + 1;
     if (back) {
       for (auto it = inside_.rbegin(); it != inside_.rend(); ++it)
         if (it->after <= t)

@@ -84,7 +84,7 @@ class Switches {
   void search(std::size_t cause, const Point& low, const Point& high);
   void look_into(double cell);
 
-  static constexpr int most_looks = 100'000;  // for one switch: some tenth of a second
+  static constexpr int most_looks = 100'000;  // in a cell, or for one switch: some tenth of a second
 
   Eigen::Index n_;
   double from_, cell_;
@@ -94,7 +94,7 @@ class Switches {
   double seen_;                 // cell that is known
   std::vector<Switch> inside_;  // its switches, forwards
   std::vector<Expansion> expansions_;
-  int looks_ = 0;
+  int looks_ = 0;  // that it took
 };
 
 }  // namespace avi::detail
