@@ -80,13 +80,14 @@ void Delivery::go() {
     if (kept && run_.steps % block == 0) begin_block();
     step();
   }
-  State<dynamic> there = state_;
-  there.q.conservativeResize(degrees_), there.p.conservativeResize(degrees_);
-  if (!run_.ok() && run_.message.empty())
+  if (!run_.ok() && run_.message.empty()) {
+    State<dynamic> there = state_;
+    there.q.conservativeResize(degrees_), there.p.conservativeResize(degrees_);
     run_.message = describe_end(run_.outcome, there, run_.steps, 0.0,
                                 run_.outcome == Outcome::not_converged && reason_.empty()
                                     ? "the equations of a step were not solved"
                                     : reason_);
+  }
   if (!kept) return;
   if (run_.ok() && arrived())
     std::remove(question_.options.checkpoint.c_str());

@@ -7,23 +7,6 @@
 
 namespace avi::detail {
 
-/// Where f is lowest between two points, by so many golden sections.
-template <class F>
-double golden_section(const F& f, double low, double high, int sections) {
-  constexpr double golden = 0.6180339887498949;
-  double a = high - golden * (high - low), b = low + golden * (high - low), at_a = f(a), at_b = f(b);
-  for (int i = 0; i < sections; ++i) {
-    if (at_a < at_b) {
-      high = b, b = a, at_b = at_a;
-      a = high - golden * (high - low), at_a = f(a);
-    } else {
-      low = a, a = b, at_a = at_b;
-      b = low + golden * (high - low), at_b = f(b);
-    }
-  }
-  return 0.5 * (low + high);
-}
-
 /// The value of a function somewhere in a step.
 struct Sample {
   double part;         ///< Part of the step, in [0, 1].

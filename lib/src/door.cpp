@@ -101,7 +101,7 @@ void no_curve() {
 
 namespace {
 
-/// Of H with time as a coordinate, in the run that is asked for.
+/// Finds out whether H, with time as a coordinate, switches in the run that is asked for.
 void find_switches(OrbitQuestion& question) {
   if (question.timed)
     question.switches = Switches::of(question.graph, question.energy, question.t, question.t_end);

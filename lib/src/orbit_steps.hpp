@@ -88,9 +88,8 @@ class OrbitSteps {
   double size_ = 0.0;
   std::unique_ptr<Switches> switches_;
   bool fixed_ = false;
-  double rate_ = 0.0;  // mean dt by d tau of the last step, or 0 where there was none
-  double ahead_ =
-      0.0;  // of the clock, which rounding has set back at the steps since the last switch and there
+  double rate_ = 0.0;   // mean dt by d tau of the last step, or 0 where there was none
+  double ahead_ = 0.0;  // time by which rounding has set the clock back since the last switch
 };
 
 }  // namespace avi::detail

@@ -263,7 +263,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     thin_ = true;
     return again(0.4);
   }
-  seen_ = compare(*coarse_, *fine_);
+  seen_ = cut ? Comparison() : compare(*coarse_, *fine_);
   // Where runs agree and their energy errors do not fall with the step, that is rounding of H somewhere on
   // the way, or chance. What is over ten tolerances has to be seen to be rounding.
   bool steady = seen_.error < 1e-7 && fine_->run.steps > Journey::few &&

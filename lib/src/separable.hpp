@@ -10,7 +10,8 @@
 
 namespace avi::detail {
 
-/// What a node depends on: coordinates but the last one, that one, which may be time, and momenta.
+/// The arguments that a node depends on: coordinates but the last one, that one, which may be time, and
+/// momenta.
 enum Dependence : unsigned char { on_q = 1, on_last = 2, on_p = 4 };
 
 /// For each node of a graph of (q, p) up to this one, what it depends on, as it is written.

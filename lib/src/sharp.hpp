@@ -2,7 +2,6 @@
 #include "avi/autodiff/program.hpp"
 #include "avi/core/bracketed_root.hpp"
 #include "candidates.hpp"
-#include "dips.hpp"
 #include "schedule.hpp"
 #include "separable.hpp"
 
@@ -204,7 +203,20 @@ class SharpFeatures {
 
   /// Where it, times `sense`, is largest in a part of the step, by golden section.
   double highest(const OrbitSteps& method, std::size_t argument, double sense, double low, double high) {
-    return golden_section([&](double place) { return -sense * on(method, argument, place); }, low, high, 30);
+    constexpr double golden = 0.6180339887498949;
+    const auto lowered = [&](double place) { return -sense * on(method, argument, place); };
+    double a = high - golden * (high - low), b = low + golden * (high - low), at_a = lowered(a),
+           at_b = lowered(b);
+    for (int i = 0; i < 30; ++i) {
+      if (at_a < at_b) {
+        high = b, b = a, at_b = at_a;
+        a = high - golden * (high - low), at_a = lowered(a);
+      } else {
+        low = a, a = b, at_a = at_b;
+        b = low + golden * (high - low), at_b = lowered(b);
+      }
+    }
+    return 0.5 * (low + high);
   }
 
   Eigen::Index n_;

@@ -13,7 +13,7 @@ namespace avi::detail {
 
 namespace {
 
-/// What makes H switch, its nodes added to the graph.
+/// The causes that make H switch, their nodes added to the graph.
 std::vector<Switches::Cause> causes_of(ExpressionGraph& graph, int energy) {
   using enum Operation;
   const std::vector<char> part = graph.parts(energy);
@@ -127,7 +127,7 @@ Switches::Switches(const ExpressionGraph& graph, int energy, std::vector<Cause> 
     expansions_.push_back(expansion_of(graph, cause));
 }
 
-/// What a cause compares with zero, or with whole numbers, at a time.
+/// The function of a cause, which is compared with zero or with whole numbers, at a time.
 double Switches::value(std::size_t cause, double t) {
   at_[static_cast<std::size_t>(n_ - 1)] = t;
   compared_.run(at_.data(), at_.data() + n_, n_);
@@ -164,7 +164,7 @@ void Switches::add_zero(std::size_t cause, double bound, const Point& low, const
   inside_.push_back(found);
 }
 
-/// What the series of a cause says of it as far from a time as this.
+/// The bounds of a cause as far from a time as this, from its series there.
 Switches::Outlook Switches::outlook(std::size_t cause, double t, double distance) {
   Expansion& its = expansions_[cause];
   expand(its.series, static_cast<int>(2 * n_), t);

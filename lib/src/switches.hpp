@@ -28,7 +28,8 @@ namespace avi::detail {
 /// may work beside the others.
 class Switches {
  public:
-  /// Of H as a node of a graph, in a run from one time to another. @return null where there are none
+  /// The switches of H, a node of a graph, in a run from one time to another. @return null where there are
+  /// none
   static std::shared_ptr<const Switches> of(const ExpressionGraph& graph, int energy, double from, double to);
 
   /// A function of time that makes H switch.

@@ -48,14 +48,14 @@ double error(const State<1>& z, double frequency) {
   return static_cast<double>(std::abs(truth - std::complex<long double>(z.q[0], z.p[0])));
 }
 
-// Measured: 3e-12 at most where 1e-12 is asked for, half of the tolerance at 1e-4.
+// Measured: 1e-12 where that is asked for, half of the tolerance at 1e-4.
 TEST(SolveSwitches, StepsEndWhereHJumpsWithTime) {
   for (const double frequency : {0.7, 3.0, 20.0})
     for (const double t_end : {5.0, 50.0, 1000.0, -50.0})
       for (const double tolerance : {1e-4, 1e-8, 1e-12}) {
         const auto orbit = solve(driven(frequency), start(), t_end, tolerance);
         EXPECT_TRUE(orbit.kept()) << frequency << " " << t_end << " " << tolerance << orbit.report();
-        EXPECT_LE(error(orbit.state, frequency), std::max(tolerance, 5e-12));
+        EXPECT_LE(error(orbit.state, frequency), std::max(tolerance, 2e-12));
         // As a pulse is smooth, steps are those of a smooth H, and one more for each of them.
         const double radians = std::abs(t_end), pulses = radians * frequency / M_PI;
         EXPECT_LE(static_cast<double>(orbit.run.steps), 6.0 * radians + 3.0 * pulses + 10.0);
@@ -75,8 +75,8 @@ TEST(SolveSwitches, APeriodMayBeWrittenByAFloor) {
   for (const double t_end : {50.0, -50.0}) {
     for (const auto& orbit : {solve(halves, start(), t_end, 1e-10), solve(steps, start(), t_end, 1e-10)}) {
       EXPECT_TRUE(orbit.kept());
-      EXPECT_LE(error(orbit.state, 3.0), 1e-11);
-      EXPECT_LE(orbit.run.steps, 500);
+      EXPECT_LE(error(orbit.state, 3.0), 3e-14);
+      EXPECT_LE(orbit.run.steps, 200);
     }
   }
 }
@@ -89,7 +89,8 @@ TEST(SolveSwitches, TheWayBackLeadsToTheStart) {
   EXPECT_NEAR(back.state.p[0], 0.0, 2e-13);
 }
 
-// A curve, output times, on a switch and beside it, and events, with tolerances that the steps keep easily.
+// A curve, output times, on a switch and beside it, and events: right to rounding, as pieces between switches
+// are short.
 TEST(SolveSwitches, StatesOnTheWayAreAsGood) {
   std::vector<double> times;
   for (int k = 0; k <= 30; ++k)
@@ -102,15 +103,15 @@ TEST(SolveSwitches, StatesOnTheWayAreAsGood) {
   ASSERT_EQ(orbit.states.size(), times.size());
   for (std::size_t k = 0; k < times.size(); ++k) {
     EXPECT_EQ(orbit.states[k].t, times[k]);
-    EXPECT_LE(error(orbit.states[k], 3.0), 1e-11);
-    EXPECT_LE(error(orbit(times[k]), 3.0), 1e-11);
+    EXPECT_LE(error(orbit.states[k], 3.0), 1e-14);
+    EXPECT_LE(error(orbit(times[k]), 3.0), 1e-14);
   }
   for (int k = 0; k < 400; ++k)
-    EXPECT_LE(error(orbit(k * times.back() / 400.0), 3.0), 1e-11);
+    EXPECT_LE(error(orbit(k * times.back() / 400.0), 3.0), 1e-14);
   EXPECT_GE(orbit.events.size(), 8u);
   for (const auto& event : orbit.events) {
     EXPECT_NEAR(event.state.q[0], 0.0, 1e-15);
-    EXPECT_LE(error(event.state, 3.0), 1e-11);
+    EXPECT_LE(error(event.state, 3.0), 1e-14);
   }
 }
 
@@ -139,8 +140,8 @@ TEST(SolveSwitches, AMonitorMayBeThere) {
     EXPECT_NE(orbit.choice.name, "fixed");
     const double off = std::max((orbit.state.q - truth.q).cwiseAbs().maxCoeff(),
                                 (orbit.state.p - truth.p).cwiseAbs().maxCoeff());
-    EXPECT_LE(off, tolerance);
-    EXPECT_LE(orbit.run.steps, 60);
+    EXPECT_LE(off, 0.12 * tolerance);
+    EXPECT_LE(orbit.run.steps, 46);
   }
 }
 
@@ -167,7 +168,7 @@ TEST(SolveSwitches, AGivenMonitorMayDependOnTime) {
   const auto g = [](const auto&, const auto& t, const auto&) { return 1.0 + 0.5 * sin(t); };
   const auto orbit = solve(driven(3.0), start(), 20.0, 1e-8, {.monitor = g});
   EXPECT_TRUE(orbit.kept()) << orbit.report();
-  EXPECT_LE(error(orbit.state, 3.0), 1e-8);
+  EXPECT_LE(error(orbit.state, 3.0), 3e-13);
 }
 
 // Where a step with a monitor ends is known up to the rounding of its time, which the next one makes up for.
@@ -181,7 +182,7 @@ TEST(SolveSwitches, AMonitorKeepsTheTime) {
   const auto fixed = solve(pushed, from, 500.0, 1e-13, {.order = 16, .monitor = "fixed", .h = 0.02});
   for (const char* monitor : {"energy^1.5", "energy"}) {
     const auto orbit = solve(pushed, from, 500.0, 1e-13, {.order = 16, .monitor = monitor, .h = 0.03});
-    EXPECT_LE((orbit.state.q - fixed.state.q).norm(), 6e-12);
+    EXPECT_LE((orbit.state.q - fixed.state.q).norm(), 3e-12);
   }
 }
 
@@ -190,7 +191,7 @@ TEST(SolveSwitches, AMonitorKeepsTheTime) {
 TEST(SolveSwitches, TheErrorIsSeenWhereSwitchesAreFrequent) {
   const auto orbit = solve(driven(40.0), start(), 20.0, 1e-6);
   EXPECT_TRUE(orbit.kept());
-  EXPECT_LE(error(orbit.state, 40.0), 1e-6);
+  EXPECT_LE(error(orbit.state, 40.0), 1e-14);
   EXPECT_LT(1.25 * orbit.choice.h, M_PI / 40.0);
   // A longer one that is given has nothing to compare with.
   const auto given = solve(driven(40.0), start(), 20.0, 1e-6, {.order = 8, .monitor = "fixed", .h = 0.2});
@@ -295,14 +296,14 @@ TEST(SolveSwitches, AgreeWithRunsFromEachToTheNext) {
     EXPECT_TRUE(orbit.kept()) << k << orbit.report();
     const double off = std::max((orbit.state.q - truth.q).cwiseAbs().maxCoeff(),
                                 (orbit.state.p - truth.p).cwiseAbs().maxCoeff());
-    EXPECT_LE(off, 2.0 * tolerance) << k;
+    EXPECT_LE(off, 1.5 * tolerance) << k;
   }
 }
 
 TEST(SolveSwitches, OfManyStartsAreThoseOfEach) {
   const avi::Solver solver(driven(3.0), start(), 30.0, 1e-9);
   const auto alone = solver.run(start(), 30.0);
-  EXPECT_LE(error(alone.state, 3.0), 1e-9);
+  EXPECT_LE(error(alone.state, 3.0), 1e-14);
   for (const auto& member : solver.ensemble(std::vector<State<1>>(20, start()), 30.0))
     EXPECT_EQ(member.solution.state, alone.state);
 }
