@@ -27,7 +27,9 @@ MakeSplittingSteps splitting_steps_v4;        ///< As above.
 /// minimise_by_calls() for one set of instructions.
 using MinimiseByCalls = MinimiserEnd(MinimiserCalls& calls, Eigen::Index n, const MinimiseOptions& options);
 
-MinimiseByCalls minimise_portable, minimise_v4;  ///< As above; with AVX2 the portable one is the faster.
+MinimiseByCalls minimise_portable;  ///< As above.
+MinimiseByCalls minimise_v3;        ///< As above.
+MinimiseByCalls minimise_v4;        ///< As above.
 
 /// One build, by its doors.
 struct GaussBuild {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <cstring>
 #include <type_traits>
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -21,13 +20,6 @@ namespace detail {
 /// @cond
 inline namespace AVI_INSTRUCTIONS {
 /// @endcond
-#if defined(__AVX512F__)
-inline constexpr int machine_lanes = 8;
-#elif defined(__AVX__)
-inline constexpr int machine_lanes = 4;
-#else
-inline constexpr int machine_lanes = 2;
-#endif
 /// The numbers of a register without their signs, as integers, which are in the same order.
 template <class R>
 [[gnu::always_inline]] inline auto magnitude(R x) {
@@ -56,6 +48,8 @@ class Pack : Scalar<Pack<w>> {
   /// costs nothing where the memory is aligned better.
   using Register = typename detail::Simd<lanes, 16>::type;
   static constexpr int parts = w / lanes;  ///< Registers in the pack.
+  /// One that lies in an array of numbers.
+  using InMemory [[gnu::vector_size(8 * lanes), gnu::aligned(8), gnu::may_alias]] = double;
 
   Register part[parts];  ///< The numbers.
 
@@ -100,20 +94,24 @@ class Pack : Scalar<Pack<w>> {
   };
 
   Pack() = default;
-  // Written out so that a copy is register moves.
+  // Written out so that a copy is register moves, and unrolled with -O2, too: without, collocation of order
+  // 16 takes twice as long there.
   /// Register by register.
   Pack(const Pack& other) {
+#pragma GCC unroll 16
     for (int k = 0; k < parts; ++k)
       part[k] = other.part[k];
   }
   /// Register by register.
   Pack& operator=(const Pack& other) {
+#pragma GCC unroll 16
     for (int k = 0; k < parts; ++k)
       part[k] = other.part[k];
     return *this;
   }
   /// The same number w times.
   Pack(double value) {  // NOLINT: implicit, so that formulas read as written
+#pragma GCC unroll 16
     for (int k = 0; k < parts; ++k)
       part[k] = value - Register{};
   }
@@ -122,11 +120,23 @@ class Pack : Scalar<Pack<w>> {
   [[nodiscard]] double operator[](int i) const { return part[i / lanes][i % lanes]; }
   void set(int i, double value) { part[i / lanes][i % lanes] = value; }  ///< Replaces number i (0-based).
 
+  /// Those from `numbers` on, anywhere in memory.
+  [[nodiscard]] static Pack load(const double* numbers) {
+    return by_part(
+        [&](int k) -> Register { return *reinterpret_cast<const InMemory*>(numbers + k * lanes); });
+  }
+  /// Stores them from `numbers` on.
+  void store(double* numbers) const {
+#pragma GCC unroll 16
+    for (int k = 0; k < parts; ++k)
+      *reinterpret_cast<InMemory*>(numbers + k * lanes) = part[k];
+  }
   /// The first or last half of them, k = 0 or 1; w is at least 4.
   [[nodiscard]] Pack<w / 2> half(int k) const {
-    Pack<w / 2> y;
-    std::memcpy(y.part, reinterpret_cast<const char*>(part) + k * sizeof(y), sizeof(y));
-    return y;
+    if constexpr (parts > 1)
+      return Pack<w / 2>::by_part([&](int j) { return part[k * parts / 2 + j]; });
+    else
+      return Pack<w / 2>::load(reinterpret_cast<const double*>(part) + k * w / 2);
   }
   /// f of each number.
   template <class F>
@@ -150,6 +160,7 @@ class Pack : Scalar<Pack<w>> {
   template <class F>
   [[nodiscard]] static Pack by_part(F f) {
     Pack y;
+#pragma GCC unroll 16
     for (int k = 0; k < parts; ++k)
       y.part[k] = f(k);
     return y;

@@ -16,3 +16,20 @@
 #define AVI_INSTRUCTIONS basic
 #endif
 /// @endcond
+
+namespace avi::detail {
+/// @cond
+inline namespace AVI_INSTRUCTIONS {
+/// @endcond
+/// Doubles in a vector register.
+#if defined(__AVX512F__)
+inline constexpr int machine_lanes = 8;
+#elif defined(__AVX__)
+inline constexpr int machine_lanes = 4;
+#else
+inline constexpr int machine_lanes = 2;
+#endif
+/// @cond
+}  // namespace AVI_INSTRUCTIONS
+/// @endcond
+}  // namespace avi::detail

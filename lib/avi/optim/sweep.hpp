@@ -1,8 +1,8 @@
 #pragma once
+#include "avi/autodiff/pack.hpp"
 #include "avi/core/dot.hpp"
 
 #include <array>
-#include <cstring>
 
 /// @file
 /// One pass over several long vectors that changes some of them and sums over others on the way.
@@ -11,23 +11,12 @@ namespace avi {
 
 namespace detail {
 
-/// Eight neighbouring numbers, in whatever registers the machine has.
-typedef double Eight __attribute__((vector_size(64)));
-/// The same anywhere in an array of numbers.
-typedef double EightInMemory __attribute__((vector_size(64), aligned(8), may_alias));
-typedef long long EightIntegers
-    __attribute__((vector_size(64)));  ///< Indices of eight lanes, for comparisons.
-
 /// Eight entries at index i of every vector of a pass.
 struct EightEntries {
   Eigen::Index i;  ///< Index of the first of them.
-  /// Entries i to i + 7 of a, where they are: a vector that a function returned would be a matter of the
-  /// machine's calling convention, about which g++ has a warning.
-  [[nodiscard]] const EightInMemory& operator()(const double* a) const {
-    return *reinterpret_cast<const EightInMemory*>(a + i);
-  }
-  /// Stores them.
-  void set(double* a, const EightInMemory& v) const { std::memcpy(a + i, &v, sizeof v); }
+  /// Entries i to i + 7 of a, wherever they lie.
+  [[nodiscard]] Pack<8> operator()(const double* a) const { return Pack<8>::load(a + i); }
+  void set(double* a, const Pack<8>& v) const { v.store(a + i); }  ///< Stores them.
 };
 
 /// The same for one entry: the end of a vector whose size is no multiple of eight.
@@ -49,21 +38,25 @@ struct OneEntry {
 template <int sums, class Body>
 [[gnu::always_inline]] inline std::array<double, sums> sweep(Eigen::Index n, Body body) {
   constexpr Eigen::Index lanes = 8;
-  std::array<detail::Eight, sums> packs{};
+  std::array<Pack<lanes>, sums> packs;
+  packs.fill(0.0);
   Eigen::Index i = 0;
   for (; i + lanes <= n; i += lanes)
     body(detail::EightEntries{i}, packs);
-  for (Eigen::Index lane = 0; i < n; ++i, ++lane) {
-    std::array<double, sums> one{};
-    body(detail::OneEntry{i}, one);
-    // the lane is chosen by a comparison: written to one by its index, the sums would pass through memory
-    const detail::EightIntegers here = detail::EightIntegers{0, 1, 2, 3, 4, 5, 6, 7} == lane;
+  if (i < n) {
+    double last[sums + 1][lanes] = {};
+    for (Eigen::Index lane = 0; i < n; ++i, ++lane) {
+      std::array<double, sums> one{};
+      body(detail::OneEntry{i}, one);
+      for (int k = 0; k < sums; ++k)
+        last[k][lane] = one[k];
+    }
     for (int k = 0; k < sums; ++k)
-      packs[k] += here ? detail::Eight{} + one[k] : detail::Eight{};
+      packs[k] += Pack<lanes>::load(last[k]);
   }
   std::array<double, sums> total;
   for (int k = 0; k < sums; ++k) {
-    const detail::Eight& p = packs[k];
+    const Pack<lanes>& p = packs[k];
     total[k] = ((p[0] + p[1]) + (p[2] + p[3])) + ((p[4] + p[5]) + (p[6] + p[7]));
   }
   return total;
