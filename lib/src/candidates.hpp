@@ -123,22 +123,10 @@ class Candidate {
   }
   /// The programs that its methods run on, made at the first call.
   const std::shared_ptr<const Formulas>& formulas() {
-    if (!formulas_ && fixed() && recording) {
-      Formulas made = Formulas::fixed(*recording);
+    if (!formulas_) {
+      Formulas made = fixed() && recording ? Formulas::fixed(*recording) : transformed();
       if (brief) made.code = nullptr;
       formulas_ = std::make_shared<const Formulas>(std::move(made));
-    } else if (!formulas_) {
-      ExpressionGraph graph = *graph_;
-      int transformed = energy_, rate = graph.constant(1.0);
-      if (!fixed()) {
-        rate = graph.power(lively_, -alpha_);
-        const int start =
-            energy_at_start_.is_open() ? energy_at_start_.node : graph.constant(energy_at_start_.value);
-        transformed =
-            graph.binary(Operation::multiply, rate, graph.binary(Operation::subtract, energy_, start));
-      }
-      formulas_ = energy_at_start_.is_open() ? of_parameters(graph, transformed, rate)
-                                             : Formulas::of(graph, transformed, rate, energy_, supplied);
     }
     return formulas_;
   }
@@ -146,9 +134,22 @@ class Candidate {
   void take(std::shared_ptr<const Formulas> formulas) { formulas_ = std::move(formulas); }
 
  private:
+  /// The programs of \f$\bar H\f$ and g.
+  [[nodiscard]] Formulas transformed() const {
+    ExpressionGraph graph = *graph_;
+    int transformed = energy_, rate = graph.constant(1.0);
+    if (!fixed()) {
+      rate = graph.power(lively_, -alpha_);
+      const int start =
+          energy_at_start_.is_open() ? energy_at_start_.node : graph.constant(energy_at_start_.value);
+      transformed =
+          graph.binary(Operation::multiply, rate, graph.binary(Operation::subtract, energy_, start));
+    }
+    return energy_at_start_.is_open() ? of_parameters(graph, transformed, rate)
+                                      : Formulas::of(graph, transformed, rate, energy_, supplied);
+  }
   /// With late inputs as parameters.
-  [[nodiscard]] std::shared_ptr<const Formulas> of_parameters(const ExpressionGraph& graph, int transformed,
-                                                              int rate) const {
+  [[nodiscard]] Formulas of_parameters(const ExpressionGraph& graph, int transformed, int rate) const {
     ExpressionGraph open(graph.inputs() + graph.late_inputs());
     std::vector<int> slopes;
     const auto in_open = [&](int node) { return open.substitute(graph, node); };

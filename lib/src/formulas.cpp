@@ -4,12 +4,12 @@
 
 namespace avi::detail {
 
-std::shared_ptr<const Formulas> Formulas::of(const ExpressionGraph& graph, int transformed, int rate,
-                                             int energy, const std::vector<int>& supplied, int parameters) {
+Formulas Formulas::of(const ExpressionGraph& graph, int transformed, int rate, int energy,
+                      const std::vector<int>& supplied, int parameters) {
   Formulas made = fixed(Recording(graph, transformed, energy, supplied), parameters);
   made.unit = graph.is(rate, 1.0);
   if (!made.unit) made.rate = Schedule::program(graph, rate, {}, graph.size());
-  return std::make_shared<const Formulas>(std::move(made));
+  return made;
 }
 
 Formulas Formulas::fixed(const Recording& recording, int parameters) {

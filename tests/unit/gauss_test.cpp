@@ -65,7 +65,7 @@ std::shared_ptr<const Formulas> formulas(int n, const G& monitor) {
   const double pt = -Row{}(VectorX(z.head(n)), VectorX(z.tail(n)));
   const avi::Recorded g = monitor(q, p);
   const int transformed = avi::Recorded(g * (Row{}(q, p) + pt)).node_in(graph);
-  return Formulas::of(graph, transformed, g.node_in(graph));
+  return std::make_shared<const Formulas>(Formulas::of(graph, transformed, g.node_in(graph)));
 }
 
 /// Where the steps are.

@@ -51,7 +51,7 @@ std::shared_ptr<const Formulas> coupled() {
   const avi::Recorded energy = Coupled{}(q, p);
   const int node = energy.node_in(graph);
   const int one = graph.constant(1.0);
-  return Formulas::of(graph, node, one);
+  return std::make_shared<const Formulas>(Formulas::of(graph, node, one));
 }
 
 struct Orbit {

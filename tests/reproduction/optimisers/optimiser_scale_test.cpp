@@ -21,8 +21,8 @@ TEST(OptimiserScale, MemoryIsTwoVectorsForAPairAndEight) {
 }
 
 TEST(OptimiserScale, AtFiftyTheBookkeepingCostsLessThanThis) {
-  EXPECT_LT(of("50", "0", "own_in_evaluations"), 2.5);  // measured 1.44 to 1.50
-  EXPECT_LT(of("50", "7", "own_in_evaluations"), 6.5);  // measured 3.33 to 3.45
+  EXPECT_LT(of("50", "0", "own_in_evaluations"), 4.0);   // measured 1.44 to 1.50 with AVX-512, 1.9 with AVX2
+  EXPECT_LT(of("50", "7", "own_in_evaluations"), 12.0);  // measured 3.33 to 3.45, 5.8
 }
 
 }  // namespace optimiser_scale_test
