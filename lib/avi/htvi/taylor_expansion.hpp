@@ -133,14 +133,14 @@ class TaylorExpansion {
       explicit Nodes(const Problem& problem) {
         const Vector<Recorded, n> q = recorded_inputs<n>(graph, 0, n), p = recorded_inputs<n>(graph, n, n);
         const Recorded pt = energy_partial ? Recorded(graph, 2 * n) : Recorded(problem.energy_momentum());
-        Vector<Recorded, n> dq, dp;
-        Recorded dt;
-        Construction::field(problem, q, p, pt, dq, dp, dt);
+        Vector<Recorded, n> velocity, force;
+        Recorded rate;
+        Construction::field(problem, q, p, pt, velocity, force, rate);
         for (int i = 0; i < n; ++i) {
-          velocities.push_back(dq[i].node_in(graph));
-          forces.push_back(dp[i].node_in(graph));
+          velocities.push_back(velocity[i].node_in(graph));
+          forces.push_back(force[i].node_in(graph));
         }
-        velocities.push_back(dt.node_in(graph));
+        velocities.push_back(rate.node_in(graph));
       }
       ExpressionGraph graph{variables};
       std::vector<int> velocities, forces;  // of q and t; of p
