@@ -31,7 +31,7 @@ struct Trip {
   VectorX ranges = VectorX::Zero(2 * start.q.size());  ///< Ranges of (q, p) on the sketch.
   Eigen::Index seen = start.q.size();                  ///< Coordinates but time.
   SharpFeatures* features = nullptr;                   ///< Looked for, if there are any.
-  NearPasses* passes = nullptr;                        ///< Of light bodies, if there are any.
+  NearPasses* passes = nullptr;                        ///< Passes of light bodies, if any.
   VectorX inverse_masses = {};                         ///< Where q' is a diagonal times p, that diagonal.
 };
 

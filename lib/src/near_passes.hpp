@@ -87,7 +87,7 @@ class NearPasses {
     }
   };
 
-  /// What Gauss's rule misses of a function with a pole at the distance y from its interval [-1, 1].
+  /// The part that Gauss's rule misses of a function with a pole at the distance y from its interval [-1, 1].
   static double missed(double y, int order) { return std::pow(y + std::sqrt(1.0 + y * y), -order); }
 
   /// The part of a kick that a step misses may be felt: of 2 w / v, where w is the energy of the two at

@@ -33,9 +33,9 @@ inline constexpr double longer = 1.25;
 
 /// Where sweeps end that are to leave rounding alone, see SweepSettings.
 inline constexpr double least_of_sweeps = SweepSettings{}.tolerance;
-/// What the sweeps of a run leave moves its end by so much, relative to the ranges: as a drift of the energy
-/// does, with the square of the number of steps. Measured on runs of 30 to 10 000 steps of order 16, of half
-/// a radian to two, whose sweeps end at 1e-6 to 1e-12: a fiftieth to five times as much.
+/// The distance, relative to the ranges, by which residuals of the sweeps move the end of a run: as a drift
+/// of the energy does, with the square of the number of steps. Measured on runs of 30 to 10 000 steps of
+/// order 16, of half a radian to two, whose sweeps end at 1e-6 to 1e-12: a fiftieth to five times as much.
 inline double left_by_sweeps(const Journey& run) {
   const auto steps = static_cast<double>(run.run.steps);
   return (0.5 + 5e-4 * steps * steps) * run.solved;

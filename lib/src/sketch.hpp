@@ -148,7 +148,7 @@ class PointField {
 
   double sense = 1.0;  ///< -1 follows the orbit backwards.
   bool timed = false;  ///< The last coordinate is time, which has a unit of its own.
-  std::shared_ptr<const Switches> switches = {};  ///< Of H with time, if there are any.
+  std::shared_ptr<const Switches> switches = {};  ///< Times at which H switches, if any.
 
  private:
   using Duals = Program::Room<Partials<double, 1>>;

@@ -35,7 +35,7 @@ class Switches {
   /// A function of time that makes H switch.
   struct Cause {
     int node = -1;       ///< It itself: H switches where it becomes negative, or no longer is.
-    int bends = -1;      ///< What has a zero for each switch.
+    int bends = -1;      ///< Node of a function with a zero for each switch.
     bool whole = false;  ///< H switches where its floor changes.
     bool operator==(const Cause&) const = default;
   };
@@ -46,7 +46,7 @@ class Switches {
     std::vector<int> places;
     std::vector<char> falls;
   };
-  static constexpr int order = 8;  ///< Of the series.
+  static constexpr int order = 8;  ///< Order of the series.
   /// A switch: the last time before it and the first one behind it, in the direction of the run.
   struct Switch {
     double before, after;

@@ -37,7 +37,7 @@ concept Method = requires(M& method, State& state, double h) {
 };
 
 namespace detail {
-/// What Run::message says. @param q, p where the run ended; none: it is not said
+/// The sentence of Run::message. @param q, p where the run ended; none: it is not said
 [[nodiscard]] std::string describe_end(Outcome outcome, double t, long steps, double residual,
                                        const std::string& reason, std::span<const double> q,
                                        std::span<const double> p);

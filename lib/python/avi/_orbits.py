@@ -273,7 +273,8 @@ def ensemble(H, q, p, t, tol, *, events=(), progress=None, parameters=(), thread
     q, p   starts, along the first axis
     progress  True for a line that shows how many are done, or a function called with (fraction, done) after each
 
-    H and events are traced once. Every orbit has the digits that it has alone. Ctrl-C ends the runs, and so does a StopIteration of
+    H and events are traced once. Every orbit has the digits that it has alone. A start that solve() refuses raises
+    its ValueError, with the number of the start, and the other runs are given up. Ctrl-C ends the runs, and so does a StopIteration of
     `progress`; those that had not begun have the status -1. Other arguments are those of solve(), but for checkpoint=, which is for one run.
     """
     q, p = _starts(q, p)

@@ -82,6 +82,8 @@ def _array_ufunc(self, ufunc, method, *inputs, out=None, axis=0, **options):
     if out is not None:
         if getattr(out[0], "dtype", None) != object:
             raise TypeError("An array of numbers cannot hold traced ones: write a = a + b instead of a += b.")
+        if method != "__call__":
+            options["axis"] = axis
         out[0][...] = _objects(getattr(ufunc, method)(*inputs, **options))
         return out[0]
     options = {key: x for key, x in options.items() if x is not None}
@@ -190,6 +192,9 @@ _sum, _largest, _least = _folding("add", "sum"), _folding("maximum", "max"), _fo
 def _dot(a, b):
     import numpy as np
 
+    if np.ndim(a) > 1 and np.ndim(b) > 2:  # not the product of stacks that @ is
+        columns = np.moveaxis(b, -2, 0)
+        return (a @ columns.reshape(columns.shape[0], -1)).reshape(*np.shape(a)[:-1], *columns.shape[1:])
     return a @ b if np.ndim(a) and np.ndim(b) else traced(a) * b
 
 
@@ -205,6 +210,8 @@ def _where_of_numpy(condition, x=None, y=None):
 
 
 def _select(conditions, choices, default=0):
+    if len(conditions) != len(choices):
+        raise ValueError(f"np.select has {len(conditions)} conditions and {len(choices)} choices; it needs as many of each.")
     for condition, choice in reversed([*zip(conditions, choices)]):
         default = where(condition, choice, default)
     return default
@@ -370,6 +377,9 @@ def _reshaped(name):
         """A view where NumPy makes one, a copy where it has to; where that is not known, neither array is assigned to any more."""
         import numpy as np
 
+        for order in ("A", "K"):
+            if self.ndim > 1 and any(isinstance(x, str) and x == order for x in (*args, *kwargs.values())):
+                raise TypeError(f"The order {order!r} asks how an array lies in memory, which a traced one does not tell; say 'C' or 'F'.")
         numbers = self._numbers
         moved = getattr(numbers, name)(*args, **kwargs)
         if self._regular and np.may_share_memory(moved, numbers) and (name == "reshape" or self._in_a_row):

@@ -134,6 +134,8 @@ class Refused(unittest.TestCase):
                 (traced(lambda q, p: np.sum(q, where=[True, False])), TypeError, "np.sum cannot be traced with where="),
                 (traced(lambda q, p: np.sin(q, where=[True, False])[0]), TypeError, "np.sin cannot be traced with where="),
                 (traced(lambda q, p: np.add.reduce(q, where=[True, False])), TypeError, "np.add cannot be traced with where= as np.add.reduce"),
+                (traced(lambda q, p: np.select([q > 0, q > 1], [q]).sum()), ValueError, "np.select has 2 conditions and 1 choices"),
+                (traced(lambda q, p: q.T.ravel("K")[1], (2, 2)), TypeError, "The order 'K' asks how an array lies in memory"),
                 (traced(lambda q, p: q.sum(initial=1.0)), TypeError, r"^sum\(\) got an unexpected keyword argument 'initial'"),
                 (traced(lambda q, p: np.maximum.reduce(q, initial=9.0)), TypeError, "np.maximum cannot be traced with initial= as np.maximum.reduce"),
                 (traced(lambda q, p: np.sum(q * np.ma.masked_array([1.0, 2.0], [0, 1]))), TypeError, "mask"),

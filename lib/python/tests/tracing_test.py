@@ -124,6 +124,8 @@ class Tracing(unittest.TestCase):
             lambda x: np.einsum("ij,jk->ki", x[:6].reshape(2, 3), x[:6].reshape(3, 2))[1, 0] + np.einsum("ij->j", x.reshape(3, 4))[2],
             lambda x: np.einsum("i,j,ij", x[:4], x[4:8], matrix) + np.einsum("i,j", x[:2], x[2:5])[1, 2],
             lambda x: (block @ x.reshape(4, 3)).prod() + (x[:4] @ matrix).prod() + (x.reshape(3, 4) @ x[:4]).prod() + (x[:3] @ block).prod(),
+            lambda x: (np.dot(x.reshape(3, 4), block.swapaxes(1, 2)) * x[:6].reshape(3, 2, 1)).sum() + x.reshape(4, 3).dot(block * matrix[:3])[3, 1, 2],
+            lambda x: (lambda room: (np.add.reduce(x.reshape(3, 4), axis=1, out=room), room @ [1, 2, 3])[1])(np.zeros(3, dtype=x.dtype)),
             lambda x: np.sum(x.reshape(3, 4), axis=1, keepdims=True)[2, 0] + x.reshape(3, 4).mean(axis=0, keepdims=True)[0, 1],
             lambda x: np.linalg.norm(x.reshape(3, 4), axis=1, keepdims=True)[1, 0] + np.sum(x, dtype=float) + x.sum(keepdims=True)[0],
             lambda x: np.prod(np.diff(x, prepend=0, append=3)) + np.diff(x.reshape(3, 4), axis=0, prepend=1)[0, 1] + np.diff(x, 2)[3],
