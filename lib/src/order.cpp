@@ -20,7 +20,9 @@ OrderFit fit_order(std::span<const double> h, std::span<const double> error, Ord
   }
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   for (std::size_t i = 1; i < all.size(); ++i)
-    require(all[i].first < all[i - 1].first, "Second step size of one length", std::exp(all[i].first),
+    require(all[i].first < all[i - 1].first, "Second step size of one length",
+            std::abs(*std::ranges::find(
+                h, all[i].first, [](double x) { return std::log(std::abs(x)); })),
             "different from the others");
   double steepest = 0.0;
   for (const auto& [x, value] : all) {

@@ -88,6 +88,7 @@ class Orbiter {
  private:
   [[nodiscard]] bool late() const;
   void prepare();
+  void follow_the_take_off(Eigen::Index seen);
   VectorX rounding_of(const Sketch& sketch, const VectorX& metric);
   bool follows_another_gradient();
   void set_marks();

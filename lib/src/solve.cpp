@@ -42,6 +42,24 @@ bool Orbiter::late() const {
   return field_.operations() > 1e5 && budget_.seconds() > question_.options.seconds;
 }
 
+/// A body at rest that only time sets in motion moves by next to nothing at first, which says nothing of the
+/// rest: the sketch begins where motion no longer grows over it by orders of magnitude.
+void Orbiter::follow_the_take_off(Eigen::Index seen) {
+  if (!question_.timed) return;
+  const auto motion = [&](std::size_t last) {
+    const auto moved = (sketch_->samples[last].z - sketch_->samples[0].z).cwiseAbs().eval();
+    return std::max(moved.head(seen).maxCoeff(), moved.segment(seen + 1, seen).maxCoeff());
+  };
+  double before = 0.0;
+  for (int parts = 0; parts < 64 && before < span_; ++parts) {
+    const std::size_t count = sketch_->samples.size();
+    if (sketch_->stuck || count < 128 || !(motion(count - 1) > 1e3 * motion(count / 2))) return;
+    before += sketch_->time - sketch_->samples.back().h;
+    const VectorX from = sketch_->samples.back().z;
+    sketch_.emplace(field_, from, span_ - before, metric_);
+  }
+}
+
 /// Scales, sketch and menu.
 void Orbiter::prepare() {
   const int n = field_.size();
@@ -66,6 +84,7 @@ void Orbiter::prepare() {
   // Where nothing happens on the way, something may that long steps go over.
   if (sketch_->radians < 1e-4 && sketch_->time == span_)
     sketch_.emplace(field_, start, span_, metric, 512, 0.0, span_ / 256.0);
+  follow_the_take_off(start.size() / 2 - 1);
   if (late()) return;
   const Sketch& sketch = *sketch_;
   dead_end_ = sketch.stuck ? sketch.time : 0.0;

@@ -135,4 +135,38 @@ TEST(SolveStart, MayBeTheEnd) {
   EXPECT_EQ(still.report(), "Kept: the end is the start, and no step was made.\n");
 }
 
+// Nothing moves for a while, or by 1e-150 at first. A pulse gives the oscillator what its Fourier transform
+// has at frequency 1; with a power of time the motion is a polynomial beside sine and cosine.
+TEST(SolveStart, AtRestMayBeWhatOnlyTimeSetsInMotion) {
+  const avi::State<1> rest{.q = 0.0, .p = 0.0};
+  for (const double width : {0.2, 0.5, 1.0}) {
+    const auto pulse = [&](const auto& q, const auto& t, const auto& p) {
+      const auto x = (t - 10.0) / width;
+      return 0.5 * (p[0] * p[0] + q[0] * q[0]) - 5.0 * q[0] * exp(-x * x);
+    };
+    const auto orbit = avi::solve(pulse, rest, 20.0, 1e-8);
+    const double size = 5.0 * width * std::sqrt(M_PI) * std::exp(-0.25 * width * width);
+    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    EXPECT_LT(orbit.run.steps, 200);  // measured 38 to 102; 16 526 where the beginning sets the step
+    EXPECT_NEAR(orbit.state.q[0], size * std::sin(10.0), 2e-12);  // measured at most 1e-12
+    EXPECT_NEAR(orbit.state.p[0], size * std::cos(10.0), 2e-12);
+  }
+  const auto power = [](const auto& q, const auto& t, const auto& p) {
+    return 0.5 * (p[0] * p[0] + q[0] * q[0]) - q[0] * pow(0.1 * t, 12.0);
+  };
+  const auto orbit = avi::solve(power, rest, 20.0, 1e-8);
+  // derivatives of even order with changing signs, and what makes q vanish at 0
+  double q = 0.0, p = 0.0, factor = std::pow(0.1, 12);
+  for (int n = 12, sign = 1; n >= 0; n -= 2, sign = -sign) {
+    q += sign * factor * std::pow(20.0, n);
+    if (n > 0) p += sign * factor * n * std::pow(20.0, n - 1);
+    if (n == 0) q -= sign * factor * std::cos(20.0), p += sign * factor * std::sin(20.0);
+    factor *= n * (n - 1.0);
+  }
+  EXPECT_TRUE(orbit.kept()) << orbit.report();
+  EXPECT_LT(orbit.run.steps, 100);  // measured 50
+  EXPECT_NEAR(orbit.state.q[0] / q, 1.0, 1e-15);
+  EXPECT_NEAR(orbit.state.p[0] / p, 1.0, 1e-15);
+}
+
 }  // namespace solve_start_test

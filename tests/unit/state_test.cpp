@@ -87,6 +87,19 @@ TEST(State, CountsTheNumbersInBraces) {
             "Number of entries of q or p is 3; it must be 2, the dimension of the State.");
 }
 
+TEST(State, CountsTheEntriesOfAVectorWhoseSizeIsKnownAtRunTime) {
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(1), two = Eigen::VectorXd::Ones(2),
+                        three = Eigen::VectorXd::Ones(3);
+  EXPECT_EQ(refusal([&] { (void)avi::State<2>{.q = one, .p = two}; }),
+            "Number of entries of q or p is 1; it must be 2, the dimension of the State.");
+  avi::State<2> z{.q = two, .p = 2.0 * three.head(2)};
+  EXPECT_EQ(z.p[1], 2.0);
+  EXPECT_EQ(refusal([&] { z.q = three; }),
+            "Number of entries of q or p is 3; it must be 2, the dimension of the State.");
+  z.q = 3.0 * two + z.p;
+  EXPECT_EQ(z.q[1], 5.0);
+}
+
 TEST(State, IsNotANumberWhereNothingIsGiven) {
   // Whatever was in its memory before.
   alignas(avi::State<2>) unsigned char memory[sizeof(avi::State<2>)];

@@ -29,16 +29,34 @@ struct Entries : Vector<double, n> {
     if constexpr (n == dynamic)
       this->resize(count);
     else
-      require(count == n, "Number of entries of q or p", count, "", n, ", the dimension of the State");
+      require_size(count);
     std::copy(numbers.begin(), numbers.end(), this->data());
   }
   Entries(double number) requires(n == 1) : Entries({number}) {}  // NOLINT: implicit, for {.q = 0.5}
+  /// @throws std::invalid_argument unless there are n numbers.
   template <class Derived>
   Entries(const Eigen::MatrixBase<Derived>& other)
-      : Vector<double, n>(other) {}  // NOLINT: implicit, as Eigen's own
+      : Vector<double, n>(of_size(other)) {}  // NOLINT: implicit, as Eigen's own
   using Vector<double, n>::operator=;
   /// @throws std::invalid_argument unless there are n numbers.
+  template <class Derived>
+  Entries& operator=(const Eigen::MatrixBase<Derived>& other) {
+    Vector<double, n>::operator=(of_size(other));
+    return *this;
+  }
+  /// @throws std::invalid_argument unless there are n numbers.
   Entries& operator=(std::initializer_list<double> numbers) { return *this = Entries(numbers); }
+
+ private:
+  static void require_size(Eigen::Index count) {
+    require(count == n, "Number of entries of q or p", count, "", n, ", the dimension of the State");
+  }
+  /// The same, if its size will do: without assertions Eigen reads on behind one that is too short.
+  template <class Derived>
+  static const Derived& of_size(const Eigen::MatrixBase<Derived>& other) {
+    if constexpr (n != dynamic && Derived::SizeAtCompileTime == dynamic) require_size(other.size());
+    return other.derived();
+  }
 };
 }  // namespace detail
 

@@ -27,7 +27,7 @@ class LogHamiltonian {
   LogHamiltonian(Problem problem, double p_t)
       : problem_(std::move(problem)), p_t_(require_finite("Conjugate of time p^t", p_t)) {}
 
-  /// Takes p^t = -H(q, p) from the start.
+  /// Takes p^t = -H(q, p) from the start; a state of another energy needs a method of its own.
   /// @throws std::invalid_argument unless the potential is negative there.
   LogHamiltonian(Problem problem, const State<dimension>& start)
       : LogHamiltonian(problem, -(problem.kinetic(start.p) + problem.potential(start.q))) {

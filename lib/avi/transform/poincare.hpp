@@ -160,7 +160,9 @@ class Poincare {
 };
 
 /// The transformed problem of an orbit through `start`: \f$p^t = -H(q(0), p(0))\f$, the paper's common choice
-/// (Section 3.1). @throws std::invalid_argument where the start or H there is not finite, q and p are of
+/// (Section 3.1). Its methods follow orbits of this energy: a state of another one, after a kick or of
+/// another start, needs a problem of its own. With a monitor its run would end as ok and be no orbit of H.
+/// @throws std::invalid_argument where the start or H there is not finite, q and p are of
 /// different size or empty, H or g reads an entry that they do not have, or H supplies a gradient of another
 /// size.
 template <int n, class H, class G = Unit>
