@@ -3,6 +3,7 @@
 #include <avi/autodiff/dual_number.hpp>
 #include <avi/autodiff/pack.hpp>
 #include <avi/autodiff/recording.hpp>
+#include <avi/optim/sweep.hpp>
 
 double part(double x) {
   const auto f = [](const auto& y) {
@@ -14,5 +15,10 @@ double part(double x) {
   program.run(room);
   const avi::Vector<avi::DualNumber<2>, 2> lanes(avi::DualNumber<2>::variable(x, 0),
                                                  avi::DualNumber<2>::variable(x, 1));
-  return avi::sum(program.slope(room, 0)) + f(lanes).partial(0);
+  double numbers[9] = {};
+  const auto sums = avi::sweep<1>(9, [&](auto at, auto& sum) {
+    at.set(numbers, at(numbers) + x);
+    sum[0] += at(numbers);
+  });
+  return avi::sum(program.slope(room, 0)) + f(lanes).partial(0) + sums[0];
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/autodiff/pack.hpp"
 #include "avi/core/dot.hpp"
+#include "avi/core/instructions.hpp"
 
 #include <array>
 
@@ -10,6 +11,9 @@
 namespace avi {
 
 namespace detail {
+/// @cond
+inline namespace AVI_INSTRUCTIONS {
+/// @endcond
 
 /// Eight entries at index i of every vector of a pass.
 struct EightEntries {
@@ -18,6 +22,10 @@ struct EightEntries {
   [[nodiscard]] Pack<8> operator()(const double* a) const { return Pack<8>::load(a + i); }
   void set(double* a, const Pack<8>& v) const { v.store(a + i); }  ///< Stores them.
 };
+
+/// @cond
+}  // namespace AVI_INSTRUCTIONS
+/// @endcond
 
 /// The same for one entry: the end of a vector whose size is no multiple of eight.
 struct OneEntry {
