@@ -189,11 +189,13 @@ class Sketch {
     double energy;     ///< H.
   };
 
+  static constexpr int few = 128;  ///< Steps, unless more are asked for.
+
   /// Along the orbit of `field` from z for `span`, or for at most `most` steps.
   /// @param metric diagonal of H_pp: what is 1e-10 of the largest motion, masses taken out, sets no step
   /// @param before time that has passed already; else the sketch ends where the orbit comes again
   /// @param longest step
-  Sketch(PointField& field, const VectorX& z, double span, const VectorX& metric, int most = 128,
+  Sketch(PointField& field, const VectorX& z, double span, const VectorX& metric, int most = few,
          double before = 0.0, double longest = infinity) {
     const Eigen::Index size = z.size();
     numbers_.reset(new double[static_cast<std::size_t>(3 * size * most)]);

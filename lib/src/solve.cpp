@@ -53,7 +53,7 @@ void Orbiter::follow_the_take_off(Eigen::Index seen) {
   double before = 0.0;
   for (int parts = 0; parts < 64 && before < span_; ++parts) {
     const std::size_t count = sketch_->samples.size();
-    if (sketch_->stuck || count < 128 || !(motion(count - 1) > 1e3 * motion(count / 2))) return;
+    if (sketch_->stuck || count < Sketch::few || !(motion(count - 1) > 1e3 * motion(count / 2))) return;
     before += sketch_->time - sketch_->samples.back().h;
     const VectorX from = sketch_->samples.back().z;
     sketch_.emplace(field_, from, span_ - before, metric_);

@@ -16,7 +16,7 @@ inline namespace AVI_INSTRUCTIONS {
 /// Value (lane 0) and N first partials (lanes 1 to N) of a function of N variables; the chain rule is applied
 /// by every operation (forward-mode automatic differentiation; Griewank and Walther 2008, chapter 3).
 /// It is Partials<double, N> in registers of the machine: with that in its place HTVI takes a fifth more
-/// instructions and 1.4 times the time (Kepler's problem, orders 4 and 16).
+/// instructions and 1.4 times the time (Kepler's problem, orders 4 and 16, with AVX-512).
 template <int N>
 class DualNumber : ChainRule<DualNumber<N>> {
  public:

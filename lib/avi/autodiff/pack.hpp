@@ -48,7 +48,7 @@ class Pack : Scalar<Pack<w>> {
   /// costs nothing where the memory is aligned better.
   using Register = typename detail::Simd<lanes, 16>::type;
   static constexpr int parts = w / lanes;  ///< Registers in the pack.
-  /// One that lies in an array of numbers.
+  /// A register that lies in an array of numbers.
   using InMemory [[gnu::vector_size(8 * lanes), gnu::aligned(8), gnu::may_alias]] = double;
 
   Register part[parts];  ///< The numbers.
@@ -120,12 +120,12 @@ class Pack : Scalar<Pack<w>> {
   [[nodiscard]] double operator[](int i) const { return part[i / lanes][i % lanes]; }
   void set(int i, double value) { part[i / lanes][i % lanes] = value; }  ///< Replaces number i (0-based).
 
-  /// Those from `numbers` on, anywhere in memory.
+  /// The pack of the numbers from `numbers` on, anywhere in memory.
   [[nodiscard]] static Pack load(const double* numbers) {
     return by_part(
         [&](int k) -> Register { return *reinterpret_cast<const InMemory*>(numbers + k * lanes); });
   }
-  /// Stores them from `numbers` on.
+  /// Stores the numbers from `numbers` on.
   void store(double* numbers) const {
 #pragma GCC unroll 16
     for (int k = 0; k < parts; ++k)

@@ -82,7 +82,7 @@ def _array_ufunc(self, ufunc, method, *inputs, out=None, axis=0, **options):
     if out is not None:
         if getattr(out[0], "dtype", None) != object:
             raise TypeError("An array of numbers cannot hold traced ones: write a = a + b instead of a += b.")
-        if method != "__call__":
+        if method in ("reduce", "accumulate"):
             options["axis"] = axis
         out[0][...] = _objects(getattr(ufunc, method)(*inputs, **options))
         return out[0]
