@@ -134,7 +134,7 @@ struct SolveOptions {
   /// File in which the run is kept for resume() until it has come to its end; empty for none. So that a run
   /// that goes on has the same bits, the method begins anew every 4096 steps, each time with a rounding
   /// error. The run that is kept is the last one of the call, which delivers the states. Before it one run,
-  /// or two with `check`, go to the end: until then there is no file, and that of an earlier call is removed.
+  /// or two with `check`, go to the end: until then there is no file, or that of an earlier call.
   /// A bound or a cancel that comes before leaves what was chosen so far.
   std::string checkpoint = {};
   double checkpoint_seconds = 60.0;  ///< Seconds after which the file is written anew; at least 0.
@@ -157,8 +157,10 @@ struct Choice {
   std::string name = "fixed";  ///< Name of the monitor, see SolveMonitor.
   int order = 0;               ///< Order of the method.
   double h = 0.0;              ///< Fictive step.
-  double energy_scale = 1.0;   ///< Mean of half of \f$|p\cdot\dot q|\f$: what energy errors are relative to.
-  double kinetic = 0.0;        ///< Mean kinetic energy of the beginning, a constant of the monitors.
+  /// What energy errors are relative to: the mean of half of \f$|p\cdot\dot q|\f$ over the beginning, or that
+  /// over the run, where H depends on time and it is more.
+  double energy_scale = 1.0;
+  double kinetic = 0.0;  ///< Mean kinetic energy of the beginning, a constant of the monitors.
   std::vector<double> accelerations = {};  ///< Weights \f$w_i\f$ of the monitor of that name, see solve().
   std::vector<double> poles =
       {};  ///< Weights \f$w_0, w_1 \ldots\f$ of the monitor of that name, see solve().
@@ -186,7 +188,7 @@ struct SolutionReport {
   double tolerance = 0.0;        ///< The tolerance that was asked for.
   double state_error = 0.0;      ///< Error of the state at the end, see solve(); infinite where unknown.
   double energy_error = 0.0;     ///< Largest |H - H_0| of the run, over choice.energy_scale.
-  double energy_rounding = 0.0;  ///< Rounding error of one evaluation of H, in the same unit.
+  double energy_rounding = 0.0;  ///< Of one evaluation of H, or 0.01 energy_error where that is rounding.
   std::string note;              ///< Warnings for the reader, in sentences; often empty.
 
   /// True where the run reached what was asked for: its end, or an event that ends it.

@@ -52,8 +52,9 @@ class Budget {
     waited_ = 0;
     looked_ = now;
     if (now >= share * options_.seconds) return Outcome::time_limit;
-    if (!options_.progress || (now < next_ && phase == told_)) return Outcome::ok;
-    next_ = now + 0.05, told_ = phase;
+    const bool told = std::exchange(told_, phase) == phase;
+    if (!options_.progress || (now < next_ && told)) return Outcome::ok;
+    next_ = now + 0.05;
     const double fraction = std::clamp(std::abs(t - start) / std::abs(end - start), 0.0, 1.0);
     cancelled_ = !options_.progress({phase, t, fraction, steps, earlier + sweeps + evaluations, now});
     return cancelled_ ? Outcome::stopped : Outcome::ok;

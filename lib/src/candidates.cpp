@@ -4,6 +4,7 @@
 #include "avi/core/require.hpp"
 #include "poles.hpp"
 #include "reverse.hpp"
+#include "rounded_formula.hpp"
 
 #include <array>
 #include <limits>
@@ -297,10 +298,15 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
         menu.emplace_back(name, alpha, graph, energy, energy_at_start, lively);
   }
   VectorX strength = strengths(sketch, metric);
-  // What switches with time is pushed at times that no sketch sees; of the momentum of time nobody asks.
-  if (question.switches) strength[metric.size() - 1] = infinity;
-  const double rounding =
+  // Of the momentum of time nobody asks.
+  if (question.timed) strength[metric.size() - 1] = infinity;
+  double rounding =
       std::numeric_limits<double>::epsilon() * std::max(std::abs(energy_at_start), std::abs(kinetic));
+  // H + p^t is zero at the start, and may be far smaller than its terms are.
+  if (question.timed && menu.size() > 1) {
+    const double of_terms = RoundedFormula(question.graph, energy).rounding(sketch.samples.front().z);
+    if (of_terms > 30.0 * rounding) rounding = of_terms;
+  }
   const auto look = [&](Candidate& it, double price, const Measured& measured) {
     double least = infinity, most = 0.0;
     for (std::size_t k = 0; k < sketch.samples.size() && least > 0.0; ++k) {

@@ -90,9 +90,9 @@ void require_regular(const std::string& file) {
     throw std::invalid_argument("The checkpoint " + file + " must be a file; it is a device or a folder.");
 }
 
-void remove_earlier(const std::string& file) {
+bool is_kept(const std::string& file) {
   std::error_code unreadable;  // which writing it will say
-  if (!std::filesystem::is_regular_file(file, unreadable)) return;
+  if (file.empty() || !std::filesystem::is_regular_file(file, unreadable)) return false;
   std::ifstream in(file, std::ios::binary);
   std::uint64_t head = 0;
   const bool whole = static_cast<bool>(in.read(reinterpret_cast<char*>(&head), sizeof(head)));
@@ -100,8 +100,7 @@ void remove_earlier(const std::string& file) {
   if (!ours && in.gcount() > 0)
     throw std::invalid_argument("The file " + file +
                                 " is no checkpoint, and would be replaced by one; name another file.");
-  in.close();
-  std::filesystem::remove(file, unreadable);
+  return true;
 }
 
 std::uint64_t fingerprint(const OrbitQuestion& question) {

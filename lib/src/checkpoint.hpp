@@ -78,9 +78,8 @@ class Record {
 /// Refuses a device or a folder, which a file would replace. @throws std::invalid_argument
 void require_regular(const std::string& file);
 
-/// Removes the file of an earlier call, with whose run nobody is to go on. @throws std::invalid_argument for
-/// a file that is no checkpoint
-void remove_earlier(const std::string& file);
+/// Whether there is a file of an earlier call. @throws std::invalid_argument for one that is no checkpoint
+bool is_kept(const std::string& file);
 
 /// Tells the H, the events and the given monitor of a question from others.
 std::uint64_t fingerprint(const OrbitQuestion& question);

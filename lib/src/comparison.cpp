@@ -1,6 +1,5 @@
 #include "pair_of_runs.hpp"
-
-#include "avi/core/dot.hpp"
+#include "rounded_formula.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -106,38 +105,15 @@ double Orbiter::rounding_of_clock(const Journey& journey) {
          speed_at(journey.state, journey.ranges);
 }
 
-/// The energy error that rounding of the entries of a state makes: more than its own, far out on a saddle,
-/// where H is a small difference.
-double Orbiter::rounding_of_energy(const State<dynamic>& z) {
-  VectorX slope(2 * z.q.size());
-  field_(z, slope);
-  const Eigen::Index n = z.q.size();
-  const double moved = dot(z.q.cwiseAbs().eval(), slope.tail(n).cwiseAbs().eval()) +
-                       dot(z.p.cwiseAbs().eval(), slope.head(n).cwiseAbs().eval());
-  return std::numeric_limits<double>::epsilon() * moved / trip_->energy_scale;
-}
-
-/// The same where H rounds by more than its entries tell, as differences of large numbers do: what it is
-/// beside a straight line where the state moves a little, where it errs most in a run, at its marks and in
-/// the sketch.
-double Orbiter::scatter_of_energy(const Journey& journey) {
-  const Eigen::Index n = field_.size();
-  double most = 0.0;
-  VectorX slope(2 * n), moved(2 * n);
-  const auto look = [&](const VectorX& z) {
-    const double here = field_(z, slope);
-    const double along =
-        dot(z.tail(n).eval(), slope.head(n).eval()) - dot(z.head(n).eval(), slope.tail(n).eval());
-    for (const double part : {0.9e-8, 1.1e-8, 1.7e-8, 2.3e-8}) {
-      moved = (1.0 + part) * z;
-      most = std::max(most, std::abs(field_.energy(moved.data(), moved.data() + n) - here - part * along));
-    }
-  };
-  look(joined(journey.worst));
+/// The rounding error of H, in the unit of energy errors: the most that is found where the energy errs most
+/// in a run, at its marks and in the sketch.
+double Orbiter::rounding_of_energy(const Journey& journey) {
+  RoundedFormula h(question_.graph, question_.energy);
+  double most = h.rounding(joined(journey.worst));
   for (const State<dynamic>& mark : journey.marks)
-    look(joined(mark));
+    most = std::max(most, h.rounding(joined(mark)));
   for (const Sketch::Sample& sample : sketch_->samples)
-    look(sample.z);
+    most = std::max(most, h.rounding(sample.z));
   return most / trip_->energy_scale;
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -148,8 +149,9 @@ double beyond(const OrbitQuestion& question, double time, double factor) {
 /// A call of solve() with something to deliver beside the end.
 class Call {
  public:
-  Call(const OrbitQuestion& question, int degrees, Budget& budget)
-      : question_(question), degrees_(degrees), budget_(budget) {}
+  /// @param replaces there is a checkpoint of an earlier call
+  Call(const OrbitQuestion& question, int degrees, Budget& budget, bool replaces = false)
+      : question_(question), degrees_(degrees), budget_(budget), replaces_(replaces) {}
 
   OrbitAnswer make() {
     budget_.share = 0.5;
@@ -185,6 +187,7 @@ class Call {
       }
       const Run planned = answer.run;
       answer.choice.sweeps += spent_ + planned.evaluations;
+      if (std::exchange(replaces_, false)) std::remove(question_.options.checkpoint.c_str());
       Delivery delivery(question_, degrees_, answer.choice, budget_, answer.prepared.get());
       delivery.follow(answer, plan);
       delivery.go();
@@ -294,6 +297,7 @@ class Call {
   const OrbitQuestion& question_;
   int degrees_;
   Budget& budget_;
+  bool replaces_;
   long spent_ = 0;  // on runs that nothing is known from but the horizon
   double sense_ = question_.t_end < question_.t ? -1.0 : 1.0;
   double event_ = question_.t;  // that ends the first run, or the start
@@ -331,10 +335,10 @@ OrbitAnswer answer(OrbitQuestion&& question) {
   }
   const bool more = !end_alone || !question.events.empty() || question.options.dense ||
                     !question.options.checkpoint.empty() || (question.made && !question.options.check);
-  if (!question.options.checkpoint.empty()) remove_earlier(question.options.checkpoint);
+  const bool replaces = is_kept(question.options.checkpoint);
   Budget budget(question.options);
   budget.start = question.t, budget.end = question.t_end;
-  OrbitAnswer answer = more && question.t_end != question.t ? Call(question, degrees, budget).make()
+  OrbitAnswer answer = more && question.t_end != question.t ? Call(question, degrees, budget, replaces).make()
                                                             : choose(question, budget);
   answer.q.resize(static_cast<std::size_t>(degrees)), answer.p.resize(static_cast<std::size_t>(degrees));
   if ((!more || question.t_end == question.t) && answer.ok())

@@ -33,6 +33,9 @@ struct Trip {
   SharpFeatures* features = nullptr;                   ///< Looked for, if there are any.
   NearPasses* passes = nullptr;                        ///< Passes of light bodies, if any.
   VectorX inverse_masses = {};                         ///< Where q' is a diagonal times p, that diagonal.
+
+  /// Whether time is a coordinate, the last one.
+  [[nodiscard]] bool timed() const { return seen < start.q.size(); }
 };
 
 /// The smallest and largest value of every entry of (q, p) on the way.
@@ -127,6 +130,7 @@ class Journey {
   Pauses pauses;                      ///< Where it all but stops.
   double energy_error = 0.0;          ///< Largest |H - H_0| over the scale,
   State<dynamic> worst;               ///< and where it is.
+  double work = 0.0;                  ///< Integral of half of |p q'| over time, where H depends on time.
   VectorX tails;                      ///< Largest tail of each entry, see Stepper, in the first `few` steps.
   bool spent = false;                 ///< It met a bound of the call.
   bool jumped = false;                ///< A step went over a feature of H that it did not see.
@@ -200,6 +204,11 @@ class Journey {
     if (error > energy_error) energy_error = error, worst = z;
     return error;
   }
+  void look_at_work() {
+    find_slope(z_);
+    const Eigen::Index seen = trip_->seen;
+    work += 0.5 * std::abs(z_.t - before_.t) * std::abs(dot(z_.p.head(seen), slope_.head(seen)));
+  }
   /// The latter half of very many steps has led on by less than a millionth of the way, as before a
   /// singularity.
   bool hardly_moves() {
@@ -272,6 +281,7 @@ class Journey {
     const bool closely = trip_->passes && !coarse;
     const double error = look_at_energy(z_);
     if (closely) look_for_passes();
+    if (trip_->timed()) look_at_work();
     pauses.add(before_, z_, ranges.low, ranges.high, error > 10.0 * trip_->rounding ? error : 0.0,
                [&]() -> const VectorX& {
                  find_slope(z_);

@@ -61,7 +61,7 @@ class MinimiserRun {
       if (underflows()) return out_of_range();
       bool done = norm_ <= target_ && std::abs(base_.f - before) < options_.change;
       if (done && !exact_) {
-        settle();
+        if (!settle()) return end(failure_, reason_);
         done = norm_ <= target_;
       }
       if (!report()) return end(Outcome::stopped, "the callback asked to stop");
@@ -72,8 +72,7 @@ class MinimiserRun {
   }
 
  private:
-  /// A vector of the caller.
-  struct Entries {
+  struct Entries {  ///< A vector of the caller.
     int number;
     double* data;
   };
@@ -86,11 +85,11 @@ class MinimiserRun {
   };
 
   /// Whether the gradient at the base is so small that the squares of its entries underflow, and not small
-  /// enough to be done: what norms say of it is not to be trusted, then. A run
-  /// without a tolerance, which has come that far from somewhere else, is done.
+  /// enough to be done: what norms say of it is not to be trusted, then. A run without a tolerance, which has
+  /// come that far from somewhere else, is done.
   bool underflows() {
     if (!(norm_ < 1e-150)) return false;
-    if (!exact_) settle();
+    if (!exact_ && !settle()) return false;
     norm_ = length(view(base_.g));
     if (target_ == 0.0 && norm_ < std::min(1e-150, 1e-30 * norm0_)) target_ = norm_;
     return norm_ > target_ && norm_ < 1e-150;
@@ -109,27 +108,31 @@ class MinimiserRun {
     bool restarted = false;
     const double noise = noise_;
     LineMisses misses;
+    int beyond = 0;  // trials where f is not finite
     for (int trials = 1, since_start = 1;; ++trials, ++since_start) {
       if (evaluations_ >= options_.evaluations)
         return fail(Outcome::step_limit, "the cap on evaluations was reached");
       place_trial(alpha_);
       const bool stands = view(trial_.x) == view(base_.x);
       if (trials > 40 || stands || !(alpha_ > 0.0)) {  // nothing on this line: steepest descent, once
-        if (restarted) return judge();
+        // Towards a wall f may fall for more lines than one.
+        const bool fell = base_.f < start.value - rounding(base_.f, start.value);
+        if (restarted && !fell) return judge(trials - 1 > beyond);
+        if (restarted) return steepest(), true;
         restarted = true;
-        if (!exact_) settle();
+        if (!exact_ && !settle()) return false;
         if (norm_ <= target_) return true;
         steepest();
         start = {base_.f, down_};
         moved = 0.0, high = std::numeric_limits<double>::infinity();
-        trials = since_start = 1;
+        trials = since_start = 1, beyond = 0;
         place_trial(alpha_);
       }
       if (!evaluate(trial_)) return false;
-      if (trial_.f < floor_) return fail(Outcome::diverged, "f falls below -1e300 along a line");
       if (!std::isfinite(trial_.f) || !std::isfinite(square_)) {
         high = alpha_;
         alpha_ *= 0.1;
+        ++beyond;
         continue;
       }
       const LineModel model({base_.f, down_}, {trial_.f, slope_}, alpha_, rounding(base_.f, trial_.f));
@@ -151,7 +154,7 @@ class MinimiserRun {
       const bool doubtful = model.defect > 0.3 || (model.trusted() && !recovers);
       if (!exact_ && since_start == 1 && doubtful) {  // the interpolated base may be to blame
         const double length = alpha_ * std::sqrt(length2_);
-        settle();
+        if (!settle()) return false;
         if (options_.memory == 0) alpha_ = length / std::sqrt(length2_);
         start = {base_.f, down_};
         continue;
@@ -164,14 +167,15 @@ class MinimiserRun {
         moved += alpha_;
         high -= alpha_;
         alpha_ *= model.beyond() - 1.0;
-        if (std::isinf(high)) trials = 0;
+        if (std::isinf(high)) trials = beyond = 0;
         if (alpha_ >= high) alpha_ = 0.5 * high;
       } else {
         high = alpha_;
         alpha_ *= model.cubic();
       }
       misses.add(model);
-      if (trials >= 5) {  // so near to each other the points differ by what the slopes say, or f bends
+      // So near to each other the points differ by what the slopes say, or f bends.
+      if (trials - beyond >= 5) {
         scale_ = std::max(scale_, std::abs(start.value));
         const double seen = std::min(4.0 * misses.size(), 1e-8 * scale_);
         noise_ = misses.bends(model, seen, 1e-13 * scale_) ? noise : std::max(noise_, seen);
@@ -183,6 +187,7 @@ class MinimiserRun {
   /// before, and values contradict the slope, as at a kink; or for so long that it is rounding that moves the
   /// run. (Hard valleys waited five times for their next gain.)
   bool gains() {
+    if (idle_ == 200 && !exact_ && !settle()) return false;
     if (exact_) level_ = std::min(level_, base_.f);
     if ((exact_ && base_.f < lowest_ - rounding(base_.f, lowest_)) || square_ < gentlest_) {
       if (exact_) lowest_ = std::min(lowest_, base_.f);
@@ -190,10 +195,9 @@ class MinimiserRun {
       idle_ = waits_ = 0;
     }
     if (++idle_ <= 200) return true;
-    if (!exact_) settle();
     idle_ = 0;
     if (waits_ == 0) noise_ = 0.0;  // too large it would hide what is gained: it is looked at anew
-    return judge() || (agrees_ && ++waits_ < 20);
+    return judge(true) || (agrees_ && ++waits_ < 20);
   }
 
   /// The entries of a vector of the caller.
@@ -215,20 +219,20 @@ class MinimiserRun {
     return 1e-4 * ((x > 1e-9 * first_trial_ ? x : first_trial_) / length);
   }
 
-  /// Why steepest descent found nothing: rounding hides the fall, or the gradient is not that of f; or
-  /// without a tolerance its square underflows, and it is as good as 0. Always false.
-  bool judge() {
-    agrees_ = false;
-    if (target_ == 0.0 && norm_ < 1e-150) return fail(Outcome::ok, {});
-    if (!std::isfinite(trial_.f) || !std::isfinite(square_))
-      return fail(Outcome::non_finite, "f or its gradient is not finite wherever the run turns");
+  /// Why steepest descent found nothing: rounding hides the fall, or the gradient is not that of f, or f is
+  /// not finite; or without a tolerance its square underflows, and it is as good as 0. Always false.
+  bool judge(bool finite) {
+    if (agrees_ = false; target_ == 0.0 && norm_ < 1e-150) return fail(Outcome::ok, {});
     double most = 0.0;
     const auto phi = [&](double alpha) {
-      const double value = values_along_d()(alpha);
-      most = std::max(most, std::abs(value - base_.f));
+      const double value = values_along_d()(alpha), apart = std::abs(value - base_.f);
+      most = std::max(most, apart), finite = finite && std::isfinite(apart);
       return value;
     };
-    const SlopeByValues by = slope_by_values(phi, asked_at());
+    SlopeByValues by;
+    if (finite) by = slope_by_values(phi, asked_at());
+    agrees_ = !finite;  // a wall that near says nothing of the slope
+    if (!finite) return fail(Outcome::non_finite, "f or its gradient is not finite wherever the run turns");
     // beside what f does there the gradient is as good as 0: that f is not even says nothing of it
     const bool small = std::abs(down_) * asked_at() < 1e-8 * most;
     agrees_ = small || by.agrees_with(down_, 0.1 * std::abs(down_));
@@ -281,7 +285,7 @@ class MinimiserRun {
     return value;
   }
 
-  /// Value and gradient, slope along d and square of the gradient. False for a gradient of another size.
+  /// Value and gradient, slope along d and square of the gradient. False sets failure_.
   bool evaluate(Point& at) {
     at.f = value_at(at);
     if (entries_ != n_)
@@ -294,7 +298,7 @@ class MinimiserRun {
     });
     slope_ = sums[0], square_ = sums[1];
     pairs_.multiply(at.g.data, at.with_pairs.data());
-    return true;
+    return !(at.f < floor_) || fail(Outcome::diverged, "f falls below -1e300 along a line");
   }
 
   /// d = -grad f, and the pairs are forgotten.
@@ -331,12 +335,12 @@ class MinimiserRun {
   }
 
   /// Evaluates at an interpolated base, goes back to the best evaluated point if f rose, and renews d.
-  void settle() {
+  bool settle() {
     std::swap(trial_.x, base_.x);
-    const bool sized = evaluate(trial_);
+    exact_ = evaluate(trial_);
     std::swap(trial_.x, base_.x);
-    exact_ = true;
-    if (sized && std::isfinite(square_) && is_level(best_.f)) {
+    if (!exact_) return false;
+    if (std::isfinite(trial_.f) && std::isfinite(square_) && is_level(best_.f)) {
       if (options_.memory == 0) d_ += view(base_.g) - view(trial_.g);  // d is -gradient + beta (old d)
       std::swap(base_.g, trial_.g);
       base_.f = trial_.f;
@@ -351,6 +355,7 @@ class MinimiserRun {
     } else if (!measure_direction()) {
       steepest();
     }
+    return true;
   }
 
   /// Bound on the rounding error of the difference of two values.
@@ -447,24 +452,24 @@ class MinimiserRun {
     }
   }
 
-  MinimiserCalls& calls_;                     ///< The objective, and the vectors that it sees.
-  const MinimiseOptions& options_;            ///< As given.
-  long evaluations_ = 0;                      ///< Number of evaluations of value and gradient.
-  Eigen::Index n_;                            ///< Size of x.
-  SecantPairs pairs_;                         ///< The mass matrix.
-  Point base_;                                ///< Where the line begins.
-  Point trial_;                               ///< The last evaluated point on it.
-  Point best_;                                ///< The best evaluated point, while the base is interpolated.
-  VectorX d_;                                 ///< Direction of the line.
-  VectorX change_;                            ///< Products of the newest y with the pairs.
-  double down_ = 0.0;                         ///< d . gradient at the base.
-  double length2_ = 0.0;                      ///< Square of d.
-  double slope_ = 0.0;                        ///< d . gradient at the last evaluation.
-  double square_ = 0.0;                       ///< Square of the gradient there.
-  double norm_ = 0.0;                         ///< Norm of the gradient at the base.
-  double target_ = 0.0;                       ///< Norm of the gradient that ends the run.
-  double alpha_ = 0.0;                        ///< Where the next trial is.
-  double floor_ = 0.0;                        ///< Lower bound of f; a run below it has diverged.
+  MinimiserCalls& calls_;           ///< The objective, and the vectors that it sees.
+  const MinimiseOptions& options_;  ///< As given.
+  long evaluations_ = 0;            ///< Number of evaluations of value and gradient.
+  Eigen::Index n_;                  ///< Size of x.
+  SecantPairs pairs_;               ///< The mass matrix.
+  Point base_;                      ///< Where the line begins.
+  Point trial_;                     ///< The last evaluated point on it.
+  Point best_;                      ///< The best evaluated point, while the base is interpolated.
+  VectorX d_;                       ///< Direction of the line.
+  VectorX change_;                  ///< Products of the newest y with the pairs.
+  double down_ = 0.0;               ///< d . gradient at the base.
+  double length2_ = 0.0;            ///< Square of d.
+  double slope_ = 0.0;              ///< d . gradient at the last evaluation.
+  double square_ = 0.0;             ///< Square of the gradient there.
+  double norm_ = 0.0;               ///< Norm of the gradient at the base.
+  double target_ = 0.0;             ///< Norm of the gradient that ends the run.
+  double alpha_ = 0.0;              ///< Where the next trial is.
+  double floor_ = -std::numeric_limits<double>::infinity();  ///< A run with an f below it has diverged.
   double noise_ = 0.0;                        ///< Error of values as seen where a line was stuck.
   bool exact_ = true;                         ///< Whether value and gradient at the base were evaluated.
   Outcome failure_ = Outcome::ok;             ///< Why the run ends.

@@ -232,10 +232,20 @@ bool Orbiter::passes_over_start(const Journey& run) {
   return (*distance_)(whole, parts, run.ranges) > question_.tolerance;
 }
 
+/// What H(q, t, p) sets in motion may move far more on the way than in its beginning, whose mean of half of
+/// |p q'| is the unit of energy errors: then that of the way up to here is.
+void Orbiter::look_at_work(std::size_t mark) {
+  const double mean = fine_->work / since_start(mark), unit = trip_->energy_scale;
+  if (!(mean > unit) || !std::isfinite(mean)) return;
+  take_unit_of_energy(mean);
+  coarse_->energy_error *= unit / mean, fine_->energy_error *= unit / mean;
+}
+
 /// Compares the two runs at a mark. @return the step is to be another one
 bool Orbiter::judge(Setting& setting, std::size_t mark) {
   const bool last = mark + 1 == marks_.size();
   const double here = since_start(mark), tolerance = question_.tolerance;
+  look_at_work(mark);
   const auto again = [&](double factor) {
     note_trial(*coarse_, infinity);
     if (factor > 0.87) note_trial(*fine_, seen_.error);
@@ -268,10 +278,9 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   // the way, or chance. What is over ten tolerances has to be seen to be rounding.
   bool steady = seen_.error < 1e-7 && fine_->run.steps > Journey::few &&
                 fine_->energy_error > std::max(0.5 * coarse_->energy_error, energy_left_by_sweeps(*fine_));
-  if (steady && (fine_->energy_error < 100.0 * rounding_of_energy(fine_->state) || passes(*fine_) ||
+  if (steady && (passes(*fine_) || fine_->energy_error < 100.0 * rounding_of_energy(*fine_) ||
                  (fine_->energy_error < most_rounding && !follows_another_gradient() &&
-                  (fine_->energy_error <= 10.0 * tolerance || features_->bends() ||
-                   fine_->energy_error < 1e3 * scatter_of_energy(*fine_))))) {
+                  (fine_->energy_error <= 10.0 * tolerance || features_->bends())))) {
     answer_.energy_rounding = std::max(answer_.energy_rounding, 0.01 * fine_->energy_error);
     // Above the tolerance it may be more than that: then nor does what it makes of the state fall.
     coarse_grained_ = coarse_grained_ || fine_->energy_error > 3.0 * tolerance;

@@ -107,6 +107,8 @@ class Orbiter {
   void look_from(const State<dynamic>& z);
   void stay_near(Candidate& it, const Sketch& there);
   bool failed(const Journey& journey, Setting& setting);
+  void take_unit_of_energy(double scale);
+  void look_at_work(std::size_t mark);
   bool judge(Setting& setting, std::size_t mark);
   bool passes_over_start(const Journey& run);
   bool try_others(Setting& setting);
@@ -114,8 +116,7 @@ class Orbiter {
   Comparison compare(const Journey& coarse, const Journey& fine);
   double speed_at(const State<dynamic>& z, const Ranges& ranges);
   double rounding_of_clock(const Journey& journey);
-  double rounding_of_energy(const State<dynamic>& z);
-  double scatter_of_energy(const Journey& journey);
+  double rounding_of_energy(const Journey& journey);
   [[nodiscard]] bool passes(const Journey& journey) const;
   [[nodiscard]] double foretold(const Comparison& seen, double from, double to, double speed) const;
   [[nodiscard]] double longest_step(const Candidate& it) const {

@@ -60,6 +60,17 @@ void Orbiter::follow_the_take_off(Eigen::Index seen) {
   }
 }
 
+/// Sets the unit of energy errors, and what is seen in it.
+void Orbiter::take_unit_of_energy(double scale) {
+  const double rounding =
+      std::numeric_limits<double>::epsilon() * (std::abs(trip_->energy_at_start) / scale + 1.0);
+  answer_.choice.energy_scale = trip_->energy_scale = scale;
+  answer_.energy_rounding = trip_->rounding = rounding;
+  // Inside a step a polynomial has half of the digits that its end has.
+  const double inside = std::max(0.1 * std::sqrt(question_.tolerance), 10.0 * question_.tolerance);
+  trip_->felt = std::max(inside, 1e3 * rounding) * scale;
+}
+
 /// Scales, sketch and menu.
 void Orbiter::prepare() {
   const int n = field_.size();
@@ -140,13 +151,8 @@ void Orbiter::prepare() {
   // Of a body at rest, or where rounding hides the kinetic energy, some of H itself.
   double scale = std::max(std::isfinite(work) ? work : 0.0, 1e-13 * std::abs(energy));
   if (!(scale > 0.0)) scale = 1.0;
-  choice.energy_scale = scale;
-  answer_.energy_rounding = std::numeric_limits<double>::epsilon() * (std::abs(energy) / scale + 1.0);
   trip_.emplace(Trip{z, energy, scale, sense_, budget_});
-  // Inside a step a polynomial has half of the digits that its end has.
-  const double inside = std::max(0.1 * std::sqrt(question_.tolerance), 10.0 * question_.tolerance);
-  trip_->felt = std::max(inside, 1e3 * answer_.energy_rounding) * scale;
-  trip_->rounding = answer_.energy_rounding;
+  take_unit_of_energy(scale);
   trip_->span = span_;
   trip_->ranges = ranges.high - ranges.low;
   trip_->seen = seen;

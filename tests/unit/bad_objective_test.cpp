@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <random>
 
 using avi::minimise;
 using avi::Outcome;
@@ -315,6 +317,55 @@ TEST(BadObjective, CapsAndCallbackEndIt) {
   EXPECT_EQ(seen, 5);
   VectorX g(2);
   EXPECT_EQ(stopped.last.value, rosenbrock(stopped.last.x, g));
+}
+
+// Where an objective ends it may return infinity and fill the gradient all the same: no minimum is there, and
+// no run ends there.
+TEST(BadObjective, EndsNowhereWhereItIsInfinite) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const int m : {0, 7})
+    for (const double start : {1.0, 2.0, 5.0})
+      for (const double beyond : {infinity, -infinity, -1e305}) {
+        const auto half = [&](const VectorX& x, VectorX& g) {
+          g = (2.0 * (x.array() - 0.3)).matrix();
+          return x[0] > 0.5 ? (x[0] - 0.3) * (x[0] - 0.3) + 1.0 : beyond;
+        };
+        const auto run = minimise(half, VectorX::Constant(1, start), {.memory = m});
+        EXPECT_EQ(run.outcome, beyond > 0.0 ? Outcome::non_finite : Outcome::diverged) << run.message;
+        EXPECT_TRUE(std::isfinite(run.last.value)) << run.message;
+        EXPECT_LE(run.last.value, (start - 0.3) * (start - 0.3) + 1.0);
+      }
+}
+
+// A convex function in a box, whose walls are logarithms of a millionth of it: trials beyond them are no
+// reason to take for noise what f bends, however large f is. Such runs ended as non_finite.
+TEST(BadObjective, FindsTheMinimumBetweenLogarithmicWalls) {
+  constexpr Eigen::Index n = 5;
+  constexpr double steepness = 1e-6;
+  for (const unsigned seed : {1u, 2u, 3u})
+    for (const double offset : {0.0, 1e6}) {
+      std::mt19937 draw(seed);  // whose numbers are the same everywhere
+      const auto number = [&] { return static_cast<double>(draw()) / 2147483648.0 - 1.0; };
+      Eigen::MatrixXd mixed(n, n);
+      VectorX centre(n);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        centre[i] = 5.0 * number();
+        for (Eigen::Index j = 0; j < n; ++j)
+          mixed(i, j) = 2.0 * number();
+      }
+      const Eigen::MatrixXd bend = mixed * mixed.transpose() + Eigen::MatrixXd::Identity(n, n);
+      const auto box = [&](const VectorX& x, VectorX& g) {
+        g = bend * (x - centre);
+        double f = offset + 0.5 * g.dot(x - centre);
+        for (Eigen::Index i = 0; i < n; ++i) {
+          f -= steepness * (std::log(1.0 - x[i]) + std::log(1.0 + x[i]));
+          g[i] += steepness * (1.0 / (1.0 - x[i]) - 1.0 / (1.0 + x[i]));
+        }
+        return f;
+      };
+      const auto run = minimise(box, VectorX::Zero(n), {.evaluations = 200'000});
+      EXPECT_TRUE(run.ok()) << seed << " " << offset << " " << run.gradient_evaluations << run.message;
+    }
 }
 
 }  // namespace bad_objective_test

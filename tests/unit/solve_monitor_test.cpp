@@ -106,4 +106,18 @@ TEST(SolveMonitor, OfOnesOwnIsRefusedWithASentence) {
   refused("given", "one of fixed, energy");
 }
 
+// The momentum of time moves by rounding alone where H hardly depends on time; nobody asks for it.
+TEST(SolveMonitor, OfTimeAloneServesAnHThatHardlyChanges) {
+  const auto slower = [](const auto&, const auto& t, const auto&) { return 1.0 / (1.0 + 0.01 * t * t); };
+  for (const double drive : {1.0, 1e-9, 0.0}) {
+    const auto driven = [=](const auto& q, const auto& t, const auto& p) {
+      return 0.5 * (p[0] * p[0] + q[0] * q[0]) - drive * q[0] * cos(2.0 * t);
+    };
+    const auto orbit = avi::solve(driven, avi::State<1>{.q = 1.0, .p = 0.0}, 30.0, 1e-8, {.monitor = slower});
+    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    const double exact = (1.0 + drive / 3.0) * std::cos(30.0) - drive / 3.0 * std::cos(60.0);
+    EXPECT_NEAR(orbit.state.q[0], exact, 2e-10);
+  }
+}
+
 }  // namespace solve_monitor_test

@@ -123,6 +123,22 @@ TEST(SolveOptions, CancelACallThatIsResumed) {
   EXPECT_EQ(refusal([&] { (void)avi::resume<2>(Kepler(), file); }), "There is no checkpoint " + file + ".");
 }
 
+// A mistyped start costs no run that is kept.
+TEST(SolveOptions, ThatAreRefusedLeaveTheCheckpointOfAnEarlierCall) {
+  const auto z = Kepler::pericentre(0.6);
+  const std::string file = std::filesystem::temp_directory_path() / "solve_options_test_refused.run";
+  const auto soon = [](const SolveProgress& now) {
+    return now.phase == avi::SolvePhase::choosing || now.steps < 100;
+  };
+  (void)solve(Kepler(), z, 1e5, 1e-8, {.progress = soon, .checkpoint = file});
+  ASSERT_TRUE(std::filesystem::exists(file));
+  const avi::State<2> centre{.q = {0.0, 0.0}, .p = {0.0, 1.0}};
+  EXPECT_THROW((void)solve(Kepler(), centre, 1.0, 1e-8, {.checkpoint = file}), std::invalid_argument);
+  const auto rest = avi::resume<2>(Kepler(), file);
+  EXPECT_TRUE(rest.ok()) << rest.report();
+  EXPECT_EQ(rest.state.t, 1e5);
+}
+
 /// A run that goes on from a file after so many steps has the bits of the whole one.
 template <int n, class H>
 void expect_same_resumed(const H& hamiltonian, const avi::State<n>& start, double end, double tolerance,
