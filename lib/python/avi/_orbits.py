@@ -258,7 +258,8 @@ def resume(H, shape, file, *, events=(), progress=None, parameters=(), monitor=N
 
     H, shape   as they were, with the shape of q; so are parameters, events and a monitor that is a function. What else was asked for,
                times and tolerance among it, is in the file.
-    seconds, sweeps, steps, progress   of what is left
+    seconds, progress   of what is left
+    sweeps, steps       bounds on the whole run
 
     Raises ValueError for a file that cannot be read, is damaged, or is of another H.
     """
