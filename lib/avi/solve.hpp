@@ -188,7 +188,7 @@ struct SolutionReport {
   double tolerance = 0.0;        ///< The tolerance that was asked for.
   double state_error = 0.0;      ///< Error of the state at the end, see solve(); infinite where unknown.
   double energy_error = 0.0;     ///< Largest |H - H_0| of the run, over choice.energy_scale.
-  double energy_rounding = 0.0;  ///< Of one evaluation of H, or 0.01 energy_error where that is rounding.
+  double energy_rounding = 0.0;  ///< Rounding error of H; 0.01 energy_error where that is rounding.
   std::string note;              ///< Warnings for the reader, in sentences; often empty.
 
   /// True where the run reached what was asked for: its end, or an event that ends it.

@@ -116,7 +116,7 @@ TEST(SolveMonitor, OfTimeAloneServesAnHThatHardlyChanges) {
     const auto orbit = avi::solve(driven, avi::State<1>{.q = 1.0, .p = 0.0}, 30.0, 1e-8, {.monitor = slower});
     EXPECT_TRUE(orbit.kept()) << orbit.report();
     const double exact = (1.0 + drive / 3.0) * std::cos(30.0) - drive / 3.0 * std::cos(60.0);
-    EXPECT_NEAR(orbit.state.q[0], exact, 2e-10);
+    EXPECT_NEAR(orbit.state.q[0], exact, 1.2e-10);  // measured 5.9e-11, without a drive
   }
 }
 
