@@ -347,6 +347,7 @@ OrbitAnswer answer(OrbitQuestion&& question) {
       answer.states.z.insert(answer.states.z.end(), answer.q.begin(), answer.q.end());
       answer.states.z.insert(answer.states.z.end(), answer.p.begin(), answer.p.end());
     }
+  if (replaces && question.t_end == question.t) std::remove(question.options.checkpoint.c_str());
   if (question.options.dense && question.t_end == question.t) answer.curve = std::make_shared<Point>(answer);
   tell_cancelled(budget, answer);
   return answer;

@@ -102,14 +102,12 @@ class MinimiserRun {
 
   /// One iteration: trials along d until one of them gives the next point. False sets failure_.
   bool line() {
-    LinePoint start{base_.f, down_};
-    double moved = 0.0, high = std::numeric_limits<double>::infinity();
-    const double sigma = options_.memory == 0 ? 0.7 : 0.8;
+    LineSoFar so_far{{base_.f, down_}};
+    auto& [start, moved, high, wall, trials, since_start, beyond] = so_far;
+    const double sigma = options_.memory == 0 ? 0.7 : 0.8, noise = noise_;
     bool restarted = false;
-    const double noise = noise_;
     LineMisses misses;
-    int beyond = 0;  // trials where f is not finite
-    for (int trials = 1, since_start = 1;; ++trials, ++since_start) {
+    for (;; ++trials, ++since_start) {
       if (evaluations_ >= options_.evaluations)
         return fail(Outcome::step_limit, "the cap on evaluations was reached");
       place_trial(alpha_);
@@ -123,14 +121,12 @@ class MinimiserRun {
         if (!exact_ && !settle()) return false;
         if (norm_ <= target_) return true;
         steepest();
-        start = {base_.f, down_};
-        moved = 0.0, high = std::numeric_limits<double>::infinity();
-        trials = since_start = 1, beyond = 0;
+        so_far = {{base_.f, down_}};
         place_trial(alpha_);
       }
       if (!evaluate(trial_)) return false;
       if (!std::isfinite(trial_.f) || !std::isfinite(square_)) {
-        high = alpha_;
+        high = wall = alpha_;
         alpha_ *= 0.1;
         ++beyond;
         continue;
@@ -150,7 +146,9 @@ class MinimiserRun {
         undetected_ = undetected;
         return advance(model.r, moved, base_.f + 0.5 * model.r * alpha_ * down_), true;
       }
-      if ((falls || level) && flat) return advance(1.0, moved), true;
+      // half of the way to where f is not finite: nearer to it the next line would have less room
+      const bool walled = falls && high == wall && alpha_ >= 0.5 * high;
+      if (((falls || level) && flat) || walled) return advance(1.0, moved), true;
       const bool doubtful = model.defect > 0.3 || (model.trusted() && !recovers);
       if (!exact_ && since_start == 1 && doubtful) {  // the interpolated base may be to blame
         const double length = alpha_ * std::sqrt(length2_);
@@ -165,7 +163,7 @@ class MinimiserRun {
         exact_ = true;
         down_ = slope_;
         moved += alpha_;
-        high -= alpha_;
+        high -= alpha_, wall -= alpha_;
         alpha_ *= model.beyond() - 1.0;
         if (std::isinf(high)) trials = beyond = 0;
         if (alpha_ >= high) alpha_ = 0.5 * high;
@@ -236,6 +234,10 @@ class MinimiserRun {
     // beside what f does there the gradient is as good as 0: that f is not even says nothing of it
     const bool small = std::abs(down_) * asked_at() < 1e-8 * most;
     agrees_ = small || by.agrees_with(down_, 0.1 * std::abs(down_));
+    // where a fall could be seen, f still rises by as much: a jump
+    const double seen = 1e-11 * std::abs(base_.f / down_);
+    if (seen < 1e-4 * asked_at() && values_along_d()(seen) - base_.f > 0.1 * most)
+      return fail(Outcome::no_descent, "f jumps up wherever the run turns, as at a wall of finite height");
     if (agrees_) return fail(Outcome::stalled, "rounding of f hides what could still be gained");
     const double resolution =
         std::numeric_limits<double>::epsilon() * norm(view(base_.x)) / std::sqrt(length2_);
@@ -483,12 +485,10 @@ class MinimiserRun {
   double first_trial_ = 1.0;                  ///< How far the first trial is from x0.
   double scale_ = 0.0;                        ///< Largest |f| of the start and of where lines were stuck.
   double lowest_ = 1e300, gentlest_ = 1e300;  ///< Least value, and square of an evaluated gradient, so far.
-  long idle_ = 0;        ///< Iterations since either came down, or since values were asked.
-  int waits_ = 0;        ///< Times they were asked since.
-  bool agrees_ = false;  ///< Whether values agreed with the slope when they were last asked.
-  /// Bound on the undetected error of the interpolated gradient, in units of the rounding error of one
-  /// evaluation.
-  double undetected_ = 0.0;
+  long idle_ = 0;            ///< Iterations since either came down, or since values were asked.
+  int waits_ = 0;            ///< Times they were asked since.
+  bool agrees_ = false;      ///< Whether values agreed with the slope when they were last asked.
+  double undetected_ = 0.0;  ///< Bound on the unseen error of an interpolated gradient, in roundings of one.
 };
 
 }  // namespace

@@ -128,6 +128,7 @@ class Orbiter {
   }
   void note_trial(const Journey& journey, double error);
   OrbitAnswer fail(Outcome outcome, std::string message);
+  [[nodiscard]] std::string given_up(const Journey& run) const;
   OrbitAnswer give_up();
   OrbitAnswer too_far(const char* what, double t, double radians);
   OrbitAnswer finish();

@@ -360,6 +360,39 @@ OrbitAnswer Orbiter::solve() {
   return finish();
 }
 
+/// Why a run was stopped on the way, whose price was too high.
+std::string Orbiter::given_up(const Journey& run) const {
+  std::ostringstream text;
+  const double reached = std::abs(run.state.t - question_.t);
+  const auto [when, faster] = sketch_->fastest();
+  if (dead_end_ > 0.0)
+    text << "The run was given up: from t = " << question_.t + sense_ * dead_end_
+         << " on no step is short enough; the orbit meets a singularity of H there, or leaves where H is a "
+            "number.";
+  else if (!(run.h > 0.0) || !std::isfinite(run.h))
+    text
+        << "Its numbers are beyond those of a double, 1e-308 to 1e308: other units of time, length or energy "
+           "will do.";
+  else if (run.run.steps == 0 && answer_.choice.trials.back().outcome == Outcome::stalled)
+    text << "The time of the run is a few units of the rounding of t = " << question_.t
+         << ": no step is shorter than that and moves the clock.";
+  else if (const std::string& named = question_.options.monitor.name; !named.empty())
+    text << "The run was given up: with monitor " << named
+         << ", as asked for, it takes over a hundred times the steps that its beginning suggests; where none "
+            "is named, one that suits the orbit is chosen.";
+  else if (static_cast<double>(run.run.steps) < 10.0 * expected_steps(*run.candidate, run.h, reached))
+    text << "The run was given up after " << run.run.steps << " steps: the end is some "
+         << expected_steps(*run.candidate, run.h, span_)
+         << " of them away, and no step was found with which the tolerance is kept so far.";
+  else if (faster > 1e4)
+    text << "The run was given up: near t = " << question_.t + sense_ * when
+         << " something is so much faster than at the start that H seems to have a singularity there.";
+  else
+    text << "The run was given up: it takes over a hundred times the steps that its beginning suggests; "
+            "something on the way is far faster, as near a singularity of H.";
+  return text.str();
+}
+
 OrbitAnswer Orbiter::finish() {
   // Where a bound is met what was reached is the end: by the run that has come further, unless a step is
   // given.
@@ -408,28 +441,7 @@ OrbitAnswer Orbiter::finish() {
     if (in_the_way_ > 0.0) {
       (void)give_up();
     } else if (answer_.run.outcome == Outcome::stopped) {
-      std::ostringstream text;
-      if (dead_end_ > 0.0)
-        text << "The run was given up: from t = " << question_.t + sense_ * dead_end_
-             << " on no step is short enough; the orbit meets a singularity of H there, or leaves where H is "
-                "a number.";
-      else if (!(fine.h > 0.0) || !std::isfinite(fine.h))
-        text << "Its numbers are beyond those of a double, 1e-308 to 1e308: other units of time, length or "
-                "energy will do.";
-      else if (fine.run.steps == 0 && answer_.choice.trials.back().outcome == Outcome::stalled)
-        text << "The time of the run is a few units of the rounding of t = " << question_.t
-             << ": no step is shorter than that and moves the clock.";
-      else if (const std::string& named = question_.options.monitor.name; !named.empty())
-        text << "The run was given up: with monitor " << named
-             << ", as asked for, it takes over a hundred times the steps that its beginning suggests; "
-                "where none is named, one that suits the orbit is chosen.";
-      else if (const auto [when, faster] = sketch_->fastest(); faster > 1e4)
-        text << "The run was given up: near t = " << question_.t + sense_ * when
-             << " something is so much faster than at the start that H seems to have a singularity there.";
-      else
-        text << "The run was given up: it takes over a hundred times the steps that its beginning suggests; "
-                "something on the way is far faster, as near a singularity of H.";
-      answer_.run.message = text.str();
+      answer_.run.message = given_up(fine);
       answer_.run.outcome = Outcome::step_limit;
     } else if (fine.state.t == question_.t_end) {
       answer_.run.message = "A bound of the call was met by the run with the shorter step; the state is that "

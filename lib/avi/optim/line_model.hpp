@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 /// @file
 /// The minimum of a line between or beyond two points, from values and slopes there; noise of the values.
@@ -13,6 +14,20 @@ namespace avi {
 struct LinePoint {
   double value = 0.0;  ///< phi.
   double slope = 0.0;  ///< phi' = d . grad f.
+};
+
+/// How far the search along one line has come. Distances are from its base, which moves on along it.
+struct LineSoFar {
+  LinePoint start;        ///< Where it began.
+  double moved = 0.0;     ///< Distance of the base from there.
+  double high = never();  ///< Trials are nearer than that: f rose there, or was not finite.
+  double wall = never();  ///< Least distance at which f was not finite.
+  int trials = 1;         ///< The trials, with the one to come.
+  int since_start = 1;    ///< The same, and not counted anew where the base moves.
+  int beyond = 0;         ///< Trials at which f was not finite.
+
+  /// Of distances that are not known.
+  static constexpr double never() { return std::numeric_limits<double>::infinity(); }
 };
 
 /// The base of a line (alpha = 0) and one trial at alpha = h > 0.

@@ -279,6 +279,12 @@ _NOT_HERE = {
     **dict.fromkeys(("fill_diagonal", "put", "copyto", "putmask", "place", "put_along_axis"), _ASSIGN),
     **dict.fromkeys(("array_equal", "array_equiv", "allclose", "isclose"), _EQUAL),
     "interp": "A table cannot be looked up by a number that has no value yet: take a polynomial (np.polyval) or a sum of np.exp that fits it.",
+    "linspace": "Write a + (b - a) * np.linspace(0, 1, n).",
+    **dict.fromkeys(("cov", "corrcoef"), "Write d = a - np.mean(a), e = b - np.mean(b) and d @ e, with the denominator that you want."),
+    **dict.fromkeys(
+        ("nansum", "nanmean", "nanprod", "nanmax", "nanmin", "nanstd", "nanvar", "nancumsum"),
+        "Whether a number that has no value yet is nan cannot be asked: write the same without nan, np.sum for np.nansum.",
+    ),
     "piecewise": "Write avi.where(condition, x, y), or np.select([a < b, c < d], [x, y], z).",
 }
 _NOT_HERE["fill_diagonal"] += " A diagonal is taken away by a * (1 - np.eye(n)) and put in by + np.eye(n) * b."
