@@ -5,7 +5,6 @@
 #include "separable.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

@@ -125,7 +125,7 @@ TEST(Minimiser, TakesTheSameWayOnEveryMachine) {
       {"flat", flat, VectorX::LinSpaced(6, 1.0, 3.0), Outcome::ok, {{23, 24}, {22, 23}, {22, 23}}},
       {"wall", wall, VectorX::LinSpaced(3, 1.0, 5.0), Outcome::ok, {{28, 71}, {25, 56}, {19, 51}}},
       {"hinges", hinges, VectorX::LinSpaced(6, -5.0, 9.0), Outcome::ok, {{8, 44}, {11, 35}, {11, 57}}},
-      {"kinks", kinks, VectorX::Ones(3), Outcome::no_descent, {{236, 747}, {301, 1704}, {210, 1795}}},
+      {"kinks", kinks, VectorX::Ones(3), Outcome::no_descent, {{236, 748}, {301, 1705}, {210, 1796}}},
       {"cone", cone, VectorX::LinSpaced(5, 1.0, 100.0), Outcome::ok, {{21, 29}, {28, 39}, {19, 31}}},
       {"uphill", uphill, VectorX::Ones(3), Outcome::no_descent, {{0, 47}, {0, 47}, {0, 47}}},
       {"slope", slope, VectorX::Ones(3), Outcome::diverged, {{0, 500}, {0, 500}, {0, 500}}},

@@ -127,9 +127,9 @@ class BroydenIteration {
  public:
   [[nodiscard]] BroydenIteration begin(bool) const { return {}; }
   template <class Equations>
-  bool propose(const Equations& equations, const Vector<double, n>& residual, const IterationProgress<n>& now,
-               bool quasi_newton) {
-    const bool slow = quasi_newton && now.residual > 0.1 * now.previous;
+  bool propose(const Equations& equations, const Vector<double, n>& residual,
+               const IterationProgress<n>& now) {
+    const bool slow = now.residual > 0.1 * now.previous;
     Vector<double, n> plain = residual;
     if constexpr (requires { equations.newton(residual); }) plain = equations.newton(residual);
     shift = now.stagnates ? plain : broyden_.shift(residual, plain, slow);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <type_traits>
 
 /// @file
@@ -36,79 +37,41 @@ enum class Operation : std::uint8_t {
 /// @cond
 namespace detail {
 
-/// The name of an operation.
-constexpr const char* name(Operation operation) {
-  switch (operation) {
-#define AVI_ROW(row, ...)                                                                                    \
-  case Operation::row:                                                                                       \
-    return #row;
-    AVI_FUNCTIONS(AVI_ROW, AVI_ROW)
-    AVI_ROW(input)
-    AVI_ROW(constant)
-    AVI_ROW(add)
-    AVI_ROW(subtract)
-    AVI_ROW(multiply)
-    AVI_ROW(divide)
-    AVI_ROW(power)
-    AVI_ROW(sign)
-    AVI_ROW(less)
-    AVI_ROW(less_equal)
-    AVI_ROW(when)
-    AVI_ROW(nothing)
-    AVI_ROW(subtract_from)
-    AVI_ROW(sum_of_products)
-#undef AVI_ROW
-  }
-  return "unknown";
-}
-
-/// How many nodes of a graph it is done with.
-constexpr int operands(Operation operation) {
-  using enum Operation;
-  switch (operation) {
-#define AVI_ONE(row, ...)                                                                                    \
-  case row:                                                                                                  \
-    return 1;
-#define AVI_TWO(row, ...)                                                                                    \
-  case row:                                                                                                  \
-    return 2;
-    AVI_FUNCTIONS(AVI_ONE, AVI_TWO)
+/// What an operation is called, with how many nodes of a graph it is done (-1: any number), and whether it is
+/// an elementary function of the table.
+struct OperationFacts {
+  const char* name;
+  int operands;
+  bool is_function = false;
+};
+#define AVI_ONE(row, ...) {#row, 1, true},
+#define AVI_TWO(row, ...) {#row, 2, true},
+inline constexpr OperationFacts facts_of_operations[] = {
+    {"input", 0},
+    {"constant", 0},
+    {"add", 2},
+    {"subtract", 2},
+    {"multiply", 2},
+    {"divide", 2},
+    {"power", 2},
+    AVI_FUNCTIONS(AVI_ONE, AVI_TWO)  // in the order of the enum
+    {"sign", 1},
+    {"less", 2},
+    {"less_equal", 2},
+    {"when", 2},
+    {"nothing", 1},
+    {"subtract_from", 2},
+    {"sum_of_products", -1}};
 #undef AVI_ONE
 #undef AVI_TWO
-  case input:
-  case constant:
-    return 0;
-  case sign:
-  case nothing:
-    return 1;
-  case add:
-  case subtract:
-  case multiply:
-  case divide:
-  case power:
-  case less:
-  case less_equal:
-  case when:
-  case subtract_from:
-    return 2;
-  case sum_of_products:
-    break;
-  }
-  return -1;  // any number
-}
+static_assert(std::size(facts_of_operations) == static_cast<std::size_t>(Operation::sum_of_products) + 1);
 
-/// It is an elementary function of the table.
-constexpr bool is_function(Operation operation) {
-  switch (operation) {
-#define AVI_ROW(row, ...)                                                                                    \
-  case Operation::row:                                                                                       \
-    return true;
-    AVI_FUNCTIONS(AVI_ROW, AVI_ROW)
-#undef AVI_ROW
-  default:
-    return false;
-  }
+constexpr const OperationFacts& facts_of(Operation operation) {
+  return facts_of_operations[static_cast<int>(operation)];
 }
+constexpr const char* name(Operation operation) { return facts_of(operation).name; }
+constexpr int operands(Operation operation) { return facts_of(operation).operands; }
+constexpr bool is_function(Operation operation) { return facts_of(operation).is_function; }
 
 /// std::exp for Operation::exp, and so on: a function that packs call one number after the other. Nothing for
 /// all other operations.

@@ -113,8 +113,8 @@ class Htvi {
       if (idle >= 3 && largest_entry(residual) <= accepted) return accept(equations.change);
       // Rounding may hold the residual above the tolerance; it then stops falling far below what matters.
       const bool stagnates = report.residual >= 0.5 * previous && report.residual <= 100.0 * accepted;
-      const bool exact = iteration.propose(
-          equations, residual, {unit, report.residual, previous, accepted, stagnates}, solver_.quasi_newton);
+      const bool exact =
+          iteration.propose(equations, residual, {unit, report.residual, previous, accepted, stagnates});
       correction += iteration.shift;
       if (stagnates || exact) return accept(iteration.step(equations, residual));
       previous = report.residual;

@@ -15,7 +15,6 @@ namespace avi {
 struct SolverSettings {
   double tolerance = 8.0;   ///< Residual accepted, in units of machine epsilon times the size of the unknown.
   int max_iterations = 50;  ///< Expansions in one step before it ends as Outcome::not_converged.
-  bool quasi_newton = true;  ///< Learn from earlier evaluations by Broyden's method.
 };
 
 /// First guess of an unknown that changes smoothly from step to step: the line through its values at the last
@@ -53,11 +52,11 @@ class Predictor {
 template <int n, int m>
 class SecantModel {
  public:
-  /// Learns from a shift of u that changed w by `change`, unless J is to stay as it is.
+  /// Learns from a shift of u that changed w by `change`.
   /// @param unit of the entries of u, see solver_units() @return the error that J had along that shift,
   /// relative to its size
-  double learn(const Vector<double, n>& shift, const Vector<double, m>& change, const Vector<double, n>& unit,
-               bool update) {
+  double learn(const Vector<double, n>& shift, const Vector<double, m>& change,
+               const Vector<double, n>& unit) {
     // By a power of two, so that squares of shifts below 1e-154 are not lost.
     Vector<double, n> along = shift.cwiseProduct(unit);
     const double largest = largest_entry(along);
@@ -66,7 +65,7 @@ class SecantModel {
     along *= scale;
     Vector<double, m> miss = scale * (change - slope_ * shift);
     const double square = along.squaredNorm();
-    for (int i = 0; update && i < m; ++i)
+    for (int i = 0; i < m; ++i)
       for (int j = 0; j < n; ++j)
         slope_(i, j) += miss[i] / square * along[j] * unit[j];
     miss.template head<n>() = miss.template head<n>().cwiseProduct(unit);
@@ -124,11 +123,10 @@ class SecantIteration {
   }
   /// The shift of u at these equations; true where it is exact to what is accepted.
   template <class Equations>
-  bool propose(const Equations& equations, const Vector<double, n>& residual, const IterationProgress<n>& now,
-               bool quasi_newton) {
-    const double error = first_
-                             ? std::numeric_limits<double>::infinity()
-                             : model_.learn(shift, equations.corrections - before_, now.unit, quasi_newton);
+  bool propose(const Equations& equations, const Vector<double, n>& residual,
+               const IterationProgress<n>& now) {
+    const double error = first_ ? std::numeric_limits<double>::infinity()
+                                : model_.learn(shift, equations.corrections - before_, now.unit);
     first_ = false;
     before_ = equations.corrections;
     shift = model_.shift(residual);
