@@ -1,6 +1,5 @@
 // error: A formula is recorded once for all arguments, so it cannot branch on them: instead of `if` or `?:`
 // write select(a < b, x, y), min(x, y), max(x, y) or abs(x), without std::.
-#include <avi/autodiff/recording.hpp>
 
 int main() {
   const avi::Recording recording([](const auto& x) { return x[0] > 0.0 ? x[0] : -x[0]; }, 1);

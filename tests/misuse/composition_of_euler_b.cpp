@@ -1,6 +1,5 @@
 // error: The base of a composition must declare that it is symmetric: of another one the order stays what it
 // is.
-#include <avi/avi.hpp>
 
 int main() {
   avi::State<2> z = avi::Kepler::pericentre(0.5);

@@ -1,8 +1,4 @@
 // error: Dense output needs a method with a polynomial; at_times() serves every method.
-#include <avi/core/dense_output.hpp>
-#include <avi/integrators/stormer_verlet.hpp>
-#include <avi/problems/kepler.hpp>
-
 int main() {
   const auto method =
       avi::stormer_verlet<2>([](const auto& q) { return avi::Kepler::potential_gradient(q); });

@@ -1,9 +1,4 @@
 // error: The end of integrate(method, state, h, until) is an Until, such as {.time = 10.0} or {.steps = 100};
-#include <avi/core/integrate.hpp>
-#include <avi/integrators/coefficient_lists.hpp>
-#include <avi/integrators/log_hamiltonian.hpp>
-#include <avi/problems/kepler.hpp>
-
 int main() {
   auto z = avi::Kepler::pericentre(0.5);
   auto method = avi::splitting(avi::LogHamiltonian(avi::Kepler{}, z), avi::compositions::kahan_li8);

@@ -1,7 +1,4 @@
 // error: Euler-B needs a dimension known at compile time.
-#include <avi/problems/n_body.hpp>
-#include <avi/transform/euler_b.hpp>
-
 int main() {
   const avi::NBody<avi::dynamic> bodies(avi::Vector<double, avi::dynamic>::Ones(3));
   avi::State<avi::dynamic> z{.q = avi::Vector<double, avi::dynamic>::Random(6),

@@ -1,7 +1,4 @@
 // error: The monitor of Euler-B must be callable as g(q): its equation is solved in closed form.
-#include <avi/problems/kepler.hpp>
-#include <avi/transform/euler_b.hpp>
-
 int main() {
   const auto monitor = [](const auto& q, const auto& p) { return q[0] * p[0]; };
   auto z = avi::Kepler::pericentre(0.5);

@@ -1,7 +1,4 @@
 // error: The Hamiltonian must be callable as H(q, t, p) with vectors of n entries.
-#include <avi/problems/kepler.hpp>
-#include <avi/transform/time_dependent.hpp>
-
 int main() {
   const auto problem = avi::time_dependent(avi::Kepler{}, avi::Kepler::pericentre(0.5));
   return static_cast<int>(problem.size());

@@ -1,7 +1,4 @@
 // error: An HTVI needs a dimension known at compile time; avi::collocation() takes any.
-#include <avi/htvi/htvi.hpp>
-#include <avi/problems/n_body.hpp>
-
 int main() {
   const avi::NBody<avi::dynamic> bodies(avi::Vector<double, avi::dynamic>::Ones(3));
   avi::State<avi::dynamic> z{.q = avi::Vector<double, avi::dynamic>::Random(6),

@@ -1,6 +1,4 @@
 // error: An HTVI carries 2n + 1 partials at a time: n is at most 15; avi::collocation() takes any.
-#include <avi/htvi/htvi.hpp>
-
 struct Springs {
   template <class V>
   auto operator()(const V& q, const V& p) const {

@@ -1,6 +1,4 @@
 // error: x0 must be a vector of Eigen, numbers in braces, or an array of double.
-#include "avi/optim/minimise.hpp"
-
 #include <list>
 
 // A start whose numbers do not lie in one piece.

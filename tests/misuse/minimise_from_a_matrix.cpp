@@ -1,6 +1,4 @@
 // error: x0 must be a vector of Eigen, numbers in braces, or an array of double.
-#include "avi/optim/minimise.hpp"
-
 // A start that is no vector.
 int main() {
   const auto f = [](const auto& x) { return x[0] * x[0]; };

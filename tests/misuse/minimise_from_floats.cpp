@@ -1,6 +1,4 @@
 // error: x0 must hold double: the library computes in no other kind of number.
-#include "avi/optim/minimise.hpp"
-
 // A start of another precision.
 int main() {
   const auto f = [](const auto& x) { return x[0] * x[0]; };

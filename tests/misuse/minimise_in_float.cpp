@@ -1,6 +1,4 @@
 // error: f works in float: the library computes in double alone.
-#include "avi/optim/minimise.hpp"
-
 // An objective of another precision.
 int main() {
   const auto f = [](const Eigen::VectorXf& x, Eigen::VectorXf& g) {

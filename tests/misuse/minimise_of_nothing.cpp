@@ -1,6 +1,5 @@
 // error: f must be f(x, gradient), which returns the value and fills the gradient, or a formula f(x) for any
 // kind of number
-#include "avi/optim/minimise.hpp"
 
 // Called with nothing that the library has.
 int main() {

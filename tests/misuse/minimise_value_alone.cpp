@@ -1,6 +1,5 @@
 // error: f gives a value alone: have it fill a gradient, too, f(x, gradient), or write it for any kind of
 // number
-#include "avi/optim/minimise.hpp"
 
 // A function for one kind of number and without a gradient.
 int main() {

@@ -1,6 +1,4 @@
 // error: f works in float: the library computes in double alone.
-#include "avi/optim/minimise.hpp"
-
 // A function of another precision, without a gradient.
 int main() {
   const auto f = [](const Eigen::VectorXf& x) { return x.squaredNorm(); };

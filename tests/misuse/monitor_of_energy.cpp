@@ -1,6 +1,4 @@
 // error: The monitor must be callable as g(q), g(q, p) or g(q, t, p) with vectors of n entries.
-#include <avi/transform/time_dependent.hpp>
-
 int main() {
   const avi::State<1> start{.q = avi::Vector<double, 1>(0.5), .p = avi::Vector<double, 1>(0.0)};
   const auto monitor = [](const auto& q, const auto& t, const auto& p, const auto& p_t) {

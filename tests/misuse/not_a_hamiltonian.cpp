@@ -1,6 +1,4 @@
 // error: The Hamiltonian must be callable as H(q, p) with vectors of n entries.
-#include <avi/transform/poincare.hpp>
-
 struct Potential {
   template <class Q>
   auto operator()(const Q& q) const {

@@ -1,8 +1,4 @@
 // error: An observer must be callable as observer(state, k) or as observer(step, k).
-#include <avi/core/integrate.hpp>
-#include <avi/integrators/stormer_verlet.hpp>
-#include <avi/problems/kepler.hpp>
-
 int main() {
   auto method = avi::stormer_verlet<2>(&avi::Kepler::potential_gradient<double>);
   auto z = avi::Kepler::pericentre(0.5);

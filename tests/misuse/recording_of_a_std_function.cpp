@@ -1,6 +1,4 @@
 // error: A function that is recorded must be generic in its scalar: let it take `const auto& q`
-#include <avi/autodiff/recording.hpp>
-
 #include <functional>
 
 int main() {

@@ -1,6 +1,4 @@
 // error: A function that is recorded must return one number of its arguments' scalar
-#include <avi/autodiff/recording.hpp>
-
 int main() {
   const avi::Recording recording = avi::Recording([](const auto& x) { return x; }, 2);
   return recording.inputs();

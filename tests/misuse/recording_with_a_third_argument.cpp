@@ -1,6 +1,4 @@
 // error: This function takes a third argument: H(q, t, p) becomes a function of (q, p) by
-#include <avi/autodiff/recording.hpp>
-
 int main() {
   const avi::Recording recording =
       avi::record<2>([](const auto& q, const auto& t, const auto& p) { return q[0] * p[0] * t; });

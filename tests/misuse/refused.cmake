@@ -1,6 +1,6 @@
 # Passes when the compiler refuses SOURCE with the sentence of its first line, `// error: sentence`.
 # cmake -DCOMPILER=<c++> -DSOURCE=<file> "-DINCLUDES=<folder>;<folder>" -DFIRST=<file> -P refused.cmake
-# FIRST is a header that is read before, or FIRST.gch, in which it is compiled; the same call without SOURCE makes both.
+# FIRST is a header that brings the whole library before it, FIRST.gch the same compiled; the same call without SOURCE makes both.
 set(folders)
 foreach(folder IN LISTS INCLUDES)
   list(APPEND folders -isystem ${folder})

@@ -1,6 +1,4 @@
 // error: The start is a State, as avi::State<2> start{.q = {1.0, 0.0}, .p = {0.0, 1.0}}.
-#include <avi/solve.hpp>
-
 int main() {
   const auto h = [](const auto& q, const auto& p) { return 0.5 * (p.squaredNorm() + q.squaredNorm()); };
   const Eigen::Vector2d q(1.0, 0.0), p(0.0, 1.0);

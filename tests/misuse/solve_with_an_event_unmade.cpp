@@ -1,6 +1,4 @@
 // error: An event is made by when(): {.events = {avi::when(g)}}.
-#include <avi/solve.hpp>
-
 int main() {
   const auto h = [](const auto& q, const auto& p) { return 0.5 * (p.squaredNorm() + q.squaredNorm()); };
   const auto g = [](const auto& q, const auto&) { return q[0]; };

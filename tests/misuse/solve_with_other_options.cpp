@@ -1,6 +1,4 @@
 // error: After the tolerance come SolveOptions, such as {.dense = true}, or nothing.
-#include <avi/solve.hpp>
-
 int main() {
   const auto h = [](const auto& q, const auto& p) { return 0.5 * (p.squaredNorm() + q.squaredNorm()); };
   const avi::State<2> start{.q = {1.0, 0.0}, .p = {0.0, 1.0}};

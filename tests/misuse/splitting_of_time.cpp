@@ -1,8 +1,4 @@
 // error: A problem to split must have potential_gradient(q): H = T(p) + V(q), and no time in it.
-#include <avi/integrators/coefficient_lists.hpp>
-#include <avi/integrators/splitting.hpp>
-#include <avi/transform/time_dependent.hpp>
-
 int main() {
   const avi::State<1> start{.q = avi::Vector<double, 1>(0.5), .p = avi::Vector<double, 1>(0.0)};
   const auto problem = avi::time_dependent(

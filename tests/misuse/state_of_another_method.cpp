@@ -1,8 +1,4 @@
 // error: The method has no step(state, h) for this state: is the state of another dimension?
-#include <avi/core/integrate.hpp>
-#include <avi/integrators/stormer_verlet.hpp>
-#include <avi/problems/kepler.hpp>
-
 int main() {
   auto method = avi::stormer_verlet<2>(&avi::Kepler::potential_gradient<double>);
   avi::State<3> z{.q = {1.0, 0.0, 0.0}, .p = {0.0, 1.0, 0.0}};

@@ -1,8 +1,4 @@
 // error: The method has no step(state, h) for this state: is the state of another dimension?
-#include <avi/core/integrate.hpp>
-#include <avi/htvi/htvi.hpp>
-#include <avi/problems/kepler.hpp>
-
 int main() {
   auto method = avi::type2<0>(avi::poincare<2>(avi::Kepler{}, avi::Kepler::pericentre(0.5)), avi::gauss(1));
   avi::State<3> z{.q = {1.0, 0.0, 0.0}, .p = {0.0, 1.0, 0.0}};

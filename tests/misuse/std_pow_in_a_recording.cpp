@@ -1,7 +1,6 @@
 // error: A formula is recorded without values, so its arguments and what is computed from them are no
 // numbers: call sqrt(x), pow(x, y) and the like without std:: (after `using std::sqrt;`), and begin sums and
 // helper functions with `auto`
-#include <avi/autodiff/recording.hpp>
 
 int main() {
   const avi::Recording recording([](const auto& x) { return std::pow(x[0], 1.5); }, 1);
