@@ -1,5 +1,6 @@
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/solve.hpp"
+#include "scratch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,6 @@
 #include <stdexcept>
 #include <sys/stat.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 namespace checkpoint_test {
 
@@ -22,7 +22,8 @@ const State<2> start{.q = {0.0, 0.3}, .p = {0.45, 0.0}};
 const double end = 30000.0;
 
 std::string file_named(const std::string& name) {
-  return (std::filesystem::temp_directory_path() / ("avi_" + std::to_string(getpid()) + name)).string();
+  static const Scratch folder;
+  return folder / name;
 }
 avi::SolveOptions options(const std::string& file) {
   return {.check = false,

@@ -1,5 +1,6 @@
 #include "common/frame.hpp"
 #include "common/table.hpp"
+#include "scratch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -74,10 +75,7 @@ class Process {
 
 class Disk : public testing::Test {
  protected:
-  const fs::path output = fs::temp_directory_path() / ("avi_disk_" + std::to_string(::getpid()));
-
-  void SetUp() override { fs::create_directories(output); }
-  void TearDown() override { fs::remove_all(output); }
+  const Scratch output;
 
   [[nodiscard]] std::vector<std::string> quick() const { return {"--quick", "--output", output.string()}; }
 

@@ -2,6 +2,7 @@
 #include "fuzz/options.hpp"
 #include "fuzz/step.hpp"
 #include "fuzz/table.hpp"
+#include "scratch.hpp"
 #include "text_of.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <random>
-#include <unistd.h>
 #include <vector>
 
 // The corpus of the fuzz targets, and deterministic mutations of it: every compiler runs them, where `make
@@ -77,8 +77,7 @@ TEST(FuzzReplay, Door) { replay("door", fuzz::door, 500); }
 
 TEST(FuzzReplay, Options) {
   const fs::path before = fs::current_path();
-  const fs::path scratch = fs::temp_directory_path() / ("avi_fuzz_" + std::to_string(::getpid()));
-  fs::create_directories(scratch);
+  const Scratch scratch;
   fs::current_path(scratch);
   testing::internal::CaptureStderr();
   testing::internal::CaptureStdout();
@@ -87,7 +86,6 @@ TEST(FuzzReplay, Options) {
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_NE(said.find("fuzz: "), std::string::npos);
   fs::current_path(before);
-  fs::remove_all(scratch);
 }
 
 }  // namespace fuzz_replay_test

@@ -1,5 +1,6 @@
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/solver.hpp"
+#include "scratch.hpp"
 #include "unit/cayley.hpp"
 
 #include <gtest/gtest.h>
@@ -132,14 +133,14 @@ TEST(OrbitEnsemble, RefusesOtherStarts) {
 }
 
 TEST(OrbitEnsemble, HasNoFileForItsRuns) {
-  const std::string file = std::filesystem::temp_directory_path() / "orbit_ensemble_test.run";
+  const Scratch folder;
+  const std::string file = folder / "run";
   std::ofstream(file) << "viorbit4 of another run";
   const auto starts = some_starts(2);
   const avi::Solver solver(HenonHeiles(), starts[0], 50.0, 1e-9, {.check = false, .checkpoint = file});
   EXPECT_TRUE(std::filesystem::exists(file));  // the orbit that is chosen for is nobody's
   EXPECT_THROW((void)solver.ensemble(starts, 50.0), std::invalid_argument);
   EXPECT_TRUE(solver.run(starts[1], 50.0).ok());
-  std::filesystem::remove(file);
 }
 
 }  // namespace orbit_ensemble_test

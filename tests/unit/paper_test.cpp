@@ -1,5 +1,6 @@
 #include "generate/latex.hpp"
 #include "generate/numbers.hpp"
+#include "scratch.hpp"
 #include "text_of.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,6 @@
 #include <regex>
 #include <set>
 #include <sstream>
-#include <unistd.h>
 
 // The paper's text holds together without TeX and without data.
 
@@ -117,8 +117,7 @@ TEST(Paper, SensesOfSentencesAreChecked) {
   const auto named = column(paper_folder / "numbers.tsv", "name");
   for (const auto& name : column(paper_folder / "senses.tsv", "name"))
     EXPECT_TRUE(named.contains(name)) << name << " has no formula";
-  const fs::path folder = fs::temp_directory_path() / ("avi_senses_" + std::to_string(::getpid()));
-  fs::create_directories(folder);
+  const Scratch folder;
   experiment::Table data({"ours", "theirs"}), list({"name", "formula", "format"}),
       senses({"name", "least", "most", "sentence"});
   data.row(1.0, 2.0);
@@ -129,7 +128,6 @@ TEST(Paper, SensesOfSentencesAreChecked) {
   EXPECT_NO_THROW(paper::check_senses(results, list, senses));
   senses.rows[0][1] = "2";
   EXPECT_THROW(paper::check_senses(results, list, senses), std::runtime_error);
-  fs::remove_all(folder);
 }
 
 TEST(Paper, RefusesCostsWhoseUnitMoved) {
@@ -215,7 +213,8 @@ TEST(Paper, EveryReferenceIsCitedAndCanBeFound) {
 
 /// What `make paper` refuses in TeX's log.
 TEST(Log, IsReadForWhatARefereeWouldSee) {
-  const fs::path log = fs::temp_directory_path() / ("avi_log_" + std::to_string(::getpid()));
+  const Scratch folder;
+  const fs::path log = folder / "log";
   const auto accepted = [&](const std::string& line) {
     std::ofstream(log) << "This is pdfTeX\n" << line << "\n";
     const std::string command =
@@ -229,7 +228,6 @@ TEST(Log, IsReadForWhatARefereeWouldSee) {
         "LaTeX Warning: Reference `a' on page 1 undefined on input line 2.",
         "LaTeX Warning: Label `a' multiply defined.", "Missing character: There is no x in font y!"})
     EXPECT_FALSE(accepted(line)) << line;
-  fs::remove(log);
 }
 
 /// How long the documents of the last `make paper` may be; CTest looks at their logs by themselves.
@@ -267,8 +265,7 @@ TEST(Latex, EscapesTextAndWritesPowers) {
 }
 
 TEST(Numbers, FormulasReadCells) {
-  const fs::path folder = fs::temp_directory_path() / ("avi_paper_" + std::to_string(::getpid()));
-  fs::create_directories(folder);
+  const Scratch folder;
   experiment::Table table({"method", "h", "steps"});
   table.row("a", 0.1, 180);
   table.row("a", 0.2, 90);
@@ -291,7 +288,6 @@ TEST(Numbers, FormulasReadCells) {
   EXPECT_THROW(paper::evaluate(data, "runs[].steps %"), std::invalid_argument);
   EXPECT_THROW(paper::evaluate(data, "mean:runs[].steps"), std::invalid_argument);
   EXPECT_THROW(paper::evaluate(data, "walks[].steps"), std::runtime_error);
-  fs::remove_all(folder);
 }
 
 }  // namespace paper_test

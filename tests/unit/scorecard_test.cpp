@@ -1,13 +1,13 @@
 #include "scorecard/numbers/printed.hpp"
 #include "scorecard/numbers/sheet.hpp"
 #include "scorecard/shares.hpp"
+#include "scratch.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 #include <set>
-#include <unistd.h>
 
 using experiment::Table;
 using scorecard::Line;
@@ -62,13 +62,11 @@ TEST(Published, EveryTableHasItsCellsOnceAndAsNumbers) {
 /// Judges Table 1 from data that agree with it but for what a test changes.
 class KeplerSheet : public testing::Test {
  protected:
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("avi_scorecard_" + std::to_string(::getpid()));
+  const Scratch folder;
   Table data{{"method", "construction", "monitor", "h", "g_min", "g_max", "min_step", "max_step",
               "energy_error", "global_error", "global_error_shifted", "steps", "seconds"}};
 
   void SetUp() override {
-    std::filesystem::create_directories(folder);
     const double nan = std::nan("");
     data.row("htvi4", "printed", "gamma", 0.1, 0.01, 8, 1, 1, 1, 1, nan, 1, 1e-4);
     data.row("htvi4", "authors", "gamma", 0.1, 0.01, 8, 0.002001, 0.24931, 1.429e-5, 7.092e-6, nan, 180,
@@ -81,7 +79,6 @@ class KeplerSheet : public testing::Test {
     data.row("stormer_verlet", "nan", "none", 5e-5, nan, nan, 5e-5, 5e-5, 3.118e-6, 3.33e-5, 4.678e-5, 200000,
              3e-3);
   }
-  void TearDown() override { std::filesystem::remove_all(folder); }
 
   /// A table of the paper, judged from the folder.
   [[nodiscard]] std::vector<Line> lines(const char* stem) const {

@@ -4,12 +4,11 @@
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
 #include "refusal.hpp"
+#include "scratch.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 
@@ -78,7 +77,8 @@ TEST(SolveMonitor, OfOnesOwnMayDependOnTime) {
 
 TEST(SolveMonitor, OfOnesOwnServesASolverAndGoesOnFromAFile) {
   const auto z = Kepler::pericentre(0.9);
-  const std::string file = std::filesystem::temp_directory_path() / "solve_monitor_test.run";
+  const Scratch folder;
+  const std::string file = folder / "run";
   const double end = 2000.0 * M_PI;
   const auto whole = solve(Kepler(), z, end, 1e-10, {.check = false, .monitor = halfway, .checkpoint = file});
   (void)solve(Kepler(), z, end, 1e-10,
@@ -91,7 +91,6 @@ TEST(SolveMonitor, OfOnesOwnServesASolverAndGoesOnFromAFile) {
   const avi::Solver solver(Kepler(), z, 20.0, 1e-9, {.monitor = halfway});
   EXPECT_EQ(solver.choice().name, "given");
   EXPECT_TRUE(solver.run(z, 20.0).kept());
-  std::remove(file.c_str());
 }
 
 TEST(SolveMonitor, OfOnesOwnIsRefusedWithASentence) {

@@ -2,6 +2,7 @@
 #include "avi/solve.hpp"
 #include "avi/solver.hpp"
 #include "refusal.hpp"
+#include "scratch.hpp"
 #include "unit/cayley.hpp"
 
 #include <gtest/gtest.h>
@@ -109,7 +110,8 @@ TEST(SolveOptions, CancelACallThatKeepsWhatItHas) {
 // Before the run that is kept has begun, too.
 TEST(SolveOptions, CancelACallThatIsResumed) {
   const auto z = Kepler::pericentre(0.6);
-  const std::string file = std::filesystem::temp_directory_path() / "solve_options_test.run";
+  const Scratch folder;
+  const std::string file = folder / "run";
   const auto early = [](const SolveProgress& now) {
     EXPECT_EQ(now.phase, avi::SolvePhase::choosing);
     return now.steps < 100;
@@ -126,7 +128,8 @@ TEST(SolveOptions, CancelACallThatIsResumed) {
 // A mistyped start costs no run that is kept.
 TEST(SolveOptions, ThatAreRefusedLeaveTheCheckpointOfAnEarlierCall) {
   const auto z = Kepler::pericentre(0.6);
-  const std::string file = std::filesystem::temp_directory_path() / "solve_options_test_refused.run";
+  const Scratch folder;
+  const std::string file = folder / "run";
   const auto soon = [](const SolveProgress& now) {
     return now.phase == avi::SolvePhase::choosing || now.steps < 100;
   };
@@ -143,7 +146,8 @@ TEST(SolveOptions, ThatAreRefusedLeaveTheCheckpointOfAnEarlierCall) {
 template <int n, class H>
 void expect_same_resumed(const H& hamiltonian, const avi::State<n>& start, double end, double tolerance,
                          avi::SolveOptions options, long steps) {
-  const std::string file = std::filesystem::temp_directory_path() / "solve_options_test_same.run";
+  const Scratch folder;
+  const std::string file = folder / "run";
   options.checkpoint = file;
   const auto whole = solve(hamiltonian, start, end, tolerance, options);
   avi::SolveOptions bounded = options;
@@ -159,7 +163,6 @@ void expect_same_resumed(const H& hamiltonian, const avi::State<n>& start, doubl
   EXPECT_EQ(rest.events.size(), whole.events.size());
   EXPECT_EQ(rest.run.steps, whole.run.steps);
   EXPECT_EQ(rest.run.message, whole.run.message);
-  std::filesystem::remove(file);
 }
 
 TEST(SolveOptions, ResumeAsIfNothingHadHappened) {
@@ -181,7 +184,8 @@ TEST(SolveOptions, ResumeAsIfNothingHadHappened) {
 }
 
 TEST(SolveOptions, OfACheckpointAreRefused) {
-  const std::string file = std::filesystem::temp_directory_path() / "solve_options_test_other.run";
+  const Scratch folder;
+  const std::string file = folder / "run";
   std::ofstream(file) << "a thesis";
   const auto z = Kepler::pericentre(0.6);
   expect_refusal([&] { (void)solve(Kepler(), z, 10.0, 1e-8, {.checkpoint = file}); }, "is no checkpoint");
@@ -189,7 +193,6 @@ TEST(SolveOptions, OfACheckpointAreRefused) {
   expect_refusal([&] { (void)avi::resume<2>(Kepler(), file, {}, -5); }, "are -5; they must be 2.");
   expect_refusal([&] { (void)avi::resume<2>(Kepler(), file, {}, 3); }, "are 3; they must be 2.");
   expect_refusal([&] { (void)avi::resume<avi::dynamic>(Kepler(), file); }, "are -1; they must be at least 1");
-  std::filesystem::remove(file);
 }
 
 TEST(SolveOptions, BoundStepsAndKeepWhatWasReached) {

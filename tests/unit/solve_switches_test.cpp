@@ -1,14 +1,13 @@
 #include "avi/solve.hpp"
 #include "avi/solver.hpp"
+#include "scratch.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <filesystem>
 #include <random>
-#include <unistd.h>
 #include <vector>
 
 namespace solve_switches_test {
@@ -309,21 +308,20 @@ TEST(SolveSwitches, OfManyStartsAreThoseOfEach) {
 }
 
 TEST(SolveSwitches, ARunGoesOnFromAFileWithTheSameBits) {
-  const auto file =
-      (std::filesystem::temp_directory_path() / ("avi_switches_" + std::to_string(getpid()))).string();
+  const Scratch folder;
   avi::SolveOptions options{.check = false,
                             .order = 8,
                             .monitor = "fixed",
                             .h = 0.1,
                             .dense = true,
-                            .checkpoint = file,
+                            .checkpoint = folder / "run",
                             .checkpoint_seconds = 0.0};
   const auto whole = solve(driven(3.0), start(), 1000.0, 1e-8, options);
   ASSERT_TRUE(whole.ok());
   auto bounded = options;
   bounded.steps = 9000;
   EXPECT_FALSE(solve(driven(3.0), start(), 1000.0, 1e-8, bounded).ok());
-  const auto resumed = avi::resume<1>(driven(3.0), file, options);
+  const auto resumed = avi::resume<1>(driven(3.0), options.checkpoint, options);
   EXPECT_EQ(resumed.state, whole.state);
   EXPECT_EQ(resumed.run.steps, whole.run.steps);
   EXPECT_EQ(resumed(777.7), whole(777.7));

@@ -1,26 +1,20 @@
 #include "common/table.hpp"
 
 #include "refusal.hpp"
+#include "scratch.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <sstream>
-#include <unistd.h>
 
 using experiment::Table;
 
 namespace table_test {
 
-std::filesystem::path scratch() {
-  const auto folder = std::filesystem::temp_directory_path() / ("avi_table_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
-  return folder;
-}
-
 TEST(Table, ReadsBackWhatItWroteBitForBit) {
-  const auto folder = scratch();
+  const Scratch folder;
   Table table({"name", "value", "count"});
   table.note("setting", 0.1);
   const double third = 1.0 / 3.0;
@@ -37,7 +31,6 @@ TEST(Table, ReadsBackWhatItWroteBitForBit) {
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     files += entry.is_regular_file();
   EXPECT_EQ(files, 1u) << "a temporary file was left";
-  std::filesystem::remove_all(folder);
 }
 
 TEST(Table, RefusesWhatDoesNotFit) {
@@ -67,7 +60,7 @@ TEST(Table, RefusesFilesThatAreNotWhole) {
 }
 
 TEST(Table, WritesNothingThatWouldReadBackAsSomethingElse) {
-  const auto folder = scratch();
+  const Scratch folder;
   const auto refuses = [&](const Table& table) {
     EXPECT_THROW(table.write(folder / "t.tsv"), std::invalid_argument);
     EXPECT_TRUE(std::filesystem::is_empty(folder)) << "a file was left";
@@ -82,7 +75,6 @@ TEST(Table, WritesNothingThatWouldReadBackAsSomethingElse) {
   Table noted({"x"});
   noted.note("key", "two\nlines");
   refuses(noted);
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace table_test

@@ -1,4 +1,5 @@
 #include "common/table.hpp"
+#include "scratch.hpp"
 #include "text_of.hpp"
 
 #include <gtest/gtest.h>
@@ -25,12 +26,10 @@ struct Answer {
 
 class FrontDoor : public testing::TestWithParam<std::string> {
  protected:
-  const fs::path scratch =
-      fs::temp_directory_path() / ("avi_front_door_" + GetParam() + std::to_string(::getpid()));
+  const Scratch scratch;
   const fs::path output = scratch / "output";
 
-  void SetUp() override { fs::create_directories(output); }
-  void TearDown() override { fs::remove_all(scratch); }
+  void SetUp() override { fs::create_directory(output); }
 
   /// Runs the experiment. What is not refused runs its course, and its status is not 2.
   [[nodiscard]] Answer run(const std::string& arguments) const {
@@ -79,13 +78,12 @@ TEST_P(FrontDoor, PutsAShortenedRunIntoAFolderOfItsOwn) {
 }
 
 TEST(DataFiles, TellWhatMadeThem) {
-  const fs::path scratch = fs::temp_directory_path() / ("avi_head_" + std::to_string(::getpid()));
+  const Scratch scratch;
   const std::string command = "'" AVI_BIN_DIR "/euler_b_errors' --quick --output '" + scratch.string() + "'";
   ASSERT_EQ(std::system(command.c_str()), 0);
   const std::string file = text_of(scratch / "euler_b_errors.tsv");
   for (const char* note : {"commit: ", "compiler: ", "flags: ", "libraries: Eigen ", "machine: ", "date: "})
     EXPECT_NE(file.find(std::string("\n# ") + note), std::string::npos) << note;
-  fs::remove_all(scratch);
 }
 
 TEST_P(FrontDoor, RefusesAFolderItCannotWrite) {
@@ -109,10 +107,9 @@ TEST_P(FrontDoor, RefusesFoldersThatDoNotExist) {
 
 class Scorecard : public testing::Test {
  protected:
-  const fs::path scratch = fs::temp_directory_path() / ("avi_scorecard_run_" + std::to_string(::getpid()));
+  const Scratch scratch;
 
-  void SetUp() override { fs::create_directories(scratch / "empty"); }
-  void TearDown() override { fs::remove_all(scratch); }
+  void SetUp() override { fs::create_directory(scratch / "empty"); }
 
   /// Judges these published tables without any data; its status.
   [[nodiscard]] int status_of(const fs::path& published) const {

@@ -1,11 +1,11 @@
 #include "common/table.hpp"
+#include "scratch.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <map>
 #include <string>
-#include <unistd.h>
 
 // Two runs on one machine write the same data, seconds aside: the content checksums of
 // experiments/common/manifest.sh.
@@ -14,10 +14,9 @@ namespace fs = std::filesystem;
 
 namespace manifest_test {
 
-const fs::path scratch = fs::temp_directory_path() / ("avi_manifest_" + std::to_string(::getpid()));
-
 /// Content checksums of a folder's files.
 std::map<std::string, std::string> contents(const fs::path& folder) {
+  const Scratch scratch;
   const fs::path file = scratch / "manifest.tsv";
   const std::string command = "'" AVI_SOURCE_DIR "/experiments/common/manifest.sh' '" + folder.string() +
                               "' >'" + file.string() + "'";
@@ -30,6 +29,7 @@ std::map<std::string, std::string> contents(const fs::path& folder) {
 }
 
 TEST(Manifest, TwoRunsAgree) {
+  const Scratch scratch;
   for (const char* folder : {"one", "two"}) {
     fs::create_directories(scratch / folder);
     for (const char* stem : {"p_dependence", "euler_b_errors"}) {
@@ -55,7 +55,6 @@ TEST(Manifest, TwoRunsAgree) {
   const auto changed = contents(scratch / "two");
   EXPECT_NE(one.at("p_dependence"), changed.at("p_dependence"));
   EXPECT_EQ(one.at("euler_b_errors"), changed.at("euler_b_errors"));
-  fs::remove_all(scratch);
 }
 
 }  // namespace manifest_test

@@ -1,9 +1,9 @@
 #include "scorecard/claims/claims.hpp"
+#include "scratch.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
-#include <unistd.h>
 
 // The ledger of claims, ruled upon from what the tests' experiments wrote (some of them shortened).
 
@@ -67,9 +67,7 @@ TEST(Claims, RulingsAreThoseOfTheWholeData) {
 /// Other data, other rulings.
 class ChangedData : public testing::Test {
  protected:
-  const fs::path folder = fs::temp_directory_path() / ("avi_claims_" + std::to_string(::getpid()));
-  void SetUp() override { fs::create_directories(folder); }
-  void TearDown() override { fs::remove_all(folder); }
+  const Scratch folder;
 
   /// The change of these cells, in rows whose `column` begins with `cell`.
   static auto with(std::map<std::string, std::string> cells, const char* column = nullptr,
