@@ -349,19 +349,10 @@ auto System::operator()(const Q& q_given, const Q& p_given) const {
   for (int i = 0; i < n; ++i)
     x[i] = unit[i] == 1.0 ? q_given[i] : S(q_given[i] * (1.0 / unit[i])),
     y[i] = unit[i] == action ? p_given[i] : S(p_given[i] * (unit[i] / action));
-  // As they are numbered.
+#define POINTER(name) formulas::name<S>,
   constexpr S (*all[])(const System&, const std::vector<S>&,
-                       const std::vector<S>&) = {formulas::polynomial<S>,    formulas::pendula<S>,
-                                                 formulas::charge<S>,        formulas::bodies<S>,
-                                                 formulas::relativistic<S>,  formulas::metric<S>,
-                                                 formulas::surface<S>,       formulas::toda<S>,
-                                                 formulas::morse<S>,         formulas::growth<S>,
-                                                 formulas::lennard_jones<S>, formulas::repulsion<S>,
-                                                 formulas::chain<S>,         formulas::double_pendulum<S>,
-                                                 formulas::well<S>,          formulas::wall<S>,
-                                                 formulas::scatterers<S>,    formulas::driven<S>,
-                                                 formulas::three_body<S>,    formulas::kepler<S>,
-                                                 formulas::odd<S>,           formulas::top<S>};
+                       const std::vector<S>&) = {HOSTILE_FORMULAS(POINTER)};
+#undef POINTER
   const S value = all[static_cast<std::size_t>(formula)](*this, x, y);
   return energy == 1.0 ? value : S(value * energy);
 }

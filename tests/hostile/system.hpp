@@ -9,30 +9,14 @@
 namespace hostile {
 
 /// The formulas that there are; formulas.hpp has one function for each.
-enum class Formula {
-  polynomial,
-  pendula,
-  charge,
-  bodies,
-  relativistic,
-  metric,
-  surface,
-  toda,
-  morse,
-  growth,
-  lennard_jones,
-  repulsion,
-  chain,
-  double_pendulum,
-  well,
-  wall,
-  scatterers,
-  driven,
-  three_body,
-  kepler,
-  odd,
-  top
-};
+#define HOSTILE_FORMULAS(each)                                                                               \
+  each(polynomial) each(pendula) each(charge) each(bodies) each(relativistic) each(metric) each(surface)     \
+      each(toda) each(morse) each(growth) each(lennard_jones) each(repulsion) each(chain)                    \
+          each(double_pendulum) each(well) each(wall) each(scatterers) each(driven) each(three_body)         \
+              each(kepler) each(odd) each(top)
+#define NAME(name) name,
+enum class Formula { HOSTILE_FORMULAS(NAME) };
+#undef NAME
 
 /// A Hamiltonian and one orbit of it. H(q, p) = energy h(q_i / unit_i, p_i unit_i / action), where h is the
 /// formula without units; so t is in units of action / energy.

@@ -9,29 +9,36 @@
 
 namespace hostile {
 
+// clang-format off
+/// each(name, y, what the slope s by y adds to those by a and b): y of entries a, b and the number c.
+#define HOSTILE_OPERATIONS(each)                          \
+  each(add, a + b, (to_a += s, to_b += s))                \
+  each(subtract, a - b, (to_a += s, to_b -= s))           \
+  each(multiply, a * b, (to_a += s * b, to_b += s * a))   \
+  each(divide, a / b, (to_a += s / b, to_b -= s * y / b)) \
+  each(shift, a + c, to_a += s)                           \
+  each(scale, c * a, to_a += s * c)                       \
+  each(reciprocal, c / a, to_a -= s * y / a)              \
+  each(power, pow(a, c), to_a += s * c * pow(a, c - X(1)))
+/// Those that have the name of a function of a alone.
+#define HOSTILE_FUNCTIONS(each)               \
+  each(sqrt, sqrt(a), to_a += s / (X(2) * y)) \
+  each(exp, exp(a), to_a += s * y)            \
+  each(log, log(a), to_a += s / a)            \
+  each(sin, sin(a), to_a += s * cos(a))       \
+  each(cos, cos(a), to_a -= s * sin(a))       \
+  each(sinh, sinh(a), to_a += s * cosh(a))    \
+  each(cosh, cosh(a), to_a += s * sinh(a))    \
+  each(tanh, tanh(a), to_a += s * (X(1) - y * y))
+// clang-format on
+
 /// A formula of some inputs as a list of operations, with its gradient by the reverse sweep.
 class Tape {
  public:
-  /// What an entry does with entries a, b and the number c.
-  enum class Kind : std::uint8_t {
-    input,
-    add,         ///< a + b
-    subtract,    ///< a - b
-    multiply,    ///< a b
-    divide,      ///< a / b
-    shift,       ///< a + c
-    scale,       ///< c a
-    reciprocal,  ///< c / a
-    power,       ///< a^c
-    sqrt,        ///< Those below are functions of a.
-    exp,
-    log,
-    sin,
-    cos,
-    sinh,
-    cosh,
-    tanh
-  };
+#define NAME(name, value, back) name,
+  /// What an entry does.
+  enum class Kind : std::uint8_t { input, HOSTILE_OPERATIONS(NAME) HOSTILE_FUNCTIONS(NAME) };
+#undef NAME
 
   /// A tape of so many inputs.
   explicit Tape(int inputs) : inputs_(inputs) {
@@ -70,130 +77,47 @@ class Tape {
   };
 
   template <class X>
-  void forward(std::vector<X>& value) const {
+  void forward(std::vector<X>& values) const {
     using std::cos, std::cosh, std::exp, std::log, std::pow, std::sin, std::sinh, std::sqrt, std::tanh;
-    X* v = value.data();
+    X* v = values.data();
     const int size = this->size();
     for (int i = inputs_; i < size; ++i) {
       const Entry& e = entries_[i];
-      const X a = v[e.a], c = e.c;
+      const X a = v[e.a], b = v[e.b], c = e.c;
+#define FORWARD(name, value, back)                                                                           \
+  case Kind::name:                                                                                           \
+    v[i] = value;                                                                                            \
+    break;
       switch (e.kind) {
       case Kind::input:
         break;
-      case Kind::add:
-        v[i] = a + v[e.b];
-        break;
-      case Kind::subtract:
-        v[i] = a - v[e.b];
-        break;
-      case Kind::multiply:
-        v[i] = a * v[e.b];
-        break;
-      case Kind::divide:
-        v[i] = a / v[e.b];
-        break;
-      case Kind::shift:
-        v[i] = a + c;
-        break;
-      case Kind::scale:
-        v[i] = c * a;
-        break;
-      case Kind::reciprocal:
-        v[i] = c / a;
-        break;
-      case Kind::power:
-        v[i] = pow(a, c);
-        break;
-      case Kind::sqrt:
-        v[i] = sqrt(a);
-        break;
-      case Kind::exp:
-        v[i] = exp(a);
-        break;
-      case Kind::log:
-        v[i] = log(a);
-        break;
-      case Kind::sin:
-        v[i] = sin(a);
-        break;
-      case Kind::cos:
-        v[i] = cos(a);
-        break;
-      case Kind::sinh:
-        v[i] = sinh(a);
-        break;
-      case Kind::cosh:
-        v[i] = cosh(a);
-        break;
-      case Kind::tanh:
-        v[i] = tanh(a);
-        break;
+        HOSTILE_OPERATIONS(FORWARD)
+        HOSTILE_FUNCTIONS(FORWARD)
       }
+#undef FORWARD
     }
   }
 
   template <class X>
-  void backward(const std::vector<X>& value, std::vector<X>& adjoint) const {
+  void backward(const std::vector<X>& values, std::vector<X>& adjoint) const {
     using std::cos, std::cosh, std::pow, std::sin, std::sinh;
-    const X* v = value.data();
+    const X* v = values.data();
     X* d = adjoint.data();
     for (int i = size() - 1; i >= inputs_; --i) {
       const Entry& e = entries_[i];
-      const X s = d[i], a = v[e.a], c = e.c;
+      const X s = d[i], y = v[i], a = v[e.a], b = v[e.b], c = e.c;
+      X &to_a = d[e.a], &to_b = d[e.b];
+#define BACKWARD(name, value, back)                                                                          \
+  case Kind::name:                                                                                           \
+    back;                                                                                                    \
+    break;
       switch (e.kind) {
       case Kind::input:
         break;
-      case Kind::add:
-        d[e.a] += s, d[e.b] += s;
-        break;
-      case Kind::subtract:
-        d[e.a] += s, d[e.b] -= s;
-        break;
-      case Kind::multiply: {
-        const X b = v[e.b];  // read first: a and b may be the same entry
-        d[e.a] += s * b, d[e.b] += s * a;
-        break;
+        HOSTILE_OPERATIONS(BACKWARD)
+        HOSTILE_FUNCTIONS(BACKWARD)
       }
-      case Kind::divide:
-        d[e.a] += s / v[e.b], d[e.b] -= s * v[i] / v[e.b];
-        break;
-      case Kind::shift:
-        d[e.a] += s;
-        break;
-      case Kind::scale:
-        d[e.a] += s * c;
-        break;
-      case Kind::reciprocal:
-        d[e.a] -= s * v[i] / a;
-        break;
-      case Kind::power:
-        d[e.a] += s * c * pow(a, c - X(1));
-        break;
-      case Kind::sqrt:
-        d[e.a] += s / (X(2) * v[i]);
-        break;
-      case Kind::exp:
-        d[e.a] += s * v[i];
-        break;
-      case Kind::log:
-        d[e.a] += s / a;
-        break;
-      case Kind::sin:
-        d[e.a] += s * cos(a);
-        break;
-      case Kind::cos:
-        d[e.a] -= s * sin(a);
-        break;
-      case Kind::sinh:
-        d[e.a] += s * cosh(a);
-        break;
-      case Kind::cosh:
-        d[e.a] += s * sinh(a);
-        break;
-      case Kind::tanh:
-        d[e.a] += s * (X(1) - v[i] * v[i]);
-        break;
-      }
+#undef BACKWARD
     }
   }
 
@@ -235,14 +159,10 @@ class Number {
   }
   friend Number operator-(const Number& a) { return -1.0 * a; }
   friend Number pow(const Number& a, double exponent) { return a.with(Tape::Kind::power, exponent); }
-  friend Number sqrt(const Number& a) { return a.with(Tape::Kind::sqrt, 0.0); }
-  friend Number exp(const Number& a) { return a.with(Tape::Kind::exp, 0.0); }
-  friend Number log(const Number& a) { return a.with(Tape::Kind::log, 0.0); }
-  friend Number sin(const Number& a) { return a.with(Tape::Kind::sin, 0.0); }
-  friend Number cos(const Number& a) { return a.with(Tape::Kind::cos, 0.0); }
-  friend Number sinh(const Number& a) { return a.with(Tape::Kind::sinh, 0.0); }
-  friend Number cosh(const Number& a) { return a.with(Tape::Kind::cosh, 0.0); }
-  friend Number tanh(const Number& a) { return a.with(Tape::Kind::tanh, 0.0); }
+#define FUNCTION(name, value, back)                                                                          \
+  friend Number name(const Number& a) { return a.with(Tape::Kind::name, 0.0); }
+  HOSTILE_FUNCTIONS(FUNCTION)
+#undef FUNCTION
 
  private:
   [[nodiscard]] Number with(Tape::Kind kind, double c) const {

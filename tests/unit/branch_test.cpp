@@ -1,4 +1,3 @@
-#include "avi/autodiff/recording.hpp"
 #include "avi/collocation/collocation.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/htvi/htvi.hpp"
