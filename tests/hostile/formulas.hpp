@@ -12,7 +12,7 @@
 namespace hostile {
 
 namespace formulas {
-using std::cos, std::cosh, std::exp, std::log, std::pow, std::sin, std::sinh, std::sqrt, std::tanh;
+using std::cos, std::cosh, std::exp, std::log, std::pow, std::sin, std::sqrt, std::tanh;
 
 template <class S>
 S square(const S& x) {

@@ -16,10 +16,7 @@
 
 // Two ways to the same iterates, written from different formulas, must agree to round-off.
 
-using avi::BregmanFamily;
-using avi::ExtendedPoint;
-using avi::VectorX;
-using experiment::CorrelatedQuartic;
+using avi::BregmanFamily, avi::ExtendedPoint, avi::VectorX, experiment::CorrelatedQuartic;
 
 namespace bregman_equivalence_test {
 

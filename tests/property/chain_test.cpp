@@ -7,8 +7,7 @@
 
 #include <cmath>
 
-using avi::State;
-using experiment::Chain;
+using avi::State, experiment::Chain;
 
 namespace chain_test {
 

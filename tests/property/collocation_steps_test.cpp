@@ -21,10 +21,7 @@
 #include <stdexcept>
 #include <string>
 
-using avi::Kepler;
-using avi::Outcome;
-using avi::State;
-using avi::Vector;
+using avi::Kepler, avi::Outcome, avi::State, avi::Vector;
 
 namespace collocation_steps_test {
 

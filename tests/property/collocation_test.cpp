@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-using avi::Kepler;
-using avi::Outcome;
-using avi::State;
+using avi::Kepler, avi::Outcome, avi::State;
 
 namespace collocation_test {
 

@@ -15,8 +15,7 @@
 #include <string>
 #include <vector>
 
-using avi::Kepler;
-using avi::State;
+using avi::Kepler, avi::State;
 
 namespace dense_output_test {
 

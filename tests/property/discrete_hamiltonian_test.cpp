@@ -7,9 +7,7 @@
 
 #include <gtest/gtest.h>
 
-using avi::Generating;
-using avi::Kepler;
-using avi::State;
+using avi::Generating, avi::Kepler, avi::State;
 
 namespace discrete_hamiltonian_test {
 

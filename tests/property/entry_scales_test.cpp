@@ -11,8 +11,7 @@
 #include <cmath>
 #include <utility>
 
-using avi::Outcome;
-using avi::State;
+using avi::Outcome, avi::State;
 
 // When a step counts as solved, each entry in its own scale.
 

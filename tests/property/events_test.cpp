@@ -19,11 +19,7 @@
 #include <string>
 #include <vector>
 
-using avi::Crossing;
-using avi::Event;
-using avi::Kepler;
-using avi::Outcome;
-using avi::State;
+using avi::Crossing, avi::Event, avi::Kepler, avi::Outcome, avi::State;
 
 namespace events_test {
 

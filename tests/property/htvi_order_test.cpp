@@ -12,8 +12,7 @@
 #include <stdexcept>
 #include <vector>
 
-using avi::Kepler;
-using avi::State;
+using avi::Kepler, avi::State;
 
 namespace htvi_order_test {
 

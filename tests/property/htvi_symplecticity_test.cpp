@@ -8,8 +8,7 @@
 
 #include <gtest/gtest.h>
 
-using avi::Kepler;
-using avi::State;
+using avi::Kepler, avi::State;
 
 namespace htvi_symplecticity_test {
 

@@ -8,8 +8,7 @@
 
 #include <cmath>
 
-using avi::Outcome;
-using avi::State;
+using avi::Outcome, avi::State;
 
 namespace newton_test {
 

@@ -12,9 +12,7 @@
 
 #include <vector>
 
-using avi::BregmanFamily;
-using avi::VectorX;
-using experiment::CorrelatedQuartic;
+using avi::BregmanFamily, avi::VectorX, experiment::CorrelatedQuartic;
 
 namespace optimiser_allocation_test {
 

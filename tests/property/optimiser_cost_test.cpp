@@ -7,8 +7,7 @@
 
 #include <algorithm>
 
-using avi::BregmanFamily;
-using avi::VectorX;
+using avi::BregmanFamily, avi::VectorX;
 
 namespace optimiser_cost_test {
 

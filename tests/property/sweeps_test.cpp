@@ -14,9 +14,7 @@
 
 #include <type_traits>
 
-using avi::Kepler;
-using avi::Outcome;
-using avi::State;
+using avi::Kepler, avi::Outcome, avi::State;
 
 namespace sweeps_test {
 

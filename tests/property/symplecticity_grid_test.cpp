@@ -11,8 +11,7 @@
 // Every type and Taylor order up to 7 is symplectic to round-off, on three problems; the Taylor method
 // inside, without the symplectic correction, is not.
 
-using avi::Generating;
-using avi::State;
+using avi::Generating, avi::State;
 
 namespace symplecticity_grid_test {
 

@@ -26,8 +26,7 @@
 
 namespace traits_test {
 
-using avi::Kepler;
-using avi::State;
+using avi::Kepler, avi::State;
 
 constexpr double eccentricity = 0.3;
 const State<2> start = Kepler::exact(eccentricity, 0.7);  // nothing vanishes there

@@ -15,8 +15,7 @@
 
 namespace checkpoint_test {
 
-using avi::HenonHeiles;
-using avi::State;
+using avi::HenonHeiles, avi::State;
 
 const State<2> start{.q = {0.0, 0.3}, .p = {0.45, 0.0}};
 const double end = 30000.0;

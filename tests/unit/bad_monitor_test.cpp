@@ -11,8 +11,7 @@
 
 namespace bad_monitor_test {
 
-using avi::Kepler;
-using avi::Outcome;
+using avi::Kepler, avi::Outcome;
 
 /// Of |q - q_0|^2 about the start (1/2, 0) of an orbit of eccentricity 1/2.
 struct Monitor {

@@ -8,9 +8,7 @@
 
 #include <cmath>
 
-using avi::dynamic;
-using avi::State;
-using avi::VectorX;
+using avi::dynamic, avi::State, avi::VectorX;
 
 namespace branch_test {
 

@@ -15,9 +15,7 @@
 #include <cmath>
 #include <vector>
 
-using avi::BregmanFamily;
-using avi::VectorX;
-using experiment::CorrelatedQuartic;
+using avi::BregmanFamily, avi::VectorX, experiment::CorrelatedQuartic;
 
 namespace bregman_test {
 

@@ -8,10 +8,7 @@
 
 namespace budget_test {
 
-using avi::Outcome;
-using avi::SolvePhase;
-using avi::SolveProgress;
-using avi::detail::Budget;
+using avi::Outcome, avi::SolvePhase, avi::SolveProgress, avi::detail::Budget;
 
 TEST(Budget, EndsWhereAllSweepsOrStepsAreSpent) {
   const avi::SolveOptions options{.sweeps = 100, .steps = 10};

@@ -12,9 +12,7 @@
 
 namespace candidates_test {
 
-using avi::VectorX;
-using avi::detail::Candidate;
-using avi::detail::infinity;
+using avi::VectorX, avi::detail::Candidate, avi::detail::infinity;
 
 /// The menu for an orbit, and what it was made of.
 struct Menu {

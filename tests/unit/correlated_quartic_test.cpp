@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-using avi::VectorX;
-using experiment::CorrelatedQuartic;
+using avi::VectorX, experiment::CorrelatedQuartic;
 
 namespace correlated_quartic_test {
 

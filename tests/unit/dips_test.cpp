@@ -11,8 +11,7 @@
 
 namespace dips_test {
 
-using avi::detail::Dips;
-using avi::detail::Sample;
+using avi::detail::Dips, avi::detail::Sample;
 
 /// Two or four zeros in the middle of a step, from far apart to closer than half of the digits.
 struct Curve {

@@ -7,9 +7,7 @@
 
 namespace distance_test {
 
-using avi::VectorX;
-using avi::detail::Distance;
-using avi::detail::Ranges;
+using avi::VectorX, avi::detail::Distance, avi::detail::Ranges;
 using State = avi::State<avi::dynamic>;
 
 VectorX vector(std::initializer_list<double> entries) {

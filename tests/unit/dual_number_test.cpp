@@ -6,8 +6,7 @@
 
 #include <string>
 
-using avi::DualNumber;
-using avi::Partials;
+using avi::DualNumber, avi::Partials;
 
 namespace dual_number_test {
 

@@ -23,9 +23,7 @@
 #include <thread>
 #include <vector>
 
-using avi::Kepler;
-using avi::Outcome;
-using avi::State;
+using avi::Kepler, avi::Outcome, avi::State;
 
 namespace ensemble_test {
 

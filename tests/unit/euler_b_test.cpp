@@ -7,8 +7,7 @@
 
 #include <cmath>
 
-using avi::Kepler;
-using avi::State;
+using avi::Kepler, avi::State;
 
 namespace euler_b_test {
 

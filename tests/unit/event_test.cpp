@@ -11,10 +11,7 @@
 #include <cmath>
 #include <vector>
 
-using avi::Crossing;
-using avi::Event;
-using avi::Kepler;
-using avi::State;
+using avi::Crossing, avi::Event, avi::Kepler, avi::State;
 
 namespace event_test {
 

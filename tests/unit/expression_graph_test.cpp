@@ -8,8 +8,7 @@
 
 namespace expression_graph_test {
 
-using avi::ExpressionGraph;
-using avi::Operation;
+using avi::ExpressionGraph, avi::Operation;
 
 /// The value of a node at (x, y) = (3, 0.7).
 double value(const ExpressionGraph& graph, int node) {

@@ -6,9 +6,7 @@
 
 namespace factor_test {
 
-using avi::ExpressionGraph;
-using avi::Operation;
-using avi::detail::Factor;
+using avi::ExpressionGraph, avi::Operation, avi::detail::Factor;
 
 // One over b from a / b, so that there is one division, unless a is so large or small that a / b, or what is
 // multiplied with it, leaves the range of numbers where 1 / b does not.

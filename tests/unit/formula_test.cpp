@@ -16,9 +16,7 @@
 
 namespace formula_test {
 
-using avi::Formula;
-using avi::State;
-using avi::VectorX;
+using avi::Formula, avi::State, avi::VectorX;
 
 TEST(Formula, IsAFunctionOfAPoint) {
   int calls = 0;

@@ -6,10 +6,7 @@
 #include <random>
 #include <vector>
 
-using avi::ExpressionGraph;
-using avi::Operation;
-using avi::detail::Fusion;
-using avi::detail::Line;
+using avi::ExpressionGraph, avi::Operation, avi::detail::Fusion, avi::detail::Line;
 
 namespace fusion_test {
 

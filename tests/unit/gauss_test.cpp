@@ -10,13 +10,8 @@
 #include <memory>
 #include <string>
 
-using avi::dynamic;
-using avi::Program;
-using avi::State;
-using avi::Vector;
-using avi::VectorX;
-using avi::detail::Formulas;
-using avi::detail::Stepper;
+using avi::dynamic, avi::Program, avi::State, avi::Vector, avi::VectorX, avi::detail::Formulas,
+    avi::detail::Stepper;
 
 namespace gauss_test {
 

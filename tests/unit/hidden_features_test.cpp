@@ -9,8 +9,7 @@
 
 namespace hidden_features_test {
 
-using avi::solve;
-using avi::State;
+using avi::solve, avi::State;
 
 const State<1> flying{.q = {-1.0}, .p = {1.0}};
 

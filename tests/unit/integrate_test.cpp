@@ -19,8 +19,7 @@
 #include <thread>
 #include <vector>
 
-using avi::Outcome;
-using avi::State;
+using avi::Outcome, avi::State;
 
 namespace integrate_test {
 

@@ -10,8 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-using avi::Kepler;
-using avi::State;
+using avi::Kepler, avi::State;
 
 namespace integrate_to_test {
 

@@ -10,14 +10,8 @@
 
 namespace journey_test {
 
-using avi::Outcome;
-using avi::VectorX;
-using avi::detail::Budget;
-using avi::detail::Candidate;
-using avi::detail::Journey;
-using avi::detail::PointField;
-using avi::detail::Ranges;
-using avi::detail::Trip;
+using avi::Outcome, avi::VectorX, avi::detail::Budget, avi::detail::Candidate, avi::detail::Journey,
+    avi::detail::PointField, avi::detail::Ranges, avi::detail::Trip;
 using State = avi::State<avi::dynamic>;
 
 VectorX vector(std::initializer_list<double> entries) {

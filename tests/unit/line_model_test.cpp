@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-using avi::LineModel;
-using avi::LinePoint;
+using avi::LineModel, avi::LinePoint;
 
 namespace line_model_test {
 

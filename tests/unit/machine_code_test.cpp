@@ -20,11 +20,7 @@
 #include <cpuid.h>
 #endif
 
-using avi::ExpressionGraph;
-using avi::Operation;
-using avi::Pack;
-using avi::Program;
-using avi::detail::MachineCode;
+using avi::ExpressionGraph, avi::Operation, avi::Pack, avi::Program, avi::detail::MachineCode;
 
 namespace machine_code_test {
 

@@ -15,10 +15,7 @@
 #include <cmath>
 #include <limits>
 
-using avi::dynamic;
-using avi::State;
-using avi::Vector;
-using experiment::OuterSolarSystem;
+using avi::dynamic, avi::State, avi::Vector, experiment::OuterSolarSystem;
 
 namespace many_bodies_test {
 

@@ -10,12 +10,8 @@
 #include <tuple>
 #include <utility>
 
-using avi::minimise;
-using avi::MinimiseOptions;
-using avi::VectorX;
-using objectives::bowl;
-using objectives::hinges;
-using objectives::rosenbrock;
+using avi::minimise, avi::MinimiseOptions, avi::VectorX, objectives::bowl, objectives::hinges,
+    objectives::rosenbrock;
 
 namespace minimise_test {
 

@@ -13,10 +13,7 @@
 
 // Made of +, -, *, / and roots alone, objectives have the same bits on every machine, and so has the run.
 
-using avi::Outcome;
-using avi::VectorX;
-using objectives::hinges;
-using objectives::rosenbrock;
+using avi::Outcome, avi::VectorX, objectives::hinges, objectives::rosenbrock;
 
 namespace minimiser_test {
 

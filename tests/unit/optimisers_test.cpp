@@ -5,8 +5,7 @@
 
 #include <vector>
 
-using avi::run_updates;
-using avi::VectorX;
+using avi::run_updates, avi::VectorX;
 
 namespace optimisers_test {
 

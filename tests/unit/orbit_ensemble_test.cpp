@@ -15,8 +15,7 @@
 
 namespace orbit_ensemble_test {
 
-using avi::HenonHeiles;
-using avi::State;
+using avi::HenonHeiles, avi::State;
 
 std::vector<State<2>> some_starts(int count) {
   std::vector<State<2>> starts;

@@ -11,8 +11,7 @@
 
 namespace output_times_test {
 
-using avi::Kepler;
-using avi::solve;
+using avi::Kepler, avi::solve;
 
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 

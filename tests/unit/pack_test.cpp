@@ -7,8 +7,7 @@
 #include <cmath>
 #include <tuple>
 
-using avi::Pack;
-using avi::Vector;
+using avi::Pack, avi::Vector;
 
 namespace pack_test {
 

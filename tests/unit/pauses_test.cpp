@@ -9,11 +9,7 @@
 
 namespace pauses_test {
 
-using avi::dynamic;
-using avi::State;
-using avi::VectorX;
-using avi::detail::parted_by;
-using avi::detail::Pauses;
+using avi::dynamic, avi::State, avi::VectorX, avi::detail::parted_by, avi::detail::Pauses;
 
 State<dynamic> at(double t, double q, double p) {
   return {.q = VectorX::Constant(1, q), .p = VectorX::Constant(1, p), .t = t};

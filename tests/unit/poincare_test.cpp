@@ -13,8 +13,7 @@
 #include <stdexcept>
 #include <string>
 
-using avi::Kepler;
-using avi::State;
+using avi::Kepler, avi::State;
 using Vec = avi::Vector<double, 2>;
 
 namespace poincare_test {

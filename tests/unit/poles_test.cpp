@@ -13,11 +13,7 @@
 
 namespace poles_test {
 
-using avi::State;
-using avi::VectorX;
-using avi::detail::PointField;
-using avi::detail::Poles;
-using avi::detail::Sketch;
+using avi::State, avi::VectorX, avi::detail::PointField, avi::detail::Poles, avi::detail::Sketch;
 
 /// The constants w, e of all poles of H(q, p), found on an orbit of some radians.
 template <class H>

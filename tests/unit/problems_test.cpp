@@ -13,10 +13,7 @@
 
 #include <string>
 
-using avi::dynamic;
-using avi::FigureEight;
-using avi::State;
-using avi::Vector;
+using avi::dynamic, avi::FigureEight, avi::State, avi::Vector;
 
 namespace problems_test {
 

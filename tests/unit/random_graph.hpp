@@ -10,8 +10,7 @@
 /// Graphs drawn at random, and their values node by node, without anything of the library that evaluates.
 namespace random_graph {
 
-using avi::ExpressionGraph;
-using avi::Operation;
+using avi::ExpressionGraph, avi::Operation;
 
 /// Every operation that a node may be, arguments and numbers aside.
 inline std::vector<Operation> operations() {

@@ -9,11 +9,7 @@
 #include <cmath>
 #include <string>
 
-using avi::dynamic;
-using avi::Program;
-using avi::Recorded;
-using avi::Recording;
-using avi::Vector;
+using avi::dynamic, avi::Program, avi::Recorded, avi::Recording, avi::Vector;
 using VectorX = Vector<double, dynamic>;
 
 namespace recording_test {

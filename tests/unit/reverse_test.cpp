@@ -7,10 +7,7 @@
 #include <cmath>
 #include <tuple>
 
-using avi::Pack;
-using avi::Program;
-using avi::Recorded;
-using avi::Recording;
+using avi::Pack, avi::Program, avi::Recorded, avi::Recording;
 
 namespace reverse_test {
 
@@ -272,8 +269,7 @@ TEST(Reverse, HasTheGradientOfFiniteDifferences) {
 // Where a formula branches, the other side may have no value, or an infinite slope.
 TEST(Reverse, LeavesOutTheSideThatIsNotTaken) {
   const auto f = [](const auto& x, const auto& y) {
-    using avi::select;
-    using std::sqrt, std::log, std::max;
+    using avi::select, std::sqrt, std::log, std::max;
     const auto root = sqrt(x), logarithm = log(y);
     return select(x > 0.0, root * root * root + select(y > 0.0, root * logarithm, -y), x * x + 3.0 * y) +
            max(0.0 * x, root) + select(x > 0.0 && y > 0.0, x / root, 1.0);

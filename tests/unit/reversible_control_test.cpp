@@ -16,9 +16,7 @@
 #include <vector>
 
 namespace c = avi::compositions;
-using avi::Kepler;
-using avi::State;
-using experiment::PowerOfRadius;
+using avi::Kepler, avi::State, experiment::PowerOfRadius;
 
 namespace reversible_control_test {
 

@@ -7,10 +7,7 @@
 
 #include <limits>
 
-using avi::Outcome;
-using avi::run_updates;
-using avi::VectorX;
-using experiment::GradientDescent;
+using avi::Outcome, avi::run_updates, avi::VectorX, experiment::GradientDescent;
 
 namespace run_updates_test {
 

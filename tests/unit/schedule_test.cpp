@@ -9,11 +9,7 @@
 #include <random>
 #include <vector>
 
-using avi::ExpressionGraph;
-using avi::Operation;
-using avi::Pack;
-using avi::Program;
-using avi::detail::Schedule;
+using avi::ExpressionGraph, avi::Operation, avi::Pack, avi::Program, avi::detail::Schedule;
 
 namespace schedule_test {
 

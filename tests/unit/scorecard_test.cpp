@@ -9,10 +9,7 @@
 #include <map>
 #include <set>
 
-using experiment::Table;
-using scorecard::Line;
-using scorecard::Printed;
-using scorecard::Verdict;
+using experiment::Table, scorecard::Line, scorecard::Printed, scorecard::Verdict;
 
 namespace scorecard_test {
 

@@ -7,8 +7,7 @@
 
 namespace sharp_test {
 
-using avi::VectorX;
-using avi::detail::SharpFeatures;
+using avi::VectorX, avi::detail::SharpFeatures;
 using State = avi::State<avi::dynamic>;
 
 /// H of one degree of freedom, with the motion seen from (q, p).

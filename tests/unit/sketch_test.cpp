@@ -8,9 +8,7 @@
 
 namespace sketch_test {
 
-using avi::VectorX;
-using avi::detail::PointField;
-using avi::detail::Sketch;
+using avi::VectorX, avi::detail::PointField, avi::detail::Sketch;
 
 /// The field of H(q, p) of n degrees of freedom.
 template <class H>

@@ -11,8 +11,7 @@
 
 namespace solve_energies_test {
 
-using avi::solve;
-using avi::State;
+using avi::solve, avi::State;
 
 State<1> at(double q, double p) { return {.q = avi::Vector<double, 1>(q), .p = avi::Vector<double, 1>(p)}; }
 

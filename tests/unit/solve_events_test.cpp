@@ -14,9 +14,7 @@
 
 namespace solve_events_test {
 
-using avi::Kepler;
-using avi::solve;
-using avi::when;
+using avi::Kepler, avi::solve, avi::when;
 
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 constexpr auto position = [](const auto& q, const auto&) { return q[0]; };

@@ -14,9 +14,7 @@
 
 namespace solve_monitor_test {
 
-using avi::Kepler;
-using avi::solve;
-using avi::SolveOptions;
+using avi::Kepler, avi::solve, avi::SolveOptions;
 
 /// The time of Kepler's orbits in which steps are even in the half-way anomaly.
 const auto halfway = [](const auto& q, const auto&) { return pow(q[0] * q[0] + q[1] * q[1], 0.75); };

@@ -17,9 +17,7 @@
 
 namespace solve_options_test {
 
-using avi::Kepler;
-using avi::solve;
-using avi::SolveProgress;
+using avi::Kepler, avi::solve, avi::SolveProgress;
 
 TEST(SolveOptions, FixMonitorOrderAndStep) {
   const auto z = Kepler::pericentre(0.6);

@@ -14,9 +14,7 @@
 
 namespace solve_test {
 
-using avi::Kepler;
-using avi::solve;
-using avi::State;
+using avi::Kepler, avi::solve, avi::State;
 
 State<1> at(double q, double p) { return {.q = avi::Vector<double, 1>(q), .p = avi::Vector<double, 1>(p)}; }
 

@@ -11,9 +11,7 @@
 
 namespace solve_units_test {
 
-using avi::SolutionReport;
-using avi::solve;
-using avi::State;
+using avi::SolutionReport, avi::solve, avi::State;
 
 State<1> at(double q, double p) { return {.q = {q}, .p = {p}}; }
 

@@ -12,12 +12,7 @@
 #include <string>
 #include <vector>
 
-using avi::dynamic;
-using avi::State;
-using avi::Vector;
-using avi::VectorX;
-using avi::detail::Formulas;
-using avi::detail::Stepper;
+using avi::dynamic, avi::State, avi::Vector, avi::VectorX, avi::detail::Formulas, avi::detail::Stepper;
 
 namespace splitting_steps_test {
 

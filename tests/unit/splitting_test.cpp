@@ -17,13 +17,8 @@
 
 #include <algorithm>
 namespace c = avi::compositions;
-using avi::HenonHeiles;
-using avi::Kepler;
-using avi::LogHamiltonian;
-using avi::Separable;
-using avi::State;
-using avi::Summation;
-using experiment::PerturbedKepler;
+using avi::HenonHeiles, avi::Kepler, avi::LogHamiltonian, avi::Separable, avi::State, avi::Summation,
+    experiment::PerturbedKepler;
 
 namespace splitting_test {
 

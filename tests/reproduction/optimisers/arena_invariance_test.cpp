@@ -10,8 +10,7 @@
 
 // What avi::minimise() does when the problems of the arena are scaled, shifted or made noisy.
 
-using arena::Problem;
-using avi::VectorX;
+using arena::Problem, avi::VectorX;
 
 namespace arena_invariance_test {
 

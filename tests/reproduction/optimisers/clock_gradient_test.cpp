@@ -9,8 +9,7 @@
 // What the terms in grad g bring and cost when the clock of Bregman dynamics follows the state
 // (docs/optimisation.md).
 
-using arena::Problem;
-using avi::VectorX;
+using arena::Problem, avi::VectorX;
 
 namespace clock_gradient_test {
 

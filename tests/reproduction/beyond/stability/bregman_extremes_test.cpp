@@ -12,9 +12,7 @@
 
 // The measured limits of Bregman dynamics, within about twice the deviations that were seen.
 
-using avi::Outcome;
-using avi::VectorX;
-using experiment::Table;
+using avi::Outcome, avi::VectorX, experiment::Table;
 
 namespace bregman_extremes_test {
 
