@@ -24,21 +24,15 @@ using avi::Kepler, avi::Outcome, avi::State;
 namespace collocation_test {
 
 /// Not separable, and no gradient supplied: a charge in an uneven magnetic field and a well.
-struct Charge {
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
-    using std::sin;
-    const auto x = p[0] + 0.5 * q[1] * (1.0 + 0.3 * q[0]), y = p[1] - 0.5 * q[0] + 0.2 * sin(q[1]);
-    return 0.5 * (x * x + y * y) + 0.5 * (q[0] * q[0] + 1.5 * q[1] * q[1]) + 0.1 * q[0] * q[0] * q[1];
-  }
+const auto charge = [](const auto& q, const auto& p) {
+  using std::sin;
+  const auto x = p[0] + 0.5 * q[1] * (1.0 + 0.3 * q[0]), y = p[1] - 0.5 * q[0] + 0.2 * sin(q[1]);
+  return 0.5 * (x * x + y * y) + 0.5 * (q[0] * q[0] + 1.5 * q[1] * q[1]) + 0.1 * q[0] * q[0] * q[1];
 };
 /// A monitor that depends on both.
-struct Both {
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
-    using std::pow;
-    return pow(1.0 + q[0] * q[0] + q[1] * q[1] + 0.5 * (p[0] * p[0] + p[1] * p[1]), -0.5);
-  }
+const auto both = [](const auto& q, const auto& p) {
+  using std::pow;
+  return pow(1.0 + q[0] * q[0] + q[1] * q[1] + 0.5 * (p[0] * p[0] + p[1] * p[1]), -0.5);
 };
 const State<2> charge_start{.q = {0.9, -0.2}, .p = {0.3, 0.7}};
 
@@ -57,12 +51,12 @@ TEST(Collocation, HasOrderTwiceTheStages) {
   for (int k = 0; k < 8; ++k) {
     State<2> z = charge_start;
     z.q[0] -= 0.1 * k;
-    orbits.emplace_back(z, after(avi::poincare(Charge{}, z, Both{}), 32, z, 0.125, 192));
+    orbits.emplace_back(z, after(avi::poincare(charge, z, both), 32, z, 0.125, 192));
   }
   const auto error_of = [&](int order, long steps) {
     double sum = 0.0;
     for (const auto& [z, end] : orbits) {
-      const auto problem = avi::poincare(Charge{}, z, Both{});
+      const auto problem = avi::poincare(charge, z, both);
       const double error = distance(after(problem, order, z, 24.0 / static_cast<double>(steps), steps), end);
       sum += error * error;
     }
@@ -98,7 +92,7 @@ TEST(Collocation, AgreesWithAnotherLibrary) {
   double t = 0.0, y[4] = {0.9, -0.2, 0.3, 0.7};
   ASSERT_EQ(gsl_odeiv2_driver_apply(driver, &t, 5.0, y), GSL_SUCCESS);
   gsl_odeiv2_driver_free(driver);
-  auto method = avi::collocation(avi::poincare(Charge{}, charge_start, Both{}), 16);
+  auto method = avi::collocation(avi::poincare(charge, charge_start, both), 16);
   State<2> z = charge_start;
   ASSERT_EQ(avi::integrate_to(method, z, 0.4, 5.0).outcome, Outcome::ok);
   EXPECT_EQ(z.t, 5.0);
@@ -110,7 +104,7 @@ TEST(Collocation, AgreesWithAnotherLibrary) {
 
 TEST(Collocation, IsSymplecticForEveryStep) {
   for (const int order : {2, 4, 8, 12, 16, 20, 32}) {
-    const auto method = avi::collocation<32>(avi::poincare(Charge{}, charge_start, Both{}), order);
+    const auto method = avi::collocation<32>(avi::poincare(charge, charge_start, both), order);
     static_assert(decltype(method)::symplectic && decltype(method)::symmetric);
     for (const double h : {0.2, 0.7, -0.4})
       EXPECT_LT(avi::symplecticity_defect(method, charge_start, h), 1e-13) << order << " " << h;

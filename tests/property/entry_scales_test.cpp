@@ -18,12 +18,7 @@ using avi::Outcome, avi::State;
 namespace entry_scales_test {
 
 /// H = (p^2 + q^2)/2, which Gauss collocation conserves.
-struct Spring {
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
-    return 0.5 * (p[0] * p[0] + q[0] * q[0]);
-  }
-};
+const auto spring = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
 State<1> spring_at(double q, double p) {
   return {.q = avi::Vector<double, 1>(q), .p = avi::Vector<double, 1>(p)};
 }
@@ -34,9 +29,9 @@ TEST(EntryScales, AStepIsSolvedWhereAStagePassesZero) {
     for (const double h : {0.1, 0.6, 1.0}) {
       const State<1> start = spring_at(1.0, 0.5 * h);
       State<1> z = start;
-      auto method = avi::collocation(avi::poincare(Spring{}, start), order);
+      auto method = avi::collocation(avi::poincare(spring, start), order);
       ASSERT_EQ(method.step(z, h).outcome, Outcome::ok);
-      EXPECT_NEAR(Spring{}(z.q, z.p) / Spring{}(start.q, start.p), 1.0, 5e-16) << order << " " << h;
+      EXPECT_NEAR(spring(z.q, z.p) / spring(start.q, start.p), 1.0, 5e-16) << order << " " << h;
     }
 }
 
@@ -46,9 +41,9 @@ TEST(EntryScales, SlowSweepsGoOnToRounding) {
   for (const double h : {2.0, 2.5, 2.75, 2.9, 2.96, 3.0}) {
     const State<1> start = spring_at(1.0, 0.3);
     State<1> z = start;
-    auto method = avi::collocation(avi::poincare(Spring{}, start), 4);
+    auto method = avi::collocation(avi::poincare(spring, start), 4);
     ASSERT_EQ(avi::integrate(method, z, h, {.steps = 10000}).outcome, Outcome::ok) << h;
-    EXPECT_NEAR(Spring{}(z.q, z.p) / Spring{}(start.q, start.p), 1.0, 10000 * 2.2e-16) << h;
+    EXPECT_NEAR(spring(z.q, z.p) / spring(start.q, start.p), 1.0, 10000 * 2.2e-16) << h;
   }
 }
 
@@ -105,11 +100,8 @@ struct Comet {
     return 0.5 * (u * u + v * v) - 1.0 / std::sqrt(squared(z.q, 0, 1));
   }
 };
-struct ClosestPair {
-  template <class Q>
-  auto operator()(const Q& q) const {
-    return pow(pow(squared(q, 0, 1), -1.5) + pow(squared(q, 0, 2), -1.5) + pow(squared(q, 1, 2), -1.5), -0.5);
-  }
+const auto closest_pair = [](const auto& q) {
+  return pow(pow(squared(q, 0, 1), -1.5) + pow(squared(q, 0, 2), -1.5) + pow(squared(q, 1, 2), -1.5), -0.5);
 };
 
 TEST(EntryScales, ALightBodyIsFollowedWithAMonitor) {
@@ -119,7 +111,7 @@ TEST(EntryScales, ALightBodyIsFollowedWithAMonitor) {
   // reference.
   State<6> z = Comet::start(), reference = z;
   auto exact = avi::collocation(avi::poincare(Comet{}, z), 16);
-  auto method = avi::collocation(avi::poincare(Comet{}, z, ClosestPair{}), 16);
+  auto method = avi::collocation(avi::poincare(Comet{}, z, closest_pair), 16);
   const avi::Run run = avi::integrate(method, z, 0.125, {.steps = 500});
   ASSERT_EQ(run.outcome, Outcome::ok) << run.message;
   EXPECT_GT(z.t, 400.0);
@@ -206,11 +198,8 @@ TEST(EntryProgress, GoesOnWhileAnyEntryImproves) {
 }
 
 /// A spring, and a body that flies far away and knows nothing of it.
-struct SpringAndComet {
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
-    return 0.5 * (p[0] * p[0] + q[0] * q[0]) + 0.5 * p[1] * p[1];
-  }
+const auto spring_and_comet = [](const auto& q, const auto& p) {
+  return 0.5 * (p[0] * p[0] + q[0] * q[0]) + 0.5 * p[1] * p[1];
 };
 
 // Sweeps that hardly contract leave what is small beside the comet and may look like noise: the spring's
@@ -220,8 +209,8 @@ TEST(EntryScales, WhatIsFarAwayHidesNoUnsolvedEntry) {
        {std::pair{2, 1.49}, {4, 3.12}, {8, 3.66}, {12, 5.4}, {16, 6.6}, {16, 7.19}}) {
     State<1> alone = spring_at(1.0, 0.3);
     State<2> both{.q = {1.0, 1.5e11}, .p = {0.3, 3e10}};
-    auto method = avi::collocation(avi::poincare(Spring{}, alone), order);
-    auto beside = avi::collocation(avi::poincare(SpringAndComet{}, both), order);
+    auto method = avi::collocation(avi::poincare(spring, alone), order);
+    auto beside = avi::collocation(avi::poincare(spring_and_comet, both), order);
     ASSERT_EQ(avi::integrate(method, alone, h, {.steps = 1000}).outcome, Outcome::ok) << order;
     ASSERT_EQ(avi::integrate(beside, both, h, {.steps = 1000}).outcome, Outcome::ok) << order;
     EXPECT_NEAR(both.q[0], alone.q[0], 1e-11) << order;

@@ -103,11 +103,8 @@ TEST(Htvi, KnowsItsOrder) {
 }
 
 /// Two springs with a bond, of which every unit of length and momentum makes the same problem.
-struct Springs {
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
-    return 0.5 * (p[0] * p[0] + p[1] * p[1] + q[0] * q[0] + q[1] * q[1]) + 0.25 * q[0] * q[1];
-  }
+const auto springs = [](const auto& q, const auto& p) {
+  return 0.5 * (p[0] * p[0] + p[1] * p[1] + q[0] * q[0] + q[1] * q[1]) + 0.25 * q[0] * q[1];
 };
 
 // Squares of numbers below 1e-154 are not normal ones.
@@ -115,7 +112,7 @@ TEST(Htvi, HasTheSameBitsInEveryUnit) {
   const auto run = [](int exponent) {
     const double unit = std::ldexp(1.0, exponent);
     State<2> z{.q = {0.7 * unit, -0.3 * unit}, .p = {0.2 * unit, 0.9 * unit}};
-    auto method = avi::htvi<4>(avi::poincare(Springs{}, z));
+    auto method = avi::htvi<4>(avi::poincare(springs, z));
     EXPECT_EQ(avi::integrate(method, z, 0.1, {.steps = 50}).outcome, avi::Outcome::ok) << exponent;
     return std::vector<double>{z.q[0] / unit, z.q[1] / unit, z.p[0] / unit, z.p[1] / unit};
   };

@@ -41,12 +41,9 @@ TEST(LinearSystem, SolvesWithEveryPivot) {
 }
 
 /// H = p^2/2 + q^4/4 - q^2/2.
-struct DoubleWell {
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
-    const auto square = q[0] * q[0];
-    return 0.5 * (p[0] * p[0]) + (0.25 * square - 0.5) * square;
-  }
+const auto double_well = [](const auto& q, const auto& p) {
+  const auto square = q[0] * q[0];
+  return 0.5 * (p[0] * p[0]) + (0.25 * square - 0.5) * square;
 };
 
 /// Stiff springs q_3 ... q_5, which soft ones of the fourth power couple (Fermi, Pasta, Ulam and Tsingou;
@@ -138,7 +135,7 @@ TEST(Newton, EndsWhereTheStepIsTooLongForTheMotion) {
   EXPECT_TRUE(run.outcome == Outcome::not_converged || run.outcome == Outcome::non_finite) << run.message;
   // Nor is this: Newton's method turns in circles, and is given up before its cap of 100.
   State<1> trough{.q = avi::Vector<double, 1>(1.5), .p = avi::Vector<double, 1>(0.1)};
-  auto circles = avi::collocation(avi::poincare(DoubleWell{}, trough), 8);
+  auto circles = avi::collocation(avi::poincare(double_well, trough), 8);
   const avi::StepReport step = circles.step(trough, 3.0);
   EXPECT_NE(step.outcome, Outcome::ok);
   EXPECT_LE(step.evaluations, 60);  // measured 31; 118 without the rule that eight changes in a row tell

@@ -19,14 +19,11 @@ using avi::Kepler, avi::Outcome, avi::State;
 namespace sweeps_test {
 
 /// 1/g = 1 + |q|^2 + |p|^2.
-struct BothRate {
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
-    auto sum = 1.0 + q[0] * q[0] + p[0] * p[0];
-    for (Eigen::Index i = 1; i < q.size(); ++i)
-      sum += q[i] * q[i] + p[i] * p[i];
-    return 1.0 / sum;
-  }
+const auto both_rate = [](const auto& q, const auto& p) {
+  auto sum = 1.0 + q[0] * q[0] + p[0] * p[0];
+  for (Eigen::Index i = 1; i < q.size(); ++i)
+    sum += q[i] * q[i] + p[i] * p[i];
+  return 1.0 / sum;
 };
 
 /// The chain with a gradient that is not its own: one more force, of 1/64 on every mass.
@@ -69,7 +66,7 @@ TEST(Sweeps, TakesSuppliedGradientsOfManyDegreesOfFreedom) {
   };
   compare(avi::Unit{});
   compare(Rate{});
-  compare(BothRate{});
+  compare(both_rate);
 }
 
 TEST(Sweeps, ThrowsAwayWhatItBeganInVain) {

@@ -28,16 +28,13 @@ using avi::Kepler, avi::Outcome, avi::State;
 namespace ensemble_test {
 
 /// g = |q|^2, negative for those who start far out.
-struct Monitor {
-  template <class Q>
-  auto operator()(const Q& q) const {
-    const auto square = q[0] * q[0] + q[1] * q[1];
-    return square * (9.0 - square);
-  }
+const auto monitor = [](const auto& q) {
+  const auto square = q[0] * q[0] + q[1] * q[1];
+  return square * (9.0 - square);
 };
 
 const auto make = [](const State<2>& start) {
-  return avi::collocation(avi::poincare(Kepler{}, start, Monitor{}), 8);
+  return avi::collocation(avi::poincare(Kepler{}, start, monitor), 8);
 };
 
 std::vector<State<2>> starts() {

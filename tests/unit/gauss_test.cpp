@@ -16,33 +16,22 @@ using avi::dynamic, avi::Program, avi::State, avi::Vector, avi::VectorX, avi::de
 namespace gauss_test {
 
 /// Oscillators with quartic bonds in a row, any number of them, softer and heavier from one to the next.
-struct Row {
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
-    auto sum = 0.5 * (p[0] * p[0]) + 0.5 * (q[0] * q[0]);
-    for (Eigen::Index i = 1; i < q.size(); ++i) {
-      const auto x = q[i] - q[i - 1];
-      sum += 0.3 * (p[i] * p[i]) + 0.4 * (x * x) + 0.1 * ((x * x) * (x * x)) + 0.02 * (p[i - 1] * q[i]);
-    }
-    return sum;
+const auto row = [](const auto& q, const auto& p) {
+  auto sum = 0.5 * (p[0] * p[0]) + 0.5 * (q[0] * q[0]);
+  for (Eigen::Index i = 1; i < q.size(); ++i) {
+    const auto x = q[i] - q[i - 1];
+    sum += 0.3 * (p[i] * p[i]) + 0.4 * (x * x) + 0.1 * ((x * x) * (x * x)) + 0.02 * (p[i - 1] * q[i]);
   }
+  return sum;
 };
 /// A monitor of (q, p).
-struct Lively {
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
-    using std::pow;
-    return pow(1.0 + q[0] * q[0] + 0.5 * (p[0] * p[0]), -0.75);
-  }
+const auto lively = [](const auto& q, const auto& p) {
+  using std::pow;
+  return pow(1.0 + q[0] * q[0] + 0.5 * (p[0] * p[0]), -0.75);
 };
 
 /// None: g = 1.
-struct Steady {
-  template <class Q, class P>
-  double operator()(const Q&, const P&) const {
-    return 1.0;
-  }
-};
+const auto steady = [](const auto&, const auto&) { return 1.0; };
 
 VectorX start(int n) {
   VectorX z(2 * n);
@@ -57,9 +46,9 @@ std::shared_ptr<const Formulas> formulas(int n, const G& monitor) {
   avi::ExpressionGraph graph(2 * n);
   const auto q = avi::recorded_inputs(graph, 0, n), p = avi::recorded_inputs(graph, n, n);
   const VectorX z = start(n);
-  const double pt = -Row{}(VectorX(z.head(n)), VectorX(z.tail(n)));
+  const double pt = -row(VectorX(z.head(n)), VectorX(z.tail(n)));
   const avi::Recorded g = monitor(q, p);
-  const int transformed = avi::Recorded(g * (Row{}(q, p) + pt)).node_in(graph);
+  const int transformed = avi::Recorded(g * (row(q, p) + pt)).node_in(graph);
   return std::make_shared<const Formulas>(Formulas::of(graph, transformed, g.node_in(graph)));
 }
 
@@ -85,8 +74,8 @@ TEST(Gauss, HasTheBitsOfCollocationByHand) {
     for (const int order : {2, 8, 10, 16}) {
       const VectorX z = start(n);
       State<dynamic> by_hand{.q = z.head(n), .p = z.tail(n)};
-      auto method = avi::collocation(avi::poincare(Row{}, by_hand, Lively{}), order);
-      const auto steps = avi::detail::gauss_steps(formulas(n, Lively{}), order);
+      auto method = avi::collocation(avi::poincare(row, by_hand, lively), order);
+      const auto steps = avi::detail::gauss_steps(formulas(n, lively), order);
       Orbit run{z};
       for (int k = 0; k < 8; ++k) {
         const avi::StepReport report = method.step(by_hand, 0.2);
@@ -108,17 +97,17 @@ TEST(Gauss, HasTheBitsOfCollocationByHand) {
     }
 }
 
-/// Row with the gradient of its recording, so that a step of few degrees of freedom is the same there and
+/// The row with the gradient of its recording, so that a step of few degrees of freedom is the same there and
 /// here.
 template <int n>
 class RecordedRow {
  public:
   explicit RecordedRow(const Formulas& formulas)
       : forces_(&formulas.forces), velocities_(&formulas.velocities) {}
-  double operator()(const Vector<double, n>& q, const Vector<double, n>& p) const { return Row{}(q, p); }
+  double operator()(const Vector<double, n>& q, const Vector<double, n>& p) const { return row(q, p); }
   template <class S>
   S operator()(const Vector<S, n>& q, const Vector<S, n>& p) const {
-    return Row{}(q, p);
+    return row(q, p);
   }
   template <class S>
   Vector<S, n> d_dq(const Vector<S, n>& q, const Vector<S, n>& p) const {
@@ -144,7 +133,7 @@ class RecordedRow {
 
 TEST(Gauss, HasTheBitsOfCollocationByHandWithFewDegreesOfFreedom) {
   const auto compare = [&]<int n>() {
-    const auto its = formulas(n, Steady{});
+    const auto its = formulas(n, steady);
     for (const int order : {4, 8, 12, 16}) {
       const VectorX z = start(n);
       State<n> by_hand{.q = Vector<double, n>(z.head(n)), .p = Vector<double, n>(z.tail(n))};
@@ -170,14 +159,14 @@ TEST(Gauss, HasTheBitsOfCollocationByHandWithFewDegreesOfFreedom) {
 TEST(Gauss, HasTheSameBitsWhateverItIsBuiltFor) {
   for (const int n : {1, 2, 3, 4, 6})
     for (const int order : {2, 6, 8, 14, 16}) {
-      const auto its = formulas(n, Lively{});
+      const auto its = formulas(n, lively);
       const auto reference = avi::detail::gauss_steps_portable(its, order, {});
       const Orbit expected = advance(*reference, {start(n)}, 0.25, 40);
       for (const auto& build : avi::detail::gauss_builds())
         for (const char* code : {"on", "off"}) {
           if (!build.runs) continue;
           setenv("AVI_MACHINE_CODE", code, 1);
-          const auto steps = build.make(formulas(n, Lively{}), order, {});
+          const auto steps = build.make(formulas(n, lively), order, {});
           unsetenv("AVI_MACHINE_CODE");
           EXPECT_EQ(advance(*steps, {start(n)}, 0.25, 40), expected)
               << build.name << ", " << n << ", order " << order;
@@ -187,19 +176,19 @@ TEST(Gauss, HasTheSameBitsWhateverItIsBuiltFor) {
 
 TEST(Gauss, CloneGoesOnWithTheSameBits) {
   for (const int n : {2, 6}) {
-    const auto steps = avi::detail::gauss_steps(formulas(n, Lively{}), 8);
+    const auto steps = avi::detail::gauss_steps(formulas(n, lively), 8);
     const Orbit half = advance(*steps, {start(n)}, 0.25, 10);
     const auto clone = steps->clone();
     const Orbit expected = advance(*steps, half, 0.25, 10);
     EXPECT_EQ(advance(*clone, half, 0.25, 10), expected);
     // One that has forgotten the way to here takes other starting values and other digits.
-    const auto fresh = avi::detail::gauss_steps(formulas(n, Lively{}), 8);
+    const auto fresh = avi::detail::gauss_steps(formulas(n, lively), 8);
     EXPECT_NE(advance(*fresh, half, 0.25, 10), expected);
   }
 }
 
 TEST(Gauss, StaysWhereItIsUnlessAStepIsOk) {
-  const auto steps = avi::detail::gauss_steps(formulas(3, Steady{}), 8, {.max_sweeps = 2});
+  const auto steps = avi::detail::gauss_steps(formulas(3, steady), 8, {.max_sweeps = 2});
   const VectorX z = start(3);
   VectorX moved = z;
   double t = 0.5;
@@ -209,7 +198,7 @@ TEST(Gauss, StaysWhereItIsUnlessAStepIsOk) {
 }
 
 TEST(Gauss, RefusesWhatCollocationRefuses) {
-  const auto its = formulas(2, Steady{});
+  const auto its = formulas(2, steady);
   EXPECT_THROW((void)avi::detail::gauss_steps(its, 7), std::invalid_argument);
   EXPECT_THROW((void)avi::detail::gauss_steps(its, 18), std::invalid_argument);
   EXPECT_THROW((void)avi::detail::gauss_steps(its, 8, {.tolerance = 0.0}), std::invalid_argument);
