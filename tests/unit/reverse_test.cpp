@@ -50,21 +50,32 @@ Recording recorded(const F& f) {
   return Recording([&](const auto& x) -> Recorded { return f(x[0], x[1]); }, 2);
 }
 
+/// A program in numbers S, and what it computes at some arguments.
+template <class S = double>
+struct Place {
+  const Program program;
+  Program::Room<S> room{program};
+  void go(const auto&... x) {
+    S* argument = room.arguments();
+    ((*argument++ = x), ...);
+    program.run(room);
+  }
+  [[nodiscard]] S value() const { return program.value(room); }
+  [[nodiscard]] S slope(int i) const { return program.slope(room, i); }
+};
+
 TEST(Reverse, GivesTheValueToTheLastBit) {
   int i = 0;
   for_each_formula([&](const auto& f) {
     const Recording recording = recorded(f);
     for (const Program& program : {recording.value(), recording.value_and_gradient()}) {
-      Program::Room<double> room(program);
-      Program::Room<Pack<4>> rooms(program);
+      Place<> here{program};
+      Place<Pack<4>> pack{program};
       for (double x : {0.7, 1.3, 2.9})
         for (double y : {0.4, 1.1, 5.7}) {
-          room.arguments()[0] = x, rooms.arguments()[0] = x;
-          room.arguments()[1] = y, rooms.arguments()[1] = y;
-          program.run(room);
-          program.run(rooms);
-          EXPECT_EQ(program.value(room), f(x, y)) << "formula " << i;
-          EXPECT_EQ(program.value(rooms)[3], f(Pack<4>(x), Pack<4>(y))[3]) << "formula " << i;
+          here.go(x, y), pack.go(x, y);
+          EXPECT_EQ(here.value(), f(x, y)) << "formula " << i;
+          EXPECT_EQ(pack.value()[3], f(Pack<4>(x), Pack<4>(y))[3]) << "formula " << i;
         }
     }
     ++i;
@@ -76,17 +87,15 @@ TEST(Reverse, HasTheGradientOfForwardDifferentiation) {
   for_each_formula([&](const auto& f) {
     const Recording recording = recorded(f);
     for (const Program& program : {recording.gradient(), recording.value_and_gradient()}) {
-      Program::Room<double> room(program);
+      Place<> here{program};
       for (double x : {0.7, 1.3, 2.9})
         for (double y : {0.4, 1.1, 5.7}) {
-          room.arguments()[0] = x;
-          room.arguments()[1] = y;
-          program.run(room);
+          here.go(x, y);
           using P = avi::Partials<double, 2>;
           const P forward = f(P::variable(x, 0), P::variable(y, 1));
           const double scale = std::abs(forward.value) + std::abs(forward.d[0]) + std::abs(forward.d[1]);
           for (int k : {0, 1})
-            EXPECT_NEAR(program.slope(room, k), forward.d[k], 2e-15 * scale) << "formula " << i;
+            EXPECT_NEAR(here.slope(k), forward.d[k], 2e-15 * scale) << "formula " << i;
         }
     }
     ++i;
@@ -99,18 +108,14 @@ TEST(Reverse, HasTheSlopeOfTanhWhereItIsNearlyOne) {
     using std::tanh;
     return y * tanh(x);
   };
-  const Program program = recorded(f).gradient();
-  Program::Room<double> room(program);
-  Program::Room<Pack<4>> rooms(program);
+  Place<> here{recorded(f).gradient()};
+  Place<Pack<4>> pack{here.program};
   for (const double x : {0.0, 1e-9, 0.3, 1.0, 3.0, 9.0, 15.0, 19.0, 20.0, 40.0, 300.0, 350.0})
     for (const double sign : {1.0, -1.0}) {
-      room.arguments()[0] = sign * x, rooms.arguments()[0] = sign * x;
-      room.arguments()[1] = 1.0, rooms.arguments()[1] = 1.0;
-      program.run(room);
-      program.run(rooms);
+      here.go(sign * x, 1.0), pack.go(sign * x, 1.0);
       const double slope = 1.0 / std::cosh(x) / std::cosh(x);
-      EXPECT_NEAR(program.slope(room, 0), slope, 2e-15 * slope) << sign * x;
-      EXPECT_NEAR(program.slope(rooms, 0)[2], slope, 2e-15 * slope) << sign * x;
+      EXPECT_NEAR(here.slope(0), slope, 2e-15 * slope) << sign * x;
+      EXPECT_NEAR(pack.slope(0)[2], slope, 2e-15 * slope) << sign * x;
       using One = avi::Partials<double, 1>;
       using Two = avi::Partials<One, 1>;
       const Two twice = f(Two::variable(One::variable(sign * x, 0), 0, One(1.0)), Two(1.0));
@@ -120,22 +125,18 @@ TEST(Reverse, HasTheSlopeOfTanhWhereItIsNearlyOne) {
           << sign * x;
     }
   for (const double x : {400.0, 1e10, 1e300}) {
-    room.arguments()[0] = x;
-    program.run(room);
-    EXPECT_EQ(program.slope(room, 0), 0.0) << x;
+    here.go(x, 1.0);
+    EXPECT_EQ(here.slope(0), 0.0) << x;
   }
 }
 
 TEST(Reverse, HasTheSlopesOfPowersAtZero) {
   for (const double exponent : {0.0, 1.0, 1.25, 1.5, 2.0, 2.3, 3.0, 7.0}) {
-    const Program program =
-        recorded([&](const auto& x, const auto& y) { return avi::power(x, exponent) * y; }).gradient();
-    Program::Room<double> room(program);
-    room.arguments()[0] = 0.0;
-    room.arguments()[1] = 1.0;
-    program.run(room);
-    EXPECT_EQ(program.slope(room, 0), exponent == 1.0 ? 1.0 : 0.0) << exponent;
-    EXPECT_EQ(program.slope(room, 1), exponent == 0.0 ? 1.0 : 0.0) << exponent;
+    Place<> here{
+        recorded([&](const auto& x, const auto& y) { return avi::power(x, exponent) * y; }).gradient()};
+    here.go(0.0, 1.0);
+    EXPECT_EQ(here.slope(0), exponent == 1.0 ? 1.0 : 0.0) << exponent;
+    EXPECT_EQ(here.slope(1), exponent == 0.0 ? 1.0 : 0.0) << exponent;
   }
 }
 
@@ -144,18 +145,15 @@ TEST(Reverse, HasTheSlopesOfPowersOfAnArgumentAtZero) {
     using std::pow;
     return pow(x, y);
   };
-  const Program program = recorded(f).gradient();
-  Program::Room<double> room(program);
+  Place<> here{recorded(f).gradient()};
   for (const double exponent : {0.0, 1.0, 1.5, 2.0, 2.3, 3.0}) {
-    room.arguments()[0] = 0.0;
-    room.arguments()[1] = exponent;
-    program.run(room);
+    here.go(0.0, exponent);
     using P = avi::Partials<double, 2>;
     const P forward = f(P::variable(0.0, 0), P::variable(exponent, 1));
-    EXPECT_EQ(program.slope(room, 0), exponent == 1.0 ? 1.0 : 0.0) << exponent;
+    EXPECT_EQ(here.slope(0), exponent == 1.0 ? 1.0 : 0.0) << exponent;
     EXPECT_EQ(forward.d[0], exponent == 1.0 ? 1.0 : 0.0) << exponent;
     if (exponent == 0.0) continue;  // along it there is no slope
-    EXPECT_EQ(program.slope(room, 1), 0.0) << exponent;
+    EXPECT_EQ(here.slope(1), 0.0) << exponent;
     EXPECT_EQ(forward.d[1], 0.0) << exponent;
   }
 }
@@ -166,18 +164,15 @@ TEST(Reverse, HasTheSecondDerivativesOfPowersOfExponentZero) {
     using std::pow;
     return pow(x, y);
   };
-  const Program program = recorded(f).gradient();
   using P = avi::Partials<double, 2>;
-  Program::Room<P> room(program);
+  Place<P> here{recorded(f).gradient()};
   for (const double base : {0.5, 1.0, 3.0}) {
-    room.arguments()[0] = P::variable(base, 0);
-    room.arguments()[1] = P::variable(0.0, 1);
-    program.run(room);
-    EXPECT_EQ(program.slope(room, 0).value, 0.0) << base;
-    EXPECT_EQ(program.slope(room, 0).d[0], 0.0) << base;
-    EXPECT_NEAR(program.slope(room, 0).d[1], 1.0 / base, 1e-15) << base;
-    EXPECT_NEAR(program.slope(room, 1).d[0], 1.0 / base, 1e-15) << base;
-    EXPECT_NEAR(program.slope(room, 1).d[1], std::pow(std::log(base), 2), 1e-15) << base;
+    here.go(P::variable(base, 0), P::variable(0.0, 1));
+    EXPECT_EQ(here.slope(0).value, 0.0) << base;
+    EXPECT_EQ(here.slope(0).d[0], 0.0) << base;
+    EXPECT_NEAR(here.slope(0).d[1], 1.0 / base, 1e-15) << base;
+    EXPECT_NEAR(here.slope(1).d[0], 1.0 / base, 1e-15) << base;
+    EXPECT_NEAR(here.slope(1).d[1], std::pow(std::log(base), 2), 1e-15) << base;
   }
 }
 
@@ -187,14 +182,12 @@ TEST(Reverse, AddsWhatIsMultipliedByNumbersFarApart) {
     double a, b;
   };
   for (const Case& by : {Case{1e200, 1e-200}, Case{1e-200, 1e200}, Case{1e-309, 1.0}, Case{1.0, 1e-309}}) {
-    const Program program =
+    Place<> here{
         Recording([&](const auto& x) { return by.a * (x[0] * x[1]) + by.b * (x[0] * x[2]) + by.b * x[0]; }, 3)
-            .gradient();
-    Program::Room<double> room(program);
+            .gradient()};
     const auto slope = [&](double y, double z) {
-      room.arguments()[0] = 1.0, room.arguments()[1] = y, room.arguments()[2] = z;
-      program.run(room);
-      return program.slope(room, 0);
+      here.go(1.0, y, z);
+      return here.slope(0);
     };
     EXPECT_EQ(slope(2.0, 3.0), by.a * 2.0 + by.b * 3.0 + by.b) << by.a;
     EXPECT_EQ(slope(0.0, 3.0), by.b * 3.0 + by.b) << by.a;
@@ -206,12 +199,9 @@ TEST(Reverse, DoesNotLeaveTheRangeOfNumbersOnTheWay) {
   const auto force = [](double unit) {
     const double k = unit * unit * unit;
     const auto h = [k](const auto& x, const auto& y) { return -k / sqrt(x * x + y * y); };
-    const Program program = recorded(h).gradient();
-    Program::Room<double> room(program);
-    room.arguments()[0] = 0.3 * unit;
-    room.arguments()[1] = 0.4 * unit;
-    program.run(room);
-    return program.slope(room, 0) / unit;
+    Place<> here{recorded(h).gradient()};
+    here.go(0.3 * unit, 0.4 * unit);
+    return here.slope(0) / unit;
   };
   for (const int exponent : {-330, -250, -150, -50, 50, 150, 250, 330})
     EXPECT_NEAR(force(std::ldexp(1.0, exponent)), force(1.0), 1e-14) << exponent;
@@ -219,12 +209,9 @@ TEST(Reverse, DoesNotLeaveTheRangeOfNumbersOnTheWay) {
 
 TEST(Reverse, TakesAReciprocalFromAQuotientOnlyWhereThatIsInRange) {
   const auto slope = [](const auto& f, double at) {
-    const Program program = recorded(f).gradient();
-    Program::Room<double> room(program);
-    room.arguments()[0] = at;
-    room.arguments()[1] = 1.0;
-    program.run(room);
-    return program.slope(room, 0);
+    Place<> here{recorded(f).gradient()};
+    here.go(at, 1.0);
+    return here.slope(0);
   };
   const auto tiny = [](const auto& x, const auto&) { return 1e-100 / x + 1e200 * log(x); };
   for (const double x : {1e190, 1e220, 1e230, 1e280})
@@ -236,31 +223,23 @@ TEST(Reverse, TakesAReciprocalFromAQuotientOnlyWhereThatIsInRange) {
 }
 
 TEST(Reverse, HasTheSlopesOfAnAngleAtAnyDistance) {
-  const Program program = recorded([](const auto& x, const auto& y) { return atan2(x, y); }).gradient();
-  Program::Room<double> room(program);
+  Place<> here{recorded([](const auto& x, const auto& y) { return atan2(x, y); }).gradient()};
   for (const double r : {1e-300, 1e-155, 1.0, 1e160, 1e300}) {
-    room.arguments()[0] = r;
-    room.arguments()[1] = r;
-    program.run(room);
-    EXPECT_NEAR(program.slope(room, 0), 0.5 / r, 1e-15 / r) << r;
-    EXPECT_NEAR(program.slope(room, 1), -0.5 / r, 1e-15 / r) << r;
+    here.go(r, r);
+    EXPECT_NEAR(here.slope(0), 0.5 / r, 1e-15 / r) << r;
+    EXPECT_NEAR(here.slope(1), -0.5 / r, 1e-15 / r) << r;
   }
 }
 
 TEST(Reverse, HasTheGradientOfFiniteDifferences) {
   int i = 0;
   for_each_formula([&](const auto& f) {
-    const Program program = recorded(f).gradient();
-    Program::Room<double> room(program);
+    Place<> here{recorded(f).gradient()};
     const double x = 1.3, y = 1.1, h = 1e-5;
-    room.arguments()[0] = x;
-    room.arguments()[1] = y;
-    program.run(room);
-    EXPECT_NEAR(program.slope(room, 0), (f(x + h, y) - f(x - h, y)) / (2.0 * h),
-                1e-7 * std::abs(f(x, y)) + 1e-9)
+    here.go(x, y);
+    EXPECT_NEAR(here.slope(0), (f(x + h, y) - f(x - h, y)) / (2.0 * h), 1e-7 * std::abs(f(x, y)) + 1e-9)
         << "formula " << i;
-    EXPECT_NEAR(program.slope(room, 1), (f(x, y + h) - f(x, y - h)) / (2.0 * h),
-                1e-7 * std::abs(f(x, y)) + 1e-9)
+    EXPECT_NEAR(here.slope(1), (f(x, y + h) - f(x, y - h)) / (2.0 * h), 1e-7 * std::abs(f(x, y)) + 1e-9)
         << "formula " << i;
     ++i;
   });
@@ -281,34 +260,27 @@ TEST(Reverse, LeavesOutTheSideThatIsNotTaken) {
   for (const Case& is :
        {Case{4.0, 3.0, 3.0 + 0.25 * l + 0.25 + 0.25, 2.0 / 3.0}, Case{4.0, -3.0, 3.0 + 0.25, -1.0},
         Case{-4.0, 3.0, -8.0, 3.0}, Case{-4.0, -3.0, -8.0, 3.0}}) {
-    const Program program = recorded(f).value_and_gradient();
-    Program::Room<double> room(program);
-    room.arguments()[0] = is.x, room.arguments()[1] = is.y;
-    program.run(room);
-    EXPECT_EQ(program.value(room), f(is.x, is.y)) << is.x << ", " << is.y;
-    EXPECT_NEAR(program.slope(room, 0), is.d_dx, 1e-14) << is.x << ", " << is.y;
-    EXPECT_NEAR(program.slope(room, 1), is.d_dy, 1e-14) << is.x << ", " << is.y;
+    Place<> here{recorded(f).value_and_gradient()};
+    here.go(is.x, is.y);
+    EXPECT_EQ(here.value(), f(is.x, is.y)) << is.x << ", " << is.y;
+    EXPECT_NEAR(here.slope(0), is.d_dx, 1e-14) << is.x << ", " << is.y;
+    EXPECT_NEAR(here.slope(1), is.d_dy, 1e-14) << is.x << ", " << is.y;
   }
 }
 
 TEST(Reverse, TreatsEachNumberOfAPackAlike) {
   for_each_formula([&](const auto& f) {
-    const Program program = recorded(f).value_and_gradient();
-    Program::Room<Pack<8>> rooms(program);
-    Program::Room<double> room(program);
+    Place<> here{recorded(f).value_and_gradient()};
+    Place<Pack<8>> pack{here.program};
+    Pack<8> x, y;
+    for (int i = 0; i < 8; ++i)
+      x.set(i, 0.5 + 0.3 * i), y.set(i, 3.0 - 0.2 * i);
+    pack.go(x, y);
     for (int i = 0; i < 8; ++i) {
-      rooms.arguments()[0].set(i, 0.5 + 0.3 * i);
-      rooms.arguments()[1].set(i, 3.0 - 0.2 * i);
-    }
-    program.run(rooms);
-    for (int i = 0; i < 8; ++i) {
-      room.arguments()[0] = 0.5 + 0.3 * i;
-      room.arguments()[1] = 3.0 - 0.2 * i;
-      program.run(room);
+      here.go(0.5 + 0.3 * i, 3.0 - 0.2 * i);
       // pow of a pack takes roots where that of a double does not
-      EXPECT_NEAR(program.value(rooms)[i], program.value(room), 1e-14 * std::abs(program.value(room)));
-      EXPECT_NEAR(program.slope(rooms, 1)[i], program.slope(room, 1),
-                  1e-13 * std::abs(program.slope(room, 1)));
+      EXPECT_NEAR(pack.value()[i], here.value(), 1e-14 * std::abs(here.value()));
+      EXPECT_NEAR(pack.slope(1)[i], here.slope(1), 1e-13 * std::abs(here.slope(1)));
     }
   });
 }
