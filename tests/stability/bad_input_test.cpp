@@ -1,4 +1,3 @@
-
 #include "avi/collocation/collocation.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/diagnostics/order.hpp"

@@ -211,9 +211,4 @@ TEST(SymplecticityDefect, RefusesAPointWithoutPairs) {
     EXPECT_THROW(avi::symplecticity_defect(Stands{}, z, 0.1), std::invalid_argument);
 }
 
-TEST(SymplecticityDefect, IsNaNWhereTheStepFails) {
-  const auto fails = [](const Point& z) -> Point { return z * std::nan(""); };
-  EXPECT_TRUE(std::isnan(avi::symplecticity_defect(fails, Point{{1.0, 2.0}})));
-}
-
 }  // namespace symplecticity_test
