@@ -120,33 +120,28 @@ TEST(Pages, ShowProgramsThatAreCompiledAndOutputThatIsCompared) {
 
 TEST(Pages, NameWhatExists) {
   std::set<std::string> words;
-  const std::regex word("[A-Za-z_][A-Za-z_0-9]*"), name("avi::([A-Za-z_][A-Za-z_0-9]*)");
   for (const auto& entry : fs::recursive_directory_iterator(source / "lib/avi")) {
     if (!entry.is_regular_file()) continue;
-    const std::string text = text_of(entry.path());
-    for (std::sregex_iterator i(text.begin(), text.end(), word), end; i != end; ++i)
-      words.insert(i->str());
+    const auto its = matches(text_of(entry.path()), "([A-Za-z_][A-Za-z_0-9]*)");
+    words.insert(its.begin(), its.end());
   }
   words.insert({"avi", "same_digits"});  // targets of CMake
   int names = 0;
-  for (const auto& page : all_pages()) {
-    const std::string text = text_of(page);
-    for (std::sregex_iterator i(text.begin(), text.end(), name), end; i != end; ++i, ++names)
-      EXPECT_TRUE(words.contains((*i)[1])) << page << " names " << i->str();
-  }
+  for (const auto& page : all_pages())
+    for (const auto& name : matches(text_of(page), "avi::([A-Za-z_][A-Za-z_0-9]*)")) {
+      EXPECT_TRUE(words.contains(name)) << page << " names avi::" << name;
+      ++names;
+    }
   EXPECT_GT(names, 100);
 }
 
 TEST(Pages, LinkToWhatExists) {
-  const std::regex link("\\]\\(([^)\\s]+)\\)");
-  for (const auto& page : all_pages()) {
-    const std::string text = taken_apart(text_of(page)).second;
-    for (std::sregex_iterator i(text.begin(), text.end(), link), end; i != end; ++i) {
-      const std::string target = i->str(1), file = target.substr(0, target.find('#'));
+  for (const auto& page : all_pages())
+    for (const auto& target : matches(taken_apart(text_of(page)).second, "\\]\\(([^)\\s]+)\\)")) {
+      const std::string file = target.substr(0, target.find('#'));
       if (target.starts_with("http") || file.empty()) continue;
       EXPECT_TRUE(fs::exists(page.parent_path() / file)) << page << " links to " << target;
     }
-  }
 }
 
 /// What a person typed as a measured number: a decimal fraction, a power of ten, per cent. Numbers in code,
@@ -156,11 +151,7 @@ std::vector<std::string> typed_numbers(const std::string& page) {
   for (const char* apart : {"<!--= [\\w.]+ -->[^<]*<!--/-->", "`[^`]+`", "\\$\\$[^$]+\\$\\$", "\\$[^$]+\\$",
                             "\\]\\([^)]*\\)", "https?://\\S+", "Section [0-9.]+"})
     text = std::regex_replace(text, std::regex(apart), " ");
-  std::vector<std::string> found;
-  const std::regex number("(^|[^\\w.])(\\d+\\.\\d+(e-?\\d+)?|\\d+e-?\\d+|\\d+ %)");
-  for (std::sregex_iterator i(text.begin(), text.end(), number), end; i != end; ++i)
-    found.push_back(i->str(2));
-  return found;
+  return matches(text, "(?:^|[^\\w.])(\\d+\\.\\d+(?:e-?\\d+)?|\\d+e-?\\d+|\\d+ %)");
 }
 
 TEST(Pages, TypeNoMeasuredNumber) {
@@ -265,21 +256,15 @@ TEST(Guide, SaysEverySentenceOfTheCompiler) {
 
 /// Designated initialisers have to stand in the order of their declaration.
 TEST(Guide, ListsOptionsInTheOrderOfTheirDeclaration) {
-  const auto names_in = [](const std::string& text, const std::regex& pattern) {
-    std::vector<std::string> names;
-    for (std::sregex_iterator i(text.begin(), text.end(), pattern), end; i != end; ++i)
-      names.push_back((*i)[1]);
-    return names;
-  };
   const std::string header = text_of(source / "lib/avi/solve.hpp");
   const auto begin = header.find("struct SolveOptions {");
   ASSERT_NE(begin, std::string::npos);
-  const auto declared = names_in(header.substr(begin, header.find("\n};", begin) - begin),
-                                 std::regex("\n  [\\w:<>&() ]+ (\\w+) = [^;]+;"));
+  const auto declared =
+      matches(header.substr(begin, header.find("\n};", begin) - begin), "\n  [\\w:<>&() ]+ (\\w+) = [^;]+;");
   std::string column;
   for (const auto& line : lines_of(text_of(docs / "times_and_events.md")))
     if (line.starts_with("| `")) column += line.substr(0, line.find('|', 1));
-  EXPECT_EQ(names_in(column, std::regex("`(\\w+)`")), declared);
+  EXPECT_EQ(matches(column, "`(\\w+)`"), declared);
   EXPECT_GE(declared.size(), 12u);
 }
 

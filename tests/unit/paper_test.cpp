@@ -23,13 +23,6 @@ namespace paper_test {
 
 const fs::path paper_folder = fs::path(AVI_SOURCE_DIR) / "paper";
 
-/// Whether a file of that name lies in some chapter of a folder.
-bool lies_in(const char* folder, const std::string& name) {
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(AVI_SOURCE_DIR) / folder))
-    if (entry.path().filename() == name) return true;
-  return false;
-}
-
 const std::array<const char*, 3> documents{"report", "stationary", "bregman"};
 
 std::string without_comments(const std::string& text) {
@@ -51,15 +44,6 @@ std::string sections() {
   return text;
 }
 
-/// First groups of all matches.
-std::vector<std::string> found(const std::string& text, const char* pattern) {
-  const std::regex expression(pattern);
-  std::vector<std::string> groups;
-  for (auto match = std::sregex_iterator(text.begin(), text.end(), expression);
-       match != std::sregex_iterator(); ++match)
-    groups.push_back((*match)[1]);
-  return groups;
-}
 std::set<std::string> set_of(const std::vector<std::string>& list) { return {list.begin(), list.end()}; }
 
 std::set<std::string> column(const fs::path& file, const char* name) {
@@ -81,7 +65,7 @@ std::vector<std::string> typed_numbers(std::string text) {
        R"(delta=10\^\{-10\}|10\^\{-[0-9]+\})"})
     text = std::regex_replace(text, std::regex(command), " ");
   std::vector<std::string> typed;
-  for (const auto& number : found(text, R"(([0-9]+(?:\.[0-9]+)?(?:[eE][-+]?[0-9]+)?))"))
+  for (const auto& number : matches(text, R"(([0-9]+(?:\.[0-9]+)?(?:[eE][-+]?[0-9]+)?))"))
     if ((number.size() > 2 || number.find('.') != std::string::npos) && number != "0.9" && number != "0.99")
       typed.push_back(number);
   return typed;
@@ -104,7 +88,7 @@ TEST(Paper, EveryNumberHasItsFormulaAndEveryFormulaItsUse) {
   const auto named = column(paper_folder / "numbers.tsv", "name");
   EXPECT_EQ(named.size(), experiment::Table::read(paper_folder / "numbers.tsv").rows.size())
       << "a name occurs twice";
-  const auto used = set_of(found(sections(), R"(\\val\{([^}#]+)\})"));
+  const auto used = set_of(matches(sections(), R"(\\val\{([^}#]+)\})"));
   for (const auto& name : used)
     EXPECT_TRUE(named.contains(name) || name == "name") << name << " has no formula";
   for (const auto& name : named)
@@ -140,12 +124,12 @@ TEST(Paper, RefusesCostsWhoseUnitMoved) {
 
 TEST(Paper, EveryFigureHasItsScriptAndEveryTableItsMaker) {
   const std::string text = sections();
-  for (const auto& stem : found(text, R"(\\includegraphics\[[^\]]*\]\{([^}]+)\})"))
+  for (const auto& stem : matches(text, R"(\\includegraphics\[[^\]]*\]\{([^}]+)\})"))
     EXPECT_TRUE(lies_in("figures", stem + ".gp")) << stem;
   auto made = column(paper_folder / "tables.tsv", "table");
   made.merge(set_of({"kepler_e090", "kepler_e099", "direct_vs_adaptive", "method_comparison", "p_dependence",
                      "optimiser_comparison", "notes", "claims", "shares"}));
-  const auto shown = set_of(found(text, R"(\\(?:generated|fitted|ledger)\{([^}]+)\})"));
+  const auto shown = set_of(matches(text, R"(\\(?:generated|fitted|ledger)\{([^}]+)\})"));
   EXPECT_EQ(shown, made);
 }
 
@@ -154,7 +138,7 @@ TEST(Paper, IsThreeDocumentsWithShortAbstracts) {
   for (const std::string document : documents) {
     const std::string text = text_of(paper_folder / (document + ".tex"));
     std::set<std::string> read;
-    for (const auto& input : found(text, R"(\\input\{([^}]+)\})"))
+    for (const auto& input : matches(text, R"(\\input\{([^}]+)\})"))
       if (input != "common") read.insert(input);
     std::set<std::string> there;
     for (const auto& entry : fs::directory_iterator(paper_folder / document))
@@ -170,8 +154,8 @@ TEST(Paper, IsThreeDocumentsWithShortAbstracts) {
 
 /// What a reader of the PDF does not need: commands in captions, commits, time stamps.
 TEST(Paper, NamesNoCommandInACaption) {
-  EXPECT_TRUE(found(sections(), R"((\\made\{|val\{commit\}|val\{date\}))").empty());
-  for (const auto& caption : found(sections(), R"(\\caption\{([^\n]*))"))
+  EXPECT_TRUE(matches(sections(), R"((\\made\{|val\{commit\}|val\{date\}))").empty());
+  for (const auto& caption : matches(sections(), R"(\\caption\{([^\n]*))"))
     EXPECT_EQ(caption.find("make "), std::string::npos) << caption;
 }
 
@@ -179,10 +163,10 @@ TEST(Paper, NamesNoCommandInACaption) {
 TEST(Paper, ReferencesStayWithinTheirDocument) {
   for (const char* document : documents) {
     const std::string text = sections(document);
-    auto labels = set_of(found(text, R"(\\label\{([^}]+)\})"));
-    labels.merge(set_of(found(text, R"(\\ledger\{[^}]*\}\{[^}]*\}\{([^}]+)\})")));
-    for (const auto& list : found(text, R"(\\(?:[cC]ref|eqref)\{([^}]+)\})"))
-      for (const auto& key : found(list, "([^, ]+)"))
+    auto labels = set_of(matches(text, R"(\\label\{([^}]+)\})"));
+    labels.merge(set_of(matches(text, R"(\\ledger\{[^}]*\}\{[^}]*\}\{([^}]+)\})")));
+    for (const auto& list : matches(text, R"(\\(?:[cC]ref|eqref)\{([^}]+)\})"))
+      for (const auto& key : matches(list, "([^, ]+)"))
         EXPECT_TRUE(labels.contains(key)) << document << ": " << key;
   }
 }
@@ -190,10 +174,10 @@ TEST(Paper, ReferencesStayWithinTheirDocument) {
 /// Every reference has a DOI, or pages of a journal where we know none.
 TEST(Paper, EveryReferenceIsCitedAndCanBeFound) {
   const std::string bib = text_of(paper_folder / "references.bib");
-  const auto keys = set_of(found(bib, R"(@[a-z]+\{([a-z0-9]+),)"));
+  const auto keys = set_of(matches(bib, R"(@[a-z]+\{([a-z0-9]+),)"));
   std::set<std::string> cited;
-  for (const auto& list : found(sections(), R"(\\cite\{([^}]+)\})"))
-    for (const auto& key : found(list, "([^, ]+)"))
+  for (const auto& list : matches(sections(), R"(\\cite\{([^}]+)\})"))
+    for (const auto& key : matches(list, "([^, ]+)"))
       cited.insert(key);
   EXPECT_EQ(cited, keys);
   // By its DOI or address, else by the journal, school, course or ISBN: volumes and pages that could not be
@@ -238,7 +222,7 @@ TEST(Log, OfTheLastBuildIsOfAdmissibleLength) {
     const fs::path log = fs::path(AVI_SOURCE_DIR) / "build/paper" / (document + ".log");
     if (!fs::exists(log)) continue;
     ++read;
-    const auto made = found(text_of(log), R"(\(([0-9]+) pages)");
+    const auto made = matches(text_of(log), R"(\(([0-9]+) pages)");
     ASSERT_FALSE(made.empty()) << log;
     EXPECT_LE(std::stoi(made.back()), pages) << document;
   }

@@ -1,5 +1,6 @@
 #include "scorecard/claims/claims.hpp"
 #include "scratch.hpp"
+#include "text_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,13 +20,6 @@ std::map<std::string, scorecard::ClaimLine> ledger(const std::vector<fs::path>& 
   for (auto& line : scorecard::judge_claims(AVI_PUBLISHED_DIR, scorecard::Results(folders)))
     lines.emplace(line.key, line);
   return lines;
-}
-
-/// True where a chapter of the folder has a file of that name.
-bool lies_in(const char* folder, const std::string& name) {
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(AVI_SOURCE_DIR) / folder))
-    if (entry.path().filename() == name) return true;
-  return false;
 }
 
 TEST(Claims, EachNamesItsExperimentAndATest) {
