@@ -265,21 +265,13 @@ TEST(Minimise, TakesNoBendOfFForNoiseHoweverLargeTheOffset) {
 }
 
 TEST(Minimise, TakesAFormulaAndFindsItsGradient) {
-  const auto formula = [](const auto& x) {
-    auto sum = x[0] * 0.0;
-    for (Eigen::Index i = 0; i + 1 < x.size(); ++i) {
-      const auto a = x[i + 1] - x[i] * x[i], b = 1.0 - x[i];
-      sum += 100.0 * a * a + b * b;
-    }
-    return sum;
-  };
   const Eigen::Vector2d start(-1.2, 1.0);
-  const auto run = minimise(formula, start, {.relative = 1e-10});
+  const auto run = minimise(objectives::valley, start, {.relative = 1e-10});
   const auto by_hand = minimise(rosenbrock, start, {.relative = 1e-10});
   EXPECT_TRUE(run.converged()) << run.message;
   EXPECT_EQ(run.iterations, by_hand.iterations);
   EXPECT_LT((run.last.x - by_hand.last.x).norm(), 1e-12);
-  EXPECT_TRUE(minimise(formula, VectorX::Constant(200, 0.5)).converged());
+  EXPECT_TRUE(minimise(objectives::valley, VectorX::Constant(200, 0.5)).converged());
 }
 
 TEST(Minimise, AStationaryStartIsTheEnd) {

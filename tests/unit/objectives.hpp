@@ -28,6 +28,16 @@ inline double rosenbrock(const avi::VectorX& x, avi::VectorX& g) {
   return f;
 }
 
+/// The same as a formula.
+inline const auto valley = [](const auto& x) {
+  auto sum = x[0] * 0.0;
+  for (Eigen::Index i = 0; i + 1 < x.size(); ++i) {
+    const auto a = x[i + 1] - x[i] * x[i], b = 1.0 - x[i];
+    sum += 100.0 * a * a + b * b;
+  }
+  return sum;
+};
+
 /// sum_i (10 max(0, x_i - 1 - i)^2 + max(0, -x_i)^2) / 2, and a slope of -1/10 for odd i: the second
 /// derivative jumps.
 inline double hinges(const avi::VectorX& x, avi::VectorX& g) {

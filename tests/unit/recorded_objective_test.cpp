@@ -2,6 +2,7 @@
 
 #include "avi/optim/minimise.hpp"
 #include "refusal.hpp"
+#include "unit/objectives.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,16 +13,7 @@
 
 namespace recorded_objective_test {
 
-using avi::VectorX;
-
-const auto valley = [](const auto& x) {
-  auto sum = x[0] * 0.0;
-  for (Eigen::Index i = 0; i + 1 < x.size(); ++i) {
-    const auto a = x[i + 1] - x[i] * x[i], b = 1.0 - x[i];
-    sum += 100.0 * a * a + b * b;
-  }
-  return sum;
-};
+using avi::VectorX, objectives::valley;
 
 TEST(RecordedObjective, ServesSeveralThreadsAtATime) {
   const avi::RecordedObjective shared(valley, 100);

@@ -33,23 +33,20 @@ void expect_order(const std::array<double, T::stages>& b, int order) {
       total += b[i] * term(i);
     return total;
   };
+  /// One over the sum is this from an order on.
+  const auto expect = [&](int from, double inverse, auto term) {
+    if (order >= from) {
+      EXPECT_NEAR(sum(term), 1.0 / inverse, 1e-14) << T::stages << " stages, 1/" << inverse;
+    }
+  };
   for (int k = 1; k <= order; ++k)
-    EXPECT_NEAR(sum([&](std::size_t i) { return std::pow(c[i], k - 1); }), 1.0 / k, 1e-14)
-        << T::stages << " stages, " << k;
-  if (order >= 3) {
-    EXPECT_NEAR(sum([&](std::size_t i) { return ac[i]; }), 1.0 / 6.0, 1e-14) << T::stages << " stages";
-  }
-  if (order >= 4) {
-    EXPECT_NEAR(sum([&](std::size_t i) { return c[i] * ac[i]; }), 1.0 / 8.0, 1e-14) << T::stages << " stages";
-    EXPECT_NEAR(sum([&](std::size_t i) { return ac2[i]; }), 1.0 / 12.0, 1e-14) << T::stages << " stages";
-    EXPECT_NEAR(sum([&](std::size_t i) { return aac[i]; }), 1.0 / 24.0, 1e-14) << T::stages << " stages";
-  }
-  if (order >= 5) {
-    EXPECT_NEAR(sum([&](std::size_t i) { return c[i] * c[i] * ac[i]; }), 1.0 / 10.0, 1e-14)
-        << T::stages << " stages";
-    EXPECT_NEAR(sum([&](std::size_t i) { return ac[i] * ac[i]; }), 1.0 / 20.0, 1e-14)
-        << T::stages << " stages";
-  }
+    expect(k, k, [&](std::size_t i) { return std::pow(c[i], k - 1); });
+  expect(3, 6.0, [&](std::size_t i) { return ac[i]; });
+  expect(4, 8.0, [&](std::size_t i) { return c[i] * ac[i]; });
+  expect(4, 12.0, [&](std::size_t i) { return ac2[i]; });
+  expect(4, 24.0, [&](std::size_t i) { return aac[i]; });
+  expect(5, 10.0, [&](std::size_t i) { return c[i] * c[i] * ac[i]; });
+  expect(5, 20.0, [&](std::size_t i) { return ac[i] * ac[i]; });
 }
 
 TEST(Tableaus, SatisfyTheOrderConditions) {
