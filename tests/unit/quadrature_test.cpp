@@ -64,15 +64,11 @@ TEST(Quadrature, GaussAgreesWithClosedForms) {
   }
 }
 
+// More of it is in bad_htvi_input_test.cpp.
 TEST(Quadrature, RefusesWhatIsNoRule) {
   for (const auto& [rule, least] : {std::pair{&avi::gauss, 1}, {&avi::lobatto, 2}, {&avi::radau, 1}})
-    for (const int m : {least - 1, least, 16, 17})
-      if (m < least || m > 16)
-        EXPECT_THROW(rule(m), std::invalid_argument) << m;
-      else
-        EXPECT_NO_THROW(rule(m)) << m;
-  EXPECT_THROW(avi::validate({"empty", 1, {}, {}}), std::invalid_argument);
-  EXPECT_THROW(avi::validate({"odd", 1, {0.0, 1.0}, {1.0}}), std::invalid_argument);
+    for (const int m : {least, 16})
+      EXPECT_NO_THROW(rule(m)) << m;
   EXPECT_THROW(avi::validate({"heavy", 1, {0.5}, {2.0}}), std::invalid_argument);
   EXPECT_THROW(avi::validate({"a little heavy", 1, {0.5}, {1.0 + 1.2e-12}}), std::invalid_argument);
   EXPECT_NO_THROW(avi::validate({"rounded", 1, {0.5}, {1.0 + 8e-13}}));
