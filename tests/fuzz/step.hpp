@@ -77,7 +77,11 @@ inline void step(const std::uint8_t* data, std::size_t size) {
   const double h = in.real();
   const State<2> z{.q = {in.real(), in.real()}, .p = {in.real(), in.real()}, .t = in.real()};
   const VectorX x0 = Eigen::Vector2d(z.q);
-  const BregmanStart from{.t = z.p[0], .momentum = z.p[1]};
+  const auto bregman = [&](auto method) {
+    method.family = BregmanFamily::adaptive(in.real(), in.real(), in.real());
+    method.h = h, method.from = {.t = z.p[0], .momentum = z.p[1]};
+    descent(method, x0);
+  };
   const auto gradient = [](const Vector<double, 2>& q) { return Kepler::potential_gradient(q); };
   try {
     switch (which) {
@@ -102,20 +106,11 @@ inline void step(const std::uint8_t* data, std::size_t size) {
                    z, h);
     }
     case 5:
-      return descent(BregmanHtvi{.family = BregmanFamily::adaptive(in.real(), in.real(), in.real()),
-                                 .h = h,
-                                 .from = from},
-                     x0);
+      return bregman(BregmanHtvi{});
     case 6:
-      return descent(BregmanHeavyBall{.family = BregmanFamily::adaptive(in.real(), in.real(), in.real()),
-                                      .h = h,
-                                      .from = from},
-                     x0);
+      return bregman(BregmanHeavyBall{});
     case 7:
-      return descent(BregmanSplitting{.family = BregmanFamily::adaptive(in.real(), in.real(), in.real()),
-                                      .h = h,
-                                      .from = from},
-                     x0);
+      return bregman(BregmanSplitting{});
     default:
       return orbit(splitting(Separable<Kepler>{}, compositions::kahan_li8), z, h);
     }

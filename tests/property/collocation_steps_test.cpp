@@ -57,19 +57,11 @@ TEST(CollocationSteps, TakesManyDegreesOfFreedom) {
 }
 
 /// H = p^2/2 + (1 + t)^2 q^2/2.
-struct Stiffening {
-  template <class Q, class S, class P>
-  auto operator()(const Q& q, const S& t, const P& p) const {
-    return 0.5 * p[0] * p[0] + 0.5 * (1.0 + t) * (1.0 + t) * q[0] * q[0];
-  }
+const auto stiffening = [](const auto& q, const auto& t, const auto& p) {
+  return 0.5 * p[0] * p[0] + 0.5 * (1.0 + t) * (1.0 + t) * q[0] * q[0];
 };
 /// g = 1/(1 + t).
-struct Slower {
-  template <class Q, class S, class P>
-  auto operator()(const Q&, const S& t, const P&) const {
-    return 1.0 / (1.0 + t);
-  }
-};
+const auto slower = [](const auto&, const auto& t, const auto&) { return 1.0 / (1.0 + t); };
 
 TEST(CollocationSteps, TakesTimeAsACoordinate) {
   const State<1> start{.q = Vector<double, 1>(1.0), .p = Vector<double, 1>(0.3), .t = 0.25};
@@ -81,8 +73,8 @@ TEST(CollocationSteps, TakesTimeAsACoordinate) {
     EXPECT_NEAR(z.t, 3.0, 2e-15);
     return z;
   };
-  const auto plain = run(avi::time_dependent(Stiffening{}, start), 16, 0.2);
-  const auto slowed = run(avi::time_dependent(Stiffening{}, start, Slower{}), 12, 0.3);
+  const auto plain = run(avi::time_dependent(stiffening, start), 16, 0.2);
+  const auto slowed = run(avi::time_dependent(stiffening, start, slower), 12, 0.3);
   EXPECT_NEAR(plain.q[0], slowed.q[0], 1e-13);
   EXPECT_NEAR(plain.p[0], slowed.p[0], 1e-13);
 }

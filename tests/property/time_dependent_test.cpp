@@ -13,31 +13,24 @@
 namespace time_dependent_test {
 
 /// H = p^2 / 2 + (1 + t)^2 q^2 / 2.
-struct Stiffening {
-  template <class Q, class S, class P>
-  S operator()(const Q& q, const S& t, const P& p) const {
-    const S frequency = 1.0 + t;
-    return 0.5 * (p[0] * p[0]) + 0.5 * (frequency * frequency) * (q[0] * q[0]);
-  }
+const auto stiffening = [](const auto& q, const auto& t, const auto& p) {
+  const auto frequency = 1.0 + t;
+  return 0.5 * (p[0] * p[0]) + 0.5 * (frequency * frequency) * (q[0] * q[0]);
 };
 
 /// g = c / (1 + t).
-struct Slower {
-  double c = 1.0;
-  template <class Q, class S, class P>
-  S operator()(const Q&, const S& t, const P&) const {
-    return c / (1.0 + t);
-  }
-};
+auto slower(double c = 1.0) {
+  return [c](const auto&, const auto& t, const auto&) { return c / (1.0 + t); };
+}
 
 const avi::State<1> start{.q = avi::Vector<double, 1>(1.0), .p = avi::Vector<double, 1>(0.3), .t = 0.25};
 
 auto method(auto monitor) {
-  return avi::type2<3>(avi::time_dependent(Stiffening{}, start, monitor), avi::gauss(2));
+  return avi::type2<3>(avi::time_dependent(stiffening, start, monitor), avi::gauss(2));
 }
 
 TEST(TimeDependent, TimeIsPhysicalInTheStateAndInsideTheStep) {
-  auto m = method(Slower{});
+  auto m = method(slower());
   avi::State<2> z = extended(m.problem(), start);
   ASSERT_EQ(m.step(z, 0.1).outcome, avi::Outcome::ok);
   const double exact = std::sqrt(1.25 * 1.25 + 0.2) - 1.0;  // dt/dtau = 1 / (1 + t)
@@ -52,7 +45,7 @@ TEST(TimeDependent, TimeIsPhysicalInTheStateAndInsideTheStep) {
 
 TEST(TimeDependent, AMonitorThatIsNotPositiveEndsTheRun) {
   for (const double c : {0.0, -1.0}) {
-    auto m = method(Slower{c});
+    auto m = method(slower(c));
     avi::State<2> z = extended(m.problem(), start);
     const avi::Run run = avi::integrate(m, z, 0.1, {.time = 1.0, .steps = 100});
     EXPECT_EQ(run.outcome, avi::Outcome::bad_monitor) << c;
@@ -81,7 +74,7 @@ TEST(TimeDependent, TakesTheMonitorsOfAutonomousProblems) {
 }
 
 TEST(TimeDependent, RefusesAStartWithTwoTimes) {
-  auto m = method(Slower{});
+  auto m = method(slower());
   const auto answer = [&](double t) {
     avi::State<2> z = extended(m.problem(), start);
     z.t = t;

@@ -17,67 +17,55 @@ using avi::Outcome, avi::VectorX, objectives::hinges, objectives::rosenbrock;
 
 namespace minimiser_test {
 
+using Function = std::function<double(const VectorX&, VectorX&)>;
+
+/// The sum of f(x_i, i + 1, its derivative).
+Function sum_of(double (*f)(double x, double weight, double& slope)) {
+  return [f](const VectorX& x, VectorX& g) {
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      sum += f(x[i], static_cast<double>(i + 1), g[i]);
+    return sum;
+  };
+}
 /// Of degree 2, 3 and 4, with a well on either side of 0.
-double wells(const VectorX& x, VectorX& g) {
-  double f = 0.0;
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const double w = x[i] * x[i] - 1.0, weight = static_cast<double>(i + 1);
-    f += weight * (0.25 * w * w + 0.1 * x[i]);
-    g[i] = weight * (w * x[i] + 0.1);
-  }
-  return f;
-}
+const Function wells = sum_of([](double x, double weight, double& slope) {
+  const double w = x * x - 1.0;
+  slope = weight * (w * x + 0.1);
+  return weight * (0.25 * w * w + 0.1 * x);
+});
 /// Flat at its minimum, steep away from it.
-double flat(const VectorX& x, VectorX& g) {
-  double f = 0.0;
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const double weight = static_cast<double>(i + 1), square = x[i] * x[i];
-    f += weight * square * square;
-    g[i] = 4.0 * weight * square * x[i];
-  }
-  return f;
-}
+const Function flat = sum_of([](double x, double weight, double& slope) {
+  const double square = x * x;
+  slope = 4.0 * weight * square * x;
+  return weight * square * square;
+});
 /// Infinite for x <= 0.
-double wall(const VectorX& x, VectorX& g) {
-  double f = 0.0;
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const double weight = static_cast<double>(i + 1);
-    g[i] = weight - 1e-3 / (x[i] * x[i]);
-    f += x[i] > 0.0 ? weight * x[i] + 1e-3 / x[i] : std::numeric_limits<double>::infinity();
-  }
-  return f;
-}
+const Function wall = sum_of([](double x, double weight, double& slope) {
+  slope = weight - 1e-3 / (x * x);
+  return x > 0.0 ? weight * x + 1e-3 / x : std::numeric_limits<double>::infinity();
+});
 /// The first derivative jumps.
-double kinks(const VectorX& x, VectorX& g) {
-  double f = 0.0;
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const double weight = static_cast<double>(i + 1), from = x[i] - 0.3 * weight;
-    g[i] = from < 0.0 ? -weight : weight;
-    f += weight * std::abs(from);
-  }
-  return f;
-}
+const Function kinks = sum_of([](double x, double weight, double& slope) {
+  const double from = x - 0.3 * weight;
+  slope = from < 0.0 ? -weight : weight;
+  return weight * std::abs(from);
+});
 /// sqrt(1 + x^2): the curvature falls to 0 far away.
-double cone(const VectorX& x, VectorX& g) {
-  double f = 0.0;
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const double root = std::sqrt(1.0 + static_cast<double>(i + 1) * x[i] * x[i]);
-    f += root;
-    g[i] = static_cast<double>(i + 1) * x[i] / root;
-  }
-  return f;
-}
+const Function cone = sum_of([](double x, double weight, double& slope) {
+  const double root = std::sqrt(1.0 + weight * x * x);
+  slope = weight * x / root;
+  return root;
+});
 double uphill(const VectorX& x, VectorX& g) {
   const double f = objectives::bowl(x, g);
   g = -g;
   return f;
 }
-double slope(const VectorX& x, VectorX& g) {
+double downhill(const VectorX& x, VectorX& g) {
   g.setOnes();
   return x[0] + x[1] + x[2];
 }
-
-using Function = std::function<double(const VectorX&, VectorX&)>;
 
 /// f + 1e4, of which the last digits are lost.
 Function raised(const Function& f) {
@@ -125,7 +113,7 @@ TEST(Minimiser, TakesTheSameWayOnEveryMachine) {
       {"kinks", kinks, VectorX::Ones(3), Outcome::no_descent, {{236, 748}, {301, 1705}, {210, 1796}}},
       {"cone", cone, VectorX::LinSpaced(5, 1.0, 100.0), Outcome::ok, {{21, 29}, {28, 39}, {19, 31}}},
       {"uphill", uphill, VectorX::Ones(3), Outcome::no_descent, {{0, 47}, {0, 47}, {0, 47}}},
-      {"slope", slope, VectorX::Ones(3), Outcome::diverged, {{0, 500}, {0, 500}, {0, 500}}},
+      {"downhill", downhill, VectorX::Ones(3), Outcome::diverged, {{0, 500}, {0, 500}, {0, 500}}},
       {"raised", raised(rosenbrock), far_down, Outcome::ok, {{149, 247}, {147, 199}, {75, 93}}},
       {"small",
        small(rosenbrock),

@@ -19,6 +19,14 @@ void add_pair(avi::SecantPairs& pairs, const VectorX& s, const VectorX& y, const
   pairs.commit(g.data(), s.dot(y), y.squaredNorm(), change.data(), with_pairs.data(), s.dot(g), y.dot(g));
 }
 
+/// That of a gradient, from the products that it has with the pairs.
+VectorX direction(avi::SecantPairs& pairs, const VectorX& g, VectorX& with_pairs) {
+  VectorX d(g.size());
+  pairs.multiply(g.data(), with_pairs.data());
+  pairs.direction(g.data(), with_pairs.data(), d.data());
+  return d;
+}
+
 /// The BFGS inverse, formed: H+ = (I - rho s y^T) H (I - rho y s^T) + rho s s^T.
 TEST(SecantPairs, GiveTheDirectionOfTheFormedMatrix) {
   constexpr Eigen::Index n = 11;
@@ -68,7 +76,7 @@ TEST(SecantPairs, GiveTheDirectionOfTheFormedMatrix) {
 TEST(SecantPairs, SatisfyTheSecantEquationInEveryBlock) {
   constexpr Eigen::Index n = 9000;
   avi::SecantPairs pairs(3, n);
-  VectorX d(n), with_pairs(pairs.products());
+  VectorX with_pairs(pairs.products());
   const VectorX curvatures = VectorX::LinSpaced(n, 1.0, 3.0);
   for (int k = 1; k <= 3; ++k) {
     VectorX s(n);
@@ -76,15 +84,10 @@ TEST(SecantPairs, SatisfyTheSecantEquationInEveryBlock) {
       s[i] = std::sin(1.0 + static_cast<double>(i * k));
     const VectorX y = curvatures.cwiseProduct(s);
     add_pair(pairs, s, y, y, with_pairs);
-    const auto direction_of = [&](const VectorX& g) {
-      pairs.multiply(g.data(), with_pairs.data());
-      pairs.direction(g.data(), with_pairs.data(), d.data());
-      return d;
-    };
-    EXPECT_LT((direction_of(y) + s).norm(), 1e-12 * s.norm()) << k;
+    EXPECT_LT((direction(pairs, y, with_pairs) + s).norm(), 1e-12 * s.norm()) << k;
     // H is symmetric: y.H g = g.H y = g.s, and older pairs take part in H g.
     const VectorX g = VectorX::LinSpaced(n, -1.0, 2.0);
-    EXPECT_NEAR(direction_of(g).dot(y), -g.dot(s), 1e-12 * g.norm() * s.norm()) << k;
+    EXPECT_NEAR(direction(pairs, g, with_pairs).dot(y), -g.dot(s), 1e-12 * g.norm() * s.norm()) << k;
   }
 }
 
@@ -92,7 +95,7 @@ TEST(SecantPairs, SatisfyTheSecantEquationInEveryBlock) {
 struct Axes {
   static constexpr Eigen::Index n = 5;
   avi::SecantPairs pairs{3, n};
-  VectorX with_pairs = VectorX::Zero(6 + 10), d = VectorX::Zero(n);
+  VectorX with_pairs = VectorX::Zero(6 + 10);
   void write(Eigen::Index axis) {
     Eigen::Map<VectorX>(pairs.next_s(), n) = VectorX::Unit(n, axis);
     Eigen::Map<VectorX>(pairs.next_y(), n) = VectorX::Unit(n, axis) * static_cast<double>(axis + 1);
@@ -100,11 +103,6 @@ struct Axes {
   void store(Eigen::Index axis) {
     const VectorX s = VectorX::Unit(n, axis), y = s * static_cast<double>(axis + 1);
     add_pair(pairs, s, y, y, with_pairs);
-  }
-  VectorX direction(const VectorX& g) {
-    pairs.multiply(g.data(), with_pairs.data());
-    pairs.direction(g.data(), with_pairs.data(), d.data());
-    return d;
   }
 };
 
@@ -163,14 +161,17 @@ TEST(SecantPairs, TakeTheMassesWhereTheyForetellPairs) {
 
 TEST(SecantPairs, ADiscardedPairTakesItsPlaceAndHasNoEffect) {
   Axes axes;
+  const auto direction_along = [&](int axis) {
+    return direction(axes.pairs, VectorX::Unit(5, axis), axes.with_pairs);
+  };
   for (Eigen::Index axis : {3, 1, 0})
     axes.store(axis);
-  EXPECT_EQ(axes.direction(VectorX::Unit(5, 3)), VectorX(-0.25 * VectorX::Unit(5, 3)));
+  EXPECT_EQ(direction_along(3), VectorX(-0.25 * VectorX::Unit(5, 3)));
   axes.write(4);  // over the oldest, of axis 3
   axes.pairs.discard();
-  EXPECT_EQ(axes.direction(VectorX::Unit(5, 1)), VectorX(-0.5 * VectorX::Unit(5, 1)));
-  EXPECT_EQ(axes.direction(VectorX::Unit(5, 3)), VectorX(-VectorX::Unit(5, 3)));  // gamma = 1, of axis 0
-  EXPECT_EQ(axes.direction(VectorX::Unit(5, 4)), VectorX(-VectorX::Unit(5, 4)));
+  EXPECT_EQ(direction_along(1), VectorX(-0.5 * VectorX::Unit(5, 1)));
+  EXPECT_EQ(direction_along(3), VectorX(-VectorX::Unit(5, 3)));  // gamma = 1, of axis 0
+  EXPECT_EQ(direction_along(4), VectorX(-VectorX::Unit(5, 4)));
 }
 
 }  // namespace secant_pairs_test
