@@ -46,6 +46,21 @@ void require_writable(const std::filesystem::path& folder) {
         "Output folder '{}' cannot be written; name one that can with --output DIR.", folder.string()));
 }
 
+/// Empty where a folder of that name exists, else what is to be said.
+std::string missing(const std::string& folder) {
+  std::error_code unreachable;
+  if (std::filesystem::is_directory(folder, unreachable)) return {};
+  return fmt::format("folder {} does not exist", folder);
+}
+
+void add(CLI::App& app, const Option& option) {
+  const auto& [flag, value, description] = option;
+  if (auto* const* on = std::get_if<bool*>(&value)) app.add_flag(flag, **on, description);
+  if (auto* const* text = std::get_if<std::string*>(&value)) app.add_option(flag, **text, description);
+  if (auto* const* folder = std::get_if<std::filesystem::path*>(&value))
+    app.add_option(flag, **folder, description)->option_text("DIR")->capture_default_str()->check(missing);
+}
+
 int refuse(std::string_view name, std::string_view sentence) {
   fmt::print(stderr, "{}: {}\n", name, sentence);
   return 2;
@@ -65,7 +80,7 @@ void Frame::progress(std::string_view label, double done, double of) const {
   std::fflush(stderr);
 }
 
-int run(int argc, char** argv, const std::string& shows, const std::function<void(CLI::App&)>& options,
+int run(int argc, char** argv, const std::string& shows, const std::vector<Option>& options,
         const std::function<void(Frame&)>& body) {
   const std::string name = std::filesystem::path(argv[0]).filename();
   Frame frame{.name = name, .output = "build/data"};
@@ -75,7 +90,8 @@ int run(int argc, char** argv, const std::string& shows, const std::function<voi
                                       "shorter or longer run build/quick, build/long ...")
                            ->option_text("DIR");
   app.add_flag("--quick", frame.quick, "A shortened run for tests: same columns, fewer or shorter rows");
-  options(app);
+  for (const Option& option : options)
+    add(app, option);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of the write, not the end
   try {
     app.parse(argc, argv);
@@ -102,31 +118,6 @@ int run(int argc, char** argv, const std::string& shows, const std::function<voi
     return 1;
   }
   return 0;
-}
-
-int run(int argc, char** argv, const std::string& shows, const std::function<void(Frame&)>& body) {
-  const auto no_options = [](CLI::App&) {};
-  return run(argc, argv, shows, no_options, body);
-}
-
-void add_flag(CLI::App& app, const std::string& flag, bool& value, const std::string& description) {
-  app.add_flag(flag, value, description);
-}
-
-void add_text(CLI::App& app, const std::string& flag, std::string& value, const std::string& description) {
-  app.add_option(flag, value, description);
-}
-
-void add_folder(CLI::App& app, const std::string& flag, std::filesystem::path& value,
-                const std::string& description) {
-  app.add_option(flag, value, description)
-      ->option_text("DIR")
-      ->capture_default_str()
-      ->check([](const std::string& text) -> std::string {
-        std::error_code unreachable;
-        if (std::filesystem::is_directory(text, unreachable)) return {};
-        return fmt::format("folder {} does not exist", text);
-      });
 }
 
 }  // namespace experiment

@@ -5,14 +5,11 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <variant>
 
 /// @file
 /// The frame of every experiment: options, output folder, provenance, progress and exit status, so that an
 /// experiment is its settings and its loop.
-
-namespace CLI {
-class App;  // Declared only: with its header, each experiment would compile ten seconds longer.
-}
 
 namespace experiment {
 
@@ -35,24 +32,23 @@ class Frame {
   void progress(std::string_view label, double done, double of = 1.0) const;
 };
 
+/// An option of the command line: a switch, a word or sentence, or the name of a folder that must exist.
+struct Option {
+  std::string flag;
+  std::variant<bool*, std::string*, std::filesystem::path*> value;  ///< Its default, then what is given.
+  std::string description;
+};
+
 /// main() of an experiment. `shows` is what --help says of it: AVI_SHOWS, the sentence of its CMakeLists.txt.
-/// `options` adds the experiment's own command-line options; `body` computes, then writes its tables last.
+/// `options` are the experiment's own; `body` computes, then writes its tables last.
 /// Returns the exit status: 0; 2 for bad options or a file or folder that cannot be read or written, with one
 /// sentence on stderr and no half-written file; 1 for a run that failed.
-int run(int argc, char** argv, const std::string& shows, const std::function<void(CLI::App&)>& options,
+int run(int argc, char** argv, const std::string& shows, const std::vector<Option>& options,
         const std::function<void(Frame&)>& body);
 
 /// Same for an experiment without options of its own.
-int run(int argc, char** argv, const std::string& shows, const std::function<void(Frame&)>& body);
-
-/// Adds a switch.
-void add_flag(CLI::App& app, const std::string& flag, bool& value, const std::string& description);
-
-/// Adds a word or sentence.
-void add_text(CLI::App& app, const std::string& flag, std::string& value, const std::string& description);
-
-/// Adds the name of a folder that must exist.
-void add_folder(CLI::App& app, const std::string& flag, std::filesystem::path& value,
-                const std::string& description);
+inline int run(int argc, char** argv, const std::string& shows, const std::function<void(Frame&)>& body) {
+  return run(argc, argv, shows, {}, body);
+}
 
 }  // namespace experiment

@@ -33,9 +33,8 @@ std::map<std::string, std::vector<double>> nanoseconds_per_step(double eccentric
 int main(int argc, char** argv) {
   constexpr double eccentricity = 0.9;
   bool full = false;
-  const auto options = [&](CLI::App& app) {
-    add_flag(app, "--long", full, "Also the fourth-root monitor at 1e-4 and 1e-5 (some 2e8 steps)");
-  };
+  const std::vector<Option> options{
+      {"--long", &full, "Also the fourth-root monitor at 1e-4 and 1e-5 (some 2e8 steps)"}};
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
     const double horizon = frame.quick ? 50.0 : 100.0;
     std::vector<std::pair<std::string, double>> cells;

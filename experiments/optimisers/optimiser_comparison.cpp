@@ -78,10 +78,8 @@ void settings(Table& list, double adagrad, double rmsprop) {
 
 int main(int argc, char** argv) {
   bool full = false;
-  const auto options = [&](CLI::App& app) {
-    add_flag(app, "--long", full,
-             "No cap below what the paper prints: AdaGrad to 2.5e8, NAG to 1e10 (an hour)");
-  };
+  const std::vector<Option> options{
+      {"--long", &full, "No cap below what the paper prints: AdaGrad to 2.5e8, NAG to 1e10 (an hour)"}};
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
     const double cap = frame.quick ? 1e6 : 6e7;  // on iterations of AdaGrad
     const double nag_cap = full ? 1e10 : std::min(cap, 5e6);

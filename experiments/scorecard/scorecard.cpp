@@ -77,10 +77,8 @@ std::string report_claims(const Table& ledger) {
 
 int main(int argc, char** argv) {
   std::filesystem::path published = "paper/published", data = "build/data";
-  const auto options = [&](CLI::App& app) {
-    experiment::add_folder(app, "--published", published, "Folder of the paper's numbers");
-    experiment::add_folder(app, "--data", data, "Folder of the experiments' tables");
-  };
+  const std::vector<experiment::Option> options{{"--published", &published, "Folder of the paper's numbers"},
+                                                {"--data", &data, "Folder of the experiments' tables"}};
   const char* shows = "Compares every number that the paper prints with ours.";
   return experiment::run(argc, argv, shows, options, [&](const experiment::Frame& frame) {
     require_sheets(published);

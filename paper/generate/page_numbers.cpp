@@ -13,10 +13,8 @@ namespace fs = std::filesystem;
 
 int main(int argc, char** argv) {
   fs::path source = ".", data = "build/data";
-  const auto options = [&](CLI::App& app) {
-    experiment::add_folder(app, "--source", source, "Folder of README.md and lib/docs");
-    experiment::add_folder(app, "--data", data, "Folder of the experiments' tables");
-  };
+  const std::vector<experiment::Option> options{{"--source", &source, "Folder of README.md and lib/docs"},
+                                                {"--data", &data, "Folder of the experiments' tables"}};
   return experiment::run(
       argc, argv, "Takes numbers over into the pages.", options, [&](const experiment::Frame&) {
         const auto texts = paper::plain_numbers(scorecard::Results({data}),

@@ -22,10 +22,9 @@ void write(const std::filesystem::path& path, const std::string& text) {
 
 int main(int argc, char** argv) {
   std::filesystem::path source = "paper", data = "build/data";
-  const auto options = [&](CLI::App& app) {
-    experiment::add_folder(app, "--paper", source, "Folder of numbers.tsv, tables.tsv and published/");
-    experiment::add_folder(app, "--data", data, "Folder of the experiments' tables");
-  };
+  const std::vector<experiment::Option> options{
+      {"--paper", &source, "Folder of numbers.tsv, tables.tsv and published/"},
+      {"--data", &data, "Folder of the experiments' tables"}};
   return experiment::run(
       argc, argv, "Makes the paper's numbers and tables.", options, [&](const experiment::Frame& frame) {
         const auto tables = frame.output / "tables";

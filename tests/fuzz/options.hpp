@@ -29,13 +29,10 @@ inline void options(const std::uint8_t* data, std::size_t size) {
   }
   bool flag = false, sound = true;
   std::filesystem::path folder = ".";
-  const int status = experiment::run(
-      static_cast<int>(argv.size()), argv.data(), "A summary",
-      [&](CLI::App& app) {
-        experiment::add_flag(app, "--flag", flag, "A flag");
-        experiment::add_folder(app, "--folder", folder, "A folder");
-      },
-      [&](experiment::Frame&) { sound = std::filesystem::is_directory(folder); });
+  const int status =
+      experiment::run(static_cast<int>(argv.size()), argv.data(), "A summary",
+                      {{"--flag", &flag, "A flag"}, {"--folder", &folder, "A folder"}},
+                      [&](experiment::Frame&) { sound = std::filesystem::is_directory(folder); });
   if (status != 0 && status != 2) throw std::logic_error("Status " + std::to_string(status) + ".");
   if (!sound) throw std::logic_error("A folder that does not exist was taken.");
 }

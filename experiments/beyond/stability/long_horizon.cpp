@@ -74,7 +74,7 @@ std::vector<Subject> subjects() {
 
 int main(int argc, char** argv) {
   bool extremes = false;
-  const auto options = [&](CLI::App& app) { add_flag(app, "--extremes", extremes, "A million periods"); };
+  const std::vector<Option> options{{"--extremes", &extremes, "A million periods"}};
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
     const long periods = frame.quick ? 100 : extremes ? 1'000'000 : 1000;
     Table table = frame.table({"method", "monitor", "h", "periods", "energy_error", "momentum_error",

@@ -83,20 +83,17 @@ int field(double, const double y[], double f[], void*) {
 Errors of_gsl(const State2& from, const std::vector<long>& milestones) {
   constexpr double tolerance = 1e-13;
   gsl_odeiv2_system system{field, nullptr, 4, nullptr};
-  const std::unique_ptr<gsl_odeiv2_step, void (*)(gsl_odeiv2_step*)> step(
-      gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 4), gsl_odeiv2_step_free);
-  const std::unique_ptr<gsl_odeiv2_control, void (*)(gsl_odeiv2_control*)> control(
-      gsl_odeiv2_control_y_new(tolerance, tolerance), gsl_odeiv2_control_free);
-  const std::unique_ptr<gsl_odeiv2_evolve, void (*)(gsl_odeiv2_evolve*)> evolve(gsl_odeiv2_evolve_alloc(4),
-                                                                                gsl_odeiv2_evolve_free);
+  const std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> driver(
+      gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-4, tolerance, tolerance),
+      gsl_odeiv2_driver_free);
   const double first = avi::Kepler()(from.q, from.p);
   State2 z = from;
-  double y[4] = {z.q[0], z.q[1], z.p[0], z.p[1]}, h = 1e-4;
+  double y[4] = {z.q[0], z.q[1], z.p[0], z.p[1]};
   Errors errors;
   for (const long mark : milestones) {
     while (!arrived(z, mark)) {
-      if (gsl_odeiv2_evolve_apply(evolve.get(), control.get(), step.get(), &system, &z.t, (mark + 2) * period,
-                                  &h, y) != GSL_SUCCESS)
+      if (gsl_odeiv2_evolve_apply(driver->e, driver->c, driver->s, &system, &z.t, (mark + 2) * period,
+                                  &driver->h, y) != GSL_SUCCESS)
         throw std::runtime_error("A step of GSL failed.");
       z.q << y[0], y[1];
     }
@@ -109,8 +106,7 @@ Errors of_gsl(const State2& from, const std::vector<long>& milestones) {
 struct Subject {
   const char* method;
   Run run;
-  double reach =
-      1.0;  ///< It goes through this part of the horizon: the control is slow, and its law is soon clear.
+  double reach = 1.0;  ///< The part of the horizon it goes through: the control is slow, its law soon clear.
 };
 
 std::vector<Subject> subjects() {
@@ -132,9 +128,7 @@ std::vector<Subject> subjects() {
 
 int main(int argc, char** argv) {
   bool extremes = false;
-  const auto options = [&](CLI::App& app) {
-    add_flag(app, "--extremes", extremes, "A million periods, a quarter of an hour");
-  };
+  const std::vector<Option> options{{"--extremes", &extremes, "A million periods, a quarter of an hour"}};
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
     const long periods = frame.quick ? 1000 : extremes ? 1'000'000 : 10'000;
     Table table = frame.table({"method", "start", "eccentricity", "periods", "energy_error"});

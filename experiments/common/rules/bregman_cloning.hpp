@@ -65,7 +65,6 @@ struct BregmanCloning {
   CloneComposition composition = CloneComposition::strang;  ///< Order in which the two flows are composed.
   BregmanStart from{};                                      ///< Time and momentum of the first iterate.
 
-  /// The state of a run between two steps.
   struct State {
     VectorX r;            ///< Momentum of the copy that is read.
     double t;             ///< Its physical time.
@@ -73,13 +72,9 @@ struct BregmanCloning {
     MergedStages stages;  ///< The composition's lengths.
   };
 
-  /// State of one run. @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     validate(family, from, h);
-    return {.r = VectorX::Constant(first.x.size(), from.momentum),
-            .t = from.t,
-            .t_clone = from.t,
-            .stages = merged_stages(composition)};
+    return {VectorX::Constant(first.x.size(), from.momentum), from.t, from.t, merged_stages(composition)};
   }
 
   /// Advances by the fictive step, with 1, 3 or 9 gradients.

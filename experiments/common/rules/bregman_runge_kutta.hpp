@@ -76,9 +76,7 @@ struct BregmanRungeKutta {
   double h = 1e-3;       ///< Finite and positive.
   BregmanStart from{};   ///< Time and momentum of the first iterate.
 
-  using State = BregmanRungeKuttaState<T>;  ///< The state of a run between two steps.
-
-  /// State of one run. @throws std::invalid_argument for a parameter out of range.
+  using State = BregmanRungeKuttaState<T>;
   State start(const Iterate& first) const {
     validate(family, from, h);
     return {first, family, from, h};
@@ -103,9 +101,7 @@ struct BregmanEmbedded {
   double first_step = 1e-6;  ///< Fictive; finite and positive.
   BregmanStart from{};       ///< Time and momentum of the first iterate.
 
-  using State = BregmanRungeKuttaState<T>;  ///< The state of a run between two steps.
-
-  /// State of one run. @throws std::invalid_argument for a parameter out of range.
+  using State = BregmanRungeKuttaState<T>;
   State start(const Iterate& first) const {
     family.validate();
     from.validate();

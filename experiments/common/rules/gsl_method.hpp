@@ -21,34 +21,25 @@ struct GslMethod {
   double rtol = 1e-3, atol = 1e-6, first_step = 1e-6;
   avi::BregmanStart from{};
 
-  struct Free {
-    void operator()(gsl_odeiv2_step* p) const { gsl_odeiv2_step_free(p); }
-    void operator()(gsl_odeiv2_control* p) const { gsl_odeiv2_control_free(p); }
-    void operator()(gsl_odeiv2_evolve* p) const { gsl_odeiv2_evolve_free(p); }
-  };
-
   struct State {
     avi::VectorX z;
-    experiment::BregmanField field;
+    BregmanField field;
     double h;
     double tau = 0.0;
     avi::VectorX at = z, rate = z;
-    std::unique_ptr<gsl_odeiv2_step, Free> step{};
-    std::unique_ptr<gsl_odeiv2_control, Free> control{};
-    std::unique_ptr<gsl_odeiv2_evolve, Free> evolve{};
+    std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> driver;
   };
 
   State start(const avi::Iterate& first) const {
     family.validate();
     gsl_set_error_handler_off();
-    State s{.z = bregman_point(first, from),
+    const avi::VectorX z = bregman_point(first, from);
+    const gsl_odeiv2_system system{nullptr, nullptr, static_cast<std::size_t>(z.size()), nullptr};
+    return {.z = z,
             .field = {.family = family, .q = first.x, .gradient = first.gradient},
-            .h = first_step};
-    const auto size = static_cast<std::size_t>(s.z.size());
-    s.step.reset(gsl_odeiv2_step_alloc(type, size));
-    s.control.reset(gsl_odeiv2_control_y_new(atol, rtol));
-    s.evolve.reset(gsl_odeiv2_evolve_alloc(size));
-    return s;
+            .h = first_step,
+            .driver = {gsl_odeiv2_driver_alloc_y_new(&system, type, first_step, atol, rtol),
+                       gsl_odeiv2_driver_free}};
   }
 
   template <class F>
@@ -66,8 +57,8 @@ struct GslMethod {
     };
     const gsl_odeiv2_system system{rhs, nullptr, static_cast<std::size_t>(s.z.size()), &call};
     const double never = std::numeric_limits<double>::max();
-    const int status = gsl_odeiv2_evolve_apply(s.evolve.get(), s.control.get(), s.step.get(), &system, &s.tau,
-                                               never, &s.h, s.z.data());
+    const int status = gsl_odeiv2_evolve_apply(s.driver->e, s.driver->c, s.driver->s, &system, &s.tau, never,
+                                               &s.h, s.z.data());
     if (status != GSL_SUCCESS) return avi::Outcome::not_converged;
     now.x = s.z.head(now.x.size());
     now.evaluated = false;

@@ -18,22 +18,16 @@ namespace experiment {
 class AnyObjective {
  public:
   template <class F>
-  AnyObjective(const F& f)
-      : call_([&f](const avi::VectorX& x, avi::VectorX& gradient) { return f(x, gradient); }),
-        value_([&f](const avi::VectorX& x) {
-          if constexpr (requires { f.value(x); }) {
-            return f.value(x);
-          } else {
-            avi::VectorX unused(x.size());
-            return f(x, unused);
-          }
-        }) {}
+  AnyObjective(const F& f) : call_(std::cref(f)) {}
   double operator()(const avi::VectorX& x, avi::VectorX& gradient) const { return call_(x, gradient); }
-  [[nodiscard]] double value(const avi::VectorX& x) const { return value_(x); }
+  /// The value alone, and counted as that.
+  [[nodiscard]] double value(const avi::VectorX& x) const {
+    avi::VectorX unused(x.size());
+    return call_(x, unused);
+  }
 
  private:
   std::function<double(const avi::VectorX&, avi::VectorX&)> call_;
-  std::function<double(const avi::VectorX&)> value_;
 };
 
 /// Sees every iterate, its number and the gradients so far; false ends the run.
@@ -70,8 +64,8 @@ struct Rule {
   avi::StepControl control{};            ///< Step control of Runge-Kutta pairs.
 };
 
-/// Minimises f from x0. @throws std::invalid_argument for a method that Rule does not name, and as
-/// avi::run_updates().
+/// Minimises f from x0. @throws std::invalid_argument as avi::run_updates(), and where Rule names no such
+/// method.
 avi::Minimisation run_updates(const Rule& rule, const AnyObjective& f, const avi::VectorX& x0,
                               const avi::Stopping& stopping = {}, const AnyWitness& witness = {});
 

@@ -7,29 +7,35 @@
 
 /// @file
 /// Update rules of others for avi::run_updates(): those that the paper compares with, and gradient descent.
+/// Each has the State of a run between two steps; start(), which makes it and throws std::invalid_argument
+/// for a parameter out of range; and update(), which moves x once.
 
 namespace experiment {
 
 using avi::Outcome, avi::VectorX, avi::require, avi::require_positive, avi::Iterate, avi::norm;
+
+/// Subtracts step(g, i) from each entry of x, with the gradient at hand; the loop evaluates at the new x.
+template <class Step>
+Outcome descend(Iterate& now, const Step& step) {
+  for (Eigen::Index i = 0; i < now.x.size(); ++i)
+    now.x[i] -= step(now.gradient[i], i);
+  now.evaluated = false;
+  return Outcome::ok;
+}
 
 /// Gradient descent (Cauchy 1847): \f$x_k = x_{k-1} - h\, \nabla f(x_{k-1})\f$.
 struct GradientDescent {
   double h = 1e-3;  ///< Step size, finite and positive.
 
   struct State {};  ///< Nothing is carried.
-
-  /// State of one run. @throws std::invalid_argument for h out of range.
   State start(const Iterate&) const {
     require_positive("Step size h", h);
     return {};
   }
 
-  /// Moves x once, with the gradient at hand; the loop evaluates at the new x.
   template <class F>
   Outcome update(State&, Iterate& now, F&) const {
-    now.x -= h * now.gradient;
-    now.evaluated = false;
-    return Outcome::ok;
+    return descend(now, [&](double g, Eigen::Index) { return h * g; });
   }
 };
 
@@ -43,7 +49,6 @@ struct Nag {
   double h = 1e-3;   ///< Step size, finite and positive.
   double first = 2;  ///< k of the first update, finite and at least 1.
 
-  /// The state of a run between two steps.
   struct State {
     VectorX y;         ///< y_k.
     VectorX gradient;  ///< Gradient at y_k.
@@ -51,7 +56,6 @@ struct Nag {
     long k = 0;        ///< Iterations made.
   };
 
-  /// State of one run. @throws std::invalid_argument for h or first out of range.
   State start(const Iterate& begin) const {
     require_positive("Step size h", h);
     require(std::isfinite(first) && first >= 1.0, "NAG's first k", first, "finite and at least 1");
@@ -81,7 +85,6 @@ struct Adam {
   double beta_2 = 0.999;  ///< Decay of the mean squared gradient, in [0, 1).
   double epsilon = 1e-8;  ///< Added outside the root, at least 0.
 
-  /// The state of a run between two steps.
   struct State {
     VectorX mean;          ///< m.
     VectorX square;        ///< v.
@@ -89,7 +92,6 @@ struct Adam {
     double power_2 = 1.0;  ///< beta_2^k.
   };
 
-  /// State of one run. @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     require_positive("ADAM's rate", rate);
     require(beta_1 >= 0.0 && beta_1 < 1.0, "ADAM's beta_1", beta_1, "in [0, 1)");
@@ -99,20 +101,16 @@ struct Adam {
     return {.mean = zero, .square = zero};
   }
 
-  /// Moves x once, with the gradient at hand; the loop evaluates at the new x.
   template <class F>
   Outcome update(State& state, Iterate& now, F&) const {
     state.power_1 *= beta_1;
     state.power_2 *= beta_2;
     const double scale_1 = 1.0 - state.power_1, scale_2 = 1.0 - state.power_2;
-    for (Eigen::Index i = 0; i < now.x.size(); ++i) {
-      const double g = now.gradient[i];
+    return descend(now, [&](double g, Eigen::Index i) {
       state.mean[i] = beta_1 * state.mean[i] + (1.0 - beta_1) * g;
       state.square[i] = beta_2 * state.square[i] + (1.0 - beta_2) * (g * g);
-      now.x[i] -= rate * (state.mean[i] / scale_1) / (std::sqrt(state.square[i] / scale_2) + epsilon);
-    }
-    now.evaluated = false;
-    return Outcome::ok;
+      return rate * (state.mean[i] / scale_1) / (std::sqrt(state.square[i] / scale_2) + epsilon);
+    });
   }
 };
 
@@ -122,47 +120,38 @@ struct AdaGrad {
   double rate = 1.0;      ///< Step size, positive.
   double epsilon = 1e-8;  ///< Added outside the root, at least 0.
 
-  /// The state of a run between two steps.
   struct State {
     VectorX square;  ///< v.
   };
 
-  /// State of one run. @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     require_positive("AdaGrad's rate", rate);
     require(std::isfinite(epsilon) && epsilon >= 0.0, "AdaGrad's epsilon", epsilon, "finite and at least 0");
     return {.square = VectorX::Zero(first.x.size())};
   }
 
-  /// Moves x once, with the gradient at hand; the loop evaluates at the new x.
   template <class F>
   Outcome update(State& state, Iterate& now, F&) const {
-    for (Eigen::Index i = 0; i < now.x.size(); ++i) {
-      const double g = now.gradient[i];
+    return descend(now, [&](double g, Eigen::Index i) {
       state.square[i] += g * g;
-      now.x[i] -= rate * g / (std::sqrt(state.square[i]) + epsilon);
-    }
-    now.evaluated = false;
-    return Outcome::ok;
+      return rate * g / (std::sqrt(state.square[i]) + epsilon);
+    });
   }
 };
 
 /// RMSprop (Tieleman and Hinton 2012, lecture 6.5): \f$v \leftarrow \rho v + (1 - \rho)\, g^2\f$, \f$x
 /// \mathrel{-}= rate\; g/\sqrt{v + \epsilon}\f$, element by element.
 ///
-/// \f$\epsilon\f$ stands inside the root. Many programs add it outside; only inside gives the published
-/// counts.
+/// \f$\epsilon\f$ stands inside the root. Many programs add it outside; only inside gives the printed counts.
 struct RmsProp {
   double rate = 1e-2;     ///< Step size, positive.
   double rho = 0.9;       ///< Decay of the mean squared gradient, in [0, 1).
   double epsilon = 1e-8;  ///< Added inside the root, at least 0.
 
-  /// The state of a run between two steps.
   struct State {
     VectorX square;  ///< v.
   };
 
-  /// State of one run. @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     require_positive("RMSprop's rate", rate);
     require(rho >= 0.0 && rho < 1.0, "RMSprop's rho", rho, "in [0, 1)");
@@ -170,16 +159,12 @@ struct RmsProp {
     return {.square = VectorX::Zero(first.x.size())};
   }
 
-  /// Moves x once, with the gradient at hand; the loop evaluates at the new x.
   template <class F>
   Outcome update(State& state, Iterate& now, F&) const {
-    for (Eigen::Index i = 0; i < now.x.size(); ++i) {
-      const double g = now.gradient[i];
+    return descend(now, [&](double g, Eigen::Index i) {
       state.square[i] = rho * state.square[i] + (1.0 - rho) * (g * g);
-      now.x[i] -= rate * g / std::sqrt(state.square[i] + epsilon);
-    }
-    now.evaluated = false;
-    return Outcome::ok;
+      return rate * g / std::sqrt(state.square[i] + epsilon);
+    });
   }
 };
 
@@ -199,13 +184,11 @@ struct TrustRegion {
   double grow = 2.0;     ///< At least 1.
   int trials = 1000;     ///< Cap on trials in one iteration, at least 1; beyond it: not_converged.
 
-  /// The state of a run between two steps.
   struct State {
     VectorX trial;  ///< x + s.
     double radius;  ///< Delta.
   };
 
-  /// State of one run. @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     require_positive("Trust region radius", radius);
     require(accept >= 0.0 && accept < 1.0, "Ratio that accepts", accept, "in [0, 1)");

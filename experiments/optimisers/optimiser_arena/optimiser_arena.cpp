@@ -59,7 +59,7 @@ Passage median_of(const std::vector<Passages>& runs, std::size_t k) {
 
 int main(int argc, char** argv) {
   bool full = false;
-  const auto options = [&](CLI::App& app) { add_flag(app, "--full", full, "dimensions up to 1e6"); };
+  const std::vector<Option> options{{"--full", &full, "dimensions up to 1e6"}};
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
     const std::vector<Method> methods = arena::all_methods();
     const std::vector<Problem> problems = arena::all_problems(full, full);

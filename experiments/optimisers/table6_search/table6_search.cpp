@@ -123,10 +123,9 @@ Sample sample(const Spectrum& of, const Variant& variant, int runs, std::mt19937
 int main(int argc, char** argv) {
   bool longer = false;
   std::string only;
-  const auto options = [&](CLI::App& app) {
-    add_flag(app, "--long", longer, "The whole range for every variant: some minutes each");
-    add_text(app, "--variant", only, "Only variants whose name contains this");
-  };
+  const std::vector<Option> options{
+      {"--long", &longer, "The whole range for every variant: some minutes each"},
+      {"--variant", &only, "Only variants whose name contains this"}};
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
     const Spectrum of = spectrum();
     Table table =

@@ -80,9 +80,8 @@ bool compare(Table& table, Table& choices, const Arena& arena, const Targets& ta
 
 int main(int argc, char** argv) {
   bool extremes = false;
-  const auto options = [&](CLI::App& app) {
-    add_flag(app, "--extremes", extremes, "Drift over a thousand horizons, ten thousand periods");
-  };
+  const std::vector<Option> options{
+      {"--extremes", &extremes, "Drift over a thousand horizons, ten thousand periods"}};
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
     Table table = frame.table({"problem", "held_out", "order", "target", "steps", "position_error",
                                "energy_error", "sweeps", "work"});

@@ -18,9 +18,8 @@ int main(int argc, char** argv) {
   using namespace experiment;
   using namespace experiment::front_door;
   bool full = false;
-  const auto options = [&](CLI::App& app) {
-    add_flag(app, "--full", full, "All scenes, finer tolerances, longer blocks, 1000 characteristic times");
-  };
+  const std::vector<Option> options{
+      {"--full", &full, "All scenes, finer tolerances, longer blocks, 1000 characteristic times"}};
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
     Budget budget;
     budget.longest_run = 0.005;

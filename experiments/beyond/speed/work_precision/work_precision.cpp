@@ -74,7 +74,7 @@ Measured measured_with_unit(const Scene& unit_scene, const Scene& scene, const B
 
 int main(int argc, char** argv) {
   bool full = false;
-  const auto options = [&](CLI::App& app) { add_flag(app, "--full", full, "The whole grid, some minutes"); };
+  const std::vector<Option> options{{"--full", &full, "The whole grid, some minutes"}};
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
     const Grid grid = frame.quick ? Grid::quick : full ? Grid::full : Grid::reduced;
     const Budget base =
