@@ -4,8 +4,7 @@
 
 #include "avi/integrators/runge_kutta.hpp"
 #include "common/problems/correlated_quartic.hpp"
-
-#include <gsl/gsl_eigen.h>
+#include "optimisers/table6_search/modes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,30 +19,15 @@ namespace {
 using namespace experiment;
 using avi::VectorX;
 
-/// The quartic in the eigenvectors of Sigma, where its proximal map is one scalar equation.
+/// The quartic in the eigenvectors of Sigma that starts with equal entries excite, where its proximal map is
+/// one scalar equation.
 class DiagonalQuartic {
  public:
-  explicit DiagonalQuartic(Eigen::Index n = 50, double rho = 0.9) : sigma_(n), turn_(n, n) {
-    // GSL's, which is compiled already.
-    const auto size = static_cast<std::size_t>(n);
-    Eigen::MatrixXd sigma(n, n);
-    for (Eigen::Index i = 0; i < n; ++i)
-      for (Eigen::Index j = 0; j < n; ++j)
-        sigma(i, j) = std::pow(rho, std::abs(static_cast<double>(i - j)));
-    auto matrix = gsl_matrix_view_array(sigma.data(), size, size);
-    auto values = gsl_vector_view_array(sigma_.data(), size);
-    auto vectors = gsl_matrix_view_array(turn_.data(), size, size);
-    gsl_eigen_symmv_workspace* space = gsl_eigen_symmv_alloc(size);
-    gsl_eigen_symmv(&matrix.matrix, &values.vector, &vectors.matrix, space);
-    gsl_eigen_symmv_free(space);
-  }
   /// A vector in the coordinates of the eigenvectors.
-  [[nodiscard]] VectorX turned(double every_entry) const {
-    return turn_ * VectorX::Constant(sigma_.size(), every_entry);
-  }
+  [[nodiscard]] VectorX turned(double every_entry) const { return every_entry * ones_; }
 
   double operator()(const VectorX& u, VectorX& gradient) const {
-    const double form = (sigma_.array() * u.array().square()).sum();
+    const double form = form_of(u);
     gradient = 4.0 * form * (sigma_.array() * u.array()).matrix();
     return form * form;
   }
@@ -53,18 +37,20 @@ class DiagonalQuartic {
     const auto point = [&](double k) -> VectorX {
       return u.array() / (1.0 + 4.0 * lambda * k * sigma_.array());
     };
-    const auto form = [&](const VectorX& y) { return (sigma_.array() * y.array().square()).sum(); };
-    double low = 0.0, high = form(u);  // form(point(k)) - k falls from positive to negative
+    double low = 0.0, high = form_of(u);  // form_of(point(k)) - k falls from positive to negative
     for (int i = 0; i < 200 && high - low > 1e-16 * high; ++i) {
       const double middle = 0.5 * (low + high);
-      (form(point(middle)) > middle ? low : high) = middle;
+      (form_of(point(middle)) > middle ? low : high) = middle;
     }
     return point(0.5 * (low + high));
   }
 
  private:
-  VectorX sigma_;
-  Eigen::MatrixXd turn_;  ///< Rows are the eigenvectors: GSL's columns, stored by rows.
+  [[nodiscard]] double form_of(const VectorX& y) const { return (sigma_.array() * y.array().square()).sum(); }
+
+  table6_search::Spectrum spectrum_ = table6_search::spectrum();
+  VectorX sigma_ = Eigen::Map<VectorX>(spectrum_.lambda.data(), table6_search::modes);
+  VectorX ones_ = Eigen::Map<VectorX>(spectrum_.ones.data(), table6_search::modes);
 };
 
 /// A run of iterates, followed until the stopping test has held for good, f is no number, or a cap is

@@ -1,11 +1,7 @@
-#include "beyond/speed/automatic_monitors/cost.hpp"
 #include "beyond/speed/automatic_monitors/drift.hpp"
-#include "common/frame.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 
 // Steps of collocation for fixed errors of position and energy: the monitors that solve() chooses from H

@@ -5,7 +5,10 @@
 #include "avi/solve.hpp"
 
 #include <cmath>
+#include <functional>
+#include <string>
 #include <utility>
+#include <vector>
 
 /// @file
 /// A problem over a span of time, with everybody who takes part: avi::solve() as a user calls it, and the
@@ -18,6 +21,19 @@ using work_precision::Result;
 
 /// One race. Its families are `avi`, then the peers; settings are tolerances.
 using Contest = work_precision::Scene;
+
+/// A problem with its characteristic time: a period, or 2 pi over the usual frequency.
+struct Scene {
+  std::string name;
+  std::string kind;
+  bool held_out;                 ///< Drawn up after the menu was made; run by `--full` only.
+  double unit;                   ///< Characteristic time.
+  std::vector<double> horizons;  ///< In characteristic times; where motion is regular enough for a reference.
+  std::function<Contest(double span)> make;
+};
+
+/// All of them, in the order in which they are shown.
+std::vector<Scene> scenes();
 
 /// Position at the end by extrapolation of order 20 in long double, which shares nothing with the methods
 /// that race; `steps` are its steps.

@@ -1,15 +1,11 @@
 #include "beyond/speed/front_door/race.hpp"
-#include "beyond/speed/front_door/scenes.hpp"
 #include "beyond/speed/work_precision/peers/peers.hpp"
 
 #include "common/frame.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <string>
-#include <vector>
 
 // avi::solve() as a user calls it against the integrators of other libraries: the time of the whole call at
 // equal error of the position at the end.

@@ -1,4 +1,4 @@
-#include "beyond/speed/front_door/scenes.hpp"
+#include "beyond/speed/front_door/contest.hpp"
 #include "beyond/speed/front_door/formulas.hpp"
 #include "beyond/speed/front_door/more_formulas.hpp"
 

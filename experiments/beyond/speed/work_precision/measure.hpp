@@ -1,9 +1,10 @@
 #pragma once
 #include "beyond/speed/work_precision/family.hpp"
 
-#include <functional>
-#include <string>
-#include <vector>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 
 /// @file
 /// From families of methods to points in the plane of cost and error.
@@ -21,7 +22,8 @@ struct Point {
   double position_error = 0.0;
   double energy_error = 0.0;  ///< Largest over the steps, from start 0.
 
-  [[nodiscard]] std::string label() const;  ///< `g=r^1.5 h=0.2`.
+  /// `g=r^1.5 h=0.2`.
+  [[nodiscard]] std::string label() const { return fmt::format("{}={:.4g}", family->knob, setting); }
 };
 
 /// The budget in evaluations of the force: so the machine's speed does not decide what is measured. A
@@ -34,11 +36,97 @@ struct Budget {
   std::size_t stride = 3;       ///< Every that many of a family's settings is tried.
 };
 
+struct Trial {
+  const Family* family;
+  double setting;
+  double seconds;
+  long step_cap;
+};
+
+/// Evaluations of the force that a run was worth.
+inline double work(const Family& family, const Result& result) {
+  return family.weight * static_cast<double>(result.evaluations);
+}
+
+/// As many steps as take that much work, told from the first few hundred. (An orbit that a coarse setting
+/// throws out may take any number of them.)
+inline long steps_within(double most, const Family& family, double setting) {
+  const Result result = family.run({.setting = setting, .step_cap = 300});
+  const double step = work(family, result) / static_cast<double>(std::max(result.steps, 1L));
+  return static_cast<long>(most / std::max(step, 1.0));
+}
+
+/// The settings of one family that are worth measuring.
+inline std::vector<Trial> scout(const Scene& scene, const Family& family, const Budget& budget) {
+  const double far_too_long = 2.0 * budget.longest_run;
+  std::vector<Trial> kept;
+  double best = std::numeric_limits<double>::infinity();
+  std::size_t stale = 0;
+  double spent = 0.0;
+  for (std::size_t i = 0; i < family.settings.size(); i += budget.stride) {
+    const double setting = family.settings[i];
+    const long step_cap = steps_within(far_too_long, family, setting);
+    const Result result = family.run({.setting = setting, .step_cap = step_cap});
+    const double error = result.ok ? scene.position_error(0, result.t, result.q) : std::nan("");
+    const double taken = work(family, result);
+    spent += (starts + 1) * std::max(taken, budget.least_run);
+    if ((i > 0 && taken > far_too_long) || spent > budget.family) break;
+    if (error < 0.1 && taken <= far_too_long)
+      kept.push_back({&family, setting, result.seconds, 2 * step_cap});
+    if (error < 0.7 * best) {
+      best = error;
+      stale = 0;
+    } else if (best < 1e-2) {
+      ++stale;
+    }
+    if (stale * budget.stride >= 6 || error < 2e-14) break;
+    if (taken > budget.longest_run) break;
+  }
+  return kept;
+}
+
 /// Measures every family of a scene. First each is tried from coarse to fine, once, to find the settings
 /// that are worth measuring: an error below 0.1 and not yet at the floor, work below the cap. Then round
 /// k = 0 ... 4 runs all of them from start k, one after the other, so that a drift of the machine's speed
 /// meets all alike. `progress` is told the fraction done.
-std::vector<Point> measure(const Scene& scene, const Budget& budget,
-                           const std::function<void(double)>& progress);
+inline std::vector<Point> measure(const Scene& scene, const Budget& budget,
+                                  const std::function<void(double)>& progress) {
+  std::vector<Trial> trials;
+  for (const Family& family : scene.families) {
+    const auto kept = scout(scene, family, budget);
+    trials.insert(trials.end(), kept.begin(), kept.end());
+  }
+  std::vector<std::vector<double>> seconds(trials.size()), errors(trials.size());
+  std::vector<Point> points(trials.size());
+  for (int k = 0; k < starts; ++k) {
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+      const Trial& trial = trials[i];
+      const int repeats = static_cast<int>(std::clamp(budget.least_block / trial.seconds, 1.0, 1e5));
+      const Result result = trial.family->run(
+          {.setting = trial.setting, .start = k, .repeats = repeats, .step_cap = trial.step_cap});
+      seconds[i].push_back(result.seconds);
+      errors[i].push_back(result.ok ? scene.position_error(k, result.t, result.q)
+                                    : std::numeric_limits<double>::infinity());
+      if (k == 0) {
+        const Result watched =
+            trial.family->run({.setting = trial.setting, .watch_energy = true, .step_cap = trial.step_cap});
+        points[i] = {.family = trial.family,
+                     .setting = trial.setting,
+                     .steps = result.steps,
+                     .evaluations = result.evaluations,
+                     .energy_error = watched.energy_error};
+      }
+    }
+    progress((k + 1.0) / starts);
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i].seconds = median(seconds[i]);
+    points[i].least_seconds = std::ranges::min(seconds[i]);
+    points[i].most_seconds = std::ranges::max(seconds[i]);
+    points[i].position_error = median(errors[i]);
+  }
+  std::erase_if(points, [](const Point& p) { return !std::isfinite(p.position_error); });
+  return points;
+}
 
 }  // namespace experiment::work_precision

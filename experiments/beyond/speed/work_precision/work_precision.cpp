@@ -1,17 +1,6 @@
 #include "beyond/speed/work_precision/advice.hpp"
-#include "beyond/speed/work_precision/measure.hpp"
 #include "beyond/speed/work_precision/peers/peers.hpp"
 #include "beyond/speed/work_precision/scenes/scenes.hpp"
-
-#include "common/frame.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <string>
-#include <vector>
 
 // Position error at the end and largest energy error against wall time, for every explicit method of the
 // library, HTVI of many orders and the integrators of other libraries. The unit SV of cost is the
