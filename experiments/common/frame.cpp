@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 namespace experiment {
-
 namespace {
 
 /// Blocks SIGINT, SIGTERM and SIGHUP for as long as it lives, so that no temporary file is left behind.
@@ -30,8 +29,7 @@ class Uninterrupted {
   sigset_t before_{};
 };
 
-/// Makes the folder and proves that a page can be written in it, before any work is done: a full disk still
-/// creates files.
+/// Makes the folder and proves that a page can be written in it: a full disk still creates files.
 void require_writable(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);

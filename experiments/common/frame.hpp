@@ -8,8 +8,7 @@
 #include <variant>
 
 /// @file
-/// The frame of every experiment: options, output folder, provenance, progress and exit status, so that an
-/// experiment is its settings and its loop.
+/// What every experiment has beside settings and loop: options, folder, provenance, progress, exit status.
 
 namespace experiment {
 
@@ -21,8 +20,7 @@ class Frame {
   bool quick = false;              ///< A shortened run for tests: same columns, fewer or shorter rows.
   mutable bool line_open = false;  ///< Progress stands on the terminal.
 
-  /// A table that begins with the provenance lines (experiment, commit, compiler, flags, libraries, machine,
-  /// date).
+  /// A table that begins with its provenance: experiment, commit, compiler, flags, libraries, machine, date.
   [[nodiscard]] experiment::Table table(std::vector<std::string> columns) const;
 
   /// Writes a table as <name>.tsv, or <name>_<curve>.tsv.

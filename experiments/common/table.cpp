@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 namespace experiment {
-
 namespace {
 
 /// Refuses what would read back as something else.

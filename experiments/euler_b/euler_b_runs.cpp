@@ -1,16 +1,14 @@
 #include "euler_b/euler_b_runs.hpp"
 
-#include "common/methods/search.hpp"
-#include "common/timing.hpp"
-
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/euler_b.hpp"
 #include "avi/transform/monitors.hpp"
+#include "common/methods/search.hpp"
+#include "common/timing.hpp"
 
 #include <stdexcept>
 
 namespace experiment {
-
 namespace {
 
 Method2 euler_b(const EulerBSetting& setting) {

@@ -1,17 +1,15 @@
-#include "common/frame.hpp"
-
 #include "avi/collocation/collocation.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
+#include "common/frame.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-// One orbit of Kepler's problem with its steps, by monitor: as many steps of the same method, equal in
-// Poincare time.
+// One orbit of Kepler's problem with its steps, by monitor: equally many, equal in Poincare time.
 
 namespace {
 
@@ -31,8 +29,7 @@ void orbit(const G& monitor, double h, Look look) {
   if (run.outcome != avi::Outcome::ok) throw std::runtime_error(run.message);
 }
 
-/// Fictive time of an orbit, the integral of dt / g along it: by fine steps of |q|^(3/2), each counted with
-/// the value of 1 / g in its middle.
+/// Fictive time of an orbit, the integral of dt / g: by the trapezium rule over fine steps of |q|^(3/2).
 template <class G>
 double fictive_period(const G& monitor) {
   double sum = 0.0;

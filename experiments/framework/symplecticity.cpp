@@ -1,16 +1,14 @@
-#include "common/frame.hpp"
-
 #include "avi/htvi/htvi.hpp"
 #include "avi/transform/euler_b.hpp"
 #include "avi/transform/monitors.hpp"
 #include "bregman/printed/extended_splitting.hpp"
 #include "bregman/printed/htvi_printed.hpp"
+#include "common/frame.hpp"
 #include "common/methods/printed_htvi.hpp"
 #include "framework/step_defects.hpp"
 
 // How far one step is from being symplectic, as the step shrinks: the adaptive integrators on Kepler's
-// problem, as maps of (q, p) and of (q, t, p, p^t), and the printed updates for Bregman dynamics on extended
-// phase space, r^t included.
+// problem, as maps of (q, p) and of (q, t, p, p^t), and the printed Bregman updates, r^t included.
 
 using namespace experiment;
 

@@ -1,7 +1,7 @@
 #include "kepler/table.hpp"
 
-// Errors against the step h of each construction at the settings of Table 1 (e = 0.9), h from twice the
-// printed one to an eighth of it.
+// Errors against the step h of each construction at the settings of Table 1 (e = 0.9), from 2 h down to h /
+// 8.
 int main(int argc, char** argv) {
   using namespace experiment;
   return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {

@@ -1,9 +1,8 @@
-#include "kepler/table.hpp"
-
 #include "avi/htvi/htvi.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
 #include "common/methods/printed_htvi.hpp"
+#include "kepler/table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +10,6 @@
 #include <stdexcept>
 
 namespace experiment {
-
 namespace {
 
 /// Type II integrators of one Construction, Taylor order r and rule, for every row of a table.

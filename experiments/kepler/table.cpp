@@ -1,16 +1,15 @@
 #include "kepler/table.hpp"
 
-#include "common/timing.hpp"
-
 #include "avi/integrators/stormer_verlet.hpp"
 #include "avi/problems/kepler.hpp"
+#include "common/timing.hpp"
 
 #include <cmath>
 
 namespace experiment {
 
-// The arclength row of Table 1 prints the step bounds a h, b h where the other rows print a, b; only a =
-// 0.03, b = 3 gives its steps.
+// The arclength row of Table 1 prints the step bounds a h, b h, not a, b; only a = 0.03, b = 3 gives its
+// steps.
 KeplerTable table1() {
   return {.eccentricity = 0.9,
           .htvi = {{"gamma", 0.1, 0.01, 8.0},

@@ -60,8 +60,7 @@ struct KeplerRun {
   void run() const;
 };
 
-/// The settings of Table 1 (e = 0.9) and Table 2 (e = 0.99). Where they differ from the printed ones,
-/// kepler/table.cpp says why.
+/// The settings of Table 1 (e = 0.9) and Table 2 (e = 0.99). table.cpp says why some are not as printed.
 KeplerTable table1();
 KeplerTable table2();
 

@@ -1,9 +1,8 @@
-#include "common/frame.hpp"
-#include "common/timing.hpp"
-
 #include "avi/optim/minimise.hpp"
 #include "avi/optim/sweep.hpp"
+#include "common/frame.hpp"
 #include "common/problems/correlated_quartic.hpp"
+#include "common/timing.hpp"
 
 #include <malloc.h>
 

@@ -6,8 +6,7 @@
 #include <vector>
 
 /// @file
-/// How many numbers or claims got which verdict: the one source of the shares that terminal, paper and README
-/// state.
+/// How many numbers or claims got which verdict: the shares that terminal, paper and README state.
 
 namespace scorecard {
 
@@ -17,8 +16,7 @@ enum class Kind { outcome, input, seconds };
 /// The name used in data files.
 std::string_view name(Kind kind);
 
-/// An input is h, p, p_ring, a bound of a monitor, or the smallest and largest step of a row with fixed
-/// steps.
+/// An input is h, p, p_ring, a bound of a monitor, or the least and largest step where steps are fixed.
 Kind kind_of(std::string_view row, std::string_view quantity);
 
 /// True for a number that is that of the steps of a row with fixed steps.
@@ -37,8 +35,7 @@ struct Share {
 /// The values of a table's column in the order of Verdict and Ruling, those that do not occur left out.
 std::vector<Share> shares(const experiment::Table& table, std::string_view column);
 
-/// How many outcomes are exact in runs whose every setting is printed: predictions, where the others judge a
-/// fit.
+/// How many outcomes are exact in runs whose every setting is printed: predictions, not fits.
 std::size_t predicted(const experiment::Table& cells);
 
 /// How many outcomes are exact in runs of which only the start and the horizon are not printed; without the

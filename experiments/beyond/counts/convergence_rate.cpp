@@ -1,6 +1,5 @@
 #include "common/frame.hpp"
 #include "common/power_law.hpp"
-
 #include "common/problems/correlated_quartic.hpp"
 #include "common/rules/bregman_runge_kutta.hpp"
 

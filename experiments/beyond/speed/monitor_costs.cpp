@@ -1,11 +1,10 @@
-#include "common/methods/search.hpp"
-#include "common/timing.hpp"
-#include "kepler/table.hpp"
-
 #include "avi/htvi/htvi.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
 #include "common/methods/printed_htvi.hpp"
+#include "common/methods/search.hpp"
+#include "common/timing.hpp"
+#include "kepler/table.hpp"
 
 #include <cmath>
 

@@ -1,12 +1,10 @@
+#include "avi/problems/kepler.hpp"
 #include "common/frame.hpp"
 #include "common/methods/methods.hpp"
 #include "common/methods/phase.hpp"
 #include "common/power_law.hpp"
 
-#include "avi/problems/kepler.hpp"
-
-// Kepler's orbit of eccentricity 0.9 for up to a million periods: energy, angular momentum and phase at every
-// milestone.
+// Kepler's orbit of eccentricity 0.9 for up to a million periods: energy, angular momentum and phase.
 
 namespace {
 

@@ -1,13 +1,12 @@
-#include "common/frame.hpp"
-#include "common/power_law.hpp"
-#include "common/timing.hpp"
-
 #include "avi/collocation/collocation.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
+#include "common/frame.hpp"
+#include "common/power_law.hpp"
+#include "common/timing.hpp"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
@@ -19,8 +18,7 @@
 #include <vector>
 
 // Rounding over very many orbits: the energy errors of sixteen orbits at every milestone, and what an orbit
-// costs. If the error of each step is random and unbiased, their root mean square grows as the square root of
-// time (Brouwer 1937).
+// costs. If steps err at random and unbiased, they grow as the square root of time (Brouwer 1937).
 
 namespace {
 

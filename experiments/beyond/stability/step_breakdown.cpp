@@ -1,15 +1,13 @@
+#include "avi/problems/henon_heiles.hpp"
+#include "avi/problems/kepler.hpp"
 #include "common/frame.hpp"
 #include "common/methods/methods.hpp"
 #include "common/methods/search.hpp"
 
-#include "avi/problems/henon_heiles.hpp"
-#include "avi/problems/kepler.hpp"
-
 #include <complex>
 #include <optional>
 
-// The largest step of every integrator before it breaks, beside the limit of linear theory, and how the run
-// one notch beyond ends.
+// The largest step of every integrator, beside the limit of linear theory, and how the run beyond it ends.
 
 namespace {
 

@@ -8,8 +8,7 @@
 
 namespace experiment {
 
-/// H, and a method for the orbit through a start: made anew each time, so that nothing is left over from
-/// another run.
+/// H, and a method for the orbit through a start: made anew for each run.
 template <int n>
 struct MethodOf {
   std::function<double(const avi::State<n>&)> energy;                 ///< H.

@@ -1,7 +1,5 @@
 #include "common/methods/methods.hpp"
 
-#include "common/methods/runge_kutta_4.hpp"
-
 #include "avi/collocation/collocation.hpp"
 #include "avi/htvi/htvi.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
@@ -13,6 +11,7 @@
 #include "avi/transform/poincare.hpp"
 #include "common/methods/adaptive_verlet.hpp"
 #include "common/methods/hairer_soderlind.hpp"
+#include "common/methods/runge_kutta_4.hpp"
 
 #include <stdexcept>
 

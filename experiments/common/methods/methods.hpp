@@ -1,8 +1,7 @@
 #pragma once
-#include "common/methods/method_of_orbit.hpp"
-
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
+#include "common/methods/method_of_orbit.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,11 +1,10 @@
 #pragma once
-#include "common/extrapolation.hpp"
-#include "common/table.hpp"
-
 #include "avi/core/integrate.hpp"
 #include "avi/diagnostics/order.hpp"
 #include "avi/htvi/htvi.hpp"
+#include "common/extrapolation.hpp"
 #include "common/methods/printed_htvi.hpp"
+#include "common/table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -77,8 +76,7 @@ void add_cells(Table& table, const std::string& name, const Problem& problem, co
   for (int r = 0; r <= (quick ? 2 : 4); ++r)
     for (const auto& rule : rules) {
       // Between these the rule limits the order to s, but with a small factor (5e-7 for three Gauss nodes):
-      // at the steps that rounding leaves, that term and the one of order 2r + 2 compete, and a slope tells
-      // neither.
+      // that term and the one of order 2r + 2 compete, and a slope tells neither.
       if (stationary && rule.order > r + 1 && rule.order < 2 * r + 2) continue;
       const auto error_after = [&](int steps) {
         auto method = avi::htvi_of_order<type, Construction>(r, problem, rule);
@@ -98,8 +96,7 @@ void add_cells(Table& table, const std::string& name, const Problem& problem, co
 template <int n>
 using ExtendedPoint = avi::Vector<long double, 2 * n + 1>;
 
-/// The point at fictive time `horizon`, of order 16: 200 steps leave less than 1e-16 on the problems of this
-/// experiment.
+/// The point at fictive time `horizon`, of order 16: 200 steps leave less than 1e-16 here.
 template <class Problem>
 ExtendedPoint<Problem::dimension>
 extended_reference(const Problem& problem, const avi::State<Problem::dimension>& start, double horizon) {

@@ -1,10 +1,9 @@
-#include "common/frame.hpp"
-#include "framework/order_verification/cells.hpp"
-
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/time_dependent.hpp"
+#include "common/frame.hpp"
+#include "framework/order_verification/cells.hpp"
 
 // The order of the map as an experiment: min(2r + 2, s) for the stationary construction and Taylor order r,
 // quadrature order s; min(r + 1, s) at least for the paper's (Section 2.2). Type II and III.

@@ -8,8 +8,7 @@
 
 /// @file
 /// Type II HTVI for one degree of freedom and polynomial H and g, written out from its equations without the
-/// library: an independent second route to its order and symplecticity, and to what the lemmas of the paper's
-/// appendix say.
+/// library: a second route to its order, its symplecticity and the lemmas of the paper's appendix.
 
 namespace experiment::statements {
 

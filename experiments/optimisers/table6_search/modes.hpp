@@ -7,8 +7,7 @@
 #include <cmath>
 
 /// @file
-/// The paper's quartic f(x) = [(x - 1)' Sigma (x - 1)]^2 in the eigenvectors of Sigma that a start with equal
-/// entries excites.
+/// The quartic f(x) = [(x - 1)' Sigma (x - 1)]^2 in the eigenvectors of Sigma that equal entries excite.
 
 namespace experiment::table6_search {
 
@@ -82,8 +81,7 @@ struct State {
   }
 };
 
-/// The form y' Sigma y at the proximal point y_i = z_i / (1 + 4 lambda_i w), w = nu eta form(y): monotone in
-/// the form, by Newton's method from below.
+/// y' Sigma y at the proximal point y_i = z_i / (1 + 4 lambda_i w), w = nu eta form: by Newton, from below.
 inline Lane proximal_form(const Spectrum& of, const State& at, const Lane& strength) {
   Lane form = 0.0;
   for (int pass = 0; pass < 12; ++pass) {

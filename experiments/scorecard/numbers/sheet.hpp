@@ -56,8 +56,7 @@ class Cell : public Row {
   [[nodiscard]] const std::string& quantity() const { return text("quantity"); }
   [[nodiscard]] const std::string& published() const { return text("published"); }
 
-  /// The number that the same row of the paper's table prints for another quantity; empty where it prints
-  /// nothing.
+  /// The number that the same row of the paper prints for another quantity; empty where there is none.
   [[nodiscard]] std::string sibling(std::string_view quantity) const {
     return elsewhere(text("row"), quantity);
   }
@@ -81,8 +80,7 @@ Judgement compare(const Cell& cell, double ours, std::string note = "", double t
 /// Same for a count that the source begins `more` earlier than we do.
 Judgement compare_count(const Cell& cell, double ours, double more, std::string note);
 
-/// Same for what a run was made with: `exact` when it is the printed number, whatever its digits, else
-/// `differs`.
+/// Same for what a run was made with: `exact` or `differs`, whatever the digits.
 Judgement compare_setting(const Cell& cell, double ours);
 
 /// One line of the scorecard.
@@ -103,8 +101,7 @@ Judgement judge_symplectic(const Cell& cell, const experiment::Table& data);
 /// Table 6: iterations of several optimisers.
 Judgement judge_optimisers(const Cell& cell, const experiment::Table& data);
 
-/// The paper's tables in its order, which are counted without the one of formulas between the second and the
-/// third.
+/// The paper's tables in its order, counted without the one of formulas between the second and third.
 inline std::vector<Sheet> sheets() {
   return {{"kepler_e090", "Table 1: Kepler, eccentricity 0.9", judge_kepler},
           {"kepler_e099", "Table 2: Kepler, eccentricity 0.99", judge_kepler},

@@ -1,7 +1,6 @@
 #include "beyond/speed/automatic_monitors/scenes.hpp"
 
 namespace experiment {
-
 namespace {
 
 constexpr double period = 2.0 * M_PI;

@@ -1,7 +1,6 @@
 #include "beyond/speed/automatic_monitors/scenes.hpp"
 
 namespace experiment {
-
 namespace {
 
 /// Three particles on a ring with exponential springs, in the coordinates of their relative motion.

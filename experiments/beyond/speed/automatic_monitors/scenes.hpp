@@ -23,8 +23,7 @@ struct HandMade {
   avi::Formula monitor;
 };
 
-/// A problem with its orbit. The held-out ones were fixed before any formula was tuned, and not looked at
-/// until it was final.
+/// A problem with its orbit. The held-out ones were fixed before the tuning, and looked at after it.
 struct Scene {
   std::string name;
   bool held_out;

@@ -1,17 +1,14 @@
-#include "beyond/speed/cost_growth/axes.hpp"
-
 #include "avi/collocation/collocation.hpp"
 #include "avi/core/integrate.hpp"
 #include "avi/transform/poincare.hpp"
+#include "beyond/speed/cost_growth/axes.hpp"
 #include "common/problems/chain.hpp"
 
 #include <memory>
 
-// The dimension: a chain of more and more masses, by collocation of order 16. Everything is done to the eight
-// stages of a step at once.
+// The dimension: chains of masses, by collocation of order 16, with the eight stages of a step at once.
 
 namespace experiment {
-
 namespace {
 
 using avi::dynamic;

@@ -1,8 +1,7 @@
+#include "avi/problems/kepler.hpp"
 #include "beyond/speed/cost_growth/axes.hpp"
 #include "common/methods/methods.hpp"
 #include "common/methods/search.hpp"
-
-#include "avi/problems/kepler.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +11,6 @@
 // Kepler's problem: eccentricity, horizon and the Taylor order of one expansion.
 
 namespace experiment {
-
 namespace {
 
 constexpr double period = 2.0 * M_PI;
@@ -30,8 +28,7 @@ Measurement measured(std::string subject, double value, const Method2& runner, c
 }
 
 /// The step whose largest energy error over one orbit is the target, within `tolerance` where there is one:
-/// halved from `h` until the run comes near, then corrected on logarithms by order 4. NaN where that takes
-/// more than `cap` steps.
+/// halved from `h` until the run comes near, then corrected on logarithms by order 4. NaN beyond `cap` steps.
 double calibrated(const Method2& runner, const State2& start, double h, long cap) {
   const Limits limits{.time = period, .steps = cap, .energy_error = 100.0 * target};
   const auto error = [&](double tried) {

@@ -1,8 +1,7 @@
 #pragma once
+#include "avi/solve.hpp"
 #include "beyond/speed/work_precision/scenes/arena.hpp"
 #include "common/extrapolation.hpp"
-
-#include "avi/solve.hpp"
 
 #include <cmath>
 #include <functional>
@@ -11,8 +10,7 @@
 #include <vector>
 
 /// @file
-/// A problem over a span of time, with everybody who takes part: avi::solve() as a user calls it, and the
-/// integrators of other libraries.
+/// A problem over a span of time, with all that take part: avi::solve() as users call it, other libraries.
 
 namespace experiment::front_door {
 
@@ -35,8 +33,7 @@ struct Scene {
 /// All of them, in the order in which they are shown.
 std::vector<Scene> scenes();
 
-/// Position at the end by extrapolation of order 20 in long double, which shares nothing with the methods
-/// that race; `steps` are its steps.
+/// Position at the end by that many steps of extrapolation (order 20, long double), which is not in the race.
 template <class P>
 Eigen::VectorXd extrapolated_end(const P& problem, const avi::State<P::dimension>& start, double span,
                                  long steps) {
@@ -54,8 +51,7 @@ Eigen::VectorXd extrapolated_end(const P& problem, const avi::State<P::dimension
   return y.template head<P::dimension>().template cast<double>();
 }
 
-/// avi::solve() as a family: the whole call is timed. Evaluations are those of the field at one stage, trials
-/// included.
+/// avi::solve() as a family: the whole call is timed. Evaluations: of the field at one stage, with trials.
 template <class P>
 Family door(const P& problem, const avi::State<P::dimension>& start, double span) {
   const auto run = [=](const work_precision::Request& request) {

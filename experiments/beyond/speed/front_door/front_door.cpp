@@ -1,14 +1,12 @@
 #include "beyond/speed/front_door/race.hpp"
 #include "beyond/speed/work_precision/peers/peers.hpp"
-
 #include "common/frame.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-// avi::solve() as a user calls it against the integrators of other libraries: the time of the whole call at
-// equal error of the position at the end.
+// avi::solve() as a user calls it against other libraries: time of the whole call at equal error of the end.
 
 int main(int argc, char** argv) {
   using namespace experiment;

@@ -1,11 +1,10 @@
-#include "beyond/speed/front_door/contest.hpp"
-#include "beyond/speed/front_door/formulas.hpp"
-#include "beyond/speed/front_door/more_formulas.hpp"
-
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/n_body.hpp"
 #include "avi/problems/pendulum.hpp"
+#include "beyond/speed/front_door/contest.hpp"
+#include "beyond/speed/front_door/formulas.hpp"
+#include "beyond/speed/front_door/more_formulas.hpp"
 #include "beyond/speed/work_precision/scenes/bodies.hpp"
 #include "common/problems/outer_solar_system.hpp"
 #include "common/reference.hpp"
@@ -33,8 +32,7 @@ Scene scene(const char* name, const char* kind, bool held_out, double unit, std:
           }};
 }
 
-/// Its encounters are too close for fixed steps in time: the reference takes those of the logarithmic
-/// Hamiltonian.
+/// Its encounters are too close for fixed steps in time: the reference is that of the log Hamiltonian.
 Scene seven_bodies() {
   return {"seven_bodies", "bodies", false, 1.0, {1.0}, [](double span) {
             const avi::State<14> start = work_precision::star_cluster_start();

@@ -1,6 +1,5 @@
 #pragma once
 #include "beyond/speed/work_precision/measure.hpp"
-
 #include "common/frame.hpp"
 
 /// @file
@@ -26,8 +25,7 @@ inline std::string method(const Point* p) {
   return p->family->method;
 }
 
-/// A library measured in both places differs by up to this factor: a ratio to one measured elsewhere that is
-/// nearer to 1 decides nothing.
+/// A library measured in both places differs by up to this factor: a ratio nearer to 1 decides nothing.
 inline constexpr double spread_elsewhere = 1.43;
 
 inline bool unsure(double ratio, bool elsewhere) {

@@ -72,8 +72,7 @@ inline double expected_log_end(const std::string& form, const avi::BregmanFamily
                         : std::numeric_limits<double>::infinity();
 }
 
-/// Fictive step that takes about `steps` steps from t = 1 to log t = `log_end`, or to 1e300 where that is
-/// less.
+/// Fictive step that takes about `steps` steps from t = 1 to log t = `log_end`, at most to 1e300.
 inline double step_towards(const avi::BregmanFamily& family, double log_end, double steps) {
   return std::expm1(std::min(family.s() * log_end, 690.0)) / steps;
 }

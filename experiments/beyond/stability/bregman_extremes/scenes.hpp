@@ -1,6 +1,5 @@
 #pragma once
 #include "beyond/stability/bregman_extremes/limits.hpp"
-
 #include "common/problems/correlated_quartic.hpp"
 
 #include <algorithm>

@@ -10,7 +10,6 @@
 #include <memory>
 
 namespace arena {
-
 namespace {
 
 /// A meter as the libraries' callbacks see it: through arrays, with vectors that no call allocates.

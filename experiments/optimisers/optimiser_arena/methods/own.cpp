@@ -1,11 +1,9 @@
-#include "optimisers/optimiser_arena/meter.hpp"
-
 #include "avi/bregman/bregman_htvi.hpp"
 #include "avi/bregman/bregman_restarted.hpp"
 #include "avi/optim/minimise.hpp"
+#include "optimisers/optimiser_arena/meter.hpp"
 
 namespace arena {
-
 namespace {
 
 std::function<void(Meter&)> minimise_with(int memory) {

@@ -1,10 +1,8 @@
 #include "optimisers/optimiser_arena/problems/problem.hpp"
 
-// Unconstrained test problems of More, Garbow and Hillstrom (1981): a function each, and at the end the table
-// of names and starts.
+// Unconstrained test problems of More, Garbow and Hillstrom (1981): functions, then names and starts.
 
 namespace arena {
-
 namespace {
 
 double rosenbrock(const VectorX& x, VectorX& g) {

@@ -1,9 +1,7 @@
+#include "common/problems/correlated_quartic.hpp"
 #include "optimisers/optimiser_arena/problems/problem.hpp"
 
-#include "common/problems/correlated_quartic.hpp"
-
 namespace arena {
-
 namespace {
 
 /// Walsh and Hadamard's transform of 2^k entries, symmetric and orthogonal.
@@ -19,8 +17,7 @@ void mix(VectorX& x) {
 }
 
 /// y . C y / 2 with y = W x, W orthogonal and dense (n a power of 2), C diagonal from 1 to kappa, equally
-/// spaced in the logarithm. Without W, methods with a learning rate for each entry would know the
-/// eigenvectors.
+/// spaced in the logarithm. Without W, learning rates for each entry would know the eigenvectors.
 Problem quadratic(const std::string& name, double kappa, Index n) {
   VectorX c(n);
   for (Index i = 0; i < n; ++i)

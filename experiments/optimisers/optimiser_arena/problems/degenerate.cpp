@@ -1,7 +1,6 @@
 #include "optimisers/optimiser_arena/problems/problem.hpp"
 
 namespace arena {
-
 namespace {
 
 /// Between 1/2 and 3/2. From (1, 1, ...) methods whose first step has the length of their learning rate in

@@ -1,7 +1,6 @@
 #include "optimisers/optimiser_arena/problems/problem.hpp"
 
 namespace arena {
-
 namespace {
 
 /// A start beside a saddle of (x_i^2 - 1)^2 c_i / 4, coupled by differences of neighbours.

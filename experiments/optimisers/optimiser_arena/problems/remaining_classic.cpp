@@ -1,6 +1,5 @@
-#include "optimisers/optimiser_arena/problems/problem.hpp"
-
 #include "avi/optim/recorded_objective.hpp"
+#include "optimisers/optimiser_arena/problems/problem.hpp"
 
 #include <memory>
 
@@ -9,7 +8,6 @@
 // are automatic, and at the end the table of names and starts.
 
 namespace arena {
-
 namespace {
 
 auto square(const auto& r) { return r * r; }

@@ -1,7 +1,6 @@
 #include "optimisers/optimiser_arena/problems/problem.hpp"
 
 namespace arena {
-
 namespace {
 
 /// 1 / (1 + e^-z) without overflow.

@@ -1,9 +1,8 @@
+#include "avi/problems/henon_heiles.hpp"
+#include "avi/problems/kepler.hpp"
 #include "beyond/speed/work_precision/peers/peers.hpp"
 #include "beyond/speed/work_precision/scenes/arena.hpp"
 #include "beyond/speed/work_precision/scenes/bodies.hpp"
-
-#include "avi/problems/henon_heiles.hpp"
-#include "avi/problems/kepler.hpp"
 #include "common/problems/perturbed_kepler.hpp"
 
 #include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
@@ -63,8 +62,7 @@ void add(Scene& scene, const Equations& equations, F f_of) {
       [](double tolerance) { return odeint::bulirsch_stoer<State>(tolerance, tolerance); });
 }
 
-/// With the right-hand side and the dimension of P in line: where they are not, Bulirsch-Stoer takes up
-/// to 1.8 times as long.
+/// With right-hand side and dimension of P in line: else Bulirsch-Stoer takes up to 1.8 times as long.
 template <class P>
 bool added_in_line(Scene& scene, const Equations& equations) {
   if (equations.field != &Arena<P>::field) return false;

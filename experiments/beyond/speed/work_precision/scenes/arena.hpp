@@ -1,11 +1,10 @@
 #pragma once
+#include "avi/core/state.hpp"
 #include "beyond/speed/work_precision/family.hpp"
 #include "beyond/speed/work_precision/peers/peers.hpp"
 #include "common/methods/method_of_orbit.hpp"
 #include "common/reference.hpp"
 #include "common/table.hpp"
-
-#include "avi/core/state.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +15,7 @@
 #include <utility>
 
 /// @file
-/// A problem with its starts, and what a scene makes of it: families of our own methods, the equations that
-/// other libraries solve, a reference.
+/// A problem with its starts, and what a scene makes of it: our methods, equations for others, a reference.
 
 namespace experiment::work_precision {
 

@@ -1,6 +1,4 @@
 #pragma once
-#include "beyond/speed/work_precision/scenes/arena.hpp"
-
 #include "avi/collocation/collocation.hpp"
 #include "avi/htvi/htvi.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
@@ -9,6 +7,7 @@
 #include "avi/integrators/stormer_verlet.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
+#include "beyond/speed/work_precision/scenes/arena.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 #include "beyond/speed/work_precision/scenes/bodies.hpp"
 #include "beyond/speed/work_precision/scenes/families.hpp"
 #include "beyond/speed/work_precision/scenes/scenes.hpp"
-
 #include "common/problems/chain.hpp"
 #include "common/problems/outer_solar_system.hpp"
 

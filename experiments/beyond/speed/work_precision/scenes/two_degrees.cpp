@@ -1,12 +1,11 @@
+#include "avi/problems/henon_heiles.hpp"
+#include "avi/problems/kepler.hpp"
 #include "beyond/speed/work_precision/scenes/families.hpp"
 #include "beyond/speed/work_precision/scenes/scenes.hpp"
 #include "common/extrapolation.hpp"
-#include "common/reference.hpp"
-
-#include "avi/problems/henon_heiles.hpp"
-#include "avi/problems/kepler.hpp"
 #include "common/problems/double_pendulum.hpp"
 #include "common/problems/perturbed_kepler.hpp"
+#include "common/reference.hpp"
 
 #include <fmt/format.h>
 
