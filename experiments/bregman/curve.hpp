@@ -48,7 +48,7 @@ class Curve {
   }
 
   /// Adds one row for each bin, each beginning with the caller's cells.
-  void append(experiment::Table& table, const std::vector<std::string>& begin) const {
+  void append(Table& table, const std::vector<std::string>& begin) const {
     std::vector<double> ahead(points_.size());
     double largest = 0.0;
     for (std::size_t i = points_.size(); i-- > 0;)
@@ -57,9 +57,9 @@ class Curve {
       const Point& bin = points_[i];
       auto cells = begin;
       for (const auto& cell :
-           {std::to_string(bin.iteration), std::to_string(bin.gradients), experiment::exact(bin.value),
-            experiment::exact(bin.least), experiment::exact(bin.most), experiment::exact(ahead[i]),
-            experiment::exact(20 * bin.iteration <= 19 * points_.back().iteration ? ahead[i] : std::nan(""))})
+           {std::to_string(bin.iteration), std::to_string(bin.gradients), exact(bin.value), exact(bin.least),
+            exact(bin.most), exact(ahead[i]),
+            exact(20 * bin.iteration <= 19 * points_.back().iteration ? ahead[i] : std::nan(""))})
         cells.push_back(cell);
       table.add(std::move(cells));
     }

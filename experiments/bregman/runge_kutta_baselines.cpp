@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
   using namespace experiment;
   return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
     constexpr double atol = 1e-6;
-    const experiment::CorrelatedQuartic f;
+    const CorrelatedQuartic f;
     const avi::Stopping stopping{.delta = 1e-10, .iterations = 400'000};
     Table table = frame.table({"method", "approach", "p", "p_ring", "rtol", "atol", "h", "iterations",
                                "gradient_evaluations", "converged", "outcome", "seconds", "sustained"});

@@ -22,7 +22,7 @@ int iteration_table(int argc, char** argv, const std::string& shows, const std::
     table.note("perturbed", "counts from " + std::to_string(starts) + " starts moved by up to 1e-14");
     Table curves = frame.table(Curve::columns_after({"curve", "method", "approach", "p", "p_ring"}));
     curves.note("rows", Curve::rows);
-    const experiment::CorrelatedQuartic f;
+    const CorrelatedQuartic f;
     each_setting(frame, settings, [&](const Setting& s, bool) {
       avi::Minimisation result;
       Curve curve(1.0, 0.01);
@@ -42,7 +42,7 @@ int iteration_table(int argc, char** argv, const std::string& shows, const std::
 
 PerturbedCounts perturbed_counts(const Setting& setting, long starts, double size,
                                  const avi::Stopping& stopping) {
-  const experiment::CorrelatedQuartic f;
+  const CorrelatedQuartic f;
   PerturbedCounts result;
   for (long i = 0; i < starts; ++i) {
     std::mt19937_64 random(static_cast<std::uint64_t>(i) + 1);

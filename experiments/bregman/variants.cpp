@@ -97,7 +97,7 @@ Followed proximal_points(const DiagonalQuartic& f, double h, long cap) {
 /// The other copy of Strang's cloning at the published start: the flow of H-bar_2 kicks it, that of H-bar_1
 /// moves it, so its step is kick, drift, kick, and the gradient at its end serves test and next step.
 Followed kicked_first(const BregmanFamily& family, double h, long cap) {
-  const experiment::CorrelatedQuartic f;
+  const CorrelatedQuartic f;
   const MergedStages stages = merged_stages(CloneComposition::strang);
   avi::ExtendedPoint z{.q = f.start(), .t = 1.0, .r = VectorX::Constant(50, 1.0)}, clone = z;
   return followed(f, clone.q, cap, [&](VectorX& q) {
@@ -129,7 +129,7 @@ Followed bound(const DiagonalQuartic& f, double omega, double h, long cap) {
 
 /// Largest distance over t <= 4 of Nesterov's iterates from x'' + (3/t) x' + grad f = 0 at t = k sqrt(h).
 double distance_to_limit(double h) {
-  const experiment::CorrelatedQuartic f(3, 0.5);
+  const CorrelatedQuartic f(3, 0.5);
   const VectorX start = VectorX::Constant(3, 1.6);
   const double root = std::sqrt(h);
   VectorX x = start, y = start, before = start, g(3), z(7);  // z = (x, x', t) of the equation

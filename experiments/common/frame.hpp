@@ -21,10 +21,10 @@ class Frame {
   mutable bool line_open = false;  ///< Progress stands on the terminal.
 
   /// A table that begins with its provenance: experiment, commit, compiler, flags, libraries, machine, date.
-  [[nodiscard]] experiment::Table table(std::vector<std::string> columns) const;
+  [[nodiscard]] Table table(std::vector<std::string> columns) const;
 
   /// Writes a table as <name>.tsv, or <name>_<curve>.tsv.
-  void write(const experiment::Table& table, std::string_view curve = "") const;
+  void write(const Table& table, std::string_view curve = "") const;
 
   /// Shows `label` and which part of the work is done on a terminal; prints nothing in a pipe.
   void progress(std::string_view label, double done, double of = 1.0) const;

@@ -14,9 +14,9 @@ int main(int argc, char** argv) {
     for (int k = 0; k < 3; ++k)
       size *= run_euler_b(euler_b_setting("truncation", size), eccentricity, horizon).steps / fixed_steps;
 
-    experiment::Table out = frame.table({"method", "monitor", "h", "tol", "horizon", "energy_error",
-                                         "angular_momentum_error", "steps", "seconds"});
-    experiment::Table curve = frame.table({"monitor", "t", "energy_error", "angular_momentum_error"});
+    Table out = frame.table({"method", "monitor", "h", "tol", "horizon", "energy_error",
+                             "angular_momentum_error", "steps", "seconds"});
+    Table curve = frame.table({"monitor", "t", "energy_error", "angular_momentum_error"});
     out.note("eccentricity", eccentricity);
     curve.note("rows", "largest error in each of 1000 equal intervals of time");
     for (const EulerBSetting& setting : {EulerBSetting{"none", h}, euler_b_setting("truncation", size)}) {
@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
         momentum[i] = std::max(momentum[i], l);
       });
       out.row("symplectic_euler_b", setting.monitor, setting.h, setting.tol, horizon, r.energy_error,
-              r.angular_momentum_error, r.steps, experiment::rounded(r.seconds));
+              r.angular_momentum_error, r.steps, rounded(r.seconds));
       for (int i = 0; i < intervals; ++i)
         curve.row(setting.monitor, (i + 0.5) * horizon / intervals, energy[i], momentum[i]);
     }

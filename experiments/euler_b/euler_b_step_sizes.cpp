@@ -7,9 +7,9 @@ int main(int argc, char** argv) {
   using namespace experiment;
   constexpr double eccentricity = 0.9, horizon = 13.0, target = 1e-3;
   return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
-    experiment::Table out = frame.table({"method", "monitor", "h", "tol", "horizon", "min_step", "max_step",
-                                         "energy_error", "steps", "seconds"});
-    experiment::Table curve = frame.table({"monitor", "t", "step"});
+    Table out = frame.table({"method", "monitor", "h", "tol", "horizon", "min_step", "max_step",
+                             "energy_error", "steps", "seconds"});
+    Table curve = frame.table({"monitor", "t", "step"});
     out.note("eccentricity", eccentricity);
     for (const char* monitor : {"truncation", "arclength", "norm_squared", "truncation_root"}) {
       const auto setting = calibrated_euler_b(monitor, eccentricity, target, horizon);
@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
         if (k % stride == 0) curve.row(monitor, t[k], step);
       }
       out.row("symplectic_euler_b", monitor, setting.h, setting.tol, horizon, smallest, largest,
-              r.energy_error, r.steps, experiment::rounded(r.seconds));
+              r.energy_error, r.steps, rounded(r.seconds));
     }
     frame.write(curve, "curve");
     frame.write(out);

@@ -1,11 +1,10 @@
 #include "kepler/table.hpp"
 
-// Errors against the step h of each construction at the settings of Table 1 (e = 0.9), from 2 h down to h /
-// 8.
+// Errors against the step of each construction at the settings of Table 1 (e = 0.9), from 2 h down to h/8.
 int main(int argc, char** argv) {
   using namespace experiment;
   return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
-    experiment::Table out = frame.table(
+    Table out = frame.table(
         {"method", "construction", "r", "rule", "monitor", "h", "steps", "energy_error", "global_error"});
     out.note("eccentricity", 0.9);
     const KeplerTable printed = table1();

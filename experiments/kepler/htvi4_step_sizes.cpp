@@ -4,7 +4,7 @@
 int main(int argc, char** argv) {
   using namespace experiment;
   return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
-    experiment::Table out = frame.table({"monitor", "t", "step", "radius"});
+    Table out = frame.table({"monitor", "t", "step", "radius"});
     out.note("eccentricity", 0.9);
     for (const KeplerRun& run : htvi4_runs("authors", table1())) {
       if (run.row.monitor == "none") continue;

@@ -45,8 +45,8 @@ std::vector<KeplerRun> htvi4_runs(const std::string& construction, const KeplerT
                                   const std::string& rule) {
   const HtviName name{"htvi4", construction, 3, rule};
   const auto nodes = rule == "gauss4" ? avi::gauss(4) : avi::simpson();
-  if (construction == "authors") return runs_of<3, experiment::Authors>(name, nodes, table);
-  if (construction == "printed") return runs_of<3, experiment::Printed>(name, nodes, table);
+  if (construction == "authors") return runs_of<3, Authors>(name, nodes, table);
+  if (construction == "printed") return runs_of<3, Printed>(name, nodes, table);
   throw std::invalid_argument("Construction '" + construction + "' is neither authors nor printed.");
 }
 

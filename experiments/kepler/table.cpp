@@ -8,8 +8,7 @@
 
 namespace experiment {
 
-// The arclength row of Table 1 prints the step bounds a h, b h, not a, b; only a = 0.03, b = 3 gives its
-// steps.
+// The arclength row of Table 1 prints the step bounds a h, b h; only a = 0.03, b = 3 gives its steps.
 KeplerTable table1() {
   return {.eccentricity = 0.9,
           .htvi = {{"gamma", 0.1, 0.01, 8.0},
@@ -67,7 +66,7 @@ int kepler_table(int argc, char** argv, const std::string& shows, const KeplerTa
       works.push_back([&run] { run.run(); });
     const auto times = interleaved_least_seconds(works, frame.quick ? 1 : table.rounds);
 
-    experiment::Table out =
+    Table out =
         frame.table({"method", "construction", "r", "rule", "monitor", "h", "g_min", "g_max", "min_step",
                      "max_step", "energy_error", "global_error", "global_error_shifted", "steps", "seconds"});
     out.note("eccentricity", table.eccentricity);
@@ -79,8 +78,7 @@ int kepler_table(int argc, char** argv, const std::string& shows, const KeplerTa
       const HtviName& name = runs[i].name;
       out.row(name.method, name.construction, name.r, name.rule, row.monitor, row.h, row.a, row.b, r.min_step,
               r.max_step, r.energy_error, r.global_error,
-              name.method == "stormer_verlet" ? r.global_error_shifted : unknown, r.steps,
-              experiment::rounded(times[i]));
+              name.method == "stormer_verlet" ? r.global_error_shifted : unknown, r.steps, rounded(times[i]));
     }
     frame.write(out);
   });

@@ -17,7 +17,7 @@ using namespace experiment;
 /// minimiser are small instead of near 1, so that no step is lost to rounding.
 struct Shifted {
   double operator()(const avi::VectorX& y, avi::VectorX& gradient) const {
-    experiment::multiply_by_correlation(0.9, y, gradient);
+    multiply_by_correlation(0.9, y, gradient);
     const double form = avi::dot(y, gradient);
     gradient *= 4.0 * form;
     return form * form;
@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
     const double cap = frame.quick ? 1e6 : 6e7;  // on iterations of AdaGrad
     const double nag_cap = full ? 1e10 : std::min(cap, 5e6);
-    const experiment::CorrelatedQuartic f;
+    const CorrelatedQuartic f;
     const avi::VectorX x0 = f.start(), y0 = x0.array() - 1.0;
     Table table = frame.table({"method", "delta", "iterations", "gradient_evaluations", "converged",
                                "outcome", "function_evaluations", "least_gradient", "seconds"});

@@ -101,7 +101,7 @@ Cost at_scale(Eigen::Index n, int memory) {
 
 /// The paper's quartic to 1e-10, again and again.
 Cost small(int memory) {
-  const experiment::CorrelatedQuartic f;
+  const CorrelatedQuartic f;
   const avi::MinimiseOptions options{.relative = 0.0, .absolute = 1e-10, .change = 1e-10, .memory = memory};
   VectorX x = f.start(), g(f.size());
   avi::Minimisation run;

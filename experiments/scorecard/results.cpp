@@ -13,7 +13,7 @@ bool same(std::string_view a, std::string_view b) {
   return x && y && *x == *y;
 }
 
-std::vector<Row> rows(const experiment::Table& table, Cells wanted) {
+std::vector<Row> rows(const Table& table, Cells wanted) {
   std::vector<Row> found;
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     if (std::ranges::all_of(wanted,
@@ -22,7 +22,7 @@ std::vector<Row> rows(const experiment::Table& table, Cells wanted) {
   return found;
 }
 
-Row find(const experiment::Table& table, Cells wanted) {
+Row find(const Table& table, Cells wanted) {
   const std::vector<Row> found = rows(table, wanted);
   if (!found.empty()) return found.front();
   std::string what;
@@ -31,12 +31,12 @@ Row find(const experiment::Table& table, Cells wanted) {
   throw std::out_of_range(fmt::format("The data have no row with {}.", what));
 }
 
-const experiment::Table& Results::operator()(const std::string& stem) const {
+const Table& Results::operator()(const std::string& stem) const {
   const auto known = tables_.find(stem);
   if (known != tables_.end()) return known->second;
   for (const auto& folder : folders_)
     if (const auto file = folder / (stem + ".tsv"); std::filesystem::exists(file))
-      return tables_.emplace(stem, experiment::Table::read(file)).first->second;
+      return tables_.emplace(stem, Table::read(file)).first->second;
   throw std::runtime_error("There are no data " + stem + ".tsv.");
 }
 

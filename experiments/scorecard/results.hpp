@@ -14,13 +14,15 @@
 
 namespace scorecard {
 
+using experiment::Table, experiment::rounded;
+
 /// The same text, or the same number.
 bool same(std::string_view a, std::string_view b);
 
 /// A row of a table; the table must outlive it.
 class Row {
  public:
-  Row(const experiment::Table& table, std::size_t line) : table_(&table), line_(line) {}
+  Row(const Table& table, std::size_t line) : table_(&table), line_(line) {}
 
   /// A cell. @throws std::out_of_range naming a column that is not there.
   [[nodiscard]] const std::string& text(std::string_view column) const { return table_->text(line_, column); }
@@ -28,7 +30,7 @@ class Row {
   [[nodiscard]] double number(std::string_view column) const { return table_->number(line_, column); }
 
  protected:
-  const experiment::Table* table_;
+  const Table* table_;
   std::size_t line_;
 };
 
@@ -36,10 +38,10 @@ class Row {
 using Cells = std::initializer_list<std::pair<std::string_view, std::string_view>>;
 
 /// The rows that hold these cells.
-std::vector<Row> rows(const experiment::Table& table, Cells wanted = {});
+std::vector<Row> rows(const Table& table, Cells wanted = {});
 
 /// The first of them. @throws std::out_of_range saying what was looked for when there is none.
-Row find(const experiment::Table& table, Cells wanted);
+Row find(const Table& table, Cells wanted);
 
 /// The experiments' tables by stem, each read when it is first asked for.
 class Results {
@@ -48,7 +50,7 @@ class Results {
   explicit Results(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
 
   /// @throws std::runtime_error when no folder has the table.
-  const experiment::Table& operator()(const std::string& stem) const;
+  const Table& operator()(const std::string& stem) const;
 
   /// Rows of a table, and one of its cells; errors of both.
   [[nodiscard]] std::vector<Row> rows(const std::string& stem, Cells wanted = {}) const {
@@ -60,7 +62,7 @@ class Results {
 
  private:
   std::vector<std::filesystem::path> folders_;
-  mutable std::map<std::string, experiment::Table> tables_;
+  mutable std::map<std::string, Table> tables_;
 };
 
 }  // namespace scorecard

@@ -14,7 +14,6 @@
 namespace {
 
 using namespace scorecard;
-using experiment::Table;
 
 /// @throws std::runtime_error where a published table has no sheet.
 void require_sheets(const std::filesystem::path& published) {

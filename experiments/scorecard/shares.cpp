@@ -23,14 +23,14 @@ Kind kind_of(std::string_view row, std::string_view quantity) {
   return fixed_steps && (quantity == "min_step" || quantity == "max_step") ? Kind::input : Kind::outcome;
 }
 
-experiment::Table of_kind(const experiment::Table& cells, Kind kind) {
-  experiment::Table found = cells;
+Table of_kind(const Table& cells, Kind kind) {
+  Table found = cells;
   const auto row_column = cells.column("row"), quantity = cells.column("quantity");
   std::erase_if(found.rows, [&](const auto& row) { return kind_of(row[row_column], row[quantity]) != kind; });
   return found;
 }
 
-std::vector<Share> shares(const experiment::Table& table, std::string_view column) {
+std::vector<Share> shares(const Table& table, std::string_view column) {
   std::vector<std::string_view> names(verdicts.begin(), verdicts.end());
   std::ranges::copy_if(rulings, std::back_inserter(names), [](auto name) { return name != "missing"; });
   std::vector<Share> found;
@@ -40,11 +40,11 @@ std::vector<Share> shares(const experiment::Table& table, std::string_view colum
   return found;
 }
 
-std::size_t predicted(const experiment::Table& cells) {
+std::size_t predicted(const Table& cells) {
   return rows(of_kind(cells, Kind::outcome), {{"verdict", "exact"}, {"settings", "printed"}}).size();
 }
 
-std::size_t customary(const experiment::Table& cells) {
+std::size_t customary(const Table& cells) {
   auto found = of_kind(cells, Kind::outcome);
   // The steps of a row with fixed steps, of which the horizon was found, follow from nothing else.
   const auto row = found.column("row"), quantity = found.column("quantity");

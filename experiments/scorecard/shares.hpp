@@ -1,5 +1,5 @@
 #pragma once
-#include "common/table.hpp"
+#include "scorecard/results.hpp"
 
 #include <string>
 #include <string_view>
@@ -23,7 +23,7 @@ Kind kind_of(std::string_view row, std::string_view quantity);
 bool counts_fixed_steps(std::string_view row, std::string_view quantity);
 
 /// The rows of a table with columns `row` and `quantity` whose numbers are of one kind.
-experiment::Table of_kind(const experiment::Table& cells, Kind kind);
+Table of_kind(const Table& cells, Kind kind);
 
 /// One verdict or ruling.
 struct Share {
@@ -33,14 +33,14 @@ struct Share {
 };
 
 /// The values of a table's column in the order of Verdict and Ruling, those that do not occur left out.
-std::vector<Share> shares(const experiment::Table& table, std::string_view column);
+std::vector<Share> shares(const Table& table, std::string_view column);
 
 /// How many outcomes are exact in runs whose every setting is printed: predictions, not fits.
-std::size_t predicted(const experiment::Table& cells);
+std::size_t predicted(const Table& cells);
 
 /// How many outcomes are exact in runs of which only the start and the horizon are not printed; without the
 /// numbers of fixed steps, which are the horizon over h.
-std::size_t customary(const experiment::Table& cells);
+std::size_t customary(const Table& cells);
 
 /// "227 published numbers: 196 exact, ...", with or without their parts in per cent.
 std::string summary(std::string_view what, const std::vector<Share>& shares, bool with_parts = false);

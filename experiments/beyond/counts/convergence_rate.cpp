@@ -19,8 +19,8 @@ namespace {
 
 using namespace experiment;
 
-double lyapunov(const avi::BregmanFamily& family, const experiment::CorrelatedQuartic& f,
-                const avi::VectorX& q, const avi::VectorX& r, double t) {
+double lyapunov(const avi::BregmanFamily& family, const CorrelatedQuartic& f, const avi::VectorX& q,
+                const avi::VectorX& r, double t) {
   const avi::VectorX distance = f.minimiser() - q - std::pow(t, -family.p) * r;
   return 0.5 * avi::dot(distance, distance) + family.C * std::pow(t, family.p) * f.value(q);
 }
@@ -34,14 +34,14 @@ int main(int argc, char** argv) {
     table.note("largest_ratio", "of f - f* to its bound E(t_0) / (C t^p), over the run");
     table.note("fitted_rate", "exponent of t of the upper envelope of f, over the last decade of f's fall");
     Table curves = frame.table({"p", "t", "value", "most", "bound", "E"});
-    const experiment::CorrelatedQuartic f;
+    const CorrelatedQuartic f;
     for (double p : {2.0, 4.0, 6.0, 10.0}) {
       const auto family = avi::BregmanFamily::direct(p);
       const avi::BregmanStart from;
       avi::Iterate first{.x = f.start(), .gradient = avi::VectorX::Zero(f.size())};
-      avi::Counted<experiment::CorrelatedQuartic> objective(f, f.size());
+      avi::Counted<CorrelatedQuartic> objective(f, f.size());
       first.evaluate(objective);
-      experiment::BregmanRungeKuttaState<avi::DormandPrince> state(first, family, from, 1e-6);
+      BregmanRungeKuttaState<avi::DormandPrince> state(first, family, from, 1e-6);
       const avi::StepControl control{.rtol = 1e-11, .atol = 1e-11};
       const Eigen::Index n = f.size();
       const double start_energy = lyapunov(family, f, state.z.head(n), state.z.segment(n, n), from.t);

@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
     Table table = frame.table({"p", "p_ring", "order", "h", "clock", "adaptive_iterations",
                                "direct_iterations", "distance_100", "distance_1000", "converged"});
     table.note("distance_n", "largest |x_adaptive - x_direct| / |x_direct| over the first n iterations");
-    const experiment::CorrelatedQuartic f;
+    const CorrelatedQuartic f;
     const avi::Stopping stopping{.delta = 1e-10, .iterations = 200'000};
     for (Setting s : p_dependence_settings()) {
       const Setting single = direct("htvi", s.family().order(), s.h);

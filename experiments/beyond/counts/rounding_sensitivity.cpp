@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
     Table table = frame.table({"setting", "method", "approach", "p", "p_ring", "h", "iterations", "moved_by",
                                "starts", "least", "most", "failed", "chaotic"});
     table.note("chaotic", "the counts of the moved starts differ, or some runs fail");
-    const experiment::CorrelatedQuartic f;
+    const CorrelatedQuartic f;
     const avi::Stopping stopping{.delta = 1e-10, .iterations = 1'000'000};
     long row = 0;
     each_setting(frame, all_settings(), [&](const Setting& s, bool slow) {

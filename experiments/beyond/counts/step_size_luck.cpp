@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
     table.note("grid", "two-digit steps from 0.6 to 1.3 times the published one");
     Table grid = frame.table(
         {"row", "method", "approach", "p", "p_ring", "h", "relative_h", "iterations", "converged"});
-    const experiment::CorrelatedQuartic f;
+    const CorrelatedQuartic f;
     const avi::Stopping stopping{.delta = 1e-10, .iterations = 400'000};
     each_setting(frame, all_settings(), [&](const Setting& s, bool slow) {
       if (slow && s.method.starts_with("clone_y")) return;  // a whole grid of long runs

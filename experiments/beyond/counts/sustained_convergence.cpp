@@ -11,7 +11,7 @@ using namespace experiment;
 /// f around and after the first passage, for the figure.
 void add_curve(Table& curves, const Setting& s, long first_passage) {
   const long length = 4 * first_passage;
-  const experiment::CorrelatedQuartic f;
+  const CorrelatedQuartic f;
   Curve curve(length / 600.0);
   run_setting(s, f, f.start(), {.delta = 0.0, .iterations = length}, curve);
   curve.append(curves, {label_of(s), s.approach(), std::to_string(first_passage)});
@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
     table.note("sustained", "first iteration from which the test holds until the run is twice as long");
     table.note("rebound", "largest f within the 5 % of iterations after the first passage");
     Table curves = frame.table(Curve::columns_after({"curve", "approach", "first_passage"}));
-    const experiment::CorrelatedQuartic f;
+    const CorrelatedQuartic f;
     each_setting(frame, all_settings(), [&](const Setting& s, bool) {
       Sustained seen;
       const auto result = run_setting(s, f, f.start(), {.delta = 0.0, .iterations = seen.cap}, seen);

@@ -23,7 +23,7 @@ constexpr avi::Until until{.time = 2.0 * M_PI * orbits, .steps = 3'000'000};
 template <class G>
 Method2 runner_with(const G& monitor) {
   return Method2(Kepler{}, [=](const State2& start) {
-    return avi::type2<3, experiment::Authors>(avi::poincare<2>(Kepler{}, start, monitor), avi::simpson());
+    return avi::type2<3, Authors>(avi::poincare<2>(Kepler{}, start, monitor), avi::simpson());
   });
 }
 

@@ -13,9 +13,8 @@ namespace experiment {
 /// printed equations (4.20) has a sign slip: \f$\tilde r' = -\nabla_{\tilde q} \bar H_2\f$ is meant, and
 /// `clone_sign` = -1 is that; +1 is the printed sign. z does not feel the difference.
 template <avi::Objective F>
-void cloning_printed_step(const avi::BregmanFamily& family, const F& f, double h,
-                          const experiment::MergedStages& stages, avi::ExtendedPoint& z,
-                          avi::ExtendedPoint& clone, double clone_sign = -1.0) {
+void cloning_printed_step(const avi::BregmanFamily& family, const F& f, double h, const MergedStages& stages,
+                          avi::ExtendedPoint& z, avi::ExtendedPoint& clone, double clone_sign = -1.0) {
   avi::VectorX gradient(z.q.size());
   const auto first_flow = [&](double length) {  // of H-bar_1: moves q~, t~ and r
     f(z.q, gradient);

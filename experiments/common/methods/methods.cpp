@@ -82,7 +82,7 @@ Method2 collocation_henon_heiles(int order) {
 
 Method2 explicit_on_kepler(const std::string& name) {
   const Kepler problem;
-  const experiment::PowerOfRadius monitor{1.5};
+  const PowerOfRadius monitor{1.5};
   const auto logarithmic = [&](const auto& coefficients) {
     return Method2(problem, [=](const State2& start) {
       return avi::splitting(avi::LogHamiltonian<Kepler>(problem, start), coefficients);
@@ -91,10 +91,10 @@ Method2 explicit_on_kepler(const std::string& name) {
   if (name == "log_hamiltonian") return logarithmic(c::strang);
   if (name == "log_hamiltonian_yoshida4") return logarithmic(c::yoshida4);
   if (name == "adaptive_verlet")
-    return Method2(problem, [=](const State2&) { return experiment::AdaptiveVerlet(problem, monitor); });
+    return Method2(problem, [=](const State2&) { return AdaptiveVerlet(problem, monitor); });
   if (name == "hairer_soderlind")
     return Method2(problem, [=](const State2&) {
-      return experiment::HairerSoderlind(avi::splitting(avi::Separable<Kepler>(problem), c::strang), monitor);
+      return HairerSoderlind(avi::splitting(avi::Separable<Kepler>(problem), c::strang), monitor);
     });
   return fixed_step<Kepler>(name);
 }

@@ -139,7 +139,7 @@ void add_problem(Table& table, const std::string& name, const Problem& problem,
     add_cells<Generating::type3, Construction>(table, name, problem, start, horizon, error, quick);
   };
   add.template operator()<avi::Stationary>();
-  add.template operator()<experiment::Printed>();
+  add.template operator()<Printed>();
 }
 
 }  // namespace experiment

@@ -10,6 +10,8 @@
 
 namespace arena {
 
+using experiment::Table;
+
 /// One problem at one tolerance, and what each method did there.
 struct Instance {
   std::string problem;
@@ -47,9 +49,8 @@ struct Mean {
 
 inline void write_summary(const experiment::Frame& frame, const std::vector<Instance>& instances,
                           const std::vector<Method>& methods) {
-  experiment::Table table =
-      frame.table({"group", "method", "instances", "failures", "per_iteration", "ratio_to_lbfgs",
-                   "ratio_to_best_cg", "evaluations_to_best_cg", "within_2"});
+  Table table = frame.table({"group", "method", "instances", "failures", "per_iteration", "ratio_to_lbfgs",
+                             "ratio_to_best_cg", "evaluations_to_best_cg", "within_2"});
   table.note("per_iteration", "geometric mean of gradients and values over the instances that it solved");
   table.note("ratio_to_lbfgs", "geometric mean of the ratio of gradients where both converged");
   table.note(
@@ -95,8 +96,8 @@ inline void write_summary(const experiment::Frame& frame, const std::vector<Inst
 inline void write_profiles(const experiment::Frame& frame, const std::vector<Instance>& instances,
                            const std::vector<Method>& methods) {
   // An index block for each method; at every instance's own abscissa, so that no grid hides a step.
-  experiment::Table performance = frame.table({"method", "ratio", "share"}),
-                    data = frame.table({"method", "evaluations", "share"});
+  Table performance = frame.table({"method", "ratio", "share"}),
+        data = frame.table({"method", "evaluations", "share"});
   performance.note("share", "of instances that the method solves with at most `ratio` times the best "
                             "method's evaluations (gradients, and values alone)");
   data.note("share",

@@ -36,8 +36,7 @@ double Comparison::operator()(std::string_view monitor, std::string_view column)
   throw std::out_of_range(fmt::format("The data have no run with monitor {}.", monitor));
 }
 
-std::vector<Comparison> comparisons(const experiment::Table& table,
-                                    std::initializer_list<std::string_view> columns,
+std::vector<Comparison> comparisons(const Table& table, std::initializer_list<std::string_view> columns,
                                     std::initializer_list<std::string_view> monitors) {
   std::vector<Comparison> all;
   for (const Row& row : rows(table)) {
@@ -75,7 +74,7 @@ Decisions all_decisions() {
 std::vector<ClaimLine> judge_claims(const std::filesystem::path& published, const Results& results) {
   const Decisions decisions = all_decisions();
   std::vector<ClaimLine> lines;
-  const experiment::Table ledger = experiment::Table::read(published / "claims.tsv");
+  const Table ledger = Table::read(published / "claims.tsv");
   for (const Row& row : rows(ledger)) {
     Finding finding{Ruling::missing, "Nothing decides this claim."};
     if (const auto found = decisions.find(row.text("key")); found != decisions.end()) try {

@@ -72,8 +72,7 @@ struct Comparison {
 };
 
 /// The comparisons in a table whose rows agree in these columns and which have all these monitors.
-std::vector<Comparison> comparisons(const experiment::Table& table,
-                                    std::initializer_list<std::string_view> columns,
+std::vector<Comparison> comparisons(const Table& table, std::initializer_list<std::string_view> columns,
                                     std::initializer_list<std::string_view> monitors);
 
 /// The comparisons as cases that hold where a number of one run is more than `bound` times that of another.

@@ -26,8 +26,8 @@ Finding rk4_fails(const Results& data) {
     std::string converged;
     for (const Row& run : baselines(data, "runge_kutta_4", approach))
       if (std::isfinite(sustained(run)))
-        converged = fmt::format("{} at h = {} from step {} on", shown,
-                                experiment::rounded(run.number("h"), 3), run.text("sustained"));
+        converged = fmt::format("{} at h = {} from step {} on", shown, rounded(run.number("h"), 3),
+                                run.text("sustained"));
     cases.add(converged.empty());
     if (!converged.empty()) seen.push_back(converged);
   }

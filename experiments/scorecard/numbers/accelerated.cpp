@@ -22,7 +22,7 @@ Judgement compare_updates(const Cell& cell, double ours) {
 }
 
 /// The data row with a cell's method, approach, p, p_ring and that `converged`, if any with the printed h.
-Row row_of(const Cell& cell, const experiment::Table& data, std::string_view converged) {
+Row row_of(const Cell& cell, const Table& data, std::string_view converged) {
   const std::string p = cell.sibling("p"), h = cell.sibling("h");
   const std::string p_ring = cell.text("approach") == "direct" ? "nan" : cell.sibling("p_ring");
   const Cells run{{"method", cell.text("method")},
@@ -36,7 +36,7 @@ Row row_of(const Cell& cell, const experiment::Table& data, std::string_view con
 }
 
 /// The step: the printed one when the run with it converged; else the evidence that another one was meant.
-Judgement step(const Cell& cell, const experiment::Table& data) {
+Judgement step(const Cell& cell, const Table& data) {
   const Row run = row_of(cell, data, "1");
   Judgement judgement = compare_setting(cell, run.number("h"));
   if (judgement.verdict == Verdict::exact) return judgement;
@@ -44,12 +44,12 @@ Judgement step(const Cell& cell, const experiment::Table& data) {
     judgement.verdict = Verdict::erratum;
   judgement.note = fmt::format(
       "With the printed step the run diverges after {} iterations; with {} its count is the printed one.",
-      row_of(cell, data, "0").text("iterations"), experiment::rounded(run.number("h")));
+      row_of(cell, data, "0").text("iterations"), rounded(run.number("h")));
   return judgement;
 }
 
 /// How many moved starts the data come from: the head says "counts from 16 starts moved by up to 1e-14".
-std::string moved_starts(const experiment::Table& data) {
+std::string moved_starts(const Table& data) {
   for (const auto& [key, text] : data.head)
     if (key == "perturbed" && text.starts_with("counts from "))
       return text.substr(12, text.find(" starts") - 12) + " starts";
@@ -57,7 +57,7 @@ std::string moved_starts(const experiment::Table& data) {
 }
 
 /// A count is exact, or its row is chaotic: starts moved by 1e-14 give different ones.
-Judgement iterations(const Cell& cell, const experiment::Table& data) {
+Judgement iterations(const Cell& cell, const Table& data) {
   const Row run = row_of(cell, data, "1");
   Judgement judgement = compare_updates(cell, run.number("iterations"));
   const double more = offset(cell.text("method")), printed = Printed(cell.published()).value;
@@ -75,7 +75,7 @@ Judgement iterations(const Cell& cell, const experiment::Table& data) {
 }
 
 /// A cell beyond the cap of the run, which that neither confirms nor refutes: what can be said.
-Judgement beyond_cap(const Cell& cell, const experiment::Table& data, const Row& run) {
+Judgement beyond_cap(const Cell& cell, const Table& data, const Row& run) {
   const double cap = run.number("iterations");
   const std::string& method = cell.text("method");
   if (method == "adagrad") {
@@ -109,13 +109,13 @@ Judgement beyond_cap(const Cell& cell, const experiment::Table& data, const Row&
 
 }  // namespace
 
-Judgement judge_symplectic(const Cell& cell, const experiment::Table& data) {
+Judgement judge_symplectic(const Cell& cell, const Table& data) {
   if (cell.quantity() == "h") return step(cell, data);
   if (cell.quantity() != "iterations") return compare(cell, row_of(cell, data, "1").number(cell.quantity()));
   return iterations(cell, data);
 }
 
-Judgement judge_optimisers(const Cell& cell, const experiment::Table& data) {
+Judgement judge_optimisers(const Cell& cell, const Table& data) {
   const Row run = find(data, {{"method", cell.text("method")}, {"delta", cell.text("delta")}});
   const double ours = run.number("iterations");
   Judgement judgement =

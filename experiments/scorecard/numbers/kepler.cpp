@@ -30,7 +30,7 @@ Judgement setting(const Cell& cell, const Row& run) {
                            : ".";
   judgement.note =
       fmt::format("With {} every other measured column of the row comes out in every printed digit{}",
-                  experiment::rounded(ours), reason);
+                  rounded(ours), reason);
   return judgement;
 }
 
@@ -59,8 +59,8 @@ Judgement global_error(const Cell& cell, const Row& run) {
 }
 
 /// Seconds of another machine and language cannot agree; what can be compared is the ratio to Stormer-Verlet.
-Judgement seconds(const Cell& cell, const Row& run, const experiment::Table& data) {
-  Judgement judgement{.reproduced = experiment::rounded(run.number("seconds"), 3),
+Judgement seconds(const Cell& cell, const Row& run, const Table& data) {
+  Judgement judgement{.reproduced = rounded(run.number("seconds"), 3),
                       .verdict = Verdict::differs,
                       .note = "The unit of the ratios in the rows above."};
   if (cell.text("method") == "stormer_verlet") return judgement;
@@ -80,7 +80,7 @@ Judgement outcome(const Cell& cell, const Row& run) {
 /// True where it takes more than what is printed to get a row's outcome: another setting of the row, for
 /// HTVI4 the authors' construction where the printed one does not give the number. What the source does not
 /// print at all is in the table of its numbers.
-bool recovered(const Cell& cell, const Row& run, const experiment::Table& data) {
+bool recovered(const Cell& cell, const Row& run, const Table& data) {
   for (const char* input : {"h", "g_min", "g_max"})
     if (const std::string printed = cell.sibling(input);
         !printed.empty() && std::abs(run.number(input) / Printed(printed).value - 1.0) > 1e-12)
@@ -93,7 +93,7 @@ bool recovered(const Cell& cell, const Row& run, const experiment::Table& data) 
 
 }  // namespace
 
-Judgement judge_kepler(const Cell& cell, const experiment::Table& data) {
+Judgement judge_kepler(const Cell& cell, const Table& data) {
   // Of HTVI4's constructions the authors' own reproduces the paper.
   const Row run = find(data, {{"method", cell.text("method")},
                               {"construction", cell.text("method") == "htvi4" ? "authors" : "nan"},

@@ -39,7 +39,7 @@ std::string settings_of(const std::string& unprinted, bool recovered) {
 }
 
 std::vector<Line> judge(const Sheet& sheet, const std::filesystem::path& published, const Results& data) {
-  const experiment::Table table = experiment::Table::read(published / (sheet.stem + ".tsv"));
+  const Table table = Table::read(published / (sheet.stem + ".tsv"));
   std::vector<Line> lines;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const Cell cell(table, i);

@@ -70,7 +70,7 @@ struct Sheet {
   std::string stem;   ///< Name of paper/published/<stem>.tsv and of the data file.
   std::string title;  ///< For people.
   /// An exception of it (a row that is not there, a cell that is no number) becomes the verdict `missing`.
-  std::function<Judgement(const Cell&, const experiment::Table& data)> judge;
+  std::function<Judgement(const Cell&, const Table& data)> judge;
 };
 
 /// `exact` when `ours` rounds to the printed digits, `within` when it is at most `tolerance` units of the
@@ -93,13 +93,13 @@ struct Line {
 std::vector<Line> judge(const Sheet& sheet, const std::filesystem::path& published, const Results& data);
 
 /// Tables 1 and 2: HTVI4 and Stormer-Verlet on Kepler's problem.
-Judgement judge_kepler(const Cell& cell, const experiment::Table& data);
+Judgement judge_kepler(const Cell& cell, const Table& data);
 
 /// Tables 3 to 5: iterations of symplectic methods on Bregman dynamics.
-Judgement judge_symplectic(const Cell& cell, const experiment::Table& data);
+Judgement judge_symplectic(const Cell& cell, const Table& data);
 
 /// Table 6: iterations of several optimisers.
-Judgement judge_optimisers(const Cell& cell, const experiment::Table& data);
+Judgement judge_optimisers(const Cell& cell, const Table& data);
 
 /// The paper's tables in its order, counted without the one of formulas between the second and third.
 inline std::vector<Sheet> sheets() {

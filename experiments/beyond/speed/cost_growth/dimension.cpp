@@ -31,13 +31,12 @@ Measurement repeated(long repeats, const Work& work) {
 Measurement value(const avi::State<dynamic>& z, long repeats) {
   const Vec q = z.q.cast<Stage>(), p = z.p.cast<Stage>();
   const auto sum = std::make_shared<Stage>(0.0);
-  return repeated(repeats, [=] { *sum += experiment::Chain{}(q, p); });
+  return repeated(repeats, [=] { *sum += Chain{}(q, p); });
 }
 
 /// The gradient of H by automatic differentiation, both halves.
 Measurement gradient(const avi::State<dynamic>& z, long repeats) {
-  const auto program =
-      std::make_shared<avi::Program>(avi::record(experiment::Chain{}, z.q.size()).gradient());
+  const auto program = std::make_shared<avi::Program>(avi::record(Chain{}, z.q.size()).gradient());
   const auto room = std::make_shared<avi::Program::Room<Stage>>(*program);
   for (Eigen::Index i = 0; i < z.q.size(); ++i) {
     room->arguments()[i] = z.q[i];
@@ -69,15 +68,14 @@ Axis along_dimension(bool quick) {
     axis.runs.push_back(std::move(made));
   };
   for (int n = 2; n <= 512; n *= quick ? 16 : 2) {
-    const auto z = experiment::Chain::plucked(n);
+    const auto z = Chain::plucked(n);
     const long repeats = 40'000 / n;
     add("energy", n, value(z, repeats));
     add("gradient", n, gradient(z, repeats));
     const long steps = std::max(repeats / 200, 10L);
-    add("sweep", n, sweep(avi::Automatic{experiment::Chain{}}, z, steps));
+    add("sweep", n, sweep(avi::Automatic{Chain{}}, z, steps));
     if (n == 32)
-      add("sweep, supplied gradient", n,
-          sweep(experiment::Chain{}, avi::State<32>{.q = z.q, .p = z.p}, steps));
+      add("sweep, supplied gradient", n, sweep(Chain{}, avi::State<32>{.q = z.q, .p = z.p}, steps));
   }
   for (const char* subject : {"energy", "gradient", "sweep"})
     axis.expected.push_back({subject, unknown, 1.0, 1e3});

@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 10> fault_kinds{
 struct FaultyQuartic {
   std::string_view kind;
   long at;
-  experiment::CorrelatedQuartic quartic{};
+  CorrelatedQuartic quartic{};
   mutable long calls = 0;
 
   double operator()(const avi::VectorX& x, avi::VectorX& gradient) const {

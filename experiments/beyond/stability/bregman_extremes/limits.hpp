@@ -11,7 +11,7 @@
 namespace experiment {
 
 /// Largest z = h omega at which a composition is stable on x'' = -omega^2 x: |trace| of its matrix is 2.
-inline double linear_limit(const experiment::MergedStages& stages) {
+inline double linear_limit(const MergedStages& stages) {
   const auto stable = [&](double z) {
     double m[2][2] = {{1.0, 0.0}, {0.0, 1.0}};  // columns: images of (x, v) = (1, 0) and (0, 1)
     for (auto& [x, v] : m) {
@@ -32,10 +32,8 @@ inline double linear_limit(const experiment::MergedStages& stages) {
 /// leapfrogs it is 2: C h^2 P^2 t^(p-2s) lambda_max < 4.
 inline double linear_limit(const std::string& method) {
   if (method == "runge_kutta_4") return 2.0 * std::sqrt(2.0);  // |R(iz)| = 1
-  for (const auto composition :
-       {experiment::CloneComposition::yoshida4, experiment::CloneComposition::yoshida6})
-    if (method == experiment::clone_name(composition))
-      return linear_limit(experiment::merged_stages(composition));
+  for (const auto composition : {CloneComposition::yoshida4, CloneComposition::yoshida6})
+    if (method == clone_name(composition)) return linear_limit(merged_stages(composition));
   return 2.0;
 }
 

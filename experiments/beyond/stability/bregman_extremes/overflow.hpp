@@ -31,7 +31,7 @@ struct PrintedHtvi {
     return avi::bregman_start(family, Bowl{0.0}, first.x);
   }
   avi::Outcome update(State& z, avi::Iterate& now, const Bowl& f) const {
-    experiment::htvi_printed_step(family, f, h, z);
+    htvi_printed_step(family, f, h, z);
     now.x = z.q;
     return std::isfinite(z.r[0]) ? avi::Outcome::ok : avi::Outcome::non_finite;
   }

@@ -36,7 +36,7 @@ inline double curvature_at_start(const Scene& s) {
   // From nearby, the momentum r0 = 1 first leads away.
   const avi::VectorX y = avi::VectorX::Constant(s.dimension, std::max(s.away, 1.0));
   avi::VectorX image(s.dimension);
-  experiment::multiply_by_correlation(s.rho, y, image);
+  multiply_by_correlation(s.rho, y, image);
   const double rho = std::abs(s.rho);
   const double largest = std::min(static_cast<double>(s.dimension), (1.0 + rho) / (1.0 - rho));
   return 4.0 * avi::dot(y, image) * largest + 8.0 * avi::dot(image, image);
@@ -83,7 +83,7 @@ Judged judge(const Rule& rule, const F& f, const avi::VectorX& x0, long cap) {
 
 /// Runs a scene on the paper's quartic, with its step.
 inline Judged play(const Scene& s, double h) {
-  const experiment::CorrelatedQuartic f(s.dimension, s.rho);
+  const CorrelatedQuartic f(s.dimension, s.rho);
   return judge({.method = s.method, .family = s.family(), .h = h, .from = s.from}, f,
                f.minimiser().array() + s.away, s.cap);
 }

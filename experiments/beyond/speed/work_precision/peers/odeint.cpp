@@ -76,8 +76,7 @@ bool added_in_line(Scene& scene, const Equations& equations) {
 
 void add_odeint(Scene& scene, const Equations& equations) {
   const auto called = [](const Equations& its) { return its.field; };
-  if (added_in_line<avi::Kepler>(scene, equations) ||
-      added_in_line<experiment::PerturbedKepler>(scene, equations) ||
+  if (added_in_line<avi::Kepler>(scene, equations) || added_in_line<PerturbedKepler>(scene, equations) ||
       added_in_line<avi::HenonHeiles>(scene, equations) || added_in_line<UnitBodies<3>>(scene, equations) ||
       added_in_line<UnitBodies<7>>(scene, equations) || added_in_line<avi::NBody<6, 3>>(scene, equations))
     return;

@@ -24,7 +24,7 @@ struct PairRates {
 };
 
 /// The chain as T(p) + V(q).
-struct LongChain : experiment::Chain {
+struct LongChain : Chain {
   static constexpr int dimension = 64;
   template <class S>
   avi::Vector<S, 64> potential_gradient(const avi::Vector<S, 64>& q) const {
@@ -62,7 +62,7 @@ Scene star_cluster() {
 
 Scene solar_system() {
   constexpr double horizon = 200'000.0;  // days
-  const Arena arena(experiment::OuterSolarSystem::problem(), horizon, experiment::OuterSolarSystem::start());
+  const Arena arena(OuterSolarSystem::problem(), horizon, OuterSolarSystem::start());
   Scene scene{"solar_system", unknown, horizon, "200000 days"};
   scene.longest_run = 0.2;
   set_extended_reference(scene, arena, false, 60.0L);
@@ -73,7 +73,7 @@ Scene solar_system() {
 }
 
 Scene chain() {
-  const avi::State<avi::dynamic> plucked = experiment::Chain::plucked(64);
+  const avi::State<avi::dynamic> plucked = Chain::plucked(64);
   const Arena arena(LongChain{}, 100.0, {.q = plucked.q, .p = plucked.p});
   Scene scene{"chain64", unknown, 100.0, "100"};
   set_extended_reference(scene, arena, false, 0.25L);

@@ -23,7 +23,7 @@ void add_kepler_methods(Scene& scene, const Arena<P>& arena) {
 }
 
 /// The double pendulum with its gradient by hand.
-struct Pendulums : experiment::DoublePendulum {
+struct Pendulums : DoublePendulum {
   template <class S>
   avi::Vector<S, 2> d_dq(const avi::Vector<S, 2>& q, const avi::Vector<S, 2>& p) const {
     using std::cos, std::sin;
@@ -53,7 +53,7 @@ Scene kepler(double eccentricity, double horizon, const std::string& horizon_nam
 }
 
 Scene perturbed_kepler() {
-  const Arena arena(experiment::PerturbedKepler(1e-3), 10.0, avi::Kepler::pericentre(0.9));
+  const Arena arena(PerturbedKepler(1e-3), 10.0, avi::Kepler::pericentre(0.9));
   Scene scene{"perturbed_kepler", 0.9, 10.0, "10"};
   set_extended_reference(scene, arena, true, 0.1L);
   add_kepler_methods(scene, arena);
@@ -72,7 +72,7 @@ Scene henon_heiles(double horizon) {
 }
 
 Scene double_pendulum() {
-  const Arena arena(Pendulums{}, 100.0, experiment::DoublePendulum::released(1.2, 0.8));
+  const Arena arena(Pendulums{}, 100.0, DoublePendulum::released(1.2, 0.8));
   Scene scene{"double_pendulum", unknown, 100.0, "100"};
   scene.longest_run = 0.5;
   set_reference(scene, arena, [](const avi::State<2>& start, long double fraction) {
