@@ -130,9 +130,8 @@ int main(int argc, char** argv) {
         "own_seconds",
         "of one iteration, the objective left out; the least of twice seven, of forty rounds at d = 50");
     table.note("update_seconds", "to read a vector and write it in place; read_seconds: to read it");
-    table.note("own_over_needed",
-               "own_seconds over the time to read and write the vectors that an iteration needs, "
-               "by loops that do nothing else");
+    table.note("own_over_needed", "own_seconds over the time to read and write the vectors that an iteration "
+                                  "needs, by loops that do nothing else");
     table.note("peak_vectors", "memory of a run in units of x, the caller's x0 left out");
     for (int memory : {0, 7}) {
       frame.progress("d = 50", 0.0);

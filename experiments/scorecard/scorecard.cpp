@@ -85,9 +85,8 @@ int main(int argc, char** argv) {
     Table cells = frame.table({"source", "row", "quantity", "published", "reproduced", "verdict", "note",
                                "kind", "settings", "unprinted", "sensitive"});
     cells.note("sensitive", "starts moved by 1e-14 give other counts");
-    cells.note("settings",
-               "customary: of the run's settings only the start and the horizon are not printed; recovered: "
-               "another one was found by printed outcomes");
+    cells.note("settings", "customary: of the run's settings only the start and the horizon are not printed; "
+                           "recovered: another one was found by printed outcomes");
     for (const Sheet& sheet : sheets()) {
       Table lines(cells.columns);
       for (const auto& [source, row, quantity, printed, judgement] : judge(sheet, published, results))
@@ -113,12 +112,12 @@ int main(int argc, char** argv) {
     const auto all_of = [&](const char* what, Kind kind) {
       return summary(what, shares(of_kind(cells, kind), "verdict"), true);
     };
-    fmt::print("\nAll outcomes - {}\n{} of the exact ones follow from printed settings alone, {} more from "
-               "these and "
-               "the customary start and horizon.\nAll inputs - {}\nAll seconds - {}\nAll claims - {}\n",
-               all_of("printed outcomes", Kind::outcome), predicted(cells), customary(cells),
-               all_of("printed inputs", Kind::input), all_of("printed seconds", Kind::seconds),
-               summary("claims of the text", shares(claims, "ruling"), true));
+    fmt::print(
+        "\nAll outcomes - {}\n{} of the exact ones follow from printed settings alone, {} more from these "
+        "and the customary start and horizon.\nAll inputs - {}\nAll seconds - {}\nAll claims - {}\n",
+        all_of("printed outcomes", Kind::outcome), predicted(cells), customary(cells),
+        all_of("printed inputs", Kind::input), all_of("printed seconds", Kind::seconds),
+        summary("claims of the text", shares(claims, "ruling"), true));
     const auto missing = rows(cells, {{"verdict", "missing"}}).size(),
                unruled = rows(claims, {{"ruling", "missing"}}).size();
     if (missing + unruled > 0)

@@ -81,9 +81,8 @@ int main(int argc, char** argv) {
     table.note("eccentricity", eccentricity);
     table.note("errors",
                "largest relative ones of energy and angular momentum up to then; mean longitude in radians");
-    table.note("energy_now",
-               "at the row's apocentre; rounding moves g (H + p^t), so that H moves by it over g and most "
-               "at the pericentre");
+    table.note("energy_now", "at the row's apocentre; rounding moves g (H + p^t), so that H moves by it over "
+                             "g and most at the pericentre");
     laws.note("laws", "power of time with which an error grows in the last 1.5 decades");
     for (const Subject& s : subjects()) {
       const long end = std::clamp(std::lround(s.reach * periods), 10L, std::max(periods, 1'000'000L));

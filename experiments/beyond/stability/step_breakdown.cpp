@@ -81,11 +81,10 @@ int main(int argc, char** argv) {
     table.note("h",
                "largest step whose energy error stays below the bound: oscillator 1000, others 0.1; T = 300");
     table.note("h_linear",
-               "limit of linear theory: oscillator, and Henon-Heiles in units of its frequency 1; "
-               "Kepler 2 r^1.5 / g at the pericentre, Stormer-Verlet's limit for the frequency r^-1.5");
-    table.note("linear_reason",
-               "unstable: an eigenvalue leaves the unit circle; not_converged: the step is not solved; "
-               "none: neither up to h = 20");
+               "limit of linear theory: oscillator, and Henon-Heiles in units of its frequency 1; Kepler 2 "
+               "r^1.5 / g at the pericentre, Stormer-Verlet's limit for the frequency r^-1.5");
+    table.note("linear_reason", "unstable: an eigenvalue leaves the unit circle; not_converged: the step is "
+                                "not solved; none: neither up to h = 20");
     table.note("beyond", "how the run with h_beyond ends, with the time of its last good state");
     const double e = 0.9;
     const State2 kepler = avi::Kepler::pericentre(e);

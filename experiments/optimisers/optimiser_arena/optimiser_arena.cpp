@@ -67,18 +67,15 @@ int main(int argc, char** argv) {
     Table table =
         frame.table({"problem", "dimension", "method", "delta", "iterations", "gradient_evaluations",
                      "function_evaluations", "converged", "seconds", "group"});
-    table.note("group",
-               "tuned: the defaults were fixed on them; looked_at: held out for earlier ones; held_out: not "
-               "looked at until the defaults of avi::minimise() were final");
+    table.note("group", "tuned: the defaults were fixed on them; looked_at: held out for earlier ones; "
+                        "held_out: not looked at until the defaults of avi::minimise() were final");
     table.note("function_evaluations",
                "calls that ask for the value alone; gradient evaluations give it too");
     table.note("cap", fmt::format("{} evaluations, {} for methods of fixed or adapted learning rates, {} for "
                                   "dimensions above 5000, {} above 200 000",
                                   cap, slow_cap, cap / 10, cap / 40));
-    table.note(
-        "starts",
-        "medians over the usual start and two moved by 1e-3; one for the slow and the large. Where one "
-        "does not converge, what it spent; later ones are not asked again");
+    table.note("starts", "medians over the usual start and two moved by 1e-3; one for the slow and the "
+                         "large. Where one does not converge, what it spent; later ones are not asked again");
     std::vector<arena::Instance> instances;
     double done = 0.0;
     for (const Problem& problem : problems) {

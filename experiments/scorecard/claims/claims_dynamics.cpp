@@ -121,13 +121,13 @@ Finding cloning_is_behind(const Results& data) {
   for (const Row& row : data.rows("variants", {{"variant", "kick_first"}}))
     compare(other, row.text("parameter") == "adaptive",
             row.number("sustained") * row.number("gradients_per_step"));
-  return finding(in_cases(read + other),
-                 "In {} of {} rows, until the stopping test holds for good, at least {:.2f} times the "
-                 "gradients of the slower of HTVI and splitting, of a cloning step only those counted that "
-                 "its iterates and the test depend on. But read from the other copy, which is kicked first, "
-                 "Strang's cloning shares its gradient with the test and takes {:.2f} to {:.2f} times "
-                 "those of the slower one.",
-                 read.holding, read.all, read.least, other.least, other.most);
+  return finding(
+      in_cases(read + other),
+      "In {} of {} rows, until the stopping test holds for good, at least {:.2f} times the gradients of the "
+      "slower of HTVI and splitting, of a cloning step only those counted that its iterates and the test "
+      "depend on. But read from the other copy, which is kicked first, Strang's cloning shares its gradient "
+      "with the test and takes {:.2f} to {:.2f} times those of the slower one.",
+      read.holding, read.all, read.least, other.least, other.most);
 }
 
 /// As it is defined, with both copies advanced, a step needs what the paper says; the iterates do not.
@@ -147,8 +147,8 @@ Finding cloning_needs(const Results& data) {
     gradients.push_back(count);
   return finding(
       in_cases(cases),
-      "As defined, with both copies advanced, it does. The copy that is read sees of the other only "
-      "its clock: the same iterates take {:.0f} gradients a step, and the stopping test one more.",
+      "As defined, with both copies advanced, it does. The copy that is read sees of the other only its "
+      "clock: the same iterates take {:.0f} gradients a step, and the stopping test one more.",
       fmt::join(gradients, ", "));
 }
 
@@ -190,8 +190,7 @@ Finding first_doubling(const Results& data) {
   cases.add(second > 1.1 && second < 2.0);
   return finding(in_cases(cases),
                  "Factors {:.1f} and {:.2f}: the second is noticeable and much the smaller, but not minor "
-                 "(which we take "
-                 "to be below 2). The order P = p^2/p_ring goes from 4 to 16 to 64.",
+                 "(which we take to be below 2). The order P = p^2/p_ring goes from 4 to 16 to 64.",
                  first, second);
 }
 
@@ -203,11 +202,10 @@ Finding physical_steps_stay(const Results& data) {
   Cases cases;
   for (const bool of_p : {true, false})
     cases.add(change(of_p) > 0.5);
-  return finding(
-      in_cases(cases),
-      "The mean physical step, until the stopping test holds for good, changes by a factor {:.2g} as p "
-      "goes from 2 to 8, by a factor {:.2g} as p_ring from 2 to 0.1.",
-      change(true), change(false));
+  return finding(in_cases(cases),
+                 "The mean physical step, until the stopping test holds for good, changes by a factor {:.2g} "
+                 "as p goes from 2 to 8, by a factor {:.2g} as p_ring from 2 to 0.1.",
+                 change(true), change(false));
 }
 
 }  // namespace

@@ -27,8 +27,7 @@ Finding euler_b_costs_most(const Results& data) {
   }
   return finding(in_cases(cases),
                  "{:.1f} to {:.1f} times the steps of q.q and {:.1f} to {:.1f} times those of arclength at "
-                 "energy errors "
-                 "of 1e-2 to 1e-4, and more time.",
+                 "energy errors of 1e-2 to 1e-4, and more time.",
                  of_norm.least, of_norm.most, of_arclength.least, of_arclength.most);
 }
 
@@ -97,12 +96,11 @@ Finding norm_squared_fastest(const Results& data) {
     seen.push_back(fmt::format("{} takes {:.2f} times as long as {} (longer in {} of {} rounds)",
                                shown(slower), found.ratio, shown(faster), found.wins, found.all));
   }
-  return finding(
-      decided ? in_cases(cases) : Ruling::undecided,
-      "At an energy error of 1e-3, by the least time of the rounds, {}; a sign test over the "
-      "rounds at 1 % decides. The first two are one monitor (claim 5): the factor between them is the price "
-      "of its two formulas in our code.",
-      fmt::join(seen, ", "));
+  return finding(decided ? in_cases(cases) : Ruling::undecided,
+                 "At an energy error of 1e-3, by the least time of the rounds, {}; a sign test over the "
+                 "rounds at 1 % decides. The first two are one monitor (claim 5): the factor between them is "
+                 "the price of its two formulas in our code.",
+                 fmt::join(seen, ", "));
 }
 
 Finding arclength_costs_most(const Results& data) {

@@ -24,14 +24,14 @@ Finding order_theorem(const Results& data) {
     else
       followed.add(true, over);
   }
-  std::string evidence = fmt::format(
-      "The lowest slope of {} of {} measured cells (problem, type, r, rule) is {:.2f} below the bound "
-      "(tolerance {}).",
-      followed.all, cells.all, std::max(0.0, -followed.least), order_tolerance);
+  std::string evidence =
+      fmt::format("The lowest slope of {} of {} measured cells (problem, type, r, rule) is {:.2f} below the "
+                  "bound (tolerance {}).",
+                  followed.all, cells.all, std::max(0.0, -followed.least), order_tolerance);
   if (extrapolated.all > 0)
     evidence += fmt::format(
-        " Of the other {}, where two terms of the error cancel at the steps used, the lowest is "
-        "{:.2f} below; a line through the last two slopes leads to at least {:.2f} above the bound.",
+        " Of the other {}, where two terms of the error cancel at the steps used, the lowest is {:.2f} "
+        "below; a line through the last two slopes leads to at least {:.2f} above the bound.",
         extrapolated.all, -cells.least, extrapolated.least);
   return {theorem(cells), evidence};
 }
@@ -60,12 +60,12 @@ Finding arclength_behind(const Results& data) {
     return more_than(1.0, at_matched_error(data), column, "arclength", "gamma_half");
   };
   const Cases steps = beside("steps_per_orbit"), time = beside("seconds");
-  return finding(in_cases(cases),
-                 "For gamma = 1, as in S1 and S2, and for energy: at equal energy error arclength takes more "
-                 "steps and time for a larger position error in {} of {} comparisons, by a factor of {:.2f} "
-                 "at least. For gamma = 1/2 it takes {:.2f} to {:.2f} times the steps and {:.2f} to {:.2f} "
-                 "times the time.",
-                 cases.holding, cases.all, cases.least, steps.least, steps.most, time.least, time.most);
+  return finding(
+      in_cases(cases),
+      "For gamma = 1, as in S1 and S2, and for energy: at equal energy error arclength takes more steps and "
+      "time for a larger position error in {} of {} comparisons, by a factor of {:.2f} at least. For gamma = "
+      "1/2 it takes {:.2f} to {:.2f} times the steps and {:.2f} to {:.2f} times the time.",
+      cases.holding, cases.all, cases.least, steps.least, steps.most, time.least, time.most);
 }
 
 constexpr std::array monitors{"gamma", "energy", "arclength"};
@@ -177,8 +177,7 @@ Finding adaptivity_pays(const Results& data) {
   return finding(in_cases(cases + fixed),
                  "The source's own S1 says the opposite of Stormer-Verlet (26.9 against 1.9 seconds). "
                  "Compiled and at equal energy error (its step scaled by its order, two), gamma = 1 is "
-                 "{:.0f} times faster than it, and at least "
-                 "{:.1f} times faster than fixed HTVI4.",
+                 "{:.0f} times faster than it, and at least {:.1f} times faster than fixed HTVI4.",
                  fmt::join(seen, " and "), fixed.least);
 }
 

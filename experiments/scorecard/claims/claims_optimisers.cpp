@@ -54,24 +54,22 @@ Finding fewer_iterations(const Results& data) {
               adaptive = against_pairs(data, sustained, {"adaptive"});
   const Row pair = find(data("runge_kutta_baselines"),
                         {{"method", "dormand_prince"}, {"approach", "direct"}, {"rtol", "0.001"}});
-  return finding(
-      in_cases(direct + adaptive),
-      "Against the Dormand-Prince and the Bogacki-Shampine pair over five tolerances, where they converge "
-      "for good: in {} of {} runs of the Direct approach and {} of {} of the Adaptive one. At ode45's "
-      "default, 1e-3, Dormand-Prince, Direct, takes {:.0f} steps where HTVI takes {:.0f}; the source names "
-      "no tolerance.",
-      direct.holding, direct.all, adaptive.holding, adaptive.all, sustained(pair),
-      sustained(baselines(data, "htvi", "direct").at(0)));
+  return finding(in_cases(direct + adaptive),
+                 "Against the Dormand-Prince and the Bogacki-Shampine pair over five tolerances, where they "
+                 "converge for good: in {} of {} runs of the Direct approach and {} of {} of the Adaptive "
+                 "one. At ode45's default, 1e-3, Dormand-Prince, Direct, takes {:.0f} steps where HTVI takes "
+                 "{:.0f}; the source names no tolerance.",
+                 direct.holding, direct.all, adaptive.holding, adaptive.all, sustained(pair),
+                 sustained(baselines(data, "htvi", "direct").at(0)));
 }
 
 Finding fewer_gradients(const Results& data) {
   const Cases direct = against_pairs(data, sustained_gradients, {"direct"}),
               adaptive = against_pairs(data, sustained_gradients, {"adaptive"});
-  return finding(
-      in_cases(direct + adaptive),
-      "In the same runs: {} of {} Direct, where the least is {:.2f} times HTVI's, and {} of {} Adaptive, "
-      "where the least is {:.2f} times.",
-      direct.holding, direct.all, direct.least, adaptive.holding, adaptive.all, adaptive.least);
+  return finding(in_cases(direct + adaptive),
+                 "In the same runs: {} of {} Direct, where the least is {:.2f} times HTVI's, and {} of {} "
+                 "Adaptive, where the least is {:.2f} times.",
+                 direct.holding, direct.all, direct.least, adaptive.holding, adaptive.all, adaptive.least);
 }
 
 Finding pairs_gain_nothing(const Results& data) {
@@ -119,8 +117,7 @@ Finding slow_start(const Results& data) {
                  : in_cases(even) == Ruling::holds ? Ruling::fails
                                                    : Ruling::undecided,
                  "In the first tenth of the iterations of the Adaptive runs the envelope of f falls through "
-                 "{}; an even fall "
-                 "would be 10 %, and the source gives no measure of a start.",
+                 "{}; an even fall would be 10 %, and the source gives no measure of a start.",
                  fmt::join(seen, ", "));
 }
 
@@ -156,9 +153,9 @@ Finding beats(const Results& data) {
   }
   return finding(
       in_cases(cases),
-      "HTVI's row of S6 is not reproduced, and ours is a fit, so neither is used. At delta = 1e-10 the "
-      "best of the runs of S3 and S5, whose steps are printed, takes {:.0f} iterations to the first "
-      "passage; {} in our runs. Their rates are those of S6, ADAM's the default: no tuned rivals.",
+      "HTVI's row of S6 is not reproduced, and ours is a fit, so neither is used. At delta = 1e-10 the best "
+      "of the runs of S3 and S5, whose steps are printed, takes {:.0f} iterations to the first passage; {} "
+      "in our runs. Their rates are those of S6, ADAM's the default: no tuned rivals.",
       ours, fmt::join(seen, ", "));
 }
 
@@ -167,11 +164,10 @@ Finding not_the_best(const Results& data) {
                trust = count(data, "trust_region", "1e-10");
   Cases cases;
   cases.add(std::min(rmsprop, trust) < ours);
-  return finding(
-      in_cases(cases),
-      "To the first passage at delta = 1e-10 RMSprop takes {:.0f} and TRUST {:.0f} iterations, where the "
-      "best run of HTVI in S3 and S5 takes {:.0f}.",
-      rmsprop, trust, ours);
+  return finding(in_cases(cases),
+                 "To the first passage at delta = 1e-10 RMSprop takes {:.0f} and TRUST {:.0f} iterations, "
+                 "where the best run of HTVI in S3 and S5 takes {:.0f}.",
+                 rmsprop, trust, ours);
 }
 
 Finding gradients_equal_iterations(const Results& data) {
@@ -199,12 +195,12 @@ Finding nag_never(const Results& data) {
   if (std::isfinite(plain)) return finding(Ruling::fails, "It takes {:.0f} iterations.", plain);
   const Row run = find(data("optimiser_comparison"), {{"method", "nag"}, {"delta", "1e-10"}});
   const double made = run.number("iterations");
-  return finding(
-      made < 1e10 ? Ruling::undecided : Ruling::holds,
-      "Not reached in our {:.0e} iterations, in which the least |grad f| is {:.2e}: too short a run to say. "
-      "Written in the variable x - 1, where rounding is less, the same method {}.",
-      made, run.number("least_gradient"),
-      std::isfinite(shifted) ? fmt::format("stops after {:.0f}", shifted) : "does not stop either");
+  return finding(made < 1e10 ? Ruling::undecided : Ruling::holds,
+                 "Not reached in our {:.0e} iterations, in which the least |grad f| is {:.2e}: too short a "
+                 "run to say. Written in the variable x - 1, where rounding is less, the same method {}.",
+                 made, run.number("least_gradient"),
+                 std::isfinite(shifted) ? fmt::format("stops after {:.0f}", shifted)
+                                        : "does not stop either");
 }
 
 }  // namespace

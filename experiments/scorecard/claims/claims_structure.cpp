@@ -85,12 +85,11 @@ Finding adaptive_has_lower_order(const Results& data) {
   Cases cases;
   for (const Row& row : data.rows("order_equivalence", {{"clock", "exact"}}))
     cases.add(row.number("distance_100") >= 1e-10, row.number("distance_100"));
-  return finding(
-      in_cases(cases) == Ruling::holds ? Ruling::holds : Ruling::in_part,
-      "In physical time the order is p, by construction. In fictive time it is not p_ring: with the "
-      "exact clock the iterates are those of the Direct approach of the higher order p^2/p_ring in "
-      "{} of {} settings (distance below {:.0e} over the first 100 iterations).",
-      cases.all - cases.holding, cases.all, cases.most);
+  return finding(in_cases(cases) == Ruling::holds ? Ruling::holds : Ruling::in_part,
+                 "In physical time the order is p, by construction. In fictive time it is not p_ring: with "
+                 "the exact clock the iterates are those of the Direct approach of the higher order "
+                 "p^2/p_ring in {} of {} settings (distance below {:.0e} over the first 100 iterations).",
+                 cases.all - cases.holding, cases.all, cases.most);
 }
 
 }  // namespace

@@ -87,16 +87,14 @@ Judgement beyond_cap(const Cell& cell, const Table& data, const Row& run) {
     const double before = at(10.0).number("iterations"), ratio = before / at(100.0).number("iterations");
     Judgement judgement{.reproduced = fmt::format(">{:.0e}", cap), .verdict = Verdict::short_run, .note = {}};
     judgement.note = fmt::format("Not run to its end. Our run stops at {:.0e}; as the counts grow by {:.3f} "
-                                 "from cell to cell (10^(2/3) = "
-                                 "4.642) the next one would be {:.1e}.",
+                                 "from cell to cell (10^(2/3) = 4.642) the next one would be {:.1e}.",
                                  cap, ratio, before * ratio);
     return judgement;
   }
   Judgement judgement{.reproduced = fmt::format(">{:.0e}", cap), .verdict = Verdict::short_run, .note = {}};
-  judgement.note =
-      fmt::format("Not run to its end. Our run stops at {:.0e}, and the least |grad f| in it is {:.2e}, "
-                  "so that a later passage is not excluded.",
-                  cap, run.number("least_gradient"));
+  judgement.note = fmt::format("Not run to its end. Our run stops at {:.0e}, and the least |grad f| in it is "
+                               "{:.2e}, so that a later passage is not excluded.",
+                               cap, run.number("least_gradient"));
   if (method == "nag") {
     const Row shifted = find(data, {{"method", "nag_shifted"}, {"delta", cell.text("delta")}});
     if (shifted.text("converged") == "1")
@@ -122,11 +120,10 @@ Judgement judge_optimisers(const Cell& cell, const Table& data) {
       run.text("converged") == "1" ? compare_updates(cell, ours) : beyond_cap(cell, data, run);
   if (cell.text("method") == "htvi" && judgement.verdict != Verdict::exact) {
     judgement.verdict = Verdict::unstated;
-    judgement.note =
-        "Not reproduced. p, p_ring and C are not printed; with C = 0.0625 of the other tables "
-        "the printed test gave the row in no run, and whether these, the test or the method differ "
-        "is not known: a search that finds most planted rows finds none for this one. p = 15, "
-        "p_ring = 0.1, C = 0.03 comes within a few per cent.";
+    judgement.note = "Not reproduced. p, p_ring and C are not printed; with C = 0.0625 of the other tables "
+                     "the printed test gave the row in no run, and whether these, the test or the method "
+                     "differ is not known: a search that finds most planted rows finds none for this one. p "
+                     "= 15, p_ring = 0.1, C = 0.03 comes within a few per cent.";
   }
   return judgement;
 }

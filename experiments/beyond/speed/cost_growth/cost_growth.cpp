@@ -41,15 +41,14 @@ void report(const Axis& axis, int rounds, Table& runs, Table& fits) {
 int main(int argc, char** argv) {
   return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
     Table runs = frame.table({"axis", "subject", "value", "steps", "energy_error", "seconds"});
-    runs.note("closeness", "1 - e; one Kepler orbit by stationary8 with g = r^(2 "
-                           "gamma), the largest energy error "
-                           "|H - H_0| / |H_0| being 1e-6");
+    runs.note("closeness", "1 - e; one Kepler orbit by stationary8 with g = r^(2 gamma), the largest energy "
+                           "error |H - H_0| / |H_0| being 1e-6");
     runs.note("periods", "of Kepler's problem at e = 0.9, with one step size for each method");
     runs.note("order", "r; seconds for one Taylor expansion on Kepler's problem");
-    runs.note("dimension",
-              "n, chain of masses; seconds for one value of H, one automatic gradient, one sweep of "
-              "collocation of order 16 (with an automatic gradient unless named), each at the eight stages "
-              "of a step together");
+    runs.note(
+        "dimension",
+        "n, chain of masses; seconds for one value of H, one automatic gradient, one sweep of collocation of "
+        "order 16 (with an automatic gradient unless named), each at the eight stages of a step together");
     Table fits = frame.table({"axis", "subject", "points", "steps_exponent", "steps_predicted", "steps_limit",
                               "seconds_exponent"});
     fits.note("points", "closeness from where rounding is far below 1e-6; all horizons; r from 4; all n");

@@ -114,9 +114,8 @@ int main(int argc, char** argv) {
     Table table =
         frame.table({"scene", "method", "p", "p_ring", "h", "C", "dimension", "one_less_rho", "away", "t0",
                      "fault", "fault_at", "iterations", "value", "outcome", "verdict", "seconds"});
-    table.note("verdict",
-               "correct: converged, and asked again the criterion holds; named: any other outcome, "
-               "with a sentence; told: the objective itself reported a zero gradient");
+    table.note("verdict", "correct: converged, and asked again the criterion holds; named: any other "
+                          "outcome, with a sentence; told: the objective itself reported a zero gradient");
     const auto add = [&](const Scene& s, double h, std::string_view fault, long at, const auto& play_it) {
       Judged end;
       const double time = seconds([&] { end = play_it(); });
