@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -69,8 +68,8 @@ class Curve {
   struct Point {
     long iteration = 0, gradients = 0;
     double value = 0.0;
-    double least = std::numeric_limits<double>::infinity();
-    double most = -std::numeric_limits<double>::infinity();
+    double least = HUGE_VAL;
+    double most = -HUGE_VAL;
   };
 
   double width_, growth_, next_ = 0.0;

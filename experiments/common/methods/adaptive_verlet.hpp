@@ -2,7 +2,7 @@
 #include "avi/core/outcome.hpp"
 #include "avi/core/state.hpp"
 
-#include <limits>
+#include <cmath>
 #include <utility>
 
 /// @file
@@ -68,7 +68,7 @@ class AdaptiveVerlet {
   Monitor monitor_;
   double rho_{};
   Vector<double, n> force_ = Vector<double, n>::Zero();
-  State<n> after_{.q = force_, .p = force_, .t = std::numeric_limits<double>::quiet_NaN()};
+  State<n> after_{.q = force_, .p = force_, .t = std::nan("")};
 };
 
 }  // namespace experiment

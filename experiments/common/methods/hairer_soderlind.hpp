@@ -2,7 +2,7 @@
 #include "avi/core/integrate.hpp"
 #include "avi/core/state.hpp"
 
-#include <limits>
+#include <cmath>
 #include <utility>
 
 /// @file
@@ -71,7 +71,7 @@ class HairerSoderlind {
   Base base_;
   Monitor monitor_;
   double rho_{}, rate_{};
-  double time_ = std::numeric_limits<double>::quiet_NaN();  // equal to no time: neither is known yet
+  double time_ = std::nan("");  // equal to no time: neither is known yet
 };
 
 }  // namespace experiment

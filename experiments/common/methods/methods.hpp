@@ -4,7 +4,6 @@
 #include "common/methods/method_of_orbit.hpp"
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <type_traits>
 
@@ -16,7 +15,7 @@ namespace experiment {
 
 /// A monitor of avi/transform/monitors.hpp, bounded by avi::Bounded's formula where b is finite.
 struct Bounds {
-  double a = 0.0, b = std::numeric_limits<double>::infinity();
+  double a = 0.0, b = HUGE_VAL;
   template <class S>
   S operator()(const S& g) const {
     return std::isfinite(b) ? S(b * (g + a) / (g + b)) : g;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <cmath>
 #include <vector>
 
 /// @file
@@ -155,7 +155,7 @@ inline std::vector<Scan> scan(const Spectrum& of, const Variant& variant, const 
 /// The counts of one run in the variables of the paper, with p and p_ring = p^2 h / eta: no scaling, no grid.
 /// A cell that is not reached within `cap` updates has 0. Where t passes `t_turn`, it is set to 1.
 inline Counts exact_counts(const Spectrum& of, const Variant& variant, double p, double u, double eta,
-                           long cap = 12000, double t_turn = std::numeric_limits<double>::infinity()) {
+                           long cap = 12000, double t_turn = HUGE_VAL) {
   const double theta = p * h / eta;  // p_ring / p with p^2 / p_ring = eta / h
   const double C = (u / eta) * (u / eta);
   double t = 1.0;

@@ -50,7 +50,7 @@ bool compare(Table& table, Table& choices, const Arena& arena, const Targets& ta
   const avi::Formula fixed = monitor_of(scene, {});
   std::vector<HandMade> hand_made = general_monitors(scene);
   hand_made.insert(hand_made.begin(), scene.hand_made.begin(), scene.hand_made.end());
-  const Cost none = cost(arena, fixed, targets, infinity, infinity);
+  const Cost none = cost(arena, fixed, targets, HUGE_VAL, HUGE_VAL);
   Cost best = none, cheapest = none;
   std::string best_name = "none";
   for (const HandMade& made : hand_made) {

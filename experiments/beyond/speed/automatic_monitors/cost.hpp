@@ -8,7 +8,6 @@
 #include "common/table.hpp"
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 /// @file
@@ -18,8 +17,6 @@ namespace experiment {
 
 using Point = avi::State<avi::dynamic>;
 using Problem = avi::Poincare<avi::dynamic, avi::Formula, avi::Formula>;
-
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The monitor of a choice for a scene; 1 where steps are fixed.
 inline avi::Formula monitor_of(const Scene& scene, const avi::Choice& choice) {
@@ -52,7 +49,7 @@ struct Cost {
   [[nodiscard]] double work() const { return sweep * mean(position.sweeps * energy.sweeps); }
 
  private:
-  static double mean(double product) { return std::isnan(product) ? infinity : std::sqrt(product); }
+  static double mean(double product) { return std::isnan(product) ? HUGE_VAL : std::sqrt(product); }
 };
 
 /// A scene with its orbit to near rounding.
@@ -67,7 +64,7 @@ struct Arena {
     for (std::size_t k = 1; k < orbit.size(); ++k) {
       const Point &a = orbit[k - 1], &b = orbit[k];
       const double left = monitor(a.q, a.p), right = monitor(b.q, b.p);
-      if (!(left > 0.0) || !(right > 0.0)) return infinity;
+      if (!(left > 0.0) || !(right > 0.0)) return HUGE_VAL;
       sum += 0.5 * (b.t - a.t) * (1.0 / left + 1.0 / right);
     }
     return sum;

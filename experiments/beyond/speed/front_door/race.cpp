@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace experiment::front_door {
 namespace {
@@ -34,19 +33,17 @@ class Race {
         result.seconds =
             std::min(result.seconds,
                      contest_.families[family].run({.setting = setting, .step_cap = step_cap_}).seconds);
-    const double error =
-        result.ok ? contest_.position_error(0, result.t, result.q) : std::numeric_limits<double>::infinity();
+    const double error = result.ok ? contest_.position_error(0, result.t, result.q) : HUGE_VAL;
     if (!is_ours(family) && error <= finest_target) needed_ = std::min(needed_, result.seconds);
-    return points_.emplace_back(Point{family, setting,
-                                      std::isnan(error) ? std::numeric_limits<double>::infinity() : error,
-                                      result.seconds, result.evaluations, result.steps});
+    return points_.emplace_back(Point{family, setting, std::isnan(error) ? HUGE_VAL : error, result.seconds,
+                                      result.evaluations, result.steps});
   }
 
   void scan(std::size_t family) {
     const bool ours = is_ours(family);
     const double finest = ours ? 1e-13 : 1e-15;
     std::vector<double> passed(std::size(targets), 0.0);  // the first setting that passes
-    double previous = 0.0, least = std::numeric_limits<double>::infinity();
+    double previous = 0.0, least = HUGE_VAL;
     int stale = 0;
     step_cap_ = 300'000;
     for (double setting = 1e-2; setting > 0.7 * finest; previous = setting, setting *= budget_.ratio) {
@@ -113,7 +110,7 @@ class Race {
   const Contest& contest_;
   const Budget& budget_;
   std::vector<Point> points_;
-  double needed_ = std::numeric_limits<double>::infinity();  // seconds of a peer that reached the last target
+  double needed_ = HUGE_VAL;  // seconds of a peer that reached the last target
   long step_cap_ = 0;
 };
 

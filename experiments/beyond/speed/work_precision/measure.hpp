@@ -59,7 +59,7 @@ inline long steps_within(double most, const Family& family, double setting) {
 inline std::vector<Trial> scout(const Scene& scene, const Family& family, const Budget& budget) {
   const double far_too_long = 2.0 * budget.longest_run;
   std::vector<Trial> kept;
-  double best = std::numeric_limits<double>::infinity();
+  double best = HUGE_VAL;
   std::size_t stale = 0;
   double spent = 0.0;
   for (std::size_t i = 0; i < family.settings.size(); i += budget.stride) {
@@ -104,8 +104,7 @@ inline std::vector<Point> measure(const Scene& scene, const Budget& budget,
       const Result result = trial.family->run(
           {.setting = trial.setting, .start = k, .repeats = repeats, .step_cap = trial.step_cap});
       seconds[i].push_back(result.seconds);
-      errors[i].push_back(result.ok ? scene.position_error(k, result.t, result.q)
-                                    : std::numeric_limits<double>::infinity());
+      errors[i].push_back(result.ok ? scene.position_error(k, result.t, result.q) : HUGE_VAL);
       if (k == 0) {
         const Result watched =
             trial.family->run({.setting = trial.setting, .watch_energy = true, .step_cap = trial.step_cap});

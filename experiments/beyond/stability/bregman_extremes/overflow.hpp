@@ -68,8 +68,7 @@ inline double expected_log_end(const std::string& form, const avi::BregmanFamily
   if (form == "printed") return (most - std::log(family.C * P * std::max(h, 1.0))) / (2.0 * family.p - s);
   if (form == "momentum") return most / family.p;
   const double exponent = family.p - 2.0 * s;
-  return exponent > 0.0 ? (most - 2.0 * std::log(P * h) - std::log(family.C)) / exponent
-                        : std::numeric_limits<double>::infinity();
+  return exponent > 0.0 ? (most - 2.0 * std::log(P * h) - std::log(family.C)) / exponent : HUGE_VAL;
 }
 
 /// Fictive step that takes about `steps` steps from t = 1 to log t = `log_end`, at most to 1e300.
@@ -116,7 +115,7 @@ End run_to_its_end(const std::string& name, const avi::BregmanFamily& family, do
     ++end.steps;
     end.log_end = form.log_t();
   }
-  if (end.steps == cap) end.log_end = std::numeric_limits<double>::infinity();
+  if (end.steps == cap) end.log_end = HUGE_VAL;
   return end;
 }
 
