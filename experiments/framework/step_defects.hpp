@@ -23,10 +23,13 @@ inline double bregman_defect(BregmanStep step, const avi::BregmanFamily& family,
   const CorrelatedQuartic f(d, 0.9);
   const avi::ExtendedPoint start{
       .q = Eigen::Vector3d(1.3, 0.8, 1.5), .t = 1.2, .r = Eigen::Vector3d(0.2, -0.4, 0.5), .r_t = 0.7};
-  avi::VectorX at(2 * m);
-  at.head(d) = start.q;
-  at.segment(m, d) = start.r;
-  if (!block) at[d] = start.t, at[2 * d + 1] = start.r_t;
+  const auto packed = [&](const avi::ExtendedPoint& z) {
+    avi::VectorX v(2 * m);
+    v.head(d) = z.q;
+    v.segment(m, d) = z.r;
+    if (!block) v[d] = z.t, v[2 * d + 1] = z.r_t;
+    return v;
+  };
   return avi::symplecticity_defect(
       [&](const avi::VectorX& v) -> avi::VectorX {
         avi::ExtendedPoint z = start;
@@ -34,13 +37,9 @@ inline double bregman_defect(BregmanStep step, const avi::BregmanFamily& family,
         z.r = v.segment(m, d);
         if (!block) z.t = v[d], z.r_t = v[2 * d + 1];
         step(family, f, h, z);
-        avi::VectorX image(2 * m);
-        image.head(d) = z.q;
-        image.segment(m, d) = z.r;
-        if (!block) image[d] = z.t, image[2 * d + 1] = z.r_t;
-        return image;
+        return packed(z);
       },
-      at);
+      packed(start));
 }
 
 /// A point off the axes, e = 0.6, some way past the pericentre.

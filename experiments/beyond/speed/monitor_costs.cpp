@@ -35,10 +35,8 @@ int main(int argc, char** argv) {
                              "steps_per_orbit", "evaluations_per_step", "longest_over_shortest", "seconds"});
     out.note("method", "HTVI4 as the authors ran it, Type II, r = 3, Simpson's rule");
     out.note("seconds", "per orbit, the least of several rounds, in each of which every monitor runs once");
-    const std::vector<double> eccentricities =
-        frame.quick ? std::vector<double>{0.9} : std::vector<double>{0.9, 0.99};
-    const std::vector<double> targets =
-        frame.quick ? std::vector<double>{1e-5} : std::vector<double>{1e-5, 1e-7};
+    const auto eccentricities = frame.quick ? std::vector{0.9} : std::vector{0.9, 0.99};
+    const auto targets = frame.quick ? std::vector{1e-5} : std::vector{1e-5, 1e-7};
     double done = 0.0;
     for (double e : eccentricities)
       for (double target : targets) {

@@ -108,17 +108,15 @@ struct Subject {
 };
 
 std::vector<Subject> subjects() {
-  return {{"collocation16", fixed(0.7,
-                                  [](const State2& z) {
-                                    return avi::collocation(avi::poincare(avi::Kepler{}, z, avi::Gamma{0.75}),
-                                                            16);
-                                  })},
-          {"log_hamiltonian10", fixed(0.2,
-                                      [](const State2& z) {
-                                        return avi::splitting<avi::Summation::compensated>(
-                                            avi::LogHamiltonian(avi::Kepler{}, z),
-                                            avi::compositions::sofroniou_spaletta10);
-                                      })},
+  const auto collocation = [](const State2& z) {
+    return avi::collocation(avi::poincare(avi::Kepler{}, z, avi::Gamma{0.75}), 16);
+  };
+  const auto logarithmic = [](const State2& z) {
+    return avi::splitting<avi::Summation::compensated>(avi::LogHamiltonian(avi::Kepler{}, z),
+                                                       avi::compositions::sofroniou_spaletta10);
+  };
+  return {{"collocation16", fixed(0.7, collocation)},
+          {"log_hamiltonian10", fixed(0.2, logarithmic)},
           {"gsl_rk8pd", of_gsl, 0.1}};
 }
 

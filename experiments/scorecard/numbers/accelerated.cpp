@@ -78,6 +78,7 @@ Judgement iterations(const Cell& cell, const Table& data) {
 Judgement beyond_cap(const Cell& cell, const Table& data, const Row& run) {
   const double cap = run.number("iterations");
   const std::string& method = cell.text("method");
+  Judgement judgement{.reproduced = fmt::format(">{:.0e}", cap), .verdict = Verdict::short_run, .note = {}};
   if (method == "adagrad") {
     // For a quartic AdaGrad's count grows as delta^(-2/3): the step is rate g / |sum of g^2|^(1/2).
     const auto at = [&](double wider) {
@@ -85,13 +86,11 @@ Judgement beyond_cap(const Cell& cell, const Table& data, const Row& run) {
       return find(data, {{"method", method}, {"delta", fmt::format("{:g}", delta)}});
     };
     const double before = at(10.0).number("iterations"), ratio = before / at(100.0).number("iterations");
-    Judgement judgement{.reproduced = fmt::format(">{:.0e}", cap), .verdict = Verdict::short_run, .note = {}};
     judgement.note = fmt::format("Not run to its end. Our run stops at {:.0e}; as the counts grow by {:.3f} "
                                  "from cell to cell (10^(2/3) = 4.642) the next one would be {:.1e}.",
                                  cap, ratio, before * ratio);
     return judgement;
   }
-  Judgement judgement{.reproduced = fmt::format(">{:.0e}", cap), .verdict = Verdict::short_run, .note = {}};
   judgement.note = fmt::format("Not run to its end. Our run stops at {:.0e}, and the least |grad f| in it is "
                                "{:.2e}, so that a later passage is not excluded.",
                                cap, run.number("least_gradient"));

@@ -16,15 +16,21 @@ namespace {
 constexpr double period = 2.0 * M_PI;
 constexpr double target = 1e-6, tolerance = 0.03;
 
+/// A run of a fresh method, again and again.
+auto runs_of(const Method2& runner, const State2& start, double h, const avi::Until& until) {
+  return [=] {
+    State2 z = start;
+    avi::AnyMethod<2> method = runner.make(start);
+    return avi::integrate(method, z, h, until);
+  };
+}
+
 Measurement measured(std::string subject, double value, const Method2& runner, const State2& start, double h,
                      double time) {
   const Attempt made =
       attempt(runner, start, h, {.time = time, .steps = 10'000'000, .energy_error = HUGE_VAL});
-  return {std::move(subject), value, made.run.steps, made.energy_error, [=] {
-            State2 z = start;
-            avi::AnyMethod<2> method = runner.make(start);
-            (void)avi::integrate(method, z, h, {.time = time});
-          }};
+  return {std::move(subject), value, made.run.steps, made.energy_error,
+          runs_of(runner, start, h, {.time = time})};
 }
 
 /// The step whose largest energy error over one orbit is the target, within `tolerance` where there is one:
@@ -118,18 +124,9 @@ Axis along_order() {
   constexpr double h = 0.05;
   Axis axis{"order"};
   for (int r = 0; r <= 15; ++r) {
-    const Method2 runner = stationary(2 * r + 2, monitor);
-    const avi::Until until{.steps = 100};
-    State2 z = start;
-    avi::AnyMethod<2> method = runner.make(start);
-    const avi::Run run = avi::integrate(method, z, h, until);
-    axis.runs.push_back({"stationary", static_cast<double>(r), run.steps, unknown,
-                         [=] {
-                           State2 moved = start;
-                           avi::AnyMethod<2> fresh = runner.make(start);
-                           (void)avi::integrate(fresh, moved, h, until);
-                         },
-                         static_cast<double>(run.evaluations)});
+    const auto again = runs_of(stationary(2 * r + 2, monitor), start, h, {.steps = 100});
+    const avi::Run run = again();
+    axis.runs.push_back({"stationary", 1.0 * r, run.steps, unknown, again, 1.0 * run.evaluations});
   }
   axis.expected.push_back({"stationary", unknown, 4.0, 15.0});
   return axis;

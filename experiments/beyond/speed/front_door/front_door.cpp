@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
         if (contest.reference_error > 1e-12)
           cells.note(fmt::format("reference error of {} {:g}", scene.name, horizon),
                      rounded(contest.reference_error, 2));
-        const Outcome outcome = race(contest, budget);
+        const Outcome outcome = Race(contest, budget).result();
         for (const Point& p : outcome.points)
           table.row(scene.name, scene.kind, scene.held_out, horizon, contest.families[p.family].method,
                     rounded(p.setting, 4), rounded(p.error, 4), rounded(p.seconds, 4), p.steps,
