@@ -11,16 +11,14 @@ std::string_view name(Kind kind) {
   return kind == Kind::outcome ? "outcome" : kind == Kind::input ? "input" : "seconds";
 }
 
-bool counts_fixed_steps(std::string_view row, std::string_view quantity) {
-  return quantity == "steps" && (row == "SV" || row == "HTVI4 none");
-}
+static bool has_fixed_steps(std::string_view row) { return row == "SV" || row == "HTVI4 none"; }
 
 Kind kind_of(std::string_view row, std::string_view quantity) {
   if (quantity == "seconds") return Kind::seconds;
   for (const char* setting : {"h", "p", "p_ring", "g_min", "g_max"})
     if (quantity == setting) return Kind::input;
-  const bool fixed_steps = row == "SV" || row == "HTVI4 none";
-  return fixed_steps && (quantity == "min_step" || quantity == "max_step") ? Kind::input : Kind::outcome;
+  const bool is_step = quantity == "min_step" || quantity == "max_step";
+  return is_step && has_fixed_steps(row) ? Kind::input : Kind::outcome;
 }
 
 Table of_kind(const Table& cells, Kind kind) {
@@ -48,7 +46,8 @@ std::size_t customary(const Table& cells) {
   auto found = of_kind(cells, Kind::outcome);
   // The steps of a row with fixed steps, of which the horizon was found, follow from nothing else.
   const auto row = found.column("row"), quantity = found.column("quantity");
-  std::erase_if(found.rows, [&](const auto& cell) { return counts_fixed_steps(cell[row], cell[quantity]); });
+  std::erase_if(found.rows,
+                [&](const auto& cell) { return cell[quantity] == "steps" && has_fixed_steps(cell[row]); });
   return rows(found, {{"verdict", "exact"}, {"settings", "customary"}}).size();
 }
 

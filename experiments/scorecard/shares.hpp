@@ -19,9 +19,6 @@ std::string_view name(Kind kind);
 /// An input is h, p, p_ring, a bound of a monitor, or the least and largest step where steps are fixed.
 Kind kind_of(std::string_view row, std::string_view quantity);
 
-/// True for a number that is that of the steps of a row with fixed steps.
-bool counts_fixed_steps(std::string_view row, std::string_view quantity);
-
 /// The rows of a table with columns `row` and `quantity` whose numbers are of one kind.
 Table of_kind(const Table& cells, Kind kind);
 

@@ -56,10 +56,10 @@ std::vector<Subject> subjects() {
                    [=](double) { return stationary(8, monitor); }});
   };
   const auto momentum = [&](const std::string& name, MomentumMonitor monitor) {
-    const bool bounded = std::isfinite(monitor.bounds.b);
+    const bool bounded = std::isfinite(monitor.b);
     all.push_back({"stationary8", name, bounded, unknown, implicit_cap, [=](double e) {
                      MomentumMonitor own = monitor;
-                     if (bounded) own.bounds.a = 0.25 * (1.0 - e);
+                     if (bounded) own.a = 0.25 * (1.0 - e);
                      return stationary(8, own);
                    }});
   };
@@ -70,9 +70,9 @@ std::vector<Subject> subjects() {
   position("r^1.5", {P::power_of_radius, 1.5}, -1.0 / 8.0);
   position("r^2", {P::power_of_radius, 2.0}, -0.5);
   position("arclength", {P::arclength}, unknown);
-  momentum("energy", {.kind = M::energy, .bounds = {.b = 2.0}});
+  momentum("energy", {.kind = M::energy, .b = 2.0});
   momentum("inverse_lagrangian", {M::inverse_lagrangian});
-  momentum("inverse_energy_error", {.kind = M::inverse_energy_error, .bounds = {.b = 2.0}});
+  momentum("inverse_energy_error", {.kind = M::inverse_energy_error, .b = 2.0});
   const auto curve = [&](const std::string& name, PositionMonitor monitor, double predicted) {
     all.push_back({"collocation16", name, false, predicted, implicit_cap,
                    [=](double) { return collocation(16, monitor); }});

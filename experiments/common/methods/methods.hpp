@@ -13,15 +13,6 @@
 
 namespace experiment {
 
-/// A monitor of avi/transform/monitors.hpp, bounded by avi::Bounded's formula where b is finite.
-struct Bounds {
-  double a = 0.0, b = HUGE_VAL;
-  template <class S>
-  S operator()(const S& g) const {
-    return std::isfinite(b) ? S(b * (g + a) / (g + b)) : g;
-  }
-};
-
 /// g(q) of one kind.
 struct PositionMonitor {
   enum Kind { none, power_of_radius, arclength } kind = none;
@@ -37,18 +28,20 @@ struct PositionMonitor {
   }
 };
 
-/// g(q, p) of one kind.
+/// g(q, p) of one kind, bounded by avi::Bounded's formula where b is finite.
 struct MomentumMonitor {
   enum Kind { energy, inverse_lagrangian, inverse_energy_error } kind = energy;
   double energy_momentum = 0.5;  ///< p^t = -H_0.
-  Bounds bounds = {};
+  double a = 0.0, b = HUGE_VAL;  ///< Its bounds.
 
   template <class Q, class P>
   auto operator()(const Q& q, const P& p) const {
     using std::abs;
     using S = std::decay_t<decltype(q[0] * p[0])>;
-    if (kind == inverse_energy_error) return bounds(S(1.0 / abs(energy_momentum + avi::Kepler{}(q, p))));
-    return bounds(S(avi::Energy{avi::Kepler{}, kind == energy ? energy_momentum : 0.0}(q, p)));
+    const S g = kind == inverse_energy_error
+                    ? S(1.0 / abs(energy_momentum + avi::Kepler{}(q, p)))
+                    : S(avi::Energy{avi::Kepler{}, kind == energy ? energy_momentum : 0.0}(q, p));
+    return std::isfinite(b) ? S(b * (g + a) / (g + b)) : g;
   }
 };
 

@@ -21,9 +21,9 @@ enum class Ruling {
   consistent,  ///< The claim is a theorem; data cannot show that it holds, and no case contradicts it.
   in_part,     ///< In some cases, or for one of the things it says.
   fails,       ///< The data say the opposite.
-  undecided,  ///< Rests on a setting or a measure that the paper does not give, on seconds too close to call,
-              ///< or on a longer run than ours.
-  missing     ///< No data to decide it by.
+  undecided,   ///< Rests on what the paper does not give, seconds too close to call, or a longer run than
+               ///< ours.
+  missing      ///< No data to decide it by.
 };
 /// Their names in data files.
 inline constexpr std::array<std::string_view, 6> rulings{"holds", "consistent", "in part",

@@ -17,8 +17,7 @@ enum class Verdict {
   differs,    ///< Neither.
   erratum,    ///< Evidence that the printed value or setting is a slip.
   unstated,   ///< Depends on a setting that the source does not give and that was not recovered.
-  chaotic,    ///< Moves with the last bits; the note says whether the printed value lies in the perturbed
-              ///< range.
+  chaotic,    ///< Moves with the last bits; the note says whether the printed value is in their range.
   short_run,  ///< Our run is shorter than the printed count or bound, which it neither confirms nor refutes.
   missing     ///< No data to judge it by.
 };

@@ -28,10 +28,6 @@ inline std::string method(const Point* p) {
 /// A library measured in both places differs by up to this factor: a ratio nearer to 1 decides nothing.
 inline constexpr double spread_elsewhere = 1.43;
 
-inline bool unsure(double ratio, bool elsewhere) {
-  return elsewhere && ratio < spread_elsewhere && ratio > 1.0 / spread_elsewhere;
-}
-
 /// The table that advise() fills.
 inline Table advice_table(const Frame& frame) {
   Table table = frame.table(
@@ -78,7 +74,8 @@ inline void advise(Table& table, const Scene& scene, const std::vector<Point>& p
       }
     const auto cost = [&](const Point* p) { return p ? p->seconds / unit : unknown; };
     const auto setting = [](const Point* p) { return p ? p->label() : "none"; };
-    const double rival = std::fmin(cost(peer), other_cost);
+    const double rival = std::fmin(cost(peer), other_cost), solved_ratio = cost(exact) / rival;
+    const bool unsure = rival == other_cost && std::max(solved_ratio, 1.0 / solved_ratio) < spread_elsewhere;
     const double ratio = cost(best) / rival;
     const char* verdict = !best               ? (std::isnan(rival) ? "none" : "behind")
                           : std::isnan(rival) ? "alone"
@@ -88,9 +85,8 @@ inline void advise(Table& table, const Scene& scene, const std::vector<Point>& p
               rounded(cost(best), 3), rounded(best ? best->energy_error : unknown, 3), method(htvi),
               method(peer), rounded(cost(peer), 3), other, rounded(other_cost, 3), rounded(ratio, 3), verdict,
               rounded(cost(htvi) / rival, 3), method(curve), setting(curve), rounded(cost(curve), 3),
-              rounded(cost(curve) / rival, 3), curve && solved(*curve) ? 1 : 0, method(exact), setting(exact),
-              rounded(cost(exact), 3), rounded(cost(exact) / rival, 3),
-              unsure(cost(exact) / rival, rival == other_cost) ? 1 : 0, rounded(drift, 3));
+              rounded(cost(curve) / rival, 3), curve && solved(*curve), method(exact), setting(exact),
+              rounded(cost(exact), 3), rounded(solved_ratio, 3), unsure, rounded(drift, 3));
   }
 }
 

@@ -49,15 +49,12 @@ Family peer(const Equations& equations, std::string method, int order, std::func
 
 namespace {
 
-struct Free {
-  void operator()(gsl_odeiv2_driver* driver) const { gsl_odeiv2_driver_free(driver); }
-};
-
 Family gsl(const Equations& equations, const char* method, int order, const gsl_odeiv2_step_type* type) {
   return peer(equations, method, order, [type](Task& task) {
     gsl_odeiv2_system system{task.equations.field, nullptr, task.y.size(), &task.f};
-    const std::unique_ptr<gsl_odeiv2_driver, Free> driver(
-        gsl_odeiv2_driver_alloc_y_new(&system, type, 1e-3, task.tolerance, task.tolerance));
+    const std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> driver(
+        gsl_odeiv2_driver_alloc_y_new(&system, type, 1e-3, task.tolerance, task.tolerance),
+        gsl_odeiv2_driver_free);
     double t = 0.0;
     while (t < task.equations.horizon)
       if (gsl_odeiv2_evolve_apply(driver->e, driver->c, driver->s, &system, &t, task.equations.horizon,
