@@ -53,8 +53,7 @@ class DiagonalQuartic {
 struct Followed : Sustained {
   bool diverged = false;
 };
-template <class F, class Step>
-Followed followed(const F& f, VectorX q, long cap, Step step) {
+Followed followed(const auto& f, VectorX q, long cap, auto step) {
   Followed seen;
   avi::Iterate at;
   for (long k = 1; k <= cap; ++k) {

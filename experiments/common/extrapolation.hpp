@@ -20,8 +20,7 @@ class ExtrapolatedStep {
   }
 
   /// Finds the increment of y over h. @param field field(y, slope) fills the slope @param slope at y
-  template <class Field>
-  void find(const Field& field, const Vec& y, const Vec& slope, long double h) {
+  void find(const auto& field, const Vec& y, const Vec& slope, long double h) {
     const auto size = y.size();
     for (int row = 0; row < rows; ++row) {
       const int pieces = 2 * (row + 1);
@@ -57,8 +56,8 @@ class ExtrapolatedStep {
 };
 
 /// y a step h on, y' = field(y), by an extrapolated step of order 2 `columns`.
-template <int columns, class Vec, class Field>
-Vec extrapolated_step(const Field& field, const Vec& y, long double h) {
+template <int columns, class Vec>
+Vec extrapolated_step(const auto& field, const Vec& y, long double h) {
   ExtrapolatedStep<columns, Vec> step(y);
   step.find([&](const Vec& at, Vec& slope) { slope = field(at); }, y, field(y), h);
   return y + step.increment();

@@ -53,10 +53,7 @@ class Table {
   explicit Table(std::vector<std::string> column_names) : columns(std::move(column_names)) {}
 
   /// Adds a `# key: value` line.
-  template <class Value>
-  void note(std::string key, const Value& value) {
-    head.emplace_back(std::move(key), detail::cell(value));
-  }
+  void note(std::string key, const auto& value) { head.emplace_back(std::move(key), detail::cell(value)); }
 
   /// Adds a row. @throws std::invalid_argument when it does not have one cell for each column.
   template <class... Values>

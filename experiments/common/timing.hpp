@@ -21,8 +21,7 @@ class Stopwatch {
 };
 
 /// Wall time of one call, in seconds.
-template <class Work>
-double seconds(Work&& work) {
+double seconds(auto&& work) {
   const Stopwatch elapsed;
   work();
   return elapsed();

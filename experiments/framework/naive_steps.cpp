@@ -59,8 +59,7 @@ class Record {
 };
 
 /// Steps of the method of order 4 for a transformed problem, of a length that may depend on where it is.
-template <class Problem, class Length>
-void run_steps(const Problem& problem, Record record, Length length) {
+void run_steps(const auto& problem, Record record, auto length) {
   State2 z = avi::Kepler::pericentre(eccentricity);
   auto method = avi::collocation<6>(problem, 4);
   do {
@@ -70,8 +69,7 @@ void run_steps(const Problem& problem, Record record, Length length) {
 }
 
 /// Steps for which two methods, of order 4 and 6, agree to the tolerance. Returns the number of steps.
-template <class Look>
-long controlled(double tolerance, Look&& look) {
+long controlled(double tolerance, auto&& look) {
   State2 z = avi::Kepler::pericentre(eccentricity);
   auto method = avi::collocation<6>(avi::poincare(avi::Kepler(), z), 4);
   auto better = avi::collocation<6>(avi::poincare(avi::Kepler(), z), 6);

@@ -19,8 +19,7 @@ using State2 = avi::State<2>;
 constexpr double eccentricity = 0.9, period = 2.0 * M_PI;
 
 /// The steps of one orbit of fictive length h: calls look(z) at the start and after each.
-template <class G, class Look>
-void orbit(const G& monitor, double h, Look look) {
+void orbit(const auto& monitor, double h, auto look) {
   State2 z = avi::Kepler::pericentre(eccentricity);
   auto method = avi::collocation<8>(avi::poincare(avi::Kepler(), z, monitor), 8);
   look(z);
@@ -30,8 +29,7 @@ void orbit(const G& monitor, double h, Look look) {
 }
 
 /// Fictive time of an orbit, the integral of dt / g: by the trapezium rule over fine steps of |q|^(3/2).
-template <class G>
-double fictive_period(const G& monitor) {
+double fictive_period(const auto& monitor) {
   double sum = 0.0;
   State2 before = avi::Kepler::pericentre(eccentricity);
   orbit(avi::Gamma{0.75}, 0.002, [&](const State2& z) {

@@ -20,8 +20,7 @@ constexpr double orbits = 3.0;
 constexpr avi::Until until{.time = 2.0 * M_PI * orbits, .steps = 3'000'000};
 
 /// HTVI4 with that monitor.
-template <class G>
-Method2 runner_with(const G& monitor) {
+Method2 runner_with(const auto& monitor) {
   return Method2(Kepler{}, [=](const State2& start) {
     return avi::type2<3, Authors>(avi::poincare<2>(Kepler{}, start, monitor), avi::simpson());
   });

@@ -54,8 +54,7 @@ using Run = std::function<Errors(const State2&, const std::vector<long>&)>;
 
 bool arrived(const State2& z, long periods) { return z.t >= periods * period && z.q.squaredNorm() > 1.0; }
 
-template <class Make>
-Run fixed(double h, Make make) {
+Run fixed(double h, auto make) {
   return [=](const State2& from, const std::vector<long>& milestones) {
     auto method = make(from);
     const double first = avi::Kepler()(from.q, from.p);

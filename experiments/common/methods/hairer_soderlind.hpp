@@ -17,16 +17,10 @@ struct PowerOfRadius {
   double alpha = 1.5;  ///< Power; 3/2 follows Kepler's third law.
 
   /// g(q, p).
-  template <class Q, class P>
-  double operator()(const Q& q, const P&) const {
-    return std::pow(q.squaredNorm(), 0.5 * alpha);
-  }
+  double operator()(const auto& q, const auto&) const { return std::pow(q.squaredNorm(), 0.5 * alpha); }
 
   /// \f$d(1/g)/d\tau = -(\nabla g\cdot f)/g = -\alpha\, q\cdot p/|q|^2\f$ along the flow \f$dt = g\,d\tau\f$.
-  template <class Q, class P>
-  double density_rate(const Q& q, const P& p) const {
-    return -alpha * q.dot(p) / q.squaredNorm();
-  }
+  double density_rate(const auto& q, const auto& p) const { return -alpha * q.dot(p) / q.squaredNorm(); }
 };
 
 /// A symmetric method whose step size h / rho follows 1 / g by integrating it instead of evaluating it

@@ -31,8 +31,7 @@ auto kepler(const State2& start, MomentumMonitor monitor) {
   return avi::poincare<2>(Kepler{}, start, monitor);
 }
 
-template <class Problem>
-auto stationary_on(const Problem& problem, int r, int nodes) {
+auto stationary_on(const auto& problem, int r, int nodes) {
   return avi::htvi_of_order<avi::Generating::type2>(r, problem, avi::gauss(nodes));
 }
 

@@ -19,8 +19,7 @@ struct PositionMonitor {
   double exponent = 1.0;  ///< The power of r = |q|.
   double energy = -0.5;   ///< H_0.
 
-  template <class Q>
-  auto operator()(const Q& q) const {
+  auto operator()(const auto& q) const {
     using S = std::decay_t<decltype(q[0] * q[0])>;
     if (kind == none) return S(1.0);
     return kind == power_of_radius ? S(avi::Gamma{0.5 * exponent}(q))
@@ -34,8 +33,7 @@ struct MomentumMonitor {
   double energy_momentum = 0.5;  ///< p^t = -H_0.
   double a = 0.0, b = HUGE_VAL;  ///< Its bounds.
 
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     using std::abs;
     using S = std::decay_t<decltype(q[0] * p[0])>;
     const S g = kind == inverse_energy_error

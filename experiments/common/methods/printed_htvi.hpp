@@ -126,9 +126,7 @@ template <int n>
 class BroydenIteration {
  public:
   [[nodiscard]] BroydenIteration begin(bool) const { return {}; }
-  template <class Equations>
-  bool propose(const Equations& equations, const Vector<double, n>& residual,
-               const IterationProgress<n>& now) {
+  bool propose(const auto& equations, const Vector<double, n>& residual, const IterationProgress<n>& now) {
     const bool slow = now.residual > 0.1 * now.previous;
     Vector<double, n> plain = residual;
     if constexpr (requires { equations.newton(residual); }) plain = equations.newton(residual);
@@ -137,8 +135,7 @@ class BroydenIteration {
     // round-off, so is the error of a first-order correction.
     return now.residual * now.residual <= 0.1 * now.accepted * now.previous;
   }
-  template <class Equations>
-  [[nodiscard]] StepChange<n> step(const Equations& equations, const Vector<double, n>& residual) const {
+  [[nodiscard]] StepChange<n> step(const auto& equations, const Vector<double, n>& residual) const {
     return equations.shifted(residual, shift);
   }
 
@@ -151,9 +148,8 @@ class BroydenIteration {
 /// As the paper prints it: in the action the velocity is that of the field, the position of order r.
 struct Printed {
   static constexpr bool energy_is_variable = true, on_level = false, on_shell = false, raises_the_end = false;
-  template <class Problem, class Vec, class S>
-  static void field(const Problem& problem, const Vec& q, const Vec& p, const S& pt, Vec& dq, Vec& dp,
-                    S& dt) {
+  template <class Vec, class S>
+  static void field(const auto& problem, const Vec& q, const Vec& p, const S& pt, Vec& dq, Vec& dp, S& dt) {
     problem.field(q, p, pt, dq, dp, dt);
   }
   template <class Expansion>
@@ -210,8 +206,8 @@ class ShellEquations : public DiscreteEquations<type, Expansion> {
 /// + p^t = 0 inserted, and at the node c = 1 the position has order r + 1.
 struct Authors : Printed {
   static constexpr bool energy_is_variable = false, on_shell = true, raises_the_end = true;
-  template <class Problem, class Vec, class S>
-  static void field(const Problem& problem, const Vec& q, const Vec& p, const S&, Vec& dq, Vec& dp, S& dt) {
+  template <class Vec, class S>
+  static void field(const auto& problem, const Vec& q, const Vec& p, const S&, Vec& dq, Vec& dp, S& dt) {
     problem.field_on_shell(q, p, dq, dp, dt);
   }
   template <class Expansion>

@@ -17,8 +17,7 @@ using avi::State, avi::Vector, avi::dynamic, avi::require;
 /// is that of its arguments.
 struct Chain {
   /// The Hamiltonian.
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     const auto spring = [](const auto& x) { return 0.5 * (x * x) + 0.25 * (x * x * x); };
     auto sum = spring(q[0]) + spring(-q[q.size() - 1]);
     for (Eigen::Index i = 0; i < q.size(); ++i) {

@@ -17,8 +17,7 @@ struct DoublePendulum {
   static constexpr int dimension = 2;  ///< Two angles.
 
   /// The Hamiltonian.
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     using std::cos, std::sin;
     const auto between = q[0] - q[1];
     const auto s = sin(between);

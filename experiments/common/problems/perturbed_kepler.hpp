@@ -23,8 +23,7 @@ class PerturbedKepler : public UnitMass<PerturbedKepler, 2> {
   }
 
   /// Potential V(q) = -(1 + epsilon / (2 |q|^2)) / |q|.
-  template <class Q>
-  auto potential(const Q& q) const {
+  auto potential(const auto& q) const {
     using std::sqrt;
     const auto square = q[0] * q[0] + q[1] * q[1];
     return -(1.0 + 0.5 * epsilon_ / square) / sqrt(square);

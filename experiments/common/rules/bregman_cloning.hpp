@@ -78,8 +78,7 @@ struct BregmanCloning {
   }
 
   /// Advances by the fictive step, with 1, 3 or 9 gradients.
-  template <class F>
-  Outcome update(State& state, Iterate& now, F& f) const {
+  Outcome update(State& state, Iterate& now, auto& f) const {
     drift(state, now, state.stages.b[0]);
     for (std::size_t i = 0; i < state.stages.a.size(); ++i) {
       kick(state, now, f, state.stages.a[i]);
@@ -97,8 +96,7 @@ struct BregmanCloning {
   }
 
   /// Flow of H-bar_1(q, t, r~), without its action on the clone's position.
-  template <class F>
-  void kick(State& state, Iterate& now, F& f, double length) const {
+  void kick(State& state, Iterate& now, auto& f, double length) const {
     now.evaluate(f);
     state.r -= (length * h * family.potential(state.t)) * now.gradient;
     state.t_clone += length * h * family.monitor(state.t);

@@ -30,8 +30,7 @@ struct BregmanField {
   }
 
   /// The field with a gradient taken from the objective f, whose value is returned.
-  template <class F>
-  double evaluate(F& f, const VectorX& z, VectorX& dz) {
+  double evaluate(auto& f, const VectorX& z, VectorX& dz) {
     q = z.head(q.size());
     const double value = f(q, gradient);
     (*this)(z, gradient, dz);
@@ -83,8 +82,7 @@ struct BregmanRungeKutta {
   }
 
   /// Advances by the fictive step, with a gradient for every stage but the first.
-  template <class F>
-  Outcome update(State& state, Iterate& now, F& f) const {
+  Outcome update(State& state, Iterate& now, auto& f) const {
     state.field(state.z, now.gradient, state.stages.k[0]);
     state.stages.advance([&](const VectorX& z, VectorX& dz) { state.field.evaluate(f, z, dz); }, state.z, h);
     state.accept(now);
@@ -111,8 +109,7 @@ struct BregmanEmbedded {
   }
 
   /// Advances by one accepted step; Outcome::not_converged where the cap on rejections is met.
-  template <class F>
-  Outcome update(State& state, Iterate& now, F& f) const {
+  Outcome update(State& state, Iterate& now, auto& f) const {
     double last_value = now.value;
     state.field(state.z, now.gradient, state.stages.k[0]);
     const double taken = controlled_step(

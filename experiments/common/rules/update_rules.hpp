@@ -15,8 +15,7 @@ namespace experiment {
 using avi::Outcome, avi::VectorX, avi::require, avi::require_positive, avi::Iterate, avi::norm;
 
 /// Subtracts step(g, i) from each entry of x, with the gradient at hand; the loop evaluates at the new x.
-template <class Step>
-Outcome descend(Iterate& now, const Step& step) {
+Outcome descend(Iterate& now, const auto& step) {
   for (Eigen::Index i = 0; i < now.x.size(); ++i)
     now.x[i] -= step(now.gradient[i], i);
   now.evaluated = false;
@@ -33,8 +32,7 @@ struct GradientDescent {
     return {};
   }
 
-  template <class F>
-  Outcome update(State&, Iterate& now, F&) const {
+  Outcome update(State&, Iterate& now, auto&) const {
     return descend(now, [&](double g, Eigen::Index) { return h * g; });
   }
 };
@@ -63,8 +61,7 @@ struct Nag {
   }
 
   /// Moves x once, with a gradient at y from the second iteration on.
-  template <class F>
-  Outcome update(State& state, Iterate& now, F& f) const {
+  Outcome update(State& state, Iterate& now, auto& f) const {
     if (state.k > 0) f(state.y, state.gradient);
     state.previous.swap(now.x);
     now.x = state.y - h * state.gradient;
@@ -101,8 +98,7 @@ struct Adam {
     return {.mean = zero, .square = zero};
   }
 
-  template <class F>
-  Outcome update(State& state, Iterate& now, F&) const {
+  Outcome update(State& state, Iterate& now, auto&) const {
     state.power_1 *= beta_1;
     state.power_2 *= beta_2;
     const double scale_1 = 1.0 - state.power_1, scale_2 = 1.0 - state.power_2;
@@ -130,8 +126,7 @@ struct AdaGrad {
     return {.square = VectorX::Zero(first.x.size())};
   }
 
-  template <class F>
-  Outcome update(State& state, Iterate& now, F&) const {
+  Outcome update(State& state, Iterate& now, auto&) const {
     return descend(now, [&](double g, Eigen::Index i) {
       state.square[i] += g * g;
       return rate * g / (std::sqrt(state.square[i]) + epsilon);
@@ -159,8 +154,7 @@ struct RmsProp {
     return {.square = VectorX::Zero(first.x.size())};
   }
 
-  template <class F>
-  Outcome update(State& state, Iterate& now, F&) const {
+  Outcome update(State& state, Iterate& now, auto&) const {
     return descend(now, [&](double g, Eigen::Index i) {
       state.square[i] = rho * state.square[i] + (1.0 - rho) * (g * g);
       return rate * g / std::sqrt(state.square[i] + epsilon);
@@ -201,8 +195,7 @@ struct TrustRegion {
   }
 
   /// Moves x to the first trial that is accepted; Outcome::not_converged after `trials` of them.
-  template <class F>
-  Outcome update(State& state, Iterate& now, F& f) const {
+  Outcome update(State& state, Iterate& now, auto& f) const {
     const double slope = norm(now.gradient);
     if (slope == 0.0) return Outcome::ok;  // stationary: the loop's test sees no change and ends the run
     for (int trial = 0; trial < trials; ++trial) {

@@ -17,8 +17,7 @@ using std::cos, std::sqrt;
 /// not separable, H = p^2 (1 + q^2 / 2) / 2 + q^2 / 2.
 struct Line {
   bool separable;
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     using S = std::decay_t<decltype(q[0] * p[0])>;
     if (separable) return S(sqrt(1.0 + p[0] * p[0]) - cos(q[0]));
     const auto square = q[0] * q[0];
@@ -29,8 +28,7 @@ struct Line {
 /// In the plane, T quadratic: Kepler, which supplies its gradients, or Henon-Heiles, which does not.
 struct Plane {
   bool kepler;
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     using S = std::decay_t<decltype(q[0] * p[0])>;
     return kepler ? S(avi::Kepler{}(q, p)) : S(avi::HenonHeiles{}(q, p));
   }
@@ -47,8 +45,7 @@ struct Plane {
 /// |q|^2, or |q|^(3/2), which is no polynomial of q.
 struct Radius {
   bool square;
-  template <class Q>
-  auto operator()(const Q& q) const {
+  auto operator()(const auto& q) const {
     using S = std::decay_t<decltype(q[0] * q[0])>;
     return square ? S(avi::NormSquared{}(q)) : S(avi::Gamma{0.75}(q));
   }
@@ -56,18 +53,14 @@ struct Radius {
 
 /// A pendulum whose weight varies, H = p^2 / 2 - (1 + cos(t) / 2) cos q.
 struct Driven {
-  template <class Q, class S, class P>
-  auto operator()(const Q& q, const S& t, const P& p) const {
+  auto operator()(const auto& q, const auto& t, const auto& p) const {
     return 0.5 * (p[0] * p[0]) - (1.0 + 0.5 * cos(t)) * cos(q[0]);
   }
 };
 
 /// g = 1 / (1 + p^2 / 2).
 struct SlowWhenFast {
-  template <class Q, class P>
-  auto operator()(const Q&, const P& p) const {
-    return 1.0 / (1.0 + 0.5 * (p[0] * p[0]));
-  }
+  auto operator()(const auto&, const auto& p) const { return 1.0 / (1.0 + 0.5 * (p[0] * p[0])); }
 };
 
 /// T quadratic, relativistic, not separable, Kepler.

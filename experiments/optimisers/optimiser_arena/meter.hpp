@@ -100,8 +100,7 @@ inline auto objective_of(Meter& meter) {
 }
 
 /// Updates by a rule of the library until the meter ends them.
-template <class Rule>
-void follow(Meter& meter, const Rule& rule) {
+void follow(Meter& meter, const auto& rule) {
   (void)avi::run_updates(objective_of(meter), rule, meter.x0, {.delta = 0.0},
                          [&](const avi::Iterate&, long k, long) { meter.iterations = k; });
 }

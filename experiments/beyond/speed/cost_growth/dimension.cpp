@@ -18,8 +18,7 @@ using Stage = avi::Pack<stages>;
 using Vec = avi::Vector<Stage, dynamic>;
 
 /// A piece of work, again and again.
-template <class Work>
-Measurement repeated(long repeats, const Work& work) {
+Measurement repeated(long repeats, const auto& work) {
   const auto run = [=] {
     for (long k = 0; k < repeats; ++k)
       work();

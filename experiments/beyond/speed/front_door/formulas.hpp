@@ -11,8 +11,7 @@ namespace experiment::front_door {
 /// Bodies in a central field -1/r, in the plane.
 struct Kepler {
   static constexpr int dimension = 2;
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     using std::sqrt;
     return 0.5 * (p[0] * p[0] + p[1] * p[1]) - 1.0 / sqrt(q[0] * q[0] + q[1] * q[1]);
   }
@@ -26,8 +25,7 @@ struct Kepler {
 /// Henon and Heiles.
 struct HenonHeiles {
   static constexpr int dimension = 2;
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     return 0.5 * (p[0] * p[0] + p[1] * p[1] + q[0] * q[0] + q[1] * q[1]) + q[0] * q[0] * q[1] -
            q[1] * q[1] * q[1] / 3.0;
   }
@@ -42,8 +40,7 @@ struct HenonHeiles {
 /// A pendulum.
 struct Pendulum {
   static constexpr int dimension = 1;
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     using std::cos;
     return 0.5 * p[0] * p[0] - cos(q[0]);
   }
@@ -57,8 +54,7 @@ struct Pendulum {
 template <int bodies>
 struct UnitBodies {
   static constexpr int dimension = 2 * bodies;
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     using std::sqrt;
     auto energy = 0.5 * (p[0] * p[0] + p[1] * p[1]);
     for (int i = 1; i < bodies; ++i) {
@@ -91,8 +87,7 @@ struct Planets {
   static constexpr int dimension = 3 * bodies;
   std::array<double, bodies> mass;
   double gravity;
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     using std::sqrt;
     const auto kinetic = [&](int i) {
       const auto x = p[3 * i], y = p[3 * i + 1], z = p[3 * i + 2];
@@ -130,8 +125,7 @@ template <int masses>
 struct Fput {
   static constexpr int dimension = masses;
   double beta = 1.0;
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     const auto spring = [this](const auto& x) { return 0.5 * x * x + 0.25 * beta * (x * x) * (x * x); };
     auto energy = spring(q[0]) + spring(q[masses - 1]) + 0.5 * p[0] * p[0];
     for (int i = 1; i < masses; ++i)
@@ -152,8 +146,7 @@ struct Fput {
 /// A charge in the field of a magnetic dipole along z: H = |p - A|^2 / 2, A = (-y, x, 0) / r^3.
 struct Dipole {
   static constexpr int dimension = 3;
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     using std::sqrt;
     const auto square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2];
     const auto b = 1.0 / (square * sqrt(square));

@@ -14,8 +14,7 @@ namespace experiment::front_door {
 struct Planet {
   static constexpr int dimension = 3;
   static constexpr double strength = 4.0 * M_PI * M_PI;
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     using std::sqrt;
     return 0.5 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) -
            strength / sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
@@ -33,8 +32,7 @@ struct Planet {
 struct Flattened {
   static constexpr int dimension = 2;
   double c = 0.01;
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     using std::sqrt;
     const auto square = q[0] * q[0] + q[1] * q[1];
     const auto inverse = 1.0 / sqrt(square);
@@ -62,8 +60,7 @@ struct DoublePendulum : experiment::DoublePendulum {
 /// A star in the logarithmic potential of a flattened galaxy with a core (Binney).
 struct Galaxy {
   static constexpr int dimension = 2;
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     using std::log;
     return 0.5 * (p[0] * p[0] + p[1] * p[1]) + 0.5 * log(0.04 + q[0] * q[0] + q[1] * q[1] / 0.81);
   }
@@ -77,8 +74,7 @@ struct Galaxy {
 /// Two atoms of different mass on a line, bound by Morse's potential, in a shallow well each.
 struct Morse {
   static constexpr int dimension = 2;
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     using std::exp;
     const auto bond = 1.0 - exp(1.0 - q[1] + q[0]);
     return 0.5 * p[0] * p[0] + 0.25 * p[1] * p[1] + bond * bond + 0.05 * (q[0] * q[0] + q[1] * q[1]);
@@ -95,8 +91,7 @@ struct Morse {
 struct Restricted {
   static constexpr int dimension = 2;
   double mu = 0.01;
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     using std::sqrt;
     const auto a = q[0] + mu, b = q[0] - (1.0 - mu), y = q[1] * q[1];
     return 0.5 * (p[0] * p[0] + p[1] * p[1]) + q[1] * p[0] - q[0] * p[1] - (1.0 - mu) / sqrt(a * a + y) -
@@ -116,8 +111,7 @@ struct Restricted {
 template <int masses>
 struct Toda {
   static constexpr int dimension = masses;
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     using std::exp;
     auto energy = exp(-q[0]) + exp(q[masses - 1]) + 0.5 * p[0] * p[0];
     for (int i = 1; i < masses; ++i)
@@ -138,8 +132,7 @@ struct Toda {
 /// A relativistic particle in an anisotropic well.
 struct Relativistic {
   static constexpr int dimension = 2;
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     using std::sqrt;
     return sqrt(1.0 + p[0] * p[0] + p[1] * p[1]) + 0.5 * q[0] * q[0] + q[1] * q[1];
   }
@@ -153,8 +146,7 @@ struct Relativistic {
 /// A pendulum whose support is shaken, with the time as its second coordinate: q_1 = t.
 struct Shaken {
   static constexpr int dimension = 2;
-  template <class Q, class P>
-  auto operator()(const Q& q, const P& p) const {
+  auto operator()(const auto& q, const auto& p) const {
     using std::cos;
     return 0.5 * p[0] * p[0] - (1.0 + 0.3 * cos(3.7 * q[1])) * cos(q[0]) + p[1];
   }

@@ -40,8 +40,7 @@ struct Request {
 
 /// Seconds of one call of `work`, from a block of `repeats` calls. A block whose wall time exceeds the time
 /// the process had on the core by more than 2 % (and 20 microseconds) is run again, at most twice.
-template <class Work>
-double block_seconds(const Work& work, int repeats) {
+double block_seconds(const auto& work, int repeats) {
   double best = 0.0;
   for (int attempt = 0; attempt < 3; ++attempt) {
     const std::clock_t cpu = std::clock();

@@ -60,8 +60,7 @@ struct Judged {
 };
 
 /// A run that says it converged must hold up: finite, and the criterion true when f is asked again.
-template <class F>
-std::string verdict_of(const avi::Minimisation& run, const F& f, double delta) {
+std::string verdict_of(const avi::Minimisation& run, const auto& f, double delta) {
   if (run.outcome != avi::Outcome::ok) return run.message.empty() ? "silent" : "named";
   avi::VectorX gradient(run.last.x.size());
   const double value = f(run.last.x, gradient);
@@ -69,8 +68,7 @@ std::string verdict_of(const avi::Minimisation& run, const F& f, double delta) {
 }
 
 /// Minimises f to delta = 1e-10 and judges the run.
-template <class F>
-Judged judge(const Rule& rule, const F& f, const avi::VectorX& x0, long cap) {
+Judged judge(const Rule& rule, const auto& f, const avi::VectorX& x0, long cap) {
   const avi::Stopping stopping{.delta = 1e-10, .iterations = cap};
   try {
     const avi::Minimisation end = run_updates(rule, f, x0, stopping);

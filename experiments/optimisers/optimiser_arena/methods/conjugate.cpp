@@ -63,8 +63,7 @@ Trial strong_wolfe(Meter& f, const VectorX& x, const VectorX& d, const avi::Line
   return now;
 }
 
-template <class Factor>
-void conjugate(Meter& f, Factor factor) {
+void conjugate(Meter& f, auto factor) {
   VectorX x = f.x0, g(x.size()), d, next, next_g(x.size());
   avi::LinePoint at{f(x, g), 0.0};
   d = -g;

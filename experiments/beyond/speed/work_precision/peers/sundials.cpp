@@ -43,8 +43,7 @@ struct Workspace {
 };
 
 /// Steps one at a time up to the horizon; `advance` is CVode or ERKStepEvolve.
-template <class Advance>
-bool drive(const Workspace& space, Task& task, Advance advance, int one_step) {
+bool drive(const Workspace& space, Task& task, auto advance, int one_step) {
   const double* values = N_VGetArrayPointer(space.y);
   double t = 0.0;
   while (t < task.equations.horizon)

@@ -65,8 +65,7 @@ void add_logarithmic(Scene& scene, const Arena<P>& arena, double stage) {
 
 /// g = |q|^(3/2).
 struct ThreeHalves {
-  template <class Q>
-  auto operator()(const Q& q) const {
+  auto operator()(const auto& q) const {
     using std::pow;
     return pow(q[0] * q[0] + q[1] * q[1], 0.75);
   }

@@ -9,8 +9,7 @@ namespace {
 
 /// 1/g = sum of |q_i - q_j|^(-3/2) over the pairs: the rate of the fastest of them.
 struct PairRates {
-  template <class Q>
-  auto operator()(const Q& q) const {
+  auto operator()(const auto& q) const {
     using std::pow;
     const auto rate = [&](Eigen::Index i, Eigen::Index j) {
       return pow(avi::NBody<7>::distance_squared(q, i, j), -0.75);
