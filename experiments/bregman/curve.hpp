@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-/// @file
-/// f along a run, thinned for a figure.
+// f along a run, thinned for a figure.
 
 namespace experiment {
 

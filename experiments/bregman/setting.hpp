@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-/// @file
-/// The runs of the paper's optimisation tables: settings, each typed once, and how to make them.
+// The runs of the paper's optimisation tables: settings, each typed once, and how to make them.
 
 namespace experiment {
 

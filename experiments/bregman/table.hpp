@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-/// @file
-/// The experiments direct_vs_adaptive, method_comparison and p_dependence: one table of the paper each; and
-/// the loop of those that look at all their settings again.
+// The experiments direct_vs_adaptive, method_comparison and p_dependence: one table of the paper each; and
+// the loop of those that look at all their settings again.
 
 namespace experiment {
 

@@ -4,8 +4,7 @@
 #include <array>
 #include <cmath>
 
-/// @file
-/// References for Hamiltonians that are not separable, by a method that shares nothing with the library's.
+// References for Hamiltonians that are not separable, by a method that shares nothing with the library's.
 
 namespace experiment {
 

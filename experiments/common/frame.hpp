@@ -7,8 +7,7 @@
 #include <string_view>
 #include <variant>
 
-/// @file
-/// What every experiment has beside settings and loop: options, folder, provenance, progress, exit status.
+// What every experiment has beside settings and loop: options, folder, provenance, progress, exit status.
 
 namespace experiment {
 

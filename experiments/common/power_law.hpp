@@ -5,8 +5,7 @@
 #include <limits>
 #include <vector>
 
-/// @file
-/// Powers with which something grows.
+// Powers with which something grows.
 
 namespace experiment {
 

@@ -5,9 +5,8 @@
 
 #include <cmath>
 
-/// @file
-/// Reference solutions from the start as it is rounded to double: against the start that was meant, every
-/// method would show the rounding of the start, 1e-8 after 1000 orbits at e = 0.999.
+// Reference solutions from the start as it is rounded to double: against the start that was meant, every
+// method would show the rounding of the start, 1e-8 after 1000 orbits at e = 0.999.
 
 namespace experiment::work_precision {
 

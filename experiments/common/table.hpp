@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-/// @file
-/// The data contract: tab-separated tables with a `# key: value` head, one header row, then rows.
+// The data contract: tab-separated tables with a `# key: value` head, one header row, then rows.
 
 namespace experiment {
 

@@ -5,8 +5,7 @@
 #include <functional>
 #include <vector>
 
-/// @file
-/// Wall time of runs that are compared with each other.
+// Wall time of runs that are compared with each other.
 
 namespace experiment {
 

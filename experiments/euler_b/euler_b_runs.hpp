@@ -5,8 +5,7 @@
 #include <functional>
 #include <string>
 
-/// @file
-/// Symplectic Euler-B along a Kepler orbit with any monitor of the paper, chosen by name.
+// Symplectic Euler-B along a Kepler orbit with any monitor of the paper, chosen by name.
 
 namespace experiment {
 

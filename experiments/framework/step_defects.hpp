@@ -7,8 +7,7 @@
 
 #include <cmath>
 
-/// @file
-/// How far one step on extended phase space is from being symplectic.
+// How far one step on extended phase space is from being symplectic.
 
 namespace experiment {
 

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-/// @file
-/// Tables 1 and 2 of the paper: one Kepler orbit, HTVI with and without monitors against Stormer-Verlet.
+// Tables 1 and 2 of the paper: one Kepler orbit, HTVI with and without monitors against Stormer-Verlet.
 
 namespace experiment {
 

@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-/// @file
-/// The experiments' tables, row by row.
+// The experiments' tables, row by row.
 
 namespace scorecard {
 

@@ -7,9 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
-/// @file
-/// Every published number beside ours, with a verdict and a note: build/data/scorecard.tsv; every claim of
-/// the text with a ruling and the numbers it rests on: build/data/scorecard_claims.tsv.
+// Every published number beside ours, with a verdict and a note: build/data/scorecard.tsv; every claim of
+// the text with a ruling and the numbers it rests on: build/data/scorecard_claims.tsv.
 
 namespace {
 

@@ -5,8 +5,7 @@
 #include <string_view>
 #include <vector>
 
-/// @file
-/// How many numbers or claims got which verdict: the shares that terminal, paper and README state.
+// How many numbers or claims got which verdict: the shares that terminal, paper and README state.
 
 namespace scorecard {
 

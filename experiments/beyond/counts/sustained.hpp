@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// @file
-/// When the stopping test holds for good, beside when it first does.
+// When the stopping test holds for good, beside when it first does.
 
 namespace experiment {
 

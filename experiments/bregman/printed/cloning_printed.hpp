@@ -2,9 +2,8 @@
 #include "avi/bregman/bregman_hamiltonian.hpp"
 #include "common/rules/bregman_cloning.hpp"
 
-/// @file
-/// Phase-space cloning with both copies, as the paper prints it: 3, 7 or 19 gradients a step. Kept to test
-/// bregman/bregman_cloning.hpp and to show what the clone costs.
+// Phase-space cloning with both copies, as the paper prints it: 3, 7 or 19 gradients a step. Kept to test
+// bregman/bregman_cloning.hpp and to show what the clone costs.
 
 namespace experiment {
 

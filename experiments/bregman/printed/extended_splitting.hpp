@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-/// @file
-/// Splittings of the Bregman Hamiltonian on extended phase space, r^t included: as printed, and symplectic.
+// Splittings of the Bregman Hamiltonian on extended phase space, r^t included: as printed, and symplectic.
 
 namespace experiment {
 
@@ -40,8 +39,7 @@ void splitting_printed_step(const avi::BregmanFamily& family, const F& f, double
   z.t = family.exact_clock(z.t, 0.5 * h);
 }
 
-/// @name The three flows, each exact
-/// @{
+// The three flows, each exact.
 
 /// Flow of kinetic(t) |r|^2 / 2.
 inline void kinetic_flow(const avi::BregmanFamily& family, double h, avi::ExtendedPoint& z) {
@@ -64,7 +62,6 @@ inline void clock_flow(const avi::BregmanFamily& family, double h, avi::Extended
   z.t = family.exact_clock(z.t, h);
   z.r_t *= before / family.monitor(z.t);
 }
-/// @}
 
 /// Their symmetric composition: clock, potential, kinetic, potential, clock. A composition of exact flows, so
 /// symplectic on extended phase space; order 2; the same q, r and t as the printed splitting.

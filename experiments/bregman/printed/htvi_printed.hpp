@@ -1,9 +1,8 @@
 #pragma once
 #include "avi/bregman/bregman_hamiltonian.hpp"
 
-/// @file
-/// The HTVI update as the paper prints it, r^t included: what the running form is tested against, and the
-/// form to use when the extended energy is to be seen.
+// The HTVI update as the paper prints it, r^t included: what the running form is tested against, and the
+// form to use when the extended energy is to be seen.
 
 namespace experiment {
 

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <utility>
 
-/// @file
-/// The adaptive Verlet method.
+// The adaptive Verlet method.
 
 namespace experiment {
 

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <utility>
 
-/// @file
-/// Time-reversible control of the step size.
+// Time-reversible control of the step size.
 
 namespace experiment {
 

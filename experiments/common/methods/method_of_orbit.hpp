@@ -3,8 +3,7 @@
 
 #include <functional>
 
-/// @file
-/// A method for every orbit of a Hamiltonian.
+// A method for every orbit of a Hamiltonian.
 
 namespace experiment {
 

@@ -7,9 +7,8 @@
 #include <string>
 #include <type_traits>
 
-/// @file
-/// The methods that are driven to their limits. Those on Kepler's problem take p^t from the start. Their
-/// monitors are chosen at run time: one compiled method for all of them.
+// The methods that are driven to their limits. Those on Kepler's problem take p^t from the start. Their
+// monitors are chosen at run time: one compiled method for all of them.
 
 namespace experiment {
 

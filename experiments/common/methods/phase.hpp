@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-/// @file
-/// Where on its orbit a body is.
+// Where on its orbit a body is.
 
 namespace experiment {
 

@@ -3,9 +3,8 @@
 
 #include <utility>
 
-/// @file
-/// HTVI as the paper prints it (Section 2.2), and as its authors ran it: other constructions for
-/// avi::type2(), avi::type3() and avi::htvi_of_order(). Both are symplectic, of order min(r + 1, s).
+// HTVI as the paper prints it (Section 2.2), and as its authors ran it: other constructions for
+// avi::type2(), avi::type3() and avi::htvi_of_order(). Both are symplectic, of order min(r + 1, s).
 
 namespace experiment {
 

@@ -4,8 +4,7 @@
 #include "avi/core/state.hpp"
 #include "avi/integrators/runge_kutta.hpp"
 
-/// @file
-/// The control that is not symplectic.
+// The control that is not symplectic.
 
 namespace experiment {
 

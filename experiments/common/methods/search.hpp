@@ -8,8 +8,7 @@
 #include <string>
 #include <utility>
 
-/// @file
-/// Runs that may fail, and the step with which one does what is wanted.
+// Runs that may fail, and the step with which one does what is wanted.
 
 namespace experiment {
 

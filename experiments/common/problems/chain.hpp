@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-/// @file
-/// A chain of any number of masses.
+// A chain of any number of masses.
 
 namespace experiment {
 

@@ -2,8 +2,7 @@
 #include "avi/core/dot.hpp"
 #include "avi/core/require.hpp"
 
-/// @file
-/// The objective of the paper's optimisation experiments.
+// The objective of the paper's optimisation experiments.
 
 namespace experiment {
 

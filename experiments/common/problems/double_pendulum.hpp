@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-/// @file
-/// Two pendulums, one hanging from the other.
+// Two pendulums, one hanging from the other.
 
 namespace experiment {
 

@@ -1,8 +1,7 @@
 #pragma once
 #include "avi/problems/n_body.hpp"
 
-/// @file
-/// The Sun and the five outer planets.
+// The Sun and the five outer planets.
 
 namespace experiment {
 

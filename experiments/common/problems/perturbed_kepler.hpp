@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-/// @file
-/// Kepler's problem about an oblate body, in its equatorial plane.
+// Kepler's problem about an oblate body, in its equatorial plane.
 
 namespace experiment {
 

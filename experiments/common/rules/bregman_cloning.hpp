@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-/// @file
-/// Phase-space cloning (Pihajoki 2015) for Bregman dynamics, reduced to what the copy that is read needs.
+// Phase-space cloning (Pihajoki 2015) for Bregman dynamics, reduced to what the copy that is read needs.
 
 namespace experiment {
 

@@ -4,8 +4,7 @@
 #include "avi/integrators/runge_kutta.hpp"
 #include "avi/optim/objective.hpp"
 
-/// @file
-/// Bregman dynamics by explicit Runge-Kutta methods: the paper's non-symplectic baselines (Section 4.5.4).
+// Bregman dynamics by explicit Runge-Kutta methods: the paper's non-symplectic baselines (Section 4.5.4).
 
 namespace experiment {
 

@@ -8,9 +8,8 @@
 #include <limits>
 #include <memory>
 
-/// @file
-/// The adaptive drivers of the GNU Scientific Library as optimisation methods: an independent check of our
-/// own Runge-Kutta pairs and of the claims made with them.
+// The adaptive drivers of the GNU Scientific Library as optimisation methods: an independent check of our
+// own Runge-Kutta pairs and of the claims made with them.
 
 namespace experiment {
 

@@ -9,8 +9,7 @@
 #include <string>
 #include <type_traits>
 
-/// @file
-/// Every optimisation method by its name, compiled once for all experiments.
+// Every optimisation method by its name, compiled once for all experiments.
 
 namespace experiment {
 

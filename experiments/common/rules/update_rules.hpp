@@ -5,10 +5,9 @@
 
 #include <cmath>
 
-/// @file
-/// Update rules of others for avi::run_updates(): those that the paper compares with, and gradient descent.
-/// Each has the State of a run between two steps; start(), which makes it and throws std::invalid_argument
-/// for a parameter out of range; and update(), which moves x once.
+// Update rules of others for avi::run_updates(): those that the paper compares with, and gradient descent.
+// Each has the State of a run between two steps; start(), which makes it and throws std::invalid_argument
+// for a parameter out of range; and update(), which moves x once.
 
 namespace experiment {
 

@@ -11,9 +11,8 @@
 #include <functional>
 #include <span>
 
-/// @file
-/// Measured order of HTVI for every Taylor order, rule, type and construction on one problem. The Taylor
-/// order is chosen at run time, so each problem and type compiles once.
+// Measured order of HTVI for every Taylor order, rule, type and construction on one problem. The Taylor
+// order is chosen at run time, so each problem and type compiles once.
 
 namespace experiment {
 

@@ -6,9 +6,8 @@
 #include <utility>
 #include <vector>
 
-/// @file
-/// Type II HTVI for one degree of freedom and polynomial H and g, written out from its equations without the
-/// library: a second route to its order, its symplecticity and the lemmas of the paper's appendix.
+// Type II HTVI for one degree of freedom and polynomial H and g, written out from its equations without the
+// library: a second route to its order, its symplecticity and the lemmas of the paper's appendix.
 
 namespace experiment::statements {
 

@@ -6,8 +6,7 @@
 #include <array>
 #include <functional>
 
-/// @file
-/// The same counting and the same stopping test for every method.
+// The same counting and the same stopping test for every method.
 
 namespace arena {
 
@@ -116,12 +115,8 @@ struct Method {
 
 /// The field: own methods, of first order, conjugate gradients, those of libraries.
 std::vector<Method> all_methods();
-
-/// @name Its parts
-/// @{
 std::vector<Method> first_order_methods();
 std::vector<Method> conjugate_gradients();
 std::vector<Method> library_methods();
-/// @}
 
 }  // namespace arena

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <map>
 
-/// @file
-/// The standing of the methods: means and profiles.
+// The standing of the methods: means and profiles.
 
 namespace arena {
 

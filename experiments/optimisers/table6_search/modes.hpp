@@ -6,8 +6,7 @@
 #include <array>
 #include <cmath>
 
-/// @file
-/// The quartic f(x) = [(x - 1)' Sigma (x - 1)]^2 in the eigenvectors of Sigma that equal entries excite.
+// The quartic f(x) = [(x - 1)' Sigma (x - 1)]^2 in the eigenvectors of Sigma that equal entries excite.
 
 namespace experiment::table6_search {
 

@@ -6,18 +6,17 @@
 #include <cmath>
 #include <vector>
 
-/// @file
-/// Which settings of HTVI give a row of nine iteration counts.
-///
-/// In the variables z = t^(p/2) (x - 1) and S = t^(p/2) R / sqrt(C) a step of eta = h p^2 / p_ring is
-/// autonomous,
-///
-///   S' = S - u grad f(z),  z' = z + u S',  z+ = z' e^(eta/2),  S+ = S' e^(-eta/2),  u = sqrt(C) eta,
-///
-/// up to terms of the order eta / p and the slow change of eta by e^(-h k). Counts depend on u at the fifth
-/// digit, as phases of many turns do, and on eta at fixed u at the third. So a grid is fine in u, and one
-/// trajectory serves several eta: what depends on eta beside its small part in the motion is the scale of f =
-/// t^(-2p) f(z) and of its gradient, t^(-3p/2) grad f(z).
+// Which settings of HTVI give a row of nine iteration counts.
+//
+// In the variables z = t^(p/2) (x - 1) and S = t^(p/2) R / sqrt(C) a step of eta = h p^2 / p_ring is
+// autonomous,
+//
+//   S' = S - u grad f(z),  z' = z + u S',  z+ = z' e^(eta/2),  S+ = S' e^(-eta/2),  u = sqrt(C) eta,
+//
+// up to terms of the order eta / p and the slow change of eta by e^(-h k). Counts depend on u at the fifth
+// digit, as phases of many turns do, and on eta at fixed u at the third. So a grid is fine in u, and one
+// trajectory serves several eta: what depends on eta beside its small part in the motion is the scale of f =
+// t^(-2p) f(z) and of its gradient, t^(-3p/2) grad f(z).
 
 namespace experiment::table6_search {
 

@@ -6,12 +6,11 @@
 #include <array>
 #include <cmath>
 
-/// @file
-/// The ledger of claims: what the paper's text says, decided from the data of the experiments by one
-/// principle. Methods are compared at matched accuracy, in steps, and in time too where a claim speaks of
-/// time, cost or efficiency; an optimiser has converged when the stopping test holds from then on; a theorem
-/// is proved elsewhere, and data are consistent with it or not. To add a claim, add its line to
-/// paper/published/claims.tsv and a function to a claims_*.cpp.
+// The ledger of claims: what the paper's text says, decided from the data of the experiments by one
+// principle. Methods are compared at matched accuracy, in steps, and in time too where a claim speaks of
+// time, cost or efficiency; an optimiser has converged when the stopping test holds from then on; a theorem
+// is proved elsewhere, and data are consistent with it or not. To add a claim, add its line to
+// paper/published/claims.tsv and a function to a claims_*.cpp.
 
 namespace scorecard {
 

@@ -2,8 +2,7 @@
 #include <string>
 #include <string_view>
 
-/// @file
-/// Numbers as a paper prints them, with the precision that their digits claim.
+// Numbers as a paper prints them, with the precision that their digits claim.
 
 namespace scorecard {
 

@@ -4,9 +4,8 @@
 #include <array>
 #include <functional>
 
-/// @file
-/// The mechanism of the scorecard: one sheet for each published table, one judgement for each of its cells.
-/// To add a table, write its judge in a file of its own and name it in sheets().
+// The mechanism of the scorecard: one sheet for each published table, one judgement for each of its cells.
+// To add a table, write its judge in a file of its own and name it in sheets().
 
 namespace scorecard {
 

@@ -10,8 +10,7 @@
 #include <cmath>
 #include <vector>
 
-/// @file
-/// What a monitor takes to meet a target.
+// What a monitor takes to meet a target.
 
 namespace experiment {
 

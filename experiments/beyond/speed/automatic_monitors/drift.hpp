@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-/// @file
-/// The drift of the energy with what solve() chooses, measured.
+// The drift of the energy with what solve() chooses, measured.
 
 namespace experiment {
 

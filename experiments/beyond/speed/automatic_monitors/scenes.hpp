@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-/// @file
-/// Hamiltonians of many kinds, each with monitors that one would make for it by hand.
+// Hamiltonians of many kinds, each with monitors that one would make for it by hand.
 
 namespace experiment {
 
@@ -66,8 +65,7 @@ class Scenes : public std::vector<Scene> {
   }
 };
 
-/// @name Pieces of formulas
-/// @{
+// Pieces of formulas.
 inline Recorded square(const Recorded& x) { return x * x; }
 inline Recorded radius_squared(const V& q) { return square(q[0]) + square(q[1]); }
 /// sum p_i^2 / (2 m_i), two coordinates for each mass; all are 1 where none are given.
@@ -104,7 +102,6 @@ inline const Scale sine{"sine", [](const V& q, const V&) { return sin(q[0]); }};
 /// Of a quartic well.
 inline const Scale stiffness{
     "stiffness", [](const V& q, const V&) { return 1.0 / (1.0 + square(q[0])); }, {0.25, 0.5, 1.0}};
-/// @}
 
 void add_celestial(Scenes&);  ///< Attraction by inverse squares, and a charge in a dipole's field.
 void add_other(Scenes&);  ///< Oscillators, springs, walls, molecules, of which ten had been held out once.

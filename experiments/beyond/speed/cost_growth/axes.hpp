@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-/// @file
-/// Along what the cost of a run grows.
+// Along what the cost of a run grows.
 
 namespace experiment {
 

@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-/// @file
-/// A problem over a span of time, with all that take part: avi::solve() as users call it, other libraries.
+// A problem over a span of time, with all that take part: avi::solve() as users call it, other libraries.
 
 namespace experiment::front_door {
 

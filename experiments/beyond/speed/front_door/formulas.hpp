@@ -2,9 +2,8 @@
 #include <array>
 #include <cmath>
 
-/// @file
-/// Hamiltonians as a user of avi::solve() writes them, and y' = f(y), y = (q, p), as a user of another
-/// library does: with what is common to several components computed once. Each is one problem of the race.
+// Hamiltonians as a user of avi::solve() writes them, and y' = f(y), y = (q, p), as a user of another
+// library does: with what is common to several components computed once. Each is one problem of the race.
 
 namespace experiment::front_door {
 

@@ -3,10 +3,9 @@
 
 #include <cmath>
 
-/// @file
-/// The held-out problems of the race, as those of formulas.hpp: drawn up when the menu of solve() was made.
-/// They were looked at since: exponentials, frames that turn and the price of a candidate were mended after
-/// Toda's chain, the restricted problem and the galaxy had shown what was slow.
+// The held-out problems of the race, as those of formulas.hpp: drawn up when the menu of solve() was made.
+// They were looked at since: exponentials, frames that turn and the price of a candidate were mended after
+// Toda's chain, the restricted problem and the galaxy had shown what was slow.
 
 namespace experiment::front_door {
 

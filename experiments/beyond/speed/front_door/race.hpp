@@ -6,8 +6,7 @@
 #include <optional>
 #include <vector>
 
-/// @file
-/// Who is the first to reach an accuracy.
+// Who is the first to reach an accuracy.
 
 namespace experiment::front_door {
 

@@ -2,8 +2,7 @@
 #include "beyond/speed/work_precision/measure.hpp"
 #include "common/frame.hpp"
 
-/// @file
-/// For this problem, horizon and accuracy: which method to use and what it costs.
+// For this problem, horizon and accuracy: which method to use and what it costs.
 
 namespace experiment::work_precision {
 

@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-/// @file
-/// A method and a problem as the comparison sees them, whatever library they come from.
+// A method and a problem as the comparison sees them, whatever library they come from.
 
 namespace experiment::work_precision {
 

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// @file
-/// From families of methods to points in the plane of cost and error.
+// From families of methods to points in the plane of cost and error.
 
 namespace experiment::work_precision {
 

@@ -5,8 +5,7 @@
 
 #include <string>
 
-/// @file
-/// The largest stable step of each method for Bregman dynamics on a quadratic, against linear theory.
+// The largest stable step of each method for Bregman dynamics on a quadratic, against linear theory.
 
 namespace experiment {
 

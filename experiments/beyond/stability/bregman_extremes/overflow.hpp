@@ -7,8 +7,7 @@
 #include <limits>
 #include <string>
 
-/// @file
-/// The time at which each form of the Bregman HTVI leaves the range of double precision.
+// The time at which each form of the Bregman HTVI leaves the range of double precision.
 
 namespace experiment {
 

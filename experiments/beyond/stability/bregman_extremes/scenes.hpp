@@ -9,8 +9,7 @@
 #include <string_view>
 #include <vector>
 
-/// @file
-/// Minimisations at the extremes, each judged: correct, ended with a named outcome, or silently wrong.
+// Minimisations at the extremes, each judged: correct, ended with a named outcome, or silently wrong.
 
 namespace experiment {
 

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-/// @file
-/// A problem of the arena, and the pieces that several problems share.
+// A problem of the arena, and the pieces that several problems share.
 
 namespace arena {
 
@@ -28,10 +27,8 @@ struct Problem {
 /// `again` adds the draws that were held out for earlier defaults.
 std::vector<Problem> all_problems(bool large, bool again);
 
-/// @name One kind each, without group
-/// Where data or starts are drawn at random, dimension and number of data are k times the usual, and `seed`
-/// is added to each class's own.
-/// @{
+/// One kind each, without group. Where data or starts are drawn at random, dimension and number of data are k
+/// times the usual, and `seed` is added to each class's own.
 std::vector<Problem> convex_problems(bool large);
 std::vector<Problem> statistics_problems(Index k, unsigned long seed);
 std::vector<Problem> classic_problems();
@@ -39,7 +36,6 @@ std::vector<Problem> remaining_classic_problems();
 std::vector<Problem> drawn_non_convex_problems(Index k, unsigned long seed);
 std::vector<Problem> other_non_convex_problems();
 std::vector<Problem> degenerate_problems(bool large);
-/// @}
 
 /// The same numbers with every standard library: uniform from bits of mt19937_64, normal by Box and Muller.
 class Numbers {

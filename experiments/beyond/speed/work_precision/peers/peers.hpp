@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-/// @file
-/// The view that other libraries have of a problem, and their integrators as families. They take y, f and a
-/// tolerance that is both relative and absolute.
+// The view that other libraries have of a problem, and their integrators as families. They take y, f and a
+// tolerance that is both relative and absolute.
 
 namespace experiment::work_precision {
 

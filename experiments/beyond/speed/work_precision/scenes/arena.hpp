@@ -14,8 +14,7 @@
 #include <string>
 #include <utility>
 
-/// @file
-/// A problem with its starts, and what a scene makes of it: our methods, equations for others, a reference.
+// A problem with its starts, and what a scene makes of it: our methods, equations for others, a reference.
 
 namespace experiment::work_precision {
 

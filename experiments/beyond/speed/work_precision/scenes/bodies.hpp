@@ -1,8 +1,7 @@
 #pragma once
 #include "avi/problems/n_body.hpp"
 
-/// @file
-/// Bodies of unit mass, whose velocity is their momentum.
+// Bodies of unit mass, whose velocity is their momentum.
 
 namespace experiment::work_precision {
 

@@ -14,8 +14,7 @@
 #include <cmath>
 #include <string>
 
-/// @file
-/// The methods of this library as families: explicit ones for H = T(p) + V(q), Gauss collocation, HTVI.
+// The methods of this library as families: explicit ones for H = T(p) + V(q), Gauss collocation, HTVI.
 
 namespace experiment::work_precision {
 

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-/// @file
-/// The problems of the comparison, each with the methods that take part.
+// The problems of the comparison, each with the methods that take part.
 
 namespace experiment::work_precision {
 
