@@ -1,7 +1,7 @@
 #include "common/frame.hpp"
 
 #include <Eigen/Core>
-#include <fmt/format.h>
+#include <fmt/chrono.h>
 #include <gsl/gsl_version.h>
 
 #include <array>
@@ -46,14 +46,6 @@ std::string machine() {
   return "unknown";
 }
 
-/// UTC, ISO 8601.
-std::string date() {
-  const std::time_t now = std::time(nullptr);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
-  return text.data();
-}
-
 }  // namespace
 
 Table Frame::table(std::vector<std::string> columns) const {
@@ -65,7 +57,7 @@ Table Frame::table(std::vector<std::string> columns) const {
   table.note("libraries", fmt::format("Eigen {}.{}.{}, GSL " GSL_VERSION, EIGEN_WORLD_VERSION,
                                       EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION));
   table.note("machine", machine());
-  table.note("date", date());
+  table.note("date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
   table.note("quick", quick);
   return table;
 }

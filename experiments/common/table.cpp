@@ -1,5 +1,7 @@
 #include "common/table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
@@ -31,9 +33,7 @@ void validate(const Table& table) {
 }
 
 void write_line(std::ostream& out, const std::vector<std::string>& cells) {
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    out << (i ? "\t" : "") << cells[i];
-  out << '\n';
+  out << fmt::format("{}\n", fmt::join(cells, "\t"));
 }
 
 std::vector<std::string> split(const std::string& line) {

@@ -11,11 +11,7 @@
 namespace {
 
 using namespace experiment;
-using arena::Method;
-using arena::Passage;
-using arena::Passages;
-using arena::Problem;
-using avi::VectorX;
+using arena::Method, arena::Passage, arena::Passages, arena::Problem, avi::VectorX;
 
 VectorX moved(const Problem& problem, int start) {
   if (start == 0) return problem.x0;

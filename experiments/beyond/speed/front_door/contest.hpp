@@ -13,8 +13,7 @@
 
 namespace experiment::front_door {
 
-using work_precision::Family;
-using work_precision::Result;
+using work_precision::Family, work_precision::Result;
 
 /// One race. Its families are `avi`, then the peers; settings are tolerances.
 using Contest = work_precision::Scene;

@@ -12,8 +12,7 @@
 
 namespace arena {
 
-using avi::VectorX;
-using Eigen::Index;
+using avi::VectorX, Eigen::Index;
 
 /// A function to minimise, with its start.
 struct Problem {
