@@ -44,8 +44,7 @@ inline Quad square_root(Quad x) {
 }
 
 /// Position at t >= 0 of the orbit through `start`, by Kepler's equation in the difference D of eccentric
-/// anomalies, n t = D - (1 - r_0/a) sin D + (q_0 . p_0 / sqrt a) (1 - cos D), and Gauss's f and g, in
-/// quadruple precision.
+/// anomalies, n t = D - (1 - r_0/a) sin D + (q_0 . p_0 / sqrt a) (1 - cos D), and Gauss's f and g.
 inline avi::Vector<double, 2> exact_kepler(const avi::State<2>& start, double t) {
   const Quad x = start.q[0], y = start.q[1], px = start.p[0], py = start.p[1];
   const Quad r = square_root(x * x + y * y);

@@ -82,9 +82,8 @@ KeplerResult KeplerRun::measure() const {
 }
 
 avi::Run KeplerRun::observe(const std::function<void(const State2&)>& observer) const {
-  const State2 start = avi::Kepler::pericentre(eccentricity);
-  State2 z = start;
-  avi::AnyMethod<2> method = runner.make(start);
+  State2 z = avi::Kepler::pericentre(eccentricity);
+  avi::AnyMethod<2> method = runner.make(z);
   return avi::integrate(method, z, row.h, until, [&](const State2& s, long) { observer(s); });
 }
 

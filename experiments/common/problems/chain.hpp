@@ -12,8 +12,7 @@ using avi::State, avi::Vector, avi::dynamic, avi::require;
 
 /// n unit masses on a line between walls, coupled by n + 1 springs (Fermi, Pasta, Ulam and Tsingou 1955, the
 /// model with a quadratic term in the force). \f[ H(q, p) = \sum_{i=1}^{n} \tfrac12 p_i^2 + \sum_{i=0}^{n}
-/// V(q_{i+1} - q_i), \qquad V(x) = \tfrac12 x^2 + \tfrac14 x^3, \qquad q_0 = q_{n+1} = 0. \f] The dimension
-/// is that of its arguments.
+/// V(q_{i+1} - q_i), \qquad V(x) = \tfrac12 x^2 + \tfrac14 x^3, \qquad q_0 = q_{n+1} = 0. \f] For any n.
 struct Chain {
   /// The Hamiltonian.
   auto operator()(const auto& q, const auto& p) const {

@@ -15,10 +15,9 @@ int main(int argc, char** argv) {
   const std::vector<Option> options{
       {"--full", &full, "All scenes, finer tolerances, longer blocks, 1000 characteristic times"}};
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
-    Budget budget;
-    budget.longest_run = 0.005;
-    if (full)
-      budget = {.longest_run = 0.5, .least_block = 1e-3, .rounds = 7, .ratio = std::sqrt(0.1), .refined = 4};
+    const Budget fine{
+        .longest_run = 0.5, .least_block = 1e-3, .rounds = 7, .ratio = std::sqrt(0.1), .refined = 4};
+    const Budget budget = full ? fine : Budget{};
     const double longest = full ? 1000.0 : frame.quick ? 10.0 : 100.0;
     Table table = frame.table({"scene", "kind", "held_out", "horizon", "method", "setting", "error",
                                "seconds", "steps", "evaluations"});
