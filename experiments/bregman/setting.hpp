@@ -43,7 +43,8 @@ inline std::vector<Setting> direct_vs_adaptive_settings() {
 }
 
 /// Table "Number of iterations needed until convergence of the different symplectic integrators". The printed
-/// step 2.9e-4 of the adaptive cloning with Yoshida 4 diverges; 2.2e-4 gives the printed count: both.
+/// step 2.9e-4 of the adaptive cloning with Yoshida 4 diverges; 2.2e-4 gives the printed count. Both are
+/// here.
 inline std::vector<Setting> method_comparison_settings() {
   return {direct("htvi", 4, 8.7e-4),         {"htvi", 4, 1, 2.4e-4},
           direct("splitting", 4, 9.5e-4),    {"splitting", 4, 1, 2.9e-4},

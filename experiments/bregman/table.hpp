@@ -28,7 +28,8 @@ struct PerturbedCounts {
   [[nodiscard]] long most() const { return counts.empty() ? 0 : counts.back(); }
 };
 
-/// Counts of runs from starts up to `size` away from the paper's in every entry, the same for every setting.
+/// Counts of runs whose starts differ from the paper's by up to `size` in every entry; the same starts for
+/// every setting.
 PerturbedCounts perturbed_counts(const Setting& setting, long starts, double size,
                                  const avi::Stopping& stopping);
 

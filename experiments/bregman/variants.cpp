@@ -9,15 +9,17 @@
 #include <cmath>
 
 // Variants that the paper mentions without numbers: the limit equation of Nesterov's method, Type III of
-// order zero (a proximal step), Tao's binding of the two copies, and a mirror map on the simplex. To compare
-// with: proximal points without momentum, and the copy of Strang's cloning that is not read.
+// order zero (a proximal step), Tao's binding of the two copies, and a mirror map on the simplex. Beside them
+// what they are to be compared with: proximal points without momentum, and the copy of Strang's cloning that
+// is not read.
 
 namespace {
 
 using namespace experiment;
 using avi::VectorX;
 
-/// The quartic in the modes that equal entries excite, where its proximal map is one scalar equation.
+/// The quartic in the eigenvectors of Sigma that starts with equal entries excite, where its proximal map is
+/// one scalar equation.
 class DiagonalQuartic {
  public:
   /// A vector in the coordinates of the eigenvectors.
@@ -28,7 +30,8 @@ class DiagonalQuartic {
     gradient = 4.0 * form * (sigma_.array() * u.array()).matrix();
     return form * form;
   }
-  /// prox of lambda f: y + lambda grad f(y) = u, y_i = u_i / (1 + 4 lambda k sigma_i), k = y^T Sigma y.
+  /// prox of lambda f: y + lambda grad f(y) = u, that is y_i = u_i / (1 + 4 lambda k sigma_i), k = y^T Sigma
+  /// y.
   [[nodiscard]] VectorX prox(double lambda, const VectorX& u) const {
     const auto point = [&](double k) -> VectorX {
       return u.array() / (1.0 + 4.0 * lambda * k * sigma_.array());
@@ -49,7 +52,8 @@ class DiagonalQuartic {
   VectorX ones_ = Eigen::Map<VectorX>(spectrum_.ones.data(), table6_search::modes);
 };
 
-/// A run, followed until the stopping test has held for good, f is no number, or a cap is reached.
+/// A run of iterates, followed until the stopping test has held for good, f is no number, or a cap is
+/// reached.
 struct Followed : Sustained {
   bool diverged = false;
 };
@@ -82,7 +86,8 @@ Followed proximal(const DiagonalQuartic& f, bool third, double h, long cap) {
   });
 }
 
-/// Proximal points x <- prox of lambda f, lambda that of `proximal`: Type III without its momentum.
+/// Proximal points x <- prox of lambda f, lambda that of `proximal` at the same iteration: Type III without
+/// its momentum.
 Followed proximal_points(const DiagonalQuartic& f, double h, long cap) {
   constexpr double p = 4.0, s = 0.25, big_p = 16.0, c = 0.0625;
   double t = 1.0;
@@ -94,7 +99,8 @@ Followed proximal_points(const DiagonalQuartic& f, double h, long cap) {
 }
 
 /// The other copy of Strang's cloning at the published start: the flow of H-bar_2 kicks it, that of H-bar_1
-/// moves it, so its step is kick, drift, kick, and the gradient at its end serves test and next step.
+/// moves it, so its step is kick, drift, kick, and the gradient at its end would serve the stopping test and
+/// the next step.
 Followed kicked_first(const BregmanFamily& family, double h, long cap) {
   const CorrelatedQuartic f;
   const MergedStages stages = merged_stages(CloneComposition::strang);
@@ -105,7 +111,8 @@ Followed kicked_first(const BregmanFamily& family, double h, long cap) {
   });
 }
 
-/// Direct p = 4 by two copies that omega binds (Strang); its gradient serves the test, too.
+/// Direct p = 4 by two copies that omega binds (Strang); gradient of the read copy is the stopping test's,
+/// too.
 Followed bound(const DiagonalQuartic& f, double omega, double h, long cap) {
   constexpr double p = 4.0, c = 0.0625;
   VectorX x = f.turned(4.0), r = f.turned(1.0), y = r, g;  // (q, r) and (x, y)
@@ -157,7 +164,8 @@ double distance_to_limit(double h) {
 }
 
 /// Largest f C t^p over the Lyapunov function at the start, f = |A x - b|^2 / 2 with least value 0 on the
-/// simplex, by w <- w - h C p t^(p-1) grad f(x), x <- x + (p h / t) (softmax(w) - x); NaN outside of it.
+/// simplex, by w <- w - h C p t^(p-1) grad f(x), x <- x + (p h / t) (softmax(w) - x); NaN if an iterate
+/// leaves the simplex.
 double mirror(double h) {
   constexpr Eigen::Index n = 10;
   constexpr double p = 2.0, c = 0.25, t0 = 1.0;

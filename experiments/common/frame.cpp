@@ -29,7 +29,8 @@ class Uninterrupted {
   sigset_t before_{};
 };
 
-/// Makes the folder and proves that a page can be written in it: a full disk still creates files.
+/// Makes the folder and proves that a page can be written in it, before any work is done: a full disk still
+/// creates files.
 void require_writable(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);

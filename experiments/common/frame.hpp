@@ -19,7 +19,8 @@ class Frame {
   bool quick = false;              ///< A shortened run for tests: same columns, fewer or shorter rows.
   mutable bool line_open = false;  ///< Progress stands on the terminal.
 
-  /// A table that begins with its provenance: experiment, commit, compiler, flags, libraries, machine, date.
+  /// A table that begins with the provenance lines (experiment, commit, compiler, flags, libraries, machine,
+  /// date).
   [[nodiscard]] Table table(std::vector<std::string> columns) const;
 
   /// Writes a table as <name>.tsv, or <name>_<curve>.tsv.

@@ -9,7 +9,8 @@
 
 namespace experiment {
 
-/// The power of x in y with its standard error, by least squares of logarithms; NaN below three points.
+/// The power of x in y with its standard error, by least squares through the logarithms; NaN for both below
+/// three points.
 inline avi::DriftFit power_law(const std::vector<double>& x, const std::vector<double>& y) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if (x.size() < 3) return {.slope = nan, .standard_error = nan, .points = static_cast<int>(x.size())};

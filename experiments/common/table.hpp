@@ -40,7 +40,8 @@ struct FileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A table in memory until write(), which renames a finished file into place: none is ever half-written.
+/// A table in memory. Rows are kept until write(), which renames a finished file into place: an interrupted
+/// run leaves no half-written table.
 class Table {
  public:
   std::vector<std::pair<std::string, std::string>> head;  ///< `# key: value` lines, in order.
@@ -79,11 +80,13 @@ class Table {
   /// Writes the lines of the file.
   void print(std::ostream& out) const;
 
-  /// Reads what write() wrote. @throws FileError where it cannot be read, and as parse().
+  /// Reads what write() wrote. @throws FileError for a file that cannot be read, std::invalid_argument as
+  /// parse().
   static Table read(const std::filesystem::path& path);
 
   /// Reads the lines of a file. @throws std::invalid_argument, naming the file and the line, where there is
-  /// no header row, a row has the wrong length, two columns one name, or a line no end.
+  /// no header row, a row has the wrong length, a name stands for two columns, or the file ends within a
+  /// line.
   static Table parse(std::istream& in, const std::string& name);
 };
 

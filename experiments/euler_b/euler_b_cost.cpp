@@ -12,7 +12,8 @@ namespace {
 using namespace experiment;
 
 /// Nanoseconds per step of every monitor in each of 21 rounds. In a round all monitors run once, each round
-/// from another one on, so that neither drift nor place favours one.
+/// from another one on, so that neither a drift of the machine nor the place in the round favours one of
+/// them.
 std::map<std::string, std::vector<double>> nanoseconds_per_step(double eccentricity) {
   std::map<std::string, std::vector<double>> samples;
   std::vector<EulerBSetting> settings;

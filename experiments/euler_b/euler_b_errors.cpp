@@ -2,7 +2,8 @@
 #include "euler_b/euler_b_runs.hpp"
 
 // Energy and angular-momentum error of symplectic Euler-B with fixed and with adaptive steps (monitor:
-// truncation error) over T = 100 at e = 0.9, with equally many steps: the paper's figure does not state them.
+// truncation error) over T = 100 at e = 0.9, with equally many steps. The paper's figure does not state its
+// step sizes.
 int main(int argc, char** argv) {
   using namespace experiment;
   constexpr double eccentricity = 0.9, h = 1e-3;

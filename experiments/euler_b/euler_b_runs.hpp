@@ -32,7 +32,8 @@ struct EulerBResult {
 /// Sees every step: state, energy error, angular momentum error.
 using EulerBObserver = std::function<void(const avi::State<2>&, double, double)>;
 
-/// Runs to `horizon`, or throws: std::invalid_argument for the monitor, std::runtime_error on the way.
+/// Runs to `horizon`. @throws std::invalid_argument for an unknown monitor, std::runtime_error when the run
+/// does not reach its end.
 EulerBResult run_euler_b(const EulerBSetting& setting, double e, double horizon,
                          const EulerBObserver& observe = {});
 

@@ -11,8 +11,9 @@
 #include <stdexcept>
 
 // The sentence with which the paper begins: variable steps in a symplectic integrator lose what makes it one.
-// Kepler's orbit of eccentricity 0.9 with one method of order 4 and equally many steps an orbit: steps h
-// g(z_n) put in by hand, steps from an estimate of the error, and constant ones of fictive time.
+// Kepler's orbit of eccentricity 0.9 with the same method of order 4 and the same number of steps for each
+// orbit: steps h g(z_n) put in by hand, steps from an estimate of the error, and constant steps of the
+// transformed problem.
 
 namespace {
 

@@ -9,7 +9,8 @@
 #include <cmath>
 #include <stdexcept>
 
-// One orbit of Kepler's problem with its steps, by monitor: equally many, equal in Poincare time.
+// One orbit of Kepler's problem with its steps, by monitor: as many steps of the same method, equal in
+// Poincare time.
 
 namespace {
 
@@ -28,7 +29,8 @@ void orbit(const auto& monitor, double h, auto look) {
   if (run.outcome != avi::Outcome::ok) throw std::runtime_error(run.message);
 }
 
-/// Fictive time of an orbit, the integral of dt / g: by the trapezium rule over fine steps of |q|^(3/2).
+/// Fictive time of an orbit, the integral of dt / g along it: by fine steps of |q|^(3/2), each counted with
+/// the value of 1 / g in its middle.
 double fictive_period(const auto& monitor) {
   double sum = 0.0;
   State2 before = avi::Kepler::pericentre(eccentricity);

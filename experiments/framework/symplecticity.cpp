@@ -8,7 +8,8 @@
 #include "framework/step_defects.hpp"
 
 // How far one step is from being symplectic, as the step shrinks: the adaptive integrators on Kepler's
-// problem, as maps of (q, p) and of (q, t, p, p^t), and the printed Bregman updates, r^t included.
+// problem, as maps of (q, p) and of (q, t, p, p^t), and the printed updates for Bregman dynamics on extended
+// phase space, r^t included.
 
 using namespace experiment;
 

@@ -8,7 +8,8 @@
 
 namespace experiment {
 
-// The arclength row of Table 1 prints the step bounds a h, b h; only a = 0.03, b = 3 gives its steps.
+// The arclength row of Table 1 prints the step bounds a h, b h where the other rows print a, b; only a =
+// 0.03, b = 3 gives its steps.
 KeplerTable table1() {
   return {.eccentricity = 0.9,
           .htvi = {{"gamma", 0.1, 0.01, 8.0},

@@ -59,7 +59,8 @@ struct KeplerRun {
   void run() const;
 };
 
-/// The settings of Table 1 (e = 0.9) and Table 2 (e = 0.99). table.cpp says why some are not as printed.
+/// The settings of Table 1 (e = 0.9) and Table 2 (e = 0.99). Where they differ from the printed ones,
+/// kepler/table.cpp says why.
 KeplerTable table1();
 KeplerTable table2();
 

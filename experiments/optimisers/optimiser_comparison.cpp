@@ -118,7 +118,8 @@ int main(int argc, char** argv) {
     add("adagrad", f, x0, {.method = "adagrad", .h = adagrad_rate}, full ? 2.5e8 : cap);
     add("rmsprop", f, x0, {.method = "rmsprop", .h = rmsprop_rate}, cap);
     add("trust_region", f, x0, {.method = "trust_region"}, cap);
-    // minimise() stops by the same test, after an evaluation where it has interpolated: a run for each.
+    // minimise() with its defaults stops by the same test. A run for each tolerance: before it stops it
+    // evaluates where it has interpolated.
     for (const auto& [name, memory] : {std::pair{"minimise_m7", 7}, {"minimise_m0", 0}})
       for (const double delta : deltas) {
         const avi::MinimiseOptions each{

@@ -15,7 +15,8 @@ enum class Kind { outcome, input, seconds };
 /// The name used in data files.
 std::string_view name(Kind kind);
 
-/// An input is h, p, p_ring, a bound of a monitor, or the least and largest step where steps are fixed.
+/// An input is h, p, p_ring, a bound of a monitor, or the smallest and largest step of a row with fixed
+/// steps.
 Kind kind_of(std::string_view row, std::string_view quantity);
 
 /// The rows of a table with columns `row` and `quantity` whose numbers are of one kind.
@@ -31,7 +32,8 @@ struct Share {
 /// The values of a table's column in the order of Verdict and Ruling, those that do not occur left out.
 std::vector<Share> shares(const Table& table, std::string_view column);
 
-/// How many outcomes are exact in runs whose every setting is printed: predictions, not fits.
+/// How many outcomes are exact in runs whose every setting is printed: predictions, where the others judge a
+/// fit.
 std::size_t predicted(const Table& cells);
 
 /// How many outcomes are exact in runs of which only the start and the horizon are not printed; without the

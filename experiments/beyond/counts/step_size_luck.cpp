@@ -1,7 +1,8 @@
 #include "bregman/table.hpp"
 #include "common/timing.hpp"
 
-// Iterations as a function of the step: the published ones among two-digit numbers of 0.6 to 1.3 times them.
+// Iterations as a function of the step: the published steps against their neighbours on the grid of two-digit
+// numbers between 0.6 and 1.3 times them.
 
 namespace {
 

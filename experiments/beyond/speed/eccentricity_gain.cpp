@@ -4,7 +4,8 @@
 #include <cmath>
 
 // What adaptivity gains at each eccentricity: steps of HTVI4 over T = 10, fixed and with the gamma monitor,
-// at the same position error (Section 3.3 of the paper: low eccentricities neither need nor profit from it).
+// at the same position error (Section 3.3 of the paper says that low eccentricities neither need nor profit
+// from it).
 
 int main(int argc, char** argv) {
   using namespace experiment;
@@ -19,7 +20,8 @@ int main(int argc, char** argv) {
       if (frame.quick && tenths % 4 != 1) continue;
       for (KeplerRow row : {KeplerRow{"none", 0.02 * (1.0 - e) * std::sqrt(1.0 - e), 0.0, 0.0},
                             KeplerRow{"gamma", 0.03, 0.0, 1e6}}) {
-        // On few steps the end of the last one, hence the error, moves about: the nearest of some tries.
+        // On few steps the end of the last one moves about, and the error with it: the nearest of some
+        // tries.
         KeplerResult r;
         const auto error = [&](double h) {
           row.h = h;

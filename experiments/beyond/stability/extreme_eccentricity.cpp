@@ -41,7 +41,8 @@ struct Subject {
   bool bounded;
   /// Power of 1 - e in the number of steps per orbit as e -> 1; NaN where none is known. Near the pericentre
   /// time and energy scale as r^1.5 and 1/r: a method of order s with g = r^m, m <= 1.5, needs h g <= r^1.5
-  /// r^(1/s) there; with m = 2 the apocentre limits h: 2 pi / (h sqrt(1 - e^2)) steps.
+  /// r^(1/s) there; with m = 2 it is the apocentre that limits h, and the orbit takes 2 pi / (h sqrt(1 -
+  /// e^2)) steps.
   double predicted;
   long cap;  ///< On steps of one run.
   std::function<Method2(double e)> make;

@@ -4,7 +4,10 @@
 #include "common/methods/phase.hpp"
 #include "common/power_law.hpp"
 
-// Kepler's orbit of eccentricity 0.9 for up to a million periods: energy, angular momentum and phase.
+#include "avi/problems/kepler.hpp"
+
+// Kepler's orbit of eccentricity 0.9 for up to a million periods: energy, angular momentum and phase at every
+// milestone.
 
 namespace {
 

@@ -18,7 +18,8 @@
 #include <vector>
 
 // Rounding over very many orbits: the energy errors of sixteen orbits at every milestone, and what an orbit
-// costs. If steps err at random and unbiased, they grow as the square root of time (Brouwer 1937).
+// costs. If the error of each step is random and unbiased, their root mean square grows as the square root of
+// time (Brouwer 1937).
 
 namespace {
 

@@ -7,7 +7,8 @@
 #include <complex>
 #include <optional>
 
-// The largest step of every integrator, beside the limit of linear theory, and how the run beyond it ends.
+// The largest step of every integrator before it breaks, beside the limit of linear theory, and how the run
+// one notch beyond ends.
 
 namespace {
 

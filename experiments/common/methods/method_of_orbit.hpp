@@ -7,7 +7,8 @@
 
 namespace experiment {
 
-/// H, and a method for the orbit through a start: made anew for each run.
+/// H, and a method for the orbit through a start: made anew each time, so that nothing is left over from
+/// another run.
 template <int n>
 struct MethodOf {
   std::function<double(const avi::State<n>&)> energy;                 ///< H.

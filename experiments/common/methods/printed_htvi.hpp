@@ -144,7 +144,8 @@ class BroydenIteration {
   Broyden<n> broyden_;
 };
 
-/// As the paper prints it: in the action the velocity is that of the field, the position of order r.
+/// As the paper prints it: the velocity in the action is that of the field, the position has order r at the
+/// nodes of the quadrature.
 struct Printed {
   static constexpr bool energy_is_variable = true, on_level = false, on_shell = false, raises_the_end = false;
   template <class Vec, class S>
@@ -173,7 +174,8 @@ class ShellEquations : public DiscreteEquations<type, Expansion> {
   ShellEquations(const Expansion& e, const typename Base::Increments& d,
                  const typename Base::Remainder& remainder)
       : Base(e, d, remainder) {
-    // d_u changes with u by v w^T, w = dH/du, beside O(h^(r+1)): off the shell, dR has (H + p^t) dt, too.
+    // d_u changes with u by v w^T, w = dH/du, beside O(h^(r+1)): off the shell, dR has the terms of the exact
+    // flow and (H + p^t) dt.
     Vec y;
     for (int j = 0; j < n; ++j)
       y[j] = sigma * d.t.partial(at_u + j);

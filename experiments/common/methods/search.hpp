@@ -61,7 +61,8 @@ struct Largest {
 };
 
 /// The largest step with which a run succeeds: halves h from `coarse` until a run from `start` does, then
-/// bisects in log h until the step is known within `precision`. None where a run meets the cap on steps.
+/// bisects in log h until the step is known within `precision` (0.02: two per cent). Ends without a result
+/// where a run meets the cap on steps.
 inline Largest largest_step(const Method2& runner, const State2& start, double coarse, const Limits& limits,
                             double precision = 0.02) {
   Largest found;

@@ -13,7 +13,8 @@ using avi::VectorX, avi::require, avi::dot;
 ///
 /// The order of every operation is that of the recurrences, whatever the vector width.
 inline void multiply_by_correlation(double rho, const VectorX& y, VectorX& z) {
-  // Both at once from both ends, for neither waits: the second to come adds its part.
+  // Both at once from both ends, as neither waits for the other: the second to come to an entry adds its
+  // part.
   double up_to = 0.0, beyond = 0.0;
   for (Eigen::Index i = 0, j = y.size() - 1; j >= 0; ++i, --j) {
     up_to = y[i] + rho * up_to;

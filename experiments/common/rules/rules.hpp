@@ -63,7 +63,8 @@ struct Rule {
   avi::StepControl control{};            ///< Step control of Runge-Kutta pairs.
 };
 
-/// Minimises f from x0. @throws std::invalid_argument as avi::run_updates(), and for another method.
+/// Minimises f from x0. @throws std::invalid_argument as avi::run_updates(), and where Rule names no such
+/// method.
 avi::Minimisation run_updates(const Rule& rule, const AnyObjective& f, const avi::VectorX& x0,
                               const avi::Stopping& stopping = {}, const AnyWitness& witness = {});
 

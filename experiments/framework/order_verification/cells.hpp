@@ -75,7 +75,8 @@ void add_cells(Table& table, const std::string& name, const Problem& problem, co
   for (int r = 0; r <= (quick ? 2 : 4); ++r)
     for (const auto& rule : rules) {
       // Between these the rule limits the order to s, but with a small factor (5e-7 for three Gauss nodes):
-      // that term and the one of order 2r + 2 compete, and a slope tells neither.
+      // at the steps that rounding leaves, that term and the one of order 2r + 2 compete, and a slope tells
+      // neither.
       if (stationary && rule.order > r + 1 && rule.order < 2 * r + 2) continue;
       const auto error_after = [&](int steps) {
         auto method = avi::htvi_of_order<type, Construction>(r, problem, rule);
@@ -95,7 +96,8 @@ void add_cells(Table& table, const std::string& name, const Problem& problem, co
 template <int n>
 using ExtendedPoint = avi::Vector<long double, 2 * n + 1>;
 
-/// The point at fictive time `horizon`, of order 16: 200 steps leave less than 1e-16 here.
+/// The point at fictive time `horizon`, of order 16: 200 steps leave less than 1e-16 on the problems of this
+/// experiment.
 template <class Problem>
 ExtendedPoint<Problem::dimension>
 extended_reference(const Problem& problem, const avi::State<Problem::dimension>& start, double horizon) {

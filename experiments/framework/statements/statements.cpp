@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-// What the appendix and Section 3.2 of the paper state without a number: powers of h by which errors fall,
-// where the p-Hessian of H-bar is singular and where not, and symplecticity on extended phase space.
+// What the appendix and Section 3.2 of the paper state without a number: powers of h by which errors fall, at
+// a point of phase space where the p-Hessian of H-bar is singular and at a regular one, and symplecticity on
+// extended phase space.
 
 namespace {
 

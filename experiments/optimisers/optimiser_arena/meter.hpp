@@ -24,7 +24,8 @@ struct Passage {
 using Passages = std::array<Passage, tolerances.size()>;  ///< By tolerance.
 
 /// A problem as a method sees it. Every gradient that is asked for is counted and tested, wherever it is
-/// taken: a method has converged with the first that is small enough, no higher than the start.
+/// taken: a method has converged with the first evaluated gradient that is small enough, at a point no higher
+/// than the start.
 class Meter {
  public:
   const VectorX x0;     ///< Where to start.
@@ -53,7 +54,8 @@ class Meter {
     end_if(passages_[wanted_ - 1].converged);
     return value;
   }
-  /// The value alone. A gradient asked for there next is counted, but not computed twice.
+  /// The value alone. Some methods ask for the gradient at the same point next: that is counted, but not
+  /// computed twice.
   double value(const VectorX& x) {
     ++now_.values;
     end_if(over);

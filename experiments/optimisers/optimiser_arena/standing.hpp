@@ -122,7 +122,8 @@ inline void write_profiles(const experiment::Frame& frame, const std::vector<Ins
   frame.write(data, "budgets");
 }
 
-/// Writes optimiser_arena_summary (means and failures by method), _profiles, _budgets (data profiles).
+/// Writes optimiser_arena_summary (means and failures by method), _profiles and _budgets (performance and
+/// data profiles).
 inline void write_standing(const experiment::Frame& frame, const std::vector<Instance>& instances,
                            const std::vector<Method>& methods) {
   write_summary(frame, instances, methods);

@@ -80,7 +80,8 @@ struct State {
   }
 };
 
-/// y' Sigma y at the proximal point y_i = z_i / (1 + 4 lambda_i w), w = nu eta form: by Newton, from below.
+/// The form y' Sigma y at the proximal point y_i = z_i / (1 + 4 lambda_i w), w = nu eta form(y): monotone in
+/// the form, by Newton's method from below.
 inline Lane proximal_form(const Spectrum& of, const State& at, const Lane& strength) {
   Lane form = 0.0;
   for (int pass = 0; pass < 12; ++pass) {

@@ -9,7 +9,8 @@
 #include <random>
 
 // The search for the settings of HTVI in Table 6, which the source does not print: a grid that is fine enough
-// to find planted rows, what it finds for the printed one, and for rows that nobody made.
+// to find planted rows, what it finds for the printed one, and what it finds for rows of the same kind that
+// nobody made.
 
 namespace {
 

@@ -50,7 +50,8 @@ struct Cases {
 };
 Cases operator+(Cases first, const Cases& second);
 
-/// `holds` when it does in every case, `in_part` in some, `fails` in none; std::out_of_range without a case.
+/// `holds` when it does in every case, `in_part` in some, `fails` in none. @throws std::out_of_range without
+/// a case.
 Ruling in_cases(const Cases& cases);
 
 /// For a theorem: `consistent` when no case contradicts it, else `fails`; the same error.

@@ -102,7 +102,8 @@ Finding same_order_of_magnitude(const Results& data) {
 
 /// The gradient that only the stopping test needs is counted, as it is for the others, whose next step uses
 /// it. Strang's cloning may be read from either copy: the one of the source's counts is moved first, and the
-/// test at its end needs a gradient of its own; the other, kicked first, shares one with it.
+/// test at its end needs a gradient of its own; the other is kicked first, and shares its gradient with the
+/// test.
 Finding cloning_is_behind(const Results& data) {
   const auto all = runs(data, "method_comparison", true);
   const auto slowest = [&](bool adaptive) {

@@ -52,7 +52,8 @@ Finding truncation_fewest_steps(const Results& data) {
                  cases.most, length, apart > 0.0 ? fmt::format("to {:.0e}", apart) : "at every error");
 }
 
-/// Two monitors by time at an energy error of 1e-3: steps times the time of a step, in every round.
+/// Two monitors by time at an energy error of 1e-3: steps times the time of a step, of which the data have
+/// rounds in which every monitor runs once.
 struct Race {
   double ratio;        ///< least time of the second over that of the first
   unsigned wins, all;  ///< rounds that the first won

@@ -102,7 +102,8 @@ Finding energy_not_extreme(const Results& data) {
   return finding(in_cases(cases), "Steps in S1: {}.", fmt::join(seen, "; in S2: "));
 }
 
-/// Efficiency is steps and time, at equal error; "very close" leaves 20 per cent. gamma = 3/4 is ours.
+/// Efficiency is steps and time, each at equal error. "Very close" leaves 20 per cent. The source has gamma =
+/// 1/2 and 1; 3/4 is told beside them.
 Finding gamma_most_efficient(const Results& data) {
   Cases cases;
   std::vector<std::string> seen;
@@ -162,7 +163,8 @@ Finding bound_holds(const Results& data) {
                  "Every step of six runs lies between a h and b h; the smallest is {:.2f} a h.", cases.least);
 }
 
-/// Stormer-Verlet's step is scaled to the energy error of each adaptive run; fixed HTVI4 is measured there.
+/// Stormer-Verlet's step is scaled to the energy error of each adaptive run by its order, two; fixed HTVI4 is
+/// measured at that error.
 Finding adaptivity_pays(const Results& data) {
   Cases cases;
   std::vector<double> seen;

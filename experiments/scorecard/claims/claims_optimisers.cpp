@@ -36,7 +36,8 @@ Finding rk4_fails(const Results& data) {
                                                       fmt::join(seen, ", "))};
 }
 
-/// Steps or gradients of the runs of MATLAB's two pairs that converged for good, over those of HTVI.
+/// Steps or gradients of every run of MATLAB's two pairs that converged for good, over those of HTVI in the
+/// same approach.
 Cases against_pairs(const Results& data, double (*cost)(const Row&),
                     std::initializer_list<const char*> approaches) {
   Cases cases;
@@ -131,7 +132,8 @@ double count(const Results& data, const char* method, const char* delta) {
 
 /// HTVI's row there is not reproduced, and its settings in our data were chosen to come near it: to judge by
 /// them would be circular. Tables 3 and 5 have runs of Adaptive HTVI on the same objective, from the same
-/// start, to the tightest of the tolerances, with p, p_ring and h as printed. The least is the rival.
+/// start, to the tightest of the tolerances, with p, p_ring and h as printed. The least count of these is the
+/// rival.
 double reproduced_htvi(const Results& data) {
   double least = HUGE_VAL;
   for (const char* stem : {"direct_vs_adaptive", "p_dependence"})

@@ -1,6 +1,7 @@
 #include "scorecard/claims/claims.hpp"
 
-// Claims on what adaptivity keeps and gains, and on the dynamics that are integrated.
+// Claims on what adaptivity keeps and gains (symplecticity, eccentricity, a monitor that was discarded) and
+// on the dynamics that are integrated.
 
 namespace scorecard {
 namespace {

@@ -21,7 +21,8 @@ Judgement compare_updates(const Cell& cell, double ours) {
                                    : fmt::format("The source's count is our number of updates + {}.", more));
 }
 
-/// The data row with a cell's method, approach, p, p_ring and that `converged`, if any with the printed h.
+/// The data row with a cell's method, approach, p and p_ring that has `converged` as wanted; the row with the
+/// printed h first.
 Row row_of(const Cell& cell, const Table& data, std::string_view converged) {
   const std::string p = cell.sibling("p"), h = cell.sibling("h");
   const std::string p_ring = cell.text("approach") == "direct" ? "nan" : cell.sibling("p_ring");
@@ -74,7 +75,8 @@ Judgement iterations(const Cell& cell, const Table& data) {
   return judgement;
 }
 
-/// A cell beyond the cap of the run, which that neither confirms nor refutes: what can be said.
+/// A cell beyond the cap of the run, which a shorter run neither confirms nor refutes: what the cells before
+/// it and the shorter run say.
 Judgement beyond_cap(const Cell& cell, const Table& data, const Row& run) {
   const double cap = run.number("iterations");
   const std::string& method = cell.text("method");

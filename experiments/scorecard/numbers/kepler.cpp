@@ -12,7 +12,8 @@ bool printed_is(const std::string& published, double ours) {
   return !published.empty() && Printed(published).equals(ours);
 }
 
-/// Where a setting is not the printed one, a slip is shown by the other columns: they come out with ours.
+/// Where a setting is not the printed one, the evidence for a slip is that the other columns of the row come
+/// out with ours in every printed digit.
 Judgement setting(const Cell& cell, const Row& run) {
   const double ours = run.number(cell.quantity());
   Judgement judgement = compare_setting(cell, ours);

@@ -17,7 +17,8 @@ struct Printed {
   /// @throws std::invalid_argument for a text that is no number.
   explicit Printed(std::string_view text);
 
-  /// True when `ours`, rounded to the last printed digit, is the printed number; of a bound, exceeds it.
+  /// True when `ours`, rounded to the last printed digit, is the printed number (or, for a bound, exceeds
+  /// it).
   [[nodiscard]] bool equals(double ours) const;
 
   /// |ours - printed| in units of the last printed digit.

@@ -54,7 +54,8 @@ class Cell : public Row {
   [[nodiscard]] const std::string& quantity() const { return text("quantity"); }
   [[nodiscard]] const std::string& published() const { return text("published"); }
 
-  /// The number that the same row of the paper prints for another quantity; empty where there is none.
+  /// The number that the same row of the paper's table prints for another quantity; empty where it prints
+  /// nothing.
   [[nodiscard]] std::string sibling(std::string_view quantity) const {
     return elsewhere(text("row"), quantity);
   }
@@ -78,7 +79,8 @@ Judgement compare(const Cell& cell, double ours, std::string note = "", double t
 /// Same for a count that the source begins `more` earlier than we do.
 Judgement compare_count(const Cell& cell, double ours, double more, std::string note);
 
-/// Same for what a run was made with: `exact` or `differs`, whatever the digits.
+/// Same for what a run was made with: `exact` when it is the printed number, whatever its digits, else
+/// `differs`.
 Judgement compare_setting(const Cell& cell, double ours);
 
 /// One line of the scorecard.
@@ -99,7 +101,8 @@ Judgement judge_symplectic(const Cell& cell, const Table& data);
 /// Table 6: iterations of several optimisers.
 Judgement judge_optimisers(const Cell& cell, const Table& data);
 
-/// The paper's tables in its order, counted without the one of formulas between the second and third.
+/// The paper's tables in its order, which are counted without the one of formulas between the second and the
+/// third.
 inline std::vector<Sheet> sheets() {
   return {{"kepler_e090", "Table 1: Kepler, eccentricity 0.9", judge_kepler},
           {"kepler_e099", "Table 2: Kepler, eccentricity 0.99", judge_kepler},

@@ -3,8 +3,9 @@
 // The rule, laid down before any of these was run: of each class of the other problems (celestial mechanics,
 // galaxies, turning frames, relativity, magnetic fields, molecules, ions, walls, pendulums, curved
 // coordinates, oscillators) one or two Hamiltonians that textbooks print and no list had; parameters as
-// printed there, or 1; starts of one or two digits on a bounded orbit, some ten periods. None was changed
-// later, and the menu and the pilot were final: for the first twelve, looked at since, an earlier menu.
+// printed there, or 1; starts of one or two digits on a bounded orbit with some ten of its periods. None was
+// taken out, changed or added later, and the menu and the pilot were final: for the first twelve an earlier
+// menu, and they were looked at since.
 
 namespace experiment {
 namespace {

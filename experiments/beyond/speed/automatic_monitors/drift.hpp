@@ -44,7 +44,8 @@ inline void measure_drift(const Frame& frame, const std::vector<Scene>& scenes, 
   table.note("corrected_t", "slope over its standard error, correlation between blocks counted");
   for (const Scene& scene : scenes) {
     const double end = repeats * scene.time;
-    // The step that keeps the tolerance over a hundred periods; shorter where one cannot be solved.
+    // The step that keeps the tolerance over a hundred periods; shorter where a step on the way cannot be
+    // solved.
     const avi::SolutionReport found = choose(scene, 10.0 * scene.time, 1e-3, 8);
     avi::Choice choice = found.choice;
     Series series;

@@ -22,7 +22,8 @@ struct HandMade {
   avi::Formula monitor;
 };
 
-/// A problem with its orbit. The held-out ones were fixed before the tuning, and looked at after it.
+/// A problem with its orbit. The held-out ones were fixed before any formula was tuned, and not looked at
+/// until it was final.
 struct Scene {
   std::string name;
   bool held_out;

@@ -43,7 +43,8 @@ Axis along_eccentricity(bool quick);
 Axis along_horizon(bool quick);
 /// One Taylor expansion of order r, with partials and the Gauss rule of the method.
 Axis along_order();
-/// Chains of n masses: H, its automatic gradient, a sweep of collocation, each at eight stages at once.
+/// Chains of n masses: H, its automatic gradient, and a sweep of collocation, each at eight stages side by
+/// side.
 Axis along_dimension(bool quick);
 
 }  // namespace experiment

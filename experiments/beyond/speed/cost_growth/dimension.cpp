@@ -6,7 +6,8 @@
 
 #include <memory>
 
-// The dimension: chains of masses, by collocation of order 16, with the eight stages of a step at once.
+// The dimension: a chain of more and more masses, by collocation of order 16. Everything is done to the eight
+// stages of a step at once.
 
 namespace experiment {
 namespace {

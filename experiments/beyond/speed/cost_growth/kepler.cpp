@@ -34,7 +34,8 @@ Measurement measured(std::string subject, double value, const Method2& runner, c
 }
 
 /// The step whose largest energy error over one orbit is the target, within `tolerance` where there is one:
-/// halved from `h` until the run comes near, then corrected on logarithms by order 4. NaN beyond `cap` steps.
+/// halved from `h` until the run comes near, then corrected on logarithms by order 4. NaN where that takes
+/// more than `cap` steps.
 double calibrated(const Method2& runner, const State2& start, double h, long cap) {
   const Limits limits{.time = period, .steps = cap, .energy_error = 100.0 * target};
   const auto error = [&](double tried) {

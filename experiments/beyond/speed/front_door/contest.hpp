@@ -31,7 +31,8 @@ struct Scene {
 /// All of them, in the order in which they are shown.
 std::vector<Scene> scenes();
 
-/// Position at the end by that many steps of extrapolation (order 20, long double), which is not in the race.
+/// Position at the end by extrapolation of order 20 in long double, which shares nothing with the methods
+/// that race; `steps` are its steps.
 template <class P>
 Eigen::VectorXd extrapolated_end(const P& problem, const avi::State<P::dimension>& start, double span,
                                  long steps) {
@@ -49,7 +50,8 @@ Eigen::VectorXd extrapolated_end(const P& problem, const avi::State<P::dimension
   return y.template head<P::dimension>().template cast<double>();
 }
 
-/// avi::solve() as a family: the whole call is timed. Evaluations: of the field at one stage, with trials.
+/// avi::solve() as a family: the whole call is timed. Evaluations are those of the field at one stage, trials
+/// included.
 template <class P>
 Family door(const P& problem, const avi::State<P::dimension>& start, double span) {
   const auto run = [=](const work_precision::Request& request) {

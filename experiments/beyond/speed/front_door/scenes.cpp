@@ -32,7 +32,8 @@ Scene scene(const char* name, const char* kind, bool held_out, double unit, std:
           }};
 }
 
-/// Its encounters are too close for fixed steps in time: the reference is that of the log Hamiltonian.
+/// Its encounters are too close for fixed steps in time: the reference takes those of the logarithmic
+/// Hamiltonian.
 Scene seven_bodies() {
   return {"seven_bodies", "bodies", false, 1.0, {1.0}, [](double span) {
             const avi::State<14> start = work_precision::star_cluster_start();

@@ -24,7 +24,8 @@ inline std::string method(const Point* p) {
   return p->family->method;
 }
 
-/// A library measured in both places differs by up to this factor: a ratio nearer to 1 decides nothing.
+/// A library measured in both places differs by up to this factor: a ratio to one measured elsewhere that is
+/// nearer to 1 decides nothing.
 inline constexpr double spread_elsewhere = 1.43;
 
 /// The table that advise() fills.

@@ -38,7 +38,8 @@ struct Request {
 };
 
 /// Seconds of one call of `work`, from a block of `repeats` calls. A block whose wall time exceeds the time
-/// the process had on the core by more than 2 % (and 20 microseconds) is run again, at most twice.
+/// the process had on the core by more than 2 % (and 20 microseconds) was descheduled: it is run again, at
+/// most twice.
 double block_seconds(const auto& work, int repeats) {
   double best = 0.0;
   for (int attempt = 0; attempt < 3; ++attempt) {

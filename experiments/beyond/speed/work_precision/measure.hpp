@@ -47,7 +47,8 @@ inline double work(const Family& family, const Result& result) {
   return family.weight * static_cast<double>(result.evaluations);
 }
 
-/// As many steps as take that much work, told from the first 300. (An orbit thrown out may take any number.)
+/// As many steps as take that much work, told from the first few hundred. (An orbit that a coarse setting
+/// throws out may take any number of them.)
 inline long steps_within(double most, const Family& family, double setting) {
   const Result result = family.run({.setting = setting, .step_cap = 300});
   const double step = work(family, result) / static_cast<double>(std::max(result.steps, 1L));

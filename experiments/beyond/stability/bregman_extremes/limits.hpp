@@ -9,7 +9,8 @@
 
 namespace experiment {
 
-/// Largest z = h omega at which a composition is stable on x'' = -omega^2 x: |trace| of its matrix is 2.
+/// Largest z = h omega at which the stages of a composition are stable on x'' = -omega^2 x: the least z where
+/// |trace| of the step's matrix exceeds 2.
 inline double linear_limit(const MergedStages& stages) {
   const auto stable = [&](double z) {
     double m[2][2] = {{1.0, 0.0}, {0.0, 1.0}};  // columns: images of (x, v) = (1, 0) and (0, 1)

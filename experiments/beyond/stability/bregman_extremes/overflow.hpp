@@ -70,7 +70,8 @@ inline double expected_log_end(const std::string& form, const avi::BregmanFamily
   return exponent > 0.0 ? (most - 2.0 * std::log(P * h) - std::log(family.C)) / exponent : HUGE_VAL;
 }
 
-/// Fictive step that takes about `steps` steps from t = 1 to log t = `log_end`, at most to 1e300.
+/// Fictive step that takes about `steps` steps from t = 1 to log t = `log_end`, or to 1e300 where that is
+/// less.
 inline double step_towards(const avi::BregmanFamily& family, double log_end, double steps) {
   return std::expm1(std::min(family.s() * log_end, 690.0)) / steps;
 }

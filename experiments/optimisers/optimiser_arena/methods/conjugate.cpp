@@ -5,7 +5,8 @@
 
 // Nonlinear conjugate gradients as textbooks have them: a search for the strong Wolfe conditions with sigma =
 // 0.1 (Nocedal and Wright 2006, Algorithms 3.5 and 3.6, cubic interpolation), and the factors of Polak and
-// Ribiere (PR+) and of Hager and Zhang (2005). The strongest that we could set against minimise().
+// Ribiere (PR+) and of Hager and Zhang (2005). The strongest conjugate gradients that we could set against
+// avi::minimise().
 
 namespace arena {
 namespace {
@@ -15,7 +16,8 @@ struct Trial {
   avi::LinePoint at;
 };
 
-/// Searches along d from x, where value and slope are `start`; x_out and g_out are those of the result.
+/// Searches along d from x, where value and slope are `start`; x_out and g_out hold the trial that is
+/// returned.
 Trial strong_wolfe(Meter& f, const VectorX& x, const VectorX& d, const avi::LinePoint& start, double length,
                    VectorX& x_out, VectorX& g_out) {
   constexpr double fall = 1e-4, flat = 0.1;

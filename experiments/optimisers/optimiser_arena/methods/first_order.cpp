@@ -7,7 +7,8 @@
 namespace arena {
 namespace {
 
-/// Nesterov's method, backtracking (Beck and Teboulle 2009), gradient restart (O'Donoghue and Candes 2015).
+/// Nesterov's method with backtracking on L (Beck and Teboulle 2009) and restart by the gradient (O'Donoghue
+/// and Candes 2015).
 void nag_restart(Meter& f) {
   VectorX x = f.x0, y = f.x0, g(x.size()), next;
   double value = f(y, g), length = first_length(y, g, value), k = 0.0;

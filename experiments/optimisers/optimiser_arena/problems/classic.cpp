@@ -1,6 +1,7 @@
 #include "optimisers/optimiser_arena/problems/problem.hpp"
 
-// Unconstrained test problems of More, Garbow and Hillstrom (1981): functions, then names and starts.
+// Unconstrained test problems of More, Garbow and Hillstrom (1981): a function each, and at the end the table
+// of names and starts.
 
 namespace arena {
 namespace {

@@ -17,7 +17,8 @@ void mix(VectorX& x) {
 }
 
 /// y . C y / 2 with y = W x, W orthogonal and dense (n a power of 2), C diagonal from 1 to kappa, equally
-/// spaced in the logarithm. Without W, learning rates for each entry would know the eigenvectors.
+/// spaced in the logarithm. Without W, methods with a learning rate for each entry would know the
+/// eigenvectors.
 Problem quadratic(const std::string& name, double kappa, Index n) {
   VectorX c(n);
   for (Index i = 0; i < n; ++i)

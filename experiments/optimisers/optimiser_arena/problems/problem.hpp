@@ -36,7 +36,8 @@ std::vector<Problem> drawn_non_convex_problems(Index k, unsigned long seed);
 std::vector<Problem> other_non_convex_problems();
 std::vector<Problem> degenerate_problems(bool large);
 
-/// The same numbers with every standard library: uniform from bits of mt19937_64, normal by Box and Muller.
+/// Numbers that are the same with every standard library: uniform from the bits of mt19937_64, normal by Box
+/// and Muller.
 class Numbers {
  public:
   explicit Numbers(unsigned long seed) : bits_(seed) {}

@@ -62,7 +62,8 @@ void add(Scene& scene, const Equations& equations, F f_of) {
       [](double tolerance) { return odeint::bulirsch_stoer<State>(tolerance, tolerance); });
 }
 
-/// With right-hand side and dimension of P in line: else Bulirsch-Stoer takes up to 1.8 times as long.
+/// With the right-hand side and the dimension of P in line: where they are not, Bulirsch-Stoer takes up
+/// to 1.8 times as long.
 template <class P>
 bool added_in_line(Scene& scene, const Equations& equations) {
   if (equations.field != &Arena<P>::field) return false;

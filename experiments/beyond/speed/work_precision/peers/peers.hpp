@@ -43,7 +43,8 @@ struct Task {
   }
 };
 
-/// solve(task) integrates to the horizon and says whether it got there; making its workspace is timed too.
+/// solve(task) integrates up to the horizon and says whether it got there. The library's workspace is part of
+/// the time.
 Family peer(const Equations& equations, std::string method, int order, std::function<bool(Task&)> solve);
 
 void add_odeint(Scene&, const Equations&);
