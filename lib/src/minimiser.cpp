@@ -111,8 +111,7 @@ class MinimiserRun {
       if (evaluations_ >= options_.evaluations)
         return fail(Outcome::step_limit, "the cap on evaluations was reached");
       place_trial(alpha_);
-      const bool stands = view(trial_.x) == view(base_.x);
-      if (trials > 40 || stands || !(alpha_ > 0.0)) {  // nothing on this line: steepest descent, once
+      if (trials > 40 || view(trial_.x) == view(base_.x) || !(alpha_ > 0.0)) {  // steepest descent, once
         // Towards a wall f may fall for more lines than one.
         const bool fell = base_.f < start.value - rounding(base_.f, start.value);
         if (restarted && !fell) return judge(trials - 1 > beyond);
@@ -125,10 +124,20 @@ class MinimiserRun {
         place_trial(alpha_);
       }
       if (!evaluate(trial_)) return false;
+      // where a trial is doubtful an interpolated base may be to blame: it is evaluated
+      const auto renew = [&] {
+        const double length = alpha_ * std::sqrt(length2_);
+        if (!settle()) return false;
+        if (options_.memory == 0) alpha_ = length / std::sqrt(length2_);
+        start = {base_.f, down_};
+        return true;
+      };
       if (!std::isfinite(trial_.f) || !std::isfinite(square_)) {
-        high = wall = alpha_;
-        alpha_ *= 0.1;
         ++beyond;
+        if (exact_)
+          high = wall = std::exchange(alpha_, 0.1 * alpha_);
+        else if (!renew())
+          return false;
         continue;
       }
       const LineModel model({base_.f, down_}, {trial_.f, slope_}, alpha_, rounding(base_.f, trial_.f));
@@ -141,20 +150,18 @@ class MinimiserRun {
       const double off = std::abs(model.r - 1.0);
       const double undetected =
           (exact_ ? 0.0 : off * undetected_) + (model.blind() ? off * std::max(1.0, model.r) : 0.0);
-      const bool recovers = model.trusted() && (exact_ || undetected <= 30.0);
+      const bool recovers =
+          model.trusted() && (exact_ || undetected <= 30.0) && (model.r <= 1.0 || std::isinf(wall));
       if (recovers && !(falls && off < 1e-6)) {
         undetected_ = undetected;
         return advance(model.r, moved, base_.f + 0.5 * model.r * alpha_ * down_), true;
       }
-      // half of the way to where f is not finite: nearer to it the next line would have less room
-      const bool walled = falls && high == wall && alpha_ >= 0.5 * high;
+      // next to where f is not finite: farther along the line there would be less room for the next one
+      const bool walled = falls && high == wall && alpha_ >= 0.09 * high;
       if (((falls || level) && flat) || walled) return advance(1.0, moved), true;
       const bool doubtful = model.defect > 0.3 || (model.trusted() && !recovers);
-      if (!exact_ && since_start == 1 && doubtful) {  // the interpolated base may be to blame
-        const double length = alpha_ * std::sqrt(length2_);
-        if (!settle()) return false;
-        if (options_.memory == 0) alpha_ = length / std::sqrt(length2_);
-        start = {base_.f, down_};
+      if (!exact_ && since_start == 1 && doubtful) {
+        if (!renew()) return false;
         continue;
       }
       if (slope_ < 0.0 && (falls || level)) {  // go on from here
@@ -162,8 +169,7 @@ class MinimiserRun {
         norm_ = std::sqrt(square_);
         exact_ = true;
         down_ = slope_;
-        moved += alpha_;
-        high -= alpha_, wall -= alpha_;
+        moved += alpha_, high -= alpha_, wall -= alpha_;
         alpha_ *= model.beyond() - 1.0;
         if (std::isinf(high)) trials = beyond = 0;
         if (alpha_ >= high) alpha_ = 0.5 * high;
@@ -227,16 +233,13 @@ class MinimiserRun {
       most = std::max(most, apart), finite = finite && std::isfinite(apart);
       return value;
     };
-    SlopeByValues by;
-    if (finite) by = slope_by_values(phi, asked_at());
+    const SlopeByValues by = finite ? slope_by_values(phi, asked_at()) : SlopeByValues();
     agrees_ = !finite;  // a wall that near says nothing of the slope
     if (!finite) return fail(Outcome::non_finite, "f or its gradient is not finite wherever the run turns");
     // beside what f does there the gradient is as good as 0: that f is not even says nothing of it
     const bool small = std::abs(down_) * asked_at() < 1e-8 * most;
     agrees_ = small || by.agrees_with(down_, 0.1 * std::abs(down_));
-    // where a fall could be seen, f still rises by as much: a jump
-    const double seen = 1e-11 * std::abs(base_.f / down_);
-    if (seen < 1e-4 * asked_at() && values_along_d()(seen) - base_.f > 0.1 * most)
+    if (jumps_up(values_along_d(), base_.f, down_, asked_at(), most))
       return fail(Outcome::no_descent, "f jumps up wherever the run turns, as at a wall of finite height");
     if (agrees_) return fail(Outcome::stalled, "rounding of f hides what could still be gained");
     const double resolution =
@@ -300,7 +303,8 @@ class MinimiserRun {
     });
     slope_ = sums[0], square_ = sums[1];
     pairs_.multiply(at.g.data, at.with_pairs.data());
-    return !(at.f < floor_) || fail(Outcome::diverged, "f falls below -1e300 along a line");
+    return !(at.f < floor_) || std::isnan(square_) ||
+           fail(Outcome::diverged, "f falls below -1e300 along a line");
   }
 
   /// d = -grad f, and the pairs are forgotten.
@@ -328,12 +332,8 @@ class MinimiserRun {
     return down_ < 0.0;
   }
 
-  /// The way to where a linear f would vanish, or one hundredth of x, whichever is longer.
   [[nodiscard]] double first_step() const {
-    const double x = largest_entry(view(base_.x)), g = largest_entry(view(base_.g));
-    const double by_value = std::abs(base_.f) / (norm_ * norm_);
-    const double length = std::max(0.01 * x / g, std::isfinite(by_value) ? by_value : 0.0);
-    return length > 0.0 ? length : 1.0 / g;
+    return first_trial(base_.f, norm_, largest_entry(view(base_.g)), largest_entry(view(base_.x)));
   }
 
   /// Evaluates at an interpolated base, goes back to the best evaluated point if f rose, and renews d.
@@ -397,23 +397,24 @@ class MinimiserRun {
     }
     double* s_out = pairs ? pairs_.next_s() : nullptr;
     double* y_out = pairs ? pairs_.next_y() : nullptr;
-    const auto sums = sweep<6>(n_, [=, x = base_.x.data, g = base_.g.data, gt = trial_.g.data, d = d_.data(),
-                                    x_out = into.x.data, g_out = into.g.data](auto e, auto& sum) {
-      const auto old = e(g), along = e(d);
-      const auto now = (1.0 - r) * old + r * e(gt), y = now - old, s = step * along;
-      e.set(x_out, e(x) + s);
-      e.set(g_out, now);
-      if (pairs) {
-        e.set(s_out, s);
-        e.set(y_out, y);
-      }
-      sum[0] += now * now;
-      sum[1] += now * old;
-      sum[2] += now * along;
-      sum[3] += now * y;
-      sum[4] += y * along;
-      sum[5] += y * y;
-    });
+    const auto [gg, g_old, gd, gy, dy, yy] =
+        sweep<6>(n_, [=, x = base_.x.data, g = base_.g.data, gt = trial_.g.data, d = d_.data(),
+                      x_out = into.x.data, g_out = into.g.data](auto e, auto& sum) {
+          const auto old = e(g), along = e(d);
+          const auto now = (1.0 - r) * old + r * e(gt), y = now - old, s = step * along;
+          e.set(x_out, e(x) + s);
+          e.set(g_out, now);
+          if (pairs) {
+            e.set(s_out, s);
+            e.set(y_out, y);
+          }
+          sum[0] += now * now;
+          sum[1] += now * old;
+          sum[2] += now * along;
+          sum[3] += now * y;
+          sum[4] += y * along;
+          sum[5] += y * y;
+        });
     if (&into == &best_) {
       std::swap(base_, best_);
       std::swap(best_, trial_);
@@ -421,7 +422,6 @@ class MinimiserRun {
       std::swap(base_, trial_);
       if (keeps_base) std::swap(best_, trial_);
     }
-    const auto [gg, g_old, gd, gy, dy, yy] = sums;
     base_.f = value;
     norm_ = std::sqrt(gg);
     exact_ = !recovers;

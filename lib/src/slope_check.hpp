@@ -83,6 +83,14 @@ bool lost_in_rounding(Phi&& phi, double value, double slope, double resolution) 
          8.0 * resolution * curvature > std::abs(slope);
 }
 
+/// Whether phi, of the given value and slope at 0, rises by a tenth of `most` where its fall could just be
+/// seen, long before the distance at which it was seen to differ by `most`. One value.
+template <class Phi>
+bool jumps_up(Phi&& phi, double value, double slope, double farthest, double most) {
+  const double near = 1e-11 * std::abs(value / slope);
+  return near < 1e-4 * farthest && phi(near) - value > 0.1 * most;
+}
+
 /// A direction in which every entry takes part, by its size and with a weight of either sign between 1/2 and
 /// 3/2.
 inline void mixed_direction(const VectorView& x, VectorX& d) {

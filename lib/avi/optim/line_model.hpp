@@ -30,6 +30,14 @@ struct LineSoFar {
   static constexpr double never() { return std::numeric_limits<double>::infinity(); }
 };
 
+/// Where the first trial along -g is, in units of g: where a linear f would vanish, or at one hundredth of x,
+/// whichever is farther. @param g and @param x their largest entries
+inline double first_trial(double f, double norm_of_g, double g, double x) {
+  const double by_value = std::abs(f) / (norm_of_g * norm_of_g);
+  const double length = std::max(0.01 * x / g, std::isfinite(by_value) ? by_value : 0.0);
+  return length > 0.0 ? length : 1.0 / g;
+}
+
 /// The base of a line (alpha = 0) and one trial at alpha = h > 0.
 ///
 /// Between two points where phi is quadratic its slope is linear: it vanishes at alpha = r h with
