@@ -129,7 +129,7 @@ class MinimiserRun {
         const double length = alpha_ * std::sqrt(length2_);
         if (!settle()) return false;
         if (options_.memory == 0) alpha_ = length / std::sqrt(length2_);
-        start = {base_.f, down_};
+        so_far.start = {base_.f, down_};
         return true;
       };
       if (!std::isfinite(trial_.f) || !std::isfinite(square_)) {
