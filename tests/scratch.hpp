@@ -13,7 +13,8 @@ class Scratch : public std::filesystem::path {
 
  private:
   static std::string made() {
-    std::string name = std::filesystem::temp_directory_path() / "avi_test_XXXXXX";
+    const std::string unique(6, 'X');  // mkdtemp() writes letters of its own over these
+    std::string name = std::filesystem::temp_directory_path() / ("avi_test_" + unique);
     if (!::mkdtemp(name.data())) throw std::runtime_error("Cannot make the folder " + name + ".");
     return name;
   }

@@ -124,15 +124,29 @@ TEST(SolveOptions, CancelACallThatIsResumed) {
 }
 
 // A mistyped start costs no run that is kept.
-TEST(SolveOptions, ThatAreRefusedLeaveTheCheckpointOfAnEarlierCall) {
-  const auto z = Kepler::pericentre(0.6);
-  const Scratch folder;
-  const std::string file = folder / "run";
+/// Leaves the checkpoint of a call that was stopped on its way from z.
+void stop_on_the_way(const avi::State<2>& z, const std::string& file) {
   const auto soon = [](const SolveProgress& now) {
     return now.phase == avi::SolvePhase::choosing || now.steps < 100;
   };
   (void)solve(Kepler(), z, 1e5, 1e-8, {.progress = soon, .checkpoint = file});
   ASSERT_TRUE(std::filesystem::exists(file));
+}
+
+TEST(SolveOptions, OfARunWithoutLengthTakeTheCheckpointOfAnEarlierCallAway) {
+  const auto z = Kepler::pericentre(0.6);
+  const Scratch folder;
+  const std::string file = folder / "run";
+  stop_on_the_way(z, file);
+  EXPECT_TRUE(solve(Kepler(), z, z.t, 1e-8, {.checkpoint = file}).ok());
+  EXPECT_FALSE(std::filesystem::exists(file)) << "resume() would go on with another run";
+}
+
+TEST(SolveOptions, ThatAreRefusedLeaveTheCheckpointOfAnEarlierCall) {
+  const auto z = Kepler::pericentre(0.6);
+  const Scratch folder;
+  const std::string file = folder / "run";
+  stop_on_the_way(z, file);
   const avi::State<2> centre{.q = {0.0, 0.0}, .p = {0.0, 1.0}};
   EXPECT_THROW((void)solve(Kepler(), centre, 1.0, 1e-8, {.checkpoint = file}), std::invalid_argument);
   const auto rest = avi::resume<2>(Kepler(), file);

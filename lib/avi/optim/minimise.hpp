@@ -50,10 +50,10 @@ constexpr void refuse_as_objective() {
 /// if (run.ok()) use(run.last.x);
 /// @endcode
 /// Outcome::ok: converged; stalled: rounding hides what could still be gained; no_descent: values and
-/// gradient contradict each other, as at a kink; wrong_gradient: seen by the check on request, or a gradient
-/// of another size; diverged: f fell below -1e300; non_finite; step_limit; stopped. Whichever
-/// it is, `last` is the last good point that was evaluated, which need not be the one with the least f of all
-/// trials.
+/// gradient contradict each other, as at a kink or a wall of finite height; wrong_gradient: seen by the check
+/// on request, or a gradient of another size; diverged: f fell below -1e300; non_finite; step_limit; stopped.
+/// Whichever it is, `last` is the last good point that was evaluated, which need not be the one with the
+/// least f of all trials.
 /// @throws std::invalid_argument for options out of range or an empty or non-finite x0.
 template <class F>
 [[nodiscard]] Minimisation minimise(const F& f, const StartingPoint& x0,
