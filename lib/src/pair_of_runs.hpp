@@ -88,6 +88,14 @@ class Orbiter {
  private:
   [[nodiscard]] bool late() const;
   void prepare();
+  double energy_and_slope(const VectorX& start, VectorX& slope);
+  void sketch_from(const VectorX& start);
+  Resting at_rest(Eigen::Index seen, bool& drifting);
+  double mean_motion(const Ranges& ranges, Eigen::Index seen);
+  void describe_motion(const Resting& resting, Eigen::Index seen, bool drifting);
+  void look_for_features(double scale);
+  void take_the_named(const std::string& wanted);
+  void write_menu(const Resting& resting);
   void follow_the_take_off(Eigen::Index seen);
   VectorX rounding_of(const Sketch& sketch, const VectorX& metric);
   bool follows_another_gradient();
@@ -131,6 +139,10 @@ class Orbiter {
   [[nodiscard]] std::string given_up(const Journey& run) const;
   OrbitAnswer give_up();
   OrbitAnswer too_far(const char* what, double t, double radians);
+  void tell_work(const Journey& fine);
+  void tell_error(const Journey& fine, double foreseen);
+  void tell_end(const Journey& fine);
+  void tell_doubts(const Journey& fine, double foreseen);
   OrbitAnswer finish();
 
   const OrbitQuestion& question_;

@@ -71,12 +71,9 @@ void Orbiter::take_unit_of_energy(double scale) {
   trip_->felt = std::max(inside, 1e3 * rounding) * scale;
 }
 
-/// Scales, sketch and menu.
-void Orbiter::prepare() {
+/// Energy and slope at the start, which have to be numbers.
+double Orbiter::energy_and_slope(const VectorX& start, VectorX& slope) {
   const int n = field_.size();
-  VectorX start(2 * n), slope(2 * n);
-  std::copy(question_.q.begin(), question_.q.end(), start.data());
-  std::copy(question_.p.begin(), question_.p.end(), start.data() + n);
   const double energy = field_(start, slope);
   require_energy(energy, question_);
   const auto name = [&](int i) {
@@ -86,36 +83,25 @@ void Orbiter::prepare() {
   for (int i = 0; i < 2 * n; ++i)
     require(std::isfinite(slope[i]), "The derivative of H by " + name(i) + " at the start",
             i < n ? slope[i] : -slope[i], "finite");
-  const VectorX& metric = metric_ = field_.metric(start);
-  // Of time as a coordinate, and its momentum, nobody asks.
-  const int seen = question_.timed ? n - 1 : n;
-  distance_.emplace(metric, question_.tolerance, seen);
+  return energy;
+}
+
+/// What the rest of the call takes for the orbit: a run of low accuracy along it.
+void Orbiter::sketch_from(const VectorX& start) {
   field_.sense = sense_;
-  sketch_.emplace(field_, start, span_, metric);
+  sketch_.emplace(field_, start, span_, metric_);
   // Where nothing happens on the way, something may that long steps go over.
   if (sketch_->radians < 1e-4 && sketch_->time == span_)
-    sketch_.emplace(field_, start, span_, metric, 512, 0.0, span_ / 256.0);
+    sketch_.emplace(field_, start, span_, metric_, 512, 0.0, span_ / 256.0);
   follow_the_take_off(start.size() / 2 - 1);
-  if (late()) return;
-  const Sketch& sketch = *sketch_;
-  dead_end_ = sketch.stuck ? sketch.time : 0.0;
-  const double time = std::max(sketch.time, 1e-300);
-  distance_->frequency = sketch.radians / time;
-  radians_ = sketch.radians / time * span_;
-  distance_->noise = rounding_of(sketch, metric);
+}
 
-  // Means over the sketch: kinetic energy, half of p q', and the speed in phase space.
-  double work = 0.0, kinetic = 0.0, highest = 0.0;
-  VectorX rest(2 * n), falling(2 * n);
+/// Energies and forces along the sketch with nothing in motion.
+Resting Orbiter::at_rest(Eigen::Index seen, bool& drifting) {
+  const int n = field_.size();
   Resting resting;
-  bool drifting = false;  // something moves that has no momenta
-  State<dynamic> z{.q = start.head(n), .p = start.tail(n), .t = question_.t};
-  Ranges ranges(z);
-  for (const Sketch::Sample& sample : sketch.samples)
-    ranges.add(sample.z.data(), sample.z.data() + n);
-  const VectorX scales = distance_->scales(ranges);
-  for (const Sketch::Sample& sample : sketch.samples) {
-    work += sample.h * 0.5 * std::abs(dot(sample.z.segment(n, seen), sample.slope.head(seen)));
+  VectorX rest(2 * n), falling(2 * n);
+  for (const Sketch::Sample& sample : sketch_->samples) {
     rest.head(n) = sample.z.head(n);
     rest.tail(n).setZero();
     if (question_.timed) rest[n + seen] = sample.z[n + seen];
@@ -123,76 +109,100 @@ void Orbiter::prepare() {
     if (drifting || !falling.head(seen).isZero(0.0)) {
       // Where H is quadratic in p with a diagonal, its forces there are those of V.
       drifting = true;
-      rest.segment(n, seen) = -sense_ * falling.head(seen).cwiseQuotient(metric.head(seen));
+      rest.segment(n, seen) = -sense_ * falling.head(seen).cwiseQuotient(metric_.head(seen));
       potential = field_(rest, falling);
     }
     resting.energy.push_back(potential);
     resting.forces.insert(resting.forces.end(), falling.begin() + n, falling.end());
-    kinetic += sample.h * (sample.energy - resting.energy.back());
+  }
+  return resting;
+}
+
+/// Speeds along the sketch. @return the mean of half of |p q'|, a unit of energy
+double Orbiter::mean_motion(const Ranges& ranges, Eigen::Index seen) {
+  const VectorX scales = distance_->scales(ranges);
+  double work = 0.0, highest = 0.0;
+  for (const Sketch::Sample& sample : sketch_->samples) {
+    work += sample.h * 0.5 * std::abs(dot(sample.z.segment(field_.size(), seen), sample.slope.head(seen)));
     const double speed = distance_->speed(sample.slope, scales);
     usual_speed_ += sample.h * speed;
     highest = std::max(highest, speed);
   }
-  field_.sense = 1.0;
-  work /= time, kinetic /= time, usual_speed_ /= time;
+  const double time = std::max(sketch_->time, 1e-300);
+  usual_speed_ /= time;
+  high_speed_ = std::min(highest, 20.0 * usual_speed_);
+  if (!(high_speed_ > 0.0)) high_speed_ = usual_speed_ = 1.0 / span_;
+  return work / time;
+}
+
+/// What monitors are made of, unless that was chosen before.
+void Orbiter::describe_motion(const Resting& resting, Eigen::Index seen, bool drifting) {
   Choice& choice = answer_.choice;
   if (question_.made) {
     choice.kinetic = question_.made->kinetic;
     choice.accelerations = question_.made->accelerations;
     choice.poles = question_.made->poles;
     choice.drifts = question_.made->drifts;
-  } else {
-    choice.kinetic = kinetic;
-    choice.accelerations = accelerations(sketch, metric, seen);
-    if (drifting) choice.drifts.assign(metric.begin(), metric.begin() + seen);
+    return;
   }
-  high_speed_ = std::min(highest, 20.0 * usual_speed_);
-  if (!(high_speed_ > 0.0)) high_speed_ = usual_speed_ = 1.0 / span_;
-  // Of a body at rest, or where rounding hides the kinetic energy, some of H itself.
-  double scale = std::max(std::isfinite(work) ? work : 0.0, 1e-13 * std::abs(energy));
-  if (!(scale > 0.0)) scale = 1.0;
-  trip_.emplace(Trip{z, energy, scale, sense_, budget_});
-  take_unit_of_energy(scale);
-  trip_->span = span_;
-  trip_->ranges = ranges.high - ranges.low;
-  trip_->seen = seen;
-  features_.emplace(question_.graph, question_.energy, sketch, question_.timed);
+  double kinetic = 0.0;
+  for (std::size_t i = 0; i < resting.energy.size(); ++i)
+    kinetic += sketch_->samples[i].h * (sketch_->samples[i].energy - resting.energy[i]);
+  choice.kinetic = kinetic / std::max(sketch_->time, 1e-300);
+  choice.accelerations = accelerations(*sketch_, metric_, seen);
+  if (drifting) choice.drifts.assign(metric_.begin(), metric_.begin() + seen);
+}
+
+/// Kinks, jumps and poles of H that the orbit may meet.
+void Orbiter::look_for_features(double scale) {
+  features_.emplace(question_.graph, question_.energy, *sketch_, question_.timed);
   if (!features_->none() || features_->hides()) trip_->features = &*features_;
   parts_ = parts_of(*field_.recording());
   // What is kicked by so much is elsewhere at the end, after so many radians.
   const double kick = std::max(question_.tolerance / std::max(radians_, 1.0), 30.0 * answer_.energy_rounding);
-  passes_.emplace(question_.graph, question_.energy, sketch, scale, distance_->frequency, kick);
-  if (!passes_->none()) {
-    trip_->passes = &*passes_;
-    const auto& moves = sketch.samples.front().slope;
-    const bool diagonal = parts_ == Parts::nystrom &&
-                          (moves.head(n) - sense_ * metric.cwiseProduct(z.p)).cwiseAbs().maxCoeff() <=
-                              1e-9 * moves.head(n).cwiseAbs().maxCoeff();
-    if (diagonal) trip_->inverse_masses = metric;
+  passes_.emplace(question_.graph, question_.energy, *sketch_, scale, distance_->frequency, kick);
+  if (passes_->none()) return;
+  trip_->passes = &*passes_;
+  const Eigen::Index n = field_.size();
+  const auto& moves = sketch_->samples.front().slope;
+  const bool diagonal =
+      parts_ == Parts::nystrom &&
+      (moves.head(n) - sense_ * metric_.cwiseProduct(trip_->start.p)).cwiseAbs().maxCoeff() <=
+          1e-9 * moves.head(n).cwiseAbs().maxCoeff();
+  if (diagonal) trip_->inverse_masses = metric_;
+}
+
+/// Leaves the monitor that is asked for in the menu. @throws std::invalid_argument where it has no meaning.
+void Orbiter::take_the_named(const std::string& wanted) {
+  const Choice& choice = answer_.choice;
+  const double energy = trip_->energy_at_start;
+  const std::string_view kept = wanted == splitting ? "fixed" : std::string_view(wanted);
+  std::erase_if(menu_, [&](const Candidate& it) { return it.name != kept; });
+  if (question_.given >= 0) {
+    const double g =
+        candidate_of(wanted, question_, energy, choice, question_.prepared.get()).rate_at(trip_->start);
+    require(std::isfinite(g) && g > 0.0, "The given monitor at the start", g, "finite and positive");
+    if (menu_.empty())
+      throw std::invalid_argument("The given monitor is not finite and positive along the whole orbit.");
   }
-  menu_ = candidates(question_, energy, sketch, radians_, resting, metric, choice, field_.operations());
-  const std::string& wanted = question_.options.monitor.name;
-  if (!wanted.empty()) {
-    const std::string_view kept = wanted == splitting ? "fixed" : std::string_view(wanted);
-    std::erase_if(menu_, [&](const Candidate& it) { return it.name != kept; });
-    if (question_.given >= 0) {
-      const double g = candidate_of(wanted, question_, energy, choice, question_.prepared.get()).rate_at(z);
-      require(std::isfinite(g) && g > 0.0, "The given monitor at the start", g, "finite and positive");
-      if (menu_.empty())
-        throw std::invalid_argument("The given monitor is not finite and positive along the whole orbit.");
-    }
-    if (menu_.empty()) {
-      if (wanted == "poles" && choice.poles.empty())
-        throw std::invalid_argument("Monitor poles has no meaning here: H divides by no function of q alone, "
-                                    "nor takes its logarithm; "
-                                    "take monitor fixed.");
-      if (!(choice.kinetic > 0.0) && wanted.starts_with("energy"))
-        throw std::invalid_argument(
-            "Monitor " + wanted +
-            " has no meaning here: its kinetic energy is not positive along the orbit; "
-            "take monitor fixed.");
-      menu_.push_back(candidate(wanted, question_, energy, choice));
-    }
+  if (!menu_.empty()) return;
+  if (wanted == "poles" && choice.poles.empty())
+    throw std::invalid_argument("Monitor poles has no meaning here: H divides by no function of q alone, "
+                                "nor takes its logarithm; take monitor fixed.");
+  if (!(choice.kinetic > 0.0) && wanted.starts_with("energy"))
+    throw std::invalid_argument("Monitor " + wanted +
+                                " has no meaning here: its kinetic energy is not positive along the orbit; "
+                                "take monitor fixed.");
+  menu_.push_back(candidate(wanted, question_, energy, choice));
+}
+
+/// The candidates, the most promising first, and the order they begin with.
+void Orbiter::write_menu(const Resting& resting) {
+  const double energy = trip_->energy_at_start;
+  menu_ = candidates(question_, energy, *sketch_, radians_, resting, metric_, answer_.choice,
+                     field_.operations());
+  if (const std::string& wanted = question_.options.monitor.name; !wanted.empty()) {
+    take_the_named(wanted);
   } else {
     for (Candidate& it : menu_)
       it.aside = it.noise * radians_ > std::max(0.3 * question_.tolerance, 3e-15 * radians_);
@@ -210,7 +220,47 @@ void Orbiter::prepare() {
   offer_splitting();
   if (question_.prepared)
     for (Candidate& it : menu_)
-      it.take(question_.prepared->formulas_at(energy, choice.kinetic));
+      it.take(question_.prepared->formulas_at(energy, answer_.choice.kinetic));
+}
+
+/// Sketch, scales and menu.
+void Orbiter::prepare() {
+  const int n = field_.size();
+  VectorX start(2 * n), slope(2 * n);
+  std::copy(question_.q.begin(), question_.q.end(), start.data());
+  std::copy(question_.p.begin(), question_.p.end(), start.data() + n);
+  const double energy = energy_and_slope(start, slope);
+  metric_ = field_.metric(start);
+  // Of time as a coordinate, and its momentum, nobody asks.
+  const int seen = question_.timed ? n - 1 : n;
+  distance_.emplace(metric_, question_.tolerance, seen);
+  sketch_from(start);
+  if (late()) return;
+  dead_end_ = sketch_->stuck ? sketch_->time : 0.0;
+  const double time = std::max(sketch_->time, 1e-300);
+  distance_->frequency = sketch_->radians / time;
+  radians_ = sketch_->radians / time * span_;
+  distance_->noise = rounding_of(*sketch_, metric_);
+
+  const State<dynamic> z{.q = start.head(n), .p = start.tail(n), .t = question_.t};
+  Ranges ranges(z);
+  for (const Sketch::Sample& sample : sketch_->samples)
+    ranges.add(sample.z.data(), sample.z.data() + n);
+  bool drifting = false;  // something moves that has no momenta
+  const Resting resting = at_rest(seen, drifting);
+  field_.sense = 1.0;
+  const double work = mean_motion(ranges, seen);
+  describe_motion(resting, seen, drifting);
+  // Of a body at rest, or where rounding hides the kinetic energy, some of H itself.
+  double scale = std::max(std::isfinite(work) ? work : 0.0, 1e-13 * std::abs(energy));
+  if (!(scale > 0.0)) scale = 1.0;
+  trip_.emplace(Trip{z, energy, scale, sense_, budget_});
+  take_unit_of_energy(scale);
+  trip_->span = span_;
+  trip_->ranges = ranges.high - ranges.low;
+  trip_->seen = seen;
+  look_for_features(scale);
+  write_menu(resting);
 }
 
 /// How far rounding of the slopes may move each entry in a hundred radians, the errors of all of them in one
@@ -301,40 +351,6 @@ void Orbiter::offer_splitting() {
   if (!(split < 2.0 * other)) menu_.erase(menu_.begin() + 1);
 }
 
-OrbitAnswer Orbiter::fail(Outcome outcome, std::string message) {
-  answer_.run.outcome = outcome;
-  answer_.run.message = std::move(message);
-  answer_.state_error = infinity;
-  return answer_;
-}
-
-/// No run came to the end.
-OrbitAnswer Orbiter::give_up() {
-  std::ostringstream text;
-  if (bound_ != Outcome::ok) {
-    text << "A bound of the call was met while monitor and step were being chosen.";
-    return fail(bound_, text.str());
-  }
-  if (in_the_way_ > 0.0)
-    text << "Runs fail at t = " << question_.t + sense_ * in_the_way_
-         << " with every step: the orbit meets a singularity of H "
-         << (question_.given >= 0 ? "or of the monitor " : "") << "there, or comes too near one.";
-  else
-    text << (question_.made ? "No run came to the end with a step that was chosen for another start; solve() "
-                              "chooses for this one."
-                            : "No run came to the end, with any step that was tried.");
-  return fail(Outcome::not_converged, text.str());
-}
-
-/// The start or the end is so far that the rounding of its time is more than a radian.
-OrbitAnswer Orbiter::too_far(const char* what, double t, double radians) {
-  std::ostringstream text;
-  text << what << t << ", is some " << radians
-       << " radians of the fastest motion away: the rounding of such a time alone hides where in its motion "
-          "the system is.";
-  return fail(Outcome::stalled, text.str());
-}
-
 OrbitAnswer Orbiter::solve() {
   answer_.tolerance = question_.tolerance;
   answer_.q = question_.q, answer_.p = question_.p, answer_.t = question_.t;
@@ -358,137 +374,6 @@ OrbitAnswer Orbiter::solve() {
   }
   if (!fine_ || (!fine_->ok() && fine_->run.steps == 0)) return give_up();
   return finish();
-}
-
-/// Why a run was stopped on the way, whose price was too high.
-std::string Orbiter::given_up(const Journey& run) const {
-  std::ostringstream text;
-  const double reached = std::abs(run.state.t - question_.t);
-  const auto [when, faster] = sketch_->fastest();
-  if (dead_end_ > 0.0)
-    text << "The run was given up: from t = " << question_.t + sense_ * dead_end_
-         << " on no step is short enough; the orbit meets a singularity of H there, or leaves where H is a "
-            "number.";
-  else if (!(run.h > 0.0) || !std::isfinite(run.h))
-    text
-        << "Its numbers are beyond those of a double, 1e-308 to 1e308: other units of time, length or energy "
-           "will do.";
-  else if (run.run.steps == 0 && answer_.choice.trials.back().outcome == Outcome::stalled)
-    text << "The time of the run is a few units of the rounding of t = " << question_.t
-         << ": no step is shorter than that and moves the clock.";
-  else if (const std::string& named = question_.options.monitor.name; !named.empty())
-    text << "The run was given up: with monitor " << named
-         << ", as asked for, it takes over a hundred times the steps that its beginning suggests; where none "
-            "is named, one that suits the orbit is chosen.";
-  else if (static_cast<double>(run.run.steps) < 10.0 * expected_steps(*run.candidate, run.h, reached))
-    text << "The run was given up after " << run.run.steps << " steps: the end is some "
-         << expected_steps(*run.candidate, run.h, span_)
-         << " of them away, and no step was found with which the tolerance is kept so far.";
-  else if (faster > 1e4)
-    text << "The run was given up: near t = " << question_.t + sense_ * when
-         << " something is so much faster than at the start that H seems to have a singularity there.";
-  else
-    text << "The run was given up: it takes over a hundred times the steps that its beginning suggests; "
-            "something on the way is far faster, as near a singularity of H.";
-  return text.str();
-}
-
-OrbitAnswer Orbiter::finish() {
-  // Where a bound is met what was reached is the end: by the run that has come further, unless a step is
-  // given.
-  if (bound_ != Outcome::ok && coarse_ && !(question_.options.h > 0.0) &&
-      sense_ * (coarse_->state.t - fine_->state.t) > 0.0)
-    std::swap(coarse_, fine_);
-  const Journey& fine = *fine_;
-  const Candidate& it = *fine.candidate;
-  answer_.choice.sweeps = budget_.sweeps - fine.run.evaluations;
-  if (coarse_) {
-    if (coarse_->ok() && coarse_->run.steps > 0) note_trial(*coarse_, infinity);
-    if (compared_ == marks_.size()) answer_.choice.check = coarse_->run.evaluations;
-    answer_.choice.sweeps -= answer_.choice.check;
-  }
-  answer_.choice.name = it.name;
-  answer_.choice.order = fine.order;
-  answer_.choice.h = fine.h;
-  answer_.choice.solved = fine.solved;
-  answer_.run = fine.run;
-  if (fine.ok() && (bound_ != Outcome::ok || fine.state.t != question_.t_end))
-    answer_.run.outcome = bound_ != Outcome::ok ? bound_ : Outcome::stopped;
-  answer_.energy_error = fine.energy_error;
-  const double here = since_start(judged_);
-  const double speed = speed_at(fine.state, fine.ranges), epsilon = std::numeric_limits<double>::epsilon();
-  // What rounding leaves grows with the phase.
-  const double of_clock = rounding_of_clock(fine);
-  // What is foretold is at most as far as the motion goes.
-  const double seen =
-      parted_ ? seen_.error : std::min(foretold(seen_, here, span_, speed), std::max(seen_.error, 1.0));
-  answer_.state_error =
-      seen + (it.noise + epsilon) * radians_ + of_clock + distance_->rounding_of(fine.state, fine.ranges);
-  if (distance_->rounding_of(fine.state, fine.ranges) > 10.0 * question_.tolerance)
-    answer_.note +=
-        "A coordinate or momentum is so far from zero that its rounding is more than the tolerance. ";
-  if (of_clock > question_.tolerance)
-    answer_.note += "Time is so far from zero that its rounding is more than the tolerance. ";
-  if (fine.energy_error > 10.0 * question_.tolerance + 100.0 * answer_.energy_rounding)
-    answer_.state_error = std::max(answer_.state_error, fine.energy_error);
-  if (fine.jumped) {
-    answer_.state_error = infinity;
-    answer_.note += "A step went over a feature of H that is thinner than the step, and shorter steps would "
-                    "cost too much: the orbit may be another one. ";
-  }
-  if (!answer_.ok()) {
-    answer_.state_error = infinity;
-    if (in_the_way_ > 0.0) {
-      (void)give_up();
-    } else if (answer_.run.outcome == Outcome::stopped) {
-      answer_.run.message = given_up(fine);
-      answer_.run.outcome = Outcome::step_limit;
-    } else if (fine.state.t == question_.t_end) {
-      answer_.run.message = "A bound of the call was met by the run with the shorter step; the state is that "
-                            "of the one with the "
-                            "longer step.";
-    } else {
-      State<dynamic> there = fine.state;
-      if (question_.timed)
-        there.q.conservativeResize(field_.size() - 1), there.p.conservativeResize(field_.size() - 1);
-      const bool unsolved = answer_.run.outcome == Outcome::not_converged;
-      answer_.run.message = describe_end(answer_.run.outcome, there, fine.run.steps, 0.0,
-                                         unsolved ? "the equations of a step were not solved" : "");
-    }
-  }
-  if (std::isnan(answer_.state_error)) answer_.state_error = infinity;
-  const bool apart = seen_.error > 1e-3;
-  if (!answer_.kept() && features_->bends() && (seen_.rate > 0.0 || resigned_))
-    answer_.note += "H has a kink, a jump or a branch, beyond which errors are larger than before. ";
-  else if (!answer_.kept() && seen_.rate > 0.0 && (seen_.exponential || apart))
-    answer_.note += "Neighbouring orbits move apart exponentially here: the state at the end depends on more "
-                    "digits than the tolerance has. ";
-  else if (!answer_.kept() && apart && resigned_)
-    answer_.note +=
-        "Two runs stay apart, however short their steps: the state at the end depends on more digits "
-        "than there are. ";
-  if (answer_.ok() && !answer_.kept() && lost_)
-    answer_.note += "The orbit all but stops at a saddle, and how it goes on depends on more digits than the "
-                    "tolerance has. ";
-  if (answer_.ok() && !answer_.kept() && steady_ && fine.energy_error >= most_rounding) {
-    answer_.note += "The energy errs alike however short the steps: ";
-    answer_.note += question_.gradient.empty()
-                        ? "H has a jump, or rounds by so much. "
-                        : "the gradient that H supplies is not its own, or H has a jump. ";
-  }
-  const bool adds_up = resigned_ || seen_.growth > 1.0 || answer_.state_error > 2.0 * seen;
-  if (answer_.ok() && !answer_.kept() && answer_.note.empty() && adds_up && !question_.made &&
-      !(question_.options.h > 0.0))
-    answer_.note += "Shorter steps do not help: rounding adds up over the run to more than the tolerance. ";
-  if (answer_.ok() && question_.made && !answer_.kept())
-    answer_.note += "Monitor, order and step were chosen for another start; solve() chooses for this one. ";
-  if (!answer_.note.empty()) answer_.note.pop_back();  // the blank behind the last sentence
-  std::copy(fine.state.q.begin(), fine.state.q.end(), answer_.q.begin());
-  std::copy(fine.state.p.begin(), fine.state.p.end(), answer_.p.begin());
-  answer_.t = fine.state.t;
-  answer_.prepared =
-      std::make_shared<const Prepared>(Prepared{std::move(field_), fine_->candidate->formulas()});
-  return answer_;
 }
 
 OrbitAnswer choose(const OrbitQuestion& question, Budget& budget) {
