@@ -24,7 +24,7 @@ StepReport OrbitSteps::land(const State<dynamic>& from, double h, double time, S
     size_ = sense * size;
     double next = 0.5 * (low + size);
     if (step.ok()) {
-      const double late = sense * (time - z.t - (fixed_ ? 0.0 : due));
+      const double late = sense * (time - z.t - due);
       if (!fixed_) rate_ = std::abs(z.t - from.t) / size;
       if (late > near && size == most) return report;
       if (std::abs(late) <= near || (high - low <= 4.0 * epsilon * size && std::abs(late) <= 100.0 * near)) {
@@ -53,25 +53,28 @@ StepReport OrbitSteps::step_to_switch(State<dynamic>& z, double h) {
     report.evaluations += step.evaluations;
   };
   State<dynamic> from = z, to;
-  // It has ended at a switch, or at several. The time stays: to go on to the first one behind it without the
-  // system would make the clock of a long run fast.
+  // It has ended at a switch, or at several, and begins behind them: before them H has no meaning with the
+  // momentum of time from behind them, and a monitor of the energy may be solved there with g below 0. By so
+  // much the clock is ahead of the system, until the next switch.
   double behind = z.t;
   while (const auto here = switches_->at(behind, std::copysign(1.0, h))) {
     from.p[n_ - 1] += switches_->fall(from.q.data(), from.p.data(), *here);
     behind = here->after;
   }
+  ahead_ -= behind - from.t;
+  from.t = from.q[n_ - 1] = behind;
   if (!(rate_ > 0.0)) {
     to = from;
     spend(clone()->whole_step(to, 1e-6 * h));
     if (!report.ok()) return report;
     rate_ = std::abs((to.t - from.t) / (1e-6 * h));
   }
-  auto ahead = switches_->next(behind, from.t + h * rate_);
+  auto ahead = switches_->next(from.t, from.t + h * rate_);
   if (!ahead) {
     to = from;
     size_ = h;
     spend(whole_step(to, h));
-    ahead = switches_->next(behind, report.ok() ? to.t : from.t + 2.0 * h * rate_);
+    ahead = switches_->next(from.t, report.ok() ? to.t : from.t + 2.0 * h * rate_);
     if (!ahead && report.ok()) {
       if (fixed_)
         ahead_ += h - (to.t - from.t);

@@ -197,7 +197,7 @@ class Sketch {
   /// @param longest step
   Sketch(PointField& field, const VectorX& z, double span, const VectorX& metric, int most = few,
          double before = 0.0, double longest = infinity) {
-    const Eigen::Index size = z.size();
+    const Eigen::Index size = z.size(), n = metric.size(), seen = field.timed ? n - 1 : n;
     numbers_.reset(new double[static_cast<std::size_t>(3 * size * most)]);
     samples.reserve(static_cast<std::size_t>(most));
     double* room = numbers_.get();
@@ -226,6 +226,7 @@ class Sketch {
     int grown = 0;  // samples when an entry left its range last
     int alike = 0;  // refused steps in a row with errors as large as before, relative to what moves
     double refused = 0.0;
+    double work = 0.0, lost = 0.0;  // integral of half of |p q'|; energy lost near poles
     for (int tries = 0; time < span && static_cast<int>(samples.size()) < most && tries < 6 * most; ++tries) {
       h = std::min({h, span - time, longest});
       const double usual = h;
@@ -258,6 +259,9 @@ class Sketch {
         if (stuck = !(h > 1e-14 * (way > 0.0 ? way : span)); stuck) break;
         continue;
       }
+      const double motion = 0.5 * std::abs(dot(at.segment(n, seen), step.k[0].head(seen)));
+      if (motion > 10.0 * work / time) lost += last - energy;
+      work += h * motion;
       samples.push_back({kept(at), kept(step.k[0]), kept(errors), h, 0.0, energy});
       energy = last;
       time += h;
@@ -271,6 +275,9 @@ class Sketch {
       // way has to do: all of it is hardly more than a longer sketch.
       if (before == 0.0 && made >= enough && grown <= made / 2) break;
       if (made >= most / 2 && time >= 0.25 * span) break;
+      // Behind a pole an error that was small beside the momenta there may be the energy of all other motion:
+      // what comes next is of another orbit.
+      if (made > 8 && motion < work / time && std::abs(lost) > work / time) break;
       std::swap(step.k[0], step.k[3]);
       if (at_end) {
         pass(*switches, *at_end, at);

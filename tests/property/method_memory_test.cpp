@@ -151,4 +151,23 @@ TEST(MethodMemory, OutlivesAMove) {
   expect_to_outlive_a_move(avi::AnyMethod<1>(avi::htvi<4>(avi::poincare(oscillator, start))), start);
 }
 
+// A step of size 0 is none: the digits that a state cannot hold, and the polynomial of the last step, are
+// kept.
+TEST(MethodMemory, KeepsItOverAStepOfZero) {
+  const State<2> start{.q = {0.4, 0.0}, .p = {0.0, 2.0}};
+  const auto run = [&](auto method, bool pauses) {
+    State<2> z = start;
+    long evaluations = 0;
+    for (int k = 0; k < 50; ++k) {
+      evaluations += method.step(z, 0.05).evaluations;
+      if (pauses) evaluations += method.step(z, 0.0).evaluations;
+    }
+    return std::pair(z, evaluations);
+  };
+  const auto problem = avi::poincare(kepler, start);
+  for (const int order : {4, 16})
+    EXPECT_EQ(run(avi::collocation(problem, order), true), run(avi::collocation(problem, order), false));
+  EXPECT_EQ(run(avi::htvi<4>(problem), true), run(avi::htvi<4>(problem), false));
+}
+
 }  // namespace method_memory_test

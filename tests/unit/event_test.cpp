@@ -119,6 +119,15 @@ TEST(Event, EndsARunExactly) {
             avi::Outcome::step_limit)
       << "no event on the way";
   EXPECT_GE(z.t, 5.0);
+  // Nor one behind that time, in a step that passes both.
+  for (const double h : {0.01, 0.2, 0.7}) {
+    z = start;
+    auto fresh = method_for(z);
+    EXPECT_EQ(avi::integrate_to(fresh, z, h, Event{radial, Crossing::rising}, {.time = 6.28}).outcome,
+              avi::Outcome::step_limit)
+        << h;
+    EXPECT_GE(z.t, 6.28);
+  }
 }
 
 /// A state of which the clock alone moves.

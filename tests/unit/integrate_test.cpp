@@ -182,6 +182,30 @@ TEST(Integrate, KeepsTheLastGoodState) {
   }
 }
 
+// What another observer has in its books goes on from there.
+TEST(Integrate, KeepsTheLastGoodStateWhereSomethingIsThrown) {
+  Counter method;
+  State<1> z = zero();
+  std::vector<double> times;
+  const auto books = [&](const State<1>& now, long) { times.push_back(now.t); };
+  const auto full = [](const State<1>&, long k) {
+    if (k == 3) throw std::runtime_error("disc full");
+  };
+  EXPECT_THROW((void)avi::integrate(method, z, 0.5, {.steps = 10}, books, full), std::runtime_error);
+  EXPECT_EQ(times, (std::vector{0.5, 1.0, 1.5}));
+  EXPECT_EQ(z.t, 1.5);
+  const struct {
+    avi::StepReport step(State<1>& now, double h) const {
+      if (now.t >= 2.0) throw std::runtime_error("no number");
+      now.t += h;
+      return {.evaluations = 1};
+    }
+  } fails;
+  auto thrower = fails;
+  EXPECT_THROW((void)avi::integrate(thrower, z, 0.5, {.steps = 10}), std::runtime_error);
+  EXPECT_EQ(z.t, 2.0);
+}
+
 /// Free up to a half, where the force is infinite.
 struct Wall {
   static constexpr int dimension = 1;

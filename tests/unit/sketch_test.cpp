@@ -157,4 +157,16 @@ TEST(Sketch, OfABodyAtRestHasNoFrequency) {
   EXPECT_EQ(none.time_of(20.0), avi::detail::infinity);
 }
 
+// Behind a pericentre of 0.007 a body has lost as much energy as all of its motion is: what would follow
+// falls into the centre, where the orbit does not.
+TEST(Sketch, EndsWhereAPoleHasTakenItsEnergy) {
+  PointField field = field_of(2, [](const auto& q, const auto& p) {
+    return 0.5 * p.squaredNorm() - 1.0 / sqrt(q.squaredNorm()) - 0.5 * q[0];
+  });
+  const Sketch sketch(field, point({0.5, 0.0, 0.0, std::sqrt(3.0)}), 13.4, VectorX::Ones(2), 512);
+  EXPECT_FALSE(sketch.stuck);
+  EXPECT_NEAR(sketch.time, 2.53, 0.05);
+  EXPECT_GT(sketch.samples.back().h, 1e-4);
+}
+
 }  // namespace sketch_test

@@ -244,14 +244,5 @@ struct NumTraits<avi::Recorded> : NumTraits<double> {
   using Literal = double;
   enum { RequireInitialization = 1 };
 };
-// Matrices of numbers may multiply recorded vectors.
-template <class Op>
-struct ScalarBinaryOpTraits<double, avi::Recorded, Op> {
-  using ReturnType = avi::Recorded;
-};
-template <class Op>
-struct ScalarBinaryOpTraits<avi::Recorded, double, Op> {
-  using ReturnType = avi::Recorded;
-};
 }  // namespace Eigen
 /// @endcond

@@ -1,6 +1,7 @@
 #pragma once
 #include "avi/autodiff/functions.hpp"
 #include "avi/core/power.hpp"
+#include "avi/core/vector.hpp"
 
 #include <cmath>
 #include <type_traits>
@@ -158,3 +159,19 @@ struct ChainRule : Scalar<X> {
 };
 
 }  // namespace avi
+
+/// @cond
+namespace Eigen {
+// Vectors and matrices of doubles stand beside those of every scalar.
+template <class X, class Op>
+requires(
+    std::is_class_v<X>&& std::is_base_of_v<avi::Scalar<X>, X>) struct ScalarBinaryOpTraits<double, X, Op> {
+  using ReturnType = X;
+};
+template <class X, class Op>
+requires(
+    std::is_class_v<X>&& std::is_base_of_v<avi::Scalar<X>, X>) struct ScalarBinaryOpTraits<X, double, Op> {
+  using ReturnType = X;
+};
+}  // namespace Eigen
+/// @endcond

@@ -39,8 +39,8 @@ class Collocation {
   Collocation(const Collocation&) = default;             ///< Also for a move: what is moved from steps on.
   Collocation& operator=(const Collocation&) = default;  ///< Likewise.
 
-  /// Advances z by the fictive step h, of either sign; leaves z unchanged unless the step ends as ok. The
-  /// report counts evaluations of the field at all stages: the sweeps and the one that ends a step.
+  /// Advances z by the fictive step h, of either sign or 0; leaves z unchanged unless the step ends as ok.
+  /// The report counts evaluations of the field at all stages: the sweeps and the one that ends a step.
   /// @throws std::invalid_argument where n is avi::dynamic and z of another size.
   StepReport step(State<n>& z, double h) {
     if constexpr (n == dynamic) {
@@ -48,6 +48,7 @@ class Collocation {
       require(other == size, "Dimension of the state", other, "that of the problem, ", size,
               ", for q and p alike");
     }
+    if (h == 0.0) return {.evaluations = 0};  // the next step follows the last one all the same
     return with(steps_, [&](auto& steps) { return steps.step(z, h); });
   }
 

@@ -23,8 +23,8 @@ namespace avi {
 /// One run of an ensemble.
 template <class State>
 struct Member {
-  State state;  ///< Where it ended: the last good state; the start, where something was thrown.
-  Run run{};    ///< How. Outcome::stopped, with the sentence, where something was thrown.
+  State state;                 ///< Where it ended: the last good state, also where something was thrown.
+  Run run{};                   ///< How. Outcome::stopped, with the sentence, where something was thrown.
   std::exception_ptr error{};  ///< The exception that was thrown, if any: by make, by H, by an observer.
 
   /// True where the run came to its end.

@@ -135,6 +135,14 @@ class Lookout {
   long clock_ = std::isfinite(seconds_) ? 1 : std::numeric_limits<long>::max();
 };
 
+/// Gives a state back where a run ends.
+template <class State>
+struct Returned {
+  State& state;          ///< Of the caller.
+  const State& current;  ///< Of the run.
+  ~Returned() { state = current; }
+};
+
 /// Refuses bad arguments that show before a run, without its state.
 void require_run(double h, const Until& until);
 
@@ -176,10 +184,11 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
   std::string reason;
   // Working copies, so that a short step can keep them in registers.
   State current = state;
+  // Also where something is thrown.
+  const Returned<State> returned{state, current};
   const auto end = [&](Outcome outcome, double residual = 0.0) {
-    state = current;
     run.outcome = outcome;
-    if (outcome != Outcome::ok) run.message = describe_end(outcome, state, run.steps, residual, reason);
+    if (outcome != Outcome::ok) run.message = describe_end(outcome, current, run.steps, residual, reason);
     return run;
   };
   if constexpr (requires { not_finite(current); })
@@ -206,9 +215,9 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
     if constexpr (aims) {
       const std::optional<Located<State>> there =
           goal.look(Step<M, State>{before, current, next, h}, run.steps == 0);
-      if (there) {
+      if (there) run.evaluations += there->evaluations;
+      if (there && !(there->ok() && sense * there->state.t > end_time)) {
         arrived = true;
-        run.evaluations += there->evaluations;
         reason = there->reason;
         if (!there->ok()) return end(there->report.outcome, there->report.residual);
         next = there->state;
@@ -238,7 +247,12 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
       else
         take(notify(observer, Step<M, State>{before, current, next, size}, run.steps));
     };
-    (look(observers), ...);
+    try {
+      (look(observers), ...);
+    } catch (...) {  // the step is made, and may be in the books of another observer
+      current = next;
+      throw;
+    }
     current = next;
     if (outcome != Outcome::ok || arrived) return end(outcome);
     if (run.steps >= look_up) {
@@ -269,7 +283,8 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
 ///
 /// Each observer is called after step k = 1, 2, ..., as observer(state, k), or as observer(step, k) with the
 /// Step, inside which it can look. It returns nothing, or false to end the run as stopped, or the Outcome
-/// that is to end it unless ok, or an Answer, which has a reason, too. The state is always the last good one.
+/// that is to end it unless ok, or an Answer, which has a reason, too. The state is always the last good one,
+/// also where H or an observer throws: that after the step which an observer was told of.
 /// A run to a time that is over 2^53 steps away at the pace of the last million ends as stalled: h is below
 /// the rounding of that time, or a method without a check of its own has a monitor that is not positive.
 /// Nothing loops for ever; until.seconds ends what would take too long.

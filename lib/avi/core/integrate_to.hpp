@@ -11,8 +11,8 @@ namespace avi {
 
 /// Ends a run exactly at an event: the step in which it happens is replaced by the shorter one that ends
 /// there, on g = 0 or beyond it to rounding. Every step, the last one included, is a step of the method and
-/// so symplectic where that is. `until` ends a run without the event, as Outcome::step_limit; observers as in
-/// integrate(). A run that starts where this one ended does not find the same event again.
+/// so symplectic where that is. `until` ends a run without the event, or before it, as Outcome::step_limit;
+/// observers as in integrate(). A run that starts where this one ended does not find the same event again.
 /// @throws std::invalid_argument as integrate(), and for a tolerance of the event that is negative, infinite
 /// or NaN.
 template <class G, class State, class M, class... Observers>
