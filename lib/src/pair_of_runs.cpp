@@ -278,16 +278,20 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   // the way, or chance. What is over ten tolerances has to be seen to be rounding.
   bool steady = seen_.error < 1e-7 && fine_->run.steps > Journey::few &&
                 fine_->energy_error > std::max(0.5 * coarse_->energy_error, energy_left_by_sweeps(*fine_));
-  if (steady && (passes(*fine_) || fine_->energy_error < 100.0 * rounding_of_energy(*fine_) ||
-                 (fine_->energy_error < most_rounding && !follows_another_gradient() &&
-                  (fine_->energy_error <= 10.0 * tolerance || features_->bends())))) {
-    answer_.energy_rounding = std::max(answer_.energy_rounding, 0.01 * fine_->energy_error);
+  bool harmless = false;  // below what matters, by chance or not
+  if (steady) {
+    const double errs = fine_->energy_error;
+    const bool rounds = passes(*fine_) || errs < 100.0 * rounding_of_energy(*fine_),
+               may = errs < most_rounding && !follows_another_gradient();
+    harmless = !rounds && may && errs <= 10.0 * tolerance;
+    if (rounds || (may && !harmless && features_->bends()))
+      answer_.energy_rounding = std::max(answer_.energy_rounding, 0.01 * errs);
+    steady = !rounds && !(may && (harmless || features_->bends()));
     // Above the tolerance it may be more than that: then nor does what it makes of the state fall.
-    coarse_grained_ = coarse_grained_ || fine_->energy_error > 3.0 * tolerance;
-    steady = false;
+    coarse_grained_ = coarse_grained_ || (!steady && errs > 3.0 * tolerance);
   }
   const bool hidden = fine_->energy_error <= 100.0 * answer_.energy_rounding;
-  const double of_energy = hidden ? 0.0 : fine_->energy_error / (3.0 * tolerance);
+  const double of_energy = hidden || harmless ? 0.0 : fine_->energy_error / (3.0 * tolerance);
   const double of_state = foretold(seen_, here, span_, high_speed_) / tolerance;
   if (mark == 0 && !others_tried_ && try_others(setting)) return true;
   if (resigned_ || round_ >= most_rounds) return false;
