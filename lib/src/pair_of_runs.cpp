@@ -241,19 +241,102 @@ void Orbiter::look_at_work(std::size_t mark) {
   coarse_->energy_error *= unit / mean, fine_->energy_error *= unit / mean;
 }
 
+/// Another pair, whose steps are as long times a factor. @return true
+bool Orbiter::again(Setting& setting, double factor) {
+  note_trial(*coarse_, infinity);
+  if (factor > 0.87) note_trial(*fine_, seen_.error);
+  setting.h = fine_->h * factor;
+  if (setting.h * longer > longest_step(*setting.candidate))
+    setting.h = longest_step(*setting.candidate) / longer;
+  return true;
+}
+
+/// Where runs agree and their energy errors do not fall with the step, that is rounding of H somewhere on the
+/// way, or chance. What is over ten tolerances has to be seen to be rounding.
+Orbiter::Alike Orbiter::alike_energies() {
+  const double errs = fine_->energy_error;
+  const bool alike = seen_.error < 1e-7 && fine_->run.steps > Journey::few &&
+                     errs > std::max(0.5 * coarse_->energy_error, energy_left_by_sweeps(*fine_));
+  if (!alike) return Alike::no;
+  if (passes(*fine_) || errs < 100.0 * rounding_of_energy(*fine_)) return Alike::rounding;
+  if (!(errs < most_rounding) || follows_another_gradient()) return Alike::unexplained;
+  if (errs <= 10.0 * question_.tolerance) return Alike::harmless;
+  return features_->bends() ? Alike::rounding : Alike::unexplained;
+}
+
+/// The tolerance is kept. A longer step pays where enough is left of the run. @param factor of the step, with
+/// which it would just be kept @return the step is to be another one
+bool Orbiter::lengthen(Setting& setting, std::size_t mark, double factor) {
+  const bool last = mark + 1 == marks_.size();
+  const double here = since_start(mark);
+  if (resolved_ == 0.0) resolved_ = fine_->h;
+  // Where sweeps converge slowly, a shorter step costs less.
+  const long steps = fine_->run.steps;
+  if (!slow_ && mark == 0 && !last && steps >= fewest && fine_->run.evaluations > 20 * steps) {
+    slow_ = true;
+    return again(setting, 0.7);
+  }
+  const double most = std::min(longest_step(*setting.candidate), stable_step(*setting.candidate));
+  const double gain = std::min({0.9 * factor, 2.0, most / (longer * fine_->h)});
+  const bool laborious = !setting.candidate->splits() && fine_->run.evaluations > 14 * steps;
+  if (lengthened_ == most_lengthened || mark > 1 || steps < 6 || laborious || !(gain > 1.15) ||
+      (1.0 - 1.0 / gain) * (span_ - here) < 2.0 * here)
+    return false;
+  ++lengthened_;
+  lengthened_for_ = setting.candidate;
+  return again(setting, gain);
+}
+
+/// The tolerance is not kept. A shorter step is tried unless it would be in vain. @param factor of the step,
+/// with which it would just be kept @return the step is to be another one
+bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& errors, double factor) {
+  const bool last = mark + 1 == marks_.size();
+  const double error = std::max(errors.of_state, errors.of_energy);
+  // At a point of rest runs may part by what the sweeps left: first the same steps, solved to the last digit.
+  if (lost_ && fine_->solved > least_of_sweeps) return again(setting, 1.0);
+  const double spent = static_cast<double>(budget_.sweeps) * setting.candidate->price();
+  const double pair = span_ / since_start(mark) * setting.candidate->price() *
+                      static_cast<double>(coarse_->run.evaluations + fine_->run.evaluations);
+  // Errors that rounding decides go up and down, so a pair is in vain that is not better than the best one.
+  // Without a check, what pairs foretell stands for all of the run, and each is compared with the one before.
+  const bool in_vain = mark <= before_at_ && error > 0.3 * before_;
+  // Beyond a kink errors fall by chance, and slowly: there is no end to shorter steps.
+  const bool endless = features_->bends() && pair > 0.5 * patience * std::max(factor, 0.35);
+  if (errors.of_energy < errors.of_state && errors.of_energy <= 3.0) {
+    // Where steps resolve the motion, a third of them has ten million times less error: if that is not
+    // enough, it is chaos, or noise. What is foretold may be wrong as long as it has not come true.
+    const bool beyond = fine_->h * std::max(factor, 0.35) < resolved_ / 3.0 || factor < 0.25;
+    // Nor is it counted: a mark on the way that foretells less than the one beyond it says nothing of that.
+    if (resolved_ > 0.0 && beyond && seen_.error <= question_.tolerance && !last) return false;
+    vain_ = in_vain ? vain_ + 1 : 0;
+    const bool lost =
+        errors.hidden && last && marks_.size() > 1 && !(seen_.error < 1e-3) && !(fine_->h > resolved_);
+    // Energy errors that do not fall with the step, and are as small, are rounding on the way.
+    const bool rounds = errors.hidden || (fine_->energy_error > 0.5 * coarse_->energy_error &&
+                                          fine_->energy_error < 1e4 * answer_.energy_rounding);
+    resigned_ = lost || vain_ > (features_->bends() || thin_ ? 3 : 1) ||
+                (rounds && resolved_ > 0.0 && beyond) || endless || spent > std::max(patience, 3.0 * pair);
+  } else {
+    vain_ = in_vain ? vain_ + 1 : 0;
+    // A feature that the steps do not see, or not yet resolve, is worth a while, unless they say the same
+    // again. As each pair takes three times as long as the one before, all of them are never over three
+    // pairs.
+    resigned_ = (errors.steady && steady_) || endless || (vain_ > 1 && spent > 0.2 * patience) ||
+                spent > std::max(2.0 * patience, 3.0 * pair);
+  }
+  steady_ = errors.steady;
+  if (resigned_) return !last && take_from_aside(setting, 0.3 * pair);
+  if (mark > 0) lengthened_ = most_lengthened;  // what the first mark promises has not come true
+  before_ = in_vain && question_.options.check ? std::min(before_, error) : error, before_at_ = mark;
+  // Where errors do not fall by the order yet, by halves.
+  return again(setting, std::max(vain_ > 0 ? std::min(factor, 0.5) : factor, 0.35));
+}
+
 /// Compares the two runs at a mark. @return the step is to be another one
 bool Orbiter::judge(Setting& setting, std::size_t mark) {
   const bool last = mark + 1 == marks_.size();
   const double here = since_start(mark), tolerance = question_.tolerance;
   look_at_work(mark);
-  const auto again = [&](double factor) {
-    note_trial(*coarse_, infinity);
-    if (factor > 0.87) note_trial(*fine_, seen_.error);
-    setting.h = fine_->h * factor;
-    if (setting.h * longer > longest_step(*setting.candidate))
-      setting.h = longest_step(*setting.candidate) / longer;
-    return true;
-  };
   // Steps that switches cut are the same in both runs, which then say nothing of each other.
   const bool cut = question_.switches && 4 * coarse_->whole < coarse_->run.steps;
   if (question_.options.h > 0.0) {
@@ -267,31 +350,21 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   if (cut && round_ < most_rounds) {
     const double mean = coarse_->gone / static_cast<double>(coarse_->run.steps);
     setting.candidate->between = std::min(0.9 * mean, 0.8 * coarse_->h);
-    return again(setting.candidate->between / (longer * fine_->h));
+    return again(setting, setting.candidate->between / (longer * fine_->h));
   }
   if (fine_->jumped && round_ < most_rounds) {
     thin_ = true;
-    return again(0.4);
+    return again(setting, 0.4);
   }
   seen_ = cut ? Comparison() : compare(*coarse_, *fine_);
-  // Where runs agree and their energy errors do not fall with the step, that is rounding of H somewhere on
-  // the way, or chance. What is over ten tolerances has to be seen to be rounding.
-  bool steady = seen_.error < 1e-7 && fine_->run.steps > Journey::few &&
-                fine_->energy_error > std::max(0.5 * coarse_->energy_error, energy_left_by_sweeps(*fine_));
-  bool harmless = false;  // below what matters, by chance or not
-  if (steady) {
-    const double errs = fine_->energy_error;
-    const bool rounds = passes(*fine_) || errs < 100.0 * rounding_of_energy(*fine_),
-               may = errs < most_rounding && !follows_another_gradient();
-    harmless = !rounds && may && errs <= 10.0 * tolerance;
-    if (rounds || (may && !harmless && features_->bends()))
-      answer_.energy_rounding = std::max(answer_.energy_rounding, 0.01 * errs);
-    steady = !rounds && !(may && (harmless || features_->bends()));
-    // Above the tolerance it may be more than that: then nor does what it makes of the state fall.
-    coarse_grained_ = coarse_grained_ || (!steady && errs > 3.0 * tolerance);
-  }
+  const Alike alike = alike_energies();
+  if (alike == Alike::rounding)
+    answer_.energy_rounding = std::max(answer_.energy_rounding, 0.01 * fine_->energy_error);
+  // Above the tolerance it may be more than that: then nor does what it makes of the state fall.
+  if (alike == Alike::rounding || alike == Alike::harmless)
+    coarse_grained_ = coarse_grained_ || fine_->energy_error > 3.0 * tolerance;
   const bool hidden = fine_->energy_error <= 100.0 * answer_.energy_rounding;
-  const double of_energy = hidden || harmless ? 0.0 : fine_->energy_error / (3.0 * tolerance);
+  const double of_energy = hidden || alike == Alike::harmless ? 0.0 : fine_->energy_error / (3.0 * tolerance);
   const double of_state = foretold(seen_, here, span_, high_speed_) / tolerance;
   if (mark == 0 && !others_tried_ && try_others(setting)) return true;
   if (resigned_ || round_ >= most_rounds) return false;
@@ -304,62 +377,8 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   }
   const double error = std::max(of_state, of_energy);
   const double factor = std::pow(wanted_part / std::max(error, 1e-300), 1.0 / fine_->order);
-  if (error <= (last ? 3.0 : 2.0)) {
-    if (resolved_ == 0.0) resolved_ = fine_->h;
-    // Where sweeps converge slowly, a shorter step costs less.
-    const long steps = fine_->run.steps;
-    if (!slow_ && mark == 0 && !last && steps >= fewest && fine_->run.evaluations > 20 * steps) {
-      slow_ = true;
-      return again(0.7);
-    }
-    // A longer step pays where enough is left of the run.
-    const double most = std::min(longest_step(*setting.candidate), stable_step(*setting.candidate));
-    const double gain = std::min({0.9 * factor, 2.0, most / (longer * fine_->h)});
-    const bool laborious = !setting.candidate->splits() && fine_->run.evaluations > 14 * steps;
-    if (lengthened_ == most_lengthened || mark > 1 || steps < 6 || laborious || !(gain > 1.15) ||
-        (1.0 - 1.0 / gain) * (span_ - here) < 2.0 * here)
-      return false;
-    ++lengthened_;
-    lengthened_for_ = setting.candidate;
-    return again(gain);
-  }
-  // At a point of rest runs may part by what the sweeps left: first the same steps, solved to the last digit.
-  if (lost_ && fine_->solved > least_of_sweeps) return again(1.0);
-  const double spent = static_cast<double>(budget_.sweeps) * setting.candidate->price();
-  const double pair = span_ / here * setting.candidate->price() *
-                      static_cast<double>(coarse_->run.evaluations + fine_->run.evaluations);
-  // Errors that rounding decides go up and down, so a pair is in vain that is not better than the best one.
-  // Without a check, what pairs foretell stands for all of the run, and each is compared with the one before.
-  const bool in_vain = mark <= before_at_ && error > 0.3 * before_;
-  // Beyond a kink errors fall by chance, and slowly: there is no end to shorter steps.
-  const bool endless = features_->bends() && pair > 0.5 * patience * std::max(factor, 0.35);
-  if (of_energy < of_state && of_energy <= 3.0) {
-    // Where steps resolve the motion, a third of them has ten million times less error: if that is not
-    // enough, it is chaos, or noise. What is foretold may be wrong as long as it has not come true.
-    const bool beyond = fine_->h * std::max(factor, 0.35) < resolved_ / 3.0 || factor < 0.25;
-    // Nor is it counted: a mark on the way that foretells less than the one beyond it says nothing of that.
-    if (resolved_ > 0.0 && beyond && seen_.error <= tolerance && !last) return false;
-    vain_ = in_vain ? vain_ + 1 : 0;
-    const bool lost = hidden && last && marks_.size() > 1 && !(seen_.error < 1e-3) && !(fine_->h > resolved_);
-    // Energy errors that do not fall with the step, and are as small, are rounding on the way.
-    const bool rounds = hidden || (fine_->energy_error > 0.5 * coarse_->energy_error &&
-                                   fine_->energy_error < 1e4 * answer_.energy_rounding);
-    resigned_ = lost || vain_ > (features_->bends() || thin_ ? 3 : 1) ||
-                (rounds && resolved_ > 0.0 && beyond) || endless || spent > std::max(patience, 3.0 * pair);
-  } else {
-    vain_ = in_vain ? vain_ + 1 : 0;
-    // A feature that the steps do not see, or not yet resolve, is worth a while, unless they say the same
-    // again. As each pair takes three times as long as the one before, all of them are never over three
-    // pairs.
-    resigned_ = (steady && steady_) || endless || (vain_ > 1 && spent > 0.2 * patience) ||
-                spent > std::max(2.0 * patience, 3.0 * pair);
-  }
-  steady_ = steady;
-  if (resigned_) return !last && take_from_aside(setting, 0.3 * pair);
-  if (mark > 0) lengthened_ = most_lengthened;  // what the first mark promises has not come true
-  before_ = in_vain && question_.options.check ? std::min(before_, error) : error, before_at_ = mark;
-  // Where errors do not fall by the order yet, by halves.
-  return again(std::max(vain_ > 0 ? std::min(factor, 0.5) : factor, 0.35));
+  if (error <= (last ? 3.0 : 2.0)) return lengthen(setting, mark, factor);
+  return shorten(setting, mark, {of_state, of_energy, hidden, alike == Alike::unexplained}, factor);
 }
 
 /// Where no candidate keeps the tolerance, one whose noise does not either will do, unless it fails.

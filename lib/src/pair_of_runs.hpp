@@ -56,6 +56,13 @@ struct Comparison {
   bool exponential = false;  ///< It is seen to grow so, faster than by any power of time.
 };
 
+/// What two runs foretell at a mark, for the whole.
+struct ErrorsAtMark {
+  double of_state, of_energy;  ///< In tolerances.
+  bool hidden;                 ///< That of the energy is rounding.
+  bool steady;                 ///< Nor does it fall with the step, and nobody knows why.
+};
+
 /// An energy error that is more than rounding of H, but where its terms are far larger than it.
 inline constexpr double most_rounding = 1e-6;
 
@@ -117,6 +124,11 @@ class Orbiter {
   bool failed(const Journey& journey, Setting& setting);
   void take_unit_of_energy(double scale);
   void look_at_work(std::size_t mark);
+  bool again(Setting& setting, double factor);
+  enum class Alike { no, rounding, harmless, unexplained };
+  Alike alike_energies();
+  bool lengthen(Setting& setting, std::size_t mark, double factor);
+  bool shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& errors, double factor);
   bool judge(Setting& setting, std::size_t mark);
   bool passes_over_start(const Journey& run);
   bool try_others(Setting& setting);
