@@ -9,9 +9,9 @@
 #include <stdexcept>
 
 /// @file
-/// How solve() decides: a sketch of the orbit, the menu, the marks at which runs are compared, the first
-/// setting, and the answer. What two runs say of a setting is in comparison.cpp, what comes next in
-/// pair_of_runs.cpp.
+/// How solve() decides: a sketch of the orbit, the menu, the marks at which runs are compared, and the first
+/// setting. What two runs say of a setting is in comparison.cpp, what comes next in pair_of_runs.cpp, what
+/// the answer says in verdict.cpp.
 
 namespace avi::detail {
 
