@@ -44,7 +44,8 @@ struct Stationary {
 /// \f} (Type II, Type III), where A is the action of the Taylor curve from \f$(q_0, \tilde p_0)\f$ with
 /// \f$p_1 = \pi_p \Psi^{(r)}(q_0, \tilde p_0)\f$, or from \f$(\tilde q_0, p_0)\f$ with
 /// \f$q_1 = \pi_q \Psi^{(r+1)}(\tilde q_0, p_0)\f$: see \ref solving. The construction says which action A
-/// is.
+/// is. In units in which the sizes of q and p are more than a factor of 1e200 apart, derivatives are lost to
+/// underflow, and a step that ends as ok may be wrong.
 template <Generating type, class Problem, int r, class Construction = Stationary>
 class Htvi {
  public:
