@@ -56,7 +56,7 @@ struct Comparison {
   bool exponential = false;  ///< It is seen to grow so, faster than by any power of time.
 };
 
-/// What two runs foretell at a mark, for the whole.
+/// Errors of the whole run, as two runs foretell them at a mark.
 struct ErrorsAtMark {
   double of_state, of_energy;  ///< In tolerances.
   bool hidden;                 ///< That of the energy is rounding.

@@ -86,7 +86,7 @@ double Orbiter::energy_and_slope(const VectorX& start, VectorX& slope) {
   return energy;
 }
 
-/// What the rest of the call takes for the orbit: a run of low accuracy along it.
+/// A run of low accuracy, which the rest of the call takes for the orbit.
 void Orbiter::sketch_from(const VectorX& start) {
   field_.sense = sense_;
   sketch_.emplace(field_, start, span_, metric_);
@@ -118,7 +118,8 @@ Resting Orbiter::at_rest(Eigen::Index seen, bool& drifting) {
   return resting;
 }
 
-/// Speeds along the sketch. @return the mean of half of |p q'|, a unit of energy
+/// Sets the usual and the highest speed along the sketch. @return the mean of half of |p q'|, a unit of
+/// energy
 double Orbiter::mean_motion(const Ranges& ranges, Eigen::Index seen) {
   const VectorX scales = distance_->scales(ranges);
   double work = 0.0, highest = 0.0;
@@ -135,7 +136,7 @@ double Orbiter::mean_motion(const Ranges& ranges, Eigen::Index seen) {
   return work / time;
 }
 
-/// What monitors are made of, unless that was chosen before.
+/// Numbers that monitors are made of: those of an earlier choice, where there is one.
 void Orbiter::describe_motion(const Resting& resting, Eigen::Index seen, bool drifting) {
   Choice& choice = answer_.choice;
   if (question_.made) {

@@ -6,7 +6,7 @@
 #include <utility>
 
 /// @file
-/// What solve() says in the end: the state, its error, and in a sentence why a run ended early or nothing is
+/// The answer of solve(): the state, its error, and in a sentence why a run ended early or nothing is
 /// promised of it.
 
 namespace avi::detail {

@@ -369,8 +369,8 @@ TEST(BadObjective, FindsTheMinimumBetweenLogarithmicWalls) {
 }
 
 // x log x - x ends at 0 with a slope that grows only as a logarithm, so that all lines lead to that wall:
-// none of them is followed into it. Where they were, a run from 1e5 took 61 196
-// evaluations, and one from 1e10 did not end within 100 000.
+// none of them is followed into it. Where they were, a run from 1e5 took 61 196 evaluations, and one from
+// 1e10 did not end within 100 000.
 TEST(BadObjective, DoesNotCreepIntoAWall) {
   constexpr Eigen::Index n = 10;
   for (const double far : {1e5, 1e10}) {

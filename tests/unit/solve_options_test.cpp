@@ -123,7 +123,6 @@ TEST(SolveOptions, CancelACallThatIsResumed) {
   EXPECT_EQ(refusal([&] { (void)avi::resume<2>(Kepler(), file); }), "There is no checkpoint " + file + ".");
 }
 
-// A mistyped start costs no run that is kept.
 /// Leaves the checkpoint of a call that was stopped on its way from z.
 void stop_on_the_way(const avi::State<2>& z, const std::string& file) {
   const auto soon = [](const SolveProgress& now) {
@@ -142,6 +141,7 @@ TEST(SolveOptions, OfARunWithoutLengthTakeTheCheckpointOfAnEarlierCallAway) {
   EXPECT_FALSE(std::filesystem::exists(file)) << "resume() would go on with another run";
 }
 
+// A mistyped start costs no run that is kept.
 TEST(SolveOptions, ThatAreRefusedLeaveTheCheckpointOfAnEarlierCall) {
   const auto z = Kepler::pericentre(0.6);
   const Scratch folder;

@@ -302,7 +302,7 @@ TEST(SolveSwitches, AgreeWithRunsFromEachToTheNext) {
 TEST(SolveSwitches, OfManyStartsAreThoseOfEach) {
   const avi::Solver solver(driven(3.0), start(), 30.0, 1e-13);
   const auto alone = solver.run(start(), 30.0);
-  EXPECT_LE(error(alone.state, 3.0), 1e-14);
+  EXPECT_LE(error(alone.state, 3.0), 1e-14);  // measured 4e-15
   for (const auto& member : solver.ensemble(std::vector<State<1>>(20, start()), 30.0))
     EXPECT_EQ(member.solution.state, alone.state);
 }
@@ -381,7 +381,7 @@ TEST(SolveSwitches, EnergiesThatErrAlikeByChanceAreNotCalledRounding) {
   for (const double tolerance : {1e-8, 1e-9, 1e-10}) {
     const auto orbit = solve(heavier, from, 30.0, tolerance);
     EXPECT_TRUE(orbit.kept()) << orbit.report();
-    EXPECT_LE((orbit.state.q - truth.state.q).norm(), 10.0 * tolerance);
+    EXPECT_LE((orbit.state.q - truth.state.q).norm(), 2e-10);  // measured at most 9e-11
   }
 }
 
