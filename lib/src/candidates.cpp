@@ -91,6 +91,7 @@ struct Measured {
 Measured measure(const Sketch& sketch, const Resting& resting, double energy_at_start, double kinetic,
                  const VectorX& strength) {
   Measured measured;
+  measured.lively.reserve(sketch.samples.size());
   const Eigen::Index n = strength.size() / 2;
   for (std::size_t k = 0; k < sketch.samples.size(); ++k) {
     const Sketch::Sample& sample = sketch.samples[k];

@@ -108,16 +108,18 @@ class Candidate {
   /// g where \f$\ell\f$ has this value.
   [[nodiscard]] double rate_of(double lively) const { return power(lively, -alpha_); }
   /// g of a state.
-  double rate_at(const State<dynamic>& z) { return rate_at(joined(z).data()); }
-  /// g at (q, p).
-  double rate_at(const double* z) {
+  double rate_at(const State<dynamic>& z) { return rate_at(z.q.data(), z.p.data()); }
+  /// g at (q, p), 2n entries.
+  double rate_at(const double* z) { return fixed() ? 1.0 : rate_at(z, z + formulas()->n); }
+  /// The same of n entries each.
+  double rate_at(const double* q, const double* p) {
     if (fixed() || formulas()->unit) return 1.0;
     const Program& program = formulas()->rate;
     if (!room_) {
       room_.emplace(program);
       std::ranges::copy(formulas_->parameters, room_->arguments() + 2 * formulas_->n);
     }
-    std::copy(z, z + 2 * formulas_->n, room_->arguments());
+    std::copy_n(p, formulas_->n, std::copy_n(q, formulas_->n, room_->arguments()));
     program.run(*room_);
     return program.value(*room_);
   }
@@ -146,7 +148,7 @@ class Candidate {
           graph.binary(Operation::multiply, rate, graph.binary(Operation::subtract, energy_, start));
     }
     return energy_at_start_.is_open() ? of_parameters(graph, transformed, rate)
-                                      : Formulas::of(graph, transformed, rate, energy_, supplied);
+                                      : Formulas::of(std::move(graph), transformed, rate, energy_, supplied);
   }
   /// With late inputs as parameters.
   [[nodiscard]] Formulas of_parameters(const ExpressionGraph& graph, int transformed, int rate) const {
@@ -156,7 +158,8 @@ class Candidate {
     const int all = in_open(transformed);  // first, so that operations keep their order
     for (const int slope : supplied)
       slopes.push_back(in_open(slope));
-    return Formulas::of(open, all, in_open(rate), in_open(energy_), slopes, graph.late_inputs());
+    const int its_energy = in_open(energy_), its_rate = in_open(rate);
+    return Formulas::of(std::move(open), all, its_rate, its_energy, slopes, graph.late_inputs());
   }
 
   double alpha_;

@@ -2,13 +2,18 @@
 
 #include "schedule.hpp"
 
+#include <utility>
+
 namespace avi::detail {
 
-Formulas Formulas::of(const ExpressionGraph& graph, int transformed, int rate, int energy,
+Formulas Formulas::of(ExpressionGraph graph, int transformed, int rate, int energy,
                       const std::vector<int>& supplied, int parameters) {
-  Formulas made = fixed(Recording(graph, transformed, energy, supplied), parameters);
-  made.unit = graph.is(rate, 1.0);
-  if (!made.unit) made.rate = Schedule::program(graph, rate, {}, graph.size());
+  Program its_rate;
+  const bool unit = graph.is(rate, 1.0);
+  if (!unit) its_rate = Schedule::program(graph, rate, {}, graph.size());
+  Formulas made = fixed(Recording(std::move(graph), transformed, energy, supplied), parameters);
+  made.unit = unit;
+  made.rate = std::move(its_rate);
   return made;
 }
 

@@ -52,7 +52,7 @@ struct Formulas {
 
   /// The programs of \f$\bar H\f$ and g as nodes of one graph of (q, p) and so many parameters.
   /// @param energy node of H @param supplied those of its gradient, where H has one of its own
-  static Formulas of(const ExpressionGraph& graph, int transformed, int rate, int energy = -1,
+  static Formulas of(ExpressionGraph graph, int transformed, int rate, int energy = -1,
                      const std::vector<int>& supplied = {}, int parameters = 0);
   /// The programs of H with g = 1.
   static Formulas fixed(const Recording& recording, int parameters = 0);

@@ -46,11 +46,16 @@ class Fusion {
     one_ = constant(1.0);
     first_partial_ = next_ = nodes_ + numbers_.size();
     keys_.resize(next_, -1);
+    const auto most = static_cast<std::size_t>(nodes_);
+    lines_.reserve(most);
+    operands_.reserve(3 * most);
     for (int node = 0; node < nodes_; ++node)
       if (needed(node)) write(node);
   }
 
   [[nodiscard]] int results() const { return next_; }  ///< All of their numbers are below this one.
+  /// Number of those of all lines.
+  [[nodiscard]] std::size_t operands() const { return operands_.size(); }
   /// That result is a number, of the graph or one that lines need.
   [[nodiscard]] bool is_constant(int result) const {
     return result < nodes_ ? graph_.is_constant(result) : result < first_partial_;

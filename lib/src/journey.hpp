@@ -61,9 +61,11 @@ inline double part_at(const OrbitSteps& method, Candidate& candidate, const Stat
                       double after, double t) {
   double part = (t - before.t) / (after - before.t);
   if (candidate.fixed()) return part;
+  VectorX z(2 * before.q.size());
+  double its_time = 0.0;
   for (int k = 0; k < 6; ++k) {
-    const State<dynamic> z = method.polynomial(part);
-    const double next = part + (t - z.t) / (h * candidate.rate_at(z));
+    method.polynomial(part, z, its_time);
+    const double next = part + (t - its_time) / (h * candidate.rate_at(z.data()));
     if (!(next > 0.0 && next < 1.0)) break;
     const bool near = std::abs(next - part) <= 1e-6;
     part = next;

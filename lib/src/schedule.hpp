@@ -72,6 +72,7 @@ class Schedule {
       return static_cast<short>(static_cast<int>(line.first) * kinds + static_cast<int>(line.second));
     };
     std::vector<short> kind(kinds * kinds, -1), codes;  // kinds are numbered in the order of their codes
+    codes.reserve(lines_.size());
     for (const Line& line : lines_)
       if (std::exchange(kind[code(line)], short{0}) < 0) codes.push_back(code(line));
     std::ranges::sort(codes);
@@ -82,7 +83,8 @@ class Schedule {
     const std::size_t widest = std::min<std::size_t>(window, lines_.size());
     std::vector<int> missing(widest), next_ready(widest);
     std::vector<List> users(widest);  // of each line, places in `waiting`
-    std::vector<int> waiting, next_waiting;
+    std::vector<int> waiting, next_waiting(fusion_.operands());
+    waiting.reserve(fusion_.operands());
     std::vector<Line> sorted;
     sorted.reserve(lines_.size());
     for (std::size_t first = 0; first < lines_.size(); first += window) {
@@ -99,7 +101,6 @@ class Schedule {
           if (const int from = writer[operand]; from >= 0) {
             ++missing[i];
             waiting.push_back(i);
-            next_waiting.resize(std::max(next_waiting.size(), waiting.size()));
             users[from].append(static_cast<int>(waiting.size()) - 1, next_waiting);
           }
         if (missing[i] == 0) ready[kind[code(lines[i])]].append(i, next_ready);
@@ -125,6 +126,8 @@ class Schedule {
   Program assemble(int inputs, const std::vector<int>& results) {
     Program program;
     program.inputs_ = inputs;
+    program.instructions_.reserve(lines_.size());
+    program.groups_.reserve(lines_.size());
     for (int i = 0; i < inputs; ++i)
       place_[i] = i;
     const auto needs = [&](int node) {
@@ -146,6 +149,7 @@ class Schedule {
 
     program.slots_ = program.inputs_ + program.numbers_.size();
     std::vector<int> free;
+    free.reserve(place_.size());
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const Line& line = lines_[i];
       const std::span<const int> of = fusion_.operands(line);

@@ -130,15 +130,16 @@ class PointField {
         if (dz[k] != 0.0) rate = std::max(rate, std::abs(change[k] / dz[k]));
     return std::isfinite(rate) ? rate : 0.0;
   }
-  /// The change of the slope at z, which is given, per relative error of the entries of z, to first order.
-  /// @param draw the signs of those errors
-  VectorX sensitivity(const VectorX& z, const VectorX& slope, unsigned draw) {
+  /// Raises `most` to the change of the slope at z, which is given, per relative error of the entries of z,
+  /// to first order. @param draw the signs of those errors
+  void add_sensitivity(const Eigen::Map<const VectorX>& z, const Eigen::Map<const VectorX>& slope,
+                       unsigned draw, VectorX& most) {
     constexpr double error = 1e-7;
-    VectorX moved = z, there(z.size());
-    for (double& entry : moved)
+    moved_ = z, there_.resize(z.size());
+    for (double& entry : moved_)
       entry *= 1.0 + sign(draw) * error;
-    (*this)(moved, there);
-    return (there - slope).cwiseAbs() / error;
+    (*this)(moved_, there_);
+    most = most.cwiseMax((there_ - slope).cwiseAbs() / error);
   }
   [[nodiscard]] int size() const { return n_; }  ///< n.
   /// Operations of H with its gradient.
@@ -169,6 +170,7 @@ class PointField {
   std::shared_ptr<const Recording> recording_;
   int n_;
   RecordedFormula<double> formula_;  // with its gradient
+  VectorX moved_, there_;            // scratch
   int energies_ = 0;                 // evaluations of H alone, while there is no program of it
   std::optional<RecordedFormula<double>> value_;
 };
@@ -207,9 +209,12 @@ class Sketch {
       return Sample::Numbers(room - size, size);
     };
     // A force that changes nothing of the momenta but their last digits sets no step either.
+    VectorX roots = metric;
+    for (double& each : roots)
+      each = std::sqrt(each);
     double largest = 0.0;
-    for (Eigen::Index i = 0; i < metric.size() - (field.timed ? 1 : 0); ++i)
-      largest = std::max(largest, std::abs(z[metric.size() + i]) * std::sqrt(metric[i]));
+    for (Eigen::Index i = 0; i < seen; ++i)
+      largest = std::max(largest, std::abs(z[n + i]) * roots[i]);
     std::optional<Switches> switches;
     if (field.switches) switches.emplace(*field.switches);
     RungeKuttaStages<BogackiShampine> step(size);
@@ -222,7 +227,7 @@ class Sketch {
     double energy = field(at, step.k[0]), last = energy;
     // A long step may lead to where no force is left, as there is none here.
     const double unpushed = field.frequency_of_unpushed(at, step.k[0], metric);
-    double h = std::min(first_step(field, at, step.k[0], span, metric), 1.0 / unpushed);
+    double h = std::min(first_step(field, at, step.k[0], span, roots), 1.0 / unpushed);
     int grown = 0;  // samples when an entry left its range last
     int alike = 0;  // refused steps in a row with errors as large as before, relative to what moves
     double refused = 0.0;
@@ -239,7 +244,7 @@ class Sketch {
             std::max({std::abs(step.k[0][i]), std::abs(step.k[1][i]), std::abs(step.k[2][i])});
         scale[i] = std::max(std::max(high[i], step.end[i]) - std::min(low[i], step.end[i]), h * fastest);
       }
-      lift(scale, metric, field.timed, 1e-12 * largest);
+      lift(scale, roots, field.timed, 1e-12 * largest);
       for (Eigen::Index i = 0; i < size; ++i) {
         errors[i] = h * std::abs((2.0 / 9.0 - 7.0 / 24.0) * step.k[0][i] + (1.0 / 3.0 - 0.25) * step.k[1][i] +
                                  (4.0 / 9.0 - 1.0 / 3.0) * step.k[2][i] - 0.125 * step.k[3][i]);
@@ -294,7 +299,7 @@ class Sketch {
       double worst = 0.0;
       for (Eigen::Index i = 0; i < size; ++i)
         scale[i] = std::max(high[i] - low[i], sample->h * std::abs(sample->slope[i]));
-      lift(scale, metric, field.timed);
+      lift(scale, roots, field.timed);
       for (Eigen::Index i = 0; i < size; ++i)
         if (sample->errors[i] > 0.0) worst = std::max(worst, sample->errors[i] / scale[i]);
       if (worst > 1e-4 * loose) next = angle / sample->h * std::cbrt(worst / loose);
@@ -359,28 +364,27 @@ class Sketch {
 
   /// Raises what is a 1e-10 of the largest entry, masses taken out; the momentum of time, to that of an
   /// energy.
-  /// @param change of the largest momentum, masses taken out, that is less than its digits
-  static void lift(VectorX& scale, const VectorX& metric, bool timed, double change = 0.0) {
-    const Eigen::Index n = metric.size(), seen = timed ? n - 1 : n;
+  /// @param roots of the diagonal of H_pp @param change of the largest momentum, masses taken out, that is
+  /// less than its digits
+  static void lift(VectorX& scale, const VectorX& roots, bool timed, double change = 0.0) {
+    const Eigen::Index n = roots.size(), seen = timed ? n - 1 : n;
     double of_q = 0.0, of_p = 0.0;
     for (Eigen::Index i = 0; i < seen; ++i) {
-      const double root = std::sqrt(metric[i]);
-      of_q = std::max(of_q, scale[i] / root);
-      of_p = std::max(of_p, scale[n + i] * root);
+      of_q = std::max(of_q, scale[i] / roots[i]);
+      of_p = std::max(of_p, scale[n + i] * roots[i]);
     }
     for (Eigen::Index i = 0; i < seen; ++i) {
-      const double root = std::sqrt(metric[i]);
-      scale[i] = std::max(scale[i], 1e-10 * of_q * root);
-      scale[n + i] = std::max(scale[n + i], std::max(1e-10 * of_p, change) / root);
+      scale[i] = std::max(scale[i], 1e-10 * of_q * roots[i]);
+      scale[n + i] = std::max(scale[n + i], std::max(1e-10 * of_p, change) / roots[i]);
     }
     if (timed) scale[2 * n - 1] = std::max(scale[2 * n - 1], 1e-10 * of_p * of_p);
   }
 
   /// A step in which no entry of the field changes by much, or, where the field vanishes, the span.
   static double first_step(PointField& field, const VectorX& z, const VectorX& dz, double span,
-                           const VectorX& metric) {
+                           const VectorX& roots) {
     VectorX ahead(z.size()), there(z.size()), scale = dz.cwiseAbs();
-    lift(scale, metric, field.timed);
+    lift(scale, roots, field.timed);
     if (field.timed) scale[scale.size() - 1] = 0.0;  // the momentum of time moves nothing
     double h = 1e-3 * span;
     for (int i = 0; i < 60; ++i, h *= 0.1) {

@@ -100,6 +100,8 @@ void Orbiter::sketch_from(const VectorX& start) {
 Resting Orbiter::at_rest(Eigen::Index seen, bool& drifting) {
   const int n = field_.size();
   Resting resting;
+  resting.energy.reserve(sketch_->samples.size());
+  resting.forces.reserve(sketch_->samples.size() * static_cast<std::size_t>(n));
   VectorX rest(2 * n), falling(2 * n);
   for (const Sketch::Sample& sample : sketch_->samples) {
     rest.head(n) = sample.z.head(n);
@@ -271,7 +273,7 @@ VectorX Orbiter::rounding_of(const Sketch& sketch, const VectorX& metric) {
   VectorX slope = VectorX::Zero(2 * n);
   const std::size_t every = sketch.samples.size() / 8 + 1;
   for (std::size_t i = 0; i < sketch.samples.size(); i += every)
-    slope = slope.cwiseMax(field_.sensitivity(sketch.samples[i].z, sketch.samples[i].slope, i));
+    field_.add_sensitivity(sketch.samples[i].z, sketch.samples[i].slope, i, slope);
   slope *= 10.0 * std::numeric_limits<double>::epsilon();
   const double frequency = distance_->frequency, time = frequency > 0.0 ? 100.0 / frequency : span_;
   VectorX moved = std::min(time, span_) * slope;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 /// @file
 /// One explicit Runge-Kutta step of any tableau, for an autonomous system z' = F(z), and step-size control
@@ -90,18 +92,22 @@ class RungeKuttaStages {
   /// Takes a step of size h from z, where k[0] = F(z). `field(z, dz)` is called stages - 1 times.
   template <class Field>
   void advance(Field&& field, const VectorX& z, double h) {
-    for (int i = 1; i < T::stages; ++i) {
-      combine(z, h, T::a[static_cast<std::size_t>(i)]);
-      field(end, k[static_cast<std::size_t>(i)]);
-    }
-    combine(z, h, T::b);
+    [&]<std::size_t... i>(std::index_sequence<i...>) { ((combine<i + 1>(z, h), field(end, k[i + 1])), ...); }
+    (std::make_index_sequence<T::stages - 1>());
+    if constexpr (T::a.back() != T::b) combine<T::stages>(z, h);
   }
 
  private:
-  void combine(const VectorX& z, double h, const std::array<double, T::stages>& weights) {
-    end = z;
-    for (std::size_t j = 0; j < weights.size(); ++j)
-      if (weights[j] != 0.0) end += (h * weights[j]) * k[j];
+  // With the weights of a stage or, beyond the last one, of the end.
+  template <std::size_t stage>
+  void combine(const VectorX& z, double h) {
+    static constexpr auto weights = stage < T::stages ? T::a[stage % T::stages] : T::b;
+    for (Eigen::Index i = 0; i < z.size(); ++i) {
+      double sum = z[i];
+      for (std::size_t j = 0; j < weights.size(); ++j)
+        if (weights[j] != 0.0) sum += h * weights[j] * k[j][i];
+      end[i] = sum;
+    }
   }
 };
 
