@@ -26,17 +26,10 @@ class FormulaField final : public StageField<n, w> {
 
   /// With memory of its own for each program.
   explicit FormulaField(std::shared_ptr<const Formulas> formulas)
-      : formulas_(std::move(formulas)), forces_(formulas_->forces, formulas_->parameters),
-        velocities_(formulas_->velocities, formulas_->parameters),
-        rates_(formulas_->rate, formulas_->parameters) {
-    if constexpr (makes_code) {
-      code_ = machine_code<w>(*formulas_);
-      if (!code_) return;
-      forces_.code = (*code_)[0];
-      velocities_.code = (*code_)[1];
-      if (!formulas_->unit) rates_.code = (*code_)[2];
-    }
-  }
+      : formulas_(std::move(formulas)), code_(machine_code<w>(*formulas_)),
+        forces_(formulas_->forces, formulas_->parameters, code_.get(), 0),
+        velocities_(formulas_->velocities, formulas_->parameters, code_.get(), 1),
+        rates_(formulas_->rate, formulas_->parameters, formulas_->unit ? nullptr : code_.get(), 2) {}
 
   void forces(Step& step, const Scalar& weight) override {
     forces_.run(step.q, step.p, -weight, step.dp.data());

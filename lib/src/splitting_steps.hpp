@@ -25,16 +25,11 @@ class SplittingSteps final : public Stepper {
  public:
   /// Steps of these formulas, with g = 1.
   explicit SplittingSteps(std::shared_ptr<const Formulas> formulas)
-      : formulas_(std::move(formulas)), forces_(formulas_->forces, {}),
-        velocities_(formulas_->velocities, {}), here_(formulas_->n), end_(here_), q_(formulas_->n), p_(q_),
-        low_q_(q_), low_p_(q_), change_(q_) {
+      : formulas_(std::move(formulas)), code_(machine_code<lanes>(*formulas_)),
+        forces_(formulas_->forces, {}, code_.get(), 0),
+        velocities_(formulas_->velocities, {}, code_.get(), 1), here_(formulas_->n), end_(here_),
+        q_(formulas_->n), p_(q_), low_q_(q_), low_p_(q_), change_(q_) {
     end_.state.t = std::numeric_limits<double>::quiet_NaN();  // equal to no state: no rounding error is known
-    if constexpr (makes_code) {
-      code_ = machine_code<lanes>(*formulas_);
-      if (!code_) return;
-      forces_.code = (*code_)[0];
-      velocities_.code = (*code_)[1];
-    }
   }
 
   StepReport step(double* z, double& t, double h) override {

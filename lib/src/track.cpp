@@ -25,11 +25,17 @@ void Track::at(double t, double* z) const {
     there = start(k);
   } else {
     const State<dynamic> before = start(k - 1);
-    const std::unique_ptr<OrbitSteps> method = pattern_->clone();
     const std::lock_guard lock(mutex_);
-    State<dynamic> after = before;
-    StepReport report = method->step(after, h_);
-    if (report.ok()) report = land(*method, candidate_, field_, before, method->size(), after.t, t, there);
+    StepReport report{};
+    if (!repeated_ || step_ != k) {
+      repeated_ = pattern_->clone();
+      step_ = k;
+      after_ = before;
+      report = repeated_->step(after_, h_);
+      if (!report.ok()) repeated_.reset();
+    }
+    if (report.ok())
+      report = land(*repeated_->clone(), candidate_, field_, before, repeated_->size(), after_.t, t, there);
     if (!report.ok())
       throw std::runtime_error("A step inside the run failed as " + std::string(name(report.outcome)) + ".");
   }

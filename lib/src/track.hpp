@@ -47,10 +47,13 @@ class Track final : public OrbitCurve {
   [[nodiscard]] State<dynamic> start(std::size_t k) const;
 
   std::unique_ptr<OrbitSteps> pattern_;
-  // Both have memory for what they evaluate.
+  // Memory of evaluations, and of the last step that was repeated: many times may be asked for in one.
   mutable std::mutex mutex_;
   mutable Candidate candidate_;
   mutable PointField field_;
+  mutable std::unique_ptr<OrbitSteps> repeated_;
+  mutable std::size_t step_ = 0;
+  mutable State<dynamic> after_;
   double h_;
   int degrees_;
   std::vector<double> times_, starts_;
