@@ -39,6 +39,11 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   // No order makes smaller what the sweeps left.
   const double left = left_by_sweeps(fine);
   seen.error = std::max(seen.error, std::min(left, ratio * seen.error));
+  // How long the motion stays near a saddle is decided by the energy that is left there.
+  const double lag = fine.pauses.lag(0.0);
+  const double speed_there = std::max(speed_at(fine.marks[marks - 1], fine.ranges), 0.03 * usual_speed_);
+  late = std::max(late, lag);
+  seen.error = std::max(seen.error, lag * speed_there);
   // By a power of time it would grow as much from a half to the whole as from a quarter to a half. Rounding,
   // which may be small by chance at first, is not taken for it.
   seen.exponential = furthest > 1e-7 && std::log(late / halfway) > 1.4 * std::log(halfway / early);
@@ -88,6 +93,9 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
     const double doubted = std::min(ratio, late / (20.0 * early));
     if (!seen_to_fall) seen.error *= doubted, seen.behind *= doubted;
   }
+  // What is asked for on the way may be where the motion is fast.
+  if (!question_.times.empty() || !question_.events.empty() || question_.options.dense)
+    seen.error = std::max(seen.error, seen.behind * high_speed_);
   return seen;
 }
 

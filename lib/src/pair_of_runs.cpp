@@ -305,7 +305,8 @@ bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& er
   if (errors.of_energy < errors.of_state && errors.of_energy <= 3.0) {
     // Where steps resolve the motion, a third of them has ten million times less error: if that is not
     // enough, it is chaos, or noise. What is foretold may be wrong as long as it has not come true.
-    const bool beyond = fine_->h * std::max(factor, 0.35) < resolved_ / 3.0 || factor < 0.25;
+    const bool beyond = fine_->h * std::max(factor, 0.35) < resolved_ / 3.0 ||
+                        (factor < 0.25 && fine_->h <= 1.05 * resolved_);
     // Nor is it counted: a mark on the way that foretells less than the one beyond it says nothing of that.
     if (resolved_ > 0.0 && beyond && seen_.error <= question_.tolerance && !last) return false;
     vain_ = in_vain ? vain_ + 1 : 0;
@@ -357,6 +358,12 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     return again(setting, 0.4);
   }
   seen_ = cut ? Comparison() : compare(*coarse_, *fine_);
+  // What the sweeps leave of the energy may decide how long the motion stays near a saddle.
+  if (!unstable_ && fine_->solved > least_of_sweeps &&
+      fine_->pauses.lag(0.2 * fine_->solved) * high_speed_ > wanted_part * tolerance) {
+    unstable_ = true;
+    return again(setting, 1.0);
+  }
   const Alike alike = alike_energies();
   if (alike == Alike::rounding)
     answer_.energy_rounding = std::max(answer_.energy_rounding, 0.01 * fine_->energy_error);

@@ -40,6 +40,12 @@ class Pauses {
     }
     /// Time in which the speed grew by e, on average.
     [[nodiscard]] double time() const { return length / std::log(0.3 / slowest); }
+    /// By how much an error of the energy, over its scale, changes the length of a pause at a saddle: the
+    /// part of the energy that is left there is the square of the speed, which is over the largest one and
+    /// not over that of the scale; that makes ten times less of it.
+    [[nodiscard]] double lag(double its_error) const {
+      return 0.05 * time() * its_error / (slowest * slowest);
+    }
     /// By how much the times may differ at which two runs see it.
     [[nodiscard]] double doubt() const { return std::max(time(), step); }
   };
@@ -101,6 +107,15 @@ class Pauses {
     fastest_ = std::max(fastest_, speed);
     last_ = speed;
     middle_ = middle;
+  }
+
+  /// The time by which errors of the energy make pauses at saddles longer or shorter, all in one sense.
+  /// @param unseen an error that rounding of H may hide
+  [[nodiscard]] double lag(double unseen) const {
+    double sum = 0.0;
+    for (const End& end : ends)
+      if (end.is_at_saddle()) sum += end.lag(std::max(end.error, unseen));
+    return sum;
   }
 
   std::vector<End> ends;   ///< In their order.

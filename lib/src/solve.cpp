@@ -288,7 +288,8 @@ void Orbiter::set_marks() {
   for (double part = 1.0; marks_.size() < 80; part *= !is_long                 ? 0.375
                                                       : marks_.size() % 2 == 1 ? 0.75
                                                                                : 2.0 / 3.0) {
-    if (part < 1.0 && part * radians_ < (is_long ? 25.0 : field_.size() > 1 ? 12.0 : 20.0)) break;
+    const double least = is_long ? 25.0 : marks_.size() == 1 ? 6.0 : field_.size() > 1 ? 12.0 : 20.0;
+    if (part < 1.0 && part * radians_ < least) break;
     marks_.push_back(part == 1.0 ? question_.t_end : question_.t + sense_ * part * span_);
   }
   std::ranges::reverse(marks_);

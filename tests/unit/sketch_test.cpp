@@ -72,8 +72,12 @@ TEST(PointField, TellsWhatRelativeErrorsOfTheStateDoToItsSlopes) {
   const VectorX z = point({1.0, 2.0, 0.5, 18.0});
   VectorX dz(4);
   field(z, dz);
-  for (const unsigned draw : {0u, 1u, 7u})
-    EXPECT_LT((field.sensitivity(z, dz, draw) - dz.cwiseAbs()).norm(), 1e-7) << draw;
+  const Sketch::Sample::Numbers at(z.data(), 4), slope(dz.data(), 4);
+  for (const unsigned draw : {0u, 1u, 7u}) {
+    VectorX most = VectorX::Zero(4);
+    field.add_sensitivity(at, slope, draw, most);
+    EXPECT_LT((most - dz.cwiseAbs()).norm(), 1e-7) << draw;
+  }
 }
 
 /// Of frequency 5.
