@@ -455,8 +455,8 @@ template <class H, int n>
 
 /// The same with the states at `times`, the last of which is the end: any number of them, in the direction of
 /// the run, the start and equal ones included. Each is found by a symplectic step from the last step before
-/// it, so that it is as accurate as the run, whose steps do not depend on it; it costs about as much as a
-/// step.
+/// it, which is what it costs. Where times, events or a curve are asked for, the tolerance is for the states
+/// on the way, too, where the motion may be faster than at the end; at which times does not matter.
 /// @throws std::invalid_argument as the other one, and for times that are none, not finite or out of order.
 template <class H, int n>
 [[nodiscard]] Solution<n> solve(const H& hamiltonian, const State<n>& start, const std::vector<double>& times,

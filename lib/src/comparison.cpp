@@ -22,12 +22,17 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   // In the first quarter, or three eighths where marks are few, in the first half, and on the whole.
   double early = 0.0, halfway = 0.0, late = 0.0;
   double furthest = 0.0, least = infinity;
-  bool runaway = false;  // at some time differences have grown faster than by a power of time
+  double on_the_way = 0.0;  // what a mark before the judged ones lets expect
+  bool runaway = false;     // at some time differences have grown faster than by a power of time
   for (std::size_t i = 0; i < marks; ++i) {
     const double whole = (*distance_)(coarse.marks[i], fine.marks[i], fine.ranges), apart = whole / ratio;
     const double speed = std::max(speed_at(fine.marks[i], fine.ranges), 0.03 * usual_speed_);
     const double behind = speed > 0.0 ? apart / speed : apart;
     const double since = since_start(i);
+    if (i < first_) {
+      if (speed > 0.3 * usual_speed_) on_the_way = behind * until / since;
+      continue;
+    }
     if (since <= (compared_ > 3 ? 0.251 : 0.376) * until) early = std::max(early, behind);
     if (since <= 0.501 * until) halfway = std::max(halfway, behind);
     late = std::max(late, behind);
@@ -42,8 +47,9 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   // How long the motion stays near a saddle is decided by the energy that is left there.
   const double lag = fine.pauses.lag(0.0);
   const double speed_there = std::max(speed_at(fine.marks[marks - 1], fine.ranges), 0.03 * usual_speed_);
-  late = std::max(late, lag);
-  seen.error = std::max(seen.error, lag * speed_there);
+  // And where the end alone is judged, the two may meet there by chance.
+  late = std::max({late, lag, 0.5 * on_the_way});
+  seen.error = std::max(seen.error, std::max(lag, 0.5 * on_the_way) * speed_there);
   // By a power of time it would grow as much from a half to the whole as from a quarter to a half. Rounding,
   // which may be small by chance at first, is not taken for it.
   seen.exponential = furthest > 1e-7 && std::log(late / halfway) > 1.4 * std::log(halfway / early);

@@ -191,7 +191,7 @@ bool Orbiter::pursue(Setting& setting) {
     if (compared && !go_on(*coarse_, mark) && !(question_.options.h > 0.0)) return failed(*coarse_, setting);
     if (!go_on(*fine_, mark)) return failed(*fine_, setting);
     if (mark == 0 && passes_over_start(*fine_)) fine_->jumped = true;
-    if (compared) {
+    if (compared && mark >= first_) {
       judged_ = mark;
       if (judge(setting, mark)) return true;
       parted_ = resigned_ && seen_.error > 1.0;
@@ -311,7 +311,7 @@ bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& er
     if (resolved_ > 0.0 && beyond && seen_.error <= question_.tolerance && !last) return false;
     vain_ = in_vain ? vain_ + 1 : 0;
     const bool lost =
-        errors.hidden && last && marks_.size() > 1 && !(seen_.error < 1e-3) && !(fine_->h > resolved_);
+        errors.hidden && last && mark > first_ && !(seen_.error < 1e-3) && !(fine_->h > resolved_);
     // Energy errors that do not fall with the step, and are as small, are rounding on the way.
     const bool rounds = errors.hidden || (fine_->energy_error > 0.5 * coarse_->energy_error &&
                                           fine_->energy_error < 1e4 * answer_.energy_rounding);
@@ -373,7 +373,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   const bool hidden = fine_->energy_error <= 100.0 * answer_.energy_rounding;
   const double of_energy = hidden || alike == Alike::harmless ? 0.0 : fine_->energy_error / (3.0 * tolerance);
   const double of_state = foretold(seen_, here, span_, high_speed_) / tolerance;
-  if (mark == 0 && !others_tried_ && try_others(setting)) return true;
+  if (mark == first_ && !others_tried_ && try_others(setting)) return true;
   if (resigned_ || round_ >= most_rounds) return false;
   // No step makes the digits of distant coordinates, or of a distant clock, more.
   const double digits =
@@ -412,7 +412,7 @@ bool Orbiter::take_from_aside(Setting& setting, double others) {
 /// @return one of them is taken
 bool Orbiter::try_others(Setting& setting) {
   others_tried_ = true;
-  const double here = since_start(0);
+  const double here = since_start(first_);
   if (!(span_ > 8.0 * here) || !has_a_choice()) return false;
   const double behind = std::max(seen_.behind, 1e-300);
   const double wanted = wanted_part * question_.tolerance * here / span_ / std::max(high_speed_, 1e-300);

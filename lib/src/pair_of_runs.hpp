@@ -178,6 +178,7 @@ class Orbiter {
   double high_speed_ = 0.0;   // a speed that the end may have
   std::vector<double> marks_;
   std::size_t compared_ = 0;  // marks up to which there are two runs
+  std::size_t first_ = 0;     // mark from which on pairs are judged
   std::optional<Journey> coarse_, fine_;
   Setting instead_of_;  // what a candidate from aside was taken for
   Comparison seen_;
