@@ -2,8 +2,8 @@
 
 #include <cstdio>
 
-// States at times of your own, forwards and then backwards. They are as accurate as the run, whose steps do
-// not depend on them.
+// States at times of your own, forwards and then backwards. They are as accurate as the end, and the run
+// does not depend on which times they are.
 
 constexpr auto kepler = [](const auto& q, const auto& p) {
   return 0.5 * (p[0] * p[0] + p[1] * p[1]) - 1.0 / sqrt(q[0] * q[0] + q[1] * q[1]);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace avi::detail {
 
@@ -28,11 +29,11 @@ void Track::at(double t, double* z) const {
     const std::lock_guard lock(mutex_);
     StepReport report{};
     if (!repeated_ || step_ != k) {
-      repeated_ = pattern_->clone();
-      step_ = k;
+      repeated_.reset();
+      std::unique_ptr<OrbitSteps> method = pattern_->clone();
       after_ = before;
-      report = repeated_->step(after_, h_);
-      if (!report.ok()) repeated_.reset();
+      report = method->step(after_, h_);
+      if (report.ok()) repeated_ = std::move(method), step_ = k;
     }
     if (report.ok())
       report = land(*repeated_->clone(), candidate_, field_, before, repeated_->size(), after_.t, t, there);
