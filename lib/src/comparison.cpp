@@ -44,8 +44,7 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   // No order makes smaller what the sweeps left.
   const double left = left_by_sweeps(fine);
   seen.error = std::max(seen.error, std::min(left, ratio * seen.error));
-  // How long the motion stays near a saddle is decided by the energy that is left there.
-  const double lag = fine.pauses.lag(0.0);
+  const double lag = lag_at_saddles(fine, 0.0);
   const double speed_there = std::max(speed_at(fine.marks[marks - 1], fine.ranges), 0.03 * usual_speed_);
   // And where the end alone is judged, the two may meet there by chance.
   late = std::max({late, lag, 0.5 * on_the_way});
@@ -103,6 +102,13 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   if (!question_.times.empty() || !question_.events.empty() || question_.options.dense)
     seen.error = std::max(seen.error, seen.behind * high_speed_);
   return seen;
+}
+
+/// How long the motion stays near a saddle is decided by the energy that is left there. Several degrees of
+/// freedom may stop elsewhere, too, as the one that a clock drives does when its amplitude is small.
+/// @param unseen see Pauses
+double Orbiter::lag_at_saddles(const Journey& journey, double unseen) const {
+  return field_.size() == 1 ? journey.pauses.lag(unseen) : 0.0;
 }
 
 double Orbiter::speed_at(const State<dynamic>& z, const Ranges& ranges) {

@@ -360,7 +360,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   seen_ = cut ? Comparison() : compare(*coarse_, *fine_);
   // What the sweeps leave of the energy may decide how long the motion stays near a saddle.
   if (!unstable_ && fine_->solved > least_of_sweeps &&
-      fine_->pauses.lag(0.2 * fine_->solved) * high_speed_ > wanted_part * tolerance) {
+      lag_at_saddles(*fine_, 0.2 * fine_->solved) * high_speed_ > wanted_part * tolerance) {
     unstable_ = true;
     return again(setting, 1.0);
   }

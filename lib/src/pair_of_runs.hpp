@@ -135,6 +135,7 @@ class Orbiter {
   bool take_from_aside(Setting& setting, double others);
   Comparison compare(const Journey& coarse, const Journey& fine);
   double speed_at(const State<dynamic>& z, const Ranges& ranges);
+  [[nodiscard]] double lag_at_saddles(const Journey& journey, double unseen) const;
   double rounding_of_clock(const Journey& journey);
   double rounding_of_energy(const Journey& journey);
   [[nodiscard]] bool passes(const Journey& journey) const;
