@@ -183,10 +183,12 @@ struct Choice {
 /// How a run ended, what was chosen for it and how good its end is: the part of a Solution that is the same
 /// in every dimension.
 struct SolutionReport {
-  Run run;                       ///< How the run ended; its steps and sweeps.
-  Choice choice;                 ///< Monitor, order and step, and the trials that led to them.
-  double tolerance = 0.0;        ///< The tolerance that was asked for.
-  double state_error = 0.0;      ///< Error of the state at the end, see solve(); infinite where unknown.
+  Run run;                 ///< How the run ended; its steps and sweeps.
+  Choice choice;           ///< Monitor, order and step, and the trials that led to them.
+  double tolerance = 0.0;  ///< The tolerance that was asked for.
+  /// Error of the state at the end, and on the way where that is asked for; see solve(). Infinite where
+  /// unknown.
+  double state_error = 0.0;
   double energy_error = 0.0;     ///< Largest |H - H_0| of the run, over choice.energy_scale.
   double energy_rounding = 0.0;  ///< Rounding error of H; 0.01 energy_error where that is rounding.
   std::string note;              ///< Warnings for the reader, in sentences; often empty.

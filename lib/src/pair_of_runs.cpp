@@ -304,7 +304,8 @@ bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& er
   const bool endless = features_->bends() && pair > 0.5 * patience * std::max(factor, 0.35);
   if (errors.of_energy < errors.of_state && errors.of_energy <= 3.0) {
     // Where steps resolve the motion, a third of them has ten million times less error: if that is not
-    // enough, it is chaos, or noise. What is foretold may be wrong as long as it has not come true.
+    // enough, it is chaos, or noise; but not where the step was made longer, as the shorter one is known to
+    // do. What is foretold may be wrong as long as it has not come true.
     const bool beyond = fine_->h * std::max(factor, 0.35) < resolved_ / 3.0 ||
                         (factor < 0.25 && fine_->h <= 1.05 * resolved_);
     // Nor is it counted: a mark on the way that foretells less than the one beyond it says nothing of that.

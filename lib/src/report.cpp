@@ -17,7 +17,7 @@ std::string SolutionReport::report() const {
     text << "Not kept: the energy errs by more than ten tolerances, so no more is promised of the end; "
          << "the tolerance is " << tolerance << ".\n";
   else if (std::isfinite(state_error))
-    text << (kept() ? "Kept" : "Not kept") << ": the state at the end errs by " << state_error
+    text << (kept() ? "Kept" : "Not kept") << ": the state errs by " << state_error
          << " of the range of a coordinate or momentum, as two runs with different steps "
          << (choice.check > 0 ? "show" : "foretell from their beginning") << "; the tolerance is "
          << tolerance << ".\n";
