@@ -129,9 +129,9 @@ double Orbiter::rounding_of_clock(const Journey& journey) {
 /// in a run, at its marks and in the sketch.
 double Orbiter::rounding_of_energy(const Journey& journey) {
   RoundedFormula h(question_.graph, question_.energy);
-  double most = h.rounding(joined(journey.worst));
+  double most = h.rounding(stacked(journey.worst));
   for (const State<dynamic>& mark : journey.marks)
-    most = std::max(most, h.rounding(joined(mark)));
+    most = std::max(most, h.rounding(stacked(mark)));
   for (const Sketch::Sample& sample : sketch_->samples)
     most = std::max(most, h.rounding(sample.z));
   return most / trip_->energy_scale;

@@ -46,7 +46,7 @@ class Distance {
 
   /// The largest rounding of an entry, relative to its range.
   [[nodiscard]] double rounding_of(const State<dynamic>& z, const Ranges& ranges) const {
-    return std::numeric_limits<double>::epsilon() * speed(joined(z), scales(ranges));
+    return std::numeric_limits<double>::epsilon() * speed(stacked(z), scales(ranges));
   }
   /// By which differences of entries are divided.
   [[nodiscard]] VectorX scales(const Ranges& ranges) const {

@@ -54,8 +54,8 @@ class Fusion {
   }
 
   [[nodiscard]] int results() const { return next_; }  ///< All of their numbers are below this one.
-  /// Number of those of all lines.
-  [[nodiscard]] std::size_t operands() const { return operands_.size(); }
+  /// Number of the operands of all lines.
+  [[nodiscard]] std::size_t operand_count() const { return operands_.size(); }
   /// That result is a number, of the graph or one that lines need.
   [[nodiscard]] bool is_constant(int result) const {
     return result < nodes_ ? graph_.is_constant(result) : result < first_partial_;

@@ -43,7 +43,7 @@ struct Ranges {
   VectorX low, high;  ///< 2n entries each.
 
   /// Begins with a state.
-  explicit Ranges(const State<dynamic>& z) : low(joined(z)), high(low) {}
+  explicit Ranges(const State<dynamic>& z) : low(stacked(z)), high(low) {}
   /// Takes in another one.
   void add(const State<dynamic>& z) { add(z.q.data(), z.p.data()); }
   /// The same of n entries each.
@@ -103,7 +103,7 @@ inline StepReport land(OrbitSteps& method, Candidate& candidate, PointField& fie
   if (!(std::abs(late) <= 1e-6 * std::abs(after - before.t))) report.outcome = Outcome::not_converged;
   if (late != 0.0) {
     const Eigen::Index n = z.q.size();
-    const VectorX from = joined(z);
+    const VectorX from = stacked(z);
     RungeKuttaStages<BogackiShampine> last(2 * n);
     field(from, last.k[0]);
     last.advance(field, from, late);

@@ -8,7 +8,7 @@ namespace avi::detail {
 
 /// A step from a state to a time before which H does not switch, or the whole step h where that does not come
 /// so far: sizes by the secant method, from below and above.
-StepReport OrbitSteps::land(const State<dynamic>& from, double h, double time, State<dynamic>& z) {
+StepReport OrbitSteps::stop_at_switch(const State<dynamic>& from, double h, double time, State<dynamic>& z) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const double sense = std::copysign(1.0, h), most = std::abs(h), way = std::abs(time - from.t);
   const double near = 4.0 * epsilon * std::max(std::abs(time), way);
@@ -82,7 +82,7 @@ StepReport OrbitSteps::step_to_switch(State<dynamic>& z, double h) {
         rate_ = std::abs((to.t - from.t) / h);
     }
   }
-  if (ahead) spend(land(from, h, ahead->before, to));
+  if (ahead) spend(stop_at_switch(from, h, ahead->before, to));
   if (report.ok()) z = to;
   return report;
 }

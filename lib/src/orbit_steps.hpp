@@ -79,7 +79,7 @@ class OrbitSteps {
     return report;
   }
   StepReport step_to_switch(State<dynamic>& z, double h);
-  StepReport land(const State<dynamic>& from, double h, double time, State<dynamic>& z);
+  StepReport stop_at_switch(const State<dynamic>& from, double h, double time, State<dynamic>& z);
   void load(const State<dynamic>& z) { z_ << z.q, z.p; }
   void store(State<dynamic>& z) const { z.q = z_.head(n_), z.p = z_.tail(n_); }
   std::unique_ptr<Stepper> steps_;

@@ -80,7 +80,7 @@ void Orbiter::stay_near(Candidate& it, const Sketch& there) {
 /// Goes on from where a run failed with a sketch of its own: what is met there sets steps from here on.
 void Orbiter::look_from(const State<dynamic>& z) {
   field_.sense = sense_;
-  const Sketch there(field_, joined(z), std::abs(question_.t_end - z.t), metric_, 512,
+  const Sketch there(field_, stacked(z), std::abs(question_.t_end - z.t), metric_, 512,
                      std::abs(z.t - question_.t));
   field_.sense = 1.0;
   dead_end_ = there.stuck ? std::abs(z.t - question_.t) + there.time : 0.0;
@@ -209,7 +209,7 @@ bool Orbiter::passes_over_start(const Journey& run) {
   if (rate_ < 0.0) {
     VectorX slope(2 * field_.size());
     field_(start, slope);
-    rate_ = field_.rate_in_time(joined(start), slope);
+    rate_ = field_.rate_in_time(stacked(start), slope);
   }
   constexpr double resolved = 10.0;
   const double changes = rate_ * run.h * run.candidate->rate_at(start);

@@ -83,8 +83,8 @@ class Schedule {
     const std::size_t widest = std::min<std::size_t>(window, lines_.size());
     std::vector<int> missing(widest), next_ready(widest);
     std::vector<List> users(widest);  // of each line, places in `waiting`
-    std::vector<int> waiting, next_waiting(fusion_.operands());
-    waiting.reserve(fusion_.operands());
+    std::vector<int> waiting, next_waiting(fusion_.operand_count());
+    waiting.reserve(fusion_.operand_count());
     std::vector<Line> sorted;
     sorted.reserve(lines_.size());
     for (std::size_t first = 0; first < lines_.size(); first += window) {

@@ -21,7 +21,7 @@ namespace avi::detail {
 inline constexpr double infinity = std::numeric_limits<double>::infinity();  ///< Stands for unknown.
 
 /// (q, p) as one vector.
-inline VectorX joined(const State<dynamic>& z) { return (VectorX(2 * z.q.size()) << z.q, z.p).finished(); }
+inline VectorX stacked(const State<dynamic>& z) { return (VectorX(2 * z.q.size()) << z.q, z.p).finished(); }
 
 /// The field of H, one point at a time.
 class PointField {

@@ -326,7 +326,7 @@ double Orbiter::first_step(const Candidate& it) {
 /// it; or, of the splitting, for which small oscillations stay small.
 double Orbiter::stable_step(const Candidate& it) {
   if (!it.fixed()) return infinity;
-  if (fastest_ < 0.0) fastest_ = field_.fastest(joined(trip_->start), metric_);
+  if (fastest_ < 0.0) fastest_ = field_.fastest(stacked(trip_->start), metric_);
   // From 6.15 over its frequency on an oscillation grows; near 3.14 it does by 6e-4 a step at most, and only
   // one of two runs can be there.
   if (it.splits()) return fastest_ > 0.0 ? 5.5 / fastest_ : infinity;

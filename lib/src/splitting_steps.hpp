@@ -39,7 +39,7 @@ class SplittingSteps final : public Stepper {
     return end(*this, 0, z, t, h);
   }
   [[nodiscard]] bool can_go_beside() const override { return true; }
-  std::pair<StepReport, StepReport> step_beside(const Pace& mine, Stepper& beside, const Pace& its) override {
+  std::pair<StepReport, StepReport> step_beside(const Due& mine, Stepper& beside, const Due& its) override {
     auto& other = static_cast<SplittingSteps&>(beside);
     begin(mine.z, *mine.t);
     other.begin(its.z, *its.t);

@@ -14,8 +14,8 @@ namespace avi::detail {
 /// behind may be compiled for another processor than what is before.
 class Stepper {
  public:
-  /// A step that is to be made: see step().
-  struct Pace {
+  /// A step that is due: see step().
+  struct Due {
     double* z;
     double* t;
     double h;
@@ -30,7 +30,7 @@ class Stepper {
   /// Two orbits of the same formulas are stepped side by side for the price of one.
   [[nodiscard]] virtual bool can_go_beside() const { return false; }
   /// A step of this orbit and one of another, with the bits of step(). @param other of the same kind
-  virtual std::pair<StepReport, StepReport> step_beside(const Pace& mine, Stepper& other, const Pace& its) {
+  virtual std::pair<StepReport, StepReport> step_beside(const Due& mine, Stepper& other, const Due& its) {
     const StepReport first = step(mine.z, *mine.t, mine.h);
     return {first, other.step(its.z, *its.t, its.h)};
   }
