@@ -1,5 +1,6 @@
 #include "delivery.hpp"
 
+#include "orbiter.hpp"
 #include "track.hpp"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ Delivery::Delivery(const OrbitQuestion& question, int degrees, const Choice& cho
                    const Prepared* prepared)
     : question_(question), degrees_(degrees), budget_(budget),
       field_(prepared ? prepared->field : PointField(question.graph, question.energy, question.gradient)),
-      energy_at_start_(field_.energy(question.q.data(), question.p.data())),
+      energy_at_start_(energy_at_start(question)),
       candidate_(candidate_of(choice.name, question, energy_at_start_, choice, prepared)), choice_(choice),
       sense_(question.t_end < question.t ? -1.0 : 1.0), h_(sense_ * choice.h),
       state_(start_of(question)), plan_{.horizon = question.t_end, .pause = question.t_end} {

@@ -3,6 +3,7 @@
 #include "avi/core/require.hpp"
 #include "delivery.hpp"
 #include "orbiter.hpp"
+#include "rounded_formula.hpp"
 #include "switches.hpp"
 
 #include <algorithm>
@@ -122,7 +123,7 @@ void extend(OrbitQuestion& question) {
   for (int i = 0; i < n; ++i)
     places.push_back(n + 1 + i);
   places.push_back(n);
-  const double energy = evaluate(question.graph, question.energy, start);
+  const double energy = RoundedFormula(question.graph, question.energy).rounded_once(start);
   const int node = graph.substitute(question.graph, question.energy, places);
   if (question.given >= 0) question.given = graph.substitute(question.graph, question.given, places);
   question.energy = graph.binary(Operation::add, node, 2 * n + 1);

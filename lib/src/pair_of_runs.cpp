@@ -252,13 +252,16 @@ bool Orbiter::again(Setting& setting, double factor) {
 }
 
 /// Where runs agree and their energy errors do not fall with the step, that is rounding of H somewhere on the
-/// way, or chance. What is over ten tolerances has to be seen to be rounding.
+/// way, or chance; so it is where the tolerance asks for less than that rounding. What is over ten tolerances
+/// has to be seen to be rounding.
 Orbiter::Alike Orbiter::alike_energies() {
   const double errs = fine_->energy_error;
-  const bool alike = seen_.error < 1e-7 && fine_->run.steps > Journey::few &&
-                     errs > std::max(0.5 * coarse_->energy_error, energy_left_by_sweeps(*fine_));
-  if (!alike) return Alike::no;
-  if (passes(*fine_) || errs < 100.0 * rounding_of_energy(*fine_)) return Alike::rounding;
+  if (!(seen_.error < 1e-7 && fine_->run.steps > Journey::few && errs > energy_left_by_sweeps(*fine_)))
+    return Alike::no;
+  const bool falls = !(errs > 0.5 * coarse_->energy_error);
+  if (falls && errs <= 3.0 * question_.tolerance) return Alike::no;
+  if ((!falls && passes(*fine_)) || errs < 100.0 * rounding_of_energy(*fine_)) return Alike::rounding;
+  if (falls) return Alike::no;
   if (!(errs < most_rounding) || follows_another_gradient()) return Alike::unexplained;
   if (errs <= 10.0 * question_.tolerance) return Alike::harmless;
   return features_->bends() ? Alike::rounding : Alike::unexplained;

@@ -2,6 +2,7 @@
 
 #include "avi/core/dot.hpp"
 #include "avi/core/require.hpp"
+#include "rounded_formula.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -14,6 +15,13 @@
 /// the answer says in verdict.cpp.
 
 namespace avi::detail {
+
+double energy_at_start(const OrbitQuestion& question) {
+  if (question.timed) return 0.0 * question.p.back();  // H + p_t
+  std::vector<double> start = question.q;
+  start.insert(start.end(), question.p.begin(), question.p.end());
+  return RoundedFormula(question.graph, question.energy).rounded_once(start);
+}
 
 void require_energy(double energy, const OrbitQuestion& question) {
   if (std::isfinite(energy)) return;
@@ -83,7 +91,7 @@ double Orbiter::energy_and_slope(const VectorX& start, VectorX& slope) {
   for (int i = 0; i < 2 * n; ++i)
     require(std::isfinite(slope[i]), "The derivative of H by " + name(i) + " at the start",
             i < n ? slope[i] : -slope[i], "finite");
-  return energy;
+  return energy_at_start(question_);
 }
 
 /// A run of low accuracy, which the rest of the call takes for the orbit.

@@ -99,10 +99,12 @@ void Orbiter::tell_work(const Journey& fine) {
 
 /// The error of the state: what two runs foretell, and what rounding adds to that.
 void Orbiter::tell_error(const Journey& fine, double foreseen) {
-  // What rounding leaves grows with the phase.
+  // What rounding leaves grows with the phase, and moves the state by as much more as that is fast at the
+  // end.
   const double epsilon = std::numeric_limits<double>::epsilon(), of_clock = rounding_of_clock(fine),
-               of_entries = distance_->rounding_of(fine.state, fine.ranges);
-  answer_.state_error = foreseen + (fine.candidate->noise + epsilon) * radians_ + of_clock + of_entries;
+               of_entries = distance_->rounding_of(fine.state, fine.ranges),
+               phase = std::max(radians_, span_ * speed_at(fine.state, fine.ranges));
+  answer_.state_error = foreseen + (fine.candidate->noise + epsilon) * phase + of_clock + of_entries;
   if (of_entries > 10.0 * question_.tolerance)
     answer_.note +=
         "A coordinate or momentum is so far from zero that its rounding is more than the tolerance. ";

@@ -197,4 +197,26 @@ TEST(SolveEnergies, DoNotEndARunWhoseStepWasMadeLonger) {
     }
 }
 
+// At a pericentre the terms of H are thousands of times what is left of them. An error of H_0 is one of the
+// period, whatever the steps: both runs have it. There p = -t / q^2, as late as the end is.
+TEST(SolveEnergies, HaveAllDigitsAtTheStart) {
+  const auto kepler = [](const auto& q, const auto& p) {
+    return 0.5 * p.squaredNorm() - 1.0 / sqrt(q.squaredNorm());
+  };
+  for (const double q : {1.007e-4, 1.1e-4, 1.2345e-4, 1.007e-3, 1.1e-3}) {
+    const double p = std::sqrt(2.0 / q - 1.0);
+    const State<2> start{.q = {q, 0.0}, .p = {0.0, p}};
+    // A long double leaves 1e-15 of it.
+    const long double two_energies = static_cast<long double>(p) * p - 2.0L / q;
+    const long double a = -1.0L / two_energies, period = 2.0L * M_PIl * a * std::sqrt(a);
+    const auto end = static_cast<double>(period);
+    const double late = static_cast<double>(end - period);
+    for (const double tolerance : {1e-6, 1e-8}) {
+      const auto orbit = solve(kepler, start, end, tolerance);
+      EXPECT_TRUE(orbit.kept()) << orbit.report();
+      EXPECT_NEAR(orbit.state.p[0], -late / (q * q), 5.0 * tolerance * p) << q << ", " << tolerance;
+    }
+  }
+}
+
 }  // namespace solve_energies_test
