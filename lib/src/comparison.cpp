@@ -22,17 +22,12 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   // In the first quarter, or three eighths where marks are few, in the first half, and on the whole.
   double early = 0.0, halfway = 0.0, late = 0.0;
   double furthest = 0.0, least = infinity;
-  double on_the_way = 0.0;  // what a mark before the judged ones lets expect
-  bool runaway = false;     // at some time differences have grown faster than by a power of time
+  bool runaway = false;  // at some time differences have grown faster than by a power of time
   for (std::size_t i = 0; i < marks; ++i) {
     const double whole = (*distance_)(coarse.marks[i], fine.marks[i], fine.ranges), apart = whole / ratio;
     const double speed = std::max(speed_at(fine.marks[i], fine.ranges), 0.03 * usual_speed_);
     const double behind = speed > 0.0 ? apart / speed : apart;
     const double since = since_start(i);
-    if (i < first_) {
-      if (speed > 0.3 * usual_speed_) on_the_way = behind * until / since;
-      continue;
-    }
     if (since <= (compared_ > 3 ? 0.251 : 0.376) * until) early = std::max(early, behind);
     if (since <= 0.501 * until) halfway = std::max(halfway, behind);
     late = std::max(late, behind);
@@ -45,10 +40,9 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   const double left = left_by_sweeps(fine);
   seen.error = std::max(seen.error, std::min(left, ratio * seen.error));
   const double lag = lag_at_saddles(fine, 0.0);
-  const double speed_there = std::max(speed_at(fine.marks[marks - 1], fine.ranges), 0.03 * usual_speed_);
-  // And where the end alone is judged, the two may meet there by chance.
-  late = std::max({late, lag, 0.5 * on_the_way});
-  seen.error = std::max(seen.error, std::max(lag, 0.5 * on_the_way) * speed_there);
+  late = std::max(late, lag);
+  seen.error =
+      std::max(seen.error, lag * std::max(speed_at(fine.marks[marks - 1], fine.ranges), 0.03 * usual_speed_));
   // By a power of time it would grow as much from a half to the whole as from a quarter to a half. Rounding,
   // which may be small by chance at first, is not taken for it.
   seen.exponential = furthest > 1e-7 && std::log(late / halfway) > 1.4 * std::log(halfway / early);

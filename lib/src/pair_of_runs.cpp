@@ -191,7 +191,7 @@ bool Orbiter::pursue(Setting& setting) {
     if (compared && !go_on(*coarse_, mark) && !(question_.options.h > 0.0)) return failed(*coarse_, setting);
     if (!go_on(*fine_, mark)) return failed(*fine_, setting);
     if (mark == 0 && passes_over_start(*fine_)) fine_->jumped = true;
-    if (compared && mark >= first_) {
+    if (compared) {
       judged_ = mark;
       if (judge(setting, mark)) return true;
       parted_ = resigned_ && seen_.error > 1.0;
@@ -267,15 +267,26 @@ Orbiter::Alike Orbiter::alike_energies() {
   return features_->bends() ? Alike::rounding : Alike::unexplained;
 }
 
-/// The tolerance is kept. A longer step pays where enough is left of the run. @param factor of the step, with
-/// which it would just be kept @return the step is to be another one
+/// The tolerance is kept at the end, where two runs of few steps may meet by chance: what is not far below it
+/// is believed when a third one, with shorter steps, says so, too. @param factor of the step, with which it
+/// would just be kept @return there is to be a third one
+bool Orbiter::confirm(Setting& setting, double error, double factor) {
+  constexpr double clear = 0.3;
+  constexpr long few = 300;
+  if (resolved_ == 0.0) resolved_ = fine_->h;
+  if (confirmed_ || !question_.options.check || !(error > clear) || fine_->run.steps > few) return false;
+  confirmed_ = unstable_ = true;
+  return again(setting, std::min(factor, 1.0 / 1.2));
+}
+
+/// The tolerance is kept on the way. A longer step pays where enough is left of the run. @param factor of the
+/// step, with which it would just be kept @return the step is to be another one
 bool Orbiter::lengthen(Setting& setting, std::size_t mark, double factor) {
-  const bool last = mark + 1 == marks_.size();
   const double here = since_start(mark);
   if (resolved_ == 0.0) resolved_ = fine_->h;
   // Where sweeps converge slowly, a shorter step costs less.
   const long steps = fine_->run.steps;
-  if (!slow_ && mark == 0 && !last && steps >= fewest && fine_->run.evaluations > 20 * steps) {
+  if (!slow_ && mark == 0 && steps >= fewest && fine_->run.evaluations > 20 * steps) {
     slow_ = true;
     return again(setting, 0.7);
   }
@@ -314,8 +325,7 @@ bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& er
     // Nor is it counted: a mark on the way that foretells less than the one beyond it says nothing of that.
     if (resolved_ > 0.0 && beyond && seen_.error <= question_.tolerance && !last) return false;
     vain_ = in_vain ? vain_ + 1 : 0;
-    const bool lost =
-        errors.hidden && last && mark > first_ && !(seen_.error < 1e-3) && !(fine_->h > resolved_);
+    const bool lost = errors.hidden && last && mark > 0 && !(seen_.error < 1e-3) && !(fine_->h > resolved_);
     // Energy errors that do not fall with the step, and are as small, are rounding on the way.
     const bool rounds = errors.hidden || (fine_->energy_error > 0.5 * coarse_->energy_error &&
                                           fine_->energy_error < 1e4 * answer_.energy_rounding);
@@ -377,7 +387,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   const bool hidden = fine_->energy_error <= 100.0 * answer_.energy_rounding;
   const double of_energy = hidden || alike == Alike::harmless ? 0.0 : fine_->energy_error / (3.0 * tolerance);
   const double of_state = foretold(seen_, here, span_, high_speed_) / tolerance;
-  if (mark == first_ && !others_tried_ && try_others(setting)) return true;
+  if (mark == 0 && !others_tried_ && try_others(setting)) return true;
   if (resigned_ || round_ >= most_rounds) return false;
   // No step makes the digits of distant coordinates, or of a distant clock, more.
   const double digits =
@@ -388,7 +398,8 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   }
   const double error = std::max(of_state, of_energy);
   const double factor = std::pow(wanted_part / std::max(error, 1e-300), 1.0 / fine_->order);
-  if (error <= (last ? 3.0 : 2.0)) return lengthen(setting, mark, factor);
+  if (last && error <= 3.0) return confirm(setting, error, factor);
+  if (error <= 2.0) return lengthen(setting, mark, factor);
   return shorten(setting, mark, {of_state, of_energy, hidden, alike == Alike::unexplained}, factor);
 }
 
@@ -416,7 +427,7 @@ bool Orbiter::take_from_aside(Setting& setting, double others) {
 /// @return one of them is taken
 bool Orbiter::try_others(Setting& setting) {
   others_tried_ = true;
-  const double here = since_start(first_);
+  const double here = since_start(0);
   if (!(span_ > 8.0 * here) || !has_a_choice()) return false;
   const double behind = std::max(seen_.behind, 1e-300);
   const double wanted = wanted_part * question_.tolerance * here / span_ / std::max(high_speed_, 1e-300);

@@ -127,6 +127,7 @@ class Orbiter {
   bool again(Setting& setting, double factor);
   enum class Alike { no, rounding, harmless, unexplained };
   Alike alike_energies();
+  bool confirm(Setting& setting, double error, double factor);
   bool lengthen(Setting& setting, std::size_t mark, double factor);
   bool shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& errors, double factor);
   bool judge(Setting& setting, std::size_t mark);
@@ -179,7 +180,6 @@ class Orbiter {
   double high_speed_ = 0.0;   // a speed that the end may have
   std::vector<double> marks_;
   std::size_t compared_ = 0;  // marks up to which there are two runs
-  std::size_t first_ = 0;     // mark from which on pairs are judged
   std::optional<Journey> coarse_, fine_;
   Setting instead_of_;  // what a candidate from aside was taken for
   Comparison seen_;
@@ -195,6 +195,7 @@ class Orbiter {
   double in_the_way_ = 0.0;               // time at which runs fail, whatever the step
   Outcome bound_ = Outcome::ok;           // of the call, that a run has met
   double resolved_ = 0.0;                 // the first step that was short enough, as far as the first marks
+  bool confirmed_ = false;                // a third run says what two do, see confirm()
   bool unstable_ = false;                 // small errors grow by more than an order of magnitude
   bool coarse_grained_ = false;           // energies err alike whatever the step
   std::optional<bool> foreign_gradient_;  // H supplies one that is not its own, where that has been asked

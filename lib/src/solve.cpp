@@ -291,22 +291,13 @@ VectorX Orbiter::rounding_of(const Sketch& sketch, const VectorX& metric) {
 
 /// The times at which two runs are compared: the end, three quarters, a half, three eighths and so on of it,
 /// down to a few turns; only every third of them in runs that are too short for growing errors to be seen.
-/// Where that leaves the end alone, the runs are compared there with what they were before, which is not
-/// judged itself: at one time two may meet by chance.
 void Orbiter::set_marks() {
   const bool is_long = radians_ > shortest_growth;
   const double least = is_long ? 25.0 : field_.size() > 1 ? 12.0 : 20.0;
-  double part = 1.0;
-  const auto add = [&] {
+  for (double part = 1.0; marks_.size() < 80 && (part == 1.0 || part * radians_ >= least);) {
     marks_.push_back(part == 1.0 ? question_.t_end : question_.t + sense_ * part * span_);
-  };
-  for (; marks_.size() < 80 && (part == 1.0 || part * radians_ >= least); part *= !is_long ? 0.375
-                                                                                  : marks_.size() % 2 == 1
-                                                                                      ? 0.75
-                                                                                      : 2.0 / 3.0)
-    add();
-  first_ = marks_.size() == 1 && part * radians_ > 6.0 ? 1 : 0;
-  if (first_ == 1) add();
+    part *= !is_long ? 0.375 : marks_.size() % 2 == 1 ? 0.75 : 2.0 / 3.0;
+  }
   std::ranges::reverse(marks_);
   compared_ = marks_.size();
   // Without a check, over some turns, or the first twenty-fifth of many.
@@ -386,7 +377,7 @@ OrbitAnswer Orbiter::solve() {
   if (radians_ > most) return too_far("The end, t = ", question_.t_end, radians_);
   if (since_zero > most) return too_far("The zero of time, seen from t = ", question_.t, since_zero);
   set_marks();
-  answer_.choice.time = since_start(first_);
+  answer_.choice.time = since_start(0);
   Setting setting{&menu_.front(),
                   question_.options.h > 0.0 ? question_.options.h : first_step(menu_.front())};
   while (pursue(setting)) {
