@@ -45,7 +45,7 @@ void Orbiter::bound(Journey& journey, std::size_t mark) {
   const SolveOptions& options = question_.options;
   if (options.h > 0.0 || (options.order > 0 && options.order < 6)) return;
   if (resolved_ == 0.0 || std::abs(journey.state.t - question_.t) < sketch_->time)
-    journey.most = std::min(journey.most, patience / journey.candidate->price());
+    journey.most = std::min(journey.most, its_patience() / journey.candidate->price());
 }
 
 /// Takes a run to a mark, unless it is there. @return it has not failed
@@ -104,6 +104,18 @@ void Orbiter::look_from(const State<dynamic>& z) {
   }
 }
 
+/// Keeps the failed run that came furthest: where all fail, its state is what was reached.
+void Orbiter::keep_furthest() {
+  for (std::optional<Journey>* run : {&coarse_, &fine_})
+    if (*run && !(*run)->ok() && (!furthest_run_ || is_further(**run, *furthest_run_)))
+      furthest_run_ = std::exchange(*run, std::nullopt);
+}
+
+void Orbiter::drop_runs() {
+  keep_furthest();
+  coarse_.reset(), fine_.reset();
+}
+
 /// A run ended before its mark. @return there is another setting to try
 bool Orbiter::failed(const Journey& journey, Setting& setting) {
   note_trial(journey, infinity);
@@ -112,7 +124,7 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
   if (instead_of_.candidate) {  // it does no better than what it was taken for
     setting.candidate->aside = true;
     setting = std::exchange(instead_of_, {});
-    coarse_.reset(), fine_.reset();
+    drop_runs();
     resolved_ = setting.h;  // what was run before is not stopped for its price
     resigned_ = true;
     return true;
@@ -123,7 +135,7 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
     setting.h = resolved_;
     lengthened_ = most_lengthened;
     lengthened_for_ = nullptr;
-    coarse_.reset(), fine_.reset();
+    drop_runs();
     return true;
   }
   const double reached = std::abs(journey.state.t - question_.t);
@@ -137,7 +149,9 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
     if (again) repeated_ = std::min(repeated_, reached);
   }
   if (stopped ? it.failures == 0 && has_a_choice() : !again) look_from(journey.state);
-  failed_at_ = reached;
+  // Time has a limit with one monitor and with another.
+  if (again && failed_with_ != &it && journey.run.outcome == Outcome::stalled) dead_end_ = reached;
+  failed_at_ = reached, failed_with_ = &it;
   // A monitor may have a feature of its own there, or no value at all.
   const bool undefined = journey.run.outcome == Outcome::non_finite && !it.fixed();
   it.failures += undefined ? 2 : 1;
@@ -157,12 +171,12 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
         each.failures >= (dead_end_ > 0.0 ? 2 : 4) || (dead_end_ > 0.0 && each.outlook > 30.0 * least);
     if (!hopeless && !(best && work(each) >= work(*best))) best = &each;
   }
-  if (!best || static_cast<double>(budget_.sweeps) * it.price() > patience) {
+  if (!best || static_cast<double>(budget_.sweeps) * it.price() > its_patience()) {
     in_the_way_ = std::isfinite(repeated_) ? repeated_ : best ? 0.0 : furthest_;
     return false;
   }
   if (best != &it) {
-    coarse_.reset(), fine_.reset();
+    drop_runs();
     resolved_ = 0.0, before_ = infinity;
   }
   setting = {best, std::min(first_step(*best), best->below)};
@@ -172,6 +186,7 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
 /// Makes two runs side by side, from mark to mark. @return another setting is to be tried
 bool Orbiter::pursue(Setting& setting) {
   ++round_;
+  keep_furthest();
   Candidate& it = *setting.candidate;
   const double ratio = fine_ && fine_->ok() && fine_->candidate == &it ? fine_->h / setting.h : 0.0;
   if (ratio >= 1.15 && ratio <= 1.04 * std::pow(2.0 * most_trusted, 1.0 / fine_->order)) {
@@ -415,7 +430,7 @@ bool Orbiter::take_from_aside(Setting& setting, double others) {
   if (!best) return false;
   if (coarse_ && coarse_->ok()) note_trial(*coarse_, infinity);
   if (fine_ && fine_->ok()) note_trial(*fine_, seen_.error);
-  coarse_.reset(), fine_.reset();
+  drop_runs();
   best->aside = false;
   instead_of_ = std::exchange(setting, {best, first_step(*best)});
   resigned_ = steady_ = false;

@@ -67,7 +67,7 @@ struct ErrorsAtMark {
 inline constexpr double most_rounding = 1e-6;
 
 /// Nanoseconds, see Candidate::price(), that may be spent in vain: on runs that fail, or that no shorter step
-/// makes better.
+/// makes better. A tenth of it where a sketch ends, too, before what a step of any length does not pass.
 inline constexpr double patience = 5e8;
 
 /// Monitor, order and step of a pair of runs.
@@ -122,6 +122,12 @@ class Orbiter {
   void look_from(const State<dynamic>& z);
   void stay_near(Candidate& it, const Sketch& there);
   bool failed(const Journey& journey, Setting& setting);
+  void drop_runs();
+  void keep_furthest();
+  [[nodiscard]] bool is_further(const Journey& journey, const Journey& other) const {
+    return sense_ * (journey.state.t - other.state.t) > 0.0;
+  }
+  [[nodiscard]] double its_patience() const { return dead_end_ > 0.0 ? 0.1 * patience : patience; }
   void take_unit_of_energy(double scale);
   void look_at_work(std::size_t mark);
   bool again(Setting& setting, double factor);
@@ -181,7 +187,8 @@ class Orbiter {
   std::vector<double> marks_;
   std::size_t compared_ = 0;  // marks up to which there are two runs
   std::optional<Journey> coarse_, fine_;
-  Setting instead_of_;  // what a candidate from aside was taken for
+  std::optional<Journey> furthest_run_;  // of those that failed
+  Setting instead_of_;                   // what a candidate from aside was taken for
   Comparison seen_;
   std::size_t judged_ = 0;    // mark of that comparison
   double before_ = infinity;  // the error foretold from the best of the last pairs of runs, and at which mark
@@ -189,7 +196,8 @@ class Orbiter {
   int vain_ = 0;                          // pairs in a row that were not better than the best one
   int round_ = 0;                         // pairs of runs so far
   double failed_at_ = -1.0;               // time at which the last run failed
-  double dead_end_ = 0.0;                 // time at which a sketch could not go on, if it was so
+  Candidate* failed_with_ = nullptr;      // the candidate of that run
+  double dead_end_ = 0.0;                 // time which a sketch, or two monitors, do not pass, if it is so
   double furthest_ = 0.0;                 // time at which the last of the failed runs failed
   double repeated_ = infinity;            // the earliest at which two in a row did
   double in_the_way_ = 0.0;               // time at which runs fail, whatever the step

@@ -65,13 +65,13 @@ std::string Orbiter::given_up(const Journey& run) const {
     text << "The run was given up: with monitor " << named
          << ", as asked for, it takes over a hundred times the steps that its beginning suggests; where none "
             "is named, one that suits the orbit is chosen.";
+  else if (faster > 1e4 && when > reached)
+    text << "The run was given up: near t = " << question_.t + sense_ * when
+         << " something is so much faster than at the start that H seems to have a singularity there.";
   else if (static_cast<double>(run.run.steps) < 10.0 * expected_steps(*run.candidate, run.h, reached))
     text << "The run was given up after " << run.run.steps << " steps: the end is some "
          << expected_steps(*run.candidate, run.h, span_)
          << " of them away, and no step was found with which the tolerance is kept so far.";
-  else if (faster > 1e4)
-    text << "The run was given up: near t = " << question_.t + sense_ * when
-         << " something is so much faster than at the start that H seems to have a singularity there.";
   else
     text << "The run was given up: it takes over a hundred times the steps that its beginning suggests; "
             "something on the way is far faster, as near a singularity of H.";
@@ -92,8 +92,10 @@ void Orbiter::tell_work(const Journey& fine) {
   choice.h = fine.h;
   choice.solved = fine.solved;
   answer_.run = fine.run;
-  if (fine.ok() && (bound_ != Outcome::ok || fine.state.t != question_.t_end))
-    answer_.run.outcome = bound_ != Outcome::ok ? bound_ : Outcome::stopped;
+  if (bound_ != Outcome::ok)
+    answer_.run.outcome = bound_;
+  else if (fine.ok() && fine.state.t != question_.t_end)
+    answer_.run.outcome = Outcome::stopped;
   answer_.energy_error = fine.energy_error;
 }
 
@@ -169,11 +171,13 @@ void Orbiter::tell_doubts(const Journey& fine, double foreseen) {
 }
 
 OrbitAnswer Orbiter::finish() {
-  // Where a bound is met what was reached is the end: by the run that has come further, unless a step is
-  // given.
-  if (bound_ != Outcome::ok && coarse_ && !(question_.options.h > 0.0) &&
-      sense_ * (coarse_->state.t - fine_->state.t) > 0.0)
+  // What was reached is the end where a bound is met, or runs fail: by the one that has come furthest, unless
+  // a step is given. With a setting that failed nothing goes on behind a bound.
+  if (coarse_ && (bound_ != Outcome::ok || !coarse_->ok()) && !(question_.options.h > 0.0) &&
+      is_further(*coarse_, *fine_))
     std::swap(coarse_, fine_);
+  if (furthest_run_ && bound_ == Outcome::ok && is_further(*furthest_run_, *fine_))
+    fine_ = std::move(furthest_run_);
   const Journey& fine = *fine_;
   tell_work(fine);
   // What is foretold is at most as far as the motion goes.

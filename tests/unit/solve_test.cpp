@@ -236,6 +236,26 @@ TEST(Solve, SaysWhenRunsFail) {
   }
 }
 
+// The state is that of the run that came furthest, of whichever setting: it was the start.
+TEST(Solve, GivesBackWhatWasReachedWhereAllRunsFail) {
+  const auto logarithm = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + log(q[0]); };
+  const auto fallen = solve(logarithm, State<1>{.q = {1.0}, .p = {0.0}}, 10.0, 1e-8);
+  EXPECT_EQ(fallen.run.outcome, avi::Outcome::not_converged) << fallen.report();
+  EXPECT_NEAR(fallen.state.t, std::sqrt(M_PI / 2.0), 1e-6);
+  EXPECT_LT(fallen.state.q[0], 1e-6);
+  EXPECT_GT(fallen.run.steps, 0);
+  // To infinity in the time K(1 / sqrt 2).
+  const auto quartic = [](const auto& q, const auto& p) {
+    return 0.5 * p[0] * p[0] - 0.25 * q[0] * q[0] * q[0] * q[0];
+  };
+  const auto gone = solve(quartic, State<1>{.q = {1.0}, .p = {0.0}}, 5.0, 1e-6);
+  EXPECT_EQ(gone.run.outcome, avi::Outcome::not_converged) << gone.report();
+  EXPECT_NEAR(gone.state.t, std::comp_ellint_1(M_SQRT1_2), 1e-5);
+  EXPECT_GT(gone.state.q[0], 1e5);
+  EXPECT_LT(gone.run.evaluations + gone.choice.sweeps,
+            2'000'000);  // measured 780 thousand; it was 17 million
+}
+
 TEST(Solve, RefusesWhatCannotBe) {
   const auto start = Kepler::pericentre(0.5);
   const double nan = std::numeric_limits<double>::quiet_NaN();
