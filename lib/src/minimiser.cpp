@@ -294,8 +294,8 @@ class MinimiserRun {
   bool evaluate(Point& at) {
     at.f = value_at(at);
     if (entries_ != n_)
-      return fail(Outcome::wrong_gradient, "the gradient has " + std::to_string(entries_) +
-                                               " entries where x has " + std::to_string(n_));
+      return fail(Outcome::wrong_gradient, "the size of the gradient is " + std::to_string(entries_) +
+                                               " where that of x is " + std::to_string(n_));
     const auto sums = sweep<2>(n_, [g = at.g.data, d = d_.data()](auto e, auto& sum) {
       const auto entry = e(g);
       sum[0] += entry * e(d);

@@ -64,6 +64,8 @@ def minimise(f, x0, *, jac=None, parameters=(), callback=None, history=False, **
     Returns a Minimum. Raises ValueError for an x0 or option out of range, TypeError for an f that cannot be traced.
     """
     x0 = reals(x0, "x0")
+    if x0.size == 0:
+        raise ValueError("Size of x0 is 0; it must be at least 1.")
     chosen = _options(_avi.MinimiseOptions(), options, _OPTIONS, "minimise", ("jac", "parameters", "callback", "history"))
     for each, name, also in ((jac, "jac", "True where f returns both"), (callback, "callback", "None")):
         if not (each is None or callable(each) or (name == "jac" and isinstance(each, bool))):

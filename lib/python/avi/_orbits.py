@@ -320,6 +320,8 @@ def _start(q, p):
     q, p = reals(q, "q"), reals(p, "p")
     if p.shape != q.shape:
         raise ValueError(f"p has the shape {p.shape}; it must be that of q, {q.shape}.")
+    if q.size == 0:
+        raise ValueError("Size of q is 0; it must be at least 1.")
     return q, p
 
 

@@ -132,7 +132,7 @@ class Tracing(unittest.TestCase):
             lambda x: np.subtract.outer(x[:3], x[3:9].reshape(2, 3))[1, 1, 2] + x.cumsum()[4] + x.reshape(3, 4).trace() + np.ptp(x) + x.var(),
             lambda x: np.linalg.det(x[:9].reshape(3, 3) + 3 * np.eye(3)) + np.linalg.inv(matrix + np.diag(x[:4]) * 20)[1, 2],
             lambda x: np.linalg.solve(np.outer(x[:4], x[4:8]) + np.eye(4), x[:4])[3] + np.linalg.solve(np.outer(x[:3], x[3:6]) + np.eye(3), np.eye(3))[2, 1],
-            lambda x: np.select([x < 0.5, x < 0.8], [x, x * x], 3.0).sum() + np.real(x).sum() + x.real.sum() + sum(x.tolist()) + x[3].item(),
+            lambda x: np.select([x < 0.5, x < 0.8], [x, x * x], 3.0).sum() + np.real(x).sum() + x.real.sum() + x.conj().sum() + x.imag.sum() + sum(x.tolist()) + x[3].item(),
         ):
             formula = avi.objective(f, 12)
             self.assertAlmostEqual(formula.value(x), float(f(x)), delta=1e-12 * (1 + abs(float(f(x)))))
@@ -179,7 +179,7 @@ class Tracing(unittest.TestCase):
 
         numbers = np.array([-3.0, -2.5, -1.75, -0.5, -0.2, 0.0, 0.2, 0.5, 0.49999999999999994, 1.5, 2.5, 3.0, 7.25, 2.0**52 + 1, 1e300])
         for f in (
-            np.floor, np.ceil, np.trunc, np.fix, np.rint, np.round, lambda x: np.around(x, 1), lambda x: x % 2, lambda x: np.mod(x, -1.5),
+            np.floor, np.ceil, np.trunc, np.fix, np.rint, np.round, lambda x: x.round(), lambda x: np.around(x, 1), lambda x: x % 2, lambda x: np.mod(x, -1.5),
             lambda x: x // 0.75, lambda x: np.remainder(7.0, x + 0.13), lambda x: 5.5 // (x - 0.3), lambda x: 5.5 % (x - 0.3),
             lambda x: x - np.floor(x / 2) * 2,
         ):  # fmt: skip
