@@ -152,10 +152,8 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
   // Time has a limit with one monitor and with another.
   if (again && failed_with_ != &it && journey.run.outcome == Outcome::stalled) dead_end_ = reached;
   failed_at_ = reached, failed_with_ = &it;
-  // A monitor may have a feature of its own there, or no value at all.
-  const bool undefined = journey.run.outcome == Outcome::non_finite && !it.fixed();
-  it.failures += undefined ? 2 : 1;
-  if (!stopped) it.below = setting.h * (it.failures > 2 ? 0.25 : 0.5);
+  ++it.failures;
+  if (!stopped) it.below = 0.5 * setting.h;
   // What promises the least work now, with steps that have not failed. Where a sketch ends too, monitors that
   // the singularity makes many times dearer do not pass it either.
   const auto work = [&](const Candidate& each) {
@@ -299,16 +297,9 @@ bool Orbiter::confirm(Setting& setting, double error, double factor) {
 bool Orbiter::lengthen(Setting& setting, std::size_t mark, double factor) {
   const double here = since_start(mark);
   if (resolved_ == 0.0) resolved_ = fine_->h;
-  // Where sweeps converge slowly, a shorter step costs less.
-  const long steps = fine_->run.steps;
-  if (!slow_ && mark == 0 && steps >= fewest && fine_->run.evaluations > 20 * steps) {
-    slow_ = true;
-    return again(setting, 0.7);
-  }
   const double most = std::min(longest_step(*setting.candidate), stable_step(*setting.candidate));
   const double gain = std::min({0.9 * factor, 2.0, most / (longer * fine_->h)});
-  const bool laborious = !setting.candidate->splits() && fine_->run.evaluations > 14 * steps;
-  if (lengthened_ == most_lengthened || mark > 1 || steps < 6 || laborious || !(gain > 1.15) ||
+  if (lengthened_ == most_lengthened || mark > 1 || fine_->run.steps < 6 || !(gain > 1.15) ||
       (1.0 - 1.0 / gain) * (span_ - here) < 2.0 * here)
     return false;
   ++lengthened_;
