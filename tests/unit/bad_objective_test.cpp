@@ -236,7 +236,8 @@ TEST(BadObjective, NamesAGradientOfAnotherSize) {
   };
   const auto run = minimise(short_one, VectorX::Ones(3));
   EXPECT_EQ(run.outcome, Outcome::wrong_gradient);
-  EXPECT_NE(run.message.find("the size of the gradient is 2 where that of x is 3"), std::string::npos) << run.message;
+  EXPECT_NE(run.message.find("the size of the gradient is 2 where that of x is 3"), std::string::npos)
+      << run.message;
 }
 
 TEST(BadObjective, NamesWhatHasNoLowerBound) {
