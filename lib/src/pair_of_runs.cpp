@@ -297,9 +297,17 @@ bool Orbiter::confirm(Setting& setting, double error, double factor) {
 bool Orbiter::lengthen(Setting& setting, std::size_t mark, double factor) {
   const double here = since_start(mark);
   if (resolved_ == 0.0) resolved_ = fine_->h;
+  // Where sweeps converge slowly, a shorter step costs less.
+  const long steps = fine_->run.steps;
+  if (!slow_ && mark == 0 && steps >= fewest && fine_->run.evaluations > 20 * steps) {
+    slow_ = true;
+    return again(setting, 0.7);
+  }
   const double most = std::min(longest_step(*setting.candidate), stable_step(*setting.candidate));
   const double gain = std::min({0.9 * factor, 2.0, most / (longer * fine_->h)});
-  if (lengthened_ == most_lengthened || mark > 1 || fine_->run.steps < 6 || !(gain > 1.15) ||
+  // A longer one may need Newton's method, which takes many times as long as a sweep.
+  const bool laborious = !setting.candidate->splits() && fine_->run.evaluations > 14 * steps;
+  if (lengthened_ == most_lengthened || mark > 1 || steps < 6 || laborious || !(gain > 1.15) ||
       (1.0 - 1.0 / gain) * (span_ - here) < 2.0 * here)
     return false;
   ++lengthened_;

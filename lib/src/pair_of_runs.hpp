@@ -207,6 +207,7 @@ class Orbiter {
   bool unstable_ = false;                 // small errors grow by more than an order of magnitude
   bool coarse_grained_ = false;           // energies err alike whatever the step
   std::optional<bool> foreign_gradient_;  // H supplies one that is not its own, where that has been asked
+  bool slow_ = false;                     // a step was made shorter for its sweeps
   bool thin_ = false;                    // a step went over a feature of H, which shorter ones resolve slowly
   int lengthened_ = 0;                   // times that a step was made longer
   Candidate* lengthened_for_ = nullptr;  // of this one, last
