@@ -152,8 +152,10 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
   // Time has a limit with one monitor and with another.
   if (again && failed_with_ != &it && journey.run.outcome == Outcome::stalled) dead_end_ = reached;
   failed_at_ = reached, failed_with_ = &it;
-  ++it.failures;
-  if (!stopped) it.below = 0.5 * setting.h;
+  // A monitor may have a feature of its own there, or no value at all.
+  const bool undefined = journey.run.outcome == Outcome::non_finite && !it.fixed();
+  it.failures += undefined ? 2 : 1;
+  if (!stopped) it.below = setting.h * (it.failures > 2 ? 0.25 : 0.5);
   // What promises the least work now, with steps that have not failed. Where a sketch ends too, monitors that
   // the singularity makes many times dearer do not pass it either.
   const auto work = [&](const Candidate& each) {
