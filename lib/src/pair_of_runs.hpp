@@ -67,7 +67,7 @@ struct ErrorsAtMark {
 inline constexpr double most_rounding = 1e-6;
 
 /// Nanoseconds, see Candidate::price(), that may be spent in vain: on runs that fail, or that no shorter step
-/// makes better. A tenth of it where a sketch ends, too, before what a step of any length does not pass.
+/// makes better. A tenth of it before a dead end of the orbit.
 inline constexpr double patience = 5e8;
 
 /// Monitor, order and step of a pair of runs.
@@ -124,6 +124,7 @@ class Orbiter {
   bool failed(const Journey& journey, Setting& setting);
   void drop_runs();
   void keep_furthest();
+  void take_furthest();
   [[nodiscard]] bool is_further(const Journey& journey, const Journey& other) const {
     return sense_ * (journey.state.t - other.state.t) > 0.0;
   }

@@ -382,8 +382,8 @@ OrbitAnswer Orbiter::solve() {
                   question_.options.h > 0.0 ? question_.options.h : first_step(menu_.front())};
   while (pursue(setting)) {
   }
-  if (!fine_) fine_ = std::exchange(furthest_run_, std::nullopt);
-  if (!fine_ || (!furthest_run_ && !fine_->ok() && fine_->run.steps == 0)) return give_up();
+  take_furthest();
+  if (!fine_ || (!fine_->ok() && fine_->run.steps == 0)) return give_up();
   return finish();
 }
 

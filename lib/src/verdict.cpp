@@ -170,14 +170,17 @@ void Orbiter::tell_doubts(const Journey& fine, double foreseen) {
     note += "Monitor, order and step were chosen for another start; solve() chooses for this one. ";
 }
 
-OrbitAnswer Orbiter::finish() {
-  // What was reached is the end where a bound is met, or runs fail: by the one that has come furthest, unless
-  // a step is given. With a setting that failed nothing goes on behind a bound.
-  if (coarse_ && (bound_ != Outcome::ok || !coarse_->ok()) && !(question_.options.h > 0.0) &&
+/// What was reached is the end where a bound is met, or runs fail: by the one that has come furthest, unless
+/// a step is given. With a setting that failed nothing goes on behind a bound.
+void Orbiter::take_furthest() {
+  if (fine_ && coarse_ && (bound_ != Outcome::ok || !coarse_->ok()) && !(question_.options.h > 0.0) &&
       is_further(*coarse_, *fine_))
     std::swap(coarse_, fine_);
-  if (furthest_run_ && bound_ == Outcome::ok && is_further(*furthest_run_, *fine_))
+  if (furthest_run_ && (!fine_ || (bound_ == Outcome::ok && is_further(*furthest_run_, *fine_))))
     fine_ = std::move(furthest_run_);
+}
+
+OrbitAnswer Orbiter::finish() {
   const Journey& fine = *fine_;
   tell_work(fine);
   // What is foretold is at most as far as the motion goes.

@@ -214,7 +214,8 @@ TEST(SolveEnergies, HaveAllDigitsAtTheStart) {
     for (const double tolerance : {1e-6, 1e-8}) {
       const auto orbit = solve(kepler, start, end, tolerance);
       EXPECT_TRUE(orbit.kept()) << orbit.report();
-      EXPECT_NEAR(orbit.state.p[0], -late / (q * q), 5.0 * tolerance * p) << q << ", " << tolerance;
+      EXPECT_NEAR(orbit.state.p[0], -late / (q * q), 3.0 * tolerance * p)
+          << q << ", " << tolerance;  // measured 1.5
     }
   }
 }

@@ -241,8 +241,8 @@ TEST(Solve, GivesBackWhatWasReachedWhereAllRunsFail) {
   const auto logarithm = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + log(q[0]); };
   const auto fallen = solve(logarithm, State<1>{.q = {1.0}, .p = {0.0}}, 10.0, 1e-8);
   EXPECT_EQ(fallen.run.outcome, avi::Outcome::not_converged) << fallen.report();
-  EXPECT_NEAR(fallen.state.t, std::sqrt(M_PI / 2.0), 1e-6);
-  EXPECT_LT(fallen.state.q[0], 1e-6);
+  EXPECT_NEAR(fallen.state.t, std::sqrt(M_PI / 2.0), 1e-9);  // measured 5e-10
+  EXPECT_LT(fallen.state.q[0], 6e-9);                        // measured 3e-9
   EXPECT_GT(fallen.run.steps, 0);
   // To infinity in the time K(1 / sqrt 2).
   const auto quartic = [](const auto& q, const auto& p) {
@@ -250,10 +250,10 @@ TEST(Solve, GivesBackWhatWasReachedWhereAllRunsFail) {
   };
   const auto gone = solve(quartic, State<1>{.q = {1.0}, .p = {0.0}}, 5.0, 1e-6);
   EXPECT_EQ(gone.run.outcome, avi::Outcome::not_converged) << gone.report();
-  EXPECT_NEAR(gone.state.t, std::comp_ellint_1(M_SQRT1_2), 1e-5);
-  EXPECT_GT(gone.state.q[0], 1e5);
+  EXPECT_NEAR(gone.state.t, std::comp_ellint_1(M_SQRT1_2), 3e-6);  // measured 1.4e-6
+  EXPECT_GT(gone.state.q[0], 5e5);                                 // measured 1e6
   EXPECT_LT(gone.run.evaluations + gone.choice.sweeps,
-            2'000'000);  // measured 780 thousand; it was 17 million
+            1'600'000);  // measured 780 thousand; it was 17 million
 }
 
 // A charge in the field of a dipole, whose sweeps converge slowly: longer steps keep the tolerance, but are
