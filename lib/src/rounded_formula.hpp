@@ -48,6 +48,7 @@ class RoundedFormula {
   template <class Numbers, class By>
   void move(const Numbers& x, By&& by) {
     values_.clear();
+    values_.reserve(static_cast<std::size_t>(node_) + 1);  // at once, not by each node
     while (static_cast<int>(values_.size()) <= node_) {
       const int node = static_cast<int>(values_.size());
       if (node < graph_.inputs())
