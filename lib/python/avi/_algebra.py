@@ -7,20 +7,21 @@ from ._avi import Traced, pool, traced, where
 matmul = Traced.__matmul__
 
 LARGE = 2000  # products of so many numbers are worth a call of a matrix product
-matrices = ContextVar("matrices", default=(0, None))  # of the objective that is being traced the number of its arguments, and its matrices
+matrices = ContextVar("matrices", default=(0, 0, None))  # of the objective that is being traced the numbers of x and of parameters, and its matrices
 
 
 def by_matrix(a, x):
-    """The product of a large matrix of numbers with arguments of a function that is being traced, where that is kept as it is."""
-    size, kept = matrices.get()
+    """The product of a large matrix of numbers with entries of x, or of such products, where that is kept as it is."""
+    size, parameters, kept = matrices.get()
     if kept is None or isinstance(a, Traced) or a.dtype.kind not in "biuf" or hasattr(a, "hardmask") or hasattr(a, "getA1") or a.ndim != 2 or a.size * (x.size // len(x)) < LARGE or a.shape[1] != len(x):
-        return None
-    places = x._places
-    if not places or max(places) >= size:  # parameters are not kept as they are
         return None
     import numpy as np
 
-    kept.append((np.array(a, dtype=float), np.reshape(places, x.shape)))
+    places = np.array(x._places, dtype=int)
+    if not places.size or np.any((places >= size) & (places < size + parameters)):  # parameters may change
+        return None
+    places[places >= size] -= parameters  # they come last when f is evaluated
+    kept.append((np.array(a, dtype=float), places.reshape(x.shape)))
     return x._more(a.shape[:1] + x.shape[1:])
 
 

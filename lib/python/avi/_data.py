@@ -5,10 +5,12 @@ from ._formula import numbers_of, trace
 
 
 class FormulaOfData:
-    """f(x) = F(x, A x, B x ...): F is a formula, and A, B ... are matrices of numbers. It serves minimise() as a Formula does."""
+    """f(x) = F(z), z = (x, A z, B z ...): F is a formula, and each of the matrices of numbers A, B ... is multiplied by some of the entries of
+    z that come before. It serves minimise() as a Formula does."""
 
     def __init__(self, formula, kept, size):
         self._formula, self._kept, self.size = formula, kept, size
+        self._size_of_z = size + sum(len(a) * (places.size // len(places)) for a, places in kept)
 
     parameters = property(lambda self: self._formula.parameters)
 
@@ -21,18 +23,23 @@ class FormulaOfData:
         x = np.ravel(np.asarray(x, dtype=float))
         if len(x) != self.size:
             raise ValueError(f"Number of arguments of a formula is {len(x)}; it must be {self.size}.")
-        return np.concatenate([x, *(np.ravel(a @ x[places]) for a, places in self._kept)])
+        z, last = np.empty(self._size_of_z), self.size
+        z[:last] = x
+        for a, places in self._kept:
+            product = np.ravel(a @ z[places])
+            first, last = last, last + product.size
+            z[first:last] = product
+        return z
 
     def _slopes(self, z):
         import numpy as np
 
-        all_slopes = self._formula.gradient(z)
-        slopes, first = all_slopes[: self.size].copy(), self.size
-        for a, places in self._kept:
-            size = len(a) * (places.size // len(places))
-            np.add.at(slopes, places, a.T @ all_slopes[first : first + size].reshape((len(a),) + places.shape[1:]))
-            first += size
-        return slopes
+        slopes, last = self._formula.gradient(z), self._size_of_z
+        for a, places in reversed(self._kept):  # what is multiplied comes before its product
+            first = last - len(a) * (places.size // len(places))
+            np.add.at(slopes, places, a.T @ slopes[first:last].reshape((len(a),) + places.shape[1:]))
+            last = first
+        return slopes[: self.size].copy()
 
     def value(self, x):
         return self._formula.value(self._point(x))
@@ -50,7 +57,7 @@ def objective(f, shape, parameters):
     import numpy as np
 
     size, kept = int(np.prod(shape)), []
-    before = matrices.set((size, kept))
+    before = matrices.set((size, len(numbers_of(parameters)), kept))
     try:
         formula = trace(f, [shape], parameters, "f")
     finally:

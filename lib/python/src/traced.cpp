@@ -329,8 +329,8 @@ std::vector<int> places(const Traced& x) {
   std::vector<int> found;
   for (const Recorded& entry : x.entries) {
     const int node = x.graph ? entry.node_in(*x.graph) : -1;
-    if (node < 0 || node >= x.graph->inputs()) return {};
-    found.push_back(node);
+    if (node < 0 || (*x.graph)[node].operation != Operation::input) return {};
+    found.push_back((*x.graph)[node].a);
   }
   return found;
 }

@@ -68,9 +68,13 @@ class Minimise(unittest.TestCase):
             w = w.reshape(12, -1)
             return np.sum((product(table, w) - classes) ** 2) + np.sum(np.dot(table[:, ::-1], w[:, 1]) ** 3) + np.sum((table @ w[:, 0] ** 2)[:9])
 
-        for f, x0 in ((regression, x), (several, random.normal(size=36))):
+        def of_products(x, product=np.matmul):
+            y = product(table, x[1:])
+            return np.sum(product(table.T, y) * x[:12]) + np.sum(product(table.T, np.stack([y, x[0] * y, y[::-1]], axis=1)[:, [0, 2]]) ** 3) * 1e-6
+
+        for f, x0, products in ((regression, x, 1), (several, random.normal(size=36), 2), (of_products, x, 3)):
             kept, recorded = (avi.objective(lambda x, p=p: f(x, p), x0.shape) for p in (np.matmul, of_all))
-            self.assertNotEqual(type(kept), type(avi.objective(lambda x: x @ x, 3)))
+            self.assertEqual(len(kept._kept), products)
             self.assertEqual(kept.size, x0.size)
             self.assertAlmostEqual(kept.value(x0), f(x0), delta=1e-11 * abs(f(x0)))
             self.assertLess(np.abs(kept.gradient(x0) - recorded.gradient(x0)).max(), 1e-11 * np.abs(kept.gradient(x0)).max())
@@ -79,6 +83,8 @@ class Minimise(unittest.TestCase):
         shifted = avi.objective(lambda x, c: np.mean((table @ x - table @ c) ** 2), 12, np.ones(12))
         self.assertLess(np.abs(avi.minimise(shifted, np.zeros(12)).x - 1).max(), 1e-5)
         self.assertLess(np.abs(avi.minimise(shifted, np.zeros(12), parameters=np.arange(12.0)).x - np.arange(12)).max(), 1e-4)
+        apart = lambda x, c: np.sum((table.T @ (table @ x) - c) ** 2)
+        self.assertAlmostEqual(avi.objective(apart, 12, np.ones(12)).value(x[1:]) / apart(x[1:], 1), 1, delta=1e-13)
         for wrong in ([1.0], np.ones((2, 12))):
             with self.assertRaisesRegex(ValueError, "must be 12"):
                 shifted.value(wrong)
