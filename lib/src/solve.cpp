@@ -89,8 +89,9 @@ double Orbiter::energy_and_slope(const VectorX& start, VectorX& slope) {
     return (i < n ? "p[" : "q[") + std::to_string(i % n) + "]";
   };
   for (int i = 0; i < 2 * n; ++i)
-    require(std::isfinite(slope[i]), "The derivative of H by " + name(i) + " at the start",
-            i < n ? slope[i] : -slope[i], "finite");
+    if (!std::isfinite(slope[i]))
+      require(false, "The derivative of H by " + name(i) + " at the start", i < n ? slope[i] : -slope[i],
+              "finite");
   return energy_at_start(question_);
 }
 

@@ -10,6 +10,7 @@
 
 #include "allocations.hpp"
 #include "rate.hpp"
+#include "src/rounded_formula.hpp"
 
 #include <gtest/gtest.h>
 
@@ -96,6 +97,23 @@ TEST(Solver, MakesItsFormulasOnce) {
     const long run = count([&] { (void)solver.run(other, 8.0); });
     EXPECT_LT(run, 600) << all;  // measured 444, and 1022 where each run makes its own
   }
+}
+
+// Memory that grows node by node would cost the square of their number.
+TEST(RoundedFormula, TakesItsMemoryAtOnce) {
+  const auto sum = avi::Formula::of_point(
+      [](const auto& x) {
+        auto all = x[0];
+        for (int i = 1; i < 1000; ++i)
+          all += sqrt(x[0] + i);
+        return all;
+      },
+      1);
+  const std::vector<double> at{0.3};
+  avi::detail::RoundedFormula formula(sum.graph(), sum.node());
+  const long before = allocations;
+  EXPECT_GT(formula.rounded_once(at), 2e4);
+  EXPECT_LE(allocations - before, 2);  // by operator new, which asks malloc; 7994 where each node asks
 }
 
 TEST(Step, CounterCounts) {
