@@ -3,6 +3,7 @@
 #include "stepper.hpp"
 #include "switches.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -80,8 +81,11 @@ class OrbitSteps {
   }
   StepReport step_to_switch(State<dynamic>& z, double h);
   StepReport stop_at_switch(const State<dynamic>& from, double h, double time, State<dynamic>& z);
-  void load(const State<dynamic>& z) { z_ << z.q, z.p; }
-  void store(State<dynamic>& z) const { z.q = z_.head(n_), z.p = z_.tail(n_); }
+  void load(const State<dynamic>& z) { std::copy_n(z.p.data(), n_, std::copy_n(z.q.data(), n_, z_.data())); }
+  void store(State<dynamic>& z) const {
+    std::copy_n(z_.data(), n_, z.q.data());
+    std::copy_n(z_.data() + n_, n_, z.p.data());
+  }
   std::unique_ptr<Stepper> steps_;
   Eigen::Index n_;
   VectorX z_;  // of the step under way

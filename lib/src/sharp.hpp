@@ -41,8 +41,9 @@ class SharpFeatures {
       const bool peak = what == exp, condition = what == less || what == less_equal,
                  passage = what == tanh || what == cosh || what == sinh || what == erf || what == erfc;
       bends_ = bends_ || (!known && (condition || what == abs || what == sign || what == floor));
-      hides_ = hides_ ||
-               (moves && (is_function(what) || what == divide || what == power || condition || what == sign));
+      const bool quotient = what == divide && (on[graph[i].b] & (on_q | on_last)) != 0;
+      hides_ =
+          hides_ || quotient || (moves && (is_function(what) || what == power || condition || what == sign));
       if (!(peak || passage || (condition && !known))) continue;
       arguments_.push_back({peak      ? Kind::peak
                             : passage ? Kind::passage

@@ -64,7 +64,8 @@ class SplittingSteps final : public Stepper {
 
  private:
   static constexpr int lanes = 2;  // one for each orbit
-  static constexpr SplitCoefficients coefficients = splittings::blanes_moan6_nystrom;
+  static constexpr Lengths<double> drifts{splittings::blanes_moan6_nystrom.a},
+      kicks{splittings::blanes_moan6_nystrom.b};
   using Scalar = Pack<lanes>;
   using Vec = Vector<Scalar, dynamic>;
 
@@ -92,34 +93,30 @@ class SplittingSteps final : public Stepper {
     }
   }
   void move(const Scalar& h) {
-    const auto drift = [&](long double a) {
-      velocities_.run(q_, p_, static_cast<double>(a) * h, change_.data());
+    const auto drift = [&](std::size_t k) {
+      velocities_.run(q_, p_, drifts[k] * h, change_.data());
       add(q_, low_q_);
     };
-    for (std::size_t k = 0; k < coefficients.b.size(); ++k) {
-      drift(coefficients.a[k]);
-      forces_.run(q_, p_, static_cast<double>(-coefficients.b[k]) * h, change_.data());
+    for (std::size_t k = 0; k < kicks.size(); ++k) {
+      drift(k);
+      forces_.run(q_, p_, -kicks[k] * h, change_.data());
       add(p_, low_p_);
     }
-    drift(coefficients.a.back());
+    drift(kicks.size());
   }
-  /// x += change, with what rounding cut off before (Kahan 1965), number by number: whole registers at a
-  /// time.
+  /// x += change, with what rounding cut off before (Kahan 1965). Pack by pack, as the formulas have just
+  /// written the change: the processor would wait for what is read in other portions.
   void add(Vec& x, Vec& low) const {
-    const auto numbers = [](auto& vec) { return reinterpret_cast<double*>(vec.data()); };
-    double* __restrict const to = numbers(x), * __restrict const lost = numbers(low);
-    const double* __restrict const changes = reinterpret_cast<const double*>(change_.data());
-    const Eigen::Index size = lanes * x.size();
-    for (Eigen::Index i = 0; i < size; ++i) {
-      const double change = changes[i] + lost[i], next = to[i] + change;
-      lost[i] = change - (next - to[i]);
-      to[i] = next;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const Scalar change = change_[i] + low[i], next = x[i] + change;
+      low[i] = change - (next - x[i]);
+      x[i] = next;
     }
   }
   /// The step that `moved` has made in a lane ends here.
   StepReport end(const SplittingSteps& moved, int lane, double* z, double& t, double h) {
     const Eigen::Index n = q_.size();
-    const StepReport report{.evaluations = static_cast<int>(coefficients.b.size())};
+    const StepReport report{.evaluations = static_cast<int>(kicks.size())};
     for (Eigen::Index i = 0; i < n; ++i)
       if (!std::isfinite(moved.q_[i][lane]) || !std::isfinite(moved.p_[i][lane]))
         return {.outcome = Outcome::non_finite, .evaluations = report.evaluations};
