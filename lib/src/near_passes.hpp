@@ -20,9 +20,9 @@ namespace avi::detail {
 /// both miss the kick of such a pole agree, and are both wrong.
 class NearPasses {
  public:
-  /// The squares u of the distances at an end of a step, and how they change with the part of the step.
+  /// The squares of the distances at an end of a step, and how they change with the part of the step.
   struct Distances {
-    std::vector<double> u, rate;
+    std::vector<double> square, rate;
   };
 
   /// Takes H as a node of a graph, which outlives it. @param sketch of the orbit, where it begins
@@ -38,9 +38,9 @@ class NearPasses {
     for (const Poles::Light& each : light_)
       nodes.push_back(each.node);
     if (none()) return;
-    const Program squares = Schedule::program(graph, -1, nodes, graph.size());
-    moving_.emplace(RecordedFormula<Along>{squares});
-    still_.emplace(RecordedFormula<double>{squares});
+    const Program divisors = Schedule::program(graph, -1, nodes, graph.size());
+    moving_.emplace(RecordedFormula<Along>{divisors});
+    still_.emplace(RecordedFormula<double>{divisors});
   }
 
   /// There is none.
@@ -55,10 +55,10 @@ class NearPasses {
     }
     moving_->program.run(moving_->room);
     const double rate = candidate.fixed() ? h : h * candidate.rate_at(z);
-    now.u.resize(light_.size()), now.rate.resize(light_.size());
+    now.square.resize(light_.size()), now.rate.resize(light_.size());
     for (std::size_t k = 0; k < light_.size(); ++k) {
-      const Along& u = moving_->partial(static_cast<int>(k));
-      now.u[k] = u.value, now.rate[k] = rate * u.partial(0);
+      const Along square = light_[k].square(moving_->partial(static_cast<int>(k)));
+      now.square[k] = square.value, now.rate[k] = rate * square.partial(0);
     }
   }
   /// A body goes by unseen in the last step, of a method of that order, which took so much time.
@@ -67,7 +67,7 @@ class NearPasses {
     for (std::size_t k = 0; k < light_.size(); ++k)
       if (before.rate[k] < 0.0 && after.rate[k] > 0.0 &&
           misses(method, k, order, light_[k].reach * frequency_ * time,
-                 {before.u[k], before.rate[k], after.u[k], after.rate[k]}))
+                 {before.square[k], before.rate[k], after.square[k], after.rate[k]}))
         return true;
     return false;
   }
@@ -110,13 +110,14 @@ class NearPasses {
     values_.assign(there.q.begin(), there.q.end());
     values_.insert(values_.end(), there.p.begin(), there.p.end());
     evaluate(*graph_, energy_, values_);
-    return felt(poles_.change(light.pole, values_), values_[static_cast<std::size_t>(light.node)]);
+    return felt(poles_.change(light.node, light.degree, values_),
+                light.square(values_[static_cast<std::size_t>(light.node)]));
   }
   /// The square of distance k at a part of the last step.
   double square_at(const OrbitSteps& method, std::size_t k, double part) {
     const State<dynamic> there = method.polynomial(part);
     still_->run(there.q, there.p);
-    return still_->partial(static_cast<int>(k));
+    return light_[k].square(still_->partial(static_cast<int>(k)));
   }
   /// Where it is least, near a part of the step: twice by a parabola, which it nearly is.
   double lowest(const OrbitSteps& method, std::size_t k, double part) {
@@ -134,7 +135,7 @@ class NearPasses {
   double scale_, frequency_, kick_;
   Poles poles_;
   std::vector<Poles::Light> light_;
-  std::optional<RecordedFormula<Along>> moving_;  // squares of the distances
+  std::optional<RecordedFormula<Along>> moving_;  // what H divides by
   std::optional<RecordedFormula<double>> still_;
   std::vector<double> values_;  // of all nodes
 };

@@ -59,7 +59,11 @@ Poles::Poles(const ExpressionGraph& graph, int energy)
   }
   for (Pole& pole : poles_)
     pole.power = power_in(energy, pole.node);
-  std::erase_if(poles_, [](const Pole& pole) { return !(pole.power < 0.0); });
+  std::erase_if(poles_, [this](const Pole& pole) {
+    if (pole.power < 0.0) return false;
+    others_.push_back(pole);
+    return true;
+  });
   if (poles_.size() > most) poles_.clear();
 }
 
@@ -145,9 +149,8 @@ double Poles::degree(int node) const {
   return degrees[node] >= 1.0 ? degrees[node] : 1.0;
 }
 
-double Poles::change(std::size_t pole, const std::vector<double>& at) const {
+double Poles::change(int node, double degree, const std::vector<double>& at) const {
   constexpr double part = 0x1p-20;
-  const auto& [node, degree, power] = poles_[pole];
   std::vector<double> moved(at.begin(), at.begin() + std::max(node + 1, graph_->inputs()));
   moved[node] *= 1.0 + part;
   return degree * std::abs(evaluate(*graph_, energy_, moved) - at[energy_]) / part;
@@ -156,18 +159,20 @@ double Poles::change(std::size_t pole, const std::vector<double>& at) const {
 std::vector<Poles::Light> Poles::unfelt(const Sketch& sketch, double felt) const {
   std::vector<Light> light;
   if (sketch.samples.empty()) return light;
-  for (std::size_t k = 0; k < poles_.size(); ++k)
-    light.push_back({k, poles_[k].node, 0.0, poles_[k].steepness(), 0.0});
+  for (const Pole& pole : poles_)
+    light.push_back({pole.node, pole.degree, 0.0, pole.steepness(), 0.0});
+  for (const Pole& other : others_)
+    light.push_back({other.node, other.degree, 0.0, static_cast<int>(other.degree), 0.0});
   std::vector<double> at;
   const std::size_t every = sketch.samples.size() / 2 + 1;
   for (std::size_t i = 0; i < sketch.samples.size(); i += every) {
     at.assign(sketch.samples[i].z.begin(), sketch.samples[i].z.end());
     evaluate(*graph_, energy_, at);
     std::erase_if(light, [&](Light& each) {
-      const double here = change(each.pole, at), s = std::sqrt(at[each.node]);
+      const double here = change(each.node, each.degree, at), s = std::sqrt(each.square(at[each.node]));
       each.strength = std::max(each.strength, here * std::pow(s, each.steepness));
       each.reach = std::max(each.reach, 0.5 * s);
-      return poles_[each.pole].degree != 2.0 || !(here < felt);
+      return each.degree < 2.0 || !(here < felt);
     });
   }
   return light;
@@ -195,7 +200,7 @@ std::vector<double> Poles::constants(const Sketch& sketch, const VectorX& metric
     evaluate(graph, graph.size() - 1, at);
     for (std::size_t k = 0; k < poles_.size(); ++k) {
       const Pole& pole = poles_[k];
-      const double u = at[pole.node], change = this->change(k, at);
+      const double u = at[pole.node], change = this->change(pole.node, pole.degree, at);
       const int a = pole.steepness();
       const double frequency = std::sqrt(change * (1.0 + a) * at[slopes[k]]) / (pole.degree * std::abs(u));
       const double s = std::pow(std::abs(u), 1.0 / pole.degree), root = std::pow(s, 0.5 * a);

@@ -4,6 +4,8 @@
 #include "sketch.hpp"
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 /// @file
@@ -38,18 +40,26 @@ class Poles {
   /// number of coordinates but time
   [[nodiscard]] std::vector<double> constants(const Sketch& sketch, const VectorX& metric,
                                               Eigen::Index seen) const;
-  /// A pole whose u is the square of a length s.
+  /// A divisor u of degree 2 or more, of which little is felt.
   struct Light {
-    std::size_t pole;  ///< Its number.
-    int node;          ///< u.
-    double strength;   ///< |dH/d ln s| at s = 1,
-    int steepness;     ///< which changes with this power of 1/s.
-    double reach;      ///< Half of the largest s on the sketch.
+    int node;         ///< u,
+    double degree;    ///< and its degree.
+    double strength;  ///< |dH/d ln s| at s = 1,
+    int steepness;    ///< which changes with this power of 1/s.
+    double reach;     ///< Half of the largest s on the sketch.
+
+    /// The square of the length s, from u.
+    template <class S>
+    [[nodiscard]] S square(const S& u) const {
+      using std::abs;
+      return degree == 2.0 ? u : power(abs(u), 2.0 / degree);
+    }
   };
-  /// Those that are felt nowhere on a sketch: |dH/d ln s| is less than `felt`.
+  /// Those that are felt nowhere on a sketch: |dH/d ln s| is less than `felt`. Not all of them are poles of H,
+  /// as the u of 1 / (1 + 1/u).
   [[nodiscard]] std::vector<Light> unfelt(const Sketch& sketch, double felt) const;
-  /// |dH/d ln s| of a pole where all nodes up to H have these values.
-  [[nodiscard]] double change(std::size_t pole, const std::vector<double>& at) const;
+  /// |dH/d ln s| of a divisor of this degree where all nodes up to H have these values.
+  [[nodiscard]] double change(int node, double degree, const std::vector<double>& at) const;
   /// The node of \f$\ell\f$ in a graph that H is a part of as in the constructor.
   /// @param constants \f$w_0, e_0\f$, then those of the poles
   int rate(ExpressionGraph& graph, const Factor& energy_at_start, const std::vector<double>& constants) const;
@@ -73,6 +83,7 @@ class Poles {
   int energy_;
   std::vector<unsigned char> on_;  // see dependences()
   std::vector<Pole> poles_;
+  std::vector<Pole> others_;  // divisors that are none
 };
 
 }  // namespace avi::detail
