@@ -320,7 +320,7 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
     }
     if (!measured.changes.empty() && constants.poles.front() > 0.0)
       it.longest = std::max(it.longest, fastest_change(measured, constants.poles.front()));
-    it.noise = std::abs(it.alpha()) * rounding * measured.steepest;
+    it.noise = it.fixed() ? 0.0 : std::abs(it.alpha()) * rounding * measured.steepest;
     it.outlook = price * it.fictive * it.longest;
     const bool idle = !it.fixed() && it.name != "given" && !(most > 1.15 * least);
     if (!(least > 0.0) || !std::isfinite(it.outlook) || idle) it.outlook = infinity;

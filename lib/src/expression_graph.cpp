@@ -23,10 +23,9 @@ double detail::evaluate(Operation operation, double a, double b) {
 
 namespace {
 
-void check(Operation operation, int operands) {
-  if (detail::operands(operation) != operands)
-    throw std::logic_error(std::string("An operation does not have so many operands: ") +
-                           detail::name(operation) + ".");
+[[noreturn, gnu::cold]] void refuse(Operation operation) {
+  throw std::logic_error(std::string("An operation does not have so many operands: ") +
+                         detail::name(operation) + ".");
 }
 
 std::size_t hash(const ExpressionGraph::Node& node) {
@@ -35,6 +34,11 @@ std::size_t hash(const ExpressionGraph::Node& node) {
   key = (key ^ std::bit_cast<std::uint64_t>(node.number)) * 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio
   key = (key ^ (key >> 32) ^ static_cast<std::uint64_t>(node.operation)) * 0x9e3779b97f4a7c15;
   return static_cast<std::size_t>(key >> 32);
+}
+
+bool same(const ExpressionGraph::Node& x, const ExpressionGraph::Node& y) {
+  return x.a == y.a && x.b == y.b && x.operation == y.operation &&
+         std::bit_cast<std::uint64_t>(x.number) == std::bit_cast<std::uint64_t>(y.number);
 }
 
 }  // namespace
@@ -58,31 +62,44 @@ std::vector<char> ExpressionGraph::parts(const std::vector<int>& nodes) const {
 }
 
 int ExpressionGraph::unary(Operation operation, int a) {
-  check(operation, 1);
+  if (detail::operands(operation) != 1) refuse(operation);
   if (is_constant(a)) return constant(detail::evaluate(operation, nodes_[a].number, 0.0));
   return find({.operation = operation, .a = a});
 }
 
 int ExpressionGraph::binary(Operation operation, int a, int b) {
-  check(operation, 2);
+  if (detail::operands(operation) != 2) refuse(operation);
+  if (is_constant(a) || is_constant(b)) {
+    const int known = with_constant(operation, a, b);
+    if (known >= 0) return known;
+  } else if (operation == Operation::subtract && a == b) {
+    return constant(0.0);
+  }
+  if ((operation == Operation::add || operation == Operation::multiply) && b < a) std::swap(a, b);
+  const int node = find({.operation = operation, .a = a, .b = b});
+  if (operation == Operation::divide && is_constant(a)) {
+    if (quotients_.size() <= static_cast<std::size_t>(b)) quotients_.resize(node, -1);
+    if (quotients_[b] < 0) quotients_[b] = node;
+  }
+  return node;
+}
+
+int ExpressionGraph::with_constant(Operation operation, int a, int b) {
   if (is_constant(a) && is_constant(b))
     return constant(detail::evaluate(operation, nodes_[a].number, nodes_[b].number));
   switch (operation) {
   case Operation::add:
     if (is(a, 0.0)) return b;
     if (is(b, 0.0)) return a;
-    if (b < a) std::swap(a, b);
     break;
   case Operation::subtract:
     if (is(b, 0.0)) return a;
-    if (a == b) return constant(0.0);
     if (is(a, 0.0)) return binary(Operation::multiply, constant(-1.0), b);
     break;
   case Operation::multiply:
     if (is(a, 0.0) || is(b, 0.0)) return constant(0.0);
     if (is(a, 1.0)) return b;
     if (is(b, 1.0)) return a;
-    if (b < a) std::swap(a, b);
     break;
   case Operation::divide:
     if (is(a, 0.0)) return a;
@@ -99,12 +116,7 @@ int ExpressionGraph::binary(Operation operation, int a, int b) {
   default:  // no shorter way
     break;
   }
-  const int node = find({.operation = operation, .a = a, .b = b});
-  if (operation == Operation::divide && is_constant(a)) {
-    if (quotients_.size() <= static_cast<std::size_t>(b)) quotients_.resize(node, -1);
-    if (quotients_[b] < 0) quotients_[b] = node;
-  }
-  return node;
+  return -1;
 }
 
 int ExpressionGraph::power(int a, double exponent) {
@@ -147,6 +159,14 @@ void ExpressionGraph::reserve(int size) {
     enlarge(3 * static_cast<std::size_t>(size) / 2);
 }
 
+std::size_t ExpressionGraph::place_of(const Node& node) const {
+  const std::size_t last = places_.size() - 1;
+  std::size_t place = hash(node) & last;
+  while (places_[place] >= 0 && !same(nodes_[places_[place]], node))
+    place = (place + 1) & last;
+  return place;
+}
+
 int ExpressionGraph::find(const Node& node) {
   if (2 * places_.size() <= 3 * nodes_.size()) enlarge(64 + 2 * places_.size());
   int& known = places_[place_of(node)];
@@ -157,24 +177,13 @@ int ExpressionGraph::find(const Node& node) {
   return known;
 }
 
-std::size_t ExpressionGraph::place_of(const Node& node) const {
-  for (std::size_t place = hash(node);; ++place) {
-    place &= places_.size() - 1;
-    const int known = places_[place];
-    if (known < 0) return place;
-    const Node& other = nodes_[known];
-    if (other.operation == node.operation && other.a == node.a && other.b == node.b &&
-        std::bit_cast<std::uint64_t>(other.number) == std::bit_cast<std::uint64_t>(node.number))
-      return place;
-  }
-}
-
 void ExpressionGraph::enlarge(std::size_t least) {
   places_.assign(std::bit_ceil(least), -1);
+  const std::size_t last = places_.size() - 1;
   for (int i = 0; i < size(); ++i) {
-    std::size_t place = hash(nodes_[i]);
-    while (places_[place &= places_.size() - 1] >= 0)
-      ++place;
+    std::size_t place = hash(nodes_[i]) & last;
+    while (places_[place] >= 0)
+      place = (place + 1) & last;
     places_[place] = i;
   }
 }

@@ -19,8 +19,16 @@ struct Line {
   Operation second;  ///< The operation on that result and a third operand, or none.
   int result;        ///< Number of the result: a node, or beyond them a partial sum.
   int begin;         ///< Its first operand in those of all lines.
-  int count;         ///< Number of its operands; of pairs for a sum of products.
-  int key = -1;      ///< Lines of smaller keys come first.
+  int count;         ///< Number of its operands, two for each product of a sum.
+};
+
+/// What lines may read: a node, or a number or partial sum that they need beside nodes.
+struct Operand {
+  int uses = 0;       ///< As an operand, and one for each time that it is asked for.
+  int additions = 0;  ///< Of a sum, those that would be one line with it.
+  int key = -1;       ///< The last recorded node that it needs, itself included; none for inputs and numbers.
+  int line = -1;      ///< The line that computes it; none for inputs and numbers.
+  int slot = -1;      ///< Where it is in the program, once that is known.
 };
 
 /// Lines for the nodes that some results need. A product that only one sum uses becomes part of it, and a
@@ -31,43 +39,40 @@ class Fusion {
  public:
   /// The lines of `graph`. @param recorded nodes before this one keep their order; the others come as soon as
   /// their operands are there
-  Fusion(const ExpressionGraph& graph, const std::vector<int>& results, int recorded)
-      : graph_(graph), nodes_(graph.size()), recorded_(recorded), uses_(nodes_, 0), absorbed_(nodes_, 0),
-        sum_of_(nodes_, -1), keys_(nodes_, -1) {
-    count_uses(results);
-    count_additions();
-    for (int node = nodes_ - 1; node >= 0; --node)
-      if (needed(node)) {
-        if (additions_[node] >= shortest)
-          plan_sum(node);
-        else if (pairs(operation(node)))
-          plan_pair(node);
-      }
-    one_ = constant(1.0);
-    first_partial_ = next_ = nodes_ + numbers_.size();
-    keys_.resize(next_, -1);
-    const auto most = static_cast<std::size_t>(nodes_);
-    lines_.reserve(most);
-    operands_.reserve(3 * most);
-    for (int node = 0; node < nodes_; ++node)
-      if (needed(node)) write(node);
+  Fusion(const ExpressionGraph& graph, const std::vector<int>& asked, int recorded)
+      : graph_(graph), nodes_(graph.inputs()) {
+    for (const int node : asked)
+      nodes_ = std::max(nodes_, node + 1);
+    recorded_ = std::min(recorded, nodes_);
+    results_.reserve(static_cast<std::size_t>(nodes_) + nodes_ / 8 + 2);
+    results_.resize(nodes_);
+    const std::vector<int> needed = find_needed(asked);
+    count_additions(needed);
+    operands_.reserve(3 * needed.size());
+    written_.reserve(needed.size());
+    for (const int node : needed)
+      if (results_[node].uses > 0) write(node);
+    sort();
   }
 
-  [[nodiscard]] int results() const { return next_; }  ///< All of their numbers are below this one.
-  /// Number of the operands of all lines.
-  [[nodiscard]] std::size_t operand_count() const { return operands_.size(); }
-  /// That result is a number, of the graph or one that lines need.
-  [[nodiscard]] bool is_constant(int result) const {
-    return result < nodes_ ? graph_.is_constant(result) : result < first_partial_;
-  }
-  /// Such a number.
-  [[nodiscard]] double number(int result) const {
-    return result < nodes_ ? graph_[result].number : numbers_[result - nodes_].number;
-  }
-  [[nodiscard]] const std::vector<Line>& lines() const { return lines_; }  ///< In an order that can be run.
+  /// In an order that can be run: by keys, and those of one key as they are in the graph.
+  [[nodiscard]] const std::vector<Line>& lines() const { return lines_; }
   /// The operands of a line: numbers of results, inputs or constants.
   [[nodiscard]] std::span<const int> operands(const Line& line) const {
     return {operands_.data() + line.begin, static_cast<std::size_t>(line.count)};
+  }
+  /// Number of the operands of all lines.
+  [[nodiscard]] std::size_t operand_count() const { return operands_.size(); }
+  /// All numbers of results are below this one.
+  [[nodiscard]] int results() const { return static_cast<int>(results_.size()); }
+  [[nodiscard]] Operand& operator[](int result) { return results_[result]; }  ///< What is known of it.
+  /// That result is a number, of the graph or one that lines need.
+  [[nodiscard]] bool is_constant(int result) const {
+    return result < nodes_ ? graph_.is_constant(result) : more_.is_constant(result - nodes_);
+  }
+  /// Such a number.
+  [[nodiscard]] double number(int result) const {
+    return result < nodes_ ? graph_[result].number : more_[result - nodes_].number;
   }
 
  private:
@@ -78,141 +83,159 @@ class Fusion {
   [[nodiscard]] bool is_sum(int node) const {
     return operation(node) == Operation::add || operation(node) == Operation::subtract;
   }
-  /// It is computed, and by a line of its own.
-  [[nodiscard]] bool needed(int node) const {
-    return uses_[node] > 0 && !absorbed_[node] && operation(node) != Operation::input &&
-           !graph_.is_constant(node);
-  }
 
-  void count_uses(const std::vector<int>& results) {
-    for (const int result : results)
-      ++uses_[result];
-    for (int node = nodes_ - 1; node >= 0; --node)
-      if (needed(node)) {
-        ++uses_[graph_[node].a];
-        if (graph_[node].b >= 0) ++uses_[graph_[node].b];
-      }
+  /// The nodes that are computed, from the last one to the first.
+  std::vector<int> find_needed(const std::vector<int>& asked) {
+    std::vector<int> needed;
+    needed.reserve(nodes_);
+    for (const int node : asked)
+      ++results_[node].uses;
+    for (int node = nodes_ - 1; node >= 0; --node) {
+      if (results_[node].uses == 0) continue;
+      const auto& [operation, a, b, number] = graph_[node];
+      if (operation == Operation::input || operation == Operation::constant) continue;
+      needed.push_back(node);
+      ++results_[a].uses;
+      if (b >= 0) ++results_[b].uses;
+    }
+    return needed;
   }
-  void count_additions() {
-    additions_.assign(nodes_, 0);
-    for (int node = 0; node < nodes_; ++node)
-      if (needed(node) && is_sum(node)) {
+  void count_additions(const std::vector<int>& needed) {
+    for (std::size_t i = needed.size(); i-- > 0;)
+      if (const int node = needed[i]; is_sum(node)) {
         const int inner = inner_sum(node);
-        additions_[node] = 1 + (inner >= 0 ? additions_[inner] : 0);
+        results_[node].additions = 1 + (inner >= 0 ? results_[inner].additions : 0);
       }
   }
   /// The operand of a sum that is itself a sum and serves nothing else, or -1. Of two, the longer one.
   [[nodiscard]] int inner_sum(int node) const {
-    const int a = graph_[node].a, b = graph_[node].b;
-    const auto joins = [&](int x) { return uses_[x] == 1 && is_sum(x); };
-    const bool left = joins(a), right = operation(node) == Operation::add && joins(b);
-    if (left && right) return additions_[a] >= additions_[b] ? a : b;
+    const auto& [operation, a, b, number] = graph_[node];
+    const auto joins = [&](int x) { return results_[x].uses == 1 && is_sum(x); };
+    const bool left = joins(a), right = operation == Operation::add && joins(b);
+    if (left && right) return results_[a].additions >= results_[b].additions ? a : b;
     return left ? a : right ? b : -1;
   }
 
-  void plan_sum(int root) {
-    int node = root;
-    sum_of_[root] = static_cast<int>(products_.size());
-    for (;;) {
-      const int a = graph_[node].a, b = graph_[node].b, inner = inner_sum(node);
-      const bool add = operation(node) == Operation::add;
-      products_.push_back(product(add && inner == b ? a : b, add));
-      if (inner < 0) {
-        products_.push_back(product(a, true));
-        break;
+  /// Writes the line of a node, after those of all that use it. What it takes in is no longer used by others.
+  void write(int node) {
+    if (results_[node].additions >= shortest) return write_sum(node);
+    const auto& [operation, a, b, number] = graph_[node];
+    if (pairs(operation)) {
+      if (joins_pair(b))
+        return write_pair(b, operation == Operation::subtract ? Operation::subtract_from : operation, a,
+                          node);
+      if (joins_pair(a)) return write_pair(a, operation, b, node);
+    }
+    written_.push_back({operation, Operation::nothing, node, end(), b < 0 ? 1 : 2});
+    operands_.push_back(a);
+    if (b >= 0) operands_.push_back(b);
+  }
+  /// A sum or product takes in one operand that is a sum or product and serves nothing else.
+  [[nodiscard]] bool joins_pair(int x) const {
+    return results_[x].uses == 1 && pairs(operation(x)) && results_[x].additions < shortest;
+  }
+  void write_pair(int inner, Operation second, int other, int node) {
+    results_[inner].uses = 0;
+    const auto& [first, a, b, number] = graph_[inner];
+    written_.push_back({first, second, node, end(), 3});
+    operands_.push_back(a);
+    operands_.push_back(b);
+    operands_.push_back(other);
+  }
+  /// Writes the products of a long sum from the last one to the first. Each of its lines but the first one
+  /// begins with the sum so far.
+  void write_sum(int root) {
+    const int additions = results_[root].additions, begin = end();
+    int first = additions + 1 + (additions - 1) / (longest - 1), last = first, result = root;
+    operands_.resize(operands_.size() + 2 * static_cast<std::size_t>(first));
+    const auto put = [&](const std::pair<int, int>& product) {
+      const int place = begin + 2 * --first;
+      operands_[place] = product.first;
+      operands_[place + 1] = product.second;
+      if (first % longest != 0) return;
+      written_.push_back({Operation::sum_of_products, Operation::nothing, result, place, 2 * (last - first)});
+      last = first;
+    };
+    for (int node = root;;) {
+      const auto& [operation, a, b, number] = graph_[node];
+      const int inner = inner_sum(node);
+      const bool add = operation == Operation::add;
+      put(product(add && inner == b ? a : b, add));
+      if (inner < 0) return put(product(a, true));
+      if ((first - 1) % longest == 0) {
+        const int partial = numbered(more_.late_input(), 1);
+        put({unit(true), partial});
+        result = partial;
       }
-      absorbed_[inner] = true;
+      results_[inner].uses = 0;
       node = inner;
     }
-    std::reverse(products_.begin() + sum_of_[root], products_.end());
   }
   /// +x or -x as a product.
   std::pair<int, int> product(int x, bool positive) {
-    if (uses_[x] == 1 && operation(x) == Operation::multiply) {
+    if (results_[x].uses == 1 && operation(x) == Operation::multiply) {
       const int a = graph_[x].a, b = graph_[x].b;
       if (positive) {
-        absorbed_[x] = true;
+        results_[x].uses = 0;
         return {a, b};
       }
       for (const auto& [number, other] : {std::pair{a, b}, std::pair{b, a}})
         if (graph_.is_constant(number)) {
-          absorbed_[x] = true;
+          results_[x].uses = 0;
           return {constant(-graph_[number].number), other};
         }
     }
-    return {constant(positive ? 1.0 : -1.0), x};
+    return {unit(positive), x};
   }
-  /// A sum or product takes in one operand that is a sum or product and serves nothing else.
-  void plan_pair(int node) {
-    for (const int x : {graph_[node].b, graph_[node].a})
-      if (uses_[x] == 1 && pairs(operation(x)) && additions_[x] < shortest) {
-        absorbed_[x] = true;
-        return;
-      }
-  }
-
-  void write(int node) {
-    if (sum_of_[node] >= 0) return write_sum(node);
-    const ExpressionGraph::Node& what = graph_[node];
-    const int key = node < recorded_ ? node : -1;
-    if (pairs(what.operation))
-      for (const bool last : {true, false}) {
-        const int x = last ? what.b : what.a;
-        if (!absorbed_[x]) continue;
-        operands_.insert(operands_.end(), {graph_[x].a, graph_[x].b, last ? what.a : what.b});
-        const bool from = last && what.operation == Operation::subtract;
-        return write(operation(x), from ? Operation::subtract_from : what.operation, node, key);
-      }
-    operands_.push_back(what.a);
-    if (what.b >= 0) operands_.push_back(what.b);
-    write(what.operation, Operation::nothing, node, key);
-  }
-  void write_sum(int node) {
-    const int end = sum_of_[node] + additions_[node] + 1;
-    for (int i = sum_of_[node]; i < end; ++i) {
-      if (operands_.size() - written_ == 2 * longest) {
-        const int partial = next_++;
-        keys_.push_back(-1);
-        write(Operation::sum_of_products, Operation::nothing, partial, -1);
-        operands_.insert(operands_.end(), {one_, partial});
-      }
-      operands_.insert(operands_.end(), {products_[i].first, products_[i].second});
-    }
-    write(Operation::sum_of_products, Operation::nothing, node, node < recorded_ ? node : -1);
-  }
-  /// A line with the operands since the last one.
-  void write(Operation first, Operation second, int result, int key) {
-    const std::size_t begin = std::exchange(written_, operands_.size());
-    for (std::size_t i = begin; i < operands_.size(); ++i)
-      key = std::max(key, keys_[operands_[i]]);
-    keys_[result] = key;
-    lines_.push_back({.first = first,
-                      .second = second,
-                      .result = result,
-                      .begin = static_cast<int>(begin),
-                      .count = static_cast<int>(operands_.size() - begin),
-                      .key = key});
-  }
+  [[nodiscard]] int end() const { return static_cast<int>(operands_.size()); }
 
   int constant(double number) {
     const int known = graph_.find_constant(number);
-    return known >= 0 ? known : nodes_ + numbers_.constant(number);
+    return known >= 0 && known < nodes_ ? known : numbered(more_.constant(number), 0);
+  }
+  /// The number 1 or -1.
+  int unit(bool positive) {
+    int& known = units_[positive];
+    if (known < 0) known = constant(positive ? 1.0 : -1.0);
+    return known;
+  }
+  /// A node of `more_` as a result.
+  int numbered(int node, int uses) {
+    if (nodes_ + node == results()) results_.push_back({.uses = uses});
+    return nodes_ + node;
+  }
+
+  /// Takes the lines, which were written from the last one to the first, in the order of their keys.
+  void sort() {
+    std::vector<int> next(static_cast<std::size_t>(recorded_) + 2, 0);  // place of a line with each key
+    for (std::size_t i = written_.size(); i-- > 0;) {
+      const Line& line = written_[i];
+      int key = line.result;
+      if (key >= recorded_) {
+        key = -1;
+        for (const int operand : operands(line))
+          key = std::max(key, results_[operand].key);
+      }
+      results_[line.result].key = key;
+      ++next[key + 2];
+    }
+    for (std::size_t key = 1; key < next.size(); ++key)
+      next[key] += next[key - 1];
+    lines_.resize(written_.size());
+    for (std::size_t i = written_.size(); i-- > 0;) {
+      Operand& result = results_[written_[i].result];
+      result.line = next[result.key + 1]++;
+      lines_[result.line] = written_[i];
+    }
   }
 
   const ExpressionGraph& graph_;
-  ExpressionGraph numbers_{0};  // behind the nodes of the graph
-  int nodes_, recorded_;
-  std::vector<int> uses_;
-  std::vector<char> absorbed_;
-  std::vector<int> additions_;  // for each sum, those that would be one line with it
-  std::vector<int> sum_of_;     // of each node that is a long sum the first of its products, else -1
-  std::vector<std::pair<int, int>> products_;
-  std::vector<int> keys_;  // of each result; inputs and numbers are there from the start
-  std::vector<Line> lines_;
+  ExpressionGraph more_{0};  // what lines need beside nodes: numbers and, as inputs, partial sums
+  int nodes_, recorded_;     // up to the last node that is asked for
+  int units_[2] = {-1, -1};  // -1 and 1, once they are needed
+  std::vector<Operand> results_;
   std::vector<int> operands_;
-  std::size_t written_ = 0;           // operands of the lines so far
-  int first_partial_ = 0, next_ = 0;  // numbers of partial sums
-  int one_ = -1;
+  std::vector<Line> written_, lines_;
 };
 
 }  // namespace avi::detail

@@ -82,9 +82,10 @@ class Reverse {
     return graph_.binary(Operation::subtract, one, none);
   }
 
-  /// The sum of all that was passed on to `node`.
-  Term total(int node) {
-    const int first = uses_[node].first, condition = parts_[first].condition;
+  /// The sum of these parts.
+  Term sum_of(int first) {
+    const int condition = parts_[first].condition;
+    if (parts_[first].next < 0) return {.bar = factor(parts_[first]), .condition = condition};
     bool alike = true, conditional = true;
     for (int i = first; i >= 0; i = parts_[i].next) {
       alike = alike && parts_[i].condition == condition;
@@ -116,21 +117,25 @@ class Reverse {
           sum = graph_.binary(Operation::add, sum, Factor(graph_, ratio, part.node).in(graph_));
       }
     }
-    parts_[uses_[node].last].next = std::exchange(free_, first);
     if (sum < 0) return {.bar = numbers, .condition = common};
     if (numbers != 0.0) {
       const int rest = graph_.constant(in_scale(numbers));
       sum = graph_.binary(Operation::add, sum, rest);
     }
+    return {.bar = {graph_, scale, sum}, .condition = common};
+  }
+  /// All that was passed on to a node.
+  Term total(int node) {
+    const Uses uses = uses_[node];
+    Term all = sum_of(uses.first);
+    parts_[uses.last].next = std::exchange(free_, uses.first);
     // What is passed on to two operands is multiplied by its factor once, here, unless that is a power of 2.
     const Operation use = graph_[node].operation;
     int exponent = 0;
-    if ((use == Operation::add || use == Operation::subtract) &&
-        std::abs(std::frexp(scale, &exponent)) != 0.5) {
-      sum = Factor(graph_, scale, sum).in(graph_);
-      scale = 1.0;
-    }
-    return {.bar = {graph_, scale, sum}, .condition = common};
+    if ((use == Operation::add || use == Operation::subtract) && all.bar.node >= 0 && all.bar.number != 1.0 &&
+        std::abs(std::frexp(all.bar.number, &exponent)) != 0.5)
+      all.bar = {graph_, 1.0, all.bar.in(graph_)};
+    return all;
   }
 
   void give(int node, const Term& part) {
@@ -156,11 +161,11 @@ class Reverse {
     };
     switch (what.operation) {
     case Operation::add:
-      give(a, times(1.0));
-      give(b, times(1.0));
+      give(a, bar);
+      give(b, bar);
       break;
     case Operation::subtract:
-      give(a, times(1.0));
+      give(a, bar);
       give(b, times(-1.0));
       break;
     case Operation::multiply:

@@ -89,6 +89,8 @@ class ExpressionGraph {
  private:
   static std::uint32_t next_identity();
 
+  /// What a constant among the operands makes of an operation, or -1 where that is no shorter way.
+  int with_constant(Operation operation, int a, int b);
   /// The node, which is written down unless it is there.
   int find(const Node& node);
   /// Where in `places_` a node is, or may be put.
