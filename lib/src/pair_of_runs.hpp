@@ -111,6 +111,7 @@ class Orbiter {
   void offer_splitting();
   [[nodiscard]] int order_of(const Candidate& it) const { return it.splits() ? 6 : order_; }
   [[nodiscard]] double first_step(const Candidate& it);
+  double affordable(Candidate& it, double h);
   [[nodiscard]] bool has_a_choice() const {  // of candidates that are not aside
     return std::ranges::count(menu_, false, &Candidate::aside) > 1;
   }

@@ -22,7 +22,8 @@ std::string SolutionReport::report() const {
          << (choice.check > 0 ? "show" : "foretell from their beginning") << "; the tolerance is "
          << tolerance << ".\n";
   else
-    text << "Nothing is promised of the state at the end: its error is not known.\n";
+    text << "Nothing is promised of the state at the end: "
+         << (note.empty() ? "no second run was compared with it" : "its error is not known") << ".\n";
   text << "The largest error of the energy is " << energy_error << " of the scale " << choice.energy_scale
        << ".\n";
   if (!note.empty()) text << note << "\n";

@@ -322,6 +322,14 @@ double Orbiter::first_step(const Candidate& it) {
                    field_.size() > 4 ? stable_step(it) / longer : infinity});
 }
 
+/// A run that would be stopped for its price before it is where the sketch ends, as one into a singularity,
+/// comes farther with longer steps. @return h, or what takes a hundredth of that price
+double Orbiter::affordable(Candidate& it, double h) {
+  const double steps = expected_steps(it, h, std::min(span_, sketch_->time)),
+               most = its_patience() / (10.0 * it.price());
+  return steps > most && order_of(it) >= 6 ? h * (steps / (0.01 * most)) : h;
+}
+
 /// The longest fixed step whose sweeps contract, where something moves a little faster than what is seen of
 /// it; or, of the splitting, for which small oscillations stay small.
 double Orbiter::stable_step(const Candidate& it) {
@@ -379,8 +387,8 @@ OrbitAnswer Orbiter::solve() {
   if (since_zero > most) return too_far("The zero of time, seen from t = ", question_.t, since_zero);
   set_marks();
   answer_.choice.time = since_start(0);
-  Setting setting{&menu_.front(),
-                  question_.options.h > 0.0 ? question_.options.h : first_step(menu_.front())};
+  Setting setting{&menu_.front(), question_.options.h};
+  if (!(setting.h > 0.0)) setting.h = affordable(menu_.front(), first_step(menu_.front()));
   while (pursue(setting)) {
   }
   take_furthest();

@@ -54,6 +54,9 @@ std::string Orbiter::given_up(const Journey& run) const {
     text << "The run was given up: from t = " << question_.t + sense_ * dead_end_
          << " on no step is short enough; the orbit meets a singularity of H there, or leaves where H is a "
             "number.";
+  else if (sketch_->stuck && sketch_->samples.empty())
+    text << "The end, t = " << question_.t_end
+         << ", is over 1e14 times as far as a step from the start may be: a nearer one will do.";
   else if (!(run.h > 0.0) || !std::isfinite(run.h))
     text
         << "Its numbers are beyond those of a double, 1e-308 to 1e308: other units of time, length or energy "

@@ -254,6 +254,22 @@ TEST(Solve, GivesBackWhatWasReachedWhereAllRunsFail) {
   EXPECT_GT(gone.state.q[0], 5e5);                                 // measured 1e6
   EXPECT_LT(gone.run.evaluations + gone.choice.sweeps,
             1'600'000);  // measured 780 thousand; it was 17 million
+  // To infinity at t = 1. The sketch sees how fast that becomes, and steps for it would be stopped at 0.017.
+  const auto lift = [](const auto& q, const auto& p) { return p[0] * q[0] * q[0]; };
+  const auto ended = solve(lift, State<1>{.q = {1.0}, .p = {1.0}}, 2.0, 1e-8);
+  EXPECT_EQ(ended.run.outcome, avi::Outcome::not_converged) << ended.report();
+  EXPECT_NEAR(ended.state.t, 1.0, 1.4e-4);                            // measured 7e-5
+  EXPECT_LT(ended.run.evaluations + ended.choice.sweeps, 3'400'000);  // measured 1.7 million
+}
+
+// The first step is shorter than the rounding of so long a time.
+TEST(Solve, SaysWhereTheEndIsTooFar) {
+  const auto spring = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
+  const auto orbit = solve(spring, State<1>{.q = {1.0}, .p = {0.0}}, 1e15, 1e-6);
+  EXPECT_FALSE(orbit.kept());
+  EXPECT_EQ(orbit.run.message,
+            "The end, t = 1e+15, is over 1e14 times as far as a step from the start may be: a nearer one "
+            "will do.");
 }
 
 // A charge in the field of a dipole, whose sweeps converge slowly: longer steps keep the tolerance, but are
