@@ -322,8 +322,12 @@ bool Orbiter::lengthen(Setting& setting, std::size_t mark, double factor) {
 bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& errors, double factor) {
   const bool last = mark + 1 == marks_.size();
   const double error = std::max(errors.of_state, errors.of_energy);
-  // At a point of rest runs may part by what the sweeps left: first the same steps, solved to the last digit.
-  if (lost_ && fine_->solved > least_of_sweeps) return again(setting, 1.0);
+  // At a point of rest runs may part by what the sweeps left, and the energy may err by that where terms of H
+  // cancel: first the same steps, solved to the last digit.
+  if ((lost_ || (errors.steady && steady_)) && fine_->solved > least_of_sweeps) {
+    unstable_ = true;
+    return again(setting, 1.0);
+  }
   const double spent = static_cast<double>(budget_.sweeps) * setting.candidate->price();
   const double pair = span_ / since_start(mark) * setting.candidate->price() *
                       static_cast<double>(coarse_->run.evaluations + fine_->run.evaluations);

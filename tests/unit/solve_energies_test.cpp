@@ -220,4 +220,22 @@ TEST(SolveEnergies, HaveAllDigitsAtTheStart) {
   }
 }
 
+// A charge that drifts up and down the two sides of a saddle: q grows by e^11, the terms of H by the square
+// of that, and what the sweeps left of them is more than the tolerance of their sum.
+TEST(SolveEnergies, AreNotThoseThatSweepsLeave) {
+  constexpr double field = 6.8952834417854572;
+  const auto drift = [](const auto& q, const auto& p) {
+    const auto x = p[0] + 0.5 * field * q[1], y = p[1] - 0.5 * field * q[0];
+    return 0.5 * (x * x + y * y) - 0.17278595346616399 * q[0] +
+           0.49444016730314564 * (q[0] * q[0] - q[1] * q[1]);
+  };
+  for (const double x : {-0.9, -0.3, 0.5}) {
+    const avi::State<2> start{.q = {x, 0.4}, .p = {-0.2 * field + 0.3, 0.5 * field * x - 0.6}};
+    for (const double tolerance : {1e-4, 1e-6}) {
+      const auto orbit = avi::solve(drift, start, 78.062544962659615, tolerance);
+      EXPECT_TRUE(orbit.kept()) << x << '\n' << orbit.report();
+    }
+  }
+}
+
 }  // namespace solve_energies_test
