@@ -249,6 +249,7 @@ struct OrbitQuestion {
   std::shared_ptr<const Prepared> prepared = {};  ///< and what is made of H for it.
   bool timed = false;  ///< Time has been made the last coordinate: not for callers.
   std::shared_ptr<const class Switches> switches = {};  ///< Times at which H switches, if any; likewise.
+  std::shared_ptr<const class Kinks> kinks = {};        ///< Where it has kinks; likewise.
   std::vector<int> gradient = {};  ///< Nodes of dH/d(q, p), 2n, where H supplies them; else empty.
   int given = -1;                  ///< Node of a monitor of one's own, or none.
 };

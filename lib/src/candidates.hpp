@@ -63,6 +63,7 @@ class Candidate {
   std::vector<int> supplied = {};  ///< Nodes of the gradient of H, where it has one of its own.
   std::shared_ptr<const Recording> recording = {};  ///< That of H with its gradient, where it is made.
   std::shared_ptr<const Switches> switches = {};    ///< At which steps end, if H has any.
+  std::shared_ptr<const Kinks> kinks = {};          ///< Likewise.
   bool brief = false;         ///< Its run is over before machine code has paid for itself.
   double outlook = 0.0;       ///< Work of all steps where the longest one in radians is of fixed length.
   double fictive = 0.0;       ///< Fictive time of the sketch.
@@ -79,6 +80,7 @@ class Candidate {
     auto made = std::make_unique<OrbitSteps>(
         splits() ? splitting_steps(formulas()) : gauss_steps(formulas(), order, sweeps), formulas()->n);
     if (switches) made->end_at(*switches, fixed());
+    if (kinks) made->end_at(*kinks);
     return made;
   }
   /// Its method is the explicit splitting.

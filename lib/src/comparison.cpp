@@ -36,6 +36,7 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
     furthest = std::max(furthest, whole);
     seen.error = apart;
   }
+  seen.furthest = furthest;
   // No order makes smaller what the sweeps left.
   const double left = left_by_sweeps(fine);
   seen.error = std::max(seen.error, std::min(left, ratio * seen.error));
@@ -90,8 +91,7 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
     // What grows so much may have begun as what sweeps left, or as rounding, which no order makes smaller.
     unstable_ = true;
     const double doubted = std::min(ratio, late / (20.0 * early));
-    if (!seen_to_fall)
-      seen.error = std::min(doubted * seen.error, std::max(seen.error, 1.0)), seen.behind *= doubted;
+    if (!seen_to_fall) seen.error *= doubted, seen.behind *= doubted;
   }
   // What is asked for on the way may be where the motion is fast.
   if (!question_.times.empty() || !question_.events.empty() || question_.options.dense)

@@ -38,7 +38,8 @@ Delivery::Delivery(const OrbitQuestion& question, int degrees, const Choice& cho
   pace_.time = question.t;
   for (std::size_t i = 0; i < question.events.size(); ++i)
     watches_.emplace_back(question.events[i], degrees, i);
-  candidate_.supplied = question.gradient, candidate_.switches = question.switches;
+  candidate_.supplied = question.gradient, candidate_.switches = question.switches,
+  candidate_.kinks = question.kinks;
   steps_ = method();
   if (question.options.dense) track_ = std::make_shared<Track>(method(), candidate_, field_, h_, degrees_);
   for (; next_ < question.times.size() && question.times[next_] == question.t; ++next_)

@@ -2,6 +2,7 @@
 
 #include "avi/core/require.hpp"
 #include "delivery.hpp"
+#include "kinks.hpp"
 #include "orbiter.hpp"
 #include "rounded_formula.hpp"
 #include "switches.hpp"
@@ -103,16 +104,17 @@ void no_curve() {
 
 namespace {
 
-/// Finds out whether H, with time as a coordinate, switches in the run that is asked for.
+/// Finds out whether H, with time as a coordinate, switches in the run that is asked for, and has kinks.
 void find_switches(OrbitQuestion& question) {
   if (question.timed)
     question.switches = Switches::of(question.graph, question.energy, question.t, question.t_end);
+  question.kinks = Kinks::of(question.graph, question.energy, question.timed);
 }
 
 /// Where H depends on time, time is a coordinate and H + p_t the energy, which is zero.
 void extend(OrbitQuestion& question) {
   const int n = static_cast<int>(question.q.size());
-  if (question.graph.inputs() == 2 * n) return;
+  if (question.graph.inputs() == 2 * n) return find_switches(question);
   ExpressionGraph graph(2 * n + 2);
   std::vector<int> places;
   std::vector<double> start = question.q;

@@ -87,4 +87,59 @@ StepReport OrbitSteps::step_to_switch(State<dynamic>& z, double h) {
   return report;
 }
 
+/// The first kink in the last step, between two states.
+std::optional<Kinks::Crossing> OrbitSteps::first_kink(const State<dynamic>& from, const State<dynamic>& to) {
+  inside_.resize(2 * n_);
+  kinks_->look(0, from.q.data(), from.p.data(), n_);
+  for (int k = 1; k < Kinks::parts; ++k) {
+    double t = 0.0;
+    polynomial(static_cast<double>(k) / Kinks::parts, inside_, t);
+    kinks_->look(k, inside_.data(), inside_.data() + n_, n_);
+  }
+  kinks_->look(Kinks::parts, to.q.data(), to.p.data(), n_);
+  return kinks_->first();
+}
+
+/// A step up to the next kink, where there is one in it: sizes by the secant method, from below and above. A
+/// step over a kink may not be solved: then a shorter one is made.
+StepReport OrbitSteps::step_to_kink(State<dynamic>& z, double h) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  StepReport report{.evaluations = 0};
+  State<dynamic> to;
+  const auto go = [&](double size) {
+    to = z;
+    const StepReport step = whole_step(to, size);
+    report.outcome = step.outcome;
+    report.evaluations += step.evaluations;
+    size_ = size;
+    return step.ok();
+  };
+  for (int halves = 0; !go(std::ldexp(h, -halves)); ++halves)
+    if (report.outcome != Outcome::not_converged || halves == 3) return report;
+  for (int kinks = 0; kinks < 8; ++kinks) {
+    const auto kink = first_kink(z, to);
+    if (!kink) break;
+    const double whole = size_, most = std::abs(kink->at_low) + std::abs(kink->at_high);
+    double low = kink->low, high = kink->high, at_low = kink->at_low, at_high = kink->at_high, at = most;
+    std::optional<bool> was_before;
+    for (int k = 0; k < 60 && std::abs(at) > 1e-14 * most && high - low > 4.0 * epsilon * high; ++k) {
+      double part = low + (high - low) * at_low / (at_low - at_high);
+      if (!(part > low && part < high)) part = 0.5 * (low + high);
+      if (!go(part * whole)) return report;
+      at = kinks_->at(kink->index, to.q.data(), to.p.data(), n_);
+      // An end that stays twice counts half, so that it moves, too (the Illinois method).
+      const bool before = at * at_low > 0.0;
+      (before ? low : high) = part, (before ? at_low : at_high) = at;
+      if (before == was_before) (before ? at_high : at_low) *= 0.5;
+      was_before = before;
+    }
+    if (!(std::abs(at) <= 1e-9 * most)) {  // it was the polynomial's alone
+      if (!go(whole)) return report;
+      break;
+    }
+  }
+  z = to;
+  return report;
+}
+
 }  // namespace avi::detail

@@ -1,10 +1,12 @@
 #pragma once
 #include "avi/core/state.hpp"
+#include "kinks.hpp"
 #include "stepper.hpp"
 #include "switches.hpp"
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 /// @file
@@ -12,7 +14,7 @@
 
 namespace avi::detail {
 
-/// A method at states, whose steps end where H switches with time.
+/// A method at states, whose steps end where H switches with time, or has a kink.
 class OrbitSteps {
  public:
   /// A method for n degrees of freedom.
@@ -26,10 +28,14 @@ class OrbitSteps {
     rate_ = fixed ? 1.0 : 0.0;
   }
 
-  /// Advances z by the fictive step h, or by a shorter one to a switch, unless the report says another
-  /// outcome than ok.
+  /// No step goes on beyond a kink of H.
+  void end_at(const Kinks& kinks) { kinks_ = std::make_unique<Kinks>(kinks); }
+
+  /// Advances z by the fictive step h, or by a shorter one to a switch or kink, unless the report says
+  /// another outcome than ok.
   StepReport step(State<dynamic>& z, double h) {
     if (switches_) return step_to_switch(z, h);
+    if (kinks_) return step_to_kink(z, h);
     size_ = h;
     return whole_step(z, h);
   }
@@ -38,7 +44,7 @@ class OrbitSteps {
   /// The fictive size of the last step.
   [[nodiscard]] double size() const { return size_; }
   /// See Stepper.
-  [[nodiscard]] bool can_go_beside() const { return !switches_ && steps_->can_go_beside(); }
+  [[nodiscard]] bool can_go_beside() const { return !switches_ && !kinks_ && steps_->can_go_beside(); }
   /// A step of this orbit and one of another: see Stepper.
   std::pair<StepReport, StepReport> step_beside(State<dynamic>& z, double h, OrbitSteps& other,
                                                 State<dynamic>& its, double its_h) {
@@ -68,6 +74,7 @@ class OrbitSteps {
   [[nodiscard]] std::unique_ptr<OrbitSteps> clone() const {
     auto other = std::make_unique<OrbitSteps>(steps_->clone(), n_);
     if (switches_) other->switches_ = std::make_unique<Switches>(*switches_);
+    if (kinks_) other->kinks_ = std::make_unique<Kinks>(*kinks_);
     other->size_ = size_, other->fixed_ = fixed_, other->rate_ = rate_, other->ahead_ = ahead_;
     return other;
   }
@@ -81,6 +88,8 @@ class OrbitSteps {
   }
   StepReport step_to_switch(State<dynamic>& z, double h);
   StepReport stop_at_switch(const State<dynamic>& from, double h, double time, State<dynamic>& z);
+  StepReport step_to_kink(State<dynamic>& z, double h);
+  std::optional<Kinks::Crossing> first_kink(const State<dynamic>& from, const State<dynamic>& to);
   void load(const State<dynamic>& z) { std::copy_n(z.p.data(), n_, std::copy_n(z.q.data(), n_, z_.data())); }
   void store(State<dynamic>& z) const {
     std::copy_n(z_.data(), n_, z.q.data());
@@ -91,6 +100,8 @@ class OrbitSteps {
   VectorX z_;  // of the step under way
   double size_ = 0.0;
   std::unique_ptr<Switches> switches_;
+  std::unique_ptr<Kinks> kinks_;
+  VectorX inside_;  // scratch
   bool fixed_ = false;
   double rate_ = 0.0;   // mean dt by d tau of the last step, or 0 where there was none
   double ahead_ = 0.0;  // time by which rounding has set the clock back since the last switch

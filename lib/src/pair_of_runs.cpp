@@ -71,7 +71,8 @@ void Orbiter::stay_near(Candidate& it, const Sketch& there) {
   if (!(root > 1.1 * before)) return;
   choice.poles.front() = root * root;
   Candidate other = candidate(it.name, question_, trip_->energy_at_start, choice);
-  other.supplied = it.supplied, other.recording = it.recording, other.switches = it.switches;
+  other.supplied = it.supplied, other.recording = it.recording, other.switches = it.switches,
+  other.kinks = it.kinks;
   other.outlook = it.outlook, other.fictive = it.fictive, other.longest = it.longest, other.noise = it.noise,
   other.aside = it.aside;
   it = std::move(other);

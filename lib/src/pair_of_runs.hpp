@@ -49,11 +49,12 @@ inline double energy_left_by_sweeps(const Journey& run) {
 /// The estimate that two runs give of the error of the finer one. Errors of a phase are larger where the
 /// motion is faster, so how they grow is seen from the time by which one run is behind the other.
 struct Comparison {
-  double error = infinity;   ///< At the last mark, relative to the ranges.
-  double behind = infinity;  ///< The largest error divided by the speed there: a time.
-  double growth = 1.0;       ///< Exponent with which that grows in time.
-  double rate = 0.0;         ///< Rate at which it grows exponentially, where it may.
-  bool exponential = false;  ///< It is seen to grow so, faster than by any power of time.
+  double error = infinity;     ///< At the last mark, relative to the ranges.
+  double furthest = infinity;  ///< The largest distance of the two runs at a mark.
+  double behind = infinity;    ///< The largest error divided by the speed there: a time.
+  double growth = 1.0;         ///< Exponent with which that grows in time.
+  double rate = 0.0;           ///< Rate at which it grows exponentially, where it may.
+  bool exponential = false;    ///< It is seen to grow so, faster than by any power of time.
 };
 
 /// Errors of the whole run, as two runs foretell them at a mark.

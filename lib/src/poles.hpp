@@ -55,8 +55,8 @@ class Poles {
       return degree == 2.0 ? u : power(abs(u), 2.0 / degree);
     }
   };
-  /// Those that are felt nowhere on a sketch: |dH/d ln s| is less than `felt`. Not all of them are poles of H,
-  /// as the u of 1 / (1 + 1/u).
+  /// Those that are felt nowhere on a sketch: |dH/d ln s| is less than `felt`. Not all of them are poles of
+  /// H, as the u of 1 / (1 + 1/u).
   [[nodiscard]] std::vector<Light> unfelt(const Sketch& sketch, double felt) const;
   /// |dH/d ln s| of a divisor of this degree where all nodes up to H have these values.
   [[nodiscard]] double change(int node, double degree, const std::vector<double>& at) const;

@@ -221,7 +221,8 @@ void Orbiter::write_menu(const Resting& resting) {
     std::stable_partition(menu_.begin(), menu_.end(), [](const Candidate& it) { return !it.aside; });
   }
   for (Candidate& it : menu_) {
-    it.supplied = question_.gradient, it.recording = field_.recording(), it.switches = question_.switches;
+    it.supplied = question_.gradient, it.recording = field_.recording(), it.switches = question_.switches,
+    it.kinks = question_.kinks;
     it.brief = radians_ < 8.0 && parts_ != Parts::coupled;  // 90 sweeps take as long with code as without
   }
   aim_ = std::max(question_.tolerance / std::max(radians_, 1.0), 1e-16);

@@ -187,10 +187,10 @@ OrbitAnswer Orbiter::finish() {
   const Journey& fine = *fine_;
   tell_work(fine);
   // What is foretold is at most as far as the motion goes.
-  const double foreseen =
-      parted_ ? seen_.error
-              : std::min(foretold(seen_, since_start(judged_), span_, speed_at(fine.state, fine.ranges)),
-                         std::max(seen_.error, 1.0));
+  const double told = parted_
+                          ? seen_.error
+                          : foretold(seen_, since_start(judged_), span_, speed_at(fine.state, fine.ranges)),
+               foreseen = std::min(told, std::max(seen_.furthest, 1.0));
   tell_error(fine, foreseen);
   if (!answer_.ok()) tell_end(fine);
   if (std::isnan(answer_.state_error)) answer_.state_error = infinity;

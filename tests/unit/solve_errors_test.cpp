@@ -233,8 +233,10 @@ TEST(SolveErrors, AboveTheToleranceHaveAReason) {
   const std::string rounding = "Shorter steps do not help: rounding adds up";
   expect(solve(pendulum, State<1>{.q = 0.0, .p = 2.1}, 3e4, 1e-11, {.check = false}), rounding);
   expect(solve(spring, State<1>{.q = 1.0, .p = 0.0}, 1e5, 1e-13), rounding);
-  const auto ramp = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + abs(q[0]); };
-  expect(solve(ramp, State<1>{.q = 1.0, .p = 0.0}, 40.0, 1e-8), "H has a kink");
+  const auto step = [](const auto& q, const auto& p) {
+    return 0.5 * (p[0] * p[0] + q[0] * q[0]) + select(q[0] > 0.3, 0.1 + 0.0 * q[0], 0.0 * q[0]);
+  };
+  expect(solve(step, State<1>{.q = 1.0, .p = 0.0}, 40.0, 1e-8), "H has a kink");
   expect(solve(avi::HenonHeiles{}, avi::HenonHeiles::on_section(0.165, 0.1, 0.1), 300.0, 1e-12),
          "Neighbouring orbits move apart exponentially");
 }
@@ -329,11 +331,11 @@ TEST(SolveErrors, SayWhereTheSingularityIs) {
   const auto edge = [](const auto& q, const auto& p) {
     return 0.5 * (p[0] * p[0] + q[0] * q[0]) + sqrt(2.0 - q[0]);
   };
-  expect_says(edge, State<1>{.q = {1.0}, .p = {3.1}, .t = 5.0}, "from t = 5.3346");
-  // Where q grows beyond all bounds, as 1 / (1 - t), no step is refused: the motion is fastest there.
+  expect_says(edge, State<1>{.q = {1.0}, .p = {3.1}, .t = 5.0}, "Runs fail at t = 5.3346");
+  // Where q grows beyond all bounds, as 1 / (1 - t).
   const auto away = [](const auto& q, const auto& p) { return q[0] * q[0] * p[0]; };
   const auto orbit = solve(away, State<1>{.q = {1.0}, .p = {1.0}, .t = 5.0}, 7.0, 1e-6);
-  EXPECT_NE(orbit.run.message.find("near t = 6.00"), std::string::npos) << orbit.run.message;
+  EXPECT_NE(orbit.run.message.find("fail at t = 5.9999"), std::string::npos) << orbit.run.message;
 }
 
 // A run that cannot be says why: there is no singularity.
@@ -342,7 +344,7 @@ TEST(SolveErrors, SayWhereNumbersEnd) {
     return solve(spring, State<1>{.q = {1.0}, .p = {0.0}, .t = t}, end, 1e-6).run.message;
   };
   EXPECT_NE(message(1.0, std::nextafter(1.0, 2.0)).find("rounding of t = 1"), std::string::npos);
-  EXPECT_NE(message(0.0, 1e300).find("those of a double"), std::string::npos);
+  EXPECT_NE(message(0.0, 1e300).find("1e14 times as far"), std::string::npos);
   EXPECT_NE(message(0.0, 1e-300).find("those of a double"), std::string::npos);
   const auto slow = [](const auto& q, const auto& p) { return 1e-300 * (p[0] * p[0] + q[0] * q[0]); };
   const auto found = solve(slow, State<1>{.q = {1.0}, .p = {0.0}}, 1e300, 1e-6);
