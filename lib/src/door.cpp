@@ -104,8 +104,9 @@ void no_curve() {
 
 namespace {
 
-/// Finds out whether H, with time as a coordinate, switches in the run that is asked for, and has kinks.
-void find_switches(OrbitQuestion& question) {
+/// Finds the times at which H, with time as a coordinate, switches in the run that is asked for, and its
+/// kinks.
+void find_breaks(OrbitQuestion& question) {
   if (question.timed)
     question.switches = Switches::of(question.graph, question.energy, question.t, question.t_end);
   question.kinks = Kinks::of(question.graph, question.energy, question.timed);
@@ -114,7 +115,7 @@ void find_switches(OrbitQuestion& question) {
 /// Where H depends on time, time is a coordinate and H + p_t the energy, which is zero.
 void extend(OrbitQuestion& question) {
   const int n = static_cast<int>(question.q.size());
-  if (question.graph.inputs() == 2 * n) return find_switches(question);
+  if (question.graph.inputs() == 2 * n) return find_breaks(question);
   ExpressionGraph graph(2 * n + 2);
   std::vector<int> places;
   std::vector<double> start = question.q;
@@ -133,7 +134,7 @@ void extend(OrbitQuestion& question) {
   question.q.push_back(question.t);
   question.p.push_back(-energy);
   question.timed = true;
-  find_switches(question);
+  find_breaks(question);
 }
 
 void tell_cancelled(const Budget& budget, OrbitAnswer& answer) {
@@ -367,7 +368,7 @@ OrbitAnswer answer_from(const std::string& file, OrbitQuestion&& question) {
                                 " is of another H, of other events, or of another dimension.");
   question.options.checkpoint = file;
   require_question(question);
-  find_switches(question);
+  find_breaks(question);
   OrbitAnswer answer;
   const Choice choice = choice_in(record, answer);
   if (question.given < 0 && !is_monitor(choice.name))

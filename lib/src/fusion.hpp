@@ -22,7 +22,7 @@ struct Line {
   int count;         ///< Number of its operands, two for each product of a sum.
 };
 
-/// What lines may read: a node, or a number or partial sum that they need beside nodes.
+/// An operand of lines: a node, or a number or partial sum that they need beside nodes.
 struct Operand {
   int uses = 0;       ///< As an operand, and one for each time that it is asked for.
   int additions = 0;  ///< Of a sum, those that would be one line with it.

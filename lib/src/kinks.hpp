@@ -33,14 +33,14 @@ class Kinks {
   static std::shared_ptr<const Kinks> of(const ExpressionGraph& graph, int energy, bool timed) {
     const std::vector<char> part = graph.parts(energy);
     const std::vector<unsigned char> on = dependences(graph, energy);
+    const std::vector<char> excluded = singular(graph, part);
     std::vector<std::pair<int, int>> found;  // differences of two nodes, or one
     for (int i = 0; i <= energy; ++i) {
       using enum Operation;
       const ExpressionGraph::Node& what = graph[i];
       if (!part[i] || on[i] == 0 || (timed && on[i] == on_last)) continue;
       const bool compares = what.operation == less || what.operation == less_equal;
-      if (!(compares || what.operation == abs || what.operation == sign) || is_singular(graph, part, i))
-        continue;
+      if (!(compares || what.operation == abs || what.operation == sign) || excluded[i]) continue;
       found.emplace_back(what.a, compares ? what.b : -1);
     }
     std::ranges::sort(found);
@@ -60,7 +60,7 @@ class Kinks {
     formula_.emplace(RecordedFormula<double>{Schedule::program(graph, -1, nodes, graph.size())});
   }
 
-  static constexpr int parts = 4;  ///< Of a step, at whose ends the functions are looked at.
+  static constexpr int parts = 4;  ///< Number of parts of a step, at whose ends the functions are looked at.
 
   /// Takes in all functions at the end of part k, or at the beginning of the step for 0.
   void look(int k, const double* q, const double* p, Eigen::Index n) {
@@ -106,20 +106,20 @@ class Kinks {
  private:
   static constexpr std::size_t most = 200;  // more of them leave no step whole
 
-  /// H takes a broken power, a root or a logarithm of what depends on a node: it may be smooth on neither
-  /// side, and two runs whose steps end there would err alike.
-  static bool is_singular(const ExpressionGraph& graph, const std::vector<char>& part, int node) {
-    std::vector<char> depends(part.size(), 0);
-    depends[node] = 1;
-    for (int i = node + 1; i < static_cast<int>(part.size()); ++i) {
+  /// The nodes of which H takes a broken power, a root or a logarithm, or of what depends on them: beyond a
+  /// zero it may be smooth on neither side, and two runs whose steps end there would err alike.
+  static std::vector<char> singular(const ExpressionGraph& graph, const std::vector<char>& part) {
+    std::vector<char> found(part.size(), 0);
+    for (int i = static_cast<int>(part.size()) - 1; i >= 0; --i) {
       using enum Operation;
       const auto& [operation, a, b, number] = graph[i];
       if (!part[i] || operation == input || operation == constant) continue;
-      depends[i] = depends[a] || (b >= 0 && depends[b]);
       const bool broken = operation == power && std::trunc(graph[b].number) != graph[b].number;
-      if (depends[i] && (operation == sqrt || operation == log || broken)) return true;
+      if (!(found[i] || operation == sqrt || operation == log || broken)) continue;
+      found[a] = 1;
+      if (b >= 0) found[b] = 1;
     }
-    return false;
+    return found;
   }
 
   [[nodiscard]] double value(std::size_t i) const {

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// @file
-/// What rounding makes of the value of a formula.
+/// The errors of rounding in the value of a formula.
 
 namespace avi::detail {
 
@@ -60,8 +60,8 @@ class RoundedFormula {
       last = Moved::variable(last.value, 0, last.partial(0) + own);
     }
   }
-  /// What rounding took from the result of a node: of arithmetic and roots to the last bit or nearly so
-  /// (Knuth 1969, Dekker 1971), of all else to the digits of a long double.
+  /// The part of the result of a node that rounding took: of arithmetic and roots to the last bit or nearly
+  /// so (Knuth 1969, Dekker 1971), of all else to the digits of a long double.
   [[nodiscard]] double error_of(int node) const {
     const ExpressionGraph::Node& what = graph_[node];
     if (node < graph_.inputs() || what.operation == Operation::constant) return 0.0;

@@ -89,7 +89,7 @@ class ExpressionGraph {
  private:
   static std::uint32_t next_identity();
 
-  /// What a constant among the operands makes of an operation, or -1 where that is no shorter way.
+  /// The node that an operation with a constant is for short, or -1 where there is none.
   int with_constant(Operation operation, int a, int b);
   /// The node, which is written down unless it is there.
   int find(const Node& node);
