@@ -22,7 +22,7 @@ using Contest = work_precision::Scene;
 struct Scene {
   std::string name;
   std::string kind;
-  bool held_out;                 ///< Drawn up after the menu was made; run by `--full` only.
+  bool held_out;                 ///< Drawn up after the menu was made; not run by `--quick`.
   double unit;                   ///< Characteristic time.
   std::vector<double> horizons;  ///< In characteristic times; where motion is regular enough for a reference.
   std::function<Contest(double span)> make;
