@@ -20,14 +20,15 @@ namespace avi::detail {
 
 /// The data that all runs along an orbit share.
 struct Trip {
-  State<dynamic> start;                                ///< Where it begins.
-  double energy_at_start;                              ///< H_0.
-  double energy_scale;                                 ///< Unit of energy errors.
-  double sense;                                        ///< 1, or -1 where the end lies before the start.
-  Budget& budget;                                      ///< Budget of the call.
-  double rounding = 0.0;                               ///< Rounding of one evaluation of H, in that unit.
-  double felt = infinity;                              ///< A change of H inside a step that is not its error.
-  double span = infinity;                              ///< Time from the start to the end.
+  State<dynamic> start;    ///< Where it begins.
+  double energy_at_start;  ///< H_0.
+  double energy_scale;     ///< Unit of energy errors.
+  double sense;            ///< 1, or -1 where the end lies before the start.
+  Budget& budget;          ///< Budget of the call.
+  double rounding = 0.0;   ///< Rounding of one evaluation of H, in that unit.
+  double kick = infinity;  ///< A change of an entry, relative to its range, that the end shows.
+  double felt = infinity;  ///< A change of H inside a step that is not its error.
+  double span = infinity;  ///< Time from the start to the end.
   VectorX ranges = VectorX::Zero(2 * start.q.size());  ///< Ranges of (q, p) on the sketch.
   Eigen::Index seen = start.q.size();                  ///< Coordinates but time.
   SharpFeatures* features = nullptr;                   ///< Looked for, if there are any.
@@ -89,7 +90,7 @@ inline StepReport land(OrbitSteps& method, Candidate& candidate, PointField& fie
   double low = 0.0, high = 1.0;  // parts of h between which the time is t
   for (int k = 0; k < 60 && size != 0.0; ++k) {
     z = before;
-    const StepReport step = method.step(z, size);
+    const StepReport step = method.step_inside(z, size);
     report.outcome = step.outcome;
     report.evaluations += step.evaluations;
     if (step.outcome != Outcome::ok) return report;
@@ -271,6 +272,31 @@ class Journey {
       if (felt(steps_->polynomial(static_cast<double>(k) / points))) return true;
     return false;
   }
+  /// A step from a kink to the next one is the same in all runs, which tell nothing of its error then: that
+  /// is seen by the same step in two halves. @return such errors are more than the end may show
+  bool errs_between_kinks() {
+    const auto halves = steps_->clone();
+    State<dynamic> z = before_;
+    for (int k = 0; k < 2; ++k) {
+      const StepReport half = halves->step_inside(z, 0.5 * steps_->size());
+      run.evaluations += half.evaluations;
+      trip_->budget.sweeps += half.evaluations;
+      if (!half.ok()) return true;
+    }
+    find_slope(z_);
+    const Eigen::Index n = z_.q.size();
+    double apart = 0.0;
+    for (Eigen::Index i = 0; i < trip_->seen; ++i) {
+      const double late = z_.t - z.t;  // with a monitor
+      const double q = z_.q[i] - z.q[i] - late * slope_[i], p = z_.p[i] - z.p[i] - late * slope_[n + i];
+      const double of_q = std::max(ranges.high[i], z_.q[i]) - std::min(ranges.low[i], z_.q[i]),
+                   of_p = std::max(ranges.high[n + i], z_.p[i]) - std::min(ranges.low[n + i], z_.p[i]);
+      if (of_q > 0.0) apart = std::max(apart, std::abs(q) / of_q);
+      if (of_p > 0.0) apart = std::max(apart, std::abs(p) / of_p);
+    }
+    if (apart > 1e-14) unseen_ += apart;
+    return unseen_ > trip_->kick;
+  }
   /// A step has been made.
   void made(const StepReport& report) {
     const double sense = trip_->sense;
@@ -278,7 +304,7 @@ class Journey {
     if (ok() && !z_.finite()) run.outcome = Outcome::non_finite;
     if (ok() && (!(sense * (z_.t - before_.t) > 0.0) || hardly_moves())) run.outcome = Outcome::stalled;
     if (!ok()) return;
-    if (!jumped) jumped = passes_over();
+    if (!jumped) jumped = passes_over() || (steps_->is_between_kinks() && errs_between_kinks());
     ++run.steps;
     const double size = std::abs(steps_->size());
     gone += size;
@@ -309,6 +335,7 @@ class Journey {
   Trip* trip_;
   PointField* field_;
   std::unique_ptr<OrbitSteps> steps_;
+  double unseen_ = 0.0;        // sum of errors between kinks
   double half_way_ = 0.0;      // time after half of the steps, or fewer
   State<dynamic> z_, before_;  // after the last whole step, and before it
   VectorX tail_, slope_;       // scratch

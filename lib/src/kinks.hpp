@@ -45,7 +45,7 @@ class Kinks {
     }
     std::ranges::sort(found);
     found.erase(std::unique(found.begin(), found.end()), found.end());
-    if (found.empty() || found.size() > most) return nullptr;
+    if (found.empty()) return nullptr;
     return std::make_shared<const Kinks>(graph, found);
   }
   /// Differences of two nodes of a graph, or one where the second is -1.
@@ -73,39 +73,44 @@ class Kinks {
     formula_->run(q, p, n);
     return value(i);
   }
-  /// The first zero inside the step, as far as the points that were looked at tell. What is zero to nine
-  /// digits at one of them, as at the end of a step that was made to lead there, has no sign there.
-  [[nodiscard]] std::optional<Crossing> first() const {
+  /// The first zero inside the step, as far as the points that were looked at tell, and others where it seems
+  /// that a function turns at zero between two of them. What is zero to nine digits at the beginning of the
+  /// step, as where the last one was made to end, has the sign that it has shortly after; what is zero at
+  /// another point has none there. @param on on(i, c) is function i at the part c of the step
+  template <class On>
+  [[nodiscard]] std::optional<Crossing> first(const On& on) {
     std::optional<Crossing> found;
-    double earliest = 2.0;
     for (std::size_t i = 0; i < at_.size(); ++i) {
-      const auto& at = at_[i];
+      auto& at = at_[i];
       double largest = 0.0;
       for (const double x : at)
         largest = std::max(largest, std::abs(x));
-      int last = -1;  // with a sign
-      for (int k = 0; k <= parts; ++k) {
-        const double here = at[static_cast<std::size_t>(k)];
-        if (!(std::abs(here) > 1e-9 * largest)) continue;
-        const double before = last < 0 ? here : at[static_cast<std::size_t>(last)];
-        if (before * here < 0.0) {
-          const double place = (last + (k - last) * before / (before - here)) / parts;
-          if (place < earliest) {
-            earliest = place;
-            found =
-                Crossing{i, static_cast<double>(last) / parts, static_cast<double>(k) / parts, before, here};
-          }
+      const auto has_sign = [&](double x) { return std::abs(x) > 1e-9 * largest; };
+      Crossing part{i, 0.0, 0.0, at[0], 0.0};
+      if (!has_sign(at[0])) part.low = soon, part.at_low = on(i, soon);
+      const bool begins = part.at_low != 0.0;
+      for (int k = 1; k <= parts; ++k) {
+        part.high = static_cast<double>(k) / parts, part.at_high = at[static_cast<std::size_t>(k)];
+        if (!has_sign(part.at_high)) continue;
+        const bool turns = begins && part.at_low * part.at_high > 0.0 && turns_near_zero(at, k) &&
+                           find_turn(part, [&](double c) { return on(i, c); });
+        if (turns || part.at_low * part.at_high < 0.0) {
+          const double place = part.low + (part.high - part.low) * part.at_low / (part.at_low - part.at_high);
+          if (!found || place < found->low + (found->high - found->low) * found->at_low /
+                                                 (found->at_low - found->at_high))
+            found = part;
           break;
         }
-        last = k;
+        part.low = part.high, part.at_low = part.at_high;
       }
     }
     return found;
   }
 
- private:
-  static constexpr std::size_t most = 200;  // more of them leave no step whole
+  /// The part of a step after which a function that is zero at its beginning has a sign.
+  static constexpr double soon = 0x1p-17;
 
+ private:
   /// The nodes of which H takes a broken power, a root or a logarithm, or of what depends on them: beyond a
   /// zero it may be smooth on neither side, and two runs whose steps end there would err alike.
   static std::vector<char> singular(const ExpressionGraph& graph, const std::vector<char>& part) {
@@ -120,6 +125,48 @@ class Kinks {
       if (b >= 0) found[b] = 1;
     }
     return found;
+  }
+
+  /// The polynomial through the values at all points comes near zero between the points k - 1 and k, where it
+  /// has one sign.
+  static bool turns_near_zero(const std::array<double, parts + 1>& at, int k) {
+    const double least = 0.1 * std::max(std::abs(at[static_cast<std::size_t>(k - 1)]),
+                                        std::abs(at[static_cast<std::size_t>(k)]));
+    const double sense = std::copysign(1.0, at[static_cast<std::size_t>(k)]);
+    for (const double aside : {0.25, 0.5, 0.75}) {
+      const double x = k - 1 + aside;
+      double between = 0.0;  // by Lagrange's formula
+      for (int i = 0; i <= parts; ++i) {
+        double weight = 1.0;
+        for (int j = 0; j <= parts; ++j)
+          if (j != i) weight *= (x - j) / (i - j);
+        between += weight * at[static_cast<std::size_t>(i)];
+      }
+      if (sense * between < least) return true;
+    }
+    return false;
+  }
+  /// Looks for a place with another sign than at both ends of a part, which has its end there then, by golden
+  /// section.
+  template <class F>
+  static bool find_turn(Crossing& part, const F& on) {
+    constexpr double golden = 0.6180339887498949;
+    const double sense = std::copysign(1.0, part.at_low);
+    double low = part.low, high = part.high, a = high - golden * (high - low),
+           b = low + golden * (high - low);
+    double at_a = sense * on(a), at_b = sense * on(b);
+    for (int i = 0; i < 16; ++i) {
+      const double least = std::min(at_a, at_b);
+      if (least < 0.0) return part.high = at_a < at_b ? a : b, part.at_high = sense * least, true;
+      if (at_a < at_b) {
+        high = b, b = a, at_b = at_a;
+        a = high - golden * (high - low), at_a = sense * on(a);
+      } else {
+        low = a, a = b, at_a = at_b;
+        b = low + golden * (high - low), at_b = sense * on(b);
+      }
+    }
+    return false;
   }
 
   [[nodiscard]] double value(std::size_t i) const {

@@ -1,5 +1,7 @@
 #include "orbit_steps.hpp"
 
+#include "avi/core/bracketed_root.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -93,52 +95,79 @@ std::optional<Kinks::Crossing> OrbitSteps::first_kink(const State<dynamic>& from
   kinks_->look(0, from.q.data(), from.p.data(), n_);
   for (int k = 1; k < Kinks::parts; ++k) {
     double t = 0.0;
-    polynomial(static_cast<double>(k) / Kinks::parts, inside_, t);
+    roughly(static_cast<double>(k) / Kinks::parts, inside_, t);
     kinks_->look(k, inside_.data(), inside_.data() + n_, n_);
   }
   kinks_->look(Kinks::parts, to.q.data(), to.p.data(), n_);
-  return kinks_->first();
+  return kinks_->first([&](std::size_t i, double c) { return kink_at(i, c); });
 }
 
-/// A step up to the next kink, where there is one in it: sizes by the secant method, from below and above. A
-/// step over a kink may not be solved: then a shorter one is made.
+/// Function i of the kinks at a part of the last step.
+double OrbitSteps::kink_at(std::size_t i, double c) {
+  double t = 0.0;
+  roughly(c, inside_, t);
+  return kinks_->at(i, inside_.data(), inside_.data() + n_, n_);
+}
+
+/// Where a kink is in the last step, and how its function changes there, roughly.
+void OrbitSteps::guess(const Kinks::Crossing& kink, double& part, double& slope) {
+  const double sense = std::copysign(1.0, kink.at_high);
+  const auto on = [&](double c) { return sense * kink_at(kink.index, c); };
+  const double wide = 1e-3 * (kink.high - kink.low);
+  part = bracketed_root(on, kink.low, sense * kink.at_low, kink.high, sense * kink.at_high,
+                        1e-9 * std::abs(kink.at_high - kink.at_low))
+             .x;
+  slope = sense * (on(part + wide) - on(part - wide)) / (2.0 * wide);
+}
+
+/// A step up to the next kink, where there is one in it: sizes by the secant method, from where the
+/// polynomial of the whole step has it. A step over a kink may not be solved: then a shorter one is made.
 StepReport OrbitSteps::step_to_kink(State<dynamic>& z, double h) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   StepReport report{.evaluations = 0};
   State<dynamic> to;
+  const double ahead = ahead_;
   const auto go = [&](double size) {
-    to = z;
-    const StepReport step = whole_step(to, size);
+    to = z, ahead_ = ahead;
+    const StepReport step = step_inside(to, size);
     report.outcome = step.outcome;
     report.evaluations += step.evaluations;
-    size_ = size;
     return step.ok();
   };
   for (int halves = 0; !go(std::ldexp(h, -halves)); ++halves)
     if (report.outcome != Outcome::not_converged || halves == 3) return report;
+  const bool begins = z.t == kink_;
+  bool ends = false;
   for (int kinks = 0; kinks < 8; ++kinks) {
     const auto kink = first_kink(z, to);
     if (!kink) break;
     const double whole = size_, most = std::abs(kink->at_low) + std::abs(kink->at_high);
-    double low = kink->low, high = kink->high, at_low = kink->at_low, at_high = kink->at_high, at = most;
-    std::optional<bool> was_before;
-    for (int k = 0; k < 60 && std::abs(at) > 1e-14 * most && high - low > 4.0 * epsilon * high; ++k) {
-      double part = low + (high - low) * at_low / (at_low - at_high);
-      if (!(part > low && part < high)) part = 0.5 * (low + high);
+    // A polynomial over a kink errs, so that the zero may be beside where that has it.
+    constexpr double beside = 1.0 / Kinks::parts;
+    double low = std::max(kink->low - beside, Kinks::soon), high = std::min(kink->high + beside, 1.0);
+    double part = 0.0, slope = 0.0, at = most;
+    guess(*kink, part, slope);
+    for (int k = 0; k < 60 && high - low > 4.0 * epsilon * high; ++k) {
+      const double last = at, its_part = size_ / whole;
       if (!go(part * whole)) return report;
       at = kinks_->at(kink->index, to.q.data(), to.p.data(), n_);
-      // An end that stays twice counts half, so that it moves, too (the Illinois method).
-      const bool before = at * at_low > 0.0;
-      (before ? low : high) = part, (before ? at_low : at_high) = at;
-      if (before == was_before) (before ? at_high : at_low) *= 0.5;
-      was_before = before;
+      if (k > 0) slope = (at - last) / (part - its_part);
+      (at * kink->at_low > 0.0 ? low : high) = part;
+      // It is zero, or as small as rounding lets it become.
+      if (std::abs(at) <= 1e-14 * most) break;
+      if (std::abs(at) <= 1e-10 * most && !(std::abs(at) < 0.1 * std::abs(last))) break;
+      part -= at / slope;
+      if (!(part > low && part < high)) part = 0.5 * (low + high);
     }
     if (!(std::abs(at) <= 1e-9 * most)) {  // it was the polynomial's alone
       if (!go(whole)) return report;
       break;
     }
+    ends = true;
   }
   z = to;
+  between_ = begins && ends;
+  kink_ = ends ? z.t : std::numeric_limits<double>::quiet_NaN();
   return report;
 }
 

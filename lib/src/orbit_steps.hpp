@@ -5,6 +5,7 @@
 #include "switches.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -33,12 +34,15 @@ class OrbitSteps {
 
   /// Advances z by the fictive step h, or by a shorter one to a switch or kink, unless the report says
   /// another outcome than ok.
-  StepReport step(State<dynamic>& z, double h) {
+  StepReport step(State<dynamic>& z, double h) { return kinks_ ? step_to_kink(z, h) : step_inside(z, h); }
+  /// The same for a step inside one that was made, in which is no kink.
+  StepReport step_inside(State<dynamic>& z, double h) {
     if (switches_) return step_to_switch(z, h);
-    if (kinks_) return step_to_kink(z, h);
     size_ = h;
     return whole_step(z, h);
   }
+  /// The last step began at a kink and ended at one, wherever it was to end.
+  [[nodiscard]] bool is_between_kinks() const { return between_; }
   /// The energy at this time says nothing: H switches there.
   [[nodiscard]] bool is_at_switch(double t) const { return switches_ && switches_->is_near(t); }
   /// The fictive size of the last step.
@@ -67,6 +71,9 @@ class OrbitSteps {
   /// The same as 2n entries and a time.
   void polynomial(double c, VectorX& z, double& t) const { steps_->polynomial(c, z.data(), t); }
 
+  /// See Stepper.
+  void roughly(double c, VectorX& z, double& t) { steps_->roughly(c, z.data(), t); }
+
   /// See Stepper. @param z of 2n entries
   void tail(VectorX& z) const { steps_->tail(z.data(), static_cast<int>(z.size())); }
 
@@ -76,6 +83,7 @@ class OrbitSteps {
     if (switches_) other->switches_ = std::make_unique<Switches>(*switches_);
     if (kinks_) other->kinks_ = std::make_unique<Kinks>(*kinks_);
     other->size_ = size_, other->fixed_ = fixed_, other->rate_ = rate_, other->ahead_ = ahead_;
+    other->between_ = between_, other->kink_ = kink_;
     return other;
   }
 
@@ -90,6 +98,8 @@ class OrbitSteps {
   StepReport stop_at_switch(const State<dynamic>& from, double h, double time, State<dynamic>& z);
   StepReport step_to_kink(State<dynamic>& z, double h);
   std::optional<Kinks::Crossing> first_kink(const State<dynamic>& from, const State<dynamic>& to);
+  double kink_at(std::size_t i, double c);
+  void guess(const Kinks::Crossing& kink, double& part, double& slope);
   void load(const State<dynamic>& z) { std::copy_n(z.p.data(), n_, std::copy_n(z.q.data(), n_, z_.data())); }
   void store(State<dynamic>& z) const {
     std::copy_n(z_.data(), n_, z.q.data());
@@ -102,6 +112,8 @@ class OrbitSteps {
   std::unique_ptr<Switches> switches_;
   std::unique_ptr<Kinks> kinks_;
   VectorX inside_;  // scratch
+  bool between_ = false;
+  double kink_ = std::numeric_limits<double>::quiet_NaN();  // time of that at which the last step ended
   bool fixed_ = false;
   double rate_ = 0.0;   // mean dt by d tau of the last step, or 0 where there was none
   double ahead_ = 0.0;  // time by which rounding has set the clock back since the last switch

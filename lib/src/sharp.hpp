@@ -69,13 +69,16 @@ class SharpFeatures {
 
   /// Some feature lies inside the last step of `method`, between points that do not show it; that of a
   /// condition where it is felt, too.
-  bool jumped(const OrbitSteps& method, const State<dynamic>& before, const State<dynamic>& after,
+  bool jumped(OrbitSteps& method, const State<dynamic>& before, const State<dynamic>& after,
               const Felt& felt) {
     if (none()) return false;
     run(after);
     if (!take_in()) return false;
     for (int k = 0; k <= parts; ++k) {
-      run(k == 0 ? before : k == parts ? after : method.polynomial(static_cast<double>(k) / parts));
+      if (k == 0 || k == parts)
+        run(k == 0 ? before : after);
+      else
+        run(method, static_cast<double>(k) / parts);
       for (std::size_t i = 0; i < arguments_.size(); ++i)
         arguments_[i].at[k] = value(i);
     }
@@ -127,6 +130,12 @@ class SharpFeatures {
   };
 
   void run(const State<dynamic>& z) { formula_->run(z.q.data(), z.p.data(), n_); }
+  void run(OrbitSteps& method, double place) {
+    double t = 0.0;
+    inside_.resize(2 * n_);
+    method.roughly(place, inside_, t);
+    formula_->run(inside_.data(), inside_.data() + n_, n_);
+  }
   /// Argument i, at the last point.
   [[nodiscard]] double value(std::size_t i) const {
     const Argument& argument = arguments_[i];
@@ -134,8 +143,8 @@ class SharpFeatures {
     return argument.kind == Kind::condition ? first - formula_->partial(argument.node + 1) : first;
   }
   /// The same at a part of the last step.
-  double on(const OrbitSteps& method, std::size_t i, double place) {
-    run(method.polynomial(place));
+  double on(OrbitSteps& method, std::size_t i, double place) {
+    run(method, place);
     return value(i);
   }
   /// Takes in the arguments at the last point. @return one of them moves
@@ -151,7 +160,7 @@ class SharpFeatures {
 
   /// Between the zeros of two conditions is a part of the step that stages may not see, and that is felt: as
   /// a push that begins by one of them and ends by the other.
-  bool has_narrow_gap(const OrbitSteps& method, const Felt& felt) {
+  bool has_narrow_gap(OrbitSteps& method, const Felt& felt) {
     zeros_.clear();
     for (std::size_t i = 0; i < arguments_.size(); ++i) {
       const Argument& argument = arguments_[i];
@@ -167,7 +176,7 @@ class SharpFeatures {
     return false;
   }
   /// Where condition i changes its sign between the points k and k + 1.
-  double zero(const OrbitSteps& method, std::size_t i, int k) {
+  double zero(OrbitSteps& method, std::size_t i, int k) {
     const double sense = -std::copysign(1.0, arguments_[i].at[k]), width = 1.0 / parts;
     return bracketed_root([&](double place) { return sense * on(method, i, place); }, k * width,
                           sense * arguments_[i].at[k], (k + 1) * width, sense * arguments_[i].at[k + 1], 0.0)
@@ -175,7 +184,7 @@ class SharpFeatures {
   }
 
   /// A condition is another one for a part of the step that stages may not see, and that is felt.
-  bool flips(const OrbitSteps& method, std::size_t i, const Felt& felt) {
+  bool flips(OrbitSteps& method, std::size_t i, const Felt& felt) {
     const Argument& argument = arguments_[i];
     double fastest = 0.0;  // from point to point: what is farther from zero does not get there between two
     for (int k = 0; k < parts; ++k)
@@ -203,7 +212,7 @@ class SharpFeatures {
   }
 
   /// Where it, times `sense`, is largest in a part of the step, by golden section.
-  double highest(const OrbitSteps& method, std::size_t argument, double sense, double low, double high) {
+  double highest(OrbitSteps& method, std::size_t argument, double sense, double low, double high) {
     constexpr double golden = 0.6180339887498949;
     const auto lowered = [&](double place) { return -sense * on(method, argument, place); };
     double a = high - golden * (high - low), b = low + golden * (high - low), at_a = lowered(a),
@@ -224,6 +233,7 @@ class SharpFeatures {
   bool bends_ = false, hides_ = false;
   std::vector<Argument> arguments_;
   std::vector<double> zeros_;                       // of conditions in the step under way
+  VectorX inside_;                                  // scratch
   std::optional<RecordedFormula<double>> formula_;  // of all arguments, as derivatives of nothing
 };
 

@@ -257,7 +257,7 @@ class Sketch {
       refused = factor < 0.8 ? worst : 0.0;
       // What begins to move from rest by a power of time is as wrong in a shorter step, relative to its
       // range.
-      const bool begins = alike > 3 && samples.empty();
+      const bool begins = alike > 3;
       if (factor < 0.8 && !begins) {
         h *= std::max(0.1, 0.9 * factor);
         const double way = before + time;

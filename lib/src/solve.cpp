@@ -172,6 +172,7 @@ void Orbiter::look_for_features(double scale) {
   parts_ = parts_of(*field_.recording());
   // What is kicked by so much is elsewhere at the end, after so many radians.
   const double kick = std::max(question_.tolerance / std::max(radians_, 1.0), 30.0 * answer_.energy_rounding);
+  trip_->kick = kick;
   passes_.emplace(question_.graph, question_.energy, *sketch_, scale, distance_->frequency, kick);
   if (passes_->none()) return;
   trip_->passes = &*passes_;

@@ -58,6 +58,25 @@ class SplittingSteps final : public Stepper {
     aside.end_ = here_;
     (void)aside.step(z, t, c * h_);
   }
+  /// Hermite's polynomials through both ends of the step: of degree 5 for q, with its two derivatives, and of
+  /// degree 3 for p.
+  void roughly(double c, double* z, double& t) override {
+    if (!has_slopes_) find_slopes();
+    const Eigen::Index n = q_.size();
+    const double square = c * c, cube = square * c, rest = 1.0 - c;
+    const double end = cube * (10.0 + c * (6.0 * c - 15.0)),
+                 v0 = c * (1.0 + square * (c * (8.0 - 3.0 * c) - 6.0)),
+                 v1 = cube * (c * (7.0 - 3.0 * c) - 4.0), a0 = 0.5 * square * rest * rest * rest,
+                 a1 = 0.5 * cube * rest * rest;
+    const double late = square * (3.0 - 2.0 * c), f0 = c * rest * rest, f1 = -square * rest;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Scalar v = h_ * velocity_[i], a = h_ * h_ * acceleration_[i], f = h_ * force_[i];
+      const double q0 = here_.state.q[i], p0 = here_.state.p[i];
+      z[i] = q0 + end * (end_.state.q[i] - q0) + v0 * v[0] + v1 * v[1] + a0 * a[0] + a1 * a[1];
+      z[n + i] = p0 + late * (end_.state.p[i] - p0) + f0 * f[0] + f1 * f[1];
+    }
+    t = here_.state.t + c * h_;
+  }
   [[nodiscard]] std::unique_ptr<Stepper> clone() const override {
     return std::make_unique<SplittingSteps>(*this);
   }
@@ -104,6 +123,22 @@ class SplittingSteps final : public Stepper {
     }
     drift(kicks.size());
   }
+  /// Finds velocities, forces and accelerations at both ends of the last step, one end in each lane.
+  void find_slopes() {
+    const Eigen::Index n = q_.size();
+    for (Vec* each : {&velocity_, &force_, &acceleration_})
+      each->resize(n);
+    put(0, here_), put(1, end_);
+    velocities_.run(q_, p_, Scalar(1.0), velocity_.data());
+    forces_.run(q_, p_, Scalar(-1.0), force_.data());
+    // Velocities are linear in p.
+    for (Eigen::Index i = 0; i < n; ++i)
+      p_[i] = p_[i] + force_[i];
+    velocities_.run(q_, p_, Scalar(1.0), acceleration_.data());
+    for (Eigen::Index i = 0; i < n; ++i)
+      acceleration_[i] = acceleration_[i] - velocity_[i];
+    has_slopes_ = true;
+  }
   /// x += change, with what rounding cut off before (Kahan 1965). Pack by pack, as the formulas have just
   /// written the change: the processor would wait for what is read in other portions.
   void add(Vec& x, Vec& low) const {
@@ -121,6 +156,7 @@ class SplittingSteps final : public Stepper {
       if (!std::isfinite(moved.q_[i][lane]) || !std::isfinite(moved.p_[i][lane]))
         return {.outcome = Outcome::non_finite, .evaluations = report.evaluations};
     h_ = h;
+    has_slopes_ = false;
     for (Eigen::Index i = 0; i < n; ++i) {
       z[i] = end_.state.q[i] = moved.q_[i][lane];
       z[n + i] = end_.state.p[i] = moved.p_[i][lane];
@@ -139,6 +175,8 @@ class SplittingSteps final : public Stepper {
   PreciseState<dynamic> here_, end_;  // of the last step
   double h_ = 0.0;                    // of the last step
   Vec q_, p_, low_q_, low_p_, change_;
+  bool has_slopes_ = false;
+  Vec velocity_, force_, acceleration_;  // at both ends of the last step, where they are known
 };
 
 }  // namespace

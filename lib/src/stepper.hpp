@@ -36,6 +36,8 @@ class Stepper {
   }
   /// The state at the fraction c of the last step: the collocation polynomial, where there is one.
   virtual void polynomial(double c, double* z, double& t) const = 0;
+  /// The same to the digits that a search needs, where that takes less work.
+  virtual void roughly(double c, double* z, double& t) { polynomial(c, z, t); }
   /// How much the last term of the polynomial of the last step adds to each entry of (q, p) at most; zero
   /// where there is none.
   virtual void tail(double* z, int entries) const { std::fill_n(z, entries, 0.0); }

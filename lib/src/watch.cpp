@@ -26,7 +26,7 @@ struct Repeated {
   Repeated& operator=(const Repeated&) = delete;
   StepReport step(State<dynamic>& z, double h) {
     if (!own) own = pattern->clone();
-    return own->step(z, h);
+    return own->step_inside(z, h);
   }
 };
 
@@ -62,7 +62,7 @@ double Watch::on(const Stride& stride, double part) {
   const Eigen::Index n = stride.before.q.size();
   double t = 0.0;
   inside_.resize(2 * n);
-  stride.method.polynomial(part, inside_, t);
+  stride.method.roughly(part, inside_, t);
   return at(inside_.data(), inside_.data() + n, t);
 }
 

@@ -15,7 +15,7 @@ namespace avi::detail {
 
 /// A step that was taken, by whom, and the part of it that belongs to the run.
 struct Stride {
-  const OrbitSteps& method;      ///< After the step.
+  OrbitSteps& method;            ///< After the step.
   const State<dynamic>& before;  ///< Where it began.
   const State<dynamic>& last;    ///< Where the part ends.
   double h;                      ///< Fictive step, with its sign.
