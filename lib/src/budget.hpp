@@ -7,31 +7,32 @@
 #include <utility>
 
 /// @file
-/// The cost of a call of solve() so far, and the callback that is told how far it has come.
+/// The cost of a call of solve() so far, and the callback that reports its progress.
 
 namespace avi::detail {
 
 /// Seconds and sweeps of a call, its bounds on them, and its callback.
 class Budget {
  public:
-  /// From now on. @param options outlive this
+  /// Starts the clock of a call. @param options must outlive this
   explicit Budget(const SolveOptions& options) : options_(options) {}
 
   SolvePhase phase = SolvePhase::choosing;  ///< Phase of the call, for the callback.
-  double start = 0.0, end = 1.0;            ///< Times between which the run under way goes.
+  double start = 0.0, end = 1.0;            ///< Times at the ends of the run under way.
   double share = 1.0;                       ///< Part of the bounds that may be spent for now.
-  long sweeps = 0;                          ///< Spent by the runs of this choice before it.
-  long earlier = 0;                         ///< Spent by other choices and on runs with them.
+  long sweeps = 0;                          ///< Sweeps of the runs for this choice.
+  long earlier = 0;                         ///< Sweeps of other choices, and of runs with them.
 
-  /// A bound was met since this was last called, or the callback has ended the call.
+  /// Returns true if a bound was met since the last call of this function, or the callback has ended the
+  /// call.
   bool was_met() { return std::exchange(met_, false) || cancelled_; }
-  /// The callback has said that the call is to end.
+  /// Returns true if the callback has asked for the end of the call.
   [[nodiscard]] bool cancelled() const { return cancelled_; }
-  /// Since the call began.
+  /// Seconds since the call began.
   [[nodiscard]] double seconds() const {
     return std::chrono::duration<double>(Clock::now() - began_).count();
   }
-  /// The outcome that ends the call where the run under way has come so far, or ok.
+  /// The outcome with which the call ends now, with the run under way at this point; ok if it may go on.
   Outcome met(double t, long steps, long evaluations) {
     const Outcome outcome = found(t, steps, evaluations);
     if (outcome != Outcome::ok) met_ = true;
@@ -61,9 +62,9 @@ class Budget {
   }
   const SolveOptions& options_;
   Clock::time_point began_ = Clock::now();
-  double next_ = 0.0;  // when the callback is due
+  double next_ = 0.0;  // time at which the callback is due
   SolvePhase told_ = SolvePhase::choosing;
-  // The clock costs a good part of a short step: where steps are short it is not looked at after each.
+  // Reading the clock costs a good part of a short step, so after short steps it is not read each time.
   double looked_ = 0.0;
   int stride_ = 1, waited_ = 0;
   bool cancelled_ = false, met_ = false;

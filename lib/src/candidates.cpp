@@ -14,7 +14,7 @@ namespace avi::detail {
 
 namespace {
 
-/// A name in the menu, and the power that it stands for.
+/// A name in the menu and the power \f$\alpha\f$ that it stands for.
 struct Entry {
   const char* name;
   double alpha;
@@ -22,7 +22,8 @@ struct Entry {
 constexpr Entry known_monitors[] = {{"fixed", 0.0}, {"energy", 1.0},         {"energy^1.5", 1.5},
                                     {"poles", 1.0}, {"acceleration", 0.375}, {splitting.data(), 0.0}};
 
-/// V: H at the momenta where nothing moves, with that of time left as it is. @param drifts see Choice
+/// Makes the node of V: H at the momenta for which nothing moves; the momentum of time stays as it is.
+/// @param drifts see Choice
 int at_rest(ExpressionGraph& graph, int energy, bool timed, const std::vector<double>& drifts) {
   const auto n = static_cast<std::size_t>(graph.inputs()) / 2;
   std::vector<int> arguments(n);
@@ -40,7 +41,7 @@ int at_rest(ExpressionGraph& graph, int energy, bool timed, const std::vector<do
   return graph.substitute(graph, energy, arguments);
 }
 
-/// The node of \f$\ell\f$ of the energy.
+/// Makes the node of \f$\ell\f$ of the energy monitors.
 int liveliness_of(ExpressionGraph& graph, int energy, const EnergyAtStart& energy_at_start, bool timed,
                   const Choice& constants) {
   const int half = graph.binary(Operation::multiply, graph.constant(0.5), energy);
@@ -51,8 +52,8 @@ int liveliness_of(ExpressionGraph& graph, int energy, const EnergyAtStart& energ
   return graph.binary(Operation::add, moving, level);
 }
 
-/// The largest derivative of H by each entry on the way; what is 1e-14 of the others, masses taken out, is
-/// rounding.
+/// Returns the largest derivative of H by each entry along the sketch. It is raised to 1e-14 of the largest
+/// of its kind, masses taken out, since less is rounding.
 VectorX strengths(const Sketch& sketch, const VectorX& metric) {
   const Eigen::Index n = metric.size();
   VectorX strength = VectorX::Zero(2 * n);
@@ -73,21 +74,21 @@ VectorX strengths(const Sketch& sketch, const VectorX& metric) {
   return strength;
 }
 
-/// The rate of change \f$\ell\f$ of a monitor on a sketch.
+/// The rate of change \f$\ell\f$ of a monitor along a sketch.
 struct Measured {
-  std::vector<double> lively;  ///< At each sample.
-  /// Value of a rate near poles and size of its derivative by time, at the samples, and in the middle
-  /// between each and the next one, which may be far where it moves freely.
+  std::vector<double> lively;  ///< Value at each sample.
+  /// Value of a rate near poles and absolute value of its time derivative: at the samples, and midway between
+  /// each and the next, which may be far away where the motion is free.
   std::vector<std::array<double, 2>> changes = {};
   double steepest = 0.0;  ///< Its largest relative derivative, over the strength of the entry.
 
-  /// A derivative of the last one.
+  /// Takes in a derivative of the rate at the last sample.
   void add_slope(double slope, double strength) {
     steepest = std::max(steepest, std::abs(slope) / (std::abs(lively.back()) * strength));
   }
 };
 
-/// The rate that energy monitors follow.
+/// Measures the rate that energy monitors follow.
 Measured measure(const Sketch& sketch, const Resting& resting, double energy_at_start, double kinetic,
                  const VectorX& strength) {
   Measured measured;
@@ -105,7 +106,7 @@ Measured measure(const Sketch& sketch, const Resting& resting, double energy_at_
   return measured;
 }
 
-/// The rate at a node of a graph.
+/// Measures the rate at a node of a graph.
 Measured measure(const Sketch& sketch, const ExpressionGraph& graph, int node, const VectorX& strength,
                  bool with_changes = false) {
   Measured measured;
@@ -129,7 +130,7 @@ Measured measure(const Sketch& sketch, const ExpressionGraph& graph, int node, c
     if (!with_changes) continue;
     measured.changes.push_back({measured.lively.back(), along(sample.slope)});
     if (k + 1 == sketch.samples.size()) continue;
-    // Of the cubic polynomial between them.
+    // Value and slope halfway along the cubic polynomial between the two samples.
     const Sketch::Sample& next = sketch.samples[k + 1];
     middle = 0.5 * (sample.z + next.z) + 0.125 * sample.h * (sample.slope - next.slope);
     slope = 1.5 / sample.h * (next.z - sample.z) - 0.25 * (sample.slope + next.slope);
@@ -139,7 +140,8 @@ Measured measure(const Sketch& sketch, const ExpressionGraph& graph, int node, c
   return measured;
 }
 
-/// The power 3/8 of \f$1 + \sum_i (w_i\, \partial H/\partial q_i)^2\f$: see Choice::accelerations.
+/// Makes the monitor `acceleration`, whose rate is the power 3/8 of \f$1 + \sum_i (w_i\, \partial H/\partial
+/// q_i)^2\f$: see Choice::accelerations.
 Candidate accelerated(const std::shared_ptr<ExpressionGraph>& graph, int energy,
                       EnergyAtStart energy_at_start, const Choice& constants) {
   const std::vector<int> slope = Reverse(*graph).gradient(energy);
@@ -151,7 +153,7 @@ Candidate accelerated(const std::shared_ptr<ExpressionGraph>& graph, int energy,
   return {"acceleration", 0.375, graph, energy, energy_at_start, sum};
 }
 
-/// The frequency near poles and a constant one: see Choice::poles.
+/// Makes the monitor `poles`, which combines the frequency near poles with a constant one: see Choice::poles.
 Candidate polar(const std::shared_ptr<ExpressionGraph>& graph, int energy, EnergyAtStart energy_at_start,
                 const Choice& constants) {
   const Factor start =
@@ -161,13 +163,13 @@ Candidate polar(const std::shared_ptr<ExpressionGraph>& graph, int energy, Energ
   return {"poles", 1.0, graph, energy, energy_at_start, lively};
 }
 
-/// The rate \f$(\sqrt{w_0} + \sqrt\phi)^2\f$ of a frequency \f$\phi\f$ near poles and a constant one.
+/// The rate \f$(\sqrt{w_0} + \sqrt\phi)^2\f$ made of a frequency \f$\phi\f$ near poles and a constant one.
 double with_constant(double near, double constant) {
   const double root = std::sqrt(near) + std::sqrt(constant);
   return root * root;
 }
 
-/// The largest relative change of that rate in its unit of fictive time.
+/// Largest relative change of that rate per unit of its fictive time.
 double fastest_change(const Measured& near, double constant) {
   double most = 0.0;
   for (const auto& [value, change] : near.changes) {
@@ -177,8 +179,9 @@ double fastest_change(const Measured& near, double constant) {
   return most;
 }
 
-/// The constant frequency beside that near poles with which steps are fewest, where the longest one in
-/// radians is of fixed length; a monitor that changes as \f$1/(\tau - \tau_0)\f$ counts as a frequency, too.
+/// Returns the constant frequency that, beside the frequency near poles, gives the fewest steps if the
+/// longest one has a fixed length in radians. A monitor that changes as \f$1/(\tau - \tau_0)\f$ counts as a
+/// frequency, too.
 double background(const Sketch& sketch, const Measured& near) {
   double mean = 0.0, best = 0.0, fewest = infinity;
   for (std::size_t k = 0; k < near.lively.size(); ++k)
@@ -209,7 +212,7 @@ std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, E
   VectorX high = low;
   for (const Sketch::Sample& sample : sketch.samples)
     low = low.cwiseMin(sample.z), high = high.cwiseMax(sample.z);
-  double root = 0.0;  // mean of the square roots: what is large for a short time counts little
+  double root = 0.0;  // mean of the square roots, in which short peaks count little
   for (Eigen::Index i = 0; i < seen; ++i)
     if (high[i] > low[i]) weights[static_cast<std::size_t>(i)] = metric[i] / (high[i] - low[i]);
   const Eigen::Map<const VectorX> weight(weights.data(), seen);
@@ -240,7 +243,7 @@ const Entry& entry_of(std::string_view name) {
   return *std::ranges::find_if(known_monitors, [&](const Entry& it) { return name == it.name; });
 }
 
-/// @param graph that of the question, to which monitors are added
+/// Makes the monitor of this name. @param graph graph of the question, to which the monitor is added
 Candidate candidate_in(const std::shared_ptr<ExpressionGraph>& graph, std::string_view name,
                        const OrbitQuestion& question, EnergyAtStart energy_at_start,
                        const Choice& constants) {
@@ -284,8 +287,8 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
   const double kinetic = constants.kinetic;
   const int energy = question.energy;
   const auto graph = std::make_shared<ExpressionGraph>(question.graph);
-  // Operations of a sweep, about: counted on eight Hamiltonians of 2 to 32 degrees of freedom; the price is
-  // right within a quarter. What is made of a graph is known when it has been made.
+  // Approximate number of operations of a sweep, counted on eight Hamiltonians of 2 to 32 degrees of freedom;
+  // the price is right within a quarter. The exact number is known only once the programs are made.
   const double nodes = energy - graph->inputs(), plain = std::max(operations - 0.45 * nodes, 0.0);
   const double monitored =
       plain + 30.0 + (constants.drifts.empty() ? 1.2 : 2.4) * nodes + 2.0 * graph->inputs();
@@ -299,11 +302,11 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
         menu.emplace_back(name, alpha, graph, energy, energy_at_start, lively);
   }
   VectorX strength = strengths(sketch, metric);
-  // Of the momentum of time nobody asks.
+  // Errors of the momentum of time do not count.
   if (question.timed) strength[metric.size() - 1] = infinity;
   double rounding =
       std::numeric_limits<double>::epsilon() * std::max(std::abs(energy_at_start), std::abs(kinetic));
-  // H + p^t is zero at the start, and may be far smaller than its terms are.
+  // H + p^t is zero at the start, but its terms may be far larger.
   if (question.timed && menu.size() > 1) {
     const double of_terms = RoundedFormula(question.graph, energy).rounding(sketch.samples.front().z);
     if (of_terms > 30.0 * rounding) rounding = of_terms;
@@ -340,7 +343,7 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
       if (std::isfinite(it.outlook)) steps = std::min(steps, it.fictive * it.longest);
   };
   count_steps();
-  // Where steps might be fewer, and, as it takes some microseconds to know, many would be saved.
+  // Finding the poles takes some microseconds: do so only if steps might be fewer and many would be saved.
   const std::string& wanted = question.options.monitor.name;
   const bool asked = wanted == "poles";
   const bool promising = steps > (radians > 100.0 ? 1.2 : 1.5) * sketch.radians;
@@ -349,7 +352,7 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
     if (!poles.none()) {
       const double others = std::ranges::min_element(menu, {}, &Candidate::outlook)->outlook;
       const bool known = !constants.poles.empty();
-      std::vector<double> beside = constants.poles;  // of the monitor without a constant frequency
+      std::vector<double> beside = constants.poles;  // constants of the monitor without a constant frequency
       if (!known) {
         beside = poles.constants(sketch, metric, seen);
         beside.insert(beside.begin(), {0.0, kinetic > 0.0 ? kinetic : constants.energy_scale});
@@ -367,13 +370,13 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
       look(menu.back(),
            cost(plain + 30.0 + 18.0 * static_cast<double>(poles.size()) + nodes + 2.0 * graph->inputs()),
            frequency);
-      // Beside another one that is as good it would only be one more to try.
+      // Beside a candidate that is better, it would only be one more to try.
       if (!asked && !known && !(menu.back().outlook <= others)) menu.pop_back();
       count_steps();
     }
   }
-  // Where the fastest part of the motion makes all steps many times shorter than the others need be, as when
-  // two of many bodies meet.
+  // Useful where the fastest part of the motion makes all steps many times shorter than the rest needs, as
+  // when two of many bodies meet.
   if (sketch.samples.size() > 1 && (wanted == "acceleration" || steps > 5.0 * sketch.radians)) {
     menu.push_back(accelerated(graph, energy, energy_at_start, constants));
     look(menu.back(), cost(4.0 * plain + 50.0), measure(sketch, *graph, menu.back().rate_node(), strength));

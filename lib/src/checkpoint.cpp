@@ -49,7 +49,7 @@ std::size_t Record::size() {
 
 Record::Record(const std::string& file) {
   require_regular(file);
-  std::error_code unknown;  // then reading it will say more
+  std::error_code unknown;  // reading the file will report it
   if (std::filesystem::status(file, unknown).type() == std::filesystem::file_type::not_found)
     throw std::invalid_argument("There is no checkpoint " + file + ".");
   std::ifstream in(file, std::ios::binary);
@@ -91,12 +91,12 @@ void require_regular(const std::string& file) {
 }
 
 bool is_kept(const std::string& file) {
-  std::error_code unreadable;  // which writing it will say
+  std::error_code unreadable;  // writing the file will report it
   if (file.empty() || !std::filesystem::is_regular_file(file, unreadable)) return false;
   std::ifstream in(file, std::ios::binary);
   std::uint64_t head = 0;
   const bool whole = static_cast<bool>(in.read(reinterpret_cast<char*>(&head), sizeof(head)));
-  const bool ours = whole && (head ^ magic) << 8 == 0;  // in any version, the highest byte
+  const bool ours = whole && (head ^ magic) << 8 == 0;  // in any version, which is the highest byte
   if (!ours && in.gcount() > 0)
     throw std::invalid_argument("The file " + file +
                                 " is no checkpoint, and would be replaced by one; name another file.");

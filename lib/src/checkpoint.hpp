@@ -8,25 +8,25 @@
 #include <vector>
 
 /// @file
-/// A run as a file, from which it can go on.
+/// A file that keeps a run, so that it can be resumed.
 
 namespace avi::detail {
 
-/// Numbers and words in the order in which they are written and read.
+/// A list of numbers and texts, read in the order in which they were written.
 class Record {
  public:
-  /// Nothing yet.
+  /// Makes an empty record.
   Record() = default;
-  /// The content of a file. @throws std::invalid_argument for one that is none of ours, of another version,
-  /// or damaged.
+  /// Reads the content of a file. @throws std::invalid_argument if it is no checkpoint, one of another
+  /// version, or damaged
   explicit Record(const std::string& file);
-  /// Writes it into a file beside that one, which then takes its name: the file is there whole or as before.
-  /// @throws std::runtime_error where it cannot be written.
+  /// Writes the record into a file beside that one, which then takes its name: so the file is either complete
+  /// or as it was before. @throws std::runtime_error where it cannot be written
   void write(const std::string& file) const;
 
   ///@{
 
-  /// Adds.
+  /// Adds a value.
   void put(double number) { words_.push_back(std::bit_cast<std::uint64_t>(number)); }
   template <std::integral Number>
   void put(Number number) {
@@ -46,7 +46,7 @@ class Record {
   ///@}
   ///@{
 
-  /// Reads what comes next.
+  /// Reads the next value.
   void get(double& number) { number = std::bit_cast<double>(next()); }
   template <std::integral Number>
   void get(Number& number) {
@@ -65,7 +65,7 @@ class Record {
   }
   ///@}
 
-  /// A number that tells this record from others.
+  /// Checksum of the record.
   [[nodiscard]] std::uint64_t sum() const;
 
  private:
@@ -75,13 +75,15 @@ class Record {
   std::size_t read_ = 0;
 };
 
-/// Refuses a device or a folder, which a file would replace. @throws std::invalid_argument
+/// Requires that a file is not a device or a folder, which a checkpoint would replace.
+/// @throws std::invalid_argument
 void require_regular(const std::string& file);
 
-/// Whether there is a file of an earlier call. @throws std::invalid_argument for one that is no checkpoint
+/// Returns true if there is a checkpoint of an earlier call. @throws std::invalid_argument for a file that is
+/// no checkpoint
 bool is_kept(const std::string& file);
 
-/// Tells the H, the events and the given monitor of a question from others.
+/// A number that identifies the H, the events and the given monitor of a question.
 std::uint64_t fingerprint(const OrbitQuestion& question);
 
 }  // namespace avi::detail

@@ -13,14 +13,15 @@
 #include <vector>
 
 /// @file
-/// From a straight line of operations to instructions: which value is in which register.
+/// From a straight line of operations to instructions: the choice of registers for values.
 
 namespace avi::detail {
 
-/// Writes one program. Registers are given up by what is needed last (Belady 1966).
+/// The writer of the code of one program. If no register is free, the one whose value is needed last is given
+/// up (Belady 1966).
 class CodeWriter {
  public:
-  /// The numbers that every pool begins with.
+  /// The numbers at the beginning of every pool.
   enum Pooled : std::size_t { one, zero, sign_bit, magnitude };
 
   CodeWriter(const StraightLine& line, const MachineTarget& target, std::vector<double>& pool, Assembler& out)
@@ -30,10 +31,11 @@ class CodeWriter {
     calls_ = std::ranges::any_of(line.lines, [&](const auto& each) { return is_call(each); });
   }
 
-  /// @return where in the code the address of the pool has to be put
+  /// Writes the code. @return the place in the code for the address of the pool
   std::size_t write() {
     const std::size_t address_at = begin();
-    // Parts of a pack are computed one after the other; where there are calls of whole packs, side by side.
+    // The parts of a pack are computed one after the other or, where functions of whole packs are called,
+    // side by side.
     if (calls_) {
       compute(0, parts_);
     } else {
@@ -44,7 +46,7 @@ class CodeWriter {
     return address_at;
   }
 
-  /// Bytes of the stack that the code takes.
+  /// Number of bytes of the stack that the code takes.
   [[nodiscard]] std::size_t frame() const {
     return static_cast<std::size_t>(scratch) +
            static_cast<std::size_t>(slots_) * static_cast<std::size_t>(out_.bytes());
@@ -113,7 +115,7 @@ class CodeWriter {
   [[nodiscard]] Place frame(int slot) const {
     return {.pointer = Assembler::rsp, .at = scratch + slot * out_.bytes()};
   }
-  /// Where number i of the pool is.
+  /// Place of number i of the pool.
   [[nodiscard]] Place pooled(std::size_t i) const {
     return {.pointer = numbers_, .at = static_cast<std::int32_t>(static_cast<std::size_t>(out_.bytes()) * i)};
   }
@@ -121,7 +123,7 @@ class CodeWriter {
   Value& value(int v, int part) {
     return values_[static_cast<std::size_t>(v * parts_now_ + part - first_part_)];
   }
-  /// Where a value that is in no register can be read.
+  /// Place where a value that is in no register can be read.
   Place memory(int v, int part) {
     if (v < line_.inputs) {
       const int half = (line_.inputs - target_.parameters) / 2, i = v < half ? v : v - half;
@@ -133,7 +135,7 @@ class CodeWriter {
     return frame(value(v, part).spilled);
   }
   void release(int in) { holds_[in] = -1; }
-  /// A register that nobody holds.
+  /// Returns a free register, giving up the value of one if need be.
   int take() {
     int best = -1, furthest = -1;
     for (int i = 0; i < static_cast<int>(holds_.size()); ++i) {
@@ -146,7 +148,7 @@ class CodeWriter {
     pinned_[best] = 1;
     return best;
   }
-  /// The value of a register goes to memory, unless it is there.
+  /// Frees a register. Its value goes to memory if it is still needed and not there yet.
   void drop(int in) {
     Value& it = values_[holds_[in]];
     const int v = holds_[in] / parts_now_;
@@ -183,7 +185,7 @@ class CodeWriter {
     value(v, part).in = in;
     holds_[in] = v * parts_now_ + part - first_part_;
   }
-  /// After its last use.
+  /// Frees register and slot of a value after its last use.
   void forget_if_dead(int v, int part) {
     Value& it = value(v, part);
     if (it.next != never) return;
@@ -224,7 +226,7 @@ class CodeWriter {
       }
     }
   }
-  /// Keeps the operands of a line where they are until they have been read.
+  /// Keeps the operands of a line in their registers until they have been read.
   void pin_operands(const StraightLine::Line& it, int first_part, int end_part) {
     std::ranges::fill(pinned_, 0);
     for (int part = first_part; part < end_part; ++part)
@@ -232,7 +234,7 @@ class CodeWriter {
         if (const int v = operand(it, j); v >= 0 && value(v, part).in >= 0) pinned_[value(v, part).in] = 1;
   }
   static int operand(const StraightLine::Line& it, int j) { return j == 0 ? it.a : j == 1 ? it.b : it.c; }
-  /// For each operand of each line, the next line that reads it.
+  /// Finds, for each operand of each line, the next line that reads it.
   void find_uses() {
     if (!next_use_.empty()) return;
     next_use_.resize(line_.order.size());
@@ -285,7 +287,7 @@ class CodeWriter {
       return Assembler::divide;
     }
   }
-  /// The first operation of a line. @return a register of its own
+  /// Writes the first operation of a line. @return a register of its own
   int simple(const StraightLine::Line& it, int part) {
     using enum Operation;
     switch (it.first) {
@@ -326,7 +328,7 @@ class CodeWriter {
     case less:
     case less_equal:
     case when: {
-      // Of 1 or of b where a < b, a <= b, or 0 < a.
+      // The result is 1 where a < b or a <= b, or b where 0 < a; elsewhere it is 0.
       const bool choose = it.first == when;
       const int a = in_register(it.a, part), b = in_register(it.b, part), to = take();
       const auto how = it.first == less_equal ? Assembler::less_equal : Assembler::less;
@@ -346,7 +348,7 @@ class CodeWriter {
       computes_nothing(it.first);
     }
   }
-  /// Any other operation, at a whole pack in memory.
+  /// Writes the call of any other operation, on a whole pack in memory.
   void call_function(const StraightLine::Line& it, int result, int first_part, int end_part) {
     pin_operands(it, first_part, end_part);
     for (int part = first_part; part < end_part; ++part)
@@ -365,8 +367,8 @@ class CodeWriter {
     out_.address(Assembler::rdi, Assembler::rsp, 0);
     out_.address(Assembler::rsi, Assembler::rsp, 64);
     out_.set(Assembler::rax, reinterpret_cast<std::uint64_t>(target_.functions[static_cast<int>(it.first)]));
-    // Functions of the standard library may have instructions that are many times slower beside full
-    // registers.
+    // Functions of the standard library may have instructions that are many times slower while the upper
+    // parts of registers are in use.
     out_.raw({0xc5, 0xf8, 0x77});  // vzeroupper
     out_.raw({0xff, 0xd0});        // call rax
     for (int part = first_part; part < end_part; ++part) {
@@ -381,16 +383,16 @@ class CodeWriter {
   const MachineTarget target_;
   std::vector<double>& pool_;
   Assembler& out_;
-  int parts_;                           // registers of a pack
-  int first_part_ = 0, parts_now_ = 1;  // of them that are computed side by side
+  int parts_;                           // number of registers of a pack
+  int first_part_ = 0, parts_now_ = 1;  // those that are computed side by side
   bool calls_ = false;
   int q_ = Assembler::rdi, p_ = Assembler::rsi, factor_ = Assembler::rdx, result_ = Assembler::rcx,
       numbers_ = Assembler::rax;
   std::size_t frame_size_at_ = 0;
-  std::vector<int> holds_;    // of each register, the value
-  std::vector<char> pinned_;  // registers of the line under way
+  std::vector<int> holds_;    // the value in each register
+  std::vector<char> pinned_;  // registers of the current line
   std::vector<Value> values_;
-  std::size_t first_number_;  // of this program in the pool
+  std::size_t first_number_;  // first number of this program in the pool
   std::vector<std::array<int, 3>> next_use_;
   std::vector<int> next_of_result_;
   std::vector<int> free_slots_;

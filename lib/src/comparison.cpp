@@ -5,24 +5,24 @@
 #include <limits>
 
 /// @file
-/// The errors of two runs, as their difference tells them, and the part of these that is rounding.
+/// The errors of two runs, as their difference shows them, and the part of them that is rounding.
 
 namespace avi::detail {
 
 Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   Comparison seen;
   const std::size_t marks = std::min(coarse.marks.size(), fine.marks.size());
-  // Where energy errors are seen they tell how fast errors fall: slower than by the order where steps do not
-  // resolve all of the way.
+  // Energy errors above rounding show how fast errors fall with the step: slower than by the order if steps
+  // do not resolve all of the way.
   const bool seen_to_fall =
       fine.energy_error > std::max(1e3 * answer_.energy_rounding, energy_left_by_sweeps(fine));
   const double falls = seen_to_fall ? std::max(1.0, 0.5 * coarse.energy_error / fine.energy_error) : infinity;
   const double ratio = features_->bends() || coarse_grained_ ? 1.0 : std::min(trusted(coarse, fine), falls),
                until = since_start(marks - 1);
-  // In the first quarter, or three eighths where marks are few, in the first half, and on the whole.
+  // Largest lag in the first quarter (three eighths if marks are few), in the first half, and on the whole.
   double early = 0.0, halfway = 0.0, late = 0.0;
   double furthest = 0.0, least = infinity;
-  bool runaway = false;  // at some time differences have grown faster than by a power of time
+  bool runaway = false;  // at some time, differences have grown much faster than its square
   for (std::size_t i = 0; i < marks; ++i) {
     const double whole = (*distance_)(coarse.marks[i], fine.marks[i], fine.ranges), apart = whole / ratio;
     const double speed = std::max(speed_at(fine.marks[i], fine.ranges), 0.03 * usual_speed_);
@@ -37,21 +37,22 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
     seen.error = apart;
   }
   seen.furthest = furthest;
-  // No order makes smaller what the sweeps left.
+  // No order reduces what the sweeps left.
   const double left = left_by_sweeps(fine);
   seen.error = std::max(seen.error, std::min(left, ratio * seen.error));
   const double lag = lag_at_saddles(fine, 0.0);
   late = std::max(late, lag);
   seen.error =
       std::max(seen.error, lag * std::max(speed_at(fine.marks[marks - 1], fine.ranges), 0.03 * usual_speed_));
-  // By a power of time it would grow as much from a half to the whole as from a quarter to a half. Rounding,
-  // which may be small by chance at first, is not taken for it.
+  // If the lag grew by a power of time, its factor from a half to the whole would be that from a quarter to a
+  // half. Rounding, which may be small by chance at first, is not taken for exponential growth.
   seen.exponential = furthest > 1e-7 && std::log(late / halfway) > 1.4 * std::log(halfway / early);
-  // Where orbits run away from each other, all errors come to lie in one direction, in which the two may meet
-  // by chance: they are k times as large as their difference once in about k times, whatever the order. Once
-  // they are no longer small they meet anywhere. Of 6000 orbits of Henon and Heiles near escape, over 30 to
-  // 100 turns at 1e-2 to 1e-6, 24 of 3075 kept were wrong by more than ten tolerances, now 3 of 2872.
-  // What they foretell from a mark on the way is doubted less, as it has not come true yet.
+  // Where orbits diverge, all errors come to lie in one direction, in which the two runs may be close by
+  // chance: about once in k times, errors are k times as large as the difference of the runs, whatever the
+  // order. Once errors are no longer small, runs may meet anywhere. Of 6000 orbits of Henon and Heiles near
+  // escape, over 30 to 100 turns at tolerances 1e-2 to 1e-6, 24 of 3075 that counted as kept were wrong by
+  // more than ten tolerances; with these rules, 3 of 2872. A prediction from a mark on the way is doubted
+  // less, as it has yet to come true.
   constexpr double by_chance = 3.0, few_times = 4.0;
   if (runaway && furthest > 0.01)
     seen.error = std::max(furthest, 1.0), late *= ratio;
@@ -59,16 +60,17 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
     seen.error = furthest, late *= ratio;
   else if (runaway)
     seen.error *= by_chance * ratio, late *= std::max(1.0, ratio / few_times);
-  // Few steps may err alike. The error of the action, and with it that of the end, is of second order in what
-  // the curve lacks, which is about the last term of its polynomial: measured, 1 to 20 times its square.
+  // Runs of few steps may err alike. The error of the action, and with it that of the end, is of second order
+  // in what the curve lacks, which is about the last term of its polynomial. Measured errors are 1 to 20
+  // times the square of that term.
   if (fine.run.steps <= Journey::few && fine.tails.size() > 0) {
     const double lacking = distance_->speed(fine.tails, distance_->scales(fine.ranges));
     const double speed = std::max(speed_at(fine.state, fine.ranges), 0.03 * usual_speed_);
     seen.error = std::max(seen.error, lacking * lacking);
     late = std::max(late, speed > 0.0 ? lacking * lacking / speed : lacking * lacking);
   }
-  // Who leaves a point of rest earlier or later may come to another one, where all are near each other again;
-  // and how much later is no matter of the order.
+  // Orbits that leave a point of rest at different times may come to another one, where they are close again;
+  // and the delay does not depend on the order.
   const double parted = parted_by(coarse.pauses, fine.pauses, question_.t, marks_[marks - 1]);
   lost_ = parted > 1.0 || (fine.pauses.undecided && !question_.timed);
   if (lost_)
@@ -76,32 +78,33 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   else if (parted > 0.3)
     seen.error *= ratio, late *= ratio;
   seen.behind = late;
-  // How rounding grows says nothing of how an error would.
+  // The growth of rounding says nothing about the growth of errors.
   const double rounding = (100.0 * std::numeric_limits<double>::epsilon() + 10.0 * fine.candidate->noise) *
                           distance_->frequency * until;
-  // Over fewer turns errors waver by more than they grow.
+  // Over fewer turns, errors fluctuate by more than they grow.
   const bool seen_long = distance_->frequency * until > shortest_growth || late > 1e3 * early;
-  // What sweeps leave grows with the square of time: that says nothing of errors either.
+  // What the sweeps leave grows with the square of time, which says nothing about errors either.
   const bool grows = late > 20.0 * early && (furthest > 10.0 * left || late > 1e3 * early);
   if (early > 0.0 && grows) {
     if (seen_long && late * usual_speed_ * ratio > rounding) {
       seen.growth = std::min(3.0, std::log(late / early) / std::log(4.0));
       if (late > 60.0 * early) seen.rate = std::log(late / early) / (0.75 * until);
     }
-    // What grows so much may have begun as what sweeps left, or as rounding, which no order makes smaller.
+    // An error that grows so much may have begun as what the sweeps left, or as rounding, which no order
+    // reduces.
     unstable_ = true;
     const double doubted = std::min(ratio, late / (20.0 * early));
     if (!seen_to_fall) seen.error *= doubted, seen.behind *= doubted;
   }
-  // What is asked for on the way may be where the motion is fast.
+  // Output times and events may be where the motion is fast.
   if (!question_.times.empty() || !question_.events.empty() || question_.options.dense)
     seen.error = std::max(seen.error, seen.behind * high_speed_);
   return seen;
 }
 
-/// How long the motion stays near a saddle is decided by the energy that is left there. Several degrees of
-/// freedom may stop elsewhere, too, as the one that a clock drives does when its amplitude is small.
-/// @param unseen see Pauses
+/// Returns the time by which a run may be late because of saddles: the energy that is left at a saddle
+/// decides how long the motion stays near it. With several degrees of freedom a pause may have other reasons,
+/// as in one that a clock drives with a small amplitude, so 0 is returned. @param unseen see Pauses
 double Orbiter::lag_at_saddles(const Journey& journey, double unseen) const {
   return field_.size() == 1 ? journey.pauses.lag(unseen) : 0.0;
 }
@@ -112,16 +115,16 @@ double Orbiter::speed_at(const State<dynamic>& z, const Ranges& ranges) {
   return (*distance_)(slope, ranges);
 }
 
-/// How far along the orbit the rounding of time moves a state; a clock that begins near zero has no less
-/// digits than the phase.
+/// Returns how far rounding of time moves a state along the orbit. A clock that begins at zero has as many
+/// digits as the phase.
 double Orbiter::rounding_of_clock(const Journey& journey) {
   if (question_.t == 0.0) return 0.0;
   return 0.5 * std::numeric_limits<double>::epsilon() * std::abs(question_.t) *
          speed_at(journey.state, journey.ranges);
 }
 
-/// The rounding error of H, in the unit of energy errors: the most that is found where the energy errs most
-/// in a run, at its marks and in the sketch.
+/// Returns the rounding error of H in the unit of energy errors: the largest value found where the energy of
+/// a run errs most, at the marks of the run, and on the sketch.
 double Orbiter::rounding_of_energy(const Journey& journey) {
   RoundedFormula h(question_.graph, question_.energy);
   double most = h.rounding(stacked(journey.worst));
@@ -132,8 +135,8 @@ double Orbiter::rounding_of_energy(const Journey& journey) {
   return most / trip_->energy_scale;
 }
 
-/// The energy errs most where the monitor is small, and by no more than rounding makes of it there: what
-/// stays is g (H - H_0), so that it errs by as much less where g is large again.
+/// Returns true if the energy errs most where the monitor is small, and by no more than rounding explains.
+/// The method preserves g (H - H_0), so the error is that much smaller where g is large again.
 bool Orbiter::passes(const Journey& journey) const {
   Candidate& it = *journey.candidate;
   double usual = it.rate_at(journey.state);
@@ -142,7 +145,7 @@ bool Orbiter::passes(const Journey& journey) const {
   return journey.energy_error * it.rate_at(journey.worst) < 1e3 * trip_->rounding * usual;
 }
 
-/// The gradient that H supplies differs from that of its formula by more than rounding.
+/// Returns true if the gradient that H supplies differs from that of its formula by more than rounding.
 bool Orbiter::follows_another_gradient() {
   if (foreign_gradient_ || question_.gradient.empty()) return foreign_gradient_.value_or(false);
   const int n = field_.size();
@@ -160,7 +163,7 @@ bool Orbiter::follows_another_gradient() {
   return *(foreign_gradient_ = (apart.array() > rounding * size.array()).any());
 }
 
-/// The error at the time `to` after the start, from what was seen until `from`.
+/// Predicts the error at the time `to` after the start from a comparison of runs up to `from`.
 double Orbiter::foretold(const Comparison& seen, double from, double to, double speed) const {
   if (!(to > from)) return seen.error;
   const double behind =

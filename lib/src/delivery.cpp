@@ -12,12 +12,11 @@ namespace avi::detail {
 
 namespace {
 
-/// Steps after which a run that is kept begins anew with its method, which has a memory of the steps before
-/// that is not kept: so that a run that goes on from a file has the same bits as one that was not
-/// interrupted.
+/// Number of steps after which a run that is kept restarts its method. The method remembers earlier steps,
+/// and that memory is not kept: so a resumed run has the same bits as one that was not interrupted.
 constexpr long block = 4096;
 
-/// Steps before which no run is given up.
+/// Number of steps before which no run is given up.
 constexpr long least_steps = 16384;
 
 State<dynamic> start_of(const OrbitQuestion& question) {
@@ -58,9 +57,9 @@ void Delivery::look_at_energy(const State<dynamic>& z) {
   energy_error_ = std::max(energy_error_, std::abs(energy - energy_at_start_) / choice_.energy_scale);
 }
 
-/// Steps that a monitor makes ever shorter never pass a singularity: the run is given up where each time
-/// twice the steps add less to the time, which then has a limit. Not where a run is known that has come
-/// further, nor with a monitor of one's own, which may be what makes them short.
+/// Gives up a run whose monitor makes steps ever shorter before a singularity, which it never passes: each
+/// time, twice the steps add less to the time, which then has a limit. This does not apply where a run is
+/// known that came further, nor with a user's own monitor, which may be what makes the steps short.
 void Delivery::look_at_pace() {
   const bool known = plan_.most < std::numeric_limits<long>::max();
   if (known || question_.given >= 0 || run_.steps < 2 * pace_.steps) return;
@@ -120,7 +119,7 @@ void Delivery::write() {
   const auto put = [&](const auto&... each) { (record.put(each), ...); };
   put(fingerprint(question_), question_.q, question_.p, question_.t, question_.t_end, question_.tolerance,
       question_.times, question_.options.dense);
-  const SolveOptions& asked = question_.options;  // where another choice is to be made
+  const SolveOptions& asked = question_.options;  // if another choice has to be made
   put(asked.order, asked.monitor.name, asked.h, asked.check);
   put(choice_.name, choice_.order, choice_.h, choice_.energy_scale, choice_.kinetic, choice_.accelerations,
       choice_.poles, choice_.drifts, choice_.solved, choice_.time, report_.choice.sweeps,
@@ -214,7 +213,7 @@ void Delivery::step() {
   if (run_.ok()) look_at_pace();
 }
 
-/// Finds the events of a step up to the first that ends the run, which becomes its end.
+/// Finds the events of a step up to the first one that ends the run; its state becomes the end of the step.
 void Delivery::find_events(const Stride& stride, State<dynamic>& last) {
   std::vector<Hit> hits;
   for (Watch& watch : watches_)

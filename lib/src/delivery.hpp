@@ -17,39 +17,39 @@ namespace avi::detail {
 
 class Track;
 
-/// The plan of a run, from the runs before it.
+/// The plan of a run, made from the runs before it.
 struct Plan {
   double horizon;  ///< Time for which the choice was made.
-  double pause;    ///< Beyond this time another choice has to be made, or none can be.
-  long most = std::numeric_limits<long>::max();  ///< Steps: the run that it repeats has come further.
-  Outcome failure = Outcome::ok;                 ///< How the runs ended that went beyond it.
-  std::string message = {};                      ///< Why they failed.
+  double pause;    ///< Time beyond which another choice is needed, or none is possible.
+  long most = std::numeric_limits<long>::max();  ///< Largest number of steps; the repeated run took fewer.
+  Outcome failure = Outcome::ok;                 ///< Outcome of the runs that went further.
+  std::string message = {};                      ///< Message of those runs.
 };
 
-/// A run with a choice that is made: output times, events, dense output.
+/// The run that is delivered, with its output times, events and dense output. Its choice was made before.
 class Delivery {
  public:
-  /// From the start of the question on. @param degrees n of the states that the user sees
-  /// @param prepared what is made of H for the choice, or null
+  /// Begins the run at the start of the question. @param degrees number of degrees of freedom that the user
+  /// sees @param prepared programs made of H for the choice, or null
   Delivery(const OrbitQuestion& question, int degrees, const Choice& choice, Budget& budget,
            const Prepared* prepared);
 
   /// Goes on to the end, to an event that ends the run, or to the first step beyond the pause of the plan.
   void go();
-  /// It is at the end, or at the event that ends it.
+  /// Returns true at the end, or at the event that ends the run.
   [[nodiscard]] bool arrived() const { return by_event_ || state_.t == question_.t_end; }
-  /// Where it is.
+  /// Current state.
   [[nodiscard]] const State<dynamic>& state() const { return state_; }
-  /// How it ended.
+  /// Steps and sweeps of the run, and how it ended.
   [[nodiscard]] const Run& run() const { return run_; }
-  /// Follows this plan; without one it goes to the end. With SolveOptions::checkpoint it goes into the file,
-  /// and `report`, too.
+  /// Follows this plan; without one, the run goes to the end. With SolveOptions::checkpoint, the file holds
+  /// the plan and `report`, too.
   void follow(const SolutionReport& report, Plan plan);
-  /// The plan.
+  /// The plan that it follows.
   [[nodiscard]] const Plan& plan() const { return plan_; }
-  /// Goes on from a file, of which question_in() and choice_in() have been read.
+  /// Continues the run of a file, from which question_in() and choice_in() have read already.
   void restore(Record& record, const SolutionReport& report);
-  /// Puts what was found into the answer, and why the run ended where it is not at its end.
+  /// Puts the results into the answer, and the reason if the run is not at its end.
   void deliver(OrbitAnswer& answer) const;
 
  private:
@@ -81,8 +81,8 @@ class Delivery {
   std::vector<Watch> watches_;
   State<dynamic> state_;
   Run run_;
-  /// How far the run had come after so many steps, in the second half of them, and how often that was less
-  /// than before.
+  /// The pace of the run: the time reached after this number of steps, what the second half of them gained,
+  /// and how often in a row that was less than before.
   struct Pace {
     long steps = 1;
     double time = 0.0, gained = 0.0;
@@ -91,15 +91,15 @@ class Delivery {
   Pace pace_;
   std::string reason_;
   bool by_event_ = false;
-  std::size_t next_ = 0;  // output time
+  std::size_t next_ = 0;  // number of the next output time
   double energy_error_ = 0.0;
   OrbitPoints states_, event_states_;
   std::vector<int> events_;
   std::shared_ptr<Track> track_;
   SolutionReport report_;  // what was known before the run
   Plan plan_;
-  /// The run at the beginning of the block of steps under way. Of what only grows it has the length: to copy
-  /// all of it each time would take the square of the steps.
+  /// The run at the beginning of the current block of steps. Of lists that only grow, it holds the length: to
+  /// copy them each time would take work of the order of the square of the steps.
   struct Block {
     State<dynamic> state;
     long steps = 0, evaluations = 0;
@@ -109,13 +109,13 @@ class Delivery {
     Pace pace;
   };
   Block block_;
-  bool written_ = false;  // as it is now in the file
-  double due_ = 0.0;      // when it is to be written, in seconds of the call
+  bool written_ = false;  // the block is in the file
+  double due_ = 0.0;      // when the file is due, in seconds of the call
 };
 
-/// Reads the question of a kept run. @return fingerprint() of what was asked then
+/// Reads the question of a run that was kept. @return fingerprint() of that question
 std::uint64_t question_in(Record& record, OrbitQuestion& question);
-/// Reads the choice, and what was known of the run before it was made.
+/// Reads the choice of a run that was kept, and what was known before that run.
 Choice choice_in(Record& record, SolutionReport& report);
 
 }  // namespace avi::detail

@@ -19,13 +19,13 @@ namespace avi {
 /// elsewhere, and its geometric mean over the pairs has to be more than \f$\sqrt e\f$ times that of M = I.
 class DiagonalMass {
  public:
-  explicit DiagonalMass(Eigen::Index n) : inverse_(n) {}  ///< For vectors of n entries.
+  explicit DiagonalMass(Eigen::Index n) : inverse_(n) {}  ///< Makes masses for vectors of n entries.
 
-  void forget() { known_ = false; }                                        ///< Knows no pair any more.
+  void forget() { known_ = false; }                                        ///< Forgets all pairs.
   [[nodiscard]] const double* inverse() const { return inverse_.data(); }  ///< 1 / M_i, between lessons.
 
   /// Learns `count` pairs: pair(k) is the k-th, the oldest first, with members s, y and rho = 1 / s.y; those
-  /// of rho = 0 are left out. Returns whether M foretold them better than I.
+  /// with rho = 0 are left out. Returns true if M predicted them better than I.
   template <class Pairs>
   bool learn(int count, Pairs pair) {
     double gain = 0.0;
@@ -46,7 +46,7 @@ class DiagonalMass {
           });
       gain += std::log(sms / ss * (ywy / yy));
       ++learned;
-      // rounding must not make a mass of the one entry that moved negative
+      // rounding must not make the mass negative where only one entry moved
       sweep<0>(inverse_.size(), [m = inverse_.data(), s = s.data(), y = y.data(), c = rho * ywy,
                                  share = 1.0 / sms, rho = rho](auto at, auto&) {
         const auto si = at(s), yi = at(y), mass = at(m);

@@ -7,15 +7,15 @@ namespace avi::detail {
 
 namespace {
 
-constexpr double small = 0.01;  // part of what is beside it below which the polynomial of a step may err
+constexpr double small = 0.01;  // size relative to its neighbours below which the polynomial may be wrong
 constexpr int deepest = 12;
 
 double secant(const std::vector<Sample>& samples, std::size_t k) {
   return (samples[k + 1].g - samples[k].g) / (samples[k + 1].part - samples[k].part);
 }
 
-/// The lowest point of f between low and high by Brent's method (1973), or the first where f is not positive,
-/// if that is all that is asked for.
+/// Finds the lowest point of f between low and high by Brent's method (1973). @param any stop at the first
+/// point where f is not positive
 template <class F>
 auto lowest(F&& f, double low, double high, bool any) {
   struct {
@@ -71,14 +71,14 @@ bool Dips::may_hide(const std::vector<Sample>& samples, std::size_t k) {
                                        : k == last ? k - 2
                                                    : k + 1);
   const double most = std::max(std::abs(one), std::abs(other));
-  // A parabola turns within an eighth of its second difference below the lower sample.
+  // A parabola turns at most an eighth of its second difference below the lower sample.
   if (a.g * b.g > 0.0 &&
       std::min(std::abs(a.g), std::abs(b.g)) > (b.part - a.part) * std::max(most, std::abs(here)))
     return false;
-  // Near zero a quartic may dip below it where the secants say that it rises all the way.
+  // Near zero, a quartic may dip below it although the secants say that it rises all the way.
   if (a.g * b.g > 0.0 && std::min(std::abs(a.g), std::abs(b.g)) < 0.25 * std::abs(b.g - a.g)) return true;
-  // A cubic with these secants rises, or falls, all the way; up to seven times. What lies beside the first
-  // and the last is not known.
+  // A cubic with these secants rises, or falls, all the way, up to a ratio of seven. What lies beside the
+  // first and the last interval is not known.
   return !(k > 0 && k < last && one * here > 0.0 && other * here > 0.0 && most <= 3.0 * std::abs(here));
 }
 
@@ -89,7 +89,7 @@ bool Dips::grazes(const std::vector<Sample>& samples, std::size_t k) {
 }
 
 Dips::Point Dips::point(double x, double g, double delta) {
-  // The state at the end of a run is not quite that of the polynomial.
+  // The state at the end of a run is not quite that of the polynomial, from which the slope is taken.
   const double here = x == end_ && end_ < 1.0 ? on(x) : g;
   return {x, g, (on(x + delta) - here) / delta};
 }
@@ -101,8 +101,8 @@ void Dips::look(const Sample& a, const Sample& b, std::vector<Sample>& more) {
   std::vector<Sample> found;
   split(point(a.part, a.g, delta), point(b.part, b.g, -delta), 0, false, found);
   if (found.empty()) return;
-  // What has the sign of an end, up to that, says nothing; of other neighbours with one sign one is enough,
-  // as a zero is looked for as far as the samples beside it.
+  // Samples beside an end that have its sign say nothing. Of other neighbours with the same sign one is
+  // enough, as a zero is looked for as far as the samples beside it.
   std::ranges::sort(found, {}, &Sample::part);
   const auto first = std::ranges::find_if(found, [&](const Sample& it) { return !(it.g * a.g > 0.0); });
   auto end = found.end();
@@ -118,7 +118,7 @@ void Dips::look(const Sample& a, const Sample& b, std::vector<Sample>& more) {
   }
 }
 
-/// Where the function turns once between samples of one sign.
+/// Looks for zeros where the function turns once between samples of one sign.
 void Dips::look_low(const Sample& a, const Sample& b, std::vector<Sample>& more) {
   const double sign = std::copysign(1.0, a.g);
   const auto it = lowest([&](double x) { return sign * on(x); }, a.part, b.part, true);
@@ -131,18 +131,19 @@ void Dips::look_low(const Sample& a, const Sample& b, std::vector<Sample>& more)
 }
 
 void Dips::split(const Point& a, const Point& b, int depth, bool trusted, std::vector<Sample>& more) {
-  // The cubic with these values and slopes: its slope is a parabola with these coefficients of Bernstein.
+  // The cubic with these values and slopes. Its derivative is a parabola with the Bernstein coefficients
+  // `first`, `middle` and `last`.
   const double width = b.x - a.x, first = width * a.slope, last = width * b.slope, rise = b.g - a.g,
                middle = 3.0 * rise - first - last;
   const double most = std::max(std::abs(first), std::abs(last)), sense = std::copysign(1.0, rise);
   const bool at_end = depth == deepest || left_ <= 0;
   const bool one_way = sense * first >= 0.0 && sense * last >= 0.0 && sense * middle >= 0.1 * most;
-  // Nearly straight, of which no middle has to be seen.
+  // It is nearly straight: no point in the middle is needed.
   if (one_way && std::max(std::abs(first - rise), std::abs(last - rise)) <= 0.4 * std::abs(rise)) return;
   if (a.g * b.g > 0.0) {
     const double sign = std::copysign(1.0, a.g), low = std::min(sign * a.g, sign * b.g);
     const bool falls = sign * first<0.0, rises = sign * last> 0.0;
-    // Where it bends one way all along it is above its tangents.
+    // Where it bends the same way throughout, it lies above its tangents.
     const double turn = (last - rise) / (last - first);
     if (trusted && falls && rises && sign * first <= sign * middle && sign * middle <= sign * last &&
         sign * (a.g + turn * first) > 0.2 * low)
@@ -153,12 +154,12 @@ void Dips::split(const Point& a, const Point& b, int depth, bool trusted, std::v
     return;
   }
   if (at_end) return;
-  // Not in the middle, where a sample may have been.
+  // Not in the middle, where a sample may have been taken before.
   constexpr double part = 0.4, rest = 1.0 - part;
   const double x = a.x + part * width;
   const Point there = point(x, on(x), aside_ * width);
   more.push_back({x, there.g});
-  // What the cubic says is compared with what is there.
+  // Compare the cubic with the function.
   const double off = std::abs(there.g - a.g - part * part * (3.0 - 2.0 * part) * rise -
                               part * rest * (rest * first - part * last)),
                turned = std::abs(width * there.slope - rest * rest * first - 2.0 * part * rest * middle -
@@ -168,7 +169,8 @@ void Dips::split(const Point& a, const Point& b, int depth, bool trusted, std::v
   split(there, b, depth + 1, near, more);
 }
 
-/// Near its lowest point the function is the polynomial's and a parabola through what that errs by.
+/// Looks for zeros near the lowest point, where the function is that of the polynomial plus a parabola
+/// through its errors.
 void Dips::touch(const Sample& a, const Sample& b, const Lowest& there, double sign,
                  std::vector<Sample>& more) {
   const double value = sign * exact_(there.x), error = value - there.f;

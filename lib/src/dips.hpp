@@ -3,38 +3,39 @@
 #include <vector>
 
 /// @file
-/// Zeros of a function between its samples.
+/// The search for zeros of a function between its samples.
 
 namespace avi::detail {
 
-/// The value of a function somewhere in a step.
+/// A sample: the value of a function at a part of the step.
 struct Sample {
   double part;         ///< Part of the step, in [0, 1].
-  double g;            ///< Value there.
-  bool exact = false;  ///< Taken at a state of the method, not of its polynomial.
-  bool turns = false;  ///< The function turns before the next one.
+  double g;            ///< Value of the function.
+  bool exact = false;  ///< Whether it was taken at a state of the method, not of its polynomial.
+  bool turns = false;  ///< Whether the function turns before the next sample.
 };
 
-/// Looks for zeros in between where samples do not show them: two where a function turns on the other side of
-/// zero, three where they seem to be one. The slopes at both ends of an interval say whether it may turn; the
-/// lowest point is looked for where it does. Near zero the polynomial of a step, which has half of the digits
-/// of its ends, is corrected by steps of the method.
+/// The search for zeros that samples do not show: two where a function turns on the other side of zero, or
+/// three that look like one. The slopes at both ends of an interval tell whether it may turn; if so, its
+/// lowest point is looked for. Near zero, the polynomial of a step, which has half as many digits as the ends
+/// of the step, is corrected by steps of the method.
 class Dips {
  public:
-  using Function = std::function<double(double)>;  ///< g at a part of the step.
+  using Function = std::function<double(double)>;  ///< Function that gives g at a part of the step.
 
-  /// @param on by the polynomial @param exact by steps of the method, or nan @param end of the last interval
-  /// @param noise of the function @param evaluations of `on`
-  /// that it may take, about
+  /// Takes the function. @param on its value by the polynomial @param exact its value by steps of the method,
+  /// nan if they fail @param end end of the last interval @param noise rounding error of the function
+  /// @param evaluations approximate number of evaluations of `on` that may be made
   Dips(Function on, Function exact, double end, double noise, int evaluations)
       : on_(std::move(on)), exact_(std::move(exact)), end_(end), noise_(noise), left_(evaluations) {}
 
-  /// There may be zeros between the samples k and k + 1 that those do not show.
+  /// Returns true if there may be zeros between the samples k and k + 1 that those do not show.
   static bool may_hide(const std::vector<Sample>& samples, std::size_t k);
-  /// The sample k is so small between two of one sign that the polynomial may err.
+  /// Returns true if the sample k, between two of one sign, is so small that the polynomial may be wrong
+  /// there.
   static bool grazes(const std::vector<Sample>& samples, std::size_t k);
 
-  /// Adds what shows the zeros between two samples, in any order.
+  /// Adds samples that show the zeros between two samples, in any order.
   void look(const Sample& a, const Sample& b, std::vector<Sample>& more);
 
  private:
@@ -52,7 +53,7 @@ class Dips {
 
   Function on_, exact_;
   double end_, noise_;
-  double aside_ = 0.0;  // part of an interval from which a slope is taken
+  double aside_ = 0.0;  // part of an interval over which a slope is taken
   int left_;
 };
 

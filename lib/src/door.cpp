@@ -43,7 +43,7 @@ void require_question(const OrbitQuestion& question) {
   if (!options.checkpoint.empty()) require_regular(options.checkpoint);
 }
 
-/// Names what is not finite, or was forgotten.
+/// Requires finite entries; the message names the one that is not, or says that it was not given.
 void require_entries(const char* name, const std::vector<double>& x) {
   for (std::size_t i = 0; i < x.size(); ++i)
     if (!std::isfinite(x[i]))
@@ -104,15 +104,14 @@ void no_curve() {
 
 namespace {
 
-/// Finds the times at which H, with time as a coordinate, switches in the run that is asked for, and its
-/// kinks.
+/// Finds the kinks of H and, if time is a coordinate, the times in the run at which H switches.
 void find_breaks(OrbitQuestion& question) {
   if (question.timed)
     question.switches = Switches::of(question.graph, question.energy, question.t, question.t_end);
   question.kinks = Kinks::of(question.graph, question.energy, question.timed);
 }
 
-/// Where H depends on time, time is a coordinate and H + p_t the energy, which is zero.
+/// Makes time a coordinate if H depends on it. The energy is then H + p_t, which is zero along the orbit.
 void extend(OrbitQuestion& question) {
   const int n = static_cast<int>(question.q.size());
   if (question.graph.inputs() == 2 * n) return find_breaks(question);
@@ -144,16 +143,16 @@ void tell_cancelled(const Budget& budget, OrbitAnswer& answer) {
   answer.state_error = infinity;
 }
 
-/// The time a factor further from the start, or the end.
+/// Returns the time `factor` times as far from the start, or the end if that comes first.
 double beyond(const OrbitQuestion& question, double time, double factor) {
   const double there = question.t + factor * (time - question.t), end = question.t_end;
   return end < question.t ? std::max(there, end) : std::min(there, end);
 }
 
-/// A call of solve() with something to deliver beside the end.
+/// A call of solve() that delivers more than the state at the end.
 class Call {
  public:
-  /// @param replaces there is a checkpoint of an earlier call
+  /// @param replaces whether a checkpoint of an earlier call exists, which this one replaces
   Call(const OrbitQuestion& question, int degrees, Budget& budget, bool replaces = false)
       : question_(question), degrees_(degrees), budget_(budget), replaces_(replaces) {}
 
@@ -161,14 +160,14 @@ class Call {
     budget_.share = 0.5;
     return make_for(may_stop() && !question_.made ? scout() : question_.t_end);
   }
-  /// The same, where the end or an event that stops the run is expected at this time.
+  /// Makes the answer, given the time at which the end, or an event that stops the run, is expected.
   OrbitAnswer make_for(double horizon) {
-    OrbitAnswer failure;  // of the choice for all the way; then it is made for what comes before
+    OrbitAnswer failure;  // answer of the choice for the whole way, if it failed; later ones are for less
     int shortened = 0;
     for (int round = 0;; ++round) {
       (void)budget_.was_met();
       OrbitAnswer answer = chosen(horizon, question_.tolerance, question_.options.check);
-      // A call that is to be resumed goes on as far as the file.
+      // A cancelled call that can be resumed goes on until its file is written.
       const bool ends = budget_.cancelled() && question_.options.checkpoint.empty();
       if (!(answer.choice.h > 0.0) || ends) return answer;
       const bool given_up = !answer.ok() && !repeats() && !budget_.was_met();
@@ -183,7 +182,7 @@ class Call {
       budget_.phase = SolvePhase::running;
       if (round == 60) horizon = question_.t_end;
       Plan plan{.horizon = horizon, .pause = beyond(question_, horizon, 1.2)};
-      // In steps of the same size the run cannot take many more.
+      // With the same step, the delivered run cannot take many more steps than the one before.
       if (answer.ok() && !repeats()) plan.most = 3 * answer.run.steps + 1000;
       if (shortened > 0) {
         if (!may_stop()) plan.pause = horizon;
@@ -208,7 +207,7 @@ class Call {
       return answer;
     }
   }
-  /// The event that ends the run comes later than in the first run.
+  /// Returns true if the event that ends the run comes later than in the first run.
   [[nodiscard]] bool comes_later(const Delivery& delivery) const {
     const Plan& plan = delivery.plan();
     return delivery.run().ok() && !delivery.arrived() && plan.failure == Outcome::ok &&
@@ -219,10 +218,11 @@ class Call {
   [[nodiscard]] bool may_stop() const {
     return std::ranges::any_of(question_.events, [](const OrbitEvent& event) { return event.rules.stop; });
   }
-  /// No run is made before that which is delivered.
+  /// Returns true if no run is made before the one that is delivered.
   [[nodiscard]] bool repeats() const { return question_.made && !question_.options.check; }
-  /// A time for which something can be chosen where that failed: the event before it, or, at each try, a
-  /// smaller part of the way that was gone; the start, where nothing is to be delivered before.
+  /// Returns an earlier time for which a choice may succeed after one failed: that of the event before it or,
+  /// with each further try, a smaller part of the way that was covered. Returns the start if nothing is to be
+  /// delivered before that time.
   [[nodiscard]] double before_failure(const OrbitAnswer& answer, double horizon, int tries) const {
     if (tries == 0 && event_ != question_.t && sense_ * (event_ - horizon) < 0.0) return event_;
     constexpr std::array<double, 4> parts{0.99, 0.9, 0.6, 0.3};
@@ -237,7 +237,7 @@ class Call {
       if (std::abs(t - question_.t) <= reached) last = t;
     return last;
   }
-  /// Knowledge of a run with a choice that is made, before it begins.
+  /// Returns what is known about a run with an earlier choice before the run begins.
   [[nodiscard]] OrbitAnswer made() const {
     OrbitAnswer answer;
     answer.choice = *question_.made;
@@ -274,8 +274,8 @@ class Call {
     field.sense = sense_;
     return {field, z, std::abs(question_.t_end - question_.t), field.metric(z)};
   }
-  /// A time that an event which ends the run comes before, by a run with low accuracy: that for which the
-  /// others are chosen.
+  /// Returns a time by which an event that ends the run should have come, found by a run of low accuracy. The
+  /// accurate runs are chosen for the way to that time.
   double scout() {
     const double span = std::abs(question_.t_end - question_.t);
     const double first = question_.t + sense_ * std::min(span, sketched().time_of(20.0));
@@ -291,9 +291,9 @@ class Call {
     delivery.go();
     spent_ += answer.choice.sweeps + answer.run.evaluations + delivery.run().evaluations;
     budget_.sweeps += delivery.run().evaluations;
-    // A bound says nothing of where the event is: what is chosen then is for all the way.
+    // A run that met a bound does not show where the event is, so the choice is made for the whole way.
     if (budget_.was_met()) return question_.t_end;
-    const double reached = delivery.state().t;  // the start, where the first step failed
+    const double reached = delivery.state().t;  // the start if the first step failed
     if (delivery.run().ok()) event_ = reached;
     return reached == question_.t ? first : beyond(question_, reached, 1.02);
   }
@@ -302,12 +302,12 @@ class Call {
   int degrees_;
   Budget& budget_;
   bool replaces_;
-  long spent_ = 0;  // on runs that nothing is known from but the horizon
+  long spent_ = 0;  // sweeps of runs that served only to find the horizon
   double sense_ = question_.t_end < question_.t ? -1.0 : 1.0;
-  double event_ = question_.t;  // that ends the first run, or the start
+  double event_ = question_.t;  // time of the event that ended the first run, or the start
 };
 
-/// The curve of a run whose end is its start.
+/// The curve of a solution that ends at its start: a single point.
 class Point final : public OrbitCurve {
  public:
   explicit Point(const OrbitAnswer& answer) : times_{answer.t}, z_(answer.q) {

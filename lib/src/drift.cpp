@@ -34,7 +34,7 @@ DriftFit fit_drift(std::span<const double> times, std::span<const double> values
   double mean_t = 0.0, mean_x = 0.0, tt = 0.0, tx = 0.0, rest = 0.0;
   for (std::size_t k = 0; k < count; ++k)
     mean_t += t[k] / n, mean_x += x[k] / n;
-  // Averages of equal times differ by their rounding.
+  // Averages of equal times may differ by rounding.
   const auto [first, last] = std::minmax_element(t.begin(), t.end());
   const double length = std::ceil(static_cast<double>(times.size()) / n);
   const double rounding = blocks > 0 ? length * std::numeric_limits<double>::epsilon() *
@@ -42,7 +42,8 @@ DriftFit fit_drift(std::span<const double> times, std::span<const double> values
                                      : 0.0;
   const double spread = *last - *first <= rounding ? 0.0 : *last - *first;
   require(spread > 0.0 && std::isfinite(spread), "Spread of the times", spread, "positive and finite");
-  // In units of their size, powers of two: their squares are numbers whatever these units are.
+  // Numbers are taken in units of their size, powers of two, so that their squares are in range whatever the
+  // units of the series.
   const auto centre = [&](std::vector<double>& of, double mean) {
     double size = 0.0;
     for (double& number : of)

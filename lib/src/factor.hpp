@@ -4,28 +4,28 @@
 #include <cmath>
 
 /// @file
-/// The scalar that slopes are written into a graph with.
+/// The scalar with which slopes are written into a graph.
 
 namespace avi::detail {
 
-/// A number times a node of a graph; the number alone where there is no node. Numbers are kept apart from the
-/// nodes and multiplied in where that saves operations.
+/// A number times a node of a graph, or a number alone. Numbers are kept apart from the nodes, and multiplied
+/// in where that saves operations.
 class Factor {
  public:
   /// A number.
   Factor(double value) : number(value) {}  // NOLINT: implicit, so that slopes read as written
-  /// That number times a node.
+  /// A number times a node.
   Factor(ExpressionGraph& where, double value, int of) : number(value), node(of), graph(&where) {}
-  /// A node, or the number that it is.
+  /// A node, or its number if it is a constant.
   Factor(ExpressionGraph& where, int of)
       : number(where.is_constant(of) ? where[of].number : 1.0), node(where.is_constant(of) ? -1 : of),
         graph(&where) {}
 
   double number = 0.0;               ///< The number.
   int node = -1;                     ///< The node, or -1.
-  ExpressionGraph* graph = nullptr;  ///< Where the node is; not known to a number.
+  ExpressionGraph* graph = nullptr;  ///< Graph of the node; a number may have none.
 
-  /// The node of the product in a graph.
+  /// Returns the node of the product in a graph.
   [[nodiscard]] int in(ExpressionGraph& where) const {
     if (node < 0) return where.constant(number);
     return number == 1.0 ? node : where.binary(Operation::multiply, where.constant(number), node);
@@ -33,7 +33,7 @@ class Factor {
 
   ///@{
 
-  /// Written into the graph.
+  /// Operations, written into the graph.
   friend Factor operator-(const Factor& a) { return {-1.0 * a.number, a.node, a.graph}; }
   friend Factor operator*(const Factor& a, const Factor& b) {
     const double product = a.number * b.number;
@@ -58,9 +58,9 @@ class Factor {
 #undef AVI_TWO
   /// @endcond
 
-  /// One over it, from a quotient that the formula has where there is one, unless that leaves the range of
-  /// numbers long before 1 / b does, or its products with the numerator do. Between 1e-284 and 1e284 it makes
-  /// no difference.
+  /// The reciprocal, from a quotient that the formula already has, unless that leaves the range of numbers
+  /// long before 1 / b does, or its products with the numerator do. Between 1e-284 and 1e284 it makes no
+  /// difference.
   [[nodiscard]] Factor reciprocal() const {
     if (node < 0) return {1.0 / number, -1, graph};
     int quotient = graph->quotient(node);

@@ -10,14 +10,14 @@
 #include <vector>
 
 /// @file
-/// A transformed problem as programs: every Hamiltonian with every monitor is of one type.
+/// A transformed problem as programs, so that every Hamiltonian with every monitor is of one type.
 
 namespace avi::detail {
 
 /// The machine code of some programs for several kinds of packs, each made once.
 class CodeStore {
  public:
-  /// That for a target; null where none can be made.
+  /// Returns the code for a target, made at the first call; null where none can be made.
   std::shared_ptr<const MachineCode> of(std::span<const Program* const> programs,
                                         const MachineTarget& target) {
     const std::lock_guard lock(mutex_);
@@ -40,23 +40,23 @@ class CodeStore {
 /// The programs of \f$\bar H = g\,(H - H_0)\f$, made once and shared by all methods that run on them. Their
 /// arguments are (q, p), then the parameters.
 struct Formulas {
-  Program forces;                       ///< \f$\partial\bar H/\partial q\f$.
-  Program velocities;                   ///< \f$\partial\bar H/\partial p\f$.
-  Program rate;                         ///< g; empty where `unit`.
-  bool unit = false;                    ///< g = 1.
-  Eigen::Index n = 0;                   ///< Degrees of freedom.
-  std::vector<double> parameters = {};  ///< Their values.
-  /// Forces, velocities and, unless `unit`, the rate as machine code, whatever the parameters; null for what
-  /// is evaluated less often than pays for it.
+  Program forces;                       ///< Program of \f$\partial\bar H/\partial q\f$.
+  Program velocities;                   ///< Program of \f$\partial\bar H/\partial p\f$.
+  Program rate;                         ///< Program of g; empty where `unit`.
+  bool unit = false;                    ///< Whether g = 1.
+  Eigen::Index n = 0;                   ///< Number of degrees of freedom.
+  std::vector<double> parameters = {};  ///< Values of the parameters.
+  /// Machine code of the forces, the velocities and, unless `unit`, the rate, for any values of the
+  /// parameters; null if there are too few evaluations for code to pay.
   std::shared_ptr<CodeStore> code = std::make_shared<CodeStore>();
 
-  /// The programs of \f$\bar H\f$ and g as nodes of one graph of (q, p) and so many parameters.
-  /// @param energy node of H @param supplied those of its gradient, where H has one of its own
+  /// Makes the programs of \f$\bar H\f$ and g, nodes of one graph of (q, p) and so many parameters.
+  /// @param energy node of H @param supplied nodes of its gradient, if H supplies its own
   static Formulas of(ExpressionGraph graph, int transformed, int rate, int energy = -1,
                      const std::vector<int>& supplied = {}, int parameters = 0);
-  /// The programs of H with g = 1.
+  /// Makes the programs of H with g = 1.
   static Formulas fixed(const Recording& recording, int parameters = 0);
-  /// The same programs with other parameters, as many.
+  /// The same programs with other values of the parameters.
   [[nodiscard]] std::shared_ptr<const Formulas> with(std::vector<double> values) const {
     Formulas other = *this;
     other.parameters = std::move(values);

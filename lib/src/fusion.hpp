@@ -8,8 +8,8 @@
 #include <vector>
 
 /// @file
-/// From nodes of a graph to lines of a program: drops nodes that are not needed, and joins products with the
-/// sums that use them.
+/// From nodes of a graph to lines of a program: nodes that are not needed are dropped, and products are
+/// joined with the sums that use them.
 
 namespace avi::detail {
 
@@ -17,28 +17,28 @@ namespace avi::detail {
 struct Line {
   Operation first;   ///< The operation on the first two operands.
   Operation second;  ///< The operation on that result and a third operand, or none.
-  int result;        ///< Number of the result: a node, or beyond them a partial sum.
-  int begin;         ///< Its first operand in those of all lines.
+  int result;        ///< Number of the result: a node or, beyond the nodes, a partial sum.
+  int begin;         ///< Number of its first operand among those of all lines.
   int count;         ///< Number of its operands, two for each product of a sum.
 };
 
-/// An operand of lines: a node, or a number or partial sum that they need beside nodes.
+/// An operand of lines: a node, or a number or partial sum that lines need beside the nodes.
 struct Operand {
-  int uses = 0;       ///< As an operand, and one for each time that it is asked for.
-  int additions = 0;  ///< Of a sum, those that would be one line with it.
+  int uses = 0;       ///< Number of uses as an operand, plus one for each time that it is asked for.
+  int additions = 0;  ///< For a sum, the number of additions that would be one line with it.
   int key = -1;       ///< The last recorded node that it needs, itself included; none for inputs and numbers.
   int line = -1;      ///< The line that computes it; none for inputs and numbers.
-  int slot = -1;      ///< Where it is in the program, once that is known.
+  int slot = -1;      ///< Slot in the program, once that is known.
 };
 
-/// Lines for the nodes that some results need. A product that only one sum uses becomes part of it, and a
-/// long sum, added from the left, is one line (or several of at most `longest` products). Multiplying by 1 or
-/// -1 is exact, and every product and sum is still rounded by itself: the results are the same to the last
-/// bit.
+/// The lines for the nodes that some results need. A product that only one sum uses becomes part of it. A
+/// long sum, added from the left, is one line, or several of at most `longest` products. Multiplication by 1
+/// or -1 is exact, and every product and sum is still rounded by itself, so the results are the same to the
+/// last bit.
 class Fusion {
  public:
-  /// The lines of `graph`. @param recorded nodes before this one keep their order; the others come as soon as
-  /// their operands are there
+  /// Makes the lines of `graph`. @param recorded nodes before this one keep their order; the others come as
+  /// soon as their operands are known
   Fusion(const ExpressionGraph& graph, const std::vector<int>& asked, int recorded)
       : graph_(graph), nodes_(graph.inputs()) {
     for (const int node : asked)
@@ -55,7 +55,7 @@ class Fusion {
     sort();
   }
 
-  /// In an order that can be run: by keys, and those of one key as they are in the graph.
+  /// The lines in an order in which they can run: by keys, and for equal keys as they are in the graph.
   [[nodiscard]] const std::vector<Line>& lines() const { return lines_; }
   /// The operands of a line: numbers of results, inputs or constants.
   [[nodiscard]] std::span<const int> operands(const Line& line) const {
@@ -63,20 +63,20 @@ class Fusion {
   }
   /// Number of the operands of all lines.
   [[nodiscard]] std::size_t operand_count() const { return operands_.size(); }
-  /// All numbers of results are below this one.
+  /// A bound above all numbers of results.
   [[nodiscard]] int results() const { return static_cast<int>(results_.size()); }
-  [[nodiscard]] Operand& operator[](int result) { return results_[result]; }  ///< What is known of it.
-  /// That result is a number, of the graph or one that lines need.
+  [[nodiscard]] Operand& operator[](int result) { return results_[result]; }  ///< Data of a result.
+  /// Returns true if a result is a number, of the graph or one that lines need.
   [[nodiscard]] bool is_constant(int result) const {
     return result < nodes_ ? graph_.is_constant(result) : more_.is_constant(result - nodes_);
   }
-  /// Such a number.
+  /// Value of such a number.
   [[nodiscard]] double number(int result) const {
     return result < nodes_ ? graph_[result].number : more_[result - nodes_].number;
   }
 
  private:
-  static constexpr int shortest = 3;  ///< Additions that make a sum long.
+  static constexpr int shortest = 3;  ///< Least number of additions in a long sum.
   static constexpr int longest = 32;
 
   [[nodiscard]] Operation operation(int node) const { return graph_[node].operation; }
@@ -84,7 +84,7 @@ class Fusion {
     return operation(node) == Operation::add || operation(node) == Operation::subtract;
   }
 
-  /// The nodes that are computed, from the last one to the first.
+  /// Finds the nodes that are computed, from the last one to the first.
   std::vector<int> find_needed(const std::vector<int>& asked) {
     std::vector<int> needed;
     needed.reserve(nodes_);
@@ -107,7 +107,7 @@ class Fusion {
         results_[node].additions = 1 + (inner >= 0 ? results_[inner].additions : 0);
       }
   }
-  /// The operand of a sum that is itself a sum and serves nothing else, or -1. Of two, the longer one.
+  /// The operand of a sum that is itself a sum and has no other use, or -1. Of two, the longer one.
   [[nodiscard]] int inner_sum(int node) const {
     const auto& [operation, a, b, number] = graph_[node];
     const auto joins = [&](int x) { return results_[x].uses == 1 && is_sum(x); };
@@ -116,7 +116,8 @@ class Fusion {
     return left ? a : right ? b : -1;
   }
 
-  /// Writes the line of a node, after those of all that use it. What it takes in is no longer used by others.
+  /// Writes the line of a node, after the lines of all nodes that use it. Nodes that it takes in get no line
+  /// of their own.
   void write(int node) {
     if (results_[node].additions >= shortest) return write_sum(node);
     const auto& [operation, a, b, number] = graph_[node];
@@ -130,7 +131,7 @@ class Fusion {
     operands_.push_back(a);
     if (b >= 0) operands_.push_back(b);
   }
-  /// A sum or product takes in one operand that is a sum or product and serves nothing else.
+  /// Returns true if a sum or product can take in this operand: a sum or product that has no other use.
   [[nodiscard]] bool joins_pair(int x) const {
     return results_[x].uses == 1 && pairs(operation(x)) && results_[x].additions < shortest;
   }
@@ -142,7 +143,7 @@ class Fusion {
     operands_.push_back(b);
     operands_.push_back(other);
   }
-  /// Writes the products of a long sum from the last one to the first. Each of its lines but the first one
+  /// Writes the products of a long sum, from the last one to the first. Each of its lines but the first
   /// begins with the sum so far.
   void write_sum(int root) {
     const int additions = results_[root].additions, begin = end();
@@ -171,7 +172,7 @@ class Fusion {
       node = inner;
     }
   }
-  /// +x or -x as a product.
+  /// Returns +x or -x as a product.
   std::pair<int, int> product(int x, bool positive) {
     if (results_[x].uses == 1 && operation(x) == Operation::multiply) {
       const int a = graph_[x].a, b = graph_[x].b;
@@ -199,13 +200,13 @@ class Fusion {
     if (known < 0) known = constant(positive ? 1.0 : -1.0);
     return known;
   }
-  /// A node of `more_` as a result.
+  /// Returns a node of `more_` as a result.
   int numbered(int node, int uses) {
     if (nodes_ + node == results()) results_.push_back({.uses = uses});
     return nodes_ + node;
   }
 
-  /// Takes the lines, which were written from the last one to the first, in the order of their keys.
+  /// Sorts the lines, which were written from the last one to the first, by their keys.
   void sort() {
     std::vector<int> next(static_cast<std::size_t>(recorded_) + 2, 0);  // place of a line with each key
     for (std::size_t i = written_.size(); i-- > 0;) {

@@ -14,7 +14,7 @@ std::span<const GaussBuild> gauss_builds() {
 #endif
   static const GaussBuild builds[] = {
 #ifdef AVI_THREE_BUILDS
-      // With the instructions of lib/CMakeLists.txt.
+      // The sets of instructions are those of lib/CMakeLists.txt.
       {"v4", gauss_steps_v4, splitting_steps_v4, minimise_v4,
        AVI_HAS("avx512f") && AVI_HAS("avx512dq") && AVI_HAS("avx512vl") && AVI_HAS("fma") && AVI_HAS("bmi2")},
       {"v3", gauss_steps_v3, splitting_steps_v3, minimise_v3, AVI_HAS("avx2") && AVI_HAS("bmi2")},

@@ -5,45 +5,45 @@
 #include <span>
 
 /// @file
-/// The builds of the steppers and of the minimiser that a library has.
+/// The builds of the steppers and of the minimiser, one for each set of instructions of the library.
 
 namespace avi::detail {
 
-/// gauss_steps() for one set of instructions.
+/// The type of gauss_steps() for one set of instructions.
 using MakeGaussSteps = std::unique_ptr<Stepper>(std::shared_ptr<const Formulas> formulas, int order,
                                                 SweepSettings sweeps);
 
-MakeGaussSteps gauss_steps_portable;  ///< For any processor of this kind.
-MakeGaussSteps gauss_steps_v3;        ///< With AVX2, where the library has it.
-MakeGaussSteps gauss_steps_v4;        ///< With AVX-512, where the library has it.
+MakeGaussSteps gauss_steps_portable;  ///< Build for any processor of this kind.
+MakeGaussSteps gauss_steps_v3;        ///< Build with AVX2, where the library has it.
+MakeGaussSteps gauss_steps_v4;        ///< Build with AVX-512, where the library has it.
 
-/// splitting_steps() for one set of instructions.
+/// The type of splitting_steps() for one set of instructions.
 using MakeSplittingSteps = std::unique_ptr<Stepper>(std::shared_ptr<const Formulas> formulas);
 
-MakeSplittingSteps splitting_steps_portable;  ///< As above.
-MakeSplittingSteps splitting_steps_v3;        ///< As above.
-MakeSplittingSteps splitting_steps_v4;        ///< As above.
+MakeSplittingSteps splitting_steps_portable;  ///< Build for any processor of this kind.
+MakeSplittingSteps splitting_steps_v3;        ///< Build with AVX2.
+MakeSplittingSteps splitting_steps_v4;        ///< Build with AVX-512.
 
-/// minimise_by_calls() for one set of instructions.
+/// The type of minimise_by_calls() for one set of instructions.
 using MinimiseByCalls = MinimiserEnd(MinimiserCalls& calls, Eigen::Index n, const MinimiseOptions& options);
 
-MinimiseByCalls minimise_portable;  ///< As above.
-MinimiseByCalls minimise_v3;        ///< As above.
-MinimiseByCalls minimise_v4;        ///< As above.
+MinimiseByCalls minimise_portable;  ///< Build for any processor of this kind.
+MinimiseByCalls minimise_v3;        ///< Build with AVX2.
+MinimiseByCalls minimise_v4;        ///< Build with AVX-512.
 
-/// One build, by its doors.
+/// One build, by the functions that lead into it.
 struct GaussBuild {
-  const char* name;               ///< Its name in AVI_INSTRUCTIONS.
+  const char* name;               ///< Name in AVI_INSTRUCTIONS.
   MakeGaussSteps* make;           ///< Gauss collocation.
   MakeSplittingSteps* splitting;  ///< Splitting.
   MinimiseByCalls* minimise;      ///< Minimiser.
-  bool runs;                      ///< On this processor.
+  bool runs;                      ///< Whether it runs on this processor.
 };
-/// All of this library, the fastest first.
+/// All builds of this library, the fastest first.
 std::span<const GaussBuild> gauss_builds();
 
-/// The fastest one that runs here, or that of this name. @throws std::invalid_argument where it does not run
-/// here or there is none of this name.
+/// The fastest build that runs here, or that of this name. @throws std::invalid_argument where it does not
+/// run here, or there is none of this name
 const GaussBuild& gauss_build(const char* name);
 
 }  // namespace avi::detail

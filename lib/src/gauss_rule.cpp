@@ -7,7 +7,7 @@ namespace avi {
 
 namespace {
 
-// (2 k + 1) / (k + 1) and k / (k + 1).
+// Coefficients of Legendre's recurrence: (2 k + 1) / (k + 1) and k / (k + 1).
 constexpr std::array<std::array<double, 2>, GaussRule::most> ratio = [] {
   std::array<std::array<double, 2>, GaussRule::most> all{};
   for (int k = 0; k < GaussRule::most; ++k)
@@ -46,7 +46,7 @@ GaussRule::Table::Table(int s) : stages(s) {
       ahead[i][j] = next[j] - end[j];
     }
   }
-  // The larger number of each pair is at least 1/2, so one minus it is exact.
+  // Each pair has the sum 1. Its larger number is at least 1/2, so one minus it is exact.
   for (int i = 0; i < s; ++i) {
     mu[i][i] = 0.5;
     for (int j = 0; j < i; ++j)

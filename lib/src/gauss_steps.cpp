@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-// Compiled once for each set of instructions, each time under a name of its own; gauss.cpp chooses.
+// This file is compiled once for each set of instructions, each time under another name; gauss.cpp chooses.
 #ifndef AVI_GAUSS_STEPS
 #define AVI_GAUSS_STEPS gauss_steps_portable
 #define AVI_SPLITTING_STEPS splitting_steps_portable
@@ -24,7 +24,7 @@ class FormulaField final : public StageField<n, w> {
  public:
   using typename Base::Scalar, typename Base::Step;
 
-  /// With memory of its own for each program.
+  /// Makes a field with its own memory for each program.
   explicit FormulaField(std::shared_ptr<const Formulas> formulas)
       : formulas_(std::move(formulas)), code_(machine_code<w>(*formulas_)),
         forces_(formulas_->forces, formulas_->parameters, code_.get(), 0),
@@ -51,7 +51,7 @@ class FormulaField final : public StageField<n, w> {
   Scalar rate_{1.0};
 };
 
-/// Gauss collocation behind the interface.
+/// Gauss collocation as a Stepper.
 template <int n, int w>
 class Steps final : public Stepper {
  public:

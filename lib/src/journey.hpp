@@ -14,26 +14,26 @@
 #include <vector>
 
 /// @file
-/// Runs of a candidate.
+/// Runs of a candidate along an orbit, made piece by piece.
 
 namespace avi::detail {
 
 /// The data that all runs along an orbit share.
 struct Trip {
-  State<dynamic> start;    ///< Where it begins.
-  double energy_at_start;  ///< H_0.
+  State<dynamic> start;    ///< State at the start.
+  double energy_at_start;  ///< Energy at the start, H_0.
   double energy_scale;     ///< Unit of energy errors.
-  double sense;            ///< 1, or -1 where the end lies before the start.
+  double sense;            ///< Direction of time: 1, or -1 where the end lies before the start.
   Budget& budget;          ///< Budget of the call.
-  double rounding = 0.0;   ///< Rounding of one evaluation of H, in that unit.
-  double kick = infinity;  ///< A change of an entry, relative to its range, that the end shows.
-  double felt = infinity;  ///< A change of H inside a step that is not its error.
+  double rounding = 0.0;   ///< Rounding error of one evaluation of H, in that unit.
+  double kick = infinity;  ///< Change of an entry, relative to its range, that shows at the end.
+  double felt = infinity;  ///< Change of H inside a step above which it is not an error of the step.
   double span = infinity;  ///< Time from the start to the end.
   VectorX ranges = VectorX::Zero(2 * start.q.size());  ///< Ranges of (q, p) on the sketch.
-  Eigen::Index seen = start.q.size();                  ///< Coordinates but time.
-  SharpFeatures* features = nullptr;                   ///< Looked for, if there are any.
-  NearPasses* passes = nullptr;                        ///< Passes of light bodies, if any.
-  VectorX inverse_masses = {};                         ///< Where q' is a diagonal times p, that diagonal.
+  Eigen::Index seen = start.q.size();                  ///< Number of coordinates, without time.
+  SharpFeatures* features = nullptr;                   ///< Features to look for, if there are any.
+  NearPasses* passes = nullptr;                        ///< Passes by light bodies to look for, if any.
+  VectorX inverse_masses = {};                         ///< The diagonal D where q' = D p; else empty.
 
   /// Whether time is a coordinate, the last one.
   [[nodiscard]] bool timed() const { return seen < start.q.size(); }
@@ -41,13 +41,13 @@ struct Trip {
 
 /// The smallest and largest value of every entry of (q, p) on the way.
 struct Ranges {
-  VectorX low, high;  ///< 2n entries each.
+  VectorX low, high;  ///< Bounds of 2n entries each.
 
-  /// Begins with a state.
+  /// Ranges of a single state.
   explicit Ranges(const State<dynamic>& z) : low(stacked(z)), high(low) {}
-  /// Takes in another one.
+  /// Takes in another state.
   void add(const State<dynamic>& z) { add(z.q.data(), z.p.data()); }
-  /// The same of n entries each.
+  /// Takes in another state of n entries each.
   void add(const double* q, const double* p) {
     const Eigen::Index n = low.size() / 2;
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -57,7 +57,8 @@ struct Ranges {
   }
 };
 
-/// The part of a step from `before` on, the last one of `method`, at which its polynomial has the time t.
+/// The part of a step at which its polynomial has the time t. The step began at `before`, and was the last
+/// one of `method`. @param after time at its end
 inline double part_at(const OrbitSteps& method, Candidate& candidate, const State<dynamic>& before, double h,
                       double after, double t) {
   double part = (t - before.t) / (after - before.t);
@@ -68,18 +69,18 @@ inline double part_at(const OrbitSteps& method, Candidate& candidate, const Stat
     method.polynomial(part, z, its_time);
     const double next = part + (t - its_time) / (h * candidate.rate_at(z.data()));
     if (!(next > 0.0 && next < 1.0)) break;
-    const bool near = std::abs(next - part) <= 1e-4;  // it is nearer by far than the one before
+    const bool near = std::abs(next - part) <= 1e-4;  // then its error is far smaller than this change
     part = next;
     if (near) break;
   }
   return part;
 }
 
-/// The state at the time t, of a step from `before` that passes it and was the last one of `method`: by
-/// shorter steps of that from there, of the size at which its polynomial has the time t, then by Newton's
-/// method for dt/dtau = g, and an explicit step of order 3 for the last millionth of the step, whose error is
-/// far below rounding.
-/// @param its_size gets the size of the last step @return outcome of it
+/// Finds the state at the time t in a step that passes t, began at `before` and was the last one of `method`.
+/// The method makes shorter steps from `before`: the first of the size at which its polynomial has the time
+/// t, the others of sizes by Newton's method for dt/dtau = g. An explicit step of order 3 covers the last
+/// millionth of the step; its error is far below rounding. @param its_size gets the size of the last step of
+/// the method @return report of these steps
 inline StepReport land(OrbitSteps& method, Candidate& candidate, PointField& field,
                        const State<dynamic>& before, double h, double after, double t, State<dynamic>& z,
                        double* its_size = nullptr) {
@@ -119,40 +120,40 @@ inline StepReport land(OrbitSteps& method, Candidate& candidate, PointField& fie
 /// A run that is made piece by piece, and what was seen on it.
 class Journey {
  public:
-  /// From the start of the trip with the fictive step h > 0.
+  /// Begins a run at the start of the trip, with the fictive step h > 0.
   Journey(Trip& trip, PointField& field, Candidate& its_candidate, int its_order, double step,
           SweepSettings sweeps)
       : candidate(&its_candidate), order(its_order), h(step), solved(sweeps.tolerance), state(trip.start),
         ranges(trip.start), pauses(trip.ranges, trip.seen), worst(trip.start), trip_(&trip), field_(&field),
         steps_(its_candidate.steps(its_order, sweeps)), z_(trip.start), before_(trip.start) {}
 
-  Candidate* candidate;               ///< Its monitor.
+  Candidate* candidate;               ///< Monitor of the run.
   int order;                          ///< Order of its method.
   double h;                           ///< Fictive step, positive.
-  double solved;                      ///< See Choice.
-  double most = infinity;             ///< Sweeps that it may take.
-  Run run;                            ///< How it ended, or ok.
-  State<dynamic> state;               ///< Where it is: at the last mark, or the last good state.
-  std::vector<State<dynamic>> marks;  ///< Where it was at the times that it was sent to.
-  Ranges ranges;                      ///< Ranges of all states.
-  Pauses pauses;                      ///< Where it all but stops.
-  double energy_error = 0.0;          ///< Largest |H - H_0| over the scale,
-  State<dynamic> worst;               ///< and where it is.
+  double solved;                      ///< Tolerance of its sweeps, see Choice.
+  double most = infinity;             ///< Largest number of sweeps that it may take.
+  Run run;                            ///< Its steps and sweeps so far, and how it ended, or ok.
+  State<dynamic> state;               ///< State at the last mark, or the last good state.
+  std::vector<State<dynamic>> marks;  ///< States at the marks that it has reached.
+  Ranges ranges;                      ///< Ranges of all its states.
+  Pauses pauses;                      ///< Pauses, in which it all but stops.
+  double energy_error = 0.0;          ///< Largest |H - H_0|, over the scale,
+  State<dynamic> worst;               ///< and the state with that error.
   double work = 0.0;                  ///< Integral of half of |p q'| over time, where H depends on time.
   VectorX tails;                      ///< Largest tail of each entry, see Stepper, in the first `few` steps.
-  bool spent = false;                 ///< It met a bound of the call.
-  bool jumped = false;                ///< A step went over a feature of H that it did not see.
-  bool coarse = false;  ///< A finer run is compared with it, in which near passes are looked for.
-  long whole = 0;       ///< Steps that no switch has made shorter.
-  double gone = 0.0;    ///< Sum of all steps.
+  bool spent = false;                 ///< Whether it met a bound of the call.
+  bool jumped = false;                ///< Whether a step passed over a feature of H without seeing it.
+  bool coarse = false;  ///< Whether a finer run is compared with it, in which near passes are looked for.
+  long whole = 0;       ///< Number of steps of the full size.
+  double gone = 0.0;    ///< Sum of the fictive sizes of all steps.
 
-  static constexpr int few = 12;  ///< See above.
+  static constexpr int few = 12;  ///< Number of steps that counts as few.
 
-  /// It has not failed.
+  /// Returns true if the run has not failed.
   [[nodiscard]] bool ok() const { return run.outcome == Outcome::ok; }
 
-  /// Goes with another one of the same candidate as long as both are before the time `mark`: two for the
-  /// price of one where the method can. Each has the bits that it has on its own.
+  /// Goes on together with another run of the same candidate, as long as both are before the time `mark`: two
+  /// for the price of one, if the method can do that. Each run has the same bits as on its own.
   void go_beside(Journey& other, double mark) {
     if (!steps_->can_go_beside()) return;
     const double sense = trip_->sense;
@@ -167,8 +168,8 @@ class Journey {
     if (!other.ok()) other.state = other.before_;
   }
 
-  /// Goes on to the time `mark`, by a shorter step from the last one before it.
-  /// @param last the run ends there
+  /// Goes on to the time `mark`, with a shorter step from the last state before it. @param last whether the
+  /// run ends there
   void advance(double mark, bool last) {
     const double sense = trip_->sense;
     while (ok() && sense * (z_.t - mark) < 0.0)
@@ -180,7 +181,7 @@ class Journey {
     if (z_.t == mark) {
       state = z_;
     } else {
-      // The run itself does not see the marks on its way.
+      // Marks on the way leave no trace in the run itself.
       std::unique_ptr<OrbitSteps> aside;
       if (!last) aside = steps_->clone();
       const StepReport landed =
@@ -204,7 +205,7 @@ class Journey {
     run.evaluations += report.evaluations;
     trip_->budget.sweeps += report.evaluations;
   }
-  /// @return the error of the energy
+  /// Takes in the energy of a state. @return its error, over the scale
   double look_at_energy(const State<dynamic>& z) {
     const double energy = field_->energy(z.q.data(), z.p.data());
     if (std::isnan(energy)) run.outcome = Outcome::non_finite;
@@ -217,8 +218,8 @@ class Journey {
     const Eigen::Index seen = trip_->seen;
     work += 0.5 * std::abs(z_.t - before_.t) * std::abs(dot(z_.p.head(seen), slope_.head(seen)));
   }
-  /// The latter half of very many steps has led on by less than a millionth of the way, as before a
-  /// singularity.
+  /// Returns true if the second half of very many steps has advanced time by less than a millionth of the
+  /// way, as before a singularity.
   bool hardly_moves() {
     const auto steps = static_cast<unsigned long>(run.steps + 1);
     if (!std::has_single_bit(steps)) return false;
@@ -234,12 +235,12 @@ class Journey {
     before_ = z_;
     made(steps_->step(z_, trip_->sense * h));
   }
-  /// Finds dz/dt.
+  /// Sets slope_ to dz/dt.
   void find_slope(const State<dynamic>& z) {
     slope_.resize(2 * z.q.size());
     (*field_)(z, slope_);
   }
-  /// Whether the last step misses the kick of a body.
+  /// Checks whether the last step misses the kick of a body.
   void look_for_passes() {
     NearPasses& passes = *trip_->passes;
     const auto look = [&](const State<dynamic>& z) {
@@ -256,7 +257,7 @@ class Journey {
     look(z_);
     jumped = jumped || passes.unseen(*steps_, order, std::abs(z_.t - before_.t), last_, now_);
   }
-  /// Inside the last step is something that its stages do not show.
+  /// Returns true if something inside the last step is not seen by its stages.
   bool passes_over() {
     const auto felt = [&](const State<dynamic>& z) {
       return !(std::abs(field_->energy(z.q.data(), z.p.data()) - trip_->energy_at_start) <= trip_->felt);
@@ -264,7 +265,7 @@ class Journey {
     if (!trip_->features) return false;
     if (trip_->features->jumped(*steps_, before_, z_, felt)) return true;
     if (!trip_->features->hides()) return false;
-    // Where no force acts, one may all the same between the stages of what are long steps then.
+    // Where no force acts, steps are long, and a force may act only between their stages.
     if ((z_.p - before_.p).cwiseAbs().maxCoeff() > 1e-6 * z_.p.cwiseAbs().maxCoeff()) return false;
     const auto points =
         static_cast<int>(std::min(looks * std::abs(z_.t - before_.t) / trip_->span, looks / 4.0));
@@ -272,8 +273,9 @@ class Journey {
       if (felt(steps_->polynomial(static_cast<double>(k) / points))) return true;
     return false;
   }
-  /// A step from a kink to the next one is the same in all runs, which tell nothing of its error then: that
-  /// is seen by the same step in two halves. @return such errors are more than the end may show
+  /// Measures the error of a step from one kink to the next, which is the same in all runs, so that comparing
+  /// them does not show it: by the same step in two halves. @return true if the sum of such errors may show
+  /// at the end
   bool errs_between_kinks() {
     const auto halves = steps_->clone();
     State<dynamic> z = before_;
@@ -297,7 +299,7 @@ class Journey {
     if (apart > 1e-14) unseen_ += apart;
     return unseen_ > trip_->kick;
   }
-  /// A step has been made.
+  /// Takes in a step that was made: counts it, and checks it.
   void made(const StepReport& report) {
     const double sense = trip_->sense;
     spend(report);
@@ -330,13 +332,13 @@ class Journey {
     if (!ok()) before_ = z_;
   }
 
-  static constexpr double looks = 1000.0;  // at H in a run on which nothing happens
+  static constexpr double looks = 1000.0;  // number of looks at H in a run without forces
 
   Trip* trip_;
   PointField* field_;
   std::unique_ptr<OrbitSteps> steps_;
-  double unseen_ = 0.0;        // sum of errors between kinks
-  double half_way_ = 0.0;      // time after half of the steps, or fewer
+  double unseen_ = 0.0;        // sum of the errors of steps between kinks
+  double half_way_ = 0.0;      // time covered at the last power of two of steps
   State<dynamic> z_, before_;  // after the last whole step, and before it
   VectorX tail_, slope_;       // scratch
   NearPasses::Distances last_, now_;

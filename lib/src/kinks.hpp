@@ -13,28 +13,28 @@
 #include <vector>
 
 /// @file
-/// Where H has a kink.
+/// The kinks of H, at which steps end.
 
 namespace avi::detail {
 
-/// The functions g(q, p) at whose zeros H goes over to another formula: differences that its branches
-/// compare, and what it takes the absolute value or the sign of. A step ends at a zero, so that H is smooth
-/// in every one.
+/// The functions g(q, p) at whose zeros H changes to another formula: differences that its branches compare,
+/// and arguments of its absolute values and signs. Steps end at these zeros, so that H is smooth within each
+/// step.
 class Kinks {
  public:
-  /// A zero of function `index` between two parts of a step, where it has these values.
+  /// A zero of function `index` between two parts of a step, and the values of the function there.
   struct Crossing {
     std::size_t index;
     double low, high, at_low, at_high;
   };
 
-  /// Those of H as a node of a graph. @param timed the last coordinate is time, and functions of that alone
-  /// are Switches @return null where there are none
+  /// The kinks of H, a node of a graph. @param timed whether the last coordinate is time; functions of time
+  /// alone belong to Switches @return null where there are none, or too many
   static std::shared_ptr<const Kinks> of(const ExpressionGraph& graph, int energy, bool timed) {
     const std::vector<char> part = graph.parts(energy);
     const std::vector<unsigned char> on = dependences(graph, energy);
     const std::vector<char> excluded = singular(graph, part);
-    std::vector<std::pair<int, int>> found;  // differences of two nodes, or one
+    std::vector<std::pair<int, int>> found;  // differences of two nodes, or single nodes
     for (int i = 0; i <= energy; ++i) {
       using enum Operation;
       const ExpressionGraph::Node& what = graph[i];
@@ -48,7 +48,7 @@ class Kinks {
     if (found.empty()) return nullptr;
     return std::make_shared<const Kinks>(graph, found);
   }
-  /// Differences of two nodes of a graph, or one where the second is -1.
+  /// Takes differences of two nodes of a graph, or single nodes, where the second is -1.
   Kinks(const ExpressionGraph& graph, const std::vector<std::pair<int, int>>& differences)
       : at_(differences.size()) {
     std::vector<int> nodes;
@@ -62,21 +62,22 @@ class Kinks {
 
   static constexpr int parts = 4;  ///< Number of parts of a step, at whose ends the functions are looked at.
 
-  /// Takes in all functions at the end of part k, or at the beginning of the step for 0.
+  /// Takes in the values of all functions at the end of part k, or at the beginning of the step for k = 0.
   void look(int k, const double* q, const double* p, Eigen::Index n) {
     formula_->run(q, p, n);
     for (std::size_t i = 0; i < places_.size(); ++i)
       at_[i][static_cast<std::size_t>(k)] = value(i);
   }
-  /// Function i at a point.
+  /// Value of function i at a point.
   double at(std::size_t i, const double* q, const double* p, Eigen::Index n) {
     formula_->run(q, p, n);
     return value(i);
   }
-  /// The first zero inside the step, as far as the points that were looked at tell, and others where it seems
-  /// that a function turns at zero between two of them. What is zero to nine digits at the beginning of the
-  /// step, as where the last one was made to end, has the sign that it has shortly after; what is zero at
-  /// another point has none there. @param on on(i, c) is function i at the part c of the step
+  /// The first zero inside the step, as far as the points that were looked at show it, or further points
+  /// where a function seems to turn at zero between two of them. A value that is zero to nine digits has no
+  /// sign. At the beginning of the step, as after a step that was made to end at a zero, the sign is that
+  /// shortly after.
+  /// @param on on(i, c) is function i at the part c of the step
   template <class On>
   [[nodiscard]] std::optional<Crossing> first(const On& on) {
     std::optional<Crossing> found;
@@ -107,12 +108,13 @@ class Kinks {
     return found;
   }
 
-  /// The part of a step after which a function that is zero at its beginning has a sign.
+  /// Part of a step after which a function that is zero at its beginning has a sign.
   static constexpr double soon = 0x1p-17;
 
  private:
-  /// The nodes of which H takes a broken power, a root or a logarithm, or of what depends on them: beyond a
-  /// zero it may be smooth on neither side, and two runs whose steps end there would err alike.
+  /// Marks the nodes of which H takes a non-integer power, a root or a logarithm, directly or through other
+  /// nodes. Beyond a zero of one, H may be smooth on neither side, and two runs whose steps end there would
+  /// err alike.
   static std::vector<char> singular(const ExpressionGraph& graph, const std::vector<char>& part) {
     std::vector<char> found(part.size(), 0);
     for (int i = static_cast<int>(part.size()) - 1; i >= 0; --i) {
@@ -174,9 +176,9 @@ class Kinks {
     const double first = formula_->partial(place);
     return is_difference ? first - formula_->partial(place + 1) : first;
   }
-  std::vector<std::pair<int, bool>> places_;        // in the formula
-  std::vector<std::array<double, parts + 1>> at_;   // in the step under way
-  std::optional<RecordedFormula<double>> formula_;  // of all nodes, as derivatives of nothing
+  std::vector<std::pair<int, bool>> places_;        // numbers in the formula
+  std::vector<std::array<double, parts + 1>> at_;   // values in the current step
+  std::optional<RecordedFormula<double>> formula_;  // all nodes, in the place of derivatives
 };
 
 }  // namespace avi::detail

@@ -19,7 +19,7 @@ namespace avi::detail {
 
 namespace {
 
-/// The setting of AVI_MACHINE_CODE.
+/// Returns the setting of AVI_MACHINE_CODE.
 bool wanted() {
   const char* const said = std::getenv("AVI_MACHINE_CODE");
   const std::string word = said ? said : "";
@@ -29,18 +29,19 @@ bool wanted() {
 }
 
 #ifdef AVI_CAN_MAKE_CODE
-/// Bytes of the stack that a program may take: the gradient of a long formula needs all that came before.
+/// Largest number of bytes of the stack that a program may take: the gradient of a long formula needs all
+/// results before it.
 constexpr std::size_t most_frame = 1 << 20;
 
-/// Memory for code. What is given back is kept for the next one who asks, up to a bound: the system takes
-/// three times as long to map new pages as to change what may be done with known ones.
+/// Memory for code. Pieces that are given back are kept for later use, up to a bound: the system takes three
+/// times as long to map new pages as to change the protection of old ones.
 class Pages {
  public:
   struct Piece {
     void* at = nullptr;
     std::size_t size = 0;
   };
-  /// A piece of at least so many bytes that can be written; null where there is none.
+  /// Returns a writable piece of at least so many bytes; null where there is none.
   Piece take(std::size_t size) {
     {
       const std::lock_guard lock(mutex_);
@@ -52,8 +53,8 @@ class Pages {
           unmap(piece);
         }
     }
-    // Pages that nobody may touch keep pieces apart: what may be done with two that are neighbours would
-    // otherwise be changed by joining and parting them.
+    // Inaccessible pages keep pieces apart: otherwise, a change of protection would make the system join or
+    // split the mappings of neighbouring pieces.
     size = (size + least - 1) / least * least;
     void* const whole = mmap(nullptr, size + 2 * least, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (whole == MAP_FAILED) return {};
@@ -72,7 +73,7 @@ class Pages {
     }
     unmap(piece);
   }
-  /// There is one, which outlives all that may still give pieces back.
+  /// The only instance, which outlives everything that may still give pieces back.
   static Pages& all() {
     static Pages* const pages = new Pages;
     return *pages;

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-// Compiled once for each set of instructions, each time under a name of its own; gauss.cpp chooses.
+// Compiled once for each set of instructions, each time under another name; gauss.cpp chooses.
 #ifndef AVI_MINIMISE
 #define AVI_MINIMISE minimise_portable
 #endif
@@ -16,7 +16,7 @@ namespace {
 
 using View = Eigen::Map<VectorX>;
 
-/// A run of Minimiser, whose vectors f sees; the others are its own.
+/// A run of Minimiser. f sees the vectors of its points; all others are its own.
 class MinimiserRun {
  public:
   /// Makes the memory of a run: a vector, and 2 m + 1 more if m > 0.
@@ -33,7 +33,7 @@ class MinimiserRun {
     change_.setZero(pairs_.products());
   }
 
-  /// Minimises. To be called once.
+  /// Minimises f. To be called once.
   MinimiserEnd run() {
     if (!evaluate(base_)) return end(failure_, reason_);
     norm_ = std::sqrt(square_);
@@ -80,13 +80,13 @@ class MinimiserRun {
   struct Point {
     Entries x;           ///< Position.
     Entries g;           ///< Gradient.
-    VectorX with_pairs;  ///< Its products with the pairs of the mass matrix.
+    VectorX with_pairs;  ///< Products of the gradient with the pairs of the mass matrix.
     double f = 0.0;      ///< Value.
   };
 
-  /// Whether the gradient at the base is so small that the squares of its entries underflow, and not small
-  /// enough to be done: what norms say of it is not to be trusted, then. A run without a tolerance, which has
-  /// come that far from somewhere else, is done.
+  /// Whether the gradient at the base is so small that the squares of its entries underflow, but too large to
+  /// end the run: its norms are not to be trusted then. A run without a tolerance that began with far larger
+  /// gradients ends there.
   bool underflows() {
     if (!(norm_ < 1e-150)) return false;
     if (!exact_ && !settle()) return false;
@@ -100,7 +100,7 @@ class MinimiserRun {
                                         " is beyond the range of numbers; scale f");
   }
 
-  /// One iteration: trials along d until one of them gives the next point. False sets failure_.
+  /// Makes one iteration: trials along d until one gives the next point. Returns false on failure.
   bool line() {
     LineSoFar so_far{{base_.f, down_}};
     auto& [start, moved, high, wall, trials, since_start, beyond] = so_far;
@@ -112,7 +112,7 @@ class MinimiserRun {
         return fail(Outcome::step_limit, "the cap on evaluations was reached");
       place_trial(alpha_);
       if (trials > 40 || view(trial_.x) == view(base_.x) || !(alpha_ > 0.0)) {  // steepest descent, once
-        // Towards a wall f may fall for more lines than one.
+        // Towards a wall, f may fall along more than one line.
         const bool fell = base_.f < start.value - rounding(base_.f, start.value);
         if (restarted && !fell) return judge(trials - 1 > beyond);
         if (restarted) return steepest(), true;
@@ -124,7 +124,7 @@ class MinimiserRun {
         place_trial(alpha_);
       }
       if (!evaluate(trial_)) return false;
-      // where a trial is doubtful an interpolated base may be to blame: it is evaluated
+      // if a trial is doubtful, an interpolated base may be to blame: it is evaluated
       const auto renew = [&] {
         const double length = alpha_ * std::sqrt(length2_);
         if (!settle()) return false;
@@ -145,8 +145,8 @@ class MinimiserRun {
       const bool level = is_level(start.value);
       const bool flat = std::abs(slope_) <= sigma * std::abs(start.slope);
       if (level && std::sqrt(square_) <= target_) return advance(1.0, moved), true;
-      // an error of an interpolated base is carried on with the factor 1 - r; where the values cannot show
-      // one, it must not be carried too far
+      // the error of an interpolated base is carried on with the factor 1 - r; where values cannot show it,
+      // it must not be carried too far
       const double off = std::abs(model.r - 1.0);
       const double undetected =
           (exact_ ? 0.0 : off * undetected_) + (model.blind() ? off * std::max(1.0, model.r) : 0.0);
@@ -156,7 +156,7 @@ class MinimiserRun {
         undetected_ = undetected;
         return advance(model.r, moved, base_.f + 0.5 * model.r * alpha_ * down_), true;
       }
-      // next to where f is not finite: farther along the line there would be less room for the next one
+      // next to where f is not finite: farther along the line, the next one would have less room
       const bool walled = falls && high == wall && alpha_ >= 0.09 * high;
       if (((falls || level) && flat) || walled) return advance(1.0, moved), true;
       const bool doubtful = model.defect > 0.3 || (model.trusted() && !recovers);
@@ -178,7 +178,7 @@ class MinimiserRun {
         alpha_ *= model.cubic();
       }
       misses.add(model);
-      // So near to each other the points differ by what the slopes say, or f bends.
+      // Points this close to each other differ by what the slopes say, unless f bends.
       if (trials - beyond >= 5) {
         scale_ = std::max(scale_, std::abs(start.value));
         const double seen = std::min(4.0 * misses.size(), 1e-8 * scale_);
@@ -187,9 +187,9 @@ class MinimiserRun {
     }
   }
 
-  /// False where for long neither an evaluated value nor an evaluated gradient has come lower than ever
-  /// before, and values contradict the slope, as at a kink; or for so long that it is rounding that moves the
-  /// run. (Hard valleys waited five times for their next gain.)
+  /// Returns false if for long no evaluated value or gradient was lower than all before, and values
+  /// contradict the slope, as at a kink; or if that lasts so long that rounding moves the run. (In hard
+  /// valleys, runs waited five times for their next gain.)
   bool gains() {
     if (idle_ == 200 && !exact_ && !settle()) return false;
     if (exact_) level_ = std::min(level_, base_.f);
@@ -200,14 +200,14 @@ class MinimiserRun {
     }
     if (++idle_ <= 200) return true;
     idle_ = 0;
-    if (waits_ == 0) noise_ = 0.0;  // too large it would hide what is gained: it is looked at anew
+    if (waits_ == 0) noise_ = 0.0;  // if too large, it would hide gains: it is found anew
     return judge(true) || (agrees_ && ++waits_ < 20);
   }
 
-  /// The entries of a vector of the caller.
+  /// View of a vector of the caller.
   [[nodiscard]] View view(const Entries& x) const { return {x.data, n_}; }
 
-  /// f on the line, as a function of alpha.
+  /// Returns f on the line, as a function of alpha.
   auto values_along_d() {
     return [this](double alpha) {
       place_trial(alpha);
@@ -215,16 +215,16 @@ class MinimiserRun {
     };
   }
 
-  /// How far along d values are asked for a slope, in units of d: by a part of the size of x, or of x0, as a
-  /// kink is at 0 more often than elsewhere. The next trial may be much too far. Where both are 0, or as good
-  /// as 0 since all trials from there failed, f and its gradient alone tell of a size.
+  /// Distance along d, in units of d, at which values are taken to find a slope: a part of the size of x or
+  /// x0, as a kink is at 0 more often than elsewhere. The next trial may be much too far. If both are 0, or
+  /// as good as 0 since all trials from there failed, only f and its gradient tell of a size.
   [[nodiscard]] double asked_at() const {
     const double length = std::sqrt(length2_), x = std::max(norm(view(base_.x)), size0_);
     return 1e-4 * ((x > 1e-9 * first_trial_ ? x : first_trial_) / length);
   }
 
-  /// Why steepest descent found nothing: rounding hides the fall, or the gradient is not that of f, or f is
-  /// not finite; or without a tolerance its square underflows, and it is as good as 0. Always false.
+  /// Finds why steepest descent gained nothing: rounding hides the fall, the gradient is not that of f, or f
+  /// is not finite; or, without a tolerance, its square underflows and it is as good as 0. @return false
   bool judge(bool finite) {
     if (agrees_ = false; target_ == 0.0 && norm_ < 1e-150) return fail(Outcome::ok, {});
     double most = 0.0;
@@ -234,9 +234,9 @@ class MinimiserRun {
       return value;
     };
     const SlopeByValues by = finite ? slope_by_values(phi, asked_at()) : SlopeByValues();
-    agrees_ = !finite;  // a wall that near says nothing of the slope
+    agrees_ = !finite;  // a wall so near says nothing about the slope
     if (!finite) return fail(Outcome::non_finite, "f or its gradient is not finite wherever the run turns");
-    // beside what f does there the gradient is as good as 0: that f is not even says nothing of it
+    // beside what f does there, the gradient is as good as 0: uneven values say nothing about it
     const bool small = std::abs(down_) * asked_at() < 1e-8 * most;
     agrees_ = small || by.agrees_with(down_, 0.1 * std::abs(down_));
     if (jumps_up(values_along_d(), base_.f, down_, asked_at(), most))
@@ -249,7 +249,7 @@ class MinimiserRun {
     return fail(Outcome::no_descent, by.against(down_));
   }
 
-  /// The check on request, at the start.
+  /// Checks the gradient at the start, on request.
   bool gradient_agrees() {
     mixed_direction(view(base_.x), d_);
     measure_direction();
@@ -258,14 +258,14 @@ class MinimiserRun {
     return by.agrees_with(down_, allowed) || fail(Outcome::wrong_gradient, by.against(down_));
   }
 
-  /// Where the run is, as its caller sees it.
+  /// Returns the place of the run, as its caller sees it.
   [[nodiscard]] MinimiserCalls::Place place(const Point& at) const {
     return {at.x.number, at.g.number, at.f, norm_, iterations_, evaluations_, exact_};
   }
-  /// Tells the callback; false where it asks to stop.
+  /// Reports to the callback; false if that asks to stop.
   bool report() { return calls_.report(place(base_)); }
 
-  /// Hands out the base, or the best evaluated point where the base is interpolated.
+  /// Ends the run at the base, or at the best evaluated point if the base is interpolated.
   MinimiserEnd end(Outcome outcome, std::string_view reason = {}) {
     const Point& last = exact_ ? base_ : best_;
     Iterate at;
@@ -274,14 +274,14 @@ class MinimiserRun {
             outcome == Outcome::ok ? std::string() : describe_end(outcome, iterations_, at, reason)};
   }
 
-  /// Notes why the run ends. Always false.
+  /// Notes why the run ends. Always returns false.
   bool fail(Outcome outcome, std::string reason) {
     failure_ = outcome;
     reason_ = std::move(reason);
     return false;
   }
 
-  /// Value, with the gradient in at.g; counted. It is remembered when the gradient has another size.
+  /// Evaluates f at a point, with the gradient in at.g; counts this, and notes the size of the gradient.
   double value_at(Point& at) {
     ++evaluations_;
     const auto [value, entries] = calls_.evaluate(at.x.number, at.g.number);
@@ -290,7 +290,7 @@ class MinimiserRun {
     return value;
   }
 
-  /// Value and gradient, slope along d and square of the gradient. False sets failure_.
+  /// Evaluates value, gradient, slope along d and square of the gradient. Returns false on failure.
   bool evaluate(Point& at) {
     at.f = value_at(at);
     if (entries_ != n_)
@@ -307,13 +307,13 @@ class MinimiserRun {
            fail(Outcome::diverged, "f falls below -1e300 along a line");
   }
 
-  /// d = -grad f, and the pairs are forgotten.
+  /// Sets d = -grad f, and forgets the pairs.
   void steepest() {
     pairs_.clear();
     quasi_newton();
   }
 
-  /// d = -H grad f, or steepest descent where that is not downhill, and the length of its first trial.
+  /// Sets d = -H grad f, or steepest descent if that is not downhill, and the length of its first trial.
   void quasi_newton() {
     const auto sums = pairs_.direction(base_.g.data, base_.with_pairs.data(), d_.data());
     down_ = sums[0], length2_ = sums[1];
@@ -321,7 +321,7 @@ class MinimiserRun {
     alpha_ = pairs_.size() > 0 ? 1.0 : first_step();
   }
 
-  /// Slope and square of d; true where d goes downhill.
+  /// Sets slope and square of d; true if d goes downhill.
   bool measure_direction() {
     const auto sums = sweep<2>(n_, [g = base_.g.data, d = d_.data()](auto e, auto& sum) {
       const auto entry = e(d);
@@ -336,7 +336,7 @@ class MinimiserRun {
     return first_trial(base_.f, norm_, largest_entry(view(base_.g)), largest_entry(view(base_.x)));
   }
 
-  /// Evaluates at an interpolated base, goes back to the best evaluated point if f rose, and renews d.
+  /// Evaluates f at an interpolated base, goes back to the best evaluated point if f rose, and renews d.
   bool settle() {
     std::swap(trial_.x, base_.x);
     exact_ = evaluate(trial_);
@@ -365,27 +365,27 @@ class MinimiserRun {
     return noise_ + 1e-14 * (std::abs(one) + std::abs(other));
   }
 
-  /// The trial is as low as this value and as every evaluated iterate, for all that can be told, and not
-  /// above f(x0): what was taken for noise may have been a rise, and rises must not add up.
+  /// Whether the trial is, as far as can be told, as low as this value and as every evaluated iterate, and
+  /// not above f(x0): what was taken for noise may have been a rise, and rises must not add up.
   [[nodiscard]] bool is_level(double value) const {
     const double least = std::min(value, level_);
     return trial_.f <= least + rounding(least, trial_.f) &&
            trial_.f <= first_ + 1e-14 * (std::abs(first_) + std::abs(trial_.f));
   }
 
-  /// trial = base + alpha d.
+  /// Sets trial = base + alpha d.
   void place_trial(double alpha) {
     sweep<0>(n_, [alpha, x = base_.x.data, d = d_.data(), t = trial_.x.data](auto e, auto&) {
       e.set(t, e(x) + alpha * e(d));
     });
   }
 
-  /// Moves to base + r alpha d, of value `interpolated`, or for r = 1 to the trial, and makes the next d and
+  /// Moves to base + r alpha d, of value `interpolated`, or for r = 1 to the trial, and sets the next d and
   /// alpha.
   void advance(double r, double moved, double interpolated = std::numeric_limits<double>::quiet_NaN()) {
     const bool recovers = !std::isnan(interpolated);
-    // The old base or the trial, whichever is the better point that was evaluated, is kept; the new one is
-    // written over the third.
+    // The old base or the trial is kept, whichever is the better evaluated point; the new base is written
+    // over the third point.
     const bool keeps_base = recovers && exact_ && base_.f < trial_.f;
     const bool keeps_trial = recovers && !keeps_base && (exact_ || trial_.f <= best_.f);
     Point& into = !recovers || keeps_base ? trial_ : keeps_trial ? best_ : base_;
@@ -437,7 +437,7 @@ class MinimiserRun {
     if (dy > 0.0) {
       if (std::abs(g_old) <= 0.5 * gg)
         beta = std::max(gy / dy - (yy / dy) * (gd / dy), 0.5 * down_ / length2_);
-      // the step that the least curvature along y asks for; across gradients minima are farther
+      // the step that the least curvature along y asks for; across gradients, minima are farther away
       alpha_ = (beta == 0.0 ? 1.0 : 1.5) * step * dy / yy;
     }
     const auto now = sweep<2>(n_, [beta, g = base_.g.data, d = d_.data()](auto e, auto& sum) {
@@ -455,38 +455,38 @@ class MinimiserRun {
   }
 
   MinimiserCalls& calls_;           ///< The objective, and the vectors that it sees.
-  const MinimiseOptions& options_;  ///< As given.
+  const MinimiseOptions& options_;  ///< Options, as given.
   long evaluations_ = 0;            ///< Number of evaluations of value and gradient.
   Eigen::Index n_;                  ///< Size of x.
   SecantPairs pairs_;               ///< The mass matrix.
-  Point base_;                      ///< Where the line begins.
+  Point base_;                      ///< Point where the line begins.
   Point trial_;                     ///< The last evaluated point on it.
   Point best_;                      ///< The best evaluated point, while the base is interpolated.
   VectorX d_;                       ///< Direction of the line.
   VectorX change_;                  ///< Products of the newest y with the pairs.
   double down_ = 0.0;               ///< d . gradient at the base.
-  double length2_ = 0.0;            ///< Square of d.
+  double length2_ = 0.0;            ///< Square of the length of d.
   double slope_ = 0.0;              ///< d . gradient at the last evaluation.
   double square_ = 0.0;             ///< Square of the gradient there.
   double norm_ = 0.0;               ///< Norm of the gradient at the base.
   double target_ = 0.0;             ///< Norm of the gradient that ends the run.
-  double alpha_ = 0.0;              ///< Where the next trial is.
-  double floor_ = -std::numeric_limits<double>::infinity();  ///< A run with an f below it has diverged.
-  double noise_ = 0.0;                        ///< Error of values as seen where a line was stuck.
+  double alpha_ = 0.0;              ///< Place of the next trial.
+  double floor_ = -std::numeric_limits<double>::infinity();  ///< Value of f below which a run has diverged.
+  double noise_ = 0.0;                        ///< Error of values, as seen where a line was stuck.
   bool exact_ = true;                         ///< Whether value and gradient at the base were evaluated.
-  Outcome failure_ = Outcome::ok;             ///< Why the run ends.
-  std::string reason_;                        ///< The same in words.
+  Outcome failure_ = Outcome::ok;             ///< Outcome with which the run ends.
+  std::string reason_;                        ///< Reason, in words.
   long iterations_ = 0;                       ///< Iterations made.
   Eigen::Index entries_ = 0;                  ///< Size of the gradient that f left last.
   double norm0_ = 0.0;                        ///< Norm of the gradient at x0.
   double first_ = 0.0;                        ///< f(x0).
   double level_ = 0.0;                        ///< Least f of an evaluated iterate.
   double size0_ = 0.0;                        ///< Norm of x0.
-  double first_trial_ = 1.0;                  ///< How far the first trial is from x0.
-  double scale_ = 0.0;                        ///< Largest |f| of the start and of where lines were stuck.
+  double first_trial_ = 1.0;                  ///< Distance of the first trial from x0.
+  double scale_ = 0.0;                        ///< Largest |f| at the start, and where lines were stuck.
   double lowest_ = 1e300, gentlest_ = 1e300;  ///< Least value, and square of an evaluated gradient, so far.
-  long idle_ = 0;            ///< Iterations since either came down, or since values were asked.
-  int waits_ = 0;            ///< Times they were asked since.
+  long idle_ = 0;                             ///< Iterations since either fell, or values were asked.
+  int waits_ = 0;                             ///< Times that values were asked since.
   bool agrees_ = false;      ///< Whether values agreed with the slope when they were last asked.
   double undetected_ = 0.0;  ///< Bound on the unseen error of an interpolated gradient, in roundings of one.
 };

@@ -8,14 +8,14 @@
 
 namespace avi::detail {
 
-/// A step from a state to a time before which H does not switch, or the whole step h where that does not come
-/// so far: sizes by the secant method, from below and above.
+/// Makes a step from a state to a time before which H does not switch, or the whole step h if that does not
+/// come so far. Its size is found by the secant method, from below and above.
 StepReport OrbitSteps::stop_at_switch(const State<dynamic>& from, double h, double time, State<dynamic>& z) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const double sense = std::copysign(1.0, h), most = std::abs(h), way = std::abs(time - from.t);
   const double near = 4.0 * epsilon * std::max(std::abs(time), way);
   StepReport report{.evaluations = 0};
-  double low = 0.0, high = 2.0 * most;  // sizes between which it is
+  double low = 0.0, high = 2.0 * most;  // bounds of that size
   const double due = way > 4.0 * std::abs(ahead_) ? ahead_ : 0.0;
   double size = std::min((way - sense * due) / rate_, most), last = 0.0, last_late = way;
   for (int k = 0; k < 60; ++k) {
@@ -47,7 +47,8 @@ StepReport OrbitSteps::stop_at_switch(const State<dynamic>& from, double h, doub
   return report;
 }
 
-/// A step up to the next switch, where there is one in it: a step over one would hardly be solved.
+/// Makes a step that ends at the next switch, if there is one in it: a step over a switch could hardly be
+/// solved.
 StepReport OrbitSteps::step_to_switch(State<dynamic>& z, double h) {
   StepReport report{.evaluations = 0};
   const auto spend = [&](const StepReport& step) {
@@ -55,9 +56,9 @@ StepReport OrbitSteps::step_to_switch(State<dynamic>& z, double h) {
     report.evaluations += step.evaluations;
   };
   State<dynamic> from = z, to;
-  // It has ended at a switch, or at several, and begins behind them: before them H has no meaning with the
-  // momentum of time from behind them, and a monitor of the energy may be solved there with g below 0. By so
-  // much the clock is ahead of the system, until the next switch.
+  // The last step ended at a switch, or at several, and this one begins behind them. Before them, H has no
+  // meaning with the momentum of time from behind them, and a step with a monitor of the energy might be
+  // solved there with g below 0. Until the next switch, the clock is ahead of the system by the difference.
   double behind = z.t;
   while (const auto here = switches_->at(behind, std::copysign(1.0, h))) {
     from.p[n_ - 1] += switches_->fall(from.q.data(), from.p.data(), *here);
@@ -89,7 +90,7 @@ StepReport OrbitSteps::step_to_switch(State<dynamic>& z, double h) {
   return report;
 }
 
-/// The first kink in the last step, between two states.
+/// Finds the first kink in the last step, between two states.
 std::optional<Kinks::Crossing> OrbitSteps::first_kink(const State<dynamic>& from, const State<dynamic>& to) {
   inside_.resize(2 * n_);
   kinks_->look(0, from.q.data(), from.p.data(), n_);
@@ -109,7 +110,7 @@ double OrbitSteps::kink_at(std::size_t i, double c) {
   return kinks_->at(i, inside_.data(), inside_.data() + n_, n_);
 }
 
-/// Where a kink is in the last step, and how its function changes there, roughly.
+/// Finds the place of a kink in the last step, and the slope of its function there, roughly.
 void OrbitSteps::guess(const Kinks::Crossing& kink, double& part, double& slope) {
   const double sense = std::copysign(1.0, kink.at_high);
   const auto on = [&](double c) { return sense * kink_at(kink.index, c); };
@@ -120,8 +121,9 @@ void OrbitSteps::guess(const Kinks::Crossing& kink, double& part, double& slope)
   slope = sense * (on(part + wide) - on(part - wide)) / (2.0 * wide);
 }
 
-/// A step up to the next kink, where there is one in it: sizes by the secant method, from where the
-/// polynomial of the whole step has it. A step over a kink may not be solved: then a shorter one is made.
+/// Makes a step that ends at the next kink, if there is one in it. Its size is found by the secant method,
+/// which begins where the polynomial of the whole step has the kink. A step over a kink may not be solved:
+/// then a shorter one is made.
 StepReport OrbitSteps::step_to_kink(State<dynamic>& z, double h) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   StepReport report{.evaluations = 0};
@@ -159,7 +161,7 @@ StepReport OrbitSteps::step_to_kink(State<dynamic>& z, double h) {
       part -= at / slope;
       if (!(part > low && part < high)) part = 0.5 * (low + high);
     }
-    if (!(std::abs(at) <= 1e-9 * most)) {  // it was the polynomial's alone
+    if (!(std::abs(at) <= 1e-9 * most)) {  // the zero was only the polynomial's
       if (!go(whole)) return report;
       break;
     }

@@ -11,45 +11,46 @@
 #include <utility>
 
 /// @file
-/// The steps of an orbit, of any method.
+/// The steps of an orbit, by any method.
 
 namespace avi::detail {
 
-/// A method at states, whose steps end where H switches with time, or has a kink.
+/// A method that advances states. Its steps end where H switches with time or, if H has no switches, at its
+/// kinks.
 class OrbitSteps {
  public:
-  /// A method for n degrees of freedom.
+  /// Takes a method for n degrees of freedom.
   OrbitSteps(std::unique_ptr<Stepper> steps, Eigen::Index n) : steps_(std::move(steps)), n_(n), z_(2 * n) {}
 
-  /// No step goes on beyond a switch: it ends at the last time before it, and the next one begins there with
-  /// the momentum of time behind it. @param fixed dt by d tau is 1
+  /// Makes steps end at switches: a step ends at the last time before a switch, and the next one begins
+  /// behind it, with the momentum of time that belongs there. @param fixed whether dt/dtau is 1
   void end_at(const Switches& switches, bool fixed) {
     switches_ = std::make_unique<Switches>(switches);
     fixed_ = fixed;
     rate_ = fixed ? 1.0 : 0.0;
   }
 
-  /// No step goes on beyond a kink of H.
+  /// Makes steps end at kinks of H, unless they end at switches.
   void end_at(const Kinks& kinks) { kinks_ = std::make_unique<Kinks>(kinks); }
 
-  /// Advances z by the fictive step h, or by a shorter one to a switch or kink, unless the report says
-  /// another outcome than ok.
+  /// Advances z by the fictive step h, or by a shorter one that ends at a switch or kink, unless the report
+  /// has another outcome than ok.
   StepReport step(State<dynamic>& z, double h) { return kinks_ ? step_to_kink(z, h) : step_inside(z, h); }
-  /// The same for a step inside one that was made, in which is no kink.
+  /// Makes a step inside one that was made already, so that there is no kink in it.
   StepReport step_inside(State<dynamic>& z, double h) {
     if (switches_) return step_to_switch(z, h);
     size_ = h;
     return whole_step(z, h);
   }
-  /// The last step began at a kink and ended at one, wherever it was to end.
+  /// Returns true if the last step began at a kink and ended at the next one.
   [[nodiscard]] bool is_between_kinks() const { return between_; }
-  /// The energy at this time says nothing: H switches there.
+  /// Returns true if H switches at this time, so that its value there says nothing.
   [[nodiscard]] bool is_at_switch(double t) const { return switches_ && switches_->is_near(t); }
-  /// The fictive size of the last step.
+  /// Fictive size of the last step.
   [[nodiscard]] double size() const { return size_; }
-  /// See Stepper.
+  /// Whether two orbits can be stepped side by side: see Stepper.
   [[nodiscard]] bool can_go_beside() const { return !switches_ && !kinks_ && steps_->can_go_beside(); }
-  /// A step of this orbit and one of another: see Stepper.
+  /// Makes a step of this orbit and one of another: see Stepper.
   std::pair<StepReport, StepReport> step_beside(State<dynamic>& z, double h, OrbitSteps& other,
                                                 State<dynamic>& its, double its_h) {
     size_ = h, other.size_ = its_h;
@@ -68,16 +69,16 @@ class OrbitSteps {
     state.p = z.tail(n_);
     return state;
   }
-  /// The same as 2n entries and a time.
+  /// The same state as 2n entries and a time.
   void polynomial(double c, VectorX& z, double& t) const { steps_->polynomial(c, z.data(), t); }
 
-  /// See Stepper.
+  /// The state at a fraction of the last step with a few digits: see Stepper.
   void roughly(double c, VectorX& z, double& t) { steps_->roughly(c, z.data(), t); }
 
-  /// See Stepper. @param z of 2n entries
+  /// The last term of the polynomial of the last step: see Stepper. @param z of 2n entries
   void tail(VectorX& z) const { steps_->tail(z.data(), static_cast<int>(z.size())); }
 
-  /// Another one with the memory of the last step.
+  /// A copy with the memory of the last step.
   [[nodiscard]] std::unique_ptr<OrbitSteps> clone() const {
     auto other = std::make_unique<OrbitSteps>(steps_->clone(), n_);
     if (switches_) other->switches_ = std::make_unique<Switches>(*switches_);
@@ -107,7 +108,7 @@ class OrbitSteps {
   }
   std::unique_ptr<Stepper> steps_;
   Eigen::Index n_;
-  VectorX z_;  // of the step under way
+  VectorX z_;  // (q, p) in the current step
   double size_ = 0.0;
   std::unique_ptr<Switches> switches_;
   std::unique_ptr<Kinks> kinks_;
@@ -115,8 +116,8 @@ class OrbitSteps {
   bool between_ = false;
   double kink_ = std::numeric_limits<double>::quiet_NaN();  // time of that at which the last step ended
   bool fixed_ = false;
-  double rate_ = 0.0;   // mean dt by d tau of the last step, or 0 where there was none
-  double ahead_ = 0.0;  // time by which rounding has set the clock back since the last switch
+  double rate_ = 0.0;   // mean dt/dtau of the last step, or 0 before the first
+  double ahead_ = 0.0;  // time by which rounding has put back the clock since the last switch
 };
 
 }  // namespace avi::detail

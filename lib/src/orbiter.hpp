@@ -6,15 +6,16 @@
 
 namespace avi::detail {
 
-/// Chooses what takes an orbit to its end within the tolerance, and the end: what was asked for on the way is
-/// not delivered. The question has been checked, and has some time to go.
+/// Chooses monitor, order and step for an orbit, and follows it to its end within the tolerance. Output times
+/// and events are left to the caller. The question has been checked.
 OrbitAnswer choose(const OrbitQuestion& question, Budget& budget);
 
-/// \f$H_0\f$, the constant in g (H - H_0), with all of its digits: an error of it is one of all runs, which
-/// they do not see of each other.
+/// The energy at the start, \f$H_0\f$, the constant in \f$g\,(H - H_0)\f$, correct to the last digit: all
+/// runs share its error, so comparing them would not show it.
 double energy_at_start(const OrbitQuestion& question);
 
-/// @throws std::invalid_argument, with H and where it is taken, unless the energy at the start is finite.
+/// Requires a finite energy at the start. @throws std::invalid_argument otherwise, with H and the point where
+/// it is taken
 void require_energy(double energy, const OrbitQuestion& question);
 
 }  // namespace avi::detail

@@ -10,7 +10,7 @@
 
 namespace avi::detail {
 
-/// Operations at packs of w numbers for MachineCode to call.
+/// Operations on packs of w numbers, as functions for MachineCode to call.
 template <int w>
 const PackFunction* pack_functions() {
   static const auto all = [] {

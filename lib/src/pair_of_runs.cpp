@@ -4,7 +4,7 @@
 #include <utility>
 
 /// @file
-/// How solve() decides: two runs with different steps, and which setting is next.
+/// The search in solve(): two runs with different steps, and the choice of the next setting.
 
 namespace avi::detail {
 
@@ -21,8 +21,7 @@ void Orbiter::note_trial(const Journey& journey, double error) {
 
 Journey Orbiter::begin(const Setting& setting, double factor) {
   const double h = factor * setting.h;
-  // What sweeps leave is to be a thirtieth of the tolerance at most, see left_by_sweeps, unless small errors
-  // grow.
+  // The sweeps may leave a thirtieth of the tolerance at most, see left_by_sweeps, unless small errors grow.
   const double steps = std::max(1.0, expected_steps(*setting.candidate, h, span_));
   const double usual = std::clamp(question_.tolerance / (10.0 + 0.1 * steps * steps), least_of_sweeps, 1e-6);
   const double tolerance = unstable_ ? least_of_sweeps : usual;
@@ -36,19 +35,19 @@ Journey Orbiter::begin(const Setting& setting, double factor) {
 
 /// Sets how many sweeps a run may take up to a mark.
 void Orbiter::bound(Journey& journey, std::size_t mark) {
-  // Over a hundred times what the sketch suggests is something else; over ten times, another monitor may be
-  // better.
+  // A run that takes over a hundred times what the sketch suggests has met something else; over ten times,
+  // another monitor may be better.
   const bool first = journey.candidate->failures == 0 && has_a_choice();
   journey.most = 1e4 + (first ? 3e2 : 3e3) * expected_steps(*journey.candidate, journey.h, since_start(mark));
-  // So is a run that takes long for what is but a hundred steps of the sketch, unless its step is given, or a
-  // low order, which takes many.
+  // Nor should a run take long where the sketch took some hundred steps, unless its step is given, or its
+  // order is low and needs many steps.
   const SolveOptions& options = question_.options;
   if (options.h > 0.0 || (options.order > 0 && options.order < 6)) return;
   if (resolved_ == 0.0 || std::abs(journey.state.t - question_.t) < sketch_->time)
     journey.most = std::min(journey.most, its_patience() / journey.candidate->price());
 }
 
-/// Takes a run to a mark, unless it is there. @return it has not failed
+/// Takes a run to a mark, unless it is there already. @return true if the run has not failed
 bool Orbiter::go_on(Journey& journey, std::size_t mark) {
   if (journey.marks.size() > mark || !journey.ok()) return journey.ok();
   bound(journey, mark);
@@ -56,8 +55,8 @@ bool Orbiter::go_on(Journey& journey, std::size_t mark) {
   return journey.ok();
 }
 
-/// Far from all poles, in a frame that turns, say, something goes on that the beginning did not show: gives
-/// the monitor of poles the constant with which its steps there are not longer than they were.
+/// Far from all poles, something may be fast that the beginning did not show, as in a rotating frame. Gives
+/// the monitor of poles a constant with which steps there are no longer, in radians, than they were before.
 void Orbiter::stay_near(Candidate& it, const Sketch& there) {
   Choice& choice = answer_.choice;
   if (question_.made || !(it.longest > 0.0)) return;
@@ -78,7 +77,7 @@ void Orbiter::stay_near(Candidate& it, const Sketch& there) {
   it = std::move(other);
 }
 
-/// Goes on from where a run failed with a sketch of its own: what is met there sets steps from here on.
+/// Makes another sketch from where a run failed: what it meets sets the steps from here on.
 void Orbiter::look_from(const State<dynamic>& z) {
   field_.sense = sense_;
   const Sketch there(field_, stacked(z), std::abs(question_.t_end - z.t), metric_, 512,
@@ -105,7 +104,7 @@ void Orbiter::look_from(const State<dynamic>& z) {
   }
 }
 
-/// Keeps the failed run that came furthest: where all fail, its state is what was reached.
+/// Keeps the failed run that came furthest: if all runs fail, its state is the answer.
 void Orbiter::keep_furthest() {
   for (std::optional<Journey>* run : {&coarse_, &fine_})
     if (*run && !(*run)->ok() && (!furthest_run_ || is_further(**run, *furthest_run_)))
@@ -117,20 +116,20 @@ void Orbiter::drop_runs() {
   coarse_.reset(), fine_.reset();
 }
 
-/// A run ended before its mark. @return there is another setting to try
+/// Handles a run that ended before its mark. @return true if there is another setting to try
 bool Orbiter::failed(const Journey& journey, Setting& setting) {
   note_trial(journey, infinity);
   if (journey.spent) bound_ = journey.run.outcome;
   if (journey.spent || round_ >= most_rounds || question_.options.h > 0.0) return false;
-  if (instead_of_.candidate) {  // it does no better than what it was taken for
+  if (instead_of_.candidate) {  // it does no better than the one it replaced
     setting.candidate->aside = true;
     setting = std::exchange(instead_of_, {});
     drop_runs();
-    resolved_ = setting.h;  // what was run before is not stopped for its price
+    resolved_ = setting.h;  // this setting ran before: it is not stopped for its price
     resigned_ = true;
     return true;
   }
-  // A step that was made longer than one that did.
+  // The step was made longer than one that worked.
   if (lengthened_ > 0 && resolved_ > 0.0 && setting.h > 1.05 * resolved_ &&
       setting.candidate == lengthened_for_) {
     setting.h = resolved_;
@@ -141,24 +140,24 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
   }
   const double reached = std::abs(journey.state.t - question_.t);
   const bool again = std::abs(reached - failed_at_) <= 1e-2 * reached;
-  if (reached > 1.01 * repeated_) repeated_ = infinity;  // it is not in the way of this one
+  if (reached > 1.01 * repeated_) repeated_ = infinity;  // this run came past it
   Candidate& it = *setting.candidate;
-  // A run that was stopped for its price has met nothing, but others may be cheaper there.
+  // A run that was stopped for its price has met no obstacle, but other candidates may be cheaper there.
   const bool stopped = journey.run.outcome == Outcome::stopped;
   if (!stopped) {
     furthest_ = std::max(furthest_, reached);
     if (again) repeated_ = std::min(repeated_, reached);
   }
   if (stopped ? it.failures == 0 && has_a_choice() : !again) look_from(journey.state);
-  // Time has a limit with one monitor and with another.
+  // Runs with two monitors stall at the same time: the orbit ends there.
   if (again && failed_with_ != &it && journey.run.outcome == Outcome::stalled) dead_end_ = reached;
   failed_at_ = reached, failed_with_ = &it;
-  // A monitor may have a feature of its own there, or no value at all.
+  // A monitor may have a singularity of its own there, or be undefined.
   const bool undefined = journey.run.outcome == Outcome::non_finite && !it.fixed();
   it.failures += undefined ? 2 : 1;
   if (!stopped) it.below = setting.h * (it.failures > 2 ? 0.25 : 0.5);
-  // What promises the least work now, with steps that have not failed. Where a sketch ends too, monitors that
-  // the singularity makes many times dearer do not pass it either.
+  // Take the candidate with the least expected work, with steps that have not failed. If a sketch ends here
+  // too, monitors that the singularity makes many times dearer do not pass it either.
   const auto work = [&](const Candidate& each) {
     return each.outlook * std::max(1.0, first_step(each) / each.below);
   };
@@ -184,7 +183,7 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
   return true;
 }
 
-/// Makes two runs side by side, from mark to mark. @return another setting is to be tried
+/// Makes two runs side by side, from mark to mark. @return true if another setting is to be tried
 bool Orbiter::pursue(Setting& setting) {
   ++round_;
   keep_furthest();
@@ -216,9 +215,9 @@ bool Orbiter::pursue(Setting& setting) {
   return false;
 }
 
-/// The first step goes over what changes with time alone soon after the start, as coefficients do near a
-/// singularity of them. What begins there is gone after that step, so that a longer one errs alike: the two
-/// runs agree. It is seen by the same step in parts, each as long as all that come before it.
+/// Whether the first step passes over a change with time alone soon after the start, as of coefficients near
+/// a singularity in time. What begins there is over within the step, and a longer step errs alike, so the two
+/// runs agree. The same step in parts shows it, each part as long as all those before it.
 bool Orbiter::passes_over_start(const Journey& run) {
   if (!question_.timed) return false;
   const State<dynamic>& start = trip_->start;
@@ -248,8 +247,8 @@ bool Orbiter::passes_over_start(const Journey& run) {
   return (*distance_)(whole, parts, run.ranges) > question_.tolerance;
 }
 
-/// What H(q, t, p) sets in motion may move far more on the way than in its beginning, whose mean of half of
-/// |p q'| is the unit of energy errors: then that of the way up to here is.
+/// If H depends on time, the motion may be far larger later than at its beginning, whose mean of half
+/// of |p q'| is the unit of energy errors. Then the mean up to this mark becomes the unit.
 void Orbiter::look_at_work(std::size_t mark) {
   const double mean = fine_->work / since_start(mark), unit = trip_->energy_scale;
   if (!(mean > unit) || !std::isfinite(mean)) return;
@@ -257,7 +256,7 @@ void Orbiter::look_at_work(std::size_t mark) {
   coarse_->energy_error *= unit / mean, fine_->energy_error *= unit / mean;
 }
 
-/// Another pair, whose steps are as long times a factor. @return true
+/// Asks for another pair of runs, with steps longer by a factor. @return true
 bool Orbiter::again(Setting& setting, double factor) {
   note_trial(*coarse_, infinity);
   if (factor > 0.87) note_trial(*fine_, seen_.error);
@@ -267,9 +266,9 @@ bool Orbiter::again(Setting& setting, double factor) {
   return true;
 }
 
-/// Where runs agree and their energy errors do not fall with the step, that is rounding of H somewhere on the
-/// way, or chance; so it is where the tolerance asks for less than that rounding. What is over ten tolerances
-/// has to be seen to be rounding.
+/// Classifies energy errors of runs that agree. Errors that do not fall with the step are rounding of H
+/// somewhere on the way, or chance; errors are also rounding if the tolerance asks for less than rounding of
+/// H. Those over ten tolerances have to be shown to be rounding.
 Orbiter::Alike Orbiter::alike_energies() {
   const double errs = fine_->energy_error;
   if (!(seen_.error < 1e-7 && fine_->run.steps > Journey::few && errs > energy_left_by_sweeps(*fine_)))
@@ -283,9 +282,9 @@ Orbiter::Alike Orbiter::alike_energies() {
   return features_->bends() ? Alike::rounding : Alike::unexplained;
 }
 
-/// The tolerance is kept at the end, where two runs of few steps may meet by chance: what is not far below it
-/// is believed when a third one, with shorter steps, says so, too. @param factor of the step, with which it
-/// would just be kept @return there is to be a third one
+/// The tolerance is kept at the end. Two runs of few steps may agree by chance, so an error not far below it
+/// is believed only if a third run, with shorter steps, confirms it. @param factor by which the step would
+/// have to change to just keep it @return true if a third run is to be made
 bool Orbiter::confirm(Setting& setting, double error, double factor) {
   constexpr double clear = 0.3;
   constexpr long few = 300;
@@ -295,8 +294,8 @@ bool Orbiter::confirm(Setting& setting, double error, double factor) {
   return again(setting, std::min(factor, 1.0 / 1.2));
 }
 
-/// The tolerance is kept on the way. A longer step pays where enough is left of the run. @param factor of the
-/// step, with which it would just be kept @return the step is to be another one
+/// The tolerance is kept on the way. A longer step pays if enough of the run is left. @param factor by which
+/// the step would have to change to just keep it @return true if the step is changed
 bool Orbiter::lengthen(Setting& setting, std::size_t mark, double factor) {
   const double here = since_start(mark);
   if (resolved_ == 0.0) resolved_ = fine_->h;
@@ -308,7 +307,7 @@ bool Orbiter::lengthen(Setting& setting, std::size_t mark, double factor) {
   }
   const double most = std::min(longest_step(*setting.candidate), stable_step(*setting.candidate));
   const double gain = std::min({0.9 * factor, 2.0, most / (longer * fine_->h)});
-  // A longer one may need Newton's method, which takes many times as long as a sweep.
+  // A longer step may need Newton's method, which takes many times as long as a sweep.
   const bool laborious = !setting.candidate->splits() && fine_->run.evaluations > 14 * steps;
   if (lengthened_ == most_lengthened || mark > 1 || steps < 6 || laborious || !(gain > 1.15) ||
       (1.0 - 1.0 / gain) * (span_ - here) < 2.0 * here)
@@ -318,13 +317,13 @@ bool Orbiter::lengthen(Setting& setting, std::size_t mark, double factor) {
   return again(setting, gain);
 }
 
-/// The tolerance is not kept. A shorter step is tried unless it would be in vain. @param factor of the step,
-/// with which it would just be kept @return the step is to be another one
+/// The tolerance is not kept. Tries a shorter step unless that would be in vain. @param factor by which the
+/// step would have to change to just keep it @return true if the step is changed
 bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& errors, double factor) {
   const bool last = mark + 1 == marks_.size();
   const double error = std::max(errors.of_state, errors.of_energy);
-  // At a point of rest runs may part by what the sweeps left, and the energy may err by that where terms of H
-  // cancel: first the same steps, solved to the last digit.
+  // At a point of rest, runs may part because of what the sweeps left, and where terms of H cancel, that may
+  // be the energy error: first try the same steps, solved to the last digit.
   if ((lost_ || (errors.steady && steady_)) && fine_->solved > least_of_sweeps) {
     unstable_ = true;
     return again(setting, 1.0);
@@ -332,48 +331,48 @@ bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& er
   const double spent = static_cast<double>(budget_.sweeps) * setting.candidate->price();
   const double pair = span_ / since_start(mark) * setting.candidate->price() *
                       static_cast<double>(coarse_->run.evaluations + fine_->run.evaluations);
-  // Errors that rounding decides go up and down, so a pair is in vain that is not better than the best one.
-  // Without a check, what pairs foretell stands for all of the run, and each is compared with the one before.
+  // Errors set by rounding go up and down, so a pair that does not improve on the best one is in vain.
+  // Without a check, a prediction stands for the whole run, and each pair is compared with the one before.
   const bool in_vain = mark <= before_at_ && error > 0.3 * before_;
-  // Beyond a kink errors fall by chance, and slowly: there is no end to shorter steps.
+  // Beyond a kink, errors fall slowly and by chance: steps could be shortened without end.
   const bool endless = features_->bends() && pair > 0.5 * patience * std::max(factor, 0.35);
   if (errors.of_energy < errors.of_state && errors.of_energy <= 3.0) {
-    // Where steps resolve the motion, a third of them has ten million times less error: if that is not
-    // enough, it is chaos, or noise; but not where the step was made longer, as the shorter one is known to
-    // do. What is foretold may be wrong as long as it has not come true.
+    // Once steps resolve the motion, steps a third as long have a ten million times smaller error. If that is
+    // not enough, it is chaos or noise; unless the step was made longer, as the shorter one is known to work.
+    // A prediction may be wrong as long as it has not come true.
     const bool beyond = fine_->h * std::max(factor, 0.35) < resolved_ / 3.0 ||
                         (factor < 0.25 && fine_->h <= 1.05 * resolved_);
-    // Nor is it counted: a mark on the way that foretells less than the one beyond it says nothing of that.
+    // Go on then, and do not count the pair: what a mark on the way predicts says nothing about a later one.
     if (resolved_ > 0.0 && beyond && seen_.error <= question_.tolerance && !last) return false;
     vain_ = in_vain ? vain_ + 1 : 0;
     const bool lost = errors.hidden && last && mark > 0 && !(seen_.error < 1e-3) && !(fine_->h > resolved_);
-    // Energy errors that do not fall with the step, and are as small, are rounding on the way.
+    // Energy errors this small that do not fall with the step are rounding on the way.
     const bool rounds = errors.hidden || (fine_->energy_error > 0.5 * coarse_->energy_error &&
                                           fine_->energy_error < 1e4 * answer_.energy_rounding);
     resigned_ = lost || vain_ > (features_->bends() || thin_ ? 3 : 1) ||
                 (rounds && resolved_ > 0.0 && beyond) || endless || spent > std::max(patience, 3.0 * pair);
   } else {
     vain_ = in_vain ? vain_ + 1 : 0;
-    // A feature that the steps do not see, or not yet resolve, is worth a while, unless they say the same
-    // again. As each pair takes three times as long as the one before, all of them are never over three
-    // pairs.
+    // A feature that the steps do not see, or do not resolve yet, is worth some patience, unless the errors
+    // stay the same. Each pair takes three times as long as the one before, so all pairs never take longer
+    // than three of the last.
     resigned_ = (errors.steady && steady_) || endless || (vain_ > 1 && spent > 0.2 * patience) ||
                 spent > std::max(2.0 * patience, 3.0 * pair);
   }
   steady_ = errors.steady;
   if (resigned_) return !last && take_from_aside(setting, 0.3 * pair);
-  if (mark > 0) lengthened_ = most_lengthened;  // what the first mark promises has not come true
+  if (mark > 0) lengthened_ = most_lengthened;  // the prediction of the first mark was wrong
   before_ = in_vain && question_.options.check ? std::min(before_, error) : error, before_at_ = mark;
-  // Where errors do not fall by the order yet, by halves.
+  // Where errors do not fall by the order yet, halve the step.
   return again(setting, std::max(vain_ > 0 ? std::min(factor, 0.5) : factor, 0.35));
 }
 
-/// Compares the two runs at a mark. @return the step is to be another one
+/// Compares the two runs at a mark. @return true if the step is changed
 bool Orbiter::judge(Setting& setting, std::size_t mark) {
   const bool last = mark + 1 == marks_.size();
   const double here = since_start(mark), tolerance = question_.tolerance;
   look_at_work(mark);
-  // Steps that switches cut are the same in both runs, which then say nothing of each other.
+  // Steps that switches cut are the same in both runs, whose difference then says nothing.
   const bool cut = question_.switches && 4 * coarse_->whole < coarse_->run.steps;
   if (question_.options.h > 0.0) {
     if (cut && last)
@@ -393,7 +392,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     return again(setting, 0.4);
   }
   seen_ = cut ? Comparison() : compare(*coarse_, *fine_);
-  // What the sweeps leave of the energy may decide how long the motion stays near a saddle.
+  // The energy error that the sweeps leave may decide how long the motion stays near a saddle.
   if (!unstable_ && fine_->solved > least_of_sweeps &&
       lag_at_saddles(*fine_, 0.2 * fine_->solved) * high_speed_ > wanted_part * tolerance) {
     unstable_ = true;
@@ -402,7 +401,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   const Alike alike = alike_energies();
   if (alike == Alike::rounding)
     answer_.energy_rounding = std::max(answer_.energy_rounding, 0.01 * fine_->energy_error);
-  // Above the tolerance it may be more than that: then nor does what it makes of the state fall.
+  // Above the tolerance it may be more than rounding; then its effect on the state does not fall either.
   if (alike == Alike::rounding || alike == Alike::harmless)
     coarse_grained_ = coarse_grained_ || fine_->energy_error > 3.0 * tolerance;
   const bool hidden = fine_->energy_error <= 100.0 * answer_.energy_rounding;
@@ -410,7 +409,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   const double of_state = foretold(seen_, here, span_, high_speed_) / tolerance;
   if (mark == 0 && !others_tried_ && try_others(setting)) return true;
   if (resigned_ || round_ >= most_rounds) return false;
-  // No step makes the digits of distant coordinates, or of a distant clock, more.
+  // No step adds digits to distant coordinates, or to a distant clock.
   const double digits =
       std::max(distance_->rounding_of(fine_->state, fine_->ranges), rounding_of_clock(*fine_));
   if (digits > tolerance && seen_.error <= 1e3 * digits) {
@@ -424,8 +423,8 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   return shorten(setting, mark, {of_state, of_energy, hidden, alike == Alike::unexplained}, factor);
 }
 
-/// Where no candidate keeps the tolerance, one whose noise does not either will do, unless it fails.
-/// @param others work of the pair of runs that it has to be cheaper than @return one is taken
+/// Takes a candidate that was set aside for its noise, as no other keeps the tolerance; unless it fails, it
+/// will do. @param others work of a pair of runs, which it has to undercut @return true if one is taken
 bool Orbiter::take_from_aside(Setting& setting, double others) {
   const auto work = [&](Candidate& it) {
     return 2.0 * 10.0 * it.price() * expected_steps(it, first_step(it), span_);
@@ -444,15 +443,15 @@ bool Orbiter::take_from_aside(Setting& setting, double others) {
   return true;
 }
 
-/// Runs the other candidates of the menu to the first mark, where that is a small part of the whole.
-/// @return one of them is taken
+/// Runs the other candidates to the first mark, if that is a small part of the whole. @return true if one of
+/// them is taken
 bool Orbiter::try_others(Setting& setting) {
   others_tried_ = true;
   const double here = since_start(0);
   if (!(span_ > 8.0 * here) || !has_a_choice()) return false;
   const double behind = std::max(seen_.behind, 1e-300);
   const double wanted = wanted_part * question_.tolerance * here / span_ / std::max(high_speed_, 1e-300);
-  // How much longer its steps may be.
+  // Factor by which its steps may become longer.
   const auto gain = [&](const Journey& run, double its_behind) {
     const double most =
         std::min(run.candidate->splits() ? 3.0 : 2.0, stable_step(*run.candidate) / (longer * run.h));
@@ -471,7 +470,7 @@ bool Orbiter::try_others(Setting& setting) {
     const bool same = it.splits() == setting.candidate->splits();
     const double first = same ? radians / it.longest : first_step(it);
     Journey run = begin({&it, std::min({first, longest_step(it), it.below})}, 1.0);
-    // Nothing that takes more can win, however much longer its steps may be made.
+    // A run that takes more cannot win, however much longer its steps may become.
     run.most = 50.0 + (it.splits() ? 2.7 : 1.8) * best / it.price();
     run.advance(marks_[0], false);
     if (!run.ok()) {

@@ -12,63 +12,65 @@
 #include <vector>
 
 /// @file
-/// Two runs with different steps along one orbit, and what they say of its monitor and step.
+/// Two runs with different steps along one orbit, and what they say about its monitor and step.
 
 namespace avi::detail {
 
-/// Runs of fewer steps are not compared: the last step is cut to end in time, and would be the same in both.
+/// Smallest number of steps of runs that are compared: the last step is cut to end on time, and in shorter
+/// runs it would be the same in both.
 inline constexpr int fewest = 3;
-/// Radians over which errors waver by more than they grow.
+/// Phase, in radians, below which errors fluctuate by more than they grow.
 inline constexpr double shortest_growth = 400.0;
-/// Pairs of runs.
+/// Largest number of pairs of runs.
 inline constexpr int most_rounds = 30;
-/// Times that a step is made longer.
+/// Largest number of times that a step is made longer.
 inline constexpr int most_lengthened = 2;
-/// Part of the tolerance for which a step is chosen: what is foretold wavers.
+/// Part of the tolerance that a step is chosen for, as error predictions fluctuate.
 inline constexpr double wanted_part = 0.2;
 /// Largest factor between the errors of two runs that is believed.
 inline constexpr double most_trusted = 20.0;
-/// The step of the run that another one is compared with, over the step of that.
+/// Ratio of the steps of the two runs that are compared.
 inline constexpr double longer = 1.25;
 
-/// Where sweeps end that are to leave rounding alone, see SweepSettings.
+/// Tolerance of sweeps that are to leave only rounding, see SweepSettings.
 inline constexpr double least_of_sweeps = SweepSettings{}.tolerance;
-/// The distance, relative to the ranges, by which residuals of the sweeps move the end of a run: as a drift
-/// of the energy does, with the square of the number of steps. Measured on runs of 30 to 10 000 steps of
-/// order 16, of half a radian to two, whose sweeps end at 1e-6 to 1e-12: a fiftieth to five times as much.
+/// The distance, relative to the ranges, by which residuals of the sweeps move the end of a run. Like the
+/// effect of an energy drift, it grows with the square of the number of steps. Measured on runs of 30 to
+/// 10 000 steps of order 16, of half a radian to two, whose sweeps end at 1e-6 to 1e-12: the actual distance
+/// is a fiftieth to five times as much.
 inline double left_by_sweeps(const Journey& run) {
   const auto steps = static_cast<double>(run.run.steps);
   return (0.5 + 5e-4 * steps * steps) * run.solved;
 }
-/// More than they leave of the energy, over its scale, which does not fall with the step: three times the
-/// most that was seen, an orbit of Kepler's with e = 0.9.
+/// A bound on the energy error that the sweeps leave, over the energy scale; it does not fall with the step.
+/// It is three times the largest error that was seen, on a Kepler orbit with e = 0.9.
 inline double energy_left_by_sweeps(const Journey& run) {
   return (10.0 + 0.1 * static_cast<double>(run.run.steps)) * run.solved;
 }
 
-/// The estimate that two runs give of the error of the finer one. Errors of a phase are larger where the
-/// motion is faster, so how they grow is seen from the time by which one run is behind the other.
+/// Estimate of the error of the finer of two runs. Phase errors look larger where the motion is faster, so
+/// their growth is measured by the time by which one run lags behind the other.
 struct Comparison {
-  double error = infinity;     ///< At the last mark, relative to the ranges.
-  double furthest = infinity;  ///< The largest distance of the two runs at a mark.
-  double behind = infinity;    ///< The largest error divided by the speed there: a time.
-  double growth = 1.0;         ///< Exponent with which that grows in time.
-  double rate = 0.0;           ///< Rate at which it grows exponentially, where it may.
-  bool exponential = false;    ///< It is seen to grow so, faster than by any power of time.
+  double error = infinity;     ///< Error at the last mark, relative to the ranges.
+  double furthest = infinity;  ///< Largest distance between the two runs at a mark.
+  double behind = infinity;    ///< Largest error divided by the speed at its mark: a time lag.
+  double growth = 1.0;         ///< Exponent of the power of time with which the lag grows.
+  double rate = 0.0;           ///< Rate of exponential growth of the lag, if it may grow so; else 0.
+  bool exponential = false;    ///< Whether the lag is seen to grow faster than by any power of time.
 };
 
-/// Errors of the whole run, as two runs foretell them at a mark.
+/// Errors of the whole run, predicted from two runs at a mark.
 struct ErrorsAtMark {
-  double of_state, of_energy;  ///< In tolerances.
-  bool hidden;                 ///< That of the energy is rounding.
-  bool steady;                 ///< Nor does it fall with the step, and nobody knows why.
+  double of_state, of_energy;  ///< Over the tolerance, and over three times that.
+  bool hidden;                 ///< Whether rounding hides the energy error.
+  bool steady;                 ///< Whether the energy error does not fall with the step, for no known reason.
 };
 
-/// An energy error that is more than rounding of H, but where its terms are far larger than it.
+/// Smallest energy error that cannot be rounding of H, unless the terms of H are far larger than H.
 inline constexpr double most_rounding = 1e-6;
 
-/// Nanoseconds, see Candidate::price(), that may be spent in vain: on runs that fail, or that no shorter step
-/// makes better. A tenth of it before a dead end of the orbit.
+/// Time in nanoseconds, as estimated by Candidate::price(), that may be spent in vain: on runs that fail, or
+/// that no shorter step improves. Before a dead end of the orbit, a tenth of it may be spent.
 inline constexpr double patience = 5e8;
 
 /// Monitor, order and step of a pair of runs.
@@ -77,14 +79,16 @@ struct Setting {
   double h = 0.0;                  ///< Fictive step of the finer run.
 };
 
-/// The error of a run with step h is (h / coarse h)^order of the coarse one's. Half of that is trusted, and a
-/// factor of 20 at most: what is below it is rounding, or a feature that neither run resolves.
+/// The factor by which the error of the finer run is taken to be smaller than that of the coarser one. By the
+/// order it would be (coarse h / fine h)^order. Half of that is trusted, and at most a factor of 20: below
+/// that, errors are rounding, or come from a feature that neither run resolves.
 inline double trusted(const Journey& coarse, const Journey& fine) {
   return std::clamp(0.5 * std::pow(coarse.h / fine.h, fine.order), 1.0, most_trusted);
 }
 
-/// An orbit that is asked for. Two runs with different steps go along it side by side, from mark to mark;
-/// where they are too far apart, or nearer than they need be, the step is another one and they begin anew.
+/// The search for monitor, order and step of one orbit. Two runs with different steps follow it side by side,
+/// from mark to mark. If they are too far apart, or closer than they need be, the step is changed and they
+/// begin again.
 class Orbiter {
  public:
   Orbiter(const OrbitQuestion& question, Budget& budget)
@@ -113,7 +117,7 @@ class Orbiter {
   [[nodiscard]] int order_of(const Candidate& it) const { return it.splits() ? 6 : order_; }
   [[nodiscard]] double first_step(const Candidate& it);
   double affordable(Candidate& it, double h);
-  [[nodiscard]] bool has_a_choice() const {  // of candidates that are not aside
+  [[nodiscard]] bool has_a_choice() const {  // of candidates that are not set aside
     return std::ranges::count(menu_, false, &Candidate::aside) > 1;
   }
   [[nodiscard]] double stable_step(const Candidate& it);
@@ -180,45 +184,45 @@ class Orbiter {
   std::optional<NearPasses> passes_;
   std::vector<Candidate> menu_;
   Parts parts_ = Parts::coupled;
-  int order_ = 16;            // of collocation
-  double aim_ = 1e-15;        // error in a radian that is wanted
-  double radians_ = 0.0;      // of the whole
-  double fastest_ = -1.0;     // frequency at the start; negative while nobody has asked
-  double rate_ = -1.0;        // of the slope there, with time alone; likewise
-  double usual_speed_ = 0.0;  // mean over the sketch
-  double high_speed_ = 0.0;   // a speed that the end may have
+  int order_ = 16;            // order of collocation
+  double aim_ = 1e-15;        // wanted error per radian
+  double radians_ = 0.0;      // phase of the whole orbit
+  double fastest_ = -1.0;     // frequency at the start; negative if not known yet
+  double rate_ = -1.0;        // rate at which the slope there changes with time alone; likewise
+  double usual_speed_ = 0.0;  // mean speed over the sketch
+  double high_speed_ = 0.0;   // a speed that the motion may have at the end
   std::vector<double> marks_;
-  std::size_t compared_ = 0;  // marks up to which there are two runs
+  std::size_t compared_ = 0;  // number of marks at which two runs are compared
   std::optional<Journey> coarse_, fine_;
-  std::optional<Journey> furthest_run_;  // of those that failed
-  Setting instead_of_;                   // what a candidate from aside was taken for
+  std::optional<Journey> furthest_run_;  // the failed run that came furthest
+  Setting instead_of_;                   // setting that was replaced by a candidate set aside before
   Comparison seen_;
   std::size_t judged_ = 0;    // mark of that comparison
-  double before_ = infinity;  // the error foretold from the best of the last pairs of runs, and at which mark
+  double before_ = infinity;  // error predicted from the best of the last pairs of runs, and its mark
   std::size_t before_at_ = 0;
-  int vain_ = 0;                          // pairs in a row that were not better than the best one
-  int round_ = 0;                         // pairs of runs so far
-  double failed_at_ = -1.0;               // time at which the last run failed
-  Candidate* failed_with_ = nullptr;      // the candidate of that run
-  double dead_end_ = 0.0;                 // time which a sketch, or two monitors, do not pass, if it is so
-  double furthest_ = 0.0;                 // time at which the last of the failed runs failed
-  double repeated_ = infinity;            // the earliest at which two in a row did
-  double in_the_way_ = 0.0;               // time at which runs fail, whatever the step
-  Outcome bound_ = Outcome::ok;           // of the call, that a run has met
-  double resolved_ = 0.0;                 // the first step that was short enough, as far as the first marks
-  bool confirmed_ = false;                // a third run says what two do, see confirm()
-  bool unstable_ = false;                 // small errors grow by more than an order of magnitude
-  bool coarse_grained_ = false;           // energies err alike whatever the step
-  std::optional<bool> foreign_gradient_;  // H supplies one that is not its own, where that has been asked
-  bool slow_ = false;                     // a step was made shorter for its sweeps
-  bool thin_ = false;                    // a step went over a feature of H, which shorter ones resolve slowly
-  int lengthened_ = 0;                   // times that a step was made longer
-  Candidate* lengthened_for_ = nullptr;  // of this one, last
-  bool others_tried_ = false;            // candidates other than the first one
+  int vain_ = 0;                      // pairs in a row that did not improve on the best one
+  int round_ = 0;                     // pairs of runs so far
+  double failed_at_ = -1.0;           // time at which the last run failed
+  Candidate* failed_with_ = nullptr;  // candidate of that run
+  double dead_end_ = 0.0;             // time that a sketch, or runs with two monitors, cannot pass; 0 if none
+  double furthest_ = 0.0;             // latest time at which a run failed
+  double repeated_ = infinity;        // earliest time at which two runs in a row failed
+  double in_the_way_ = 0.0;           // time at which runs fail with every step; 0 if none
+  Outcome bound_ = Outcome::ok;       // bound of the call that a run has met
+  double resolved_ = 0.0;             // first step that was short enough, as far as the first marks show
+  bool confirmed_ = false;            // a third run was asked to confirm the other two, see confirm()
+  bool unstable_ = false;             // small errors grow by more than an order of magnitude
+  bool coarse_grained_ = false;       // energy errors do not depend on the step
+  std::optional<bool> foreign_gradient_;  // whether H supplies a gradient that is not its own, once checked
+  bool slow_ = false;                     // a step was made shorter because its sweeps converged slowly
+  bool thin_ = false;   // a step passed over a feature of H, which shorter ones resolve slowly
+  int lengthened_ = 0;  // how often a step was made longer
+  Candidate* lengthened_for_ = nullptr;  // candidate whose step was made longer last
+  bool others_tried_ = false;            // candidates other than the first one were tried
   bool resigned_ = false;                // shorter steps do not help
-  bool parted_ = false;  // and the two runs are as far apart as the motion goes: only one goes on
+  bool parted_ = false;  // resigned_, and the two runs are as far apart as the motion goes: only one goes on
   bool lost_ = false;    // the two runs part at a point of rest
-  // The last two runs agreed, and their energy errors, more than rounding, did not fall with the step.
+  // The last two runs agreed, but their energy errors were more than rounding and did not fall with the step.
   bool steady_ = false;
   OrbitAnswer answer_;
 };

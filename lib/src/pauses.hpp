@@ -8,54 +8,57 @@
 #include <vector>
 
 /// @file
-/// Where an orbit all but stops, and for how long.
+/// The pauses of an orbit, in which it all but stops, and their lengths.
 
 namespace avi::detail {
 
-/// The pauses of a run: times at which all changes ten times more slowly than it did, as near a saddle. There
-/// orbits stay the longer the nearer they come, by the logarithm of the distance, so that a small error
-/// decides when they leave, and where to. A pause ends where the speed is three tenths of the largest again.
+/// The pauses of a run: times in which everything changes ten times more slowly than before, as near a
+/// saddle. The nearer an orbit comes to a saddle, the longer it stays, by the logarithm of the distance, so
+/// that a small error decides when it leaves, and where to. A pause ends when the speed is three tenths of
+/// the largest again.
 class Pauses {
  public:
-  /// The end of one. Speeds are over the largest before the pause.
+  /// The end of a pause. Speeds are relative to the largest before the pause.
   struct End {
-    double t;        ///< When.
-    double rate;     ///< At which the speed grew at last.
+    double t;        ///< Time of the end.
+    double rate;     ///< Rate at which the speed grew at the end.
     double step;     ///< Length of the step, in time.
-    double slowest;  ///< Speed in the pause.
-    double fastest;  ///< Speed after it.
-    double length;   ///< Time since it was slowest.
-    double error;    ///< Error of the energy then, over its scale; 0 where rounding of H hides it.
-    /// The speed has grown exponentially, as it does from a saddle; in a fall it grows faster at last.
+    double slowest;  ///< Lowest speed in the pause.
+    double fastest;  ///< Highest speed after it.
+    double length;   ///< Time since the lowest speed.
+    double error;    ///< Energy error at the lowest speed, over its scale; 0 where rounding of H hides it.
+    /// Returns true if the speed has grown exponentially, as it does from a saddle; in a fall it grows faster
+    /// towards the end.
     [[nodiscard]] bool is_at_saddle() const { return rate * length < 2.0 * std::log(1.0 / slowest); }
-    /// Another run, with other steps, sees it too.
+    /// Returns true if another run, with other steps, should see this pause, too.
     [[nodiscard]] bool is_plain() const {
       return slowest < 0.02 && fastest > 0.6 && length > 2.5 * step && is_at_saddle();
     }
-    /// The energy that is left at a saddle, by the square of the speed, is less than its error, or than
-    /// rounding: that decides on which side the orbit leaves, and when.
+    /// Returns true if the energy that is left at a saddle, measured by the square of the speed, is less than
+    /// its error, or than rounding. That error then decides on which side the orbit leaves, and when.
     [[nodiscard]] bool is_undecided() const {
       constexpr double rounding = 10.0 * std::numeric_limits<double>::epsilon();
       return is_at_saddle() && std::max(error, rounding) > 0.2 * slowest * slowest;
     }
-    /// Time in which the speed grew by e, on average.
+    /// Mean time in which the speed grew by a factor e.
     [[nodiscard]] double time() const { return length / std::log(0.3 / slowest); }
-    /// By how much an error of the energy, over its scale, changes the length of a pause at a saddle: the
-    /// part of the energy that is left there is the square of the speed, which is over the largest one and
-    /// not over that of the scale; that makes ten times less of it.
+    /// The change in the length of a pause at a saddle by an error of the energy, over its scale. The part of
+    /// the energy that is left at the saddle is the square of the speed. But speeds are relative to the
+    /// largest one, not to that of the energy scale, which makes the effect ten times smaller.
     [[nodiscard]] double lag(double its_error) const {
       return 0.05 * time() * its_error / (slowest * slowest);
     }
-    /// By how much the times may differ at which two runs see it.
+    /// The largest difference between the times at which two runs may see this pause.
     [[nodiscard]] double doubt() const { return std::max(time(), step); }
   };
 
-  /// @param ranges of the 2n entries of (q, p), as far as they are known before @param seen so many of the
-  /// first coordinates and momenta count
+  /// Begins with no pause. @param ranges those of the 2n entries of (q, p), as far as they are known before
+  /// @param seen number of first coordinates and momenta that count
   explicit Pauses(VectorX ranges, Eigen::Index seen) : ranges_(std::move(ranges)), seen_(seen) {}
 
-  /// A step between two states. @param low,high ranges of the entries of (q, p) so far @param error of the
-  /// energy after it, 0 where rounding of H hides it @param slope called for the slope of (q, p) after it
+  /// Takes in a step between two states. @param low,high ranges of the entries of (q, p) so far @param error
+  /// energy error after it, 0 where rounding of H hides it @param slope called for the slope of (q, p) after
+  /// it
   template <class Slope>
   void add(const State<dynamic>& before, const State<dynamic>& after, const VectorX& low, const VectorX& high,
            double error, Slope&& slope) {
@@ -71,7 +74,7 @@ class Pauses {
       look(n + i, after.p[i] - before.p[i]);
     }
     speed /= step;
-    // What turns by a half in each step comes back to where it was: it is fast at both ends.
+    // A motion that turns by a half in each step comes back to where it was, yet it is fast at both ends.
     if (const double chord = speed; fastest_ > 0.0 && chord < 0.1 * fastest_) {
       const VectorX& now = slope();
       for (Eigen::Index i = 0; i < seen_; ++i)
@@ -109,7 +112,7 @@ class Pauses {
     middle_ = middle;
   }
 
-  /// The time by which errors of the energy make pauses at saddles longer or shorter, all in one sense.
+  /// The time by which energy errors make pauses at saddles longer or shorter, if all act in the same sense.
   /// @param unseen an error that rounding of H may hide
   [[nodiscard]] double lag(double unseen) const {
     double sum = 0.0;
@@ -118,21 +121,22 @@ class Pauses {
     return sum;
   }
 
-  std::vector<End> ends;   ///< In their order.
-  bool undecided = false;  ///< One of them was, see End.
+  std::vector<End> ends;   ///< Ends of the pauses, in order.
+  bool undecided = false;  ///< Whether one of them was undecided, see End.
 
-  static constexpr std::size_t most = 400;  ///< Ends that are kept.
+  static constexpr std::size_t most = 400;  ///< Largest number of ends that are kept.
 
  private:
   VectorX ranges_;
   Eigen::Index seen_;
-  double fastest_ = 0.0, last_ = 0.0, middle_ = 0.0;  // speeds, over the ranges; time of the last one
+  double fastest_ = 0.0, last_ = 0.0, middle_ = 0.0;  // speeds, relative to the ranges; time of the last one
   bool pauses_ = false, was_fast_ = true;
-  double slowest_ = 1.0, since_ = 0.0, error_ = 0.0;  // in the pause; when, and of the energy
+  double slowest_ = 1.0, since_ = 0.0, error_ = 0.0;  // lowest speed in the pause, its time and energy error
 };
 
-/// How far apart in time two runs along one orbit left their pauses, as far as the time `until`, in units of
-/// the time in which a distance grows by e; infinite where one saw a pause that the other did not.
+/// The difference of the times at which two runs along one orbit left their pauses, up to the time `until`,
+/// in units of the time in which a distance grows by a factor e. It is infinite if one run saw a pause that
+/// the other did not.
 inline double parted_by(const Pauses& a, const Pauses& b, double start, double until) {
   double seen = std::abs(until - start), most = 0.0;
   for (const Pauses* run : {&a, &b})

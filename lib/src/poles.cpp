@@ -11,10 +11,10 @@ namespace avi::detail {
 
 namespace {
 
-// Of a logarithm, beside sums: smaller than any power that has a meaning.
+// Power of a logarithm, for use in sums: smaller than any power that has a meaning.
 constexpr double nearly_none = 1e-9;
 
-/// f(a) vanishes as a does.
+/// Returns true if f(a) vanishes as a does.
 bool vanishes_with(Operation operation) {
   switch (operation) {
     using enum Operation;
@@ -39,7 +39,7 @@ bool vanishes_with(Operation operation) {
 }  // namespace
 
 int Poles::Pole::steepness() const {
-  // Steeper ones gain nothing: the steps that they save elsewhere are those that take the most sweeps.
+  // Steeper ones gain nothing: the steps that they save elsewhere are the ones that take the most sweeps.
   return static_cast<int>(std::min(std::round(-power * degree), 6.0));
 }
 
@@ -67,8 +67,8 @@ Poles::Poles(const ExpressionGraph& graph, int energy)
   if (poles_.size() > most) poles_.clear();
 }
 
-/// Takes in what a node is a product of powers of, where it depends on coordinates alone.
-/// @param seen nodes that have been looked at, as divisors and as what divides these
+/// Takes in the factors of a node, a product of powers, that depend on coordinates alone. @param seen nodes
+/// that have been looked at, as divisors, and as what divides these
 void Poles::divisors(int node, std::array<std::vector<char>, 2>& seen) {
   std::vector<std::pair<int, bool>> open{{node, true}};
   while (!open.empty() && poles_.size() <= most) {
@@ -89,7 +89,7 @@ void Poles::divisors(int node, std::array<std::vector<char>, 2>& seen) {
     case divide:
       open.emplace_back(what.a, divides);
       break;
-    case exp:  // never vanish
+    case exp:  // these never vanish
     case cosh:
       break;
     default:
@@ -98,8 +98,8 @@ void Poles::divisors(int node, std::array<std::vector<char>, 2>& seen) {
   }
 }
 
-/// The power of something in each node from one on, by the rules for products and powers.
-/// @param otherwise of another operation, from the powers in its arguments
+/// Sets the power of a quantity in each node from `from` on, by the rules for products and powers.
+/// @param otherwise gives the power for other operations, from the powers in their arguments
 void Poles::follow(std::vector<double>& powers, std::size_t from,
                    double (*otherwise)(Operation, double, double)) const {
   for (std::size_t i = from; i < powers.size(); ++i) {
@@ -126,7 +126,7 @@ void Poles::follow(std::vector<double>& powers, std::size_t from,
   }
 }
 
-/// The power of u in a node as u vanishes.
+/// The power of u in a node, as u vanishes.
 double Poles::power_in(int node, int base) const {
   std::vector<double> powers(static_cast<std::size_t>(node) + 1, 0.0);
   powers[base] = 1.0;
@@ -140,7 +140,7 @@ double Poles::power_in(int node, int base) const {
   return powers[node];
 }
 
-/// The degree of a node in the coordinates, where constants count as 0 beside others.
+/// The degree of a node in the coordinates; in a sum with other terms, constants count as degree 0.
 double Poles::degree(int node) const {
   std::vector<double> degrees;
   for (int i = 0; i <= node; ++i)

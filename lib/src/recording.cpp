@@ -22,7 +22,8 @@ Recorded Recorded::through(Operation operation) const {
 }
 
 Recorded Recorded::combine(Operation operation, const Recorded& a, const Recorded& b) {
-  // That of b, so that a graph which is gone is not looked into before it is told from another one.
+  // The graph of b is used, so that a graph of a which no longer exists is told from it without being looked
+  // into.
   ExpressionGraph* graph = b.graph_ ? b.graph_ : a.graph_;
   if (!graph) return detail::evaluate(operation, a.number_, b.number_);
   const int left = a.node_in(*graph), right = b.node_in(*graph);

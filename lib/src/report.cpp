@@ -8,12 +8,12 @@ namespace avi {
 std::string SolutionReport::report() const {
   std::ostringstream text;
   text.precision(3);
-  // What came of it, and of what was promised.
+  // The result, and whether it keeps what was promised.
   if (!ok())
     text << run.message << "\nNothing is promised of the state: the run did not come to its end.\n";
   else if (run.steps == 0)
     return "Kept: the end is the start, and no step was made.\n";
-  else if (!kept() && std::isfinite(energy_error) && state_error == energy_error)  // in place of its own
+  else if (!kept() && std::isfinite(energy_error) && state_error == energy_error)  // which is the larger
     text << "Not kept: the energy errs by more than ten tolerances, so no more is promised of the end; "
          << "the tolerance is " << tolerance << ".\n";
   else if (std::isfinite(state_error))
@@ -36,7 +36,7 @@ std::string SolutionReport::report() const {
     text << "  " << trial.monitor << ", order " << trial.order << ": h = " << trial.h << " for " << trial.time
          << ", " << trial.steps << " steps, " << trial.sweeps
          << (trial.monitor == "splitting" ? " kicks" : " sweeps");
-    // Of the longer step of two nothing is known.
+    // The error of the run with the longer step of two is not known.
     if (std::isfinite(trial.state_error)) text << ", error " << trial.state_error;
     text << ", " << name(trial.outcome) << "\n";
   }

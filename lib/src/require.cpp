@@ -18,7 +18,7 @@ void Piece::add_to(std::string& text) const {
   case real: {
     double read = std::nan("");
     for (int precision = 15; precision <= 17 && read != real_; ++precision) {
-      // Without its sign, where it is none.
+      // A nan is written without its sign.
       end = std::to_chars(digits, std::end(digits), std::isnan(real_) ? std::abs(real_) : real_,
                           std::chars_format::general, precision)
                 .ptr;

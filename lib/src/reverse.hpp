@@ -11,17 +11,17 @@
 
 namespace avi::detail {
 
-/// Writes the gradient of a node into its graph. With \f$\bar z = \partial f/\partial z\f$ for each
+/// The gradient of a node, written into its graph. With \f$\bar z = \partial f/\partial z\f$ for each
 /// intermediate result z, \f$\bar z = \sum_u \bar u\,\partial u/\partial z\f$ over the operations u that use
 /// z (Griewank and Walther 2008, Section 3.2): one sum for each z over its uses, so all derivatives together
-/// cost a small multiple of f. What a choice passes on to the side that is not taken is left out as a whole,
-/// so that a slope which is infinite or NaN there does no harm.
+/// cost a small multiple of f. What would be passed on to the side of a choice that is not taken is left out
+/// altogether, so that an infinite or NaN slope there does no harm.
 class Reverse {
  public:
-  /// For nodes of `graph`, which grows.
+  /// Takes a graph, which grows by the gradient.
   explicit Reverse(ExpressionGraph& graph) : graph_(graph) {}
 
-  /// The nodes of df/d(input i) for i = 0, 1, ... @param inner an intermediate result that is taken for a
+  /// The nodes of df/d(input i) for i = 0, 1, ... @param inner an intermediate result that is treated as a
   /// constant; the node of df/d(inner) then comes last
   std::vector<int> gradient(int f, int inner = -1) {
     uses_.assign(static_cast<std::size_t>(f) + 1, {});
@@ -54,10 +54,10 @@ class Reverse {
   struct Contribution {
     double number;
     int node, condition;
-    int next = -1;  // of the same node, in the order in which they came; or of those that are free
+    int next = -1;  // the next one of the same node, in the order in which they came; or the next free one
   };
   struct Uses {
-    int first = -1, last = -1;  // of parts_
+    int first = -1, last = -1;  // numbers of parts_
   };
 
   [[nodiscard]] Factor factor(int node) { return {graph_, node}; }
@@ -71,7 +71,7 @@ class Reverse {
   }
   Factor factor(const Contribution& a) { return {graph_, a.number, a.node}; }
 
-  /// Whether one at least of the conditions of these parts holds.
+  /// Returns the node that tells whether at least one of the conditions of these parts holds.
   int any_condition(int first) {
     const int one = graph_.constant(1.0);
     int none = -1;
@@ -82,7 +82,7 @@ class Reverse {
     return graph_.binary(Operation::subtract, one, none);
   }
 
-  /// The sum of these parts.
+  /// Returns the sum of these parts.
   Term sum_of(int first) {
     const int condition = parts_[first].condition;
     if (parts_[first].next < 0) return {.bar = factor(parts_[first]), .condition = condition};
@@ -92,10 +92,10 @@ class Reverse {
       conditional = conditional && parts_[i].condition >= 0;
     }
     const int common = alike ? condition : conditional ? any_condition(first) : -1;
-    double scale = 0.0;  // of the first part that is not a number
+    double scale = 0.0;  // number of the first part that has a node
     double numbers = 0.0;
     int sum = -1;
-    // What is added is a part of the scale, unless one of the two is nothing beside the other.
+    // A part is added as a multiple of the scale, unless their ratio is beyond the range of numbers.
     const auto in_scale = [&](double number) {
       if (!std::isnormal(number / scale)) sum = Factor(graph_, std::exchange(scale, 1.0), sum).in(graph_);
       return number / scale;
@@ -124,12 +124,13 @@ class Reverse {
     }
     return {.bar = {graph_, scale, sum}, .condition = common};
   }
-  /// All that was passed on to a node.
+  /// Returns all that was passed on to a node, and frees its parts.
   Term total(int node) {
     const Uses uses = uses_[node];
     Term all = sum_of(uses.first);
     parts_[uses.last].next = std::exchange(free_, uses.first);
-    // What is passed on to two operands is multiplied by its factor once, here, unless that is a power of 2.
+    // A sum passes its factor on to two operands, so the factor is multiplied in once, here, unless it is a
+    // power of 2.
     const Operation use = graph_[node].operation;
     int exponent = 0;
     if ((use == Operation::add || use == Operation::subtract) && all.bar.node >= 0 && all.bar.number != 1.0 &&
@@ -153,7 +154,7 @@ class Reverse {
     parts_[place] = {.number = part.bar.number, .node = part.bar.node, .condition = part.condition};
   }
 
-  /// Passes bar on to the operands of a node, times the derivatives of its operation.
+  /// Passes `bar` on to the operands of a node, times the derivatives of its operation.
   void pass_on(int node, const ExpressionGraph::Node& what, const Term& bar) {
     const int a = what.a, b = what.b;
     const auto times = [&](const Factor& slope) {
@@ -210,7 +211,7 @@ class Reverse {
       AVI_FUNCTIONS(AVI_ONE, AVI_TWO)
 #undef AVI_ONE
 #undef AVI_TWO
-    case Operation::sign:  // these are constant but for jumps
+    case Operation::sign:  // these are constant except for jumps
     case Operation::less:
     case Operation::less_equal:
       break;
@@ -227,9 +228,9 @@ class Reverse {
   /// @endcond
 
   ExpressionGraph& graph_;
-  std::vector<Uses> uses_;  // of each node
+  std::vector<Uses> uses_;  // uses of each node
   std::vector<Contribution> parts_;
-  int free_ = -1;  // the first of the parts that serve no more
+  int free_ = -1;  // the first of the free parts
 };
 
 }  // namespace avi::detail

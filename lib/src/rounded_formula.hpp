@@ -9,19 +9,19 @@
 #include <vector>
 
 /// @file
-/// The errors of rounding in the value of a formula.
+/// Rounding errors in the value of a formula.
 
 namespace avi::detail {
 
-/// A formula, to be evaluated with its errors of rounding.
+/// A formula that is evaluated together with its rounding errors.
 class RoundedFormula {
  public:
-  /// @param graph is kept by reference
+  /// Takes a node of a graph. @param graph kept by reference
   RoundedFormula(const ExpressionGraph& graph, int node) : graph_(graph), node_(node) {}
 
-  /// An estimate of the rounding error at x: every argument and every result on the way is moved by half a
-  /// unit of its last digit, up or down as drawn, four times; the largest change counts. To first order, so
-  /// that no jump is taken for rounding.
+  /// An estimate of the rounding error at x. Every argument and every intermediate result is changed by half
+  /// a unit of its last digit, up or down at random, in four draws; the largest change of the value counts.
+  /// The changes are of first order, so that no jump is taken for rounding.
   [[nodiscard]] double rounding(const VectorX& x) {
     constexpr int draws = 4;
     double most = 0.0;
@@ -32,8 +32,8 @@ class RoundedFormula {
     return 0.5 * std::numeric_limits<double>::epsilon() * most;
   }
 
-  /// The value at x, rounded once: that of doubles less the errors of rounding on the way, which are known,
-  /// to first order. Where terms cancel, as near a pole, it has digits that doubles have lost.
+  /// The value at x, rounded only once: the value in doubles, less its rounding errors on the way, which are
+  /// known, to first order. Where terms cancel, as near a pole, it has digits that doubles have lost.
   [[nodiscard]] double rounded_once(const std::vector<double>& x) {
     move(x, [&](int node) { return error_of(node); });
     const double value = values_.back().value, error = values_.back().partial(0);
@@ -43,12 +43,12 @@ class RoundedFormula {
  private:
   using Moved = Partials<double, 1>;
 
-  /// Evaluates the formula at x; what `by` says of a node that has just been evaluated is added to the first
-  /// order of it.
+  /// Evaluates the formula at x, to first order. @param by the change of a node that has just been evaluated,
+  /// which is added to its part of first order
   template <class Numbers, class By>
   void move(const Numbers& x, By&& by) {
     values_.clear();
-    values_.reserve(static_cast<std::size_t>(node_) + 1);  // at once, not by each node
+    values_.reserve(static_cast<std::size_t>(node_) + 1);  // once, not at each node
     while (static_cast<int>(values_.size()) <= node_) {
       const int node = static_cast<int>(values_.size());
       if (node < graph_.inputs())
@@ -60,8 +60,8 @@ class RoundedFormula {
       last = Moved::variable(last.value, 0, last.partial(0) + own);
     }
   }
-  /// The part of the result of a node that rounding took: of arithmetic and roots to the last bit or nearly
-  /// so (Knuth 1969, Dekker 1971), of all else to the digits of a long double.
+  /// What rounding took from the result of a node: for arithmetic and roots, to the last bit or nearly so
+  /// (Knuth 1969, Dekker 1971); for all else, to the digits of a long double.
   [[nodiscard]] double error_of(int node) const {
     const ExpressionGraph::Node& what = graph_[node];
     if (node < graph_.inputs() || what.operation == Operation::constant) return 0.0;

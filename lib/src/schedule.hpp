@@ -12,18 +12,18 @@
 #include <vector>
 
 /// @file
-/// From a graph to a program: in which order, and where results live.
+/// From a graph to a program: the order of operations, and the slots of results.
 
 namespace avi::detail {
 
-/// Makes a Program of the nodes that chosen results need. Each operation comes as soon as its operands are
-/// known, so that derivatives follow what they are derivatives of. Within a window of lines, operations of
-/// one kind are brought together: there are few changes of kind, and results are used soon after they are
-/// computed.
+/// The order in which a Program computes the nodes that chosen results need. Each operation comes as soon as
+/// its operands are known, so that derivatives follow what they are derivatives of. Within a window of lines,
+/// operations of one kind are brought together: the kind changes rarely, and results are used soon after they
+/// are computed.
 class Schedule {
  public:
-  /// @param value node of the value, or -1 @param slopes nodes of the derivatives @param recorded nodes
-  /// before this one are in the order in which the function wrote them
+  /// Makes a program. @param value node of the value, or -1 @param slopes nodes of the derivatives
+  /// @param recorded nodes before this one are in the order in which the function wrote them
   static Program program(const ExpressionGraph& graph, int value, const std::vector<int>& slopes,
                          int recorded) {
     std::vector<int> results;
@@ -70,14 +70,14 @@ class Schedule {
     int size_ = 0;
   };
 
-  /// A line of the window.
+  /// A line in the window.
   struct Waiting {
     int kind;
     int missing;  // operands from the window that are not computed yet
     int users;    // the first use of its result, or -1
     int next;     // the next line of its kind that is ready, or -1
   };
-  /// An operand from the window.
+  /// A use of a result of the window as an operand.
   struct Use {
     int line, next;  // the next use of the same result, or -1
   };
@@ -86,7 +86,8 @@ class Schedule {
     int first = -1, last = -1, size = 0;
   };
 
-  /// Within each window: all lines that are ready and of the most frequent kind, until none is left.
+  /// Sets the order. Within each window, it takes all ready lines of the most frequent kind, until none is
+  /// left.
   void group() {
     const std::vector<Line>& lines = fusion_.lines();
     const Kinds kind(lines);
@@ -172,7 +173,7 @@ class Schedule {
       }
       for (const int operand : of)
         if (Operand& it = fusion_[operand]; it.uses == 0 && it.line >= 0) {
-          it.uses = -1;  // once, though it may be read twice here
+          it.uses = -1;  // free it once, though it may be read twice here
           free.push_back(it.slot);
         }
       Operand& result = fusion_[line.result];

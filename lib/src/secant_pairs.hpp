@@ -11,18 +11,18 @@ namespace avi {
 
 /// The last m pairs of displacement s and change of gradient y, and the inverse Hessian H that the BFGS
 /// formula builds from them, starting with \f$\gamma W\f$, \f$\gamma = s\cdot y/(y\cdot W y)\f$ of the newest
-/// pair. W is I or the inverse of a mass for every entry (DiagonalMass), whichever foretold the last m pairs
-/// better: that is asked with every m-th pair, if m is at least 5. H is never formed.
+/// pair. W is I or the inverse of a mass for every entry (DiagonalMass), whichever predicted the last m pairs
+/// better; that is decided at every m-th pair, if m is at least 5. H is never formed.
 ///
-/// H g is a combination of the s, and W times one of g and the y. The coefficients follow from products
-/// alone: those of g with every s and W y (multiply(), one pass over the pairs), and those of the pairs with
-/// each other, which are differences of such products, as y is a difference of gradients. So the two loops
-/// (Nocedal 1980) run on 2 m numbers instead of on vectors, and direction() takes one pass more: 4 m numbers
-/// are read for each entry where loops over vectors read or write 8 m (Byrd, Nocedal and Schnabel 1994; Chen,
-/// Wang and Zhou 2014).
+/// H g is a combination of the s, plus W times a combination of g and the y. The coefficients follow from
+/// products alone: those of g with every s and W y (multiply(), one pass over the pairs), and those of the
+/// pairs with each other, which are differences of such products, as y is a difference of gradients. So the
+/// two loops (Nocedal 1980) run on 2 m numbers instead of on vectors, and direction() takes one pass more:
+/// 4 m numbers are read for each entry, where loops over vectors read or write 8 m (Byrd, Nocedal and
+/// Schnabel 1994; Chen, Wang and Zhou 2014).
 class SecantPairs {
  public:
-  /// Room for m pairs of size n.
+  /// Makes room for m pairs of size n.
   SecantPairs(int m, Eigen::Index n)
       : n_(n), m_(m), pairs_(m), sy_(m * m), yy_(sy_), weights_(m), u_(m), mass_(m >= lesson ? n : 0),
         ones_(std::min(block, n), 1.0) {
@@ -32,26 +32,26 @@ class SecantPairs {
     }
   }
 
-  [[nodiscard]] int size() const { return stored_; }         ///< Pairs held.
-  [[nodiscard]] bool weighted() const { return weighted_; }  ///< W is not I.
+  [[nodiscard]] int size() const { return stored_; }         ///< Number of pairs held.
+  [[nodiscard]] bool weighted() const { return weighted_; }  ///< Whether W is not I.
 
   [[nodiscard]] const double* inverse_masses() const { return mass_.inverse(); }  ///< W, where weighted().
 
-  /// H = I again.
+  /// Resets H to I.
   void clear() {
     stored_ = next_ = unlearned_ = 0;
     weighted_ = false;
     mass_.forget();
   }
 
-  /// Numbers that multiply() writes.
+  /// Count of the numbers that multiply() writes.
   [[nodiscard]] Eigen::Index products() const { return 2 * m_; }
 
   /// Memory for the coming pair, which becomes the newest with commit().
   [[nodiscard]] double* next_s() { return pairs_[next_].s.data(); }
-  [[nodiscard]] double* next_y() { return pairs_[next_].y.data(); }  ///< Likewise for y.
+  [[nodiscard]] double* next_y() { return pairs_[next_].y.data(); }  ///< Memory for y, likewise.
 
-  /// The products of g with every s, then with every W y.
+  /// Computes the products of g with every s, then with every W y.
   void multiply(const double* g, double* products) const {
     std::fill_n(products, 2 * m_, 0.0);
     for (Eigen::Index from = 0; from < n_; from += block) {
@@ -118,12 +118,13 @@ class SecantPairs {
     gamma_ = sy / yy;
   }
 
-  /// The same where what was written is no pair; it may have taken the place of the oldest.
+  /// Discards what was written, which is no pair; it may have taken the place of the oldest.
   void discard() { pairs_[next_].rho = 0.0; }
 
-  /// d = -H g, with the products of g. Returns d.g and |d|^2.
+  /// Sets d = -H g, by the products of g. Returns d.g and |d|^2.
   std::array<double, 2> direction(const double* g, const double* products, double* d) {
-    // the two loops, each entry of a triangular system in turn: what the next one waits for is one product
+    // the two loops, as triangular systems that are solved entry by entry: an entry waits for only one
+    // product of the one before
     const int last = older(next_), first = stored_ < m_ ? 0 : next_;
     for (int i = last, left = stored_; left > 0; --left, i = older(i)) {
       double u = products[i];
@@ -182,12 +183,12 @@ class SecantPairs {
   static constexpr Eigen::Index block = 4096;
   static constexpr int lesson = 5;  ///< Fewer pairs say too little about masses.
 
-  /// W from an index on, for one block.
+  /// Diagonal of W from an index on, for one block.
   [[nodiscard]] const double* weights(Eigen::Index from) const {
     return weighted_ ? mass_.inverse() + from : ones_.data();
   }
 
-  /// Takes the pairs since the last time to the masses and chooses W. True where W is another than it was:
+  /// Gives the pairs since the last time to the masses, and chooses W. Returns true if W may have changed:
   /// then the products of all pairs are those with the new one.
   bool learn() {
     const bool before = weighted_;
@@ -210,16 +211,16 @@ class SecantPairs {
   [[nodiscard]] int newer(int i) const { return i + 1 == m_ ? 0 : i + 1; }
 
   Eigen::Index n_;
-  int m_;  ///< Pairs at most.
+  int m_;  ///< Largest number of pairs.
   std::vector<Pair> pairs_;
   std::vector<double> sy_;       ///< Column i: s_j . y_i for every j that is not newer than i.
   std::vector<double> yy_;       ///< Column i: y_j . y_i.
   std::vector<double> weights_;  ///< Coefficients of the first loop.
   std::vector<double> u_;        ///< Coefficients of the second loop.
-  DiagonalMass mass_;            ///< A mass for every entry.
-  std::vector<double> ones_;     ///< W = I, one block of it.
-  bool weighted_ = false;        ///< W is the inverse of the masses.
-  int unlearned_ = 0;            ///< Pairs that the masses do not know.
+  DiagonalMass mass_;            ///< Masses of all entries.
+  std::vector<double> ones_;     ///< Diagonal of W = I, one block of it.
+  bool weighted_ = false;        ///< Whether W is the inverse of the masses.
+  int unlearned_ = 0;            ///< Number of pairs that the masses have not learned.
   double gamma_ = 1.0;
   int next_ = 0, stored_ = 0;
 };

@@ -6,15 +6,15 @@
 #include <vector>
 
 /// @file
-/// How positions and momenta meet in a Hamiltonian, read from the graph.
+/// How positions and momenta are coupled in a Hamiltonian, read from the graph.
 
 namespace avi::detail {
 
-/// The arguments that a node depends on: coordinates but the last one, that one, which may be time, and
-/// momenta.
+/// The kinds of arguments that a node depends on: all coordinates but the last one; the last one, which may
+/// be time; momenta.
 enum Dependence : unsigned char { on_q = 1, on_last = 2, on_p = 4 };
 
-/// For each node of a graph of (q, p) up to this one, what it depends on, as it is written.
+/// Returns what each node of a graph of (q, p) up to this one depends on, as its formula is written.
 inline std::vector<unsigned char> dependences(const ExpressionGraph& graph, int node) {
   const int n = graph.inputs() / 2;
   std::vector<unsigned char> on(static_cast<std::size_t>(node) + 1, 0);
@@ -27,20 +27,20 @@ inline std::vector<unsigned char> dependences(const ExpressionGraph& graph, int 
   return on;
 }
 
-/// The parts that H is made of.
+/// The structure of H, by the parts of which it is a sum.
 enum class Parts {
   coupled,   ///< Some force depends on p, or some velocity on q.
   separate,  ///< H = T(p) + V(q).
   nystrom    ///< The same with T of degree 2 at most: velocities are linear in p.
 };
 
-/// The parts that H is made of, as it is written: q - q + p depends on q.
-/// @param recording of H as a function of (q, p), with its gradient
+/// The structure of H, as its formula is written: q - q + p depends on q. @param recording recording of H as
+/// a function of (q, p), with its gradient
 inline Parts parts_of(const Recording& recording) {
   const ExpressionGraph& graph = recording.graph();
   const int n = graph.inputs() / 2;
   const std::vector<unsigned char> on = dependences(graph, graph.size() - 1);
-  std::vector<int> degree(on.size(), 0);  // in p; 2 stands for any that is not 0 or 1
+  std::vector<int> degree(on.size(), 0);  // degree in p; 2 stands for all but 0 and 1
   for (int i = 0; i < graph.size(); ++i) {
     const auto& [operation, a, b, number] = graph[i];
     if (operation == Operation::constant) continue;

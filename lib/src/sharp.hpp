@@ -13,21 +13,22 @@
 #include <vector>
 
 /// @file
-/// Features of H that a step may jump over: walls and bells thinner than the way from stage to stage.
+/// Features of H that a step may jump over: walls and bells thinner than the way between two stages.
 
 namespace avi::detail {
 
-/// The arguments of all functions in H that change within a narrow range of their argument only: exp, tanh,
-/// cosh, erf and the like, and what the conditions of its branches compare. The arguments are smooth on the
-/// way where the functions are not, so that a peak or a passage through zero between two points can be found
-/// from them.
+/// The arguments of all functions in H that change only within a narrow range of their argument, such as exp,
+/// tanh, cosh and erf, and the quantities that the conditions of its branches compare. Along the orbit, the
+/// arguments are smooth where the functions are not, so they show a peak or a passage through zero that lies
+/// between two points.
 class SharpFeatures {
  public:
-  /// Whether something is felt at a state inside the last step, which the energy of the step does not show.
+  /// A function that tells whether, at a state inside the last step, something is felt that the energy of the
+  /// step does not show.
   using Felt = std::function<bool(const State<dynamic>&)>;
 
-  /// Takes H as a node of a graph. @param sketch of the orbit, where it begins
-  /// @param timed the last coordinate is time: at what depends on it alone steps end, see Switches
+  /// Takes H as a node of a graph. @param sketch of the beginning of the orbit @param timed whether the last
+  /// coordinate is time; steps end at features that depend on time alone, see Switches
   SharpFeatures(const ExpressionGraph& graph, int energy, const Sketch& sketch, bool timed = false)
       : n_(graph.inputs() / 2) {
     const std::vector<char> part = graph.parts(energy);
@@ -60,15 +61,15 @@ class SharpFeatures {
     }
   }
 
-  /// H has no such function.
+  /// Returns true if H has no such function.
   [[nodiscard]] bool none() const { return arguments_.empty(); }
-  /// H has a kink or a branch, where errors of a step do not fall by its order.
+  /// Returns true if H has a kink or a branch, where errors of a step do not fall by its order.
   [[nodiscard]] bool bends() const { return bends_; }
-  /// H is no polynomial in q: there may be something where nothing is felt of it elsewhere.
+  /// Returns true if H is no polynomial in q: then there may be a feature that is felt nowhere else.
   [[nodiscard]] bool hides() const { return hides_; }
 
-  /// Some feature lies inside the last step of `method`, between points that do not show it; that of a
-  /// condition where it is felt, too.
+  /// Returns true if a feature lies inside the last step of `method`, between points that do not show it. A
+  /// feature of a condition has to be felt, too.
   bool jumped(OrbitSteps& method, const State<dynamic>& before, const State<dynamic>& after,
               const Felt& felt) {
     if (none()) return false;
@@ -95,14 +96,15 @@ class SharpFeatures {
       if (!(*most - *least > wide)) continue;
       if (argument.kind == Kind::peak) {
         const auto k = static_cast<int>(most - at.begin());
-        // From e^-40 on it may be felt. A smooth top lies hardly further above three points than they differ.
+        // A peak may be felt from e^-40 on. A smooth maximum lies hardly further above three points than they
+        // differ.
         const int first = std::clamp(k - 1, 0, parts - 2);
         const double low = std::min({at[first], at[first + 1], at[first + 2]});
         if (*most + 2.0 * (*most - low) < -40.0) continue;
         const double place = highest(method, i, 1.0, std::max(k - 1, 0) / static_cast<double>(parts),
                                      std::min(k + 1, parts) / static_cast<double>(parts));
         const double top = on(method, i, place);
-        // Stages an eighth of a step away would have to see something of it.
+        // Stages an eighth of a step away should see something of it.
         for (const double side : {std::max(place - 0.125, 0.0), std::min(place + 0.125, 1.0)})
           if (top > -40.0 && top - on(method, i, side) > 12.0) return true;
       } else {
@@ -114,40 +116,41 @@ class SharpFeatures {
   }
 
  private:
-  static constexpr double wide = 30.0;  // a change of the argument that a step may not make unseen
-  static constexpr int parts = 4;       // of a step, at whose ends arguments are looked at
+  static constexpr double wide = 30.0;  // a change of an argument that a step must not make unseen
+  static constexpr int parts = 4;       // number of parts of a step, at whose ends arguments are evaluated
   enum class Kind { peak, passage, condition };
   struct Argument {
     Kind kind;
-    int node;                                 // number of its node, or of the first of two, in the formula
-    double low = infinity, high = -infinity;  // on the sketch and after all steps
-    std::array<double, parts + 1> at{};       // in the step under way
+    int node;                                 // number of its node in the formula, or of the first of two
+    double low = infinity, high = -infinity;  // extremes on the sketch and after all steps so far
+    std::array<double, parts + 1> at{};       // values in the current step
 
-    // So far by so much that a step might hide a change that is wide.
+    // Whether it has moved so far that a step might hide a wide change.
     [[nodiscard]] bool moves() const {
       return kind == Kind::condition ? high > low : !(high - low <= wide / 3.0);
     }
   };
 
   void run(const State<dynamic>& z) { formula_->run(z.q.data(), z.p.data(), n_); }
+  /// Evaluates all arguments at a part of the last step.
   void run(OrbitSteps& method, double place) {
     double t = 0.0;
     inside_.resize(2 * n_);
     method.roughly(place, inside_, t);
     formula_->run(inside_.data(), inside_.data() + n_, n_);
   }
-  /// Argument i, at the last point.
+  /// Value of argument i at the last point.
   [[nodiscard]] double value(std::size_t i) const {
     const Argument& argument = arguments_[i];
     const double first = formula_->partial(argument.node);
     return argument.kind == Kind::condition ? first - formula_->partial(argument.node + 1) : first;
   }
-  /// The same at a part of the last step.
+  /// Value of argument i at a part of the last step.
   double on(OrbitSteps& method, std::size_t i, double place) {
     run(method, place);
     return value(i);
   }
-  /// Takes in the arguments at the last point. @return one of them moves
+  /// Takes in the arguments at the last point. @return true if one of them moves
   bool take_in() {
     bool any = false;
     for (std::size_t i = 0; i < arguments_.size(); ++i) {
@@ -158,8 +161,8 @@ class SharpFeatures {
     return any;
   }
 
-  /// Between the zeros of two conditions is a part of the step that stages may not see, and that is felt: as
-  /// a push that begins by one of them and ends by the other.
+  /// Returns true if something is felt between the zeros of two conditions, in a part of the step that stages
+  /// may not see, as a push that begins with one of them and ends with the other.
   bool has_narrow_gap(OrbitSteps& method, const Felt& felt) {
     zeros_.clear();
     for (std::size_t i = 0; i < arguments_.size(); ++i) {
@@ -175,7 +178,7 @@ class SharpFeatures {
         return true;
     return false;
   }
-  /// Where condition i changes its sign between the points k and k + 1.
+  /// The part of the step, between the points k and k + 1, at which condition i changes its sign.
   double zero(OrbitSteps& method, std::size_t i, int k) {
     const double sense = -std::copysign(1.0, arguments_[i].at[k]), width = 1.0 / parts;
     return bracketed_root([&](double place) { return sense * on(method, i, place); }, k * width,
@@ -183,14 +186,15 @@ class SharpFeatures {
         .x;
   }
 
-  /// A condition is another one for a part of the step that stages may not see, and that is felt.
+  /// Returns true if a condition changes over a part of the step that stages may not see, and that is felt.
   bool flips(OrbitSteps& method, std::size_t i, const Felt& felt) {
     const Argument& argument = arguments_[i];
-    double fastest = 0.0;  // from point to point: what is farther from zero does not get there between two
+    double fastest = 0.0;  // between two points: what is farther from zero does not get there between them
     for (int k = 0; k < parts; ++k)
       fastest = std::max(fastest, std::abs(argument.at[k + 1] - argument.at[k]));
     for (const double sense : {1.0, -1.0}) {
-      // Where it is most on one side of zero, and an eighth of a step before and behind it on the other.
+      // Look where it is furthest on one side of zero: an eighth of a step before and after, it has to be on
+      // the other side.
       const auto most = std::ranges::max_element(argument.at, {}, [&](double x) { return sense * x; });
       const auto k = static_cast<int>(most - argument.at.begin());
       const int left = std::max(k - 1, 0), right = std::min(k + 1, parts);
@@ -211,7 +215,7 @@ class SharpFeatures {
     return false;
   }
 
-  /// Where it, times `sense`, is largest in a part of the step, by golden section.
+  /// The place where an argument, times `sense`, is largest in a part of the step, by golden section.
   double highest(OrbitSteps& method, std::size_t argument, double sense, double low, double high) {
     constexpr double golden = 0.6180339887498949;
     const auto lowered = [&](double place) { return -sense * on(method, argument, place); };
@@ -232,9 +236,9 @@ class SharpFeatures {
   Eigen::Index n_;
   bool bends_ = false, hides_ = false;
   std::vector<Argument> arguments_;
-  std::vector<double> zeros_;                       // of conditions in the step under way
+  std::vector<double> zeros_;                       // zeros of conditions in the current step
   VectorX inside_;                                  // scratch
-  std::optional<RecordedFormula<double>> formula_;  // of all arguments, as derivatives of nothing
+  std::optional<RecordedFormula<double>> formula_;  // all arguments, in the place of derivatives
 };
 
 }  // namespace avi::detail

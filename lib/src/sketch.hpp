@@ -14,29 +14,29 @@
 #include <vector>
 
 /// @file
-/// A rough run along the beginning of an orbit, which finds its scales.
+/// A rough run along the beginning of an orbit, from which its scales are taken.
 
 namespace avi::detail {
 
-inline constexpr double infinity = std::numeric_limits<double>::infinity();  ///< Stands for unknown.
+inline constexpr double infinity = std::numeric_limits<double>::infinity();  ///< Infinity, or unknown.
 
 /// (q, p) as one vector.
 inline VectorX stacked(const State<dynamic>& z) { return (VectorX(2 * z.q.size()) << z.q, z.p).finished(); }
 
-/// The field of H, one point at a time.
+/// The Hamiltonian vector field of H, evaluated at one point at a time.
 class PointField {
  public:
-  /// The field of H as a node of a graph of (q, p).
-  /// @param supplied nodes of its gradient, where H has one of its own
+  /// Makes the field of H, a node of a graph of (q, p). @param supplied nodes of its gradient, if H supplies
+  /// its own
   PointField(const ExpressionGraph& graph, int energy, const std::vector<int>& supplied)
       : recording_(std::make_shared<const Recording>(graph, energy, energy, supplied)),
         n_(recording_->inputs() / 2), formula_{recording_->value_and_gradient()} {}
 
-  /// dz = J grad H at z = (q, p); returns H.
+  /// Sets dz = J grad H at z = (q, p). @return H
   double operator()(const VectorX& z, VectorX& dz) { return (*this)(z.data(), z.data() + n_, dz); }
-  /// The same at a state.
+  /// Evaluates the field at a state.
   double operator()(const State<dynamic>& z, VectorX& dz) { return (*this)(z.q.data(), z.p.data(), dz); }
-  /// The same at n entries each.
+  /// Evaluates the field at q and p, n entries each.
   double operator()(const double* q, const double* p, VectorX& dz) {
     formula_.run(q, p, n_);
     for (int i = 0; i < n_; ++i) {
@@ -45,16 +45,16 @@ class PointField {
     }
     return formula_.value();
   }
-  /// H.
+  /// Value of H.
   double energy(const double* q, const double* p) {
-    // A program of H alone costs as much as some evaluations of H with its gradient.
+    // Making a program of H alone takes as long as some evaluations of H with its gradient.
     if (!value_ && ++energies_ > 40) value_.emplace(RecordedFormula<double>{recording_->value()});
     RecordedFormula<double>& formula = value_ ? *value_ : formula_;
     formula.run(q, p, n_);
     return formula.value();
   }
-  /// The diagonal of H_pp at z, by two probes with signs: exact where H_pp is diagonal, else near. What is
-  /// not positive there counts as the largest entry that is.
+  /// Estimates the diagonal of H_pp at z by two probes with random signs: exact where H_pp is diagonal, else
+  /// approximate. Entries that are not positive are replaced by the largest one.
   VectorX metric(const VectorX& z) {
     Duals room(formula_.program);
     VectorX metric = VectorX::Zero(n_), v = VectorX::Zero(2 * n_), w(2 * n_);
@@ -73,8 +73,8 @@ class PointField {
       if (!(metric[i] > 0.0) || !std::isfinite(metric[i])) metric[i] = largest > 0.0 ? largest : 1.0;
     return metric;
   }
-  /// The largest frequency of small oscillations about z, by power iteration on the linear field, a little
-  /// less than it; 0 where that is not finite. @param metric diagonal of H_pp
+  /// Estimates the largest frequency of small oscillations about z, by power iteration on the linearised
+  /// field. The result is a little low; it is 0 where it would not be finite. @param metric diagonal of H_pp
   double fastest(const VectorX& z, const VectorX& metric) {
     Duals room(formula_.program);
     VectorX root = metric, scaled(2 * n_);
@@ -99,8 +99,9 @@ class PointField {
     }
     return std::sqrt(square);
   }
-  /// The largest frequency, by the second derivative of momenta in time, of what moves and is pushed by no
-  /// force at z, as in the middle of a well; 0 where there is nothing of that kind. @param dz the slope at z
+  /// The largest frequency of coordinates that move, but are pushed by no force at z, as in the middle of a
+  /// well; 0 if there are none. It is found from the second time derivative of their momenta. @param dz the
+  /// slope at z
   double frequency_of_unpushed(const VectorX& z, const VectorX& dz, const VectorX& metric) {
     const auto unpushed = [&](Eigen::Index i) { return dz[n_ + i] == 0.0 && dz[i] != 0.0; };
     double square = 0.0;
@@ -116,8 +117,9 @@ class PointField {
       }
     return std::isfinite(square) ? std::sqrt(square) : 0.0;
   }
-  /// How fast the slope at z, which is given, changes with time alone, relative to each of its entries: as
-  /// coefficients do near a singularity of them. @return 0 where that is not finite, or H is free of time
+  /// The largest rate at which an entry of the slope changes with time alone, relative to that entry. It is
+  /// large near a singularity of coefficients in time. @param dz the slope at z @return 0 where it is not
+  /// finite, or H does not depend on time
   double rate_in_time(const VectorX& z, const VectorX& dz) {
     if (!timed) return 0.0;
     Duals room(formula_.program);
@@ -130,8 +132,8 @@ class PointField {
         if (dz[k] != 0.0) rate = std::max(rate, std::abs(change[k] / dz[k]));
     return std::isfinite(rate) ? rate : 0.0;
   }
-  /// Raises `most` to the change of the slope at z, which is given, per relative error of the entries of z,
-  /// to first order. @param draw the signs of those errors
+  /// Raises `most` to the change of the slope at z per relative error of the entries of z, to first order.
+  /// @param slope that at z @param draw seed for the signs of those errors
   void add_sensitivity(const Eigen::Map<const VectorX>& z, const Eigen::Map<const VectorX>& slope,
                        unsigned draw, VectorX& most) {
     constexpr double error = 1e-7;
@@ -141,14 +143,14 @@ class PointField {
     (*this)(moved_, there_);
     most = most.cwiseMax((there_ - slope).cwiseAbs() / error);
   }
-  [[nodiscard]] int size() const { return n_; }  ///< n.
-  /// Operations of H with its gradient.
+  [[nodiscard]] int size() const { return n_; }  ///< Number of degrees of freedom.
+  /// Number of operations of H with its gradient.
   [[nodiscard]] double operations() const { return static_cast<double>(formula_.program.operations()); }
   /// The recording of H.
   [[nodiscard]] const std::shared_ptr<const Recording>& recording() const { return recording_; }
 
-  double sense = 1.0;  ///< -1 follows the orbit backwards.
-  bool timed = false;  ///< The last coordinate is time, which has a unit of its own.
+  double sense = 1.0;  ///< Direction of time; -1 follows the orbit backwards.
+  bool timed = false;  ///< Whether the last coordinate is time, which has a unit of its own.
   std::shared_ptr<const Switches> switches = {};  ///< Times at which H switches, if any.
 
  private:
@@ -157,7 +159,7 @@ class PointField {
     bits = bits * 1664525u + 1013904223u;
     return bits >> 31 ? 1.0 : -1.0;
   }
-  /// w = the derivative of the field at z along v.
+  /// Sets w to the derivative of the field at z along v.
   void linear(Duals& room, const VectorX& z, const VectorX& v, VectorX& w) {
     for (int i = 0; i < 2 * n_; ++i)
       room.arguments()[i] = Partials<double, 1>::variable(z[i], 0, v[i]);
@@ -169,34 +171,35 @@ class PointField {
   }
   std::shared_ptr<const Recording> recording_;
   int n_;
-  RecordedFormula<double> formula_;  // with its gradient
+  RecordedFormula<double> formula_;  // H with its gradient
   VectorX moved_, there_;            // scratch
-  int energies_ = 0;                 // evaluations of H alone, while there is no program of it
+  int energies_ = 0;                 // evaluations of H alone before it has a program
   std::optional<RecordedFormula<double>> value_;
 };
 
-/// Points along the beginning of an orbit, by the pair of Bogacki and Shampine with a loose tolerance on
-/// every entry of (q, p) relative to the range through which it moves: so the steps follow the fastest entry,
-/// whatever its mass or unit. What is measured here sets trial lengths and first guesses, never a result.
+/// Points along the beginning of an orbit, from a run by the Bogacki-Shampine pair. Its tolerance is loose,
+/// and relative to the range through which each entry of (q, p) moves, so that the steps follow the fastest
+/// entry, whatever its mass or unit. What is measured here sets lengths of trials and first guesses, never a
+/// result.
 class Sketch {
  public:
-  /// A point and the step from it.
+  /// A point of the sketch and the step from it.
   struct Sample {
-    using Numbers = Eigen::Map<const VectorX>;  ///< 2n of them, which the sketch holds.
-    Numbers z;                                  ///< (q, p).
-    Numbers slope;                              ///< Its velocity in phase space.
-    Numbers errors;                             ///< Errors of the step.
+    using Numbers = Eigen::Map<const VectorX>;  ///< Vector of 2n numbers, which the sketch holds.
+    Numbers z;                                  ///< The point (q, p).
+    Numbers slope;                              ///< Velocity in phase space.
+    Numbers errors;                             ///< Errors of the step, for each entry.
     double h;                                   ///< Time to the next sample.
-    double frequency;  ///< Radians per unit of time here, as the error of the step tells.
-    double energy;     ///< H.
+    double frequency;  ///< Radians per unit of time, estimated from the error of the step.
+    double energy;     ///< Value of H.
   };
 
-  static constexpr int few = 128;  ///< Steps, unless more are asked for.
+  static constexpr int few = 128;  ///< Largest number of steps, unless more are asked for.
 
-  /// Along the orbit of `field` from z for `span`, or for at most `most` steps.
-  /// @param metric diagonal of H_pp: what is 1e-10 of the largest motion, masses taken out, sets no step
-  /// @param before time that has passed already; else the sketch ends where the orbit comes again
-  /// @param longest step
+  /// Makes a sketch along the orbit of `field` from z, over the time `span` or at most `most` steps.
+  /// @param metric diagonal of H_pp; a motion of 1e-10 of the largest, masses taken out, does not limit the
+  /// steps @param before time that has passed already; if 0, the sketch ends where the orbit begins to repeat
+  /// itself @param longest the longest step allowed
   Sketch(PointField& field, const VectorX& z, double span, const VectorX& metric, int most = few,
          double before = 0.0, double longest = infinity) {
     const Eigen::Index size = z.size(), n = metric.size(), seen = field.timed ? n - 1 : n;
@@ -208,7 +211,7 @@ class Sketch {
       room += size;
       return Sample::Numbers(room - size, size);
     };
-    // A force that changes nothing of the momenta but their last digits sets no step either.
+    // A force that changes only the last digits of the momenta does not limit the steps either.
     VectorX roots = metric;
     for (double& each : roots)
       each = std::sqrt(each);
@@ -221,15 +224,15 @@ class Sketch {
     VectorX at = z;
     if (switches) {
       double none = 0.0;
-      (void)to_switch(*switches, at, field.sense, none);  // it may be at one already
+      (void)to_switch(*switches, at, field.sense, none);  // z may be at one already
     }
     VectorX low = at, high = at, scale(size), errors(size);
     double energy = field(at, step.k[0]), last = energy;
-    // A long step may lead to where no force is left, as there is none here.
+    // If no force acts here, a long step may lead to where none acts either, passing over a force in between.
     const double unpushed = field.frequency_of_unpushed(at, step.k[0], metric);
     double h = std::min(first_step(field, at, step.k[0], span, roots), 1.0 / unpushed);
-    int grown = 0;  // samples when an entry left its range last
-    int alike = 0;  // refused steps in a row with errors as large as before, relative to what moves
+    int grown = 0;  // number of samples when an entry last left its range
+    int alike = 0;  // refused steps in a row whose errors, relative to the motion, did not fall
     double refused = 0.0;
     double work = 0.0, lost = 0.0;  // integral of half of |p q'|; energy lost near poles
     for (int tries = 0; time < span && static_cast<int>(samples.size()) < most && tries < 6 * most; ++tries) {
@@ -255,8 +258,8 @@ class Sketch {
       const double factor = std::isfinite(worst) ? std::cbrt(loose / std::max(worst, 1e-3 * loose)) : 0.1;
       alike = factor < 0.8 && worst > 0.7 * refused && std::isfinite(worst) ? alike + 1 : 0;
       refused = factor < 0.8 ? worst : 0.0;
-      // What begins to move from rest by a power of time is as wrong in a shorter step, relative to its
-      // range.
+      // A motion that begins from rest as a power of time has the same error, relative to its range, in a
+      // shorter step.
       const bool begins = alike > 3;
       if (factor < 0.8 && !begins) {
         h *= std::max(0.1, 0.9 * factor);
@@ -276,12 +279,12 @@ class Sketch {
         if (std::max(low[i] - at[i], at[i] - high[i]) > 0.01 * (high[i] - low[i])) grown = made;
         low[i] = std::min(low[i], at[i]), high[i] = std::max(high[i], at[i]);
       }
-      // What has kept within its ranges for as long as it took to fill them comes again. A quarter of a short
-      // way has to do: all of it is hardly more than a longer sketch.
+      // An orbit that stays within its ranges for as long as it took to fill them repeats itself. If the way
+      // is short, a quarter of it has to do: all of it takes hardly more than a longer sketch.
       if (before == 0.0 && made >= enough && grown <= made / 2) break;
       if (made >= most / 2 && time >= 0.25 * span) break;
-      // Behind a pole an error that was small beside the momenta there may be the energy of all other motion:
-      // what comes next is of another orbit.
+      // Behind a pole, an error that was small beside the momenta there may be as large as the energy of all
+      // other motion. What comes next is another orbit.
       if (made > 8 && motion < work / time && std::abs(lost) > work / time) break;
       std::swap(step.k[0], step.k[3]);
       if (at_end) {
@@ -292,8 +295,8 @@ class Sketch {
       }
       h *= begins ? 2.0 : std::min(5.0, 0.9 * factor);
     }
-    // At first the ranges were small: frequencies are found when all of them are known. Steps that were far
-    // too short, as the first ones, tell of rounding: they take the frequency of the next one.
+    // Ranges were small at first, so frequencies are found now that all ranges are known. Steps that were far
+    // too short, as the first ones, have errors from rounding only: they take the frequency of the next step.
     double next = 0.0;
     for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample) {
       double worst = 0.0;
@@ -308,12 +311,12 @@ class Sketch {
     }
   }
 
-  std::vector<Sample> samples;  ///< In the order of time.
-  double time = 0.0;            ///< Its length.
-  double radians = 0.0;         ///< Integral of the frequency.
-  bool stuck = false;           ///< It could not go on: its steps became too short, as before a singularity.
+  std::vector<Sample> samples;  ///< Samples in the order of time.
+  double time = 0.0;            ///< Length in time.
+  double radians = 0.0;         ///< Integral of the frequency over time.
+  bool stuck = false;           ///< Whether steps became too short to go on, as before a singularity.
 
-  /// When the motion is fastest, and how many times faster than at its slowest.
+  /// The time of the fastest motion, and the factor by which that is faster than the slowest.
   [[nodiscard]] std::pair<double, double> fastest() const {
     double t = 0.0, at = 0.0, most = 0.0, least = infinity;
     for (const Sample& sample : samples) {
@@ -323,7 +326,7 @@ class Sketch {
     }
     return {at, most / least};
   }
-  /// The time in which the phase goes through so many radians; beyond the sketch as on it.
+  /// The time in which the phase grows by so many radians, extrapolated beyond the end of the sketch.
   [[nodiscard]] double time_of(double phase) const {
     double t = 0.0, seen = 0.0;
     for (const Sample& sample : samples) {
@@ -337,35 +340,34 @@ class Sketch {
 
  private:
   static constexpr double loose = 0.004;  // error of a step
-  static constexpr double angle = 0.68;   // of a spring in a step with that error
-  static constexpr int enough = 48;       // samples of an orbit that comes again
+  static constexpr double angle = 0.68;   // radians of a spring in a step with that error
+  static constexpr int enough = 48;       // samples after which an orbit may repeat itself
 
-  /// Goes over the switches at z, then shortens a step h from there to the next one, which it returns, where
-  /// there is one in it.
+  /// Passes the switches at z, then shortens the step h if there is a switch in it. @return that switch, if
+  /// any
   static std::optional<Switches::Switch> to_switch(Switches& switches, VectorX& z, double sense, double& h) {
     double& t = z[z.size() / 2 - 1];
     while (const auto here = switches.at(t, sense))
       pass(switches, *here, z);
     const auto next = switches.next(t, t + sense * h);
     if (next) {
-      // The field is asked for at the end, too, which is to be before it.
+      // The field is also evaluated at the end of the step, which must be before the switch.
       const double way = std::abs(next->before - t);
       const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(next->before);
       h = std::max(way - std::max(1e-9 * way, rounding), 0.5 * way);
     }
     return next;
   }
-  /// Goes over a switch.
+  /// Moves z over a switch.
   static void pass(Switches& switches, const Switches::Switch& at, VectorX& z) {
     const Eigen::Index n = z.size() / 2;
     z[2 * n - 1] += switches.fall(z.data(), z.data() + n, at);
     z[n - 1] = at.after;
   }
 
-  /// Raises what is a 1e-10 of the largest entry, masses taken out; the momentum of time, to that of an
-  /// energy.
-  /// @param roots of the diagonal of H_pp @param change of the largest momentum, masses taken out, that is
-  /// less than its digits
+  /// Raises scales of entries to 1e-10 of the largest one, masses taken out, and that of the momentum of time
+  /// to 1e-10 of an energy. @param roots square roots of the diagonal of H_pp @param change a change of the
+  /// largest momentum, masses taken out, that is below its digits
   static void lift(VectorX& scale, const VectorX& roots, bool timed, double change = 0.0) {
     const Eigen::Index n = roots.size(), seen = timed ? n - 1 : n;
     double of_q = 0.0, of_p = 0.0;
@@ -380,12 +382,12 @@ class Sketch {
     if (timed) scale[2 * n - 1] = std::max(scale[2 * n - 1], 1e-10 * of_p * of_p);
   }
 
-  /// A step in which no entry of the field changes by much, or, where the field vanishes, the span.
+  /// Returns a step in which no entry of the field changes by much, and at most a thousandth of the span.
   static double first_step(PointField& field, const VectorX& z, const VectorX& dz, double span,
                            const VectorX& roots) {
     VectorX ahead(z.size()), there(z.size()), scale = dz.cwiseAbs();
     lift(scale, roots, field.timed);
-    if (field.timed) scale[scale.size() - 1] = 0.0;  // the momentum of time moves nothing
+    if (field.timed) scale[scale.size() - 1] = 0.0;  // nothing depends on the momentum of time
     double h = 1e-3 * span;
     for (int i = 0; i < 60; ++i, h *= 0.1) {
       ahead = z + h * dz;
@@ -401,7 +403,7 @@ class Sketch {
     return h;
   }
 
-  std::unique_ptr<double[]> numbers_;  // of all samples
+  std::unique_ptr<double[]> numbers_;  // numbers of all samples
 };
 
 }  // namespace avi::detail

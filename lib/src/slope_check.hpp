@@ -5,26 +5,26 @@
 #include <sstream>
 
 /// @file
-/// Whether a gradient is that of the function: its slope along a line against differences of values.
+/// A check of a gradient: its slope along a line against differences of values of the function.
 
 namespace avi {
 
 /// A slope by differences, and how far it may be off.
 struct SlopeByValues {
-  double slope;        ///< d . grad f.
-  double uncertainty;  ///< By truncation and rounding.
+  double slope;        ///< Slope d . grad f.
+  double uncertainty;  ///< Error bound for truncation and rounding.
   double truncation;   ///< Part of the uncertainty that falls with the distance of the values.
 
-  /// True where the function bends so much between the values that they say nothing of a slope. So do values
-  /// that are all the same: what bends may lie between them.
+  /// Returns true if the function bends so much between the values that they say nothing about a slope. The
+  /// same holds if all values are equal, as what bends may lie between them.
   [[nodiscard]] bool depends_on_distance() const { return truncation >= 0.1 * std::abs(slope); }
 
-  /// True where `by_gradient`, which may be off by `allowed`, cannot be told from it.
+  /// Returns true if `by_gradient`, which may be off by `allowed`, cannot be told from this slope.
   [[nodiscard]] bool agrees_with(double by_gradient, double allowed) const {
     // A slope that is NaN says nothing about the gradient; the run itself will report it.
     return !(std::abs(slope - by_gradient) > allowed + uncertainty);
   }
-  /// One clause with both numbers.
+  /// Returns a clause with both numbers.
   [[nodiscard]] std::string against(double by_gradient) const {
     std::ostringstream clause;
     clause << "along a line f has the slope " << slope << " by its values and " << by_gradient
@@ -33,8 +33,8 @@ struct SlopeByValues {
   }
 };
 
-/// Slope of phi at 0 by central differences at distance h and h / 8: four values. Their difference is the
-/// uncertainty, with what rounding of the values adds.
+/// The slope of phi at 0, by central differences at the distances h and h / 8, from four values. Their
+/// difference is the uncertainty, plus what rounding of the values adds.
 template <class Phi>
 SlopeByValues slope_by_values(Phi&& phi, double h) {
   double slopes[2], rounding = 0.0;
@@ -48,10 +48,10 @@ SlopeByValues slope_by_values(Phi&& phi, double h) {
   return {slopes[1], truncation + rounding, truncation};
 }
 
-/// The slope to compare `by_gradient`, which may be off by `allowed`, with. Where it depends on the distance
-/// of the values, they are taken nearer to each other, down to 1e-9 of the `farthest`. So they are once more
-/// before it contradicts: values that are waves apart may seem not to depend on it, and then they say
-/// something else. At most 20 values.
+/// The slope by values that `by_gradient`, which may be off by `allowed`, is to be compared with. If it
+/// depends on the distance of the values, they are taken closer to each other, down to 1e-9 of `farthest`.
+/// They are also taken closer once more before they contradict the gradient: values that are waves apart may
+/// seem not to depend on the distance, and closer ones then say something else. At most 20 values are taken.
 template <class Phi>
 SlopeByValues slope_to_compare(Phi&& phi, double farthest, double by_gradient, double allowed) {
   SlopeByValues before{};
@@ -66,10 +66,11 @@ SlopeByValues slope_to_compare(Phi&& phi, double farthest, double by_gradient, d
   return before;
 }
 
-/// Whether a slope by the gradient is no more than what rounding of x makes of it: phi, of the given value at
-/// 0, is a parabola there whose slope changes by as much within eight units of the `resolution`, the distance
-/// at which x + h d is told from x. Asks at a thousand of those, and at half of that: second differences are
-/// as 4 to 1 at the minimum of a smooth function, as 2 to 1 at a kink, equal at a jump. Four values.
+/// Whether a slope by the gradient is no more than what rounding of x makes of it. Then phi, of the given
+/// value at 0, is a parabola there whose slope changes by as much within eight units of `resolution`, the
+/// distance at which x + h d is told from x. Values are taken at a thousand of these units and at half of
+/// that: second differences are as 4 to 1 at the minimum of a smooth function, as 2 to 1 at a kink, equal at
+/// a jump. Four values are taken.
 template <class Phi>
 bool lost_in_rounding(Phi&& phi, double value, double slope, double resolution) {
   double bends[2], h = 1e3 * resolution;
@@ -84,15 +85,15 @@ bool lost_in_rounding(Phi&& phi, double value, double slope, double resolution) 
 }
 
 /// Whether phi, of the given value and slope at 0, rises by a tenth of `most` where its fall could just be
-/// seen, long before the distance at which it was seen to differ by `most`. One value.
+/// seen, long before the distance at which it was seen to differ by `most`. One value is taken.
 template <class Phi>
 bool jumps_up(Phi&& phi, double value, double slope, double farthest, double most) {
   const double near = 1e-11 * std::abs(value / slope);
   return near < 1e-4 * farthest && phi(near) - value > 0.1 * most;
 }
 
-/// A direction in which every entry takes part, by its size and with a weight of either sign between 1/2 and
-/// 3/2.
+/// Sets a direction in which every entry takes part, in proportion to its size and with a weight of either
+/// sign between 1/2 and 3/2.
 inline void mixed_direction(const VectorView& x, VectorX& d) {
   const double largest = largest_entry(x);
   std::uint64_t bits = 1;

@@ -10,9 +10,9 @@
 #include <stdexcept>
 
 /// @file
-/// How solve() decides: a sketch of the orbit, the menu, the marks at which runs are compared, and the first
-/// setting. What two runs say of a setting is in comparison.cpp, what comes next in pair_of_runs.cpp, what
-/// the answer says in verdict.cpp.
+/// The beginning of the choice in solve(): a sketch of the orbit, the menu of candidates, the marks at which
+/// runs are compared, and the first setting. What two runs say about a setting is in comparison.cpp, the next
+/// setting in pair_of_runs.cpp, and the wording of the answer in verdict.cpp.
 
 namespace avi::detail {
 
@@ -35,7 +35,7 @@ void require_energy(double energy, const OrbitQuestion& question) {
   const double value = question.timed ? -question.p.back() : energy;
   text << "H is ";
   if (std::isnan(value))
-    text << "nan";  // which may have a sign
+    text << "nan";  // streams may print -nan
   else
     text << value;
   text << " at the start, where ";
@@ -45,13 +45,15 @@ void require_energy(double energy, const OrbitQuestion& question) {
   throw std::invalid_argument(text.str());
 }
 
-/// Preparing an H of many thousand operations takes longer than the call may.
+/// Returns true if the time limit of the call was used up by its preparation, which takes long for an H of
+/// very many operations.
 bool Orbiter::late() const {
   return field_.operations() > 1e5 && budget_.seconds() > question_.options.seconds;
 }
 
-/// A body at rest that only time sets in motion moves by next to nothing at first, which says nothing of the
-/// rest: the sketch begins where motion no longer grows over it by orders of magnitude.
+/// A system at rest that only the time dependence of H sets in motion hardly moves at first, so a sketch of
+/// its beginning says nothing about the rest. Restarts the sketch from its own end until the motion no longer
+/// grows by orders of magnitude over it.
 void Orbiter::follow_the_take_off(Eigen::Index seen) {
   if (!question_.timed) return;
   const auto motion = [&](std::size_t last) {
@@ -68,18 +70,20 @@ void Orbiter::follow_the_take_off(Eigen::Index seen) {
   }
 }
 
-/// Sets the unit of energy errors, and what is seen in it.
+/// Sets the unit of energy errors, the rounding error of H in that unit, and the change of H inside a step
+/// that is not taken for an error of the step.
 void Orbiter::take_unit_of_energy(double scale) {
   const double rounding =
       std::numeric_limits<double>::epsilon() * (std::abs(trip_->energy_at_start) / scale + 1.0);
   answer_.choice.energy_scale = trip_->energy_scale = scale;
   answer_.energy_rounding = trip_->rounding = rounding;
-  // Inside a step a polynomial has half of the digits that its end has.
+  // Inside a step, the polynomial is right to only half of the digits of its end.
   const double inside = std::max(0.1 * std::sqrt(question_.tolerance), 10.0 * question_.tolerance);
   trip_->felt = std::max(inside, 1e3 * rounding) * scale;
 }
 
-/// Energy and slope at the start, which have to be numbers.
+/// Returns the energy at the start and sets the slope there. @throws std::invalid_argument unless both are
+/// finite
 double Orbiter::energy_and_slope(const VectorX& start, VectorX& slope) {
   const int n = field_.size();
   const double energy = field_(start, slope);
@@ -95,17 +99,18 @@ double Orbiter::energy_and_slope(const VectorX& start, VectorX& slope) {
   return energy_at_start(question_);
 }
 
-/// A run of low accuracy, which the rest of the call takes for the orbit.
+/// Makes the sketch: a run of low accuracy that stands for the orbit during the rest of the choice.
 void Orbiter::sketch_from(const VectorX& start) {
   field_.sense = sense_;
   sketch_.emplace(field_, start, span_, metric_);
-  // Where nothing happens on the way, something may that long steps go over.
+  // If nothing happens on the sketch, its long steps may have passed over something: limit them.
   if (sketch_->radians < 1e-4 && sketch_->time == span_)
     sketch_.emplace(field_, start, span_, metric_, 512, 0.0, span_ / 256.0);
   follow_the_take_off(start.size() / 2 - 1);
 }
 
-/// Energies and forces along the sketch with nothing in motion.
+/// Returns energies and forces along the sketch with everything at rest. @param drifting set if something
+/// moves although all momenta are zero
 Resting Orbiter::at_rest(Eigen::Index seen, bool& drifting) {
   const int n = field_.size();
   Resting resting;
@@ -118,7 +123,8 @@ Resting Orbiter::at_rest(Eigen::Index seen, bool& drifting) {
     if (question_.timed) rest[n + seen] = sample.z[n + seen];
     double potential = field_(rest, falling);
     if (drifting || !falling.head(seen).isZero(0.0)) {
-      // Where H is quadratic in p with a diagonal, its forces there are those of V.
+      // These momenta stop all motion if H is quadratic in p with a diagonal; the forces there are those of
+      // V.
       drifting = true;
       rest.segment(n, seen) = -sense_ * falling.head(seen).cwiseQuotient(metric_.head(seen));
       potential = field_(rest, falling);
@@ -129,8 +135,8 @@ Resting Orbiter::at_rest(Eigen::Index seen, bool& drifting) {
   return resting;
 }
 
-/// Sets the usual and the highest speed along the sketch. @return the mean of half of |p q'|, a unit of
-/// energy
+/// Sets the mean speed along the sketch and the highest speed that is expected. @return the mean of half
+/// of |p q'|, which serves as unit of energy
 double Orbiter::mean_motion(const Ranges& ranges, Eigen::Index seen) {
   const VectorX scales = distance_->scales(ranges);
   double work = 0.0, highest = 0.0;
@@ -147,7 +153,8 @@ double Orbiter::mean_motion(const Ranges& ranges, Eigen::Index seen) {
   return work / time;
 }
 
-/// Numbers that monitors are made of: those of an earlier choice, where there is one.
+/// Sets the constants of the monitors: those of an earlier choice if there is one, else means over the
+/// sketch.
 void Orbiter::describe_motion(const Resting& resting, Eigen::Index seen, bool drifting) {
   Choice& choice = answer_.choice;
   if (question_.made) {
@@ -165,12 +172,12 @@ void Orbiter::describe_motion(const Resting& resting, Eigen::Index seen, bool dr
   if (drifting) choice.drifts.assign(metric_.begin(), metric_.begin() + seen);
 }
 
-/// Kinks, jumps and poles of H that the orbit may meet.
+/// Looks for features of H that the orbit may meet: kinks, jumps and poles.
 void Orbiter::look_for_features(double scale) {
   features_.emplace(question_.graph, question_.energy, *sketch_, question_.timed);
   if (!features_->none() || features_->hides()) trip_->features = &*features_;
   parts_ = parts_of(*field_.recording());
-  // What is kicked by so much is elsewhere at the end, after so many radians.
+  // The effect of a kick grows with the phase up to the end of the run: a kick of this size is felt there.
   const double kick = std::max(question_.tolerance / std::max(radians_, 1.0), 30.0 * answer_.energy_rounding);
   trip_->kick = kick;
   passes_.emplace(question_.graph, question_.energy, *sketch_, scale, distance_->frequency, kick);
@@ -185,7 +192,8 @@ void Orbiter::look_for_features(double scale) {
   if (diagonal) trip_->inverse_masses = metric_;
 }
 
-/// Leaves the monitor that is asked for in the menu. @throws std::invalid_argument where it has no meaning.
+/// Leaves only the requested monitor in the menu. @throws std::invalid_argument if that monitor has no
+/// meaning for this H
 void Orbiter::take_the_named(const std::string& wanted) {
   const Choice& choice = answer_.choice;
   const double energy = trip_->energy_at_start;
@@ -209,7 +217,7 @@ void Orbiter::take_the_named(const std::string& wanted) {
   menu_.push_back(candidate(wanted, question_, energy, choice));
 }
 
-/// The candidates, the most promising first, and the order they begin with.
+/// Sets the menu of candidates, the most promising first, and the order of the first runs.
 void Orbiter::write_menu(const Resting& resting) {
   const double energy = trip_->energy_at_start;
   menu_ = candidates(question_, energy, *sketch_, radians_, resting, metric_, answer_.choice,
@@ -224,11 +232,12 @@ void Orbiter::write_menu(const Resting& resting) {
   for (Candidate& it : menu_) {
     it.supplied = question_.gradient, it.recording = field_.recording(), it.switches = question_.switches,
     it.kinks = question_.kinks;
-    it.brief = radians_ < 8.0 && parts_ != Parts::coupled;  // 90 sweeps take as long with code as without
+    it.brief = radians_ < 8.0 && parts_ != Parts::coupled;  // machine code pays off after some 90 sweeps
   }
   aim_ = std::max(question_.tolerance / std::max(radians_, 1.0), 1e-16);
-  // Order 8 for a few steps whose sweeps contract well: 16 takes up to a tenth more there, and in ten turns
-  // at 1e-2 and 1e-3 a tenth to a seventh less, the mean of twenty problems.
+  // Order 8 is for runs of few steps whose sweeps contract well: there order 16 takes up to a tenth more
+  // time. Over ten turns at tolerances 1e-2 and 1e-3, order 16 takes a tenth to a seventh less (means over
+  // twenty problems).
   const bool brief = radians_ < 20.0 && aim_ > 2e-6 && parts_ != Parts::coupled;
   order_ = question_.options.order > 0 ? question_.options.order : brief ? 8 : 16;
   offer_splitting();
@@ -237,7 +246,7 @@ void Orbiter::write_menu(const Resting& resting) {
       it.take(question_.prepared->formulas_at(energy, answer_.choice.kinetic));
 }
 
-/// Sketch, scales and menu.
+/// Prepares the runs: makes the sketch, the scales and the menu.
 void Orbiter::prepare() {
   const int n = field_.size();
   VectorX start(2 * n), slope(2 * n);
@@ -245,7 +254,7 @@ void Orbiter::prepare() {
   std::copy(question_.p.begin(), question_.p.end(), start.data() + n);
   const double energy = energy_and_slope(start, slope);
   metric_ = field_.metric(start);
-  // Of time as a coordinate, and its momentum, nobody asks.
+  // Time as a coordinate and its momentum are auxiliary: their errors do not count.
   const int seen = question_.timed ? n - 1 : n;
   distance_.emplace(metric_, question_.tolerance, seen);
   sketch_from(start);
@@ -260,12 +269,12 @@ void Orbiter::prepare() {
   Ranges ranges(z);
   for (const Sketch::Sample& sample : sketch_->samples)
     ranges.add(sample.z.data(), sample.z.data() + n);
-  bool drifting = false;  // something moves that has no momenta
+  bool drifting = false;  // something moves although all momenta are zero
   const Resting resting = at_rest(seen, drifting);
   field_.sense = 1.0;
   const double work = mean_motion(ranges, seen);
   describe_motion(resting, seen, drifting);
-  // Of a body at rest, or where rounding hides the kinetic energy, some of H itself.
+  // For a body at rest, or where rounding hides the kinetic energy, the unit is a small part of H itself.
   double scale = std::max(std::isfinite(work) ? work : 0.0, 1e-13 * std::abs(energy));
   if (!(scale > 0.0)) scale = 1.0;
   trip_.emplace(Trip{z, energy, scale, sense_, budget_});
@@ -277,8 +286,8 @@ void Orbiter::prepare() {
   write_menu(resting);
 }
 
-/// How far rounding of the slopes may move each entry in a hundred radians, the errors of all of them in one
-/// sense.
+/// Returns how far rounding of the slopes may move each entry in a hundred radians, if all rounding errors
+/// have the same sign.
 VectorX Orbiter::rounding_of(const Sketch& sketch, const VectorX& metric) {
   const Eigen::Index n = metric.size();
   VectorX slope = VectorX::Zero(2 * n);
@@ -292,8 +301,9 @@ VectorX Orbiter::rounding_of(const Sketch& sketch, const VectorX& metric) {
   return moved;
 }
 
-/// The times at which two runs are compared: the end, three quarters, a half, three eighths and so on of it,
-/// down to a few turns; only every third of them in runs that are too short for growing errors to be seen.
+/// Sets the times at which two runs are compared: the end, three quarters, a half, three eighths and so on of
+/// the way, down to a few turns. Runs that are too short to show how errors grow have only every third of
+/// these marks.
 void Orbiter::set_marks() {
   const bool is_long = radians_ > shortest_growth;
   const double least = is_long ? 25.0 : field_.size() > 1 ? 12.0 : 20.0;
@@ -303,19 +313,20 @@ void Orbiter::set_marks() {
   }
   std::ranges::reverse(marks_);
   compared_ = marks_.size();
-  // Without a check, over some turns, or the first twenty-fifth of many.
+  // Without a check, only the beginning of a long run is compared: its first twenty-fifth, or the way to the
+  // first mark if that is farther.
   if (!question_.options.check && radians_ > shortest_growth)
     for (compared_ = 1; compared_ < marks_.size() && since_start(compared_ - 1) < 0.04 * span_;)
       ++compared_;
 }
 
-/// The step with which a candidate begins.
+/// Returns the step with which a candidate begins.
 double Orbiter::first_step(const Candidate& it) {
-  // Medians of what some hundred systems drawn at random came to. With a monitor the motion is smoother in
-  // fictive time than the radians of its fastest part tell.
+  // The constants are medians over some hundred systems drawn at random. With a monitor they are larger,
+  // because the motion is smoother in fictive time than the frequency of its fastest part suggests.
   const int order = order_of(it);
   const double usual = it.splits() ? 8.0 : it.fixed() ? (order == 8 ? 6.0 : 7.2) : (order == 8 ? 9.5 : 10.5);
-  // Low orders need steps that are far shorter.
+  // Low orders need far shorter steps.
   const double radians = std::clamp(usual * std::pow(aim_, 1.0 / order), order < 6 ? 1e-5 : 0.01,
                                     !it.fixed()                ? 3.5
                                     : parts_ == Parts::coupled ? 1.8
@@ -324,28 +335,30 @@ double Orbiter::first_step(const Candidate& it) {
                    field_.size() > 4 ? stable_step(it) / longer : infinity});
 }
 
-/// A run that would be stopped for its price before it is where the sketch ends, as one into a singularity,
-/// comes farther with longer steps. @return h, or what takes a hundredth of that price
+/// Lengthens a step if its run would be stopped for its price before the end of the sketch, as one into a
+/// singularity: such a run comes farther with longer steps. @return h, or a step with which the run costs a
+/// hundredth of that price
 double Orbiter::affordable(Candidate& it, double h) {
   const double steps = expected_steps(it, h, std::min(span_, sketch_->time)),
                most = its_patience() / (10.0 * it.price());
   return steps > most && order_of(it) >= 6 ? h * (steps / (0.01 * most)) : h;
 }
 
-/// The longest fixed step whose sweeps contract, where something moves a little faster than what is seen of
-/// it; or, of the splitting, for which small oscillations stay small.
+/// Returns the longest fixed step whose sweeps still contract if something moves a little faster than the
+/// sketch shows; for the splitting, the longest step with which small oscillations stay small.
 double Orbiter::stable_step(const Candidate& it) {
   if (!it.fixed()) return infinity;
   if (fastest_ < 0.0) fastest_ = field_.fastest(stacked(trip_->start), metric_);
-  // From 6.15 over its frequency on an oscillation grows; near 3.14 it does by 6e-4 a step at most, and only
-  // one of two runs can be there.
+  // An oscillation grows if step times frequency is 6.15 or more. Near 3.14 it grows by at most 6e-4 a step,
+  // and only one of two runs can be that near.
   if (it.splits()) return fastest_ > 0.0 ? 5.5 / fastest_ : infinity;
-  // What is much faster than the motion is left to Newton's method.
+  // Parts much faster than the visible motion are left to Newton's method.
   return fastest_ > 0.0 && fastest_ < 6.0 * it.longest ? 3.1 / fastest_ : infinity;
 }
 
-/// Puts the explicit splitting into the menu where fixed steps are the first, and before them where it should
-/// take less time.
+/// Adds the explicit splitting to the menu if fixed steps come first there: before them if it should take
+/// less time, behind them if it should take less than twice as much. If it was asked for by name, it replaces
+/// them.
 void Orbiter::offer_splitting() {
   const SolveOptions& options = question_.options;
   const bool asked = options.monitor.name == splitting;
@@ -361,13 +374,15 @@ void Orbiter::offer_splitting() {
     menu_.front().name = splitting;
     return;
   }
-  (void)menu_.front().formulas();  // made once for both
+  (void)menu_.front().formulas();  // made once, for both
   menu_.insert(menu_.begin(), menu_.front());
   menu_.front().name = splitting;
-  // Two runs go side by side for one; ten sweeps are usual.
+  // The splitting makes two runs side by side for the price of one; for collocation, ten sweeps a step are
+  // usual.
   const double split = 14.0 * menu_[0].price() * 2.0 / first_step(menu_[0]);
   const double other = 10.0 * menu_[1].price() * (order_ == 8 ? 0.6 : 1.0) * 1.8 / first_step(menu_[1]);
-  // How long its steps may be differs by two from orbit to orbit: a long run finds out.
+  // The usable step of the splitting varies by a factor of two from orbit to orbit; in a long run, trials
+  // decide.
   if (!(split < other)) std::swap(menu_[0], menu_[1]);
   if (!(split < 2.0 * other)) menu_.erase(menu_.begin() + 1);
 }

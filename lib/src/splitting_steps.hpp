@@ -23,7 +23,7 @@ namespace {
 /// ended (see Splitting). Two orbits are stepped for the price of one.
 class SplittingSteps final : public Stepper {
  public:
-  /// Steps of these formulas, with g = 1.
+  /// Takes formulas with g = 1.
   explicit SplittingSteps(std::shared_ptr<const Formulas> formulas)
       : formulas_(std::move(formulas)), code_(machine_code<lanes>(*formulas_)),
         forces_(formulas_->forces, {}, code_.get(), 0),
@@ -49,7 +49,7 @@ class SplittingSteps final : public Stepper {
     move(h);
     return {end(*this, 0, mine.z, *mine.t, mine.h), other.end(*this, 1, its.z, *its.t, its.h)};
   }
-  /// A step of that part: as accurate as the end.
+  /// The state after a part of the last step, by a step of that size: as accurate as the end.
   void polynomial(double c, double* z, double& t) const override {
     SplittingSteps aside(*this);
     std::copy(here_.state.q.begin(), here_.state.q.end(), z);
@@ -88,7 +88,7 @@ class SplittingSteps final : public Stepper {
   using Scalar = Pack<lanes>;
   using Vec = Vector<Scalar, dynamic>;
 
-  /// A step begins here, with the rounding error of the one that led here.
+  /// Begins a step here, with the rounding error of the step that led here.
   void begin(const double* z, double t) {
     const Eigen::Index n = q_.size();
     const State<dynamic>& last = end_.state;
@@ -139,8 +139,8 @@ class SplittingSteps final : public Stepper {
       acceleration_[i] = acceleration_[i] - velocity_[i];
     has_slopes_ = true;
   }
-  /// x += change, with what rounding cut off before (Kahan 1965). Pack by pack, as the formulas have just
-  /// written the change: the processor would wait for what is read in other portions.
+  /// Adds the change to x, with what rounding cut off before (Kahan 1965). This goes pack by pack, as the
+  /// formulas have just written the change: the processor would have to wait if it read other portions.
   void add(Vec& x, Vec& low) const {
     for (Eigen::Index i = 0; i < x.size(); ++i) {
       const Scalar change = change_[i] + low[i], next = x[i] + change;
@@ -148,7 +148,7 @@ class SplittingSteps final : public Stepper {
       x[i] = next;
     }
   }
-  /// The step that `moved` has made in a lane ends here.
+  /// Ends the step that `moved` has made in a lane.
   StepReport end(const SplittingSteps& moved, int lane, double* z, double& t, double h) {
     const Eigen::Index n = q_.size();
     const StepReport report{.evaluations = static_cast<int>(kicks.size())};
@@ -172,8 +172,8 @@ class SplittingSteps final : public Stepper {
   std::shared_ptr<const Formulas> formulas_;
   std::shared_ptr<const MachineCode> code_;
   StageFormula<lanes> forces_, velocities_;
-  PreciseState<dynamic> here_, end_;  // of the last step
-  double h_ = 0.0;                    // of the last step
+  PreciseState<dynamic> here_, end_;  // states at both ends of the last step
+  double h_ = 0.0;                    // size of the last step
   Vec q_, p_, low_q_, low_p_, change_;
   bool has_slopes_ = false;
   Vec velocity_, force_, acceleration_;  // at both ends of the last step, where they are known

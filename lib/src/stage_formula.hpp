@@ -8,14 +8,14 @@
 #include <optional>
 
 /// @file
-/// A program at several points side by side, for the files that are compiled once for each set of
-/// instructions: nothing of it is seen outside of them.
+/// A program at several points side by side, for files that are compiled once for each set of instructions.
+/// Nothing in here is visible outside of those files.
 
 namespace avi::detail {
 
 namespace {
 
-/// The machine that this file is compiled for makes code at run time.
+/// Whether code is made at run time on the machine that this file is compiled for.
 #if defined(__AVX512VL__) && defined(__AVX512DQ__)
 constexpr bool makes_code = true, has_avx512 = true;
 #elif defined(__AVX2__)
@@ -24,7 +24,7 @@ constexpr bool makes_code = true, has_avx512 = false;
 constexpr bool makes_code = false, has_avx512 = false;
 #endif
 
-/// The machine code of formulas, made unless it is there; null where none is wanted or can be made.
+/// Returns the machine code of formulas, made at the first call; null where none is wanted or can be made.
 template <int w>
 std::shared_ptr<const MachineCode> machine_code(const Formulas& formulas) {
   if constexpr (makes_code) {
@@ -39,12 +39,12 @@ std::shared_ptr<const MachineCode> machine_code(const Formulas& formulas) {
   return nullptr;
 }
 
-/// A program at packs of w numbers.
+/// A program that is evaluated at packs of w numbers.
 template <int w>
 class StageFormula {
  public:
-  /// @param parameters its last arguments @param code of several programs, of which this is number `place`;
-  /// null where there is none
+  /// Takes a program. @param parameters its last arguments @param code machine code of several programs, of
+  /// which this is number `place`; null where there is none
   StageFormula(const Program& program, const std::vector<double>& parameters, const MachineCode* code,
                std::size_t place)
       : program_(&program), code_(code ? (*code)[place] : nullptr) {
@@ -57,7 +57,7 @@ class StageFormula {
                 room_->arguments() + program.inputs() - static_cast<int>(parameters.size()));
   }
 
-  /// out = factor times its derivatives, or its value where it has none.
+  /// Sets `out` to factor times the derivatives, or to the value if there are no derivatives.
   template <class Vec>
   [[gnu::always_inline]] void run(const Vec& q, const Vec& p, const Pack<w>& factor, Pack<w>* out) {
     if (!code_) return interpret(q, p, factor, out);
@@ -85,7 +85,7 @@ class StageFormula {
 
   const Program* program_;
   MachineCode::Function code_;
-  std::optional<Program::Room<Pack<w>>> room_;                       // where there is no code
+  std::optional<Program::Room<Pack<w>>> room_;                       // memory, where there is no code
   std::vector<Pack<w>, Eigen::aligned_allocator<Pack<w>>> factors_;  // the factor and the parameters, if any
 };
 

@@ -8,15 +8,15 @@
 #include <vector>
 
 /// @file
-/// A program as a straight line of operations on values instead of slots.
+/// A program as a straight line of operations on values, instead of slots.
 
 namespace avi::detail {
 
 /// A program with a result for each operation, in an order in which results are used soon after they are
-/// there.
+/// computed.
 class StraightLine {
  public:
-  /// (a first b) second c, or output number `out` of a.
+  /// The operation (a first b) second c, or output number `out` of a.
   struct Line {
     Operation first, second;
     int a, b = -1, c = -1;  // values: arguments, then numbers, then the results of lines
@@ -44,7 +44,7 @@ class StraightLine {
   }
 
  private:
-  /// Slots are replaced by what is in them; sums of products are added one by one.
+  /// Reads a program: slots are replaced by the values in them, and sums of products are added one by one.
   void read(const Program& program) {
     std::vector<int> held(program.slots_, -1);
     for (int i = 0; i < one_; ++i)
@@ -100,7 +100,7 @@ class StraightLine {
   int append(Operation operation, int a, int b = -1) {
     return append({.first = operation, .second = Operation::nothing, .a = a, .b = b});
   }
-  /// The results that all powers of a value share.
+  /// Returns a result that all powers of a value share, made at its first use.
   int known(std::vector<int>& of, int value, Operation operation, int a, int b = -1) {
     of.resize(std::max<std::size_t>(of.size(), value + 1), -1);
     if (of[value] < 0) of[value] = append(operation, a, b);
@@ -109,12 +109,12 @@ class StraightLine {
   int root(int x) { return known(roots_, x, Operation::sqrt, x); }
   int reciprocal(int x) { return known(reciprocals_, x, Operation::divide, one_, x); }
 
-  /// An exponent that roots and products serve, see pow() of a Pack.
+  /// Returns true if roots and products serve for an exponent, see pow() of a Pack.
   static bool by_roots(double exponent) {
     const double four = 4.0 * exponent;
     return std::abs(four) <= 32.0 && four == std::trunc(four);
   }
-  /// As pow() of a Pack.
+  /// Adds the operations of a power, as pow() of a Pack does them.
   int power(int x, double exponent) {
     const double four = 4.0 * exponent;
     const int m = static_cast<int>(std::abs(four));
@@ -136,7 +136,8 @@ class StraightLine {
     return four < 0.0 && !shares ? reciprocal(y) : y;
   }
 
-  /// Each line comes as soon as its operands are there, the last one that became ready first.
+  /// Sorts the lines: each comes as soon as its operands are known, and of the lines that are ready, the one
+  /// that became so last comes first.
   void sort() {
     const int count = static_cast<int>(lines.size()), first = first_result();
     std::vector<int> missing(count, 0), begin(count + 1, 0), users;
@@ -166,7 +167,7 @@ class StraightLine {
   }
 
   int one_;                               // the number 1
-  std::vector<int> roots_, reciprocals_;  // of each value, or -1
+  std::vector<int> roots_, reciprocals_;  // roots and reciprocals of each value, or -1
 };
 
 }  // namespace avi::detail

@@ -12,7 +12,7 @@ namespace avi::detail {
 
 namespace {
 
-/// The causes that make H switch, their nodes added to the graph.
+/// Finds the causes that make H switch, and adds their nodes to the graph.
 std::vector<Switches::Cause> causes_of(ExpressionGraph& graph, int energy) {
   using enum Operation;
   const std::vector<char> part = graph.parts(energy);
@@ -24,7 +24,7 @@ std::vector<Switches::Cause> causes_of(ExpressionGraph& graph, int energy) {
     Switches::Cause cause;
     if (node.operation == less)
       cause.node = cause.bends = graph.binary(subtract, node.a, node.b);
-    else if (node.operation == less_equal)  // which is wrong where b < a
+    else if (node.operation == less_equal)  // false where b < a
       cause.node = cause.bends = graph.binary(subtract, node.b, node.a);
     else if (node.operation == abs || node.operation == sign)
       cause.node = cause.bends = node.a;
@@ -36,8 +36,8 @@ std::vector<Switches::Cause> causes_of(ExpressionGraph& graph, int energy) {
   return causes;
 }
 
-/// The Taylor series of what a cause compares, and the arguments in it of functions that are flat away from
-/// where they change: they say nothing of that.
+/// Makes the Taylor series of what a cause compares, with the arguments of functions in it that are flat away
+/// from where they change: where they are flat, the series says nothing about that change.
 Switches::Expansion expansion_of(const ExpressionGraph& graph, const Switches::Cause& cause) {
   using enum Operation;
   const std::vector<char> part = graph.parts(cause.node);
@@ -55,7 +55,7 @@ Switches::Expansion expansion_of(const ExpressionGraph& graph, const Switches::C
   return {std::move(series), std::move(nodes), std::move(falls)};
 }
 
-/// Makes the series in time, from this one on.
+/// Computes the series in time, about t.
 void expand(TaylorSeries<DualNumber<1>>& series, int inputs, double t) {
   for (int i = 0; i < inputs; ++i)
     std::fill_n(series.input(i), Switches::order + 2, DualNumber<1>(0.0));
@@ -65,8 +65,8 @@ void expand(TaylorSeries<DualNumber<1>>& series, int inputs, double t) {
     series.run(k, true);
 }
 
-/// A time in which what each of them compares bends a few times at most: the low half of its Taylor series
-/// has more than the high one.
+/// A time in which the function of each cause bends a few times at most: over it, the lower half of its
+/// Taylor series outweighs the upper half.
 double time_of_bends(const ExpressionGraph& graph, const std::vector<Switches::Cause>& causes, double from,
                      double span) {
   constexpr int order = Switches::order, looks = 64;
@@ -76,7 +76,7 @@ double time_of_bends(const ExpressionGraph& graph, const std::vector<Switches::C
   TaylorSeries<DualNumber<1>> series(graph, {}, nodes, order);
   double radius = std::abs(span);
   for (int look = 0; look < looks; ++look) {
-    // Not at equal distances, which a period may divide.
+    // Not at equal distances, which might be multiples of a period.
     const double place = look * 0.6180339887498949;
     expand(series, graph.inputs(), from + span * (place - std::floor(place)));
     for (const int node : nodes) {
@@ -126,17 +126,17 @@ Switches::Switches(const ExpressionGraph& graph, int energy, std::vector<Cause> 
     expansions_.push_back(expansion_of(graph, cause));
 }
 
-/// The function of a cause, which is compared with zero or with whole numbers, at a time.
+/// Value at a time of the function of a cause, which is compared with zero or with whole numbers.
 double Switches::value(std::size_t cause, double t) {
   at_[static_cast<std::size_t>(n_ - 1)] = t;
   compared_.run(at_.data(), at_.data() + n_, n_);
   return compared_.partial(static_cast<int>(cause));
 }
 
-/// Adds where a cause becomes less than what it is compared with, or no longer is, between two points.
+/// Adds the switches of a cause between two points.
 void Switches::add_between(std::size_t cause, const Point& low, const Point& high) {
   if (!causes_[cause].whole) return add_zero(cause, 0.0, low, high);
-  constexpr int most = 1000;  // of whole numbers, of which cells of that size have a few
+  constexpr int most = 1000;  // whole numbers; a cell has a few of them
   const double least = std::floor(std::min(low.value, high.value)), last = std::max(low.value, high.value);
   for (int k = 1; k <= most && least + k <= last; ++k)
     add_zero(cause, least + k, low, high);
@@ -145,12 +145,12 @@ void Switches::add_zero(std::size_t cause, double bound, const Point& low, const
   const double first = low.value - bound, last = high.value - bound;
   const bool falls = last < 0.0;
   if ((first < 0.0) == falls || !std::isfinite(first) || !std::isfinite(last)) return;
-  // What is zero is on the side that it counts to.
+  // An exact zero counts as not negative, in both directions.
   const auto rising = [&](double x) { return !falls ? x : x == 0.0 ? -0x1p-1074 : -x; };
   const auto f = [&](double t) { return rising(value(cause, t) - bound); };
   const Root zero = bracketed_root(f, low.t, rising(first), high.t, rising(last), -1.0);
   if (!zero.closed) return;
-  // A run may begin at any of the few numbers that are left.
+  // A run may begin at any of the few numbers that are left, so find neighbouring ones.
   Switch found{zero.low, zero.high};
   for (bool by_exponent = false;; by_exponent = !by_exponent) {
     const double middle = detail::middle(found.before, found.after, by_exponent);
@@ -163,7 +163,7 @@ void Switches::add_zero(std::size_t cause, double bound, const Point& low, const
   inside_.push_back(found);
 }
 
-/// The bounds of a cause as far from a time as this, from its series there.
+/// Bounds on the function of a cause within `distance` of a time, from its series there.
 Switches::Outlook Switches::outlook(std::size_t cause, double t, double distance) {
   Expansion& its = expansions_[cause];
   expand(its.series, static_cast<int>(2 * n_), t);
@@ -186,8 +186,8 @@ Switches::Outlook Switches::outlook(std::size_t cause, double t, double distance
   return {known, middle - 1.1 * around, middle + 1.1 * around, std::abs(value_of(c[1])) > turning};
 }
 
-/// Finds where a cause switches between two points: by halves, until its series has no zero in one of them,
-/// or one at most.
+/// Finds where a cause switches between two points, by bisection, until its series shows no zero in an
+/// interval, or one at most.
 void Switches::search(std::size_t cause, const Point& low, const Point& high) {
   const double half = 0.5 * (high.t - low.t), middle = low.t + half;
   if (!(half > 32.0 * rounding(middle)) || looks_ > most_looks) return add_between(cause, low, high);
@@ -203,7 +203,7 @@ void Switches::search(std::size_t cause, const Point& low, const Point& high) {
   search(cause, between, high);
 }
 
-/// Finds the switches of a cell, of one cause after the other: what one compares may jump where an earlier
+/// Finds the switches of a cell, one cause after the other: the function of a cause may jump where an earlier
 /// one switches.
 void Switches::look_into(double cell) {
   if (cell == seen_) return;
@@ -222,7 +222,7 @@ void Switches::look_into(double cell) {
     }
     search_to(edge(cell + 1.0));
     std::ranges::sort(inside_, {}, &Switch::before);
-    // Several that only rounding tells apart are one.
+    // Switches that only rounding tells apart are one.
     std::size_t last = 0;
     for (std::size_t k = 1; k < inside_.size(); ++k)
       if (inside_[k].before <= inside_[last].after + 64.0 * rounding(inside_[k].before))
@@ -259,7 +259,7 @@ std::optional<Switches::Switch> Switches::next(double t, double to) {
 }
 
 std::optional<Switches::Switch> Switches::at(double t, double sense) {
-  // One that it is in the middle of is found from before.
+  // A switch around t is found from before it.
   const auto found = next(t - 64.0 * sense * rounding(t), t + sense * rounding(t));
   if (!found || !(sense * (found->after - t) > 0.0)) return {};
   return Switch{t, found->after};

@@ -13,19 +13,20 @@
 #include <vector>
 
 /// @file
-/// Where H switches with time.
+/// The switches of H: times at which it changes to another formula.
 
 namespace avi::detail {
 
-/// The times at which H, of (q, t, p) with time as the last coordinate, switches: at which a comparison of
-/// two functions of time alone becomes true or false, or such a function goes through zero whose absolute
-/// value H takes, or through a whole number where H takes its floor. A step ends there, so that H is smooth
-/// in every one, and the momentum of time changes by what H does, which keeps \f$H + p^t\f$ as it is.
+/// The times at which H, of (q, t, p) with time as the last coordinate, switches. There a comparison of two
+/// functions of time alone becomes true or false, or such a function goes through zero and H takes its
+/// absolute value or sign, or through a whole number and H takes its floor. Steps end there, so that H is
+/// smooth within each step. The momentum of time makes up for the change of H, which keeps \f$H + p^t\f$
+/// constant.
 ///
-/// Time is divided into cells, in which zeros are looked for by halves until the Taylor series of such a
-/// function in the middle of a half tells that it has none there, or one at most. Which cells there are
-/// depends on H and the run alone: so all runs along an orbit meet the same switches, to the last bit. A copy
-/// may work beside the others.
+/// Time is divided into cells. In each, zeros are looked for by bisection, until the Taylor series of such a
+/// function about the middle of an interval shows that it has none there, or one at most. The cells depend
+/// only on H and on the times of start and end, so all runs along an orbit meet the same switches, to the
+/// last bit. Copies can be used side by side.
 class Switches {
  public:
   /// The switches of H, a node of a graph, in a run from one time to another. @return null where there are
@@ -34,13 +35,14 @@ class Switches {
 
   /// A function of time that makes H switch.
   struct Cause {
-    int node = -1;       ///< It itself: H switches where it becomes negative, or no longer is.
+    int node = -1;       ///< Node of the function: H switches where it becomes negative, or no longer is.
     int bends = -1;      ///< Node of a function with a zero for each switch.
-    bool whole = false;  ///< H switches where its floor changes.
+    bool whole = false;  ///< Whether H switches where the floor of the function changes.
     bool operator==(const Cause&) const = default;
   };
-  /// The series of a cause, where in it the coefficients are: of the cause, and of arguments of functions
-  /// that are flat where the argument is large; and for each of these whether it has to be negative.
+  /// The Taylor series of a cause, with the arguments of functions in it that are flat where their argument
+  /// is large. The coefficients of the cause, then those of the arguments, are at `places`. `falls` says for
+  /// each argument whether it has to be negative for its function to be flat.
   struct Expansion {
     TaylorSeries<DualNumber<1>> series;
     std::vector<int> places;
@@ -51,21 +53,21 @@ class Switches {
   struct Switch {
     double before, after;
   };
-  /// The first one at t or behind it in the direction from t to `to`, if it is not beyond that.
+  /// The first switch at t or beyond it, in the direction from t to `to`, if it is not beyond `to`.
   std::optional<Switch> next(double t, double to);
 
-  /// The one at t, or so near behind it that no step leads there. @param sense 1, or -1 in a run backwards
+  /// The switch at t, or so near behind t that no step leads there. @param sense 1, or -1 in a run backwards
   std::optional<Switch> at(double t, double sense);
 
-  /// A time is so near one that H may be that of neither side.
+  /// Returns true if a time is so near a switch that H may be that of neither side.
   bool is_near(double t) { return next(t - 64.0 * rounding(t), t + 64.0 * rounding(t)).has_value(); }
 
-  /// How much H falls at a switch where the system is there; (q, p) of n numbers each.
+  /// The decrease of H over a switch, for the system at (q, p), n numbers each.
   double fall(const double* q, const double* p, const Switch& at);
 
  private:
   Switches(const ExpressionGraph& graph, int energy, std::vector<Cause> causes, double from, double cell);
-  // A run begins in the middle of a cell: there may be a switch at its start.
+  // A run begins inside a cell, as there may be a switch at its start.
   [[nodiscard]] double edge(double cell) const { return from_ + (cell - 0.381966) * cell_; }
   [[nodiscard]] double rounding(double t) const {
     return std::numeric_limits<double>::epsilon() * std::max(std::abs(t), cell_);
@@ -77,7 +79,7 @@ class Switches {
   void add_between(std::size_t cause, const Point& low, const Point& high);
   void add_zero(std::size_t cause, double bound, const Point& low, const Point& high);
   struct Outlook {
-    bool known;  // what follows is right
+    bool known;  // whether what follows is right
     double least, most;
     bool monotone;
   };
@@ -85,17 +87,17 @@ class Switches {
   void search(std::size_t cause, const Point& low, const Point& high);
   void look_into(double cell);
 
-  static constexpr int most_looks = 100'000;  // in a cell, or for one switch: some tenth of a second
+  static constexpr int most_looks = 100'000;  // in a cell, or for one switch: about a tenth of a second
 
   Eigen::Index n_;
   double from_, cell_;
   std::vector<Cause> causes_;
   RecordedFormula<double> compared_, energy_;
-  std::vector<double> at_;      // (q, p), all but time zero
-  double seen_;                 // cell that is known
-  std::vector<Switch> inside_;  // its switches, forwards
+  std::vector<double> at_;      // (q, p), zero except for time
+  double seen_;                 // number of the cell whose switches are known
+  std::vector<Switch> inside_;  // switches of that cell, forwards in time
   std::vector<Expansion> expansions_;
-  int looks_ = 0;  // that it took
+  int looks_ = 0;  // looks that this cell took
 };
 
 }  // namespace avi::detail

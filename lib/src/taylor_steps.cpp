@@ -9,7 +9,7 @@ namespace avi {
 namespace detail {
 namespace {
 
-/// Makes them, on a graph that grows by the slopes of functions.
+/// The builder of the steps, on a graph that grows by the slopes of functions.
 class TaylorBuilder {
  public:
   TaylorBuilder(ExpressionGraph& graph, TaylorSteps& steps) : graph_(graph), made_(steps) {}
@@ -39,7 +39,7 @@ class TaylorBuilder {
     return is_function(operation) && operation != Operation::sqrt && operation != Operation::exp &&
            operation != Operation::abs;
   }
-  /// The nodes of the slopes of a function; -1 for a constant operand.
+  /// Returns the nodes of the slopes of a function; -1 for a constant operand.
   std::array<int, 2> slope_nodes(int node, const ExpressionGraph::Node& what) {
     const Factor a(graph_, what.a), f(graph_, node);
     if (what.operation == Operation::pow) {  // from f: another power would have a slope of its own, and so on
@@ -64,7 +64,7 @@ class TaylorBuilder {
       return {-1, -1};
     }
   }
-  /// Marks all nodes that these outputs need, slopes of functions among them, which it adds to the graph.
+  /// Marks all nodes that these outputs need, with the slopes of functions, which it adds to the graph.
   void find_slopes(std::vector<int> open) {
     while (!open.empty()) {
       const int node = open.back();
@@ -81,7 +81,7 @@ class TaylorBuilder {
     }
     needed_.resize(graph_.size(), 0);
   }
-  /// Where the coefficients of a node are; those of a constant are made.
+  /// Returns the place of the coefficients of a node; those of a constant are made here.
   int series(int node) {
     int& place = made_.places[node];
     if (place < 0) {
@@ -102,13 +102,14 @@ class TaylorBuilder {
         made_.places[node] = made_.steps.back().c_at;
       }
   }
-  /// A power that has a series where its base is 0, too; the recurrence of all others divides by the base.
+  /// Returns true for a power that has a series where its base is 0, too; the recurrence of all others
+  /// divides by the base.
   [[nodiscard]] bool is_whole_power(int node) const {
     if (graph_[node].operation != Operation::power) return false;
     const double exponent = graph_[graph_[node].b].number;
     return exponent >= 1.0 && exponent <= 0x1p30 && exponent == std::round(exponent);
   }
-  /// The steps of such a power, products in the order of power(); where the last one's result is.
+  /// Adds the steps of such a power, products in the order of power(). Returns the place of the last result.
   int add_products(int node) {
     const auto times = [&](int a, int b) {
       made_.steps.push_back({.rule = a == b ? Rule::square : Rule::product,

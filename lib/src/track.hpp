@@ -7,7 +7,7 @@
 #include <vector>
 
 /// @file
-/// A run as the starts of its steps.
+/// A run, kept as the starts of its steps.
 
 namespace avi::detail {
 
@@ -15,24 +15,24 @@ namespace avi::detail {
 /// start, from a constant as first guess, so that it does not depend on what was asked before.
 class Track final : public OrbitCurve {
  public:
-  /// The track of a run with steps h of this method, which has made none.
+  /// Makes the empty track of a run with steps h of this method, which has made none.
   Track(std::unique_ptr<OrbitSteps> pattern, const Candidate& candidate, const PointField& field, double h,
         int degrees)
       : pattern_(std::move(pattern)), candidate_(candidate), field_(field), h_(h), degrees_(degrees) {}
 
-  /// One step more, or the part of it that belongs to the run.
+  /// Adds a step, or the part of it that belongs to the run.
   void add(const State<dynamic>& before, const State<dynamic>& last) {
     if (starts_.empty()) put(before);
     put(last);
   }
   void at(double t, double* z) const override;
   [[nodiscard]] const std::vector<double>& times() const override { return times_; }
-  /// The first of its times into a file.
+  /// Puts the first of its times, and the states there, into a record.
   void put(Record& record, std::size_t times) const {
     record.put(times_, times);
     record.put(starts_, times * 2 * static_cast<std::size_t>(field_.size()));
   }
-  /// From a file.
+  /// Takes times and states from a record.
   void get(Record& record) {
     record.get(times_);
     record.get(starts_);
@@ -47,7 +47,7 @@ class Track final : public OrbitCurve {
   [[nodiscard]] State<dynamic> start(std::size_t k) const;
 
   std::unique_ptr<OrbitSteps> pattern_;
-  // Memory of evaluations, and of the last step that was repeated: many times may be asked for in one.
+  // Memory for evaluations, and the last step that was repeated: many times in one step may be asked for.
   mutable std::mutex mutex_;
   mutable Candidate candidate_;
   mutable PointField field_;

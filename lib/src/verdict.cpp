@@ -6,8 +6,8 @@
 #include <utility>
 
 /// @file
-/// The answer of solve(): the state, its error, and in a sentence why a run ended early or nothing is
-/// promised of it.
+/// The answer of solve(): the state, its error and, in a sentence, why a run ended early or why nothing is
+/// promised about its accuracy.
 
 namespace avi::detail {
 
@@ -18,7 +18,7 @@ OrbitAnswer Orbiter::fail(Outcome outcome, std::string message) {
   return answer_;
 }
 
-/// No run came to the end.
+/// Answers that no run came to the end.
 OrbitAnswer Orbiter::give_up() {
   std::ostringstream text;
   if (bound_ != Outcome::ok) {
@@ -36,7 +36,7 @@ OrbitAnswer Orbiter::give_up() {
   return fail(Outcome::not_converged, text.str());
 }
 
-/// The start or the end is so far that the rounding of its time is more than a radian.
+/// Answers that the start or the end is so far away that rounding of its time is more than a radian.
 OrbitAnswer Orbiter::too_far(const char* what, double t, double radians) {
   std::ostringstream text;
   text << what << t << ", is some " << radians
@@ -45,7 +45,7 @@ OrbitAnswer Orbiter::too_far(const char* what, double t, double radians) {
   return fail(Outcome::stalled, text.str());
 }
 
-/// Why a run was stopped on the way, whose price was too high.
+/// Explains why a run was stopped on the way for its price.
 std::string Orbiter::given_up(const Journey& run) const {
   std::ostringstream text;
   const double reached = std::abs(run.state.t - question_.t);
@@ -81,7 +81,7 @@ std::string Orbiter::given_up(const Journey& run) const {
   return text.str();
 }
 
-/// The setting of a run and its work, that of all others taken off.
+/// Reports the setting of a run and its work, apart from the work of all other runs.
 void Orbiter::tell_work(const Journey& fine) {
   Choice& choice = answer_.choice;
   choice.sweeps = budget_.sweeps - fine.run.evaluations;
@@ -102,10 +102,9 @@ void Orbiter::tell_work(const Journey& fine) {
   answer_.energy_error = fine.energy_error;
 }
 
-/// The error of the state: what two runs foretell, and what rounding adds to that.
+/// Reports the error of the state: what two runs predict, plus what rounding adds.
 void Orbiter::tell_error(const Journey& fine, double foreseen) {
-  // What rounding leaves grows with the phase, and moves the state by as much more as that is fast at the
-  // end.
+  // The effect of rounding grows with the phase, and is larger where the motion is fast at the end.
   const double epsilon = std::numeric_limits<double>::epsilon(), of_clock = rounding_of_clock(fine),
                of_entries = distance_->rounding_of(fine.state, fine.ranges),
                phase = std::max(radians_, span_ * speed_at(fine.state, fine.ranges));
@@ -124,7 +123,7 @@ void Orbiter::tell_error(const Journey& fine, double foreseen) {
   }
 }
 
-/// Why the run did not come to its end.
+/// Explains why the run did not come to its end.
 void Orbiter::tell_end(const Journey& fine) {
   answer_.state_error = infinity;
   if (in_the_way_ > 0.0) {
@@ -145,7 +144,7 @@ void Orbiter::tell_end(const Journey& fine) {
   }
 }
 
-/// Why the state is not right to the tolerance.
+/// Explains why the state is not right to the tolerance.
 void Orbiter::tell_doubts(const Journey& fine, double foreseen) {
   std::string& note = answer_.note;
   const bool apart = seen_.error > 1e-3;
@@ -173,8 +172,9 @@ void Orbiter::tell_doubts(const Journey& fine, double foreseen) {
     note += "Monitor, order and step were chosen for another start; solve() chooses for this one. ";
 }
 
-/// What was reached is the end where a bound is met, or runs fail: by the one that has come furthest, unless
-/// a step is given. With a setting that failed nothing goes on behind a bound.
+/// Picks the run whose end is the answer if a bound was met or runs failed: the one that came furthest,
+/// unless a step is given. If a bound was met, an earlier run that failed counts only where there is no
+/// other.
 void Orbiter::take_furthest() {
   if (fine_ && coarse_ && (bound_ != Outcome::ok || !coarse_->ok()) && !(question_.options.h > 0.0) &&
       is_further(*coarse_, *fine_))
@@ -186,7 +186,7 @@ void Orbiter::take_furthest() {
 OrbitAnswer Orbiter::finish() {
   const Journey& fine = *fine_;
   tell_work(fine);
-  // What is foretold is at most as far as the motion goes.
+  // The predicted error is at most as large as the motion itself.
   const double told = parted_
                           ? seen_.error
                           : foretold(seen_, since_start(judged_), span_, speed_at(fine.state, fine.ranges)),
@@ -195,7 +195,7 @@ OrbitAnswer Orbiter::finish() {
   if (!answer_.ok()) tell_end(fine);
   if (std::isnan(answer_.state_error)) answer_.state_error = infinity;
   if (!answer_.kept()) tell_doubts(fine, foreseen);
-  if (!answer_.note.empty()) answer_.note.pop_back();  // the blank behind the last sentence
+  if (!answer_.note.empty()) answer_.note.pop_back();  // the space after the last sentence
   std::copy(fine.state.q.begin(), fine.state.q.end(), answer_.q.begin());
   std::copy(fine.state.p.begin(), fine.state.p.end(), answer_.p.begin());
   answer_.t = fine.state.t;

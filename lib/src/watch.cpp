@@ -12,10 +12,10 @@ namespace avi::detail {
 
 namespace {
 
-// Parts of a step, at whose ends g is looked at: more where g is no smooth curve through them.
+// Number of parts of a step, at whose ends g is sampled: more where the samples are not on a smooth curve.
 constexpr int fewest_parts = 8, most_parts = 1024;
 
-/// The method as it is after the step, which repeats it in parts.
+/// The method as it is after the step, which repeats the step in parts.
 struct Repeated {
   static constexpr bool one_step = false;
   std::shared_ptr<const OrbitSteps> pattern;
@@ -30,7 +30,7 @@ struct Repeated {
   }
 };
 
-/// States of the method inside a step.
+/// The states inside a step that the method itself finds.
 class Exact {
  public:
   explicit Exact(const Stride& stride)
@@ -70,8 +70,8 @@ double Watch::rounding(const State<dynamic>& z, const State<dynamic>& after) {
   return rounding_of([this](const State<dynamic>& there) { return at(there); }, z, after);
 }
 
-/// Looks at g in twice as many points until those between are where a cubic through the others has them.
-/// @param soon so many points after the start belong to no such grid @return they are
+/// Doubles the number of samples of g until those in between lie on a cubic through the others. @param soon
+/// number of points just after the start, which are on no such grid @return true if they do
 bool Watch::refine(const Stride& stride, std::size_t soon) {
   double noise = -1.0;
   for (int parts = fewest_parts;; parts *= 2) {
@@ -88,8 +88,9 @@ bool Watch::refine(const Stride& stride, std::size_t soon) {
               : (9.0 * (value(k - 1) + value(k + 1)) - value(k - 3) - value(k + 3)) / 16.0;
       apart = std::max(apart, std::abs(value(k) - between));
     }
-    // What is as fast as the grid may look slow on it, but not beside it. A single part of a cell would not
-    // do: where a cell holds 13, 21 or 34 periods, a golden section of it lies near a whole number of them.
+    // A function as fast as the grid may look slow on it, but not off it. One point off the grid in each cell
+    // would not do: if a cell holds 13, 21 or 34 periods, its golden section lies near a whole number of
+    // them.
     constexpr std::array<double, 5> asides{0.381966, 0.414214, 0.267949, 0.302776, 0.449490};
     constexpr std::array<int, 5> eighths{1, 2, 3, 5, 6};
     for (std::size_t i = 0; i < asides.size(); ++i) {
@@ -117,7 +118,7 @@ bool Watch::refine(const Stride& stride, std::size_t soon) {
   }
 }
 
-/// g along the step; where the run starts on the event, from where g has left it.
+/// Samples g along the step; if the run starts on the event, from where g has left it.
 void Watch::sample(const Stride& stride, bool first) {
   samples_.clear();
   const double begin = at(stride.before), end = at(stride.last);
@@ -130,7 +131,7 @@ void Watch::sample(const Stride& stride, bool first) {
   if (memory_.leaving)
     for (const double part : {0x1p-26, 0x1p-20, 0x1p-14, 0x1p-8, 0x1p-5})
       samples_.push_back({part * stride.part, on(stride, part * stride.part)});
-  const std::size_t soon = samples_.size() - 1;  // the points just after the start
+  const std::size_t soon = samples_.size() - 1;  // number of points just after the start
   for (int k = 1; k < fewest_parts; ++k) {
     const double part = stride.part * k / fewest_parts;
     samples_.push_back({part, on(stride, part)});
@@ -144,7 +145,7 @@ void Watch::sample(const Stride& stride, bool first) {
   samples_.erase(samples_.begin(), left);
 }
 
-/// A sample that is zero by chance has no sign; those beside it have, and another zero may be there.
+/// Adds samples just beside those that are zero by chance: these have no sign, and another zero may be near.
 void Watch::add_beside_zeros(const Stride& stride) {
   std::vector<Sample> beside;
   for (std::size_t k = 0; k + 1 < samples_.size(); ++k) {
@@ -158,7 +159,7 @@ void Watch::add_beside_zeros(const Stride& stride) {
   std::ranges::sort(samples_, {}, &Sample::part);
 }
 
-/// Samples in between, where zeros lie between two of them that those do not show.
+/// Adds samples between two that do not show the zeros between them.
 void Watch::add_turning_points(const Stride& stride, long& evaluations) {
   std::optional<Dips> dips;
   const auto look_here = [&](double variation) {
@@ -173,7 +174,7 @@ void Watch::add_turning_points(const Stride& stride, long& evaluations) {
     }
     return variation > 100.0 * noise_;
   };
-  for (std::size_t k = samples_.size(); k-- > 1;) {  // there may be none
+  for (std::size_t k = samples_.size(); k-- > 1;) {  // there may be no samples
     if (!Dips::grazes(samples_, k)) continue;
     if (!look_here(std::max(std::abs(samples_[k - 1].g), std::abs(samples_[k + 1].g)))) continue;
     samples_[k - 1].turns = true;
@@ -191,7 +192,8 @@ void Watch::add_turning_points(const Stride& stride, long& evaluations) {
   std::ranges::sort(samples_, {}, &Sample::part);
 }
 
-/// The state on g = 0 in the straight piece with which a landing ends. @param begin of that piece
+/// The state on g = 0 in the straight piece with which a landing ends. @param begin state at the beginning of
+/// that piece
 State<dynamic> Watch::between(const State<dynamic>& begin, const State<dynamic>& end) {
   const double at_begin = at(begin), at_end = at(end), part = at_begin / (at_begin - at_end);
   State<dynamic> there = begin;
@@ -201,8 +203,9 @@ State<dynamic> Watch::between(const State<dynamic>& begin, const State<dynamic>&
   return at(there) * at_end >= 0.0 ? there : end;
 }
 
-/// The zero between the points number k and k + 1 of the step, by steps of the method; or beside them, as the
-/// polynomial of a step is not quite its states. @param none there is none: it was the polynomial's alone
+/// Finds the zero between the samples k and k + 1 of the step, by steps of the method. It may lie beside
+/// them, as the polynomial of a step is not quite equal to its states. @param none set if there is no zero:
+/// only the polynomial had one
 Hit Watch::locate(const Stride& stride, std::size_t k, long& evaluations, bool& none) {
   const Sample &low = samples_[k], &high = samples_[k + 1];
   const double lowest = low.exact ? low.part : samples_[std::max<std::size_t>(k, 1) - 1].part,
@@ -223,8 +226,8 @@ Hit Watch::locate(const Stride& stride, std::size_t k, long& evaluations, bool& 
     hit.reason = found.reason.empty() ? "a step to g = 0 failed" : found.reason;
     return hit;
   };
-  // Where time is far from zero, so wide that its clock has numbers beside the zero: by how g changes over
-  // them a zero is told from a jump.
+  // Where time is far from zero, the interval is wide enough for the clock to have numbers beside the zero:
+  // the change of g over them tells a zero from a jump.
   const double tick = rounding_of_time(stride.before.t, stride.last.t) * stride.part /
                       std::abs(stride.last.t - stride.before.t);
   for (double width = std::max(1e-5, 32.0 * tick);; width *= 40.0) {
@@ -270,7 +273,7 @@ long Watch::look(const Stride& stride, bool first, std::vector<Hit>& hits) {
   if (over()) return 0;
   long evaluations = 0;
   sample(stride, first);
-  // An event may come before g is nan all the same, however shortly.
+  // An event may still come just before g becomes nan.
   const auto undefined = std::ranges::find_if(samples_, [](const Sample& it) { return std::isnan(it.g); });
   std::optional<double> ends;
   if (undefined != samples_.end()) ends = undefined->part;
@@ -286,7 +289,7 @@ long Watch::look(const Stride& stride, bool first, std::vector<Hit>& hits) {
   int changes = 0;
   for (std::size_t k = 1; k < samples_.size(); ++k)
     changes += samples_[k - 1].g * samples_[k].g < 0.0 ? 1 : 0;
-  if (!smooth_ && changes > 8) {  // a jump changes it once
+  if (!smooth_ && changes > 8) {  // a jump changes the sign once
     hits.push_back({stride.before, index_, Outcome::not_converged,
                     "g of the event changes its sign more often in a step than can be told apart"});
     return evaluations;

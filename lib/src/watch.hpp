@@ -13,48 +13,49 @@
 
 namespace avi::detail {
 
-/// A step that was taken, by whom, and the part of it that belongs to the run.
+/// A step that was taken, its method, and the part of it that belongs to the run.
 struct Stride {
-  OrbitSteps& method;            ///< After the step.
-  const State<dynamic>& before;  ///< Where it began.
-  const State<dynamic>& last;    ///< Where the part ends.
+  OrbitSteps& method;            ///< Method after the step.
+  const State<dynamic>& before;  ///< State at the beginning of the step.
+  const State<dynamic>& last;    ///< State at the end of the part.
   double h;                      ///< Fictive step, with its sign.
-  double part;                   ///< That ends at `last`, in (0, 1].
+  double part;                   ///< Part of the step that ends at `last`, in (0, 1].
 };
 
 /// An event that was found in a step, or why the search failed.
 struct Hit {
-  State<dynamic> state;           ///< On g = 0, or beyond it.
+  State<dynamic> state;           ///< State on g = 0, or beyond it.
   std::size_t index = 0;          ///< Number of the event.
-  Outcome outcome = Outcome::ok;  ///< Unless ok, there is no state.
-  std::string reason = {};        ///< Then why.
+  Outcome outcome = Outcome::ok;  ///< Outcome of the search; unless ok, there is no state.
+  std::string reason = {};        ///< Reason for a failure.
 };
 
-/// Follows one event from step to step. It is looked for at several points of the collocation polynomial, so
-/// that two events in one step are seen, too; then steps of the method find it, see Step::locate().
+/// The search for one event, step by step. g is sampled at several points of the collocation polynomial, so
+/// that two events in one step are seen, too; steps of the method then find its zero, see Step::locate().
 class Watch {
  public:
-  /// @param degrees n of the states that g is called with
+  /// Begins the search for an event. @param degrees number of degrees of freedom of the states that g is
+  /// called with
   Watch(const OrbitEvent& event, int degrees, std::size_t index)
       : formula_{Recording(event.g.graph(), event.g.node()).value()}, rules_(event.rules), degrees_(degrees),
         timed_(event.g.inputs() > 2 * degrees), index_(index) {
     if (rules_.stop && rules_.count == 0) rules_.count = 1;
   }
 
-  /// Adds what is in a step, in the order of time, or the failure that ends the search. Counts nothing.
-  /// @param first the run begins with this step @return evaluations of the field
+  /// Adds the events in a step, in the order of time, or the failure that ends the search. Does not count
+  /// them. @param first whether the run begins with this step @return evaluations of the field
   long look(const Stride& stride, bool first, std::vector<Hit>& hits);
-  /// One of the events counts. @return the run ends there
+  /// Counts an event. @return true if the run ends there
   bool take() { return ++memory_.found == rules_.count && rules_.stop; }
-  /// All that count have been found.
+  /// Returns true if all events that count have been found.
   [[nodiscard]] bool over() const { return rules_.count > 0 && memory_.found >= rules_.count; }
   /// The memory from step to step, which goes into a checkpoint.
   struct Memory {
-    long found = 0;        ///< Events that count.
-    double level = 0.0;    ///< |g| that counts as zero where the run starts.
-    bool leaving = false;  ///< g has not left it yet.
+    long found = 0;        ///< Number of events counted so far.
+    double level = 0.0;    ///< Largest |g| that counts as zero where the run starts.
+    bool leaving = false;  ///< Whether g has not left that level yet.
   };
-  [[nodiscard]] Memory& memory() { return memory_; }  ///< See there.
+  [[nodiscard]] Memory& memory() { return memory_; }  ///< Memory of this search.
 
  private:
   double at(const double* q, const double* p, double t);
@@ -78,8 +79,8 @@ class Watch {
   bool timed_;
   std::size_t index_;
   Memory memory_;
-  bool smooth_ = true;  // g in the step, see refine()
-  double noise_ = 0.0;  // of g in it, see rounding()
+  bool smooth_ = true;  // g is smooth in the step, see refine()
+  double noise_ = 0.0;  // rounding error of g in the step, see rounding()
   std::vector<Sample> samples_;
   VectorX inside_;  // (q, p) in the step
 };
