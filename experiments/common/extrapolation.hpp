@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-// References for Hamiltonians that are not separable, by a method that shares nothing with the library's.
+// Reference solutions for Hamiltonians that are not separable, by a method independent of the library.
 
 namespace experiment {
 
@@ -13,12 +13,13 @@ namespace experiment {
 template <int rows, class Vec>
 class ExtrapolatedStep {
  public:
-  /// For vectors of the size of `any`.
+  /// For vectors of the same size as `any`.
   explicit ExtrapolatedStep(const Vec& any) : before_(any), now_(any), point_(any), slope_(any) {
     column_.fill(any);
   }
 
-  /// Finds the increment of y over h. @param field field(y, slope) fills the slope @param slope at y
+  /// Computes the increment of y over h. @param field called as field(y, slope), fills the slope @param slope
+  /// the slope at y
   void find(const auto& field, const Vec& y, const Vec& slope, long double h) {
     const auto size = y.size();
     for (int row = 0; row < rows; ++row) {
@@ -46,15 +47,16 @@ class ExtrapolatedStep {
     }
   }
 
-  [[nodiscard]] const Vec& increment() const { return column_[0]; }  ///< That of order 2 `rows`.
-  [[nodiscard]] const Vec& coarser() const { return column_[1]; }    ///< That without the coarsest row.
+  [[nodiscard]] const Vec& increment() const { return column_[0]; }  ///< The increment of order 2 `rows`.
+  /// The increment without the coarsest row.
+  [[nodiscard]] const Vec& coarser() const { return column_[1]; }
 
  private:
   std::array<Vec, rows> column_;
   Vec before_, now_, point_, slope_;
 };
 
-/// y a step h on, y' = field(y), by an extrapolated step of order 2 `columns`.
+/// y after a step h of y' = field(y), by an extrapolated step of order 2 `columns`.
 template <int columns, class Vec>
 Vec extrapolated_step(const auto& field, const Vec& y, long double h) {
   ExtrapolatedStep<columns, Vec> step(y);
@@ -62,7 +64,7 @@ Vec extrapolated_step(const auto& field, const Vec& y, long double h) {
   return y + step.increment();
 }
 
-/// A run of order 20 in extended precision. `Problem` gives d_dq(q, p) and d_dp(q, p).
+/// A run of order 20 in extended precision. `Problem` provides d_dq(q, p) and d_dp(q, p).
 template <class Problem>
 class Extrapolation {
  public:
@@ -73,13 +75,13 @@ class Extrapolation {
     now_ << start.q.template cast<long double>(), start.p.template cast<long double>();
   }
 
-  /// Goes on as long as it stays before `horizon`.
+  /// Takes steps as long as they end at or before `horizon`.
   void run_to(double horizon) {
     for (; t_ + h_ <= horizon; t_ += h_)
       now_ = stepped(now_, h_);
   }
 
-  /// Position at a time after the last step; run_to() has come close.
+  /// Position at a time t after the last step; run_to() should have come close to it.
   [[nodiscard]] avi::Vector<double, n> position(double t) const {
     Vec y = now_;
     const long double rest = t - t_, parts = std::ceil(rest / h_);

@@ -11,7 +11,7 @@
 namespace experiment {
 namespace {
 
-/// Blocks SIGINT, SIGTERM and SIGHUP for as long as it lives, so that no temporary file is left behind.
+/// Blocks SIGINT, SIGTERM and SIGHUP during its lifetime, so that no temporary file is left behind.
 class Uninterrupted {
  public:
   Uninterrupted() {
@@ -29,8 +29,8 @@ class Uninterrupted {
   sigset_t before_{};
 };
 
-/// Makes the folder and proves that a page can be written in it, before any work is done: a full disk still
-/// creates files.
+/// Creates the folder and checks, before any work is done, that 4096 bytes can be written in it; on a full
+/// disk, files can still be created.
 void require_writable(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
@@ -45,7 +45,7 @@ void require_writable(const std::filesystem::path& folder) {
         "Output folder '{}' cannot be written; name one that can with --output DIR.", folder.string()));
 }
 
-/// Empty where a folder of that name exists, else what is to be said.
+/// An error message if there is no folder of that name; otherwise empty.
 std::string missing(const std::string& folder) {
   std::error_code unreachable;
   if (std::filesystem::is_directory(folder, unreachable)) return {};
@@ -91,10 +91,11 @@ int run(int argc, char** argv, const std::string& shows, const std::vector<Optio
   app.add_flag("--quick", frame.quick, "A shortened run for tests: same columns, fewer or shorter rows");
   for (const Option& option : options)
     add(app, option);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of the write, not the end
+  // a file that grows too large becomes a write error instead of ending the program
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     app.parse(argc, argv);
-    for (const char* mode : {"full", "extremes", "long", "quick"})  // not to be taken for the data
+    for (const char* mode : {"full", "extremes", "long", "quick"})  // keeps these runs apart from the data
       if (const auto* flag = app.get_option_no_throw(std::string("--") + mode);
           flag && flag->count() > 0 && output->count() == 0)
         frame.output = std::filesystem::path("build") / mode;

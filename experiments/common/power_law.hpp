@@ -5,12 +5,12 @@
 #include <limits>
 #include <vector>
 
-// Powers with which something grows.
+// The exponent of a power law.
 
 namespace experiment {
 
-/// The power of x in y with its standard error, by least squares through the logarithms; NaN for both below
-/// three points.
+/// Fits y ~ x^a: the exponent a with its standard error, by least squares of the logarithms; NaN for fewer
+/// than three points.
 inline avi::DriftFit power_law(const std::vector<double>& x, const std::vector<double>& y) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if (x.size() < 3) return {.slope = nan, .standard_error = nan, .points = static_cast<int>(x.size())};

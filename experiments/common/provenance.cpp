@@ -10,15 +10,16 @@
 #include <ctime>
 #include <fstream>
 
-// Where a data file comes from.
+// Provenance lines of a data file.
 
 namespace experiment {
 namespace {
 
 /// `git describe --always --dirty` of the source folder, or "unknown".
 std::string commit() {
-  // Asked at run time: compiled in, a new commit would relink and so re-run every experiment.
-  // Of a release without .git that lies in another repository, that one's commit would say nothing.
+  // Queried at run time: if it were compiled in, each commit would relink and so rerun every experiment. The
+  // check for CMakeLists.txt covers a release without .git inside another repository, whose commit would be
+  // misleading.
   const std::string command =
       "cd '" AVI_SOURCE_DIR "' && git ls-files --error-unmatch CMakeLists.txt >/dev/null 2>&1 && "
       "git describe --always --dirty --exclude='*' 2>/dev/null";
@@ -33,12 +34,12 @@ std::string commit() {
 
 /// Compiler flags of an experiment.
 std::string flags(const std::string& experiment) {
-  // Of two levels of optimisation the later counts.
+  // The last of several optimisation levels takes effect.
   const bool is_short = std::string(AVI_SHORT " ").find(" " + experiment + " ") != std::string::npos;
   return is_short ? AVI_FLAGS " " AVI_NOT_OPTIMISED : AVI_FLAGS;
 }
 
-/// Processor model.
+/// Model of the processor.
 std::string machine() {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);)

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-// Reference solutions from the start as it is rounded to double: against the start that was meant, every
-// method would show the rounding of the start, 1e-8 after 1000 orbits at e = 0.999.
+// Reference solutions start from the start as rounded to double. Compared with the unrounded start, every
+// method would show the rounding error of the start, 1e-8 after 1000 orbits at e = 0.999.
 
 namespace experiment::work_precision {
 
@@ -16,7 +16,7 @@ __extension__ using Quad = __float128;
 using Quad = long double;
 #endif
 
-/// sin x and 1 - cos x for |x| <= 4, by halving, Taylor series and doubling.
+/// sin x and 1 - cos x for |x| <= 4, by halving the angle, Taylor series, and doubling it again.
 inline void sin_versin(Quad x, Quad& sine, Quad& versine) {
   constexpr int halvings = 7;
   for (int i = 0; i < halvings; ++i)
@@ -43,8 +43,9 @@ inline Quad square_root(Quad x) {
   return root;
 }
 
-/// Position at t >= 0 of the orbit through `start`, by Kepler's equation in the difference D of eccentric
-/// anomalies, n t = D - (1 - r_0/a) sin D + (q_0 . p_0 / sqrt a) (1 - cos D), and Gauss's f and g.
+/// Position at t >= 0 on the Kepler orbit through `start`. Kepler's equation for the difference D of
+/// eccentric anomalies, n t = D - (1 - r_0/a) sin D + (q_0 . p_0 / sqrt a) (1 - cos D), is followed by
+/// Gauss's functions f and g.
 inline avi::Vector<double, 2> exact_kepler(const avi::State<2>& start, double t) {
   const Quad x = start.q[0], y = start.q[1], px = start.p[0], py = start.p[1];
   const Quad r = square_root(x * x + y * y);
@@ -71,8 +72,8 @@ inline avi::Vector<double, 2> exact_kepler(const avi::State<2>& start, double t)
   return {static_cast<double>(f * x + g * px), static_cast<double>(f * y + g * py)};
 }
 
-/// A run in a number format of one's choice (extended precision) with the composition of order 10, in
-/// physical time or (log_form) in that of the logarithmic Hamiltonian; it can stop at any time asked for.
+/// A run in a given number format (extended precision) by the composition of order 10, in physical time or,
+/// with log_form, in that of the logarithmic Hamiltonian. Its position can be evaluated at any time.
 template <class Problem, class Number = long double, avi::Summation sum = avi::Summation::compensated>
 class ExtendedRun {
  public:
@@ -87,7 +88,7 @@ class ExtendedRun {
     pt_ = -problem_(now_.q, now_.p);
   }
 
-  /// Goes on as long as it stays before `horizon`.
+  /// Takes steps as long as they end at or before `horizon`.
   void run_to(double horizon) {
     for (long k = 0; k < 100'000'000; ++k) {
       Point next = now_;
@@ -97,7 +98,7 @@ class ExtendedRun {
     }
   }
 
-  /// Position at a time after the last step; run_to() has come close.
+  /// Position at a time t after the last step; run_to() should have come close to it.
   [[nodiscard]] avi::Vector<double, n> position(double t) const {
     Point z = now_;
     for (long k = 0; k < 1'000'000; ++k) {
@@ -106,7 +107,7 @@ class ExtendedRun {
       if (next.t > t) break;
       z = next;
     }
-    // The last, shorter step by Newton's method; dt/dh is that of the drift.
+    // The last, shorter step is found by Newton's method, with dt/dh taken from the drift.
     Real h = static_cast<Real>(t - z.t) / rate(z);
     for (int i = 0; i < 60; ++i) {
       Point end = z;
@@ -119,12 +120,12 @@ class ExtendedRun {
     return z.q.template cast<double>();
   }
 
-  /// Where and when the last step has ended.
+  /// Position and time at the end of the last step.
   [[nodiscard]] avi::Vector<double, n> position() const { return now_.q.template cast<double>(); }
   [[nodiscard]] double time() const { return static_cast<double>(now_.t); }
 
  private:
-  /// With what rounding cut off: over 1000 orbits it matters in extended precision, too.
+  /// A point with its rounding errors; over 1000 orbits they matter even in extended precision.
   struct Point {
     Vec q, p;
     Real t;

@@ -14,7 +14,7 @@
 namespace experiment {
 namespace {
 
-/// Refuses what would read back as something else.
+/// Rejects a table that would not read back the same.
 void validate(const Table& table) {
   const auto one_line = [](const std::string& text) { return text.find('\n') == std::string::npos; };
   for (const auto& [key, value] : table.head)

@@ -10,20 +10,20 @@
 #include <utility>
 #include <vector>
 
-// The data contract: tab-separated tables with a `# key: value` head, one header row, then rows.
+// The format of data files: tab-separated tables with `# key: value` lines, one header row, then rows.
 
 namespace experiment {
 
-/// Where a cell has no number: NaN.
+/// Marks a cell without a number: NaN.
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// A number with 17 significant digits, so that it reads back bit for bit; NaN is written `nan`.
 std::string exact(double value);
 
-/// A number with few digits, for seconds and other values that no one compares bit for bit.
+/// A number with few digits, for seconds and other values that are not compared bit for bit.
 std::string rounded(double value, int digits = 6);
 
-/// The number that a text is, from its first character to its last.
+/// The number that the whole text represents; nothing if it is none.
 std::optional<double> number_in(std::string_view text);
 
 namespace detail {
@@ -40,13 +40,13 @@ struct FileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A table in memory. Rows are kept until write(), which renames a finished file into place: an interrupted
-/// run leaves no half-written table.
+/// A table in memory. It reaches the disk only with write(), which renames a complete file into place, so
+/// that an interrupted run leaves no incomplete table.
 class Table {
  public:
   std::vector<std::pair<std::string, std::string>> head;  ///< `# key: value` lines, in order.
   std::vector<std::string> columns;                       ///< snake_case names.
-  std::vector<std::vector<std::string>> rows;             ///< Cells as they stand in the file.
+  std::vector<std::vector<std::string>> rows;             ///< Cells as written in the file.
 
   Table() = default;
   /// A table without rows.
@@ -61,32 +61,32 @@ class Table {
     add({detail::cell(values)...});
   }
 
-  /// Adds a row of finished cells; the same check.
+  /// Adds a row of cells that are already text; the same check applies.
   void add(std::vector<std::string> cells);
 
-  /// Index of a column. @throws std::out_of_range naming a column that is not there.
+  /// Index of a column. @throws std::out_of_range for a column that does not exist.
   [[nodiscard]] std::size_t column(std::string_view wanted) const;
 
   /// Cell of a row by column name.
   [[nodiscard]] const std::string& text(std::size_t row, std::string_view wanted) const;
 
-  /// Cell of a row as a number. @throws std::invalid_argument when it is none.
+  /// Cell of a row as a number. @throws std::invalid_argument if it is not a number.
   [[nodiscard]] double number(std::size_t row, std::string_view wanted) const;
 
-  /// Writes to a temporary name beside `path` and renames it. @throws FileError when that fails; then neither
+  /// Writes to a temporary file beside `path` and renames it. @throws FileError if that fails; no incomplete
   /// file is left. @throws std::invalid_argument for cells that would not read back.
   void write(const std::filesystem::path& path) const;
 
-  /// Writes the lines of the file.
+  /// Writes the table as text, as in a file.
   void print(std::ostream& out) const;
 
-  /// Reads what write() wrote. @throws FileError for a file that cannot be read, std::invalid_argument as
-  /// parse().
+  /// Reads a file written by write(). @throws FileError for a file that cannot be read, std::invalid_argument
+  /// as parse().
   static Table read(const std::filesystem::path& path);
 
-  /// Reads the lines of a file. @throws std::invalid_argument, naming the file and the line, where there is
-  /// no header row, a row has the wrong length, a name stands for two columns, or the file ends within a
-  /// line.
+  /// Reads a table from text. @throws std::invalid_argument, naming the file and the line, if there is no
+  /// header row, a row has the wrong number of cells, two columns have the same name, or the text ends within
+  /// a line.
   static Table parse(std::istream& in, const std::string& name);
 };
 

@@ -5,11 +5,11 @@
 #include <functional>
 #include <vector>
 
-// Wall time of runs that are compared with each other.
+// Wall-clock times of runs that are compared with each other.
 
 namespace experiment {
 
-/// Wall time since it was made, in seconds.
+/// A stopwatch: wall-clock time in seconds since its construction.
 class Stopwatch {
  public:
   double operator()() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
@@ -19,7 +19,7 @@ class Stopwatch {
   Clock::time_point begin_ = Clock::now();
 };
 
-/// Wall time of one call, in seconds.
+/// Wall-clock time of one call, in seconds.
 double seconds(auto&& work) {
   const Stopwatch elapsed;
   work();
@@ -33,8 +33,8 @@ inline double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Least seconds of each piece of work, of the run that nothing else on the machine disturbed; each of the
-/// `rounds` runs every piece once, so that a drift of the machine's speed meets them all alike.
+/// The least time of each piece of work, in seconds: that of the least disturbed run. Each of the `rounds`
+/// runs all pieces in turn, so that a change of the machine's speed affects all of them.
 inline std::vector<double> interleaved_least_seconds(const std::vector<std::function<void()>>& works,
                                                      int rounds) {
   std::vector<int> repeats;

@@ -1,7 +1,8 @@
 #pragma once
 
 /// @file
-/// The whole library: every header that no other one brings. Single headers bring less and compile faster.
+/// The whole library: all headers that no other header includes. Including only what is needed compiles
+/// faster.
 
 #include "avi/autodiff/formula.hpp"
 #include "avi/autodiff/pack.hpp"

@@ -12,23 +12,23 @@
 #include <vector>
 
 /// @file
-/// An orbit from H, a start, an end and a tolerance; everything else is chosen.
+/// solve(): the orbit of a Hamiltonian H to a given tolerance, with monitor, order and step chosen for it.
 
 namespace avi {
 
-/// The mass of a test particle. It cannot be 0, by which H would divide; this one is a power of two, so that
-/// p / m is the velocity to the last bit, and so small that what the body does to others is below their
-/// rounding, in any units.
+/// The mass of a test particle. It cannot be 0, because H divides by it. A power of two makes p / m the exact
+/// velocity, and the value is so small that the attraction of the particle on other bodies lies below their
+/// rounding error, in any units.
 inline constexpr double massless = 0x1p-200;
 
 namespace detail {
-/// f takes a time: f(q, t, p).
+/// True where F is called with a time, as f(q, t, p).
 template <class F, int n = dynamic>
 constexpr bool takes_time() {
   using Vec = RecordedVector<n>;
   return std::is_invocable_v<const F&, const Vec&, const Recorded&, const Vec&>;
 }
-/// A function that records g(q), g(q, p) or g(q, t, p) for n degrees of freedom.
+/// The function that records g(q), g(q, p) or g(q, t, p), for a given number n of degrees of freedom.
 template <class G>
 std::function<Formula(int)> recorder(G g) {
   return [g = std::move(g)](int n) {
@@ -44,44 +44,44 @@ std::function<Formula(int)> recorder(G g) {
 }
 }  // namespace detail
 
-/// Which zeros of an event function count, and whether one of them ends the run.
+/// Which zeros of an event function count, and whether the last of them ends the run.
 struct EventRules {
-  int direction = 0;  ///< 1 where it rises as the run goes, -1 where it falls, 0 for both.
-  long count = 0;     ///< How many to look for; 0 for all, or for the first where `stop` is set.
-  bool stop = false;  ///< The run ends on the last of them, as ok.
+  int direction = 0;  ///< 1 for zeros where g rises as the run goes, -1 where it falls, 0 for both.
+  long count = 0;     ///< Number of zeros to find; 0 for all of them, or for the first one if `stop` is set.
+  bool stop = false;  ///< The run ends at the last of these zeros, with Outcome::ok.
 };
 
-/// A function of the state whose zeros are looked for along an orbit; made by when().
+/// An event g = 0 to be located along an orbit; made by when().
 struct SolveEvent {
   SolveEvent() = default;  ///< An event without a function, which solve() refuses.
-  /// Takes what records g, and the rules.
+  /// An event from the function that records g, and the rules.
   SolveEvent(std::function<Formula(int)> its_g, EventRules its_rules)
       : g(std::move(its_g)), rules(its_rules) {}
-  /// Refuses a function alone: when() makes an event of it.
+  /// Rejects a bare function at compile time; when() turns it into an event.
   template <class G>
   requires(!std::is_same_v<G, SolveEvent> && !std::is_same_v<G, std::vector<SolveEvent>>)
       SolveEvent(const G&) {
     static_assert(std::is_void_v<G>, "An event is made by when(): {.events = {avi::when(g)}}.");
   }
 
-  std::function<Formula(int)> g;  ///< Records g for n degrees of freedom: of (q, p), or (q, p, t).
+  std::function<Formula(int)> g;  ///< Records g(q, p) or g(q, t, p) for n degrees of freedom.
   EventRules rules;               ///< Which zeros count.
 };
 
-/// The zeros of g(q), g(q, p) or g(q, t, p) along an orbit, for SolveOptions::events. g is called once, with
-/// vectors of a scalar that records what is done to it, as H is. It is looked at in nine points of every
-/// step, and in more, a thousand at most, where it is no smooth curve through them; a run in which it changes
-/// its sign more often than they can show ends as not_converged. Between two points near zero its slopes say
-/// whether it turns there, so that zeros close to one another are found, and where it nearly touches zero
-/// steps of the method say on which side it stays. A zero at the start does not count. Where g changes its
-/// sign by a jump or a pole the run ends as not_converged, where it is NaN as non_finite, as in Event.
+/// An event for SolveOptions::events: the zeros of g(q), g(q, p) or g(q, t, p) along an orbit. Like H, g is
+/// called once, with vectors of a recording scalar. Then g is sampled at nine points of every step, and at up
+/// to a thousand where no smooth curve fits the samples. A run in which g changes sign more often than the
+/// samples can resolve ends as not_converged. Near zero, the slopes of g at neighbouring samples show whether
+/// it turns between them, so that most zeros close together are found; some may be missed. Where g nearly
+/// touches zero, further steps decide on which side it stays. A zero at the start does not count. As in
+/// Event, a change of sign by a jump or a pole ends the run as not_converged, and a NaN as non_finite.
 template <class G>
 [[nodiscard]] SolveEvent when(G g, EventRules rules = {}) {
   return {detail::recorder(std::move(g)), rules};
 }
 
-/// The monitor of a run, \f$dt = g\,d\tau\f$: one of the menu of solve() by its name, or a function g(q),
-/// g(q, p) or g(q, t, p) of your own, positive, smooth and called once, as H is; its name is "given".
+/// The monitor g of a run, \f$dt = g\,d\tau\f$: a name from the menu of solve(), or a positive, smooth g(q),
+/// g(q, p) or g(q, t, p) of your own, called once, as H is; its name is then "given".
 struct SolveMonitor {
   SolveMonitor() = default;  ///< Leaves the choice to solve().
   ///@{
@@ -95,113 +95,113 @@ struct SolveMonitor {
   requires(!std::is_convertible_v<G, std::string> && !std::is_same_v<G, SolveMonitor>) SolveMonitor(G its_g)
       : name("given"), g(detail::recorder(std::move(its_g))) {}
 
-  std::string name = {};               ///< Empty to have it chosen.
-  std::function<Formula(int)> g = {};  ///< Records it for n degrees of freedom.
+  std::string name = {};               ///< Name of the monitor; empty to have it chosen.
+  std::function<Formula(int)> g = {};  ///< Records your own monitor for n degrees of freedom.
 };
 
 /// The phase of a call of solve().
 enum class SolvePhase {
-  choosing,  ///< Monitor, order and step are chosen; where runs are compared, this includes them.
+  choosing,  ///< Choosing monitor, order and step; where runs are compared, the comparison included.
   running,   ///< The run whose states are delivered.
-  checking   ///< A run with a longer step, which tells how wrong the other one is.
+  checking   ///< A second run with a longer step, which estimates the error of the first one.
 };
 
 /// How far a call of solve() has come, for SolveOptions::progress.
 struct SolveProgress {
   SolvePhase phase = SolvePhase::choosing;  ///< Phase of the call.
   double t = 0.0;                           ///< Physical time of the run under way.
-  double fraction = 0.0;                    ///< Share of its way to the end, in [0, 1].
+  double fraction = 0.0;                    ///< Share of the time span that this run has covered, in [0, 1].
   long steps = 0;                           ///< Steps of that run.
-  long sweeps = 0;                          ///< Sweeps of the whole call.
-  double seconds = 0.0;                     ///< Since the call began.
+  long sweeps = 0;                          ///< Sweeps of the whole call so far.
+  double seconds = 0.0;                     ///< Seconds since the call began.
 };
 
-/// Further wishes for a call of solve(), bounds on its cost, and settings that are fixed rather than chosen.
-/// A call that meets a bound ends with an outcome that says so and keeps what it had reached.
+/// Options of solve(): what else to compute, bounds on the cost, and settings to fix instead of having them
+/// chosen. A call that meets a bound ends with an outcome that says so, and keeps what it has reached.
 struct SolveOptions {
-  double seconds = std::numeric_limits<double>::infinity();  ///< Wall-clock time; at least 0.
-  bool check = true;            ///< Two runs are compared, all the way or until they part; see solve().
-  long sweeps = 2'000'000'000;  ///< Evaluations of the field at all stages, trials included; at least 1.
-  long steps = std::numeric_limits<long>::max();  ///< Steps of a run; at least 1.
+  double seconds = std::numeric_limits<double>::infinity();  ///< Bound on the wall-clock time; at least 0.
+  bool check = true;            ///< Compare two runs, over the whole time or until they part; see solve().
+  long sweeps = 2'000'000'000;  ///< Bound on field evaluations at all stages, trials included; at least 1.
+  long steps = std::numeric_limits<long>::max();  ///< Bound on the steps of one run; at least 1.
   int order = 0;                                  ///< Order of the method: 2, 4, ... 16; 0 to have it chosen.
-  SolveMonitor monitor = {};            ///< Name in the menu of solve(), or a function; see SolveMonitor.
-  double h = 0.0;                       ///< Fictive step with that monitor, positive; 0 to have it chosen.
-  bool dense = false;                   ///< The solution can be called at any time of the run.
-  std::vector<SolveEvent> events = {};  ///< Events to look for on the way; see when().
-  /// Called some twenty times a second from the thread of the call; false ends the call as stopped. What it
-  /// throws leaves the call, which then has changed nothing but a checkpoint.
+  SolveMonitor monitor = {};  ///< A name from the menu of solve(), or your own function; see SolveMonitor.
+  double h = 0.0;             ///< Fictive step for that monitor, positive; 0 to have it chosen.
+  bool dense = false;         ///< Allows the solution to be evaluated at any time of the run.
+  std::vector<SolveEvent> events = {};  ///< Events to find along the orbit; see when().
+  /// Called about twenty times a second from the thread that called solve(); returning false ends the call as
+  /// stopped. An exception leaves solve(), which then has changed only the checkpoint file.
   std::function<bool(const SolveProgress&)> progress = {};
-  /// File in which the run is kept for resume() until it has come to its end; empty for none. So that a run
-  /// that goes on has the same bits, the method begins anew every 4096 steps, each time with a rounding
-  /// error. The run that is kept is the last one of the call, which delivers the states. Before it one run,
-  /// or two with `check`, go to the end: until then there is no file, or that of an earlier call.
-  /// A bound or a cancel that comes before leaves what was chosen so far.
+  /// File in which the run is saved for resume() until it is complete; empty for none. The method restarts
+  /// every 4096 steps, at the cost of a rounding error each time, so that a resumed run has the same bits.
+  /// The saved run is the last one of the call, which delivers the states. One run before it, or two with
+  /// `check`, also go to the end; until then there is no file, or that of an earlier call. A bound or a
+  /// cancellation before that saves only what has been chosen so far.
   std::string checkpoint = {};
-  double checkpoint_seconds = 60.0;  ///< Seconds after which the file is written anew; at least 0.
+  double checkpoint_seconds = 60.0;  ///< Seconds between writes of the file; at least 0.
 };
 
-/// One run that was tried, whether it failed or not.
+/// One trial run, successful or not.
 struct SolveTrial {
-  std::string monitor;       ///< Name in the menu, see solve().
-  int order = 0;             ///< Order of the method.
-  double h = 0.0;            ///< Fictive step.
-  double time = 0.0;         ///< Physical time that it covered.
-  long steps = 0;            ///< Steps taken.
-  long sweeps = 0;           ///< Evaluations of all stages.
-  double state_error = 0.0;  ///< Error of the state at its end, as far as known then; infinite on failure.
+  std::string monitor;            ///< Name of its monitor in the menu of solve().
+  int order = 0;                  ///< Order of the method.
+  double h = 0.0;                 ///< Fictive step.
+  double time = 0.0;              ///< Physical time covered.
+  long steps = 0;                 ///< Steps taken.
+  long sweeps = 0;                ///< Evaluations of the field at all stages.
+  double state_error = 0.0;       ///< Error of its final state, as far as known then; infinite on failure.
   Outcome outcome = Outcome::ok;  ///< How it ended.
 };
 
-/// The choice for an orbit. From here on all of it is fixed, and the method is a symplectic map.
+/// The monitor, order and step for an orbit. From here on they are fixed, and the method is symplectic.
 struct Choice {
   std::string name = "fixed";  ///< Name of the monitor, see SolveMonitor.
   int order = 0;               ///< Order of the method.
   double h = 0.0;              ///< Fictive step.
-  /// What energy errors are relative to: the mean of half of \f$|p\cdot\dot q|\f$ over the beginning, or that
-  /// over the run, where H depends on time and it is more.
+  /// Reference value of energy errors: half of \f$|p\cdot\dot q|\f$, averaged over the beginning of the run;
+  /// or over the whole run, where H depends on time and that average is larger.
   double energy_scale = 1.0;
-  double kinetic = 0.0;  ///< Mean kinetic energy of the beginning, a constant of the monitors.
+  double kinetic = 0.0;  ///< Mean kinetic energy at the beginning, a constant of the monitors.
   std::vector<double> accelerations = {};  ///< Weights \f$w_i\f$ of the monitor of that name, see solve().
   std::vector<double> poles =
       {};  ///< Weights \f$w_0, w_1 \ldots\f$ of the monitor of that name, see solve().
-  /// \f$(H_{pp})_{ii}\f$ where something moves that has no momenta, as in a magnetic field or a frame that
-  /// turns; else empty.
+  /// The diagonal \f$(H_{pp})_{ii}\f$ where positions change even at zero momenta, as in a magnetic field or
+  /// a rotating frame; otherwise empty.
   std::vector<double> drifts = {};
   double solved = 6.25e-19;  ///< Relative change of a sweep below which a step counts as solved.
-  double time = 0.0;         ///< Physical time of the short trials.
-  long sweeps = 0;           ///< Evaluations of all stages in all trials.
-  long check = 0;  ///< Evaluations of the run with a longer step, which goes along until the two are apart.
-  std::vector<SolveTrial> trials = {};  ///< All trials, in their order.
+  double time = 0.0;         ///< Physical time covered by the short trials.
+  long sweeps = 0;           ///< Evaluations of the field at all stages, in all trials.
+  long check = 0;            ///< Evaluations of the comparison run, with a longer step, until the two part.
+  std::vector<SolveTrial> trials = {};  ///< All trials, in order.
 };
 
-/// The monitor g(q, p) of a choice, for a method by hand: `poincare(H, start, monitor_of(choice, H, H_0))`.
+/// The monitor g(q, p) of a choice, to build a method: `poincare(H, start, monitor_of(choice, H, H_0))`.
 /// @param hamiltonian H of (q, p), for which the choice was made @param energy_at_start \f$H_0\f$
-/// @throws std::invalid_argument for H(q, t, p), for a monitor of your own, which you have already, and
-/// where the constants of the choice are not those of this H.
+/// @throws std::invalid_argument for H(q, t, p), for a choice whose monitor you gave yourself, and where the
+/// constants of the choice do not belong to this H.
 [[nodiscard]] Formula monitor_of(const Choice& choice, const Formula& hamiltonian, double energy_at_start);
 
-/// How a run ended, what was chosen for it and how good its end is: the part of a Solution that is the same
-/// in every dimension.
+/// How a run ended, what was chosen for it, and how accurate its end is: the part of a Solution that does not
+/// depend on the dimension.
 struct SolutionReport {
   Run run;                 ///< How the run ended; its steps and sweeps.
   Choice choice;           ///< Monitor, order and step, and the trials that led to them.
   double tolerance = 0.0;  ///< The tolerance that was asked for.
-  /// Error of the state at the end, and on the way where that is asked for; see solve(). Infinite where
-  /// unknown.
+  /// Error of the state at the end, and also along the orbit if output there was requested; see solve().
+  /// Infinite where unknown.
   double state_error = 0.0;
-  double energy_error = 0.0;     ///< Largest |H - H_0| of the run, over choice.energy_scale.
+  double energy_error = 0.0;     ///< Largest |H - H_0| during the run, divided by choice.energy_scale.
   double energy_rounding = 0.0;  ///< Rounding error of H; 0.01 energy_error where that is rounding.
-  std::string note;              ///< Warnings for the reader, in sentences; often empty.
+  std::string note;              ///< Warnings in full sentences; often empty.
 
-  /// True where the run reached what was asked for: its end, or an event that ends it.
+  /// True where the run reached its end time, or an event that ends it.
   [[nodiscard]] bool ok() const { return run.outcome == Outcome::ok; }
-  /// True where ok() is, and the error of the state is within ten times the tolerance, as far as two runs
-  /// with different steps can tell; that of the energy too, unless rounding of H hides it.
+  /// True where ok() holds and the error of the state, as far as two runs with different steps can tell, is
+  /// at most ten times the tolerance; and the energy error as well, unless rounding of H hides it.
   [[nodiscard]] bool kept() const {
     return ok() && state_error <= 10.0 * tolerance &&
            energy_error <= 10.0 * tolerance + 100.0 * energy_rounding;
   }
-  /// In a few lines: whether the tolerance was kept and if not why, the choice, and the trials.
+  /// A few lines of text: whether the tolerance was kept and if not why, the choice, and the trials.
   [[nodiscard]] std::string report() const;
 };
 
@@ -210,16 +210,16 @@ namespace detail {
 /// States of an orbit as plain numbers.
 struct OrbitPoints {
   std::vector<double> t;  ///< Times.
-  std::vector<double> z;  ///< (q, p) for each of them, 2n numbers.
+  std::vector<double> z;  ///< (q, p) at each time, 2n numbers.
 };
 
-/// The orbit between the ends of a run. It may be asked by several threads at a time.
+/// The orbit as a function of time, between the ends of a run. Several threads may evaluate it at once.
 class OrbitCurve {
  public:
   virtual ~OrbitCurve() = default;
-  /// (q, p), 2n numbers, at the time t. @throws std::invalid_argument where the run has not been.
+  /// Writes (q, p), 2n numbers, at time t into z. @throws std::invalid_argument for t outside the run.
   virtual void at(double t, double* z) const = 0;
-  /// When its steps ended, and before them when it began.
+  /// The start time, followed by the end time of every step.
   [[nodiscard]] virtual const std::vector<double>& times() const = 0;
 
  protected:
@@ -228,7 +228,7 @@ class OrbitCurve {
   OrbitCurve& operator=(const OrbitCurve&) = default;
 };
 
-/// An event that is looked for.
+/// An event to be located.
 struct OrbitEvent {
   Formula g;         ///< Function of (q, p), or of (q, p, t).
   EventRules rules;  ///< Which zeros count.
@@ -236,55 +236,56 @@ struct OrbitEvent {
 
 struct Prepared;
 
-/// An orbit that is asked for. Holds no vector of another library: the processor may be another one there.
+/// The arguments of solve() as plain numbers. No Eigen vectors: their layout depends on the instruction set,
+/// and the library may be compiled for another one than its caller.
 struct OrbitQuestion {
-  ExpressionGraph graph;  ///< Inputs are (q, p), 2n of them; or (q, p, t), where H depends on time.
-  int energy;             ///< Node of H.
-  std::vector<double> q = {}, p = {};             ///< Start, n numbers each.
-  double t = 0.0, t_end = 0.0, tolerance = 0.0;   ///< Start, end, tolerance.
-  SolveOptions options = {};                      ///< Bounds, and what is fixed; its events are those below.
-  std::vector<double> times = {};                 ///< Where states are wanted, from the start to the end.
-  std::vector<OrbitEvent> events = {};            ///< Events to look for on the way.
-  std::shared_ptr<const Choice> made = {};        ///< A choice that is made already, unless it is empty,
-  std::shared_ptr<const Prepared> prepared = {};  ///< and what is made of H for it.
-  bool timed = false;  ///< Time has been made the last coordinate: not for callers.
+  ExpressionGraph graph;               ///< Inputs (q, p), 2n of them; or (q, p, t) where H depends on time.
+  int energy;                          ///< Node of H.
+  std::vector<double> q = {}, p = {};  ///< Start, n numbers each.
+  double t = 0.0, t_end = 0.0, tolerance = 0.0;  ///< Start, end, tolerance.
+  SolveOptions options = {};            ///< Bounds and fixed settings; `events` below replaces its events.
+  std::vector<double> times = {};       ///< Output times, from the start to the end.
+  std::vector<OrbitEvent> events = {};  ///< Events to locate.
+  std::shared_ptr<const Choice> made = {};        ///< A choice made earlier, if any,
+  std::shared_ptr<const Prepared> prepared = {};  ///< and what was derived from H for it.
+  bool timed = false;                             ///< Time is the last coordinate; set by the library only.
   std::shared_ptr<const class Switches> switches = {};  ///< Times at which H switches, if any; likewise.
-  std::shared_ptr<const class Kinks> kinks = {};        ///< Where it has kinks; likewise.
+  std::shared_ptr<const class Kinks> kinks = {};        ///< Where H has kinks; likewise.
   std::vector<int> gradient = {};  ///< Nodes of dH/d(q, p), 2n, where H supplies them; else empty.
-  int given = -1;                  ///< Node of a monitor of one's own, or none.
+  int given = -1;                  ///< Node of the user's own monitor, or -1.
 };
 
-/// The answer.
+/// The result of a call of solve(), as plain numbers.
 struct OrbitAnswer : SolutionReport {
-  std::vector<double> q, p;                  ///< State.
+  std::vector<double> q, p;                  ///< Final state.
   double t = 0.0;                            ///< Its time.
-  OrbitPoints states;                        ///< At the times asked for, as far as the run came.
-  std::vector<int> events;                   ///< Number of the event, for each that was found,
-  OrbitPoints event_states;                  ///< and where.
-  std::shared_ptr<const OrbitCurve> curve;   ///< With SolveOptions::dense.
+  OrbitPoints states;                        ///< States at the output times that the run reached.
+  std::vector<int> events;                   ///< Index of the event, for each zero found,
+  OrbitPoints event_states;                  ///< and the states there.
+  std::shared_ptr<const OrbitCurve> curve;   ///< The orbit, if SolveOptions::dense was set.
   std::shared_ptr<const Prepared> prepared;  ///< Field of H and formulas of the choice.
 };
 
 /// solve() without types that depend on H or n.
 OrbitAnswer answer(OrbitQuestion&& question);
-/// resume() without types that depend on H or n; of the question H, events, bounds and the dimension count.
+/// resume() without types that depend on H or n; of the question, H, events, bounds and dimension are used.
 OrbitAnswer answer_from(const std::string& file, OrbitQuestion&& question);
-/// Puts the choice of solve() into the question of a Solver.
-/// @return what is known of the orbit that it is made for
-/// @throws std::invalid_argument where nothing could be chosen, too.
+/// Makes the choice of solve() and stores it in the question of a Solver.
+/// @return what is known of the sample orbit
+/// @throws std::invalid_argument as solve(), and where nothing could be chosen.
 SolutionReport choose_for(OrbitQuestion& question);
 
 /// @throws std::invalid_argument unless there are times, finite, in one direction from the start on.
 void require_times(double start, const std::vector<double>& times);
 /// @throws std::invalid_argument unless H is of (q, p) or (q, p, t) with n degrees of freedom.
 void require_arguments(int inputs, int n);
-/// Records the events and the monitor among the options of a question.
-/// @throws std::invalid_argument for an event that was not made by when(), and for one of other arguments.
+/// Records the events and the monitor that the options of a question hold.
+/// @throws std::invalid_argument for an event not made by when(), or a function of other arguments.
 void add_functions(OrbitQuestion& question);
-/// @throws std::logic_error where a solution is called that has no curve.
+/// @throws std::logic_error always: the solution that was called has no curve.
 [[noreturn]] void no_curve();
 
-/// q and p of n numbers each as a state.
+/// The State with these q and p, `count` numbers each.
 template <int n>
 State<n> state_of(double t, const double* q, const double* p, int count) {
   State<n> state;
@@ -299,26 +300,26 @@ State<n> state_of(double t, const double* q, const double* p, int count) {
 
 }  // namespace detail
 
-/// An event that was found.
+/// A zero of an event function, located on the orbit.
 template <int n>
 struct FoundEvent {
-  int index;       ///< Place of the event in SolveOptions::events.
-  State<n> state;  ///< On g = 0 or beyond it, to rounding, as accurate as the run; its t is the time.
+  int index;       ///< Index of the event in SolveOptions::events.
+  State<n> state;  ///< State on g = 0 or just beyond it, to rounding; its t is the time of the event.
 };
 
-/// The end of an orbit, what was asked for on the way, and how good they are.
+/// The state at the end of an orbit, the output requested along it, and how accurate they are.
 template <int n>
 struct Solution : SolutionReport {
-  State<n> state;                          ///< At the end, or the last good one; NaN where no run was begun.
-  std::vector<State<n>> states = {};       ///< At the times asked for, whose t are those times to the bit.
-  std::vector<FoundEvent<n>> events = {};  ///< In the order in which the run met them.
-  std::shared_ptr<const detail::OrbitCurve> curve = {};  ///< The orbit that operator() evaluates.
+  State<n> state;  ///< State at the end, or the last valid one; NaN where no run was begun.
+  std::vector<State<n>> states = {};  ///< States at the output times; their t equals those times exactly.
+  std::vector<FoundEvent<n>> events = {};  ///< Zeros of the events, in the order in which the run met them.
+  std::shared_ptr<const detail::OrbitCurve> curve = {};  ///< The orbit, evaluated by operator().
 
-  /// The state at any time of the run, where SolveOptions::dense was set: by a symplectic step from the last
-  /// step before it, as accurate as the ends of steps. Several threads may call it at a time.
-  /// @throws std::invalid_argument for a time where the run has not been.
-  /// @throws std::logic_error where the run was made without SolveOptions::dense, or the call ended before
-  /// it.
+  /// The state at any time of the run, if SolveOptions::dense was set. It is found by one symplectic step
+  /// from the end of the preceding step and is as accurate as that. Several threads may call it at once.
+  /// @throws std::invalid_argument for a time outside the run.
+  /// @throws std::logic_error without SolveOptions::dense, or where the call ended before the run that
+  /// delivers.
   [[nodiscard]] State<n> operator()(double t) const {
     if (!curve) detail::no_curve();
     const int count = static_cast<int>(state.q.size());
@@ -338,7 +339,7 @@ struct Solution : SolutionReport {
 
 namespace detail {
 
-/// Puts a question into plain numbers.
+/// The question, in plain numbers, about an H given as a node of a graph.
 template <int n>
 OrbitQuestion question_of(ExpressionGraph&& graph, int energy, const State<n>& start, double t_end,
                           double tolerance, const SolveOptions& options) {
@@ -355,7 +356,7 @@ OrbitQuestion question_of(ExpressionGraph&& graph, int energy, const State<n>& s
   return question;
 }
 
-/// Takes H that is recorded already.
+/// The same for an H that is already recorded.
 template <int n>
 OrbitQuestion question_of(const Formula& hamiltonian, const State<n>& start, double t_end, double tolerance,
                           const SolveOptions& options) {
@@ -365,7 +366,7 @@ OrbitQuestion question_of(const Formula& hamiltonian, const State<n>& start, dou
   return question_of(ExpressionGraph(energy.graph()), energy.node(), start, t_end, tolerance, options);
 }
 
-/// Records H(q, p), with its gradient where it has one of its own, or H(q, t, p).
+/// Records H(q, p), with the gradient that it supplies if any, or H(q, t, p).
 template <int n, class H>
 OrbitQuestion question_of(const H& hamiltonian, const State<n>& start, double t_end, double tolerance,
                           const SolveOptions& options) {
@@ -387,7 +388,7 @@ OrbitQuestion question_of(const H& hamiltonian, const State<n>& start, double t_
   }
 }
 
-/// Puts the answer into states.
+/// Converts the answer into states.
 template <int n>
 Solution<n> solution_of(OrbitAnswer&& found, int count) {
   Solution<n> solution{std::move(static_cast<SolutionReport&>(found)),
@@ -408,22 +409,22 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 
 }  // namespace detail
 
-/// Integrates the orbit of H from `start` to the physical time `t_end`.
+/// Integrates Hamilton's equations of H from `start` to the physical time `t_end`.
 ///
-/// The tolerance is for the state at the end: every coordinate and every momentum is right to about
-/// `tolerance` times the range through which it moves, or 1e-8 times that of another one of about its mass
-/// where that is more. What hardly changes, as the momentum of a fast rotor, or what rests by symmetry and
-/// wanders by rounding, is taken for something that moves by 1e-8 of its size, or of that other range, or by
-/// thirty of its last digits over the tolerance. SolutionReport::state_error says what came of it: the
-/// difference to a second run with a longer step, reduced by the order of the method; in runs of up to 300
-/// steps, where that is not far below the tolerance, a third one confirms it. Runs of more than some sixty
-/// turns find their step from the errors of the first sixteenth, which grow linearly in time where motion is
-/// regular; without SolveOptions::check that is all there is of the second run, at a half of the price, and
-/// chaos that begins later is not seen. Where the motion does not allow the tolerance (chaos, rounding, a
-/// wall thinner than a step), kept() is false and report() says why.
+/// The tolerance applies to the state at the end: each coordinate and momentum is right to about `tolerance`
+/// times the range that it covers, or 1e-8 times that of another entry of similar mass if this is larger. An
+/// entry that hardly changes, such as the momentum of a fast rotor, or one that rests by symmetry and drifts
+/// only by rounding, counts as covering 1e-8 of its size, or of that other range, or thirty units in its last
+/// place divided by the tolerance. SolutionReport::state_error is the error achieved: the difference from a
+/// second run with a longer step, reduced according to the order. In runs of up to 300 steps a third run
+/// confirms it, unless it is far below the tolerance. Runs of more than about sixty revolutions take their
+/// step from the errors in the first sixteenth; these grow linearly in time where motion is regular. Without
+/// SolveOptions::check that is all there is of the second run: the cost is halved, but chaos that begins
+/// later is missed. Where the motion does not allow the tolerance (chaos, rounding, a wall thinner than a
+/// step), kept() is false and report() says why.
 ///
-/// The method is Gauss collocation with constant steps in the fictive time of one of these monitors,
-/// symplectic but for the last, shorter step that ends at t_end:
+/// The method is Gauss collocation with constant steps in the fictive time of one of these monitors. Every
+/// step is symplectic, except the last, which is shortened to end at t_end:
 ///
 /// | name | g |
 /// | --- | --- |
@@ -433,22 +434,21 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 /// | acceleration | \f$(1 + \sum_i (w_i\, \partial H/\partial q_i)^2)^{-3/8}\f$ |
 /// | splitting | 1, by an explicit method of order 6 where \f$H = T(p) + V(q)\f$ with T quadratic |
 ///
-/// with \f$V(q) = H(q, p^*)\f$ at the momenta where nothing moves, \f$p^* = 0\f$ or, in a magnetic field or a
-/// frame that turns, \f$p^*_i = -\partial H/\partial p_i(q, 0)/(H_{pp})_{ii}\f$; the mean kinetic energy
-/// \f$\bar T\f$, of H - V, of the beginning; the distances \f$s_k\f$ to the poles of H, functions of q that
-/// it divides by or has the logarithm of, near which it is of the order \f$s_k^{-a_k}\f$: there
-/// \f$\phi_k = w_k s_k^{-1-a_k/2}\f$ is the frequency of what moves, \f$\phi = \sum_k \phi_k\f$,
-/// \f$\psi = \sum_k (1 + a_k/2)\, \phi_k\f$, \f$\rho = \sqrt{w_0} + \sqrt\phi\f$ with a constant for free
-/// motion, and \f$E = e_0 + \sum_k e_k s_k^{-a_k}\f$ an energy; and \f$w_i = (H_{pp})_{ii}/\bar a L_i\f$ of
-/// its ranges \f$L_i\f$ and a mean of its accelerations: where forces fall with the square of a distance,
-/// this is the time in which two bodies pass each other, whatever their masses. The explicit method is the
-/// Runge-Kutta-Nystrom splitting with 14 stages of Blanes and Moan (2002); it is taken where tolerances are
-/// loose, or degrees of freedom many.
+/// Here \f$V(q) = H(q, p^*)\f$ is H at the momenta of zero velocity: \f$p^* = 0\f$, or, in a magnetic field
+/// or a rotating frame, \f$p^*_i = -\partial H/\partial p_i(q, 0)/(H_{pp})_{ii}\f$. \f$\bar T\f$ is the mean
+/// kinetic energy H - V at the beginning. The distances \f$s_k\f$ to the poles of H are functions of q by
+/// which H divides or whose logarithm it contains; near a pole H is of the order \f$s_k^{-a_k}\f$. There
+/// \f$\phi_k = w_k s_k^{-1-a_k/2}\f$ is the frequency of the motion, \f$\phi = \sum_k \phi_k\f$, \f$\psi =
+/// \sum_k (1 + a_k/2)\, \phi_k\f$, \f$\rho = \sqrt{w_0} + \sqrt\phi\f$ with a constant \f$w_0\f$ for free
+/// motion, and \f$E = e_0 + \sum_k e_k s_k^{-a_k}\f$ an energy. The weights \f$w_i = (H_{pp})_{ii}/\bar a
+/// L_i\f$ come from the ranges \f$L_i\f$ and a mean acceleration \f$\bar a\f$: for inverse-square forces g is
+/// the time two bodies take to pass each other, whatever their masses. The explicit method is the
+/// Runge-Kutta-Nystrom splitting with 14 stages of Blanes and Moan (2002), used for loose tolerances or many
+/// degrees of freedom.
 ///
 /// Monitor, order and step are those that take the least work in short trials. The same input gives the same
-/// choice; units and masses do not matter. H is called once, with a scalar that records what is done to it.
-/// @throws std::invalid_argument where H is not finite at the start, or for a time, tolerance or bound out of
-/// range.
+/// choice; units and masses do not matter. H is called once, with a scalar that records its operations.
+/// @throws std::invalid_argument for H not finite at the start, or a time, tolerance or bound out of range.
 template <class H, int n>
 [[nodiscard]] Solution<n> solve(const H& hamiltonian, const State<n>& start, double t_end, double tolerance,
                                 const SolveOptions& options = {}) {
@@ -457,11 +457,11 @@ template <class H, int n>
       static_cast<int>(start.q.size()));
 }
 
-/// The same with the states at `times`, the last of which is the end: any number of them, in the direction of
-/// the run, the start and equal ones included. Each is found by a symplectic step from the last step before
-/// it, which is what it costs. Where times, events or a curve are asked for, the tolerance is for the states
-/// on the way, too, where the motion may be faster than at the end; at which times does not matter.
-/// @throws std::invalid_argument as the other one, and for times that are none, not finite or out of order.
+/// The same with the states at `times`, the last of which is the end. They must run in the direction of the
+/// run; the start and repeated times are allowed. Each state costs one symplectic step from the end of the
+/// preceding step. With times, events or a dense solution the tolerance also applies along the orbit, where
+/// motion may be faster than at the end, regardless of which times are given.
+/// @throws std::invalid_argument as above, and for times that are missing, not finite or out of order.
 template <class H, int n>
 [[nodiscard]] Solution<n> solve(const H& hamiltonian, const State<n>& start, const std::vector<double>& times,
                                 double tolerance, const SolveOptions& options = {}) {
@@ -472,15 +472,14 @@ template <class H, int n>
   return detail::solution_of<n>(detail::answer(std::move(question)), static_cast<int>(start.q.size()));
 }
 
-/// Goes on with a run that SolveOptions::checkpoint has kept in a file, with the same bits as if it had not
-/// been interrupted: by a bound, by the callback, by the end of the program. What was asked for is in the
-/// file, order, monitor and h included, but for H, the events, and a monitor of your own, which have to be
-/// the same.
-/// @tparam n of the start that the run began with @param n_of_start its value, where n is avi::dynamic
-/// @param options seconds and progress of what is left, bounds on sweeps and steps of the whole run, events,
-/// a monitor of your own; nothing else counts
-/// @throws std::invalid_argument for a file that cannot be read, is damaged, or is of another H, and for
-/// n_of_start below 1, or other than n.
+/// Resumes a run from the file of SolveOptions::checkpoint, with the same bits as if it had not been
+/// interrupted by a bound, the callback or the end of the program. The file holds all settings, including
+/// order, monitor and h, except for H, the events and your own monitor, which must be the same as before.
+/// @tparam n as that of the original start @param n_of_start the degrees of freedom where n is avi::dynamic
+/// @param options seconds and progress for the rest, bounds on sweeps and steps of the whole run, events, and
+/// your own monitor; other options are ignored
+/// @throws std::invalid_argument for a file that cannot be read, is damaged or is of another H, and for
+/// n_of_start below 1 or different from n.
 template <int n, class H>
 [[nodiscard]] Solution<n> resume(const H& hamiltonian, const std::string& file,
                                  const SolveOptions& options = {}, int n_of_start = n) {

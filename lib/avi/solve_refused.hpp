@@ -7,8 +7,8 @@
 #include <vector>
 
 /// @file
-/// Overloads that calls of solve() and resume() with other arguments than theirs come upon, so that the
-/// compiler says in a sentence what is wrong with them.
+/// Overloads of solve() and resume() for wrong arguments. Each stops the compiler with a sentence that says
+/// what is wrong.
 
 namespace avi {
 

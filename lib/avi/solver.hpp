@@ -9,29 +9,30 @@
 #include <vector>
 
 /// @file
-/// Many orbits of one H with one choice of monitor, order and step.
+/// Solver: many orbits of one H, all with one choice of monitor, order and step.
 
 namespace avi {
 
-/// One orbit of an ensemble.
+/// One orbit computed by Solver::ensemble().
 template <int n>
 struct SolverMember {
-  Solution<n> solution;           ///< Stopped, with the message of the exception, where one was thrown.
+  /// The orbit; its outcome is stopped, with the message of the exception, where one was thrown.
+  Solution<n> solution;
   std::exception_ptr error = {};  ///< The exception that was thrown, if any.
 
-  /// True where the orbit came to its end.
+  /// True where the orbit reached its end.
   [[nodiscard]] bool ok() const { return solution.ok(); }
 };
 
-/// The orbits of H from many starts, with what solve() chooses for one of them. The choice, which takes a
-/// good part of a short call, is made once, and all orbits are by the same method. Several threads may run a
-/// Solver at a time.
+/// Integrates many orbits of one H, all by the same method. The monitor, order and step are chosen once, as
+/// solve() would for a sample orbit; this choice takes a good part of the time of a short solve(). Several
+/// threads may use one Solver at once.
 template <int n>
 class Solver {
  public:
-  /// Chooses for the orbit from `start` to `t_end`: the starts of runs are to be like this one, and runs
-  /// about as long. @param options of all runs; with SolveOptions::check each of them is compared with one of
-  /// a longer step, at 0.8 of its price more, and without it nothing is known of its error
+  /// Makes the choice for the orbit from `start` to `t_end`. The runs should have similar starts and lengths.
+  /// @param options for all runs; with SolveOptions::check each run is compared with one of a longer step,
+  /// which costs 0.8 of its price more, and without it its error remains unknown
   /// @throws std::invalid_argument as solve(), and where nothing could be chosen.
   template <class H>
   Solver(const H& hamiltonian, const State<n>& start, double t_end, double tolerance,
@@ -39,14 +40,14 @@ class Solver {
       : question_(detail::question_of(hamiltonian, start, t_end, tolerance, options)),
         sample_(detail::choose_for(question_)) {}
 
-  /// The choice that all runs take.
+  /// The choice used by all runs.
   [[nodiscard]] const Choice& choice() const { return sample_.choice; }
-  /// How the orbit went that it was chosen for.
+  /// The report on the sample orbit for which the choice was made.
   [[nodiscard]] const SolutionReport& sample() const { return sample_; }
 
   ///@{
 
-  /// The orbit from `start` to a time, or with the states at several times: see solve().
+  /// The orbit from `start` to the time t_end, or with the states at several times; see solve().
   /// @throws std::invalid_argument as solve(), and for a start of another dimension.
   [[nodiscard]] Solution<n> run(const State<n>& start, double t_end) const {
     return run(start, t_end, {}, {});
@@ -58,11 +59,12 @@ class Solver {
   ///@}
   ///@{
 
-  /// The orbits from all starts, on several threads. Each is the same to the last bit on any number of them.
-  /// One that throws, or is cancelled by settings.cancel within a twentieth of a second, ends as
-  /// Outcome::stopped with the sentence; the others go on. SolveOptions::progress is not called.
+  /// The orbits from all starts, computed on several threads. The results are the same to the last bit for
+  /// any number of threads. A run that throws ends as Outcome::stopped with the message of the exception, and
+  /// the other runs continue. After settings.cancel is requested, runs end as stopped within a twentieth of a
+  /// second. SolveOptions::progress is not called.
   /// @throws std::invalid_argument for a negative number of threads, improper times, or a Solver with
-  /// SolveOptions::checkpoint, whose file holds one run; what settings.progress throws.
+  /// SolveOptions::checkpoint, because that file holds one run only; and whatever settings.progress throws.
   [[nodiscard]] std::vector<SolverMember<n>> ensemble(const std::vector<State<n>>& starts, double t_end,
                                                       const EnsembleSettings& settings = {}) const {
     return all(starts, t_end, {}, settings);
@@ -126,7 +128,7 @@ class Solver {
   detail::OrbitQuestion question_;
   SolutionReport sample_;
 };
-/// Solver solver(H, start, t_end, tolerance).
+/// Deduces n in Solver solver(H, start, t_end, tolerance).
 template <class H, int n, class... More>
 Solver(const H&, const State<n>&, double, double, const More&...) -> Solver<n>;
 

@@ -1,7 +1,8 @@
 #pragma once
 
 /// @file
-/// The version of the library. Version a.b.c with another b may change interfaces; CHANGELOG.md says how.
+/// The version of the library. In version a.b.c, another b may come with changed interfaces; CHANGELOG.md
+/// lists them.
 
 #define AVI_VERSION_MAJOR 0  ///< a of version a.b.c.
 #define AVI_VERSION_MINOR 2  ///< b of version a.b.c.

@@ -133,7 +133,7 @@ class MinimiserRun {
         return true;
       };
       if (!std::isfinite(trial_.f) || !std::isfinite(square_)) {
-        ++beyond;
+        ++beyond, met_wall_ = true;
         if (exact_)
           high = wall = std::exchange(alpha_, 0.1 * alpha_);
         else if (!renew())
@@ -188,9 +188,12 @@ class MinimiserRun {
   }
 
   /// Returns false if for long no evaluated value or gradient was lower than all before, and values
-  /// contradict the slope, as at a kink; or if that lasts so long that rounding moves the run. (In hard
-  /// valleys, runs waited five times for their next gain.)
+  /// contradict the slope, as at a kink; or if that lasts so long that rounding moves the run. Nor if in 500
+  /// iterations along a wall f fell by next to nothing: it may do so for ever, and by ever less.
   bool gains() {
+    if (!std::exchange(met_wall_, false) || walled_ > 500) walled_ = 0;
+    if (walled_++ == 0) before_wall_ = base_.f;
+    if (walled_ > 500 && before_wall_ - base_.f < 1e-9 * (first_ - base_.f)) return judge(false);
     if (idle_ == 200 && !exact_ && !settle()) return false;
     if (exact_) level_ = std::min(level_, base_.f);
     if ((exact_ && base_.f < lowest_ - rounding(base_.f, lowest_)) || square_ < gentlest_) {
@@ -204,7 +207,6 @@ class MinimiserRun {
     return judge(true) || (agrees_ && ++waits_ < 20);
   }
 
-  /// View of a vector of the caller.
   [[nodiscard]] View view(const Entries& x) const { return {x.data, n_}; }
 
   /// Returns f on the line, as a function of alpha.
@@ -454,23 +456,20 @@ class MinimiserRun {
     }
   }
 
-  MinimiserCalls& calls_;           ///< The objective, and the vectors that it sees.
-  const MinimiseOptions& options_;  ///< Options, as given.
-  long evaluations_ = 0;            ///< Number of evaluations of value and gradient.
-  Eigen::Index n_;                  ///< Size of x.
-  SecantPairs pairs_;               ///< The mass matrix.
-  Point base_;                      ///< Point where the line begins.
-  Point trial_;                     ///< The last evaluated point on it.
-  Point best_;                      ///< The best evaluated point, while the base is interpolated.
-  VectorX d_;                       ///< Direction of the line.
-  VectorX change_;                  ///< Products of the newest y with the pairs.
-  double down_ = 0.0;               ///< d . gradient at the base.
-  double length2_ = 0.0;            ///< Square of the length of d.
-  double slope_ = 0.0;              ///< d . gradient at the last evaluation.
-  double square_ = 0.0;             ///< Square of the gradient there.
-  double norm_ = 0.0;               ///< Norm of the gradient at the base.
-  double target_ = 0.0;             ///< Norm of the gradient that ends the run.
-  double alpha_ = 0.0;              ///< Place of the next trial.
+  MinimiserCalls& calls_;              ///< The objective, and the vectors that it sees.
+  const MinimiseOptions& options_;     ///< Options, as given.
+  long evaluations_ = 0;               ///< Number of evaluations of value and gradient.
+  Eigen::Index n_;                     ///< Size of x.
+  SecantPairs pairs_;                  ///< The mass matrix.
+  Point base_;                         ///< Point where the line begins.
+  Point trial_;                        ///< The last evaluated point on it.
+  Point best_;                         ///< The best evaluated point, while the base is interpolated.
+  VectorX d_;                          ///< Direction of the line.
+  VectorX change_;                     ///< Products of the newest y with the pairs.
+  double down_ = 0.0, length2_ = 0.0;  ///< d . gradient at the base, and the square of the length of d.
+  double slope_ = 0.0, square_ = 0.0;  ///< The last evaluated gradient: its product with d, and its square.
+  double norm_ = 0.0, target_ = 0.0;   ///< Norm of the gradient at the base, and the norm that ends the run.
+  double alpha_ = 0.0;                 ///< Place of the next trial.
   double floor_ = -std::numeric_limits<double>::infinity();  ///< Value of f below which a run has diverged.
   double noise_ = 0.0;                        ///< Error of values, as seen where a line was stuck.
   bool exact_ = true;                         ///< Whether value and gradient at the base were evaluated.
@@ -478,16 +477,17 @@ class MinimiserRun {
   std::string reason_;                        ///< Reason, in words.
   long iterations_ = 0;                       ///< Iterations made.
   Eigen::Index entries_ = 0;                  ///< Size of the gradient that f left last.
-  double norm0_ = 0.0;                        ///< Norm of the gradient at x0.
   double first_ = 0.0;                        ///< f(x0).
   double level_ = 0.0;                        ///< Least f of an evaluated iterate.
-  double size0_ = 0.0;                        ///< Norm of x0.
+  double norm0_ = 0.0, size0_ = 0.0;          ///< Norm of the gradient at x0, and of x0.
   double first_trial_ = 1.0;                  ///< Distance of the first trial from x0.
   double scale_ = 0.0;                        ///< Largest |f| at the start, and where lines were stuck.
   double lowest_ = 1e300, gentlest_ = 1e300;  ///< Least value, and square of an evaluated gradient, so far.
-  long idle_ = 0;                             ///< Iterations since either fell, or values were asked.
-  int waits_ = 0;                             ///< Times that values were asked since.
-  bool agrees_ = false;      ///< Whether values agreed with the slope when they were last asked.
+  double before_wall_ = 0.0;                  ///< f before the iterations along a wall.
+  long idle_ = 0, walled_ = 0;  ///< Iterations since either fell, or values were asked; along a wall.
+  int waits_ = 0;               ///< Times that values were asked since.
+  bool met_wall_ = false;       ///< Whether a trial of this iteration had no finite value.
+  bool agrees_ = false;         ///< Whether values agreed with the slope when they were last asked.
   double undetected_ = 0.0;  ///< Bound on the unseen error of an interpolated gradient, in roundings of one.
 };
 

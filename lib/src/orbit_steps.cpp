@@ -161,9 +161,14 @@ StepReport OrbitSteps::step_to_kink(State<dynamic>& z, double h) {
       part -= at / slope;
       if (!(part > low && part < high)) part = 0.5 * (low + high);
     }
-    if (!(std::abs(at) <= 1e-9 * most)) {  // the zero was only the polynomial's
+    if (!(std::abs(at) <= 1e-9 * most)) {
+      // Either the polynomial alone has it, or shorter steps do not come there, as off a wall that the whole
+      // step goes through: then it is too long.
       if (!go(whole)) return report;
-      break;
+      const bool through = kinks_->at(kink->index, to.q.data(), to.p.data(), n_) * kink->at_low < 0.0;
+      if (!through) break;
+      if (!go(0.5 * whole)) return report;
+      continue;
     }
     ends = true;
   }

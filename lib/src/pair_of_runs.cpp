@@ -73,7 +73,7 @@ void Orbiter::stay_near(Candidate& it, const Sketch& there) {
   other.supplied = it.supplied, other.recording = it.recording, other.switches = it.switches,
   other.kinks = it.kinks;
   other.outlook = it.outlook, other.fictive = it.fictive, other.longest = it.longest, other.noise = it.noise,
-  other.aside = it.aside;
+  other.aside = it.aside, other.brief = it.brief;
   it = std::move(other);
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <malloc.h>
 #include <tuple>
 #include <utility>
@@ -392,6 +393,20 @@ TEST(Minimise, DoesNotStallInASteepValley) {
     const auto run = minimise(banana, {-1.2, 1.0}, {.relative = 1e-14, .memory = memory});
     EXPECT_TRUE(run.converged()) << memory << ": " << run.message;
     EXPECT_LT(run.last.value, 1e-6);
+  }
+}
+
+// The least value lies on a wall, which runs creep along for ever: one took ten million evaluations.
+TEST(Minimise, EndsAtAWall) {
+  const auto walled = [](const auto& x) {
+    const auto off = x[1] - x[0] * x[0], left = 1.0 - x[0];
+    return select(x[0] > 0.5, std::numeric_limits<double>::infinity(), 100.0 * off * off + left * left);
+  };
+  for (const int memory : {0, 7}) {
+    const auto run = minimise(walled, {-1.2, 1.0}, {.memory = memory});
+    EXPECT_EQ(run.outcome, avi::Outcome::non_finite) << run.message;
+    EXPECT_LT(run.gradient_evaluations, 20'000) << memory;
+    EXPECT_NEAR(run.last.value, 0.25, 1e-3) << memory;
   }
 }
 

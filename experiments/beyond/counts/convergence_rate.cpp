@@ -3,17 +3,18 @@
 #include "common/problems/correlated_quartic.hpp"
 #include "common/rules/bregman_runge_kutta.hpp"
 
-// f along the exact Bregman dynamics against the bound that its Lyapunov function gives: with
-//   E(t) = |x* - x - t^-p r|^2 / 2 + C t^p (f(x) - f*),
-// which falls along solutions of a convex problem (Wibisono, Wilson and Jordan 2016, Theorem 1.1),
+// f along the exact Bregman dynamics, compared with the bound from its Lyapunov function:
+//   E(t) = |x* - x - t^-p r|^2 / 2 + C t^p (f(x) - f*)
+// decreases along solutions of a convex problem (Wibisono, Wilson and Jordan 2016, Theorem 1.1), hence
 //   f(x(t)) - f* <= E(t_0) / (C t^p).
-// The reference is Dormand-Prince 5(4) at tolerance 1e-11 in fictive time, Direct approach.
+// The reference is Dormand-Prince 5(4) with tolerance 1e-11 in fictive time, Direct approach.
 //
-// The bound is not what sets the pace here. For f homogeneous of degree k about x*, x - x* = t^(-a) xi(log t)
-// with a = p / (k - 2) makes the system autonomous,
-//   xi'' + (p (k - 4) / (k - 2)) xi' - a (p - a) xi + C p^2 grad f(xi) = 0:
-// damped for k > 4, so that f falls as t^(-p k / (k - 2)); conservative at k = 4, so that f falls as t^(-2p),
-// which is this quartic; driven below, where the oscillation's energy gives t^(-3 p k / (k + 2)).
+// The bound does not determine the actual rate. For f homogeneous of degree k about x*, the substitution x -
+// x* = t^(-a) xi(log t) with a = p / (k - 2) makes the system autonomous:
+//   xi'' + (p (k - 4) / (k - 2)) xi' - a (p - a) xi + C p^2 grad f(xi) = 0.
+// It is damped for k > 4, so that f falls as t^(-p k / (k - 2)), and conservative for k = 4, so that f falls
+// as t^(-2p); this is the case of our quartic. It is driven for k < 4, where the energy of the oscillation
+// gives t^(-3 p k / (k + 2)).
 
 namespace {
 
@@ -47,7 +48,7 @@ int main(int argc, char** argv) {
       const double start_energy = lyapunov(family, f, state.z.head(n), state.z.segment(n, n), from.t);
       const double floor = frame.quick ? 1e-2 : 1e-8;
       double energy = start_energy, rise = 0.0, ratio = 0.0, next = 1.0, most = 0.0, most_at = 1.0;
-      std::vector<double> times, envelope;  // largest f of a hundredth of the time so far
+      std::vector<double> times, envelope;  // largest f in each interval in which t grows by 1 %
       const auto field = [&](const avi::VectorX& z, avi::VectorX& dz) {
         state.field.evaluate(objective, z, dz);
       };
@@ -77,7 +78,7 @@ int main(int argc, char** argv) {
           if (envelope.back() < floor) outcome = avi::Outcome::ok;
         }
       }
-      std::vector<double> late, last;  // the part of the envelope that fell by the last factor of 1e4
+      std::vector<double> late, last;  // the part of the envelope in the last factor of 1e4
       for (std::size_t i = 0; i < envelope.size(); ++i)
         if (envelope[i] < 1e4 * envelope.back()) {
           late.push_back(times[i]);

@@ -1,7 +1,7 @@
 #include "bregman/table.hpp"
 
-// The Adaptive approach (p, p_ring) against the Direct approach of order P = p^2/p_ring at the same fictive
-// step: with the exact clock they are one method; Euler's clock is the only difference.
+// The Adaptive approach (p, p_ring) compared with the Direct approach of order P = p^2/p_ring at the same
+// fictive step. With the exact clock they are the same method; only Euler's clock makes a difference.
 
 int main(int argc, char** argv) {
   using namespace experiment;

@@ -1,6 +1,7 @@
 #include "bregman/table.hpp"
 
-// Counts from starts moved by 1e-16 to 1e-6: which published counts mean something, and to how many digits.
+// Iteration counts from starts moved by 1e-15 to 1e-6: which published counts are meaningful, and to how many
+// digits.
 
 int main(int argc, char** argv) {
   using namespace experiment;
@@ -13,7 +14,8 @@ int main(int argc, char** argv) {
     const avi::Stopping stopping{.delta = 1e-10, .iterations = 1'000'000};
     long row = 0;
     each_setting(frame, all_settings(), [&](const Setting& s, bool slow) {
-      if (slow && s.method.starts_with("clone_y")) return;  // ten gradients a step, sixteen starts
+      // ten gradients per step and sixteen starts would take too long
+      if (slow && s.method.starts_with("clone_y")) return;
       ++row;
       const long nominal = run_setting(s, f, f.start(), stopping).iterations;
       for (double size : {1e-15, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6}) {

@@ -1,14 +1,14 @@
 #include "beyond/counts/sustained.hpp"
 #include "bregman/table.hpp"
 
-// Iterations until the stopping test holds for good, beside the first passage that the paper counts: the
-// trajectory oscillates, and the test first holds near a chance zero of f.
+// Iterations until the stopping test holds permanently, compared with the first time it holds, which the
+// paper counts. The trajectory oscillates, and the test first holds near a chance zero of f.
 
 namespace {
 
 using namespace experiment;
 
-/// f around and after the first passage, for the figure.
+/// f around and after the first time the test holds, for the figure.
 void add_curve(Table& curves, const Setting& s, long first_passage) {
   const long length = 4 * first_passage;
   const CorrelatedQuartic f;

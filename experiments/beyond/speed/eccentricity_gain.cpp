@@ -3,13 +3,13 @@
 
 #include <cmath>
 
-// What adaptivity gains at each eccentricity: steps of HTVI4 over T = 10, fixed and with the gamma monitor,
-// at the same position error (Section 3.3 of the paper says that low eccentricities neither need nor profit
-// from it).
+// The gain from adaptivity at each eccentricity: steps of HTVI4 over T = 10, with fixed steps and with the
+// gamma monitor, at the same position error. (Section 3.3 of the paper says that low eccentricities neither
+// need adaptivity nor profit from it.)
 
 int main(int argc, char** argv) {
   using namespace experiment;
-  constexpr double target = 1e-6;  // of the position
+  constexpr double target = 1e-6;  // position error
   return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
     Table out = frame.table(
         {"eccentricity", "monitor", "h", "steps", "min_step", "max_step", "energy_error", "global_error"});
@@ -20,8 +20,8 @@ int main(int argc, char** argv) {
       if (frame.quick && tenths % 4 != 1) continue;
       for (KeplerRow row : {KeplerRow{"none", 0.02 * (1.0 - e) * std::sqrt(1.0 - e), 0.0, 0.0},
                             KeplerRow{"gamma", 0.03, 0.0, 1e6}}) {
-        // On few steps the end of the last one moves about, and the error with it: the nearest of some
-        // tries.
+        // With few steps, the end of the last one varies with h, and the error with it; so the nearest of
+        // several tries is taken.
         KeplerResult r;
         const auto error = [&](double h) {
           row.h = h;

@@ -8,8 +8,9 @@
 
 #include <cmath>
 
-// What each monitor costs on Kepler's problem at matched energy error: steps per orbit and time per step of
-// HTVI4, with the fictive step adapted until the largest energy error over three orbits is the one wanted.
+// The cost of each monitor for Kepler's problem at the same energy error: steps per orbit, and time per step,
+// of HTVI4. The fictive step is adjusted until the largest energy error over three orbits has the desired
+// value.
 
 namespace {
 
@@ -19,7 +20,7 @@ using avi::Kepler;
 constexpr double orbits = 3.0;
 constexpr avi::Until until{.time = 2.0 * M_PI * orbits, .steps = 3'000'000};
 
-/// HTVI4 with that monitor.
+/// HTVI4 with this monitor.
 Method2 runner_with(const auto& monitor) {
   return Method2(Kepler{}, [=](const State2& start) {
     return avi::type2<3, Authors>(avi::poincare<2>(Kepler{}, start, monitor), avi::simpson());

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-// Every monitor and rival from a circle to e = 1 - 1e-8: the largest step that keeps the energy over three
-// periods, what it costs, and how the next larger one fails.
+// Every monitor and its alternatives from a circular orbit to e = 1 - 1e-8: the largest step that keeps the
+// energy over three periods, its cost, and how a run with the next larger step fails.
 
 namespace {
 
@@ -15,7 +15,7 @@ using namespace experiment;
 
 constexpr double period = 2.0 * M_PI;
 
-/// A method whose state is in single precision between steps; the arithmetic within a step stays double.
+/// A method whose state is in single precision between steps; arithmetic within a step is in double.
 struct SinglePrecision {
   avi::AnyMethod<2> method;
 
@@ -29,7 +29,7 @@ struct SinglePrecision {
   }
 
  private:
-  /// Volatile: GCC 12 drops the pair of conversions where it vectorises them for AVX-512.
+  /// Volatile, because GCC 12 removes the pair of conversions when it vectorises them for AVX-512.
   static double in_single(double x) {
     volatile float single = static_cast<float>(x);
     return single;
@@ -39,12 +39,11 @@ struct SinglePrecision {
 struct Subject {
   std::string method, monitor;
   bool bounded;
-  /// Power of 1 - e in the number of steps per orbit as e -> 1; NaN where none is known. Near the pericentre
-  /// time and energy scale as r^1.5 and 1/r: a method of order s with g = r^m, m <= 1.5, needs h g <= r^1.5
-  /// r^(1/s) there; with m = 2 it is the apocentre that limits h, and the orbit takes 2 pi / (h sqrt(1 -
-  /// e^2)) steps.
+  /// Exponent of 1 - e in the number of steps per orbit as e -> 1; NaN if unknown. Near the pericentre, time
+  /// and energy scale as r^1.5 and 1/r, so a method of order s with g = r^m, m <= 1.5, needs h g <= r^1.5
+  /// r^(1/s) there. With m = 2 the apocentre limits h, and an orbit takes 2 pi / (h sqrt(1 - e^2)) steps.
   double predicted;
-  long cap;  ///< On steps of one run.
+  long cap;  ///< Limit on the steps of one run.
   std::function<Method2(double e)> make;
   std::string precision = "double";  ///< Precision of the state between steps.
 };
@@ -89,8 +88,8 @@ std::vector<Subject> subjects() {
   rival("log_hamiltonian", "1/V", 0.0);
   rival("adaptive_verlet", "r^1.5", -0.5);
   rival("hairer_soderlind", "r^1.5", -0.5);
-  // The same in single precision. Rounding moves the conserved g (H + p^t), hence the energy at the
-  // pericentre by (2 / (1 - e))^1.5 times what it is at the apocentre.
+  // The same in single precision. Rounding changes the conserved g (H + p^t); at the pericentre this is an
+  // energy error (2 / (1 - e))^1.5 times that at the apocentre.
   for (const auto& [name, monitor] : {std::pair{"stationary8", "r^1.5"}, {"log_hamiltonian", "1/V"}}) {
     Subject single = *std::ranges::find_if(all, [name = name, monitor = monitor](const Subject& s) {
       return s.method == name && s.monitor == monitor;
@@ -106,7 +105,7 @@ std::vector<Subject> subjects() {
   return all;
 }
 
-/// One row for each eccentricity until a run meets its cap on steps.
+/// One row per eccentricity, until a run reaches its cap on steps.
 void survey(Frame& frame, Table& table, const Subject& subject) {
   for (const int k : frame.quick ? std::vector{0, 1, 3, 4, 7} : std::vector{0, 1, 2, 3, 4, 5, 6, 7, 8}) {
     const double gap = std::pow(10.0, -k);

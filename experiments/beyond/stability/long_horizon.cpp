@@ -6,8 +6,8 @@
 
 #include "avi/problems/kepler.hpp"
 
-// Kepler's orbit of eccentricity 0.9 for up to a million periods: energy, angular momentum and phase at every
-// milestone.
+// Kepler's orbit with eccentricity 0.9 for up to a million periods: energy, angular momentum and phase at
+// each milestone.
 
 namespace {
 
@@ -19,18 +19,18 @@ struct Subject {
   std::string method, monitor;
   double h;
   Method2 run;
-  double reach = 1.0;  ///< It goes through this times the horizon: the control is slow, another is fast.
+  double reach = 1.0;  ///< Factor for the horizon: shorter for a slow method, longer for a fast one.
 };
 
-/// Where a run stands.
+/// The state of a run.
 struct Progress {
   State2 z = avi::Kepler::pericentre(eccentricity);
   long periods = 0;
   double energy_error = 0.0, momentum_error = 0.0, phase_error = 0.0, energy_now = 0.0;
 };
 
-/// Advances to the apocentre that ends a given number of periods (less one half), looking at every step. Its
-/// phase may fall behind by one in a hundred (Stormer-Verlet's: one in six hundred).
+/// Advances to the apocentre half a period before `periods` periods are complete, checking every step. The
+/// phase may lag by up to one per cent (that of Stormer-Verlet lags by one in six hundred).
 avi::Run advance(const Subject& subject, Progress& at, long periods) {
   const State2 start = avi::Kepler::pericentre(eccentricity);
   const double energy = subject.run.energy(start), momentum = avi::Kepler::angular_momentum(start);
@@ -44,17 +44,17 @@ avi::Run advance(const Subject& subject, Progress& at, long periods) {
             std::max(at.momentum_error, std::abs(avi::Kepler::angular_momentum(z) / momentum - 1.0));
         const bool was_outwards = std::exchange(outwards, z.q.dot(z.p) >= 0.0);
         if (outwards || !was_outwards) return true;
-        // Within half a turn of the last one: whole turns are not lost.
+        // Less than half a turn from the last value, so that whole turns are counted.
         at.phase_error += std::remainder(phase_error(start, z) - at.phase_error, 2.0 * M_PI);
         return ++at.periods < periods;
       });
 }
 
-/// Power of the number of periods with which an error grows in the last 1.5 decades.
+/// Exponent of the growth of an error with the number of periods, over the last 1.5 decades.
 double growth(const std::vector<Progress>& marks, double Progress::*error) {
   std::vector<double> periods, values;
   for (const Progress& at : marks)
-    if (32 * at.periods >= marks.back().periods && at.*error != 0.0) {  // below round-off
+    if (32 * at.periods >= marks.back().periods && at.*error != 0.0) {  // errors of 0 are below round-off
       periods.push_back(at.periods);
       values.push_back(std::abs(at.*error));
     }

@@ -17,9 +17,9 @@
 #include <stdexcept>
 #include <vector>
 
-// Rounding over very many orbits: the energy errors of sixteen orbits at every milestone, and what an orbit
-// costs. If the error of each step is random and unbiased, their root mean square grows as the square root of
-// time (Brouwer 1937).
+// Rounding errors over very many orbits: the energy errors of sixteen orbits at each milestone, and the cost
+// of an orbit. If the error of each step is random and unbiased, their root mean square grows as the square
+// root of time (Brouwer 1937).
 
 namespace {
 
@@ -29,8 +29,8 @@ using State2 = avi::State<2>;
 constexpr int starts = 16;
 constexpr double period = 2.0 * M_PI;
 
-/// sqrt(random^2 t + bias^2 t^2), t in periods: a walk whose steps are random and biased, fitted to the
-/// squares y^2 by least squares of the relative deviation.
+/// A random walk with bias, sqrt(random^2 t + bias^2 t^2) with t in periods. It is fitted to the squares y^2
+/// by least squares of the relative deviation.
 struct Walk {
   double random, bias;
 };
@@ -45,11 +45,11 @@ Walk walk(const std::vector<double>& t, const std::vector<double>& y) {
   return {root((a1 * bb - b1 * ab) / determinant), root((aa * b1 - ab * a1) / determinant)};
 }
 
-/// Eccentricities next to 0.9: orbits that share no rounding error.
+/// Starts with eccentricities near 0.9: sixteen orbits with independent rounding errors.
 State2 start(int k) { return avi::Kepler::pericentre(0.9 + 1e-4 * (k - 7.5)); }
 
-/// H / H_0 - 1 of the first state after each milestone, in periods, that is beyond the mean distance: there
-/// the monitor is largest, and the energy is what the method keeps.
+/// Errors H / H_0 - 1 after each milestone, in periods, at the first state beyond the mean distance. There
+/// the monitor is large, and the energy is what the method preserves.
 using Errors = std::vector<double>;
 using Run = std::function<Errors(const State2&, const std::vector<long>&)>;
 
@@ -77,7 +77,8 @@ int field(double, const double y[], double f[], void*) {
   return GSL_SUCCESS;
 }
 
-/// Prince and Dormand's pair of order 8 with error control: the steps of a library that is not symplectic.
+/// A non-symplectic method from another library: the pair of order 8 of Prince and Dormand, with error
+/// control.
 Errors of_gsl(const State2& from, const std::vector<long>& milestones) {
   constexpr double tolerance = 1e-13;
   gsl_odeiv2_system system{field, nullptr, 4, nullptr};
@@ -104,7 +105,7 @@ Errors of_gsl(const State2& from, const std::vector<long>& milestones) {
 struct Subject {
   const char* method;
   Run run;
-  double reach = 1.0;  ///< The part of the horizon it goes through: the control is slow, its law soon clear.
+  double reach = 1.0;  ///< Part of the horizon that is covered; the slow method shows its behaviour early.
 };
 
 std::vector<Subject> subjects() {

@@ -7,17 +7,17 @@
 #include <complex>
 #include <optional>
 
-// The largest step of every integrator before it breaks, beside the limit of linear theory, and how the run
-// one notch beyond ends.
+// The largest step of each integrator before it breaks down, compared with the limit of linear theory, and
+// how the run with the next larger step ends.
 
 namespace {
 
 using namespace experiment;
 
-/// Largest eigenvalue of the map of one step at the fixed point q = p = 0 of Henon and Heiles' problem, in
-/// the plane (x, p_x), where it is a linear oscillator of frequency 1. NaN where the step fails.
+/// Spectral radius of the map of one step at the fixed point q = p = 0 of the Henon-Heiles problem, in the
+/// plane (x, p_x), where the problem is a linear oscillator of frequency 1. NaN if the step fails.
 double spectral_radius(const Method2& run, double h) {
-  constexpr double small = 1e-9;  // nonlinear terms are as small beside the linear ones
+  constexpr double small = 1e-9;  // relative size of the nonlinear terms
   const Limits one{.time = HUGE_VAL, .steps = 1, .energy_error = HUGE_VAL};
   State2 position{.q = {small, 0.0}, .p = {0.0, 0.0}}, momentum{.q = {0.0, 0.0}, .p = {small, 0.0}};
   const Attempt a = attempt(run, position, h, one), b = attempt(run, momentum, h, one);
@@ -28,8 +28,8 @@ double spectral_radius(const Method2& run, double h) {
                   std::sqrt(std::complex<double>(0.25 * trace * trace - determinant)));
 }
 
-/// The step at which the oscillator first becomes unstable, h omega of linear theory, or the implicit
-/// equations of a step are no longer solved; 20 where neither happens below.
+/// The step at which the oscillator first becomes unstable, which is h omega in linear theory, or at which
+/// the implicit equations of a step are no longer solved; 20 if neither happens below.
 struct LinearLimit {
   double h;
   std::string reason;

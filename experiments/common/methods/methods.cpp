@@ -21,7 +21,7 @@ namespace {
 using avi::HenonHeiles, avi::Kepler;
 namespace c = avi::compositions;
 
-/// Kepler's problem with a monitor that is told the energy of the start.
+/// Kepler's problem with a monitor for the energy of the start.
 auto kepler(const State2& start, PositionMonitor monitor) {
   monitor.energy = Kepler{}(start.q, start.p);
   return avi::poincare<2>(Kepler{}, start, monitor);

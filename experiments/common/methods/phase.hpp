@@ -3,14 +3,14 @@
 
 #include <cmath>
 
-// Where on its orbit a body is.
+// The position of a body along its Kepler orbit.
 
 namespace experiment {
 
-/// Mean longitude of Kepler's problem with unit masses, in the sense of the motion: the polar angle of q less
-/// nu - E and e sin E, with e cos E = 1 - |q| / a, e sin E = q.p / sqrt(a), a = -1 / (2 H) and tan((nu -
-/// E)/2) = beta sin E / (1 - beta cos E), beta = e / (1 + sqrt(1 - e^2)). Smooth down to the circle, where
-/// anomalies have no meaning. NaN where H >= 0.
+/// Mean longitude in Kepler's problem with unit masses, counted in the direction of motion. It is the polar
+/// angle of q minus nu - E and e sin E, with e cos E = 1 - |q| / a, e sin E = q.p / sqrt(a), a = -1 / (2 H)
+/// and tan((nu - E)/2) = beta sin E / (1 - beta cos E), beta = e / (1 + sqrt(1 - e^2)). It is smooth also
+/// near circular orbits, where the anomalies are undefined. NaN for H >= 0.
 inline double mean_longitude(const avi::State<2>& z) {
   const double radius = z.q.norm(), a = 1.0 / (2.0 / radius - z.p.squaredNorm());
   const double e_sine = z.q.dot(z.p) / std::sqrt(a), e_cosine = 1.0 - radius / a;
@@ -20,7 +20,7 @@ inline double mean_longitude(const avi::State<2>& z) {
   return std::copysign(1.0, L) * std::atan2(z.q[1], z.q[0]) - equation - e_sine;
 }
 
-/// By how much the mean longitude of z is ahead of the exact orbit through `start`, in (-pi, pi].
+/// Mean longitude of z minus that of the exact orbit through `start` at the same time, in [-pi, pi].
 inline double phase_error(const avi::State<2>& start, const avi::State<2>& z) {
   const double a = 1.0 / (2.0 / start.q.norm() - start.p.squaredNorm());
   return std::remainder(mean_longitude(z) - mean_longitude(start) - (z.t - start.t) * std::pow(a, -1.5),

@@ -3,15 +3,15 @@
 
 #include <utility>
 
-// HTVI as the paper prints it (Section 2.2), and as its authors ran it: other constructions for
-// avi::type2(), avi::type3() and avi::htvi_of_order(). Both are symplectic, of order min(r + 1, s).
+// HTVI as printed in the paper (Section 2.2), and as its authors ran it: two further constructions for
+// avi::type2(), avi::type3() and avi::htvi_of_order(). Both are symplectic and of order min(r + 1, s).
 
 namespace experiment {
 
 using avi::ActionRemainder, avi::DiscreteEquations, avi::Generating, avi::IterationProgress, avi::Matrix,
     avi::Partials, avi::Quadrature, avi::StepChange, avi::SuppliesGradient, avi::Vector, avi::constants;
 
-/// f(q, p) and \f$p\cdot\partial f/\partial p\f$ at any scalar.
+/// f(q, p) and \f$p\cdot\partial f/\partial p\f$, for any scalar.
 template <class F, class S, int n>
 std::pair<S, S> value_and_work(const F& f, const Vector<S, n>& q, const Vector<S, n>& p) {
   if constexpr (SuppliesGradient<F, S, n>) {
@@ -22,7 +22,7 @@ std::pair<S, S> value_and_work(const F& f, const Vector<S, n>& q, const Vector<S
     return {f(q, p), sum};
   } else {
     const auto at_q = constants<Partials<S, 1>>(q);
-    Vector<Partials<S, 1>, n> along(p.size());  // differentiated in the direction of p itself
+    Vector<Partials<S, 1>, n> along(p.size());  // differentiated in the direction of p
     for (Eigen::Index i = 0; i < p.size(); ++i)
       along[i] = Partials<S, 1>::variable(p[i], 0, p[i]);
     const Partials<S, 1> both = f(at_q, along);
@@ -30,9 +30,9 @@ std::pair<S, S> value_and_work(const F& f, const Vector<S, n>& q, const Vector<S
   }
 }
 
-/// Integrand of the printed action, \f$p\cdot q' + p^t t' - \bar H\f$ with q', t' from the same field:
-/// \f$g\,(p\cdot\partial H/\partial p - H)\f$, and off the shell \f$(H + p^t)\, p\cdot\partial g/\partial
-/// p\f$ more.
+/// Integrand of the printed action, \f$p\cdot q' + p^t t' - \bar H\f$, with q' and t' from the field:
+/// \f$g\,(p\cdot\partial H/\partial p - H)\f$, and off the energy shell the additional term \f$(H + p^t)\,
+/// p\cdot\partial g/\partial p\f$.
 template <bool on_shell, class Problem, class S, int n>
 S action_rate(const Problem& problem, const Vector<S, n>& q, const Vector<S, n>& p, const S& pt) {
   const auto [energy, work] = value_and_work(problem.hamiltonian(), q, p);
@@ -44,21 +44,21 @@ S action_rate(const Problem& problem, const Vector<S, n>& q, const Vector<S, n>&
   }
 }
 
-/// The action \f$A = h\sum_i b_i [p\cdot q' + p^t t' - \bar H](c_i h)\f$ of Section 2.2 of the paper, with q'
-/// and t' from the field at the nodes, and not from the curve: it is not stationary on the solution, and its
-/// order is r + 1. Its variation is that of a formula, differentiated automatically.
+/// The action \f$A = h\sum_i b_i [p\cdot q' + p^t t' - \bar H](c_i h)\f$ of Section 2.2 of the paper. q' and
+/// t' come from the field at the nodes, not from the curve, so the action is not stationary on the solution,
+/// and the order is r + 1. Its variation is found by automatic differentiation.
 template <class Expansion, class Construction>
 class PrintedAction {
  public:
   using Number = typename Expansion::Number;  ///< A number with its partials.
   static constexpr int n = Expansion::n;      ///< Dimension of the problem.
 
-  /// For this quadrature rule. @throws std::invalid_argument for an improper rule.
+  /// The action with this quadrature rule. @throws std::invalid_argument for an improper rule.
   explicit PrintedAction(Quadrature rule) : rule_(std::move(rule)) { validate(rule_); }
 
-  [[nodiscard]] const Quadrature& rule() const { return rule_; }  ///< b_i and c_i.
+  [[nodiscard]] const Quadrature& rule() const { return rule_; }  ///< The quadrature rule b_i, c_i.
 
-  /// R of the last expansion, of step h, whose increments are d.
+  /// R for the last expansion, with step h and increments d.
   [[nodiscard, gnu::noinline, gnu::flatten]] ActionRemainder<Number>
   remainder(const Expansion& e, const typename Expansion::Increments& d, double h) const {
     const Number pt = e.energy_momentum();
@@ -85,13 +85,14 @@ class PrintedAction {
   Quadrature rule_;
 };
 
-/// Broyden's quasi-Newton method for F(u) = 0 where the plain iteration u += F(u) contracts slowly, or not at
-/// all: at large h and for stiff problems. It takes over at the first residual that has not fallen to a
-/// tenth of the one before, and starts from the identity, i.e. from the plain iteration.
+/// Broyden's quasi-Newton method for F(u) = 0. It is used where the plain iteration u += F(u) contracts
+/// slowly or not at all, at large h and for stiff problems. It takes over when a residual has not fallen to a
+/// tenth of the one before, and starts from the identity, that is, from the plain iteration.
 template <int n>
 class Broyden {
  public:
-  /// The shift of u for this residual. @param plain that of the plain iteration
+  /// The shift of u for this residual. @param plain the shift of the plain iteration @param slow the residual
+  /// has not fallen to a tenth
   Vector<double, n> shift(const Vector<double, n>& residual, const Vector<double, n>& plain, bool slow) {
     if (slow && !at_work_) {
       inverse_.setIdentity();
@@ -120,7 +121,8 @@ class Broyden {
   bool at_work_ = false;
 };
 
-/// The iteration of the paper's constructions: plain, and by Broyden's method where that contracts slowly.
+/// The iteration of the paper's constructions: the plain one, and Broyden's method where that contracts
+/// slowly.
 template <int n>
 class BroydenIteration {
  public:
@@ -130,8 +132,8 @@ class BroydenIteration {
     Vector<double, n> plain = residual;
     if constexpr (requires { equations.newton(residual); }) plain = equations.newton(residual);
     shift = now.stagnates ? plain : broyden_.shift(residual, plain, slow);
-    // The residual falls by residual / previous, and more, each time; once the next one would be well below
-    // round-off, so is the error of a first-order correction.
+    // Each residual is at most residual / previous times the one before. Once the next one would be well
+    // below round-off, so is the error of a first-order correction.
     return now.residual * now.residual <= 0.1 * now.accepted * now.previous;
   }
   [[nodiscard]] StepChange<n> step(const auto& equations, const Vector<double, n>& residual) const {
@@ -144,8 +146,8 @@ class BroydenIteration {
   Broyden<n> broyden_;
 };
 
-/// As the paper prints it: the velocity in the action is that of the field, the position has order r at the
-/// nodes of the quadrature.
+/// The construction as printed in the paper: the velocity in the action is that of the field, and the
+/// position has order r at the nodes of the quadrature.
 struct Printed {
   static constexpr bool energy_is_variable = true, on_level = false, on_shell = false, raises_the_end = false;
   template <class Vec, class S>
@@ -161,8 +163,8 @@ struct Printed {
   static constexpr int order(int r, int s) { return std::min(r + 1, s); }
 };
 
-/// The equations on the energy shell: the expansion from a point off it follows another orbit, so that
-/// du_0/du is not the identity up to O(h^(r+1)) but has a term of rank one.
+/// The discrete equations on the energy shell. An expansion from a point off the shell follows another orbit,
+/// so du_0/du differs from the identity not only by O(h^(r+1)) but also by a term of rank one.
 template <Generating type, class Expansion>
 class ShellEquations : public DiscreteEquations<type, Expansion> {
   using Base = DiscreteEquations<type, Expansion>;
@@ -174,8 +176,8 @@ class ShellEquations : public DiscreteEquations<type, Expansion> {
   ShellEquations(const Expansion& e, const typename Base::Increments& d,
                  const typename Base::Remainder& remainder)
       : Base(e, d, remainder) {
-    // d_u changes with u by v w^T, w = dH/du, beside O(h^(r+1)): off the shell, dR has the terms of the exact
-    // flow and (H + p^t) dt.
+    // d_u changes with u by v w^T with w = dH/du, apart from O(h^(r+1)): off the shell, dR contains the terms
+    // of the exact flow and (H + p^t) dt.
     Vec y;
     for (int j = 0; j < n; ++j)
       y[j] = sigma * d.t.partial(at_u + j);
@@ -188,7 +190,7 @@ class ShellEquations : public DiscreteEquations<type, Expansion> {
       w_[j] = (right ? e.q()[j][1].value() : -e.p()[j][1].value()) / e.t()[1].value();
     }
   }
-  /// The shift of u that a residual calls for, up to O(h^(r+1)) of it.
+  /// The shift of u that removes a residual, up to O(h^(r+1)) times the shift.
   [[nodiscard]] Vec newton(const Vec& residual) const {
     return residual - v_ * (w_.dot(residual) / (1.0 + w_.dot(v_)));
   }
@@ -202,9 +204,8 @@ class ShellEquations : public DiscreteEquations<type, Expansion> {
   Vec s_, v_, w_;
 };
 
-/// The construction whose errors are those printed in Tables 1 and 2: as printed, but the trial curve follows
-/// the field with H
-/// + p^t = 0 inserted, and at the node c = 1 the position has order r + 1.
+/// The construction that gives the errors printed in Tables 1 and 2. It is as printed, but the trial curve
+/// follows the field with H + p^t = 0, and at the node c = 1 the position has order r + 1.
 struct Authors : Printed {
   static constexpr bool energy_is_variable = false, on_shell = true, raises_the_end = true;
   template <class Vec, class S>

@@ -4,11 +4,11 @@
 #include "avi/core/state.hpp"
 #include "avi/integrators/runge_kutta.hpp"
 
-// The control that is not symplectic.
+// A method that is not symplectic, for comparison.
 
 namespace experiment {
 
-/// The classical Runge-Kutta method on Hamilton's equations of H.
+/// The classical Runge-Kutta method for Hamilton's equations of H.
 template <int n, class H>
 class RungeKutta4 {
  public:

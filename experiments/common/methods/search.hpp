@@ -8,35 +8,35 @@
 #include <string>
 #include <utility>
 
-// Runs that may fail, and the step with which one does what is wanted.
+// Runs that may fail, and searches for the step with which a run succeeds.
 
 namespace experiment {
 
-/// How far a run goes, and what it must not exceed on the way.
+/// How far a run goes, and which errors end it.
 struct Limits {
   double time;
   long steps;
-  double energy_error;            ///< |H - H_0| / |H_0| beyond which the run is given up.
-  double phase_error = HUGE_VAL;  ///< Error of the phase at the end, on Kepler's problem, in radians.
+  double energy_error;            ///< Bound on |H - H_0| / |H_0|; beyond it the run is given up.
+  double phase_error = HUGE_VAL;  ///< Bound on the phase error at the end, for Kepler's problem, in radians.
 };
 
 /// How a run ended.
 struct Attempt {
   avi::Run run;
-  State2 end;                 ///< The last good state.
+  State2 end;                 ///< The last valid state.
   double energy_error = 0.0;  ///< Largest |H - H_0| / |H_0| after any step.
-  bool late = false;          ///< Reached the end, but elsewhere on its orbit.
+  bool late = false;          ///< The run reached the end time, but with a phase error beyond its bound.
 
-  /// Reached the end within every bound.
+  /// True if the run reached the end within all bounds.
   [[nodiscard]] bool good() const { return run.outcome == avi::Outcome::ok && !late; }
-  /// `ok`, `energy` or `phase` where that bound was exceeded, else the outcome's name.
+  /// `ok`; `energy` or `phase` if that bound was exceeded; otherwise the name of the outcome.
   [[nodiscard]] std::string ending() const {
     if (run.outcome == avi::Outcome::stopped) return "energy";
     return run.outcome == avi::Outcome::ok && late ? "phase" : std::string(avi::name(run.outcome));
   }
 };
 
-/// A whole run with step h.
+/// One run with step h.
 inline Attempt attempt(const Method2& runner, const State2& start, double h, const Limits& limits) {
   Attempt made{.run = {}, .end = start};
   const double first = runner.energy(start);
@@ -54,15 +54,15 @@ inline Attempt attempt(const Method2& runner, const State2& start, double h, con
 
 /// The result of the search for the largest step.
 struct Largest {
-  double h = std::nan("");  ///< NaN where every run failed down to the one that met the cap on steps.
+  double h = std::nan("");  ///< NaN if no run succeeded; see largest_step().
   Attempt at;               ///< The run with h.
   double h_beyond = std::nan("");
   Attempt beyond;  ///< The shortest step found to fail, and its run.
 };
 
-/// The largest step with which a run succeeds: halves h from `coarse` until a run from `start` does, then
-/// bisects in log h until the step is known within `precision` (0.02: two per cent). Ends without a result
-/// where a run meets the cap on steps.
+/// The largest step with which a run succeeds. h is halved from `coarse` until a run from `start` succeeds,
+/// and then bisected in log h to the relative `precision` (0.02: two per cent). There is no result if a run
+/// that fails reaches the limit on steps.
 inline Largest largest_step(const Method2& runner, const State2& start, double coarse, const Limits& limits,
                             double precision = 0.02) {
   Largest found;
@@ -87,18 +87,19 @@ inline Largest largest_step(const Method2& runner, const State2& start, double c
   return found;
 }
 
-/// How the search for a given error goes on.
+/// Settings of matched_step().
 struct Match {
-  double order;                  ///< The error is about proportional to this power of the step.
+  double order;                  ///< The error is roughly proportional to this power of the step.
   double within = 0.02;          ///< Accepted |log(error / target)|.
-  int tries = 60;                ///< Runs at the most.
-  double longest = HUGE_VAL;     ///< A step is multiplied by this at the most; a longer one may break down.
-  double too_coarse = HUGE_VAL;  ///< Errors above this many targets say only that h is to be halved.
+  int tries = 60;                ///< Largest number of runs.
+  double longest = HUGE_VAL;     ///< Largest factor for a step; a longer step may break down.
+  double too_coarse = HUGE_VAL;  ///< For errors above this multiple of the target, h is simply halved.
 };
 
-/// The step h at which error(h) is `target`: corrected on logarithms by the order, and halfway (in log h)
-/// between the last steps below and above the target where that would leave them. Returns the step whose
-/// error came nearest, NaN where none was near enough to be judged or error(h) is NaN, which gives up.
+/// The step h at which error(h) equals `target`. h is corrected in logarithms by means of the order. If that
+/// would leave the interval between the last steps below and above the target, the middle of the interval (in
+/// log h) is used. @return the step with the nearest error; NaN if no error was near enough to be compared,
+/// or if error(h) is NaN, which ends the search
 inline double matched_step(const std::function<double(double h)>& error, double target, double h,
                            const Match& match) {
   double best = std::nan(""), distance = HUGE_VAL, below = best, above = best;
@@ -114,8 +115,8 @@ inline double matched_step(const std::function<double(double h)>& error, double 
       if (off < match.within) break;
       h *= std::min(std::pow(ratio, -1.0 / match.order), match.longest);
     }
-    // Where the error grows much faster than its order, as near the limit of stability, the correction would
-    // jump from one side of the target to the other for ever.
+    // Near the limit of stability the error grows much faster than its order suggests, and the correction
+    // would jump from one side of the target to the other for ever.
     if (!(h > std::min(below, above) && h < std::max(below, above)) && std::isfinite(below * above))
       h = std::sqrt(below * above);
   }

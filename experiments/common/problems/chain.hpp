@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-// A chain of any number of masses.
+// A chain of masses and springs of any length.
 
 namespace experiment {
 
@@ -25,7 +25,7 @@ struct Chain {
     return sum;
   }
 
-  /// dH/dq, of n entries, supplied for speed.
+  /// dH/dq, n entries, supplied for speed.
   template <class S, int n>
   Vector<S, n> d_dq(const Vector<S, n>& q, const Vector<S, n>&) const {
     const auto force = [](const auto& x) { return x + 0.75 * (x * x); };
@@ -44,7 +44,7 @@ struct Chain {
     return p;
   }
 
-  /// The lowest mode, plucked by 0.3, at rest.
+  /// Start at rest in the lowest mode, with amplitude 0.3.
   /// @throws std::invalid_argument for fewer than one mass.
   static State<dynamic> plucked(int masses) {
     require(masses >= 1, "Number of masses", masses, "at least 1");

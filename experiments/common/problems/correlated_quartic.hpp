@@ -11,10 +11,10 @@ using avi::VectorX, avi::require, avi::dot;
 /// z = Sigma y with Sigma_ij = rho^|i-j|, in O(n): z_i = b_i + a_i with the two recurrences
 /// b_i = y_i + rho b_{i-1} (entries up to i) and a_i = rho (y_{i+1} + a_{i+1}) (entries beyond i).
 ///
-/// The order of every operation is that of the recurrences, whatever the vector width.
+/// The operations have the order of the recurrences, whatever the vector width.
 inline void multiply_by_correlation(double rho, const VectorX& y, VectorX& z) {
-  // Both at once from both ends, as neither waits for the other: the second to come to an entry adds its
-  // part.
+  // Both recurrences run at once, from opposite ends, since they are independent. The second one to reach an
+  // entry adds its part.
   double up_to = 0.0, beyond = 0.0;
   for (Eigen::Index i = 0, j = y.size() - 1; j >= 0; ++i, --j) {
     up_to = y[i] + rho * up_to;
@@ -24,11 +24,12 @@ inline void multiply_by_correlation(double rho, const VectorX& y, VectorX& z) {
   }
 }
 
-/// \f$f(x) = \left[(x - 1)^T \Sigma\, (x - 1)\right]^2\f$, \f$\Sigma_{ij} = \rho^{|i-j|}\f$: equation (4.21)
-/// of the paper, where n = 50 and \f$\rho = 0.9\f$. Convex, minimum 0 at x = 1; the Hessian vanishes there,
-/// so that nothing converges geometrically. \f$\nabla f = 4\, (y^T \Sigma y)\, \Sigma y\f$ with y = x - 1.
+/// The objective \f$f(x) = \left[(x - 1)^T \Sigma\, (x - 1)\right]^2\f$, \f$\Sigma_{ij} = \rho^{|i-j|}\f$:
+/// equation (4.21) of the paper, where n = 50 and \f$\rho = 0.9\f$. It is convex with minimum 0 at x = 1,
+/// where the Hessian vanishes, so that no method converges geometrically. \f$\nabla f = 4\, (y^T \Sigma y)\,
+/// \Sigma y\f$ with y = x - 1.
 ///
-/// Works in memory that it owns: one object serves one thread.
+/// Uses memory of its own, so each thread needs its own object.
 class CorrelatedQuartic {
  public:
   /// In dimension n. @throws std::invalid_argument unless n >= 1 and |rho| < 1.
@@ -38,10 +39,11 @@ class CorrelatedQuartic {
   }
 
   [[nodiscard]] Eigen::Index size() const { return offset_.size(); }         ///< n.
-  [[nodiscard]] VectorX minimiser() const { return VectorX::Ones(size()); }  ///< x = 1, the only one.
-  static constexpr double minimum = 0.0;                                     ///< f there.
+  [[nodiscard]] VectorX minimiser() const { return VectorX::Ones(size()); }  ///< x = 1, the only minimiser.
+  static constexpr double minimum = 0.0;                                     ///< f at the minimiser.
 
-  /// The start of the paper's runs, every entry 5: not stated there; recovered from its iteration counts.
+  /// The start of the paper's runs, every entry 5. The paper does not state it; it was recovered from the
+  /// iteration counts there.
   [[nodiscard]] VectorX start() const { return VectorX::Constant(size(), 5.0); }
 
   /// Value and gradient. @throws std::invalid_argument for an x of another size.
@@ -58,13 +60,13 @@ class CorrelatedQuartic {
   }
 
  private:
-  /// Checked before any memory is asked for.
+  /// Checks n before any memory is allocated.
   static Eigen::Index positive(Eigen::Index n) {
     require(n >= 1, "Dimension", n, "at least 1");
     return n;
   }
 
-  /// (x - 1)^T Sigma (x - 1); the image Sigma (x - 1) is left in z.
+  /// (x - 1)^T Sigma (x - 1); stores Sigma (x - 1) in z.
   double quadratic_form(const VectorX& x, VectorX& z) const {
     require(x.size() == size(), "Size of x", x.size(), "the objective's dimension, ", size());
     z.resize(size());

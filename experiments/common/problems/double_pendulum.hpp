@@ -9,9 +9,10 @@ namespace experiment {
 
 using avi::State;
 
-/// Two unit masses on rods of unit length in unit gravity, with the angles q from the downward vertical: not
-/// separable, for the kinetic energy depends on q (Landau and Lifshitz, Mechanics, Section 5). \f[ H(q, p) =
-/// \frac{p_1^2 + 2 p_2^2 - 2 p_1 p_2 \cos(q_1 - q_2)}{2\,(1 + \sin^2(q_1 - q_2))} - 2 \cos q_1 - \cos q_2 \f]
+/// Two unit masses on rods of unit length in unit gravity; q are the angles from the downward vertical. H is
+/// not separable, because the kinetic energy depends on q (Landau and Lifshitz, Mechanics, Section 5). \f[
+/// H(q, p) = \frac{p_1^2 + 2 p_2^2 - 2 p_1 p_2 \cos(q_1 - q_2)}{2\,(1 + \sin^2(q_1 - q_2))} - 2 \cos q_1 -
+/// \cos q_2 \f]
 struct DoublePendulum {
   static constexpr int dimension = 2;  ///< Two angles.
 
@@ -24,7 +25,7 @@ struct DoublePendulum {
     return 0.5 * square / (1.0 + s * s) - 2.0 * cos(q[0]) - cos(q[1]);
   }
 
-  /// At rest at these angles; from (pi/2, pi/2) on the motion is chaotic.
+  /// Start at rest at these angles; from (pi/2, pi/2) the motion is chaotic.
   static State<2> released(double first, double second) { return {.q = {first, second}, .p = {0.0, 0.0}}; }
 };
 

@@ -7,14 +7,15 @@ namespace experiment {
 
 using avi::State, avi::NBody;
 
-/// Sun (with the inner planets), Jupiter, Saturn, Uranus, Neptune and Pluto as point masses: dimension 18.
-/// Data of 5 September 1994, 0h (Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, Section
-/// I.2.4; after Applegate, Douglas, Gursel, Sussman and Wisdom 1986). Lengths in astronomical units, time in
-/// days, masses times the gravitational constant G; H is G times the energy.
+/// The Sun (with the inner planets), Jupiter, Saturn, Uranus, Neptune and Pluto as point masses: dimension
+/// 18. Data for 5 September 1994, 0h (Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006,
+/// Section I.2.4; after Applegate, Douglas, Gursel, Sussman and Wisdom 1986). Lengths are in astronomical
+/// units, time in days; masses are multiplied by the gravitational constant G, so that H is G times the
+/// energy.
 struct OuterSolarSystem {
-  static constexpr double gravity = 2.95912208286e-4;  ///< G, with the mass of the Sun as unit.
+  static constexpr double gravity = 2.95912208286e-4;  ///< G, with the mass of the Sun as the unit.
 
-  /// The problem.
+  /// The six-body problem.
   static NBody<6, 3> problem() {
     NBody<6, 3>::Masses masses;
     masses << 1.00000597682, 0.000954786104043, 0.000285583733151, 0.0000437273164546, 0.0000517759138449,
@@ -22,7 +23,7 @@ struct OuterSolarSystem {
     return NBody<6, 3>(gravity * masses);
   }
 
-  /// Positions and momenta on that day.
+  /// Positions and momenta on that date.
   static State<18> start() {
     State<18> z;
     z.q << 0.0, 0.0, 0.0,                      //

@@ -10,12 +10,12 @@ namespace experiment {
 
 using avi::Vector, avi::require, avi::UnitMass;
 
-/// \f$H(q, p) = \tfrac12 |p|^2 - 1/|q| - \varepsilon/(2 |q|^3)\f$: Kepler's problem about an oblate body,
-/// monopole and quadrupole in the plane of its equator (\f$\varepsilon = J_2 R^2\f$ in units of the orbit).
-/// It conserves energy and angular momentum; the ellipse turns. Starts are Kepler's.
+/// Motion in the equatorial plane of an oblate body: \f$H(q, p) = \tfrac12 |p|^2 - 1/|q| - \varepsilon/(2
+/// |q|^3)\f$, with monopole and quadrupole (\f$\varepsilon = J_2 R^2\f$ in units of the orbit). Energy and
+/// angular momentum are conserved; the ellipse precesses. Starts are those of Kepler.
 class PerturbedKepler : public UnitMass<PerturbedKepler, 2> {
  public:
-  /// With this quadrupole. @throws std::invalid_argument unless epsilon is finite and >= 0.
+  /// The problem with this quadrupole. @throws std::invalid_argument unless epsilon is finite and >= 0.
   explicit PerturbedKepler(double epsilon = 0.0) : epsilon_(epsilon) {
     require(std::isfinite(epsilon) && epsilon >= 0.0, "Quadrupole epsilon", epsilon,
             "finite and not negative");

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-// Phase-space cloning (Pihajoki 2015) for Bregman dynamics, reduced to what the copy that is read needs.
+// Phase-space cloning (Pihajoki 2015) for Bregman dynamics, reduced to the copy whose values are used.
 
 namespace experiment {
 
@@ -15,20 +15,20 @@ using avi::Outcome, avi::VectorX, avi::Iterate, avi::BregmanFamily, avi::Bregman
 /// Strang's splitting (order 2) and Yoshida's triple jumps of it (orders 4 and 6).
 enum class CloneComposition { strang, yoshida4, yoshida6 };
 
-/// The name in data files: clone_strang, clone_y4, clone_y6.
+/// The name of a composition in data files: clone_strang, clone_y4, clone_y6.
 constexpr std::string_view clone_name(CloneComposition composition) {
   if (composition == CloneComposition::strang) return "clone_strang";
   return composition == CloneComposition::yoshida4 ? "clone_y4" : "clone_y6";
 }
 
-/// Step lengths of B(b_0) A(a_1) B(b_1) ... A(a_m) B(b_m), in units of h: neighbouring B flows are merged.
+/// Step lengths of B(b_0) A(a_1) B(b_1) ... A(a_m) B(b_m) in units of h, with neighbouring B flows merged.
 struct MergedStages {
   std::vector<double> a;  ///< m entries, m = 1, 3, 9.
   std::vector<double> b;  ///< m + 1 entries.
 };
 
-/// The triple jump raises the order 2k of a symmetric step to 2k + 2 by the lengths w, 1 - 2w, w with
-/// w = 1 / (2 - 2^(1/(2k+1))) (Yoshida 1990).
+/// Step lengths of a composition. The triple jump raises the order 2k of a symmetric step to 2k + 2 with the
+/// lengths w, 1 - 2w, w, where w = 1 / (2 - 2^(1/(2k+1))) (Yoshida 1990).
 inline MergedStages merged_stages(CloneComposition composition) {
   std::vector<double> lengths{1.0};
   const auto triple_jump = [&](double order) {
@@ -48,27 +48,27 @@ inline MergedStages merged_stages(CloneComposition composition) {
   return stages;
 }
 
-/// Two copies \f$(q, t, r)\f$ and \f$(\tilde q, \tilde t, \tilde r)\f$ with the Hamiltonian
-/// \f$\bar H_1(q, t, \tilde r) + \bar H_2(\tilde q, \tilde t, r)\f$, split into the two terms: \f$\bar H_2\f$
-/// for half a step, \f$\bar H_1\f$, \f$\bar H_2\f$ for half a step, and compositions of that (equation (4.19)
-/// of the paper).
+/// Phase-space cloning: two copies \f$(q, t, r)\f$ and \f$(\tilde q, \tilde t, \tilde r)\f$ with the
+/// Hamiltonian \f$\bar H_1(q, t, \tilde r) + \bar H_2(\tilde q, \tilde t, r)\f$, split into its two terms. A
+/// step is \f$\bar H_2\f$ for half a step, \f$\bar H_1\f$ for a step and \f$\bar H_2\f$ for half a step, or a
+/// composition of such steps (equation (4.19) of the paper).
 ///
-/// As \f$\bar H\f$ is separable in q and r once t is given, q meets r only: \f$q' = kinetic(\tilde t)\, r\f$
-/// under \f$\bar H_2\f$ and \f$r' = -potential(t)\, \nabla f(q)\f$ under \f$\bar H_1\f$. The copy that is
-/// read, (q, r), never sees \f$(\tilde q, \tilde r)\f$, only the other clock. So q and r and two clocks are
-/// evolved here, a leapfrog with 1, 3 or 9 gradients a step, where the printed form spends 3, 7 or 19 on the
-/// same iterates; the stopping test at the new q costs one more.
+/// For given t, \f$\bar H\f$ is separable in q and r, so q is coupled to r only: \f$q' = kinetic(\tilde t)\,
+/// r\f$ under \f$\bar H_2\f$ and \f$r' = -potential(t)\, \nabla f(q)\f$ under \f$\bar H_1\f$. The copy (q,
+/// r), whose values are used, never depends on \f$(\tilde q, \tilde r)\f$, only on the other clock. So only
+/// q, r and the two clocks are evolved here: a leapfrog with 1, 3 or 9 gradients per step, where the printed
+/// form takes 3, 7 or 19 for the same iterates. The stopping test at the new q costs one more.
 struct BregmanCloning {
   BregmanFamily family;                                     ///< p, p_ring and C.
   double h = 1e-3;                                          ///< Fictive step, finite and positive.
-  CloneComposition composition = CloneComposition::strang;  ///< Order in which the two flows are composed.
-  BregmanStart from{};                                      ///< Time and momentum of the first iterate.
+  CloneComposition composition = CloneComposition::strang;  ///< Composition of the two flows.
+  BregmanStart from{};                                      ///< Initial time and momentum.
 
   struct State {
-    VectorX r;            ///< Momentum of the copy that is read.
+    VectorX r;            ///< Momentum of the copy that is used.
     double t;             ///< Its physical time.
-    double t_clone;       ///< That of the other copy.
-    MergedStages stages;  ///< The composition's lengths.
+    double t_clone;       ///< Physical time of the other copy.
+    MergedStages stages;  ///< Step lengths of the composition.
   };
 
   State start(const Iterate& first) const {
@@ -76,7 +76,7 @@ struct BregmanCloning {
     return {VectorX::Constant(first.x.size(), from.momentum), from.t, from.t, merged_stages(composition)};
   }
 
-  /// Advances by the fictive step, with 1, 3 or 9 gradients.
+  /// One fictive step, with 1, 3 or 9 gradients.
   Outcome update(State& state, Iterate& now, auto& f) const {
     drift(state, now, state.stages.b[0]);
     for (std::size_t i = 0; i < state.stages.a.size(); ++i) {

@@ -4,7 +4,7 @@
 #include "avi/integrators/runge_kutta.hpp"
 #include "avi/optim/objective.hpp"
 
-// Bregman dynamics by explicit Runge-Kutta methods: the paper's non-symplectic baselines (Section 4.5.4).
+// Bregman dynamics with explicit Runge-Kutta methods: the paper's non-symplectic baselines (Section 4.5.4).
 
 namespace experiment {
 
@@ -16,10 +16,10 @@ using avi::Outcome, avi::VectorX, avi::require_positive, avi::Iterate, avi::Breg
 /// \f$r' = -potential(t)\, \nabla f(q)\f$, \f$t' = monitor(t)\f$.
 struct BregmanField {
   BregmanFamily family;  ///< p, p_ring and C.
-  VectorX q;             ///< Working memory: where the objective is evaluated.
+  VectorX q;             ///< Working memory: position at which the objective is evaluated.
   VectorX gradient;      ///< Working memory: the gradient there.
 
-  /// The field where the gradient is known.
+  /// The field, for a gradient that is already known.
   void operator()(const VectorX& z, const VectorX& gradient_at_q, VectorX& dz) const {
     const Eigen::Index n = q.size();
     const double t = z[2 * n];
@@ -28,7 +28,7 @@ struct BregmanField {
     dz[2 * n] = family.monitor(t);
   }
 
-  /// The field with a gradient taken from the objective f, whose value is returned.
+  /// The field, with the gradient evaluated from the objective f. @return the value of f
   double evaluate(auto& f, const VectorX& z, VectorX& dz) {
     q = z.head(q.size());
     const double value = f(q, gradient);
@@ -37,7 +37,7 @@ struct BregmanField {
   }
 };
 
-/// The initial z at the first iterate.
+/// The initial z, from the first iterate.
 inline VectorX bregman_point(const Iterate& first, const BregmanStart& from) {
   const Eigen::Index n = first.x.size();
   VectorX z(2 * n + 1);
@@ -49,17 +49,17 @@ inline VectorX bregman_point(const Iterate& first, const BregmanStart& from) {
 template <Tableau T>
 struct BregmanRungeKuttaState {
   VectorX z;                   ///< The current point (q, r, t).
-  BregmanField field;          ///< z'.
+  BregmanField field;          ///< The field, z' = field(z).
   RungeKuttaStages<T> stages;  ///< Stages of the step being taken.
-  double h;                    ///< Fictive step to try next.
+  double h;                    ///< Next fictive step to try.
 
-  /// At the first iterate.
+  /// The state at the first iterate.
   BregmanRungeKuttaState(const Iterate& first, const BregmanFamily& family, const BregmanStart& from,
                          double step)
       : z(bregman_point(first, from)), field{.family = family, .q = first.x, .gradient = first.gradient},
         stages(z.size()), h(step) {}
 
-  /// Makes stages.end the current point.
+  /// Moves to the point in stages.end.
   void accept(Iterate& now) {
     z.swap(stages.end);
     now.x = z.head(now.x.size());
@@ -67,12 +67,12 @@ struct BregmanRungeKuttaState {
   }
 };
 
-/// Fixed fictive step h.
+/// An explicit Runge-Kutta method with fixed fictive step h.
 template <Tableau T>
 struct BregmanRungeKutta {
   BregmanFamily family;  ///< p, p_ring and C.
-  double h = 1e-3;       ///< Finite and positive.
-  BregmanStart from{};   ///< Time and momentum of the first iterate.
+  double h = 1e-3;       ///< Fictive step, finite and positive.
+  BregmanStart from{};   ///< Initial time and momentum.
 
   using State = BregmanRungeKuttaState<T>;
   State start(const Iterate& first) const {
@@ -80,7 +80,7 @@ struct BregmanRungeKutta {
     return {first, family, from, h};
   }
 
-  /// Advances by the fictive step, with a gradient for every stage but the first.
+  /// One fictive step, with one gradient per stage except the first.
   Outcome update(State& state, Iterate& now, auto& f) const {
     state.field(state.z, now.gradient, state.stages.k[0]);
     state.stages.advance([&](const VectorX& z, VectorX& dz) { state.field.evaluate(f, z, dz); }, state.z, h);
@@ -89,14 +89,15 @@ struct BregmanRungeKutta {
   }
 };
 
-/// Step size under control of the pair's error estimate. An iteration is an accepted step. The gradient of
-/// the last stage, which is taken at the new point, serves the stopping test and the next step.
+/// An embedded Runge-Kutta pair with step-size control from its error estimate. An iteration is an accepted
+/// step. Where the last stage is evaluated at the new point, its gradient is reused for the stopping test and
+/// the next step.
 template <EmbeddedTableau T>
 struct BregmanEmbedded {
   BregmanFamily family;      ///< p, p_ring and C.
   StepControl control{};     ///< Tolerances and factors.
-  double first_step = 1e-6;  ///< Fictive; finite and positive.
-  BregmanStart from{};       ///< Time and momentum of the first iterate.
+  double first_step = 1e-6;  ///< First fictive step, finite and positive.
+  BregmanStart from{};       ///< Initial time and momentum.
 
   using State = BregmanRungeKuttaState<T>;
   State start(const Iterate& first) const {
@@ -107,7 +108,7 @@ struct BregmanEmbedded {
     return {first, family, from, first_step};
   }
 
-  /// Advances by one accepted step; Outcome::not_converged where the cap on rejections is met.
+  /// Takes one accepted step; Outcome::not_converged if the limit on rejections is reached.
   Outcome update(State& state, Iterate& now, auto& f) const {
     double last_value = now.value;
     state.field(state.z, now.gradient, state.stages.k[0]);

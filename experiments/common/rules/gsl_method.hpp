@@ -8,12 +8,12 @@
 #include <limits>
 #include <memory>
 
-// The adaptive drivers of the GNU Scientific Library as optimisation methods: an independent check of our
-// own Runge-Kutta pairs and of the claims made with them.
+// The adaptive drivers of the GNU Scientific Library as optimisation methods: an independent check of our own
+// Runge-Kutta pairs, and of the claims based on them.
 
 namespace experiment {
 
-/// Bregman dynamics by a stepper of GSL under its standard step control; an iteration is an accepted step.
+/// Bregman dynamics with a GSL stepper under its standard step control; an iteration is an accepted step.
 struct GslMethod {
   const gsl_odeiv2_step_type* type = gsl_odeiv2_step_rkf45;
   avi::BregmanFamily family;

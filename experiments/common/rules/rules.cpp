@@ -13,7 +13,7 @@ avi::Minimisation run_updates(const Rule& rule, const AnyObjective& f, const avi
                               const avi::Stopping& stopping, const AnyWitness& witness) {
   const auto run = [&](const auto& method) { return avi::run_updates(f, method, x0, stopping, witness); };
   const auto& [name, family, h, from, clock, control] = rule;
-  // clang++ 14 captures no structured binding by itself.
+  // clang++ 14 cannot capture a structured binding without an initialiser.
   const auto or_default = [h = h](double otherwise) { return std::isnan(h) ? otherwise : h; };
 
   if (name == "htvi") return run(avi::BregmanHtvi{.family = family, .h = h, .from = from, .clock = clock});

@@ -5,15 +5,16 @@
 
 #include <cmath>
 
-// Update rules of others for avi::run_updates(): those that the paper compares with, and gradient descent.
-// Each has the State of a run between two steps; start(), which makes it and throws std::invalid_argument
-// for a parameter out of range; and update(), which moves x once.
+// Established update rules for avi::run_updates(): those with which the paper compares, and gradient descent.
+// Each has a State, kept between updates; start(), which creates it and throws std::invalid_argument for a
+// parameter out of range; and update(), which moves x once.
 
 namespace experiment {
 
 using avi::Outcome, avi::VectorX, avi::require, avi::require_positive, avi::Iterate, avi::norm;
 
-/// Subtracts step(g, i) from each entry of x, with the gradient at hand; the loop evaluates at the new x.
+/// Subtracts step(g, i) from each entry i of x, where g is that entry of the known gradient. The loop
+/// evaluates at the new x.
 Outcome descend(Iterate& now, const auto& step) {
   for (Eigen::Index i = 0; i < now.x.size(); ++i)
     now.x[i] -= step(now.gradient[i], i);
@@ -25,7 +26,7 @@ Outcome descend(Iterate& now, const auto& step) {
 struct GradientDescent {
   double h = 1e-3;  ///< Step size, finite and positive.
 
-  struct State {};  ///< Nothing is carried.
+  struct State {};  ///< No state is needed.
   State start(const Iterate&) const {
     require_positive("Step size h", h);
     return {};
@@ -38,10 +39,10 @@ struct GradientDescent {
 
 /// Nesterov's accelerated gradient method (Nesterov 1983): gradient steps from a point extrapolated along the
 /// last displacement. \f[ x_k = y_{k-1} - h\, \nabla f(y_{k-1}), \quad y_k = x_k + \frac{k-1}{k+2}\, (x_k -
-/// x_{k-1}), \f] the paper's equation (4.1), which does not say what k is at the first update. With 1, the
-/// usual reading, the first update has no momentum, and the counts are not the published ones; with 2, that
-/// is k/(k+3) at the k-th update, they are. The gradient is taken at y, the stopping test at x: two gradients
-/// an iteration; the method alone needs one.
+/// x_{k-1}). \f] This is equation (4.1) of the paper, which does not give the value of k at the first update.
+/// With 1, the usual reading, the first update has no momentum, and the counts differ from the published
+/// ones. With 2, that is k/(k+3) at the k-th update, they agree. The gradient is evaluated at y and the
+/// stopping test at x: two gradients per iteration, of which the method itself needs one.
 struct Nag {
   double h = 1e-3;   ///< Step size, finite and positive.
   double first = 2;  ///< k of the first update, finite and at least 1.
@@ -50,7 +51,7 @@ struct Nag {
     VectorX y;         ///< y_k.
     VectorX gradient;  ///< Gradient at y_k.
     VectorX previous;  ///< x_{k-1}.
-    long k = 0;        ///< Iterations made.
+    long k = 0;        ///< Iterations completed.
   };
 
   State start(const Iterate& begin) const {
@@ -59,7 +60,7 @@ struct Nag {
     return {.y = begin.x, .gradient = begin.gradient, .previous = begin.x};
   }
 
-  /// Moves x once, with a gradient at y from the second iteration on.
+  /// Moves x once; from the second iteration on, this evaluates a gradient at y.
   Outcome update(State& state, Iterate& now, auto& f) const {
     if (state.k > 0) f(state.y, state.gradient);
     state.previous.swap(now.x);
@@ -71,15 +72,14 @@ struct Nag {
   }
 };
 
-/// ADAM (Kingma and Ba 2015, Algorithm 1): steps scaled by decaying means of gradient and squared gradient.
-/// Element by element, \f[ m \leftarrow
-/// \beta_1 m + (1 - \beta_1)\, g, \quad v \leftarrow \beta_2 v + (1 - \beta_2)\, g^2, \quad x \mathrel{-}=
-/// rate\; \frac{m/(1 - \beta_1^k)}{\sqrt{v/(1 - \beta_2^k)} + \epsilon}. \f]
+/// ADAM (Kingma and Ba 2015, Algorithm 1): steps scaled by decaying means of the gradient and its square. For
+/// each entry, \f[ m \leftarrow \beta_1 m + (1 - \beta_1)\, g, \quad v \leftarrow \beta_2 v + (1 - \beta_2)\,
+/// g^2, \quad x \mathrel{-}= rate\; \frac{m/(1 - \beta_1^k)}{\sqrt{v/(1 - \beta_2^k)} + \epsilon}. \f]
 struct Adam {
   double rate = 1e-3;     ///< Step size, positive.
   double beta_1 = 0.9;    ///< Decay of the mean gradient, in [0, 1).
   double beta_2 = 0.999;  ///< Decay of the mean squared gradient, in [0, 1).
-  double epsilon = 1e-8;  ///< Added outside the root, at least 0.
+  double epsilon = 1e-8;  ///< Added to the root, at least 0.
 
   struct State {
     VectorX mean;          ///< m.
@@ -110,10 +110,10 @@ struct Adam {
 };
 
 /// AdaGrad with a diagonal scaling (Duchi, Hazan and Singer 2011): \f$v \mathrel{+}= g^2\f$, \f$x
-/// \mathrel{-}= rate\; g/(\sqrt v + \epsilon)\f$, element by element, with v = 0 at the start.
+/// \mathrel{-}= rate\; g/(\sqrt v + \epsilon)\f$ for each entry, with v = 0 at the start.
 struct AdaGrad {
   double rate = 1.0;      ///< Step size, positive.
-  double epsilon = 1e-8;  ///< Added outside the root, at least 0.
+  double epsilon = 1e-8;  ///< Added to the root, at least 0.
 
   struct State {
     VectorX square;  ///< v.
@@ -134,9 +134,10 @@ struct AdaGrad {
 };
 
 /// RMSprop (Tieleman and Hinton 2012, lecture 6.5): \f$v \leftarrow \rho v + (1 - \rho)\, g^2\f$, \f$x
-/// \mathrel{-}= rate\; g/\sqrt{v + \epsilon}\f$, element by element.
+/// \mathrel{-}= rate\; g/\sqrt{v + \epsilon}\f$ for each entry.
 ///
-/// \f$\epsilon\f$ stands inside the root. Many programs add it outside; only inside gives the printed counts.
+/// \f$\epsilon\f$ is inside the root. Many programs add it outside, but only this form gives the printed
+/// counts.
 struct RmsProp {
   double rate = 1e-2;     ///< Step size, positive.
   double rho = 0.9;       ///< Decay of the mean squared gradient, in [0, 1).
@@ -163,19 +164,19 @@ struct RmsProp {
 
 /// Trust region steepest descent: a trust region with the linear model (Nocedal and Wright 2006, Chapter 4).
 ///
-/// Step \f$s = -\Delta\, g/|g|\f$, the minimiser of the linear model \f$f + g\cdot s\f$ in the ball
-/// \f$|s| \le \Delta\f$, and ratio = \f$(f(x) - f(x + s))/(\Delta |g|)\f$. The step is taken when ratio >
-/// accept, and Delta grows by `grow` when ratio > expand; otherwise Delta shrinks by `shrink` and the step is
-/// tried again.
+/// The step is \f$s = -\Delta\, g/|g|\f$, the minimiser of the linear model \f$f + g\cdot s\f$ in the ball
+/// \f$|s| \le \Delta\f$, with ratio = \f$(f(x) - f(x + s))/(\Delta |g|)\f$. If ratio > accept, the step is
+/// taken, and if also ratio > expand, Delta is multiplied by `grow`. Otherwise Delta is multiplied by
+/// `shrink` and the step is tried again.
 ///
-/// An iteration is a step that was taken; each trial costs a function value, each iteration a gradient.
+/// An iteration is an accepted step. Each trial costs a value of f, each iteration a gradient.
 struct TrustRegion {
   double radius = 1.0;   ///< Delta at the start, positive.
-  double accept = 0.5;   ///< In [0, 1).
-  double expand = 0.75;  ///< At least accept.
-  double shrink = 0.9;   ///< In (0, 1).
-  double grow = 2.0;     ///< At least 1.
-  int trials = 1000;     ///< Cap on trials in one iteration, at least 1; beyond it: not_converged.
+  double accept = 0.5;   ///< Ratio above which a step is accepted, in [0, 1).
+  double expand = 0.75;  ///< Ratio above which Delta grows, at least `accept`.
+  double shrink = 0.9;   ///< Factor that reduces Delta, in (0, 1).
+  double grow = 2.0;     ///< Factor that increases Delta, at least 1.
+  int trials = 1000;     ///< Limit on trials in one iteration, at least 1; beyond it: not_converged.
 
   struct State {
     VectorX trial;  ///< x + s.
@@ -196,7 +197,7 @@ struct TrustRegion {
   /// Moves x to the first trial that is accepted; Outcome::not_converged after `trials` of them.
   Outcome update(State& state, Iterate& now, auto& f) const {
     const double slope = norm(now.gradient);
-    if (slope == 0.0) return Outcome::ok;  // stationary: the loop's test sees no change and ends the run
+    if (slope == 0.0) return Outcome::ok;  // stationary: the stopping test sees no change and ends the run
     for (int trial = 0; trial < trials; ++trial) {
       state.trial = now.x - (state.radius / slope) * now.gradient;
       const double ratio = (now.value - f.value(state.trial)) / (state.radius * slope);

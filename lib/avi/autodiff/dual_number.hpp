@@ -13,18 +13,19 @@ namespace avi {
 inline namespace AVI_INSTRUCTIONS {
 /// @endcond
 
-/// Value (lane 0) and N first partials (lanes 1 to N) of a function of N variables; the chain rule is applied
-/// by every operation (forward-mode automatic differentiation; Griewank and Walther 2008, chapter 3).
-/// It is Partials<double, N> in registers of the machine: with that in its place HTVI takes a fifth more
-/// instructions and 1.4 times the time (Kepler's problem, orders 4 and 16, with AVX-512).
+/// The value (lane 0) and the N first partials (lanes 1 to N) of a function of N variables; every operation
+/// applies the chain rule (forward-mode automatic differentiation; Griewank and Walther 2008, chapter 3). It
+/// does the same as Partials<double, N> but is held in vector registers: with Partials instead, HTVI takes a
+/// fifth more instructions and 1.4 times the time (Kepler's problem, orders 4 and 16, with AVX-512).
 template <int N>
 class DualNumber : ChainRule<DualNumber<N>> {
  public:
   /// Numbers in a register.
   static constexpr int lanes =
       std::min(static_cast<int>(std::bit_ceil(static_cast<unsigned>(N) + 1u)), detail::machine_lanes);
-  static constexpr int parts = (N + lanes) / lanes;     ///< Registers: N + 1 numbers, and padding.
-  using Register = typename detail::Simd<lanes>::type;  ///< A vector of that width.
+  /// Registers that hold the N + 1 numbers; the last is padded.
+  static constexpr int parts = (N + lanes) / lanes;
+  using Register = typename detail::Simd<lanes>::type;  ///< A vector register of `lanes` numbers.
 
   Register part[parts];  ///< Value, partials, padding.
 
@@ -51,7 +52,7 @@ class DualNumber : ChainRule<DualNumber<N>> {
     return y;
   }
 
-  /// The variable number i (0-based) of the N, at `value`.
+  /// Variable number i (0-based) of the N, with this value and slope 1.
   static DualNumber variable(double value, int i) {
     DualNumber x(value);
     x.part[(i + 1) / lanes][(i + 1) % lanes] = 1.0;
@@ -61,15 +62,15 @@ class DualNumber : ChainRule<DualNumber<N>> {
   [[nodiscard]] double value() const { return part[0][0]; }  ///< The number itself.
   [[nodiscard]] double partial(int i) const {
     return part[(i + 1) / lanes][(i + 1) % lanes];
-  }  ///< By variable i (0-based).
+  }  ///< Derivative by variable i (0-based).
 
-  /// The same partials, of another value.
+  /// The same partials with another value.
   [[nodiscard]] DualNumber with_value(double value) const {
     DualNumber y(*this);
     y.part[0][0] = value;
     return y;
   }
-  /// f with the derivative slope() by x.
+  /// f with the derivatives slope() times those of this number.
   template <class Slope>
   [[nodiscard]] DualNumber chain(double f, Slope slope) const {
     return (slope() * *this).with_value(f);
@@ -78,7 +79,7 @@ class DualNumber : ChainRule<DualNumber<N>> {
 
   ///@{
 
-  /// By the rules for sums, products and quotients.
+  /// Arithmetic by the rules for sums, products and quotients.
   friend DualNumber operator-(const DualNumber& a) {
     return by_part([&](int k) { return -a.part[k]; });
   }
@@ -106,12 +107,12 @@ class DualNumber : ChainRule<DualNumber<N>> {
   ///@}
 };
 
-/// Sum of products a_j b_j, most of the time of a Taylor expansion. The halves a_j db_j and b_j da_j are
-/// summed apart: one final reduction instead of one product rule for each term.
+/// Sum of weighted products a_j b_j, which takes most of the time of a Taylor expansion. The parts a_j db_j
+/// and b_j da_j are summed separately and combined once at the end, which saves a product rule per term.
 template <class T>
 class ProductSum {
  public:
-  /// Adds weight a b.
+  /// Adds weight * a * b.
   [[gnu::always_inline]] void add(const T& a, const T& b, double weight = 1.0) {
     left_ += (weight * a.value()) * b;
     right_ += (weight * b.value()) * a;

@@ -6,56 +6,57 @@
 #include <vector>
 
 /// @file
-/// A formula as a list of operations, each found once.
+/// ExpressionGraph: a formula as a list of operations, without duplicates.
 
 namespace avi {
 
-/// The operations of a formula in the order of their first use. Equal operations on equal operands are one
-/// node, operations on constants are evaluated at once, and sums with 0 and products with 0 and 1 are left
-/// out; so 0 times an infinite value is 0 here.
+/// The operations of a formula, in the order of their first use. Equal operations on equal operands share one
+/// node, operations on constants are evaluated at once, and sums with 0 and products with 0 and 1 are
+/// dropped. So 0 times an infinite value is 0 here.
 class ExpressionGraph {
  public:
-  /// One operation; operands are numbers of earlier nodes, -1 where there is none.
+  /// One operation. Operands are indices of earlier nodes, -1 where there is none.
   struct Node {
     Operation operation;  ///< The operation.
-    int a = -1;           ///< First operand; the number of the argument of an input.
+    int a = -1;           ///< First operand; for an input, the index of the argument.
     int b = -1;           ///< Second operand.
     double number = 0.0;  ///< Value of a constant.
   };
 
-  /// A formula of that many arguments, its first nodes.
+  /// A graph with this number of arguments, which are its first nodes.
   explicit ExpressionGraph(int inputs) : inputs_(inputs) {
     for (int i = 0; i < inputs; ++i)
       find({.operation = Operation::input, .a = i});
   }
 
-  /// A number that no other graph has, copies of this one aside: it tells this graph from what lay in its
-  /// place before.
+  /// A number that only this graph and its copies have. It distinguishes this graph from an earlier one at
+  /// the same address.
   [[nodiscard]] std::uint32_t identity() const { return identity_; }
-  [[nodiscard]] int inputs() const { return inputs_; }                           ///< Number of arguments.
-  [[nodiscard]] int late_inputs() const { return late_inputs_; }                 ///< See late_input().
+  [[nodiscard]] int inputs() const { return inputs_; }  ///< Number of arguments.
+  /// Number of arguments added by late_input().
+  [[nodiscard]] int late_inputs() const { return late_inputs_; }
   [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }     ///< Number of nodes.
-  [[nodiscard]] const Node& operator[](int node) const { return nodes_[node]; }  ///< That node.
-  /// It is a number.
+  [[nodiscard]] const Node& operator[](int node) const { return nodes_[node]; }  ///< The node of this index.
+  /// True where the node is a constant.
   [[nodiscard]] bool is_constant(int node) const { return nodes_[node].operation == Operation::constant; }
-  /// It is this number.
+  /// True where the node is this constant.
   [[nodiscard]] bool is(int node, double number) const {
     return is_constant(node) && nodes_[node].number == number;
   }
 
-  /// For every node up to the last of these, whether it is a part of one of their formulas, as they are.
+  /// For each node up to the last of `nodes`, 1 if the value of one of these depends on it, otherwise 0.
   [[nodiscard]] std::vector<char> parts(const std::vector<int>& nodes) const;
-  /// The same of one node.
+  /// The same for one node.
   [[nodiscard]] std::vector<char> parts(int node) const { return parts(std::vector<int>{node}); }
 
-  /// The node of one more argument, with the next number. Programs know arguments that are the first nodes
-  /// alone: substitute() makes such a graph of this one.
+  /// Adds one more argument, with the next index, and returns its node. A Program accepts arguments only as
+  /// the first nodes; substitute() converts this graph to such a one.
   int late_input() { return find({.operation = Operation::input, .a = inputs_ + late_inputs_++}); }
 
-  /// The node of a number.
+  /// The node of a constant, added where it is missing.
   int constant(double number) { return find({.operation = Operation::constant, .number = number}); }
 
-  /// That node, or -1 where there is none.
+  /// The node of a constant, or -1 where the graph has none.
   [[nodiscard]] int find_constant(double number) const {
     return places_.empty() ? -1 : places_[place_of({.operation = Operation::constant, .number = number})];
   }
@@ -66,22 +67,24 @@ class ExpressionGraph {
   /// The node of an operation on two nodes.
   int binary(Operation operation, int a, int b);
 
-  /// a to a constant power: the same roots, products and quotients as power() of a double where they are one.
+  /// The node of a to a constant power. Where power() of a double uses roots, products and quotients, so does
+  /// this.
   int power(int a, double exponent);
 
-  /// The node of an operation of another graph, where its operands have these numbers in this one.
+  /// Adds the operation of a node of another graph. @param place for each node of the other graph, its node
+  /// in this one
   int again(const ExpressionGraph& other, int node, const std::vector<int>& place);
 
-  /// A formula of another graph, or of this one, at other arguments: its node in this graph where input i of
-  /// the other one, late ones included, is the node arguments[i] of this one.
+  /// Adds a formula of another graph, or of this one, at other arguments: input i of `other`, late inputs
+  /// included, is replaced by the node arguments[i] of this graph. @return the node of the result
   int substitute(const ExpressionGraph& other, int node, const std::vector<int>& arguments);
-  /// The same at the first inputs of this graph.
+  /// The same, with the inputs of `other` replaced by the first inputs of this graph.
   int substitute(const ExpressionGraph& other, int node);
 
-  /// Makes room for so many nodes, which saves time where their number is known.
+  /// Reserves memory for this number of nodes, which saves time where the number is known.
   void reserve(int size);
 
-  /// The node of a quotient number / b in the formula, or -1.
+  /// A node of the form number / b in the graph, or -1.
   [[nodiscard]] int quotient(int b) const {
     return static_cast<std::size_t>(b) < quotients_.size() ? quotients_[b] : -1;
   }
@@ -89,25 +92,25 @@ class ExpressionGraph {
  private:
   static std::uint32_t next_identity();
 
-  /// The node that an operation with a constant is for short, or -1 where there is none.
+  /// The node that replaces an operation with a constant operand, where it can be simplified; otherwise -1.
   int with_constant(Operation operation, int a, int b);
-  /// The node, which is written down unless it is there.
+  /// The index of a node; it is added to the graph unless it is there already.
   int find(const Node& node);
-  /// Where in `places_` a node is, or may be put.
+  /// Index in `places_` where this node is, or where it would be entered.
   [[nodiscard]] std::size_t place_of(const Node& node) const;
   void enlarge(std::size_t least);
 
   std::uint32_t identity_ = next_identity();
   int inputs_, late_inputs_ = 0;
   std::vector<Node> nodes_;
-  std::vector<int> places_;     // of nodes, by their hashes; -1 where there is none; a power of 2 of them
+  std::vector<int> places_;     // hash table of node indices, -1 where empty; its size is a power of 2
   std::vector<int> quotients_;  // see quotient(); of the first nodes
 };
 
 namespace detail {
 
-/// The value of a node at any scalar. @param values of the first nodes, of the inputs at least; those up to
-/// `node` are added
+/// The value of a node for any scalar. @param values of the first nodes, at least of all inputs; those up to
+/// `node` are appended
 template <class S>
 S evaluate(const ExpressionGraph& graph, int node, std::vector<S>& values) {
   values.reserve(static_cast<std::size_t>(node) + 1);

@@ -6,35 +6,37 @@
 #include <vector>
 
 /// @file
-/// A function that is recorded once and evaluated, differentiated and integrated without being called again.
+/// Formula: a function that is called once to record its operations, and then evaluated and differentiated
+/// from the record.
 
 namespace avi {
 
-/// A real function of N numbers as the graph of its operations: immutable, so copies share it. All formulas
-/// have this one type, and code that uses them is compiled once.
+/// A real function of N numbers, stored as the graph of its operations. It is immutable, so copies share the
+/// graph. All formulas have this one type, so code that uses them is compiled once.
 ///
-/// A formula may have k parameters beside its N arguments. They are the last inputs of the graph, no
-/// derivatives are taken by them, and with() gives them other values without recording anything again.
+/// A formula may have k parameters beside its N arguments. They are the last inputs of the graph. No
+/// derivatives are taken with respect to them, and with() changes their values without recording again.
 ///
-/// The function that it is made from is called once, with a scalar that writes down what is done to it
-/// (Recording says what it may do). Evaluations at a point interpret the graph; for many of them take
-/// Recording(formula).value_and_gradient(), a Program.
+/// The function is called once, with a scalar that records the operations applied to it; see Recording for
+/// what it may do. Evaluation interprets the graph; for many evaluations, the Program of
+/// Recording(formula).value_and_gradient() is faster.
 class Formula {
  public:
   ///@{
 
-  /// The formula of a node of a graph; operations that it does not need are left behind.
-  /// @param parameters values of the last inputs of the graph; none: all inputs are arguments
-  /// @throws std::invalid_argument for a node that the graph has not, or more parameters than inputs.
+  /// The formula whose value is a node of a graph. Operations that it does not need are dropped.
+  /// @param parameters values of the last inputs of the graph; if empty, all inputs are arguments
+  /// @throws std::invalid_argument for a node that is not in the graph, or more parameters than inputs.
   Formula(ExpressionGraph&& graph, int node, std::vector<double> parameters = {});
-  // A copy is made only here, as the argument for `node` may add that to the graph.
+  // The graph is copied here, in the body of the call, because evaluating the argument `node` may still add
+  // nodes to it.
   Formula(const ExpressionGraph& graph, int node, std::vector<double> parameters = {})
       : Formula(ExpressionGraph(graph), node, std::move(parameters)) {}
   ///@}
 
   ///@{
 
-  /// f(x), or f(x, c), of a vector of n entries, and of parameters c.
+  /// f(x) or f(x, c), for a vector x of n entries and parameters c.
   /// @throws std::invalid_argument for n < 1.
   template <class F>
   static Formula of_point(const F& f, Eigen::Index n) {
@@ -51,7 +53,8 @@ class Formula {
   ///@}
   ///@{
 
-  /// H(q, p), or H(q, p, c), with n degrees of freedom; arguments are (q, p).
+  /// H(q, p) or H(q, p, c), with n degrees of freedom and parameters c. The arguments are (q, p), in this
+  /// order.
   /// @tparam d n, where it is known at compile time @throws std::invalid_argument for n < 1, or another d.
   template <int d = dynamic, class F>
   static Formula of_phase(const F& f, Eigen::Index n = d) {
@@ -70,7 +73,8 @@ class Formula {
   ///@}
   ///@{
 
-  /// H(q, t, p), or H(q, t, p, c), with n degrees of freedom; arguments are (q, p, t), time last.
+  /// H(q, t, p) or H(q, t, p, c), with n degrees of freedom and parameters c. The arguments are (q, p, t),
+  /// with time last.
   /// @tparam d n, where it is known at compile time @throws std::invalid_argument for n < 1, or another d.
   template <int d = dynamic, class F>
   static Formula of_phase_and_time(const F& f, Eigen::Index n = d) {
@@ -88,24 +92,26 @@ class Formula {
   }
   ///@}
 
-  [[nodiscard]] const ExpressionGraph& graph() const { return shared_->graph; }  ///< Its operations.
-  [[nodiscard]] int node() const { return shared_->node; }                       ///< Its value in graph().
-  /// N, the number of arguments: inputs of the graph but for the parameters.
+  [[nodiscard]] const ExpressionGraph& graph() const { return shared_->graph; }  ///< The graph of operations.
+  [[nodiscard]] int node() const { return shared_->node; }  ///< Node of graph() that holds the value.
+  /// N, the number of arguments: the inputs of the graph without the parameters.
   [[nodiscard]] int inputs() const { return graph().inputs() - static_cast<int>(parameters_.size()); }
-  [[nodiscard]] const std::vector<double>& parameters() const { return parameters_; }  ///< Their values.
+  /// Values of the parameters.
+  [[nodiscard]] const std::vector<double>& parameters() const { return parameters_; }
 
-  /// The same formula at other values of its parameters; the graph is shared.
-  /// @throws std::invalid_argument for another number of them.
+  /// The same formula with other values of its parameters; the graph is shared.
+  /// @throws std::invalid_argument for another number of parameters.
   [[nodiscard]] Formula with(std::vector<double> parameters) const;
-  /// The formula of its arguments alone: parameters become constants. Without any it is the formula itself.
+  /// The same formula as a function of its arguments alone, with the parameters made constants. A formula
+  /// without parameters is returned as it is.
   [[nodiscard]] Formula with_constants() const;
 
   /// f at x = (x_1 ... x_N). @throws std::invalid_argument for a vector of another size.
-  template <class = void>  // so that who does not call it need not compile it
+  template <class = void>  // a template, so that it is compiled only where it is called
   [[nodiscard]] double value(const VectorX& x) const {
     return at(x);
   }
-  /// The gradient there, by reverse accumulation; the first call finds its formula.
+  /// The gradient at x, by reverse accumulation. The first call derives the formula of the gradient.
   /// @throws std::invalid_argument for a vector of another size.
   template <class = void>
   [[nodiscard]] VectorX gradient(const VectorX& x) const {
@@ -117,9 +123,9 @@ class Formula {
 
   ///@{
 
-  /// The value at vectors of any scalar: double, Pack, Partials, Recorded. Each thread keeps its working
-  /// memory from call to call. @throws std::invalid_argument unless there are as many entries as arguments,
-  /// and as many in p as in q.
+  /// The value for vectors of any scalar: double, Pack, Partials, Recorded. Each thread keeps its working
+  /// memory between calls. @throws std::invalid_argument unless there are as many entries as arguments, and p
+  /// has as many as q.
   template <class Q>
   typename Q::Scalar at(const Q& x) const {
     return evaluate<typename Q::Scalar>(x.size(), [&](auto& values) { append(values, x); });
@@ -142,8 +148,8 @@ class Formula {
     });
   }
   ///@}
-  /// As a Hamiltonian or a monitor is called; a formula of a point, or of time, is no monitor g(q) or g(q, t,
-  /// p).
+  /// The value at (q, p), so that the formula can serve as a Hamiltonian or a monitor. There is no such call
+  /// for a monitor g(q) or g(q, t, p).
   template <class Q, class P>
   typename Q::Scalar operator()(const Q& q, const P& p) const {
     return at(q, p);
@@ -152,7 +158,8 @@ class Formula {
  private:
   struct Gradient;
 
-  // Vectors of another library are not passed on: the library may be compiled for another processor.
+  // Pointers, not Eigen vectors, cross into the compiled library: it may be compiled for another instruction
+  // set.
   void gradient(const double* x, double* slopes) const;
   static Eigen::Index degrees(Eigen::Index n) {
     require(n >= 1, "Number of degrees of freedom to record", n, "at least 1");

@@ -2,25 +2,22 @@
 #include <cmath>
 
 /// @file
-/// The elementary functions of the library: the one table from which all that is known of them follows.
+/// The table of elementary functions that formulas may use. Everything else about them is derived from it.
 
-// A function of one number a, whose value is f:
+// A row ONE(name, pack, slope) is a function f of one number a, with
 //
-//   ONE(name, pack, slope)
-//
-// * name: that of <cmath>; its value at a double is std::name(a).
+// * name: as in <cmath>; the value for a double is std::name(a).
 // * pack: side_by_side where Pack has code of its own, one_by_one where it calls std::name for each number.
-// * slope: df/da at any scalar, from a and f.
+// * slope: df/da for any scalar, in terms of a and f.
 //
-// A function of two numbers a and b, one by one and by slope:
+// A row TWO(name, slope along a, slope along b) is a function f of two numbers a and b; packs call std::name
+// for each pair.
 //
-//   TWO(name, slope along a, slope along b)
-//
-// Slopes of pow are right at a = 0, too: there 0 * log(5e-324) is 0, where 0 * log(0) would be NaN, and
+// The slopes of pow are also right at a = 0: f log(a + 5e-324) is 0 there, where 0 * log(0) would be NaN, and
 // slope_of_power(), b a^(b - 1), is 0 where b is 0 as well.
 //
-// Another row is another function: recording, gradients, programs, packs and series have it at once. What it
-// must be tested with are the rows of tests/unit/elementary.hpp.
+// A new row adds a function to recording, gradients, programs, packs and series at once. Its test formula
+// goes into tests/unit/elementary.hpp.
 /// @cond
 // clang-format off
 #define AVI_FUNCTIONS(ONE, TWO)                                             \

@@ -3,19 +3,20 @@
 #include "avi/core/vector.hpp"
 
 /// @file
-/// Derivatives of a Hamiltonian H(q, p): those that it supplies, else automatic ones.
+/// Derivatives of a Hamiltonian H(q, p): the gradient that it supplies, otherwise an automatic one.
 
 namespace avi {
 
-/// A Hamiltonian may supply d_dp(q, p) = dH/dp and d_dq(q, p) = dH/dq for speed, both generic in their
-/// scalar.
+/// True where a Hamiltonian supplies its own gradient, d_dp(q, p) = dH/dp and d_dq(q, p) = dH/dq, for speed.
+/// Both must be generic in their scalar.
 template <class H, class S, int n>
 concept SuppliesGradient = requires(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
   h.d_dp(q, p);
   h.d_dq(q, p);
 };
 
-/// x at another scalar, with derivatives that vanish. A loop compiles faster than Eigen's cast.
+/// The vector x converted to another scalar, as constants: all derivatives are zero. The loop compiles faster
+/// than Eigen's cast.
 template <class To, class S, int n>
 Vector<To, n> constants(const Vector<S, n>& x) {
   Vector<To, n> y(x.size());
@@ -24,7 +25,8 @@ Vector<To, n> constants(const Vector<S, n>& x) {
   return y;
 }
 
-/// H and its automatic derivatives by q, or by p, at any scalar.
+/// H and its automatic derivatives with respect to q or p, for any scalar. @tparam by_q true for dH/dq, false
+/// for dH/dp
 template <bool by_q, class H, class S, int n>
 Partials<S, n> differentiated(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
   const auto other = constants<Partials<S, n>>(by_q ? p : q);
@@ -37,7 +39,7 @@ Partials<S, n> differentiated(const H& h, const Vector<S, n>& q, const Vector<S,
   return value_and_gradient(along, by_q ? q : p);
 }
 
-/// H and dH/dp at any scalar.
+/// H and dH/dp for any scalar.
 template <class H, class S, int n>
 Partials<S, n> value_and_d_dp(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
   if constexpr (SuppliesGradient<H, S, n>)
@@ -46,7 +48,7 @@ Partials<S, n> value_and_d_dp(const H& h, const Vector<S, n>& q, const Vector<S,
     return differentiated<false>(h, q, p);
 }
 
-/// dH/dp at any scalar.
+/// dH/dp for any scalar.
 template <class H, class S, int n>
 Vector<S, n> d_dp(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
   if constexpr (SuppliesGradient<H, S, n>)
@@ -55,7 +57,7 @@ Vector<S, n> d_dp(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
     return differentiated<false>(h, q, p).gradient();
 }
 
-/// dH/dq at any scalar.
+/// dH/dq for any scalar.
 template <class H, class S, int n>
 Vector<S, n> d_dq(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
   if constexpr (SuppliesGradient<H, S, n>)
@@ -64,17 +66,17 @@ Vector<S, n> d_dq(const H& h, const Vector<S, n>& q, const Vector<S, n>& p) {
     return differentiated<true>(h, q, p).gradient();
 }
 
-/// A Hamiltonian stripped of what it supplies: only its value is used and every derivative is automatic.
+/// A Hamiltonian without its supplied gradient: only its value is used, and all derivatives are automatic.
 template <class H>
 struct Automatic {
-  H hamiltonian;  ///< Called as H(q, p), never for its gradient.
+  H hamiltonian;  ///< Called as H(q, p) only.
   /// H(q, p).
   template <class Q, class P>
   auto operator()(const Q& q, const P& p) const {
     return hamiltonian(q, p);
   }
 };
-/// Automatic{hamiltonian}.
+/// Deduces the type in Automatic{hamiltonian}.
 template <class H>
 Automatic(H) -> Automatic<H>;
 

@@ -21,7 +21,7 @@ enum class Operation : std::uint8_t {
   divide,    ///< a / b
   power,     ///< a to the constant power b
 /// @cond
-#define AVI_ROW(name, ...) name,  // that function of a, or of a and b
+#define AVI_ROW(name, ...) name,  // the function of that name, of a or of a and b
   AVI_FUNCTIONS(AVI_ROW, AVI_ROW)
 #undef AVI_ROW
   /// @endcond
@@ -37,8 +37,8 @@ enum class Operation : std::uint8_t {
 /// @cond
 namespace detail {
 
-/// What an operation is called, with how many nodes of a graph it is done (-1: any number), and whether it is
-/// an elementary function of the table.
+/// The name of an operation, its number of operand nodes in a graph (-1: any number), and whether it is an
+/// elementary function of the table.
 struct OperationFacts {
   const char* name;
   int operands;
@@ -73,8 +73,8 @@ constexpr const char* name(Operation operation) { return facts_of(operation).nam
 constexpr int operands(Operation operation) { return facts_of(operation).operands; }
 constexpr bool is_function(Operation operation) { return facts_of(operation).is_function; }
 
-/// std::exp for Operation::exp, and so on: a function that packs call one number after the other. Nothing for
-/// all other operations.
+/// For a function that packs evaluate number by number, its function of <cmath>, such as std::tan for
+/// Operation::tan. Returns nothing for all other operations.
 template <Operation operation>
 constexpr auto one_by_one() {
   using Op = Operation;
@@ -93,7 +93,7 @@ constexpr auto one_by_one() {
 #undef AVI_side_by_side
 }
 
-/// The exponent of a power, which is the same number in all lanes.
+/// The exponent of a power as a double: it is the same number in all lanes.
 template <class S>
 double first_number(const S& x) {
   if constexpr (std::is_arithmetic_v<S>)
@@ -104,7 +104,7 @@ double first_number(const S& x) {
     return x[0];
 }
 
-/// The result of an operation at any scalar.
+/// The result of an operation for any scalar.
 template <Operation operation, class S>
 S apply(const S& a, [[maybe_unused]] const S& b) {
   using Op = Operation;
@@ -147,22 +147,25 @@ S apply(const S& a, [[maybe_unused]] const S& b) {
   }
 }
 
-/// An operation may be followed by another one on its result and a third operand.
+/// True where a second operation may be applied in the same instruction, to the result and a third operand.
 constexpr bool pairs(Operation first) {
   return first == Operation::add || first == Operation::subtract || first == Operation::multiply;
 }
 
-/// There is nothing to compute, so that an evaluation that comes here is wrong.
+/// Reports an operation that computes nothing; reaching it is an error in the library.
+/// @throws std::logic_error always
 [[noreturn, gnu::cold]] void computes_nothing(Operation operation);
 
-/// use.template operator()<operation>() for one of these operations, known at run time. Inlined, with all
-/// that it calls: the choice is made some ten times in an evaluation of a few dozen nanoseconds.
+/// Calls use.template operator()<operation>() for one of the listed operations, known only at run time. It is
+/// inlined with everything it calls, because the choice is made about ten times in an evaluation of a few
+/// dozen nanoseconds.
 template <Operation... known, class Use>
 [[gnu::always_inline]] inline void with_one_of(Operation operation, Use use) {
   if (!((operation == known && (use.template operator()<known>(), true)) || ...)) computes_nothing(operation);
 }
 
-/// The same for any operation but those that only follow others. The compiler warns where one is missing.
+/// The same for every operation that can stand alone or first in a pair. The compiler warns if a case is
+/// missing.
 template <class Use>
 [[gnu::always_inline]] inline void with_operation(Operation operation, Use use) {
   switch (operation) {
@@ -190,7 +193,8 @@ template <class Use>
   computes_nothing(operation);
 }
 
-/// The result at numbers, for an operation known at run time. @throws std::logic_error where there is none
+/// The result of an operation on numbers, known only at run time. @throws std::logic_error for one that
+/// computes nothing
 double evaluate(Operation operation, double a, double b);
 
 }  // namespace detail

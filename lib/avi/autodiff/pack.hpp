@@ -12,7 +12,7 @@
 #endif
 
 /// @file
-/// Several numbers that go through the same formula side by side.
+/// Pack: several numbers that go through one formula side by side.
 
 namespace avi {
 
@@ -20,7 +20,8 @@ namespace detail {
 /// @cond
 inline namespace AVI_INSTRUCTIONS {
 /// @endcond
-/// The numbers of a register without their signs, as integers, which are in the same order.
+/// Absolute values of the numbers in a register, as integers: the order of these is the order of the absolute
+/// values.
 template <class R>
 [[gnu::always_inline]] inline auto magnitude(R x) {
   return (decltype(x < x))x & 0x7fffffffffffffff;
@@ -34,31 +35,32 @@ template <class R>
 inline namespace AVI_INSTRUCTIONS {
 /// @endcond
 
-/// w doubles, w = 2, 4, 8, 16 or 32, as one scalar: every operation is applied to each of them, by the vector
-/// units where the machine has them, with the same bits where it has not. So a formula that is generic in its
-/// scalar is evaluated at w points for little more than the price of one. It cannot branch on a value,
-/// because the w values might need different branches: what a comparison gives serves select() only.
-/// Partials<Pack<w>, n> are w values with their gradients.
+/// w doubles, w = 2, 4, 8, 16 or 32, as one scalar. Every operation applies to each of them: with vector
+/// instructions where the machine has them, otherwise with the same bits. A formula that is generic in its
+/// scalar is thus evaluated at w points for little more than the cost of one. It cannot branch on a value,
+/// because the w values may need different branches; the result of a comparison can only be used in select().
+/// A Partials<Pack<w>, n> holds w values with their gradients.
 template <int w>
 class Pack : Scalar<Pack<w>> {
  public:
   static constexpr int width = w;                                   ///< Numbers in the pack.
   static constexpr int lanes = std::min(w, detail::machine_lanes);  ///< Numbers in a register.
-  /// A register of the machine. The weak alignment lets any memory hold it, Eigen's vectors included, and
-  /// costs nothing where the memory is aligned better.
+  /// A register of the machine. Its weak alignment allows it to lie anywhere, also in Eigen vectors, and
+  /// costs nothing where memory is better aligned.
   using Register = typename detail::Simd<lanes, 16>::type;
   static constexpr int parts = w / lanes;  ///< Registers in the pack.
-  /// A register that lies in an array of numbers.
+  /// A register's worth of numbers in an array of doubles, of any alignment.
   using InMemory [[gnu::vector_size(8 * lanes), gnu::aligned(8), gnu::may_alias]] = double;
 
   Register part[parts];  ///< The numbers.
 
-  /// Which of two numbers is chosen, for each number of a pack.
+  /// The result of comparing two packs: a mask for each number.
   struct Condition {
-    using Mask = decltype(Register{} < Register{});  ///< All bits of a number, or none.
-    Mask part[parts];                                ///< Register by register.
+    /// All bits set where the comparison holds, none where not.
+    using Mask = decltype(Register{} < Register{});
+    Mask part[parts];  ///< Masks, register by register.
 
-    /// That of the masks f(0), f(1), ...
+    /// The condition whose register k is f(k).
     template <class F>
     [[nodiscard]] static Condition by_part(F f) {
       Condition c;
@@ -66,7 +68,7 @@ class Pack : Scalar<Pack<w>> {
         c.part[k] = f(k);
       return c;
     }
-    /// There is no such value: a pack has no branches.
+    /// A condition has no single truth value, so packs cannot branch: this conversion stops the compiler.
     template <std::same_as<bool> B>
     operator B() const {  // NOLINT: implicit, so that this sentence is what the compiler says
       static_assert(!std::is_same_v<B, B>,
@@ -94,8 +96,8 @@ class Pack : Scalar<Pack<w>> {
   };
 
   Pack() = default;
-  // Written out so that a copy is register moves, and unrolled with -O2, too: without, collocation of order
-  // 16 takes twice as long there.
+  // The copy is written out, and unrolled also at -O2, so that it consists of register moves. Without this,
+  // collocation of order 16 takes twice as long.
   /// Register by register.
   Pack(const Pack& other) {
 #pragma GCC unroll 16
@@ -109,7 +111,7 @@ class Pack : Scalar<Pack<w>> {
       part[k] = other.part[k];
     return *this;
   }
-  /// The same number w times.
+  /// A pack of w copies of one number.
   Pack(double value) {  // NOLINT: implicit, so that formulas read as written
 #pragma GCC unroll 16
     for (int k = 0; k < parts; ++k)
@@ -118,27 +120,27 @@ class Pack : Scalar<Pack<w>> {
 
   /// Number i (0-based).
   [[nodiscard]] double operator[](int i) const { return part[i / lanes][i % lanes]; }
-  void set(int i, double value) { part[i / lanes][i % lanes] = value; }  ///< Replaces number i (0-based).
+  void set(int i, double value) { part[i / lanes][i % lanes] = value; }  ///< Sets number i (0-based).
 
-  /// The pack of the numbers from `numbers` on, anywhere in memory.
+  /// The pack of the w numbers that start at `numbers`, anywhere in memory.
   [[nodiscard]] static Pack load(const double* numbers) {
     return by_part(
         [&](int k) -> Register { return *reinterpret_cast<const InMemory*>(numbers + k * lanes); });
   }
-  /// Stores the numbers from `numbers` on.
+  /// Stores the w numbers at `numbers` and beyond.
   void store(double* numbers) const {
 #pragma GCC unroll 16
     for (int k = 0; k < parts; ++k)
       *reinterpret_cast<InMemory*>(numbers + k * lanes) = part[k];
   }
-  /// The first or last half of them, k = 0 or 1; w is at least 4.
+  /// The first (k = 0) or last (k = 1) half of the numbers; w is at least 4.
   [[nodiscard]] Pack<w / 2> half(int k) const {
     if constexpr (parts > 1)
       return Pack<w / 2>::by_part([&](int j) { return part[k * parts / 2 + j]; });
     else
       return Pack<w / 2>::load(reinterpret_cast<const double*>(part) + k * w / 2);
   }
-  /// f of each number.
+  /// Applies f to each number.
   template <class F>
   [[nodiscard]] Pack each(F f) const {
     Pack y;
@@ -146,9 +148,9 @@ class Pack : Scalar<Pack<w>> {
       y.set(i, f((*this)[i]));
     return y;
   }
-  /// The same for a function of which there are others for other numbers.
+  /// The same for a function of the standard library that has overloads for other types.
   [[nodiscard]] Pack each(double (*f)(double)) const { return each<double (*)(double)>(f); }
-  /// f of each pair of numbers.
+  /// Applies f to each pair of numbers.
   template <class F>
   [[nodiscard]] static Pack each(F f, const Pack& a, const Pack& b) {
     Pack y;
@@ -156,7 +158,7 @@ class Pack : Scalar<Pack<w>> {
       y.set(i, f(a[i], b[i]));
     return y;
   }
-  /// The pack whose register k is f(k), for every k.
+  /// The pack whose register k is f(k).
   template <class F>
   [[nodiscard]] static Pack by_part(F f) {
     Pack y;
@@ -188,9 +190,10 @@ class Pack : Scalar<Pack<w>> {
 
   ///@{
 
-  /// Number by number; root, sine and cosine (up to |x| = 8e5), exponential (where it is a normal number) and
-  /// logarithm (of normal numbers) by the vector unit, to one unit in the last place, with the same bits on
-  /// every machine; the others by the functions of the standard library.
+  /// Functions of each number. Square root, sine and cosine (up to |x| = 8e5), the exponential (where the
+  /// result is a normal number) and the logarithm (of normal numbers) use vector instructions; they are right
+  /// to one unit in the last place, with the same bits on every machine. Outside these ranges, and for all
+  /// other functions, the standard library is called for each number.
   friend Pack sqrt(const Pack& x) {
 #if defined(__AVX512F__)
     if constexpr (lanes == 8)
@@ -220,15 +223,17 @@ class Pack : Scalar<Pack<w>> {
     return by_part([&](int k) { return (Register)detail::magnitude(x.part[k]); });
   }
   friend Pack sign_of(const Pack& x) { return x.each(avi::sign_of); }
-  /// The larger magnitude of each pair of numbers; NaN where one of them is: its bits are above all others.
+  /// The larger absolute value of each pair of numbers; NaN where either is NaN, because its bits exceed
+  /// those of all others.
   friend Pack max_abs(const Pack& a, const Pack& b) {
     return by_part([&](int k) {
       const auto x = detail::magnitude(a.part[k]), y = detail::magnitude(b.part[k]);
       return (Register)(x > y ? x : y);
     });
   }
-  /// As power() of a double, and for quarters of an integer too by roots and products. From -7/4 on, negative
-  /// ones share the reciprocal root: a distance, its usual powers and their slopes then cost one division.
+  /// Each number to a constant power, as power() of a double; exponents that are multiples of 1/4 are also
+  /// computed from roots and products. Negative ones down to -7/4 share the reciprocal of the root, so that a
+  /// distance, its usual powers and their slopes cost a single division.
   friend Pack pow(const Pack& x, double exponent) {
     const double four = 4.0 * exponent;
     if (!(std::abs(four) <= 32.0) || four != static_cast<double>(static_cast<int>(four)))
@@ -268,7 +273,7 @@ class Pack : Scalar<Pack<w>> {
 
   ///@{
 
-  /// Which numbers compare so.
+  /// Compares each pair of numbers.
   friend Condition operator<(const Pack& a, const Pack& b) {
     return Condition::by_part([&](int k) { return a.part[k] < b.part[k]; });
   }
@@ -280,14 +285,14 @@ class Pack : Scalar<Pack<w>> {
   ///@}
 };
 
-/// Sum of the numbers of a pack, halves added onto each other: the same order on every machine.
+/// Sum of the numbers of a pack: the two halves are added repeatedly, in the same order on every machine.
 template <int w>
 double sum(const Pack<w>& x) {
   if constexpr (w == 2) return x[0] + x[1];
   if constexpr (w > 2) return sum(Pack<w / 2>(x.half(0) + x.half(1)));
 }
 
-/// The largest magnitude of the numbers, NaN where one of them is: by halves, without a branch.
+/// The largest absolute value of the numbers, NaN where one is NaN. It is found by halves, without branches.
 template <int w>
 double largest(const Pack<w>& x) {
   if constexpr (w == 2) return max_abs(x, Pack<2>(x[1]))[0];

@@ -7,31 +7,32 @@
 #include <type_traits>
 
 /// @file
-/// First derivatives of a callable that is generic in its scalar, with respect to chosen directions.
+/// Partials: a number with its first derivatives along chosen directions, for any scalar.
 
 namespace avi {
 
-/// A value of scalar S with its derivatives along N directions, also of scalar S: the automatic gradient of a
-/// formula at any scalar, a Taylor series included. It nests.
+/// A value of scalar S with its derivatives along N directions, also of scalar S. It gives the automatic
+/// gradient of a formula for any scalar, including Taylor series, and can be nested.
 template <class S, int N>
 class Partials : ChainRule<Partials<S, N>> {
  public:
-  S value{0.0};          ///< The number itself.
-  std::array<S, N> d{};  ///< Derivatives along the N directions, unless `constant`; partial() reads both.
-  bool constant = true;  ///< All of d vanish identically; what follows from that is never computed.
+  S value{0.0};  ///< The value.
+  /// Derivatives along the N directions, valid unless `constant`; partial() checks both.
+  std::array<S, N> d{};
+  bool constant = true;  ///< All derivatives vanish identically; they are then neither stored nor computed.
 
   Partials() = default;
-  /// A constant.
+  /// A constant, without derivatives.
   Partials(double c) : value(c) {}  // NOLINT: implicit, so that formulas read as written
-  /// A constant.
+  /// A constant, without derivatives.
   Partials(const S& v) requires(!std::is_same_v<S, double>) : value(v) {}  // NOLINT
 
-  /// A value with these derivatives.
+  /// A value with its derivatives.
   Partials(const S& v, const Vector<S, N>& slopes) : value(v), constant(false) {
     std::copy(slopes.begin(), slopes.end(), d.begin());
   }
 
-  /// A value with derivative `slope` along direction i and none along the others.
+  /// A value with derivative `slope` along direction i, and zero along the others.
   static Partials variable(const S& v, int i, const S& slope = S(1.0)) {
     Partials x(v);
     x.d.fill(S(0.0));
@@ -40,7 +41,7 @@ class Partials : ChainRule<Partials<S, N>> {
     return x;
   }
 
-  friend const S& value_of(const Partials& x) { return x.value; }  ///< The number itself.
+  friend const S& value_of(const Partials& x) { return x.value; }  ///< The value.
   /// Derivative along direction i.
   [[nodiscard]] S partial(int i) const { return constant ? S(0.0) : d[i]; }
   /// All derivatives.
@@ -51,7 +52,7 @@ class Partials : ChainRule<Partials<S, N>> {
     return g;
   }
 
-  /// f(x) with its derivative at the value, given by a callable that is not called for a constant.
+  /// f, with the derivatives slope() times those of this number. slope() is not called for a constant.
   template <class Slope>
   [[nodiscard]] Partials chain(const S& f, Slope slope) const {
     Partials y(f);
@@ -64,7 +65,8 @@ class Partials : ChainRule<Partials<S, N>> {
 
   ///@{
 
-  /// By the rules for sums, products and quotients; derivatives that vanish identically are not computed.
+  /// Arithmetic by the rules for sums, products and quotients. Derivatives that vanish identically are not
+  /// computed.
   friend Partials operator-(const Partials& a) {
     Partials c(-a.value);
     if (!a.constant) c.assign([&](int i) { return -a.d[i]; });
@@ -103,7 +105,7 @@ class Partials : ChainRule<Partials<S, N>> {
       c.assign([&](int i) { return a.d[i] * b.value + a.value * b.d[i]; });
     return c;
   }
-  /// One of them, with its derivatives.
+  /// x or y, with its derivatives, according to the condition c.
   friend Partials choose(const decltype(S(0.0) < S(0.0))& c, const Partials& x, const Partials& y) {
     Partials z(S(select(c, x.value, y.value)));
     if (!x.constant || !y.constant) z.assign([&](int i) { return select(c, x.partial(i), y.partial(i)); });
@@ -132,7 +134,7 @@ class Partials : ChainRule<Partials<S, N>> {
   }
 };
 
-/// f: R^n -> R at x with its gradient, for any scalar S and compile-time n.
+/// The value and gradient of f: R^n -> R at x, for any scalar S and an n known at compile time.
 template <class F, class S, int n>
 Partials<S, n> value_and_gradient(const F& f, const Vector<S, n>& x) {
   Vector<Partials<S, n>, n> seeded;

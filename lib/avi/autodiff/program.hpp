@@ -9,7 +9,7 @@
 #include <vector>
 
 /// @file
-/// A recorded formula, ready to be evaluated at any scalar.
+/// Program: a recorded formula, compiled for repeated evaluation with any scalar.
 
 namespace avi {
 
@@ -18,37 +18,41 @@ class Schedule;
 class StraightLine;
 }  // namespace detail
 
-/// A straight line of operations that computes f(x) and chosen derivatives of f; made by Recording. One
-/// program serves every scalar: double, Pack<w>, Partials of them. Operations of one kind are grouped, so
-/// that the dispatch is made once for each group; the slots of results are reused as soon as nothing needs
-/// them. An evaluation allocates nothing.
+/// A list of operations without branches that computes f(x) and chosen derivatives of f; made by Recording.
+/// One program works for every scalar: double, Pack<w>, Partials of these. Operations of one kind are
+/// grouped, so that the kind is looked up once for each group. The slot of a result is reused once nothing
+/// needs it any more. An evaluation allocates no memory.
 class Program {
  public:
-  /// Arguments, intermediate results and results of a program at scalar S: one number for each slot.
+  /// The working memory of a program for scalar S: arguments, intermediate results and results, one number
+  /// per slot.
   template <class S>
   class Room {
    public:
-    /// For `program`.
+    /// Memory for this program.
     explicit Room(const Program& program) : slots_(program.slots_, S(0.0)) {
       for (std::size_t i = 0; i < program.numbers_.size(); ++i)
         slots_[program.inputs_ + i] = S(program.numbers_[i]);
     }
-    [[nodiscard]] S* arguments() { return slots_.data(); }  ///< x, inputs() entries, read by run().
+    /// The inputs() entries of x, to be set before run().
+    [[nodiscard]] S* arguments() { return slots_.data(); }
 
    private:
     friend class Program;
-    // A number of many lanes is read fastest from where the machine would align it.
+    // Eigen's allocator aligns numbers of several lanes as their registers are, which makes them fastest to
+    // read.
     std::vector<S, Eigen::aligned_allocator<S>> slots_;
   };
 
   [[nodiscard]] int inputs() const { return inputs_; }  ///< Entries of x.
-  /// Number of derivatives that are computed.
+  /// Number of derivatives computed.
   [[nodiscard]] int slopes() const { return static_cast<int>(slopes_.size()); }
-  [[nodiscard]] std::size_t slots() const { return slots_; }  ///< Numbers in a Room.
-  /// Operations of one run; a product and its addition in a long sum are one.
+  [[nodiscard]] std::size_t slots() const { return slots_; }  ///< Number of slots of a Room.
+  /// Number of operations of one run; a product and its addition in a long sum count as one.
   [[nodiscard]] std::size_t operations() const { return operations_; }
 
-  /// Computes the results at room.arguments(), which stay as they are. @param room made for this program
+  /// Computes the results for the arguments in the room, which keep their values. @param room made for this
+  /// program
   template <class S>
   [[gnu::flatten, gnu::noinline]] void run(Room<S>& room) const {
     static_assert(sizeof(S) % 8 == 0, "A scalar is one or several numbers of eight bytes.");
@@ -75,12 +79,12 @@ class Program {
       next = end;
     }
   }
-  /// f(x) of the last run, where the program computes it.
+  /// f(x) of the last run, if the program computes it.
   template <class S>
   [[nodiscard]] const S& value(const Room<S>& room) const {
     return at(room.slots_.data(), value_);
   }
-  /// Derivative i = 0, 1, ... slopes() - 1 of the last run.
+  /// Derivative i, 0 <= i < slopes(), of the last run.
   template <class S>
   [[nodiscard]] const S& slope(const Room<S>& room, int i) const {
     return at(room.slots_.data(), slopes_[i]);
@@ -90,11 +94,12 @@ class Program {
   friend class detail::Schedule;
   friend class detail::StraightLine;
 
-  /// Eight times the number of a slot, so that an addressing mode of the processor finds slots of up to eight
-  /// numbers.
+  /// A slot number times eight: the byte offset for doubles. An addressing mode of the processor scales it
+  /// for scalars of up to eight numbers.
   using Place = std::uint32_t;
   struct Instruction {
-    Place to, a, b, c;  // (a first b) second c; of a sum of products: a is its first one, b their number
+    // to = (a first b) second c; for a sum of products, a is its first product and b their number
+    Place to, a, b, c;
   };
   struct Group {
     Operation first, second;
@@ -110,13 +115,13 @@ class Program {
     return *reinterpret_cast<S*>(reinterpret_cast<Byte*>(slots) + std::size_t{place} * (sizeof(S) / 8));
   }
 
-  /// It is a double, or a pack of them.
+  /// True for a double or a pack of doubles.
   template <class S>
   static constexpr bool by_number = std::is_same_v<S, double> || requires {
     S::lanes;
   };
 
-  // Compiled once for all functions of the standard library.
+  // Compiled once, and shared by all functions of <cmath>.
   template <class S>
   [[gnu::noinline]] static void compute_each(double (*f)(double), S* slots, const Instruction* i,
                                              const Instruction* end) {
@@ -155,7 +160,7 @@ class Program {
 
   int inputs_ = 0;
   std::size_t slots_ = 0, operations_ = 0;
-  std::vector<double> numbers_;  // in the slots behind the inputs
+  std::vector<double> numbers_;  // constants, stored in the slots after the inputs
   std::vector<Instruction> instructions_;
   std::vector<Group> groups_;
   std::vector<Product> products_;
@@ -164,15 +169,15 @@ class Program {
 };
 
 namespace detail {
-/// A recorded formula of (q, p) and the memory to evaluate it at the stages.
+/// A recorded formula of (q, p) with the memory to evaluate it at all stages.
 template <class Scalar>
 struct RecordedFormula {
-  Program program;                      ///< The formula.
-  Program::Room<Scalar> room{program};  ///< Its numbers.
+  Program program;                      ///< The program of the formula.
+  Program::Room<Scalar> room{program};  ///< Its working memory.
 
   ///@{
 
-  /// Evaluates it.
+  /// Evaluates the formula at (q, p).
   void run(const Scalar* q, const Scalar* p, Eigen::Index n) {
     std::copy_n(p, n, std::copy_n(q, n, room.arguments()));
     program.run(room);
@@ -185,7 +190,7 @@ struct RecordedFormula {
   [[nodiscard]] const Scalar& value() const { return program.value(room); }  ///< Value at the last point.
   [[nodiscard]] const Scalar& partial(int i) const {
     return program.slope(room, i);
-  }  ///< Slope by argument i there.
+  }  ///< Derivative by argument i there.
 };
 }  // namespace detail
 

@@ -9,27 +9,27 @@
 #include <type_traits>
 
 /// @file
-/// The scalar that writes down what is done to it.
+/// Recorded: the scalar with which a function is called to record its operations.
 
 namespace avi {
 
 class RecordedCondition;
 
 namespace detail {
-/// A plain number that may stand beside a recorded one in a formula.
+/// A plain number that may be combined with a recorded one in a formula.
 template <class T>
 concept PlainNumber = std::is_arithmetic_v<T> ||(std::is_enum_v<T>&& std::is_convertible_v<T, double>);
 }  // namespace detail
 
-/// A number, or a node of the formula that is being recorded. What a callable does with it is written into
-/// the graph. It has no value, so a callable cannot branch on it: what comparisons give serves select() only,
-/// and conversions to a number do not compile.
+/// A constant, or a node of the formula being recorded. Every operation on it is added to the graph. It has
+/// no value, so a function cannot branch on it: comparisons can only be used in select(), and conversions to
+/// a number do not compile.
 class Recorded : Scalar<Recorded> {
  public:
   Recorded() = default;
-  /// A number.
+  /// A constant.
   Recorded(double number) : number_(number) {}  // NOLINT: implicit, so that formulas read as written
-  /// A node of a graph, which must outlive it.
+  /// A node of a graph; the graph must outlive this object.
   Recorded(ExpressionGraph& graph, int node) {
     if (graph.is_constant(node)) {
       number_ = graph[node].number;
@@ -40,14 +40,15 @@ class Recorded : Scalar<Recorded> {
     }
   }
 
-  /// The node of this value in `graph`. @throws std::invalid_argument where it belongs to another one.
+  /// The node of this value in `graph`; a constant is added to it. @throws std::invalid_argument where the
+  /// value belongs to another graph.
   [[nodiscard]] int node_in(ExpressionGraph& graph) const;
 
   ///@{
 
-  /// There is no such number while a function is recorded. The first is what functions of std:: come upon,
-  /// and `+=` of a plain number; to float, since `?:` could not choose between a recorded number and a double
-  /// if each could become the other.
+  /// Conversions that stop the compiler with an explanation, because a recorded value is no number. The
+  /// implicit one is reached by functions of std:: and by `+=` on a plain number. It converts to float, not
+  /// double: if Recorded and double converted to each other implicitly, `?:` between them would be ambiguous.
   template <std::same_as<float> T>
   operator T() const {  // NOLINT: implicit, so that this sentence is what the compiler says
     static_assert(
@@ -70,7 +71,7 @@ class Recorded : Scalar<Recorded> {
 
   ///@{
 
-  /// Written into the graph; of two constants, computed.
+  /// Operations that are added to the graph; on two constants they are evaluated at once.
   friend Recorded operator-(const Recorded& a) { return combine(Operation::multiply, -1.0, a); }
   friend Recorded operator+(const Recorded& a, const Recorded& b) { return combine(Operation::add, a, b); }
   friend Recorded operator-(const Recorded& a, const Recorded& b) {
@@ -96,14 +97,14 @@ class Recorded : Scalar<Recorded> {
 
   ///@{
 
-  /// Serves select() only.
+  /// Comparisons, for use in select().
   friend RecordedCondition operator<(const Recorded& a, const Recorded& b);
   friend RecordedCondition operator>(const Recorded& a, const Recorded& b);
   friend RecordedCondition operator<=(const Recorded& a, const Recorded& b);
   friend RecordedCondition operator>=(const Recorded& a, const Recorded& b);
   ///@}
-  /// Compares constants, as Eigen does with its own factors. @throws std::invalid_argument for recorded
-  /// values
+  /// Compares two constants, as Eigen does with its own factors. @throws std::invalid_argument if either
+  /// value is recorded
   friend bool operator==(const Recorded& a, const Recorded& b) {
     if (a.graph_ || b.graph_)
       throw std::invalid_argument(
@@ -113,7 +114,7 @@ class Recorded : Scalar<Recorded> {
   }
 
   /// @cond
-  // With a plain number on one side: without them the compiler would weigh its own operators of numbers.
+  // Overloads for one plain operand: without them the built-in operators would be considered too.
 #define AVI_WITH_NUMBERS(specifier, result, name)                                                            \
   template <detail::PlainNumber T>                                                                           \
   specifier result name(const Recorded& a, T b) {                                                            \
@@ -131,7 +132,8 @@ class Recorded : Scalar<Recorded> {
   friend bool operator==(const Recorded& a, T b) {
     return a == Recorded(static_cast<double>(b));
   }
-  // A plain number cannot take part in a formula: these do not compile, as the conversion says.
+  // A plain number cannot accumulate recorded values: these operators stop the compiler with the message of
+  // the conversion above.
 #define AVI_ASSIGNMENT(name)                                                                                 \
   template <detail::PlainNumber T>                                                                           \
   friend T& name(T& a, const Recorded& b) {                                                                  \
@@ -156,19 +158,20 @@ class Recorded : Scalar<Recorded> {
   [[nodiscard]] Recorded through(Operation operation) const;
   static Recorded combine(Operation operation, const Recorded& a, const Recorded& b);
 
-  ExpressionGraph* graph_ = nullptr;  // none for a number
+  ExpressionGraph* graph_ = nullptr;  // null for a constant
   int node_ = -1;
-  std::uint32_t recording_ = 0;  // identity of the graph: another one may come to lie in its place
+  // identity of the graph, because another graph may later have the same address
+  std::uint32_t recording_ = 0;
   double number_ = 0.0;
 };
 
-/// Whether recorded numbers compare so, where the formula is evaluated; for select().
+/// The result of a comparison of recorded numbers, known only when the formula is evaluated; for select().
 class RecordedCondition {
  public:
-  /// 1 or 0.
+  /// A condition from a recorded number that is 1 or 0.
   explicit RecordedCondition(const Recorded& number) : number_(number) {}
 
-  /// There is no such value while a function is recorded.
+  /// A condition has no value while recording: this conversion stops the compiler.
   template <std::same_as<bool> T>
   operator T() const {  // NOLINT: implicit, so that this sentence is what the compiler says
     static_assert(
@@ -191,7 +194,7 @@ class RecordedCondition {
     return RecordedCondition(1.0 - a.number_);
   }
   ///@}
-  /// x where the condition holds, else y; 0 for a chosen -0.
+  /// x where the condition holds, else y. A chosen -0 becomes 0.
   friend Recorded choose(const RecordedCondition& condition, const Recorded& x, const Recorded& y) {
     return when(condition.number_, x) + when(1.0 - condition.number_, y);
   }
@@ -216,13 +219,13 @@ AVI_WITH_NUMBERS(inline, RecordedCondition, operator>=)
 #undef AVI_WITH_NUMBERS
 /// @endcond
 
-/// The vector that a function is called with when it is recorded. It refuses indices beyond its size, since
-/// memory behind it would be taken for nodes. @tparam n size, or avi::dynamic
+/// The vector with which a function is called when it is recorded. An index beyond its size is refused,
+/// because the memory behind it would be taken for nodes. @tparam n size, or avi::dynamic
 template <int n = dynamic>
 using RecordedVector = detail::Checked<Recorded, n>;
 
-/// `count` arguments of a formula from the one numbered `first` on. @tparam n count, or avi::dynamic
-/// @throws std::invalid_argument where n is another number than `count`.
+/// The arguments `first` to `first + count - 1` of a formula. @tparam n count, or avi::dynamic
+/// @throws std::invalid_argument where n is known and differs from `count`.
 template <int n = dynamic>
 RecordedVector<n> recorded_inputs(ExpressionGraph& graph, int first, Eigen::Index count) {
   require(n == dynamic || count == n, "Number of degrees of freedom to record", count, "", n);

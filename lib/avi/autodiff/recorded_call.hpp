@@ -5,11 +5,11 @@
 #include <vector>
 
 /// @file
-/// The call that records a function, and what the compiler says where it cannot be made.
+/// The call that records a function, with a clear message from the compiler where it cannot be made.
 
 namespace avi::detail {
 
-/// An argument that takes numbers only: double, or a vector of them.
+/// True for an argument type that holds plain numbers only: double, or a vector of doubles.
 template <class Argument>
 constexpr bool is_of_numbers() {
   using A = std::remove_cvref_t<Argument>;
@@ -18,7 +18,7 @@ constexpr bool is_of_numbers() {
   else
     return std::is_arithmetic_v<A>;
 }
-/// A function of which such an argument is known.
+/// Whether a function type has such an argument.
 template <class F>
 struct TakesNumbers : std::false_type {};
 /// @cond
@@ -41,8 +41,8 @@ AVI_CALLABLE(const noexcept)
 #undef AVI_CALLABLE
 /// @endcond
 
-/// f is not generic: it takes vectors of numbers and nothing else. Eigen only pretends to turn one kind of
-/// vector into another.
+/// True where f is not generic but takes vectors of plain numbers. This cannot be tested by a call, because
+/// Eigen claims to convert any vector type into any other.
 template <class F>
 constexpr bool takes_numbers() {
   if constexpr (requires { &F::operator(); })
@@ -51,7 +51,7 @@ constexpr bool takes_numbers() {
     return TakesNumbers<std::decay_t<F>>::value;
 }
 
-/// f at recorded vectors. What f must be for that is checked here, one sentence for each mistake.
+/// Calls f with recorded vectors. The requirements on f are checked here, with one message for each mistake.
 template <class F, class... Vectors>
 Recorded recorded_call(const F& f, const Vectors&... x) {
   constexpr bool generic = !takes_numbers<F>();
@@ -81,7 +81,8 @@ Recorded recorded_call(const F& f, const Vectors&... x) {
   }
 }
 
-/// The nodes of the gradient that H supplies, by q and by p. @throws std::invalid_argument for another size.
+/// Nodes of the gradient that H supplies, first by q, then by p. @throws std::invalid_argument for a gradient
+/// of another size.
 template <class H, class Vec>
 std::vector<int> supplied_gradient(const H& h, const Vec& q, const Vec& p, ExpressionGraph& graph) {
   using Slopes = Vector<Recorded, Vec::SizeAtCompileTime>;

@@ -7,26 +7,26 @@
 #include <type_traits>
 
 /// @file
-/// Operations that all scalars of formulas have in common.
+/// Operations common to all scalar types of formulas.
 
 namespace avi {
 
 namespace detail {
-/// A vector of doubles that the compiler splits where the machine's registers are shorter.
+/// A vector of doubles in a SIMD register; the compiler splits it where the machine's registers are shorter.
 template <int numbers, int alignment = 8 * numbers>
 struct Simd {
   using type [[gnu::vector_size(8 * numbers), gnu::aligned(alignment)]] = double;
 };
 }  // namespace detail
 
-/// A number without derivatives is its own value.
+/// The value of a scalar without its derivatives; a double has none.
 inline double value_of(double x) { return x; }
-/// 1 or -1, the slope of |x|.
+/// The slope of |x|: 1 or -1, by the sign bit of x.
 inline double sign_of(double x) { return std::copysign(1.0, x); }
 
-/// x where the condition holds, else y: what a formula writes instead of a branch on its arguments. Both are
-/// evaluated. The condition is a bool, or what comparisons of another scalar give, which brings choose(c, x,
-/// y).
+/// x where the condition holds, else y; a formula uses it in place of a branch on its arguments. Both x and y
+/// are evaluated. The condition is a bool, or the result of comparing other scalars, whose type then provides
+/// choose(c, x, y).
 template <class Condition, class X, class Y>
 constexpr auto select(const Condition& condition, const X& x, const Y& y) {
   if constexpr (std::is_same_v<Condition, bool>)
@@ -35,7 +35,7 @@ constexpr auto select(const Condition& condition, const X& x, const Y& y) {
     return choose(condition, x, y);
 }
 
-/// The assignments and choices that follow from a scalar's operations; X derives from it.
+/// Base of a scalar type X: the assignments and choices that follow from its arithmetic and comparisons.
 template <class X>
 struct Scalar {
   ///@{
@@ -49,7 +49,7 @@ struct Scalar {
 
   ///@{
 
-  /// As of the standard library for doubles.
+  /// As in the standard library for doubles.
   friend X min(const X& a, const X& b) { return select(b < a, b, a); }
   friend X max(const X& a, const X& b) { return select(a < b, b, a); }
   friend X fabs(const X& a) { return abs(a); }
@@ -60,7 +60,7 @@ struct Scalar {
 /// @cond
 namespace detail {
 
-// What scalars other than recorded numbers make of comparisons that are kept as 1 or 0.
+// Recorded numbers keep a comparison as 1 or 0; these functions do the same for all other scalars.
 template <class S>
 S less(const S& a, const S& b) {
   return select(a < b, S(1.0), S(0.0));
@@ -74,22 +74,23 @@ S when(const S& condition, const S& a) {
   return select(S(0.0) < condition, a, S(0.0));
 }
 
-// The slopes of the table: slope_of_sin(a, f), slopes_of_pow<0 or 1>(a, b, f).
+// The slopes of the table, as slope_of_sin(a, f) and slopes_of_pow<0 or 1>(a, b, f).
 namespace slopes {
 #define AVI_ROW(name, ...) using std::name;
 AVI_FUNCTIONS(AVI_ROW, AVI_ROW)
 #undef AVI_ROW
-/// 1 - tanh(a)^2 without its cancellation: 4 u / (1 + u)^2 with u = exp(-2 |a|), of which nothing overflows.
-/// It is even, so that the side that |a| is taken on changes no derivative.
+/// 1 - tanh(a)^2 without cancellation: 4 u / (1 + u)^2 with u = exp(-2 |a|), in which nothing overflows. The
+/// function is even, so the slope of |a| at 0 does not affect its derivatives.
 template <class S>
 S one_over_cosh_squared(const S& a) {
   const S u = exp(-2.0 * abs(a)), inverse = 1.0 / (1.0 + u);
   return 4.0 * (u * (inverse * inverse));
 }
-/// b a^(b - 1), and 0 where a and b are 0. Where b alone is 0 it has a slope of its own, 1 / a by b.
+/// b a^(b - 1), and 0 where a = b = 0. Where only b is 0, its own slope with respect to b is still 1 / a.
 template <class S>
 S slope_of_power(const S& a, const S& b) {
-  return when(less(S(0x1p-1022), abs(a) + abs(b)), b * pow(a, b - 1.0));  // below it 1 / a may be infinite
+  // below 2^-1022, 1 / a may be infinite
+  return when(less(S(0x1p-1022), abs(a) + abs(b)), b * pow(a, b - 1.0));
 }
 #define AVI_ONE(name, pack, slope)                                                                           \
   template <class S>                                                                                         \
@@ -112,16 +113,16 @@ AVI_FUNCTIONS(AVI_ONE, AVI_TWO)
 }  // namespace detail
 /// @endcond
 
-/// Elementary functions and comparisons of a number that carries derivatives; X derives from it. It has
+/// Base of a number X that carries derivatives: its elementary functions and comparisons. X must provide
 /// value_of(x), the number itself, and x.chain(f, slope), which is f with the derivatives
-/// \f$f'(x)\,\partial_i x\f$, where \f$f'(x)\f$ is what slope() returns.
+/// \f$f'(x)\,\partial_i x\f$, where slope() returns \f$f'(x)\f$.
 template <class X>
 struct ChainRule : Scalar<X> {
-  /// By the chain rule.
+  /// x to a constant power, by the chain rule.
   friend X pow(const X& x, double exponent) {
     const auto value = value_of(x), f = power(value, exponent);
     if (exponent == 0.0) return X(f);
-    // At zero the quotient f / x is undefined where the derivative may well exist.
+    // At zero f / x is undefined, although the derivative may exist.
     if constexpr (std::is_same_v<decltype(value), const double>)
       if (value != 0.0) return x.chain(f, [&] { return exponent * f / value; });
     return x.chain(f, [&] { return exponent * power(value, exponent - 1.0); });
@@ -150,7 +151,7 @@ struct ChainRule : Scalar<X> {
 
   ///@{
 
-  /// Comparisons of the values alone: a formula with derivatives branches as it does without.
+  /// Comparisons of the values alone, so that a formula takes the same branch with and without derivatives.
   friend auto operator<(const X& a, const X& b) { return value_of(a) < value_of(b); }
   friend auto operator>(const X& a, const X& b) { return value_of(a) > value_of(b); }
   friend auto operator<=(const X& a, const X& b) { return value_of(a) <= value_of(b); }
@@ -162,7 +163,7 @@ struct ChainRule : Scalar<X> {
 
 /// @cond
 namespace Eigen {
-// Vectors and matrices of doubles stand beside those of every scalar.
+// Lets Eigen combine vectors and matrices of doubles with those of any of our scalars.
 template <class X, class Op>
 requires(
     std::is_class_v<X>&& std::is_base_of_v<avi::Scalar<X>, X>) struct ScalarBinaryOpTraits<double, X, Op> {

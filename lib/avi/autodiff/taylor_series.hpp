@@ -9,24 +9,24 @@
 #include <vector>
 
 /// @file
-/// Taylor series in time of the nodes of a formula, one coefficient at a time.
+/// TaylorSeries: Taylor series in time of the nodes of a formula, computed one coefficient at a time.
 
 namespace avi {
 
-/// Truncated Taylor series c_0, c_1, ... of every node of a graph whose inputs are such series.
+/// Truncated Taylor series c_0, c_1, ... of every node of a graph, from the series of its inputs.
 ///
 /// The Taylor coefficients of a solution of \f$z' = f(z)\f$ follow from \f$z_{k+1} = f_k/(k + 1)\f$, where
-/// \f$f_k\f$ needs \f$z_0\f$ to \f$z_k\f$ only: run(k) adds coefficient k to every node, from coefficients 0
-/// to k of the inputs. Sums and products, and powers with whole exponents, follow Cauchy's rule, quotients
-/// and other powers the recurrences of Jorba and Zou (2005, Proposition 1), all other functions \f$k c_k =
-/// \sum_j j a_j s_{k-j}\f$ from the series s of their slope (c' = slope(a) a'), which is a formula of the
-/// same graph. A product costs k + 1 multiplications at order k, hence O(r^2) in all.
+/// \f$f_k\f$ depends only on \f$z_0\f$ to \f$z_k\f$. run(k) therefore adds coefficient k to every node, from
+/// coefficients 0 to k of the inputs. Sums, products and whole powers follow Cauchy's product rule; quotients
+/// and other powers the recurrences of Jorba and Zou (2005, Proposition 1). For all other functions c of a,
+/// \f$k c_k = \sum_j j a_j s_{k-j}\f$ with the series s of the slope (c' = slope(a) a'), which is itself a
+/// formula of the same graph. A product costs k + 1 multiplications at order k, hence O(r^2) in all.
 /// @tparam T a number with partial derivatives, DualNumber
 template <class T>
 class TaylorSeries {
  public:
-  /// Series up to coefficient `order` of all that these nodes of the graph need.
-  /// @param first nodes that run() gives without the rest @param rest further ones
+  /// Series up to coefficient `order` of all nodes on which the given ones depend.
+  /// @param first nodes that run() can compute without the rest @param rest further nodes
   TaylorSeries(ExpressionGraph graph, const std::vector<int>& first, const std::vector<int>& rest, int order)
       : made_(std::make_shared<const TaylorSteps>(std::move(graph), first, rest, order)),
         coefficients_(made_->size, T(0.0)) {
@@ -40,17 +40,17 @@ class TaylorSeries {
 
   ///@{
 
-  /// The coefficients of input i, up to order + 1.
+  /// The coefficients of input i, up to order + 1; the caller sets them.
   [[nodiscard]] T* input(int i) { return coefficients_.data() + i * stride_; }
   [[nodiscard]] const T* input(int i) const { return coefficients_.data() + i * stride_; }
   ///@}
-  /// Where output `node` is, for output().
+  /// The position of output `node` in the array of coefficients, for output().
   [[nodiscard]] int place(int node) const { return made_->places[node]; }
-  /// The coefficients of an output, up to the order.
+  /// The coefficients of an output, up to `order`.
   [[nodiscard]] const T* output(int place) const { return coefficients_.data() + place; }
 
-  /// Coefficient k of all nodes, or of those alone that the first outputs need; coefficients 0 to k - 1 of
-  /// all, and k of the inputs, are known.
+  /// Computes coefficient k of all nodes, or only of those that the first outputs need. Coefficients 0 to k -
+  /// 1 of all nodes, and k of the inputs, must be known.
   void run(int k, bool all) {
     const std::size_t count = all ? steps_.size() : made_->first;
     const bool done = [&]<int... known>(std::integer_sequence<int, known...>) {
@@ -63,11 +63,11 @@ class TaylorSeries {
  private:
   using Rule = TaylorSteps::Rule;
   struct Step : TaylorSteps::Step {
-    T* c;  // its series, in memory
+    T* c;  // coefficients of the result
     const T *a, *b;
   };
 
-  /// Turns places into addresses.
+  /// Converts the positions of all series to addresses.
   void link() {
     T* const base = coefficients_.data();
     for (const TaylorSteps::Step& step : made_->steps)
@@ -76,7 +76,8 @@ class TaylorSeries {
     stride_ = made_->stride;
   }
 
-  /// Compiled once for each low order: its sums are straight lines. @tparam known the order, or -1
+  /// Compiled separately for each low order, where the sums become straight-line code. @tparam known the
+  /// order, or -1
   template <int known>
   [[gnu::noinline]] void run_order(int k, std::size_t count) {
     for (const Step *step = steps_.data(), *end = step + count; step != end; ++step)
@@ -88,7 +89,7 @@ class TaylorSeries {
     using std::exp, std::sqrt;
     T* const c = step.c;
     const T *const a = step.a, *const b = step.b;
-    T& auxiliary = c[stride_ - 1];  // what every coefficient is multiplied with
+    T& auxiliary = c[stride_ - 1];  // factor common to all coefficients
     switch (step.rule) {
     case Rule::sum:
       c[k] = a[k] + b[k];
@@ -168,7 +169,8 @@ class TaylorSeries {
     return sum;
   }
 
-  // Inlined where k is known, which -O2 alone would not do: the sums become straight lines, twice as fast.
+  // Forced inlining: -O2 alone would not inline where k is known, although the sums then become straight-line
+  // code and twice as fast.
 
   /// Sum over j = from..to of a_j b_(k-j).
   [[gnu::always_inline]] static T convolution(const T* a, const T* b, int k, int from, int to) {
@@ -177,7 +179,7 @@ class TaylorSeries {
       s.add(a[j], b[k - j]);
     return s.result();
   }
-  /// Coefficient k of a^2: each pair once, doubled.
+  /// Coefficient k of a^2: each pair is multiplied once and doubled.
   [[gnu::always_inline]] static T convolution_square(const T* a, int k) {
     ProductSum<T> s;
     for (int j = 0; 2 * j < k; ++j)

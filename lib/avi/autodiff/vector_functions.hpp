@@ -9,17 +9,17 @@
 #endif
 
 /// @file
-/// Sine, cosine, exponential and logarithm of the numbers of a pack, all at once.
+/// Sine, cosine, exponential and logarithm of all numbers of a pack at once.
 
 namespace avi::detail {
 /// @cond
 inline namespace AVI_INSTRUCTIONS {
 /// @endcond
 
-/// Largest |x| of sine(): there \f$2x/\pi\f$ rounds to an integer of 19 bits.
+/// Largest |x| for sine(): up to it \f$2x/\pi\f$ rounds to an integer of 19 bits.
 inline constexpr double most_angle = 8e5;
 
-/// Some number of a register is not between two bounds, or is NaN.
+/// True where a number of a register is NaN or not between two bounds.
 template <class V>
 [[gnu::always_inline]] inline bool any_outside(V x, double least, double most) {
 #if defined(__AVX512F__)
@@ -39,13 +39,13 @@ template <class V>
   return !all;
 }
 
-/// The value of the standard library for sin(x + quarters pi/2), quarters = 0 or 1.
+/// sin(x + quarters pi/2) by the standard library, quarters = 0 or 1.
 [[gnu::cold, gnu::noinline]] inline double sine_far_away(double x, int quarters) {
   return quarters == 0 ? std::sin(x) : std::cos(x);
 }
 
-/// A register of integers beside one of numbers: of those without sign, whose sums wrap round where a number
-/// out of bounds, or NaN, is worked on in vain.
+/// The type of a register of integers as wide as the register of numbers V. They are unsigned, so that sums
+/// wrap round where a NaN or a number out of bounds is processed in vain.
 template <class V>
 struct UnsignedBeside {
   typedef unsigned long long Type __attribute__((vector_size(sizeof(V))));  ///< The register.
@@ -53,13 +53,13 @@ struct UnsignedBeside {
 template <class V>
 using UnsignedOf = typename UnsignedBeside<V>::Type;
 
-/// sin(x + quarters pi/2) of every number of a register with |x| up to most_angle, to less than one unit in
-/// the last place: the polynomials of Sun's fdlibm (k_sin.c, k_cos.c, 1993) at x less the nearest multiple of
-/// pi/2.
+/// sin(x + quarters pi/2) of every number of a register with |x| up to most_angle, with an error below one
+/// unit in the last place. It uses the polynomials of Sun's fdlibm (k_sin.c, k_cos.c, 1993) for x minus the
+/// nearest multiple of pi/2.
 ///
-/// The reduction is that of Cody and Waite (Software Manual for the Elementary Functions, 1980): three pieces
-/// of pi/2 of 33 bits each, times an integer of 19 bits, and what each of them leaves, are without rounding
-/// error wherever most of x cancels.
+/// The reduction follows Cody and Waite (Software Manual for the Elementary Functions, 1980): pi/2 is split
+/// into pieces of 33 bits. The products of the first three pieces with an integer of 19 bits, and the
+/// remainders after subtracting them, have no rounding error wherever most of x cancels.
 template <class V>
 [[gnu::always_inline]] inline V sine(V x, int quarters) {
   using Integers = UnsignedOf<V>;
@@ -87,11 +87,11 @@ template <class V>
   return (V)(size ^ ((quadrant & 2) << 62));
 }
 
-/// Bounds of exponential(), whose values there are normal numbers.
+/// Bounds of the argument of exponential(), between which the result is a normal number.
 inline constexpr double least_exponent = -708.0, most_exponent = 709.0;
 
-/// exp(x) of every number of a register within the bounds, to less than one unit in the last place: the
-/// rational function of Sun's fdlibm (e_exp.c, 1993) at x less the nearest multiple of log 2.
+/// exp(x) of every number of a register within these bounds, with an error below one unit in the last place:
+/// the rational function of Sun's fdlibm (e_exp.c, 1993) for x minus the nearest multiple of log 2.
 template <class V>
 [[gnu::always_inline]] inline V exponential(V x) {
   using Integers = UnsignedOf<V>;
@@ -108,11 +108,11 @@ template <class V>
   return (V)((Integers)y + ((Integers)shifted << 52));  // 2^k y
 }
 
-/// Bounds of logarithm(): the normal numbers.
+/// Bounds of the argument of logarithm(): the normal numbers.
 inline constexpr double least_number = 0x1p-1022, most_number = 0x1.fffffffffffffp1023;
 
-/// log(x) of every number of a register within the bounds, to less than one unit in the last place: Sun's
-/// fdlibm (e_log.c, 1993), with \f$x = 2^k(1+f)\f$ and \f$\sqrt{1/2} < 1+f < \sqrt 2\f$.
+/// log(x) of every number of a register within these bounds, with an error below one unit in the last place:
+/// Sun's fdlibm (e_log.c, 1993), with \f$x = 2^k(1+f)\f$ and \f$\sqrt{1/2} < 1+f < \sqrt 2\f$.
 template <class V>
 [[gnu::always_inline]] inline V logarithm(V x) {
   using Integers = UnsignedOf<V>;
@@ -133,11 +133,13 @@ template <class V>
          ((half_square - (s * (half_square + (odd + even)) + k * 1.90821492927058770002e-10)) - f);
 }
 
-/// The values of the standard library, which takes long to say zero.
+/// Exponential and logarithm by the standard library, which takes long to return a zero; that case is handled
+/// here.
 [[gnu::cold, gnu::noinline]] inline double library_exp(double x) { return x < -746.0 ? 0.0 : std::exp(x); }
 [[gnu::cold, gnu::noinline]] inline double library_log(double x) { return std::log(x); }
 
-/// f of every register of a pack; where a number is not between the bounds, far_away of every number.
+/// Applies f to every register of a pack; if any number lies outside the bounds, applies far_away to every
+/// number instead.
 template <class P, class F, class G>
 P by_register(const P& x, double least, double most, F f, G far_away) {
   using Register = typename P::Register;
@@ -150,8 +152,8 @@ P by_register(const P& x, double least, double most, F f, G far_away) {
   return y;
 }
 
-/// sin(x + quarters pi/2), quarters = 0 or 1, of every number of a Pack; where one is far away, all by the
-/// library. Both are computed from one line of operations, so that the compiler finds what they share.
+/// sin(x + quarters pi/2), quarters = 0 or 1, of every number of a Pack; all by the standard library if one
+/// is too large. Sine and cosine share one list of operations, so that the compiler finds their common parts.
 template <class P>
 P turned(const P& x, int quarters) {
   using Register = typename P::Register;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 /// @file
-/// The polynomial family of Bregman Hamiltonians, integrated as it is or with adapted time.
+/// BregmanFamily: the polynomial family of Bregman Hamiltonians, with or without adapted time.
 
 namespace avi {
 
@@ -14,22 +14,22 @@ namespace avi {
 /// \\ kinetic(t) = P\, t^{-p-s}, \quad potential(t) = C P\, t^{2p-s}, \quad
 /// monitor(t) = (p/\mathring p)\, t^{1-s}
 /// \f} with \f$P = p^2/\mathring p\f$ and \f$s = \mathring p/p\f$. The Direct approach, equation (4.16), is
-/// the case \f$\mathring p = p\f$: then P = p, s = 1 and the monitor is 1. So one set of formulas serves
-/// both.
+/// the case \f$\mathring p = p\f$, in which P = p, s = 1 and the monitor is 1. So the same formulas serve
+/// both approaches.
 ///
-/// In the fictive time \f$\tau = t^s\f$ the coefficients are \f$P \tau^{-P-1}\f$ and \f$C P \tau^{2P-1}\f$:
-/// the adapted system is the Bregman system of the *higher* order \f$P = p^2/\mathring p\f$, not of the lower
-/// order \f$\mathring p\f$ that the paper's text names; its monitor is the inverse of the one that time
-/// dilation by \f$\tau = t^s\f$ asks for.
+/// In the fictive time \f$\tau = t^s\f$ the coefficients are \f$P \tau^{-P-1}\f$ and \f$C P \tau^{2P-1}\f$.
+/// The adapted system is therefore the Bregman system of the *higher* order \f$P = p^2/\mathring p\f$, not of
+/// the lower order \f$\mathring p\f$ that the text of the paper names. Its monitor is the inverse of the one
+/// required for the time dilation \f$\tau = t^s\f$.
 struct BregmanFamily {
   double p = 2.0;       ///< Order of the Bregman dynamics, positive.
   double p_ring = 2.0;  ///< Parameter of the monitor, in (0, p].
-  double C = 0.0625;  ///< Weight of the objective, positive. The paper's tables have 1/16 (not stated there).
+  double C = 0.0625;    ///< Weight of the objective, positive; 1/16 in the paper's tables (not stated there).
 
-  /// The Direct approach. @throws std::invalid_argument for p or C out of range.
+  /// The family of the Direct approach. @throws std::invalid_argument for p or C out of range.
   static BregmanFamily direct(double p, double C = 0.0625) { return adaptive(p, p, C); }
 
-  /// The Adaptive approach. @throws std::invalid_argument for a parameter out of range.
+  /// The family of the Adaptive approach. @throws std::invalid_argument for a parameter out of range.
   static BregmanFamily adaptive(double p, double p_ring, double C = 0.0625) {
     const BregmanFamily family{.p = p, .p_ring = p_ring, .C = C};
     family.validate();
@@ -44,41 +44,41 @@ struct BregmanFamily {
     require_positive("Order p^2 / p_ring in fictive time", order());
   }
 
-  [[nodiscard]] bool is_direct() const { return p_ring == p; }   ///< Without adaptivity.
+  [[nodiscard]] bool is_direct() const { return p_ring == p; }   ///< True without adaptivity.
   [[nodiscard]] double order() const { return p * p / p_ring; }  ///< P, the order in fictive time.
-  [[nodiscard]] double s() const { return p_ring / p; }          ///< tau = t^s.
+  [[nodiscard]] double s() const { return p_ring / p; }          ///< Exponent in tau = t^s.
 
   /// @name Coefficients at physical time t > 0
   /// @{
 
-  /// Coefficient of |r|^2 / 2.
+  /// Coefficient of |r|^2 / 2 at time t.
   [[nodiscard]] double kinetic(double t) const { return order() * std::pow(t, -p - s()); }
-  /// Coefficient of f(q).
+  /// Coefficient of f(q) at time t.
   [[nodiscard]] double potential(double t) const { return C * order() * std::pow(t, 2.0 * p - s()); }
-  /// Coefficient of r^t: dt/dtau (equation (4.17)).
+  /// Coefficient of r^t at time t: dt/dtau (equation (4.17)).
   [[nodiscard]] double monitor(double t) const { return std::pow(t, 1.0 - s()) / s(); }
   /// @}
 
   /// @name Derivatives with respect to t
   /// @{
 
-  /// Derivative of the coefficient of that name by t.
+  /// Derivatives by t of kinetic(), potential() and monitor().
   [[nodiscard]] double kinetic_rate(double t) const { return -(p + s()) * kinetic(t) / t; }
   [[nodiscard]] double potential_rate(double t) const { return (2.0 * p - s()) * potential(t) / t; }
   [[nodiscard]] double monitor_rate(double t) const { return (1.0 - s()) * monitor(t) / t; }
   /// @}
 
-  /// Physical time after fictive time h, exactly: t^s advances by h.
+  /// Physical time after a fictive step h from time t, exactly: t^s advances by h.
   [[nodiscard]] double exact_clock(double t, double h) const {
     return is_direct() ? t + h : std::pow(std::pow(t, s()) + h, 1.0 / s());
   }
 };
 
-/// Where the runs of the paper start: t_0 = 1 and every entry of the momentum 1. Not stated there; recovered
-/// from its iteration counts, which no other start gives.
+/// The start of the paper's runs: t_0 = 1, and every entry of the momentum 1. The paper does not state it; it
+/// was recovered from the iteration counts there, which no other start gives.
 struct BregmanStart {
-  double t = 1.0;         ///< Positive.
-  double momentum = 1.0;  ///< Momentum of every entry, finite.
+  double t = 1.0;         ///< Start time, positive.
+  double momentum = 1.0;  ///< Every entry of the initial momentum, finite.
 
   /// Checks the ranges. @throws std::invalid_argument for a value out of range.
   void validate() const {
@@ -87,8 +87,8 @@ struct BregmanStart {
   }
 };
 
-/// Checks what all methods with a fixed fictive step h have. @throws std::invalid_argument for a value out of
-/// range.
+/// Checks the parameters of any method with a fixed fictive step h. @throws std::invalid_argument for a value
+/// out of range.
 inline void validate(const BregmanFamily& family, const BregmanStart& from, double h) {
   family.validate();
   from.validate();

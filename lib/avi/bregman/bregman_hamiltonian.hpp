@@ -10,12 +10,12 @@ namespace avi {
 /// A point (q, t, r, r^t) of extended phase space.
 struct ExtendedPoint {
   VectorX q;         ///< Position: the argument of the objective.
-  double t;          ///< Physical time, the position q^t of the paper.
+  double t;          ///< Physical time, q^t in the paper.
   VectorX r;         ///< Momentum.
   double r_t = 0.0;  ///< Momentum conjugate to time.
 };
 
-/// \f$\bar H\f$ of BregmanFamily for an objective f, equations (4.16) and (4.18):
+/// The value of \f$\bar H\f$ of a BregmanFamily at z, for an objective f (equations (4.16) and (4.18)):
 /// \f$\tfrac12\, kinetic(t)\, |r|^2 + potential(t)\, f(q) + monitor(t)\, r^t\f$.
 template <Objective F>
 double bregman_energy(const BregmanFamily& family, const F& f, const ExtendedPoint& z) {
@@ -24,7 +24,7 @@ double bregman_energy(const BregmanFamily& family, const F& f, const ExtendedPoi
          family.monitor(z.t) * z.r_t;
 }
 
-/// The start of the paper's runs at q: r and t of `from`, r^t on the level H-bar = 0.
+/// The start of the paper's runs at position q: r and t from `from`, and r^t such that H-bar = 0.
 template <Objective F>
 ExtendedPoint bregman_start(const BregmanFamily& family, const F& f, const VectorX& q,
                             const BregmanStart& from = {}) {

@@ -7,39 +7,39 @@
 #include <cmath>
 
 /// @file
-/// The Type II Hamiltonian Taylor variational integrator of order r = 0 for Bregman dynamics: the form of the
-/// published counts, and that for extreme orders.
+/// The Type II Hamiltonian Taylor variational integrator of order r = 0 for Bregman dynamics, in two forms:
+/// that of the published counts, and one for extreme orders.
 
 namespace avi {
 
 /// How physical time advances during one fictive step.
 enum class Clock {
-  euler,  ///< t += h monitor(t): what the integrator's own equation gives, as in the paper.
-  exact   ///< t^s += h: the exact solution of the same equation.
+  euler,  ///< t += h monitor(t), from the integrator's own equation, as in the paper.
+  exact   ///< t^s += h, the exact solution of that equation.
 };
 
-/// The explicit update of Section 4.4 of the paper in momentum form. With \f$R = r\, t^{-p}\f$ and
-/// \f$\eta = P h\, t^{-s}\f$, \f[ R' = R - \eta\, C t^p\, \nabla f(q), \quad q_+ = q + \eta R', \quad
-/// R_+ = R' (t/t_+)^p, \f] where \f$t_+ = t\,(1 + h\, t^{-s}/s)\f$ by Euler's clock. These are the iterates
-/// of the printed form to round-off with half its range of exponents: a heavy ball of step
-/// \f$\eta^2 C t^p\f$ whose displacement \f$q_+ - q = \eta R'\f$ keeps the part \f$(t/t_+)^{p+s}\f$: p from
-/// R, s from \f$\eta_+/\eta\f$. Direct with p = 2 has thus the friction 3/t of Nesterov's method. \f$r^t\f$
-/// is not evolved, as nothing else depends on it.
+/// The explicit update of Section 4.4 of the paper, in momentum form. With \f$R = r\, t^{-p}\f$ and \f$\eta =
+/// P h\, t^{-s}\f$, \f[ R' = R - \eta\, C t^p\, \nabla f(q), \quad q_+ = q + \eta R', \quad R_+ = R'
+/// (t/t_+)^p, \f] where \f$t_+ = t\,(1 + h\, t^{-s}/s)\f$ for Euler's clock. The iterates equal those of the
+/// printed form to round-off, but need only half its range of exponents. The method is a heavy ball of step
+/// \f$\eta^2 C t^p\f$. From one step to the next, the displacement \f$q_+ - q = \eta R'\f$ is multiplied by
+/// \f$(t/t_+)^{p+s}\f$, of which p comes from R and s from \f$\eta_+/\eta\f$. Direct with p = 2 thus has the
+/// friction 3/t of Nesterov's method. \f$r^t\f$ is not evolved, because nothing else depends on it.
 struct BregmanHtvi {
   BregmanFamily family;        ///< p, p_ring and C.
   double h = 1e-3;             ///< Fictive step, finite and positive.
-  BregmanStart from{};         ///< Time and momentum of the first iterate.
-  Clock clock = Clock::euler;  ///< The paper's is Euler's.
+  BregmanStart from{};         ///< Initial time and momentum.
+  Clock clock = Clock::euler;  ///< The paper uses Euler's clock.
 
   /// The state of a run.
   struct State {
     VectorX momentum;  ///< R.
     double t;          ///< Physical time.
     double power;      ///< t^p.
-    double eta;        ///< eta of the coming step.
+    double eta;        ///< eta for the next step.
   };
 
-  /// State of one run. @throws std::invalid_argument for a parameter out of range.
+  /// The state for a new run. @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     validate(family, from, h);
     const double power = accurate_power(from.t, family.p);
@@ -49,13 +49,13 @@ struct BregmanHtvi {
             .eta = eta(from.t)};
   }
 
-  /// Advances by the fictive step with the gradient at hand.
+  /// One fictive step, with the gradient already evaluated in `now`.
   template <class F>
   Outcome update(State& state, Iterate& now, F&) const {
     const double step = state.eta * family.C * state.power;
     const double t_next =
         clock == Clock::euler ? state.t + state.t * (state.eta / family.p) : family.exact_clock(state.t, h);
-    // Not by plain repeated multiplication: the last bit decides some published counts.
+    // Repeated multiplication would not be accurate enough: the last bit decides some published counts.
     const double power_next = accurate_power(t_next, family.p);
     const double damping = state.power / power_next;
     const Eigen::Index n = now.x.size();
@@ -67,8 +67,8 @@ struct BregmanHtvi {
       x[i] += state.eta * kicked;
       momentum[i] = damping * kicked;
     }
-    // The clock runs ahead of the gradient: these powers depend on nothing that the objective computes, so
-    // that the processor works on both at once.
+    // The next powers of t are computed already here. They do not depend on the objective, so the processor
+    // can work on both at once.
     state.t = t_next;
     state.power = power_next;
     state.eta = eta(t_next);
@@ -77,28 +77,28 @@ struct BregmanHtvi {
   }
 
  private:
-  /// P h t^(-s); a division where a general power is not needed.
+  /// P h t^(-s), by a division if s = 1.
   [[nodiscard]] double eta(double t) const {
     return family.order() * h * (family.is_direct() ? 1.0 / t : avi::power(t, -family.s()));
   }
 };
 
-/// The update of BregmanHtvi in the displacement \f$v = \eta R\f$, with \f$L = \log t\f$,
-/// \f$A = \log(t_+/t)\f$ and \f$a = P h \sqrt{C}\, t^{p/2-s}\f$. \f[ v' = v - a^2 \nabla f(q), \quad
-/// q_+ = q + v', \quad v_+ = v' (t/t_+)^{p+s}, \quad L_+ = L + A, \f]
-/// A = log1p(h t^(-s) / s) by Euler's clock, log1p(h t^(-s)) / s by the exact one. A heavy ball whose two
-/// coefficients are all that is computed from t, so that a run goes on as long as the step
-/// \f$a^2 = \eta^2 C t^p\f$ itself is a number: \f$t^{p-2s}\f$ below 1.8e308, where BregmanHtvi
-/// needs \f$t^p\f$ and the printed form \f$t^{2p-s}\f$. For p <= 2s (Direct with p <= 2) it never ends.
-/// Beyond, the outcome is non_finite and the iterate is the last good one.
+/// The update of BregmanHtvi in terms of the displacement \f$v = \eta R\f$. With \f$L = \log t\f$, \f$A =
+/// \log(t_+/t)\f$ and \f$a = P h \sqrt{C}\, t^{p/2-s}\f$, \f[ v' = v - a^2 \nabla f(q), \quad q_+ = q + v',
+/// \quad v_+ = v' (t/t_+)^{p+s}, \quad L_+ = L + A. \f] A = log1p(h t^(-s) / s) for Euler's clock, log1p(h
+/// t^(-s)) / s for the exact one. In this form of a heavy ball, only its two coefficients are computed from
+/// t. A run can therefore continue as long as the step \f$a^2 = \eta^2 C t^p\f$ itself is finite: for
+/// \f$t^{p-2s}\f$ below 1.8e308, whereas BregmanHtvi needs \f$t^p\f$ and the printed form \f$t^{2p-s}\f$ to
+/// be so. For p <= 2s (Direct with p <= 2) this never ends a run. Beyond the limit the outcome is non_finite,
+/// and the iterate is the last valid one.
 ///
-/// The iterates are those of the other two forms to round-off, not to the last bit: published counts are made
-/// with BregmanHtvi.
+/// The iterates equal those of the other two forms to round-off, but not to the last bit. Published counts
+/// are reproduced with BregmanHtvi.
 struct BregmanHeavyBall {
   BregmanFamily family;        ///< p, p_ring and C.
   double h = 1e-3;             ///< Fictive step, finite and positive.
-  BregmanStart from{};         ///< Time and momentum of the first iterate.
-  Clock clock = Clock::euler;  ///< The paper's is Euler's.
+  BregmanStart from{};         ///< Initial time and momentum.
+  Clock clock = Clock::euler;  ///< The paper uses Euler's clock.
 
   /// The state of a run.
   struct State {
@@ -106,7 +106,7 @@ struct BregmanHeavyBall {
     double log_t;          ///< L.
   };
 
-  /// State of one run. @throws std::invalid_argument for a parameter out of range.
+  /// The state for a new run. @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     validate(family, from, h);
     const double log_t = std::log(from.t);
@@ -128,7 +128,8 @@ struct BregmanHeavyBall {
     return clock == Clock::euler ? std::log1p(fictive / s) : std::log1p(fictive) / s;
   }
 
-  /// Advances by the fictive step with the gradient at hand; Outcome::non_finite where the step overflows.
+  /// One fictive step, with the gradient already evaluated in `now`; Outcome::non_finite if the step a^2
+  /// overflows.
   template <class F>
   Outcome update(State& state, Iterate& now, F&) const {
     const double length = step(state.log_t), ahead = advance(state.log_t);

@@ -8,25 +8,25 @@
 #include <cmath>
 
 /// @file
-/// Restarted Bregman dynamics with the clock p/t, whose step comes from curvatures that cost no evaluation.
+/// Restarted Bregman dynamics with the clock p/t; the step follows from curvatures that cost no evaluations.
 
 namespace avi {
 
-/// The discretised Bregman dynamics of friction (P + 1)/t in Nesterov's form, restarted, with a step that it
-/// finds itself. \f[ x_{k+1} = y_k - g_k / L, \qquad y_{k+1} = x_{k+1} + \frac{k}{k + P + 1} (x_{k+1} - x_k),
-/// \qquad g_k = \nabla f(y_k), \f] k counted from the last restart. It restarts, t back to t_0, where \f$g_k
-/// \cdot (x_{k+1} - x_k) > 0\f$ (O'Donoghue and Candes 2015).
+/// Discretised Bregman dynamics with friction (P + 1)/t in Nesterov's form, with restarts and an automatic
+/// step. \f[ x_{k+1} = y_k - g_k / L, \qquad y_{k+1} = x_{k+1} + \frac{k}{k + P + 1} (x_{k+1} - x_k), \qquad
+/// g_k = \nabla f(y_k), \f] where k counts from the last restart. The dynamics restarts, with t back at t_0,
+/// where \f$g_k \cdot (x_{k+1} - x_k) > 0\f$ (O'Donoghue and Candes 2015).
 ///
-/// L = max(0.7 L, L_s, L_g) costs no evaluation: \f$L_s = |\Delta g_k| / |\Delta y_k|\f$ is the curvature
-/// along the last displacement, which is mostly momentum, and \f[ L_g = \frac{|\Delta g_k - c\, \Delta
-/// g_{k-1}|}{|\Delta y_k - c\, \Delta y_{k-1}|} \f] that along the newest gradient: with c the regression
-/// coefficient of \f$\Delta y_k + g_{k-1}/L\f$ on \f$\Delta y_{k-1}\f$, the difference in the denominator is
-/// the part of the displacement that the gradient caused. Where f rises above its last restart's value, L is
-/// doubled and the run goes back there.
+/// The step is 1/L with L = max(0.7 L, L_s, L_g), which costs no evaluations. \f$L_s = |\Delta g_k| / |\Delta
+/// y_k|\f$ is the curvature along the last displacement, most of which comes from momentum. \f[ L_g =
+/// \frac{|\Delta g_k - c\, \Delta g_{k-1}|}{|\Delta y_k - c\, \Delta y_{k-1}|} \f] is the curvature along the
+/// newest gradient: c is the regression coefficient of \f$\Delta y_k + g_{k-1}/L\f$ on \f$\Delta y_{k-1}\f$,
+/// so that the denominator is that part of the displacement which the gradient caused. If f rises above its
+/// value at the last restart, L is doubled and the run goes back to that point.
 ///
-/// The iterate is y, where the gradient is taken: one evaluation an iteration.
+/// The iterate is y, where the gradient is evaluated: one evaluation per iteration.
 struct BregmanRestarted {
-  double P = 2.0;  ///< Order of the dynamics in its own time, positive; P = 2 is Nesterov's k/(k + 3).
+  double P = 2.0;  ///< Order of the dynamics in its own time, positive; P = 2 gives Nesterov's k/(k + 3).
 
   /// The state of a run.
   struct State {
@@ -35,15 +35,15 @@ struct BregmanRestarted {
     VectorX gradient;      ///< g_{k-1}.
     VectorX displacement;  ///< y_{k-1} - y_{k-2}.
     VectorX change;        ///< g_{k-1} - g_{k-2}.
-    VectorX anchor;        ///< y of the last restart.
-    double anchor_value;   ///< f there.
-    double L;              ///< Curvature, the inverse of the step.
-    double last_L;         ///< That of the last update.
+    VectorX anchor;        ///< y at the last restart.
+    double anchor_value;   ///< f at the anchor.
+    double L;              ///< Estimated curvature, the inverse of the step.
+    double last_L;         ///< L in the last update.
     double k = 0.0;        ///< Updates since the last restart.
-    long updates = 0;      ///< Number of all updates.
+    long updates = 0;      ///< Updates since the run last went back to its anchor.
   };
 
-  /// State of one run. @throws std::invalid_argument for P out of range.
+  /// The state for a new run. @throws std::invalid_argument for P out of range.
   State start(const Iterate& first) const {
     require_positive("Order P", P);
     const VectorX zero = VectorX::Zero(first.x.size());
@@ -62,7 +62,7 @@ struct BregmanRestarted {
             .last_L = 1.0 / length};
   }
 
-  /// Moves y once with the gradient at hand.
+  /// Moves y once, with the gradient already evaluated in `now`.
   template <class F>
   Outcome update(State& state, Iterate& now, F& f) const {
     if (!(now.value <= state.anchor_value + 1e-10 * std::abs(state.anchor_value))) {
@@ -102,7 +102,7 @@ struct BregmanRestarted {
   }
 
  private:
-  /// The new L, and this step's displacement and change of gradient for the next.
+  /// Computes the new L, and stores the displacement and the change of gradient for the next update.
   static void measure(State& state, const Iterate& now) {
     const Eigen::Index n = now.x.size();
     const double length = 1.0 / state.last_L;
@@ -115,7 +115,7 @@ struct BregmanRestarted {
           sum[2] += (dy + length * e(g0)) * old;
           sum[3] += old * old;
         });
-    const double c = sums[2] / sums[3];  // NaN where y stood still, and then own is not read
+    const double c = sums[2] / sums[3];  // NaN if y did not move; `own` is then not used
     const auto own = sweep<2>(n, [=, y = now.x.data(), g = now.gradient.data(), y0 = state.before.data(),
                                   g0 = state.gradient.data(), dy0 = state.displacement.data(),
                                   dg0 = state.change.data()](auto e, auto& sum) {
@@ -131,7 +131,7 @@ struct BregmanRestarted {
     if (std::isfinite(L) && L > 0.0) state.L = L;
   }
 
-  /// sqrt(a / b), also where the quotient is beyond the range of numbers, as in distant units of x.
+  /// sqrt(a / b), also where a / b overflows or underflows, as in unusual units of x.
   static double root_of_quotient(double a, double b) {
     const double quotient = a / b;
     return std::isnormal(quotient) ? std::sqrt(quotient) : std::sqrt(a) / std::sqrt(b);

@@ -8,33 +8,33 @@
 
 namespace avi {
 
-/// The splitting integrators of Section 4.4 of the paper, Direct and Adaptive. Half a step of the clock, half
-/// a kick, a drift, half a kick, half a step of the clock; t^s advances exactly. Both kicks and the drift
-/// take their coefficients at the middle time. One gradient a step: the closing kick's is the next opening
-/// kick's.
+/// The splitting integrators of Section 4.4 of the paper, Direct and Adaptive. A step consists of half a step
+/// of the clock, half a kick, a drift, half a kick and half a step of the clock; t^s advances exactly. The
+/// coefficients of the kicks and the drift are those at the middle time. A step takes one gradient, because
+/// the closing kick and the next opening kick use the same one.
 ///
-/// r^t is not evolved. The printed update of r^t does not belong to these steps (it is not symplectic on
-/// extended phase space). With the flows of the three terms in their place r^t does, and q, r, t are the
-/// same.
+/// r^t is not evolved. The printed update of r^t does not belong to these steps: with it they are not
+/// symplectic on extended phase space. If each term is replaced by its flow, r^t is symplectic too, and q, r
+/// and t are the same.
 struct BregmanSplitting {
   BregmanFamily family;  ///< p, p_ring and C.
   double h = 1e-3;       ///< Fictive step, finite and positive.
-  BregmanStart from{};   ///< Time and momentum of the first iterate.
+  BregmanStart from{};   ///< Initial time and momentum.
 
   /// The state of a run.
   struct State {
-    VectorX r;                  ///< Momentum, but for the closing kick.
+    VectorX r;                  ///< Momentum, before the closing kick of the last step.
     double t;                   ///< Physical time.
-    double closing_kick = 0.0;  ///< Factor of the gradient that the last step still owes r.
+    double closing_kick = 0.0;  ///< Coefficient of the gradient in that closing kick.
   };
 
-  /// State of one run. @throws std::invalid_argument for a parameter out of range.
+  /// The state for a new run. @throws std::invalid_argument for a parameter out of range.
   State start(const Iterate& first) const {
     validate(family, from, h);
     return {.r = VectorX::Constant(first.x.size(), from.momentum), .t = from.t};
   }
 
-  /// Advances by the fictive step with the gradient at hand.
+  /// One fictive step, with the gradient already evaluated in `now`.
   template <class F>
   Outcome update(State& state, Iterate& now, F&) const {
     const double middle = family.exact_clock(state.t, 0.5 * h);

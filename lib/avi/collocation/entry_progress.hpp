@@ -6,26 +6,27 @@
 #include <utility>
 
 /// @file
-/// Which entries of a step still come closer to its solution.
+/// EntryProgress: which entries of a step still converge, and when the iteration is finished.
 
 namespace avi {
 
-/// The smallest change so far of every entry, in the manner of Antonana, Makazaga and Murua (2017). Rounding
-/// stops entries at different levels: cancellation far from the origin stops some, and where a monitor's
-/// gradient is multiplied by the rounding error of H it stops light bodies long before heavy ones. So a step
-/// goes on while any entry improves. It is looked at so closely only where changes do not fall as they
-/// should.
+/// Records the smallest change so far of each entry during the iteration of a step, in the manner of
+/// Antonana, Makazaga and Murua (2017). Rounding stops entries at different levels: some because of
+/// cancellation far from the origin, and light bodies long before heavy ones, because the gradient of a
+/// monitor is multiplied by the rounding error of H. So an iteration continues while any entry improves. This
+/// closer look is needed only where changes do not fall as they should.
 template <int n, int w>
 class EntryProgress {
  public:
   using Step = StageValues<n, w>;  ///< The unknowns of the equations.
 
-  /// For problems of this size.
+  /// For a problem with n = `size`.
   explicit EntryProgress(Eigen::Index size) : q_(size), p_(size) {}
 
   static constexpr double usual_noise = 1e5 * std::numeric_limits<double>::epsilon();  ///< See restart().
 
-  /// Nothing is known yet. @param noise changes that may be noise whatever they are beside the largest entry
+  /// Starts anew. @param noise changes of an entry, relative to its own size, that may be noise however they
+  /// compare with the largest entry
   void restart(double noise = usual_noise) {
     most_noise_ = noise;
     q_.restart();
@@ -34,7 +35,7 @@ class EntryProgress {
     idle_ = looks_ = 0;
   }
 
-  /// A sweep has led from the old q and p to those of the step, whose scales are set.
+  /// Compares the old q and p with those of the step after one iteration. The scales of the step must be set.
   [[gnu::noinline]] void look(const Step& old, const Step& step) {
     change_ = 0.0;
     improves_ = false;
@@ -47,12 +48,13 @@ class EntryProgress {
     least_change_ = std::min(least_change_, change_);
   }
 
-  /// Largest change of an entry in its own scale, at the last look.
+  /// Largest relative change of an entry, in its own scale, at the last look.
   [[nodiscard]] double change() const { return change_; }
-  /// Every entry has converged, or none has improved for so many looks, and what is left is noise: small in
-  /// its own scale; or small beside the largest entry alone, for six looks and not growing. Sweeps that
-  /// hardly contract look like that, too. @param hidden the latter counts: there is no better way to solve
-  /// the step
+  /// True where every entry has converged, or where none has improved for `looks` looks and the remaining
+  /// changes are noise. Noise is small in the entry's own scale. Or, if `hidden`, it is small beside the
+  /// largest entry and has not grown for six looks; sweeps that hardly contract look like this too.
+  /// @param looks number of looks without improvement @param hidden accept this second kind: there is no
+  /// better way to solve the step
   [[nodiscard]] bool settled(int looks, bool hidden) const {
     return change_ <= epsilon ||
            (idle_ >= looks && (small_ || (hidden && hidden_)) && change_ <= 8.0 * least_change_);
@@ -61,8 +63,9 @@ class EntryProgress {
  private:
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
   using Vec = Vector<Pack<w>, n>;
-  static constexpr int window = 3;  // looks whose largest changes are compared with those before
-  /// The changes of entries of q, or of p: the smallest, the largest of this window and of the last one.
+  static constexpr int window = 3;  // looks in a window; largest changes of consecutive windows are compared
+  /// Changes of each entry of q, or of p: the smallest so far, the largest in this window, and in the last
+  /// one.
   struct Record {
     explicit Record(Eigen::Index size) : least(size), recent(size), former(size) {}
     void restart() {

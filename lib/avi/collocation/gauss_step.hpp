@@ -9,23 +9,23 @@
 #include <utility>
 
 /// @file
-/// A step of collocation: where it starts, when it is solved, how it ends.
+/// GaussStep: one step of collocation, from the first guess of the stages to the final sum.
 
 namespace avi {
 
-/// Gauss collocation with at most w stages: a step starts from the polynomial of the last one, is solved by
-/// sweeps or where they do not contract by Newton's method, and is added up in about twice the digits of a
-/// double. For few degrees of freedom, where a sweep
-/// leaves the processor room for another, the next step is begun when this one is half solved, as if it would
-/// have the same size; it is thrown away where it has not.
+/// Steps of Gauss collocation with at most w stages. A step starts from the polynomial of the last one. It is
+/// solved by sweeps, or by Newton's method where sweeps do not contract, and is summed with about twice the
+/// digits of a double. For few degrees of freedom, a sweep leaves the processor room for another one. The
+/// next step, assumed to have the same size, is then begun when this one is half solved, and discarded if the
+/// size changes.
 template <int n, int w>
 class alignas(64) GaussStep {
  public:
-  /// Steps are begun ahead: 1.3 times the speed at n = 2, nothing gained at n = 6.
+  /// Steps are begun early: 1.3 times the speed at n = 2, no gain at n = 6.
   static constexpr bool ahead = n != dynamic && n <= 4 && w <= 8;
   using Scalar = Pack<w>;  ///< One number for each stage.
 
-  /// Takes this field, with n = `size`, and this rule of at most w stages.
+  /// For this field with n = `size`, and this rule of at most w stages.
   GaussStep(std::unique_ptr<StageField<n, w>> field, Eigen::Index size, const GaussRule& rule,
             SweepSettings settings)
       : equations_(std::move(field), rule), both_{StageValues<n, w>(size),
@@ -36,11 +36,11 @@ class alignas(64) GaussStep {
       last_legendre_.set(j, rule.last_legendre(j));
   }
 
-  /// Advances z by h; leaves z unchanged unless the step ends as ok.
+  /// Advances z by h; z is unchanged unless the step ends as ok.
   StepReport step(State<n>& z, double h) {
     start_at(z);
     if (h != size_) equations_.set_step(h);
-    if (h != size_ || place_ == Place::elsewhere) {  // what is known of Newton's method is of this orbit
+    if (h != size_ || place_ == Place::elsewhere) {  // what Newton's method has stored belongs to one orbit
       size_ = h;
       newton_.forget();
       stiff_ = 0;
@@ -58,11 +58,11 @@ class alignas(64) GaussStep {
     };
     const bool known = place_ != Place::elsewhere;
     if (stiff_ == 0) report = attempt(z, h);
-    // The polynomial of the last step may have been a bad guess.
+    // The polynomial of the last step may have been a bad first guess: start from a constant.
     if (stiff_ == 0 && known && unsolved()) from_a_constant(&GaussStep::attempt);
     if (!newton_failed_ && unsolved()) {
       from_a_constant(&GaussStep::by_newton);
-      // Elsewhere such a step is too long.
+      // If entries do not differ much in size, such a step is simply too long.
       if (unsolved() && newton_.wide()) {
         start_at(z);
         const int spent = report.evaluations;
@@ -77,7 +77,7 @@ class alignas(64) GaussStep {
     return report;
   }
 
-  /// The collocation polynomial of the last step at its fraction c.
+  /// The collocation polynomial of the last step at the fraction c.
   [[nodiscard]] State<n> polynomial(const double c) const {
     const GaussRule::Row row = equations_.rule().quick_integrals(c);
     Scalar part(0.0);
@@ -93,7 +93,7 @@ class alignas(64) GaussStep {
     return z;
   }
 
-  /// How much the last term of the polynomial of the last step adds to each entry: see Collocation::tail().
+  /// The largest contribution of the last term of the polynomial to each entry; see Collocation::tail().
   void tail(double* q, double* p) const {
     for (Eigen::Index i = 0; i < last_.dq.size(); ++i) {
       q[i] = std::abs(sum(Scalar(last_legendre_ * last_.dq[i])));
@@ -103,11 +103,11 @@ class alignas(64) GaussStep {
 
  private:
   enum class Place { elsewhere, begin, end };
-  static constexpr int worth_it = 6;  // sweeps from which on a step is begun ahead
+  static constexpr int worth_it = 6;  // a step is begun early if the last one took at least this many sweeps
 
-  /// The start of a step at z, with the rounding error of the last step if that led to z.
+  /// Starts a step at z, with the rounding error kept from the last step if z is one of its ends.
   void start_at(const State<n>& z) {
-    place_ = h_ == 0.0                ? Place::elsewhere  // there is no last step, whatever z is
+    place_ = h_ == 0.0                ? Place::elsewhere  // there has been no step yet
              : z == end_.state        ? Place::end
              : z == last_.start.state ? Place::begin
                                       : Place::elsewhere;
@@ -121,8 +121,8 @@ class alignas(64) GaussStep {
     start_.state = z;
   }
 
-  /// Begins the step: with the sweeps that it has had already, from the polynomial of the last step, or from
-  /// nothing. @return sweeps that it has had
+  /// First guess of the stages: the sweeps already made if this step was begun early, else the polynomial of
+  /// the last step, else a constant. @return number of sweeps already made
   int begin(double h) {
     const int begun = std::exchange(begun_, 0);
     if (place_ != Place::end || h != h_) scaled_[0] = scaled_[1] = false;
@@ -143,11 +143,12 @@ class alignas(64) GaussStep {
     return 0;
   }
 
-  /// The last step says where this one leads, and how far: it was half as long at least.
+  /// The last step gives a useful guess: it is adjacent, and at least half as long.
   [[nodiscard]] bool is_like_the_last(double h) const {
     return place_ != Place::elsewhere && std::abs(h / h_) <= 2.0;
   }
-  /// The last step led far beyond the size of its start: it was too long, and says nothing of a shorter one.
+  /// The last step moved far beyond the size of its start. It was too long and says nothing about a shorter
+  /// one.
   [[nodiscard]] bool was_wild() const {
     Scalar q(0.0), p(0.0);
     for (Eigen::Index i = 0; i < last_.dq.size(); ++i)
@@ -156,7 +157,7 @@ class alignas(64) GaussStep {
            largest(p) > 1e3 * largest_entry(start_.state.p);
   }
 
-  /// A sweep of which every entry is looked at, in the scale it has after it. @return the largest change
+  /// A sweep after which every entry is compared, in its new scale. @return the largest change
   [[gnu::noinline]] double sweep_closely(StageValues<n, w>& step) {
     last_.q = step.q;
     last_.p = step.p;
@@ -168,14 +169,15 @@ class alignas(64) GaussStep {
 
   StepReport attempt(State<n>& z, double h) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    constexpr int many = 30;  // after so many sweeps they are slow: changes are no bound of what is left
+    constexpr int many = 30;  // after this many, sweeps are slow and changes no longer bound the error
     double before = 0.0, ratio = 0.0;
     int slow = 0;
     bool closely = false, scaled = false;
     const bool unknown = !is_like_the_last(h);
-    // Who steps again from where the last step began looks for a point on the way.
+    // A step that begins where the last one did searches for a point inside it, as for an event.
     [[maybe_unused]] const bool goes_on = place_ != Place::begin;
-    // A step from where the last one began is a little longer or shorter than that, which is a good guess.
+    // Such a step has nearly the length of the last one, which is a good guess, so changes are checked at
+    // once.
     const int first_look = place_ == Place::end ? std::max(usual_ - 2, 1) : 1;
     StepReport report{.evaluations = begin(h)};
     StageValues<n, w>&step = both_[now_], &next = both_[1 - now_];
@@ -213,8 +215,8 @@ class alignas(64) GaussStep {
         report.outcome = Outcome::non_finite;
         return report;
       }
-      // The changes fall by change / before each time, once they do: at first they may be of any size. At the
-      // level of rounding they stop falling.
+      // Once in the regime of contraction, each change is change / before times the last one; the first
+      // changes may have any size. At the level of rounding they stop falling.
       const bool falls = before > 0.0 && change < 0.5 * before;
       ratio = k <= many ? change / before : std::max(ratio, change / before);
       const bool solved = before <= 1.0 && falls && change * ratio <= limit_;
@@ -223,12 +225,13 @@ class alignas(64) GaussStep {
           before > 0.0 && !falls && change <= 16.0 * epsilon && (k <= many || change <= epsilon);
       if (change == 0.0 || solved || stagnates ||
           (closely && progress_.settled(k <= many ? 3 : 4, newton_failed_))) {
-        // The forces are from before the sweep, the velocities from its middle: energy would drift.
+        // The forces are those before the sweep, the velocities those in its middle: with them, energy would
+        // drift.
         usual_ = report.evaluations++;
         equations_.evaluate(step);
         return finish(z, h, step, report);
       }
-      // What is noise beside the largest entry does not fall by another iteration either.
+      // Changes that are noise beside the largest entry would not fall by Newton's method either.
       slow = before > 0.0 && change > 0.5 * before && change > 1e-10 ? slow + 1 : 0;
       if (slow >= 3 && k > 6 && !newton_failed_ && !few_more(change, before, settings_.max_sweeps - k)) break;
       if (before > 0.0 && !falls && !closely) {
@@ -241,7 +244,7 @@ class alignas(64) GaussStep {
     return report;
   }
 
-  /// So slow sweeps as the last one come to an end before a matrix of Newton's method would be worth it.
+  /// True where sweeps at the current rate converge before a matrix for Newton's method would pay off.
   [[nodiscard]] bool few_more(double change, double before, int at_most) const {
     return change < before && std::log(limit_ / change) > std::min(40, at_most) * std::log(change / before);
   }
@@ -252,13 +255,13 @@ class alignas(64) GaussStep {
     step.start = start_;
     StepReport report = newton_.solve(equations_, step, last_, settings_.max_sweeps);
     if (report.outcome == Outcome::ok) report = finish(z, h, step, report);
-    // Now and then sweeps are tried again: a stiff part of the orbit may be over.
+    // Sweeps are tried again once in 32 steps, as a stiff part of the orbit may have ended.
     stiff_ = report.outcome == Outcome::ok ? (stiff_ + 1) % 32 : 0;
     usual_ = 1;
     return report;
   }
 
-  /// Newton's method with the matrix of every stage, from the polynomial of the last step.
+  /// Newton's method with a Jacobian matrix at each stage, from the polynomial of the last step.
   [[gnu::noinline]] StepReport at_stages(State<n>& z, double h) {
     begun_ = 0;
     begin(h);
@@ -274,7 +277,7 @@ class alignas(64) GaussStep {
       change_[i] = sum(step.dq[i]);
     double least = std::numeric_limits<double>::infinity();
     if (!detail::underflows(h))
-      least = equations_.field().clock(change_, sum(dt)) / h;  // also where time is a coordinate
+      least = equations_.field().clock(change_, sum(dt)) / h;  // covers problems where time is a coordinate
     for (int i = 0; i < equations_.rule().stages(); ++i)
       least = !(rate[i] >= least) ? rate[i] : least;
     if (!(least > 0.0)) {
@@ -297,27 +300,27 @@ class alignas(64) GaussStep {
   }
 
   StageEquations<n, w> equations_;
-  StageValues<n, w> both_[2];  // this step and the next one
-  int now_ = 0;                // which of them is this step
-  StageValues<n, w> last_;     // start and increments of the last step; its q and p are Newton's scratch
+  StageValues<n, w> both_[2];  // this step and the next one, which may be begun early
+  int now_ = 0;                // which of the two is this step
+  StageValues<n, w> last_;     // start and increments of the last step; its q and p are scratch
   Scalar dt_{0.0};             // of the last step
   Scalar last_legendre_{0.0};
   SweepSettings settings_;
-  PreciseState<n> end_, start_;  // of the last step, of this one
+  PreciseState<n> end_, start_;  // end of the last step, start of this one
   Vector<double, n> change_;
   EntryProgress<n, w> progress_;
   NewtonIteration<n, w> newton_;
-  int stiff_ = 0;  // steps in a row that took Newton's method
-  // The size of an entry in a step may be forty times its smallest value there (Kepler, e = 0.9, eight steps
-  // a period). At the level of rounding that makes no difference; at loose tolerances a sixteenth keeps the
-  // error of a run near the tolerance.
+  int stiff_ = 0;  // steps in a row solved by Newton's method
+  // Within a step an entry may be forty times its smallest value (Kepler, e = 0.9, eight steps a period). At
+  // the level of rounding this does not matter. For loose tolerances, a sixteenth keeps the error of a run
+  // near the tolerance.
   double limit_ = settings_.tolerance > 1e-15 ? settings_.tolerance / 16.0 : settings_.tolerance;
-  bool newton_failed_ = false;   // at this h, or cannot be tried: only sweeps are left
-  double h_ = 0.0, size_ = 0.0;  // of the last step; of the sweeps
+  bool newton_failed_ = false;   // at this h, or Newton's method is impossible: only sweeps remain
+  double h_ = 0.0, size_ = 0.0;  // size of the last step; size for which the sweeps are set up
   Place place_ = Place::elsewhere;
   int usual_ = 1;                    // sweeps of the last step
-  int begun_ = 0;                    // those that the next one has had
-  bool scaled_[2] = {false, false};  // the scales of both_ are those of this orbit
+  int begun_ = 0;                    // sweeps already made for the next step
+  bool scaled_[2] = {false, false};  // the scales of both_ belong to this orbit
 };
 
 }  // namespace avi

@@ -10,30 +10,30 @@
 #include <vector>
 
 /// @file
-/// Newton's method for the stages of a step, where sweeps do not contract.
+/// Newton's method for the stages of a step, used where sweeps do not contract.
 
 namespace avi {
 
-/// A square matrix, stored by columns, and a right-hand side. Every loop inside adds a multiple of one
-/// column: numbers that do not wait for each other, in the same order whatever the width of a vector.
+/// A square matrix, stored by columns, with a right-hand side. Every inner loop adds a multiple of one
+/// column. Its operations are independent of each other and have the same order for any vector width.
 class LinearSystem {
  public:
-  /// For that many unknowns; its memory comes with clear().
+  /// For this number of unknowns; clear() allocates the memory.
   explicit LinearSystem(Eigen::Index count) : count_(count) {}
 
   /// An entry of the matrix.
   [[nodiscard]] double& at(Eigen::Index row, Eigen::Index column) { return matrix_[column * count_ + row]; }
   /// The right-hand side; after solve() the solution.
   [[nodiscard]] double* right() { return right_.data(); }
-  /// A matrix of zeros.
+  /// Sets the matrix to zero; the first call allocates all memory.
   void clear() {
     matrix_.assign(count_ * count_, 0.0);
     right_.resize(count_);
     pivots_.resize(count_);
   }
 
-  /// LU decomposition of the matrix plus 1, in place, with pivots by column. A vanishing pivot leaves
-  /// infinities, which a step reports.
+  /// LU decomposition of the matrix plus the identity, in place, with row pivoting. A zero pivot gives
+  /// infinities, which the step then reports.
   void decompose() {
     for (Eigen::Index k = 0; k < count_; ++k)
       at(k, k) += 1.0;
@@ -54,7 +54,7 @@ class LinearSystem {
     }
   }
 
-  /// Replaces the right-hand side by the solution.
+  /// Replaces the right-hand side by the solution, after decompose().
   void solve() {
     double* const x = right_.data();
     for (Eigen::Index k = 0; k < count_; ++k)
@@ -68,7 +68,7 @@ class LinearSystem {
   }
 
  private:
-  /// to -= factor * from, in the rows from `first` to before `last`.
+  /// to -= factor * from, for the rows `first` to `last` - 1.
   static void subtract(double factor, const double* __restrict from, double* __restrict to,
                        Eigen::Index first, Eigen::Index last) {
     if (factor == 0.0) return;
@@ -81,15 +81,15 @@ class LinearSystem {
   std::vector<Eigen::Index> pivots_;
 };
 
-/// Simplified Newton iteration: with the Jacobian matrix J of the field at the start of the step, by central
-/// differences of its gradients, the equations of the stages \f$z_i = z_0 + h \sum_j a_{ij} f(z_j)\f$ are
-/// solved as if f were linear, by one LU decomposition of \f$I - h A \otimes J\f$. An iteration costs a field
-/// at all stages and \f$(2 n s)^2\f$ products; a decomposition, which serves many steps, a third of its cube.
-/// The first one takes the memory that all need.
+/// Simplified Newton iteration for the stages \f$z_i = z_0 + h \sum_j a_{ij} f(z_j)\f$. f is treated as
+/// linear, with its Jacobian matrix J at the start of the step, from central differences of the gradients;
+/// one LU decomposition of \f$I - h A \otimes J\f$ serves many steps. An iteration costs one evaluation of
+/// the field at all stages and \f$(2 n s)^2\f$ multiplications, a decomposition a third of \f$(2 n s)^3\f$.
+/// The first decomposition allocates all memory.
 ///
-/// More exact second derivatives would save nothing: with differences of order 4, right to about 1e-12, stiff
-/// springs (omega = 50) take 25562, 12759 and 7214 iterations at orders 4, 8 and 16 for 25547, 12759 and 6936
-/// with these.
+/// More exact second derivatives would not help: with differences of order 4, right to about 1e-12, stiff
+/// springs (omega = 50) take 25562, 12759 and 7214 iterations at orders 4, 8 and 16, against 25547, 12759 and
+/// 6936 with these.
 template <int n, int w>
 class NewtonIteration {
  public:
@@ -97,14 +97,15 @@ class NewtonIteration {
   /// Largest number of unknowns, twice the dimension times the number of stages.
   static constexpr Eigen::Index most = 256;
 
-  /// For problems of this size.
+  /// For a problem with n = `size` and this number of stages.
   NewtonIteration(Eigen::Index size, int stages)
       : stages_(stages), possible_(2 * size * stages <= most), system_(possible_ ? 2 * size * stages : 0),
         units_(possible_ ? 2 * size : 0), progress_(size) {}
 
-  [[nodiscard]] bool possible() const { return possible_; }  ///< The problem is small enough.
+  [[nodiscard]] bool possible() const { return possible_; }  ///< The problem is small enough for a matrix.
 
-  /// Entries of q, or of p, differ by more than 1e4 in size: there one matrix for all stages may not do.
+  /// True where entries of q, or of p, differ in size by more than 1e4: one matrix for all stages may then
+  /// not do.
   [[nodiscard]] bool wide() const {
     const auto half = units_.begin() + static_cast<std::ptrdiff_t>(units_.size() / 2);
     const auto differ = [](auto from, auto to) {
@@ -113,15 +114,16 @@ class NewtonIteration {
     return differ(units_.begin(), half) || differ(half, units_.end());
   }
 
-  /// The step size is another one.
+  /// Discards the decomposed matrix, because the step size or the orbit has changed.
   void forget() { known_ = false; }
 
-  /// Solves for the stages of a step from those it has, with the Jacobian matrix of every stage, taken again
-  /// where changes do not fall. It sees what the matrix at the start does not: a monitor multiplies its
-  /// gradient by the energy that the stages lack, most of it that of heavy bodies, and to the momentum of a
-  /// light one this is anything but small. A matrix costs 4 n + 1 fields at all stages and serves one step.
-  /// Two in a row that do not halve the changes are enough. This method converges or meets noise: what stops
-  /// improving below `noise` is solved.
+  /// Solves for the stages, starting from their present values, with the Jacobian matrix at each stage; the
+  /// matrix is renewed where changes do not fall. This captures what the matrix at the start misses: the
+  /// gradient of a monitor is multiplied by the energy error of the stages, most of it from heavy bodies,
+  /// which is large for the momentum of a light one. A matrix costs 4 n + 1 evaluations of the field at all
+  /// stages and serves one step. The iteration stops after two steps in a row that do not halve the changes.
+  /// Newton's method either converges or reaches noise: a step whose changes stop falling below `noise`
+  /// counts as solved.
   StepReport solve_at_stages(StageEquations<n, w>& equations, Step& step, Step& old, int cap) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon(), noise = 1e-7;
     StepReport report{.outcome = Outcome::not_converged};
@@ -148,10 +150,10 @@ class NewtonIteration {
     return report;
   }
 
-  /// Solves for the stages of a step, from a constant. Changes may grow for a while; if eight in a row are
-  /// more than half of the smallest one before them, the step is too long for the motion.
+  /// Solves for the stages, starting from a constant. Changes may grow for a while, but if eight in a row
+  /// exceed half of the smallest one before them, the step is too long for the motion.
   /// @param old scratch, q and p only @param cap on evaluations of the field @return ok, not_converged or
-  ///   non_finite
+  /// non_finite
   StepReport solve(StageEquations<n, w>& equations, Step& step, Step& old, int cap) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     StepReport report{.outcome = Outcome::not_converged};
@@ -176,13 +178,13 @@ class NewtonIteration {
     }
     if (!known) return report;
     const int spent = report.evaluations;
-    report = solve(equations, step, old, cap - spent);  // with the matrix of this start
+    report = solve(equations, step, old, cap - spent);  // with a new matrix, from this start
     report.evaluations += spent;
     return report;
   }
 
  private:
-  /// Decomposes the matrix of steps like this one from their start. @param step is used as a scratch
+  /// Decomposes the matrix for steps of this size from this start. @param step used as scratch
   /// @return evaluations of the field
   [[gnu::noinline]] int decompose(StageEquations<n, w>& equations, Step& step) {
     system_.clear();
@@ -217,7 +219,8 @@ class NewtonIteration {
     return evaluations;
   }
 
-  /// Decomposes the matrix at the stages as they are. @param old scratch @return evaluations of the field
+  /// Decomposes the matrix with Jacobians at the present stages. @param old scratch @return evaluations of
+  /// the field
   [[gnu::noinline]] int decompose_at_stages(StageEquations<n, w>& equations, Step& step, Step& old) {
     system_.clear();
     equations.evaluate(step);
@@ -242,7 +245,8 @@ class NewtonIteration {
     return static_cast<int>(2 * rows + 1);
   }
 
-  /// The next iterate, from a sweep. @param old gets q and p of the last one @return relative change
+  /// One iteration: a sweep, corrected by the matrix. @param old receives the previous q and p
+  /// @return relative change
   [[gnu::noinline]] double improve(StageEquations<n, w>& equations, Step& step, Step& old) {
     old.q = step.q;
     old.p = step.p;
@@ -264,7 +268,7 @@ class NewtonIteration {
     progress_.look(old, step);
     return progress_.change();
   }
-  /// Number v of (q, p).
+  /// Entry v of (q, p).
   template <class V>
   static auto& entry(V& q, V& p, Eigen::Index v) {
     return v < q.size() ? q[v] : p[v - q.size()];
@@ -272,8 +276,9 @@ class NewtonIteration {
   static double start(const Step& step, Eigen::Index v) {
     return entry(step.start.state.q, step.start.state.p, v);
   }
-  /// A unit for each unknown, of its own size, a power of two: in it the matrix has pivots that compare, and
-  /// differences reach as far for a light body as for a heavy one. A number near zero may be on its way.
+  /// Units for the unknowns: for each entry a power of two of about its own size. Pivots of the matrix are
+  /// then comparable, and differences have suitable lengths for light and heavy bodies alike. For a number
+  /// near zero, its change in a step is included.
   void set_units(const Step& step) {
     const Eigen::Index size = step.q.size();
     for (Eigen::Index v = 0; v < 2 * size; ++v) {
@@ -284,11 +289,11 @@ class NewtonIteration {
       units_[v] = std::isfinite(unit) && unit > 1e-290 ? std::exp2(std::ilogb(unit)) : 1.0;
     }
   }
-  /// How far to look for a difference: the cube root of the rounding error.
+  /// Length of the differences: about the cube root of the rounding error, in the unit of the entry.
   [[nodiscard]] double reach(Eigen::Index v) const { return 6e-6 * units_[v]; }
 
   int stages_;
-  bool possible_, known_ = false;  // the matrix that is decomposed serves the next step
+  bool possible_, known_ = false;  // the decomposed matrix serves the next step
   LinearSystem system_;
   std::vector<double> units_;
   EntryProgress<n, w> progress_;

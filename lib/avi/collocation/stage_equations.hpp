@@ -9,7 +9,7 @@
 #include <utility>
 
 /// @file
-/// The equations of a collocation step, and the sweeps that solve them.
+/// The equations for the stages of a collocation step, and the sweeps that solve them.
 
 namespace avi {
 
@@ -17,13 +17,15 @@ namespace avi {
 template <int w>
 class alignas(64) LaneMatrix {
  public:
-  LaneMatrix() { columns_.fill(Pack<w>(0.0)); }                        ///< Zero.
-  void set(int i, int j, double value) { columns_[j].set(i, value); }  ///< Entry in row i and column j.
-  void set(int j, const Pack<w>& column) { columns_[j] = column; }     ///< Column j.
+  LaneMatrix() { columns_.fill(Pack<w>(0.0)); }  ///< The zero matrix.
+  /// Sets the entry in row i and column j.
+  void set(int i, int j, double value) { columns_[j].set(i, value); }
+  void set(int j, const Pack<w>& column) { columns_[j] = column; }  ///< Sets column j.
 
-  /// Matrix times vector: the sums over columns are added as a tree, in the same order on every machine.
+  /// Matrix times vector. The products are added as a tree, in the same order on every machine.
   [[gnu::always_inline]] Pack<w> operator*(const Pack<w>& x) const { return times(x, Pack<w>(0.0)); }
-  /// Matrix times vector plus another vector, which is added first: it is there before the products are.
+  /// Matrix times vector, plus another vector. That one is added first, since it is available before the
+  /// products.
   [[gnu::always_inline]] Pack<w> times(const Pack<w>& x, const Pack<w>& first) const {
     Pack<w> term[w];
     for (int j = 0; j < w; ++j)
@@ -39,24 +41,24 @@ class alignas(64) LaneMatrix {
   std::array<Pack<w>, w> columns_;
 };
 
-/// The equations of the stages of a rule of at most w stages, \f[ z_i = z_0 + \sum_j \mu_{ij} L_j, \qquad L_j
-/// = h b_j f(z_j), \f] whose step ends at \f$z_0 + \sum_j L_j\f$. Lanes beyond the last stage repeat that
-/// stage with weight zero, so the formula is never evaluated at an arbitrary point.
+/// The equations for the stages of a rule of at most w stages, \f[ z_i = z_0 + \sum_j \mu_{ij} L_j, \qquad
+/// L_j = h b_j f(z_j). \f] The step ends at \f$z_0 + \sum_j L_j\f$. Lanes beyond the last stage repeat that
+/// stage with weight zero, so that the formula is never evaluated at an arbitrary point.
 ///
-/// A sweep computes all forces and with them new momenta, then with these all velocities and new positions.
-/// It is a chain of operations of which each waits for the one before; the processor has room for a second
-/// chain. So a step can be swept together with the next one, which begins where the sweeps have the end of
-/// this one so far.
+/// A sweep computes all forces and from them new momenta, then with these all velocities and new positions.
+/// It is a chain of operations, each of which waits for the one before, so the processor has room for a
+/// second chain. A step can therefore be swept together with the next one, which begins at the end of this
+/// step as known so far.
 template <int n, int w>
 class alignas(64) StageEquations {
  public:
   using Scalar = Pack<w>;          ///< One number for each stage.
   using Vec = Vector<Scalar, n>;   ///< One vector for each stage.
   using Step = StageValues<n, w>;  ///< The unknowns of the equations.
-  using Field = StageField<n, w>;  ///< f.
-  /// How far the polynomial of another step may lead, beside the largest increment of a stage of that: ten
-  /// times what it moved. At 10 and 20 some of twenty problems take a third longer, with no bound one takes
-  /// eight times as long.
+  using Field = StageField<n, w>;  ///< The field f.
+  /// Limit for the extrapolation of the polynomial of another step, as a multiple of the largest increment at
+  /// a stage of that step; about ten times the distance it moved. With 10 or 20, some of twenty test problems
+  /// take a third longer; without a limit, one takes eight times as long.
   static constexpr double far = 50.0;
 
   /// For this field and this rule.
@@ -67,27 +69,27 @@ class alignas(64) StageEquations {
         mu_.set(i, j, rule.mu(std::min(i, rule.stages() - 1), j));
   }
 
-  [[nodiscard]] Field& field() { return *field_.its; }              ///< f.
-  [[nodiscard]] const Field& field() const { return *field_.its; }  ///< f.
+  [[nodiscard]] Field& field() { return *field_.its; }              ///< The field f.
+  [[nodiscard]] const Field& field() const { return *field_.its; }  ///< The field f.
   [[nodiscard]] const GaussRule& rule() const { return rule_; }     ///< Nodes, weights and \f$\mu_{ij}\f$.
 
-  /// From now on for steps of size h.
+  /// Sets the size of the steps that follow to h.
   void set_step(double h) {
     for (int j = 0; j < rule_.stages(); ++j)
       weight_.set(j, h * rule_.weight(j));
   }
 
-  /// Starting values without a step before: the start itself.
+  /// First guess of the stages without a previous step: the start itself.
   static void begin(Step& step) {
     for (Eigen::Index i = 0; i < step.q.size(); ++i) {
       step.q[i] = Scalar(step.start.state.q[i]);
       step.p[i] = Scalar(step.start.state.p[i]);
     }
   }
-  /// Starting values from the polynomial of another step with these increments; the start itself where that
-  /// leads `far` away, to where sweeps part and functions of huge numbers take their time. @param offset 0 or
-  /// 1: whether this one starts where that one does or where it ends @param ratio of this step's size to that
-  /// one's
+  /// First guess of the stages from the polynomial of another step with these increments. If that leads
+  /// further than `far` allows, the start itself is used, because sweeps would diverge there and functions of
+  /// huge numbers are slow. @param offset 0 if this step starts where the other one does, 1 if it starts
+  /// where that one ends @param ratio size of this step over that of the other one
   void begin(Step& step, const Vec& dq, const Vec& dp, double offset, double ratio) {
     if (offset != offset_ || ratio != ratio_) continue_at(offset, ratio);
     Columns continued = continued_;
@@ -106,7 +108,7 @@ class alignas(64) StageEquations {
       begin(step);
   }
 
-  /// The field at the stages.
+  /// Evaluates the field at the stages.
   void evaluate(Step& step) {
     forces(step);
     field().velocities(step, weight_);
@@ -115,9 +117,10 @@ class alignas(64) StageEquations {
   void forces(Step& step) { field().forces(step, weight_); }
   /// The second half: new momenta, velocities and new positions.
   [[gnu::noinline]] void stages(Step& step) { renew_all<false>(step); }
-  /// The same. @return at each stage the largest change of an entry of q or p, in the entry's own scale
+  /// The same as stages(). @return at each stage the largest change of an entry of q or p, in the scale of
+  /// the entry
   [[gnu::noinline]] Scalar changed_stages(Step& step) { return renew_all<true>(step); }
-  /// All stages from the field at the stages as they are, none of them renewed before.
+  /// Renews all stages from the field at the present stages; positions do not use the new momenta.
   void sweep_at_once(Step& step) {
     evaluate(step);
     const State<n>&z = step.start.state, &low = step.start.low;
@@ -125,14 +128,14 @@ class alignas(64) StageEquations {
     renew<false>(step.p, step.dp, z.p, low.p, step.per.p);
   }
 
-  /// The first half of a sweep of the step that follows, from the polynomial of this one so far.
+  /// Begins the first sweep of the next step, from the polynomial of this step as known so far.
   void begin_next(const Step& step, Step& next) {
     put_behind(step, next);
     begin(next, step.dq, step.dp, 1.0, 1.0);
     forces(next);
   }
-  /// A sweep of the step that follows, between the halves of one of this step: while the one waits for
-  /// divisions and roots, the other one multiplies and adds. stages() ends what the next step has begun.
+  /// A sweep of the next step, between the two halves of a sweep of this one: while one waits for divisions
+  /// and roots, the other multiplies and adds. A later call of stages() completes it.
   void sweep_next(const Step& step, Step& next) {
     put_behind(step, next);
     stages(next);
@@ -143,7 +146,7 @@ class alignas(64) StageEquations {
   [[nodiscard]] const Scalar& weight() const { return weight_; }
 
  private:
-  struct Copied {  // with the equations
+  struct Copied {  // a field that is copied with the equations
     explicit Copied(std::unique_ptr<Field> field) : its(std::move(field)) {}
     Copied(const Copied& other) : its(other.its->clone()) {}
     Copied& operator=(const Copied& other) {
@@ -159,8 +162,8 @@ class alignas(64) StageEquations {
     field().velocities(step, weight_);
     return max_abs(of_p, renew<look>(step.q, step.dq, z.q, low.q, step.per.q));
   }
-  /// x = start + low + mu dx. @return the largest change of an entry times `per` at each stage, where that is
-  /// asked for
+  /// x = start + low + mu dx. @return at each stage the largest change of an entry times `per`, if `look` is
+  /// set
   template <bool look, class V, class W>
   Scalar renew(Vec& x, const Vec& dx, const V& start, const V& low, const W& per) const {
     Columns mu = mu_;
@@ -173,8 +176,9 @@ class alignas(64) StageEquations {
     return change;
   }
 
-  // A copy of its own, which nothing else changes, is kept in registers. From 8 columns on it is written by
-  // halves and read whole, which takes as long as several entries: no gain at 18 of them, a tenth at 64.
+  // A local copy of the matrix, which nothing else changes, is kept in registers. From 8 columns on it is
+  // written in halves and read as a whole, which takes as long as several entries: no gain at 18 entries, a
+  // tenth at 64.
   static constexpr bool copied = w >= 8 && (n == dynamic || n > 24);
   using Columns = std::conditional_t<copied, const LaneMatrix<w>, const LaneMatrix<w>&>;
   static void put_behind(const Step& step, Step& next) {
@@ -183,7 +187,7 @@ class alignas(64) StageEquations {
       next.start.state.p[i] = step.start.state.p[i] + sum(step.dp[i]);
     }
   }
-  /// The columns of \f$\int_{o}^{o + r c_i} \ell_j / b_j\f$ at the offset o and the ratio r.
+  /// Sets the matrix of \f$\int_{o}^{o + r c_i} \ell_j / b_j\f$ for the offset o and the ratio r.
   [[gnu::noinline]] void continue_at(double offset, double ratio) {
     offset_ = offset;
     ratio_ = ratio;
@@ -194,8 +198,8 @@ class alignas(64) StageEquations {
           continued_.set(i, j, rule_.ahead(std::min(i, s - 1))[static_cast<std::size_t>(j)]);
       return;
     }
-    // From Legendre's polynomials at all stages side by side, whose integrals but the first one vanish at
-    // both ends.
+    // Computed from the Legendre polynomials at all stages at once. Their integrals vanish at both ends,
+    // except that of the first one.
     Scalar way, integral[w], last(1.0);
     for (int i = 0; i < w; ++i)
       way.set(i, ratio * rule_.node(std::min(i, s - 1)));

@@ -10,50 +10,50 @@
 #include <utility>
 
 /// @file
-/// Hamilton's equations of a transformed problem at several stages side by side.
+/// The field of a transformed problem, Hamilton's equations, evaluated at several stages at once.
 
 namespace avi {
 
-/// Hamilton's equations of \f$\bar H\f$ at w stages side by side, as two functions, of which each computes
-/// only what it needs: a sweep updates the momenta between them.
+/// Hamilton's equations of \f$\bar H\f$ at w stages at once. Forces and velocities are separate functions,
+/// each of which computes only what it needs, because a sweep updates the momenta between them.
 template <int n, int w>
 class StageField {
  public:
   using Scalar = Pack<w>;          ///< One number for each stage.
-  using Step = StageValues<n, w>;  ///< The stages, and where the field goes.
+  using Step = StageValues<n, w>;  ///< The stages, and the field there.
 
   virtual ~StageField() = default;
   StageField& operator=(const StageField&) = delete;  ///< See clone().
 
-  /// step.dp = -weight \f$\partial \bar H/\partial q\f$.
+  /// Sets step.dp = -weight \f$\partial \bar H/\partial q\f$.
   virtual void forces(Step& step, const Scalar& weight) = 0;
-  /// step.dq = weight \f$\partial \bar H/\partial p\f$, at the positions of the last call of forces().
+  /// Sets step.dq = weight \f$\partial \bar H/\partial p\f$, at the positions of the last call of forces().
   virtual void velocities(Step& step, const Scalar& weight) = 0;
-  /// g at the stages of a step that is solved, where velocities() was called last.
+  /// The monitor g at the stages of a solved step, after a call of velocities().
   virtual const Scalar& rate(const Step& step) = 0;
-  /// Physical time, of a problem where it is a coordinate too.
+  /// Physical time of a state; where time is also a coordinate, taken from there.
   [[nodiscard]] virtual double clock(const Vector<double, n>& q, double t) const = 0;
-  /// Another one with memory of its own.
+  /// A copy with its own memory.
   [[nodiscard]] virtual std::unique_ptr<StageField> clone() const = 0;
 
  protected:
   StageField() = default;
-  StageField(const StageField&) = default;  ///< By derived classes.
+  StageField(const StageField&) = default;  ///< For derived classes.
 };
 
 namespace detail {
-/// In larger dimensions automatic gradients come from a recording: their cost relative to H does not grow
-/// with n.
+/// Largest n with automatic gradients by forward accumulation. Beyond it they come from a recording, whose
+/// cost relative to H does not grow with n.
 inline constexpr int most_partials = 8;
-/// A supplied gradient is called beyond it too, if only n is known to the compiler: it then is no allocation.
-/// Where n is not, it is recorded.
+/// True where a gradient supplied by H is called directly beyond that n. This needs n at compile time, since
+/// it would otherwise allocate memory; for n at run time the supplied gradient is recorded.
 template <class Problem, int w>
 inline constexpr bool
     takes_supplied = (Problem::dimension > most_partials) &&
                      SuppliesGradient<std::decay_t<decltype(std::declval<const Problem&>().hamiltonian())>,
                                       Pack<w>, Problem::dimension>;
 
-/// The recording of \f$\bar H = g\,(H + p^t)\f$ with the gradient that H supplies for recorded numbers.
+/// The recording of \f$\bar H = g\,(H + p^t)\f$, with the gradient that H supplies.
 template <class Problem>
 Recording recorded_with_supplied(const Problem& problem) {
   const auto n = static_cast<int>(problem.size());
@@ -66,7 +66,7 @@ Recording recorded_with_supplied(const Problem& problem) {
   return {std::move(graph), outer, inner, supplied};
 }
 
-/// The recording of g, or of \f$\bar H = g\,(H + p^t)\f$: made once for all widths.
+/// The recording of g, or of \f$\bar H = g\,(H + p^t)\f$; made once for all pack widths.
 template <class Problem>
 Recording recorded_rate(const Problem& problem, bool with_energy) {
   using H = std::decay_t<decltype(problem.hamiltonian())>;
@@ -83,9 +83,9 @@ Recording recorded_rate(const Problem& problem, bool with_energy) {
 }  // namespace detail
 
 /// The field of \f$\bar H = g\,(H + p^t)\f$. Gradients are those that H supplies, or automatic ones by
-/// forward accumulation; in larger dimensions that of the monitor is recorded. The functions of the problem
-/// are flattened: a formula then is worked off in registers, whatever it is made of and whatever else the
-/// program holds.
+/// forward accumulation; in larger dimensions the gradient of the monitor is recorded. The functions of the
+/// problem are inlined ([[gnu::flatten]]), so that a formula is evaluated in registers, regardless of the
+/// rest of the program.
 template <class Problem, int w>
 class FieldOf final : public StageField<Problem::dimension, w> {
   using Base = StageField<Problem::dimension, w>;
@@ -170,8 +170,8 @@ class FieldOf final : public StageField<Problem::dimension, w> {
   Monitor monitor_;
 };
 
-/// The same where n is known at run time only, or large: the gradients are those of a recording of
-/// \f$\bar H\f$, by reverse accumulation, at a cost that does not grow with n.
+/// The same where n is known only at run time, or is large: the gradients come from a recording of \f$\bar
+/// H\f$, by reverse accumulation, at a cost relative to H that does not grow with n.
 template <class Problem, int w>
 requires((Problem::dimension == dynamic || Problem::dimension > detail::most_partials) &&
          !detail::takes_supplied<Problem, w>) class FieldOf<Problem, w> final

@@ -7,40 +7,41 @@
 #include <limits>
 
 /// @file
-/// The unknowns of a collocation step, and states with more digits than their numbers hold.
+/// The unknowns of a collocation step, and states with more digits than a double holds.
 
 namespace avi {
 
-/// A state and the rounding error that is to be added to it.
+/// A state together with its rounding error, which is still to be added.
 template <int n>
 struct PreciseState {
-  State<n> state;  ///< As a caller sees it.
+  State<n> state;  ///< The state that the caller sees.
   State<n> low;    ///< The digits that rounding cut off.
 
-  /// Zero.
+  /// The zero state.
   explicit PreciseState(Eigen::Index size)
       : state{.q = Vector<double, n>::Zero(size), .p = Vector<double, n>::Zero(size)}, low(state) {}
 };
 
-/// One over the size of every entry of q and p in a step, so that changes are measured in its own scale.
+/// One over the size of every entry of q and p in a step, so that changes can be measured relative to it.
 template <int n>
 struct EntryScales {
   Vector<double, n> q;  ///< Factors of positions.
   Vector<double, n> p;  ///< Factors of momenta.
 
-  /// Zero: no change counts.
+  /// Zero: changes then do not count.
   explicit EntryScales(Eigen::Index size)
       : q(Vector<double, n>::Zero(size)), p(Vector<double, n>::Zero(size)) {}
 
-  /// The size of an entry is twice that of its start and of all its increments; half of it takes four sweeps
-  /// in a hundred more, and long runs are not better. What is at rest at zero has the size of the largest
-  /// entry of its kind: nothing is known of it yet. @return every entry has one of its own
+  /// Sets the size of each entry to twice the sum of its start and all its increments, in absolute value.
+  /// Half of that takes four per cent more sweeps and does not improve long runs. An entry at rest at zero
+  /// gets the size of the largest entry of q, or of p, because its own is not known yet. @return true where
+  /// every entry has its own size
   template <class Increments>
   bool set(const State<n>& start, const Increments& dq, const Increments& dp) {
     const bool of_q = set(q, start.q, dq), of_p = set(p, start.p, dp);
     return of_q && of_p;
   }
-  /// The smallest of these numbers that is not 0: one over the largest size.
+  /// The smallest of these factors that is not 0: one over the largest size.
   [[nodiscard]] static double of_largest(const Vector<double, n>& each) {
     double least = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < each.size(); ++i)
@@ -54,7 +55,7 @@ struct EntryScales {
     bool all = true;
     for (Eigen::Index i = 0; i < each.size(); ++i) {
       const double size = std::abs(start[i]) + sum(abs(dx[i]));
-      // Also NaN; one over a smaller number might overflow in a product.
+      // False also for NaN. For smaller sizes the inverse might overflow in a product.
       const bool moves = size > 1e-290;
       each[i] = moves ? 0.5 / size : 0.0;
       all = all && moves;
@@ -77,9 +78,9 @@ struct StageValues {
   alignas(64) Vec p;               ///< Momenta.
   alignas(64) Vec dq;              ///< \f$h b_j \dot q_j\f$.
   alignas(64) Vec dp;              ///< \f$h b_j \dot p_j\f$.
-  Pack<w> rate{1.0};               ///< The monitor, where StageField keeps it.
+  Pack<w> rate{1.0};               ///< The monitor, where StageField stores it.
   PreciseState<n> start;           ///< Where the step begins.
-  EntryScales<n> per;              ///< Factors of its changes, entry by entry.
+  EntryScales<n> per;              ///< Factors for the changes of each entry.
 
   /// Zero, for n = `size`.
   explicit StageValues(Eigen::Index size) : q(size), p(size), dq(size), dp(size), start(size), per(size) {
@@ -88,7 +89,7 @@ struct StageValues {
   }
 };
 
-/// sum += term, whichever is larger; what rounding cuts off is added to `rest` (Knuth 1969).
+/// sum += term, whichever is larger. The rounding error of the sum is added to `rest` (Knuth 1969).
 template <class T>
 [[gnu::always_inline]] inline void add_with_rest(T& sum, T& rest, const T& term) {
   const T next = sum + term, added = next - sum;
@@ -96,10 +97,9 @@ template <class T>
   sum = next;
 }
 
-/// Adds all numbers of a pack, and of another one what rounding had cut off them, to sum + low, in about
-/// twice the digits of a double. Increments of a long step are as large as the state, and then add() of a
-/// number and its rounding error would lose the error: the energy of a long run moves half as much as with
-/// it.
+/// Adds all numbers of a pack, and their rounding errors in a second pack, to sum + low, with about twice the
+/// digits of a double. The increments of a long step are as large as the state, and add() would lose the
+/// rounding error of such a number. Without that loss the energy of a long run moves half as much.
 template <int w>
 [[gnu::always_inline]] inline void add_all(double& sum, double& low, const Pack<w>& terms,
                                            const Pack<w>& rests = Pack<w>(0.0)) {

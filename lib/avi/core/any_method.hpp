@@ -6,31 +6,31 @@
 #include <utility>
 
 /// @file
-/// One type for every method.
+/// AnyMethod: one type for all methods, chosen at run time.
 
 namespace avi {
 
-/// Any Method for states of n degrees of freedom behind one type: for methods that are chosen at run time,
-/// and for code that is compiled once for all of them. It steps as the method in it does, to the bit; a call
-/// of step() costs one indirect call more, and integrate() without observers runs in a loop that is compiled
-/// for the method itself.
+/// Any Method for states with n degrees of freedom, behind one type. It serves methods that are chosen at run
+/// time, and code that is compiled once for all methods. Its steps equal those of the method inside to the
+/// bit. A call of step() costs one extra indirect call; integrate() without observers runs in a loop compiled
+/// for the method inside.
 template <int n>
 class AnyMethod {
  public:
-  static constexpr bool one_step = false;  ///< The method in it may remember more than the state.
+  static constexpr bool one_step = false;  ///< The method inside may remember more than the state.
 
-  /// Takes the method in. A copy of an AnyMethod has a copy of its method.
+  /// Stores the method. A copy of an AnyMethod has its own copy of the method.
   template <class M>
   requires(Method<M, State<n>> && !std::is_same_v<M, AnyMethod>) AnyMethod(M method)  // NOLINT: implicit
       : held_(std::make_unique<Held<M>>(std::move(method))) {}
-  /// A method of its own; also for a move, so that there is always a method.
+  /// Copies the method. A move also copies, so that an AnyMethod never lacks a method.
   AnyMethod(const AnyMethod& other) : held_(other.held_->copy()) {}
   AnyMethod& operator=(AnyMethod other) { return held_.swap(other.held_), *this; }  ///< Likewise.
   ~AnyMethod() = default;
 
-  /// The method's step.
+  /// One step of the method inside.
   StepReport step(State<n>& z, double h) { return held_->step(z, h); }
-  /// The method's run without observers, as avi::integrate().
+  /// A run of the method inside, without observers; as avi::integrate().
   [[nodiscard]] Run run(State<n>& z, double h, const Until& until) { return held_->run(z, h, until); }
 
  private:
@@ -51,7 +51,7 @@ class AnyMethod {
   std::unique_ptr<Base> held_;
 };
 
-/// The run of any method, without observers: in the loop of the method itself. See integrate().
+/// Runs the method inside, without observers, in a loop compiled for it; see integrate().
 template <int n>
 [[nodiscard]] Run integrate(AnyMethod<n>& method, State<n>& state, double h, Until until) {
   return method.run(state, h, until);

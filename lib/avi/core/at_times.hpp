@@ -7,18 +7,20 @@
 #include <vector>
 
 /// @file
-/// Output on a grid of times.
+/// Output at given times during a run.
 
 namespace avi {
 
-/// Observer for integrate(): action(state) is called at each of the times that the run passes, with a state
-/// as accurate as the run, whose t is that time to the bit as Step::at() has it; the run itself is not
-/// touched. Times decrease where h < 0; one that equals the start is reported with the first step. The
-/// action answers as an observer of integrate() does, and may so end the run at the end of that step; it is
-/// called at the other times of the step all the same, and a run that goes on from there with this observer
-/// at those that are left.
-/// @throws std::invalid_argument unless the times are finite and strictly monotonic; the observer, where one
-/// lies before the start, or they go the other way than the run.
+/// An observer for integrate() that calls action(state) at each of the given times as the run passes it. The
+/// state is as accurate as the run, its t is that time exactly where Step::at() can attain it, and the run
+/// itself is not affected. Where h < 0 the times must decrease. A time equal to the start is reported with
+/// the first step.
+///
+/// The action returns what an observer of integrate() may return, and so can end the run at the end of the
+/// current step. It is then still called for the remaining times inside that step. If the run is later
+/// resumed with the same observer, it continues with the times that are left.
+/// @throws std::invalid_argument unless the times are finite and strictly monotonic; the observer throws it
+/// for a time before the start of the run, or times in the opposite direction to the run.
 template <class Action>
 [[nodiscard]] auto at_times(std::vector<double> times, Action action) {
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -29,12 +31,12 @@ template <class Action>
   }
   return [times = std::move(times), action = std::move(action),
           next = std::size_t{0}]<class M, class State>(const Step<M, State>& step, long) mutable -> Answer {
-    const double sense = std::copysign(1.0, step.h);  // of time, which may stand still
+    const double sense = std::copysign(1.0, step.h);  // direction of time, also where it stands still
     const double rounding = detail::rounding_of_time(step.before.t, step.after.t);
-    Answer first;  // that is not ok; a run that goes on later begins after all of this step
+    Answer first;  // first answer that is not ok; a resumed run begins after the whole step
     for (; next < times.size() && sense * (times[next] - step.after.t) <= rounding; ++next) {
       const double t = times[next];
-      // Later ones follow the one before them unless the run goes the other way.
+      // Later times follow the earlier ones, unless the run goes in the opposite direction.
       require(sense * t >= sense * step.before.t, "Output time", t,
               next == 0 ? "not before the start of the run"
                         : "beyond the one before it in the direction of the run");

@@ -1,8 +1,8 @@
 #pragma once
 
 /// @file
-/// Refuses compilers that know no C++20, that may assume that no number is infinite or NaN, or that add in
-/// another order than is written. (Clang does not tell of the last.)
+/// Refuses to compile without C++20, with options that assume no number is infinite or NaN, or with options
+/// that reorder additions. (Clang does not report the last kind.)
 
 #if __cplusplus < 202002L
 #error avi needs C++20: compile it with -std=c++20, or a newer standard.

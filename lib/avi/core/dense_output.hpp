@@ -8,18 +8,18 @@
 #include <limits>
 
 /// @file
-/// States inside a step from the polynomial of the method, without an evaluation.
+/// dense_output(): states inside a step from the polynomial of the method, without further evaluations.
 
 namespace avi {
 
-/// The state at physical time t inside the last step of a method that has a polynomial (HTVI, collocation),
-/// without any further evaluation. The polynomial is shifted linearly so that it begins at `before` and ends
-/// at `after`: over a run the output is continuous. Its error is O(h^(r+1)) for a Taylor polynomial of order
-/// r; Step::locate() costs some steps and is as accurate as the run.
-/// @param method one that has just stepped from `before` to `after`
-/// @param t between the two ends of that step
-/// @throws std::invalid_argument when t lies outside the step, or strictly inside one that is not the last
-/// step of the method.
+/// The state at physical time t inside the last step, for methods that provide a polynomial (HTVI,
+/// collocation); it needs no further evaluation. A linear shift makes the polynomial begin at `before` and
+/// end at `after`, so that the output is continuous over a run. Its error is O(h^(r+1)) for a Taylor
+/// polynomial of order r. Step::locate() costs several steps instead but is as accurate as the run.
+/// @param method must have just stepped from `before` to `after`
+/// @param t a time in that step
+/// @throws std::invalid_argument for t outside the step, or strictly inside a step that is not the last one
+/// of the method.
 template <class M, class State>
 [[nodiscard]] State dense_output(const M& method, const State& before, const State& after, double t) {
   static_assert(
@@ -30,8 +30,8 @@ template <class M, class State>
   if (t == before.t) return before;
   if (t == after.t) return after;
   const State begin = method.polynomial(0.0, before.t), end = method.polynomial(1.0, before.t);
-  // The curve of an HTVI is the step to the bit only at one end of q and, to what its solver leaves, at the
-  // other one of p.
+  // The curve of an HTVI equals the step exactly at one end of q only; at the opposite end of p it agrees up
+  // to the residual of the solver. (For Type III, q and p change roles.)
   const auto is_near = [](const auto& x, const auto& y, double tolerance) {
     return largest_entry(x - y) <= tolerance * (largest_entry(x) + largest_entry(y));
   };
@@ -52,11 +52,11 @@ template <class M, class State>
                      sense * (after.t - t), std::numeric_limits<double>::epsilon() * std::abs(t))
           .x;
   State z = at(c);
-  z.t = t;  // the clock of the polynomial is off by rounding
+  z.t = t;  // rounding makes the time of the polynomial slightly different
   return z;
 }
 
-/// The same inside a step that an observer is shown.
+/// The same inside a step that an observer receives.
 template <class M, class State>
 [[nodiscard]] State dense_output(const Step<M, State>& step, double t) {
   return dense_output(step.method, step.before, step.after, t);

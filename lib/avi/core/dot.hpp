@@ -4,13 +4,13 @@
 #include <cmath>
 
 /// @file
-/// Sums whose order of addition is fixed in the source.
+/// Inner products and norms with a fixed order of addition.
 ///
-/// Eigen's reductions add in an order that depends on the machine's vector width, so the last bit of a sum
-/// changes with -march=native, and with it the iteration counts of accelerated methods. The sums here add
-/// eight partial sums as a tree on every machine. Element-wise Eigen expressions of +, - and * are the same
-/// everywhere. Eigen's vectorised square root is not (on AVX-512 it is not correctly rounded), so the library
-/// uses std::sqrt.
+/// Eigen adds in an order that depends on the vector width of the machine, so -march=native changes the last
+/// bit of a sum, and with it the iteration counts of accelerated methods. The sums here form eight partial
+/// sums and add them as a tree, on every machine. Element-wise Eigen expressions of +, - and * give the same
+/// bits everywhere. Eigen's vectorised square root does not (with AVX-512 it is not correctly rounded), so
+/// the library uses std::sqrt.
 
 namespace avi {
 
@@ -27,7 +27,7 @@ inline double dot(const double* a, const double* b, Eigen::Index n) {
   return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
 
-/// A vector to read, wherever its entries lie.
+/// A read-only view of a vector, without a copy.
 using VectorView = Eigen::Ref<const VectorX>;
 
 /// Inner product of two vectors of equal size.

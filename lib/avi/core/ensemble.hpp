@@ -16,37 +16,37 @@
 #include <vector>
 
 /// @file
-/// Many starts of one problem, each a run of its own, on all cores.
+/// ensemble(): runs of one problem from many starts, on all cores.
 
 namespace avi {
 
-/// One run of an ensemble.
+/// One run of ensemble().
 template <class State>
 struct Member {
-  State state;                 ///< Where it ended: the last good state, also where something was thrown.
-  Run run{};                   ///< How. Outcome::stopped, with the sentence, where something was thrown.
-  std::exception_ptr error{};  ///< The exception that was thrown, if any: by make, by H, by an observer.
+  State state;  ///< The last valid state, also where an exception was thrown.
+  Run run{};    ///< How the run ended; stopped, with the message, where an exception was thrown.
+  std::exception_ptr error{};  ///< The exception thrown by make, H or an observer, if any.
 
-  /// True where the run came to its end.
+  /// True where the run reached its end.
   [[nodiscard]] bool ok() const { return run.ok(); }
 };
 
-/// How the runs of an ensemble are shared out, watched and cancelled.
+/// Settings of ensemble(): number of threads, progress and cancellation.
 struct EnsembleSettings {
-  int threads = 0;  ///< 0 for one thread per core.
-  /// Called as progress(done, all) after every run, by one thread at a time.
+  int threads = 0;  ///< Number of threads; 0 for one per core.
+  /// Called as progress(done, all) after each run, by one thread at a time.
   std::function<void(std::size_t, std::size_t)> progress{};
-  std::stop_token cancel{};  ///< On request, runs end as Outcome::stopped after their step.
+  std::stop_token cancel{};  ///< Once requested, runs end as Outcome::stopped after their current step.
 };
 
 namespace detail {
-/// Calls follow(i) for every i below `count` on several threads, and fail(i, sentence, error) where that
-/// throws or is cancelled before it began. @throws what settings.progress throws.
+/// Calls follow(i) for each i below `count`, on several threads. Calls fail(i, sentence, error) for each i
+/// whose follow() throws, or that was cancelled before it began. @throws whatever settings.progress throws.
 template <class Follow, class Fail>
 void share_out(std::size_t count, const EnsembleSettings& settings, const Follow& follow, const Fail& fail) {
   std::mutex mutex;
   std::size_t done = 0;
-  std::exception_ptr thrown;  // by progress
+  std::exception_ptr thrown;  // by settings.progress
   const auto report = [&] {
     const std::lock_guard lock(mutex);
     ++done;
@@ -76,18 +76,18 @@ void share_out(std::size_t count, const EnsembleSettings& settings, const Follow
   {
     const std::size_t most = settings.threads > 0 ? static_cast<std::size_t>(settings.threads)
                                                   : std::max(1u, std::thread::hardware_concurrency());
-    std::vector<std::jthread> helpers;  // this thread works too
+    std::vector<std::jthread> helpers;  // this thread works as well
     try {
       for (std::size_t k = 1; k < std::min(most, count); ++k)
         helpers.emplace_back(work);
-    } catch (const std::system_error&) {  // no more threads to be had: those there are do the work
+    } catch (const std::system_error&) {  // no more threads available: the existing ones do all the work
     }
     work();
   }
   if (thrown) std::rethrow_exception(thrown);
 }
 
-/// The step size of a member: one for all, one of a list, or that of a function of the start.
+/// The step size of member i: the same number for all, an entry of a list, or a function of the start.
 template <class Sizes, class State>
 double size_of_step(const Sizes& sizes, const State& start, std::size_t i) {
   if constexpr (std::convertible_to<const Sizes&, double>)
@@ -98,7 +98,7 @@ double size_of_step(const Sizes& sizes, const State& start, std::size_t i) {
     return sizes[i];
 }
 
-/// Refuses what is wrong for all members alike.
+/// Checks the arguments that concern all members.
 template <class Sizes, class State>
 void require_ensemble(const Sizes& sizes, const std::vector<State>& starts, const Until& until, int threads) {
   static_assert(std::convertible_to<const Sizes&, double> || std::invocable<const Sizes&, const State&> ||
@@ -119,7 +119,8 @@ void require_ensemble(const Sizes& sizes, const std::vector<State>& starts, cons
   }
 }
 
-/// The observer of member i: the one that is made for it, or the one of all members, told which it is.
+/// The observer of member i: either one created for it by observer(i), or a common one that is called with i
+/// as its first argument.
 template <class State, class Observer>
 decltype(auto) observer_of(Observer& observer, std::size_t i) {
   if constexpr (std::invocable<Observer&, std::size_t>)
@@ -131,21 +132,21 @@ decltype(auto) observer_of(Observer& observer, std::size_t i) {
 }
 }  // namespace detail
 
-/// Integrates each of `starts` with a method of its own, until `until`, on several threads: as
-/// integrate_to(), exactly to until.time, or as integrate() where only steps or seconds are set. Each member
-/// is the same to the last bit on any number of threads: members share nothing. One that fails ends with its
-/// own outcome, one whose make, H or observer throws as Outcome::stopped with the sentence and `error`; the
-/// others go on.
-/// @param make called as make(start), returns the method for that start, such as
+/// Integrates from each of `starts` with a separate method, until `until`, on several threads: exactly to
+/// until.time, as integrate_to(), or as integrate() where only steps or seconds are set. Members share
+/// nothing, so each result is the same to the last bit for any number of threads. A member that fails ends
+/// with its own outcome; one whose make, H or observer throws ends as Outcome::stopped, with the message and
+/// `error`. The other members continue.
+/// @param make called as make(start); returns the method for that start, such as
 ///   collocation(poincare(H, start, g), 16)
-/// @param h the step of all, a std::vector<double> with one for each start, or called as h(start)
-/// @param until for each member; its seconds are those of one run
-/// @param observers each called as observer(i, state, k) or observer(i, step, k) after step k of member i,
-/// and
-///   returns what an observer of integrate() may return; calls for different members may come at the same
-///   time, those for one member come in order. Or called once for each member, as observer(i), to return an
-///   observer of integrate() for it: `[&](std::size_t i) { return at_times(times, [&, i](const auto& z) { ...
-///   }); }`, on_event(), or a reference to the Trajectory of that member.
+/// @param h one step size for all, a std::vector<double> with one for each start, or a function called as
+/// h(start)
+/// @param until end of each member's run; its seconds apply to each run separately
+/// @param observers either called as observer(i, state, k) or observer(i, step, k) after step k of member i,
+/// with the return values of an observer of integrate(); calls for different members may overlap in time,
+/// those for one member come in order. Or called once for each member as observer(i), to return an observer
+/// of integrate() for it: `[&](std::size_t i) { return at_times(times, [&, i](const auto& z) { ... }); }`,
+/// on_event(), or a reference to the Trajectory of that member.
 /// @throws std::invalid_argument for a negative number of threads, a step that is zero or not finite, another
 ///   number of steps than of starts, or an `until` that sets no end; whatever `progress` throws.
 template <class State, class Make, class Sizes, class... Observers>

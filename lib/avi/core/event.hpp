@@ -10,42 +10,41 @@
 #include <utility>
 
 /// @file
-/// Zeros of a function of the state along a run.
+/// Zeros of a function of the state during a run.
 
 namespace avi {
 
-/// In which sense g passes through zero, as the run goes.
+/// In which direction g passes through zero, in the direction of the run.
 enum class Crossing {
   rising,   ///< From below.
   falling,  ///< From above.
   either    ///< Both.
 };
 
-/// An event: g(state) = 0. It is seen where g has changed its sign from the beginning of a step to its end,
-/// so two events in one step go unseen. A run that starts on an event does not begin with it: g counts as
-/// zero at the start where it is within the tolerance or the rounding of the state, so that a run can go on
-/// from the event where the last one ended, in either direction of time. Where g changes its sign by a jump
-/// or a pole, as an angle at 2 pi or a tangent does, the run ends as not_converged; where it is NaN, as
-/// non_finite.
+/// An event: g(state) = 0. It is detected where g changes sign between the two ends of a step, so two events
+/// in one step are missed. A run that starts on an event does not report it again: at the start g counts as
+/// zero within the tolerance or the rounding error of the state. A run can thus continue from the event at
+/// which the last one ended, in either direction of time. Where g changes sign by a jump or a pole, such as
+/// an angle at 2 pi or a tangent, the run ends as not_converged; where g is NaN, as non_finite.
 template <class G>
 struct Event {
   G g;                                   ///< Continuous function of the state.
-  Crossing crossing = Crossing::either;  ///< Which events count.
-  double tolerance = 0.0;                ///< |g| that is small enough; 0 for round-off.
+  Crossing crossing = Crossing::either;  ///< Which crossings count.
+  double tolerance = 0.0;                ///< |g| that counts as zero; 0 for round-off.
 
-  /// True where the event lies between two such values, the second one included.
+  /// True where g crosses zero between two values, the second included, in a direction that counts.
   [[nodiscard]] bool crosses(double first, double last) const {
     const bool rises = first < 0.0 && last >= 0.0, falls = first > 0.0 && last <= 0.0;
     return (rises && crossing != Crossing::falling) || (falls && crossing != Crossing::rising);
   }
 };
-/// Event{g}, Event{g, crossing}, Event{g, crossing, tolerance}.
+/// Deduces the type in Event{g}, Event{g, crossing}, Event{g, crossing, tolerance}.
 template <class G, class... Options>
 Event(G, Options...) -> Event<G>;
 
 namespace detail {
-/// How far g can be told from zero at a state: what it changes by when the entries of the state change by
-/// their rounding, which is also that of what a step adds to them.
+/// Rounding error of g at a state: by how much g changes when each entry changes by its rounding error, or by
+/// the rounding error of what a step adds to it if that is larger.
 template <class G, class State>
 double rounding_of(const G& g, const State& z, const State& after) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -68,7 +67,7 @@ double rounding_of(const G& g, const State& z, const State& after) {
   return 8.0 * sum;
 }
 
-/// Follows an event from step to step.
+/// Detects an event from step to step.
 template <class G>
 class EventWatch {
  public:
@@ -78,8 +77,8 @@ class EventWatch {
             event_.tolerance, "finite and not negative");
   }
 
-  /// The state at the event, where it lies in this step, or why there is none. @param first the run starts
-  /// here
+  /// The state at the event if this step contains it, or the reason why it could not be found; otherwise
+  /// empty. @param first true for the first step of the run
   template <class M, class State>
   std::optional<Located<State>> look(const Step<M, State>& step, bool first) {
     const double begin = event_.g(step.before), end = event_.g(step.after);
@@ -91,7 +90,7 @@ class EventWatch {
     }
     if (first) {
       level_ = event_.tolerance;
-      // Rounding is small against what a step does to g.
+      // Add the rounding error only where it is small against the change of g in the step.
       if (std::abs(begin) <= 1e-3 * std::abs(end - begin))
         level_ = std::max(level_, rounding_of(event_.g, step.before, step.after));
       leaving_ = std::abs(begin) <= level_;
@@ -102,7 +101,8 @@ class EventWatch {
   }
 
  private:
-  /// The step begins on the event: only what comes after the sign with which g leaves it counts.
+  /// For a step that begins on the event: waits until g leaves zero, and counts only a later change of its
+  /// sign.
   template <class M, class State>
   std::optional<Located<State>> leave(const Step<M, State>& step, double end) {
     if (!leaving_) level_ = event_.tolerance;
@@ -124,15 +124,15 @@ class EventWatch {
   }
 
   Event<G> event_;
-  double level_ = 0.0;    // |g| that counts as zero where the run starts
-  bool leaving_ = false;  // g has not left it yet
+  double level_ = 0.0;    // |g| that counts as zero at the start of the run
+  bool leaving_ = false;  // g has not left zero yet
 };
 }  // namespace detail
 
-/// Observer for integrate(): action(state) is called with the state of every event, which lies on g = 0 to
-/// round-off and is as accurate as the run; the run itself is not touched. The action answers as an observer
-/// of integrate() does, and may so end the run at the end of that step; to end it at the event itself, use
-/// integrate_to().
+/// An observer for integrate() that calls action(state) at every event. The state lies on g = 0 to round-off
+/// and is as accurate as the run, which is not affected. The action returns what an observer of integrate()
+/// may return, and so can end the run at the end of the current step; integrate_to() ends it at the event
+/// itself.
 /// @throws std::invalid_argument for a tolerance that is negative, infinite or NaN.
 template <class G, class Action>
 [[nodiscard]] auto on_event(Event<G> event, Action action) {

@@ -1,10 +1,11 @@
 #pragma once
 
 /// @file
-/// The instruction set that this file is compiled for.
+/// The instruction set for which the current file is compiled.
 
-// What depends on it lies in an inline namespace of this name: two files of a program that are compiled with
-// different -m options then do not share a function, of which the linker would keep one.
+// Code that depends on the instruction set is placed in an inline namespace of this name. Two files of one
+// program compiled with different -m options then do not share functions, of which the linker would keep only
+// one.
 /// @cond
 #if defined(__AVX512F__)
 #define AVI_INSTRUCTIONS avx512
@@ -21,7 +22,7 @@ namespace avi::detail {
 /// @cond
 inline namespace AVI_INSTRUCTIONS {
 /// @endcond
-/// Doubles in a vector register.
+/// Number of doubles in a vector register.
 #if defined(__AVX512F__)
 inline constexpr int machine_lanes = 8;
 #elif defined(__AVX__)

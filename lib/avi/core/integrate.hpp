@@ -16,28 +16,28 @@
 #include <vector>
 
 /// @file
-/// The only time loop of the library.
+/// integrate(): the only time loop of the library.
 
 namespace avi {
 
-/// Where a run ends: at the first step whose physical time reaches `time` (from above where h < 0), or after
-/// `steps` steps. A run that has taken so many seconds ends as Outcome::time_limit.
+/// When a run ends: at the first step whose physical time reaches `time` (from above where h < 0), or after
+/// `steps` steps. After `seconds` it ends as Outcome::time_limit.
 struct Until {
   double time = std::numeric_limits<double>::infinity();  ///< Physical time; infinity sets no end.
   long steps = std::numeric_limits<long>::max();          ///< Number of steps; the largest long sets no end.
   double seconds =
-      std::numeric_limits<double>::infinity();  ///< By the clock on the wall; looked at now and then.
+      std::numeric_limits<double>::infinity();  ///< Wall-clock time in seconds; read only now and then.
 };
 
-/// A method advances a state by one step of size h (fictive time where the method is adaptive). When the
-/// report is not ok the state is left as it was.
+/// A method advances a state by one step of size h, in fictive time where it is adaptive. If the report is
+/// not ok, the state must be unchanged.
 template <class M, class State>
 concept Method = requires(M& method, State& state, double h) {
   { method.step(state, h) } -> std::same_as<StepReport>;
 };
 
 namespace detail {
-/// The sentence of Run::message. @param q, p where the run ended; none: it is not said
+/// The sentence for Run::message. @param q, p where the run ended; if empty, the sentence omits them
 [[nodiscard]] std::string describe_end(Outcome outcome, double t, long steps, double residual,
                                        const std::string& reason, std::span<const double> q,
                                        std::span<const double> p);
@@ -52,7 +52,8 @@ template <class State>
   return describe_end(outcome, static_cast<double>(state.t), steps, residual, reason, q, p);
 }
 
-/// Why a step failed, as a clause; of one that did not converge its residual says enough.
+/// Why a step failed, as a clause; empty for a step that did not converge, whose residual is reported
+/// instead.
 template <class State>
 std::string reason_of(const StepReport& report, [[maybe_unused]] const State& z) {
   if (report.outcome == Outcome::bad_monitor) return "g = dt/dtau is not positive in the next step";
@@ -67,19 +68,20 @@ std::string reason_of(const StepReport& report, [[maybe_unused]] const State& z)
 
 template <class Observer, class State>
 inline constexpr bool of_states = std::invocable<Observer&, const State&, long>;
-/// An observer of a method's run; one of states is not tried on a step, of which its body may ask too much.
+/// An observer for a run of this method. One that takes states is not tested with a Step, because
+/// instantiating its body with one may fail.
 template <class Observer, class M, class State>
 concept ObserverOf = (of_states<Observer, State>) || (std::invocable<Observer&, const Step<M, State>&, long>);
 
-/// A run without a goal ends by its `until` alone.
+/// The goal of a run that ends only by its `until`.
 struct NoGoal {
   static constexpr std::string_view missed = "the cap on steps came before the end time";
 };
 
-/// A physical time to end at, exactly. A step that ends within the rounding of the clock before it has
-/// arrived: another one would be of the size of that rounding.
+/// The goal of ending exactly at a physical time. A step that ends within the rounding error of the clock
+/// before it counts as arrived, since a further step would be as small as that error.
 struct Arrival {
-  double time;   ///< To end at.
+  double time;   ///< Time at which to end.
   double sense;  ///< 1, or -1 where time runs backwards.
   static constexpr std::string_view missed = "the cap on steps came before the end time";
   template <class M, class State>
@@ -90,28 +92,29 @@ struct Arrival {
   }
 };
 
-/// An event to end at.
+/// The goal of ending at an event.
 template <class G>
 struct EventGoal : EventWatch<G> {
   using EventWatch<G>::EventWatch;
   static constexpr std::string_view missed = "the event has not happened before the end of the run";
 };
 
-/// When the run looks up from its steps: to see whether time goes on, and to read the clock on the wall.
+/// Decides when the loop checks whether time still advances, and when it reads the wall clock.
 class Lookout {
  public:
-  /// For so many seconds, positive: see require_run().
+  /// @param seconds limit on the wall-clock time, positive: see require_run()
   explicit Lookout(double seconds) : seconds_(seconds), began_(now()), last_(began_) {}
   static constexpr long patience = 1 << 20;  ///< Steps after which time must have gone on.
-  /// The number of steps at which to look next.
+  /// Number of steps at which to check next.
   [[nodiscard]] long next() const { return std::min(stall_, clock_); }
-  /// True where, after so many steps, it is to be seen whether time goes on.
+  /// True where, after this number of steps, the progress of time is to be checked.
   [[nodiscard]] bool stall_due(long steps) {
     if (steps < stall_) return false;
     stall_ += patience;
     return true;
   }
-  /// True where, after so many steps, the seconds are over. Reads the clock about every millisecond.
+  /// True where, after this number of steps, the seconds are used up. Reads the clock about every
+  /// millisecond.
   [[nodiscard]] bool time_is_up(long steps) {
     if (steps < clock_) return false;
     const auto time = now();
@@ -135,19 +138,20 @@ class Lookout {
   long clock_ = std::isfinite(seconds_) ? 1 : std::numeric_limits<long>::max();
 };
 
-/// Gives a state back where a run ends.
+/// Copies the state of the run back to the caller when the run ends, also by an exception.
 template <class State>
 struct Returned {
-  State& state;          ///< Of the caller.
-  const State& current;  ///< Of the run.
+  State& state;          ///< The caller's state.
+  const State& current;  ///< The run's state.
   ~Returned() { state = current; }
 };
 
-/// Refuses bad arguments that show before a run, without its state.
+/// Checks the arguments of a run that do not involve its state.
 void require_run(double h, const Until& until);
 
-/// Refuses a start whose time is not that among its coordinates, where the problem has it there. Both agree
-/// to rounding only after output inside a step, and rounding of a time near 0 is that of a step.
+/// Checks that the time of the start equals the one among its coordinates, in a problem where time is a
+/// coordinate. After output inside a step the two agree only to rounding, and for a time near 0 this is the
+/// rounding error of a step.
 template <class M, class State>
 void require_clock(const M& method, const State& state, double h) {
   const double inside = method.problem().clock(state.q, state.t);
@@ -155,8 +159,8 @@ void require_clock(const M& method, const State& state, double h) {
           state.t, "that among its coordinates, ", inside);
 }
 
-/// The loop of integrate() and integrate_to(). Where the step crosses the goal, it is replaced by the shorter
-/// one that ends there, and the run is over.
+/// The loop of integrate() and integrate_to(). A step that crosses the goal is replaced by a shorter one that
+/// ends there, which completes the run.
 template <class Goal, class State, class M, class... Observers>
 Run run(M& method, State& state, double h, const Until& until, Goal goal, Observers&... observers) {
   static_assert(!std::is_const_v<M>, "The method is constant; a run changes what it remembers.");
@@ -184,7 +188,6 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
   std::string reason;
   // Working copies, so that a short step can keep them in registers.
   State current = state;
-  // Also where something is thrown.
   const Returned<State> returned{state, current};
   const auto end = [&](Outcome outcome, double residual = 0.0) {
     run.outcome = outcome;
@@ -198,7 +201,7 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
     }
   while (sense * current.t < end_time && run.steps < until.steps) {
     State next = current;
-    // A copy only where the step depends on more than the state and may have to be repeated.
+    // A copy is needed only where a step depends on more than the state and may have to be repeated.
     const std::conditional_t<looks_inside && !one_step<M>, M, M&> before = method;
     const StepReport report = method.step(next, h);
     if (report.outcome != Outcome::ok) {
@@ -222,7 +225,7 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
         if (!there->ok()) return end(there->report.outcome, there->report.residual);
         next = there->state;
         size = there->h;
-        // The method, too, is to have taken the shorter step: dense output asks it for its polynomial.
+        // The method has to take the shorter step as well, because dense output will ask for its polynomial.
         if (size != h) {
           if constexpr (!one_step<M>) method = before;
           State again = current;
@@ -249,7 +252,7 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
     };
     try {
       (look(observers), ...);
-    } catch (...) {  // the step is made, and may be in the books of another observer
+    } catch (...) {  // the step is complete, and other observers may have recorded it
       current = next;
       throw;
     }
@@ -272,33 +275,35 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
     }
   }
   reason = Goal::missed;
-  constexpr bool any_time_is_short = aims && !std::same_as<Goal, Arrival>;  // of an event
+  constexpr bool any_time_is_short = aims && !std::same_as<Goal, Arrival>;  // an event goal was missed
   return end(any_time_is_short || (timed && sense * current.t < end_time) ? Outcome::step_limit
                                                                           : Outcome::ok);
 }
 }  // namespace detail
 
-/// Applies `method` with constant step h until `until` is met; the last step passes until.time, it is not
-/// cut (integrate_to() ends exactly there). With h < 0 time runs backwards.
+/// Applies `method` with constant step h until `until` is met. The last step goes past until.time and is not
+/// shortened; integrate_to() ends exactly there. With h < 0 time runs backwards.
 ///
-/// Each observer is called after step k = 1, 2, ..., as observer(state, k), or as observer(step, k) with the
-/// Step, inside which it can look. It returns nothing, or false to end the run as stopped, or the Outcome
-/// that is to end it unless ok, or an Answer, which has a reason, too. The state is always the last good one,
-/// also where H or an observer throws: that after the step which an observer was told of.
-/// A run to a time that is over 2^53 steps away at the pace of the last million ends as stalled: h is below
-/// the rounding of that time, or a method without a check of its own has a monitor that is not positive.
-/// Nothing loops for ever; until.seconds ends what would take too long.
-/// @throws std::invalid_argument for h that is zero, not finite or leads away from until.time, an `until`
-/// that sets no end, a start whose time is not finite or, in a problem of time_dependent(), not the one among
-/// its coordinates, or, where the dimension is given at run time, whose q and p differ in their number of
-/// entries or have none.
+/// Each observer is called after step k = 1, 2, ..., either as observer(state, k) or as observer(step, k)
+/// with a Step, which gives access to states inside it. It returns nothing; or false to end the run as
+/// stopped; or an Outcome, or an Answer with a reason, that ends the run unless it is ok. The state is always
+/// the last valid one. If H or an observer throws, it is the state after the last step that was reported to
+/// an observer.
+///
+/// A run towards a time that is more than 2^53 steps away, at the pace of the last million steps, ends as
+/// stalled. Then h is below the rounding error of that time, or the monitor is not positive and the method
+/// does not check it. No run is endless; until.seconds limits those that would take too long.
+/// @throws std::invalid_argument for an h that is zero, not finite or leads away from until.time; an `until`
+/// that sets no end; a start whose time is not finite or, in a problem of time_dependent(), differs from the
+/// one among its coordinates; or, for a dimension given at run time, q and p that are empty or differ in
+/// size.
 template <class State, class M, class... Observers>
 [[nodiscard]] Run integrate(M& method, State& state, double h, Until until, Observers&&... observers) {
   return detail::run(method, state, h, until, detail::NoGoal{}, observers...);
 }
 
 /// @cond
-// What is called by mistake: compiles no further than its sentence.
+// An overload for calls with wrong arguments, which compiles only as far as its message.
 template <class M, class State, class Number, class... Observers>
 requires std::is_arithmetic_v<Number> Run integrate(const M&, const State&, double, Number,
                                                     const Observers&...) {

@@ -9,10 +9,10 @@
 
 namespace avi {
 
-/// The inverse of a square matrix of any size: in closed form for n = 2, else by Gauss-Jordan elimination
-/// with row pivoting. A singular matrix gives infinite or NaN entries. Plain loops are as fast as Eigen's
-/// blocked factorisation at the sizes of mechanics, compile several seconds faster, and give the same bits on
-/// every machine.
+/// The inverse of a square matrix: in closed form for n = 2, otherwise by Gauss-Jordan elimination with row
+/// pivoting. A singular matrix gives infinite or NaN entries. For the small matrices of mechanics, plain
+/// loops are as fast as Eigen's blocked factorisation, compile several seconds faster, and give the same bits
+/// on every machine.
 template <int n>
 Matrix<double, n> inverse(Matrix<double, n> a) {
   const Eigen::Index size = a.rows();

@@ -7,27 +7,28 @@
 #include <string_view>
 
 /// @file
-/// How a step and a run end. Nothing in the library returns a number without saying which of these it is.
+/// The outcomes of steps and runs, and their reports. Every result of the library carries an outcome.
 
 namespace avi {
 
-/// End of one step or of a whole run.
+/// How a step or a whole run ended.
 enum class Outcome {
-  ok,             ///< Reached what was asked for.
+  ok,             ///< The goal of the run was reached.
   stopped,        ///< An observer asked to stop.
-  step_limit,     ///< The cap on steps was reached first.
+  step_limit,     ///< The limit on steps was reached first.
   not_converged,  ///< An implicit equation was not solved; the state is the last good one.
   non_finite,     ///< A value became infinite or NaN; the state is the last good one.
   bad_monitor,    ///< The monitor g = dt/dtau was not positive; the state is the last good one.
-  stalled,     ///< Physical time stands still, or so nearly that the run would never arrive; rounding of the
-               ///< objective hides what a minimisation could still gain.
-  diverged,    ///< The iterates left every bound that the caller set; the last good one is kept.
-  no_descent,  ///< The objective does not fall where its gradient says so; the last good iterate is kept.
-  wrong_gradient,  ///< The gradient contradicts differences of values, or has another size than x.
-  time_limit       ///< The cap on seconds was reached first.
+  /// Physical time stands still, or advances so slowly that the run would never end; in a minimisation,
+  /// rounding of the objective hides any further gain.
+  stalled,
+  diverged,    ///< The iterates exceeded every bound; the last valid one is kept.
+  no_descent,  ///< The objective does not fall along its negative gradient; the last valid iterate is kept.
+  wrong_gradient,  ///< The gradient contradicts differences of values, or has not the size of x.
+  time_limit       ///< The limit on seconds was reached first.
 };
 
-/// The name used in messages and data files.
+/// The name of an outcome in messages and data files.
 constexpr std::string_view name(Outcome outcome) {
   constexpr std::string_view names[] = {"ok",         "stopped",        "step_limit", "not_converged",
                                         "non_finite", "bad_monitor",    "stalled",    "diverged",
@@ -35,42 +36,42 @@ constexpr std::string_view name(Outcome outcome) {
   return names[static_cast<int>(outcome)];
 }
 
-/// The report of one step to the run loop.
+/// What a step reports to the loop of a run.
 struct [[nodiscard]] StepReport {
-  Outcome outcome = Outcome::ok;  ///< Unless ok, the state is as it was.
-  /// Evaluations of the vector field or of its Taylor expansion; one that is kept for the next step counts
-  /// there alone, so that the one at the start of a run does not.
+  Outcome outcome = Outcome::ok;  ///< If not ok, the state is unchanged.
+  /// Evaluations of the vector field or of its Taylor expansion. An evaluation kept for the next step counts
+  /// only in the step that makes it, so that the one at the start of a run is not counted.
   int evaluations = 1;
-  /// Residual of the implicit equation, 0 for explicit steps. One of these that ends as non_finite has -k
-  /// here where entry k of (q, p, t), counted from 1, is the first that is not finite.
+  /// Residual of the implicit equation, 0 for explicit steps. An explicit step that ends as non_finite sets
+  /// it to -k, where entry k of (q, p, t), counted from 1, is the first that is not finite.
   double residual = 0.0;
 
-  /// True for Outcome::ok alone.
+  /// True for Outcome::ok only.
   [[nodiscard]] bool ok() const { return outcome == Outcome::ok; }
 };
 
-/// An observer's answer: how a run ends there unless ok, and why.
+/// What an observer returns: how the run is to end, unless ok, and why.
 struct [[nodiscard]] Answer {
-  Outcome outcome = Outcome::ok;  ///< Unless ok, the run ends.
+  Outcome outcome = Outcome::ok;  ///< If not ok, the run ends.
   std::string reason{};           ///< A clause for the message of the run, such as "g is nan".
 };
 
-/// The report of a run to its caller.
+/// What a run reports to its caller.
 struct [[nodiscard]] Run {
-  Outcome outcome = Outcome::ok;  ///< ok when the end asked for was reached.
-  long steps = 0;                 ///< Steps that were accepted.
-  /// Sum over those steps, and those that were tried to end the run where it does; what observers try, as an
-  /// event on the way, is not in it.
+  Outcome outcome = Outcome::ok;  ///< ok where the run reached its end.
+  long steps = 0;                 ///< Accepted steps.
+  /// Evaluations in those steps, and in the shorter steps that were tried to end the run exactly. Steps tried
+  /// by observers, such as on_event(), are not included.
   long evaluations = 0;
-  std::string message;  ///< Empty for ok; else one sentence with step, time and reason.
+  std::string message;  ///< Empty for ok; otherwise one sentence with step, time and reason.
 
-  /// True for Outcome::ok alone: the end asked for was reached.
+  /// True for Outcome::ok only: the run reached its end.
   [[nodiscard]] bool ok() const { return outcome == Outcome::ok; }
 };
 
 /// @cond
 namespace detail {
-/// So small a step h may lead to no change of time at all, whatever the monitor.
+/// True where a step h is so small that, with any monitor, time may not change at all.
 inline bool underflows(double h) {
   return std::abs(h) < std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
 }

@@ -8,9 +8,9 @@
 
 namespace avi {
 
-/// x^exponent. For half integers up to 8 by square root and multiplication, several times faster than
-/// std::pow; the error grows with the exponent, to 6 units in the last place at 8 and 7 at -8, and negative
-/// powers are 0 where the positive one overflows. Any other exponent goes to std::pow.
+/// x to a constant power. Exponents that are half integers up to 8 in size use a square root and products,
+/// several times faster than std::pow. The error grows with the exponent, to 6 units in the last place at 8
+/// and 7 at -8; negative powers are 0 where the positive one overflows. Other exponents use std::pow.
 inline double power(double x, double exponent) {
   const double twice = 2.0 * exponent;
   if (twice != std::round(twice) || std::abs(twice) > 16.0) return std::pow(x, exponent);
@@ -22,13 +22,14 @@ inline double power(double x, double exponent) {
   return twice < 0.0 ? 1.0 / y : y;
 }
 
-/// x^exponent to the last bit or nearly so. For whole exponents from 1 to 64 by products that keep their
-/// rounding errors (Dekker 1971): as accurate as std::pow, but the processor works on it beside the
-/// evaluation of an objective, where it has to wait for std::pow.
+/// x to a constant power, right to the last bit or nearly so. Whole exponents from 1 to 64 use products that
+/// keep their rounding errors (Dekker 1971). This is as accurate as std::pow, but the processor can do it in
+/// parallel with the evaluation of an objective, whereas std::pow makes it wait.
 inline double accurate_power(double x, double exponent) {
   if (!(exponent >= 1.0 && exponent <= 64.0) || exponent != static_cast<int>(exponent))
     return std::pow(x, exponent);
-  double high = 1.0, low = 0.0, square = x, rest = 0.0;  // the power so far and x^(2^k), as unevaluated sums
+  // the power so far, and x^(2^k), each as a sum of two numbers
+  double high = 1.0, low = 0.0, square = x, rest = 0.0;
   for (int n = static_cast<int>(exponent);;) {
     if (n % 2) {
       const double product = high * square;
@@ -42,10 +43,10 @@ inline double accurate_power(double x, double exponent) {
   }
 }
 
-/// power() at any other scalar, through its own pow.
+/// power() of any other scalar, by its own pow().
 template <class S>
 auto power(const S& x, double exponent) {
-  using std::pow;  // without it, a long double would silently go through double
+  using std::pow;  // without it, a long double would silently be converted to double
   return pow(x, exponent);
 }
 

@@ -11,13 +11,13 @@
 #include <string>
 
 /// @file
-/// The point in phase space that every integrator moves.
+/// State: the point in phase space that integrators advance.
 
 namespace avi {
 
 namespace detail {
-/// The type of q and p: a Vector<double, n> that is written as its numbers in braces, whole ones among them.
-/// Entries that are not given are NaN, so that one that was forgotten is refused.
+/// The type of q and p: a Vector<double, n> that can be initialised from numbers in braces, integers
+/// included. Entries that are not set are NaN, so that a forgotten one is detected.
 template <int n>
 struct Entries : Vector<double, n> {
   Entries() {
@@ -51,7 +51,8 @@ struct Entries : Vector<double, n> {
   static void require_size(Eigen::Index count) {
     require(count == n, "Number of entries of q or p", count, "", n, ", the dimension of the State");
   }
-  /// The same, if its size will do: without assertions Eigen reads on behind one that is too short.
+  /// Returns its argument if the size is right. Without assertions, Eigen would read beyond a vector that is
+  /// too short.
   template <class Derived>
   static const Derived& of_size(const Eigen::MatrixBase<Derived>& other) {
     if constexpr (n != dynamic && Derived::SizeAtCompileTime == dynamic) require_size(other.size());
@@ -60,9 +61,9 @@ struct Entries : Vector<double, n> {
 };
 }  // namespace detail
 
-/// Position q, momentum p (n entries each) and physical time t. The library uses the sign convention
-/// \f$\dot q = \partial H/\partial p\f$, \f$\dot p = -\partial H/\partial q\f$; units are the problem's own.
-/// Entries that are not given are NaN, which poincare() and a run refuse.
+/// Position q, momentum p (n entries each) and physical time t. The sign convention is \f$\dot q = \partial
+/// H/\partial p\f$, \f$\dot p = -\partial H/\partial q\f$; units are those of the problem. Entries that are
+/// not set are NaN; poincare() refuses them, and a run ends as non_finite.
 template <int n>
 struct State {
   static constexpr int dimension = n;  ///< n, or avi::dynamic.
@@ -78,14 +79,14 @@ struct State {
         none += (*x)[i] - (*x)[i];
     return none == 0.0;
   }
-  /// The same numbers.
+  /// True where all numbers are equal.
   [[nodiscard]] bool operator==(const State& other) const {
     return t == other.t && std::equal(q.begin(), q.end(), other.q.begin(), other.q.end()) &&
            std::equal(p.begin(), p.end(), other.p.begin(), other.p.end());
   }
 };
 
-/// Refuses a start whose dimension, given at run time, is none.
+/// Checks a start whose dimension is given at run time.
 /// @throws std::invalid_argument unless q and p have the same number of entries, at least 1.
 template <int n>
 void require_dimension([[maybe_unused]] const State<n>& start) {
@@ -108,7 +109,7 @@ std::string name_of_entry(const State<n>& z, Eigen::Index k) {
   if (k >= z.q.size() + z.p.size()) return "t";
   return k < z.q.size() ? "q[" + std::to_string(k) + "]" : "p[" + std::to_string(k - z.q.size()) + "]";
 }
-/// Which entry of (q, p, t) is the first that is infinite or NaN; one beyond t where there is none.
+/// Index in (q, p, t) of the first entry that is infinite or NaN; the number of entries where all are finite.
 template <int n>
 Eigen::Index first_not_finite(const State<n>& z) {
   Eigen::Index k = 0;
@@ -116,7 +117,7 @@ Eigen::Index first_not_finite(const State<n>& z) {
     ++k;
   return k;
 }
-/// The first entry that is infinite or NaN, in words; empty where there is none.
+/// A clause that names the first infinite or NaN entry; empty where all are finite.
 template <int n>
 std::string not_finite(const State<n>& z) {
   const Eigen::Index k = first_not_finite(z);
@@ -124,14 +125,14 @@ std::string not_finite(const State<n>& z) {
   const double x = entry(z, k);
   return name_of_entry(z, k) + (std::isnan(x) ? " is nan" : x > 0.0 ? " is inf" : " is -inf");
 }
-/// The report of an explicit step that led here, where not every entry is finite.
+/// The report of an explicit step that led to a state with an entry that is not finite.
 template <int n>
 StepReport lost_at(const State<n>& z, int evaluations = 1) {
   return {Outcome::non_finite, evaluations, -1.0 - static_cast<double>(first_not_finite(z))};
 }
 }  // namespace detail
 
-/// Refuses a start that is no point of phase space.
+/// Checks a start: dimension and finite entries.
 /// @throws std::invalid_argument unless q and p have the same number of entries, at least 1, and all entries
 /// and the time are finite.
 template <int n>

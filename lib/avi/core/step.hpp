@@ -13,12 +13,12 @@
 #include <type_traits>
 
 /// @file
-/// One step that was taken, and the states inside it.
+/// Step: a step that was taken, with access to the states inside it.
 
 namespace avi {
 
 namespace detail {
-/// A method whose step depends on more than the state declares `one_step = false`.
+/// False for a method that declares `one_step = false`, because its step depends on more than the state.
 template <class M>
 inline constexpr bool one_step = true;
 template <class M>
@@ -26,21 +26,22 @@ requires requires { M::one_step; }
 inline constexpr bool one_step<M> = M::one_step;
 }  // namespace detail
 
-/// A state inside a step, and how it was found.
+/// A state found inside a step, and how it was found.
 template <class State>
 struct Located {
-  State state;           ///< At the zero.
-  double h = 0.0;        ///< The step that leads there from the beginning of the whole one.
-  StepReport report{};   ///< Report of that step; unless it is ok, `state` means nothing.
-  long evaluations = 0;  ///< Evaluations in all the steps that were tried.
-  std::string reason{};  ///< Reason for which there is no state: a clause for the message of a run.
+  State state;           ///< The state at the zero.
+  double h = 0.0;        ///< Size of the step that leads there from the beginning of the whole step.
+  StepReport report{};   ///< Report of that step; unless it is ok, `state` is meaningless.
+  long evaluations = 0;  ///< Evaluations in all steps that were tried.
+  std::string reason{};  ///< Why there is no state, as a clause for the message of a run.
 
   /// True where the state was found.
   [[nodiscard]] bool ok() const { return report.ok(); }
 };
 
 namespace detail {
-/// Sets the time of a state that has it to rounding; a problem with time among its coordinates sets both.
+/// Sets the time of a state that already agrees with t to rounding. Where time is also a coordinate, both are
+/// set.
 template <class M, class State>
 void set_time(const M& method, State& z, double t) {
   if constexpr (requires { method.problem().set_time(z, t); })
@@ -49,7 +50,7 @@ void set_time(const M& method, State& z, double t) {
     z.t = t;
 }
 
-/// Calls an observer and converts its return value to an Outcome, or an Answer with a reason.
+/// Calls an observer and returns its result as an Outcome, or as an Answer where it gives one.
 template <class Observer, class... Seen>
 decltype(auto) notify(Observer& observer, const Seen&... seen) {
   using Result = std::remove_cvref_t<std::invoke_result_t<Observer&, const Seen&...>>;
@@ -63,11 +64,12 @@ decltype(auto) notify(Observer& observer, const Seen&... seen) {
   }
 }
 
-/// The same as an outcome and a reason.
+/// An observer's result as an Answer.
 inline Answer answer(Outcome outcome) { return {outcome, {}}; }
 inline Answer answer(Answer answer) { return answer; }
 
-/// Rounding of the largest entry: the noise of a function that is zero but for rounding.
+/// The rounding error of the largest entry, as a bound on the noise of a function that is zero up to
+/// rounding.
 template <class State>
 double rounding_of_entries([[maybe_unused]] const State& z) {
   double most = 0.0;
@@ -77,29 +79,29 @@ double rounding_of_entries([[maybe_unused]] const State& z) {
   return std::numeric_limits<double>::epsilon() * most;
 }
 
-/// The rounding of the clock between two times.
+/// Rounding error of a time between a and b.
 inline double rounding_of_time(double a, double b) {
   return std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
 }
 }  // namespace detail
 
-/// A step that was taken: what an observer of steps is shown.
+/// A step that was taken, as shown to observers of steps.
 template <class M, class State>
 struct Step {
-  const M& method;      ///< As it was before the step, if that matters (one_step = false), else as it is now.
-  const State& before;  ///< Where the step began.
-  const State& after;   ///< Where it ended.
-  double h;             ///< Its size (fictive time where the method is adaptive).
+  const M& method;      ///< As before the step if that matters (one_step = false), otherwise as it is now.
+  const State& before;  ///< State at the beginning of the step.
+  const State& after;   ///< State at the end of the step.
+  double h;             ///< Size of the step, in fictive time where the method is adaptive.
 
   /// The state inside the step where f(state) = 0. A copy of the method repeats the step with smaller sizes
-  /// until f vanishes to round-off, so the point is as accurate as the ends of the step and the run is not
-  /// touched. It takes 5 to 10 steps. f(before) and f(after) must have different signs, or f(after) be zero;
-  /// of several zeros one is found. The state lies on the zero or beyond it, where f has the sign of
-  /// f(after): a search that goes on from there does not meet the same zero again.
+  /// until f vanishes to round-off, so the state is as accurate as the ends of the step, and the run is not
+  /// affected. This takes 5 to 10 steps. f(before) and f(after) must have different signs, or f(after) must
+  /// be zero; of several zeros one is found. The state lies on the zero or beyond it, where f has the sign of
+  /// f(after), so that a search that continues from there does not find the same zero again.
   ///
-  /// A function that changes its sign without a zero, by a jump or a pole, ends as not_converged, one that is
-  /// NaN as non_finite; `reason` has the numbers.
-  /// @param f continuous function of the state @param tolerance |f| that is small enough; 0 for round-off
+  /// If f changes sign by a jump or a pole instead of a zero, the result is not_converged; if f is NaN,
+  /// non_finite. `reason` then contains the numbers.
+  /// @param f continuous function of the state @param tolerance |f| that counts as zero; 0 for round-off
   /// @throws std::invalid_argument for a tolerance that is negative, infinite or NaN, and where f has the
   /// same sign at both ends.
   template <class F>
@@ -107,7 +109,7 @@ struct Step {
     return locate_from(0.0, f(before), f, tolerance);
   }
 
-  /// The same after the given part of the step, in [0, 1), where f is f_begin.
+  /// The same in the rest of the step after the fraction `begin`, in [0, 1), where f has the value f_begin.
   template <class F>
   [[nodiscard]] Located<State> locate_from(double begin, double f_begin, F&& f, double tolerance) const {
     require(std::isfinite(tolerance) && tolerance >= 0.0, "Tolerance of the zero", tolerance,
@@ -115,9 +117,9 @@ struct Step {
     return search(begin, f_begin, f, tolerance, Side::beyond);
   }
 
-  /// The state inside the step at physical time t, to the bit wherever the clock of the method runs evenly to
-  /// rounding; found as by locate().
-  /// @param t between the times of the two ends, or beyond `after` by no more than the rounding of the clock
+  /// The state inside the step at physical time t, found as by locate(). Its time equals t exactly, unless
+  /// the clock of the method is too uneven for that at the level of rounding.
+  /// @param t a time between the two ends, or beyond `after` by no more than the rounding error of the clock
   /// @throws std::invalid_argument for another t.
   [[nodiscard]] Located<State> at(double t) const {
     const double rounding = detail::rounding_of_time(before.t, after.t);
@@ -131,7 +133,7 @@ struct Step {
     return found;
   }
 
-  /// The state after the given part of the step. @throws std::invalid_argument unless it is in [0, 1].
+  /// The state after this fraction of the step. @throws std::invalid_argument unless it is in [0, 1].
   [[nodiscard]] Located<State> part(double fraction) const {
     require(fraction >= 0.0 && fraction <= 1.0, "Part of the step", fraction, "in [0, 1]");
     std::optional<M> repeated;
@@ -183,14 +185,14 @@ struct Step {
       return found;
     }
     if (root.met) return found;
-    // The sign changes between neighbouring states. They lie on a zero where f is small against its values at
-    // the ends, or has shrunk with the distance from it, as that of a continuous function does.
+    // The sign changes between neighbouring states. This is a zero if f there is small compared with its
+    // values at the ends, or if |f| has shrunk with the distance, as a continuous function does near a zero.
     const double gap = root.f_high - root.f_low;
-    const bool narrow = root.closed && std::isfinite(gap);  // a pole may be infinite at one of them
+    const bool narrow = root.closed && std::isfinite(gap);  // at a pole f may be infinite on one side
     bool zero = narrow && (gap <= 1e-8 * std::min(std::abs(f_begin), std::abs(last)) ||
                            gap <= 16.0 * detail::rounding_of_entries(found.state));
     if (narrow && !zero) {
-      // So far from it that the clock, too, has many numbers in between.
+      // Compare with points so far away that the clock, too, has many numbers in between.
       const double tick = detail::rounding_of_time(before.t, after.t) / std::abs(after.t - before.t);
       const double wide = std::max(0x1p-30, 16.0 * tick);
       const double down = std::max(begin, root.low - wide), up = std::min(1.0, root.high + wide);

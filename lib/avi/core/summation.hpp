@@ -9,10 +9,10 @@ namespace avi {
 /// How increments are added to the state.
 enum class Summation {
   plain,       ///< Ordinary addition.
-  compensated  ///< The rounding error is kept and added next time (Kahan 1965; Moller 1965).
+  compensated  ///< The rounding error is kept and included in the next addition (Kahan 1965; Moller 1965).
 };
 
-/// sum += increment. @param low rounding error kept so far; unused by Summation::plain
+/// sum += increment. @param low the rounding error kept so far; unused with Summation::plain
 template <Summation summation = Summation::compensated, class Value, class Low, class Increment>
 void add(Value& sum, [[maybe_unused]] Low& low, const Increment& increment) {
   if constexpr (summation == Summation::compensated) {
@@ -25,8 +25,9 @@ void add(Value& sum, [[maybe_unused]] Low& low, const Increment& increment) {
   }
 }
 
-/// Adds the time of steps to a clock, whose rounding error is kept for the next step: the clock of a long run
-/// is right to its last digits, as the state may be. A time that was set from outside begins anew.
+/// Adds step times to a clock and keeps the rounding error for the next step, so that the clock of a long run
+/// is right to its last digits, like a compensated state. If the time was changed from outside, the kept
+/// error is dropped.
 class ClockSum {
  public:
   /// t += increment.
@@ -37,7 +38,7 @@ class ClockSum {
   }
 
  private:
-  double at_ = 0.0, low_ = 0.0;  // the time after the last step, and what rounding left of it
+  double at_ = 0.0, low_ = 0.0;  // time after the last step, and its kept rounding error
 };
 
 }  // namespace avi

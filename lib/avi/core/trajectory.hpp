@@ -12,19 +12,20 @@
 #include <vector>
 
 /// @file
-/// A run whose states are stored.
+/// Trajectory: the stored states of a run.
 
 namespace avi {
 
-/// Observer of steps that stores every state of a run, the start included, to be read, written or evaluated
-/// in between: `Trajectory<2> path; integrate(method, z, h, until, path);`. Storing allocates. Several runs
-/// that go on from each other are one, as long as fictive time is the same: with one monitor. Where another
-/// one takes over, a Trajectory of its own is due, for at() takes fictive time to be smooth.
+/// An observer of steps that stores every state of a run, including the start, so that states can be read,
+/// written or interpolated: `Trajectory<2> path; integrate(method, z, h, until, path);`. Storing allocates
+/// memory. Consecutive runs may be stored in one Trajectory as long as their fictive time is the same, that
+/// is, with one monitor. A run with another monitor needs its own Trajectory, because at() assumes that the
+/// states are smooth in fictive time.
 template <int n>
 class Trajectory {
  public:
-  /// Stores a step. @throws std::invalid_argument unless it begins where the last one ended and leads on in
-  /// the same direction of time.
+  /// Stores a step. @throws std::invalid_argument unless the step begins where the last one ended and
+  /// continues in the same direction of time.
   template <class M>
   void operator()(const Step<M, State<n>>& step, long) {
     if (states_.empty()) {
@@ -44,10 +45,11 @@ class Trajectory {
 
   [[nodiscard]] const std::vector<State<n>>& states() const { return states_; }  ///< In the order of the run.
 
-  /// The state at physical time t, by the polynomial of degree 7 through the nearest 8 states in fictive
-  /// time, where a monitor makes the motion even. Its error is O(h^8) for a smooth motion. States that lie
-  /// much nearer to the next one than others do, as the last one of a run may, are passed over. Where no more
-  /// than m < 8 states are there, the degree is m - 1 and the error O(h^m): after one step a straight line.
+  /// The state at physical time t, from the polynomial of degree 7 through the 8 nearest states. It is a
+  /// polynomial in fictive time, in which a monitor makes the motion even. The error is O(h^8) for a smooth
+  /// motion. States much closer to the next one than the others, such as the last state of a run, are
+  /// skipped. Where only m < 8 states are available, the degree is m - 1 and the error O(h^m): after one
+  /// step, a straight line.
   /// @throws std::invalid_argument for t outside the run.
   [[nodiscard]] State<n> at(double t) const {
     require(states_.size() > 1, "Number of stored states", states_.size(), "at least 2 to evaluate between");
@@ -57,15 +59,15 @@ class Trajectory {
     const auto later =
         std::upper_bound(states_.begin() + 1, states_.end() - 1, t,
                          [&](double time, const State<n>& z) { return sense * time < sense * z.t; });
-    const auto k = static_cast<std::size_t>(later - states_.begin());  // t in [k - 1, k]
+    const auto k = static_cast<std::size_t>(later - states_.begin());  // t lies between states k - 1 and k
     const Nodes nodes = around(k);
     State<n> z = states_[k];
-    const auto move_to = [&](double tau) {  // leaves in z.t the time there less t
+    const auto move_to = [&](double tau) {  // sets z to the state at tau, except that z.t is its time minus t
       z.q.setZero();
       z.p.setZero();
       z.t = 0.0;
       for (std::size_t i = 0; i < nodes.count; ++i) {
-        double weight = 1.0;  // Lagrange's polynomial i
+        double weight = 1.0;  // Lagrange polynomial i
         for (std::size_t j = 0; j < nodes.count; ++j)
           if (j != i) weight *= (tau - nodes.tau[j]) / (nodes.tau[i] - nodes.tau[j]);
         const State<n>& there = states_[nodes.state[i]];
@@ -86,8 +88,8 @@ class Trajectory {
     return z;
   }
 
-  /// Writes a table with a line of names, t q_1 ... p_n, and tabs between the columns; 17 digits, so that
-  /// reading it gives the same numbers.
+  /// Writes a table with tabs between columns and a header line t q_1 ... p_n. Numbers have 17 digits, so
+  /// that reading them back gives the same values.
   void write(std::ostream& out) const {
     const auto precision = out.precision(std::numeric_limits<double>::max_digits10);
     const Eigen::Index size = states_.empty() ? 0 : states_.front().q.size();
@@ -108,18 +110,19 @@ class Trajectory {
 
  private:
   static constexpr std::size_t points = 8;
-  static constexpr double near = 0.125;  // so far apart, in widest gaps, two nodes are at least
-  /// Those of the polynomial in the order of the run, at fictive times from the beginning of the step.
+  static constexpr double near = 0.125;  // least distance of neighbouring nodes, as a part of the widest gap
+  /// The nodes of the polynomial, in the order of the run, with fictive times measured from the beginning of
+  /// the step.
   struct Nodes {
     std::size_t count = 0;
     std::array<std::size_t, points> state{};
     std::array<double, points> tau{};
   };
 
-  /// Those of step k: its ends, and what is nearest on both sides. A state that is much nearer to the last
-  /// node than nodes are to each other is passed over, as one beside the end of a run or an event: the
-  /// difference of such two is rounding. Times are summed from the step outwards, so that the age of the run
-  /// is not in their rounding.
+  /// The nodes for step k: its ends and the nearest states on both sides. A state much closer to the last
+  /// node than nodes are to each other is skipped, such as one next to the end of a run or an event, because
+  /// differences between the two would be mostly rounding error. Times are summed outwards from the step, so
+  /// that their rounding error does not depend on the length of the run.
   [[nodiscard]] Nodes around(std::size_t k) const {
     const auto add = [](Nodes& nodes, std::size_t state, double tau) {
       nodes.state[nodes.count] = state;
@@ -152,7 +155,7 @@ class Trajectory {
   }
 
   std::vector<State<n>> states_;
-  std::vector<double> steps_;  // in fictive time, to each state from the one before it
+  std::vector<double> steps_;  // fictive step that leads to each state from the one before
 };
 
 }  // namespace avi

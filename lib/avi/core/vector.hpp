@@ -8,16 +8,16 @@
 #include <type_traits>
 
 /// @file
-/// Vectors and matrices of any scalar: the only linear-algebra names the rest of the library uses.
+/// Vectors and matrices of any scalar; the rest of the library uses no other names of linear algebra.
 
 namespace avi {
 
-/// Dimension known only at run time.
+/// Marks a dimension that is known only at run time.
 inline constexpr int dynamic = Eigen::Dynamic;
 
 namespace detail {
-// A scalar that is a SIMD register brings its own alignment, wider than the one Eigen would ask for; without
-// vector units to match, the two would contradict each other.
+// A scalar made of SIMD registers has its own alignment, wider than what Eigen requests. Without matching
+// vector units, the two would contradict each other.
 template <class S>
 inline constexpr int storage = std::is_arithmetic_v<S> ? Eigen::ColMajor : Eigen::ColMajor | Eigen::DontAlign;
 
@@ -28,8 +28,8 @@ template <class S, int n>
 using Vector = Eigen::Matrix<S, n, 1, detail::storage<S>>;
 
 namespace detail {
-/// A vector that refuses indices beyond its size whatever the compiler's options: functions of the user are
-/// called with it where that happens once.
+/// A vector that checks its indices whatever the compiler options. User functions are called with it where
+/// they are called only once.
 template <class S, int n>
 class Checked : public Vector<S, n> {
   using Base = Vector<S, n>;
@@ -37,11 +37,11 @@ class Checked : public Vector<S, n> {
  public:
   using Base::Base;
   using Base::operator=;
-  Checked(const Base& entries) : Base(entries) {}  // NOLINT: implicit, as a copy is
+  Checked(const Base& entries) : Base(entries) {}  // NOLINT: implicit, like a copy
 
   ///@{
 
-  /// An entry. @throws std::invalid_argument where there is none.
+  /// Entry i. @throws std::invalid_argument for an index out of range.
   S& operator[](Eigen::Index i) { return checked(i), Base::operator[](i); }
   const S& operator[](Eigen::Index i) const { return checked(i), Base::operator[](i); }
   S& operator()(Eigen::Index i) { return checked(i), Base::operator()(i); }
@@ -50,7 +50,7 @@ class Checked : public Vector<S, n> {
 
   ///@{
 
-  /// Several entries. @throws std::invalid_argument where there are not so many.
+  /// A block of entries. @throws std::invalid_argument for a block that exceeds the vector.
   auto head(Eigen::Index size) const { return checked(0, size), Base::head(size); }
   auto tail(Eigen::Index size) const { return checked(0, size), Base::tail(size); }
   auto segment(Eigen::Index first, Eigen::Index size) const {
@@ -83,7 +83,7 @@ class Checked : public Vector<S, n> {
   }
 };
 
-/// The vector v, which a function of the user gave for q or p.
+/// Returns the vector v that a user function gave for q or p.
 /// @throws std::invalid_argument unless it has `size` entries.
 template <class V>
 const V& sized(std::string_view what, const V& v, Eigen::Index size) {
@@ -92,7 +92,7 @@ const V& sized(std::string_view what, const V& v, Eigen::Index size) {
   return v;
 }
 
-/// |v|^2 at any scalar.
+/// |v|^2 for any scalar.
 template <class V>
 auto squared_norm(const V& v) {
   auto sum = v[0] * v[0];
@@ -109,7 +109,7 @@ using VectorX = Vector<double, dynamic>;
 template <class S, int m, int n = m>
 using Matrix = Eigen::Matrix<S, m, n, detail::storage<S>>;
 
-/// Largest magnitude of an entry; NaN where one is.
+/// Largest absolute value of an entry; NaN where an entry is NaN.
 template <class V>
 double largest_entry(const V& x) {
   double most = 0.0;

@@ -8,11 +8,11 @@
 #include <limits>
 
 /// @file
-/// How far one step is from being symplectic.
+/// How far one step of a method is from being symplectic.
 
 namespace avi {
 
-/// Spacings that difference_jacobian() tries: powers of two between these, in the units of the point.
+/// Range of the spacings tried by difference_jacobian(): powers of two, in the units of the point.
 struct Spacings {
   double largest = 0.0625;         ///< Tried first.
   double smallest = 1.0 / 8192.0;  ///< Tried last; positive.
@@ -22,12 +22,12 @@ struct Spacings {
 /// \f$f'(x) \approx \sum_{k=1}^m w_k\, (f(x + k s) - f(x - k s)) / (2 k s)\f$ with
 /// \f$w_k = 2\,(-1)^{k+1}\, (m!)^2 / ((m - k)!\, (m + k)!)\f$ (Fornberg 1988).
 ///
-/// Every column takes, among the spacings, the one at which the formulas of order 14 and 16 agree best: there
-/// truncation and round-off balance, at a relative error of about 1e-14 for a smooth map. They count as no
-/// nearer to each other than rounding of the map would leave them: where its values do not change at all in
-/// so small a spacing, the formulas agree on a slope that says nothing.
-/// @throws std::invalid_argument for a value of the map that has another size than z, and spacings out of
-/// order.
+/// For each column, the spacing is used at which the formulas of orders 14 and 16 agree best. There
+/// truncation and round-off balance, at a relative error of about 1e-14 for a smooth map. The difference of
+/// the two formulas is taken to be at least the rounding error of the map. Otherwise a spacing so small that
+/// the map does not change at all would win, because both formulas then agree on a meaningless slope.
+/// @throws std::invalid_argument for a map whose value has another size than z, and for spacings out of
+/// range.
 template <class Map>
 Matrix<double, dynamic> difference_jacobian(Map&& map, const VectorX& z, Spacings spacings = {}) {
   require_positive("Smallest spacing", spacings.smallest);
@@ -57,13 +57,14 @@ Matrix<double, dynamic> difference_jacobian(Map&& map, const VectorX& z, Spacing
                   "that of the point, ", z.size());
         size = std::max(size, largest_entry(front));
         for (Eigen::Index i = 0; i < z.size(); ++i) {
-          // Divided by the distance that rounding left between the two points, not by the one meant.
+          // Divided by the actual distance of the two points, which rounding has changed.
           const double slope = (front[i] - back[i]) / (ahead[j] - behind[j]);
           fine[i] += weight(pairs, k) * slope;
           coarse[i] += weight(pairs - 1, k) * slope;  // zero for the last pair
         }
       }
-      // Rounding to eps / 2 of every value makes the formulas differ by about eps / 64 of them over s.
+      // Rounding of all values by eps / 2 makes the two formulas differ by about eps / 64 of the values,
+      // divided by s.
       const double rounding = std::numeric_limits<double>::epsilon() / 64.0 * size / s;
       const double doubt = std::max(largest_entry(fine - coarse), rounding);
       if (!(doubt < best)) continue;
@@ -76,10 +77,10 @@ Matrix<double, dynamic> difference_jacobian(Map&& map, const VectorX& z, Spacing
 }
 
 namespace detail {
-/// \f$\|J^T \Omega J - \Omega\|_F\f$.
+/// The defect \f$\|J^T \Omega J - \Omega\|_F\f$ of a Jacobian matrix J.
 inline double symplecticity_defect_of(const Matrix<double, dynamic>& jacobian) {
   const Eigen::Index m = jacobian.cols() / 2;
-  // The matrix is antisymmetric. Loops: Eigen's products of matrices take a second to compile.
+  // The matrix is antisymmetric, so half of it suffices. Eigen's matrix products take a second to compile.
   double squares = 0.0;
   for (Eigen::Index b = 0; b < 2 * m; ++b)
     for (Eigen::Index a = 0; a < b; ++a) {
@@ -92,24 +93,23 @@ inline double symplecticity_defect_of(const Matrix<double, dynamic>& jacobian) {
 }
 }  // namespace detail
 
-/// \f$\|J^T \Omega J - \Omega\|_F\f$ of a map of phase space \f$R^{2m} \to R^{2m}\f$ with z = (q, p),
-/// \f$\Omega = \left(\begin{smallmatrix} 0 & I \\ -I & 0 \end{smallmatrix}\right)\f$, J by
-/// difference_jacobian(). Zero for a symplectic map; NaN when the map fails. The plain callable serves
-/// extended phase spaces, (q, t, p, p^t), as well.
-/// @throws std::invalid_argument when z has an odd number of entries, or the map's value another one.
+/// The defect \f$\|J^T \Omega J - \Omega\|_F\f$ of a map of phase space \f$R^{2m} \to R^{2m}\f$ with z = (q,
+/// p), \f$\Omega = \left(\begin{smallmatrix} 0 & I \\ -I & 0 \end{smallmatrix}\right)\f$ and J by
+/// difference_jacobian(). It is zero for a symplectic map, and NaN if the map fails. The map may also act on
+/// an extended phase space, (q, t, p, p^t).
+/// @throws std::invalid_argument if z has an odd number of entries, or the value of the map another size.
 template <class Map>
 double symplecticity_defect(Map&& map, const VectorX& z, Spacings spacings = {}) {
   require(z.size() > 0 && z.size() % 2 == 0, "Dimension of phase space", z.size(), "even and positive");
   return detail::symplecticity_defect_of(difference_jacobian(map, z, spacings));
 }
 
-/// The defect of one step h of `method` at z, as a map of (q, p) at fixed start time, in units of the point:
-/// powers of two next to the largest entry of q, and of p, at either end of the step, which are symplectic
-/// units up to a factor. Rounding of a heavy body leaves to a light one, c times lighter and coupled to it,
-/// about 1e-16 c. Each evaluation steps a fresh copy of the method, so that nothing carried between
-/// steps (a kept gradient, a controller's state) leaks from one to the next.
-/// @throws std::invalid_argument where q and p, of a dimension given at run time, differ in size or are
-/// empty.
+/// The defect of one step h of `method` at z, as a map of (q, p) at fixed start time. It is measured in units
+/// of the point: powers of two near the largest entry of q, and of p, at either end of the step. Up to a
+/// factor these units are symplectic. The rounding error of a heavy body adds about 1e-16 c for a coupled
+/// body c times lighter. Each evaluation uses a fresh copy of the method, so that nothing it remembers
+/// between steps (a kept gradient, the state of a controller) affects the next evaluation.
+/// @throws std::invalid_argument if q and p, of a dimension given at run time, are empty or differ in size.
 template <int n, Method<State<n>> M>
 double symplecticity_defect(const M& method, const State<n>& z, double h) {
   require_dimension(z);
@@ -138,13 +138,13 @@ double symplecticity_defect(const M& method, const State<n>& z, double h) {
       image << moved.q.cwiseQuotient(units.head(m)), moved.p.cwiseQuotient(units.tail(m));
     return image;
   };
-  // Far from the origin the map may still change within a distance of 1. Nothing is left of a slope where the
-  // spacing is near the rounding of the point.
+  // Far from the origin the map may vary over a distance of 1 in the original units, so smaller spacings are
+  // allowed. Near the rounding error of the point, differences would be meaningless.
   Spacings spacings;
   spacings.smallest = std::max(spacings.smallest / std::max({1.0, of_q, of_p}), 0x1p-44);
   Matrix<double, dynamic> jacobian = difference_jacobian(map, start.cwiseQuotient(units), spacings);
-  // An entry far smaller than the others of q or of p, as the momentum of a light body, moves the image far
-  // within a spacing: its differences are taken in a unit of its own.
+  // An entry much smaller than the others of q or p, such as the momentum of a light body, moves the image a
+  // long way within one spacing. It gets a finer unit for its differences.
   VectorX finer = VectorX::Ones(2 * m);
   for (Eigen::Index j = 0; j < 2 * m; ++j)
     if (const double steepest = largest_entry(jacobian.col(j));

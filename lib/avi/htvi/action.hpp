@@ -7,39 +7,40 @@
 #include <vector>
 
 /// @file
-/// The action of the trial curve of an HTVI, and its variation.
+/// The discrete action of the trial curve of an HTVI, and its variation.
 
 namespace avi {
 
-/// The remainder R in \f$\delta A = [p\cdot\delta q]_0^h + R\f$ of a discrete action A on the trial curve of
-/// one step. R vanishes for every variation exactly where the curve makes the action stationary, which is
-/// Hamilton's principle; the right-hand side of the discrete Hamilton's equations consists of R alone
-/// (DiscreteEquations).
+/// The remainder R in \f$\delta A = [p\cdot\delta q]_0^h + R\f$, the variation of a discrete action A on the
+/// trial curve of one step. R vanishes for every variation exactly where the curve makes the action
+/// stationary (Hamilton's principle). The right-hand side of the discrete Hamilton's equations consists of R
+/// alone (DiscreteEquations).
 /// @tparam Number a number with partials along the variations of the curve: of its initial values, and of p^t
 template <class Number>
 struct ActionRemainder {
-  Number variation;  ///< R: its partials (its value means nothing).
-  double time;       ///< dA/dp^t at a fixed curve, less what is in R: t_1 - t_0 in the absence of R.
+  Number variation;  ///< R, given by its partials; its value has no meaning.
+  double time;       ///< dA/dp^t for a fixed curve, without the part contained in R: t_1 - t_0 where R = 0.
 };
 
-/// The stationary action \f$A = \int_0^h \tilde p\cdot d\tilde q - h\sum_i b_i\,\bar H(\tilde z(c_i h))\f$ of
-/// the Taylor curve \f$\tilde z\f$ of the full field, \f$\tilde q\f$ of degree r + 1 and \f$\tilde p\f$ of
-/// degree r. The one-form of a polynomial curve is integrated exactly; A is \f$h\sum_i b_i[\tilde p\cdot
-/// \tilde q' - \bar H](c_i h)\f$ wherever the rule is exact up to degree 2r, as Gauss with r + 1 nodes is.
+/// The action \f$A = \int_0^h \tilde p\cdot d\tilde q - h\sum_i b_i\,\bar H(\tilde z(c_i h))\f$ of the Taylor
+/// curve \f$\tilde z\f$ of the full field, with \f$\tilde q\f$ of degree r + 1 and \f$\tilde p\f$ of degree
+/// r. The first term, a one-form on a polynomial curve, is integrated exactly. Where the quadrature rule is
+/// exact up to degree 2r, as Gauss with r + 1 nodes is, A equals \f$h\sum_i b_i[\tilde p\cdot \tilde q' -
+/// \bar H](c_i h)\f$.
 ///
 /// With the defects \f$d_q = \tilde q' - \partial\bar H/\partial p\f$ and \f$d_p = \tilde p' + \partial\bar
 /// H/\partial q\f$ its variation is \f[ \delta A = [\tilde p\cdot\delta\tilde q]_0^h + R, \quad R = \int_0^h
-/// (d_q\cdot\delta\tilde p - d_p\cdot\delta\tilde q), \f] the terms in H-bar by the rule. All terms of R are
-/// small, so nothing cancels. Only the curve has to be differentiated; at the nodes the field is evaluated at
-/// plain numbers. Only the moments of the defects against the powers of \f$\tau\f$ enter, since the curve is
-/// a polynomial. See \ref stationary_action for the order, 2r + 2.
+/// (d_q\cdot\delta\tilde p - d_p\cdot\delta\tilde q), \f] where the terms in H-bar are integrated by the
+/// quadrature rule. All terms of R are small, so nothing cancels. Only the curve has to be differentiated; at
+/// the nodes the field is evaluated with plain numbers. Because the curve is a polynomial, only the moments
+/// of the defects with powers of \f$\tau\f$ are needed. For the order, 2r + 2, see \ref stationary_action.
 template <class Expansion>
 class StationaryAction {
  public:
   using Number = typename Expansion::Number;  ///< A number with its partials.
   static constexpr int n = Expansion::n;      ///< Dimension of the problem.
 
-  /// For this quadrature rule. @throws std::invalid_argument for an improper rule.
+  /// The action with this quadrature rule. @throws std::invalid_argument for an improper rule.
   explicit StationaryAction(Quadrature rule) : rule_(std::move(rule)) {
     validate(rule_);
     for (std::size_t i = 0; i < rule_.nodes.size(); ++i) {
@@ -54,9 +55,9 @@ class StationaryAction {
         integrals_[k][j] = static_cast<double>(j) / (j + k);
   }
 
-  [[nodiscard]] const Quadrature& rule() const { return rule_; }  ///< b_i and c_i.
+  [[nodiscard]] const Quadrature& rule() const { return rule_; }  ///< The quadrature rule b_i, c_i.
 
-  /// R of the last expansion, of step h, and the time it takes.
+  /// R and the time of the step, for the last expansion, whose step is h.
   [[nodiscard, gnu::noinline]] ActionRemainder<Number>
   remainder(const Expansion& e, const typename Expansion::Increments&, double h) const {
     const int degree = e.order() + 1;
@@ -75,7 +76,7 @@ class StationaryAction {
   static constexpr std::size_t powers = Expansion::capacity + 2;
   using Point = std::array<double, 2 * static_cast<std::size_t>(n)>;  // (q, p)
   struct Moments {
-    std::array<Point, powers> of;  // of d_q, d_p with the powers of c
+    std::array<Point, powers> of;  // moments of d_q and d_p with the powers of c
     double time;                   // h sum b_i g
   };
 

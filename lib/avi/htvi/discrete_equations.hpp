@@ -4,17 +4,17 @@
 #include "avi/htvi/taylor_expansion.hpp"
 
 /// @file
-/// The discrete Hamilton's equations of a generating function, at one Taylor expansion.
+/// The discrete Hamilton's equations of a generating function, for one Taylor expansion.
 
 namespace avi {
 
-/// Which generating function a step comes from.
+/// The type of the generating function of a step.
 enum class Generating {
   type2,  ///< H_d^+(q_0, p_1), the discrete right Hamiltonian.
   type3   ///< H_d^-(q_1, p_0), the discrete left Hamiltonian.
 };
 
-/// The change of the state by a step.
+/// The change of the state in a step.
 template <int n>
 struct StepChange {
   Vector<double, n> q;  ///< q_1 - q_0.
@@ -22,16 +22,16 @@ struct StepChange {
   double t;             ///< t_1 - t_0.
 };
 
-/// The discrete Hamilton's equations at one expansion, from the point (u, k): u, the unknown, is
-/// \f$\tilde p_0\f$ (Type II) or \f$\tilde q_0\f$ (Type III), k the known half. With X the end of u's own
-/// variable along the curve, which is p_1 or q_1 by definition, and \f$\sigma\f$ = 1 or -1, both types read
-/// \f[ D_u\cdot\delta k + D_y\cdot\delta X = -\sigma R \f] for all variations, where R is the remainder of
-/// the action (ActionRemainder), D_u the true start u_0 minus u, and D_y the true end of the other variable
-/// minus that of the curve. See \ref solving.
+/// The discrete Hamilton's equations for one expansion, from the point (u, k). The unknown u is \f$\tilde
+/// p_0\f$ (Type II) or \f$\tilde q_0\f$ (Type III); k is the known other half of the state. Let X be the end
+/// of the curve in the variable of u, which by definition is p_1 or q_1, and y the conjugate variable;
+/// \f$\sigma\f$ = 1 for Type II, -1 for Type III. Both types read \f[ D_u\cdot\delta k + D_y\cdot\delta X =
+/// -\sigma R \f] for all variations. R is the remainder of the action (ActionRemainder), D_u the true start
+/// u_0 minus u, and D_y the true end of y minus the end of the curve in y. See \ref solving.
 template <Generating type, class Expansion>
 class DiscreteEquations {
  protected:
-  static constexpr bool right = type == Generating::type2;  ///< Type II.
+  static constexpr bool right = type == Generating::type2;  ///< True for Type II.
   static constexpr double sigma = right ? 1.0 : -1.0;       ///< Sign of the type.
 
  public:
@@ -40,7 +40,7 @@ class DiscreteEquations {
   using Remainder = ActionRemainder<typename Expansion::Number>;  ///< R.
   using Vec = Vector<double, n>;                                  ///< A vector of n entries.
 
-  /// Solves the equations at the last expansion of e, whose increments are d.
+  /// Solves the equations for the last expansion of e, with the increments d.
   DiscreteEquations(const Expansion&, const Increments& d, const Remainder& remainder) : d_(d) {
     const auto& r = remainder.variation;
     Matrix<double, n> x_u;  // transposed
@@ -71,14 +71,14 @@ class DiscreteEquations {
     corrections[2 * n] = change.t - d.t.value();
   }
 
-  StepChange<n> change;  ///< The step, if u is right.
-  /// Corrections to the Taylor curve: u - u_0, then D_y, then that of time.
+  StepChange<n> change;  ///< The step, valid once u solves the implicit equation.
+  /// Corrections to the Taylor curve: u - u_0, then D_y, then the correction of the time.
   Vector<double, 2 * n + 1> corrections;
-  Vec drift;  ///< Increment of u's own variable along the curve.
+  Vec drift;  ///< Increment of the variable of u along the curve.
 
-  /// The step at u + shift, by the derivative of the curve: the true one differs from it by O(h^(r+1)) of the
-  /// shift. @param more difference of what is corrections there from what is corrections at u, where that is
-  /// known
+  /// The step for u + shift, linearised with the derivative of the curve. It differs from the true one by
+  /// O(h^(r+1)) times the shift. @param more difference between the corrections at u + shift and those at u,
+  /// where known
   [[nodiscard]] StepChange<n>
   shifted(const Vec& residual, const Vec& shift,
           const Vector<double, 2 * n + 1>& more = Vector<double, 2 * n + 1>::Zero()) const {
@@ -101,11 +101,11 @@ class DiscreteEquations {
   }
 
  protected:
-  static constexpr int at_u = right ? n : 0;  ///< Where the variables of the unknown begin.
-  static constexpr int at_k = right ? 0 : n;  ///< And those of the known half.
-  /// Increment of the unknown's own variable.
+  static constexpr int at_u = right ? n : 0;  ///< Index of the first partial by the unknown u.
+  static constexpr int at_k = right ? 0 : n;  ///< Index of the first partial by the known half.
+  /// Increment of the variable of u.
   [[nodiscard]] const auto& own(int i) const { return (right ? d_.p : d_.q)[i]; }
-  /// Increment of the other one.
+  /// Increment of the conjugate variable.
   [[nodiscard]] const auto& other(int i) const { return (right ? d_.q : d_.p)[i]; }
 
   const Increments& d_;        ///< Increments of the expansion.

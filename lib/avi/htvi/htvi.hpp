@@ -9,17 +9,18 @@
 #include <utility>
 
 /// @file
-/// Hamiltonian Taylor variational integrators of Type II and Type III, and the ways to make one.
+/// Hamiltonian Taylor variational integrators (HTVI) of Type II and Type III, and functions that construct
+/// them.
 
 namespace avi {
 
-/// The construction of an HTVI from the stationary action: the velocity in the action is the derivative of
-/// the trial curve, and the order is 2r + 2 (StationaryAction). Another construction is a type with the same
+/// The construction of an HTVI from the stationary action. The velocity in the action is the derivative of
+/// the trial curve, and the order is 2r + 2 (StationaryAction). Other constructions are types with the same
 /// members; those of the paper are in `experiments/common/methods/printed_htvi.hpp`.
 struct Stationary {
   static constexpr bool energy_is_variable =
       true;                               ///< p^t is a variable of the expansion where there is a monitor.
-  static constexpr bool on_level = true;  ///< The field takes H-bar instead of p^t.
+  static constexpr bool on_level = true;  ///< The field is evaluated with H-bar in place of p^t.
   /// The field that the trial curve follows, see Poincare::field().
   template <class Problem, class Vec, class S>
   static void field(const Problem& problem, const Vec& q, const Vec& p, const S& level, Vec& dq, Vec& dp,
@@ -27,13 +28,13 @@ struct Stationary {
     problem.field_on_level(q, p, level, dq, dp, dt);
   }
   template <class Expansion>
-  using Action = StationaryAction<Expansion>;  ///< Whose variation gives the step.
+  using Action = StationaryAction<Expansion>;  ///< The action whose variation gives the step.
   template <Generating type, class Expansion>
   using Equations = DiscreteEquations<type, Expansion>;  ///< Equations of the step.
   template <int n>
-  using Iteration = SecantIteration<n>;  ///< That solves them.
-  /// The order with Taylor order r and a rule of order s, min(2r + 2, max(r + 1, s)): see \ref
-  /// stationary_action.
+  using Iteration = SecantIteration<n>;  ///< The iteration that solves them.
+  /// The order for Taylor order r and a rule of order s, min(2r + 2, max(r + 1, s)); see
+  /// \ref stationary_action.
   static constexpr int order(int r, int s) { return std::min(2 * r + 2, std::max(r + 1, s)); }
 };
 
@@ -43,9 +44,9 @@ struct Stationary {
 /// \\ H_d^-(q_1, p_0) &= -p_0 \cdot \tilde q_0 - p^t \tilde t_0 - A, & p_1 &= -D_1 H_d^-, & q_0 &= -D_2 H_d^-
 /// \f} (Type II, Type III), where A is the action of the Taylor curve from \f$(q_0, \tilde p_0)\f$ with
 /// \f$p_1 = \pi_p \Psi^{(r)}(q_0, \tilde p_0)\f$, or from \f$(\tilde q_0, p_0)\f$ with
-/// \f$q_1 = \pi_q \Psi^{(r+1)}(\tilde q_0, p_0)\f$: see \ref solving. The construction says which action A
-/// is. In units in which the sizes of q and p are more than a factor of 1e200 apart, derivatives are lost to
-/// underflow, and a step that ends as ok may be wrong.
+/// \f$q_1 = \pi_q \Psi^{(r+1)}(\tilde q_0, p_0)\f$; see \ref solving. The template parameter Construction
+/// determines the action A. In units in which q and p differ in size by more than a factor of 1e200,
+/// derivatives underflow, and a step that ends as ok may be wrong.
 template <Generating type, class Problem, int r, class Construction = Stationary>
 class Htvi {
  public:
@@ -53,7 +54,8 @@ class Htvi {
   static constexpr bool symplectic = true;      ///< On the phase space of (q, p), to round-off.
   static constexpr bool symmetric = false;      ///< The curve begins at one end of the step.
 
-  /// See type2(), type3(), htvi() and htvi_of_order(). @param taylor_order r, where that is avi::dynamic
+  /// Use type2(), type3(), htvi() or htvi_of_order() to deduce the types. @param taylor_order r, where r is
+  /// avi::dynamic
   /// @throws std::invalid_argument for an improper rule, order or solver setting.
   explicit Htvi(const Problem& problem, Quadrature rule, SolverSettings solver = {}, int taylor_order = r)
       : expansion_(problem, taylor_order), action_(std::move(rule)), solver_(solver) {
@@ -61,12 +63,12 @@ class Htvi {
             "finite and at least 1 epsilon");
     require(solver.max_iterations >= 1, "Iteration cap", solver.max_iterations, "at least 1");
   }
-  Htvi(const Htvi&) = default;  ///< Also for a move: what is moved from steps on.
+  Htvi(const Htvi&) = default;  ///< Also used for a move, so the source can still step.
 
-  /// The order that theory promises.
+  /// The theoretical order.
   [[nodiscard]] int order() const { return Construction::order(expansion_.order(), action_.rule().order); }
 
-  /// Advances z by the fictive step h, which may be 0; leaves z unchanged unless the step ends as ok.
+  /// Advances z by the fictive step h, which may be 0; z is unchanged unless the step ends as ok.
   [[gnu::noinline]] StepReport step(State<n>& z, double h) {
     if (h == 0.0) return {.evaluations = 0};
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -84,13 +86,13 @@ class Htvi {
       iteration_ = iteration;
       return report;
     };
-    double previous = std::numeric_limits<double>::quiet_NaN();  // compared with it, nothing holds
+    double previous = std::numeric_limits<double>::quiet_NaN();  // NaN: no comparison with it holds
     double least = std::numeric_limits<double>::infinity();
     Vector<double, n> unit;
     int idle = 0;  // iterations in a row that have not halved the residual
     for (int k = 1; k <= solver_.max_iterations; ++k) {
       const Vector<double, n> unknown = start + correction;
-      correction = unknown - start;  // after rounding
+      correction = unknown - start;  // the part that rounding leaves
       const Increments increments =
           right ? expansion_.expand(z.q, unknown, h) : expansion_.expand(unknown, z.p, h);
       const Equations equations(expansion_, increments, action_.remainder(expansion_, increments, h));
@@ -108,11 +110,12 @@ class Htvi {
       if (report.outcome != Outcome::ok) return report;
       const double accepted = solver_.tolerance * epsilon * largest;
       if (report.residual <= accepted) return accept(equations.change);
-      // What is small because terms cancel may have no more digits than the largest entry leaves it.
+      // A residual that is small because terms cancel may have no more digits than the largest entry allows.
       idle = report.residual <= 0.5 * least ? 0 : idle + 1;
       least = std::min(least, report.residual);
       if (idle >= 3 && largest_entry(residual) <= accepted) return accept(equations.change);
-      // Rounding may hold the residual above the tolerance; it then stops falling far below what matters.
+      // Rounding may keep the residual above the tolerance; it then stops falling at a level that no longer
+      // matters.
       const bool stagnates = report.residual >= 0.5 * previous && report.residual <= 100.0 * accepted;
       const bool exact =
           iteration.propose(equations, residual, {unit, report.residual, previous, accepted, stagnates});
@@ -126,7 +129,8 @@ class Htvi {
 
   [[nodiscard]] const Problem& problem() const { return expansion_.problem(); }  ///< The problem.
 
-  /// Trial curve of the last step at the fraction c in [0, 1] of it, from its expansion point.
+  /// The trial curve of the last step at the fraction c in [0, 1], starting from its expansion point.
+  /// @param t0 physical time at the beginning of the step
   [[nodiscard]] State<n> polynomial(double c, double t0) const { return expansion_.polynomial(c, t0); }
 
  private:
@@ -145,8 +149,8 @@ class Htvi {
   ClockSum clock_;
 };
 
-/// Type II HTVI of Taylor order r; its order is 2r + 2 with a rule of that order, such as Gauss with r + 1
-/// nodes (Htvi::order()).
+/// The Type II HTVI of Taylor order r. Its order is 2r + 2 with a rule of that order, such as Gauss with r +
+/// 1 nodes (Htvi::order()).
 /// @param problem from poincare() or time_dependent(); copied @param rule for the action, such as gauss(4)
 /// @param solver tolerance and cap of the implicit equation
 /// @throws std::invalid_argument for an improper rule or solver setting.
@@ -156,7 +160,7 @@ type2(const Problem& problem, Quadrature rule = gauss(r + 1), SolverSettings sol
   return Htvi<Generating::type2, Problem, r, Construction>(problem, std::move(rule), solver);
 }
 
-/// Type III HTVI of Taylor order r; as type2() otherwise.
+/// The Type III HTVI of Taylor order r; arguments as for type2().
 /// @throws std::invalid_argument for an improper rule or solver setting.
 template <int r, class Construction = Stationary, class Problem>
 Htvi<Generating::type3, Problem, r, Construction>
@@ -164,7 +168,8 @@ type3(const Problem& problem, Quadrature rule = gauss(r + 1), SolverSettings sol
   return Htvi<Generating::type3, Problem, r, Construction>(problem, std::move(rule), solver);
 }
 
-/// The HTVI of this order, even and from 2 to 32, with its natural rule: type2<order / 2 - 1>(problem).
+/// The HTVI of the given order, even and from 2 to 32, with Gauss quadrature of that order: the result of
+/// type2() with r = order / 2 - 1.
 /// @throws std::invalid_argument for an improper solver setting.
 template <int order, class Problem>
 auto htvi(const Problem& problem, SolverSettings solver = {}) {
@@ -173,7 +178,7 @@ auto htvi(const Problem& problem, SolverSettings solver = {}) {
   return type2<order / 2 - 1>(problem, gauss(order / 2), solver);
 }
 
-/// HTVI whose Taylor order r, in [0, 15], is chosen at run time: one compiled method for every order.
+/// The HTVI with a Taylor order r, in [0, 15], chosen at run time: one compiled method for all orders.
 /// @throws std::invalid_argument for an r out of range, an improper rule or solver setting.
 template <Generating type, class Construction = Stationary, class Problem>
 Htvi<type, Problem, dynamic, Construction> htvi_of_order(int r, const Problem& problem, Quadrature rule,

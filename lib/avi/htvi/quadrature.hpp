@@ -7,24 +7,25 @@
 
 namespace avi {
 
-/// \f$\sum_i b_i f(c_i)\f$ is the integral of f over [0, 1], exactly so for polynomials of degree < order.
+/// A quadrature rule: \f$\sum_i b_i f(c_i)\f$ is the integral of f over [0, 1], exactly for polynomials of
+/// degree < order.
 struct Quadrature {
-  std::string name;             ///< The column `quadrature` of data files.
+  std::string name;             ///< Entry of the column `quadrature` in data files.
   int order;                    ///< s.
   std::vector<double> nodes;    ///< c_i.
   std::vector<double> weights;  ///< b_i, as many as nodes, with sum 1.
 };
 
-/// @name Rules by name
+/// @name Quadrature rules
 /// @{
 
-/// f(0), order 1: the rule of the paper's symplectic Euler-B (Section 3.3).
+/// One node at 0, order 1: the rule of the paper's symplectic Euler-B (Section 3.3).
 Quadrature rectangle_left();
-/// f(1/2), order 2.
+/// One node at 1/2, order 2.
 Quadrature midpoint();
-/// Both ends, order 2.
+/// Nodes at both ends, order 2.
 Quadrature trapezoid();
-/// Both ends and the middle, order 4: the rule of HTVI4 in Tables 1 and 2.
+/// Nodes at both ends and the middle, order 4: the rule of HTVI4 in Tables 1 and 2 of the paper.
 Quadrature simpson();
 /// Five equidistant nodes, order 6.
 Quadrature boole();
@@ -36,8 +37,9 @@ Quadrature lobatto(int m);
 Quadrature radau(int m);
 /// @}
 
-/// Checks a rule. @throws std::invalid_argument for one without nodes, with unequal counts, with a node that
-/// is not in [0, 1], or with an order that it has not: it must integrate the powers below it to rounding.
+/// Checks a rule. @throws std::invalid_argument for a rule without nodes, with unequal numbers of nodes and
+/// weights, with a node outside [0, 1], or with too high an order: it must integrate all powers below its
+/// order exactly, to rounding.
 void validate(const Quadrature& rule);
 
 }  // namespace avi

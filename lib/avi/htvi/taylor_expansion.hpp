@@ -8,14 +8,14 @@
 #include <vector>
 
 /// @file
-/// The Taylor method with its first derivatives.
+/// TaylorExpansion: the Taylor method together with its first derivatives.
 
 namespace avi {
 
-/// Taylor expansion of (q, p, t) over one step of a Poincare-transformed problem, with first partials with
-/// respect to the initial values (q, p), and to p^t where the field contains it. The field is recorded once.
-/// @tparam r order of the Taylor method Psi^(r); avi::dynamic: given at run time, at most `capacity`
-/// @tparam Construction says which form of the field the expansion follows
+/// Taylor expansion of (q, p, t) over one step of a Poincare-transformed problem, with the first partials by
+/// the initial values (q, p), and by p^t where the field contains it. The field is recorded once.
+/// @tparam r order of the Taylor method Psi^(r); avi::dynamic if given at run time, at most `capacity`
+/// @tparam Construction determines which form of the field the expansion follows
 template <class Problem, int r, class Construction>
 class TaylorExpansion {
   static_assert(Problem::dimension != dynamic,
@@ -25,28 +25,28 @@ class TaylorExpansion {
 
  public:
   static constexpr int n = Problem::dimension <= 15 ? Problem::dimension : 15;  ///< Dimension of the problem.
-  /// p^t is a variable in its own right.
+  /// p^t is a variable of the expansion.
   static constexpr bool energy_partial = !Problem::unit && Construction::energy_is_variable;
   static constexpr int variables =
-      2 * n + (energy_partial ? 1 : 0);                   ///< Number of the partials: by q, p, p^t.
-  static constexpr bool unit = Problem::unit;             ///< Without a monitor.
+      2 * n + (energy_partial ? 1 : 0);                   ///< Number of partials: by q, p and p^t.
+  static constexpr bool unit = Problem::unit;             ///< True without a monitor.
   using Number = DualNumber<variables>;                   ///< A number with its partials.
-  static constexpr int capacity = r == dynamic ? 15 : r;  ///< The largest order there is room for.
+  static constexpr int capacity = r == dynamic ? 15 : r;  ///< The largest order for which there is memory.
   /// Scaled coefficients: entry k is h^k / k! times the k-th derivative.
   using Series = std::array<Number, capacity + 2>;
 
-  /// Increments of the Taylor method over the step.
+  /// Increments of the Taylor method over one step.
   struct Increments {
-    std::array<Number, n> q;  ///< To order r + 1.
-    std::array<Number, n> p;  ///< To order r.
-    Number t;                 ///< To order r + 1.
+    std::array<Number, n> q;  ///< Up to order r + 1.
+    std::array<Number, n> p;  ///< Up to order r.
+    Number t;                 ///< Up to order r + 1.
   };
 
   /// For a problem, which is copied. @throws std::invalid_argument for an order out of range.
   TaylorExpansion(const Problem& problem, int run_time_order)
       : problem_(problem), order_(checked(run_time_order)), field_(problem, order_) {}
 
-  /// r.
+  /// The Taylor order r.
   [[nodiscard]] int order() const {
     if constexpr (r == dynamic)
       return order_;
@@ -67,7 +67,7 @@ class TaylorExpansion {
     return energy_partial ? Number::variable(value, variables - 1) : Number(value);
   }
 
-  /// Expands from (q, p) over a fictive step h.
+  /// Expands around (q, p) over a fictive step h, and returns the increments.
   [[gnu::noinline]] Increments expand(const Vector<double, n>& q, const Vector<double, n>& p, double h) {
     TaylorSeries<Number>& series = field_.series;
     std::array<Number*, n> at_q, at_p;
@@ -80,7 +80,7 @@ class TaylorExpansion {
     if constexpr (energy_partial)
       *series.input(2 * n) = Construction::on_level ? level(q, p) : energy_momentum();
     for (int k = 0; k <= order(); ++k) {
-      const bool forces = k < order();  // not needed at the last order
+      const bool forces = k < order();  // forces are not needed at the last order
       series.run(k, forces);
       const double factor = h / (k + 1);
       for (int i = 0; i < n; ++i)
@@ -108,7 +108,7 @@ class TaylorExpansion {
     return sum;
   }
 
-  /// Taylor polynomial of the last expansion at the fraction c of the step, position to order r + 1.
+  /// The Taylor polynomial of the last expansion at the fraction c of the step; positions up to order r + 1.
   [[nodiscard]] State<n> polynomial(double c, double t0) const {
     State<n> z;
     for (int i = 0; i < n; ++i) {
@@ -120,12 +120,12 @@ class TaylorExpansion {
   }
 
  private:
-  /// The recorded field.
+  /// The recorded field and the positions of its outputs in the series.
   struct RecordedField {
     RecordedField(const Problem& problem, int order) : RecordedField(Nodes(problem), order) {}
 
     TaylorSeries<Number> series;
-    std::array<int, n> dq, dp;  // places
+    std::array<int, n> dq, dp;  // positions of the outputs
     int dt;
 
    private:
@@ -143,7 +143,7 @@ class TaylorExpansion {
         velocities.push_back(rate.node_in(graph));
       }
       ExpressionGraph graph{variables};
-      std::vector<int> velocities, forces;  // of q and t; of p
+      std::vector<int> velocities, forces;  // nodes of the rates of q and t; nodes of the rates of p
     };
     RecordedField(const Nodes& nodes, int order)
         : series(nodes.graph, nodes.velocities, nodes.forces, order), dt(series.place(nodes.velocities[n])) {
@@ -164,7 +164,7 @@ class TaylorExpansion {
       at[i] = field_.series.input(first + i);
     return at;
   }
-  /// H-bar at the start.
+  /// H-bar at the start of the step.
   [[nodiscard]] Number level(const Vector<double, n>& q, const Vector<double, n>& p) const {
     Vector<Number, n> at_q, at_p;
     for (int i = 0; i < n; ++i) {

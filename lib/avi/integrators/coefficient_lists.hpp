@@ -11,37 +11,39 @@
 #include <string_view>
 
 /// @file
-/// Coefficient lists of methods that alternate two exact flows, and the published ones; a test verifies the
-/// order of each from the order conditions themselves.
+/// Coefficient lists for methods that alternate two exact flows, including published ones. A test verifies
+/// the order of each from the order conditions.
 
 namespace avi {
 
-/// Lengths of flows, as parts of a step: a list of at most 36 numbers that a method carries in itself.
+/// Lengths of flows, as fractions of a step: a list of at most 36 numbers, stored without allocation.
 template <class Number>
 class Lengths {
  public:
-  static constexpr std::size_t most = 36;  ///< The drifts of the longest list, sofroniou_spaletta10.
+  static constexpr std::size_t most = 36;  ///< Number of drifts in the longest list, sofroniou_spaletta10.
 
-  /// So many zeros.
+  /// A list of `count` zeros.
   /// @throws std::invalid_argument for more than 36.
   constexpr explicit Lengths(std::size_t count) : size_(count) {
     require(count <= most, "Length of a list of coefficients", count, "at most 36");
   }
-  /// The same numbers, rounded.
+  /// The same numbers, rounded to this type.
   template <class Other>
   constexpr explicit Lengths(const Lengths<Other>& other) : Lengths(other.size()) {
     std::transform(other.begin(), other.end(), values_.begin(),
                    [](Other x) { return static_cast<Number>(x); });
   }
 
-  [[nodiscard]] constexpr std::size_t size() const { return size_; }                    ///< How many.
-  constexpr Number& operator[](std::size_t i) { return values_[i]; }                    ///< The i-th.
-  constexpr const Number& operator[](std::size_t i) const { return values_[i]; }        ///< The i-th.
-  [[nodiscard]] constexpr const Number* begin() const { return values_.data(); }        ///< The first.
-  [[nodiscard]] constexpr const Number* end() const { return values_.data() + size_; }  ///< Behind the last.
-  [[nodiscard]] constexpr const Number& back() const { return values_[size_ - 1]; }     ///< The last.
+  [[nodiscard]] constexpr std::size_t size() const { return size_; }              ///< Number of entries.
+  constexpr Number& operator[](std::size_t i) { return values_[i]; }              ///< Entry i.
+  constexpr const Number& operator[](std::size_t i) const { return values_[i]; }  ///< Entry i.
+  [[nodiscard]] constexpr const Number* begin() const { return values_.data(); }  ///< First entry.
+  /// Past the last entry.
+  [[nodiscard]] constexpr const Number* end() const { return values_.data() + size_; }
+  [[nodiscard]] constexpr const Number& back() const { return values_[size_ - 1]; }  ///< Last entry.
 
-  /// Checks that the parts make one step, the same read backwards. @param what of which they are
+  /// Checks that the list is a palindrome and that its entries add up to one step. @param what name of the
+  /// list for the message
   /// @throws std::invalid_argument unless the list is symmetric and its sum is 1 to the rounding of a double.
   void validate(std::string_view what) const {
     require(std::equal(begin(), end(), std::make_reverse_iterator(end())), what, "not symmetric",
@@ -55,21 +57,23 @@ class Lengths {
   std::size_t size_;
 };
 
-/// One step \f$A(a_0 h)\, B(b_0 h)\, A(a_1 h) \cdots B(b_{m-1} h)\, A(a_m h)\f$, applied from left to right;
-/// A is the drift, B the kick. In extended precision, so that a test can tell a wrong digit from rounding.
+/// Coefficients of one step \f$A(a_0 h)\, B(b_0 h)\, A(a_1 h) \cdots B(b_{m-1} h)\, A(a_m h)\f$, applied from
+/// left to right, where A is the drift and B the kick. They are in extended precision, so that a test can
+/// distinguish a wrong digit from rounding.
 struct SplitCoefficients {
   int order;               ///< Order of the method.
   Lengths<long double> a;  ///< Lengths of the m + 1 drifts, with sum 1.
   Lengths<long double> b;  ///< Lengths of the m kicks, with sum 1.
 };
 
-/// A symmetric composition \f$S(c_1 h)\, S(c_2 h) \cdots S(c_m h)\f$ of a symmetric step S of order 2.
+/// Coefficients of a symmetric composition \f$S(c_1 h)\, S(c_2 h) \cdots S(c_m h)\f$ of a symmetric step S of
+/// order 2.
 struct CompositionCoefficients {
   int order;               ///< Order of the composition.
-  Lengths<long double> c;  ///< With sum 1.
+  Lengths<long double> c;  ///< Lengths of the m steps, with sum 1.
 };
 
-/// The composition of S(h) = A(h/2) B(h) A(h/2), neighbouring drifts merged.
+/// Coefficients of the composition of S(h) = A(h/2) B(h) A(h/2), with neighbouring drifts merged.
 constexpr SplitCoefficients split(const CompositionCoefficients& composition) {
   const auto& c = composition.c;
   SplitCoefficients merged{composition.order, Lengths<long double>(c.size() + 1), c};
@@ -80,7 +84,7 @@ constexpr SplitCoefficients split(const CompositionCoefficients& composition) {
   return merged;
 }
 
-/// Fills a palindrome from the entries before its middle one, which makes the sum 1.
+/// Builds a palindrome from the entries before its middle one; the middle entry makes the sum 1.
 constexpr CompositionCoefficients palindrome(int order, std::initializer_list<long double> outer) {
   CompositionCoefficients whole{order, Lengths<long double>(2 * outer.size() + 1)};
   long double rest = 1.0L;
@@ -94,8 +98,8 @@ constexpr CompositionCoefficients palindrome(int order, std::initializer_list<lo
   return whole;
 }
 
-/// Fills a symmetric list A B A ... B A of an even number of kicks from its outer entries; the middle drift
-/// and the two middle kicks make the sums 1.
+/// Builds a symmetric list A B A ... B A with an even number of kicks from its outer entries; the middle
+/// drift and the two middle kicks make both sums 1.
 constexpr SplitCoefficients palindrome(int order, std::initializer_list<long double> drifts,
                                        std::initializer_list<long double> kicks) {
   const CompositionCoefficients a = palindrome(order, drifts);
@@ -115,13 +119,14 @@ constexpr SplitCoefficients palindrome(int order, std::initializer_list<long dou
 
 namespace avi::compositions {
 
-/// The base step alone.
+/// The base step itself, order 2.
 inline constexpr auto strang = palindrome(2, {});
 
-/// Triple jump of order 4: 1 / (2 - 2^(1/3)) (Forest and Ruth 1990; Suzuki 1990; Yoshida 1990).
+/// The triple jump of order 4: outer steps 1 / (2 - 2^(1/3)) (Forest and Ruth 1990; Suzuki 1990; Yoshida
+/// 1990).
 inline constexpr auto yoshida4 = palindrome(4, {1.35120719195965763404768780897146L});
 
-/// Five steps of order 4: 1 / (4 - 4^(1/3)), all but the middle one forwards (Suzuki 1990).
+/// Five steps of order 4: outer steps 1 / (4 - 4^(1/3)), all forwards except the middle one (Suzuki 1990).
 inline constexpr auto suzuki4 =
     palindrome(4, {0.414490771794375737142354062860761L, 0.414490771794375737142354062860761L});
 
@@ -165,8 +170,8 @@ inline constexpr auto blanes_moan6 = palindrome(
     {0.0502627644003922L, 0.413514300428344L, 0.0450798897943977L, -0.188054853819569L, 0.541960678450780L},
     {0.148816447901042L, -0.132385865767784L, 0.067307604692185L, 0.432666402578175L});
 
-/// Fourteen kicks of order 6, SRKN14a (Blanes and Moan 2002): of that order only where the kinetic energy is
-/// quadratic in p (Runge-Kutta-Nystrom), else of order 4 at most.
+/// Fourteen kicks of order 6, SRKN14a (Blanes and Moan 2002). It has this order only if the kinetic energy is
+/// quadratic in p (Runge-Kutta-Nystrom); otherwise its order is 4 at most.
 inline constexpr auto blanes_moan6_nystrom =
     palindrome(6,
                {0.0378593198406116L, 0.102635633102435L, -0.0258678882665587L, 0.314241403071447L,

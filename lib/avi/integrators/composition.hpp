@@ -6,13 +6,13 @@
 #include <utility>
 
 /// @file
-/// Composition of any symmetric method with itself.
+/// Composition of a symmetric method with itself, to a higher order.
 
 namespace avi {
 
-/// \f$S(c_1 h)\, S(c_2 h) \cdots S(c_m h)\f$: makes of a symmetric method S of order 2 one of
-/// coefficients.order, which is symmetric, and symplectic and reversible where S is. The base may carry
-/// variables of its own (an adaptive one does).
+/// The composition \f$S(c_1 h)\, S(c_2 h) \cdots S(c_m h)\f$ of a symmetric method S of order 2. It has the
+/// order coefficients.order and is symmetric; it is symplectic and reversible where S is. The base may have
+/// internal variables, as adaptive methods do.
 template <class Base>
 class Composition {
   static_assert(
@@ -20,20 +20,20 @@ class Composition {
                                               "of another one the order stays what it is.");
 
  public:
-  /// The composition of this base by one of avi::compositions.
-  /// @throws std::invalid_argument unless the coefficients are the same read backwards, with sum 1.
+  /// Composes this base with one of avi::compositions.
+  /// @throws std::invalid_argument unless the coefficients are a palindrome with sum 1.
   Composition(Base base, const CompositionCoefficients& coefficients)
       : base_(std::move(base)), order_(coefficients.order), c_(coefficients.c) {
     c_.validate("List of composition coefficients");
   }
 
-  [[nodiscard]] int order() const { return order_; }        ///< That of the coefficients.
-  static constexpr bool symplectic = Base::symplectic;      ///< As the base is.
-  static constexpr bool symmetric = true;                   ///< As the base is.
-  static constexpr bool one_step = detail::one_step<Base>;  ///< As the base is.
+  [[nodiscard]] int order() const { return order_; }        ///< The order of the coefficients.
+  static constexpr bool symplectic = Base::symplectic;      ///< As for the base.
+  static constexpr bool symmetric = true;                   ///< As for the base.
+  static constexpr bool one_step = detail::one_step<Base>;  ///< As for the base.
 
-  /// m steps of the base; their evaluations are added, the largest residual is kept. Where one of them fails
-  /// the state is that before the first, and the outcome and the residual are its own.
+  /// Takes m steps of the base. The report adds up the evaluations and contains the largest residual. If a
+  /// step fails, z is unchanged, and the report has the outcome and residual of that step.
   template <class State>
   requires Method<Base, State> StepReport step(State& z, double h) {
     const State start = z;

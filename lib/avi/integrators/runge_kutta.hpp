@@ -29,7 +29,8 @@ struct ClassicalRungeKutta {
   static constexpr std::array<double, 4> b{1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};  ///< b_i.
 };
 
-/// Bogacki and Shampine's pair 3(2) (1989), which MATLAB's ode23 uses; the last stage is the next first.
+/// Bogacki and Shampine's pair 3(2) (1989), as in MATLAB's ode23. The last stage is the first one of the next
+/// step.
 struct BogackiShampine {
   static constexpr int stages = 4;          ///< s.
   static constexpr int order = 3;           ///< With the weights b.
@@ -38,11 +39,12 @@ struct BogackiShampine {
   static constexpr std::array<std::array<double, 4>, 4> a{
       {{}, {1.0 / 2.0}, {0.0, 3.0 / 4.0}, {2.0 / 9.0, 1.0 / 3.0, 4.0 / 9.0}}};
   static constexpr std::array<double, 4> b{2.0 / 9.0, 1.0 / 3.0, 4.0 / 9.0, 0.0};  ///< b_i.
-  /// The weights of the other order.
+  /// b_i of the solution of order embedded_order.
   static constexpr std::array<double, 4> embedded{7.0 / 24.0, 1.0 / 4.0, 1.0 / 3.0, 1.0 / 8.0};
 };
 
-/// Dormand and Prince's pair 5(4) (1980), which MATLAB's ode45 uses; the last stage is the next first.
+/// Dormand and Prince's pair 5(4) (1980), as in MATLAB's ode45. The last stage is the first one of the next
+/// step.
 struct DormandPrince {
   static constexpr int stages = 7;          ///< s.
   static constexpr int order = 5;           ///< With the weights b.
@@ -57,14 +59,14 @@ struct DormandPrince {
        {9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0},
        {35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0}}};
   static constexpr std::array<double, 7> b = a[6];  ///< b_i.
-  /// The weights of the other order.
+  /// b_i of the solution of order embedded_order.
   static constexpr std::array<double, 7> embedded{
       5179.0 / 57600.0, 0.0,       7571.0 / 16695.0, 393.0 / 640.0, -92097.0 / 339200.0,
       187.0 / 2100.0,   1.0 / 40.0};
 };
 /// @}
 
-/// One of the tableaus above.
+/// A Runge-Kutta tableau, such as those above.
 template <class T>
 concept Tableau = requires {
   T::stages, T::order, T::a, T::b;
@@ -76,7 +78,7 @@ concept EmbeddedTableau = Tableau<T> && requires {
   T::embedded_order, T::embedded;
 };
 
-/// The stages k_1 ... k_s of one step and the point they lead to, in memory made once.
+/// The stages k_1 ... k_s of one step and its end point, in memory allocated once.
 template <Tableau T>
 class RungeKuttaStages {
  public:
@@ -86,7 +88,7 @@ class RungeKuttaStages {
       stage.resize(size);
   }
 
-  std::array<VectorX, T::stages> k;  ///< k[0] = F(z) is the caller's to set.
+  std::array<VectorX, T::stages> k;  ///< Stages; the caller sets k[0] = F(z).
   VectorX end;                       ///< \f$z + h \sum_i b_i k_i\f$.
 
   /// Takes a step of size h from z, where k[0] = F(z). `field(z, dz)` is called stages - 1 times.
@@ -98,7 +100,7 @@ class RungeKuttaStages {
   }
 
  private:
-  // With the weights of a stage or, beyond the last one, of the end.
+  // Sums with the weights of a stage, or, beyond the last stage, with those of the end point.
   template <std::size_t stage>
   void combine(const VectorX& z, double h) {
     static constexpr auto weights = stage < T::stages ? T::a[stage % T::stages] : T::b;
@@ -111,14 +113,14 @@ class RungeKuttaStages {
   }
 };
 
-/// Tolerances of a step, and limits on the ratio of successive steps.
+/// Tolerances for the error of a step, and limits on the ratio of successive step sizes.
 struct StepControl {
   double rtol = 1e-3;    ///< Relative tolerance, positive.
   double atol = 1e-6;    ///< Absolute tolerance, positive.
-  double safety = 0.9;   ///< In (0, 1).
-  double shrink = 0.2;   ///< Least factor from step to step, in (0, 1).
-  double grow = 5.0;     ///< Largest factor, above 1.
-  int rejections = 100;  ///< Cap on rejected trials of one step, at least 1.
+  double safety = 0.9;   ///< Safety factor, in (0, 1).
+  double shrink = 0.2;   ///< Smallest ratio of successive step sizes, in (0, 1).
+  double grow = 5.0;     ///< Largest ratio of successive step sizes, above 1.
+  int rejections = 100;  ///< Limit on rejected trials in one step, at least 1.
 
   /// Checks the ranges. @throws std::invalid_argument for a value out of range.
   void validate() const {
@@ -131,11 +133,12 @@ struct StepControl {
   }
 };
 
-/// Takes one accepted step from z, where stages.k[0] = F(z), beginning with a trial of size h, and leaves in
-/// h the size to try next. stages.end is the new point. A step is accepted where the root mean square over
-/// the components of (step of T - step of the embedded method) / (atol + rtol |z|), |z| the larger of the
-/// magnitudes at both ends, is at most 1. @return the size of the step taken, 0 when the cap on rejections
-/// was met @throws std::invalid_argument for h that is 0 or NaN, and for a control out of range.
+/// Takes one accepted step from z, where stages.k[0] = F(z), beginning with a trial of size h. On return h is
+/// the size to try next, and stages.end is the new point. A step is accepted if the root mean square over all
+/// components of (step of T - step of the embedded method) / (atol + rtol |z|) is at most 1, where |z| is the
+/// larger magnitude at the two ends. @return the size of the step taken, 0 if the limit on rejections was
+/// reached
+/// @throws std::invalid_argument for h that is 0 or NaN, and for a control out of range.
 template <EmbeddedTableau T, class Field>
 double controlled_step(RungeKuttaStages<T>& stages, Field&& field, const VectorX& z, double& h,
                        const StepControl& control) {

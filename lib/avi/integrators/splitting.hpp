@@ -9,20 +9,20 @@
 #include <utility>
 
 /// @file
-/// One stepper for every method that alternates two explicit flows.
+/// Splitting: one stepper for all methods that alternate two explicit flows.
 
 namespace avi {
 
-/// Change of position and time by a drift.
+/// Change of position and time in a drift.
 template <int n>
 struct Drift {
   Vector<double, n> position;  ///< Added to q.
   double time;                 ///< Added to t.
 };
 
-/// The flows of \f$H = T(p) + V(q)\f$: drift \f$q \mathrel{+}= h\,\partial T/\partial p\f$,
-/// \f$t \mathrel{+}= h\f$; kick \f$p \mathrel{-}= h\,\partial V/\partial q\f$.
-/// `Problem` gives potential_gradient(q), and velocity(p) unless masses are 1.
+/// The flows of \f$H = T(p) + V(q)\f$: drift \f$q \mathrel{+}= h\,\partial T/\partial p\f$, \f$t \mathrel{+}=
+/// h\f$; kick \f$p \mathrel{-}= h\,\partial V/\partial q\f$. `Problem` provides potential_gradient(q), and
+/// velocity(p) unless all masses are 1.
 template <class Problem>
 class Separable {
   static_assert(
@@ -38,56 +38,59 @@ class Separable {
   /// The flows of this problem.
   explicit Separable(Problem problem = {}) : problem_(std::move(problem)) {}
 
-  /// Change of q and t by the drift over h.
+  /// Change of q and t in a drift over h.
   [[nodiscard]] Drift<dimension> drift(const Vec& p, double h) const {
     if constexpr (requires { problem_.velocity(p); })
       return {h * detail::sized("Number of entries of the velocity", problem_.velocity(p), p.size()), h};
     else
       return {h * p, h};
   }
-  /// Change of p by the kick over h.
+  /// Change of p in a kick over h.
   [[nodiscard]] Vec kick(const Vec& q, double h) const {
     return -h * detail::sized("Number of entries of the gradient", problem_.potential_gradient(q), q.size());
   }
-  [[nodiscard]] bool admits(const State<dimension>&) const { return true; }  ///< Admits every state.
+  [[nodiscard]] bool admits(const State<dimension>&) const { return true; }  ///< Every state is admitted.
 
  private:
   Problem problem_;
 };
 
-/// \f$A(a_0 h)\, B(b_0 h) \cdots A(a_m h)\f$ with the flows of `Flows` (Separable, LogHamiltonian). Explicit,
-/// and symplectic as a product of exact flows.
+/// The splitting method \f$A(a_0 h)\, B(b_0 h) \cdots A(a_m h)\f$, with drift A and kick B from `Flows`
+/// (Separable, LogHamiltonian). It is explicit, and symplectic as a composition of exact flows.
 ///
-/// With Summation::compensated the rounding error of the energy grows only as the square root of the number
-/// of steps (Brouwer's law); it makes the chain of dependent operations of a stage about one addition longer.
-/// The clock is compensated in every case.
+/// With Summation::compensated, the rounding error of the energy grows only as the square root of the number
+/// of steps (Brouwer's law). This makes the chain of dependent operations in each stage longer by about one
+/// addition. The clock is always compensated.
 template <class Flows, Summation summation = Summation::plain>
 class Splitting {
  public:
   static constexpr int n = Flows::dimension;  ///< Dimension of the problem.
 
-  /// @param flows with drift(p, h), kick(q, h) and admits(state) @param coefficients one of avi::splittings
-  /// @throws std::invalid_argument unless both lists are the same read backwards, with sum 1, and there is
-  /// one drift more than there are kicks.
+  /// @param flows provides drift(p, h), kick(q, h) and admits(state) @param coefficients one of
+  /// avi::splittings
+  /// @throws std::invalid_argument unless both lists are palindromes with sum 1, and there is one drift more
+  /// than there are kicks.
   Splitting(Flows flows, const SplitCoefficients& coefficients)
       : flows_(std::move(flows)), order_(coefficients.order), a_(coefficients.a), b_(coefficients.b) {
     require(a_.size() == b_.size() + 1, "Number of drifts", a_.size(), "one more than that of the kicks, ",
             b_.size());
     a_.validate("List of drifts");
     b_.validate("List of kicks");
-    after_.t = std::numeric_limits<double>::quiet_NaN();  // Equal to no state: no rounding error is kept yet.
+    // equal to no state: there is no kept rounding error yet
+    after_.t = std::numeric_limits<double>::quiet_NaN();
   }
 
-  /// The order of the coefficients. A Nystrom list has it only where the kinetic energy is quadratic in p.
+  /// The order of the coefficients. A Nystrom list has this order only if the kinetic energy is quadratic in
+  /// p.
   [[nodiscard]] int order() const { return order_; }
-  static constexpr bool symplectic = true;  ///< A product of exact flows.
-  static constexpr bool symmetric = true;   ///< The coefficients are the same read backwards.
+  static constexpr bool symplectic = true;  ///< A composition of exact flows.
+  static constexpr bool symmetric = true;   ///< The coefficients are palindromes.
 
-  /// Advances z by h, with one evaluation of the gradient for each kick. Ends as Outcome::diverged, with z as
-  /// it was, in a state that the flows do not admit, and as non_finite in one that is not finite.
+  /// Advances z by h, with one evaluation of the gradient per kick. The step ends as Outcome::diverged if the
+  /// flows do not admit the new state, and as non_finite if that state is not finite; z is then unchanged.
   StepReport step(State<n>& z, double h) {
     State<n> moved = z;
-    // A state changed from outside has no kept rounding error.
+    // If the state was changed from outside, the kept rounding error does not belong to it.
     if constexpr (compensated)
       if (!(moved == after_)) low_.q.setZero(z.q.size()), low_.p.setZero(z.p.size());
     State<n> low = low_;
@@ -103,7 +106,7 @@ class Splitting {
       return report;
     }
     std::swap(z, moved);
-    if (!z.finite()) {  // asked of z, where a run asks the same: one test of the two is left
+    if (!z.finite()) {  // tested on z, which a run tests too, so that the compiler keeps one of the two tests
       report = detail::lost_at(z, report.evaluations);
       z = moved;
       return report;
@@ -137,7 +140,7 @@ template <Summation summation = Summation::plain, class Flows>
 Splitting<Flows, summation> splitting(Flows flows, const SplitCoefficients& coefficients) {
   return {std::move(flows), coefficients};
 }
-/// The same with a composition of the leapfrog A(h/2) B(h) A(h/2).
+/// The same for a composition of the leapfrog A(h/2) B(h) A(h/2).
 template <Summation summation = Summation::plain, class Flows>
 Splitting<Flows, summation> splitting(Flows flows, const CompositionCoefficients& coefficients) {
   return {std::move(flows), split(coefficients)};

@@ -6,7 +6,8 @@
 #include <limits>
 
 /// @file
-/// The minimum of a line between or beyond two points, from values and slopes there; noise of the values.
+/// The model of a line search: the minimum on a line from values and slopes at two points, and the noise of
+/// values.
 
 namespace avi {
 
@@ -16,43 +17,46 @@ struct LinePoint {
   double slope = 0.0;  ///< phi' = d . grad f.
 };
 
-/// How far the search along one line has come. Distances are from its base, which moves on along it.
+/// How far the search along one line has come. Distances are measured from its base, which may move along the
+/// line.
 struct LineSoFar {
-  LinePoint start;        ///< Where it began.
+  LinePoint start;        ///< Value and slope where the search began.
   double moved = 0.0;     ///< Distance of the base from there.
-  double high = never();  ///< Trials are nearer than that: f rose there, or was not finite.
-  double wall = never();  ///< Least distance at which f was not finite.
-  int trials = 1;         ///< The trials, with the one to come.
-  int since_start = 1;    ///< The same, and not counted anew where the base moves.
-  int beyond = 0;         ///< Trials at which f was not finite.
+  double high = never();  ///< Upper bound for trials: f rose there, or was not finite.
+  double wall = never();  ///< Smallest distance at which f was not finite.
+  int trials = 1;         ///< Number of trials, including the one to come.
+  int since_start = 1;    ///< The same, but not reset when the base moves.
+  int beyond = 0;         ///< Number of trials at which f was not finite.
 
-  /// Of distances that are not known.
+  /// Stands for a distance that is not known.
   static constexpr double never() { return std::numeric_limits<double>::infinity(); }
 };
 
-/// Where the first trial along -g is, in units of g: where a linear f would vanish, or at one hundredth of x,
-/// whichever is farther. @param g and @param x their largest entries
+/// Distance of the first trial along -g, in units of g: where a linear f would vanish, or one hundredth of x,
+/// whichever is farther. @param norm_of_g 2-norm of the gradient @param g largest entry of the gradient
+/// @param x largest entry of x
 inline double first_trial(double f, double norm_of_g, double g, double x) {
   const double by_value = std::abs(f) / (norm_of_g * norm_of_g);
   const double length = std::max(0.01 * x / g, std::isfinite(by_value) ? by_value : 0.0);
   return length > 0.0 ? length : 1.0 / g;
 }
 
-/// The base of a line (alpha = 0) and one trial at alpha = h > 0.
+/// A line through its base (alpha = 0) and one trial at alpha = h > 0.
 ///
-/// Between two points where phi is quadratic its slope is linear: it vanishes at alpha = r h with
-/// \f$ r = -\phi_0'/(\kappa h), \; \kappa = (\phi_1' - \phi_0')/h \f$. A cubic term a alpha^3 shows in the
-/// values: the trapezium rule misses phi_1 - phi_0 by e = -a h^3 / 2, and the slope at r h is wrong by
-/// 6 (e/h) r (r - 1). So e tells whether the linear interpolation may be trusted.
+/// If phi is quadratic between the two points, its slope is linear and vanishes at alpha = r h with \f$ r =
+/// -\phi_0'/(\kappa h), \; \kappa = (\phi_1' - \phi_0')/h \f$. A cubic term a alpha^3 shows in the values:
+/// the trapezium rule for phi_1 - phi_0 is wrong by e = -a h^3 / 2, and the slope interpolated at r h by 6
+/// (e/h) r (r - 1). So e tells whether the linear interpolation can be trusted.
 struct LineModel {
-  LinePoint base;   ///< At alpha = 0.
-  LinePoint trial;  ///< At alpha = h.
+  LinePoint base;   ///< Value and slope at alpha = 0.
+  LinePoint trial;  ///< Value and slope at alpha = h.
   double h;         ///< Distance of the trial, positive.
-  double r;         ///< Where the slope vanishes, in units of h; meant for a line that is convex().
+  double r;         ///< Where the slope vanishes, in units of h; only for a line that is convex().
   double defect;    ///< nu = |e| / (h max |phi'|), less what rounding of the values explains.
-  double rounding;  ///< The defect that rounding explains, likewise in units of h max |phi'|.
+  double rounding;  ///< The part of nu that rounding explains, in the same units.
 
-  /// `noise` is what rounding may make of the difference of the values.
+  /// The line through two points. @param from the base @param to the trial @param distance h @param noise
+  /// error that rounding may cause in the difference of the values
   LineModel(const LinePoint& from, const LinePoint& to, double distance, double noise)
       : base(from), trial(to), h(distance), r(-from.slope / (to.slope - from.slope)) {
     const double unit = h * std::max(std::abs(from.slope), std::abs(to.slope));
@@ -60,26 +64,27 @@ struct LineModel {
     defect = std::max(0.0, std::abs(trapezium()) / unit - rounding);
   }
 
-  /// e.
+  /// The error e of the trapezium rule.
   [[nodiscard]] double trapezium() const {
     return trial.value - base.value - 0.5 * h * (base.slope + trial.slope);
   }
 
-  /// True for kappa > 0, whose size leaves the range of numbers in distant units of x and f.
+  /// True for kappa > 0; kappa itself may overflow in unusual units of x and f.
   [[nodiscard]] bool convex() const { return trial.slope > base.slope; }
 
-  /// True where the minimum of the line and the gradient there may be taken from the interpolation.
+  /// True if the minimum on the line, and the gradient there, may be taken from the interpolation.
   [[nodiscard]] bool trusted() const {
     return convex() && defect <= 0.3 && r >= 0.02 && r <= 10.0 && wrong_by(defect) <= 0.04;
   }
 
-  /// True where that rests on slopes alone, because rounding would hide a defect.
+  /// True if trusted() rests on the slopes alone, because rounding would hide a defect.
   [[nodiscard]] bool blind() const { return wrong_by(defect + rounding) > 0.04; }
 
-  /// Minimum of the cubic through both points, in units of h; for a trial beyond the minimum. In [0.05,
-  /// 0.95], one half where the cubic has none.
+  /// The minimum of the cubic through both points, in units of h, for a trial beyond the minimum. It is
+  /// limited to [0.05, 0.95], and is one half if the cubic has no minimum.
   [[nodiscard]] double cubic() const {
-    // In units of the slopes, a power of two: squares are numbers whatever the units of x and f.
+    // Slopes are divided by a power of two near the larger one, so that their squares are finite for any
+    // units of x and f.
     const double largest = std::max(std::abs(base.slope), std::abs(trial.slope));
     const double unit = largest > 0.0 && std::isfinite(largest) ? std::ldexp(1.0, std::ilogb(largest)) : 1.0;
     const double before = base.slope / unit, after = trial.slope / unit;
@@ -91,18 +96,19 @@ struct LineModel {
     return std::isfinite(at) ? std::clamp(at, 0.05, 0.95) : 0.5;
   }
 
-  /// Next trial beyond one that still goes downhill, in units of h.
+  /// Distance of the next trial, in units of h, if f still falls at this one.
   [[nodiscard]] double beyond() const { return convex() ? std::clamp(r, 1.5, 10.0) : 5.0; }
 
  private:
-  /// Error of the slope at r h, in units of the larger slope, that a defect of nu stands for.
+  /// Error of the interpolated slope at r h, in units of the larger slope, for a defect nu.
   [[nodiscard]] double wrong_by(double nu) const { return 6.0 * nu * std::max(1.0, r) * std::abs(r - 1.0); }
 };
 
-/// The defect |e| of the values of a line beside its slopes, from trial to trial: a bend of f or noise.
+/// Records |e|, the disagreement of values and slopes along a line, from trial to trial, to tell a bend of f
+/// from noise.
 class LineMisses {
  public:
-  /// The next trial of the line.
+  /// Adds the next trial on the line.
   void add(const LineModel& model) {
     const double now = std::abs(model.trapezium());
     falls_ = now * at_ <= 1.2 * size_ * model.h ? falls_ + 1 : 0;
@@ -111,8 +117,9 @@ class LineMisses {
 
   [[nodiscard]] double size() const { return size_; }  ///< |e| of the last trial.
 
-  /// True where noise of the size `seen` would hide what the slopes say, and yet |e| is above what rounding
-  /// may be and fell, three times in a row, at least as fast as the distance. Noise does not fall with it.
+  /// True if f bends, although noise of the size `seen` could explain the disagreement with the slopes: |e|
+  /// exceeds what rounding may cause, and fell at least as fast as the distance in three successive trials,
+  /// which noise does not do.
   [[nodiscard]] bool bends(const LineModel& last, double seen, double rounding) const {
     const double by_slopes = last.h * std::max(std::abs(last.base.slope), std::abs(last.trial.slope));
     return falls_ >= 3 && size_ > rounding && seen > 0.01 * by_slopes;
@@ -120,7 +127,7 @@ class LineMisses {
 
  private:
   double size_ = 0.0, at_ = 1.0;  ///< |e| and h of the last trial.
-  int falls_ = 0;                 ///< Trials in a row of which that is true.
+  int falls_ = 0;                 ///< Successive trials in which |e| fell at least as fast as h.
 };
 
 }  // namespace avi

@@ -4,19 +4,19 @@
 #include "avi/optim/starting_point.hpp"
 
 /// @file
-/// A local minimum of a function: minimise().
+/// minimise(): a local minimum of a function.
 
 namespace avi {
 
 namespace detail {
 
-/// Passes for a VectorX and for nothing else: Eigen lets one kind of vector pass for another until it is
-/// used.
+/// An argument that converts only to VectorX. It tests whether a function takes one, because Eigen claims to
+/// convert any vector type into any other.
 struct PassesForVectorX {
   operator const VectorX&() const;  ///< Never called.
 };
 
-/// Refuses what is no function to minimise, with the reason.
+/// Stops the compiler with the reason why f is no function to minimise.
 template <class F>
 constexpr void refuse_as_objective() {
   using Float = Vector<float, dynamic>;
@@ -35,26 +35,27 @@ constexpr void refuse_as_objective() {
 
 }  // namespace detail
 
-/// Minimises f from x0 with the defaults, or with what `options` chooses, by L-BFGS, or by
-/// nonlinear conjugate gradients where the memory is 0: see Minimiser.
+/// Minimises f from x0, with default or given options, by L-BFGS, or by nonlinear conjugate gradients if
+/// options.memory is 0; see Minimiser.
 ///
-/// f(x, gradient) returns the value and fills the gradient; or f(x) is a formula that is generic in its
-/// scalar, or a Formula, and the gradient is found by automatic differentiation. x0 is whatever StartingPoint
-/// takes. Local minima, saddles and flat ends are all stationary points: the run stops at the first one it
-/// meets. Each iteration lowers f as far as that can be told: an evaluated iterate is above f(x0) by no more
-/// than rounding, and above an earlier one by no more than that and what was taken for noise of f where a
-/// line was stuck, at most 1e-8 of the largest |f| of x0 and of such places.
+/// f(x, gradient) returns the value and fills in the gradient. Or f(x) is a formula that is generic in its
+/// scalar, or a Formula, and the gradient is found by automatic differentiation. x0 is anything that
+/// StartingPoint accepts. The run stops at the first stationary point that it meets, which may be a local
+/// minimum, a saddle or a flat region. Each iteration lowers f as far as rounding allows. An evaluated
+/// iterate never exceeds f(x0) by more than rounding. It exceeds an earlier iterate at most by this and by
+/// what was taken for noise of f where a line search was stuck, at most 1e-8 of the largest |f| at x0 and at
+/// such places.
 /// @code
 /// const auto run = avi::minimise([](const auto& x) { return (x[0] - 1.0) * (x[0] - 1.0) + x[1] * x[1]; },
 ///                                {3.0, 4.0});
 /// if (run.ok()) use(run.last.x);
 /// @endcode
-/// Outcome::ok: converged; stalled: rounding hides what could still be gained; no_descent: values and
-/// gradient contradict each other, as at a kink or a wall of finite height; wrong_gradient: seen by the check
-/// on request, or a gradient of another size; diverged: f fell below -1e300; non_finite; step_limit; stopped.
-/// Whichever it is, `last` is the last good point that was evaluated, which need not be the one with the
-/// least f of all trials.
-/// @throws std::invalid_argument for options out of range or an empty or non-finite x0.
+/// Outcomes: ok, converged; stalled, rounding hides any further gain; no_descent, values and gradient
+/// contradict each other, as at a kink or a wall of finite height; wrong_gradient, found by the check on
+/// request, or a gradient of another size than x; diverged, f fell below -1e300; non_finite; step_limit;
+/// stopped. In every case `last` is the last valid point that was evaluated. It need not be the trial with
+/// the smallest f.
+/// @throws std::invalid_argument for options out of range, or an empty or non-finite x0.
 template <class F>
 [[nodiscard]] Minimisation minimise(const F& f, const StartingPoint& x0,
                                     const MinimiseOptions& options = {}) {

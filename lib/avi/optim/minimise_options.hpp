@@ -6,39 +6,44 @@
 #include <limits>
 
 /// @file
-/// Options of avi::minimise(), and the progress that its callback sees. Every default serves every problem.
+/// Options of avi::minimise(), and the progress that its callback receives. The defaults suit every problem.
 
 namespace avi {
 
-/// Where a minimisation stands, shown to MinimiseOptions::callback at x0 and after every iteration.
+/// The state of a minimisation, passed to MinimiseOptions::callback at x0 and after every iteration.
 struct Progress {
   const VectorX& x;           ///< The iterate.
   const VectorX& gradient;    ///< Gradient there.
   double value;               ///< f there.
   double gradient_norm;       ///< 2-norm of the gradient.
-  long iterations;            ///< Iterations made.
-  long gradient_evaluations;  ///< So far.
-  /// False where value and gradient were interpolated from the two evaluations nearest on the line.
+  long iterations;            ///< Iterations completed.
+  long gradient_evaluations;  ///< Gradients evaluated so far.
+  /// False if value and gradient were interpolated from the two nearest evaluations on the line.
   bool exact;
 };
 
-/// Choices of avi::minimise(). A run has converged when \f$\|\nabla f(x)\| \le \max(relative\,\|\nabla
-/// f(x_0)\|, absolute)\f$ and the last iteration changed f by less than `change`; that is always decided on
-/// an evaluated gradient, never on an interpolated one. With `relative` and `absolute` both 0 the run goes on
-/// until rounding ends it or the gradient is 0, or so small that its square underflows: that is converged,
-/// too.
+/// Options of avi::minimise(). A run has converged when \f$\|\nabla f(x)\| \le \max(relative\,\|\nabla
+/// f(x_0)\|, absolute)\f$ and the last iteration changed f by less than `change`. This is always tested with
+/// an evaluated gradient, never an interpolated one. If `relative` and `absolute` are both 0, the run
+/// continues until rounding ends it, or until the gradient is 0 or so small that its square underflows; the
+/// latter also counts as converged.
 struct MinimiseOptions {
-  double relative = 1e-6;                                   ///< In [0, 1).
-  double absolute = 0.0;                                    ///< At least 0.
-  double change = std::numeric_limits<double>::infinity();  ///< Positive; of f in one iteration.
-  /// m, the pairs that make the mass matrix: 0 for none (7 vectors of memory), at most 1000; else 2 m + 8.
+  double relative = 1e-6;  ///< Tolerance relative to the gradient at x_0, in [0, 1).
+  double absolute = 0.0;   ///< Absolute tolerance of the gradient, at least 0.
+  /// Bound on the change of f in one iteration, positive.
+  double change = std::numeric_limits<double>::infinity();
+  /// m, the number of pairs in the L-BFGS matrix, at most 1000. The memory is 2 m + 8 vectors, or 7 for m =
+  /// 0.
   int memory = 7;
-  long iterations = 10'000'000;  ///< Cap, at least 1.
-  /// Cap on gradients, at least 1. A comparison with values that was begun is finished: up to 20 more.
+  long iterations = 10'000'000;  ///< Limit on iterations, at least 1.
+  /// Limit on gradient evaluations, at least 1. A check of the gradient against values that has begun is
+  /// completed, with up to 20 more.
   long evaluations = 10'000'000;
-  /// Compares the gradient at x_0 with differences of values first, mostly for four evaluations more.
+  /// Compare the gradient at x_0 with differences of values before the run; this mostly takes four
+  /// evaluations.
   bool check_gradient = false;
-  /// Called at x_0, as iteration 0, and after every iteration; false ends the run as Outcome::stopped.
+  /// Called at x_0, as iteration 0, and after every iteration; returning false ends the run as
+  /// Outcome::stopped.
   std::function<bool(const Progress&)> callback{};
 
   /// Checks the ranges. @throws std::invalid_argument for values outside the ranges above.

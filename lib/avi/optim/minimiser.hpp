@@ -9,21 +9,21 @@
 #include <utility>
 
 /// @file
-/// L-BFGS and nonlinear conjugate gradients with a line search by interpolation: the method of
+/// Minimiser: L-BFGS and nonlinear conjugate gradients with a line search by interpolation, the method of
 /// avi::minimise().
 
 namespace avi {
 
 namespace detail {
 
-/// Calls that a run of the minimiser makes to its caller, who owns the vectors: three positions and three
-/// gradients, known by their numbers 0, 1, 2. The library may be compiled for another processor than the
-/// caller, where vectors of Eigen lie in memory otherwise.
+/// The calls that the compiled minimiser makes to its caller. The caller owns the vectors, three positions
+/// and three gradients, which are known by their numbers 0, 1, 2. Eigen vectors are not passed, because the
+/// library may be compiled for another instruction set than the caller, with another memory layout.
 class MinimiserCalls {
  public:
-  /// Where a run stands.
+  /// The state of a run.
   struct Place {
-    int x, g;          ///< Numbers of the iterate and its gradient.
+    int x, g;          ///< Number of the position vector and of the gradient vector.
     double value;      ///< f there.
     double norm;       ///< 2-norm of the gradient.
     long iterations;   ///< Iterations made.
@@ -32,51 +32,52 @@ class MinimiserCalls {
   };
 
   virtual ~MinimiserCalls() = default;
-  virtual double* position(int x) = 0;  ///< The n entries of a position.
-  virtual double* gradient(int g) = 0;  ///< The n entries of a gradient.
-  /// f at a position; the gradient goes where it says. @return f, and the number of entries that f left in
-  /// the gradient, which has n again
+  virtual double* position(int x) = 0;  ///< The n entries of position x.
+  virtual double* gradient(int g) = 0;  ///< The n entries of gradient g.
+  /// Evaluates f at position x and stores the gradient in g. @return f, and the number of entries to which f
+  /// set the gradient; it is resized to n again
   virtual std::pair<double, Eigen::Index> evaluate(int x, int g) = 0;
-  /// Tells the callback. @return false where it asks to stop
+  /// Calls the callback. @return false to stop the run
   virtual bool report(const Place& place) = 0;
 };
 
-/// How a run of the minimiser ended, and where.
+/// The outcome and the last point of a run of the minimiser.
 struct MinimiserEnd {
-  Outcome outcome;              ///< How.
-  MinimiserCalls::Place place;  ///< The last point that was evaluated and is good.
+  Outcome outcome;              ///< How the run ended.
+  MinimiserCalls::Place place;  ///< The last valid point that was evaluated.
   std::string message;          ///< See Minimisation.
 };
 
-/// Minimises from position 0 of n entries.
+/// Runs the minimisation from position 0, a vector of n entries.
 MinimiserEnd minimise_by_calls(MinimiserCalls& calls, Eigen::Index n, const MinimiseOptions& options);
 
 }  // namespace detail
 
 /// One run of L-BFGS (memory m > 0) or of a nonlinear conjugate gradient method (m = 0), \f[ x_+ = x + \alpha
-/// d, \qquad d = -H \nabla f \quad\text{or}\quad d_+ = \beta d - \nabla f(x_+), \f] with a line search by
-/// interpolation that takes one evaluation an iteration where f is nearly quadratic along the line. H is the
-/// L-BFGS matrix of the last m pairs, beta that of Hager and Zhang with restarts.
+/// d, \qquad d = -H \nabla f \quad\text{or}\quad d_+ = \beta d - \nabla f(x_+). \f] Its line search by
+/// interpolation takes one evaluation per iteration where f is nearly quadratic along the line. H is the
+/// L-BFGS matrix of the last m pairs; beta is that of Hager and Zhang, with restarts.
 ///
-/// Seen from Bregman dynamics the second form is a heavy ball, the order-0 HTVI (bregman/bregman_htvi.hpp)
-/// whose clock is set by the state and frozen over a step; \f$H^{-1}\f$ is a variable mass matrix.
+/// In terms of Bregman dynamics the second form is a heavy ball: the order-0 HTVI (bregman/bregman_htvi.hpp),
+/// with a clock that depends on the state and is frozen during a step. \f$H^{-1}\f$ corresponds to a variable
+/// mass matrix.
 ///
-/// **Line interpolation.** One trial along d gives value and slope at two points of the line. Where the
-/// values confirm that f is quadratic in between (LineModel), the minimiser of the line and the gradient
-/// there follow by interpolation, so an iteration costs one evaluation. Otherwise the trial is taken as it is
-/// when it satisfies Wolfe's conditions, or the line is searched. An interpolated point that fails later is
-/// evaluated; if f rose, the run goes back to the best point that was evaluated.
+/// **Line interpolation.** One trial along d gives value and slope at two points of the line. If the values
+/// confirm that f is quadratic between them (LineModel), the minimum on the line and the gradient there are
+/// interpolated, so the iteration costs one evaluation. Otherwise the trial is accepted if it satisfies the
+/// Wolfe conditions, and if not, the line is searched. An interpolated point that fails later is evaluated;
+/// if f rose there, the run goes back to the best evaluated point.
 ///
-/// Each operation on vectors is one pass over memory: seven vectors, and 2 m + 1 more. The run is in the
-/// library; here are f and the vectors that it sees. Theory, choices of alpha and beta, and measurements:
-/// @ref optimisation.
+/// Each operation on vectors takes one pass over memory. There are seven vectors, and 2 m + 1 more. The run
+/// itself is in the compiled library; this class holds f and the vectors that f sees. For theory, the choice
+/// of alpha and beta, and measurements, see @ref optimisation.
 class Minimiser final : detail::MinimiserCalls {
  public:
   /// Value and gradient at a point.
   using Function = std::function<double(const VectorX&, VectorX&)>;
 
-  /// Makes the memory of a run.
-  /// @throws std::invalid_argument for options out of range or an empty or non-finite x0.
+  /// Allocates the vectors of a run.
+  /// @throws std::invalid_argument for options out of range, or an empty or non-finite x0.
   Minimiser(Function f, const VectorX& x0, const MinimiseOptions& options)
       : options_(options), f_(std::move(f)), n_(x0.size()) {
     options.validate();
@@ -85,10 +86,11 @@ class Minimiser final : detail::MinimiserCalls {
     x_[0] = x0;
     for (VectorX* v : {&x_[1], &x_[2], &g_[1], &g_[2]})
       v->setZero(n_);
-    g_[0].setConstant(n_, std::numeric_limits<double>::quiet_NaN());  // f that does not fill it is noticed
+    // NaN, so that an f that does not fill it is noticed
+    g_[0].setConstant(n_, std::numeric_limits<double>::quiet_NaN());
   }
 
-  /// Minimises. To be called once. @throws std::logic_error for another call.
+  /// Runs the minimisation. May be called only once. @throws std::logic_error for a further call.
   Minimisation run() {
     if (std::exchange(ran_, true))
       throw std::logic_error("The run of this Minimiser is over; another one takes another Minimiser.");

@@ -5,30 +5,30 @@
 #include <concepts>
 
 /// @file
-/// Objectives of a minimisation, and the number of their evaluations.
+/// Objectives of a minimisation, and a counter of their evaluations.
 
 namespace avi {
 
-/// A differentiable function: f(x, gradient) returns the value and fills the gradient, both of the size of x.
-/// A member f.value(x) is used, where there is one, when only the value is asked for.
+/// A differentiable function: f(x, gradient) returns the value and fills in the gradient, which has the size
+/// of x. If only the value is needed, a member f.value(x) is used where there is one.
 template <class F>
 concept Objective = requires(const F& f, const VectorX& x, VectorX& gradient) {
   { f(x, gradient) } -> std::convertible_to<double>;
 };
 
-/// The objective as methods see it: counts every evaluation of the value and of the gradient, whatever it
-/// serves.
+/// An objective with a counter, as update rules see it. It counts all evaluations of values and gradients,
+/// for whatever purpose.
 template <Objective F>
 class Counted {
  public:
-  long values = 0;     ///< Function values so far.
-  long gradients = 0;  ///< Gradients so far.
+  long values = 0;     ///< Values evaluated so far.
+  long gradients = 0;  ///< Gradients evaluated so far.
 
-  /// Keeps a reference: the objective must outlive the counter.
+  /// Stores a reference: the objective must outlive the counter.
   Counted(const F& f, Eigen::Index size) : f_(f), unused_(size) {}
 
-  /// Value at x; the gradient goes to `gradient`.
-  /// @throws std::invalid_argument where the objective makes it another size.
+  /// The value at x; the gradient is stored in `gradient`.
+  /// @throws std::invalid_argument if the objective gives it another size.
   double operator()(const VectorX& x, VectorX& gradient) {
     ++values;
     ++gradients;
@@ -38,7 +38,7 @@ class Counted {
     return value;
   }
 
-  /// Value at x alone. It costs a gradient too when the objective has no member value(x).
+  /// The value at x only. If the objective has no member value(x), this also costs a gradient.
   double value(const VectorX& x) {
     if constexpr (requires { f_.value(x); }) {
       ++values;
@@ -57,12 +57,12 @@ class Counted {
 struct Iterate {
   VectorX x;           ///< n entries.
   VectorX gradient;    ///< n entries.
-  double value = 0.0;  ///< f.
-  /// True when value and gradient belong to x. A method that moves x without evaluating there clears it, and
-  /// the loop evaluates.
+  double value = 0.0;  ///< Value of f.
+  /// True if value and gradient belong to x. A method that moves x without evaluating f there sets this to
+  /// false, and the loop then evaluates.
   bool evaluated = false;
 
-  /// Makes value and gradient belong to x.
+  /// Evaluates f at x.
   template <class F>
   void evaluate(F& f) {
     value = f(x, gradient);

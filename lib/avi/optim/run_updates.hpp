@@ -9,14 +9,14 @@
 #include <utility>
 
 /// @file
-/// The only loop of update rules: stopping, counting, observation and the exits of a failing run are here; a
-/// method is an update rule.
+/// run_updates(): the only loop for update rules. It handles stopping, counting, observation and failures; a
+/// method only provides the update.
 
 namespace avi {
 
-/// A method is its hyper-parameters. start() checks them and makes the state of one run; update() moves
-/// iterate.x once, may evaluate the objective where it likes, and clears iterate.evaluated unless value and
-/// gradient are those of the new x.
+/// A method is a set of hyper-parameters. start() checks them and returns the state for one run. update()
+/// moves iterate.x once and may evaluate the objective anywhere. It sets iterate.evaluated to false unless
+/// value and gradient are those of the new x.
 template <class M, class F>
 concept OptimisationMethod = requires(const M& method, typename M::State& state, Iterate& iterate,
                                       Counted<F>& objective) {
@@ -24,7 +24,7 @@ concept OptimisationMethod = requires(const M& method, typename M::State& state,
   { method.update(state, iterate, objective) } -> std::same_as<Outcome>;
 };
 
-/// Observer that does nothing.
+/// A witness that does nothing.
 struct NoWitness {
   /// Does nothing.
   void operator()(const Iterate&, long, long) const {}
@@ -37,7 +37,7 @@ inline std::string describe_end(Outcome outcome, long k, const Iterate& at, std:
       {"The run ended as ", name(outcome), " at iteration ", k, ", where f = ", at.value, ": ", reason, "."});
 }
 
-/// Tells a run that left its bounds from one that met something that is not a number on the way.
+/// Distinguishes a run whose iterates exceeded their bounds from one that met a value that is not a number.
 inline void describe_failure(Minimisation& run, double x_bound) {
   const double size = largest_entry(run.last.x);
   std::string_view reason = "the iterates left every bound";
@@ -54,14 +54,14 @@ inline void describe_failure(Minimisation& run, double x_bound) {
 
 }  // namespace detail
 
-/// Minimises f from x0 = `start` with `method` until `stopping` says so.
+/// Minimises f from x0 = `start` by the updates of `method`, until `stopping` holds.
 ///
-/// The objective is evaluated once at x0 and then wherever the method or the stopping test needs it.
-/// `witness(iterate, k, gradient_evaluations)` is called for k = 0 at the start and after every update; when
-/// it returns bool, false ends the run as Outcome::stopped.
+/// The objective is evaluated once at x0, and then wherever the method or the stopping test needs it.
+/// `witness(iterate, k, gradient_evaluations)` is called at the start (k = 0) and after every update; if it
+/// returns a bool, false ends the run as Outcome::stopped.
 /// @throws std::invalid_argument for a stopping rule or hyper-parameters out of range, an empty or non-finite
-/// x0, an objective that is not finite at x0 or does not fill its gradient there, or a gradient of another
-/// size, there or later.
+/// x0, an objective that is not finite at x0 or does not fill in its gradient there, or a gradient of another
+/// size at any time.
 template <Objective F, OptimisationMethod<F> M, class Witness = NoWitness>
 Minimisation run_updates(const F& f, const M& method, const StartingPoint& start,
                          const Stopping& stopping = {}, Witness&& witness = {}) {
@@ -73,7 +73,8 @@ Minimisation run_updates(const F& f, const M& method, const StartingPoint& start
   Minimisation run;
   Iterate& now = run.last;
   now.x = x0;
-  now.gradient.setConstant(x0.size(), std::numeric_limits<double>::quiet_NaN());  // f has to fill it
+  // NaN, so that an f that does not fill it is noticed
+  now.gradient.setConstant(x0.size(), std::numeric_limits<double>::quiet_NaN());
   now.evaluate(objective);
   require_finite("Value of the objective at x0", now.value);
   require_finite("Norm of the gradient at x0", norm(now.gradient));
@@ -91,8 +92,8 @@ Minimisation run_updates(const F& f, const M& method, const StartingPoint& start
     run.function_evaluations = objective.values;
     return run;
   };
-  // One step back from the failure. An objective that returns finite values for NaN input hides a failure for
-  // longer; then only x0 is known to be good.
+  // After a failure the run goes back one update. An objective that returns finite values for NaN arguments
+  // may hide the failure for longer; then only x0 is known to be valid.
   VectorX good = now.x;
   const auto fail = [&]() -> Minimisation& {
     detail::describe_failure(run, x_bound);
@@ -114,7 +115,7 @@ Minimisation run_updates(const F& f, const M& method, const StartingPoint& start
     ++run.iterations;
     if (outcome != Outcome::ok) return end_as(outcome, "the method cannot continue");
     if (!now.evaluated) now.evaluate(objective);
-    // One comparison per iteration finds every failure: NaN and infinity fail it too.
+    // One comparison per iteration detects every failure, because it is also false for NaN.
     if (!(std::abs(now.value) <= value_bound)) return fail();
     more = go_on();
     if (stopping.holds(now.value - before, now)) {

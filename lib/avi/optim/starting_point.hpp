@@ -9,18 +9,18 @@
 #include <type_traits>
 
 /// @file
-/// Where a minimisation begins.
+/// StartingPoint: the argument x0 of a minimisation.
 
 namespace avi {
 
-/// A starting point, as the argument of a call: a vector of Eigen or an expression of such, numbers in
-/// braces, or an array of double that lies in one piece (std::vector, std::array). A VectorX is referred to,
-/// anything else is copied. Other kinds of numbers are refused, and matrices.
+/// A starting point given as an Eigen vector or vector expression, as numbers in braces, or as a contiguous
+/// array of double (std::vector, std::array). A VectorX is stored by reference, anything else is copied.
+/// Other number types and matrices are refused.
 class StartingPoint {
  public:
   StartingPoint(const VectorX& x) : x_(&x) {}                                     ///< Refers to x.
   StartingPoint(std::initializer_list<double> x) { copy({x.begin(), x.end()}); }  ///< The numbers in braces.
-  /// From anything else. @throws std::invalid_argument for a matrix of more or less than one column.
+  /// From any other type. @throws std::invalid_argument for a matrix that does not have exactly one column.
   template <class T>
   requires(!std::same_as<T, StartingPoint>) StartingPoint(const T& x) {
     if constexpr (std::is_base_of_v<Eigen::EigenBase<T>, T>) {
@@ -37,10 +37,10 @@ class StartingPoint {
       if constexpr (std::convertible_to<const T&, std::span<const double>>) copy(x);
     }
   }
-  StartingPoint(const StartingPoint&) = delete;  // it may refer to what lives for one call
+  StartingPoint(const StartingPoint&) = delete;  // it may refer to a temporary
   StartingPoint& operator=(const StartingPoint&) = delete;
 
-  [[nodiscard]] const VectorX& vector() const { return *x_; }  ///< As a vector.
+  [[nodiscard]] const VectorX& vector() const { return *x_; }  ///< The point as a vector.
 
  private:
   VectorX own_;

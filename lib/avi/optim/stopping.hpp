@@ -7,11 +7,11 @@
 #include <string>
 
 /// @file
-/// When a minimisation ends, and what it tells its caller.
+/// The stopping rule and the result of a minimisation.
 
 namespace avi {
 
-/// |a|, also where the squares of its entries underflow.
+/// The 2-norm |a|, also where the squares of its entries underflow.
 inline double length(const VectorView& a) {
   const double unscaled = norm(a);
   if (!(unscaled < 1e-150)) return unscaled;
@@ -19,15 +19,15 @@ inline double length(const VectorView& a) {
   return largest > 0.0 ? largest * norm(a / largest) : unscaled;
 }
 
-/// End of a run after iteration k: \f$|f(x_k) - f(x_{k-1})| < \delta\f$ and \f$\|\nabla f(x_k)\|_2 <
-/// \delta\f$ (the paper's termination criterion, equation (4.22)), or the cap, or the run has left every
-/// bound.
+/// When a run ends after iteration k: if \f$|f(x_k) - f(x_{k-1})| < \delta\f$ and \f$\|\nabla f(x_k)\|_2 <
+/// \delta\f$ (the termination criterion of the paper, equation (4.22)), at the limit on iterations, or on
+/// divergence.
 struct Stopping {
-  double delta = 1e-10;          ///< At least 0; with 0 the test never holds and the run goes on to the cap.
-  long iterations = 10'000'000;  ///< Cap on updates, at least 1.
-  /// The run has diverged when |f| exceeds growth max(1, |f(x_0)|): x itself may go wherever f stays within
-  /// that. Where f is NaN it has diverged if an entry of x exceeds growth max(1, |x_0|_inf), and met what is
-  /// not a number if none does. At least 1.
+  double delta = 1e-10;          ///< Tolerance, at least 0; with 0 the criterion never holds.
+  long iterations = 10'000'000;  ///< Limit on updates, at least 1.
+  /// The run has diverged when |f| exceeds growth max(1, |f(x_0)|); x itself is not bounded as long as f
+  /// stays below that. If f is NaN, the run has diverged if an entry of x exceeds growth max(1, |x_0|_inf),
+  /// and otherwise ends as non_finite. At least 1.
   double growth = 1e30;
 
   /// Checks the ranges. @throws std::invalid_argument for values outside the ranges above.
@@ -37,24 +37,24 @@ struct Stopping {
     require(growth >= 1.0, "Growth that counts as divergence", growth, "at least 1");
   }
 
-  /// The termination criterion; `change` is f(x_k) - f(x_{k-1}).
+  /// The termination criterion. @param change f(x_k) - f(x_{k-1}) @param at the iterate x_k
   [[nodiscard]] bool holds(double change, const Iterate& at) const {
     return std::abs(change) < delta && length(at.gradient) < delta;
   }
 };
 
-/// The result of a minimisation. Outcome::ok means converged.
+/// The result of a minimisation. Outcome::ok means that it converged.
 struct Minimisation {
   Outcome outcome = Outcome::step_limit;  ///< How the run ended.
   long iterations = 0;                    ///< Updates made.
-  long gradient_evaluations = 0;          ///< All of them, those of the stopping test included.
-  long function_evaluations = 0;          ///< Likewise.
-  /// The last iterate; where a run ended as diverged or non_finite, the last good one, evaluated once more.
+  long gradient_evaluations = 0;          ///< All gradients, including those of the stopping test.
+  long function_evaluations = 0;          ///< All values, likewise.
+  /// The last iterate; if the run ended as diverged or non_finite, the last valid one, evaluated again.
   Iterate last;
-  std::string message;  ///< Empty when converged; else one sentence with iteration and reason.
+  std::string message;  ///< Empty if converged; otherwise one sentence with iteration and reason.
 
-  [[nodiscard]] bool ok() const { return outcome == Outcome::ok; }  ///< The criterion held.
-  [[nodiscard]] bool converged() const { return ok(); }             ///< The same, in the field's word.
+  [[nodiscard]] bool ok() const { return outcome == Outcome::ok; }  ///< The run has converged.
+  [[nodiscard]] bool converged() const { return ok(); }             ///< The same under the usual name.
 };
 
 }  // namespace avi

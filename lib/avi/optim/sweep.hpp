@@ -6,7 +6,7 @@
 #include <array>
 
 /// @file
-/// One pass over several long vectors that changes some of them and sums over others on the way.
+/// sweep(): one pass over several long vectors, which changes some and sums over others.
 
 namespace avi {
 
@@ -15,33 +15,33 @@ namespace detail {
 inline namespace AVI_INSTRUCTIONS {
 /// @endcond
 
-/// Eight entries at index i of every vector of a pass.
+/// Access to eight consecutive entries of every vector of a pass.
 struct EightEntries {
   Eigen::Index i;  ///< Index of the first of them.
-  /// Entries i to i + 7 of a, wherever they lie.
+  /// Entries i to i + 7 of a.
   [[nodiscard]] Pack<8> operator()(const double* a) const { return Pack<8>::load(a + i); }
-  void set(double* a, const Pack<8>& v) const { v.store(a + i); }  ///< Stores them.
+  void set(double* a, const Pack<8>& v) const { v.store(a + i); }  ///< Stores v in entries i to i + 7.
 };
 
 /// @cond
 }  // namespace AVI_INSTRUCTIONS
 /// @endcond
 
-/// The same for one entry: the end of a vector whose size is no multiple of eight.
+/// Access to a single entry, at the end of vectors whose size is not a multiple of eight.
 struct OneEntry {
-  Eigen::Index i;                                            ///< Its index.
+  Eigen::Index i;                                            ///< Index of the entry.
   double operator()(const double* a) const { return a[i]; }  ///< Entry i of a.
-  void set(double* a, double v) const { a[i] = v; }          ///< Stores it.
+  void set(double* a, double v) const { a[i] = v; }          ///< Stores v in entry i.
 };
 
 }  // namespace detail
 
-/// For every i: body(at, sum), where at(a) is entry i of the array a, at.set(a, v) stores one, and sum[k] is
-/// to be increased by a term of the k-th sum. Returns the sums.
+/// Calls body(at, sum) for all i. In it, at(a) is entry i of the array a, at.set(a, v) sets that entry, and
+/// sum[k] is to be increased by the term for the k-th sum. @return the sums
 ///
-/// `body` is generic: it is called for eight entries at a time, and one by one at the end. The order of
-/// addition is that of avi::dot() (core/dot.hpp): eight partial sums, added as a tree, so that sums are the
-/// same to the last bit on every machine. A pass that did the same one operation at a time would read long
+/// `body` must be generic: it is called for eight entries at a time, and for single ones at the end. The
+/// order of addition is that of avi::dot() (core/dot.hpp), eight partial sums added as a tree, so that sums
+/// are the same to the last bit on every machine. Separate operations instead of one pass would read long
 /// vectors from memory several times.
 template <int sums, class Body>
 [[gnu::always_inline]] inline std::array<double, sums> sweep(Eigen::Index n, Body body) {

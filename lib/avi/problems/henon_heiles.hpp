@@ -10,8 +10,8 @@
 
 namespace avi {
 
-/// \f$H(q, p) = \tfrac12 (|p|^2 + x^2 + y^2) + x^2 y - \tfrac13 y^3\f$ with q = (x, y). Orbits are
-/// bounded below the energy 1/6, mostly regular at 1/12, mostly chaotic at 1/6.
+/// The Hamiltonian \f$H(q, p) = \tfrac12 (|p|^2 + x^2 + y^2) + x^2 y - \tfrac13 y^3\f$ with q = (x, y). Below
+/// the energy 1/6 orbits are bounded; they are mostly regular at 1/12 and mostly chaotic at 1/6.
 struct HenonHeiles : UnitMass<HenonHeiles, 2> {
   /// Potential V(q) = (x^2 + y^2) / 2 + x^2 y - y^3 / 3.
   template <class Q>
@@ -25,8 +25,8 @@ struct HenonHeiles : UnitMass<HenonHeiles, 2> {
     return {q[0] + 2.0 * q[0] * q[1], q[1] + q[0] * q[0] - q[1] * q[1]};
   }
 
-  /// Point (y, p_y) of the surface of section x = 0, p_x > 0 at the given energy.
-  /// @throws std::invalid_argument when no such point has a real p_x > 0.
+  /// The state on the surface of section x = 0, p_x > 0 with given y and p_y, at the given energy.
+  /// @throws std::invalid_argument if there is no such state with a real p_x > 0.
   static State<2> on_section(double energy, double y, double p_y) {
     require_finite("Coordinate y", y);
     require_finite("Momentum p_y", p_y);

@@ -7,11 +7,12 @@
 #include <cmath>
 
 /// @file
-/// Kepler's planar two-body problem in relative coordinates, unit masses and period 2 pi.
+/// Kepler's planar two-body problem, in relative coordinates, with unit masses and period 2 pi.
 
 namespace avi {
 
-/// \f$H(q, p) = \tfrac12 |p|^2 - 1/|q|\f$, with q, p in \f$R^2\f$ (Section 3.3 of the paper).
+/// Kepler's Hamiltonian \f$H(q, p) = \tfrac12 |p|^2 - 1/|q|\f$, with q, p in \f$R^2\f$ (Section 3.3 of the
+/// paper).
 struct Kepler : UnitMass<Kepler, 2> {
   /// Potential V(q) = -1 / |q|.
   template <class Q>
@@ -45,18 +46,19 @@ struct Kepler : UnitMass<Kepler, 2> {
     return {q[0] * u, q[1] * u};
   }
 
-  /// q_1 p_2 - q_2 p_1, conserved.
+  /// Angular momentum q_1 p_2 - q_2 p_1, conserved.
   static double angular_momentum(const State<2>& z) { return z.q[0] * z.p[1] - z.q[1] * z.p[0]; }
 
-  /// Pericentre of the orbit of semi-major axis 1: q = (1 - e, 0), p = (0, sqrt((1 + e) / (1 - e))).
+  /// The state at the pericentre of the orbit with semi-major axis 1: q = (1 - e, 0), p = (0, sqrt((1 + e) /
+  /// (1 - e))).
   /// @throws std::invalid_argument unless 0 <= e < 1.
   static State<2> pericentre(double e) {
     require(e >= 0.0 && e < 1.0, "Eccentricity", e, "in [0, 1)");
     return {.q = {1.0 - e, 0.0}, .p = {0.0, std::sqrt((1.0 + e) / (1.0 - e))}};
   }
 
-  /// Exact state at time t of the orbit that starts at pericentre(e), from Kepler's equation
-  /// \f$E - e \sin E = t\f$, solved by Newton's method with bisection as its safeguard.
+  /// The exact state at time t on the orbit that starts at pericentre(e). Kepler's equation \f$E - e \sin E =
+  /// t\f$ is solved by Newton's method with bisection as a safeguard.
   /// @throws std::invalid_argument unless 0 <= e < 1 and t is finite.
   static State<2> exact(double e, double t) {
     require(e >= 0.0 && e < 1.0, "Eccentricity", e, "in [0, 1)");

@@ -11,11 +11,12 @@
 
 namespace avi {
 
-/// N bodies that attract each other in the plane or in space. \f[ H(q, p) = \sum_i \frac{|p_i|^2}{2 m_i} -
-/// \sum_{i<j} \frac{m_i m_j}{|q_i - q_j|} \f] with \f$q = (x_1, y_1, x_2, y_2, \ldots)\f$ in \f$R^{dN}\f$,
-/// d = `space` = 2 or 3, and unit gravitational constant: for another one, G, give masses \f$G m_i\f$ and
-/// momenta \f$G m_i v_i\f$; H then is G times the energy. `bodies`, N, may be avi::dynamic; then energies and
-/// their gradients throw std::invalid_argument for q or p of another number of entries than dN.
+/// N bodies that attract each other by gravity, in the plane or in space. \f[ H(q, p) = \sum_i
+/// \frac{|p_i|^2}{2 m_i} - \sum_{i<j} \frac{m_i m_j}{|q_i - q_j|} \f] with \f$q = (x_1, y_1, x_2, y_2,
+/// \ldots)\f$ in \f$R^{dN}\f$, d = `space` = 2 or 3, and unit gravitational constant. For another constant G,
+/// use masses \f$G m_i\f$ and momenta \f$G m_i v_i\f$; H is then G times the energy. `bodies`, N, may be
+/// avi::dynamic; energies and their gradients then throw std::invalid_argument if q or p does not have dN
+/// entries.
 template <int bodies, int space = 2>
 class NBody {
   static_assert(space == 2 || space == 3, "Bodies move in the plane or in space.");
@@ -24,8 +25,8 @@ class NBody {
   static constexpr int dimension = bodies == dynamic ? dynamic : space * bodies;  ///< dN, or avi::dynamic.
   using Masses = Vector<double, bodies>;                                          ///< One for each body.
 
-  /// Bodies of these masses.
-  /// @throws std::invalid_argument for fewer than two bodies or a mass that is not finite and positive.
+  /// The problem for bodies of these masses.
+  /// @throws std::invalid_argument for fewer than two bodies, or a mass that is not finite and positive.
   explicit NBody(Masses masses) : masses_(std::move(masses)) {
     require(masses_.size() >= 2, "Number of bodies", masses_.size(), "at least 2");
     for (Eigen::Index i = 0; i < masses_.size(); ++i)
@@ -34,7 +35,7 @@ class NBody {
 
   [[nodiscard]] const Masses& masses() const { return masses_; }  ///< m_i.
 
-  /// Kinetic energy.
+  /// Kinetic energy T(p).
   template <class P>
   auto kinetic(const P& p) const {
     require_entries("Number of entries of p", p);
@@ -60,7 +61,7 @@ class NBody {
     return v;
   }
 
-  /// Potential energy.
+  /// Potential energy V(q).
   template <class Q>
   auto potential(const Q& q) const {
     using std::sqrt;
@@ -72,7 +73,7 @@ class NBody {
     return sum;
   }
 
-  /// The Hamiltonian.
+  /// The Hamiltonian T + V.
   template <class Q, class P>
   auto operator()(const Q& q, const P& p) const {
     return kinetic(p) + potential(q);
@@ -131,9 +132,10 @@ class NBody {
     return sum;
   }
 
-  /// Angular momentum about the axis at right angles to coordinates k and l, in the plane the only one:
-  /// \f$\sum_i x_{i,k} p_{i,l} - x_{i,l} p_{i,k}\f$, conserved.
-  /// @throws std::invalid_argument for a coordinate that a body does not have, and q and p of different size.
+  /// Angular momentum about the axis perpendicular to coordinates k and l: \f$\sum_i x_{i,k} p_{i,l} -
+  /// x_{i,l} p_{i,k}\f$, conserved. In the plane it is the only one.
+  /// @throws std::invalid_argument for a coordinate that a body does not have, and for q and p of different
+  /// size.
   static double angular_momentum(const State<dimension>& z, int k = 0, int l = 1) {
     for (const int coordinate : {k, l})
       require(coordinate >= 0 && coordinate < space, "Coordinate of a body", coordinate,
@@ -156,17 +158,18 @@ class NBody {
   Masses masses_;
 };
 
-/// Three unit masses chasing each other along one figure-eight curve.
+/// The figure-eight orbit: three unit masses that follow each other along one curve.
 ///
 /// Existence: Chenciner and Montgomery (A remarkable periodic solution of the three-body problem in the case
-/// of equal masses, 2000); digits of the start and of the period computed by Carles Simo, printed there.
+/// of equal masses, 2000). The digits of the start and of the period were computed by Carles Simo and are
+/// printed there.
 struct FigureEight {
   static constexpr double period = 6.32591398;  ///< To nine digits, as printed.
 
-  /// The problem.
+  /// The three-body problem of this orbit.
   static NBody<3> problem() { return NBody<3>(NBody<3>::Masses::Ones()); }
 
-  /// Two bodies at (+-0.97000436, -+0.24308753), the third between them at the origin.
+  /// Start of the orbit: two bodies at (+-0.97000436, -+0.24308753), the third between them at the origin.
   static State<6> start() {
     State<6> z;
     const double vx = 0.93240737, vy = 0.86473146;

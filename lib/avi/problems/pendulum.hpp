@@ -10,8 +10,8 @@
 
 namespace avi {
 
-/// \f$H(q, p) = \tfrac12 p^2 - \cos q\f$; q is the angle from the position of rest, time in units of
-/// sqrt(length / g).
+/// The Hamiltonian \f$H(q, p) = \tfrac12 p^2 - \cos q\f$. q is the angle from the rest position; time is in
+/// units of sqrt(length / g).
 struct Pendulum : UnitMass<Pendulum, 1> {
   /// Potential V(q) = -cos q.
   template <class Q>
@@ -29,14 +29,15 @@ struct Pendulum : UnitMass<Pendulum, 1> {
     return gradient;
   }
 
-  /// At rest at angle `amplitude`.
+  /// The state at rest at the angle `amplitude`.
   /// @throws std::invalid_argument unless 0 <= amplitude < pi.
   static State<1> start(double amplitude) {
     require(amplitude >= 0.0 && amplitude < M_PI, "Amplitude", amplitude, "in [0, pi)");
     return {.q = Vector<double, 1>(amplitude), .p = Vector<double, 1>(0.0)};
   }
 
-  /// Period 4 K(sin(amplitude / 2)) of the swing, K the complete elliptic integral of the first kind.
+  /// Period 4 K(sin(amplitude / 2)) of the swing, where K is the complete elliptic integral of the first
+  /// kind.
   /// @throws std::invalid_argument unless 0 <= amplitude < pi.
   static double period(double amplitude) {
     require(amplitude >= 0.0 && amplitude < M_PI, "Amplitude", amplitude, "in [0, pi)");

@@ -11,16 +11,15 @@
 namespace avi {
 
 /// Adaptive symplectic Euler-B (equation (3.26) of the paper; Hairer 1997; Leimkuhler and Reich 2005, page
-/// 254). \f[ p_1 = p_0 - h\,g\,\nabla V - h\,\nabla g\,(\tfrac12 |p_1|^2 + V + p^t), \quad
-/// q_1 = q_0 + h\,g\,p_1, \quad t_1 = t_0 + h\,g, \f]
-/// with g, V and their gradients at \f$q_0\f$. It is the Type II HTVI with r = 0. With monitor Unit it is the
-/// plain method.
+/// 254), \f[ p_1 = p_0 - h\,g\,\nabla V - h\,\nabla g\,(\tfrac12 |p_1|^2 + V + p^t), \quad q_1 = q_0 +
+/// h\,g\,p_1, \quad t_1 = t_0 + h\,g, \f] with g, V and their gradients at \f$q_0\f$. It is the Type II HTVI
+/// with r = 0. With the monitor Unit it is the usual method with fixed steps.
 ///
 /// The implicit equation is solved in closed form. With \f$A = p_0 - h g \nabla V - h \nabla g\,(V + p^t)\f$
-/// and \f$B = 1 + h A\cdot\nabla g\f$, \f$s = |p_1|^2\f$ is the root of \f[ \tfrac14 h^2 |\nabla g|^2 s^2 - B
-/// s + |A|^2 = 0 \f] that tends to \f$|A|^2\f$ as h does to 0; then \f$p_1 = A - \tfrac12 h s \nabla g\f$.
-/// Where no such root exists h is too large for the monitor, and the step reports not_converged with the
-/// discriminant as its residual.
+/// and \f$B = 1 + h A\cdot\nabla g\f$, \f$s = |p_1|^2\f$ is that root of \f[ \tfrac14 h^2 |\nabla g|^2 s^2 -
+/// B s + |A|^2 = 0 \f] which tends to \f$|A|^2\f$ as h tends to 0; then \f$p_1 = A - \tfrac12 h s \nabla
+/// g\f$. If there is no such root, h is too large for the monitor, and the step ends as not_converged with
+/// the discriminant as its residual.
 ///
 /// `Problem` provides potential(q) and potential_gradient(q); the monitor is differentiated automatically.
 template <int n, class Problem, class G = Unit>
@@ -30,18 +29,18 @@ class EulerB {
                 "The monitor of Euler-B must be callable as g(q): its equation is solved in closed form.");
 
  public:
-  /// Along the orbit of energy -p^t; euler_b() finds the types and p^t.
+  /// The method for orbits of energy -p^t; euler_b() deduces the types and finds p^t.
   /// @param energy_momentum p^t = -H(q(0), p(0)) @throws std::invalid_argument unless it is finite.
   EulerB(Problem problem, G monitor, double energy_momentum)
       : problem_(std::move(problem)), g_(std::move(monitor)), pt_(require_finite("p^t", energy_momentum)) {}
 
   static constexpr int order() { return 1; }  ///< In the step size.
-  static constexpr bool symplectic = true;    ///< As a map of (q, p) at this p^t.
+  static constexpr bool symplectic = true;    ///< As a map of (q, p) for fixed p^t.
   static constexpr bool symmetric = false;    ///< Its adjoint is Euler-A.
 
-  /// Advances z by the fictive step h. Ends as bad_monitor where g is not positive, as non_finite where g,
-  /// its gradient, that of the potential or what follows from them is not finite, and as not_converged where
-  /// h is too large, with z as it was.
+  /// Advances z by the fictive step h. It ends as bad_monitor if g is not positive; as non_finite if g, its
+  /// gradient, that of the potential or anything computed from them is not finite; and as not_converged if h
+  /// is too large. z is then unchanged.
   StepReport step(State<n>& z, double h) const {
     State<n> moved = z;
     if constexpr (std::same_as<G, Unit>) {
@@ -76,7 +75,7 @@ class EulerB {
   double pt_;
 };
 
-/// Adaptive symplectic Euler-B along the orbit through `start`, \f$p^t = -H(q(0), p(0))\f$.
+/// The adaptive symplectic Euler-B for orbits of the energy of `start`: \f$p^t = -H(q(0), p(0))\f$.
 /// @throws std::invalid_argument where H is not finite there.
 template <int n, class Problem, class G = Unit>
 EulerB<n, Problem, G> euler_b(Problem problem, const State<n>& start, G monitor = {}) {

@@ -7,13 +7,13 @@
 #include <utility>
 
 /// @file
-/// The Poincare transformation: constant steps in fictive time tau, variable ones in physical time t.
+/// The Poincare transformation: constant steps in fictive time tau are variable steps in physical time t.
 
 namespace avi {
 
-/// Monitor of a method without adaptivity: g = 1, so that fictive and physical time agree.
+/// The monitor g = 1 of a method without adaptivity: fictive and physical time agree.
 struct Unit {
-  /// 1, whatever the position.
+  /// 1 at every position.
   template <class Q>
   double operator()(const Q&) const {
     return 1.0;
@@ -21,7 +21,7 @@ struct Unit {
 };
 
 namespace detail {
-/// A Hamiltonian may say its dimension.
+/// False where a Hamiltonian declares another dimension than n.
 template <class H, int n>
 inline constexpr bool dimension_fits = true;
 template <class H, int n>
@@ -30,18 +30,18 @@ inline constexpr bool dimension_fits<H, n> = H::dimension == n || H::dimension =
 }  // namespace detail
 
 /// The Poincare transformation of an autonomous Hamiltonian H with monitor g = dt/dtau > 0 (equation (3.2) of
-/// the paper). \f[ \bar H(\bar q, \bar p) = g(q, p)\, (H(q, p) + p^t), \quad \bar q = (q, t), \quad
-/// \bar p = (p, p^t). \f] Its equations, with a prime for the derivative in fictive time, are (Section 3.2)
-/// \f[ q' = (H + p^t)\, \partial g/\partial p + g\, \partial H/\partial p, \quad
-/// p' = -(H + p^t)\, \partial g/\partial q - g\, \partial H/\partial q, \quad t' = g, \f] and p^t is
-/// constant; only q and p are unknowns, t follows by summation. A monitor is called as g(q) or as g(q, p),
-/// with vectors of any scalar; the first kind is known not to depend on p, and then nothing is spent on
-/// dg/dp.
+/// the paper). \f[ \bar H(\bar q, \bar p) = g(q, p)\, (H(q, p) + p^t), \quad \bar q = (q, t), \quad \bar p =
+/// (p, p^t). \f] Its equations, with a prime for the derivative by fictive time, are (Section 3.2) \f[ q' =
+/// (H + p^t)\, \partial g/\partial p + g\, \partial H/\partial p, \quad p' = -(H + p^t)\, \partial g/\partial
+/// q - g\, \partial H/\partial q, \quad t' = g, \f] and p^t is constant. So only q and p are unknowns, and t
+/// is summed up. A monitor is called as g(q) or g(q, p), with vectors of any scalar. For a monitor g(q),
+/// dg/dp is not computed.
 ///
-/// The monitor has to stay away from zero on the whole orbit. No orbit in fictive time reaches a place where
-/// it vanishes: what steps keep is \f$\bar H\f$, to some small \f$\delta\f$, and there the energy is off
-/// by \f$\delta/g\f$, until the motion turns back. Every g on the way may be positive and every step end
-/// as ok; the energy along the run shows it, not the one at the end, where g may be large again.
+/// The monitor must stay away from zero on the whole orbit. In fictive time no orbit reaches a place where it
+/// vanishes. A numerical solution preserves \f$\bar H\f$ up to some small \f$\delta\f$, so near such a place
+/// the energy is off by \f$\delta/g\f$, until the motion turns back. Every g on the way may be positive, and
+/// every step may end as ok. The error shows in the energy during the run, but not necessarily at its end,
+/// where g may be large again.
 template <int n, class H, class G = Unit>
 class Poincare {
   static_assert(std::invocable<const H&, const Vector<double, n>&, const Vector<double, n>&>,
@@ -58,7 +58,7 @@ class Poincare {
   /// The monitor is avi::Unit, g = 1.
   static constexpr bool unit = std::same_as<G, Unit>;
 
-  /// The problem of H with monitor g; poincare() finds the types and p^t.
+  /// The problem of H with monitor g; poincare() deduces the types and finds p^t.
   /// @param energy_momentum p^t, minus the energy of the orbit @param size n, where it is avi::dynamic
   /// @throws std::invalid_argument unless p^t is finite and the size agrees with n.
   Poincare(H hamiltonian, G monitor, double energy_momentum, Eigen::Index size = n)
@@ -68,7 +68,7 @@ class Poincare {
             n == dynamic ? "at least " : "", n == dynamic ? 1 : n);
   }
 
-  /// n.
+  /// The number n of degrees of freedom.
   [[nodiscard]] Eigen::Index size() const {
     if constexpr (n == dynamic)
       return size_;
@@ -79,7 +79,7 @@ class Poincare {
   [[nodiscard]] const H& hamiltonian() const { return h_; }     ///< H.
   [[nodiscard]] const G& monitor() const { return g_; }         ///< g.
 
-  /// g(q, p) at any scalar.
+  /// g(q, p) for any scalar.
   template <class S>
   [[nodiscard]] auto rate(const Vector<S, n>& q, const Vector<S, n>& p) const {
     if constexpr (position_monitor)
@@ -88,32 +88,32 @@ class Poincare {
       return g_(q, p);
   }
 
-  /// Physical time from the coordinates (q, t) of a state, or of the change in a step: here t itself, the
-  /// integral of g. Every method sets the time of a state through this function.
+  /// Physical time, from the coordinates (q, t) of a state or from their change in a step. Here it is t
+  /// itself, the integral of g. Every method sets the time of a state by this function.
   [[nodiscard]] double clock(const Vector<double, n>&, double t) const { return t; }
 
-  /// g(q, p) (H(q, p) + p^t) at any scalar.
+  /// H-bar = g(q, p) (H(q, p) + p^t) for any scalar.
   template <class S>
   [[nodiscard]] S transformed(const Vector<S, n>& q, const Vector<S, n>& p, const S& pt) const {
     return rate(q, p) * (h_(q, p) + pt);
   }
-  /// The same at a state, zero along the exact solution.
+  /// H-bar at a state; zero along the exact solution.
   [[nodiscard]] double transformed(const State<n>& z) const { return transformed(z.q, z.p, pt_); }
 
-  /// Hamilton's equations at any scalar: dq = q', dp = -p', dt = t'. @param pt p^t
+  /// Hamilton's equations of H-bar for any scalar: dq = q', dp = -p', dt = t'. @param pt p^t
   template <class S>
   void field(const Vector<S, n>& q, const Vector<S, n>& p, const S& pt, Vector<S, n>& dq, Vector<S, n>& dp,
              S& dt) const {
     field_with(q, p, dq, dp, dt, [&](const S& energy, const S&) -> S { return energy + pt; });
   }
-  /// The same field, with H + p^t = H-bar / g, where H-bar is the constant `level` that it is along the flow:
-  /// without the work of evaluating H on it.
+  /// The same field with H + p^t replaced by H-bar / g, so that H need not be evaluated. H-bar is constant
+  /// along the flow; `level` is its value.
   template <class S>
   void field_on_level(const Vector<S, n>& q, const Vector<S, n>& p, const S& level, Vector<S, n>& dq,
                       Vector<S, n>& dp, S& dt) const {
     field_with(q, p, dq, dp, dt, [&](const S&, const S& g) -> S { return level / g; });
   }
-  /// The field with H + p^t = 0 inserted, which holds along the solution: g times that of H.
+  /// The same field with H + p^t = 0, which holds along the solution: the field of H times g.
   template <class S>
   void field_on_shell(const Vector<S, n>& q, const Vector<S, n>& p, Vector<S, n>& dq, Vector<S, n>& dp,
                       S& dt) const {
@@ -127,14 +127,14 @@ class Poincare {
   }
 
  private:
-  /// Hamilton's equations where defect(H, g) is H + p^t.
+  /// Hamilton's equations, where defect(H, g) returns H + p^t.
   template <class S, class Defect>
   void field_with(const Vector<S, n>& q, const Vector<S, n>& p, Vector<S, n>& dq, Vector<S, n>& dp, S& dt,
                   const Defect& defect) const {
     if constexpr (unit) {
       field_on_shell(q, p, dq, dp, dt);
     } else {
-      Partials<S, n> g;  // with derivatives by q, or by p where it depends on p
+      Partials<S, n> g;  // with derivatives by q, or by p if g depends on p
       if constexpr (position_monitor)
         g = value_and_gradient(g_, q);
       else
@@ -159,12 +159,12 @@ class Poincare {
   Eigen::Index size_;
 };
 
-/// The transformed problem of an orbit through `start`: \f$p^t = -H(q(0), p(0))\f$, the paper's common choice
-/// (Section 3.1). Its methods follow orbits of this energy: a state of another one, after a kick or of
-/// another start, needs a problem of its own. With a monitor its run would end as ok and be no orbit of H.
-/// @throws std::invalid_argument where the start or H there is not finite, q and p are of
-/// different size or empty, H or g reads an entry that they do not have, or H supplies a gradient of another
-/// size.
+/// The transformed problem for the orbit through `start`, with \f$p^t = -H(q(0), p(0))\f$, the usual choice
+/// in the paper (Section 3.1). Its methods follow orbits of this energy only. A state of another energy, for
+/// example after a kick, needs its own problem: with a monitor, its run would end as ok but not follow an
+/// orbit of H.
+/// @throws std::invalid_argument if the start, or H there, is not finite, q and p are empty or of different
+/// size, H or g reads an entry beyond them, or H supplies a gradient of another size.
 template <int n, class H, class G = Unit>
 Poincare<n, H, G> poincare(H hamiltonian, const State<n>& start, G monitor = {}) {
   require_start(start);

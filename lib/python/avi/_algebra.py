@@ -41,6 +41,22 @@ def product(a, b):
     return ((a[..., :, None] if a.ndim > 1 else a[:, None]) * (b[..., None, :, :] if a.ndim > 1 else b)).sum(axis=-2)
 
 
+def tensordot(a, b, axes=2):
+    """The sum of products over axes of both, as a product of matrices."""
+    import numpy as np
+
+    size, other = np.ndim(a), np.ndim(b)
+    first, second = (range(size - axes, size), range(axes)) if np.ndim(axes) == 0 else (np.atleast_1d(each) for each in axes)
+    first, second = [int(i) % size for i in first], [int(i) % other for i in second]
+    if [np.shape(a)[i] for i in first] != [np.shape(b)[i] for i in second]:
+        raise ValueError(f"np.tensordot of arrays of shapes {np.shape(a)} and {np.shape(b)} cannot be traced with axes={axes}: the lengths of what is summed have to agree.")
+    left, right = ([i for i in range(n) if i not in summed] for n, summed in ((size, first), (other, second)))
+    lengths = [np.shape(a)[i] for i in left], [np.shape(b)[i] for i in right]
+    rows = np.transpose(a, left + first).reshape(int(np.prod(lengths[0])), -1)
+    columns = np.transpose(b, second + right).reshape(-1, int(np.prod(lengths[1])))
+    return (rows @ (columns[:, 0] if not right else columns)).reshape(tuple(lengths[0] + lengths[1]))
+
+
 def einsum(subscripts, *operands, optimize=False):
     if not isinstance(subscripts, str):
         raise TypeError("np.einsum can be traced with subscripts as a string first, such as 'ij,j->i'.")
@@ -54,6 +70,12 @@ def einsum(subscripts, *operands, optimize=False):
         raise TypeError(f"np.einsum({subscripts!r}) cannot be traced: give one letter for each axis of every array.")
     import numpy as np
 
+    if len(terms) == 2 and all(len(set(term)) == len(term) for term in terms):
+        summed = sorted((set(terms[0]) & set(terms[1])) - set(output))
+        kept = "".join(letter for term in terms for letter in term if letter not in summed)
+        if len(summed) == 1 and len(kept) < 3 and sorted(kept) == sorted(output):  # a product with a matrix
+            result = tensordot(*given, axes=[term.index(summed[0]) for term in terms])
+            return result if kept == output else result.T
     if len(terms) == 1 and set(output) == set(letters):  # nothing is summed: a view
         moved = lambda x: np.einsum(f"{terms[0]}->{output}", x)
         return given[0]._view(moved(given[0]._numbers)) if isinstance(given[0], Traced) else moved(given[0])

@@ -198,6 +198,12 @@ def _dot(a, b):
     return a @ b if np.ndim(a) and np.ndim(b) else traced(a) * b
 
 
+def _inner(a, b):
+    import numpy as np
+
+    return _algebra.tensordot(a, b, (-1, -1)) if np.ndim(a) and np.ndim(b) else traced(a) * b
+
+
 def _clip(a, a_min=None, a_max=None):
     x = traced(a) if a_min is None else maximum(a, a_min)
     return x if a_max is None else minimum(x, a_max)
@@ -260,6 +266,8 @@ _FUNCTIONS = {
     "ndim": lambda x: x.ndim,
     "size": lambda x: x.size,
     "dot": _dot,
+    "inner": _inner,
+    "tensordot": _algebra.tensordot,
     "norm": _algebra.norm,
     "clip": _clip,
     **dict.fromkeys(("round", "around", "round_"), _round),
@@ -278,6 +286,10 @@ _EQUAL = "It would ask whether numbers that have no value yet are equal: write a
 _NOT_HERE = {
     **dict.fromkeys(("fill_diagonal", "put", "copyto", "putmask", "place", "put_along_axis"), _ASSIGN),
     **dict.fromkeys(("array_equal", "array_equiv", "allclose", "isclose"), _EQUAL),
+    "cholesky": "For a system of equations take np.linalg.solve, for the determinant np.linalg.det.",
+    "slogdet": "Write np.log(np.abs(np.linalg.det(a))).",
+    "gradient": "Write (u[2:] - u[:-2]) / (2.0 * h), or np.diff(u) / h.",
+    "angle": "Write np.arctan2(y, x).",
     "interp": "A table cannot be looked up by a number that has no value yet: take a polynomial (np.polyval) or a sum of np.exp that fits it.",
     "linspace": "Write a + (b - a) * np.linspace(0, 1, n).",
     **dict.fromkeys(("cov", "corrcoef"), "Write d = a - np.mean(a), e = b - np.mean(b) and d @ e, with the denominator that you want."),

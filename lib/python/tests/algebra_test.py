@@ -108,6 +108,28 @@ class Matrices(unittest.TestCase):
             self.assertAlmostEqual(kept.value(x), f(x, np.matmul), delta=1e-13)
             self.assertLess(np.abs(kept.gradient(x) - recorded.gradient(x)).max(), 1e-13)
 
+    def test_other_names_of_products(self):
+        random = np.random.default_rng(5)
+        table, cube, x = random.normal(size=(300, 12)), random.normal(size=(2, 3, 4)), random.normal(size=12)
+        ways = (lambda x: np.inner(table, x), lambda x: np.inner(x, table), lambda x: np.tensordot(table, x, 1), lambda x: np.tensordot(x, table, (0, -1)))
+        ways += (lambda x: np.einsum("ij,j->i", table, x), lambda x: np.einsum("j,ij", x, table), lambda x: np.einsum("ji,i->j", table, x))
+        for way in ways:
+            kept = avi.objective(lambda x: np.sum(np.tanh(way(x)) ** 2), 12)
+            self.assertIn("Data", type(kept).__name__)
+            self.assertAlmostEqual(kept.value(x), np.sum(np.tanh(table @ x) ** 2), delta=1e-11)
+        for f in (
+            lambda x: np.tensordot(cube, x.reshape(3, 4), ([1, 2], [0, 1]))[1],
+            lambda x: np.tensordot(x.reshape(3, 4), cube, ([1, 0], [2, 1]))[0],
+            lambda x: np.tensordot(x.reshape(3, 4), cube, 0)[2, 3, 1, 2, 1],
+            lambda x: np.tensordot(x.reshape(3, 4), cube[0])[()],
+            lambda x: np.inner(cube, x[:4])[1, 2] * np.inner(x[0], x)[3],
+            lambda x: np.inner(x.reshape(3, 4), cube)[2, 1, 0],
+            lambda x: np.einsum("ij,kj->ki", x.reshape(3, 4), cube[0])[2, 1],
+        ):
+            self.assertAlmostEqual(avi.objective(f, 12).value(x), f(x), delta=1e-13)
+        with self.assertRaisesRegex(ValueError, "have to agree"):
+            avi.objective(lambda x: np.tensordot(cube, x, 1)[0, 0], 12)
+
     def test_large_matrices_are_of_real_numbers(self):
         table = np.arange(5000.0).reshape(100, 50)
         for matrix, word in ((table * 1j, "complex"), (np.ma.array(table, mask=table > 9), "mask"), (np.asmatrix(table), "np.matrix")):

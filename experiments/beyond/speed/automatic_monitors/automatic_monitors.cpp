@@ -4,17 +4,18 @@
 
 #include <map>
 
-// Steps of collocation for fixed errors of position and energy: the monitors that solve() chooses from H
-// alone against the best of those made by hand, fixed steps and the arclength.
+// Steps of collocation for given errors of position and energy: the monitors that solve() chooses from H
+// alone, compared with the best hand-made ones, with fixed steps and with the arclength.
 
 namespace {
 
 using namespace experiment;
 constexpr Targets all_targets[] = {{4, 1e-4, 1e-5}, {8, 1e-7, 1e-8}, {16, 1e-10, 1e-11}};
 
-/// The arclength of phase space, \f$(|\dot q|^2 + |\dot p|^2)^{-1/2}\f$; then, with floors and exponents that
-/// one would scan, the paper's energy monitor, \f$(p\cdot\partial H/\partial p + c)^{-\alpha}\f$ (twice the
-/// kinetic energy), its inverse Lagrangian, \f$(L^2 + c)^{-\alpha}\f$, and the arclength to other powers.
+/// General monitors: the arclength of phase space, \f$(|\dot q|^2 + |\dot p|^2)^{-1/2}\f$; the paper's energy
+/// monitor, \f$(p\cdot\partial H/\partial p + c)^{-\alpha}\f$ (twice the kinetic energy), and its inverse
+/// Lagrangian, \f$(L^2 + c)^{-\alpha}\f$, each with floors c and exponents that one would scan; and the
+/// arclength with other exponents.
 std::vector<HandMade> general_monitors(const Scene& scene) {
   const int n = scene.energy.inputs() / 2;
   const avi::Recording recording(scene.energy);
@@ -44,7 +45,8 @@ std::vector<HandMade> general_monitors(const Scene& scene) {
   return made;
 }
 
-/// All monitors of a scene at an order. Is the choice within twice the least work?
+/// Compares all monitors for a scene and an order. @return true if the choice of solve() takes at most twice
+/// the least work
 bool compare(Table& table, Table& choices, const Arena& arena, const Targets& targets) {
   const Scene& scene = arena.scene;
   const avi::Formula fixed = monitor_of(scene, {});
@@ -103,7 +105,7 @@ int main(int argc, char** argv) {
       if (arena.orbit.empty()) fmt::print("{}: no run kept a tolerance\n", scene.name);
       for (const Targets& targets : all_targets) {
         Count& count = counts[{scene.held_out, targets.order}];
-        ++count.problems;  // without an orbit it counts as lost
+        ++count.problems;  // a scene without an orbit counts as lost
         count.within_2 += !arena.orbit.empty() && compare(table, choices, arena, targets);
       }
     }

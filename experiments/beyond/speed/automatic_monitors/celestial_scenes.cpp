@@ -20,7 +20,7 @@ void add_keplers(Scenes& scenes) {
 void add_three_bodies(Scenes& scenes) {
   const std::vector<double> unit{1.0, 1.0, 1.0};
   {
-    // An inner pair of eccentricity 0.9 and a third body on a wide circle.
+    // An inner pair with eccentricity 0.9, and a third body on a wide circular orbit.
     const std::vector<double> m{0.5, 0.5, 0.5};
     const double apart = 8.0, speed = std::sqrt(1.5 / apart), v = std::sqrt(1.9 / 0.1);
     scenes.add("triple", {-apart / 3.0 + 0.05, 0.0, -apart / 3.0 - 0.05, 0.0, 2.0 * apart / 3.0, 0.0},
@@ -30,7 +30,7 @@ void add_three_bodies(Scenes& scenes) {
                [=](const V& q, const V& p) { return kinetic(p, m) - pairs(q, m, 1.0); });
   }
   {
-    // A light planet of eccentricity 0.7 about one star of a circular binary.
+    // A light planet with eccentricity 0.7 around one star of a circular binary.
     const std::vector<double> m{0.5, 0.5, 1e-3};
     const double speed = 0.5, a = 0.6, r = 0.3 * a, v = std::sqrt(0.5 * 1.7 / r);
     scenes.add("planet_in_binary", {2.0, 0.0, -2.0, 0.0, 2.0 + r, 0.0},
@@ -44,7 +44,8 @@ void add_three_bodies(Scenes& scenes) {
              [=](const V& q, const V& p) { return kinetic(p) - pairs(q, unit, 1.0); });
 }
 
-/// A binary of eccentricity 0.6 and a light body on its axis, with their own motions as coordinates.
+/// A binary of eccentricity 0.6 and a light body on its axis; the motion of the binary is part of the
+/// coordinates.
 void add_sitnikov(Scenes& scenes) {
   const Scale star{"star",
                    [](const V& q, const V&) { return sqrt(square(q[2]) + 0.25 * radius_squared(q)); }};
@@ -56,7 +57,7 @@ void add_sitnikov(Scenes& scenes) {
              });
 }
 
-/// Arenstorf's periodic orbit of the restricted problem, in the turning frame.
+/// Arenstorf's periodic orbit in the restricted three-body problem, in the rotating frame.
 void add_restricted_three(Scenes& scenes) {
   const double mu = 0.012277471;
   const auto earth = [=](const V& q) { return square(q[0] + mu) + square(q[1]); };

@@ -10,40 +10,40 @@
 #include <cmath>
 #include <vector>
 
-// What a monitor takes to meet a target.
+// The cost of reaching a given error with a given monitor.
 
 namespace experiment {
 
 using Point = avi::State<avi::dynamic>;
 using Problem = avi::Poincare<avi::dynamic, avi::Formula, avi::Formula>;
 
-/// The monitor of a choice for a scene; 1 where steps are fixed.
+/// The monitor of a choice for a scene; it is 1 for fixed steps.
 inline avi::Formula monitor_of(const Scene& scene, const avi::Choice& choice) {
   return avi::monitor_of(choice, scene.energy, scene.energy(scene.start.q, scene.start.p));
 }
 
-/// What a short call of solve() chooses. @param order 0 to have it chosen
+/// The choice made by a short call of solve(). @param order of the method; 0 to have it chosen
 inline avi::SolutionReport choose(const Scene& scene, double time, double tolerance, int order) {
   return avi::solve(scene.energy, scene.start, time, tolerance, {.check = false, .order = order});
 }
 
-/// Errors to be reached by collocation of an order.
+/// Target errors for collocation of a given order.
 struct Targets {
   int order;
   double position, energy;
 };
 inline constexpr double most_steps = 40000.0;
 
-/// What a run took and its errors; or what it would take to just reach a target.
+/// The cost of a run and its errors; or the interpolated cost of just reaching a target.
 struct Measured {
   double steps = unknown, sweeps = unknown, position_error = unknown, energy_error = unknown;
   bool ok = false;
 };
-/// What a monitor takes.
+/// The cost of reaching the targets with one monitor.
 struct Cost {
-  Measured position, energy;  ///< For the targets of these errors.
-  double sweep = 1.0;         ///< What a sweep costs, in operations.
-  /// Geometric mean over both targets; infinite where one was not reached.
+  Measured position, energy;  ///< For the targets of position and of energy.
+  double sweep = 1.0;         ///< Cost of a sweep, in operations.
+  /// Geometric mean over both targets; infinite if one was not reached.
   [[nodiscard]] double steps() const { return mean(position.steps * energy.steps); }
   [[nodiscard]] double work() const { return sweep * mean(position.sweeps * energy.sweeps); }
 
@@ -51,13 +51,13 @@ struct Cost {
   static double mean(double product) { return std::isnan(product) ? HUGE_VAL : std::sqrt(product); }
 };
 
-/// A scene with its orbit to near rounding.
+/// A scene with its orbit, accurate nearly to rounding.
 struct Arena {
   const Scene& scene;
-  double scale;              ///< Of energy errors.
-  std::vector<Point> orbit;  ///< At the steps of a run of order 16.
+  double scale;              ///< Unit of energy errors.
+  std::vector<Point> orbit;  ///< States after the steps of a run of order 16.
 
-  /// The fictive time of the orbit with a monitor; infinite or not positive where that is no monitor.
+  /// The fictive time of the orbit with a monitor; infinite if the monitor is not positive on it.
   [[nodiscard]] double fictive_time(const avi::Formula& monitor) const {
     double sum = 0.0;
     for (std::size_t k = 1; k < orbit.size(); ++k) {
@@ -70,8 +70,8 @@ struct Arena {
   }
 };
 
-/// The orbit of a scene by order 16 with six tenths of the steps that keep 1e-12, or the least tolerance
-/// above it that rounding allows. It is empty where none is kept.
+/// The orbit of a scene, by order 16 with 0.6 times the step that keeps the tolerance. The tolerance is
+/// 1e-12, or the smallest larger power of ten that is kept. The orbit is empty if none below 1e-7 is kept.
 inline Arena arena_of(const Scene& scene) {
   Arena arena{scene, 1.0, {}};
   for (double tolerance = 1e-12; tolerance < 1e-7 && arena.orbit.empty(); tolerance *= 10.0) {
@@ -88,9 +88,10 @@ inline Arena arena_of(const Scene& scene) {
   return arena;
 }
 
-/// What a sweep costs with a monitor, in operations: those of the gradient of the transformed H, and what
-/// belongs to each entry (of four in five monitors and scenes it is proportional to the time within a third).
-/// Counted, for counts do not depend on what else the machine does.
+/// The cost of a sweep with a monitor, in operations: those of the gradient of the transformed H, and a part
+/// proportional to the number of entries. For four in five pairs of monitor and scene it is proportional to
+/// the time within a third. Operations are counted, because counts do not depend on other work of the
+/// machine.
 inline double sweep_of(const Scene& scene, const avi::Formula& monitor) {
   const avi::Formula& energy = scene.energy;
   const double h0 = energy(scene.start.q, scene.start.p);
@@ -101,7 +102,7 @@ inline double sweep_of(const Scene& scene, const avi::Formula& monitor) {
   return 20.0 + 8.0 * static_cast<double>(n) + static_cast<double>(gradient.operations());
 }
 
-/// One run.
+/// One run with step h, of at most `cap` steps.
 inline Measured measure(const Arena& arena, avi::Collocation<Problem>& method, double h, long cap) {
   const avi::Formula& energy = arena.scene.energy;
   const double h0 = energy(arena.scene.start.q, arena.scene.start.p);
@@ -115,8 +116,8 @@ inline Measured measure(const Arena& arena, avi::Collocation<Problem>& method, d
           (z.q - arena.orbit.back().q).norm(), worst, run.outcome == avi::Outcome::ok};
 }
 
-/// More and more steps until both targets are met, or both more than `most` steps and more than `dearest`
-/// work were spent; between two runs what a target takes is interpolated.
+/// Increases the number of steps until both targets are met, or until more than `most` steps and more than
+/// `dearest` work were used. The cost at a target is interpolated between two runs.
 inline Cost cost(const Arena& arena, const avi::Formula& monitor, const Targets& targets, double most,
                  double dearest) {
   Cost found;

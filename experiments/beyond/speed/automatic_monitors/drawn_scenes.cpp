@@ -1,17 +1,18 @@
 #include "beyond/speed/automatic_monitors/scenes.hpp"
 
-// The rule, laid down before any of these was run: of each class of the other problems (celestial mechanics,
-// galaxies, turning frames, relativity, magnetic fields, molecules, ions, walls, pendulums, curved
-// coordinates, oscillators) one or two Hamiltonians that textbooks print and no list had; parameters as
-// printed there, or 1; starts of one or two digits on a bounded orbit with some ten of its periods. None was
-// taken out, changed or added later, and the menu and the pilot were final: for the first twelve an earlier
-// menu, and they were looked at since.
+// These problems were drawn by a rule laid down before any of them was run. Each class of the other problems
+// (celestial mechanics, galaxies, rotating frames, relativity, magnetic fields, molecules, ions, walls,
+// pendulums, curved coordinates, oscillators) contributes one or two Hamiltonians that are printed in
+// textbooks and were in no list. Parameters are as printed there, or 1; starts have one or two digits, on a
+// bounded orbit, over about ten of its periods. None was removed, changed or added later, and the menu and
+// the pilot were final. The first twelve were run with an earlier menu and have been looked at since.
 
 namespace experiment {
 namespace {
 
 void add_seen(Scenes& scenes) {
-  // Hill's lunar problem (Szebehely 1967): a moon of eccentricity 0.6, which leaves its planet after a turn.
+  // Hill's lunar problem (Szebehely 1967): a moon with eccentricity 0.6, which leaves its planet after one
+  // revolution.
   scenes.add("hill", {0.1, 0.0}, {0.0, 4.1}, 10.0, {radius}, [](const V& q, const V& p) {
     return kinetic(p) + q[1] * p[0] - q[0] * p[1] - 1.0 / sqrt(radius_squared(q)) - square(q[0]) +
            0.5 * square(q[1]);
@@ -30,8 +31,8 @@ void add_seen(Scenes& scenes) {
              [](const V& q, const V& p) {
                return 0.5 * square(p[0]) + 0.5 * square(p[1]) / square(q[0]) - 1.0 / q[0];
              });
-  // The radius of a free fall around a black hole of mass 1 (Misner, Thorne and Wheeler 1973, Chapter 25), in
-  // proper time: angular momentum 4, from rest in radius at 30.
+  // Radial fall around a black hole of mass 1 (Misner, Thorne and Wheeler 1973, Chapter 25), in proper time:
+  // angular momentum 4, starting at r = 30 with zero radial velocity.
   const double energy_squared = (1.0 - 2.0 / 30.0) * (1.0 + 16.0 / 900.0);
   const auto redshift = [](const V& q) { return 1.0 - 2.0 / q[0]; };
   const Scale outside{"outside", [](const V& q, const V&) { return q[0] - 2.0; }};
@@ -48,20 +49,20 @@ void add_seen(Scenes& scenes) {
              [=](const V& q, const V& p) {
                return kinetic(p) + 0.5 * (radius_squared(q) + square(q[2])) + sum(q, 1.0);
              });
-  // Poschl and Teller's well.
+  // The Poschl-Teller well.
   const Scale catenary{"cosh", [](const V& q, const V&) { return cosh(q[0]); }, {0.5, 1.0, 2.0}};
   scenes.add("poschl_teller", {2.5}, {0.0}, 50.0, {catenary},
              [](const V& q, const V& p) { return kinetic(p) - 10.0 * pow(cosh(q[0]), -2.0); });
-  // A ball that falls on a floor with an exponential repulsion.
+  // A ball that falls onto a floor with exponential repulsion.
   const Scale floor{
       "hardness", [](const V& q, const V&) { return 1.0 / (1.0 + exp(-30.0 * q[0])); }, {0.25, 0.5, 1.0}};
   scenes.add("bouncing_ball", {1.0}, {0.0}, 40.0, {floor},
              [](const V& q, const V& p) { return kinetic(p) + q[0] + exp(-30.0 * q[0]); });
-  // A spherical pendulum in its angles, which passes close to its lowest point, a pole of the coordinates.
+  // A spherical pendulum in angles. It passes close to its lowest point, a pole of the coordinates.
   scenes.add("spherical_pendulum", {2.0, 0.0}, {0.0, 0.1}, 40.0, {sine}, [](const V& q, const V& p) {
     return 0.5 * square(p[0]) + 0.5 * square(p[1] / sin(q[0])) - cos(q[0]);
   });
-  // Four pendulums in a row with springs, one of them lifted nearly to the top.
+  // Four pendulums in a row, coupled by springs, one of them lifted nearly to the top.
   scenes.add("coupled_pendulums", {3.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0}, 50.0, {},
              [](const V& q, const V& p) {
                Recorded h = kinetic(p);
@@ -78,7 +79,7 @@ void add_seen(Scenes& scenes) {
   scenes.add("local_modes", {1.5, 0.0}, {0.0, 0.0}, 60.0, {bonds}, [](const V& q, const V& p) {
     return kinetic(p) - 0.1 * (p[0] * p[1]) + square(1.0 - exp(-q[0])) + square(1.0 - exp(-q[1]));
   });
-  // A charge between two magnetic mirrors, field 1 + z^2 on the axis.
+  // A charge between two magnetic mirrors, with field 1 + z^2 on the axis.
   const Scale field{"field", [](const V& q, const V&) { return 1.0 / (1.0 + square(q[2])); }, {0.5, 1.0}};
   scenes.add("magnetic_bottle", {0.5, 0.0, 0.0}, {0.0, -0.45, 1.0}, 60.0, {field},
              [](const V& q, const V& p) {
@@ -89,13 +90,13 @@ void add_seen(Scenes& scenes) {
 
 void add_held_out(Scenes& scenes) {
   scenes.held_out = true;
-  // A comet of eccentricity 0.9 inside of the orbit of a planet.
+  // A comet with eccentricity 0.9 inside the orbit of a planet.
   const std::vector<double> m{1.0, 1e-3, 1e-6};
   scenes.add("comet", {0.0, 0.0, 5.0, 0.0, 0.1, 0.0},
              {0.0, 0.0, 0.0, 1e-3 * std::sqrt(0.2), 0.0, 1e-6 * std::sqrt(1.9 / 0.1)}, 20.0 * M_PI,
              pair_lengths({1.0, 1.0, 1.0}),
              [=](const V& q, const V& p) { return kinetic(p, m) - pairs(q, m, 1.0); });
-  // A satellite over the poles of an oblate planet (Brouwer 1959), eccentricity 0.8.
+  // A satellite in polar orbit around an oblate planet (Brouwer 1959), eccentricity 0.8.
   scenes.add("satellite", {0.2, 0.0}, {0.0, std::sqrt(1.8 / 0.2)}, 20.0 * M_PI, {radius},
              [](const V& q, const V& p) {
                const Recorded s = radius_squared(q);
@@ -107,7 +108,7 @@ void add_held_out(Scenes& scenes) {
   scenes.add("disc_galaxy", {1.5, 0.0}, {0.0, 0.3}, 100.0, {R, thickness}, [=](const V& q, const V& p) {
     return kinetic(p) + 0.02 / square(q[0]) - 1.0 / sqrt(square(q[0]) + square(1.0 + thick(q)));
   });
-  // A star in a turning logarithmic bar (Binney and Tremaine 2008, Section 3.3.2).
+  // A star in a rotating logarithmic bar (Binney and Tremaine 2008, Section 3.3.2).
   const auto inner = [](const V& q) { return 0.05 * 0.05 + square(q[0]) + square(q[1]) * (1.0 / 0.64); };
   const Scale core{"core", [=](const V& q, const V&) { return sqrt(inner(q)); }};
   scenes.add("bar", {0.4, 0.0}, {0.0, 0.2}, 20.0, {core}, [=](const V& q, const V& p) {
@@ -118,12 +119,12 @@ void add_held_out(Scenes& scenes) {
       "gamma", [](const V&, const V& p) { return sqrt(1.0 + square(p[0])); }, {-1.0, -0.5, 0.5, 1.0}};
   scenes.add("relativistic_oscillator", {5.0}, {0.0}, 200.0, {gamma},
              [](const V& q, const V& p) { return sqrt(1.0 + square(p[0])) + 0.5 * square(q[0]); });
-  // Stormer's problem in the meridian plane: a charge that is mirrored in a dipole's field.
+  // Stormer's problem in the meridian plane: a charge reflected in the field of a dipole.
   scenes.add("stormer", {1.0, 0.0}, {0.05, 0.15}, 100.0, {{"r", radius.scale, {1.0, 2.0, 3.0}}},
              [](const V& q, const V& p) {
                return kinetic(p) + 0.5 * square(1.0 / q[0] - q[0] * pow(radius_squared(q), -1.5));
              });
-  // Kratzer's molecule.
+  // The Kratzer potential of a molecule.
   scenes.add("kratzer", {6.0}, {0.0}, 270.0, {distance},
              [](const V& q, const V& p) { return kinetic(p) - 2.0 * (1.0 / q[0] - 0.5 / square(q[0])); });
   // The relative motion of two ions in a trap, nearly head-on.
@@ -145,7 +146,7 @@ void add_held_out(Scenes& scenes) {
   scenes.add("top", {0.6}, {0.0}, 60.0, {sine}, [](const V& q, const V& p) {
     return kinetic(p) + 0.5 * square((1.2 - cos(q[0])) / sin(q[0])) + cos(q[0]);
   });
-  // Barbanis' oscillators.
+  // The Barbanis oscillators.
   scenes.add("barbanis", {0.3, 0.1}, {0.1, 0.2}, 62.0, {}, [](const V& q, const V& p) {
     return kinetic(p) + 0.5 * radius_squared(q) + square(q[0]) * q[1];
   });

@@ -5,16 +5,17 @@
 
 #include <algorithm>
 
-// The drift of the energy with what solve() chooses, measured.
+// The measured drift of the energy with the choices of solve().
 
 namespace experiment {
 
-/// The energy error of a long run at its steps.
+/// The energy errors of a long run, after each step.
 struct Series {
   std::vector<double> times, errors;
   avi::Run run;
-  double worst_first = 0.0, worst_last = 0.0;  ///< In the first and the last tenth.
-  double rounding = 0.0;  ///< Half a unit in the last place of the largest kinetic energy, for each step.
+  double worst_first = 0.0, worst_last = 0.0;  ///< Largest error in the first and the last tenth.
+  /// Half a unit in the last place of the largest kinetic energy, times the number of steps.
+  double rounding = 0.0;
 };
 inline Series follow(const Scene& scene, const avi::Choice& choice, double end) {
   Series series;
@@ -36,16 +37,16 @@ inline Series follow(const Scene& scene, const avi::Choice& choice, double end) 
   return series;
 }
 
-/// Energy errors over `repeats` times the horizon of each scene with one choice of solve(), and the slope
-/// of a line through them: table <name>_drift.
+/// Energy errors over `repeats` times the horizon of each scene, with one choice of solve(), and the slope of
+/// a line fitted to them: table <name>_drift.
 inline void measure_drift(const Frame& frame, const std::vector<Scene>& scenes, int repeats) {
   Table table = frame.table({"problem", "held_out", "horizons", "monitor", "outcome", "energy_error",
                              "slope_times_horizon", "corrected_t", "rounding", "first_tenth", "last_tenth"});
   table.note("corrected_t", "slope over its standard error, correlation between blocks counted");
   for (const Scene& scene : scenes) {
     const double end = repeats * scene.time;
-    // The step that keeps the tolerance over a hundred periods; shorter where a step on the way cannot be
-    // solved.
+    // The step that keeps the tolerance over ten horizons, about a hundred periods; shorter if a step of the
+    // long run cannot be solved.
     const avi::SolutionReport found = choose(scene, 10.0 * scene.time, 1e-3, 8);
     avi::Choice choice = found.choice;
     Series series;

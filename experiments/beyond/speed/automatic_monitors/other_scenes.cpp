@@ -3,13 +3,13 @@
 namespace experiment {
 namespace {
 
-/// Three particles on a ring with exponential springs, in the coordinates of their relative motion.
+/// Potential of three particles on a ring with exponential springs, in coordinates of their relative motion.
 Recorded toda_potential(const V& q) {
   const double root = 2.0 * std::sqrt(3.0);
   return (exp(2.0 * q[0] + root * q[1]) + exp(2.0 * q[0] - root * q[1]) + exp(-4.0 * q[0])) * (1.0 / 24.0);
 }
 
-/// Those that were looked at from the first.
+/// The scenes that were looked at from the beginning.
 void add_first(Scenes& scenes) {
   scenes.add("double_pendulum", {1.5, 1.8}, {0.0, 0.0}, 20.0, {}, [](const V& q, const V& p) {
     const Recorded c = cos(q[0] - q[1]);
@@ -44,7 +44,7 @@ void add_first(Scenes& scenes) {
              [](const V& q, const V& p) { return kinetic(p) + toda_potential(q); });
 }
 
-/// Ten held out from a first search and looked at since.
+/// Ten scenes that were held out from a first search and have been looked at since.
 void add_further(Scenes& scenes) {
   const auto left = [](const V& q) { return square(q[0] + 1.0) + square(q[1]); };
   const auto right = [](const V& q) { return square(q[0] - 1.0) + square(q[1]); };

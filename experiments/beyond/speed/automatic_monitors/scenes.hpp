@@ -9,21 +9,21 @@
 #include <string>
 #include <vector>
 
-// Hamiltonians of many kinds, each with monitors that one would make for it by hand.
+// Hamiltonians of many kinds, each with monitors that one would make by hand.
 
 namespace experiment {
 
-using V = avi::Vector<avi::Recorded, avi::dynamic>;  ///< What a formula is recorded with.
+using V = avi::Vector<avi::Recorded, avi::dynamic>;  ///< The vectors with which a formula is recorded.
 using avi::Recorded;
 
-/// A monitor made by hand: a length (or the like) of the problem to a power.
+/// A hand-made monitor: a length (or similar scale) of the problem to a power.
 struct HandMade {
   std::string name;
   avi::Formula monitor;
 };
 
-/// A problem with its orbit. The held-out ones were fixed before any formula was tuned, and not looked at
-/// until it was final.
+/// A problem with its orbit. The held-out problems were fixed before any formula was tuned, and not looked at
+/// until the formulas were final.
 struct Scene {
   std::string name;
   bool held_out;
@@ -33,21 +33,21 @@ struct Scene {
   std::vector<HandMade> hand_made;
 };
 
-/// A formula as one writes it.
+/// A Hamiltonian or scale as a function of (q, p).
 using Function = std::function<Recorded(const V&, const V&)>;
-/// A scale of a problem; it is tried as a monitor to each of the powers.
+/// A scale of a problem, which is tried as a monitor with each of the powers.
 struct Scale {
   std::string name;
   Function scale;
-  std::vector<double> powers{0.5, 1.0, 1.5, 2.0};  ///< What suits a length.
+  std::vector<double> powers{0.5, 1.0, 1.5, 2.0};  ///< The defaults suit a length.
 };
 
 /// Scenes in the order of the tables.
 class Scenes : public std::vector<Scene> {
  public:
-  bool held_out = false;  ///< Those to come.
+  bool held_out = false;  ///< Marks the scenes that are added next as held out.
 
-  /// Adds the scene of H(q, p) from a start over a time.
+  /// Adds the scene of H(q, p) from a start (q, p) over a time.
   void add(const std::string& name, std::vector<double> q, std::vector<double> p, double time,
            const std::vector<Scale>& scales, const Function& energy) {
     const auto n = static_cast<Eigen::Index>(q.size());
@@ -66,17 +66,17 @@ class Scenes : public std::vector<Scene> {
   }
 };
 
-// Pieces of formulas.
+// Building blocks of formulas.
 inline Recorded square(const Recorded& x) { return x * x; }
 inline Recorded radius_squared(const V& q) { return square(q[0]) + square(q[1]); }
-/// sum p_i^2 / (2 m_i), two coordinates for each mass; all are 1 where none are given.
+/// Kinetic energy sum p_i^2 / (2 m_i), with two coordinates for each mass; without masses, all are 1.
 inline Recorded kinetic(const V& p, const std::vector<double>& masses = {}) {
   Recorded sum = 0.0;
   for (Eigen::Index i = 0; i < p.size(); ++i)
     sum += square(p[i]) * (0.5 / (masses.empty() ? 1.0 : masses[static_cast<std::size_t>(i / 2)]));
   return sum;
 }
-/// sum over pairs in the plane of m_i m_j / r_ij^k.
+/// The sum over all pairs in the plane of m_i m_j / r_ij^k.
 inline Recorded pairs(const V& q, const std::vector<double>& masses, double k) {
   Recorded sum = 0.0;
   for (std::size_t j = 1; j < masses.size(); ++j)
@@ -86,7 +86,7 @@ inline Recorded pairs(const V& q, const std::vector<double>& masses, double k) {
     }
   return sum;
 }
-/// (sum over pairs of m_i m_j / r_ij^k)^(-1/k), a length.
+/// The lengths (sum over pairs of m_i m_j / r_ij^k)^(-1/k) for k = 1, 2, 3.
 inline std::vector<Scale> pair_lengths(const std::vector<double>& masses) {
   std::vector<Scale> scales;
   for (const double k : {1.0, 2.0, 3.0})
@@ -94,18 +94,18 @@ inline std::vector<Scale> pair_lengths(const std::vector<double>& masses) {
                       [=](const V& q, const V&) { return pow(pairs(q, masses, k), -1.0 / k); }});
   return scales;
 }
-/// |q| in the plane.
+/// The scale |q| in the plane.
 inline const Scale radius{"r", [](const V& q, const V&) { return sqrt(radius_squared(q)); }};
-/// q_1, where it is a distance.
+/// The scale q_1, where q_1 is a distance.
 inline const Scale distance{"r", [](const V& q, const V&) { return q[0]; }};
-/// Of an angle from a pole.
+/// The scale sin q_1, where q_1 is the angle from a pole.
 inline const Scale sine{"sine", [](const V& q, const V&) { return sin(q[0]); }};
-/// Of a quartic well.
+/// A scale of a quartic well.
 inline const Scale stiffness{
     "stiffness", [](const V& q, const V&) { return 1.0 / (1.0 + square(q[0])); }, {0.25, 0.5, 1.0}};
 
-void add_celestial(Scenes&);  ///< Attraction by inverse squares, and a charge in a dipole's field.
-void add_other(Scenes&);  ///< Oscillators, springs, walls, molecules, of which ten had been held out once.
-void add_drawn(Scenes&);  ///< Twelve drawn by a rule and looked at since, and the twelve held out.
+void add_celestial(Scenes&);  ///< Inverse-square attraction, and a charge in the field of a dipole.
+void add_other(Scenes&);      ///< Oscillators, springs, walls and molecules; ten of them were once held out.
+void add_drawn(Scenes&);      ///< Twelve drawn by a rule and seen since, and twelve held out.
 
 }  // namespace experiment

@@ -3,13 +3,14 @@
 #include "common/power_law.hpp"
 #include "common/timing.hpp"
 
-// How steps and time grow with eccentricity, horizon, order and dimension: fitted powers beside the expected.
+// Growth of steps and time with eccentricity, horizon, order and dimension: fitted exponents compared with
+// the expected ones.
 
 namespace {
 
 using namespace experiment;
 
-/// Times all runs of an axis in turns, writes them down, and fits what is expected of them.
+/// Times all runs of an axis in turn, writes them to the table, and fits the exponents that are expected.
 void report(const Axis& axis, int rounds, Table& runs, Table& fits) {
   std::vector<std::function<void()>> works;
   for (const Measurement& one : axis.runs)

@@ -6,8 +6,8 @@
 
 #include <memory>
 
-// The dimension: a chain of more and more masses, by collocation of order 16. Everything is done to the eight
-// stages of a step at once.
+// Cost and dimension: chains of increasing length, by collocation of order 16. All operations act on the
+// eight stages of a step at once.
 
 namespace experiment {
 namespace {
@@ -18,7 +18,7 @@ constexpr double step_size = 0.5;
 using Stage = avi::Pack<stages>;
 using Vec = avi::Vector<Stage, dynamic>;
 
-/// A piece of work, again and again.
+/// A measurement that repeats a piece of work.
 Measurement repeated(long repeats, const auto& work) {
   const auto run = [=] {
     for (long k = 0; k < repeats; ++k)
@@ -27,14 +27,14 @@ Measurement repeated(long repeats, const auto& work) {
   return {.run = run, .units = static_cast<double>(repeats)};
 }
 
-/// H itself: the unit of cost.
+/// The value of H, the unit of cost.
 Measurement value(const avi::State<dynamic>& z, long repeats) {
   const Vec q = z.q.cast<Stage>(), p = z.p.cast<Stage>();
   const auto sum = std::make_shared<Stage>(0.0);
   return repeated(repeats, [=] { *sum += Chain{}(q, p); });
 }
 
-/// The gradient of H by automatic differentiation, both halves.
+/// Both halves of the gradient of H, by automatic differentiation.
 Measurement gradient(const avi::State<dynamic>& z, long repeats) {
   const auto program = std::make_shared<avi::Program>(avi::record(Chain{}, z.q.size()).gradient());
   const auto room = std::make_shared<avi::Program::Room<Stage>>(*program);
@@ -45,7 +45,7 @@ Measurement gradient(const avi::State<dynamic>& z, long repeats) {
   return repeated(repeats, [=] { program->run(*room); });
 }
 
-/// A sweep: a run over its number of sweeps.
+/// A sweep: the time of a run divided by its number of sweeps.
 template <class H, int n>
 Measurement sweep(const H& hamiltonian, const avi::State<n>& z, long steps) {
   using Method = avi::Collocation<avi::Poincare<n, H>>;

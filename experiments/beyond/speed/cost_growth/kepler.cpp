@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Kepler's problem: eccentricity, horizon and the Taylor order of one expansion.
+// Kepler's problem: cost and eccentricity, horizon, and Taylor order of one expansion.
 
 namespace experiment {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 constexpr double period = 2.0 * M_PI;
 constexpr double target = 1e-6, tolerance = 0.03;
 
-/// A run of a fresh method, again and again.
+/// A function that runs a new method on every call.
 auto runs_of(const Method2& runner, const State2& start, double h, const avi::Until& until) {
   return [=] {
     State2 z = start;
@@ -33,9 +33,9 @@ Measurement measured(std::string subject, double value, const Method2& runner, c
           runs_of(runner, start, h, {.time = time})};
 }
 
-/// The step whose largest energy error over one orbit is the target, within `tolerance` where there is one:
-/// halved from `h` until the run comes near, then corrected on logarithms by order 4. NaN where that takes
-/// more than `cap` steps.
+/// The step for which the largest energy error over one orbit equals the target, within `tolerance` if such a
+/// step exists. It is halved from `h` until the error comes near, then corrected in logarithms with order 8.
+/// NaN if that takes more than `cap` steps.
 double calibrated(const Method2& runner, const State2& start, double h, long cap) {
   const Limits limits{.time = period, .steps = cap, .energy_error = 100.0 * target};
   const auto error = [&](double tried) {
@@ -47,8 +47,8 @@ double calibrated(const Method2& runner, const State2& start, double h, long cap
                       {.order = 8.0, .within = tolerance, .longest = 2.0, .too_coarse = 1e3});
 }
 
-/// Integral of r^-m dt over an orbit with e = 1 - gap, by the eccentric anomaly E with r = 1 - e cos E and
-/// dt = r dE; E = sqrt(2 gap) sinh u resolves the pericentre.
+/// The integral of r^-m dt over an orbit with e = 1 - gap, in terms of the eccentric anomaly E with r = 1 - e
+/// cos E and dt = r dE. The substitution E = sqrt(2 gap) sinh u resolves the pericentre.
 double orbit_integral(double m, double gap) {
   constexpr int cells = 4000;
   const double scale = std::sqrt(2.0 * gap), end = std::asinh(M_PI / scale);
@@ -65,19 +65,20 @@ double orbit_integral(double m, double gap) {
 
 Axis along_eccentricity(bool quick) {
   Axis axis{"closeness"};
-  // Near the pericentre time and energy scale as r^1.5 and 1/r, so that order 8 with g = r^m needs
-  // h r^m <= r^1.5 r^(1/8) there; an orbit then takes the integral of r^-m dt / h steps, which grows as
-  // r^(1.5 - m) for m > 1.5, and as a logarithm for m = 1.5.
+  // Near the pericentre, time and energy scale as r^1.5 and 1/r. Order 8 with g = r^m therefore needs h r^m
+  // <= r^1.5 r^(1/8) there. An orbit then takes the integral of r^-m dt / h steps, which grows as r^(1.5 - m)
+  // for m > 1.5, and as a logarithm for m = 1.5.
   //
-  // For m > 1.5 the apocentre limits h. As a function of tau a fall from rest has poles at distances +-i d
-  // from its apocentre (with m = 2 it is r = 2 / (1 + tau^2)). They leave an error as exp(-2 pi d / h) in the
-  // conserved g (H + p^t), an energy (2 / (1 - e))^m times as large at the pericentre. So 2 pi d / h is
-  // log(1 / target) + m log(2 / (1 - e)), and steps grow by that logarithm besides.
+  // For m > 1.5 the apocentre limits h. As a function of tau, a fall from rest has poles at distances +-i d
+  // from its apocentre (for m = 2 it is r = 2 / (1 + tau^2)). They leave an error proportional to exp(-2 pi d
+  // / h) in the conserved g (H + p^t), which at the pericentre is an energy error (2 / (1 - e))^m times as
+  // large. So 2 pi d / h is log(1 / target) + m log(2 / (1 - e)), and the number of steps grows by that
+  // logarithm as well.
   const auto survey = [&](const std::string& name, const PositionMonitor& monitor, double m, double first) {
     const Method2 runner = stationary(8, monitor);
     const double limited = std::max(0.0, 1.625 - m), power = -limited - std::max(0.0, m - 1.5);
     double h = first;
-    // A fixed step soon needs more steps than the cap: its points are closer together.
+    // Without a monitor a run soon needs more steps than the cap, so the points are closer together.
     const double spacing = m > 0.0 ? 0.5 : 0.125;
     for (double power_of_ten = 1.0; power_of_ten < 6.01; power_of_ten += spacing) {
       const double gap = std::pow(10.0, -power_of_ten);
@@ -85,12 +86,13 @@ Axis along_eccentricity(bool quick) {
       h = calibrated(runner, start, h, quick ? 20'000 : 40'000);
       if (std::isnan(h)) break;
       Measurement made = measured(name, gap, runner, start, h, period);
-      // Closer to the parabola rounding is as large as the target, and no step has that error.
+      // Nearer to the parabola rounding is as large as the target, and no step has that error.
       if (std::abs(std::log(made.energy_error / target)) > tolerance) break;
       axis.runs.push_back(std::move(made));
       h *= std::pow(0.1, spacing * limited);
     }
-    // Rounding of g (H + p^t) at the apocentre is an energy (2 / (1 - e))^m times as large at the pericentre.
+    // Rounding of g (H + p^t) at the apocentre is an energy error (2 / (1 - e))^m times as large at the
+    // pericentre.
     const double rounding = m > 0.0 ? 2.0 * std::pow(1e-3 * target / 2e-16, -1.0 / m) : 0.0;
     axis.expected.push_back({name, power, rounding, 0.2, [=](double gap) {
                                const double by_poles = std::log(1.0 / target) + m * std::log(2.0 / gap);

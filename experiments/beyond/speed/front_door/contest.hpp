@@ -9,30 +9,31 @@
 #include <utility>
 #include <vector>
 
-// A problem over a span of time, with all that take part: avi::solve() as users call it, other libraries.
+// A problem over a span of time with its contestants: avi::solve() as users call it, and other libraries.
 
 namespace experiment::front_door {
 
 using work_precision::Family, work_precision::Result;
 
-/// One race. Its families are `avi`, then the peers; settings are tolerances.
+/// One race. Its families are `avi`, then the other libraries; their settings are tolerances.
 using Contest = work_precision::Scene;
 
-/// A problem with its characteristic time: a period, or 2 pi over the usual frequency.
+/// A problem with its characteristic time: a period, or 2 pi divided by the usual frequency.
 struct Scene {
   std::string name;
   std::string kind;
-  bool held_out;                 ///< Drawn up after the menu was made; not run by `--quick`.
-  double unit;                   ///< Characteristic time.
-  std::vector<double> horizons;  ///< In characteristic times; where motion is regular enough for a reference.
+  bool held_out;  ///< Chosen after the menu was made; not run by `--quick`.
+  double unit;    ///< Characteristic time.
+  /// In characteristic times, limited to where motion is regular enough for a reference.
+  std::vector<double> horizons;
   std::function<Contest(double span)> make;
 };
 
-/// All of them, in the order in which they are shown.
+/// All scenes, in the order of the tables.
 std::vector<Scene> scenes();
 
-/// Position at the end by extrapolation of order 20 in long double, which shares nothing with the methods
-/// that race; `steps` are its steps.
+/// Position at the end, by extrapolation of order 20 in long double with the given number of steps. The
+/// method has nothing in common with those that race.
 template <class P>
 Eigen::VectorXd extrapolated_end(const P& problem, const avi::State<P::dimension>& start, double span,
                                  long steps) {
@@ -50,8 +51,8 @@ Eigen::VectorXd extrapolated_end(const P& problem, const avi::State<P::dimension
   return y.template head<P::dimension>().template cast<double>();
 }
 
-/// avi::solve() as a family: the whole call is timed. Evaluations are those of the field at one stage, trials
-/// included.
+/// avi::solve() as a family; the whole call is timed. Evaluations are those of the field at one stage,
+/// including the trials.
 template <class P>
 Family door(const P& problem, const avi::State<P::dimension>& start, double span) {
   const auto run = [=](const work_precision::Request& request) {
@@ -63,14 +64,14 @@ Family door(const P& problem, const avi::State<P::dimension>& start, double span
     result.q = found.state.q;
     result.t = found.state.t;
     result.steps = found.run.steps;
-    result.evaluations =
-        (found.choice.sweeps + found.choice.check + found.run.evaluations) * found.choice.order / 2;
+    const long each = found.choice.name == "splitting" ? 1 : found.choice.order / 2;
+    result.evaluations = (found.choice.sweeps + found.choice.check + found.run.evaluations) * each;
     return result;
   };
   return {"avi", 0, work_precision::Origin::front_door, "tolerance", {}, run};
 }
 
-/// The race of `problem` from `start` over `span`; `exact` is the position at its end.
+/// The race for `problem` from `start` over `span`. @param exact the position at the end
 template <class P>
 Contest contest(const P& problem, const avi::State<P::dimension>& start, double span, Eigen::VectorXd exact) {
   const work_precision::Arena<P> arena(problem, span, start);
@@ -83,7 +84,8 @@ Contest contest(const P& problem, const avi::State<P::dimension>& start, double 
   return made;
 }
 
-/// Same with the extrapolated end, from `h` on; its own error is the difference from three quarters of that.
+/// The same with the end extrapolated with steps of `h`; the error of that reference is its difference from a
+/// run with 0.75 h.
 template <class P>
 Contest contest(const P& problem, const avi::State<P::dimension>& start, double span, double h) {
   const auto end = [&](double step) {

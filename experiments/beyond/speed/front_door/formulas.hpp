@@ -2,12 +2,12 @@
 #include <array>
 #include <cmath>
 
-// Hamiltonians as a user of avi::solve() writes them, and y' = f(y), y = (q, p), as a user of another
-// library does: with what is common to several components computed once. Each is one problem of the race.
+// The problems of the race, each in two forms: the Hamiltonian as a user of avi::solve() writes it, and y' =
+// f(y), y = (q, p), as a user of another library does, with common subexpressions computed only once.
 
 namespace experiment::front_door {
 
-/// Bodies in a central field -1/r, in the plane.
+/// Motion in the plane in a central field -1/r.
 struct Kepler {
   static constexpr int dimension = 2;
   auto operator()(const auto& q, const auto& p) const {
@@ -21,7 +21,7 @@ struct Kepler {
   }
 };
 
-/// Henon and Heiles.
+/// The problem of Henon and Heiles.
 struct HenonHeiles {
   static constexpr int dimension = 2;
   auto operator()(const auto& q, const auto& p) const {
@@ -49,7 +49,7 @@ struct Pendulum {
   }
 };
 
-/// Bodies of unit mass in the plane.
+/// Bodies of unit mass that attract each other in the plane.
 template <int bodies>
 struct UnitBodies {
   static constexpr int dimension = 2 * bodies;
@@ -80,7 +80,7 @@ struct UnitBodies {
   }
 };
 
-/// Bodies with masses, in space.
+/// Bodies with masses that attract each other in space.
 template <int bodies>
 struct Planets {
   static constexpr int dimension = 3 * bodies;
@@ -119,7 +119,7 @@ struct Planets {
   }
 };
 
-/// The chain of Fermi, Pasta, Ulam and Tsingou with quartic springs, its ends held.
+/// The chain of Fermi, Pasta, Ulam and Tsingou with quartic springs and fixed ends.
 template <int masses>
 struct Fput {
   static constexpr int dimension = masses;

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-// avi::solve() as a user calls it against the integrators of other libraries: the time of the whole call at
-// equal error of the position at the end.
+// avi::solve() as a user calls it, compared with the integrators of other libraries: the time of the whole
+// call for the same position error at the end.
 
 int main(int argc, char** argv) {
   using namespace experiment;

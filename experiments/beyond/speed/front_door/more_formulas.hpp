@@ -3,13 +3,14 @@
 
 #include <cmath>
 
-// The held-out problems of the race, as those of formulas.hpp: drawn up when the menu of solve() was made.
-// They were looked at since: exponentials, frames that turn and the price of a candidate were mended after
-// Toda's chain, the restricted problem and the galaxy had shown what was slow.
+// The held-out problems of the race, in the same two forms as in formulas.hpp. They were drawn up when the
+// menu of solve() was made. They have been looked at since: exponentials, rotating frames and the estimated
+// cost of a candidate were improved after Toda's chain, the restricted problem and the galaxy had shown what
+// was slow.
 
 namespace experiment::front_door {
 
-/// A planet of the Sun, in astronomical units and years, with its orbit inclined.
+/// A planet of the Sun on an inclined orbit, in astronomical units and years.
 struct Planet {
   static constexpr int dimension = 3;
   static constexpr double strength = 4.0 * M_PI * M_PI;
@@ -27,7 +28,7 @@ struct Planet {
   }
 };
 
-/// A satellite of a flattened body, in the plane of its equator: -1/r - c / (3 r^3).
+/// A satellite in the equatorial plane of a flattened body, with potential -1/r - c / (3 r^3).
 struct Flattened {
   static constexpr int dimension = 2;
   double c = 0.01;
@@ -44,7 +45,7 @@ struct Flattened {
   }
 };
 
-/// Two pendulums, with their rates.
+/// The double pendulum, with its equations of motion.
 struct DoublePendulum : experiment::DoublePendulum {
   template <class S>
   static void rates(const S* y, S* f) {
@@ -70,7 +71,7 @@ struct Galaxy {
   }
 };
 
-/// Two atoms of different mass on a line, bound by Morse's potential, in a shallow well each.
+/// Two atoms of different mass on a line, bound by a Morse potential, each in a shallow well.
 struct Morse {
   static constexpr int dimension = 2;
   auto operator()(const auto& q, const auto& p) const {
@@ -86,7 +87,7 @@ struct Morse {
   }
 };
 
-/// A small body in the frame that turns with two heavy ones, of masses 1 - mu and mu.
+/// A small body in the frame that rotates with two heavy ones, of masses 1 - mu and mu.
 struct Restricted {
   static constexpr int dimension = 2;
   double mu = 0.01;
@@ -106,7 +107,7 @@ struct Restricted {
   }
 };
 
-/// Toda's chain, its ends held.
+/// Toda's chain with fixed ends.
 template <int masses>
 struct Toda {
   static constexpr int dimension = masses;
@@ -142,7 +143,7 @@ struct Relativistic {
   }
 };
 
-/// A pendulum whose support is shaken, with the time as its second coordinate: q_1 = t.
+/// A pendulum with a shaken support; time is its second coordinate, q_1 = t.
 struct Shaken {
   static constexpr int dimension = 2;
   auto operator()(const auto& q, const auto& p) const {

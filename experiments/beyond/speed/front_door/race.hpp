@@ -6,49 +6,50 @@
 #include <optional>
 #include <vector>
 
-// Who is the first to reach an accuracy.
+// A race: which family is the first to reach an accuracy.
 
 namespace experiment::front_door {
 
-/// Position errors at the end that are raced for.
+/// Target position errors at the end.
 inline constexpr double targets[] = {1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
 
-/// How closely a race is measured.
+/// Accuracy of the measurements in a race.
 struct Budget {
-  double longest_run = 0.005;  ///< Seconds; a family ends with the first setting that takes longer.
-  double least_block = 1e-4;   ///< Seconds of a timed block; shorter runs are repeated within it.
-  int rounds = 3;              ///< Blocks of each setting, of which the least counts.
-  double ratio = 0.1;          ///< Of a tolerance to the one before.
-  int refined = 0;             ///< Settings between two, where the first to pass is looked for.
+  /// Seconds; the scan of a family ends with the first setting that takes longer.
+  double longest_run = 0.005;
+  double least_block = 1e-4;  ///< Seconds of a timed block; shorter runs are repeated within it.
+  int rounds = 3;             ///< Timed blocks for each setting, of which the fastest counts.
+  double ratio = 0.1;         ///< Ratio of each tolerance to the one before.
+  int refined = 0;            ///< Settings tried between the last to fail and the first to pass a target.
 };
 
-/// One family at one setting.
+/// The result of one family at one setting.
 struct Point {
   std::size_t family = 0;
   double setting = 0.0;
   double error = 0.0;
-  double seconds = 0.0;  ///< At first of one run, after measure() the least of all blocks.
-  long evaluations = 0;  ///< Of the field, or of H.
+  double seconds = 0.0;  ///< Initially of one run; after measure(), of the fastest block.
+  long evaluations = 0;  ///< Evaluations of the field, or of H.
   long steps = 0;
-  bool measured = false;  ///< Its seconds are those of blocks.
+  bool measured = false;  ///< The seconds are those of timed blocks.
 };
 
-/// The cheapest settings that reach a target; nullopt where none does.
+/// The cheapest settings that reach a target; nullopt if there is none.
 struct Cell {
   double target = 0.0;
   std::optional<Point> ours, peer;
 };
 
 struct Outcome {
-  std::vector<Point> points;  ///< Every setting that was tried and came through.
-  std::vector<Cell> cells;    ///< One for each target.
+  std::vector<Point> points;  ///< All settings that were tried; the error is infinite where a run failed.
+  std::vector<Cell> cells;    ///< One cell per target.
 };
 
 inline constexpr double finest_target = targets[std::size(targets) - 1];
 
-/// Each family is run from coarse to fine tolerances, and between the last that fails and the
-/// first that passes a target in finer parts; then the cheapest three of each side for each target are timed,
-/// one after the other in each round, so that a drift of the machine's speed meets all alike.
+/// Runs each family from coarse to fine tolerances, with finer settings between the last to fail and the
+/// first to pass a target. For each target and side, the three cheapest settings are then timed, one after
+/// the other in each round, so that a change of the machine's speed affects all of them.
 class Race {
  public:
   Race(const Contest& contest, const Budget& budget) : contest_(contest), budget_(budget) {}
@@ -66,7 +67,7 @@ class Race {
  private:
   static bool is_ours(std::size_t family) { return family == 0; }
 
-  /// One run, and two more where it was short.
+  /// One run; a short one is repeated twice, and the least time counts.
   Point tried(std::size_t family, double setting) {
     Result result = contest_.families[family].run({.setting = setting, .step_cap = step_cap_});
     if (result.seconds < 1e-3)
@@ -96,22 +97,23 @@ class Race {
         }
       if (point.error <= 0.5 * finest_target) break;
       if (point.seconds > budget_.longest_run * (ours ? 4.0 : 1.0)) break;
-      if (!ours && point.seconds > 3.0 * needed_) break;                 // another peer is there already
-      if (!ours && least < 1e-3 && !(point.error < 1e3 * least)) break;  // where it asks too much, it fails
-      if (setting < 1e-8 && least > 0.1) break;                          // chaos
+      if (!ours && point.seconds > 3.0 * needed_) break;  // another library is already faster
+      // the tolerance is too small for this library
+      if (!ours && least < 1e-3 && !(point.error < 1e3 * least)) break;
+      if (setting < 1e-8 && least > 0.1) break;  // chaos
       stale = point.error < 0.7 * least ? 0 : stale + 1;
       if (least = std::min(least, point.error); !ours && least < 1e-3 && stale >= 5) break;  // rounding
       step_cap_ = std::min(300'000L, 4 * point.steps + 1000);
     }
   }
 
-  /// Settings between two.
+  /// Tries the settings between two.
   void refine(std::size_t family, double coarse, double fine) {
     for (int k = 1; k <= budget_.refined; ++k)
       tried(family, coarse * std::pow(fine / coarse, k / (budget_.refined + 1.0)));
   }
 
-  /// The three that look cheapest of those that reach a target.
+  /// The three settings that are cheapest, by the first times, among those that reach a target.
   std::vector<std::size_t> cheapest(bool ours, double target) const {
     std::vector<std::size_t> list;
     for (std::size_t i = 0; i < points_.size(); ++i)
@@ -151,7 +153,7 @@ class Race {
   const Contest& contest_;
   const Budget& budget_;
   std::vector<Point> points_;
-  double needed_ = HUGE_VAL;  // seconds of a peer that reached the last target
+  double needed_ = HUGE_VAL;  // least seconds of another library for the last target
   long step_cap_ = 0;
 };
 

@@ -2,7 +2,7 @@
 #include "beyond/speed/work_precision/measure.hpp"
 #include "common/frame.hpp"
 
-// For this problem, horizon and accuracy: which method to use and what it costs.
+// Which method to use for a given problem, horizon and accuracy, and what it costs.
 
 namespace experiment::work_precision {
 
@@ -14,7 +14,7 @@ inline const Point* cheapest(const std::vector<Point>& points, Origin origin, do
   return best;
 }
 
-/// True where the equations of its steps are solved to rounding, as those of a symplectic run have to be.
+/// True if the equations of the steps are solved to rounding, as a symplectic run requires.
 inline bool solved(const Point& p) { return p.family->knob.find("tolerance=") == std::string::npos; }
 
 inline std::string method(const Point* p) {
@@ -24,11 +24,11 @@ inline std::string method(const Point* p) {
   return p->family->method;
 }
 
-/// A library measured in both places differs by up to this factor: a ratio to one measured elsewhere that is
-/// nearer to 1 decides nothing.
+/// Costs of one library measured in two places differ by up to this factor. A ratio to a cost measured
+/// elsewhere that is nearer to 1 is inconclusive.
 inline constexpr double spread_elsewhere = 1.43;
 
-/// The table that advise() fills.
+/// The table filled by advise().
 inline Table advice_table(const Frame& frame) {
   Table table = frame.table(
       {"problem", "eccentricity", "horizon", "target", "method", "setting", "cost", "energy_error"});
@@ -50,7 +50,7 @@ inline Table advice_table(const Frame& frame) {
 /// itself the unit moved while the scene was measured.
 inline void advise(Table& table, const Scene& scene, const std::vector<Point>& points, double unit,
                    double drift) {
-  static const Table elsewhere = Table::read(AVI_ELSEWHERE);  // costs that were measured elsewhere
+  static const Table elsewhere = Table::read(AVI_ELSEWHERE);  // costs measured elsewhere
   for (const double target : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
     const Point* ours = cheapest(points, Origin::ours_explicit, target);
     const Point* htvi = cheapest(points, Origin::htvi, target);

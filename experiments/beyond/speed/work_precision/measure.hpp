@@ -10,29 +10,30 @@
 
 namespace experiment::work_precision {
 
-/// One method at one setting: medians over the starts.
+/// One method at one setting, with medians over the starts.
 struct Point {
   const Family* family = nullptr;
   double setting = 0.0;
   long steps = 0;
   long evaluations = 0;
   double seconds = 0.0;
-  double least_seconds = 0.0, most_seconds = 0.0;  ///< Over the starts.
+  double least_seconds = 0.0, most_seconds = 0.0;  ///< Extremes over the starts.
   double position_error = 0.0;
-  double energy_error = 0.0;  ///< Largest over the steps, from start 0.
+  double energy_error = 0.0;  ///< Largest error over all steps, from start 0.
 
-  /// `g=r^1.5 h=0.2`.
+  /// The setting as text, such as `g=r^1.5 h=0.2`.
   [[nodiscard]] std::string label() const { return fmt::format("{}={:.4g}", family->knob, setting); }
 };
 
-/// The budget in evaluations of the force: so the machine's speed does not decide what is measured. A
-/// Taylor expansion counts as some, see Family::weight.
+/// The budget, in evaluations of the force, so that the speed of the machine does not affect which settings
+/// are measured. A Taylor expansion counts as several evaluations, see Family::weight.
 struct Budget {
   double longest_run = 47'000;  ///< A family ends with the first setting that takes more.
-  double family = 3e7;          ///< All runs of a family together; it ends where they are spent.
-  double least_run = 6'000;     ///< A shorter run counts as this many: it is repeated in the timed block.
+  double family = 3e7;          ///< Limit for all runs of a family together.
+  /// A shorter run counts as this many, because it is repeated in the timed block.
+  double least_run = 6'000;
   double least_block = 0.0001;  ///< Seconds of the timed block.
-  std::size_t stride = 3;       ///< Every that many of a family's settings is tried.
+  std::size_t stride = 3;       ///< Only every stride-th setting of a family is tried.
 };
 
 struct Trial {
@@ -42,20 +43,20 @@ struct Trial {
   long step_cap;
 };
 
-/// Evaluations of the force that a run was worth.
+/// The work of a run, in evaluations of the force.
 inline double work(const Family& family, const Result& result) {
   return family.weight * static_cast<double>(result.evaluations);
 }
 
-/// As many steps as take that much work, told from the first few hundred. (An orbit that a coarse setting
-/// throws out may take any number of them.)
+/// The number of steps that takes this much work, estimated from the first few hundred steps. (An orbit that
+/// a coarse setting ejects may take any number of them.)
 inline long steps_within(double most, const Family& family, double setting) {
   const Result result = family.run({.setting = setting, .step_cap = 300});
   const double step = work(family, result) / static_cast<double>(std::max(result.steps, 1L));
   return static_cast<long>(most / std::max(step, 1.0));
 }
 
-/// The settings of one family that are worth measuring.
+/// The settings of a family that are worth measuring.
 inline std::vector<Trial> scout(const Scene& scene, const Family& family, const Budget& budget) {
   const double far_too_long = 2.0 * budget.longest_run;
   std::vector<Trial> kept;
@@ -84,10 +85,10 @@ inline std::vector<Trial> scout(const Scene& scene, const Family& family, const 
   return kept;
 }
 
-/// Measures every family of a scene. First each is tried from coarse to fine, once, to find the settings
-/// that are worth measuring: an error below 0.1 and not yet at the floor, work below the cap. Then round
-/// k = 0 ... 4 runs all of them from start k, one after the other, so that a drift of the machine's speed
-/// meets all alike. `progress` is told the fraction done.
+/// Measures every family of a scene. First, each setting is tried once, from coarse to fine, to find those
+/// worth measuring: with an error below 0.1 but not yet at the floor, and work below the cap. Then round k =
+/// 0 ... 4 runs all of these from start k, one after the other, so that a change of the machine's speed
+/// affects all of them. `progress` receives the fraction that is done.
 inline std::vector<Point> measure(const Scene& scene, const Budget& budget,
                                   const std::function<void(double)>& progress) {
   std::vector<Trial> trials;

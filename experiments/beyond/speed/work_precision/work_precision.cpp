@@ -3,15 +3,16 @@
 #include "beyond/speed/work_precision/scenes/scenes.hpp"
 
 // Position error at the end and largest energy error against wall time, for every explicit method of the
-// library, HTVI of many orders and the integrators of other libraries. The unit SV of cost is the
-// Stormer-Verlet run of Table 1 (e = 0.9, T = 10, h = 5e-5), measured before and after each scene.
+// library, HTVI of many orders, and the integrators of other libraries. Costs are in units of SV, the time of
+// the Stormer-Verlet run of Table 1 (e = 0.9, T = 10, h = 5e-5), which is measured before and after each
+// scene.
 
 namespace {
 
 using namespace experiment;
 using namespace experiment::work_precision;
 
-/// The Stormer-Verlet family of Kepler's problem at the one setting of the reference run.
+/// The Stormer-Verlet family for Kepler's problem, with only the setting of the reference run.
 Scene reference_scene() {
   Scene scene = scenes(Grid::quick).front().make();
   std::erase_if(scene.families, [](const Family& f) { return f.method != "stormer_verlet"; });
@@ -26,20 +27,20 @@ void add_rows(Table& table, const Scene& scene, const std::vector<Point>& points
               rounded(p.seconds / unit), rounded(p.least_seconds / unit), rounded(p.most_seconds / unit));
 }
 
-/// The measurements of a scene, with the unit before and after it.
+/// The measurements of a scene, and the unit before and after it.
 struct Measured {
   std::vector<Point> unit_point, points;
-  double unit;   ///< Seconds: the mean of the two.
+  double unit;   ///< Mean of both, in seconds.
   double drift;  ///< |after / before - 1|
 };
 
-/// Where the unit moved by more than this part while a scene was measured, the scene is measured again, twice
-/// at most. If that does not help, the drift in the data has the report refuse them.
+/// If the unit changes by more than this fraction while a scene is measured, the scene is measured again, at
+/// most twice. If that does not help, the drift recorded in the data makes the report reject them.
 constexpr double largest_drift = 0.05;
 
 Measured measured_with_unit(const Scene& unit_scene, const Scene& scene, const Budget& budget,
                             const std::function<void(double)>& progress) {
-  // The least of some runs: a moment that other work took is not the machine's speed.
+  // The least time of several runs, because other work on the machine can only slow them down.
   const auto unit = [&] {
     std::vector<Point> least;
     for (int run = 0; run < 5; ++run)

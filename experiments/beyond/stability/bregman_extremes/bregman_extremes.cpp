@@ -5,21 +5,21 @@
 #include <array>
 #include <utility>
 
-// Bregman dynamics where they break: the time at which each form of the HTVI overflows, the largest stable
-// step of every method, and minimisations at extreme orders, conditions, dimensions, starts, clocks and steps
-// and with objectives that fail. No run may end silently wrong.
+// Bregman dynamics at its limits: the time at which each form of the HTVI overflows; the largest stable step
+// of every method; and minimisations with extreme orders, conditions, dimensions, starts, clocks and steps,
+// and with objectives that fail. No run may end with a wrong result that looks right.
 
 namespace {
 
 using namespace experiment;
 using Orders = std::vector<std::pair<double, double>>;  // (p, p_ring)
 
-/// A fault at one evaluation. The value and the gradient are otherwise the quartic's.
+/// A fault at one evaluation. Otherwise value and gradient are those of the quartic.
 constexpr std::array<std::string_view, 10> fault_kinds{
     "value_nan",     "value_inf",     "value_minus_inf",        "gradient_nan",  "gradient_inf",
     "gradient_huge", "gradient_zero", "gradient_zero_for_good", "one_entry_nan", "nan_swallowed"};
 
-/// The paper's quartic with a fault at its evaluation number `at`.
+/// The paper's quartic with a fault at evaluation number `at`.
 struct FaultyQuartic {
   std::string_view kind;
   long at;
@@ -44,7 +44,8 @@ struct FaultyQuartic {
   }
 };
 
-/// Every method that meets the faults, with its step or rate; 0: Bregman dynamics, with the step of a scene.
+/// Every method that is tested with faults, with its step or rate; 0 for Bregman dynamics, which uses the
+/// step of a scene.
 const std::vector<std::pair<const char*, double>> fault_methods{
     {"htvi", 0.0},          {"heavy_ball", 0.0},       {"splitting", 0.0},
     {"clone_strang", 0.0},  {"clone_y4", 0.0},         {"clone_y6", 0.0},
@@ -58,7 +59,7 @@ Judged meet(const Scene& s, std::string_view kind, long at, long cap) {
   Rule rule{.method = s.method, .h = s.h};
   if (s.h == 0.0) rule = {.method = s.method, .family = s.family(), .h = step_of(s), .from = s.from};
   Judged result = judge(rule, f, f.quartic.start(), cap);
-  // The objective itself said that the point is stationary; no method can know better.
+  // The objective itself declared the point stationary, which no method can detect.
   if (result.outcome == "ok" && kind.starts_with("gradient_zero")) result.verdict = "told";
   return result;
 }
@@ -75,7 +76,7 @@ void write_overflow(Frame& frame) {
   for (const auto& [p, p_ring] : orders) {
     const auto family = avi::BregmanFamily::adaptive(p, p_ring);
     const Agreement close = agreement(family, steps);
-    // clang++ 14 captures no structured binding by itself.
+    // clang++ 14 cannot capture a structured binding without an initialiser.
     const auto add = [&, p = p, p_ring = p_ring](const End& end, double distance) {
       table.row(end.form, p, p_ring, end.h, end.log_end / M_LN10, end.expected / M_LN10, end.steps, distance,
                 close.steps);

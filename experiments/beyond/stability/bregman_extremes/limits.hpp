@@ -5,12 +5,12 @@
 
 #include <string>
 
-// The largest stable step of each method for Bregman dynamics on a quadratic, against linear theory.
+// The largest stable step of each method for Bregman dynamics on a quadratic, compared with linear theory.
 
 namespace experiment {
 
-/// Largest z = h omega at which the stages of a composition are stable on x'' = -omega^2 x: the least z where
-/// |trace| of the step's matrix exceeds 2.
+/// Largest z = h omega for which a composition is stable on x'' = -omega^2 x: the first z at which |trace| of
+/// the step's matrix exceeds 2.
 inline double linear_limit(const MergedStages& stages) {
   const auto stable = [&](double z) {
     double m[2][2] = {{1.0, 0.0}, {0.0, 1.0}};  // columns: images of (x, v) = (1, 0) and (0, 1)
@@ -28,8 +28,8 @@ inline double linear_limit(const MergedStages& stages) {
   return z;
 }
 
-/// z of a method by name: sqrt(C) P h t^(p/2 - s) sqrt(lambda_max) must stay below it. For HTVI and the other
-/// leapfrogs it is 2: C h^2 P^2 t^(p-2s) lambda_max < 4.
+/// The stability limit of a method by name: z = sqrt(C) P h t^(p/2 - s) sqrt(lambda_max) must stay below it.
+/// For HTVI and the other leapfrogs it is 2: C h^2 P^2 t^(p-2s) lambda_max < 4.
 inline double linear_limit(const std::string& method) {
   if (method == "runge_kutta_4") return 2.0 * std::sqrt(2.0);  // |R(iz)| = 1
   for (const auto composition : {CloneComposition::yoshida4, CloneComposition::yoshida6})
@@ -37,17 +37,17 @@ inline double linear_limit(const std::string& method) {
   return 2.0;
 }
 
-/// A measured limit.
+/// The measured limit of a method.
 struct Limit {
-  double expected = 0.0;  ///< Fictive step by linear theory, at the time between 1 and T where it is least.
-  double measured = 0.0;  ///< By bisection.
-  avi::Minimisation beyond;  ///< The run five per cent beyond, under the default bounds.
+  double expected = 0.0;     ///< Fictive step by linear theory, at the time in [1, T] where it is least.
+  double measured = 0.0;     ///< Fictive step by bisection.
+  avi::Minimisation beyond;  ///< A run five per cent above the limit, with the default bounds.
 };
 
-/// Largest h with which f = |x|^2 / 2 stays below 1000 times its start from t = 1 to t = T.
+/// Largest h for which f = |x|^2 / 2 stays below 1000, from 1/2 at t = 1 to t = T.
 ///
-/// C = 1e9 makes the steps so small that coefficients hardly change from one to the next and an instability
-/// has many of them to grow in: the limit is sharp.
+/// With C = 1e9 steps are so small that coefficients hardly change from one step to the next, and an
+/// instability has many steps in which to grow. The limit is therefore sharp.
 inline Limit largest_stable_step(const std::string& method, double p, double p_ring, double T) {
   const auto family = avi::BregmanFamily::adaptive(p, p_ring, 1e9);
   const double steepest = std::max(1.0, std::pow(T, 0.5 * family.p - family.s()));

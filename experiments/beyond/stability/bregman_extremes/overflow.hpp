@@ -7,11 +7,11 @@
 #include <limits>
 #include <string>
 
-// The time at which each form of the Bregman HTVI leaves the range of double precision.
+// The time at which each form of the Bregman HTVI exceeds the range of double precision.
 
 namespace experiment {
 
-/// f = curvature |x|^2 / 2.
+/// The objective f = curvature |x|^2 / 2.
 struct Bowl {
   double curvature;
   double operator()(const avi::VectorX& x, avi::VectorX& gradient) const {
@@ -20,7 +20,7 @@ struct Bowl {
   }
 };
 
-/// The printed form as an update rule; r^t, on which nothing else depends, takes no part.
+/// The printed form as an update rule; r^t is not needed, because nothing else depends on it.
 struct PrintedHtvi {
   using State = avi::ExtendedPoint;
   avi::BregmanFamily family;
@@ -36,7 +36,7 @@ struct PrintedHtvi {
   }
 };
 
-/// A form of the HTVI, run by hand on a bowl.
+/// A form of the HTVI, run step by step on a bowl.
 template <class Method>
 struct Form {
   Method method;
@@ -60,8 +60,8 @@ struct Form {
   }
 };
 
-/// Where a form ends by its formulas: log t at which its largest coefficient reaches 1.8e308. That is
-/// max(h, 1) C P t^(2p-s), t^p or eta^2 C t^p.
+/// Predicted end of a form: log t at which its largest coefficient reaches 1.8e308. This coefficient is
+/// max(h, 1) C P t^(2p-s) for the printed form, t^p for the momentum form and eta^2 C t^p for the heavy ball.
 inline double expected_log_end(const std::string& form, const avi::BregmanFamily& family, double h) {
   const double most = std::log(std::numeric_limits<double>::max()), P = family.order(), s = family.s();
   if (form == "printed") return (most - std::log(family.C * P * std::max(h, 1.0))) / (2.0 * family.p - s);
@@ -70,21 +70,22 @@ inline double expected_log_end(const std::string& form, const avi::BregmanFamily
   return exponent > 0.0 ? (most - 2.0 * std::log(P * h) - std::log(family.C)) / exponent : HUGE_VAL;
 }
 
-/// Fictive step that takes about `steps` steps from t = 1 to log t = `log_end`, or to 1e300 where that is
-/// less.
+/// Fictive step that leads from t = 1 to log t = `log_end` in about `steps` steps; log_end is limited such
+/// that t^s - 1 stays below about 1e300.
 inline double step_towards(const avi::BregmanFamily& family, double log_end, double steps) {
   return std::expm1(std::min(family.s() * log_end, 690.0)) / steps;
 }
 
-/// Curvature that keeps a^2 curvature below 3, stable, up to log t.
+/// Curvature for which a^2 curvature stays below 3, and so stable, up to log t.
 inline double gentle_curvature(const avi::BregmanFamily& family, double h, double log_t) {
   const double log_a = std::log(family.order() * h) + 0.5 * std::log(family.C) +
                        std::max(0.0, (0.5 * family.p - family.s()) * log_t);
   return 3.0 * std::exp(-2.0 * log_a);
 }
 
-/// Fictive step with which a form reaches its end in about `steps` steps; where it has none, one whose square
-/// is far from overflow. The end depends on the step, which is to lead there: both by bisection.
+/// Fictive step with which a form reaches its predicted end in about `steps` steps. The end depends on the
+/// step and the step on the end; both are found by bisection. For a form without an end, 1e100, whose square
+/// is far from overflow.
 inline double step_to_the_end(const std::string& form, const avi::BregmanFamily& family, double steps) {
   if (!std::isfinite(expected_log_end(form, family, 1.0))) return 1e100;
   double low = 0.0, high = 690.0 / family.s();
@@ -95,14 +96,15 @@ inline double step_to_the_end(const std::string& form, const avi::BregmanFamily&
   return step_towards(family, low, steps);
 }
 
-/// The end of one form's run.
+/// The end of a run of one form.
 struct End {
   std::string form;
-  double h, expected, log_end;  ///< Natural logarithms of t; infinity: no end within the cap on steps.
+  /// End times as natural logarithms of t; infinity: no end within the cap on steps.
+  double h, expected, log_end;
   long steps;
 };
 
-/// Runs a form until it fails, or fifty times as long as it should last.
+/// Runs a form until it fails, or for at most fifty times `steps`.
 template <class Method>
 End run_to_its_end(const std::string& name, const avi::BregmanFamily& family, double steps) {
   const double h = step_to_the_end(name, family, steps);
@@ -119,8 +121,8 @@ End run_to_its_end(const std::string& name, const avi::BregmanFamily& family, do
   return end;
 }
 
-/// Largest distances of the momentum form and the heavy ball from the printed form, relative to the largest
-/// |x| of the run so far, for as long as all are finite.
+/// Largest deviations of the momentum form and the heavy ball from the printed form, relative to the largest
+/// |x| of the run so far, as long as all three are finite.
 struct Agreement {
   double momentum = 0.0, heavy_ball = 0.0;
   long steps = 0;

@@ -9,16 +9,16 @@
 #include <string_view>
 #include <vector>
 
-// Minimisations at the extremes, each judged: correct, ended with a named outcome, or silently wrong.
+// Minimisations at the extremes. Each is judged: correct, ended with a named outcome, or silently wrong.
 
 namespace experiment {
 
 /// One run.
 struct Scene {
-  std::string scene;  ///< The extreme: order, conditioning, dimension, start, clock, step or fault.
+  std::string scene;  ///< What is extreme: order, conditioning, dimension, start, clock, step or fault.
   std::string method;
   double p = 4.0, p_ring = 1.0;
-  double h = 0.0;  ///< Fictive step; 0: 0.3 of the linear limit at the start.
+  double h = 0.0;  ///< Fictive step; 0 for 0.3 times the linear limit at the start.
   Eigen::Index dimension = 50;
   double rho = 0.9;
   double away = 4.0;  ///< Distance of every entry of x0 from the minimiser.
@@ -29,10 +29,10 @@ struct Scene {
   [[nodiscard]] avi::BregmanFamily family() const { return avi::BregmanFamily::adaptive(p, p_ring, C); }
 };
 
-/// Largest eigenvalue of the quartic's Hessian at x0 = 1 + away, from above:
-/// 4 q Sigma + 8 (Sigma y)(Sigma y)^T with q = y^T Sigma y.
+/// Upper bound on the largest eigenvalue of the quartic's Hessian at x0 = 1 + away, 4 q Sigma + 8 (Sigma
+/// y)(Sigma y)^T with q = y^T Sigma y.
 inline double curvature_at_start(const Scene& s) {
-  // From nearby, the momentum r0 = 1 first leads away.
+  // For a start near the minimum, the momentum r0 = 1 first leads away from it.
   const avi::VectorX y = avi::VectorX::Constant(s.dimension, std::max(s.away, 1.0));
   avi::VectorX image(s.dimension);
   multiply_by_correlation(s.rho, y, image);
@@ -41,7 +41,7 @@ inline double curvature_at_start(const Scene& s) {
   return 4.0 * avi::dot(y, image) * largest + 8.0 * avi::dot(image, image);
 }
 
-/// The step that a scene asks for.
+/// The fictive step of a scene.
 inline double step_of(const Scene& s) {
   if (s.h != 0.0) return s.h;
   const auto family = s.family();
@@ -53,12 +53,13 @@ inline double step_of(const Scene& s) {
 /// How a run ended, for the table.
 struct Judged {
   std::string outcome{};  ///< Outcome of the run, or `refused`.
-  std::string verdict{};  ///< correct, named, told or silent.
+  std::string verdict{};  ///< One of correct, named, told, silent.
   long iterations = 0;
   double value = std::nan("");
 };
 
-/// A run that says it converged must hold up: finite, and the criterion true when f is asked again.
+/// The verdict on a run. One that claims to have converged must be finite, and the criterion must hold when f
+/// is evaluated again.
 std::string verdict_of(const avi::Minimisation& run, const auto& f, double delta) {
   if (run.outcome != avi::Outcome::ok) return run.message.empty() ? "silent" : "named";
   avi::VectorX gradient(run.last.x.size());
@@ -78,7 +79,7 @@ Judged judge(const Rule& rule, const auto& f, const avi::VectorX& x0, long cap) 
   }
 }
 
-/// Runs a scene on the paper's quartic, with its step.
+/// Runs a scene on the paper's quartic with step h.
 inline Judged play(const Scene& s, double h) {
   const CorrelatedQuartic f(s.dimension, s.rho);
   return judge({.method = s.method, .family = s.family(), .h = h, .from = s.from}, f,
@@ -97,7 +98,7 @@ inline std::vector<Scene> plan(bool quick) {
       for (double p_ring : std::set{p, 1.0, 1e-3, 1e-6})
         if (p_ring <= p) {
           Scene s{.scene = "order", .method = method, .p = p, .p_ring = p_ring};
-          // Low orders need more iterations than a figure is worth.
+          // At low orders a run would need more iterations than is useful here.
           s.cap = quick ? 1000 : p * p / p_ring < 10.0 ? 5000 : 25'000;
           all.push_back(s);
         }
@@ -111,7 +112,7 @@ inline std::vector<Scene> plan(bool quick) {
       };
       for (int k = 1; k <= 8; ++k)
         add("conditioning", [&](Scene& s) { s.rho = 1.0 - std::pow(10.0, -k); });
-      // Large dimensions under a cap on the entries moved.
+      // Large dimensions, with a cap on the number of entries moved.
       const long largest = quick ? 10'000 : 1'000'000;
       for (long n : {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 10'000, 100'000, 1'000'000}) {
         const long entries = quick ? 200'000 : n > 200 ? 4'000'000 : 20'000'000;
@@ -121,8 +122,8 @@ inline std::vector<Scene> plan(bool quick) {
             s.cap = std::clamp(entries / n, 10L, 400'000L);
           });
       }
-      // Starts as they are, and with C away^2 and r0 / away kept, as f is homogeneous; then far starts make
-      // the run of a near one, to a relatively smaller delta.
+      // Starts at other distances: first as they are, then with C away^2 and r0 / away unchanged. Because f
+      // is homogeneous, a far start then has the run of a near one, with a relatively smaller delta.
       for (int k = -6; k <= 6; ++k) {
         const double away = std::pow(10.0, k);
         add("start", [&](Scene& s) { s.away = away; });
@@ -132,7 +133,7 @@ inline std::vector<Scene> plan(bool quick) {
           s.from.momentum = away / 4.0;
         });
       }
-      // Start times and steps that no one would choose.
+      // Unreasonable start times and steps.
       for (double t : {1e-6, 1e-3, 1e3, 1e6, 1e30, 1e100})
         add("clock", [&](Scene& s) { s.from = {.t = t, .momentum = 0.0}; });
       for (double h : {1e-300, 1e-20, 1.0, 1e20, 1e300})

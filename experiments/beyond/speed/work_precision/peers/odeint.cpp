@@ -21,7 +21,8 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-/// `controlled(tolerance)` gives the stepper, `f_of(equations)` the right-hand side.
+/// Runs an odeint stepper. `controlled(tolerance)` returns the stepper, `f_of(equations)` the right-hand
+/// side.
 template <class State, class F, class Controlled>
 Family family(const Equations& equations, F f_of, const char* method, int order, Controlled controlled) {
   return peer(equations, method, order, [f_of, controlled](Task& task) {
@@ -29,7 +30,7 @@ Family family(const Equations& equations, F f_of, const char* method, int order,
     if constexpr (requires { state.resize(1); }) state.resize(task.y.size());
     std::copy(task.y.begin(), task.y.end(), state.begin());
     const auto field = f_of(task.equations);
-    task.steps = -1;  // the observer also sees the start
+    task.steps = -1;  // the observer is also called at the start
     bool ok = true;
     try {
       odeint::integrate_adaptive(
@@ -40,7 +41,7 @@ Family family(const Equations& equations, F f_of, const char* method, int order,
             if (!task.stepped(x.data())) throw std::runtime_error("step cap");
           });
     } catch (const std::exception&) {
-      ok = false;  // odeint throws when its step size underflows, too
+      ok = false;  // odeint also throws when its step size underflows
     }
     std::copy(state.begin(), state.end(), task.y.begin());
     return ok;
@@ -62,8 +63,8 @@ void add(Scene& scene, const Equations& equations, F f_of) {
       [](double tolerance) { return odeint::bulirsch_stoer<State>(tolerance, tolerance); });
 }
 
-/// With the right-hand side and the dimension of P in line: where they are not, Bulirsch-Stoer takes up
-/// to 1.8 times as long.
+/// The right-hand side and the dimension of P are known at compile time and inlined; otherwise Bulirsch-Stoer
+/// takes up to 1.8 times as long.
 template <class P>
 bool added_in_line(Scene& scene, const Equations& equations) {
   if (equations.field != &Arena<P>::field) return false;

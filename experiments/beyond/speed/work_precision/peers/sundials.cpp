@@ -16,10 +16,10 @@ int field(double t, N_Vector y, N_Vector f, void* self) {
   return task.equations.field(t, N_VGetArrayPointer(y), N_VGetArrayPointer(f), &task.f);
 }
 
-/// A run that fails is an outcome here, not a message.
+/// An error handler that prints nothing: a failed run is an outcome here, not a message.
 void silent(int, const char*, const char*, char*, void*) {}
 
-/// The objects that both solvers need, freed at the end.
+/// The objects needed by both solvers, released at the end.
 struct Workspace {
   SUNContext context = nullptr;
   N_Vector y = nullptr;
@@ -42,7 +42,7 @@ struct Workspace {
   }
 };
 
-/// Steps one at a time up to the horizon; `advance` is CVode or ERKStepEvolve.
+/// Takes single steps up to the horizon. @param advance CVode or ERKStepEvolve
 bool drive(const Workspace& space, Task& task, auto advance, int one_step) {
   const double* values = N_VGetArrayPointer(space.y);
   double t = 0.0;

@@ -14,11 +14,12 @@
 #include <string>
 #include <utility>
 
-// A problem with its starts, and what a scene makes of it: our methods, equations for others, a reference.
+// A problem with its starts, from which scenes are made: our methods, the equations for others, and the
+// reference.
 
 namespace experiment::work_precision {
 
-/// H = |p|^2 / 2 + V(q).
+/// A problem H = |p|^2 / 2 + V(q) with unit masses.
 template <class P>
 concept UnitMasses = requires(P problem, avi::Vector<double, P::dimension> z) {
   problem.potential_gradient(z);
@@ -32,7 +33,7 @@ struct Arena {
   double horizon;
   std::array<avi::State<n>, starts> start;
 
-  /// The start and four neighbours: its first coordinate moved by -2e-14 ... 2e-14.
+  /// The start and four neighbours, whose first coordinate is moved by -2e-14 ... 2e-14.
   Arena(P problem_, double horizon_, const avi::State<n>& middle)
       : problem(std::move(problem_)), horizon(horizon_) {
     for (int k = 0; k < starts; ++k) {
@@ -43,7 +44,7 @@ struct Arena {
 
   [[nodiscard]] const avi::State<n>& at(int k) const { return start[k]; }
 
-  /// Adds a family of methods: make(problem, start) gives a fresh one; the setting is its step size.
+  /// Adds a family of methods: make(problem, start) returns a new method, and the setting is its step size.
   template <class Make>
   void add(Scene& scene, Origin origin, std::string method, int order, std::string knob,
            std::vector<double> settings, Make make) const {
@@ -53,7 +54,7 @@ struct Arena {
          [arena = *this, runner](const Request& request) { return arena.run(request, runner); }});
   }
 
-  /// As y = (q, p), y' = f(y).
+  /// The problem as y' = f(y) with y = (q, p).
   [[nodiscard]] Equations equations() const {
     const auto energy = [its = problem](const double* y) {
       const Eigen::Map<const avi::Vector<double, n>> q(y), p(y + n);
@@ -67,7 +68,7 @@ struct Arena {
     return made;
   }
 
-  /// f, for Equations.
+  /// The right-hand side f, for Equations.
   static int field(double, const double* y, double* f, void* self) {
     auto& counted = *static_cast<RightHandSide*>(self);
     ++counted.evaluations;
@@ -81,12 +82,13 @@ struct Arena {
   }
 
  private:
-  /// f, from the derivatives that P has.
+  /// The right-hand side f, from the derivatives that P provides.
   static int field_of(const P& its, const double* y, double* f) {
     using Vec = avi::Vector<double, n>;
     const Vec q = Eigen::Map<const Vec>(y);
     if constexpr (UnitMasses<P>) {
-      // Entry by entry: a whole vector that is read just after its entries were written would cost GSL 40 %.
+      // Written entry by entry: reading a whole vector just after its entries were written would cost GSL 40
+      // %.
       const Vec slope = its.potential_gradient(q);
       for (int i = 0; i < n; ++i) {
         f[i] = y[n + i];
@@ -101,7 +103,7 @@ struct Arena {
     return 0;
   }
 
-  /// One run of a method of ours, as a request wants it.
+  /// One run of one of our methods, according to a request.
   [[nodiscard]] Result run(const Request& request, const MethodOf<n>& runner) const {
     const avi::Until until{.time = horizon, .steps = request.step_cap};
     const avi::State<n>& begin = at(request.start);
@@ -115,7 +117,7 @@ struct Arena {
         result.energy_error = std::max(result.energy_error, std::abs(runner.energy(s) - energy));
       });
     } else {
-      // A method that has run begins with what it has learned: what its first run gives counts.
+      // A method that has already run starts with what it has learnt, so the result of the first run counts.
       bool anew = true;
       result.seconds = block_seconds(
           [&] {
@@ -134,9 +136,10 @@ struct Arena {
   }
 };
 
-/// Reference by extended precision: make(start, fraction) gives a run with this fraction of its step, whose
-/// run_to(horizon) comes close to the horizon and whose position(t) is its position at a time after that. One
-/// for each start, made when first asked for. Its own error is the difference from two thirds of the step.
+/// Sets a reference solution in extended precision. make(start, fraction) returns a run with this fraction of
+/// its step; its run_to(horizon) comes close to the horizon, and its position(t) is the position at a later
+/// time t. There is one for each start, made when it is first needed. Its error is estimated as the
+/// difference from a run with two thirds of the step.
 template <class P, class Make>
 void set_reference(Scene& scene, const Arena<P>& arena, Make make) {
   using Run = decltype(make(arena.at(0), 1.0L));
@@ -155,7 +158,8 @@ void set_reference(Scene& scene, const Arena<P>& arena, Make make) {
       scene.position_error(0, arena.horizon, reached(0, 1.0L / 1.5L)->position(arena.horizon));
 }
 
-/// By the composition of order 10; `h` is in the time of the logarithmic Hamiltonian where `log_form`.
+/// The same by the composition of order 10. @param log_form `h` is a step in the time of the logarithmic
+/// Hamiltonian
 template <class P>
 void set_extended_reference(Scene& scene, const Arena<P>& arena, bool log_form, long double h) {
   set_reference(scene, arena,

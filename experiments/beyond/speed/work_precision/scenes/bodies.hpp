@@ -1,7 +1,7 @@
 #pragma once
 #include "avi/problems/n_body.hpp"
 
-// Bodies of unit mass, whose velocity is their momentum.
+// Bodies of unit mass, whose velocities equal their momenta.
 
 namespace experiment::work_precision {
 
@@ -18,7 +18,7 @@ struct UnitBodies : private avi::NBody<bodies> {
   }
 };
 
-/// Seven of them, with encounters down to a hundredth of the cluster's size.
+/// Start of seven bodies, with encounters down to a hundredth of the size of the cluster.
 inline avi::State<14> star_cluster_start() {
   avi::State<14> z;
   z.q << 1.0, 0.1, -0.9, 0.4, 0.2, -0.8, -0.3, 0.9, 0.5, 0.6, -0.6, -0.5, 0.1, 0.15;

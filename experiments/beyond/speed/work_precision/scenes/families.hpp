@@ -14,14 +14,14 @@
 #include <cmath>
 #include <string>
 
-// The methods of this library as families: explicit ones for H = T(p) + V(q), Gauss collocation, HTVI.
+// The methods of this library as families: explicit ones for H = T(p) + V(q), Gauss collocation and HTVI.
 
 namespace experiment::work_precision {
 
 namespace c = avi::compositions;
 constexpr auto sum = avi::Summation::compensated;
 
-/// Fixed steps; `stage` is the coarsest step size per force evaluation.
+/// Explicit methods with fixed steps. @param stage the coarsest step size per force evaluation
 template <class P>
 void add_fixed(Scene& scene, const Arena<P>& arena, double stage) {
   const auto add = [&](const char* name, const avi::SplitCoefficients& list, double ratio) {
@@ -44,7 +44,7 @@ void add_fixed(Scene& scene, const Arena<P>& arena, double stage) {
   add("verlet_sofroniou_spaletta10", split(c::sofroniou_spaletta10), 0.8);
 }
 
-/// The logarithmic Hamiltonian; `stage` is the coarsest fictive step per force evaluation.
+/// Methods with the logarithmic Hamiltonian. @param stage the coarsest fictive step per force evaluation
 template <class P>
 void add_logarithmic(Scene& scene, const Arena<P>& arena, double stage) {
   const auto add = [&](const char* name, const avi::CompositionCoefficients& composition, double ratio) {
@@ -62,7 +62,7 @@ void add_logarithmic(Scene& scene, const Arena<P>& arena, double stage) {
   add("log_hamiltonian_sofroniou_spaletta10", c::sofroniou_spaletta10, 0.87);
 }
 
-/// g = |q|^(3/2).
+/// The monitor g = |q|^(3/2).
 struct ThreeHalves {
   auto operator()(const auto& q) const {
     using std::pow;
@@ -70,8 +70,9 @@ struct ThreeHalves {
   }
 };
 
-/// Gauss collocation of the orders 4 to 16; `largest` is the coarsest step of order 16. In short runs of many
-/// small steps sweeps that end early are tried, too (`loosely`): enough for errors above their tolerance.
+/// Gauss collocation of orders 4 to 16. @param largest the coarsest step for order 16 @param loosely also
+/// try, in short runs of many small steps, sweeps that end early, which is sufficient for errors above their
+/// tolerance
 template <class P, class G>
 void add_collocation(Scene& scene, const Arena<P>& arena, const std::string& knob, double largest, G monitor,
                      bool loosely = false) {
@@ -94,7 +95,7 @@ void add_collocation(Scene& scene, const Arena<P>& arena, const std::string& kno
   }
 }
 
-/// A problem that knows dV/dq tells it: faster than derivatives taken automatically.
+/// A problem that supplies its gradient dV/dq: this is faster than automatic differentiation.
 template <class P>
 struct Supplied : P {
   template <class S>
@@ -117,7 +118,7 @@ auto supplied(const P& problem) {
     return Supplied<P>{problem};
 }
 
-/// The stationary HTVI of orders 4 to 16, each with its natural rule; `coarse` is the coarsest step.
+/// The stationary HTVI of orders 4 to 16, each with its natural rule. @param coarse the coarsest step
 template <class P, class G>
 void add_htvi(Scene& scene, const Arena<P>& arena, const std::string& knob, double coarse, const G& monitor) {
   for (const int order : {4, 8, 12, 16}) {

@@ -7,7 +7,7 @@
 namespace experiment::work_precision {
 namespace {
 
-/// 1/g = sum of |q_i - q_j|^(-3/2) over the pairs: the rate of the fastest of them.
+/// The monitor with 1/g = sum over pairs of |q_i - q_j|^(-3/2), dominated by the fastest pair.
 struct PairRates {
   auto operator()(const auto& q) const {
     using std::pow;
@@ -22,7 +22,7 @@ struct PairRates {
   }
 };
 
-/// The chain as T(p) + V(q).
+/// The chain in the form T(p) + V(q).
 struct LongChain : Chain {
   static constexpr int dimension = 64;
   template <class S>

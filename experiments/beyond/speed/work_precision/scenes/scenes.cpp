@@ -7,7 +7,7 @@
 namespace experiment::work_precision {
 namespace {
 
-/// Over many periods only the methods that stand a chance are run; the short horizon shows why.
+/// Over many periods only promising methods are run; the short horizon shows which these are.
 Scene thinned(Scene scene) {
   std::erase_if(scene.families, [](const Family& f) {
     const bool fixed = f.method.starts_with("verlet_") || f.method.starts_with("stormer_");

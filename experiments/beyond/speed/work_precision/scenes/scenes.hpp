@@ -14,7 +14,7 @@ Scene perturbed_kepler();
 Scene henon_heiles(double horizon);
 Scene double_pendulum();
 Scene figure_eight();
-/// Seven unit masses, with encounters down to a hundredth of the cluster's size.
+/// Seven unit masses, with encounters down to a hundredth of the size of the cluster.
 Scene star_cluster();
 /// The Sun and five planets.
 Scene solar_system();
@@ -28,7 +28,7 @@ enum class Grid {
   full
 };
 
-/// A scene that is made when its turn comes: its reference takes time.
+/// A scene that is made only when needed, because its reference takes time.
 struct Listed {
   std::string label;
   std::function<Scene()> make;

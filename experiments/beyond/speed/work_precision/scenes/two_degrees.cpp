@@ -12,7 +12,7 @@
 namespace experiment::work_precision {
 namespace {
 
-/// The methods for an eccentric orbit, disturbed or not.
+/// The methods for an eccentric orbit, with or without perturbation.
 template <class P>
 void add_kepler_methods(Scene& scene, const Arena<P>& arena) {
   add_fixed(scene, arena, 0.02);
@@ -22,7 +22,7 @@ void add_kepler_methods(Scene& scene, const Arena<P>& arena) {
   add_peers(scene, arena.equations());
 }
 
-/// The double pendulum with its gradient by hand.
+/// The double pendulum with a hand-written gradient.
 struct Pendulums : DoublePendulum {
   template <class S>
   avi::Vector<S, 2> d_dq(const avi::Vector<S, 2>& q, const avi::Vector<S, 2>& p) const {
