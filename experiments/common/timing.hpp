@@ -34,7 +34,8 @@ inline double median(std::vector<double> values) {
 }
 
 /// The least time of each piece of work, in seconds: that of the least disturbed run. Each of the `rounds`
-/// runs all pieces in turn, so that a change of the machine's speed affects all of them.
+/// runs all pieces in turn, short ones up to 64 times in a row, so that a change of the machine's speed
+/// affects all of them.
 inline std::vector<double> interleaved_least_seconds(const std::vector<std::function<void()>>& works,
                                                      int rounds) {
   std::vector<int> repeats;

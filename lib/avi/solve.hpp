@@ -190,7 +190,7 @@ struct SolutionReport {
   /// Infinite where unknown.
   double state_error = 0.0;
   double energy_error = 0.0;     ///< Largest |H - H_0| during the run, divided by choice.energy_scale.
-  double energy_rounding = 0.0;  ///< Rounding error of H; 0.01 energy_error where that is rounding.
+  double energy_rounding = 0.0;  ///< Rounding error of H; at least 0.01 energy_error if that is rounding.
   std::string note;              ///< Warnings in full sentences; often empty.
 
   /// True where the run reached its end time, or an event that ends it.
@@ -423,8 +423,8 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 /// later is missed. Where the motion does not allow the tolerance (chaos, rounding, a wall thinner than a
 /// step), kept() is false and report() says why.
 ///
-/// The method is Gauss collocation with constant steps in the fictive time of one of these monitors. Every
-/// step is symplectic, except the last, which is shortened to end at t_end:
+/// The method is Gauss collocation with constant steps in the fictive time of one of these monitors. It is
+/// symplectic except for the last step, which is shortened to end at t_end:
 ///
 /// | name | g |
 /// | --- | --- |
@@ -441,10 +441,10 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 /// \f$\phi_k = w_k s_k^{-1-a_k/2}\f$ is the frequency of the motion, \f$\phi = \sum_k \phi_k\f$, \f$\psi =
 /// \sum_k (1 + a_k/2)\, \phi_k\f$, \f$\rho = \sqrt{w_0} + \sqrt\phi\f$ with a constant \f$w_0\f$ for free
 /// motion, and \f$E = e_0 + \sum_k e_k s_k^{-a_k}\f$ an energy. The weights \f$w_i = (H_{pp})_{ii}/\bar a
-/// L_i\f$ come from the ranges \f$L_i\f$ and a mean acceleration \f$\bar a\f$: for inverse-square forces g is
-/// the time two bodies take to pass each other, whatever their masses. The explicit method is the
-/// Runge-Kutta-Nystrom splitting with 14 stages of Blanes and Moan (2002), used for loose tolerances or many
-/// degrees of freedom.
+/// L_i\f$ come from the ranges \f$L_i\f$ and a mean acceleration \f$\bar a\f$: for inverse-square forces the
+/// monitor `acceleration` is the time two bodies take to pass each other, whatever their masses. The explicit
+/// method is the Runge-Kutta-Nystrom splitting with 14 stages of Blanes and Moan (2002), used for loose
+/// tolerances or many degrees of freedom.
 ///
 /// Monitor, order and step are those that take the least work in short trials. The same input gives the same
 /// choice; units and masses do not matter. H is called once, with a scalar that records its operations.

@@ -32,7 +32,7 @@ class Solver {
  public:
   /// Makes the choice for the orbit from `start` to `t_end`. The runs should have similar starts and lengths.
   /// @param options for all runs; with SolveOptions::check each run is compared with one of a longer step,
-  /// which costs 0.8 of its price more, and without it its error remains unknown
+  /// which makes it 1.8 times as expensive; without it the error of a run remains unknown
   /// @throws std::invalid_argument as solve(), and where nothing could be chosen.
   template <class H>
   Solver(const H& hamiltonian, const State<n>& start, double t_end, double tolerance,

@@ -52,8 +52,8 @@ int liveliness_of(ExpressionGraph& graph, int energy, const EnergyAtStart& energ
   return graph.binary(Operation::add, moving, level);
 }
 
-/// Returns the largest derivative of H by each entry along the sketch. It is raised to 1e-14 of the largest
-/// of its kind, masses taken out, since less is rounding.
+/// Returns the largest derivative of H by each entry along the sketch. It is at least 1e-14 of the largest of
+/// its kind, masses taken out, since less is rounding.
 VectorX strengths(const Sketch& sketch, const VectorX& metric) {
   const Eigen::Index n = metric.size();
   VectorX strength = VectorX::Zero(2 * n);

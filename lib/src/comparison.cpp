@@ -22,7 +22,7 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   // Largest lag in the first quarter (three eighths if marks are few), in the first half, and on the whole.
   double early = 0.0, halfway = 0.0, late = 0.0;
   double furthest = 0.0, least = infinity;
-  bool runaway = false;  // at some time, differences have grown much faster than its square
+  bool runaway = false;  // the lag has grown over ten times as much as the square of time
   for (std::size_t i = 0; i < marks; ++i) {
     const double whole = (*distance_)(coarse.marks[i], fine.marks[i], fine.ranges), apart = whole / ratio;
     const double speed = std::max(speed_at(fine.marks[i], fine.ranges), 0.03 * usual_speed_);
@@ -103,8 +103,9 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
 }
 
 /// Returns the time by which a run may be late because of saddles: the energy that is left at a saddle
-/// decides how long the motion stays near it. With several degrees of freedom a pause may have other reasons,
-/// as in one that a clock drives with a small amplitude, so 0 is returned. @param unseen see Pauses
+/// decides how long the motion stays near it. With several degrees of freedom, of which time may be one, a
+/// pause may have other reasons, as in a motion that a clock drives with a small amplitude, so 0 is returned.
+/// @param unseen see Pauses
 double Orbiter::lag_at_saddles(const Journey& journey, double unseen) const {
   return field_.size() == 1 ? journey.pauses.lag(unseen) : 0.0;
 }

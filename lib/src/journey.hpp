@@ -27,7 +27,7 @@ struct Trip {
   Budget& budget;          ///< Budget of the call.
   double rounding = 0.0;   ///< Rounding error of one evaluation of H, in that unit.
   double kick = infinity;  ///< Change of an entry, relative to its range, that shows at the end.
-  double felt = infinity;  ///< Change of H inside a step above which it is not an error of the step.
+  double felt = infinity;  ///< Change of H inside a step that is too large to be its error.
   double span = infinity;  ///< Time from the start to the end.
   VectorX ranges = VectorX::Zero(2 * start.q.size());  ///< Ranges of (q, p) on the sketch.
   Eigen::Index seen = start.q.size();                  ///< Number of coordinates, without time.
@@ -142,7 +142,7 @@ class Journey {
   double work = 0.0;                  ///< Integral of half of |p q'| over time, where H depends on time.
   VectorX tails;                      ///< Largest tail of each entry, see Stepper, in the first `few` steps.
   bool spent = false;                 ///< Whether it met a bound of the call.
-  bool jumped = false;                ///< Whether a step passed over a feature of H without seeing it.
+  bool jumped = false;  ///< Whether a step passed over a feature of H, or erred between kinks, unseen.
   bool coarse = false;  ///< Whether a finer run is compared with it, in which near passes are looked for.
   long whole = 0;       ///< Number of steps of the full size.
   double gone = 0.0;    ///< Sum of the fictive sizes of all steps.
@@ -306,7 +306,8 @@ class Journey {
     if (ok() && !z_.finite()) run.outcome = Outcome::non_finite;
     if (ok() && (!(sense * (z_.t - before_.t) > 0.0) || hardly_moves())) run.outcome = Outcome::stalled;
     if (!ok()) return;
-    if (!jumped) jumped = passes_over() || (steps_->is_between_kinks() && errs_between_kinks());
+    const bool between = std::exchange(at_kink_, steps_->ended_at_kink()) && at_kink_;
+    if (!jumped) jumped = passes_over() || (between && errs_between_kinks());
     ++run.steps;
     const double size = std::abs(steps_->size());
     gone += size;
@@ -337,8 +338,9 @@ class Journey {
   Trip* trip_;
   PointField* field_;
   std::unique_ptr<OrbitSteps> steps_;
+  bool at_kink_ = false;       // the last step ended at a kink
   double unseen_ = 0.0;        // sum of the errors of steps between kinks
-  double half_way_ = 0.0;      // time covered at the last power of two of steps
+  double half_way_ = 0.0;      // time covered when the number of steps last was a power of two
   State<dynamic> z_, before_;  // after the last whole step, and before it
   VectorX tail_, slope_;       // scratch
   NearPasses::Distances last_, now_;

@@ -1,5 +1,6 @@
 #pragma once
 #include "avi/autodiff/program.hpp"
+#include "lowest.hpp"
 #include "schedule.hpp"
 #include "separable.hpp"
 
@@ -26,10 +27,12 @@ class Kinks {
   struct Crossing {
     std::size_t index;
     double low, high, at_low, at_high;
+    /// The place of the zero, if the function is linear.
+    [[nodiscard]] double place() const { return low + (high - low) * at_low / (at_low - at_high); }
   };
 
   /// The kinks of H, a node of a graph. @param timed whether the last coordinate is time; functions of time
-  /// alone belong to Switches @return null where there are none, or too many
+  /// alone belong to Switches @return null where there are none
   static std::shared_ptr<const Kinks> of(const ExpressionGraph& graph, int energy, bool timed) {
     const std::vector<char> part = graph.parts(energy);
     const std::vector<unsigned char> on = dependences(graph, energy);
@@ -73,11 +76,11 @@ class Kinks {
     formula_->run(q, p, n);
     return value(i);
   }
-  /// The first zero inside the step, as far as the points that were looked at show it, or further points
-  /// where a function seems to turn at zero between two of them. A value that is zero to nine digits has no
-  /// sign. At the beginning of the step, as after a step that was made to end at a zero, the sign is that
-  /// shortly after.
-  /// @param on on(i, c) is function i at the part c of the step
+  /// The first zero inside the step, as far as the points that were looked at show it; where a function seems
+  /// to turn at zero between two of them, further points are looked at. A value that is zero to nine digits
+  /// counts as having no sign; if it is the one at the beginning of the step, as after a step that was made
+  /// to end at a zero, the sign shortly after is taken instead. @param on on(i, c) is function i at the part
+  /// c of the step
   template <class On>
   [[nodiscard]] std::optional<Crossing> first(const On& on) {
     std::optional<Crossing> found;
@@ -96,10 +99,7 @@ class Kinks {
         const bool turns = begins && part.at_low * part.at_high > 0.0 && turns_near_zero(at, k) &&
                            find_turn(part, [&](double c) { return on(i, c); });
         if (turns || part.at_low * part.at_high < 0.0) {
-          const double place = part.low + (part.high - part.low) * part.at_low / (part.at_low - part.at_high);
-          if (!found || place < found->low + (found->high - found->low) * found->at_low /
-                                                 (found->at_low - found->at_high))
-            found = part;
+          if (!found || part.place() < found->place()) found = part;
           break;
         }
         part.low = part.high, part.at_low = part.at_high;
@@ -111,7 +111,6 @@ class Kinks {
   /// Part of a step after which a function that is zero at its beginning has a sign.
   static constexpr double soon = 0x1p-17;
 
- private:
   /// Marks the nodes of which H takes a non-integer power, a root or a logarithm, directly or through other
   /// nodes. Beyond a zero of one, H may be smooth on neither side, and two runs whose steps end there would
   /// err alike.
@@ -129,8 +128,9 @@ class Kinks {
     return found;
   }
 
-  /// The polynomial through the values at all points comes near zero between the points k - 1 and k, where it
-  /// has one sign.
+ private:
+  /// Returns true if the polynomial through the values at all points comes near zero between the points k - 1
+  /// and k, which have the same sign.
   static bool turns_near_zero(const std::array<double, parts + 1>& at, int k) {
     const double least = 0.1 * std::max(std::abs(at[static_cast<std::size_t>(k - 1)]),
                                         std::abs(at[static_cast<std::size_t>(k)]));
@@ -148,27 +148,15 @@ class Kinks {
     }
     return false;
   }
-  /// Looks for a place with another sign than at both ends of a part, which has its end there then, by golden
-  /// section.
+  /// Looks inside a part for a place where the function has another sign than at both ends. If there is one,
+  /// the part is made to end there. @return true if there is one
   template <class F>
   static bool find_turn(Crossing& part, const F& on) {
-    constexpr double golden = 0.6180339887498949;
     const double sense = std::copysign(1.0, part.at_low);
-    double low = part.low, high = part.high, a = high - golden * (high - low),
-           b = low + golden * (high - low);
-    double at_a = sense * on(a), at_b = sense * on(b);
-    for (int i = 0; i < 16; ++i) {
-      const double least = std::min(at_a, at_b);
-      if (least < 0.0) return part.high = at_a < at_b ? a : b, part.at_high = sense * least, true;
-      if (at_a < at_b) {
-        high = b, b = a, at_b = at_a;
-        a = high - golden * (high - low), at_a = sense * on(a);
-      } else {
-        low = a, a = b, at_a = at_b;
-        b = low + golden * (high - low), at_b = sense * on(b);
-      }
-    }
-    return false;
+    const auto [place, least] = lowest([&](double c) { return sense * on(c); }, part.low, part.high, true);
+    if (!(least < 0.0)) return false;
+    part.high = place, part.at_high = sense * least;
+    return true;
   }
 
   [[nodiscard]] double value(std::size_t i) const {

@@ -188,7 +188,7 @@ class MinimiserRun {
   }
 
   /// Returns false if for long no evaluated value or gradient was lower than all before, and values
-  /// contradict the slope, as at a kink; or if that lasts so long that rounding moves the run. Nor if in 500
+  /// contradict the slope, as at a kink; or if that lasts so long that rounding moves the run; or if in 500
   /// iterations along a wall f fell by next to nothing: it may do so for ever, and by ever less.
   bool gains() {
     if (!std::exchange(met_wall_, false) || walled_ > 500) walled_ = 0;
@@ -203,8 +203,8 @@ class MinimiserRun {
     }
     if (++idle_ <= 200) return true;
     idle_ = 0;
-    if (waits_ == 0) noise_ = 0.0;  // if too large, it would hide gains: it is found anew
-    return judge(true) || (agrees_ && ++waits_ < 20);
+    if (waits_ == 0) noise_ = 0.0;                     // if too large, it would hide gains: it is found anew
+    return judge(true) || (agrees_ && ++waits_ < 20);  // in hard valleys, runs waited five times
   }
 
   [[nodiscard]] View view(const Entries& x) const { return {x.data, n_}; }

@@ -122,8 +122,8 @@ class NearPasses {
     still_->run(there.q, there.p);
     return light_[k].square(still_->partial(static_cast<int>(k)));
   }
-  /// The part of the step near `part` at which distance k is smallest, by two parabolas: its square is nearly
-  /// one.
+  /// The part of the step near `part` at which distance k is smallest, found by two parabolas: the square of
+  /// the distance nearly is one.
   double lowest(const OrbitSteps& method, std::size_t k, double part) {
     for (const double aside : {0.05, 0.005}) {
       part = std::clamp(part, aside, 1.0 - aside);

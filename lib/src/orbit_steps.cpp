@@ -138,8 +138,7 @@ StepReport OrbitSteps::step_to_kink(State<dynamic>& z, double h) {
   };
   for (int halves = 0; !go(std::ldexp(h, -halves)); ++halves)
     if (report.outcome != Outcome::not_converged || halves == 3) return report;
-  const bool begins = z.t == kink_;
-  bool ends = false;
+  at_kink_ = false;
   for (int kinks = 0; kinks < 8; ++kinks) {
     const auto kink = first_kink(z, to);
     if (!kink) break;
@@ -162,19 +161,18 @@ StepReport OrbitSteps::step_to_kink(State<dynamic>& z, double h) {
       if (!(part > low && part < high)) part = 0.5 * (low + high);
     }
     if (!(std::abs(at) <= 1e-9 * most)) {
-      // Either the polynomial alone has it, or shorter steps do not come there, as off a wall that the whole
-      // step goes through: then it is too long.
+      // Either only the polynomial has this zero, or the whole step is so long that it goes through a wall
+      // off which shorter ones turn back: then half of it is made.
       if (!go(whole)) return report;
       const bool through = kinks_->at(kink->index, to.q.data(), to.p.data(), n_) * kink->at_low < 0.0;
       if (!through) break;
       if (!go(0.5 * whole)) return report;
+      at_kink_ = false;
       continue;
     }
-    ends = true;
+    at_kink_ = true;
   }
   z = to;
-  between_ = begins && ends;
-  kink_ = ends ? z.t : std::numeric_limits<double>::quiet_NaN();
   return report;
 }
 

@@ -5,7 +5,6 @@
 #include "switches.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -15,8 +14,7 @@
 
 namespace avi::detail {
 
-/// A method that advances states. Its steps end where H switches with time or, if H has no switches, at its
-/// kinks.
+/// A method that advances states. Its steps end where H switches with time, and at its kinks.
 class OrbitSteps {
  public:
   /// Takes a method for n degrees of freedom.
@@ -30,7 +28,7 @@ class OrbitSteps {
     rate_ = fixed ? 1.0 : 0.0;
   }
 
-  /// Makes steps end at kinks of H, unless they end at switches.
+  /// Makes steps end at kinks of H, too.
   void end_at(const Kinks& kinks) { kinks_ = std::make_unique<Kinks>(kinks); }
 
   /// Advances z by the fictive step h, or by a shorter one that ends at a switch or kink, unless the report
@@ -42,8 +40,8 @@ class OrbitSteps {
     size_ = h;
     return whole_step(z, h);
   }
-  /// Returns true if the last step began at a kink and ended at the next one.
-  [[nodiscard]] bool is_between_kinks() const { return between_; }
+  /// Returns true if the last step was made to end at a kink.
+  [[nodiscard]] bool ended_at_kink() const { return at_kink_; }
   /// Returns true if H switches at this time, so that its value there says nothing.
   [[nodiscard]] bool is_at_switch(double t) const { return switches_ && switches_->is_near(t); }
   /// Fictive size of the last step.
@@ -84,7 +82,7 @@ class OrbitSteps {
     if (switches_) other->switches_ = std::make_unique<Switches>(*switches_);
     if (kinks_) other->kinks_ = std::make_unique<Kinks>(*kinks_);
     other->size_ = size_, other->fixed_ = fixed_, other->rate_ = rate_, other->ahead_ = ahead_;
-    other->between_ = between_, other->kink_ = kink_;
+    other->at_kink_ = at_kink_;
     return other;
   }
 
@@ -113,8 +111,7 @@ class OrbitSteps {
   std::unique_ptr<Switches> switches_;
   std::unique_ptr<Kinks> kinks_;
   VectorX inside_;  // scratch
-  bool between_ = false;
-  double kink_ = std::numeric_limits<double>::quiet_NaN();  // time of that at which the last step ended
+  bool at_kink_ = false;
   bool fixed_ = false;
   double rate_ = 0.0;   // mean dt/dtau of the last step, or 0 before the first
   double ahead_ = 0.0;  // time by which rounding has put back the clock since the last switch

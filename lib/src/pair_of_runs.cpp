@@ -21,7 +21,7 @@ void Orbiter::note_trial(const Journey& journey, double error) {
 
 Journey Orbiter::begin(const Setting& setting, double factor) {
   const double h = factor * setting.h;
-  // The sweeps may leave a thirtieth of the tolerance at most, see left_by_sweeps, unless small errors grow.
+  // The sweeps may leave a twentieth of the tolerance at most, see left_by_sweeps, unless small errors grow.
   const double steps = std::max(1.0, expected_steps(*setting.candidate, h, span_));
   const double usual = std::clamp(question_.tolerance / (10.0 + 0.1 * steps * steps), least_of_sweeps, 1e-6);
   const double tolerance = unstable_ ? least_of_sweeps : usual;

@@ -29,7 +29,7 @@ inline constexpr int most_lengthened = 2;
 inline constexpr double wanted_part = 0.2;
 /// Largest factor between the errors of two runs that is believed.
 inline constexpr double most_trusted = 20.0;
-/// Ratio of the steps of the two runs that are compared.
+/// Ratio of the longer to the shorter step of two runs that are compared.
 inline constexpr double longer = 1.25;
 
 /// Tolerance of sweeps that are to leave only rounding, see SweepSettings.
@@ -61,7 +61,7 @@ struct Comparison {
 
 /// Errors of the whole run, predicted from two runs at a mark.
 struct ErrorsAtMark {
-  double of_state, of_energy;  ///< Over the tolerance, and over three times that.
+  double of_state, of_energy;  ///< Divided by the tolerance, and by three times that.
   bool hidden;                 ///< Whether rounding hides the energy error.
   bool steady;                 ///< Whether the energy error does not fall with the step, for no known reason.
 };

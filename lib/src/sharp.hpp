@@ -2,6 +2,8 @@
 #include "avi/autodiff/program.hpp"
 #include "avi/core/bracketed_root.hpp"
 #include "candidates.hpp"
+#include "kinks.hpp"
+#include "lowest.hpp"
 #include "schedule.hpp"
 #include "separable.hpp"
 
@@ -18,9 +20,9 @@
 namespace avi::detail {
 
 /// The arguments of all functions in H that change only within a narrow range of their argument, such as exp,
-/// tanh, cosh and erf, and the quantities that the conditions of its branches compare. Along the orbit, the
-/// arguments are smooth where the functions are not, so they show a peak or a passage through zero that lies
-/// between two points.
+/// tanh, cosh and erf, and what the conditions of its branches compare, if they are left out of Kinks. Along
+/// the orbit, the arguments are smooth where the functions are not, so they show a peak or a passage through
+/// zero that lies between two points.
 class SharpFeatures {
  public:
   /// A function that tells whether, at a state inside the last step, something is felt that the energy of the
@@ -28,11 +30,12 @@ class SharpFeatures {
   using Felt = std::function<bool(const State<dynamic>&)>;
 
   /// Takes H as a node of a graph. @param sketch of the beginning of the orbit @param timed whether the last
-  /// coordinate is time; steps end at features that depend on time alone, see Switches
+  /// coordinate is time; conditions on time alone are left out, as steps end at them, see Switches
   SharpFeatures(const ExpressionGraph& graph, int energy, const Sketch& sketch, bool timed = false)
       : n_(graph.inputs() / 2) {
     const std::vector<char> part = graph.parts(energy);
     const std::vector<unsigned char> on = dependences(graph, energy);
+    const std::vector<char> singular = Kinks::singular(graph, part);
     std::vector<int> nodes;
     for (int i = 0; i <= energy; ++i) {
       using enum Operation;
@@ -45,7 +48,7 @@ class SharpFeatures {
       const bool quotient = what == divide && (on[graph[i].b] & (on_q | on_last)) != 0;
       hides_ =
           hides_ || quotient || (moves && (is_function(what) || what == power || condition || what == sign));
-      if (!(peak || passage || (condition && !known))) continue;
+      if (!(peak || passage || (condition && !known && singular[i]))) continue;
       arguments_.push_back({peak      ? Kind::peak
                             : passage ? Kind::passage
                                       : Kind::condition,
@@ -189,7 +192,7 @@ class SharpFeatures {
   /// Returns true if a condition changes over a part of the step that stages may not see, and that is felt.
   bool flips(OrbitSteps& method, std::size_t i, const Felt& felt) {
     const Argument& argument = arguments_[i];
-    double fastest = 0.0;  // between two points: what is farther from zero does not get there between them
+    double fastest = 0.0;  // largest change between two points: a value farther from zero does not get there
     for (int k = 0; k < parts; ++k)
       fastest = std::max(fastest, std::abs(argument.at[k + 1] - argument.at[k]));
     for (const double sense : {1.0, -1.0}) {
@@ -215,22 +218,9 @@ class SharpFeatures {
     return false;
   }
 
-  /// The place where an argument, times `sense`, is largest in a part of the step, by golden section.
+  /// The place where an argument, times `sense`, is largest in a part of the step.
   double highest(OrbitSteps& method, std::size_t argument, double sense, double low, double high) {
-    constexpr double golden = 0.6180339887498949;
-    const auto lowered = [&](double place) { return -sense * on(method, argument, place); };
-    double a = high - golden * (high - low), b = low + golden * (high - low), at_a = lowered(a),
-           at_b = lowered(b);
-    for (int i = 0; i < 30; ++i) {
-      if (at_a < at_b) {
-        high = b, b = a, at_b = at_a;
-        a = high - golden * (high - low), at_a = lowered(a);
-      } else {
-        low = a, a = b, at_a = at_b;
-        b = low + golden * (high - low), at_b = lowered(b);
-      }
-    }
-    return 0.5 * (low + high);
+    return lowest([&](double place) { return -sense * on(method, argument, place); }, low, high, false).x;
   }
 
   Eigen::Index n_;

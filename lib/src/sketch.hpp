@@ -341,7 +341,7 @@ class Sketch {
  private:
   static constexpr double loose = 0.004;  // error of a step
   static constexpr double angle = 0.68;   // radians of a spring in a step with that error
-  static constexpr int enough = 48;       // samples after which an orbit may repeat itself
+  static constexpr int enough = 48;       // least number of samples of an orbit that repeats itself
 
   /// Passes the switches at z, then shortens the step h if there is a switch in it. @return that switch, if
   /// any
@@ -365,9 +365,9 @@ class Sketch {
     z[n - 1] = at.after;
   }
 
-  /// Raises scales of entries to 1e-10 of the largest one, masses taken out, and that of the momentum of time
-  /// to 1e-10 of an energy. @param roots square roots of the diagonal of H_pp @param change a change of the
-  /// largest momentum, masses taken out, that is below its digits
+  /// Raises scales of entries to at least 1e-10 of the largest one, masses taken out, and that of the
+  /// momentum of time to at least 1e-10 of an energy. @param roots square roots of the diagonal of H_pp
+  /// @param change a change of the largest momentum, masses taken out, that is below its digits
   static void lift(VectorX& scale, const VectorX& roots, bool timed, double change = 0.0) {
     const Eigen::Index n = roots.size(), seen = timed ? n - 1 : n;
     double of_q = 0.0, of_p = 0.0;

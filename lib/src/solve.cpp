@@ -313,8 +313,8 @@ void Orbiter::set_marks() {
   }
   std::ranges::reverse(marks_);
   compared_ = marks_.size();
-  // Without a check, only the beginning of a long run is compared: its first twenty-fifth, or the way to the
-  // first mark if that is farther.
+  // Without a check, only the beginning of a long run is compared, up to the first mark that is at least a
+  // twenty-fifth of the way.
   if (!question_.options.check && radians_ > shortest_growth)
     for (compared_ = 1; compared_ < marks_.size() && since_start(compared_ - 1) < 0.04 * span_;)
       ++compared_;

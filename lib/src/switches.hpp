@@ -18,10 +18,10 @@
 namespace avi::detail {
 
 /// The times at which H, of (q, t, p) with time as the last coordinate, switches. There a comparison of two
-/// functions of time alone becomes true or false, or such a function goes through zero and H takes its
-/// absolute value or sign, or through a whole number and H takes its floor. Steps end there, so that H is
-/// smooth within each step. The momentum of time makes up for the change of H, which keeps \f$H + p^t\f$
-/// constant.
+/// functions of time alone becomes true or false; or such a function, of which H takes the absolute value or
+/// the sign, goes through zero; or one of which H takes the floor goes through a whole number. Steps end
+/// there, so that H is smooth within each step. The momentum of time makes up for the change of H, which
+/// keeps \f$H + p^t\f$ constant.
 ///
 /// Time is divided into cells. In each, zeros are looked for by bisection, until the Taylor series of such a
 /// function about the middle of an interval shows that it has none there, or one at most. The cells depend

@@ -81,7 +81,7 @@ std::string Orbiter::given_up(const Journey& run) const {
   return text.str();
 }
 
-/// Reports the setting of a run and its work, apart from the work of all other runs.
+/// Reports the setting of a run, and its work separately from that of all other runs.
 void Orbiter::tell_work(const Journey& fine) {
   Choice& choice = answer_.choice;
   choice.sweeps = budget_.sweeps - fine.run.evaluations;

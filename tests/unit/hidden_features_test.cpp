@@ -126,6 +126,21 @@ TEST(HiddenFeatures, AWindowOfTwoConditions) {
   }
 }
 
+// Hills of a broken power, at whose edges steps do not end: in a window of two conditions, and of one.
+TEST(HiddenFeatures, AHillOfABrokenPower) {
+  for (const double width : {0.05, 0.01})
+    for (const bool two : {false, true}) {
+      const auto hill = [=](const auto& q, const auto& p) {
+        using std::max;
+        const auto x = (q[0] - 1.0) * (1.0 / width), y = 1.0 - x;
+        const auto one = pow(max(x * y, 0.0 * x), 1.5), both = pow(max(x, 0.0 * x) * max(y, 0.0 * y), 1.5);
+        return 0.5 * (p[0] * p[0] + q[0] * q[0]) + 40.0 * (two ? both : one);
+      };
+      const auto back = solve(hill, State<1>{.q = {-2.0}, .p = {0.0}}, 4.0, 1e-4);
+      EXPECT_FALSE(back.kept() && back.state.q[0] > 0.0) << width << two << "\n" << back.report();
+    }
+}
+
 // Found or said, wherever in a step they lie.
 TEST(HiddenFeatures, WallsAndWindowsAnywhere) {
   for (int place = 1; place <= 40; ++place) {

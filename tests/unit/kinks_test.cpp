@@ -111,7 +111,8 @@ TEST(Kinks, AreKnownToACheckpoint) {
   EXPECT_EQ(rest.state, whole.state);
 }
 
-// A drive that switches between two forces, and a kink in q: in between all is a parabola. Measured: 1e-13.
+// A drive that switches between two forces, and a kink in q: in between all is a parabola. Measured: at most
+// 2.3e-13.
 TEST(Kinks, AreFoundBesideSwitches) {
   const auto driven = [](const auto& q, const auto& t, const auto& p) {
     return 0.5 * p[0] * p[0] + abs(q[0]) + select(cos(2.0 * t) > 0.0, 0.3, -0.3) * q[0];
@@ -135,8 +136,8 @@ TEST(Kinks, AreFoundBesideSwitches) {
   for (const double tolerance : {1e-4, 1e-8, 1e-12}) {
     const auto orbit = solve(driven, resting, end, tolerance);
     EXPECT_TRUE(orbit.kept()) << orbit.report();
-    EXPECT_NEAR(orbit.state.q[0], q, 3e-13);
-    EXPECT_NEAR(orbit.state.p[0], p, 3e-13);
+    EXPECT_NEAR(orbit.state.q[0], q, 4.6e-13);
+    EXPECT_NEAR(orbit.state.p[0], p, 4.6e-13);
   }
 }
 
@@ -168,7 +169,7 @@ TEST(Kinks, MayBeCloserThanSteps) {
   for (const double tolerance : {1e-5, 1e-7, 1e-9}) {
     const auto orbit = solve(ball, State<1>{.q = {1.0}, .p = {0.0}}, end, tolerance);
     EXPECT_TRUE(orbit.kept()) << orbit.report();
-    EXPECT_NEAR(orbit.state.q[0], exact, tolerance);
+    EXPECT_NEAR(orbit.state.q[0], exact, 1e-9);  // measured 5.1e-10, 2.2e-13, 8.2e-12
   }
 }
 
@@ -190,7 +191,7 @@ TEST(Kinks, MayBeTwiceBetweenTwoPoints) {
     EXPECT_TRUE(orbit.kept()) << orbit.report();
     worst = std::max(worst, (orbit.state.q - truth.state.q).norm());
   }
-  EXPECT_LT(worst, 1e-8);
+  EXPECT_LT(worst, 2.6e-9);  // measured 1.3e-9
 }
 
 // A branch that is never taken, whose condition changes at both axes: what is asked for on the way is there.
@@ -217,9 +218,9 @@ TEST(Kinks, DoNotStopWhatIsOnTheWay) {
     ASSERT_TRUE(orbit.ok()) << orbit.report();
     ASSERT_EQ(orbit.events.size(), truth.events.size());
     for (std::size_t i = 0; i < times.size(); ++i)
-      EXPECT_NEAR((orbit.states[i].q - truth.states[i].q).norm(), 0.0, 1e-8);
+      EXPECT_LT((orbit.states[i].q - truth.states[i].q).norm(), 5.4e-11);  // measured 2.7e-11
     for (double t = 0.04; t < 10.0; t += 0.3)
-      EXPECT_NEAR((orbit(t).q - truth(t).q).norm(), 0.0, 1e-8);
+      EXPECT_LT((orbit(t).q - truth(t).q).norm(), 5.4e-11);
   }
 }
 
@@ -250,7 +251,7 @@ TEST(Kinks, MayBeMany) {
   }
   const auto orbit = solve(box, start, 4.0, 1e-5), truth = solve(box, start, 4.0, 1e-10);
   EXPECT_TRUE(orbit.kept()) << orbit.report();
-  EXPECT_LT((orbit.state.q - truth.state.q).norm(), 1e-5);
+  EXPECT_LT((orbit.state.q - truth.state.q).norm(), 7.4e-10);  // measured 3.7e-10
 }
 
 }  // namespace kinks_test

@@ -405,8 +405,8 @@ TEST(Minimise, EndsAtAWall) {
   for (const int memory : {0, 7}) {
     const auto run = minimise(walled, {-1.2, 1.0}, {.memory = memory});
     EXPECT_EQ(run.outcome, avi::Outcome::non_finite) << run.message;
-    EXPECT_LT(run.gradient_evaluations, 20'000) << memory;
-    EXPECT_NEAR(run.last.value, 0.25, 1e-3) << memory;
+    EXPECT_LT(run.gradient_evaluations, 37'000) << memory;  // measured 18 396 and 16 331
+    EXPECT_NEAR(run.last.value, 0.25, 8e-4) << memory;      // measured 4.0e-4 above
   }
 }
 

@@ -9,8 +9,8 @@
 //   f(x(t)) - f* <= E(t_0) / (C t^p).
 // The reference is Dormand-Prince 5(4) with tolerance 1e-11 in fictive time, Direct approach.
 //
-// The bound does not determine the actual rate. For f homogeneous of degree k about x*, the substitution x -
-// x* = t^(-a) xi(log t) with a = p / (k - 2) makes the system autonomous:
+// The bound does not determine the actual rate. For f homogeneous of degree k about x*, the substitution
+// x - x* = t^(-a) xi(log t) with a = p / (k - 2) makes the system autonomous:
 //   xi'' + (p (k - 4) / (k - 2)) xi' - a (p - a) xi + C p^2 grad f(xi) = 0.
 // It is damped for k > 4, so that f falls as t^(-p k / (k - 2)), and conservative for k = 4, so that f falls
 // as t^(-2p); this is the case of our quartic. It is driven for k < 4, where the energy of the oscillation
@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
           if (envelope.back() < floor) outcome = avi::Outcome::ok;
         }
       }
-      std::vector<double> late, last;  // the part of the envelope in the last factor of 1e4
+      std::vector<double> late, last;  // the part of the envelope within a factor of 1e4 of its end
       for (std::size_t i = 0; i < envelope.size(); ++i)
         if (envelope[i] < 1e4 * envelope.back()) {
           late.push_back(times[i]);

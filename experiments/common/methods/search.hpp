@@ -61,8 +61,8 @@ struct Largest {
 };
 
 /// The largest step with which a run succeeds. h is halved from `coarse` until a run from `start` succeeds,
-/// and then bisected in log h to the relative `precision` (0.02: two per cent). There is no result if a run
-/// that fails reaches the limit on steps.
+/// and then bisected in log h to the relative `precision` (0.02: two per cent). There is no result if one
+/// of the runs that fail while h is halved reaches the limit on steps, or h falls below 1e-15 `coarse`.
 inline Largest largest_step(const Method2& runner, const State2& start, double coarse, const Limits& limits,
                             double precision = 0.02) {
   Largest found;

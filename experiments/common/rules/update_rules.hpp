@@ -166,8 +166,8 @@ struct RmsProp {
 ///
 /// The step is \f$s = -\Delta\, g/|g|\f$, the minimiser of the linear model \f$f + g\cdot s\f$ in the ball
 /// \f$|s| \le \Delta\f$, with ratio = \f$(f(x) - f(x + s))/(\Delta |g|)\f$. If ratio > accept, the step is
-/// taken, and if also ratio > expand, Delta is multiplied by `grow`. Otherwise Delta is multiplied by
-/// `shrink` and the step is tried again.
+/// taken, and Delta is multiplied by `grow` if also ratio > expand. If ratio <= accept, Delta is multiplied
+/// by `shrink` and a step is tried again.
 ///
 /// An iteration is an accepted step. Each trial costs a value of f, each iteration a gradient.
 struct TrustRegion {

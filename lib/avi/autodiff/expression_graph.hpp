@@ -67,8 +67,8 @@ class ExpressionGraph {
   /// The node of an operation on two nodes.
   int binary(Operation operation, int a, int b);
 
-  /// The node of a to a constant power. Where power() of a double uses roots, products and quotients, so does
-  /// this.
+  /// The node of a to a constant power. Powers 2, 1/2, -1 and -1/2 become the product, root and quotients by
+  /// which power() of a double computes them; other powers are one operation.
   int power(int a, double exponent);
 
   /// Adds the operation of a node of another graph. @param place for each node of the other graph, its node

@@ -17,7 +17,7 @@ namespace avi {
 ///
 /// The Taylor coefficients of a solution of \f$z' = f(z)\f$ follow from \f$z_{k+1} = f_k/(k + 1)\f$, where
 /// \f$f_k\f$ depends only on \f$z_0\f$ to \f$z_k\f$. run(k) therefore adds coefficient k to every node, from
-/// coefficients 0 to k of the inputs. Sums, products and whole powers follow Cauchy's product rule; quotients
+/// coefficients 0 to k of the inputs. Products and whole powers follow Cauchy's product rule, quotients
 /// and other powers the recurrences of Jorba and Zou (2005, Proposition 1). For all other functions c of a,
 /// \f$k c_k = \sum_j j a_j s_{k-j}\f$ with the series s of the slope (c' = slope(a) a'), which is itself a
 /// formula of the same graph. A product costs k + 1 multiplications at order k, hence O(r^2) in all.

@@ -14,8 +14,8 @@ namespace avi {
 /// the closing kick and the next opening kick use the same one.
 ///
 /// r^t is not evolved. The printed update of r^t does not belong to these steps: with it they are not
-/// symplectic on extended phase space. If each term is replaced by its flow, r^t is symplectic too, and q, r
-/// and t are the same.
+/// symplectic on extended phase space. With the flow of r^t under each of the three terms in place of that
+/// update they are, and q, r and t are the same.
 struct BregmanSplitting {
   BregmanFamily family;  ///< p, p_ring and C.
   double h = 1e-3;       ///< Fictive step, finite and positive.

@@ -121,9 +121,9 @@ class NewtonIteration {
   /// matrix is renewed where changes do not fall. This captures what the matrix at the start misses: the
   /// gradient of a monitor is multiplied by the energy error of the stages, most of it from heavy bodies,
   /// which is large for the momentum of a light one. A matrix costs 4 n + 1 evaluations of the field at all
-  /// stages and serves one step. The iteration stops after two steps in a row that do not halve the changes.
-  /// Newton's method either converges or reaches noise: a step whose changes stop falling below `noise`
-  /// counts as solved.
+  /// stages and serves one step. The iteration stops after two new matrices in a row that do not halve the
+  /// changes. Newton's method either converges or reaches noise: a step whose changes stop falling below
+  /// `noise` counts as solved.
   StepReport solve_at_stages(StageEquations<n, w>& equations, Step& step, Step& old, int cap) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon(), noise = 1e-7;
     StepReport report{.outcome = Outcome::not_converged};

@@ -22,9 +22,10 @@ enum class Outcome {
   /// Physical time stands still, or advances so slowly that the run would never end; in a minimisation,
   /// rounding of the objective hides any further gain.
   stalled,
-  diverged,    ///< The iterates exceeded every bound; the last valid one is kept.
-  no_descent,  ///< The objective does not fall along its negative gradient; the last valid iterate is kept.
-  wrong_gradient,  ///< The gradient contradicts differences of values, or has not the size of x.
+  diverged,    ///< The iterates exceeded their bounds, or a step leads where the method is not defined; the
+               ///< last valid one is kept.
+  no_descent,  ///< The objective does not fall where its gradient says so; the last valid iterate is kept.
+  wrong_gradient,  ///< The gradient contradicts differences of values, or does not have the size of x.
   time_limit       ///< The limit on seconds was reached first.
 };
 
@@ -39,8 +40,8 @@ constexpr std::string_view name(Outcome outcome) {
 /// What a step reports to the loop of a run.
 struct [[nodiscard]] StepReport {
   Outcome outcome = Outcome::ok;  ///< If not ok, the state is unchanged.
-  /// Evaluations of the vector field or of its Taylor expansion. An evaluation kept for the next step counts
-  /// only in the step that makes it, so that the one at the start of a run is not counted.
+  /// Evaluations of the vector field or of its Taylor expansion. An evaluation that ends a step and is
+  /// kept for the next one counts once; the additional one at the start of a run does not count.
   int evaluations = 1;
   /// Residual of the implicit equation, 0 for explicit steps. An explicit step that ends as non_finite sets
   /// it to -k, where entry k of (q, p, t), counted from 1, is the first that is not finite.

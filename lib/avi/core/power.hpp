@@ -8,9 +8,10 @@
 
 namespace avi {
 
-/// x to a constant power. Exponents that are half integers up to 8 in size use a square root and products,
-/// several times faster than std::pow. The error grows with the exponent, to 6 units in the last place at 8
-/// and 7 at -8; negative powers are 0 where the positive one overflows. Other exponents use std::pow.
+/// x to a constant power. Exponents that are multiples of 1/2, up to 8 in size, use a square root and
+/// products, several times faster than std::pow. The error grows with the exponent, to 6 units in the last
+/// place at 8 and 7 at -8; negative powers are 0 where the positive one overflows. Other exponents use
+/// std::pow.
 inline double power(double x, double exponent) {
   const double twice = 2.0 * exponent;
   if (twice != std::round(twice) || std::abs(twice) > 16.0) return std::pow(x, exponent);

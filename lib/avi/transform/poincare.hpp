@@ -106,8 +106,8 @@ class Poincare {
              S& dt) const {
     field_with(q, p, dq, dp, dt, [&](const S& energy, const S&) -> S { return energy + pt; });
   }
-  /// The same field with H + p^t replaced by H-bar / g, so that H need not be evaluated. H-bar is constant
-  /// along the flow; `level` is its value.
+  /// The same field with H + p^t replaced by H-bar / g, so that the value of H is not needed. H-bar is
+  /// constant along the flow; `level` is its value.
   template <class S>
   void field_on_level(const Vector<S, n>& q, const Vector<S, n>& p, const S& level, Vector<S, n>& dq,
                       Vector<S, n>& dp, S& dt) const {

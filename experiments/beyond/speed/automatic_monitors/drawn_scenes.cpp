@@ -4,8 +4,9 @@
 // (celestial mechanics, galaxies, rotating frames, relativity, magnetic fields, molecules, ions, walls,
 // pendulums, curved coordinates, oscillators) contributes one or two Hamiltonians that are printed in
 // textbooks and were in no list. Parameters are as printed there, or 1; starts have one or two digits, on a
-// bounded orbit, over about ten of its periods. None was removed, changed or added later, and the menu and
-// the pilot were final. The first twelve were run with an earlier menu and have been looked at since.
+// bounded orbit, over about ten of its periods. None was removed, changed or added later. The menu and the
+// pilot were final when these were run, except that the first twelve were run with an earlier menu; those
+// twelve have been looked at since.
 
 namespace experiment {
 namespace {
@@ -31,8 +32,8 @@ void add_seen(Scenes& scenes) {
              [](const V& q, const V& p) {
                return 0.5 * square(p[0]) + 0.5 * square(p[1]) / square(q[0]) - 1.0 / q[0];
              });
-  // Radial fall around a black hole of mass 1 (Misner, Thorne and Wheeler 1973, Chapter 25), in proper time:
-  // angular momentum 4, starting at r = 30 with zero radial velocity.
+  // The radial motion of a free fall around a black hole of mass 1 (Misner, Thorne and Wheeler 1973, Chapter
+  // 25), in proper time: angular momentum 4, starting at r = 30 with zero radial velocity.
   const double energy_squared = (1.0 - 2.0 / 30.0) * (1.0 + 16.0 / 900.0);
   const auto redshift = [](const V& q) { return 1.0 - 2.0 / q[0]; };
   const Scale outside{"outside", [](const V& q, const V&) { return q[0] - 2.0; }};

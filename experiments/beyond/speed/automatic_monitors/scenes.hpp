@@ -96,9 +96,9 @@ inline std::vector<Scale> pair_lengths(const std::vector<double>& masses) {
 }
 /// The scale |q| in the plane.
 inline const Scale radius{"r", [](const V& q, const V&) { return sqrt(radius_squared(q)); }};
-/// The scale q_1, where q_1 is a distance.
+/// The scale q[0], where q[0] is a distance.
 inline const Scale distance{"r", [](const V& q, const V&) { return q[0]; }};
-/// The scale sin q_1, where q_1 is the angle from a pole.
+/// The scale sin q[0], where q[0] is the angle from a pole.
 inline const Scale sine{"sine", [](const V& q, const V&) { return sin(q[0]); }};
 /// A scale of a quartic well.
 inline const Scale stiffness{

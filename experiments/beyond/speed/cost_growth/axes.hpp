@@ -39,7 +39,7 @@ struct Axis {
 
 /// Steps that keep the energy to 1e-6 over one Kepler orbit, with g = r^(2 gamma) and without a monitor.
 Axis along_eccentricity(bool quick);
-/// Fixed steps over an increasing number of periods at e = 0.9.
+/// Steps of fixed size, fictive where there is a monitor, over an increasing number of periods at e = 0.9.
 Axis along_horizon(bool quick);
 /// One Taylor expansion of order r, with its partials and the Gauss rule of the method.
 Axis along_order();

@@ -47,8 +47,8 @@ double calibrated(const Method2& runner, const State2& start, double h, long cap
                       {.order = 8.0, .within = tolerance, .longest = 2.0, .too_coarse = 1e3});
 }
 
-/// The integral of r^-m dt over an orbit with e = 1 - gap, in terms of the eccentric anomaly E with r = 1 - e
-/// cos E and dt = r dE. The substitution E = sqrt(2 gap) sinh u resolves the pericentre.
+/// The integral of r^-m dt over an orbit with e = 1 - gap, in terms of the eccentric anomaly E, with
+/// r = 1 - e cos E and dt = r dE. The substitution E = sqrt(2 gap) sinh u resolves the pericentre.
 double orbit_integral(double m, double gap) {
   constexpr int cells = 4000;
   const double scale = std::sqrt(2.0 * gap), end = std::asinh(M_PI / scale);
@@ -65,15 +65,15 @@ double orbit_integral(double m, double gap) {
 
 Axis along_eccentricity(bool quick) {
   Axis axis{"closeness"};
-  // Near the pericentre, time and energy scale as r^1.5 and 1/r. Order 8 with g = r^m therefore needs h r^m
-  // <= r^1.5 r^(1/8) there. An orbit then takes the integral of r^-m dt / h steps, which grows as r^(1.5 - m)
-  // for m > 1.5, and as a logarithm for m = 1.5.
+  // Near the pericentre, time and energy scale as r^1.5 and 1/r. Order 8 with g = r^m therefore needs
+  // h r^m <= r^1.5 r^(1/8) there. An orbit then takes the integral of r^-m dt / h steps, which grows as
+  // r^(1.5 - m) for m > 1.5, and as a logarithm for m = 1.5.
   //
   // For m > 1.5 the apocentre limits h. As a function of tau, a fall from rest has poles at distances +-i d
-  // from its apocentre (for m = 2 it is r = 2 / (1 + tau^2)). They leave an error proportional to exp(-2 pi d
-  // / h) in the conserved g (H + p^t), which at the pericentre is an energy error (2 / (1 - e))^m times as
-  // large. So 2 pi d / h is log(1 / target) + m log(2 / (1 - e)), and the number of steps grows by that
-  // logarithm as well.
+  // from its apocentre (for m = 2 it is r = 2 / (1 + tau^2)). They leave an error proportional to
+  // exp(-2 pi d / h) in the conserved g (H + p^t), which at the pericentre is an energy error (2 / (1 - e))^m
+  // times as large. So 2 pi d / h is log(1 / target) + m log(2 / (1 - e)), and the number of steps grows by
+  // that logarithm as well.
   const auto survey = [&](const std::string& name, const PositionMonitor& monitor, double m, double first) {
     const Method2 runner = stationary(8, monitor);
     const double limited = std::max(0.0, 1.625 - m), power = -limited - std::max(0.0, m - 1.5);

@@ -7,7 +7,7 @@
 
 namespace experiment::front_door {
 
-/// Motion in the plane in a central field -1/r.
+/// Motion in the plane in the central potential -1/r.
 struct Kepler {
   static constexpr int dimension = 2;
   auto operator()(const auto& q, const auto& p) const {

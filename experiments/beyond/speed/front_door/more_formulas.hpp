@@ -143,7 +143,7 @@ struct Relativistic {
   }
 };
 
-/// A pendulum with a shaken support; time is its second coordinate, q_1 = t.
+/// A pendulum with a shaken support; time is its second coordinate, q[1] = t.
 struct Shaken {
   static constexpr int dimension = 2;
   auto operator()(const auto& q, const auto& p) const {

@@ -15,7 +15,7 @@ inline constexpr double targets[] = {1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
 
 /// Accuracy of the measurements in a race.
 struct Budget {
-  /// Seconds; the scan of a family ends with the first setting that takes longer.
+  /// Seconds; the scan of a family ends with the first setting that takes longer (ours: four times as long).
   double longest_run = 0.005;
   double least_block = 1e-4;  ///< Seconds of a timed block; shorter runs are repeated within it.
   int rounds = 3;             ///< Timed blocks for each setting, of which the fastest counts.
@@ -97,8 +97,8 @@ class Race {
         }
       if (point.error <= 0.5 * finest_target) break;
       if (point.seconds > budget_.longest_run * (ours ? 4.0 : 1.0)) break;
-      if (!ours && point.seconds > 3.0 * needed_) break;  // another library is already faster
-      // the tolerance is too small for this library
+      if (!ours && point.seconds > 3.0 * needed_) break;  // the finest target was met in a third of this
+      // the library fails at tolerances that are too small for it
       if (!ours && least < 1e-3 && !(point.error < 1e3 * least)) break;
       if (setting < 1e-8 && least > 0.1) break;  // chaos
       stale = point.error < 0.7 * least ? 0 : stale + 1;

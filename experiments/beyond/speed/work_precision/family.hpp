@@ -25,7 +25,7 @@ struct Result {
   long steps = 0;
   long evaluations = 0;  ///< Evaluations of the force, or of the Taylor expansion.
   double energy_error = 0.0;
-  double seconds = 0.0;  ///< Seconds of one integration, without set-up.
+  double seconds = 0.0;  ///< Seconds of one integration; set-up counts only for other libraries and solve().
 };
 
 /// How a run is to be made.
@@ -78,7 +78,7 @@ struct Scene {
   std::function<double(int k, double t, const Eigen::VectorXd& q)> position_error{};
   double reference_error = 0.0;  ///< Estimated error of the reference solution itself.
   double longest_run =
-      1.0;  ///< Times what other scenes allow a run, in evaluations: less where they are dear.
+      1.0;  ///< Factor for Budget::longest_run in this scene: below 1 where evaluations are expensive.
   std::vector<Family> families{};
 };
 

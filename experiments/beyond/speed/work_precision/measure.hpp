@@ -29,7 +29,7 @@ struct Point {
 /// are measured. A Taylor expansion counts as several evaluations, see Family::weight.
 struct Budget {
   double longest_run = 47'000;  ///< A family ends with the first setting that takes more.
-  double family = 3e7;          ///< Limit for all runs of a family together.
+  double family = 3e7;          ///< Limit for all runs of a family together; beyond it the family ends.
   /// A shorter run counts as this many, because it is repeated in the timed block.
   double least_run = 6'000;
   double least_block = 0.0001;  ///< Seconds of the timed block.
@@ -85,10 +85,10 @@ inline std::vector<Trial> scout(const Scene& scene, const Family& family, const 
   return kept;
 }
 
-/// Measures every family of a scene. First, each setting is tried once, from coarse to fine, to find those
-/// worth measuring: with an error below 0.1 but not yet at the floor, and work below the cap. Then round k =
-/// 0 ... 4 runs all of these from start k, one after the other, so that a change of the machine's speed
-/// affects all of them. `progress` receives the fraction that is done.
+/// Measures every family of a scene. First, the settings of a family are tried once, from coarse to fine, to
+/// find those worth measuring: with an error below 0.1 but not yet at the floor, and work below the cap. Then
+/// round k = 0 ... 4 runs all of these from start k, one after the other, so that a change of the machine's
+/// speed affects all of them. `progress` receives the fraction that is done.
 inline std::vector<Point> measure(const Scene& scene, const Budget& budget,
                                   const std::function<void(double)>& progress) {
   std::vector<Trial> trials;

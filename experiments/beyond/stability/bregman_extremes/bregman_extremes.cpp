@@ -59,7 +59,7 @@ Judged meet(const Scene& s, std::string_view kind, long at, long cap) {
   Rule rule{.method = s.method, .h = s.h};
   if (s.h == 0.0) rule = {.method = s.method, .family = s.family(), .h = step_of(s), .from = s.from};
   Judged result = judge(rule, f, f.quartic.start(), cap);
-  // The objective itself declared the point stationary, which no method can detect.
+  // The objective itself declared the point stationary; no method can know better.
   if (result.outcome == "ok" && kind.starts_with("gradient_zero")) result.verdict = "told";
   return result;
 }

@@ -44,7 +44,7 @@ struct Limit {
   avi::Minimisation beyond;  ///< A run five per cent above the limit, with the default bounds.
 };
 
-/// Largest h for which f = |x|^2 / 2 stays below 1000, from 1/2 at t = 1 to t = T.
+/// Largest h for which f = |x|^2 / 2, which is 1/2 at t = 1, stays below 1000 until t = T.
 ///
 /// With C = 1e9 steps are so small that coefficients hardly change from one step to the next, and an
 /// instability has many steps in which to grow. The limit is therefore sharp.

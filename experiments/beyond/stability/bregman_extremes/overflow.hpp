@@ -99,12 +99,13 @@ inline double step_to_the_end(const std::string& form, const avi::BregmanFamily&
 /// The end of a run of one form.
 struct End {
   std::string form;
-  /// End times as natural logarithms of t; infinity: no end within the cap on steps.
+  /// The fictive step, and the end by formula and as found, as log t; infinity if there is no such end, or
+  /// none within the cap on steps.
   double h, expected, log_end;
   long steps;
 };
 
-/// Runs a form until it fails, or for at most fifty times `steps`.
+/// Runs a form until it fails, or for 50 `steps` steps at most.
 template <class Method>
 End run_to_its_end(const std::string& name, const avi::BregmanFamily& family, double steps) {
   const double h = step_to_the_end(name, family, steps);

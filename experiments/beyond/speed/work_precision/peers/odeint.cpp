@@ -63,8 +63,9 @@ void add(Scene& scene, const Equations& equations, F f_of) {
       [](double tolerance) { return odeint::bulirsch_stoer<State>(tolerance, tolerance); });
 }
 
-/// The right-hand side and the dimension of P are known at compile time and inlined; otherwise Bulirsch-Stoer
-/// takes up to 1.8 times as long.
+/// Adds the families if the equations are those of P. The right-hand side and the dimension of P are then
+/// known at compile time and inlined; otherwise Bulirsch-Stoer takes up to 1.8 times as long. @return whether
+/// they were added
 template <class P>
 bool added_in_line(Scene& scene, const Equations& equations) {
   if (equations.field != &Arena<P>::field) return false;

@@ -51,7 +51,7 @@ void add_odeint(Scene&, const Equations&);
 void add_sundials(Scene&, const Equations&);
 /// Adds the integrators of the libraries that were found at configure time.
 void add_peers(Scene&, const Equations&);
-/// The libraries present, such as `GSL 2.7.1, Boost 1.74, SUNDIALS absent`.
+/// The libraries present, such as `GSL 2.7.1, Boost.odeint 1.74, SUNDIALS absent`.
 std::string peers_present();
 
 }  // namespace experiment::work_precision

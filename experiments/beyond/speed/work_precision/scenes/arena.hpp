@@ -87,8 +87,8 @@ struct Arena {
     using Vec = avi::Vector<double, n>;
     const Vec q = Eigen::Map<const Vec>(y);
     if constexpr (UnitMasses<P>) {
-      // Written entry by entry: reading a whole vector just after its entries were written would cost GSL 40
-      // %.
+      // Written entry by entry: reading a whole vector just after its entries were written would make GSL
+      // 40 % slower.
       const Vec slope = its.potential_gradient(q);
       for (int i = 0; i < n; ++i) {
         f[i] = y[n + i];
@@ -158,8 +158,8 @@ void set_reference(Scene& scene, const Arena<P>& arena, Make make) {
       scene.position_error(0, arena.horizon, reached(0, 1.0L / 1.5L)->position(arena.horizon));
 }
 
-/// The same by the composition of order 10. @param log_form `h` is a step in the time of the logarithmic
-/// Hamiltonian
+/// The same by the composition of order 10, with step h. @param log_form whether h is a step in the time of
+/// the logarithmic Hamiltonian
 template <class P>
 void set_extended_reference(Scene& scene, const Arena<P>& arena, bool log_form, long double h) {
   set_reference(scene, arena,

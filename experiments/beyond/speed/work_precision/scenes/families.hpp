@@ -70,9 +70,9 @@ struct ThreeHalves {
   }
 };
 
-/// Gauss collocation of orders 4 to 16. @param largest the coarsest step for order 16 @param loosely also
-/// try, in short runs of many small steps, sweeps that end early, which is sufficient for errors above their
-/// tolerance
+/// Gauss collocation of orders 4 to 16. With `loosely`, sweeps that end early are tried as well: in short
+/// runs of many small steps they suffice for errors above their tolerance. @param largest the coarsest step
+/// for order 16
 template <class P, class G>
 void add_collocation(Scene& scene, const Arena<P>& arena, const std::string& knob, double largest, G monitor,
                      bool loosely = false) {
