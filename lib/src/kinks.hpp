@@ -1,5 +1,6 @@
 #pragma once
 #include "avi/autodiff/program.hpp"
+#include "avi/core/bracketed_root.hpp"
 #include "lowest.hpp"
 #include "schedule.hpp"
 #include "separable.hpp"
@@ -23,12 +24,12 @@ namespace avi::detail {
 /// step.
 class Kinks {
  public:
-  /// A zero of function `index` between two parts of a step, and the values of the function there.
+  /// A zero of function `index` between two parts of a step, the values of the function there, its place as
+  /// the polynomial of the step has it, and the slope of the function there.
   struct Crossing {
     std::size_t index;
     double low, high, at_low, at_high;
-    /// The place of the zero, if the function is linear.
-    [[nodiscard]] double place() const { return low + (high - low) * at_low / (at_low - at_high); }
+    double place = 0.0, slope = 0.0;
   };
 
   /// The kinks of H, a node of a graph. @param timed whether the last coordinate is time; functions of time
@@ -79,8 +80,9 @@ class Kinks {
   /// The first zero inside the step, as far as the points that were looked at show it; where a function seems
   /// to turn at zero between two of them, further points are looked at. A value that is zero to nine digits
   /// counts as having no sign; if it is the one at the beginning of the step, as after a step that was made
-  /// to end at a zero, the sign shortly after is taken instead. @param on on(i, c) is function i at the part
-  /// c of the step
+  /// to end at a zero, the sign shortly after is taken instead. A function that jumps over zero, as a
+  /// difference does in which two terms change places, has no zero there. @param on on(i, c) is function i at
+  /// the part c of the step
   template <class On>
   [[nodiscard]] std::optional<Crossing> first(const On& on) {
     std::optional<Crossing> found;
@@ -96,10 +98,11 @@ class Kinks {
       for (int k = 1; k <= parts; ++k) {
         part.high = static_cast<double>(k) / parts, part.at_high = at[static_cast<std::size_t>(k)];
         if (!has_sign(part.at_high)) continue;
-        const bool turns = begins && part.at_low * part.at_high > 0.0 && turns_near_zero(at, k) &&
-                           find_turn(part, [&](double c) { return on(i, c); });
-        if (turns || part.at_low * part.at_high < 0.0) {
-          if (!found || part.place() < found->place()) found = part;
+        const auto here = [&](double c) { return on(i, c); };
+        const bool turns =
+            begins && part.at_low * part.at_high > 0.0 && turns_near_zero(at, k) && find_turn(part, here);
+        if ((turns || part.at_low * part.at_high < 0.0) && find_zero(part, here)) {
+          if (!found || part.place < found->place) found = part;
           break;
         }
         part.low = part.high, part.at_low = part.at_high;
@@ -157,6 +160,20 @@ class Kinks {
     if (!(least < 0.0)) return false;
     part.high = place, part.at_high = sense * least;
     return true;
+  }
+
+  /// Finds the zero in a part at whose ends the function has different signs, and its slope there. @return
+  /// false if it jumps over zero instead
+  template <class F>
+  static bool find_zero(Crossing& part, const F& on) {
+    const double sense = std::copysign(1.0, part.at_high);
+    const auto along = [&](double c) { return sense * on(c); };
+    const Root root = bracketed_root(along, part.low, sense * part.at_low, part.high, sense * part.at_high,
+                                     1e-9 * std::abs(part.at_high - part.at_low));
+    const double wide = 1e-3 * (part.high - part.low);
+    part.place = root.x;
+    part.slope = sense * (along(root.x + wide) - along(root.x - wide)) / (2.0 * wide);
+    return root.met;
   }
 
   [[nodiscard]] double value(std::size_t i) const {

@@ -1,7 +1,5 @@
 #include "orbit_steps.hpp"
 
-#include "avi/core/bracketed_root.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -110,17 +108,6 @@ double OrbitSteps::kink_at(std::size_t i, double c) {
   return kinks_->at(i, inside_.data(), inside_.data() + n_, n_);
 }
 
-/// Finds the place of a kink in the last step, and the slope of its function there, roughly.
-void OrbitSteps::guess(const Kinks::Crossing& kink, double& part, double& slope) {
-  const double sense = std::copysign(1.0, kink.at_high);
-  const auto on = [&](double c) { return sense * kink_at(kink.index, c); };
-  const double wide = 1e-3 * (kink.high - kink.low);
-  part = bracketed_root(on, kink.low, sense * kink.at_low, kink.high, sense * kink.at_high,
-                        1e-9 * std::abs(kink.at_high - kink.at_low))
-             .x;
-  slope = sense * (on(part + wide) - on(part - wide)) / (2.0 * wide);
-}
-
 /// Makes a step that ends at the next kink, if there is one in it. Its size is found by the secant method,
 /// which begins where the polynomial of the whole step has the kink. A step over a kink may not be solved:
 /// then a shorter one is made.
@@ -146,8 +133,7 @@ StepReport OrbitSteps::step_to_kink(State<dynamic>& z, double h) {
     // A polynomial over a kink errs, so that the zero may be beside where that has it.
     constexpr double beside = 1.0 / Kinks::parts;
     double low = std::max(kink->low - beside, Kinks::soon), high = std::min(kink->high + beside, 1.0);
-    double part = 0.0, slope = 0.0, at = most;
-    guess(*kink, part, slope);
+    double part = kink->place, slope = kink->slope, at = most;
     for (int k = 0; k < 60 && high - low > 4.0 * epsilon * high; ++k) {
       const double last = at, its_part = size_ / whole;
       if (!go(part * whole)) return report;

@@ -98,7 +98,6 @@ class OrbitSteps {
   StepReport step_to_kink(State<dynamic>& z, double h);
   std::optional<Kinks::Crossing> first_kink(const State<dynamic>& from, const State<dynamic>& to);
   double kink_at(std::size_t i, double c);
-  void guess(const Kinks::Crossing& kink, double& part, double& slope);
   void load(const State<dynamic>& z) { std::copy_n(z.p.data(), n_, std::copy_n(z.q.data(), n_, z_.data())); }
   void store(State<dynamic>& z) const {
     std::copy_n(z_.data(), n_, z.q.data());
