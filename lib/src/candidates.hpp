@@ -2,7 +2,7 @@
 #include "avi/core/power.hpp"
 #include "avi/core/state.hpp"
 #include "avi/solve.hpp"
-#include "gauss.hpp"
+#include "steppers.hpp"
 #include "orbit_steps.hpp"
 #include "sketch.hpp"
 

@@ -1,4 +1,4 @@
-#include "pair_of_runs.hpp"
+#include "orbiter.hpp"
 #include "rounded_formula.hpp"
 
 #include <algorithm>

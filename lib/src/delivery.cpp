@@ -1,6 +1,6 @@
 #include "delivery.hpp"
 
-#include "orbiter.hpp"
+#include "choose.hpp"
 #include "track.hpp"
 
 #include <algorithm>

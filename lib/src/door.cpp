@@ -3,7 +3,7 @@
 #include "avi/core/require.hpp"
 #include "delivery.hpp"
 #include "kinks.hpp"
-#include "orbiter.hpp"
+#include "choose.hpp"
 #include "rounded_formula.hpp"
 #include "switches.hpp"
 

@@ -1,4 +1,4 @@
-#include "gauss_builds.hpp"
+#include "builds.hpp"
 
 #include "avi/collocation/gauss_step.hpp"
 #include "splitting_steps.hpp"
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-// This file is compiled once for each set of instructions, each time under another name; gauss.cpp chooses.
+// This file is compiled once for each set of instructions, each time under another name; builds.cpp chooses.
 #ifndef AVI_GAUSS_STEPS
 #define AVI_GAUSS_STEPS gauss_steps_portable
 #define AVI_SPLITTING_STEPS splitting_steps_portable

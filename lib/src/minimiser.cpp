@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-// Compiled once for each set of instructions, each time under another name; gauss.cpp chooses.
+// Compiled once for each set of instructions, each time under another name; builds.cpp chooses.
 #ifndef AVI_MINIMISE
 #define AVI_MINIMISE minimise_portable
 #endif

@@ -1,6 +1,6 @@
 #include "avi/collocation/collocation.hpp"
 #include "avi/transform/poincare.hpp"
-#include "src/gauss_builds.hpp"
+#include "src/builds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -162,7 +162,7 @@ TEST(Gauss, HasTheSameBitsWhateverItIsBuiltFor) {
       const auto its = formulas(n, lively);
       const auto reference = avi::detail::gauss_steps_portable(its, order, {});
       const Orbit expected = advance(*reference, {start(n)}, 0.25, 40);
-      for (const auto& build : avi::detail::gauss_builds())
+      for (const auto& build : avi::detail::builds())
         for (const char* code : {"on", "off"}) {
           if (!build.runs) continue;
           setenv("AVI_MACHINE_CODE", code, 1);
@@ -208,14 +208,14 @@ TEST(Gauss, RefusesWhatCollocationRefuses) {
 /// The sentence of a refusal.
 std::string refused(const char* name) {
   try {
-    return avi::detail::gauss_build(name).name;
+    return avi::detail::build_of(name).name;
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
 }
 
 TEST(Gauss, IsTheBuildThatTheEnvironmentNames) {
-  const auto builds = avi::detail::gauss_builds();
+  const auto builds = avi::detail::builds();
   std::string names;
   for (const auto& build : builds) {
     names = build.name + (names.empty() ? "" : ", " + names);

@@ -2,7 +2,7 @@
 #include "avi/integrators/splitting.hpp"
 #include "avi/solve.hpp"
 #include "refusal.hpp"
-#include "src/gauss_builds.hpp"
+#include "src/builds.hpp"
 #include "src/separable.hpp"
 
 #include <gtest/gtest.h>
@@ -86,7 +86,7 @@ TEST(SplittingSteps, HaveTheSameBitsWhateverTheyAreBuiltForAndBesideAnother) {
   const auto reference = avi::detail::splitting_steps_portable(coupled());
   const Orbit fine = go(*reference, 0.3, 40);
   const Orbit coarse = go(*avi::detail::splitting_steps_portable(coupled()), 0.375, 40);
-  for (const auto& build : avi::detail::gauss_builds()) {
+  for (const auto& build : avi::detail::builds()) {
     if (!build.runs) continue;
     EXPECT_EQ(go(*build.splitting(coupled()), 0.3, 40), fine) << build.name;
     const auto formulas = coupled();

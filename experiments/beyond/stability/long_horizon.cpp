@@ -4,8 +4,6 @@
 #include "common/methods/phase.hpp"
 #include "common/power_law.hpp"
 
-#include "avi/problems/kepler.hpp"
-
 // Kepler's orbit with eccentricity 0.9 for up to a million periods: energy, angular momentum and phase at
 // each milestone.
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "avi/optim/minimiser.hpp"
-#include "gauss.hpp"
+#include "steppers.hpp"
 
 #include <span>
 
@@ -32,7 +32,7 @@ MinimiseByCalls minimise_v3;        ///< Build with AVX2.
 MinimiseByCalls minimise_v4;        ///< Build with AVX-512.
 
 /// One build, by the functions that lead into it.
-struct GaussBuild {
+struct Build {
   const char* name;               ///< Name in AVI_INSTRUCTIONS.
   MakeGaussSteps* make;           ///< Gauss collocation.
   MakeSplittingSteps* splitting;  ///< Splitting.
@@ -40,10 +40,10 @@ struct GaussBuild {
   bool runs;                      ///< Whether it runs on this processor.
 };
 /// All builds of this library, the fastest first.
-std::span<const GaussBuild> gauss_builds();
+std::span<const Build> builds();
 
 /// The fastest build that runs here, or that of this name. @throws std::invalid_argument where it does not
 /// run here, or there is none of this name
-const GaussBuild& gauss_build(const char* name);
+const Build& build_of(const char* name);
 
 }  // namespace avi::detail

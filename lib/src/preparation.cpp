@@ -1,4 +1,4 @@
-#include "pair_of_runs.hpp"
+#include "orbiter.hpp"
 
 #include "avi/core/dot.hpp"
 #include "avi/core/require.hpp"

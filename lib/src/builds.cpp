@@ -1,4 +1,4 @@
-#include "gauss_builds.hpp"
+#include "builds.hpp"
 
 #include <cstdlib>
 #include <stdexcept>
@@ -7,12 +7,12 @@
 
 namespace avi::detail {
 
-std::span<const GaussBuild> gauss_builds() {
+std::span<const Build> builds() {
 #ifdef AVI_THREE_BUILDS
   __builtin_cpu_init();
 #define AVI_HAS(instructions) (__builtin_cpu_supports(instructions) != 0)
 #endif
-  static const GaussBuild builds[] = {
+  static const Build builds[] = {
 #ifdef AVI_THREE_BUILDS
       // The sets of instructions are those of lib/CMakeLists.txt.
       {"v4", gauss_steps_v4, splitting_steps_v4, minimise_v4,
@@ -24,10 +24,10 @@ std::span<const GaussBuild> gauss_builds() {
   return builds;
 }
 
-const GaussBuild& gauss_build(const char* name) {
+const Build& build_of(const char* name) {
   const std::string asked = name ? name : "";
   std::string names;
-  for (const GaussBuild& build : gauss_builds()) {
+  for (const Build& build : builds()) {
     if (asked.empty() ? build.runs : build.name == asked) {
       if (build.runs) return build;
       throw std::invalid_argument(
@@ -42,8 +42,8 @@ const GaussBuild& gauss_build(const char* name) {
 
 namespace {
 
-const GaussBuild& chosen_build() {
-  static const GaussBuild& build = gauss_build(std::getenv("AVI_INSTRUCTIONS"));
+const Build& chosen_build() {
+  static const Build& build = build_of(std::getenv("AVI_INSTRUCTIONS"));
   return build;
 }
 
