@@ -2,9 +2,9 @@
 #include "avi/core/power.hpp"
 #include "avi/core/state.hpp"
 #include "avi/solve.hpp"
-#include "steppers.hpp"
 #include "orbit_steps.hpp"
 #include "sketch.hpp"
+#include "steppers.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -136,6 +136,12 @@ class Candidate {
   }
   /// Takes over formulas of the same monitor that exist already.
   void take(std::shared_ptr<const Formulas> formulas) { formulas_ = std::move(formulas); }
+  /// Takes over the formula of another monitor. What is known of runs with this one stays.
+  void take(Candidate&& other) {
+    alpha_ = other.alpha_, energy_ = other.energy_, lively_ = other.lively_;
+    graph_ = std::move(other.graph_), energy_at_start_ = other.energy_at_start_;
+    formulas_.reset(), room_.reset();
+  }
 
  private:
   /// Makes the programs of \f$\bar H\f$ and g.

@@ -1,9 +1,9 @@
 #include "avi/solve.hpp"
 
 #include "avi/core/require.hpp"
+#include "choose.hpp"
 #include "delivery.hpp"
 #include "kinks.hpp"
-#include "choose.hpp"
 #include "rounded_formula.hpp"
 #include "switches.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
+#include "choose.hpp"
 #include "distance.hpp"
 #include "journey.hpp"
-#include "choose.hpp"
 #include "prepared.hpp"
 #include "separable.hpp"
 
@@ -127,6 +127,9 @@ class Orbiter {
   bool pursue(Setting& setting);
   void look_from(const State<dynamic>& z);
   void stay_near(Candidate& it, const Sketch& there);
+  bool goes_back(Setting& setting);
+  void note_failure(const Journey& journey, const Setting& setting);
+  Candidate* most_hopeful();
   bool failed(const Journey& journey, Setting& setting);
   void drop_runs();
   void keep_furthest();

@@ -1,10 +1,11 @@
 #include "orbiter.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 /// @file
-/// The search in solve(): two runs with different steps, and the choice of the next setting.
+/// The search in solve(): two runs with different steps, side by side.
 
 namespace avi::detail {
 
@@ -55,55 +56,6 @@ bool Orbiter::go_on(Journey& journey, std::size_t mark) {
   return journey.ok();
 }
 
-/// Far from all poles, something may be fast that the beginning did not show, as in a rotating frame. Gives
-/// the monitor of poles a constant with which steps there are no longer, in radians, than they were before.
-void Orbiter::stay_near(Candidate& it, const Sketch& there) {
-  Choice& choice = answer_.choice;
-  if (question_.made || !(it.longest > 0.0)) return;
-  const double usual = distance_->frequency, before = std::sqrt(choice.poles.front());
-  double root = before;
-  for (const Sketch::Sample& sample : there.samples) {
-    if (sample.frequency > usual) continue;  // near a pole
-    const double near = std::sqrt(1.0 / it.rate_at(sample.z.data())) - before;
-    root = std::max(root, std::sqrt(sample.frequency / it.longest) - near);
-  }
-  if (!(root > 1.1 * before)) return;
-  choice.poles.front() = root * root;
-  Candidate other = candidate(it.name, question_, trip_->energy_at_start, choice);
-  other.supplied = it.supplied, other.recording = it.recording, other.switches = it.switches,
-  other.kinks = it.kinks;
-  other.outlook = it.outlook, other.fictive = it.fictive, other.longest = it.longest, other.noise = it.noise,
-  other.aside = it.aside, other.brief = it.brief;
-  it = std::move(other);
-}
-
-/// Makes another sketch from where a run failed: what it meets sets the steps from here on.
-void Orbiter::look_from(const State<dynamic>& z) {
-  field_.sense = sense_;
-  const Sketch there(field_, stacked(z), std::abs(question_.t_end - z.t), metric_, 512,
-                     std::abs(z.t - question_.t));
-  field_.sense = 1.0;
-  dead_end_ = there.stuck ? std::abs(z.t - question_.t) + there.time : 0.0;
-  for (Candidate& it : menu_) {
-    it.failures = 0;
-    if (it.name == "poles") stay_near(it, there);
-    double longest = it.longest, fictive = it.fictive;
-    for (const Sketch::Sample& sample : there.samples) {
-      const double g = it.rate_at(sample.z.data());
-      longest = std::max(longest, g * sample.frequency);
-      fictive += sample.h / g;
-    }
-    if (!(it.longest > 0.0) || !std::isfinite(longest)) continue;
-    longest =
-        std::min(longest, 30.0 * it.longest);  // a sketch is not exact, and a step may be shortened again
-    it.outlook *= longest / it.longest;
-    // A monitor that suits the beginning may be far too small here.
-    const double slower = fictive / it.fictive * sketch_->time / (sketch_->time + there.time);
-    if (std::isfinite(slower)) it.outlook *= slower;
-    it.longest = longest;
-  }
-}
-
 /// Keeps the failed run that came furthest: if all runs fail, its state is the answer.
 void Orbiter::keep_furthest() {
   for (std::optional<Journey>* run : {&coarse_, &fine_})
@@ -114,105 +66,6 @@ void Orbiter::keep_furthest() {
 void Orbiter::drop_runs() {
   keep_furthest();
   coarse_.reset(), fine_.reset();
-}
-
-/// Handles a run that ended before its mark. @return true if there is another setting to try
-bool Orbiter::failed(const Journey& journey, Setting& setting) {
-  note_trial(journey, infinity);
-  if (journey.spent) bound_ = journey.run.outcome;
-  if (journey.spent || round_ >= most_rounds || question_.options.h > 0.0) return false;
-  if (instead_of_.candidate) {  // it does no better than the one it replaced
-    setting.candidate->aside = true;
-    setting = std::exchange(instead_of_, {});
-    drop_runs();
-    resolved_ = setting.h;  // this setting ran before: it is not stopped for its price
-    resigned_ = true;
-    return true;
-  }
-  // The step was made longer than one that worked.
-  if (lengthened_ > 0 && resolved_ > 0.0 && setting.h > 1.05 * resolved_ &&
-      setting.candidate == lengthened_for_) {
-    setting.h = resolved_;
-    lengthened_ = most_lengthened;
-    lengthened_for_ = nullptr;
-    drop_runs();
-    return true;
-  }
-  const double reached = std::abs(journey.state.t - question_.t);
-  const bool again = std::abs(reached - failed_at_) <= 1e-2 * reached;
-  if (reached > 1.01 * repeated_) repeated_ = infinity;  // this run came past it
-  Candidate& it = *setting.candidate;
-  // A run that was stopped for its price has met no obstacle, but other candidates may be cheaper there.
-  const bool stopped = journey.run.outcome == Outcome::stopped;
-  if (!stopped) {
-    furthest_ = std::max(furthest_, reached);
-    if (again) repeated_ = std::min(repeated_, reached);
-  }
-  if (stopped ? it.failures == 0 && has_a_choice() : !again) look_from(journey.state);
-  // Runs with two monitors stall at the same time: the orbit ends there.
-  if (again && failed_with_ != &it && journey.run.outcome == Outcome::stalled) dead_end_ = reached;
-  failed_at_ = reached, failed_with_ = &it;
-  // A monitor may have a singularity of its own there, or be undefined.
-  const bool undefined = journey.run.outcome == Outcome::non_finite && !it.fixed();
-  it.failures += undefined ? 2 : 1;
-  if (!stopped) it.below = setting.h * (it.failures > 2 ? 0.25 : 0.5);
-  // Take the candidate with the least expected work, with steps that have not failed. If a sketch ends here
-  // too, monitors that the singularity makes many times dearer do not pass it either.
-  const auto work = [&](const Candidate& each) {
-    return each.outlook * std::max(1.0, first_step(each) / each.below);
-  };
-  double least = infinity;
-  for (const Candidate& each : menu_)
-    if (!each.aside) least = std::min(least, each.outlook);
-  Candidate* best = nullptr;
-  for (Candidate& each : menu_) {
-    if (each.aside) continue;
-    const bool hopeless =
-        each.failures >= (dead_end_ > 0.0 ? 2 : 4) || (dead_end_ > 0.0 && each.outlook > 30.0 * least);
-    if (!hopeless && !(best && work(each) >= work(*best))) best = &each;
-  }
-  if (!best || static_cast<double>(budget_.sweeps) * it.price() > its_patience()) {
-    in_the_way_ = std::isfinite(repeated_) ? repeated_ : best ? 0.0 : furthest_;
-    return false;
-  }
-  if (best != &it) {
-    drop_runs();
-    resolved_ = 0.0, before_ = infinity;
-  }
-  setting = {best, std::min(first_step(*best), best->below)};
-  return true;
-}
-
-/// Makes two runs side by side, from mark to mark. @return true if another setting is to be tried
-bool Orbiter::pursue(Setting& setting) {
-  ++round_;
-  keep_furthest();
-  Candidate& it = *setting.candidate;
-  const double ratio = fine_ && fine_->ok() && fine_->candidate == &it ? fine_->h / setting.h : 0.0;
-  if (ratio >= 1.15 && ratio <= 1.04 * std::pow(2.0 * most_trusted, 1.0 / fine_->order)) {
-    coarse_ = std::move(fine_);
-  } else {
-    coarse_.emplace(begin(setting, longer));
-    coarse_->coarse = true;
-  }
-  fine_.emplace(begin(setting, 1.0));
-  parted_ = false;
-  for (std::size_t mark = 0; mark < marks_.size(); ++mark) {
-    const bool compared = mark < compared_ && !parted_;
-    if (compared && coarse_->marks.size() == mark) {
-      bound(*coarse_, mark), bound(*fine_, mark);
-      fine_->go_beside(*coarse_, marks_[mark]);
-    }
-    if (compared && !go_on(*coarse_, mark) && !(question_.options.h > 0.0)) return failed(*coarse_, setting);
-    if (!go_on(*fine_, mark)) return failed(*fine_, setting);
-    if (mark == 0 && passes_over_start(*fine_)) fine_->jumped = true;
-    if (compared) {
-      judged_ = mark;
-      if (judge(setting, mark)) return true;
-      parted_ = resigned_ && seen_.error > 1.0;
-    }
-  }
-  return false;
 }
 
 /// Whether the first step passes over a change with time alone soon after the start, as of coefficients near
@@ -247,252 +100,36 @@ bool Orbiter::passes_over_start(const Journey& run) {
   return (*distance_)(whole, parts, run.ranges) > question_.tolerance;
 }
 
-/// If H depends on time, the motion may be far larger later than at its beginning, whose mean of half
-/// of |p q'| is the unit of energy errors. Then the mean up to this mark becomes the unit.
-void Orbiter::look_at_work(std::size_t mark) {
-  const double mean = fine_->work / since_start(mark), unit = trip_->energy_scale;
-  if (!(mean > unit) || !std::isfinite(mean)) return;
-  take_unit_of_energy(mean);
-  coarse_->energy_error *= unit / mean, fine_->energy_error *= unit / mean;
-}
-
-/// Asks for another pair of runs, with steps longer by a factor. @return true
-bool Orbiter::again(Setting& setting, double factor) {
-  note_trial(*coarse_, infinity);
-  if (factor > 0.87) note_trial(*fine_, seen_.error);
-  setting.h = fine_->h * factor;
-  if (setting.h * longer > longest_step(*setting.candidate))
-    setting.h = longest_step(*setting.candidate) / longer;
-  return true;
-}
-
-/// Classifies energy errors of runs that agree. Errors that do not fall with the step are rounding of H
-/// somewhere on the way, or chance; errors are also rounding if the tolerance asks for less than rounding of
-/// H. Those over ten tolerances have to be shown to be rounding.
-Orbiter::Alike Orbiter::alike_energies() {
-  const double errs = fine_->energy_error;
-  if (!(seen_.error < 1e-7 && fine_->run.steps > Journey::few && errs > energy_left_by_sweeps(*fine_)))
-    return Alike::no;
-  const bool falls = !(errs > 0.5 * coarse_->energy_error);
-  if (falls && errs <= 3.0 * question_.tolerance) return Alike::no;
-  if ((!falls && passes(*fine_)) || errs < 100.0 * rounding_of_energy(*fine_)) return Alike::rounding;
-  if (falls) return Alike::no;
-  if (!(errs < most_rounding) || follows_another_gradient()) return Alike::unexplained;
-  if (errs <= 10.0 * question_.tolerance) return Alike::harmless;
-  return features_->bends() ? Alike::rounding : Alike::unexplained;
-}
-
-/// The tolerance is kept at the end. Two runs of few steps may agree by chance, so an error not far below it
-/// is believed only if a third run, with shorter steps, confirms it. @param factor by which the step would
-/// have to change to just keep it @return true if a third run is to be made
-bool Orbiter::confirm(Setting& setting, double error, double factor) {
-  constexpr double clear = 0.3;
-  constexpr long few = 300;
-  if (resolved_ == 0.0) resolved_ = fine_->h;
-  if (confirmed_ || !question_.options.check || !(error > clear) || fine_->run.steps > few) return false;
-  confirmed_ = unstable_ = true;
-  return again(setting, std::min(factor, 1.0 / 1.2));
-}
-
-/// The tolerance is kept on the way. A longer step pays if enough of the run is left. @param factor by which
-/// the step would have to change to just keep it @return true if the step is changed
-bool Orbiter::lengthen(Setting& setting, std::size_t mark, double factor) {
-  const double here = since_start(mark);
-  if (resolved_ == 0.0) resolved_ = fine_->h;
-  // Where sweeps converge slowly, a shorter step costs less.
-  const long steps = fine_->run.steps;
-  if (!slow_ && mark == 0 && steps >= fewest && fine_->run.evaluations > 20 * steps) {
-    slow_ = true;
-    return again(setting, 0.7);
-  }
-  const double most = std::min(longest_step(*setting.candidate), stable_step(*setting.candidate));
-  const double gain = std::min({0.9 * factor, 2.0, most / (longer * fine_->h)});
-  // A longer step may need Newton's method, which takes many times as long as a sweep.
-  const bool laborious = !setting.candidate->splits() && fine_->run.evaluations > 14 * steps;
-  if (lengthened_ == most_lengthened || mark > 1 || steps < 6 || laborious || !(gain > 1.15) ||
-      (1.0 - 1.0 / gain) * (span_ - here) < 2.0 * here)
-    return false;
-  ++lengthened_;
-  lengthened_for_ = setting.candidate;
-  return again(setting, gain);
-}
-
-/// The tolerance is not kept. Tries a shorter step unless that would be in vain. @param factor by which the
-/// step would have to change to just keep it @return true if the step is changed
-bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& errors, double factor) {
-  const bool last = mark + 1 == marks_.size();
-  const double error = std::max(errors.of_state, errors.of_energy);
-  // At a point of rest, runs may part because of what the sweeps left, and where terms of H cancel, that may
-  // be the energy error: first try the same steps, solved to the last digit.
-  if ((lost_ || (errors.steady && steady_)) && fine_->solved > least_of_sweeps) {
-    unstable_ = true;
-    return again(setting, 1.0);
-  }
-  const double spent = static_cast<double>(budget_.sweeps) * setting.candidate->price();
-  const double pair = span_ / since_start(mark) * setting.candidate->price() *
-                      static_cast<double>(coarse_->run.evaluations + fine_->run.evaluations);
-  // Errors set by rounding go up and down, so a pair that does not improve on the best one is in vain.
-  // Without a check, a prediction stands for the whole run, and each pair is compared with the one before.
-  const bool in_vain = mark <= before_at_ && error > 0.3 * before_;
-  // Beyond a kink, errors fall slowly and by chance: steps could be shortened without end.
-  const bool endless = features_->bends() && pair > 0.5 * patience * std::max(factor, 0.35);
-  if (errors.of_energy < errors.of_state && errors.of_energy <= 3.0) {
-    // Once steps resolve the motion, steps a third as long have a ten million times smaller error. If that is
-    // not enough, it is chaos or noise; unless the step was made longer, as the shorter one is known to work.
-    // A prediction may be wrong as long as it has not come true.
-    const bool beyond = fine_->h * std::max(factor, 0.35) < resolved_ / 3.0 ||
-                        (factor < 0.25 && fine_->h <= 1.05 * resolved_);
-    // Go on then, and do not count the pair: what a mark on the way predicts says nothing about a later one.
-    if (resolved_ > 0.0 && beyond && seen_.error <= question_.tolerance && !last) return false;
-    vain_ = in_vain ? vain_ + 1 : 0;
-    const bool lost = errors.hidden && last && mark > 0 && !(seen_.error < 1e-3) && !(fine_->h > resolved_);
-    // Energy errors this small that do not fall with the step are rounding on the way.
-    const bool rounds = errors.hidden || (fine_->energy_error > 0.5 * coarse_->energy_error &&
-                                          fine_->energy_error < 1e4 * answer_.energy_rounding);
-    resigned_ = lost || vain_ > (features_->bends() || thin_ ? 3 : 1) ||
-                (rounds && resolved_ > 0.0 && beyond) || endless || spent > std::max(patience, 3.0 * pair);
+/// Makes two runs side by side, from mark to mark. @return true if another setting is to be tried
+bool Orbiter::pursue(Setting& setting) {
+  ++round_;
+  keep_furthest();
+  Candidate& it = *setting.candidate;
+  const double ratio = fine_ && fine_->ok() && fine_->candidate == &it ? fine_->h / setting.h : 0.0;
+  if (ratio >= 1.15 && ratio <= 1.04 * std::pow(2.0 * most_trusted, 1.0 / fine_->order)) {
+    coarse_ = std::move(fine_);
   } else {
-    vain_ = in_vain ? vain_ + 1 : 0;
-    // A feature that the steps do not see, or do not resolve yet, is worth some patience, unless the errors
-    // stay the same. Each pair takes three times as long as the one before, so all pairs never take longer
-    // than three of the last.
-    resigned_ = (errors.steady && steady_) || endless || (vain_ > 1 && spent > 0.2 * patience) ||
-                spent > std::max(2.0 * patience, 3.0 * pair);
+    coarse_.emplace(begin(setting, longer));
+    coarse_->coarse = true;
   }
-  steady_ = errors.steady;
-  if (resigned_) return !last && take_from_aside(setting, 0.3 * pair);
-  if (mark > 0) lengthened_ = most_lengthened;  // the prediction of the first mark was wrong
-  before_ = in_vain && question_.options.check ? std::min(before_, error) : error, before_at_ = mark;
-  // Where errors do not fall by the order yet, halve the step.
-  return again(setting, std::max(vain_ > 0 ? std::min(factor, 0.5) : factor, 0.35));
-}
-
-/// Compares the two runs at a mark. @return true if the step is changed
-bool Orbiter::judge(Setting& setting, std::size_t mark) {
-  const bool last = mark + 1 == marks_.size();
-  const double here = since_start(mark), tolerance = question_.tolerance;
-  look_at_work(mark);
-  // Steps that switches cut are the same in both runs, whose difference then says nothing.
-  const bool cut = question_.switches && 4 * coarse_->whole < coarse_->run.steps;
-  if (question_.options.h > 0.0) {
-    if (cut && last)
-      answer_.note +=
-          "Most steps are cut where H switches with time, alike in both runs, which say nothing of the error "
-          "then: take a shorter h. ";
-    seen_ = coarse_->ok() && !cut ? compare(*coarse_, *fine_) : Comparison();
-    return false;
-  }
-  if (cut && round_ < most_rounds) {
-    const double mean = coarse_->gone / static_cast<double>(coarse_->run.steps);
-    setting.candidate->between = std::min(0.9 * mean, 0.8 * coarse_->h);
-    return again(setting, setting.candidate->between / (longer * fine_->h));
-  }
-  if (fine_->jumped && round_ < most_rounds) {
-    thin_ = true;
-    return again(setting, 0.4);
-  }
-  seen_ = cut ? Comparison() : compare(*coarse_, *fine_);
-  // The energy error that the sweeps leave may decide how long the motion stays near a saddle.
-  if (!unstable_ && fine_->solved > least_of_sweeps &&
-      lag_at_saddles(*fine_, 0.2 * fine_->solved) * high_speed_ > wanted_part * tolerance) {
-    unstable_ = true;
-    return again(setting, 1.0);
-  }
-  const Alike alike = alike_energies();
-  if (alike == Alike::rounding)
-    answer_.energy_rounding = std::max(answer_.energy_rounding, 0.01 * fine_->energy_error);
-  // Above the tolerance it may be more than rounding; then its effect on the state does not fall either.
-  if (alike == Alike::rounding || alike == Alike::harmless)
-    coarse_grained_ = coarse_grained_ || fine_->energy_error > 3.0 * tolerance;
-  const bool hidden = fine_->energy_error <= 100.0 * answer_.energy_rounding;
-  const double of_energy = hidden || alike == Alike::harmless ? 0.0 : fine_->energy_error / (3.0 * tolerance);
-  const double of_state = foretold(seen_, here, span_, high_speed_) / tolerance;
-  if (mark == 0 && !others_tried_ && try_others(setting)) return true;
-  if (resigned_ || round_ >= most_rounds) return false;
-  // No step adds digits to distant coordinates, or to a distant clock.
-  const double digits =
-      std::max(distance_->rounding_of(fine_->state, fine_->ranges), rounding_of_clock(*fine_));
-  if (digits > tolerance && seen_.error <= 1e3 * digits) {
-    resigned_ = true;
-    return false;
-  }
-  const double error = std::max(of_state, of_energy);
-  const double factor = std::pow(wanted_part / std::max(error, 1e-300), 1.0 / fine_->order);
-  if (last && error <= 3.0) return confirm(setting, error, factor);
-  if (error <= 2.0) return lengthen(setting, mark, factor);
-  return shorten(setting, mark, {of_state, of_energy, hidden, alike == Alike::unexplained}, factor);
-}
-
-/// Takes a candidate that was set aside for its noise, as no other keeps the tolerance; unless it fails, it
-/// will do. @param others work of a pair of runs, which it has to undercut @return true if one is taken
-bool Orbiter::take_from_aside(Setting& setting, double others) {
-  const auto work = [&](Candidate& it) {
-    return 2.0 * 10.0 * it.price() * expected_steps(it, first_step(it), span_);
-  };
-  Candidate* best = nullptr;
-  for (Candidate& it : menu_)
-    if (it.aside && work(it) < (best ? work(*best) : others)) best = &it;
-  if (!best) return false;
-  if (coarse_ && coarse_->ok()) note_trial(*coarse_, infinity);
-  if (fine_ && fine_->ok()) note_trial(*fine_, seen_.error);
-  drop_runs();
-  best->aside = false;
-  instead_of_ = std::exchange(setting, {best, first_step(*best)});
-  resigned_ = steady_ = false;
-  resolved_ = 0.0, before_ = infinity, vain_ = 0;
-  return true;
-}
-
-/// Runs the other candidates to the first mark, if that is a small part of the whole. @return true if one of
-/// them is taken
-bool Orbiter::try_others(Setting& setting) {
-  others_tried_ = true;
-  const double here = since_start(0);
-  if (!(span_ > 8.0 * here) || !has_a_choice()) return false;
-  const double behind = std::max(seen_.behind, 1e-300);
-  const double wanted = wanted_part * question_.tolerance * here / span_ / std::max(high_speed_, 1e-300);
-  // Factor by which its steps may become longer.
-  const auto gain = [&](const Journey& run, double its_behind) {
-    const double most =
-        std::min(run.candidate->splits() ? 3.0 : 2.0, stable_step(*run.candidate) / (longer * run.h));
-    return std::clamp(std::pow(wanted / its_behind, 1.0 / run.order), 0.2, std::max(most, 0.2));
-  };
-  const auto cost = [&](const Journey& run, double its_behind) {
-    return static_cast<double>(run.run.evaluations) * run.candidate->price() / gain(run, its_behind);
-  };
-  double best = cost(*fine_, behind);
-  const double radians = setting.h * setting.candidate->longest;
-  std::optional<Journey> winner;
-  double its_behind = 0.0;
-  for (Candidate& it : menu_) {
-    const bool dear = it.outlook > 2.5 * menu_.front().outlook;
-    if (&it == setting.candidate || it.aside || dear || !(it.longest > 0.0)) continue;
-    const bool same = it.splits() == setting.candidate->splits();
-    const double first = same ? radians / it.longest : first_step(it);
-    Journey run = begin({&it, std::min({first, longest_step(it), it.below})}, 1.0);
-    // A run that takes more cannot win, however much longer its steps may become.
-    run.most = 50.0 + (it.splits() ? 2.7 : 1.8) * best / it.price();
-    run.advance(marks_[0], false);
-    if (!run.ok()) {
-      note_trial(run, infinity);
-      continue;
+  fine_.emplace(begin(setting, 1.0));
+  parted_ = false;
+  for (std::size_t mark = 0; mark < marks_.size(); ++mark) {
+    const bool compared = mark < compared_ && !parted_;
+    if (compared && coarse_->marks.size() == mark) {
+      bound(*coarse_, mark), bound(*fine_, mark);
+      fine_->go_beside(*coarse_, marks_[mark]);
     }
-    const double apart = (*distance_)(run.marks[0], fine_->marks[0], fine_->ranges);
-    const double speed = std::max(speed_at(fine_->marks[0], fine_->ranges), 0.03 * usual_speed_);
-    const double late = std::max(apart / speed + behind, 1e-300);
-    note_trial(run, apart);
-    if (cost(run, late) < 0.9 * best) {
-      best = cost(run, late);
-      winner.emplace(std::move(run));
-      its_behind = late;
+    if (compared && !go_on(*coarse_, mark) && !(question_.options.h > 0.0)) return failed(*coarse_, setting);
+    if (!go_on(*fine_, mark)) return failed(*fine_, setting);
+    if (mark == 0 && passes_over_start(*fine_)) fine_->jumped = true;
+    if (compared) {
+      judged_ = mark;
+      if (judge(setting, mark)) return true;
+      parted_ = resigned_ && seen_.error > 1.0;
     }
   }
-  if (!winner) return false;
-  note_trial(*coarse_, infinity), note_trial(*fine_, seen_.error);
-  setting = {winner->candidate, winner->h * std::clamp(gain(*winner, its_behind), 0.35,
-                                                       winner->candidate->splits() ? 2.0 : 1.5)};
-  fine_ = std::move(winner);
-  return true;
+  return false;
 }
 
 }  // namespace avi::detail

@@ -11,8 +11,9 @@
 
 /// @file
 /// The beginning of the choice in solve(): a sketch of the orbit, the menu of candidates, the marks at which
-/// runs are compared, and the first setting. What two runs say about a setting is in comparison.cpp, the next
-/// setting in pair_of_runs.cpp, and the wording of the answer in verdict.cpp.
+/// runs are compared, and the first setting. Runs are made in pair_of_runs.cpp and compared in
+/// comparison.cpp; the next setting is in next_setting.cpp and after_a_failure.cpp, the wording of the answer
+/// in verdict.cpp.
 
 namespace avi::detail {
 
