@@ -98,6 +98,7 @@ class Orbiter {
   OrbitAnswer solve();
 
  private:
+  // preparation.cpp
   [[nodiscard]] bool late() const;
   void prepare();
   double energy_and_slope(const VectorX& start, VectorX& slope);
@@ -110,53 +111,74 @@ class Orbiter {
   void write_menu(const Resting& resting);
   void follow_the_take_off(Eigen::Index seen);
   VectorX rounding_of(const Sketch& sketch, const VectorX& metric);
-  bool follows_another_gradient();
+  void take_unit_of_energy(double scale);
   void set_marks();
-  [[nodiscard]] double since_start(std::size_t mark) const { return std::abs(marks_[mark] - question_.t); }
   void offer_splitting();
-  [[nodiscard]] int order_of(const Candidate& it) const { return it.splits() ? 6 : order_; }
   [[nodiscard]] double first_step(const Candidate& it);
   double affordable(Candidate& it, double h);
-  [[nodiscard]] bool has_a_choice() const {  // of candidates that are not set aside
-    return std::ranges::count(menu_, false, &Candidate::aside) > 1;
-  }
   [[nodiscard]] double stable_step(const Candidate& it);
-  void bound(Journey& journey, std::size_t mark);
+
+  // pair_of_runs.cpp
   Journey begin(const Setting& setting, double factor);
+  void bound(Journey& journey, std::size_t mark);
   bool go_on(Journey& journey, std::size_t mark);
-  bool pursue(Setting& setting);
-  void look_from(const State<dynamic>& z);
-  void stay_near(Candidate& it, const Sketch& there);
-  bool goes_back(Setting& setting);
-  void note_failure(const Journey& journey, const Setting& setting);
-  Candidate* most_hopeful();
-  bool failed(const Journey& journey, Setting& setting);
-  void drop_runs();
-  void keep_furthest();
-  void take_furthest();
-  [[nodiscard]] bool is_further(const Journey& journey, const Journey& other) const {
-    return sense_ * (journey.state.t - other.state.t) > 0.0;
-  }
-  [[nodiscard]] double its_patience() const { return dead_end_ > 0.0 ? 0.1 * patience : patience; }
-  void take_unit_of_energy(double scale);
-  void look_at_work(std::size_t mark);
-  bool again(Setting& setting, double factor);
-  enum class Alike { no, rounding, harmless, unexplained };
-  Alike alike_energies();
-  bool confirm(Setting& setting, double error, double factor);
-  bool lengthen(Setting& setting, std::size_t mark, double factor);
-  bool shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& errors, double factor);
-  bool judge(Setting& setting, std::size_t mark);
   bool passes_over_start(const Journey& run);
-  bool try_others(Setting& setting);
-  bool take_from_aside(Setting& setting, double others);
+  bool pursue(Setting& setting);
+  void keep_furthest();
+  void drop_runs();
+  void note_trial(const Journey& journey, double error);
+
+  // comparison.cpp
   Comparison compare(const Journey& coarse, const Journey& fine);
   double speed_at(const State<dynamic>& z, const Ranges& ranges);
   [[nodiscard]] double lag_at_saddles(const Journey& journey, double unseen) const;
   double rounding_of_clock(const Journey& journey);
   double rounding_of_energy(const Journey& journey);
+  bool follows_another_gradient();
   [[nodiscard]] bool passes(const Journey& journey) const;
   [[nodiscard]] double foretold(const Comparison& seen, double from, double to, double speed) const;
+
+  // next_setting.cpp
+  enum class Alike { no, rounding, harmless, unexplained };
+  bool judge(Setting& setting, std::size_t mark);
+  void look_at_work(std::size_t mark);
+  Alike alike_energies();
+  bool again(Setting& setting, double factor);
+  bool confirm(Setting& setting, double error, double factor);
+  bool lengthen(Setting& setting, std::size_t mark, double factor);
+  bool shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& errors, double factor);
+  bool try_others(Setting& setting);
+  bool take_from_aside(Setting& setting, double others);
+
+  // after_a_failure.cpp
+  bool failed(const Journey& journey, Setting& setting);
+  bool goes_back(Setting& setting);
+  void note_failure(const Journey& journey, const Setting& setting);
+  void look_from(const State<dynamic>& z);
+  void stay_near(Candidate& it, const Sketch& there);
+  Candidate* most_hopeful();
+
+  // verdict.cpp
+  OrbitAnswer finish();
+  void tell_work(const Journey& fine);
+  void tell_error(const Journey& fine, double foreseen);
+  void tell_end(const Journey& fine);
+  void tell_doubts(const Journey& fine, double foreseen);
+  OrbitAnswer give_up();
+  [[nodiscard]] std::string given_up(const Journey& run) const;
+  OrbitAnswer too_far(const char* what, double t, double radians);
+  OrbitAnswer fail(Outcome outcome, std::string message);
+  void take_furthest();
+
+  [[nodiscard]] double since_start(std::size_t mark) const { return std::abs(marks_[mark] - question_.t); }
+  [[nodiscard]] int order_of(const Candidate& it) const { return it.splits() ? 6 : order_; }
+  [[nodiscard]] bool has_a_choice() const {  // of candidates that are not set aside
+    return std::ranges::count(menu_, false, &Candidate::aside) > 1;
+  }
+  [[nodiscard]] bool is_further(const Journey& journey, const Journey& other) const {
+    return sense_ * (journey.state.t - other.state.t) > 0.0;
+  }
+  [[nodiscard]] double its_patience() const { return dead_end_ > 0.0 ? 0.1 * patience : patience; }
   [[nodiscard]] double longest_step(const Candidate& it) const {
     const double fictive = it.fictive > 0.0 ? span_ * it.fictive / std::max(sketch_->time, 1e-300) : span_;
     return std::min(it.between, fictive / fewest);
@@ -164,21 +186,14 @@ class Orbiter {
   [[nodiscard]] double expected_steps(const Candidate& it, double h, double time) const {
     return time * it.fictive / std::max(sketch_->time, 1e-300) / h;
   }
-  void note_trial(const Journey& journey, double error);
-  OrbitAnswer fail(Outcome outcome, std::string message);
-  [[nodiscard]] std::string given_up(const Journey& run) const;
-  OrbitAnswer give_up();
-  OrbitAnswer too_far(const char* what, double t, double radians);
-  void tell_work(const Journey& fine);
-  void tell_error(const Journey& fine, double foreseen);
-  void tell_end(const Journey& fine);
-  void tell_doubts(const Journey& fine, double foreseen);
-  OrbitAnswer finish();
 
   const OrbitQuestion& question_;
   Budget& budget_;
+  OrbitAnswer answer_;
   PointField field_;
   double sense_, span_;
+
+  // What is known before the runs.
   std::optional<Trip> trip_;
   std::optional<Sketch> sketch_;
   VectorX metric_;  // diagonal of H_pp at the start
@@ -195,39 +210,44 @@ class Orbiter {
   double usual_speed_ = 0.0;  // mean speed over the sketch
   double high_speed_ = 0.0;   // a speed that the motion may have at the end
   std::vector<double> marks_;
-  std::size_t compared_ = 0;  // number of marks at which two runs are compared
-  std::optional<Journey> coarse_, fine_;
-  std::optional<Journey> furthest_run_;  // the failed run that came furthest
-  Setting instead_of_;                   // setting that was replaced by a candidate set aside before
-  Comparison seen_;
-  std::size_t judged_ = 0;    // mark of that comparison
-  double before_ = infinity;  // error predicted from the best of the last pairs of runs, and its mark
-  std::size_t before_at_ = 0;
-  int vain_ = 0;                      // pairs in a row that did not improve on the best one
-  int round_ = 0;                     // pairs of runs so far
-  double failed_at_ = -1.0;           // time at which the last run failed
-  Candidate* failed_with_ = nullptr;  // candidate of that run
-  double dead_end_ = 0.0;             // time that a sketch, or runs with two monitors, cannot pass; 0 if none
-  double furthest_ = 0.0;             // latest time at which a run failed
-  double repeated_ = infinity;        // earliest time at which two runs in a row failed
-  double in_the_way_ = 0.0;           // time at which runs fail with every step; 0 if none
-  Outcome bound_ = Outcome::ok;       // bound of the call that a run has met
-  double resolved_ = 0.0;             // first step that was short enough, as far as the first marks show
-  bool confirmed_ = false;            // a third run was asked to confirm the other two, see confirm()
-  bool unstable_ = false;             // small errors grow by more than an order of magnitude
-  bool coarse_grained_ = false;       // energy errors do not depend on the step
+  std::size_t compared_ = 0;              // number of marks at which two runs are compared
   std::optional<bool> foreign_gradient_;  // whether H supplies a gradient that is not its own, once checked
-  bool slow_ = false;                     // a step was made shorter because its sweeps converged slowly
-  bool thin_ = false;   // a step passed over a feature of H, which shorter ones resolve slowly
-  int lengthened_ = 0;  // how often a step was made longer
-  Candidate* lengthened_for_ = nullptr;  // candidate whose step was made longer last
-  bool others_tried_ = false;            // candidates other than the first one were tried
-  bool resigned_ = false;                // shorter steps do not help
+
+  // The two runs, and what they show.
+  int round_ = 0;  // pairs of runs so far
+  std::optional<Journey> coarse_, fine_;
+  Comparison seen_;
+  std::size_t judged_ = 0;       // mark of that comparison
+  double resolved_ = 0.0;        // first step that was short enough, as far as the first marks show
+  bool confirmed_ = false;       // a third run was asked to confirm the other two, see confirm()
+  bool unstable_ = false;        // small errors grow by more than an order of magnitude
+  bool coarse_grained_ = false;  // energy errors do not depend on the step
+  bool slow_ = false;            // a step was made shorter because its sweeps converged slowly
+  bool thin_ = false;            // a step passed over a feature of H, which shorter ones resolve slowly
+  bool resigned_ = false;        // shorter steps do not help
   bool parted_ = false;  // resigned_, and the two runs are as far apart as the motion goes: only one goes on
   bool lost_ = false;    // the two runs part at a point of rest
   // The last two runs agreed, but their energy errors were more than rounding and did not fall with the step.
   bool steady_ = false;
-  OrbitAnswer answer_;
+
+  // Settings so far.
+  double before_ = infinity;  // error predicted from the best of the last pairs of runs, and its mark
+  std::size_t before_at_ = 0;
+  int vain_ = 0;                         // pairs in a row that did not improve on the best one
+  int lengthened_ = 0;                   // how often a step was made longer
+  Candidate* lengthened_for_ = nullptr;  // candidate whose step was made longer last
+  bool others_tried_ = false;            // candidates other than the first one were tried
+  Setting instead_of_;                   // setting that was replaced by a candidate set aside before
+
+  // Failures.
+  std::optional<Journey> furthest_run_;  // the failed run that came furthest
+  double failed_at_ = -1.0;              // time at which the last run failed
+  Candidate* failed_with_ = nullptr;     // candidate of that run
+  double furthest_ = 0.0;                // latest time at which a run failed
+  double repeated_ = infinity;           // earliest time at which two runs in a row failed
+  double dead_end_ = 0.0;        // time that a sketch, or runs with two monitors, cannot pass; 0 if none
+  double in_the_way_ = 0.0;      // time at which runs fail with every step; 0 if none
+  Outcome bound_ = Outcome::ok;  // bound of the call that a run has met
 };
 
 }  // namespace avi::detail
