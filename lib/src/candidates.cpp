@@ -280,114 +280,161 @@ std::shared_ptr<const Formulas> formulas_of(const Choice& choice, const OrbitQue
   return it.formulas();
 }
 
-std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch,
-                                  double radians, const Resting& resting, const VectorX& metric,
-                                  Choice& constants, double operations) {
-  const Eigen::Index seen = metric.size() - (question.timed ? 1 : 0);
-  const double kinetic = constants.kinetic;
-  const int energy = question.energy;
-  const auto graph = std::make_shared<ExpressionGraph>(question.graph);
-  // Approximate number of operations of a sweep, counted on eight Hamiltonians of 2 to 32 degrees of freedom;
-  // the price is right within a quarter. The exact number is known only once the programs are made.
-  const double nodes = energy - graph->inputs(), plain = std::max(operations - 0.45 * nodes, 0.0);
-  const double monitored =
-      plain + 30.0 + (constants.drifts.empty() ? 1.2 : 2.4) * nodes + 2.0 * graph->inputs();
-  const auto cost = [&](double count) { return Candidate::price_of_sweep(count, graph->inputs()); };
-  std::vector<Candidate> menu;
-  menu.emplace_back("fixed", 0.0, graph, energy, energy_at_start, -1);
-  if (kinetic > 0.0 && sketch.samples.size() > 1) {
-    const int lively = liveliness_of(*graph, energy, energy_at_start, question.timed, constants);
-    for (const auto& [name, alpha] : known_monitors)
-      if (std::string_view(name).starts_with("energy"))
-        menu.emplace_back(name, alpha, graph, energy, energy_at_start, lively);
+namespace {
+
+/// The menu in the making.
+class Menu {
+ public:
+  Menu(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch, const VectorX& metric,
+       Choice& constants, double operations)
+      : question_(question), energy_at_start_(energy_at_start), sketch_(sketch), metric_(metric),
+        constants_(constants), graph_(std::make_shared<ExpressionGraph>(question.graph)),
+        strength_(strengths(sketch, metric)) {
+    // Approximate number of operations of a sweep, counted on eight Hamiltonians of 2 to 32 degrees of
+    // freedom; the price is right within a quarter. The exact number is known only once the programs are
+    // made.
+    nodes_ = question.energy - graph_->inputs();
+    plain_ = std::max(operations - 0.45 * nodes_, 0.0);
+    monitored_ = plain_ + 30.0 + (constants.drifts.empty() ? 1.2 : 2.4) * nodes_ + 2.0 * graph_->inputs();
+    // Errors of the momentum of time do not count.
+    if (question.timed) strength_[metric.size() - 1] = infinity;
   }
-  VectorX strength = strengths(sketch, metric);
-  // Errors of the momentum of time do not count.
-  if (question.timed) strength[metric.size() - 1] = infinity;
-  double rounding =
-      std::numeric_limits<double>::epsilon() * std::max(std::abs(energy_at_start), std::abs(kinetic));
-  // H + p^t is zero at the start, but its terms may be far larger.
-  if (question.timed && menu.size() > 1) {
-    const double of_terms = RoundedFormula(question.graph, energy).rounding(sketch.samples.front().z);
-    if (of_terms > 30.0 * rounding) rounding = of_terms;
+
+  /// Adds fixed steps and the monitors of the energy.
+  void add_energies(const Resting& resting) {
+    const double kinetic = constants_.kinetic;
+    menu_.emplace_back("fixed", 0.0, graph_, question_.energy, energy_at_start_, -1);
+    if (kinetic > 0.0 && moves()) {
+      const int lively =
+          liveliness_of(*graph_, question_.energy, energy_at_start_, question_.timed, constants_);
+      for (const auto& [name, alpha] : known_monitors)
+        if (std::string_view(name).starts_with("energy"))
+          menu_.emplace_back(name, alpha, graph_, question_.energy, energy_at_start_, lively);
+    }
+    rounding_ =
+        std::numeric_limits<double>::epsilon() * std::max(std::abs(energy_at_start_), std::abs(kinetic));
+    // H + p^t is zero at the start, but its terms may be far larger.
+    if (question_.timed && menu_.size() > 1) {
+      const double of_terms =
+          RoundedFormula(question_.graph, question_.energy).rounding(sketch_.samples.front().z);
+      if (of_terms > 30.0 * rounding_) rounding_ = of_terms;
+    }
+    Measured measured;
+    if (menu_.size() > 1) measured = measure(sketch_, resting, energy_at_start_, kinetic, strength_);
+    for (Candidate& it : menu_)
+      look(it, it.fixed() ? plain_ : monitored_, measured);
   }
-  const auto look = [&](Candidate& it, double price, const Measured& measured) {
+  /// Adds the monitor of the user.
+  void add_given() {
+    menu_.push_back(given(graph_, question_, energy_at_start_));
+    look(menu_.back(), monitored_, measure(sketch_, *graph_, question_.given, strength_));
+  }
+  /// Adds the monitor of poles, if H has any. Beside a candidate that is better, it would only be one more to
+  /// try. @param asked whether to add it anyway
+  void add_poles(bool asked) {
+    const Poles poles(*graph_, question_.energy);
+    if (poles.none()) return;
+    const double others = std::ranges::min_element(menu_, {}, &Candidate::outlook)->outlook;
+    const bool known = !constants_.poles.empty();
+    std::vector<double> beside = constants_.poles;  // constants of the monitor without a constant frequency
+    if (!known) {
+      beside = poles.constants(sketch_, metric_, metric_.size() - (question_.timed ? 1 : 0));
+      beside.insert(beside.begin(),
+                    {0.0, constants_.kinetic > 0.0 ? constants_.kinetic : constants_.energy_scale});
+    }
+    beside.front() = 0.0;
+    Measured frequency =
+        measure(sketch_, *graph_, poles.rate(*graph_, energy_at_start_, beside), strength_, true);
+    if (!known) {
+      constants_.poles = beside;
+      constants_.poles.front() = background(sketch_, frequency);
+    }
+    for (double& each : frequency.lively)
+      each = with_constant(each, constants_.poles.front());
+    menu_.push_back(polar(graph_, question_.energy, energy_at_start_, constants_));
+    look(menu_.back(),
+         plain_ + 30.0 + 18.0 * static_cast<double>(poles.size()) + nodes_ + 2.0 * graph_->inputs(),
+         frequency);
+    if (!asked && !known && !(menu_.back().outlook <= others)) menu_.pop_back();
+  }
+  /// Adds the monitor `acceleration`.
+  void add_acceleration() {
+    menu_.push_back(accelerated(graph_, question_.energy, energy_at_start_, constants_));
+    look(menu_.back(), 4.0 * plain_ + 50.0, measure(sketch_, *graph_, menu_.back().rate_node(), strength_));
+  }
+
+  /// Returns true if the sketch shows where the motion goes.
+  [[nodiscard]] bool moves() const { return sketch_.samples.size() > 1; }
+  /// The least number of steps, of one radian at most, that a candidate needs for the sketch.
+  [[nodiscard]] double fewest_steps() const {
+    double steps = infinity;
+    for (const Candidate& it : menu_)
+      if (std::isfinite(it.outlook)) steps = std::min(steps, it.fictive * it.longest);
+    return steps;
+  }
+  /// The candidates that may do, the best first. @param wanted name of one that stays unless it cannot run
+  std::vector<Candidate> sorted(std::string_view wanted) && {
+    std::erase_if(menu_, [&](const Candidate& it) {
+      const bool named =
+          it.name == wanted && it.name != "given" && it.longest > 0.0 && std::isfinite(it.longest);
+      return !it.fixed() && !named && !std::isfinite(it.outlook);
+    });
+    std::ranges::stable_sort(menu_, {}, &Candidate::outlook);
+    return std::move(menu_);
+  }
+
+ private:
+  /// Sets what the sketch says of a candidate. @param operations those of a sweep @param measured what its
+  /// monitor follows, along the sketch
+  void look(Candidate& it, double operations, const Measured& measured) {
     double least = infinity, most = 0.0;
-    for (std::size_t k = 0; k < sketch.samples.size() && least > 0.0; ++k) {
-      const Sketch::Sample& sample = sketch.samples[k];
+    for (std::size_t k = 0; k < sketch_.samples.size() && least > 0.0; ++k) {
+      const Sketch::Sample& sample = sketch_.samples[k];
       const double g = it.fixed() ? 1.0 : it.rate_of(measured.lively[k]);
       it.fictive += sample.h / g;
       it.longest = std::max(it.longest, g * sample.frequency);
       least = g > 0.0 && std::isfinite(g) ? std::min(least, g) : 0.0;
       most = std::max(most, g);
     }
-    if (!measured.changes.empty() && constants.poles.front() > 0.0)
-      it.longest = std::max(it.longest, fastest_change(measured, constants.poles.front()));
-    it.noise = it.fixed() ? 0.0 : std::abs(it.alpha()) * rounding * measured.steepest;
-    it.outlook = price * it.fictive * it.longest;
+    if (!measured.changes.empty() && constants_.poles.front() > 0.0)
+      it.longest = std::max(it.longest, fastest_change(measured, constants_.poles.front()));
+    it.noise = it.fixed() ? 0.0 : std::abs(it.alpha()) * rounding_ * measured.steepest;
+    it.outlook = Candidate::price_of_sweep(operations, graph_->inputs()) * it.fictive * it.longest;
     const bool idle = !it.fixed() && it.name != "given" && !(most > 1.15 * least);
     if (!(least > 0.0) || !std::isfinite(it.outlook) || idle) it.outlook = infinity;
-    if (it.fixed() && sketch.samples.empty()) it.outlook = 1.0, it.fictive = 1.0;
-  };
-  Measured measured;
-  if (menu.size() > 1) measured = measure(sketch, resting, energy_at_start, kinetic, strength);
-  for (Candidate& it : menu)
-    look(it, cost(it.fixed() ? plain : monitored), measured);
-  if (question.given >= 0) {
-    menu.push_back(given(graph, question, energy_at_start));
-    look(menu.back(), cost(monitored), measure(sketch, *graph, question.given, strength));
+    if (it.fixed() && sketch_.samples.empty()) it.outlook = 1.0, it.fictive = 1.0;
   }
-  double steps = infinity;
-  const auto count_steps = [&] {
-    for (const Candidate& it : menu)
-      if (std::isfinite(it.outlook)) steps = std::min(steps, it.fictive * it.longest);
-  };
-  count_steps();
-  // Finding the poles takes some microseconds: do so only if steps might be fewer and many would be saved.
+
+  const OrbitQuestion& question_;
+  double energy_at_start_;
+  const Sketch& sketch_;
+  const VectorX& metric_;
+  Choice& constants_;
+  std::shared_ptr<ExpressionGraph> graph_;
+  VectorX strength_;
+  double nodes_ = 0.0, plain_ = 0.0, monitored_ = 0.0;  // operations of H, and of a sweep without and with g
+  double rounding_ = 0.0;                               // of H
+  std::vector<Candidate> menu_;
+};
+
+}  // namespace
+
+std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch,
+                                  double radians, const Resting& resting, const VectorX& metric,
+                                  Choice& constants, double operations) {
   const std::string& wanted = question.options.monitor.name;
-  const bool asked = wanted == "poles";
-  const bool promising = steps > (radians > 100.0 ? 1.2 : 1.5) * sketch.radians;
-  if (sketch.samples.size() > 1 && (asked || promising)) {
-    const Poles poles(*graph, energy);
-    if (!poles.none()) {
-      const double others = std::ranges::min_element(menu, {}, &Candidate::outlook)->outlook;
-      const bool known = !constants.poles.empty();
-      std::vector<double> beside = constants.poles;  // constants of the monitor without a constant frequency
-      if (!known) {
-        beside = poles.constants(sketch, metric, seen);
-        beside.insert(beside.begin(), {0.0, kinetic > 0.0 ? kinetic : constants.energy_scale});
-      }
-      beside.front() = 0.0;
-      const int near = poles.rate(*graph, energy_at_start, beside);
-      Measured frequency = measure(sketch, *graph, near, strength, true);
-      if (!known) {
-        constants.poles = beside;
-        constants.poles.front() = background(sketch, frequency);
-      }
-      for (double& each : frequency.lively)
-        each = with_constant(each, constants.poles.front());
-      menu.push_back(polar(graph, energy, energy_at_start, constants));
-      look(menu.back(),
-           cost(plain + 30.0 + 18.0 * static_cast<double>(poles.size()) + nodes + 2.0 * graph->inputs()),
-           frequency);
-      // Beside a candidate that is better, it would only be one more to try.
-      if (!asked && !known && !(menu.back().outlook <= others)) menu.pop_back();
-      count_steps();
-    }
+  Menu menu(question, energy_at_start, sketch, metric, constants, operations);
+  menu.add_energies(resting);
+  if (question.given >= 0) menu.add_given();
+  if (menu.moves()) {
+    // Finding the poles takes some microseconds: do so only if steps might be fewer and many would be saved.
+    const bool asked = wanted == "poles";
+    if (asked || menu.fewest_steps() > (radians > 100.0 ? 1.2 : 1.5) * sketch.radians) menu.add_poles(asked);
+    // Useful where the fastest part of the motion makes all steps many times shorter than the rest needs, as
+    // when two of many bodies meet.
+    if (wanted == "acceleration" || menu.fewest_steps() > 5.0 * sketch.radians) menu.add_acceleration();
   }
-  // Useful where the fastest part of the motion makes all steps many times shorter than the rest needs, as
-  // when two of many bodies meet.
-  if (sketch.samples.size() > 1 && (wanted == "acceleration" || steps > 5.0 * sketch.radians)) {
-    menu.push_back(accelerated(graph, energy, energy_at_start, constants));
-    look(menu.back(), cost(4.0 * plain + 50.0), measure(sketch, *graph, menu.back().rate_node(), strength));
-  }
-  std::erase_if(menu, [&](const Candidate& it) {
-    const bool named =
-        it.name == wanted && it.name != "given" && it.longest > 0.0 && std::isfinite(it.longest);
-    return !it.fixed() && !named && !std::isfinite(it.outlook);
-  });
-  std::ranges::stable_sort(menu, {}, &Candidate::outlook);
-  return menu;
+  return std::move(menu).sorted(wanted);
 }
 
 }  // namespace avi::detail
