@@ -241,20 +241,13 @@ class Sketch {
       std::optional<Switches::Switch> at_end;
       if (switches) at_end = to_switch(*switches, at, field.sense, h);
       step.advance([&](const VectorX& x, VectorX& dx) { last = field(x, dx); }, at, h);
-      double worst = 0.0;
       for (Eigen::Index i = 0; i < size; ++i) {
         const double fastest =
             std::max({std::abs(step.k[0][i]), std::abs(step.k[1][i]), std::abs(step.k[2][i])});
         scale[i] = std::max(std::max(high[i], step.end[i]) - std::min(low[i], step.end[i]), h * fastest);
       }
       lift(scale, roots, field.timed, 1e-12 * largest);
-      for (Eigen::Index i = 0; i < size; ++i) {
-        errors[i] = h * std::abs((2.0 / 9.0 - 7.0 / 24.0) * step.k[0][i] + (1.0 / 3.0 - 0.25) * step.k[1][i] +
-                                 (4.0 / 9.0 - 1.0 / 3.0) * step.k[2][i] - 0.125 * step.k[3][i]);
-        if (errors[i] <= 1e3 * std::numeric_limits<double>::epsilon() * std::abs(at[i])) errors[i] = 0.0;
-        if (errors[i] > 0.0) worst = std::max(worst, errors[i] / scale[i]);
-        if (!std::isfinite(errors[i])) worst = infinity;
-      }
+      const double worst = find_errors(step, at, h, scale, errors);
       const double factor = std::isfinite(worst) ? std::cbrt(loose / std::max(worst, 1e-3 * loose)) : 0.1;
       alike = factor < 0.8 && worst > 0.7 * refused && std::isfinite(worst) ? alike + 1 : 0;
       refused = factor < 0.8 ? worst : 0.0;
@@ -295,20 +288,8 @@ class Sketch {
       }
       h *= begins ? 2.0 : std::min(5.0, 0.9 * factor);
     }
-    // Ranges were small at first, so frequencies are found now that all ranges are known. Steps that were far
-    // too short, as the first ones, have errors from rounding only: they take the frequency of the next step.
-    double next = 0.0;
-    for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample) {
-      double worst = 0.0;
-      for (Eigen::Index i = 0; i < size; ++i)
-        scale[i] = std::max(high[i] - low[i], sample->h * std::abs(sample->slope[i]));
-      lift(scale, roots, field.timed);
-      for (Eigen::Index i = 0; i < size; ++i)
-        if (sample->errors[i] > 0.0) worst = std::max(worst, sample->errors[i] / scale[i]);
-      if (worst > 1e-4 * loose) next = angle / sample->h * std::cbrt(worst / loose);
-      sample->frequency = next;
-      radians += sample->h * next;
-    }
+    // Ranges were small at first, so frequencies are found now that all ranges are known.
+    find_frequencies(high - low, roots, field.timed);
   }
 
   std::vector<Sample> samples;  ///< Samples in the order of time.
@@ -342,6 +323,39 @@ class Sketch {
   static constexpr double loose = 0.004;  // error of a step
   static constexpr double angle = 0.68;   // radians of a spring in a step with that error
   static constexpr int enough = 48;       // least number of samples of an orbit that repeats itself
+
+  /// Sets the errors of a step from `at`, by the embedded formula of order 2; those that are rounding count
+  /// as zero. @return the largest, relative to the scale of its entry
+  static double find_errors(const RungeKuttaStages<BogackiShampine>& step, const VectorX& at, double h,
+                            const VectorX& scale, VectorX& errors) {
+    double worst = 0.0;
+    for (Eigen::Index i = 0; i < at.size(); ++i) {
+      errors[i] = h * std::abs((2.0 / 9.0 - 7.0 / 24.0) * step.k[0][i] + (1.0 / 3.0 - 0.25) * step.k[1][i] +
+                               (4.0 / 9.0 - 1.0 / 3.0) * step.k[2][i] - 0.125 * step.k[3][i]);
+      if (errors[i] <= 1e3 * std::numeric_limits<double>::epsilon() * std::abs(at[i])) errors[i] = 0.0;
+      if (errors[i] > 0.0) worst = std::max(worst, errors[i] / scale[i]);
+      if (!std::isfinite(errors[i])) worst = infinity;
+    }
+    return worst;
+  }
+  /// Sets the frequency of each sample by its errors, relative to the ranges of the entries, and the phase.
+  /// Steps that were far too short, as the first ones, have errors from rounding only: they take the
+  /// frequency of the next step.
+  void find_frequencies(const VectorX& ranges, const VectorX& roots, bool timed) {
+    VectorX scale(ranges.size());
+    double next = 0.0;
+    for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample) {
+      double worst = 0.0;
+      for (Eigen::Index i = 0; i < ranges.size(); ++i)
+        scale[i] = std::max(ranges[i], sample->h * std::abs(sample->slope[i]));
+      lift(scale, roots, timed);
+      for (Eigen::Index i = 0; i < ranges.size(); ++i)
+        if (sample->errors[i] > 0.0) worst = std::max(worst, sample->errors[i] / scale[i]);
+      if (worst > 1e-4 * loose) next = angle / sample->h * std::cbrt(worst / loose);
+      sample->frequency = next;
+      radians += sample->h * next;
+    }
+  }
 
   /// Passes the switches at z, then shortens the step h if there is a switch in it. @return that switch, if
   /// any
