@@ -9,6 +9,29 @@
 
 namespace avi::detail {
 
+/// Finds how far one run lags behind the other at all marks. @param ratio factor by which the error of the
+/// finer one is smaller than their distance
+Orbiter::Lags Orbiter::lags(const Journey& coarse, const Journey& fine, double ratio) {
+  Lags lags;
+  const std::size_t marks = std::min(coarse.marks.size(), fine.marks.size());
+  const double until = since_start(marks - 1);
+  double least = infinity;
+  for (std::size_t i = 0; i < marks; ++i) {
+    const double whole = (*distance_)(coarse.marks[i], fine.marks[i], fine.ranges), apart = whole / ratio;
+    const double speed = std::max(speed_at(fine.marks[i], fine.ranges), 0.03 * usual_speed_);
+    const double behind = speed > 0.0 ? apart / speed : apart;
+    const double since = since_start(i);
+    if (since <= (compared_ > 3 ? 0.251 : 0.376) * until) lags.early = std::max(lags.early, behind);
+    if (since <= 0.501 * until) lags.halfway = std::max(lags.halfway, behind);
+    lags.late = std::max(lags.late, behind);
+    lags.runaway = lags.runaway || lags.late > 10.0 * least * since * since;
+    least = std::min(least, lags.late / (since * since));
+    lags.furthest = std::max(lags.furthest, whole);
+    lags.last = apart;
+  }
+  return lags;
+}
+
 Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   Comparison seen;
   const std::size_t marks = std::min(coarse.marks.size(), fine.marks.size());
@@ -19,24 +42,9 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
   const double falls = seen_to_fall ? std::max(1.0, 0.5 * coarse.energy_error / fine.energy_error) : infinity;
   const double ratio = features_->bends() || coarse_grained_ ? 1.0 : std::min(trusted(coarse, fine), falls),
                until = since_start(marks - 1);
-  // Largest lag in the first quarter (three eighths if marks are few), in the first half, and on the whole.
-  double early = 0.0, halfway = 0.0, late = 0.0;
-  double furthest = 0.0, least = infinity;
-  bool runaway = false;  // the lag has grown over ten times as much as the square of time
-  for (std::size_t i = 0; i < marks; ++i) {
-    const double whole = (*distance_)(coarse.marks[i], fine.marks[i], fine.ranges), apart = whole / ratio;
-    const double speed = std::max(speed_at(fine.marks[i], fine.ranges), 0.03 * usual_speed_);
-    const double behind = speed > 0.0 ? apart / speed : apart;
-    const double since = since_start(i);
-    if (since <= (compared_ > 3 ? 0.251 : 0.376) * until) early = std::max(early, behind);
-    if (since <= 0.501 * until) halfway = std::max(halfway, behind);
-    late = std::max(late, behind);
-    runaway = runaway || late > 10.0 * least * since * since;
-    least = std::min(least, late / (since * since));
-    furthest = std::max(furthest, whole);
-    seen.error = apart;
-  }
+  auto [early, halfway, late, furthest, last, runaway] = lags(coarse, fine, ratio);
   seen.furthest = furthest;
+  seen.error = last;
   // No order reduces what the sweeps left.
   const double left = left_by_sweeps(fine);
   seen.error = std::max(seen.error, std::min(left, ratio * seen.error));

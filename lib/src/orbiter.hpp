@@ -129,6 +129,16 @@ class Orbiter {
   void note_trial(const Journey& journey, double error);
 
   // comparison.cpp
+  /// The lag of one run behind the other, in time, divided by the trusted factor.
+  struct Lags {
+    double early = 0.0;      // largest in the first quarter, or in three eighths if marks are few
+    double halfway = 0.0;    // largest in the first half
+    double late = 0.0;       // largest of all
+    double furthest = 0.0;   // largest distance of the two runs, relative to the ranges
+    double last = infinity;  // the distance at the last mark, divided by that factor
+    bool runaway = false;    // whether the lag has grown over ten times as much as the square of time
+  };
+  Lags lags(const Journey& coarse, const Journey& fine, double ratio);
   Comparison compare(const Journey& coarse, const Journey& fine);
   double speed_at(const State<dynamic>& z, const Ranges& ranges);
   [[nodiscard]] double lag_at_saddles(const Journey& journey, double unseen) const;
