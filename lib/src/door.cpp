@@ -170,8 +170,8 @@ class Call {
       // A cancelled call that can be resumed goes on until its file is written.
       const bool ends = budget_.cancelled() && question_.options.checkpoint.empty();
       if (!(answer.choice.h > 0.0) || ends) return answer;
-      const bool given_up = !answer.ok() && !repeats() && !budget_.was_met();
-      if (given_up) {
+      const bool bounded = budget_.was_met() && !answer.ok();
+      if (!answer.ok() && !repeats() && !bounded) {
         if (shortened == 0) failure = answer;
         horizon = before_failure(answer, horizon, shortened++);
         if (horizon == question_.t) return failure;
@@ -204,6 +204,9 @@ class Call {
       delivery.deliver(answer);
       const bool same = planned.outcome == delivery.run().outcome && planned.steps == delivery.run().steps;
       if (!answer.run.ok() && !planned.ok() && same) answer.run.message = planned.message;
+      // The run that is delivered came to its end, but the bound kept another one from confirming it.
+      if (answer.run.ok() && bounded)
+        answer.run.outcome = planned.outcome, answer.run.message = planned.message;
       return answer;
     }
   }

@@ -79,8 +79,9 @@ inline double part_at(const OrbitSteps& method, Candidate& candidate, const Stat
 /// Finds the state at the time t in a step that passes t, began at `before` and was the last one of `method`.
 /// The method makes shorter steps from `before`: the first of the size at which its polynomial has the time
 /// t, the others of sizes by Newton's method for dt/dtau = g. An explicit step of order 3 covers the last
-/// millionth of the step; its error is far below rounding. @param its_size gets the size of the last step of
-/// the method @return report of these steps
+/// millionth of the step; its error is far below rounding. Where q is far from zero, rounding may keep a step
+/// of one size from being solved; it is made in pieces then. @param its_size gets the size of the last step
+/// of the method @return report of these steps
 inline StepReport land(OrbitSteps& method, Candidate& candidate, PointField& field,
                        const State<dynamic>& before, double h, double after, double t, State<dynamic>& z,
                        double* its_size = nullptr) {
@@ -90,11 +91,17 @@ inline StepReport land(OrbitSteps& method, Candidate& candidate, PointField& fie
   z = before;
   double low = 0.0, high = 1.0;  // parts of h between which the time is t
   for (int k = 0; k < 60 && size != 0.0; ++k) {
-    z = before;
-    const StepReport step = method.step_inside(z, size);
-    report.outcome = step.outcome;
-    report.evaluations += step.evaluations;
-    if (step.outcome != Outcome::ok) return report;
+    for (int pieces = 1; pieces <= 4; ++pieces) {
+      z = before;
+      report.outcome = Outcome::ok;
+      for (int piece = 0; piece < pieces && report.ok(); ++piece) {
+        const StepReport step = method.step_inside(z, size / pieces);
+        report.outcome = step.outcome;
+        report.evaluations += step.evaluations;
+      }
+      if (report.outcome != Outcome::not_converged) break;
+    }
+    if (!report.ok()) return report;
     if (its_size) *its_size = size;
     if (std::abs(t - z.t) <= 1e-6 * std::abs(after - before.t)) break;
     ((z.t - t) * (after - before.t) > 0.0 ? high : low) = size / h;

@@ -37,29 +37,35 @@ class Kinks {
   static std::shared_ptr<const Kinks> of(const ExpressionGraph& graph, int energy, bool timed) {
     const std::vector<char> part = graph.parts(energy);
     const std::vector<unsigned char> on = dependences(graph, energy);
-    const std::vector<char> excluded = singular(graph, part);
-    std::vector<std::pair<int, int>> found;  // differences of two nodes, or single nodes
+    const std::vector<char> under = singular(graph, part);
+    std::vector<Function> found;
     for (int i = 0; i <= energy; ++i) {
       using enum Operation;
       const ExpressionGraph::Node& what = graph[i];
       if (!part[i] || on[i] == 0 || (timed && on[i] == on_last)) continue;
       const bool compares = what.operation == less || what.operation == less_equal;
-      if (!(compares || what.operation == abs || what.operation == sign) || excluded[i]) continue;
-      found.emplace_back(what.a, compares ? what.b : -1);
+      if (!(compares || what.operation == abs || what.operation == sign)) continue;
+      found.push_back({what.a, compares ? what.b : -1, {}});
+      if (under[i]) found.back().bases = bases_of(graph, part, i);
     }
     std::ranges::sort(found);
     found.erase(std::unique(found.begin(), found.end()), found.end());
     if (found.empty()) return nullptr;
     return std::make_shared<const Kinks>(graph, found);
   }
-  /// Takes differences of two nodes of a graph, or single nodes, where the second is -1.
-  Kinks(const ExpressionGraph& graph, const std::vector<std::pair<int, int>>& differences)
-      : at_(differences.size()) {
+  /// A function, by its nodes: a difference of two, or a single one, where the second is -1.
+  struct Function {
+    int a, b;
+    std::vector<int> bases;  ///< What H takes broken powers of that depend on it, see singular().
+    friend auto operator<=>(const Function&, const Function&) = default;
+  };
+  Kinks(const ExpressionGraph& graph, const std::vector<Function>& functions) : at_(functions.size()) {
     std::vector<int> nodes;
-    for (const auto& [a, b] : differences) {
-      places_.emplace_back(static_cast<int>(nodes.size()), b >= 0);
+    for (const auto& [a, b, bases] : functions) {
+      places_.push_back({static_cast<int>(nodes.size()), b >= 0, static_cast<int>(bases.size())});
       nodes.push_back(a);
       if (b >= 0) nodes.push_back(b);
+      nodes.insert(nodes.end(), bases.begin(), bases.end());
     }
     formula_.emplace(RecordedFormula<double>{Schedule::program(graph, -1, nodes, graph.size())});
   }
@@ -81,10 +87,10 @@ class Kinks {
   /// to turn at zero between two of them, further points are looked at. A value that is zero to nine digits
   /// counts as having no sign; if it is the one at the beginning of the step, as after a step that was made
   /// to end at a zero, the sign shortly after is taken instead. A function that jumps over zero, as a
-  /// difference does in which two terms change places, has no zero there. @param on on(i, c) is function i at
-  /// the part c of the step
+  /// difference does in which two terms change places, has no zero there; nor counts one at which the base of
+  /// a broken power vanishes, see singular(). @param on on(i, c) is function i at the part c of the step
   template <class On>
-  [[nodiscard]] std::optional<Crossing> first(const On& on) {
+  std::optional<Crossing> first(const On& on) {
     std::optional<Crossing> found;
     for (std::size_t i = 0; i < at_.size(); ++i) {
       auto& at = at_[i];
@@ -101,7 +107,7 @@ class Kinks {
         const auto here = [&](double c) { return on(i, c); };
         const bool turns =
             begins && part.at_low * part.at_high > 0.0 && turns_near_zero(at, k) && find_turn(part, here);
-        if ((turns || part.at_low * part.at_high < 0.0) && find_zero(part, here)) {
+        if ((turns || part.at_low * part.at_high < 0.0) && find_zero(part, here) && !ends_there(part, here)) {
           if (!found || part.place < found->place) found = part;
           break;
         }
@@ -115,16 +121,15 @@ class Kinks {
   static constexpr double soon = 0x1p-17;
 
   /// Marks the nodes of which H takes a non-integer power, a root or a logarithm, directly or through other
-  /// nodes. Beyond a zero of one, H may be smooth on neither side, and two runs whose steps end there would
-  /// err alike.
+  /// nodes. If its base vanishes with one, H may be smooth on neither side, and two runs whose steps end
+  /// there would err alike.
   static std::vector<char> singular(const ExpressionGraph& graph, const std::vector<char>& part) {
     std::vector<char> found(part.size(), 0);
     for (int i = static_cast<int>(part.size()) - 1; i >= 0; --i) {
       using enum Operation;
       const auto& [operation, a, b, number] = graph[i];
       if (!part[i] || operation == input || operation == constant) continue;
-      const bool broken = operation == power && std::trunc(graph[b].number) != graph[b].number;
-      if (!(found[i] || operation == sqrt || operation == log || broken)) continue;
+      if (!(found[i] || is_broken(graph, i))) continue;
       found[a] = 1;
       if (b >= 0) found[b] = 1;
     }
@@ -132,6 +137,46 @@ class Kinks {
   }
 
  private:
+  /// Returns true for a root, a logarithm or a non-integer power.
+  static bool is_broken(const ExpressionGraph& graph, int node) {
+    using enum Operation;
+    const auto& [operation, a, b, number] = graph[node];
+    return operation == sqrt || operation == log ||
+           (operation == power && std::trunc(graph[b].number) != graph[b].number);
+  }
+  /// The bases of broken powers in H that depend on a node.
+  static std::vector<int> bases_of(const ExpressionGraph& graph, const std::vector<char>& part, int node) {
+    std::vector<char> depends(part.size(), 0);
+    depends[node] = 1;
+    std::vector<int> bases;
+    for (int i = node + 1; i < static_cast<int>(part.size()); ++i) {
+      const auto& [operation, a, b, number] = graph[i];
+      if (!part[i] || operation == Operation::input || operation == Operation::constant) continue;
+      depends[i] = depends[a] || (b >= 0 && depends[b]);
+      if (depends[a] && is_broken(graph, i)) bases.push_back(a);
+    }
+    return bases;
+  }
+  /// Returns true if the base of a broken power vanishes at a zero, beside what it is a little before or
+  /// behind.
+  template <class F>
+  bool ends_there(const Crossing& zero, const F& on) {
+    const auto& [place, is_difference, count] = places_[zero.index];
+    if (count == 0) return false;
+    const auto bases_at = [&](double c) {
+      (void)on(c);
+      std::vector<double> bases;
+      for (int k = 0; k < count; ++k)
+        bases.push_back(std::abs(formula_->partial(place + (is_difference ? 2 : 1) + k)));
+      return bases;
+    };
+    const double aside = 1e-3 * (zero.high - zero.low);
+    const auto at = bases_at(zero.place), before = bases_at(zero.place - aside),
+               behind = bases_at(zero.place + aside);
+    for (std::size_t k = 0; k < at.size(); ++k)
+      if (!(at[k] > 1e-5 * std::max(before[k], behind[k]))) return true;
+    return false;
+  }
   /// Returns true if the polynomial through the values at all points comes near zero between the points k - 1
   /// and k, which have the same sign.
   static bool turns_near_zero(const std::array<double, parts + 1>& at, int k) {
@@ -177,11 +222,16 @@ class Kinks {
   }
 
   [[nodiscard]] double value(std::size_t i) const {
-    const auto& [place, is_difference] = places_[i];
+    const auto& [place, is_difference, bases] = places_[i];
     const double first = formula_->partial(place);
     return is_difference ? first - formula_->partial(place + 1) : first;
   }
-  std::vector<std::pair<int, bool>> places_;        // numbers in the formula
+  struct Places {  // numbers in the formula: of one node or two, then of the bases
+    int first;
+    bool is_difference;
+    int bases;
+  };
+  std::vector<Places> places_;
   std::vector<std::array<double, parts + 1>> at_;   // values in the current step
   std::optional<RecordedFormula<double>> formula_;  // all nodes, in the place of derivatives
 };

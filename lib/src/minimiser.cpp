@@ -55,15 +55,13 @@ class MinimiserRun {
     if (!report()) return end(Outcome::stopped, "the callback asked to stop");
     if (norm_ <= target_) return end(Outcome::ok);
     while (iterations_ < options_.iterations) {
-      const double before = base_.f;
+      const double before = exact_ ? base_.f : std::numeric_limits<double>::quiet_NaN();
       if (!line()) return end(failure_, reason_);
       ++iterations_;
       if (underflows()) return out_of_range();
-      bool done = norm_ <= target_ && std::abs(base_.f - before) < options_.change;
-      if (done && !exact_) {
-        if (!settle()) return end(failure_, reason_);
-        done = norm_ <= target_;
-      }
+      if (norm_ <= target_ && !exact_ && !settle()) return end(failure_, reason_);
+      const bool done =
+          norm_ <= target_ && (std::isinf(options_.change) || std::abs(base_.f - before) < options_.change);
       if (!report()) return end(Outcome::stopped, "the callback asked to stop");
       if (done) return end(Outcome::ok);
       if (!gains()) return end(failure_, reason_);
@@ -108,8 +106,7 @@ class MinimiserRun {
     bool restarted = false;
     LineMisses misses;
     for (;; ++trials, ++since_start) {
-      if (evaluations_ >= options_.evaluations)
-        return fail(Outcome::step_limit, "the cap on evaluations was reached");
+      if (evaluations_ >= options_.evaluations) return capped();
       place_trial(alpha_);
       if (trials > 40 || view(trial_.x) == view(base_.x) || !(alpha_ > 0.0)) {  // steepest descent, once
         // Towards a wall, f may fall along more than one line.
@@ -133,7 +130,7 @@ class MinimiserRun {
         return true;
       };
       if (!std::isfinite(trial_.f) || !std::isfinite(square_)) {
-        ++beyond, met_wall_ = true;
+        if (beyond++ == 0) ++walled_;
         if (exact_)
           high = wall = std::exchange(alpha_, 0.1 * alpha_);
         else if (!renew())
@@ -145,8 +142,7 @@ class MinimiserRun {
       const bool level = is_level(start.value);
       const bool flat = std::abs(slope_) <= sigma * std::abs(start.slope);
       if (level && std::sqrt(square_) <= target_) return advance(1.0, moved), true;
-      // the error of an interpolated base is carried on with the factor 1 - r; where values cannot show it,
-      // it must not be carried too far
+      // the error of an interpolated base is carried on, times 1 - r; not too far where values hide it
       const double off = std::abs(model.r - 1.0);
       const double undetected =
           (exact_ ? 0.0 : off * undetected_) + (model.blind() ? off * std::max(1.0, model.r) : 0.0);
@@ -188,12 +184,13 @@ class MinimiserRun {
   }
 
   /// Returns false if for long no evaluated value or gradient was lower than all before, and values
-  /// contradict the slope, as at a kink; or if that lasts so long that rounding moves the run; or if in 500
-  /// iterations along a wall f fell by next to nothing: it may do so for ever, and by ever less.
+  /// contradict the slope, as at a kink; or if that lasts so long that rounding moves the run; or if, along a
+  /// wall, f fell by next to nothing in 500 iterations: it may do so for ever, and by ever less.
   bool gains() {
-    if (!std::exchange(met_wall_, false) || walled_ > 500) walled_ = 0;
-    if (walled_++ == 0) before_wall_ = base_.f;
-    if (walled_ > 500 && before_wall_ - base_.f < 1e-9 * (first_ - base_.f)) return judge(false);
+    if (iterations_ % 500 == 0) {
+      const double fell = std::exchange(before_wall_, base_.f) - base_.f;
+      if (std::exchange(walled_, 0) > 100 && fell < 1e-9 * (first_ - base_.f)) return judge(true, true);
+    }
     if (idle_ == 200 && !exact_ && !settle()) return false;
     if (exact_) level_ = std::min(level_, base_.f);
     if ((exact_ && base_.f < lowest_ - rounding(base_.f, lowest_)) || square_ < gentlest_) {
@@ -227,7 +224,7 @@ class MinimiserRun {
 
   /// Finds why steepest descent gained nothing: rounding hides the fall, the gradient is not that of f, or f
   /// is not finite; or, without a tolerance, its square underflows and it is as good as 0. @return false
-  bool judge(bool finite) {
+  bool judge(bool finite, bool walled = false) {
     if (agrees_ = false; target_ == 0.0 && norm_ < 1e-150) return fail(Outcome::ok, {});
     double most = 0.0;
     const auto phi = [&](double alpha) {
@@ -236,11 +233,11 @@ class MinimiserRun {
       return value;
     };
     const SlopeByValues by = finite ? slope_by_values(phi, asked_at()) : SlopeByValues();
-    agrees_ = !finite;  // a wall so near says nothing about the slope
-    if (!finite) return fail(Outcome::non_finite, "f or its gradient is not finite wherever the run turns");
     // beside what f does there, the gradient is as good as 0: uneven values say nothing about it
     const bool small = std::abs(down_) * asked_at() < 1e-8 * most;
-    agrees_ = small || by.agrees_with(down_, 0.1 * std::abs(down_));
+    agrees_ = !finite || small || by.agrees_with(down_, 0.1 * std::abs(down_));  // nor does a wall so near
+    if (!finite || (walled && agrees_ && !small))
+      return fail(Outcome::non_finite, "f or its gradient is not finite wherever the run turns");
     if (jumps_up(values_along_d(), base_.f, down_, asked_at(), most))
       return fail(Outcome::no_descent, "f jumps up wherever the run turns, as at a wall of finite height");
     if (agrees_) return fail(Outcome::stalled, "rounding of f hides what could still be gained");
@@ -282,6 +279,7 @@ class MinimiserRun {
     reason_ = std::move(reason);
     return false;
   }
+  bool capped() { return fail(Outcome::step_limit, "the cap on evaluations was reached"); }
 
   /// Evaluates f at a point, with the gradient in at.g; counts this, and notes the size of the gradient.
   double value_at(Point& at) {
@@ -340,11 +338,13 @@ class MinimiserRun {
 
   /// Evaluates f at an interpolated base, goes back to the best evaluated point if f rose, and renews d.
   bool settle() {
+    if (evaluations_ >= options_.evaluations) return capped();
     std::swap(trial_.x, base_.x);
     exact_ = evaluate(trial_);
     std::swap(trial_.x, base_.x);
     if (!exact_) return false;
-    if (std::isfinite(trial_.f) && std::isfinite(square_) && is_level(best_.f)) {
+    const bool back = !(std::isfinite(trial_.f) && std::isfinite(square_) && is_level(best_.f));
+    if (!back) {
       if (options_.memory == 0) d_ += view(base_.g) - view(trial_.g);  // d is -gradient + beta (old d)
       std::swap(base_.g, trial_.g);
       base_.f = trial_.f;
@@ -359,6 +359,7 @@ class MinimiserRun {
     } else if (!measure_direction()) {
       steepest();
     }
+    if (back) alpha_ *= 0.3;  // lest the same trial lead to the same place
     return true;
   }
 
@@ -386,8 +387,7 @@ class MinimiserRun {
   /// alpha.
   void advance(double r, double moved, double interpolated = std::numeric_limits<double>::quiet_NaN()) {
     const bool recovers = !std::isnan(interpolated);
-    // The old base or the trial is kept, whichever is the better evaluated point; the new base is written
-    // over the third point.
+    // The better evaluated point, old base or trial, is kept; the new base is written over the third one.
     const bool keeps_base = recovers && exact_ && base_.f < trial_.f;
     const bool keeps_trial = recovers && !keeps_base && (exact_ || trial_.f <= best_.f);
     Point& into = !recovers || keeps_base ? trial_ : keeps_trial ? best_ : base_;
@@ -483,11 +483,11 @@ class MinimiserRun {
   double first_trial_ = 1.0;                  ///< Distance of the first trial from x0.
   double scale_ = 0.0;                        ///< Largest |f| at the start, and where lines were stuck.
   double lowest_ = 1e300, gentlest_ = 1e300;  ///< Least value, and square of an evaluated gradient, so far.
-  double before_wall_ = 0.0;                  ///< f before the iterations along a wall.
-  long idle_ = 0, walled_ = 0;  ///< Iterations since either fell, or values were asked; along a wall.
-  int waits_ = 0;               ///< Times that values were asked since.
-  bool met_wall_ = false;       ///< Whether a trial of this iteration had no finite value.
-  bool agrees_ = false;         ///< Whether values agreed with the slope when they were last asked.
+  double before_wall_ = 0.0;                  ///< f up to 500 iterations ago.
+  long idle_ = 0;                             ///< Iterations since either fell, or values were asked.
+  long walled_ = 0;          ///< Lines that met a wall, where f is not finite, in the last 500 iterations.
+  int waits_ = 0;            ///< Times that values were asked since.
+  bool agrees_ = false;      ///< Whether values agreed with the slope when they were last asked.
   double undetected_ = 0.0;  ///< Bound on the unseen error of an interpolated gradient, in roundings of one.
 };
 

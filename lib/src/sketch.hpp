@@ -6,6 +6,7 @@
 #include "switches.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -215,9 +216,12 @@ class Sketch {
     VectorX roots = metric;
     for (double& each : roots)
       each = std::sqrt(each);
-    double largest = 0.0;
-    for (Eigen::Index i = 0; i < seen; ++i)
-      largest = std::max(largest, std::abs(z[n + i]) * roots[i]);
+    const double heaviest = roots.head(seen).minCoeff();
+    ByMass largest{};
+    for (Eigen::Index i = 0; i < seen; ++i) {
+      double& its = largest[is_light(roots[i], heaviest)];
+      its = std::max(its, 1e-12 * std::abs(z[n + i]) * roots[i]);
+    }
     std::optional<Switches> switches;
     if (field.switches) switches.emplace(*field.switches);
     RungeKuttaStages<BogackiShampine> step(size);
@@ -246,7 +250,7 @@ class Sketch {
             std::max({std::abs(step.k[0][i]), std::abs(step.k[1][i]), std::abs(step.k[2][i])});
         scale[i] = std::max(std::max(high[i], step.end[i]) - std::min(low[i], step.end[i]), h * fastest);
       }
-      lift(scale, roots, field.timed, 1e-12 * largest);
+      lift(scale, roots, field.timed, largest);
       const double worst = find_errors(step, at, h, scale, errors);
       const double factor = std::isfinite(worst) ? std::cbrt(loose / std::max(worst, 1e-3 * loose)) : 0.1;
       alike = factor < 0.8 && worst > 0.7 * refused && std::isfinite(worst) ? alike + 1 : 0;
@@ -379,21 +383,30 @@ class Sketch {
     z[n - 1] = at.after;
   }
 
-  /// Raises scales of entries to at least 1e-10 of the largest one, masses taken out, and that of the
-  /// momentum of time to at least 1e-10 of an energy. @param roots square roots of the diagonal of H_pp
+  /// Numbers for all but the light bodies, and for these: their motion is small beside that of the others,
+  /// masses taken out, but it is no rounding.
+  using ByMass = std::array<double, 2>;
+  /// Whether a mass is so small a part of the heaviest one. @param root square root of 1 / mass
+  static bool is_light(double root, double of_heaviest) { return root > 3e8 * of_heaviest; }
+  /// Raises scales of entries to at least 1e-10 of the largest one of their kind, masses taken out, and that
+  /// of the momentum of time to at least 1e-10 of an energy. @param roots square roots of the diagonal of
+  /// H_pp
   /// @param change a change of the largest momentum, masses taken out, that is below its digits
-  static void lift(VectorX& scale, const VectorX& roots, bool timed, double change = 0.0) {
+  static void lift(VectorX& scale, const VectorX& roots, bool timed, const ByMass& change = {}) {
     const Eigen::Index n = roots.size(), seen = timed ? n - 1 : n;
-    double of_q = 0.0, of_p = 0.0;
+    const double heaviest = roots.head(seen).minCoeff();
+    ByMass of_q{}, of_p{};
     for (Eigen::Index i = 0; i < seen; ++i) {
-      of_q = std::max(of_q, scale[i] / roots[i]);
-      of_p = std::max(of_p, scale[n + i] * roots[i]);
+      const bool light = is_light(roots[i], heaviest);
+      of_q[light] = std::max(of_q[light], scale[i] / roots[i]);
+      of_p[light] = std::max(of_p[light], scale[n + i] * roots[i]);
     }
     for (Eigen::Index i = 0; i < seen; ++i) {
-      scale[i] = std::max(scale[i], 1e-10 * of_q * roots[i]);
-      scale[n + i] = std::max(scale[n + i], std::max(1e-10 * of_p, change) / roots[i]);
+      const bool light = is_light(roots[i], heaviest);
+      scale[i] = std::max(scale[i], 1e-10 * of_q[light] * roots[i]);
+      scale[n + i] = std::max(scale[n + i], std::max(1e-10 * of_p[light], change[light]) / roots[i]);
     }
-    if (timed) scale[2 * n - 1] = std::max(scale[2 * n - 1], 1e-10 * of_p * of_p);
+    if (timed) scale[2 * n - 1] = std::max(scale[2 * n - 1], 1e-10 * of_p[0] * of_p[0]);
   }
 
   /// Returns a step in which no entry of the field changes by much, and at most a thousandth of the span.

@@ -58,6 +58,12 @@ double Watch::at(const double* q, const double* p, double t) {
   return formula_.value();
 }
 
+/// Whether a step is so short that what is between its ends is rounding, as one over the last digit before a
+/// switch.
+bool Watch::is_brief(const Stride& stride) {
+  return std::abs(stride.last.t - stride.before.t) <= 4.0 * rounding_of_time(stride.before.t, stride.last.t);
+}
+
 double Watch::on(const Stride& stride, double part) {
   const Eigen::Index n = stride.before.q.size();
   double t = 0.0;
@@ -132,12 +138,12 @@ void Watch::sample(const Stride& stride, bool first) {
     for (const double part : {0x1p-26, 0x1p-20, 0x1p-14, 0x1p-8, 0x1p-5})
       samples_.push_back({part * stride.part, on(stride, part * stride.part)});
   const std::size_t soon = samples_.size() - 1;  // number of points just after the start
-  for (int k = 1; k < fewest_parts; ++k) {
+  for (int k = 1; k < fewest_parts && !is_brief(stride); ++k) {
     const double part = stride.part * k / fewest_parts;
     samples_.push_back({part, on(stride, part)});
   }
   samples_.push_back({stride.part, end});
-  smooth_ = refine(stride, soon);
+  smooth_ = is_brief(stride) || refine(stride, soon);
   if (!memory_.leaving) return;
   const auto left =
       std::ranges::find_if(samples_, [&](const Sample& it) { return !(std::abs(it.g) <= memory_.level); });
@@ -222,6 +228,7 @@ Hit Watch::locate(const Stride& stride, std::size_t k, long& evaluations, bool& 
   };
   Hit hit{.state = stride.before, .index = index_};
   const auto fail = [&](const Located<State<dynamic>>& found) {
+    hit.state = stride.method.polynomial(low.part);  // zeros before it count
     hit.outcome = found.report.outcome;
     hit.reason = found.reason.empty() ? "a step to g = 0 failed" : found.reason;
     return hit;
@@ -271,7 +278,7 @@ Hit Watch::locate(const Stride& stride, std::size_t k, long& evaluations, bool& 
 
 long Watch::look(const Stride& stride, bool first, std::vector<Hit>& hits) {
   if (over()) return 0;
-  long evaluations = 0;
+  long evaluations = 0, found = memory_.found;
   sample(stride, first);
   // An event may still come just before g becomes nan.
   const auto undefined = std::ranges::find_if(samples_, [](const Sample& it) { return std::isnan(it.g); });
@@ -285,7 +292,7 @@ long Watch::look(const Stride& stride, bool first, std::vector<Hit>& hits) {
     else
       samples_.push_back({part, g});
   }
-  add_turning_points(stride, evaluations);
+  if (!is_brief(stride)) add_turning_points(stride, evaluations);
   int changes = 0;
   for (std::size_t k = 1; k < samples_.size(); ++k)
     changes += samples_[k - 1].g * samples_[k].g < 0.0 ? 1 : 0;
@@ -300,7 +307,7 @@ long Watch::look(const Stride& stride, bool first, std::vector<Hit>& hits) {
     Hit hit = locate(stride, k, evaluations, none);
     if (none) continue;
     hits.push_back(std::move(hit));
-    if (hits.back().outcome != Outcome::ok) return evaluations;
+    if (hits.back().outcome != Outcome::ok || ++found == rules_.count) return evaluations;
   }
   if (ends) {
     const State<dynamic> there = stride.method.polynomial(*ends);

@@ -66,6 +66,7 @@ class Watch {
     return (first < 0.0 && last >= 0.0 && rules_.direction >= 0) ||
            (first > 0.0 && last <= 0.0 && rules_.direction <= 0);
   }
+  static bool is_brief(const Stride& stride);
   void sample(const Stride& stride, bool first);
   bool refine(const Stride& stride, std::size_t soon);
   void add_beside_zeros(const Stride& stride);

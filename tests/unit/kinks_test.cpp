@@ -249,6 +249,30 @@ TEST(Kinks, AreNotWhereAFunctionJumps) {
   }
 }
 
+// A root, a logarithm or a broken power of what has a kink, but does not vanish there, hid the kink: the call
+// was refused, or wrong by 73 tolerances.
+TEST(Kinks, AreFoundUnderRoots) {
+  const State<1> start{.q = {1.0}, .p = {0.0}};
+  const auto root = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + sqrt(1.0 + abs(q[0])); };
+  const auto halves = [](const auto& q, const auto& p) {
+    return 0.5 * p[0] * p[0] + select(q[0] > 0.0, pow(1.0 + q[0], 1.3), pow(1.0 - q[0], 1.3));
+  };
+  const auto power = [](const auto& q, const auto& p) {
+    return 0.5 * p[0] * p[0] + pow(1.0 + abs(q[0]), 1.3);
+  };
+  // A quarter of a period is the integral of dq / sqrt(2 (V(1) - V(q))) from 0 to 1.
+  const double s = std::sqrt(std::sqrt(2.0) - 1.0), quarter = 4.0 * s - std::sqrt(8.0) / 3.0 * s * s * s;
+  for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
+    const auto orbit = solve(root, start, 36.0 * quarter, tolerance);
+    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    EXPECT_NEAR(orbit.state.q[0], 1.0, 0.012 * tolerance);  // measured 0.0059 tolerances
+    EXPECT_NEAR(orbit.state.p[0], 0.0, 0.17 * tolerance);   // measured 0.083
+    const auto one = solve(power, start, 50.0, tolerance), other = solve(halves, start, 50.0, 1e-12);
+    EXPECT_TRUE(one.kept()) << one.report();
+    EXPECT_NEAR(one.state.q[0], other.state.q[0], 1.5e-4 * tolerance);  // measured 7.3e-5 tolerances
+  }
+}
+
 // Grains in a box, all pairs of which may touch: 325 conditions. More than 200 were not looked for, and the
 // call was refused.
 TEST(Kinks, MayBeMany) {

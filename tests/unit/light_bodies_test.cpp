@@ -62,7 +62,7 @@ class Reference {
   Numbers z_ = Numbers::Zero();
 };
 
-avi::Solution<2 * bodies> solved(double comet, double tolerance, const avi::SolveOptions& options = {}) {
+avi::Solution<2 * bodies> solved(double comet, double tolerance, double time = thousand_years) {
   const auto mass = masses(comet);
   const auto energy = [&](const auto& q, const auto& p) {
     auto sum = 0.0 * q[0];
@@ -78,7 +78,7 @@ avi::Solution<2 * bodies> solved(double comet, double tolerance, const avi::Solv
     start.q.segment<2>(2 * i) << distance[i], 0.0;
     start.p.segment<2>(2 * i) << 0.0, mass[i] * speeds()[i];
   }
-  return avi::solve(energy, start, thousand_years, tolerance, options);
+  return avi::solve(energy, start, time, tolerance);
 }
 
 double apart(const avi::Solution<2 * bodies>& orbit, const std::array<double, 2>& truth) {
@@ -95,6 +95,17 @@ TEST(LightBodies, AreWhereTheyAreAfterAThousandYears) {
       EXPECT_TRUE(orbit.kept()) << comet << orbit.report();
       EXPECT_LT(apart(orbit, truth), bound) << comet << ", " << orbit.report();
     }
+  }
+}
+
+// Steps followed the planets alone, whose motion is far larger, masses taken out; of the runs that were kept,
+// three were wrong by 25 to 162 tolerances. Measured: at most 0.04 tolerances of the comet's range, 35 AU.
+TEST(LightBodies, WithoutAMassAreFollowedAtLooseTolerances) {
+  const auto truth = Reference(0.0, 0.1L).at(300.0);
+  for (const double tolerance : {1e-2, 1e-3, 5e-4, 3e-4, 1e-4, 1e-5}) {
+    const auto orbit = solved(avi::massless, tolerance, 300.0);
+    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    EXPECT_LT(apart(orbit, truth), 0.08 * tolerance * 35.0) << tolerance;
   }
 }
 

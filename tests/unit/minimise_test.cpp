@@ -410,6 +410,58 @@ TEST(Minimise, EndsAtAWall) {
   }
 }
 
+// Steepest descent at the minimum meets the wall, but rounding is what ends the run.
+TEST(Minimise, TakesNoDistantWallForAnEnd) {
+  const auto f = [](const VectorX& x, VectorX& g) {
+    double value = 0.0;
+    for (const auto& [i, d] : {std::pair{0, 10.0}, std::pair{1, 1.0}}) {
+      value = x[i] > 0.0 ? value + x[i] - d * std::log(x[i]) : std::numeric_limits<double>::infinity();
+      g[i] = 1.0 - d / x[i];
+    }
+    return value;
+  };
+  const auto run = minimise(f, {0.1 + 7.0 / 3.0, 0.1 + 1.0 / 3.0}, {.relative = 0.0});
+  EXPECT_EQ(run.outcome, avi::Outcome::stalled) << run.message;
+  EXPECT_NEAR(run.last.x[0], 10.0, 1e-14);
+  EXPECT_NEAR(run.last.x[1], 1.0, 1e-15);
+}
+
+// Around a disc in which f is infinite, one iteration in three met no wall: ten million evaluations.
+TEST(Minimise, EndsAtAWallThatItLeavesNowAndThen) {
+  const double steep = std::pow(10.0, 1.25);
+  const auto f = [=](const auto& x) {
+    const auto a = x[0] - 0.1, b = x[1] - 0.14;
+    return select(x[0] * x[0] + x[1] * x[1] < 1.96, std::numeric_limits<double>::infinity(),
+                  a * a + steep * b * b);
+  };
+  const auto run = minimise(f, {4.0, 1.0}, {.relative = 0.0});
+  EXPECT_EQ(run.outcome, avi::Outcome::non_finite) << run.message;
+  EXPECT_LT(run.gradient_evaluations, 21'000);  // measured 10 317
+}
+
+// The first trial lies as far beyond the minimum, where f has no slope, and was taken again and again.
+TEST(Minimise, DoesNotRepeatATrialThatLedNowhere) {
+  const auto run = minimise([](const auto& x) { return sqrt(abs(x[0])); }, {1.0});
+  EXPECT_LT(run.last.value, 5e-10);  // measured 2.3e-10; 1 before
+}
+
+TEST(Minimise, KeepsItsBounds) {
+  const auto run = minimise(bowl, {3.0, 2.0}, {.evaluations = 2});
+  EXPECT_EQ(run.outcome, avi::Outcome::step_limit);
+  EXPECT_EQ(run.gradient_evaluations, 2);
+  double before = 0.0, last = 0.0;
+  const double change = 10.0 / std::pow(3.0, 16);
+  const auto stops =
+      minimise(objectives::rosenbrock, {-1.2, 1.0},
+               {.relative = 1e-3, .change = change, .memory = 0, .callback = [&](const avi::Progress& at) {
+                  VectorX g(2);
+                  before = std::exchange(last, objectives::rosenbrock(VectorX(at.x), g));
+                  return true;
+                }});
+  EXPECT_TRUE(stops.ok()) << stops.message;
+  EXPECT_LT(std::abs(last - before), change);
+}
+
 TEST(Minimise, TakesNoDeepParabolaForBottomless) {
   EXPECT_NEAR(minimise([](const auto& x) { return x[0] * x[0] - 1e16 * x[0]; }, {0.0}).last.x[0], 5e15, 1e9);
   EXPECT_NEAR(

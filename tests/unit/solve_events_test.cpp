@@ -329,6 +329,37 @@ TEST(SolveEvents, EndAsInTheLoopWhereThereIsNoZero) {
   }
 }
 
+// A pole or a jump later in the same step ended the run at the beginning of that step, with no event.
+TEST(SolveEvents, ComeBeforeAJumpInTheSameStep) {
+  const auto clock = [](const auto&, const auto& t, const auto&) { return t - 0.3; };
+  const auto tangent = [](const auto&, const auto& t, const auto&) { return tan(2.0 * (t - 0.3)); };
+  const auto jump = [](const auto& q, const auto&) {
+    return select(q[0] > 0.5, 1.0 + 0.0 * q[0], -1.0 + 0.0 * q[0]);
+  };
+  for (const auto& events : {std::vector{when(tangent, {.count = 1, .stop = true})},
+                             std::vector{when(jump), when(clock, {.stop = true})}}) {
+    const auto orbit = solve(spring(), at(1.0, 0.0), 10.0, 1e-9, {.events = events});
+    EXPECT_TRUE(orbit.ok()) << orbit.report();
+    ASSERT_EQ(orbit.events.size(), 1u);
+    EXPECT_NEAR(orbit.state.t, 0.3, 1e-15);
+  }
+}
+
+// The last step went over one ulp, and the event on the switch was found twice.
+TEST(SolveEvents, AreFoundOnceOnASwitchAtTheEnd) {
+  for (const double end : {0.9, 1.7, 3.0, 5.0}) {
+    const auto pushed = [end](const auto& q, const auto& t, const auto& p) {
+      return 0.5 * p[0] * p[0] - q[0] * select(t < end, 1.0, -1.0);
+    };
+    const auto clock = [end](const auto&, const auto& t, const auto&) { return t - end; };
+    for (const double tolerance : {1e-3, 1e-9}) {
+      const auto orbit = solve(pushed, at(0.0, 0.0), end, tolerance, {.events = {when(clock)}});
+      EXPECT_EQ(orbit.events.size(), 1u) << end;
+      EXPECT_TRUE(orbit.kept()) << orbit.report();
+    }
+  }
+}
+
 TEST(SolveEvents, ComeWithTheTimesBeforeThem) {
   const auto orbit = solve(spring(), at(1.0, 0.0), std::vector<double>{0.5, 1.0, 1.5, 2.0, 2.5}, 1e-10,
                            {.events = {when(position, {.stop = true})}});

@@ -252,6 +252,22 @@ TEST(SolveOptions, DoNotCallAnEndKeptThatABoundForbadeToReach) {
   EXPECT_EQ(by_hand.choice.h, whole.choice.h);
 }
 
+// With output on the way it ended as ok, and its checkpoint was gone.
+TEST(SolveOptions, SayThatABoundWasMetWhateverIsAskedFor) {
+  const auto z = Kepler::pericentre(0.2);
+  const long bound = solve(Kepler(), z, 100.0, 1e-8).run.steps - 2;
+  const auto alone = solve(Kepler(), z, 100.0, 1e-8, {.steps = bound});
+  const Scratch folder;
+  for (const auto& orbit :
+       {solve(Kepler(), z, 100.0, 1e-8, {.steps = bound, .dense = true}),
+        solve(Kepler(), z, std::vector<double>{1.0, 100.0}, 1e-8, {.steps = bound}),
+        solve(Kepler(), z, 100.0, 1e-8, {.steps = bound, .checkpoint = folder / "run"})}) {
+    EXPECT_EQ(orbit.run.outcome, avi::Outcome::step_limit) << orbit.report();
+    EXPECT_EQ(orbit.run.message, alone.run.message);
+    EXPECT_EQ(orbit.state.t, 100.0);
+  }
+}
+
 // Whichever of two runs meets a bound, the outcome is that of the bound and the message is about it.
 TEST(SolveOptions, AreNamedWhenABoundIsMet) {
   const auto z = Kepler::pericentre(0.6);

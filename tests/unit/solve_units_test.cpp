@@ -8,6 +8,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace solve_units_test {
 
@@ -117,6 +118,27 @@ TEST(SolveUnits, ChangeNothingOfABodyInADrive) {
     EXPECT_LT(known.first, 60);
     for (const int power : {-60, 20, 40, 60, 80})
       EXPECT_EQ(way(std::ldexp(1.0, power), std::ldexp(1.0, -power / 2), place), known) << power;
+  }
+}
+
+// Rounding of a distant coordinate kept shorter steps, as for output times, from being solved: a kept run
+// failed once it was asked for them.
+TEST(SolveUnits, ADistantOscillatorHasStatesOnTheWay) {
+  const auto distant = [](const auto& q, const auto& p) {
+    const auto x = q[0] - 1e8;
+    return 0.5 * (p[0] * p[0] + x * x);
+  };
+  std::vector<double> times;
+  for (int k = 0; k <= 3000; ++k)
+    times.push_back(0.01 * k);
+  for (const double tolerance : {1e-7, 1e-8}) {
+    const auto orbit =
+        avi::solve(distant, State<1>{.q = {1e8 + 1.0}, .p = {0.0}}, times, tolerance, {.dense = true});
+    ASSERT_TRUE(orbit.ok()) << orbit.report();
+    for (std::size_t k = 1; k < times.size(); ++k) {  // measured: at most 2.1e-8
+      EXPECT_NEAR(orbit.states[k].q[0] - 1e8, std::cos(times[k]), 4.2e-8);
+      EXPECT_NEAR(orbit(times[k] - 0.005).q[0] - 1e8, std::cos(times[k] - 0.005), 4.2e-8);
+    }
   }
 }
 
