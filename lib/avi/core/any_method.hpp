@@ -34,11 +34,33 @@ class AnyMethod {
   [[nodiscard]] Run run(State<n>& z, double h, const Until& until) { return held_->run(z, h, until); }
 
  private:
+  struct Base;
+
+ public:
+  /// The time of the problem inside, which may be one of its coordinates.
+  class Clock {
+   public:
+    /// @param method the method inside, which must outlive this object
+    explicit Clock(const Base& method) : method_(method) {}
+    /// The time of a state, as the problem has it.
+    [[nodiscard]] double clock(const Vector<double, n>& q, double t) const { return method_.clock(q, t); }
+    /// Sets the time of a state, and of that coordinate.
+    void set_time(State<n>& z, double t) const { method_.set_time(z, t); }
+
+   private:
+    const Base& method_;
+  };
+  /// What runs ask the problem inside for.
+  [[nodiscard]] Clock problem() const { return Clock(*held_); }
+
+ private:
   struct Base {
     virtual ~Base() = default;
     [[nodiscard]] virtual std::unique_ptr<Base> copy() const = 0;
     virtual StepReport step(State<n>& z, double h) = 0;
     virtual Run run(State<n>& z, double h, const Until& until) = 0;
+    [[nodiscard]] virtual double clock(const Vector<double, n>& q, double t) const = 0;
+    virtual void set_time(State<n>& z, double t) const = 0;
   };
   template <class M>
   struct Held final : Base {
@@ -46,6 +68,11 @@ class AnyMethod {
     [[nodiscard]] std::unique_ptr<Base> copy() const override { return std::make_unique<Held>(method); }
     StepReport step(State<n>& z, double h) override { return method.step(z, h); }
     Run run(State<n>& z, double h, const Until& until) override { return integrate(method, z, h, until); }
+    [[nodiscard]] double clock(const Vector<double, n>& q, double t) const override {
+      if constexpr (requires { method.problem().clock(q, t); }) return method.problem().clock(q, t);
+      return t;
+    }
+    void set_time(State<n>& z, double t) const override { detail::set_time(method, z, t); }
     M method;
   };
   std::unique_ptr<Base> held_;

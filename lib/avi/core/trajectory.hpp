@@ -37,7 +37,8 @@ class Trajectory {
     require(step.before == states_.back(), "Begin of the next step", "another state",
             "that in which the trajectory ends, at t = ", states_.back().t);
     const double whole = states_.back().t - states_.front().t;
-    require(whole * (step.after.t - step.before.t) >= 0.0, "Time after the next step", step.after.t,
+    const double way = step.after.t - step.before.t;
+    require(!(whole > 0.0 ? way < 0.0 : whole < 0.0 && way > 0.0), "Time after the next step", step.after.t,
             "on the side of t = ", step.before.t, " to which the trajectory leads");
     states_.push_back(step.after);
     steps_.push_back(step.h);

@@ -65,6 +65,8 @@ template <class Flows, Summation summation = Summation::plain>
 class Splitting {
  public:
   static constexpr int n = Flows::dimension;  ///< Dimension of the problem.
+  static constexpr bool one_step =
+      summation != Summation::compensated;  ///< Else it remembers rounding errors.
 
   /// @param flows provides drift(p, h), kick(q, h) and admits(state) @param coefficients one of
   /// avi::splittings

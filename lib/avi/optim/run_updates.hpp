@@ -48,6 +48,8 @@ inline void describe_failure(Minimisation& run, double x_bound) {
   } else if (std::isnan(run.last.value) && size <= x_bound) {
     run.outcome = Outcome::non_finite;
     reason = "the objective's value is not a number";
+  } else if (size <= x_bound) {
+    reason = "the objective's value left every bound";
   }
   run.message = describe_end(run.outcome, run.iterations, run.last, reason);
 }

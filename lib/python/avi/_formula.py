@@ -125,7 +125,7 @@ def _refused_by_scipy(error, part):
     """Its words are of arrays of objects, or ours of float(), neither of which the function has."""
     return TypeError(
         f"{part} cannot take traced numbers: its code is compiled, or asks for values. Write a.toarray() instead of a sparse matrix, a polynomial "
-        "(np.polyval) or a sum of np.exp instead of a spline, np.linalg instead of scipy.linalg, and the rest with what avi.functions() lists."
+        "(np.polyval) or a sum of np.exp instead of a spline, np.linalg instead of scipy.linalg, np.linalg.norm of differences instead of pdist, np.logaddexp instead of logsumexp, and the rest with what avi.functions() lists."
     )
 
 

@@ -436,7 +436,7 @@ class _Question:
         except ValueError as error:
             if not str(error).startswith("The derivative of H") or " is nan" not in str(error):
                 raise
-            raise ValueError(f"{error} Is there a root of 0 in H, as np.linalg.norm(p) is at rest? It has no slope; p @ p, its square, has one.") from None
+            raise ValueError(f"{error} Is there a root of 0 in H, as np.linalg.norm(p) is at rest? It has no slope; p @ p, its square, has one. Or an np.exp or np.cosh in a divisor that overflows? scipy.special.expit and np.tanh do not.") from None
 
     def answer(self, q, p, progress):
         import numpy as np

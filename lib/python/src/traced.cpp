@@ -137,11 +137,12 @@ const Traced& operand(py::handle x, Traced& room) {
   }
   if (!array || std::string_view("biufO").find(kind) == std::string_view::npos) {
     PyErr_Clear();
-    throw py::type_error("A traced number meets " +
-                         (kind == 'c'
-                              ? "complex numbers"
-                              : "a " + std::string(py::str(py::type::handle_of(x).attr("__name__")))) +
-                         "; it can be combined with real numbers and arrays of them.");
+    throw py::type_error(
+        "A traced number meets " +
+        (kind == 'c' ? "complex numbers"
+                     : "a " + std::string(py::str(py::type::handle_of(x).attr("__name__")))) +
+        "; it can be combined with real numbers and arrays of them." +
+        (kind == 'c' ? " Keep real and imaginary parts apart: |q + i p|^2 is q**2 + p**2." : ""));
   }
   if (py::hasattr(x, "hardmask"))
     throw py::type_error(
