@@ -204,8 +204,9 @@ class Call {
       delivery.deliver(answer);
       const bool same = planned.outcome == delivery.run().outcome && planned.steps == delivery.run().steps;
       if (!answer.run.ok() && !planned.ok() && same) answer.run.message = planned.message;
-      // The run that is delivered came to its end, but the bound kept another one from confirming it.
-      if (answer.run.ok() && bounded)
+      // The run that is delivered came to its end, but the bound kept another one from confirming it. With a
+      // checkpoint, an outcome other than ok would say that there is something to resume.
+      if (answer.run.ok() && bounded && question_.options.checkpoint.empty())
         answer.run.outcome = planned.outcome, answer.run.message = planned.message;
       return answer;
     }
