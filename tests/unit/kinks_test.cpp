@@ -173,6 +173,14 @@ TEST(Kinks, MayBeCloserThanSteps) {
   }
 }
 
+State<2> drawn(std::mt19937& draw) {
+  std::normal_distribution<double> some(0.0, 0.6);
+  State<2> z;
+  z.q << some(draw), some(draw);
+  z.p << some(draw), some(draw);
+  return z;
+}
+
 // Two coordinates change their signs so soon one after the other that |x y| does not show it at any of the
 // points in a step. Both runs went on over that; of 60 orbits 4 were wrong by 45 to 490 tolerances.
 TEST(Kinks, MayBeTwiceBetweenTwoPoints) {
@@ -181,12 +189,9 @@ TEST(Kinks, MayBeTwiceBetweenTwoPoints) {
            1e-3 * abs(q[0] * q[1]);
   };
   std::mt19937 draw(2);
-  std::normal_distribution<double> some(0.0, 0.6);
   double worst = 0.0;
   for (int k = 0; k < 60; ++k) {
-    State<2> start;
-    start.q << some(draw), some(draw);
-    start.p << some(draw), some(draw);
+    const State<2> start = drawn(draw);
     const auto orbit = solve(pushed, start, 10.0, 1e-8), truth = solve(pushed, start, 10.0, 1e-13);
     EXPECT_TRUE(orbit.kept()) << orbit.report();
     worst = std::max(worst, (orbit.state.q - truth.state.q).norm());
@@ -207,11 +212,8 @@ TEST(Kinks, DoNotStopWhatIsOnTheWay) {
   for (int i = 1; i <= 100; ++i)
     times.push_back(0.1 * i);
   std::mt19937 draw(3);
-  std::normal_distribution<double> some(0.0, 0.6);
   for (int k = 0; k < 10; ++k) {
-    State<2> start;
-    start.q << some(draw), some(draw);
-    start.p << some(draw), some(draw);
+    const State<2> start = drawn(draw);
     const avi::SolveOptions options{.dense = true, .events = {avi::when(axis)}};
     const auto orbit = solve(branched, start, times, 1e-9, options),
                truth = solve(plain, start, times, 1e-12, options);
@@ -225,8 +227,8 @@ TEST(Kinks, DoNotStopWhatIsOnTheWay) {
 }
 
 // Two terms of a difference change places at a line, as rows do in a determinant with pivots: its sign jumps
-// there, and its absolute value is smooth. Steps looked for a zero at the jump, and a call
-// took up to 6992 sweeps.
+// there, and its absolute value is smooth. Steps looked for a zero at the jump, and a call took up
+// to 6992 sweeps.
 TEST(Kinks, AreNotWhereAFunctionJumps) {
   const auto smooth = [](const auto& q, const auto& p) {
     return 0.5 * p.squaredNorm() * (1.0 + 0.1 * q.squaredNorm()) + 0.5 * q.squaredNorm();
@@ -237,11 +239,8 @@ TEST(Kinks, AreNotWhereAFunctionJumps) {
     return 0.5 * p.squaredNorm() * abs(turned) + 0.5 * q.squaredNorm();
   };
   std::mt19937 draw(5);
-  std::normal_distribution<double> some(0.0, 0.6);
   for (int k = 0; k < 20; ++k) {
-    State<2> start;
-    start.q << some(draw), some(draw);
-    start.p << some(draw), some(draw);
+    const State<2> start = drawn(draw);
     const auto orbit = solve(jumps, start, 10.0, 1e-8), truth = solve(smooth, start, 10.0, 1e-12);
     EXPECT_TRUE(orbit.kept()) << orbit.report();
     EXPECT_LT((orbit.state.q - truth.state.q).norm(), 6.6e-10);    // measured 3.3e-10
