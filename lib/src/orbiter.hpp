@@ -66,6 +66,9 @@ struct ErrorsAtMark {
   bool steady;                 ///< Whether the energy error does not fall with the step, for no known reason.
 };
 
+/// Least number of steps of a sketch that is to pass over nothing.
+inline constexpr int parts_of_close_sketch = 2048;
+
 /// Smallest energy error that cannot be rounding of H, unless the terms of H are far larger than H.
 inline constexpr double most_rounding = 1e-6;
 
@@ -117,6 +120,8 @@ class Orbiter {
   [[nodiscard]] double first_step(const Candidate& it);
   double affordable(Candidate& it, double h);
   [[nodiscard]] double stable_step(const Candidate& it);
+  [[nodiscard]] bool was_blind(const Setting& setting) const;
+  OrbitAnswer look_closely();
 
   // pair_of_runs.cpp
   Journey begin(const Setting& setting, double factor);
@@ -202,6 +207,7 @@ class Orbiter {
   OrbitAnswer answer_;
   PointField field_;
   double sense_, span_;
+  bool closely_ = false;  // whether the sketch takes short steps, as one of longer steps was blind
 
   // What is known before the runs.
   std::optional<Trip> trip_;

@@ -103,6 +103,12 @@ double Orbiter::energy_and_slope(const VectorX& start, VectorX& slope) {
 /// Makes the sketch: a run of low accuracy that stands for the orbit during the rest of the choice.
 void Orbiter::sketch_from(const VectorX& start) {
   field_.sense = sense_;
+  if (closely_) {
+    constexpr double begun = std::numeric_limits<double>::min();
+    sketch_.emplace(field_, start, span_, metric_, 4 * parts_of_close_sketch, begun,
+                    span_ / parts_of_close_sketch);
+    return;
+  }
   sketch_.emplace(field_, start, span_, metric_);
   // If nothing happens on the sketch, its long steps may have passed over something: limit them.
   if (sketch_->radians < 1e-4 && sketch_->time == span_)
@@ -388,6 +394,22 @@ void Orbiter::offer_splitting() {
   if (!(split < 2.0 * other)) menu_.erase(menu_.begin() + 1);
 }
 
+/// Whether the next setting asks for far more steps than the sketch took for the whole way: then its long
+/// steps passed over something, such as an encounter on the way of a free particle.
+bool Orbiter::was_blind(const Setting& setting) const {
+  const bool quick = sketch_->time == span_ && sketch_->samples.size() < 16;
+  if (closely_ || !quick || question_.made || !question_.options.monitor.name.empty()) return false;
+  return expected_steps(*setting.candidate, setting.h, span_) > 1000.0;
+}
+
+/// Begins anew with a sketch of short steps.
+OrbitAnswer Orbiter::look_closely() {
+  Orbiter close(question_, budget_);
+  close.closely_ = true;
+  close.answer_.choice.trials = std::move(answer_.choice.trials);
+  return close.solve();
+}
+
 OrbitAnswer Orbiter::solve() {
   answer_.tolerance = question_.tolerance;
   answer_.q = question_.q, answer_.p = question_.p, answer_.t = question_.t;
@@ -407,8 +429,8 @@ OrbitAnswer Orbiter::solve() {
   answer_.choice.time = since_start(0);
   Setting setting{&menu_.front(), question_.options.h};
   if (!(setting.h > 0.0)) setting.h = affordable(menu_.front(), first_step(menu_.front()));
-  while (pursue(setting)) {
-  }
+  while (pursue(setting))
+    if (was_blind(setting)) return look_closely();
   take_furthest();
   if (!fine_ || (!fine_->ok() && fine_->run.steps == 0)) return give_up();
   return finish();

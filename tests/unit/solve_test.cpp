@@ -333,4 +333,21 @@ TEST(Solve, SeesFromAfarWhatIsOnTheWay) {
   }
 }
 
+// From 300 radii not even the sketch sees what is on the way: fixed steps took 5 s at 1e-4 without an end,
+// and were refused at 1e-7. The force at 40 radii is below rounding, so that the flight up to there is free.
+TEST(Solve, SeesFromAfarWhatItsSketchPassesOver) {
+  const auto yukawa = [](const auto& q, const auto& p) {
+    const auto r = sqrt(q.dot(q));
+    return 0.5 * p.dot(p) - exp(-r) / r;
+  };
+  const auto nearer = solve(yukawa, State<2>{.q = {-40.0, 0.1}, .p = {1.0, 0.0}}, 340.0, 1e-12);
+  ASSERT_TRUE(nearer.kept()) << nearer.report();
+  for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
+    const auto orbit = solve(yukawa, State<2>{.q = {-300.0, 0.1}, .p = {1.0, 0.0}}, 600.0, tolerance);
+    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    EXPECT_LT((orbit.state.q - nearer.state.q).norm(), 600.0 * tolerance) << orbit.report();
+    EXPECT_LT(orbit.run.evaluations + orbit.choice.sweeps, 70'000) << orbit.report();
+  }
+}
+
 }  // namespace solve_test
