@@ -11,7 +11,9 @@
 #include <string>
 
 #if defined(__linux__) && defined(__x86_64__)
+#include <pthread.h>
 #include <sys/mman.h>
+#include <unistd.h>
 #define AVI_CAN_MAKE_CODE
 #endif
 
@@ -33,45 +35,29 @@ bool wanted() {
 /// results before it.
 constexpr std::size_t most_frame = 1 << 20;
 
-/// Memory for code. Pieces that are given back are kept for later use, up to a bound: the system takes three
-/// times as long to map new pages as to change the protection of old ones.
+/// Memory for code, mapped twice: executable in one place, writable in another. Changing the protection of
+/// one place took as long as some hundred sweeps on a virtual machine. Pieces that are given back are kept
+/// for later use, up to a bound. A process and its fork share what was mapped before: neither writes there
+/// again.
 class Pages {
  public:
-  struct Piece {
-    void* at = nullptr;
-    std::size_t size = 0;
-  };
-  /// Returns a writable piece of at least so many bytes; null where there is none.
-  Piece take(std::size_t size) {
-    {
-      const std::lock_guard lock(mutex_);
-      for (std::size_t i = kept_.size(); i-- > 0;)
-        if (kept_[i].size >= size && kept_[i].size <= 4 * size + least) {
-          const Piece piece = kept_[i];
-          kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(i));
-          if (mprotect(piece.at, piece.size, PROT_READ | PROT_WRITE) == 0) return piece;
-          unmap(piece);
-        }
-    }
-    // Inaccessible pages keep pieces apart: otherwise, a change of protection would make the system join or
-    // split the mappings of neighbouring pieces.
-    size = (size + least - 1) / least * least;
-    void* const whole = mmap(nullptr, size + 2 * least, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (whole == MAP_FAILED) return {};
-    const Piece piece{static_cast<char*>(whole) + least, size};
-    if (mprotect(piece.at, size, PROT_READ | PROT_WRITE) == 0) return piece;
-    unmap(piece);
-    return {};
-  }
-  void give_back(const Piece& piece) {
-    {
-      const std::lock_guard lock(mutex_);
-      if (kept_.size() < most && piece.size <= largest) {
-        kept_.push_back(piece);
-        return;
+  /// Returns a piece of at least so many bytes; empty where there is none.
+  CodeMemory take(std::size_t size) {
+    const std::lock_guard lock(mutex_);
+    for (std::size_t i = kept_.size(); i-- > 0;)
+      if (kept_[i].size >= size && kept_[i].size <= 4 * size + least) {
+        const CodeMemory piece = kept_[i];
+        kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(i));
+        return piece;
       }
-    }
-    unmap(piece);
+    return map((size + least - 1) / least * least);
+  }
+  void give_back(const CodeMemory& piece) {
+    const std::lock_guard lock(mutex_);
+    if (piece.forks == forks_ && kept_.size() < most && piece.size <= largest)
+      kept_.push_back(piece);
+    else
+      unmap(piece);
   }
   /// The only instance, which outlives everything that may still give pieces back.
   static Pages& all() {
@@ -80,16 +66,40 @@ class Pages {
   }
 
  private:
-  static void unmap(const Piece& piece) {
-    munmap(static_cast<char*>(piece.at) - least, piece.size + 2 * least);
+  Pages() {
+    kept_.reserve(most);
+    const auto before = [] { all().lock_for_fork(); };
+    const auto after = [] { all().mutex_.unlock(); };
+    shared_ = pthread_atfork(before, after, after) == 0;
+  }
+  void lock_for_fork() {
+    mutex_.lock();
+    ++forks_;
+    std::ranges::for_each(kept_, unmap);
+    kept_.clear();
+  }
+  [[nodiscard]] CodeMemory map(std::size_t size) const {
+    const int file = shared_ ? memfd_create("avi", MFD_CLOEXEC) : -1;
+    if (file < 0) return {};
+    CodeMemory piece{.size = size, .forks = forks_};
+    if (ftruncate(file, static_cast<off_t>(size)) == 0) {
+      piece.run = mmap(nullptr, size, PROT_READ | PROT_EXEC, MAP_SHARED, file, 0);
+      piece.write = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    }
+    close(file);
+    if (piece.run != MAP_FAILED && piece.write != MAP_FAILED) return piece;
+    unmap(piece);
+    return {};
+  }
+  static void unmap(const CodeMemory& piece) {
+    for (void* const view : {piece.run, piece.write})
+      if (view && view != MAP_FAILED) munmap(view, piece.size);
   }
   static constexpr std::size_t least = 4096, largest = 1 << 16, most = 32;
   std::mutex mutex_;
-  std::vector<Piece> kept_ = [] {
-    std::vector<Piece> none;
-    none.reserve(most);
-    return none;
-  }();
+  std::vector<CodeMemory> kept_;
+  unsigned forks_ = 0;   // of this process and those that it comes from, since the library was loaded
+  bool shared_ = false;  // whether forks are counted
 };
 #endif
 
@@ -114,18 +124,15 @@ std::unique_ptr<const MachineCode> MachineCode::of(std::span<const Program* cons
   const std::size_t numbers = (8 * lanes * pool.size() + 63) / 64 * 64,
                     size = numbers + assembler.code.size();
   std::unique_ptr<MachineCode> made(new MachineCode);
-  const auto [memory, whole] = Pages::all().take(size);
-  if (!memory) return nullptr;
-  made->memory_ = memory;
-  made->size_ = whole;
-  const auto address = reinterpret_cast<std::uint64_t>(memory);
+  const CodeMemory memory = made->memory_ = Pages::all().take(size);
+  if (!memory.run) return nullptr;
+  const auto address = reinterpret_cast<std::uint64_t>(memory.run);
   for (const std::size_t at : addresses)
     std::memcpy(&assembler.code[at], &address, sizeof(address));
-  auto* const to = static_cast<double*>(memory);
+  auto* const to = static_cast<double*>(memory.write);
   for (std::size_t i = 0; i < pool.size(); ++i)
     std::fill_n(to + i * lanes, lanes, pool[i]);
-  std::memcpy(static_cast<char*>(memory) + numbers, assembler.code.data(), assembler.code.size());
-  if (mprotect(memory, whole, PROT_READ | PROT_EXEC) != 0) return nullptr;
+  std::memcpy(static_cast<char*>(memory.write) + numbers, assembler.code.data(), assembler.code.size());
   for (const std::size_t begin : begins)
     made->functions_.push_back(reinterpret_cast<Function>(address + numbers + begin));
   return made;
@@ -136,7 +143,7 @@ std::unique_ptr<const MachineCode> MachineCode::of(std::span<const Program* cons
 
 MachineCode::~MachineCode() {
 #ifdef AVI_CAN_MAKE_CODE
-  if (memory_) Pages::all().give_back({memory_, size_});
+  if (memory_.run) Pages::all().give_back(memory_);
 #endif
 }
 

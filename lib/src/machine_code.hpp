@@ -22,6 +22,14 @@ struct MachineTarget {
   int parameters = 0;             ///< Number of the last arguments, which lie behind the factor.
 };
 
+/// Memory for code, seen from two places.
+struct CodeMemory {
+  void* run = nullptr;    ///< Where it can be executed and read; null if there is none.
+  void* write = nullptr;  ///< Where it can be written.
+  std::size_t size = 0;   ///< Number of bytes.
+  unsigned forks = 0;     ///< Number of forks before it was mapped.
+};
+
 /// The machine code of programs: straight lines of instructions without branches, which keep intermediate
 /// results in registers. It computes what Program::run() does, with the same bits.
 class MachineCode {
@@ -45,8 +53,7 @@ class MachineCode {
 
  private:
   MachineCode() = default;
-  void* memory_ = nullptr;
-  std::size_t size_ = 0;
+  CodeMemory memory_;
   std::vector<Function> functions_;
 };
 

@@ -13,11 +13,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
 #if defined(__x86_64__)
 #include <cpuid.h>
+#endif
+#if defined(__linux__)
+#include <sys/wait.h>
+#include <unistd.h>
 #endif
 
 using avi::ExpressionGraph, avi::Operation, avi::Pack, avi::Program, avi::detail::MachineCode;
@@ -237,5 +242,49 @@ TEST(MachineCode, IsSwitchedOffByTheEnvironment) {
   EXPECT_TRUE(make());
 #endif
 }
+
+#if defined(__linux__)
+/// Code of q plus a number, at packs of two.
+std::unique_ptr<const MachineCode> plus(double number) {
+  ExpressionGraph graph(2);
+  const int sum = graph.binary(Operation::add, 0, graph.constant(number));
+  const Program program = avi::detail::Schedule::program(graph, sum, {}, graph.size());
+  const Program* const all[] = {&program};
+  return MachineCode::of(all, {.lanes = 2, .avx512 = false, .functions = avi::detail::pack_functions<2>()});
+}
+double at_one(const MachineCode& code) {
+  const double q[2]{1.0, 1.0}, p[2]{}, factor[2]{1.0, 1.0};
+  double out[4]{};
+  code[0](q, p, factor, out);
+  return out[0];
+}
+
+// A process shares the pages of code with its forks, which may still run what it has given back.
+TEST(MachineCode, OfAForkStaysAsItIs) {
+  if (!runs(false)) GTEST_SKIP() << "a processor without AVX2";
+  auto code = plus(2.0);
+  (void)plus(1.0);  // given back: its pages would be taken for the next one, but not after a fork
+  int replaced[2];
+  ASSERT_EQ(pipe(replaced), 0);
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    close(replaced[1]);
+    char any = 0;
+    const bool told = read(replaced[0], &any, 1) == 1, own = at_one(*plus(5.0)) == 6.0;
+    _exit(told && own && at_one(*code) == 3.0 ? 0 : 1);
+  }
+  code.reset();
+  code = plus(3.0);
+  const auto another = plus(4.0);
+  EXPECT_EQ(write(replaced[1], "x", 1), 1);
+  int status = -1;
+  EXPECT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+  EXPECT_EQ(at_one(*code), 4.0);
+  EXPECT_EQ(at_one(*another), 5.0);
+  close(replaced[0]), close(replaced[1]);
+}
+#endif
 
 }  // namespace machine_code_test
