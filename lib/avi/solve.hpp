@@ -251,6 +251,7 @@ struct OrbitQuestion {
   bool timed = false;                             ///< Time is the last coordinate; set by the library only.
   std::shared_ptr<const class Switches> switches = {};  ///< Times at which H switches, if any; likewise.
   std::shared_ptr<const class Kinks> kinks = {};        ///< Where H has kinks; likewise.
+  std::shared_ptr<const class Barriers> barriers = {};  ///< Where H is infinite, if it may be; likewise.
   std::vector<int> gradient = {};  ///< Nodes of dH/d(q, p), 2n, where H supplies them; else empty.
   int given = -1;                  ///< Node of the user's own monitor, or -1.
 };

@@ -1,6 +1,7 @@
 #include "avi/solve.hpp"
 
 #include "avi/core/require.hpp"
+#include "barriers.hpp"
 #include "choose.hpp"
 #include "delivery.hpp"
 #include "kinks.hpp"
@@ -104,11 +105,13 @@ void no_curve() {
 
 namespace {
 
-/// Finds the kinks of H and, if time is a coordinate, the times in the run at which H switches.
+/// Finds the kinks and the barriers of H and, if time is a coordinate, the times in the run at which H
+/// switches.
 void find_breaks(OrbitQuestion& question) {
   if (question.timed)
     question.switches = Switches::of(question.graph, question.energy, question.t, question.t_end);
   question.kinks = Kinks::of(question.graph, question.energy, question.timed);
+  question.barriers = Barriers::of(question.graph, question.energy);
 }
 
 /// Makes time a coordinate if H depends on it. The energy is then H + p_t, which is zero along the orbit.

@@ -149,10 +149,11 @@ class Journey {
   double work = 0.0;                  ///< Integral of half of |p q'| over time, where H depends on time.
   VectorX tails;                      ///< Largest tail of each entry, see Stepper, in the first `few` steps.
   bool spent = false;                 ///< Whether it met a bound of the call.
-  bool jumped = false;  ///< Whether a step passed over a feature of H, or erred between kinks, unseen.
-  bool coarse = false;  ///< Whether a finer run is compared with it, in which near passes are looked for.
-  long whole = 0;       ///< Number of steps of the full size.
-  double gone = 0.0;    ///< Sum of the fictive sizes of all steps.
+  bool jumped = false;   ///< Whether a step passed over a feature of H, or erred between kinks, unseen.
+  bool crossed = false;  ///< Whether it ended with a step over a place where H is infinite.
+  bool coarse = false;   ///< Whether a finer run is compared with it, in which near passes are looked for.
+  long whole = 0;        ///< Number of steps of the full size.
+  double gone = 0.0;     ///< Sum of the fictive sizes of all steps.
 
   static constexpr int few = 12;  ///< Number of steps that counts as few.
 
@@ -306,12 +307,15 @@ class Journey {
     if (apart > 1e-14) unseen_ += apart;
     return unseen_ > trip_->kick;
   }
+  /// Returns true if the last step went over a place where H is infinite.
+  bool crosses() { return field_->crosses(stacked(before_), stacked(z_)); }
   /// Takes in a step that was made: counts it, and checks it.
   void made(const StepReport& report) {
     const double sense = trip_->sense;
     spend(report);
     if (ok() && !z_.finite()) run.outcome = Outcome::non_finite;
     if (ok() && (!(sense * (z_.t - before_.t) > 0.0) || hardly_moves())) run.outcome = Outcome::stalled;
+    if (ok() && field_->barriers && crosses()) run.outcome = Outcome::not_converged, crossed = true;
     if (!ok()) return;
     const bool between = std::exchange(at_kink_, steps_->ended_at_kink()) && at_kink_;
     if (!jumped) jumped = passes_over() || (between && errs_between_kinks());

@@ -1,5 +1,6 @@
 #include "poles.hpp"
 
+#include "divisors.hpp"
 #include "reverse.hpp"
 #include "separable.hpp"
 
@@ -45,18 +46,8 @@ int Poles::Pole::steepness() const {
 
 Poles::Poles(const ExpressionGraph& graph, int energy)
     : graph_(&graph), energy_(energy), on_(dependences(graph, energy)) {
-  const std::vector<char> part = graph.parts(energy);
-  std::array<std::vector<char>, 2> seen{std::vector<char>(part.size(), 0), std::vector<char>(part.size(), 0)};
-  for (int i = 0; i <= energy && poles_.size() <= most; ++i) {
-    const ExpressionGraph::Node& what = graph[i];
-    if (!part[i]) continue;
-    if (what.operation == Operation::divide)
-      divisors(what.b, seen);
-    else if (what.operation == Operation::log)
-      divisors(what.a, seen);
-    else if (what.operation == Operation::power && graph[what.b].number < 0.0)
-      divisors(what.a, seen);
-  }
+  for (const int node : divisors(graph, energy, on_, most))
+    poles_.push_back({node, degree(node), 0.0});
   for (Pole& pole : poles_)
     pole.power = power_in(energy, pole.node);
   std::erase_if(poles_, [this](const Pole& pole) {
@@ -65,37 +56,6 @@ Poles::Poles(const ExpressionGraph& graph, int energy)
     return true;
   });
   if (poles_.size() > most) poles_.clear();
-}
-
-/// Takes in the factors of a node, a product of powers, that depend on coordinates alone. @param seen nodes
-/// that have been looked at, as divisors, and as what divides these
-void Poles::divisors(int node, std::array<std::vector<char>, 2>& seen) {
-  std::vector<std::pair<int, bool>> open{{node, true}};
-  while (!open.empty() && poles_.size() <= most) {
-    const auto [at, divides] = open.back();
-    open.pop_back();
-    if (on_[at] == 0 || (on_[at] & on_p) != 0 || std::exchange(seen[divides][at], 1)) continue;
-    const ExpressionGraph::Node& what = (*graph_)[at];
-    switch (what.operation) {
-      using enum Operation;
-    case power:
-      open.emplace_back(what.a, divides == ((*graph_)[what.b].number > 0.0));
-      break;
-    case multiply:
-      open.emplace_back(what.b, divides);
-      [[fallthrough]];
-    case sqrt:
-    case abs:
-    case divide:
-      open.emplace_back(what.a, divides);
-      break;
-    case exp:  // these never vanish
-    case cosh:
-      break;
-    default:
-      if (divides) poles_.push_back({at, degree(at), 0.0});
-    }
-  }
 }
 
 /// Sets the power of a quantity in each node from `from` on, by the rules for products and powers.

@@ -3,7 +3,6 @@
 #include "factor.hpp"
 #include "sketch.hpp"
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -73,7 +72,6 @@ class Poles {
     double power;                         // power of u in H, negative; nearly 0 for a logarithm
     [[nodiscard]] int steepness() const;  // a, a whole number
   };
-  void divisors(int node, std::array<std::vector<char>, 2>& seen);
   void follow(std::vector<double>& powers, std::size_t from,
               double (*otherwise)(Operation, double, double)) const;
   [[nodiscard]] double power_in(int node, int base) const;

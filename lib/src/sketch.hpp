@@ -3,6 +3,7 @@
 #include "avi/autodiff/recording.hpp"
 #include "avi/core/dot.hpp"
 #include "avi/integrators/runge_kutta.hpp"
+#include "barriers.hpp"
 #include "switches.hpp"
 
 #include <algorithm>
@@ -150,9 +151,16 @@ class PointField {
   /// The recording of H.
   [[nodiscard]] const std::shared_ptr<const Recording>& recording() const { return recording_; }
 
+  /// Returns true if a place where H is infinite lies between two points, see Barriers.
+  bool crosses(const VectorX& from, const VectorX& to) {
+    return barriers &&
+           barriers->between(from.data(), to.data(), [this](const double* z) { return energy(z, z + n_); });
+  }
+
   double sense = 1.0;  ///< Direction of time; -1 follows the orbit backwards.
   bool timed = false;  ///< Whether the last coordinate is time, which has a unit of its own.
   std::shared_ptr<const Switches> switches = {};  ///< Times at which H switches, if any.
+  std::optional<Barriers> barriers = {};          ///< Where H is infinite, if it may be.
 
  private:
   using Duals = Program::Room<Partials<double, 1>>;
@@ -252,13 +260,15 @@ class Sketch {
       }
       lift(scale, roots, field.timed, largest);
       const double worst = find_errors(step, at, h, scale, errors);
-      const double factor = std::isfinite(worst) ? std::cbrt(loose / std::max(worst, 1e-3 * loose)) : 0.1;
+      double factor = std::isfinite(worst) ? std::cbrt(loose / std::max(worst, 1e-3 * loose)) : 0.1;
       alike = factor < 0.8 && worst > 0.7 * refused && std::isfinite(worst) ? alike + 1 : 0;
       refused = factor < 0.8 ? worst : 0.0;
       // A motion that begins from rest as a power of time has the same error, relative to its range, in a
       // shorter step.
       const bool begins = alike > 3;
-      if (factor < 0.8 && !begins) {
+      const bool over = !(factor < 0.8) && field.crosses(at, step.end);
+      if (over) factor = 0.5;
+      if (factor < 0.8 && (over || !begins)) {
         h *= std::max(0.1, 0.9 * factor);
         const double way = before + time;
         if (stuck = !(h > 1e-14 * (way > 0.0 ? way : span)); stuck) break;

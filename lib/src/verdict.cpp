@@ -140,7 +140,9 @@ void Orbiter::tell_end(const Journey& fine) {
       there.q.conservativeResize(field_.size() - 1), there.p.conservativeResize(field_.size() - 1);
     const bool unsolved = answer_.run.outcome == Outcome::not_converged;
     answer_.run.message = describe_end(answer_.run.outcome, there, fine.run.steps, 0.0,
-                                       unsolved ? "the equations of a step were not solved" : "");
+                                       fine.crossed ? "a step went over a place where H is infinite"
+                                       : unsolved   ? "the equations of a step were not solved"
+                                                    : "");
   }
 }
 
