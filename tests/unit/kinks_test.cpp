@@ -2,6 +2,7 @@
 #include "avi/core/integrate_to.hpp"
 #include "avi/solve.hpp"
 #include "avi/transform/poincare.hpp"
+#include "kept.hpp"
 #include "scratch.hpp"
 
 #include <gtest/gtest.h>
@@ -33,8 +34,7 @@ double fallen(double t) {
 TEST(Kinks, CostSomeStepsEach) {
   for (const double end : {55.0, -55.0})
     for (const double tolerance : {1e-4, 1e-8, 1e-12}) {
-      const auto orbit = solve(ramp, resting, end, tolerance);
-      EXPECT_TRUE(orbit.kept()) << orbit.report();
+      const auto orbit = kept(solve(ramp, resting, end, tolerance));
       EXPECT_NEAR(orbit.state.q[0], fallen(end), 3e-12);             // measured 1.1e-12
       EXPECT_LT(orbit.run.evaluations + orbit.choice.sweeps, 3000);  // measured at most 1527
     }
@@ -47,8 +47,7 @@ TEST(Kinks, LeaveTheOrder) {
   };
   const double period = M_PI * (1.0 + 1.0 / 3.0);
   for (const double periods : {1.0, 100.0}) {
-    const auto orbit = solve(spring, State<1>{.q = {0.5}, .p = {0.0}}, periods * period, 1e-11);
-    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    const auto orbit = kept(solve(spring, State<1>{.q = {0.5}, .p = {0.0}}, periods * period, 1e-11));
     EXPECT_NEAR(orbit.state.q[0], 0.5, 2e-15);  // measured 7e-16
     EXPECT_NEAR(orbit.state.p[0], 0.0, 5e-14);  // measured 2.3e-14
   }
@@ -60,8 +59,7 @@ TEST(Kinks, AreOnTheWay) {
   for (int i = 0; i <= 100; ++i)
     times.push_back(0.3 * i);
   const auto zero = [](const auto& q, const auto&) { return q[0]; };
-  const auto orbit = solve(ramp, resting, times, 1e-10, {.dense = true, .events = {avi::when(zero)}});
-  EXPECT_TRUE(orbit.kept()) << orbit.report();
+  const auto orbit = kept(solve(ramp, resting, times, 1e-10, {.dense = true, .events = {avi::when(zero)}}));
   for (std::size_t i = 0; i < times.size(); ++i)
     EXPECT_NEAR(orbit.states[i].q[0], fallen(times[i]), 1.2e-14);
   ASSERT_EQ(orbit.events.size(), 11u);
@@ -92,8 +90,7 @@ TEST(Kinks, MayBeSeveral) {
   const State<2> truth = solve(balls, start, 20.0, 1e-12).state;
   EXPECT_LT(apart(beside, truth), 4.2e-5);
   for (const double tolerance : {1e-4, 1e-8}) {
-    const auto orbit = solve(balls, start, 20.0, tolerance);
-    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    const auto orbit = kept(solve(balls, start, 20.0, tolerance));
     EXPECT_LT(apart(orbit.state, truth), 2e-3 * tolerance);  // measured 3.2e-8 and 7.9e-12
   }
 }
@@ -134,8 +131,7 @@ TEST(Kinks, AreFoundBesideSwitches) {
     t = meets ? t + way : next;
   }
   for (const double tolerance : {1e-4, 1e-8, 1e-12}) {
-    const auto orbit = solve(driven, resting, end, tolerance);
-    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    const auto orbit = kept(solve(driven, resting, end, tolerance));
     EXPECT_NEAR(orbit.state.q[0], q, 4.6e-13);
     EXPECT_NEAR(orbit.state.p[0], p, 4.6e-13);
   }
@@ -167,8 +163,7 @@ TEST(Kinks, MayBeCloserThanSteps) {
   ASSERT_GT(std::abs(since - down - 0.5 * touch), touch) << "the end is in free fall";
   const double away = since < down ? since : since - 2.0 * down - touch, exact = 1.0 - 0.5 * g * away * away;
   for (const double tolerance : {1e-5, 1e-7, 1e-9}) {
-    const auto orbit = solve(ball, State<1>{.q = {1.0}, .p = {0.0}}, end, tolerance);
-    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    const auto orbit = kept(solve(ball, State<1>{.q = {1.0}, .p = {0.0}}, end, tolerance));
     EXPECT_NEAR(orbit.state.q[0], exact, 1e-9);  // measured 5.1e-10, 2.2e-13, 8.2e-12
   }
 }
@@ -192,8 +187,7 @@ TEST(Kinks, MayBeTwiceBetweenTwoPoints) {
   double worst = 0.0;
   for (int k = 0; k < 60; ++k) {
     const State<2> start = drawn(draw);
-    const auto orbit = solve(pushed, start, 10.0, 1e-8), truth = solve(pushed, start, 10.0, 1e-13);
-    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    const auto orbit = kept(solve(pushed, start, 10.0, 1e-8)), truth = solve(pushed, start, 10.0, 1e-13);
     worst = std::max(worst, (orbit.state.q - truth.state.q).norm());
   }
   EXPECT_LT(worst, 2.6e-9);  // measured 1.3e-9
@@ -241,8 +235,7 @@ TEST(Kinks, AreNotWhereAFunctionJumps) {
   std::mt19937 draw(5);
   for (int k = 0; k < 20; ++k) {
     const State<2> start = drawn(draw);
-    const auto orbit = solve(jumps, start, 10.0, 1e-8), truth = solve(smooth, start, 10.0, 1e-12);
-    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    const auto orbit = kept(solve(jumps, start, 10.0, 1e-8)), truth = solve(smooth, start, 10.0, 1e-12);
     EXPECT_LT((orbit.state.q - truth.state.q).norm(), 6.6e-10);    // measured 3.3e-10
     EXPECT_LT(orbit.run.evaluations + orbit.choice.sweeps, 2000);  // measured at most 1003
   }
@@ -262,12 +255,10 @@ TEST(Kinks, AreFoundUnderRoots) {
   // A quarter of a period is the integral of dq / sqrt(2 (V(1) - V(q))) from 0 to 1.
   const double s = std::sqrt(std::sqrt(2.0) - 1.0), quarter = 4.0 * s - std::sqrt(8.0) / 3.0 * s * s * s;
   for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
-    const auto orbit = solve(root, start, 36.0 * quarter, tolerance);
-    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    const auto orbit = kept(solve(root, start, 36.0 * quarter, tolerance));
     EXPECT_NEAR(orbit.state.q[0], 1.0, 0.012 * tolerance);  // measured 0.0059 tolerances
     EXPECT_NEAR(orbit.state.p[0], 0.0, 0.17 * tolerance);   // measured 0.083
-    const auto one = solve(power, start, 50.0, tolerance), other = solve(halves, start, 50.0, 1e-12);
-    EXPECT_TRUE(one.kept()) << one.report();
+    const auto one = kept(solve(power, start, 50.0, tolerance)), other = solve(halves, start, 50.0, 1e-12);
     EXPECT_NEAR(one.state.q[0], other.state.q[0], 1.5e-4 * tolerance);  // measured 7.3e-5 tolerances
   }
 }
@@ -297,8 +288,7 @@ TEST(Kinks, MayBeMany) {
     start.q[i] = ((i % 2 == 0 ? i / 2 % rows : i / 2 / rows) + 0.5) * side / rows;
     start.p[i] = some(draw);
   }
-  const auto orbit = solve(box, start, 4.0, 1e-5), truth = solve(box, start, 4.0, 1e-10);
-  EXPECT_TRUE(orbit.kept()) << orbit.report();
+  const auto orbit = kept(solve(box, start, 4.0, 1e-5)), truth = solve(box, start, 4.0, 1e-10);
   EXPECT_LT((orbit.state.q - truth.state.q).norm(), 7.4e-10);  // measured 3.7e-10
 }
 

@@ -1,5 +1,6 @@
 #include "avi/core/integrate.hpp"
 #include "avi/solve.hpp"
+#include "kept.hpp"
 #include "refusal.hpp"
 #include "src/poles.hpp"
 
@@ -89,8 +90,7 @@ TEST(Poles, AreTakenWhereTheyPay) {
   };
   const State<2> start{.q = {0.994, 0.0}, .p = {0.0, -2.00158510637908252 + 0.994}};
   const double period = 17.06521656015796255;
-  const auto orbit = solve(h, start, period, 1e-9);
-  EXPECT_TRUE(orbit.kept()) << orbit.report();
+  const auto orbit = kept(solve(h, start, period, 1e-9));
   EXPECT_EQ(orbit.choice.name, "poles");
   EXPECT_NEAR((orbit.state.q - start.q).norm(), 0.0,
               2e-6);  // unstable: it moves 4e5 times a change of the start
@@ -167,8 +167,7 @@ TEST(Poles, AreTakenWhenTheOrbitLeavesWhatTheMenuWasMadeFor) {
   const State<2> start{.q = {0.0142, 0.0872}, .p = {-0.0895, 1.1005}};
   const avi::Vector<double, 2> end(65.86185872, -104.34014895);  // by 2e6 fixed steps of order 16
   for (const double tolerance : {1e-4, 1e-7, 1e-9}) {
-    const auto orbit = solve(h, start, 180.0, tolerance);
-    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    const auto orbit = kept(solve(h, start, 180.0, tolerance));
     EXPECT_LT(orbit.run.steps, 1000);
     EXPECT_LT((orbit.state.q - end).norm(), 10.0 * tolerance * 123.0) << orbit.report();
   }

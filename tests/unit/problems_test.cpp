@@ -65,8 +65,7 @@ TEST(Pendulum, HasTheKnownPeriod) {
   EXPECT_NEAR(avi::Pendulum::period(3.0), 4.0 * std::comp_ellint_1(std::sin(1.5)), 1e-13);
   auto z = avi::Pendulum::start(1.0);
   auto method = avi::stormer_verlet<1>(&avi::Pendulum::potential_gradient<double>);
-  EXPECT_EQ(avi::integrate(method, z, avi::Pendulum::period(1.0) / 4000.0, {.steps = 4000}).outcome,
-            avi::Outcome::ok);
+  EXPECT_TRUE(avi::integrate(method, z, avi::Pendulum::period(1.0) / 4000.0, {.steps = 4000}).ok());
   EXPECT_NEAR(z.q[0], 1.0, 1e-6);
   EXPECT_THROW(avi::Pendulum::start(M_PI), std::invalid_argument);
   EXPECT_THROW(avi::Pendulum::period(M_PI), std::invalid_argument);
@@ -181,14 +180,12 @@ TEST(FigureEight, ClosesAfterOnePeriodAndPermutesAfterAThird) {
   auto method =
       avi::stormer_verlet<6>([&](const Vector<double, 6>& q) { return problem.potential_gradient(q); });
   auto z = start;
-  EXPECT_EQ(avi::integrate(method, z, FigureEight::period / 30000.0, {.steps = 10000}).outcome,
-            avi::Outcome::ok);
+  EXPECT_TRUE(avi::integrate(method, z, FigureEight::period / 30000.0, {.steps = 10000}).ok());
   // After a third of the period body 1 is where body 2 or 3 began.
   const double to_second = (z.q.segment<2>(0) - start.q.segment<2>(2)).norm();
   const double to_third = (z.q.segment<2>(0) - start.q.segment<2>(4)).norm();
   EXPECT_LT(std::min(to_second, to_third), 1e-6);
-  EXPECT_EQ(avi::integrate(method, z, FigureEight::period / 30000.0, {.steps = 20000}).outcome,
-            avi::Outcome::ok);
+  EXPECT_TRUE(avi::integrate(method, z, FigureEight::period / 30000.0, {.steps = 20000}).ok());
   EXPECT_LT((z.q - start.q).norm(), 2e-6);
   EXPECT_NEAR(avi::NBody<3>::angular_momentum(z), 0.0, 1e-13);
   EXPECT_NEAR(problem(start.q, start.p), -1.2871419917663, 1e-8);

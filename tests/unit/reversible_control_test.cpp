@@ -130,17 +130,14 @@ TEST(ReversibleControl, KeepsTheEnergyWithoutDriftAndTheStepNearItsMonitor) {
     auto z = Kepler::pericentre(0.9);
     const double h = 0.02;
     double early = 0.0, late = 0.0, last = 0.0, least = 1e9, most = 0.0;
-    EXPECT_EQ(avi::integrate(method, z, h, {.time = 200.0 * M_PI},
-                             [&](const State<2>& s, long) {
-                               double& worst = s.t < 20.0 * M_PI ? early : late;
-                               worst = std::max(worst, std::abs(Kepler{}(s.q, s.p) + 0.5));
-                               const double ratio = (s.t - last) / (h * std::pow(s.q.norm(), 1.5));
-                               least = std::min(least, ratio);
-                               most = std::max(most, ratio);
-                               last = s.t;
-                             })
-                  .outcome,
-              avi::Outcome::ok);
+    EXPECT_TRUE(avi::integrate(method, z, h, {.time = 200.0 * M_PI}, [&](const State<2>& s, long) {
+                  double& worst = s.t < 20.0 * M_PI ? early : late;
+                  worst = std::max(worst, std::abs(Kepler{}(s.q, s.p) + 0.5));
+                  const double ratio = (s.t - last) / (h * std::pow(s.q.norm(), 1.5));
+                  least = std::min(least, ratio);
+                  most = std::max(most, ratio);
+                  last = s.t;
+                }).ok());
     EXPECT_LT(late, 1.2 * early);
     EXPECT_LT(early, 2e-2);
     EXPECT_GT(least, 0.8);

@@ -1,6 +1,7 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/solve.hpp"
 #include "avi/solver.hpp"
+#include "kept.hpp"
 #include "refusal.hpp"
 #include "unit/cayley.hpp"
 
@@ -100,9 +101,8 @@ TEST(SolveEvents, StopARunAndCostWhatItTakesToTheEvent) {
   const auto z = Kepler::pericentre(0.9);
   const double period = 2.0 * M_PI;
   for (const double end : {20.0, 1e5, 1e12}) {
-    const auto orbit = solve(Kepler(), z, end, 1e-10,
-                             {.events = {when(radial, {.direction = -1, .count = 3, .stop = true})}});
-    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    const auto orbit = kept(solve(Kepler(), z, end, 1e-10,
+                                  {.events = {when(radial, {.direction = -1, .count = 3, .stop = true})}}));
     EXPECT_NEAR(orbit.state.t, 2.5 * period, 1e-8);
     EXPECT_NEAR(orbit.state.q[0], -1.9, 1e-9);
     EXPECT_EQ(orbit.events.size(), 3u);
@@ -170,9 +170,8 @@ TEST(SolveEvents, MayLieOnTheEnd) {
   for (const double tolerance : {1e-4, 1e-6, 1e-9, 1e-11})
     for (int half_turns = 1; half_turns <= 2; ++half_turns)
       for (const double e : {0.1, 0.5, 0.9}) {
-        const auto found = solve(Kepler(), Kepler::pericentre(e), half_turns * M_PI, tolerance,
-                                 {.events = {when([](const auto& q, const auto&) { return q[1]; })}});
-        EXPECT_TRUE(found.kept()) << found.report();
+        const auto found = kept(solve(Kepler(), Kepler::pericentre(e), half_turns * M_PI, tolerance,
+                                      {.events = {when([](const auto& q, const auto&) { return q[1]; })}}));
         EXPECT_GE(static_cast<int>(found.events.size()), half_turns - 1);
         for (std::size_t i = 0; i < found.events.size(); ++i) {
           EXPECT_NEAR(found.events[i].state.t, (static_cast<double>(i) + 1.0) * M_PI, 1e2 * tolerance);
@@ -219,8 +218,7 @@ TEST(SolveEvents, AreSeenBesideOneOnTheEndOfAStep) {
 TEST(SolveEvents, ComeBeforeTheFunctionIsNoNumber) {
   const auto ball = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + 9.81 * q[0]; };
   const auto root = when([](const auto& q) { return sqrt(q[0]) - 0.5; }, {.stop = true});
-  const auto run = solve(ball, at(10.0, 0.0), 3.0, 1e-8, {.events = {root}});
-  EXPECT_TRUE(run.kept()) << run.report();
+  const auto run = kept(solve(ball, at(10.0, 0.0), 3.0, 1e-8, {.events = {root}}));
   EXPECT_NEAR(run.state.t, std::sqrt(2.0 * 9.75 / 9.81), 1e-12);
   const auto below = when([](const auto& q) { return sqrt(q[0]) + 0.5; }, {.stop = true});
   const auto none = solve(ball, at(10.0, 0.0), 3.0, 1e-8, {.events = {below}});
@@ -353,9 +351,8 @@ TEST(SolveEvents, AreFoundOnceOnASwitchAtTheEnd) {
     };
     const auto clock = [end](const auto&, const auto& t, const auto&) { return t - end; };
     for (const double tolerance : {1e-3, 1e-9}) {
-      const auto orbit = solve(pushed, at(0.0, 0.0), end, tolerance, {.events = {when(clock)}});
+      const auto orbit = kept(solve(pushed, at(0.0, 0.0), end, tolerance, {.events = {when(clock)}}));
       EXPECT_EQ(orbit.events.size(), 1u) << end;
-      EXPECT_TRUE(orbit.kept()) << orbit.report();
     }
   }
 }
@@ -383,9 +380,8 @@ TEST(SolveEvents, ThatStopARunBeforeASingularityAreKept) {
   const auto fall = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - 1.0 / q[0]; };
   for (const double near : {0.1, 0.01}) {
     const auto close = [=](const auto& q, const auto&) { return q[0] - near; };
-    const auto orbit =
-        solve(fall, at(1.0, 0.0), 5.0, 1e-10, {.seconds = 60.0, .events = {when(close, {.stop = true})}});
-    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    const auto orbit = kept(
+        solve(fall, at(1.0, 0.0), 5.0, 1e-10, {.seconds = 60.0, .events = {when(close, {.stop = true})}}));
     EXPECT_NEAR(orbit.state.t, (std::acos(std::sqrt(near)) + std::sqrt(near * (1.0 - near))) / M_SQRT2, 1e-9);
   }
 }
@@ -434,8 +430,7 @@ TEST(SolveEvents, AreNoneWhereTheFunctionIsZeroAllTheWay) {
   };
   const auto still = [](const auto& q, const auto&) { return q[1]; };
   const avi::State<2> start{.q = {1.0, 0.0}, .p = {0.0, 0.0}};
-  const auto orbit = solve(springs, start, 10.0, 1e-8, {.events = {avi::when(still)}});
-  EXPECT_TRUE(orbit.kept()) << orbit.report();
+  const auto orbit = kept(solve(springs, start, 10.0, 1e-8, {.events = {avi::when(still)}}));
   EXPECT_TRUE(orbit.events.empty());
 }
 

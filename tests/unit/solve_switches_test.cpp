@@ -1,5 +1,6 @@
 #include "avi/solve.hpp"
 #include "avi/solver.hpp"
+#include "kept.hpp"
 #include "scratch.hpp"
 
 #include <gtest/gtest.h>
@@ -134,8 +135,7 @@ TEST(SolveSwitches, AMonitorMayBeThere) {
   }
   EXPECT_EQ(truth.t, 10.0);
   for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-11}) {
-    const auto orbit = solve(engine, from, 10.0, tolerance);
-    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    const auto orbit = kept(solve(engine, from, 10.0, tolerance));
     EXPECT_NE(orbit.choice.name, "fixed");
     const double off = std::max((orbit.state.q - truth.q).cwiseAbs().maxCoeff(),
                                 (orbit.state.p - truth.p).cwiseAbs().maxCoeff());
@@ -152,8 +152,7 @@ TEST(SolveSwitches, ARunMayEndOnOne) {
   const auto pushed = [&](const auto& q, const auto& t, const auto& p) {
     return 0.5 * (p[0] * p[0] + q[0] * q[0]) - third(t) * q[0];
   };
-  const auto end = solve(pushed, start(), 5.0, 1e-10);
-  EXPECT_TRUE(end.kept()) << end.report();
+  const auto end = kept(solve(pushed, start(), 5.0, 1e-10));
   EXPECT_NEAR(end.state.q[0], 2.0 - std::cos(5.0), 1e-10);
   State<1> from = start();
   from.t = 20.0;
@@ -165,8 +164,7 @@ TEST(SolveSwitches, ARunMayEndOnOne) {
 // A monitor that depends on time, too.
 TEST(SolveSwitches, AGivenMonitorMayDependOnTime) {
   const auto g = [](const auto&, const auto& t, const auto&) { return 1.0 + 0.5 * sin(t); };
-  const auto orbit = solve(driven(3.0), start(), 20.0, 1e-8, {.monitor = g});
-  EXPECT_TRUE(orbit.kept()) << orbit.report();
+  const auto orbit = kept(solve(driven(3.0), start(), 20.0, 1e-8, {.monitor = g}));
   EXPECT_LE(error(orbit.state, 3.0), 2e-12);  // measured 9e-13
 }
 
@@ -344,8 +342,7 @@ TEST(SolveSwitches, AStepBeginsBehindASwitch) {
   std::vector<State<2>> at;
   for (int k = 0; k < 4; ++k)
     at.push_back(truth = solve(half(k % 2 == 0), truth, 2.0 * (k + 1), 1e-13).state);
-  const auto times = solve(thrust, from, {2.0, 4.0, 6.0, 8.0, 9.0}, 1e-8);
-  EXPECT_TRUE(times.kept()) << times.report();
+  const auto times = kept(solve(thrust, from, {2.0, 4.0, 6.0, 8.0, 9.0}, 1e-8));
   ASSERT_EQ(times.states.size(), 5u);
   const auto curve = solve(thrust, from, 9.0, 1e-8, {.dense = true});
   ASSERT_TRUE(curve.kept()) << curve.report();
@@ -363,8 +360,7 @@ TEST(SolveSwitches, AnHThatOnlyMentionsTimeIsAsGood) {
   };
   const State<2> from{.q = {0.5, 0.0}, .p = {0.0, std::sqrt(3.0)}};
   for (const double end : {13.4, 13.9}) {
-    const auto orbit = solve(mentions, from, end, 1e-8);
-    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    const auto orbit = kept(solve(mentions, from, end, 1e-8));
     EXPECT_LT(orbit.run.steps, 120);  // measured 45 and 54
   }
 }
@@ -376,11 +372,9 @@ TEST(SolveSwitches, EnergiesThatErrAlikeByChanceAreNotCalledRounding) {
     return 0.5 * p.squaredNorm() - mass / sqrt(q.squaredNorm());
   };
   const State<2> from{.q = {0.2, 0.0}, .p = {0.0, 3.0}, .t = 50.0};
-  const auto truth = solve(heavier, from, 30.0, 1e-12);
-  EXPECT_TRUE(truth.kept()) << truth.report();
+  const auto truth = kept(solve(heavier, from, 30.0, 1e-12));
   for (const double tolerance : {1e-8, 1e-9, 1e-10}) {
-    const auto orbit = solve(heavier, from, 30.0, tolerance);
-    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    const auto orbit = kept(solve(heavier, from, 30.0, tolerance));
     EXPECT_LE((orbit.state.q - truth.state.q).norm(), 2e-10);  // measured at most 9e-11
   }
 }

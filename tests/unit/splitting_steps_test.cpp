@@ -1,6 +1,7 @@
 #include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/splitting.hpp"
 #include "avi/solve.hpp"
+#include "kept.hpp"
 #include "refusal.hpp"
 #include "src/builds.hpp"
 #include "src/separable.hpp"
@@ -155,11 +156,10 @@ TEST(SplittingSteps, CanBeAskedFor) {
   const State<1> start{.q = Vector<double, 1>(1.0), .p = Vector<double, 1>(0.0)};
   for (const double tolerance : {1e-3, 1e-6, 1e-9})
     for (const double end : {-7.0, 1.0, 10.0, 300.0}) {
-      const auto orbit = avi::solve(spring, start, std::vector<double>{0.3 * end, end}, tolerance,
-                                    {.monitor = "splitting", .dense = true});
+      const auto orbit = kept(avi::solve(spring, start, std::vector<double>{0.3 * end, end}, tolerance,
+                                         {.monitor = "splitting", .dense = true}));
       EXPECT_EQ(orbit.choice.name, "splitting");
       EXPECT_EQ(orbit.choice.order, 6);
-      EXPECT_TRUE(orbit.kept()) << orbit.report();
       EXPECT_LE(std::abs(orbit.state.q[0] - std::cos(end)), 2.0 * tolerance) << orbit.report();
       ASSERT_EQ(orbit.states.size(), 2u);
       EXPECT_LE(std::abs(orbit.states[0].q[0] - std::cos(0.3 * end)), 2.0 * tolerance);
@@ -178,8 +178,7 @@ TEST(SplittingSteps, FollowAnHThatDependsOnTime) {
     return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0] - q[0] * cos(2.0 * t);
   };
   const State<1> start{.q = Vector<double, 1>(-1.0 / 3.0), .p = Vector<double, 1>(1.0)};
-  const auto orbit = avi::solve(driven, start, 30.0, 1e-8, {.monitor = "splitting"});
-  EXPECT_TRUE(orbit.kept()) << orbit.report();
+  const auto orbit = kept(avi::solve(driven, start, 30.0, 1e-8, {.monitor = "splitting"}));
   EXPECT_NEAR(orbit.state.q[0], std::sin(30.0) - std::cos(60.0) / 3.0, 2e-8);
 }
 
@@ -252,8 +251,7 @@ TEST(SplittingSteps, AreAsLongAsAChainIsStable) {
   const double slow = 2.0 * std::sin(0.5 * M_PI / 17.0);
   for (int i = 0; i < 16; ++i)
     start.q[i] = std::sin(M_PI * (i + 1) / 17.0);
-  const auto orbit = avi::solve(chain, start, 2000.0, 1e-3, {.monitor = "splitting"});
-  EXPECT_TRUE(orbit.kept()) << orbit.report();
+  const auto orbit = kept(avi::solve(chain, start, 2000.0, 1e-3, {.monitor = "splitting"}));
   EXPECT_NEAR(orbit.state.q[8], start.q[8] * std::cos(slow * 2000.0), 1e-3);
   EXPECT_GT(1.99 * orbit.choice.h, 3.5) << orbit.report();  // radians of the fastest part
   EXPECT_LT(1.99 * orbit.choice.h, 5.5) << orbit.report();

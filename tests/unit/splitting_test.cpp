@@ -60,14 +60,11 @@ TEST(LogHamiltonian, KeepsToTheEllipseOfKepler) {
   auto z = Kepler::pericentre(e);
   auto method = avi::splitting(LogHamiltonian<Kepler>({}, z), c::strang);
   double energy = 0.0, shape = 0.0;
-  EXPECT_EQ(avi::integrate(method, z, 0.1, {.steps = 1000},
-                           [&](const State<2>& s, long) {
-                             energy = std::max(energy, std::abs(Kepler{}(s.q, s.p) + 0.5) * s.q.norm());
-                             const double x = s.q[0] + e, y = s.q[1];
-                             shape = std::max(shape, std::abs(x * x + y * y / (1.0 - e * e) - 1.0));
-                           })
-                .outcome,
-            avi::Outcome::ok);
+  EXPECT_TRUE(avi::integrate(method, z, 0.1, {.steps = 1000}, [&](const State<2>& s, long) {
+                energy = std::max(energy, std::abs(Kepler{}(s.q, s.p) + 0.5) * s.q.norm());
+                const double x = s.q[0] + e, y = s.q[1];
+                shape = std::max(shape, std::abs(x * x + y * y / (1.0 - e * e) - 1.0));
+              }).ok());
   EXPECT_LT(energy, 1e-13);
   EXPECT_LT(shape, 1e-10);
 }
@@ -91,14 +88,10 @@ TEST(LogHamiltonian, ConvergesOnKeplerAndItsPerturbation) {
     auto method =
         avi::splitting(LogHamiltonian<PerturbedKepler>(PerturbedKepler(quadrupole), z), c::kahan_li6);
     double worst = 0.0;
-    EXPECT_EQ(avi::integrate(method, z, h.back(), {.time = 20.0},
-                             [&](const State<2>& s, long) {
-                               worst =
-                                   std::max(worst, std::abs(PerturbedKepler(quadrupole)(s.q, s.p) -
-                                                            PerturbedKepler(quadrupole)(start.q, start.p)));
-                             })
-                  .outcome,
-              avi::Outcome::ok);
+    EXPECT_TRUE(avi::integrate(method, z, h.back(), {.time = 20.0}, [&](const State<2>& s, long) {
+                  worst = std::max(worst, std::abs(PerturbedKepler(quadrupole)(s.q, s.p) -
+                                                   PerturbedKepler(quadrupole)(start.q, start.p)));
+                }).ok());
     defects.push_back(worst);
   }
   EXPECT_NEAR(avi::fit_order(h, defects, {.floor = 1e-13}).order, 6.0, 0.5);
@@ -185,12 +178,9 @@ TEST(CompensatedSummation, KeepsTheEnergyBetterThanPlainSummation) {
     auto z = henon_start;
     const double start = HenonHeiles{}(z.q, z.p);
     double energy = 0.0;
-    EXPECT_EQ(avi::integrate(method, z, 0.05, {.steps = 200000},
-                             [&](const State<2>& s, long) {
-                               energy = std::max(energy, std::abs(HenonHeiles{}(s.q, s.p) - start));
-                             })
-                  .outcome,
-              avi::Outcome::ok);
+    EXPECT_TRUE(avi::integrate(method, z, 0.05, {.steps = 200000}, [&](const State<2>& s, long) {
+                  energy = std::max(energy, std::abs(HenonHeiles{}(s.q, s.p) - start));
+                }).ok());
     return energy;
   };
   const Separable<HenonHeiles> flows;

@@ -83,13 +83,9 @@ void expect_far_faster(const std::string& stem, double eccentricity, double verl
   const double h = 1.0;
   auto x = start, y = start;
   double energy_error = 0.0;
-  ASSERT_EQ(avi::integrate(collocation, x, h, {.time = 10.0},
-                           [&](const avi::State<2>& z, long) {
-                             energy_error = std::max(energy_error,
-                                                     std::abs(kepler(z.q, z.p) - kepler(start.q, start.p)));
-                           })
-                .outcome,
-            avi::Outcome::ok);
+  ASSERT_TRUE(avi::integrate(collocation, x, h, {.time = 10.0}, [&](const avi::State<2>& z, long) {
+                energy_error = std::max(energy_error, std::abs(kepler(z.q, z.p) - kepler(start.q, start.p)));
+              }).ok());
   EXPECT_LT(energy_error, cell(stem, "htvi4", "energy_error")) << stem;
   EXPECT_LT((x.q - avi::Kepler::exact(eccentricity, x.t).q).norm(), cell(stem, "htvi4", "global_error"))
       << stem;
