@@ -8,6 +8,7 @@
 #include "avi/transform/monitors.hpp"
 #include "common/methods/printed_htvi.hpp"
 #include "refusal.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -102,9 +103,8 @@ void expect_of_the_last_step_alone(Method method, const State<1>& before) {
 }
 
 TEST(DenseOutput, IsOfTheLastStepOfTheMethodAlone) {
-  const auto oscillator = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
-  for (const State<1>& start : {State<1>{.q = {1.0}, .p = {0.0}}, State<1>{.q = {0.0}, .p = {1.0}}}) {
-    const auto problem = avi::poincare(oscillator, start);
+  for (const State<1>& start : {systems::at(1.0, 0.0), systems::at(0.0, 1.0)}) {
+    const auto problem = avi::poincare(systems::spring, start);
     expect_of_the_last_step_alone(avi::collocation(problem, 8), start);
     expect_of_the_last_step_alone(avi::type2<0>(problem), start);
     expect_of_the_last_step_alone(avi::type2<3>(problem), start);

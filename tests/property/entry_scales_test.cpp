@@ -5,29 +5,24 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <utility>
 
-using avi::Outcome, avi::State;
+using avi::Outcome, avi::State, systems::at, systems::spring;
 
 // When a step counts as solved, each entry in its own scale.
 
 namespace entry_scales_test {
 
-/// H = (p^2 + q^2)/2, which Gauss collocation conserves.
-const auto spring = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
-State<1> spring_at(double q, double p) {
-  return {.q = avi::Vector<double, 1>(q), .p = avi::Vector<double, 1>(p)};
-}
-
 TEST(EntryScales, AStepIsSolvedWhereAStagePassesZero) {
   // The momentum of the middle stage is 0 in the first sweep: the relative change there is no measure.
   for (const int order : {2, 6, 10, 14})
     for (const double h : {0.1, 0.6, 1.0}) {
-      const State<1> start = spring_at(1.0, 0.5 * h);
+      const State<1> start = at(1.0, 0.5 * h);
       State<1> z = start;
       auto method = avi::collocation(avi::poincare(spring, start), order);
       ASSERT_EQ(method.step(z, h).outcome, Outcome::ok);
@@ -39,7 +34,7 @@ TEST(EntryScales, SlowSweepsGoOnToRounding) {
   // Measured: at most 0.5 units of rounding a step; up to 1800 where sweeps end at the first that does not
   // fall.
   for (const double h : {2.0, 2.5, 2.75, 2.9, 2.96, 3.0}) {
-    const State<1> start = spring_at(1.0, 0.3);
+    const State<1> start = at(1.0, 0.3);
     State<1> z = start;
     auto method = avi::collocation(avi::poincare(spring, start), 4);
     ASSERT_EQ(avi::integrate(method, z, h, {.steps = 10000}).outcome, Outcome::ok) << h;
@@ -125,11 +120,7 @@ TEST(EntryScales, WhatIsAtRestIsNoHindrance) {
   // A plane in space; a body between two others that pull alike; one that is pushed only on the way.
   const auto plane = avi::Kepler::pericentre(0.5);
   State<3> z{.q = {plane.q[0], plane.q[1], 0.0}, .p = {plane.p[0], plane.p[1], 0.0}};
-  const auto kepler = [](const auto& q, const auto& p) {
-    return 0.5 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) -
-           1.0 / sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
-  };
-  auto method = avi::collocation(avi::poincare<3>(kepler, z), 16);
+  auto method = avi::collocation(avi::poincare(systems::kepler_in_space, z), 16);
   const avi::Run run = avi::integrate(method, z, 0.1, {.steps = 100});
   EXPECT_EQ(run.outcome, Outcome::ok);
   EXPECT_LE(run.evaluations, 100 * 11);
@@ -207,7 +198,7 @@ const auto spring_and_comet = [](const auto& q, const auto& p) {
 TEST(EntryScales, WhatIsFarAwayHidesNoUnsolvedEntry) {
   for (const auto& [order, h] :
        {std::pair{2, 1.49}, {4, 3.12}, {8, 3.66}, {12, 5.4}, {16, 6.6}, {16, 7.19}}) {
-    State<1> alone = spring_at(1.0, 0.3);
+    State<1> alone = at(1.0, 0.3);
     State<2> both{.q = {1.0, 1.5e11}, .p = {0.3, 3e10}};
     auto method = avi::collocation(avi::poincare(spring, alone), order);
     auto beside = avi::collocation(avi::poincare(spring_and_comet, both), order);

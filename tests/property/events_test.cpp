@@ -5,11 +5,13 @@
 #include "avi/htvi/htvi.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/log_hamiltonian.hpp"
+#include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
 #include "avi/transform/time_dependent.hpp"
 #include "refusal.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,19 +21,9 @@
 #include <string>
 #include <vector>
 
-using avi::Crossing, avi::Event, avi::Kepler, avi::Outcome, avi::State;
+using avi::Crossing, avi::Event, avi::Kepler, avi::Outcome, avi::State, systems::at, systems::pendulum;
 
 namespace events_test {
-
-const auto henon = [](const auto& q, const auto& p) {
-  return 0.5 * (p[0] * p[0] + p[1] * p[1]) + 0.5 * (q[0] * q[0] + q[1] * q[1]) + q[0] * q[0] * q[1] -
-         q[1] * q[1] * q[1] / 3.0;
-};
-const auto pendulum = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - cos(q[0]); };
-
-State<1> swing(double q, double p) {
-  return {.q = avi::Vector<double, 1>(q), .p = avi::Vector<double, 1>(p)};
-}
 
 /// The times of `count` events, each found by a run that starts where the last one ended.
 template <class M>
@@ -56,7 +48,7 @@ TEST(Events, AreFoundOnceWhereARunGoesOnFromTheLastOne) {
   for (const int order : {2, 4, 8, 16})
     for (const double h : {0.3, -0.3})
       for (const Crossing crossing : {Crossing::rising, Crossing::falling, Crossing::either}) {
-        const auto method = avi::collocation(avi::poincare<2>(henon, start), order);
+        const auto method = avi::collocation(avi::poincare(avi::HenonHeiles{}, start), order);
         const auto times = section(method, start, h, crossing, 80);
         // The same crossings as one run sees.
         std::vector<double> seen;
@@ -78,7 +70,7 @@ TEST(Events, WithAToleranceAreFoundOnce) {
   const State<2> start{.q = {0.1, 0.2}, .p = {0.35, 0.1}};
   for (const double tolerance : {1e-10, 1e-3})
     for (const double h : {0.3, 0.01, -0.3}) {
-      const auto method = avi::collocation(avi::poincare<2>(henon, start), 8);
+      const auto method = avi::collocation(avi::poincare(avi::HenonHeiles{}, start), 8);
       for (const Crossing crossing : {Crossing::rising, Crossing::either}) {
         const auto times = section(method, start, h, crossing, 40, tolerance);
         for (std::size_t k = 1; k < times.size(); ++k)
@@ -91,7 +83,7 @@ TEST(Events, AreNotFoundAgainOnTheWayBack) {
   const State<2> start{.q = {0.1, 0.2}, .p = {0.35, 0.1}};
   const Event event{[](const State<2>& at) { return at.q[0]; }};
   for (const int order : {4, 16}) {
-    auto method = avi::collocation(avi::poincare<2>(henon, start), order);
+    auto method = avi::collocation(avi::poincare(avi::HenonHeiles{}, start), order);
     State<2> z = start;
     for (int k = 0; k < 100; ++k) {
       ASSERT_TRUE(avi::integrate_to(method, z, 0.3, event, {.time = z.t + 50.0}).ok());
@@ -110,12 +102,12 @@ TEST(Events, AreNotFoundAgainOnTheWayBack) {
 TEST(Events, SoonAfterTheLastOneAreFound) {
   // Near its turning point the pendulum passes q = a twice, within one step or several.
   const double top = 0.9;
-  const State<1> start = swing(0.0, std::sqrt(2.0 * (1.0 - std::cos(top))));
+  const State<1> start = at(0.0, std::sqrt(2.0 * (1.0 - std::cos(top))));
   for (const double below : {1e-2, 1e-4, 1e-6, 1e-8})
     for (const double sense : {1.0, -1.0}) {
       const auto by = avi::collocation(avi::poincare<1>(pendulum, start), 16);
-      const Event event{[&](const State<1>& at) { return sense * at.q[0] - (top - below); }};
-      const Event turn{[](const State<1>& at) { return at.p[0]; }};
+      const Event event{[&](const State<1>& x) { return sense * x.q[0] - (top - below); }};
+      const Event turn{[](const State<1>& x) { return x.p[0]; }};
       auto method = by;
       State<1> turned = start, once = start;
       ASSERT_TRUE(avi::integrate_to(method, turned, sense * 0.1, turn, {.time = sense * 5.0}).ok());
@@ -135,9 +127,9 @@ TEST(Events, SoonAfterTheLastOneAreFound) {
 
 TEST(Events, OfEveryMonotoneFunctionAreFound) {
   const auto find = [&](std::function<double(double)> g, double tolerance = 0.0) {
-    State<1> z = swing(0.0, 1.2);
+    State<1> z = at(0.0, 1.2);
     auto method = avi::collocation(avi::poincare<1>(pendulum, z), 16);
-    const Event event{[&](const State<1>& at) { return g(at.q[0]); }, Crossing::rising, tolerance};
+    const Event event{[&](const State<1>& x) { return g(x.q[0]); }, Crossing::rising, tolerance};
     const auto run = avi::integrate_to(method, z, 1.2, event, {.time = 1.9});
     return std::pair{run, z};
   };
@@ -183,9 +175,9 @@ TEST(Events, OfEveryMonotoneFunctionAreFound) {
 }
 
 TEST(Events, ThatAreJumpsEndARunWithAReason) {
-  State<1> z = swing(0.0, 1.2);
+  State<1> z = at(0.0, 1.2);
   auto method = avi::collocation(avi::poincare<1>(pendulum, z), 16);
-  const Event jump{[](const State<1>& at) { return at.q[0] < 0.5 ? -2.0 : 4.0; }};
+  const Event jump{[](const State<1>& x) { return x.q[0] < 0.5 ? -2.0 : 4.0; }};
   const auto run = avi::integrate(method, z, 0.1, {.time = 1.0}, avi::on_event(jump, [](const State<1>&) {}));
   EXPECT_EQ(run.outcome, Outcome::not_converged);
   EXPECT_NE(run.message.find("from -2 to 4, where |g| is not small"), std::string::npos) << run.message;
@@ -193,13 +185,9 @@ TEST(Events, ThatAreJumpsEndARunWithAReason) {
 
 TEST(Events, OfAFunctionThatIsZeroButForRoundingEndNothing) {
   // An orbit in a plane: the third coordinate is noise.
-  const auto H = [](const auto& q, const auto& p) {
-    return 0.5 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) -
-           1.0 / sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
-  };
   const double c = std::cos(0.7), s = std::sin(0.7);
   State<3> z{.q = {1.0, 0.0, 0.0}, .p = {0.0, 1.1 * c, 1.1 * s}};
-  auto method = avi::collocation(avi::poincare<3>(H, z), 8);
+  auto method = avi::collocation(avi::poincare(systems::kepler_in_space, z), 8);
   const Event across{[&](const State<3>& at) { return s * at.q[1] - c * at.q[2]; }};
   int seen = 0;
   const auto run =
@@ -272,7 +260,7 @@ TEST(Landing, KeepsTimeAndItsCoordinateTogether) {
     return 0.5 * p[0] * p[0] - (1.0 + 0.1 * cos(t)) * cos(q[0]);
   };
   for (const double t0 : {-2.0, 0.0, 1e5}) {
-    State<1> plain = swing(0.3, 0.5);
+    State<1> plain = at(0.3, 0.5);
     plain.t = t0;
     const auto problem = avi::time_dependent(H, plain);
     for (const double span : {0.1, 1.0 / 3.0, 2.0, 7.7}) {

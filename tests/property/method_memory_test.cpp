@@ -1,4 +1,5 @@
 #include "avi/avi.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@
 // method has to do what a new one does.
 namespace method_memory_test {
 
-using avi::State;
+using avi::State, systems::kepler, systems::spring;
 
 /// A step from z by a method with a past and by a new one: largest difference of the ends.
 template <class Used, class Fresh, class Z>
@@ -20,11 +21,6 @@ double apart(Used& used, Fresh fresh, Z& z, double h) {
   EXPECT_TRUE(fresh.step(other, h).ok());
   return std::max((z.q - other.q).cwiseAbs().maxCoeff(), (z.p - other.p).cwiseAbs().maxCoeff());
 }
-
-const auto oscillator = [](const auto& q, const auto& p) { return 0.5 * (q[0] * q[0] + p[0] * p[0]); };
-const auto kepler = [](const auto& q, const auto& p) {
-  return 0.5 * (p[0] * p[0] + p[1] * p[1]) - pow(q[0] * q[0] + q[1] * q[1], -0.5);
-};
 
 // The matrix of a start a million times as stiff shrank all changes: 31 steps were taken for solved.
 TEST(MethodMemory, HasNoMatrixOfAnotherOrbit) {
@@ -58,7 +54,7 @@ TEST(MethodMemory, TriesNewtonsMethodAnewElsewhere) {
 TEST(MethodMemory, HasNoScalesOfAnotherOrbit) {
   for (const int order : {2, 4, 8, 16}) {
     State<1> large{.q = {1e12}, .p = {0.0}}, z{.q = {1.0}, .p = {0.0}};
-    const auto fresh = [&] { return avi::collocation(avi::poincare(oscillator, z), order); };
+    const auto fresh = [&] { return avi::collocation(avi::poincare(spring, z), order); };
     auto used = fresh();
     for (int k = 0; k < 5; ++k)
       ASSERT_TRUE(used.step(large, 0.1).ok());
@@ -75,7 +71,7 @@ TEST(MethodMemory, HasNoScalesOfAnotherOrbit) {
 TEST(MethodMemory, ForgetsStepsOfAnotherSize) {
   for (const int order : {8, 16}) {
     State<1> z{.q = {0.0}, .p = {1.0}};
-    const auto problem = avi::poincare(oscillator, z);
+    const auto problem = avi::poincare(spring, z);
     auto used = avi::collocation(problem, order);
     ASSERT_TRUE(used.step(z, 1e-300).ok());
     EXPECT_LT(apart(used, avi::collocation(problem, order), z, 1.0), 1e-14) << order;
@@ -145,10 +141,10 @@ void expect_to_outlive_a_move(Method method, const State<n>& start) {
 TEST(MethodMemory, OutlivesAMove) {
   const State<1> start{.q = {1.0}, .p = {0.0}};
   const State<avi::dynamic> any{.q = {1.0}, .p = {0.0}};
-  expect_to_outlive_a_move(avi::collocation(avi::poincare(oscillator, start), 8), start);
-  expect_to_outlive_a_move(avi::collocation(avi::poincare(oscillator, any), 16), any);
-  expect_to_outlive_a_move(avi::htvi<8>(avi::poincare(oscillator, start)), start);
-  expect_to_outlive_a_move(avi::AnyMethod<1>(avi::htvi<4>(avi::poincare(oscillator, start))), start);
+  expect_to_outlive_a_move(avi::collocation(avi::poincare(spring, start), 8), start);
+  expect_to_outlive_a_move(avi::collocation(avi::poincare(spring, any), 16), any);
+  expect_to_outlive_a_move(avi::htvi<8>(avi::poincare(spring, start)), start);
+  expect_to_outlive_a_move(avi::AnyMethod<1>(avi::htvi<4>(avi::poincare(spring, start))), start);
 }
 
 // A step of size 0 is none: the digits that a state cannot hold, and the polynomial of the last step, are

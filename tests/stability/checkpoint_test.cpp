@@ -1,6 +1,7 @@
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/solve.hpp"
 #include "scratch.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@
 
 namespace checkpoint_test {
 
-using avi::HenonHeiles, avi::State;
+using avi::HenonHeiles, avi::State, systems::pendulum;
 
 const State<2> start{.q = {0.0, 0.3}, .p = {0.45, 0.0}};
 const double end = 30000.0;
@@ -147,7 +148,6 @@ TEST(Checkpoint, IsNotOfAnEarlierCall) {
 
 // Where an event is not met that a choice was made for, another one is made, with an interruption as without.
 TEST(Checkpoint, BeforeAnEventThatDoesNotComeGoesOnAsWithout) {
-  const auto pendulum = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - cos(q[0]); };
   const double turn = std::acos(0.5) + 1e-6;
   const std::string file = file_named("horizon");
   avi::SolveOptions all{
@@ -168,7 +168,6 @@ TEST(Checkpoint, BeforeAnEventThatDoesNotComeGoesOnAsWithout) {
 // What was asked for is in the file, and a bound that the first look for the event meets changes nothing of
 // it.
 TEST(Checkpoint, BeforeAnEventGoesOnWithWhatWasAskedFor) {
-  const auto pendulum = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - cos(q[0]); };
   const std::string file = file_named("asked");
   const State<1> z{.q = {0.0}, .p = {1.9}};
   avi::SolveOptions all{

@@ -11,6 +11,7 @@
 #include "allocations.hpp"
 #include "rate.hpp"
 #include "src/rounded_formula.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,13 +45,8 @@ TEST(Step, AllocatesNothing) {
 // A charge in a dipole's field, whose sweeps converge by 0.6 each: a matrix of Newton's method, which comes
 // with memory, would cost more than the few that are left.
 TEST(Step, IsSolvedBySweepsThatAreNearlyThere) {
-  const auto dipole = [](const auto& q, const auto& p) {
-    const auto square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2], b = pow(square, -1.5);
-    const auto x = p[0] + b * q[1], y = p[1] - b * q[0];
-    return 0.5 * (x * x + y * y + p[2] * p[2]);
-  };
   const avi::State<3> start{.q = {1.0, 0.0, 0.0}, .p = {0.0, 1.08, 0.03}};
-  auto method = avi::collocation(avi::poincare(dipole, start), 16, {.tolerance = 1e-9});
+  auto method = avi::collocation(avi::poincare(systems::dipole, start), 16, {.tolerance = 1e-9});
   for (const double h : {1.15, 1.25}) {
     auto z = start;
     const long before = allocations;
@@ -81,9 +77,6 @@ TEST(Step, AllocatesNothingInCollocationEither) {
 
 // The formulas of a Solver are made once: the rest of a run asks for memory a few hundred times.
 TEST(Solver, MakesItsFormulasOnce) {
-  const auto kepler = [](const auto& q, const auto& p) {
-    return 0.5 * (p[0] * p[0] + p[1] * p[1]) - 1.0 / sqrt(q[0] * q[0] + q[1] * q[1]);
-  };
   const avi::State<2> start{.q = {0.3, 0.0}, .p = {0.0, 2.3}}, other{.q = {0.3, 0.0}, .p = {0.0, 2.35}};
   for (const bool check : {true, false}) {
     const auto count = [&](const auto& call) {
@@ -91,8 +84,8 @@ TEST(Solver, MakesItsFormulasOnce) {
       call();
       return allocations - before;
     };
-    const long all = count([&] { (void)avi::solve(kepler, start, 8.0, 1e-7, {.check = check}); });
-    const avi::Solver solver(kepler, start, 8.0, 1e-7, {.check = check, .monitor = "energy"});
+    const long all = count([&] { (void)avi::solve(systems::kepler, start, 8.0, 1e-7, {.check = check}); });
+    const avi::Solver solver(systems::kepler, start, 8.0, 1e-7, {.check = check, .monitor = "energy"});
     (void)solver.run(start, 8.0);  // machine code is made by the first run
     const long run = count([&] { (void)solver.run(other, 8.0); });
     EXPECT_LT(run, 600) << all;  // measured 444, and 1022 where each run makes its own

@@ -1,6 +1,4 @@
 #pragma once
-#include "avi/core/state.hpp"
-
 #include <complex>
 
 /// @file
@@ -19,17 +17,4 @@ inline std::complex<long double> by_hand(std::complex<long double> z, long doubl
   for (; at + h <= sense * t; at += h)
     z *= factor(sense * h);
   return z * factor(t - sense * at);
-}
-
-/// The same spring for avi.
-inline auto spring() {
-  return [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0]; };
-}
-
-/// One degree of freedom.
-inline avi::State<1> at(double q, double p) {
-  avi::State<1> z;
-  z.q << q;
-  z.p << p;
-  return z;
 }

@@ -9,6 +9,7 @@
 #include "avi/transform/poincare.hpp"
 
 #include "refusal.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -76,8 +77,7 @@ TEST(Formula, HasParametersThatChangeWithoutRecording) {
   EXPECT_EQ(stiff.with_constants().graph().inputs(), 2);
   EXPECT_EQ(stiff.with_constants()(q, p), 22.0);
   // Its frequency is the root of 4.5.
-  const avi::State<1> start{.q = avi::Vector<double, 1>(1.0), .p = avi::Vector<double, 1>(0.0)};
-  const auto orbit = avi::solve(stiff, start, 10.0, 1e-10);
+  const auto orbit = avi::solve(stiff, systems::at(1.0, 0.0), 10.0, 1e-10);
   EXPECT_TRUE(orbit.kept()) << orbit.report();
   EXPECT_NEAR(orbit.state.q[0], std::cos(10.0 * std::sqrt(4.5)), 2e-10);
   EXPECT_EQ(calls, 1);

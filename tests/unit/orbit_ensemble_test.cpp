@@ -1,7 +1,7 @@
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/solver.hpp"
 #include "scratch.hpp"
-#include "unit/cayley.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 
 namespace orbit_ensemble_test {
 
-using avi::HenonHeiles, avi::State;
+using avi::HenonHeiles, avi::State, systems::pendulum, systems::spring;
 
 std::vector<State<2>> some_starts(int count) {
   std::vector<State<2>> starts;
@@ -89,7 +89,6 @@ TEST(OrbitEnsemble, HasNoCurveWhereNoStepWasMade) {
 
 // A pendulum near its top, by what was chosen for small swings.
 TEST(OrbitEnsemble, SaysThatTheChoiceWasMadeForAnotherStart) {
-  const auto pendulum = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - cos(q[0]); };
   const avi::Solver solver(pendulum, State<1>{.q = {0.0}, .p = {0.01}}, 40.0, 1e-10);
   const auto like = solver.run({.q = {0.0}, .p = {0.011}}, 40.0);
   EXPECT_TRUE(like.kept()) << like.report();
@@ -100,18 +99,15 @@ TEST(OrbitEnsemble, SaysThatTheChoiceWasMadeForAnotherStart) {
 
 // What is made of H for a Solver knows the energy at the start, and whatever is made of it, as parameters.
 TEST(OrbitEnsemble, FollowsStartsOfAnyEnergy) {
-  const auto kepler = [](const auto& q, const auto& p) {
-    return 0.5 * (p[0] * p[0] + p[1] * p[1]) - 1.0 / sqrt(q[0] * q[0] + q[1] * q[1]);
-  };
   const auto own = [](const auto& q, const auto&) { return q[0] * q[0] + q[1] * q[1] + 0.01; };
   const auto start = [](double speed) { return State<2>{.q = {0.3, 0.0}, .p = {0.0, speed}}; };
   const std::vector<avi::SolveMonitor> monitors{"fixed",        "energy", "energy^1.5", "poles",
                                                 "acceleration", own,      "splitting"};
   for (const auto& monitor : monitors)
     for (const bool check : {true, false}) {
-      const avi::Solver solver(kepler, start(2.3), 8.0, 1e-7, {.check = check, .monitor = monitor});
+      const avi::Solver solver(systems::kepler, start(2.3), 8.0, 1e-7, {.check = check, .monitor = monitor});
       for (const double speed : {2.2, 2.35, 2.3}) {
-        const auto exact = avi::solve(kepler, start(speed), {3.0, 8.0}, 1e-12);
+        const auto exact = avi::solve(systems::kepler, start(speed), {3.0, 8.0}, 1e-12);
         const auto run = solver.run(start(speed), std::vector<double>{3.0, 8.0});
         ASSERT_TRUE(exact.kept() && run.ok()) << monitor.name;
         for (const int i : {0, 1})
@@ -123,12 +119,12 @@ TEST(OrbitEnsemble, FollowsStartsOfAnyEnergy) {
 
 TEST(OrbitEnsemble, RefusesOtherStarts) {
   const State<avi::dynamic> start{.q = avi::VectorX::Constant(1, 1.0), .p = avi::VectorX::Constant(1, 0.0)};
-  const avi::Solver solver(spring(), start, 10.0, 1e-8);
+  const avi::Solver solver(spring, start, 10.0, 1e-8);
   const State<avi::dynamic> wide{.q = avi::VectorX::Constant(2, 1.0), .p = avi::VectorX::Constant(2, 0.0)};
   EXPECT_THROW((void)solver.run(wide, 1.0), std::invalid_argument);
   EXPECT_THROW((void)solver.run(start, std::vector<double>{}), std::invalid_argument);
   EXPECT_THROW((void)solver.ensemble({start}, 1.0, {.threads = -1}), std::invalid_argument);
-  EXPECT_THROW(avi::Solver(spring(), start, 0.0, 1e-8), std::invalid_argument);
+  EXPECT_THROW(avi::Solver(spring, start, 0.0, 1e-8), std::invalid_argument);
 }
 
 TEST(OrbitEnsemble, HasNoFileForItsRuns) {

@@ -1,6 +1,7 @@
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"
 #include "avi/solve.hpp"
+#include "systems.hpp"
 #include "unit/cayley.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 
 namespace output_times_test {
 
-using avi::Kepler, avi::solve;
+using avi::Kepler, avi::solve, systems::at, systems::spring;
 
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 
@@ -22,7 +23,7 @@ TEST(OutputTimes, AreThoseOfARunByHandInMoreDigits) {
     std::vector<double> times;
     for (int k = 0; k <= 300; ++k)
       times.push_back(sense * 0.00123 * k * k);
-    const auto orbit = solve(spring(), at(1.0, 0.0), times, 1e-13, {.order = 4, .monitor = "fixed", .h = h});
+    const auto orbit = solve(spring, at(1.0, 0.0), times, 1e-13, {.order = 4, .monitor = "fixed", .h = h});
     ASSERT_EQ(orbit.states.size(), times.size());
     for (std::size_t i = 0; i < times.size(); ++i) {
       const auto hand = by_hand({1.0L, 0.0L}, h, times[i]);
@@ -36,7 +37,7 @@ TEST(OutputTimes, AreThoseOfARunByHandInMoreDigits) {
 // Any number in one step or none, the start, the end and equal ones.
 TEST(OutputTimes, MayBeManyOrFewOrEqual) {
   const std::vector<double> times{0.0, 0.0, 1e-300, 1e-9, 0.5, 0.5000001, 0.5000002, 7.0, 7.0, 20.0, 20.0};
-  const auto orbit = solve(spring(), at(1.0, 0.0), times, 1e-9);
+  const auto orbit = solve(spring, at(1.0, 0.0), times, 1e-9);
   ASSERT_EQ(orbit.states.size(), times.size());
   for (std::size_t i = 0; i < times.size(); ++i) {
     EXPECT_EQ(orbit.states[i].t, times[i]);
@@ -44,7 +45,7 @@ TEST(OutputTimes, MayBeManyOrFewOrEqual) {
   }
   EXPECT_EQ(orbit.states.back(), orbit.state);
   EXPECT_EQ(orbit.states.front(), at(1.0, 0.0));
-  const auto start = solve(spring(), at(1.0, 0.0), std::vector<double>{0.0, 0.0}, 1e-9);
+  const auto start = solve(spring, at(1.0, 0.0), std::vector<double>{0.0, 0.0}, 1e-9);
   ASSERT_EQ(start.states.size(), 2u);
   EXPECT_EQ(start.states[1], start.state);
 }
@@ -93,7 +94,7 @@ TEST(OutputTimes, AreRefusedOutOfOrder) {
                                         {1.0, nan},
                                         {-1.0, -0.5},
                                         {1.0, std::numeric_limits<double>::infinity()}})
-    EXPECT_THROW((void)solve(spring(), z, times, 1e-6), std::invalid_argument);
+    EXPECT_THROW((void)solve(spring, z, times, 1e-6), std::invalid_argument);
 }
 
 // The sentence is of the run that is delivered, though others met the bound before it.
@@ -112,10 +113,10 @@ TEST(OutputTimes, EndAtABoundWithTheStepsThatWereTaken) {
 // H falls to a singularity at t = 1.2533: the states before it are delivered, with the sentence of the
 // failure.
 TEST(OutputTimes, BeforeASingularityAreDelivered) {
-  const auto H = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + log(q[0]); };
   const auto time_of = [](double q) { return std::sqrt(M_PI / 2.0) * std::erf(std::sqrt(-std::log(q))); };
-  const auto found = solve(H, at(1.0, 0.0), std::vector<double>{time_of(0.8), time_of(0.4), 2.0}, 1e-10,
-                           {.seconds = 10.0, .dense = true});
+  const auto found =
+      solve(systems::logarithm, at(1.0, 0.0), std::vector<double>{time_of(0.8), time_of(0.4), 2.0}, 1e-10,
+            {.seconds = 10.0, .dense = true});
   EXPECT_FALSE(found.ok());
   EXPECT_FALSE(found.kept());
   EXPECT_NE(found.run.outcome, avi::Outcome::time_limit);

@@ -3,6 +3,7 @@
 #include "avi/transform/poincare.hpp"
 
 #include "refusal.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +34,7 @@ struct Spring {
   }
 };
 
-const avi::State<1> start{.q = avi::Vector<double, 1>(1.0), .p = avi::Vector<double, 1>(0.0)};
+const avi::State<1> start = systems::at(1.0, 0.0);
 
 TEST(OwnGradient, IsFollowed) {
   const auto orbit = avi::solve(Spring{}, start, 3.0, 1e-10, {.monitor = "fixed", .h = 0.05});
@@ -45,9 +46,8 @@ TEST(OwnGradient, IsFollowed) {
 }
 
 TEST(OwnGradient, OfHItselfGivesTheSameOrbit) {
-  const auto plain = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0]; };
   const auto supplied = avi::solve(Spring{1.0}, start, 50.0, 1e-11),
-             found = avi::solve(plain, start, 50.0, 1e-11);
+             found = avi::solve(systems::spring, start, 50.0, 1e-11);
   EXPECT_EQ(supplied.run.steps, found.run.steps);
   EXPECT_NEAR(supplied.state.q[0], found.state.q[0], 1e-13);
 }

@@ -1,6 +1,7 @@
 #include "avi/solve.hpp"
 #include "kept.hpp"
 #include "src/pauses.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -72,13 +73,12 @@ TEST(Pauses, TellRunsThatLeaveAtDifferentTimes) {
 // decides when: until they were solved to the last digit, five of nine were wrong by more than ten
 // tolerances, three of them kept.
 TEST(Pauses, AtASaddleDoNotComeFromSweeps) {
-  const auto pendulum = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - cos(q[0]); };
   for (const double off : {1e-4, 1e-5, 1e-6})
     for (const double tolerance : {1e-4, 1e-5, 1e-6}) {
       // A quarter of the period, K(cos(off / 2)), by its series.
       const double k = std::sin(0.5 * off), l = std::log(4.0 / k), quarter = l + 0.25 * (l - 1.0) * k * k;
       const avi::State<1> start{.q = {M_PI - off}, .p = {0.0}};
-      const auto orbit = avi::solve(pendulum, start, 3.0 * quarter, tolerance);
+      const auto orbit = avi::solve(systems::pendulum, start, 3.0 * quarter, tolerance);
       EXPECT_TRUE(orbit.kept()) << off << '\n' << orbit.report();
       EXPECT_LT(std::abs(orbit.state.q[0]) / (2.0 * M_PI), 10.0 * tolerance) << off;
       EXPECT_LT(std::abs(orbit.state.p[0] - 2.0 * std::cos(0.5 * off)) / 4.0, 10.0 * tolerance) << off;
@@ -103,7 +103,6 @@ double apart(const avi::Solution<1>& run, const avi::Solution<1>& exact) {
 // runs with such errors may meet by chance. At an end near the top such an orbit errs by less than on the
 // way.
 TEST(Pauses, CountErrorsOfTheEnergy) {
-  const auto pendulum = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - cos(q[0]); };
   struct Case {
     double p, end, tolerance, before;
   };
@@ -117,8 +116,8 @@ TEST(Pauses, CountErrorsOfTheEnergy) {
       times.push_back(end * i / 200);
     times.push_back(end);
     const State<1> start{.q = {0.1}, .p = {p}};
-    const auto run = kept(avi::solve(pendulum, start, times, tolerance));
-    const auto exact = avi::solve(pendulum, start, times, 1e-12);
+    const auto run = kept(avi::solve(systems::pendulum, start, times, tolerance));
+    const auto exact = avi::solve(systems::pendulum, start, times, 1e-12);
     EXPECT_LT(apart(run, exact), 10.0 * tolerance) << p << ' ' << end << ", before " << before;
   }
 }

@@ -3,6 +3,7 @@
 #include "kept.hpp"
 #include "refusal.hpp"
 #include "src/poles.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -83,11 +84,7 @@ TEST(Poles, AreThoseOfPositionsAlone) {
 // many).
 TEST(Poles, AreTakenWhereTheyPay) {
   const double mu = 0.012277471;
-  const auto h = [=](const auto& q, const auto& p) {
-    const auto a = q[0] + mu, b = q[0] - (1.0 - mu);
-    return 0.5 * (p[0] * p[0] + p[1] * p[1]) + q[1] * p[0] - q[0] * p[1] -
-           (1.0 - mu) / sqrt(a * a + q[1] * q[1]) - mu / sqrt(b * b + q[1] * q[1]);
-  };
+  const auto h = systems::restricted(mu);
   const State<2> start{.q = {0.994, 0.0}, .p = {0.0, -2.00158510637908252 + 0.994}};
   const double period = 17.06521656015796255;
   const auto orbit = kept(solve(h, start, period, 1e-9));
@@ -159,24 +156,19 @@ TEST(Poles, HaveAConstantBesideThemWhereTheOrbitIsFree) {
 // Two suns throw a planet out: far away, seen from the frame that turns with them, energies take a million
 // steps, of which the beginning shows nothing. Measured: 216 to 399; it was given up.
 TEST(Poles, AreTakenWhenTheOrbitLeavesWhatTheMenuWasMadeFor) {
-  const auto h = [](const auto& q, const auto& p) {
-    const auto a = q[0] + 0.5, b = q[0] - 0.5;
-    return 0.5 * (p[0] * p[0] + p[1] * p[1]) + q[1] * p[0] - q[0] * p[1] - 0.5 / sqrt(a * a + q[1] * q[1]) -
-           0.5 / sqrt(b * b + q[1] * q[1]);
-  };
   const State<2> start{.q = {0.0142, 0.0872}, .p = {-0.0895, 1.1005}};
   const avi::Vector<double, 2> end(65.86185872, -104.34014895);  // by 2e6 fixed steps of order 16
   for (const double tolerance : {1e-4, 1e-7, 1e-9}) {
-    const auto orbit = kept(solve(h, start, 180.0, tolerance));
+    const auto orbit = kept(solve(systems::restricted(0.5), start, 180.0, tolerance));
     EXPECT_LT(orbit.run.steps, 1000);
     EXPECT_LT((orbit.state.q - end).norm(), 10.0 * tolerance * 123.0) << orbit.report();
   }
 }
 
 TEST(Poles, AreRefusedWhereThereAreNone) {
-  const auto spring = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
-  expect_refusal([&] { (void)solve(spring, State<1>{.q = 1.0, .p = 0.0}, 10.0, 1e-6, {.monitor = "poles"}); },
-                 "divides by no function of q alone");
+  expect_refusal(
+      [&] { (void)solve(systems::spring, systems::at(1.0, 0.0), 10.0, 1e-6, {.monitor = "poles"}); },
+      "divides by no function of q alone");
 }
 
 // In other units of length, time and mass: the same steps.

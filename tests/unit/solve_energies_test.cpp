@@ -1,6 +1,7 @@
 #include "avi/solve.hpp"
 #include "avi/solver.hpp"
 #include "kept.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +13,7 @@
 
 namespace solve_energies_test {
 
-using avi::solve, avi::State;
-
-State<1> at(double q, double p) { return {.q = avi::Vector<double, 1>(q), .p = avi::Vector<double, 1>(p)}; }
+using avi::solve, avi::State, systems::at, systems::kepler, systems::two_centres;
 
 // An ulp of m c^2 is more than all the rest of H, whose motion is Newton's to rounding.
 TEST(SolveEnergies, MayBeHiddenByTheRestEnergy) {
@@ -34,9 +33,7 @@ TEST(SolveEnergies, MayBeHiddenByTheRestEnergy) {
 
 // An ulp of H and of what moves, in the unit of energy errors.
 TEST(SolveEnergies, AreToldTheRoundingOfH) {
-  const auto spring = [](const auto& q, const auto& p) {
-    return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0] - 1000.0;
-  };
+  const auto spring = [](const auto& q, const auto& p) { return systems::spring(q, p) - 1000.0; };
   const auto orbit = solve(spring, at(1.0, 0.0), 40.0, 1e-6);
   EXPECT_NEAR(orbit.choice.energy_scale, 0.25, 0.1) << "the mean of p^2/2 in a rough run";
   EXPECT_NEAR(orbit.energy_rounding / 0x1p-52, 999.5 / orbit.choice.energy_scale + 1.0, 1e-9);
@@ -47,13 +44,9 @@ TEST(SolveEnergies, AreToldTheRoundingOfH) {
 
 // Near the speed of light H_pp is nothing like an inverse mass.
 TEST(SolveEnergies, AreKeptNearTheSpeedOfLight) {
-  const auto energy = [](const auto& q, const auto& p) {
-    return sqrt(1.0 + p[0] * p[0]) + 0.5 * q[0] * q[0];
-  };
   for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
-    const auto orbit = kept(solve(energy, at(0.0, 100.0), 200.0, tolerance));
-    const double q = orbit.state.q[0], p = orbit.state.p[0];
-    EXPECT_NEAR(std::sqrt(1.0 + p * p) + 0.5 * q * q, std::sqrt(1.0 + 1e4), 500.0 * tolerance);
+    const auto orbit = kept(solve(systems::relativistic, at(0.0, 100.0), 200.0, tolerance));
+    EXPECT_NEAR(systems::relativistic(orbit.state.q, orbit.state.p), std::sqrt(1.0 + 1e4), 500.0 * tolerance);
   }
 }
 
@@ -62,8 +55,7 @@ TEST(SolveEnergies, SayNothingOfWhatComesFromAfar) {
   EXPECT_TRUE(solve(repelled, at(1e4, -1.0), 2e4, 1e-6).kept());
   const auto wall = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + exp(q[0]); };
   EXPECT_TRUE(solve(wall, at(-3.0, 2.0), 40.0, 1e-6).kept());
-  const auto hinge = [](const auto& q, const auto& p) { return sqrt(1.0 + p[0] * p[0]) + 0.5 * q[0] * q[0]; };
-  EXPECT_TRUE(solve(hinge, at(300.0, 0.0), 2000.0, 1e-6).kept());
+  EXPECT_TRUE(solve(systems::relativistic, at(300.0, 0.0), 2000.0, 1e-6).kept());
   const auto barrier = [](const auto& q, const auto& p) {
     return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0] + 1e-8 / (q[0] * q[0]);
   };
@@ -72,24 +64,15 @@ TEST(SolveEnergies, SayNothingOfWhatComesFromAfar) {
     return 0.5 * p[0] * p[0] + 4.0 * (pow(q[0], -12.0) - pow(q[0], -6.0));
   };
   EXPECT_TRUE(solve(rest, at(1.122462048309373, 0.0), 50.0, 1e-6).kept());
-  const auto dipole = [](const auto& q, const auto& p) {
-    const auto cube = pow(q.squaredNorm(), -1.5), a = p[0] + q[1] * cube, b = p[1] - q[0] * cube;
-    return 0.5 * (a * a + b * b + p[2] * p[2]);
-  };
   for (const double end : {5.0, 20.0})
-    EXPECT_TRUE(solve(dipole, State<3>{.q = {0.9, 0.1, 0.25}, .p = {0.05, -0.95, 0.12}}, end, 1e-6).kept());
+    EXPECT_TRUE(
+        solve(systems::dipole, State<3>{.q = {0.9, 0.1, 0.25}, .p = {0.05, -0.95, 0.12}}, end, 1e-6).kept());
 }
 
 // An orbit of eccentricity 0.9 in a frame that turns, and by momenta that a gauge has moved: the kinetic
 // energy is that of the motion, and the choice that of the frame at rest.
 TEST(SolveEnergies, AreThoseOfTheMotionInEveryFrameAndGauge) {
   const double turns = 0.3, t = 40.0;
-  const auto kepler = [](const auto& q, const auto& p) {
-    return 0.5 * (p[0] * p[0] + p[1] * p[1]) - 1.0 / sqrt(q[0] * q[0] + q[1] * q[1]);
-  };
-  const auto turning = [=](const auto& q, const auto& p) {
-    return kepler(q, p) - turns * (q[0] * p[1] - q[1] * p[0]);
-  };
   // The gradient of 2 q0 q1 + q1^3 is added to p.
   const auto gauged = [](const auto& q, const auto& p) {
     const auto a = p[0] - 2.0 * q[1], b = p[1] - 2.0 * q[0] - 3.0 * q[1] * q[1];
@@ -100,7 +83,7 @@ TEST(SolveEnergies, AreThoseOfTheMotionInEveryFrameAndGauge) {
   const auto truth = solve(kepler, start, t, 1e-12);
   const auto still = solve(kepler, start, t, 1e-7);
   const avi::SolveOptions by_energy{.monitor = "energy^1.5"};
-  const auto turned = solve(turning, start, t, 1e-7, by_energy);
+  const auto turned = solve(systems::turning_kepler(turns), start, t, 1e-7, by_energy);
   const auto moved = solve(gauged, State<2>{.q = {q0, 0.0}, .p = {0.0, p1 + 2.0 * q0}}, t, 1e-7, by_energy);
   for (const auto* orbit : {&still, &turned, &moved}) {
     EXPECT_TRUE(orbit->kept()) << orbit->report();
@@ -121,19 +104,14 @@ TEST(SolveEnergies, AreThoseOfTheMotionInEveryFrameAndGauge) {
 // A body comes within 4e-7 of one of two centres, where its place is rounded so that the energy errs by 4e-4;
 // it errs so no longer further out. The run was refused, though its end is right to 1e-9.
 TEST(SolveEnergies, MayErrInAPassageByWhatTheMonitorMakesOfRounding) {
-  const auto centres = [](const auto& q, const auto& p) {
-    const auto one = (q[0] - 1.0) * (q[0] - 1.0) + q[1] * q[1],
-               other = (q[0] + 1.0) * (q[0] + 1.0) + q[1] * q[1];
-    return 0.5 * (p[0] * p[0] + p[1] * p[1]) - 1.0 / sqrt(one) - 0.5 / sqrt(other);
-  };
   const avi::State<2> start{.q = {0.2, 0.9}, .p = {0.3, 0.5}};
-  const auto orbit = kept(avi::solve(centres, start, 600.0, 1e-6));
+  const auto orbit = kept(avi::solve(two_centres, start, 600.0, 1e-6));
   EXPECT_GT(orbit.energy_error, 1e-5);
   EXPECT_NEAR(orbit.state.q[0], 1.30777032, 3e-7);  // in 33 digits
   EXPECT_NEAR(orbit.state.q[1], -0.52045163, 3e-7);
   // With a step that is given it stays refused; the report does not say that two runs show it.
   const auto given =
-      avi::solve(centres, start, 600.0, 1e-6, {.order = 16, .monitor = "energy^1.5", .h = 0.3});
+      avi::solve(two_centres, start, 600.0, 1e-6, {.order = 16, .monitor = "energy^1.5", .h = 0.3});
   EXPECT_FALSE(given.kept());
   EXPECT_EQ(given.report().find("as two runs"), std::string::npos) << given.report();
   EXPECT_NE(given.report().find("the energy errs by more than ten tolerances"), std::string::npos);
@@ -196,9 +174,6 @@ TEST(SolveEnergies, DoNotEndARunWhoseStepWasMadeLonger) {
 // At a pericentre the terms of H are thousands of times what is left of them. An error of H_0 is one of the
 // period, whatever the steps: both runs have it. There p = -t / q^2, as late as the end is.
 TEST(SolveEnergies, HaveAllDigitsAtTheStart) {
-  const auto kepler = [](const auto& q, const auto& p) {
-    return 0.5 * p.squaredNorm() - 1.0 / sqrt(q.squaredNorm());
-  };
   for (const double q : {1.007e-4, 1.1e-4, 1.2345e-4, 1.007e-3, 1.1e-3}) {
     const double p = std::sqrt(2.0 / q - 1.0);
     const State<2> start{.q = {q, 0.0}, .p = {0.0, p}};

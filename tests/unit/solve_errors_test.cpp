@@ -2,6 +2,7 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/solve.hpp"
 #include "kept.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,10 +15,7 @@
 
 namespace solve_errors_test {
 
-using avi::solve, avi::State;
-
-const auto pendulum = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - cos(q[0]); };
-const auto spring = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
+using avi::solve, avi::State, systems::at, systems::pendulum, systems::spring;
 
 /// The error that is said of an orbit, over the true one: the largest of an entry in its range.
 template <int n, class H>
@@ -30,9 +28,10 @@ double said_over_true(const H& hamiltonian, const State<n>& start, double end, d
   double error = 0.0;
   for (const auto& entries : {&State<n>::q, &State<n>::p})
     for (int i = 0; i < n; ++i) {
-      const auto at = [&](const State<n>& z) { return (z.*entries)[i]; };
-      const auto [low, high] = std::ranges::minmax_element(exact.states, {}, at);
-      error = std::max(error, std::abs(at(orbit.state) - at(exact.state)) / (at(*high) - at(*low)));
+      const auto entry = [&](const State<n>& z) { return (z.*entries)[i]; };
+      const auto [low, high] = std::ranges::minmax_element(exact.states, {}, entry);
+      error =
+          std::max(error, std::abs(entry(orbit.state) - entry(exact.state)) / (entry(*high) - entry(*low)));
     }
   EXPECT_TRUE(orbit.kept());
   EXPECT_LE(error, 3.0 * tolerance);
@@ -74,8 +73,8 @@ TEST(SolveErrors, AreNearTheTruth) {
         ratios.push_back(said_over_true(avi::Kepler(), avi::Kepler::pericentre(e), end, tolerance));
       ratios.push_back(
           said_over_true(avi::HenonHeiles(), State<2>{.q = {0.0, 0.1}, .p = {0.35, 0.1}}, end, tolerance));
-      ratios.push_back(said_over_true(pendulum, State<1>{.q = {2.0}, .p = {0.0}}, end, tolerance));
-      ratios.push_back(said_over_true(quartic, State<1>{.q = {1.0}, .p = {0.0}}, end, tolerance));
+      ratios.push_back(said_over_true(pendulum, at(2.0, 0.0), end, tolerance));
+      ratios.push_back(said_over_true(quartic, at(1.0, 0.0), end, tolerance));
     }
   std::ranges::sort(ratios);
   const std::size_t half = ratios.size() / 2;
@@ -131,7 +130,7 @@ TEST(SolveErrors, AreUnknownWhereTheEnergyIsNoNumber) {
            avi::select(q[0] < 2.0, 0.0 * q[0], 0.0 * q[0] + std::numeric_limits<double>::quiet_NaN());
   };
   for (const char* monitor : {"fixed", "splitting"}) {
-    const auto orbit = solve(h, State<1>{.q = 0.0, .p = 1.0}, 5.0, 1e-6, {.monitor = monitor});
+    const auto orbit = solve(h, at(0.0, 1.0), 5.0, 1e-6, {.monitor = monitor});
     EXPECT_FALSE(orbit.ok()) << orbit.report();
     EXPECT_NE(orbit.report().find("fail at t = 2.2"), std::string::npos) << orbit.report();
   }
@@ -215,7 +214,7 @@ TEST(SolveErrors, EndTheChoiceWhereShorterStepsAreInVain) {
   const auto far = [](const auto& q, const auto& p) {
     return 0.5 * p[0] * p[0] + 10.0 * cos(q[0] + 1e5) + 0.5 * q[0] * q[0];
   };
-  const auto rounded = solve(far, State<1>{.q = {2.0}, .p = {0.0}}, 400.0, 1e-13);
+  const auto rounded = solve(far, at(2.0, 0.0), 400.0, 1e-13);
   EXPECT_TRUE(rounded.ok());
   EXPECT_FALSE(rounded.kept());
   EXPECT_LE(rounded.choice.trials.size(), 16u);
@@ -231,12 +230,12 @@ TEST(SolveErrors, AboveTheToleranceHaveAReason) {
     EXPECT_EQ(orbit.note.substr(0, said.size()), said) << orbit.report();
   };
   const std::string rounding = "Shorter steps do not help: rounding adds up";
-  expect(solve(pendulum, State<1>{.q = 0.0, .p = 2.1}, 3e4, 1e-11, {.check = false}), rounding);
-  expect(solve(spring, State<1>{.q = 1.0, .p = 0.0}, 1e5, 1e-13), rounding);
+  expect(solve(pendulum, at(0.0, 2.1), 3e4, 1e-11, {.check = false}), rounding);
+  expect(solve(spring, at(1.0, 0.0), 1e5, 1e-13), rounding);
   const auto step = [](const auto& q, const auto& p) {
-    return 0.5 * (p[0] * p[0] + q[0] * q[0]) + select(q[0] > 0.3, 0.1 + 0.0 * q[0], 0.0 * q[0]);
+    return spring(q, p) + select(q[0] > 0.3, 0.1 + 0.0 * q[0], 0.0 * q[0]);
   };
-  expect(solve(step, State<1>{.q = 1.0, .p = 0.0}, 40.0, 1e-8), "H has a kink");
+  expect(solve(step, at(1.0, 0.0), 40.0, 1e-8), "H has a kink");
   expect(solve(avi::HenonHeiles{}, avi::HenonHeiles::on_section(0.165, 0.1, 0.1), 300.0, 1e-12),
          "Neighbouring orbits move apart exponentially");
 }
@@ -326,26 +325,24 @@ TEST(SolveErrors, SayWhereTheSingularityIs) {
   expect_says(avi::Kepler(), State<2>{.q = {1.0, 0.0}, .p = {0.0, 0.0}, .t = 5.0},
               "Runs fail at t = 6.11072 with every step");
   // No number beyond q = 2, which is reached with a finite velocity: after 0.33465, by a quadrature.
-  const auto edge = [](const auto& q, const auto& p) {
-    return 0.5 * (p[0] * p[0] + q[0] * q[0]) + sqrt(2.0 - q[0]);
-  };
-  expect_says(edge, State<1>{.q = {1.0}, .p = {3.1}, .t = 5.0}, "Runs fail at t = 5.3346");
+  const auto edge = [](const auto& q, const auto& p) { return spring(q, p) + sqrt(2.0 - q[0]); };
+  expect_says(edge, at(1.0, 3.1, 5.0), "Runs fail at t = 5.3346");
   // Where q grows beyond all bounds, as 1 / (1 - t).
   const auto away = [](const auto& q, const auto& p) { return q[0] * q[0] * p[0]; };
-  const auto orbit = solve(away, State<1>{.q = {1.0}, .p = {1.0}, .t = 5.0}, 7.0, 1e-6);
+  const auto orbit = solve(away, at(1.0, 1.0, 5.0), 7.0, 1e-6);
   EXPECT_NE(orbit.run.message.find("fail at t = 5.9999"), std::string::npos) << orbit.run.message;
 }
 
 // A run that cannot be says why: there is no singularity.
 TEST(SolveErrors, SayWhereNumbersEnd) {
   const auto message = [&](double t, double end) {
-    return solve(spring, State<1>{.q = {1.0}, .p = {0.0}, .t = t}, end, 1e-6).run.message;
+    return solve(spring, at(1.0, 0.0, t), end, 1e-6).run.message;
   };
   EXPECT_NE(message(1.0, std::nextafter(1.0, 2.0)).find("rounding of t = 1"), std::string::npos);
   EXPECT_NE(message(0.0, 1e300).find("1e14 times as far"), std::string::npos);
   EXPECT_NE(message(0.0, 1e-300).find("those of a double"), std::string::npos);
   const auto slow = [](const auto& q, const auto& p) { return 1e-300 * (p[0] * p[0] + q[0] * q[0]); };
-  const auto found = solve(slow, State<1>{.q = {1.0}, .p = {0.0}}, 1e300, 1e-6);
+  const auto found = solve(slow, at(1.0, 0.0), 1e300, 1e-6);
   EXPECT_FALSE(std::isnan(found.state_error));
 }
 
@@ -363,8 +360,8 @@ TEST(SolveErrors, KnowWhatIsLostAtASaddle) {
   for (const double tolerance : {1e-2, 1e-4, 1e-8, 1e-12})
     for (double end = 10.0; end<120.0; end *= tolerance> 1e-3 ? 1.03 : 1.3) {
       const double bound = std::max(1e-2, 20.0 * tolerance);
-      const auto up = solve(pendulum, State<1>{.q = {0.0}, .p = {2.0}}, end, tolerance);
-      const auto in = solve(well, State<1>{.q = {2.0}, .p = {0.0}}, end, tolerance);
+      const auto up = solve(pendulum, at(0.0, 2.0), end, tolerance);
+      const auto in = solve(well, at(2.0, 0.0), end, tolerance);
       kept += up.kept() + in.kept();
       for (const auto* each : {&up, &in})
         sweeps += each->run.evaluations + each->choice.sweeps + each->choice.check;
@@ -376,25 +373,24 @@ TEST(SolveErrors, KnowWhatIsLostAtASaddle) {
       }
     }
   EXPECT_GE(kept, 60);
-  // 5.5 million. Rounding decides there, so errors of pairs go up and down: 118 million where one better than
-  // the pair before it, and not than the best, was taken for progress.
+  // 5.5 million. Rounding decides there, so errors of pairs go up and down: 118 million where one better
+  // than the pair before it, and not than the best, was taken for progress.
   EXPECT_LT(sweeps, 11'000'000);
 }
 
-// Two runs of too long steps agreed by chance here, and the larger of their energy errors, 1.6e-7, was taken
-// for rounding of H: the state was said to err by 2e-9, and did by 6e-8. Where H is a difference of large
-// numbers such an error is rounding.
+// Two runs of too long steps agreed by chance here, and the larger of their energy errors, 1.6e-7, was
+// taken for rounding of H: the state was said to err by 2e-9, and did by 6e-8. Where H is a difference of
+// large numbers such an error is rounding.
 TEST(SolveErrors, OfTheEnergyAreRoundingOnlyWhereHRounds) {
-  const auto fast = [](const auto& q, const auto& p) { return sqrt(1.0 + p[0] * p[0]) + 0.5 * q[0] * q[0]; };
   const State<1> start{.q = {5.0}, .p = {0.0}};
-  const auto exact = solve(fast, start, 64.25, 1e-13);
-  const auto orbit = kept(solve(fast, start, 64.25, 1e-9));
+  const auto exact = solve(systems::relativistic, start, 64.25, 1e-13);
+  const auto orbit = kept(solve(systems::relativistic, start, 64.25, 1e-9));
   EXPECT_LE(orbit.energy_error, 1e-8) << orbit.report();
   EXPECT_NEAR(orbit.state.q[0], exact.state.q[0], 1e-7);
   const auto slow = [](const auto& q, const auto& p) {
     return 1e8 * (sqrt(1.0 + 1e-8 * p[0] * p[0]) - 1.0) + 0.5 * q[0] * q[0];
   };
-  const auto rounded = kept(solve(slow, State<1>{.q = {1.0}, .p = {0.0}}, 50.0, 1e-10));
+  const auto rounded = kept(solve(slow, at(1.0, 0.0), 50.0, 1e-10));
   EXPECT_GT(rounded.energy_error, 1e-9) << rounded.report();
 }
 
@@ -422,11 +418,11 @@ TEST(SolveErrors, ArePutDownToChaosBeforeLong) {
     return 0.5 * p[0] * p[0] - 1.0 / sqrt(q[0] * q[0] + r * r);
   };
   for (const double tolerance : {1e-3, 1e-6})
-    expect_chaos(solve(axis, State<1>{.q = {0.0}, .p = {1.95}}, 1000.0, tolerance, options));
+    expect_chaos(solve(axis, at(0.0, 1.95), 1000.0, tolerance, options));
 }
 
-// Friction for so long that the rounding of a place at rest, times its growing mass, is more than the energy:
-// no step makes that less, and a call went on for minutes.
+// Friction for so long that the rounding of a place at rest, times its growing mass, is more than the
+// energy: no step makes that less, and a call went on for minutes.
 TEST(SolveErrors, EndWhereTheEnergyIsRoundingAlone) {
   const auto well = [](const auto& q, const auto& t, const auto& p) {
     const auto square = q[0] * q[0];
@@ -434,7 +430,7 @@ TEST(SolveErrors, EndWhereTheEnergyIsRoundingAlone) {
   };
   for (const double tolerance : {1e-3, 1e-6}) {
     const avi::SolveOptions options{.sweeps = 15'000'000};
-    const auto orbit = solve(well, State<1>{.q = {2.5}, .p = {0.0}}, 600.0, tolerance, options);
+    const auto orbit = solve(well, at(2.5, 0.0), 600.0, tolerance, options);
     EXPECT_TRUE(orbit.ok()) << orbit.report();
   }
 }
@@ -442,12 +438,7 @@ TEST(SolveErrors, EndWhereTheEnergyIsRoundingAlone) {
 // Near the small body of a restricted problem steps of order 16 do not fall by their order yet: the energy
 // says so, and what two runs differ by is believed as far as it falls.
 TEST(SolveErrors, OfFewStepsAreBelievedAsFarAsEnergyErrorsFall) {
-  const auto restricted = [](const auto& q, const auto& p) {
-    const double mass = 1e-3;
-    const auto x = q[0] + mass, y = q[0] - (1.0 - mass);
-    return 0.5 * (p[0] * p[0] + p[1] * p[1]) + q[1] * p[0] - q[0] * p[1] -
-           (1.0 - mass) / sqrt(x * x + q[1] * q[1]) - mass / sqrt(y * y + q[1] * q[1]);
-  };
+  const auto restricted = systems::restricted(1e-3);
   for (int k = 0; k < 20; ++k) {
     const State<2> start{.q = {0.5 - 0.001, 0.866}, .p = {-0.866 + 0.004 * k, 0.5}};
     const auto reference = solve(restricted, start, 40.0, 1e-12);

@@ -3,6 +3,7 @@
 #include "avi/solver.hpp"
 #include "kept.hpp"
 #include "refusal.hpp"
+#include "systems.hpp"
 #include "unit/cayley.hpp"
 
 #include <gtest/gtest.h>
@@ -15,16 +16,17 @@
 
 namespace solve_events_test {
 
-using avi::Kepler, avi::solve, avi::when;
+using avi::Kepler, avi::solve, avi::when, systems::at, systems::spring;
 
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 constexpr auto position = [](const auto& q, const auto&) { return q[0]; };
+constexpr auto fall = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - 1.0 / q[0]; };
 constexpr auto radial = [](const auto& q, const auto& p) { return q[0] * p[0] + q[1] * p[1]; };
 
 // Measured: 28 units, at times up to 100, whose own rounding is 32.
 TEST(SolveEvents, AreThoseOfARunByHandInMoreDigits) {
   const double h = 0.1;
-  const auto orbit = solve(spring(), at(1.0, 0.0), 100.0, 1e-13,
+  const auto orbit = solve(spring, at(1.0, 0.0), 100.0, 1e-13,
                            {.order = 4, .monitor = "fixed", .h = h, .events = {when(position)}});
   ASSERT_EQ(orbit.events.size(), 32u);
   double t = M_PI / 2.0;
@@ -43,7 +45,7 @@ TEST(SolveEvents, AreThoseOfARunByHandInMoreDigits) {
 
 TEST(SolveEvents, KnowDirectionAndCount) {
   const auto orbit =
-      solve(spring(), at(1.0, 0.0), 100.0, 1e-8,
+      solve(spring, at(1.0, 0.0), 100.0, 1e-8,
             {.events = {when(position, {.direction = 1}), when(position, {.direction = -1, .count = 3})}});
   int rising = 0, falling = 0;
   double last = 0.0;
@@ -60,7 +62,7 @@ TEST(SolveEvents, KnowDirectionAndCount) {
 // As the run goes: what rises in time falls in a run that goes back.
 TEST(SolveEvents, HaveTheDirectionOfTheRun) {
   const auto orbit =
-      solve(spring(), at(1.0, 0.0), -10.0, 1e-8, {.events = {when(position, {.direction = -1})}});
+      solve(spring, at(1.0, 0.0), -10.0, 1e-8, {.events = {when(position, {.direction = -1})}});
   ASSERT_EQ(orbit.events.size(), 2u);
   EXPECT_NEAR(orbit.events[0].state.t, -M_PI / 2.0, 1e-8);
   EXPECT_NEAR(orbit.events[1].state.t, -2.5 * M_PI, 1e-8);
@@ -68,7 +70,7 @@ TEST(SolveEvents, HaveTheDirectionOfTheRun) {
 
 TEST(SolveEvents, MayDependOnTime) {
   const auto clock = [](const auto&, const auto& t, const auto&) { return t - 3.25; };
-  const auto orbit = solve(spring(), at(1.0, 0.0), 10.0, 1e-8, {.events = {when(clock)}});
+  const auto orbit = solve(spring, at(1.0, 0.0), 10.0, 1e-8, {.events = {when(clock)}});
   ASSERT_EQ(orbit.events.size(), 1u);
   EXPECT_NEAR(orbit.events[0].state.t, 3.25, 4.0 * rounding);
 }
@@ -80,7 +82,7 @@ TEST(SolveEvents, MayDependOnATimeThatIsFarFromZero) {
     const auto fast = [=](const auto&, const auto& t, const auto&) { return sin(w * (t - begin) - 1.0); };
     avi::State<1> start = at(1.0, 0.0);
     start.t = begin;
-    const auto orbit = solve(spring(), start, begin + 0.2, 1e-4, {.events = {when(fast)}});
+    const auto orbit = solve(spring, start, begin + 0.2, 1e-4, {.events = {when(fast)}});
     ASSERT_TRUE(orbit.ok()) << k << ' ' << orbit.run.message;
     ASSERT_EQ(orbit.events.size(), static_cast<std::size_t>((0.2 * w - 1.0) / M_PI) + 1) << k;
     EXPECT_NEAR(orbit.events[0].state.t - begin, 1.0 / w, 4.0 * rounding * begin) << k;
@@ -91,7 +93,7 @@ TEST(SolveEvents, AreSeenTwoInAStep) {
   // A circle that is left and entered again within a hundredth of a step, and one that is nearly touched.
   const auto high = [](const auto& q, const auto&) { return q[0] - std::cos(0.01); };
   const auto above = [](const auto& q, const auto&) { return q[0] - std::cos(0.01) - 1e-4; };
-  const auto orbit = solve(spring(), at(0.0, 1.0), 6.0, 1e-8, {.events = {when(high), when(above)}});
+  const auto orbit = solve(spring, at(0.0, 1.0), 6.0, 1e-8, {.events = {when(high), when(above)}});
   ASSERT_EQ(orbit.events.size(), 2u);
   EXPECT_NEAR(orbit.events[0].state.t, M_PI / 2.0 - 0.01, 1e-6);
   EXPECT_NEAR(orbit.events[1].state.t, M_PI / 2.0 + 0.01, 1e-6);
@@ -119,7 +121,7 @@ TEST(SolveEvents, AreFoundThoughTheFirstRunMissesThem) {
   EXPECT_TRUE(orbit.ok());
   EXPECT_NEAR(orbit.state.t, 20000.25, 1e-10);
   const auto never =
-      solve(spring(), at(1.0, 0.0), 50.0, 1e-8,
+      solve(spring, at(1.0, 0.0), 50.0, 1e-8,
             {.events = {when([](const auto& q, const auto&) { return q[0] - 2.0; }, {.stop = true})}});
   EXPECT_TRUE(never.kept());
   EXPECT_EQ(never.state.t, 50.0);
@@ -130,7 +132,7 @@ TEST(SolveEvents, DoNotBeginARun) {
   avi::SolveOptions options{.events = {when(position, {.stop = true})}};
   auto z = at(1.0, 0.0);
   for (int k = 0; k < 20; ++k) {
-    const auto orbit = solve(spring(), z, z.t + 10.0, 1e-10, options);
+    const auto orbit = solve(spring, z, z.t + 10.0, 1e-10, options);
     ASSERT_EQ(orbit.events.size(), 1u) << k;
     EXPECT_NEAR(orbit.state.t - z.t, k == 0 ? M_PI / 2.0 : M_PI, 1e-8) << k;
     z = orbit.state;
@@ -141,7 +143,7 @@ TEST(SolveEvents, DoNotBeginARun) {
 TEST(SolveEvents, AreSeenSoonAfterAZeroThatARunBeginsOn) {
   const auto twice = [](const auto& q, const auto&) { return q[0] * (q[0] - 0.002); };
   for (const double h : {0.1, 1.0}) {
-    const auto orbit = solve(spring(), at(0.0, 1.0), 0.1, 1e-8,
+    const auto orbit = solve(spring, at(0.0, 1.0), 0.1, 1e-8,
                              {.order = 8, .monitor = "fixed", .h = h, .events = {when(twice)}});
     ASSERT_EQ(orbit.events.size(), 1u) << h;
     EXPECT_NEAR(orbit.events[0].state.t, std::asin(0.002), 1e-8) << h;
@@ -157,10 +159,10 @@ TEST(SolveEvents, AreSeenOnThePointsThatAreLookedAt) {
       for (const int order : {0, 8}) {
         const double end = half_turns * M_PI;
         const auto found =
-            solve(spring(), at(1.0, 0.0), end, tolerance, {.order = order, .events = {when(position)}});
+            solve(spring, at(1.0, 0.0), end, tolerance, {.order = order, .events = {when(position)}});
         EXPECT_EQ(static_cast<int>(found.events.size()), half_turns) << tolerance << " " << found.report();
         const auto from_zero =
-            solve(spring(), at(0.0, 1.0), end - 1.0, tolerance, {.order = order, .events = {when(position)}});
+            solve(spring, at(0.0, 1.0), end - 1.0, tolerance, {.order = order, .events = {when(position)}});
         EXPECT_EQ(static_cast<int>(from_zero.events.size()), half_turns - 1) << tolerance;
       }
 }
@@ -229,17 +231,17 @@ TEST(SolveEvents, ComeBeforeTheFunctionIsNoNumber) {
 TEST(SolveEvents, MayBeFasterThanTheMotion) {
   for (const double w : {1.0, 5.0, 20.0, 33.1, 50.0, 100.0}) {
     const auto fast = [=](const auto&, const auto& t, const auto&) { return sin(w * t); };
-    const auto found = solve(spring(), at(1.0, 0.0), 20.3, 1e-8, {.events = {when(fast)}});
+    const auto found = solve(spring, at(1.0, 0.0), 20.3, 1e-8, {.events = {when(fast)}});
     ASSERT_EQ(found.events.size(), static_cast<std::size_t>(20.3 * w / M_PI)) << w;
     for (std::size_t i = 0; i < found.events.size(); ++i)
       ASSERT_NEAR(found.events[i].state.t, static_cast<double>(i + 1) * M_PI / w, 1e-9);
   }
   const auto faster = [](const auto&, const auto& t, const auto&) { return sin(1e4 * t); };
-  EXPECT_EQ(solve(spring(), at(1.0, 0.0), 20.3, 1e-8, {.events = {when(faster)}}).run.outcome,
+  EXPECT_EQ(solve(spring, at(1.0, 0.0), 20.3, 1e-8, {.events = {when(faster)}}).run.outcome,
             avi::Outcome::not_converged);
   const auto hundredth = [](const auto&, const auto& t, const auto&) { return sin(40.0 * t + 0.3); };
-  const auto stopped = solve(spring(), at(1.0, 0.0), 1000.0, 1e-8,
-                             {.events = {when(hundredth, {.count = 100, .stop = true})}});
+  const auto stopped =
+      solve(spring, at(1.0, 0.0), 1000.0, 1e-8, {.events = {when(hundredth, {.count = 100, .stop = true})}});
   EXPECT_NEAR(stopped.state.t, (100.0 * M_PI - 0.3) / 40.0, 1e-9);
 }
 
@@ -257,7 +259,7 @@ TEST(SolveEvents, AreSeenWhereAGridMakesThemLookSlow) {
   for (int k = 0; k < 100; ++k) {  // some hundred periods in a step are more than can be told apart
     const double w = 4000.0 * (1.0 + 0.0371 * k);
     const auto faster = [=](const auto&, const auto& t, const auto&) { return sin(w * t); };
-    const auto lost = solve(spring(), at(1.0, 0.0), 3.0, 1e-8, {.events = {when(faster)}});
+    const auto lost = solve(spring, at(1.0, 0.0), 3.0, 1e-8, {.events = {when(faster)}});
     EXPECT_EQ(lost.run.outcome, avi::Outcome::not_converged) << w;
   }
 }
@@ -266,7 +268,7 @@ TEST(SolveEvents, AreSeenWhereAGridMakesThemLookSlow) {
 TEST(SolveEvents, AreSeenInGrazingPairs) {
   for (const auto& [below, tolerance] : {std::pair{1e-3, 1e-4}, {3e-5, 1e-6}, {1e-6, 1e-10}}) {
     const auto near_top = [below = below](const auto& q, const auto&) { return q[0] - (1.0 - below); };
-    const auto found = solve(spring(), at(-1.0, 0.0), 400.0 * M_PI, tolerance, {.events = {when(near_top)}});
+    const auto found = solve(spring, at(-1.0, 0.0), 400.0 * M_PI, tolerance, {.events = {when(near_top)}});
     EXPECT_EQ(found.events.size(), 400u) << below;
   }
 }
@@ -282,7 +284,7 @@ TEST(SolveEvents, AreSeenCloseToOneAnother) {
       return (t - c) * (t - c - 0.09) * (t - c - 0.3) * (t - c - 1.5);
     };
     const auto corner = [=](const auto&, const auto& t, const auto&) { return abs(t - c) - 0.01; };
-    const auto found = solve(spring(), at(0.0, 1.0), 100.0, 1e-8,
+    const auto found = solve(spring, at(0.0, 1.0), 100.0, 1e-8,
                              {.check = false, .events = {when(cubic), when(quartic), when(corner)}});
     EXPECT_EQ(found.events.size(), 9u) << c;
     for (const auto& event : found.events) {
@@ -299,30 +301,30 @@ TEST(SolveEvents, AreSeenCloseToOneAnother) {
 TEST(SolveEvents, AreSeenInPairsCloserThanThePolynomialIsRight) {
   for (const double below : {1e-8, 1e-10}) {
     const auto near_top = [=](const auto& q, const auto&) { return q[0] - (1.0 - below); };
-    const auto found = solve(spring(), at(0.0, 1.0), 200.0, 1e-10, {.events = {when(near_top)}});
+    const auto found = solve(spring, at(0.0, 1.0), 200.0, 1e-10, {.events = {when(near_top)}});
     EXPECT_EQ(found.events.size(), 64u) << below;
   }
   for (const double apart : {1e-3, 1e-4, 1e-5}) {
     const double a = std::sin(0.7), b = std::cos(0.7 + apart);
     const auto both = [=](const auto& q, const auto& p) { return (q[0] - a) * (p[0] - b); };
-    const auto found = solve(spring(), at(0.0, 1.0), 628.0, 1e-10, {.events = {when(both)}});
+    const auto found = solve(spring, at(0.0, 1.0), 628.0, 1e-10, {.events = {when(both)}});
     EXPECT_EQ(found.events.size(), 400u) << apart;
   }
 }
 
 TEST(SolveEvents, EndAsInTheLoopWhereThereIsNoZero) {
   const auto pole = [](const auto& q, const auto&) { return 1.0 / (q[0] - 0.3); };
-  const auto at_pole = solve(spring(), at(1.0, 0.0), 10.0, 1e-8, {.events = {when(pole)}});
+  const auto at_pole = solve(spring, at(1.0, 0.0), 10.0, 1e-8, {.events = {when(pole)}});
   EXPECT_EQ(at_pole.run.outcome, avi::Outcome::not_converged);
   EXPECT_NE(at_pole.run.message.find("pole"), std::string::npos) << at_pole.run.message;
   const auto root = [](const auto& q, const auto&) { return sqrt(q[0]) - 2.0; };
-  const auto at_nan = solve(spring(), at(1.0, 0.0), 10.0, 1e-8, {.events = {when(root)}});
+  const auto at_nan = solve(spring, at(1.0, 0.0), 10.0, 1e-8, {.events = {when(root)}});
   EXPECT_EQ(at_nan.run.outcome, avi::Outcome::non_finite);
   EXPECT_LT(at_nan.state.t, 2.0);
   EXPECT_FALSE(at_nan.kept());
   const auto nowhere = [](const auto& q, const auto&) { return sqrt(q[0] - 2.0); };
   for (const bool stop : {false, true}) {
-    const auto orbit = solve(spring(), at(1.0, 0.0), 10.0, 1e-8, {.events = {when(nowhere, {.stop = stop})}});
+    const auto orbit = solve(spring, at(1.0, 0.0), 10.0, 1e-8, {.events = {when(nowhere, {.stop = stop})}});
     EXPECT_EQ(orbit.run.outcome, avi::Outcome::non_finite) << orbit.report();
   }
 }
@@ -336,7 +338,7 @@ TEST(SolveEvents, ComeBeforeAJumpInTheSameStep) {
   };
   for (const auto& events : {std::vector{when(tangent, {.count = 1, .stop = true})},
                              std::vector{when(jump), when(clock, {.stop = true})}}) {
-    const auto orbit = solve(spring(), at(1.0, 0.0), 10.0, 1e-9, {.events = events});
+    const auto orbit = solve(spring, at(1.0, 0.0), 10.0, 1e-9, {.events = events});
     EXPECT_TRUE(orbit.ok()) << orbit.report();
     ASSERT_EQ(orbit.events.size(), 1u);
     EXPECT_NEAR(orbit.state.t, 0.3, 1e-15);
@@ -358,7 +360,7 @@ TEST(SolveEvents, AreFoundOnceOnASwitchAtTheEnd) {
 }
 
 TEST(SolveEvents, ComeWithTheTimesBeforeThem) {
-  const auto orbit = solve(spring(), at(1.0, 0.0), std::vector<double>{0.5, 1.0, 1.5, 2.0, 2.5}, 1e-10,
+  const auto orbit = solve(spring, at(1.0, 0.0), std::vector<double>{0.5, 1.0, 1.5, 2.0, 2.5}, 1e-10,
                            {.events = {when(position, {.stop = true})}});
   EXPECT_EQ(orbit.states.size(), 3u);
   EXPECT_NEAR(orbit.state.t, M_PI / 2.0, 1e-9);
@@ -366,10 +368,9 @@ TEST(SolveEvents, ComeWithTheTimesBeforeThem) {
 
 // A body that has just left a singularity: what is tried for a choice lies between the start and the event.
 TEST(SolveEvents, ThatStopARunAreLookedForAheadOfIt) {
-  const auto H = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - 1.0 / q[0]; };
   const auto far = [](const auto& q, const auto&) { return q[0] - 1.0; };
-  const auto orbit = solve(H, avi::State<1>{.q = {0.01}, .p = {std::sqrt(200.0)}}, 1e3, 1e-8,
-                           {.events = {when(far, {.stop = true})}});
+  const auto orbit =
+      solve(fall, at(0.01, std::sqrt(200.0)), 1e3, 1e-8, {.events = {when(far, {.stop = true})}});
   EXPECT_TRUE(orbit.kept());
   ASSERT_EQ(orbit.events.size(), 1u);
   EXPECT_NEAR(orbit.state.t, 0.999 * M_SQRT2 / 3.0, 1e-8);
@@ -377,7 +378,6 @@ TEST(SolveEvents, ThatStopARunAreLookedForAheadOfIt) {
 
 // What is chosen for the time behind a singularity is of no use before it.
 TEST(SolveEvents, ThatStopARunBeforeASingularityAreKept) {
-  const auto fall = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - 1.0 / q[0]; };
   for (const double near : {0.1, 0.01}) {
     const auto close = [=](const auto& q, const auto&) { return q[0] - near; };
     const auto orbit = kept(
@@ -387,9 +387,9 @@ TEST(SolveEvents, ThatStopARunBeforeASingularityAreKept) {
 }
 
 TEST(SolveEvents, BeforeASingularityAreFoundThoughTheRunFails) {
-  const auto H = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + log(q[0]); };
   const auto half = [](const auto& q, const auto&) { return q[0] - 0.5; };
-  const auto orbit = solve(H, at(1.0, 0.0), 2.0, 1e-10, {.seconds = 10.0, .events = {when(half)}});
+  const auto orbit =
+      solve(systems::logarithm, at(1.0, 0.0), 2.0, 1e-10, {.seconds = 10.0, .events = {when(half)}});
   EXPECT_FALSE(orbit.ok());
   EXPECT_NE(orbit.run.outcome, avi::Outcome::time_limit);
   EXPECT_NE(orbit.run.message.find("singularity"), std::string::npos) << orbit.run.message;
@@ -399,10 +399,9 @@ TEST(SolveEvents, BeforeASingularityAreFoundThoughTheRunFails) {
 
 // The bound is met where steps that grow ever shorter are gone on with.
 TEST(SolveEvents, BeforeABlowUpAreFoundAndTheRunEnds) {
-  const auto H = [](const auto& q, const auto& p) { return p[0] * (1.0 + q[0] * q[0]); };
   const auto one = [](const auto& q, const auto&) { return q[0] - 1.0; };
-  const auto orbit =
-      solve(H, at(0.0, 1.0), 1.6, 1e-10, {.sweeps = 100'000'000, .dense = true, .events = {when(one)}});
+  const auto orbit = solve(systems::blow_up, at(0.0, 1.0), 1.6, 1e-10,
+                           {.sweeps = 100'000'000, .dense = true, .events = {when(one)}});
   EXPECT_FALSE(orbit.ok());
   EXPECT_NE(orbit.run.message.find("singularity"), std::string::npos) << orbit.run.message;
   ASSERT_EQ(orbit.events.size(), 1u) << orbit.report();
@@ -412,10 +411,9 @@ TEST(SolveEvents, BeforeABlowUpAreFoundAndTheRunEnds) {
 
 // No run is known then that has come further, and steps in an even time of their own have no end.
 TEST(SolveEvents, BeforeABlowUpAreFoundByASolverToo) {
-  const auto H = [](const auto& q, const auto& p) { return p[0] * (1.0 + q[0] * q[0]); };
   const auto one = [](const auto& q, const auto&) { return q[0] - 1.0; };
   const avi::Solver solver(
-      H, at(0.0, 1.0), 1.5, 1e-8,
+      systems::blow_up, at(0.0, 1.0), 1.5, 1e-8,
       avi::SolveOptions{.check = false, .sweeps = 3'000'000, .monitor = "energy", .events = {when(one)}});
   const auto orbit = solver.run(at(0.0, 1.1), 2.0);
   EXPECT_FALSE(orbit.ok());
@@ -436,7 +434,7 @@ TEST(SolveEvents, AreNoneWhereTheFunctionIsZeroAllTheWay) {
 
 TEST(SolveEvents, RefuseWhatIsNone) {
   const auto said = [](const avi::SolveEvent& event) {
-    return refusal([&] { (void)solve(spring(), at(1.0, 0.0), 1.0, 1e-6, {.events = {event}}); });
+    return refusal([&] { (void)solve(spring, at(1.0, 0.0), 1.0, 1e-6, {.events = {event}}); });
   };
   EXPECT_EQ(said({}), "An event has no function g; avi::when(g) makes one.");
   EXPECT_EQ(said(when(position, {.direction = 2})), "Direction of an event is 2; it must be -1, 0 or 1.");

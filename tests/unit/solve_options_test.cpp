@@ -4,7 +4,7 @@
 #include "kept.hpp"
 #include "refusal.hpp"
 #include "scratch.hpp"
-#include "unit/cayley.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 
 namespace solve_options_test {
 
-using avi::Kepler, avi::solve, avi::SolveProgress;
+using avi::Kepler, avi::solve, avi::SolveProgress, systems::at, systems::spring;
 
 TEST(SolveOptions, FixMonitorOrderAndStep) {
   const auto z = Kepler::pericentre(0.6);
@@ -55,7 +55,7 @@ TEST(SolveOptions, LetAStepThatIsGivenGoOnForLong) {
 // A run by hand of the same choice: the map of a spring under order 4, whose error at the end is known.
 TEST(SolveOptions, EstimateTheErrorOfAStepThatIsGiven) {
   const double h = 0.1;
-  const auto orbit = solve(spring(), at(1.0, 0.0), 30.0, 1e-4, {.order = 4, .monitor = "fixed", .h = h});
+  const auto orbit = solve(spring, at(1.0, 0.0), 30.0, 1e-4, {.order = 4, .monitor = "fixed", .h = h});
   const double error = std::abs(orbit.state.q[0] - std::cos(30.0)) / 2.0;
   EXPECT_GT(orbit.state_error, 0.3 * error);
   EXPECT_LT(orbit.state_error, 5.0 * error);
@@ -179,20 +179,17 @@ void expect_same_resumed(const H& hamiltonian, const avi::State<n>& start, doubl
 
 TEST(SolveOptions, ResumeAsIfNothingHadHappened) {
   // On its own level, which the energy leaves by rounding alone, that is not found again.
-  const auto spring = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
-  const auto off = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]) - 0.5; };
-  expect_same_resumed(spring, avi::State<1>{.q = 1.0, .p = 0.0}, 3000.0, 1e-8,
+  const auto off = [](const auto& q, const auto& p) { return spring(q, p) - 0.5; };
+  expect_same_resumed(spring, at(1.0, 0.0), 3000.0, 1e-8,
                       {.order = 16, .monitor = "fixed", .h = 0.2, .events = {avi::when(off)}}, 6000);
   // A monitor of one's own makes steps ever shorter on purpose.
   const auto ever_shorter = [](const auto&, const auto& t, const auto&) { return (1.02 - t) * (1.02 - t); };
-  const auto timed = [](const auto& q, const auto&, const auto& p) {
-    return 0.5 * (p[0] * p[0] + q[0] * q[0]);
-  };
-  expect_same_resumed(timed, avi::State<1>{.q = 1.0, .p = 0.0}, 1.0, 1e-8,
-                      {.order = 4, .monitor = ever_shorter, .h = 0.001}, 3000);
-  const avi::Solver solver(timed, avi::State<1>{.q = 1.0, .p = 0.0}, 1.0, 1e-8,
+  const auto timed = [](const auto& q, const auto&, const auto& p) { return spring(q, p); };
+  expect_same_resumed(timed, at(1.0, 0.0), 1.0, 1e-8, {.order = 4, .monitor = ever_shorter, .h = 0.001},
+                      3000);
+  const avi::Solver solver(timed, at(1.0, 0.0), 1.0, 1e-8,
                            {.check = false, .order = 4, .monitor = ever_shorter, .h = 0.001});
-  EXPECT_TRUE(solver.run(avi::State<1>{.q = 1.0, .p = 0.0}, 1.0).ok());
+  EXPECT_TRUE(solver.run(at(1.0, 0.0), 1.0).ok());
 }
 
 TEST(SolveOptions, OfACheckpointAreRefused) {
@@ -345,7 +342,7 @@ TEST(SolveOptions, AreRefusedWithASentence) {
 
 TEST(SolveOptions, MayBeTheEndsOfTheirRanges) {
   const auto outcome = [](double tolerance, const avi::SolveOptions& options = {}) {
-    return solve(spring(), at(1.0, 0.0), 5.0, tolerance, options).run.outcome;
+    return solve(spring, at(1.0, 0.0), 5.0, tolerance, options).run.outcome;
   };
   using enum avi::Outcome;
   EXPECT_EQ(outcome(1e-2), ok);

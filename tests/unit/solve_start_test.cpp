@@ -2,6 +2,7 @@
 #include "avi/solver.hpp"
 #include "kept.hpp"
 #include "refusal.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +11,7 @@
 
 namespace solve_start_test {
 
-using avi::solve, avi::State;
-
-const auto kepler = [](const auto& q, const auto& p) {
-  return 0.5 * (p[0] * p[0] + p[1] * p[1]) - pow(q[0] * q[0] + q[1] * q[1], -0.5);
-};
+using avi::solve, avi::State, systems::at, systems::kepler;
 
 TEST(SolveStart, NamesWhatWasForgotten) {
   const std::string forgotten = " is nan; it must be finite, and what is not given is nan.";
@@ -38,8 +35,8 @@ TEST(SolveStart, NamesWhatWasForgotten) {
 // the steps.
 TEST(SolveStart, MayBeZeroInEveryEntry) {
   const auto pulled = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - cos(q[0] + 0.3); };
-  const State<1> rest{.q = {0.0}, .p = {0.0}};
-  const State<1> moved{.q = {1e-3}, .p = {0.0}};
+  const State<1> rest = at(0.0, 0.0);
+  const State<1> moved = at(1e-3, 0.0);
   for (const double tolerance : {1e-4, 1e-8, 1e-11}) {
     const auto found = kept(solve(pulled, rest, 20.0, tolerance));
     EXPECT_LE(found.run.steps, 2 * solve(pulled, moved, 20.0, tolerance).run.steps);
@@ -58,9 +55,8 @@ TEST(SolveStart, MayBeZeroInEveryEntry) {
 
 // What a turning body moves creeps from half turn to half turn, which was taken for a saddle.
 TEST(SolveStart, MayBeFast) {
-  const auto pendulum = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] - cos(q[0]); };
   for (double p = 20.0; p <= 60.0; p += 0.5) {
-    const auto found = solve(pendulum, State<1>{.q = {0.3}, .p = {p}}, 100.0, 1e-8);
+    const auto found = solve(systems::pendulum, at(0.3, p), 100.0, 1e-8);
     EXPECT_TRUE(found.kept()) << p << ": " << found.report();
   }
 }
@@ -76,22 +72,22 @@ TEST(SolveStart, SaysWhereTheEnergyIsNotFinite) {
   const auto in_time = [](const auto& q, const auto& t, const auto& p) {
     return 0.5 * p[0] * p[0] + q[0] / (t - 1.0);
   };
-  EXPECT_EQ(refusal([&] { (void)solve(in_time, State<1>{.q = {2.0}, .p = {0.0}, .t = 1.0}, 6.0, 1e-8); }),
+  EXPECT_EQ(refusal([&] { (void)solve(in_time, at(2.0, 0.0, 1.0), 6.0, 1e-8); }),
             "H is inf at the start, where q = (2), p = (0), t = 1; an orbit needs an energy that is finite.");
   // The force is infinite, not the energy.
   const auto root = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + sqrt(q[0]); };
-  EXPECT_EQ(refusal([&] { (void)solve(root, State<1>{.q = {0.0}, .p = {1.0}}, 6.0, 1e-8); }),
+  EXPECT_EQ(refusal([&] { (void)solve(root, at(0.0, 1.0), 6.0, 1e-8); }),
             "The derivative of H by q[0] at the start is inf; it must be finite.");
   const auto begins = [](const auto& q, const auto& t, const auto& p) {
     return 0.5 * p[0] * p[0] + q[0] * sqrt(t);
   };
-  EXPECT_EQ(refusal([&] { (void)solve(begins, State<1>{.q = {2.0}, .p = {0.0}}, 6.0, 1e-8); }),
+  EXPECT_EQ(refusal([&] { (void)solve(begins, at(2.0, 0.0), 6.0, 1e-8); }),
             "The derivative of H by t at the start is inf; it must be finite.");
 }
 
 TEST(SolveStart, NeedsNoMomentumInH) {
   const auto still = [](const auto& q, const auto&) { return 0.5 * q[0] * q[0]; };
-  const auto orbit = solve(still, State<1>{.q = {1.0}, .p = {1.0}}, 6.0, 1e-8);
+  const auto orbit = solve(still, at(1.0, 1.0), 6.0, 1e-8);
   EXPECT_TRUE(orbit.kept());
   EXPECT_EQ(orbit.state.q[0], 1.0);
   EXPECT_NEAR(orbit.state.p[0], -5.0, 1e-14);
@@ -101,7 +97,7 @@ TEST(SolveStart, NeedsNoMomentumInH) {
 TEST(SolveStart, MayBeTheLiftOfAnEquation) {
   for (const double tolerance : {1e-3, 1e-10}) {
     const auto decay = kept(avi::solve([](const auto& q, const auto& p) { return -1.0 * p[0] * q[0]; },
-                                       avi::State<1>{.q = {1.0}, .p = {0.0}}, 1.0, tolerance));
+                                       at(1.0, 0.0), 1.0, tolerance));
     EXPECT_NEAR(decay.state.q[0], std::exp(-1.0), 0.6 * tolerance);  // the range is 0.63
     EXPECT_EQ(decay.state.p[0], 0.0);
   }
@@ -109,7 +105,7 @@ TEST(SolveStart, MayBeTheLiftOfAnEquation) {
 
 // From rest, by a power of time: relative to its range the first step is as wrong as any shorter one.
 TEST(SolveStart, MayBeAtRestWhereNothingActsYet) {
-  const State<1> rest{.q = {0.0}, .p = {0.0}};
+  const State<1> rest = at(0.0, 0.0);
   const auto pulled = [](const auto& q, const auto& t, const auto& p) {
     return 0.5 * p[0] * p[0] - q[0] * t * t;
   };
@@ -145,7 +141,7 @@ TEST(SolveStart, MayBeTheEnd) {
 // Nothing moves for a while, or by 1e-150 at first. A pulse gives the oscillator what its Fourier transform
 // has at frequency 1; with a power of time the motion is a polynomial beside sine and cosine.
 TEST(SolveStart, AtRestMayBeWhatOnlyTimeSetsInMotion) {
-  const avi::State<1> rest{.q = 0.0, .p = 0.0};
+  const State<1> rest = at(0.0, 0.0);
   for (const double width : {0.2, 0.5, 1.0}) {
     const auto pulse = [&](const auto& q, const auto& t, const auto& p) {
       const auto x = (t - 10.0) / width;

@@ -4,6 +4,7 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/problems/pendulum.hpp"
 #include "kept.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,13 +16,10 @@
 
 namespace solve_test {
 
-using avi::Kepler, avi::solve, avi::State;
-
-State<1> at(double q, double p) { return {.q = avi::Vector<double, 1>(q), .p = avi::Vector<double, 1>(p)}; }
+using avi::Kepler, avi::solve, avi::State, systems::at, systems::spring;
 
 // Gauss conserves quadratic H at any step, so that energy says nothing of the phase.
 TEST(Solve, KnowsThePhaseOfASpring) {
-  const auto spring = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0]; };
   for (const double tolerance : {1e-4, 1e-8, 1e-12})
     for (const double end : {1.0, 10.0, 100.0, 1000.0}) {
       const auto orbit = kept(solve(spring, at(1.0, 0.0), end, tolerance));
@@ -230,8 +228,7 @@ TEST(Solve, SaysWhenRunsFail) {
 
 // The state is that of the run that came furthest, of whichever setting: it was the start.
 TEST(Solve, GivesBackWhatWasReachedWhereAllRunsFail) {
-  const auto logarithm = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + log(q[0]); };
-  const auto fallen = solve(logarithm, State<1>{.q = {1.0}, .p = {0.0}}, 10.0, 1e-8);
+  const auto fallen = solve(systems::logarithm, at(1.0, 0.0), 10.0, 1e-8);
   EXPECT_EQ(fallen.run.outcome, avi::Outcome::not_converged) << fallen.report();
   EXPECT_NEAR(fallen.state.t, std::sqrt(M_PI / 2.0), 1e-9);  // measured 5e-10
   EXPECT_LT(fallen.state.q[0], 6e-9);                        // measured 3e-9
@@ -240,7 +237,7 @@ TEST(Solve, GivesBackWhatWasReachedWhereAllRunsFail) {
   const auto quartic = [](const auto& q, const auto& p) {
     return 0.5 * p[0] * p[0] - 0.25 * q[0] * q[0] * q[0] * q[0];
   };
-  const auto gone = solve(quartic, State<1>{.q = {1.0}, .p = {0.0}}, 5.0, 1e-6);
+  const auto gone = solve(quartic, at(1.0, 0.0), 5.0, 1e-6);
   EXPECT_EQ(gone.run.outcome, avi::Outcome::not_converged) << gone.report();
   EXPECT_NEAR(gone.state.t, std::comp_ellint_1(M_SQRT1_2), 3e-6);  // measured 1.4e-6
   EXPECT_GT(gone.state.q[0], 5e5);                                 // measured 1e6
@@ -248,7 +245,7 @@ TEST(Solve, GivesBackWhatWasReachedWhereAllRunsFail) {
             1'600'000);  // measured 780 thousand; it was 17 million
   // To infinity at t = 1. The sketch sees how fast that becomes, and steps for it would be stopped at 0.017.
   const auto lift = [](const auto& q, const auto& p) { return p[0] * q[0] * q[0]; };
-  const auto ended = solve(lift, State<1>{.q = {1.0}, .p = {1.0}}, 2.0, 1e-8);
+  const auto ended = solve(lift, at(1.0, 1.0), 2.0, 1e-8);
   EXPECT_EQ(ended.run.outcome, avi::Outcome::not_converged) << ended.report();
   EXPECT_NEAR(ended.state.t, 1.0, 1.4e-4);                            // measured 7e-5
   EXPECT_LT(ended.run.evaluations + ended.choice.sweeps, 3'400'000);  // measured 1.7 million
@@ -256,8 +253,7 @@ TEST(Solve, GivesBackWhatWasReachedWhereAllRunsFail) {
 
 // The first step is shorter than the rounding of so long a time.
 TEST(Solve, SaysWhereTheEndIsTooFar) {
-  const auto spring = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
-  const auto orbit = solve(spring, State<1>{.q = {1.0}, .p = {0.0}}, 1e15, 1e-6);
+  const auto orbit = solve(spring, at(1.0, 0.0), 1e15, 1e-6);
   EXPECT_FALSE(orbit.kept());
   EXPECT_EQ(orbit.run.message,
             "The end, t = 1e+15, is over 1e14 times as far as a step from the start may be: a nearer one "
@@ -267,14 +263,8 @@ TEST(Solve, SaysWhereTheEndIsTooFar) {
 // A charge in the field of a dipole, whose sweeps converge slowly: longer steps keep the tolerance, but are
 // solved by Newton's method, and the whole takes five times as long.
 TEST(Solve, LeavesStepsAsTheyAreWhoseSweepsConvergeSlowly) {
-  const auto dipole = [](const auto& q, const auto& p) {
-    const auto square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2];
-    const auto b = 1.0 / (square * sqrt(square));
-    const auto x = p[0] + b * q[1], y = p[1] - b * q[0];
-    return 0.5 * (x * x + y * y + p[2] * p[2]);
-  };
   const State<3> start{.q = {1.0, 0.0, 0.0}, .p = {0.0, 1.08, 0.03}};
-  const auto orbit = kept(solve(dipole, start, 200.0 * M_PI, 1e-2));
+  const auto orbit = kept(solve(systems::dipole, start, 200.0 * M_PI, 1e-2));
   EXPECT_GT(orbit.run.steps, 500);  // measured 582; 369 where they were made longer
 }
 
@@ -292,16 +282,13 @@ TEST(Solve, RefusesWhatCannotBe) {
 // at a given time is not found by Newton's method alone. Of 3118 orbits 162 had states that were wrong by
 // more than the orbit, with kept(), and 194 ended or threw.
 TEST(Solve, FindsStatesInsideAStepThatBeginsAtThePerihelion) {
-  const auto kepler = [](const auto& q, const auto& p) {
-    return 0.5 * (p[0] * p[0] + p[1] * p[1]) - 1.0 / sqrt(q[0] * q[0] + q[1] * q[1]);
-  };
   for (const double near : {0.002, 0.005, 0.02}) {
     const State<2> start{.q = {near, 0.0}, .p = {0.0, std::sqrt(2.0 / near - 1.0)}};
-    const auto dense = solve(kepler, start, 5.0, 1e-4, {.dense = true});
+    const auto dense = solve(systems::kepler, start, 5.0, 1e-4, {.dense = true});
     ASSERT_TRUE(dense.kept());
     for (const double t : {0.002, 0.004, 0.006, 0.008, 0.02, 0.1}) {
-      const auto exact = solve(kepler, start, t, 1e-10);
-      const auto orbit = solve(kepler, start, std::vector<double>{t, 5.0}, 1e-4);
+      const auto exact = solve(systems::kepler, start, t, 1e-10);
+      const auto orbit = solve(systems::kepler, start, std::vector<double>{t, 5.0}, 1e-4);
       ASSERT_TRUE(orbit.kept()) << t;
       EXPECT_LT((orbit.states[0].q - exact.state.q).norm(), 2e-3) << near << ", " << t;
       EXPECT_LT((dense(t).q - exact.state.q).norm(), 2e-3) << near << ", " << t;

@@ -1,5 +1,6 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/solve.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,26 +13,14 @@
 
 namespace solve_units_test {
 
-using avi::SolutionReport, avi::solve, avi::State;
+using avi::SolutionReport, avi::solve, avi::State, systems::at;
 
-State<1> at(double q, double p) { return {.q = {q}, .p = {p}}; }
-
-const auto spring = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
 const auto well = [](const auto& q, const auto& p) {
   return 0.5 * p[0] * p[0] - 0.5 * q[0] * q[0] + 0.25 * q[0] * q[0] * q[0] * q[0];
 };
 const auto stiff = [](const auto& q, const auto& p) {
   const auto x = q[0] - q[1];
   return 0.5 * (p[0] * p[0] + p[1] * p[1]) + 0.5 * q[0] * q[0] + 1250.0 * q[1] * q[1] + 0.25 * x * x * x * x;
-};
-const auto turning = [](const auto& q, const auto& p) {
-  return 0.5 * (p[0] * p[0] + p[1] * p[1]) - 1.0 / sqrt(q[0] * q[0] + q[1] * q[1]) -
-         0.3 * (q[0] * p[1] - q[1] * p[0]);
-};
-const auto centres = [](const auto& q, const auto& p) {
-  const auto x = q[0] - 1.0, y = q[0] + 1.0;
-  return 0.5 * (p[0] * p[0] + p[1] * p[1]) - 1.0 / sqrt(x * x + q[1] * q[1]) -
-         0.5 / sqrt(y * y + q[1] * q[1]);
 };
 
 /// What was chosen, and what it cost.
@@ -87,12 +76,14 @@ const auto ring = [](const auto& q, const auto& p) {
 
 // Powers of 4 leave all bits as they are, those of square roots too.
 TEST(SolveUnits, ChangeNothing) {
-  expect_same_in_other_units("spring", spring, at(1.0, 0.5), 100.0);
+  expect_same_in_other_units("spring", systems::spring, at(1.0, 0.5), 100.0);
   expect_same_in_other_units("well", well, at(0.1, 0.0), 300.0);
   expect_same_in_other_units("stiff", stiff, State<2>{.q = {1.0, 0.02}, .p = {0.0, 0.0}}, 60.0);
   expect_same_in_other_units("eccentric", avi::Kepler(), avi::Kepler::pericentre(0.9), 200.0);
-  expect_same_in_other_units("turning", turning, State<2>{.q = {0.2, 0.0}, .p = {0.0, 3.0}}, 60.0);
-  expect_same_in_other_units("centres", centres, State<2>{.q = {0.3, 0.8}, .p = {0.4, 0.0}}, 40.0);
+  expect_same_in_other_units("turning", systems::turning_kepler(0.3),
+                             State<2>{.q = {0.2, 0.0}, .p = {0.0, 3.0}}, 60.0);
+  expect_same_in_other_units("centres", systems::two_centres, State<2>{.q = {0.3, 0.8}, .p = {0.4, 0.0}},
+                             40.0);
   State<avi::dynamic> wave{.q = avi::VectorX::Zero(8), .p = avi::VectorX::Zero(8)};
   for (int i = 0; i < 8; ++i)
     wave.q[i] = std::sin(M_PI / 4.0 * (i + 1));

@@ -5,6 +5,7 @@
 #include "refusal.hpp"
 #include "src/builds.hpp"
 #include "src/separable.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +17,8 @@
 using avi::dynamic, avi::State, avi::Vector, avi::VectorX, avi::detail::Formulas, avi::detail::Stepper;
 
 namespace splitting_steps_test {
+
+using systems::at, systems::spring;
 
 /// Two coupled oscillators, of different masses.
 struct Coupled {
@@ -152,8 +155,7 @@ TEST(Parts, AreReadFromTheFormula) {
 }
 
 TEST(SplittingSteps, CanBeAskedFor) {
-  const auto spring = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0]; };
-  const State<1> start{.q = Vector<double, 1>(1.0), .p = Vector<double, 1>(0.0)};
+  const State<1> start = at(1.0, 0.0);
   for (const double tolerance : {1e-3, 1e-6, 1e-9})
     for (const double end : {-7.0, 1.0, 10.0, 300.0}) {
       const auto orbit = kept(avi::solve(spring, start, std::vector<double>{0.3 * end, end}, tolerance,
@@ -177,7 +179,7 @@ TEST(SplittingSteps, FollowAnHThatDependsOnTime) {
   const auto driven = [](const auto& q, const auto& t, const auto& p) {
     return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0] - q[0] * cos(2.0 * t);
   };
-  const State<1> start{.q = Vector<double, 1>(-1.0 / 3.0), .p = Vector<double, 1>(1.0)};
+  const State<1> start = at(-1.0 / 3.0, 1.0);
   const auto orbit = kept(avi::solve(driven, start, 30.0, 1e-8, {.monitor = "splitting"}));
   EXPECT_NEAR(orbit.state.q[0], std::sin(30.0) - std::cos(60.0) / 3.0, 2e-8);
 }
@@ -203,14 +205,10 @@ TEST(SplittingSteps, AreChosenForLooseTolerancesAlone) {
 
 TEST(SplittingSteps, AreRefusedWhereTheyHaveNoMeaning) {
   const auto sentence = [](const auto& h, const avi::SolveOptions& options) {
-    const State<1> start{.q = Vector<double, 1>(0.5), .p = Vector<double, 1>(0.3)};
-    return refusal([&] { (void)avi::solve(h, start, 3.0, 1e-6, options); });
+    return refusal([&] { (void)avi::solve(h, at(0.5, 0.3), 3.0, 1e-6, options); });
   };
-  const auto relativistic = [](const auto& q, const auto& p) {
-    return sqrt(1.0 + p[0] * p[0]) + 0.5 * q[0] * q[0];
-  };
-  const auto spring = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0]; };
-  EXPECT_NE(sentence(relativistic, {.monitor = "splitting"}).find("T quadratic in p"), std::string::npos);
+  EXPECT_NE(sentence(systems::relativistic, {.monitor = "splitting"}).find("T quadratic in p"),
+            std::string::npos);
   EXPECT_NE(sentence(spring, {.order = 8, .monitor = "splitting"}).find("is 8; it must be 6"),
             std::string::npos)
       << sentence(spring, {.order = 8, .monitor = "splitting"});

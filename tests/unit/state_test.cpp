@@ -5,6 +5,7 @@
 #include "avi/core/integrate.hpp"
 #include "avi/transform/time_dependent.hpp"
 #include "refusal.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -113,15 +114,15 @@ TEST(State, IsNotANumberWhereNothingIsGiven) {
 }
 
 TEST(State, IsRefusedWhereAPartWasForgotten) {
-  const auto H = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
   avi::State<2> z;
   z.q << 1.0, 0.0;
-  EXPECT_EQ(refusal([&] { (void)avi::poincare<2>(H, z); }), "At the start p[0] is nan; it must be finite.");
+  EXPECT_EQ(refusal([&] { (void)avi::poincare<2>(systems::spring, z); }),
+            "At the start p[0] is nan; it must be finite.");
   const avi::State<1> none;
-  EXPECT_EQ(refusal([&] { (void)avi::poincare<1>(H, none); }),
+  EXPECT_EQ(refusal([&] { (void)avi::poincare<1>(systems::spring, none); }),
             "At the start q[0] is nan; it must be finite.");
   z.p << 0.0, 1.0;
-  auto method = avi::collocation(avi::poincare<2>(H, z), 4);
+  auto method = avi::collocation(avi::poincare<2>(systems::spring, z), 4);
   z.p[1] = INFINITY;
   const avi::Run run = avi::integrate(method, z, 0.1, {.steps = 2});
   EXPECT_EQ(run.outcome, avi::Outcome::non_finite);

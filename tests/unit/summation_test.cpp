@@ -5,6 +5,7 @@
 #include "avi/htvi/htvi.hpp"
 #include "avi/integrators/splitting.hpp"
 #include "avi/integrators/stormer_verlet.hpp"
+#include "systems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +48,7 @@ struct Spring {
 };
 
 TEST(Summation, OfTheClockOfEveryMethod) {
-  const State<1> start{.q = {1.0}, .p = {0.0}};
+  const State<1> start = systems::at(1.0, 0.0);
   const auto check = [&](const char* name, auto method) {
     State<1> z = start;
     ASSERT_TRUE(avi::integrate(method, z, 0.1, {.steps = 100000}).ok());
@@ -60,9 +61,8 @@ TEST(Summation, OfTheClockOfEveryMethod) {
   check("compensated splitting",
         avi::splitting<avi::Summation::compensated>(avi::Separable<Spring>(), avi::compositions::kahan_li6));
   check("stormer_verlet", avi::stormer_verlet<1>(&Spring::potential_gradient));
-  const auto energy = [](const auto& q, const auto& p) { return 0.5 * (p[0] * p[0] + q[0] * q[0]); };
-  check("htvi", avi::htvi<4>(avi::poincare(energy, start)));
-  check("collocation", avi::collocation(avi::poincare(energy, start), 4));
+  check("htvi", avi::htvi<4>(avi::poincare(systems::spring, start)));
+  check("collocation", avi::collocation(avi::poincare(systems::spring, start), 4));
 }
 
 }  // namespace summation_test
