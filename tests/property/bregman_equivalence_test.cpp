@@ -169,20 +169,4 @@ TEST(Htvi, GenericMachineryOfOrderZeroGivesTheExplicitUpdate) {
   }
 }
 
-TEST(Htvi, AdaptiveWithTheExactClockIsDirectOfOrderP) {
-  // The coefficients are those of Direct with P = p^2/p_ring in tau, and with the exact clock tau advances by
-  // h in both, so the iterates agree; Euler's clock is all that tells the two approaches apart.
-  const CorrelatedQuartic f;
-  const auto adaptive = BregmanFamily::adaptive(4.0, 1.0);
-  const auto direct = BregmanFamily::direct(16.0);
-  const double h = 2e-4;
-  const avi::Stopping stopping{.delta = 0.0, .iterations = 2000};
-  const auto exact = avi::run_updates(
-      f, avi::BregmanHtvi{.family = adaptive, .h = h, .clock = avi::Clock::exact}, f.start(), stopping);
-  const auto same = avi::run_updates(f, avi::BregmanHtvi{.family = direct, .h = h}, f.start(), stopping);
-  const auto euler = avi::run_updates(f, avi::BregmanHtvi{.family = adaptive, .h = h}, f.start(), stopping);
-  EXPECT_LT((exact.last.x - same.last.x).norm(), 1e-11);
-  EXPECT_GT((euler.last.x - same.last.x).norm(), 1e-5);
-}
-
 }  // namespace bregman_equivalence_test

@@ -1,7 +1,6 @@
 #include "avi/core/integrate.hpp"
 #include "avi/htvi/htvi.hpp"
 #include "common/problems/chain.hpp"
-#include "difference.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,18 +34,6 @@ TEST(Chain, HasTheEnergyOfItsSprings) {
   EXPECT_EQ(Chain{}(avi::VectorX{{2.0}}, avi::VectorX{{3.0}}), 4.5 + 4.0);
   EXPECT_EQ(Chain{}(avi::VectorX{{0.0, 2.0, 0.0}}, avi::VectorX{{1.0, 0.0, 2.0}}), 2.5 + 4.0);
   EXPECT_EQ(Chain{}(avi::VectorX{{2.0, 2.0}}, avi::VectorX{{0.0, 0.0}}), 4.0) << "the spring between rests";
-}
-
-TEST(Chain, SuppliesTheSlopesOfItsEnergy) {
-  const auto z = plucked();
-  const auto d_dq = Chain{}.d_dq(z.q, z.p), d_dp = Chain{}.d_dp(z.q, z.p);
-  for (int i = 0; i < 5; ++i) {
-    const avi::Vector<double, 5> e = avi::Vector<double, 5>::Unit(i);
-    const auto along_q = [&](double shift) { return Chain{}(avi::Vector<double, 5>(z.q + shift * e), z.p); };
-    const auto along_p = [&](double shift) { return Chain{}(z.q, avi::Vector<double, 5>(z.p + shift * e)); };
-    EXPECT_NEAR(difference(along_q, 1e-2), d_dq[i], 1e-13);
-    EXPECT_NEAR(difference(along_p, 1e-2), d_dp[i], 1e-13);
-  }
 }
 
 TEST(Chain, IsPluckedInItsLowestMode) {

@@ -9,7 +9,6 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
 #include "avi/transform/poincare.hpp"
-#include "avi/transform/time_dependent.hpp"
 #include "refusal.hpp"
 #include "systems.hpp"
 
@@ -252,24 +251,6 @@ TEST(Landing, InsideAStepOnly) {
       EXPECT_EQ(step.at(beyond).state.t, beyond);
     };
     EXPECT_TRUE(avi::integrate(method, z, h, {.steps = 2}, look).ok());
-  }
-}
-
-TEST(Landing, KeepsTimeAndItsCoordinateTogether) {
-  const auto H = [](const auto& q, const auto& t, const auto& p) {
-    return 0.5 * p[0] * p[0] - (1.0 + 0.1 * cos(t)) * cos(q[0]);
-  };
-  for (const double t0 : {-2.0, 0.0, 1e5}) {
-    State<1> plain = at(0.3, 0.5);
-    plain.t = t0;
-    const auto problem = avi::time_dependent(H, plain);
-    for (const double span : {0.1, 1.0 / 3.0, 2.0, 7.7}) {
-      auto method = avi::collocation(problem, 12);
-      State<2> z = avi::extended(problem, plain);
-      ASSERT_TRUE(avi::integrate_to(method, z, 0.21, t0 + span).ok());
-      EXPECT_EQ(z.t, t0 + span);
-      EXPECT_EQ(z.q[1], z.t);
-    }
   }
 }
 

@@ -48,20 +48,6 @@ TEST(TypeII, StationaryConstructionIsSymplecticInBothForms) {
   expect_symplectic<avi::Stationary>(gamma_monitor, energy_monitor, avi::Unit{});
 }
 
-TEST(TypeIII, IsSymplectic) {
-  const State<2> z = experiment::kepler_point();
-  const auto problem = avi::poincare<2>(kepler, z, gamma_monitor);
-  const auto unmonitored = avi::poincare<2>(avi::Automatic{kepler}, z);
-  for (double h : {0.1, 0.05}) {
-    const auto expect = [&](const auto& method) {
-      EXPECT_LT(avi::symplecticity_defect(method, z, h), round_off);
-    };
-    expect(avi::type3<3, experiment::Authors>(problem, avi::simpson()));
-    expect(avi::type3<2, experiment::Printed>(problem, avi::simpson()));
-    expect(avi::type3<3>(unmonitored, avi::gauss(2)));
-  }
-}
-
 TEST(TypeII, ConservesAngularMomentumToRoundOff) {
   auto z = Kepler::pericentre(0.9);
   const double momentum = Kepler::angular_momentum(z);

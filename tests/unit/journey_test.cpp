@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <memory>
 #include <string>
 
@@ -14,25 +13,21 @@ using avi::Outcome, avi::VectorX, avi::detail::Budget, avi::detail::Candidate, a
     avi::detail::PointField, avi::detail::Ranges, avi::detail::Trip;
 using State = avi::State<avi::dynamic>;
 
-VectorX vector(std::initializer_list<double> entries) {
-  VectorX x(static_cast<Eigen::Index>(entries.size()));
-  std::copy(entries.begin(), entries.end(), x.data());
-  return x;
-}
+VectorX vector(auto... entries) { return VectorX{{entries...}}; }
 
 TEST(Ranges, AreOfTheSmallestAndTheLargestEntries) {
-  Ranges ranges({.q = vector({-1.0, 3.5}), .p = vector({0.0, 2.0})});
-  ranges.add({.q = vector({0.0, 3.0}), .p = vector({4.0, 2.5})});
-  ranges.add({.q = vector({1.0, 3.25}), .p = vector({-4.0, 1.0})});
-  EXPECT_EQ(ranges.low, vector({-1.0, 3.0, -4.0, 1.0}));
-  EXPECT_EQ(ranges.high, vector({1.0, 3.5, 4.0, 2.5}));
+  Ranges ranges({.q = vector(-1.0, 3.5), .p = vector(0.0, 2.0)});
+  ranges.add({.q = vector(0.0, 3.0), .p = vector(4.0, 2.5)});
+  ranges.add({.q = vector(1.0, 3.25), .p = vector(-4.0, 1.0)});
+  EXPECT_EQ(ranges.low, vector(-1.0, 3.0, -4.0, 1.0));
+  EXPECT_EQ(ranges.high, vector(1.0, 3.5, 4.0, 2.5));
 }
 
 /// H = (p^2 + q^2)/2 from (q, p) = (1, 0) at t = 2, and two methods for it.
 struct Spring {
   std::shared_ptr<avi::ExpressionGraph> graph = std::make_shared<avi::ExpressionGraph>(2);
   int energy, lively;
-  State start{.q = vector({1.0}), .p = vector({0.0}), .t = 2.0};
+  State start{.q = vector(1.0), .p = vector(0.0), .t = 2.0};
   avi::SolveOptions options;
   Budget budget{options};
 
@@ -94,8 +89,8 @@ TEST(Journey, GoesFromMarkToMark) {
       EXPECT_EQ(spring.budget.sweeps - before, journey.run.evaluations);
       EXPECT_LT(journey.energy_error, 7e-11);
       EXPECT_GT(journey.energy_error, 0.0);
-      EXPECT_LT((journey.ranges.high - vector({1.0, 1.0})).norm(), 0.05);
-      EXPECT_LT((journey.ranges.low + vector({1.0, 1.0})).norm(), 0.05);
+      EXPECT_LT((journey.ranges.high - vector(1.0, 1.0)).norm(), 0.05);
+      EXPECT_LT((journey.ranges.low + vector(1.0, 1.0)).norm(), 0.05);
       EXPECT_EQ(journey.tails.size(), 2);
       EXPECT_FALSE(journey.spent);
     }

@@ -231,20 +231,6 @@ TEST(Reverse, HasTheSlopesOfAnAngleAtAnyDistance) {
   }
 }
 
-TEST(Reverse, HasTheGradientOfFiniteDifferences) {
-  int i = 0;
-  for_each_formula([&](const auto& f) {
-    Place<> here{recorded(f).gradient()};
-    const double x = 1.3, y = 1.1, h = 1e-5;
-    here.go(x, y);
-    EXPECT_NEAR(here.slope(0), (f(x + h, y) - f(x - h, y)) / (2.0 * h), 1e-7 * std::abs(f(x, y)) + 1e-9)
-        << "formula " << i;
-    EXPECT_NEAR(here.slope(1), (f(x, y + h) - f(x, y - h)) / (2.0 * h), 1e-7 * std::abs(f(x, y)) + 1e-9)
-        << "formula " << i;
-    ++i;
-  });
-}
-
 // Where a formula branches, the other side may have no value, or an infinite slope.
 TEST(Reverse, LeavesOutTheSideThatIsNotTaken) {
   const auto f = [](const auto& x, const auto& y) {

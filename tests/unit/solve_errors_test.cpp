@@ -339,6 +339,9 @@ TEST(SolveErrors, SayWhereNumbersEnd) {
     return solve(spring, at(1.0, 0.0, t), end, 1e-6).run.message;
   };
   EXPECT_NE(message(1.0, std::nextafter(1.0, 2.0)).find("rounding of t = 1"), std::string::npos);
+  EXPECT_EQ(message(0.0, 1e15),
+            "The end, t = 1e+15, is over 1e14 times as far as a step from the start may be: a nearer one "
+            "will do.");
   EXPECT_NE(message(0.0, 1e300).find("1e14 times as far"), std::string::npos);
   EXPECT_NE(message(0.0, 1e-300).find("those of a double"), std::string::npos);
   const auto slow = [](const auto& q, const auto& p) { return 1e-300 * (p[0] * p[0] + q[0] * q[0]); };

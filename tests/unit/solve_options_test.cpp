@@ -329,6 +329,7 @@ TEST(SolveOptions, AreRefusedWithASentence) {
   const auto refused = [&](const avi::SolveOptions& options, const char* part) {
     expect_refusal([&] { (void)solve(Kepler(), z, 1.0, 1e-6, options); }, part);
   };
+  refused({.seconds = nan}, "nan");
   refused({.steps = 0}, "Bound on steps is 0");
   refused({.order = 3}, "Order is 3");
   refused({.order = 18}, "Order is 18");
@@ -338,6 +339,10 @@ TEST(SolveOptions, AreRefusedWithASentence) {
   refused({.monitor = "fixed", .h = -0.1}, "Fictive step h is -0.1");
   refused({.monitor = "fixed", .h = nan}, "Fictive step h is nan");
   refused({.checkpoint_seconds = nan}, "Seconds between checkpoints is nan");
+  expect_refusal([&] { (void)solve(Kepler(), z, nan, 1e-6); }, "nan");
+  auto timeless = z;
+  timeless.t = nan;
+  expect_refusal([&] { (void)solve(Kepler(), timeless, 1.0, 1e-6); }, "nan");
 }
 
 TEST(SolveOptions, MayBeTheEndsOfTheirRanges) {

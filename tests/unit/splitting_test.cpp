@@ -1,5 +1,4 @@
 #include "avi/core/integrate.hpp"
-#include "avi/diagnostics/order.hpp"
 #include "avi/diagnostics/symplecticity.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
 #include "avi/integrators/composition.hpp"
@@ -8,7 +7,6 @@
 #include "avi/integrators/stormer_verlet.hpp"
 #include "avi/problems/henon_heiles.hpp"
 #include "avi/problems/kepler.hpp"
-#include "avi/problems/n_body.hpp"
 #include "common/problems/perturbed_kepler.hpp"
 #include "difference.hpp"
 #include "refusal.hpp"
@@ -67,34 +65,6 @@ TEST(LogHamiltonian, KeepsToTheEllipseOfKepler) {
               }).ok());
   EXPECT_LT(energy, 1e-13);
   EXPECT_LT(shape, 1e-10);
-}
-
-TEST(LogHamiltonian, ConvergesOnKeplerAndItsPerturbation) {
-  // Position against Kepler's equation at the method's own time; order by order.
-  const auto error = [](const auto& coefficients, double h) {
-    auto z = Kepler::pericentre(0.9);
-    auto method = avi::splitting<Summation::compensated>(LogHamiltonian<Kepler>({}, z), coefficients);
-    EXPECT_EQ(avi::integrate(method, z, h, {.time = 10.0}).outcome, avi::Outcome::ok);
-    return (z.q - Kepler::exact(0.9, z.t).q).norm();
-  };
-  EXPECT_LT(error(c::kahan_li8, 1.0), 1e-4);
-  EXPECT_LT(error(c::kahan_li8, 0.25), 1e-9);
-  std::vector<double> h, defects;
-  const double quadrupole = 0.02;
-  const auto start = Kepler::pericentre(0.6);
-  for (int k = 0; k < 4; ++k) {
-    auto z = start;
-    h.push_back(0.4 / (1 << k));
-    auto method =
-        avi::splitting(LogHamiltonian<PerturbedKepler>(PerturbedKepler(quadrupole), z), c::kahan_li6);
-    double worst = 0.0;
-    EXPECT_TRUE(avi::integrate(method, z, h.back(), {.time = 20.0}, [&](const State<2>& s, long) {
-                  worst = std::max(worst, std::abs(PerturbedKepler(quadrupole)(s.q, s.p) -
-                                                   PerturbedKepler(quadrupole)(start.q, start.p)));
-                }).ok());
-    defects.push_back(worst);
-  }
-  EXPECT_NEAR(avi::fit_order(h, defects, {.floor = 1e-13}).order, 6.0, 0.5);
 }
 
 TEST(LogHamiltonian, ShortcutsAgreeWithTheGeneralFormula) {
@@ -213,17 +183,6 @@ TEST(Splitting, RefusesListsThatDoNotAlternate) {
   EXPECT_NO_THROW(of(3, 2));
   EXPECT_THROW(of(2, 2), std::invalid_argument);
   EXPECT_THROW(of(4, 2), std::invalid_argument);
-}
-
-TEST(Splitting, TakesTheDimensionAtRunTime) {
-  auto z = avi::FigureEight::start();
-  State<avi::dynamic> w{.q = z.q, .p = z.p};
-  auto fixed = avi::splitting(Separable(avi::FigureEight::problem()), c::kahan_li8);
-  auto free =
-      avi::splitting(Separable(avi::NBody<avi::dynamic>(avi::FigureEight::problem().masses())), c::kahan_li8);
-  EXPECT_EQ(avi::integrate(fixed, z, 0.1, {.steps = 60}).outcome, avi::Outcome::ok);
-  EXPECT_EQ(avi::integrate(free, w, 0.1, {.steps = 60}).outcome, avi::Outcome::ok);
-  EXPECT_LT((z.q - w.q).norm(), 1e-13);
 }
 
 /// A spring of any size whose gradient has two entries.
