@@ -3,6 +3,7 @@
 #include "avi/solver.hpp"
 #include "kept.hpp"
 #include "refusal.hpp"
+#include "resumed.hpp"
 #include "scratch.hpp"
 #include "systems.hpp"
 
@@ -154,39 +155,15 @@ TEST(SolveOptions, ThatAreRefusedLeaveTheCheckpointOfAnEarlierCall) {
   EXPECT_EQ(rest.state.t, 1e5);
 }
 
-/// A run that goes on from a file after so many steps has the bits of the whole one.
-template <int n, class H>
-void expect_same_resumed(const H& hamiltonian, const avi::State<n>& start, double end, double tolerance,
-                         avi::SolveOptions options, long steps) {
-  const Scratch folder;
-  const std::string file = folder / "run";
-  options.checkpoint = file;
-  const auto whole = solve(hamiltonian, start, end, tolerance, options);
-  avi::SolveOptions bounded = options;
-  bounded.progress = [&](const SolveProgress& now) {
-    return now.phase != avi::SolvePhase::running || now.steps < steps;
-  };
-  if (options.h > 0.0) bounded.steps = steps;  // no run is made before it
-  (void)solve(hamiltonian, start, end, tolerance, bounded);
-  ASSERT_TRUE(std::filesystem::exists(file));
-  const auto rest = avi::resume<n>(hamiltonian, file, options);
-  EXPECT_EQ(rest.state, whole.state);
-  EXPECT_EQ(rest.states.size(), whole.states.size());
-  EXPECT_EQ(rest.events.size(), whole.events.size());
-  EXPECT_EQ(rest.run.steps, whole.run.steps);
-  EXPECT_EQ(rest.run.message, whole.run.message);
-}
-
 TEST(SolveOptions, ResumeAsIfNothingHadHappened) {
   // On its own level, which the energy leaves by rounding alone, that is not found again.
   const auto off = [](const auto& q, const auto& p) { return spring(q, p) - 0.5; };
-  expect_same_resumed(spring, at(1.0, 0.0), 3000.0, 1e-8,
-                      {.order = 16, .monitor = "fixed", .h = 0.2, .events = {avi::when(off)}}, 6000);
+  expect_to_go_on(spring, at(1.0, 0.0), 3000.0, 1e-8,
+                  {.order = 16, .monitor = "fixed", .h = 0.2, .events = {avi::when(off)}}, 6000);
   // A monitor of one's own makes steps ever shorter on purpose.
   const auto ever_shorter = [](const auto&, const auto& t, const auto&) { return (1.02 - t) * (1.02 - t); };
   const auto timed = [](const auto& q, const auto&, const auto& p) { return spring(q, p); };
-  expect_same_resumed(timed, at(1.0, 0.0), 1.0, 1e-8, {.order = 4, .monitor = ever_shorter, .h = 0.001},
-                      3000);
+  expect_to_go_on(timed, at(1.0, 0.0), 1.0, 1e-8, {.order = 4, .monitor = ever_shorter, .h = 0.001}, 3000);
   const avi::Solver solver(timed, at(1.0, 0.0), 1.0, 1e-8,
                            {.check = false, .order = 4, .monitor = ever_shorter, .h = 0.001});
   EXPECT_TRUE(solver.run(at(1.0, 0.0), 1.0).ok());

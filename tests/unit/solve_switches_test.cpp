@@ -1,7 +1,7 @@
 #include "avi/solve.hpp"
 #include "avi/solver.hpp"
 #include "kept.hpp"
-#include "scratch.hpp"
+#include "resumed.hpp"
 #include "systems.hpp"
 
 #include <gtest/gtest.h>
@@ -298,23 +298,10 @@ TEST(SolveSwitches, OfManyStartsAreThoseOfEach) {
 }
 
 TEST(SolveSwitches, ARunGoesOnFromAFileWithTheSameBits) {
-  const Scratch folder;
-  avi::SolveOptions options{.check = false,
-                            .order = 8,
-                            .monitor = "fixed",
-                            .h = 0.1,
-                            .dense = true,
-                            .checkpoint = folder / "run",
-                            .checkpoint_seconds = 0.0};
-  const auto whole = solve(driven(3.0), start(), 1000.0, 1e-8, options);
-  ASSERT_TRUE(whole.ok());
-  auto bounded = options;
-  bounded.steps = 9000;
-  EXPECT_FALSE(solve(driven(3.0), start(), 1000.0, 1e-8, bounded).ok());
-  const auto resumed = avi::resume<1>(driven(3.0), options.checkpoint, options);
-  EXPECT_EQ(resumed.state, whole.state);
-  EXPECT_EQ(resumed.run.steps, whole.run.steps);
-  EXPECT_EQ(resumed(777.7), whole(777.7));
+  expect_to_go_on(
+      driven(3.0), start(), 1000.0, 1e-8,
+      {.check = false, .order = 8, .monitor = "fixed", .h = 0.1, .dense = true, .checkpoint_seconds = 0.0},
+      9000);
 }
 
 // Thrust for 2 of every 4. With a monitor of the energy the first step behind a switch could be solved where
