@@ -13,6 +13,14 @@ inline std::string text_of(const std::filesystem::path& path) {
   return text.str();
 }
 
+inline std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
+    lines.push_back(line);
+  return lines;
+}
+
 /// First groups of all matches in a text.
 inline std::vector<std::string> matches(const std::string& text, const char* pattern) {
   const std::regex expression(pattern);

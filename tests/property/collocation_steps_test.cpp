@@ -164,11 +164,6 @@ TEST(CollocationSteps, NamesWhatEndsAStep) {
   State<2> centre = start;
   centre.q.setZero();
   unchanged(avi::collocation(problem, 8), centre, 0.1, Outcome::non_finite);
-  const auto negative =
-      avi::poincare(Kepler{}, start, [](const auto& q) { return 0.5 - q[0] * q[0] - q[1] * q[1] - 0.4; });
-  unchanged(avi::collocation(negative, 8), start, 0.01, Outcome::bad_monitor);
-  const auto infinite = avi::poincare(Kepler{}, start, [](const auto& q) { return 1.0 / (q[1] - q[1]); });
-  unchanged(avi::collocation(infinite, 8), start, 0.01, Outcome::non_finite);
   auto chain = avi::collocation(avi::poincare(experiment::Chain{}, experiment::Chain::plucked(3)), 4);
   for (const auto& [q, p, wrong] : {std::array{2, 2, 2}, {3, 2, 2}, {4, 3, 4}}) {
     State<avi::dynamic> z{.q = Vector<double, avi::dynamic>::Ones(q),

@@ -18,10 +18,7 @@ const auto stiffening = [](const auto& q, const auto& t, const auto& p) {
   return 0.5 * (p[0] * p[0]) + 0.5 * (frequency * frequency) * (q[0] * q[0]);
 };
 
-/// g = c / (1 + t).
-auto slower(double c = 1.0) {
-  return [c](const auto&, const auto& t, const auto&) { return c / (1.0 + t); };
-}
+const auto slower = [](const auto&, const auto& t, const auto&) { return 1.0 / (1.0 + t); };
 
 const avi::State<1> start{.q = avi::Vector<double, 1>(1.0), .p = avi::Vector<double, 1>(0.3), .t = 0.25};
 
@@ -30,7 +27,7 @@ auto method(auto monitor) {
 }
 
 TEST(TimeDependent, TimeIsPhysicalInTheStateAndInsideTheStep) {
-  auto m = method(slower());
+  auto m = method(slower);
   avi::State<2> z = extended(m.problem(), start);
   ASSERT_EQ(m.step(z, 0.1).outcome, avi::Outcome::ok);
   const double exact = std::sqrt(1.25 * 1.25 + 0.2) - 1.0;  // dt/dtau = 1 / (1 + t)
@@ -40,17 +37,6 @@ TEST(TimeDependent, TimeIsPhysicalInTheStateAndInsideTheStep) {
     const avi::State<2> inside = m.polynomial(c, start.t);
     EXPECT_EQ(inside.t, inside.q[1]);
     EXPECT_NEAR(inside.t, std::sqrt(1.25 * 1.25 + 0.2 * c) - 1.0, 2e-6) << "measured 1.1e-6";
-  }
-}
-
-TEST(TimeDependent, AMonitorThatIsNotPositiveEndsTheRun) {
-  for (const double c : {0.0, -1.0}) {
-    auto m = method(slower(c));
-    avi::State<2> z = extended(m.problem(), start);
-    const avi::Run run = avi::integrate(m, z, 0.1, {.time = 1.0, .steps = 100});
-    EXPECT_EQ(run.outcome, avi::Outcome::bad_monitor) << c;
-    EXPECT_EQ(run.steps, 0);
-    EXPECT_EQ(z.t, start.t);
   }
 }
 
@@ -74,7 +60,7 @@ TEST(TimeDependent, TakesTheMonitorsOfAutonomousProblems) {
 }
 
 TEST(TimeDependent, RefusesAStartWithTwoTimes) {
-  auto m = method(slower());
+  auto m = method(slower);
   const auto answer = [&](double t) {
     avi::State<2> z = extended(m.problem(), start);
     z.t = t;

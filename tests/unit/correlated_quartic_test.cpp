@@ -44,10 +44,7 @@ TEST(CorrelatedQuartic, GradientIsThatOfTheValue) {
   EXPECT_EQ(value, f.value(x));
   const VectorX y = x.array() - 1.0;
   EXPECT_NEAR(value, std::pow(y.dot(correlation(50, 0.9) * y), 2), 1e-12 * value);
-  for (Eigen::Index i : {0, 1, 24, 49}) {
-    const auto at = [&](double shift) { return f.value(x + shift * VectorX::Unit(50, i)); };
-    EXPECT_NEAR(difference(at, 1e-3), g[i], 1e-8 * g.norm());
-  }
+  EXPECT_LT(gradient_defect([&](const VectorX& at) { return f.value(at); }, x, g, 1e-3), 1e-8 * g.norm());
 }
 
 TEST(CorrelatedQuartic, KnowsItsMinimum) {

@@ -35,14 +35,6 @@ std::vector<fs::path> all_pages() {
   return pages;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);)
-    lines.push_back(line);
-  return lines;
-}
-
 /// A block of code: its language, the file that the comment above it names, and its lines.
 struct Block {
   std::string language, file, text;

@@ -1,7 +1,8 @@
+#include "text_of.hpp"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
@@ -25,13 +26,7 @@ bool may_include(const std::string& from, const std::string& to) {
   return from == to || floors.at(from) > floors.at(to);
 }
 
-std::vector<std::string> lines_of(const fs::path& path) {
-  std::ifstream file(path);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(file, line);)
-    lines.push_back(line);
-  return lines;
-}
+std::vector<std::string> lines_of(const fs::path& path) { return ::lines_of(text_of(path)); }
 
 std::vector<fs::path> files_under(const fs::path& folder) {
   std::vector<fs::path> files;

@@ -1,5 +1,6 @@
 #include "avi/problems/kepler.hpp"
 #include "avi/transform/monitors.hpp"
+#include "difference.hpp"
 
 #include <gtest/gtest.h>
 
@@ -48,12 +49,9 @@ TEST(Monitors, GradientsAgreeWithCentralDifferences) {
   for (const auto& [q, p] : {std::pair{V{0.1, 0.02}, V{-0.4, 4.0}}, std::pair{V{-1.7, 0.3}, V{-0.2, -0.3}}})
     for_each_monitor([&, q = q, p = p](const std::string& name, const auto& g) {
       const V automatic = slope(g, q, p);
-      for (int i = 0; i < 2; ++i) {
-        const double d = 1e-6 * q.norm();
-        const V step = d * V::Unit(i);
-        const double difference = (at(g, q + step, p) - at(g, q - step, p)) / (2.0 * d);
-        EXPECT_NEAR(automatic[i], difference, 2e-8 * std::max(1.0, automatic.norm())) << name;
-      }
+      EXPECT_LT(gradient_defect([&](const V& x) { return at(g, x, p); }, q, automatic, 1e-3 * q.norm()),
+                2e-8 * std::max(1.0, automatic.norm()))
+          << name;
       EXPECT_GT(at(g, q, p), 0.0) << name;
     });
 }

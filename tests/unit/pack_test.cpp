@@ -11,21 +11,7 @@ using avi::Pack, avi::Vector;
 
 namespace pack_test {
 
-/// One formula per operation, generic in its scalar.
-const auto formulas = std::tuple_cat(
-    std::tuple{[](const auto& x, const auto& y) { return 2.0 + x - y + 0.5 * x - (1.0 - y); },
-               [](const auto& x, const auto& y) { return x / y - 3.0 / x + x * y * x / 7.0 - (-y); },
-               [](const auto& x, const auto& y) {
-                 using std::sqrt;
-                 return sqrt(x * y);
-               },
-               [](const auto& x, const auto& y) {
-                 using std::pow;
-                 return pow(x, 0.3) * pow(y, -1.7);
-               }},
-    elementary);
-
-constexpr int with_exponentials = 4, with_sines = 5;
+constexpr int with_exponentials = 0, with_sines = 1;
 
 template <int w>
 Pack<w> ramp(double first, double step) {
@@ -37,7 +23,7 @@ Pack<w> ramp(double first, double step) {
 
 template <class Check>
 void for_each_formula(Check check) {
-  std::apply([&](const auto&... f) { (check(f), ...); }, formulas);
+  std::apply([&](const auto&... f) { (check(f), ...); }, elementary);
 }
 
 template <int w>

@@ -12,32 +12,20 @@ using avi::Pack, avi::Program, avi::Recorded, avi::Recording;
 namespace reverse_test {
 
 /// Every operation that can be recorded, at x, y > 0.
-const auto formulas = std::tuple_cat(
-    elementary,
-    std::tuple{
-        [](const auto& x, const auto& y) { return 2.0 + x - y + 0.5 * x - (1.0 - y) * x + x * (x * y - y); },
-        [](const auto& x, const auto& y) { return x / y - 3.0 / x + x * y * x / 7.0 - (-y) / (x + y); },
-        [](const auto& x, const auto& y) {
-          using std::sqrt;
-          return sqrt(x * y) + 2.0 / sqrt(x) - x / sqrt(y);
-        },
-        [](const auto& x, const auto& y) {
-          using avi::power;
-          return power(x, 1.5) - power(y, -2.5) * power(x, 3.0) + power(x, -1.0) +
-                 power(y, -0.5) * power(x, 2.0);
-        },
-        [](const auto& x, const auto& y) {
-          using avi::power;
-          return power(x, 0.3) * power(y, -1.7) + power(y, 1.0) - power(x, 0.0);
-        },
-        [](const auto& x, const auto& y) {
-          auto sum = x * y;  // long enough for more than one line
-          for (int i = 0; i < 80; ++i)
-            sum = i % 3 ? sum + (0.1 * i) * (x * (y + 1.0 * i))
-                        : sum - (x + 0.3 * i) * y - 2.0 * (x * (0.1 * i));
-          return sum + sum * x;
-        },
-        [](const auto& x, const auto& y) { return +x * +(x - y); }});
+const auto formulas =
+    std::tuple_cat(elementary, std::tuple{[](const auto& x, const auto& y) {
+                                            using avi::power;
+                                            return power(x, 1.5) - power(y, -2.5) * power(x, 3.0) +
+                                                   power(x, -1.0) + power(y, -0.5) * power(x, 2.0);
+                                          },
+                                          [](const auto& x, const auto& y) {
+                                            auto sum = x * y;  // long enough for more than one line
+                                            for (int i = 0; i < 80; ++i)
+                                              sum = i % 3 ? sum + (0.1 * i) * (x * (y + 1.0 * i))
+                                                          : sum - (x + 0.3 * i) * y - 2.0 * (x * (0.1 * i));
+                                            return sum + sum * x;
+                                          },
+                                          [](const auto& x, const auto& y) { return +x * +(x - y); }});
 
 /// use(formula) for each of them.
 template <class Use>

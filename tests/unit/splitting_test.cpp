@@ -98,13 +98,10 @@ TEST(LogHamiltonian, FlowsAreTheSlopesOfItsLogarithms) {
   const LogHamiltonian<Heavy> flows({}, p_t);
   const auto drift = flows.drift(p, h);
   const auto kick = flows.kick(q, h);
-  for (int i = 0; i < 2; ++i) {
-    const Heavy::Vec unit = Heavy::Vec::Unit(i);
-    const auto of_p = [&](double x) { return std::log(Heavy::kinetic(p + x * unit) + p_t); };
-    const auto of_q = [&](double x) { return std::log(-Heavy::potential(q + x * unit)); };
-    EXPECT_NEAR(drift.position[i], h * difference(of_p, 1e-3), 1e-10);
-    EXPECT_NEAR(kick[i], h * difference(of_q, 1e-3), 1e-9);
-  }
+  const auto of_p = [&](const Heavy::Vec& x) { return h * std::log(Heavy::kinetic(x) + p_t); };
+  const auto of_q = [&](const Heavy::Vec& x) { return h * std::log(-Heavy::potential(x)); };
+  EXPECT_LT(gradient_defect(of_p, p, drift.position, 1e-3), 1e-10);
+  EXPECT_LT(gradient_defect(of_q, q, kick, 1e-3), 1e-9);
   const auto of_energy = [&](double x) { return std::log(Heavy::kinetic(p) + p_t + x); };
   EXPECT_NEAR(drift.time, h * difference(of_energy, 1e-3), 1e-10);
 }
