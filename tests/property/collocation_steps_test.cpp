@@ -1,14 +1,5 @@
-#include "avi/collocation/collocation.hpp"
-
-#include "avi/core/dense_output.hpp"
-#include "avi/core/integrate_to.hpp"
-#include "avi/problems/kepler.hpp"
-#include "avi/problems/n_body.hpp"
-#include "avi/transform/monitors.hpp"
-#include "avi/transform/poincare.hpp"
-#include "avi/transform/time_dependent.hpp"
+#include "avi/avi.hpp"
 #include "common/problems/chain.hpp"
-
 #include "distance.hpp"
 #include "refusal.hpp"
 

@@ -1,10 +1,6 @@
 #include "avi/collocation/collocation.hpp"
 
-#include "avi/core/integrate_to.hpp"
-#include "avi/diagnostics/symplecticity.hpp"
-#include "avi/problems/kepler.hpp"
-#include "avi/transform/monitors.hpp"
-#include "avi/transform/poincare.hpp"
+#include "avi/avi.hpp"
 #include "common/power_law.hpp"
 
 #include "distance.hpp"

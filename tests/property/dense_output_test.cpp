@@ -1,11 +1,6 @@
 #include "avi/core/dense_output.hpp"
 
-#include "avi/collocation/collocation.hpp"
-#include "avi/core/integrate.hpp"
-#include "avi/diagnostics/order.hpp"
-#include "avi/htvi/htvi.hpp"
-#include "avi/problems/kepler.hpp"
-#include "avi/transform/monitors.hpp"
+#include "avi/avi.hpp"
 #include "common/methods/printed_htvi.hpp"
 #include "refusal.hpp"
 #include "systems.hpp"

@@ -1,8 +1,4 @@
-#include "avi/core/inverse.hpp"
-#include "avi/diagnostics/symplecticity.hpp"
-#include "avi/htvi/htvi.hpp"
-#include "avi/problems/kepler.hpp"
-#include "avi/transform/monitors.hpp"
+#include "avi/avi.hpp"
 #include "common/methods/printed_htvi.hpp"
 
 #include <gtest/gtest.h>

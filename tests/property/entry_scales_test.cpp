@@ -1,10 +1,4 @@
-#include "avi/collocation/entry_progress.hpp"
-
-#include "avi/collocation/collocation.hpp"
-#include "avi/core/integrate.hpp"
-#include "avi/problems/kepler.hpp"
-#include "avi/transform/monitors.hpp"
-#include "avi/transform/poincare.hpp"
+#include "avi/avi.hpp"
 #include "systems.hpp"
 
 #include <gtest/gtest.h>

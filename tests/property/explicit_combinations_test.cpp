@@ -1,7 +1,4 @@
-#include "avi/integrators/coefficient_lists.hpp"
-#include "avi/integrators/log_hamiltonian.hpp"
-#include "avi/integrators/stormer_verlet.hpp"
-#include "avi/transform/euler_b.hpp"
+#include "avi/avi.hpp"
 #include "common/methods/adaptive_verlet.hpp"
 #include "common/methods/hairer_soderlind.hpp"
 #include "property/combinations.hpp"

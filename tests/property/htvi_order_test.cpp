@@ -1,10 +1,4 @@
-#include "avi/core/integrate.hpp"
-#include "avi/diagnostics/order.hpp"
-#include "avi/htvi/htvi.hpp"
-#include "avi/problems/kepler.hpp"
-#include "avi/problems/pendulum.hpp"
-#include "avi/transform/euler_b.hpp"
-#include "avi/transform/monitors.hpp"
+#include "avi/avi.hpp"
 #include "common/methods/printed_htvi.hpp"
 
 #include <gtest/gtest.h>

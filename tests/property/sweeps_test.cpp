@@ -1,12 +1,5 @@
-#include "avi/collocation/stage_equations.hpp"
-
-#include "avi/collocation/collocation.hpp"
-#include "avi/core/integrate.hpp"
-#include "avi/problems/kepler.hpp"
-#include "avi/transform/monitors.hpp"
-#include "avi/transform/poincare.hpp"
+#include "avi/avi.hpp"
 #include "common/problems/chain.hpp"
-
 #include "distance.hpp"
 #include "rate.hpp"
 

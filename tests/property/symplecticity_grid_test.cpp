@@ -1,9 +1,4 @@
-#include "avi/diagnostics/symplecticity.hpp"
-#include "avi/htvi/htvi.hpp"
-#include "avi/problems/henon_heiles.hpp"
-#include "avi/problems/kepler.hpp"
-#include "avi/problems/pendulum.hpp"
-#include "avi/transform/monitors.hpp"
+#include "avi/avi.hpp"
 #include "common/methods/printed_htvi.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,4 @@
-#include "avi/core/integrate.hpp"
-#include "avi/htvi/htvi.hpp"
-#include "avi/problems/kepler.hpp"
-#include "avi/transform/monitors.hpp"
+#include "avi/avi.hpp"
 #include "refusal.hpp"
 
 #include <gtest/gtest.h>

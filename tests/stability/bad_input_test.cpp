@@ -1,20 +1,5 @@
-#include "avi/collocation/collocation.hpp"
-#include "avi/core/integrate.hpp"
-#include "avi/diagnostics/order.hpp"
-#include "avi/diagnostics/symplecticity.hpp"
-#include "avi/integrators/composition.hpp"
-#include "avi/integrators/log_hamiltonian.hpp"
-#include "avi/integrators/splitting.hpp"
-#include "avi/integrators/stormer_verlet.hpp"
-#include "avi/problems/henon_heiles.hpp"
-#include "avi/problems/kepler.hpp"
-#include "avi/problems/n_body.hpp"
-#include "avi/problems/pendulum.hpp"
-#include "avi/transform/euler_b.hpp"
-#include "avi/transform/monitors.hpp"
-#include "avi/transform/poincare.hpp"
+#include "avi/avi.hpp"
 #include "common/problems/perturbed_kepler.hpp"
-
 #include "tries.hpp"
 
 #include <utility>

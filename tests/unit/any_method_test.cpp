@@ -1,13 +1,6 @@
 #include "avi/core/any_method.hpp"
 
-#include "avi/collocation/collocation.hpp"
-#include "avi/core/integrate_to.hpp"
-#include "avi/integrators/splitting.hpp"
-#include "avi/integrators/stormer_verlet.hpp"
-#include "avi/problems/kepler.hpp"
-#include "avi/problems/pendulum.hpp"
-#include "avi/transform/poincare.hpp"
-#include "avi/transform/time_dependent.hpp"
+#include "avi/avi.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,6 @@
 #include "avi/core/at_times.hpp"
 
-#include "avi/core/integrate_to.hpp"
-#include "avi/integrators/coefficient_lists.hpp"
-#include "avi/integrators/log_hamiltonian.hpp"
-#include "avi/problems/kepler.hpp"
+#include "avi/avi.hpp"
 #include "refusal.hpp"
 
 #include <gtest/gtest.h>

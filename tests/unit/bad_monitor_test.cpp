@@ -1,7 +1,4 @@
-#include "avi/collocation/collocation.hpp"
-#include "avi/core/integrate.hpp"
-#include "avi/htvi/htvi.hpp"
-#include "avi/problems/kepler.hpp"
+#include "avi/avi.hpp"
 
 #include <gtest/gtest.h>
 

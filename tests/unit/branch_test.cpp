@@ -1,7 +1,4 @@
-#include "avi/collocation/collocation.hpp"
-#include "avi/core/integrate.hpp"
-#include "avi/htvi/htvi.hpp"
-#include "avi/optim/minimise.hpp"
+#include "avi/avi.hpp"
 #include "common/methods/runge_kutta_4.hpp"
 
 #include <gtest/gtest.h>

@@ -1,12 +1,6 @@
 #include "avi/core/ensemble.hpp"
 
-#include "avi/collocation/collocation.hpp"
-#include "avi/core/at_times.hpp"
-#include "avi/core/trajectory.hpp"
-#include "avi/integrators/coefficient_lists.hpp"
-#include "avi/integrators/log_hamiltonian.hpp"
-#include "avi/problems/kepler.hpp"
-#include "avi/transform/poincare.hpp"
+#include "avi/avi.hpp"
 #include "refusal.hpp"
 
 #include <gtest/gtest.h>

@@ -1,12 +1,6 @@
 #include "avi/autodiff/formula.hpp"
 
-#include "avi/autodiff/pack.hpp"
-#include "avi/autodiff/partials.hpp"
-#include "avi/autodiff/recording.hpp"
-#include "avi/optim/minimise.hpp"
-#include "avi/problems/kepler.hpp"
-#include "avi/solve.hpp"
-#include "avi/transform/poincare.hpp"
+#include "avi/avi.hpp"
 
 #include "refusal.hpp"
 #include "systems.hpp"

@@ -1,11 +1,6 @@
 #include "avi/core/integrate.hpp"
 
-#include "avi/core/integrate_to.hpp"
-#include "avi/core/state.hpp"
-#include "avi/integrators/composition.hpp"
-#include "avi/integrators/splitting.hpp"
-#include "avi/integrators/stormer_verlet.hpp"
-#include "avi/transform/euler_b.hpp"
+#include "avi/avi.hpp"
 #include "refusal.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,4 @@
-#include "avi/collocation/collocation.hpp"
-#include "avi/core/integrate_to.hpp"
-#include "avi/solve.hpp"
-#include "avi/transform/poincare.hpp"
+#include "avi/avi.hpp"
 #include "kept.hpp"
 #include "resumed.hpp"
 

@@ -1,9 +1,6 @@
 #include "avi/core/state.hpp"
 
-#include "avi/autodiff/recording.hpp"
-#include "avi/collocation/collocation.hpp"
-#include "avi/core/integrate.hpp"
-#include "avi/transform/time_dependent.hpp"
+#include "avi/avi.hpp"
 #include "refusal.hpp"
 #include "systems.hpp"
 

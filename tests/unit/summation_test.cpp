@@ -1,10 +1,6 @@
 #include "avi/core/summation.hpp"
 
-#include "avi/collocation/collocation.hpp"
-#include "avi/core/integrate.hpp"
-#include "avi/htvi/htvi.hpp"
-#include "avi/integrators/splitting.hpp"
-#include "avi/integrators/stormer_verlet.hpp"
+#include "avi/avi.hpp"
 #include "systems.hpp"
 
 #include <gtest/gtest.h>

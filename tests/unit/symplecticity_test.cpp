@@ -1,8 +1,5 @@
+#include "avi/avi.hpp"
 #include "avi/diagnostics/symplecticity.hpp"
-#include "avi/integrators/splitting.hpp"
-#include "avi/integrators/stormer_verlet.hpp"
-#include "avi/problems/kepler.hpp"
-#include "avi/problems/pendulum.hpp"
 
 #include <gtest/gtest.h>
 

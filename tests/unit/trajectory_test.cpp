@@ -1,10 +1,6 @@
 #include "avi/core/trajectory.hpp"
 
-#include "avi/core/integrate_to.hpp"
-#include "avi/diagnostics/order.hpp"
-#include "avi/integrators/coefficient_lists.hpp"
-#include "avi/integrators/log_hamiltonian.hpp"
-#include "avi/problems/kepler.hpp"
+#include "avi/avi.hpp"
 
 #include <gtest/gtest.h>
 

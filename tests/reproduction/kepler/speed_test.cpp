@@ -1,11 +1,6 @@
 #include "common/timing.hpp"
 
-#include "avi/collocation/collocation.hpp"
-#include "avi/core/integrate.hpp"
-#include "avi/htvi/htvi.hpp"
-#include "avi/integrators/stormer_verlet.hpp"
-#include "avi/problems/kepler.hpp"
-#include "avi/transform/monitors.hpp"
+#include "avi/avi.hpp"
 #include "common/methods/printed_htvi.hpp"
 #include "reproduction/data.hpp"
 
