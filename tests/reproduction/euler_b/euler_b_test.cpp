@@ -35,11 +35,10 @@ TEST(EulerB, AngularMomentumIsKeptToRoundOff) {
 }
 
 TEST(EulerB, CostAtMatchedErrorRanksTheMonitors) {
-  const auto& cost = data::quick("euler_b_cost");
   std::map<std::string, double> steps;
-  for (std::size_t i = 0; i < cost.rows.size(); ++i) {
-    EXPECT_NEAR(cost.number(i, "energy_error") / cost.number(i, "target"), 1.0, 0.02);
-    if (cost.number(i, "target") == 1e-3) steps[cost.text(i, "monitor")] = cost.number(i, "steps");
+  for (const auto& row : data::quick.rows("euler_b_cost")) {
+    EXPECT_NEAR(row.number("energy_error") / row.number("target"), 1.0, 0.02);
+    if (row.number("target") == 1e-3) steps[row.text("monitor")] = row.number("steps");
   }
   EXPECT_NEAR(steps.at("truncation") / steps.at("norm_squared"), 1.0, 1e-3);
   EXPECT_NEAR(steps.at("arclength") / steps.at("norm_squared"), 1.10, 0.02);
@@ -48,10 +47,9 @@ TEST(EulerB, CostAtMatchedErrorRanksTheMonitors) {
 }
 
 TEST(EulerB, LargestStepsAtEqualErrorAreThoseOfBothFirstMonitors) {
-  const auto& sizes = data::quick("euler_b_step_sizes");
   std::map<std::string, double> largest;
-  for (std::size_t i = 0; i < sizes.rows.size(); ++i)
-    largest[sizes.text(i, "monitor")] = sizes.number(i, "max_step");
+  for (const auto& row : data::quick.rows("euler_b_step_sizes"))
+    largest[row.text("monitor")] = row.number("max_step");
   EXPECT_NEAR(largest.at("truncation") / largest.at("norm_squared"), 1.0, 1e-5);
   EXPECT_GT(largest.at("norm_squared"), largest.at("arclength"));
 }

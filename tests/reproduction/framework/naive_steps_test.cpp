@@ -11,12 +11,11 @@
 namespace naive_steps_test {
 
 TEST(NaiveSteps, DriftAndTheTransformedProblemDoesNot) {
-  const auto& table = data::quick("naive_steps");
   std::map<std::string, std::map<int, double>> error;  // by method and whole decades of periods
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const double decade = std::log10(table.number(i, "periods"));
+  for (const auto& row : data::quick.rows("naive_steps")) {
+    const double decade = std::log10(row.number("periods"));
     if (std::abs(decade - std::round(decade)) < 1e-6)
-      error[table.text(i, "method")][static_cast<int>(std::lround(decade))] = table.number(i, "energy_error");
+      error[row.text("method")][static_cast<int>(std::lround(decade))] = row.number("energy_error");
   }
   // Measured: 1.342e-5 and 1.342e-5; 1.8e-4, 8.4e-3 and 7.4e-2; 1.1e-4, 3.2e-3 and 2.8e-2.
   EXPECT_LT(error["collocation"][3], 1.02 * error["collocation"][0]);

@@ -12,28 +12,27 @@ using experiment::Setting;
 namespace optimisation_meaning_test {
 
 TEST(ConvergenceRate, StaysBelowItsBoundAndFallsTwiceAsFast) {
-  const auto& table = data::whole("convergence_rate");
-  ASSERT_EQ(table.rows.size(), 4u);
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const double p = table.number(i, "p");
-    EXPECT_LE(table.number(i, "largest_ratio"), 1.0);
-    EXPECT_LE(table.number(i, "largest_rise_of_E"), 1e-9);
+  const auto table = data::whole.rows("convergence_rate");
+  ASSERT_EQ(table.size(), 4u);
+  for (const auto& row : table) {
+    const double p = row.number("p");
+    EXPECT_LE(row.number("largest_ratio"), 1.0);
+    EXPECT_LE(row.number("largest_rise_of_E"), 1e-9);
     // The adiabatic rate of a quartic, t^(-2p), where the bound is t^-p; measured within 6e-4 of it.
-    EXPECT_NEAR(table.number(i, "fitted_rate") / (-2.0 * p), 1.0, 1.2e-3) << p;
-    EXPECT_EQ(table.text(i, "outcome"), "ok");
+    EXPECT_NEAR(row.number("fitted_rate") / (-2.0 * p), 1.0, 1.2e-3) << p;
+    EXPECT_EQ(row.text("outcome"), "ok");
   }
 }
 
 TEST(OrderEquivalence, OnlyTheClockTellsAdaptiveFromDirect) {
-  const auto& table = data::whole("order_equivalence");
   int exact = 0;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    EXPECT_EQ(table.number(i, "order"), std::pow(table.number(i, "p"), 2) / table.number(i, "p_ring"));
-    if (table.text(i, "clock") == "exact") {
+  for (const auto& row : data::whole.rows("order_equivalence")) {
+    EXPECT_EQ(row.number("order"), std::pow(row.number("p"), 2) / row.number("p_ring"));
+    if (row.text("clock") == "exact") {
       ++exact;
-      EXPECT_LT(table.number(i, "distance_100"), 1e-11);
+      EXPECT_LT(row.number("distance_100"), 1e-11);
     } else {
-      EXPECT_GT(table.number(i, "distance_100"), 1e-5);
+      EXPECT_GT(row.number("distance_100"), 1e-5);
     }
   }
   EXPECT_EQ(exact, 7);

@@ -13,14 +13,13 @@ namespace front_door_race_test {
 
 /// The references are right: methods that share nothing come to within 1e-9 of them where motion is calm.
 TEST(FrontDoorRace, SolveAndOtherLibrariesMeetAtTheReference) {
-  const Table& table = data::quick("front_door");
   std::map<std::string, std::map<std::string, double>> least;  // of each scene, by library
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    if (table.number(i, "horizon") > 1.0) continue;
-    const std::string method = table.text(i, "method");
+  for (const auto& row : data::quick.rows("front_door")) {
+    if (row.number("horizon") > 1.0) continue;
+    const std::string method = row.text("method");
     double& error =
-        least[table.text(i, "scene")].try_emplace(method.substr(0, method.find('_')), HUGE_VAL).first->second;
-    error = std::min(error, table.number(i, "error"));
+        least[row.text("scene")].try_emplace(method.substr(0, method.find('_')), HUGE_VAL).first->second;
+    error = std::min(error, row.number("error"));
   }
   EXPECT_GE(least.size(), 9u);
   for (const auto& [scene, by_library] : least) {
@@ -56,11 +55,10 @@ TEST(FrontDoorRace, CellsHoldTheCheapestRowsThatReachTheirTargets) {
 /// What seconds say is not due to how an evaluation is written: counts of evaluations, which no load moves,
 /// are of the same size.
 TEST(FrontDoorRace, EvaluationsAreCounted) {
-  const Table& cells = data::quick("front_door_cells");
-  for (std::size_t i = 0; i < cells.rows.size(); ++i)
-    if (std::isfinite(cells.number(i, "ratio"))) {
-      EXPECT_GT(cells.number(i, "ours_evaluations"), 0.0);
-      EXPECT_GT(cells.number(i, "peer_evaluations"), 0.0);
+  for (const auto& row : data::quick.rows("front_door_cells"))
+    if (std::isfinite(row.number("ratio"))) {
+      EXPECT_GT(row.number("ours_evaluations"), 0.0);
+      EXPECT_GT(row.number("peer_evaluations"), 0.0);
     }
 }
 

@@ -66,17 +66,16 @@ TEST(WorkPrecision, SweepsThatEndEarlySaveWorkAndErrAsTheirToleranceAllows) {
 /// Solved to rounding, and beside it whatever ends the sweeps: the latter is never dearer, and the same where
 /// its setting has no tolerance.
 TEST(WorkPrecision, AdviceHasCollocationSolvedToRoundingBesideTheCheapest) {
-  const Table& advice = data::quick("work_precision_advice");
   int solved = 0;
-  for (std::size_t i = 0; i < advice.rows.size(); ++i) {
-    EXPECT_EQ(advice.text(i, "solved_setting").find("tolerance="), std::string::npos);
-    if (advice.text(i, "solved") == "none") continue;
+  for (const auto& row : data::quick.rows("work_precision_advice")) {
+    EXPECT_EQ(row.text("solved_setting").find("tolerance="), std::string::npos);
+    if (row.text("solved") == "none") continue;
     ++solved;
-    EXPECT_LE(advice.number(i, "collocation_cost"), advice.number(i, "solved_cost"));
-    if (advice.text(i, "collocation_solved") == "1") {
-      EXPECT_EQ(advice.text(i, "collocation_setting"), advice.text(i, "solved_setting"));
+    EXPECT_LE(row.number("collocation_cost"), row.number("solved_cost"));
+    if (row.text("collocation_solved") == "1") {
+      EXPECT_EQ(row.text("collocation_setting"), row.text("solved_setting"));
     }
-    EXPECT_GE(advice.number(i, "drift"), 0.0);
+    EXPECT_GE(row.number("drift"), 0.0);
   }
   EXPECT_GE(solved, 2);
 }
@@ -85,11 +84,11 @@ TEST(WorkPrecision, ItsAdviceReachesTheTargetsAheadOfEveryPeer) {
 #if !defined(__OPTIMIZE__) || defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "not optimised, as the other libraries are";
 #endif
-  const Table& advice = data::quick("work_precision_advice");
-  ASSERT_EQ(advice.rows.size(), 5u);
-  for (std::size_t i = 0; i < advice.rows.size(); ++i) {
-    EXPECT_EQ(advice.text(i, "verdict"), "ahead") << advice.text(i, "target");
-    EXPECT_LT(advice.number(i, "ratio"), 1.0);
+  const auto advice = data::quick.rows("work_precision_advice");
+  ASSERT_EQ(advice.size(), 5u);
+  for (const auto& row : advice) {
+    EXPECT_EQ(row.text("verdict"), "ahead") << row.text("target");
+    EXPECT_LT(row.number("ratio"), 1.0);
   }
 }
 

@@ -17,16 +17,15 @@ using avi::Outcome, avi::VectorX, experiment::Table;
 namespace bregman_extremes_test {
 
 TEST(Overflow, EachFormEndsWhereItsLargestCoefficientDoes) {
-  const Table& ends = data::quick("bregman_extremes_overflow");
   std::map<std::pair<double, double>, std::map<std::string, double>> end;
-  for (std::size_t i = 0; i < ends.rows.size(); ++i) {
-    const double measured = ends.number(i, "log10_t_end"), expected = ends.number(i, "log10_t_expected");
+  for (const auto& row : data::quick.rows("bregman_extremes_overflow")) {
+    const double measured = row.number("log10_t_end"), expected = row.number("log10_t_expected");
     if (std::isfinite(expected)) {
-      EXPECT_NEAR(measured / expected, 1.0, 1e-3) << ends.text(i, "form") << ' ' << ends.text(i, "p");
+      EXPECT_NEAR(measured / expected, 1.0, 1e-3) << row.text("form") << ' ' << row.text("p");
     } else {
       EXPECT_GT(measured, 300.0) << "p <= 2s has no end";
     }
-    end[{ends.number(i, "p"), ends.number(i, "p_ring")}][ends.text(i, "form")] = measured;
+    end[{row.number("p"), row.number("p_ring")}][row.text("form")] = measured;
   }
   EXPECT_GE(end.size(), 15u);
   for (auto& [orders, of] : end) {
@@ -37,41 +36,38 @@ TEST(Overflow, EachFormEndsWhereItsLargestCoefficientDoes) {
 }
 
 TEST(Overflow, TheFormsAgreeWhereverBothAreFinite) {
-  const Table& ends = data::quick("bregman_extremes_overflow");
   double momentum = 0.0, heavy_ball = 0.0;
-  for (std::size_t i = 0; i < ends.rows.size(); ++i) {
-    EXPECT_GT(ends.number(i, "steps_compared"), 1900.0) << "the whole way to the printed form's end";
-    double& worst = ends.text(i, "form") == "momentum" ? momentum : heavy_ball;
-    worst = std::max(worst, ends.number(i, "distance_from_printed"));
+  for (const auto& row : data::quick.rows("bregman_extremes_overflow")) {
+    EXPECT_GT(row.number("steps_compared"), 1900.0) << "the whole way to the printed form's end";
+    double& worst = row.text("form") == "momentum" ? momentum : heavy_ball;
+    worst = std::max(worst, row.number("distance_from_printed"));
   }
   EXPECT_LT(momentum, 2e-12);    // seen: 7e-13
   EXPECT_LT(heavy_ball, 2e-12);  // seen: 8e-13
 }
 
 TEST(Limit, LinearTheoryHoldsForEveryMethod) {
-  const Table& limits = data::quick("bregman_extremes_limits");
   std::set<std::string> methods;
-  for (std::size_t i = 0; i < limits.rows.size(); ++i) {
-    const std::string method = limits.text(i, "method");
+  for (const auto& row : data::quick.rows("bregman_extremes_limits")) {
+    const std::string method = row.text("method");
     methods.insert(method);
     // Runge-Kutta 4 damps below its limit, so that a growing end of a run starts from less.
     const double above = method == "runge_kutta_4" ? 0.05 : 0.004;
-    EXPECT_GT(limits.number(i, "ratio"), 0.998) << method << ' ' << limits.text(i, "p");
-    EXPECT_LT(limits.number(i, "ratio"), 1.0 + above) << method << ' ' << limits.text(i, "p");
+    EXPECT_GT(row.number("ratio"), 0.998) << method << ' ' << row.text("p");
+    EXPECT_LT(row.number("ratio"), 1.0 + above) << method << ' ' << row.text("p");
     // One notch beyond: a name and a reason.
-    EXPECT_EQ(limits.text(i, "beyond_outcome"), "diverged") << method << ' ' << limits.text(i, "p");
-    EXPECT_NE(limits.text(i, "beyond_message").find("left every bound"), std::string::npos);
+    EXPECT_EQ(row.text("beyond_outcome"), "diverged") << method << ' ' << row.text("p");
+    EXPECT_NE(row.text("beyond_message").find("left every bound"), std::string::npos);
   }
   EXPECT_EQ(methods.size(), 7u);
 }
 
 TEST(Runs, NoneIsSilentlyWrong) {
-  const Table& table = data::quick("bregman_extremes");
   std::map<std::string, int> verdicts;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    ++verdicts[table.text(i, "verdict")];
-    EXPECT_NE(table.text(i, "verdict"), "silent")
-        << table.text(i, "scene") << ' ' << table.text(i, "method") << ' ' << table.text(i, "fault");
+  for (const auto& row : data::quick.rows("bregman_extremes")) {
+    ++verdicts[row.text("verdict")];
+    EXPECT_NE(row.text("verdict"), "silent")
+        << row.text("scene") << ' ' << row.text("method") << ' ' << row.text("fault");
   }
   EXPECT_EQ(verdicts.size(), 3u);
   EXPECT_GT(verdicts["correct"], 40);

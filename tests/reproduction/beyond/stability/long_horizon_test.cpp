@@ -11,27 +11,25 @@
 namespace long_horizon_test {
 
 TEST(LongHorizon, ErrorsGrowAsTheory) {
-  const auto& laws = data::quick("long_horizon_laws");
-  for (std::size_t i = 0; i < laws.rows.size(); ++i) {
-    const std::string& method = laws.text(i, "method");
+  for (const auto& row : data::quick.rows("long_horizon_laws")) {
+    const std::string& method = row.text("method");
     if (method == "runge_kutta_4") {
       // The control: its energy drifts, so that its phase error grows towards t^2 (measured 1.4 by ten
       // periods).
-      EXPECT_GT(laws.number(i, "phase"), 1.25);
-      EXPECT_GT(laws.number(i, "energy"), 0.3);
+      EXPECT_GT(row.number("phase"), 1.25);
+      EXPECT_GT(row.number("energy"), 0.3);
       continue;
     }
     if (method != "stationary12" && method != "collocation16") {  // whose phase errors are rounding
-      EXPECT_NEAR(laws.number(i, "phase"), 1.0, 0.05) << method;
+      EXPECT_NEAR(row.number("phase"), 1.0, 0.05) << method;
     }
     if (method == "stationary4" || method == "stormer_verlet") {
-      EXPECT_LT(std::abs(laws.number(i, "energy")), 1e-3) << method;
+      EXPECT_LT(std::abs(row.number("energy")), 1e-3) << method;
     }
   }
 }
 
 TEST(LongHorizon, SymplecticRunsKeepEnergyAndAngularMomentum) {
-  const auto& table = data::quick("long_horizon");
   // Twice what was measured after 100 periods; rounding is another with and without vector units (stationary
   // 12: from 2e-13 to 9e-13 seen).
   const std::map<std::string, double> energy{{"stationary4", 4.2e-6},
@@ -39,13 +37,13 @@ TEST(LongHorizon, SymplecticRunsKeepEnergyAndAngularMomentum) {
                                              {"collocation16", 1.6e-12},
                                              {"stormer_verlet", 7e-3},
                                              {"log_hamiltonian_yoshida4", 5e-13}};
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const auto bound = energy.find(table.text(i, "method"));
+  for (const auto& row : data::quick.rows("long_horizon")) {
+    const auto bound = energy.find(row.text("method"));
     if (bound == energy.end()) continue;
-    EXPECT_LT(table.number(i, "energy_error"), bound->second) << bound->first;
+    EXPECT_LT(row.number("energy_error"), bound->second) << bound->first;
     // 2.6e-13 was measured for the stationary integrators, which solve an equation a step.
     const bool taylor = bound->first.starts_with("stationary");
-    EXPECT_LT(table.number(i, "momentum_error"), taylor ? 5e-13 : 1.5e-13) << bound->first;
+    EXPECT_LT(row.number("momentum_error"), taylor ? 5e-13 : 1.5e-13) << bound->first;
   }
 }
 
