@@ -149,7 +149,7 @@ TEST(Collocation, CoefficientsAreSymplecticToTheLastBit) {
 // What rounding takes from a sum of steps goes into the next one. Without, 1e5 times 0.1 is 1.9e-8 too much.
 TEST(Collocation, AddsStepsUpToTheLastBit) {
   const auto free = [](const auto&, const auto& p) { return 0.5 * (p[0] * p[0]); };
-  State<1> z{.q = avi::Vector<double, 1>(0.0), .p = avi::Vector<double, 1>(1.0)};
+  State<1> z{.q = {0.0}, .p = {1.0}};
   auto method = avi::collocation(avi::poincare(free, z), 4);
   ASSERT_EQ(avi::integrate(method, z, 0.1, {.steps = 100'000}).outcome, Outcome::ok);
   EXPECT_NEAR(z.q[0], 1e4, 4e-12);  // two units of the last place

@@ -78,7 +78,7 @@ TEST(Newton, TakesOverWhereSweepsContractSlowlyOrNot) {
   // Sweeps of order 16 take 21 a step at h omega = 4, 70 at 8 and fail beyond 9.25. Measured here: at
   // most 8.6 a step, energy to 4e-14, of which half is the bound of what rounding does in 200 steps.
   const auto run = [](int order, double h_omega, double& error, double size = 1.0) {
-    State<1> z{.q = avi::Vector<double, 1>(size), .p = avi::Vector<double, 1>(0.0)};
+    State<1> z{.q = {size}, .p = {0.0}};
     auto method = avi::collocation(avi::poincare(Oscillator{100.0}, z), order);
     const avi::Run done = avi::integrate(method, z, h_omega / 100.0, {.steps = 200});
     error = std::abs(Oscillator{100.0}(z.q, z.p) / (5000.0 * size * size) - 1.0);
@@ -134,7 +134,7 @@ TEST(Newton, EndsWhereTheStepIsTooLongForTheMotion) {
   const avi::Run run = avi::integrate(method, z, 5.0, {.steps = 20});
   EXPECT_TRUE(run.outcome == Outcome::not_converged || run.outcome == Outcome::non_finite) << run.message;
   // Nor is this: Newton's method turns in circles, and is given up before its cap of 100.
-  State<1> trough{.q = avi::Vector<double, 1>(1.5), .p = avi::Vector<double, 1>(0.1)};
+  State<1> trough{.q = {1.5}, .p = {0.1}};
   auto circles = avi::collocation(avi::poincare(double_well, trough), 8);
   const avi::StepReport step = circles.step(trough, 3.0);
   EXPECT_NE(step.outcome, Outcome::ok);

@@ -23,7 +23,7 @@ struct Stiff {
   }
 };
 
-const State<1> start{.q = avi::Vector<double, 1>(0.3), .p = avi::Vector<double, 1>(0.1)};
+const State<1> start{.q = {0.3}, .p = {0.1}};
 constexpr double h = 0.1;
 
 auto method_for(double w, int r, avi::SolverSettings solver) {
@@ -115,19 +115,10 @@ TEST(SecantModel, KnowsALinearFunctionFromAsManyShiftsAsItHasVariables) {
   EXPECT_NEAR((w(u + shift) - w(u) - model.change(shift)).norm(), 0.0, 1e-15);
 }
 
-TEST(Solver, TakesTwoEvaluationsAStepWhereStepsAreAccurate) {
-  auto z = avi::Kepler::pericentre(0.9);
-  auto method = avi::type2<3, experiment::Authors>(
-      avi::poincare<2>(avi::Kepler{}, z, avi::bounded(avi::NormSquared{}, 0.01, 8.0)), avi::simpson());
-  const auto run = avi::integrate(method, z, 0.1, {.time = 10.0});
-  EXPECT_EQ(run.outcome, avi::Outcome::ok);
-  EXPECT_LT(per_step(run), 2.5);
-}
-
 // When the residual counts as round-off: with the least tolerance the iteration has to notice that it
 // stagnates.
 TEST(Solver, SeesAnEquilibriumAtOnce) {
-  const State<1> rest{.q = avi::Vector<double, 1>(0.0), .p = avi::Vector<double, 1>(0.0)};
+  const State<1> rest{.q = {0.0}, .p = {0.0}};
   for (const int r : {1, 3}) {
     auto z = rest;
     auto method = method_for(1.0, r, {});

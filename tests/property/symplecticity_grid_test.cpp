@@ -45,7 +45,7 @@ void expect_symplectic(const Problem& problem, const State<Problem::dimension>& 
 }
 
 TEST(Symplecticity, OfEveryTypeAndOrderOnThePendulum) {
-  const State<1> z{.q = avi::Vector<double, 1>(1.2), .p = avi::Vector<double, 1>(0.7)};
+  const State<1> z{.q = {1.2}, .p = {0.7}};
   expect_symplectic(avi::poincare<1>(avi::Pendulum{}, z), z, 0.4);
 }
 TEST(Symplecticity, OfEveryTypeAndOrderOnHenonHeiles) {

@@ -20,7 +20,7 @@ const auto stiffening = [](const auto& q, const auto& t, const auto& p) {
 
 const auto slower = [](const auto&, const auto& t, const auto&) { return 1.0 / (1.0 + t); };
 
-const avi::State<1> start{.q = avi::Vector<double, 1>(1.0), .p = avi::Vector<double, 1>(0.3), .t = 0.25};
+const avi::State<1> start{.q = {1.0}, .p = {0.3}, .t = 0.25};
 
 auto method(auto monitor) {
   return avi::type2<3>(avi::time_dependent(stiffening, start, monitor), avi::gauss(2));

@@ -13,7 +13,7 @@
 namespace bad_input_test {
 
 using namespace avi;
-using experiment::PerturbedKepler;
+using experiment::PerturbedKepler, tries::all, tries::not_finite, tries::not_positive;
 
 /// g = a + q_1, or one over it: one type for both, so that collocation is compiled once.
 struct Monitor {
@@ -28,10 +28,10 @@ struct Monitor {
 };
 
 TEST(BadInput, OfMonitors) {
-  tries::all("a", std::vector{-1.0, tries::nan, tries::inf}, [](double a) { bounded(Gamma{}, a, 2.0); });
-  tries::all("b", std::vector{0.0, 0.5, tries::nan, tries::inf}, [](double b) { bounded(Gamma{}, 0.5, b); });
-  tries::all("p^t", tries::not_finite, [](double pt) { EulerB<2, Kepler, Gamma>(Kepler{}, Gamma{}, pt); });
-  tries::all("p^t", tries::not_finite, [](double pt) { LogHamiltonian<Kepler>(Kepler{}, pt); });
+  all("a", std::vector{-1.0, tries::nan, tries::inf}, [](double a) { bounded(Gamma{}, a, 2.0); });
+  all("b", std::vector{0.0, 0.5, tries::nan, tries::inf}, [](double b) { bounded(Gamma{}, 0.5, b); });
+  all("p^t", not_finite, [](double pt) { EulerB<2, Kepler, Gamma>(Kepler{}, Gamma{}, pt); });
+  all("p^t", not_finite, [](double pt) { LogHamiltonian<Kepler>(Kepler{}, pt); });
 }
 
 // Good at the start; zero, and infinite, farther on.
@@ -46,14 +46,14 @@ TEST(BadInput, OfMonitorsOnTheWay) {
 }
 
 TEST(BadInput, OfProblems) {
-  tries::all("t", tries::not_finite, [](double t) { (void)Kepler::exact(0.5, t); });
-  tries::all("epsilon", std::vector{-1.0, tries::nan, tries::inf}, [](double e) { PerturbedKepler{e}; });
-  tries::all("amplitude", std::vector{-0.1, 4.0, tries::nan}, [](double a) { (void)Pendulum::start(a); });
-  tries::all("amplitude", std::vector{-0.1, 4.0, tries::nan}, [](double a) { (void)Pendulum::period(a); });
-  tries::all("mass", tries::not_positive, [](double m) { NBody<2>({1.0, m}); });
+  all("t", not_finite, [](double t) { (void)Kepler::exact(0.5, t); });
+  all("epsilon", std::vector{-1.0, tries::nan, tries::inf}, [](double e) { PerturbedKepler{e}; });
+  all("amplitude", std::vector{-0.1, 4.0, tries::nan}, [](double a) { (void)Pendulum::start(a); });
+  all("amplitude", std::vector{-0.1, 4.0, tries::nan}, [](double a) { (void)Pendulum::period(a); });
+  all("mass", not_positive, [](double m) { NBody<2>({1.0, m}); });
   tries::one("bodies", 1, [] { NBody<dynamic>(Vector<double, dynamic>::Ones(1)); });
-  tries::all("energy", std::vector{-1.0, tries::nan, tries::inf},
-             [](double e) { (void)HenonHeiles::on_section(e, 0.1, 0.0); });
+  all("energy", std::vector{-1.0, tries::nan, tries::inf},
+      [](double e) { (void)HenonHeiles::on_section(e, 0.1, 0.0); });
 }
 
 TEST(BadInput, AStepTooSmallForTheClockEndsTheRun) {

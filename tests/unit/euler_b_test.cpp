@@ -79,7 +79,7 @@ TEST(EulerB, BiggestStepIsWhereTheDiscriminantEnds) {
   const auto g = [](const auto& q) { return 1.0 * q[0]; };
   const avi::EulerB<1, Free, decltype(g)> method(Free{}, g, 0.0);
   const auto outcome = [&](double h) {
-    State<1> z{.q = avi::Vector<double, 1>(1.0), .p = avi::Vector<double, 1>(-1.0)};
+    State<1> z{.q = {1.0}, .p = {-1.0}};
     return method.step(z, h).outcome;
   };
   EXPECT_EQ(outcome(0.5), avi::Outcome::ok) << "the double root";

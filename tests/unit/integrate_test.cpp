@@ -34,9 +34,7 @@ struct Counter {
   }
 };
 
-State<1> zero(double t = 0.0) {
-  return {.q = avi::Vector<double, 1>(0.0), .p = avi::Vector<double, 1>(0.0), .t = t};
-}
+State<1> zero(double t = 0.0) { return {.q = {0.0}, .p = {0.0}, .t = t}; }
 
 TEST(Integrate, RefusesEntriesThatAreNotPairs) {
   struct Pairs {

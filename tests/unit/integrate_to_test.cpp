@@ -40,16 +40,6 @@ TEST(IntegrateTo, EndsAtTheTimeForwardsAndBackwards) {
   }
 }
 
-TEST(IntegrateTo, LandsOnZeroFromBothSides) {
-  const auto start = Kepler::exact(0.5, 2.0);
-  auto z = start;
-  auto method = method_for(z);
-  ASSERT_EQ(avi::integrate_to(method, z, -0.1, 0.0).outcome, avi::Outcome::ok);
-  EXPECT_LT(std::abs(z.t), 1e-15);
-  ASSERT_EQ(avi::integrate_to(method, z, 0.1, 2.0).outcome, avi::Outcome::ok);
-  EXPECT_LT((z.q - start.q).norm(), 1e-10) << "there and back";
-}
-
 /// A clock of so many ticks in each step.
 struct Clock {
   double off = 0.0;

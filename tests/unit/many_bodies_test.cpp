@@ -150,21 +150,16 @@ TEST(Pleiades, EndWhereOthersFoundThem) {
 TEST(DoublePendulum, HasTheEquationsOfMotionOfTheTextbook) {
   // q' from p = M(q) q' with the mass matrix ((2, cos), (cos, 1)) of the angles.
   const State<2> z{.q = {0.9, -0.4}, .p = {0.7, 1.1}};
-  const avi::Program program = avi::record<2>(experiment::DoublePendulum{}).gradient();
-  avi::Program::Room<double> room(program);
-  for (int i = 0; i < 2; ++i) {
-    room.arguments()[i] = z.q[i];
-    room.arguments()[2 + i] = z.p[i];
-  }
-  program.run(room);
+  avi::detail::RecordedFormula<double> formula{avi::record<2>(experiment::DoublePendulum{}).gradient()};
+  formula.run(z.q, z.p);
   const double c = std::cos(z.q[0] - z.q[1]), s = std::sin(z.q[0] - z.q[1]);
-  const double first = program.slope(room, 2), second = program.slope(room, 3);
+  const double first = formula.partial(2), second = formula.partial(3);
   EXPECT_NEAR(2.0 * first + c * second, z.p[0], 1e-15);
   EXPECT_NEAR(c * first + second, z.p[1], 1e-15);
   // Lagrange's form of p' = dL/dq
-  EXPECT_NEAR(program.slope(room, 0), first * second * s + 2.0 * std::sin(z.q[0]), 1e-15);
-  EXPECT_NEAR(program.slope(room, 1), -first * second * s + std::sin(z.q[1]), 1e-15);
-  const Vector<double, 2> d_dq(program.slope(room, 0), program.slope(room, 1)), d_dp(first, second);
+  EXPECT_NEAR(formula.partial(0), first * second * s + 2.0 * std::sin(z.q[0]), 1e-15);
+  EXPECT_NEAR(formula.partial(1), -first * second * s + std::sin(z.q[1]), 1e-15);
+  const Vector<double, 2> d_dq(formula.partial(0), formula.partial(1)), d_dp(first, second);
   EXPECT_LT(gradient_defect(experiment::DoublePendulum{}, z, d_dq, d_dp), 1e-11);
   const auto rest = experiment::DoublePendulum::released(1.0, 2.0);
   EXPECT_EQ(experiment::DoublePendulum{}(rest.q, rest.p), -2.0 * std::cos(1.0) - std::cos(2.0));

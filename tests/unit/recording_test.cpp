@@ -15,6 +15,8 @@ using VectorX = Vector<double, dynamic>;
 
 namespace recording_test {
 
+using RecordedFormula = avi::detail::RecordedFormula<double>;
+
 /// Largest difference between recorded and supplied derivatives, over the largest of them; the recorded value
 /// must be that of a call.
 template <class H>
@@ -26,18 +28,14 @@ double gap(const H& h, const VectorX& q, const VectorX& p) {
   const VectorX d_dq = h.d_dq(q, p), d_dp = h.d_dp(q, p);
   double most = 0.0;
   const auto compare = [&](const Program& program, int first, bool has_value = false) {
-    Program::Room<double> room(program);
-    for (int i = 0; i < n; ++i) {
-      room.arguments()[i] = q[i];
-      room.arguments()[n + i] = p[i];
-    }
-    program.run(room);
+    RecordedFormula formula{program};
+    formula.run(q, p);
     for (int i = 0; i < program.slopes(); ++i) {
       const int k = first + i;
-      most = std::max(most, std::abs(program.slope(room, i) - (k < n ? d_dq[k] : d_dp[k - n])));
+      most = std::max(most, std::abs(formula.partial(i) - (k < n ? d_dq[k] : d_dp[k - n])));
     }
     if (has_value) {
-      EXPECT_EQ(program.value(room), h(q, p));
+      EXPECT_EQ(formula.value(), h(q, p));
     }
   };
   compare(all, 0, true);
@@ -94,17 +92,12 @@ TEST(Recording, TakesEigensReductions) {
     return sum;
   };
   const VectorX q = VectorX::LinSpaced(n, 0.5, 2.0), p = VectorX::LinSpaced(n, 3.0, 1.0);
-  const Program program = avi::record(f, n).value_and_gradient();
-  Program::Room<double> room(program);
+  RecordedFormula formula{avi::record(f, n).value_and_gradient()};
+  formula.run(q, p);
   VectorX slopes(2 * n);
-  for (int i = 0; i < n; ++i) {
-    room.arguments()[i] = q[i];
-    room.arguments()[n + i] = p[i];
-  }
-  program.run(room);
   for (int i = 0; i < 2 * n; ++i)
-    slopes[i] = program.slope(room, i);
-  EXPECT_NEAR(program.value(room), f(q, p), 1e-13 * std::abs(f(q, p)));
+    slopes[i] = formula.partial(i);
+  EXPECT_NEAR(formula.value(), f(q, p), 1e-13 * std::abs(f(q, p)));
   EXPECT_LT(gradient_defect([&](const VectorX& x) { return f(x, p); }, q, slopes.head(n), 1e-3), 1e-7);
   EXPECT_LT(gradient_defect([&](const VectorX& x) { return f(q, x); }, p, slopes.tail(n), 1e-3), 1e-7);
 }
@@ -164,7 +157,8 @@ TEST(Recording, TakesAGraphThatIsRecordedAlready) {
   const int node = chain(avi::recorded_inputs(graph, 0, n), avi::recorded_inputs(graph, n, n)).node_in(graph);
   const Recording direct = avi::record(chain, n), twice(graph, node);
   (void)graph.unary(avi::Operation::exp, 0);  // the recording has a copy
-  const auto z = experiment::Chain::plucked(n);
+  auto z = experiment::Chain::plucked(n);
+  z.p = VectorX::LinSpaced(n, 0.0, 0.1 * (n - 1));
   for (const bool gradient : {false, true}) {
     const auto program = [&](const Recording& of) {
       return gradient ? of.gradient() : of.value_and_gradient();
@@ -172,17 +166,12 @@ TEST(Recording, TakesAGraphThatIsRecordedAlready) {
     const Program a = program(direct), b = program(twice);
     EXPECT_EQ(a.operations(), b.operations());
     EXPECT_EQ(a.slots(), b.slots());
-    Program::Room<double> of_a(a), of_b(b);
-    for (int i = 0; i < n; ++i) {
-      of_a.arguments()[i] = of_b.arguments()[i] = z.q[i];
-      of_a.arguments()[n + i] = of_b.arguments()[n + i] = 0.1 * i;
-    }
-    a.run(of_a);
-    b.run(of_b);
+    RecordedFormula of_a{a}, of_b{b};
+    of_a.run(z.q, z.p), of_b.run(z.q, z.p);
     for (int i = 0; i < 2 * n; ++i)
-      EXPECT_EQ(a.slope(of_a, i), b.slope(of_b, i)) << i;
+      EXPECT_EQ(of_a.partial(i), of_b.partial(i)) << i;
     if (!gradient) {
-      EXPECT_EQ(a.value(of_a), b.value(of_b));
+      EXPECT_EQ(of_a.value(), of_b.value());
     }
   }
   // A node before the last one, and an input, are formulas too.
@@ -251,7 +240,7 @@ TEST(Recording, MayBeAnArgumentOrANumber) {
 
 TEST(RecordedFormula, TakesPositionsAndMomenta) {
   const auto h = [](const auto& q, const auto& p) { return q[0] - 2.0 * q[1] + 4.0 * p[0] - 8.0 * p[1]; };
-  avi::detail::RecordedFormula<double> formula{avi::record<2>(h).value_and_gradient()};
+  RecordedFormula formula{avi::record<2>(h).value_and_gradient()};
   formula.run(Vector<double, 2>(1.0, 3.0), Vector<double, 2>(5.0, 7.0));
   EXPECT_EQ(formula.value(), 1.0 - 6.0 + 20.0 - 56.0);
   EXPECT_EQ(formula.partial(3), -8.0);

@@ -10,8 +10,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
-#include <stdexcept>
 #include <utility>
 
 namespace solve_test {
