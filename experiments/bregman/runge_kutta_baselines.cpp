@@ -31,10 +31,10 @@ int main(int argc, char** argv) {
         Curve curve(1.0, 0.01);
         const double time = seconds([&] { result = run_updates(rule, f, f.start(), stopping, curve); });
         Sustained seen{.cap = 50 * result.iterations};
-        if (result.converged()) run_updates(rule, f, f.start(), {.delta = 0.0, .iterations = seen.cap}, seen);
+        if (result.ok()) run_updates(rule, f, f.start(), {.delta = 0.0, .iterations = seen.cap}, seen);
         table.row(name, approach, family.p, family.is_direct() ? unknown : family.p_ring, rtol,
                   std::isnan(rtol) ? unknown : atol, h, result.iterations, result.gradient_evaluations,
-                  result.converged(), avi::name(result.outcome), rounded(time),
+                  result.ok(), avi::name(result.outcome), rounded(time),
                   seen.confirmed ? seen.sustained() : unknown);
         if (shown) curve.append(curves, {name + " " + approach, name, approach});
       };

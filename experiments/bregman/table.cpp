@@ -28,11 +28,11 @@ int iteration_table(int argc, char** argv, const std::string& shows, const std::
       Curve curve(1.0, 0.01);
       const double time = seconds([&] { result = run_setting(s, f, f.start(), stopping, curve); });
       PerturbedCounts counts;
-      if (result.converged()) counts = perturbed_counts(s, starts, 1e-14, stopping);
+      if (result.ok()) counts = perturbed_counts(s, starts, 1e-14, stopping);
       table.row(s.method, s.approach(), s.p, s.p_ring_or_nan(), s.h, s.family().C, result.iterations,
-                result.gradient_evaluations, result.converged(), counts.least(), counts.most(), counts.failed,
+                result.gradient_evaluations, result.ok(), counts.least(), counts.most(), counts.failed,
                 rounded(time));
-      if (result.converged())
+      if (result.ok())
         curve.append(curves, {label_of(s), s.method, s.approach(), exact(s.p), exact(s.p_ring_or_nan())});
     });
     frame.write(curves, "curves");
@@ -50,7 +50,7 @@ PerturbedCounts perturbed_counts(const Setting& setting, long starts, double siz
     for (double& x : x0)  // 53 bits of the generator, mapped to [-1, 1): the same on every platform
       x += size * (2.0 * static_cast<double>(random() >> 11) * 0x1p-53 - 1.0);
     const auto run = run_setting(setting, f, x0, stopping);
-    if (run.converged())
+    if (run.ok())
       result.counts.push_back(run.iterations);
     else
       ++result.failed;

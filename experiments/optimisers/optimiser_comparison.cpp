@@ -126,8 +126,8 @@ int main(int argc, char** argv) {
             .relative = 0.0, .absolute = delta, .change = delta, .memory = memory};
         avi::Minimisation run;
         const double spent = seconds([&] { run = avi::minimise(f, x0, each); });
-        table.row(name, delta, run.iterations, run.gradient_evaluations, run.converged(),
-                  avi::name(run.outcome), run.function_evaluations, std::nan(""), rounded(spent));
+        table.row(name, delta, run.iterations, run.gradient_evaluations, run.ok(), avi::name(run.outcome),
+                  run.function_evaluations, std::nan(""), rounded(spent));
       }
     Table list = frame.table({"method", "setting", "value"});
     settings(list, adagrad_rate, rmsprop_rate);

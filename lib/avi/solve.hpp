@@ -133,9 +133,8 @@ struct SolveOptions {
   std::function<bool(const SolveProgress&)> progress = {};
   /// File in which the run is saved for resume() until it is complete; empty for none. The method restarts
   /// every 4096 steps, at the cost of a rounding error each time, so that a resumed run has the same bits.
-  /// The saved run is the last one of the call, which delivers the states. One run before it, or two with
-  /// `check`, also go to the end; until then there is no file, or that of an earlier call. A bound or a
-  /// cancellation before that saves only what has been chosen so far.
+  /// The saved run is the one that delivers the states. One run before it, or two with `check`, also go to
+  /// the end, without a file of their own; a bound or a cancellation then saves only what was chosen by then.
   std::string checkpoint = {};
   double checkpoint_seconds = 60.0;  ///< Seconds between writes of the file; at least 0.
 };
@@ -448,8 +447,9 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 /// tolerances or many degrees of freedom.
 ///
 /// Monitor, order and step are those that take the least work in short trials. The same input gives the same
-/// choice; units and masses do not matter. H is called once, with a scalar that records its operations.
-/// @throws std::invalid_argument for H not finite at the start, or a time, tolerance or bound out of range.
+/// choice; units, and constants added to H, do not matter. H is called once, to record its operations.
+/// @throws std::invalid_argument for H or its slope not finite at the start, input out of range, or a monitor
+/// without meaning for H; std::runtime_error for a checkpoint that cannot be written.
 template <class H, int n>
 [[nodiscard]] Solution<n> solve(const H& hamiltonian, const State<n>& start, double t_end, double tolerance,
                                 const SolveOptions& options = {}) {
@@ -473,8 +473,8 @@ template <class H, int n>
   return detail::solution_of<n>(detail::answer(std::move(question)), static_cast<int>(start.q.size()));
 }
 
-/// Resumes a run from the file of SolveOptions::checkpoint, with the same bits as if it had not been
-/// interrupted by a bound, the callback or the end of the program. The file holds all settings, including
+/// Resumes a run from the file of SolveOptions::checkpoint; its states have the same bits as without the
+/// interruption by a bound, the callback or the end of the program. The file holds all settings, including
 /// order, monitor and h, except for H, the events and your own monitor, which must be the same as before.
 /// @tparam n as that of the original start @param n_of_start the degrees of freedom where n is avi::dynamic
 /// @param options seconds and progress for the rest, bounds on sweeps and steps of the whole run, events, and

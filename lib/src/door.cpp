@@ -114,8 +114,28 @@ void find_breaks(OrbitQuestion& question) {
   question.barriers = Barriers::of(question.graph, question.energy);
 }
 
+/// The node of H without constants that are added to it, as its sum is written: the orbit does not depend on
+/// them, but H - H_0 in a monitor has their rounding error.
+int without_constants(ExpressionGraph& graph, int energy) {
+  const auto is = [&](int node, Operation operation) { return graph[node].operation == operation; };
+  std::vector<std::pair<Operation, int>> terms;  // from the last one to the second
+  int first = energy;
+  for (; is(first, Operation::add) || is(first, Operation::subtract); first = graph[first].a)
+    terms.emplace_back(graph[first].operation, graph[first].b);
+  if (is(first, Operation::constant) && !terms.empty() && terms.back().first == Operation::add) {
+    first = terms.back().second;
+    terms.pop_back();
+  }
+  int sum = first;
+  for (; !terms.empty(); terms.pop_back())
+    if (const auto [operation, term] = terms.back(); !is(term, Operation::constant))
+      sum = graph.binary(operation, sum, term);
+  return sum;
+}
+
 /// Makes time a coordinate if H depends on it. The energy is then H + p_t, which is zero along the orbit.
 void extend(OrbitQuestion& question) {
+  question.energy = without_constants(question.graph, question.energy);
   const int n = static_cast<int>(question.q.size());
   if (question.graph.inputs() == 2 * n) return find_breaks(question);
   ExpressionGraph graph(2 * n + 2);

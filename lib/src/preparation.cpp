@@ -207,11 +207,16 @@ void Orbiter::take_the_named(const std::string& wanted) {
   const std::string_view kept = wanted == splitting ? "fixed" : std::string_view(wanted);
   std::erase_if(menu_, [&](const Candidate& it) { return it.name != kept; });
   if (question_.given >= 0) {
-    const double g =
-        candidate_of(wanted, question_, energy, choice, question_.prepared.get()).rate_at(trip_->start);
-    require(std::isfinite(g) && g > 0.0, "The given monitor at the start", g, "finite and positive");
-    if (menu_.empty())
-      throw std::invalid_argument("The given monitor is not finite and positive along the whole orbit.");
+    Candidate own = candidate_of(wanted, question_, energy, choice, question_.prepared.get());
+    const auto require_good = [&](const std::string& where, double g) {
+      require(std::isfinite(g) && g > 0.0, "The given monitor " + where, g, "finite and positive");
+    };
+    require_good("at the start", own.rate_at(trip_->start));
+    double t = question_.t;
+    for (const Sketch::Sample& sample : sketch_->samples) {
+      if (menu_.empty()) require_good(joined({"near t = ", t}), own.rate_at(sample.z.data()));
+      t += sense_ * sample.h;
+    }
   }
   if (!menu_.empty()) return;
   if (wanted == "poles" && choice.poles.empty())
@@ -398,7 +403,7 @@ void Orbiter::offer_splitting() {
 /// steps passed over something, such as an encounter on the way of a free particle.
 bool Orbiter::was_blind(const Setting& setting) const {
   const bool quick = sketch_->time == span_ && sketch_->samples.size() < 16;
-  if (closely_ || !quick || question_.made || !question_.options.monitor.name.empty()) return false;
+  if (closely_ || !quick || question_.made || question_.options.h > 0.0) return false;
   return expected_steps(*setting.candidate, setting.h, span_) > 1000.0;
 }
 

@@ -15,10 +15,10 @@ namespace minimise_test {
 
 TEST(Minimise, FindsMinimaWithItsDefaults) {
   const auto quadratic = minimise(bowl, VectorX::Ones(20));
-  EXPECT_TRUE(quadratic.converged()) << quadratic.message;
+  EXPECT_TRUE(quadratic.ok()) << quadratic.message;
   EXPECT_LT(avi::norm(quadratic.last.x), 1e-5 * std::sqrt(20.0));
   const auto valley = minimise(rosenbrock, Eigen::Vector2d(-1.2, 1.0), {.relative = 1e-10});
-  EXPECT_TRUE(valley.converged()) << valley.message;
+  EXPECT_TRUE(valley.ok()) << valley.message;
   EXPECT_NEAR(valley.last.x[0], 1.0, 1e-7);
   EXPECT_LT(valley.gradient_evaluations, 75);  // measured 49
 }
@@ -46,7 +46,7 @@ TEST(Minimise, SolvesAQuadraticOfNEigenvaluesInAboutNIterations) {
   // Exact line searches on a quadratic: the iterates of conjugate gradients, for m = 0 and for m > 0.
   for (int m : {0, 7}) {
     const auto run = minimise(bowl, VectorX::Ones(8), {.relative = 1e-10, .memory = m});
-    EXPECT_TRUE(run.converged());
+    EXPECT_TRUE(run.ok());
     EXPECT_LE(run.iterations, 10) << m;            // measured 9
     EXPECT_LE(run.gradient_evaluations, 14) << m;  // measured 11
   }
@@ -105,7 +105,7 @@ TEST(Minimise, ALineEndsWhereATrialDoesNotMove) {
     return again += x == std::exchange(last, x), rosenbrock(x, g);
   };
   const auto run = minimise(watched, Eigen::Vector2d(-1.2, 1.0), {.relative = 1e-8, .memory = 0});
-  EXPECT_TRUE(run.converged()) << run.message;
+  EXPECT_TRUE(run.ok()) << run.message;
   EXPECT_LE(again, 2);  // measured 0; 29 where only the cap on trials ends the line
 }
 
@@ -165,15 +165,15 @@ TEST(Minimise, TakesAFormulaAndFindsItsGradient) {
   const Eigen::Vector2d start(-1.2, 1.0);
   const auto run = minimise(objectives::valley, start, {.relative = 1e-10});
   const auto by_hand = minimise(rosenbrock, start, {.relative = 1e-10});
-  EXPECT_TRUE(run.converged()) << run.message;
+  EXPECT_TRUE(run.ok()) << run.message;
   EXPECT_EQ(run.iterations, by_hand.iterations);
   EXPECT_LT((run.last.x - by_hand.last.x).norm(), 1e-12);
-  EXPECT_TRUE(minimise(objectives::valley, VectorX::Constant(200, 0.5)).converged());
+  EXPECT_TRUE(minimise(objectives::valley, VectorX::Constant(200, 0.5)).ok());
 }
 
 TEST(Minimise, AStationaryStartIsTheEnd) {
   const auto run = minimise(bowl, VectorX::Zero(4));
-  EXPECT_TRUE(run.converged());
+  EXPECT_TRUE(run.ok());
   EXPECT_EQ(run.iterations, 0);
   EXPECT_EQ(run.gradient_evaluations, 1);
 }
@@ -181,7 +181,7 @@ TEST(Minimise, AStationaryStartIsTheEnd) {
 TEST(Minimise, WithoutATolerance) {
   for (const int memory : {7, 0}) {
     const auto run = minimise(bowl, VectorX::Ones(5), {.relative = 0.0, .memory = memory});
-    EXPECT_TRUE(run.converged()) << memory << ": " << run.message;
+    EXPECT_TRUE(run.ok()) << memory << ": " << run.message;
     EXPECT_LT(run.last.gradient.norm(), 1e-150);
   }
   // It took 9.5 million evaluations where the run went on until the gradient was 0.
@@ -192,7 +192,7 @@ TEST(Minimise, WithoutATolerance) {
     return sum;
   };
   const auto run = minimise(ellipsoid, VectorX::Ones(100), {.relative = 0.0, .memory = 7});
-  EXPECT_TRUE(run.converged()) << run.message;
+  EXPECT_TRUE(run.ok()) << run.message;
   EXPECT_LT(run.gradient_evaluations, 3000);  // measured 1316
 }
 
@@ -278,7 +278,7 @@ TEST(Minimise, DoesNotStallInASteepValley) {
     for (int i = 0; i < 40; ++i) {
       const avi::Vector<double, 3> start(random(), random(), random());
       const auto run = minimise(penalty, VectorX(start), {.relative = 0.0, .absolute = 1e-4});
-      EXPECT_TRUE(run.converged()) << steep << " " << start.transpose() << ": " << run.message;
+      EXPECT_TRUE(run.ok()) << steep << " " << start.transpose() << ": " << run.message;
     }
   }
   for (const int memory : {0, 7}) {
@@ -287,7 +287,7 @@ TEST(Minimise, DoesNotStallInASteepValley) {
       return 1e10 * (off * off) + left * left;
     };
     const auto run = minimise(banana, {-1.2, 1.0}, {.relative = 1e-14, .memory = memory});
-    EXPECT_TRUE(run.converged()) << memory << ": " << run.message;
+    EXPECT_TRUE(run.ok()) << memory << ": " << run.message;
     EXPECT_LT(run.last.value, 1e-6);
   }
 }

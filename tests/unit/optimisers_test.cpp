@@ -135,7 +135,7 @@ TEST(Optimisers, TakeParametersAtTheEndsOfTheirRanges) {
 
 TEST(TrustRegion, EndsWhereNothingMoves) {
   const auto run = run_updates(ellipse, experiment::TrustRegion{}, VectorX::Zero(2));
-  EXPECT_TRUE(run.converged());
+  EXPECT_TRUE(run.ok());
   EXPECT_EQ(run.iterations, 1);
   const experiment::TrustRegion once{.radius = 2.0, .trials = 2};  // the third would be taken
   EXPECT_EQ(run_updates(ellipse, once, Eigen::Vector2d(3.0, 1.0)).outcome, avi::Outcome::not_converged);

@@ -29,7 +29,7 @@ struct Bowl {
 TEST(RunUpdates, StopsAtTheFirstPassageAndCounts) {
   // x halves every time: f = 2^-(2k+1), |g| = 2^-k; |f_k - f_(k-1)| = 3 f_k.
   const auto run = run_updates(Bowl{}, GradientDescent{.h = 0.5}, VectorX::Ones(1), {.delta = 1e-3});
-  EXPECT_TRUE(run.converged());
+  EXPECT_TRUE(run.ok());
   EXPECT_EQ(run.iterations, 10);  // 2^-10 < 1e-3 <= 2^-9
   EXPECT_EQ(run.gradient_evaluations, 11);
   EXPECT_EQ(run.function_evaluations, 11);

@@ -33,7 +33,9 @@ TEST(SolveEnergies, MayBeHiddenByTheRestEnergy) {
 
 // An ulp of H and of what moves, in the unit of energy errors.
 TEST(SolveEnergies, AreToldTheRoundingOfH) {
-  const auto spring = [](const auto& q, const auto& p) { return systems::spring(q, p) - 1000.0; };
+  const auto spring = [](const auto& q, const auto& p) {
+    return systems::spring(q, p) - 1000.0 * (1.0 + 1e-20 * p[0]);
+  };
   const auto orbit = solve(spring, at(1.0, 0.0), 40.0, 1e-6);
   EXPECT_NEAR(orbit.choice.energy_scale, 0.25, 0.1) << "the mean of p^2/2 in a rough run";
   EXPECT_NEAR(orbit.energy_rounding / 0x1p-52, 999.5 / orbit.choice.energy_scale + 1.0, 1e-9);
@@ -67,6 +69,16 @@ TEST(SolveEnergies, SayNothingOfWhatComesFromAfar) {
   for (const double end : {5.0, 20.0})
     EXPECT_TRUE(
         solve(systems::dipole, State<3>{.q = {0.9, 0.1, 0.25}, .p = {0.05, -0.95, 0.12}}, end, 1e-6).kept());
+}
+
+// With a constant the orbit took 43 times the steps: the rounding of H - H_0 kept all monitors away.
+TEST(SolveEnergies, HaveNoConstantInThem) {
+  const State<2> start{.q = {0.1, 0.0}, .p = {0.0, std::sqrt(19.0)}};
+  const auto plain = kept(solve(kepler, start, 60.0, 1e-10));
+  const auto same = [&](const auto& h) { EXPECT_EQ(kept(solve(h, start, 60.0, 1e-10)).state, plain.state); };
+  same([](const auto& q, const auto& p) { return kepler(q, p) + 1e4; });
+  same([](const auto& q, const auto& p) { return kepler(q, p) - 1e6 + 3.0; });
+  same([](const auto& q, const auto& p) { return 2e5 + kepler(q, p) - 1e5; });
 }
 
 // An orbit of eccentricity 0.9 in a frame that turns, and by momenta that a gauge has moved: the kinetic

@@ -91,7 +91,7 @@ TEST(SolveMonitor, OfOnesOwnIsRefusedWithASentence) {
     expect_refusal([&] { (void)solve(Kepler(), z, 10.0, 1e-6, {.monitor = monitor}); }, part);
   };
   refused([](const auto& q, const auto&) { return -q[0]; }, "at the start is -0.09");
-  refused([](const auto& q, const auto&) { return q[0]; }, "along the whole orbit");
+  refused([](const auto& q, const auto&) { return q[0]; }, "The given monitor near t = ");
   refused([](const auto& q, const auto&) { return log(-q[0]); }, "at the start is ");
   refused([](const auto& q, const auto& t, const auto&) { return q[0] + t; }, "Number of arguments");
   refused("given", "one of fixed, energy");

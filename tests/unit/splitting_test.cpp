@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 namespace c = avi::compositions;
 using avi::HenonHeiles, avi::Kepler, avi::LogHamiltonian, avi::Separable, avi::State, avi::Summation,
     experiment::PerturbedKepler;
@@ -179,6 +180,31 @@ struct TwoSlopes {
   static constexpr int dimension = avi::dynamic;
   avi::VectorX potential_gradient(const avi::VectorX& q) const { return avi::VectorX::Constant(2, q[0]); }
 };
+
+/// A body of mass 2 in a well.
+struct OfMassTwo {
+  static constexpr int dimension = 2;
+  static double kinetic(const auto& p) { return 0.25 * p.squaredNorm(); }
+  static double potential(const auto& q) { return 0.5 * q.squaredNorm() - 9.0; }
+  static avi::Vector<double, 2> potential_gradient(const avi::Vector<double, 2>& q) { return q; }
+  double operator()(const auto& q, const auto& p) const { return kinetic(p) + potential(q); }
+};
+struct WithVelocity : OfMassTwo {
+  static avi::Vector<double, 2> velocity(const avi::Vector<double, 2>& p) { return 0.5 * p; }
+};
+
+// Without the velocity they were taken for masses of 1, and the orbit was another one.
+TEST(Splitting, RefusesMassesOfWhichItIsNotTold) {
+  const State<2> start{.q = {1.0, 0.0}, .p = {0.0, 1.0}};
+  const char* const said = "it must be half the square of p";
+  expect_refusal([] { (void)Separable(OfMassTwo()); }, said);
+  expect_refusal([&] { (void)LogHamiltonian(OfMassTwo(), start); }, said);
+  expect_refusal([&] { (void)avi::euler_b(OfMassTwo(), start); }, said);
+  auto method = avi::splitting(Separable(WithVelocity()), c::kahan_li8);
+  State<2> z = start;
+  EXPECT_TRUE(avi::integrate_to(method, z, 0.05, 3.0).ok());
+  EXPECT_NEAR(z.q[0], std::cos(3.0 / std::sqrt(2.0)), 1e-9);
+}
 
 TEST(Splitting, RefusesAGradientOfAnotherSize) {
   const std::string sentence = "Number of entries of the gradient is 2; it must be that of q and of p, 3.";

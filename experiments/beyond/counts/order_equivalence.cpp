@@ -30,8 +30,7 @@ int main(int argc, char** argv) {
         const auto result = run_setting(s, f, f.start(), stopping);
         const bool is_exact = clock == avi::Clock::exact;
         table.row(s.p, s.p_ring, s.family().order(), s.h, is_exact ? "exact" : "euler", result.iterations,
-                  reference.iterations, distance[0], distance[1],
-                  result.converged() && reference.converged());
+                  reference.iterations, distance[0], distance[1], result.ok() && reference.ok());
       }
     }
     frame.write(table);

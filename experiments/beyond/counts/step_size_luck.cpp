@@ -39,10 +39,10 @@ int main(int argc, char** argv) {
         Setting other = s;
         other.h = h;
         const auto result = run_setting(other, f, f.start(), stopping);
-        const double iterations = result.converged() ? result.iterations : unknown;
+        const double iterations = result.ok() ? result.iterations : unknown;
         grid.row(label_of(s), s.method, s.approach(), s.p, s.p_ring_or_nan(), h, h / s.h, iterations,
-                 result.converged());
-        if (!result.converged()) continue;
+                 result.ok());
+        if (!result.ok()) continue;
         counts.push_back(iterations);
         best &= result.iterations >= printed || std::abs(h / s.h - 1.0) <= 1e-9;
       }

@@ -24,8 +24,8 @@ namespace avi {
 /// The value equals that of f with doubles to the last bit (for packs the sines differ by up to one unit in
 /// the last place, see Pack), provided that f adds in the order in which it is written; Eigen's own
 /// reductions of doubles do not. Where f multiplies an infinite or NaN entry by 0, the recorded value is
-/// finite. The slope of |x| at 0 is 1; that of a power whose exponent is below 1, but not
-/// 1/2, is NaN at 0.
+/// finite. The slope of |x| at 0 is 1, at -0.0 it is -1; that of a power whose exponent is
+/// between 0 and 1, but not 1/2, is NaN at 0.
 class Recording {
  public:
   /// Records f. @param f called as f(x) with a Vector<Recorded, dynamic> of `inputs` entries; it returns the

@@ -11,8 +11,9 @@ namespace avi {
 
 /// Ends a run exactly at an event. The step that contains it is replaced by a shorter one that ends there, on
 /// g = 0 or just beyond it, to rounding. Every step, including the last, is a step of the method, and so is
-/// symplectic where the method is. If `until` comes first, the run ends as Outcome::step_limit. Observers are
-/// called as in integrate(). A run that starts where this one ended does not find the same event again.
+/// symplectic where the method is. If `until` comes first, the run ends as Outcome::step_limit, after a step
+/// that may go past until.time. Observers are called as in integrate(). A run that starts where this one
+/// ended does not find the same event again.
 /// @throws std::invalid_argument as integrate(), and for a tolerance of the event that is negative, infinite
 /// or NaN.
 template <class G, class State, class M, class... Observers>

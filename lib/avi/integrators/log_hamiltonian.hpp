@@ -15,7 +15,8 @@ namespace avi {
 /// \mathrel{+}= \frac{h}{T + p^t}; \qquad \text{kick: } p \mathrel{+}= h \nabla U/U. \f] Both are exact, so a
 /// Splitting of them is an explicit adaptive symplectic integrator; on the orbit its step in physical time is
 /// h / U. For Kepler's problem the leapfrog stays on the exact ellipse and errs only in time. `Problem`
-/// provides kinetic(p), potential(q) and potential_gradient(q). If it also provides log_potential_gradient(q,
+/// provides `dimension`, kinetic(p), potential(q), potential_gradient(q), and velocity(p),
+/// \f$\partial T/\partial p\f$, unless all masses are 1. If it also provides log_potential_gradient(q,
 /// s) = s grad log U, the root in U is not computed. A run ends as Outcome::diverged where U = 0, a place
 /// that no orbit in fictive time passes.
 template <class Problem>
@@ -25,8 +26,13 @@ class LogHamiltonian {
   using Vec = Vector<double, dimension>;                ///< A position or a momentum.
 
   /// @param problem copied @param p_t the momentum conjugate to time, minus the energy of the orbit
+  /// @throws std::invalid_argument unless p_t is finite, and T is half the square of p or there is
+  /// velocity(p)
   LogHamiltonian(Problem problem, double p_t)
-      : problem_(std::move(problem)), p_t_(require_finite("Conjugate of time p^t", p_t)) {}
+      : problem_(std::move(problem)), p_t_(require_finite("Conjugate of time p^t", p_t)) {
+    if constexpr (!requires(const Vec& p) { problem_.velocity(p); })
+      detail::require_unit_masses<dimension>([this](const Vec& p) { return problem_.kinetic(p); });
+  }
 
   /// Takes p^t = -H(q, p) from the start. Orbits of another energy need a separate object.
   /// @throws std::invalid_argument unless the potential is negative at the start.

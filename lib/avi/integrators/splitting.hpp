@@ -3,6 +3,7 @@
 #include "avi/core/require.hpp"
 #include "avi/core/state.hpp"
 #include "avi/core/summation.hpp"
+#include "avi/core/unit_masses.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
 
 #include <limits>
@@ -21,8 +22,8 @@ struct Drift {
 };
 
 /// The flows of \f$H = T(p) + V(q)\f$: drift \f$q \mathrel{+}= h\,\partial T/\partial p\f$, \f$t \mathrel{+}=
-/// h\f$; kick \f$p \mathrel{-}= h\,\partial V/\partial q\f$. `Problem` provides potential_gradient(q), and
-/// velocity(p) unless all masses are 1.
+/// h\f$; kick \f$p \mathrel{-}= h\,\partial V/\partial q\f$. `Problem` provides `dimension`,
+/// potential_gradient(q), and velocity(p), \f$\partial T/\partial p\f$, unless all masses are 1.
 template <class Problem>
 class Separable {
   static_assert(
@@ -35,8 +36,13 @@ class Separable {
   static constexpr int dimension = Problem::dimension;  ///< Entries of q and of p.
   using Vec = Vector<double, dimension>;                ///< A position or a momentum.
 
-  /// The flows of this problem.
-  explicit Separable(Problem problem = {}) : problem_(std::move(problem)) {}
+  /// The flows of this problem. @throws std::invalid_argument if it has kinetic(p), that is not half the
+  /// square of p, and it has no velocity(p)
+  explicit Separable(Problem problem = {}) : problem_(std::move(problem)) {
+    if constexpr (
+        requires(const Vec& p) { problem_.kinetic(p); } && !requires(const Vec& p) { problem_.velocity(p); })
+      detail::require_unit_masses<dimension>([this](const Vec& p) { return problem_.kinetic(p); });
+  }
 
   /// Change of q and t in a drift over h.
   [[nodiscard]] Drift<dimension> drift(const Vec& p, double h) const {
@@ -55,6 +61,15 @@ class Separable {
   Problem problem_;
 };
 
+namespace detail {
+/// Flows that a Splitting alternates.
+template <class Flows>
+concept ExplicitFlows = requires(const Flows& flows, const Vector<double, Flows::dimension>& x) {
+  flows.drift(x, 0.0);
+  flows.kick(x, 0.0);
+};
+}  // namespace detail
+
 /// The splitting method \f$A(a_0 h)\, B(b_0 h) \cdots A(a_m h)\f$, with drift A and kick B from `Flows`
 /// (Separable, LogHamiltonian). It is explicit, and symplectic as a composition of exact flows.
 ///
@@ -63,6 +78,9 @@ class Separable {
 /// addition. The clock is always compensated.
 template <class Flows, Summation summation = Summation::plain>
 class Splitting {
+  static_assert(detail::ExplicitFlows<Flows>,
+                "A splitting alternates two flows: splitting(Separable(problem), coefficients).");
+
  public:
   static constexpr int n = Flows::dimension;  ///< Dimension of the problem.
   static constexpr bool one_step =

@@ -26,7 +26,8 @@ struct Progress {
 /// f(x_0)\|, absolute)\f$ and the last iteration changed f by less than `change`. This is always tested with
 /// an evaluated gradient, never an interpolated one. If `relative` and `absolute` are both 0, the run
 /// continues until rounding ends it, or until the gradient is 0, or so small that its square underflows and
-/// 1e-30 of what it was at x_0; the latter also counts as converged.
+/// 1e-30 of what it was at x_0; the latter also counts as converged. Where f falls for ever, as
+/// towards a minimum of fourth order, that may take all evaluations.
 struct MinimiseOptions {
   double relative = 1e-6;  ///< Tolerance relative to the gradient at x_0, in [0, 1).
   double absolute = 0.0;   ///< Absolute tolerance of the gradient, at least 0.

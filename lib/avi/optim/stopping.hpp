@@ -54,7 +54,6 @@ struct Minimisation {
   std::string message;  ///< Empty if converged; otherwise one sentence with iteration and reason.
 
   [[nodiscard]] bool ok() const { return outcome == Outcome::ok; }  ///< The run has converged.
-  [[nodiscard]] bool converged() const { return ok(); }             ///< The same under the usual name.
 };
 
 }  // namespace avi

@@ -1,5 +1,6 @@
 #pragma once
 #include "avi/core/outcome.hpp"
+#include "avi/core/unit_masses.hpp"
 #include "avi/transform/poincare.hpp"
 
 #include <cmath>
@@ -76,10 +77,13 @@ class EulerB {
 };
 
 /// The adaptive symplectic Euler-B for orbits of the energy of `start`: \f$p^t = -H(q(0), p(0))\f$.
-/// @throws std::invalid_argument where H is not finite there.
+/// @throws std::invalid_argument where H is not finite there, or all masses are not 1.
 template <int n, class Problem, class G = Unit>
 EulerB<n, Problem, G> euler_b(Problem problem, const State<n>& start, G monitor = {}) {
-  const double pt = -problem(start.q, start.p);
+  const double pt = require_finite("p^t", -problem(start.q, start.p)),
+               rest = problem(start.q, Vector<double, n>::Zero().eval());
+  detail::require_unit_masses<n>([&](const auto& p) { return problem(start.q, p) - rest; },
+                                 1e-8 * std::abs(rest));
   return {std::move(problem), std::move(monitor), pt};
 }
 

@@ -100,7 +100,8 @@ class Poincare {
   /// H-bar at a state; zero along the exact solution.
   [[nodiscard]] double transformed(const State<n>& z) const { return transformed(z.q, z.p, pt_); }
 
-  /// Hamilton's equations of H-bar for any scalar: dq = q', dp = -p', dt = t'. @param pt p^t
+  /// Hamilton's equations of H-bar for any scalar: dq = q', dp = -p', dt = t'. For n known at compile time,
+  /// unless H supplies its gradient. @param pt p^t
   template <class S>
   void field(const Vector<S, n>& q, const Vector<S, n>& p, const S& pt, Vector<S, n>& dq, Vector<S, n>& dp,
              S& dt) const {

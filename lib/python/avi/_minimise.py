@@ -52,7 +52,8 @@ def minimise(f, x0, *, jac=None, parameters=(), callback=None, history=False, **
     x0     start, an array of any shape
     jac    the gradient of an f that cannot be traced: a function of x, or True where f returns (value, gradient); both are called with
            arrays of x0's shape, and without parameters
-    callback  called as callback(x) at x0 and after every iteration; what it raises ends the call, StopIteration the run
+    callback  called as callback(x) at x0 and after every iteration; what it raises ends the call; StopIteration, or False
+              where it returns that, ends the run
     relative, absolute  converged where |gradient| <= max(relative |gradient at x0|, absolute); 1e-6 and 0. The first is a matter of
               the start: where the gradient at x0 is huge, as that of x - log x at 1e-8, 1e-6 of it is still large, and the run ends far
               from the minimum. `message` says which of both was met; a smaller `relative`, or 0 beside an `absolute`, goes on

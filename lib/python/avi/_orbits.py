@@ -246,7 +246,8 @@ def solve(H, q, p, t, tol, *, events=(), progress=None, parameters=(), **options
     checkpoint, checkpoint_seconds   a file in which the run is kept for resume(), and how often
 
     Ctrl-C ends the run; the orbit up to there is returned. Raises ValueError for a start, time, tolerance or bound out of range,
-    TypeError for what is no number and for an H that cannot be traced; whatever `progress` raises, but for StopIteration, which ends the run.
+    TypeError for what is no number and for an H that cannot be traced; whatever `progress` raises, but for StopIteration, which
+    ends the run, as does False where `progress` returns it.
     """
     q, p = _start(q, p)
     question = _Question(H, q.shape, t, tol, events, parameters, options)
@@ -275,8 +276,8 @@ def ensemble(H, q, p, t, tol, *, events=(), progress=None, parameters=(), thread
     progress  True for a line that shows how many are done, or a function called with (fraction, done) after each
 
     H and events are traced once. Every orbit has the digits that it has alone. A start that solve() refuses raises
-    its ValueError, with the number of the start, and the other runs are given up. Ctrl-C ends the runs, and so does a StopIteration of
-    `progress`; those that had not begun have the status -1. Other arguments are those of solve(), but for checkpoint=, which is for one run.
+    its ValueError, with the number of the start, and the other runs are given up. Ctrl-C ends the runs, and so does `progress` where it
+    returns False or raises StopIteration; those that had not begun have the status -1. Other arguments are those of solve(), but for checkpoint=, which is for one run.
     """
     q, p = _starts(q, p)
     return _side_by_side(_Question(H, q.shape[1:], t, tol, events, parameters, options), q, p, progress, threads)
@@ -317,19 +318,24 @@ class Solver:
 
 def _start(q, p):
     """Both as arrays of one shape, before anything is called with it."""
-    q, p = reals(q, "q"), reals(p, "p")
-    if p.shape != q.shape:
-        raise ValueError(f"p has the shape {p.shape}; it must be that of q, {q.shape}.")
+    q, p = _alike(q, p)
     if q.size == 0:
         raise ValueError("Size of q is 0; it must be at least 1.")
     return q, p
 
 
 def _starts(q, p):
-    """Starts along the first axis."""
-    q, p = _start(q, p)
+    """Starts along the first axis, of which there may be none."""
+    q, p = _alike(q, p)
     if q.ndim == 0:
         raise ValueError("q and p have the shape (); they must have one start after the other, along their first axis.")
+    return (q, p) if len(q) == 0 else _start(q, p)
+
+
+def _alike(q, p):
+    q, p = reals(q, "q"), reals(p, "p")
+    if p.shape != q.shape:
+        raise ValueError(f"p has the shape {p.shape}; it must be that of q, {q.shape}.")
     return q, p
 
 
@@ -372,7 +378,8 @@ def _side_by_side(question, q, p, progress, threads):
         runs = [pool.submit(answer, *start) for start in zip(itertools.count(), q, p)]
         try:
             for done, run in enumerate(as_completed(runs) if bar else (), 1):
-                bar((done / len(runs), done))
+                if bar((done / len(runs), done)) is False:
+                    raise StopIteration
             return [run.result() for run in runs]
         except (KeyboardInterrupt, StopIteration) as end:
             cancelled.set()

@@ -88,13 +88,13 @@ py::array given(std::vector<double>&& numbers, py::ssize_t columns) {
   return py::array_t<double>({static_cast<py::ssize_t>(all.size()) / columns, columns}, all.data(), owner);
 }
 
-/// Calls a callback, if there is one. False where it raises StopIteration, or after Ctrl-C.
+/// Calls a callback, if there is one. False where it returns False or raises StopIteration, or after Ctrl-C.
 template <class Argument>
 bool tell(const py::object& callback, const Argument& argument, Signals& signals) {
   if (!callback.is_none()) {
     const py::gil_scoped_acquire locked;
     try {
-      callback(argument());
+      if (const py::object said = callback(argument()); said.ptr() == Py_False) return false;
     } catch (const py::error_already_set& error) {
       if (error.matches(PyExc_StopIteration)) return false;
       signals.note(error);
@@ -121,7 +121,9 @@ py::tuple orbit(const Formula& hamiltonian, SolveOptions options, const Events& 
     const py::gil_scoped_release unlocked;
     return ask(options);
   }();
-  if (signals.pressed) found.run.message = "Stopped by Ctrl-C. " + found.run.message;
+  if (signals.pressed)
+    found.run.message =
+        "Stopped by Ctrl-C." + (found.run.outcome == Outcome::stopped ? "" : " " + found.run.message);
   const py::ssize_t n = hamiltonian.inputs() / 2 * 2;
   return py::make_tuple(SolutionReport(found), given(std::move(found.states.t), 1),
                         given(std::move(found.states.z), n), found.t, found.q, found.p, found.events,

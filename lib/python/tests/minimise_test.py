@@ -101,7 +101,8 @@ class Minimise(unittest.TestCase):
             if count[0] == 3:
                 raise StopIteration
 
-        self.assertEqual(avi.minimise(rosenbrock, self.start, callback=stop_at_third).outcome, "stopped")
+        for end in stop_at_third, lambda x: len(x) == 0:
+            self.assertEqual(avi.minimise(rosenbrock, self.start, callback=end).outcome, "stopped")
 
     def test_what_a_callback_raises(self):
         def fail(x):

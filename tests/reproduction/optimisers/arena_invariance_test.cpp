@@ -48,7 +48,7 @@ TEST(ArenaInvariance, PowersOfTwoChangeNoBit) {
       for (const auto& [values, lengths] :
            {std::pair{0x1p27, 1.0}, {0x1p-27, 1.0}, {1.0, 0x1p20}, {1.0, 0x1p-20}}) {
         const auto other = run(scaled(problem, values, lengths), memory);
-        EXPECT_TRUE(other.converged()) << problem.name << ": " << other.message;
+        EXPECT_TRUE(other.ok()) << problem.name << ": " << other.message;
         if (unitless && lengths != 1.0) {
           EXPECT_NEAR(static_cast<double>(other.gradient_evaluations),
                       static_cast<double>(plain.gradient_evaluations),
@@ -72,7 +72,7 @@ TEST(ArenaInvariance, OtherScalesMoveCountsNoFurtherThanRounding) {
       if (problem.x0.size() > 60) continue;  // up to 200, m = 0 and 7: 9 and 7 of 268 outside
       const auto count = [&](double values, double lengths) {
         const auto result = run(scaled(problem, values, lengths), memory);
-        EXPECT_TRUE(result.converged()) << problem.name << ": " << result.message;
+        EXPECT_TRUE(result.ok()) << problem.name << ": " << result.message;
         return result.gradient_evaluations;
       };
       std::vector<long> control;
@@ -121,8 +121,8 @@ TEST(ArenaInvariance, NeitherOffsetNorNoiseNorAnotherStartMakesItFail) {
         // ten times gulf's start is its minimiser: there is nothing to do
         if (what == "ten times the start" && other.f(other.x0, unused) < 1e-20 * size) return;
         const auto result = run(other, memory);
-        EXPECT_TRUE(result.converged())
-            << problem.name << ", m = " << memory << ", " << what << ": " << result.message;
+        EXPECT_TRUE(result.ok()) << problem.name << ", m = " << memory << ", " << what << ": "
+                                 << result.message;
       };
       expect("offset 1e4 |f_0|", with([=](double value, VectorX&) { return value + 1e4 * size; }));
       expect("noise 1e-12 in f", with([=](double value, VectorX&) {
