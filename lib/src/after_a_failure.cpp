@@ -108,10 +108,10 @@ Candidate* Orbiter::most_hopeful() {
   for (const Candidate& each : menu_)
     if (!each.aside) least = std::min(least, each.outlook);
   Candidate* best = nullptr;
+  const int most = dead_end_ > 0.0 ? 2 : has_a_choice() ? 4 : 8;
   for (Candidate& each : menu_) {
     if (each.aside) continue;
-    const bool hopeless =
-        each.failures >= (dead_end_ > 0.0 ? 2 : 4) || (dead_end_ > 0.0 && each.outlook > 30.0 * least);
+    const bool hopeless = each.failures >= most || (dead_end_ > 0.0 && each.outlook > 30.0 * least);
     if (!hopeless && !(best && work(each) >= work(*best))) best = &each;
   }
   return best;
