@@ -14,7 +14,8 @@ void require_run(double h, const Until& until) {
 
 std::string describe_end(Outcome outcome, double t, long steps, double residual, const std::string& reason,
                          std::span<const double> q, std::span<const double> p) {
-  std::string sentence = joined({"The run ended as ", name(outcome), " after ", steps, " steps, at t = ", t});
+  std::string sentence = joined({"The run ended as ", name(outcome), " after ", steps,
+                                 steps == 1 ? " step, at t = " : " steps, at t = ", t});
   const auto list = [&](const char* what, std::span<const double> x) {
     for (std::size_t i = 0; i < x.size(); ++i)
       sentence += joined({i == 0 ? what : " ", x[i]});

@@ -28,13 +28,14 @@ std::string SolutionReport::report() const {
        << ".\n";
   if (!note.empty()) text << note << "\n";
   const char* const counted = choice.name == "splitting" ? " kicks" : " sweeps";
-  text << run.steps << " steps, " << run.evaluations << counted << ": monitor " << choice.name << ", order "
-       << choice.order << ", h = " << choice.h << ". Choosing took " << choice.sweeps;
+  const auto steps = [](long count) { return count == 1 ? " step, " : " steps, "; };
+  text << run.steps << steps(run.steps) << run.evaluations << counted << ": monitor " << choice.name
+       << ", order " << choice.order << ", h = " << choice.h << ". Choosing took " << choice.sweeps;
   if (choice.check > 0) text << ", the second run " << choice.check;
   text << (choice.trials.empty() ? ".\n" : ". Runs on the way:\n");
   for (const SolveTrial& trial : choice.trials) {
     text << "  " << trial.monitor << ", order " << trial.order << ": h = " << trial.h << " for " << trial.time
-         << ", " << trial.steps << " steps, " << trial.sweeps
+         << ", " << trial.steps << steps(trial.steps) << trial.sweeps
          << (trial.monitor == "splitting" ? " kicks" : " sweeps");
     // The error of the run with the longer step of two is not known.
     if (std::isfinite(trial.state_error)) text << ", error " << trial.state_error;
