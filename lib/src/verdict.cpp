@@ -116,6 +116,10 @@ void Orbiter::tell_error(const Journey& fine, double foreseen) {
     answer_.note += "Time is so far from zero that its rounding is more than the tolerance. ";
   if (fine.energy_error > 10.0 * question_.tolerance + 100.0 * answer_.energy_rounding)
     answer_.state_error = std::max(answer_.state_error, fine.energy_error);
+  // A step that was chosen for another start may be so long here that both runs err alike; the energy shows
+  // it.
+  if (question_.made && fine.energy_error > 100.0 * answer_.energy_rounding)
+    answer_.state_error = std::max(answer_.state_error, 4.0 * fine.energy_error);
   if (fine.jumped) {
     answer_.state_error = infinity;
     answer_.note += "A step went over a feature of H that is thinner than the step, and shorter steps would "
