@@ -23,8 +23,8 @@ class Barriers {
  public:
   /// The barriers of H, a node of a graph of (q, p); null if there are none.
   static std::shared_ptr<const Barriers> of(const ExpressionGraph& graph, int energy) {
-    constexpr std::size_t most = 64;
-    std::vector<int> nodes = divisors(graph, energy, dependences(graph, energy), most);
+    const auto all = static_cast<std::size_t>(energy) + 1;
+    std::vector<int> nodes = divisors(graph, energy, dependences(graph, energy), all);
     if (nodes.empty()) return nullptr;
     const std::vector<char> positive = not_negative(graph, *std::ranges::max_element(nodes));
     std::erase_if(nodes, [&](int node) { return positive[node]; });

@@ -308,7 +308,12 @@ class Journey {
     return unseen_ > trip_->kick;
   }
   /// Returns true if the last step went over a place where H is infinite.
-  bool crosses() { return field_->crosses(stacked(before_), stacked(z_)); }
+  bool crosses() {
+    from_.resize(2 * z_.q.size()), to_.resize(2 * z_.q.size());
+    from_ << before_.q, before_.p;
+    to_ << z_.q, z_.p;
+    return field_->crosses(from_, to_);
+  }
   /// Takes in a step that was made: counts it, and checks it.
   void made(const StepReport& report) {
     const double sense = trip_->sense;
@@ -349,11 +354,11 @@ class Journey {
   Trip* trip_;
   PointField* field_;
   std::unique_ptr<OrbitSteps> steps_;
-  bool at_kink_ = false;       // the last step ended at a kink
-  double unseen_ = 0.0;        // sum of the errors of steps between kinks
-  double half_way_ = 0.0;      // time covered when the number of steps last was a power of two
-  State<dynamic> z_, before_;  // after the last whole step, and before it
-  VectorX tail_, slope_;       // scratch
+  bool at_kink_ = false;              // the last step ended at a kink
+  double unseen_ = 0.0;               // sum of the errors of steps between kinks
+  double half_way_ = 0.0;             // time covered when the number of steps last was a power of two
+  State<dynamic> z_, before_;         // after the last whole step, and before it
+  VectorX tail_, slope_, from_, to_;  // scratch
   NearPasses::Distances last_, now_;
 };
 

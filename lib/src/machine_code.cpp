@@ -70,7 +70,7 @@ class Pages {
     kept_.reserve(most);
     const auto before = [] { all().lock_for_fork(); };
     const auto after = [] { all().mutex_.unlock(); };
-    shared_ = pthread_atfork(before, after, after) == 0;
+    counts_forks_ = pthread_atfork(before, after, after) == 0;
   }
   void lock_for_fork() {
     mutex_.lock();
@@ -79,7 +79,7 @@ class Pages {
     kept_.clear();
   }
   [[nodiscard]] CodeMemory map(std::size_t size) const {
-    const int file = shared_ ? memfd_create("avi", MFD_CLOEXEC) : -1;
+    const int file = counts_forks_ ? memfd_create("avi", MFD_CLOEXEC) : -1;
     if (file < 0) return {};
     CodeMemory piece{.size = size, .forks = forks_};
     if (ftruncate(file, static_cast<off_t>(size)) == 0) {
@@ -98,8 +98,8 @@ class Pages {
   static constexpr std::size_t least = 4096, largest = 1 << 16, most = 32;
   std::mutex mutex_;
   std::vector<CodeMemory> kept_;
-  unsigned forks_ = 0;   // of this process and those that it comes from, since the library was loaded
-  bool shared_ = false;  // whether forks are counted
+  unsigned forks_ = 0;         // of this process and those that it comes from, since the library was loaded
+  bool counts_forks_ = false;  // otherwise no memory is mapped
 };
 #endif
 

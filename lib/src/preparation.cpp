@@ -400,7 +400,8 @@ void Orbiter::offer_splitting() {
 }
 
 /// Whether the next setting asks for far more steps than the sketch took for the whole way: then its long
-/// steps passed over something, such as an encounter on the way of a free particle.
+/// steps passed over something, such as an encounter on the way of a free particle, of which a sketch takes
+/// six or seven steps.
 bool Orbiter::was_blind(const Setting& setting) const {
   const bool quick = sketch_->time == span_ && sketch_->samples.size() < 16;
   if (closely_ || !quick || question_.made || question_.options.h > 0.0) return false;

@@ -260,16 +260,14 @@ class Sketch {
       }
       lift(scale, roots, field.timed, largest);
       const double worst = find_errors(step, at, h, scale, errors);
-      double factor = std::isfinite(worst) ? std::cbrt(loose / std::max(worst, 1e-3 * loose)) : 0.1;
+      const double factor = std::isfinite(worst) ? std::cbrt(loose / std::max(worst, 1e-3 * loose)) : 0.1;
       alike = factor < 0.8 && worst > 0.7 * refused && std::isfinite(worst) ? alike + 1 : 0;
       refused = factor < 0.8 ? worst : 0.0;
       // A motion that begins from rest as a power of time has the same error, relative to its range, in a
       // shorter step.
-      const bool begins = alike > 3;
-      const bool over = !(factor < 0.8) && field.crosses(at, step.end);
-      if (over) factor = 0.5;
-      if (factor < 0.8 && (over || !begins)) {
-        h *= std::max(0.1, 0.9 * factor);
+      const bool begins = alike > 3, good = !(factor < 0.8) || begins;
+      if (!good || field.crosses(at, step.end)) {
+        h *= good ? 0.5 : std::max(0.1, 0.9 * factor);
         const double way = before + time;
         if (stuck = !(h > 1e-14 * (way > 0.0 ? way : span)); stuck) break;
         continue;

@@ -37,6 +37,14 @@ TEST(Barriers, AreWhereADivisorChangesItsSignAndHIsInfinite) {
   EXPECT_TRUE(between(square, -1.0, 0.3));
   EXPECT_TRUE(between(root, 0.7, -0.4));
   EXPECT_TRUE(between(angle, 3.0, 3.3));
+  const auto many = [](const auto& q, const auto& p) {
+    auto sum = 0.5 * p[0] * p[0];
+    for (int k = 1; k <= 200; ++k)
+      sum += 1e-12 / (k - q[0]);
+    return sum;
+  };
+  EXPECT_TRUE(between(many, 199.2, 200.3));
+  EXPECT_FALSE(between(many, 199.2, 199.3));
   EXPECT_FALSE(between(inverse, 0.7, 0.4));
   EXPECT_FALSE(between(angle, 3.0, 3.1));
 }

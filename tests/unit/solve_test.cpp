@@ -264,8 +264,8 @@ TEST(Solve, SeesFromAfarWhatItsSketchPassesOver) {
   for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
     const auto orbit = solve(yukawa, State<2>{.q = {-300.0, 0.1}, .p = {1.0, 0.0}}, 600.0, tolerance);
     EXPECT_TRUE(orbit.kept()) << orbit.report();
-    EXPECT_LT((orbit.state.q - nearer.state.q).norm(), 600.0 * tolerance) << orbit.report();
-    EXPECT_LT(orbit.run.evaluations + orbit.choice.sweeps, 70'000) << orbit.report();
+    EXPECT_LT((orbit.state.q - nearer.state.q).norm(), 0.2 * tolerance) << orbit.report();  // measured 0.08
+    EXPECT_LT(orbit.run.evaluations + orbit.choice.sweeps, 62'000) << orbit.report();       // measured 30'875
   }
 }
 
@@ -278,7 +278,7 @@ TEST(Solve, ShortensTheStepsOfAMonitorThatIsNamed) {
   for (const char* const monitor : {"poles", "fixed"}) {
     const auto orbit = kept(
         solve(atoms, State<2>{.q = {-5000.0, 1.2}, .p = {1.0, 0.0}}, 10000.0, 1e-6, {.monitor = monitor}));
-    EXPECT_NEAR(orbit.state.p.norm(), 1.0, 2e-6) << "as far away as at the start";
+    EXPECT_NEAR(orbit.state.p.norm(), 1.0, 5e-10) << "as far away as at the start";  // measured 2.4e-10
   }
 }
 
