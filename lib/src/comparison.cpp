@@ -32,82 +32,129 @@ Orbiter::Lags Orbiter::lags(const Journey& coarse, const Journey& fine, double r
   return lags;
 }
 
-Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
-  Comparison seen;
-  const std::size_t marks = std::min(coarse.marks.size(), fine.marks.size());
-  // Energy errors above rounding show how fast errors fall with the step: slower than by the order if steps
-  // do not resolve all of the way.
-  const bool seen_to_fall =
-      fine.energy_error > std::max(1e3 * answer_.energy_rounding, energy_left_by_sweeps(fine));
-  const double falls = seen_to_fall ? std::max(1.0, 0.5 * coarse.energy_error / fine.energy_error) : infinity;
-  const double ratio = features_->bends() || coarse_grained_ ? 1.0 : std::min(trusted(coarse, fine), falls),
-               until = since_start(marks - 1);
-  auto [early, halfway, late, furthest, last, runaway] = lags(coarse, fine, ratio);
-  seen.furthest = furthest;
-  seen.error = last;
-  // No order reduces what the sweeps left.
-  const double left = left_by_sweeps(fine);
-  seen.error = std::max(seen.error, std::min(left, ratio * seen.error));
-  const double lag = lag_at_saddles(fine, 0.0);
-  late = std::max(late, lag);
-  seen.error =
-      std::max(seen.error, lag * std::max(speed_at(fine.marks[marks - 1], fine.ranges), 0.03 * usual_speed_));
-  // If the lag grew by a power of time, its factor from a half to the whole would be that from a quarter to a
-  // half. Rounding, which may be small by chance at first, is not taken for exponential growth.
-  seen.exponential = furthest > 1e-7 && std::log(late / halfway) > 1.4 * std::log(halfway / early);
-  // Where orbits diverge, all errors come to lie in one direction, in which the two runs may be close by
-  // chance: about once in k times, errors are k times as large as the difference of the runs, whatever the
-  // order. Once errors are no longer small, runs may meet anywhere. Of 6000 orbits of Henon and Heiles near
-  // escape, over 30 to 100 turns at tolerances 1e-2 to 1e-6, 24 of 3075 that counted as kept were wrong by
-  // more than ten tolerances; with these rules, 3 of 2872. A prediction from a mark on the way is doubted
-  // less, as it has yet to come true.
-  constexpr double by_chance = 3.0, few_times = 4.0;
-  if (runaway && furthest > 0.01)
-    seen.error = std::max(furthest, 1.0), late *= ratio;
-  else if (furthest > 0.1)
-    seen.error = furthest, late *= ratio;
-  else if (runaway)
-    seen.error *= by_chance * ratio, late *= std::max(1.0, ratio / few_times);
-  // Runs of few steps may err alike. The error of the action, and with it that of the end, is of second order
-  // in what the curve lacks, which is about the last term of its polynomial. Measured errors are 1 to 20
-  // times the square of that term.
-  if (fine.run.steps <= Journey::few && fine.tails.size() > 0) {
-    const double lacking = distance_->speed(fine.tails, distance_->scales(fine.ranges));
-    const double speed = std::max(speed_at(fine.state, fine.ranges), 0.03 * usual_speed_);
-    seen.error = std::max(seen.error, lacking * lacking);
-    late = std::max(late, speed > 0.0 ? lacking * lacking / speed : lacking * lacking);
+/// Two runs that are compared: what their difference says at first, and what is known to make errors larger
+/// than that.
+struct Orbiter::TwoRuns {
+  Orbiter& orbiter;
+  const Journey &coarse, &fine;
+  std::size_t marks = std::min(coarse.marks.size(), fine.marks.size());
+  double until = orbiter.since_start(marks - 1);
+  bool seen_to_fall = false;  // whether energy errors above rounding show how fast errors fall with the step
+  double ratio = 1.0;         // factor by which the error of the finer run is smaller than the difference
+  double left = 0.0;          // error of the state that the sweeps left
+  Lags lag{};
+  Comparison seen{};
+
+  Comparison compare() {
+    trust();
+    lag = orbiter.lags(coarse, fine, ratio);
+    seen.furthest = lag.furthest;
+    seen.error = lag.last;
+    // No order reduces what the sweeps left.
+    seen.error = std::max(seen.error, std::min(left, ratio * seen.error));
+    raise_to_lag(orbiter.lag_at_saddles(fine, 0.0), fine.marks[marks - 1]);
+    // If the lag grew by a power of time, its factor from a half to the whole would be that from a quarter to
+    // a half. Rounding, which may be small by chance at first, is not taken for exponential growth.
+    seen.exponential =
+        lag.furthest > 1e-7 && std::log(lag.late / lag.halfway) > 1.4 * std::log(lag.halfway / lag.early);
+    doubt_meeting();
+    if (fine.run.steps <= Journey::few && fine.tails.size() > 0) add_what_few_steps_lack();
+    doubt_pauses();
+    seen.behind = lag.late;
+    find_growth();
+    // Output times and events may be where the motion is fast.
+    const OrbitQuestion& question = orbiter.question_;
+    if (!question.times.empty() || !question.events.empty() || question.options.dense)
+      seen.error = std::max(seen.error, seen.behind * orbiter.high_speed_);
+    return seen;
   }
-  // Orbits that leave a point of rest at different times may come to another one, where they are close again;
-  // and the delay does not depend on the order.
-  const double parted = parted_by(coarse.pauses, fine.pauses, question_.t, marks_[marks - 1]);
-  lost_ = parted > 1.0 || (fine.pauses.undecided && !question_.timed);
-  if (lost_)
-    seen.error = std::max(seen.error, 1.0), late = std::max(late, 1.0 / usual_speed_), unstable_ = true;
-  else if (parted > 0.3)
-    seen.error *= ratio, late *= ratio;
-  seen.behind = late;
-  // The growth of rounding says nothing about the growth of errors.
-  const double rounding = (100.0 * std::numeric_limits<double>::epsilon() + 10.0 * fine.candidate->noise) *
-                          distance_->frequency * until;
-  // Over fewer turns, errors fluctuate by more than they grow.
-  const bool seen_long = distance_->frequency * until > shortest_growth || late > 1e3 * early;
-  // What the sweeps leave grows with the square of time, which says nothing about errors either.
-  const bool grows = late > 20.0 * early && (furthest > 10.0 * left || late > 1e3 * early);
-  if (early > 0.0 && grows) {
-    if (seen_long && late * usual_speed_ * ratio > rounding) {
+
+ private:
+  [[nodiscard]] double speed_at(const State<dynamic>& z) const {
+    return std::max(orbiter.speed_at(z, fine.ranges), 0.03 * orbiter.usual_speed_);
+  }
+
+  /// Finds the factor between the two errors. They fall slower than by the order if steps do not resolve all
+  /// of the way.
+  void trust() {
+    seen_to_fall =
+        fine.energy_error > std::max(1e3 * orbiter.answer_.energy_rounding, energy_left_by_sweeps(fine));
+    const double falls =
+        seen_to_fall ? std::max(1.0, 0.5 * coarse.energy_error / fine.energy_error) : infinity;
+    if (!orbiter.features_->bends() && !orbiter.coarse_grained_)
+      ratio = std::min(trusted(coarse, fine), falls);
+    left = left_by_sweeps(fine);
+  }
+
+  void raise_to_lag(double late, const State<dynamic>& at) {
+    lag.late = std::max(lag.late, late);
+    seen.error = std::max(seen.error, late * speed_at(at));
+  }
+
+  /// Where orbits diverge, all errors come to lie in one direction, in which the two runs may be close by
+  /// chance: about once in k times, errors are k times as large as the difference of the runs, whatever the
+  /// order. Once errors are no longer small, runs may meet anywhere. Of 6000 orbits of Henon and Heiles near
+  /// escape, over 30 to 100 turns at tolerances 1e-2 to 1e-6, 24 of 3075 that counted as kept were wrong by
+  /// more than ten tolerances; with these rules, 3 of 2872. A prediction from a mark on the way is doubted
+  /// less, as it has yet to come true.
+  void doubt_meeting() {
+    constexpr double by_chance = 3.0, few_times = 4.0;
+    if (lag.runaway && lag.furthest > 0.01)
+      seen.error = std::max(lag.furthest, 1.0), lag.late *= ratio;
+    else if (lag.furthest > 0.1)
+      seen.error = lag.furthest, lag.late *= ratio;
+    else if (lag.runaway)
+      seen.error *= by_chance * ratio, lag.late *= std::max(1.0, ratio / few_times);
+  }
+
+  /// Runs of few steps may err alike. The error of the action, and with it that of the end, is of second
+  /// order in what the curve lacks, which is about the last term of its polynomial. Measured errors are 1 to
+  /// 20 times the square of that term.
+  void add_what_few_steps_lack() {
+    const double lacking = orbiter.distance_->speed(fine.tails, orbiter.distance_->scales(fine.ranges));
+    const double speed = speed_at(fine.state);
+    seen.error = std::max(seen.error, lacking * lacking);
+    lag.late = std::max(lag.late, speed > 0.0 ? lacking * lacking / speed : lacking * lacking);
+  }
+
+  /// Orbits that leave a point of rest at different times may come to another one, where they are close
+  /// again; and the delay does not depend on the order.
+  void doubt_pauses() {
+    const OrbitQuestion& question = orbiter.question_;
+    const double parted = parted_by(coarse.pauses, fine.pauses, question.t, orbiter.marks_[marks - 1]);
+    orbiter.lost_ = parted > 1.0 || (fine.pauses.undecided && !question.timed);
+    if (orbiter.lost_) {
+      seen.error = std::max(seen.error, 1.0), lag.late = std::max(lag.late, 1.0 / orbiter.usual_speed_);
+      orbiter.unstable_ = true;
+    } else if (parted > 0.3) {
+      seen.error *= ratio, lag.late *= ratio;
+    }
+  }
+
+  /// Finds how the lag grows. The growth of rounding, and of what the sweeps leave, which is by the square of
+  /// time, says nothing about the growth of errors. Over few turns, errors fluctuate by more than they grow.
+  void find_growth() {
+    const auto [early, halfway, late, furthest, last, runaway] = lag;
+    const bool grows = late > 20.0 * early && (furthest > 10.0 * left || late > 1e3 * early);
+    if (!(early > 0.0 && grows)) return;
+    const double turns = orbiter.distance_->frequency * until;
+    const double rounding =
+        (100.0 * std::numeric_limits<double>::epsilon() + 10.0 * fine.candidate->noise) * turns;
+    const bool seen_long = turns > shortest_growth || late > 1e3 * early;
+    if (seen_long && late * orbiter.usual_speed_ * ratio > rounding) {
       seen.growth = std::min(3.0, std::log(late / early) / std::log(4.0));
       if (late > 60.0 * early) seen.rate = std::log(late / early) / (0.75 * until);
     }
     // An error that grows so much may have begun as what the sweeps left, or as rounding, which no order
     // reduces.
-    unstable_ = true;
+    orbiter.unstable_ = true;
     const double doubted = std::min(ratio, late / (20.0 * early));
     if (!seen_to_fall) seen.error *= doubted, seen.behind *= doubted;
   }
-  // Output times and events may be where the motion is fast.
-  if (!question_.times.empty() || !question_.events.empty() || question_.options.dense)
-    seen.error = std::max(seen.error, seen.behind * high_speed_);
-  return seen;
+};
+
+Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
+  return TwoRuns{*this, coarse, fine}.compare();
 }
 
 /// Returns the time by which a run may be late because of saddles: the energy that is left at a saddle

@@ -144,6 +144,7 @@ class Orbiter {
     bool runaway = false;    // whether the lag has grown over ten times as much as the square of time
   };
   Lags lags(const Journey& coarse, const Journey& fine, double ratio);
+  struct TwoRuns;
   Comparison compare(const Journey& coarse, const Journey& fine);
   double speed_at(const State<dynamic>& z, const Ranges& ranges);
   [[nodiscard]] double lag_at_saddles(const Journey& journey, double unseen) const;

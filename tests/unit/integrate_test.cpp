@@ -281,22 +281,29 @@ TEST(Integrate, EndsARunThatWouldNeverArrive) {
 
 // About every millisecond: after ever more steps that take no time at all, and after fewer where they do.
 TEST(Integrate, ReadsTheClockAfterManyShortSteps) {
-  avi::detail::Lookout slow(1000.0);
+  const avi::Until until{.seconds = 1000.0};
+  avi::detail::Lookout slow(until, 0.0);
   for (int reads = 0; reads < 10; ++reads)
-    EXPECT_FALSE(slow.time_is_up(slow.next()));
+    EXPECT_TRUE(slow.look(slow.next(), 0.0).ok());
   const long first = slow.next();
-  EXPECT_FALSE(slow.time_is_up(first));
+  EXPECT_TRUE(slow.look(first, 0.0).ok());
   const long second = slow.next();
   std::this_thread::sleep_for(std::chrono::milliseconds(4));
-  EXPECT_FALSE(slow.time_is_up(second));
+  EXPECT_TRUE(slow.look(second, 0.0).ok());
   EXPECT_LT(slow.next() - second, std::max(second - first, 2L));
-  avi::detail::Lookout lookout(1000.0);
+  avi::detail::Lookout lookout(until, 0.0);
   EXPECT_EQ(lookout.next(), 1);
-  for (int reads = 0; reads < 30; ++reads)
-    EXPECT_FALSE(lookout.time_is_up(lookout.next()));
-  EXPECT_GT(lookout.next(), 1000);
-  EXPECT_LE(lookout.next(), avi::detail::Lookout::patience);
-  EXPECT_FALSE(lookout.time_is_up(1)) << "not read yet";
+  long longest = 0;
+  for (int reads = 0; reads < 30; ++reads) {
+    const long now = lookout.next();
+    EXPECT_TRUE(lookout.look(now, 0.0).ok());
+    longest = std::max(longest, lookout.next() - now);
+  }
+  EXPECT_GT(longest, 1000);
+  EXPECT_LE(longest, avi::detail::Lookout::patience);
+  const long due = lookout.next();
+  EXPECT_TRUE(lookout.look(1, 0.0).ok());
+  EXPECT_EQ(lookout.next(), due) << "not read yet";
 }
 
 }  // namespace integrate_test

@@ -41,9 +41,9 @@ template <class Action>
               next == 0 ? "not before the start of the run"
                         : "beyond the one before it in the direction of the run");
       const Located<State> there = step.at(t);
-      Answer answer = there.ok() ? detail::answer(detail::notify(action, there.state))
-                                 : Answer{there.report.outcome, there.reason};
-      if (first.outcome == Outcome::ok) first = std::move(answer);
+      Answer answer =
+          there.ok() ? detail::notify(action, there.state) : Answer{there.report.outcome, there.reason};
+      if (first.ok()) first = std::move(answer);
     }
     return first;
   };

@@ -141,7 +141,7 @@ template <class G, class Action>
     const std::optional<Located<State>> there = watch.look(step, k == 1);
     if (!there) return {};
     if (!there->ok()) return {there->report.outcome, there->reason};
-    return detail::answer(detail::notify(action, there->state));
+    return detail::notify(action, there->state);
   };
 }
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 /// @file
@@ -66,6 +67,13 @@ std::string reason_of(const StepReport& report, [[maybe_unused]] const State& z)
   return "a number in the next step is not finite";
 }
 
+/// Why a run ends where the next state is not finite, as a clause.
+template <class State>
+std::string reason_after([[maybe_unused]] const State& next) {
+  if constexpr (requires { not_finite(next); }) return "after the next step " + not_finite(next);
+  return {};
+}
+
 template <class Observer, class State>
 inline constexpr bool of_states = std::invocable<Observer&, const State&, long>;
 /// An observer for a run of this method. One that takes states is not tested with a Step, because
@@ -99,22 +107,35 @@ struct EventGoal : EventWatch<G> {
   static constexpr std::string_view missed = "the event has not happened before the end of the run";
 };
 
-/// Decides when the loop checks whether time still advances, and when it reads the wall clock.
+/// Looks up from the loop now and then: does time still advance, and are the seconds over?
 class Lookout {
  public:
-  /// @param seconds limit on the wall-clock time, positive: see require_run()
-  explicit Lookout(double seconds) : seconds_(seconds), began_(now()), last_(began_) {}
+  /// @param until the end of the run, valid: see require_run() @param t time of the start
+  Lookout(const Until& until, double t) : until_(until), began_(now()), last_(began_), t_(t) {}
   static constexpr long patience = 1 << 20;  ///< Steps after which time must have gone on.
-  /// Number of steps at which to check next.
+  /// Number of steps at which to look next.
   [[nodiscard]] long next() const { return std::min(stall_, clock_); }
-  /// True where, after this number of steps, the progress of time is to be checked.
-  [[nodiscard]] bool stall_due(long steps) {
+  /// How the run must end after this number of steps; ok if it may go on. @param t time now
+  [[nodiscard]] Answer look(long steps, double t) {
+    if (stalled(steps, t))
+      return {Outcome::stalled, "at the pace of the last million steps the end time is over 2^53 steps away"};
+    if (time_is_up(steps)) return {Outcome::time_limit, "the seconds are over"};
+    return {};
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  [[nodiscard]] bool timed() const { return std::isfinite(until_.seconds); }
+  [[nodiscard]] Clock::time_point now() const { return timed() ? Clock::now() : Clock::time_point(); }
+  /// True where the pace of the last steps leads to no end.
+  [[nodiscard]] bool stalled(long steps, double t) {
     if (steps < stall_) return false;
     stall_ += patience;
-    return true;
+    const double sense = std::copysign(1.0, until_.time - t);
+    const double gone = sense * (t - std::exchange(t_, t));
+    return std::isfinite(until_.time) && !(gone * (0x1p53 / patience) > sense * (until_.time - t));
   }
-  /// True where, after this number of steps, the seconds are used up. Reads the clock about every
-  /// millisecond.
+  /// Reads the clock about every millisecond.
   [[nodiscard]] bool time_is_up(long steps) {
     if (steps < clock_) return false;
     const auto time = now();
@@ -124,18 +145,13 @@ class Lookout {
                             : stride_;
     clock_ = steps + stride_;
     last_ = time;
-    return std::chrono::duration<double>(time - began_).count() >= seconds_;
+    return std::chrono::duration<double>(time - began_).count() >= until_.seconds;
   }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  [[nodiscard]] Clock::time_point now() const {
-    return std::isfinite(seconds_) ? Clock::now() : Clock::time_point();
-  }
-  double seconds_;
+  Until until_;
   Clock::time_point began_, last_;
+  double t_;  ///< Time at the last look for stalling.
   long stride_ = 1, stall_ = patience;
-  long clock_ = std::isfinite(seconds_) ? 1 : std::numeric_limits<long>::max();
+  long clock_ = timed() ? 1 : std::numeric_limits<long>::max();
 };
 
 /// Copies the state of the run back to the caller when the run ends, also by an exception.
@@ -149,14 +165,31 @@ struct Returned {
 /// Checks the arguments of a run that do not involve its state.
 void require_run(double h, const Until& until);
 
-/// Checks that the time of the start equals the one among its coordinates, in a problem where time is a
-/// coordinate. After output inside a step the two agree only to rounding, and for a time near 0 this is the
-/// rounding error of a step.
+/// Checks the arguments of a run. In a problem where time is a coordinate, that one and the time of the state
+/// agree only to rounding after output inside a step; for a time near 0 this is the rounding error of a step.
 template <class M, class State>
-void require_clock(const M& method, const State& state, double h) {
-  const double inside = method.problem().clock(state.q, state.t);
-  require(!(std::abs(inside - state.t) > 1e-8 * (std::abs(state.t) + std::abs(h))), "Time t of the start",
-          state.t, "that among its coordinates, ", inside);
+void require_run(const M& method, const State& state, double h, const Until& until) {
+  require_run(h, until);
+  require_finite("Time of the start", state.t);
+  if constexpr (requires { require_dimension(state); }) require_dimension(state);
+  if constexpr (requires { method.problem().clock(state.q, state.t); }) {
+    const double inside = method.problem().clock(state.q, state.t);
+    require(!(std::abs(inside - state.t) > 1e-8 * (std::abs(state.t) + std::abs(h))), "Time t of the start",
+            state.t, "that among its coordinates, ", inside);
+  }
+  const double sense = std::copysign(1.0, h);
+  require(!(std::isfinite(until.time) && sense * until.time < sense * state.t), "Step size h", h,
+          h > 0.0 ? "negative where the run ends at a time behind"
+                  : "positive where the run ends at a time ahead");
+}
+
+/// Shows an observer the k-th step, with the state at its end.
+template <class Observer, class M, class State>
+Answer show(Observer& observer, const Step<M, State>& step, long k) {
+  if constexpr (of_states<Observer, State>)
+    return notify(observer, step.after, k);
+  else
+    return notify(observer, step, k);
 }
 
 /// The loop of integrate() and integrate_to(). A step that crosses the goal is replaced by a shorter one that
@@ -169,60 +202,44 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
                 "The method has no step(state, h) for this state: is the state of another dimension?");
   static_assert((ObserverOf<Observers, M, State> && ...),
                 "An observer must be callable as observer(state, k) or as observer(step, k).");
-  require_run(h, until);
-  require_finite("Time of the start", state.t);
-  if constexpr (requires { require_dimension(state); }) require_dimension(state);
-  if constexpr (requires { method.problem().clock(state.q, state.t); }) require_clock(method, state, h);
+  require_run(method, state, h, until);
   constexpr bool aims = !std::same_as<Goal, NoGoal>;
   constexpr bool looks_inside = aims || !(of_states<Observers, State> && ...);
-  const bool timed = std::isfinite(until.time);
   const double sense = std::copysign(1.0, h);  // of time
-  require(!timed || !(sense * until.time < sense * state.t), "Step size h", h,
-          h > 0.0 ? "negative where the run ends at a time behind"
-                  : "positive where the run ends at a time ahead");
-  const double end_time = timed ? sense * until.time : std::numeric_limits<double>::infinity();
+  const double end_time =
+      std::isfinite(until.time) ? sense * until.time : std::numeric_limits<double>::infinity();
   Run run;
-  Lookout lookout(until.seconds);
+  Lookout lookout(until, state.t);
   long look_up = lookout.next();
-  double clock = state.t;
-  std::string reason;
+  Answer answer;  // the first that is not ok
   // Working copies, so that a short step can keep them in registers.
   State current = state;
   const Returned<State> returned{state, current};
-  const auto end = [&](Outcome outcome, double residual = 0.0) {
+  const auto end = [&](Outcome outcome, const std::string& reason, double residual = 0.0) {
     run.outcome = outcome;
     if (outcome != Outcome::ok) run.message = describe_end(outcome, current, run.steps, residual, reason);
     return run;
   };
   if constexpr (requires { not_finite(current); })
-    if (!current.finite()) {
-      reason = "at the start " + not_finite(current);
-      return end(Outcome::non_finite);
-    }
+    if (!current.finite()) return end(Outcome::non_finite, "at the start " + not_finite(current));
   while (sense * current.t < end_time && run.steps < until.steps) {
     State next = current;
     // A copy is needed only where a step depends on more than the state and may have to be repeated.
     const std::conditional_t<looks_inside && !one_step<M>, M, M&> before = method;
     const StepReport report = method.step(next, h);
-    if (report.outcome != Outcome::ok) {
-      reason = reason_of(report, current);
-      return end(report.outcome, report.residual);
-    }
-    if (!next.finite()) {
-      if constexpr (requires { not_finite(next); }) reason = "after the next step " + not_finite(next);
-      return end(Outcome::non_finite);
-    }
+    if (report.outcome != Outcome::ok)
+      return end(report.outcome, reason_of(report, current), report.residual);
+    if (!next.finite()) return end(Outcome::non_finite, reason_after(next));
     run.evaluations += report.evaluations;
     double size = h;
     bool arrived = false;
     if constexpr (aims) {
-      const std::optional<Located<State>> there =
+      std::optional<Located<State>> there =
           goal.look(Step<M, State>{before, current, next, h}, run.steps == 0);
       if (there) run.evaluations += there->evaluations;
       if (there && !(there->ok() && sense * there->state.t > end_time)) {
         arrived = true;
-        reason = there->reason;
-        if (!there->ok()) return end(there->report.outcome, there->report.residual);
+        if (!there->ok()) return end(there->report.outcome, there->reason, there->report.residual);
         next = there->state;
         size = there->h;
         // The method has to take the shorter step as well, because dense output will ask for its polynomial.
@@ -234,50 +251,26 @@ Run run(M& method, State& state, double h, const Until& until, Goal goal, Observ
       }
     }
     ++run.steps;
-    Outcome outcome = Outcome::ok;  // the first answer that is not ok
-    [[maybe_unused]] const auto take = [&](const auto& answer) {
-      if (outcome != Outcome::ok) return;
-      if constexpr (std::same_as<std::remove_cvref_t<decltype(answer)>, Answer>) {
-        outcome = answer.outcome;
-        if (outcome != Outcome::ok) reason = answer.reason;
-      } else {
-        outcome = answer;
-      }
-    };
-    [[maybe_unused]] const auto look = [&](auto& observer) {
-      if constexpr (of_states<decltype(observer), State>)
-        take(notify(observer, next, run.steps));
-      else
-        take(notify(observer, Step<M, State>{before, current, next, size}, run.steps));
-    };
     try {
+      [[maybe_unused]] const auto look = [&](auto& observer) {
+        Answer now = show(observer, Step<M, State>{before, current, next, size}, run.steps);
+        if (answer.ok()) answer = std::move(now);
+      };
       (look(observers), ...);
     } catch (...) {  // the step is complete, and other observers may have recorded it
       current = next;
       throw;
     }
     current = next;
-    if (outcome != Outcome::ok || arrived) return end(outcome);
-    if (run.steps >= look_up) {
-      if (lookout.stall_due(run.steps) && timed) {
-        if (!(sense * (current.t - clock) * (0x1p53 / Lookout::patience) >
-              sense * (until.time - current.t))) {
-          reason = "at the pace of the last million steps the end time is over 2^53 steps away";
-          return end(Outcome::stalled);
-        }
-        clock = current.t;
-      }
-      if (lookout.time_is_up(run.steps)) {
-        reason = "the seconds are over";
-        return end(Outcome::time_limit);
-      }
+    if (run.steps >= look_up && answer.ok() && !arrived) {
+      answer = lookout.look(run.steps, current.t);
       look_up = lookout.next();
     }
+    if (!answer.ok() || arrived) return end(answer.outcome, answer.reason);
   }
-  reason = Goal::missed;
   constexpr bool any_time_is_short = aims && !std::same_as<Goal, Arrival>;  // an event goal was missed
-  return end(any_time_is_short || (timed && sense * current.t < end_time) ? Outcome::step_limit
-                                                                          : Outcome::ok);
+  const bool short_of_end = any_time_is_short || (std::isfinite(until.time) && sense * current.t < end_time);
+  return end(short_of_end ? Outcome::step_limit : Outcome::ok, std::string(Goal::missed));
 }
 }  // namespace detail
 

@@ -55,6 +55,9 @@ struct [[nodiscard]] StepReport {
 struct [[nodiscard]] Answer {
   Outcome outcome = Outcome::ok;  ///< If not ok, the run ends.
   std::string reason{};           ///< A clause for the message of the run, such as "g is nan".
+
+  /// True for Outcome::ok only.
+  [[nodiscard]] bool ok() const { return outcome == Outcome::ok; }
 };
 
 /// What a run reports to its caller.

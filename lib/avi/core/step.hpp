@@ -50,23 +50,21 @@ void set_time(const M& method, State& z, double t) {
     z.t = t;
 }
 
-/// Calls an observer and returns its result as an Outcome, or as an Answer where it gives one.
+/// Calls an observer, and returns its result as an Answer.
 template <class Observer, class... Seen>
-decltype(auto) notify(Observer& observer, const Seen&... seen) {
+Answer notify(Observer& observer, const Seen&... seen) {
   using Result = std::remove_cvref_t<std::invoke_result_t<Observer&, const Seen&...>>;
-  if constexpr (std::same_as<Result, Outcome> || std::same_as<Result, Answer>) {
+  if constexpr (std::same_as<Result, Answer>) {
     return observer(seen...);
+  } else if constexpr (std::same_as<Result, Outcome>) {
+    return {.outcome = observer(seen...)};
   } else if constexpr (std::same_as<Result, bool>) {
-    return observer(seen...) ? Outcome::ok : Outcome::stopped;
+    return {.outcome = observer(seen...) ? Outcome::ok : Outcome::stopped};
   } else {
     observer(seen...);
-    return Outcome::ok;
+    return {};
   }
 }
-
-/// An observer's result as an Answer.
-inline Answer answer(Outcome outcome) { return {outcome, {}}; }
-inline Answer answer(Answer answer) { return answer; }
 
 /// The rounding error of the largest entry, as a bound on the noise of a function that is zero up to
 /// rounding.

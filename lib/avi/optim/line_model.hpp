@@ -17,30 +17,6 @@ struct LinePoint {
   double slope = 0.0;  ///< phi' = d . grad f.
 };
 
-/// How far the search along one line has come. Distances are measured from its base, which may move along the
-/// line.
-struct LineSoFar {
-  LinePoint start;        ///< Value and slope where the search began.
-  double moved = 0.0;     ///< Distance of the base from there.
-  double high = never();  ///< Upper bound for trials: f rose there, or was not finite.
-  double wall = never();  ///< Smallest distance at which f was not finite.
-  int trials = 1;         ///< Number of trials, including the one to come.
-  int since_start = 1;    ///< The same, but not reset when the base moves.
-  int beyond = 0;         ///< Number of trials at which f was not finite.
-
-  /// Stands for a distance that is not known.
-  static constexpr double never() { return std::numeric_limits<double>::infinity(); }
-};
-
-/// Distance of the first trial along -g, in units of g: where a linear f would vanish, or one hundredth of x,
-/// whichever is farther. @param norm_of_g 2-norm of the gradient @param g largest entry of the gradient
-/// @param x largest entry of x
-inline double first_trial(double f, double norm_of_g, double g, double x) {
-  const double by_value = std::abs(f) / (norm_of_g * norm_of_g);
-  const double length = std::max(0.01 * x / g, std::isfinite(by_value) ? by_value : 0.0);
-  return length > 0.0 ? length : 1.0 / g;
-}
-
 /// A line through its base (alpha = 0) and one trial at alpha = h > 0.
 ///
 /// If phi is quadratic between the two points, its slope is linear and vanishes at alpha = r h with \f$ r =

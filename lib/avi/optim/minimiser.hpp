@@ -56,7 +56,7 @@ MinimiserEnd minimise_by_calls(MinimiserCalls& calls, Eigen::Index n, const Mini
 /// One run of L-BFGS (memory m > 0) or of a nonlinear conjugate gradient method (m = 0), \f[ x_+ = x + \alpha
 /// d, \qquad d = -H \nabla f \quad\text{or}\quad d_+ = \beta d - \nabla f(x_+). \f] Its line search by
 /// interpolation takes one evaluation per iteration where f is nearly quadratic along the line. H is the
-/// L-BFGS matrix of the last m pairs; beta is that of Hager and Zhang, with restarts.
+/// L-BFGS matrix of the last m pairs; beta is that of Dai and Kou (2013), with restarts.
 ///
 /// In terms of Bregman dynamics the second form is a heavy ball: the order-0 HTVI (bregman/bregman_htvi.hpp),
 /// with a clock that depends on the state and is frozen during a step. \f$H^{-1}\f$ corresponds to a variable
