@@ -106,12 +106,13 @@ class Descent {
     return down_ < 0.0;
   }
 
-  /// Distance of the first trial along -g, in units of g: where a linear f would vanish, or one hundredth of
-  /// x, whichever is farther.
+  /// Distance of the first trial along -g, in units of g: where a linear f would vanish, but between one
+  /// hundredth of x and a hundred times x.
   [[nodiscard]] double first_step() const {
-    const double by_value = std::abs(base_.f) / (norm_ * norm_), g = largest_entry(view(base_.g));
-    const double length =
-        std::max(0.01 * largest_entry(view(base_.x)) / g, std::isfinite(by_value) ? by_value : 0.0);
+    const double g = largest_entry(view(base_.g)), x = largest_entry(view(base_.x)) / g;
+    double length = std::abs(base_.f) / (norm_ * norm_);
+    if (!std::isfinite(length)) length = 0.0;
+    if (x > 0.0) length = std::clamp(length, 0.01 * x, 100.0 * x);
     return length > 0.0 ? length : 1.0 / g;
   }
 

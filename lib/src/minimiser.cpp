@@ -24,12 +24,12 @@ class MinimiserRun : Descent {
   /// Minimises f. To be called once.
   MinimiserEnd run() {
     if (!evaluate(base_)) return end(failure_, reason_);
+    if (!std::isfinite(base_.f)) return end(Outcome::non_finite, "f(x0) is not finite");
     norm_ = std::sqrt(square_);
     const double steepness = largest_entry(view(base_.g));
     if (!std::isfinite(steepness))
       return end(Outcome::non_finite, "the gradient at x0 is not finite, or f did not fill it");
     if (!std::isfinite(norm_)) return out_of_range(" at x0");
-    if (!std::isfinite(base_.f)) return end(Outcome::non_finite, "f(x0) is not finite");
     first_ = level_ = base_.f;
     size0_ = norm(view(base_.x));
     scale_ = std::abs(base_.f);
@@ -94,11 +94,11 @@ class MinimiserRun : Descent {
   bool line() {
     Line line{.start = {base_.f, down_}, .noise = noise_};
     for (;; ++line.trials, ++line.since_start) {
-      if (evaluations_ >= options_.evaluations) return capped();
       place_trial(alpha_);
       if (line.trials > 40 || view(trial_.x) == view(base_.x) || !(alpha_ > 0.0)) {
         if (const std::optional<bool> over = start_again(line)) return *over;
       }
+      if (evaluations_ >= options_.evaluations) return capped();
       if (!evaluate(trial_)) return false;
       if (!std::isfinite(trial_.f) || !std::isfinite(square_)) {
         if (!turn_back(line)) return false;
@@ -124,6 +124,7 @@ class MinimiserRun : Descent {
     if (line.steepest) return steepest(), true;
     if (!exact_ && !settle()) return false;
     if (norm_ <= target_) return true;
+    ++stuck_;
     steepest();
     line = {.start = {base_.f, down_}, .noise = line.noise, .misses = line.misses, .steepest = true};
     place_trial(alpha_);
@@ -203,13 +204,14 @@ class MinimiserRun : Descent {
     line.misses.add(model);
     if (line.trials - line.beyond < 5) return;
     scale_ = std::max(scale_, std::abs(line.start.value));
-    const double seen = std::min(4.0 * line.misses.size(), 1e-8 * scale_);
+    const double seen = std::min({4.0 * line.misses.size(), 1e-8 * scale_, most_noise_});
     noise_ = line.misses.bends(model, seen, 1e-13 * scale_) ? line.noise : std::max(noise_, seen);
   }
 
   /// Returns false if for long no evaluated value or gradient was lower than all before, and values
-  /// contradict the slope, as at a kink; or if that lasts so long that rounding moves the run; or if, along a
-  /// wall, f fell by next to nothing in 500 iterations: it may do so for ever, and by ever less.
+  /// contradict the slope, as at a kink; or if meanwhile line after line led nowhere; or if that lasts so
+  /// long that rounding moves the run; or if, along a wall, f fell by next to nothing in 500 iterations: it
+  /// may do so for ever, and by ever less.
   bool gains() {
     if (iterations_ % 500 == 0) {
       const double fell = std::exchange(before_wall_, base_.f) - base_.f;
@@ -220,12 +222,13 @@ class MinimiserRun : Descent {
     if ((exact_ && base_.f < lowest_ - rounding(base_.f, lowest_)) || square_ < gentlest_) {
       if (exact_) lowest_ = std::min(lowest_, base_.f);
       gentlest_ = std::min(gentlest_, square_);
-      idle_ = waits_ = 0;
+      idle_ = waits_ = stuck_ = 0;
     }
+    if (stuck_ >= 200) return (exact_ || settle()) && judge(true);
     if (++idle_ <= 200) return true;
     idle_ = 0;
-    if (waits_ == 0) noise_ = 0.0;                     // if too large, it would hide gains: it is found anew
-    return judge(true) || (agrees_ && ++waits_ < 20);  // in hard valleys, runs waited five times
+    noise_ = waits_ == 0 ? 0.0 : std::min(noise_, most_noise_);  // too large, it would hide gains
+    return judge(true) || (agrees_ && ++waits_ < 20);            // in hard valleys, runs waited five times
   }
 
   /// Returns f on the line, as a function of alpha.
@@ -255,6 +258,11 @@ class MinimiserRun : Descent {
       return value;
     };
     const SlopeByValues by = finite ? slope_by_values(phi, asked_at()) : SlopeByValues();
+    // a kink, where values and slopes disagree as well, may have been taken for noise
+    if (finite) {
+      const SlopeByValues near = slope_to_compare(values_along_d(), asked_at(), down_, 0.1 * std::abs(down_));
+      most_noise_ = 10.0 * std::max(near.uncertainty, std::abs(near.slope - down_)) * near.apart;
+    }
     // beside what f does there, the gradient is as good as 0: uneven values say nothing about it
     const bool small = std::abs(down_) * asked_at() < 1e-8 * most;
     agrees_ = !finite || small || by.agrees_with(down_, 0.1 * std::abs(down_));  // nor does a wall so near
@@ -275,7 +283,9 @@ class MinimiserRun : Descent {
     mixed_direction(view(base_.x), d_);
     measure_direction();
     const double allowed = 1e-7 * view(base_.g).cwiseProduct(d_).lpNorm<1>();
-    const SlopeByValues by = slope_to_compare(values_along_d(), asked_at(), down_, allowed);
+    SlopeByValues by = slope_to_compare(values_along_d(), asked_at(), down_, allowed);
+    if (by.agrees_with(down_, allowed)) return true;
+    by.uncertainty += noise_of_values(values_along_d(), 1e-8 * asked_at()) / by.apart;
     return by.agrees_with(down_, allowed) || fail(Outcome::wrong_gradient, by.against(down_));
   }
 
@@ -300,9 +310,11 @@ class MinimiserRun : Descent {
   double norm0_ = 0.0, size0_ = 0.0;          ///< Norm of the gradient at x0, and of x0.
   double first_trial_ = 1.0;                  ///< Distance of the first trial from x0.
   double scale_ = 0.0;                        ///< Largest |f| at the start, and where lines were stuck.
+  double most_noise_ = infinitely;            ///< Bound on the noise, from values that were asked.
   double lowest_ = 1e300, gentlest_ = 1e300;  ///< Least value, and square of an evaluated gradient, so far.
   double before_wall_ = 0.0;                  ///< f up to 500 iterations ago.
   long idle_ = 0;                             ///< Iterations since either fell, or values were asked.
+  int stuck_ = 0;                             ///< Lines that led nowhere since either fell.
   long walled_ = 0;          ///< Lines that met a wall, where f is not finite, in the last 500 iterations.
   int waits_ = 0;            ///< Times that values were asked since.
   bool agrees_ = false;      ///< Whether values agreed with the slope when they were last asked.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <sstream>
+#include <utility>
 
 /// @file
 /// A check of a gradient: its slope along a line against differences of values of the function.
@@ -14,6 +15,7 @@ struct SlopeByValues {
   double slope;        ///< Slope d . grad f.
   double uncertainty;  ///< Error bound for truncation and rounding.
   double truncation;   ///< Part of the uncertainty that falls with the distance of the values.
+  double apart;        ///< Distance of the inner values from 0.
 
   /// Returns true if the function bends so much between the values that they say nothing about a slope. The
   /// same holds if all values are equal, as what bends may lie between them.
@@ -37,15 +39,15 @@ struct SlopeByValues {
 /// difference is the uncertainty, plus what rounding of the values adds.
 template <class Phi>
 SlopeByValues slope_by_values(Phi&& phi, double h) {
-  double slopes[2], rounding = 0.0;
+  double slopes[2], rounding = 0.0, apart = h;
   for (double& slope : slopes) {
     const double ahead = phi(h), behind = phi(-h);
     slope = (ahead - behind) / (2.0 * h);
     rounding = 1e-15 * std::max(std::abs(ahead), std::abs(behind)) / h;
-    h /= 8.0;
+    apart = std::exchange(h, h / 8.0);
   }
   const double truncation = std::abs(slopes[1] - slopes[0]);
-  return {slopes[1], truncation + rounding, truncation};
+  return {slopes[1], truncation + rounding, truncation, apart};
 }
 
 /// The slope by values that `by_gradient`, which may be off by `allowed`, is to be compared with. If it
@@ -64,6 +66,16 @@ SlopeByValues slope_to_compare(Phi&& phi, double farthest, double by_gradient, d
     if (counts && by.agrees_with(by_gradient, allowed)) break;
   }
   return before;
+}
+
+/// The error of values, as third differences of five at a small distance h from each other show it: those of
+/// a smooth function are no more than rounding.
+template <class Phi>
+double noise_of_values(Phi&& phi, double h) {
+  double v[5];
+  for (int i = 0; i < 5; ++i)
+    v[i] = phi((i - 2) * h);
+  return std::max(std::abs(v[3] - v[0] - 3.0 * (v[2] - v[1])), std::abs(v[4] - v[1] - 3.0 * (v[3] - v[2])));
 }
 
 /// Whether a slope by the gradient is no more than what rounding of x makes of it. Then phi, of the given

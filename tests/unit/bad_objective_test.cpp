@@ -38,6 +38,8 @@ TEST(BadObjective, NamesWhatIsNotANumber) {
 
 TEST(BadObjective, NamesAGradientThatIsNotThere) {
   const auto empty = [](const VectorX& x, VectorX&) { return x.squaredNorm(); };
+  const auto outside = [](const VectorX&, VectorX&) { return std::numeric_limits<double>::infinity(); };
+  EXPECT_NE(minimise(outside, VectorX::Ones(3)).message.find("f(x0) is not finite"), std::string::npos);
   const auto run = minimise(empty, VectorX::Ones(3));
   EXPECT_EQ(run.outcome, Outcome::non_finite);
   EXPECT_NE(run.message.find("f did not fill it"), std::string::npos) << run.message;
@@ -297,6 +299,34 @@ TEST(BadObjective, EndsSoonAtAKink) {
       EXPECT_EQ(run.outcome, Outcome::no_descent) << run.message;
       EXPECT_LT(run.gradient_evaluations, 4000);  // measured 509 to 1828
       EXPECT_LT(run.last.value, 1e-7);            // measured 6e-9
+    }
+}
+
+// Beside a large constant, the kink was taken for noise: 48 326 evaluations, and x wrong by .08 at 1e8.
+TEST(BadObjective, EndsAtAKinkAboveAConstant) {
+  for (const double constant : {1e4, 1e6, 1e8})
+    for (const double at : {0.3, 0.7}) {
+      const auto distance = [&](const VectorX& x, VectorX& g) {
+        g[0] = x[0] > at ? 1.0 : -1.0;
+        return std::abs(x[0] - at) + constant;
+      };
+      const auto run = minimise(distance, {1.234});
+      EXPECT_EQ(run.outcome, Outcome::no_descent) << run.message;
+      EXPECT_LT(run.gradient_evaluations, 10'000) << constant;  // measured 5079
+      EXPECT_NEAR(run.last.x[0], at, 1e-6) << constant;         // measured 3.8e-7
+    }
+}
+
+TEST(BadObjective, IsNotAccusedByNoisyValues) {
+  for (const double size : {1e-12, 1e-10, 1e-8, 1e-6})
+    for (unsigned seed = 1; seed <= 30; ++seed) {
+      unsigned state = seed;
+      const auto noisy = [&](const VectorX& x, VectorX& g) {
+        state = state * 1664525u + 1013904223u;
+        return rosenbrock(x, g) * (1.0 + size * (static_cast<double>(state) * 0x1p-31 - 1.0));
+      };
+      const auto run = minimise(noisy, {-1.2, 1.0}, {.relative = 1e-2, .check_gradient = true});
+      EXPECT_NE(run.outcome, Outcome::wrong_gradient) << size << ' ' << run.message;
     }
 }
 

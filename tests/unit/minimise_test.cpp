@@ -341,7 +341,65 @@ TEST(Minimise, DoesNotRepeatATrialThatLedNowhere) {
   EXPECT_LT(run.last.value, 5e-10);  // measured 2.3e-10; 1 before
 }
 
+// Where a constant far larger than f itself, or a start beside a maximum, made the first trial: it led over
+// thousands of minima.
+TEST(Minimise, StaysNearAStartBesideAMaximum) {
+  for (const double constant : {0.0, 1e3, 1e6})
+    for (const double start : {1e-1, 1e-4, 1e-6, 1e-9}) {
+      const auto run = minimise([=](const auto& x) { return cos(x[0]) + constant; }, {start});
+      EXPECT_TRUE(run.ok()) << run.message;
+      EXPECT_LT(run.last.x[0], 50.0) << constant << " " << start;  // measured 22
+      EXPECT_LT(run.gradient_evaluations, 45);                     // measured 22
+    }
+}
+
+// Once nothing is left to gain, every line begins anew with steepest descent, up to 4000 times.
+TEST(Minimise, EndsWhereLineAfterLineLeadsNowhere) {
+  VectorX aim(10);
+  Eigen::MatrixXd map(10, 10);
+  for (Eigen::Index i = 0; i < 10; ++i) {
+    aim[i] = std::sin(3.0 * static_cast<double>(i) + 1.0);
+    for (Eigen::Index j = 0; j < 10; ++j)
+      map(i, j) = std::cos(static_cast<double>(i * i + 7 * j + i * j));
+  }
+  const auto squares = [&](const VectorX& x, VectorX& g) {
+    const VectorX apart = map * x - aim;
+    g = 2.0 * map.transpose() * apart;
+    return apart.squaredNorm();
+  };
+  const auto run = minimise(squares, VectorX::Zero(10), {.relative = 0.0});
+  EXPECT_EQ(run.outcome, avi::Outcome::stalled) << run.message;
+  EXPECT_LT(run.last.value, 1e-25);
+  EXPECT_LT(run.gradient_evaluations, 20'000);  // measured 9781
+}
+
+// Springs in a row: masses tell nothing about them, and equal ones take a third of the iterations.
+TEST(Minimise, TakesUnequalMassesOnlyWhereTheyClearlyForetellMore) {
+  const auto springs = [](const VectorX& x, VectorX& g) {
+    const Eigen::Index n = x.size();
+    double f = -x.mean();
+    g = VectorX::Constant(n, -1.0 / static_cast<double>(n));
+    for (Eigen::Index i = 0; i <= n; ++i) {
+      const double a = (i < n ? x[i] : 0.0) - (i > 0 ? x[i - 1] : 0.0);
+      f += a * a / 2.0 + a * a * a * a / 4.0;
+      if (i < n) g[i] += a + a * a * a;
+      if (i > 0) g[i - 1] -= a + a * a * a;
+    }
+    return f;
+  };
+  const auto run = minimise(springs, VectorX::Zero(400), {.relative = 1e-8});
+  EXPECT_TRUE(run.ok()) << run.message;
+  EXPECT_LT(run.gradient_evaluations, 3000);  // measured 1517; 5925 where they had to foretell a little more
+}
+
 TEST(Minimise, KeepsItsBounds) {
+  for (int m : {0, 7})
+    for (long cap = 2; cap < 200; ++cap) {
+      long made = 0;
+      const auto counted = [&](const VectorX& x, VectorX& g) { return ++made, rosenbrock(x, g); };
+      const auto run = minimise(counted, {-1.2, 1.0}, {.relative = 0.0, .memory = m, .evaluations = cap});
+      if (run.outcome == avi::Outcome::step_limit) EXPECT_LE(made, cap) << m;
+    }
   const auto run = minimise(bowl, {3.0, 2.0}, {.evaluations = 2});
   EXPECT_EQ(run.outcome, avi::Outcome::step_limit);
   EXPECT_EQ(run.gradient_evaluations, 2);

@@ -499,5 +499,7 @@ def _options(chosen, options, names, function, further):
             try:
                 setattr(chosen, name, _avi.Monitor(value) if name == "monitor" else os.fspath(value) if name == "checkpoint" else value)
             except TypeError:
+                if isinstance(value, int) and kind in ("of the type int", "a whole number"):
+                    raise ValueError(f"The option {name} of {function}() is {value}; so large a number is not possible.") from None
                 raise TypeError(f"The option {name} of {function}() is {value!r}; it must be {kind}.") from None
     return chosen
