@@ -11,33 +11,31 @@ std::string label_of(const Setting& s) {
   return s.is_direct() ? label : label + " " + rounded(s.p_ring);
 }
 
-int iteration_table(int argc, char** argv, const std::string& shows, const std::vector<Setting>& settings) {
-  return run(argc, argv, shows, [&](Frame& frame) {
-    const long starts = frame.quick ? 4 : 16;
-    const avi::Stopping stopping{.delta = 1e-10, .iterations = 1'000'000};
-    Table table =
-        frame.table({"method", "approach", "p", "p_ring", "h", "C", "iterations", "gradient_evaluations",
-                     "converged", "perturbed_least", "perturbed_most", "perturbed_failed", "seconds"});
-    table.note("delta", stopping.delta);
-    table.note("perturbed", "counts from " + std::to_string(starts) + " starts moved by up to 1e-14");
-    Table curves = frame.table(Curve::columns_after({"curve", "method", "approach", "p", "p_ring"}));
-    curves.note("rows", Curve::rows);
-    const CorrelatedQuartic f;
-    each_setting(frame, settings, [&](const Setting& s, bool) {
-      avi::Minimisation result;
-      Curve curve(1.0, 0.01);
-      const double time = seconds([&] { result = run_setting(s, f, f.start(), stopping, curve); });
-      PerturbedCounts counts;
-      if (result.ok()) counts = perturbed_counts(s, starts, 1e-14, stopping);
-      table.row(s.method, s.approach(), s.p, s.p_ring_or_nan(), s.h, s.family().C, result.iterations,
-                result.gradient_evaluations, result.ok(), counts.least(), counts.most(), counts.failed,
-                rounded(time));
-      if (result.ok())
-        curve.append(curves, {label_of(s), s.method, s.approach(), exact(s.p), exact(s.p_ring_or_nan())});
-    });
-    frame.write(curves, "curves");
-    frame.write(table);
+void iteration_table(Frame& frame, const std::vector<Setting>& settings) {
+  const long starts = frame.quick ? 4 : 16;
+  const avi::Stopping stopping{.delta = 1e-10, .iterations = 1'000'000};
+  Table table =
+      frame.table({"method", "approach", "p", "p_ring", "h", "C", "iterations", "gradient_evaluations",
+                   "converged", "perturbed_least", "perturbed_most", "perturbed_failed", "seconds"});
+  table.note("delta", stopping.delta);
+  table.note("perturbed", "counts from " + std::to_string(starts) + " starts moved by up to 1e-14");
+  Table curves = frame.table(Curve::columns_after({"curve", "method", "approach", "p", "p_ring"}));
+  curves.note("rows", Curve::rows);
+  const CorrelatedQuartic f;
+  each_setting(frame, settings, [&](const Setting& s, bool) {
+    avi::Minimisation result;
+    Curve curve(1.0, 0.01);
+    const double time = seconds([&] { result = run_setting(s, f, f.start(), stopping, curve); });
+    PerturbedCounts counts;
+    if (result.ok()) counts = perturbed_counts(s, starts, 1e-14, stopping);
+    table.row(s.method, s.approach(), s.p, s.p_ring_or_nan(), s.h, s.family().C, result.iterations,
+              result.gradient_evaluations, result.ok(), counts.least(), counts.most(), counts.failed,
+              rounded(time));
+    if (result.ok())
+      curve.append(curves, {label_of(s), s.method, s.approach(), exact(s.p), exact(s.p_ring_or_nan())});
   });
+  frame.write(curves, "curves");
+  frame.write(table);
 }
 
 PerturbedCounts perturbed_counts(const Setting& setting, long starts, double size,

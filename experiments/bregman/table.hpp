@@ -15,9 +15,9 @@ namespace experiment {
 /// A label that gnuplot can select a curve by, such as "htvi adaptive 4 0.5".
 std::string label_of(const Setting& s);
 
-/// main() of such an experiment: every setting run to the stopping test, then from 16 starts moved by 1e-14,
+/// Such an experiment: every setting run to the stopping test, then from 16 starts moved by 1e-14,
 /// whose range tells counts that mean something from those that the last bit decides.
-int iteration_table(int argc, char** argv, const std::string& shows, const std::vector<Setting>& settings);
+void iteration_table(Frame& frame, const std::vector<Setting>& settings);
 
 /// How far an iteration count moves with the last bit of the start.
 struct PerturbedCounts {

@@ -199,44 +199,41 @@ double mirror(double h) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
-    Table table = frame.table({"variant", "parameter", "setting", "first_passage", "sustained",
-                               "gradients_per_step", "value", "end"});
-    table.note("type_2, type_3",
-               "Adaptive (4, 1), h in units of the published 2.4e-4; a proximal step counts as one gradient");
-    table.note("proximal_points", "Type III's proximal steps without its momentum");
-    table.note("kick_first",
-               "Strang's cloning with p = 4, p_ring = 1, read from the copy that is kicked first");
-    table.note("binding",
-               "Direct p = 4, h = 9.7e-4, two copies bound by omega; t of both frozen at mid-step");
-    table.note("nag_limit", "largest distance to the limit equation up to t = 4");
-    table.note("mirror", "largest ratio of f - f* to its bound on the simplex, entropy");
-    const DiagonalQuartic f;
-    const auto row = [&](const char* variant, const char* parameter, double setting, const Followed& s,
-                         double gradients_per_step) {
-      table.row(variant, parameter, setting, s.first > 0 ? s.first : unknown,
-                s.confirmed ? s.sustained() : unknown, gradients_per_step, unknown,
-                s.diverged    ? "diverges"
-                : s.confirmed ? "converges"
-                              : "at the cap");
-    };
-    const long cap = frame.quick ? 160'000 : 1'600'000;
-    table.note("cap", cap);
-    for (double factor : {1.0, 10.0, 100.0, 1000.0}) {
-      row("type_2", "h", factor, proximal(f, false, factor * 2.4e-4, cap), 1.0);
-      row("type_3", "h", factor, proximal(f, true, factor * 2.4e-4, cap), 1.0);
-    }
-    for (double factor : {1.0, 10.0, 100.0, 1000.0})
-      row("proximal_points", "h", factor, proximal_points(f, factor * 2.4e-4, cap), 1.0);
-    row("kick_first", "direct", 9.7e-4, kicked_first(BregmanFamily::direct(4.0), 9.7e-4, cap), 1.0);
-    row("kick_first", "adaptive", 2.4e-4, kicked_first(BregmanFamily::adaptive(4.0, 1.0), 2.4e-4, cap), 1.0);
-    for (double omega : {0.0, 1e-4, 1e-2, 1.0, 100.0})
-      row("binding", "omega", omega, bound(f, omega, 9.7e-4, cap), omega == 0.0 ? 1.0 : 3.0);
-    for (double h : {1e-2, 2.5e-3, 6.25e-4, 1.5625e-4})
-      table.row("nag_limit", "h", h, unknown, unknown, unknown, distance_to_limit(h), "nan");
-    for (double h : {0.1, 0.01, 0.001})
-      table.row("mirror", "h", h, unknown, unknown, unknown, mirror(h), "nan");
-    frame.write(table);
-  });
+void experiment::conduct(Frame& frame) {
+  Table table = frame.table({"variant", "parameter", "setting", "first_passage", "sustained",
+                             "gradients_per_step", "value", "end"});
+  table.note("type_2, type_3",
+             "Adaptive (4, 1), h in units of the published 2.4e-4; a proximal step counts as one gradient");
+  table.note("proximal_points", "Type III's proximal steps without its momentum");
+  table.note("kick_first",
+             "Strang's cloning with p = 4, p_ring = 1, read from the copy that is kicked first");
+  table.note("binding", "Direct p = 4, h = 9.7e-4, two copies bound by omega; t of both frozen at mid-step");
+  table.note("nag_limit", "largest distance to the limit equation up to t = 4");
+  table.note("mirror", "largest ratio of f - f* to its bound on the simplex, entropy");
+  const DiagonalQuartic f;
+  const auto row = [&](const char* variant, const char* parameter, double setting, const Followed& s,
+                       double gradients_per_step) {
+    table.row(variant, parameter, setting, s.first > 0 ? s.first : unknown,
+              s.confirmed ? s.sustained() : unknown, gradients_per_step, unknown,
+              s.diverged    ? "diverges"
+              : s.confirmed ? "converges"
+                            : "at the cap");
+  };
+  const long cap = frame.quick ? 160'000 : 1'600'000;
+  table.note("cap", cap);
+  for (double factor : {1.0, 10.0, 100.0, 1000.0}) {
+    row("type_2", "h", factor, proximal(f, false, factor * 2.4e-4, cap), 1.0);
+    row("type_3", "h", factor, proximal(f, true, factor * 2.4e-4, cap), 1.0);
+  }
+  for (double factor : {1.0, 10.0, 100.0, 1000.0})
+    row("proximal_points", "h", factor, proximal_points(f, factor * 2.4e-4, cap), 1.0);
+  row("kick_first", "direct", 9.7e-4, kicked_first(BregmanFamily::direct(4.0), 9.7e-4, cap), 1.0);
+  row("kick_first", "adaptive", 2.4e-4, kicked_first(BregmanFamily::adaptive(4.0, 1.0), 2.4e-4, cap), 1.0);
+  for (double omega : {0.0, 1e-4, 1e-2, 1.0, 100.0})
+    row("binding", "omega", omega, bound(f, omega, 9.7e-4, cap), omega == 0.0 ? 1.0 : 3.0);
+  for (double h : {1e-2, 2.5e-3, 6.25e-4, 1.5625e-4})
+    table.row("nag_limit", "h", h, unknown, unknown, unknown, distance_to_limit(h), "nan");
+  for (double h : {0.1, 0.01, 0.001})
+    table.row("mirror", "h", h, unknown, unknown, unknown, mirror(h), "nan");
+  frame.write(table);
 }

@@ -17,6 +17,7 @@ class Frame {
   std::string name;                ///< Stem of the executable, of its data file and of its figure.
   std::filesystem::path output;    ///< Folder of the data files.
   bool quick = false;              ///< A shortened run for tests: same columns, fewer or shorter rows.
+  bool longer = false;             ///< The longer run that the call of experiment() in CMake names.
   mutable bool line_open = false;  ///< A progress line is shown on the terminal.
 
   /// A table that begins with the provenance lines (experiment, commit, compiler, flags, libraries, machine,
@@ -38,16 +39,14 @@ struct Option {
   std::string description;
 };
 
-/// main() of an experiment. @param shows the text for --help: AVI_SHOWS, the sentence in its CMakeLists.txt
-/// @param options the experiment's own options @param body computes, then writes its tables last
+/// Defined by each experiment: computes, then writes its tables last. common/main.cpp calls it.
+void conduct(Frame& frame);
+
+/// main() of a program with a frame. @param shows the text for --help @param options the program's own
+/// @param body computes, then writes its tables last
 /// @return the exit status: 0; 2 for bad options, or a file or folder that cannot be read or written, with
 /// one sentence on stderr and no incomplete file; 1 for a run that failed
 int run(int argc, char** argv, const std::string& shows, const std::vector<Option>& options,
         const std::function<void(Frame&)>& body);
-
-/// The same for an experiment without options of its own.
-inline int run(int argc, char** argv, const std::string& shows, const std::function<void(Frame&)>& body) {
-  return run(argc, argv, shows, {}, body);
-}
 
 }  // namespace experiment

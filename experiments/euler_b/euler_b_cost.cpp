@@ -30,41 +30,36 @@ std::map<std::string, std::vector<double>> nanoseconds_per_step(double eccentric
 
 }  // namespace
 
-int main(int argc, char** argv) {
+void experiment::conduct(Frame& frame) {
   constexpr double eccentricity = 0.9;
-  bool full = false;
-  const std::vector<Option> options{
-      {"--long", &full, "Also the fourth-root monitor at 1e-4 and 1e-5 (some 2e8 steps)"}};
-  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
-    const double horizon = frame.quick ? 50.0 : 100.0;
-    std::vector<std::pair<std::string, double>> cells;
-    for (double target : {1e-2, 1e-3, 1e-4})
-      for (const char* monitor : {"none", "truncation", "truncation_root", "arclength", "norm_squared"})
-        if (full || target > 5e-4 || std::string(monitor) != "truncation_root")
-          cells.emplace_back(monitor, target);
-    for (const char* monitor : {"truncation", "arclength", "norm_squared"})
-      cells.emplace_back(monitor, 1e-5);
-    if (full) cells.emplace_back("truncation_root", 1e-5);
-    if (frame.quick) cells.resize(10);
+  const double horizon = frame.quick ? 50.0 : 100.0;
+  std::vector<std::pair<std::string, double>> cells;
+  for (double target : {1e-2, 1e-3, 1e-4})
+    for (const char* monitor : {"none", "truncation", "truncation_root", "arclength", "norm_squared"})
+      if (frame.longer || target > 5e-4 || std::string(monitor) != "truncation_root")
+        cells.emplace_back(monitor, target);
+  for (const char* monitor : {"truncation", "arclength", "norm_squared"})
+    cells.emplace_back(monitor, 1e-5);
+  if (frame.longer) cells.emplace_back("truncation_root", 1e-5);
+  if (frame.quick) cells.resize(10);
 
-    Table out = frame.table({"method", "monitor", "h", "tol", "horizon", "target", "energy_error",
-                             "angular_momentum_error", "steps", "seconds"});
-    out.note("eccentricity", eccentricity);
-    out.note("seconds", "with both errors watched at every step");
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const auto& [monitor, target] = cells[i];
-      frame.progress(monitor + " at " + rounded(target), i, cells.size());
-      const auto setting = calibrated_euler_b(monitor, eccentricity, target, 20.0);
-      const auto r = run_euler_b(setting, eccentricity, horizon);
-      out.row("symplectic_euler_b", monitor, setting.h, setting.tol, horizon, target, r.energy_error,
-              r.angular_momentum_error, r.steps, rounded(r.seconds));
-    }
-    Table each = frame.table({"method", "monitor", "round", "nanoseconds"});
-    each.note("nanoseconds", "of one step, both errors watched; in a round every monitor runs once");
-    for (const auto& [monitor, samples] : nanoseconds_per_step(eccentricity))
-      for (std::size_t i = 0; i < samples.size(); ++i)
-        each.row("symplectic_euler_b", monitor, i + 1, rounded(samples[i], 4));
-    frame.write(each, "rounds");
-    frame.write(out);
-  });
+  Table out = frame.table({"method", "monitor", "h", "tol", "horizon", "target", "energy_error",
+                           "angular_momentum_error", "steps", "seconds"});
+  out.note("eccentricity", eccentricity);
+  out.note("seconds", "with both errors watched at every step");
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto& [monitor, target] = cells[i];
+    frame.progress(monitor + " at " + rounded(target), i, cells.size());
+    const auto setting = calibrated_euler_b(monitor, eccentricity, target, 20.0);
+    const auto r = run_euler_b(setting, eccentricity, horizon);
+    out.row("symplectic_euler_b", monitor, setting.h, setting.tol, horizon, target, r.energy_error,
+            r.angular_momentum_error, r.steps, rounded(r.seconds));
+  }
+  Table each = frame.table({"method", "monitor", "round", "nanoseconds"});
+  each.note("nanoseconds", "of one step, both errors watched; in a round every monitor runs once");
+  for (const auto& [monitor, samples] : nanoseconds_per_step(eccentricity))
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      each.row("symplectic_euler_b", monitor, i + 1, rounded(samples[i], 4));
+  frame.write(each, "rounds");
+  frame.write(out);
 }

@@ -102,21 +102,19 @@ double equal_work() {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
-    const long periods = frame.quick ? 1000 : 10'000;
-    Table table = frame.table({"method", "monitor", "periods", "energy_error"});
-    const double h = fictive_period() / steps_per_orbit, last = static_cast<double>(periods);
-    const State2 start = avi::Kepler::pericentre(eccentricity);
-    run_steps(avi::poincare(avi::Kepler(), start, monitor), Record(table, "collocation", "r^1.5", last),
-              [h](const State2&) { return h; });
-    run_steps(avi::poincare(avi::Kepler(), start), Record(table, "naive", "r^1.5", last),
-              [h](const State2& z) { return h * monitor(z.q); });
-    const double tolerance = equal_work();
-    Record record(table, "error_controlled", "none", last);
-    const long steps = controlled(tolerance, [&](const State2& z) { return record(z); });
-    fmt::print("{} steps an orbit; the error-controlled run takes {:.1f} with the tolerance {:.2e}.\n",
-               steps_per_orbit, steps / last, tolerance);
-    frame.write(table);
-  });
+void experiment::conduct(Frame& frame) {
+  const long periods = frame.quick ? 1000 : 10'000;
+  Table table = frame.table({"method", "monitor", "periods", "energy_error"});
+  const double h = fictive_period() / steps_per_orbit, last = static_cast<double>(periods);
+  const State2 start = avi::Kepler::pericentre(eccentricity);
+  run_steps(avi::poincare(avi::Kepler(), start, monitor), Record(table, "collocation", "r^1.5", last),
+            [h](const State2&) { return h; });
+  run_steps(avi::poincare(avi::Kepler(), start), Record(table, "naive", "r^1.5", last),
+            [h](const State2& z) { return h * monitor(z.q); });
+  const double tolerance = equal_work();
+  Record record(table, "error_controlled", "none", last);
+  const long steps = controlled(tolerance, [&](const State2& z) { return record(z); });
+  fmt::print("{} steps an orbit; the error-controlled run takes {:.1f} with the tolerance {:.2e}.\n",
+             steps_per_orbit, steps / last, tolerance);
+  frame.write(table);
 }

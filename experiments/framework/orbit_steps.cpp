@@ -56,21 +56,19 @@ void add(Table& table, Table& summary, const char* name, const G& monitor, Value
 
 }  // namespace
 
-int main(int argc, char** argv) {
+void experiment::conduct(Frame& frame) {
   constexpr long steps = 36;  // of an orbit
-  return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
-    Table table = frame.table({"monitor", "step", "q_1", "q_2", "t"});
-    Table summary = frame.table({"monitor", "steps", "h", "energy_error"});
-    summary.note("eccentricity", eccentricity);
-    const auto power = [](double exponent) {
-      return [exponent](const State2& z) { return std::pow(z.q.norm(), exponent); };
-    };
-    add(
-        table, summary, "none", avi::Unit{}, [](const State2&) { return 1.0; }, steps);
-    add(table, summary, "r", avi::Gamma{0.5}, power(1.0), steps);
-    add(table, summary, "r^1.5", avi::Gamma{0.75}, power(1.5), steps);
-    add(table, summary, "r^2", avi::Gamma{1.0}, power(2.0), steps);
-    frame.write(summary, "summary");
-    frame.write(table);
-  });
+  Table table = frame.table({"monitor", "step", "q_1", "q_2", "t"});
+  Table summary = frame.table({"monitor", "steps", "h", "energy_error"});
+  summary.note("eccentricity", eccentricity);
+  const auto power = [](double exponent) {
+    return [exponent](const State2& z) { return std::pow(z.q.norm(), exponent); };
+  };
+  add(
+      table, summary, "none", avi::Unit{}, [](const State2&) { return 1.0; }, steps);
+  add(table, summary, "r", avi::Gamma{0.5}, power(1.0), steps);
+  add(table, summary, "r^1.5", avi::Gamma{0.75}, power(1.5), steps);
+  add(table, summary, "r^2", avi::Gamma{1.0}, power(2.0), steps);
+  frame.write(summary, "summary");
+  frame.write(table);
 }

@@ -1,5 +1,3 @@
 #include "kepler/table.hpp"
 
-int main(int argc, char** argv) {
-  return experiment::kepler_table(argc, argv, AVI_SHOWS, experiment::table1());
-}
+void experiment::conduct(Frame& frame) { kepler_table(frame, table1()); }

@@ -46,43 +46,41 @@ KeplerRun verlet_run(const KeplerTable& table) {
 
 }  // namespace
 
-int kepler_table(int argc, char** argv, const std::string& shows, const KeplerTable& table) {
-  return run(argc, argv, shows, [&](Frame& frame) {
-    std::vector<KeplerRun> runs;
-    for (const char* construction : {"authors", "printed"})
-      for (auto& run : htvi4_runs(construction, table))
-        runs.push_back(std::move(run));
-    for (auto& run : stationary_runs(table))
+void kepler_table(Frame& frame, const KeplerTable& table) {
+  std::vector<KeplerRun> runs;
+  for (const char* construction : {"authors", "printed"})
+    for (auto& run : htvi4_runs(construction, table))
       runs.push_back(std::move(run));
-    runs.push_back(verlet_run(table));
+  for (auto& run : stationary_runs(table))
+    runs.push_back(std::move(run));
+  runs.push_back(verlet_run(table));
 
-    std::vector<KeplerResult> results;
-    for (const auto& run : runs) {
-      frame.progress(run.name.construction + " " + run.row.monitor, results.size(), runs.size() + 1.0);
-      results.push_back(run.measure());
-    }
-    frame.progress("timing", 0.95);
-    std::vector<std::function<void()>> works;
-    for (const auto& run : runs)
-      works.push_back([&run] { run.run(); });
-    const auto times = interleaved_least_seconds(works, frame.quick ? 1 : table.rounds);
+  std::vector<KeplerResult> results;
+  for (const auto& run : runs) {
+    frame.progress(run.name.construction + " " + run.row.monitor, results.size(), runs.size() + 1.0);
+    results.push_back(run.measure());
+  }
+  frame.progress("timing", 0.95);
+  std::vector<std::function<void()>> works;
+  for (const auto& run : runs)
+    works.push_back([&run] { run.run(); });
+  const auto times = interleaved_least_seconds(works, frame.quick ? 1 : table.rounds);
 
-    Table out =
-        frame.table({"method", "construction", "r", "rule", "monitor", "h", "g_min", "g_max", "min_step",
-                     "max_step", "energy_error", "global_error", "global_error_shifted", "steps", "seconds"});
-    out.note("eccentricity", table.eccentricity);
-    out.note("horizon", table.horizon);
-    out.note("rounds", table.rounds);
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      const KeplerRow& row = runs[i].row;
-      const KeplerResult& r = results[i];
-      const HtviName& name = runs[i].name;
-      out.row(name.method, name.construction, name.r, name.rule, row.monitor, row.h, row.a, row.b, r.min_step,
-              r.max_step, r.energy_error, r.global_error,
-              name.method == "stormer_verlet" ? r.global_error_shifted : unknown, r.steps, rounded(times[i]));
-    }
-    frame.write(out);
-  });
+  Table out =
+      frame.table({"method", "construction", "r", "rule", "monitor", "h", "g_min", "g_max", "min_step",
+                   "max_step", "energy_error", "global_error", "global_error_shifted", "steps", "seconds"});
+  out.note("eccentricity", table.eccentricity);
+  out.note("horizon", table.horizon);
+  out.note("rounds", table.rounds);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const KeplerRow& row = runs[i].row;
+    const KeplerResult& r = results[i];
+    const HtviName& name = runs[i].name;
+    out.row(name.method, name.construction, name.r, name.rule, row.monitor, row.h, row.a, row.b, r.min_step,
+            r.max_step, r.energy_error, r.global_error,
+            name.method == "stormer_verlet" ? r.global_error_shifted : unknown, r.steps, rounded(times[i]));
+  }
+  frame.write(out);
 }
 
 }  // namespace experiment

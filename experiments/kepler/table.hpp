@@ -74,7 +74,7 @@ std::vector<KeplerRun> htvi4_runs(const std::string& construction, const KeplerT
 /// has order 8; with Simpson's rule, order 4; and r = 1 with two Gauss nodes, order 4.
 std::vector<KeplerRun> stationary_runs(const KeplerTable& table);
 
-/// main() of kepler_e090 and kepler_e099.
-int kepler_table(int argc, char** argv, const std::string& shows, const KeplerTable& table);
+/// The experiments kepler_e090 and kepler_e099.
+void kepler_table(Frame& frame, const KeplerTable& table);
 
 }  // namespace experiment

@@ -117,44 +117,41 @@ Cost small(int memory) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
-    // Memory that was given back is used again: fresh pages take the system longer than what is measured.
-    mallopt(M_MMAP_MAX, 0);
-    mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-    Table table =
-        frame.table({"objective", "dimension", "memory", "evaluation_seconds", "own_seconds",
-                     "evaluations_per_iteration", "own_in_evaluations", "vectors_read", "vectors_written",
-                     "read_seconds", "update_seconds", "own_over_needed", "peak_vectors"});
-    table.note(
-        "own_seconds",
-        "of one iteration, the objective left out; the least of twice seven, of forty rounds at d = 50");
-    table.note("update_seconds", "to read a vector and write it in place; read_seconds: to read it");
-    table.note("own_over_needed", "own_seconds over the time to read and write the vectors that an iteration "
-                                  "needs, by loops that do nothing else");
-    table.note("peak_vectors", "memory of a run in units of x, the caller's x0 left out");
+void experiment::conduct(Frame& frame) {
+  // Memory that was given back is used again: fresh pages take the system longer than what is measured.
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+  Table table =
+      frame.table({"objective", "dimension", "memory", "evaluation_seconds", "own_seconds",
+                   "evaluations_per_iteration", "own_in_evaluations", "vectors_read", "vectors_written",
+                   "read_seconds", "update_seconds", "own_over_needed", "peak_vectors"});
+  table.note("own_seconds",
+             "of one iteration, the objective left out; the least of twice seven, of forty rounds at d = 50");
+  table.note("update_seconds", "to read a vector and write it in place; read_seconds: to read it");
+  table.note("own_over_needed", "own_seconds over the time to read and write the vectors that an iteration "
+                                "needs, by loops that do nothing else");
+  table.note("peak_vectors", "memory of a run in units of x, the caller's x0 left out");
+  for (int memory : {0, 7}) {
+    frame.progress("d = 50", 0.0);
+    const Cost cost = small(memory);
+    table.row("quartic", 50, memory, cost.evaluation, cost.iteration, cost.evaluations,
+              cost.iteration / cost.evaluation, unknown, unknown, unknown, unknown, unknown, unknown);
+  }
+  for (double n : {1e5, 1e7}) {
+    if (frame.quick && n > 1e6) continue;
+    const auto size = static_cast<Eigen::Index>(n);
+    const Stream stream(size);
     for (int memory : {0, 7}) {
-      frame.progress("d = 50", 0.0);
-      const Cost cost = small(memory);
-      table.row("quartic", 50, memory, cost.evaluation, cost.iteration, cost.evaluations,
-                cost.iteration / cost.evaluation, unknown, unknown, unknown, unknown, unknown, unknown);
+      frame.progress("large d", 0.5);
+      const Cost cost = at_scale(size, memory);
+      // trial: x, d, out; products with d: g, d; next point: x, g, g_t, d, out: x, g and a pair; next
+      // d: g, d, out; or twice the pairs and g, out: d; masses: twice a pair and they, out: they
+      const double read = memory == 0 ? 10.0 : 15.0 + 4.0 * memory, written = memory == 0 ? 4.0 : 7.0;
+      const double needed = (read - written) * stream.read + written * stream.update;
+      table.row("quadratic", n, memory, cost.evaluation, cost.iteration, cost.evaluations,
+                cost.iteration / cost.evaluation, read, written, stream.read, stream.update,
+                cost.iteration / needed, n > 1e6 ? cost.vectors : unknown);
     }
-    for (double n : {1e5, 1e7}) {
-      if (frame.quick && n > 1e6) continue;
-      const auto size = static_cast<Eigen::Index>(n);
-      const Stream stream(size);
-      for (int memory : {0, 7}) {
-        frame.progress("large d", 0.5);
-        const Cost cost = at_scale(size, memory);
-        // trial: x, d, out; products with d: g, d; next point: x, g, g_t, d, out: x, g and a pair; next
-        // d: g, d, out; or twice the pairs and g, out: d; masses: twice a pair and they, out: they
-        const double read = memory == 0 ? 10.0 : 15.0 + 4.0 * memory, written = memory == 0 ? 4.0 : 7.0;
-        const double needed = (read - written) * stream.read + written * stream.update;
-        table.row("quadratic", n, memory, cost.evaluation, cost.iteration, cost.evaluations,
-                  cost.iteration / cost.evaluation, read, written, stream.read, stream.update,
-                  cost.iteration / needed, n > 1e6 ? cost.vectors : unknown);
-      }
-    }
-    frame.write(table);
-  });
+  }
+  frame.write(table);
 }

@@ -28,67 +28,65 @@ double lyapunov(const avi::BregmanFamily& family, const CorrelatedQuartic& f, co
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
-    Table table = frame.table({"p", "t_end", "value", "bound", "largest_ratio", "largest_rise_of_E",
-                               "fitted_rate", "gradient_evaluations", "outcome"});
-    table.note("largest_ratio", "of f - f* to its bound E(t_0) / (C t^p), over the run");
-    table.note("fitted_rate", "exponent of t of the upper envelope of f, over the last decade of f's fall");
-    Table curves = frame.table({"p", "t", "value", "most", "bound", "E"});
-    const CorrelatedQuartic f;
-    for (double p : {2.0, 4.0, 6.0, 10.0}) {
-      const auto family = avi::BregmanFamily::direct(p);
-      const avi::BregmanStart from;
-      avi::Iterate first{.x = f.start(), .gradient = avi::VectorX::Zero(f.size())};
-      avi::Counted<CorrelatedQuartic> objective(f, f.size());
-      first.evaluate(objective);
-      BregmanRungeKuttaState<avi::DormandPrince> state(first, family, from, 1e-6);
-      const avi::StepControl control{.rtol = 1e-11, .atol = 1e-11};
-      const Eigen::Index n = f.size();
-      const double start_energy = lyapunov(family, f, state.z.head(n), state.z.segment(n, n), from.t);
-      const double floor = frame.quick ? 1e-2 : 1e-8;
-      double energy = start_energy, rise = 0.0, ratio = 0.0, next = 1.0, most = 0.0, most_at = 1.0;
-      std::vector<double> times, envelope;  // largest f in each interval in which t grows by 1 %
-      const auto field = [&](const avi::VectorX& z, avi::VectorX& dz) {
-        state.field.evaluate(objective, z, dz);
-      };
-      avi::Outcome outcome = avi::Outcome::step_limit;
-      double value = first.value;
-      for (long k = 0; k < 400'000 && outcome == avi::Outcome::step_limit; ++k) {
-        field(state.z, state.stages.k[0]);
-        if (avi::controlled_step(state.stages, field, state.z, state.h, control) == 0.0) {
-          outcome = avi::Outcome::not_converged;
-          break;
-        }
-        state.z.swap(state.stages.end);
-        const double t = state.z[2 * n];
-        value = f.value(state.z.head(n));
-        const double now = lyapunov(family, f, state.z.head(n), state.z.segment(n, n), t);
-        rise = std::max(rise, (now - energy) / start_energy);
-        energy = now;
-        const double bound = start_energy / (family.C * std::pow(t, p));
-        ratio = std::max(ratio, value / bound);
-        if (value > most) most = value, most_at = t;
-        if (t >= next) {
-          curves.row(p, t, value, most, bound, now);
-          times.push_back(most_at);
-          envelope.push_back(most);
-          next = t * 1.01;
-          most = 0.0;
-          if (envelope.back() < floor) outcome = avi::Outcome::ok;
-        }
+void experiment::conduct(Frame& frame) {
+  Table table = frame.table({"p", "t_end", "value", "bound", "largest_ratio", "largest_rise_of_E",
+                             "fitted_rate", "gradient_evaluations", "outcome"});
+  table.note("largest_ratio", "of f - f* to its bound E(t_0) / (C t^p), over the run");
+  table.note("fitted_rate", "exponent of t of the upper envelope of f, over the last decade of f's fall");
+  Table curves = frame.table({"p", "t", "value", "most", "bound", "E"});
+  const CorrelatedQuartic f;
+  for (double p : {2.0, 4.0, 6.0, 10.0}) {
+    const auto family = avi::BregmanFamily::direct(p);
+    const avi::BregmanStart from;
+    avi::Iterate first{.x = f.start(), .gradient = avi::VectorX::Zero(f.size())};
+    avi::Counted<CorrelatedQuartic> objective(f, f.size());
+    first.evaluate(objective);
+    BregmanRungeKuttaState<avi::DormandPrince> state(first, family, from, 1e-6);
+    const avi::StepControl control{.rtol = 1e-11, .atol = 1e-11};
+    const Eigen::Index n = f.size();
+    const double start_energy = lyapunov(family, f, state.z.head(n), state.z.segment(n, n), from.t);
+    const double floor = frame.quick ? 1e-2 : 1e-8;
+    double energy = start_energy, rise = 0.0, ratio = 0.0, next = 1.0, most = 0.0, most_at = 1.0;
+    std::vector<double> times, envelope;  // largest f in each interval in which t grows by 1 %
+    const auto field = [&](const avi::VectorX& z, avi::VectorX& dz) {
+      state.field.evaluate(objective, z, dz);
+    };
+    avi::Outcome outcome = avi::Outcome::step_limit;
+    double value = first.value;
+    for (long k = 0; k < 400'000 && outcome == avi::Outcome::step_limit; ++k) {
+      field(state.z, state.stages.k[0]);
+      if (avi::controlled_step(state.stages, field, state.z, state.h, control) == 0.0) {
+        outcome = avi::Outcome::not_converged;
+        break;
       }
-      std::vector<double> late, last;  // the part of the envelope within a factor of 1e4 of its end
-      for (std::size_t i = 0; i < envelope.size(); ++i)
-        if (envelope[i] < 1e4 * envelope.back()) {
-          late.push_back(times[i]);
-          last.push_back(envelope[i]);
-        }
+      state.z.swap(state.stages.end);
       const double t = state.z[2 * n];
-      table.row(p, t, value, start_energy / (family.C * std::pow(t, p)), ratio, rise,
-                power_law(late, last).slope, objective.gradients, avi::name(outcome));
+      value = f.value(state.z.head(n));
+      const double now = lyapunov(family, f, state.z.head(n), state.z.segment(n, n), t);
+      rise = std::max(rise, (now - energy) / start_energy);
+      energy = now;
+      const double bound = start_energy / (family.C * std::pow(t, p));
+      ratio = std::max(ratio, value / bound);
+      if (value > most) most = value, most_at = t;
+      if (t >= next) {
+        curves.row(p, t, value, most, bound, now);
+        times.push_back(most_at);
+        envelope.push_back(most);
+        next = t * 1.01;
+        most = 0.0;
+        if (envelope.back() < floor) outcome = avi::Outcome::ok;
+      }
     }
-    frame.write(curves, "curves");
-    frame.write(table);
-  });
+    std::vector<double> late, last;  // the part of the envelope within a factor of 1e4 of its end
+    for (std::size_t i = 0; i < envelope.size(); ++i)
+      if (envelope[i] < 1e4 * envelope.back()) {
+        late.push_back(times[i]);
+        last.push_back(envelope[i]);
+      }
+    const double t = state.z[2 * n];
+    table.row(p, t, value, start_energy / (family.C * std::pow(t, p)), ratio, rise,
+              power_law(late, last).slope, objective.gradients, avi::name(outcome));
+  }
+  frame.write(curves, "curves");
+  frame.write(table);
 }

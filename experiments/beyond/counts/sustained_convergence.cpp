@@ -19,24 +19,22 @@ void add_curve(Table& curves, const Setting& s, long first_passage) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
-    Table table = frame.table({"method", "approach", "p", "p_ring", "h", "first_passage", "sustained",
-                               "ratio", "value_at_first_passage", "rebound", "confirmed", "outcome"});
-    table.note("delta", 1e-10);
-    table.note("sustained", "first iteration from which the test holds until the run is twice as long");
-    table.note("rebound", "largest f within the 5 % of iterations after the first passage");
-    Table curves = frame.table(Curve::columns_after({"curve", "approach", "first_passage"}));
-    const CorrelatedQuartic f;
-    each_setting(frame, all_settings(), [&](const Setting& s, bool) {
-      Sustained seen;
-      const auto result = run_setting(s, f, f.start(), {.delta = 0.0, .iterations = seen.cap}, seen);
-      table.row(s.method, s.approach(), s.p, s.p_ring_or_nan(), s.h, seen.first, seen.sustained(),
-                1.0 * seen.sustained() / seen.first, seen.at_first, seen.rebound, seen.confirmed,
-                avi::name(result.outcome));
-      if (s.method == "htvi" && s.p == 4 && (s.h == 8e-4 || s.h == 2.4e-4)) add_curve(curves, s, seen.first);
-    });
-    frame.write(curves, "curves");
-    frame.write(table);
+void experiment::conduct(Frame& frame) {
+  Table table = frame.table({"method", "approach", "p", "p_ring", "h", "first_passage", "sustained", "ratio",
+                             "value_at_first_passage", "rebound", "confirmed", "outcome"});
+  table.note("delta", 1e-10);
+  table.note("sustained", "first iteration from which the test holds until the run is twice as long");
+  table.note("rebound", "largest f within the 5 % of iterations after the first passage");
+  Table curves = frame.table(Curve::columns_after({"curve", "approach", "first_passage"}));
+  const CorrelatedQuartic f;
+  each_setting(frame, all_settings(), [&](const Setting& s, bool) {
+    Sustained seen;
+    const auto result = run_setting(s, f, f.start(), {.delta = 0.0, .iterations = seen.cap}, seen);
+    table.row(s.method, s.approach(), s.p, s.p_ring_or_nan(), s.h, seen.first, seen.sustained(),
+              1.0 * seen.sustained() / seen.first, seen.at_first, seen.rebound, seen.confirmed,
+              avi::name(result.outcome));
+    if (s.method == "htvi" && s.p == 4 && (s.h == 8e-4 || s.h == 2.4e-4)) add_curve(curves, s, seen.first);
   });
+  frame.write(curves, "curves");
+  frame.write(table);
 }

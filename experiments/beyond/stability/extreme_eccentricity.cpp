@@ -126,20 +126,18 @@ void survey(Frame& frame, Table& table, const Subject& subject) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
-    Table table =
-        frame.table({"method", "monitor", "precision", "bounded", "eccentricity", "closeness", "h",
-                     "steps_per_orbit", "energy_error", "phase_error", "predicted_exponent", "beyond"});
-    table.note("h", "largest step that holds |H - H_0| / |H_0| below 1e-2 for three periods and ends within "
-                    "0.1 rad of the exact mean longitude, known to 2 %");
-    table.note("closeness", "1 - eccentricity");
-    table.note("beyond", "how the run with the next larger step ends; nan: none failed");
-    const auto all = subjects();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      frame.progress(all[i].method + " " + all[i].monitor, i, all.size());
-      survey(frame, table, all[i]);
-    }
-    frame.write(table);
-  });
+void experiment::conduct(Frame& frame) {
+  Table table =
+      frame.table({"method", "monitor", "precision", "bounded", "eccentricity", "closeness", "h",
+                   "steps_per_orbit", "energy_error", "phase_error", "predicted_exponent", "beyond"});
+  table.note("h", "largest step that holds |H - H_0| / |H_0| below 1e-2 for three periods and ends within "
+                  "0.1 rad of the exact mean longitude, known to 2 %");
+  table.note("closeness", "1 - eccentricity");
+  table.note("beyond", "how the run with the next larger step ends; nan: none failed");
+  const auto all = subjects();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    frame.progress(all[i].method + " " + all[i].monitor, i, all.size());
+    survey(frame, table, all[i]);
+  }
+  frame.write(table);
 }

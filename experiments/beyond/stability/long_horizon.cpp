@@ -71,40 +71,36 @@ std::vector<Subject> subjects() {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  bool extremes = false;
-  const std::vector<Option> options{{"--extremes", &extremes, "A million periods"}};
-  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
-    const long periods = frame.quick ? 100 : extremes ? 1'000'000 : 1000;
-    Table table = frame.table({"method", "monitor", "h", "periods", "energy_error", "momentum_error",
-                               "phase_error", "energy_now"}),
-          laws = frame.table({"method", "energy", "momentum", "phase"});
-    table.note("eccentricity", eccentricity);
-    table.note("errors",
-               "largest relative ones of energy and angular momentum up to then; mean longitude in radians");
-    table.note("energy_now", "at the row's apocentre; rounding moves g (H + p^t), so that H moves by it over "
-                             "g and most at the pericentre");
-    laws.note("laws", "power of time with which an error grows in the last 1.5 decades");
-    for (const Subject& s : subjects()) {
-      const long end = std::clamp(std::lround(s.reach * periods), 10L, std::max(periods, 1'000'000L));
-      Progress at;
-      std::vector<Progress> marks;
-      for (double goal = 1.0; at.periods < end; goal *= std::pow(10.0, 0.125)) {
-        const long next = std::min(std::lround(goal), end);
-        if (next <= at.periods) continue;
-        frame.progress(s.method, at.periods, end);
-        const avi::Run run = advance(s, at, next);
-        if (run.outcome != avi::Outcome::stopped)
-          throw std::runtime_error(s.method + ": " +
-                                   (run.message.empty() ? "too few turns in that time" : run.message));
-        marks.push_back(at);
-        table.row(s.method, s.monitor, s.h, at.periods, at.energy_error, at.momentum_error, at.phase_error,
-                  at.energy_now);
-      }
-      laws.row(s.method, growth(marks, &Progress::energy_error), growth(marks, &Progress::momentum_error),
-               growth(marks, &Progress::phase_error));
+void experiment::conduct(Frame& frame) {
+  const long periods = frame.quick ? 100 : frame.longer ? 1'000'000 : 1000;
+  Table table = frame.table({"method", "monitor", "h", "periods", "energy_error", "momentum_error",
+                             "phase_error", "energy_now"}),
+        laws = frame.table({"method", "energy", "momentum", "phase"});
+  table.note("eccentricity", eccentricity);
+  table.note("errors",
+             "largest relative ones of energy and angular momentum up to then; mean longitude in radians");
+  table.note("energy_now", "at the row's apocentre; rounding moves g (H + p^t), so that H moves by it over "
+                           "g and most at the pericentre");
+  laws.note("laws", "power of time with which an error grows in the last 1.5 decades");
+  for (const Subject& s : subjects()) {
+    const long end = std::clamp(std::lround(s.reach * periods), 10L, std::max(periods, 1'000'000L));
+    Progress at;
+    std::vector<Progress> marks;
+    for (double goal = 1.0; at.periods < end; goal *= std::pow(10.0, 0.125)) {
+      const long next = std::min(std::lround(goal), end);
+      if (next <= at.periods) continue;
+      frame.progress(s.method, at.periods, end);
+      const avi::Run run = advance(s, at, next);
+      if (run.outcome != avi::Outcome::stopped)
+        throw std::runtime_error(s.method + ": " +
+                                 (run.message.empty() ? "too few turns in that time" : run.message));
+      marks.push_back(at);
+      table.row(s.method, s.monitor, s.h, at.periods, at.energy_error, at.momentum_error, at.phase_error,
+                at.energy_now);
     }
-    frame.write(laws, "laws");
-    frame.write(table);
-  });
+    laws.row(s.method, growth(marks, &Progress::energy_error), growth(marks, &Progress::momentum_error),
+             growth(marks, &Progress::phase_error));
+  }
+  frame.write(laws, "laws");
+  frame.write(table);
 }

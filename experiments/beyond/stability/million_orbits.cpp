@@ -123,63 +123,57 @@ std::vector<Subject> subjects() {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  bool extremes = false;
-  const std::vector<Option> options{{"--extremes", &extremes, "A million periods, a quarter of an hour"}};
-  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
-    const long periods = frame.quick ? 1000 : extremes ? 1'000'000 : 10'000;
-    Table table = frame.table({"method", "start", "eccentricity", "periods", "energy_error"});
-    Table growth = frame.table({"method", "periods", "energy_error", "mean"});
-    Table summary = frame.table({"method", "starts", "periods", "energy_error", "exponent", "standard_error",
-                                 "exponent_before", "exponent_after", "random", "bias", "seconds_per_orbit"});
-    table.note("energy_error",
-               "|H / H_0 - 1| of the first state after the milestone beyond the mean distance");
-    growth.note("energy_error", "root mean square over the starts");
-    growth.note("mean", "mean of H / H_0 - 1 over the starts");
-    summary.note("exponent", "power of time of the root mean square, from ten periods on");
-    summary.note("exponent_before, exponent_after", "the same up to 562 periods and from there on");
-    summary.note("random, bias",
-                 "of sqrt(random^2 t + bias^2 t^2), t in periods, fitted from ten periods on");
-    double done = 0.0;
-    for (const Subject& subject : subjects()) {
-      const double last = 1.001 * subject.reach * static_cast<double>(periods);
-      std::vector<long> milestones;
-      for (double mark = 1.0; mark < last; mark *= std::pow(10.0, 0.25))
-        if (milestones.empty() || std::lround(mark) > milestones.back())
-          milestones.push_back(std::lround(mark));
-      std::vector<double> squares(milestones.size(), 0.0), means(milestones.size(), 0.0), seconds;
-      for (int k = 0; k < starts; ++k) {
-        frame.progress(subject.method, done++, 3.0 * starts);
-        const State2 z = start(k);
-        Errors errors;
-        seconds.push_back(experiment::seconds([&] { errors = subject.run(z, milestones); }));
-        for (std::size_t i = 0; i < errors.size(); ++i) {
-          table.row(subject.method, k, 0.9 + 1e-4 * (k - 7.5), milestones[i], std::abs(errors[i]));
-          squares[i] += errors[i] * errors[i] / starts;
-          means[i] += errors[i] / starts;
-        }
+void experiment::conduct(Frame& frame) {
+  const long periods = frame.quick ? 1000 : frame.longer ? 1'000'000 : 10'000;
+  Table table = frame.table({"method", "start", "eccentricity", "periods", "energy_error"});
+  Table growth = frame.table({"method", "periods", "energy_error", "mean"});
+  Table summary = frame.table({"method", "starts", "periods", "energy_error", "exponent", "standard_error",
+                               "exponent_before", "exponent_after", "random", "bias", "seconds_per_orbit"});
+  table.note("energy_error", "|H / H_0 - 1| of the first state after the milestone beyond the mean distance");
+  growth.note("energy_error", "root mean square over the starts");
+  growth.note("mean", "mean of H / H_0 - 1 over the starts");
+  summary.note("exponent", "power of time of the root mean square, from ten periods on");
+  summary.note("exponent_before, exponent_after", "the same up to 562 periods and from there on");
+  summary.note("random, bias", "of sqrt(random^2 t + bias^2 t^2), t in periods, fitted from ten periods on");
+  double done = 0.0;
+  for (const Subject& subject : subjects()) {
+    const double last = 1.001 * subject.reach * static_cast<double>(periods);
+    std::vector<long> milestones;
+    for (double mark = 1.0; mark < last; mark *= std::pow(10.0, 0.25))
+      if (milestones.empty() || std::lround(mark) > milestones.back())
+        milestones.push_back(std::lround(mark));
+    std::vector<double> squares(milestones.size(), 0.0), means(milestones.size(), 0.0), seconds;
+    for (int k = 0; k < starts; ++k) {
+      frame.progress(subject.method, done++, 3.0 * starts);
+      const State2 z = start(k);
+      Errors errors;
+      seconds.push_back(experiment::seconds([&] { errors = subject.run(z, milestones); }));
+      for (std::size_t i = 0; i < errors.size(); ++i) {
+        table.row(subject.method, k, 0.9 + 1e-4 * (k - 7.5), milestones[i], std::abs(errors[i]));
+        squares[i] += errors[i] * errors[i] / starts;
+        means[i] += errors[i] / starts;
       }
-      std::vector<double> x, y;
-      for (std::size_t i = 0; i < milestones.size(); ++i) {
-        growth.row(subject.method, milestones[i], std::sqrt(squares[i]), means[i]);
-        if (milestones[i] < 10) continue;
-        x.push_back(static_cast<double>(milestones[i]));
-        y.push_back(std::sqrt(squares[i]));
-      }
-      const auto fit = power_law(x, y);
-      const auto part = [&](bool before) {
-        std::vector<double> part_x, part_y;
-        for (std::size_t i = 0; i < x.size(); ++i)
-          if (before ? x[i] <= 562.0 : x[i] >= 562.0) part_x.push_back(x[i]), part_y.push_back(y[i]);
-        return power_law(part_x, part_y).slope;
-      };
-      const Walk fitted = walk(x, y);
-      summary.row(subject.method, starts, milestones.back(), y.back(), fit.slope, fit.standard_error,
-                  part(true), part(false), fitted.random, fitted.bias,
-                  rounded(median(seconds) / static_cast<double>(milestones.back())));
     }
-    frame.write(growth, "growth");
-    frame.write(summary, "summary");
-    frame.write(table);
-  });
+    std::vector<double> x, y;
+    for (std::size_t i = 0; i < milestones.size(); ++i) {
+      growth.row(subject.method, milestones[i], std::sqrt(squares[i]), means[i]);
+      if (milestones[i] < 10) continue;
+      x.push_back(static_cast<double>(milestones[i]));
+      y.push_back(std::sqrt(squares[i]));
+    }
+    const auto fit = power_law(x, y);
+    const auto part = [&](bool before) {
+      std::vector<double> part_x, part_y;
+      for (std::size_t i = 0; i < x.size(); ++i)
+        if (before ? x[i] <= 562.0 : x[i] >= 562.0) part_x.push_back(x[i]), part_y.push_back(y[i]);
+      return power_law(part_x, part_y).slope;
+    };
+    const Walk fitted = walk(x, y);
+    summary.row(subject.method, starts, milestones.back(), y.back(), fit.slope, fit.standard_error,
+                part(true), part(false), fitted.random, fitted.bias,
+                rounded(median(seconds) / static_cast<double>(milestones.back())));
+  }
+  frame.write(growth, "growth");
+  frame.write(summary, "summary");
+  frame.write(table);
 }

@@ -75,42 +75,40 @@ std::vector<Case> cases(bool quick) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
-    Table table = frame.table({"problem", "method", "monitor", "h", "energy_error", "h_linear",
-                               "linear_reason", "h_beyond", "beyond", "time_reached"});
-    table.note("h",
-               "largest step whose energy error stays below the bound: oscillator 1000, others 0.1; T = 300");
-    table.note("h_linear",
-               "limit of linear theory: oscillator, and Henon-Heiles in units of its frequency 1; Kepler 2 "
-               "r^1.5 / g at the pericentre, Stormer-Verlet's limit for the frequency r^-1.5");
-    table.note("linear_reason", "unstable: an eigenvalue leaves the unit circle; not_converged: the step is "
-                                "not solved; none: neither up to h = 20");
-    table.note("beyond", "how the run with h_beyond ends, with the time of its last good state");
-    const double e = 0.9;
-    const State2 kepler = avi::Kepler::pericentre(e);
-    const State2 galaxy = avi::HenonHeiles::on_section(1.0 / 12.0, 0.2, 0.0);
-    const State2 oscillator{.q = {1e-6, 0.0}, .p = {0.0, 0.0}};
-    const auto all = cases(frame.quick);
-    const auto measure = [&](const std::string& problem, const Case& c, const Method2& run,
-                             const State2& start, double bound, LinearLimit linear) {
-      const Limits limits{.time = 300.0, .steps = 2'000'000, .energy_error = bound};
-      const Largest found = largest_step(run, start, problem == "oscillator" ? 16.0 : 8.0, limits, 0.002);
-      const bool broke = found.h_beyond > 0.0;
-      table.row(problem, c.method, c.monitor, found.h, found.at.energy_error, linear.h, linear.reason,
-                found.h_beyond, broke ? found.beyond.ending() : "none", broke ? found.beyond.end.t : unknown);
-    };
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const Case& c = all[i];
-      frame.progress(c.method + " " + c.monitor, i, all.size());
-      if (c.on_henon_heiles) {
-        const LinearLimit limit = linear_limit(*c.on_henon_heiles);
-        measure("oscillator", c, *c.on_henon_heiles, oscillator, 1e3, limit);
-        measure("henon_heiles", c, *c.on_henon_heiles, galaxy, 0.1, limit);
-      }
-      measure("kepler", c, c.on_kepler, kepler, 0.1,
-              {c.monitor == "none" ? 2.0 * std::pow(1.0 - e, 1.5) : 2.0, "unstable"});
+void experiment::conduct(Frame& frame) {
+  Table table = frame.table({"problem", "method", "monitor", "h", "energy_error", "h_linear", "linear_reason",
+                             "h_beyond", "beyond", "time_reached"});
+  table.note("h",
+             "largest step whose energy error stays below the bound: oscillator 1000, others 0.1; T = 300");
+  table.note("h_linear",
+             "limit of linear theory: oscillator, and Henon-Heiles in units of its frequency 1; Kepler 2 "
+             "r^1.5 / g at the pericentre, Stormer-Verlet's limit for the frequency r^-1.5");
+  table.note("linear_reason", "unstable: an eigenvalue leaves the unit circle; not_converged: the step is "
+                              "not solved; none: neither up to h = 20");
+  table.note("beyond", "how the run with h_beyond ends, with the time of its last good state");
+  const double e = 0.9;
+  const State2 kepler = avi::Kepler::pericentre(e);
+  const State2 galaxy = avi::HenonHeiles::on_section(1.0 / 12.0, 0.2, 0.0);
+  const State2 oscillator{.q = {1e-6, 0.0}, .p = {0.0, 0.0}};
+  const auto all = cases(frame.quick);
+  const auto measure = [&](const std::string& problem, const Case& c, const Method2& run, const State2& start,
+                           double bound, LinearLimit linear) {
+    const Limits limits{.time = 300.0, .steps = 2'000'000, .energy_error = bound};
+    const Largest found = largest_step(run, start, problem == "oscillator" ? 16.0 : 8.0, limits, 0.002);
+    const bool broke = found.h_beyond > 0.0;
+    table.row(problem, c.method, c.monitor, found.h, found.at.energy_error, linear.h, linear.reason,
+              found.h_beyond, broke ? found.beyond.ending() : "none", broke ? found.beyond.end.t : unknown);
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Case& c = all[i];
+    frame.progress(c.method + " " + c.monitor, i, all.size());
+    if (c.on_henon_heiles) {
+      const LinearLimit limit = linear_limit(*c.on_henon_heiles);
+      measure("oscillator", c, *c.on_henon_heiles, oscillator, 1e3, limit);
+      measure("henon_heiles", c, *c.on_henon_heiles, galaxy, 0.1, limit);
     }
-    frame.write(table);
-  });
+    measure("kepler", c, c.on_kepler, kepler, 0.1,
+            {c.monitor == "none" ? 2.0 * std::pow(1.0 - e, 1.5) : 2.0, "unstable"});
+  }
+  frame.write(table);
 }

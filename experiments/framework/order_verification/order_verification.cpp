@@ -95,19 +95,17 @@ void add_general_problems(Table& table, bool quick) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run(argc, argv, AVI_SHOWS, [](Frame& frame) {
-    Table out = frame.table({"problem", "type", "r", "quadrature", "expected_order", "measured_order",
-                             "construction", "points", "limit_order"});
-    out.note("measured_order",
-             "slope of the final error in (q, p, t) over the step, nan with fewer than 3 usable points");
-    out.note("limit_order",
-             "slope at h = 0, extrapolated from measured_order and the slope of the four steps before");
-    double done = 0.0;
-    for (auto* add : {add_without_monitor, add_monitors, add_general_problems}) {
-      add(out, frame.quick);
-      frame.progress("cells", done++, 3.0);
-    }
-    frame.write(out);
-  });
+void experiment::conduct(Frame& frame) {
+  Table out = frame.table({"problem", "type", "r", "quadrature", "expected_order", "measured_order",
+                           "construction", "points", "limit_order"});
+  out.note("measured_order",
+           "slope of the final error in (q, p, t) over the step, nan with fewer than 3 usable points");
+  out.note("limit_order",
+           "slope at h = 0, extrapolated from measured_order and the slope of the four steps before");
+  double done = 0.0;
+  for (auto* add : {add_without_monitor, add_monitors, add_general_problems}) {
+    add(out, frame.quick);
+    frame.progress("cells", done++, 3.0);
+  }
+  frame.write(out);
 }

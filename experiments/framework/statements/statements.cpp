@@ -52,71 +52,67 @@ avi::DriftFit fitted(const std::function<double(double)>& error, double from) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return experiment::run(argc, argv, AVI_SHOWS, [](experiment::Frame& frame) {
-    experiment::Table table = frame.table({"statement", "hessian", "r", "expected", "measured", "points"});
-    table.note("problem", "H = p^2/2 + q^2/2 + q^4/4, g = 2 + q^2/2 - p^2/4, one step");
-    table.note("hessian", "whether the p-Hessian of H-bar vanishes at the start");
-    for (const bool singular : {false, true}) {
-      const Point z = start(singular);
-      const double q0 = z[0], p0 = z[2], pt = z[3];
-      const auto from = [&](double q, double p) { return Curve<double>(q, p, pt, monitor); };
-      const Curve<double> exact = from(q0, p0);
-      const std::string hessian = singular ? "singular" : "regular";
-      const auto add = [&](const char* name, int r, double expected, double largest_h,
-                           const std::function<double(double)>& error) {
-        const auto fit = fitted(error, largest_h);
-        table.row(name, hessian, r, expected, fit.slope, fit.points);
+void experiment::conduct(Frame& frame) {
+  experiment::Table table = frame.table({"statement", "hessian", "r", "expected", "measured", "points"});
+  table.note("problem", "H = p^2/2 + q^2/2 + q^4/4, g = 2 + q^2/2 - p^2/4, one step");
+  table.note("hessian", "whether the p-Hessian of H-bar vanishes at the start");
+  for (const bool singular : {false, true}) {
+    const Point z = start(singular);
+    const double q0 = z[0], p0 = z[2], pt = z[3];
+    const auto from = [&](double q, double p) { return Curve<double>(q, p, pt, monitor); };
+    const Curve<double> exact = from(q0, p0);
+    const std::string hessian = singular ? "singular" : "regular";
+    const auto add = [&](const char* name, int r, double expected, double largest_h,
+                         const std::function<double(double)>& error) {
+      const auto fit = fitted(error, largest_h);
+      table.row(name, hessian, r, expected, fit.slope, fit.points);
+    };
+    for (int r : {1, 2, 3}) {
+      const auto p_tilde = [&](double h) {
+        return root([&](double u) { return from(q0, u).p.at(h, r) - exact.p.at(h, most); }, p0);
       };
-      for (int r : {1, 2, 3}) {
-        const auto p_tilde = [&](double h) {
-          return root([&](double u) { return from(q0, u).p.at(h, r) - exact.p.at(h, most); }, p0);
-        };
-        const auto q_tilde = [&](double h) {
-          return root([&](double x) { return from(x, p0).q.at(h, r + 1) - exact.q.at(h, most); }, q0);
-        };
-        add("p~0 - p0", r, r + 1, 0.2, [&](double h) { return std::abs(p_tilde(h) - p0); });
-        add("q~0 - q0", r, r + 2, 0.2, [&](double h) { return std::abs(q_tilde(h) - q0); });
-        add("q~1 - q1", r, r + 2, 0.2,
-            [&](double h) { return std::abs(from(q0, p_tilde(h)).q.at(h, r + 1) - exact.q.at(h, most)); });
-        add("Taylor curve", r, r + 1, 0.2, [&](double h) {
-          const Curve<double> curve = from(q0, p_tilde(h));
-          double worst = 0.0;
-          for (int k = 1; k <= 8; ++k) {
-            const double tau = 0.125 * k * h;
-            worst = std::max({worst, std::abs(curve.q.at(tau, r) - exact.q.at(tau, most)),
-                              std::abs(curve.p.at(tau, r) - exact.p.at(tau, most))});
-          }
-          return worst;
-        });
-        for (const bool stationary : {false, true})
-          add(stationary ? "stationary step" : "printed step", r, (stationary ? 2 * r + 2 : r + 1) + 1, 0.25,
-              [&](double h) {
-                const Point end = type2_step(z, h, r, gauss(r + 1), stationary, monitor);
-                return std::max({std::abs(end[0] - exact.q.at(h, most)),
-                                 std::abs(end[1] - exact.t.at(h, most)),
-                                 std::abs(end[2] - exact.p.at(h, most))});
-              });
-      }
-      // How the end of the exact solution moves with p0.
-      const auto ahead = from(q0, p0 + 1e-5), behind = from(q0, p0 - 1e-5);
-      add("dq1/dp0", 0, singular ? 2 : 1, 0.02,
-          [&](double h) { return std::abs(ahead.q.at(h, most) - behind.q.at(h, most)) / 2e-5; });
-      add("dp1/dp0 - 1", 0, 1, 0.02,
-          [&](double h) { return std::abs((ahead.p.at(h, most) - behind.p.at(h, most)) / 2e-5 - 1.0); });
-      double defect = 0.0;
-      for (const bool stationary : {false, true})
-        for (int r : {1, 2, 3}) {
-          const auto step = [&](const avi::VectorX& w) -> avi::VectorX {
-            const Point end =
-                type2_step({w[0], w[1], w[2], w[3]}, 0.05, r, gauss(r + 1), stationary, monitor);
-            return Eigen::Vector4d(end.data());
-          };
-          defect = std::max(
-              defect, avi::symplecticity_defect(step, Eigen::Vector4d(z.data()), {1.0 / 64.0, 1.0 / 64.0}));
+      const auto q_tilde = [&](double h) {
+        return root([&](double x) { return from(x, p0).q.at(h, r + 1) - exact.q.at(h, most); }, q0);
+      };
+      add("p~0 - p0", r, r + 1, 0.2, [&](double h) { return std::abs(p_tilde(h) - p0); });
+      add("q~0 - q0", r, r + 2, 0.2, [&](double h) { return std::abs(q_tilde(h) - q0); });
+      add("q~1 - q1", r, r + 2, 0.2,
+          [&](double h) { return std::abs(from(q0, p_tilde(h)).q.at(h, r + 1) - exact.q.at(h, most)); });
+      add("Taylor curve", r, r + 1, 0.2, [&](double h) {
+        const Curve<double> curve = from(q0, p_tilde(h));
+        double worst = 0.0;
+        for (int k = 1; k <= 8; ++k) {
+          const double tau = 0.125 * k * h;
+          worst = std::max({worst, std::abs(curve.q.at(tau, r) - exact.q.at(tau, most)),
+                            std::abs(curve.p.at(tau, r) - exact.p.at(tau, most))});
         }
-      table.row("extended symplecticity", hessian, 0, 0.0, defect, 6);
+        return worst;
+      });
+      for (const bool stationary : {false, true})
+        add(stationary ? "stationary step" : "printed step", r, (stationary ? 2 * r + 2 : r + 1) + 1, 0.25,
+            [&](double h) {
+              const Point end = type2_step(z, h, r, gauss(r + 1), stationary, monitor);
+              return std::max({std::abs(end[0] - exact.q.at(h, most)), std::abs(end[1] - exact.t.at(h, most)),
+                               std::abs(end[2] - exact.p.at(h, most))});
+            });
     }
-    frame.write(table);
-  });
+    // How the end of the exact solution moves with p0.
+    const auto ahead = from(q0, p0 + 1e-5), behind = from(q0, p0 - 1e-5);
+    add("dq1/dp0", 0, singular ? 2 : 1, 0.02,
+        [&](double h) { return std::abs(ahead.q.at(h, most) - behind.q.at(h, most)) / 2e-5; });
+    add("dp1/dp0 - 1", 0, 1, 0.02,
+        [&](double h) { return std::abs((ahead.p.at(h, most) - behind.p.at(h, most)) / 2e-5 - 1.0); });
+    double defect = 0.0;
+    for (const bool stationary : {false, true})
+      for (int r : {1, 2, 3}) {
+        const auto step = [&](const avi::VectorX& w) -> avi::VectorX {
+          const Point end = type2_step({w[0], w[1], w[2], w[3]}, 0.05, r, gauss(r + 1), stationary, monitor);
+          return Eigen::Vector4d(end.data());
+        };
+        defect = std::max(
+            defect, avi::symplecticity_defect(step, Eigen::Vector4d(z.data()), {1.0 / 64.0, 1.0 / 64.0}));
+      }
+    table.row("extended symplecticity", hessian, 0, 0.0, defect, 6);
+  }
+  frame.write(table);
 }

@@ -53,53 +53,47 @@ Passage median_of(const std::vector<Passages>& runs, std::size_t k) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  bool full = false;
-  const std::vector<Option> options{{"--full", &full, "dimensions up to 1e6"}};
-  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
-    const std::vector<Method> methods = arena::all_methods();
-    const std::vector<Problem> problems = arena::all_problems(full, full);
-    constexpr long cap = 20'000, slow_cap = 1000;
-    Table table =
-        frame.table({"problem", "dimension", "method", "delta", "iterations", "gradient_evaluations",
-                     "function_evaluations", "converged", "seconds", "group"});
-    table.note("group", "tuned: the defaults were fixed on them; looked_at: held out for earlier ones; "
-                        "held_out: not looked at until the defaults of avi::minimise() were final");
-    table.note("function_evaluations",
-               "calls that ask for the value alone; gradient evaluations give it too");
-    table.note("cap", fmt::format("{} evaluations, {} for methods of fixed or adapted learning rates, {} for "
-                                  "dimensions above 5000, {} above 200 000",
-                                  cap, slow_cap, cap / 10, cap / 40));
-    table.note("starts", "medians over the usual start and two moved by 1e-3; one for the slow and the "
-                         "large. Where one does not converge, what it spent; later ones are not asked again");
-    std::vector<arena::Instance> instances;
-    double done = 0.0;
-    for (const Problem& problem : problems) {
-      frame.progress(problem.name, done++, problems.size());
-      const long n = problem.x0.size();
-      if (frame.quick && n > 60) continue;
-      for (const double delta : arena::tolerances)
-        instances.push_back({problem.name, n, problem.group, delta, {}});
-      for (const Method& method : methods) {
-        if (method.slow && (frame.quick || n > 5000)) continue;
-        std::vector<Passages> runs;
-        const int starts = method.slow || n > 5000 || frame.quick ? 1 : 3;
-        const long most = method.slow ? slow_cap : n > 200'000 ? cap / 40 : n > 5000 ? cap / 10 : cap;
-        std::size_t wanted = arena::tolerances.size();  // what one start missed is not asked again
-        for (int start = 0; start < starts && wanted > 0; ++start) {
-          runs.push_back(best_of(method, problem, moved(problem, start), most, wanted));
-          while (wanted > 0 && !runs.back()[wanted - 1].converged)
-            --wanted;
-        }
-        for (std::size_t k = 0; k < arena::tolerances.size(); ++k) {
-          const Passage p = median_of(runs, k);
-          table.row(problem.name, n, method.name, arena::tolerances[k], p.iterations, p.gradients, p.values,
-                    p.converged, p.seconds, problem.group);
-          instances[instances.size() - arena::tolerances.size() + k].by_method[method.name] = p;
-        }
+void experiment::conduct(Frame& frame) {
+  const std::vector<Method> methods = arena::all_methods();
+  const std::vector<Problem> problems = arena::all_problems(frame.longer, frame.longer);
+  constexpr long cap = 20'000, slow_cap = 1000;
+  Table table = frame.table({"problem", "dimension", "method", "delta", "iterations", "gradient_evaluations",
+                             "function_evaluations", "converged", "seconds", "group"});
+  table.note("group", "tuned: the defaults were fixed on them; looked_at: held out for earlier ones; "
+                      "held_out: not looked at until the defaults of avi::minimise() were final");
+  table.note("function_evaluations", "calls that ask for the value alone; gradient evaluations give it too");
+  table.note("cap", fmt::format("{} evaluations, {} for methods of fixed or adapted learning rates, {} for "
+                                "dimensions above 5000, {} above 200 000",
+                                cap, slow_cap, cap / 10, cap / 40));
+  table.note("starts", "medians over the usual start and two moved by 1e-3; one for the slow and the "
+                       "large. Where one does not converge, what it spent; later ones are not asked again");
+  std::vector<arena::Instance> instances;
+  double done = 0.0;
+  for (const Problem& problem : problems) {
+    frame.progress(problem.name, done++, problems.size());
+    const long n = problem.x0.size();
+    if (frame.quick && n > 60) continue;
+    for (const double delta : arena::tolerances)
+      instances.push_back({problem.name, n, problem.group, delta, {}});
+    for (const Method& method : methods) {
+      if (method.slow && (frame.quick || n > 5000)) continue;
+      std::vector<Passages> runs;
+      const int starts = method.slow || n > 5000 || frame.quick ? 1 : 3;
+      const long most = method.slow ? slow_cap : n > 200'000 ? cap / 40 : n > 5000 ? cap / 10 : cap;
+      std::size_t wanted = arena::tolerances.size();  // what one start missed is not asked again
+      for (int start = 0; start < starts && wanted > 0; ++start) {
+        runs.push_back(best_of(method, problem, moved(problem, start), most, wanted));
+        while (wanted > 0 && !runs.back()[wanted - 1].converged)
+          --wanted;
+      }
+      for (std::size_t k = 0; k < arena::tolerances.size(); ++k) {
+        const Passage p = median_of(runs, k);
+        table.row(problem.name, n, method.name, arena::tolerances[k], p.iterations, p.gradients, p.values,
+                  p.converged, p.seconds, problem.group);
+        instances[instances.size() - arena::tolerances.size() + k].by_method[method.name] = p;
       }
     }
-    arena::write_standing(frame, instances, methods);
-    frame.write(table);
-  });
+  }
+  arena::write_standing(frame, instances, methods);
+  frame.write(table);
 }

@@ -121,9 +121,8 @@ Sample sample(const Spectrum& of, const Variant& variant, int runs, std::mt19937
 int main(int argc, char** argv) {
   bool longer = false;
   std::string only;
-  const std::vector<Option> options{
-      {"--long", &longer, "The whole range for every variant: some minutes each"},
-      {"--variant", &only, "Only variants whose name contains this"}};
+  const std::vector<Option> options{{AVI_LONGER, &longer, AVI_LONGER_TEXT},
+                                    {"--variant", &only, "Only variants whose name contains this"}};
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
     const Spectrum of = spectrum();
     Table table =

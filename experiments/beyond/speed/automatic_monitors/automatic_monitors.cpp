@@ -76,45 +76,40 @@ bool compare(Table& table, Table& choices, const Arena& arena, const Targets& ta
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  bool extremes = false;
-  const std::vector<Option> options{
-      {"--extremes", &extremes, "Drift over a thousand horizons, ten thousand periods"}};
-  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
-    Table table = frame.table({"problem", "held_out", "order", "target", "steps", "position_error",
-                               "energy_error", "sweeps", "work"});
-    Table choices = frame.table({"problem", "held_out", "order", "choice", "chosen_ratio", "best",
-                                 "chosen_work_ratio", "none_work_ratio", "choosing_share"});
-    table.note("steps", "with the monitor that solve() chooses");
-    Scenes scenes;
-    for (const auto& add : {add_celestial, add_other, add_drawn})
-      add(scenes);
-    if (frame.quick)
-      std::erase_if(scenes, [](const Scene& s) {
-        return s.name != "kepler_0.9" && s.name != "lennard_jones" && s.name != "separatrix" &&
-               s.name != "henon_heiles" && s.name != "yukawa";
-      });
-    struct Count {
-      int problems = 0, within_2 = 0;
-    };
-    std::map<std::pair<bool, int>, Count> counts;
-    double done = 0.0;
-    for (const Scene& scene : scenes) {
-      frame.progress(scene.name, done++, scenes.size());
-      const Arena arena = arena_of(scene);
-      if (arena.orbit.empty()) fmt::print("{}: no run kept a tolerance\n", scene.name);
-      for (const Targets& targets : all_targets) {
-        Count& count = counts[{scene.held_out, targets.order}];
-        ++count.problems;  // a scene without an orbit counts as lost
-        count.within_2 += !arena.orbit.empty() && compare(table, choices, arena, targets);
-      }
+void experiment::conduct(Frame& frame) {
+  Table table = frame.table({"problem", "held_out", "order", "target", "steps", "position_error",
+                             "energy_error", "sweeps", "work"});
+  Table choices = frame.table({"problem", "held_out", "order", "choice", "chosen_ratio", "best",
+                               "chosen_work_ratio", "none_work_ratio", "choosing_share"});
+  table.note("steps", "with the monitor that solve() chooses");
+  Scenes scenes;
+  for (const auto& add : {add_celestial, add_other, add_drawn})
+    add(scenes);
+  if (frame.quick)
+    std::erase_if(scenes, [](const Scene& s) {
+      return s.name != "kepler_0.9" && s.name != "lennard_jones" && s.name != "separatrix" &&
+             s.name != "henon_heiles" && s.name != "yukawa";
+    });
+  struct Count {
+    int problems = 0, within_2 = 0;
+  };
+  std::map<std::pair<bool, int>, Count> counts;
+  double done = 0.0;
+  for (const Scene& scene : scenes) {
+    frame.progress(scene.name, done++, scenes.size());
+    const Arena arena = arena_of(scene);
+    if (arena.orbit.empty()) fmt::print("{}: no run kept a tolerance\n", scene.name);
+    for (const Targets& targets : all_targets) {
+      Count& count = counts[{scene.held_out, targets.order}];
+      ++count.problems;  // a scene without an orbit counts as lost
+      count.within_2 += !arena.orbit.empty() && compare(table, choices, arena, targets);
     }
-    Table summary = frame.table({"held_out", "order", "problems", "work_within_2"});
-    for (const auto& [key, count] : counts)
-      summary.row(key.first, key.second, count.problems, count.within_2);
-    measure_drift(frame, scenes, frame.quick || extremes ? 1000 : 20);
-    frame.write(table);
-    frame.write(choices, "choices");
-    frame.write(summary, "summary");
-  });
+  }
+  Table summary = frame.table({"held_out", "order", "problems", "work_within_2"});
+  for (const auto& [key, count] : counts)
+    summary.row(key.first, key.second, count.problems, count.within_2);
+  measure_drift(frame, scenes, frame.quick || frame.longer ? 1000 : 20);
+  frame.write(table);
+  frame.write(choices, "choices");
+  frame.write(summary, "summary");
 }

@@ -62,48 +62,44 @@ Measured measured_with_unit(const Scene& unit_scene, const Scene& scene, const B
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  bool full = false;
-  const std::vector<Option> options{{"--full", &full, "The whole grid, some minutes"}};
-  return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
-    const Grid grid = frame.quick ? Grid::quick : full ? Grid::full : Grid::reduced;
-    const Budget base =
-        frame.quick ? Budget{.longest_run = 3e4, .least_run = 3000, .least_block = 0.00005, .stride = 4}
-        : full      ? Budget{.longest_run = 1.2e6, .least_run = 3e4, .least_block = 0.0005, .stride = 1}
-                    : Budget{};
-    Table table = frame.table({"problem", "eccentricity", "horizon", "method", "order", "setting", "steps",
-                               "evaluations", "seconds", "position_error", "energy_error", "cost",
-                               "least_cost", "most_cost"});
-    Table advice = advice_table(frame);
-    table.note("peers", peers_present());
-    advice.note("peers", peers_present());
-    const Scene unit_scene = reference_scene();
-    const auto list = scenes(grid);
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      const std::string& label = list[i].label;
-      const Scene scene = list[i].make();
-      if (scene.reference_error > 0.0)
-        table.note("reference error of " + label, rounded(scene.reference_error, 2));
-      Budget budget = base;
-      budget.longest_run *= scene.longest_run * std::clamp(scene.horizon / 10.0, 1.0, 8.0);
-      budget.family *= std::clamp(scene.horizon / 10.0, 1.0, 3.0);
-      if (full && scene.horizon > 1000.0) budget.stride = 3;
-      const auto progress = [&](double fraction) { frame.progress(label, i + fraction, list.size()); };
-      Measured made = measured_with_unit(unit_scene, scene, budget, progress);
-      for (int again = 0; again < 2 && made.drift > largest_drift && !frame.quick; ++again)
-        if (Measured next = measured_with_unit(unit_scene, scene, budget, progress); next.drift < made.drift)
-          made = std::move(next);
-      if (made.drift > largest_drift)
-        fmt::print(
-            stderr,
-            "The unit of time moved by {:.0f} % while '{}' was measured: its costs are not to be used.\n",
-            100.0 * made.drift, label);
-      auto& [unit_point, points, unit, drift] = made;
-      if (i == 0) add_rows(table, unit_scene, unit_point, unit);
-      add_rows(table, scene, points, unit);
-      advise(advice, scene, points, unit, drift);
-    }
-    frame.write(advice, "advice");
-    frame.write(table);
-  });
+void experiment::conduct(Frame& frame) {
+  const Grid grid = frame.quick ? Grid::quick : frame.longer ? Grid::full : Grid::reduced;
+  const Budget base =
+      frame.quick    ? Budget{.longest_run = 3e4, .least_run = 3000, .least_block = 0.00005, .stride = 4}
+      : frame.longer ? Budget{.longest_run = 1.2e6, .least_run = 3e4, .least_block = 0.0005, .stride = 1}
+                     : Budget{};
+  Table table =
+      frame.table({"problem", "eccentricity", "horizon", "method", "order", "setting", "steps", "evaluations",
+                   "seconds", "position_error", "energy_error", "cost", "least_cost", "most_cost"});
+  Table advice = advice_table(frame);
+  table.note("peers", peers_present());
+  advice.note("peers", peers_present());
+  const Scene unit_scene = reference_scene();
+  const auto list = scenes(grid);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string& label = list[i].label;
+    const Scene scene = list[i].make();
+    if (scene.reference_error > 0.0)
+      table.note("reference error of " + label, rounded(scene.reference_error, 2));
+    Budget budget = base;
+    budget.longest_run *= scene.longest_run * std::clamp(scene.horizon / 10.0, 1.0, 8.0);
+    budget.family *= std::clamp(scene.horizon / 10.0, 1.0, 3.0);
+    if (frame.longer && scene.horizon > 1000.0) budget.stride = 3;
+    const auto progress = [&](double fraction) { frame.progress(label, i + fraction, list.size()); };
+    Measured made = measured_with_unit(unit_scene, scene, budget, progress);
+    for (int again = 0; again < 2 && made.drift > largest_drift && !frame.quick; ++again)
+      if (Measured next = measured_with_unit(unit_scene, scene, budget, progress); next.drift < made.drift)
+        made = std::move(next);
+    if (made.drift > largest_drift)
+      fmt::print(
+          stderr,
+          "The unit of time moved by {:.0f} % while '{}' was measured: its costs are not to be used.\n",
+          100.0 * made.drift, label);
+    auto& [unit_point, points, unit, drift] = made;
+    if (i == 0) add_rows(table, unit_scene, unit_point, unit);
+    add_rows(table, scene, points, unit);
+    advise(advice, scene, points, unit, drift);
+  }
+  frame.write(advice, "advice");
+  frame.write(table);
 }

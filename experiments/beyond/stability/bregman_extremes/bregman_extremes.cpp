@@ -107,37 +107,34 @@ void write_limits(Frame& frame) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run(argc, argv, AVI_SHOWS, [&](Frame& frame) {
-    Table table =
-        frame.table({"scene", "method", "p", "p_ring", "h", "C", "dimension", "one_less_rho", "away", "t0",
-                     "fault", "fault_at", "iterations", "value", "outcome", "verdict", "seconds"});
-    table.note("verdict", "correct: converged, and asked again the criterion holds; named: any other "
-                          "outcome, with a sentence; told: the objective itself reported a zero gradient");
-    const auto add = [&](const Scene& s, double h, std::string_view fault, long at, const auto& play_it) {
-      Judged end;
-      const double time = seconds([&] { end = play_it(); });
-      table.row(s.scene, s.method, s.p, s.p_ring, h, s.C, s.dimension, 1.0 - s.rho, s.away, s.from.t, fault,
-                static_cast<double>(at), end.iterations, end.value, end.outcome, end.verdict,
-                rounded(time, 3));
-    };
-    frame.progress("overflow", 0.0);
-    write_overflow(frame);
-    frame.progress("limits", 0.1);
-    write_limits(frame);
-    const auto all = plan(frame.quick);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      frame.progress(all[i].scene, 0.2 + 0.7 * i / all.size());
-      const double h = step_of(all[i]);
-      add(all[i], h, "none", 0, [&] { return play(all[i], h); });
-    }
-    frame.progress("faults", 0.9);
-    for (const auto& [method, h] : fault_methods)
-      for (std::string_view kind : fault_kinds)
-        for (long at : {1L, 2L, 10L, 100L}) {
-          const Scene s{.scene = "fault", .method = method, .p = 10.0, .p_ring = 0.5, .h = h};
-          add(s, 0.0, kind, at, [&] { return meet(s, kind, at, frame.quick ? 1000 : 15'000); });
-        }
-    frame.write(table);
-  });
+void experiment::conduct(Frame& frame) {
+  Table table =
+      frame.table({"scene", "method", "p", "p_ring", "h", "C", "dimension", "one_less_rho", "away", "t0",
+                   "fault", "fault_at", "iterations", "value", "outcome", "verdict", "seconds"});
+  table.note("verdict", "correct: converged, and asked again the criterion holds; named: any other "
+                        "outcome, with a sentence; told: the objective itself reported a zero gradient");
+  const auto add = [&](const Scene& s, double h, std::string_view fault, long at, const auto& play_it) {
+    Judged end;
+    const double time = seconds([&] { end = play_it(); });
+    table.row(s.scene, s.method, s.p, s.p_ring, h, s.C, s.dimension, 1.0 - s.rho, s.away, s.from.t, fault,
+              static_cast<double>(at), end.iterations, end.value, end.outcome, end.verdict, rounded(time, 3));
+  };
+  frame.progress("overflow", 0.0);
+  write_overflow(frame);
+  frame.progress("limits", 0.1);
+  write_limits(frame);
+  const auto all = plan(frame.quick);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    frame.progress(all[i].scene, 0.2 + 0.7 * i / all.size());
+    const double h = step_of(all[i]);
+    add(all[i], h, "none", 0, [&] { return play(all[i], h); });
+  }
+  frame.progress("faults", 0.9);
+  for (const auto& [method, h] : fault_methods)
+    for (std::string_view kind : fault_kinds)
+      for (long at : {1L, 2L, 10L, 100L}) {
+        const Scene s{.scene = "fault", .method = method, .p = 10.0, .p_ring = 0.5, .h = h};
+        add(s, 0.0, kind, at, [&] { return meet(s, kind, at, frame.quick ? 1000 : 15'000); });
+      }
+  frame.write(table);
 }
