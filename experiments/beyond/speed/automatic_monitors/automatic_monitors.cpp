@@ -83,7 +83,7 @@ void experiment::conduct(Frame& frame) {
                                "chosen_work_ratio", "none_work_ratio", "choosing_share"});
   table.note("steps", "with the monitor that solve() chooses");
   Scenes scenes;
-  for (const auto& add : {add_celestial, add_other, add_drawn})
+  for (const auto& add : {add_celestial, add_first, add_further, add_seen, add_held_out})
     add(scenes);
   if (frame.quick)
     std::erase_if(scenes, [](const Scene& s) {

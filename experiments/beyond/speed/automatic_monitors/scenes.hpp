@@ -105,7 +105,9 @@ inline const Scale stiffness{
     "stiffness", [](const V& q, const V&) { return 1.0 / (1.0 + square(q[0])); }, {0.25, 0.5, 1.0}};
 
 void add_celestial(Scenes&);  ///< Inverse-square attraction, and a charge in the field of a dipole.
-void add_other(Scenes&);      ///< Oscillators, springs, walls and molecules; ten of them were once held out.
-void add_drawn(Scenes&);      ///< Twelve drawn by a rule and seen since, and twelve held out.
+void add_first(Scenes&);      ///< Oscillators, springs, walls and molecules, looked at from the beginning.
+void add_further(Scenes&);    ///< Ten that were held out from a first search and have been looked at since.
+void add_seen(Scenes&);       ///< Twelve drawn by a rule and looked at since.
+void add_held_out(Scenes&);   ///< Twelve drawn by the same rule and held out.
 
 }  // namespace experiment
