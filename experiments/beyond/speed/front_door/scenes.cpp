@@ -4,7 +4,6 @@
 #include "avi/problems/pendulum.hpp"
 #include "beyond/speed/front_door/contest.hpp"
 #include "beyond/speed/front_door/formulas.hpp"
-#include "beyond/speed/front_door/more_formulas.hpp"
 #include "beyond/speed/work_precision/scenes/bodies.hpp"
 #include "common/problems/outer_solar_system.hpp"
 #include "common/reference.hpp"
@@ -19,7 +18,8 @@ const std::vector<double> up_to_a_thousand{1.0, 10.0, 100.0, 1000.0};
 Scene kepler(double e) {
   const avi::State<2> start = avi::Kepler::pericentre(e);
   return {fmt::format("kepler_{:g}", e), "one body", false, 2.0 * M_PI, up_to_a_thousand, [=](double span) {
-            return contest(Kepler{}, start, span, Eigen::VectorXd(work_precision::exact_kepler(start, span)));
+            return contest(Kepler<2>{}, start, span,
+                           Eigen::VectorXd(work_precision::exact_kepler(start, span)));
           }};
 }
 
@@ -56,9 +56,6 @@ avi::State<18> planets_start() {
   z.p /= OuterSolarSystem::gravity;
   return z;
 }
-
-/// At the equator, where the field is 1, with a velocity across and along the field.
-avi::State<3> trapped() { return {.q = {1.0, 0.0, 0.0}, .p = {0.0, 1.08, 0.03}}; }
 
 /// The lowest mode of the chain with its ends held.
 template <int masses>
@@ -101,8 +98,11 @@ std::vector<Scene> scenes() {
       seven_bodies(),
       scene("outer_planets", "planets", seen, 4332.0, up_to_a_hundred, planets(), planets_start(), 200.0),
       scene("fput_16", "chain", seen, 2.0 * M_PI, up_to_a_thousand, Fput<16>{}, lowest_mode<16>(1.0), 0.5),
-      scene("dipole", "not separable", seen, 2.0 * M_PI, up_to_a_thousand, Dipole{}, trapped(), 0.2),
-      scene("planet", "one body", held_out, 0.445, up_to_a_thousand, Planet{},
+      // at the equator, where the field is 1, with a velocity across and along the field
+      scene("dipole", "not separable", seen, 2.0 * M_PI, up_to_a_thousand, Dipole{},
+            {.q = {1.0, 0.0, 0.0}, .p = {0.0, 1.08, 0.03}}, 0.2),
+      // a planet of the Sun on an inclined orbit, in astronomical units and years
+      scene("planet", "one body", held_out, 0.445, up_to_a_thousand, Kepler<3>{4.0 * M_PI * M_PI},
             {.q = {0.6, 0.5, 0.2}, .p = {-4.5, 3.0, 1.0}}, 0.01),
       scene("flattened", "one body", held_out, 2.0 * M_PI, up_to_a_thousand, Flattened{},
             avi::Kepler::pericentre(0.6), 0.06),
