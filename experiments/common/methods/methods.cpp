@@ -31,8 +31,22 @@ auto kepler(const State2& start, MomentumMonitor monitor) {
   return avi::poincare<2>(Kepler{}, start, monitor);
 }
 
-auto stationary_on(const auto& problem, int r, int nodes) {
-  return avi::htvi_of_order<avi::Generating::type2>(r, problem, avi::gauss(nodes));
+/// What `make` makes of the problem that each start gives.
+Method2 on_kepler(auto monitor, auto make) {
+  return Method2(Kepler{}, [=](const State2& start) { return make(kepler(start, monitor)); });
+}
+Method2 on_henon_heiles(auto make) {
+  return Method2(HenonHeiles{},
+                 [=](const State2& start) { return make(avi::poincare<2>(HenonHeiles{}, start)); });
+}
+
+auto htvi(int order) {
+  return [=](const auto& problem) {
+    return avi::htvi_of_order<avi::Generating::type2>(order / 2 - 1, problem, avi::gauss(order / 2));
+  };
+}
+auto gauss(int order) {
+  return [=](const auto& problem) { return avi::collocation(problem, order); };
 }
 
 template <class Problem>
@@ -53,31 +67,12 @@ Method2 fixed_step(const std::string& name) {
 
 }  // namespace
 
-Method2 stationary(int order, PositionMonitor monitor) {
-  return Method2(Kepler{}, [=](const State2& start) {
-    return stationary_on(kepler(start, monitor), order / 2 - 1, order / 2);
-  });
-}
-Method2 stationary(int order, MomentumMonitor monitor) {
-  return Method2(Kepler{}, [=](const State2& start) {
-    return stationary_on(kepler(start, monitor), order / 2 - 1, order / 2);
-  });
-}
-Method2 stationary_henon_heiles(int order) {
-  return Method2(HenonHeiles{}, [=](const State2& start) {
-    return stationary_on(avi::poincare<2>(HenonHeiles{}, start), order / 2 - 1, order / 2);
-  });
-}
+Method2 stationary(int order, PositionMonitor monitor) { return on_kepler(monitor, htvi(order)); }
+Method2 stationary(int order, MomentumMonitor monitor) { return on_kepler(monitor, htvi(order)); }
+Method2 stationary_henon_heiles(int order) { return on_henon_heiles(htvi(order)); }
 
-Method2 collocation(int order, PositionMonitor monitor) {
-  return Method2(Kepler{},
-                 [=](const State2& start) { return avi::collocation(kepler(start, monitor), order); });
-}
-Method2 collocation_henon_heiles(int order) {
-  return Method2(HenonHeiles{}, [=](const State2& start) {
-    return avi::collocation(avi::poincare<2>(HenonHeiles{}, start), order);
-  });
-}
+Method2 collocation(int order, PositionMonitor monitor) { return on_kepler(monitor, gauss(order)); }
+Method2 collocation_henon_heiles(int order) { return on_henon_heiles(gauss(order)); }
 
 Method2 explicit_on_kepler(const std::string& name) {
   const Kepler problem;
