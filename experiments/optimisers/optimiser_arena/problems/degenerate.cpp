@@ -50,11 +50,7 @@ Problem at_infinity(Index n, Index m) {
   const VectorX truth = numbers.normals(n);
   for (Index i = 0; i < m; ++i)
     if (a.row(i).dot(truth) < 0.0) a.row(i) *= -1.0;
-  return {"at_infinity", VectorX::Zero(n), [=](const VectorX& x, VectorX& g) {
-            const double f = sum_of_losses(a, VectorX::Zero(m), logistic_loss, x, g);
-            g /= static_cast<double>(m);
-            return f / static_cast<double>(m);
-          }};
+  return mean_of_losses("at_infinity", a, logistic_loss);
 }
 
 }  // namespace

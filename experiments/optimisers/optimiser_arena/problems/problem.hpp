@@ -79,6 +79,16 @@ double sum_of_losses(const Eigen::MatrixXd& a, const VectorX& b, const auto& los
   return f;
 }
 
+/// Mean of loss(z_i, slope_i, i), z = A x, from 0.
+Problem mean_of_losses(const char* name, const Eigen::MatrixXd& a, const auto& loss) {
+  return {name, VectorX::Zero(a.cols()), [=](const VectorX& x, VectorX& g) {
+            const double count = static_cast<double>(a.rows());
+            const double f = sum_of_losses(a, VectorX::Zero(a.rows()), loss, x, g);
+            g /= count;
+            return f / count;
+          }};
+}
+
 /// log(1 + e^-z): of the margin z of one datum.
 inline double logistic_loss(double z, double& slope, Index) {
   const double decay = std::exp(-std::abs(z));

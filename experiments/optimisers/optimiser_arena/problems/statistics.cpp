@@ -100,16 +100,11 @@ Problem poisson_regression(Index n, Index m, unsigned long seed) {
     for (count[i] = 0.0; sum < mean[i]; ++count[i])
       sum -= std::log(numbers.uniform());
   }
-  const auto loss = [count](double z, double& slope, Index i) {
+  return mean_of_losses("poisson_regression", a, [count](double z, double& slope, Index i) {
     const double rate = std::exp(z);
     slope = rate - count[i];
     return rate - count[i] * z;
-  };
-  return {"poisson_regression", VectorX::Zero(n), [=](const VectorX& x, VectorX& g) {
-            const double f = sum_of_losses(a, VectorX::Zero(m), loss, x, g);
-            g /= static_cast<double>(m);
-            return f / static_cast<double>(m);
-          }};
+  });
 }
 
 /// Softmax regression with `classes` classes, ridge 1e-3.
