@@ -100,13 +100,9 @@ class ExtendedRun {
 
   /// Position at a time t after the last step; run_to() should have come close to it.
   [[nodiscard]] avi::Vector<double, n> position(double t) const {
-    Point z = now_;
-    for (long k = 0; k < 1'000'000; ++k) {
-      Point next = z;
-      step(next, h_);
-      if (next.t > t) break;
-      z = next;
-    }
+    ExtendedRun run = *this;
+    run.run_to(t);
+    Point& z = run.now_;
     // The last, shorter step is found by Newton's method, with dt/dh taken from the drift.
     Real h = static_cast<Real>(t - z.t) / rate(z);
     for (int i = 0; i < 60; ++i) {
