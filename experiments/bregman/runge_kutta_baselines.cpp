@@ -11,9 +11,9 @@ void experiment::conduct(Frame& frame) {
   constexpr double atol = 1e-6;
   const CorrelatedQuartic f;
   const avi::Stopping stopping{.delta = 1e-10, .iterations = 400'000};
-  Table table = frame.table({"method", "approach", "p", "p_ring", "rtol", "atol", "h", "iterations",
-                             "gradient_evaluations", "converged", "outcome", "seconds", "sustained"});
-  Table curves = frame.table(Curve::columns_after({"curve", "method", "approach"}));
+  Table& table = frame.table({"method", "approach", "p", "p_ring", "rtol", "atol", "h", "iterations",
+                              "gradient_evaluations", "converged", "outcome", "seconds", "sustained"});
+  Table& curves = frame.table("curves", Curve::columns_after({"curve", "method", "approach"}));
   table.note("delta", stopping.delta);
   table.note("sustained",
              "first iteration from which the stopping test holds until the run is twice as long");
@@ -48,6 +48,4 @@ void experiment::conduct(Frame& frame) {
         add(peer, rtol, unknown, false);
     }
   }
-  frame.write(curves, "curves");
-  frame.write(table);
 }

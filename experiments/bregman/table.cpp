@@ -14,12 +14,12 @@ std::string label_of(const Setting& s) {
 void iteration_table(Frame& frame, const std::vector<Setting>& settings) {
   const long starts = frame.quick ? 4 : 16;
   const avi::Stopping stopping{.delta = 1e-10, .iterations = 1'000'000};
-  Table table =
+  Table& table =
       frame.table({"method", "approach", "p", "p_ring", "h", "C", "iterations", "gradient_evaluations",
                    "converged", "perturbed_least", "perturbed_most", "perturbed_failed", "seconds"});
   table.note("delta", stopping.delta);
   table.note("perturbed", "counts from " + std::to_string(starts) + " starts moved by up to 1e-14");
-  Table curves = frame.table(Curve::columns_after({"curve", "method", "approach", "p", "p_ring"}));
+  Table& curves = frame.table("curves", Curve::columns_after({"curve", "method", "approach", "p", "p_ring"}));
   curves.note("rows", Curve::rows);
   const CorrelatedQuartic f;
   each_setting(frame, settings, [&](const Setting& s, bool) {
@@ -34,8 +34,6 @@ void iteration_table(Frame& frame, const std::vector<Setting>& settings) {
     if (result.ok())
       curve.append(curves, {label_of(s), s.method, s.approach(), exact(s.p), exact(s.p_ring_or_nan())});
   });
-  frame.write(curves, "curves");
-  frame.write(table);
 }
 
 PerturbedCounts perturbed_counts(const Setting& setting, long starts, double size,

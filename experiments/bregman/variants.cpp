@@ -200,8 +200,8 @@ double mirror(double h) {
 }  // namespace
 
 void experiment::conduct(Frame& frame) {
-  Table table = frame.table({"variant", "parameter", "setting", "first_passage", "sustained",
-                             "gradients_per_step", "value", "end"});
+  Table& table = frame.table({"variant", "parameter", "setting", "first_passage", "sustained",
+                              "gradients_per_step", "value", "end"});
   table.note("type_2, type_3",
              "Adaptive (4, 1), h in units of the published 2.4e-4; a proximal step counts as one gradient");
   table.note("proximal_points", "Type III's proximal steps without its momentum");
@@ -235,5 +235,4 @@ void experiment::conduct(Frame& frame) {
     table.row("nag_limit", "h", h, unknown, unknown, unknown, distance_to_limit(h), "nan");
   for (double h : {0.1, 0.01, 0.001})
     table.row("mirror", "h", h, unknown, unknown, unknown, mirror(h), "nan");
-  frame.write(table);
 }

@@ -72,6 +72,12 @@ void Frame::write(const Table& table, std::string_view curve) const {
   table.write(output / (curve.empty() ? name + ".tsv" : fmt::format("{}_{}.tsv", name, curve)));
 }
 
+void Frame::write_tables() const {
+  for (const bool last : {false, true})
+    for (const auto& [curve, table] : tables)
+      if (curve.empty() == last) write(table, curve);
+}
+
 void Frame::progress(std::string_view label, double done, double of) const {
   line_open = ::isatty(STDERR_FILENO);
   if (!line_open) return;
@@ -101,6 +107,7 @@ int run(int argc, char** argv, const std::string& shows, const std::vector<Optio
         frame.output = std::filesystem::path("build") / mode;
     require_writable(frame.output);
     body(frame);
+    frame.write_tables();
     if (frame.line_open) {
       frame.progress("done", 1.0);
       fmt::print(stderr, "\n");

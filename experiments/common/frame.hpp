@@ -1,6 +1,7 @@
 #pragma once
 #include "common/table.hpp"
 
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -20,12 +21,19 @@ class Frame {
   bool longer = false;             ///< The longer run that the call of experiment() in CMake names.
   mutable bool line_open = false;  ///< A progress line is shown on the terminal.
 
-  /// A table that begins with the provenance lines (experiment, commit, compiler, flags, libraries, machine,
-  /// date).
-  [[nodiscard]] Table table(std::vector<std::string> columns) const;
+  std::deque<std::pair<std::string, Table>> tables{};  ///< Those of table(), by curve.
+
+  /// A new table for the file <name>.tsv, or <name>_<curve>.tsv, that begins with the provenance lines
+  /// (experiment, commit, compiler, flags, libraries, machine, date). All are written when the body of run()
+  /// has returned.
+  Table& table(std::string_view curve, std::vector<std::string> columns);
+  Table& table(std::vector<std::string> columns) { return table("", std::move(columns)); }
 
   /// Writes a table as <name>.tsv, or <name>_<curve>.tsv.
   void write(const Table& table, std::string_view curve = "") const;
+
+  /// Writes all tables, that without a curve last: it tells `make` that all are there.
+  void write_tables() const;
 
   /// Shows `label` and the part of the work that is done, on a terminal only.
   void progress(std::string_view label, double done, double of = 1.0) const;
@@ -39,11 +47,11 @@ struct Option {
   std::string description;
 };
 
-/// Defined by each experiment: computes, then writes its tables last. common/main.cpp calls it.
+/// Defined by each experiment: computes, and fills its tables. common/main.cpp calls it.
 void conduct(Frame& frame);
 
 /// main() of a program with a frame. @param shows the text for --help @param options the program's own
-/// @param body computes, then writes its tables last
+/// @param body computes; the tables are written when it has returned
 /// @return the exit status: 0; 2 for bad options, or a file or folder that cannot be read or written, with
 /// one sentence on stderr and no incomplete file; 1 for a run that failed
 int run(int argc, char** argv, const std::string& shows, const std::vector<Option>& options,

@@ -49,8 +49,8 @@ std::string machine() {
 
 }  // namespace
 
-Table Frame::table(std::vector<std::string> columns) const {
-  Table table(std::move(columns));
+Table& Frame::table(std::string_view curve, std::vector<std::string> columns) {
+  Table& table = tables.emplace_back(curve, Table(std::move(columns))).second;
   table.note("experiment", name);
   table.note("commit", commit());
   table.note("compiler", AVI_COMPILER);

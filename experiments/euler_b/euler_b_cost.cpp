@@ -43,8 +43,8 @@ void experiment::conduct(Frame& frame) {
   if (frame.longer) cells.emplace_back("truncation_root", 1e-5);
   if (frame.quick) cells.resize(10);
 
-  Table out = frame.table({"method", "monitor", "h", "tol", "horizon", "target", "energy_error",
-                           "angular_momentum_error", "steps", "seconds"});
+  Table& out = frame.table({"method", "monitor", "h", "tol", "horizon", "target", "energy_error",
+                            "angular_momentum_error", "steps", "seconds"});
   out.note("eccentricity", eccentricity);
   out.note("seconds", "with both errors watched at every step");
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -55,11 +55,9 @@ void experiment::conduct(Frame& frame) {
     out.row("symplectic_euler_b", monitor, setting.h, setting.tol, horizon, target, r.energy_error,
             r.angular_momentum_error, r.steps, rounded(r.seconds));
   }
-  Table each = frame.table({"method", "monitor", "round", "nanoseconds"});
+  Table& each = frame.table("rounds", {"method", "monitor", "round", "nanoseconds"});
   each.note("nanoseconds", "of one step, both errors watched; in a round every monitor runs once");
   for (const auto& [monitor, samples] : nanoseconds_per_step(eccentricity))
     for (std::size_t i = 0; i < samples.size(); ++i)
       each.row("symplectic_euler_b", monitor, i + 1, rounded(samples[i], 4));
-  frame.write(each, "rounds");
-  frame.write(out);
 }

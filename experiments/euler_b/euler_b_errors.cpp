@@ -13,9 +13,9 @@ void experiment::conduct(Frame& frame) {
   for (int k = 0; k < 3; ++k)
     size *= run_euler_b(euler_b_setting("truncation", size), eccentricity, horizon).steps / fixed_steps;
 
-  Table out = frame.table({"method", "monitor", "h", "tol", "horizon", "energy_error",
-                           "angular_momentum_error", "steps", "seconds"});
-  Table curve = frame.table({"monitor", "t", "energy_error", "angular_momentum_error"});
+  Table& out = frame.table({"method", "monitor", "h", "tol", "horizon", "energy_error",
+                            "angular_momentum_error", "steps", "seconds"});
+  Table& curve = frame.table("curve", {"monitor", "t", "energy_error", "angular_momentum_error"});
   out.note("eccentricity", eccentricity);
   curve.note("rows", "largest error in each of 1000 equal intervals of time");
   for (const EulerBSetting& setting : {EulerBSetting{"none", h}, euler_b_setting("truncation", size)}) {
@@ -31,6 +31,4 @@ void experiment::conduct(Frame& frame) {
     for (int i = 0; i < intervals; ++i)
       curve.row(setting.monitor, (i + 0.5) * horizon / intervals, energy[i], momentum[i]);
   }
-  frame.write(curve, "curve");
-  frame.write(out);
 }

@@ -5,9 +5,9 @@
 // fourth root from which the first was simplified, all at the same energy error.
 void experiment::conduct(Frame& frame) {
   constexpr double eccentricity = 0.9, horizon = 13.0, target = 1e-3;
-  Table out = frame.table({"method", "monitor", "h", "tol", "horizon", "min_step", "max_step", "energy_error",
-                           "steps", "seconds"});
-  Table curve = frame.table({"monitor", "t", "step"});
+  Table& out = frame.table({"method", "monitor", "h", "tol", "horizon", "min_step", "max_step",
+                            "energy_error", "steps", "seconds"});
+  Table& curve = frame.table("curve", {"monitor", "t", "step"});
   out.note("eccentricity", eccentricity);
   for (const char* monitor : {"truncation", "arclength", "norm_squared", "truncation_root"}) {
     const auto setting = calibrated_euler_b(monitor, eccentricity, target, horizon);
@@ -25,6 +25,4 @@ void experiment::conduct(Frame& frame) {
     out.row("symplectic_euler_b", monitor, setting.h, setting.tol, horizon, smallest, largest, r.energy_error,
             r.steps, rounded(r.seconds));
   }
-  frame.write(curve, "curve");
-  frame.write(out);
 }

@@ -104,7 +104,7 @@ double equal_work() {
 
 void experiment::conduct(Frame& frame) {
   const long periods = frame.quick ? 1000 : 10'000;
-  Table table = frame.table({"method", "monitor", "periods", "energy_error"});
+  Table& table = frame.table({"method", "monitor", "periods", "energy_error"});
   const double h = fictive_period() / steps_per_orbit, last = static_cast<double>(periods);
   const State2 start = avi::Kepler::pericentre(eccentricity);
   run_steps(avi::poincare(avi::Kepler(), start, monitor), Record(table, "collocation", "r^1.5", last),
@@ -116,5 +116,4 @@ void experiment::conduct(Frame& frame) {
   const long steps = controlled(tolerance, [&](const State2& z) { return record(z); });
   fmt::print("{} steps an orbit; the error-controlled run takes {:.1f} with the tolerance {:.2e}.\n",
              steps_per_orbit, steps / last, tolerance);
-  frame.write(table);
 }

@@ -18,6 +18,7 @@ using namespace experiment;
 using State2 = avi::State<2>;
 
 constexpr double eccentricity = 0.9, period = 2.0 * M_PI;
+constexpr long steps = 36;  ///< Of an orbit.
 
 /// The steps of one orbit of fictive length h: calls look(z) at the start and after each.
 void orbit(const auto& monitor, double h, auto look) {
@@ -29,9 +30,10 @@ void orbit(const auto& monitor, double h, auto look) {
   if (run.outcome != avi::Outcome::ok) throw std::runtime_error(run.message);
 }
 
-/// Fictive time of an orbit, the integral of dt / g along it: by fine steps of |q|^(3/2), each counted with
-/// the value of 1 / g in its middle.
-double fictive_period(const auto& monitor) {
+/// Fictive time of an orbit, the integral of dt / g along it, g = |q|^exponent: by fine steps of |q|^(3/2),
+/// each counted with the value of 1 / g in its middle.
+double fictive_period(double exponent) {
+  const auto monitor = [=](const State2& z) { return std::pow(z.q.norm(), exponent); };
   double sum = 0.0;
   State2 before = avi::Kepler::pericentre(eccentricity);
   orbit(avi::Gamma{0.75}, 0.002, [&](const State2& z) {
@@ -42,33 +44,24 @@ double fictive_period(const auto& monitor) {
   return sum;
 }
 
-template <class G, class Value>
-void add(Table& table, Table& summary, const char* name, const G& monitor, Value value, long steps) {
-  const double h = fictive_period(value) / static_cast<double>(steps);
-  double worst = 0.0;
-  long step = 0;
-  orbit(monitor, h, [&](const State2& z) {
-    worst = std::max(worst, std::abs(avi::Kepler()(z.q, z.p) / -0.5 - 1.0));
-    table.row(name, step++, z.q[0], z.q[1], z.t);
-  });
-  summary.row(name, step - 1, h, worst);
-}
-
 }  // namespace
 
 void experiment::conduct(Frame& frame) {
-  constexpr long steps = 36;  // of an orbit
-  Table table = frame.table({"monitor", "step", "q_1", "q_2", "t"});
-  Table summary = frame.table({"monitor", "steps", "h", "energy_error"});
+  Table& table = frame.table({"monitor", "step", "q_1", "q_2", "t"});
+  Table& summary = frame.table("summary", {"monitor", "steps", "h", "energy_error"});
   summary.note("eccentricity", eccentricity);
-  const auto power = [](double exponent) {
-    return [exponent](const State2& z) { return std::pow(z.q.norm(), exponent); };
+  const auto add = [&](const char* name, const auto& monitor, double exponent) {
+    const double h = fictive_period(exponent) / static_cast<double>(steps);
+    double worst = 0.0;
+    long step = 0;
+    orbit(monitor, h, [&](const State2& z) {
+      worst = std::max(worst, std::abs(avi::Kepler()(z.q, z.p) / -0.5 - 1.0));
+      table.row(name, step++, z.q[0], z.q[1], z.t);
+    });
+    summary.row(name, step - 1, h, worst);
   };
-  add(
-      table, summary, "none", avi::Unit{}, [](const State2&) { return 1.0; }, steps);
-  add(table, summary, "r", avi::Gamma{0.5}, power(1.0), steps);
-  add(table, summary, "r^1.5", avi::Gamma{0.75}, power(1.5), steps);
-  add(table, summary, "r^2", avi::Gamma{1.0}, power(2.0), steps);
-  frame.write(summary, "summary");
-  frame.write(table);
+  add("none", avi::Unit{}, 0.0);
+  add("r", avi::Gamma{0.5}, 1.0);
+  add("r^1.5", avi::Gamma{0.75}, 1.5);
+  add("r^2", avi::Gamma{1.0}, 2.0);
 }

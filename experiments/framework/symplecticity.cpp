@@ -14,7 +14,7 @@
 using namespace experiment;
 
 void experiment::conduct(Frame& frame) {
-  Table table = frame.table({"problem", "method", "variables", "h", "defect"});
+  Table& table = frame.table({"problem", "method", "variables", "h", "defect"});
   table.note("defect", "| J^T Omega J - Omega |, J by differences good to about 1e-12");
   const avi::Kepler kepler;
   const avi::State<2> somewhere = kepler_point();
@@ -34,5 +34,4 @@ void experiment::conduct(Frame& frame) {
     table.row("bregman", "splitting", "q r", h, bregman_defect(splitting_printed_step, family, h, true));
     table.row("bregman", "three_flows", "q t r r^t", h, bregman_defect(three_flow_step, family, h));
   }
-  frame.write(table);
 }

@@ -2,7 +2,7 @@
 
 // Errors against the step of each construction at the settings of Table 1 (e = 0.9), from 2 h down to h/8.
 void experiment::conduct(Frame& frame) {
-  Table out = frame.table(
+  Table& out = frame.table(
       {"method", "construction", "r", "rule", "monitor", "h", "steps", "energy_error", "global_error"});
   out.note("eccentricity", 0.9);
   const KeplerTable printed = table1();
@@ -24,5 +24,4 @@ void experiment::conduct(Frame& frame) {
     for (const char* construction : {"authors", "printed"})
       sweep([&](const KeplerTable& table) { return htvi4_runs(construction, table, rule); });
   sweep([&](const KeplerTable& table) { return stationary_runs(table); });
-  frame.write(out);
 }

@@ -2,7 +2,7 @@
 
 // Physical steps of HTVI4 in time for the monitors of Table 1, at its settings (e = 0.9).
 void experiment::conduct(Frame& frame) {
-  Table out = frame.table({"monitor", "t", "step", "radius"});
+  Table& out = frame.table({"monitor", "t", "step", "radius"});
   out.note("eccentricity", 0.9);
   for (const KeplerRun& run : htvi4_runs("authors", table1())) {
     if (run.row.monitor == "none") continue;
@@ -13,5 +13,4 @@ void experiment::conduct(Frame& frame) {
     });
     if (done.outcome != avi::Outcome::ok) throw std::runtime_error(done.message);
   }
-  frame.write(out);
 }

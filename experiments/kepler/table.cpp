@@ -66,7 +66,7 @@ void kepler_table(Frame& frame, const KeplerTable& table) {
     works.push_back([&run] { run.run(); });
   const auto times = interleaved_least_seconds(works, frame.quick ? 1 : table.rounds);
 
-  Table out =
+  Table& out =
       frame.table({"method", "construction", "r", "rule", "monitor", "h", "g_min", "g_max", "min_step",
                    "max_step", "energy_error", "global_error", "global_error_shifted", "steps", "seconds"});
   out.note("eccentricity", table.eccentricity);
@@ -80,7 +80,6 @@ void kepler_table(Frame& frame, const KeplerTable& table) {
             r.max_step, r.energy_error, r.global_error,
             name.method == "stormer_verlet" ? r.global_error_shifted : unknown, r.steps, rounded(times[i]));
   }
-  frame.write(out);
 }
 
 }  // namespace experiment

@@ -80,8 +80,8 @@ void experiment::conduct(Frame& frame) {
   const double nag_cap = frame.longer ? 1e10 : std::min(cap, 5e6);
   const CorrelatedQuartic f;
   const avi::VectorX x0 = f.start(), y0 = x0.array() - 1.0;
-  Table table = frame.table({"method", "delta", "iterations", "gradient_evaluations", "converged", "outcome",
-                             "function_evaluations", "least_gradient", "seconds"});
+  Table& table = frame.table({"method", "delta", "iterations", "gradient_evaluations", "converged", "outcome",
+                              "function_evaluations", "least_gradient", "seconds"});
   table.note("rows that are not converged", "the counts when the run ended");
   table.note("function_evaluations, least_gradient", "of the whole run");
   table.note("nag", "k of its momentum (k - 1)/(k + 2) is 2 at the first update; of nag_from_1 it is 1");
@@ -124,8 +124,6 @@ void experiment::conduct(Frame& frame) {
       table.row(name, delta, run.iterations, run.gradient_evaluations, run.ok(), avi::name(run.outcome),
                 run.function_evaluations, std::nan(""), rounded(spent));
     }
-  Table list = frame.table({"method", "setting", "value"});
+  Table& list = frame.table("settings", {"method", "setting", "value"});
   settings(list, adagrad_rate, rmsprop_rate);
-  frame.write(list, "settings");
-  frame.write(table);
 }

@@ -121,7 +121,7 @@ void experiment::conduct(Frame& frame) {
   // Memory that was given back is used again: fresh pages take the system longer than what is measured.
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-  Table table =
+  Table& table =
       frame.table({"objective", "dimension", "memory", "evaluation_seconds", "own_seconds",
                    "evaluations_per_iteration", "own_in_evaluations", "vectors_read", "vectors_written",
                    "read_seconds", "update_seconds", "own_over_needed", "peak_vectors"});
@@ -153,5 +153,4 @@ void experiment::conduct(Frame& frame) {
                 cost.iteration / needed, n > 1e6 ? cost.vectors : unknown);
     }
   }
-  frame.write(table);
 }

@@ -78,11 +78,11 @@ int main(int argc, char** argv) {
   const std::vector<experiment::Option> options{{"--published", &published, "Folder of the paper's numbers"},
                                                 {"--data", &data, "Folder of the experiments' tables"}};
   const char* shows = "Compares every number that the paper prints with ours.";
-  return experiment::run(argc, argv, shows, options, [&](const experiment::Frame& frame) {
+  return experiment::run(argc, argv, shows, options, [&](experiment::Frame& frame) {
     require_sheets(published);
     const Results results({data});
-    Table cells = frame.table({"source", "row", "quantity", "published", "reproduced", "verdict", "note",
-                               "kind", "settings", "unprinted", "sensitive"});
+    Table& cells = frame.table({"source", "row", "quantity", "published", "reproduced", "verdict", "note",
+                                "kind", "settings", "unprinted", "sensitive"});
     cells.note("sensitive", "starts moved by 1e-14 give other counts");
     cells.note("settings", "customary: of the run's settings only the start and the horizon are not printed; "
                            "recovered: another one was found by printed outcomes");
@@ -95,7 +95,8 @@ int main(int argc, char** argv) {
       fmt::print("{}", report(sheet.title, lines));
       cells.rows.insert(cells.rows.end(), lines.rows.begin(), lines.rows.end());
     }
-    Table claims = frame.table({"source", "key", "claim", "experiment", "test", "ruling", "evidence"});
+    Table& claims =
+        frame.table("claims", {"source", "key", "claim", "experiment", "test", "ruling", "evidence"});
     for (const auto& [source, key, claim, experiment, test, finding] : judge_claims(published, results))
       claims.row(source, key, claim, experiment, test, name(finding.ruling), finding.evidence);
     fmt::print("{}", report_claims(claims));
@@ -106,8 +107,6 @@ int main(int argc, char** argv) {
     for (const Row& claim : rows(claims))
       ledger.row("text", claim.text("key"), "claim", claim.text("ruling"), "");
     frame.write(ledger, "verdicts");
-    frame.write(claims, "claims");
-    frame.write(cells);
     const auto all_of = [&](const char* what, Kind kind) {
       return summary(what, shares(of_kind(cells, kind), "verdict"), true);
     };
@@ -119,8 +118,9 @@ int main(int argc, char** argv) {
         summary("claims of the text", shares(claims, "ruling"), true));
     const auto missing = rows(cells, {{"verdict", "missing"}}).size(),
                unruled = rows(claims, {{"ruling", "missing"}}).size();
-    if (missing + unruled > 0)
-      throw std::runtime_error(fmt::format(
-          "{} published numbers and {} claims have no data to judge them by; see above.", missing, unruled));
+    if (missing + unruled == 0) return;
+    frame.write_tables();  // for all that
+    throw std::runtime_error(fmt::format(
+        "{} published numbers and {} claims have no data to judge them by; see above.", missing, unruled));
   });
 }

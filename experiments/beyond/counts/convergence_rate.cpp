@@ -29,11 +29,11 @@ double lyapunov(const avi::BregmanFamily& family, const CorrelatedQuartic& f, co
 }  // namespace
 
 void experiment::conduct(Frame& frame) {
-  Table table = frame.table({"p", "t_end", "value", "bound", "largest_ratio", "largest_rise_of_E",
-                             "fitted_rate", "gradient_evaluations", "outcome"});
+  Table& table = frame.table({"p", "t_end", "value", "bound", "largest_ratio", "largest_rise_of_E",
+                              "fitted_rate", "gradient_evaluations", "outcome"});
   table.note("largest_ratio", "of f - f* to its bound E(t_0) / (C t^p), over the run");
   table.note("fitted_rate", "exponent of t of the upper envelope of f, over the last decade of f's fall");
-  Table curves = frame.table({"p", "t", "value", "most", "bound", "E"});
+  Table& curves = frame.table("curves", {"p", "t", "value", "most", "bound", "E"});
   const CorrelatedQuartic f;
   for (double p : {2.0, 4.0, 6.0, 10.0}) {
     const auto family = avi::BregmanFamily::direct(p);
@@ -77,16 +77,10 @@ void experiment::conduct(Frame& frame) {
         if (envelope.back() < floor) outcome = avi::Outcome::ok;
       }
     }
-    std::vector<double> late, last;  // the part of the envelope within a factor of 1e4 of its end
-    for (std::size_t i = 0; i < envelope.size(); ++i)
-      if (envelope[i] < 1e4 * envelope.back()) {
-        late.push_back(times[i]);
-        last.push_back(envelope[i]);
-      }
+    // The part of the envelope within a factor of 1e4 of its end.
+    const auto fit = power_law(times, envelope, [&](double, double y) { return y < 1e4 * envelope.back(); });
     const double t = state.z[2 * n];
-    table.row(p, t, value, start_energy / (family.C * std::pow(t, p)), ratio, rise,
-              power_law(late, last).slope, objective.gradients, avi::name(outcome));
+    table.row(p, t, value, start_energy / (family.C * std::pow(t, p)), ratio, rise, fit.slope,
+              objective.gradients, avi::name(outcome));
   }
-  frame.write(curves, "curves");
-  frame.write(table);
 }

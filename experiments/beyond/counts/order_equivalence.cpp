@@ -4,8 +4,8 @@
 // fictive step. With the exact clock they are the same method; only Euler's clock makes a difference.
 
 void experiment::conduct(Frame& frame) {
-  Table table = frame.table({"p", "p_ring", "order", "h", "clock", "adaptive_iterations", "direct_iterations",
-                             "distance_100", "distance_1000", "converged"});
+  Table& table = frame.table({"p", "p_ring", "order", "h", "clock", "adaptive_iterations",
+                              "direct_iterations", "distance_100", "distance_1000", "converged"});
   table.note("distance_n", "largest |x_adaptive - x_direct| / |x_direct| over the first n iterations");
   const CorrelatedQuartic f;
   const avi::Stopping stopping{.delta = 1e-10, .iterations = 200'000};
@@ -31,5 +31,4 @@ void experiment::conduct(Frame& frame) {
                 reference.iterations, distance[0], distance[1], result.ok() && reference.ok());
     }
   }
-  frame.write(table);
 }

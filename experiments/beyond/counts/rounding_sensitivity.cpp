@@ -5,8 +5,8 @@
 
 void experiment::conduct(Frame& frame) {
   const long starts = frame.quick ? 4 : 16;
-  Table table = frame.table({"setting", "method", "approach", "p", "p_ring", "h", "iterations", "moved_by",
-                             "starts", "least", "most", "failed", "chaotic"});
+  Table& table = frame.table({"setting", "method", "approach", "p", "p_ring", "h", "iterations", "moved_by",
+                              "starts", "least", "most", "failed", "chaotic"});
   table.note("chaotic", "the counts of the moved starts differ, or some runs fail");
   const CorrelatedQuartic f;
   const avi::Stopping stopping{.delta = 1e-10, .iterations = 1'000'000};
@@ -23,5 +23,4 @@ void experiment::conduct(Frame& frame) {
                 moved.least(), moved.most(), moved.failed, moved.failed > 0 || moved.least() != moved.most());
     }
   });
-  frame.write(table);
 }

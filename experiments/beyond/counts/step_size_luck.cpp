@@ -22,11 +22,11 @@ std::vector<double> two_digit_numbers(double low, double high) {
 }  // namespace
 
 void experiment::conduct(Frame& frame) {
-  Table table = frame.table(
+  Table& table = frame.table(
       {"method", "approach", "p", "p_ring", "h", "iterations", "least", "median", "most", "printed_is_best"});
   table.note("grid", "two-digit steps from 0.6 to 1.3 times the published one");
-  Table grid =
-      frame.table({"row", "method", "approach", "p", "p_ring", "h", "relative_h", "iterations", "converged"});
+  Table& grid = frame.table(
+      "grid", {"row", "method", "approach", "p", "p_ring", "h", "relative_h", "iterations", "converged"});
   const CorrelatedQuartic f;
   const avi::Stopping stopping{.delta = 1e-10, .iterations = 400'000};
   each_setting(frame, all_settings(), [&](const Setting& s, bool slow) {
@@ -49,6 +49,4 @@ void experiment::conduct(Frame& frame) {
     table.row(s.method, s.approach(), s.p, s.p_ring_or_nan(), s.h, printed, counts.front(), median(counts),
               counts.back(), best);
   });
-  frame.write(grid, "grid");
-  frame.write(table);
 }

@@ -20,12 +20,12 @@ void add_curve(Table& curves, const Setting& s, long first_passage) {
 }  // namespace
 
 void experiment::conduct(Frame& frame) {
-  Table table = frame.table({"method", "approach", "p", "p_ring", "h", "first_passage", "sustained", "ratio",
-                             "value_at_first_passage", "rebound", "confirmed", "outcome"});
+  Table& table = frame.table({"method", "approach", "p", "p_ring", "h", "first_passage", "sustained", "ratio",
+                              "value_at_first_passage", "rebound", "confirmed", "outcome"});
   table.note("delta", 1e-10);
   table.note("sustained", "first iteration from which the test holds until the run is twice as long");
   table.note("rebound", "largest f within the 5 % of iterations after the first passage");
-  Table curves = frame.table(Curve::columns_after({"curve", "approach", "first_passage"}));
+  Table& curves = frame.table("curves", Curve::columns_after({"curve", "approach", "first_passage"}));
   const CorrelatedQuartic f;
   each_setting(frame, all_settings(), [&](const Setting& s, bool) {
     Sustained seen;
@@ -35,6 +35,4 @@ void experiment::conduct(Frame& frame) {
               avi::name(result.outcome));
     if (s.method == "htvi" && s.p == 4 && (s.h == 8e-4 || s.h == 2.4e-4)) add_curve(curves, s, seen.first);
   });
-  frame.write(curves, "curves");
-  frame.write(table);
 }

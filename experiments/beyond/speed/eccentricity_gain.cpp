@@ -9,7 +9,7 @@
 
 void experiment::conduct(Frame& frame) {
   constexpr double target = 1e-6;  // position error
-  Table out = frame.table(
+  Table& out = frame.table(
       {"eccentricity", "monitor", "h", "steps", "min_step", "max_step", "energy_error", "global_error"});
   out.note("target", target);
   for (int tenths = 0; tenths <= 9; ++tenths) {
@@ -30,5 +30,4 @@ void experiment::conduct(Frame& frame) {
       out.row(e, row.monitor, row.h, r.steps, r.min_step, r.max_step, r.energy_error, r.global_error);
     }
   }
-  frame.write(out);
 }

@@ -127,7 +127,7 @@ void survey(Frame& frame, Table& table, const Subject& subject) {
 }  // namespace
 
 void experiment::conduct(Frame& frame) {
-  Table table =
+  Table& table =
       frame.table({"method", "monitor", "precision", "bounded", "eccentricity", "closeness", "h",
                    "steps_per_orbit", "energy_error", "phase_error", "predicted_exponent", "beyond"});
   table.note("h", "largest step that holds |H - H_0| / |H_0| below 1e-2 for three periods and ends within "
@@ -139,5 +139,4 @@ void experiment::conduct(Frame& frame) {
     frame.progress(all[i].method + " " + all[i].monitor, i, all.size());
     survey(frame, table, all[i]);
   }
-  frame.write(table);
 }

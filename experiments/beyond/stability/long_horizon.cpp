@@ -73,9 +73,9 @@ std::vector<Subject> subjects() {
 
 void experiment::conduct(Frame& frame) {
   const long periods = frame.quick ? 100 : frame.longer ? 1'000'000 : 1000;
-  Table table = frame.table({"method", "monitor", "h", "periods", "energy_error", "momentum_error",
-                             "phase_error", "energy_now"}),
-        laws = frame.table({"method", "energy", "momentum", "phase"});
+  Table &table = frame.table({"method", "monitor", "h", "periods", "energy_error", "momentum_error",
+                              "phase_error", "energy_now"}),
+        &laws = frame.table("laws", {"method", "energy", "momentum", "phase"});
   table.note("eccentricity", eccentricity);
   table.note("errors",
              "largest relative ones of energy and angular momentum up to then; mean longitude in radians");
@@ -101,6 +101,4 @@ void experiment::conduct(Frame& frame) {
     laws.row(s.method, growth(marks, &Progress::energy_error), growth(marks, &Progress::momentum_error),
              growth(marks, &Progress::phase_error));
   }
-  frame.write(laws, "laws");
-  frame.write(table);
 }

@@ -125,10 +125,11 @@ std::vector<Subject> subjects() {
 
 void experiment::conduct(Frame& frame) {
   const long periods = frame.quick ? 1000 : frame.longer ? 1'000'000 : 10'000;
-  Table table = frame.table({"method", "start", "eccentricity", "periods", "energy_error"});
-  Table growth = frame.table({"method", "periods", "energy_error", "mean"});
-  Table summary = frame.table({"method", "starts", "periods", "energy_error", "exponent", "standard_error",
-                               "exponent_before", "exponent_after", "random", "bias", "seconds_per_orbit"});
+  Table& table = frame.table({"method", "start", "eccentricity", "periods", "energy_error"});
+  Table& growth = frame.table("growth", {"method", "periods", "energy_error", "mean"});
+  Table& summary =
+      frame.table("summary", {"method", "starts", "periods", "energy_error", "exponent", "standard_error",
+                              "exponent_before", "exponent_after", "random", "bias", "seconds_per_orbit"});
   table.note("energy_error", "|H / H_0 - 1| of the first state after the milestone beyond the mean distance");
   growth.note("energy_error", "root mean square over the starts");
   growth.note("mean", "mean of H / H_0 - 1 over the starts");
@@ -162,18 +163,11 @@ void experiment::conduct(Frame& frame) {
       y.push_back(std::sqrt(squares[i]));
     }
     const auto fit = power_law(x, y);
-    const auto part = [&](bool before) {
-      std::vector<double> part_x, part_y;
-      for (std::size_t i = 0; i < x.size(); ++i)
-        if (before ? x[i] <= 562.0 : x[i] >= 562.0) part_x.push_back(x[i]), part_y.push_back(y[i]);
-      return power_law(part_x, part_y).slope;
-    };
+    const auto before = power_law(x, y, [](double t, double) { return t <= 562.0; });
+    const auto after = power_law(x, y, [](double t, double) { return t >= 562.0; });
     const Walk fitted = walk(x, y);
     summary.row(subject.method, starts, milestones.back(), y.back(), fit.slope, fit.standard_error,
-                part(true), part(false), fitted.random, fitted.bias,
+                before.slope, after.slope, fitted.random, fitted.bias,
                 rounded(median(seconds) / static_cast<double>(milestones.back())));
   }
-  frame.write(growth, "growth");
-  frame.write(summary, "summary");
-  frame.write(table);
 }

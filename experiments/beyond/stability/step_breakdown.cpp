@@ -76,8 +76,8 @@ std::vector<Case> cases(bool quick) {
 }  // namespace
 
 void experiment::conduct(Frame& frame) {
-  Table table = frame.table({"problem", "method", "monitor", "h", "energy_error", "h_linear", "linear_reason",
-                             "h_beyond", "beyond", "time_reached"});
+  Table& table = frame.table({"problem", "method", "monitor", "h", "energy_error", "h_linear",
+                              "linear_reason", "h_beyond", "beyond", "time_reached"});
   table.note("h",
              "largest step whose energy error stays below the bound: oscillator 1000, others 0.1; T = 300");
   table.note("h_linear",
@@ -110,5 +110,4 @@ void experiment::conduct(Frame& frame) {
     measure("kepler", c, c.on_kepler, kepler, 0.1,
             {c.monitor == "none" ? 2.0 * std::pow(1.0 - e, 1.5) : 2.0, "unstable"});
   }
-  frame.write(table);
 }

@@ -63,49 +63,34 @@ struct SlowWhenFast {
   auto operator()(const auto&, const auto& p) const { return 1.0 / (1.0 + 0.5 * (p[0] * p[0])); }
 };
 
-/// T quadratic, relativistic, not separable, Kepler.
-void add_without_monitor(Table& table, bool quick) {
-  const avi::State<2> star{.q = {0.1, -0.3}, .p = {0.4, 0.2}}, orbit = avi::Kepler::pericentre(0.3);
-  const avi::State<1> swing{.q = avi::Vector<double, 1>(0.7), .p = avi::Vector<double, 1>(0.9)};
-  add_problem(table, "henon_heiles", avi::poincare<2>(Plane{false}, star), star, 2.5, quick);
-  add_problem(table, "relativistic", avi::poincare<1>(Line{true}, swing), swing, 2.0, quick);
-  add_problem(table, "non_separable", avi::poincare<1>(Line{false}, swing), swing, 2.0, quick);
-  add_problem(table, "kepler", avi::poincare<2>(Plane{true}, orbit), orbit, 5.0, quick);
-}
-
-/// Kepler's problem with monitors of the position.
-void add_monitors(Table& table, bool quick) {
-  const auto orbit = avi::Kepler::pericentre(0.3);
-  for (const bool square : {true, false})
-    add_problem(table, square ? "kepler_gamma" : "kepler_gamma_075",
-                avi::poincare<2>(avi::Kepler{}, orbit, Radius{square}), orbit, 5.0, quick);
-}
-
-/// A monitor of position and momentum, and a Hamiltonian that depends on time.
-void add_general_problems(Table& table, bool quick) {
-  const auto orbit = avi::Kepler::pericentre(0.3);
-  const avi::Kepler kepler;
-  const avi::Energy monitor{kepler, -kepler(orbit.q, orbit.p)};
-  add_problem(table, "kepler_energy", avi::poincare<2>(kepler, orbit, avi::bounded(monitor, 0.1, 3.0)), orbit,
-              1.5, quick);
-  const avi::State<1> swing{.q = avi::Vector<double, 1>(0.7), .p = avi::Vector<double, 1>(0.9)};
-  const auto driven = avi::time_dependent(Driven{}, swing, SlowWhenFast{});
-  add_problem(table, "driven_pendulum", driven, avi::extended(driven, swing), 2.0, quick);
-}
-
 }  // namespace
 
 void experiment::conduct(Frame& frame) {
-  Table out = frame.table({"problem", "type", "r", "quadrature", "expected_order", "measured_order",
-                           "construction", "points", "limit_order"});
+  Table& out = frame.table({"problem", "type", "r", "quadrature", "expected_order", "measured_order",
+                            "construction", "points", "limit_order"});
   out.note("measured_order",
            "slope of the final error in (q, p, t) over the step, nan with fewer than 3 usable points");
   out.note("limit_order",
            "slope at h = 0, extrapolated from measured_order and the slope of the four steps before");
   double done = 0.0;
-  for (auto* add : {add_without_monitor, add_monitors, add_general_problems}) {
-    add(out, frame.quick);
-    frame.progress("cells", done++, 3.0);
-  }
-  frame.write(out);
+  const auto add = [&](const char* name, const auto& problem, const auto& start, double horizon) {
+    add_problem(out, name, problem, start, horizon, frame.quick);
+    frame.progress(name, ++done, 8.0);
+  };
+  const avi::State<2> star{.q = {0.1, -0.3}, .p = {0.4, 0.2}}, orbit = avi::Kepler::pericentre(0.3);
+  const avi::State<1> swing{.q = avi::Vector<double, 1>(0.7), .p = avi::Vector<double, 1>(0.9)};
+  // Without a monitor: T quadratic, relativistic, not separable, Kepler.
+  add("henon_heiles", avi::poincare<2>(Plane{false}, star), star, 2.5);
+  add("relativistic", avi::poincare<1>(Line{true}, swing), swing, 2.0);
+  add("non_separable", avi::poincare<1>(Line{false}, swing), swing, 2.0);
+  add("kepler", avi::poincare<2>(Plane{true}, orbit), orbit, 5.0);
+  // Monitors of the position, and one of position and momentum.
+  const avi::Kepler kepler;
+  add("kepler_gamma", avi::poincare<2>(kepler, orbit, Radius{true}), orbit, 5.0);
+  add("kepler_gamma_075", avi::poincare<2>(kepler, orbit, Radius{false}), orbit, 5.0);
+  const avi::Energy monitor{kepler, -kepler(orbit.q, orbit.p)};
+  add("kepler_energy", avi::poincare<2>(kepler, orbit, avi::bounded(monitor, 0.1, 3.0)), orbit, 1.5);
+  // A Hamiltonian that depends on time.
+  const auto driven = avi::time_dependent(Driven{}, swing, SlowWhenFast{});
+  add("driven_pendulum", driven, avi::extended(driven, swing), 2.0);
 }

@@ -53,7 +53,7 @@ avi::DriftFit fitted(const std::function<double(double)>& error, double from) {
 }  // namespace
 
 void experiment::conduct(Frame& frame) {
-  experiment::Table table = frame.table({"statement", "hessian", "r", "expected", "measured", "points"});
+  experiment::Table& table = frame.table({"statement", "hessian", "r", "expected", "measured", "points"});
   table.note("problem", "H = p^2/2 + q^2/2 + q^4/4, g = 2 + q^2/2 - p^2/4, one step");
   table.note("hessian", "whether the p-Hessian of H-bar vanishes at the start");
   for (const bool singular : {false, true}) {
@@ -114,5 +114,4 @@ void experiment::conduct(Frame& frame) {
       }
     table.row("extended symplecticity", hessian, 0, 0.0, defect, 6);
   }
-  frame.write(table);
 }

@@ -57,8 +57,8 @@ void experiment::conduct(Frame& frame) {
   const std::vector<Method> methods = arena::all_methods();
   const std::vector<Problem> problems = arena::all_problems(frame.longer, frame.longer);
   constexpr long cap = 20'000, slow_cap = 1000;
-  Table table = frame.table({"problem", "dimension", "method", "delta", "iterations", "gradient_evaluations",
-                             "function_evaluations", "converged", "seconds", "group"});
+  Table& table = frame.table({"problem", "dimension", "method", "delta", "iterations", "gradient_evaluations",
+                              "function_evaluations", "converged", "seconds", "group"});
   table.note("group", "tuned: the defaults were fixed on them; looked_at: held out for earlier ones; "
                       "held_out: not looked at until the defaults of avi::minimise() were final");
   table.note("function_evaluations", "calls that ask for the value alone; gradient evaluations give it too");
@@ -94,6 +94,6 @@ void experiment::conduct(Frame& frame) {
       }
     }
   }
-  arena::write_standing(frame, instances, methods);
-  frame.write(table);
+  arena::add_summary(frame, instances, methods);
+  arena::add_profiles(frame, instances, methods);
 }

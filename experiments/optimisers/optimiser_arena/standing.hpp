@@ -46,10 +46,12 @@ struct Mean {
   [[nodiscard]] double value() const { return count > 0 ? std::exp(logs / count) : std::nan(""); }
 };
 
-inline void write_summary(const experiment::Frame& frame, const std::vector<Instance>& instances,
-                          const std::vector<Method>& methods) {
-  Table table = frame.table({"group", "method", "instances", "failures", "per_iteration", "ratio_to_lbfgs",
-                             "ratio_to_best_cg", "evaluations_to_best_cg", "within_2"});
+/// Table optimiser_arena_summary: means and failures by method.
+inline void add_summary(experiment::Frame& frame, const std::vector<Instance>& instances,
+                        const std::vector<Method>& methods) {
+  Table& table =
+      frame.table("summary", {"group", "method", "instances", "failures", "per_iteration", "ratio_to_lbfgs",
+                              "ratio_to_best_cg", "evaluations_to_best_cg", "within_2"});
   table.note("per_iteration", "geometric mean of gradients and values over the instances that it solved");
   table.note("ratio_to_lbfgs", "geometric mean of the ratio of gradients where both converged");
   table.note(
@@ -89,14 +91,14 @@ inline void write_summary(const experiment::Frame& frame, const std::vector<Inst
       table.row(group, method, count, failures, iteration.value(), lbfgs.value(), cg.value(), cg_all.value(),
                 within_2 / static_cast<double>(count));
     }
-  frame.write(table, "summary");
 }
 
-inline void write_profiles(const experiment::Frame& frame, const std::vector<Instance>& instances,
-                           const std::vector<Method>& methods) {
+/// Tables _profiles and _budgets: performance and data profiles.
+inline void add_profiles(experiment::Frame& frame, const std::vector<Instance>& instances,
+                         const std::vector<Method>& methods) {
   // An index block for each method; at every instance's own abscissa, so that no grid hides a step.
-  Table performance = frame.table({"method", "ratio", "share"}),
-        data = frame.table({"method", "evaluations", "share"});
+  Table &performance = frame.table("profiles", {"method", "ratio", "share"}),
+        &data = frame.table("budgets", {"method", "evaluations", "share"});
   performance.note("share", "of instances that the method solves with at most `ratio` times the best "
                             "method's evaluations (gradients, and values alone)");
   data.note("share",
@@ -118,16 +120,6 @@ inline void write_profiles(const experiment::Frame& frame, const std::vector<Ins
       data.row(method, costs[i], (i + 1) / count);
     }
   }
-  frame.write(performance, "profiles");
-  frame.write(data, "budgets");
-}
-
-/// Writes optimiser_arena_summary (means and failures by method), _profiles and _budgets (performance and
-/// data profiles).
-inline void write_standing(const experiment::Frame& frame, const std::vector<Instance>& instances,
-                           const std::vector<Method>& methods) {
-  write_summary(frame, instances, methods);
-  write_profiles(frame, instances, methods);
 }
 
 }  // namespace arena

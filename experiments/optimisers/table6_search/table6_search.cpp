@@ -3,7 +3,6 @@
 #include "optimisers/table6_search/scan.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cstdlib>
 #include <random>
@@ -125,7 +124,7 @@ int main(int argc, char** argv) {
                                     {"--variant", &only, "Only variants whose name contains this"}};
   return run(argc, argv, AVI_SHOWS, options, [&](Frame& frame) {
     const Spectrum of = spectrum();
-    Table table =
+    Table& table =
         frame.table({"variant", "u_low", "u_high", "u_ratio", "eta_low", "eta_high", "eta_ratio", "points",
                      "planted", "found", "confirmed", "leading", "leading_by_chance", "u", "eta", "counts"});
     table.note("printed", text(printed));
@@ -169,6 +168,5 @@ int main(int argc, char** argv) {
                 Ranges::eta_ratio, found.points, power.planted, power.found, power.confirmed, best.leading,
                 chance, best.u, best.eta, best.leading ? text(counts) : std::string("-"));
     }
-    frame.write(table);
   });
 }

@@ -77,10 +77,10 @@ bool compare(Table& table, Table& choices, const Arena& arena, const Targets& ta
 }  // namespace
 
 void experiment::conduct(Frame& frame) {
-  Table table = frame.table({"problem", "held_out", "order", "target", "steps", "position_error",
-                             "energy_error", "sweeps", "work"});
-  Table choices = frame.table({"problem", "held_out", "order", "choice", "chosen_ratio", "best",
-                               "chosen_work_ratio", "none_work_ratio", "choosing_share"});
+  Table& table = frame.table({"problem", "held_out", "order", "target", "steps", "position_error",
+                              "energy_error", "sweeps", "work"});
+  Table& choices = frame.table("choices", {"problem", "held_out", "order", "choice", "chosen_ratio", "best",
+                                           "chosen_work_ratio", "none_work_ratio", "choosing_share"});
   table.note("steps", "with the monitor that solve() chooses");
   Scenes scenes;
   for (const auto& add : {add_celestial, add_first, add_further, add_seen, add_held_out})
@@ -105,11 +105,8 @@ void experiment::conduct(Frame& frame) {
       count.within_2 += !arena.orbit.empty() && compare(table, choices, arena, targets);
     }
   }
-  Table summary = frame.table({"held_out", "order", "problems", "work_within_2"});
+  Table& summary = frame.table("summary", {"held_out", "order", "problems", "work_within_2"});
   for (const auto& [key, count] : counts)
     summary.row(key.first, key.second, count.problems, count.within_2);
   measure_drift(frame, scenes, frame.quick || frame.longer ? 1000 : 20);
-  frame.write(table);
-  frame.write(choices, "choices");
-  frame.write(summary, "summary");
 }

@@ -39,9 +39,10 @@ inline Series follow(const Scene& scene, const avi::Choice& choice, double end) 
 
 /// Energy errors over `repeats` times the horizon of each scene, with one choice of solve(), and the slope of
 /// a line fitted to them: table <name>_drift.
-inline void measure_drift(const Frame& frame, const std::vector<Scene>& scenes, int repeats) {
-  Table table = frame.table({"problem", "held_out", "horizons", "monitor", "outcome", "energy_error",
-                             "slope_times_horizon", "corrected_t", "rounding", "first_tenth", "last_tenth"});
+inline void measure_drift(Frame& frame, const std::vector<Scene>& scenes, int repeats) {
+  Table& table =
+      frame.table("drift", {"problem", "held_out", "horizons", "monitor", "outcome", "energy_error",
+                            "slope_times_horizon", "corrected_t", "rounding", "first_tenth", "last_tenth"});
   table.note("corrected_t", "slope over its standard error, correlation between blocks counted");
   for (const Scene& scene : scenes) {
     const double end = repeats * scene.time;
@@ -63,7 +64,6 @@ inline void measure_drift(const Frame& frame, const std::vector<Scene>& scenes, 
     table.row(scene.name, scene.held_out, repeats, choice.name, avi::name(series.run.outcome), worst,
               fit.slope * end, avi::corrected_t(fit), series.rounding, series.worst_first, series.worst_last);
   }
-  frame.write(table, "drift");
 }
 
 }  // namespace experiment

@@ -40,7 +40,7 @@ void report(const Axis& axis, int rounds, Table& runs, Table& fits) {
 }  // namespace
 
 void experiment::conduct(Frame& frame) {
-  Table runs = frame.table({"axis", "subject", "value", "steps", "energy_error", "seconds"});
+  Table& runs = frame.table({"axis", "subject", "value", "steps", "energy_error", "seconds"});
   runs.note("closeness", "1 - e; one Kepler orbit by stationary8 with g = r^(2 gamma), the largest energy "
                          "error |H - H_0| / |H_0| being 1e-6");
   runs.note("periods", "of Kepler's problem at e = 0.9, with one step size for each method");
@@ -49,8 +49,8 @@ void experiment::conduct(Frame& frame) {
       "dimension",
       "n, chain of masses; seconds for one value of H, one automatic gradient, one sweep of collocation of "
       "order 16 (with an automatic gradient unless named), each at the eight stages of a step together");
-  Table fits = frame.table(
-      {"axis", "subject", "points", "steps_exponent", "steps_predicted", "steps_limit", "seconds_exponent"});
+  Table& fits = frame.table("fit", {"axis", "subject", "points", "steps_exponent", "steps_predicted",
+                                    "steps_limit", "seconds_exponent"});
   fits.note("points", "closeness from where rounding is far below 1e-6; all horizons; r from 4; all n");
   fits.note("steps_predicted", "power law through the predicted steps at the values fitted");
   fits.note("steps_limit", "power of the value as it goes to its limit");
@@ -62,6 +62,4 @@ void experiment::conduct(Frame& frame) {
   report(along_order(), frame.quick ? 1 : 9, runs, fits);
   frame.progress("dimension", 0.8);
   report(along_dimension(frame.quick), 15, runs, fits);
-  frame.write(fits, "fit");
-  frame.write(runs);
 }

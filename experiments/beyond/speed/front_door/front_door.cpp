@@ -15,11 +15,11 @@ void experiment::conduct(Frame& frame) {
       .longest_run = 0.5, .least_block = 1e-3, .rounds = 7, .ratio = std::sqrt(0.1), .refined = 4};
   const Budget budget = frame.longer ? fine : Budget{};
   const double longest = frame.longer ? 1000.0 : frame.quick ? 10.0 : 100.0;
-  Table table = frame.table({"scene", "kind", "held_out", "horizon", "method", "setting", "error", "seconds",
-                             "steps", "evaluations"});
-  Table cells =
-      frame.table({"scene", "kind", "held_out", "horizon", "target", "ours", "best_peer", "best_peer_name",
-                   "ratio", "ours_evaluations", "peer_evaluations", "ours_setting", "peer_setting"});
+  Table& table = frame.table({"scene", "kind", "held_out", "horizon", "method", "setting", "error", "seconds",
+                              "steps", "evaluations"});
+  Table& cells = frame.table("cells", {"scene", "kind", "held_out", "horizon", "target", "ours", "best_peer",
+                                       "best_peer_name", "ratio", "ours_evaluations", "peer_evaluations",
+                                       "ours_setting", "peer_setting"});
   table.note("peers", work_precision::peers_present());
   cells.note("peers", work_precision::peers_present());
   double done = 0.0;
@@ -51,6 +51,4 @@ void experiment::conduct(Frame& frame) {
       }
     }
   }
-  frame.write(cells, "cells");
-  frame.write(table);
 }

@@ -29,9 +29,9 @@ inline std::string method(const Point* p) {
 inline constexpr double spread_elsewhere = 1.43;
 
 /// The table filled by advise().
-inline Table advice_table(const Frame& frame) {
-  Table table = frame.table(
-      {"problem", "eccentricity", "horizon", "target", "method", "setting", "cost", "energy_error"});
+inline Table& advice_table(Frame& frame) {
+  Table& table = frame.table("advice", {"problem", "eccentricity", "horizon", "target", "method", "setting",
+                                        "cost", "energy_error"});
   table.columns.insert(table.columns.end(),
                        {"htvi", "peer", "peer_cost", "elsewhere", "elsewhere_cost", "ratio", "verdict",
                         "htvi_ratio", "collocation", "collocation_setting", "collocation_cost",

@@ -68,10 +68,10 @@ void experiment::conduct(Frame& frame) {
       frame.quick    ? Budget{.longest_run = 3e4, .least_run = 3000, .least_block = 0.00005, .stride = 4}
       : frame.longer ? Budget{.longest_run = 1.2e6, .least_run = 3e4, .least_block = 0.0005, .stride = 1}
                      : Budget{};
-  Table table =
+  Table& table =
       frame.table({"problem", "eccentricity", "horizon", "method", "order", "setting", "steps", "evaluations",
                    "seconds", "position_error", "energy_error", "cost", "least_cost", "most_cost"});
-  Table advice = advice_table(frame);
+  Table& advice = advice_table(frame);
   table.note("peers", peers_present());
   advice.note("peers", peers_present());
   const Scene unit_scene = reference_scene();
@@ -100,6 +100,4 @@ void experiment::conduct(Frame& frame) {
     add_rows(table, scene, points, unit);
     advise(advice, scene, points, unit, drift);
   }
-  frame.write(advice, "advice");
-  frame.write(table);
 }

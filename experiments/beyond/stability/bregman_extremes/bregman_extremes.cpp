@@ -65,8 +65,8 @@ Judged meet(const Scene& s, std::string_view kind, long at, long cap) {
 }
 
 void write_overflow(Frame& frame) {
-  Table table = frame.table({"form", "p", "p_ring", "h", "log10_t_end", "log10_t_expected", "steps",
-                             "distance_from_printed", "steps_compared"});
+  Table& table = frame.table("overflow", {"form", "p", "p_ring", "h", "log10_t_end", "log10_t_expected",
+                                          "steps", "distance_from_printed", "steps_compared"});
   table.note("distance_from_printed", "largest |x - x_printed| / |x| while both are finite");
   const double steps = 2000.0;
   Orders orders;
@@ -85,12 +85,11 @@ void write_overflow(Frame& frame) {
     add(run_to_its_end<avi::BregmanHtvi>("momentum", family, steps), close.momentum);
     add(run_to_its_end<avi::BregmanHeavyBall>("heavy_ball", family, steps), close.heavy_ball);
   }
-  frame.write(table, "overflow");
 }
 
 void write_limits(Frame& frame) {
-  Table table = frame.table({"method", "p", "p_ring", "t_end", "h_expected", "h_measured", "ratio",
-                             "beyond_outcome", "beyond_iterations", "beyond_message"});
+  Table& table = frame.table("limits", {"method", "p", "p_ring", "t_end", "h_expected", "h_measured", "ratio",
+                                        "beyond_outcome", "beyond_iterations", "beyond_message"});
   table.note("objective", "|x|^2 / 2, C = 1e9; stable: f stays below 1000 f(x0) from t = 1 to t_end");
   table.note("beyond", "the run with 1.05 times the measured step, under the default bounds");
   Orders orders = {{1, 1}, {2, 2}, {3, 3}, {4, 4}, {6, 6}, {10, 10}, {4, 1}};
@@ -102,13 +101,12 @@ void write_limits(Frame& frame) {
       table.row(method, p, p_ring, T, limit.expected, limit.measured, limit.measured / limit.expected,
                 name(limit.beyond.outcome), limit.beyond.iterations, limit.beyond.message);
     }
-  frame.write(table, "limits");
 }
 
 }  // namespace
 
 void experiment::conduct(Frame& frame) {
-  Table table =
+  Table& table =
       frame.table({"scene", "method", "p", "p_ring", "h", "C", "dimension", "one_less_rho", "away", "t0",
                    "fault", "fault_at", "iterations", "value", "outcome", "verdict", "seconds"});
   table.note("verdict", "correct: converged, and asked again the criterion holds; named: any other "
@@ -136,5 +134,4 @@ void experiment::conduct(Frame& frame) {
         const Scene s{.scene = "fault", .method = method, .p = 10.0, .p_ring = 0.5, .h = h};
         add(s, 0.0, kind, at, [&] { return meet(s, kind, at, frame.quick ? 1000 : 15'000); });
       }
-  frame.write(table);
 }
