@@ -6,8 +6,6 @@
 
 #include <malloc.h>
 
-#include <limits>
-
 // What an iteration of avi::minimise() costs beside the objective: at d = 50 against an evaluation of the
 // paper's quartic, at large d against the vectors that it has to read and to write, at the speed at which
 // loops of the same program do nothing else.
@@ -105,12 +103,12 @@ Cost small(int memory) {
   const avi::MinimiseOptions options{.relative = 0.0, .absolute = 1e-10, .change = 1e-10, .memory = memory};
   VectorX x = f.start(), g(f.size());
   avi::Minimisation run;
-  const auto least = interleaved_least_seconds({[&] {
-                                                  for (int k = 0; k < 200; ++k)
-                                                    x[0] += 1e-30 * f(x, g);
-                                                },
-                                                [&] { run = avi::minimise(f, f.start(), options); }},
-                                               40);
+  const auto evaluate = [&] {
+    for (int k = 0; k < 200; ++k)
+      x[0] += 1e-30 * f(x, g);
+  };
+  const auto minimise = [&] { run = avi::minimise(f, f.start(), options); };
+  const auto least = interleaved_least_seconds({evaluate, minimise}, 40);
   const double count = run.iterations, made = run.gradient_evaluations, evaluation = least[0] / 200.0;
   return {(least[1] - made * evaluation) / count, evaluation, made / count, 0.0};
 }

@@ -39,8 +39,7 @@ void add_celestial(Scenes& scenes) {
              [=](const V& q, const V& p) { return kinetic(p) - pairs(q, unit, 1.0); });
   // A binary of eccentricity 0.6 and a light body on its axis; the motion of the binary is part of the
   // coordinates.
-  const Scale star{"star",
-                   [](const V& q, const V&) { return sqrt(square(q[2]) + 0.25 * radius_squared(q)); }};
+  const Scale star{"star", [](const V& q) { return sqrt(square(q[2]) + 0.25 * radius_squared(q)); }};
   scenes.add("sitnikov", {0.4, 0.0, 0.3}, {0.0, 2.0, 0.0}, 10.0 * period, {radius, star},
              [](const V& q, const V& p) {
                const Recorded r = radius_squared(q);
@@ -51,12 +50,10 @@ void add_celestial(Scenes& scenes) {
   const double mu = 0.012277471;
   const auto earth = [=](const V& q) { return square(q[0] + mu) + square(q[1]); };
   const auto moon = [=](const V& q) { return square(q[0] - (1.0 - mu)) + square(q[1]); };
-  const Scale potential{"potential", [=](const V& q, const V&) {
-                          return 1.0 / ((1.0 - mu) / sqrt(earth(q)) + mu / sqrt(moon(q)));
-                        }};
-  const Scale nearest{"nearest",
-                      [=](const V& q, const V&) { return sqrt(earth(q) * moon(q) / (earth(q) + moon(q))); }};
-  const Scale tide{"tide", [=](const V& q, const V&) {
+  const Scale potential{"potential",
+                        [=](const V& q) { return 1.0 / ((1.0 - mu) / sqrt(earth(q)) + mu / sqrt(moon(q))); }};
+  const Scale nearest{"nearest", [=](const V& q) { return sqrt(earth(q) * moon(q) / (earth(q) + moon(q))); }};
+  const Scale tide{"tide", [=](const V& q) {
                      return pow((1.0 - mu) * pow(earth(q), -1.5) + mu * pow(moon(q), -1.5), -1.0 / 3.0);
                    }};
   scenes.add("restricted_three", {0.994, 0.0}, {0.0, -2.00158510637908 + 0.994}, 17.0652165601579625,
@@ -66,9 +63,8 @@ void add_celestial(Scenes& scenes) {
              });
   // A charge in the field of a dipole.
   const double w = std::pow(0.4 * 0.4 + 0.05 * 0.05, -1.5);
-  const Scale r{"r",
-                [](const V& q, const V&) { return sqrt(radius_squared(q) + square(q[2])); },
-                {1.0, 1.5, 2.0, 3.0, 4.0}};
+  const Scale r{
+      "r", [](const V& q) { return sqrt(radius_squared(q) + square(q[2])); }, {1.0, 1.5, 2.0, 3.0, 4.0}};
   scenes.add("dipole", {0.4, 0.0, 0.05}, {0.2, 0.4 * w + 0.1, 0.3}, 30.0, {r}, [](const V& q, const V& p) {
     const Recorded field = pow(radius_squared(q) + square(q[2]), -1.5);
     return 0.5 * (square(p[0] + q[1] * field) + square(p[1] - q[0] * field) + square(p[2]));
@@ -90,8 +86,7 @@ void add_first(Scenes& scenes) {
   scenes.add("henon_heiles", {0.0, 0.3}, {0.45, 0.0}, 62.0, {}, [](const V& q, const V& p) {
     return kinetic(p) + 0.5 * radius_squared(q) + square(q[0]) * q[1] - q[1] * q[1] * q[1] * (1.0 / 3.0);
   });
-  const Scale steep{
-      "stiffness", [](const V& q, const V&) { return 1.0 / (1.0 + 40.0 * square(q[0])); }, {0.25, 0.5}};
+  const Scale steep{"stiffness", [](const V& q) { return 1.0 / (1.0 + 40.0 * square(q[0])); }, {0.25, 0.5}};
   scenes.add("stiff_soft", {1.0, 0.1}, {0.0, 0.0}, 12.0, {steep}, [](const V& q, const V& p) {
     return kinetic(p) + 0.5 * square(q[1]) * (1.0 + 40.0 * square(q[0])) + 0.5 * square(q[0]);
   });
@@ -100,17 +95,17 @@ void add_first(Scenes& scenes) {
     const Recorded s = pow(q[0], -6.0);
     return kinetic(p) + 4.0 * (s * s - s);
   });
-  const Scale gap{"gap", [](const V& q, const V&) { return 1.0 - square(q[0]); }, {0.5, 1.0, 1.5, 2.0, 3.0}};
+  const Scale gap{"gap", [](const V& q) { return 1.0 - square(q[0]); }, {0.5, 1.0, 1.5, 2.0, 3.0}};
   scenes.add("walls", {0.0}, {1.0}, 60.0, {gap}, [](const V& q, const V& p) {
     return kinetic(p) + 1e-3 * (pow(1.0 - q[0], -2.0) + pow(1.0 + q[0], -2.0));
   });
-  const Scale height{"height", [](const V& q, const V&) { return 1.5 + cos(q[0]); }, {-1.0, -0.5, 0.5}};
+  const Scale height{"height", [](const V& q) { return 1.5 + cos(q[0]); }, {-1.0, -0.5, 0.5}};
   scenes.add("separatrix", {3.1}, {0.0}, 100.0, {height},
              [](const V& q, const V& p) { return kinetic(p) - cos(q[0]); });
   scenes.add("quartic", {2.0}, {0.0}, 40.0, {stiffness},
              [](const V& q, const V& p) { return kinetic(p) + 0.25 * square(square(q[0])); });
   const Scale springs{
-      "stiffness", [](const V& q, const V&) { return 1.0 / (1.0 + toda_potential(q)); }, {0.25, 0.5, 1.0}};
+      "stiffness", [](const V& q) { return 1.0 / (1.0 + toda_potential(q)); }, {0.25, 0.5, 1.0}};
   scenes.add("toda", {0.0, 0.0}, {3.0, 4.0}, 40.0, {springs},
              [](const V& q, const V& p) { return kinetic(p) + toda_potential(q); });
 }
@@ -118,13 +113,12 @@ void add_first(Scenes& scenes) {
 void add_further(Scenes& scenes) {
   const auto left = [](const V& q) { return square(q[0] + 1.0) + square(q[1]); };
   const auto right = [](const V& q) { return square(q[0] - 1.0) + square(q[1]); };
-  const Scale potential{
-      "potential", [=](const V& q, const V&) { return 1.0 / (1.0 / sqrt(left(q)) + 1.0 / sqrt(right(q))); }};
-  const Scale nearest{"nearest",
-                      [=](const V& q, const V&) { return sqrt(left(q) * right(q) / (left(q) + right(q))); }};
+  const Scale potential{"potential",
+                        [=](const V& q) { return 1.0 / (1.0 / sqrt(left(q)) + 1.0 / sqrt(right(q))); }};
+  const Scale nearest{"nearest", [=](const V& q) { return sqrt(left(q) * right(q) / (left(q) + right(q))); }};
   scenes.add("two_centres", {0.0, 1.2}, {0.35, 0.1}, 20.0, {potential, nearest},
              [=](const V& q, const V& p) { return kinetic(p) - 1.0 / sqrt(left(q)) - 1.0 / sqrt(right(q)); });
-  const Scale growth{"exp", [](const V& q, const V&) { return exp(q[0]); }, {0.25, 0.5, 1.0}};
+  const Scale growth{"exp", [](const V& q) { return exp(q[0]); }, {0.25, 0.5, 1.0}};
   scenes.add("morse", {3.5}, {0.0}, 100.0, {growth},
              [](const V& q, const V& p) { return kinetic(p) + square(1.0 - exp(-q[0])); });
   scenes.add("double_well", {1.43}, {0.0}, 100.0, {stiffness},
@@ -135,8 +129,7 @@ void add_further(Scenes& scenes) {
   scenes.add("elastic_pendulum", {0.8, -0.75}, {0.0, 0.0}, 20.0, {}, [](const V& q, const V& p) {
     return kinetic(p) + q[1] + 15.0 * square(sqrt(radius_squared(q)) - 1.0);
   });
-  const Scale width{
-      "width", [](const V& q, const V&) { return 1.0 / (1.0 + radius_squared(q)); }, {0.25, 0.5}};
+  const Scale width{"width", [](const V& q) { return 1.0 / (1.0 + radius_squared(q)); }, {0.25, 0.5}};
   scenes.add("channel", {3.0, 0.1}, {0.2, 0.7}, 20.0, {width}, [](const V& q, const V& p) {
     return kinetic(p) + 0.5 * square(q[0] * q[1]) + 0.005 * (square(square(q[0])) + square(square(q[1])));
   });
@@ -181,11 +174,11 @@ void add_seen(Scenes& scenes) {
   });
   // A star on a box orbit of the logarithmic potential (Binney and Tremaine 2008, Section 3.3).
   const auto inner = [](const V& q) { return 0.14 * 0.14 + square(q[0]) + square(q[1]) * (1.0 / 0.81); };
-  const Scale galaxy{"core", [=](const V& q, const V&) { return sqrt(inner(q)); }};
+  const Scale galaxy{"core", [=](const V& q) { return sqrt(inner(q)); }};
   scenes.add("log_galaxy", {0.5, 0.0}, {0.7, 0.4}, 30.0, {galaxy},
              [=](const V& q, const V& p) { return kinetic(p) + 0.5 * log(inner(q)); });
   // A nearly radial orbit of Henon's isochrone.
-  const Scale core{"core", [](const V& q, const V&) { return sqrt(1.0 + radius_squared(q)); }};
+  const Scale core{"core", [](const V& q) { return sqrt(1.0 + radius_squared(q)); }};
   scenes.add("isochrone", {3.0, 0.0}, {0.0, 0.1}, 100.0, {core},
              [](const V& q, const V& p) { return kinetic(p) - 1.0 / (1.0 + sqrt(1.0 + radius_squared(q))); });
   // Kepler's problem, e = 0.9, in polar coordinates.
@@ -197,7 +190,7 @@ void add_seen(Scenes& scenes) {
   // 25), in proper time: angular momentum 4, starting at r = 30 with zero radial velocity.
   const double energy_squared = (1.0 - 2.0 / 30.0) * (1.0 + 16.0 / 900.0);
   const auto redshift = [](const V& q) { return 1.0 - 2.0 / q[0]; };
-  const Scale outside{"outside", [](const V& q, const V&) { return q[0] - 2.0; }};
+  const Scale outside{"outside", [](const V& q) { return q[0] - 2.0; }};
   scenes.add("schwarzschild", {30.0}, {0.0}, 3000.0, {distance, outside}, [=](const V& q, const V& p) {
     return 0.5 * (redshift(q) * square(p[0]) - energy_squared / redshift(q) + 16.0 / square(q[0]));
   });
@@ -205,19 +198,18 @@ void add_seen(Scenes& scenes) {
   const auto sum = [](const V& q, double k) {
     return pow(q[1] - q[0], -k) + pow(q[2] - q[1], -k) + pow(q[2] - q[0], -k);
   };
-  const Scale gaps1{"gaps1", [=](const V& q, const V&) { return 1.0 / sum(q, 1.0); }};
-  const Scale gaps3{"gaps3", [=](const V& q, const V&) { return pow(sum(q, 3.0), -1.0 / 3.0); }};
+  const Scale gaps1{"gaps1", [=](const V& q) { return 1.0 / sum(q, 1.0); }};
+  const Scale gaps3{"gaps3", [=](const V& q) { return pow(sum(q, 3.0), -1.0 / 3.0); }};
   scenes.add("trapped_ions", {-1.5, 0.2, 1.2}, {0.0, 0.0, 0.0}, 60.0, {gaps1, gaps3},
              [=](const V& q, const V& p) {
                return kinetic(p) + 0.5 * (radius_squared(q) + square(q[2])) + sum(q, 1.0);
              });
   // The Poschl-Teller well.
-  const Scale catenary{"cosh", [](const V& q, const V&) { return cosh(q[0]); }, {0.5, 1.0, 2.0}};
+  const Scale catenary{"cosh", [](const V& q) { return cosh(q[0]); }, {0.5, 1.0, 2.0}};
   scenes.add("poschl_teller", {2.5}, {0.0}, 50.0, {catenary},
              [](const V& q, const V& p) { return kinetic(p) - 10.0 * pow(cosh(q[0]), -2.0); });
   // A ball that falls onto a floor with exponential repulsion.
-  const Scale floor{
-      "hardness", [](const V& q, const V&) { return 1.0 / (1.0 + exp(-30.0 * q[0])); }, {0.25, 0.5, 1.0}};
+  const Scale floor{"hardness", [](const V& q) { return 1.0 / (1.0 + exp(-30.0 * q[0])); }, {0.25, 0.5, 1.0}};
   scenes.add("bouncing_ball", {1.0}, {0.0}, 40.0, {floor},
              [](const V& q, const V& p) { return kinetic(p) + q[0] + exp(-30.0 * q[0]); });
   // A spherical pendulum in angles. It passes close to its lowest point, a pole of the coordinates.
@@ -235,14 +227,13 @@ void add_seen(Scenes& scenes) {
                return h;
              });
   // The two bonds of a bent molecule (Child and Lawton 1981).
-  const Scale bonds{"bonds",
-                    [](const V& q, const V&) { return 1.0 / (exp(-2.0 * q[0]) + exp(-2.0 * q[1])); },
-                    {0.25, 0.5, 1.0}};
+  const Scale bonds{
+      "bonds", [](const V& q) { return 1.0 / (exp(-2.0 * q[0]) + exp(-2.0 * q[1])); }, {0.25, 0.5, 1.0}};
   scenes.add("local_modes", {1.5, 0.0}, {0.0, 0.0}, 60.0, {bonds}, [](const V& q, const V& p) {
     return kinetic(p) - 0.1 * (p[0] * p[1]) + square(1.0 - exp(-q[0])) + square(1.0 - exp(-q[1]));
   });
   // A charge between two magnetic mirrors, with field 1 + z^2 on the axis.
-  const Scale field{"field", [](const V& q, const V&) { return 1.0 / (1.0 + square(q[2])); }, {0.5, 1.0}};
+  const Scale field{"field", [](const V& q) { return 1.0 / (1.0 + square(q[2])); }, {0.5, 1.0}};
   scenes.add("magnetic_bottle", {0.5, 0.0, 0.0}, {0.0, -0.45, 1.0}, 60.0, {field},
              [](const V& q, const V& p) {
                const Recorded half = 0.5 * (1.0 + square(q[2]));
@@ -266,13 +257,13 @@ void add_held_out(Scenes& scenes) {
              });
   // The meridian plane of a disc galaxy (Miyamoto and Nagai 1975).
   const auto thick = [](const V& q) { return sqrt(square(q[1]) + 0.01); };
-  const Scale R{"R", distance.scale}, thickness{"thickness", [=](const V&q, const V&) { return thick(q); }};
+  const Scale R{"R", distance.scale}, thickness{"thickness", [=](const V&q) { return thick(q); }};
   scenes.add("disc_galaxy", {1.5, 0.0}, {0.0, 0.3}, 100.0, {R, thickness}, [=](const V& q, const V& p) {
     return kinetic(p) + 0.02 / square(q[0]) - 1.0 / sqrt(square(q[0]) + square(1.0 + thick(q)));
   });
   // A star in a rotating logarithmic bar (Binney and Tremaine 2008, Section 3.3.2).
   const auto inner = [](const V& q) { return 0.05 * 0.05 + square(q[0]) + square(q[1]) * (1.0 / 0.64); };
-  const Scale core{"core", [=](const V& q, const V&) { return sqrt(inner(q)); }};
+  const Scale core{"core", [=](const V& q) { return sqrt(inner(q)); }};
   scenes.add("bar", {0.4, 0.0}, {0.0, 0.2}, 20.0, {core}, [=](const V& q, const V& p) {
     return kinetic(p) - 0.5 * (q[0] * p[1] - q[1] * p[0]) + 0.5 * log(inner(q));
   });
@@ -295,8 +286,7 @@ void add_held_out(Scenes& scenes) {
   });
   // A ball in a box with exponential walls.
   const auto walls = [](const V& q) { return exp(-40.0 * (1.0 + q[0])) + exp(-40.0 * (1.0 - q[0])); };
-  const Scale hardness{
-      "hardness", [=](const V& q, const V&) { return 1.0 / (1.0 + walls(q)); }, {0.25, 0.5, 1.0}};
+  const Scale hardness{"hardness", [=](const V& q) { return 1.0 / (1.0 + walls(q)); }, {0.25, 0.5, 1.0}};
   scenes.add("soft_box", {0.0}, {1.0}, 40.0, {hardness},
              [=](const V& q, const V& p) { return kinetic(p) + walls(q); });
   // A pendulum on a cart of the same mass.

@@ -35,11 +35,21 @@ struct Scene {
 
 /// A Hamiltonian or scale as a function of (q, p).
 using Function = std::function<Recorded(const V&, const V&)>;
-/// A scale of a problem, which is tried as a monitor with each of the powers.
+/// A scale of a problem, a function of q or of (q, p), which is tried as a monitor with each of the powers.
 struct Scale {
   std::string name;
   Function scale;
-  std::vector<double> powers{0.5, 1.0, 1.5, 2.0};  ///< The defaults suit a length.
+  std::vector<double> powers;
+
+  /// The default powers suit a length.
+  Scale(std::string its_name, const auto& of, std::vector<double> its_powers = {0.5, 1.0, 1.5, 2.0})
+      : name(std::move(its_name)), scale([of](const V& q, const V& p) {
+          if constexpr (std::is_invocable_v<decltype(of), const V&>)
+            return of(q);
+          else
+            return of(q, p);
+        }),
+        powers(std::move(its_powers)) {}
 };
 
 /// Scenes in the order of the tables.
@@ -91,18 +101,18 @@ inline std::vector<Scale> pair_lengths(const std::vector<double>& masses) {
   std::vector<Scale> scales;
   for (const double k : {1.0, 2.0, 3.0})
     scales.push_back({"pairs" + std::to_string(static_cast<int>(k)),
-                      [=](const V& q, const V&) { return pow(pairs(q, masses, k), -1.0 / k); }});
+                      [=](const V& q) { return pow(pairs(q, masses, k), -1.0 / k); }});
   return scales;
 }
 /// The scale |q| in the plane.
-inline const Scale radius{"r", [](const V& q, const V&) { return sqrt(radius_squared(q)); }};
+inline const Scale radius{"r", [](const V& q) { return sqrt(radius_squared(q)); }};
 /// The scale q[0], where q[0] is a distance.
-inline const Scale distance{"r", [](const V& q, const V&) { return q[0]; }};
+inline const Scale distance{"r", [](const V& q) { return q[0]; }};
 /// The scale sin q[0], where q[0] is the angle from a pole.
-inline const Scale sine{"sine", [](const V& q, const V&) { return sin(q[0]); }};
+inline const Scale sine{"sine", [](const V& q) { return sin(q[0]); }};
 /// A scale of a quartic well.
 inline const Scale stiffness{
-    "stiffness", [](const V& q, const V&) { return 1.0 / (1.0 + square(q[0])); }, {0.25, 0.5, 1.0}};
+    "stiffness", [](const V& q) { return 1.0 / (1.0 + square(q[0])); }, {0.25, 0.5, 1.0}};
 
 void add_celestial(Scenes&);  ///< Inverse-square attraction, and a charge in the field of a dipole.
 void add_first(Scenes&);      ///< Oscillators, springs, walls and molecules, looked at from the beginning.

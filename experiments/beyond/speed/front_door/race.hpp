@@ -1,11 +1,6 @@
 #pragma once
 #include "beyond/speed/front_door/contest.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <vector>
-
 // A race: which family is the first to reach an accuracy.
 
 namespace experiment::front_door {
@@ -69,12 +64,13 @@ class Race {
 
   /// One run; a short one is repeated twice, and the least time counts.
   Point tried(std::size_t family, double setting) {
-    Result result = contest_.families[family].run({.setting = setting, .step_cap = step_cap_});
+    const auto run = [&] {
+      return contest_.families[family].run({.setting = setting, .step_cap = step_cap_});
+    };
+    Result result = run();
     if (result.seconds < 1e-3)
       for (int again = 0; again < 2; ++again)
-        result.seconds =
-            std::min(result.seconds,
-                     contest_.families[family].run({.setting = setting, .step_cap = step_cap_}).seconds);
+        result.seconds = std::min(result.seconds, run().seconds);
     const double error = result.ok ? contest_.position_error(0, result.t, result.q) : HUGE_VAL;
     if (!is_ours(family) && error <= finest_target) needed_ = std::min(needed_, result.seconds);
     return points_.emplace_back(Point{family, setting, std::isnan(error) ? HUGE_VAL : error, result.seconds,
