@@ -47,7 +47,7 @@ struct Option {
   std::string description;
 };
 
-/// Defined by each experiment: computes, and fills its tables. common/main.cpp calls it.
+/// Defined by each experiment: computes, and fills its tables. experiments/main.cpp calls it.
 void conduct(Frame& frame);
 
 /// main() of a program with a frame. @param shows the text for --help @param options the program's own
