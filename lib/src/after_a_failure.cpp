@@ -60,7 +60,7 @@ bool Orbiter::goes_back(Setting& setting) {
     setting = std::exchange(instead_of_, {});
     drop_runs();
     resolved_ = setting.h;  // this setting ran before: it is not stopped for its price
-    resigned_ = true;
+    resigned_ = true, resigned_at_ = marks_.size();
     return true;
   }
   // The step was made longer than one that worked.

@@ -121,11 +121,22 @@ bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& er
                 spent > std::max(2.0 * patience, 3.0 * pair);
   }
   steady_ = errors.steady;
+  resigned_at_ = mark;
   if (resigned_) return !last && take_from_aside(setting, 0.3 * pair);
   if (mark > 0) lengthened_ = most_lengthened;  // the prediction of the first mark was wrong
   before_ = in_vain && question_.options.check ? std::min(before_, error) : error, before_at_ = mark;
   // Where errors do not fall by the order yet, halve the step.
   return again(setting, std::max(vain_ > 0 ? std::min(factor, 0.5) : factor, 0.35));
+}
+
+/// Where the motion becomes faster, steps that resolved its beginning no longer do: energy errors show it
+/// that are more than rounding and fall with the step. Then it says nothing either if shorter ones did not
+/// help.
+void Orbiter::doubt_beginning(std::size_t mark, double of_energy) {
+  const bool falls = fine_->energy_error < 0.5 * coarse_->energy_error;
+  if (!falls || std::max(of_energy, seen_.error / question_.tolerance) <= 3.0) return;
+  if (resigned_ && mark > resigned_at_ && of_energy > 3.0) resigned_ = false, vain_ = 0;
+  if (resolved_ >= fine_->h) resolved_ = 0.0;
 }
 
 /// Compares the two runs at a mark. @return true if the step is changed
@@ -168,6 +179,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   const bool hidden = fine_->energy_error <= 100.0 * answer_.energy_rounding;
   const double of_energy = hidden || alike == Alike::harmless ? 0.0 : fine_->energy_error / (3.0 * tolerance);
   const double of_state = foretold(seen_, here, span_, high_speed_) / tolerance;
+  if (!hidden) doubt_beginning(mark, of_energy);
   if (mark == 0 && !others_tried_ && try_others(setting)) return true;
   if (resigned_ || round_ >= most_rounds) return false;
   // No step adds digits to distant coordinates, or to a distant clock.

@@ -156,6 +156,7 @@ class Orbiter {
 
   // next_setting.cpp
   enum class Alike { no, rounding, harmless, unexplained };
+  void doubt_beginning(std::size_t mark, double of_energy);
   bool judge(Setting& setting, std::size_t mark);
   void look_at_work(std::size_t mark);
   Alike alike_energies();
@@ -242,6 +243,7 @@ class Orbiter {
   bool slow_ = false;            // a step was made shorter because its sweeps converged slowly
   bool thin_ = false;            // a step passed over a feature of H, which shorter ones resolve slowly
   bool resigned_ = false;        // shorter steps do not help
+  std::size_t resigned_at_ = 0;  // mark at which that was seen
   bool parted_ = false;  // resigned_, and the two runs are as far apart as the motion goes: only one goes on
   bool lost_ = false;    // the two runs part at a point of rest
   // The last two runs agreed, but their energy errors were more than rounding and did not fall with the step.

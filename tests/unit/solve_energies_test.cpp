@@ -185,6 +185,23 @@ TEST(SolveEnergies, DoNotEndARunWhoseStepWasMadeLonger) {
 
 // At a pericentre the terms of H are thousands of times what is left of them. An error of H_0 is one of the
 // period, whatever the steps: both runs have it. There p = -t / q^2, as late as the end is.
+// A charge between magnetic mirrors: it turns ever faster. Steps that resolved its beginning were kept, and
+// an error of 1 was put down to chaos.
+TEST(SolveEnergies, ShowWhereAMotionBecomesFaster) {
+  const auto mirror = [](const auto& q, const auto& p) {
+    const auto half = 10.0 * (1.0 + q[2] * q[2] / 4.0);  // of the field along the axis
+    const auto x = p[0] + half * q[1], y = p[1] - half * q[0];
+    return 0.5 * (x * x + y * y + p[2] * p[2]);
+  };
+  const State<3> start{.q = {0.05, 0.0, 0.0}, .p = {0.0, 0.4, 0.5}};
+  const auto exact = solve(mirror, start, 21.0, 1e-6, {.order = 12, .monitor = "fixed", .h = 1.25e-3});
+  for (const double tolerance : {1e-8, 1e-9, 1e-10}) {
+    const auto orbit = solve(mirror, start, 21.0, tolerance);
+    EXPECT_TRUE(orbit.kept()) << orbit.report();
+    EXPECT_LT((orbit.state.q - exact.state.q).norm(), 1e-12) << tolerance;  // measured 4e-13
+  }
+}
+
 TEST(SolveEnergies, HaveAllDigitsAtTheStart) {
   for (const double q : {1.007e-4, 1.1e-4, 1.2345e-4, 1.007e-3, 1.1e-3}) {
     const double p = std::sqrt(2.0 / q - 1.0);

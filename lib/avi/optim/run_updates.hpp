@@ -87,7 +87,7 @@ Minimisation run_updates(const F& f, const M& method, const StartingPoint& start
   };
   const double value_bound = bound(std::abs(now.value)), x_bound = bound(largest_entry(x0));
   const auto go_on = [&] {
-    return detail::notify(witness, std::as_const(now), run.iterations, objective.gradients) == Outcome::ok;
+    return detail::notify(witness, std::as_const(now), run.iterations, objective.gradients).ok();
   };
   const auto end = [&]() -> Minimisation& {
     run.gradient_evaluations = objective.gradients;
