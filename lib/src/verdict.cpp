@@ -154,8 +154,16 @@ void Orbiter::tell_end(const Journey& fine) {
 void Orbiter::tell_doubts(const Journey& fine, double foreseen) {
   std::string& note = answer_.note;
   const bool apart = seen_.error > 1e-3;
+  const bool compared = answer_.ok() && std::isfinite(seen_.error) && !(question_.options.h > 0.0);
+  const bool unresolved =
+      compared && !steady_ &&
+      fine.energy_error > std::max(10.0 * question_.tolerance, 100.0 * answer_.energy_rounding);
   if (features_->bends() && (seen_.rate > 0.0 || resigned_))
     note += "H has a kink, a jump or a branch, beyond which errors are larger than before. ";
+  else if (unresolved)
+    note +=
+        "Steps do not resolve all of the motion, and much shorter ones were not tried: a monitor helps that "
+        "is small where it is fast. ";
   else if (seen_.rate > 0.0 && (seen_.exponential || apart))
     note += "Neighbouring orbits move apart exponentially here: the state at the end depends on more "
             "digits than the tolerance has. ";
@@ -168,7 +176,7 @@ void Orbiter::tell_doubts(const Journey& fine, double foreseen) {
             "tolerance has. ";
   if (steady_ && fine.energy_error >= most_rounding) {
     note += "The energy errs alike however short the steps: ";
-    note += question_.gradient.empty() ? "H has a jump, or rounds by so much. "
+    note += question_.gradient.empty() ? "H has a jump or a bend within a step, or rounds by so much. "
                                        : "the gradient that H supplies is not its own, or H has a jump. ";
   }
   const bool adds_up = resigned_ || seen_.growth > 1.0 || answer_.state_error > 2.0 * foreseen;

@@ -178,6 +178,7 @@ class Refused(unittest.TestCase):
                 (solved(parameters={"m": 2}), TypeError, "parameters is {'m': 2}; it must be a sequence of numbers"),
                 (lambda: avi.minimise(lambda x: x @ x, None), TypeError, "x0 is None"),
                 (lambda: avi.minimise(lambda x: x @ x, []), ValueError, "Size of x0 is 0; it must be at least 1"),
+                (lambda: avi.minimise(lambda x: x @ x, [1.0], evaluations=10**30), ValueError, "evaluations .* is 10+; so large a number is not possible"),
                 (solved(q=[], p=[]), ValueError, "Size of q is 0; it must be at least 1"),
                 (lambda: avi.ensemble(kepler, None, None, 1.0, 1e-6), TypeError, "q is None"),
                 (solved(tol=np.array([1e-8])), TypeError, "tol is"),
