@@ -12,7 +12,7 @@
 
 namespace experiment {
 
-/// The running experiment: its options and its output folder.
+/// The running experiment: its options, its output folder and its tables.
 class Frame {
  public:
   std::string name;                ///< Stem of the executable, of its data file and of its figure.

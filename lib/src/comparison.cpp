@@ -86,6 +86,7 @@ struct Orbiter::TwoRuns {
     left = left_by_sweeps(fine);
   }
 
+  /// Takes in that a run may be late by this time, at a state.
   void raise_to_lag(double late, const State<dynamic>& at) {
     lag.late = std::max(lag.late, late);
     seen.error = std::max(seen.error, late * speed_at(at));

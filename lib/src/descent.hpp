@@ -2,6 +2,7 @@
 #include "avi/optim/minimiser.hpp"
 #include "secant_pairs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>

@@ -25,7 +25,7 @@ class DiagonalMass {
   [[nodiscard]] const double* inverse() const { return inverse_.data(); }  ///< 1 / M_i, between lessons.
 
   /// Learns `count` pairs: pair(k) is the k-th, the oldest first, with members s, y and rho = 1 / s.y; those
-  /// with rho = 0 are left out. Returns true if M predicted them better than I.
+  /// with rho = 0 are left out. Returns true if M predicted them clearly better than I.
   template <class Pairs>
   bool learn(int count, Pairs pair) {
     double gain = 0.0;

@@ -208,10 +208,10 @@ class MinimiserRun : Descent {
     noise_ = line.misses.bends(model, seen, 1e-13 * scale_) ? line.noise : std::max(noise_, seen);
   }
 
-  /// Returns false if for long no evaluated value or gradient was lower than all before, and values
-  /// contradict the slope, as at a kink; or if meanwhile line after line led nowhere; or if that lasts so
-  /// long that rounding moves the run; or if, along a wall, f fell by next to nothing in 500 iterations: it
-  /// may do so for ever, and by ever less.
+  /// Returns false if for long no evaluated value or gradient was lower than all before and values contradict
+  /// the slope, as at a kink, or this has lasted so long that only rounding moves the run; if line after line
+  /// led nowhere; or if, along a wall, f fell by next to nothing in 500 iterations: it may do so for ever,
+  /// and by ever less.
   bool gains() {
     if (iterations_ % 500 == 0) {
       const double fell = std::exchange(before_wall_, base_.f) - base_.f;
@@ -248,7 +248,9 @@ class MinimiserRun : Descent {
   }
 
   /// Finds why steepest descent gained nothing: rounding hides the fall, the gradient is not that of f, or f
-  /// is not finite; or, without a tolerance, its square underflows and it is as good as 0. @return false
+  /// is not finite; or, without a tolerance, its square underflows and it is as good as 0. Also bounds the
+  /// noise that later lines may learn.
+  /// @return false
   bool judge(bool finite, bool walled = false) {
     if (agrees_ = false; target_ == 0.0 && norm_ < 1e-150) return fail(Outcome::ok, {});
     double most = 0.0;
@@ -313,8 +315,8 @@ class MinimiserRun : Descent {
   double most_noise_ = infinitely;            ///< Bound on the noise, from values that were asked.
   double lowest_ = 1e300, gentlest_ = 1e300;  ///< Least value, and square of an evaluated gradient, so far.
   double before_wall_ = 0.0;                  ///< f up to 500 iterations ago.
-  long idle_ = 0;                             ///< Iterations since either fell, or values were asked.
-  int stuck_ = 0;                             ///< Lines that led nowhere since either fell.
+  long idle_ = 0;            ///< Iterations since lowest_ or gentlest_ fell, or values were asked.
+  int stuck_ = 0;            ///< Lines that led nowhere since lowest_ or gentlest_ fell.
   long walled_ = 0;          ///< Lines that met a wall, where f is not finite, in the last 500 iterations.
   int waits_ = 0;            ///< Times that values were asked since.
   bool agrees_ = false;      ///< Whether values agreed with the slope when they were last asked.

@@ -129,12 +129,14 @@ bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& er
   return again(setting, std::max(vain_ > 0 ? std::min(factor, 0.5) : factor, 0.35));
 }
 
-/// Where the motion becomes faster, steps that resolved its beginning no longer do: energy errors show it
-/// that are more than rounding and fall with the step. Then it says nothing either if shorter ones did not
-/// help.
+/// Where the motion becomes faster, steps that resolved its beginning resolve it no longer: energy errors are
+/// then more than rounding and fall with the step. Two conclusions are withdrawn: that these steps resolve
+/// the motion and, if drawn at an earlier mark, that shorter ones do not help.
 void Orbiter::doubt_beginning(std::size_t mark, double of_energy) {
   const bool falls = fine_->energy_error < 0.5 * coarse_->energy_error;
-  if (!falls || std::max(of_energy, seen_.error / question_.tolerance) <= 3.0) return;
+  // Energy errors far below the tolerance say nothing about the state.
+  const bool kept = of_energy <= 3.0 && (of_energy < 1e-4 || seen_.error <= 3.0 * question_.tolerance);
+  if (!falls || kept) return;
   if (resigned_ && mark > resigned_at_ && of_energy > 3.0) resigned_ = false, vain_ = 0;
   if (resolved_ >= fine_->h) resolved_ = 0.0;
 }
@@ -186,7 +188,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   const double digits =
       std::max(distance_->rounding_of(fine_->state, fine_->ranges), rounding_of_clock(*fine_));
   if (digits > tolerance && seen_.error <= 1e3 * digits) {
-    resigned_ = true;
+    resigned_ = true, resigned_at_ = marks_.size();
     return false;
   }
   const double error = std::max(of_state, of_energy);

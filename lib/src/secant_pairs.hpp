@@ -11,8 +11,8 @@ namespace avi {
 
 /// The last m pairs of displacement s and change of gradient y, and the inverse Hessian H that the BFGS
 /// formula builds from them, starting with \f$\gamma W\f$, \f$\gamma = s\cdot y/(y\cdot W y)\f$ of the newest
-/// pair. W is I or the inverse of a mass for every entry (DiagonalMass), whichever predicted the last m pairs
-/// better; that is decided at every m-th pair, if m is at least 5. H is never formed.
+/// pair. W is the inverse of a mass for every entry (DiagonalMass) if that predicted the last m pairs clearly
+/// better than I, and I otherwise; that is decided at every m-th pair, if m is at least 5. H is never formed.
 ///
 /// H g is a combination of the s, plus W times a combination of g and the y. The coefficients follow from
 /// products alone: those of g with every s and W y (multiply(), one pass over the pairs), and those of the

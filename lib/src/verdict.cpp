@@ -161,9 +161,8 @@ void Orbiter::tell_doubts(const Journey& fine, double foreseen) {
   if (features_->bends() && (seen_.rate > 0.0 || resigned_))
     note += "H has a kink, a jump or a branch, beyond which errors are larger than before. ";
   else if (unresolved)
-    note +=
-        "Steps do not resolve all of the motion, and much shorter ones were not tried: a monitor helps that "
-        "is small where it is fast. ";
+    note += "Steps do not resolve all of the motion, and much shorter ones were not tried: a monitor that is "
+            "small where the motion is fast helps. ";
   else if (seen_.rate > 0.0 && (seen_.exponential || apart))
     note += "Neighbouring orbits move apart exponentially here: the state at the end depends on more "
             "digits than the tolerance has. ";

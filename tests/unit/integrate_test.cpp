@@ -276,6 +276,8 @@ TEST(Integrate, EndsARunThatWouldNeverArrive) {
     EXPECT_EQ(run(1.0, sense, sense * steps * 2.0).steps, 1L << 20);
     EXPECT_EQ(run(1.0, sense, sense * steps * 0.5).outcome, Outcome::step_limit);
     EXPECT_EQ(run(-1.0, sense, sense).outcome, Outcome::stalled) << "it goes the other way";
+    for (const double end : {0x1p20, 0x1p20 - 0.5})
+      EXPECT_TRUE(run(1.0, sense, sense * end).ok()) << "it looks up where it arrives: " << sense * end;
   }
 }
 

@@ -183,8 +183,6 @@ TEST(SolveEnergies, DoNotEndARunWhoseStepWasMadeLonger) {
     }
 }
 
-// At a pericentre the terms of H are thousands of times what is left of them. An error of H_0 is one of the
-// period, whatever the steps: both runs have it. There p = -t / q^2, as late as the end is.
 // A charge between magnetic mirrors: it turns ever faster. Steps that resolved its beginning were kept, and
 // an error of 1 was put down to chaos.
 TEST(SolveEnergies, ShowWhereAMotionBecomesFaster) {
@@ -202,6 +200,8 @@ TEST(SolveEnergies, ShowWhereAMotionBecomesFaster) {
   }
 }
 
+// At a pericentre the terms of H are thousands of times what is left of them. An error of H_0 is one of the
+// period, whatever the steps: both runs have it. There p = -t / q^2, as late as the end is.
 TEST(SolveEnergies, HaveAllDigitsAtTheStart) {
   for (const double q : {1.007e-4, 1.1e-4, 1.2345e-4, 1.007e-3, 1.1e-3}) {
     const double p = std::sqrt(2.0 / q - 1.0);

@@ -111,7 +111,8 @@ struct EventGoal : EventWatch<G> {
 class Lookout {
  public:
   /// @param until the end of the run, valid: see require_run() @param t time of the start
-  Lookout(const Until& until, double t) : until_(until), began_(now()), last_(began_), t_(t) {}
+  Lookout(const Until& until, double t)
+      : until_(until), sense_(std::copysign(1.0, until.time - t)), began_(now()), last_(began_), t_(t) {}
   static constexpr long patience = 1 << 20;  ///< Steps after which time must have gone on.
   /// Number of steps at which to look next.
   [[nodiscard]] long next() const { return std::min(stall_, clock_); }
@@ -131,9 +132,8 @@ class Lookout {
   [[nodiscard]] bool stalled(long steps, double t) {
     if (steps < stall_) return false;
     stall_ += patience;
-    const double sense = std::copysign(1.0, until_.time - t);
-    const double gone = sense * (t - std::exchange(t_, t));
-    return std::isfinite(until_.time) && !(gone * (0x1p53 / patience) > sense * (until_.time - t));
+    const double gone = sense_ * (t - std::exchange(t_, t));
+    return std::isfinite(until_.time) && !(gone * (0x1p53 / patience) > sense_ * (until_.time - t));
   }
   /// Reads the clock about every millisecond.
   [[nodiscard]] bool time_is_up(long steps) {
@@ -148,6 +148,7 @@ class Lookout {
     return std::chrono::duration<double>(time - began_).count() >= until_.seconds;
   }
   Until until_;
+  double sense_;  ///< Of time, towards the end.
   Clock::time_point began_, last_;
   double t_;  ///< Time at the last look for stalling.
   long stride_ = 1, stall_ = patience;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 /// @file
 /// The model of a line search: the minimum on a line from values and slopes at two points, and the noise of

@@ -1,6 +1,9 @@
 #pragma once
 #include "beyond/speed/front_door/contest.hpp"
 
+#include <algorithm>
+#include <optional>
+
 // A race: which family is the first to reach an accuracy.
 
 namespace experiment::front_door {
