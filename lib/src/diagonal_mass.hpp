@@ -16,7 +16,7 @@ namespace avi {
 ///
 /// The diagonal is used if it predicted the last pairs better than the identity: the quality of a prediction
 /// is \f$(s \cdot y)^2 / (s\cdot M s \; y\cdot M^{-1} y)\f$, 1 where y is parallel to M s and smaller
-/// elsewhere, and its geometric mean over the pairs has to be more than e times that of M = I.
+/// elsewhere, and its geometric mean over the pairs has to be more than \f$\sqrt e\f$ times that of M = I.
 class DiagonalMass {
  public:
   explicit DiagonalMass(Eigen::Index n) : inverse_(n) {}  ///< Makes masses for vectors of n entries.
@@ -54,7 +54,7 @@ class DiagonalMass {
       });
     }
     if (known_) invert();
-    return gain < -learned;
+    return gain < -0.5 * learned;
   }
 
  private:

@@ -373,25 +373,6 @@ TEST(Minimise, EndsWhereLineAfterLineLeadsNowhere) {
   EXPECT_LT(run.gradient_evaluations, 20'000);  // measured 9781
 }
 
-// Springs in a row: masses tell nothing about them, and equal ones take a third of the iterations.
-TEST(Minimise, TakesUnequalMassesOnlyWhereTheyClearlyForetellMore) {
-  const auto springs = [](const VectorX& x, VectorX& g) {
-    const Eigen::Index n = x.size();
-    double f = -x.mean();
-    g = VectorX::Constant(n, -1.0 / static_cast<double>(n));
-    for (Eigen::Index i = 0; i <= n; ++i) {
-      const double a = (i < n ? x[i] : 0.0) - (i > 0 ? x[i - 1] : 0.0);
-      f += a * a / 2.0 + a * a * a * a / 4.0;
-      if (i < n) g[i] += a + a * a * a;
-      if (i > 0) g[i - 1] -= a + a * a * a;
-    }
-    return f;
-  };
-  const auto run = minimise(springs, VectorX::Zero(400), {.relative = 1e-8});
-  EXPECT_TRUE(run.ok()) << run.message;
-  EXPECT_LT(run.gradient_evaluations, 3000);  // measured 1517; 5925 where they had to foretell a little more
-}
-
 TEST(Minimise, KeepsItsBounds) {
   for (int m : {0, 7})
     for (long cap = 2; cap < 200; ++cap) {
