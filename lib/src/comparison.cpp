@@ -135,8 +135,8 @@ struct Orbiter::TwoRuns {
   /// Finds how the lag grows. The growth of rounding, and of what the sweeps leave, which is by the square of
   /// time, says nothing about the growth of errors. Over few turns, errors fluctuate by more than they grow.
   void find_growth() {
-    const auto [early, halfway, late, furthest, last, runaway] = lag;
-    const bool grows = late > 20.0 * early && (furthest > 10.0 * left || late > 1e3 * early);
+    const double early = lag.early, late = lag.late;
+    const bool grows = late > 20.0 * early && (lag.furthest > 10.0 * left || late > 1e3 * early);
     if (!(early > 0.0 && grows)) return;
     const double turns = orbiter.distance_->frequency * until;
     const double rounding =

@@ -58,7 +58,7 @@ class MinimiserRun : Descent {
   }
 
  private:
-  static constexpr double infinitely = std::numeric_limits<double>::infinity();
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   /// Whether the gradient at the base is so small that the squares of its entries underflow, but too large to
   /// end the run: its norms are not to be trusted then. A run without a tolerance that began with far larger
@@ -78,16 +78,16 @@ class MinimiserRun : Descent {
 
   /// A search along d. Distances are measured from the base, which may move along the line.
   struct Line {
-    LinePoint start;           ///< Value and slope where the search began.
-    double noise;              ///< Error of values, as known before.
-    LineMisses misses{};       ///< How far values and slopes disagreed.
-    bool steepest = false;     ///< Whether d is steepest descent since another direction led nowhere.
-    double moved = 0.0;        ///< Distance of the base from the start.
-    double high = infinitely;  ///< Upper bound for trials: f rose there, or was not finite.
-    double wall = infinitely;  ///< Smallest distance at which f was not finite.
-    int trials = 1;            ///< Number of trials, including the one to come.
-    int since_start = 1;       ///< The same, but not reset when the base moves.
-    int beyond = 0;            ///< Number of trials at which f was not finite.
+    LinePoint start;         ///< Value and slope where the search began.
+    double noise;            ///< Error of values, as known before.
+    LineMisses misses{};     ///< How far values and slopes disagreed.
+    bool steepest = false;   ///< Whether d is steepest descent since another direction led nowhere.
+    double moved = 0.0;      ///< Distance of the base from the start.
+    double high = infinity;  ///< Upper bound for trials: f rose there, or was not finite.
+    double wall = infinity;  ///< Smallest distance at which f was not finite.
+    int trials = 1;          ///< Number of trials, including the one to come.
+    int since_start = 1;     ///< The same, but not reset when the base moves.
+    int beyond = 0;          ///< Number of trials at which f was not finite.
   };
 
   /// Makes one iteration: trials along d until one gives the next point. Returns false on failure.
@@ -312,7 +312,7 @@ class MinimiserRun : Descent {
   double norm0_ = 0.0, size0_ = 0.0;          ///< Norm of the gradient at x0, and of x0.
   double first_trial_ = 1.0;                  ///< Distance of the first trial from x0.
   double scale_ = 0.0;                        ///< Largest |f| at the start, and where lines were stuck.
-  double most_noise_ = infinitely;            ///< Bound on the noise, from values that were asked.
+  double most_noise_ = infinity;              ///< Bound on the noise, from values that were asked.
   double lowest_ = 1e300, gentlest_ = 1e300;  ///< Least value, and square of an evaluated gradient, so far.
   double before_wall_ = 0.0;                  ///< f up to 500 iterations ago.
   long idle_ = 0;            ///< Iterations since lowest_ or gentlest_ fell, or values were asked.

@@ -196,7 +196,7 @@ TEST(SolveEnergies, ShowWhereAMotionBecomesFaster) {
   for (const double tolerance : {1e-8, 1e-9, 1e-10}) {
     const auto orbit = solve(mirror, start, 21.0, tolerance);
     EXPECT_TRUE(orbit.kept()) << orbit.report();
-    EXPECT_LT((orbit.state.q - exact.state.q).norm(), 1e-12) << tolerance;  // measured 4e-13
+    EXPECT_LT((orbit.state.q - exact.state.q).norm(), 7e-13) << tolerance;  // measured 3.4e-13
   }
 }
 

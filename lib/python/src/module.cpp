@@ -94,9 +94,9 @@ bool tell(const py::object& callback, const Argument& argument, Signals& signals
   if (!callback.is_none()) {
     const py::gil_scoped_acquire locked;
     try {
-      py::detail::make_caster<bool>
-          no;  // a False of Python or of NumPy ends the run; None and numbers do not
-      if (no.load(callback(argument()), false) && !static_cast<bool>(no)) return false;
+      // A False of Python or of NumPy ends the run; None and numbers do not.
+      py::detail::make_caster<bool> answer;
+      if (answer.load(callback(argument()), false) && !static_cast<bool>(answer)) return false;
     } catch (const py::error_already_set& error) {
       if (error.matches(PyExc_StopIteration)) return false;
       signals.note(error);
