@@ -26,8 +26,8 @@ class Barriers {
     const auto all = static_cast<std::size_t>(energy) + 1;
     std::vector<int> nodes = divisors(graph, energy, dependences(graph, energy), all);
     if (nodes.empty()) return nullptr;
-    const std::vector<char> positive = not_negative(graph, *std::ranges::max_element(nodes));
-    std::erase_if(nodes, [&](int node) { return positive[node]; });
+    const std::vector<double> least = lower_bounds(graph, *std::ranges::max_element(nodes));
+    std::erase_if(nodes, [&](int node) { return least[node] >= 0.0; });
     if (nodes.empty()) return nullptr;
     return std::make_shared<const Barriers>(
         Barriers{graph.inputs() / 2, Schedule::program(graph, -1, nodes, graph.size())});
@@ -59,38 +59,6 @@ class Barriers {
   };
   Barriers(int n, const Program& divisors) : n_(n), divisors_{divisors} {}
 
-  /// Returns, for nodes up to this one, whether the formula shows that it is never below zero.
-  static std::vector<char> not_negative(const ExpressionGraph& graph, int node) {
-    std::vector<char> is(static_cast<std::size_t>(node) + 1, 0);
-    for (int i = 0; i <= node; ++i) {
-      const auto& [operation, a, b, number] = graph[i];
-      switch (operation) {
-        using enum Operation;
-      case constant:
-        is[i] = number >= 0.0;
-        break;
-      case multiply:
-        is[i] = a == b || (is[a] && is[b]);
-        break;
-      case add:
-      case divide:
-        is[i] = is[a] && is[b];
-        break;
-      case power:
-        is[i] = is[a] || std::fmod(graph[b].number, 2.0) == 0.0;
-        break;
-      case sqrt:
-      case abs:
-      case exp:
-      case cosh:
-        is[i] = 1;
-        break;
-      default:
-        break;
-      }
-    }
-    return is;
-  }
   /// Returns true if H grows as at a pole towards the zero of a divisor. Beside a zero of what it divides,
   /// too, H is smooth; towards the zero of a logarithm, it grows by a few tens only.
   template <class Energy>

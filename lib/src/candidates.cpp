@@ -52,94 +52,6 @@ int liveliness_of(ExpressionGraph& graph, int energy, const EnergyAtStart& energ
   return graph.binary(Operation::add, moving, level);
 }
 
-/// Returns the largest derivative of H by each entry along the sketch. It is at least 1e-14 of the largest of
-/// its kind, masses taken out, since less is rounding.
-VectorX strengths(const Sketch& sketch, const VectorX& metric) {
-  const Eigen::Index n = metric.size();
-  VectorX strength = VectorX::Zero(2 * n);
-  for (const Sketch::Sample& sample : sketch.samples)
-    for (Eigen::Index i = 0; i < n; ++i) {
-      strength[i] = std::max(strength[i], std::abs(sample.slope[n + i]));
-      strength[n + i] = std::max(strength[n + i], std::abs(sample.slope[i]));
-    }
-  double forces = 0.0, speeds = 0.0;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    forces = std::max(forces, strength[i] * std::sqrt(metric[i]));
-    speeds = std::max(speeds, strength[n + i] / std::sqrt(metric[i]));
-  }
-  for (Eigen::Index i = 0; i < n; ++i) {
-    strength[i] = std::max(strength[i], 1e-14 * forces / std::sqrt(metric[i]));
-    strength[n + i] = std::max(strength[n + i], 1e-14 * speeds * std::sqrt(metric[i]));
-  }
-  return strength;
-}
-
-/// The rate of change \f$\ell\f$ of a monitor along a sketch.
-struct Measured {
-  std::vector<double> lively;  ///< Value at each sample.
-  /// Value of a rate near poles and absolute value of its time derivative: at the samples, and midway between
-  /// each and the next, which may be far away where the motion is free.
-  std::vector<std::array<double, 2>> changes = {};
-  double steepest = 0.0;  ///< Its largest relative derivative, over the strength of the entry.
-
-  /// Takes in a derivative of the rate at the last sample.
-  void add_slope(double slope, double strength) {
-    steepest = std::max(steepest, std::abs(slope) / (std::abs(lively.back()) * strength));
-  }
-};
-
-/// Measures the rate that energy monitors follow.
-Measured measure(const Sketch& sketch, const Resting& resting, double energy_at_start, double kinetic,
-                 const VectorX& strength) {
-  Measured measured;
-  measured.lively.reserve(sketch.samples.size());
-  const Eigen::Index n = strength.size() / 2;
-  for (std::size_t k = 0; k < sketch.samples.size(); ++k) {
-    const Sketch::Sample& sample = sketch.samples[k];
-    measured.lively.push_back(kinetic + 0.5 * (sample.energy + energy_at_start) - resting.energy[k]);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const double at_rest = resting.forces[k * static_cast<std::size_t>(n) + static_cast<std::size_t>(i)];
-      measured.add_slope(at_rest - 0.5 * sample.slope[n + i], strength[i]);
-      measured.add_slope(0.5 * sample.slope[i], strength[n + i]);
-    }
-  }
-  return measured;
-}
-
-/// Measures the rate at a node of a graph.
-Measured measure(const Sketch& sketch, const ExpressionGraph& graph, int node, const VectorX& strength,
-                 bool with_changes = false) {
-  Measured measured;
-  RecordedFormula<double> formula{Recording(graph, node).value_and_gradient()};
-  const auto at = [&](const auto& z) {
-    formula.run(z.data(), z.data() + z.size() / 2, z.size() / 2);
-    return formula.value();
-  };
-  const auto along = [&](const auto& slope) {
-    double change = 0.0;
-    for (Eigen::Index i = 0; i < slope.size(); ++i)
-      change += formula.partial(static_cast<int>(i)) * slope[i];
-    return std::abs(change);
-  };
-  VectorX middle, slope;
-  for (std::size_t k = 0; k < sketch.samples.size(); ++k) {
-    const Sketch::Sample& sample = sketch.samples[k];
-    measured.lively.push_back(at(sample.z));
-    for (int i = 0; i < static_cast<int>(strength.size()); ++i)
-      measured.add_slope(formula.partial(i), strength[i]);
-    if (!with_changes) continue;
-    measured.changes.push_back({measured.lively.back(), along(sample.slope)});
-    if (k + 1 == sketch.samples.size()) continue;
-    // Value and slope halfway along the cubic polynomial between the two samples.
-    const Sketch::Sample& next = sketch.samples[k + 1];
-    middle = 0.5 * (sample.z + next.z) + 0.125 * sample.h * (sample.slope - next.slope);
-    slope = 1.5 / sample.h * (next.z - sample.z) - 0.25 * (sample.slope + next.slope);
-    const double value = at(middle);
-    measured.changes.push_back({value, along(slope)});
-  }
-  return measured;
-}
-
 /// Makes the monitor `acceleration`, whose rate is the power 3/8 of \f$1 + \sum_i (w_i\, \partial H/\partial
 /// q_i)^2\f$: see Choice::accelerations.
 Candidate accelerated(const std::shared_ptr<ExpressionGraph>& graph, int energy,
@@ -153,49 +65,36 @@ Candidate accelerated(const std::shared_ptr<ExpressionGraph>& graph, int energy,
   return {"acceleration", 0.375, graph, energy, energy_at_start, sum};
 }
 
-/// Makes the monitor `poles`, which combines the frequency near poles with a constant one: see Choice::poles.
-Candidate polar(const std::shared_ptr<ExpressionGraph>& graph, int energy, EnergyAtStart energy_at_start,
-                const Choice& constants) {
-  const Factor start =
-      energy_at_start.is_open() ? Factor(*graph, energy_at_start.node) : energy_at_start.value;
-  const int lively = constants.poles.empty() ? graph->constant(1.0)
-                                             : Poles(*graph, energy).rate(*graph, start, constants.poles);
-  return {"poles", 1.0, graph, energy, energy_at_start, lively};
-}
+/// What H has of poles and bends.
+struct Singular {
+  Poles poles;
+  Bends bends;
 
-/// The rate \f$(\sqrt{w_0} + \sqrt\phi)^2\f$ made of a frequency \f$\phi\f$ near poles and a constant one.
-double with_constant(double near, double constant) {
-  const double root = std::sqrt(near) + std::sqrt(constant);
-  return root * root;
-}
-
-/// Largest relative change of that rate per unit of its fictive time.
-double fastest_change(const Measured& near, double constant) {
-  double most = 0.0;
-  for (const auto& [value, change] : near.changes) {
-    const double rate = with_constant(value, constant);
-    most = std::max(most, change / (rate * std::sqrt(value * rate)));
+  Singular(const ExpressionGraph& graph, const OrbitQuestion& question)
+      : poles(graph, question.energy), bends(graph, question.energy, question.timed) {}
+  Singular(const ExpressionGraph& graph, int energy, const Bends& measured)
+      : poles(graph, energy), bends(measured) {}
+  [[nodiscard]] bool none() const { return poles.none() && bends.none(); }
+  /// Number of the constants of the monitor `poles`.
+  [[nodiscard]] std::size_t constants() const { return 2 + 2 * poles.size() + bends.size(); }
+  /// Makes the node of its rate. @param constants see Choice::poles
+  int rate(ExpressionGraph& graph, const EnergyAtStart& energy_at_start,
+           const std::vector<double>& constants) const {
+    const Factor start =
+        energy_at_start.is_open() ? Factor(graph, energy_at_start.node) : energy_at_start.value;
+    return poles.rate(graph, start, constants,
+                      bends.frequency(graph, constants.data() + 2 + 2 * poles.size()));
   }
-  return most;
-}
+};
 
-/// Returns the constant frequency that, beside the frequency near poles, gives the fewest steps if the
-/// longest one has a fixed length in radians. A monitor that changes as \f$1/(\tau - \tau_0)\f$ counts as a
-/// frequency, too.
-double background(const Sketch& sketch, const Measured& near) {
-  double mean = 0.0, best = 0.0, fewest = infinity;
-  for (std::size_t k = 0; k < near.lively.size(); ++k)
-    mean += sketch.samples[k].h * near.lively[k] / sketch.time;
-  for (const double part : {0.0, 0.1, 0.3, 1.0, 3.0, 10.0}) {
-    double fictive = 0.0, longest = fastest_change(near, part * mean);
-    for (std::size_t k = 0; k < near.lively.size(); ++k) {
-      const double frequency = with_constant(near.lively[k], part * mean);
-      fictive += sketch.samples[k].h * frequency;
-      longest = std::max(longest, sketch.samples[k].frequency / frequency);
-    }
-    if (fictive * longest < fewest) fewest = fictive * longest, best = part * mean;
-  }
-  return best;
+/// Makes the monitor `poles`, which combines the frequency near poles and bends with a constant one: see
+/// Choice::poles.
+Candidate polar(const std::shared_ptr<ExpressionGraph>& graph, const OrbitQuestion& question,
+                EnergyAtStart energy_at_start, const Choice& constants) {
+  const int lively = constants.poles.empty()
+                         ? graph->constant(1.0)
+                         : Singular(*graph, question).rate(*graph, energy_at_start, constants.poles);
+  return {"poles", 1.0, graph, question.energy, energy_at_start, lively};
 }
 
 Candidate given(const std::shared_ptr<ExpressionGraph>& graph, const OrbitQuestion& question,
@@ -252,7 +151,7 @@ Candidate candidate_in(const std::shared_ptr<ExpressionGraph>& graph, std::strin
   const Entry& entry = entry_of(name);
   if (entry.alpha == 0.0) return {entry.name, 0.0, graph, energy, energy_at_start, -1};
   if (name == "acceleration") return accelerated(graph, energy, energy_at_start, constants);
-  if (name == "poles") return polar(graph, energy, energy_at_start, constants);
+  if (name == "poles") return polar(graph, question, energy_at_start, constants);
   const int lively = liveliness_of(*graph, energy, energy_at_start, question.timed, constants);
   return {entry.name, entry.alpha, graph, energy, energy_at_start, lively};
 }
@@ -285,10 +184,10 @@ namespace {
 /// The menu in the making.
 class Menu {
  public:
-  Menu(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch, const VectorX& metric,
-       Choice& constants, double operations)
-      : question_(question), energy_at_start_(energy_at_start), sketch_(sketch), metric_(metric),
-        constants_(constants), graph_(std::make_shared<ExpressionGraph>(question.graph)),
+  Menu(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch, const Bends& bends,
+       const VectorX& metric, Choice& constants, double operations)
+      : question_(question), energy_at_start_(energy_at_start), sketch_(sketch), bends_(bends),
+        metric_(metric), constants_(constants), graph_(std::make_shared<ExpressionGraph>(question.graph)),
         strength_(strengths(sketch, metric)) {
     // Approximate number of operations of a sweep, counted on eight Hamiltonians of 2 to 32 degrees of
     // freedom; the price is right within a quarter. The exact number is known only once the programs are
@@ -329,33 +228,34 @@ class Menu {
     menu_.push_back(given(graph_, question_, energy_at_start_));
     look(menu_.back(), monitored_, measure(sketch_, *graph_, question_.given, strength_));
   }
-  /// Adds the monitor of poles, if H has any. Beside a candidate that is better, it would only be one more to
-  /// try. @param asked whether to add it anyway
+  /// Adds the monitor of poles and bends, if H has any. Beside a candidate that is better, it would only be
+  /// one more to try. @param asked whether to add it anyway
   void add_poles(bool asked) {
-    const Poles poles(*graph_, question_.energy);
-    if (poles.none()) return;
+    const Singular singular(*graph_, question_.energy, bends_);
+    if (singular.none()) return;
+    if (!constants_.poles.empty()) {
+      menu_.push_back(polar_with(singular, constants_.poles));
+      return;
+    }
     const double others = std::ranges::min_element(menu_, {}, &Candidate::outlook)->outlook;
-    const bool known = !constants_.poles.empty();
-    std::vector<double> beside = constants_.poles;  // constants of the monitor without a constant frequency
-    if (!known) {
-      beside = poles.constants(sketch_, metric_, metric_.size() - (question_.timed ? 1 : 0));
-      beside.insert(beside.begin(),
-                    {0.0, constants_.kinetic > 0.0 ? constants_.kinetic : constants_.energy_scale});
-    }
-    beside.front() = 0.0;
-    Measured frequency =
-        measure(sketch_, *graph_, poles.rate(*graph_, energy_at_start_, beside), strength_, true);
-    if (!known) {
-      constants_.poles = beside;
-      constants_.poles.front() = background(sketch_, frequency);
-    }
-    for (double& each : frequency.lively)
-      each = with_constant(each, constants_.poles.front());
-    menu_.push_back(polar(graph_, question_.energy, energy_at_start_, constants_));
-    look(menu_.back(),
-         plain_ + 30.0 + 18.0 * static_cast<double>(poles.size()) + nodes_ + 2.0 * graph_->inputs(),
-         frequency);
-    if (!asked && !known && !(menu_.back().outlook <= others)) menu_.pop_back();
+    std::vector<double> constants =
+        singular.poles.constants(sketch_, metric_, metric_.size() - (question_.timed ? 1 : 0));
+    constants.insert(constants.begin(),
+                     {-1.0, constants_.kinetic > 0.0 ? constants_.kinetic : constants_.energy_scale});
+    std::optional<Candidate> best;
+    const auto offer = [&](const std::vector<double>& bends) {
+      std::vector<double> all = constants;
+      all.insert(all.end(), bends.begin(), bends.end());
+      Candidate it = polar_with(singular, all);
+      if (best && !(it.outlook < best->outlook)) return;
+      best = std::move(it);
+      constants_.poles = std::move(all);
+    };
+    if (!singular.poles.none()) offer(std::vector<double>(singular.bends.size(), 0.0));
+    for (std::size_t k = 0; k < singular.poles.size(); ++k)
+      if (bends_.takes(singular.poles.node(k))) constants[2 * k + 2] = 0.0;
+    if (bends_.matter()) offer(bends_.speeds());
+    if (best && (asked || best->outlook <= others)) menu_.push_back(*std::move(best));
   }
   /// Adds the monitor `acceleration`.
   void add_acceleration() {
@@ -384,23 +284,49 @@ class Menu {
   }
 
  private:
+  /// The monitor of poles and bends with these constants. @param constants see Choice::poles; \f$w_0\f$ is
+  /// found and set if it is negative
+  Candidate polar_with(const Singular& singular, std::vector<double>& constants) {
+    std::vector<double> beside = constants;  // those of the monitor without a constant frequency
+    beside.front() = 0.0;
+    Measured frequency =
+        measure(sketch_, *graph_, singular.rate(*graph_, energy_at_start_, beside), strength_, true);
+    if (constants.front() < 0.0) constants.front() = background(sketch_, frequency);
+    for (double& each : frequency.lively)
+      each = with_constant(each, constants.front());
+    Candidate made{"poles",          1.0,
+                   graph_,           question_.energy,
+                   energy_at_start_, singular.rate(*graph_, energy_at_start_, constants)};
+    const auto bends = constants.end() - static_cast<std::ptrdiff_t>(singular.bends.size());
+    const auto unused = static_cast<std::size_t>(std::count(bends, constants.end(), 0.0));
+    const bool with_bends = unused < singular.bends.size();
+    const auto features = static_cast<double>(singular.poles.size() + singular.bends.size() - unused);
+    look(made, plain_ + 30.0 + 18.0 * features + nodes_ + 2.0 * graph_->inputs(), frequency,
+         constants.front(), with_bends);
+    // Gradients at a bend are steep for so short a time that the largest one says little.
+    if (with_bends) made.noise = rounding_ * frequency.shaken / sketch_.radians;
+    return made;
+  }
   /// Sets what the sketch says of a candidate. @param operations those of a sweep @param measured what its
-  /// monitor follows, along the sketch
-  void look(Candidate& it, double operations, const Measured& measured) {
-    double least = infinity, most = 0.0;
+  /// monitor follows, along the sketch @param constant a constant frequency beside that, if any
+  /// @param with_bends whether it follows bends
+  void look(Candidate& it, double operations, const Measured& measured, double constant = 0.0,
+            bool with_bends = false) {
+    double least = infinity, most = 0.0, last = 0.0;
     for (std::size_t k = 0; k < sketch_.samples.size() && least > 0.0; ++k) {
       const Sketch::Sample& sample = sketch_.samples[k];
       const double g = it.fixed() ? 1.0 : it.rate_of(measured.lively[k]);
       it.fictive += sample.h / g;
       it.longest = std::max(it.longest, g * sample.frequency);
       least = g > 0.0 && std::isfinite(g) ? std::min(least, g) : 0.0;
-      most = std::max(most, g);
+      most = std::max(most, g), last = g;
     }
-    if (!measured.changes.empty() && constants_.poles.front() > 0.0)
-      it.longest = std::max(it.longest, fastest_change(measured, constants_.poles.front()));
+    const bool ahead = bends_.ahead() > 0.0;
+    if (ahead && !with_bends && it.name != "given") it.longest = std::max(it.longest, last * bends_.ahead());
+    if (constant > 0.0) it.longest = std::max(it.longest, fastest_change(measured, constant));
     it.noise = it.fixed() ? 0.0 : std::abs(it.alpha()) * rounding_ * measured.steepest;
     it.outlook = Candidate::price_of_sweep(operations, graph_->inputs()) * it.fictive * it.longest;
-    const bool idle = !it.fixed() && it.name != "given" && !(most > 1.15 * least);
+    const bool idle = !it.fixed() && it.name != "given" && !(ahead && with_bends) && !(most > 1.15 * least);
     if (!(least > 0.0) || !std::isfinite(it.outlook) || idle) it.outlook = infinity;
     if (it.fixed() && sketch_.samples.empty()) it.outlook = 1.0, it.fictive = 1.0;
   }
@@ -408,6 +334,7 @@ class Menu {
   const OrbitQuestion& question_;
   double energy_at_start_;
   const Sketch& sketch_;
+  const Bends& bends_;
   const VectorX& metric_;
   Choice& constants_;
   std::shared_ptr<ExpressionGraph> graph_;
@@ -420,10 +347,10 @@ class Menu {
 }  // namespace
 
 std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch,
-                                  double radians, const Resting& resting, const VectorX& metric,
-                                  Choice& constants, double operations) {
+                                  const Bends& bends, double radians, const Resting& resting,
+                                  const VectorX& metric, Choice& constants, double operations) {
   const std::string& wanted = question.options.monitor.name;
-  Menu menu(question, energy_at_start, sketch, metric, constants, operations);
+  Menu menu(question, energy_at_start, sketch, bends, metric, constants, operations);
   menu.add_energies(resting);
   if (question.given >= 0) menu.add_given();
   if (menu.moves()) {
@@ -446,13 +373,14 @@ Formula monitor_of(const Choice& choice, const Formula& hamiltonian, double ener
   require(h.inputs() % 2 == 0, "Number of arguments of H", h.inputs(), "even: those of H(q, p)");
   require(detail::is_monitor(choice.name), "Monitor", choice.name, "one of ", detail::names_of_monitors(),
           "; a monitor of one's own is known already");
-  const auto n = static_cast<std::size_t>(h.inputs() / 2), poles = detail::Poles(h.graph(), h.node()).size();
+  const detail::OrbitQuestion question{.graph = h.graph(), .energy = h.node()};
+  const auto n = static_cast<std::size_t>(h.inputs() / 2);
   const auto fits = [](const std::vector<double>& constants, std::size_t size) {
     return constants.empty() || constants.size() == size;
   };
-  require(fits(choice.accelerations, n) && fits(choice.drifts, n) && fits(choice.poles, 2 * poles + 2),
+  require(fits(choice.accelerations, n) && fits(choice.drifts, n) &&
+              fits(choice.poles, detail::Singular(h.graph(), question).constants()),
           "H of a monitor", "another one", "that for which the choice was made");
-  const detail::OrbitQuestion question{.graph = h.graph(), .energy = h.node()};
   return detail::candidate(choice.name, question, energy_at_start, choice).formula();
 }
 

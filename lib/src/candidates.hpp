@@ -2,6 +2,8 @@
 #include "avi/core/power.hpp"
 #include "avi/core/state.hpp"
 #include "avi/solve.hpp"
+#include "bends.hpp"
+#include "measured.hpp"
 #include "orbit_steps.hpp"
 #include "sketch.hpp"
 #include "steppers.hpp"
@@ -179,12 +181,6 @@ class Candidate {
   std::optional<Program::Room<double>> room_;  // memory of rate_at()
 };
 
-/// The potential V, see Candidate, along a sketch.
-struct Resting {
-  std::vector<double> energy;  ///< V at each sample.
-  std::vector<double> forces;  ///< \f$-\partial V/\partial q\f$ at each sample, n numbers each.
-};
-
 /// Names in the menu, separated by commas.
 std::string names_of_monitors();
 /// Returns true if there is a monitor of this name.
@@ -202,11 +198,12 @@ std::shared_ptr<const Formulas> formulas_of(const Choice& choice, const OrbitQue
 std::vector<double> accelerations(const Sketch& sketch, const VectorX& metric, Eigen::Index seen);
 
 /// The menu for an orbit, the most promising candidate first. It always contains fixed steps, and the user's
-/// own monitor if there is one. @param radians phase of the whole orbit @param resting V on the sketch
+/// own monitor if there is one. @param bends measured along the sketch @param radians phase of the whole
+/// orbit @param resting V on the sketch
 /// @param metric diagonal of H_pp @param constants those of the monitors; those of `poles` are set where they
 /// are needed @param operations number of operations of H with its gradient
 std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch,
-                                  double radians, const Resting& resting, const VectorX& metric,
-                                  Choice& constants, double operations);
+                                  const Bends& bends, double radians, const Resting& resting,
+                                  const VectorX& metric, Choice& constants, double operations);
 
 }  // namespace avi::detail

@@ -2,7 +2,10 @@
 
 #include "separable.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace avi::detail {
@@ -52,6 +55,81 @@ std::vector<int> divisors(const ExpressionGraph& graph, int energy, const std::v
       take_factors(what.a);
   }
   return found;
+}
+
+void follow_powers(const ExpressionGraph& graph, std::vector<double>& powers, std::size_t from,
+                   double (*otherwise)(Operation, double, double)) {
+  for (std::size_t i = from; i < powers.size(); ++i) {
+    const ExpressionGraph::Node& what = graph[static_cast<int>(i)];
+    if (what.operation == Operation::input || what.operation == Operation::constant) continue;
+    const double a = powers[what.a], b = what.b < 0 ? 0.0 : powers[what.b];
+    switch (what.operation) {
+      using enum Operation;
+    case multiply:
+      powers[i] = a + b;
+      break;
+    case divide:
+      powers[i] = a - b;
+      break;
+    case power:
+      powers[i] = a * graph[what.b].number;
+      break;
+    case sqrt:
+      powers[i] = 0.5 * a;
+      break;
+    default:
+      powers[i] = otherwise(what.operation, a, b);
+    }
+  }
+}
+
+std::vector<double> degrees_of(const ExpressionGraph& graph, int node) {
+  std::vector<double> degrees;
+  degrees.reserve(static_cast<std::size_t>(node) + 1);
+  for (int i = 0; i <= node; ++i)
+    degrees.push_back(graph[i].operation == Operation::input ? 1.0 : 0.0);
+  follow_powers(graph, degrees, 0, [](Operation, double a, double b) { return std::max(a, b); });
+  for (double& degree : degrees)
+    degree = std::max(degree, 1.0);
+  return degrees;
+}
+
+std::vector<double> lower_bounds(const ExpressionGraph& graph, int node) {
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  std::vector<double> least(static_cast<std::size_t>(node) + 1, none);
+  for (int i = 0; i <= node; ++i) {
+    const auto& [operation, a, b, number] = graph[i];
+    switch (operation) {
+      using enum Operation;
+    case constant:
+      least[i] = number;
+      break;
+    case add:
+      least[i] = least[a] + least[b];
+      break;
+    case multiply:
+      if (a == b || (least[a] >= 0.0 && least[b] >= 0.0)) least[i] = 0.0;
+      if (least[a] > 0.0 && least[b] > 0.0) least[i] = least[a] * least[b];
+      break;
+    case divide:
+      if (least[a] >= 0.0 && least[b] >= 0.0) least[i] = 0.0;
+      break;
+    case power:
+      if (least[a] >= 0.0 || std::fmod(graph[b].number, 2.0) == 0.0) least[i] = 0.0;
+      break;
+    case sqrt:
+    case abs:
+    case exp:
+      least[i] = 0.0;
+      break;
+    case cosh:
+      least[i] = 1.0;
+      break;
+    default:
+      break;
+    }
+  }
+  return least;
 }
 
 }  // namespace avi::detail

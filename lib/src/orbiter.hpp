@@ -1,4 +1,5 @@
 #pragma once
+#include "bends.hpp"
 #include "choose.hpp"
 #include "distance.hpp"
 #include "journey.hpp"
@@ -106,6 +107,7 @@ class Orbiter {
   void prepare();
   double energy_and_slope(const VectorX& start, VectorX& slope);
   void sketch_from(const VectorX& start);
+  void look_at_bends(const VectorX& start);
   Resting at_rest(Eigen::Index seen, bool& drifting);
   double mean_motion(const Ranges& ranges, Eigen::Index seen);
   void describe_motion(const Resting& resting, Eigen::Index seen, bool drifting);
@@ -214,6 +216,7 @@ class Orbiter {
   // What is known before the runs.
   std::optional<Trip> trip_;
   std::optional<Sketch> sketch_;
+  std::optional<Bends> bends_;
   VectorX metric_;  // diagonal of H_pp at the start
   std::optional<Distance> distance_;
   std::optional<SharpFeatures> features_;

@@ -46,8 +46,11 @@ int Poles::Pole::steepness() const {
 
 Poles::Poles(const ExpressionGraph& graph, int energy)
     : graph_(&graph), energy_(energy), on_(dependences(graph, energy)) {
-  for (const int node : divisors(graph, energy, on_, most))
-    poles_.push_back({node, degree(node), 0.0});
+  const std::vector<int> nodes = divisors(graph, energy, on_, most);
+  if (nodes.empty()) return;
+  const std::vector<double> degrees = degrees_of(graph, energy);
+  for (const int node : nodes)
+    poles_.push_back({node, degrees[static_cast<std::size_t>(node)], 0.0});
   for (Pole& pole : poles_)
     pole.power = power_in(energy, pole.node);
   std::erase_if(poles_, [this](const Pole& pole) {
@@ -58,55 +61,19 @@ Poles::Poles(const ExpressionGraph& graph, int energy)
   if (poles_.size() > most) poles_.clear();
 }
 
-/// Sets the power of a quantity in each node from `from` on, by the rules for products and powers.
-/// @param otherwise gives the power for other operations, from the powers in their arguments
-void Poles::follow(std::vector<double>& powers, std::size_t from,
-                   double (*otherwise)(Operation, double, double)) const {
-  for (std::size_t i = from; i < powers.size(); ++i) {
-    const ExpressionGraph::Node& what = (*graph_)[static_cast<int>(i)];
-    if (what.operation == Operation::input || what.operation == Operation::constant) continue;
-    const double a = powers[what.a], b = what.b < 0 ? 0.0 : powers[what.b];
-    switch (what.operation) {
-      using enum Operation;
-    case multiply:
-      powers[i] = a + b;
-      break;
-    case divide:
-      powers[i] = a - b;
-      break;
-    case power:
-      powers[i] = a * (*graph_)[what.b].number;
-      break;
-    case sqrt:
-      powers[i] = 0.5 * a;
-      break;
-    default:
-      powers[i] = otherwise(what.operation, a, b);
-    }
-  }
-}
-
 /// The power of u in a node, as u vanishes.
 double Poles::power_in(int node, int base) const {
   std::vector<double> powers(static_cast<std::size_t>(node) + 1, 0.0);
   powers[base] = 1.0;
-  follow(powers, static_cast<std::size_t>(base) + 1, [](Operation operation, double a, double b) {
-    using enum Operation;
-    if (operation == add || operation == subtract) return std::min(a, b);
-    if (operation == log) return a > 0.0 ? -nearly_none : 0.0;
-    if (operation == when) return b;
-    return vanishes_with(operation) && a > 0.0 ? a : 0.0;
-  });
+  follow_powers(*graph_, powers, static_cast<std::size_t>(base) + 1,
+                [](Operation operation, double a, double b) {
+                  using enum Operation;
+                  if (operation == add || operation == subtract) return std::min(a, b);
+                  if (operation == log) return a > 0.0 ? -nearly_none : 0.0;
+                  if (operation == when) return b;
+                  return vanishes_with(operation) && a > 0.0 ? a : 0.0;
+                });
   return powers[node];
-}
-
-/// The degree of a node in the coordinates; in a sum with other terms, constants count as degree 0.
-double Poles::degree(int node) const {
-  std::vector<double> degrees;
-  for (int i = 0; i <= node; ++i)
-    degrees.push_back((*graph_)[i].operation == Operation::input ? 1.0 : 0.0);
-  follow(degrees, 0, [](Operation, double a, double b) { return std::max(a, b); });
-  return degrees[node] >= 1.0 ? degrees[node] : 1.0;
 }
 
 double Poles::change(int node, double degree, const std::vector<double>& at) const {
@@ -172,9 +139,9 @@ std::vector<double> Poles::constants(const Sketch& sketch, const VectorX& metric
   return constants;
 }
 
-int Poles::rate(ExpressionGraph& graph, const Factor& energy_at_start,
-                const std::vector<double>& constants) const {
-  Factor frequency = 0.0, slope = 0.0, change = constants[1];
+int Poles::rate(ExpressionGraph& graph, const Factor& energy_at_start, const std::vector<double>& constants,
+                const Factor& beside) const {
+  Factor frequency = beside, slope = 0.0, change = constants[1];
   const auto add = [](Factor& sum, const Factor& part) { sum = sum.number == 0.0 ? part : sum + part; };
   for (std::size_t k = 0; k < poles_.size(); ++k) {
     const double w = constants[2 * k + 2], e = constants[2 * k + 3];
@@ -201,9 +168,11 @@ int Poles::rate(ExpressionGraph& graph, const Factor& energy_at_start,
     change = change + e * whole;
   }
   if (frequency.node < 0) return graph.constant(1.0);
+  const bool free = constants.front() > 0.0;
+  const Factor near = free ? sqrt(frequency) : 1.0, root = std::sqrt(constants.front()) + near;
+  if (slope.number == 0.0) return (free ? root * root : frequency).in(graph);
   const Factor error = Factor(graph, energy_) - energy_at_start;
-  if (constants.front() == 0.0) return (frequency + error * (slope / change)).in(graph);
-  const Factor near = sqrt(frequency), root = std::sqrt(constants.front()) + near;
+  if (!free) return (frequency + error * (slope / change)).in(graph);
   return (root * root + error * (slope * root / (near * change))).in(graph);
 }
 

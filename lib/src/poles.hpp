@@ -34,6 +34,8 @@ class Poles {
   [[nodiscard]] bool none() const { return poles_.empty(); }
   /// Number of poles.
   [[nodiscard]] std::size_t size() const { return poles_.size(); }
+  /// Node of the function u of this pole.
+  [[nodiscard]] int node(std::size_t pole) const { return poles_[pole].node; }
   /// The constants \f$w_k, e_k\f$ of one pole after the other: their largest values at some points of a
   /// sketch, found from the derivatives of H along \f$s_k\f$ and the masses. @param metric diagonal of H_pp
   /// @param seen number of coordinates, without time
@@ -60,8 +62,9 @@ class Poles {
   /// Value of |dH/d ln s| for a divisor of this degree. @param at values of all nodes up to H
   [[nodiscard]] double change(int node, double degree, const std::vector<double>& at) const;
   /// Adds the node of \f$\ell\f$ to a graph that contains H as the one of the constructor does.
-  /// @param constants \f$w_0, e_0\f$, then those of the poles
-  int rate(ExpressionGraph& graph, const Factor& energy_at_start, const std::vector<double>& constants) const;
+  /// @param constants \f$w_0, e_0\f$, then those of the poles @param beside what else belongs to \f$\phi\f$
+  int rate(ExpressionGraph& graph, const Factor& energy_at_start, const std::vector<double>& constants,
+           const Factor& beside = 0.0) const;
 
   static constexpr std::size_t most = 24;  ///< Largest number of poles of one H.
 
@@ -72,10 +75,7 @@ class Poles {
     double power;                         // power of u in H, negative; nearly 0 for a logarithm
     [[nodiscard]] int steepness() const;  // a, a whole number
   };
-  void follow(std::vector<double>& powers, std::size_t from,
-              double (*otherwise)(Operation, double, double)) const;
   [[nodiscard]] double power_in(int node, int base) const;
-  [[nodiscard]] double degree(int node) const;
 
   const ExpressionGraph* graph_;
   int energy_;

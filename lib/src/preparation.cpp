@@ -103,10 +103,12 @@ double Orbiter::energy_and_slope(const VectorX& start, VectorX& slope) {
 /// Makes the sketch: a run of low accuracy that stands for the orbit during the rest of the choice.
 void Orbiter::sketch_from(const VectorX& start) {
   field_.sense = sense_;
+  bends_.emplace(question_.graph, question_.energy, question_.timed);
   if (closely_) {
     constexpr double begun = std::numeric_limits<double>::min();
     sketch_.emplace(field_, start, span_, metric_, 4 * parts_of_close_sketch, begun,
                     span_ / parts_of_close_sketch);
+    bends_->measure(*sketch_);
     return;
   }
   sketch_.emplace(field_, start, span_, metric_);
@@ -114,6 +116,23 @@ void Orbiter::sketch_from(const VectorX& start) {
   if (sketch_->radians < 1e-4 && sketch_->time == span_)
     sketch_.emplace(field_, start, span_, metric_, 512, 0.0, span_ / 256.0);
   follow_the_take_off(start.size() / 2 - 1);
+  bends_->measure(*sketch_);
+  if (question_.timed) bends_->look_ahead(start, question_.t_end);
+  if (bends_->are_missed(*sketch_)) look_at_bends(start);
+}
+
+/// Makes the sketch again, with short steps near bends of H.
+void Orbiter::look_at_bends(const VectorX& start) {
+  const double usual = sketch_->radians / sketch_->time;
+  field_.limit = [this](const VectorX& z) { return 0.7 * bends_->distance(z.data()); };
+  sketch_.emplace(field_, start, span_, metric_, 512);
+  field_.limit = nullptr;
+  // A sketch of low order hardly feels a short bend, but a step of high order does.
+  for (Sketch::Sample& sample : sketch_->samples)
+    sample.frequency = std::max(sample.frequency, 1.0 / bends_->distance(sample.z.data()));
+  sketch_->radians = std::max(sketch_->radians, usual * sketch_->time);
+  bends_->measure(*sketch_);
+  if (question_.timed) bends_->look_ahead(start, question_.t_end);
 }
 
 /// Returns energies and forces along the sketch with everything at rest. @param drifting set if something
@@ -221,7 +240,8 @@ void Orbiter::take_the_named(const std::string& wanted) {
   if (!menu_.empty()) return;
   if (wanted == "poles" && choice.poles.empty())
     throw std::invalid_argument("Monitor poles has no meaning here: H divides by no function of q alone, "
-                                "nor takes its logarithm; take monitor fixed.");
+                                "nor takes its logarithm, nor bends within a short length; take monitor "
+                                "fixed.");
   if (!(choice.kinetic > 0.0) && wanted.starts_with("energy"))
     throw std::invalid_argument("Monitor " + wanted +
                                 " has no meaning here: its kinetic energy is not positive along the orbit; "
@@ -232,7 +252,7 @@ void Orbiter::take_the_named(const std::string& wanted) {
 /// Sets the menu of candidates, the most promising first, and the order of the first runs.
 void Orbiter::write_menu(const Resting& resting) {
   const double energy = trip_->energy_at_start;
-  menu_ = candidates(question_, energy, *sketch_, radians_, resting, metric_, answer_.choice,
+  menu_ = candidates(question_, energy, *sketch_, *bends_, radians_, resting, metric_, answer_.choice,
                      field_.operations());
   if (const std::string& wanted = question_.options.monitor.name; !wanted.empty()) {
     take_the_named(wanted);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -161,6 +162,7 @@ class PointField {
   bool timed = false;  ///< Whether the last coordinate is time, which has a unit of its own.
   std::shared_ptr<const Switches> switches = {};  ///< Times at which H switches, if any.
   std::optional<Barriers> barriers = {};          ///< Where H is infinite, if it may be.
+  std::function<double(const VectorX&)> limit;    ///< Longest step of a sketch from a point, if limited.
 
  private:
   using Duals = Program::Room<Partials<double, 1>>;
@@ -248,7 +250,7 @@ class Sketch {
     double refused = 0.0;
     double work = 0.0, lost = 0.0;  // integral of half of |p q'|; energy lost near poles
     for (int tries = 0; time < span && static_cast<int>(samples.size()) < most && tries < 6 * most; ++tries) {
-      h = std::min({h, span - time, longest});
+      h = std::min({h, span - time, longest, field.limit ? field.limit(at) : infinity});
       const double usual = h;
       std::optional<Switches::Switch> at_end;
       if (switches) at_end = to_switch(*switches, at, field.sense, h);
@@ -363,8 +365,11 @@ class Sketch {
       lift(scale, roots, timed);
       for (Eigen::Index i = 0; i < ranges.size(); ++i)
         if (sample->errors[i] > 0.0) worst = std::max(worst, sample->errors[i] / scale[i]);
-      if (worst > 1e-4 * loose) next = angle / sample->h * std::cbrt(worst / loose);
-      sample->frequency = next;
+      constexpr double least = 1e-4;
+      const bool shows = worst > least * loose;
+      const double here = angle / sample->h * std::cbrt(shows ? worst / loose : least);
+      if (shows) next = here;
+      sample->frequency = std::min(next, here);
       radians += sample->h * next;
     }
   }

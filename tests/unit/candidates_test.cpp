@@ -42,7 +42,9 @@ struct Menu {
     constants.kinetic = kinetic;
     constants.accelerations = avi::detail::accelerations(sketch, metric, n);
     const double radians = sketch.radians / sketch.time * span;
-    candidates = avi::detail::candidates(question, energy, sketch, radians, resting, metric, constants,
+    avi::detail::Bends bends(question.graph, question.energy, question.timed);
+    bends.measure(sketch);
+    candidates = avi::detail::candidates(question, energy, sketch, bends, radians, resting, metric, constants,
                                          field.operations());
   }
   [[nodiscard]] std::string names() const {
