@@ -111,6 +111,22 @@ TEST(Solve, RepeatsNoExplicitSteps) {
           << orbit.report();
 }
 
+TEST(Solve, SaysWhatTheWorkOfChoosingIsCountedIn) {
+  avi::SolutionReport report;
+  report.run.steps = 2;
+  report.choice.sweeps = 7;
+  const auto says = [&](const char* words) {
+    EXPECT_NE(report.report().find(words), std::string::npos) << report.report();
+  };
+  says("Choosing took 7 sweeps.\n");
+  report.choice.trials = {{.monitor = "splitting"}};
+  says("Choosing took 7 sweeps and kicks. Runs");
+  report.choice.name = "splitting";
+  report.choice.check = 5;
+  says("Choosing took 7 kicks, the second run 5. Runs");
+  says("the energy is 0, relative to the scale 1.\n");
+}
+
 /// Work of the trials over that of the run and its check: a kick of the splitting takes a quarter of a sweep.
 template <class H>
 double share_of_choosing(const H& hamiltonian, int n) {
