@@ -79,7 +79,7 @@ TEST(Solve, StaysAtAnEquilibrium) {
   EXPECT_EQ(orbit.state.t, 3.0);
 }
 
-// A bell that is thinner than a step: the motion turns at 0.3.
+// A narrow bump that is thinner than a step: the motion turns at 0.3.
 TEST(Solve, SeesAWallThinnerThanItsSteps) {
   for (const double width : {0.03, 0.003}) {
     const auto walled = [=](const auto& q, const auto& p) {
