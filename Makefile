@@ -56,6 +56,8 @@ docs_packages  := doxygen doxygen-awesome-css libjs-katex python3
 site_packages  := chromium
 python_packages := python3-dev pybind11-dev python3-pybind11 python3-numpy
 compare_packages := python3-scipy python3-matplotlib
+# Others break lines elsewhere. The test of the format (tests/CMakeLists.txt) reads this line.
+clang_format := clang-format-14
 
 # $(call install,packages): root installs, another user asks sudo where it can answer, else one line says what to run.
 # One at a time: apt's lock on its lists is not waited for.
@@ -95,7 +97,7 @@ deps-mutants: deps
 deps-fuzz: deps
 	$(call install,clang-14 libclang-rt-14-dev)
 deps-format:
-	$(call install,clang-format)
+	$(call install,$(clang_format))
 
 # ---- programs --------------------------------------------------------------------------------------------------
 configure = cmake --preset $(PRESET) >/dev/null
@@ -232,6 +234,6 @@ site: deps-site docs ## Publish the docs: SITE=build/site gets them as static fi
 	@python3 lib/docs/site/check.py build/docs/html chromium
 	@mkdir -p $(call path,$(SITE)) && cp -r build/docs/html/. $(call path,$(SITE)) && touch $(call path,$(SITE)/.nojekyll) && echo "$(SITE): put it on any web server"
 format: deps-format ## Apply clang-format
-	find lib experiments paper tests -name '*.?pp' | xargs clang-format -i
+	find lib experiments paper tests -name '*.?pp' | xargs $(clang_format) -i
 clean: ## Remove everything that was generated
 	rm -rf build

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <string>
 
 // A run that is interrupted, here by a bound on its steps, is kept in a file; what goes on from there has the
 // same bits as a run that was not interrupted.

@@ -1,6 +1,8 @@
 #include <avi/solve.hpp>
 
+#include <cmath>
 #include <cstdio>
+#include <vector>
 
 // A solution that can be called at any time of the run, after it: here for the time at which a pendulum that
 // was pushed over the top is at the bottom again, by bisection.

@@ -2,6 +2,7 @@
 #include <avi/htvi/htvi.hpp>
 #include <avi/transform/time_dependent.hpp>
 
+#include <cmath>
 #include <cstdio>
 
 // A pendulum pushed periodically, H(q, t, p) = p^2 / 2 - cos q - A q cos(omega t): the Hamiltonian depends on

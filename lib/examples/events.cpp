@@ -1,5 +1,6 @@
 #include <avi/solve.hpp>
 
+#include <cmath>
 #include <cstdio>
 
 // Events are zeros of a function of the state. q . p rises through zero at pericentre and falls through it at

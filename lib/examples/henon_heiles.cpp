@@ -4,7 +4,9 @@
 #include <avi/problems/henon_heiles.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <utility>
 
 // The model of Henon and Heiles at the energies 1/12 and 1/8: where do orbits cross x = 0 with p_x > 0? On a
 // regular orbit the points (y, p_y) of this Poincare section lie on a curve, on a chaotic one they fill an

@@ -2,6 +2,7 @@
 #include <avi/htvi/htvi.hpp>
 #include <avi/transform/monitors.hpp>
 
+#include <cmath>
 #include <cstdio>
 
 int main() {

@@ -1,8 +1,10 @@
 #include <avi/optim/minimise.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <random>
+#include <vector>
 
 // Which words make a message unwanted? 8000 messages of 20 words each from a vocabulary of 3000, rare and
 // common ones; word j has a hidden weight, and a message is unwanted with probability sigmoid(sum of its

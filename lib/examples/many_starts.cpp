@@ -1,6 +1,8 @@
 #include <avi/solver.hpp>
 
+#include <cmath>
 #include <cstdio>
+#include <vector>
 
 // One choice of monitor, order and step for many starts, on all cores: which pendulums come back?
 

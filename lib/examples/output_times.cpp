@@ -1,6 +1,8 @@
 #include <avi/solve.hpp>
 
+#include <cmath>
 #include <cstdio>
+#include <vector>
 
 // States at times of your own, forwards and then backwards. They are as accurate as the end, and the run
 // does not depend on which times they are.

@@ -3,6 +3,7 @@
 #include <avi/htvi/htvi.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 // A Hamiltonian of one's own, and the two questions to ask of a method on it: is its order what it should be,

@@ -2,6 +2,8 @@
 #include <avi/core/ensemble.hpp>
 #include <avi/transform/time_dependent.hpp>
 
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <vector>
 

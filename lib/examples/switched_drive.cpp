@@ -1,5 +1,6 @@
 #include <avi/solve.hpp>
 
+#include <cmath>
 #include <cstdio>
 
 // A satellite whose engine works for two of every ten units of time, and pushes along x while it does: H

@@ -1,6 +1,9 @@
 #include <avi/solve.hpp>
 
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
+#include <vector>
 
 // A pendulum that is pushed periodically: H(q, t, p) depends on time, and solve() takes it like any other.
 

@@ -56,7 +56,7 @@ class Kinks {
   /// A function, by its nodes: a difference of two, or a single one, where the second is -1.
   struct Function {
     int a, b;
-    std::vector<int> bases;  ///< What H takes broken powers of that depend on it, see singular().
+    std::vector<int> bases;  ///< What H takes non-integer powers of that depend on it, see singular().
     friend auto operator<=>(const Function&, const Function&) = default;
   };
   Kinks(const ExpressionGraph& graph, const std::vector<Function>& functions) : at_(functions.size()) {
@@ -88,7 +88,7 @@ class Kinks {
   /// counts as having no sign; if it is the one at the beginning of the step, as after a step that was made
   /// to end at a zero, the sign shortly after is taken instead. A function that jumps over zero, as a
   /// difference does in which two terms change places, has no zero there; nor counts one at which the base of
-  /// a broken power vanishes, see singular(). @param on on(i, c) is function i at the part c of the step
+  /// a non-integer power vanishes, see singular(). @param on on(i, c) is function i at the part c of the step
   template <class On>
   std::optional<Crossing> first(const On& on) {
     std::optional<Crossing> found;
@@ -129,7 +129,7 @@ class Kinks {
       using enum Operation;
       const auto& [operation, a, b, number] = graph[i];
       if (!part[i] || operation == input || operation == constant) continue;
-      if (!(found[i] || is_broken(graph, i))) continue;
+      if (!(found[i] || is_singular_at_zero(graph, i))) continue;
       found[a] = 1;
       if (b >= 0) found[b] = 1;
     }
@@ -137,14 +137,14 @@ class Kinks {
   }
 
  private:
-  /// Returns true for a root, a logarithm or a non-integer power.
-  static bool is_broken(const ExpressionGraph& graph, int node) {
+  /// Returns true for what is singular where its base is 0: a root, a logarithm or a non-integer power.
+  static bool is_singular_at_zero(const ExpressionGraph& graph, int node) {
     using enum Operation;
     const auto& [operation, a, b, number] = graph[node];
     return operation == sqrt || operation == log ||
            (operation == power && std::trunc(graph[b].number) != graph[b].number);
   }
-  /// The bases of broken powers in H that depend on a node.
+  /// The bases of non-integer powers in H that depend on a node.
   static std::vector<int> bases_of(const ExpressionGraph& graph, const std::vector<char>& part, int node) {
     std::vector<char> depends(part.size(), 0);
     depends[node] = 1;
@@ -153,11 +153,11 @@ class Kinks {
       const auto& [operation, a, b, number] = graph[i];
       if (!part[i] || operation == Operation::input || operation == Operation::constant) continue;
       depends[i] = depends[a] || (b >= 0 && depends[b]);
-      if (depends[a] && is_broken(graph, i)) bases.push_back(a);
+      if (depends[a] && is_singular_at_zero(graph, i)) bases.push_back(a);
     }
     return bases;
   }
-  /// Returns true if the base of a broken power vanishes at a zero, beside what it is a little before or
+  /// Returns true if the base of a non-integer power vanishes at a zero, beside what it is a little before or
   /// behind.
   template <class F>
   bool ends_there(const Crossing& zero, const F& on) {

@@ -8,6 +8,15 @@
 
 namespace avi::detail {
 
+namespace {
+
+/// Whether the same steps can be solved to more digits. Explicit ones have nothing to solve.
+bool sweeps_leave_more(const Journey& run) {
+  return !run.candidate->splits() && run.solved > least_of_sweeps;
+}
+
+}  // namespace
+
 /// If H depends on time, the motion may be far larger later than at its beginning, whose mean of half
 /// of |p q'| is the unit of energy errors. Then the mean up to this mark becomes the unit.
 void Orbiter::look_at_work(std::size_t mark) {
@@ -85,7 +94,7 @@ bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& er
   const double error = std::max(errors.of_state, errors.of_energy);
   // At a point of rest, runs may part because of what the sweeps left, and where terms of H cancel, that may
   // be the energy error: first try the same steps, solved to the last digit.
-  if ((lost_ || (errors.steady && steady_)) && fine_->solved > least_of_sweeps) {
+  if ((lost_ || (errors.steady && steady_)) && sweeps_leave_more(*fine_)) {
     unstable_ = true;
     return again(setting, 1.0);
   }
@@ -167,7 +176,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   }
   seen_ = cut ? Comparison() : compare(*coarse_, *fine_);
   // The energy error that the sweeps leave may decide how long the motion stays near a saddle.
-  if (!unstable_ && fine_->solved > least_of_sweeps &&
+  if (!unstable_ && sweeps_leave_more(*fine_) &&
       lag_at_saddles(*fine_, 0.2 * fine_->solved) * high_speed_ > wanted_part * tolerance) {
     unstable_ = true;
     return again(setting, 1.0);

@@ -5,6 +5,18 @@
 
 namespace avi {
 
+namespace {
+
+/// What the work of choosing is counted in: trials by splitting take kicks, others sweeps.
+const char* unit_of_choosing(const Choice& choice) {
+  bool kicks = choice.name == "splitting", sweeps = !kicks;
+  for (const SolveTrial& trial : choice.trials)
+    (trial.monitor == "splitting" ? kicks : sweeps) = true;
+  return kicks && sweeps ? " sweeps and kicks" : kicks ? " kicks" : " sweeps";
+}
+
+}  // namespace
+
 std::string SolutionReport::report() const {
   std::ostringstream text;
   text.precision(3);
@@ -24,13 +36,14 @@ std::string SolutionReport::report() const {
   else
     text << "Nothing is promised of the state at the end: "
          << (note.empty() ? "no second run was compared with it" : "its error is not known") << ".\n";
-  text << "The largest error of the energy is " << energy_error << " of the scale " << choice.energy_scale
-       << ".\n";
+  text << "The largest error of the energy is " << energy_error << ", relative to the scale "
+       << choice.energy_scale << ".\n";
   if (!note.empty()) text << note << "\n";
   const char* const counted = choice.name == "splitting" ? " kicks" : " sweeps";
   const auto steps = [](long count) { return count == 1 ? " step, " : " steps, "; };
   text << run.steps << steps(run.steps) << run.evaluations << counted << ": monitor " << choice.name
-       << ", order " << choice.order << ", h = " << choice.h << ". Choosing took " << choice.sweeps;
+       << ", order " << choice.order << ", h = " << choice.h << ". Choosing took " << choice.sweeps
+       << unit_of_choosing(choice);
   if (choice.check > 0) text << ", the second run " << choice.check;
   text << (choice.trials.empty() ? ".\n" : ". Runs on the way:\n");
   for (const SolveTrial& trial : choice.trials) {

@@ -15,7 +15,7 @@
 #include <vector>
 
 /// @file
-/// Features of H that a step may jump over: walls and bells thinner than the way between two stages.
+/// Features of H that a step may jump over: walls and narrow bumps thinner than the way between two stages.
 
 namespace avi::detail {
 

@@ -50,7 +50,9 @@ if(WAY STREQUAL "installed")
   run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
   consume(-DEVERYTHING=ON)
 elseif(WAY STREQUAL "add_subdirectory" OR WAY STREQUAL "fetch_content")
-  set(parent -S ${here}/parent -B ${scratch}/build -DAVI_SOURCE=${source} -DWAY=${WAY})
+  # Folders may have any name, those of our sources among them.
+  file(CREATE_LINK ${source} ${scratch}/my_minimiser SYMBOLIC)
+  set(parent -S ${here}/parent -B ${scratch}/build -DAVI_SOURCE=${scratch}/my_minimiser -DWAY=${WAY})
   if(WAY STREQUAL "add_subdirectory")
     # For /usr, where distributions may have libraries in lib/<machine>.
     list(APPEND parent -DBUILD_SHARED_LIBS=ON -DAVI_INSTALL=ON -DCMAKE_INSTALL_PREFIX=/usr)

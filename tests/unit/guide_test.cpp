@@ -110,6 +110,32 @@ TEST(Pages, ShowProgramsThatAreCompiledAndOutputThatIsCompared) {
   EXPECT_GE(outputs, 3);
 }
 
+/// A program that is copied compiles with other standard libraries, too.
+TEST(Examples, IncludeTheHeadersOfWhatTheyUse) {
+  const std::vector<std::pair<std::string, std::string>> homes{
+      {"algorithm", "std::(max|min|transform)\\b"},
+      {"array", "std::array\\b"},
+      {"cmath", "M_PI|std::(abs|cos|exp|floor|hypot|log1p|lround|nan|pow|round|sin|sqrt)\\b"},
+      {"cstddef", "std::size_t\\b"},
+      {"cstdio", "std::(printf|puts)\\b"},
+      {"stdexcept", "std::invalid_argument\\b"},
+      {"string", "std::string\\b"},
+      {"utility", "std::pair\\b"},
+      {"vector", "std::vector\\b"}};
+  int used = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(source / "lib/examples")) {
+    if (entry.path().extension() != ".cpp") continue;
+    const std::string text = text_of(entry.path());
+    for (const auto& [header, names] : homes) {
+      if (!std::regex_search(text, std::regex(names))) continue;
+      EXPECT_NE(text.find("#include <" + header + ">\n"), std::string::npos)
+          << entry.path() << ": " << header;
+      ++used;
+    }
+  }
+  EXPECT_GE(used, 40);
+}
+
 TEST(Pages, NameWhatExists) {
   std::set<std::string> words;
   for (const auto& entry : fs::recursive_directory_iterator(source / "lib/avi")) {

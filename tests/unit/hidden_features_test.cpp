@@ -7,7 +7,7 @@
 #include <cmath>
 
 /// @file
-/// Walls, bells and contacts that are thin against the steps of a free flight, and kinks.
+/// Walls, narrow bumps and contacts that are thin against the steps of a free flight, and kinks.
 
 namespace hidden_features_test {
 
@@ -46,11 +46,11 @@ TEST(HiddenFeatures, AContact) {
 
 // Energies of 10 that a body with 1/2 cannot pass; a function of q that is no exponential.
 TEST(HiddenFeatures, ABellWithoutAnExponential) {
-  const auto bell = [](const auto& q, const auto& p) {
+  const auto bump = [](const auto& q, const auto& p) {
     const auto d = 0.05 * (q[0] - 2000.0);
     return 0.5 * p[0] * p[0] + 10.0 * pow(1.0 + d * d, -16.0);
   };
-  const auto found = kept(solve(bell, flying, 5000.0, 1e-8));
+  const auto found = kept(solve(bump, flying, 5000.0, 1e-8));
   EXPECT_NEAR(found.state.p[0], -1.0, 1e-7);
 }
 
@@ -64,7 +64,7 @@ double error(const H& h, const State<2>& start, const State<2>& end, double tole
          tolerance;
 }
 
-// Smooth bells that fill three and five thousandths of the way, over which four steps went: they erred by
+// Smooth bumps that fill three and five thousandths of the way, over which four steps went: they erred by
 // 1222 and 43 tolerances. One stands beside an oscillation, one changes the mass.
 TEST(HiddenFeatures, BellsOfHigherPowers) {
   const auto box = [](const auto& q, const auto& p) {
@@ -122,7 +122,7 @@ TEST(HiddenFeatures, AWindowOfTwoConditions) {
   }
 }
 
-// Hills of a broken power, at whose edges steps do not end: in a window of two conditions, and of one.
+// Hills of a non-integer power, at whose edges steps do not end: in a window of two conditions, and of one.
 TEST(HiddenFeatures, AHillOfABrokenPower) {
   for (const double width : {0.05, 0.01})
     for (const bool two : {false, true}) {

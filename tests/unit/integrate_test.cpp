@@ -232,6 +232,18 @@ TEST(Integrate, SaysWhyAStepFailed) {
   EXPECT_EQ(message(avi::EulerB<1, Nowhere>(Nowhere{}, avi::Unit{}, 0.0)), in_q);
 }
 
+TEST(Integrate, TakesNoNegativeResidualForAnEntry) {
+  struct Fails {
+    avi::StepReport step(State<1>&, double) const { return {Outcome::non_finite, 1, -2.0}; }
+  } method;
+  State<1> z{.q = {0.0}, .p = {1.0}};
+  EXPECT_NE(avi::integrate(method, z, 0.5, {.steps = 10}).message.find("a number in the next step is not"),
+            std::string::npos);
+  const auto report = avi::stormer_verlet<1>(&Nowhere::potential_gradient).step(z, 0.5);
+  EXPECT_EQ(report.bad_entry, 0);
+  EXPECT_EQ(report.residual, 0.0);
+}
+
 TEST(Integrate, SaysWhereItEndedWithEveryDigit) {
   struct Fails {
     avi::StepReport step(State<2>&, double) const { return {Outcome::not_converged, 1, 0.1}; }

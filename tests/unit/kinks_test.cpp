@@ -228,8 +228,8 @@ TEST(Kinks, AreNotWhereAFunctionJumps) {
   }
 }
 
-// A root, a logarithm or a broken power of what has a kink, but does not vanish there, hid the kink: the call
-// was refused, or wrong by 73 tolerances.
+// A root, a logarithm or a non-integer power of what has a kink, but does not vanish there, hid the kink: the
+// call was refused, or wrong by 73 tolerances.
 TEST(Kinks, AreFoundUnderRoots) {
   const State<1> start{.q = {1.0}, .p = {0.0}};
   const auto root = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + sqrt(1.0 + abs(q[0])); };

@@ -55,8 +55,8 @@ TEST(SharpFeatures, KnowWhatBends) {
   EXPECT_FALSE(bends([](const auto& q, const auto& p) { return p * p + exp(q) / (1.0 + q * q); }));
 }
 
-/// A bell at q = 1, so low that nothing else is felt of it.
-auto bell(double width) {
+/// A bump at q = 1, so low that nothing else is felt of it.
+auto bump(double width) {
   return [=](const auto& q, const auto& p) {
     const auto x = (q - 1.0) / width;
     return 0.5 * p * p + 1e-9 * exp(-x * x);
@@ -69,23 +69,23 @@ auto wall(double width) {
 
 TEST(SharpFeatures, AreJumpedOverBetweenStages) {
   for (const double q : {0.4, 0.1, 0.9, 0.875, 0.125}) {
-    EXPECT_TRUE(jumped(bell(1e-3), q)) << q;
-    EXPECT_TRUE(jumped(bell(1e-5), q)) << q;
+    EXPECT_TRUE(jumped(bump(1e-3), q)) << q;
+    EXPECT_TRUE(jumped(bump(1e-5), q)) << q;
     EXPECT_TRUE(jumped(wall(1e-3), q)) << q;
   }
   EXPECT_TRUE(jumped(wall(1e-3), 0.5)) << "in the middle of the step, where the argument is 0";
   double far = 0.0;
-  EXPECT_TRUE(jumped(bell(1e-3), 0.4, &far));
+  EXPECT_TRUE(jumped(bump(1e-3), 0.4, &far));
   EXPECT_NEAR(far, 1.4, 1e-6) << "the step has not seen it";
 }
 
 TEST(SharpFeatures, AreNotJumpedOverElsewhere) {
   for (const double q : {-1.5, 1.2}) {
-    EXPECT_FALSE(jumped(bell(1e-3), q)) << q << ", before or after it";
+    EXPECT_FALSE(jumped(bump(1e-3), q)) << q << ", before or after it";
     EXPECT_FALSE(jumped(wall(1e-3), q)) << q << ", before or after it";
   }
-  EXPECT_FALSE(jumped(bell(0.5), 0.4)) << "broad";
-  EXPECT_FALSE(jumped(bell(0.1), 0.4)) << "stages see it";
+  EXPECT_FALSE(jumped(bump(0.5), 0.4)) << "broad";
+  EXPECT_FALSE(jumped(bump(0.1), 0.4)) << "stages see it";
   EXPECT_FALSE(jumped(wall(0.5), 0.4)) << "broad";
   EXPECT_FALSE(jumped([](const auto&, const auto& p) { return 0.5 * p * p; }, 0.4));
 }
@@ -109,7 +109,7 @@ struct FreeMotion final : avi::detail::Stepper {
 };
 
 TEST(SharpFeatures, AreNotSearchedForFarAway) {
-  const Seen seen(bell(1e-3), 0.0);
+  const Seen seen(bump(1e-3), 0.0);
   const auto asked = [&](double start, bool there) {
     SharpFeatures features(*seen.graph, seen.energy, seen.sketch);
     auto motion = std::make_unique<FreeMotion>();

@@ -79,7 +79,7 @@ TEST(Solve, StaysAtAnEquilibrium) {
   EXPECT_EQ(orbit.state.t, 3.0);
 }
 
-// A bell that is thinner than a step: the motion turns at 0.3.
+// A narrow bump that is thinner than a step: the motion turns at 0.3.
 TEST(Solve, SeesAWallThinnerThanItsSteps) {
   for (const double width : {0.03, 0.003}) {
     const auto walled = [=](const auto& q, const auto& p) {
@@ -92,6 +92,39 @@ TEST(Solve, SeesAWallThinnerThanItsSteps) {
         EXPECT_TRUE(!orbit.kept() || orbit.state.q[0] > 0.3) << orbit.report();
       }
   }
+}
+
+// The energy errs alike at a jump of H. The same steps, solved to more digits, may help where there is
+// something to solve; explicit ones would only be made again.
+TEST(Solve, RepeatsNoExplicitSteps) {
+  const auto jump = [](const auto& q, const auto& p) {
+    return 0.5 * p[0] * p[0] + select(q[0] > 1.0, 0.2, 0.0);
+  };
+  const auto orbit = solve(jump, at(0.0, 1.0), 3.0, 1e-8);
+  const auto& trials = orbit.choice.trials;
+  EXPECT_EQ(orbit.choice.name, "splitting");
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_FALSE(trials[i].monitor == trials[j].monitor && trials[i].order == trials[j].order &&
+                   trials[i].h == trials[j].h)
+          << i << " and " << j << "\n"
+          << orbit.report();
+}
+
+TEST(Solve, SaysWhatTheWorkOfChoosingIsCountedIn) {
+  avi::SolutionReport report;
+  report.run.steps = 2;
+  report.choice.sweeps = 7;
+  const auto says = [&](const char* words) {
+    EXPECT_NE(report.report().find(words), std::string::npos) << report.report();
+  };
+  says("Choosing took 7 sweeps.\n");
+  report.choice.trials = {{.monitor = "splitting"}};
+  says("Choosing took 7 sweeps and kicks. Runs");
+  report.choice.name = "splitting";
+  report.choice.check = 5;
+  says("Choosing took 7 kicks, the second run 5. Runs");
+  says("the energy is 0, relative to the scale 1.\n");
 }
 
 /// Work of the trials over that of the run and its check: a kick of the splitting takes a quarter of a sweep.

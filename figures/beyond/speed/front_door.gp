@@ -1,6 +1,6 @@
 # The whole call of solve(), choosing and checking included, beside the best of other libraries at equal error of the
 # position at the end: the ratio of times, below 1 where solve() is ahead, over 1, 10 and 100 characteristic times (after
-# make work-precision over 1000, too); hollow marks for problems drawn up after the menu was made.
+# make work-precision over 1000, too); hollow marks for problems drawn up after the menu was made (and looked at since).
 width = 16; height = 6.4
 load 'figures/style.gp'
 table = data.'/front_door_cells.tsv'

@@ -61,9 +61,8 @@ std::string reason_of(const StepReport& report, [[maybe_unused]] const State& z)
   if (report.outcome == Outcome::diverged) return "the next step leads where the method is not defined";
   if (report.outcome != Outcome::non_finite) return {};
   if constexpr (requires { not_finite(z); })
-    if (std::isfinite(report.residual) && report.residual < 0.0)
-      return "after the next step " + name_of_entry(z, static_cast<Eigen::Index>(-1.0 - report.residual)) +
-             " is not finite";
+    if (report.bad_entry >= 0)
+      return "after the next step " + name_of_entry(z, report.bad_entry) + " is not finite";
   return "a number in the next step is not finite";
 }
 

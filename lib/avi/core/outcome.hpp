@@ -43,9 +43,10 @@ struct [[nodiscard]] StepReport {
   /// Evaluations of the vector field or of its Taylor expansion. An evaluation that ends a step and is
   /// kept for the next one counts once; the additional one at the start of a run does not count.
   int evaluations = 1;
-  /// Residual of the implicit equation, 0 for explicit steps. An explicit step that ends as non_finite sets
-  /// it to -k, where entry k of (q, p, t), counted from 1, is the first that is not finite.
-  double residual = 0.0;
+  double residual = 0.0;  ///< Residual of the implicit equation; 0 for explicit steps.
+  /// The first entry of (q, p, t), counted from 0, that is not finite after an explicit step that ends as
+  /// non_finite; otherwise -1.
+  int bad_entry = -1;
 
   /// True for Outcome::ok only.
   [[nodiscard]] bool ok() const { return outcome == Outcome::ok; }

@@ -128,7 +128,9 @@ std::string not_finite(const State<n>& z) {
 /// The report of an explicit step that led to a state with an entry that is not finite.
 template <int n>
 StepReport lost_at(const State<n>& z, int evaluations = 1) {
-  return {Outcome::non_finite, evaluations, -1.0 - static_cast<double>(first_not_finite(z))};
+  return {.outcome = Outcome::non_finite,
+          .evaluations = evaluations,
+          .bad_entry = static_cast<int>(first_not_finite(z))};
 }
 }  // namespace detail
 

@@ -33,7 +33,7 @@ class Composition {
   static constexpr bool one_step = detail::one_step<Base>;  ///< As for the base.
 
   /// Takes m steps of the base. The report adds up the evaluations and contains the largest residual. If a
-  /// step fails, z is unchanged, and the report has the outcome and residual of that step.
+  /// step fails, z is unchanged, and the report has the outcome, residual and bad_entry of that step.
   template <class State>
   requires Method<Base, State> StepReport step(State& z, double h) {
     const State start = z;
@@ -46,6 +46,7 @@ class Composition {
         z = start;
         total.outcome = part.outcome;
         total.residual = part.residual;
+        total.bad_entry = part.bad_entry;
         return total;
       }
     }

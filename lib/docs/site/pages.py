@@ -110,7 +110,7 @@ class Pages:
 
     def doxygen(self, page):
         """The page as Doxygen reads it."""
-        text = re.sub(r"<!--.*?-->\n?(?=```)|<!--.*?-->", "", page.read_text(), flags=re.S)
+        text = re.sub(r"<!--.*?-->(\n(?=```))?", "", page.read_text(), flags=re.S)
         name, out, fenced, formula = self.ids[page], [], False, False
         for number, line in enumerate(text.splitlines()):
             program = None

@@ -2,8 +2,10 @@
 
 #include <mpi.h>
 
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 // Many starts on many machines: every rank takes each so manieth start, on one thread, with the same choice
 // of monitor, order and step; the first one shows progress and writes one file. The file has the same bits on

@@ -9,7 +9,7 @@ A function is called once, with numbers that record what is done to them; from t
 """
 
 try:
-    from ._avi import Formula, Traced, __version__
+    from ._avi import Formula, Traced, __version__, massless
 except ModuleNotFoundError as error:
     if error.name != "avi._avi":
         raise
@@ -30,6 +30,6 @@ from ._orbits import Event, Orbit, Solver, ensemble, event, resume, solve
 from ._tracing import functions, maximum, minimum, where
 
 __all__ = [
-    "Event", "Formula", "Minimum", "Orbit", "Solver", "Traced", "ensemble", "event", "functions", "hamiltonian", "maximum", "minimise", "minimum", "objective", "plot",
-    "resume", "solve", "where",
+    "Event", "Formula", "Minimum", "Orbit", "Solver", "Traced", "ensemble", "event", "functions", "hamiltonian", "massless", "maximum", "minimise", "minimum", "objective",
+    "plot", "resume", "solve", "where",
 ]  # fmt: skip

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import plot as plot
 
 __version__: str
+massless: float  # the mass of a test particle
 Floats = NDArray[np.float64]
 Events = Event | Callable[..., Any] | Formula | Sequence[Event | Callable[..., Any] | Formula] | None
 Monitor = str | Callable[..., Any] | Formula  # a name, or g(q, p) or g(q, t, p)
@@ -110,6 +111,8 @@ class Orbit:
     def kept(self) -> bool: ...
     @property
     def status(self) -> int: ...
+    @property
+    def outcome(self) -> str: ...
     @property
     def message(self) -> str: ...
     @property

@@ -2,7 +2,7 @@
 
 from . import _avi, _data
 from ._formula import _shape, formula_of, numbers_of, reals
-from ._orbits import _options
+from ._options import set_options
 
 
 class Minimum:
@@ -67,7 +67,7 @@ def minimise(f, x0, *, jac=None, parameters=(), callback=None, history=False, **
     x0 = reals(x0, "x0")
     if x0.size == 0:
         raise ValueError("Size of x0 is 0; it must be at least 1.")
-    chosen = _options(_avi.MinimiseOptions(), options, _OPTIONS, "minimise", ("jac", "parameters", "callback", "history"))
+    chosen = set_options(_avi.MinimiseOptions(), options, _OPTIONS, "minimise", ("jac", "parameters", "callback", "history"))
     for each, name, also in ((jac, "jac", "True where f returns both"), (callback, "callback", "None")):
         if not (each is None or callable(each) or (name == "jac" and isinstance(each, bool))):
             raise TypeError(f"{name} is {each!r}; it must be a function, or {also}.")

@@ -11,6 +11,7 @@ from types import SimpleNamespace
 
 from . import _avi
 from ._formula import _shape, formula_of, hamiltonian, reals
+from ._options import set_options, unknown_option
 
 
 class Orbit:
@@ -24,7 +25,8 @@ class Orbit:
     t_events, y_events   for each event the times, shape (k,), and the states, shape (k, 2 n), where it was found
     success  the last of the times was reached, or an event that ends the run (`ok` in C++)
     kept     success, and the errors of the state and of the energy are within ten times the tolerance
-    status   0: the last of the times was reached; 1: an event ended the run; -1: neither
+    status   0: the last of the times was reached; 1: an event ended the run; -1: neither, and `outcome` says which
+    outcome  the name of how the run ended, as in C++: "ok", "stopped", "step_limit" ...
     message  one sentence on the end of the run
     nfev     evaluations of the field, those of the choice among them; nsteps: steps of the run
     choice   monitor, order and step h, with the trials that led to them
@@ -43,6 +45,7 @@ class Orbit:
     success = property(lambda self: self._report.run.outcome == _avi.Outcome.ok)
     kept = property(lambda self: self._report.kept())
     status = property(lambda self: int(self._stopped) if self.success else -1)
+    outcome = property(lambda self: self._report.run.outcome.name)
     message = property(lambda self: self._report.run.message or ("The end was reached.", "An event ended the run.")[self.status])
     nfev = property(
         lambda self: _evaluations(self._report.run.evaluations, self.choice)
@@ -159,7 +162,7 @@ def event(g, *, direction=0, count=0, stop=False, **others):
     reads where g itself is the event.
     """
     for name in others:
-        raise _unknown(name, ("direction", "count", "stop"), "event")
+        raise unknown_option(name, ("direction", "count", "stop"), "event")
     for name in ("terminal", "direction"):
         if getattr(g, name, 0):
             raise ValueError(f"g has the attribute {name}, as solve_ivp reads it: give g itself as an event, or say it by direction=, count= and stop= alone.")
@@ -410,7 +413,7 @@ class _Question:
         if callable(monitor):
             monitor = hamiltonian(monitor, shape, name="The monitor")
             options = {**options, "monitor": monitor}
-        self.options = _options(_avi.SolveOptions(), options, _OPTIONS, "solve", ("t", "tol", "events", "progress", "parameters"))
+        self.options = set_options(_avi.SolveOptions(), options, _OPTIONS, "solve", ("t", "tol", "events", "progress", "parameters"))
         self.set_times(t)
         self.formula = formula_of(H, parameters, lambda: hamiltonian(H, shape, parameters))
         if not isinstance(self.formula, _avi.Formula):
@@ -467,39 +470,3 @@ class _Question:
         times, states = ([found[i] for i in of_events] for found in (t_events, z_events))
         stopped = any(stop and len(found) == max(count, 1) for (_, _, count, stop), found in zip(self.events, times))
         return Orbit(report, self.formula, self.shape, t, z.T, sol, times, states, stopped)
-
-
-_KINDS = {
-    "monitor": "a name or a function",
-    "checkpoint": "a path",
-    **dict.fromkeys(("seconds", "h", "checkpoint_seconds"), "a number"),
-    **dict.fromkeys(("sweeps", "steps", "order"), "a whole number"),
-}
-
-
-_HERE = {  # SciPy's names of options
-    "t_eval": "t", "dense_output": "dense", "rtol": "tol", "atol": "tol", "terminal": "stop", "args": "parameters", "maxiter": "iterations",
-    "gtol": "absolute", "tol": "relative",
-}  # fmt: skip
-
-
-def _unknown(name, names, function):
-    """The error for an option that there is not, with its name here where SciPy has it under another."""
-    here = f", which is {_HERE[name]}= here" if _HERE.get(name) in names else ""
-    return TypeError(f"{function}() has no option {name!r}{here}; there are {', '.join(names)}.")
-
-
-def _options(chosen, options, names, function, further):
-    """Sets the fields of these names. Raises TypeError for another one, with the function's further arguments."""
-    for name, value in options.items():
-        if name not in names:
-            raise _unknown(name, (*further, *names), function)
-        if value is not None:
-            kind = _KINDS.get(name) or f"of the type {type(getattr(chosen, name)).__name__}"
-            try:
-                setattr(chosen, name, _avi.Monitor(value) if name == "monitor" else os.fspath(value) if name == "checkpoint" else value)
-            except TypeError:
-                if isinstance(value, int) and kind in ("of the type int", "a whole number"):
-                    raise ValueError(f"The option {name} of {function}() is {value}; so large a number is not possible.") from None
-                raise TypeError(f"The option {name} of {function}() is {value!r}; it must be {kind}.") from None
-    return chosen

@@ -256,6 +256,7 @@ PYBIND11_MODULE(_avi, module) {
         return z;
       });
   module.attr("__version__") = version();
+  module.attr("massless") = massless;
   module.def("trace", trace);
   module.def("solve", python::solve);
   module.def("resume", python::resume);

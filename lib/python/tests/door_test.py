@@ -104,6 +104,7 @@ class Events(unittest.TestCase):
         falls.terminal, falls.direction = True, -1  # as solve_ivp has it
         orbit = avi.solve(spring, [1.0], [0.0], [0.0, 1.0, 2.0, 3.0], 1e-10, events=falls)
         self.assertEqual((orbit.status, orbit.success, orbit.message), (1, True, "An event ended the run."))
+        self.assertEqual(orbit.outcome, "ok")
         self.assertEqual(orbit.t[:2].tolist(), [0.0, 1.0])
         self.assertAlmostEqual(orbit.t[-1], np.pi / 2, delta=1e-9)
         self.assertAlmostEqual(orbit.p[0, -1], -1.0, delta=1e-9)
@@ -138,7 +139,7 @@ class Running(unittest.TestCase):
 
     def test_bound_keeps_what_there_is(self):
         orbit = avi.solve(kepler, *START, np.linspace(0, 1e4, 1001), 1e-10, steps=500)
-        self.assertEqual((orbit.success, orbit.status), (False, -1))
+        self.assertEqual((orbit.success, orbit.status, orbit.outcome), (False, -1, "step_limit"))
         self.assertEqual(orbit.nsteps, 500)
         self.assertGreater(len(orbit.t), 2)
         self.assertEqual(orbit.q.shape, (2, len(orbit.t)))
