@@ -3,7 +3,7 @@
 #include "common/methods/printed_htvi.hpp"
 #include "common/problems/chain.hpp"
 #include "rate.hpp"
-#include "src/rounded_formula.hpp"
+#include "src/autodiff/rounded_formula.hpp"
 #include "systems.hpp"
 
 #include <gtest/gtest.h>

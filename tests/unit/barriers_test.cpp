@@ -1,5 +1,5 @@
 #include "avi/solve.hpp"
-#include "src/barriers.hpp"
+#include "src/features/barriers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "avi/solve.hpp"
 #include "kept.hpp"
-#include "src/bends.hpp"
+#include "src/features/bends.hpp"
 
 #include <gtest/gtest.h>
 

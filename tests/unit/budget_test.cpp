@@ -1,4 +1,4 @@
-#include "src/budget.hpp"
+#include "src/choice/budget.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/candidates.hpp"
+#include "src/choice/candidates.hpp"
 
 #include "avi/problems/kepler.hpp"
 

@@ -1,4 +1,4 @@
-#include "src/diagonal_mass.hpp"
+#include "src/minimise/diagonal_mass.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/dips.hpp"
+#include "src/delivery/dips.hpp"
 
 #include "digest.hpp"
 #include "hostile/dice.hpp"

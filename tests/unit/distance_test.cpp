@@ -1,4 +1,4 @@
-#include "src/distance.hpp"
+#include "src/choice/distance.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/factor.hpp"
+#include "src/autodiff/factor.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/fusion.hpp"
+#include "src/autodiff/fusion.hpp"
 #include "unit/random_graph.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "avi/collocation/collocation.hpp"
 #include "avi/transform/poincare.hpp"
-#include "src/builds.hpp"
+#include "src/steps/builds.hpp"
 
 #include <gtest/gtest.h>
 

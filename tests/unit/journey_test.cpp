@@ -1,4 +1,4 @@
-#include "src/journey.hpp"
+#include "src/choice/journey.hpp"
 
 #include <gtest/gtest.h>
 

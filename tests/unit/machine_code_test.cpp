@@ -1,10 +1,10 @@
 #include "avi/autodiff/recording.hpp"
 #include "digest.hpp"
 #include "refusal.hpp"
-#include "src/code_writer.hpp"
-#include "src/machine_code.hpp"
-#include "src/pack_functions.hpp"
-#include "src/schedule.hpp"
+#include "src/autodiff/code_writer.hpp"
+#include "src/autodiff/machine_code.hpp"
+#include "src/autodiff/pack_functions.hpp"
+#include "src/autodiff/schedule.hpp"
 #include "unit/random_graph.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "avi/solve.hpp"
 #include "kept.hpp"
-#include "src/pauses.hpp"
+#include "src/choice/pauses.hpp"
 #include "systems.hpp"
 
 #include <gtest/gtest.h>

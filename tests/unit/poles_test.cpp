@@ -2,7 +2,7 @@
 #include "avi/solve.hpp"
 #include "kept.hpp"
 #include "refusal.hpp"
-#include "src/poles.hpp"
+#include "src/features/poles.hpp"
 #include "systems.hpp"
 
 #include <gtest/gtest.h>

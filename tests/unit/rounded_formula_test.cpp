@@ -1,4 +1,4 @@
-#include "src/rounded_formula.hpp"
+#include "src/autodiff/rounded_formula.hpp"
 
 #include "avi/autodiff/formula.hpp"
 

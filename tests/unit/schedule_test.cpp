@@ -1,6 +1,6 @@
 #include "avi/autodiff/pack.hpp"
-#include "src/reverse.hpp"
-#include "src/schedule.hpp"
+#include "src/autodiff/reverse.hpp"
+#include "src/autodiff/schedule.hpp"
 #include "unit/random_graph.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "src/secant_pairs.hpp"
+#include "src/minimise/secant_pairs.hpp"
 
 #include <Eigen/LU>
 

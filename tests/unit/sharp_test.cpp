@@ -1,4 +1,4 @@
-#include "src/sharp.hpp"
+#include "src/features/sharp.hpp"
 
 #include <gtest/gtest.h>
 

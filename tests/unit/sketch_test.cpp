@@ -1,4 +1,4 @@
-#include "src/sketch.hpp"
+#include "src/choice/sketch.hpp"
 
 #include <gtest/gtest.h>
 

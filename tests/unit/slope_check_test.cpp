@@ -1,4 +1,4 @@
-#include "src/slope_check.hpp"
+#include "src/minimise/slope_check.hpp"
 
 #include <gtest/gtest.h>
 

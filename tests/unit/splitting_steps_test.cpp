@@ -3,8 +3,8 @@
 #include "avi/solve.hpp"
 #include "kept.hpp"
 #include "refusal.hpp"
-#include "src/builds.hpp"
-#include "src/separable.hpp"
+#include "src/features/separable.hpp"
+#include "src/steps/builds.hpp"
 #include "systems.hpp"
 
 #include <gtest/gtest.h>

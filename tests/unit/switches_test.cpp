@@ -1,5 +1,5 @@
 #include "avi/autodiff/formula.hpp"
-#include "src/switches.hpp"
+#include "src/features/switches.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "optimisers/optimiser_arena/problems/problem.hpp"
 
-#include "src/slope_check.hpp"
+#include "src/minimise/slope_check.hpp"
 
 #include <gtest/gtest.h>
 

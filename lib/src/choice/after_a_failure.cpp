@@ -1,0 +1,142 @@
+#include "src/choice/orbiter.hpp"
+
+#include <algorithm>
+#include <utility>
+
+/// @file
+/// The search in solve(): the setting to try after a run that failed.
+
+namespace avi::detail {
+
+/// Far from all poles, something may be fast that the beginning did not show, as in a rotating frame. Gives
+/// the monitor of poles a constant with which steps there are no longer, in radians, than they were before.
+void Orbiter::stay_near(Candidate& it, const Sketch& there) {
+  Choice& choice = answer_.choice;
+  if (question_.made || !(it.longest > 0.0)) return;
+  const double usual = distance_->frequency, before = std::sqrt(choice.poles.front());
+  double root = before;
+  for (const Sketch::Sample& sample : there.samples) {
+    if (sample.frequency > usual) continue;  // near a pole
+    const double near = std::sqrt(1.0 / it.rate_at(sample.z.data())) - before;
+    root = std::max(root, std::sqrt(sample.frequency / it.longest) - near);
+  }
+  if (!(root > 1.1 * before)) return;
+  choice.poles.front() = root * root;
+  it.take(candidate(it.name, question_, trip_->energy_at_start, choice));
+  it.below = it.between = infinity;
+}
+
+/// Makes another sketch from where a run failed: what it meets sets the steps from here on.
+void Orbiter::look_from(const State<dynamic>& z) {
+  field_.sense = sense_;
+  const Sketch there(field_, stacked(z), std::abs(question_.t_end - z.t), metric_, 512,
+                     std::abs(z.t - question_.t));
+  field_.sense = 1.0;
+  dead_end_ = there.stuck ? std::abs(z.t - question_.t) + there.time : 0.0;
+  for (Candidate& it : menu_) {
+    it.failures = 0;
+    if (it.name == "poles") stay_near(it, there);
+    double longest = it.longest, fictive = it.fictive;
+    for (const Sketch::Sample& sample : there.samples) {
+      const double g = it.rate_at(sample.z.data());
+      longest = std::max(longest, g * sample.frequency);
+      fictive += sample.h / g;
+    }
+    if (!(it.longest > 0.0) || !std::isfinite(longest)) continue;
+    longest =
+        std::min(longest, 30.0 * it.longest);  // a sketch is not exact, and a step may be shortened again
+    it.outlook *= longest / it.longest;
+    // A monitor that suits the beginning may be far too small here.
+    const double slower = fictive / it.fictive * sketch_->time / (sketch_->time + there.time);
+    if (std::isfinite(slower)) it.outlook *= slower;
+    it.longest = longest;
+  }
+}
+
+/// Goes back to the setting that the failed one was to improve on. @return true if there is one
+bool Orbiter::goes_back(Setting& setting) {
+  if (instead_of_.candidate) {  // set aside before
+    setting.candidate->aside = true;
+    setting = std::exchange(instead_of_, {});
+    drop_runs();
+    resolved_ = setting.h;  // this setting ran before: it is not stopped for its price
+    resigned_ = true, resigned_at_ = marks_.size();
+    return true;
+  }
+  // The step was made longer than one that worked.
+  if (lengthened_ > 0 && resolved_ > 0.0 && setting.h > 1.05 * resolved_ &&
+      setting.candidate == lengthened_for_) {
+    setting.h = resolved_;
+    lengthened_ = most_lengthened;
+    lengthened_for_ = nullptr;
+    drop_runs();
+    return true;
+  }
+  return false;
+}
+
+/// Takes in where and how a run failed.
+void Orbiter::note_failure(const Journey& journey, const Setting& setting) {
+  const double reached = std::abs(journey.state.t - question_.t);
+  const bool again = std::abs(reached - failed_at_) <= 1e-2 * reached;
+  if (reached > 1.01 * repeated_) repeated_ = infinity;  // this run came past it
+  Candidate& it = *setting.candidate;
+  // A run that was stopped for its price has met no obstacle, but other candidates may be cheaper there.
+  const bool stopped = journey.run.outcome == Outcome::stopped;
+  if (!stopped) {
+    furthest_ = std::max(furthest_, reached);
+    if (again) repeated_ = std::min(repeated_, reached);
+  }
+  if (stopped ? it.failures == 0 && has_a_choice() : !again) look_from(journey.state);
+  // Runs with two monitors stall at the same time: the orbit ends there.
+  if (again && failed_with_ != &it && journey.run.outcome == Outcome::stalled) dead_end_ = reached;
+  failed_at_ = reached, failed_with_ = &it;
+  // A monitor may have a singularity of its own there, or be undefined.
+  const bool undefined = journey.run.outcome == Outcome::non_finite && !it.fixed();
+  it.failures += undefined ? 2 : 1;
+  // A run may be caught where the monitor is small, by a step that errs in the energy by as much as there is.
+  const bool astray = journey.energy_error > 0.01;
+  if (!stopped || astray) it.below = setting.h * (it.failures > 2 ? 0.25 : 0.5);
+}
+
+/// The candidate with the least expected work, with steps that have not failed; null if all are hopeless. If
+/// a sketch ends where runs fail, monitors that the singularity makes many times dearer do not pass it
+/// either.
+Candidate* Orbiter::most_hopeful() {
+  const auto work = [&](const Candidate& each) {
+    return each.outlook * std::max(1.0, first_step(each) / each.below);
+  };
+  double least = infinity;
+  for (const Candidate& each : menu_)
+    if (!each.aside) least = std::min(least, each.outlook);
+  Candidate* best = nullptr;
+  const int most = dead_end_ > 0.0 ? 2 : has_a_choice() ? 4 : 8;
+  for (Candidate& each : menu_) {
+    if (each.aside) continue;
+    const bool hopeless = each.failures >= most || (dead_end_ > 0.0 && each.outlook > 30.0 * least);
+    if (!hopeless && !(best && work(each) >= work(*best))) best = &each;
+  }
+  return best;
+}
+
+/// Handles a run that ended before its mark. @return true if there is another setting to try
+bool Orbiter::failed(const Journey& journey, Setting& setting) {
+  note_trial(journey, infinity);
+  if (journey.spent) bound_ = journey.run.outcome;
+  if (journey.spent || round_ >= most_rounds || question_.options.h > 0.0) return false;
+  if (goes_back(setting)) return true;
+  note_failure(journey, setting);
+  Candidate* const best = most_hopeful();
+  if (!best || static_cast<double>(budget_.sweeps) * setting.candidate->price() > its_patience()) {
+    in_the_way_ = std::isfinite(repeated_) ? repeated_ : best ? 0.0 : furthest_;
+    return false;
+  }
+  if (best != setting.candidate) {
+    drop_runs();
+    resolved_ = 0.0, before_ = infinity;
+  }
+  setting = {best, std::min(first_step(*best), best->below)};
+  return true;
+}
+
+}  // namespace avi::detail
