@@ -1,16 +1,16 @@
-# Compiles each example alone, as a user does: cmake -DCOMPILER=<c++> "-DINCLUDES=<folder>;<folder>" -DSCRATCH=<folder> -P alone.cmake
-# What they all need of other libraries is compiled once, before; that they include it is looked at by tests/unit/guide_test.cpp.
+# Compiles each program in FOLDER: cmake -DCOMPILER=<c++> "-DINCLUDES=<folder>;<folder>" -DFOLDER=<folder> -P alone.cmake
+# What they all need of other libraries is compiled once, before.
 set(compile ${COMPILER} -std=c++20)
 foreach(folder IN LISTS INCLUDES)
   list(APPEND compile -isystem ${folder})
 endforeach()
-set(first ${SCRATCH}/first.hpp)
+set(first ${FOLDER}/first.hpp)
 file(WRITE ${first} "#include <Eigen/Core>\n#include <Eigen/LU>\n#include <functional>\n#include <memory>\n#include <string>\n#include <vector>\n")
 execute_process(COMMAND ${compile} -x c++-header ${first} -o ${first}.gch COMMAND_ERROR_IS_FATAL ANY)
-file(GLOB sources ${CMAKE_CURRENT_LIST_DIR}/*.cpp)
-foreach(source IN LISTS sources)
-  execute_process(COMMAND ${compile} -include ${first} -fsyntax-only ${source} RESULT_VARIABLE status)
+file(GLOB programs ${FOLDER}/*.cpp)
+foreach(program IN LISTS programs)
+  execute_process(COMMAND ${compile} -include ${first} -fsyntax-only ${program} RESULT_VARIABLE status)
   if(NOT status EQUAL 0)
-    message(SEND_ERROR "${source} does not compile alone.")
+    message(SEND_ERROR "${program} does not compile.")
   endif()
 endforeach()
