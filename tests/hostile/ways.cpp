@@ -259,6 +259,7 @@ std::string way(const System& system, int index, std::string_view wish, double t
   start.q = Eigen::Map<const Eigen::VectorXd>(system.q.data(), system.n);
   start.p = Eigen::Map<const Eigen::VectorXd>(system.p.data(), system.n);
   start.t = system.t;
+  if (std::getenv("MOVE")) start.q *= 1.0 + 3e-16;
   if (wish == "by hand") return by_hand(system, start, index, tolerance);
   const auto h = [&system](const auto& q, const auto& p) { return system(q, p); };
   const double span = system.t_end - system.t;
@@ -306,6 +307,18 @@ std::string way_or_exception(const System& system, int index, std::string_view w
   }
 }
 
+/// The columns of a line that do not depend on the last digits of mathematical functions, but for a few
+/// calls.
+std::string outcome_and_method(const std::string& line) {
+  std::size_t end = 0;
+  for (int columns = 0; columns < 8 && end != std::string::npos; ++columns)
+    end = line.find('\t', end + (columns > 0 ? 1 : 0));
+  return line.substr(0, end);
+}
+/// Number of calls that may have another outcome or method where mathematical functions have other last
+/// digits: twice as many as where each start is moved by the last digit.
+constexpr int most_others = 100;
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -322,10 +335,13 @@ int main(int argc, char** argv) {
             "state error\tenergy error\tdigest"};
   std::ifstream before(file);
   std::string line;
-  if (!write && std::getline(before, line) && line != head) {
-    fmt::print("Mathematical functions have other last digits here, or other systems are drawn: nothing to "
-               "compare.\n");
-    return 77;
+  bool same_digits = true;
+  if (!write && std::getline(before, line)) {
+    same_digits = line == head;
+    if (!line.ends_with(", systems " + drawn())) {
+      fmt::print("Other systems are drawn here: nothing to compare.\n");
+      return 77;
+    }
   }
   for (int index = 0; index < systems; ++index) {
     const System system = draw(seed, index, 30.0);
@@ -346,11 +362,22 @@ int main(int argc, char** argv) {
     return out.flush() ? 0 : 1;
   }
   int others = 0;
+  const auto compared = [&](const std::string& text) {
+    return same_digits ? text : outcome_and_method(text);
+  };
   for (std::size_t i = 1; i < lines.size(); ++i) {
     if (!std::getline(before, line)) line = "nothing";
-    if (line != lines[i] && ++others <= 20) fmt::print("was: {}\nis:  {}\n", line, lines[i]);
+    if (compared(line) != compared(lines[i]) && ++others <= 20)
+      fmt::print("was: {}\nis:  {}\n", line, lines[i]);
   }
   fmt::print("{} of {} calls go another way than before.\n", others, lines.size() - 2);
+  if (!same_digits) {
+    fmt::print(
+        "Mathematical functions have other last digits here: only outcomes and methods are compared, of "
+        "which {} may differ.\n",
+        most_others);
+    return others <= most_others ? 0 : 1;
+  }
   if (others > 0) fmt::print("If that is meant: hostile_ways {} --write\n", file);
   return others == 0 ? 0 : 1;
 }
