@@ -94,8 +94,8 @@ void Orbiter::note_failure(const Journey& journey, const Setting& setting) {
   // A monitor may have a singularity of its own there, or be undefined.
   const bool undefined = journey.run.outcome == Outcome::non_finite && !it.fixed();
   it.failures += undefined ? 2 : 1;
-  // A run may be caught where the monitor is small, by a step that errs in the energy by as much as there is.
-  const bool astray = journey.energy_error > 0.01;
+  // A run may be caught where the monitor is small, by a step whose energy errs.
+  const bool astray = it.failures > 1 && journey.energy_error > 0.01;
   if (!stopped || astray) it.below = setting.h * (it.failures > 2 ? 0.25 : 0.5);
 }
 

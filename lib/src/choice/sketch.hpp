@@ -303,7 +303,7 @@ class Sketch {
       h *= begins ? 2.0 : std::min(5.0, 0.9 * factor);
     }
     // Ranges were small at first, so frequencies are found now that all ranges are known.
-    find_frequencies(high - low, roots, field.timed);
+    find_frequencies(high - low, roots, field.timed, static_cast<bool>(field.limit));
   }
 
   std::vector<Sample> samples;  ///< Samples in the order of time.
@@ -355,7 +355,7 @@ class Sketch {
   /// Sets the frequency of each sample by its errors, relative to the ranges of the entries, and the phase.
   /// Steps that were far too short, as the first ones, have errors from rounding only: they take the
   /// frequency of the next step.
-  void find_frequencies(const VectorX& ranges, const VectorX& roots, bool timed) {
+  void find_frequencies(const VectorX& ranges, const VectorX& roots, bool timed, bool limited) {
     VectorX scale(ranges.size());
     double next = 0.0;
     for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample) {
@@ -366,10 +366,11 @@ class Sketch {
       for (Eigen::Index i = 0; i < ranges.size(); ++i)
         if (sample->errors[i] > 0.0) worst = std::max(worst, sample->errors[i] / scale[i]);
       constexpr double least = 1e-4;
-      const bool shows = worst > least * loose;
-      const double here = angle / sample->h * std::cbrt(shows ? worst / loose : least);
-      if (shows) next = here;
-      sample->frequency = std::min(next, here);
+      if (worst > least * loose)
+        next = angle / sample->h * std::cbrt(worst / loose);
+      else if (limited)  // this step was as short as a bend asked for
+        next = std::min(next, angle / sample->h * std::cbrt(least));
+      sample->frequency = next;
       radians += sample->h * next;
     }
   }

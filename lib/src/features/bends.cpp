@@ -101,15 +101,15 @@ void Bends::find(int energy, bool timed) {
     if (is_infinite_at_zero(graph, i) || is_singular_at_zero(graph, i)) singular.push_back(i);
     if (!turns_at_zero(what.operation)) continue;
     if (!settled[what.a] && std::ranges::find(bends_, what.a, &Bend::node) == bends_.end())
-      bends_.push_back({what.a, 1.0, true, false, of_time(what.a)});
+      bends_.push_back({what.a, 1.0, true, false, of_time(what.a), false});
     settled[i] = 1;
   }
   if (singular.empty()) return;
   const auto operand = [&](int node) {
     return graph[node].operation == Operation::divide ? graph[node].b : graph[node].a;
   };
-  // Those of coordinates alone at whose zero H is infinite are poles. But if they never vanish, H may be a
-  // narrow bump there.
+  // What may vanish on the way is no bend: H is singular there. Those of coordinates alone at whose zero H
+  // would be infinite are poles, or narrow bumps.
   std::vector<char> poles(part.size(), 0), seen = settled;
   for (const int node : singular)
     if (is_infinite_at_zero(graph, node))
@@ -118,8 +118,8 @@ void Bends::find(int energy, bool timed) {
   const std::vector<double> least = lower_bounds(graph, energy);
   for (const int node : singular)
     for_factors(graph, operand(node), settled, [&](int factor) {
-      if (!poles[factor] || least[factor] > 0.0)
-        bends_.push_back({factor, 1.0, false, poles[factor] != 0, of_time(factor)});
+      if (least[factor] > 0.0 || of_time(factor))
+        bends_.push_back({factor, 1.0, false, poles[factor] != 0, of_time(factor), !(least[factor] > 0.0)});
     });
 }
 
@@ -167,7 +167,7 @@ void Bends::measure(const Sketch& sketch) {
       low = std::min(low, length(i, k)), high = std::max(high, length(i, k));
       if (i > 0) fastest = std::max(fastest, speed(sketch, i - 1, k));
     }
-    bend.speed = high > 4.0 * low && std::isfinite(fastest) ? fastest : 0.0;
+    bend.speed = high > 4.0 * low && std::isfinite(fastest) && !bend.may_vanish ? fastest : 0.0;
     speeds_[k] = bend.is_pole ? 0.0 : bend.speed;
   }
 }
@@ -191,8 +191,9 @@ void Bends::look_ahead(const VectorX& start, double t_end) {
       fastest = std::max(fastest, std::abs(s[i] - s[i - 1]) * parts);
     for (int i = 1; i < parts; ++i)
       if (s[i] <= s[i - 1] && s[i] <= s[i + 1])
-        low = std::min(low, lowest(at, (i - 1.0) / parts, (i + 1.0) / parts, false).f);
-    if (!(std::ranges::max(s) > 4.0 * low) || !std::isfinite(fastest)) continue;
+        low = bends_[k].may_vanish ? 0.0
+                                   : std::min(low, lowest(at, (i - 1.0) / parts, (i + 1.0) / parts, false).f);
+    if (!(low > 0.0 && std::ranges::max(s) > 4.0 * low) || !std::isfinite(fastest)) continue;
     speeds_[k] = bends_[k].speed = std::max(bends_[k].speed, fastest / std::abs(t_end - start[last]));
     ahead_ = std::max(ahead_, speeds_[k] / low);
   }

@@ -12,7 +12,7 @@
 namespace avi::detail {
 
 /// The functions u of (q, p), time among q, near whose zeros H changes its form: those of which H takes a
-/// root, another fractional power or the logarithm, or by which it divides, unless they are Poles; and the
+/// root, another fractional power or the logarithm, or by which it divides, if these never vanish; and the
 /// arguments of functions that go from one asymptote to another, such as exp and tanh. The length
 /// \f$s_k\f$ is \f$|u_k|^{1/d_k}\f$ or \f$(1 + u_k^2)^{1/2d_k}\f$, where \f$d_k\f$ is the degree of
 /// \f$u_k\f$. The complex zeros of these lengths are singularities of H, or near such. So a step of a method
@@ -65,6 +65,7 @@ class Bends {
     bool beside;         // whether the singularities are at u = +-i, not at u = 0
     bool is_pole;        // whether H divides by u, a function of coordinates alone that never vanishes
     bool of_time;        // whether u depends on time alone
+    bool may_vanish;     // whether the formula does not show that u is positive; only where of_time
     double speed = 0.0;  // largest speed of s on the sketch
   };
   void find(int energy, bool timed);
