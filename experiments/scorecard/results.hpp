@@ -27,6 +27,8 @@ class Row {
   [[nodiscard]] const std::string& text(std::string_view column) const { return table_->text(line_, column); }
   /// A cell as a number. @throws std::invalid_argument when it is none, and as text().
   [[nodiscard]] double number(std::string_view column) const { return table_->number(line_, column); }
+  /// Place in the table, from 0 on.
+  [[nodiscard]] std::size_t line() const { return line_; }
 
  protected:
   const Table* table_;

@@ -161,8 +161,8 @@ struct Choice {
   double energy_scale = 1.0;
   double kinetic = 0.0;  ///< Mean kinetic energy at the beginning, a constant of the monitors.
   std::vector<double> accelerations = {};  ///< Weights \f$w_i\f$ of the monitor of that name, see solve().
-  std::vector<double> poles =
-      {};  ///< Weights \f$w_0, w_1 \ldots\f$ of the monitor of that name, see solve().
+  /// \f$w_0, e_0\f$ of the monitor of that name, \f$w_k, e_k\f$ of each pole, then w of each bend.
+  std::vector<double> poles = {};
   /// The diagonal \f$(H_{pp})_{ii}\f$ where positions change even at zero momenta, as in a magnetic field or
   /// a rotating frame; otherwise empty.
   std::vector<double> drifts = {};

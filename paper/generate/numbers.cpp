@@ -36,9 +36,11 @@ double value_of(const scorecard::Results& data, std::string_view term) {
   const std::size_t begin = aggregated ? aggregate_end + 1 : 0;
   const auto rows = selected(data, term.substr(begin, close + 1 - begin));
   std::string_view wanted = term.substr(close + 1);
-  if (aggregate == "count") {
-    if (!wanted.empty()) refuse("count: takes no column", term);
-    return static_cast<double>(rows.size());
+  if (aggregate == "count" || aggregate == "place") {
+    if (!wanted.empty()) refuse(fmt::format("{}: takes no column", aggregate), term);
+    if (aggregate == "count") return static_cast<double>(rows.size());
+    if (rows.empty()) throw std::out_of_range(fmt::format("The data have no row for '{}'.", term));
+    return static_cast<double>(rows.front().line() + 1);
   }
   if (!wanted.starts_with('.') || wanted.size() < 2) refuse("There is no column", term);
   wanted.remove_prefix(1);
@@ -61,7 +63,7 @@ double value_of(const scorecard::Results& data, std::string_view term) {
     std::ranges::sort(values);
     return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
   }
-  refuse("There is none of max:, min:, sum:, median: and count:", term);
+  refuse("There is none of max:, min:, sum:, median:, count: and place:", term);
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ std::vector<scorecard::Row> selected(const scorecard::Results& data, std::string
 ///   stem[conditions].wanted       the cell of the first row that satisfies the conditions,
 ///   max:, min:, sum:, median:     before it: over all rows that do (cells that are nan are left out),
 ///   count:stem[conditions]        how many rows do;
+///   place:stem[conditions]        number of the first that does, from 1 on;
 ///
 /// `wanted` is a column, or two with a colon between them for their ratio, or a minus for their difference.
 /// @throws std::invalid_argument for a formula that cannot be read, std::out_of_range where no row is found.

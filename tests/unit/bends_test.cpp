@@ -39,6 +39,9 @@ TEST(Bends, AreReadFromTheFormula) {
   EXPECT_EQ(number_of_bends(pole), 0u);
   const auto bump = [](const auto& q, const auto& p) { return p[0] * p[1] + 0.1 / (0.1 + q[0] * q[0]); };
   EXPECT_EQ(number_of_bends(bump), 1u);
+  // What may vanish is none: H is singular there.
+  const auto singular = [](const auto& q, const auto& p) { return p[0] * p[1] + sqrt(q[0]); };
+  EXPECT_EQ(number_of_bends(singular), 0u);
   // What is made of a step has its bend.
   const auto logistic = [](const auto& q, const auto& p) { return p[0] * p[1] + 1.0 / (1.0 + exp(q[0])); };
   EXPECT_EQ(number_of_bends(logistic), 1u);
@@ -58,9 +61,9 @@ TEST(Bends, AreAsFarAsTheirLengthAtItsSpeed) {
   ASSERT_TRUE(bends.matter());
   const double fastest = std::sqrt(2.0 * (std::hypot(1.0, width) - width));  // from rest at q = 1
   EXPECT_NEAR(bends.speeds()[0], fastest, 0.1 * fastest);
-  EXPECT_NEAR(bends.distance(z.data()) * bends.speeds()[0], std::hypot(1.0, width), 1e-14);
+  EXPECT_NEAR(bends.time_to_nearest(z.data()) * bends.speeds()[0], std::hypot(1.0, width), 1e-14);
   z << 1e-3, 1.4;
-  EXPECT_NEAR(bends.distance(z.data()) * bends.speeds()[0], std::hypot(1e-3, width), 1e-15);
+  EXPECT_NEAR(bends.time_to_nearest(z.data()) * bends.speeds()[0], std::hypot(1e-3, width), 1e-15);
 }
 
 /// Sweeps of a call that keeps a tolerance of 1e-7, the error of its end beside that of a tight one.
@@ -130,6 +133,35 @@ TEST(Bends, InTimeAreSeenFromAfar) {
                db = (-s * t0 - c) / (t0 * t0), det = a * db - b * da, first = db / det, second = -da / det;
   EXPECT_NEAR(orbit.state.q[0], (first * std::sin(end) + second * std::cos(end)) / end, 1e-9);
   EXPECT_LT(orbit.run.evaluations, 4500);
+}
+
+// Smooth where a divisor vanishes, at rest until a push, or bent within less than the digits of q: these
+// calls ended by a bound, or with an error that was not known. The first one crashed.
+TEST(Bends, ThatCannotBeFollowedAreLeftOut) {
+  const auto stuck = [](const auto& q, const auto& t, const auto& p) {
+    const auto x = (t - 5.0) / 0.01;
+    return 0.5 * p[0] * p[0] + pow(q[0], 1.5) + 1e-3 * q[0] / (1.0 + x * x);
+  };
+  EXPECT_FALSE(avi::solve(stuck, State<1>{.q = {0.0}, .p = {-1.0}}, 10.0, 1e-6).ok());
+  const auto price = [](const auto& h, const State<1>& start, double t_end, double tolerance) {
+    const auto orbit = kept(avi::solve(h, start, t_end, tolerance, {.sweeps = 1'000'000}));
+    return orbit.run.evaluations + orbit.choice.sweeps + orbit.choice.check;
+  };
+  const State<1> start{.q = {1.0}, .p = {0.0}};
+  for (const double zero : {0.05, 5.0, 9.95}) {
+    const auto smooth = [=](const auto& q, const auto& t, const auto& p) {
+      return 0.5 * (p[0] * p[0] + q[0] * q[0]) + 0.1 * q[0] * sin(t - zero) / (t - zero);
+    };
+    EXPECT_LT(price(smooth, start, 10.0, 1e-6), 200) << zero;
+  }
+  const auto pushed = [](const auto& q, const auto& t, const auto& p) {
+    return 0.5 * (p[0] * p[0] + q[0] * q[0]) - 0.5 * q[0] * (1.0 + tanh((t - 50.0) / 0.05));
+  };
+  EXPECT_LT(price(pushed, State<1>{.q = {0.0}, .p = {0.0}}, 60.0, 1e-8), 110'000);
+  const auto thin = [](const auto& q, const auto& p) {
+    return 0.5 * p[0] * p[0] + 0.5 * q[0] * q[0] + 0.1 * sqrt(q[0] * q[0] + 1e-300);
+  };
+  EXPECT_TRUE(avi::solve(thin, start, 10.0, 1e-3, {.sweeps = 1'000'000}).ok());
 }
 
 // A relativistic oscillator turns within a thousandth of its period.

@@ -266,6 +266,7 @@ TEST(Numbers, FormulasReadCells) {
   EXPECT_EQ(paper::evaluate(data, "min:runs[].steps:h"), 450.0);
   EXPECT_EQ(paper::evaluate(data, "max:runs[].steps-h"), 179.9);
   EXPECT_EQ(paper::evaluate(data, "count:runs[h<0.15]"), 2.0);
+  EXPECT_EQ(paper::evaluate(data, "place:runs[h=0.2]"), 2.0);
   EXPECT_EQ(paper::evaluate(data, "count:runs[method=a|b,h=0.1|0.3]"), 2.0);
   EXPECT_THROW(paper::evaluate(data, "runs[method=c].steps"), std::out_of_range);
   EXPECT_THROW(paper::evaluate(data, "runs.steps"), std::invalid_argument);

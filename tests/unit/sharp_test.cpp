@@ -44,7 +44,7 @@ bool jumped(const H& hamiltonian, double q, double* far = nullptr) {
 template <class H>
 bool bends(const H& hamiltonian) {
   const Seen seen(hamiltonian, 0.3);
-  return SharpFeatures(*seen.graph, seen.energy, seen.sketch).bends();
+  return SharpFeatures(*seen.graph, seen.energy, seen.sketch).has_kinks();
 }
 
 TEST(SharpFeatures, KnowWhatBends) {

@@ -81,7 +81,7 @@ struct Orbiter::TwoRuns {
         fine.energy_error > std::max(1e3 * orbiter.answer_.energy_rounding, energy_left_by_sweeps(fine));
     const double falls =
         seen_to_fall ? std::max(1.0, 0.5 * coarse.energy_error / fine.energy_error) : infinity;
-    if (!orbiter.features_->bends() && !orbiter.coarse_grained_)
+    if (!orbiter.features_->has_kinks() && !orbiter.coarse_grained_)
       ratio = std::min(trusted(coarse, fine), falls);
     left = left_by_sweeps(fine);
   }

@@ -49,7 +49,7 @@ Orbiter::Alike Orbiter::alike_energies() {
   if (falls) return Alike::no;
   if (!(errs < most_rounding) || follows_another_gradient()) return Alike::unexplained;
   if (errs <= 10.0 * question_.tolerance) return Alike::harmless;
-  return features_->bends() ? Alike::rounding : Alike::unexplained;
+  return features_->has_kinks() ? Alike::rounding : Alike::unexplained;
 }
 
 /// The tolerance is kept at the end. Two runs of few steps may agree by chance, so an error not far below it
@@ -105,7 +105,7 @@ bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& er
   // Without a check, a prediction stands for the whole run, and each pair is compared with the one before.
   const bool in_vain = mark <= before_at_ && error > 0.3 * before_;
   // Beyond a kink, errors fall slowly and by chance: steps could be shortened without end.
-  const bool endless = features_->bends() && pair > 0.5 * patience * std::max(factor, 0.35);
+  const bool endless = features_->has_kinks() && pair > 0.5 * patience * std::max(factor, 0.35);
   if (errors.of_energy < errors.of_state && errors.of_energy <= 3.0) {
     // Once steps resolve the motion, steps a third as long have a ten million times smaller error. If that is
     // not enough, it is chaos or noise; unless the step was made longer, as the shorter one is known to work.
@@ -119,7 +119,7 @@ bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& er
     // Energy errors this small that do not fall with the step are rounding on the way.
     const bool rounds = errors.hidden || (fine_->energy_error > 0.5 * coarse_->energy_error &&
                                           fine_->energy_error < 1e4 * answer_.energy_rounding);
-    resigned_ = lost || vain_ > (features_->bends() || thin_ ? 3 : 1) ||
+    resigned_ = lost || vain_ > (features_->has_kinks() || thin_ ? 3 : 1) ||
                 (rounds && resolved_ > 0.0 && beyond) || endless || spent > std::max(patience, 3.0 * pair);
   } else {
     vain_ = in_vain ? vain_ + 1 : 0;

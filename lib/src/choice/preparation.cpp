@@ -123,15 +123,19 @@ void Orbiter::sketch_from(const VectorX& start) {
 
 /// Makes the sketch again, with short steps near bends of H, if it has missed some.
 void Orbiter::look_at_bends(const VectorX& start) {
+  // Of what hardly moves, a sketch shows no bend.
+  if (sketch_->samples.size() < 2 || !(sketch_->radians > 0.0)) return bends_->forget();
   if (question_.timed) bends_->look_ahead(start, question_.t_end);
-  if (!bends_->are_missed(*sketch_)) return;
+  if (late() || !bends_->take_missed(*sketch_)) return;
+  const VectorX first = sketch_->samples.front().z;  // at the start, or after the take-off
+  const double before = question_.timed ? std::abs(first[first.size() / 2 - 1] - question_.t) : 0.0;
   const double usual = sketch_->radians / sketch_->time;
-  field_.limit = [this](const VectorX& z) { return 0.7 * bends_->distance(z.data()); };
-  sketch_.emplace(field_, start, span_, metric_, 512);
+  field_.limit = [this](const VectorX& z) { return 0.7 * bends_->time_to_nearest(z.data()); };
+  sketch_.emplace(field_, first, span_ - before, metric_, 512);
   field_.limit = nullptr;
   // A sketch of low order hardly feels a short bend, but a step of high order does.
   for (Sketch::Sample& sample : sketch_->samples)
-    sample.frequency = std::max(sample.frequency, 1.0 / bends_->distance(sample.z.data()));
+    sample.frequency = std::max(sample.frequency, 1.0 / bends_->time_to_nearest(sample.z.data()));
   sketch_->radians = std::max(sketch_->radians, usual * sketch_->time);
   bends_->measure(*sketch_);
   if (question_.timed) bends_->look_ahead(start, question_.t_end);

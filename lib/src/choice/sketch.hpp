@@ -288,7 +288,7 @@ class Sketch {
       }
       // An orbit that stays within its ranges for as long as it took to fill them repeats itself. If the way
       // is short, a quarter of it has to do: all of it takes hardly more than a longer sketch.
-      if (before == 0.0 && made >= enough && grown <= made / 2) break;
+      if (before == 0.0 && !field.limit && made >= enough && grown <= made / 2) break;
       if (made >= most / 2 && time >= 0.25 * span) break;
       // Behind a pole, an error that was small beside the momenta there may be as large as the energy of all
       // other motion. What comes next is another orbit.
@@ -354,7 +354,7 @@ class Sketch {
   }
   /// Sets the frequency of each sample by its errors, relative to the ranges of the entries, and the phase.
   /// Steps that were far too short, as the first ones, have errors from rounding only: they take the
-  /// frequency of the next step.
+  /// frequency of the next step. @param limited whether other steps, too, were shorter than errors ask for
   void find_frequencies(const VectorX& ranges, const VectorX& roots, bool timed, bool limited) {
     VectorX scale(ranges.size());
     double next = 0.0;
@@ -368,7 +368,7 @@ class Sketch {
       constexpr double least = 1e-4;
       if (worst > least * loose)
         next = angle / sample->h * std::cbrt(worst / loose);
-      else if (limited)  // this step was as short as a bend asked for
+      else if (limited)  // it may have been as short as a bend asked for
         next = std::min(next, angle / sample->h * std::cbrt(least));
       sample->frequency = next;
       radians += sample->h * next;

@@ -158,7 +158,7 @@ void Orbiter::tell_doubts(const Journey& fine, double foreseen) {
   const bool unresolved =
       compared && !steady_ &&
       fine.energy_error > std::max(10.0 * question_.tolerance, 100.0 * answer_.energy_rounding);
-  if (features_->bends() && (seen_.rate > 0.0 || resigned_))
+  if (features_->has_kinks() && (seen_.rate > 0.0 || resigned_))
     note += "H has a kink, a jump or a branch, beyond which errors are larger than before. ";
   else if (unresolved)
     note += "Steps do not resolve all of the motion, and much shorter ones were not tried: a monitor that is "

@@ -10,7 +10,7 @@ namespace avi::detail {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x3474696272'6f6976ull;  // "viorbit4": the last digit is the version
+constexpr std::uint64_t magic = 0x3574696272'6f6976ull;  // "viorbit5": the last digit is the version
 
 [[noreturn]] void damaged(const std::string& why) {
   throw std::invalid_argument("The checkpoint " + why + ".");

@@ -13,12 +13,13 @@ namespace avi::detail {
 
 namespace {
 
-/// Returns true for functions that go from one asymptote to another near 0.
+/// Returns true for functions that change their form near 0, and whose singularities, if any, lie beside it.
 bool turns_at_zero(Operation operation) {
   switch (operation) {
     using enum Operation;
   case exp:
   case expm1:
+  case log1p:
   case cosh:
   case sinh:
   case tanh:
@@ -32,7 +33,8 @@ bool turns_at_zero(Operation operation) {
   }
 }
 
-/// Returns true where H is infinite at the zero of an operand.
+/// Returns true for a quotient, a negative power or a logarithm, which are infinite at the zero of an
+/// operand.
 bool is_infinite_at_zero(const ExpressionGraph& graph, int node) {
   using enum Operation;
   const ExpressionGraph::Node& what = graph[node];
@@ -74,6 +76,7 @@ Bends::Bends(const ExpressionGraph& graph, int energy, bool timed) : graph_(&gra
   std::vector<int> nodes;
   for (Bend& bend : bends_) {
     bend.degree = degrees[static_cast<std::size_t>(bend.node)];
+    bend.shortest = std::pow(bend.shortest, 1.0 / bend.degree);
     nodes.push_back(bend.node);
   }
   const std::vector<char> needed = graph.parts(nodes);
@@ -92,16 +95,21 @@ void Bends::find(int energy, bool timed) {
   // Nodes made of a function that turns, whose argument says where they bend; and constants.
   std::vector<char> settled(part.size(), 0);
   std::vector<int> singular;  // nodes that are singular at the zero of an operand
+  const std::vector<double> least = lower_bounds(graph, energy);
   for (int i = 0; i <= energy && size() <= most; ++i) {
     const ExpressionGraph::Node& what = graph[i];
     if (what.operation == Operation::input) continue;
     const auto turned = [&](int node) { return node >= 0 && on[node] != 0 && settled[node]; };
     settled[i] = on[i] == 0 || turned(what.a) || turned(what.b);
     if (!part[i] || on[i] == 0) continue;
-    if (is_infinite_at_zero(graph, i) || is_singular_at_zero(graph, i)) singular.push_back(i);
+    if (is_infinite_at_zero(graph, i) || is_singular_at_zero(graph, i) || what.operation == Operation::cbrt)
+      singular.push_back(i);
+    // Its value is a length of degree 1 itself.
+    if (what.operation == Operation::hypot && !settled[i] && least[i] > 0.0)
+      bends_.push_back({i, 1.0, false, false, of_time(i), false, least[i]});
     if (!turns_at_zero(what.operation)) continue;
     if (!settled[what.a] && std::ranges::find(bends_, what.a, &Bend::node) == bends_.end())
-      bends_.push_back({what.a, 1.0, true, false, of_time(what.a), false});
+      bends_.push_back({what.a, 1.0, true, false, of_time(what.a), false, 1.0});
     settled[i] = 1;
   }
   if (singular.empty()) return;
@@ -115,11 +123,15 @@ void Bends::find(int energy, bool timed) {
     if (is_infinite_at_zero(graph, node))
       for_factors(graph, operand(node), seen,
                   [&](int factor) { poles[factor] = !of_time(factor) && (on[factor] & on_p) == 0; });
-  const std::vector<double> least = lower_bounds(graph, energy);
   for (const int node : singular)
     for_factors(graph, operand(node), settled, [&](int factor) {
-      if (least[factor] > 0.0 || of_time(factor))
-        bends_.push_back({factor, 1.0, false, poles[factor] != 0, of_time(factor), !(least[factor] > 0.0)});
+      const bool may_vanish = !(least[factor] > 0.0);
+      // In a quotient with what vanishes as fast, nothing is singular.
+      if ((may_vanish && !of_time(factor)) ||
+          (is_infinite_at_zero(graph, node) && !(power_in(graph, node, factor) < 0.0)))
+        return;
+      bends_.push_back({factor, 1.0, false, poles[factor] != 0, of_time(factor), may_vanish,
+                        may_vanish ? 0.0 : least[factor]});
     });
 }
 
@@ -167,9 +179,15 @@ void Bends::measure(const Sketch& sketch) {
       low = std::min(low, length(i, k)), high = std::max(high, length(i, k));
       if (i > 0) fastest = std::max(fastest, speed(sketch, i - 1, k));
     }
-    bend.speed = high > 4.0 * low && std::isfinite(fastest) && !bend.may_vanish ? fastest : 0.0;
+    const bool counts = high > 4.0 * low && std::isfinite(fastest) && !bend.may_vanish;
+    bend.speed = counts && is_resolved(bend.shortest, fastest * sketch.time) ? fastest : 0.0;
     speeds_[k] = bend.is_pole ? 0.0 : bend.speed;
   }
+}
+
+void Bends::forget() {
+  std::ranges::fill(speeds_, 0.0);
+  ahead_ = 0.0;
 }
 
 void Bends::look_ahead(const VectorX& start, double t_end) {
@@ -184,8 +202,13 @@ void Bends::look_ahead(const VectorX& start, double t_end) {
       look_at(z.data());
       return lengths_[k];
     };
-    for (int i = 0; i <= parts; ++i)
+    bool vanishes = false;
+    for (int i = 0; i <= parts; ++i) {
+      const double before = values_[bends_[k].node];
       s[i] = at(static_cast<double>(i) / parts);
+      vanishes = vanishes || (i > 0 && !(before * values_[bends_[k].node] > 0.0));
+    }
+    if (bends_[k].may_vanish && vanishes) continue;
     double low = std::ranges::min(s), fastest = 0.0;
     for (int i = 1; i <= parts; ++i)
       fastest = std::max(fastest, std::abs(s[i] - s[i - 1]) * parts);
@@ -193,13 +216,13 @@ void Bends::look_ahead(const VectorX& start, double t_end) {
       if (s[i] <= s[i - 1] && s[i] <= s[i + 1])
         low = bends_[k].may_vanish ? 0.0
                                    : std::min(low, lowest(at, (i - 1.0) / parts, (i + 1.0) / parts, false).f);
-    if (!(low > 0.0 && std::ranges::max(s) > 4.0 * low) || !std::isfinite(fastest)) continue;
+    if (!(std::ranges::max(s) > 4.0 * low) || !std::isfinite(fastest) || !is_resolved(low, fastest)) continue;
     speeds_[k] = bends_[k].speed = std::max(bends_[k].speed, fastest / std::abs(t_end - start[last]));
     ahead_ = std::max(ahead_, speeds_[k] / low);
   }
 }
 
-double Bends::distance(const double* z) {
+double Bends::time_to_nearest(const double* z) {
   look_at(z);
   double nearest = infinity;
   for (std::size_t k = 0; k < speeds_.size(); ++k)
@@ -207,7 +230,7 @@ double Bends::distance(const double* z) {
   return nearest;
 }
 
-bool Bends::are_missed(const Sketch& sketch) {
+bool Bends::take_missed(const Sketch& sketch) {
   double fastest = 0.0;
   for (const Sketch::Sample& sample : sketch.samples)
     fastest = std::max(fastest, sample.frequency);

@@ -13,7 +13,7 @@ namespace avi::detail {
 
 /// The functions u of (q, p), time among q, near whose zeros H changes its form: those of which H takes a
 /// root, another fractional power or the logarithm, or by which it divides, if these never vanish; and the
-/// arguments of functions that go from one asymptote to another, such as exp and tanh. The length
+/// arguments of functions that change their form near 0, such as exp and tanh. The length
 /// \f$s_k\f$ is \f$|u_k|^{1/d_k}\f$ or \f$(1 + u_k^2)^{1/2d_k}\f$, where \f$d_k\f$ is the degree of
 /// \f$u_k\f$. The complex zeros of these lengths are singularities of H, or near such. So a step of a method
 /// of high order may be as long as the orbit takes to move by \f$s_k\f$, and the frequency \f$\phi_k =
@@ -36,9 +36,11 @@ class Bends {
   void look_ahead(const VectorX& start, double t_end);
   /// The highest frequency \f$w_k / s_k\f$ found by that.
   [[nodiscard]] double ahead() const { return ahead_; }
+  /// Takes no bend from here on.
+  void forget();
   /// Returns true if a sketch, the one measured, shows less of some bends than there is. Poles among them are
   /// taken for bends from then on.
-  bool are_missed(const Sketch& sketch);
+  bool take_missed(const Sketch& sketch);
   /// The speeds \f$w_k\f$.
   [[nodiscard]] const std::vector<double>& speeds() const { return speeds_; }
   /// Returns true if one of them is not 0.
@@ -48,15 +50,16 @@ class Bends {
   /// Returns true if this node is a pole that is taken for a bend.
   [[nodiscard]] bool takes(int node) const {
     for (std::size_t k = 0; k < size(); ++k)
-      if (bends_[k].node == node) return speeds_[k] > 0.0;
+      if (bends_[k].node == node && !bends_[k].beside) return speeds_[k] > 0.0;
     return false;
   }
   /// The time from a point (q, p) to the nearest bend, \f$\min_k s_k / w_k\f$.
-  double distance(const double* z);
+  double time_to_nearest(const double* z);
   /// Adds the node of \f$\sum_k w_k / s_k\f$ to a graph that contains H as the one of the constructor does.
+  /// @param speeds \f$w_k\f$, those of which are 0 are left out
   Factor frequency(ExpressionGraph& graph, const double* speeds) const;
 
-  static constexpr std::size_t most = 24;  ///< Largest number of bends of one H.
+  static constexpr std::size_t most = 64;  ///< Largest number of bends of one H.
 
  private:
   struct Bend {
@@ -66,9 +69,12 @@ class Bends {
     bool is_pole;        // whether H divides by u, a function of coordinates alone that never vanishes
     bool of_time;        // whether u depends on time alone
     bool may_vanish;     // whether the formula does not show that u is positive; only where of_time
+    double shortest;     // least value of s, as far as the formula shows
     double speed = 0.0;  // largest speed of s on the sketch
   };
   void find(int energy, bool timed);
+  /// Returns false for a bend of so small a part of the way that rounding would decide.
+  static bool is_resolved(double shortest, double way) { return shortest > 1e-11 * way; }
   /// s of bend k at a sample.
   [[nodiscard]] double length(std::size_t sample, std::size_t k) const { return along_[sample * size() + k]; }
   /// Its mean speed in the step from there.

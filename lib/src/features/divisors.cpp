@@ -10,6 +10,35 @@
 
 namespace avi::detail {
 
+namespace {
+
+// Power of a logarithm, for use in sums: smaller than any power that has a meaning.
+constexpr double nearly_none = 1e-9;
+
+/// Returns true if f(a) vanishes as a does.
+bool vanishes_with(Operation operation) {
+  switch (operation) {
+    using enum Operation;
+  case abs:
+  case sin:
+  case tan:
+  case asin:
+  case atan:
+  case sinh:
+  case tanh:
+  case asinh:
+  case atanh:
+  case expm1:
+  case log1p:
+  case erf:
+    return true;
+  default:
+    return false;
+  }
+}
+
+}  // namespace
+
 std::vector<int> divisors(const ExpressionGraph& graph, int energy, const std::vector<unsigned char>& on,
                           std::size_t most) {
   const std::vector<char> part = graph.parts(energy);
@@ -90,6 +119,20 @@ void follow_powers(const ExpressionGraph& graph, std::vector<double>& powers, st
   }
 }
 
+double power_in(const ExpressionGraph& graph, int node, int base) {
+  std::vector<double> powers(static_cast<std::size_t>(node) + 1, 0.0);
+  powers[base] = 1.0;
+  follow_powers(graph, powers, static_cast<std::size_t>(base) + 1,
+                [](Operation operation, double a, double b) {
+                  using enum Operation;
+                  if (operation == add || operation == subtract) return std::min(a, b);
+                  if (operation == log) return a > 0.0 ? -nearly_none : 0.0;
+                  if (operation == when) return b;
+                  return vanishes_with(operation) && a > 0.0 ? a : 0.0;
+                });
+  return powers[node];
+}
+
 std::vector<double> degrees_of(const ExpressionGraph& graph, int node) {
   std::vector<double> degrees;
   degrees.reserve(static_cast<std::size_t>(node) + 1);
@@ -131,6 +174,10 @@ std::vector<double> lower_bounds(const ExpressionGraph& graph, int node) {
       break;
     case cosh:
       least[i] = 1.0;
+      break;
+    case hypot:
+      for (const int operand : {a, b})
+        least[i] = std::max(least[i], graph.is_constant(operand) ? std::abs(graph[operand].number) : 0.0);
       break;
     default:
       break;

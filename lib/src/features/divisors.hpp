@@ -23,6 +23,10 @@ bool is_singular_at_zero(const ExpressionGraph& graph, int node);
 void follow_powers(const ExpressionGraph& graph, std::vector<double>& powers, std::size_t from,
                    double (*otherwise)(Operation, double, double));
 
+/// The power of a node in another one, as it vanishes. Where the other is their quotient with what vanishes
+/// as fast, it is 0.
+double power_in(const ExpressionGraph& graph, int node, int base);
+
 /// The degrees of the nodes up to this one in their arguments, at least 1; in a sum with other terms,
 /// constants count as degree 0.
 std::vector<double> degrees_of(const ExpressionGraph& graph, int node);

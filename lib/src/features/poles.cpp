@@ -10,35 +10,6 @@
 
 namespace avi::detail {
 
-namespace {
-
-// Power of a logarithm, for use in sums: smaller than any power that has a meaning.
-constexpr double nearly_none = 1e-9;
-
-/// Returns true if f(a) vanishes as a does.
-bool vanishes_with(Operation operation) {
-  switch (operation) {
-    using enum Operation;
-  case abs:
-  case sin:
-  case tan:
-  case asin:
-  case atan:
-  case sinh:
-  case tanh:
-  case asinh:
-  case atanh:
-  case expm1:
-  case log1p:
-  case erf:
-    return true;
-  default:
-    return false;
-  }
-}
-
-}  // namespace
-
 int Poles::Pole::steepness() const {
   // Steeper ones gain nothing: the steps that they save elsewhere are the ones that take the most sweeps.
   return static_cast<int>(std::min(std::round(-power * degree), 6.0));
@@ -52,28 +23,13 @@ Poles::Poles(const ExpressionGraph& graph, int energy)
   for (const int node : nodes)
     poles_.push_back({node, degrees[static_cast<std::size_t>(node)], 0.0});
   for (Pole& pole : poles_)
-    pole.power = power_in(energy, pole.node);
+    pole.power = power_in(graph, energy, pole.node);
   std::erase_if(poles_, [this](const Pole& pole) {
     if (pole.power < 0.0) return false;
     others_.push_back(pole);
     return true;
   });
   if (poles_.size() > most) poles_.clear();
-}
-
-/// The power of u in a node, as u vanishes.
-double Poles::power_in(int node, int base) const {
-  std::vector<double> powers(static_cast<std::size_t>(node) + 1, 0.0);
-  powers[base] = 1.0;
-  follow_powers(*graph_, powers, static_cast<std::size_t>(base) + 1,
-                [](Operation operation, double a, double b) {
-                  using enum Operation;
-                  if (operation == add || operation == subtract) return std::min(a, b);
-                  if (operation == log) return a > 0.0 ? -nearly_none : 0.0;
-                  if (operation == when) return b;
-                  return vanishes_with(operation) && a > 0.0 ? a : 0.0;
-                });
-  return powers[node];
 }
 
 double Poles::change(int node, double degree, const std::vector<double>& at) const {

@@ -75,7 +75,6 @@ class Poles {
     double power;                         // power of u in H, negative; nearly 0 for a logarithm
     [[nodiscard]] int steepness() const;  // a, a whole number
   };
-  [[nodiscard]] double power_in(int node, int base) const;
 
   const ExpressionGraph* graph_;
   int energy_;

@@ -67,7 +67,7 @@ class SharpFeatures {
   /// Returns true if H has no such function.
   [[nodiscard]] bool none() const { return arguments_.empty(); }
   /// Returns true if H has a kink or a branch, where errors of a step do not fall by its order.
-  [[nodiscard]] bool bends() const { return bends_; }
+  [[nodiscard]] bool has_kinks() const { return bends_; }
   /// Returns true if H is no polynomial in q: then there may be a feature that is felt nowhere else.
   [[nodiscard]] bool hides() const { return hides_; }
 
