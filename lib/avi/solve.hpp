@@ -443,8 +443,8 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 /// motion, and \f$E = e_0 + \sum_k e_k s_k^{-a_k}\f$ an energy. Where H bends within a length \f$s_k\f$, as
 /// \f$\sqrt{\varepsilon^2 + q^2}\f$ does, \f$w_k/s_k\f$ is added to \f$\phi\f$. Weights \f$w_i =
 /// (H_{pp})_{ii}/\bar a L_i\f$ come from ranges \f$L_i\f$ and a mean acceleration \f$\bar a\f$: for forces by
-/// the inverse square, `acceleration` is the time two bodies take to pass each other, whatever their masses.
-/// The explicit method is the splitting with 14 stages of Blanes and Moan (2002), for loose tolerances.
+/// the inverse square that is the time two bodies take to pass each other. The explicit method is the
+/// splitting with 14 stages of Blanes and Moan (2002), for loose tolerances or many degrees of freedom.
 ///
 /// Monitor, order and step are those that take the least work in short trials. The same input gives the same
 /// choice; units, and constants added to H, do not matter. H is called once, to record its operations.

@@ -97,13 +97,30 @@ TEST(Bends, AreFollowedAtTheCostOfALogarithm) {
       return 0.5 * (p[0] * p[0] + q[0] * q[0]) + 0.1 / (1.0 + x * x);
     };
     const auto expect = [&](const Told& told) {
-      EXPECT_LT(told.sweeps, 50'000) << width;
-      EXPECT_LT(told.error, 1e-6) << width;
+      EXPECT_LT(told.sweeps, 30'000) << width;
+      EXPECT_LT(told.error, 1e-6) << width;  // ten tolerances
     };
     expect(solved(by_q, start, 50.0));
     expect(solved(by_p, start, 50.0));
     expect(solved(step, start, 50.0));
     expect(solved(bump, start, 50.0));
+  }
+}
+
+// A free particle has no frequency; it is seen from afar all the same. A wall turns it, a step brakes it.
+TEST(Bends, AreSeenByWhatMovesFreely) {
+  const State<1> start{.q = {0.0}, .p = {1.0}};
+  for (const double width : {1e-2, 1e-4}) {
+    const auto wall = [=](const auto& q, const auto& p) {
+      return 0.5 * p[0] * p[0] + exp((q[0] - 100.0) / width);
+    };
+    const auto step = [=](const auto& q, const auto& p) {
+      return 0.5 * p[0] * p[0] + 0.2 * tanh((q[0] - 100.0) / width);
+    };
+    const Told turned = solved(wall, start, 300.0), braked = solved(step, start, 300.0);
+    EXPECT_LT(turned.sweeps, 3100) << width;
+    EXPECT_LT(braked.sweeps, 3100) << width;
+    EXPECT_LT(std::max(turned.error, braked.error), 6e-9) << width;
   }
 }
 
@@ -152,7 +169,7 @@ TEST(Bends, ThatCannotBeFollowedAreLeftOut) {
     const auto smooth = [=](const auto& q, const auto& t, const auto& p) {
       return 0.5 * (p[0] * p[0] + q[0] * q[0]) + 0.1 * q[0] * sin(t - zero) / (t - zero);
     };
-    EXPECT_LT(price(smooth, start, 10.0, 1e-6), 200) << zero;
+    EXPECT_LT(price(smooth, start, 10.0, 1e-6), 170) << zero;
   }
   const auto pushed = [](const auto& q, const auto& t, const auto& p) {
     return 0.5 * (p[0] * p[0] + q[0] * q[0]) - 0.5 * q[0] * (1.0 + tanh((t - 50.0) / 0.05));
@@ -170,7 +187,7 @@ TEST(Bends, OfMomentaAreFollowed) {
   const State<1> start{.q = {1000.0}, .p = {0.0}};
   const Told told = solved(h, start, 1e4);
   EXPECT_LT(told.sweeps, 13'000);
-  EXPECT_LT(told.error, 1e-4);  // of a range of 2e3 and 5e5
+  EXPECT_LT(told.error, 7e-7);  // measured 3.5e-7, of ranges of 2e3 and 1e6
 }
 
 }  // namespace bends_test

@@ -65,7 +65,7 @@ Candidate accelerated(const std::shared_ptr<ExpressionGraph>& graph, int energy,
   return {"acceleration", 0.375, graph, energy, energy_at_start, sum};
 }
 
-/// What H has of poles and bends.
+/// The poles and the bends of H.
 struct Singular {
   Poles poles;
   Bends bends;
@@ -304,7 +304,7 @@ class Menu {
     look(made, plain_ + 30.0 + 18.0 * features + nodes_ + 2.0 * graph_->inputs(), frequency,
          constants.front(), with_bends);
     // Gradients at a bend are steep for so short a time that the largest one says little.
-    if (with_bends) made.noise = rounding_ * frequency.shaken / sketch_.radians;
+    if (with_bends) made.noise = sketch_.radians > 0.0 ? rounding_ * frequency.shaken / sketch_.radians : 0.0;
     return made;
   }
   /// Sets what the sketch says of a candidate. @param operations those of a sweep @param measured what its

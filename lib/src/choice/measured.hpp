@@ -7,7 +7,7 @@
 #include <vector>
 
 /// @file
-/// What the monitor of an orbit does along its sketch.
+/// Measurements of the monitor of an orbit along its sketch.
 
 namespace avi::detail {
 

@@ -107,6 +107,7 @@ class Orbiter {
   void prepare();
   double energy_and_slope(const VectorX& start, VectorX& slope);
   void sketch_from(const VectorX& start);
+  [[nodiscard]] bool moves(const Sketch::Sample& sample) const;
   void look_at_bends(const VectorX& start);
   Resting at_rest(Eigen::Index seen, bool& drifting);
   double mean_motion(const Ranges& ranges, Eigen::Index seen);

@@ -121,10 +121,16 @@ void Orbiter::sketch_from(const VectorX& start) {
   if (named == "poles" || (named.empty() && question_.given < 0)) look_at_bends(start);
 }
 
+/// Returns true if something other than time and its momentum changes at a sample.
+bool Orbiter::moves(const Sketch::Sample& sample) const {
+  const Eigen::Index n = field_.size(), seen = question_.timed ? n - 1 : n;
+  return !sample.slope.head(seen).isZero(0.0) || !sample.slope.segment(n, seen).isZero(0.0);
+}
+
 /// Makes the sketch again, with short steps near bends of H, if it has missed some.
 void Orbiter::look_at_bends(const VectorX& start) {
-  // Of what hardly moves, a sketch shows no bend.
-  if (sketch_->samples.size() < 2 || !(sketch_->radians > 0.0)) return bends_->forget();
+  // Of what does not move yet, a sketch shows no bend.
+  if (sketch_->samples.size() < 2 || !moves(sketch_->samples.front())) return bends_->forget();
   if (question_.timed) bends_->look_ahead(start, question_.t_end);
   if (late() || !bends_->take_missed(*sketch_)) return;
   const VectorX first = sketch_->samples.front().z;  // at the start, or after the take-off

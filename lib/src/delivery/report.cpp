@@ -7,7 +7,7 @@ namespace avi {
 
 namespace {
 
-/// What the work of choosing is counted in: trials by splitting take kicks, others sweeps.
+/// The unit in which the work of choosing is counted: trials by splitting take kicks, others sweeps.
 const char* unit_of_choosing(const Choice& choice) {
   bool kicks = choice.name == "splitting", sweeps = !kicks;
   for (const SolveTrial& trial : choice.trials)

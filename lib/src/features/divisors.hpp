@@ -5,7 +5,7 @@
 #include <vector>
 
 /// @file
-/// What a Hamiltonian divides by, and the degrees and bounds of what it is made of.
+/// The divisors of a Hamiltonian, and degrees, powers and bounds of the nodes of its graph.
 
 namespace avi::detail {
 
