@@ -25,7 +25,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 LIB, BUILD = ROOT / "lib", ROOT / "build" / "mutants"
-SOURCES = sorted((LIB / "src").glob("*.cpp"))
+SOURCES = sorted((LIB / "src").rglob("*.cpp"))
 HOSTILE, WAYS = ROOT / "tests/hostile/hostile.cpp", ROOT / "tests/hostile/ways.cpp"
 EIGEN = "/usr/include/eigen3"
 # With the checks of Eigen and of the standard library, which notice an index that is out of range.
